@@ -1,0 +1,321 @@
+"""Energy of a candidate and its gradient: collisions, bounds, zones, openings and relations in one gather.
+
+One thread per (candidate, object) adds up every term that its object takes part in, so nothing is written twice and
+no atomics are needed. Each penalty is C1: quadratic up to a knee, then linear (Huber), on the clearance that is
+missing to a small safety margin, so that the optimum is strictly feasible.
+"""
+
+import warp as wp
+
+from .features import TURN, feature
+from .geometry import discs_apart, perp, plane_of, separation, turn, wrap
+from .tables import (
+    FREE_Z,
+    PAIR_COLLIDE,
+    PAIR_RIGID,
+    PAIR_ZONE_OF_FIRST,
+    PAIR_ZONE_OF_SECOND,
+    FIXTURE_SOLID,
+    Margins,
+    State,
+    Tables,
+    Weights,
+)
+
+wp.set_module_options({"enable_backward": False})
+
+ORIGIN = wp.constant(wp.vec2(0.0, 0.0))
+EAST = wp.constant(wp.vec2(1.0, 0.0))
+
+
+@wp.func
+def penalty(v: wp.float32, knee: wp.float32):
+    """Huber penalty of a violation v [m] and its slope; zero for v <= 0."""
+    if v <= 0.0:
+        return float(0.0), float(0.0)
+    if v < knee:
+        return 0.5 * v * v / knee, v / knee
+    return v - 0.5 * knee, float(1.0)
+
+
+@wp.func
+def outside(value: wp.float32, interval: wp.vec2):
+    """How far a value lies outside an interval, and the sign of the slope."""
+    if value < interval[0]:
+        return interval[0] - value, float(-1.0)
+    if value > interval[1]:
+        return value - interval[1], float(1.0)
+    return float(0.0), float(0.0)
+
+
+@wp.func
+def gate(za: wp.float32, a: wp.vec2, zb: wp.float32, b: wp.vec2, least: wp.float32):
+    """True when two z intervals overlap by more than the least: z decides whether, never how."""
+    return wp.min(za + a[1], zb + b[1]) - wp.max(za + a[0], zb + b[0]) > least
+
+
+@wp.func
+def clearance(
+    t: Tables,
+    first_start: wp.int32,
+    first_end: wp.int32,
+    first_list: wp.array(dtype=wp.int32),
+    pose_a: wp.vec4,
+    qa: wp.vec2,
+    second_start: wp.int32,
+    second_end: wp.int32,
+    second_list: wp.array(dtype=wp.int32),
+    pose_b: wp.vec4,
+    qb: wp.vec2,
+    aim: wp.float32,
+    least: wp.float32,
+    knee: wp.float32,
+):
+    """Penalty of two sets of prisms for being closer than aim, with the gradient for the first's pose."""
+    pa = plane_of(pose_a)
+    pb = plane_of(pose_b)
+    e = float(0.0)
+    g = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    for i in range(first_start, first_end):
+        a = first_list[i]
+        for j in range(second_start, second_end):
+            b = second_list[j]
+            if gate(pose_a[2], t.prism_z[a], pose_b[2], t.prism_z[b], least):
+                if not discs_apart(t, a, pa, qa, b, pb, qb, aim):
+                    s, n, x = separation(t, a, pa, qa, b, pb, qb, aim)
+                    de, dv = penalty(aim - s, knee)
+                    e += de
+                    g += dv * wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(x - pa)))
+    return e, g
+
+
+@wp.func
+def pair_energy(
+    t: Tables,
+    m: Margins,
+    w: Weights,
+    flags: wp.int32,
+    a: wp.int32,
+    pose_a: wp.vec4,
+    qa: wp.vec2,
+    b: wp.int32,
+    pose_b: wp.vec4,
+    qb: wp.vec2,
+):
+    """Collision and zone penalties of objects a and b (global indices), with the gradient for a's pose."""
+    e = float(0.0)
+    g = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    sa = t.solid_start[a]
+    sa1 = t.solid_start[a + 1]
+    sb = t.solid_start[b]
+    sb1 = t.solid_start[b + 1]
+    if flags & PAIR_COLLIDE:
+        ec, gc = clearance(
+            t, sa, sa1, t.solid, pose_a, qa, sb, sb1, t.solid, pose_b, qb, m.collision_aim, m.gate, w.knee
+        )
+        e += w.collision * ec
+        g += w.collision * gc
+    if flags & PAIR_ZONE_OF_FIRST:
+        ez, gz = clearance(
+            t, t.zone_start[a], t.zone_start[a + 1], t.zone, pose_a, qa, sb, sb1, t.solid, pose_b, qb,
+            m.zone_aim, m.gate, w.knee,
+        )
+        e += w.zone * ez
+        g += w.zone * gz
+    if flags & PAIR_ZONE_OF_SECOND:
+        ey, gy = clearance(
+            t, sa, sa1, t.solid, pose_a, qa, t.zone_start[b], t.zone_start[b + 1], t.zone, pose_b, qb,
+            m.zone_aim, m.gate, w.knee,
+        )
+        e += w.zone * ey
+        g += w.zone * gy
+    return e, g
+
+
+@wp.func
+def room_energy(t: Tables, m: Margins, w: Weights, p: wp.int32, o: wp.int32, pose: wp.vec4, q: wp.vec2):
+    """Bounds and openings: penalty of object o (global index) against the room, with gradient."""
+    at = plane_of(pose)
+    e = float(0.0)
+    g = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    reach = t.object_radius[o][0]
+    for k in range(t.plane_start[p], t.plane_start[p + 1]):
+        plane = t.plane[k]
+        n = wp.vec2(plane[0], plane[1])
+        depth = wp.dot(n, at) - plane[2]
+        if depth - reach < m.bounds_aim:
+            low = float(1.0e6)
+            x = at
+            for f in range(t.foot_start[o], t.foot_start[o + 1]):
+                a = t.foot[f]
+                for v in range(t.prism_start[a], t.prism_start[a + 1]):
+                    r = turn(q, t.vertex[v])
+                    d = depth + wp.dot(n, r)
+                    if d < low:
+                        low = d
+                        x = at + r
+            de, dv = penalty(m.bounds_aim - low, w.knee)
+            e += w.bounds * de
+            g -= w.bounds * dv * wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(x - at)))
+    for k in range(t.fixture_start[p], t.fixture_start[p + 1]):
+        a = t.fixture[k]
+        disc = t.prism_disc[a]
+        to = wp.vec2(disc[0], disc[1]) - at
+        far = disc[2] + reach + m.bounds_aim
+        if wp.dot(to, to) < far * far:
+            solid = t.fixture_kind[k] == FIXTURE_SOLID
+            if solid or t.object_clear[o] == 1:
+                aim = wp.where(solid, m.bounds_aim, m.zone_aim)
+                es, gs = clearance(
+                    t, t.solid_start[o], t.solid_start[o + 1], t.solid, pose, q, k, k + 1, t.fixture,
+                    wp.vec4(0.0, 0.0, 0.0, 0.0), EAST, aim, m.gate, w.knee,
+                )
+                weight = wp.where(solid, w.bounds, w.opening)
+                e += weight * es
+                g += weight * gs
+    if t.object_free[o] & FREE_Z:
+        off, slope = outside(
+            pose[2], wp.vec2(m.bounds_aim - t.object_z[o][0], t.room_height[p] - t.object_z[o][1] - m.bounds_aim)
+        )
+        dz, dzv = penalty(off, w.knee)
+        e += w.bounds * dz
+        g += wp.vec4(0.0, 0.0, w.bounds * dzv * slope, 0.0)
+    return e, g
+
+
+@wp.func
+def relation_energy(
+    t: Tables,
+    w: Weights,
+    o0: wp.int32,
+    r: wp.int32,
+    option: wp.int32,
+    role: wp.int32,
+    s: State,
+    candidate: wp.int32,
+):
+    """Penalty of relation r under one option, with the gradient for the object in the given role."""
+    ids = t.relation_object[r]
+    pose_a = s.poses[candidate, ids[0]]
+    qa = s.turns[candidate, ids[0]]
+    pose_b = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    qb = EAST
+    pose_c = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    if ids[1] >= 0:
+        pose_b = s.poses[candidate, ids[1]]
+        qb = s.turns[candidate, ids[1]]
+    if ids[2] >= 0:
+        pose_c = s.poses[candidate, ids[2]]
+    e = float(0.0)
+    g = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    for row in range(t.row_start[option], t.row_start[option + 1]):
+        value, slope = feature(t, row, role, o0 + ids[0], o0 + ids[1], pose_a, qa, pose_b, qb, pose_c)
+        off, sign = outside(value, t.row_aim[row])
+        scale = t.row_scale[row]
+        de, dv = penalty(off * scale, w.knee)
+        e += de
+        g += dv * sign * scale * slope
+    weight = w.relation * t.relation_weight[r]
+    return weight * e, weight * g
+
+
+@wp.func
+def object_energy(
+    t: Tables,
+    m: Margins,
+    w: Weights,
+    p: wp.int32,
+    candidate: wp.int32,
+    obj: wp.int32,
+    s: State,
+):
+    """Everything that object ``obj`` of a candidate takes part in.
+
+    Returns (energy, share, soft, gradient): the energy of all its terms; its share of the candidate's energy (half of
+    each pair, the whole of a relation for its subject); what of the share soft relations and the pull make up; and the
+    gradient of the energy for its pose (x, y, z, yaw).
+    """
+    o0 = t.object_start[p]
+    n = t.object_start[p + 1] - o0
+    o = o0 + obj
+    pose = s.poses[candidate, obj]
+    q = s.turns[candidate, obj]
+    at = plane_of(pose)
+    e, g = room_energy(t, m, w, p, o, pose, q)
+    soft = float(0.0)
+    if w.pull > 0.0:
+        d = pose - s.anchors[candidate, obj]
+        d[3] = wrap(d[3], TURN)
+        soft += 0.5 * w.pull * wp.dot(d, d)
+        e += soft
+        g += w.pull * d
+    share = e
+    radius = t.object_radius[o]
+    row = t.pair_start[p] + obj * n
+    for j in range(n):
+        flags = int(t.pair_flags[row + j])
+        if flags != 0 and (flags & PAIR_RIGID) == 0:
+            other = s.poses[candidate, j]
+            v = plane_of(other) - at
+            rj = t.object_radius[o0 + j]
+            # a zone only meets solids
+            far = wp.max(radius[0] + rj[1], radius[1] + rj[0]) + m.collision_aim
+            if wp.dot(v, v) < far * far:
+                ep, gp = pair_energy(t, m, w, flags, o, pose, q, o0 + j, other, s.turns[candidate, j])
+                e += ep
+                share += 0.5 * ep
+                g += gp
+    r0 = t.relation_start[p]
+    for k in range(t.touch_start[o], t.touch_start[o + 1]):
+        r = t.touch[k]
+        if t.relation_rigid[r0 + r] == 0:
+            role = t.touch_role[k]
+            er, gr = relation_energy(t, w, o0, r0 + r, s.options[candidate, r], role, s, candidate)
+            e += er
+            g += gr
+            if role == 0:
+                share += er
+                if t.relation_fault[r0 + r] == 0:
+                    soft += er
+    return e, share, soft, g
+
+
+@wp.kernel
+def evaluate(
+    # Problem:
+    t: Tables,
+    m: Margins,
+    w: Weights,
+    problem: wp.array(dtype=wp.int32),
+    # State in:
+    s: State,
+    # State out:
+    share_out: wp.array2d(dtype=wp.float32),
+    soft_out: wp.array2d(dtype=wp.float32),
+    gradient_out: wp.array2d(dtype=wp.vec4),
+):
+    """Energy share, soft part of it and gradient of every object, [candidate, object]."""
+    candidate, obj = wp.tid()
+    p = problem[candidate]
+    if obj >= t.object_start[p + 1] - t.object_start[p]:
+        share_out[candidate, obj] = 0.0
+        soft_out[candidate, obj] = 0.0
+        gradient_out[candidate, obj] = wp.vec4(0.0, 0.0, 0.0, 0.0)
+        return
+    _e, share, soft, g = object_energy(t, m, w, p, candidate, obj, s)
+    share_out[candidate, obj] = share
+    soft_out[candidate, obj] = soft
+    gradient_out[candidate, obj] = g
+
+
+@wp.kernel
+def set_turns(
+    # State in:
+    poses: wp.array2d(dtype=wp.vec4),
+    # State out:
+    turns_out: wp.array2d(dtype=wp.vec2),
+):
+    """(cos, sin) of every yaw."""
+    candidate, obj = wp.tid()
+    yaw = poses[candidate, obj][3]
+    turns_out[candidate, obj] = wp.vec2(wp.cos(yaw), wp.sin(yaw))

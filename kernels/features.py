@@ -1,0 +1,230 @@
+"""The features that relations are made of, each with its hand-written gradient.
+
+A relation's option (say: the back at wall 2) is a set of rows; a row asks one feature to lie in an interval. The
+gradient returned is that of the value with respect to the pose (x, y, z, yaw) of the object in the given role:
+0 subject a, 1 first target b, 2 second target c. Target -1 is the room's own frame.
+"""
+
+import warp as wp
+
+from .geometry import FAR, distance, perp, plane_of, turn, turn_back, wrap
+from .tables import (
+    FEATURE_ASIDE,
+    FEATURE_BEARING,
+    FEATURE_BETWEEN,
+    FEATURE_CONSTANT,
+    FEATURE_DISTANCE,
+    FEATURE_EXTENT,
+    FEATURE_HEIGHT,
+    FEATURE_LINE,
+    FEATURE_SPREAD,
+    FEATURE_WINDOW,
+    FEATURE_YAW,
+    Tables,
+)
+
+wp.set_module_options({"enable_backward": False})
+
+TURN = wp.constant(6.283185307179586)
+TINY = wp.constant(1.0e-8)  # [m2] keeps angles about a coinciding centre finite
+
+
+@wp.func
+def lever(role: wp.int32, n: wp.vec2, x: wp.vec2, pa: wp.vec2, pb: wp.vec2):
+    """Gradient of a length along n measured from b to the witness x of a."""
+    if role == 0:
+        return wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(x - pa)))
+    return wp.vec4(-n[0], -n[1], 0.0, -wp.dot(n, perp(x - pb)))
+
+
+@wp.func
+def angle_slope(v: wp.vec2):
+    """Gradient of atan2(v.y, v.x) with respect to v."""
+    return perp(v) / (wp.dot(v, v) + TINY)
+
+
+@wp.func
+def footprint_distance(
+    t: Tables,
+    a: wp.int32,
+    pa: wp.vec2,
+    qa: wp.vec2,
+    b: wp.int32,
+    pb: wp.vec2,
+    qb: wp.vec2,
+    prism: wp.int32,
+):
+    """Distance of a's footprint to that of object b, or to one static prism when prism >= 0; indices are global."""
+    best = float(FAR)
+    best_n = wp.vec2(1.0, 0.0)
+    best_x = pa
+    for i in range(t.foot_start[a], t.foot_start[a + 1]):
+        if prism >= 0:
+            s, n, x = distance(t, t.foot[i], pa, qa, prism, pb, qb)
+            if s < best:
+                best = s
+                best_n = n
+                best_x = x
+        else:
+            for j in range(t.foot_start[b], t.foot_start[b + 1]):
+                s, n, x = distance(t, t.foot[i], pa, qa, t.foot[j], pb, qb)
+                if s < best:
+                    best = s
+                    best_n = n
+                    best_x = x
+    return best, best_n, best_x
+
+
+@wp.func
+def line_feature(t: Tables, row: wp.int32, role: wp.int32, pa: wp.vec2, qa: wp.vec2, pb: wp.vec2, qb: wp.vec2):
+    """Coordinate of a point of a along a direction fixed to b."""
+    n = turn(qb, t.row_normal[row])
+    x = pa + turn(qa, t.row_point[row])
+    return wp.dot(n, x - pb) - t.row_offset[row], lever(role, n, x, pa, pb)
+
+
+@wp.func
+def yaw_feature(t: Tables, row: wp.int32, role: wp.int32, yaw_a: wp.float32, yaw_b: wp.float32):
+    """Difference of yaw modulo the period ``row_normal.x``."""
+    value = wrap(yaw_a - yaw_b - t.row_offset[row], t.row_normal[row][0])
+    return value, wp.vec4(0.0, 0.0, 0.0, wp.where(role == 0, 1.0, -1.0))
+
+
+@wp.func
+def bearing_feature(role: wp.int32, pa: wp.vec2, qa: wp.vec2, pb: wp.vec2):
+    """Direction of b's centre seen from a's front."""
+    v = pb - pa
+    w = turn_back(qa, v)
+    g = angle_slope(v)
+    grad = wp.vec4(g[0], g[1], 0.0, 0.0)
+    if role == 0:
+        grad = wp.vec4(-g[0], -g[1], 0.0, -1.0)
+    return wp.atan2(w[1], w[0] + 1.0e-12), grad
+
+
+@wp.func
+def half_extent(size: wp.vec3, n: wp.vec2, q: wp.vec2):
+    """Half the width of a box along n, and its derivative by yaw."""
+    f = wp.dot(n, q)
+    g = wp.dot(n, perp(q))
+    reach = 0.5 * (wp.abs(f) * size[0] + wp.abs(g) * size[1])
+    return reach, 0.5 * (wp.sign(f) * g * size[0] - wp.sign(g) * f * size[1])
+
+
+@wp.func
+def extent_feature(t: Tables, row: wp.int32, a: wp.int32, pa: wp.vec2, qa: wp.vec2):
+    """Lowest point of a's box along a direction of the room."""
+    n = t.row_normal[row]
+    reach, slope = half_extent(t.object_size[a], n, qa)
+    return wp.dot(n, pa) - t.row_offset[row] - reach, wp.vec4(n[0], n[1], 0.0, -slope)
+
+
+@wp.func
+def window_feature(t: Tables, row: wp.int32, a: wp.int32, pa: wp.vec2, qa: wp.vec2):
+    """How much of the overlap along the wall is missing: of the shorter of a's box and the window (half width
+    ``row_point.x``) the share ``row_point.y`` must lie beside the other."""
+    n = t.row_normal[row]
+    reach, slope = half_extent(t.object_size[a], n, qa)
+    u = wp.dot(n, pa) - t.row_offset[row]
+    half = t.row_point[row][0]
+    share = 2.0 * t.row_point[row][1]
+    value = wp.abs(u) - (reach + half - share * wp.min(reach, half))
+    if reach < half:
+        slope = (1.0 - share) * slope
+    return value, wp.vec4(wp.sign(u) * n[0], wp.sign(u) * n[1], 0.0, -slope)
+
+
+@wp.func
+def between_feature(role: wp.int32, pa: wp.vec2, pb: wp.vec2, pc: wp.vec2):
+    """a's place along the line from b to c: 0 at b, 1 at c."""
+    d = pc - pb
+    u = pa - pb
+    dd = wp.dot(d, d) + TINY
+    value = wp.dot(u, d) / dd
+    g = d / dd
+    if role == 1:
+        g = (2.0 * value * d - d - u) / dd
+    elif role == 2:
+        g = (u - 2.0 * value * d) / dd
+    return value, wp.vec4(g[0], g[1], 0.0, 0.0)
+
+
+@wp.func
+def aside_feature(role: wp.int32, pa: wp.vec2, pb: wp.vec2, pc: wp.vec2):
+    """a's signed distance from the line through b and c."""
+    d = pc - pb
+    u = pa - pb
+    r = wp.sqrt(wp.dot(d, d) + TINY)
+    value = (d[0] * u[1] - d[1] * u[0]) / r
+    by_u = perp(d) / r
+    by_d = -perp(u) / r - value * d / (r * r)
+    g = by_u
+    if role == 1:
+        g = -by_u - by_d
+    elif role == 2:
+        g = by_d
+    return value, wp.vec4(g[0], g[1], 0.0, 0.0)
+
+
+@wp.func
+def spread_feature(t: Tables, row: wp.int32, role: wp.int32, pa: wp.vec2, pb: wp.vec2, pc: wp.vec2):
+    """Angle about b from c to a."""
+    u = pa - pb
+    w = pc - pb
+    value = wrap(wp.atan2(u[1], u[0] + 1.0e-12) - wp.atan2(w[1], w[0] + 1.0e-12) - t.row_offset[row], TURN)
+    by_u = angle_slope(u)
+    by_w = angle_slope(w)
+    g = by_u
+    if role == 1:
+        g = by_w - by_u
+    elif role == 2:
+        g = -by_w
+    return value, wp.vec4(g[0], g[1], 0.0, 0.0)
+
+
+@wp.func
+def feature(
+    t: Tables,
+    row: wp.int32,
+    role: wp.int32,
+    a: wp.int32,
+    b: wp.int32,
+    pose_a: wp.vec4,
+    qa: wp.vec2,
+    pose_b: wp.vec4,
+    qb: wp.vec2,
+    pose_c: wp.vec4,
+):
+    """Value of a row's feature and its gradient for one role; a and b are global object indices."""
+    kind = t.row_feature[row]
+    pa = plane_of(pose_a)
+    pb = plane_of(pose_b)
+    pc = plane_of(pose_c)
+    value = float(0.0)
+    grad = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    if kind == FEATURE_LINE:
+        value, grad = line_feature(t, row, role, pa, qa, pb, qb)
+    elif kind == FEATURE_YAW:
+        value, grad = yaw_feature(t, row, role, pose_a[3], pose_b[3])
+    elif kind == FEATURE_BEARING:
+        value, grad = bearing_feature(role, pa, qa, pb)
+    elif kind == FEATURE_DISTANCE:
+        s, n, x = footprint_distance(t, a, pa, qa, b, pb, qb, t.row_prism[row])
+        value = s
+        grad = lever(role, -n, x, pa, pb)
+    elif kind == FEATURE_EXTENT:
+        value, grad = extent_feature(t, row, a, pa, qa)
+    elif kind == FEATURE_WINDOW:
+        value, grad = window_feature(t, row, a, pa, qa)
+    elif kind == FEATURE_HEIGHT:
+        value = pose_a[2] - pose_b[2] - t.row_offset[row]
+        grad = wp.vec4(0.0, 0.0, wp.where(role == 0, 1.0, -1.0), 0.0)
+    elif kind == FEATURE_BETWEEN:
+        value, grad = between_feature(role, pa, pb, pc)
+    elif kind == FEATURE_ASIDE:
+        value, grad = aside_feature(role, pa, pb, pc)
+    elif kind == FEATURE_SPREAD:
+        value, grad = spread_feature(t, row, role, pa, pb, pc)
+    elif kind == FEATURE_CONSTANT:
+        value = t.row_offset[row]
+    return value, grad

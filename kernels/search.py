@@ -1,0 +1,359 @@
+"""Search over one candidate: relation-guided moves of single objects and whole groups, annealed, then a polish.
+
+One thread per candidate. A move picks an object in proportion to its energy, draws some poses for it, and takes the
+best by the Metropolis rule with a temperature that falls to zero. Walls and sides are discrete choices: a move sets
+them anew for every relation that it touches. Energies are local: a move costs what touches the moved objects.
+"""
+
+import warp as wp
+
+from .energy import object_energy
+from .geometry import perp, plane_of, turn
+from .sample import (
+    best_option,
+    carry,
+    keep_inside,
+    normal,
+    pick,
+    random_start,
+    set_pose,
+    settle,
+    uniform,
+)
+from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, State, Tables, Weights
+
+wp.set_module_options({"enable_backward": False})
+
+SOLVED = wp.constant(1.0e-9)
+
+
+@wp.struct
+class Budget:
+    """Work units of one launch, its place in the whole attempt, and the temperature [m] at the start."""
+
+    first: wp.int32  # moves of this attempt made before
+    moves: wp.int32
+    whole: wp.int32  # moves of the attempt
+    proposals: wp.int32
+    refresh: wp.int32  # moves between two looks at the whole candidate
+    polish: wp.int32  # gradient sweeps at the end
+    linger: wp.int32  # moves spent on soft relations once the hard ones hold
+    hot: wp.float32
+    start: wp.int32  # 0: from the poses given; 1: anywhere; 2: drawn from the relations
+
+
+@wp.func
+def copy_group(
+    t: Tables, p: wp.int32, candidate: wp.int32, first: wp.int32, last: wp.int32, a: State, b: State
+):
+    """Copy poses and the options of all relations touched, for the objects group[first:last], from a to b."""
+    o0 = t.object_start[p]
+    for k in range(first, last):
+        i = t.group[k]
+        b.poses[candidate, i] = a.poses[candidate, i]
+        b.turns[candidate, i] = a.turns[candidate, i]
+        for c in range(t.touch_start[o0 + i], t.touch_start[o0 + i + 1]):
+            r = t.touch[c]
+            b.options[candidate, r] = a.options[candidate, r]
+
+
+@wp.func
+def choose_options(
+    t: Tables, w: Weights, p: wp.int32, candidate: wp.int32, first: wp.int32, last: wp.int32, s: State
+):
+    """Give every relation that touches the objects group[first:last] its best option."""
+    o0 = t.object_start[p]
+    r0 = t.relation_start[p]
+    for k in range(first, last):
+        o = o0 + t.group[k]
+        for c in range(t.touch_start[o], t.touch_start[o + 1]):
+            r = t.touch[c]
+            if t.relation_rigid[r0 + r] == 0:
+                s.options[candidate, r] = best_option(t, w, o0, r0 + r, s, candidate)
+
+
+@wp.func
+def group_energy(
+    t: Tables, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, first: wp.int32, last: wp.int32, s: State
+):
+    """Energy of all terms that touch the objects group[first:last]; terms inside the group count twice."""
+    e = float(0.0)
+    for k in range(first, last):
+        ei, _share, _soft, _g = object_energy(t, m, w, p, candidate, t.group[k], s)
+        e += ei
+    return e
+
+
+@wp.func
+def members_energy(t: Tables, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, s: State):
+    """Energy, share, soft share and gradient of a root with all that it carries, as one rigid body."""
+    o = t.object_start[p] + root
+    at = plane_of(s.poses[candidate, root])
+    e = float(0.0)
+    share = float(0.0)
+    soft = float(0.0)
+    g = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    for k in range(t.member_start[o], t.member_start[o + 1]):
+        i = t.member[k]
+        ei, hi, fi, gi = object_energy(t, m, w, p, candidate, i, s)
+        e += ei
+        share += hi
+        soft += fi
+        arm = perp(plane_of(s.poses[candidate, i]) - at)
+        g += wp.vec4(gi[0], gi[1], gi[2], gi[3] + gi[0] * arm[0] + gi[1] * arm[1])
+    free = t.object_free[o]
+    if (free & FREE_PLANE) == 0:
+        g[0] = 0.0
+        g[1] = 0.0
+    if (free & FREE_Z) == 0:
+        g[2] = 0.0
+    if (free & FREE_YAW) == 0:
+        g[3] = 0.0
+    return e, share, soft, g
+
+
+@wp.func
+def slide(t: Tables, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32, gap: wp.float32):
+    """Slide an object along its own left axis until its box is flush with another's, or with a wall."""
+    o0 = t.object_start[p]
+    o = o0 + obj
+    pose = s.poses[candidate, obj]
+    q = s.turns[candidate, obj]
+    axis = wp.vec2(-q[1], q[0])
+    half = 0.5 * t.object_size[o][1]
+    side = wp.where(uniform(s, candidate) < 0.5, 1.0, -1.0)
+    n = t.object_start[p + 1] - o0
+    step = float(0.0)
+    if uniform(s, candidate) < 0.3 or n < 2:
+        found = float(1.0e6)
+        for k in range(t.plane_start[p], t.plane_start[p + 1]):
+            plane = t.plane[k]
+            along = side * (plane[0] * axis[0] + plane[1] * axis[1])
+            if along < -0.5:
+                d = (wp.dot(wp.vec2(plane[0], plane[1]), plane_of(pose)) - plane[2]) / -along - half - gap
+                if d < found:
+                    found = d
+        if found < 1.0e5:
+            step = side * found
+    else:
+        near = float(1.0e12)
+        for _try in range(3):
+            j = pick(s, candidate, n)
+            if t.object_root[o0 + j] != obj:
+                v = plane_of(s.poses[candidate, j]) - plane_of(pose)
+                if wp.dot(v, v) < near:
+                    near = wp.dot(v, v)
+                    qj = s.turns[candidate, j]
+                    size = t.object_size[o0 + j]
+                    reach = 0.5 * (
+                        wp.abs(wp.dot(axis, qj)) * size[0] + wp.abs(wp.dot(axis, perp(qj))) * size[1]
+                    )
+                    step = wp.dot(axis, v) + side * (half + reach + gap)
+    if t.object_free[o] & FREE_PLANE:
+        s.poses[candidate, obj] = wp.vec4(pose[0] + step * axis[0], pose[1] + step * axis[1], pose[2], pose[3])
+
+
+@wp.func
+def propose(
+    t: Tables, m: Margins, w: Weights, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32, scale: wp.float32
+):
+    """Draw a new pose for an object into its entry of the state (what it carries stays behind)."""
+    u = uniform(s, candidate)
+    if u < 0.65:
+        set_pose(s, candidate, obj, random_start(t, p, obj, s, candidate))
+        settle(t, w, p, obj, s, candidate, 1)
+    else:
+        free = t.object_free[t.object_start[p] + obj]
+        pose = s.poses[candidate, obj]
+        if free & FREE_PLANE:
+            pose[0] = pose[0] + scale * normal(s, candidate)
+            pose[1] = pose[1] + scale * normal(s, candidate)
+        if free & FREE_Z:
+            pose[2] = pose[2] + 0.5 * scale * normal(s, candidate)
+        if free & FREE_YAW:
+            if u > 0.95:
+                pose[3] = pose[3] + 1.5707963267948966 * float(1 + pick(s, candidate, 3))
+        set_pose(s, candidate, obj, pose)
+        settle(t, w, p, obj, s, candidate, 0)
+    keep_inside(t, p, obj, s, candidate, m.bounds_aim)
+    if uniform(s, candidate) < 0.35:
+        slide(t, p, obj, s, candidate, m.collision_aim + 0.001)
+
+
+@wp.func
+def descend(
+    t: Tables, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, s: State
+):
+    """One Polyak step towards zero energy on a root's pose, halved until it helps. Returns the new energy."""
+    o = t.object_start[p] + root
+    e, _share, _soft, g = members_energy(t, m, w, p, candidate, root, s)
+    arm = 0.3 * t.object_radius[o][0] + 0.05
+    scaled = wp.vec4(g[0], g[1], g[2], g[3] / (arm * arm))
+    gg = wp.dot(g, scaled)
+    if e <= SOLVED or gg < 1.0e-12:
+        return e
+    old = s.poses[candidate, root]
+    step = 1.8 * e / gg
+    reach = step * wp.sqrt(wp.dot(scaled, wp.vec4(g[0], g[1], g[2], arm * arm * scaled[3])))
+    if reach > 0.3:
+        step = step * 0.3 / reach
+    for _try in range(3):
+        carry(t, t.object_start[p], s, candidate, root, old - step * scaled, 0)
+        en, _share2, _soft2, _g2 = members_energy(t, m, w, p, candidate, root, s)
+        if en < e:
+            return en
+        step = 0.35 * step
+    carry(t, t.object_start[p], s, candidate, root, old, 0)
+    return e
+
+
+@wp.func
+def survey(
+    t: Tables, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, s: State, energy: wp.array2d(dtype=wp.float32)
+):
+    """Energy of every root into ``energy``; returns the candidate's total and the soft part of it."""
+    o0 = t.object_start[p]
+    total = float(0.0)
+    soft = float(0.0)
+    for obj in range(t.object_start[p + 1] - o0):
+        energy[candidate, obj] = 0.0
+        if t.member_start[o0 + obj + 1] > t.member_start[o0 + obj]:
+            e, share, f, _g = members_energy(t, m, w, p, candidate, obj, s)
+            total += share
+            soft += f
+            if t.object_free[o0 + obj] != 0:
+                energy[candidate, obj] = e
+    return total, soft
+
+
+@wp.func
+def begin(t: Tables, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, s: State, how: wp.int32):
+    """Draw every free object anew: anywhere (1), or from its relations, those that place others first (2)."""
+    o0 = t.object_start[p]
+    n = t.object_start[p + 1] - o0
+    for depth in range(4):
+        for obj in range(n):
+            if t.object_root[o0 + obj] == obj and t.object_free[o0 + obj] != 0:
+                chain = int(0)
+                parent = t.object_parent[o0 + obj]
+                while parent >= 0 and chain < 3:
+                    parent = t.object_parent[o0 + parent]
+                    chain += 1
+                if chain == depth:
+                    old = s.poses[candidate, obj]
+                    set_pose(s, candidate, obj, random_start(t, p, obj, s, candidate))
+                    if how == 2:
+                        settle(t, w, p, obj, s, candidate, 1)
+                        keep_inside(t, p, obj, s, candidate, m.bounds_aim)
+                    pose = s.poses[candidate, obj]
+                    set_pose(s, candidate, obj, old)
+                    carry(t, o0, s, candidate, obj, pose, 0)
+
+
+@wp.kernel
+def search(
+    # Problem:
+    t: Tables,
+    m: Margins,
+    w: Weights,
+    budget: Budget,
+    problem: wp.array(dtype=wp.int32),
+    active: wp.array(dtype=wp.int32),
+    # State in and out:
+    s: State,
+    trial: State,
+    # State out:
+    energy_out: wp.array2d(dtype=wp.float32),
+    total_out: wp.array(dtype=wp.float32),
+):
+    """Search each active candidate in place; ``trial`` is scratch of the same shape."""
+    candidate = active[wp.tid()]
+    p = problem[candidate]
+    o0 = t.object_start[p]
+    n = t.object_start[p + 1] - o0
+    r0 = t.relation_start[p]
+    if budget.start > 0:
+        begin(t, m, w, p, candidate, s, budget.start)
+    for r in range(r0, t.relation_start[p + 1]):
+        s.options[candidate, r - r0] = best_option(t, w, o0, r, s, candidate)
+        trial.options[candidate, r - r0] = s.options[candidate, r - r0]
+    for obj in range(n):
+        trial.poses[candidate, obj] = s.poses[candidate, obj]
+        trial.turns[candidate, obj] = s.turns[candidate, obj]
+
+    total = float(0.0)
+    lingered = int(0)
+    done = bool(False)
+    for move in range(budget.moves):
+        if not done:
+            if move % budget.refresh == 0:
+                all, soft = survey(t, m, w, p, candidate, s, energy_out)
+                total = all
+                if all - soft <= SOLVED:
+                    lingered += budget.refresh
+                    if soft <= SOLVED or lingered > budget.linger:
+                        done = True
+            sum = float(0.0)
+            for obj in range(n):
+                sum += energy_out[candidate, obj]
+            if sum <= 0.0:
+                done = True
+            if not done:
+                level = 1.0 - float(budget.first + move) / float(budget.whole)
+                heat = budget.hot * level * level
+                if lingered > 0:
+                    heat = 0.0
+                left = uniform(s, candidate) * sum
+                obj = int(-1)
+                for i in range(n):
+                    e = energy_out[candidate, i]
+                    if e > 0.0 and left >= 0.0:
+                        obj = i
+                        left -= e
+                whole = int(0)
+                parent = t.object_parent[o0 + obj]
+                if parent >= 0 and uniform(s, candidate) < 0.25:
+                    obj = parent
+                    whole = 1
+                elif uniform(s, candidate) < 0.5:
+                    whole = 1
+                o = o0 + obj
+                first = t.group_start[o]
+                last = t.group_start[o + 1]
+                if whole == 0:
+                    last = first + t.member_start[o + 1] - t.member_start[o]
+                old = s.poses[candidate, obj]
+                before = group_energy(t, m, w, p, candidate, first, last, s)
+                least = float(1.0e9)
+                chosen = old
+                for _k in range(budget.proposals):
+                    scale = 0.02 + 0.4 * level * uniform(s, candidate)
+                    propose(t, m, w, p, obj, trial, candidate, scale)
+                    pose = trial.poses[candidate, obj]
+                    set_pose(trial, candidate, obj, old)
+                    carry(t, o0, trial, candidate, obj, pose, whole)
+                    choose_options(t, w, p, candidate, first, last, trial)
+                    e = group_energy(t, m, w, p, candidate, first, last, trial)
+                    if e < least:
+                        least = e
+                        chosen = pose
+                    copy_group(t, p, candidate, first, last, s, trial)
+                if least < before - heat * wp.log(uniform(s, candidate) + 1.0e-9):
+                    carry(t, o0, s, candidate, obj, chosen, whole)
+                    choose_options(t, w, p, candidate, first, last, s)
+                    copy_group(t, p, candidate, first, last, s, trial)
+                    for k in range(first, last):
+                        i = t.group[k]
+                        if energy_out[candidate, i] > 0.0 or i == obj:
+                            ei, _h, _f, _g = members_energy(t, m, w, p, candidate, i, s)
+                            energy_out[candidate, i] = ei
+    for _sweep in range(budget.polish):
+        if not done:
+            for obj in range(n):
+                if t.object_free[o0 + obj] != 0:
+                    descend(t, m, w, p, candidate, obj, s)
+            all, soft = survey(t, m, w, p, candidate, s, energy_out)
+            total = all
+            if all <= SOLVED:
+                done = True
+    total_out[candidate] = total

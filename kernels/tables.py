@@ -1,0 +1,137 @@
+"""The compiled problem as the kernels see it: one struct of flat tables.
+
+A batch may hold candidates of several problems, so every table is the concatenation of the problems' tables and
+``*_start`` arrays give each problem's, object's or relation's range (CSR). Indices of objects and relations stored
+inside the tables are local to their problem. Lengths are metres, angles radians.
+"""
+
+import warp as wp
+
+wp.set_module_options({"enable_backward": False})
+
+# Bits of ``Tables.pair_flags[i, j]``.
+PAIR_COLLIDE = 1  # solids of i and j must not overlap; a term of the energy
+PAIR_ZONE_OF_FIRST = 2  # hard zones of i must be free of j's solids
+PAIR_ZONE_OF_SECOND = 4  # hard zones of j must be free of i's solids
+PAIR_RIGID = 8  # carried along together: the distance never changes, only the verdict looks at it
+
+# Bits of ``Tables.object_free``.
+FREE_PLANE = 1  # x, y
+FREE_YAW = 2
+FREE_Z = 4
+
+# Kinds of static prisms, ``Tables.fixture_kind``.
+FIXTURE_SOLID = 0  # outside of the room, or a part of the furniture that carries a surface
+FIXTURE_OPENING = 1  # clearance of a door or a window
+
+# Features of a relation row, ``Tables.row_feature``; `features.py` has their arithmetic.
+FEATURE_LINE = 0
+FEATURE_YAW = 1
+FEATURE_BEARING = 2
+FEATURE_DISTANCE = 3
+FEATURE_EXTENT = 4
+FEATURE_WINDOW = 5
+FEATURE_HEIGHT = 6
+FEATURE_BETWEEN = 7
+FEATURE_ASIDE = 8
+FEATURE_SPREAD = 9
+FEATURE_CONSTANT = 10
+
+
+@wp.struct
+class Tables:
+    """Every table of a batch of problems. Built by ``sceneweaver.layout.pack``."""
+
+    # problem [P] or [P + 1]
+    object_start: wp.array(dtype=wp.int32)
+    relation_start: wp.array(dtype=wp.int32)
+    fixture_start: wp.array(dtype=wp.int32)
+    plane_start: wp.array(dtype=wp.int32)
+    pair_start: wp.array(dtype=wp.int32)
+    room_height: wp.array(dtype=wp.float32)
+    room_box: wp.array(dtype=wp.vec4)  # xmin, ymin, xmax, ymax of the outline
+    # object [O] or [O + 1]
+    object_size: wp.array(dtype=wp.vec3)
+    object_radius: wp.array(dtype=wp.vec2)  # reach of the solids, and of solids and hard zones, from the origin
+    object_z: wp.array(dtype=wp.vec2)  # lowest and highest point of the solids above the origin
+    object_free: wp.array(dtype=wp.int32)
+    object_clear: wp.array(dtype=wp.int32)  # 1: must keep openings clear (wall-mounted objects need not)
+    group_start: wp.array(dtype=wp.int32)  # a root, all that it carries, and the groups of what is placed by it
+    group: wp.array(dtype=wp.int32)
+    object_parent: wp.array(dtype=wp.int32)  # the movable root that places this one by a relation; -1: none
+    object_root: wp.array(dtype=wp.int32)  # the object that carries it along; its own index for a root
+    member_start: wp.array(dtype=wp.int32)  # a root and all that it carries, itself first; empty for the carried
+    member: wp.array(dtype=wp.int32)
+    solid_start: wp.array(dtype=wp.int32)  # ranges of prisms
+    foot_start: wp.array(dtype=wp.int32)
+    zone_start: wp.array(dtype=wp.int32)
+    touch_start: wp.array(dtype=wp.int32)  # relations that the object takes part in
+    touch: wp.array(dtype=wp.int32)
+    touch_role: wp.array(dtype=wp.int32)  # 0 subject, 1 first target, 2 second target
+    pair_flags: wp.array(dtype=wp.uint8)  # n x n per problem, from pair_start
+    # prism [M] or [M + 1]
+    solid: wp.array(dtype=wp.int32)
+    foot: wp.array(dtype=wp.int32)
+    zone: wp.array(dtype=wp.int32)
+    prism_start: wp.array(dtype=wp.int32)  # range of vertices
+    prism_z: wp.array(dtype=wp.vec2)
+    prism_disc: wp.array(dtype=wp.vec3)  # bounding circle: centre, radius
+    vertex: wp.array(dtype=wp.vec2)
+    edge: wp.array(dtype=wp.vec3)  # outward normal n and offset c of the edge that starts here: n . x <= c
+    edge_real: wp.array(dtype=wp.int32)  # 0: an edge inside the outside of the room, no way out
+    # static prism, half plane (n, c): n . x >= c inside
+    fixture: wp.array(dtype=wp.int32)
+    fixture_kind: wp.array(dtype=wp.int32)
+    plane: wp.array(dtype=wp.vec3)
+    # relation [R] or [R + 1], option, row
+    relation_object: wp.array(dtype=wp.vec3i)  # subject, first and second target; -1: none
+    relation_weight: wp.array(dtype=wp.float32)
+    relation_fault: wp.array(dtype=wp.int32)  # status when it does not hold: 0 soft, 1 mounting, 2 hard relation
+    relation_rigid: wp.array(dtype=wp.int32)  # 1: between objects carried along together
+    option_start: wp.array(dtype=wp.int32)
+    row_start: wp.array(dtype=wp.int32)
+    row_feature: wp.array(dtype=wp.int32)
+    row_point: wp.array(dtype=wp.vec2)
+    row_normal: wp.array(dtype=wp.vec2)
+    row_offset: wp.array(dtype=wp.float32)
+    row_prism: wp.array(dtype=wp.int32)
+    row_aim: wp.array(dtype=wp.vec2)  # interval that the energy pulls into
+    row_hold: wp.array(dtype=wp.vec2)  # interval that counts as fulfilled
+    row_scale: wp.array(dtype=wp.float32)  # metres per unit of the feature
+
+
+@wp.struct
+class State:
+    """The candidates' layouts, [candidate, object] or [candidate, relation]."""
+
+    poses: wp.array2d(dtype=wp.vec4)  # x, y, z, yaw
+    turns: wp.array2d(dtype=wp.vec2)  # cos, sin of yaw
+    options: wp.array2d(dtype=wp.int32)  # chosen option of each relation, an index into row_start
+    anchors: wp.array2d(dtype=wp.vec4)  # where Weights.pull pulls to
+    rng: wp.array(dtype=wp.uint32)  # one stream a candidate
+
+
+@wp.struct
+class Margins:
+    """Clearances [m] of the energy, and those that the verdict insists on."""
+
+    collision_aim: wp.float32
+    collision_hold: wp.float32
+    bounds_aim: wp.float32
+    bounds_hold: wp.float32
+    zone_aim: wp.float32
+    zone_hold: wp.float32
+    gate: wp.float32  # z overlap below which two prisms do not meet
+
+
+@wp.struct
+class Weights:
+    """Weights of the energy's terms."""
+
+    collision: wp.float32
+    bounds: wp.float32
+    zone: wp.float32
+    opening: wp.float32
+    relation: wp.float32
+    pull: wp.float32
+    knee: wp.float32  # [m] where the penalty turns from quadratic to linear

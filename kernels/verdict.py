@@ -1,0 +1,251 @@
+"""The engine's own verdict: conservative predicates, so that what it calls valid the judge calls valid.
+
+Thresholds are tighter than the judge's by more than float32 loses in a room of 100 m.
+"""
+
+import warp as wp
+
+from .energy import EAST, gate
+from .features import feature
+from .geometry import discs_apart, plane_of, separation, turn
+from .tables import (
+    PAIR_COLLIDE,
+    PAIR_ZONE_OF_FIRST,
+    PAIR_ZONE_OF_SECOND,
+    FIXTURE_SOLID,
+    Margins,
+    Tables,
+)
+
+wp.set_module_options({"enable_backward": False})
+
+VALID = wp.constant(0)
+BROKEN = wp.constant(1)  # collision, bounds, support, zone or opening
+UNMET = wp.constant(2)  # a hard relation is false
+DIVERGED = wp.constant(3)
+
+
+@wp.func
+def apart(
+    t: Tables,
+    first_start: wp.int32,
+    first_end: wp.int32,
+    first_list: wp.array(dtype=wp.int32),
+    pose_a: wp.vec4,
+    qa: wp.vec2,
+    second_start: wp.int32,
+    second_end: wp.int32,
+    second_list: wp.array(dtype=wp.int32),
+    pose_b: wp.vec4,
+    qb: wp.vec2,
+    hold: wp.float32,
+    least: wp.float32,
+):
+    """True when no two prisms of the sets come closer than hold (negative: may sink in so far)."""
+    pa = plane_of(pose_a)
+    pb = plane_of(pose_b)
+    for i in range(first_start, first_end):
+        a = first_list[i]
+        for j in range(second_start, second_end):
+            b = second_list[j]
+            if gate(pose_a[2], t.prism_z[a], pose_b[2], t.prism_z[b], least):
+                if not discs_apart(t, a, pa, qa, b, pb, qb, 0.0):
+                    s, _n, _x = separation(t, a, pa, qa, b, pb, qb, hold)
+                    if s < hold:
+                        return False
+    return True
+
+
+@wp.func
+def pair_holds(
+    t: Tables,
+    m: Margins,
+    flags: wp.int32,
+    a: wp.int32,
+    pose_a: wp.vec4,
+    qa: wp.vec2,
+    b: wp.int32,
+    pose_b: wp.vec4,
+    qb: wp.vec2,
+):
+    """True when objects a and b (global indices) neither collide nor stand in each other's hard zones."""
+    sa = t.solid_start[a]
+    sa1 = t.solid_start[a + 1]
+    sb = t.solid_start[b]
+    sb1 = t.solid_start[b + 1]
+    if flags & PAIR_COLLIDE:
+        if not apart(t, sa, sa1, t.solid, pose_a, qa, sb, sb1, t.solid, pose_b, qb, m.collision_hold, m.gate):
+            return False
+    if flags & PAIR_ZONE_OF_FIRST:
+        if not apart(
+            t, t.zone_start[a], t.zone_start[a + 1], t.zone, pose_a, qa, sb, sb1, t.solid, pose_b, qb,
+            m.zone_hold, m.gate,
+        ):
+            return False
+    if flags & PAIR_ZONE_OF_SECOND:
+        if not apart(
+            t, sa, sa1, t.solid, pose_a, qa, t.zone_start[b], t.zone_start[b + 1], t.zone, pose_b, qb,
+            m.zone_hold, m.gate,
+        ):
+            return False
+    return True
+
+
+@wp.func
+def room_holds(t: Tables, m: Margins, p: wp.int32, o: wp.int32, pose: wp.vec4, q: wp.vec2):
+    """True when object o (global index) is inside the room and clear of doors and windows."""
+    at = plane_of(pose)
+    for k in range(t.plane_start[p], t.plane_start[p + 1]):
+        plane = t.plane[k]
+        n = wp.vec2(plane[0], plane[1])
+        for f in range(t.foot_start[o], t.foot_start[o + 1]):
+            a = t.foot[f]
+            for v in range(t.prism_start[a], t.prism_start[a + 1]):
+                if wp.dot(n, at + turn(q, t.vertex[v])) - plane[2] < m.bounds_hold:
+                    return False
+    for k in range(t.fixture_start[p], t.fixture_start[p + 1]):
+        solid = t.fixture_kind[k] == FIXTURE_SOLID
+        if solid or t.object_clear[o] == 1:
+            hold = wp.where(solid, m.bounds_hold, m.zone_hold)
+            if not apart(
+                t, t.solid_start[o], t.solid_start[o + 1], t.solid, pose, q, k, k + 1, t.fixture,
+                wp.vec4(0.0, 0.0, 0.0, 0.0), EAST, hold, m.gate,
+            ):
+                return False
+    if pose[2] + t.object_z[o][1] > t.room_height[p] - m.bounds_hold:
+        return False
+    return pose[2] + t.object_z[o][0] >= m.bounds_hold
+
+
+@wp.func
+def option_holds(
+    t: Tables,
+    o0: wp.int32,
+    ids: wp.vec3i,
+    option: wp.int32,
+    candidate: wp.int32,
+    poses: wp.array2d(dtype=wp.vec4),
+    turns: wp.array2d(dtype=wp.vec2),
+):
+    """True when every row of an option lies in its interval."""
+    pose_b = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    qb = EAST
+    pose_c = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    if ids[1] >= 0:
+        pose_b = poses[candidate, ids[1]]
+        qb = turns[candidate, ids[1]]
+    if ids[2] >= 0:
+        pose_c = poses[candidate, ids[2]]
+    for row in range(t.row_start[option], t.row_start[option + 1]):
+        value, _g = feature(
+            t, row, 0, o0 + ids[0], o0 + ids[1], poses[candidate, ids[0]], turns[candidate, ids[0]], pose_b, qb, pose_c
+        )
+        hold = t.row_hold[row]
+        if value < hold[0] or value > hold[1]:
+            return False
+    return True
+
+
+@wp.kernel
+def judge_objects(
+    # Problem:
+    t: Tables,
+    m: Margins,
+    problem: wp.array(dtype=wp.int32),
+    active: wp.array(dtype=wp.int32),
+    # State in:
+    poses: wp.array2d(dtype=wp.vec4),
+    turns: wp.array2d(dtype=wp.vec2),
+    # State out:
+    fault_out: wp.array2d(dtype=wp.int8),
+):
+    """Fault of every object, [candidate, object]: 0, BROKEN or DIVERGED. A pair is charged to both."""
+    slot, obj = wp.tid()
+    candidate = active[slot]
+    p = problem[candidate]
+    o0 = t.object_start[p]
+    n = t.object_start[p + 1] - o0
+    if obj >= n:
+        fault_out[candidate, obj] = wp.int8(0)
+        return
+    pose = poses[candidate, obj]
+    if not wp.isfinite(pose):
+        fault_out[candidate, obj] = wp.int8(DIVERGED)
+        return
+    q = turns[candidate, obj]
+    o = o0 + obj
+    ok = room_holds(t, m, p, o, pose, q)
+    radius = t.object_radius[o]
+    row = t.pair_start[p] + obj * n
+    for j in range(n):
+        flags = int(t.pair_flags[row + j])
+        if ok and flags != 0:
+            other = poses[candidate, j]
+            v = plane_of(other) - plane_of(pose)
+            rj = t.object_radius[o0 + j]
+            far = wp.max(radius[0] + rj[1], radius[1] + rj[0])
+            if wp.dot(v, v) < far * far:
+                ok = pair_holds(t, m, flags, o, pose, q, o0 + j, other, turns[candidate, j])
+    fault_out[candidate, obj] = wp.int8(wp.where(ok, VALID, BROKEN))
+
+
+@wp.kernel
+def judge_relations(
+    # Problem:
+    t: Tables,
+    problem: wp.array(dtype=wp.int32),
+    active: wp.array(dtype=wp.int32),
+    # State in:
+    poses: wp.array2d(dtype=wp.vec4),
+    turns: wp.array2d(dtype=wp.vec2),
+    # State out:
+    holds_out: wp.array2d(dtype=wp.bool),
+):
+    """Whether each relation holds under any of its options, [candidate, relation]."""
+    slot, rel = wp.tid()
+    candidate = active[slot]
+    p = problem[candidate]
+    r = t.relation_start[p] + rel
+    if r >= t.relation_start[p + 1]:
+        holds_out[candidate, rel] = True
+        return
+    found = bool(False)
+    for option in range(t.option_start[r], t.option_start[r + 1]):
+        if not found:
+            found = option_holds(
+                t, t.object_start[p], t.relation_object[r], option, candidate, poses, turns
+            )
+    holds_out[candidate, rel] = found
+
+
+@wp.kernel
+def judge_candidates(
+    # Problem:
+    t: Tables,
+    problem: wp.array(dtype=wp.int32),
+    active: wp.array(dtype=wp.int32),
+    # State in:
+    fault: wp.array2d(dtype=wp.int8),
+    holds: wp.array2d(dtype=wp.bool),
+    # State out:
+    status_out: wp.array(dtype=wp.int8),
+):
+    """Status of every candidate: 0 valid, 1 broken, 2 a hard relation is unmet, 3 diverged."""
+    candidate = active[wp.tid()]
+    p = problem[candidate]
+    status = int(VALID)
+    r0 = t.relation_start[p]
+    for r in range(r0, t.relation_start[p + 1]):
+        if not holds[candidate, r - r0]:
+            kind = t.relation_fault[r]
+            if kind == UNMET and status == VALID:
+                status = UNMET
+            if kind == BROKEN and status != DIVERGED:
+                status = BROKEN
+    for obj in range(t.object_start[p + 1] - t.object_start[p]):
+        kind = int(fault[candidate, obj])
+        if kind == DIVERGED:
+            status = DIVERGED
+        elif kind == BROKEN and status != DIVERGED:
+            status = BROKEN
+    status_out[candidate] = wp.int8(status)

@@ -1,0 +1,66 @@
+"""The interface that every optimiser shares, and the registry of those there are."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .batch import Batch
+
+Start = str  # "given": from the batch's poses; "random": anywhere; "sample": drawn from the relations
+
+
+@dataclass
+class Monitor:
+    """Reports progress and says when time is up. Shared by the threads of a run."""
+
+    total: int
+    deadline: float | None = None
+    report: Callable[[int, int, int, float], None] | None = None
+    done: int = 0
+    valid: int = 0
+    best: float = float("inf")
+    timed_out: bool = False
+    _last: float = field(default=0.0, repr=False)
+
+    def expired(self) -> bool:
+        """True once the deadline has passed; remembered."""
+        if self.deadline is not None and time.monotonic() > self.deadline:
+            self.timed_out = True
+        return self.timed_out
+
+    def add(self, done: int, valid: int, best: float) -> None:
+        """Candidates finished, how many of them valid, and the lowest energy seen."""
+        self.done += done
+        self.valid += valid
+        self.best = min(self.best, best)
+        now = time.monotonic()
+        if self.report is not None and (now - self._last > 0.1 or self.done >= self.total):
+            self._last = now
+            self.report(self.done, self.total, self.valid, self.best)
+
+
+@dataclass
+class Outcome:
+    """What an optimiser leaves besides the poses in the batch: energy [B] float32 (lowest total found)."""
+
+    energy: np.ndarray
+
+
+Optimizer = Callable[[Batch, Start, int | None, Monitor], Outcome]
+"""``optimizer(batch, start, budget, monitor)`` moves the batch's poses in place; budget in its own work units."""
+
+OPTIMIZERS: dict[str, Optimizer] = {}
+
+
+def register(name: str) -> Callable[[Optimizer], Optimizer]:
+    """Enter an optimiser under a name."""
+
+    def enter(optimizer: Optimizer) -> Optimizer:
+        OPTIMIZERS[name] = optimizer
+        return optimizer
+
+    return enter

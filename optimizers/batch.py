@@ -1,0 +1,126 @@
+"""A batch of candidates on one device: the state that optimisers move and the verdict on it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+import warp as wp
+
+from sceneweaver.kernels.energy import set_turns
+from sceneweaver.kernels.tables import Margins, State, Tables, Weights
+from sceneweaver.kernels.verdict import judge_candidates, judge_objects, judge_relations
+
+
+@dataclass
+class Batch:
+    """Candidates of one or several problems.
+
+    ``problem`` [B] int32 says which problem a candidate belongs to; ``state`` holds poses [B, N, 4] and the rest;
+    N and R are the largest counts of objects and relations of any problem.
+    """
+
+    tables: Tables
+    margins: Margins
+    weights: Weights
+    problem: wp.array
+    state: State
+    objects: int
+    relations: int
+    device: str
+
+    @property
+    def size(self) -> int:
+        """Number of candidates B."""
+        return self.problem.shape[0]
+
+    def part(self, first: int, last: int) -> Batch:
+        """Candidates first to last as a batch that shares this one's memory."""
+        state = State()
+        for name in ("poses", "turns", "options", "anchors", "rng"):
+            setattr(state, name, getattr(self.state, name)[first:last])
+        return replace(self, problem=self.problem[first:last], state=state)
+
+    def scratch(self) -> State:
+        """A second state of the same shape."""
+        return new_state(self.size, self.objects, self.relations, self.device)
+
+
+@dataclass
+class Verdict:
+    """Status [B] int8, fault of every object [B, N] int8, relations fulfilled [B, R] bool."""
+
+    status: np.ndarray
+    fault: np.ndarray
+    holds: np.ndarray
+
+
+Progress = Callable[[int, int, int, float], None]
+
+
+def new_state(candidates: int, objects: int, relations: int, device: str) -> State:
+    """A state of zeros."""
+    state = State()
+    shape, links = (candidates, max(objects, 1)), (candidates, max(relations, 1))
+    state.poses = wp.zeros(shape, dtype=wp.vec4, device=device)
+    state.turns = wp.zeros(shape, dtype=wp.vec2, device=device)
+    state.options = wp.zeros(links, dtype=wp.int32, device=device)
+    state.anchors = wp.zeros(shape, dtype=wp.vec4, device=device)
+    state.rng = wp.zeros(candidates, dtype=wp.uint32, device=device)
+    return state
+
+
+def streams(seed: int, candidates: np.ndarray) -> np.ndarray:
+    """Seeds of the candidates' random streams: a function of the run's seed and the candidate's number alone.
+
+    Two rounds of the 32-bit finaliser of MurmurHash3 (public domain) keep neighbours apart.
+    """
+    x = candidates.astype(np.uint64) * np.uint64(0x9E3779B1) + np.uint64(seed % 2**32) * np.uint64(0x85EBCA77)
+    mask = np.uint64(0xFFFFFFFF)
+    for _ in range(2):
+        x &= mask
+        x ^= x >> np.uint64(16)
+        x = (x * np.uint64(0x85EBCA6B)) & mask
+        x ^= x >> np.uint64(13)
+        x = (x * np.uint64(0xC2B2AE35)) & mask
+        x ^= x >> np.uint64(16)
+    return x.astype(np.uint32)
+
+
+def load_poses(batch: Batch, poses: np.ndarray) -> None:
+    """Set poses [B, N, 4]; also where the pull goes."""
+    padded = np.zeros((batch.size, max(batch.objects, 1), 4), dtype=np.float32)
+    padded[:, : poses.shape[1]] = poses
+    batch.state.poses.assign(padded)
+    batch.state.anchors.assign(padded)
+    wp.launch(
+        set_turns, batch.state.poses.shape, [batch.state.poses], [batch.state.turns], device=batch.device
+    )
+
+
+def judge(batch: Batch, active: wp.array | None = None) -> Verdict:
+    """Verdict on the active candidates (all by default); rows of the others are zero."""
+    device, state = batch.device, batch.state
+    if active is None:
+        active = wp.array(np.arange(batch.size, dtype=np.int32), dtype=wp.int32, device=device)
+    fault = wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.int8, device=device)
+    holds = wp.zeros((batch.size, max(batch.relations, 1)), dtype=wp.bool, device=device)
+    status = wp.zeros(batch.size, dtype=wp.int8, device=device)
+    n = active.shape[0]
+    wp.launch(
+        judge_objects,
+        (n, batch.objects),
+        [batch.tables, batch.margins, batch.problem, active, state.poses, state.turns],
+        [fault],
+        device=device,
+    )
+    wp.launch(
+        judge_relations,
+        (n, batch.relations),
+        [batch.tables, batch.problem, active, state.poses, state.turns],
+        [holds],
+        device=device,
+    )
+    wp.launch(judge_candidates, n, [batch.tables, batch.problem, active, fault, holds], [status], device=device)
+    return Verdict(status.numpy(), fault.numpy(), holds.numpy())

@@ -1,0 +1,273 @@
+"""Compile a scene: one problem for the room, one for each support surface that carries something.
+
+Floor, wall and ceiling objects of a room are solved together in the room's frame. What stands on a surface is solved
+in that surface's own frame and then carried along by its supporter; the room's problem lists it too, so that the
+verdict and the pair terms see the whole scene.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from sceneweaver.kernels import tables as k
+from sceneweaver.scene import CATALOGUE, Relation, Scene, SceneObject
+
+from .region import Region, enclosure, room_region
+from .rows import INF, CompiledRelation, Frame, compile_relation, mounting
+from .shapes import Prism, footprint_of, solids_of, tidy, zones_of
+
+
+@dataclass
+class Problem:
+    """One layout problem in plain arrays; see ``kernels.tables`` for what the kernels make of it.
+
+    ``home`` holds the scene's poses [object, 4] (x, y, z, yaw) in the problem's frame; ``relations`` the scene's
+    relations first (``relation_ids`` names them), then the mountings of wall objects.
+    """
+
+    ids: list[str]
+    region: Region
+    sizes: np.ndarray
+    home: np.ndarray
+    free: np.ndarray
+    clear: np.ndarray
+    roots: np.ndarray
+    groups: list[list[int]]
+    parents: np.ndarray
+    solids: list[list[Prism]]
+    feet: list[list[np.ndarray]]
+    zones: list[list[Prism]]
+    flags: np.ndarray
+    relations: list[CompiledRelation]
+    relation_ids: list[int]
+    faulty: bool = False
+
+    @property
+    def size(self) -> int:
+        """Number of objects."""
+        return len(self.ids)
+
+
+@dataclass
+class Domain:
+    """A support surface with what stands on it, in the supporter's frame; heights are above the surface."""
+
+    supporter: int
+    height: float
+    members: list[int]
+    problem: Problem
+
+
+@dataclass
+class CompiledScene:
+    """The room's problem and its domains, supporters before what they carry."""
+
+    scene: Scene
+    room: Problem
+    domains: list[Domain]
+
+
+def _ties(relations: Sequence[Relation], index: dict[str, int]) -> set[tuple[int, int]]:
+    """Pairs that may stand in each other's hard zones."""
+    ties = set()
+    for rel in relations:
+        if CATALOGUE[rel.type].ties_zones and isinstance(rel.target, str) and rel.target in index and rel.subject in index:
+            a, b = index[rel.subject], index[rel.target]
+            ties |= {(a, b), (b, a)}
+    return ties
+
+
+def _roots(objects: Sequence[SceneObject], index: dict[str, int]) -> np.ndarray:
+    """The object at the bottom of each stack."""
+    roots = np.arange(len(objects))
+    for i, obj in enumerate(objects):
+        at = obj
+        while at.support is not None and at.support.object in index:
+            roots[i] = index[at.support.object]
+            at = objects[roots[i]]
+    return roots
+
+
+# Relations that say how an object is turned or how high it hangs, not where it stands.
+_NOT_PLACING = ("facing", "aligned", "parallel", "same_height", "distance")
+
+
+def _families(relations: Sequence[Relation], index: dict[str, int], roots: np.ndarray, free: np.ndarray):
+    """Who goes along with whom: each root's group (itself and what it carries, then the groups of the objects that
+    relations place by it) and each root's parent (-1: none)."""
+    n = len(roots)
+    parents = np.full(n, -1, dtype=np.int32)
+    for rel in relations:
+        if rel.type in _NOT_PLACING or not isinstance(rel.target, str) or rel.target not in index:
+            continue
+        child, parent = index[rel.subject], int(roots[index[rel.target]])
+        if roots[child] == child and child != parent and free[child] and free[parent] and parents[child] < 0:
+            chain = parent
+            while chain >= 0 and chain != child:
+                chain = parents[chain]
+            if chain < 0:  # no object is its own ancestor
+                parents[child] = parent
+
+    def members(i: int) -> list[int]:
+        return [i, *(j for j in range(n) if roots[j] == i and j != i)]
+
+    def group(i: int) -> list[int]:
+        return members(i) + [k for j in range(n) if parents[j] == i for k in group(j)]
+
+    return [group(i) if roots[i] == i else [] for i in range(n)], parents
+
+
+def _freedom(obj: SceneObject, carried: bool) -> int:
+    if obj.fixed or carried:
+        return 0
+    return k.FREE_PLANE | k.FREE_YAW | (k.FREE_Z if obj.mount == "wall" else 0)
+
+
+def _home(objects: Sequence[SceneObject]) -> np.ndarray:
+    return np.array([(*o.pose.position, o.pose.yaw) for o in objects], dtype=np.float64).reshape(-1, 4)
+
+
+def _flags(
+    zones: list[list[Prism]], roots: np.ndarray, ties: set[tuple[int, int]], fixed: Sequence[bool]
+) -> np.ndarray:
+    """Pair flags [n, n]."""
+    n = len(zones)
+    flags = np.full((n, n), k.PAIR_COLLIDE, dtype=np.uint8)
+    zoned = np.array([bool(z) for z in zones], dtype=bool)
+    free_of = zoned[:, None] & np.ones((n, n), dtype=bool)
+    for a, b in ties:
+        free_of[a, b] = False
+    flags[free_of] |= k.PAIR_ZONE_OF_FIRST
+    flags[free_of.T] |= k.PAIR_ZONE_OF_SECOND
+    still = np.asarray(fixed, dtype=bool)[roots]
+    flags[(roots[:, None] == roots[None, :]) | (still[:, None] & still[None, :])] |= k.PAIR_RIGID
+    np.fill_diagonal(flags, 0)
+    return flags
+
+
+def _compile(
+    objects: Sequence[SceneObject],
+    home: np.ndarray,
+    region: Region,
+    relations: Sequence[tuple[int, Relation]],
+    windows,
+    in_room: bool,
+) -> Problem:
+    index = {o.id: i for i, o in enumerate(objects)}
+    solids = [solids_of(o) for o in objects]
+    feet = [footprint_of(s) for s in solids]
+    zones = [zones_of(o) for o in objects]
+    around: dict[str, list[int]] = {}
+    for _, rel in relations:
+        if rel.type == "around" and isinstance(rel.target, str):
+            around.setdefault(rel.target, []).append(index[rel.subject])
+    frame = Frame(objects, index, region, feet, windows, around)
+    compiled = [compile_relation(frame, rel) for _, rel in relations]
+    if in_room:
+        compiled += [mounting(frame, i) for i, o in enumerate(objects) if o.mount == "wall"]
+    roots = _roots(objects, index) if in_room else np.arange(len(objects))
+    free = np.array([_freedom(o, in_room and roots[i] != i) for i, o in enumerate(objects)], dtype=np.int32)
+    groups, parents = _families([r for _, r in relations], index, roots, free)
+    return Problem(
+        ids=[o.id for o in objects],
+        region=region,
+        sizes=np.array([o.size for o in objects], dtype=np.float64).reshape(-1, 3),
+        home=home,
+        free=free,
+        clear=np.array([o.mount != "wall" for o in objects], dtype=np.int32),
+        roots=roots,
+        groups=groups,
+        parents=parents,
+        solids=solids,
+        feet=feet,
+        zones=zones,
+        flags=_flags(zones, roots, _ties([r for _, r in relations], index), [o.fixed for o in objects]),
+        relations=compiled,
+        relation_ids=[i for i, _ in relations],
+    )
+
+
+def _room_home(scene: Scene) -> tuple[np.ndarray, bool]:
+    """Poses with the heights that mounting demands, and whether a fixed object contradicts its own."""
+    home = _home(scene.objects)
+    faulty = False
+    for i, obj in enumerate(scene.objects):
+        if obj.mount in ("floor", "ceiling"):
+            height = 0.0 if obj.mount == "floor" else scene.room.height - obj.size[2]
+            if obj.fixed:
+                faulty |= abs(home[i, 2] - height) > 1.8e-3
+            else:
+                home[i, 2] = height
+    return home, faulty
+
+
+def relative(pose: np.ndarray, frame: np.ndarray) -> np.ndarray:
+    """Poses [..., 4] of the world as seen from the frames [..., 4] (x, y, z, yaw)."""
+    c, s = np.cos(frame[..., 3]), np.sin(frame[..., 3])
+    d = pose - frame
+    yaw = (d[..., 3] + math.pi) % (2 * math.pi) - math.pi
+    return np.stack([c * d[..., 0] + s * d[..., 1], c * d[..., 1] - s * d[..., 0], d[..., 2], yaw], axis=-1)
+
+
+def absolute(local: np.ndarray, frame: np.ndarray) -> np.ndarray:
+    """The inverse of `relative`."""
+    c, s = np.cos(frame[..., 3]), np.sin(frame[..., 3])
+    yaw = (local[..., 3] + frame[..., 3] + math.pi) % (2 * math.pi) - math.pi
+    x = frame[..., 0] + c * local[..., 0] - s * local[..., 1]
+    y = frame[..., 1] + s * local[..., 0] + c * local[..., 1]
+    return np.stack([x, y, frame[..., 2] + local[..., 2], yaw], axis=-1)
+
+
+def _domain_region(supporter: SceneObject, name: str) -> tuple[Region, float]:
+    """The surface as a region: its polygon, its head room, and the supporter's own parts above it."""
+    surface = next(s for s in supporter.surfaces if s.name == name)
+    top = INF if surface.headroom is None else surface.headroom
+    region = enclosure(tidy(surface.polygon), top)
+    for part in supporter.solids:
+        z = (part.z[0] - surface.z, part.z[1] - surface.z)
+        if z[1] > 1e-3 and z[0] < top:
+            region.solids.append(Prism(tidy(part.polygon), z))
+    return region, surface.z
+
+
+def compile_scene(scene: Scene) -> CompiledScene:
+    """Compile a validated scene."""
+    home, faulty = _room_home(scene)
+    index = {o.id: i for i, o in enumerate(scene.objects)}
+    groups: dict[tuple[str, str], list[int]] = {}
+    for i, obj in enumerate(scene.objects):
+        if obj.support is not None:
+            groups.setdefault((obj.support.object, obj.support.surface), []).append(i)
+
+    def depth(i: int) -> int:
+        support = scene.objects[i].support
+        return 0 if support is None else 1 + depth(index[support.object])
+
+    domains = []
+    inner: set[int] = set()
+    for (supporter_id, surface), members in sorted(groups.items(), key=lambda item: depth(item[1][0])):
+        supporter = index[supporter_id]
+        region, z = _domain_region(scene.objects[supporter], surface)
+        local = relative(home[members], home[supporter][None, :])
+        local[:, 2] = 0.0
+        ids = {scene.objects[i].id for i in members}
+        relations = [(j, r) for j, r in enumerate(scene.relations) if r.subject in ids and _targets(r) and _targets(r) <= ids]
+        inner |= {j for j, _ in relations}
+        objects = [scene.objects[i] for i in members]
+        problem = _compile(objects, local, region, relations, (), in_room=False)
+        domains.append(Domain(supporter, z, members, problem))
+    room = _compile(
+        scene.objects, home, room_region(scene.room), list(enumerate(scene.relations)), scene.room.windows, in_room=True
+    )
+    room.faulty = faulty
+    return CompiledScene(scene, room, domains)
+
+
+def _targets(rel: Relation) -> set[str]:
+    if rel.target is None:
+        return set()
+    return {rel.target} if isinstance(rel.target, str) else set(rel.target)

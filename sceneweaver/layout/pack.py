@@ -1,0 +1,243 @@
+"""Problems to device tables: concatenate, offset, upload."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import warp as wp
+
+from sceneweaver.kernels import tables as k
+
+from .compile import Problem
+from .shapes import Prism, reach_of
+
+# The judge lets bodies sink in by 1 mm, zones by 5 mm; the verdict keeps well inside of that, the energy aims at air.
+MARGINS = {
+    "collision_aim": 2.0e-3,
+    "collision_hold": -5.0e-4,
+    "bounds_aim": 2.0e-3,
+    "bounds_hold": -5.0e-4,
+    "zone_aim": 0.0,
+    "zone_hold": -4.5e-3,
+    "gate": 5.0e-4,
+}
+WEIGHTS = {
+    "collision": 1.0,
+    "bounds": 1.0,
+    "zone": 1.0,
+    "opening": 1.0,
+    "relation": 1.0,
+    "pull": 0.0,
+    "knee": 0.05,
+}
+
+
+def margins() -> k.Margins:
+    """Clearances of energy and verdict."""
+    m = k.Margins()
+    for name, value in MARGINS.items():
+        setattr(m, name, value)
+    return m
+
+
+def weights(**changes: float) -> k.Weights:
+    """Default weights with changes."""
+    w = k.Weights()
+    for name, value in (WEIGHTS | changes).items():
+        setattr(w, name, value)
+    return w
+
+
+@dataclass
+class Packed:
+    """Tables of a batch of problems on one device, with the largest counts for launch sizes."""
+
+    tables: k.Tables
+    problems: Sequence[Problem]
+    objects: int
+    relations: int
+    device: str
+
+
+class _Prisms:
+    """Prism table under construction."""
+
+    def __init__(self) -> None:
+        self.start = [0]
+        self.z: list[tuple[float, float]] = []
+        self.disc: list[tuple[float, float, float]] = []
+        self.vertex: list[np.ndarray] = []
+        self.edge: list[np.ndarray] = []
+        self.real: list[int] = []
+
+    def add(self, prism: Prism) -> int:
+        v = np.asarray(prism.polygon, dtype=np.float64)
+        along = np.roll(v, -1, axis=0) - v
+        length = np.hypot(along[:, 0], along[:, 1])[:, None]
+        out = np.c_[along[:, 1], -along[:, 0]] / np.where(length > 0, length, 1.0)
+        if len(v) == 1:
+            out = np.array([[1.0, 0.0]])
+        centre = 0.5 * (v.min(axis=0) + v.max(axis=0))
+        self.start.append(self.start[-1] + len(v))
+        self.z.append(prism.z)
+        self.disc.append((*centre, reach_of([v - centre])))
+        self.vertex.append(v)
+        self.edge.append(np.c_[out, np.sum(out * v, axis=1)])
+        self.real += [int(r) for r in (prism.real or (True,) * len(v))]
+        return len(self.z) - 1
+
+
+class _Ranges:
+    """A CSR list under construction."""
+
+    def __init__(self) -> None:
+        self.start = [0]
+        self.values: list = []
+
+    def add(self, values) -> None:
+        self.values.extend(values)
+        self.start.append(len(self.values))
+
+
+def pack(problems: Sequence[Problem], device: str) -> Packed:
+    """Concatenate the tables of problems and put them on a device."""
+    prisms = _Prisms()
+    solid, foot, zone, members, groups = (_Ranges() for _ in range(5))
+    touch, fixture, plane, option, row = (_Ranges() for _ in range(5))
+    roles: list[int] = []
+    kinds: list[int] = []
+    object_start, relation_start, pair_start = [0], [0], []
+    flags: list[np.ndarray] = []
+    reach: list[tuple[float, float]] = []
+    heights: list[tuple[float, float]] = []
+    triples: list[tuple[int, int, int]] = []
+    relation_weight: list[float] = []
+    relation_fault: list[int] = []
+    relation_rigid: list[int] = []
+    fields: dict[str, list] = {n: [] for n in ("feature", "point", "normal", "offset", "prism", "aim", "hold", "scale")}
+
+    def table(shapes: Sequence[Prism]) -> list[int]:
+        return [prisms.add(s) for s in shapes]
+
+    for problem in problems:
+        n = problem.size
+        pair_start.append(sum(f.size for f in flags))
+        flags.append(problem.flags.ravel())
+        for i in range(n):
+            solid.add(table(problem.solids[i]))
+            foot.add(table([Prism(p, (0.0, 0.0)) for p in problem.feet[i]]))
+            zone.add(table(problem.zones[i]))
+            near = reach_of([s.polygon for s in problem.solids[i]])
+            reach.append((near, max(near, reach_of([z.polygon for z in problem.zones[i]]))))
+            heights.append((min(s.z[0] for s in problem.solids[i]), max(s.z[1] for s in problem.solids[i])))
+            carried = int(np.sum(problem.roots == i))
+            members.add(problem.groups[i][:carried] if problem.roots[i] == i else [])
+            groups.add(problem.groups[i])
+            part = [(r, rel.objects.index(i)) for r, rel in enumerate(problem.relations) if i in rel.objects]
+            touch.add([r for r, _ in part])
+            roles += [role for _, role in part]
+        region = problem.region
+        fixture.add(table([*region.solids, *region.openings]))
+        kinds += [k.FIXTURE_SOLID] * len(region.solids) + [k.FIXTURE_OPENING] * len(region.openings)
+        plane.add([tuple(p) for p in region.planes])
+        for rel in problem.relations:
+            triples.append(rel.objects)
+            relation_weight.append(rel.weight)
+            relation_fault.append(rel.fault)
+            roots = {int(problem.roots[o]) for o in rel.objects if o >= 0}
+            alone = rel.objects[1] < 0
+            relation_rigid.append(int(len(roots) == 1 and not alone))
+            first = len(row.start) - 1
+            for rows in rel.options:
+                for r in rows:
+                    fields["feature"].append(r.feature)
+                    fields["point"].append(r.point)
+                    fields["normal"].append(r.normal)
+                    fields["offset"].append(r.offset)
+                    fields["prism"].append(-1 if r.polygon is None else prisms.add(Prism(r.polygon, (0.0, 0.0))))
+                    fields["aim"].append(r.aim)
+                    fields["hold"].append(r.hold)
+                    fields["scale"].append(r.scale)
+                row.add(rows)
+            option.add(range(first, len(row.start) - 1))
+        object_start.append(object_start[-1] + n)
+        relation_start.append(relation_start[-1] + len(problem.relations))
+
+    def ints(values) -> wp.array:
+        return wp.array(np.asarray(values, dtype=np.int32).reshape(-1), dtype=wp.int32, device=device)
+
+    def floats(values, dtype) -> wp.array:
+        width = 1 if dtype is wp.float32 else dtype._length_
+        data = np.asarray(values, dtype=np.float32)
+        return wp.array(data.reshape(-1, width) if width > 1 else data.reshape(-1), dtype=dtype, device=device)
+
+    t = k.Tables()
+    for name, values in {
+        "object_start": object_start,
+        "relation_start": relation_start,
+        "fixture_start": fixture.start,
+        "plane_start": plane.start,
+        "pair_start": pair_start,
+        "object_free": np.concatenate([p.free for p in problems]),
+        "object_clear": np.concatenate([p.clear for p in problems]),
+        "object_root": np.concatenate([p.roots for p in problems]),
+        "object_parent": np.concatenate([p.parents for p in problems]),
+        "group_start": groups.start,
+        "group": groups.values,
+        "member_start": members.start,
+        "member": members.values,
+        "solid_start": solid.start,
+        "foot_start": foot.start,
+        "zone_start": zone.start,
+        "touch_start": touch.start,
+        "touch": touch.values,
+        "touch_role": roles,
+        "solid": solid.values,
+        "foot": foot.values,
+        "zone": zone.values,
+        "prism_start": prisms.start,
+        "edge_real": prisms.real,
+        "fixture": fixture.values,
+        "fixture_kind": kinds,
+        "relation_fault": relation_fault,
+        "relation_rigid": relation_rigid,
+        "option_start": option.start,
+        "row_start": row.start,
+        "row_feature": fields["feature"],
+        "row_prism": fields["prism"],
+    }.items():
+        setattr(t, name, ints(values))
+    boxes = [p.region.box for p in problems]
+    for name, dtype, values in (
+        ("room_height", wp.float32, [p.region.height for p in problems]),
+        ("room_box", wp.vec4, boxes),
+        ("object_size", wp.vec3, np.concatenate([p.sizes for p in problems])),
+        ("object_radius", wp.vec2, reach),
+        ("object_z", wp.vec2, heights),
+        ("prism_z", wp.vec2, prisms.z),
+        ("prism_disc", wp.vec3, prisms.disc),
+        ("vertex", wp.vec2, np.concatenate(prisms.vertex) if prisms.vertex else []),
+        ("edge", wp.vec3, np.concatenate(prisms.edge) if prisms.edge else []),
+        ("plane", wp.vec3, plane.values),
+        ("relation_weight", wp.float32, relation_weight),
+        ("row_point", wp.vec2, fields["point"]),
+        ("row_normal", wp.vec2, fields["normal"]),
+        ("row_offset", wp.float32, fields["offset"]),
+        ("row_aim", wp.vec2, fields["aim"]),
+        ("row_hold", wp.vec2, fields["hold"]),
+        ("row_scale", wp.float32, fields["scale"]),
+    ):
+        setattr(t, name, floats(values, dtype))
+    t.pair_flags = wp.array(np.concatenate(flags).astype(np.uint8), dtype=wp.uint8, device=device)
+    t.relation_object = wp.array(
+        np.asarray(triples, dtype=np.int32).reshape(-1, 3), dtype=wp.vec3i, device=device
+    )
+    return Packed(
+        t,
+        problems,
+        max((p.size for p in problems), default=0),
+        max((len(p.relations) for p in problems), default=0),
+        device,
+    )

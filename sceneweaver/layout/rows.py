@@ -1,0 +1,415 @@
+"""Relations as interval rows: a relation has options (this wall, that side), an option is a set of rows, and a row
+asks one feature of the poses to lie in an interval.
+
+Each row has two intervals: ``hold`` is the judge's, narrowed by more than float32 loses, and decides; ``aim`` is
+narrower still and is what the energy pulls into, so that the optimum lies strictly inside.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from sceneweaver.kernels import tables as k
+from sceneweaver.scene import CATALOGUE, Relation, SceneObject, Window
+
+from .region import Region, Wall, walls_of
+from .shapes import Points, convex_pieces
+
+INF = 1.0e9
+LEVER = 0.5  # metres that a radian counts as
+SLACK = 5.0e-4  # of the judge's 1 mm tolerance on lengths, what the engine allows itself
+TIGHT = 2.0e-4  # where the judge has no tolerance
+TIGHT_ANGLE = math.radians(0.02)
+
+Vector = tuple[float, float]
+SIDES: dict[str, Vector] = {"front": (1.0, 0.0), "back": (-1.0, 0.0), "left": (0.0, 1.0), "right": (0.0, -1.0)}
+
+
+@dataclass(frozen=True)
+class Row:
+    """One feature and its intervals; see ``kernels.features`` for what point, normal and offset mean to each."""
+
+    feature: int
+    aim: Vector
+    hold: Vector
+    point: Vector = (0.0, 0.0)
+    normal: Vector = (0.0, 0.0)
+    offset: float = 0.0
+    polygon: Points | None = None
+    scale: float = 1.0
+
+
+@dataclass(frozen=True)
+class CompiledRelation:
+    """A relation between objects (local indices; -1 none) with its options."""
+
+    objects: tuple[int, int, int]
+    options: list[list[Row]]
+    weight: float
+    fault: int  # status when it does not hold: 0 soft, 1 mounting, 2 hard
+    hard: bool
+
+
+@dataclass
+class Frame:
+    """What the builders need to know: the objects of one problem, where they stand, their footprints."""
+
+    objects: Sequence[SceneObject]
+    index: dict[str, int]
+    region: Region
+    footprints: list[list[Points]]
+    windows: Sequence[Window] = ()
+    around: dict[str, list[int]] = field(default_factory=dict)  # target id -> its children in the order of relations
+
+    def object(self, key: str) -> SceneObject:
+        return self.objects[self.index[key]]
+
+
+def _span(lo: float, hi: float, slack: float = SLACK, inset: float = 0.003) -> tuple[Vector, Vector]:
+    """(aim, hold) of an interval of lengths."""
+    m = min(inset, 0.2 * (hi - lo))
+    aim = (lo + m if lo > -INF else lo, hi - m if hi < INF else hi)
+    s = max(slack, -0.25 * (hi - lo))
+    return aim, (lo - s if lo > -INF else lo, hi + s if hi < INF else hi)
+
+
+def _angle(degrees: float) -> tuple[Vector, Vector]:
+    """(aim, hold) of a symmetric interval of angles."""
+    limit = math.radians(degrees)
+    aim = 0.85 * limit
+    hold = limit - min(TIGHT_ANGLE, 0.01 * limit)
+    return (-aim, aim), (-hold, hold)
+
+
+def line(point: Vector, normal, offset: float, lo: float, hi: float, slack: float = SLACK) -> Row:
+    aim, hold = _span(lo, hi, slack)
+    return Row(k.FEATURE_LINE, aim, hold, point=point, normal=(float(normal[0]), float(normal[1])), offset=offset)
+
+
+def yaw(offset: float, degrees: float, period: float = 2 * math.pi) -> Row:
+    aim, hold = _angle(degrees)
+    return Row(k.FEATURE_YAW, aim, hold, normal=(period, 0.0), offset=offset, scale=LEVER)
+
+
+def height(offset: float, lo: float, hi: float) -> Row:
+    aim, hold = _span(lo, hi)
+    return Row(k.FEATURE_HEIGHT, aim, hold, offset=offset)
+
+
+NEVER = Row(k.FEATURE_CONSTANT, (0.0, 0.0), (0.0, 0.0), offset=1.0)
+
+
+def _face(obj: SceneObject, side: str) -> tuple[Vector, float, float]:
+    """Centre of a side face, its distance from the origin and its half length."""
+    d, w = obj.size[0] / 2, obj.size[1] / 2
+    n = SIDES[side]
+    reach, half = (d, w) if side in ("front", "back") else (w, d)
+    return (n[0] * reach, n[1] * reach), reach, half
+
+
+def _bearing(v) -> float:
+    return math.atan2(v[1], v[0])
+
+
+def _facing_rows(
+    a: SceneObject, side: str, normal, reach: float, middle: float, half: float, gap: Vector, degrees: float, overlap: float
+) -> list[Row]:
+    """a's side face opposite a face of b (normal, distance and lateral middle in b's frame)."""
+    point, _, half_a = _face(a, side)
+    across = half_a + half - 2 * overlap * min(half_a, half)
+    tangent = (-normal[1], normal[0])
+    return [
+        yaw(_bearing(normal) + math.pi - _bearing(SIDES[side]), degrees),
+        line(point, normal, reach, *gap),
+        line(point, tangent, middle, -across, across, -TIGHT),
+    ]
+
+
+def _wall_rows(a: SceneObject, side: str, wall: Wall, gap: Vector, degrees: float, overlap: float) -> list[Row] | None:
+    """a's side face at a wall; None when the wall is too short for it."""
+    point, _, half = _face(a, side)
+    across = wall.length / 2 + half - 2 * half * overlap
+    if wall.length < 2 * half * overlap + 4 * TIGHT:
+        return None
+    return [
+        yaw(_bearing(wall.n) + math.pi - _bearing(SIDES[side]), degrees),
+        line(point, wall.n, float(wall.n @ wall.p), *gap),
+        line(point, wall.t, float(wall.t @ wall.p) + wall.length / 2, -across, across, -TIGHT),
+    ]
+
+
+def _at_walls(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    a = frame.object(rel.subject)
+    wanted = int(rel.target.split(":")[1]) if isinstance(rel.target, str) else None
+    gap = value("gap")
+    options = []
+    for i, wall in enumerate(frame.region.walls):
+        if wanted is not None and i != wanted:
+            continue
+        for side in CATALOGUE[rel.type].subject_sides:
+            # the judge knows no lower limit but its 1 mm; objects stay inside the room anyway
+            rows = _wall_rows(a, side, wall, (0.0, gap[1]), value("degrees"), value("overlap"))
+            if rows:
+                options.append(rows)
+    return options
+
+
+def _at_sides(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    a, b = frame.object(rel.subject), frame.object(_one(rel))
+    gap, spec = value("gap"), CATALOGUE[rel.type]
+    options = []
+    for side_a in spec.subject_sides:
+        for side_b in spec.target_sides:
+            _, reach, half = _face(b, side_b)
+            options.append(
+                _facing_rows(a, side_a, SIDES[side_b], reach, 0.0, half, gap, value("degrees"), value("overlap"))
+            )
+    return options
+
+
+def _one(rel: Relation) -> str:
+    assert isinstance(rel.target, str)  # the catalogue's target kind, checked when the scene was built
+    return rel.target
+
+
+def _distance(lo: float, hi: float, polygon: Points | None = None, slack: float = SLACK) -> Row:
+    aim, hold = _span(lo, hi, slack, inset=0.005)
+    if lo <= 0:  # overlapping footprints are at distance 0
+        aim, hold = (-INF, aim[1]), (-INF, hold[1])
+    return Row(k.FEATURE_DISTANCE, aim, hold, polygon=polygon)
+
+
+def _near(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    return [[_distance(0.0, value("max"))]]
+
+
+def _apart(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    lo, hi = value("min"), value("max")
+    return [[_distance(0.0 if lo is None else lo, INF if hi is None else hi)]]
+
+
+def _bearing_row(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    aim, hold = _angle(value("degrees"))
+    return [[Row(k.FEATURE_BEARING, aim, hold, scale=LEVER)]]
+
+
+def _aligned(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    return [[yaw(0.0, value("degrees"), math.pi / 2)]]
+
+
+def _parallel(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    return [[yaw(0.0, value("degrees"), math.pi)]]
+
+
+def _beyond(side: str) -> Callable[[Frame, Relation, Callable], list[list[Row]]]:
+    def build(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+        _, reach, half = _face(frame.object(_one(rel)), side)
+        n = SIDES[side]
+        across = half * value("band")
+        return [
+            [
+                line((0.0, 0.0), n, reach, 0.0, value("max")),
+                line((0.0, 0.0), (-n[1], n[0]), 0.0, -across, across),
+            ]
+        ]
+
+    return build
+
+
+def _centered(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    limit = value("offset")
+    return [[line((0.0, 0.0), n, 0.0, -limit, limit)] for n in ((0.0, 1.0), (1.0, 0.0))]
+
+
+def _corner(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    walls = frame.region.walls
+    aim, hold = _span(-INF, value("to_wall"), -TIGHT)
+    options = []
+    for i, wall in enumerate(walls):
+        before = walls[i - 1]
+        if float(before.t @ wall.n) > -0.17:  # not a convex corner of at least 10 degrees
+            continue
+        rows = [_distance(0.0, value("to_corner"), wall.p[None, :], -TIGHT)]
+        for w in (before, wall):
+            n = (float(w.n[0]), float(w.n[1]))
+            rows.append(Row(k.FEATURE_EXTENT, aim, hold, normal=n, offset=float(w.n @ wall.p)))
+        options.append(rows)
+    return options
+
+
+def _at_window(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    options = []
+    for window in frame.windows:
+        if rel.target not in (None, window.id):
+            continue
+        wall = frame.region.walls[window.wall]
+        middle = float(wall.t @ wall.p) + window.offset + window.width / 2
+        aim, hold = _span(-INF, value("max"), -TIGHT)
+        n, t = (float(wall.n[0]), float(wall.n[1])), (float(wall.t[0]), float(wall.t[1]))
+        options.append(
+            [
+                Row(
+                    k.FEATURE_WINDOW,
+                    (-INF, -0.003),
+                    (-INF, -TIGHT),
+                    point=(window.width / 2, value("overlap")),
+                    normal=t,
+                    offset=middle,
+                ),
+                Row(k.FEATURE_EXTENT, aim, hold, normal=n, offset=float(wall.n @ wall.p)),
+            ]
+        )
+    return options
+
+
+def _between(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    lo, hi = value("along")
+    side = value("aside")
+    aim, hold = _span(-side, side)
+    return [
+        [
+            Row(k.FEATURE_BETWEEN, (lo + 0.01, hi - 0.01), (lo + 1e-4, hi - 1e-4)),
+            Row(k.FEATURE_ASIDE, aim, hold),
+        ]
+    ]
+
+
+def _around(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    import shapely
+
+    a = frame.object(rel.subject)
+    target = frame.index[_one(rel)]
+    hull = shapely.MultiPolygon([shapely.Polygon(p) for p in frame.footprints[target]]).convex_hull
+    spread: list[Row] = []
+    group = frame.around[_one(rel)]
+    n = value("n") or len(group)
+    if len(group) > 1:
+        aim, hold = _angle(value("spread"))
+        # the angle from the next child back to this one: children keep the order of their relations
+        spread = [Row(k.FEATURE_SPREAD, aim, hold, offset=-2 * math.pi / n, scale=LEVER)]
+    options = []
+    for edge in walls_of(convex_pieces(hull.exterior.coords[:-1])[0]):
+        outward, half = -edge.n, edge.length / 2
+        rows = _facing_rows(
+            a,
+            "front",
+            (float(outward[0]), float(outward[1])),
+            float(outward @ edge.p),
+            float(np.array([-outward[1], outward[0]]) @ (edge.p + half * edge.t)),
+            half,
+            value("gap"),
+            value("degrees"),
+            value("overlap"),
+        )
+        options.append(rows + spread)
+    return options
+
+
+
+
+
+
+def _away_from_door(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    doors = frame.region.doors
+    wanted = [rel.target] if isinstance(rel.target, str) else list(doors)
+    return [[_distance(value("min"), INF, doors[d].polygon) for d in wanted]]
+
+
+def _stacked(above: bool) -> Callable[[Frame, Relation, Callable], list[list[Row]]]:
+    def build(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+        a, b = frame.object(rel.subject), frame.object(_one(rel))
+        half = b.size[1] * value("lateral")
+        lateral = line((0.0, 0.0), (0.0, 1.0), 0.0, -half, half)
+        vertical = height(b.size[2], 0.0, INF) if above else height(-a.size[2], -INF, 0.0)
+        return [[lateral, vertical]]
+
+    return build
+
+
+def _same_height(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    limit = value("tolerance")
+    return [[height(0.0, -limit, limit)]]
+
+
+def _on_floor(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    return [[]] if frame.object(rel.subject).mount == "floor" else [[height(0.0, -0.002, 0.002)]]
+
+
+def _supported(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    """on_top and inside are choices of a surface, true by construction or not at all."""
+    support = frame.object(rel.subject).support
+    if support is None or support.object != rel.target:
+        return []
+    surface = next(s for s in frame.object(support.object).surfaces if s.name == support.surface)
+    return [[]] if rel.type == "on_top" or surface.headroom is not None else []
+
+
+Builder = Callable[[Frame, Relation, Callable], list[list[Row]]]
+
+BUILDERS: dict[str, Builder] = {
+    "against_wall": _at_walls,
+    "side_against_wall": _at_walls,
+    "front_against": _at_sides,
+    "front_to_front": _at_sides,
+    "leftright_to_leftright": _at_sides,
+    "side_by_side": _at_sides,
+    "back_to_back": _at_sides,
+    "on_floor": _on_floor,
+    "on_top": _supported,
+    "inside": _supported,
+    "near": _near,
+    "distance": _apart,
+    "facing": _bearing_row,
+    "aligned": _aligned,
+    "parallel": _parallel,
+    "left_of": _beyond("left"),
+    "right_of": _beyond("right"),
+    "in_front_of": _beyond("front"),
+    "behind": _beyond("back"),
+    "centered_on": _centered,
+    "in_corner": _corner,
+    "at_window": _at_window,
+    "between": _between,
+    "around": _around,
+    "away_from_door": _away_from_door,
+    "above": _stacked(True),
+    "below": _stacked(False),
+    "same_height": _same_height,
+}
+
+def _values(rel: Relation, subject: SceneObject) -> Callable[[str], Any]:
+    """Reads a relation's numbers: its params, else the catalogue's defaults."""
+    spec = CATALOGUE[rel.type]
+    return lambda name: spec.gap_range(rel, subject.size[0]) if name == "gap" else spec.value(rel, name)
+
+
+SOFT_WEIGHT = 0.2  # of a hard relation's, times the relation's own weight
+
+
+def compile_relation(frame: Frame, rel: Relation) -> CompiledRelation:
+    """Rows of one relation of the scene."""
+    a = frame.object(rel.subject)
+    options = BUILDERS[rel.type](frame, rel, _values(rel, a))
+    b = c = -1
+    if isinstance(rel.target, tuple):
+        b, c = frame.index[rel.target[0]], frame.index[rel.target[1]]
+    elif rel.target in frame.index:
+        b = frame.index[rel.target]
+    if rel.type == "around":
+        group = frame.around[_one(rel)]
+        c = group[(group.index(frame.index[rel.subject]) + 1) % len(group)]
+    weight = rel.weight if rel.hard else SOFT_WEIGHT * rel.weight
+    return CompiledRelation((frame.index[rel.subject], b, c), options or [[NEVER]], weight, 2 if rel.hard else 0, rel.hard)
+
+
+def mounting(frame: Frame, obj: int) -> CompiledRelation:
+    """What holds a wall-mounted object: its back at some wall, as against_wall has it."""
+    a = frame.objects[obj]
+    rel = Relation(type="against_wall", subject=a.id)
+    options = _at_walls(frame, rel, _values(rel, a))
+    return CompiledRelation((obj, -1, -1), options or [[NEVER]], 1.0, 1, True)

@@ -1,0 +1,79 @@
+"""What a refinement returns."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from sceneweaver.scene import Pose, Scene
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Refined candidates of one scene.
+
+    Attributes:
+        source: the scene that was refined.
+        poses: world poses (x, y, z, yaw) [B, N, 4] float32, objects in the scene's order.
+        status: [B] int8: 0 valid, 1 hard violation, 2 a hard relation is false, 3 diverged.
+        relations: [B, R] bool, relations in the scene's order.
+        energy: [B] float32, what was left of the energy [m]; 0 means everything holds with its margin.
+        elapsed: seconds from call to return.
+        timed_out: True when the time limit cut the run off.
+        explanation: what stands in the way when nothing is valid; None otherwise.
+    """
+
+    source: Scene
+    poses: np.ndarray
+    status: np.ndarray
+    relations: np.ndarray
+    energy: np.ndarray
+    seed: int
+    device: str
+    elapsed: float
+    timed_out: bool = False
+    explanation: str | None = None
+
+    @property
+    def candidates(self) -> int:
+        """Number of candidates B."""
+        return len(self.status)
+
+    @cached_property
+    def order(self) -> np.ndarray:
+        """Candidates, best first: by status, soft relations fulfilled, energy."""
+        soft = np.array([r.weight if not r.hard else 0.0 for r in self.source.relations])
+        missing = (~self.relations) @ soft if len(soft) else np.zeros(self.candidates)
+        return np.lexsort((self.energy, missing, self.status))
+
+    def scene(self, candidate: int) -> Scene:
+        """The scene in one candidate's layout. Fixed objects keep their exact poses."""
+        poses = {}
+        for obj, (x, y, z, yaw) in zip(self.source.objects, self.poses[candidate].astype(float), strict=True):
+            if not obj.fixed:
+                poses[obj.id] = Pose.from_yaw(float(x), float(y), float(z), float(yaw))
+        return self.source.replace_poses(poses)
+
+    @property
+    def best(self) -> Scene:
+        """The scene in its best layout."""
+        return self.scene(int(self.order[0]))
+
+    def distinct(self, k: int) -> list[Scene]:
+        """Up to k valid layouts, best first, that differ: some object is 0.5 m or 45 degrees away."""
+        chosen: list[int] = []
+        for i in self.order:
+            if self.status[i] != 0 or len(chosen) == k:
+                break
+            if all(_differ(self.poses[i], self.poses[j]) for j in chosen):
+                chosen.append(int(i))
+        return [self.scene(i) for i in chosen]
+
+
+def _differ(a: np.ndarray, b: np.ndarray) -> bool:
+    """True when some object stands 0.5 m or is turned 45 degrees apart."""
+    moved = np.linalg.norm(a[:, :3] - b[:, :3], axis=1) >= 0.5
+    turned = np.abs((a[:, 3] - b[:, 3] + np.pi) % (2 * np.pi) - np.pi) >= np.pi / 4
+    return bool(np.any(moved | turned))

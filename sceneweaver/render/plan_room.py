@@ -1,0 +1,159 @@
+"""Floor, walls, doors and windows of a plan."""
+
+from __future__ import annotations
+
+import math
+
+from sceneweaver.render import palette
+from sceneweaver.render.canvas import Canvas, Color, Text, text_width
+from sceneweaver.render.shapes import WALL_THICKNESS, Wall, opening_zone, outer_outline, walls
+from sceneweaver.render.view import View, bounds_of, step_for
+from sceneweaver.scene.model import Door, Room, Vec2, Window
+
+
+def draw_floor(canvas: Canvas, view: View, room: Room) -> None:
+    """The floor and, around it, the walls as one solid ring."""
+    canvas.polygon(view.points(outer_outline(room)), fill=palette.WALL)
+    canvas.polygon(view.points(room.outline), fill=palette.FLOOR)
+
+
+def draw_grid(canvas: Canvas, view: View, room: Room, unit: float) -> None:
+    """The one metre grid on the floor; where it would be too fine, a coarser one."""
+    box = bounds_of(room.outline)
+    step = step_for(view.scale, 9 * unit)
+    outline = list(room.outline)
+    for axis, low, high in ((0, box.x0, box.x1), (1, box.y0, box.y1)):
+        for k in range(math.ceil(low / step - 1e-6), math.floor(high / step + 1e-6) + 1):
+            for a, b in _clipped(outline, axis, k * step):
+                strong = k % 5 == 0 and step == 1 and view.scale < 90 * unit
+                canvas.line(view.points((a, b)), palette.darker(palette.GRID, 0.06 if strong else 0.0), 1.1 * unit)
+
+
+def _clipped(outline: list[Vec2], axis: int, value: float) -> list[tuple[Vec2, Vec2]]:
+    """The pieces inside an outline of the line on which coordinate ``axis`` has a value."""
+    other = 1 - axis
+    hits = sorted(
+        a[other] + (value - a[axis]) / (b[axis] - a[axis]) * (b[other] - a[other])
+        for a, b in zip(outline, outline[1:] + outline[:1], strict=True)
+        if (a[axis] <= value) != (b[axis] <= value)
+    )
+    ends = zip(hits[::2], hits[1::2], strict=False)
+    return [((value, u), (value, v)) if axis == 0 else ((u, value), (v, value)) for u, v in ends]
+
+
+def draw_opening_zones(canvas: Canvas, view: View, room: Room, unit: float, alarmed: frozenset[str]) -> None:
+    """The floor that doors and windows need free."""
+    edges = {w.index: w for w in walls(room)}
+    for opening in (*room.doors, *room.windows):
+        wall = edges.get(opening.wall)
+        if wall is None:
+            continue
+        color = palette.ALARM if opening.id in alarmed else palette.OPENING
+        points = view.points(opening_zone(wall, opening))
+        canvas.polygon(points, fill=(*color, 16))
+        canvas.hatch(points, (*color, 70), 1.0 * unit, 9 * unit, -45)
+        canvas.dashed(points, (*color, 130), 1.1 * unit, (6 * unit, 4 * unit), closed=True)
+
+
+def draw_openings(canvas: Canvas, view: View, room: Room, unit: float) -> None:
+    """Windows in the walls; doors with their leaves and the arcs of their swing."""
+    edges = {w.index: w for w in walls(room)}
+    for window in room.windows:
+        if window.wall in edges:
+            _draw_window(canvas, view, edges[window.wall], window, unit)
+    for door in room.doors:
+        if door.wall in edges:
+            _draw_door(canvas, view, edges[door.wall], door, unit)
+
+
+def _draw_window(canvas: Canvas, view: View, wall: Wall, window: Window, unit: float) -> None:
+    t = WALL_THICKNESS
+    frame = view.points(wall.strip(window.offset, window.width, 0.0, -t))
+    canvas.polygon(frame, fill=palette.PAPER, line=palette.WALL, width=1.4 * unit)
+    pane = view.points(wall.strip(window.offset, window.width, -0.34 * t, -0.66 * t))
+    canvas.polygon(pane, fill=palette.GLASS, line=palette.darker(palette.OPENING, 0.2), width=1.2 * unit)
+
+
+def _draw_door(canvas: Canvas, view: View, wall: Wall, door: Door, unit: float) -> None:
+    """The opening, its jambs and the leaf.
+
+    ``left`` and ``right`` are those of somebody who comes in: an ``in-left`` door hangs at its offset.
+    """
+    t = WALL_THICKNESS
+    start, end, width = door.offset, door.offset + door.width, door.width
+    gap = view.points(wall.strip(start, width, 0.002, -t - 0.002))
+    canvas.polygon(gap, fill=palette.lighter(palette.FLOOR, 0.45))
+    for near, far in ((gap[0], gap[3]), (gap[1], gap[2])):
+        canvas.line((near, far), palette.WALL, 1.6 * unit)
+    canvas.line((gap[3], gap[2]), palette.FAINT, 1.0 * unit)
+    leaf = min(0.045, width / 12)
+    if door.swing == "slide":
+        canvas.polygon(
+            view.points(wall.strip(start + width * 0.5, width * 0.62, 0.02, 0.02 + leaf)),
+            fill=palette.PAPER, line=palette.WALL, width=1.3 * unit,
+        )  # fmt: skip
+        canvas.polygon(
+            view.points(wall.strip(start, width * 0.5, -t / 2 - leaf / 2, -t / 2 + leaf / 2)),
+            fill=palette.PAPER, line=palette.WALL, width=1.3 * unit,
+        )  # fmt: skip
+        return
+    side = 1.0 if door.swing == "in-right" else -1.0
+    hinge = end if side > 0 else start
+    into = -1.0 if door.swing == "out" else 1.0
+    face = -t if door.swing == "out" else 0.0
+    arc = []
+    for step in range(41):
+        angle = math.pi / 2 * step / 40
+        arc.append(wall.point(hinge - side * width * math.cos(angle), face + into * width * math.sin(angle)))
+    canvas.line(view.points(arc), (*palette.WALL, 150), 1.2 * unit)
+    near, far = sorted((face, face + into * width))
+    panel = view.points(wall.strip(hinge - (leaf if side > 0 else 0.0), leaf, near, far))
+    canvas.polygon(panel, fill=palette.PAPER, line=palette.WALL, width=1.5 * unit)
+
+
+def name_walls(canvas: Canvas, view: View, room: Room, unit: float) -> None:
+    """The ids of doors and windows beside them, and the numbers of the walls."""
+    size = max(8, round(13 * unit))
+    for wall in walls(room):
+        taken = [(o.offset, o.offset + o.width) for o in (*room.doors, *room.windows) if o.wall == wall.index]
+        for opening in (*room.doors, *room.windows):
+            if opening.wall == wall.index:
+                out = opening.width if isinstance(opening, Door) and opening.swing == "out" else 0.0
+                middle = opening.offset + opening.width / 2
+                _beside(canvas, view, wall, middle, out, opening.id, size, palette.MUTED)
+        place = _free_middle(wall.length, taken)
+        thick = WALL_THICKNESS * view.scale
+        text = f"wall:{wall.index}"
+        if place is None or place[1] * view.scale < text_width(text, size) + 12 * unit:
+            continue
+        if thick >= size * 1.25:
+            _along(canvas, view.point(wall.point(place[0], -WALL_THICKNESS / 2)), wall, text, size, palette.WALL_TEXT)
+        else:
+            _beside(canvas, view, wall, place[0], 0.0, text, size, palette.FAINT)
+
+
+def _free_middle(length: float, taken: list[tuple[float, float]]) -> tuple[float, float] | None:
+    """Middle and length of the longest piece of a wall without openings."""
+    at, best = 0.0, None
+    for start, end in [*sorted(taken), (length, length)]:
+        if best is None or start - at > best[1]:
+            best = ((at + start) / 2, start - at)
+        at = max(at, end)
+    return best if best is not None and best[1] > 0 else None
+
+
+def _along(canvas: Canvas, at: tuple[float, float], wall: Wall, text: str, size: int, color: Color) -> None:
+    upright = abs(wall.along[1]) > abs(wall.along[0])
+    canvas.text(Text((text,), at, size, color, upright=upright))
+
+
+def _beside(
+    canvas: Canvas, view: View, wall: Wall, offset: float, out: float, text: str, size: int, color: Color
+) -> None:
+    """Text on the outer side of a wall, along it where the wall is level or plumb."""
+    x, y = view.point(wall.point(offset, -WALL_THICKNESS - out))
+    nx, ny = -wall.inward[0], wall.inward[1]  # outward, in the picture
+    upright = abs(wall.along[1]) > 0.98
+    half = size * 0.62 if upright or abs(wall.along[0]) > 0.98 else size * 0.62 + text_width(text, size) / 2 * abs(nx)
+    at = (x + nx * (half + size * 0.35), y + ny * (half + size * 0.35))
+    canvas.text(Text((text,), at, size, color, palette.PAPER, 2, upright))

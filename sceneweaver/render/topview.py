@@ -1,0 +1,288 @@
+"""The annotated top view: an architect's plan of a scene, drawn with Pillow alone."""
+
+from __future__ import annotations
+
+import io
+import re
+import unicodedata
+from collections import defaultdict
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+from PIL import Image
+
+from sceneweaver.render import labels, palette, plan_objects, plan_room, sheet
+from sceneweaver.render.canvas import Canvas, Text
+from sceneweaver.render.plan_objects import Item
+from sceneweaver.render.shapes import area, outer_outline
+from sceneweaver.render.view import View, bounds_of, content
+from sceneweaver.scene import InputError, Scene, write_atomic
+
+MIN_WIDTH, MAX_WIDTH = 200, 8192
+SOFT = "soft_relation"  # the kind of violation that leaves a scene valid
+_MAX_LISTED = 8  # violations that the sheet spells out
+_PLAIN = str.maketrans(
+    {"ß": "ss", "ø": "o", "Ø": "O", "ł": "l", "Ł": "L", "æ": "ae", "œ": "oe", "đ": "d", "–": "-", "—": "-"}
+)
+
+
+class ViolationLike(Protocol):
+    """What a drawing needs of a violation; ``sceneweaver.verify`` makes them."""
+
+    @property
+    def kind(self) -> str:
+        """What is violated: collision, out_of_bounds ..."""
+        ...
+
+    @property
+    def objects(self) -> Sequence[str]:
+        """Ids of the objects and openings concerned."""
+        ...
+
+    @property
+    def detail(self) -> str:
+        """The rest in words."""
+        ...
+
+
+def draw_top(
+    scene: Scene,
+    *,
+    width: int = 1600,
+    annotated: bool = True,
+    violations: Sequence[ViolationLike] = (),
+    valid: bool | None = None,
+) -> Image.Image:
+    """Draw a scene from above.
+
+    Args:
+        scene: The scene.
+        width: Width of the picture in pixels; the height follows from the room.
+        annotated: With title, axes, grid, labels, arrows and zones; without, the furnished room alone.
+        violations: What ``check`` found; the objects concerned are outlined red, those of soft relations excepted.
+        valid: What ``check`` decided, for the title; None: not checked (though with violations it is not valid).
+
+    The picture depends on the scene alone, not on the order of its objects, and is the same on every run.
+    """
+    if not MIN_WIDTH <= width <= MAX_WIDTH:
+        raise InputError(f"width: {width} is not between {MIN_WIDTH} and {MAX_WIDTH} pixels")
+    hard = sorted((v for v in violations if v.kind != SOFT), key=_order)
+    if not annotated:
+        return _draw_plain(scene, width, hard)
+    soft = sum(v.kind == SOFT for v in violations)
+    return _draw_sheet(scene, width, hard, soft, valid)
+
+
+def save_top(
+    scene: Scene,
+    path: str | Path,
+    *,
+    width: int = 1600,
+    annotated: bool = True,
+    violations: Sequence[ViolationLike] = (),
+    valid: bool | None = None,
+) -> None:
+    """Draw a scene from above into a PNG file, written under a temporary name and renamed."""
+    image = draw_top(scene, width=width, annotated=annotated, violations=violations, valid=valid)
+    content = io.BytesIO()
+    image.save(content, format="PNG")
+    write_atomic(path, content.getvalue())
+
+
+def _draw_plain(scene: Scene, width: int, violations: Sequence[ViolationLike]) -> Image.Image:
+    unit = width / 1600
+    items = plan_objects.items_of(scene)
+    view, size = _view(scene, items, width, 30 * unit, 30 * unit, 30 * unit, 30 * unit)
+    canvas = Canvas(*size, palette.PAPER)
+    floor = view.points(scene.room.outline)
+    plan_room.draw_floor(canvas, view, scene.room)
+    plan_objects.draw_items(canvas, view, items, floor, unit)
+    plan_room.draw_openings(canvas, view, scene.room, unit)
+    _draw_alarms(canvas, view, items, violations, unit)
+    return canvas.finish()
+
+
+def _draw_sheet(
+    scene: Scene, width: int, violations: Sequence[ViolationLike], soft: int, valid: bool | None
+) -> Image.Image:
+    unit = width / 1600
+    room = scene.room
+    items = plan_objects.items_of(scene)
+    alarmed = frozenset(name for v in violations for name in v.objects)
+    view, size = _view(scene, items, width, 112 * unit, 64 * unit, 44 * unit, 84 * unit)
+    canvas = Canvas(*size, palette.PAPER)
+    floor, outer = view.points(room.outline), view.points(outer_outline(room))
+
+    plan_room.draw_floor(canvas, view, room)
+    plan_room.draw_grid(canvas, view, room, unit)
+    plan_room.draw_opening_zones(canvas, view, room, unit, alarmed)
+    plan_objects.draw_zones(canvas, view, items, unit, alarmed)
+    plan_objects.draw_items(canvas, view, items, floor, unit)
+    plan_room.draw_openings(canvas, view, room, unit)
+    owners, edges = plan_objects.owner_grid(size, view, items, floor, outer)
+    plan_objects.draw_arrows(canvas, view, items, owners, unit)
+    _draw_alarms(canvas, view, items, violations, unit)
+    plan_room.name_walls(canvas, view, room, unit)
+    labelling = _draw_labels(canvas, view, items, (owners, edges), alarmed, unit)
+    shown = content(room, [p for i in items for p in i.solids])
+    sheet.draw_axes(canvas, view, bounds_of(room.outline), shown, unit)
+
+    head = sheet.draw_title(width, unit, printable(scene.id), _facts(scene), printable(scene.prompt),
+                            _verdict(scene, violations, valid))  # fmt: skip
+    foot = _foot(scene, items, violations, soft, labelling, view, size, unit)
+    parts = (head, canvas.finish(), foot)
+    image = Image.new("RGB", (width, sum(p.height for p in parts)), palette.PAPER)
+    y = 0
+    for part in parts:
+        image.paste(part, (0, y))
+        y += part.height
+    return image
+
+
+def _view(
+    scene: Scene, items: Sequence[Item], width: int, left: float, right: float, top: float, bottom: float
+) -> tuple[View, tuple[int, int]]:
+    """The largest scale at which the plan fits, and the size of its part of the picture."""
+    shown = content(scene.room, [p for i in items for p in i.solids])
+    wide, high = width - left - right, 0.9 * width
+    scale = min(wide / max(shown.width, 1e-3), high / max(shown.height, 1e-3))
+    spare = wide - shown.width * scale
+    view = View(scale, shown.x0 - (left + spare / 2) / scale, shown.y1 + top / scale)
+    return view, (width, round(top + shown.height * scale + bottom))
+
+
+def _facts(scene: Scene) -> str:
+    box = bounds_of(scene.room.outline)
+    floor = abs(area(scene.room.outline))
+    parts = [
+        _count(len(scene.objects), "object"),
+        _count(len(scene.relations), "relation"),
+        f"{box.width:.2f} x {box.height:.2f} m, {floor:.1f} sq m",
+    ]
+    if scene.dropped:
+        parts.insert(1, f"{len(scene.dropped)} dropped")
+    return "  ·  ".join(parts)
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}" + ("" if number == 1 else "s")
+
+
+def _verdict(scene: Scene, violations: Sequence[ViolationLike], valid: bool | None) -> sheet.Verdict:
+    if violations:
+        return sheet.Verdict(f"not valid  ·  {_count(len(violations), 'violation')}", False)
+    if valid is False or scene.dropped:
+        return sheet.Verdict("not valid", False)
+    return sheet.Verdict("valid", True) if valid else sheet.Verdict("not checked", None)
+
+
+def _draw_alarms(
+    canvas: Canvas, view: View, items: Sequence[Item], violations: Sequence[ViolationLike], unit: float
+) -> None:
+    """Red outlines around the objects of violations; what two colliding objects share is filled."""
+    shapes = {i.id: [view.points(p.polygon) for p in i.solids] for i in items}
+    for name in sorted({name for v in violations for name in v.objects} & shapes.keys()):
+        canvas.outline(shapes[name], palette.ALARM, 3.2 * unit)
+    for v in violations:
+        pair = [shapes[name] for name in v.objects if name in shapes]
+        if v.kind == "collision" and len(pair) == 2:
+            canvas.overlap(pair[0], pair[1], palette.ALARM)
+
+
+def _order(violation: ViolationLike) -> tuple[str, tuple[str, ...], str]:
+    return (violation.kind, tuple(violation.objects), violation.detail)
+
+
+def _draw_labels(
+    canvas: Canvas, view: View, items: Sequence[Item], grids: tuple[np.ndarray, np.ndarray], alarmed: frozenset[str],
+    unit: float,
+) -> labels.Labelling:  # fmt: skip
+    wanted = []
+    number = {item.id: k + 1 for k, item in enumerate(items)}
+    for k, item in enumerate(items):
+        box = bounds_of([p for s in item.solids for p in view.points(s.polygon)])
+        center = ((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2)
+        text = printable(item.id) or printable(item.obj.category) or "?"
+        below = number.get(item.obj.support.object, 0) if item.obj.support is not None else 0
+        wanted.append(labels.Wanted(item.id, k + 1, item.obj.category, text, center, box.width * box.height, below))
+    sizes = [max(7, round(s * unit)) for s in (20, 16, 13)]
+    result = labels.place(wanted, *grids, sizes)
+    by_id = {i.id: i for i in items}
+    for label in result.placed:
+        if label.leader is not None:
+            start, end = label.leader
+            r = 2.6 * unit
+            canvas.line((start, end), (*palette.FLOOR, 150), 3.0 * unit)
+            canvas.line((start, end), palette.INK, 1.2 * unit)
+            canvas.pill((end[0] - r, end[1] - r, end[0] + r, end[1] + r), r, palette.INK)
+    for label in result.placed:
+        item = by_id[label.key]
+        fill = palette.mixed(palette.FLOOR, item.fill, 0.4) if item.translucent else item.fill
+        color = palette.INK if label.beside else palette.ink_on(fill)
+        halo = max(1, round((2.6 if label.beside else 1.8) * unit))
+        if label.key in alarmed:
+            color = palette.ALARM
+        ground = palette.FLOOR if label.beside else fill
+        canvas.text(Text(label.lines, label.at, label.size, color, ground, halo, label.upright))
+    return result
+
+
+def _foot(
+    scene: Scene, items: Sequence[Item], violations: Sequence[ViolationLike], soft: int,
+    labelling: labels.Labelling, view: View, size: tuple[int, int], unit: float,
+) -> Image.Image:  # fmt: skip
+    key = sheet.Key(
+        arrows=bool(items),
+        zones=any(i.obj.zones for i in items),
+        openings=bool(scene.room.doors or scene.room.windows),
+        hanging=any(i.translucent for i in items),
+        alarms=bool(violations),
+    )
+    thinned = labelling.numbered + labelling.left_out > 0
+    notes = []
+    if labelling.numbered:
+        notes.append("A number alone is the end of the object's id; its colour says the category.")
+    if labelling.left_out:
+        notes.append(f"{labelling.left_out} of {_count(len(items), 'object')} had no room for a label.")
+    outside = sum(not _in_picture(item, view, size) for item in items)
+    if outside:
+        notes.append(f"{_count(outside, 'object')} outside of the picture.")
+    notes += [f"dropped: {printable(d.id)} ({printable(d.category)}): {printable(d.reason)}" for d in scene.dropped[:4]]
+    if soft:
+        notes.append(f"{_count(soft, 'soft relation')} {'does' if soft == 1 else 'do'} not hold.")
+    alarms = [f"{printable(v.kind.replace('_', ' '))}:  {_sentence(v)}" for v in violations[:_MAX_LISTED]]
+    if len(violations) > _MAX_LISTED:
+        alarms.append(f"and {len(violations) - _MAX_LISTED} more")
+    return sheet.draw_footer(size[0], unit, view, key, _categories(items) if thinned else (), notes, alarms)
+
+
+def _sentence(violation: ViolationLike) -> str:
+    return printable(violation.detail) or ", ".join(map(printable, violation.objects))
+
+
+def _categories(items: Sequence[Item]) -> list[tuple[str, palette.Rgb, int]]:
+    """Categories with their mean colour and how often they occur, the most frequent first."""
+    fills: dict[str, list[palette.Rgb]] = defaultdict(list)
+    for item in items:
+        fills[item.obj.category].append(item.fill)
+    out = []
+    for name, colors in fills.items():
+        r, g, b = (sum(channel) // len(colors) for channel in zip(*colors, strict=True))
+        out.append((printable(name), (r, g, b), len(colors)))
+    return sorted(out, key=lambda c: (-c[2], c[0]))
+
+
+def _in_picture(item: Item, view: View, size: tuple[int, int]) -> bool:
+    points = [p for s in item.solids for p in view.points(s.polygon)]
+    return any(0 <= x <= size[0] and 0 <= y <= size[1] for x, y in points)
+
+
+def printable(text: str) -> str:
+    """The text in letters that the built-in font has: accents are dropped, other scripts become question marks."""
+    text = unicodedata.normalize("NFKD", text.translate(_PLAIN))
+    kept = (c for c in text if not unicodedata.combining(c))
+    line = re.sub(r"\s+", " ", "".join(c if c.isascii() or c in "°·…“”" else "?" for c in kept)).strip()
+    line = "".join(c if c.isprintable() else "?" for c in line)
+    return line if any(c.isalnum() for c in line) else ""

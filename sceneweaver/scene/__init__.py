@@ -1,0 +1,111 @@
+"""What a scene is: its typed model, the relation catalogue, edits, and ``scene.json``.
+
+A scene is immutable. Anything wrong with a file, a field or an edit raises InputError with one line that names the
+field and the fix.
+"""
+
+from .catalogue import CATALOGUE as CATALOGUE
+from .catalogue import SIDES as SIDES
+from .catalogue import TUCKED as TUCKED
+from .catalogue import ParamSpec as ParamSpec
+from .catalogue import RelationSpec as RelationSpec
+from .catalogue import register_relation as register_relation
+from .catalogue import unregister_relation as unregister_relation
+from .edits import EDITS as EDITS
+from .edits import Add as Add
+from .edits import AnyEdit as AnyEdit
+from .edits import Edit as Edit
+from .edits import Geometry as Geometry
+from .edits import Relate as Relate
+from .edits import Remove as Remove
+from .edits import Rename as Rename
+from .edits import Replace as Replace
+from .edits import SetAttributes as SetAttributes
+from .edits import SetPose as SetPose
+from .edits import SetSize as SetSize
+from .edits import SetSupport as SetSupport
+from .edits import Unrelate as Unrelate
+from .edits import apply as apply
+from .edits import apply_all as apply_all
+from .edits import edit_from_json as edit_from_json
+from .edits import edit_to_json as edit_to_json
+from .edits import edits_from_json as edits_from_json
+from .edits import invert as invert
+from .errors import InputError as InputError
+from .errors import MissingDependencyError as MissingDependencyError
+from .errors import SceneWeaverError as SceneWeaverError
+from .io import EXAMPLES as EXAMPLES
+from .io import MAX_BYTES as MAX_BYTES
+from .io import write_atomic as write_atomic
+from .migrate import migrate as migrate
+from .migrate import migration as migration
+from .model import SCHEMA as SCHEMA
+from .model import Door as Door
+from .model import Dropped as Dropped
+from .model import Part as Part
+from .model import Pose as Pose
+from .model import Quat as Quat
+from .model import Relation as Relation
+from .model import Room as Room
+from .model import Scene as Scene
+from .model import SceneObject as SceneObject
+from .model import Support as Support
+from .model import Surface as Surface
+from .model import Vec2 as Vec2
+from .model import Vec3 as Vec3
+from .model import Window as Window
+from .model import Zone as Zone
+from .validate import wall_number as wall_number
+
+__all__ = [
+    "Add",
+    "AnyEdit",
+    "CATALOGUE",
+    "Door",
+    "Dropped",
+    "EDITS",
+    "EXAMPLES",
+    "Edit",
+    "Geometry",
+    "InputError",
+    "MAX_BYTES",
+    "MissingDependencyError",
+    "ParamSpec",
+    "Part",
+    "Pose",
+    "Quat",
+    "Relate",
+    "Relation",
+    "RelationSpec",
+    "Remove",
+    "Rename",
+    "Replace",
+    "Room",
+    "SCHEMA",
+    "SIDES",
+    "Scene",
+    "SceneObject",
+    "SceneWeaverError",
+    "SetAttributes",
+    "SetPose",
+    "SetSize",
+    "SetSupport",
+    "Support",
+    "Surface",
+    "TUCKED",
+    "Unrelate",
+    "Window",
+    "Zone",
+    "apply",
+    "apply_all",
+    "edit_from_json",
+    "edit_to_json",
+    "edits_from_json",
+    "invert",
+    "migrate",
+    "migration",
+    "register_relation",
+    "unregister_relation",
+    "wall_number",
+    "write_atomic",
+]

@@ -1,0 +1,254 @@
+"""The relation catalogue: what each relation type means, as data (``relations.json``) that kernels and judge both read.
+
+Lengths are metres, angles degrees, overlaps shares of the narrower face. Faces are named in an object's own frame:
+front is +x, back -x, left +y, right -y.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, Literal, Protocol
+
+from .errors import InputError
+from .messages import Problem, clean, show, suggest
+
+SIDES = ("front", "back", "left", "right")
+TARGETS = ("none", "wall", "wall?", "object", "objects", "window", "window?", "door", "door?")
+TUCKED = "tucked"
+"""A gap of [-0.8 * the subject's depth, 0.05]: the subject may reach under the target where their parts allow it."""
+TUCKED_SHARE = 0.8
+TUCKED_MOST = 0.05
+
+Side = Literal["front", "back", "left", "right"]
+Gap = tuple[float, float]
+
+
+class HasParams(Protocol):
+    """A relation, as far as the catalogue needs to know it."""
+
+    @property
+    def params(self) -> Mapping[str, Any]:
+        """What the relation sets for itself."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class ParamSpec:
+    """A parameter of a relation type.
+
+    Attributes:
+        type: ``number``, ``integer`` or ``range`` (two numbers in order).
+        default: its value when a relation does not give it; None when it must be given or is worked out.
+        unit: ``m``, ``deg`` or empty for a plain ratio or count.
+        minimum, maximum: bounds, included; ``exclusive_minimum``: lower bound, left out.
+        required: whether every relation of the type must give it.
+    """
+
+    name: str
+    type: Literal["number", "integer", "range"]
+    default: float | int | Gap | str | None
+    unit: str
+    description: str
+    minimum: float | None = None
+    maximum: float | None = None
+    exclusive_minimum: float | None = None
+    required: bool = False
+
+    def check(self, value: Any) -> float | int | Gap | str:
+        """The value as float, int or a pair of floats; raises Problem when it has another type or is out of bounds."""
+        if self.type == "range":
+            if value == TUCKED and self.default == TUCKED:
+                return TUCKED
+            if not isinstance(value, list | tuple) or len(value) != 2:
+                raise Problem((), f"is {show(value)}; give a range [least, most]")
+            low, high = self._number(value[0], (0,)), self._number(value[1], (1,))
+            if low > high:
+                raise Problem((), f"is [{low:g}, {high:g}]; the first must not be more than the second")
+            return (low, high)
+        number = self._number(value, ())
+        if self.type == "integer":
+            if number != int(number):
+                raise Problem((), f"is {show(value)}; give a whole number")
+            return int(number)
+        return number
+
+    def _number(self, value: Any, loc: tuple[int, ...]) -> float:
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            raise Problem(loc, f"is {show(value)}; give a number")
+        if not math.isfinite(value):
+            raise Problem(loc, f"is {show(value)}; numbers must be finite")
+        low, more, high = self.minimum, self.exclusive_minimum, self.maximum
+        if (low is not None and value < low) or (more is not None and value <= more):
+            bound = f"at least {low:g}" if low is not None else f"more than {more:g}"
+            raise Problem(loc, f"is {show(value)}; it must be {bound}")
+        if high is not None and value > high:
+            raise Problem(loc, f"is {show(value)}; it must be at most {high:g}")
+        return float(value)
+
+
+@dataclass(frozen=True, slots=True)
+class RelationSpec:
+    """A relation type.
+
+    Attributes:
+        target: what ``relation.target`` is: ``none``, ``object`` (an id), ``objects`` (two ids), ``wall`` ("wall:k"),
+            ``window`` or ``door`` (an id); with a question mark it may be left out, and any (or every) one is meant.
+        subject_sides, target_sides: the faces that may take part.
+        degrees: most angle [deg], gap: [least, most] distance [m] or ``tucked``, overlap: least share; None: no say.
+        params: what a relation may set for itself; a parameter named like a field above overrides that field.
+        constants: numbers of the type's definition that nothing overrides.
+        ties_zones: subject and target are exempt from each other's hard zones.
+    """
+
+    type: str
+    description: str
+    target: str = "object"
+    subject_sides: tuple[Side, ...] = ()
+    target_sides: tuple[Side, ...] = ()
+    degrees: float | None = None
+    gap: Gap | Literal["tucked"] | None = None
+    overlap: float | None = None
+    params: Mapping[str, ParamSpec] = field(default_factory=lambda: MappingProxyType({}))
+    constants: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    ties_zones: bool = False
+
+    @property
+    def target_kind(self) -> str:
+        """``target`` without its question mark."""
+        return self.target.removesuffix("?")
+
+    @property
+    def target_optional(self) -> bool:
+        """Whether a relation may go without a target."""
+        return self.target == "none" or self.target.endswith("?")
+
+    def value(self, relation: HasParams | Mapping[str, Any] | None, name: str) -> Any:
+        """The number called ``name`` for this relation: what its params say, else the default of the type.
+
+        Args:
+            relation: a relation, its params, or None for the default.
+            name: a parameter, a constant, or ``degrees``, ``gap`` or ``overlap``.
+
+        Returns:
+            A float, an int, a (low, high) pair, "tucked", or None when the type leaves it open.
+
+        Raises:
+            InputError: when the relation type has no such number.
+        """
+        params = {} if relation is None else relation if isinstance(relation, Mapping) else relation.params
+        if name in params:
+            return params[name]
+        if name in self.params:
+            return self.params[name].default
+        if name in self.constants:
+            return self.constants[name]
+        if name in ("degrees", "gap", "overlap"):
+            return getattr(self, name)
+        raise InputError(f'{self.type}: no number "{clean(name)}"{suggest(name, [*self.params, *self.constants])}')
+
+    def gap_range(self, relation: HasParams | Mapping[str, Any] | None, depth: float) -> Gap:
+        """The gap [m] as numbers; ``depth`` is the subject's depth (``size[0]``), which "tucked" refers to.
+
+        Raises:
+            InputError: when the relation type has no gap.
+        """
+        gap = self.value(relation, "gap")
+        if gap is None:
+            raise InputError(f"{self.type}: this relation has no gap")
+        return (-TUCKED_SHARE * depth, TUCKED_MOST) if gap == TUCKED else gap
+
+    def check_params(self, params: Mapping[str, Any]) -> dict[str, Any]:
+        """The params with their proper types: numbers as float, counts as int, ranges as pairs.
+
+        Raises:
+            Problem: an unknown name, a value of another type, out of bounds or out of order, a missing value.
+        """
+        out: dict[str, Any] = {}
+        for name, value in params.items():
+            if name not in self.params:
+                hint = suggest(name, self.params, what="known") if self.params else f"; {self.type} takes none"
+                raise Problem((), f': unknown param "{clean(name)}"{hint}')
+            try:
+                out[name] = self.params[name].check(value)
+            except Problem as problem:
+                raise Problem((name, *problem.loc), problem.text) from None
+        for name, param in self.params.items():
+            if param.required and name not in out:
+                unit = f", in {param.unit}" if param.unit else ""
+                raise Problem((), f': "{name}" is missing; {self.type} needs it{unit}')
+        if "min" in out and "max" in out and out["min"] > out["max"]:
+            raise Problem(("min",), f"is {out['min']:g}, more than max {out['max']:g}; swap them")
+        return out
+
+
+def _pair(value: Any) -> Any:
+    return (float(value[0]), float(value[1])) if isinstance(value, list) else value
+
+
+def _spec(entry: Mapping[str, Any]) -> RelationSpec:
+    gap = _pair(entry["gap"])
+    params: dict[str, ParamSpec] = {}
+    for name, p in entry["params"].items():  # a param without a default of its own overrides the field of its name
+        default = _pair(p["default"]) if "default" in p else {**entry, "gap": gap}[name]
+        params[name] = ParamSpec(**{"name": name, **p, "default": default})
+    return RelationSpec(
+        type=entry["type"],
+        description=entry["description"],
+        target=entry["target"],
+        subject_sides=tuple(entry["subject_sides"]),
+        target_sides=tuple(entry["target_sides"]),
+        degrees=entry["degrees"],
+        gap=gap,
+        overlap=entry["overlap"],
+        params=MappingProxyType(params),
+        constants=MappingProxyType(dict(entry["constants"])),
+        ties_zones=entry["ties_zones"],
+    )
+
+
+def _load() -> dict[str, RelationSpec]:
+    data = json.loads(Path(__file__).with_name("relations.json").read_text("utf-8"))
+    return {entry["type"]: _spec(entry) for entry in data["relations"]}
+
+
+_specs: dict[str, RelationSpec] = _load()
+
+CATALOGUE: Mapping[str, RelationSpec] = MappingProxyType(_specs)
+"""Every relation type by name, in the order of the data file; registered ones come last."""
+
+BUILT_IN: frozenset[str] = frozenset(_specs)
+
+
+def register_relation(spec: RelationSpec) -> RelationSpec:
+    """Add a relation type of your own; scenes that use it load from then on.
+
+    Raises:
+        InputError: when the name is taken, or its target or a side is none of the known ones.
+    """
+    if spec.type in _specs:
+        raise InputError(f"relation type {show(spec.type)} is there already; choose another name")
+    if spec.target not in TARGETS:
+        fix = suggest(spec.target, TARGETS)
+        raise InputError(f"relation type {show(spec.type)}: target is {show(spec.target)}{fix}")
+    for side in (*spec.subject_sides, *spec.target_sides):
+        if side not in SIDES:
+            raise InputError(f"relation type {show(spec.type)}: side {show(side)} is unknown{suggest(side, SIDES)}")
+    _specs[spec.type] = spec
+    return spec
+
+
+def unregister_relation(name: str) -> None:
+    """Take back a registered relation type.
+
+    Raises:
+        InputError: when it is built in or unknown.
+    """
+    if name in BUILT_IN:
+        raise InputError(f"relation type {show(name)} is built in; only registered ones can be taken back")
+    if _specs.pop(name, None) is None:
+        raise InputError(f"relation type {show(name)} is unknown{suggest(name, _specs)}")

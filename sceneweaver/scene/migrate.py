@@ -1,0 +1,101 @@
+"""Reading scenes of older schema versions.
+
+A migration turns the data of one version into that of the next; a chain of them ends at the current one:
+
+    @migration("sceneweaver.scene/1")
+    def _from_1(data: dict[str, Any]) -> dict[str, Any]: ...   # gives data of sceneweaver.scene/2
+"""
+
+from __future__ import annotations
+
+import copy
+import math
+import re
+from collections.abc import Callable
+from typing import Any
+
+from .errors import InputError
+from .messages import quote, show
+from .model import SCHEMA
+
+Migration = Callable[[dict[str, Any]], dict[str, Any]]
+
+_NAME, _, _VERSION = SCHEMA.rpartition("/")
+_CURRENT = int(_VERSION)
+_SCHEMA = re.compile(re.escape(_NAME) + r"/(0|[1-9][0-9]{0,5})", re.ASCII)
+_migrations: dict[str, Migration] = {}
+
+
+def migration(schema: str) -> Callable[[Migration], Migration]:
+    """Register a function from data of version ``schema`` to data of the next version.
+
+    The function gets a copy that it may change; the ``schema`` key is set for it. What it cannot make sense of it may
+    leave as it is, to be refused with a clear line by the model.
+
+    Raises:
+        InputError: when ``schema`` is not an older version of the scene schema, or has a migration already.
+    """
+    match = _SCHEMA.fullmatch(schema)
+    if match is None or int(match[1]) >= _CURRENT:
+        raise InputError(f"schema {show(schema)} is no version before {SCHEMA}")
+    if schema in _migrations:
+        raise InputError(f"schema {show(schema)} has a migration already")
+
+    def register(function: Migration) -> Migration:
+        _migrations[schema] = function
+        return function
+
+    return register
+
+
+def migrate(data: Any) -> dict[str, Any]:
+    """The data in the current schema version; data that is current already is given back as it is.
+
+    Raises:
+        InputError: not an object, no schema or another one, a newer version, a version without migration.
+    """
+    if not isinstance(data, dict):
+        raise InputError(f'the top level is {show(data)}; give an object {{"schema": "{SCHEMA}", ...}}')
+    if "schema" not in data:
+        raise InputError(f'"schema" is missing; add "schema": "{SCHEMA}"')
+    schema = data["schema"]
+    if schema == SCHEMA:
+        return data
+    match = _SCHEMA.fullmatch(schema) if isinstance(schema, str) else None
+    if match is None:
+        raise InputError(f'schema is {show(schema)}; a scene file has "{SCHEMA}"')
+    version = int(match[1])
+    if version > _CURRENT:
+        raise InputError(f'schema is {show(schema)}, written by a newer version than "{SCHEMA}"; upgrade sceneweaver')
+    try:
+        data = copy.deepcopy(data)
+    except RecursionError:
+        raise InputError("nested too deep; a scene has fewer than 40 levels") from None
+    for step in range(version, _CURRENT):
+        function = _migrations.get(f"{_NAME}/{step}")
+        if function is None:
+            raise InputError(f'schema is {show(schema)}, too old to be read; write it as "{SCHEMA}"')
+        try:
+            data = {**function(data), "schema": f"{_NAME}/{step + 1}"}
+        except InputError:
+            raise
+        except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
+            text = f"schema is {show(schema)} and could not be brought to {_NAME}/{step + 1}"
+            raise InputError(f"{text} ({type(error).__name__}: {quote(error)}); mend it by hand") from None
+    return data
+
+
+@migration("sceneweaver.scene/0")
+def _yaw_to_quaternion(data: dict[str, Any]) -> dict[str, Any]:
+    """Version 0 was the draft of upright objects: ``pose: {position, yaw}`` with yaw in radians about +z."""
+    objects = data.get("objects")
+    for obj in objects if isinstance(objects, list) else ():
+        pose = obj.get("pose") if isinstance(obj, dict) else None
+        if not isinstance(pose, dict) or "yaw" not in pose or "quaternion" in pose:
+            continue
+        yaw = pose["yaw"]
+        if isinstance(yaw, bool) or not isinstance(yaw, int | float) or not math.isfinite(yaw):
+            raise InputError(f"object {quote(obj.get('id'))}: pose.yaw is {show(yaw)}; give a finite number of radians")
+        del pose["yaw"]
+        pose["quaternion"] = [0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2)]
+    return data

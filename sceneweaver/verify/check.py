@@ -1,0 +1,165 @@
+"""The judge: one call that measures everything about a scene and says what is wrong."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from sceneweaver.scene.model import Relation, Scene
+from sceneweaver.verify import bounds, collisions, support, zones
+from sceneweaver.verify import walkable as access
+from sceneweaver.verify.meshes import MeshSet
+from sceneweaver.verify.relations import judge_relation
+from sceneweaver.verify.report import RelationTally, Report, Tally, Violation
+from sceneweaver.verify.solids import Placed
+from sceneweaver.verify.terms import Verdict, length
+
+
+def check(
+    scene: Scene, *, meshes: MeshSet | Mapping[str, Any] | str | Path | None = None, walkable: bool = True
+) -> Report:
+    """Judge a scene in float64, independently of the engine that made it.
+
+    ``meshes`` gives the true shapes of assets: asset id -> ``trimesh.Trimesh`` or mesh file, a folder of
+    ``<asset>.glb|obj|stl|ply`` files, or a `MeshSet` to be used again. Without it, objects are their parts or boxes.
+    ``walkable=False`` leaves out the flood fill.
+    """
+    clock = _Clock()
+    placed = Placed.of(scene)
+    shapes, warnings = MeshSet.of(meshes), []
+    found: list[Violation] = [
+        Violation("dropped", (d.id,), f"{d.id} could not be placed: {d.reason}", 0.0) for d in scene.dropped
+    ]
+    clock.lap("prepare")
+    found += _collisions(placed, shapes, warnings)
+    clock.lap("collisions")
+    found += _bounds(placed, shapes)
+    clock.lap("bounds")
+    found += _support(placed)
+    clock.lap("support")
+    found += _zones(placed) + _openings(placed)
+    clock.lap("zones")
+    verdicts = [judge_relation(placed, relation) for relation in scene.relations]
+    found += [_relation(r, v) for r, v in zip(scene.relations, verdicts, strict=True) if not v.holds]
+    clock.lap("relations")
+    shares = access.measure(placed) if walkable else None
+    if walkable:
+        clock.lap("walkable")
+        if shares is None:
+            warnings.append("the room is too large for the floor grid; walkable and reachable shares were not measured")
+    counts = Counter(violation.kind for violation in found)
+    return Report(
+        valid=all(v.kind == "soft_relation" for v in found),
+        requested=len(scene.objects) + len(scene.dropped),
+        placed=len(scene.objects),
+        dropped=len(scene.dropped),
+        collisions=counts["collision"],
+        out_of_bounds=counts["out_of_bounds"],
+        unsupported=counts["unsupported"],
+        blocked_zones=counts["blocked_zone"],
+        blocked_openings=counts["blocked_opening"],
+        relations=RelationTally(*(_tally(scene.relations, verdicts, hard) for hard in (True, False))),
+        walkable_share=shares.walkable if shares else None,
+        reachable_share=shares.reachable if shares else None,
+        violations=tuple(found),
+        seconds=clock.seconds(),
+        versions=dict(_versions()),
+        warnings=tuple(warnings),
+    )
+
+
+def _collisions(placed: Placed, meshes: MeshSet, warnings: list[str]) -> list[Violation]:
+    found = []
+    for a, b, depth in collisions.find(placed, meshes, warnings):
+        first, second = placed.bodies[a].id, placed.bodies[b].id
+        found.append(Violation("collision", (first, second), f"{first} sinks {length(depth)} into {second}", depth))
+    return found
+
+
+def _bounds(placed: Placed, meshes: MeshSet) -> list[Violation]:
+    """One violation an object, however many ways it leaves the room."""
+    ways = {
+        "wall": "reaches {} out of the room",
+        "ceiling": "rises {} above the ceiling",
+        "floor": "sinks {} into the floor",
+    }
+    by_object: dict[int, list[bounds.Exit]] = {}
+    for leaving in bounds.find(placed, meshes):
+        by_object.setdefault(leaving.index, []).append(leaving)
+    found = []
+    for index, exits in by_object.items():
+        name = placed.bodies[index].id
+        text = " and ".join(ways[e.through].format(length(e.amount)) for e in exits)
+        found.append(Violation("out_of_bounds", (name,), f"{name} {text}", max(e.amount for e in exits)))
+    return found
+
+
+def _support(placed: Placed) -> list[Violation]:
+    found = []
+    for index, text, amount, supporter in support.find(placed):
+        names = (placed.bodies[index].id, *(() if supporter is None else (placed.bodies[supporter].id,)))
+        found.append(Violation("unsupported", names, f"{names[0]} {text}", amount))
+    return found
+
+
+def _zones(placed: Placed) -> list[Violation]:
+    found = []
+    for owner, zone, other, depth in zones.find(placed):
+        first, second = placed.bodies[owner].id, placed.bodies[other].id
+        detail = f"{second} stands {length(depth)} inside the zone {zone!r} of {first}"
+        found.append(Violation("blocked_zone", (first, second), detail, depth))
+    return found
+
+
+def _openings(placed: Placed) -> list[Violation]:
+    found = []
+    for _, opening, other, depth in zones.find_openings(placed):
+        name = placed.bodies[other].id
+        detail = f"{name} stands {length(depth)} inside the clear space of {opening}"
+        found.append(Violation("blocked_opening", (name, opening), detail, depth))
+    return found
+
+
+def _relation(relation: Relation, verdict: Verdict) -> Violation:
+    target = relation.target
+    targets = () if target is None else (target,) if isinstance(target, str) else tuple(target)
+    said = " ".join((relation.subject, relation.type, " and ".join(targets))).rstrip()
+    kind = "relation" if relation.hard else "soft_relation"
+    return Violation(kind, (relation.subject, *targets), f"{said}: {verdict.text}", verdict.excess)
+
+
+def _tally(relations: tuple[Relation, ...], verdicts: list[Verdict], hard: bool) -> Tally:
+    holds = [v.holds for r, v in zip(relations, verdicts, strict=True) if r.hard is hard]
+    return Tally(len(holds), sum(holds))
+
+
+class _Clock:
+    def __init__(self) -> None:
+        self._start = self._last = time.perf_counter()
+        self._laps: dict[str, float] = {}
+
+    def lap(self, name: str) -> None:
+        now = time.perf_counter()
+        self._laps[name] = now - self._last
+        self._last = now
+
+    def seconds(self) -> dict[str, float]:
+        return {"total": time.perf_counter() - self._start, **self._laps}
+
+
+@cache
+def _versions() -> tuple[tuple[str, str], ...]:
+    import platform
+    from importlib.metadata import PackageNotFoundError, version
+
+    found = [("python", platform.python_version())]
+    for name in ("sceneweaver", "numpy", "shapely", "manifold3d", "scipy", "trimesh"):
+        try:
+            found.append((name, version(name)))
+        except PackageNotFoundError:
+            continue
+    return tuple(found)

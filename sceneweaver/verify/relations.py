@@ -1,0 +1,362 @@
+"""Whether a relation holds, and if not, what is off and by how much.
+
+One function a type, in `JUDGES`; the numbers come from the catalogue (`sceneweaver.scene.catalogue`), the arithmetic is
+the judge's own. Lengths have a slack of 1 mm where they are gaps or distances, none where they are overlaps or offsets;
+angles have none. Faces are those of the object's box.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from sceneweaver.scene.catalogue import CATALOGUE, RelationSpec
+from sceneweaver.scene.errors import InputError
+from sceneweaver.scene.model import Relation
+from sceneweaver.verify.contacts import face_terms, turn, wall_contacts
+from sceneweaver.verify.solids import Body, Face, Opening, Placed
+from sceneweaver.verify.support import bottom, rest
+from sceneweaver.verify.terms import HOLDS, TOLERANCE, Term, Terms, Verdict, at_least, at_most, judge, no
+
+CORNER = 0.17
+"""Least sine of the turn at a convex corner of the room that counts for in_corner (about 10 degrees)."""
+
+
+class Case(NamedTuple):
+    """A relation to judge: where, its subject, its target when that is an object, and the catalogue's entry."""
+
+    placed: Placed
+    relation: Relation
+    subject: Body
+    target: Body | None
+    spec: RelationSpec
+
+    def number(self, name: str) -> float:
+        """The number called ``name``: the relation's own, else the catalogue's."""
+        return float(self.spec.value(self.relation, name))
+
+    @property
+    def other(self) -> Body:
+        """The target object."""
+        if self.target is None:
+            raise InputError(f"relation {self.relation.type} of {self.relation.subject}: needs an object as its target")
+        return self.target
+
+
+Judge = Callable[[Case], "Verdict | bool"]
+
+
+def judge_relation(placed: Placed, relation: Relation) -> Verdict:
+    """Judge one relation of the scene. A relation of an object that was dropped does not hold."""
+    spec = CATALOGUE.get(relation.type)
+    function = JUDGES.get(relation.type)
+    if spec is None or function is None:
+        raise InputError(
+            f"relation type {relation.type!r} has no judge; give it one with sceneweaver.verify.register_judge"
+        )
+    kind, target = spec.target_kind, relation.target
+    named = {"object": (target,), "objects": target or ()}.get(kind, ())
+    for name in (relation.subject, *named):
+        if name not in placed.by_id:
+            return no(f"{name} is not in the scene")
+    subject = placed.by_id[relation.subject]
+    other = placed.by_id[target] if kind == "object" and isinstance(target, str) else None
+    verdict = function(Case(placed, relation, subject, other, spec))
+    if isinstance(verdict, Verdict):
+        return verdict
+    return HOLDS if verdict else no("does not hold")
+
+
+def register_judge(relation_type: str, function: Judge) -> None:
+    """Judge relations of a registered type with ``function``: Case -> Verdict, or a bool."""
+    if relation_type in _BUILT_IN:
+        raise InputError(f"relation type {relation_type!r} is built in; its judge cannot be replaced")
+    JUDGES[relation_type] = function
+
+
+# ---- walls, corners, windows, doors ----------------------------------------------------------------------------------
+
+
+def _against_wall(case: Case) -> Verdict:
+    """A face that the catalogue names is against a wall. Of ``gap`` only the most counts: touching is always fine."""
+    target = case.relation.target
+    index = int(target[5:]) if isinstance(target, str) and target.startswith("wall:") else None
+    most = case.spec.value(case.relation, "gap")[1]
+    sides, degrees, overlap = case.spec.subject_sides, case.number("degrees"), case.number("overlap")
+    contacts = wall_contacts(case.placed, case.subject, sides, index, most, degrees, overlap)
+    return judge(contacts, f"the room has no {target or 'wall'}")
+
+
+def _in_corner(case: Case) -> Verdict:
+    """Footprint near a convex corner of the room, and box near both of its walls."""
+    import shapely
+
+    placed, corners = case.placed, case.subject.corners
+    to_corner, to_wall = case.number("to_corner"), case.number("to_wall")
+    foot = placed.footprint(case.subject)
+
+    def alternatives() -> Iterator[Terms]:
+        for wall in placed.walls:
+            before = placed.walls[wall.index - 1]
+            if before.along[0] * wall.inward[0] + before.along[1] * wall.inward[1] > -CORNER:
+                continue
+            away = float(shapely.distance(foot, shapely.points(wall.start)).min())
+            gaps = [
+                min((x - wall.start[0]) * w.inward[0] + (y - wall.start[1]) * w.inward[1] for x, y in corners)
+                for w in (before, wall)
+            ]
+            names = (f"distance to wall {w.index}" for w in (before, wall))
+            yield (
+                at_most("distance to the corner", away, to_corner),
+                *(at_most(name, gap, to_wall) for name, gap in zip(names, gaps, strict=True)),
+            )
+
+    return judge(alternatives(), "the room has no convex corner")
+
+
+def _at_window(case: Case) -> Verdict:
+    """Box before the window along its wall, and near that wall; any window without a target."""
+    most, overlap = case.number("max"), case.number("overlap")
+    target = case.relation.target
+
+    def terms(window: Opening) -> Terms:
+        spots = [window.wall.coordinates(corner) for corner in case.subject.corners]
+        low, high = min(u for u, _ in spots), max(u for u, _ in spots)
+        start, width = window.item.offset, window.item.width
+        shared = min(high, start + width) - max(low, start)
+        return (
+            at_least(f"before {window.item.id}", shared, overlap * min(high - low, width)),
+            at_most("distance to its wall", min(g for _, g in spots), most),
+        )
+
+    chosen = (w for w in case.placed.windows if target is None or w.item.id == target)
+    return judge(map(terms, chosen), f"the room has no {target or 'window'}")
+
+
+def _away_from_door(case: Case) -> Verdict:
+    """Footprint at least ``min`` from the zone of the door; from every door's without a target."""
+    import shapely
+
+    least, target = case.number("min"), case.relation.target
+    foot = case.placed.footprint(case.subject)
+    terms = [
+        at_least(f"distance to {door.item.id}", float(shapely.distance(foot, zone).min()), least, slack=TOLERANCE)
+        for door, zone in zip(case.placed.doors, case.placed.opening_zones.polygons, strict=False)
+        if target is None or door.item.id == target
+    ]
+    return no(f"the room has no {target}") if target is not None and not terms else judge([terms], "")
+
+
+# ---- faces of two objects --------------------------------------------------------------------------------------------
+
+
+def _faces(case: Case) -> Verdict:
+    """A face of the subject opposes a face of the target; which faces may, the catalogue says."""
+    spec, subject, other = case.spec, case.subject, case.other
+    gap = spec.gap_range(case.relation, subject.size[0])
+    degrees, overlap = case.number("degrees"), case.number("overlap")
+    theirs = [other.face(side) for side in spec.target_sides]
+    faces = (subject.face(side) for side in spec.subject_sides)
+    return judge((face_terms(f, g, gap, degrees, overlap) for f in faces for g in theirs), "it has no such face")
+
+
+def _around(case: Case) -> Verdict:
+    """Front against an edge of the hull of the target's footprint, and evenly spread among the group.
+
+    The group are the subjects of all ``around`` relations with this target. The angles between the subject and its two
+    neighbours, about the target's centre, are 360 / n each; ``n`` is the size of the group when it is not given.
+    A group of one has no neighbours.
+    """
+    subject, other = case.subject, case.other
+    gap = case.spec.gap_range(case.relation, subject.size[0])
+    degrees, overlap = case.number("degrees"), case.number("overlap")
+    spread = _spread(case)
+    front = subject.face("front")
+    edges = _edges(case.placed, other)
+    return judge(((*face_terms(front, e, gap, degrees, overlap), *spread) for e in edges), "the target has no edge")
+
+
+def _edges(placed: Placed, body: Body) -> Iterator[Face]:
+    """Edges of the convex hull of a footprint, as faces."""
+    import shapely
+
+    hull = shapely.convex_hull(shapely.multipolygons(placed.footprint(body)))
+    ring = shapely.get_coordinates(shapely.normalize(hull))[:-1]
+    x, y = ring[:, 0], ring[:, 1]
+    if np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y) < 0:
+        ring = ring[::-1]
+    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        size = math.hypot(b[0] - a[0], b[1] - a[1])
+        if size >= 1e-9:
+            normal = (float(b[1] - a[1]) / size, float(a[0] - b[0]) / size)
+            yield Face((float(a[0] + b[0]) / 2, float(a[1] + b[1]) / 2), normal, size / 2)
+
+
+def _spread(case: Case) -> Terms:
+    """Terms of the angles to the neighbours on both sides [deg]."""
+    target, by_id = case.relation.target, case.placed.by_id
+    names = {r.subject for r in case.placed.scene.relations if r.type == "around" and r.target == target}
+    group = [by_id[name] for name in names if name in by_id]
+    n = case.spec.value(case.relation, "n") or len(group)
+    if len(group) < 2 or n < 2:
+        return ()
+    here = _bearing(case.other, case.subject)
+    turns = sorted((_bearing(case.other, b) - here) % 360.0 for b in group if b is not case.subject)
+    even, off = 360.0 / n, case.number("spread")
+    gaps = (("angle to the next", turns[0]), ("angle to the one before", 360.0 - turns[-1]))
+    return tuple(Term(name, gap, even - off, even + off, "deg") for name, gap in gaps)
+
+
+def _bearing(centre: Body, body: Body) -> float:
+    return math.degrees(math.atan2(body.position[1] - centre.position[1], body.position[0] - centre.position[0]))
+
+
+# ---- distances and directions ----------------------------------------------------------------------------------------
+
+
+def _apart(case: Case) -> Verdict:
+    """Distance between the footprints."""
+    least = case.number("min") if "min" in case.spec.params else 0.0
+    apart = case.placed.distance(case.subject, case.other)
+    return judge([[Term("distance", apart, least, case.number("max"), "m", TOLERANCE)]], "")
+
+
+def _facing(case: Case) -> Verdict:
+    """Target's centre near the direction of the front; coinciding centres face nothing (90 degrees)."""
+    (ax, ay), (bx, by) = case.subject.centre, case.other.centre
+    off = turn(case.subject.front, (bx - ax, by - ay)) if (ax, ay) != (bx, by) else 90.0
+    return judge([[at_most("turned away by", off, case.number("degrees"), "deg")]], "")
+
+
+def _yaws(case: Case, modulo: float) -> Verdict:
+    off = math.degrees(case.subject.yaw - case.other.yaw)
+    off = abs((off + modulo / 2) % modulo - modulo / 2)
+    return judge([[at_most("turned", off, case.number("degrees"), "deg")]], "")
+
+
+def _aligned(case: Case) -> Verdict:
+    return _yaws(case, 90.0)
+
+
+def _parallel(case: Case) -> Verdict:
+    return _yaws(case, 180.0)
+
+
+def _beside(case: Case) -> Verdict:
+    """Subject's centre beyond a face of the target, in a band ``band`` times as wide as that face."""
+    face = case.other.face(case.spec.target_sides[0])
+    dx, dy = case.subject.position[0] - face.centre[0], case.subject.position[1] - face.centre[1]
+    beyond = dx * face.normal[0] + dy * face.normal[1]
+    aside = abs(dy * face.normal[0] - dx * face.normal[1])
+    return judge([[
+        Term("distance beyond its face", beyond, 0.0, case.number("max"), "m", TOLERANCE),
+        at_most("aside", aside, case.number("band") / 2 * 2 * face.half),
+    ]], "")  # fmt: skip
+
+
+def _centered_on(case: Case) -> Verdict:
+    """The smaller offset of the subject's centre in the target's frame."""
+    off = min(map(abs, case.other.local(case.subject.centre)))
+    return judge([[at_most("off centre by", off, case.number("offset"), slack=TOLERANCE)]], "")
+
+
+def _between(case: Case) -> Verdict:
+    """Subject's centre beside the middle part of the line between two centres."""
+    a, b = (case.placed.by_id[name].centre for name in case.relation.target or ())
+    dx, dy = b[0] - a[0], b[1] - a[1]
+    size = math.hypot(dx, dy)
+    if size < 1e-9:
+        return no("the two targets stand in one place")
+    px, py = case.subject.position[0] - a[0], case.subject.position[1] - a[1]
+    low, high = case.spec.value(case.relation, "along")
+    return judge([[
+        Term("along the line", (px * dx + py * dy) / size, low * size, high * size),
+        at_most("aside", abs(px * dy - py * dx) / size, case.number("aside")),
+    ]], "")  # fmt: skip
+
+
+# ---- heights and supports --------------------------------------------------------------------------------------------
+
+
+def _on_floor(case: Case) -> Verdict:
+    z = bottom(case.subject)
+    name = "height above the floor" if z >= 0 else "depth below the floor"
+    return judge([[at_most(name, abs(z), case.number("height"))]], "")
+
+
+def _on_surface(case: Case) -> Verdict:
+    """Subject rests on a surface of the target: the one that its support names, or any when it names none.
+
+    For ``inside`` only surfaces with a head room count.
+    """
+    item, other = case.subject.item, case.other
+    inner = case.relation.type == "inside"
+    if item.support is not None and item.support.object != other.id:
+        return no(f"stands on {item.support.object}")
+    surfaces = [
+        s
+        for s in other.item.surfaces
+        if (item.support is None or s.name == item.support.surface) and (s.headroom is not None or not inner)
+    ]
+    rests = [(rest(case.placed, case.subject, other, s), s.name) for s in surfaces]
+    if any(r.ok for r, _ in rests):
+        return HOLDS
+    if not rests:
+        return no(f"{other.id} has no {'inner ' if inner else ''}surface for it")
+    nearest, name = min(rests, key=lambda found: found[0].worst)
+    return Verdict(False, nearest.worst, "m", nearest.text(f"{name} of {other.id}"))
+
+
+def _over(case: Case) -> Verdict:
+    """``above``: bottom at or over the target's top; ``below``: top at or under its bottom; both within its width."""
+    other, subject = case.other, case.subject
+    aside = abs(other.local(subject.centre)[1])
+    above = case.relation.type == "above"
+    clear = bottom(subject) - other.z[1] if above else bottom(other) - subject.z[1]
+    return judge([[
+        at_least("clearance", clear, 0.0, slack=TOLERANCE),
+        at_most("aside", aside, case.number("lateral") * other.size[1], slack=TOLERANCE),
+    ]], "")  # fmt: skip
+
+
+def _same_height(case: Case) -> Verdict:
+    off = abs(bottom(case.subject) - bottom(case.other))
+    return judge([[at_most("difference of height", off, case.number("tolerance"), slack=TOLERANCE)]], "")
+
+
+JUDGES: dict[str, Judge] = {
+    "against_wall": _against_wall,
+    "side_against_wall": _against_wall,
+    "front_against": _faces,
+    "front_to_front": _faces,
+    "leftright_to_leftright": _faces,
+    "side_by_side": _faces,
+    "back_to_back": _faces,
+    "around": _around,
+    "on_floor": _on_floor,
+    "on_top": _on_surface,
+    "inside": _on_surface,
+    "near": _apart,
+    "distance": _apart,
+    "facing": _facing,
+    "aligned": _aligned,
+    "parallel": _parallel,
+    "left_of": _beside,
+    "right_of": _beside,
+    "in_front_of": _beside,
+    "behind": _beside,
+    "centered_on": _centered_on,
+    "in_corner": _in_corner,
+    "at_window": _at_window,
+    "between": _between,
+    "away_from_door": _away_from_door,
+    "above": _over,
+    "below": _over,
+    "same_height": _same_height,
+}
+"""The judge of every relation type."""
+
+_BUILT_IN = frozenset(JUDGES)

@@ -1,0 +1,138 @@
+"""What the judge found, in the form of ``metrics.json`` (schema ``sceneweaver.metrics/1``, DESIGN section 3)."""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any, Literal
+
+SCHEMA = "sceneweaver.metrics/1"
+
+Kind = Literal[
+    "collision",
+    "out_of_bounds",
+    "unsupported",
+    "blocked_zone",
+    "blocked_opening",
+    "relation",
+    "soft_relation",
+    "dropped",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Violation:
+    """One thing that is wrong.
+
+    Attributes:
+        kind: what kind of thing; ``soft_relation`` leaves the scene valid, every other makes it invalid.
+        objects: ids of all that take part: of a relation its subject, then its targets (an object, wall, door or
+            window); of a blocked zone its owner, then who stands in it; of a blocked opening the object, then the
+            opening.
+        detail: one sentence with numbers and units.
+        amount: how much, 0 when it has no size. Metres: depth of a collision or in a zone, distance outside the room,
+            height or length that is wrong under an object. Of a relation the worst excess over what is allowed, in
+            metres, or in degrees where the angle is worst; angles are compared with lengths on an arm of half a metre.
+    """
+
+    kind: Kind
+    objects: tuple[str, ...]
+    detail: str
+    amount: float
+
+
+class _Items:
+    """Lets fields be read like keys as well, as in the JSON form."""
+
+    def __getitem__(self, key: str) -> Any:
+        if key not in self.__dataclass_fields__:  # type: ignore[attr-defined]
+            raise KeyError(key)
+        return getattr(self, key)
+
+
+@dataclass(frozen=True)
+class Tally(_Items):
+    """How many of the relations hold."""
+
+    total: int = 0
+    satisfied: int = 0
+
+
+@dataclass(frozen=True)
+class RelationTally(_Items):
+    """How many of the hard and of the soft relations hold."""
+
+    hard: Tally = Tally()
+    soft: Tally = Tally()
+
+
+@dataclass(frozen=True)
+class Report:
+    """The verdict on one scene.
+
+    ``valid`` when nothing is dropped, collides, leaves the room, lacks support or blocks a hard zone or opening, and
+    every hard relation holds. Counts: ``collisions`` pairs of objects; ``out_of_bounds`` and ``unsupported`` objects;
+    ``blocked_zones`` (object, zone, other object) triples; ``blocked_openings`` (opening, object) pairs. The shares are
+    explained in `walkable.Access`; None when they were not measured. ``stability`` and ``scores`` belong to the physics
+    and the critics, ``seed``, ``device`` and ``candidates`` to the run that made the scene: fill them in with
+    ``dataclasses.replace``. ``seconds`` is wall time, in all and by step. ``warnings`` say where meshes or measures
+    had to be done without.
+    """
+
+    valid: bool
+    requested: int
+    placed: int
+    dropped: int
+    collisions: int
+    out_of_bounds: int
+    unsupported: int
+    blocked_zones: int
+    blocked_openings: int
+    relations: RelationTally = RelationTally()
+    walkable_share: float | None = None
+    reachable_share: float | None = None
+    stability: Mapping[str, Any] | None = None
+    scores: Mapping[str, Any] | None = None
+    violations: tuple[Violation, ...] = ()
+    seconds: Mapping[str, float] = field(default_factory=dict)
+    seed: int | None = None
+    device: str | None = None
+    candidates: int | None = None
+    versions: Mapping[str, str] = field(default_factory=dict)
+    warnings: tuple[str, ...] = ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain JSON data; ``warnings`` is there only when there are any."""
+        data: dict[str, Any] = {"schema": SCHEMA, **asdict(self)}
+        data["violations"] = [{**asdict(v), "objects": list(v.objects)} for v in self.violations]
+        data["warnings"] = list(self.warnings)
+        if not self.warnings:
+            del data["warnings"]
+        return data
+
+    def to_json(self, indent: int | None = 1) -> str:
+        """Return the text of ``metrics.json``."""
+        return json.dumps(self.to_dict(), indent=indent, allow_nan=False, ensure_ascii=False)
+
+    def save(self, path: str | Path) -> None:
+        """Write ``metrics.json`` under a temporary name beside it and rename it: it is never seen half written."""
+        path = Path(path)
+        handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+        try:
+            with os.fdopen(handle, "w", encoding="utf-8") as file:
+                file.write(self.to_json() + "\n")
+            os.chmod(name, 0o666 & ~_umask())
+            os.replace(name, path)
+        except BaseException:
+            os.unlink(name)
+            raise
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

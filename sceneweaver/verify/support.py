@@ -1,0 +1,158 @@
+"""Objects that do not stand, rest or hang where their ``mount`` and ``support`` say.
+
+- **floor**: the bottom is within 2 mm of z = 0.
+- any object with a ``support`` entry: the bottom is within 2 mm of the surface, the footprint inside its polygon
+  widened by 1 mm, and the top at most 1 mm above the surface's head room.
+- **wall**: the back faces some wall within 5 degrees, -1 mm to 0.07 m (+1 mm) away, over at least 90 % of its width.
+- **ceiling**: the top is within 2 mm of the room's height.
+
+Bottom and top of a tilted object are those of its rotated vertices, and its footprint is the projection of them; on a
+tilted supporter all three are taken in the supporter's frame.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from sceneweaver.scene.model import Surface
+from sceneweaver.verify.contacts import wall_contacts
+from sceneweaver.verify.solids import DEPTH, Body, Placed, extrude
+from sceneweaver.verify.terms import judge, length
+
+LEVEL = 2e-3
+"""Height in metres by which a bottom may miss what it stands on."""
+
+
+class Unsupported(NamedTuple):
+    """What is wrong under object ``index``: a sentence without its subject, the worst length [m], and the supporter."""
+
+    index: int
+    text: str
+    amount: float
+    supporter: int | None = None
+
+
+class Rest(NamedTuple):
+    """How a body rests on a surface: its bottom above it, its footprint over the edge, its top above the head room [m].
+
+    ``over`` is 0 when the footprint lies inside the polygon widened by 1 mm; ``squeeze`` is at most 0 when the object
+    fits under the head room.
+    """
+
+    gap: float
+    over: float
+    squeeze: float
+
+    @property
+    def ok(self) -> bool:
+        """Whether the body is supported."""
+        return abs(self.gap) <= LEVEL and self.over == 0.0 and self.squeeze <= DEPTH
+
+    @property
+    def worst(self) -> float:
+        """The largest of the lengths that are too large [m]."""
+        height = abs(self.gap) if abs(self.gap) > LEVEL else 0.0
+        return max(height, self.over, self.squeeze if self.squeeze > DEPTH else 0.0)
+
+    def text(self, surface: str) -> str:
+        """What is wrong, as the rest of a sentence about the body; ``surface`` names what it stands on."""
+        said = []
+        if abs(self.gap) > LEVEL:
+            said.append(f"{'floats' if self.gap > 0 else 'sinks'} {length(self.gap)} {_over(self.gap)} {surface}")
+        if self.over > 0.0:
+            said.append(f"reaches {length(self.over)} over the edge of {surface}")
+        if self.squeeze > DEPTH:
+            said.append(f"is {length(self.squeeze)} too tall for the head room of {surface}")
+        return " and ".join(said)
+
+
+def bottom(body: Body) -> float:
+    """Height of the bottom [m]: the origin's, or that of the lowest vertex of a tilted body."""
+    return body.z[0] if body.tilted else body.position[2]
+
+
+def rest(placed: Placed, body: Body, supporter: Body, surface: Surface) -> Rest:
+    """Measure how ``body`` rests on ``surface`` of ``supporter``."""
+    import shapely
+
+    board = np.asarray(surface.polygon, dtype=float)
+    if body.tilted or supporter.tilted:
+        origin = np.asarray(supporter.position)
+        parts = [
+            (body.to_world(extrude(p.polygon, p.z)) - origin) @ supporter.rotation for p in body.item.solids
+        ]  # fmt: skip
+        heights = np.concatenate(parts)[:, 2]
+        low, high = float(heights.min()) - surface.z, float(heights.max()) - surface.z
+        feet = shapely.convex_hull(np.array([shapely.multipoints(p[:, :2]) for p in parts]))
+    else:
+        low = body.position[2] - supporter.position[2] - surface.z
+        high = body.z[1] - supporter.position[2] - surface.z
+        feet = placed.footprint(body)
+        (c, s), (x, y) = supporter.front, supporter.centre
+        board = board @ np.array([[c, s], [-s, c]]) + (x, y)
+    over = _overhang(shapely.polygons(board), feet)
+    return Rest(low, over, high - surface.headroom if surface.headroom is not None else -np.inf)
+
+
+def find(placed: Placed) -> list[Unsupported]:
+    """Return what is wrong with the support of every object, in scene order; an object appears once at most."""
+    found = []
+    for body in placed.bodies:
+        wrong = [w for w in (_mounting(placed, body), _resting(placed, body)) if w is not None]
+        if wrong:
+            text = " and ".join(w.text for w in wrong)
+            found.append(Unsupported(body.index, text, max(w.amount for w in wrong), wrong[-1].supporter))
+    return found
+
+
+def _mounting(placed: Placed, body: Body) -> Unsupported | None:
+    mount = body.item.mount
+    if mount == "floor":
+        z = bottom(body)
+        if abs(z) > LEVEL:
+            verb = "floats" if z > 0 else "sinks"
+            return Unsupported(body.index, f"{verb} {length(z)} {_over(z)} the floor", abs(z))
+    elif mount == "ceiling":
+        gap = placed.scene.room.height - body.z[1]
+        if abs(gap) > LEVEL:
+            where = "below" if gap > 0 else "above"
+            return Unsupported(body.index, f"hangs {length(gap)} {where} the ceiling", abs(gap))
+    elif mount == "wall":
+        verdict = judge(wall_contacts(placed, body, ("back",), None), "the room has no wall")
+        if not verdict.holds:
+            return Unsupported(body.index, f"does not hang on a wall: {verdict.text}", verdict.excess)
+    elif body.item.support is None:
+        return Unsupported(body.index, "has no surface to stand on", 0.0)
+    return None
+
+
+def _resting(placed: Placed, body: Body) -> Unsupported | None:
+    support = body.item.support
+    if support is None:
+        return None
+    supporter = placed.by_id.get(support.object)
+    surface = supporter and next((s for s in supporter.item.surfaces if s.name == support.surface), None)
+    name = f"{support.surface} of {support.object}"
+    if supporter is None or surface is None:
+        return Unsupported(body.index, f"should stand on {name}, which is not there", 0.0)
+    measured = rest(placed, body, supporter, surface)
+    if measured.ok:
+        return None
+    return Unsupported(body.index, measured.text(name), measured.worst, supporter.index)
+
+
+def _over(gap: float) -> str:
+    return "above" if gap > 0 else "into"
+
+
+def _overhang(board: Any, feet: Any) -> float:
+    """How far ``feet`` reach out of ``board`` [m]; 0.0 when they lie inside it widened by 1 mm."""
+    import shapely
+
+    wide = shapely.buffer(board, DEPTH, quad_segs=16)
+    if shapely.covers(wide, feet).all():
+        return 0.0
+    outside = shapely.distance(board, shapely.points(shapely.get_coordinates(feet)))
+    return max(float(outside.max()), DEPTH)

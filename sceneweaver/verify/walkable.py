@@ -1,0 +1,122 @@
+"""Can a robot get about? Flood fill of the floor from the doors.
+
+The robot is a disc of radius 0.2 m. A cell of the 5 cm grid is *free* when its centre lies in the room and is at least
+0.2 m from every wall and from every obstacle. Obstacles are the solid parts of all objects, whatever holds them, that
+begin below 1.8 m and end more than 2 cm above the floor: rugs are walked on, high shelves passed under. Each door is
+entered at the free cell nearest to the centre of its zone; a door without one within half the diagonal of its zone is
+blocked. Steps go to the four neighbouring cells. A room without doors is entered in its largest free region.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sceneweaver.scene.model import Relation
+from sceneweaver.verify.grid import Grid
+from sceneweaver.verify.solids import Array, Body, Placed
+
+RADIUS = 0.2
+"""Radius of the robot in metres."""
+
+ARM = 0.35
+"""How far the robot reaches beyond its radius, in metres."""
+
+CLEARANCE = 1.8
+"""Height in metres from which solids do not hinder."""
+
+STEP = 0.02
+"""Height in metres up to which solids are walked on."""
+
+MOST_CELLS = 10_000_000
+"""Cells up to which a floor is measured: a square of 158 m."""
+
+TUCKED = frozenset(("front_against", "front_to_front", "around"))
+"""Relations, hard or soft, by which one object stands in front of another."""
+
+
+class Access(NamedTuple):
+    """Shares from 0 to 1.
+
+    ``walkable``: of the free cells, the largest share that can be reached from one door; 0 when no cell is free.
+    ``reachable``: of the objects that stand on the floor, the share with a functional side within 0.55 m of a cell that
+    can be reached from some door; 1 when there are none. The functional sides of an object are its front face and its
+    hard zones (their convex hulls); for the two objects of a `TUCKED` relation and for what is walked on, its whole
+    footprint.
+    """
+
+    walkable: float
+    reachable: float
+
+
+def measure(placed: Placed) -> Access | None:
+    """Return how much of the floor and which objects a robot can reach; None for a room of more than `MOST_CELLS`."""
+    from scipy.ndimage import label
+
+    grid = Grid(placed)
+    if grid.cells > MOST_CELLS:
+        return None
+    free = _free(placed, grid)
+    regions, count = label(free)
+    sizes = np.bincount(regions.ravel(), minlength=count + 1)
+    sizes[0] = 0
+    entered = _entered(placed, grid, free, regions) if placed.doors else {int(sizes.argmax())} - {0}
+    walkable = max((int(sizes[k]) for k in entered), default=0) / max(1, int(sizes.sum()))
+    reached = np.isin(regions, list(entered))
+    return Access(walkable, _reachable(placed, grid, reached))
+
+
+def _free(placed: Placed, grid: Grid) -> np.ndarray:
+    parts = placed.parts
+    solid = (parts.z[:, 0] < CLEARANCE) & (parts.z[:, 1] > STEP)
+    walls = np.stack([grid.outline, np.roll(grid.outline, -1, axis=0)], axis=1)
+    hindered = grid.covered(grid.spans(walls, RADIUS)) | grid.covered(grid.spans(grid.to_grid(parts.xy[solid]), RADIUS))
+    return grid.inside() & ~hindered
+
+
+def _entered(placed: Placed, grid: Grid, free: np.ndarray, regions: np.ndarray) -> set[int]:
+    """Labels of the regions that the doors open into."""
+    entered = set()
+    for door in placed.doors:
+        corners = grid.to_grid(np.array(door.polygon))
+        cell = grid.nearest(free, corners.mean(axis=0), float(np.hypot(*(corners[2] - corners[0]))) / 2)
+        if cell is not None:
+            entered.add(int(regions[cell]))
+    return entered
+
+
+def _reachable(placed: Placed, grid: Grid, reached: np.ndarray) -> float:
+    tied = {name for r in placed.scene.relations if r.type in TUCKED for name in _ends(r)}
+    standing = [body for body in placed.bodies if body.item.mount == "floor"]
+    if not standing:
+        return 1.0
+    shapes: list[Array] = []
+    owner: list[int] = []
+    for index, body in enumerate(standing):
+        found = [_front(body)]
+        if body.item.zones:
+            rows = np.flatnonzero(placed.zones.owner == body.index)
+            found += [_hull(placed.zones.xy[row]) for row in rows]
+        if body.id in tied or body.z[1] <= STEP:
+            found += list(placed.parts.xy[placed.part_rows(body)])
+        shapes += found
+        owner += [index] * len(found)
+    spans = grid.spans([grid.to_grid(s) for s in shapes], RADIUS + ARM)
+    near = grid.touches(reached, spans, len(shapes))
+    return len({owner[k] for k in np.flatnonzero(near)}) / len(standing)
+
+
+def _ends(relation: Relation) -> tuple[str, ...]:
+    return (relation.subject, relation.target) if isinstance(relation.target, str) else (relation.subject,)
+
+
+def _front(body: Body) -> Array:
+    (x, y), (nx, ny), half = body.face("front")
+    return np.array([(x + ny * half, y - nx * half), (x - ny * half, y + nx * half)])
+
+
+def _hull(polygon: Array) -> Array:
+    import shapely
+
+    return shapely.get_coordinates(shapely.convex_hull(shapely.multipoints(polygon)))
