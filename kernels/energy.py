@@ -8,7 +8,7 @@ missing to a small safety margin, so that the optimum is strictly feasible.
 import warp as wp
 
 from .features import TURN, feature
-from .geometry import discs_apart, perp, plane_of, separation, turn, wrap
+from .geometry import FAR, discs_apart, perp, plane_of, separation, turn, wrap
 from .tables import (
     FREE_Z,
     PAIR_COLLIDE,
@@ -228,12 +228,13 @@ def object_energy(
     candidate: wp.int32,
     obj: wp.int32,
     s: State,
+    limit: wp.float32,
 ):
     """Everything that object ``obj`` of a candidate takes part in.
 
     Returns (energy, share, soft, gradient): the energy of all its terms; its share of the candidate's energy (half of
     each pair, the whole of a relation for its subject); what of the share soft relations and the pull make up; and the
-    gradient of the energy for its pose (x, y, z, yaw).
+    gradient of the energy for its pose (x, y, z, yaw). Once the energy exceeds the limit the rest is left out.
     """
     o0 = t.object_start[p]
     n = t.object_start[p + 1] - o0
@@ -250,21 +251,6 @@ def object_energy(
         e += soft
         g += w.pull * d
     share = e
-    radius = t.object_radius[o]
-    row = t.pair_start[p] + obj * n
-    for j in range(n):
-        flags = int(t.pair_flags[row + j])
-        if flags != 0 and (flags & PAIR_RIGID) == 0:
-            other = s.poses[candidate, j]
-            v = plane_of(other) - at
-            rj = t.object_radius[o0 + j]
-            # a zone only meets solids
-            far = wp.max(radius[0] + rj[1], radius[1] + rj[0]) + m.collision_aim
-            if wp.dot(v, v) < far * far:
-                ep, gp = pair_energy(t, m, w, flags, o, pose, q, o0 + j, other, s.turns[candidate, j])
-                e += ep
-                share += 0.5 * ep
-                g += gp
     r0 = t.relation_start[p]
     for k in range(t.touch_start[o], t.touch_start[o + 1]):
         r = t.touch[k]
@@ -277,6 +263,23 @@ def object_energy(
                 share += er
                 if t.relation_fault[r0 + r] == 0:
                     soft += er
+    radius = t.object_radius[o]
+    row = t.pair_start[p] + obj * n
+    for j in range(n):
+        if e > limit:
+            break
+        flags = int(t.pair_flags[row + j])
+        if flags != 0 and (flags & PAIR_RIGID) == 0:
+            other = s.poses[candidate, j]
+            v = plane_of(other) - at
+            rj = t.object_radius[o0 + j]
+            # a zone only meets solids
+            far = wp.max(radius[0] + rj[1], radius[1] + rj[0]) + m.collision_aim
+            if wp.dot(v, v) < far * far:
+                ep, gp = pair_energy(t, m, w, flags, o, pose, q, o0 + j, other, s.turns[candidate, j])
+                e += ep
+                share += 0.5 * ep
+                g += gp
     return e, share, soft, g
 
 
@@ -302,7 +305,7 @@ def evaluate(
         soft_out[candidate, obj] = 0.0
         gradient_out[candidate, obj] = wp.vec4(0.0, 0.0, 0.0, 0.0)
         return
-    _e, share, soft, g = object_energy(t, m, w, p, candidate, obj, s)
+    _e, share, soft, g = object_energy(t, m, w, p, candidate, obj, s, FAR)
     share_out[candidate, obj] = share
     soft_out[candidate, obj] = soft
     gradient_out[candidate, obj] = g

@@ -8,7 +8,7 @@ them anew for every relation that it touches. Energies are local: a move costs w
 import warp as wp
 
 from .energy import object_energy
-from .geometry import perp, plane_of, turn
+from .geometry import FAR, perp, plane_of, turn
 from .sample import (
     best_option,
     carry,
@@ -29,15 +29,14 @@ SOLVED = wp.constant(1.0e-9)
 
 @wp.struct
 class Budget:
-    """Work units of one launch, its place in the whole attempt, and the temperature [m] at the start."""
+    """Work units of one launch (a round), its place in the attempt, and the temperature [m] at the start."""
 
-    first: wp.int32  # moves of this attempt made before
-    moves: wp.int32
-    whole: wp.int32  # moves of the attempt
+    round: wp.int32
+    rounds: wp.int32
+    moves: wp.int32  # in a round, for each movable object
     proposals: wp.int32
-    refresh: wp.int32  # moves between two looks at the whole candidate
     polish: wp.int32  # gradient sweeps at the end
-    linger: wp.int32  # moves spent on soft relations once the hard ones hold
+    linger: wp.int32  # moves for each movable object spent on soft relations once the hard ones hold
     hot: wp.float32
     start: wp.int32  # 0: from the poses given; 1: anywhere; 2: drawn from the relations
 
@@ -74,14 +73,45 @@ def choose_options(
 
 @wp.func
 def group_energy(
-    t: Tables, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, first: wp.int32, last: wp.int32, s: State
+    t: Tables,
+    m: Margins,
+    w: Weights,
+    p: wp.int32,
+    candidate: wp.int32,
+    first: wp.int32,
+    last: wp.int32,
+    s: State,
+    limit: wp.float32,
 ):
-    """Energy of all terms that touch the objects group[first:last]; terms inside the group count twice."""
+    """Energy of all terms that touch the objects group[first:last]; terms inside the group count twice.
+
+    Once it exceeds the limit the rest is left out.
+    """
     e = float(0.0)
     for k in range(first, last):
-        ei, _share, _soft, _g = object_energy(t, m, w, p, candidate, t.group[k], s)
+        if e > limit:
+            break
+        ei, _share, _soft, _g = object_energy(t, m, w, p, candidate, t.group[k], s, limit - e)
         e += ei
     return e
+
+
+@wp.func
+def shuffle(t: Tables, p: wp.int32, root: wp.int32, s: State, candidate: wp.int32, key: wp.int32):
+    """Lay out the surfaces of a root anew from their pools; the key says which entries."""
+    o = t.object_start[p] + root
+    rng = wp.rand_init(key)
+    for d in range(t.deck_start[o], t.deck_start[o + 1]):
+        base = s.poses[candidate, t.deck_supporter[d]]
+        q = s.turns[candidate, t.deck_supporter[d]]
+        first = t.deck_member_start[d]
+        count = t.deck_member_start[d + 1] - first
+        entry = wp.min(int(wp.randf(rng) * float(t.pool_size)), t.pool_size - 1)
+        for j in range(count):
+            local = t.pool[t.pool_start[d] + entry * count + j]
+            at = plane_of(base) + turn(q, plane_of(local))
+            pose = wp.vec4(at[0], at[1], base[2] + t.deck_height[d], base[3] + local[3])
+            set_pose(s, candidate, t.deck_member[first + j], pose)
 
 
 @wp.func
@@ -95,7 +125,7 @@ def members_energy(t: Tables, m: Margins, w: Weights, p: wp.int32, candidate: wp
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
     for k in range(t.member_start[o], t.member_start[o + 1]):
         i = t.member[k]
-        ei, hi, fi, gi = object_energy(t, m, w, p, candidate, i, s)
+        ei, hi, fi, gi = object_energy(t, m, w, p, candidate, i, s, FAR)
         e += ei
         share += hi
         soft += fi
@@ -248,6 +278,85 @@ def begin(t: Tables, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, s
                     pose = s.poses[candidate, obj]
                     set_pose(s, candidate, obj, old)
                     carry(t, o0, s, candidate, obj, pose, 0)
+    if t.pool_size > 0:
+        for obj in range(n):
+            if t.deck_start[o0 + obj + 1] > t.deck_start[o0 + obj]:
+                shuffle(t, p, obj, s, candidate, int(uniform(s, candidate) * 1.0e9))
+
+
+@wp.func
+def make_move(
+    t: Tables,
+    m: Margins,
+    w: Weights,
+    p: wp.int32,
+    candidate: wp.int32,
+    s: State,
+    trial: State,
+    energy: wp.array2d(dtype=wp.float32),
+    mark: wp.float32,
+    heat: wp.float32,
+    level: wp.float32,
+    proposals: wp.int32,
+):
+    """One move: pick the object on which the mark falls when energies are laid end to end, draw poses, take the best."""
+    o0 = t.object_start[p]
+    left = mark
+    obj = int(-1)
+    for i in range(t.object_start[p + 1] - o0):
+        e = energy[candidate, i]
+        if e > 0.0 and left >= 0.0:
+            obj = i
+            left -= e
+    parent = t.object_parent[o0 + obj]
+    whole = int(0)
+    if parent >= 0 and uniform(s, candidate) < 0.25:
+        obj = parent
+        whole = 1
+    elif uniform(s, candidate) < 0.5:
+        whole = 1
+    o = o0 + obj
+    first = t.group_start[o]
+    last = t.group_start[o + 1]
+    if whole == 0:
+        last = first + t.member_start[o + 1] - t.member_start[o]
+    decks = t.pool_size > 0 and t.deck_start[o + 1] > t.deck_start[o]
+    old = s.poses[candidate, obj]
+    before = group_energy(t, m, w, p, candidate, first, last, s, FAR)
+    bar = before - heat * wp.log(uniform(s, candidate) + 1.0e-9)
+    least = bar
+    chosen = old
+    chosen_key = int(-1)
+    for _k in range(proposals):
+        key = int(-1)
+        pose = old
+        if decks and uniform(s, candidate) < 0.3:
+            key = int(uniform(s, candidate) * 1.0e9)
+        if key < 0 or uniform(s, candidate) < 0.5:
+            propose(t, m, w, p, obj, trial, candidate, 0.02 + 0.4 * level * uniform(s, candidate))
+            pose = trial.poses[candidate, obj]
+            set_pose(trial, candidate, obj, old)
+        carry(t, o0, trial, candidate, obj, pose, whole)
+        if key >= 0:
+            shuffle(t, p, obj, trial, candidate, key)
+        choose_options(t, w, p, candidate, first, last, trial)
+        e = group_energy(t, m, w, p, candidate, first, last, trial, least)
+        if e < least:
+            least = e
+            chosen = pose
+            chosen_key = key
+        copy_group(t, p, candidate, first, last, s, trial)
+    if least < bar:
+        carry(t, o0, s, candidate, obj, chosen, whole)
+        if chosen_key >= 0:
+            shuffle(t, p, obj, s, candidate, chosen_key)
+        choose_options(t, w, p, candidate, first, last, s)
+        copy_group(t, p, candidate, first, last, s, trial)
+        for k in range(first, last):
+            i = t.group[k]
+            if energy[candidate, i] > 0.0 or i == obj:
+                ei, _h, _f, _g = members_energy(t, m, w, p, candidate, i, s)
+                energy[candidate, i] = ei
 
 
 @wp.kernel
@@ -281,79 +390,37 @@ def search(
         trial.poses[candidate, obj] = s.poses[candidate, obj]
         trial.turns[candidate, obj] = s.turns[candidate, obj]
 
+    movable = wp.max(t.movable[p], 2)
+    moves = budget.moves * movable
+    refresh = wp.max(4, movable // 2)
     total = float(0.0)
     lingered = int(0)
     done = bool(False)
-    for move in range(budget.moves):
-        if not done:
-            if move % budget.refresh == 0:
-                all, soft = survey(t, m, w, p, candidate, s, energy_out)
-                total = all
-                if all - soft <= SOLVED:
-                    lingered += budget.refresh
-                    if soft <= SOLVED or lingered > budget.linger:
-                        done = True
-            sum = float(0.0)
-            for obj in range(n):
-                sum += energy_out[candidate, obj]
-            if sum <= 0.0:
-                done = True
-            if not done:
-                level = 1.0 - float(budget.first + move) / float(budget.whole)
-                heat = budget.hot * level * level
-                if lingered > 0:
-                    heat = 0.0
-                left = uniform(s, candidate) * sum
-                obj = int(-1)
-                for i in range(n):
-                    e = energy_out[candidate, i]
-                    if e > 0.0 and left >= 0.0:
-                        obj = i
-                        left -= e
-                whole = int(0)
-                parent = t.object_parent[o0 + obj]
-                if parent >= 0 and uniform(s, candidate) < 0.25:
-                    obj = parent
-                    whole = 1
-                elif uniform(s, candidate) < 0.5:
-                    whole = 1
-                o = o0 + obj
-                first = t.group_start[o]
-                last = t.group_start[o + 1]
-                if whole == 0:
-                    last = first + t.member_start[o + 1] - t.member_start[o]
-                old = s.poses[candidate, obj]
-                before = group_energy(t, m, w, p, candidate, first, last, s)
-                least = float(1.0e9)
-                chosen = old
-                for _k in range(budget.proposals):
-                    scale = 0.02 + 0.4 * level * uniform(s, candidate)
-                    propose(t, m, w, p, obj, trial, candidate, scale)
-                    pose = trial.poses[candidate, obj]
-                    set_pose(trial, candidate, obj, old)
-                    carry(t, o0, trial, candidate, obj, pose, whole)
-                    choose_options(t, w, p, candidate, first, last, trial)
-                    e = group_energy(t, m, w, p, candidate, first, last, trial)
-                    if e < least:
-                        least = e
-                        chosen = pose
-                    copy_group(t, p, candidate, first, last, s, trial)
-                if least < before - heat * wp.log(uniform(s, candidate) + 1.0e-9):
-                    carry(t, o0, s, candidate, obj, chosen, whole)
-                    choose_options(t, w, p, candidate, first, last, s)
-                    copy_group(t, p, candidate, first, last, s, trial)
-                    for k in range(first, last):
-                        i = t.group[k]
-                        if energy_out[candidate, i] > 0.0 or i == obj:
-                            ei, _h, _f, _g = members_energy(t, m, w, p, candidate, i, s)
-                            energy_out[candidate, i] = ei
-    for _sweep in range(budget.polish):
-        if not done:
-            for obj in range(n):
-                if t.object_free[o0 + obj] != 0:
-                    descend(t, m, w, p, candidate, obj, s)
+    for move in range(moves):
+        if move % refresh == 0:
             all, soft = survey(t, m, w, p, candidate, s, energy_out)
             total = all
-            if all <= SOLVED:
-                done = True
+            if all - soft <= SOLVED:
+                lingered += refresh
+                done = soft <= SOLVED or lingered > budget.linger * movable
+        sum = float(0.0)
+        for obj in range(n):
+            sum += energy_out[candidate, obj]
+        if done or sum <= 0.0:
+            done = True
+            break
+        level = 1.0 - (float(budget.round) + float(move) / float(moves)) / float(budget.rounds)
+        heat = budget.hot * level * level
+        if lingered > 0:
+            heat = 0.0
+        make_move(t, m, w, p, candidate, s, trial, energy_out, uniform(s, candidate) * sum, heat, level, budget.proposals)
+    for _sweep in range(budget.polish):
+        if done:
+            break
+        for obj in range(n):
+            if t.object_free[o0 + obj] != 0:
+                descend(t, m, w, p, candidate, obj, s)
+        all, soft = survey(t, m, w, p, candidate, s, energy_out)
+        total = all
+        done = all <= SOLVED
     total_out[candidate] = total

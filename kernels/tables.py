@@ -50,6 +50,7 @@ class Tables:
     pair_start: wp.array(dtype=wp.int32)
     room_height: wp.array(dtype=wp.float32)
     room_box: wp.array(dtype=wp.vec4)  # xmin, ymin, xmax, ymax of the outline
+    movable: wp.array(dtype=wp.int32)  # roots that are free to move
     # object [O] or [O + 1]
     object_size: wp.array(dtype=wp.vec3)
     object_radius: wp.array(dtype=wp.vec2)  # reach of the solids, and of solids and hard zones, from the origin
@@ -68,7 +69,16 @@ class Tables:
     touch_start: wp.array(dtype=wp.int32)  # relations that the object takes part in
     touch: wp.array(dtype=wp.int32)
     touch_role: wp.array(dtype=wp.int32)  # 0 subject, 1 first target, 2 second target
+    deck_start: wp.array(dtype=wp.int32)  # a root's support surfaces, supporters before what they carry
     pair_flags: wp.array(dtype=wp.uint8)  # n x n per problem, from pair_start
+    # deck: a support surface with what stands on it, and a pool of layouts solved for it beforehand
+    deck_supporter: wp.array(dtype=wp.int32)
+    deck_height: wp.array(dtype=wp.float32)
+    deck_member_start: wp.array(dtype=wp.int32)
+    deck_member: wp.array(dtype=wp.int32)
+    pool_start: wp.array(dtype=wp.int32)
+    pool: wp.array(dtype=wp.vec4)  # entry by entry, poses in the supporter's frame above the surface
+    pool_size: wp.int32  # entries of every deck
     # prism [M] or [M + 1]
     solid: wp.array(dtype=wp.int32)
     foot: wp.array(dtype=wp.int32)

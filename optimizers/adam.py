@@ -32,7 +32,7 @@ def draw_starts(batch: Batch, start: Start) -> None:
     if STARTS[start] == 0:
         return
     budget = Budget()
-    budget.start, budget.whole, budget.refresh = STARTS[start], 1, 1
+    budget.start, budget.rounds = STARTS[start], 1
     everyone = wp.array(np.arange(batch.size, dtype=np.int32), dtype=wp.int32, device=batch.device)
     trial = batch.scratch()
     trial.rng = batch.state.rng

@@ -13,23 +13,18 @@ from .batch import Batch, judge
 
 ATTEMPTS = 6
 ROUNDS = 8
-MOVES_PER_OBJECT = 4  # in a round
+MOVES = 4  # in a round, for each movable object
 PROPOSALS = 8
 POLISH = 6
-HOT = 0.25
+LINGER = 2
+HOT = 0.25  # [m]
 STARTS = {"given": 0, "random": 1, "sample": 2}
 
 
-def _budget(movable: int, round_: int, start: int) -> Budget:
+def _budget(round_: int, start: int) -> Budget:
     budget = Budget()
-    moves = MOVES_PER_OBJECT * max(movable, 2)
-    budget.first = round_ * moves
-    budget.moves = moves
-    budget.whole = ROUNDS * moves
-    budget.proposals = PROPOSALS
-    budget.refresh = max(4, movable // 2)
-    budget.polish = POLISH
-    budget.linger = 2 * movable
+    budget.round, budget.rounds = round_, ROUNDS
+    budget.moves, budget.proposals, budget.polish, budget.linger = MOVES, PROPOSALS, POLISH, LINGER
     budget.hot = HOT
     budget.start = start if round_ == 0 else 0
     return budget
@@ -62,7 +57,7 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
                     batch.tables,
                     batch.margins,
                     batch.weights,
-                    _budget(batch.objects, round_, mode),
+                    _budget(round_, mode),
                     batch.problem,
                     active,
                     batch.state,

@@ -1,6 +1,7 @@
 """Compile a scene to a layout problem, refine many candidates of it, select."""
 
-from .refine import refine as refine
+from .engine import refine as refine
+from .engine import refine_many as refine_many
 from .solution import Solution as Solution
 
-__all__ = ["Solution", "refine"]
+__all__ = ["Solution", "refine", "refine_many"]

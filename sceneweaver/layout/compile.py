@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -19,6 +19,15 @@ from sceneweaver.scene import CATALOGUE, Relation, Scene, SceneObject
 from .region import Region, enclosure, room_region
 from .rows import INF, CompiledRelation, Frame, compile_relation, mounting
 from .shapes import Prism, footprint_of, solids_of, tidy, zones_of
+
+
+@dataclass
+class Deck:
+    """What a support surface carries: indices of supporter and members, height of the surface above the supporter."""
+
+    supporter: int
+    height: float
+    members: list[int]
 
 
 @dataclass
@@ -45,6 +54,7 @@ class Problem:
     relations: list[CompiledRelation]
     relation_ids: list[int]
     faulty: bool = False
+    decks: list[Deck] = field(default_factory=list)
 
     @property
     def size(self) -> int:
@@ -56,9 +66,7 @@ class Problem:
 class Domain:
     """A support surface with what stands on it, in the supporter's frame; heights are above the surface."""
 
-    supporter: int
-    height: float
-    members: list[int]
+    deck: Deck
     problem: Problem
 
 
@@ -259,11 +267,12 @@ def compile_scene(scene: Scene) -> CompiledScene:
         inner |= {j for j, _ in relations}
         objects = [scene.objects[i] for i in members]
         problem = _compile(objects, local, region, relations, (), in_room=False)
-        domains.append(Domain(supporter, z, members, problem))
+        domains.append(Domain(Deck(supporter, z, members), problem))
     room = _compile(
         scene.objects, home, room_region(scene.room), list(enumerate(scene.relations)), scene.room.windows, in_room=True
     )
     room.faulty = faulty
+    room.decks = [d.deck for d in domains]
     return CompiledScene(scene, room, domains)
 
 

@@ -101,11 +101,18 @@ class _Ranges:
         self.start.append(len(self.values))
 
 
-def pack(problems: Sequence[Problem], device: str) -> Packed:
-    """Concatenate the tables of problems and put them on a device."""
+def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.ndarray]] | None = None) -> Packed:
+    """Concatenate the tables of problems and put them on a device.
+
+    ``pools`` gives, for every deck of every problem, layouts [entries, members, 4] in the supporter's frame, the same
+    number of entries throughout; without it searches leave surfaces as they are.
+    """
     prisms = _Prisms()
     solid, foot, zone, members, groups = (_Ranges() for _ in range(5))
     touch, fixture, plane, option, row = (_Ranges() for _ in range(5))
+    decks, deck_members, pool = (_Ranges() for _ in range(3))
+    supporters: list[int] = []
+    deck_heights: list[float] = []
     roles: list[int] = []
     kinds: list[int] = []
     object_start, relation_start, pair_start = [0], [0], []
@@ -121,7 +128,7 @@ def pack(problems: Sequence[Problem], device: str) -> Packed:
     def table(shapes: Sequence[Prism]) -> list[int]:
         return [prisms.add(s) for s in shapes]
 
-    for problem in problems:
+    for which, problem in enumerate(problems):
         n = problem.size
         pair_start.append(sum(f.size for f in flags))
         flags.append(problem.flags.ravel())
@@ -135,6 +142,13 @@ def pack(problems: Sequence[Problem], device: str) -> Packed:
             carried = int(np.sum(problem.roots == i))
             members.add(problem.groups[i][:carried] if problem.roots[i] == i else [])
             groups.add(problem.groups[i])
+            mine = [d for d, deck in enumerate(problem.decks) if problem.roots[deck.supporter] == i]
+            decks.add(mine)
+            for d in mine:
+                supporters.append(problem.decks[d].supporter)
+                deck_heights.append(problem.decks[d].height)
+                deck_members.add(problem.decks[d].members)
+                pool.add(pools[which][d].reshape(-1, 4) if pools else [])
             part = [(r, rel.objects.index(i)) for r, rel in enumerate(problem.relations) if i in rel.objects]
             touch.add([r for r, _ in part])
             roles += [role for _, role in part]
@@ -186,6 +200,12 @@ def pack(problems: Sequence[Problem], device: str) -> Packed:
         "object_parent": np.concatenate([p.parents for p in problems]),
         "group_start": groups.start,
         "group": groups.values,
+        "movable": [int(np.sum((p.free != 0) & (p.roots == np.arange(p.size)))) for p in problems],
+        "deck_start": decks.start,
+        "deck_supporter": supporters,
+        "deck_member_start": deck_members.start,
+        "deck_member": deck_members.values,
+        "pool_start": pool.start,
         "member_start": members.start,
         "member": members.values,
         "solid_start": solid.start,
@@ -213,6 +233,8 @@ def pack(problems: Sequence[Problem], device: str) -> Packed:
     for name, dtype, values in (
         ("room_height", wp.float32, [p.region.height for p in problems]),
         ("room_box", wp.vec4, boxes),
+        ("deck_height", wp.float32, deck_heights),
+        ("pool", wp.vec4, pool.values),
         ("object_size", wp.vec3, np.concatenate([p.sizes for p in problems])),
         ("object_radius", wp.vec2, reach),
         ("object_z", wp.vec2, heights),
@@ -230,6 +252,7 @@ def pack(problems: Sequence[Problem], device: str) -> Packed:
         ("row_scale", wp.float32, fields["scale"]),
     ):
         setattr(t, name, floats(values, dtype))
+    t.pool_size = len(next((entries for decks_ in pools or () for entries in decks_), ()))
     t.pair_flags = wp.array(np.concatenate(flags).astype(np.uint8), dtype=wp.uint8, device=device)
     t.relation_object = wp.array(
         np.asarray(triples, dtype=np.int32).reshape(-1, 3), dtype=wp.vec3i, device=device

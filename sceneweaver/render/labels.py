@@ -21,8 +21,8 @@ CELL = 2  # pixels of the picture to a cell
 # Owners of cells that no object covers.
 PAPER_OWNER, FLOOR_OWNER, WALL_OWNER, MARK_OWNER = -1, 0, -2, -3
 
-_COST_PAPER, _COST_FLOOR, _COST_WALL, _COST_OTHER, _COST_KIN, _COST_EDGE = 0.3, 0.0, 0.7, 1.0, 0.25, 2.5
-_MAX_COVER = 0.5  # a label beside its object may cost this much per cell at most
+_COST_PAPER, _COST_FLOOR, _COST_WALL, _COST_OTHER, _COST_KIN, _COST_EDGE = 0.06, 0.0, 0.7, 1.0, 0.25, 2.5
+_CLEAR, _MAX_COVER = 0.12, 0.5  # a label beside its object may cost this much per cell, at best and at most
 
 
 @dataclass(frozen=True)
@@ -84,7 +84,9 @@ def place(
         placed.append(fit)
         grid.take(fit)
     for w in rest:
-        fit = grid.beside(w, sizes[-1] if crowded else round((sizes[-1] + sizes[-2]) / 2))
+        size = sizes[-1] if crowded else round((sizes[-1] + sizes[-2]) / 2)
+        # On the free floor beside the object, else across the lines on it, else wherever it covers least.
+        fit = grid.beside(w, size, _CLEAR) or grid.fit(w, sizes, cross_edges=True) or grid.beside(w, size, _MAX_COVER)
         if fit is None:
             left_out += 1
         else:
@@ -180,19 +182,17 @@ class _Grid:
         self.cost[owners == WALL_OWNER] = _COST_WALL
         self._boxes = _boxes(owners)
 
-    def fit(self, w: Wanted, sizes: Sequence[int], most: int | None = None) -> Placed | None:
+    def fit(self, w: Wanted, sizes: Sequence[int], most: int | None = None, cross_edges: bool = False) -> Placed | None:
         """The best label, of size ``most`` at most, that lies fully on the visible part of its object."""
         box = self._boxes.get(w.owner)
         if box is None:
             return None
         tall = (box[1] - box[0]) / (box[3] - box[2])
-        forms = [f for f in _forms(w.text, sizes, tall) if most is None or f[0] <= most]
-        for cross_edges in (False, True):
-            own = self._own(w, cross_edges)
-            for size, lines, upright in forms:
-                found = self._inside(own, lines, size, upright)
-                if found is not None:
-                    return Placed(w.key, lines, found, size, upright)
+        own = self._own(w, cross_edges)
+        for size, lines, upright in _forms(w.text, sizes, tall):
+            found = self._inside(own, lines, size, upright) if most is None or size <= most else None
+            if found is not None:
+                return Placed(w.key, lines, found, size, upright)
         return None
 
     def fit_number(self, w: Wanted, sizes: Sequence[int]) -> Placed | None:
@@ -208,8 +208,8 @@ class _Grid:
                     return Placed(w.key, (match.group(),), found, size)
         return None
 
-    def beside(self, w: Wanted, size: int) -> Placed | None:
-        """A label near its object, on the floor as far as possible, with a leader line."""
+    def beside(self, w: Wanted, size: int, most: float) -> Placed | None:
+        """A label near its object with a leader line, where it costs ``most`` per cell at most."""
         text = shortened(w.text, size, 14 * size)
         cols, rows = _cells(text_width(text, size) + 8), _cells(line_height(size) + 4)
         reach = _cells(6.5 * size) + cols // 2
@@ -231,8 +231,8 @@ class _Grid:
         dy = np.maximum(np.abs(y + top + rows / 2 - cy) - rows / 2, 0)
         # A gentle pull to the middle breaks ties between equal places.
         distance = np.hypot(dx, dy) + 0.08 * np.abs(x + left + cols / 2 - cx)
-        score = cover * 70 + distance * (CELL / size * 1.6)
-        score[(blocked > 0) | (cover > _MAX_COVER)] = np.inf
+        score = cover * 70 + distance * (CELL / size * 2.2)
+        score[(blocked > 0) | (cover > most)] = np.inf
         best = int(np.argmin(score))
         if not np.isfinite(score.flat[best]):
             return None

@@ -34,8 +34,8 @@ _FAMILIES: dict[str, tuple[Rgb, str]] = {
     "table": ((229, 206, 168), "table desk counter island workbench bar lectern podium"),
     "storage": (
         (207, 192, 175),
-        "wardrobe closet dresser nightstand cabinet sideboard bookcase bookshelf shelf shelves rack drawer drawers chest "
-        "cupboard stand locker console credenza hutch trolley cart safe box bin basket",
+        "wardrobe closet dresser nightstand cabinet sideboard bookcase bookshelf shelf shelves rack drawer drawers "
+        "chest cupboard stand locker console credenza hutch trolley cart safe box bin basket",
     ),
     "plant": ((164, 190, 146), "plant tree flower flowers cactus fern planter bush"),
     "light": ((243, 223, 160), "lamp light chandelier pendant sconce candle lantern"),
@@ -129,8 +129,8 @@ def _named(value: object) -> Rgb | None:
 def _soft(color: tuple[int, ...]) -> Rgb:
     """A colour pulled toward the paper and away from full saturation, so that no object shouts."""
     grey = 0.299 * color[0] + 0.587 * color[1] + 0.114 * color[2]
-    calm = tuple(grey + (c - grey) * 0.72 for c in color)
-    r, g, b = (round(min(max(c * 0.68 + 0.32 * 238, 0), 244)) for c in calm)
+    calm = tuple(grey + (c - grey) * 0.6 for c in color)
+    r, g, b = (round(min(max(c * 0.66 + 0.34 * 238, 0), 244)) for c in calm)
     return (r, g, b)
 
 

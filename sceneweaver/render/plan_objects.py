@@ -46,6 +46,11 @@ class Item:
         return self.enclosed or self.obj.mount in ("wall", "ceiling")
 
     @property
+    def ground(self) -> Rgb:
+        """The colour that text on it stands on."""
+        return palette.mixed(palette.FLOOR, self.fill, 0.42) if self.translucent else self.fill
+
+    @property
     def line(self) -> Rgb:
         """The colour of its outlines."""
         return palette.darker(self.fill, 0.6)
@@ -183,7 +188,7 @@ def _disc(item: Item) -> tuple[float, float, float]:
 def owner_grid(
     size: tuple[int, int], view: View, items: Sequence[Item], floor: Sequence[Point], outer: Sequence[Point]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Which object is on top in each cell of the picture (its index in ``items`` plus one), and which cells are edges."""
+    """Who is on top in each cell of the picture (an index in ``items`` plus one), and which cells are edges."""
     scale = 1 / labels.CELL
     shape = (math.ceil(size[0] * scale), math.ceil(size[1] * scale))
     grid = Image.new("I", shape, labels.PAPER_OWNER)
@@ -221,7 +226,7 @@ def draw_arrows(canvas: Canvas, view: View, items: Sequence[Item], owners: np.nd
             base = tip - 1.25 * head
             local = ((tip, 0.0), (base, 0.72 * head), (base, -0.72 * head), (tail, 0.0), (base, 0.0))
             points = view.points(to_world(item.obj.pose, local))
-            color = palette.darker(item.fill, 0.72) if palette.ink_on(item.fill) == palette.INK else palette.PAPER
+            color = palette.darker(item.fill, 0.72) if palette.ink_on(item.ground) == palette.INK else palette.PAPER
             if stem:
                 canvas.line((points[3], points[4]), color, max(1.0, 0.26 * head * view.scale))
             canvas.polygon(points[:3], fill=color)

@@ -114,15 +114,14 @@ def outer_outline(room: Room, thickness: float = WALL_THICKNESS) -> tuple[Vec2, 
 
 def opening_zone(wall: Wall, opening: Door | Window) -> tuple[Vec2, ...]:
     """The floor that an opening needs free (DESIGN section 3)."""
+    depth = 0.3
     if isinstance(opening, Door):
         depth = opening.width if opening.swing.startswith("in") else 0.6
-    else:
-        depth = 0.3
     return wall.strip(opening.offset, opening.width, 0.0, depth)
 
 
 def layers(scene: Scene) -> dict[str, int]:
-    """Drawing layer by object id: 0 on the floor, one more for each supporter, from 100 what hangs, from 200 its load."""
+    """Drawing layer by object id: 0 on the floor, 1 and more on supporters, from 100 what hangs, from 200 its load."""
     by_id = {o.id: o for o in scene.objects}
     out: dict[str, int] = {}
     for obj in scene.objects:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from PIL import Image
 
 from sceneweaver.render import palette
-from sceneweaver.render.canvas import Canvas, Text, text_width
+from sceneweaver.render.canvas import Canvas, Point, Text, text_width
 from sceneweaver.render.labels import shortened
 from sceneweaver.render.view import Bounds, View, step_for
 
@@ -44,16 +44,23 @@ def draw_title(width: int, unit: float, title: str, facts: str, prompt: str, ver
     canvas.text(Text((shortened(facts, size, room),), (margin, 88 * unit), size, palette.MUTED, anchor="l"))
     if prompt:
         line = shortened(f"“{prompt}”", size, width - 2 * margin)
-        canvas.text(Text((line,), (margin, 118 * unit), size, palette.FAINT, anchor="l"))
+        canvas.text(
+            Text((line,), (margin, 118 * unit), size, palette.mixed(palette.MUTED, palette.FAINT, 0.5), anchor="l")
+        )
     return canvas.finish()
+
+
+def axes_at(view: View, bounds: Bounds, unit: float) -> Point:
+    """Where the rules cross: the pixel column of the left one and the row of the lower one."""
+    left, bottom = view.point((bounds.x0, bounds.y0))
+    return left - 34 * unit, bottom + 34 * unit
 
 
 def draw_axes(canvas: Canvas, view: View, inner: Bounds, bounds: Bounds, unit: float) -> None:
     """Rules with metre ticks below and to the left of the room."""
     size = max(8, round(15 * unit))
     step = step_for(view.scale, 34 * unit)
-    left, bottom = view.point((bounds.x0, bounds.y0))
-    left, bottom = left - 34 * unit, bottom + 34 * unit
+    left, bottom = axes_at(view, bounds, unit)
     x0, x1 = view.point((inner.x0, 0))[0], view.point((inner.x1, 0))[0]
     y0, y1 = view.point((0, inner.y0))[1], view.point((0, inner.y1))[1]
     canvas.line(((x0, bottom), (x1, bottom)), palette.FAINT, 1.2 * unit)
@@ -161,10 +168,9 @@ def _draw_key(canvas: Canvas, key: Key, right: float, y: float, unit: float, siz
         box = ((x - wide, y - tall), (x, y - tall), (x, y + tall), (x - wide, y + tall))
         dash = (5 * unit, 3.5 * unit)
         if sign == "arrow":
-            middle = x - wide / 2
+            middle, h = x - wide / 2, 6 * unit
             canvas.line(((middle - 9 * unit, y), (middle + 4 * unit, y)), palette.INK, 2.4 * unit)
-            canvas.polygon(((middle + 11 * unit, y), (middle + 1 * unit, y + 6 * unit), (middle + 1 * unit, y - 6 * unit)),
-                           fill=palette.INK)  # fmt: skip
+            canvas.polygon(((middle + 11 * unit, y), (middle + unit, y + h), (middle + unit, y - h)), fill=palette.INK)
         elif sign == "hanging":
             canvas.polygon(box, fill=(*palette.FAINT, 90))
             canvas.dashed(box, palette.MUTED, 1.3 * unit, dash, closed=True)

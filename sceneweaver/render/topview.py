@@ -125,8 +125,11 @@ def _draw_sheet(
     plan_objects.draw_arrows(canvas, view, items, owners, unit)
     _draw_alarms(canvas, view, items, violations, unit)
     plan_room.name_walls(canvas, view, room, unit)
-    labelling = _draw_labels(canvas, view, items, (owners, edges), alarmed, unit)
     shown = content(room, [p for i in items for p in i.solids])
+    left, bottom = sheet.axes_at(view, shown, unit)
+    owners[:, : round((left + 8 * unit) / labels.CELL)] = labels.MARK_OWNER
+    owners[round((bottom - 8 * unit) / labels.CELL) :] = labels.MARK_OWNER
+    labelling = _draw_labels(canvas, view, items, (owners, edges), alarmed, unit)
     sheet.draw_axes(canvas, view, bounds_of(room.outline), shown, unit)
 
     head = sheet.draw_title(width, unit, printable(scene.id), _facts(scene), printable(scene.prompt),
@@ -219,12 +222,11 @@ def _draw_labels(
             canvas.pill((end[0] - r, end[1] - r, end[0] + r, end[1] + r), r, palette.INK)
     for label in result.placed:
         item = by_id[label.key]
-        fill = palette.mixed(palette.FLOOR, item.fill, 0.4) if item.translucent else item.fill
-        color = palette.INK if label.beside else palette.ink_on(fill)
+        color = palette.INK if label.beside else palette.ink_on(item.ground)
         halo = max(1, round((2.6 if label.beside else 1.8) * unit))
         if label.key in alarmed:
             color = palette.ALARM
-        ground = palette.FLOOR if label.beside else fill
+        ground = palette.FLOOR if label.beside else item.ground
         canvas.text(Text(label.lines, label.at, label.size, color, ground, halo, label.upright))
     return result
 

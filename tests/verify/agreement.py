@@ -98,7 +98,7 @@ class Layout:
                 p = self.pose[k]
                 p[0] += self.some(self.pick((0.01, 0.1)))
                 p[1] += self.some(self.pick((0.01, 0.1)))
-                p[2] += self.pick((0.0, 0.0, 0.001, -0.0015, 0.0025, -0.003, 0.05, -0.2))
+                p[2] += self.pick((0.0, 0.0, 0.001, -0.0015, 0.002, -0.002, 0.0025, -0.003, 0.05, -0.2))
 
     def lift(self) -> None:
         """Raise or sink some objects, and hang some on the wall."""
@@ -127,6 +127,9 @@ class Layout:
         nx, ny = math.cos(out), math.sin(out)
         gap, along = self.rng.uniform(-0.04, 0.09), self.rng.uniform(-1.2, 1.2) * (wa + wb)
         turned = yaw + tb + 180.0 - ta + self.some(9.0)
+        if self.rng.random() < 0.15:  # just at a threshold
+            gap, along = self.pick((0.0, 0.05, 0.051, -0.001)), self.pick((0.0, max(wa, wb) / 0.6))
+            turned = yaw + tb + 180.0 - ta + self.pick((0.0, 0.0, 10.0, -15.0))
         back = math.radians(turned + ta)
         px = x + nx * (rb + gap) - ny * along * 0.6 - math.cos(back) * ra
         py = y + ny * (rb + gap) + nx * along * 0.6 - math.sin(back) * ra
@@ -145,6 +148,8 @@ class Layout:
         out = math.radians(turned + t)
         gap = self.rng.uniform(-0.01, 0.1)
         s = self.rng.uniform(0.7 * half, max(w["L"] - 0.7 * half, 0.8 * half))
+        if self.rng.random() < 0.15:  # just at a threshold
+            gap, s = self.pick((-0.001, 0.0, 0.05, 0.07, 0.071)), self.pick((half, 0.8 * half, w["L"] - 0.8 * half))
         px = w["p"][0] + w["t"][0] * s + w["n"][0] * gap - math.cos(out) * r
         py = w["p"][1] + w["t"][1] * s + w["n"][1] * gap - math.sin(out) * r
         self.carry(a, [px, py, self.pose[a][2], turned])
@@ -282,7 +287,7 @@ def by_check(scene: Json) -> set[Fact]:
                 facts.add(("unsupported", v.objects[0]))
         else:
             target = v.objects[1] if len(v.objects) > 1 else None
-            facts.add(("relation", v.objects[0], v.detail.split()[1], str(target)))
+            facts.add(("relation", v.objects[0], v.detail.split()[1].rstrip(":"), str(target)))
     assert (report.collisions, report.out_of_bounds) == (kinds["collision"], kinds["out_of_bounds"])
     assert (report.blocked_zones, report.blocked_openings) == (kinds["blocked_zone"], kinds["blocked_opening"])
     for tally, kind, hard in (

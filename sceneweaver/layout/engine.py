@@ -1,0 +1,288 @@
+"""Refine a scene: compile, solve surfaces, solve the room, judge the whole, choose."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import warp as wp
+
+from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, judge, load_poses, new_state, run, streams
+from sceneweaver.optimizers.batch import Progress
+from sceneweaver.scene import InputError, MissingDependencyError, Scene
+
+from .compile import CompiledScene, Problem, absolute, compile_scene, relative
+from .pack import margins, pack, weights
+from .solution import Solution
+
+INITS = ("sample", "random", "current")
+BROKEN, DIVERGED = 1, 3
+POOL = 64  # layouts solved beforehand for every support surface
+POOL_SALT = 0x5EED
+
+
+def pick_device(device: str) -> str:
+    """The Warp device that a name stands for; "auto" takes the first GPU, else the CPU.
+
+    Raises:
+        InputError: not a device name. MissingDependencyError: a GPU that is not there.
+    """
+    quiet()
+    if device == "auto":
+        return "cuda:0" if wp.is_cuda_available() else "cpu"
+    if device == "cpu":
+        return device
+    name, _, index = device.partition(":")
+    if name != "cuda" or not (index.isdigit() or index == ""):
+        raise InputError(f'device: "{device}" is not one of auto, cpu, cuda, cuda:0, cuda:1 ...')
+    count = wp.get_cuda_device_count()
+    if int(index or 0) >= count:
+        found = f"{count} CUDA devices found" if count else "no CUDA device found"
+        raise MissingDependencyError(f'device: "{device}" is not there ({found}); use device="cpu"')
+    return f"cuda:{int(index or 0)}"
+
+
+def quiet() -> None:
+    """Keep Warp's start-up notes off the terminal."""
+    wp.config.quiet = True
+    wp.init()
+
+
+def refine(
+    scene: Scene,
+    *,
+    candidates: int = 1024,
+    seed: int = 0,
+    init: str | np.ndarray = "sample",
+    device: str = "auto",
+    optimizer: str = "search",
+    time_limit: float | None = None,
+    steps: int | None = None,
+    progress: Progress | None = None,
+) -> Solution:
+    """Refine many candidate layouts of a scene at once.
+
+    Args:
+        scene: what to lay out; its poses matter to ``init="current"`` and for fixed objects.
+        candidates: how many layouts B to refine.
+        seed: with the same seed and kind of device, the same bits.
+        init: "sample" draws starts from the relations, "random" anywhere, "current" begins with the scene's poses;
+            an array [B, N, 4] of world poses (x, y, z, yaw) begins with those.
+        device: "auto", "cpu", "cuda" or "cuda:k".
+        optimizer: a name in ``sceneweaver.optimizers.OPTIMIZERS``.
+        time_limit: seconds after which to stop with what there is; the result says that it was cut off.
+        steps: the optimiser's budget in its own work units (search: attempts, adam: steps).
+        progress: called now and then as ``progress(done, total, valid, lowest energy)``.
+
+    Raises:
+        InputError: an argument is out of range. MissingDependencyError: the device is not there.
+    """
+    began = time.monotonic()
+    given = _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps)
+    where = pick_device(device)
+    compiled = compile_scene(scene)
+    world = np.repeat(compiled.room.home[None], candidates, axis=0) if given is None else given
+    start = init if isinstance(init, str) and init != "current" else "given"
+    job = Job(compiled, world, start, seed)
+    monitor = Monitor(len(world), None if time_limit is None else began + time_limit, progress)
+    return solve([job], optimizer, steps, where, monitor, began)[0]
+
+
+def refine_many(
+    scenes: Sequence[Scene],
+    *,
+    candidates: int = 64,
+    seed: int = 0,
+    init: str = "sample",
+    device: str = "auto",
+    optimizer: str = "search",
+    time_limit: float | None = None,
+    steps: int | None = None,
+    progress: Progress | None = None,
+) -> list[Solution]:
+    """Refine many scenes in shared launches; each gets what ``refine`` would give it alone.
+
+    Arguments and errors as for ``refine``; ``time_limit`` is for all scenes together, and ``init`` is a name.
+    """
+    began = time.monotonic()
+    where = pick_device(device)
+    jobs = []
+    for scene in scenes:
+        _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps)
+        compiled = compile_scene(scene)
+        world = np.repeat(compiled.room.home[None], candidates, axis=0)
+        jobs.append(Job(compiled, world, "given" if init == "current" else init, seed))
+    monitor = Monitor(candidates * len(jobs), None if time_limit is None else began + time_limit, progress)
+    return solve(jobs, optimizer, steps, where, monitor, began)
+
+
+def _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps) -> np.ndarray | None:
+    """Raise InputError on anything out of range; the poses to start from when ``init`` is an array."""
+    for name, value in (("candidates", candidates), ("steps", steps)):
+        if value is not None and (not isinstance(value, int | np.integer) or isinstance(value, bool) or value < 1):
+            raise InputError(f"{name}: {value!r} is not a whole number of at least 1")
+    if not isinstance(seed, int | np.integer) or not 0 <= seed < 2**32:
+        raise InputError(f"seed: {seed!r} is not a whole number from 0 to 2**32 - 1")
+    if optimizer not in OPTIMIZERS:
+        raise InputError(f'optimizer: "{optimizer}" is not one of {", ".join(sorted(OPTIMIZERS))}')
+    if time_limit is not None and not time_limit > 0:
+        raise InputError(f"time_limit: {time_limit!r} is not a positive number of seconds")
+    if isinstance(init, str):
+        if init not in INITS:
+            raise InputError(f'init: "{init}" is not one of {", ".join(INITS)} or an array of poses [B, N, 4]')
+        return None
+    poses = np.asarray(init, dtype=np.float64)
+    if poses.ndim != 3 or poses.shape[1:] != (len(scene.objects), 4) or not len(poses):
+        raise InputError(f"init: an array of shape {poses.shape}; poses are [B, {len(scene.objects)}, 4]")
+    if not np.isfinite(poses).all():
+        raise InputError("init: poses must be finite numbers")
+    return poses
+
+
+@dataclass
+class Job:
+    """One scene to solve: world poses [B, N, 4] to begin with, how to begin, the seed."""
+
+    compiled: CompiledScene
+    world: np.ndarray
+    start: str
+    seed: int
+
+
+def solve(
+    jobs: Sequence[Job], optimizer: str, steps: int | None, device: str, monitor: Monitor, began: float
+) -> list[Solution]:
+    """Solve jobs in shared launches, rooms of like size together."""
+    pools = _pools(jobs, device, monitor.deadline)
+    buckets: dict[tuple[str, int], list[int]] = {}
+    for i, job in enumerate(jobs):
+        buckets.setdefault((job.start, int(math.log2(max(job.compiled.room.size, 1)))), []).append(i)
+    solutions: dict[int, Solution] = {}
+    for (start, _), members in buckets.items():
+        group = [jobs[i] for i in members]
+        if start == "given":
+            for job in group:
+                _mend_surfaces(job, device, monitor.deadline)
+        sizes = [len(job.world) for job in group]
+        batch = make_batch([j.compiled.room for j in group], np.repeat(np.arange(len(group)), sizes), device, [pools[i] for i in members])
+        load_poses(batch, _stack([job.world for job in group], batch.objects))
+        batch.state.rng.assign(np.concatenate([streams(job.seed, np.arange(n)) for job, n in zip(group, sizes, strict=True)]))
+        outcome = run(batch, optimizer, start, steps, monitor)
+        verdict = judge(batch)
+        poses = batch.state.poses.numpy()
+        first = 0
+        for i, job, n in zip(members, group, sizes, strict=True):
+            rows = slice(first, first + n)
+            room, scene = job.compiled.room, job.compiled.scene
+            final = poses[rows, : room.size].copy()
+            status = verdict.status[rows].copy()
+            status[(status != DIVERGED) & (room.faulty | ~_surfaces_hold(job.compiled, final, device))] = BROKEN
+            solutions[i] = Solution(
+                source=scene,
+                poses=final,
+                status=status,
+                relations=verdict.holds[rows, : len(scene.relations)].copy(),
+                energy=outcome.energy[rows].astype(np.float32),
+                seed=job.seed,
+                device=device,
+                elapsed=time.monotonic() - began,
+                timed_out=monitor.timed_out,
+            )
+            first += n
+    return [solutions[i] for i in range(len(jobs))]
+
+
+def _stack(worlds: Sequence[np.ndarray], objects: int) -> np.ndarray:
+    """Poses of scenes of different sizes, padded to one."""
+    padded = np.zeros((sum(len(w) for w in worlds), objects, 4), dtype=np.float32)
+    first = 0
+    for world in worlds:
+        padded[first : first + len(world), : world.shape[1]] = world
+        first += len(world)
+    return padded
+
+
+def make_batch(problems: Sequence[Problem], which: np.ndarray, device: str, pools=None) -> Batch:
+    """A batch with one candidate for every entry of ``which`` (the index of its problem)."""
+    packed = pack(problems, device, pools)
+    return Batch(
+        packed.tables,
+        margins(),
+        weights(),
+        wp.array(which.astype(np.int32), dtype=wp.int32, device=device),
+        new_state(len(which), packed.objects, packed.relations, device),
+        packed.objects,
+        packed.relations,
+        device,
+    )
+
+
+def _pools(jobs: Sequence[Job], device: str, deadline: float | None) -> list[list[np.ndarray]]:
+    """For every deck of every job, POOL layouts [POOL, members, 4] of its surface, all solved in shared launches."""
+    domains = [(j, k, d) for j, job in enumerate(jobs) for k, d in enumerate(job.compiled.domains)]
+    pools: list[list[np.ndarray]] = [[] for _ in jobs]
+    if not domains:
+        return pools
+    which = np.repeat(np.arange(len(domains)), POOL)
+    batch = make_batch([d.problem for _, _, d in domains], which, device)
+    load_poses(batch, _stack([np.repeat(d.problem.home[None], POOL, axis=0) for _, _, d in domains], batch.objects))
+    seeds = [streams(jobs[j].seed ^ POOL_SALT, k * POOL + np.arange(POOL)) for j, k, _ in domains]
+    batch.state.rng.assign(np.concatenate(seeds))
+    run(batch, "search", "random", None, Monitor(len(which), deadline))
+    status = judge(batch).status.reshape(-1, POOL)
+    poses = batch.state.poses.numpy().reshape(len(domains), POOL, batch.objects, 4)
+    for (j, _, domain), found, layouts in zip(domains, status, poses, strict=True):
+        good = np.flatnonzero(found == 0)
+        entries = np.resize(good, POOL) if good.size else np.arange(POOL)
+        pools[j].append(layouts[entries, : domain.problem.size])
+    return pools
+
+
+def _locals(compiled: CompiledScene, world: np.ndarray) -> list[np.ndarray]:
+    """Poses [B, members, 4] of what stands on each surface, in the supporter's frame, on the surface."""
+    poses = []
+    for domain in compiled.domains:
+        local = relative(world[:, domain.deck.members], world[:, None, domain.deck.supporter])
+        local[..., 2] = 0.0
+        poses.append(local)
+    return poses
+
+
+def _domain_batch(compiled: CompiledScene, world: np.ndarray, seed: int, device: str) -> Batch:
+    """Every surface of every candidate of one scene as a batch, surface by surface."""
+    which = np.repeat(np.arange(len(compiled.domains)), len(world))
+    batch = make_batch([d.problem for d in compiled.domains], which, device)
+    load_poses(batch, _stack(_locals(compiled, world), batch.objects))
+    batch.state.rng.assign(streams(seed ^ ~POOL_SALT & 0xFFFFFFFF, np.arange(len(which))))
+    return batch
+
+
+def _surfaces_hold(compiled: CompiledScene, world: np.ndarray, device: str) -> np.ndarray:
+    """Which candidates [B] have everything on its surface in order."""
+    if not compiled.domains:
+        return np.ones(len(world), dtype=bool)
+    batch = _domain_batch(compiled, world.astype(np.float64), 0, device)
+    return np.all(judge(batch).status.reshape(len(compiled.domains), -1) != BROKEN, axis=0)
+
+
+def _mend_surfaces(job: Job, device: str, deadline: float | None) -> None:
+    """Put what the given poses have on a surface back on it, with as little change as that takes."""
+    compiled, world = job.compiled, job.world.copy()
+    for i, obj in enumerate(compiled.scene.objects):
+        if obj.mount in ("floor", "ceiling") and not obj.fixed:
+            world[:, i, 2] = compiled.room.home[i, 2]
+    if compiled.domains:
+        batch = _domain_batch(compiled, world, job.seed, device)
+        run(batch, "search", "given", None, Monitor(batch.size, deadline))
+        poses = batch.state.poses.numpy().reshape(len(compiled.domains), len(world), batch.objects, 4)
+        for domain, solved in zip(compiled.domains, poses.astype(np.float64), strict=True):
+            deck = domain.deck
+            placed = absolute(solved[:, : len(deck.members)], world[:, None, deck.supporter])
+            placed[..., 2] = world[:, None, deck.supporter, 2] + deck.height
+            free = [not compiled.scene.objects[m].fixed for m in deck.members]
+            members = np.asarray(deck.members)[free]
+            world[:, members] = placed[:, free]
+    job.world = world
