@@ -10,7 +10,7 @@ from .geometry import perp, plane_of, wrap
 from .energy import TURN, object_energy
 from .sample import best_option
 from .search import members_energy
-from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, State, Tables, Weights
+from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, State, TablesRef, Weights
 
 wp.set_module_options({"enable_backward": False})
 
@@ -33,7 +33,7 @@ class Schedule:
 @wp.kernel
 def adam_step(
     # Problem:
-    t: Tables,
+    t: TablesRef,
     m: Margins,
     w: Weights,
     schedule: Schedule,
@@ -51,19 +51,19 @@ def adam_step(
     """Move every root one step along its gradient; what it carries follows."""
     candidate, obj = wp.tid()
     p = problem[candidate]
-    o0 = t.object_start[p]
+    o0 = t[0].object_start[p]
     share_out[candidate, obj] = 0.0
-    if obj >= t.object_start[p + 1] - o0:
+    if obj >= t[0].object_start[p + 1] - o0:
         return
     o = o0 + obj
-    if t.object_root[o] != obj:
+    if t[0].object_root[o] != obj:
         return
     _e, share, _soft, g = members_energy(t, m, w, p, candidate, obj, s)
     share_out[candidate, obj] = share
     step = clock[0]
     life = float(step) / float(schedule.steps)
     rate = schedule.rate_end + 0.5 * (schedule.rate - schedule.rate_end) * (1.0 + wp.cos(wp.min(life, 1.0) * wp.pi))
-    arm = 0.3 * t.object_radius[o][0] + 0.05
+    arm = 0.3 * t[0].object_radius[o][0] + 0.05
     g[3] = g[3] / arm  # as a length at the arm
     mu = BETA1 * mean[candidate, obj] + (1.0 - BETA1) * g
     nu = BETA2 * square[candidate, obj] + (1.0 - BETA2) * wp.cw_mul(g, g)
@@ -78,7 +78,7 @@ def adam_step(
     for c in range(4):
         d[c] = -rate * up * mu[c] / (wp.sqrt(down * nu[c]) + EPSILON) + sigma * wp.randn(rng)
     d[3] = d[3] / arm
-    free = t.object_free[o]
+    free = t[0].object_free[o]
     if (free & FREE_PLANE) == 0:
         d[0] = 0.0
         d[1] = 0.0
@@ -89,8 +89,8 @@ def adam_step(
     old = s.poses[candidate, obj]
     pose = old + d
     spin = wp.vec2(wp.cos(d[3]), wp.sin(d[3]))
-    for k in range(t.member_start[o], t.member_start[o + 1]):
-        i = t.member[k]
+    for k in range(t[0].member_start[o], t[0].member_start[o + 1]):
+        i = t[0].member[k]
         child = s.poses[candidate, i]
         arm_i = plane_of(child) - plane_of(old)
         at = plane_of(pose) + spin[0] * arm_i + spin[1] * perp(arm_i)
@@ -102,7 +102,7 @@ def adam_step(
 @wp.kernel
 def choose(
     # Problem:
-    t: Tables,
+    t: TablesRef,
     w: Weights,
     problem: wp.array(dtype=wp.int32),
     # State in:
@@ -114,9 +114,9 @@ def choose(
     """Give every relation its best option at the present poses, in both buffers."""
     candidate, rel = wp.tid()
     p = problem[candidate]
-    r = t.relation_start[p] + rel
-    if r < t.relation_start[p + 1]:
-        option = best_option(t, w, t.object_start[p], r, s, candidate)
+    r = t[0].relation_start[p] + rel
+    if r < t[0].relation_start[p + 1]:
+        option = best_option(t, w, t[0].object_start[p], r, s, candidate)
         options_out[candidate, rel] = option
         other_out[candidate, rel] = option
 
@@ -124,7 +124,7 @@ def choose(
 @wp.kernel
 def tick(
     # Problem:
-    t: Tables,
+    t: TablesRef,
     problem: wp.array(dtype=wp.int32),
     # State in:
     share: wp.array2d(dtype=wp.float32),
@@ -136,7 +136,7 @@ def tick(
     candidate = wp.tid()
     p = problem[candidate]
     total = float(0.0)
-    for obj in range(t.object_start[p + 1] - t.object_start[p]):
+    for obj in range(t[0].object_start[p + 1] - t[0].object_start[p]):
         total += share[candidate, obj]
     total_out[candidate] = total
     if candidate == 0:

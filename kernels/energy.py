@@ -18,7 +18,7 @@ from .tables import (
     FIXTURE_SOLID,
     Margins,
     State,
-    Tables,
+    TablesRef,
     Weights,
 )
 
@@ -54,9 +54,9 @@ def gate(za: wp.float32, a: wp.vec2, zb: wp.float32, b: wp.vec2, least: wp.float
     return wp.min(za + a[1], zb + b[1]) - wp.max(za + a[0], zb + b[0]) > least
 
 
-@wp.func
+@wp.func(inline=False)
 def clearance(
-    t: Tables,
+    t: TablesRef,
     first_start: wp.int32,
     first_end: wp.int32,
     first_list: wp.array(dtype=wp.int32),
@@ -80,7 +80,7 @@ def clearance(
         a = first_list[i]
         for j in range(second_start, second_end):
             b = second_list[j]
-            if gate(pose_a[2], t.prism_z[a], pose_b[2], t.prism_z[b], least):
+            if gate(pose_a[2], t[0].prism_z[a], pose_b[2], t[0].prism_z[b], least):
                 if not discs_apart(t, a, pa, qa, b, pb, qb, aim):
                     s, n, x = separation(t, a, pa, qa, b, pb, qb, aim)
                     de, dv = penalty(aim - s, knee)
@@ -91,7 +91,7 @@ def clearance(
 
 @wp.func
 def pair_energy(
-    t: Tables,
+    t: TablesRef,
     m: Margins,
     w: Weights,
     flags: wp.int32,
@@ -105,26 +105,26 @@ def pair_energy(
     """Collision and zone penalties of objects a and b (global indices), with the gradient for a's pose."""
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    sa = t.solid_start[a]
-    sa1 = t.solid_start[a + 1]
-    sb = t.solid_start[b]
-    sb1 = t.solid_start[b + 1]
+    sa = t[0].solid_start[a]
+    sa1 = t[0].solid_start[a + 1]
+    sb = t[0].solid_start[b]
+    sb1 = t[0].solid_start[b + 1]
     if flags & PAIR_COLLIDE:
         ec, gc = clearance(
-            t, sa, sa1, t.solid, pose_a, qa, sb, sb1, t.solid, pose_b, qb, m.collision_aim, m.gate, w.knee
+            t, sa, sa1, t[0].solid, pose_a, qa, sb, sb1, t[0].solid, pose_b, qb, m.collision_aim, m.gate, w.knee
         )
         e += w.collision * ec
         g += w.collision * gc
     if flags & PAIR_ZONE_OF_FIRST:
         ez, gz = clearance(
-            t, t.zone_start[a], t.zone_start[a + 1], t.zone, pose_a, qa, sb, sb1, t.solid, pose_b, qb,
+            t, t[0].zone_start[a], t[0].zone_start[a + 1], t[0].zone, pose_a, qa, sb, sb1, t[0].solid, pose_b, qb,
             m.zone_aim, m.gate, w.knee,
         )
         e += w.zone * ez
         g += w.zone * gz
     if flags & PAIR_ZONE_OF_SECOND:
         ey, gy = clearance(
-            t, sa, sa1, t.solid, pose_a, qa, t.zone_start[b], t.zone_start[b + 1], t.zone, pose_b, qb,
+            t, sa, sa1, t[0].solid, pose_a, qa, t[0].zone_start[b], t[0].zone_start[b + 1], t[0].zone, pose_b, qb,
             m.zone_aim, m.gate, w.knee,
         )
         e += w.zone * ey
@@ -132,24 +132,24 @@ def pair_energy(
     return e, g
 
 
-@wp.func
-def room_energy(t: Tables, m: Margins, w: Weights, p: wp.int32, o: wp.int32, pose: wp.vec4, q: wp.vec2):
+@wp.func(inline=False)
+def room_energy(t: TablesRef, m: Margins, w: Weights, p: wp.int32, o: wp.int32, pose: wp.vec4, q: wp.vec2):
     """Bounds and openings: penalty of object o (global index) against the room, with gradient."""
     at = plane_of(pose)
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    reach = t.object_radius[o][0]
-    for k in range(t.plane_start[p], t.plane_start[p + 1]):
-        plane = t.plane[k]
+    reach = t[0].object_radius[o][0]
+    for k in range(t[0].plane_start[p], t[0].plane_start[p + 1]):
+        plane = t[0].plane[k]
         n = wp.vec2(plane[0], plane[1])
         depth = wp.dot(n, at) - plane[2]
         if depth - reach < m.bounds_aim:
             low = float(1.0e6)
             x = at
-            for f in range(t.foot_start[o], t.foot_start[o + 1]):
-                a = t.foot[f]
-                for v in range(t.prism_start[a], t.prism_start[a + 1]):
-                    r = turn(q, t.vertex[v])
+            for f in range(t[0].foot_start[o], t[0].foot_start[o + 1]):
+                a = t[0].foot[f]
+                for v in range(t[0].prism_start[a], t[0].prism_start[a + 1]):
+                    r = turn(q, t[0].vertex[v])
                     d = depth + wp.dot(n, r)
                     if d < low:
                         low = d
@@ -157,25 +157,25 @@ def room_energy(t: Tables, m: Margins, w: Weights, p: wp.int32, o: wp.int32, pos
             de, dv = penalty(m.bounds_aim - low, w.knee)
             e += w.bounds * de
             g -= w.bounds * dv * wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(x - at)))
-    for k in range(t.fixture_start[p], t.fixture_start[p + 1]):
-        a = t.fixture[k]
-        disc = t.prism_disc[a]
+    for k in range(t[0].fixture_start[p], t[0].fixture_start[p + 1]):
+        a = t[0].fixture[k]
+        disc = t[0].prism_disc[a]
         to = wp.vec2(disc[0], disc[1]) - at
         far = disc[2] + reach + m.bounds_aim
         if wp.dot(to, to) < far * far:
-            solid = t.fixture_kind[k] == FIXTURE_SOLID
-            if solid or t.object_clear[o] == 1:
+            solid = t[0].fixture_kind[k] == FIXTURE_SOLID
+            if solid or t[0].object_clear[o] == 1:
                 aim = wp.where(solid, m.bounds_aim, m.zone_aim)
                 es, gs = clearance(
-                    t, t.solid_start[o], t.solid_start[o + 1], t.solid, pose, q, k, k + 1, t.fixture,
+                    t, t[0].solid_start[o], t[0].solid_start[o + 1], t[0].solid, pose, q, k, k + 1, t[0].fixture,
                     wp.vec4(0.0, 0.0, 0.0, 0.0), EAST, aim, m.gate, w.knee,
                 )
                 weight = wp.where(solid, w.bounds, w.opening)
                 e += weight * es
                 g += weight * gs
-    if t.object_free[o] & FREE_Z:
+    if t[0].object_free[o] & FREE_Z:
         off, slope = outside(
-            pose[2], wp.vec2(m.bounds_aim - t.object_z[o][0], t.room_height[p] - t.object_z[o][1] - m.bounds_aim)
+            pose[2], wp.vec2(m.bounds_aim - t[0].object_z[o][0], t[0].room_height[p] - t[0].object_z[o][1] - m.bounds_aim)
         )
         dz, dzv = penalty(off, w.knee)
         e += w.bounds * dz
@@ -183,9 +183,9 @@ def room_energy(t: Tables, m: Margins, w: Weights, p: wp.int32, o: wp.int32, pos
     return e, g
 
 
-@wp.func
+@wp.func(inline=False)
 def relation_energy(
-    t: Tables,
+    t: TablesRef,
     w: Weights,
     o0: wp.int32,
     r: wp.int32,
@@ -195,7 +195,7 @@ def relation_energy(
     candidate: wp.int32,
 ):
     """Penalty of relation r under one option, with the gradient for the object in the given role."""
-    ids = t.relation_object[r]
+    ids = t[0].relation_object[r]
     pose_a = s.poses[candidate, ids[0]]
     qa = s.turns[candidate, ids[0]]
     pose_b = wp.vec4(0.0, 0.0, 0.0, 0.0)
@@ -208,20 +208,20 @@ def relation_energy(
         pose_c = s.poses[candidate, ids[2]]
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    for row in range(t.row_start[option], t.row_start[option + 1]):
+    for row in range(t[0].row_start[option], t[0].row_start[option + 1]):
         value, slope = feature(t, row, role, o0 + ids[0], o0 + ids[1], pose_a, qa, pose_b, qb, pose_c)
-        off, sign = outside(value, t.row_aim[row])
-        scale = t.row_scale[row]
+        off, sign = outside(value, t[0].row_aim[row])
+        scale = t[0].row_scale[row]
         de, dv = penalty(off * scale, w.knee)
         e += de
         g += dv * sign * scale * slope
-    weight = w.relation * t.relation_weight[r]
+    weight = w.relation * t[0].relation_weight[r]
     return weight * e, weight * g
 
 
-@wp.func
+@wp.func(inline=False)
 def object_energy(
-    t: Tables,
+    t: TablesRef,
     m: Margins,
     w: Weights,
     p: wp.int32,
@@ -236,8 +236,8 @@ def object_energy(
     each pair, the whole of a relation for its subject); what of the share soft relations and the pull make up; and the
     gradient of the energy for its pose (x, y, z, yaw). Once the energy exceeds the limit the rest is left out.
     """
-    o0 = t.object_start[p]
-    n = t.object_start[p + 1] - o0
+    o0 = t[0].object_start[p]
+    n = t[0].object_start[p + 1] - o0
     o = o0 + obj
     pose = s.poses[candidate, obj]
     q = s.turns[candidate, obj]
@@ -251,28 +251,28 @@ def object_energy(
         e += soft
         g += w.pull * d
     share = e
-    r0 = t.relation_start[p]
-    for k in range(t.touch_start[o], t.touch_start[o + 1]):
-        r = t.touch[k]
-        if t.relation_rigid[r0 + r] == 0:
-            role = t.touch_role[k]
+    r0 = t[0].relation_start[p]
+    for k in range(t[0].touch_start[o], t[0].touch_start[o + 1]):
+        r = t[0].touch[k]
+        if t[0].relation_rigid[r0 + r] == 0:
+            role = t[0].touch_role[k]
             er, gr = relation_energy(t, w, o0, r0 + r, s.options[candidate, r], role, s, candidate)
             e += er
             g += gr
             if role == 0:
                 share += er
-                if t.relation_fault[r0 + r] == 0:
+                if t[0].relation_fault[r0 + r] == 0:
                     soft += er
-    radius = t.object_radius[o]
-    row = t.pair_start[p] + obj * n
+    radius = t[0].object_radius[o]
+    row = t[0].pair_start[p] + obj * n
     for j in range(n):
         if e > limit:
             break
-        flags = int(t.pair_flags[row + j])
+        flags = int(t[0].pair_flags[row + j])
         if flags != 0 and (flags & PAIR_RIGID) == 0:
             other = s.poses[candidate, j]
             v = plane_of(other) - at
-            rj = t.object_radius[o0 + j]
+            rj = t[0].object_radius[o0 + j]
             # a zone only meets solids
             far = wp.max(radius[0] + rj[1], radius[1] + rj[0]) + m.collision_aim
             if wp.dot(v, v) < far * far:
@@ -286,7 +286,7 @@ def object_energy(
 @wp.kernel
 def evaluate(
     # Problem:
-    t: Tables,
+    t: TablesRef,
     m: Margins,
     w: Weights,
     problem: wp.array(dtype=wp.int32),
@@ -300,7 +300,7 @@ def evaluate(
     """Energy share, soft part of it and gradient of every object, [candidate, object]."""
     candidate, obj = wp.tid()
     p = problem[candidate]
-    if obj >= t.object_start[p + 1] - t.object_start[p]:
+    if obj >= t[0].object_start[p + 1] - t[0].object_start[p]:
         share_out[candidate, obj] = 0.0
         soft_out[candidate, obj] = 0.0
         gradient_out[candidate, obj] = wp.vec4(0.0, 0.0, 0.0, 0.0)

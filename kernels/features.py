@@ -20,7 +20,7 @@ from .tables import (
     FEATURE_SPREAD,
     FEATURE_WINDOW,
     FEATURE_YAW,
-    Tables,
+    TablesRef,
 )
 
 wp.set_module_options({"enable_backward": False})
@@ -45,7 +45,7 @@ def angle_slope(v: wp.vec2):
 
 @wp.func
 def footprint_distance(
-    t: Tables,
+    t: TablesRef,
     a: wp.int32,
     pa: wp.vec2,
     qa: wp.vec2,
@@ -58,16 +58,16 @@ def footprint_distance(
     best = float(FAR)
     best_n = wp.vec2(1.0, 0.0)
     best_x = pa
-    for i in range(t.foot_start[a], t.foot_start[a + 1]):
+    for i in range(t[0].foot_start[a], t[0].foot_start[a + 1]):
         if prism >= 0:
-            s, n, x = distance(t, t.foot[i], pa, qa, prism, pb, qb)
+            s, n, x = distance(t, t[0].foot[i], pa, qa, prism, pb, qb)
             if s < best:
                 best = s
                 best_n = n
                 best_x = x
         else:
-            for j in range(t.foot_start[b], t.foot_start[b + 1]):
-                s, n, x = distance(t, t.foot[i], pa, qa, t.foot[j], pb, qb)
+            for j in range(t[0].foot_start[b], t[0].foot_start[b + 1]):
+                s, n, x = distance(t, t[0].foot[i], pa, qa, t[0].foot[j], pb, qb)
                 if s < best:
                     best = s
                     best_n = n
@@ -76,17 +76,17 @@ def footprint_distance(
 
 
 @wp.func
-def line_feature(t: Tables, row: wp.int32, role: wp.int32, pa: wp.vec2, qa: wp.vec2, pb: wp.vec2, qb: wp.vec2):
+def line_feature(t: TablesRef, row: wp.int32, role: wp.int32, pa: wp.vec2, qa: wp.vec2, pb: wp.vec2, qb: wp.vec2):
     """Coordinate of a point of a along a direction fixed to b."""
-    n = turn(qb, t.row_normal[row])
-    x = pa + turn(qa, t.row_point[row])
-    return wp.dot(n, x - pb) - t.row_offset[row], lever(role, n, x, pa, pb)
+    n = turn(qb, t[0].row_normal[row])
+    x = pa + turn(qa, t[0].row_point[row])
+    return wp.dot(n, x - pb) - t[0].row_offset[row], lever(role, n, x, pa, pb)
 
 
 @wp.func
-def yaw_feature(t: Tables, row: wp.int32, role: wp.int32, yaw_a: wp.float32, yaw_b: wp.float32):
+def yaw_feature(t: TablesRef, row: wp.int32, role: wp.int32, yaw_a: wp.float32, yaw_b: wp.float32):
     """Difference of yaw modulo the period ``row_normal.x``."""
-    value = wrap(yaw_a - yaw_b - t.row_offset[row], t.row_normal[row][0])
+    value = wrap(yaw_a - yaw_b - t[0].row_offset[row], t[0].row_normal[row][0])
     return value, wp.vec4(0.0, 0.0, 0.0, wp.where(role == 0, 1.0, -1.0))
 
 
@@ -112,22 +112,22 @@ def half_extent(size: wp.vec3, n: wp.vec2, q: wp.vec2):
 
 
 @wp.func
-def extent_feature(t: Tables, row: wp.int32, a: wp.int32, pa: wp.vec2, qa: wp.vec2):
+def extent_feature(t: TablesRef, row: wp.int32, a: wp.int32, pa: wp.vec2, qa: wp.vec2):
     """Lowest point of a's box along a direction of the room."""
-    n = t.row_normal[row]
-    reach, slope = half_extent(t.object_size[a], n, qa)
-    return wp.dot(n, pa) - t.row_offset[row] - reach, wp.vec4(n[0], n[1], 0.0, -slope)
+    n = t[0].row_normal[row]
+    reach, slope = half_extent(t[0].object_size[a], n, qa)
+    return wp.dot(n, pa) - t[0].row_offset[row] - reach, wp.vec4(n[0], n[1], 0.0, -slope)
 
 
 @wp.func
-def window_feature(t: Tables, row: wp.int32, a: wp.int32, pa: wp.vec2, qa: wp.vec2):
+def window_feature(t: TablesRef, row: wp.int32, a: wp.int32, pa: wp.vec2, qa: wp.vec2):
     """How much of the overlap along the wall is missing: of the shorter of a's box and the window (half width
     ``row_point.x``) the share ``row_point.y`` must lie beside the other."""
-    n = t.row_normal[row]
-    reach, slope = half_extent(t.object_size[a], n, qa)
-    u = wp.dot(n, pa) - t.row_offset[row]
-    half = t.row_point[row][0]
-    share = 2.0 * t.row_point[row][1]
+    n = t[0].row_normal[row]
+    reach, slope = half_extent(t[0].object_size[a], n, qa)
+    u = wp.dot(n, pa) - t[0].row_offset[row]
+    half = t[0].row_point[row][0]
+    share = 2.0 * t[0].row_point[row][1]
     value = wp.abs(u) - (reach + half - share * wp.min(reach, half))
     if reach < half:
         slope = (1.0 - share) * slope
@@ -167,11 +167,11 @@ def aside_feature(role: wp.int32, pa: wp.vec2, pb: wp.vec2, pc: wp.vec2):
 
 
 @wp.func
-def spread_feature(t: Tables, row: wp.int32, role: wp.int32, pa: wp.vec2, pb: wp.vec2, pc: wp.vec2):
+def spread_feature(t: TablesRef, row: wp.int32, role: wp.int32, pa: wp.vec2, pb: wp.vec2, pc: wp.vec2):
     """Angle about b from c to a."""
     u = pa - pb
     w = pc - pb
-    value = wrap(wp.atan2(u[1], u[0] + 1.0e-12) - wp.atan2(w[1], w[0] + 1.0e-12) - t.row_offset[row], TURN)
+    value = wrap(wp.atan2(u[1], u[0] + 1.0e-12) - wp.atan2(w[1], w[0] + 1.0e-12) - t[0].row_offset[row], TURN)
     by_u = angle_slope(u)
     by_w = angle_slope(w)
     g = by_u
@@ -182,9 +182,9 @@ def spread_feature(t: Tables, row: wp.int32, role: wp.int32, pa: wp.vec2, pb: wp
     return value, wp.vec4(g[0], g[1], 0.0, 0.0)
 
 
-@wp.func
+@wp.func(inline=False)
 def feature(
-    t: Tables,
+    t: TablesRef,
     row: wp.int32,
     role: wp.int32,
     a: wp.int32,
@@ -196,7 +196,7 @@ def feature(
     pose_c: wp.vec4,
 ):
     """Value of a row's feature and its gradient for one role; a and b are global object indices."""
-    kind = t.row_feature[row]
+    kind = t[0].row_feature[row]
     pa = plane_of(pose_a)
     pb = plane_of(pose_b)
     pc = plane_of(pose_c)
@@ -209,7 +209,7 @@ def feature(
     elif kind == FEATURE_BEARING:
         value, grad = bearing_feature(role, pa, qa, pb)
     elif kind == FEATURE_DISTANCE:
-        s, n, x = footprint_distance(t, a, pa, qa, b, pb, qb, t.row_prism[row])
+        s, n, x = footprint_distance(t, a, pa, qa, b, pb, qb, t[0].row_prism[row])
         value = s
         grad = lever(role, -n, x, pa, pb)
     elif kind == FEATURE_EXTENT:
@@ -217,7 +217,7 @@ def feature(
     elif kind == FEATURE_WINDOW:
         value, grad = window_feature(t, row, a, pa, qa)
     elif kind == FEATURE_HEIGHT:
-        value = pose_a[2] - pose_b[2] - t.row_offset[row]
+        value = pose_a[2] - pose_b[2] - t[0].row_offset[row]
         grad = wp.vec4(0.0, 0.0, wp.where(role == 0, 1.0, -1.0), 0.0)
     elif kind == FEATURE_BETWEEN:
         value, grad = between_feature(role, pa, pb, pc)
@@ -226,5 +226,5 @@ def feature(
     elif kind == FEATURE_SPREAD:
         value, grad = spread_feature(t, row, role, pa, pb, pc)
     elif kind == FEATURE_CONSTANT:
-        value = t.row_offset[row]
+        value = t[0].row_offset[row]
     return value, grad

@@ -12,7 +12,7 @@ contact points lie on one line along n, and a face's own rotation is first-order
 
 import warp as wp
 
-from .tables import Tables
+from .tables import TablesRef
 
 wp.set_module_options({"enable_backward": False})
 
@@ -51,19 +51,19 @@ def wrap(angle: wp.float32, period: wp.float32):
 
 @wp.func
 def discs_apart(
-    t: Tables, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
+    t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
 ):
     """True when the bounding circles of prisms a and b are further apart than the margin."""
-    da = t.prism_disc[a]
-    db = t.prism_disc[b]
+    da = t[0].prism_disc[a]
+    db = t[0].prism_disc[b]
     v = pb + turn(qb, wp.vec2(db[0], db[1])) - pa - turn(qa, wp.vec2(da[0], da[1]))
     reach = da[2] + db[2] + margin
     return wp.dot(v, v) > reach * reach
 
 
-@wp.func
+@wp.func(inline=False)
 def separation(
-    t: Tables, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
+    t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
 ):
     """Separating-axis distance of two convex polygons over the face normals of both; negative is depth.
 
@@ -73,24 +73,24 @@ def separation(
     best = float(-FAR)
     best_n = wp.vec2(1.0, 0.0)
     best_x = pa
-    a0 = t.prism_start[a]
-    a1 = t.prism_start[a + 1]
-    b0 = t.prism_start[b]
-    b1 = t.prism_start[b + 1]
+    a0 = t[0].prism_start[a]
+    a1 = t[0].prism_start[a + 1]
+    b0 = t[0].prism_start[b]
+    b1 = t[0].prism_start[b + 1]
     ab = pb - pa
     for e in range(a0, a1):
-        face = t.edge[e]
+        face = t[0].edge[e]
         n = turn(qa, wp.vec2(face[0], face[1]))
         m = turn_back(qb, n)
         low = float(FAR)
         arg = int(b0)
         for v in range(b0, b1):
-            d = wp.dot(m, t.vertex[v])
+            d = wp.dot(m, t[0].vertex[v])
             if d < low:
                 low = d
                 arg = v
         s = low + wp.dot(n, ab) - face[2]
-        if t.edge_real[e] == 0:
+        if t[0].edge_real[e] == 0:
             if s > 0.0:
                 return FAR, n, pa
         else:
@@ -99,15 +99,15 @@ def separation(
             if s > best:
                 best = s
                 best_n = n
-                best_x = pb + turn(qb, t.vertex[arg])
+                best_x = pb + turn(qb, t[0].vertex[arg])
     for e in range(b0, b1):
-        face = t.edge[e]
+        face = t[0].edge[e]
         n = turn(qb, wp.vec2(face[0], face[1]))
         m = turn_back(qa, n)
         low = float(FAR)
         arg = int(a0)
         for v in range(a0, a1):
-            d = wp.dot(m, t.vertex[v])
+            d = wp.dot(m, t[0].vertex[v])
             if d < low:
                 low = d
                 arg = v
@@ -117,28 +117,28 @@ def separation(
         if s > best:
             best = s
             best_n = -n
-            best_x = pa + turn(qa, t.vertex[arg])
+            best_x = pa + turn(qa, t[0].vertex[arg])
     return best, best_n, best_x
 
 
-@wp.func
+@wp.func(inline=False)
 def closest_to_edges(
-    t: Tables, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2
+    t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2
 ):
     """Smallest distance of b's vertices to a's edges: (distance, vector from a to b, witness point)."""
     best = float(FAR)
     best_v = wp.vec2(1.0, 0.0)
     best_x = pa
-    a0 = t.prism_start[a]
-    a1 = t.prism_start[a + 1]
-    for v in range(t.prism_start[b], t.prism_start[b + 1]):
-        x = turn_back(qa, pb + turn(qb, t.vertex[v]) - pa)
+    a0 = t[0].prism_start[a]
+    a1 = t[0].prism_start[a + 1]
+    for v in range(t[0].prism_start[b], t[0].prism_start[b + 1]):
+        x = turn_back(qa, pb + turn(qb, t[0].vertex[v]) - pa)
         for e in range(a0, a1):
-            p = t.vertex[e]
+            p = t[0].vertex[e]
             f = e + 1
             if f == a1:
                 f = a0
-            s = t.vertex[f] - p
+            s = t[0].vertex[f] - p
             u = wp.clamp(wp.dot(x - p, s) / wp.max(wp.dot(s, s), 1.0e-12), 0.0, 1.0)
             w = x - p - u * s
             d = wp.dot(w, w)
@@ -150,7 +150,7 @@ def closest_to_edges(
 
 
 @wp.func
-def distance(t: Tables, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2):
+def distance(t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2):
     """Euclidean distance of two convex polygons; where they overlap, minus their separating-axis depth.
 
     Polygon b may be a single vertex.
@@ -161,7 +161,7 @@ def distance(t: Tables, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: 
         s = d0
         n = v0 / d0
         x = x0
-        if t.prism_start[b + 1] - t.prism_start[b] > 1:
+        if t[0].prism_start[b + 1] - t[0].prism_start[b] > 1:
             d1, v1, x1 = closest_to_edges(t, b, pb, qb, a, pa, qa)
             if d1 < d0:
                 s = d1

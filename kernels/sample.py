@@ -19,7 +19,7 @@ from .tables import (
     FREE_YAW,
     FREE_Z,
     State,
-    Tables,
+    TablesRef,
     Weights,
 )
 
@@ -61,23 +61,23 @@ def set_pose(s: State, candidate: wp.int32, obj: wp.int32, pose: wp.vec4):
     s.turns[candidate, obj] = wp.vec2(wp.cos(yaw), wp.sin(yaw))
 
 
-@wp.func
-def carry(t: Tables, o0: wp.int32, s: State, candidate: wp.int32, root: wp.int32, pose: wp.vec4, whole: wp.int32):
+@wp.func(inline=False)
+def carry(t: TablesRef, o0: wp.int32, s: State, candidate: wp.int32, root: wp.int32, pose: wp.vec4, whole: wp.int32):
     """Move a root to a pose with all that it carries; with whole = 1 also the group that it places."""
     old = s.poses[candidate, root]
     spin = pose[3] - old[3]
     q = wp.vec2(wp.cos(spin), wp.sin(spin))
-    first = t.member_start[o0 + root]
-    last = t.member_start[o0 + root + 1]
+    first = t[0].member_start[o0 + root]
+    last = t[0].member_start[o0 + root + 1]
     if whole == 1:
-        first = t.group_start[o0 + root]
-        last = t.group_start[o0 + root + 1]
+        first = t[0].group_start[o0 + root]
+        last = t[0].group_start[o0 + root + 1]
     for k in range(first, last):
         i = int(0)
         if whole == 1:
-            i = t.group[k]
+            i = t[0].group[k]
         else:
-            i = t.member[k]
+            i = t[0].member[k]
         if i != root:
             child = s.poses[candidate, i]
             at = plane_of(pose) + turn(q, plane_of(child) - plane_of(old))
@@ -85,11 +85,11 @@ def carry(t: Tables, o0: wp.int32, s: State, candidate: wp.int32, root: wp.int32
     set_pose(s, candidate, root, pose)
 
 
-@wp.func
-def best_option(t: Tables, w: Weights, o0: wp.int32, r: wp.int32, s: State, candidate: wp.int32):
+@wp.func(inline=False)
+def best_option(t: TablesRef, w: Weights, o0: wp.int32, r: wp.int32, s: State, candidate: wp.int32):
     """The option of relation r (global) with the lowest energy at the present poses."""
-    first = t.option_start[r]
-    last = t.option_start[r + 1]
+    first = t[0].option_start[r]
+    last = t[0].option_start[r + 1]
     best = int(first)
     if last - first > 1:
         low = float(1.0e9)
@@ -101,19 +101,19 @@ def best_option(t: Tables, w: Weights, o0: wp.int32, r: wp.int32, s: State, cand
     return best
 
 
-@wp.func
-def random_start(t: Tables, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32):
+@wp.func(inline=False)
+def random_start(t: TablesRef, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32):
     """A pose anywhere in the room's bounding box, square to the room four times in five."""
-    o = t.object_start[p] + obj
+    o = t[0].object_start[p] + obj
     pose = s.poses[candidate, obj]
-    box = t.room_box[p]
-    free = t.object_free[o]
+    box = t[0].room_box[p]
+    free = t[0].object_free[o]
     if free & FREE_PLANE:
         pose[0] = box[0] + uniform(s, candidate) * (box[2] - box[0])
         pose[1] = box[1] + uniform(s, candidate) * (box[3] - box[1])
     if free & FREE_YAW:
-        if uniform(s, candidate) < 0.8 and t.plane_start[p + 1] > t.plane_start[p]:
-            n = t.plane[t.plane_start[p]]
+        if uniform(s, candidate) < 0.8 and t[0].plane_start[p + 1] > t[0].plane_start[p]:
+            n = t[0].plane[t[0].plane_start[p]]
             pose[3] = wp.atan2(n[1], n[0]) + QUARTER * float(pick(s, candidate, 4))
         else:
             pose[3] = TURN * uniform(s, candidate)
@@ -132,9 +132,9 @@ def target_value(s: State, candidate: wp.int32, aim: wp.vec2):
     return lo + uniform(s, candidate) * (hi - lo)
 
 
-@wp.func
+@wp.func(inline=False)
 def project_option(
-    t: Tables,
+    t: TablesRef,
     o0: wp.int32,
     r: wp.int32,
     option: wp.int32,
@@ -147,9 +147,9 @@ def project_option(
 
     fresh = 1 draws a new value for every row; otherwise only rows outside their interval move it.
     """
-    ids = t.relation_object[r]
+    ids = t[0].relation_object[r]
     o = o0 + ids[0]
-    free = t.object_free[o]
+    free = t[0].object_free[o]
     pose_b = wp.vec4(0.0, 0.0, 0.0, 0.0)
     qb = EAST
     pose_c = wp.vec4(0.0, 0.0, 0.0, 0.0)
@@ -159,13 +159,13 @@ def project_option(
     if ids[2] >= 0:
         pose_c = s.poses[candidate, ids[2]]
     q = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
-    for row in range(t.row_start[option], t.row_start[option + 1]):
-        kind = t.row_feature[row]
+    for row in range(t[0].row_start[option], t[0].row_start[option + 1]):
+        kind = t[0].row_feature[row]
         if kind != FEATURE_CONSTANT:
             value, g = feature(t, row, 0, o, o0 + ids[1], pose, q, pose_b, qb, pose_c)
-            off, _sign = outside(value, t.row_aim[row])
+            off, _sign = outside(value, t[0].row_aim[row])
             if off > 0.0 or fresh == 1:
-                aim = t.row_aim[row]
+                aim = t[0].row_aim[row]
                 d = target_value(s, candidate, aim) - value
                 if kind == FEATURE_YAW or kind == FEATURE_BEARING:
                     if free & FREE_YAW:
@@ -188,20 +188,20 @@ def project_option(
     return pose
 
 
-@wp.func
-def settle(t: Tables, w: Weights, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32, fresh: wp.int32):
+@wp.func(inline=False)
+def settle(t: TablesRef, w: Weights, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32, fresh: wp.int32):
     """Project an object's pose onto its own relations; a fresh draw starts from one of them at random.
 
     The object's entry in the state is the start and receives the result (what it carries stays behind).
     """
-    o0 = t.object_start[p]
+    o0 = t[0].object_start[p]
     o = o0 + obj
-    r0 = t.relation_start[p]
-    first = t.touch_start[o]
-    last = t.touch_start[o + 1]
+    r0 = t[0].relation_start[p]
+    first = t[0].touch_start[o]
+    last = t[0].touch_start[o + 1]
     mine = int(0)
     for k in range(first, last):
-        if t.touch_role[k] == 0 and t.relation_rigid[r0 + t.touch[k]] == 0:
+        if t[0].touch_role[k] == 0 and t[0].relation_rigid[r0 + t[0].touch[k]] == 0:
             mine += 1
     if mine == 0:
         return
@@ -209,39 +209,39 @@ def settle(t: Tables, w: Weights, p: wp.int32, obj: wp.int32, s: State, candidat
     if fresh == 1:
         skip = pick(s, candidate, mine)
         for k in range(first, last):
-            if t.touch_role[k] == 0 and t.relation_rigid[r0 + t.touch[k]] == 0:
+            if t[0].touch_role[k] == 0 and t[0].relation_rigid[r0 + t[0].touch[k]] == 0:
                 if skip == 0:
-                    main = t.touch[k]
+                    main = t[0].touch[k]
                 skip -= 1
         r = r0 + main
-        option = t.option_start[r] + pick(s, candidate, t.option_start[r + 1] - t.option_start[r])
+        option = t[0].option_start[r] + pick(s, candidate, t[0].option_start[r + 1] - t[0].option_start[r])
         set_pose(s, candidate, obj, project_option(t, o0, r, option, s, candidate, s.poses[candidate, obj], 1))
     for _sweep in range(2):
         for k in range(first, last):
-            r = r0 + t.touch[k]
-            if t.touch_role[k] == 0 and t.relation_rigid[r] == 0:
-                if t.relation_fault[r] != 0 or uniform(s, candidate) < 0.7:
+            r = r0 + t[0].touch[k]
+            if t[0].touch_role[k] == 0 and t[0].relation_rigid[r] == 0:
+                if t[0].relation_fault[r] != 0 or uniform(s, candidate) < 0.7:
                     option = best_option(t, w, o0, r, s, candidate)
                     set_pose(
                         s, candidate, obj, project_option(t, o0, r, option, s, candidate, s.poses[candidate, obj], 0)
                     )
 
 
-@wp.func
-def keep_inside(t: Tables, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32, aim: wp.float32):
+@wp.func(inline=False)
+def keep_inside(t: TablesRef, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32, aim: wp.float32):
     """Push an object's footprint back over each half plane that it crosses."""
-    o = t.object_start[p] + obj
+    o = t[0].object_start[p] + obj
     pose = s.poses[candidate, obj]
     q = s.turns[candidate, obj]
-    if t.object_free[o] & FREE_PLANE:
-        for k in range(t.plane_start[p], t.plane_start[p + 1]):
-            plane = t.plane[k]
+    if t[0].object_free[o] & FREE_PLANE:
+        for k in range(t[0].plane_start[p], t[0].plane_start[p + 1]):
+            plane = t[0].plane[k]
             n = wp.vec2(plane[0], plane[1])
             low = float(1.0e6)
-            for f in range(t.foot_start[o], t.foot_start[o + 1]):
-                a = t.foot[f]
-                for v in range(t.prism_start[a], t.prism_start[a + 1]):
-                    low = wp.min(low, wp.dot(n, plane_of(pose) + turn(q, t.vertex[v])) - plane[2])
+            for f in range(t[0].foot_start[o], t[0].foot_start[o + 1]):
+                a = t[0].foot[f]
+                for v in range(t[0].prism_start[a], t[0].prism_start[a + 1]):
+                    low = wp.min(low, wp.dot(n, plane_of(pose) + turn(q, t[0].vertex[v])) - plane[2])
             if low < aim:
                 pose[0] = pose[0] + (aim - low) * n[0]
                 pose[1] = pose[1] + (aim - low) * n[1]

@@ -20,7 +20,7 @@ from .sample import (
     settle,
     uniform,
 )
-from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, State, Tables, Weights
+from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, State, TablesRef, Weights
 
 wp.set_module_options({"enable_backward": False})
 
@@ -41,39 +41,39 @@ class Budget:
     start: wp.int32  # 0: from the poses given; 1: anywhere; 2: drawn from the relations
 
 
-@wp.func
+@wp.func(inline=False)
 def copy_group(
-    t: Tables, p: wp.int32, candidate: wp.int32, first: wp.int32, last: wp.int32, a: State, b: State
+    t: TablesRef, p: wp.int32, candidate: wp.int32, first: wp.int32, last: wp.int32, a: State, b: State
 ):
     """Copy poses and the options of all relations touched, for the objects group[first:last], from a to b."""
-    o0 = t.object_start[p]
+    o0 = t[0].object_start[p]
     for k in range(first, last):
-        i = t.group[k]
+        i = t[0].group[k]
         b.poses[candidate, i] = a.poses[candidate, i]
         b.turns[candidate, i] = a.turns[candidate, i]
-        for c in range(t.touch_start[o0 + i], t.touch_start[o0 + i + 1]):
-            r = t.touch[c]
+        for c in range(t[0].touch_start[o0 + i], t[0].touch_start[o0 + i + 1]):
+            r = t[0].touch[c]
             b.options[candidate, r] = a.options[candidate, r]
 
 
-@wp.func
+@wp.func(inline=False)
 def choose_options(
-    t: Tables, w: Weights, p: wp.int32, candidate: wp.int32, first: wp.int32, last: wp.int32, s: State
+    t: TablesRef, w: Weights, p: wp.int32, candidate: wp.int32, first: wp.int32, last: wp.int32, s: State
 ):
     """Give every relation that touches the objects group[first:last] its best option."""
-    o0 = t.object_start[p]
-    r0 = t.relation_start[p]
+    o0 = t[0].object_start[p]
+    r0 = t[0].relation_start[p]
     for k in range(first, last):
-        o = o0 + t.group[k]
-        for c in range(t.touch_start[o], t.touch_start[o + 1]):
-            r = t.touch[c]
-            if t.relation_rigid[r0 + r] == 0:
+        o = o0 + t[0].group[k]
+        for c in range(t[0].touch_start[o], t[0].touch_start[o + 1]):
+            r = t[0].touch[c]
+            if t[0].relation_rigid[r0 + r] == 0:
                 s.options[candidate, r] = best_option(t, w, o0, r0 + r, s, candidate)
 
 
-@wp.func
+@wp.func(inline=False)
 def group_energy(
-    t: Tables,
+    t: TablesRef,
     m: Margins,
     w: Weights,
     p: wp.int32,
@@ -91,47 +91,47 @@ def group_energy(
     for k in range(first, last):
         if e > limit:
             break
-        ei, _share, _soft, _g = object_energy(t, m, w, p, candidate, t.group[k], s, limit - e)
+        ei, _share, _soft, _g = object_energy(t, m, w, p, candidate, t[0].group[k], s, limit - e)
         e += ei
     return e
 
 
-@wp.func
-def shuffle(t: Tables, p: wp.int32, root: wp.int32, s: State, candidate: wp.int32, key: wp.int32):
+@wp.func(inline=False)
+def shuffle(t: TablesRef, p: wp.int32, root: wp.int32, s: State, candidate: wp.int32, key: wp.int32):
     """Lay out the surfaces of a root anew from their pools; the key says which entries."""
-    o = t.object_start[p] + root
+    o = t[0].object_start[p] + root
     rng = wp.rand_init(key)
-    for d in range(t.deck_start[o], t.deck_start[o + 1]):
-        base = s.poses[candidate, t.deck_supporter[d]]
-        q = s.turns[candidate, t.deck_supporter[d]]
-        first = t.deck_member_start[d]
-        count = t.deck_member_start[d + 1] - first
-        entry = wp.min(int(wp.randf(rng) * float(t.pool_size)), t.pool_size - 1)
+    for d in range(t[0].deck_start[o], t[0].deck_start[o + 1]):
+        base = s.poses[candidate, t[0].deck_supporter[d]]
+        q = s.turns[candidate, t[0].deck_supporter[d]]
+        first = t[0].deck_member_start[d]
+        count = t[0].deck_member_start[d + 1] - first
+        entry = wp.min(int(wp.randf(rng) * float(t[0].pool_size)), t[0].pool_size - 1)
         for j in range(count):
-            local = t.pool[t.pool_start[d] + entry * count + j]
+            local = t[0].pool[t[0].pool_start[d] + entry * count + j]
             at = plane_of(base) + turn(q, plane_of(local))
-            pose = wp.vec4(at[0], at[1], base[2] + t.deck_height[d], base[3] + local[3])
-            set_pose(s, candidate, t.deck_member[first + j], pose)
+            pose = wp.vec4(at[0], at[1], base[2] + t[0].deck_height[d], base[3] + local[3])
+            set_pose(s, candidate, t[0].deck_member[first + j], pose)
 
 
-@wp.func
-def members_energy(t: Tables, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, s: State):
+@wp.func(inline=False)
+def members_energy(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, s: State):
     """Energy, share, soft share and gradient of a root with all that it carries, as one rigid body."""
-    o = t.object_start[p] + root
+    o = t[0].object_start[p] + root
     at = plane_of(s.poses[candidate, root])
     e = float(0.0)
     share = float(0.0)
     soft = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    for k in range(t.member_start[o], t.member_start[o + 1]):
-        i = t.member[k]
+    for k in range(t[0].member_start[o], t[0].member_start[o + 1]):
+        i = t[0].member[k]
         ei, hi, fi, gi = object_energy(t, m, w, p, candidate, i, s, FAR)
         e += ei
         share += hi
         soft += fi
         arm = perp(plane_of(s.poses[candidate, i]) - at)
         g += wp.vec4(gi[0], gi[1], gi[2], gi[3] + gi[0] * arm[0] + gi[1] * arm[1])
-    free = t.object_free[o]
+    free = t[0].object_free[o]
     if (free & FREE_PLANE) == 0:
         g[0] = 0.0
         g[1] = 0.0
@@ -142,22 +142,22 @@ def members_energy(t: Tables, m: Margins, w: Weights, p: wp.int32, candidate: wp
     return e, share, soft, g
 
 
-@wp.func
-def slide(t: Tables, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32, gap: wp.float32):
+@wp.func(inline=False)
+def slide(t: TablesRef, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32, gap: wp.float32):
     """Slide an object along its own left axis until its box is flush with another's, or with a wall."""
-    o0 = t.object_start[p]
+    o0 = t[0].object_start[p]
     o = o0 + obj
     pose = s.poses[candidate, obj]
     q = s.turns[candidate, obj]
     axis = wp.vec2(-q[1], q[0])
-    half = 0.5 * t.object_size[o][1]
+    half = 0.5 * t[0].object_size[o][1]
     side = wp.where(uniform(s, candidate) < 0.5, 1.0, -1.0)
-    n = t.object_start[p + 1] - o0
+    n = t[0].object_start[p + 1] - o0
     step = float(0.0)
     if uniform(s, candidate) < 0.3 or n < 2:
         found = float(1.0e6)
-        for k in range(t.plane_start[p], t.plane_start[p + 1]):
-            plane = t.plane[k]
+        for k in range(t[0].plane_start[p], t[0].plane_start[p + 1]):
+            plane = t[0].plane[k]
             along = side * (plane[0] * axis[0] + plane[1] * axis[1])
             if along < -0.5:
                 d = (wp.dot(wp.vec2(plane[0], plane[1]), plane_of(pose)) - plane[2]) / -along - half - gap
@@ -169,23 +169,23 @@ def slide(t: Tables, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32, 
         near = float(1.0e12)
         for _try in range(3):
             j = pick(s, candidate, n)
-            if t.object_root[o0 + j] != obj:
+            if t[0].object_root[o0 + j] != obj:
                 v = plane_of(s.poses[candidate, j]) - plane_of(pose)
                 if wp.dot(v, v) < near:
                     near = wp.dot(v, v)
                     qj = s.turns[candidate, j]
-                    size = t.object_size[o0 + j]
+                    size = t[0].object_size[o0 + j]
                     reach = 0.5 * (
                         wp.abs(wp.dot(axis, qj)) * size[0] + wp.abs(wp.dot(axis, perp(qj))) * size[1]
                     )
                     step = wp.dot(axis, v) + side * (half + reach + gap)
-    if t.object_free[o] & FREE_PLANE:
+    if t[0].object_free[o] & FREE_PLANE:
         s.poses[candidate, obj] = wp.vec4(pose[0] + step * axis[0], pose[1] + step * axis[1], pose[2], pose[3])
 
 
-@wp.func
+@wp.func(inline=False)
 def propose(
-    t: Tables, m: Margins, w: Weights, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32, scale: wp.float32
+    t: TablesRef, m: Margins, w: Weights, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32, scale: wp.float32
 ):
     """Draw a new pose for an object into its entry of the state (what it carries stays behind)."""
     u = uniform(s, candidate)
@@ -193,7 +193,7 @@ def propose(
         set_pose(s, candidate, obj, random_start(t, p, obj, s, candidate))
         settle(t, w, p, obj, s, candidate, 1)
     else:
-        free = t.object_free[t.object_start[p] + obj]
+        free = t[0].object_free[t[0].object_start[p] + obj]
         pose = s.poses[candidate, obj]
         if free & FREE_PLANE:
             pose[0] = pose[0] + scale * normal(s, candidate)
@@ -210,14 +210,14 @@ def propose(
         slide(t, p, obj, s, candidate, m.collision_aim + 0.001)
 
 
-@wp.func
+@wp.func(inline=False)
 def descend(
-    t: Tables, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, s: State
+    t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, s: State
 ):
     """One Polyak step towards zero energy on a root's pose, halved until it helps. Returns the new energy."""
-    o = t.object_start[p] + root
+    o = t[0].object_start[p] + root
     e, _share, _soft, g = members_energy(t, m, w, p, candidate, root, s)
-    arm = 0.3 * t.object_radius[o][0] + 0.05
+    arm = 0.3 * t[0].object_radius[o][0] + 0.05
     scaled = wp.vec4(g[0], g[1], g[2], g[3] / (arm * arm))
     gg = wp.dot(g, scaled)
     if e <= SOLVED or gg < 1.0e-12:
@@ -228,46 +228,46 @@ def descend(
     if reach > 0.3:
         step = step * 0.3 / reach
     for _try in range(3):
-        carry(t, t.object_start[p], s, candidate, root, old - step * scaled, 0)
+        carry(t, t[0].object_start[p], s, candidate, root, old - step * scaled, 0)
         en, _share2, _soft2, _g2 = members_energy(t, m, w, p, candidate, root, s)
         if en < e:
             return en
         step = 0.35 * step
-    carry(t, t.object_start[p], s, candidate, root, old, 0)
+    carry(t, t[0].object_start[p], s, candidate, root, old, 0)
     return e
 
 
-@wp.func
+@wp.func(inline=False)
 def survey(
-    t: Tables, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, s: State, energy: wp.array2d(dtype=wp.float32)
+    t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, s: State, energy: wp.array2d(dtype=wp.float32)
 ):
     """Energy of every root into ``energy``; returns the candidate's total and the soft part of it."""
-    o0 = t.object_start[p]
+    o0 = t[0].object_start[p]
     total = float(0.0)
     soft = float(0.0)
-    for obj in range(t.object_start[p + 1] - o0):
+    for obj in range(t[0].object_start[p + 1] - o0):
         energy[candidate, obj] = 0.0
-        if t.member_start[o0 + obj + 1] > t.member_start[o0 + obj]:
+        if t[0].member_start[o0 + obj + 1] > t[0].member_start[o0 + obj]:
             e, share, f, _g = members_energy(t, m, w, p, candidate, obj, s)
             total += share
             soft += f
-            if t.object_free[o0 + obj] != 0:
+            if t[0].object_free[o0 + obj] != 0:
                 energy[candidate, obj] = e
     return total, soft
 
 
-@wp.func
-def begin(t: Tables, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, s: State, how: wp.int32):
+@wp.func(inline=False)
+def begin(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, s: State, how: wp.int32):
     """Draw every free object anew: anywhere (1), or from its relations, those that place others first (2)."""
-    o0 = t.object_start[p]
-    n = t.object_start[p + 1] - o0
+    o0 = t[0].object_start[p]
+    n = t[0].object_start[p + 1] - o0
     for depth in range(4):
         for obj in range(n):
-            if t.object_root[o0 + obj] == obj and t.object_free[o0 + obj] != 0:
+            if t[0].object_root[o0 + obj] == obj and t[0].object_free[o0 + obj] != 0:
                 chain = int(0)
-                parent = t.object_parent[o0 + obj]
+                parent = t[0].object_parent[o0 + obj]
                 while parent >= 0 and chain < 3:
-                    parent = t.object_parent[o0 + parent]
+                    parent = t[0].object_parent[o0 + parent]
                     chain += 1
                 if chain == depth:
                     old = s.poses[candidate, obj]
@@ -278,15 +278,15 @@ def begin(t: Tables, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, s
                     pose = s.poses[candidate, obj]
                     set_pose(s, candidate, obj, old)
                     carry(t, o0, s, candidate, obj, pose, 0)
-    if t.pool_size > 0:
+    if t[0].pool_size > 0:
         for obj in range(n):
-            if t.deck_start[o0 + obj + 1] > t.deck_start[o0 + obj]:
+            if t[0].deck_start[o0 + obj + 1] > t[0].deck_start[o0 + obj]:
                 shuffle(t, p, obj, s, candidate, int(uniform(s, candidate) * 1.0e9))
 
 
-@wp.func
+@wp.func(inline=False)
 def make_move(
-    t: Tables,
+    t: TablesRef,
     m: Margins,
     w: Weights,
     p: wp.int32,
@@ -300,15 +300,15 @@ def make_move(
     proposals: wp.int32,
 ):
     """One move: pick the object on which the mark falls when energies are laid end to end, draw poses, take the best."""
-    o0 = t.object_start[p]
+    o0 = t[0].object_start[p]
     left = mark
     obj = int(-1)
-    for i in range(t.object_start[p + 1] - o0):
+    for i in range(t[0].object_start[p + 1] - o0):
         e = energy[candidate, i]
         if e > 0.0 and left >= 0.0:
             obj = i
             left -= e
-    parent = t.object_parent[o0 + obj]
+    parent = t[0].object_parent[o0 + obj]
     whole = int(0)
     if parent >= 0 and uniform(s, candidate) < 0.25:
         obj = parent
@@ -316,11 +316,11 @@ def make_move(
     elif uniform(s, candidate) < 0.5:
         whole = 1
     o = o0 + obj
-    first = t.group_start[o]
-    last = t.group_start[o + 1]
+    first = t[0].group_start[o]
+    last = t[0].group_start[o + 1]
     if whole == 0:
-        last = first + t.member_start[o + 1] - t.member_start[o]
-    decks = t.pool_size > 0 and t.deck_start[o + 1] > t.deck_start[o]
+        last = first + t[0].member_start[o + 1] - t[0].member_start[o]
+    decks = t[0].pool_size > 0 and t[0].deck_start[o + 1] > t[0].deck_start[o]
     old = s.poses[candidate, obj]
     before = group_energy(t, m, w, p, candidate, first, last, s, FAR)
     bar = before - heat * wp.log(uniform(s, candidate) + 1.0e-9)
@@ -353,7 +353,7 @@ def make_move(
         choose_options(t, w, p, candidate, first, last, s)
         copy_group(t, p, candidate, first, last, s, trial)
         for k in range(first, last):
-            i = t.group[k]
+            i = t[0].group[k]
             if energy[candidate, i] > 0.0 or i == obj:
                 ei, _h, _f, _g = members_energy(t, m, w, p, candidate, i, s)
                 energy[candidate, i] = ei
@@ -362,7 +362,7 @@ def make_move(
 @wp.kernel
 def search(
     # Problem:
-    t: Tables,
+    t: TablesRef,
     m: Margins,
     w: Weights,
     budget: Budget,
@@ -378,19 +378,19 @@ def search(
     """Search each active candidate in place; ``trial`` is scratch of the same shape."""
     candidate = active[wp.tid()]
     p = problem[candidate]
-    o0 = t.object_start[p]
-    n = t.object_start[p + 1] - o0
-    r0 = t.relation_start[p]
+    o0 = t[0].object_start[p]
+    n = t[0].object_start[p + 1] - o0
+    r0 = t[0].relation_start[p]
     if budget.start > 0:
         begin(t, m, w, p, candidate, s, budget.start)
-    for r in range(r0, t.relation_start[p + 1]):
+    for r in range(r0, t[0].relation_start[p + 1]):
         s.options[candidate, r - r0] = best_option(t, w, o0, r, s, candidate)
         trial.options[candidate, r - r0] = s.options[candidate, r - r0]
     for obj in range(n):
         trial.poses[candidate, obj] = s.poses[candidate, obj]
         trial.turns[candidate, obj] = s.turns[candidate, obj]
 
-    movable = wp.max(t.movable[p], 2)
+    movable = wp.max(t[0].movable[p], 2)
     moves = budget.moves * movable
     refresh = wp.max(4, movable // 2)
     total = float(0.0)
@@ -418,7 +418,7 @@ def search(
         if done:
             break
         for obj in range(n):
-            if t.object_free[o0 + obj] != 0:
+            if t[0].object_free[o0 + obj] != 0:
                 descend(t, m, w, p, candidate, obj, s)
         all, soft = survey(t, m, w, p, candidate, s, energy_out)
         total = all

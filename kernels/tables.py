@@ -110,6 +110,10 @@ class Tables:
     row_scale: wp.array(dtype=wp.float32)  # metres per unit of the feature
 
 
+TablesRef = wp.array(dtype=Tables)
+"""How kernels take the tables: an array of one. The struct is 3 kB and functions take arguments by value."""
+
+
 @wp.struct
 class State:
     """The candidates' layouts, [candidate, object] or [candidate, relation]."""

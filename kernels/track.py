@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from .tables import State, Tables
+from .tables import State, TablesRef
 
 wp.set_module_options({"enable_backward": False})
 
@@ -10,7 +10,7 @@ wp.set_module_options({"enable_backward": False})
 @wp.kernel
 def keep_best(
     # Problem:
-    t: Tables,
+    t: TablesRef,
     problem: wp.array(dtype=wp.int32),
     active: wp.array(dtype=wp.int32),
     # State in:
@@ -26,8 +26,8 @@ def keep_best(
         return
     p = problem[candidate]
     best_total_out[candidate] = total[candidate]
-    for obj in range(t.object_start[p + 1] - t.object_start[p]):
+    for obj in range(t[0].object_start[p + 1] - t[0].object_start[p]):
         best_out.poses[candidate, obj] = s.poses[candidate, obj]
         best_out.turns[candidate, obj] = s.turns[candidate, obj]
-    for r in range(t.relation_start[p + 1] - t.relation_start[p]):
+    for r in range(t[0].relation_start[p + 1] - t[0].relation_start[p]):
         best_out.options[candidate, r] = s.options[candidate, r]

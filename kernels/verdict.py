@@ -14,7 +14,7 @@ from .tables import (
     PAIR_ZONE_OF_SECOND,
     FIXTURE_SOLID,
     Margins,
-    Tables,
+    TablesRef,
 )
 
 wp.set_module_options({"enable_backward": False})
@@ -25,9 +25,9 @@ UNMET = wp.constant(2)  # a hard relation is false
 DIVERGED = wp.constant(3)
 
 
-@wp.func
+@wp.func(inline=False)
 def apart(
-    t: Tables,
+    t: TablesRef,
     first_start: wp.int32,
     first_end: wp.int32,
     first_list: wp.array(dtype=wp.int32),
@@ -48,7 +48,7 @@ def apart(
         a = first_list[i]
         for j in range(second_start, second_end):
             b = second_list[j]
-            if gate(pose_a[2], t.prism_z[a], pose_b[2], t.prism_z[b], least):
+            if gate(pose_a[2], t[0].prism_z[a], pose_b[2], t[0].prism_z[b], least):
                 if not discs_apart(t, a, pa, qa, b, pb, qb, 0.0):
                     s, _n, _x = separation(t, a, pa, qa, b, pb, qb, hold)
                     if s < hold:
@@ -58,7 +58,7 @@ def apart(
 
 @wp.func
 def pair_holds(
-    t: Tables,
+    t: TablesRef,
     m: Margins,
     flags: wp.int32,
     a: wp.int32,
@@ -69,57 +69,57 @@ def pair_holds(
     qb: wp.vec2,
 ):
     """True when objects a and b (global indices) neither collide nor stand in each other's hard zones."""
-    sa = t.solid_start[a]
-    sa1 = t.solid_start[a + 1]
-    sb = t.solid_start[b]
-    sb1 = t.solid_start[b + 1]
+    sa = t[0].solid_start[a]
+    sa1 = t[0].solid_start[a + 1]
+    sb = t[0].solid_start[b]
+    sb1 = t[0].solid_start[b + 1]
     if flags & PAIR_COLLIDE:
-        if not apart(t, sa, sa1, t.solid, pose_a, qa, sb, sb1, t.solid, pose_b, qb, m.collision_hold, m.gate):
+        if not apart(t, sa, sa1, t[0].solid, pose_a, qa, sb, sb1, t[0].solid, pose_b, qb, m.collision_hold, m.gate):
             return False
     if flags & PAIR_ZONE_OF_FIRST:
         if not apart(
-            t, t.zone_start[a], t.zone_start[a + 1], t.zone, pose_a, qa, sb, sb1, t.solid, pose_b, qb,
+            t, t[0].zone_start[a], t[0].zone_start[a + 1], t[0].zone, pose_a, qa, sb, sb1, t[0].solid, pose_b, qb,
             m.zone_hold, m.gate,
         ):
             return False
     if flags & PAIR_ZONE_OF_SECOND:
         if not apart(
-            t, sa, sa1, t.solid, pose_a, qa, t.zone_start[b], t.zone_start[b + 1], t.zone, pose_b, qb,
+            t, sa, sa1, t[0].solid, pose_a, qa, t[0].zone_start[b], t[0].zone_start[b + 1], t[0].zone, pose_b, qb,
             m.zone_hold, m.gate,
         ):
             return False
     return True
 
 
-@wp.func
-def room_holds(t: Tables, m: Margins, p: wp.int32, o: wp.int32, pose: wp.vec4, q: wp.vec2):
+@wp.func(inline=False)
+def room_holds(t: TablesRef, m: Margins, p: wp.int32, o: wp.int32, pose: wp.vec4, q: wp.vec2):
     """True when object o (global index) is inside the room and clear of doors and windows."""
     at = plane_of(pose)
-    for k in range(t.plane_start[p], t.plane_start[p + 1]):
-        plane = t.plane[k]
+    for k in range(t[0].plane_start[p], t[0].plane_start[p + 1]):
+        plane = t[0].plane[k]
         n = wp.vec2(plane[0], plane[1])
-        for f in range(t.foot_start[o], t.foot_start[o + 1]):
-            a = t.foot[f]
-            for v in range(t.prism_start[a], t.prism_start[a + 1]):
-                if wp.dot(n, at + turn(q, t.vertex[v])) - plane[2] < m.bounds_hold:
+        for f in range(t[0].foot_start[o], t[0].foot_start[o + 1]):
+            a = t[0].foot[f]
+            for v in range(t[0].prism_start[a], t[0].prism_start[a + 1]):
+                if wp.dot(n, at + turn(q, t[0].vertex[v])) - plane[2] < m.bounds_hold:
                     return False
-    for k in range(t.fixture_start[p], t.fixture_start[p + 1]):
-        solid = t.fixture_kind[k] == FIXTURE_SOLID
-        if solid or t.object_clear[o] == 1:
+    for k in range(t[0].fixture_start[p], t[0].fixture_start[p + 1]):
+        solid = t[0].fixture_kind[k] == FIXTURE_SOLID
+        if solid or t[0].object_clear[o] == 1:
             hold = wp.where(solid, m.bounds_hold, m.zone_hold)
             if not apart(
-                t, t.solid_start[o], t.solid_start[o + 1], t.solid, pose, q, k, k + 1, t.fixture,
+                t, t[0].solid_start[o], t[0].solid_start[o + 1], t[0].solid, pose, q, k, k + 1, t[0].fixture,
                 wp.vec4(0.0, 0.0, 0.0, 0.0), EAST, hold, m.gate,
             ):
                 return False
-    if pose[2] + t.object_z[o][1] > t.room_height[p] - m.bounds_hold:
+    if pose[2] + t[0].object_z[o][1] > t[0].room_height[p] - m.bounds_hold:
         return False
-    return pose[2] + t.object_z[o][0] >= m.bounds_hold
+    return pose[2] + t[0].object_z[o][0] >= m.bounds_hold
 
 
-@wp.func
+@wp.func(inline=False)
 def option_holds(
-    t: Tables,
+    t: TablesRef,
     o0: wp.int32,
     ids: wp.vec3i,
     option: wp.int32,
@@ -136,11 +136,11 @@ def option_holds(
         qb = turns[candidate, ids[1]]
     if ids[2] >= 0:
         pose_c = poses[candidate, ids[2]]
-    for row in range(t.row_start[option], t.row_start[option + 1]):
+    for row in range(t[0].row_start[option], t[0].row_start[option + 1]):
         value, _g = feature(
             t, row, 0, o0 + ids[0], o0 + ids[1], poses[candidate, ids[0]], turns[candidate, ids[0]], pose_b, qb, pose_c
         )
-        hold = t.row_hold[row]
+        hold = t[0].row_hold[row]
         if value < hold[0] or value > hold[1]:
             return False
     return True
@@ -149,7 +149,7 @@ def option_holds(
 @wp.kernel
 def judge_objects(
     # Problem:
-    t: Tables,
+    t: TablesRef,
     m: Margins,
     problem: wp.array(dtype=wp.int32),
     active: wp.array(dtype=wp.int32),
@@ -163,8 +163,8 @@ def judge_objects(
     slot, obj = wp.tid()
     candidate = active[slot]
     p = problem[candidate]
-    o0 = t.object_start[p]
-    n = t.object_start[p + 1] - o0
+    o0 = t[0].object_start[p]
+    n = t[0].object_start[p + 1] - o0
     if obj >= n:
         fault_out[candidate, obj] = wp.int8(0)
         return
@@ -175,14 +175,14 @@ def judge_objects(
     q = turns[candidate, obj]
     o = o0 + obj
     ok = room_holds(t, m, p, o, pose, q)
-    radius = t.object_radius[o]
-    row = t.pair_start[p] + obj * n
+    radius = t[0].object_radius[o]
+    row = t[0].pair_start[p] + obj * n
     for j in range(n):
-        flags = int(t.pair_flags[row + j])
+        flags = int(t[0].pair_flags[row + j])
         if ok and flags != 0:
             other = poses[candidate, j]
             v = plane_of(other) - plane_of(pose)
-            rj = t.object_radius[o0 + j]
+            rj = t[0].object_radius[o0 + j]
             far = wp.max(radius[0] + rj[1], radius[1] + rj[0])
             if wp.dot(v, v) < far * far:
                 ok = pair_holds(t, m, flags, o, pose, q, o0 + j, other, turns[candidate, j])
@@ -192,7 +192,7 @@ def judge_objects(
 @wp.kernel
 def judge_relations(
     # Problem:
-    t: Tables,
+    t: TablesRef,
     problem: wp.array(dtype=wp.int32),
     active: wp.array(dtype=wp.int32),
     # State in:
@@ -205,15 +205,15 @@ def judge_relations(
     slot, rel = wp.tid()
     candidate = active[slot]
     p = problem[candidate]
-    r = t.relation_start[p] + rel
-    if r >= t.relation_start[p + 1]:
+    r = t[0].relation_start[p] + rel
+    if r >= t[0].relation_start[p + 1]:
         holds_out[candidate, rel] = True
         return
     found = bool(False)
-    for option in range(t.option_start[r], t.option_start[r + 1]):
+    for option in range(t[0].option_start[r], t[0].option_start[r + 1]):
         if not found:
             found = option_holds(
-                t, t.object_start[p], t.relation_object[r], option, candidate, poses, turns
+                t, t[0].object_start[p], t[0].relation_object[r], option, candidate, poses, turns
             )
     holds_out[candidate, rel] = found
 
@@ -221,7 +221,7 @@ def judge_relations(
 @wp.kernel
 def judge_candidates(
     # Problem:
-    t: Tables,
+    t: TablesRef,
     problem: wp.array(dtype=wp.int32),
     active: wp.array(dtype=wp.int32),
     # State in:
@@ -234,15 +234,15 @@ def judge_candidates(
     candidate = active[wp.tid()]
     p = problem[candidate]
     status = int(VALID)
-    r0 = t.relation_start[p]
-    for r in range(r0, t.relation_start[p + 1]):
+    r0 = t[0].relation_start[p]
+    for r in range(r0, t[0].relation_start[p + 1]):
         if not holds[candidate, r - r0]:
-            kind = t.relation_fault[r]
+            kind = t[0].relation_fault[r]
             if kind == UNMET and status == VALID:
                 status = UNMET
             if kind == BROKEN and status != DIVERGED:
                 status = BROKEN
-    for obj in range(t.object_start[p + 1] - t.object_start[p]):
+    for obj in range(t[0].object_start[p + 1] - t[0].object_start[p]):
         kind = int(fault[candidate, obj])
         if kind == DIVERGED:
             status = DIVERGED

@@ -17,11 +17,12 @@ from sceneweaver.kernels.verdict import judge_candidates, judge_objects, judge_r
 class Batch:
     """Candidates of one or several problems.
 
-    ``problem`` [B] int32 says which problem a candidate belongs to; ``state`` holds poses [B, N, 4] and the rest;
+    ``tables`` is an array of one ``Tables``, ``keep`` what keeps its arrays alive; ``problem`` [B] int32 says which problem a candidate belongs to; ``state`` holds poses [B, N, 4] and the rest;
     N and R are the largest counts of objects and relations of any problem.
     """
 
-    tables: Tables
+    tables: wp.array
+    keep: Tables
     margins: Margins
     weights: Weights
     problem: wp.array

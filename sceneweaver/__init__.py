@@ -1,0 +1,90 @@
+"""Batched, differentiable layout optimiser for indoor scenes, compiled to NVIDIA Warp kernels.
+
+Names are imported when they are first used, so that ``import sceneweaver`` itself is quick.
+"""
+
+from importlib import import_module as _import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from sceneweaver.layout import Solution as Solution
+    from sceneweaver.layout import refine as refine
+    from sceneweaver.layout import refine_many as refine_many
+    from sceneweaver.render import draw_top as draw_top
+    from sceneweaver.scene import Dropped as Dropped
+    from sceneweaver.scene import InputError as InputError
+    from sceneweaver.scene import MissingDependencyError as MissingDependencyError
+    from sceneweaver.scene import Pose as Pose
+    from sceneweaver.scene import Relation as Relation
+    from sceneweaver.scene import Room as Room
+    from sceneweaver.scene import Scene as Scene
+    from sceneweaver.scene import SceneObject as SceneObject
+    from sceneweaver.scene import SceneWeaverError as SceneWeaverError
+    from sceneweaver.verify import Report as Report
+    from sceneweaver.verify import Violation as Violation
+    from sceneweaver.verify import check as check
+
+    __version__: str
+
+__all__ = [
+    "Dropped",
+    "InputError",
+    "MissingDependencyError",
+    "Pose",
+    "Relation",
+    "Report",
+    "Room",
+    "Scene",
+    "SceneObject",
+    "SceneWeaverError",
+    "Solution",
+    "Violation",
+    "__version__",
+    "check",
+    "draw_top",
+    "refine",
+    "refine_many",
+]
+
+_HOME = {
+    "Dropped": "scene",
+    "InputError": "scene",
+    "MissingDependencyError": "scene",
+    "Pose": "scene",
+    "Relation": "scene",
+    "Report": "verify",
+    "Room": "scene",
+    "Scene": "scene",
+    "SceneObject": "scene",
+    "SceneWeaverError": "scene",
+    "Solution": "layout",
+    "Violation": "verify",
+    "check": "verify",
+    "draw_top": "render",
+    "refine": "layout",
+    "refine_many": "layout",
+}
+
+
+def __getattr__(name: str) -> object:
+    if name == "__version__":
+        value: object = _version()
+    elif name in _HOME:
+        value = getattr(_import_module(f"{__name__}.{_HOME[name]}"), name)
+    else:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
+
+
+def _version() -> str:
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return version(__name__)
+    except PackageNotFoundError:  # a source tree that nobody installed
+        return "0+unknown"

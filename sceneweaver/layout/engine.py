@@ -210,6 +210,7 @@ def make_batch(problems: Sequence[Problem], which: np.ndarray, device: str, pool
     packed = pack(problems, device, pools)
     return Batch(
         packed.tables,
+        packed.keep,
         margins(),
         weights(),
         wp.array(which.astype(np.int32), dtype=wp.int32, device=device),

@@ -54,7 +54,8 @@ def weights(**changes: float) -> k.Weights:
 class Packed:
     """Tables of a batch of problems on one device, with the largest counts for launch sizes."""
 
-    tables: k.Tables
+    tables: wp.array  # of one k.Tables
+    keep: k.Tables  # the arrays that it points to
     problems: Sequence[Problem]
     objects: int
     relations: int
@@ -258,6 +259,7 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
         np.asarray(triples, dtype=np.int32).reshape(-1, 3), dtype=wp.vec3i, device=device
     )
     return Packed(
+        wp.array([t], dtype=k.Tables, device=device),
         t,
         problems,
         max((p.size for p in problems), default=0),

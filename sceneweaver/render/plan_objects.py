@@ -17,6 +17,7 @@ from sceneweaver.render.symbols import strokes_of
 from sceneweaver.render.view import View
 from sceneweaver.scene.model import Scene, SceneObject
 
+_VEIL = 105  # opacity, of 255, of what is drawn translucent
 HANGING = 100  # layers from here on hang on a wall or from the ceiling
 
 
@@ -29,6 +30,7 @@ class Item:
     fill: Rgb
     solids: tuple[Prism, ...]
     enclosed: bool  # inside its supporter, such as on a shelf of a bookcase
+    under: Rgb  # the colour of what it stands on or hangs before
 
     @property
     def id(self) -> str:
@@ -48,7 +50,7 @@ class Item:
     @property
     def ground(self) -> Rgb:
         """The colour that text on it stands on."""
-        return palette.mixed(palette.FLOOR, self.fill, 0.42) if self.translucent else self.fill
+        return palette.mixed(self.under, self.fill, _VEIL / 255) if self.translucent else self.fill
 
     @property
     def line(self) -> Rgb:
@@ -60,15 +62,17 @@ def items_of(scene: Scene) -> list[Item]:
     """All objects in an order that does not depend on the order in the scene."""
     layer = layers(scene)
     solids = {o.id: tuple(prisms(o)) for o in scene.objects}
+    fills = {o.id: palette.fill_of(o) for o in scene.objects}
     out = []
     for obj in scene.objects:
         own = solids[obj.id]
-        enclosed = False
+        enclosed, under = False, palette.FLOOR
         if obj.mount == "surface" and obj.support is not None and obj.support.object in solids:
+            under = fills[obj.support.object]
             x, y, _ = obj.pose.position
             top = max(p.top for p in own)
             enclosed = any(p.top > top + 1e-3 and inside(p.polygon, x, y) for p in solids[obj.support.object])
-        out.append(Item(obj, layer[obj.id], palette.fill_of(obj), own, enclosed))
+        out.append(Item(obj, layer[obj.id], fills[obj.id], own, enclosed, under))
     return sorted(out, key=lambda i: (i.layer, round(i.top, 4), i.id))
 
 
@@ -120,7 +124,7 @@ def _draw_layer(canvas: Canvas, view: View, items: Sequence[Item], unit: float) 
         points = view.points(p.polygon)
         fine = _line_width(item, view, unit)
         if item.translucent:
-            canvas.polygon(points, fill=(*item.fill, 105))
+            canvas.polygon(points, fill=(*item.fill, _VEIL))
             canvas.dashed(points, item.line, fine, (5 * unit, 3.5 * unit), closed=True)
             continue
         # Seats are a shade lighter than backs, shelves darker than tops: height reads at a glance.
@@ -216,14 +220,15 @@ def draw_arrows(canvas: Canvas, view: View, items: Sequence[Item], owners: np.nd
         if small < 24 * unit or _is_round(item):
             continue
         head = min(0.15 * small, 8.5 * unit) / view.scale  # metres, as all that follows
-        stem = 1.1 * head if small > 110 * unit else 0.0
         front = _front_edge(item) - min(0.35 * head, 3 * unit / view.scale)
-        for step in range(16):
-            tip = front - 0.06 * step * depth
-            tail = tip - 1.25 * head - stem
+        long = 1.1 * head if small > 110 * unit else 0.0
+        # As far forward as it can be seen: with a stem, else without one, else further back.
+        places = [(0.0, long), *((0.06 * step * depth, 0.0) for step in range(9))]
+        for back, stem in places:
+            tip = front - back
+            base, tail = tip - 1.25 * head, tip - 1.25 * head - stem
             if tail < -depth / 2 or not _is_visible(view, item, owners, k + 1, (tip - 0.2 * head, tail)):
                 continue
-            base = tip - 1.25 * head
             local = ((tip, 0.0), (base, 0.72 * head), (base, -0.72 * head), (tail, 0.0), (base, 0.0))
             points = view.points(to_world(item.obj.pose, local))
             color = palette.darker(item.fill, 0.72) if palette.ink_on(item.ground) == palette.INK else palette.PAPER

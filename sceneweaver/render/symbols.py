@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from sceneweaver.render.palette import words_of
+from sceneweaver.render.shapes import area
 from sceneweaver.scene.model import Vec2
 
 
@@ -26,13 +27,18 @@ Symbol = Callable[[float, float], Iterator[Stroke]]
 
 
 def strokes_of(category: str, depth: float, width: float) -> list[Stroke]:
-    """The strokes of a category's symbol; empty when it has none."""
+    """The strokes of a category's symbol; empty when it has none. What does not fit into a tiny box is left out."""
     words = words_of(category)
     for name in ("_".join(words), *reversed(words)):
         symbol = _SYMBOLS.get(name) or _SYMBOLS.get(name.removesuffix("s"))
         if symbol is not None:
-            return list(symbol(depth, width))
+            return [s for s in symbol(depth, width) if _fits(s, depth, width)]
     return []
+
+
+def _fits(stroke: Stroke, depth: float, width: float) -> bool:
+    inside = all(abs(x) <= depth / 2 + 1e-6 and abs(y) <= width / 2 + 1e-6 for x, y in stroke.points)
+    return inside and (stroke.tone is None or area(stroke.points) > 0)
 
 
 def _rect(x0: float, y0: float, x1: float, y1: float, radius: float = 0.0) -> tuple[Vec2, ...]:
@@ -143,7 +149,7 @@ def _leaf(length: float, angle: float) -> tuple[Vec2, ...]:
     c, s = math.cos(angle), math.sin(angle)
     profile = ((0.0, 0.0), (0.25, 0.13), (0.55, 0.19), (0.82, 0.11), (1.0, 0.0))
     side = [(x * length, y * length) for x, y in profile]
-    points = side + [(x, -y) for x, y in side[-2:0:-1]]
+    points = [(x, -y) for x, y in side] + side[-2:0:-1]
     return tuple((x * c - y * s, x * s + y * c) for x, y in points)
 
 

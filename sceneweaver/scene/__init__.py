@@ -37,7 +37,6 @@ from .errors import SceneWeaverError as SceneWeaverError
 from .io import EXAMPLES as EXAMPLES
 from .io import MAX_BYTES as MAX_BYTES
 from .io import write_atomic as write_atomic
-from .migrate import migrate as migrate
 from .migrate import migration as migration
 from .model import SCHEMA as SCHEMA
 from .model import Door as Door
@@ -102,7 +101,6 @@ __all__ = [
     "edit_to_json",
     "edits_from_json",
     "invert",
-    "migrate",
     "migration",
     "register_relation",
     "unregister_relation",

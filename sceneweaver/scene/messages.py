@@ -85,8 +85,10 @@ def show(value: object) -> str:
 def nearest(name: object, options: Iterable[str]) -> str | None:
     """The option most like ``name``, ignoring case, or None when none is close."""
     folded = {option.casefold(): option for option in reversed(list(itertools.islice(options, _MOST_COMPARED)))}
-    found = difflib.get_close_matches(str(name)[:80].casefold(), folded, 1, 0.6)
-    return folded[found[0]] if found else None
+    word = str(name)[:80].casefold()
+    found = difflib.get_close_matches(word, folded, 8, 0.6)
+    first = sorted(found, key=list(folded).index, reverse=True)  # of equals, the first of the options
+    return folded[max(first, key=lambda f: difflib.SequenceMatcher(None, f, word).ratio())] if found else None
 
 
 def suggest(name: object, options: Iterable[str], *, what: str = "known", mark: str = '"') -> str:

@@ -137,12 +137,13 @@ def _check_supports(scene: Scene, objects: dict[str, SceneObject]) -> None:
             fix = suggest(obj.support.surface, [s.name for s in carrier.surfaces], what="its surfaces")
             text = f"is {show(obj.support.surface)}, which is no surface of {quote(carrier.id)}{fix}"
             raise Problem(("objects", i, "support", "surface"), text)
-    for i, obj in enumerate(scene.objects):
+    for obj in scene.objects:
         path: dict[str, None] = {}
         at: SceneObject | None = obj
         while at is not None and at.id not in done:
             if at.id in path:
                 circle = " -> ".join(quote(id) for id in [*list(path)[list(path).index(at.id) :], at.id])
+                i = next(i for i, o in enumerate(scene.objects) if o is at)
                 raise Problem(("objects", i, "support"), f"goes round in a circle: {circle}; one must stand elsewhere")
             path[at.id] = None
             at = objects[at.support.object] if at.support else None

@@ -1,8 +1,8 @@
 """Whether a relation holds, and if not, what is off and by how much.
 
 One function a type, in `JUDGES`; the numbers come from the catalogue (`sceneweaver.scene.catalogue`), the arithmetic is
-the judge's own. Lengths have a slack of 1 mm where they are gaps or distances, none where they are overlaps or offsets;
-angles have none. Faces are those of the object's box.
+the judge's own. Lengths have a slack of 1 mm where they are gaps, distances or heights, none where they are overlaps or
+offsets aside; angles have none. Faces are those of the object's box.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from sceneweaver.scene.model import Relation
 from sceneweaver.verify.contacts import face_terms, turn, wall_contacts
 from sceneweaver.verify.solids import Body, Face, Opening, Placed
 from sceneweaver.verify.support import bottom, rest
-from sceneweaver.verify.terms import HOLDS, TOLERANCE, Term, Terms, Verdict, at_least, at_most, judge, no
+from sceneweaver.verify.terms import HOLDS, ROUNDING, TOLERANCE, Term, Terms, Verdict, at_least, at_most, judge, no
 
 CORNER = 0.17
 """Least sine of the turn at a convex corner of the room that counts for in_corner (about 10 degrees)."""
@@ -147,7 +147,7 @@ def _away_from_door(case: Case) -> Verdict:
         for door, zone in zip(case.placed.doors, case.placed.opening_zones.polygons, strict=False)
         if target is None or door.item.id == target
     ]
-    return no(f"the room has no {target}") if target is not None and not terms else judge([terms], "")
+    return no(f"the room has no {target}") if target is not None and not terms else judge([terms], "", ROUNDING)
 
 
 # ---- faces of two objects --------------------------------------------------------------------------------------------
@@ -176,7 +176,8 @@ def _around(case: Case) -> Verdict:
     spread = _spread(case)
     front = subject.face("front")
     edges = _edges(case.placed, other)
-    return judge(((*face_terms(front, e, gap, degrees, overlap), *spread) for e in edges), "the target has no edge")
+    alternatives = ((*face_terms(front, e, gap, degrees, overlap), *spread) for e in edges)
+    return judge(alternatives, "the target has no edge", ROUNDING)
 
 
 def _edges(placed: Placed, body: Body) -> Iterator[Face]:
@@ -254,7 +255,7 @@ def _beside(case: Case) -> Verdict:
     return judge([[
         Term("distance beyond its face", beyond, 0.0, case.number("max"), "m", TOLERANCE),
         at_most("aside", aside, case.number("band") / 2 * 2 * face.half),
-    ]], "")  # fmt: skip
+    ]], "", ROUNDING)  # fmt: skip
 
 
 def _centered_on(case: Case) -> Verdict:
@@ -275,7 +276,7 @@ def _between(case: Case) -> Verdict:
     return judge([[
         Term("along the line", (px * dx + py * dy) / size, low * size, high * size),
         at_most("aside", abs(px * dy - py * dx) / size, case.number("aside")),
-    ]], "")  # fmt: skip
+    ]], "", ROUNDING)  # fmt: skip
 
 
 # ---- heights and supports --------------------------------------------------------------------------------------------
@@ -284,7 +285,7 @@ def _between(case: Case) -> Verdict:
 def _on_floor(case: Case) -> Verdict:
     z = bottom(case.subject)
     name = "height above the floor" if z >= 0 else "depth below the floor"
-    return judge([[at_most(name, abs(z), case.number("height"))]], "")
+    return judge([[at_most(name, abs(z), case.number("height"))]], "", ROUNDING)
 
 
 def _on_surface(case: Case) -> Verdict:
@@ -319,12 +320,12 @@ def _over(case: Case) -> Verdict:
     return judge([[
         at_least("clearance", clear, 0.0, slack=TOLERANCE),
         at_most("aside", aside, case.number("lateral") * other.size[1], slack=TOLERANCE),
-    ]], "")  # fmt: skip
+    ]], "", ROUNDING)  # fmt: skip
 
 
 def _same_height(case: Case) -> Verdict:
     off = abs(bottom(case.subject) - bottom(case.other))
-    return judge([[at_most("difference of height", off, case.number("tolerance"), slack=TOLERANCE)]], "")
+    return judge([[at_most("difference of height", off, case.number("tolerance"), slack=TOLERANCE)]], "", ROUNDING)
 
 
 JUDGES: dict[str, Judge] = {

@@ -13,6 +13,13 @@ ARM = 0.5
 """Arm in metres by which angles are compared with lengths: 1 degree weighs as much as 9 mm."""
 
 
+ROUNDING = 1e-9
+"""Metres or degrees by which terms may be off in relations that the oracle (tests/oracle) does not define.
+
+Round numbers, such as six chairs at an octagonal table, 15 degrees off its edges, then hold however the room is turned.
+"""
+
+
 class Term(NamedTuple):
     """One quantity: ``value`` must lie in [``low`` - ``slack``, ``high`` + ``slack``]; ``unit`` is m or deg."""
 
@@ -23,10 +30,10 @@ class Term(NamedTuple):
     unit: str = "m"
     slack: float = 0.0
 
-    @property
-    def ok(self) -> bool:
+    def ok(self, rounding: float = 0.0) -> bool:
         """Whether the value lies in the interval, slack included."""
-        return self.low - self.slack <= self.value <= self.high + self.slack
+        slack = self.slack + rounding
+        return self.low - slack <= self.value <= self.high + slack
 
     @property
     def excess(self) -> float:
@@ -82,7 +89,7 @@ def no(text: str) -> Verdict:
     return Verdict(False, 0.0, "m", text)
 
 
-def judge(alternatives: Iterable[Terms], otherwise: str) -> Verdict:
+def judge(alternatives: Iterable[Terms], otherwise: str, rounding: float = 0.0) -> Verdict:
     """Return whether all terms of some alternative hold; if not, speak of the one that is least off.
 
     ``excess`` is that of the worst failing term in its own unit. Without any alternative the text is ``otherwise``.
@@ -90,7 +97,7 @@ def judge(alternatives: Iterable[Terms], otherwise: str) -> Verdict:
     best: list[Term] | None = None
     least = math.inf
     for terms in alternatives:
-        failing = [term for term in terms if not term.ok]
+        failing = [term for term in terms if not term.ok(rounding)]
         if not failing:
             return HOLDS
         total = sum(term.weight for term in failing)

@@ -7,9 +7,9 @@ import math
 
 import pytest
 
-from sceneweaver.scene import SCHEMA, InputError, Scene, migrate, migration
-from sceneweaver.scene import migrate as migrate_function
-from sceneweaver.scene.migrate import _migrations
+from sceneweaver.scene import SCHEMA, InputError, Scene, migration
+from sceneweaver.scene import migrate as module
+from sceneweaver.scene.migrate import _migrations, migrate
 
 V0 = "sceneweaver.scene/0"
 
@@ -45,7 +45,7 @@ def test_version_0_that_makes_no_sense_is_refused_by_the_model(old):
 
 
 def test_current_data_is_left_alone(small):
-    assert migrate_function(small) is small
+    assert migrate(small) is small
 
 
 @pytest.mark.parametrize(
@@ -83,11 +83,7 @@ def test_a_version_without_migration(small, monkeypatch):
 
 
 def test_migrations_are_chained(small, monkeypatch):
-    import sys
 
-    from sceneweaver.scene import migrate as _  # noqa: F401 - the function hides the module of its name
-
-    module = sys.modules["sceneweaver.scene.migrate"]
     monkeypatch.setattr(module, "_CURRENT", 3)
     monkeypatch.setattr(module, "SCHEMA", "sceneweaver.scene/3")
     seen = []

@@ -43,7 +43,7 @@ BAD = [
         "objects[1] 'desk-0': pose.position[2] is -Infinity; numbers must be finite",
     ),
     ((*DESK, "parts", 0, "z", 1), NAN, "parts[0].z[1] is NaN"),
-    ((*DESK, "parts", 1, "polygon", 2, 0), NAN, "parts[1].polygon[2][0] is NaN"),
+    ((*DESK, "parts", 1, "polygon"), [[0, 0], [1, 0], [NAN, 1]], "parts[1].polygon[2][0] is NaN"),
     ((*DESK, "zones", 0, "polygon", 2, 1), INF, "zones[0].polygon[2][1] is Infinity"),
     ((*DESK, "surfaces", 0, "z"), NAN, "surfaces[0].z is NaN"),
     ((*DESK, "attributes", "style", "era", 1), NAN, "attributes.style.era[1] is NaN; numbers must be finite"),

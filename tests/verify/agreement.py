@@ -7,7 +7,9 @@ import importlib.util
 import json
 import math
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -47,7 +49,7 @@ def zoo(name: str) -> Json:
     return json.loads((ZOO / f"{name}.json").read_text("utf-8"))
 
 
-# ---- disturbing -------------------------------------------------------------------------------------------------------
+# ---- disturbing
 
 
 class Layout:
@@ -127,7 +129,7 @@ class Layout:
         nx, ny = math.cos(out), math.sin(out)
         gap, along = self.rng.uniform(-0.04, 0.09), self.rng.uniform(-1.2, 1.2) * (wa + wb)
         turned = yaw + tb + 180.0 - ta + self.some(9.0)
-        if self.rng.random() < 0.15:  # just at a threshold
+        if self.rng.random() < 0.06:  # just at a threshold
             gap, along = self.pick((0.0, 0.05, 0.051, -0.001)), self.pick((0.0, max(wa, wb) / 0.6))
             turned = yaw + tb + 180.0 - ta + self.pick((0.0, 0.0, 10.0, -15.0))
         back = math.radians(turned + ta)
@@ -148,7 +150,7 @@ class Layout:
         out = math.radians(turned + t)
         gap = self.rng.uniform(-0.01, 0.1)
         s = self.rng.uniform(0.7 * half, max(w["L"] - 0.7 * half, 0.8 * half))
-        if self.rng.random() < 0.15:  # just at a threshold
+        if self.rng.random() < 0.06:  # just at a threshold
             gap, s = self.pick((-0.001, 0.0, 0.05, 0.07, 0.071)), self.pick((half, 0.8 * half, w["L"] - 0.8 * half))
         px = w["p"][0] + w["t"][0] * s + w["n"][0] * gap - math.cos(out) * r
         py = w["p"][1] + w["t"][1] * s + w["n"][1] * gap - math.sin(out) * r
@@ -246,11 +248,12 @@ def disturb(scene: Json, rng: np.random.Generator, moves: int) -> Json:
     return layout.done()
 
 
-# ---- judging ----------------------------------------------------------------------------------------------------------
+# ---- judging
 
 
 def _relation(r: Json) -> Fact:
-    return ("relation", r["subject"], r["type"], str(r.get("target")))
+    target = r.get("target")
+    return ("relation", r["subject"], r["type"], " and ".join(target) if isinstance(target, list) else str(target))
 
 
 def by_oracle(scene: Json) -> set[Fact]:
@@ -259,7 +262,7 @@ def by_oracle(scene: Json) -> set[Fact]:
     ties = [r for r in scene["relations"] if r["type"] in TIES]
     found = oracle.check({**scene, "relations": ties}, cache=bodies)
     hanging = {o["id"] for o in scene["objects"] if o["mount"] == "wall"}  # the oracle has no support for these
-    facts: set[Fact] = {("collision", *pair) for pair in found["collisions"]}
+    facts: set[Fact] = {("collision", *sorted(pair)) for pair in found["collisions"]}
     facts |= {("out_of_bounds", k) for k in found["oob"]}
     facts |= {("zone", *triple) for triple in found["zones"]}
     facts |= {("opening", *pair) for pair in found["openings"]}
@@ -277,7 +280,7 @@ def by_check(scene: Json) -> set[Fact]:
     kinds = Counter(v.kind for v in report.violations)
     for v in report.violations:
         if v.kind in ("collision", "out_of_bounds"):
-            facts.add((v.kind, *v.objects))
+            facts.add((v.kind, *sorted(v.objects)))
         elif v.kind == "blocked_zone":
             facts.add(("zone", v.objects[0], v.detail.split("'")[1], v.objects[1]))
         elif v.kind == "blocked_opening":
@@ -286,7 +289,7 @@ def by_check(scene: Json) -> set[Fact]:
             if v.objects[0] not in hanging:
                 facts.add(("unsupported", v.objects[0]))
         else:
-            target = v.objects[1] if len(v.objects) > 1 else None
+            target = " and ".join(v.objects[1:]) or None
             facts.add(("relation", v.objects[0], v.detail.split()[1].rstrip(":"), str(target)))
     assert (report.collisions, report.out_of_bounds) == (kinds["collision"], kinds["out_of_bounds"])
     assert (report.blocked_zones, report.blocked_openings) == (kinds["blocked_zone"], kinds["blocked_opening"])
@@ -300,22 +303,21 @@ def by_check(scene: Json) -> set[Fact]:
     return facts
 
 
-def at_threshold(scene: Json, fact: Fact) -> bool:
-    """Whether the oracle changes its mind when an object that takes part is nudged by 0.1 mm or 0.01 degrees."""
-    before = fact in by_oracle(scene)
+def at_threshold(scene: Json, fact: Fact, judge: Callable[[Json], set[Fact]] = by_oracle) -> bool:
+    """Whether a judge changes its mind when an object that takes part is nudged by 0.1 mm or 0.01 degrees."""
+    before = fact in judge(scene)
     ids = {o["id"]: o for o in scene["objects"]}
     step = math.radians(NEAR_DEG) / 2
     for name in {n for n in fact if n in ids}:
         pose = ids[name]["pose"]
         x, y, z = pose["position"]
         half = math.atan2(pose["quaternion"][2], pose["quaternion"][3])
-        moves = [(dx, dy, 0, 0) for dx in (-NEAR_M, 0, NEAR_M) for dy in (-NEAR_M, 0, NEAR_M)]
-        moves += [(0, 0, NEAR_M, 0), (0, 0, -NEAR_M, 0), (0, 0, 0, step), (0, 0, 0, -step)]
-        for dx, dy, dz, turn in moves:
+        moves = product((-NEAR_M, 0, NEAR_M), (-NEAR_M, 0, NEAR_M), (0,), (-step, 0, step))
+        for dx, dy, dz, turn in (*moves, (0, 0, NEAR_M, 0), (0, 0, -NEAR_M, 0)):
             quaternion = [0.0, 0.0, math.sin(half + turn), math.cos(half + turn)]
             moved = {**ids[name], "pose": {"position": [x + dx, y + dy, z + dz], "quaternion": quaternion}}
             objects = [moved if o["id"] == name else o for o in scene["objects"]]
-            if (fact in by_oracle({**scene, "objects": objects})) != before:
+            if (fact in judge({**scene, "objects": objects})) != before:
                 return True
     return False
 

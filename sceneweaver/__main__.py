@@ -1,0 +1,8 @@
+"""``python -m sceneweaver``: the command line."""
+
+import sys
+
+from sceneweaver.cli import main
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,5 @@
+"""The command line: ``sceneweaver`` and ``python -m sceneweaver.cli``."""
+
+from .app import main as main
+
+__all__ = ["main"]

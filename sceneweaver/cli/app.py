@@ -1,0 +1,248 @@
+"""The commands with their options, and what every one of them has in common: errors and exit codes.
+
+Exit codes: 0 done and valid, 1 a fault of the program, 2 bad input, 3 not valid, 4 something needed is missing,
+130 interrupted. What went wrong is one line on stderr.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import re
+import signal
+import sys
+import threading
+import traceback
+from collections.abc import Sequence
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+USAGE, NOT_VALID, MISSING, INTERRUPTED = 2, 3, 4, 130
+
+# The base of typer's usage errors, which lives in click or, with newer versions of typer, in typer itself.
+_UsageError: type[Exception] = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "ClickException")
+
+app = typer.Typer(
+    name="sceneweaver",
+    help="Lay out indoor scenes that a simulator accepts, and judge them.",
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    epilog="Exit codes: 0 done and valid, 2 bad input, 3 not valid, 4 something needed is missing.",
+)
+
+
+class Init(StrEnum):
+    """Where candidates start."""
+
+    SAMPLE = "sample"
+    RANDOM = "random"
+    CURRENT = "current"
+
+
+class Optimizer(StrEnum):
+    """How candidates are improved."""
+
+    SEARCH = "search"
+    ADAM = "adam"
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        import sceneweaver
+
+        typer.echo(f"sceneweaver {sceneweaver.__version__}")
+        raise typer.Exit
+
+
+def _device(value: str) -> str:
+    if not re.fullmatch(r"auto|cpu|cuda(:\d+)?", value):
+        raise typer.BadParameter(f"'{value}' is not a device; give auto, cpu, cuda or cuda:0")
+    return value
+
+
+def _seconds(value: float | None) -> float | None:
+    if value is not None and not (math.isfinite(value) and value > 0):
+        raise typer.BadParameter(f"{value} is not a number of seconds above 0")
+    return value
+
+
+Input = Annotated[Path, typer.Argument(metavar="IN", help="A scene.json.", show_default=False)]
+Candidates = Annotated[int, typer.Option(min=1, help="How many layouts are refined at once.")]
+Seed = Annotated[int, typer.Option(min=0, max=2**31 - 1, help="Equal seeds give equal results.")]
+Device = Annotated[str, typer.Option(callback=_device, metavar="auto|cpu|cuda[:k]", help="Where to compute.")]
+TimeLimit = Annotated[
+    float | None, typer.Option(callback=_seconds, help="Stop after this many seconds.", show_default=False)
+]
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+
+
+@app.callback()
+def _root(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version and exit.")
+    ] = False,
+) -> None:
+    pass
+
+
+@app.command()
+def refine(
+    source: Input,
+    out: Annotated[
+        Path,
+        typer.Option(
+            "--out", "-o", metavar="OUT", help="A folder, or a .json file for the scene alone.", show_default=False
+        ),
+    ],  # fmt: skip
+    candidates: Candidates = 1024,
+    seed: Seed = 0,
+    init: Annotated[Init, typer.Option(help="Where the layouts start.")] = Init.SAMPLE,
+    device: Device = "auto",
+    optimizer: Annotated[Optimizer, typer.Option(help="How the layouts are improved.")] = Optimizer.SEARCH,
+    time_limit: TimeLimit = None,
+    as_json: Json = False,
+    picture: Annotated[bool, typer.Option("--picture/--no-picture", help="Draw the annotated top view.")] = True,
+) -> int:
+    """Find poses for the objects of a scene so that nothing collides and all relations hold."""
+    from .refine import run_refine
+
+    return run_refine(
+        source, out, candidates=candidates, seed=seed, init=init.value, device=device, optimizer=optimizer.value,
+        time_limit=time_limit, as_json=as_json, picture=picture,
+    )  # fmt: skip
+
+
+@app.command()
+def check(
+    source: Input,
+    as_json: Json = False,
+    metrics: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write metrics.json here.", show_default=False)
+    ] = None,
+    meshes: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Folder of <asset>.glb, .obj, .stl or .ply files: judge the true shapes.",
+                     show_default=False),
+    ] = None,
+    picture: Annotated[
+        Path | None, typer.Option(metavar="PNG", help="Draw the top view, what is wrong in red.", show_default=False)
+    ] = None,
+) -> int:  # fmt: skip
+    """Judge a scene: collisions, bounds, support, zones, relations. Changes nothing."""
+    from .check import run_check
+
+    return run_check(source, as_json=as_json, metrics=metrics, meshes=meshes, picture=picture)
+
+
+@app.command()
+def render(
+    source: Input,
+    out: Annotated[Path, typer.Option("--out", "-o", metavar="PNG", help="The picture.", show_default=False)],
+    plain: Annotated[bool, typer.Option("--plain", help="Without title, axes, labels and zones.")] = False,
+    width: Annotated[int, typer.Option(min=200, max=8192, help="Width in pixels.")] = 1600,
+    as_json: Json = False,
+) -> int:
+    """Draw a scene from above."""
+    from .render import run_render
+
+    return run_render(source, out, plain=plain, width=width, as_json=as_json)
+
+
+@app.command()
+def demo(
+    out: Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the results.")] = Path("out/demo"),
+    example: Annotated[str, typer.Option(help="One of the rooms that `sceneweaver examples` lists.")] = "bedroom",
+    candidates: Candidates = 1024,
+    seed: Seed = 0,
+    device: Device = "auto",
+    time_limit: TimeLimit = None,
+    as_json: Json = False,
+) -> int:
+    """Lay out a room that ships with sceneweaver, from random starts."""
+    from .refine import run_demo
+
+    return run_demo(
+        out, example=example, candidates=candidates, seed=seed, device=device, time_limit=time_limit, as_json=as_json
+    )
+
+
+@app.command()
+def examples(as_json: Json = False) -> int:
+    """List the rooms that ship with sceneweaver."""
+    from .examples import run_examples
+
+    return run_examples(as_json=as_json)
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command line and return its exit code; ``argv`` is without the program's name."""
+    args = list(sys.argv[1:] if argv is None else argv)
+    as_json = "--json" in args
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGTERM, _terminated)
+    try:
+        code = typer.main.get_command(app).main(args=args or ["--help"], prog_name="sceneweaver", standalone_mode=False)
+        sys.stdout.flush()
+        return code if isinstance(code, int) else 0
+    except (KeyboardInterrupt, typer.Abort):
+        return _fail("interrupted; nothing was written", INTERRUPTED, as_json)
+    except BrokenPipeError:
+        # Who reads our output has gone, as in `sceneweaver check --json | head`; keep the exit quiet.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 128 + signal.SIGPIPE
+    except _UsageError as error:
+        return _fail(_usage(error), getattr(error, "exit_code", USAGE), as_json)
+    except ModuleNotFoundError as error:
+        if (error.name or "").partition(".")[0] == "sceneweaver":
+            return _fault(error, as_json)
+        return _fail(
+            f"the package '{error.name}' is missing; install it with: pip install {error.name}", MISSING, as_json
+        )
+    except Exception as error:
+        from sceneweaver.scene.errors import SceneWeaverError
+
+        if not isinstance(error, SceneWeaverError):
+            return _fault(error, as_json)
+        if _debugging():
+            traceback.print_exc()
+        return _fail(str(error), error.exit_code, as_json)
+
+
+def _terminated(number: int, _: object) -> None:
+    """End by an exception, so that temporary files are removed."""
+    sys.exit(128 + number)
+
+
+def _usage(error: Exception) -> str:
+    """A usage error in one line, with the command whose help explains the options."""
+    text = str(error.format_message()) if hasattr(error, "format_message") else str(error)
+    text = text.replace("Value error, ", "")  # which some versions of typer put before what is wrong
+    context = getattr(error, "ctx", None)
+    return f"{text.rstrip('.')}; see: {context.command_path if context else 'sceneweaver'} --help"
+
+
+def _fault(error: Exception, as_json: bool) -> int:
+    """Report a fault of the program itself."""
+    if _debugging():
+        traceback.print_exc()
+        hint = ""
+    else:
+        hint = "; set SCENEWEAVER_DEBUG=1 to see where"
+    return _fail(f"unexpected {type(error).__name__}: {str(error) or 'no message'}{hint}", 1, as_json)
+
+
+def _debugging() -> bool:
+    return os.environ.get("SCENEWEAVER_DEBUG", "") not in ("", "0")
+
+
+def _fail(text: str, code: int, as_json: bool) -> int:
+    line = " ".join(text.split())
+    typer.echo(f"sceneweaver: {line}", err=True)
+    if as_json:
+        typer.echo(json.dumps({"error": line, "exit_code": code}, ensure_ascii=False))
+    return code

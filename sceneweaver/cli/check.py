@@ -1,0 +1,43 @@
+"""``sceneweaver check``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import typer
+
+from sceneweaver.scene import InputError, Scene, write_atomic
+
+from .app import NOT_VALID
+from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line
+from .render import require_png
+
+
+def run_check(source: Path, *, as_json: bool, metrics: Path | None, meshes: Path | None, picture: Path | None) -> int:
+    """Judge a scene file."""
+    if picture is not None:
+        require_png(picture, "--picture")
+    if meshes is not None and not meshes.is_dir():
+        raise InputError(f"--meshes: {meshes} is no folder; give the one that holds the mesh files")
+    scene = Scene.load(source)
+    from sceneweaver.verify import check
+
+    with no_chatter():
+        report = check(scene, meshes=meshes)
+    if metrics is not None:
+        write_atomic(metrics, report.to_json() + "\n")
+    if picture is not None:
+        from sceneweaver.render import save_top
+
+        save_top(scene, picture, violations=report.violations, valid=report.valid)
+    if as_json:
+        print_json(report.to_dict())
+        return 0 if report.valid else NOT_VALID
+    headline(scene.id, report.valid, f"{report.placed} of {report.requested} objects, {relations_line(report)}")
+    list_violations(report)
+    if report.walkable_share is not None and report.reachable_share is not None:
+        typer.echo(f"  {report.walkable_share:.0%} of the floor walkable, {report.reachable_share:.0%} of it in reach")
+    for warning in report.warnings:
+        typer.echo(f"  note: {warning}")
+    list_files([path for path in (metrics, picture) if path is not None])
+    return 0 if report.valid else NOT_VALID

@@ -1,0 +1,149 @@
+"""Results of commands: files that appear whole or not at all, progress on stderr, a few lines on stdout."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import json
+import os
+import shutil
+import sys
+import tempfile
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import typer
+
+from sceneweaver.scene import InputError
+
+if TYPE_CHECKING:
+    from sceneweaver.verify import Report
+
+Progress = Callable[[int, int, int, float], None]
+
+_GREETING = "Warp CUDA warning: Could not find or load the NVIDIA CUDA driver"
+
+MOST_LISTED = 20
+"""Violations that are listed on a terminal; files and --json have them all."""
+
+
+@contextlib.contextmanager
+def staged(folder: Path, names: Sequence[str]) -> Iterator[Path]:
+    """A temporary folder whose files ``names`` are moved to ``folder`` when the block ends without an error.
+
+    Before the block runs, it is certain that ``folder`` can be made and written to. After an error it is as before.
+
+    Raises:
+        InputError: when ``folder`` is a file, one of the names is a folder, or nothing can be written there.
+    """
+    parent = folder
+    while not parent.exists() and parent != parent.parent:
+        parent = parent.parent
+    if not parent.is_dir():
+        raise InputError(f"{parent}: this is a file, so no folder {folder} can be; choose another place")
+    for name in names:
+        if (folder / name).is_dir():
+            raise InputError(f"{folder / name}: this is a folder; remove it or choose another place")
+    try:
+        temporary = Path(tempfile.mkdtemp(prefix=".sceneweaver-", dir=parent))
+    except OSError as error:
+        raise InputError(f"{folder}: cannot be written ({error.strerror}); choose another place") from None
+    try:
+        yield temporary
+        for name in names:
+            if (temporary / name).exists():
+                (folder / name).parent.mkdir(parents=True, exist_ok=True)
+                os.replace(temporary / name, folder / name)
+    except OSError as error:
+        raise InputError(f"{folder}: cannot be written ({error.strerror or error}); choose another place") from None
+    finally:
+        shutil.rmtree(temporary, ignore_errors=True)
+
+
+@contextlib.contextmanager
+def progress_bar(text: str, total: int) -> Iterator[Progress | None]:
+    """A bar on stderr for a terminal; None, which means no progress, for anything else."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+    columns = (
+        SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
+        TextColumn("{task.fields[valid]} valid"), TimeElapsedColumn(),
+    )  # fmt: skip
+    # A handle of its own: `no_chatter` takes the usual one away.
+    with open(os.dup(sys.stderr.fileno()), "w", encoding="utf-8") as terminal:
+        console = Console(file=terminal)
+        with Progress(*columns, console=console, transient=True, redirect_stdout=False, redirect_stderr=False) as bar:
+            task = bar.add_task(text, total=total, valid=0)
+
+            def report(done: int, total: int, valid: int, best: float) -> None:
+                bar.update(task, completed=done, total=total, valid=valid)
+
+            yield report
+
+
+@contextlib.contextmanager
+def no_chatter() -> Iterator[None]:
+    """Keep what libraries say, also from C, off stdout, which belongs to the results; and Warp's greeting off stderr.
+
+    A machine without a GPU is no cause for a warning. With SCENEWEAVER_DEBUG everything is shown.
+    """
+    if os.environ.get("SCENEWEAVER_DEBUG"):
+        yield
+        return
+    sys.stdout.flush()
+    sys.stderr.flush()
+    out, err = os.dup(1), os.dup(2)
+    with tempfile.TemporaryFile() as said, contextlib.redirect_stdout(io.StringIO()):
+        try:
+            with open(os.devnull, "wb") as nowhere:
+                os.dup2(nowhere.fileno(), 1)
+            os.dup2(said.fileno(), 2)
+            yield
+        finally:
+            sys.stderr.flush()
+            os.dup2(out, 1)
+            os.dup2(err, 2)
+            os.close(out)
+            os.close(err)
+            said.seek(0)
+            for line in said.read().decode(errors="replace").splitlines():
+                if line.strip() and not line.startswith(_GREETING):
+                    typer.echo(line, err=True)
+
+
+def print_json(data: dict[str, Any]) -> None:
+    """One JSON object on stdout."""
+    typer.echo(json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False))
+
+
+def headline(name: str, valid: bool, facts: str) -> None:
+    """The line that says whether a scene is valid."""
+    typer.secho("valid" if valid else "not valid", fg="green" if valid else "red", bold=True, nl=False)
+    typer.echo(f"  {name}: {facts}")
+
+
+def relations_line(report: Report) -> str:
+    """How many relations hold."""
+    hard, soft = report.relations.hard, report.relations.soft
+    text = f"{hard.satisfied} of {hard.total} hard relations hold"
+    return text + (f", {soft.satisfied} of {soft.total} soft" if soft.total else "")
+
+
+def list_violations(report: Report) -> None:
+    """What is wrong, a line each; soft relations last."""
+    found = sorted(report.violations, key=lambda v: v.kind == "soft_relation")
+    for violation in found[:MOST_LISTED]:
+        typer.echo(f"  {violation.kind:<15}  {violation.detail or ', '.join(violation.objects)}")
+    if len(found) > MOST_LISTED:
+        typer.echo(f"  and {len(found) - MOST_LISTED} more")
+
+
+def list_files(paths: Sequence[Path]) -> None:
+    """Where the results are."""
+    for path in paths:
+        typer.echo(f"  {path}")
