@@ -4,6 +4,6 @@ import os
 
 import warp as wp
 
-# Warp greets on first use; a library stays silent unless asked.
+# Warp reports its start, missing drivers and every compilation; a library stays silent unless asked.
 if not os.environ.get("SCENEWEAVER_DEBUG"):
-    wp.config.quiet = True
+    wp.config.log_level = wp.LOG_ERROR

@@ -201,7 +201,9 @@ def relation_energy(
     pose_b = wp.vec4(0.0, 0.0, 0.0, 0.0)
     qb = EAST
     pose_c = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    b = int(-1)
     if ids[1] >= 0:
+        b = o0 + ids[1]
         pose_b = s.poses[candidate, ids[1]]
         qb = s.turns[candidate, ids[1]]
     if ids[2] >= 0:
@@ -209,7 +211,7 @@ def relation_energy(
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
     for row in range(t[0].row_start[option], t[0].row_start[option + 1]):
-        value, slope = feature(t, row, role, o0 + ids[0], o0 + ids[1], pose_a, qa, pose_b, qb, pose_c)
+        value, slope = feature(t, row, role, o0 + ids[0], b, pose_a, qa, pose_b, qb, pose_c)
         off, sign = outside(value, t[0].row_aim[row])
         scale = t[0].row_scale[row]
         de, dv = penalty(off * scale, w.knee)

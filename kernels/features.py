@@ -18,6 +18,7 @@ from .tables import (
     FEATURE_HEIGHT,
     FEATURE_LINE,
     FEATURE_SPREAD,
+    FEATURE_USER,
     FEATURE_WINDOW,
     FEATURE_YAW,
     TablesRef,
@@ -26,6 +27,7 @@ from .tables import (
 wp.set_module_options({"enable_backward": False})
 
 TURN = wp.constant(6.283185307179586)
+STEP = wp.constant(2.0e-3)  # [m, rad] of central differences: float32 keeps four digits of the slope
 TINY = wp.constant(1.0e-8)  # [m2] keeps angles about a coinciding centre finite
 
 
@@ -182,6 +184,32 @@ def spread_feature(t: TablesRef, row: wp.int32, role: wp.int32, pa: wp.vec2, pb:
     return value, wp.vec4(g[0], g[1], 0.0, 0.0)
 
 
+@wp.func
+def user_value(kind: wp.int32, a: wp.vec4, b: wp.vec4, size_a: wp.vec3, size_b: wp.vec3, p: wp.vec4):
+    """Residual of a user's relation; `user.py` puts the registered ones here."""
+    return float(0.0)
+
+
+@wp.func(inline=False)
+def user_feature(
+    kind: wp.int32, role: wp.int32, a: wp.vec4, b: wp.vec4, size_a: wp.vec3, size_b: wp.vec3, p: wp.vec4
+):
+    """A user's residual and its gradient by central differences (Warp cannot differentiate inside nested functions)."""
+    grad = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    for c in range(4):
+        h = wp.vec4(0.0, 0.0, 0.0, 0.0)
+        h[c] = STEP
+        if role == 0:
+            up = user_value(kind, a + h, b, size_a, size_b, p)
+            down = user_value(kind, a - h, b, size_a, size_b, p)
+            grad[c] = (up - down) / (2.0 * STEP)
+        else:
+            up_b = user_value(kind, a, b + h, size_a, size_b, p)
+            down_b = user_value(kind, a, b - h, size_a, size_b, p)
+            grad[c] = (up_b - down_b) / (2.0 * STEP)
+    return user_value(kind, a, b, size_a, size_b, p), grad
+
+
 @wp.func(inline=False)
 def feature(
     t: TablesRef,
@@ -227,4 +255,13 @@ def feature(
         value, grad = spread_feature(t, row, role, pa, pb, pc)
     elif kind == FEATURE_CONSTANT:
         value = t[0].row_offset[row]
+    elif kind >= FEATURE_USER:
+        u = t[0].row_point[row]
+        v = t[0].row_normal[row]
+        size_b = wp.vec3(0.0, 0.0, 0.0)
+        if b >= 0:
+            size_b = t[0].object_size[b]
+        value, grad = user_feature(
+            kind, role, pose_a, pose_b, t[0].object_size[a], size_b, wp.vec4(u[0], u[1], v[0], v[1])
+        )
     return value, grad

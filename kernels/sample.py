@@ -153,7 +153,9 @@ def project_option(
     pose_b = wp.vec4(0.0, 0.0, 0.0, 0.0)
     qb = EAST
     pose_c = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    b = int(-1)
     if ids[1] >= 0:
+        b = o0 + ids[1]
         pose_b = s.poses[candidate, ids[1]]
         qb = s.turns[candidate, ids[1]]
     if ids[2] >= 0:
@@ -162,7 +164,7 @@ def project_option(
     for row in range(t[0].row_start[option], t[0].row_start[option + 1]):
         kind = t[0].row_feature[row]
         if kind != FEATURE_CONSTANT:
-            value, g = feature(t, row, 0, o, o0 + ids[1], pose, q, pose_b, qb, pose_c)
+            value, g = feature(t, row, 0, o, b, pose, q, pose_b, qb, pose_c)
             off, _sign = outside(value, t[0].row_aim[row])
             if off > 0.0 or fresh == 1:
                 aim = t[0].row_aim[row]

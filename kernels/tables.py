@@ -36,6 +36,7 @@ FEATURE_BETWEEN = 7
 FEATURE_ASIDE = 8
 FEATURE_SPREAD = 9
 FEATURE_CONSTANT = 10
+FEATURE_USER = 16  # and above: residuals registered by the user
 
 
 @wp.struct

@@ -131,14 +131,16 @@ def option_holds(
     pose_b = wp.vec4(0.0, 0.0, 0.0, 0.0)
     qb = EAST
     pose_c = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    b = int(-1)
     if ids[1] >= 0:
+        b = o0 + ids[1]
         pose_b = poses[candidate, ids[1]]
         qb = turns[candidate, ids[1]]
     if ids[2] >= 0:
         pose_c = poses[candidate, ids[2]]
     for row in range(t[0].row_start[option], t[0].row_start[option + 1]):
         value, _g = feature(
-            t, row, 0, o0 + ids[0], o0 + ids[1], poses[candidate, ids[0]], turns[candidate, ids[0]], pose_b, qb, pose_c
+            t, row, 0, o0 + ids[0], b, poses[candidate, ids[0]], turns[candidate, ids[0]], pose_b, qb, pose_c
         )
         hold = t[0].row_hold[row]
         if value < hold[0] or value > hold[1]:

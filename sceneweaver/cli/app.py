@@ -73,7 +73,7 @@ def _seconds(value: float | None) -> float | None:
 
 Input = Annotated[Path, typer.Argument(metavar="IN", help="A scene.json.", show_default=False)]
 Candidates = Annotated[int, typer.Option(min=1, help="How many layouts are refined at once.")]
-Seed = Annotated[int, typer.Option(min=0, max=2**31 - 1, help="Equal seeds give equal results.")]
+Seed = Annotated[int, typer.Option(min=0, max=2**32 - 1, help="Equal seeds give equal results.")]
 Device = Annotated[str, typer.Option(callback=_device, metavar="auto|cpu|cuda[:k]", help="Where to compute.")]
 TimeLimit = Annotated[
     float | None, typer.Option(callback=_seconds, help="Stop after this many seconds.", show_default=False)
@@ -188,13 +188,15 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         code = typer.main.get_command(app).main(args=args or ["--help"], prog_name="sceneweaver", standalone_mode=False)
         sys.stdout.flush()
+        if code == INTERRUPTED:  # so some versions of typer report Ctrl-C
+            raise KeyboardInterrupt
         return code if isinstance(code, int) else 0
     except (KeyboardInterrupt, typer.Abort):
-        return _fail("interrupted; nothing was written", INTERRUPTED, as_json)
+        return _fail("interrupted", INTERRUPTED, as_json)
     except BrokenPipeError:
-        # Who reads our output has gone, as in `sceneweaver check --json | head`; keep the exit quiet.
+        # Who reads our output has gone, as in `sceneweaver check --json | head`: typer ends with 1, quietly, as well.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 128 + signal.SIGPIPE
+        return 1
     except _UsageError as error:
         return _fail(_usage(error), getattr(error, "exit_code", USAGE), as_json)
     except ModuleNotFoundError as error:
@@ -220,7 +222,7 @@ def _terminated(number: int, _: object) -> None:
 
 def _usage(error: Exception) -> str:
     """A usage error in one line, with the command whose help explains the options."""
-    text = str(error.format_message()) if hasattr(error, "format_message") else str(error)
+    text = getattr(error, "format_message", error.__str__)()
     text = text.replace("Value error, ", "")  # which some versions of typer put before what is wrong
     context = getattr(error, "ctx", None)
     return f"{text.rstrip('.')}; see: {context.command_path if context else 'sceneweaver'} --help"

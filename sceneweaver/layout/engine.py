@@ -30,7 +30,7 @@ def pick_device(device: str) -> str:
     Raises:
         InputError: not a device name. MissingDependencyError: a GPU that is not there.
     """
-    quiet()
+    wp.init()
     if device == "auto":
         return "cuda:0" if wp.is_cuda_available() else "cpu"
     if device == "cpu":
@@ -45,10 +45,6 @@ def pick_device(device: str) -> str:
     return f"cuda:{int(index or 0)}"
 
 
-def quiet() -> None:
-    """Keep Warp's start-up notes off the terminal."""
-    wp.config.quiet = True
-    wp.init()
 
 
 def refine(

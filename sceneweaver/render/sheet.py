@@ -53,7 +53,7 @@ def draw_title(width: int, unit: float, title: str, facts: str, prompt: str, ver
 def axes_at(view: View, bounds: Bounds, unit: float) -> Point:
     """Where the rules cross: the pixel column of the left one and the row of the lower one."""
     left, bottom = view.point((bounds.x0, bounds.y0))
-    return left - 34 * unit, bottom + 34 * unit
+    return left - 56 * unit, bottom + 34 * unit
 
 
 def draw_axes(canvas: Canvas, view: View, inner: Bounds, bounds: Bounds, unit: float) -> None:

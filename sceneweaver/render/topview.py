@@ -111,7 +111,7 @@ def _draw_sheet(
     room = scene.room
     items = plan_objects.items_of(scene)
     alarmed = frozenset(name for v in violations for name in v.objects)
-    view, size = _view(scene, items, width, 112 * unit, 64 * unit, 44 * unit, 84 * unit)
+    view, size = _view(scene, items, width, 124 * unit, 68 * unit, 44 * unit, 84 * unit)
     canvas = Canvas(*size, palette.PAPER)
     floor, outer = view.points(room.outline), view.points(outer_outline(room))
 

@@ -6,6 +6,8 @@ that parts A and B. Solids are manifold3d's.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import combinations, product
 from typing import Any
 
 import numpy as np
@@ -14,6 +16,12 @@ from sceneweaver.verify.solids import Array
 
 EXACT_POINTS = 20_000
 """Vertex pairs up to which the Minkowski difference is built; larger hulls use the face normals of both only."""
+
+MAIN_NORMALS = 4
+"""Normals of a shared solid along which touching meshes are parted."""
+
+CONVEX_SHARE = 0.9
+"""Share of its hull's volume from which a solid counts as convex."""
 
 
 def hull_vertices(points: Array) -> Array:
@@ -80,44 +88,52 @@ def shared_volume(a: Any, b: Any) -> float:
 def separable(a: Any, b: Any, by: float, allowed: float) -> bool:
     """Whether moving manifold ``a`` by ``by`` metres in some direction leaves at most ``allowed`` m3 shared with ``b``.
 
-    The directions tried are the normals of the shared pieces, the sums of those of different pieces, and the axes:
-    enough for faces that touch. Used for concave meshes, whose hulls overlap where they themselves only touch.
+    The directions tried are the main normals of what they share and the sums of two and three of them, which is enough
+    for faces that touch. Used for concave meshes, whose hulls overlap where they themselves only touch.
     """
-    axes = [_thinnest(piece) for piece in (a ^ b).decompose()]
-    thin = [n for n, width in axes if width <= by]
-    if len(thin) < len(axes):
+    shared = a ^ b
+    if shared.volume() > by * shared.surface_area() / 2:  # thicker than ``by`` on average, seen from any side
         return False
-    tried = _directions(thin)
-    return any(shared_volume(a.translate(tuple(by * d)), b) <= allowed for d in tried)
+    axes = _main_normals(shared)
+    return any(shared_volume(a.translate(tuple(by * d)), b) <= allowed for d in _directions(axes))
 
 
-def thickness(piece: Any) -> float:
-    """Largest over the connected parts of a manifold of the least width [m]."""
-    return max((_thinnest(p)[1] for p in piece.decompose()), default=0.0)
+def thickness(shared: Any) -> float:
+    """Depth [m] of a shared solid by its thickest connected piece: its least width, or the mean one if it is bent."""
+    deepest = 0.0
+    for piece in shared.decompose():
+        points = np.asarray(piece.to_mesh64().vert_properties)[:, :3]
+        axes = np.concatenate([_normals(points), np.eye(3)])
+        projected = points @ axes.T
+        width = float((projected.max(axis=0) - projected.min(axis=0)).min())
+        if piece.volume() < CONVEX_SHARE * solid(points).volume():
+            width = min(width, 2 * piece.volume() / piece.surface_area())
+        deepest = max(deepest, width)
+    return deepest
 
 
-def _thinnest(piece: Any) -> tuple[Array, float]:
-    """Face normal of the hull of ``piece`` along which it is thinnest, and that width [m]."""
-    points = np.asarray(piece.to_mesh64().vert_properties)[:, :3]
-    axes = np.concatenate([_normals(points), np.eye(3)])
-    projected = points @ axes.T
-    widths = projected.max(axis=0) - projected.min(axis=0)
-    best = int(widths.argmin())
-    return axes[best], float(widths[best])
+def _main_normals(shared: Any) -> list[Array]:
+    """Up to `MAIN_NORMALS` unit normals of a solid's surface, those with the most area first, either sense once."""
+    mesh = shared.to_mesh64()
+    corners = np.asarray(mesh.vert_properties)[:, :3][np.asarray(mesh.tri_verts)]
+    cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    area = np.linalg.norm(cross, axis=1)
+    cross, area = cross[area > 0], area[area > 0]
+    found: list[Array] = []
+    while len(area) and len(found) < MAIN_NORMALS:
+        normals = cross / area[:, None]
+        alike = np.abs(normals @ normals[area.argmax()]) > 0.999
+        found.append(normals[area.argmax()])
+        cross, area = cross[~alike], area[~alike]
+    return found
 
 
-def _directions(normals: list[Array]) -> list[Array]:
-    """Both senses of each distinct normal, and of the sums of two and three of them, as unit vectors."""
-    distinct: list[Array] = []
-    for n in normals:
-        if all(abs(float(n @ m)) < 0.999 for m in distinct):
-            distinct.append(n)
-    out = [s * n for n in distinct for s in (1.0, -1.0)]
-    for depth_of in range(2, min(3, len(distinct)) + 1):
-        first = distinct[:3]
-        for signs in np.ndindex(*(2,) * depth_of):
-            total = sum((1 - 2 * s) * n for s, n in zip(signs, first, strict=False))
-            length = float(np.linalg.norm(total))
-            if length > 1e-9:
-                out.append(np.asarray(total) / length)
-    return out
+def _directions(axes: list[Array]) -> Iterator[Array]:
+    """Both senses of every axis, then of all sums of two and three axes, as unit vectors."""
+    for count in (1, 2, 3):
+        for chosen in combinations(axes, count):
+            for signs in product((1.0, -1.0), repeat=count):
+                total = np.sum([s * n for s, n in zip(signs, chosen, strict=True)], axis=0)
+                length = float(np.linalg.norm(total))
+                if length > 1e-6:
+                    yield total / length

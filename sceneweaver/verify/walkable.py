@@ -43,7 +43,7 @@ class Access(NamedTuple):
     ``reachable``: of the objects that stand on the floor, the share with a functional side within 0.55 m of a cell that
     can be reached from some door; 1 when there are none. The functional sides of an object are its front face and its
     hard zones (their convex hulls); for the two objects of a `TUCKED` relation and for what is walked on, its whole
-    footprint.
+    footprint. The distance is that in the plane, whatever stands in between.
     """
 
     walkable: float

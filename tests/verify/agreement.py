@@ -311,10 +311,11 @@ def at_threshold(scene: Json, fact: Fact, judge: Callable[[Json], set[Fact]] = b
     for name in {n for n in fact if n in ids}:
         pose = ids[name]["pose"]
         x, y, z = pose["position"]
-        half = math.atan2(pose["quaternion"][2], pose["quaternion"][3])
+        qx, qy, qz, qw = pose["quaternion"]
         moves = product((-NEAR_M, 0, NEAR_M), (-NEAR_M, 0, NEAR_M), (0,), (-step, 0, step))
         for dx, dy, dz, turn in (*moves, (0, 0, NEAR_M, 0), (0, 0, -NEAR_M, 0)):
-            quaternion = [0.0, 0.0, math.sin(half + turn), math.cos(half + turn)]
+            c, s = math.cos(turn), math.sin(turn)
+            quaternion = [c * qx - s * qy, c * qy + s * qx, c * qz + s * qw, c * qw - s * qz]
             moved = {**ids[name], "pose": {"position": [x + dx, y + dy, z + dz], "quaternion": quaternion}}
             objects = [moved if o["id"] == name else o for o in scene["objects"]]
             if (fact in judge({**scene, "objects": objects})) != before:

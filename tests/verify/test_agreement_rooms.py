@@ -22,7 +22,7 @@ def agreement() -> Agreement:
 def test_same_verdicts(agreement):
     print(f"{agreement.layouts} layouts, {len(agreement.near)} verdicts differ at a threshold")
     assert not agreement.wrong
-    assert len(agreement.near) <= agreement.layouts / 200
+    assert len(agreement.near) <= agreement.layouts / 100
 
 
 @pytest.mark.parametrize("kind", [*CATEGORIES, *ORACLE_TYPES])

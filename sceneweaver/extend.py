@@ -1,0 +1,71 @@
+"""Relations of your own: one call enters them in the catalogue, the engine and the judge."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from sceneweaver.layout.user import WIDTH, enter_relation, leave_relation
+from sceneweaver.scene import InputError, ParamSpec, RelationSpec, SceneObject
+from sceneweaver.scene.catalogue import CATALOGUE, register_relation, unregister_relation
+from sceneweaver.verify.relations import JUDGES, register_judge
+
+Predicate = Callable[[SceneObject, SceneObject | None, Mapping[str, float]], bool]
+
+
+def define_relation(
+    name: str,
+    *,
+    residual: Any,
+    holds: Predicate,
+    params: Mapping[str, float] | None = None,
+    target: str = "object",
+    scale: float = 1.0,
+    ties_zones: bool = False,
+    description: str = "",
+) -> None:
+    """Define a relation type; scenes may use it from then on, on CPU and CUDA.
+
+    Args:
+        name: the relation's ``type``.
+        residual: a ``wp.func`` ``f(a, b, size_a, size_b, p)`` of the poses (``wp.vec4`` x, y, z, yaw), the sizes
+            (``wp.vec3``) and the params (``wp.vec4``), that is at most 0 where the relation holds and grows smoothly
+            with what is missing. Without a target b is zero.
+        holds: the judge's own test in Python: ``holds(subject, target, params) -> bool``.
+        params: up to four numbers with their defaults, in the order in which they reach the residual.
+        target: "object" or "none".
+        scale: metres that a unit of the residual counts as.
+        ties_zones: True exempts the two objects from each other's hard zones.
+
+    Raises:
+        InputError: the name is taken, the residual does not compile, or its gradient is wrong.
+    """
+    defaults = dict(params or {})
+    if len(defaults) > WIDTH:
+        raise InputError(f'relation "{name}": {len(defaults)} params; at most {WIDTH} reach a residual')
+    if target not in ("object", "none"):
+        raise InputError(f'relation "{name}": target "{target}" is not "object" or "none"')
+    if not scale > 0:
+        raise InputError(f'relation "{name}": scale {scale!r} is not a positive number')
+    if name in CATALOGUE:
+        raise InputError(f'relation "{name}" is there already; choose another name')
+    enter_relation(name, residual, scale)
+    specs = {k: ParamSpec(k, "number", float(v), "", "") for k, v in defaults.items()}
+    register_relation(RelationSpec(name, description, target=target, params=specs, ties_zones=ties_zones))
+
+    def judge(case: Any) -> bool:
+        numbers = {k: case.number(k) for k in defaults}
+        return bool(holds(case.subject.item, case.target.item if case.target else None, numbers))
+
+    register_judge(name, judge)
+
+
+def undefine_relation(name: str) -> None:
+    """Take back a relation defined here.
+
+    Raises:
+        InputError: it is built in or unknown.
+    """
+    unregister_relation(name)
+    del JUDGES[name]
+    leave_relation(name)

@@ -1,0 +1,74 @@
+"""What ``import sceneweaver`` offers, and that it costs little."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import sceneweaver
+
+PUBLIC = [
+    "Dropped",
+    "InputError",
+    "MissingDependencyError",
+    "Pose",
+    "Relation",
+    "Report",
+    "Room",
+    "Scene",
+    "SceneObject",
+    "SceneWeaverError",
+    "Solution",
+    "Violation",
+    "__version__",
+    "check",
+    "draw_top",
+    "refine",
+    "refine_many",
+]
+
+
+def test_the_public_names_are_these():
+    assert sceneweaver.__all__ == PUBLIC
+    assert set(PUBLIC) <= set(dir(sceneweaver))
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_every_public_name_is_there(name):
+    value = getattr(sceneweaver, name)
+    assert value is getattr(sceneweaver, name)
+    if name != "__version__":
+        assert value.__name__ == name and value.__doc__
+
+
+def test_type_checkers_see_the_same_names():
+    text = Path(sceneweaver.__file__).read_text()
+    block = text.partition("if TYPE_CHECKING:")[2].partition("__all__")[0]
+    assert sorted({*re.findall(r"import (\w+) as \1", block), "__version__"}) == PUBLIC
+    assert sorted({*sceneweaver._HOME, "__version__"}) == PUBLIC
+
+
+def test_an_unknown_name_is_an_attribute_error():
+    with pytest.raises(AttributeError, match="no attribute 'refin'"):
+        _ = sceneweaver.refin
+
+
+def test_the_version_is_that_of_the_distribution():
+    assert sceneweaver.__version__ == importlib.metadata.version("sceneweaver")
+
+
+def test_importing_is_light(tmp_path):
+    code = (
+        "import json, sys, time; t = time.perf_counter(); import sceneweaver; t = time.perf_counter() - t;"
+        "print(json.dumps([t, sorted({m.partition('.')[0] for m in sys.modules})]))"
+    )
+    ended = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True)
+    seconds, modules = json.loads(ended.stdout)
+    heavy = {"warp", "shapely", "jax", "mujoco", "pxr", "trimesh", "numpy", "pydantic", "PIL", "typer", "rich"}
+    assert seconds < 0.3 and not heavy & set(modules)
