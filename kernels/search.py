@@ -8,8 +8,9 @@ them anew for every relation that it touches. Energies are local: a move costs w
 import warp as wp
 
 from .energy import object_energy
-from .geometry import FAR, perp, plane_of, turn
+from .geometry import FAR, perp, plane_of, turn, wrap
 from .sample import (
+    QUARTER,
     best_option,
     carry,
     keep_inside,
@@ -25,6 +26,7 @@ from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, State, TablesRef, Wei
 wp.set_module_options({"enable_backward": False})
 
 SOLVED = wp.constant(1.0e-9)
+ALMOST_SQUARE = wp.constant(0.2)  # [rad]
 
 
 @wp.struct
@@ -238,6 +240,24 @@ def descend(
 
 
 @wp.func(inline=False)
+def square_up(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, s: State):
+    """Turn an object that stands almost square to the room fully square, unless that costs anything."""
+    o = t[0].object_start[p] + root
+    if (t[0].object_free[o] & FREE_YAW) == 0 or t[0].plane_start[p + 1] == t[0].plane_start[p]:
+        return
+    plane = t[0].plane[t[0].plane_start[p]]
+    old = s.poses[candidate, root]
+    off = wrap(old[3] - wp.atan2(plane[1], plane[0]), QUARTER)
+    if wp.abs(off) < 1.0e-6 or wp.abs(off) > ALMOST_SQUARE:
+        return
+    before, _share, _soft, _g = members_energy(t, m, w, p, candidate, root, s)
+    carry(t, t[0].object_start[p], s, candidate, root, wp.vec4(old[0], old[1], old[2], old[3] - off), 0)
+    after, _share2, _soft2, _g2 = members_energy(t, m, w, p, candidate, root, s)
+    if after > before:
+        carry(t, t[0].object_start[p], s, candidate, root, old, 0)
+
+
+@wp.func(inline=False)
 def survey(
     t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, s: State, energy: wp.array2d(dtype=wp.float32)
 ):
@@ -423,4 +443,8 @@ def search(
         all, soft = survey(t, m, w, p, candidate, s, energy_out)
         total = all
         done = all <= SOLVED
+    if done:
+        for obj in range(n):
+            if t[0].object_free[o0 + obj] != 0:
+                square_up(t, m, w, p, candidate, obj, s)
     total_out[candidate] = total
