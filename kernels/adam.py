@@ -6,8 +6,8 @@ of threads does not matter and nothing is summed across threads.
 
 import warp as wp
 
+from .energy import TURN
 from .geometry import perp, plane_of, wrap
-from .energy import TURN, object_energy
 from .sample import best_option
 from .search import members_energy
 from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, State, TablesRef, Weights

@@ -10,12 +10,12 @@ import warp as wp
 from .features import TURN, feature
 from .geometry import FAR, discs_apart, perp, plane_of, separation, turn, wrap
 from .tables import (
+    FIXTURE_SOLID,
     FREE_Z,
     PAIR_COLLIDE,
     PAIR_RIGID,
     PAIR_ZONE_OF_FIRST,
     PAIR_ZONE_OF_SECOND,
-    FIXTURE_SOLID,
     Margins,
     State,
     TablesRef,
@@ -174,9 +174,8 @@ def room_energy(t: TablesRef, m: Margins, w: Weights, p: wp.int32, o: wp.int32, 
                 e += weight * es
                 g += weight * gs
     if t[0].object_free[o] & FREE_Z:
-        off, slope = outside(
-            pose[2], wp.vec2(m.bounds_aim - t[0].object_z[o][0], t[0].room_height[p] - t[0].object_z[o][1] - m.bounds_aim)
-        )
+        z = t[0].object_z[o]
+        off, slope = outside(pose[2], wp.vec2(m.bounds_aim - z[0], t[0].room_height[p] - z[1] - m.bounds_aim))
         dz, dzv = penalty(off, w.knee)
         e += w.bounds * dz
         g += wp.vec4(0.0, 0.0, w.bounds * dzv * slope, 0.0)

@@ -10,7 +10,6 @@ import warp as wp
 from .energy import EAST, outside, relation_energy
 from .features import TURN, feature
 from .geometry import plane_of, turn, wrap
-
 from .tables import (
     FEATURE_BEARING,
     FEATURE_CONSTANT,

@@ -259,7 +259,13 @@ def square_up(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.i
 
 @wp.func(inline=False)
 def survey(
-    t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, s: State, energy: wp.array2d(dtype=wp.float32)
+    t: TablesRef,
+    m: Margins,
+    w: Weights,
+    p: wp.int32,
+    candidate: wp.int32,
+    s: State,
+    energy: wp.array2d(dtype=wp.float32),
 ):
     """Energy of every root into ``energy``; returns the candidate's total and the soft part of it."""
     o0 = t[0].object_start[p]
@@ -319,7 +325,10 @@ def make_move(
     level: wp.float32,
     proposals: wp.int32,
 ):
-    """One move: pick the object on which the mark falls when energies are laid end to end, draw poses, take the best."""
+    """One move: pick an object, draw poses for it, take the best.
+
+    The mark picks: energies laid end to end, it falls on the object to move, or rather on what that is placed by.
+    """
     o0 = t[0].object_start[p]
     left = mark
     obj = int(-1)
@@ -433,7 +442,8 @@ def search(
         heat = budget.hot * level * level
         if lingered > 0:
             heat = 0.0
-        make_move(t, m, w, p, candidate, s, trial, energy_out, uniform(s, candidate) * sum, heat, level, budget.proposals)
+        mark = uniform(s, candidate) * sum
+        make_move(t, m, w, p, candidate, s, trial, energy_out, mark, heat, level, budget.proposals)
     for _sweep in range(budget.polish):
         if done:
             break

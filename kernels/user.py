@@ -11,6 +11,7 @@ import importlib
 import pkgutil
 from pathlib import Path
 
+import numpy as np
 import warp as wp
 
 from . import features
@@ -35,6 +36,39 @@ def unregister_residual(name: str) -> None:
     """Take a residual out again; those registered after it change their codes."""
     del _residuals[name]
     _rebuild()
+
+
+def probe_gradients(residual: wp.Function, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Gradients [K, 4] of a residual for the poses a [K, 4], beside those b: Warp's own, and the engine's."""
+    @wp.kernel(module="unique", enable_backward=False)
+    def probe(
+        # State in:
+        a: wp.array(dtype=wp.vec4),
+        b: wp.array(dtype=wp.vec4),
+        # State out:
+        exact_out: wp.array(dtype=wp.vec4),
+        near_out: wp.array(dtype=wp.vec4),
+    ):
+        i = wp.tid()
+        size_a = wp.vec3(0.6, 0.8, 0.9)
+        size_b = wp.vec3(0.5, 1.1, 0.7)
+        p = wp.vec4(0.5, 0.5, 0.5, 0.5)
+        ga, _gb, _sa, _sb, _p = wp.grad(residual)(a[i], b[i], size_a, size_b, p)
+        exact_out[i] = ga
+        g = wp.vec4(0.0, 0.0, 0.0, 0.0)
+        for c in range(4):
+            h = wp.vec4(0.0, 0.0, 0.0, 0.0)
+            h[c] = features.STEP
+            up = residual(a[i] + h, b[i], size_a, size_b, p)
+            down = residual(a[i] - h, b[i], size_a, size_b, p)
+            g[c] = (up - down) / (2.0 * features.STEP)
+        near_out[i] = g
+
+    count = len(a)
+    inputs = [wp.array(x, dtype=wp.vec4, device="cpu") for x in (a, b)]
+    outputs = [wp.zeros(count, dtype=wp.vec4, device="cpu") for _ in "ab"]
+    wp.launch(probe, count, inputs, outputs, device="cpu")
+    return outputs[0].numpy(), outputs[1].numpy()
 
 
 def _link(residual: wp.Function, before: wp.Function, code: int) -> wp.Function:

@@ -9,10 +9,10 @@ from .energy import EAST, gate
 from .features import feature
 from .geometry import discs_apart, plane_of, separation, turn
 from .tables import (
+    FIXTURE_SOLID,
     PAIR_COLLIDE,
     PAIR_ZONE_OF_FIRST,
     PAIR_ZONE_OF_SECOND,
-    FIXTURE_SOLID,
     Margins,
     TablesRef,
 )

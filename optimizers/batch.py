@@ -17,8 +17,9 @@ from sceneweaver.kernels.verdict import judge_candidates, judge_objects, judge_r
 class Batch:
     """Candidates of one or several problems.
 
-    ``tables`` is an array of one ``Tables``, ``keep`` what keeps its arrays alive; ``problem`` [B] int32 says which problem a candidate belongs to; ``state`` holds poses [B, N, 4] and the rest;
-    N and R are the largest counts of objects and relations of any problem.
+    ``tables`` is an array of one ``Tables``, ``keep`` what keeps its arrays alive. ``problem`` [B] int32 says which
+    problem a candidate belongs to; ``state`` holds poses [B, N, 4] and the rest; N and R are the largest counts of
+    objects and relations of any problem.
     """
 
     tables: wp.array
@@ -95,9 +96,7 @@ def load_poses(batch: Batch, poses: np.ndarray) -> None:
     padded[:, : poses.shape[1]] = poses
     batch.state.poses.assign(padded)
     batch.state.anchors.assign(padded)
-    wp.launch(
-        set_turns, batch.state.poses.shape, [batch.state.poses], [batch.state.turns], device=batch.device
-    )
+    wp.launch(set_turns, batch.state.poses.shape, [batch.state.poses], [batch.state.turns], device=batch.device)
 
 
 def judge(batch: Batch, active: wp.array | None = None) -> Verdict:

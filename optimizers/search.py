@@ -90,5 +90,9 @@ def _restore(batch: Batch, best, left: np.ndarray) -> None:
     zero = wp.zeros(batch.size, dtype=wp.float32, device=batch.device)
     huge = wp.full(batch.size, float("inf"), dtype=wp.float32, device=batch.device)
     wp.launch(
-        keep_best, left.size, [batch.tables, batch.problem, active, best, zero], [batch.state, huge], device=batch.device
+        keep_best,
+        left.size,
+        [batch.tables, batch.problem, active, best, zero],
+        [batch.state, huge],
+        device=batch.device,
     )

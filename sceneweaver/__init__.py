@@ -7,6 +7,8 @@ from importlib import import_module as _import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from sceneweaver.extend import define_relation as define_relation
+    from sceneweaver.extend import undefine_relation as undefine_relation
     from sceneweaver.layout import Solution as Solution
     from sceneweaver.layout import refine as refine
     from sceneweaver.layout import refine_many as refine_many
@@ -41,9 +43,11 @@ __all__ = [
     "Violation",
     "__version__",
     "check",
+    "define_relation",
     "draw_top",
     "refine",
     "refine_many",
+    "undefine_relation",
 ]
 
 _HOME = {
@@ -60,9 +64,11 @@ _HOME = {
     "Solution": "layout",
     "Violation": "verify",
     "check": "verify",
+    "define_relation": "extend",
     "draw_top": "render",
     "refine": "layout",
     "refine_many": "layout",
+    "undefine_relation": "extend",
 }
 
 

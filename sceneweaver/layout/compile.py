@@ -83,7 +83,12 @@ def _ties(relations: Sequence[Relation], index: dict[str, int]) -> set[tuple[int
     """Pairs that may stand in each other's hard zones."""
     ties = set()
     for rel in relations:
-        if CATALOGUE[rel.type].ties_zones and isinstance(rel.target, str) and rel.target in index and rel.subject in index:
+        if (
+            CATALOGUE[rel.type].ties_zones
+            and isinstance(rel.target, str)
+            and rel.target in index
+            and rel.subject in index
+        ):
             a, b = index[rel.subject], index[rel.target]
             ties |= {(a, b), (b, a)}
     return ties
@@ -263,7 +268,9 @@ def compile_scene(scene: Scene) -> CompiledScene:
         local = relative(home[members], home[supporter][None, :])
         local[:, 2] = 0.0
         ids = {scene.objects[i].id for i in members}
-        relations = [(j, r) for j, r in enumerate(scene.relations) if r.subject in ids and _targets(r) and _targets(r) <= ids]
+        relations = [
+            (j, r) for j, r in enumerate(scene.relations) if r.subject in ids and _targets(r) and _targets(r) <= ids
+        ]
         inner |= {j for j, _ in relations}
         objects = [scene.objects[i] for i in members]
         problem = _compile(objects, local, region, relations, (), in_room=False)

@@ -14,14 +14,16 @@ from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, judge, load_poses
 from sceneweaver.optimizers.batch import Progress
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
 
+from .access import walkable_shares
 from .compile import CompiledScene, Problem, absolute, compile_scene, relative
 from .pack import margins, pack, weights
-from .solution import Solution
+from .solution import Solution, rank
 
 INITS = ("sample", "random", "current")
 BROKEN, DIVERGED = 1, 3
 POOL = 64  # layouts solved beforehand for every support surface
 POOL_SALT = 0x5EED
+WALKED = 16  # of the best candidates, how many are measured for walkable floor
 
 
 def pick_device(device: str) -> str:
@@ -43,8 +45,6 @@ def pick_device(device: str) -> str:
         found = f"{count} CUDA devices found" if count else "no CUDA device found"
         raise MissingDependencyError(f'device: "{device}" is not there ({found}); use device="cpu"')
     return f"cuda:{int(index or 0)}"
-
-
 
 
 def refine(
@@ -163,9 +163,16 @@ def solve(
             for job in group:
                 _mend_surfaces(job, device, monitor.deadline)
         sizes = [len(job.world) for job in group]
-        batch = make_batch([j.compiled.room for j in group], np.repeat(np.arange(len(group)), sizes), device, [pools[i] for i in members])
+        batch = make_batch(
+            [j.compiled.room for j in group],
+            np.repeat(np.arange(len(group)), sizes),
+            device,
+            [pools[i] for i in members],
+        )
         load_poses(batch, _stack([job.world for job in group], batch.objects))
-        batch.state.rng.assign(np.concatenate([streams(job.seed, np.arange(n)) for job, n in zip(group, sizes, strict=True)]))
+        batch.state.rng.assign(
+            np.concatenate([streams(job.seed, np.arange(n)) for job, n in zip(group, sizes, strict=True)])
+        )
         outcome = run(batch, optimizer, start, steps, monitor)
         verdict = judge(batch)
         poses = batch.state.poses.numpy()
@@ -176,12 +183,18 @@ def solve(
             final = poses[rows, : room.size].copy()
             status = verdict.status[rows].copy()
             status[(status != DIVERGED) & (room.faulty | ~_surfaces_hold(job.compiled, final, device))] = BROKEN
+            holds = verdict.holds[rows, : len(scene.relations)].copy()
+            energy = outcome.energy[rows].astype(np.float32)
+            order = rank(scene, status, holds, energy)[:WALKED]
+            walkable = np.full(n, np.nan, dtype=np.float32)
+            walkable[order] = walkable_shares(batch, room, first + order)
             solutions[i] = Solution(
                 source=scene,
                 poses=final,
                 status=status,
-                relations=verdict.holds[rows, : len(scene.relations)].copy(),
-                energy=outcome.energy[rows].astype(np.float32),
+                relations=holds,
+                energy=energy,
+                walkable=walkable,
                 seed=job.seed,
                 device=device,
                 elapsed=time.monotonic() - began,

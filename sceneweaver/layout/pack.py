@@ -255,9 +255,7 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
         setattr(t, name, floats(values, dtype))
     t.pool_size = len(next((entries for decks_ in pools or () for entries in decks_), ()))
     t.pair_flags = wp.array(np.concatenate(flags).astype(np.uint8), dtype=wp.uint8, device=device)
-    t.relation_object = wp.array(
-        np.asarray(triples, dtype=np.int32).reshape(-1, 3), dtype=wp.vec3i, device=device
-    )
+    t.relation_object = wp.array(np.asarray(triples, dtype=np.int32).reshape(-1, 3), dtype=wp.vec3i, device=device)
     return Packed(
         wp.array([t], dtype=k.Tables, device=device),
         t,

@@ -56,7 +56,7 @@ def enclosure(outline, height: float) -> Region:
     import shapely
 
     inside = shapely.Polygon(np.asarray(outline, dtype=np.float64))
-    hull = tidy(inside.convex_hull.exterior.coords[:-1])
+    hull = tidy(shapely.get_coordinates(inside.convex_hull)[:-1])
     planes = [(*wall.n, float(wall.n @ wall.p)) for wall in walls_of(hull)]
     solids: list[Prism] = []
     outside = shapely.Polygon(hull).difference(inside)
@@ -64,7 +64,7 @@ def enclosure(outline, height: float) -> Region:
     for part in getattr(outside, "geoms", [outside]):
         if part.is_empty or part.area < 1e-9:
             continue
-        for piece in convex_pieces(part.exterior.coords[:-1]):
+        for piece in convex_pieces(shapely.get_coordinates(part)[:-1]):
             middles = 0.5 * (piece + np.roll(piece, -1, axis=0))
             solids.append(Prism(piece, EVERYWHERE, tuple(border.distance(shapely.Point(m)) < 1e-6 for m in middles)))
     return Region(np.asarray(planes), solids, height, box=inside.bounds)

@@ -67,6 +67,7 @@ class Frame:
     around: dict[str, list[int]] = field(default_factory=dict)  # target id -> its children in the order of relations
 
     def object(self, key: str) -> SceneObject:
+        """The object with an id."""
         return self.objects[self.index[key]]
 
 
@@ -87,16 +88,19 @@ def _angle(degrees: float) -> tuple[Vector, Vector]:
 
 
 def line(point: Vector, normal, offset: float, lo: float, hi: float, slack: float = SLACK) -> Row:
+    """A point of the subject lies between lo and hi along a direction of the target."""
     aim, hold = _span(lo, hi, slack)
     return Row(k.FEATURE_LINE, aim, hold, point=point, normal=(float(normal[0]), float(normal[1])), offset=offset)
 
 
 def yaw(offset: float, degrees: float, period: float = 2 * math.pi) -> Row:
+    """The subject's yaw is within some degrees of the target's plus an offset, modulo the period."""
     aim, hold = _angle(degrees)
     return Row(k.FEATURE_YAW, aim, hold, normal=(period, 0.0), offset=offset, scale=LEVER)
 
 
 def height(offset: float, lo: float, hi: float) -> Row:
+    """The subject's bottom lies between lo and hi above the target's plus an offset."""
     aim, hold = _span(lo, hi)
     return Row(k.FEATURE_HEIGHT, aim, hold, offset=offset)
 
@@ -117,7 +121,15 @@ def _bearing(v) -> float:
 
 
 def _facing_rows(
-    a: SceneObject, side: str, normal, reach: float, middle: float, half: float, gap: Vector, degrees: float, overlap: float
+    a: SceneObject,
+    side: str,
+    normal,
+    reach: float,
+    middle: float,
+    half: float,
+    gap: Vector,
+    degrees: float,
+    overlap: float,
 ) -> list[Row]:
     """a's side face opposite a face of b (normal, distance and lateral middle in b's frame)."""
     point, _, half_a = _face(a, side)
@@ -293,7 +305,7 @@ def _around(frame: Frame, rel: Relation, value) -> list[list[Row]]:
         # the angle from the next child back to this one: children keep the order of their relations
         spread = [Row(k.FEATURE_SPREAD, aim, hold, offset=-2 * math.pi / n, scale=LEVER)]
     options = []
-    for edge in walls_of(convex_pieces(hull.exterior.coords[:-1])[0]):
+    for edge in walls_of(convex_pieces(shapely.get_coordinates(hull)[:-1])[0]):
         outward, half = -edge.n, edge.length / 2
         rows = _facing_rows(
             a,
@@ -308,10 +320,6 @@ def _around(frame: Frame, rel: Relation, value) -> list[list[Row]]:
         )
         options.append(rows + spread)
     return options
-
-
-
-
 
 
 def _away_from_door(frame: Frame, rel: Relation, value) -> list[list[Row]]:
@@ -382,6 +390,7 @@ BUILDERS: dict[str, Builder] = {
     "same_height": _same_height,
 }
 
+
 def _values(rel: Relation, subject: SceneObject) -> Callable[[str], Any]:
     """Reads a relation's numbers: its params, else the catalogue's defaults."""
     spec = CATALOGUE[rel.type]
@@ -404,7 +413,9 @@ def compile_relation(frame: Frame, rel: Relation) -> CompiledRelation:
         group = frame.around[_one(rel)]
         c = group[(group.index(frame.index[rel.subject]) + 1) % len(group)]
     weight = rel.weight if rel.hard else SOFT_WEIGHT * rel.weight
-    return CompiledRelation((frame.index[rel.subject], b, c), options or [[NEVER]], weight, 2 if rel.hard else 0, rel.hard)
+    return CompiledRelation(
+        (frame.index[rel.subject], b, c), options or [[NEVER]], weight, 2 if rel.hard else 0, rel.hard
+    )
 
 
 def mounting(frame: Frame, obj: int) -> CompiledRelation:

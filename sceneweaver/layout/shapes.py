@@ -73,7 +73,7 @@ def convex_pieces(polygon) -> list[Points]:
                     break
             if merged:
                 break
-    return [tidy(p.exterior.coords[:-1]) for p in pieces]
+    return [tidy(shapely.get_coordinates(p)[:-1]) for p in pieces]
 
 
 def solids_of(obj: SceneObject) -> list[Prism]:
@@ -99,7 +99,7 @@ def solids_of(obj: SceneObject) -> list[Prism]:
         corners = np.concatenate([np.c_[prism.polygon, np.full(len(prism.polygon), z)] for z in prism.z]) @ tilt.T
         hull = shapely.MultiPoint(corners[:, :2]).convex_hull
         leaning.append(
-            Prism(tidy(hull.exterior.coords[:-1]), (float(corners[:, 2].min()), float(corners[:, 2].max())))
+            Prism(tidy(shapely.get_coordinates(hull)[:-1]), (float(corners[:, 2].min()), float(corners[:, 2].max())))
         )
     return leaning
 

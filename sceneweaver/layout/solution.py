@@ -9,6 +9,20 @@ import numpy as np
 
 from sceneweaver.scene import Pose, Scene
 
+WALKABLE = 0.9  # share of the free floor that a room should let one walk to
+
+
+def rank(
+    scene: Scene, status: np.ndarray, relations: np.ndarray, energy: np.ndarray, walkable: np.ndarray | None = None
+) -> np.ndarray:
+    """Order [B] of candidates, best first. A floor that was not measured counts as a blocked one."""
+    soft = np.array([r.weight if not r.hard else 0.0 for r in scene.relations])
+    missing = ~relations @ soft if len(soft) else np.zeros(len(status))
+    blocked = (
+        np.zeros(len(status)) if walkable is None else 1.0 - np.minimum(np.nan_to_num(walkable), WALKABLE) / WALKABLE
+    )
+    return np.lexsort((energy, missing, np.round(blocked, 3), status))
+
 
 @dataclass(frozen=True)
 class Solution:
@@ -20,6 +34,8 @@ class Solution:
         status: [B] int8: 0 valid, 1 hard violation, 2 a hard relation is false, 3 diverged.
         relations: [B, R] bool, relations in the scene's order.
         energy: [B] float32, what was left of the energy [m]; 0 means everything holds with its margin.
+        walkable: [B] float32, share of the free floor that can be reached from the doors; measured for the best few
+            candidates, NaN for the others.
         elapsed: seconds from call to return.
         timed_out: True when the time limit cut the run off.
         explanation: what stands in the way when nothing is valid; None otherwise.
@@ -30,6 +46,7 @@ class Solution:
     status: np.ndarray
     relations: np.ndarray
     energy: np.ndarray
+    walkable: np.ndarray
     seed: int
     device: str
     elapsed: float
@@ -43,10 +60,8 @@ class Solution:
 
     @cached_property
     def order(self) -> np.ndarray:
-        """Candidates, best first: by status, soft relations fulfilled, energy."""
-        soft = np.array([r.weight if not r.hard else 0.0 for r in self.source.relations])
-        missing = (~self.relations) @ soft if len(soft) else np.zeros(self.candidates)
-        return np.lexsort((self.energy, missing, self.status))
+        """Candidates, best first: by status, then blocked floor, then soft relations missing, then energy."""
+        return rank(self.source, self.status, self.relations, self.energy, self.walkable)
 
     def scene(self, candidate: int) -> Scene:
         """The scene in one candidate's layout. Fixed objects keep their exact poses."""

@@ -1,0 +1,141 @@
+"""Running the kernels on layouts, and layouts to run them on."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import warp as wp
+
+from sceneweaver.kernels.adam import choose
+from sceneweaver.kernels.energy import evaluate
+from sceneweaver.layout.compile import CompiledScene, Problem, absolute, compile_scene, relative
+from sceneweaver.layout.engine import make_batch
+from sceneweaver.layout.pack import weights as make_weights
+from sceneweaver.optimizers.batch import Batch, Verdict, judge, load_poses
+from sceneweaver.scene import Scene
+
+ZOO = Path(__file__).parents[1] / "zoo"
+ROOMS = tuple(sorted(p.stem for p in ZOO.glob("*.json")))
+LARGE = ("hall-300", "library-100", "restaurant-60", "restaurant-dense")
+
+
+@cache
+def zoo(name: str) -> CompiledScene:
+    """A compiled zoo room."""
+    return compile_scene(Scene.load(ZOO / f"{name}.json"))
+
+
+@dataclass
+class Energies:
+    """What ``evaluate`` gives: shares [B, N], soft parts [B, N] and gradients [B, N, 4], as float64."""
+
+    share: np.ndarray
+    soft: np.ndarray
+    gradient: np.ndarray
+
+    @property
+    def total(self) -> np.ndarray:
+        return self.share.sum(axis=1)
+
+
+def batch_of(
+    problems: Sequence[Problem],
+    which: Sequence[int],
+    layouts: Sequence[np.ndarray],
+    device: str,
+    options: Sequence[np.ndarray] | None = None,
+    anchors: Sequence[np.ndarray] | None = None,
+    weights: Mapping[str, float] | None = None,
+) -> Batch:
+    """A batch of layouts [n, 4], each of the problem that ``which`` says; options number from 0 for each relation."""
+    batch = make_batch(problems, np.asarray(which), device)
+    batch.weights = make_weights(**(weights or {}))
+    shape = (batch.size, max(batch.objects, 1), 4)
+    load_poses(batch, _padded(layouts, shape))
+    if anchors is not None:
+        batch.state.anchors.assign(_padded(anchors, shape))
+    if options is not None:
+        first, start = batch.keep.option_start.numpy(), batch.keep.relation_start.numpy()
+        chosen = np.zeros(batch.state.options.shape, dtype=np.int32)
+        for c, p in enumerate(which):
+            chosen[c, : len(options[c])] = first[start[p] : start[p + 1]] + options[c]
+        batch.state.options.assign(chosen)
+    return batch
+
+
+def _padded(layouts: Sequence[np.ndarray], shape: tuple[int, ...]) -> np.ndarray:
+    padded = np.zeros(shape, dtype=np.float32)
+    for c, layout in enumerate(layouts):
+        padded[c, : len(layout)] = layout
+    return padded
+
+
+def best_options(batch: Batch) -> None:
+    """Give every relation of every candidate its best option."""
+    other = batch.scratch().options
+    inputs = [batch.tables, batch.weights, batch.problem, batch.state]
+    wp.launch(choose, (batch.size, batch.relations), inputs, [batch.state.options, other], device=batch.device)
+
+
+def run_energy(batch: Batch) -> Energies:
+    """Energy of every candidate; the outputs hold garbage beforehand, as they may in use."""
+    shape = (batch.size, max(batch.objects, 1))
+    share = wp.full(shape, float("nan"), dtype=wp.float32, device=batch.device)
+    soft = wp.full(shape, float("nan"), dtype=wp.float32, device=batch.device)
+    gradient = wp.full(shape, wp.vec4(float("nan")), dtype=wp.vec4, device=batch.device)
+    inputs = [batch.tables, batch.margins, batch.weights, batch.problem, batch.state]
+    wp.launch(evaluate, (batch.size, batch.objects), inputs, [share, soft, gradient], device=batch.device)
+    return Energies(*(a.numpy().astype(np.float64) for a in (share, soft, gradient)))
+
+
+def energies(problem: Problem, layouts: np.ndarray, device: str, **more) -> Energies:
+    """Energy of layouts [B, N, 4] of one problem."""
+    return run_energy(batch_of([problem], [0] * len(layouts), layouts, device, **more))
+
+
+def verdict(problem: Problem, layouts: np.ndarray, device: str) -> Verdict:
+    """Verdict on layouts [B, N, 4] of one problem."""
+    return judge(batch_of([problem], [0] * len(layouts), layouts, device))
+
+
+# ---- layouts
+
+
+def as_float32(layouts: np.ndarray) -> np.ndarray:
+    """The nearest layouts that a device can hold, as float64."""
+    return np.asarray(layouts, dtype=np.float32).astype(np.float64)
+
+
+def noisy(problem: Problem, rng: np.random.Generator, scale: float, rigid: bool = False) -> np.ndarray:
+    """The scene's own layout, disturbed: metres in the plane, twice that in radians, half in height.
+
+    ``rigid`` moves what is carried along with its supporter, and heights only where they are free.
+    """
+    noise = rng.normal(size=(problem.size, 4)) * scale * (1.0, 1.0, 0.5, 2.0)
+    if not rigid:
+        return as_float32(problem.home + noise)
+    noise[:, 2] *= (problem.free & 4) > 0
+    moved = problem.home + noise
+    local = relative(problem.home, problem.home[problem.roots])
+    carried = absolute(local, moved[problem.roots])
+    return as_float32(np.where((problem.roots == np.arange(problem.size))[:, None], moved, carried))
+
+
+def scattered(problem: Problem, rng: np.random.Generator) -> np.ndarray:
+    """Poses anywhere in the room and a little outside, any yaw, heights a little off."""
+    x0, y0, x1, y1 = problem.region.box
+    layout = problem.home.copy()
+    layout[:, 0] = rng.uniform(x0 - 0.2, x1 + 0.2, problem.size)
+    layout[:, 1] = rng.uniform(y0 - 0.2, y1 + 0.2, problem.size)
+    layout[:, 2] += rng.normal(0.0, 0.03, problem.size)
+    layout[:, 3] = rng.uniform(-np.pi, np.pi, problem.size)
+    return as_float32(layout)
+
+
+def any_options(problem: Problem, rng: np.random.Generator) -> np.ndarray:
+    """A random option for every relation."""
+    return np.array([rng.integers(len(r.options)) for r in problem.relations], dtype=np.int64)

@@ -1,0 +1,57 @@
+"""Polygons under many poses at once, in float64; see `twin`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from sceneweaver.layout.shapes import Prism
+
+Array = np.ndarray
+
+
+def placed(polygon: Array, pose: Array) -> Array:
+    """A polygon [V, 2] in the world under poses [K, 4]: [K, V, 2]."""
+    z = np.exp(1j * pose[:, 3:4]) * (polygon[:, 0] + 1j * polygon[:, 1])
+    return np.stack([z.real, z.imag], axis=-1) + pose[:, None, :2]
+
+
+def _gaps(own: Array, other: Array) -> Array:
+    """Gap between the shadows of two polygons on the outward normal of each face of the first: [K, faces]."""
+    along = np.roll(own, -1, axis=1) - own
+    normal = np.stack([along[..., 1], -along[..., 0]], axis=-1)
+    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+    mine, theirs = normal @ own.transpose(0, 2, 1), normal @ other.transpose(0, 2, 1)
+    return theirs.min(axis=2) - mine.max(axis=2)
+
+
+def separation(a: Array, b: Array, real: Sequence[bool] | None = None) -> Array:
+    """Separating-axis distance over the face normals of both [K]; minus the depth where polygons [K, V, 2] overlap.
+
+    Faces of b that are not ``real`` may part the two (to any distance) but are no way out.
+    """
+    gaps = [_gaps(own, other) for own, other in ((a, b), (b, a)) if own.shape[1] > 2]
+    if real is not None and not all(real):
+        unreal = ~np.asarray(real)
+        gaps[-1][:, unreal] = np.where(gaps[-1][:, unreal] > 0.0, np.inf, -np.inf)
+    return np.concatenate(gaps, axis=1).max(axis=1)
+
+
+def distance(a: Array, b: Array) -> Array:
+    """Euclidean distance of polygons [K, V, 2] (b may be points [K, 1, 2]); minus the depth where they overlap."""
+    import shapely
+
+    other = shapely.points(b[:, 0]) if b.shape[1] == 1 else shapely.polygons(b)
+    apart = shapely.distance(shapely.polygons(a), other)
+    return np.where(apart > 0.0, apart, separation(a, b))
+
+
+def shared_height(a: Prism, za: Array, b: Prism, zb: Array) -> Array:
+    """Length that the z intervals of two prisms have in common; negative when they are apart."""
+    return np.minimum(za + a.z[1], zb + b.z[1]) - np.maximum(za + a.z[0], zb + b.z[0])
+
+
+def reach(prisms: Sequence[Prism]) -> float:
+    """Distance of the farthest vertex from the object's origin."""
+    return max((float(np.hypot(*np.asarray(p.polygon).T).max()) for p in prisms), default=0.0)
