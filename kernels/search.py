@@ -8,6 +8,7 @@ them anew for every relation that it touches. Energies are local: a move costs w
 import warp as wp
 
 from .energy import object_energy
+from .features import TURN
 from .geometry import FAR, perp, plane_of, turn, wrap
 from .sample import (
     QUARTER,
@@ -40,7 +41,8 @@ class Budget:
     polish: wp.int32  # gradient sweeps at the end
     linger: wp.int32  # moves for each movable object spent on soft relations once the hard ones hold
     hot: wp.float32
-    start: wp.int32  # 0: from the poses given; 1: anywhere; 2: drawn from the relations
+    stay: wp.int32  # 1: keep what is in order where it is, and move the rest as little as it takes
+    start: wp.int32  # 0: where the poses are; 1: anywhere; 2: drawn from the relations; 3: the anchors
 
 
 @wp.func(inline=False)
@@ -187,11 +189,22 @@ def slide(t: TablesRef, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int3
 
 @wp.func(inline=False)
 def propose(
-    t: TablesRef, m: Margins, w: Weights, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32, scale: wp.float32
+    t: TablesRef,
+    m: Margins,
+    w: Weights,
+    p: wp.int32,
+    obj: wp.int32,
+    s: State,
+    candidate: wp.int32,
+    scale: wp.float32,
+    far: wp.float32,
 ):
-    """Draw a new pose for an object into its entry of the state (what it carries stays behind)."""
+    """Draw a new pose for an object into its entry of the state (what it carries stays behind).
+
+    With probability ``far`` it is drawn from the whole room, else within ``scale`` metres.
+    """
     u = uniform(s, candidate)
-    if u < 0.65:
+    if u < far:
         set_pose(s, candidate, obj, random_start(t, p, obj, s, candidate))
         settle(t, w, p, obj, s, candidate, 1)
     else:
@@ -258,6 +271,28 @@ def square_up(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.i
 
 
 @wp.func(inline=False)
+def go_back(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, s: State):
+    """Take a root, with all that it carries, as far back to its anchor as costs nothing hard."""
+    o0 = t[0].object_start[p]
+    o = o0 + root
+    old = s.poses[candidate, root]
+    d = s.anchors[candidate, root] - old
+    d[3] = wrap(d[3], TURN)
+    if wp.dot(d, d) < 1.0e-12:
+        return
+    first = t[0].group_start[o]
+    last = first + t[0].member_start[o + 1] - t[0].member_start[o]
+    for k in range(4):
+        carry(t, o0, s, candidate, root, old + (1.0 - 0.25 * float(k)) * d, 0)
+        choose_options(t, w, p, candidate, first, last, s)
+        e, _share, soft, _g = members_energy(t, m, w, p, candidate, root, s)
+        if e - soft <= SOLVED:
+            return
+    carry(t, o0, s, candidate, root, old, 0)
+    choose_options(t, w, p, candidate, first, last, s)
+
+
+@wp.func(inline=False)
 def survey(
     t: TablesRef,
     m: Margins,
@@ -266,8 +301,12 @@ def survey(
     candidate: wp.int32,
     s: State,
     energy: wp.array2d(dtype=wp.float32),
+    stay: wp.int32,
 ):
-    """Energy of every root into ``energy``; returns the candidate's total and the soft part of it."""
+    """Energy of every root into ``energy``; returns the candidate's total and the soft part of it.
+
+    With stay = 1 soft terms do not count in ``energy``: they are no reason to move anything.
+    """
     o0 = t[0].object_start[p]
     total = float(0.0)
     soft = float(0.0)
@@ -278,7 +317,7 @@ def survey(
             total += share
             soft += f
             if t[0].object_free[o0 + obj] != 0:
-                energy[candidate, obj] = e
+                energy[candidate, obj] = wp.where(stay == 1, wp.max(e - f - SOLVED, 0.0), e)
     return total, soft
 
 
@@ -324,6 +363,7 @@ def make_move(
     heat: wp.float32,
     level: wp.float32,
     proposals: wp.int32,
+    stay: wp.int32,
 ):
     """One move: pick an object, draw poses for it, take the best.
 
@@ -339,7 +379,7 @@ def make_move(
             left -= e
     parent = t[0].object_parent[o0 + obj]
     whole = int(0)
-    if parent >= 0 and uniform(s, candidate) < 0.25:
+    if parent >= 0 and uniform(s, candidate) < wp.where(stay == 1, 0.1, 0.25):
         obj = parent
         whole = 1
     elif uniform(s, candidate) < 0.5:
@@ -362,7 +402,8 @@ def make_move(
         if decks and uniform(s, candidate) < 0.3:
             key = int(uniform(s, candidate) * 1.0e9)
         if key < 0 or uniform(s, candidate) < 0.5:
-            propose(t, m, w, p, obj, trial, candidate, 0.02 + 0.4 * level * uniform(s, candidate))
+            scale = 0.02 + 0.4 * level * uniform(s, candidate)
+            propose(t, m, w, p, obj, trial, candidate, scale, wp.where(stay == 1, 0.35, 0.65))
             pose = trial.poses[candidate, obj]
             set_pose(trial, candidate, obj, old)
         carry(t, o0, trial, candidate, obj, pose, whole)
@@ -384,8 +425,8 @@ def make_move(
         for k in range(first, last):
             i = t[0].group[k]
             if energy[candidate, i] > 0.0 or i == obj:
-                ei, _h, _f, _g = members_energy(t, m, w, p, candidate, i, s)
-                energy[candidate, i] = ei
+                ei, _h, fi, _g = members_energy(t, m, w, p, candidate, i, s)
+                energy[candidate, i] = wp.where(stay == 1, wp.max(ei - fi - SOLVED, 0.0), ei)
 
 
 @wp.kernel
@@ -410,7 +451,10 @@ def search(
     o0 = t[0].object_start[p]
     n = t[0].object_start[p + 1] - o0
     r0 = t[0].relation_start[p]
-    if budget.start > 0:
+    if budget.start == 3:
+        for obj in range(n):
+            set_pose(s, candidate, obj, s.anchors[candidate, obj])
+    elif budget.start > 0:
         begin(t, m, w, p, candidate, s, budget.start)
     for r in range(r0, t[0].relation_start[p + 1]):
         s.options[candidate, r - r0] = best_option(t, w, o0, r, s, candidate)
@@ -427,11 +471,11 @@ def search(
     done = bool(False)
     for move in range(moves):
         if move % refresh == 0:
-            all, soft = survey(t, m, w, p, candidate, s, energy_out)
+            all, soft = survey(t, m, w, p, candidate, s, energy_out, budget.stay)
             total = all
             if all - soft <= SOLVED:
                 lingered += refresh
-                done = soft <= SOLVED or lingered > budget.linger * movable
+                done = soft <= SOLVED or lingered > budget.linger * movable or budget.stay == 1
         sum = float(0.0)
         for obj in range(n):
             sum += energy_out[candidate, obj]
@@ -443,18 +487,21 @@ def search(
         if lingered > 0:
             heat = 0.0
         mark = uniform(s, candidate) * sum
-        make_move(t, m, w, p, candidate, s, trial, energy_out, mark, heat, level, budget.proposals)
+        make_move(t, m, w, p, candidate, s, trial, energy_out, mark, heat, level, budget.proposals, budget.stay)
     for _sweep in range(budget.polish):
         if done:
             break
         for obj in range(n):
             if t[0].object_free[o0 + obj] != 0:
                 descend(t, m, w, p, candidate, obj, s)
-        all, soft = survey(t, m, w, p, candidate, s, energy_out)
+        all, soft = survey(t, m, w, p, candidate, s, energy_out, budget.stay)
         total = all
-        done = all <= SOLVED
+        done = all <= SOLVED or (budget.stay == 1 and all - soft <= SOLVED)
     if done:
         for obj in range(n):
             if t[0].object_free[o0 + obj] != 0:
-                square_up(t, m, w, p, candidate, obj, s)
+                if budget.stay == 1:
+                    go_back(t, m, w, p, candidate, obj, s)
+                else:
+                    square_up(t, m, w, p, candidate, obj, s)
     total_out[candidate] = total

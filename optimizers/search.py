@@ -11,28 +11,32 @@ from sceneweaver.kernels.track import keep_best
 from .base import Monitor, Outcome, Start, register
 from .batch import Batch, judge
 
-ATTEMPTS = 6
+ATTEMPTS = 10
 ROUNDS = 8
 MOVES = 4  # in a round, for each movable object
-PROPOSALS = 8
+PROPOSALS = 5
 POLISH = 6
 LINGER = 2
-HOT = 0.25  # [m]
+HOT = 0.3  # [m]
+HOT_AT_HOME = 0.05  # the same when little should move
+AT_HOME = 5  # attempts from the given poses before anything is drawn anew
 STARTS = {"given": 0, "random": 1, "sample": 2}
+FROM_ANCHORS = 3
 
 
-def _budget(round_: int, start: int) -> Budget:
+def _budget(round_: int, start: int, stay: bool) -> Budget:
     budget = Budget()
     budget.round, budget.rounds = round_, ROUNDS
     budget.moves, budget.proposals, budget.polish, budget.linger = MOVES, PROPOSALS, POLISH, LINGER
-    budget.hot = HOT
+    budget.hot = HOT_AT_HOME if stay else HOT
+    budget.stay = int(stay)
     budget.start = start if round_ == 0 else 0
     return budget
 
 
 @register("search")
 def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
-    """Search every candidate until it is valid; ``budget`` is the number of attempts (default 6).
+    """Search every candidate until it is valid; ``budget`` is the number of attempts (default 10).
 
     The first attempt begins as ``start`` says, later ones by drawing from the relations. A candidate that never gets
     valid ends at the lowest energy found.
@@ -44,8 +48,16 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
     total = wp.zeros(batch.size, dtype=wp.float32, device=device)
     best_total = wp.full(batch.size, float("inf"), dtype=wp.float32, device=device)
     left = np.arange(batch.size, dtype=np.int32)
+    stay = start == "given"
+    if stay:  # what is in order already is left alone
+        status = judge(batch).status
+        left = left[status != 0]
+        monitor.add(batch.size - left.size, batch.size - left.size, 0.0)
+        best_total.assign(np.where(status == 0, 0.0, np.inf).astype(np.float32))
     for attempt in range(ATTEMPTS if budget is None else budget):
         mode = STARTS[start] if attempt == 0 else STARTS["sample"]
+        if stay and attempt < AT_HOME:
+            mode = STARTS["given"] if attempt == 0 else FROM_ANCHORS
         for round_ in range(ROUNDS):
             if monitor.expired() or not left.size:
                 break
@@ -57,7 +69,7 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
                     batch.tables,
                     batch.margins,
                     batch.weights,
-                    _budget(round_, mode),
+                    _budget(round_, mode, stay),
                     batch.problem,
                     active,
                     batch.state,

@@ -23,6 +23,7 @@ INITS = ("sample", "random", "current")
 BROKEN, DIVERGED = 1, 3
 POOL = 64  # layouts solved beforehand for every support surface
 POOL_SALT = 0x5EED
+PULL = 0.02  # [1/m] towards given poses, small beside any violation
 WALKED = 16  # of the best candidates, how many are measured for walkable floor
 
 
@@ -82,7 +83,7 @@ def refine(
     compiled = compile_scene(scene)
     world = np.repeat(compiled.room.home[None], candidates, axis=0) if given is None else given
     start = init if isinstance(init, str) and init != "current" else "given"
-    job = Job(compiled, world, start, seed)
+    job = Job(compiled, world, start, seed, keep=start == "given" and given is None)
     monitor = Monitor(len(world), None if time_limit is None else began + time_limit, progress)
     return solve([job], optimizer, steps, where, monitor, began)[0]
 
@@ -110,7 +111,8 @@ def refine_many(
         _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps)
         compiled = compile_scene(scene)
         world = np.repeat(compiled.room.home[None], candidates, axis=0)
-        jobs.append(Job(compiled, world, "given" if init == "current" else init, seed))
+        current = init == "current"
+        jobs.append(Job(compiled, world, "given" if current else init, seed, keep=current))
     monitor = Monitor(candidates * len(jobs), None if time_limit is None else began + time_limit, progress)
     return solve(jobs, optimizer, steps, where, monitor, began)
 
@@ -140,12 +142,13 @@ def _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps
 
 @dataclass
 class Job:
-    """One scene to solve: world poses [B, N, 4] to begin with, how to begin, the seed."""
+    """One scene to solve: world poses [B, N, 4] to begin with, how to begin ("given": from those), the seed."""
 
     compiled: CompiledScene
     world: np.ndarray
     start: str
     seed: int
+    keep: bool = False  # prefer the layout that moves least
 
 
 def solve(
@@ -169,6 +172,8 @@ def solve(
             device,
             [pools[i] for i in members],
         )
+        if start == "given":
+            batch.weights = weights(pull=PULL)
         load_poses(batch, _stack([job.world for job in group], batch.objects))
         batch.state.rng.assign(
             np.concatenate([streams(job.seed, np.arange(n)) for job, n in zip(group, sizes, strict=True)])
@@ -185,7 +190,8 @@ def solve(
             status[(status != DIVERGED) & (room.faulty | ~_surfaces_hold(job.compiled, final, device))] = BROKEN
             holds = verdict.holds[rows, : len(scene.relations)].copy()
             energy = outcome.energy[rows].astype(np.float32)
-            order = rank(scene, status, holds, energy)[:WALKED]
+            moved = _movement(job.world, final) if job.keep else None
+            order = rank(scene, status, holds, energy, moved=moved)[:WALKED]
             walkable = np.full(n, np.nan, dtype=np.float32)
             walkable[order] = walkable_shares(batch, room, first + order)
             solutions[i] = Solution(
@@ -195,6 +201,7 @@ def solve(
                 relations=holds,
                 energy=energy,
                 walkable=walkable,
+                moved=moved,
                 seed=job.seed,
                 device=device,
                 elapsed=time.monotonic() - began,
@@ -202,6 +209,14 @@ def solve(
             )
             first += n
     return [solutions[i] for i in range(len(jobs))]
+
+
+def _movement(before: np.ndarray, after: np.ndarray) -> np.ndarray:
+    """How much a layout [B, N, 4] moved: metres and half metres per radian, and 5 cm for every object at all."""
+    d = after - before
+    turned = np.abs((d[..., 3] + np.pi) % (2 * np.pi) - np.pi)
+    moved = np.linalg.norm(d[..., :3], axis=-1) + 0.5 * turned
+    return np.sum(moved + 0.05 * (moved > 0.01), axis=-1)
 
 
 def _stack(worlds: Sequence[np.ndarray], objects: int) -> np.ndarray:
@@ -286,6 +301,7 @@ def _mend_surfaces(job: Job, device: str, deadline: float | None) -> None:
             world[:, i, 2] = compiled.room.home[i, 2]
     if compiled.domains:
         batch = _domain_batch(compiled, world, job.seed, device)
+        batch.weights = weights(pull=PULL)
         run(batch, "search", "given", None, Monitor(batch.size, deadline))
         poses = batch.state.poses.numpy().reshape(len(compiled.domains), len(world), batch.objects, 4)
         for domain, solved in zip(compiled.domains, poses.astype(np.float64), strict=True):

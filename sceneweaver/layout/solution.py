@@ -13,15 +13,24 @@ WALKABLE = 0.9  # share of the free floor that a room should let one walk to
 
 
 def rank(
-    scene: Scene, status: np.ndarray, relations: np.ndarray, energy: np.ndarray, walkable: np.ndarray | None = None
+    scene: Scene,
+    status: np.ndarray,
+    relations: np.ndarray,
+    energy: np.ndarray,
+    walkable: np.ndarray | None = None,
+    moved: np.ndarray | None = None,
 ) -> np.ndarray:
-    """Order [B] of candidates, best first. A floor that was not measured counts as a blocked one."""
+    """Order [B] of candidates, best first. A floor that was not measured counts as a blocked one.
+
+    Where movement counts (an edit of a scene that is there already), it comes before anything but the status.
+    """
     soft = np.array([r.weight if not r.hard else 0.0 for r in scene.relations])
     missing = ~relations @ soft if len(soft) else np.zeros(len(status))
     blocked = (
         np.zeros(len(status)) if walkable is None else 1.0 - np.minimum(np.nan_to_num(walkable), WALKABLE) / WALKABLE
     )
-    return np.lexsort((energy, missing, np.round(blocked, 3), status))
+    movement = np.zeros(len(status)) if moved is None else moved
+    return np.lexsort((energy, missing, np.round(blocked, 3), movement, status))
 
 
 @dataclass(frozen=True)
@@ -36,6 +45,7 @@ class Solution:
         energy: [B] float32, what was left of the energy [m]; 0 means everything holds with its margin.
         walkable: [B] float32, share of the free floor that can be reached from the doors; measured for the best few
             candidates, NaN for the others.
+        moved: [B], how far objects were moved in all [m], where ``init="current"`` asked for little; None otherwise.
         elapsed: seconds from call to return.
         timed_out: True when the time limit cut the run off.
         explanation: what stands in the way when nothing is valid; None otherwise.
@@ -47,6 +57,7 @@ class Solution:
     relations: np.ndarray
     energy: np.ndarray
     walkable: np.ndarray
+    moved: np.ndarray | None
     seed: int
     device: str
     elapsed: float
@@ -61,7 +72,7 @@ class Solution:
     @cached_property
     def order(self) -> np.ndarray:
         """Candidates, best first: by status, then blocked floor, then soft relations missing, then energy."""
-        return rank(self.source, self.status, self.relations, self.energy, self.walkable)
+        return rank(self.source, self.status, self.relations, self.energy, self.walkable, self.moved)
 
     def scene(self, candidate: int) -> Scene:
         """The scene in one candidate's layout. Fixed objects keep their exact poses."""

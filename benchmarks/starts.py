@@ -1,0 +1,70 @@
+"""Where candidates start: anywhere, drawn from the relations, or near the witness."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from benchmarks.rooms import witness
+from sceneweaver.scene import Scene
+
+STARTS = ("random", "sample", "noisy")
+NOISE_M = 0.3
+NOISE_RAD = math.radians(15)
+
+
+def start(scene: Scene, name: str, candidates: int, seed: int) -> str | np.ndarray:
+    """What to give ``refine`` as ``init``."""
+    return noisy_poses(scene, candidates, seed) if name == "noisy" else name
+
+
+def movable(scene: Scene) -> np.ndarray:
+    """Indices of floor objects that are not fixed."""
+    return np.array([i for i, o in enumerate(scene.objects) if o.mount == "floor" and not o.fixed], dtype=int)
+
+
+def noisy_poses(scene: Scene, candidates: int, seed: int) -> np.ndarray:
+    """The witness, N(0, 0.3 m) and N(0, 15 degrees) off on the floor; what stands on an object follows it."""
+    rng = np.random.default_rng([seed, 0xBAD])
+    poses = np.repeat(witness(scene)[None], candidates, axis=0)
+    floor = movable(scene)
+    poses[:, floor, :2] += rng.normal(0.0, NOISE_M, (candidates, len(floor), 2))
+    poses[:, floor, 3] += rng.normal(0.0, NOISE_RAD, (candidates, len(floor)))
+    return carry(scene, poses)
+
+
+def random_poses(scene: Scene, candidates: int, seed: int) -> np.ndarray:
+    """Floor objects anywhere in the box around the room, turned anyhow; what stands on an object follows it."""
+    rng = np.random.default_rng([seed, 0xA11])
+    poses = np.repeat(witness(scene)[None], candidates, axis=0)
+    floor = movable(scene)
+    outline = np.array(scene.room.outline)
+    low, high = outline.min(axis=0), outline.max(axis=0)
+    poses[:, floor, :2] = rng.uniform(low, high, (candidates, len(floor), 2))
+    poses[:, floor, 3] = rng.uniform(-math.pi, math.pi, (candidates, len(floor)))
+    return carry(scene, poses)
+
+
+def carry(scene: Scene, poses: np.ndarray) -> np.ndarray:
+    """Put what stands on an object where the witness has it on that object, in place."""
+    own = witness(scene)
+    index = {o.id: i for i, o in enumerate(scene.objects)}
+
+    def depth(i: int) -> int:
+        support = scene.objects[i].support
+        return 0 if support is None else 1 + depth(index[support.object])
+
+    carried = [i for i, o in enumerate(scene.objects) if o.support is not None and not o.fixed]
+    for i in sorted(carried, key=depth):
+        support = scene.objects[i].support
+        assert support is not None
+        below = index[support.object]
+        turn = poses[:, below, 3] - own[below, 3]
+        dx, dy, dz, dyaw = own[i] - own[below]
+        c, s = np.cos(turn), np.sin(turn)
+        poses[:, i, 0] = poses[:, below, 0] + c * dx - s * dy
+        poses[:, i, 1] = poses[:, below, 1] + s * dx + c * dy
+        poses[:, i, 2] = poses[:, below, 2] + dz
+        poses[:, i, 3] = poses[:, below, 3] + dyaw
+    return poses
