@@ -45,9 +45,7 @@ def spread(indices: np.ndarray, most: int | None) -> np.ndarray:
     return indices[np.linspace(0, len(indices) - 1, most).round().astype(int)]
 
 
-def audit(
-    solution: Solution, judge: Judge, result: Result, label: str, out: Path, most: int | None = None
-) -> Audit:
+def audit(solution: Solution, judge: Judge, result: Result, label: str, out: Path, most: int | None = None) -> Audit:
     """Judge what is called valid (at most so many of it); contradictions are failures of the result.
 
     The first few are written to ``out/contradictions`` as scene files.

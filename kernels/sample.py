@@ -80,7 +80,8 @@ def carry(t: TablesRef, o0: wp.int32, s: State, candidate: wp.int32, root: wp.in
         if i != root:
             child = s.poses[candidate, i]
             at = plane_of(pose) + turn(q, plane_of(child) - plane_of(old))
-            set_pose(s, candidate, i, wp.vec4(at[0], at[1], child[2] + pose[2] - old[2], child[3] + spin))
+            rise = wp.where(t[0].object_root[o0 + i] == root, pose[2] - old[2], 0.0)  # others keep their own height
+            set_pose(s, candidate, i, wp.vec4(at[0], at[1], child[2] + rise, child[3] + spin))
     set_pose(s, candidate, root, pose)
 
 

@@ -53,7 +53,9 @@ def present(settings: Settings, notes: list[str]) -> list[Rival]:
         if settings.rivals is not None and rival.name not in settings.rivals:
             continue
         reason = rival.missing()
-        notes.append(f"Rival {rival.name}: {rival.about}" if reason is None else f"Rival {rival.name} left out: {reason}")
+        notes.append(
+            f"Rival {rival.name}: {rival.about}" if reason is None else f"Rival {rival.name} left out: {reason}"
+        )
         if reason is None:
             found.append(rival)
     return found

@@ -43,9 +43,7 @@ def placed(boxes: Boxes, poses: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.
     return np.where(mine[:, None], base, 0.0) + arm, frame, np.where(mine[:, None], arm, 0.0)
 
 
-def overlap_loss(
-    boxes: Boxes, pairs: np.ndarray, poses: np.ndarray, margin: float, gradient: np.ndarray
-) -> np.ndarray:
+def overlap_loss(boxes: Boxes, pairs: np.ndarray, poses: np.ndarray, margin: float, gradient: np.ndarray) -> np.ndarray:
     """Sum of squared depths (with a margin [m]) over box pairs [P, 2]: loss [B]; adds to gradient [B, n, 3]."""
     if not len(pairs):
         return np.zeros(len(poses))

@@ -27,9 +27,9 @@ from sceneweaver.optimizers import judge, load_poses
 from sceneweaver.scene import CATALOGUE, Relation, Room, Scene, SceneObject, Surface
 
 from .compile import Problem, compile_scene, relative
-from .region import Region, Wall, room_region, walls_of
+from .region import Region
 from .rows import NEVER
-from .shapes import Points, Prism, solids_of
+from .shapes import Points, Prism, reach_of, solids_of
 from .solution import Solution
 
 LONGEST = 10.0  # [s] that an explanation may take
@@ -42,6 +42,9 @@ FOUND = "(found by search, which is no proof)"
 
 PENETRATION = 1.0e-3  # [m] that bodies may sink into each other and into walls
 INTRUSION = 5.0e-3  # [m] that they may reach into the clearance of a door or window
+
+SUNK = 2.5e-4  # [m] half of what the engine lets two bodies sink in; INTRUDED: the same for zones and clearances
+INTRUDED = 4.25e-3
 
 Effort = tuple[int, int]  # candidates, attempts
 QUICK: Effort = (32, 1)
@@ -58,9 +61,7 @@ class _OutOfTime(Exception):
         self.text = text
 
 
-def explain(
-    scene: Scene, solution: Solution, *, device: str, seed: int, deadline: float | None = None
-) -> str | None:
+def explain(scene: Scene, solution: Solution, *, device: str, seed: int, deadline: float | None = None) -> str | None:
     """Why no candidate of a refinement is valid: one to about six lines of plain English; None when one is valid.
 
     Args:
@@ -250,7 +251,8 @@ class _Claim:
 
     obj: SceneObject
     wall: int | None
-    length: float
+    length: float  # at least
+    across: float  # at most
     gap: float
     angle: float
     spare: float  # how much of it may stick out beyond the wall's end
@@ -270,11 +272,11 @@ class _Claim:
 
     def near(self) -> float:
         """Farthest from the wall [m] that the near face's corners can be."""
-        return self.gap + self.length / 2 * math.sin(self.angle) + PENETRATION
+        return self.gap + self.across / 2 * math.sin(self.angle) + PENETRATION
 
     def far(self, depth: float) -> float:
         """Nearest to the wall [m] that the far face's corners can be."""
-        return depth * math.cos(self.angle) - self.length / 2 * math.sin(self.angle) - PENETRATION
+        return depth * math.cos(self.angle) - self.across / 2 * math.sin(self.angle) - PENETRATION
 
 
 def _claims(scene: Scene) -> list[_Claim]:
@@ -288,16 +290,18 @@ def _claims(scene: Scene) -> list[_Claim]:
             continue
         side = rel.type == "side_against_wall"
         d, w, _ = obj.size
-        length, degrees = (min(d, w) if side else w), spec.value(rel, "degrees")
+        length, across = (min(d, w), max(d, w)) if side else (w, w)
+        degrees = spec.value(rel, "degrees")
         if degrees > 15:  # the arithmetic is for objects that stand nearly along the wall
             continue
         claim = _Claim(
             obj,
             int(rel.target.split(":")[1]) if isinstance(rel.target, str) else None,
             length,
+            across,
             spec.gap_range(rel, d)[1],
             math.radians(degrees),
-            (1 - spec.value(rel, "overlap")) * length,
+            (1 - spec.value(rel, "overlap")) * across,
             side,
         )
         if rel.subject not in claims or (claims[rel.subject].wall is None and claim.wall is not None):
@@ -320,6 +324,7 @@ class _Walls:
     def __init__(self, room: Room, region: Region, fixed: Sequence[Prism]) -> None:
         self.room, self.region, self.fixed = room, region, fixed
         self.floor = shapely.Polygon(room.outline).buffer(PENETRATION, join_style="mitre")
+        self.free: dict[tuple[bool, ...], shapely.Geometry] = {}
 
     def blockers(self, z: float) -> list[str]:
         """What keeps wall from being free at height z, in words."""
@@ -330,9 +335,11 @@ class _Walls:
 
     def stretches(self, z: float, line: float, spare: float) -> list[list[tuple[float, float]]]:
         """For every wall the free stretches [from, to] of the line along it, ``line`` metres inside, at height z."""
-        openings = _cut(self.region.openings, z, INTRUSION)
-        free = self.floor.difference(openings).difference(_cut(self.fixed, z))
-        shapely.prepare(free)
+        key = tuple(p.z[0] < z < p.z[1] for p in (*self.region.openings, *self.fixed))
+        if key not in self.free:
+            openings = _cut(self.region.openings, z, INTRUSION)
+            self.free[key] = self.floor.difference(openings).difference(_cut(self.fixed, z))
+        free = self.free[key]
         out = []
         for wall in self.region.walls:
             ends = [wall.p + line * wall.n + at * wall.t for at in (-spare, wall.length + spare)]
@@ -349,7 +356,7 @@ class _Walls:
         keep away from it by its own depth."""
         reach = [c.far(d) for c, d in zip(claims, depths, strict=True)]
         drift = max(math.tan(c.angle) for c in claims) * max(reach)
-        least = min(reach) - drift - 2 * PENETRATION
+        least = min(reach) - drift - 0.01 - 2 * PENETRATION
         if least <= 0 or min(c.length for c in claims) < line + 2 * drift:
             return 0.0
         lost = 0.0
@@ -361,7 +368,7 @@ class _Walls:
             if not square or not stretches[i] or not stretches[j]:
                 continue
             a, b = stretches[i][-1], stretches[j][0]
-            if abs(a[1] - wall.length) < 0.02 and abs(b[0]) < 0.02:
+            if abs(a[1] - wall.length) < 0.005 and abs(b[0]) < 0.005:
                 lost += max(0.0, min(least, (a[1] - a[0]) / 2, (b[1] - b[0]) / 2))
         return lost
 
@@ -404,7 +411,7 @@ class _Walls:
                     break
                 group = thick
             key = (tuple(c.obj.id for c in group), tuple(p.z[0] < z < p.z[1] for p in self.region.openings))
-            if not group or key in seen or line > 0.29:  # beyond the clearance of windows
+            if not group or key in seen:
                 continue
             seen.add(key)
             wanted = walls_for(group[0])
@@ -442,7 +449,8 @@ class _Walls:
             best = min(usable, there - corners)
         if usable <= there - corners:
             parts = _list([f"{b - a:.1f}" for a, b in sorted(spans, key=lambda s: s[0] - s[1]) if b - a > 0.05], 6)
-            return f"{start}, in stretches ({parts} m) that hold {best:.1f} m of them at most: {need - best:.1f} m missing."
+            most = f"that hold {best:.1f} m of them at most"
+            return f"{start}, in stretches ({parts} m) {most}: {need - best:.1f} m missing."
         return f"{start}, but at corners at least {corners:.1f} m of it is lost: {need - best:.1f} m missing."
 
 
@@ -476,6 +484,7 @@ class _Study:
         self.named = [self._named(unit) for unit in self.units]
         order = np.lexsort((solution.energy, solution.status == 3))
         self.top = order[: min(LOOK, len(order))]
+        self.narrowest: frozenset[int] | None = None
         self.possible: list[frozenset[int]] = []
         self.impossible: list[frozenset[int]] = []
 
@@ -569,9 +578,15 @@ class _Study:
         """What earlier tests say about a closed part."""
         if not self.objects_of(part) and all(e >= len(self.units) for e in part):
             return True
-        if any(part <= other for other in self.possible):
+        if any(part <= other for other in self.possible) or self._witnessed(part):
             return True
         return False if any(other <= part for other in self.impossible) else None
+
+    def _witnessed(self, part: frozenset[int]) -> bool:
+        """Whether some candidate of the solution has a closed part in order."""
+        units = [e for e in part if e < len(self.units)]
+        bad = self.unmet[:, units].any(axis=1) | self.fault[:, sorted(self.objects_of(part))].any(axis=1)
+        return not bad.all()
 
     def note(self, part: frozenset[int], can: bool) -> None:
         """Remember the outcome of a test."""
@@ -579,29 +594,566 @@ class _Study:
             self.impossible = [p for p in self.impossible if not p <= part]
         (self.possible if can else self.impossible).append(part)
 
-    def can(self, parts: Sequence[Iterable[int]], effort: Effort = FIRM) -> list[bool]:
+    def can(self, parts: Sequence[Iterable[int]]) -> list[bool]:
         """Whether each part has a layout, as far as a search tells: first a quick one, then a firmer one."""
         closed = [self.closed(p) for p in parts]
-        answers = {p: a for p in dict.fromkeys(closed) if (a := self.known(p)) is not None}
-        for level in (QUICK, effort):
-            open_ = [p for p in dict.fromkeys(closed) if p not in answers]
-            if level != QUICK or effort != QUICK:
-                crowded = [p for p in open_ if len(self.objects_of(p)) > CROWD and level != QUICK]
-                for p in crowded:
-                    answers[p] = False
-                    self.note(p, False)
-                open_ = [p for p in open_ if p not in answers]
-            for some in itertools.batched(open_, 48) if open_ else ():
-                found = self.search([self.scene_of(p) for p in some], level)
-                for part, ok in zip(some, found, strict=True):
-                    if ok or level == effort:
-                        answers[part] = ok
-                        self.note(part, ok)
-        return [answers[p] for p in closed]
+        for effort in (QUICK, FIRM):
+            ask = [p for p in dict.fromkeys(closed) if self.known(p) is None]
+            for some in (ask[i : i + 48] for i in range(0, len(ask), 48)):
+                for part, can in zip(some, self.search([self.scene_of(p) for p in some], effort), strict=True):
+                    if can or effort == FIRM or len(self.objects_of(part)) > CROWD:
+                        self.note(part, can)
+        return [bool(self.known(p)) for p in closed]
 
     def surely_not(self, part: Iterable[int]) -> bool:
-        """Whether a part has no layout even for a long search."""
+        """Whether even a long search finds no layout for a part."""
         closed = self.closed(part)
         found = self.search([self.scene_of(closed)], SURE)[0]
         self.note(closed, found)
         return not found
+
+    # witnesses: what the solution's own candidates show
+
+    @cached_property
+    def fault(self) -> np.ndarray:
+        """Which objects collide, lie outside or off their surface ..., [top candidate, object]."""
+        from .engine import make_batch  # the engine imports this module
+
+        poses = self.solution.poses[self.top]
+        problems: list[tuple[Problem, list[int], np.ndarray]] = [(self.problem, list(range(len(self.index))), poses)]
+        for domain in self.compiled.domains:
+            members = domain.deck.members
+            local = relative(poses[:, members].astype(np.float64), poses[:, None, domain.deck.supporter])
+            local[..., 2] = 0.0
+            problems.append((domain.problem, members, local))
+        fault = np.zeros(poses.shape[:2], dtype=bool)
+        for problem, members, layout in problems:
+            batch = make_batch([problem], np.zeros(len(poses), dtype=np.int32), self.device)
+            load_poses(batch, layout)
+            verdict = judge(batch)
+            fault[:, members] |= verdict.fault[:, : len(members)] != 0
+            for r in range(len(problem.relation_ids), len(problem.relations)):  # mountings
+                fault[:, problem.relations[r].objects[0]] |= ~verdict.holds[:, r]
+        return fault
+
+    @cached_property
+    def unmet(self) -> np.ndarray:
+        """Which units are unmet, [top candidate, unit]."""
+        holds = self.solution.relations[self.top]
+        out = np.zeros((len(self.top), len(self.units)), dtype=bool)
+        for u, unit in enumerate(self.units):
+            out[:, u] = ~np.all(holds[:, [j for j in unit if self.scene.relations[j].hard]], axis=1)
+        return out
+
+    @cached_property
+    def good(self) -> np.ndarray:
+        """Where units are met and the objects that they name are in order, [top candidate, unit]."""
+        good = ~self.unmet
+        for u, named in enumerate(self.named):
+            good[:, u] &= ~np.any(self.fault[:, sorted(named)], axis=1)
+        return good
+
+    def always_at_fault(self) -> list[int]:
+        """Movable objects that are at fault in every candidate looked at."""
+        return [i for i in self.free if self.fault[:, i].all()]
+
+    # causes, the most fundamental first
+
+    def causes(self) -> list[str]:
+        """Lines about the first kind of cause that there is."""
+        for find in (
+            self.fixed_faults,
+            self.arithmetic,
+            self.lonely,
+            self.surfaces,
+            self.again,
+            self.together,
+            self.never,
+            self.singles,
+            self.pairs,
+            self.grown,
+        ):
+            lines = find()
+            if lines:
+                return lines
+        return []
+
+    def fixed_faults(self) -> list[str]:
+        """Fixed objects that collide or stand where nothing may."""
+        fixed = [i for i, o in enumerate(self.scene.objects) if o.fixed]
+        if not fixed:
+            return []
+        scene = self.scene_of(())
+        found = _violations(compile_scene(scene).room, scene, None)
+        held = [text for text, ids in found.items() if all(self.scene.object(i).fixed for i in ids)]
+        lines = [f"Fixed objects are in the way of any layout: {_list(held, 6, '; ')}."] if held else []
+        for i in fixed:
+            obj = self.scene.objects[i]
+            height = {"floor": 0.0, "ceiling": self.scene.room.height - obj.size[2]}.get(obj.mount)
+            off = None if height is None else obj.pose.position[2] - height
+            if off is not None and abs(off) > 1.8e-3:
+                where = "above" if off > 0 else "below"
+                lines.append(f"{obj.id} is fixed {abs(off):.3f} m {where} where its mount ({obj.mount}) holds it.")
+        if not lines and not self.search([scene], QUICK)[0]:
+            alone = [self.scene.model_copy(update={"objects": self._stack(i), "relations": ()}) for i in fixed]
+            for i, can in zip(fixed, self.search(alone, QUICK), strict=True):
+                if not can:
+                    obj = self.scene.objects[i]
+                    lines.append(f"{obj.id} is fixed where nothing holds it (its mount is {obj.mount}).")
+        return lines[: 2 * LINES]
+
+    def _stack(self, i: int) -> tuple[SceneObject, ...]:
+        return tuple(self.scene.objects[j] for j in sorted(self._carriers([i])))
+
+    def arithmetic(self) -> list[str]:
+        """What does not fit by arithmetic alone."""
+        lines = [*self._too_tall(), *self._too_large_for_surfaces(), *self._too_large()]
+        still = [i for i, o in enumerate(self.scene.objects) if o.fixed]
+        fixed = [p for i in still for p in _moved(self.problem.solids[i], self.problem.home[i])]
+        lines += _Walls(self.scene.room, self.problem.region, fixed).missing(_claims(self.scene))
+        floor = [i for i in self.free if self.scene.objects[i].mount == "floor"]
+        blocked = [(p, INTRUSION) for p in self.problem.region.openings] + [(p, PENETRATION) for p in fixed]
+        full = _fullest([self.problem.solids[i] for i in floor], shapely.Polygon(self.scene.room.outline), blocked)
+        if full:
+            free = " free of doors and fixed objects" if fixed else " free of doors" if self.scene.room.doors else ""
+            lines.append(
+                f"The floor is too small: {_plural(full.count, 'object')} cover {full.need:.1f} m2; "
+                f"{full.free:.1f} m2 is{free or ' there'}: {full.need - full.free:.1f} m2 missing."
+            )
+        return lines[: 2 * LINES]
+
+    def _base(self, i: int) -> float | None:
+        """Height that an object stands at, where that is given."""
+        obj = self.scene.objects[i]
+        if obj.fixed:
+            return obj.pose.position[2]
+        if obj.support is not None:
+            base = self._base(self.index[obj.support.object])
+            return None if base is None else base + self._surface(obj).z
+        return {"floor": 0.0, "ceiling": self.scene.room.height - obj.size[2]}.get(obj.mount)
+
+    def _surface(self, obj: SceneObject) -> Surface:
+        assert obj.support is not None
+        surfaces = self.scene.object(obj.support.object).surfaces
+        return next(s for s in surfaces if s.name == obj.support.surface)
+
+    def _too_tall(self) -> list[str]:
+        lines, height = [], self.scene.room.height
+        for i in self.free:
+            obj = self.scene.objects[i]
+            low, high = _height(obj)
+            base = self._base(i)
+            if high - low > height + PENETRATION:
+                lines.append(f"{obj.id} is {high - low:.2f} m tall; the room is {height:.2f} m high.")
+            elif base is not None and base + high > height + PENETRATION:
+                on = f"on {obj.support.object}, " if obj.support else ""
+                reach = f"{obj.id} reaches {base + high:.2f} m ({on}from {base:.2f} m)"
+                lines.append(f"{reach}; the room is {height:.2f} m high.")
+        return _few(lines, "objects are too tall")
+
+    def _too_large_for_surfaces(self) -> list[str]:
+        lines = []
+        for domain in self.compiled.domains:
+            members = [i for i in domain.deck.members if not self.scene.objects[i].fixed]
+            for i in members:
+                obj = self.scene.objects[i]
+                surface = self._surface(obj)
+                on = _where(obj)
+                high = _height(obj)[1]
+                if surface.headroom is not None and high > surface.headroom + PENETRATION:
+                    lines.append(f"{obj.id} is {high:.2f} m tall; {on} has {surface.headroom:.2f} m of head room.")
+                elif not _fits_turned(_hull(solids_of(obj)), domain.problem.region.planes):
+                    lines.append(f"{_size(obj)} is larger than what it stands on: {on} is {_span(surface.polygon)}.")
+            polygon = shapely.Polygon(self._surface(self.scene.objects[domain.deck.members[0]]).polygon)
+            blocked = [(p, PENETRATION) for p in domain.problem.region.solids]
+            full = _fullest(domain.problem.solids, polygon, blocked)
+            if full:
+                crowd = _crowd([self.scene.objects[i] for i in domain.deck.members])
+                on = _where(self.scene.objects[domain.deck.members[0]])
+                lines.append(
+                    f"{on} is overfull: {crowd} cover {full.need:.3g} m2 of {full.free:.3g} m2: "
+                    f"{full.need - full.free:.2g} m2 missing."
+                )
+        return _few(lines, "surfaces hold too much")
+
+    def _too_large(self) -> list[str]:
+        lines = []
+        for i in self.always_at_fault():
+            obj = self.scene.objects[i]
+            if obj.support is None and not _fits_turned(_hull(self.problem.solids[i]), self.problem.region.planes):
+                lines.append(f"{_size(obj)} fits nowhere in the room: its floor is {_span(self.scene.room.outline)}.")
+        return _few(lines, "objects are larger than the room")
+
+    def lonely(self) -> list[str]:
+        """Objects, and objects with what they carry, that find no place even with the movable rest away."""
+        suspects = self.always_at_fault()
+        roots = [i for i in suspects if self.scene.objects[i].support is None]
+        lines = []
+        for i, can in zip(roots, self.can([self.presence([i]) for i in roots]), strict=True):
+            if not can and self.surely_not(self.presence([i])):
+                obj = _size(self.scene.objects[i])
+                lines.append(f"No place in the room was found for {obj}: {self._why_no_place(i)}.")
+        return _few(lines, "objects find no place")
+
+    def _why_no_place(self, i: int) -> str:
+        """What leaves no place for an object: the first of room, openings and fixed objects that does."""
+        part, room = self.presence([i]), self.scene.room
+        bare = room.model_copy(update={"doors": (), "windows": ()})
+        if not self.search([self.scene_of(part, fixed=False, room=bare)], FIRM)[0]:
+            return f"the floor is {_span(room.outline)} at its longest and widest"
+        if not self.search([self.scene_of(part, fixed=False)], FIRM)[0]:
+            return "the clearances of doors and windows leave none"
+        return "the fixed objects leave none"
+
+    def surfaces(self) -> list[str]:
+        """Surfaces whose things do not fit on them together, and carriers that fit nowhere with what they carry."""
+        suspects = set(self.always_at_fault())
+        lines = []
+        for domain in self.compiled.domains:
+            members = [i for i in domain.deck.members if not self.scene.objects[i].fixed]
+            if not self.fault[:, members].any(axis=1).all():
+                continue
+            fixed = any(self.scene.objects[i].fixed for i in self._carriers(members))
+            room = None if fixed else self._hall()
+            scenes = [self.scene_of(self.presence(some), fixed, room) for some in (members, *([i] for i in members))]
+            if self.search(scenes[:1], FIRM)[0]:
+                continue
+            alone = self.search(scenes[1:], FIRM)
+            misfits = [i for i, can in zip(members, alone, strict=True) if not can]
+            obj = self.scene.objects[members[0]]
+            on, span = _where(obj), _span(self._surface(obj).polygon)
+            for i in misfits:
+                lines.append(f"No place on {on} ({span}) was found for {_size(self.scene.objects[i])}.")
+            if not misfits and not self.search(scenes[:1], SURE)[0]:
+                crowd = _crowd([self.scene.objects[i] for i in members])
+                area = sum(self._area(i) for i in members)
+                lines.append(
+                    f"{crowd} do not fit on {on} together {FOUND}: footprints of {area:.3g} m2 "
+                    f"on {shapely.Polygon(self._surface(obj).polygon).area:.3g} m2 ({span})."
+                )
+        if not lines:
+            groups = [self.problem.groups[i][: int(np.sum(self.problem.roots == i))] for i in sorted(suspects)]
+            groups = [g for g in groups if len(g) > 1]
+            for group, can in zip(groups, self.can([self.presence(g) for g in groups]), strict=True):
+                if not can and self.surely_not(self.presence(group)):
+                    first, *rest = (self.scene.objects[i].id for i in group)
+                    carried = _list(rest, 6)
+                    lines.append(f"No place in the room was found for {first} with what stands on it ({carried}).")
+        return _few(lines, "surfaces have no layout")
+
+    def _hall(self) -> Room:
+        """An empty room larger than this one on all sides."""
+        (x0, y0), (x1, y1) = np.min(self.scene.room.outline, axis=0) - 5, np.max(self.scene.room.outline, axis=0) + 5
+        outline = ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
+        return Room(outline=tuple((float(x), float(y)) for x, y in outline), height=self.scene.room.height + 5)
+
+    def again(self) -> list[str]:
+        """A valid layout after all, when the run was short."""
+        weak = self.solution.timed_out or self.solution.candidates < LOOK
+        if not weak or len(self.free) > 3 * CROWD:
+            return []
+        everything = frozenset(range(len(self.units))) | self.presence(self.free)
+        if not self.can([everything])[0]:
+            return []
+        return [
+            "A short search found a valid layout, so there is one: give the run more candidates, more steps, "
+            "more time or another seed."
+        ]
+
+    def together(self) -> list[str]:
+        """Objects that do not fit together even without relations."""
+        everyone = self.presence(self.free)
+        if np.any(self.solution.status == 2):  # only relations were unmet
+            self.note(everyone, True)
+        if len(self.free) > 3 * CROWD or self.can([everyone])[0]:
+            return []
+        return self._crowding(sorted(self.free, key=lambda i: (-self.fault[:, i].mean(), -self._area(i), i)))
+
+    def _area(self, i: int) -> float:
+        return shapely.union_all([shapely.Polygon(p.polygon) for p in self.problem.solids[i]]).area
+
+    def _crowding(self, objects: Sequence[int]) -> list[str]:
+        """A smallest set found of objects that do not fit together."""
+        n = len(self.units)
+        found = self.conflict([n + i for i in objects])
+        if found is None:
+            return []
+        ids = [self.scene.objects[i] for i in sorted(e - n for e in found)]
+        everyone = " even without relations" if self.units else ""
+        area = sum(self._area(self.index[o.id]) for o in ids if o.mount == "floor")
+        floor = shapely.Polygon(self.scene.room.outline)
+        doors = shapely.union_all([shapely.Polygon(d.polygon) for d in self.problem.region.doors.values()])
+        free = floor.difference(doors).area
+        beside = self._beside_fixed(found)
+        return [
+            f"These {len(ids)} objects do not fit together{beside}{everyone} {FOUND}: {_list([o.id for o in ids])}. "
+            f"Those on the floor cover {area:.1f} m2 of the {free:.1f} m2 that doors leave free."
+        ]
+
+    def _beside_fixed(self, part: frozenset[int]) -> str:
+        """Words for a conflict that is none without the fixed objects."""
+        if not any(o.fixed for o in self.scene.objects):
+            return ""
+        return " beside the fixed objects" if self.search([self.scene_of(part, fixed=False)], FIRM)[0] else ""
+
+    def never(self) -> list[str]:
+        """Hard relations that no pose can fulfil."""
+        lines = []
+        for j, rel in enumerate(self.scene.relations):
+            if rel.hard and self.problem.relations[j].options == [[NEVER]]:
+                lines.append(f"{_say(rel)} can never hold{self._why_never(rel)}.")
+        return _few(lines, "relations can never hold")
+
+    def _why_never(self, rel: Relation) -> str:
+        obj = self.scene.object(rel.subject)
+        if rel.type in ("on_top", "inside"):
+            if obj.support is None:
+                return f": {obj.id} stands on no surface (its mount is {obj.mount})"
+            if obj.support.object != rel.target:
+                return f": {obj.id} stands on {obj.support.object}"
+            return f": {_where(obj)} has no head room, so nothing is inside"
+        if rel.type.endswith("against_wall"):
+            longest = max(w.length for w in self.problem.region.walls)
+            return f": {_size(obj)} is too wide (the longest wall is {longest:.2f} m)"
+        if rel.type == "at_window":
+            return ": the room has no window"
+        return ": the room has no convex corner" if rel.type == "in_corner" else ""
+
+    def singles(self) -> list[str]:
+        """Hard relations that no place was found for, though only they and their objects are in the room."""
+        doubtful = [u for u in range(len(self.units)) if not self.good[:, u].any()]
+        doubtful.sort(key=self._suspicion)
+        can = self.can([{u} for u in doubtful])
+        bad = [u for u, ok in zip(doubtful, can, strict=True) if not ok and self.surely_not({u})]
+        return _few([self._tell(frozenset({u})) for u in bad], "relations hold nowhere")
+
+    def pairs(self) -> list[str]:
+        """Two hard relations that do not go together."""
+        keys = [self._keys(u) for u in range(len(self.units))]
+        seen = self.good.astype(np.float32)
+        met = seen.T @ seen > 0  # some candidate has both
+        pairs = [
+            (u, v)
+            for u in range(len(self.units))
+            for v in range(u + 1, len(self.units))
+            if not met[u, v] and keys[u] & keys[v]
+        ]
+        pairs.sort(key=lambda p: (self._suspicion(p[0])[0] + self._suspicion(p[1])[0], p))
+        pairs = pairs[:PAIRS]
+        can = self.can([set(p) for p in pairs])
+        lines, used = [], set()
+        for pair, ok in zip(pairs, can, strict=True):
+            if not ok and not used.intersection(pair) and self.surely_not(pair):
+                used.update(pair)
+                lines.append(self._settled(frozenset(pair)))
+                if len(lines) == LINES:
+                    break
+        return lines
+
+    def _keys(self, u: int) -> set:
+        """What a unit is about: movable objects, and parts of the room that it wants."""
+        keys: set = {i for i in self.named[u] if not self.scene.objects[i].fixed}
+        for j in self.units[u]:
+            rel = self.scene.relations[j]
+            kind = CATALOGUE[rel.type].target_kind
+            if kind not in ("object", "objects"):
+                keys |= {t for t in rel.targets} or {rel.type}
+        return keys
+
+    def _suspicion(self, u: int) -> tuple[float, float, int]:
+        """Sorts units: the most often unmet first, then those whose objects are at fault."""
+        return (-float(self.unmet[:, u].mean()), -float(self.fault[:, sorted(self.named[u])].mean()), u)
+
+    def grown(self) -> list[str]:
+        """A smallest set found of relations and objects, grown around the relations that are unmet most often."""
+        seeds = sorted(range(len(self.units)), key=self._suspicion)
+        best: frozenset[int] | None = None
+        for seed in seeds[:LINES]:
+            found = self.conflict(self._outward(seed))
+            if found is not None and (best is None or len(found) < len(best)):
+                best = found
+            if best is not None and len(best) <= LINES:
+                break
+        if not seeds:
+            best = self.conflict(sorted(self.presence(self.free)))
+        return [] if best is None else [self._settled(best)]
+
+    def _outward(self, seed: int) -> list[int]:
+        """All elements: units by how many steps they are from the seed, then objects."""
+        keys = [self._keys(u) for u in range(len(self.units))]
+        step, rank, reached = 0, {seed: 0}, set(keys[seed])
+        while len(rank) < len(self.units):
+            step += 1
+            new = [u for u in range(len(self.units)) if u not in rank and keys[u] & reached]
+            if not new:
+                new = [u for u in range(len(self.units)) if u not in rank]
+            for u in new:
+                rank[u] = step
+                reached |= keys[u]
+        units = sorted(rank, key=lambda u: (rank[u], self._suspicion(u)))
+        objects = sorted(self.free, key=lambda i: (-self.fault[:, i].mean(), i))
+        return units + [len(self.units) + i for i in objects]
+
+    def conflict(self, order: Sequence[int]) -> frozenset[int] | None:
+        """A set of elements, none of them to spare, for which no layout was found; early ones preferred."""
+        try:
+            for _ in range(3):  # a search that misses a layout may lead to a set that has one
+                n = 1
+                while n < len(order) and self.can([order[:n]])[0]:
+                    n *= 2
+                self.narrowest = frozenset(order[:n])
+                found = self._narrow(frozenset(), False, list(order[:n]))
+                if self.surely_not(found):
+                    return found
+        except _OutOfTime:
+            raise _OutOfTime(self._so_far()) from None
+        return None
+
+    def _narrow(self, background: frozenset[int], grew: bool, rest: list[int]) -> frozenset[int]:
+        """QuickXplain (Junker 2004): what of ``rest`` it takes, with the background, to have no layout."""
+        if grew and not self.can([background])[0]:
+            self.narrowest = background
+            return frozenset()
+        if len(rest) == 1:
+            return frozenset(rest)
+        half = len(rest) // 2
+        second = self._narrow(background | set(rest[:half]), True, rest[half:])
+        first = self._narrow(background | second, bool(second), rest[:half])
+        return first | second
+
+    def _so_far(self) -> str:
+        if self.narrowest is None:
+            return ""
+        units = sum(e < len(self.units) for e in self.narrowest)
+        return (
+            f"By then the cause was narrowed down to {_plural(units, 'hard relation')} and "
+            f"{_plural(len(self.objects_of(self.narrowest)), 'object')}."
+        )
+
+    def _settled(self, found: frozenset[int]) -> str:
+        """The words for a conflict; objects alone when they do not fit together without its relations."""
+        objects = sorted(self.objects_of(found))
+        if len(objects) > 1 and not self.can([self.presence(objects)])[0]:
+            lines = self._crowding(objects)
+            if lines:
+                return lines[0]
+        return self._tell(found)
+
+    def _tell(self, found: frozenset[int]) -> str:
+        n = len(self.units)
+        units = sorted(e for e in found if e < n)
+        relations = [self._unit_words(u) for u in units]
+        named = {i for u in units for i in self.named[u]}
+        others = [self.scene.objects[e - n].id for e in sorted(found) if e >= n and e - n not in named]
+        beside = self._beside_fixed(found)
+        if others:
+            beside += f" while {_list(others, 6)} {'is' if len(others) == 1 else 'are'} there"
+        if len(units) == 1:
+            sizes = _list([_size(self.scene.objects[i]) for i in sorted(named)], 4)
+            return f"This hard relation holds nowhere{beside} {FOUND}: {relations[0]}; {sizes}."
+        return f"These {len(units)} hard relations cannot hold together{beside} {FOUND}: {_list(relations, 8, '; ')}."
+
+    def _unit_words(self, u: int) -> str:
+        relations = [self.scene.relations[j] for j in self.units[u]]
+        if relations[0].type != "around":
+            return _say(relations[0])
+        return f"{_list([r.subject for r in relations], 6)} around {relations[0].target}"
+
+
+def _few(lines: list[str], what: str) -> list[str]:
+    """At most LINES lines; the last says how many more there are."""
+    if len(lines) <= LINES:
+        return lines
+    return [*lines[: LINES - 1], f"{len(lines) - LINES + 1} more {what}."]
+
+
+def _where(obj: SceneObject) -> str:
+    assert obj.support is not None
+    return f"{obj.support.surface} of {obj.support.object}"
+
+
+def _span(polygon) -> str:
+    """Length and width of the smallest rectangle around a polygon."""
+    box = shapely.Polygon(polygon).minimum_rotated_rectangle
+    points = np.asarray(box.exterior.coords)
+    sides = sorted(np.hypot(*(points[i + 1] - points[i])) for i in range(2))
+    return f"{sides[1]:.2f} x {sides[0]:.2f} m"
+
+
+# --- what goes wrong most often --------------------------------------------------------------------------------------
+
+
+def _violations(problem: Problem, scene: Scene, poses: np.ndarray | None) -> dict[str, tuple[str, ...]]:
+    """What is wrong with one layout, in words, with the ids of the objects; relations are left out.
+
+    ``poses`` are the world's [object, 4]; None: those of the scene.
+    """
+    poses = problem.home if poses is None else poses.astype(np.float64)
+    ids, objects = problem.ids, scene.objects
+    solids = [_shapes(_moved(s, p)) for s, p in zip(problem.solids, poses, strict=True)]
+    zones = [_shapes(_moved(z, p), INTRUDED) for z, p in zip(problem.zones, poses, strict=True)]
+    prisms = [(*s, *z) for s, z in zip(problem.solids, problem.zones, strict=True)]
+    reach = np.array([reach_of([p.polygon for p in own]) for own in prisms])
+    floor = shapely.Polygon(scene.room.outline).buffer(PENETRATION, join_style="mitre")
+    shapes = [_shapes([p], INTRUDED) for p in problem.region.openings]
+    openings = list(zip((*scene.room.doors, *scene.room.windows), shapes, strict=True))
+    found: dict[str, tuple[str, ...]] = {}
+    for i, obj in enumerate(objects):
+        outside = any(not floor.covers(s) for s, _ in solids[i])
+        top, low = max(z[1] for _, z in solids[i]), min(z[0] for _, z in solids[i])
+        if outside or top > scene.room.height + PENETRATION or low < -PENETRATION:
+            found[f"{obj.id} is partly outside of the room"] = (obj.id,)
+        if obj.mount != "wall":
+            for opening, shape in openings:
+                if _meet(solids[i], shape):
+                    found[f"{obj.id} is in the clearance of {opening.id}"] = (obj.id,)
+        gaps = np.hypot(*(poses[:, :2] - poses[i, :2]).T)
+        for j in np.flatnonzero(gaps < reach + reach[i]):
+            flags = int(problem.flags[i, j])
+            if j > i and flags & k.PAIR_COLLIDE and _meet(solids[i], solids[j]):
+                found[f"{obj.id} and {ids[j]} collide"] = (obj.id, ids[j])
+            elif flags & k.PAIR_ZONE_OF_FIRST and _meet(zones[i], solids[j]) and not _meet(solids[i], solids[j]):
+                found[f"{ids[j]} is in the access zone of {obj.id}"] = (obj.id, ids[j])
+    return found
+
+
+Shapes = list[tuple[shapely.Polygon, tuple[float, float]]]
+
+
+def _shapes(prisms: Iterable[Prism], give: float = SUNK) -> Shapes:
+    return [(shapely.Polygon(p.polygon).buffer(-give, join_style="mitre"), p.z) for p in prisms]
+
+
+def _meet(a: Shapes, b: Shapes) -> bool:
+    for s, z in a:
+        for t, w in b:
+            if min(z[1], w[1]) - max(z[0], w[0]) > 2 * SUNK and s.intersects(t):
+                return True
+    return False
+
+
+def _unmet(scene: Scene, solution: Solution) -> str:
+    """The hard relations that are unmet most often; costs nothing."""
+    hard = [j for j, r in enumerate(scene.relations) if r.hard]
+    share = (~solution.relations).sum(axis=0)
+    worst = [j for j in sorted(hard, key=lambda j: (-share[j], j)) if share[j]][:LINES]
+    unmet = [f"{_say(scene.relations[j])} unmet in {share[j]}" for j in worst]
+    broken = int(np.sum(solution.status == 1))
+    words = [f"{broken} with a collision or something out of place", *unmet] if broken else unmet
+    return f"Of {_plural(solution.candidates, 'candidate')}: {'; '.join(words) or 'none valid'}."
+
+
+def _frequent(study: _Study) -> str:
+    """What is wrong most often in the best candidates."""
+    scene, top = study.scene, study.top[:BEST]
+    counts: Counter[str] = Counter()
+    for c in top:
+        counts.update(_violations(study.problem, scene, study.solution.poses[c]).keys())
+        for j, rel in enumerate(scene.relations):
+            if rel.hard and not study.solution.relations[c, j]:
+                counts[f"{_say(rel)} is unmet"] += 1
+    if not counts:
+        return _unmet(scene, study.solution)
+    worst = sorted(counts.items(), key=lambda item: -item[1])[: LINES + 1]
+    which = f"In the best {len(top)} layouts" if len(top) > 1 else "In the only layout"
+    return f"{which}: {'; '.join(f'{text} ({n})' for text, n in worst)}."

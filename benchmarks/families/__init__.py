@@ -1,0 +1,28 @@
+"""The families of benchmarks: each a function from settings and judge to a result."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+
+from benchmarks.judging import Judge
+from benchmarks.results import Result
+from benchmarks.settings import Settings
+
+from . import cold, edits, memory, quality, scaling, soundness, throughput
+
+Family = Callable[[Settings, Judge], Result]
+
+FAMILIES: Mapping[str, Family] = MappingProxyType(
+    {
+        "quality": quality.run,
+        "throughput": throughput.run,
+        "cold": cold.run,
+        "scaling": scaling.run,
+        "memory": memory.run,
+        "soundness": soundness.run,
+        "edits": edits.run,
+    }
+)
+
+__all__ = ["FAMILIES", "Family"]

@@ -1,0 +1,139 @@
+"""How many candidates become valid, and how different they are, from three kinds of starts."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from benchmarks import rooms
+from benchmarks.audit import audit, spread
+from benchmarks.judging import Judge, share
+from benchmarks.results import Column, Plot, Result, Table
+from benchmarks.rivals import Rival, present, solve
+from benchmarks.settings import Settings
+from benchmarks.signature import count_distinct
+from benchmarks.starts import STARTS, noisy_poses, random_poses, start
+from benchmarks.timing import timed, warm
+from sceneweaver.scene import Scene
+
+OURS = "sceneweaver"
+WALKED = 20  # layouts whose floor is flooded
+
+COLUMNS = (
+    Column("room", "room"),
+    Column("objects", "objects", "count"),
+    Column("start", "start"),
+    Column("system", "system"),
+    Column("candidates", "candidates", "count"),
+    Column("claimed", "status valid", "share"),
+    Column("judged", "judged", "count"),
+    Column("agreed", "judge agrees", "share"),
+    Column("exceptions", "exceptions", "count"),
+    Column("valid", "fully valid", "share"),
+    Column("solid", "free of overlap, inside", "share"),
+    Column("hard", "hard relations", "share"),
+    Column("distinct", "distinct (signature)", "count"),
+    Column("different", "different poses (> 1 cm)", "count"),
+    Column("soft", "soft relations", "share"),
+    Column("walkable", "walkable share", "share"),
+    Column("seconds", "seconds", "number"),
+    Column("rate", "fully valid per second", "number"),
+)
+
+
+def run(settings: Settings, judge: Judge) -> Result:
+    """Refine every room from every kind of start; rivals beside it."""
+    about = (
+        "Candidates that become valid from random starts, from starts drawn from the relations (sample) and from noisy "
+        "ones (the witness with N(0, 0.3 m) and N(0, 15 degrees) noise on what stands on the floor). The engine calls "
+        "a candidate valid; the judge, which shares no arithmetic with it, judges each of those: an exception is a "
+        "contradiction and must not be. Distinct layouts differ in the wall, the 0.5 m cell or the eighth of a turn of "
+        "some floor object; of different poses, any two have some object more than 1 cm or 1 degree apart."
+    )
+    result = Result("quality", "Quality", about)
+    table = result.add("quality", "Quality by room and start", COLUMNS, keys=4)
+    rivals = present(settings, result.notes)
+    for name in rooms.chosen(settings, rooms.ROOMS):
+        for kind in STARTS:
+            _ours(table, result, settings, judge, name, kind)
+            for rival in rivals if kind != "sample" else ():
+                _theirs(table, rival, settings, judge, name, kind)
+    result.notes.append(f"The walkable share is the mean over {WALKED} valid layouts at most.")
+    result.notes.append("Rivals get fewer candidates where they are slow; all of their layouts are judged.")
+    for kind in STARTS:
+        _plot_rows(result, table, kind)
+    return result
+
+
+def _ours(table: Table, result: Result, settings: Settings, judge: Judge, name: str, kind: str) -> None:
+    scene, count = rooms.load(name), rooms.candidates(settings, name)
+    init = start(scene, kind, count, settings.seed)
+    warm(scene, settings, init if isinstance(init, str) else init[:2])
+    solution, seconds = timed(scene, settings, candidates=count, seed=settings.seed, init=init)
+    found = audit(solution, judge, result, f"{name} {kind} seed {settings.seed}", settings.out)
+    agreed = [i for i, o in zip(found.judged, found.opinions, strict=True) if o.valid]
+    distinct, different = count_distinct(scene, solution.poses[agreed])
+    table.rows.append(
+        {
+            "room": name,
+            "objects": len(scene.objects),
+            "start": kind,
+            "system": OURS,
+            "candidates": len(solution.status),
+            "claimed": len(found.valid) / len(solution.status),
+            "judged": len(found.judged),
+            "agreed": found.agreed,
+            "exceptions": found.exceptions,
+            "valid": len(agreed) / len(solution.status),
+            "distinct": distinct,
+            "different": different,
+            "soft": found.soft,
+            "walkable": _walkable(judge, scene, solution.poses[agreed]),
+            "seconds": seconds,
+            "rate": len(agreed) / seconds,
+        }
+    )
+
+
+def _theirs(table: Table, rival: Rival, settings: Settings, judge: Judge, name: str, kind: str) -> None:
+    scene = rooms.load(name)
+    count = min(rooms.candidates(settings, name), rival.most(len(scene.objects)))
+    starts = (noisy_poses if kind == "noisy" else random_poses)(scene, count, settings.seed)
+    poses, seconds = solve(rival, scene, starts, settings.seed, settings.device)
+    opinions = judge(scene, poses)
+    good = [i for i, o in enumerate(opinions) if o.valid]
+    distinct, different = count_distinct(scene, poses[good])
+    table.rows.append(
+        {
+            "room": name,
+            "objects": len(scene.objects),
+            "start": kind,
+            "system": rival.name,
+            "candidates": count,
+            "judged": count,
+            "valid": len(good) / count,
+            "solid": sum(o.solid for o in opinions) / count,
+            "hard": share([o.hard for o in opinions]),
+            "distinct": distinct,
+            "different": different,
+            "soft": share([opinions[i].soft for i in good]),
+            "walkable": _walkable(judge, scene, poses[good]),
+            "seconds": seconds,
+            "rate": len(good) / seconds,
+        }
+    )
+
+
+def _walkable(judge: Judge, scene: Scene, poses: np.ndarray) -> float | None:
+    """Mean walkable share of some of the layouts."""
+    some = spread(np.arange(len(poses)), WALKED)
+    shares = [o.walkable for o in judge(scene, poses[some], walkable=True) if o.walkable is not None]
+    return sum(shares) / len(shares) if shares else None
+
+
+def _plot_rows(result: Result, table: Table, kind: str) -> None:
+    """A picture of fully valid shares from one kind of start."""
+    rows = [row for row in table.rows if row["start"] == kind]
+    columns = [c for c in COLUMNS if c.key in ("room", "system", "valid")]
+    result.add(f"quality-{kind}", f"Fully valid from {kind} starts", columns, keys=2, detail=True).rows.extend(rows)
+    title = f"Fully valid from {kind} starts"
+    result.plots.append(Plot(f"quality-{kind}", title, f"quality-{kind}", "room", ("valid",), series="system"))
