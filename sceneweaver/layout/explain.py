@@ -29,7 +29,7 @@ from sceneweaver.scene import CATALOGUE, Relation, Room, Scene, SceneObject, Sur
 from .compile import Problem, compile_scene, relative
 from .region import Region
 from .rows import NEVER
-from .shapes import Points, Prism, reach_of, solids_of
+from .shapes import Points, Prism, reach_of
 from .solution import Solution
 
 LONGEST = 10.0  # [s] that an explanation may take
@@ -123,11 +123,11 @@ def _say(rel: Relation) -> str:
     units = {"m": " m", "deg": " deg", "": ""}
     params = []
     for name, value in rel.params.items():
-        number = f"{value[0]:g} to {value[1]:g}" if isinstance(value, tuple) else f"{value:g}"
-        params.append(f"{name} {number}{units[CATALOGUE[rel.type].params[name].unit]}")
-    return " ".join([rel.subject, rel.type, " and ".join(rel.targets)]).rstrip() + (
-        f" ({', '.join(params)})" if params else ""
-    )
+        numbers = value if isinstance(value, tuple) else (value,)
+        text = " to ".join(v if isinstance(v, str) else f"{v:g}" for v in numbers)
+        params.append(f"{name} {text}{units.get(CATALOGUE[rel.type].params[name].unit, '')}")
+    words = " ".join([rel.subject, rel.type, " and ".join(rel.targets)]).rstrip()
+    return f"{words} ({', '.join(params)})" if params else words
 
 
 def _plural(n: int, noun: str) -> str:
@@ -176,9 +176,9 @@ def _hull(solids: Sequence[Prism]) -> Points:
     return np.asarray(shape.exterior.coords[:-1])
 
 
-def _height(obj: SceneObject) -> tuple[float, float]:
-    """Lowest and highest point of an upright object above its origin."""
-    return min(p.z[0] for p in obj.solids), max(p.z[1] for p in obj.solids)
+def _height(prisms: Sequence[Prism]) -> tuple[float, float]:
+    """Lowest and highest point of an object above its origin."""
+    return min(p.z[0] for p in prisms), max(p.z[1] for p in prisms)
 
 
 def _levels(prisms: Iterable[Prism]) -> list[float]:
@@ -286,7 +286,7 @@ def _claims(scene: Scene) -> list[_Claim]:
         if not rel.hard or rel.type not in ("against_wall", "side_against_wall"):
             continue
         obj, spec = scene.object(rel.subject), CATALOGUE[rel.type]
-        if obj.fixed or obj.mount != "floor":
+        if obj.fixed or obj.mount != "floor" or max(map(abs, obj.pose.quaternion[:2])) > 1e-9:
             continue
         side = rel.type == "side_against_wall"
         d, w, _ = obj.size
@@ -741,7 +741,7 @@ class _Study:
         lines, height = [], self.scene.room.height
         for i in self.free:
             obj = self.scene.objects[i]
-            low, high = _height(obj)
+            low, high = _height(self.problem.solids[i])
             base = self._base(i)
             if high - low > height + PENETRATION:
                 lines.append(f"{obj.id} is {high - low:.2f} m tall; the room is {height:.2f} m high.")
@@ -759,10 +759,10 @@ class _Study:
                 obj = self.scene.objects[i]
                 surface = self._surface(obj)
                 on = _where(obj)
-                high = _height(obj)[1]
+                high = _height(self.problem.solids[i])[1]
                 if surface.headroom is not None and high > surface.headroom + PENETRATION:
                     lines.append(f"{obj.id} is {high:.2f} m tall; {on} has {surface.headroom:.2f} m of head room.")
-                elif not _fits_turned(_hull(solids_of(obj)), domain.problem.region.planes):
+                elif not _fits_turned(_hull(self.problem.solids[i]), domain.problem.region.planes):
                     lines.append(f"{_size(obj)} is larger than what it stands on: {on} is {_span(surface.polygon)}.")
             polygon = shapely.Polygon(self._surface(self.scene.objects[domain.deck.members[0]]).polygon)
             blocked = [(p, PENETRATION) for p in domain.problem.region.solids]
@@ -1100,7 +1100,7 @@ def _violations(problem: Problem, scene: Scene, poses: np.ndarray | None) -> dic
     found: dict[str, tuple[str, ...]] = {}
     for i, obj in enumerate(objects):
         outside = any(not floor.covers(s) for s, _ in solids[i])
-        top, low = max(z[1] for _, z in solids[i]), min(z[0] for _, z in solids[i])
+        low, top = _height(problem.solids[i]) + poses[i, 2]
         if outside or top > scene.room.height + PENETRATION or low < -PENETRATION:
             found[f"{obj.id} is partly outside of the room"] = (obj.id,)
         if obj.mount != "wall":

@@ -26,7 +26,6 @@ def agree(problem: Problem, layouts: list[np.ndarray], device: str) -> np.ndarra
         fault, holds = found.fault[c, :n], found.holds[c, :r]
         np.testing.assert_array_equal(fault[sure_o], np.where(objects < 0, BROKEN, VALID)[sure_o], f"candidate {c}")
         np.testing.assert_array_equal(holds[sure_r], (relations >= 0)[sure_r], f"candidate {c}")
-        assert found.holds[c, r:].all() and not found.fault[c, n:].any()
         unsure += int(np.sum(~sure_o) + np.sum(~sure_r))
         if sure_o.all() and sure_r.all():
             assert found.status[c] == status(problem, objects, relations), f"candidate {c}"
