@@ -16,10 +16,11 @@ import numpy as np
 from sceneweaver.scene import SCHEMA, Pose, Scene
 
 FILL = 0.2
-CELL = 2.05  # [m] a table with its chairs
-RIM = 1.05  # [m] kept free of groups along the walls: cabinets with their zones, doors
+CELL = 1.92  # [m] a table with its chairs
+RIM = 1.0  # [m] kept free of groups along the walls: cabinets with their zones, doors
 CORNER = 1.3  # [m] kept free of cabinets
 OBJECTS_A_DOOR = 120
+LEAST = 50  # below, the grid of cells is too coarse
 
 Json = dict[str, Any]
 
@@ -107,9 +108,9 @@ def _area(kind: str) -> float:
 
 @cache
 def floor(objects: int, seed: int = 0) -> Scene:
-    """A square floor with so many objects (at least 20), in a valid layout."""
-    if objects < 20:
-        raise ValueError(f"objects: {objects} is less than 20")
+    """A square floor with so many objects (at least 50), in a valid layout."""
+    if objects < LEAST:
+        raise ValueError(f"objects: {objects} is less than {LEAST}")
     tables, desks, cabinets, plants = mix(objects)
     footprint = tables * (_area("table") + 4 * _area("chair")) + desks * (_area("desk") + _area("chair"))
     side = round(math.sqrt((footprint + cabinets * _area("cabinet") + plants * _area("plant")) / FILL), 2)

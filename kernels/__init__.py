@@ -1,6 +1,7 @@
 """Warp code: the compiled problem's tables and everything that runs on the device."""
 
 import ctypes
+import importlib
 import os
 
 import warp as wp
@@ -27,6 +28,15 @@ def _start() -> None:
             os.dup2(terminal, 2)
             os.close(terminal)
             os.close(sink)
+
+
+def load(device: str, *names: str) -> None:
+    """Compile and load kernel modules ahead of their first launch, side by side on two threads.
+
+    From a warm cache this takes milliseconds; from an empty one it halves the wait.
+    """
+    modules = [wp.get_module(importlib.import_module(f"{__name__}.{name}").__name__) for name in names]
+    wp.force_load(device, modules, max_workers=2)
 
 
 _start()

@@ -310,16 +310,3 @@ def evaluate(
     share_out[candidate, obj] = share
     soft_out[candidate, obj] = soft
     gradient_out[candidate, obj] = g
-
-
-@wp.kernel
-def set_turns(
-    # State in:
-    poses: wp.array2d(dtype=wp.vec4),
-    # State out:
-    turns_out: wp.array2d(dtype=wp.vec2),
-):
-    """(cos, sin) of every yaw."""
-    candidate, obj = wp.tid()
-    yaw = poses[candidate, obj][3]
-    turns_out[candidate, obj] = wp.vec2(wp.cos(yaw), wp.sin(yaw))

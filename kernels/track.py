@@ -1,4 +1,4 @@
-"""Keeping the best layout of each candidate."""
+"""Small services on layouts: the (cos, sin) of yaws, keeping the best of each candidate."""
 
 import warp as wp
 
@@ -31,3 +31,16 @@ def keep_best(
         best_out.turns[candidate, obj] = s.turns[candidate, obj]
     for r in range(t[0].relation_start[p + 1] - t[0].relation_start[p]):
         best_out.options[candidate, r] = s.options[candidate, r]
+
+
+@wp.kernel
+def set_turns(
+    # State in:
+    poses: wp.array2d(dtype=wp.vec4),
+    # State out:
+    turns_out: wp.array2d(dtype=wp.vec2),
+):
+    """(cos, sin) of every yaw."""
+    candidate, obj = wp.tid()
+    yaw = poses[candidate, obj][3]
+    turns_out[candidate, obj] = wp.vec2(wp.cos(yaw), wp.sin(yaw))

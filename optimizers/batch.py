@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 import warp as wp
 
-from sceneweaver.kernels.energy import set_turns
 from sceneweaver.kernels.tables import Margins, State, Tables, Weights
+from sceneweaver.kernels.track import set_turns
 from sceneweaver.kernels.verdict import judge_candidates, judge_objects, judge_relations
 
 

@@ -13,7 +13,7 @@ ROOM = "bedroom-small"
 CANDIDATES = (64, 512, 2048, 8192)
 OBJECTS = (50, 100, 200, 350, 500)
 QUICK_CANDIDATES = (8, 64)
-QUICK_OBJECTS = (20, 50)
+QUICK_OBJECTS = (50, 100)
 
 TAIL = (
     Column("peak", "peak RSS [MiB]", "number"),

@@ -16,7 +16,7 @@ from sceneweaver.scene import Scene
 
 OBJECTS = (50, 100, 200, 350, 500)
 CANDIDATES = (64, 128, 256, 512, 1024, 2048, 4096, 8192)
-QUICK_OBJECTS = (20, 50)
+QUICK_OBJECTS = (50, 100)
 QUICK_CANDIDATES = (8, 64)
 ROOM = "bedroom-small"
 JUDGED = 256

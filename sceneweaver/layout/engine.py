@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 import warp as wp
 
+from sceneweaver.kernels import load
 from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, judge, load_poses, new_state, run, streams
 from sceneweaver.optimizers.batch import Progress
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
@@ -155,6 +156,7 @@ def solve(
     jobs: Sequence[Job], optimizer: str, steps: int | None, device: str, monitor: Monitor, began: float
 ) -> list[Solution]:
     """Solve jobs in shared launches, rooms of like size together."""
+    load(device, "track", "verdict", "walk", "adam" if optimizer == "adam" else "search")
     pools = _pools(jobs, device, monitor.deadline)
     buckets: dict[tuple[str, int], list[int]] = {}
     for i, job in enumerate(jobs):

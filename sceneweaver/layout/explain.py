@@ -48,8 +48,10 @@ INTRUDED = 4.25e-3
 
 Effort = tuple[int, int]  # candidates, attempts
 QUICK: Effort = (32, 1)
-FIRM: Effort = (64, 3)
-SURE: Effort = (192, 6)
+FIRM: Effort = (32, 3)
+SURE: Effort = (128, 6)
+FEW = 4  # objects up to which less than that is sure
+FEW_SURE: Effort = (64, 3)
 CROWD = 40  # objects from which on a test stays quick
 
 
@@ -311,7 +313,7 @@ def _claims(scene: Scene) -> list[_Claim]:
 
 def _most_within(lengths: Sequence[float], room: float) -> float:
     """The largest sum of some of the lengths that is at most ``room``, to the millimetre and rounded up."""
-    sums, limit = 1, math.ceil(room * 1000)
+    sums, limit = 1, max(0, math.ceil(room * 1000))
     mask = (1 << (limit + 1)) - 1
     for length in lengths:
         sums |= (sums << math.floor(length * 1000)) & mask
@@ -349,34 +351,44 @@ class _Walls:
             out.append(sorted((s[0], s[-1]) for s in spans))
         return out
 
-    def corner_loss(
-        self, stretches: list[list[tuple[float, float]]], claims: Sequence[_Claim], depths: Sequence[float], line: float
-    ) -> float:
-        """Wall that is lost at square corners for certain: of the two objects nearest to a corner, one makes the other
-        keep away from it by its own depth."""
+    def corner_loss(self, claims: Sequence[_Claim], depths: Sequence[float], line: float) -> float:
+        """How far from a square corner one of its two walls is lost for certain: of the two objects nearest to the
+        corner, one makes the other keep away from it by its own depth."""
         reach = [c.far(d) for c, d in zip(claims, depths, strict=True)]
         drift = max(math.tan(c.angle) for c in claims) * max(reach)
-        least = min(reach) - drift - 0.01 - 2 * PENETRATION
-        if least <= 0 or min(c.length for c in claims) < line + 2 * drift:
-            return 0.0
-        lost = 0.0
+        loss = min(reach) - drift - 0.01
+        return loss if min(c.length for c in claims) >= line + 2 * drift else 0.0
+
+    def usable(self, spans: list[list[tuple[float, float]]], lengths: Sequence[float], loss: float) -> float:
+        """The most that objects of these lengths can use of the stretches, whoever has to keep away from corners."""
         walls = self.region.walls
+        corners = []
         for i, wall in enumerate(walls):
             j = (i + 1) % len(walls)
-            after = walls[j]
-            square = abs(float(wall.t @ after.t)) < 1e-3 and float(wall.n @ after.t) > 0
-            if not square or not stretches[i] or not stretches[j]:
-                continue
-            a, b = stretches[i][-1], stretches[j][0]
-            if abs(a[1] - wall.length) < 0.005 and abs(b[0]) < 0.005:
-                lost += max(0.0, min(least, (a[1] - a[0]) / 2, (b[1] - b[0]) / 2))
-        return lost
+            square = abs(float(wall.t @ walls[j].t)) < 1e-3 and float(wall.n @ walls[j].t) > 0
+            if square and spans[i] and spans[j] and loss > 0:
+                (_, end), (start, _) = spans[i][-1], spans[j][0]
+                if abs(end - wall.length) < 0.005 and abs(start) < 0.005:
+                    corners.append(((i, len(spans[i]) - 1), (j, 0)))
+        holds: dict[tuple[float, int], float] = {}
+        most = 0.0
+        for losers in itertools.product((0, 1), repeat=min(len(corners), 10)):
+            times = Counter(corner[which] for corner, which in zip(corners, losers, strict=False))
+            total = 0.0
+            for i, each in enumerate(spans):
+                for at, (a, b) in enumerate(each):
+                    key = (b - a, times[i, at])
+                    if key not in holds:
+                        holds[key] = _most_within(lengths, b - a - key[1] * loss)
+                    total += holds[key]
+            most = max(most, total)
+        return most
 
     def missing(self, claims: Sequence[_Claim]) -> list[str]:
         """Lines about claims that the walls cannot meet."""
         lines, hopeless = [], set()
         for claim in claims:
-            text = self._worst([claim], lambda c: (c.wall,) if c.wall is not None else None)
+            text = self._worst([claim], lambda c: c.wall)
             if text:
                 lines.append(text)
                 hopeless.add(claim.obj.id)
@@ -388,11 +400,11 @@ class _Walls:
             return [*lines, text]
         for wall in sorted({c.wall for c in rest if c.wall is not None}):
             group = [c for c in rest if c.wall == wall]
-            text = self._worst(group, lambda c: (c.wall,)) if len(group) > 1 else None
+            text = self._worst(group, lambda c: c.wall) if len(group) > 1 else None
             lines += [text] if text else []
         return lines
 
-    def _worst(self, claims: Sequence[_Claim], walls_for: Callable[[_Claim], tuple[int, ...] | None]) -> str | None:
+    def _worst(self, claims: Sequence[_Claim], walls_for: Callable[[_Claim], int | None]) -> str | None:
         """The line for the height at which most wall is missing; None when there is enough."""
         if not claims:
             return None
@@ -415,43 +427,35 @@ class _Walls:
                 continue
             seen.add(key)
             wanted = walls_for(group[0])
-            stretches = self.stretches(z, line, max(c.spare for c in group))
-            spans = [s for w, each in enumerate(stretches) if wanted is None or w in wanted for s in each]
+            spans = self.stretches(z, line, max(c.spare for c in group))
+            spans = [each if wanted in (None, w) else [] for w, each in enumerate(spans)]
             lengths = [c.length - 2 * PENETRATION for c in group]
-            need, there = sum(c.length for c in group), sum(b - a for a, b in spans)
-            usable = sum(_most_within(lengths, b - a) for a, b in spans)
-            corners = 0.0
-            if wanted is None and len(group) > 1:
-                corners = self.corner_loss(stretches, group, [depths[c.obj.id] for c in group], line)
-            short = sum(lengths) - min(usable, there - corners)
-            if short > max(worst, 1e-3):
-                worst = short
-                text = self._text(group, wanted, z, need, there, usable, corners, spans)
+            loss = self.corner_loss(group, [depths[c.obj.id] for c in group], line) if len(group) > 1 else 0.0
+            usable = self.usable(spans, lengths, loss)
+            if sum(lengths) - usable > max(worst, 1e-3):
+                worst = sum(lengths) - usable
+                text = self._text(group, wanted, z, usable, [b - a for each in spans for a, b in each])
         return text
 
-    def _text(self, group, wanted, z, need, there, usable, corners, spans) -> str:
+    def _text(
+        self, group: Sequence[_Claim], wanted: int | None, z: float, usable: float, stretches: Sequence[float]
+    ) -> str:
         blockers = self.blockers(z)
-        free = f" free of {' and '.join(blockers)}" if blockers else " long"
-        where = "wall" if wanted is None else f"wall:{wanted[0]}"
+        free = f" free of {' and '.join(blockers)}" if blockers else ""
+        where = "wall" if wanted is None else f"wall:{wanted}"
+        need, there = sum(c.length for c in group), sum(stretches)
         if len(group) == 1:
-            longest = max((b - a for a, b in spans), default=0.0)
-            stretch = f"no stretch{free}" if longest < 0.05 else f"the longest stretch{free} is {longest:.2f} m"
-            if longest < 0.05:
-                stretch += " is left"
-            return f"{_size(group[0].obj)} needs {need:.2f} m of {where}; {stretch}."
-        crowd = _crowd([c.obj for c in group])
-        start = f"{crowd} need {need:.1f} m of {where}; {there:.1f} m is{free}"
-        if there < need:
-            best = min(there, usable, there - corners)
-            if best > there - 0.1:
-                return f"{start}: {need - there:.1f} m missing."
-        else:
-            best = min(usable, there - corners)
-        if usable <= there - corners:
-            parts = _list([f"{b - a:.1f}" for a, b in sorted(spans, key=lambda s: s[0] - s[1]) if b - a > 0.05], 6)
-            most = f"that hold {best:.1f} m of them at most"
-            return f"{start}, in stretches ({parts} m) {most}: {need - best:.1f} m missing."
-        return f"{start}, but at corners at least {corners:.1f} m of it is lost: {need - best:.1f} m missing."
+            longest = max(stretches, default=0.0)
+            left = f"no stretch{free} is left" if longest < 0.05 else f"the longest stretch{free} is {longest:.2f} m"
+            return f"{_size(group[0].obj)} needs {need:.2f} m of {where}; {left}."
+        start = f"{_crowd([c.obj for c in group])} need {need:.1f} m of {where}; {there:.1f} m is{free or ' there'}"
+        if usable > there - 0.1:
+            return f"{start}: {need - there:.1f} m missing."
+        parts = _list([f"{s:.1f}" for s in sorted(stretches, reverse=True) if s > 0.05], 6)
+        return (
+            f"{start}, and its stretches ({parts} m), corners shared, hold {usable:.1f} m of them at most: "
+            f"{need - usable:.1f} m missing."
+        )
 
 
 # --- search: what small refinements find -----------------------------------------------------------------------------
@@ -563,7 +567,7 @@ class _Study:
         solutions = refine_many(
             scenes,
             candidates=candidates,
-            seed=(self.seed + 7919 * steps) % 2**32,
+            seed=(self.seed + 7919 * steps + candidates) % 2**32,
             device=self.device,
             steps=steps,
             time_limit=left,
@@ -608,7 +612,8 @@ class _Study:
     def surely_not(self, part: Iterable[int]) -> bool:
         """Whether even a long search finds no layout for a part."""
         closed = self.closed(part)
-        found = self.search([self.scene_of(closed)], SURE)[0]
+        few = len(self.objects_of(closed)) <= FEW
+        found = self.search([self.scene_of(closed)], FEW_SURE if few else SURE)[0]
         self.note(closed, found)
         return not found
 
@@ -666,11 +671,11 @@ class _Study:
             self.arithmetic,
             self.lonely,
             self.surfaces,
-            self.again,
             self.together,
             self.never,
             self.singles,
             self.pairs,
+            self.again,
             self.grown,
         ):
             lines = find()
@@ -718,7 +723,7 @@ class _Study:
             free = " free of doors and fixed objects" if fixed else " free of doors" if self.scene.room.doors else ""
             lines.append(
                 f"The floor is too small: {_plural(full.count, 'object')} cover {full.need:.1f} m2; "
-                f"{full.free:.1f} m2 is{free or ' there'}: {full.need - full.free:.1f} m2 missing."
+                f"{full.free:.1f} m2 is{free or ' there'}: {round(full.need, 1) - round(full.free, 1):.1f} m2 missing."
             )
         return lines[: 2 * LINES]
 
@@ -754,8 +759,8 @@ class _Study:
     def _too_large_for_surfaces(self) -> list[str]:
         lines = []
         for domain in self.compiled.domains:
-            members = [i for i in domain.deck.members if not self.scene.objects[i].fixed]
-            for i in members:
+            before = len(lines)
+            for i in (i for i in domain.deck.members if not self.scene.objects[i].fixed):
                 obj = self.scene.objects[i]
                 surface = self._surface(obj)
                 on = _where(obj)
@@ -767,7 +772,7 @@ class _Study:
             polygon = shapely.Polygon(self._surface(self.scene.objects[domain.deck.members[0]]).polygon)
             blocked = [(p, PENETRATION) for p in domain.problem.region.solids]
             full = _fullest(domain.problem.solids, polygon, blocked)
-            if full:
+            if full and len(lines) == before:
                 crowd = _crowd([self.scene.objects[i] for i in domain.deck.members])
                 on = _where(self.scene.objects[domain.deck.members[0]])
                 lines.append(
