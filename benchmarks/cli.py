@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 import time
 from collections.abc import Sequence
 from dataclasses import replace
@@ -18,6 +19,7 @@ from benchmarks.results import Result
 from benchmarks.rivals import RIVALS
 from benchmarks.rooms import ROOMS
 from benchmarks.settings import OUT, ROOT, Settings, cores
+from sceneweaver.scene import SceneWeaverError
 
 PAGE = ROOT / "docs" / "benchmarks.md"
 DONE, WRONG, BAD_INPUT = 0, 1, 2
@@ -25,12 +27,10 @@ DONE, WRONG, BAD_INPUT = 0, 1, 2
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run what was asked for; 1 when an answer was wrong or a family broke down, 2 on bad input."""
-    import sys
-
     words = list(sys.argv[1:] if arguments is None else arguments)
     try:
         return _report(words[1:]) if words[:1] == ["report"] else _run(words)
-    except ValueError as error:
+    except (ValueError, SceneWeaverError) as error:
         console.print(f"benchmarks: {error}", style="bold red", markup=False)
         return BAD_INPUT
 
@@ -124,7 +124,7 @@ def run_family(name: str, settings: Settings, judge: Judge) -> Result:
         result.failures.append(f"{name} broke down: {type(error).__name__}: {text}")
     result = replace(result, machine=machine, options=settings.options(), seconds=time.perf_counter() - began)
     if result.plots and plots.draw(result, settings.out) is None:
-        result.notes.append(f"{plots.MISSING}.")
+        say(plots.MISSING)
     result.save(settings.out)
     text = "\n".join([*result_lines(result), "", *report.run_line(result)])
     (settings.out / f"{name}.md").write_text(text + "\n", "utf-8")

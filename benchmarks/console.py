@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import sys
+
 from rich.console import Console
 from rich.table import Table as Grid
 
-from benchmarks.markdown import show
+from benchmarks.markdown import WIDTH, blocks
 from benchmarks.results import Result
 
-console = Console(highlight=False)
+console = Console(highlight=False, width=None if sys.stdout.isatty() else WIDTH)
+SHOWN = 20  # failures of a family
 
 
 def say(text: str) -> None:
@@ -21,13 +24,18 @@ def print_result(result: Result) -> None:
     for table in result.tables:
         if table.detail:
             continue
-        grid = Grid(title=table.title, title_justify="left")
-        for column in table.columns:
-            grid.add_column(column.label, justify="left" if column.form == "text" else "right")
-        for row in table.rows:
-            grid.add_row(*(show(row.get(c.key), c.form) for c in table.columns))
-        console.print(grid)
+        title = table.title
+        for columns, cells in blocks(table, console.width):
+            grid = Grid(title=title, title_justify="left")
+            for column in columns:
+                grid.add_column(column.label, justify="left" if column.form == "text" else "right", no_wrap=True)
+            for row in cells:
+                grid.add_row(*row)
+            console.print(grid)
+            title = f"{table.title} (continued)"
     for note in result.notes:
         console.print(note, markup=False)
-    for failure in result.failures:
+    for failure in result.failures[:SHOWN]:
         console.print(f"WRONG: {failure}", style="bold red", markup=False)
+    if len(result.failures) > SHOWN:
+        console.print(f"... and {len(result.failures) - SHOWN} more", style="bold red")

@@ -15,14 +15,10 @@ PACKAGES = ("sceneweaver", "warp-lang", "numpy", "shapely", "scipy", "torch")
 
 
 def resolve(device: str) -> str:
-    """The device that "auto" and "cuda" stand for."""
-    import warp as wp
+    """The device that a name stands for; raises what ``refine`` would when it is not there."""
+    from sceneweaver.layout.engine import pick_device
 
-    wp.config.quiet = True
-    wp.init()
-    if device == "auto":
-        return "cuda:0" if wp.is_cuda_available() else "cpu"
-    return "cuda:0" if device == "cuda" else device
+    return pick_device(device)
 
 
 def device_name(device: str) -> str:

@@ -28,11 +28,18 @@ def _number(value: float) -> str:
     return f"{value:#.3g}".rstrip(".") if abs(value) >= 0.001 else f"{value:.1e}"
 
 
+def _millimetres(value: float) -> str:
+    """Metres as millimetres; what is below a micrometre is not told apart."""
+    return "< 0.001" if 0 < abs(value) < 1e-6 else _number(value * 1000)
+
+
 FORMS: dict[str, Callable[[Any], str]] = {
     "text": str,
     "count": lambda v: f"{v:,d}",
     "share": _share,
     "number": _number,
+    "mm": _millimetres,
+    "mib": lambda v: f"{v:,.1f}",
 }
 
 
@@ -47,22 +54,26 @@ def _lines(columns: list[Column], rows: list[list[str]]) -> list[str]:
     return [head, rule, *("| " + " | ".join(row) + " |" for row in rows)]
 
 
-def table_lines(table: Table, width: int = WIDTH) -> list[str]:
-    """A table as Markdown; one that is too wide is continued in others that repeat its key columns."""
+def blocks(table: Table, width: int = WIDTH) -> list[tuple[list[Column], list[list[str]]]]:
+    """Columns and cells of a table; one that is too wide is continued in others that repeat its key columns."""
     cells = [[show(row.get(c.key), c.form) for c in table.columns] for row in table.rows]
     widths = [max(len(c.label), 3, *(len(r[i]) for r in cells), 0) for i, c in enumerate(table.columns)]
     keys = list(range(table.keys))
-    blocks, block = [], list(keys)
+    found, block = [], list(keys)
     for i in range(table.keys, len(table.columns)):
-        taken = [*block, i]
-        if len(block) > table.keys and sum(widths[j] + 3 for j in taken) + 1 > width:
-            blocks.append(block)
-            taken = [*keys, i]
-        block = taken
-    blocks.append(block)
+        if len(block) > table.keys and sum(widths[j] + 3 for j in (*block, i)) + 1 > width:
+            found.append(block)
+            block = list(keys)
+        block.append(i)
+    found.append(block)
+    return [([table.columns[j] for j in block], [[row[j] for j in block] for row in cells]) for block in found]
+
+
+def table_lines(table: Table) -> list[str]:
+    """A table as Markdown."""
     lines: list[str] = []
-    for block in blocks:
-        lines += [*_lines([table.columns[j] for j in block], [[row[j] for j in block] for row in cells]), ""]
+    for columns, cells in blocks(table):
+        lines += [*_lines(columns, cells), ""]
     return lines[:-1]
 
 

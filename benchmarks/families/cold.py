@@ -19,12 +19,12 @@ COLUMNS = (
     Column("case", "case"),
     Column("scene", "room"),
     Column("imported", "import [s]", "number"),
-    Column("first", "first call [s]", "number"),
-    Column("second", "second call [s]", "number"),
+    Column("first", "1st call [s]", "number"),
+    Column("second", "2nd call [s]", "number"),
     Column("process", "process [s]", "number"),
-    Column("valid", "valid layouts", "count"),
-    Column("before", "cached modules before", "count"),
-    Column("after", "after", "count"),
+    Column("valid", "valid", "count"),
+    Column("before", "cached", "count"),
+    Column("new", "new", "count"),
 )
 
 
@@ -38,7 +38,7 @@ def run(settings: Settings, judge: Judge) -> Result:
     about = (
         "What a new process waits for: the import, the first call with an empty Warp kernel cache (everything is "
         "compiled), the same in a second process that finds the cache filled, and rooms with other relations: built-in "
-        "relations are data, so that those compile nothing."
+        "relations are data, so that those compile nothing. Cached: modules in the cache before; new: those compiled."
     )
     result = Result("cold", "Cold start", about)
     table = result.add("cold", "Cold start", COLUMNS, keys=2)
@@ -63,12 +63,12 @@ def run(settings: Settings, judge: Judge) -> Result:
                     "process": found["process"],
                     "valid": call["valid"],
                     "before": len(before),
-                    "after": len(after),
+                    "new": len(after - before),
                 }
             )
             if case != "empty cache" and after - before:
                 result.notes.append(f"{scene} ({case}) compiled {len(after - before)} more: {_names(after - before)}.")
-    if len(table.rows) > 1 and all(row["before"] == row["after"] for row in table.rows[1:]):
+    if len(table.rows) > 1 and not any(row["new"] for row in table.rows[1:]):
         result.notes.append("Once the cache is filled, no room compiles anything.")
     result.notes.append(f"{task['candidates']} candidates a call; each row is a process of its own.")
     return result

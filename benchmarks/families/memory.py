@@ -16,9 +16,9 @@ QUICK_CANDIDATES = (8, 64)
 QUICK_OBJECTS = (50, 100)
 
 TAIL = (
-    Column("peak", "peak RSS [MiB]", "number"),
-    Column("more", "above the smallest call [MiB]", "number"),
-    Column("device", "device pool, peak [MiB]", "number"),
+    Column("peak", "peak RSS [MiB]", "mib"),
+    Column("more", "above the smallest call [MiB]", "mib"),
+    Column("device", "device pool, peak [MiB]", "mib"),
     Column("valid", "valid layouts", "count"),
 )
 

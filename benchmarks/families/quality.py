@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from benchmarks import rooms
 from benchmarks.audit import audit, spread
 from benchmarks.judging import Judge, share
-from benchmarks.results import Column, Plot, Result, Table
+from benchmarks.results import Column, Plot, Result
 from benchmarks.rivals import Rival, present, solve
 from benchmarks.settings import Settings
 from benchmarks.signature import count_distinct
@@ -18,25 +20,35 @@ from sceneweaver.scene import Scene
 OURS = "sceneweaver"
 WALKED = 20  # layouts whose floor is flooded
 
-COLUMNS = (
-    Column("room", "room"),
-    Column("objects", "objects", "count"),
-    Column("start", "start"),
-    Column("system", "system"),
+ROOM, START = Column("room", "room"), Column("start", "start")
+VALIDITY = (
+    ROOM,
+    START,
     Column("candidates", "candidates", "count"),
     Column("claimed", "status valid", "share"),
     Column("judged", "judged", "count"),
-    Column("agreed", "judge agrees", "share"),
     Column("exceptions", "exceptions", "count"),
-    Column("valid", "fully valid", "share"),
-    Column("solid", "free of overlap, inside", "share"),
-    Column("hard", "hard relations", "share"),
+    Column("soft", "soft held", "share"),
+    Column("walkable", "walkable", "share"),
+    Column("seconds", "seconds", "number"),
+)
+VARIETY = (
+    ROOM,
+    START,
+    Column("good", "fully valid", "count"),
     Column("distinct", "distinct (signature)", "count"),
     Column("different", "different poses (> 1 cm)", "count"),
-    Column("soft", "soft relations", "share"),
-    Column("walkable", "walkable share", "share"),
+)
+RIVALS = (
+    ROOM,
+    START,
+    Column("system", "system"),
+    Column("candidates", "candidates", "count"),
+    Column("valid", "fully valid", "share"),
+    Column("solid", "no overlap", "share"),
+    Column("hard", "hard held", "share"),
     Column("seconds", "seconds", "number"),
-    Column("rate", "fully valid per second", "number"),
+    Column("rate", "valid / s", "number"),
 )
 
 
@@ -50,21 +62,32 @@ def run(settings: Settings, judge: Judge) -> Result:
         "some floor object; of different poses, any two have some object more than 1 cm or 1 degree apart."
     )
     result = Result("quality", "Quality", about)
-    table = result.add("quality", "Quality by room and start", COLUMNS, keys=4)
+    ours: list[dict[str, Any]] = []
+    everyone: list[dict[str, Any]] = []
     rivals = present(settings, result.notes)
     for name in rooms.chosen(settings, rooms.ROOMS):
         for kind in STARTS:
-            _ours(table, result, settings, judge, name, kind)
-            for rival in rivals if kind != "sample" else ():
-                _theirs(table, rival, settings, judge, name, kind)
-    result.notes.append(f"The walkable share is the mean over {WALKED} valid layouts at most.")
-    result.notes.append("Rivals get fewer candidates where they are slow; all of their layouts are judged.")
+            ours.append(_ours(result, settings, judge, name, kind))
+            everyone.append(ours[-1])
+            if kind != "sample":
+                everyone += [_theirs(rival, settings, judge, name, kind) for rival in rivals]
+    result.add("validity", "Validity by room and start", VALIDITY, keys=2).rows = ours
+    result.add("variety", "Different layouts among the fully valid ones", VARIETY, keys=2).rows = ours
+    result.add("rivals", "Beside the rivals", RIVALS, keys=3).rows = everyone
+    result.notes.append(
+        f"All that is valid by its status is judged. Soft held: the share of soft relations that hold. Walkable: the "
+        f"mean share of the floor that a robot can reach, over {WALKED} valid layouts at most."
+    )
+    result.notes.append(
+        "No overlap: nothing collides or leaves the room. Hard held: the share of hard relations that hold. Rivals get "
+        "fewer candidates where they are slow; all of their layouts are judged."
+    )
     for kind in STARTS:
-        _plot_rows(result, table, kind)
+        _plot(result, [row for row in everyone if row["start"] == kind], kind)
     return result
 
 
-def _ours(table: Table, result: Result, settings: Settings, judge: Judge, name: str, kind: str) -> None:
+def _ours(result: Result, settings: Settings, judge: Judge, name: str, kind: str) -> dict[str, Any]:
     scene, count = rooms.load(name), rooms.candidates(settings, name)
     init = start(scene, kind, count, settings.seed)
     warm(scene, settings, init if isinstance(init, str) else init[:2])
@@ -72,29 +95,27 @@ def _ours(table: Table, result: Result, settings: Settings, judge: Judge, name: 
     found = audit(solution, judge, result, f"{name} {kind} seed {settings.seed}", settings.out)
     agreed = [i for i, o in zip(found.judged, found.opinions, strict=True) if o.valid]
     distinct, different = count_distinct(scene, solution.poses[agreed])
-    table.rows.append(
-        {
-            "room": name,
-            "objects": len(scene.objects),
-            "start": kind,
-            "system": OURS,
-            "candidates": len(solution.status),
-            "claimed": len(found.valid) / len(solution.status),
-            "judged": len(found.judged),
-            "agreed": found.agreed,
-            "exceptions": found.exceptions,
-            "valid": len(agreed) / len(solution.status),
-            "distinct": distinct,
-            "different": different,
-            "soft": found.soft,
-            "walkable": _walkable(judge, scene, solution.poses[agreed]),
-            "seconds": seconds,
-            "rate": len(agreed) / seconds,
-        }
-    )
+    return {
+        "room": name,
+        "objects": len(scene.objects),
+        "start": kind,
+        "system": OURS,
+        "candidates": len(solution.status),
+        "claimed": len(found.valid) / len(solution.status),
+        "judged": len(found.judged),
+        "exceptions": found.exceptions,
+        "valid": len(agreed) / len(solution.status),
+        "good": len(agreed),
+        "distinct": distinct,
+        "different": different,
+        "soft": found.soft,
+        "walkable": _walkable(judge, scene, solution.poses[agreed]),
+        "seconds": seconds,
+        "rate": len(agreed) / seconds,
+    }
 
 
-def _theirs(table: Table, rival: Rival, settings: Settings, judge: Judge, name: str, kind: str) -> None:
+def _theirs(rival: Rival, settings: Settings, judge: Judge, name: str, kind: str) -> dict[str, Any]:
     scene = rooms.load(name)
     count = min(rooms.candidates(settings, name), rival.most(len(scene.objects)))
     starts = (noisy_poses if kind == "noisy" else random_poses)(scene, count, settings.seed)
@@ -102,25 +123,24 @@ def _theirs(table: Table, rival: Rival, settings: Settings, judge: Judge, name: 
     opinions = judge(scene, poses)
     good = [i for i, o in enumerate(opinions) if o.valid]
     distinct, different = count_distinct(scene, poses[good])
-    table.rows.append(
-        {
-            "room": name,
-            "objects": len(scene.objects),
-            "start": kind,
-            "system": rival.name,
-            "candidates": count,
-            "judged": count,
-            "valid": len(good) / count,
-            "solid": sum(o.solid for o in opinions) / count,
-            "hard": share([o.hard for o in opinions]),
-            "distinct": distinct,
-            "different": different,
-            "soft": share([opinions[i].soft for i in good]),
-            "walkable": _walkable(judge, scene, poses[good]),
-            "seconds": seconds,
-            "rate": len(good) / seconds,
-        }
-    )
+    return {
+        "room": name,
+        "objects": len(scene.objects),
+        "start": kind,
+        "system": rival.name,
+        "candidates": count,
+        "judged": count,
+        "valid": len(good) / count,
+        "solid": sum(o.solid for o in opinions) / count,
+        "hard": share([o.hard for o in opinions]),
+        "good": len(good),
+        "distinct": distinct,
+        "different": different,
+        "soft": share([opinions[i].soft for i in good]),
+        "walkable": _walkable(judge, scene, poses[good]),
+        "seconds": seconds,
+        "rate": len(good) / seconds,
+    }
 
 
 def _walkable(judge: Judge, scene: Scene, poses: np.ndarray) -> float | None:
@@ -130,10 +150,10 @@ def _walkable(judge: Judge, scene: Scene, poses: np.ndarray) -> float | None:
     return sum(shares) / len(shares) if shares else None
 
 
-def _plot_rows(result: Result, table: Table, kind: str) -> None:
+def _plot(result: Result, rows: list[dict[str, Any]], kind: str) -> None:
     """A picture of fully valid shares from one kind of start."""
-    rows = [row for row in table.rows if row["start"] == kind]
-    columns = [c for c in COLUMNS if c.key in ("room", "system", "valid")]
-    result.add(f"quality-{kind}", f"Fully valid from {kind} starts", columns, keys=2, detail=True).rows.extend(rows)
-    title = f"Fully valid from {kind} starts"
-    result.plots.append(Plot(f"quality-{kind}", title, f"quality-{kind}", "room", ("valid",), series="system"))
+    name, title = f"quality-{kind}", f"Fully valid from {kind} starts"
+    columns = (ROOM, Column("system", "system"), Column("valid", "fully valid", "share"))
+    kept = [{c.key: row[c.key] for c in columns} for row in rows]
+    result.add(name, title, columns, keys=2, detail=True).rows = kept
+    result.plots.append(Plot(name, title, name, "room", ("valid",), series="system"))

@@ -26,13 +26,12 @@ TAIL = (
     Column("judged", "judged", "count"),
     Column("exceptions", "exceptions", "count"),
     Column("seconds", "seconds", "number"),
-    Column("each", "ms a candidate", "number"),
-    Column("each_valid", "ms a valid candidate", "number"),
+    Column("each", "ms each", "number"),
+    Column("each_valid", "ms each valid one", "number"),
 )
 BY_OBJECTS = (
     Column("objects", "objects", "count"),
     Column("relations", "relations", "count"),
-    Column("area", "floor [m2]", "number"),
     Column("candidates", "candidates", "count"),
     *TAIL,
 )

@@ -56,9 +56,9 @@ def run(settings: Settings, judge: Judge) -> Result:
         table.rows.append({"room": name, "objects": len(rooms.load(name).objects), **counts[name]})
     total = {key: sum(c[key] for c in counts.values()) for key in next(iter(counts.values()))}
     table.rows.append({"room": "all", "objects": None, **total})
-    result.notes.append(f"{rounds} rounds, each with a seed of its own.")
+    result.notes.append(f"Rounds over the rooms, each with a seed of its own: {rounds}.")
     if total["judged"] < target:
-        result.notes.append(f"Only {total['judged']:,} of {target:,} layouts were valid after {rounds} rounds.")
+        result.notes.append(f"Only {total['judged']:,} of {target:,} layouts were valid in all rounds.")
     return result
 
 
