@@ -6,6 +6,7 @@ import sys
 
 from rich.console import Console
 from rich.table import Table as Grid
+from rich.text import Text
 
 from benchmarks.markdown import WIDTH, blocks
 from benchmarks.results import Result
@@ -26,11 +27,11 @@ def print_result(result: Result) -> None:
             continue
         title = table.title
         for columns, cells in blocks(table, console.width):
-            grid = Grid(title=title, title_justify="left")
+            grid = Grid(title=Text(title), title_justify="left")
             for column in columns:
-                grid.add_column(column.label, justify="left" if column.form == "text" else "right", no_wrap=True)
+                grid.add_column(Text(column.label), justify="left" if column.form == "text" else "right", no_wrap=True)
             for row in cells:
-                grid.add_row(*row)
+                grid.add_row(*map(Text, row))
             console.print(grid)
             title = f"{table.title} (continued)"
     for note in result.notes:

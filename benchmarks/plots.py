@@ -44,7 +44,7 @@ def _draw(plot: Plot, table: Table, path: Path, machine: dict[str, Any]) -> Path
     axes = figure.subplots()
     groups = _groups(plot, table.rows)
     if bars:
-        _bars(axes, plot, groups)
+        _bars(axes, plot, groups, labels)
     else:
         for key in plot.y:
             for name, rows in groups.items():
@@ -53,6 +53,9 @@ def _draw(plot: Plot, table: Table, path: Path, machine: dict[str, Any]) -> Path
         axes.set_xlabel(labels[plot.x])
         if plot.log:
             axes.set_xscale("log")
+            ticks = sorted({row[plot.x] for row in table.rows})
+            axes.set_xticks(ticks, [f"{t:,}" for t in ticks])
+            axes.minorticks_off()
     if plot.log:
         axes.set_yscale("log")
     else:
@@ -60,7 +63,7 @@ def _draw(plot: Plot, table: Table, path: Path, machine: dict[str, Any]) -> Path
     axes.set_title(plot.title)
     axes.grid(alpha=0.3)
     if len(groups) * len(plot.y) > 1:
-        axes.legend()
+        figure.legend(loc="outside lower left", ncols=4, fontsize=8)
     figure.supxlabel(
         f"{machine.get('device_name', '')}, commit {machine.get('commit', '')}", fontsize=7, x=1, ha="right"
     )
@@ -68,7 +71,7 @@ def _draw(plot: Plot, table: Table, path: Path, machine: dict[str, Any]) -> Path
     return path
 
 
-def _bars(axes: Any, plot: Plot, groups: dict[str, list[dict[str, Any]]]) -> None:
+def _bars(axes: Any, plot: Plot, groups: dict[str, list[dict[str, Any]]], labels: dict[str, str]) -> None:
     """Bars side by side, one group for each text on the x axis."""
     names = list(dict.fromkeys(str(r[plot.x]) for rows in groups.values() for r in rows))
     width = 0.8 / (len(groups) * len(plot.y))
@@ -78,6 +81,6 @@ def _bars(axes: Any, plot: Plot, groups: dict[str, list[dict[str, Any]]]) -> Non
             values = {str(r[plot.x]): r.get(key) for r in rows}
             heights = [values.get(n) or 0.0 for n in names]
             where = [k - 0.4 + (slot + 0.5) * width for k in range(len(names))]
-            axes.bar(where, heights, width, label=name or key)
+            axes.bar(where, heights, width, label=name or labels[key])
             slot += 1
     axes.set_xticks(range(len(names)), names, rotation=40, ha="right", fontsize=8)

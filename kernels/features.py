@@ -264,4 +264,6 @@ def feature(
         value, grad = user_feature(
             kind, role, pose_a, pose_b, t[0].object_size[a], size_b, wp.vec4(u[0], u[1], v[0], v[1])
         )
+    if role == 2 and kind != FEATURE_BETWEEN and kind != FEATURE_ASIDE and kind != FEATURE_SPREAD:
+        grad = wp.vec4(0.0, 0.0, 0.0, 0.0)  # the other features do not look at the second target
     return value, grad

@@ -61,6 +61,18 @@ def discs_apart(
     return wp.dot(v, v) > reach * reach
 
 
+@wp.func
+def way_out(t: TablesRef, face: wp.int32, first: wp.int32, last: wp.int32, rest: wp.int32):
+    """True when a body may leave through a face, coming to rest on a vertex of the polygon with vertices first:last.
+
+    Faces inside the outside of a room are no way out, neither as the face itself nor on either side of the vertex.
+    """
+    before = rest - 1
+    if rest == first:
+        before = last - 1
+    return t[0].edge_real[face] == 1 and t[0].edge_real[rest] == 1 and t[0].edge_real[before] == 1
+
+
 @wp.func(inline=False)
 def separation(
     t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
@@ -68,56 +80,68 @@ def separation(
     """Separating-axis distance of two convex polygons over the face normals of both; negative is depth.
 
     Stops at the first axis that parts them by more than the margin (the value is then just some number above it).
-    Faces marked as not real part the polygons but are no way out: a body inside is never pushed through them.
+    Axes that are no way out (`way_out`) part the polygons, but a body inside is never pushed along them.
     """
     best = float(-FAR)
     best_n = wp.vec2(1.0, 0.0)
     best_x = pa
+    shut = float(-FAR)
+    shut_n = wp.vec2(1.0, 0.0)
+    shut_x = pa
     a0 = t[0].prism_start[a]
     a1 = t[0].prism_start[a + 1]
     b0 = t[0].prism_start[b]
     b1 = t[0].prism_start[b + 1]
     ab = pb - pa
-    for e in range(a0, a1):
-        face = t[0].edge[e]
-        n = turn(qa, wp.vec2(face[0], face[1]))
-        m = turn_back(qb, n)
+    for k in range(a0, a1 + b1 - b0):
+        # a's faces against b's vertices, then b's faces against a's
+        mine = k < a1
+        face = k
+        v0 = b0
+        v1 = b1
+        q = qa
+        other = qb
+        towards = ab
+        if not mine:
+            face = b0 + k - a1
+            v0 = a0
+            v1 = a1
+            q = qb
+            other = qa
+            towards = -ab
+        plane = t[0].edge[face]
+        n = turn(q, wp.vec2(plane[0], plane[1]))
+        m = turn_back(other, n)
         low = float(FAR)
-        arg = int(b0)
-        for v in range(b0, b1):
+        rest = int(v0)
+        for v in range(v0, v1):
             d = wp.dot(m, t[0].vertex[v])
             if d < low:
                 low = d
-                arg = v
-        s = low + wp.dot(n, ab) - face[2]
-        if t[0].edge_real[e] == 0:
-            if s > 0.0:
-                return FAR, n, pa
-        else:
-            if s > margin:
-                return s, n, pa
-            if s > best:
-                best = s
-                best_n = n
-                best_x = pb + turn(qb, t[0].vertex[arg])
-    for e in range(b0, b1):
-        face = t[0].edge[e]
-        n = turn(qb, wp.vec2(face[0], face[1]))
-        m = turn_back(qa, n)
-        low = float(FAR)
-        arg = int(a0)
-        for v in range(a0, a1):
-            d = wp.dot(m, t[0].vertex[v])
-            if d < low:
-                low = d
-                arg = v
-        s = low - wp.dot(n, ab) - face[2]
+                rest = v
+        s = low + wp.dot(n, towards) - plane[2]
         if s > margin:
-            return s, -n, pa
-        if s > best:
-            best = s
-            best_n = -n
-            best_x = pa + turn(qa, t[0].vertex[arg])
+            return s, n, pa
+        if s > wp.min(best, shut):
+            x = pb + turn(qb, t[0].vertex[rest])
+            out = n
+            if not mine:
+                x = pa + turn(qa, t[0].vertex[rest])
+                out = -n
+            if way_out(t, face, v0, v1, rest):
+                if s > best:
+                    best = s
+                    best_n = out
+                    best_x = x
+            else:
+                if s > 0.0:
+                    return FAR, n, pa
+                if s > shut:
+                    shut = s
+                    shut_n = out
+                    shut_x = x
+    if best == -FAR:
+        return shut, shut_n, shut_x
     return best, best_n, best_x
 
 

@@ -68,8 +68,8 @@ def run(settings: Settings, judge: Judge) -> Result:
         "Others still: share of edits for which no bystander moves more than 1 cm. Median and most: over edits, how "
         f"far the bystander moves that moves furthest. Edits for which there was no free spot: {skipped}."
     )
-    title = "Furthest bystander, median over edits [m]"
-    result.plots.append(Plot("edits", title, "edits", "edit", ("typical",)))
+    title = "Edits solved, and edits after which the others stood still"
+    result.plots.append(Plot("edits", title, "edits", "edit", ("solved", "calm")))
     return result
 
 

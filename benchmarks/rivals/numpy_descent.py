@@ -190,7 +190,7 @@ def solve(scene: Scene, starts: np.ndarray, seed: int, device: str) -> np.ndarra
 
 
 def _most(objects: int) -> int:
-    return 256 if objects <= 19 else 64 if objects <= 30 else 16 if objects <= 70 else 4
+    return 128 if objects <= 19 else 32 if objects <= 30 else 8 if objects <= 70 else 4
 
 
 register(

@@ -17,7 +17,7 @@ from sceneweaver.kernels import tables as k
 from sceneweaver.scene import CATALOGUE, Relation, Scene, SceneObject
 
 from .region import Region, enclosure, room_region
-from .rows import INF, CompiledRelation, Frame, compile_relation, mounting
+from .rows import INF, CompiledRelation, Frame, compile_relation, mounting, spread_before
 from .shapes import Prism, footprint_of, solids_of, tidy, zones_of
 
 
@@ -35,7 +35,8 @@ class Problem:
     """One layout problem in plain arrays; see ``kernels.tables`` for what the kernels make of it.
 
     ``home`` holds the scene's poses [object, 4] (x, y, z, yaw) in the problem's frame; ``relations`` the scene's
-    relations first (``relation_ids`` names them), then the mountings of wall objects.
+    relations first (``relation_ids`` names them), then what the engine adds: riders (conditions that belong to a
+    relation before them) and the mountings of wall objects.
     """
 
     ids: list[str]
@@ -53,6 +54,7 @@ class Problem:
     flags: np.ndarray
     relations: list[CompiledRelation]
     relation_ids: list[int]
+    riders: dict[int, int]
     faulty: bool = False
     decks: list[Deck] = field(default_factory=list)
 
@@ -174,12 +176,18 @@ def _compile(
     solids = [solids_of(o) for o in objects]
     feet = [footprint_of(s) for s in solids]
     zones = [zones_of(o) for o in objects]
-    around: dict[str, list[int]] = {}
+    around: dict[str, list[Relation]] = {}
     for _, rel in relations:
         if rel.type == "around" and isinstance(rel.target, str):
-            around.setdefault(rel.target, []).append(index[rel.subject])
+            around.setdefault(rel.target, []).append(rel)
     frame = Frame(objects, index, region, feet, windows, around)
     compiled = [compile_relation(frame, rel) for _, rel in relations]
+    riders: dict[int, int] = {}
+    for i, (_, rel) in enumerate(relations):
+        extra = spread_before(frame, rel) if rel.type == "around" else None
+        if extra is not None:
+            riders[len(compiled)] = i
+            compiled.append(extra)
     if in_room:
         compiled += [mounting(frame, i) for i, o in enumerate(objects) if o.mount == "wall"]
     roots = _roots(objects, index) if in_room else np.arange(len(objects))
@@ -201,6 +209,7 @@ def _compile(
         flags=_flags(zones, roots, _ties([r for _, r in relations], index), [o.fixed for o in objects]),
         relations=compiled,
         relation_ids=[i for i, _ in relations],
+        riders=riders,
     )
 
 

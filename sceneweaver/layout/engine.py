@@ -191,6 +191,8 @@ def solve(
             status = verdict.status[rows].copy()
             status[(status != DIVERGED) & (room.faulty | ~_surfaces_hold(job.compiled, final, device))] = BROKEN
             holds = verdict.holds[rows, : len(scene.relations)].copy()
+            for rider, relation in room.riders.items():
+                holds[:, relation] &= verdict.holds[rows, rider]
             energy = outcome.energy[rows].astype(np.float32)
             moved = _movement(job.world, final) if job.keep else None
             order = rank(scene, status, holds, energy, moved=moved)[:WALKED]

@@ -15,7 +15,7 @@ import itertools
 import math
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -47,20 +47,22 @@ SUNK = 2.5e-4  # [m] half of what the engine lets two bodies sink in; INTRUDED: 
 INTRUDED = 4.25e-3
 
 Effort = tuple[int, int]  # candidates, attempts
-QUICK: Effort = (32, 1)
-FIRM: Effort = (32, 3)
-SURE: Effort = (128, 6)
-FEW = 4  # objects up to which less than that is sure
-FEW_SURE: Effort = (64, 3)
+QUICK, FIRM, FEW_SURE, SURE = range(4)
+# Of a test, by the kind of device: a GPU takes many candidates as fast as few.
+EFFORTS: dict[str, tuple[Effort, ...]] = {
+    "cpu": ((32, 1), (32, 3), (64, 3), (64, 5)),
+    "cuda": ((256, 1), (1024, 1), (1024, 2), (2048, 2)),
+}
+FEW = 4  # objects up to which FEW_SURE is sure
 CROWD = 40  # objects from which on a test stays quick
 
 
 class _OutOfTime(Exception):
-    """The clock cut the search off; ``text`` is what it had found by then."""
+    """The clock cut the search off; ``lines`` say what it had found by then."""
 
-    def __init__(self, text: str | None = None) -> None:
-        super().__init__(text)
-        self.text = text
+    def __init__(self, lines: Sequence[str] = ()) -> None:
+        super().__init__()
+        self.lines = lines
 
 
 def explain(scene: Scene, solution: Solution, *, device: str, seed: int, deadline: float | None = None) -> str | None:
@@ -77,23 +79,27 @@ def explain(scene: Scene, solution: Solution, *, device: str, seed: int, deadlin
         return None
     start = time.monotonic()
     end = start + LONGEST if deadline is None else min(deadline, start + LONGEST)
-    lines = []
-    if solution.timed_out:
-        lines.append(
-            f"The time limit stopped the run after {solution.elapsed:.1f} s, before any layout was valid: "
-            "that is no proof that there is none."
-        )
     until = end - min(RESERVE, 0.1 * (end - start))
-    if until - time.monotonic() < 0.02:
-        return "\n".join(lines + [_unmet(scene, solution)])
+    if until - start < 0.02:
+        return "\n".join([*_timed_out(solution, False), _unmet(scene, solution)])
     study = _Study(scene, solution, device, seed, until)
     try:
-        causes = study.causes()
+        lines, proved = study.causes()
+        if not lines:
+            lines = ["No single cause was found.", *study.hints()]
+        if study.cut:
+            lines.append(f"Looking further was stopped after {time.monotonic() - start:.1f} s.")
     except _OutOfTime as cut:
-        spent = time.monotonic() - start
-        causes = [f"Looking for the cause was stopped after {spent:.1f} s." + (f" {cut.text}" if cut.text else "")]
-        causes += [_frequent(study)]
-    return "\n".join(lines + (causes or [f"No single cause was found. {_frequent(study)}"]))
+        lines, proved = [f"Looking for the cause was stopped after {time.monotonic() - start:.1f} s."], False
+        lines += [*cut.lines, *study.hints()]
+    return "\n".join([*_timed_out(solution, proved), *lines])
+
+
+def _timed_out(solution: Solution, proved: bool) -> list[str]:
+    if not solution.timed_out:
+        return []
+    proof = "but more time would not have helped" if proved else "which is no proof that there is none"
+    return [f"The time limit stopped the run after {solution.elapsed:.1f} s, before any layout was valid, {proof}."]
 
 
 # --- words ---------------------------------------------------------------------------------------------------------
@@ -130,6 +136,10 @@ def _say(rel: Relation) -> str:
         params.append(f"{name} {text}{units.get(CATALOGUE[rel.type].params[name].unit, '')}")
     words = " ".join([rel.subject, rel.type, " and ".join(rel.targets)]).rstrip()
     return f"{words} ({', '.join(params)})" if params else words
+
+
+def _small(length: float) -> str:
+    return f"{length:.1f}" if length >= 0.1 else f"{length:.2f}"
 
 
 def _plural(n: int, noun: str) -> str:
@@ -175,7 +185,7 @@ def _clip(polygon: Points, nx: float, ny: float, offset: float) -> Points:
 def _hull(solids: Sequence[Prism]) -> Points:
     points = np.concatenate([p.polygon for p in solids])
     shape = shapely.MultiPoint(points).convex_hull
-    return np.asarray(shape.exterior.coords[:-1])
+    return shapely.get_coordinates(shape)[:-1]
 
 
 def _height(prisms: Sequence[Prism]) -> tuple[float, float]:
@@ -312,12 +322,23 @@ def _claims(scene: Scene) -> list[_Claim]:
 
 
 def _most_within(lengths: Sequence[float], room: float) -> float:
-    """The largest sum of some of the lengths that is at most ``room``, to the millimetre and rounded up."""
+    """The largest sum of some lengths in whole millimetres that is at most ``room`` (rounded up)."""
     sums, limit = 1, max(0, math.ceil(room * 1000))
     mask = (1 << (limit + 1)) - 1
     for length in lengths:
-        sums |= (sums << math.floor(length * 1000)) & mask
+        sums |= (sums << round(length * 1000)) & mask
     return (sums.bit_length() - 1) / 1000
+
+
+@dataclass(frozen=True)
+class _Row:
+    """What stands along the walls at height z: the least length that it needs and the most that it can use."""
+
+    z: float
+    claims: list[_Claim]
+    need: float
+    usable: float
+    stretches: list[float]
 
 
 class _Walls:
@@ -326,14 +347,15 @@ class _Walls:
     def __init__(self, room: Room, region: Region, fixed: Sequence[Prism]) -> None:
         self.room, self.region, self.fixed = room, region, fixed
         self.floor = shapely.Polygon(room.outline).buffer(PENETRATION, join_style="mitre")
-        self.free: dict[tuple[bool, ...], shapely.Geometry] = {}
+        self.free: dict[tuple[bool, ...], shapely.geometry.base.BaseGeometry] = {}
 
-    def blockers(self, z: float) -> list[str]:
-        """What keeps wall from being free at height z, in words."""
+    def _free(self, z: float) -> str:
+        """What the free wall at height z is free of, in words."""
         n = len(self.room.doors)
         openings = [p.z[0] < z < p.z[1] for p in self.region.openings]
         words = ["doors"] * any(openings[:n]) + ["windows"] * any(openings[n:])
-        return words + ["fixed objects"] * any(p.z[0] < z < p.z[1] for p in self.fixed)
+        words += ["fixed objects"] * any(p.z[0] < z < p.z[1] for p in self.fixed)
+        return f" free of {' and '.join(words)}" if words else ""
 
     def stretches(self, z: float, line: float, spare: float) -> list[list[tuple[float, float]]]:
         """For every wall the free stretches [from, to] of the line along it, ``line`` metres inside, at height z."""
@@ -388,35 +410,46 @@ class _Walls:
         """Lines about claims that the walls cannot meet."""
         lines, hopeless = [], set()
         for claim in claims:
-            text = self._worst([claim], lambda c: c.wall)
+            text = self._worst([claim], claim.wall)
             if text:
                 lines.append(text)
                 hopeless.add(claim.obj.id)
         if len(lines) > LINES:
             lines[LINES - 1 :] = [f"{len(lines) - LINES + 1} more objects are too wide for any free stretch of wall."]
         rest = [c for c in claims if c.obj.id not in hopeless]
-        text = self._worst(rest, lambda c: None)
+        text = self._worst(rest, None)
         if text:
             return [*lines, text]
         for wall in sorted({c.wall for c in rest if c.wall is not None}):
             group = [c for c in rest if c.wall == wall]
-            text = self._worst(group, lambda c: c.wall) if len(group) > 1 else None
+            text = self._worst(group, wall) if len(group) > 1 else None
             lines += [text] if text else []
         return lines
 
-    def _worst(self, claims: Sequence[_Claim], walls_for: Callable[[_Claim], int | None]) -> str | None:
+    def _worst(self, claims: Sequence[_Claim], wall: int | None) -> str | None:
         """The line for the height at which most wall is missing; None when there is enough."""
-        if not claims:
+        worst = max(self._rows(claims, wall), key=lambda row: row.need - row.usable, default=None)
+        return None if worst is None or worst.need - worst.usable < 1e-3 else self._text(worst, wall)
+
+    def tightest(self, claims: Sequence[_Claim]) -> str | None:
+        """How much of the wall is claimed at the height where it is tightest; None below three quarters."""
+        row = max(self._rows(claims, None), key=lambda row: row.need / max(row.usable, 1e-3), default=None)
+        if row is None or row.need < 0.75 * row.usable:
             return None
+        crowd, need = _crowd([c.obj for c in row.claims]), sum(c.length for c in row.claims)
+        return f"{crowd} need {need:.1f} m of the {sum(row.stretches):.1f} m of wall{self._free(row.z) or ' there is'}"
+
+    def _rows(self, claims: Sequence[_Claim], wall: int | None) -> Iterator[_Row]:
+        """What stands along the walls at any height, on one line at a distance from them that all of it reaches."""
         prisms = [Prism(np.zeros((3, 2)), p.z) for c in claims for p in c.obj.solids]
         levels = _levels([*prisms, *self.region.openings])
         if len(levels) > 24:
             levels = [levels[i] for i in np.linspace(0, len(levels) - 1, 24).astype(int)]
-        worst, text, seen = 0.0, None, set()
+        seen = set()
         for z in levels:
             depths = {c.obj.id: c.depth(z) for c in claims}
             group = [c for c in claims if depths[c.obj.id] > 0]
-            while group:  # all on one line: leave out what is too thin to reach the line of the others
+            while group:  # leave out what is too thin to reach the line of the others
                 line = max(c.near() for c in group)
                 thick = [c for c in group if c.far(depths[c.obj.id]) > line]
                 if len(thick) == len(group):
@@ -426,36 +459,27 @@ class _Walls:
             if not group or key in seen:
                 continue
             seen.add(key)
-            wanted = walls_for(group[0])
             spans = self.stretches(z, line, max(c.spare for c in group))
-            spans = [each if wanted in (None, w) else [] for w, each in enumerate(spans)]
-            lengths = [c.length - 2 * PENETRATION for c in group]
+            spans = [each if wall in (None, w) else [] for w, each in enumerate(spans)]
+            lengths = [math.floor(1000 * (c.length - 2 * PENETRATION)) / 1000 for c in group]
             loss = self.corner_loss(group, [depths[c.obj.id] for c in group], line) if len(group) > 1 else 0.0
             usable = self.usable(spans, lengths, loss)
-            if sum(lengths) - usable > max(worst, 1e-3):
-                worst = sum(lengths) - usable
-                text = self._text(group, wanted, z, usable, [b - a for each in spans for a, b in each])
-        return text
+            yield _Row(z, group, sum(lengths), usable, [b - a for each in spans for a, b in each])
 
-    def _text(
-        self, group: Sequence[_Claim], wanted: int | None, z: float, usable: float, stretches: Sequence[float]
-    ) -> str:
-        blockers = self.blockers(z)
-        free = f" free of {' and '.join(blockers)}" if blockers else ""
-        where = "wall" if wanted is None else f"wall:{wanted}"
-        need, there = sum(c.length for c in group), sum(stretches)
-        if len(group) == 1:
-            longest = max(stretches, default=0.0)
+    def _text(self, row: _Row, wall: int | None) -> str:
+        free, where = self._free(row.z), "wall" if wall is None else f"wall:{wall}"
+        need, there = sum(c.length for c in row.claims), sum(row.stretches)
+        if len(row.claims) == 1:
+            longest = max(row.stretches, default=0.0)
             left = f"no stretch{free} is left" if longest < 0.05 else f"the longest stretch{free} is {longest:.2f} m"
-            return f"{_size(group[0].obj)} needs {need:.2f} m of {where}; {left}."
-        start = f"{_crowd([c.obj for c in group])} need {need:.1f} m of {where}; {there:.1f} m is{free or ' there'}"
-        if usable > there - 0.1:
-            return f"{start}: {need - there:.1f} m missing."
-        parts = _list([f"{s:.1f}" for s in sorted(stretches, reverse=True) if s > 0.05], 6)
-        return (
-            f"{start}, and its stretches ({parts} m), corners shared, hold {usable:.1f} m of them at most: "
-            f"{need - usable:.1f} m missing."
-        )
+            return f"{_size(row.claims[0].obj)} needs {need:.2f} m of {where}; {left}."
+        crowd = _crowd([c.obj for c in row.claims])
+        start = f"{crowd} need {need:.1f} m of {where}; {there:.1f} m is{free or ' there'}"
+        if row.usable > there - 0.1:
+            return f"{start}: {_small(need - there)} m missing."
+        parts = _list([f"{s:.1f}" for s in sorted(row.stretches, reverse=True) if s > 0.05], 6)
+        most = f"hold {row.usable:.1f} m of them at most: {_small(need - row.usable)} m missing"
+        return f"{start}, and its stretches ({parts} m; a corner serves one wall) {most}."
 
 
 # --- search: what small refinements find -----------------------------------------------------------------------------
@@ -488,11 +512,19 @@ class _Study:
         self.named = [self._named(unit) for unit in self.units]
         order = np.lexsort((solution.energy, solution.status == 3))
         self.top = order[: min(LOOK, len(order))]
+        self.cut = False
         self.narrowest: frozenset[int] | None = None
         self.possible: list[frozenset[int]] = []
         self.impossible: list[frozenset[int]] = []
 
     # parts
+
+    @cached_property
+    def walls(self) -> _Walls:
+        """The walls with the fixed objects."""
+        still = [i for i, o in enumerate(self.scene.objects) if o.fixed]
+        fixed = [p for i in still for p in _moved(self.problem.solids[i], self.problem.home[i])]
+        return _Walls(self.scene.room, self.problem.region, fixed)
 
     def _make_units(self) -> list[tuple[int, ...]]:
         units, groups = [], {}
@@ -557,13 +589,13 @@ class _Study:
 
     # tests
 
-    def search(self, scenes: Sequence[Scene], effort: Effort) -> list[bool]:
+    def search(self, scenes: Sequence[Scene], effort: int) -> list[bool]:
         """Which scenes a small refinement finds a valid layout for; raises _OutOfTime when the clock cuts it off."""
         refine_many, silent = _refine_many()
         left = self.until - time.monotonic()
         if left <= 0:
             raise _OutOfTime
-        candidates, steps = effort
+        candidates, steps = EFFORTS[self.device.partition(":")[0]][effort]
         solutions = refine_many(
             scenes,
             candidates=candidates,
@@ -610,10 +642,14 @@ class _Study:
         return [bool(self.known(p)) for p in closed]
 
     def surely_not(self, part: Iterable[int]) -> bool:
-        """Whether even a long search finds no layout for a part."""
+        """Whether even a long search finds no layout for a part that a shorter one found none for."""
         closed = self.closed(part)
         few = len(self.objects_of(closed)) <= FEW
-        found = self.search([self.scene_of(closed)], FEW_SURE if few else SURE)[0]
+        try:
+            found = self.search([self.scene_of(closed)], FEW_SURE if few else SURE)[0]
+        except _OutOfTime:
+            self.cut = True
+            return True
         self.note(closed, found)
         return not found
 
@@ -664,24 +700,15 @@ class _Study:
 
     # causes, the most fundamental first
 
-    def causes(self) -> list[str]:
-        """Lines about the first kind of cause that there is."""
-        for find in (
-            self.fixed_faults,
-            self.arithmetic,
-            self.lonely,
-            self.surfaces,
-            self.together,
-            self.never,
-            self.singles,
-            self.pairs,
-            self.again,
-            self.grown,
-        ):
-            lines = find()
-            if lines:
-                return lines
-        return []
+    def causes(self) -> tuple[list[str], bool]:
+        """Lines about the first kind of cause that there is, and whether they are proved."""
+        for find in (self.fixed_faults, self.arithmetic, self.never):
+            if lines := find():
+                return lines[: 2 * LINES], True
+        for find in (self.lonely, self.surfaces, self.together, self.singles, self.pairs, self.again, self.grown):
+            if lines := find():
+                return lines, False
+        return [], False
 
     def fixed_faults(self) -> list[str]:
         """Fixed objects that collide or stand where nothing may."""
@@ -705,7 +732,7 @@ class _Study:
                 if not can:
                     obj = self.scene.objects[i]
                     lines.append(f"{obj.id} is fixed where nothing holds it (its mount is {obj.mount}).")
-        return lines[: 2 * LINES]
+        return lines
 
     def _stack(self, i: int) -> tuple[SceneObject, ...]:
         return tuple(self.scene.objects[j] for j in sorted(self._carriers([i])))
@@ -713,9 +740,8 @@ class _Study:
     def arithmetic(self) -> list[str]:
         """What does not fit by arithmetic alone."""
         lines = [*self._too_tall(), *self._too_large_for_surfaces(), *self._too_large()]
-        still = [i for i, o in enumerate(self.scene.objects) if o.fixed]
-        fixed = [p for i in still for p in _moved(self.problem.solids[i], self.problem.home[i])]
-        lines += _Walls(self.scene.room, self.problem.region, fixed).missing(_claims(self.scene))
+        fixed = self.walls.fixed
+        lines += self.walls.missing(_claims(self.scene))
         floor = [i for i in self.free if self.scene.objects[i].mount == "floor"]
         blocked = [(p, INTRUSION) for p in self.problem.region.openings] + [(p, PENETRATION) for p in fixed]
         full = _fullest([self.problem.solids[i] for i in floor], shapely.Polygon(self.scene.room.outline), blocked)
@@ -725,7 +751,7 @@ class _Study:
                 f"The floor is too small: {_plural(full.count, 'object')} cover {full.need:.1f} m2; "
                 f"{full.free:.1f} m2 is{free or ' there'}: {round(full.need, 1) - round(full.free, 1):.1f} m2 missing."
             )
-        return lines[: 2 * LINES]
+        return lines
 
     def _base(self, i: int) -> float | None:
         """Height that an object stands at, where that is given."""
@@ -905,8 +931,14 @@ class _Study:
         """Hard relations that no pose can fulfil."""
         lines = []
         for j, rel in enumerate(self.scene.relations):
+            ids = [n for n in (rel.subject, *rel.targets) if n in self.index]
             if rel.hard and self.problem.relations[j].options == [[NEVER]]:
                 lines.append(f"{_say(rel)} can never hold{self._why_never(rel)}.")
+                continue
+            fixed = rel.type != "around" and all(self.scene.object(n).fixed for n in ids)
+            if rel.hard and fixed and not self.solution.relations[:, j].any():
+                are = f"{' and '.join(ids)} {'is' if len(ids) == 1 else 'are'} fixed"
+                lines.append(f"{_say(rel)} does not hold, and {are}.")
         return _few(lines, "relations can never hold")
 
     def _why_never(self, rel: Relation) -> str:
@@ -974,7 +1006,13 @@ class _Study:
         seeds = sorted(range(len(self.units)), key=self._suspicion)
         best: frozenset[int] | None = None
         for seed in seeds[:LINES]:
-            found = self.conflict(self._outward(seed))
+            try:
+                found = self.conflict(self._outward(seed))
+            except _OutOfTime:
+                if best is None:
+                    raise
+                self.cut = True
+                break
             if found is not None and (best is None or len(found) < len(best)):
                 best = found
             if best is not None and len(best) <= LINES:
@@ -1026,14 +1064,20 @@ class _Study:
         first = self._narrow(background | second, bool(second), rest[:half])
         return first | second
 
-    def _so_far(self) -> str:
+    def _so_far(self) -> list[str]:
         if self.narrowest is None:
-            return ""
-        units = sum(e < len(self.units) for e in self.narrowest)
-        return (
-            f"By then the cause was narrowed down to {_plural(units, 'hard relation')} and "
-            f"{_plural(len(self.objects_of(self.narrowest)), 'object')}."
-        )
+            return []
+        units = [self._unit_words(u) for u in sorted(self.narrowest) if u < len(self.units)]
+        objects = [self.scene.objects[i].id for i in sorted(self.objects_of(self.narrowest))]
+        if not units:
+            return [f"By then the cause was narrowed down to these {len(objects)} objects: {_list(objects, 8)}."]
+        parts = f"{_plural(len(units), 'hard relation')} and {_plural(len(objects), 'object')}"
+        return [f"By then the cause was narrowed down to {parts}: {_list(units, 8, '; ')}."]
+
+    def hints(self) -> list[str]:
+        """Where it is tight, and what is wrong most often."""
+        tight = self.walls.tightest(_claims(self.scene))
+        return [f"It is tight: {tight}."] * bool(tight) + [_frequent(self)]
 
     def _settled(self, found: frozenset[int]) -> str:
         """The words for a conflict; objects alone when they do not fit together without its relations."""
@@ -1056,10 +1100,16 @@ class _Study:
         if len(units) == 1:
             sizes = _list([_size(self.scene.objects[i]) for i in sorted(named)], 4)
             return f"This hard relation holds nowhere{beside} {FOUND}: {relations[0]}; {sizes}."
-        return f"These {len(units)} hard relations cannot hold together{beside} {FOUND}: {_list(relations, 8, '; ')}."
+        text = f"These {len(units)} hard relations cannot hold together{beside} {FOUND}: {_list(relations, 8, '; ')}."
+        at_walls = {rel.subject for u in units for rel in self._relations(u) if rel.type.endswith("against_wall")}
+        tight = self.walls.tightest([c for c in _claims(self.scene) if c.obj.id in at_walls])
+        return f"{text} {tight}." if tight and len(at_walls) > 2 else text
+
+    def _relations(self, u: int) -> list[Relation]:
+        return [self.scene.relations[j] for j in self.units[u]]
 
     def _unit_words(self, u: int) -> str:
-        relations = [self.scene.relations[j] for j in self.units[u]]
+        relations = self._relations(u)
         if relations[0].type != "around":
             return _say(relations[0])
         return f"{_list([r.subject for r in relations], 6)} around {relations[0].target}"
@@ -1080,7 +1130,7 @@ def _where(obj: SceneObject) -> str:
 def _span(polygon) -> str:
     """Length and width of the smallest rectangle around a polygon."""
     box = shapely.Polygon(polygon).minimum_rotated_rectangle
-    points = np.asarray(box.exterior.coords)
+    points = shapely.get_coordinates(box)
     sides = sorted(np.hypot(*(points[i + 1] - points[i])) for i in range(2))
     return f"{sides[1]:.2f} x {sides[0]:.2f} m"
 
@@ -1150,7 +1200,7 @@ def _unmet(scene: Scene, solution: Solution) -> str:
 
 def _frequent(study: _Study) -> str:
     """What is wrong most often in the best candidates."""
-    scene, top = study.scene, study.top[:BEST]
+    scene, top = study.scene, study.top[: max(4, min(BEST, 800 // max(1, len(study.scene.objects))))]
     counts: Counter[str] = Counter()
     for c in top:
         counts.update(_violations(study.problem, scene, study.solution.poses[c]).keys())
@@ -1159,6 +1209,6 @@ def _frequent(study: _Study) -> str:
                 counts[f"{_say(rel)} is unmet"] += 1
     if not counts:
         return _unmet(scene, study.solution)
-    worst = sorted(counts.items(), key=lambda item: -item[1])[: LINES + 1]
+    worst = sorted(counts.items(), key=lambda item: (-item[1], item[0]))[: LINES + 1]
     which = f"In the best {len(top)} layouts" if len(top) > 1 else "In the only layout"
     return f"{which}: {'; '.join(f'{text} ({n})' for text, n in worst)}."

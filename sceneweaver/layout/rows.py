@@ -64,7 +64,7 @@ class Frame:
     region: Region
     footprints: list[list[Points]]
     windows: Sequence[Window] = ()
-    around: dict[str, list[int]] = field(default_factory=dict)  # target id -> its children in the order of relations
+    around: dict[str, list[Relation]] = field(default_factory=dict)  # target id -> the relations of its children
 
     def object(self, key: str) -> SceneObject:
         """The object with an id."""
@@ -89,6 +89,8 @@ def _angle(degrees: float) -> tuple[Vector, Vector]:
 
 def line(point: Vector, normal, offset: float, lo: float, hi: float, slack: float = SLACK) -> Row:
     """A point of the subject lies between lo and hi along a direction of the target."""
+    if slack < 0 and hi - lo < 4 * TIGHT:
+        return NEVER  # no room for rounding: nothing that is computed would be sure to hold
     aim, hold = _span(lo, hi, slack)
     return Row(k.FEATURE_LINE, aim, hold, point=point, normal=(float(normal[0]), float(normal[1])), offset=offset)
 
@@ -99,9 +101,9 @@ def yaw(offset: float, degrees: float, period: float = 2 * math.pi) -> Row:
     return Row(k.FEATURE_YAW, aim, hold, normal=(period, 0.0), offset=offset, scale=LEVER)
 
 
-def height(offset: float, lo: float, hi: float) -> Row:
+def height(offset: float, lo: float, hi: float, slack: float = SLACK) -> Row:
     """The subject's bottom lies between lo and hi above the target's plus an offset."""
-    aim, hold = _span(lo, hi)
+    aim, hold = _span(lo, hi, slack)
     return Row(k.FEATURE_HEIGHT, aim, hold, offset=offset)
 
 
@@ -226,7 +228,7 @@ def _beyond(side: str) -> Callable[[Frame, Relation, Callable], list[list[Row]]]
         return [
             [
                 line((0.0, 0.0), n, reach, 0.0, value("max")),
-                line((0.0, 0.0), (-n[1], n[0]), 0.0, -across, across),
+                line((0.0, 0.0), (-n[1], n[0]), 0.0, -across, across, -TIGHT),
             ]
         ]
 
@@ -282,7 +284,7 @@ def _at_window(frame: Frame, rel: Relation, value) -> list[list[Row]]:
 def _between(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     lo, hi = value("along")
     side = value("aside")
-    aim, hold = _span(-side, side)
+    aim, hold = _span(-side, side, -TIGHT)
     return [
         [
             Row(k.FEATURE_BETWEEN, (lo + 0.01, hi - 0.01), (lo + 1e-4, hi - 1e-4)),
@@ -297,13 +299,7 @@ def _around(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     a = frame.object(rel.subject)
     target = frame.index[_one(rel)]
     hull = shapely.MultiPolygon([shapely.Polygon(p) for p in frame.footprints[target]]).convex_hull
-    spread: list[Row] = []
-    group = frame.around[_one(rel)]
-    n = value("n") or len(group)
-    if len(group) > 1:
-        aim, hold = _angle(value("spread"))
-        # the angle from the next child back to this one: children keep the order of their relations
-        spread = [Row(k.FEATURE_SPREAD, aim, hold, offset=-2 * math.pi / n, scale=LEVER)]
+    spread = _spread(frame, rel)
     options = []
     for edge in walls_of(convex_pieces(shapely.get_coordinates(hull)[:-1])[0]):
         outward, half = -edge.n, edge.length / 2
@@ -320,6 +316,38 @@ def _around(frame: Frame, rel: Relation, value) -> list[list[Row]]:
         )
         options.append(rows + spread)
     return options
+
+
+def _spread(frame: Frame, rel: Relation) -> list[Row]:
+    """The angle from the next child around the same target back to this one: children keep the order of their
+    relations, so that each has one neighbour to either side."""
+    group = frame.around[_one(rel)]
+    if len(group) < 2:
+        return []
+    value = _values(rel, frame.object(rel.subject))
+    aim, hold = _angle(value("spread"))
+    return [Row(k.FEATURE_SPREAD, aim, hold, offset=-2 * math.pi / (value("n") or len(group)), scale=LEVER)]
+
+
+def _neighbours(frame: Frame, rel: Relation) -> tuple[Relation, Relation]:
+    """The around relations before and after one in the circle of its group."""
+    group = frame.around[_one(rel)]
+    i = next(j for j, other in enumerate(group) if other is rel)
+    return group[i - 1], group[(i + 1) % len(group)]
+
+
+def spread_before(frame: Frame, rel: Relation) -> CompiledRelation | None:
+    """The angle to the child before, for an around relation whose neighbour does not vouch for it: because that one is
+    soft, or has another count or spread. None where nothing is missing."""
+    before, _ = _neighbours(frame, rel)
+    rows = _spread(frame, rel)
+    same = _spread(frame, before) == rows and (before.hard or not rel.hard)
+    if not rows or same:
+        return None
+    index = frame.index
+    weight = rel.weight if rel.hard else SOFT_WEIGHT * rel.weight
+    objects = (index[before.subject], index[_one(rel)], index[rel.subject])
+    return CompiledRelation(objects, [rows], weight, 2 if rel.hard else 0, rel.hard)
 
 
 def _away_from_door(frame: Frame, rel: Relation, value) -> list[list[Row]]:
@@ -345,7 +373,7 @@ def _same_height(frame: Frame, rel: Relation, value) -> list[list[Row]]:
 
 
 def _on_floor(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    return [[]] if frame.object(rel.subject).mount == "floor" else [[height(0.0, -0.002, 0.002)]]
+    return [[]] if frame.object(rel.subject).mount == "floor" else [[height(0.0, -0.002, 0.002, -TIGHT)]]
 
 
 def _supported(frame: Frame, rel: Relation, value) -> list[list[Row]]:
@@ -410,8 +438,7 @@ def compile_relation(frame: Frame, rel: Relation) -> CompiledRelation:
     elif rel.target in frame.index:
         b = frame.index[rel.target]
     if rel.type == "around":
-        group = frame.around[_one(rel)]
-        c = group[(group.index(frame.index[rel.subject]) + 1) % len(group)]
+        c = frame.index[_neighbours(frame, rel)[1].subject]
     weight = rel.weight if rel.hard else SOFT_WEIGHT * rel.weight
     return CompiledRelation(
         (frame.index[rel.subject], b, c), options or [[NEVER]], weight, 2 if rel.hard else 0, rel.hard

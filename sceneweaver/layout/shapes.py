@@ -118,8 +118,21 @@ def footprint_of(solids: list[Prism]) -> list[Points]:
 
 
 def zones_of(obj: SceneObject) -> list[Prism]:
-    """Hard access zones as convex prisms."""
-    return [Prism(piece, zone.z) for zone in obj.zones if zone.hard for piece in convex_pieces(zone.polygon)]
+    """Hard access zones as convex prisms.
+
+    The judge lets a body 5 mm into a convex zone. Of a concave one it measures depth over the whole, so that hardly
+    any overlap is free: its pieces are made larger by what the engine's verdict would otherwise let in.
+    """
+    import shapely
+
+    prisms = []
+    for zone in obj.zones:
+        polygon = tidy(zone.polygon)
+        if not is_convex(polygon):
+            polygon = shapely.get_coordinates(shapely.Polygon(polygon).buffer(5e-3, join_style="mitre"))[:-1]
+        if zone.hard:
+            prisms += [Prism(piece, zone.z) for piece in convex_pieces(polygon)]
+    return prisms
 
 
 def reach_of(polygons: list[Points]) -> float:

@@ -87,7 +87,7 @@ def _against_wall(case: Case) -> Verdict:
     most = case.spec.value(case.relation, "gap")[1]
     sides, degrees, overlap = case.spec.subject_sides, case.number("degrees"), case.number("overlap")
     contacts = wall_contacts(case.placed, case.subject, sides, index, most, degrees, overlap)
-    return judge(contacts, f"the room has no {target or 'wall'}")
+    return judge(contacts, f"the room has no {target or 'wall'}", ROUNDING)
 
 
 def _in_corner(case: Case) -> Verdict:
@@ -160,7 +160,8 @@ def _faces(case: Case) -> Verdict:
     degrees, overlap = case.number("degrees"), case.number("overlap")
     theirs = [other.face(side) for side in spec.target_sides]
     faces = (subject.face(side) for side in spec.subject_sides)
-    return judge((face_terms(f, g, gap, degrees, overlap) for f in faces for g in theirs), "it has no such face")
+    pairs = (face_terms(f, g, gap, degrees, overlap) for f in faces for g in theirs)
+    return judge(pairs, "it has no such face", ROUNDING)
 
 
 def _around(case: Case) -> Verdict:

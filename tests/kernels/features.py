@@ -60,7 +60,7 @@ def bearing(problem: Problem, row: Row, ids: Ids, a: Array, b: Array, c: Array) 
 
 
 def distance(problem: Problem, row: Row, ids: Ids, a: Array, b: Array, c: Array) -> Array:
-    """Euclidean distance of footprints, or of the footprint and a polygon of the room; minus the depth of an overlap."""
+    """Euclidean distance of footprints, or of footprint and polygon of the room; minus the depth of an overlap."""
     theirs = problem.feet[ids[1]] if row.polygon is None else [row.polygon]
     pairs = ((placed(mine, a), placed(other, b)) for mine in problem.feet[ids[0]] for other in theirs)
     return np.min([polygons.distance(p, q) for p, q in pairs], axis=0)

@@ -38,7 +38,10 @@ def engine(compiled: CompiledScene, layouts: np.ndarray, device: str) -> tuple[n
         local[..., 2] = 0.0
         fault[:, domain.deck.members] |= verdict(domain.problem, local, device).fault != 0
     valid = (room.status == 0) & ~fault.any(axis=1) & ~compiled.room.faulty
-    return valid, fault, room.holds[:, : len(compiled.scene.relations)]
+    holds = room.holds[:, : len(compiled.scene.relations)].copy()
+    for rider, relation in compiled.room.riders.items():
+        holds[:, relation] &= room.holds[:, rider]
+    return valid, fault, holds
 
 
 def compare(compiled: CompiledScene, layouts: np.ndarray, device: str) -> Counts:
@@ -62,7 +65,13 @@ def compare(compiled: CompiledScene, layouts: np.ndarray, device: str) -> Counts
 
 def _relations(scene: Scene, holds: np.ndarray, counts: Counts, name: str) -> None:
     placed = Placed.of(scene)
+    groups = {r.target: True for r in scene.relations if r.type == "around"}  # the angle between two belongs to one
     for relation, passed in zip(scene.relations, holds, strict=True):
+        if relation.type == "around":
+            groups[relation.target] &= bool(passed)
+    for relation, passed in zip(scene.relations, holds, strict=True):
+        if relation.type == "around":
+            passed = groups[relation.target]
         if relation.type not in BY_SURFACE:
             found = judge_relation(placed, relation)
             counts.holding += int(found.holds)

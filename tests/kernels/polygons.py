@@ -17,25 +17,38 @@ def placed(polygon: Array, pose: Array) -> Array:
     return np.stack([z.real, z.imag], axis=-1) + pose[:, None, :2]
 
 
-def _gaps(own: Array, other: Array) -> Array:
-    """Gap between the shadows of two polygons on the outward normal of each face of the first: [K, faces]."""
+def _gaps(own: Array, other: Array) -> tuple[Array, Array]:
+    """Gap between the shadows of two polygons on the outward normal of each face of the first: [K, faces].
+
+    And the vertex of the other that is nearest along it: [K, faces].
+    """
     along = np.roll(own, -1, axis=1) - own
     normal = np.stack([along[..., 1], -along[..., 0]], axis=-1)
     normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
     mine, theirs = normal @ own.transpose(0, 2, 1), normal @ other.transpose(0, 2, 1)
-    return theirs.min(axis=2) - mine.max(axis=2)
+    return theirs.min(axis=2) - mine.max(axis=2), theirs.argmin(axis=2)
 
 
-def separation(a: Array, b: Array, real: Sequence[bool] | None = None) -> Array:
+def separation(a: Array, b: Array, real: Sequence[bool] | None = None, parted: float = 0.0) -> Array:
     """Separating-axis distance over the face normals of both [K]; minus the depth where polygons [K, V, 2] overlap.
 
-    Faces of b that are not ``real`` may part the two (to any distance) but are no way out.
+    Faces of b that are not ``real`` are no way out, nor are directions in which a would end on a vertex beside such a
+    face. Such closed directions part the two, to any distance, when the gap is more than ``parted``; else they count
+    only when there are no open ones.
     """
-    gaps = [_gaps(own, other) for own, other in ((a, b), (b, a)) if own.shape[1] > 2]
-    if real is not None and not all(real):
-        unreal = ~np.asarray(real)
-        gaps[-1][:, unreal] = np.where(gaps[-1][:, unreal] > 0.0, np.inf, -np.inf)
-    return np.concatenate(gaps, axis=1).max(axis=1)
+    real = np.asarray(real or [True] * b.shape[1])
+    gaps, closed = [], []
+    if a.shape[1] > 2:
+        gap, vertex = _gaps(a, b)
+        gaps.append(gap)
+        closed.append(~(real & np.roll(real, 1))[vertex])
+    if b.shape[1] > 2:
+        gaps.append(_gaps(b, a)[0])
+        closed.append(np.broadcast_to(~real, gaps[-1].shape))
+    gap, shut = np.concatenate(gaps, axis=1), np.concatenate(closed, axis=1)
+    way_out = np.where(shut, -np.inf, gap).max(axis=1)
+    no_way = np.where(shut, gap, -np.inf).max(axis=1)
+    return np.where(no_way > parted, np.inf, np.where(shut.all(axis=1), no_way, way_out))
 
 
 def distance(a: Array, b: Array) -> Array:

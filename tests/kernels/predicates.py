@@ -28,7 +28,7 @@ def apart_margin(
         for q in second:
             free = gate - float(shared_height(p, one[2], q, two[2]))
             if free < margin:
-                gap = separation(placed(p.polygon, one[None]), placed(q.polygon, two[None]), q.real)
+                gap = separation(placed(p.polygon, one[None]), placed(q.polygon, two[None]), q.real, min(hold, 0.0))
                 margin = min(margin, max(free, float(gap[0]) - hold))
     return margin
 

@@ -1,4 +1,4 @@
-"""Every feature of relation rows: value through the penalty, and gradient for every role, in and out of the interval."""
+"""Every feature of relation rows: value through the penalty and gradient for every role, in and out of intervals."""
 
 from __future__ import annotations
 
@@ -65,7 +65,9 @@ def blank(name: str, rng: np.random.Generator) -> Row:
     return row
 
 
-def asked(problem: Problem, row: Row, ids: tuple[int, int, int], layout: np.ndarray, excess: float, above: bool) -> Problem:
+def asked(
+    problem: Problem, row: Row, ids: tuple[int, int, int], layout: np.ndarray, excess: float, above: bool
+) -> Problem:
     """The problem with one relation of one row, whose interval the layout misses by the excess [m]."""
     poses = {i: layout[None, i] for i in ids if i >= 0}
     value = float(twin.row_value(problem, row, ids, poses)[0])

@@ -2,8 +2,8 @@
 
 It reads a `layout.compile.Problem` (polygons, rows, relations), never the packed tables, so packing is tested too. The
 energy is a list of terms. A term knows the objects that it depends on, how its value is shared among them, and how to
-compute the value for K variants of their poses at once; its gradient is a central difference. Every object's pose counts
-as independent, also that of one which a supporter would carry along, and the options of relations are as given.
+compute the value for K variants of their poses at once; its gradient is a central difference. Every object's pose is
+independent of the others, also where a supporter would carry it along, and the options of relations are as given.
 """
 
 from __future__ import annotations
