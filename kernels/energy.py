@@ -7,6 +7,7 @@ missing to a small safety margin, so that the optimum is strictly feasible.
 
 import warp as wp
 
+from .cells import cell_at, crowded
 from .features import TURN, feature
 from .geometry import FAR, discs_apart, perp, plane_of, separation, turn, wrap
 from .tables import (
@@ -220,6 +221,38 @@ def relation_energy(
     return weight * e, weight * g
 
 
+@wp.func
+def meeting(
+    t: TablesRef,
+    m: Margins,
+    w: Weights,
+    o0: wp.int32,
+    row: wp.int32,
+    o: wp.int32,
+    pose: wp.vec4,
+    q: wp.vec2,
+    j: wp.int32,
+    candidate: wp.int32,
+    s: State,
+    stamp: wp.int32,
+):
+    """Pair energy of object o (global) with object j (local), and its gradient for o's pose."""
+    flags = int(t[0].pair_flags[row + j])
+    e = float(0.0)
+    g = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    if flags != 0 and (flags & PAIR_RIGID) == 0:
+        other = s.poses[candidate, j]
+        v = plane_of(other) - plane_of(pose)
+        ri = t[0].object_radius[o]
+        rj = t[0].object_radius[o0 + j]
+        # a zone only meets solids
+        far = wp.max(ri[0] + rj[1], ri[1] + rj[0]) + m.collision_aim
+        if wp.dot(v, v) < far * far:
+            if stamp == 0 or s.mark[candidate, j] != stamp:
+                e, g = pair_energy(t, m, w, flags, o, pose, q, o0 + j, other, s.turns[candidate, j])
+    return e, g
+
+
 @wp.func(inline=False)
 def object_energy(
     t: TablesRef,
@@ -230,12 +263,14 @@ def object_energy(
     obj: wp.int32,
     s: State,
     limit: wp.float32,
+    stamp: wp.int32,
 ):
     """Everything that object ``obj`` of a candidate takes part in.
 
     Returns (energy, share, soft, gradient): the energy of all its terms; its share of the candidate's energy (half of
     each pair, the whole of a relation for its subject); what of the share soft relations and the pull make up; and the
-    gradient of the energy for its pose (x, y, z, yaw). Once the energy exceeds the limit the rest is left out.
+    gradient of the energy for its pose (x, y, z, yaw). Once the energy exceeds the limit the rest is left out;
+    so are pairs with objects that carry the stamp of the same move (0: none), whose distances a move does not change.
     """
     o0 = t[0].object_start[p]
     n = t[0].object_start[p + 1] - o0
@@ -264,23 +299,30 @@ def object_energy(
                 share += er
                 if t[0].relation_fault[r0 + r] == 0:
                     soft += er
-    radius = t[0].object_radius[o]
     row = t[0].pair_start[p] + obj * n
-    for j in range(n):
-        if e > limit:
-            break
-        flags = int(t[0].pair_flags[row + j])
-        if flags != 0 and (flags & PAIR_RIGID) == 0:
-            other = s.poses[candidate, j]
-            v = plane_of(other) - at
-            rj = t[0].object_radius[o0 + j]
-            # a zone only meets solids
-            far = wp.max(radius[0] + rj[1], radius[1] + rj[0]) + m.collision_aim
-            if wp.dot(v, v) < far * far:
-                ep, gp = pair_energy(t, m, w, flags, o, pose, q, o0 + j, other, s.turns[candidate, j])
-                e += ep
-                share += 0.5 * ep
-                g += gp
+    if crowded(n, s):
+        reach = t[0].object_radius[o][1] + t[0].grid[p][3] + m.collision_aim
+        left, low = cell_at(t, p, at[0] - reach, at[1] - reach)
+        right, high = cell_at(t, p, at[0] + reach, at[1] + reach)
+        for y in range(low, high + 1):
+            if e > limit:
+                break
+            for x in range(left, right + 1):
+                j = s.cell_head[candidate, y * t[0].grid_count[p][0] + x]
+                while j >= 0:
+                    ep, gp = meeting(t, m, w, o0, row, o, pose, q, j, candidate, s, stamp)
+                    e += ep
+                    share += 0.5 * ep
+                    g += gp
+                    j = s.cell_next[candidate, j]
+    else:
+        for k in range(n):
+            if e > limit:
+                break
+            eq, gq = meeting(t, m, w, o0, row, o, pose, q, k, candidate, s, stamp)
+            e += eq
+            share += 0.5 * eq
+            g += gq
     return e, share, soft, g
 
 
@@ -306,7 +348,7 @@ def evaluate(
         soft_out[candidate, obj] = 0.0
         gradient_out[candidate, obj] = wp.vec4(0.0, 0.0, 0.0, 0.0)
         return
-    _e, share, soft, g = object_energy(t, m, w, p, candidate, obj, s, FAR)
+    _e, share, soft, g = object_energy(t, m, w, p, candidate, obj, s, FAR, 0)
     share_out[candidate, obj] = share
     soft_out[candidate, obj] = soft
     gradient_out[candidate, obj] = g

@@ -7,6 +7,7 @@ them anew for every relation that it touches. Energies are local: a move costs w
 
 import warp as wp
 
+from .cells import change_cell, crowded, fill_cells
 from .energy import object_energy
 from .features import TURN
 from .geometry import FAR, perp, plane_of, turn, wrap
@@ -60,6 +61,14 @@ def copy_group(
             b.options[candidate, r] = a.options[candidate, r]
 
 
+@wp.func
+def update_cells(t: TablesRef, p: wp.int32, candidate: wp.int32, first: wp.int32, last: wp.int32, s: State):
+    """After a move of the objects group[first:last]: put them into the cells where they stand now."""
+    if crowded(t[0].object_start[p + 1] - t[0].object_start[p], s):
+        for k in range(first, last):
+            change_cell(t, p, candidate, t[0].group[k], s)
+
+
 @wp.func(inline=False)
 def choose_options(
     t: TablesRef, w: Weights, p: wp.int32, candidate: wp.int32, first: wp.int32, last: wp.int32, s: State
@@ -86,8 +95,9 @@ def group_energy(
     last: wp.int32,
     s: State,
     limit: wp.float32,
+    stamp: wp.int32,
 ):
-    """Energy of all terms that touch the objects group[first:last]; terms inside the group count twice.
+    """Energy of all terms that touch the objects group[first:last], which carry the stamp, except pairs among them.
 
     Once it exceeds the limit the rest is left out.
     """
@@ -95,7 +105,7 @@ def group_energy(
     for k in range(first, last):
         if e > limit:
             break
-        ei, _share, _soft, _g = object_energy(t, m, w, p, candidate, t[0].group[k], s, limit - e)
+        ei, _share, _soft, _g = object_energy(t, m, w, p, candidate, t[0].group[k], s, limit - e, stamp)
         e += ei
     return e
 
@@ -129,7 +139,7 @@ def members_energy(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate:
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
     for k in range(t[0].member_start[o], t[0].member_start[o + 1]):
         i = t[0].member[k]
-        ei, hi, fi, gi = object_energy(t, m, w, p, candidate, i, s, FAR)
+        ei, hi, fi, gi = object_energy(t, m, w, p, candidate, i, s, FAR, 0)
         e += ei
         share += hi
         soft += fi
@@ -237,6 +247,8 @@ def descend(
     gg = wp.dot(g, scaled)
     if e <= SOLVED or gg < 1.0e-12:
         return e
+    first = t[0].group_start[o]
+    last = first + t[0].member_start[o + 1] - t[0].member_start[o]
     old = s.poses[candidate, root]
     step = 1.8 * e / gg
     reach = step * wp.sqrt(wp.dot(scaled, wp.vec4(g[0], g[1], g[2], arm * arm * scaled[3])))
@@ -246,6 +258,7 @@ def descend(
         carry(t, t[0].object_start[p], s, candidate, root, old - step * scaled, 0)
         en, _share2, _soft2, _g2 = members_energy(t, m, w, p, candidate, root, s)
         if en < e:
+            update_cells(t, p, candidate, first, last, s)
             return en
         step = 0.35 * step
     carry(t, t[0].object_start[p], s, candidate, root, old, 0)
@@ -287,6 +300,7 @@ def go_back(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int
         choose_options(t, w, p, candidate, first, last, s)
         e, _share, soft, _g = members_energy(t, m, w, p, candidate, root, s)
         if e - soft <= SOLVED:
+            update_cells(t, p, candidate, first, last, s)
             return
     carry(t, o0, s, candidate, root, old, 0)
     choose_options(t, w, p, candidate, first, last, s)
@@ -364,6 +378,7 @@ def make_move(
     level: wp.float32,
     proposals: wp.int32,
     stay: wp.int32,
+    stamp: wp.int32,
 ):
     """One move: pick an object, draw poses for it, take the best.
 
@@ -391,7 +406,9 @@ def make_move(
         last = first + t[0].member_start[o + 1] - t[0].member_start[o]
     decks = t[0].pool_size > 0 and t[0].deck_start[o + 1] > t[0].deck_start[o]
     old = s.poses[candidate, obj]
-    before = group_energy(t, m, w, p, candidate, first, last, s, FAR)
+    for k in range(first, last):
+        s.mark[candidate, t[0].group[k]] = stamp
+    before = group_energy(t, m, w, p, candidate, first, last, s, FAR, stamp)
     bar = before - heat * wp.log(uniform(s, candidate) + 1.0e-9)
     least = bar
     chosen = old
@@ -410,7 +427,7 @@ def make_move(
         if key >= 0:
             shuffle(t, p, obj, trial, candidate, key)
         choose_options(t, w, p, candidate, first, last, trial)
-        e = group_energy(t, m, w, p, candidate, first, last, trial, least)
+        e = group_energy(t, m, w, p, candidate, first, last, trial, least, stamp)
         if e < least:
             least = e
             chosen = pose
@@ -422,6 +439,7 @@ def make_move(
             shuffle(t, p, obj, s, candidate, chosen_key)
         choose_options(t, w, p, candidate, first, last, s)
         copy_group(t, p, candidate, first, last, s, trial)
+        update_cells(t, p, candidate, first, last, s)
         for k in range(first, last):
             i = t[0].group[k]
             if energy[candidate, i] > 0.0 or i == obj:
@@ -462,6 +480,7 @@ def search(
     for obj in range(n):
         trial.poses[candidate, obj] = s.poses[candidate, obj]
         trial.turns[candidate, obj] = s.turns[candidate, obj]
+    fill_cells(t, p, candidate, s)
 
     movable = wp.max(t[0].movable[p], 2)
     moves = budget.moves * movable
@@ -487,7 +506,9 @@ def search(
         if lingered > 0:
             heat = 0.0
         mark = uniform(s, candidate) * sum
-        make_move(t, m, w, p, candidate, s, trial, energy_out, mark, heat, level, budget.proposals, budget.stay)
+        make_move(
+            t, m, w, p, candidate, s, trial, energy_out, mark, heat, level, budget.proposals, budget.stay, move + 1
+        )
     for _sweep in range(budget.polish):
         if done:
             break

@@ -51,6 +51,8 @@ class Tables:
     pair_start: wp.array(dtype=wp.int32)
     room_height: wp.array(dtype=wp.float32)
     room_box: wp.array(dtype=wp.vec4)  # xmin, ymin, xmax, ymax of the outline
+    grid: wp.array(dtype=wp.vec4)  # cells: lowest corner, edge, largest reach of an object
+    grid_count: wp.array(dtype=wp.vec2i)  # columns, rows
     movable: wp.array(dtype=wp.int32)  # roots that are free to move
     # object [O] or [O + 1]
     object_size: wp.array(dtype=wp.vec3)
@@ -124,6 +126,10 @@ class State:
     options: wp.array2d(dtype=wp.int32)  # chosen option of each relation, an index into row_start
     anchors: wp.array2d(dtype=wp.vec4)  # where Weights.pull pulls to
     rng: wp.array(dtype=wp.uint32)  # one stream a candidate
+    mark: wp.array2d(dtype=wp.int32)  # the move that an object takes part in
+    cell_head: wp.array2d(dtype=wp.int32)  # [candidate, cell]: first object of the cell; -1: none
+    cell_next: wp.array2d(dtype=wp.int32)  # next object of the same cell
+    cell_of: wp.array2d(dtype=wp.int32)
 
 
 @wp.struct

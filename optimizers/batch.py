@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import warp as wp
 
+from sceneweaver.kernels.cells import CELLS, CROWD
 from sceneweaver.kernels.tables import Margins, State, Tables, Weights
 from sceneweaver.kernels.track import set_turns
 from sceneweaver.kernels.verdict import judge_candidates, judge_objects, judge_relations
@@ -40,7 +41,7 @@ class Batch:
     def part(self, first: int, last: int) -> Batch:
         """Candidates first to last as a batch that shares this one's memory."""
         state = State()
-        for name in ("poses", "turns", "options", "anchors", "rng"):
+        for name in ("poses", "turns", "options", "anchors", "rng", "mark", "cell_head", "cell_next", "cell_of"):
             setattr(state, name, getattr(self.state, name)[first:last])
         return replace(self, problem=self.problem[first:last], state=state)
 
@@ -70,6 +71,11 @@ def new_state(candidates: int, objects: int, relations: int, device: str) -> Sta
     state.options = wp.zeros(links, dtype=wp.int32, device=device)
     state.anchors = wp.zeros(shape, dtype=wp.vec4, device=device)
     state.rng = wp.zeros(candidates, dtype=wp.uint32, device=device)
+    state.mark = wp.zeros(shape, dtype=wp.int32, device=device)
+    crowd = objects > CROWD
+    state.cell_head = wp.zeros((candidates, CELLS if crowd else 1), dtype=wp.int32, device=device)
+    state.cell_next = wp.zeros(shape if crowd else (candidates, 1), dtype=wp.int32, device=device)
+    state.cell_of = wp.zeros(shape if crowd else (candidates, 1), dtype=wp.int32, device=device)
     return state
 
 

@@ -43,7 +43,8 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
     """
     device = batch.device
     trial, best = batch.scratch(), batch.scratch()
-    trial.rng = batch.state.rng  # one stream a candidate, whoever draws
+    for name in ("rng", "mark", "cell_head", "cell_next", "cell_of"):  # one for a candidate, whoever draws
+        setattr(trial, name, getattr(batch.state, name))
     energy = wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.float32, device=device)
     total = wp.zeros(batch.size, dtype=wp.float32, device=device)
     best_total = wp.full(batch.size, float("inf"), dtype=wp.float32, device=device)

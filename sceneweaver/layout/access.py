@@ -15,7 +15,7 @@ from .compile import Problem
 CELL = 0.1
 RADIUS = 0.2  # of the robot, as the judge has it
 LOW, HIGH = 0.02, 1.8
-MOST_CELLS = 40_000  # of one room; larger rooms get larger cells
+MOST_CELLS = 20_000  # of one room; larger rooms get larger cells
 
 
 def walkable_shares(batch: Batch, room: Problem, candidates: np.ndarray) -> np.ndarray:

@@ -127,11 +127,16 @@ def _families(relations: Sequence[Relation], index: dict[str, int], roots: np.nd
             if chain < 0:  # no object is its own ancestor
                 parents[child] = parent
 
-    def members(i: int) -> list[int]:
-        return [i, *(j for j in range(n) if roots[j] == i and j != i)]
+    carried: dict[int, list[int]] = {}
+    placed: dict[int, list[int]] = {}
+    for j in range(n):
+        if roots[j] != j:
+            carried.setdefault(int(roots[j]), []).append(j)
+        if parents[j] >= 0:
+            placed.setdefault(int(parents[j]), []).append(j)
 
     def group(i: int) -> list[int]:
-        return members(i) + [k for j in range(n) if parents[j] == i for k in group(j)]
+        return [i, *carried.get(i, ()), *(k for j in placed.get(i, ()) for k in group(j))]
 
     return [group(i) if roots[i] == i else [] for i in range(n)], parents
 

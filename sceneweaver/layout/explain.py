@@ -34,9 +34,11 @@ from .solution import Solution
 
 LONGEST = 10.0  # [s] that an explanation may take
 RESERVE = 0.3  # [s] of it kept for the last words
-LOOK = 256  # candidates of the solution that are looked at
+LOOK = 256  # candidates of the solution that are looked at,
+MOST = 20_000  # as long as they hold no more objects than this
 BEST = 16  # candidates whose violations are counted
-PAIRS = 160  # pairs of relations that are tried
+PAIRS = 144  # pairs of relations that are tried,
+CHUNK = 48  # so many at once
 LINES = 3  # of one kind
 FOUND = "(found by search, which is no proof)"
 
@@ -83,6 +85,7 @@ def explain(scene: Scene, solution: Solution, *, device: str, seed: int, deadlin
     if until - start < 0.02:
         return "\n".join([*_timed_out(solution, False), _unmet(scene, solution)])
     study = _Study(scene, solution, device, seed, until)
+    proved = False
     try:
         lines, proved = study.causes()
         if not lines:
@@ -90,8 +93,8 @@ def explain(scene: Scene, solution: Solution, *, device: str, seed: int, deadlin
         if study.cut:
             lines.append(f"Looking further was stopped after {time.monotonic() - start:.1f} s.")
     except _OutOfTime as cut:
-        lines, proved = [f"Looking for the cause was stopped after {time.monotonic() - start:.1f} s."], False
-        lines += [*cut.lines, *study.hints()]
+        lines = [f"Looking for the cause was stopped after {time.monotonic() - start:.1f} s.", *cut.lines]
+        lines += study.hints() if time.monotonic() < end else [_unmet(scene, solution)]
     return "\n".join([*_timed_out(solution, proved), *lines])
 
 
@@ -415,7 +418,7 @@ class _Walls:
                 lines.append(text)
                 hopeless.add(claim.obj.id)
         if len(lines) > LINES:
-            lines[LINES - 1 :] = [f"{len(lines) - LINES + 1} more objects are too wide for any free stretch of wall."]
+            lines[LINES - 1 :] = [f"And {len(lines) - LINES + 1} more like these."]
         rest = [c for c in claims if c.obj.id not in hopeless]
         text = self._worst(rest, None)
         if text:
@@ -503,7 +506,10 @@ class _Study:
     """
 
     def __init__(self, scene: Scene, solution: Solution, device: str, seed: int, until: float) -> None:
-        self.scene, self.solution, self.device, self.seed, self.until = scene, solution, device, seed, until
+        from .engine import pick_device  # the engine imports this module
+
+        self.scene, self.solution, self.seed, self.until = scene, solution, seed, until
+        self.device = pick_device(device)
         self.compiled = compile_scene(scene)
         self.problem = self.compiled.room
         self.index = {o.id: i for i, o in enumerate(scene.objects)}
@@ -511,7 +517,7 @@ class _Study:
         self.units = self._make_units()
         self.named = [self._named(unit) for unit in self.units]
         order = np.lexsort((solution.energy, solution.status == 3))
-        self.top = order[: min(LOOK, len(order))]
+        self.top = order[: max(BEST, min(LOOK, MOST // max(1, len(scene.objects))))]
         self.cut = False
         self.narrowest: frozenset[int] | None = None
         self.possible: list[frozenset[int]] = []
@@ -566,20 +572,28 @@ class _Study:
         """A part with the presence of all its objects, so that parts can be compared."""
         return frozenset(part) | self.presence(self.objects_of(part))
 
-    def scene_of(self, part: Iterable[int], fixed: bool = True, room: Room | None = None) -> Scene:
-        """The scene reduced to a part. Relations that let objects into each other's zones stay as faint soft ones."""
+    def scene_of(
+        self, part: Iterable[int], guides: bool = False, fixed: bool = True, room: Room | None = None
+    ) -> Scene:
+        """The scene reduced to a part.
+
+        Relations that let objects into each other's zones stay, as faint soft ones; ``guides`` keeps all others that
+        name nothing but objects of the part as soft ones, since they lead to layouts that are dense.
+        """
         part = set(part)
         keep = set(self.objects_of(part))
         named = {i for e in part if e < len(self.units) for i in self.named[e]}
         keep |= self._carriers(i for i, o in enumerate(self.scene.objects) if o.fixed and (fixed or i in named))
-        ids = {self.scene.objects[i].id for i in keep}
+        gone = {o.id for i, o in enumerate(self.scene.objects) if i not in keep}
         hard = {j for e in part if e < len(self.units) for j in self.units[e]}
         relations = []
         for j, rel in enumerate(self.scene.relations):
+            ties = CATALOGUE[rel.type].ties_zones
             if j in hard:
                 relations.append(rel)
-            elif CATALOGUE[rel.type].ties_zones and {rel.subject, *rel.targets} <= ids:
-                relations.append(rel.model_copy(update={"hard": False, "weight": 1e-3}))
+            elif (ties or guides) and not gone.intersection((rel.subject, *rel.targets)):
+                weight = rel.weight if guides else 1e-3
+                relations.append(rel.model_copy(update={"hard": False, "weight": weight}))
         update = {
             "objects": tuple(o for i, o in enumerate(self.scene.objects) if i in keep),
             "relations": tuple(relations),
@@ -595,7 +609,7 @@ class _Study:
         left = self.until - time.monotonic()
         if left <= 0:
             raise _OutOfTime
-        candidates, steps = EFFORTS[self.device.partition(":")[0]][effort]
+        candidates, steps = EFFORTS["cpu" if self.device == "cpu" else "cuda"][effort]
         solutions = refine_many(
             scenes,
             candidates=candidates,
@@ -611,9 +625,7 @@ class _Study:
         return found
 
     def known(self, part: frozenset[int]) -> bool | None:
-        """What earlier tests say about a closed part."""
-        if not self.objects_of(part) and all(e >= len(self.units) for e in part):
-            return True
+        """What earlier tests and the solution's candidates say about a closed part."""
         if any(part <= other for other in self.possible) or self._witnessed(part):
             return True
         return False if any(other <= part for other in self.impossible) else None
@@ -635,8 +647,9 @@ class _Study:
         closed = [self.closed(p) for p in parts]
         for effort in (QUICK, FIRM):
             ask = [p for p in dict.fromkeys(closed) if self.known(p) is None]
-            for some in (ask[i : i + 48] for i in range(0, len(ask), 48)):
-                for part, can in zip(some, self.search([self.scene_of(p) for p in some], effort), strict=True):
+            for some in (ask[i : i + CHUNK] for i in range(0, len(ask), CHUNK)):
+                scenes = [self.scene_of(p, guides=effort == FIRM) for p in some]
+                for part, can in zip(some, self.search(scenes, effort), strict=True):
                     if can or effort == FIRM or len(self.objects_of(part)) > CROWD:
                         self.note(part, can)
         return [bool(self.known(p)) for p in closed]
@@ -646,7 +659,7 @@ class _Study:
         closed = self.closed(part)
         few = len(self.objects_of(closed)) <= FEW
         try:
-            found = self.search([self.scene_of(closed)], FEW_SURE if few else SURE)[0]
+            found = self.search([self.scene_of(closed, guides=True)], FEW_SURE if few else SURE)[0]
         except _OutOfTime:
             self.cut = True
             return True
@@ -660,6 +673,8 @@ class _Study:
         """Which objects collide, lie outside or off their surface ..., [top candidate, object]."""
         from .engine import make_batch  # the engine imports this module
 
+        if time.monotonic() > self.until:
+            raise _OutOfTime
         poses = self.solution.poses[self.top]
         problems: list[tuple[Problem, list[int], np.ndarray]] = [(self.problem, list(range(len(self.index))), poses)]
         for domain in self.compiled.domains:
@@ -703,36 +718,47 @@ class _Study:
     def causes(self) -> tuple[list[str], bool]:
         """Lines about the first kind of cause that there is, and whether they are proved."""
         for find in (self.fixed_faults, self.arithmetic, self.never):
-            if lines := find():
+            if lines := list(find()):
                 return lines[: 2 * LINES], True
         for find in (self.lonely, self.surfaces, self.together, self.singles, self.pairs, self.again, self.grown):
-            if lines := find():
-                return lines, False
+            lines = []
+            try:
+                for line in find():
+                    lines.append(line)
+            except _OutOfTime:
+                if not lines:
+                    raise
+                self.cut = True
+            if lines:
+                return _few(lines), False
         return [], False
 
-    def fixed_faults(self) -> list[str]:
+    def fixed_faults(self) -> Iterator[str]:
         """Fixed objects that collide or stand where nothing may."""
         fixed = [i for i, o in enumerate(self.scene.objects) if o.fixed]
         if not fixed:
-            return []
+            return
         scene = self.scene_of(())
         found = _violations(compile_scene(scene).room, scene, None)
         held = [text for text, ids in found.items() if all(self.scene.object(i).fixed for i in ids)]
-        lines = [f"Fixed objects are in the way of any layout: {_list(held, 6, '; ')}."] if held else []
+        if held:
+            yield f"Fixed objects are in the way of any layout: {_list(held, 6, '; ')}."
         for i in fixed:
             obj = self.scene.objects[i]
             height = {"floor": 0.0, "ceiling": self.scene.room.height - obj.size[2]}.get(obj.mount)
-            off = None if height is None else obj.pose.position[2] - height
-            if off is not None and abs(off) > 1.8e-3:
+            off = 0.0 if height is None else obj.pose.position[2] - height
+            if abs(off) > 1.8e-3:
+                held.append(obj.id)
                 where = "above" if off > 0 else "below"
-                lines.append(f"{obj.id} is fixed {abs(off):.3f} m {where} where its mount ({obj.mount}) holds it.")
-        if not lines and not self.search([scene], QUICK)[0]:
-            alone = [self.scene.model_copy(update={"objects": self._stack(i), "relations": ()}) for i in fixed]
-            for i, can in zip(fixed, self.search(alone, QUICK), strict=True):
-                if not can:
-                    obj = self.scene.objects[i]
-                    lines.append(f"{obj.id} is fixed where nothing holds it (its mount is {obj.mount}).")
-        return lines
+                yield f"{obj.id} is fixed {abs(off):.3f} m {where} where its mount ({obj.mount}) holds it."
+        if held or self.search([scene], QUICK)[0]:
+            return
+        alone = [self.scene.model_copy(update={"objects": self._stack(i), "relations": ()}) for i in fixed]
+        loose = [self.scene.objects[i] for i, can in zip(fixed, self.search(alone, QUICK), strict=True) if not can]
+        for obj in loose:
+            yield f"{obj.id} is fixed where nothing holds it (its mount is {obj.mount})."
+        if not loose:
+            yield "The fixed objects cannot all stay where they are."
 
     def _stack(self, i: int) -> tuple[SceneObject, ...]:
         return tuple(self.scene.objects[j] for j in sorted(self._carriers([i])))
@@ -780,7 +806,7 @@ class _Study:
                 on = f"on {obj.support.object}, " if obj.support else ""
                 reach = f"{obj.id} reaches {base + high:.2f} m ({on}from {base:.2f} m)"
                 lines.append(f"{reach}; the room is {height:.2f} m high.")
-        return _few(lines, "objects are too tall")
+        return _few(lines)
 
     def _too_large_for_surfaces(self) -> list[str]:
         lines = []
@@ -799,13 +825,13 @@ class _Study:
             blocked = [(p, PENETRATION) for p in domain.problem.region.solids]
             full = _fullest(domain.problem.solids, polygon, blocked)
             if full and len(lines) == before:
-                crowd = _crowd([self.scene.objects[i] for i in domain.deck.members])
-                on = _where(self.scene.objects[domain.deck.members[0]])
+                members = [self.scene.objects[i] for i in domain.deck.members]
+                cover = f"{_crowd(members)} {'cover' if len(members) > 1 else 'covers'}"
                 lines.append(
-                    f"{on} is overfull: {crowd} cover {full.need:.3g} m2 of {full.free:.3g} m2: "
+                    f"{_where(members[0])} is overfull: {cover} {full.need:.3g} m2 of {full.free:.3g} m2: "
                     f"{full.need - full.free:.2g} m2 missing."
                 )
-        return _few(lines, "surfaces hold too much")
+        return _few(lines)
 
     def _too_large(self) -> list[str]:
         lines = []
@@ -813,64 +839,64 @@ class _Study:
             obj = self.scene.objects[i]
             if obj.support is None and not _fits_turned(_hull(self.problem.solids[i]), self.problem.region.planes):
                 lines.append(f"{_size(obj)} fits nowhere in the room: its floor is {_span(self.scene.room.outline)}.")
-        return _few(lines, "objects are larger than the room")
+        return _few(lines)
 
-    def lonely(self) -> list[str]:
-        """Objects, and objects with what they carry, that find no place even with the movable rest away."""
-        suspects = self.always_at_fault()
-        roots = [i for i in suspects if self.scene.objects[i].support is None]
-        lines = []
+    def lonely(self) -> Iterator[str]:
+        """Objects that find no place even with the movable rest away."""
+        roots = [i for i in self.always_at_fault() if self.scene.objects[i].support is None]
         for i, can in zip(roots, self.can([self.presence([i]) for i in roots]), strict=True):
             if not can and self.surely_not(self.presence([i])):
-                obj = _size(self.scene.objects[i])
-                lines.append(f"No place in the room was found for {obj}: {self._why_no_place(i)}.")
-        return _few(lines, "objects find no place")
+                yield f"No place in the room was found for {_size(self.scene.objects[i])}{self._why_no_place(i)}."
 
     def _why_no_place(self, i: int) -> str:
         """What leaves no place for an object: the first of room, openings and fixed objects that does."""
         part, room = self.presence([i]), self.scene.room
         bare = room.model_copy(update={"doors": (), "windows": ()})
-        if not self.search([self.scene_of(part, fixed=False, room=bare)], FIRM)[0]:
-            return f"the floor is {_span(room.outline)} at its longest and widest"
-        if not self.search([self.scene_of(part, fixed=False)], FIRM)[0]:
-            return "the clearances of doors and windows leave none"
-        return "the fixed objects leave none"
+        try:
+            if not self.search([self.scene_of(part, fixed=False, room=bare)], FIRM)[0]:
+                on_wall = self.scene.objects[i].mount == "wall"
+                return ": no wall has room for it" if on_wall else f": the floor is {_span(room.outline)} all in all"
+            if not self.search([self.scene_of(part, fixed=False)], FIRM)[0]:
+                return ": the clearances of doors and windows leave none"
+        except _OutOfTime:
+            self.cut = True
+            return ""
+        return ": the fixed objects leave none"
 
-    def surfaces(self) -> list[str]:
+    def surfaces(self) -> Iterator[str]:
         """Surfaces whose things do not fit on them together, and carriers that fit nowhere with what they carry."""
-        suspects = set(self.always_at_fault())
-        lines = []
+        full = False
         for domain in self.compiled.domains:
             members = [i for i in domain.deck.members if not self.scene.objects[i].fixed]
             if not self.fault[:, members].any(axis=1).all():
                 continue
             fixed = any(self.scene.objects[i].fixed for i in self._carriers(members))
             room = None if fixed else self._hall()
-            scenes = [self.scene_of(self.presence(some), fixed, room) for some in (members, *([i] for i in members))]
-            if self.search(scenes[:1], FIRM)[0]:
+            several = [self.scene_of(self.presence(members), fixed=fixed, room=room)]
+            if self.search(several, FIRM)[0]:
                 continue
-            alone = self.search(scenes[1:], FIRM)
-            misfits = [i for i, can in zip(members, alone, strict=True) if not can]
+            alone = [self.scene_of(self.presence([i]), fixed=fixed, room=room) for i in members]
+            misfits = [i for i, can in zip(members, self.search(alone, FIRM), strict=True) if not can]
             obj = self.scene.objects[members[0]]
-            on, span = _where(obj), _span(self._surface(obj).polygon)
+            on, polygon = _where(obj), self._surface(obj).polygon
             for i in misfits:
-                lines.append(f"No place on {on} ({span}) was found for {_size(self.scene.objects[i])}.")
-            if not misfits and not self.search(scenes[:1], SURE)[0]:
-                crowd = _crowd([self.scene.objects[i] for i in members])
+                yield f"No place on {on} ({_span(polygon)}) was found for {_size(self.scene.objects[i])}."
+            if not misfits and not self.search(several, SURE)[0]:
                 area = sum(self._area(i) for i in members)
-                lines.append(
-                    f"{crowd} do not fit on {on} together {FOUND}: footprints of {area:.3g} m2 "
-                    f"on {shapely.Polygon(self._surface(obj).polygon).area:.3g} m2 ({span})."
+                yield (
+                    f"{_crowd([self.scene.objects[i] for i in members])} do not fit on {on} together {FOUND}: "
+                    f"footprints of {area:.3g} m2 on {shapely.Polygon(polygon).area:.3g} m2 ({_span(polygon)})."
                 )
-        if not lines:
-            groups = [self.problem.groups[i][: int(np.sum(self.problem.roots == i))] for i in sorted(suspects)]
-            groups = [g for g in groups if len(g) > 1]
-            for group, can in zip(groups, self.can([self.presence(g) for g in groups]), strict=True):
-                if not can and self.surely_not(self.presence(group)):
-                    first, *rest = (self.scene.objects[i].id for i in group)
-                    carried = _list(rest, 6)
-                    lines.append(f"No place in the room was found for {first} with what stands on it ({carried}).")
-        return _few(lines, "surfaces have no layout")
+            full = True
+        if full:
+            return
+        roots = self.problem.roots
+        groups = [np.flatnonzero(roots == i).tolist() for i in self.always_at_fault() if np.sum(roots == i) > 1]
+        for group, can in zip(groups, self.can([self.presence(g) for g in groups]), strict=True):
+            if not can and self.surely_not(self.presence(group)):
+                root = self.scene.objects[int(roots[group[0]])].id
+                carried = [self.scene.objects[i].id for i in group if self.scene.objects[i].id != root]
+                yield f"No place in the room was found for {root} with what stands on it ({_list(carried, 6)})."
 
     def _hall(self) -> Room:
         """An empty room larger than this one on all sides."""
@@ -878,68 +904,66 @@ class _Study:
         outline = ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
         return Room(outline=tuple((float(x), float(y)) for x, y in outline), height=self.scene.room.height + 5)
 
-    def again(self) -> list[str]:
+    def again(self) -> Iterator[str]:
         """A valid layout after all, when the run was short."""
         weak = self.solution.timed_out or self.solution.candidates < LOOK
-        if not weak or len(self.free) > 3 * CROWD:
-            return []
         everything = frozenset(range(len(self.units))) | self.presence(self.free)
-        if not self.can([everything])[0]:
-            return []
-        return [
-            "A short search found a valid layout, so there is one: give the run more candidates, more steps, "
-            "more time or another seed."
-        ]
+        if weak and len(self.free) <= 3 * CROWD and self.can([everything])[0]:
+            yield (
+                "A short search found a valid layout, so there is one: give the run more candidates, more steps, "
+                "more time or another seed."
+            )
 
-    def together(self) -> list[str]:
+    def together(self) -> Iterator[str]:
         """Objects that do not fit together even without relations."""
         everyone = self.presence(self.free)
         if np.any(self.solution.status == 2):  # only relations were unmet
             self.note(everyone, True)
-        if len(self.free) > 3 * CROWD or self.can([everyone])[0]:
-            return []
-        return self._crowding(sorted(self.free, key=lambda i: (-self.fault[:, i].mean(), -self._area(i), i)))
+        if len(self.free) <= (CROWD if self.units else 3 * CROWD) and not self.can([everyone])[0]:
+            order = sorted(self.free, key=lambda i: (-self.fault[:, i].mean(), -self._area(i), i))
+            yield from self._crowding(order)
 
     def _area(self, i: int) -> float:
         return shapely.union_all([shapely.Polygon(p.polygon) for p in self.problem.solids[i]]).area
 
-    def _crowding(self, objects: Sequence[int]) -> list[str]:
+    def _crowding(self, objects: Sequence[int]) -> Iterator[str]:
         """A smallest set found of objects that do not fit together."""
         n = len(self.units)
         found = self.conflict([n + i for i in objects])
         if found is None:
-            return []
+            return
         ids = [self.scene.objects[i] for i in sorted(e - n for e in found)]
         everyone = " even without relations" if self.units else ""
         area = sum(self._area(self.index[o.id]) for o in ids if o.mount == "floor")
         floor = shapely.Polygon(self.scene.room.outline)
         doors = shapely.union_all([shapely.Polygon(d.polygon) for d in self.problem.region.doors.values()])
-        free = floor.difference(doors).area
-        beside = self._beside_fixed(found)
-        return [
-            f"These {len(ids)} objects do not fit together{beside}{everyone} {FOUND}: {_list([o.id for o in ids])}. "
-            f"Those on the floor cover {area:.1f} m2 of the {free:.1f} m2 that doors leave free."
-        ]
+        yield (
+            f"These {len(ids)} objects do not fit together{self._beside_fixed(found)}{everyone} {FOUND}: "
+            f"{_list([o.id for o in ids])}. Those on the floor cover {area:.1f} m2 of the "
+            f"{floor.difference(doors).area:.1f} m2 that doors leave free."
+        )
 
     def _beside_fixed(self, part: frozenset[int]) -> str:
         """Words for a conflict that is none without the fixed objects."""
         if not any(o.fixed for o in self.scene.objects):
             return ""
-        return " beside the fixed objects" if self.search([self.scene_of(part, fixed=False)], FIRM)[0] else ""
+        try:
+            return " beside the fixed objects" if self.search([self.scene_of(part, fixed=False)], FIRM)[0] else ""
+        except _OutOfTime:
+            self.cut = True
+            return ""
 
-    def never(self) -> list[str]:
+    def never(self) -> Iterator[str]:
         """Hard relations that no pose can fulfil."""
-        lines = []
         for j, rel in enumerate(self.scene.relations):
             ids = [n for n in (rel.subject, *rel.targets) if n in self.index]
             if rel.hard and self.problem.relations[j].options == [[NEVER]]:
-                lines.append(f"{_say(rel)} can never hold{self._why_never(rel)}.")
+                yield f"{_say(rel)} can never hold{self._why_never(rel)}."
                 continue
             fixed = rel.type != "around" and all(self.scene.object(n).fixed for n in ids)
             if rel.hard and fixed and not self.solution.relations[:, j].any():
                 are = f"{' and '.join(ids)} {'is' if len(ids) == 1 else 'are'} fixed"
-                lines.append(f"{_say(rel)} does not hold, and {are}.")
-        return _few(lines, "relations can never hold")
+                yield f"{_say(rel)} does not hold, and {are}."
 
     def _why_never(self, rel: Relation) -> str:
         obj = self.scene.object(rel.subject)
@@ -956,36 +980,29 @@ class _Study:
             return ": the room has no window"
         return ": the room has no convex corner" if rel.type == "in_corner" else ""
 
-    def singles(self) -> list[str]:
+    def singles(self) -> Iterator[str]:
         """Hard relations that no place was found for, though only they and their objects are in the room."""
         doubtful = [u for u in range(len(self.units)) if not self.good[:, u].any()]
         doubtful.sort(key=self._suspicion)
-        can = self.can([{u} for u in doubtful])
-        bad = [u for u, ok in zip(doubtful, can, strict=True) if not ok and self.surely_not({u})]
-        return _few([self._tell(frozenset({u})) for u in bad], "relations hold nowhere")
+        for u, can in zip(doubtful, self.can([{u} for u in doubtful]), strict=True):
+            if not can and self.surely_not({u}):
+                yield self._settled(frozenset({u}))
 
-    def pairs(self) -> list[str]:
+    def pairs(self) -> Iterator[str]:
         """Two hard relations that do not go together."""
         keys = [self._keys(u) for u in range(len(self.units))]
         seen = self.good.astype(np.float32)
         met = seen.T @ seen > 0  # some candidate has both
-        pairs = [
-            (u, v)
-            for u in range(len(self.units))
-            for v in range(u + 1, len(self.units))
-            if not met[u, v] and keys[u] & keys[v]
-        ]
+        pairs = [p for p in itertools.combinations(range(len(self.units)), 2) if not met[p] and keys[p[0]] & keys[p[1]]]
         pairs.sort(key=lambda p: (self._suspicion(p[0])[0] + self._suspicion(p[1])[0], p))
-        pairs = pairs[:PAIRS]
-        can = self.can([set(p) for p in pairs])
-        lines, used = [], set()
-        for pair, ok in zip(pairs, can, strict=True):
-            if not ok and not used.intersection(pair) and self.surely_not(pair):
-                used.update(pair)
-                lines.append(self._settled(frozenset(pair)))
-                if len(lines) == LINES:
-                    break
-        return lines
+        used: set[int] = set()
+        for some in (pairs[i : i + CHUNK] for i in range(0, min(PAIRS, len(pairs)), CHUNK)):
+            for pair, can in zip(some, self.can(some), strict=True):
+                if not can and not used.intersection(pair) and self.surely_not(pair):
+                    used.update(pair)
+                    yield self._settled(frozenset(pair))
+            if used:
+                return
 
     def _keys(self, u: int) -> set:
         """What a unit is about: movable objects, and parts of the room that it wants."""
@@ -1001,7 +1018,7 @@ class _Study:
         """Sorts units: the most often unmet first, then those whose objects are at fault."""
         return (-float(self.unmet[:, u].mean()), -float(self.fault[:, sorted(self.named[u])].mean()), u)
 
-    def grown(self) -> list[str]:
+    def grown(self) -> Iterator[str]:
         """A smallest set found of relations and objects, grown around the relations that are unmet most often."""
         seeds = sorted(range(len(self.units)), key=self._suspicion)
         best: frozenset[int] | None = None
@@ -1019,7 +1036,8 @@ class _Study:
                 break
         if not seeds:
             best = self.conflict(sorted(self.presence(self.free)))
-        return [] if best is None else [self._settled(best)]
+        if best is not None:
+            yield self._settled(best)
 
     def _outward(self, seed: int) -> list[int]:
         """All elements: units by how many steps they are from the seed, then objects."""
@@ -1082,10 +1100,11 @@ class _Study:
     def _settled(self, found: frozenset[int]) -> str:
         """The words for a conflict; objects alone when they do not fit together without its relations."""
         objects = sorted(self.objects_of(found))
-        if len(objects) > 1 and not self.can([self.presence(objects)])[0]:
-            lines = self._crowding(objects)
-            if lines:
-                return lines[0]
+        try:
+            if len(objects) > 1 and not self.can([self.presence(objects)])[0]:
+                return next(self._crowding(objects), self._tell(found))
+        except _OutOfTime:
+            self.cut = True
         return self._tell(found)
 
     def _tell(self, found: frozenset[int]) -> str:
@@ -1115,11 +1134,9 @@ class _Study:
         return f"{_list([r.subject for r in relations], 6)} around {relations[0].target}"
 
 
-def _few(lines: list[str], what: str) -> list[str]:
+def _few(lines: list[str]) -> list[str]:
     """At most LINES lines; the last says how many more there are."""
-    if len(lines) <= LINES:
-        return lines
-    return [*lines[: LINES - 1], f"{len(lines) - LINES + 1} more {what}."]
+    return lines if len(lines) <= LINES else [*lines[: LINES - 1], f"And {len(lines) - LINES + 1} more like these."]
 
 
 def _where(obj: SceneObject) -> str:
@@ -1149,14 +1166,14 @@ def _violations(problem: Problem, scene: Scene, poses: np.ndarray | None) -> dic
     zones = [_shapes(_moved(z, p), INTRUDED) for z, p in zip(problem.zones, poses, strict=True)]
     prisms = [(*s, *z) for s, z in zip(problem.solids, problem.zones, strict=True)]
     reach = np.array([reach_of([p.polygon for p in own]) for own in prisms])
-    floor = shapely.Polygon(scene.room.outline).buffer(PENETRATION, join_style="mitre")
+    floor = shapely.Polygon(scene.room.outline).buffer(SUNK, join_style="mitre")
     shapes = [_shapes([p], INTRUDED) for p in problem.region.openings]
     openings = list(zip((*scene.room.doors, *scene.room.windows), shapes, strict=True))
     found: dict[str, tuple[str, ...]] = {}
     for i, obj in enumerate(objects):
         outside = any(not floor.covers(s) for s, _ in solids[i])
         low, top = _height(problem.solids[i]) + poses[i, 2]
-        if outside or top > scene.room.height + PENETRATION or low < -PENETRATION:
+        if outside or top > scene.room.height + 2 * SUNK or low < -2 * SUNK:
             found[f"{obj.id} is partly outside of the room"] = (obj.id,)
         if obj.mount != "wall":
             for opening, shape in openings:
@@ -1202,7 +1219,7 @@ def _frequent(study: _Study) -> str:
     """What is wrong most often in the best candidates."""
     scene, top = study.scene, study.top[: max(4, min(BEST, 800 // max(1, len(study.scene.objects))))]
     counts: Counter[str] = Counter()
-    for c in top:
+    for c in top[np.isfinite(study.solution.poses[top]).all(axis=(1, 2))]:
         counts.update(_violations(study.problem, scene, study.solution.poses[c]).keys())
         for j, rel in enumerate(scene.relations):
             if rel.hard and not study.solution.relations[c, j]:

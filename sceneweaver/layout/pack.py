@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -9,6 +10,7 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels import tables as k
+from sceneweaver.kernels.cells import CELLS
 
 from .compile import Problem
 from .shapes import Prism, reach_of
@@ -102,6 +104,19 @@ class _Ranges:
         self.start.append(len(self.values))
 
 
+def _grid(problem: Problem) -> tuple[float, float, float, float, int, int]:
+    """Cells over a problem's place: lowest corner, edge, the largest reach of an object, columns, rows."""
+    x0, y0, x1, y1 = problem.region.box
+    shapes = zip(problem.solids, problem.zones, strict=True)
+    reach = max((reach_of([p.polygon for p in (*solids, *zones)]) for solids, zones in shapes), default=1.0)
+    edge = max(0.75, 0.5 * reach, 1.02 * math.sqrt((x1 - x0) * (y1 - y0) / CELLS), max(x1 - x0, y1 - y0) / 64)
+    columns, rows = (max(1, math.ceil(length / edge)) for length in (x1 - x0, y1 - y0))
+    while columns * rows > CELLS:
+        edge *= 1.05
+        columns, rows = (max(1, math.ceil(length / edge)) for length in (x1 - x0, y1 - y0))
+    return x0, y0, edge, reach, columns, rows
+
+
 def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.ndarray]] | None = None) -> Packed:
     """Concatenate the tables of problems and put them on a device.
 
@@ -133,6 +148,11 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
         n = problem.size
         pair_start.append(sum(f.size for f in flags))
         flags.append(problem.flags.ravel())
+        parts: list[list[tuple[int, int]]] = [[] for _ in range(n)]
+        for r, rel in enumerate(problem.relations):
+            for i in sorted({o for o in rel.objects if o >= 0}):
+                parts[i].append((r, rel.objects.index(i)))
+        carried = np.bincount(problem.roots, minlength=n)
         for i in range(n):
             solid.add(table(problem.solids[i]))
             foot.add(table([Prism(p, (0.0, 0.0)) for p in problem.feet[i]]))
@@ -140,8 +160,7 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
             near = reach_of([s.polygon for s in problem.solids[i]])
             reach.append((near, max(near, reach_of([z.polygon for z in problem.zones[i]]))))
             heights.append((min(s.z[0] for s in problem.solids[i]), max(s.z[1] for s in problem.solids[i])))
-            carried = int(np.sum(problem.roots == i))
-            members.add(problem.groups[i][:carried] if problem.roots[i] == i else [])
+            members.add(problem.groups[i][: carried[i]] if problem.roots[i] == i else [])
             groups.add(problem.groups[i])
             mine = [d for d, deck in enumerate(problem.decks) if problem.roots[deck.supporter] == i]
             decks.add(mine)
@@ -150,9 +169,8 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
                 deck_heights.append(problem.decks[d].height)
                 deck_members.add(problem.decks[d].members)
                 pool.add(pools[which][d].reshape(-1, 4) if pools else [])
-            part = [(r, rel.objects.index(i)) for r, rel in enumerate(problem.relations) if i in rel.objects]
-            touch.add([r for r, _ in part])
-            roles += [role for _, role in part]
+            touch.add([r for r, _ in parts[i]])
+            roles += [role for _, role in parts[i]]
         region = problem.region
         fixture.add(table([*region.solids, *region.openings]))
         kinds += [k.FIXTURE_SOLID] * len(region.solids) + [k.FIXTURE_OPENING] * len(region.openings)
@@ -236,6 +254,7 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
         ("room_box", wp.vec4, boxes),
         ("deck_height", wp.float32, deck_heights),
         ("pool", wp.vec4, pool.values),
+        ("grid", wp.vec4, [(x0, y0, edge, reach) for x0, y0, edge, reach, _, _ in map(_grid, problems)]),
         ("object_size", wp.vec3, np.concatenate([p.sizes for p in problems])),
         ("object_radius", wp.vec2, reach),
         ("object_z", wp.vec2, heights),
@@ -255,6 +274,7 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
         setattr(t, name, floats(values, dtype))
     t.pool_size = len(next((entries for decks_ in pools or () for entries in decks_), ()))
     t.pair_flags = wp.array(np.concatenate(flags).astype(np.uint8), dtype=wp.uint8, device=device)
+    t.grid_count = wp.array([g[4:] for g in map(_grid, problems)], dtype=wp.vec2i, device=device)
     t.relation_object = wp.array(np.asarray(triples, dtype=np.int32).reshape(-1, 3), dtype=wp.vec3i, device=device)
     return Packed(
         wp.array([t], dtype=k.Tables, device=device),

@@ -32,14 +32,11 @@ def tidy(polygon, tolerance: float = 1e-9) -> Points:
     points = np.asarray(polygon, dtype=np.float64)
     if signed_area(points) < 0:
         points = points[::-1]
-    keep = []
-    n = len(points)
-    for i in range(n):
-        a, b, c = points[i - 1], points[i], points[(i + 1) % n]
-        cross = (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
-        if abs(cross) > tolerance * max(1e-12, np.linalg.norm(b - a) * np.linalg.norm(c - b)):
-            keep.append(i)
-    return points[keep] if len(keep) >= 3 else points
+    before, after = points - np.roll(points, 1, axis=0), np.roll(points, -1, axis=0) - points
+    cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
+    scale = np.hypot(before[:, 0], before[:, 1]) * np.hypot(after[:, 0], after[:, 1])
+    keep = np.abs(cross) > tolerance * np.maximum(1e-12, scale)
+    return points[keep] if keep.sum() >= 3 else points
 
 
 def is_convex(polygon: Points, tolerance: float = 1e-9) -> bool:

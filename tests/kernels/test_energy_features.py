@@ -17,7 +17,7 @@ from tests.verify.build import scene
 
 ALONE = {"collision": 0.0, "bounds": 0.0, "zone": 0.0, "opening": 0.0, "relation": 1.4}
 EXCESS = {"inside": -0.1, "near side of the knee": 0.03, "far side of the knee": 0.5}
-COUNT = 60
+COUNT = 30
 
 # Features and the objects that they are about: subject, first target, second target; -1 is the room.
 CASES = {

@@ -206,9 +206,9 @@ def test_turned_polygons_agree_with_the_reference(device, term):
     both = {"parts": parts, "zones": [zone]}
     p = pair(both, {**both, "mount": "wall"}, outline=L_ROOM, doors=[door])
     spots = {"collision": (2, 2), "zone": (2, 2), "bounds": (4.5, 4.5), "opening": (3.5, 0.5)}
-    layouts = rng.normal(size=(400, 2, 4)) * (0.6, 0.6, 0.3, 3.0) + (*spots[term], 0.2, 0.0)
+    layouts = rng.normal(size=(250, 2, 4)) * (0.6, 0.6, 0.3, 3.0) + (*spots[term], 0.2, 0.0)
     options = [any_options(p, rng) for _ in layouts]
     tally = compare.check(
         [p], [0] * len(layouts), as_float32(layouts), options, device, weights={**ALONE, term: 1.3}, name=term
     )
-    assert tally.active > 200
+    assert tally.active > 120
