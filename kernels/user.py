@@ -65,9 +65,10 @@ def probe_gradients(residual: wp.Function, a: np.ndarray, b: np.ndarray) -> tupl
         near_out[i] = g
 
     count = len(a)
-    inputs = [wp.array(x, dtype=wp.vec4, device="cpu") for x in (a, b)]
-    outputs = [wp.zeros(count, dtype=wp.vec4, device="cpu") for _ in "ab"]
-    wp.launch(probe, count, inputs, outputs, device="cpu")
+    device = wp.get_preferred_device()
+    inputs = [wp.array(x, dtype=wp.vec4, device=device) for x in (a, b)]
+    outputs = [wp.zeros(count, dtype=wp.vec4, device=device) for _ in "ab"]
+    wp.launch(probe, count, inputs, outputs, device=device)
     return outputs[0].numpy(), outputs[1].numpy()
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import warp as wp
@@ -24,6 +24,7 @@ INITS = ("sample", "random", "current")
 BROKEN, DIVERGED = 1, 3
 POOL = 64  # layouts solved beforehand for every support surface
 POOL_SALT = 0x5EED
+GRACE = 1.0  # [s] beyond a time limit in which to explain why nothing is valid
 PULL = 0.02  # [1/m] towards given poses, small beside any violation
 WALKED = 8  # of the best candidates, how many are measured for walkable floor
 
@@ -60,6 +61,7 @@ def refine(
     time_limit: float | None = None,
     steps: int | None = None,
     progress: Progress | None = None,
+    explain: bool = True,
 ) -> Solution:
     """Refine many candidate layouts of a scene at once.
 
@@ -74,6 +76,7 @@ def refine(
         time_limit: seconds after which to stop with what there is; the result says that it was cut off.
         steps: the optimiser's budget in its own work units (search: attempts, adam: steps).
         progress: called now and then as ``progress(done, total, valid, lowest energy)``.
+        explain: when nothing is valid, find out why (``solution.explanation``); takes up to 10 s.
 
     Raises:
         InputError: an argument is out of range. MissingDependencyError: the device is not there.
@@ -86,7 +89,7 @@ def refine(
     start = init if isinstance(init, str) and init != "current" else "given"
     job = Job(compiled, world, start, seed, keep=start == "given" and given is None)
     monitor = Monitor(len(world), None if time_limit is None else began + time_limit, progress)
-    return solve([job], optimizer, steps, where, monitor, began)[0]
+    return _explained(solve([job], optimizer, steps, where, monitor, began)[0], explain, began, monitor.deadline)
 
 
 def refine_many(
@@ -100,6 +103,7 @@ def refine_many(
     time_limit: float | None = None,
     steps: int | None = None,
     progress: Progress | None = None,
+    explain: bool = False,
 ) -> list[Solution]:
     """Refine many scenes in shared launches; each gets what ``refine`` would give it alone.
 
@@ -115,7 +119,23 @@ def refine_many(
         current = init == "current"
         jobs.append(Job(compiled, world, "given" if current else init, seed, keep=current))
     monitor = Monitor(candidates * len(jobs), None if time_limit is None else began + time_limit, progress)
-    return solve(jobs, optimizer, steps, where, monitor, began)
+    solutions = solve(jobs, optimizer, steps, where, monitor, began)
+    return [_explained(solution, explain, began, monitor.deadline) for solution in solutions]
+
+
+def _explained(solution: Solution, wanted: bool, began: float, deadline: float | None) -> Solution:
+    """The solution with the reason why nothing in it is valid, where that is so and asked for.
+
+    A run that its time limit cut off has a little more time to say why.
+    """
+    if not wanted or np.any(solution.status == 0):
+        return solution
+    from .explain import explain as find_reason  # it refines reduced scenes, so it stands above this module
+
+    if deadline is not None:
+        deadline = max(deadline, time.monotonic() + GRACE)
+    text = find_reason(solution.source, solution, device=solution.device, seed=solution.seed, deadline=deadline)
+    return replace(solution, explanation=text, elapsed=time.monotonic() - began)
 
 
 def _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps) -> np.ndarray | None:

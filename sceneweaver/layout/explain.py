@@ -136,7 +136,8 @@ def _say(rel: Relation) -> str:
     for name, value in rel.params.items():
         numbers = value if isinstance(value, tuple) else (value,)
         text = " to ".join(v if isinstance(v, str) else f"{v:g}" for v in numbers)
-        params.append(f"{name} {text}{units.get(CATALOGUE[rel.type].params[name].unit, '')}")
+        unit = "" if isinstance(value, str) else units.get(CATALOGUE[rel.type].params[name].unit, "")
+        params.append(f"{name} {text}{unit}")
     words = " ".join([rel.subject, rel.type, " and ".join(rel.targets)]).rstrip()
     return f"{words} ({', '.join(params)})" if params else words
 
@@ -773,9 +774,11 @@ class _Study:
         full = _fullest([self.problem.solids[i] for i in floor], shapely.Polygon(self.scene.room.outline), blocked)
         if full:
             free = " free of doors and fixed objects" if fixed else " free of doors" if self.scene.room.doors else ""
+            cover = f"{_plural(full.count, 'object')} {'cover' if full.count > 1 else 'covers'}"
+            missing = round(full.need, 1) - round(full.free, 1)
             lines.append(
-                f"The floor is too small: {_plural(full.count, 'object')} cover {full.need:.1f} m2; "
-                f"{full.free:.1f} m2 is{free or ' there'}: {round(full.need, 1) - round(full.free, 1):.1f} m2 missing."
+                f"The floor is too small: {cover} {full.need:.1f} m2; {full.free:.1f} m2 is{free or ' there'}: "
+                f"{missing:.1f} m2 missing."
             )
         return lines
 
@@ -1083,7 +1086,7 @@ class _Study:
         return first | second
 
     def _so_far(self) -> list[str]:
-        if self.narrowest is None:
+        if self.narrowest is None or len(self.objects_of(self.narrowest)) == len(self.free) > CROWD:
             return []
         units = [self._unit_words(u) for u in sorted(self.narrowest) if u < len(self.units)]
         objects = [self.scene.objects[i].id for i in sorted(self.objects_of(self.narrowest))]
@@ -1211,8 +1214,10 @@ def _unmet(scene: Scene, solution: Solution) -> str:
     worst = [j for j in sorted(hard, key=lambda j: (-share[j], j)) if share[j]][:LINES]
     unmet = [f"{_say(scene.relations[j])} unmet in {share[j]}" for j in worst]
     broken = int(np.sum(solution.status == 1))
-    words = [f"{broken} with a collision or something out of place", *unmet] if broken else unmet
-    return f"Of {_plural(solution.candidates, 'candidate')}: {'; '.join(words) or 'none valid'}."
+    diverged = int(np.sum(solution.status == 3))
+    words = [f"{broken} with a collision or something out of place"] * bool(broken) + unmet
+    words += [f"{diverged} diverged"] * bool(diverged)
+    return f"Of {_plural(solution.candidates, 'candidate')}: {'; '.join(words)}."
 
 
 def _frequent(study: _Study) -> str:

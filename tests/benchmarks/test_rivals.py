@@ -7,7 +7,7 @@ import pytest
 
 from benchmarks.judging import Judge
 from benchmarks.rivals import RIVALS, Rival, base, present, solve
-from benchmarks.rivals.boxes import Boxes, overlap_loss
+from benchmarks.rivals.boxes import Boxes, Pairs, overlap_loss
 from benchmarks.rivals.numpy_descent import Model
 from benchmarks.rooms import ROOMS, load, witness
 from benchmarks.settings import Settings
@@ -20,7 +20,7 @@ def _two_boxes(pose) -> float:
     zeros = np.zeros((2, 2))
     boxes = Boxes(np.array([0, 1]), zeros, np.array([[0.5, 0.5], [0.5, 0.5]]), zeros + (0, 1), np.zeros(2))
     poses = np.array([[(0.0, 0.0, 0.0), pose]])
-    return float(overlap_loss(boxes, np.array([[0, 1]]), poses, 0.0, np.zeros_like(poses))[0])
+    return float(overlap_loss(boxes, Pairs(boxes, np.array([[0, 1]])), poses, 0.0, np.zeros_like(poses))[0])
 
 
 @pytest.mark.parametrize(
@@ -50,6 +50,17 @@ def test_gradient_of_overlap_and_bounds(name):
             step[:, body, k] = h
             slope = (model.loss(x + step)[0] - model.loss(x - step)[0]) / (2 * h)
             assert gradient[:, body, k] == pytest.approx(slope, abs=1e-6)
+
+
+def test_pairs_that_are_left_out_do_not_touch():
+    model = Model(load("restaurant-60"))
+    x = random_poses(load("restaurant-60"), 2, 0)[:, model.floor][:, :, PLANE]
+    everything, gradient = model.loss(x)
+    model.look(x)
+    assert len(model.active.pairs) < len(model.pairs.pairs)
+    near, the_same = model.loss(x)
+    assert near == pytest.approx(everything)
+    assert the_same == pytest.approx(gradient)
 
 
 @pytest.mark.parametrize("name", ROOMS)

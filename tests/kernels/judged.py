@@ -37,7 +37,7 @@ def engine(compiled: CompiledScene, layouts: np.ndarray, device: str) -> tuple[n
         local = relative(layouts[:, domain.deck.members], layouts[:, None, domain.deck.supporter])
         local[..., 2] = 0.0
         fault[:, domain.deck.members] |= verdict(domain.problem, local, device).fault != 0
-    valid = (room.status == 0) & ~fault.any(axis=1) & ~compiled.room.faulty
+    valid = (room.status == 0) & ~fault.any(axis=1) & (not compiled.room.faulty)
     holds = room.holds[:, : len(compiled.scene.relations)].copy()
     for rider, relation in compiled.room.riders.items():
         holds[:, relation] &= room.holds[:, rider]
