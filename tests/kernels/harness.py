@@ -11,7 +11,9 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.adam import choose
+from sceneweaver.kernels.cells import CELLS, CROWD, fill_cells
 from sceneweaver.kernels.energy import evaluate
+from sceneweaver.kernels.tables import State, TablesRef
 from sceneweaver.layout.compile import CompiledScene, Problem, absolute, compile_scene, relative
 from sceneweaver.layout.engine import make_batch
 from sceneweaver.layout.pack import weights as make_weights
@@ -51,9 +53,13 @@ def batch_of(
     anchors: Sequence[np.ndarray] | None = None,
     weights: Mapping[str, float] | None = None,
 ) -> Batch:
-    """A batch of layouts [n, 4], each of the problem that ``which`` says; options number from 0 for each relation."""
+    """A batch of layouts [n, 4], each of the problem that ``which`` says; options number from 0 for each relation.
+
+    All pairs are looked at; ``use_cells`` makes it look at those nearby only.
+    """
     batch = make_batch(problems, np.asarray(which), device)
     batch.weights = make_weights(**(weights or {}))
+    _set_cells(batch, 1)
     shape = (batch.size, max(batch.objects, 1), 4)
     load_poses(batch, _padded(layouts, shape))
     if anchors is not None:
@@ -72,6 +78,28 @@ def _padded(layouts: Sequence[np.ndarray], shape: tuple[int, ...]) -> np.ndarray
     for c, layout in enumerate(layouts):
         padded[c, : len(layout)] = layout
     return padded
+
+
+def _set_cells(batch: Batch, cells: int) -> None:
+    """Cells of a new state; one cell means none."""
+    state, shape = batch.state, (batch.size, max(batch.objects, 1) if cells > 1 else 1)
+    state.cell_head = wp.full((batch.size, cells), -1, dtype=wp.int32, device=batch.device)
+    state.cell_next = wp.full(shape, -1, dtype=wp.int32, device=batch.device)
+    state.cell_of = wp.zeros(shape, dtype=wp.int32, device=batch.device)
+
+
+@wp.kernel(enable_backward=False)
+def _fill(t: TablesRef, problem: wp.array(dtype=wp.int32), s: State):
+    candidate = wp.tid()
+    fill_cells(t, problem[candidate], candidate, s)
+
+
+def use_cells(batch: Batch) -> Batch:
+    """Let a batch of a crowd look at pairs nearby only, as the search does."""
+    assert batch.objects > CROWD
+    _set_cells(batch, int(CELLS))
+    wp.launch(_fill, batch.size, [batch.tables, batch.problem, batch.state], device=batch.device)
+    return batch
 
 
 def best_options(batch: Batch) -> None:
