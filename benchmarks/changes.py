@@ -58,7 +58,8 @@ def turn(scene: Scene, rng: np.random.Generator) -> tuple[Scene, str]:
 def grow(scene: Scene, rng: np.random.Generator) -> tuple[Scene, str]:
     """Make an object 10 % larger in every direction; what stands on it is lifted."""
     obj = _one(scene, rng)
-    after = apply(scene, SetSize(id=obj.id, size=tuple(GROW * s for s in obj.size)))
+    d, w, h = obj.size
+    after = apply(scene, SetSize(id=obj.id, size=(GROW * d, GROW * w, GROW * h)))
     for other in _stack(after, obj.id)[1:]:
         if other.support and other.support.object == obj.id:
             surface = next(s for s in obj.surfaces if s.name == other.support.surface)

@@ -7,16 +7,24 @@ import math
 import numpy as np
 
 from benchmarks.rooms import witness
-from sceneweaver.scene import Scene
+from sceneweaver.scene import Pose, Scene
 
 STARTS = ("random", "sample", "noisy")
 NOISE_M = 0.3
 NOISE_RAD = math.radians(15)
 
 
-def start(scene: Scene, name: str, candidates: int, seed: int) -> str | np.ndarray:
-    """What to give ``refine`` as ``init``."""
-    return noisy_poses(scene, candidates, seed) if name == "noisy" else name
+def start(scene: Scene, name: str, candidates: int, seed: int) -> tuple[Scene, str | np.ndarray]:
+    """The scene to refine and its ``init``. Only noisy starts know anything of the witness."""
+    if name == "noisy":
+        return scene, noisy_poses(scene, candidates, seed)
+    return blind(scene), name
+
+
+def blind(scene: Scene) -> Scene:
+    """The scene without its witness: all that may move lies at the origin, at the height where it was."""
+    poses = {o.id: Pose.from_yaw(0.0, 0.0, o.pose.position[2], 0.0) for o in scene.objects if not o.fixed}
+    return scene.replace_poses(poses)
 
 
 def movable(scene: Scene) -> np.ndarray:

@@ -1,8 +1,9 @@
 """Energy of a candidate and its gradient: collisions, bounds, zones, openings and relations in one gather.
 
 One thread per (candidate, object) adds up every term that its object takes part in, so nothing is written twice and
-no atomics are needed. Each penalty is C1: quadratic up to a knee, then linear (Huber), on the clearance that is
-missing to a small safety margin, so that the optimum is strictly feasible.
+no atomics are needed. Each penalty is C1 in the length that it is a penalty of: quadratic up to a knee, then linear
+(Huber), on the clearance that is missing to a small safety margin, so that the optimum is strictly feasible. That length
+itself has kinks where the witness changes, and jumps where a body leaves a pocket by a face that is no way out.
 """
 
 import warp as wp
@@ -278,6 +279,8 @@ def object_energy(
     pose = s.poses[candidate, obj]
     q = s.turns[candidate, obj]
     at = plane_of(pose)
+    if not wp.isfinite(pose):  # comparisons with NaN are false, so every term would pass it
+        return FAR, FAR, float(0.0), wp.vec4(0.0, 0.0, 0.0, 0.0)
     e, g = room_energy(t, m, w, p, o, pose, q)
     soft = float(0.0)
     if w.pull > 0.0:

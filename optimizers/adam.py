@@ -35,8 +35,7 @@ def draw_starts(batch: Batch, start: Start) -> None:
     budget.start, budget.rounds = STARTS[start], 1
     everyone = wp.array(np.arange(batch.size, dtype=np.int32), dtype=wp.int32, device=batch.device)
     trial = batch.scratch()
-    for name in ("rng", "mark", "cell_head", "cell_next", "cell_of"):
-        setattr(trial, name, getattr(batch.state, name))
+    trial.rng, trial.mark = batch.state.rng, batch.state.mark
     energy = wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.float32, device=batch.device)
     total = wp.zeros(batch.size, dtype=wp.float32, device=batch.device)
     inputs = [batch.tables, batch.margins, batch.weights, budget, batch.problem, everyone, batch.state, trial]

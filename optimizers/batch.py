@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 import warp as wp
 
-from sceneweaver.kernels.cells import CELLS, CROWD
 from sceneweaver.kernels.tables import Margins, State, Tables, Weights
 from sceneweaver.kernels.track import set_turns
 from sceneweaver.kernels.verdict import judge_candidates, judge_objects, judge_relations
@@ -72,10 +71,8 @@ def new_state(candidates: int, objects: int, relations: int, device: str) -> Sta
     state.anchors = wp.zeros(shape, dtype=wp.vec4, device=device)
     state.rng = wp.zeros(candidates, dtype=wp.uint32, device=device)
     state.mark = wp.zeros(shape, dtype=wp.int32, device=device)
-    crowd = objects > CROWD
-    state.cell_head = wp.zeros((candidates, CELLS if crowd else 1), dtype=wp.int32, device=device)
-    state.cell_next = wp.zeros(shape if crowd else (candidates, 1), dtype=wp.int32, device=device)
-    state.cell_of = wp.zeros(shape if crowd else (candidates, 1), dtype=wp.int32, device=device)
+    for name in ("cell_head", "cell_next", "cell_of"):  # no cells: all pairs are looked at
+        setattr(state, name, wp.zeros((candidates, 1), dtype=wp.int32, device=device))
     return state
 
 

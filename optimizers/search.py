@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 import warp as wp
 
+from sceneweaver.kernels.cells import CELLS, CROWD
 from sceneweaver.kernels.search import Budget, search
+from sceneweaver.kernels.tables import State, Weights
 from sceneweaver.kernels.track import keep_best
 
 from .base import Monitor, Outcome, Start, register
@@ -19,9 +21,28 @@ POLISH = 6
 LINGER = 2
 HOT = 0.3  # [m]
 HOT_AT_HOME = 0.05  # the same when little should move
-AT_HOME = 5  # attempts from the given poses before anything is drawn anew
+AT_HOME = 3  # attempts from the given poses before anything is drawn anew
 STARTS = {"given": 0, "random": 1, "sample": 2}
 FROM_ANCHORS = 3
+
+
+def _with_cells(batch: Batch) -> State:
+    """The batch's state, with cells when there are enough objects for them to pay; only searches keep them current."""
+    state = State()
+    for name in ("poses", "turns", "options", "anchors", "rng", "mark", "cell_head", "cell_next", "cell_of"):
+        setattr(state, name, getattr(batch.state, name))
+    if batch.objects > CROWD:
+        state.cell_head = wp.zeros((batch.size, CELLS), dtype=wp.int32, device=batch.device)
+        state.cell_next = wp.zeros((batch.size, batch.objects), dtype=wp.int32, device=batch.device)
+        state.cell_of = wp.zeros_like(state.cell_next)
+    return state
+
+
+def _without_pull(weights: Weights) -> Weights:
+    copy = Weights()
+    for name in ("collision", "bounds", "zone", "opening", "relation", "knee"):
+        setattr(copy, name, getattr(weights, name))
+    return copy
 
 
 def _budget(round_: int, start: int, stay: bool) -> Budget:
@@ -42,14 +63,14 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
     valid ends at the lowest energy found.
     """
     device = batch.device
-    trial, best = batch.scratch(), batch.scratch()
+    state, trial, best = _with_cells(batch), batch.scratch(), batch.scratch()
     for name in ("rng", "mark", "cell_head", "cell_next", "cell_of"):  # one for a candidate, whoever draws
-        setattr(trial, name, getattr(batch.state, name))
+        setattr(trial, name, getattr(state, name))
     energy = wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.float32, device=device)
     total = wp.zeros(batch.size, dtype=wp.float32, device=device)
     best_total = wp.full(batch.size, float("inf"), dtype=wp.float32, device=device)
     left = np.arange(batch.size, dtype=np.int32)
-    stay = start == "given"
+    stay, weights = start == "given", batch.weights
     if stay:  # what is in order already is left alone
         status = judge(batch).status
         left = left[status != 0]
@@ -59,6 +80,8 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
         mode = STARTS[start] if attempt == 0 else STARTS["sample"]
         if stay and attempt < AT_HOME:
             mode = STARTS["given"] if attempt == 0 else FROM_ANCHORS
+        elif stay:  # little movement was not enough: any layout is better than none
+            stay, weights = False, _without_pull(weights)
         for round_ in range(ROUNDS):
             if monitor.expired() or not left.size:
                 break
@@ -69,11 +92,11 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
                 [
                     batch.tables,
                     batch.margins,
-                    batch.weights,
+                    weights,
                     _budget(round_, mode, stay),
                     batch.problem,
                     active,
-                    batch.state,
+                    state,
                     trial,
                 ],
                 [energy, total],

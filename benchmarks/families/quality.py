@@ -59,7 +59,8 @@ def run(settings: Settings, judge: Judge) -> Result:
         "ones (the witness with N(0, 0.3 m) and N(0, 15 degrees) noise on what stands on the floor). The engine calls "
         "a candidate valid; the judge, which shares no arithmetic with it, judges each of those: an exception is a "
         "contradiction and must not be. Distinct layouts differ in the wall, the 0.5 m cell or the eighth of a turn of "
-        "some floor object; of different poses, any two have some object more than 1 cm or 1 degree apart."
+        "some floor object; of different poses, any two have some object more than 1 cm or 1 degree apart. "
+        "Witnesses are taken out of the scenes for random and sample starts."
     )
     result = Result("quality", "Quality", about)
     ours: list[dict[str, Any]] = []
@@ -89,9 +90,9 @@ def run(settings: Settings, judge: Judge) -> Result:
 
 def _ours(result: Result, settings: Settings, judge: Judge, name: str, kind: str) -> dict[str, Any]:
     scene, count = rooms.load(name), rooms.candidates(settings, name)
-    init = start(scene, kind, count, settings.seed)
-    warm(scene, settings, init if isinstance(init, str) else init[:2])
-    solution, seconds = timed(scene, settings, candidates=count, seed=settings.seed, init=init)
+    begin, init = start(scene, kind, count, settings.seed)
+    warm(begin, settings, init if isinstance(init, str) else init[:2])
+    solution, seconds = timed(begin, settings, candidates=count, seed=settings.seed, init=init)
     found = audit(solution, judge, result, f"{name} {kind} seed {settings.seed}", settings.out)
     agreed = [i for i, o in zip(found.judged, found.opinions, strict=True) if o.valid]
     distinct, different = count_distinct(scene, solution.poses[agreed])

@@ -11,6 +11,7 @@ from benchmarks.machine import resolve
 from benchmarks.results import Column, Plot, Result
 from benchmarks.rooms import load
 from benchmarks.settings import Settings
+from benchmarks.starts import blind
 from benchmarks.timing import timed, warm
 from sceneweaver.scene import Scene
 
@@ -84,6 +85,7 @@ def _candidates(settings: Settings, judge: Judge, result: Result) -> None:
 
 
 def _measure(settings: Settings, judge: Judge, result: Result, scene: Scene, count: int) -> dict[str, Any]:
+    scene = blind(scene)
     warm(scene, settings)
     solution, seconds = timed(scene, settings, candidates=count, seed=settings.seed)
     label = f"{scene.id} sample of {count} seed {settings.seed}"

@@ -65,9 +65,8 @@ def run(settings: Settings, judge: Judge) -> Result:
 def _one(
     settings: Settings, judge: Judge, result: Result, count: dict[str, int], name: str, kind: str, seed: int
 ) -> None:
-    scene = rooms.load(name)
     candidates = settings.size(rooms.by_size(name, 256, 64, 8), rooms.by_size(name, 8, 4, 2))
-    init = start(scene, kind, candidates, seed)
+    scene, init = start(rooms.load(name), kind, candidates, seed)
     solution = refine(scene, candidates=candidates, seed=seed, init=init, device=settings.device)
     found = audit(solution, judge, result, f"{name} {kind} seed {seed}", settings.out)
     others = spread(np.flatnonzero(solution.status != 0), STRICT)

@@ -8,7 +8,7 @@ from benchmarks.rivals.base import Rival, register
 from benchmarks.rivals.boxes import Boxes, Pairs, axes, overlap_loss
 from benchmarks.rivals.pulls import ARM, Pull, Room, build
 from benchmarks.starts import carry, movable, random_poses
-from sceneweaver.scene import CATALOGUE, Scene
+from sceneweaver.scene import CATALOGUE, Scene, Window
 
 STEPS = 300
 RUNS = 3  # the first and two restarts
@@ -64,8 +64,10 @@ def _planes(scene: Scene) -> list[tuple[np.ndarray, float]]:
     """Half planes (n, c) of the outline's convex hull: n . x >= c inside."""
     import shapely
 
-    hull = shapely.geometry.polygon.orient(shapely.Polygon(scene.room.outline).convex_hull)
-    p = np.array(hull.exterior.coords[:-1])
+    hull = shapely.Polygon(scene.room.outline).convex_hull
+    p = np.array(hull.exterior.coords[:-1])  # type: ignore[attr-defined]
+    if not shapely.is_ccw(hull.exterior):  # type: ignore[attr-defined]
+        p = p[::-1]
     t = np.roll(p, -1, axis=0) - p
     n = np.stack([-t[:, 1], t[:, 0]], -1) / np.linalg.norm(t, axis=1)[:, None]
     return [(n[k], float(n[k] @ p[k])) for k in range(len(p))]
@@ -133,7 +135,7 @@ def _openings(scene: Scene) -> list[Row]:
     """The clear space of doors and windows."""
     room, rows = Room(scene), []
     for opening in (*scene.room.doors, *scene.room.windows):
-        if hasattr(opening, "sill"):
+        if isinstance(opening, Window):
             depth, z = 0.3, (opening.sill, opening.sill + opening.height)
         else:
             depth, z = opening.width if opening.swing.startswith("in") else 0.6, (0.0, opening.height)
@@ -182,7 +184,7 @@ def solve(scene: Scene, starts: np.ndarray, seed: int, device: str) -> np.ndarra
     """Descend from the starts; what is not solved starts again from anywhere."""
     model = Model(scene)
     poses = starts.astype(np.float64)
-    plane = (0, 1, 3)
+    plane = np.array([0, 1, 3])
     best_loss = np.full(len(poses), np.inf)
     for run in range(RUNS):
         left = np.flatnonzero(best_loss > SOLVED)

@@ -12,7 +12,7 @@ from benchmarks.floors import FILL, LEAST, floor, mix
 from benchmarks.rooms import LARGE, MIDDLE, ROOMS, SMALL, ZOO, candidates, load, witness
 from benchmarks.settings import Settings
 from benchmarks.signature import count_distinct, different, signatures
-from benchmarks.starts import NOISE_M, movable, noisy_poses, random_poses
+from benchmarks.starts import NOISE_M, blind, movable, noisy_poses, random_poses, start
 from sceneweaver.verify import check
 
 SCENE = load("bedroom-small")
@@ -37,6 +37,14 @@ def test_starts_carry_along_what_stands_on_objects(make):
                     np.linalg.norm(own[i, :3] - own[below, :3])
                 )
                 assert pose[i, 3] - pose[below, 3] == pytest.approx(own[i, 3] - own[below, 3])
+
+
+def test_only_noisy_starts_know_the_witness():
+    assert [start(SCENE, kind, 2, 0)[0] == SCENE for kind in ("random", "sample", "noisy")] == [False, False, True]
+    bare = blind(SCENE)
+    assert np.all(witness(bare)[:, (0, 1, 3)] == 0)
+    assert np.all(witness(bare)[:, 2] == witness(SCENE)[:, 2])
+    assert bare.relations == SCENE.relations and bare.room == SCENE.room
 
 
 def test_noise_has_its_size():

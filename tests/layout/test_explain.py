@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import inspect
 import re
 import time
 from pathlib import Path
@@ -12,13 +11,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sceneweaver.layout import explain as module
 from sceneweaver.layout.engine import refine
 from sceneweaver.layout.explain import explain
+from sceneweaver.layout.explain.proofs import arithmetic, fixed_faults, never
+from sceneweaver.layout.explain.search import Search
+from sceneweaver.layout.explain.study import Study
 from sceneweaver.scene import Relation, Scene
 
 ZOO = Path(__file__).parents[1] / "zoo"
-QUIET = {"explain": False} if "explain" in inspect.signature(refine).parameters else {}
 DOOR = {"id": "door-0", "wall": 0, "offset": 0.2, "width": 0.9, "height": 2.0}
 WINDOW = {"id": "window-0", "wall": 2, "offset": 1.0, "width": 1.2, "sill": 1.0, "height": 1.0}
 
@@ -61,7 +61,7 @@ def room(
 
 
 def failed(scene: Scene, candidates: int = 24, **options: Any):
-    solution = refine(scene, candidates=candidates, steps=1, device="cpu", **QUIET, **options)
+    solution = refine(scene, candidates=candidates, steps=1, device="cpu", explain=False, **options)
     assert not np.any(solution.status == 0)
     return solution
 
@@ -348,10 +348,10 @@ def test_a_scene_that_was_only_unlucky(name: str):
 @pytest.mark.parametrize("name", sorted(p.stem for p in ZOO.glob("*.json") if "300" not in p.stem))
 def test_arithmetic_accuses_no_solvable_scene(name: str):
     scene = Scene.load(ZOO / f"{name}.json")
-    solution = refine(scene, candidates=1, steps=1, device="cpu", **QUIET)
-    study = module._Study(scene, solution, "cpu", 0, time.monotonic() + 5)
+    solution = refine(scene, candidates=1, steps=1, device="cpu", explain=False)
+    study = Study(scene, solution, "cpu", time.monotonic() + 5)
     study.always_at_fault = lambda: list(study.free)  # look at every object
-    assert [*study.fixed_faults(), *study.arithmetic(), *study.never()] == []
+    assert [*fixed_faults(Search(study, seed=0)), *arithmetic(study), *never(study)] == []
 
 
 def test_same_seed_same_text():

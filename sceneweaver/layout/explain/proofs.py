@@ -1,0 +1,161 @@
+"""Causes that are proved: fixed objects in the way, what does not fit by arithmetic, relations no pose can fulfil."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import shapely
+
+from sceneweaver.scene import Relation, SceneObject
+
+from ..compile import compile_scene
+from ..rows import NEVER
+from .capacity import fits_turned, fullest
+from .search import QUICK, Search
+from .sections import INTRUSION, PENETRATION, extent, hull
+from .study import Study
+from .violations import violations
+from .walls import wall_claims
+from .words import crowd_words, few, listed, plural, relation_words, sized, span_words, surface_words
+
+
+def fixed_faults(search: Search) -> Iterator[str]:
+    """Fixed objects that collide or stand where nothing may."""
+    study = search.study
+    fixed = [i for i, o in enumerate(study.scene.objects) if o.fixed]
+    if not fixed:
+        return
+    scene = study.scene_of(())
+    found = violations(compile_scene(scene).room, scene, None)
+    held = [text for text, ids in found.items() if all(study.scene.object(i).fixed for i in ids)]
+    if held:
+        yield f"Fixed objects are in the way of any layout: {listed(held, 6, '; ')}."
+    for i in fixed:
+        obj = study.scene.objects[i]
+        height = {"floor": 0.0, "ceiling": study.scene.room.height - obj.size[2]}.get(obj.mount)
+        off = 0.0 if height is None else obj.pose.position[2] - height
+        if abs(off) > 1.8e-3:
+            held.append(obj.id)
+            where = "above" if off > 0 else "below"
+            yield f"{obj.id} is fixed {abs(off):.3f} m {where} where its mount ({obj.mount}) holds it."
+    if held or search.solvable([scene], QUICK)[0]:
+        return
+    alone = [study.scene.model_copy(update={"objects": _stack(study, i), "relations": ()}) for i in fixed]
+    loose = [study.scene.objects[i] for i, can in zip(fixed, search.solvable(alone, QUICK), strict=True) if not can]
+    for obj in loose:
+        yield f"{obj.id} is fixed where nothing holds it (its mount is {obj.mount})."
+    if not loose:
+        yield "The fixed objects cannot all stay where they are."
+
+
+def _stack(study: Study, i: int) -> tuple[SceneObject, ...]:
+    return tuple(study.scene.objects[j] for j in sorted(study.carriers([i])))
+
+
+def arithmetic(study: Study) -> list[str]:
+    """What does not fit by arithmetic alone."""
+    lines = [*_too_tall(study), *_too_large_for_surfaces(study), *_too_large(study)]
+    fixed = study.walls.fixed
+    lines += study.walls.missing(wall_claims(study.scene))
+    floor = [i for i in study.free if study.scene.objects[i].mount == "floor"]
+    blocked = [(p, INTRUSION) for p in study.problem.region.openings] + [(p, PENETRATION) for p in fixed]
+    full = fullest([study.problem.solids[i] for i in floor], shapely.Polygon(study.scene.room.outline), blocked)
+    if full:
+        free = " free of doors and fixed objects" if fixed else " free of doors" if study.scene.room.doors else ""
+        cover = f"{plural(full.count, 'object')} {'cover' if full.count > 1 else 'covers'}"
+        missing = round(full.need, 1) - round(full.free, 1)
+        lines.append(
+            f"The floor is too small: {cover} {full.need:.1f} m2; {full.free:.1f} m2 is{free or ' there'}: "
+            f"{missing:.1f} m2 missing."
+        )
+    return lines
+
+
+def _too_tall(study: Study) -> list[str]:
+    lines, height = [], study.scene.room.height
+    for i in study.free:
+        obj = study.scene.objects[i]
+        low, high = extent(study.problem.solids[i])
+        base = _base(study, i)
+        if high - low > height + PENETRATION:
+            lines.append(f"{obj.id} is {high - low:.2f} m tall; the room is {height:.2f} m high.")
+        elif base is not None and base + high > height + PENETRATION:
+            on = f"on {obj.support.object}, " if obj.support else ""
+            reach = f"{obj.id} reaches {base + high:.2f} m ({on}from {base:.2f} m)"
+            lines.append(f"{reach}; the room is {height:.2f} m high.")
+    return few(lines)
+
+
+def _base(study: Study, i: int) -> float | None:
+    """Height that an object stands at, where that is given."""
+    obj = study.scene.objects[i]
+    if obj.fixed:
+        return obj.pose.position[2]
+    if obj.support is not None:
+        base = _base(study, study.index[obj.support.object])
+        return None if base is None else base + study.surface(obj).z
+    return {"floor": 0.0, "ceiling": study.scene.room.height - obj.size[2]}.get(obj.mount)
+
+
+def _too_large_for_surfaces(study: Study) -> list[str]:
+    lines = []
+    for domain in study.compiled.domains:
+        before = len(lines)
+        for i in (i for i in domain.deck.members if not study.scene.objects[i].fixed):
+            obj = study.scene.objects[i]
+            surface = study.surface(obj)
+            on = surface_words(obj)
+            high = extent(study.problem.solids[i])[1]
+            if surface.headroom is not None and high > surface.headroom + PENETRATION:
+                lines.append(f"{obj.id} is {high:.2f} m tall; {on} has {surface.headroom:.2f} m of head room.")
+            elif not fits_turned(hull(study.problem.solids[i]), domain.problem.region.planes):
+                lines.append(f"{sized(obj)} is larger than what it stands on: {on} is {span_words(surface.polygon)}.")
+        polygon = shapely.Polygon(study.surface(study.scene.objects[domain.deck.members[0]]).polygon)
+        blocked = [(p, PENETRATION) for p in domain.problem.region.solids]
+        full = fullest(domain.problem.solids, polygon, blocked)
+        if full and len(lines) == before:
+            members = [study.scene.objects[i] for i in domain.deck.members]
+            cover = f"{crowd_words(members)} {'cover' if len(members) > 1 else 'covers'}"
+            lines.append(
+                f"{surface_words(members[0])} is overfull: {cover} {full.need:.3g} m2 of {full.free:.3g} m2: "
+                f"{full.need - full.free:.2g} m2 missing."
+            )
+    return few(lines)
+
+
+def _too_large(study: Study) -> list[str]:
+    lines = []
+    for i in study.always_at_fault():
+        obj = study.scene.objects[i]
+        if obj.support is None and not fits_turned(hull(study.problem.solids[i]), study.problem.region.planes):
+            lines.append(f"{sized(obj)} fits nowhere in the room: its floor is {span_words(study.scene.room.outline)}.")
+    return few(lines)
+
+
+def never(study: Study) -> Iterator[str]:
+    """Hard relations that no pose can fulfil."""
+    for j, rel in enumerate(study.scene.relations):
+        ids = [n for n in (rel.subject, *rel.targets) if n in study.index]
+        if rel.hard and study.problem.relations[j].options == [[NEVER]]:
+            yield f"{relation_words(rel)} can never hold{_why_never(study, rel)}."
+            continue
+        fixed = rel.type != "around" and all(study.scene.object(n).fixed for n in ids)
+        if rel.hard and fixed and not study.solution.relations[:, j].any():
+            are = f"{' and '.join(ids)} {'is' if len(ids) == 1 else 'are'} fixed"
+            yield f"{relation_words(rel)} does not hold, and {are}."
+
+
+def _why_never(study: Study, rel: Relation) -> str:
+    obj = study.scene.object(rel.subject)
+    if rel.type in ("on_top", "inside"):
+        if obj.support is None:
+            return f": {obj.id} stands on no surface (its mount is {obj.mount})"
+        if obj.support.object != rel.target:
+            return f": {obj.id} stands on {obj.support.object}"
+        return f": {surface_words(obj)} has no head room, so nothing is inside"
+    if rel.type.endswith("against_wall"):
+        longest = max(w.length for w in study.problem.region.walls)
+        return f": {sized(obj)} is too wide (the longest wall is {longest:.2f} m)"
+    if rel.type == "at_window":
+        return ": the room has no window"
+    return ": the room has no convex corner" if rel.type == "in_corner" else ""

@@ -1,0 +1,20 @@
+"""Rooms with many objects."""
+
+import numpy as np
+import pytest
+
+import sceneweaver as sw
+from tests.layout.made import zoo
+
+
+@pytest.mark.parametrize(("name", "candidates"), [("restaurant-60", 8), ("library-100", 4), ("hall-300", 2)])
+def test_random_starts_become_valid(name, candidates):
+    solution = sw.refine(zoo(name), init="random", candidates=candidates, seed=1, device="cpu")
+    assert np.mean(solution.status == 0) >= 0.5
+    for i in np.flatnonzero(solution.status == 0):
+        assert sw.check(solution.scene(int(i)), walkable=False).valid
+
+
+def test_every_optimizer_takes_large_rooms():
+    solution = sw.refine(zoo("library-100"), init="random", candidates=2, optimizer="adam", steps=3, device="cpu")
+    assert np.isfinite(solution.poses).all()
