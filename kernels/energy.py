@@ -2,8 +2,8 @@
 
 One thread per (candidate, object) adds up every term that its object takes part in, so nothing is written twice and
 no atomics are needed. Each penalty is C1 in the length that it is a penalty of: quadratic up to a knee, then linear
-(Huber), on the clearance that is missing to a small safety margin, so that the optimum is strictly feasible. That length
-itself has kinks where the witness changes, and jumps where a body leaves a pocket by a face that is no way out.
+(Huber), on the clearance that is missing to a small safety margin, so that the optimum is strictly feasible. That
+length itself has kinks where the witness changes, and jumps where a body leaves a pocket by a face that is no way out.
 """
 
 import warp as wp

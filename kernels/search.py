@@ -519,10 +519,11 @@ def search(
         total = all
         done = all <= SOLVED or (budget.stay == 1 and all - soft <= SOLVED)
     if done:
-        for obj in range(n):
-            if t[0].object_free[o0 + obj] != 0:
-                if budget.stay == 1:
-                    go_back(t, m, w, p, candidate, obj, s)
-                else:
-                    square_up(t, m, w, p, candidate, obj, s)
+        for _again in range(1 + budget.stay):  # what goes back may clear the way for another
+            for obj in range(n):
+                if t[0].object_free[o0 + obj] != 0:
+                    if budget.stay == 1:
+                        go_back(t, m, w, p, candidate, obj, s)
+                    else:
+                        square_up(t, m, w, p, candidate, obj, s)
     total_out[candidate] = total

@@ -25,7 +25,7 @@ BROKEN, DIVERGED = 1, 3
 POOL = 64  # layouts solved beforehand for every support surface
 POOL_SALT = 0x5EED
 GRACE = 1.0  # [s] beyond a time limit in which to explain why nothing is valid
-PULL = 0.01  # [1/m] towards given poses, small beside any violation
+PULL = 0.02  # [1/m] towards given poses, small beside any violation
 WALKED = 8  # of the best candidates, how many are measured for walkable floor
 
 

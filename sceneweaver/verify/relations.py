@@ -77,6 +77,11 @@ def register_judge(relation_type: str, function: Judge) -> None:
     JUDGES[relation_type] = function
 
 
+def _whole(overlap: float) -> float:
+    """Slack for a face that must lie beside the other in full: else rounding alone decides."""
+    return ROUNDING if overlap >= 1.0 else 0.0
+
+
 # ---- walls, corners, windows, doors ----------------------------------------------------------------------------------
 
 
@@ -87,7 +92,7 @@ def _against_wall(case: Case) -> Verdict:
     most = case.spec.value(case.relation, "gap")[1]
     sides, degrees, overlap = case.spec.subject_sides, case.number("degrees"), case.number("overlap")
     contacts = wall_contacts(case.placed, case.subject, sides, index, most, degrees, overlap)
-    return judge(contacts, f"the room has no {target or 'wall'}", ROUNDING)
+    return judge(contacts, f"the room has no {target or 'wall'}", _whole(overlap))
 
 
 def _in_corner(case: Case) -> Verdict:
@@ -161,7 +166,7 @@ def _faces(case: Case) -> Verdict:
     theirs = [other.face(side) for side in spec.target_sides]
     faces = (subject.face(side) for side in spec.subject_sides)
     pairs = (face_terms(f, g, gap, degrees, overlap) for f in faces for g in theirs)
-    return judge(pairs, "it has no such face", ROUNDING)
+    return judge(pairs, "it has no such face", _whole(overlap))
 
 
 def _around(case: Case) -> Verdict:

@@ -28,9 +28,11 @@ PUBLIC = [
     "Violation",
     "__version__",
     "check",
+    "define_relation",
     "draw_top",
     "refine",
     "refine_many",
+    "undefine_relation",
 ]
 
 
