@@ -275,7 +275,6 @@ def compile_scene(scene: Scene) -> CompiledScene:
         return 0 if support is None else 1 + depth(index[support.object])
 
     domains = []
-    inner: set[int] = set()
     for (supporter_id, surface), members in sorted(groups.items(), key=lambda item: depth(item[1][0])):
         supporter = index[supporter_id]
         region, z = _domain_region(scene.objects[supporter], surface)
@@ -285,7 +284,6 @@ def compile_scene(scene: Scene) -> CompiledScene:
         relations = [
             (j, r) for j, r in enumerate(scene.relations) if r.subject in ids and _targets(r) and _targets(r) <= ids
         ]
-        inner |= {j for j, _ in relations}
         objects = [scene.objects[i] for i in members]
         problem = _compile(objects, local, region, relations, (), in_room=False)
         domains.append(Domain(Deck(supporter, z, members), problem))

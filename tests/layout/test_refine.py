@@ -5,7 +5,6 @@ import pytest
 
 import sceneweaver as sw
 from sceneweaver.layout import engine
-from sceneweaver.optimizers import run as run_module  # noqa: F401  (the function; the module is patched by name)
 from sceneweaver.scene import Pose
 from tests.layout.made import BED, BOX, CUP, OTHER, PICTURE, relation, room, scene, table, thing, zoo
 
