@@ -6,11 +6,11 @@ of threads does not matter and nothing is summed across threads.
 
 import warp as wp
 
-from .energy import TURN
+from .energy import best_option, parties_of
+from .features import TURN
 from .geometry import perp, plane_of, wrap
-from .sample import best_option
-from .search import members_energy
-from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, State, TablesRef, Weights
+from .groups import members_energy
+from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, State, TablesRef, View, Weights
 
 wp.set_module_options({"enable_backward": False})
 
@@ -116,7 +116,8 @@ def choose(
     p = problem[candidate]
     r = t[0].relation_start[p] + rel
     if r < t[0].relation_start[p + 1]:
-        option = best_option(t, w, t[0].object_start[p], r, s, candidate)
+        parties = parties_of(t, t[0].object_start[p], r, s, candidate, View())
+        option, _e, _g = best_option(t, r, 0, parties, w.knee)
         options_out[candidate, rel] = option
         other_out[candidate, rel] = option
 

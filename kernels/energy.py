@@ -14,13 +14,12 @@ from .geometry import FAR, discs_apart, perp, plane_of, separation, turn, wrap
 from .tables import (
     FIXTURE_SOLID,
     FREE_Z,
-    PAIR_COLLIDE,
     PAIR_RIGID,
-    PAIR_ZONE_OF_FIRST,
-    PAIR_ZONE_OF_SECOND,
     Margins,
+    Share,
     State,
     TablesRef,
+    View,
     Weights,
 )
 
@@ -28,6 +27,9 @@ wp.set_module_options({"enable_backward": False})
 
 ORIGIN = wp.constant(wp.vec2(0.0, 0.0))
 EAST = wp.constant(wp.vec2(1.0, 0.0))
+SOLIDS = wp.constant(0)
+ZONES = wp.constant(1)
+FIXTURES = wp.constant(2)
 
 
 @wp.func
@@ -56,17 +58,47 @@ def gate(za: wp.float32, a: wp.vec2, zb: wp.float32, b: wp.vec2, least: wp.float
     return wp.min(za + a[1], zb + b[1]) - wp.max(za + a[0], zb + b[0]) > least
 
 
-@wp.func(inline=False)
+@wp.func
+def seen(s: State, candidate: wp.int32, i: wp.int32, view: View):
+    """Pose and (cos, sin) of the yaw of object i where a view sees it."""
+    pose = s.poses[candidate, i]
+    q = s.turns[candidate, i]
+    if view.stamp != 0:
+        mark = s.mark[candidate, i]
+        if wp.abs(mark) == view.stamp:
+            rise = float(0.0)
+            if mark < 0:
+                rise = view.after[2] - view.before[2]
+                if view.draft == 1:
+                    pose = s.draft[candidate, i]
+                    q = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
+            at = plane_of(view.after) + turn(view.spin, plane_of(pose) - plane_of(view.before))
+            pose = wp.vec4(at[0], at[1], pose[2] + rise, pose[3] + view.after[3] - view.before[3])
+            q = turn(view.spin, q)
+    return pose, q
+
+
+@wp.func
+def prism_at(t: TablesRef, kind: wp.int32, i: wp.int32):
+    """Entry i of the list of solid parts (0), zones (1) or fixtures (2)."""
+    if kind == SOLIDS:
+        return t[0].solid[i]
+    if kind == ZONES:
+        return t[0].zone[i]
+    return t[0].fixture[i]
+
+
+@wp.func
 def clearance(
     t: TablesRef,
+    first_kind: wp.int32,
     first_start: wp.int32,
     first_end: wp.int32,
-    first_list: wp.array(dtype=wp.int32),
     pose_a: wp.vec4,
     qa: wp.vec2,
+    second_kind: wp.int32,
     second_start: wp.int32,
     second_end: wp.int32,
-    second_list: wp.array(dtype=wp.int32),
     pose_b: wp.vec4,
     qb: wp.vec2,
     aim: wp.float32,
@@ -79,9 +111,9 @@ def clearance(
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
     for i in range(first_start, first_end):
-        a = first_list[i]
+        a = prism_at(t, first_kind, i)
         for j in range(second_start, second_end):
-            b = second_list[j]
+            b = prism_at(t, second_kind, j)
             if gate(pose_a[2], t[0].prism_z[a], pose_b[2], t[0].prism_z[b], least):
                 if not discs_apart(t, a, pa, qa, b, pb, qb, aim):
                     s, n, x = separation(t, a, pa, qa, b, pb, qb, aim)
@@ -107,41 +139,44 @@ def pair_energy(
     """Collision and zone penalties of objects a and b (global indices), with the gradient for a's pose."""
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    sa = t[0].solid_start[a]
-    sa1 = t[0].solid_start[a + 1]
-    sb = t[0].solid_start[b]
-    sb1 = t[0].solid_start[b + 1]
-    if flags & PAIR_COLLIDE:
-        ec, gc = clearance(
-            t, sa, sa1, t[0].solid, pose_a, qa, sb, sb1, t[0].solid, pose_b, qb, m.collision_aim, m.gate, w.knee
-        )
-        e += w.collision * ec
-        g += w.collision * gc
-    if flags & PAIR_ZONE_OF_FIRST:
-        ez, gz = clearance(
-            t, t[0].zone_start[a], t[0].zone_start[a + 1], t[0].zone, pose_a, qa, sb, sb1, t[0].solid, pose_b, qb,
-            m.zone_aim, m.gate, w.knee,
-        )
-        e += w.zone * ez
-        g += w.zone * gz
-    if flags & PAIR_ZONE_OF_SECOND:
-        ey, gy = clearance(
-            t, sa, sa1, t[0].solid, pose_a, qa, t[0].zone_start[b], t[0].zone_start[b + 1], t[0].zone, pose_b, qb,
-            m.zone_aim, m.gate, w.knee,
-        )
-        e += w.zone * ey
-        g += w.zone * gy
+    for kind in range(3):
+        if flags & (1 << kind):
+            # solids against solids, a's zones against b's solids, a's solids against b's zones
+            kind_a = wp.where(kind == 1, ZONES, SOLIDS)
+            kind_b = wp.where(kind == 2, ZONES, SOLIDS)
+            a0 = t[0].solid_start[a]
+            a1 = t[0].solid_start[a + 1]
+            b0 = t[0].solid_start[b]
+            b1 = t[0].solid_start[b + 1]
+            aim = m.zone_aim
+            weight = w.zone
+            if kind == 0:
+                aim = m.collision_aim
+                weight = w.collision
+            elif kind == 1:
+                a0 = t[0].zone_start[a]
+                a1 = t[0].zone_start[a + 1]
+            else:
+                b0 = t[0].zone_start[b]
+                b1 = t[0].zone_start[b + 1]
+            ek, gk = clearance(
+                t, kind_a, a0, a1, pose_a, qa, kind_b, b0, b1, pose_b, qb, aim, m.gate, w.knee
+            )
+            e += weight * ek
+            g += weight * gk
     return e, g
 
 
-@wp.func(inline=False)
-def room_energy(t: TablesRef, m: Margins, w: Weights, p: wp.int32, o: wp.int32, pose: wp.vec4, q: wp.vec2):
+@wp.func
+def room_energy(
+    t: TablesRef, m: Margins, w: Weights, p: wp.int32, o: wp.int32, pose: wp.vec4, q: wp.vec2, part: Share
+):
     """Bounds and openings: penalty of object o (global index) against the room, with gradient."""
     at = plane_of(pose)
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
     reach = t[0].object_radius[o][0]
-    for k in range(t[0].plane_start[p], t[0].plane_start[p + 1]):
+    for k in range(t[0].plane_start[p] + part.first, t[0].plane_start[p + 1], part.of):
         plane = t[0].plane[k]
         n = wp.vec2(plane[0], plane[1])
         depth = wp.dot(n, at) - plane[2]
@@ -159,7 +194,7 @@ def room_energy(t: TablesRef, m: Margins, w: Weights, p: wp.int32, o: wp.int32, 
             de, dv = penalty(m.bounds_aim - low, w.knee)
             e += w.bounds * de
             g -= w.bounds * dv * wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(x - at)))
-    for k in range(t[0].fixture_start[p], t[0].fixture_start[p + 1]):
+    for k in range(t[0].fixture_start[p] + part.first, t[0].fixture_start[p + 1], part.of):
         a = t[0].fixture[k]
         disc = t[0].prism_disc[a]
         to = wp.vec2(disc[0], disc[1]) - at
@@ -169,13 +204,13 @@ def room_energy(t: TablesRef, m: Margins, w: Weights, p: wp.int32, o: wp.int32, 
             if solid or t[0].object_clear[o] == 1:
                 aim = wp.where(solid, m.bounds_aim, m.zone_aim)
                 es, gs = clearance(
-                    t, t[0].solid_start[o], t[0].solid_start[o + 1], t[0].solid, pose, q, k, k + 1, t[0].fixture,
+                    t, SOLIDS, t[0].solid_start[o], t[0].solid_start[o + 1], pose, q, FIXTURES, k, k + 1,
                     wp.vec4(0.0, 0.0, 0.0, 0.0), EAST, aim, m.gate, w.knee,
                 )
                 weight = wp.where(solid, w.bounds, w.opening)
                 e += weight * es
                 g += weight * gs
-    if t[0].object_free[o] & FREE_Z:
+    if part.first == 0 and t[0].object_free[o] & FREE_Z:
         z = t[0].object_z[o]
         off, slope = outside(pose[2], wp.vec2(m.bounds_aim - z[0], t[0].room_height[p] - z[1] - m.bounds_aim))
         dz, dzv = penalty(off, w.knee)
@@ -184,42 +219,107 @@ def room_energy(t: TablesRef, m: Margins, w: Weights, p: wp.int32, o: wp.int32, 
     return e, g
 
 
-@wp.func(inline=False)
+@wp.struct
+class Parties:
+    """The objects of a relation: global indices of the first two and the poses of all three."""
+
+    a: wp.int32
+    b: wp.int32
+    pose_a: wp.vec4
+    qa: wp.vec2
+    pose_b: wp.vec4
+    qb: wp.vec2
+    pose_c: wp.vec4
+
+
+@wp.func
+def parties_of(t: TablesRef, o0: wp.int32, r: wp.int32, s: State, candidate: wp.int32, view: View):
+    """The objects of relation r (global) where a view sees them."""
+    ids = t[0].relation_object[r]
+    x = Parties()
+    x.a = o0 + ids[0]
+    x.b = -1
+    x.qb = EAST
+    for k in range(3):
+        if ids[k] >= 0:
+            pose, q = seen(s, candidate, ids[k], view)
+            if k == 0:
+                x.pose_a = pose
+                x.qa = q
+            elif k == 1:
+                x.b = o0 + ids[1]
+                x.pose_b = pose
+                x.qb = q
+            else:
+                x.pose_c = pose
+    return x
+
+
+@wp.func
+def option_energy(t: TablesRef, option: wp.int32, role: wp.int32, x: Parties, knee: wp.float32, limit: wp.float32):
+    """Penalty of one option's rows, with the gradient for the object in the given role; stops above the limit."""
+    e = float(0.0)
+    g = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    for row in range(t[0].row_start[option], t[0].row_start[option + 1]):
+        if e >= limit:
+            break
+        value, slope = feature(t, row, role, x.a, x.b, x.pose_a, x.qa, x.pose_b, x.qb, x.pose_c)
+        off, sign = outside(value, t[0].row_aim[row])
+        scale = t[0].row_scale[row]
+        de, dv = penalty(off * scale, knee)
+        e += de
+        g += dv * sign * scale * slope
+    return e, g
+
+
+@wp.func
+def best_option(t: TablesRef, r: wp.int32, role: wp.int32, x: Parties, knee: wp.float32):
+    """The option of relation r (global) with the lowest penalty, that penalty and its gradient."""
+    first = t[0].option_start[r]
+    best = int(first)
+    low = float(FAR)
+    low_g = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    for option in range(first, t[0].option_start[r + 1]):
+        e, g = option_energy(t, option, role, x, knee, low)
+        if e < low:
+            low = e
+            low_g = g
+            best = option
+        if low <= 0.0:
+            break
+    return best, low, low_g
+
+
+@wp.func
 def relation_energy(
     t: TablesRef,
     w: Weights,
     o0: wp.int32,
     r: wp.int32,
-    option: wp.int32,
+    rel: wp.int32,
     role: wp.int32,
     s: State,
     candidate: wp.int32,
+    view: View,
 ):
-    """Penalty of relation r under one option, with the gradient for the object in the given role."""
-    ids = t[0].relation_object[r]
-    pose_a = s.poses[candidate, ids[0]]
-    qa = s.turns[candidate, ids[0]]
-    pose_b = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    qb = EAST
-    pose_c = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    b = int(-1)
-    if ids[1] >= 0:
-        b = o0 + ids[1]
-        pose_b = s.poses[candidate, ids[1]]
-        qb = s.turns[candidate, ids[1]]
-    if ids[2] >= 0:
-        pose_c = s.poses[candidate, ids[2]]
-    e = float(0.0)
-    g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    for row in range(t[0].row_start[option], t[0].row_start[option + 1]):
-        value, slope = feature(t, row, role, o0 + ids[0], b, pose_a, qa, pose_b, qb, pose_c)
-        off, sign = outside(value, t[0].row_aim[row])
-        scale = t[0].row_scale[row]
-        de, dv = penalty(off * scale, w.knee)
-        e += de
-        g += dv * sign * scale * slope
+    """Penalty of relation r (global; rel: local), with the gradient for the object in the given role."""
+    x = parties_of(t, o0, r, s, candidate, view)
+    first = t[0].option_start[r]
+    last = t[0].option_start[r + 1]
+    if view.best == 0:
+        first = s.options[candidate, rel]
+        last = first + 1
+    low = float(FAR)
+    low_g = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    for option in range(first, last):
+        e, g = option_energy(t, option, role, x, w.knee, low)
+        if e < low:
+            low = e
+            low_g = g
+        if low <= 0.0:
+            break
     weight = w.relation * t[0].relation_weight[r]
-    return weight * e, weight * g
+    return weight * low, weight * low_g
 
 
 @wp.func
@@ -235,7 +335,7 @@ def meeting(
     j: wp.int32,
     candidate: wp.int32,
     s: State,
-    stamp: wp.int32,
+    view: View,
 ):
     """Pair energy of object o (global) with object j (local), and its gradient for o's pose."""
     flags = int(t[0].pair_flags[row + j])
@@ -249,12 +349,12 @@ def meeting(
         # a zone only meets solids
         far = wp.max(ri[0] + rj[1], ri[1] + rj[0]) + m.collision_aim
         if wp.dot(v, v) < far * far:
-            if stamp == 0 or s.mark[candidate, j] != stamp:
+            if view.stamp == 0 or wp.abs(s.mark[candidate, j]) != view.stamp:
                 e, g = pair_energy(t, m, w, flags, o, pose, q, o0 + j, other, s.turns[candidate, j])
     return e, g
 
 
-@wp.func(inline=False)
+@wp.func
 def object_energy(
     t: TablesRef,
     m: Margins,
@@ -264,26 +364,27 @@ def object_energy(
     obj: wp.int32,
     s: State,
     limit: wp.float32,
-    stamp: wp.int32,
+    view: View,
+    part: Share,
 ):
     """Everything that object ``obj`` of a candidate takes part in.
 
     Returns (energy, share, soft, gradient): the energy of all its terms; its share of the candidate's energy (half of
     each pair, the whole of a relation for its subject); what of the share soft relations and the pull make up; and the
-    gradient of the energy for its pose (x, y, z, yaw). Once the energy exceeds the limit the rest is left out;
-    so are pairs with objects that carry the stamp of the same move (0: none), whose distances a move does not change.
+    gradient of the energy for its pose (x, y, z, yaw). Once the energy exceeds the limit the rest is left out; so are
+    pairs with objects that the view moves along, whose distances that does not change. A thread may take its share of
+    the terms only; what the shares return adds up.
     """
     o0 = t[0].object_start[p]
     n = t[0].object_start[p + 1] - o0
     o = o0 + obj
-    pose = s.poses[candidate, obj]
-    q = s.turns[candidate, obj]
+    pose, q = seen(s, candidate, obj, view)
     at = plane_of(pose)
     if not wp.isfinite(pose):  # comparisons with NaN are false, so every term would pass it
         return FAR, FAR, float(0.0), wp.vec4(0.0, 0.0, 0.0, 0.0)
-    e, g = room_energy(t, m, w, p, o, pose, q)
+    e, g = room_energy(t, m, w, p, o, pose, q, part)
     soft = float(0.0)
-    if w.pull > 0.0:
+    if w.pull > 0.0 and part.first == 0:
         d = pose - s.anchors[candidate, obj]
         d[3] = wrap(d[3], TURN)
         soft += 0.5 * w.pull * wp.dot(d, d)
@@ -291,11 +392,11 @@ def object_energy(
         g += w.pull * d
     share = e
     r0 = t[0].relation_start[p]
-    for k in range(t[0].touch_start[o], t[0].touch_start[o + 1]):
+    for k in range(t[0].touch_start[o] + part.first, t[0].touch_start[o + 1], part.of):
         r = t[0].touch[k]
         if t[0].relation_rigid[r0 + r] == 0:
             role = t[0].touch_role[k]
-            er, gr = relation_energy(t, w, o0, r0 + r, s.options[candidate, r], role, s, candidate)
+            er, gr = relation_energy(t, w, o0, r0 + r, r, role, s, candidate, view)
             e += er
             g += gr
             if role == 0:
@@ -303,29 +404,41 @@ def object_energy(
                 if t[0].relation_fault[r0 + r] == 0:
                     soft += er
     row = t[0].pair_start[p] + obj * n
-    if crowded(n, s):
-        reach = t[0].object_radius[o][1] + t[0].grid[p][3] + m.collision_aim
-        left, low = cell_at(t, p, at[0] - reach, at[1] - reach)
-        right, high = cell_at(t, p, at[0] + reach, at[1] + reach)
-        for y in range(low, high + 1):
-            if e > limit:
-                break
-            for x in range(left, right + 1):
-                j = s.cell_head[candidate, y * t[0].grid_count[p][0] + x]
-                while j >= 0:
-                    ep, gp = meeting(t, m, w, o0, row, o, pose, q, j, candidate, s, stamp)
-                    e += ep
-                    share += 0.5 * ep
-                    g += gp
-                    j = s.cell_next[candidate, j]
-    else:
-        for k in range(n):
-            if e > limit:
-                break
-            eq, gq = meeting(t, m, w, o0, row, o, pose, q, k, candidate, s, stamp)
-            e += eq
-            share += 0.5 * eq
-            g += gq
+    cells = crowded(n, s)
+    reach = t[0].object_radius[o][1] + t[0].grid[p][3] + m.collision_aim
+    left, low = cell_at(t, p, at[0] - reach, at[1] - reach)
+    right, high = cell_at(t, p, at[0] + reach, at[1] + reach)
+    x = int(left)
+    y = int(low)
+    j = int(part.first)
+    turn_of = int(0)  # cells deal out what they hold one by one
+    if cells:
+        j = s.cell_head[candidate, y * t[0].grid_count[p][0] + x]
+    elif j >= n:
+        y = high + 1
+    while y <= high and e <= limit:
+        if j >= 0 and (not cells or turn_of == part.first):
+            ep, gp = meeting(t, m, w, o0, row, o, pose, q, j, candidate, s, view)
+            e += ep
+            share += 0.5 * ep
+            g += gp
+        if cells:
+            if j >= 0:
+                j = s.cell_next[candidate, j]
+                turn_of += 1
+                if turn_of == part.of:
+                    turn_of = 0
+            while j < 0 and y <= high:
+                x += 1
+                if x > right:
+                    x = int(left)
+                    y += 1
+                if y <= high:
+                    j = s.cell_head[candidate, y * t[0].grid_count[p][0] + x]
+        else:
+            j += part.of
+            if j >= n:
+                y = high + 1
     return e, share, soft, g
 
 
@@ -351,7 +464,7 @@ def evaluate(
         soft_out[candidate, obj] = 0.0
         gradient_out[candidate, obj] = wp.vec4(0.0, 0.0, 0.0, 0.0)
         return
-    _e, share, soft, g = object_energy(t, m, w, p, candidate, obj, s, FAR, 0)
+    _e, share, soft, g = object_energy(t, m, w, p, candidate, obj, s, FAR, View(), Share(0, 1))
     share_out[candidate, obj] = share
     soft_out[candidate, obj] = soft
     gradient_out[candidate, obj] = g

@@ -211,7 +211,7 @@ def user_feature(
 
 
 @wp.func(inline=False)
-def feature(
+def other_feature(
     t: TablesRef,
     row: wp.int32,
     role: wp.int32,
@@ -223,18 +223,14 @@ def feature(
     qb: wp.vec2,
     pose_c: wp.vec4,
 ):
-    """Value of a row's feature and its gradient for one role; a and b are global object indices."""
+    """`feature` for all but the two most common kinds of rows."""
     kind = t[0].row_feature[row]
     pa = plane_of(pose_a)
     pb = plane_of(pose_b)
     pc = plane_of(pose_c)
     value = float(0.0)
     grad = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    if kind == FEATURE_LINE:
-        value, grad = line_feature(t, row, role, pa, qa, pb, qb)
-    elif kind == FEATURE_YAW:
-        value, grad = yaw_feature(t, row, role, pose_a[3], pose_b[3])
-    elif kind == FEATURE_BEARING:
+    if kind == FEATURE_BEARING:
         value, grad = bearing_feature(role, pa, qa, pb)
     elif kind == FEATURE_DISTANCE:
         s, n, x = footprint_distance(t, a, pa, qa, b, pb, qb, t[0].row_prism[row])
@@ -266,4 +262,32 @@ def feature(
         )
     if role == 2 and kind != FEATURE_BETWEEN and kind != FEATURE_ASIDE and kind != FEATURE_SPREAD:
         grad = wp.vec4(0.0, 0.0, 0.0, 0.0)  # the other features do not look at the second target
+    return value, grad
+
+
+@wp.func
+def feature(
+    t: TablesRef,
+    row: wp.int32,
+    role: wp.int32,
+    a: wp.int32,
+    b: wp.int32,
+    pose_a: wp.vec4,
+    qa: wp.vec2,
+    pose_b: wp.vec4,
+    qb: wp.vec2,
+    pose_c: wp.vec4,
+):
+    """Value of a row's feature and its gradient for one role; a and b are global object indices."""
+    kind = t[0].row_feature[row]
+    value = float(0.0)
+    grad = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    if kind == FEATURE_LINE:
+        value, grad = line_feature(t, row, role, plane_of(pose_a), qa, plane_of(pose_b), qb)
+        grad = wp.where(role == 2, wp.vec4(0.0, 0.0, 0.0, 0.0), grad)
+    elif kind == FEATURE_YAW:
+        value, grad = yaw_feature(t, row, role, pose_a[3], pose_b[3])
+        grad = wp.where(role == 2, wp.vec4(0.0, 0.0, 0.0, 0.0), grad)
+    else:
+        value, grad = other_feature(t, row, role, a, b, pose_a, qa, pose_b, qb, pose_c)
     return value, grad

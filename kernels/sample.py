@@ -2,14 +2,16 @@
 
 To draw a pose for an object, start anywhere and move it, row by row, to a random value inside each row's interval
 along the row's own gradient. Yaw rows come first in every option, and the remaining rows of an option are nearly
-orthogonal, so that one or two sweeps fulfil them. The same code serves every relation, also a user's own.
+orthogonal, so that one sweep fulfils them. The same code serves every relation, also a user's own. Nothing is
+written but the state of the random stream: every lane of a candidate may draw poses of its own.
 """
 
 import warp as wp
 
-from .energy import EAST, outside, relation_energy
+from .energy import Parties, best_option, outside, parties_of
 from .features import TURN, feature
-from .geometry import plane_of, turn, wrap
+from .geometry import perp, plane_of, turn
+from .lanes import lane, lanes, number_of
 from .tables import (
     FEATURE_BEARING,
     FEATURE_CONSTANT,
@@ -17,8 +19,10 @@ from .tables import (
     FREE_PLANE,
     FREE_YAW,
     FREE_Z,
+    Margins,
     State,
     TablesRef,
+    View,
     Weights,
 )
 
@@ -30,19 +34,30 @@ REACH = wp.constant(0.6)  # [m] how far beyond the closed end of a half-open int
 
 @wp.func
 def uniform(s: State, candidate: wp.int32):
-    """A uniform number in [0, 1) from the candidate's own stream."""
-    r = s.rng[candidate]
+    """A uniform number in [0, 1) from the lane's own stream."""
+    r = s.stream[candidate, lane()]
     u = wp.randf(r)
-    s.rng[candidate] = r
+    s.stream[candidate, lane()] = r
     return u
 
 
 @wp.func
+def common(s: State, candidate: wp.int32):
+    """A uniform number from the candidate's own stream, the same in all lanes."""
+    u = float(0.0)
+    if lane() == 0:
+        r = s.stream[candidate, lanes()]
+        u = wp.randf(r)
+        s.stream[candidate, lanes()] = r
+    return number_of(u, 0)
+
+
+@wp.func
 def normal(s: State, candidate: wp.int32):
-    """A standard normal number from the candidate's own stream."""
-    r = s.rng[candidate]
+    """A standard normal number from the lane's own stream."""
+    r = s.stream[candidate, lane()]
     u = wp.randn(r)
-    s.rng[candidate] = r
+    s.stream[candidate, lane()] = r
     return u
 
 
@@ -53,59 +68,8 @@ def pick(s: State, candidate: wp.int32, n: wp.int32):
 
 
 @wp.func
-def set_pose(s: State, candidate: wp.int32, obj: wp.int32, pose: wp.vec4):
-    """Write a pose with its (cos, sin), yaw wrapped."""
-    yaw = wrap(pose[3], TURN)
-    s.poses[candidate, obj] = wp.vec4(pose[0], pose[1], pose[2], yaw)
-    s.turns[candidate, obj] = wp.vec2(wp.cos(yaw), wp.sin(yaw))
-
-
-@wp.func(inline=False)
-def carry(t: TablesRef, o0: wp.int32, s: State, candidate: wp.int32, root: wp.int32, pose: wp.vec4, whole: wp.int32):
-    """Move a root to a pose with all that it carries; with whole = 1 also the group that it places."""
-    old = s.poses[candidate, root]
-    spin = pose[3] - old[3]
-    q = wp.vec2(wp.cos(spin), wp.sin(spin))
-    first = t[0].member_start[o0 + root]
-    last = t[0].member_start[o0 + root + 1]
-    if whole == 1:
-        first = t[0].group_start[o0 + root]
-        last = t[0].group_start[o0 + root + 1]
-    for k in range(first, last):
-        i = int(0)
-        if whole == 1:
-            i = t[0].group[k]
-        else:
-            i = t[0].member[k]
-        if i != root:
-            child = s.poses[candidate, i]
-            at = plane_of(pose) + turn(q, plane_of(child) - plane_of(old))
-            rise = wp.where(t[0].object_root[o0 + i] == root, pose[2] - old[2], 0.0)  # others keep their own height
-            set_pose(s, candidate, i, wp.vec4(at[0], at[1], child[2] + rise, child[3] + spin))
-    set_pose(s, candidate, root, pose)
-
-
-@wp.func(inline=False)
-def best_option(t: TablesRef, w: Weights, o0: wp.int32, r: wp.int32, s: State, candidate: wp.int32):
-    """The option of relation r (global) with the lowest energy at the present poses."""
-    first = t[0].option_start[r]
-    last = t[0].option_start[r + 1]
-    best = int(first)
-    if last - first > 1:
-        low = float(1.0e9)
-        for option in range(first, last):
-            e, _g = relation_energy(t, w, o0, r, option, 0, s, candidate)
-            if e < low:
-                low = e
-                best = option
-    return best
-
-
-@wp.func(inline=False)
-def random_start(t: TablesRef, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32):
-    """A pose anywhere in the room's bounding box, square to the room four times in five."""
-    o = t[0].object_start[p] + obj
-    pose = s.poses[candidate, obj]
+def random_start(t: TablesRef, p: wp.int32, o: wp.int32, pose: wp.vec4, s: State, candidate: wp.int32):
+    """A pose for object o (global) anywhere in the room's bounding box, square to the room four times in five."""
     box = t[0].room_box[p]
     free = t[0].object_free[o]
     if free & FREE_PLANE:
@@ -121,6 +85,20 @@ def random_start(t: TablesRef, p: wp.int32, obj: wp.int32, s: State, candidate: 
 
 
 @wp.func
+def jitter(o_free: wp.int32, pose: wp.vec4, scale: wp.float32, s: State, candidate: wp.int32):
+    """A pose within about ``scale`` metres of a given one; once in twenty also turned by quarters."""
+    if o_free & FREE_PLANE:
+        pose[0] = pose[0] + scale * normal(s, candidate)
+        pose[1] = pose[1] + scale * normal(s, candidate)
+    if o_free & FREE_Z:
+        pose[2] = pose[2] + 0.5 * scale * normal(s, candidate)
+    if o_free & FREE_YAW:
+        if uniform(s, candidate) < 0.05:
+            pose[3] = pose[3] + QUARTER * float(1 + pick(s, candidate, 3))
+    return pose
+
+
+@wp.func
 def target_value(s: State, candidate: wp.int32, aim: wp.vec2):
     """A random value inside an interval that may be open to one side."""
     lo = aim[0]
@@ -132,42 +110,23 @@ def target_value(s: State, candidate: wp.int32, aim: wp.vec2):
     return lo + uniform(s, candidate) * (hi - lo)
 
 
-@wp.func(inline=False)
+@wp.func
 def project_option(
-    t: TablesRef,
-    o0: wp.int32,
-    r: wp.int32,
-    option: wp.int32,
-    s: State,
-    candidate: wp.int32,
-    pose: wp.vec4,
-    fresh: wp.int32,
+    t: TablesRef, option: wp.int32, x: Parties, s: State, candidate: wp.int32, free: wp.int32, fresh: wp.bool
 ):
-    """Move the subject's pose into the rows of one option, row by row.
+    """The subject's pose moved into the rows of one option, row by row.
 
-    fresh = 1 draws a new value for every row; otherwise only rows outside their interval move it.
+    A fresh draw takes a new value for every row; otherwise only rows outside their interval move it.
     """
-    ids = t[0].relation_object[r]
-    o = o0 + ids[0]
-    free = t[0].object_free[o]
-    pose_b = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    qb = EAST
-    pose_c = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    b = int(-1)
-    if ids[1] >= 0:
-        b = o0 + ids[1]
-        pose_b = s.poses[candidate, ids[1]]
-        qb = s.turns[candidate, ids[1]]
-    if ids[2] >= 0:
-        pose_c = s.poses[candidate, ids[2]]
-    q = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
+    pose = x.pose_a
+    q = x.qa
     for row in range(t[0].row_start[option], t[0].row_start[option + 1]):
         kind = t[0].row_feature[row]
         if kind != FEATURE_CONSTANT:
-            value, g = feature(t, row, 0, o, b, pose, q, pose_b, qb, pose_c)
-            off, _sign = outside(value, t[0].row_aim[row])
-            if off > 0.0 or fresh == 1:
-                aim = t[0].row_aim[row]
+            value, g = feature(t, row, 0, x.a, x.b, pose, q, x.pose_b, x.qb, x.pose_c)
+            aim = t[0].row_aim[row]
+            off, _sign = outside(value, aim)
+            if off > 0.0 or fresh:
                 d = target_value(s, candidate, aim) - value
                 if kind == FEATURE_YAW or kind == FEATURE_BEARING:
                     if free & FREE_YAW:
@@ -190,61 +149,143 @@ def project_option(
     return pose
 
 
-@wp.func(inline=False)
-def settle(t: TablesRef, w: Weights, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32, fresh: wp.int32):
-    """Project an object's pose onto its own relations; a fresh draw starts from one of them at random.
-
-    The object's entry in the state is the start and receives the result (what it carries stays behind).
-    """
+@wp.func
+def settle(
+    t: TablesRef,
+    w: Weights,
+    p: wp.int32,
+    obj: wp.int32,
+    pose: wp.vec4,
+    s: State,
+    candidate: wp.int32,
+    fresh: wp.bool,
+):
+    """A pose projected onto the object's own relations; a fresh draw starts from one of them at random."""
     o0 = t[0].object_start[p]
     o = o0 + obj
     r0 = t[0].relation_start[p]
     first = t[0].touch_start[o]
-    last = t[0].touch_start[o + 1]
+    count = t[0].touch_start[o + 1] - first
+    free = t[0].object_free[o]
     mine = int(0)
-    for k in range(first, last):
+    for k in range(first, first + count):
         if t[0].touch_role[k] == 0 and t[0].relation_rigid[r0 + t[0].touch[k]] == 0:
             mine += 1
     if mine == 0:
-        return
-    main = int(-1)
-    if fresh == 1:
+        return pose
+    skip = int(-1)
+    if fresh:
         skip = pick(s, candidate, mine)
-        for k in range(first, last):
-            if t[0].touch_role[k] == 0 and t[0].relation_rigid[r0 + t[0].touch[k]] == 0:
-                if skip == 0:
-                    main = t[0].touch[k]
-                skip -= 1
-        r = r0 + main
-        option = t[0].option_start[r] + pick(s, candidate, t[0].option_start[r + 1] - t[0].option_start[r])
-        set_pose(s, candidate, obj, project_option(t, o0, r, option, s, candidate, s.poses[candidate, obj], 1))
-    for _sweep in range(2):
-        for k in range(first, last):
+    # a fresh draw's sweep of one relation, then a sweep over all
+    for sweep in range(wp.where(fresh, 0, 1), 2):
+        for k in range(first, first + count):
             r = r0 + t[0].touch[k]
             if t[0].touch_role[k] == 0 and t[0].relation_rigid[r] == 0:
-                if t[0].relation_fault[r] != 0 or uniform(s, candidate) < 0.7:
-                    option = best_option(t, w, o0, r, s, candidate)
-                    set_pose(
-                        s, candidate, obj, project_option(t, o0, r, option, s, candidate, s.poses[candidate, obj], 0)
-                    )
+                draw = sweep == 0 and skip == 0
+                if sweep == 0:
+                    skip -= 1
+                if sweep > 0:
+                    draw = t[0].relation_fault[r] != 0 or uniform(s, candidate) < 0.7
+                if draw:
+                    x = parties_of(t, o0, r, s, candidate, View())
+                    x.pose_a = pose
+                    x.qa = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
+                    option = t[0].option_start[r]
+                    low = float(1.0)
+                    if sweep == 0:
+                        option += pick(s, candidate, t[0].option_start[r + 1] - option)
+                    else:
+                        best, e, _g = best_option(t, r, 0, x, w.knee)
+                        option = best
+                        low = e
+                    if low > 0.0:
+                        pose = project_option(t, option, x, s, candidate, free, sweep == 0)
+    return pose
 
 
-@wp.func(inline=False)
-def keep_inside(t: TablesRef, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32, aim: wp.float32):
-    """Push an object's footprint back over each half plane that it crosses."""
-    o = t[0].object_start[p] + obj
-    pose = s.poses[candidate, obj]
-    q = s.turns[candidate, obj]
+@wp.func
+def keep_inside(t: TablesRef, p: wp.int32, o: wp.int32, pose: wp.vec4, aim: wp.float32):
+    """A pose with the footprint of object o (global) pushed back over each half plane that it crosses."""
+    q = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
     if t[0].object_free[o] & FREE_PLANE:
         for k in range(t[0].plane_start[p], t[0].plane_start[p + 1]):
             plane = t[0].plane[k]
             n = wp.vec2(plane[0], plane[1])
-            low = float(1.0e6)
-            for f in range(t[0].foot_start[o], t[0].foot_start[o + 1]):
-                a = t[0].foot[f]
-                for v in range(t[0].prism_start[a], t[0].prism_start[a + 1]):
-                    low = wp.min(low, wp.dot(n, plane_of(pose) + turn(q, t[0].vertex[v])) - plane[2])
-            if low < aim:
-                pose[0] = pose[0] + (aim - low) * n[0]
-                pose[1] = pose[1] + (aim - low) * n[1]
-        s.poses[candidate, obj] = pose
+            depth = wp.dot(n, plane_of(pose)) - plane[2]
+            if depth - t[0].object_radius[o][0] < aim:
+                low = float(1.0e6)
+                for f in range(t[0].foot_start[o], t[0].foot_start[o + 1]):
+                    a = t[0].foot[f]
+                    for v in range(t[0].prism_start[a], t[0].prism_start[a + 1]):
+                        low = wp.min(low, depth + wp.dot(n, turn(q, t[0].vertex[v])))
+                if low < aim:
+                    pose[0] = pose[0] + (aim - low) * n[0]
+                    pose[1] = pose[1] + (aim - low) * n[1]
+    return pose
+
+
+@wp.func
+def slide(t: TablesRef, p: wp.int32, obj: wp.int32, pose: wp.vec4, s: State, candidate: wp.int32, gap: wp.float32):
+    """A pose slid along the object's own left axis until its box is flush with another's, or with a wall."""
+    o0 = t[0].object_start[p]
+    o = o0 + obj
+    if (t[0].object_free[o] & FREE_PLANE) == 0:
+        return pose
+    axis = wp.vec2(-wp.sin(pose[3]), wp.cos(pose[3]))
+    half = 0.5 * t[0].object_size[o][1]
+    side = wp.where(uniform(s, candidate) < 0.5, 1.0, -1.0)
+    n = t[0].object_start[p + 1] - o0
+    step = float(0.0)
+    if uniform(s, candidate) < 0.3 or n < 2:
+        found = float(1.0e6)
+        for k in range(t[0].plane_start[p], t[0].plane_start[p + 1]):
+            plane = t[0].plane[k]
+            along = side * (plane[0] * axis[0] + plane[1] * axis[1])
+            if along < -0.5:
+                d = (wp.dot(wp.vec2(plane[0], plane[1]), plane_of(pose)) - plane[2]) / -along - half - gap
+                if d < found:
+                    found = d
+        if found < 1.0e5:
+            step = side * found
+    else:
+        near = float(1.0e12)
+        for _try in range(3):
+            j = pick(s, candidate, n)
+            if t[0].object_root[o0 + j] != obj:
+                v = plane_of(s.poses[candidate, j]) - plane_of(pose)
+                if wp.dot(v, v) < near:
+                    near = wp.dot(v, v)
+                    qj = s.turns[candidate, j]
+                    size = t[0].object_size[o0 + j]
+                    reach = 0.5 * (
+                        wp.abs(wp.dot(axis, qj)) * size[0] + wp.abs(wp.dot(axis, perp(qj))) * size[1]
+                    )
+                    step = wp.dot(axis, v) + side * (half + reach + gap)
+    return wp.vec4(pose[0] + step * axis[0], pose[1] + step * axis[1], pose[2], pose[3])
+
+
+@wp.func
+def propose(
+    t: TablesRef,
+    m: Margins,
+    w: Weights,
+    p: wp.int32,
+    obj: wp.int32,
+    pose: wp.vec4,
+    s: State,
+    candidate: wp.int32,
+    scale: wp.float32,
+    far: wp.float32,
+):
+    """Draw a new pose for an object: with probability ``far`` in the whole room, else within ``scale`` metres."""
+    o = t[0].object_start[p] + obj
+    fresh = uniform(s, candidate) < far
+    if fresh:
+        pose = random_start(t, p, o, pose, s, candidate)
+    else:
+        pose = jitter(t[0].object_free[o], pose, scale, s, candidate)
+    pose = settle(t, w, p, obj, pose, s, candidate, fresh)
+    pose = keep_inside(t, p, o, pose, m.bounds_aim)
+    if uniform(s, candidate) < 0.35:
+        pose = slide(t, p, obj, pose, s, candidate, m.collision_aim + 0.001)
+    return pose

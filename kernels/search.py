@@ -1,450 +1,90 @@
 """Search over one candidate: relation-guided moves of single objects and whole groups, annealed, then a polish.
 
-One thread per candidate. A move picks an object in proportion to its energy, draws some poses for it, and takes the
-best by the Metropolis rule with a temperature that falls to zero. Walls and sides are discrete choices: a move sets
-them anew for every relation that it touches. Energies are local: a move costs what touches the moved objects.
+A move picks an object in proportion to its energy, draws some poses for it, and takes the best by the Metropolis rule
+with a temperature that falls to zero. Walls and sides are discrete choices: wherever an object is looked at, its
+relations choose their best option. Energies are local: a move costs what touches the moved objects.
+
+On a GPU a warp works on one candidate: its lanes try poses side by side, or look at objects side by side. The kernel
+is one loop over *jobs*, each a number of *trials*; a trial is the energy of some objects as a `View` sees them. That
+keeps the lanes together, and the energy, which is most of the code, in one place.
 """
 
 import warp as wp
 
+from .begin import GIVEN, Plan
 from .cells import change_cell, crowded, fill_cells
-from .energy import object_energy
+from .energy import seen
 from .features import TURN
-from .geometry import FAR, perp, plane_of, turn, wrap
-from .sample import (
-    QUARTER,
-    best_option,
-    carry,
-    keep_inside,
-    normal,
-    pick,
-    random_start,
-    set_pose,
-    settle,
-    uniform,
-)
-from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, State, TablesRef, Weights
+from .geometry import FAR, wrap
+from .groups import group_energy, members_end, set_pose, shuffle
+from .lanes import index_of, lane, lanes, lowest, meet, number_of, pose_of, sum_of, team_for
+from .sample import QUARTER, common, propose, uniform
+from .tables import FREE_YAW, Margins, Share, State, TablesRef, View, Weights
 
-wp.set_module_options({"enable_backward": False})
+# Fast sines on a GPU are good to a few micrometres; the judge gets exact ones (`set_turns`).
+wp.set_module_options({"enable_backward": False, "fast_math": True})
 
 SOLVED = wp.constant(1.0e-9)
 ALMOST_SQUARE = wp.constant(0.2)  # [rad]
+STRIDE = wp.constant(0.3)  # [m] longest gradient step
+SHORTER = wp.constant(0.35)  # how much shorter each next gradient step is tried
+BACK_STEPS = wp.constant(4)  # shares of the way back that are tried
 
+# Jobs.
+SURVEY = wp.constant(0)  # rate every object
+RATE = wp.constant(1)  # rate the objects of the group that has just moved
+STAND = wp.constant(2)  # what the objects to be moved cost where they are
+MOVE = wp.constant(3)  # proposals
+GRADIENT = wp.constant(4)  # of one object
+STEP = wp.constant(5)  # along it: a Polyak step towards zero energy, and shorter ones
+SQUARE = wp.constant(6)  # turn what stands almost square to the room fully square, unless that costs anything
+RETURN = wp.constant(7)  # take an object as far back to its anchor as costs nothing hard
+STOP = wp.constant(8)
 
-@wp.struct
-class Budget:
-    """Work units of one launch (a round), its place in the attempt, and the temperature [m] at the start."""
-
-    round: wp.int32
-    rounds: wp.int32
-    moves: wp.int32  # in a round, for each movable object
-    proposals: wp.int32
-    polish: wp.int32  # gradient sweeps at the end
-    linger: wp.int32  # moves for each movable object spent on soft relations once the hard ones hold
-    hot: wp.float32
-    stay: wp.int32  # 1: keep what is in order where it is, and move the rest as little as it takes
-    start: wp.int32  # 0: where the poses are; 1: anywhere; 2: drawn from the relations; 3: the anchors
-
-
-@wp.func(inline=False)
-def copy_group(
-    t: TablesRef, p: wp.int32, candidate: wp.int32, first: wp.int32, last: wp.int32, a: State, b: State
-):
-    """Copy poses and the options of all relations touched, for the objects group[first:last], from a to b."""
-    o0 = t[0].object_start[p]
-    for k in range(first, last):
-        i = t[0].group[k]
-        b.poses[candidate, i] = a.poses[candidate, i]
-        b.turns[candidate, i] = a.turns[candidate, i]
-        for c in range(t[0].touch_start[o0 + i], t[0].touch_start[o0 + i + 1]):
-            r = t[0].touch[c]
-            b.options[candidate, r] = a.options[candidate, r]
+# Phases of a round.
+MOVING = wp.constant(0)
+POLISHING = wp.constant(1)
+TIDYING = wp.constant(2)
 
 
 @wp.func
-def update_cells(t: TablesRef, p: wp.int32, candidate: wp.int32, first: wp.int32, last: wp.int32, s: State):
-    """After a move of the objects group[first:last]: put them into the cells where they stand now."""
-    if crowded(t[0].object_start[p + 1] - t[0].object_start[p], s):
-        for k in range(first, last):
-            change_cell(t, p, candidate, t[0].group[k], s)
-
-
-@wp.func(inline=False)
-def choose_options(
-    t: TablesRef, w: Weights, p: wp.int32, candidate: wp.int32, first: wp.int32, last: wp.int32, s: State
-):
-    """Give every relation that touches the objects group[first:last] its best option."""
-    o0 = t[0].object_start[p]
-    r0 = t[0].relation_start[p]
-    for k in range(first, last):
-        o = o0 + t[0].group[k]
-        for c in range(t[0].touch_start[o], t[0].touch_start[o + 1]):
-            r = t[0].touch[c]
-            if t[0].relation_rigid[r0 + r] == 0:
-                s.options[candidate, r] = best_option(t, w, o0, r0 + r, s, candidate)
-
-
-@wp.func(inline=False)
-def group_energy(
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
-    p: wp.int32,
-    candidate: wp.int32,
-    first: wp.int32,
-    last: wp.int32,
-    s: State,
-    limit: wp.float32,
-    stamp: wp.int32,
-):
-    """Energy of all terms that touch the objects group[first:last], which carry the stamp, except pairs among them.
-
-    Once it exceeds the limit the rest is left out.
-    """
-    e = float(0.0)
-    for k in range(first, last):
-        if e > limit:
-            break
-        ei, _share, _soft, _g = object_energy(t, m, w, p, candidate, t[0].group[k], s, limit - e, stamp)
-        e += ei
-    return e
-
-
-@wp.func(inline=False)
-def shuffle(t: TablesRef, p: wp.int32, root: wp.int32, s: State, candidate: wp.int32, key: wp.int32):
-    """Lay out the surfaces of a root anew from their pools; the key says which entries."""
-    o = t[0].object_start[p] + root
-    rng = wp.rand_init(key)
-    for d in range(t[0].deck_start[o], t[0].deck_start[o + 1]):
-        base = s.poses[candidate, t[0].deck_supporter[d]]
-        q = s.turns[candidate, t[0].deck_supporter[d]]
-        first = t[0].deck_member_start[d]
-        count = t[0].deck_member_start[d + 1] - first
-        entry = wp.min(int(wp.randf(rng) * float(t[0].pool_size)), t[0].pool_size - 1)
-        for j in range(count):
-            local = t[0].pool[t[0].pool_start[d] + entry * count + j]
-            at = plane_of(base) + turn(q, plane_of(local))
-            pose = wp.vec4(at[0], at[1], base[2] + t[0].deck_height[d], base[3] + local[3])
-            set_pose(s, candidate, t[0].deck_member[first + j], pose)
-
-
-@wp.func(inline=False)
-def members_energy(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, s: State):
-    """Energy, share, soft share and gradient of a root with all that it carries, as one rigid body."""
-    o = t[0].object_start[p] + root
-    at = plane_of(s.poses[candidate, root])
-    e = float(0.0)
-    share = float(0.0)
-    soft = float(0.0)
-    g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    for k in range(t[0].member_start[o], t[0].member_start[o + 1]):
-        i = t[0].member[k]
-        ei, hi, fi, gi = object_energy(t, m, w, p, candidate, i, s, FAR, 0)
-        e += ei
-        share += hi
-        soft += fi
-        arm = perp(plane_of(s.poses[candidate, i]) - at)
-        g += wp.vec4(gi[0], gi[1], gi[2], gi[3] + gi[0] * arm[0] + gi[1] * arm[1])
-    free = t[0].object_free[o]
-    if (free & FREE_PLANE) == 0:
-        g[0] = 0.0
-        g[1] = 0.0
-    if (free & FREE_Z) == 0:
-        g[2] = 0.0
-    if (free & FREE_YAW) == 0:
-        g[3] = 0.0
-    return e, share, soft, g
-
-
-@wp.func(inline=False)
-def slide(t: TablesRef, p: wp.int32, obj: wp.int32, s: State, candidate: wp.int32, gap: wp.float32):
-    """Slide an object along its own left axis until its box is flush with another's, or with a wall."""
-    o0 = t[0].object_start[p]
-    o = o0 + obj
-    pose = s.poses[candidate, obj]
-    q = s.turns[candidate, obj]
-    axis = wp.vec2(-q[1], q[0])
-    half = 0.5 * t[0].object_size[o][1]
-    side = wp.where(uniform(s, candidate) < 0.5, 1.0, -1.0)
-    n = t[0].object_start[p + 1] - o0
-    step = float(0.0)
-    if uniform(s, candidate) < 0.3 or n < 2:
-        found = float(1.0e6)
-        for k in range(t[0].plane_start[p], t[0].plane_start[p + 1]):
-            plane = t[0].plane[k]
-            along = side * (plane[0] * axis[0] + plane[1] * axis[1])
-            if along < -0.5:
-                d = (wp.dot(wp.vec2(plane[0], plane[1]), plane_of(pose)) - plane[2]) / -along - half - gap
-                if d < found:
-                    found = d
-        if found < 1.0e5:
-            step = side * found
-    else:
-        near = float(1.0e12)
-        for _try in range(3):
-            j = pick(s, candidate, n)
-            if t[0].object_root[o0 + j] != obj:
-                v = plane_of(s.poses[candidate, j]) - plane_of(pose)
-                if wp.dot(v, v) < near:
-                    near = wp.dot(v, v)
-                    qj = s.turns[candidate, j]
-                    size = t[0].object_size[o0 + j]
-                    reach = 0.5 * (
-                        wp.abs(wp.dot(axis, qj)) * size[0] + wp.abs(wp.dot(axis, perp(qj))) * size[1]
-                    )
-                    step = wp.dot(axis, v) + side * (half + reach + gap)
-    if t[0].object_free[o] & FREE_PLANE:
-        s.poses[candidate, obj] = wp.vec4(pose[0] + step * axis[0], pose[1] + step * axis[1], pose[2], pose[3])
-
-
-@wp.func(inline=False)
-def propose(
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
-    p: wp.int32,
-    obj: wp.int32,
-    s: State,
-    candidate: wp.int32,
-    scale: wp.float32,
-    far: wp.float32,
-):
-    """Draw a new pose for an object into its entry of the state (what it carries stays behind).
-
-    With probability ``far`` it is drawn from the whole room, else within ``scale`` metres.
-    """
-    u = uniform(s, candidate)
-    if u < far:
-        set_pose(s, candidate, obj, random_start(t, p, obj, s, candidate))
-        settle(t, w, p, obj, s, candidate, 1)
-    else:
-        free = t[0].object_free[t[0].object_start[p] + obj]
-        pose = s.poses[candidate, obj]
-        if free & FREE_PLANE:
-            pose[0] = pose[0] + scale * normal(s, candidate)
-            pose[1] = pose[1] + scale * normal(s, candidate)
-        if free & FREE_Z:
-            pose[2] = pose[2] + 0.5 * scale * normal(s, candidate)
-        if free & FREE_YAW:
-            if u > 0.95:
-                pose[3] = pose[3] + 1.5707963267948966 * float(1 + pick(s, candidate, 3))
-        set_pose(s, candidate, obj, pose)
-        settle(t, w, p, obj, s, candidate, 0)
-    keep_inside(t, p, obj, s, candidate, m.bounds_aim)
-    if uniform(s, candidate) < 0.35:
-        slide(t, p, obj, s, candidate, m.collision_aim + 0.001)
-
-
-@wp.func(inline=False)
-def descend(
-    t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, s: State
-):
-    """One Polyak step towards zero energy on a root's pose, halved until it helps. Returns the new energy."""
-    o = t[0].object_start[p] + root
-    e, _share, _soft, g = members_energy(t, m, w, p, candidate, root, s)
-    arm = 0.3 * t[0].object_radius[o][0] + 0.05
-    scaled = wp.vec4(g[0], g[1], g[2], g[3] / (arm * arm))
-    gg = wp.dot(g, scaled)
-    if e <= SOLVED or gg < 1.0e-12:
-        return e
-    first = t[0].group_start[o]
-    last = first + t[0].member_start[o + 1] - t[0].member_start[o]
-    old = s.poses[candidate, root]
-    step = 1.8 * e / gg
-    reach = step * wp.sqrt(wp.dot(scaled, wp.vec4(g[0], g[1], g[2], arm * arm * scaled[3])))
-    if reach > 0.3:
-        step = step * 0.3 / reach
-    for _try in range(3):
-        carry(t, t[0].object_start[p], s, candidate, root, old - step * scaled, 0)
-        en, _share2, _soft2, _g2 = members_energy(t, m, w, p, candidate, root, s)
-        if en < e:
-            update_cells(t, p, candidate, first, last, s)
-            return en
-        step = 0.35 * step
-    carry(t, t[0].object_start[p], s, candidate, root, old, 0)
-    return e
-
-
-@wp.func(inline=False)
-def square_up(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, s: State):
-    """Turn an object that stands almost square to the room fully square, unless that costs anything."""
-    o = t[0].object_start[p] + root
-    if (t[0].object_free[o] & FREE_YAW) == 0 or t[0].plane_start[p + 1] == t[0].plane_start[p]:
-        return
-    plane = t[0].plane[t[0].plane_start[p]]
-    old = s.poses[candidate, root]
-    off = wrap(old[3] - wp.atan2(plane[1], plane[0]), QUARTER)
-    if wp.abs(off) < 1.0e-6 or wp.abs(off) > ALMOST_SQUARE:
-        return
-    before, _share, _soft, _g = members_energy(t, m, w, p, candidate, root, s)
-    carry(t, t[0].object_start[p], s, candidate, root, wp.vec4(old[0], old[1], old[2], old[3] - off), 0)
-    after, _share2, _soft2, _g2 = members_energy(t, m, w, p, candidate, root, s)
-    if after > before:
-        carry(t, t[0].object_start[p], s, candidate, root, old, 0)
-
-
-@wp.func(inline=False)
-def go_back(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, s: State):
-    """Take a root, with all that it carries, as far back to its anchor as costs nothing hard."""
-    o0 = t[0].object_start[p]
-    o = o0 + root
-    old = s.poses[candidate, root]
-    d = s.anchors[candidate, root] - old
-    d[3] = wrap(d[3], TURN)
-    if wp.dot(d, d) < 1.0e-12:
-        return
-    first = t[0].group_start[o]
-    last = first + t[0].member_start[o + 1] - t[0].member_start[o]
-    for k in range(4):
-        carry(t, o0, s, candidate, root, old + (1.0 - 0.25 * float(k)) * d, 0)
-        choose_options(t, w, p, candidate, first, last, s)
-        e, _share, soft, _g = members_energy(t, m, w, p, candidate, root, s)
-        if e - soft <= SOLVED:
-            update_cells(t, p, candidate, first, last, s)
-            return
-    carry(t, o0, s, candidate, root, old, 0)
-    choose_options(t, w, p, candidate, first, last, s)
-
-
-@wp.func(inline=False)
-def survey(
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
-    p: wp.int32,
-    candidate: wp.int32,
-    s: State,
-    energy: wp.array2d(dtype=wp.float32),
-    stay: wp.int32,
-):
-    """Energy of every root into ``energy``; returns the candidate's total and the soft part of it.
-
-    With stay = 1 soft terms do not count in ``energy``: they are no reason to move anything.
-    """
-    o0 = t[0].object_start[p]
-    total = float(0.0)
-    soft = float(0.0)
-    for obj in range(t[0].object_start[p + 1] - o0):
-        energy[candidate, obj] = 0.0
-        if t[0].member_start[o0 + obj + 1] > t[0].member_start[o0 + obj]:
-            e, share, f, _g = members_energy(t, m, w, p, candidate, obj, s)
-            total += share
-            soft += f
-            if t[0].object_free[o0 + obj] != 0:
-                energy[candidate, obj] = wp.where(stay == 1, wp.max(e - f - SOLVED, 0.0), e)
-    return total, soft
-
-
-@wp.func(inline=False)
-def begin(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, s: State, how: wp.int32):
-    """Draw every free object anew: anywhere (1), or from its relations, those that place others first (2)."""
-    o0 = t[0].object_start[p]
-    n = t[0].object_start[p + 1] - o0
-    for depth in range(4):
-        for obj in range(n):
-            if t[0].object_root[o0 + obj] == obj and t[0].object_free[o0 + obj] != 0:
-                chain = int(0)
-                parent = t[0].object_parent[o0 + obj]
-                while parent >= 0 and chain < 3:
-                    parent = t[0].object_parent[o0 + parent]
-                    chain += 1
-                if chain == depth:
-                    old = s.poses[candidate, obj]
-                    set_pose(s, candidate, obj, random_start(t, p, obj, s, candidate))
-                    if how == 2:
-                        settle(t, w, p, obj, s, candidate, 1)
-                        keep_inside(t, p, obj, s, candidate, m.bounds_aim)
-                    pose = s.poses[candidate, obj]
-                    set_pose(s, candidate, obj, old)
-                    carry(t, o0, s, candidate, obj, pose, 0)
-    if t[0].pool_size > 0:
-        for obj in range(n):
-            if t[0].deck_start[o0 + obj + 1] > t[0].deck_start[o0 + obj]:
-                shuffle(t, p, obj, s, candidate, int(uniform(s, candidate) * 1.0e9))
-
-
-@wp.func(inline=False)
-def make_move(
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
-    p: wp.int32,
-    candidate: wp.int32,
-    s: State,
-    trial: State,
-    energy: wp.array2d(dtype=wp.float32),
-    mark: wp.float32,
-    heat: wp.float32,
-    level: wp.float32,
-    proposals: wp.int32,
-    stay: wp.int32,
-    stamp: wp.int32,
-):
-    """One move: pick an object, draw poses for it, take the best.
-
-    The mark picks: energies laid end to end, it falls on the object to move, or rather on what that is placed by.
-    """
-    o0 = t[0].object_start[p]
-    left = mark
+def pick_object(n: wp.int32, candidate: wp.int32, energy: wp.array2d(dtype=wp.float32), u: wp.float32):
+    """The object on which a share u of all energies falls, laid end to end; -1 when there is none."""
+    sum = float(0.0)
+    for i in range(n):
+        sum += energy[candidate, i]
+    left = u * sum
     obj = int(-1)
-    for i in range(t[0].object_start[p + 1] - o0):
+    for i in range(n):
         e = energy[candidate, i]
         if e > 0.0 and left >= 0.0:
             obj = i
             left -= e
-    parent = t[0].object_parent[o0 + obj]
-    whole = int(0)
-    if parent >= 0 and uniform(s, candidate) < wp.where(stay == 1, 0.1, 0.25):
-        obj = parent
-        whole = 1
-    elif uniform(s, candidate) < 0.5:
-        whole = 1
-    o = o0 + obj
-    first = t[0].group_start[o]
-    last = t[0].group_start[o + 1]
-    if whole == 0:
-        last = first + t[0].member_start[o + 1] - t[0].member_start[o]
-    decks = t[0].pool_size > 0 and t[0].deck_start[o + 1] > t[0].deck_start[o]
-    old = s.poses[candidate, obj]
-    for k in range(first, last):
-        s.mark[candidate, t[0].group[k]] = stamp
-    before = group_energy(t, m, w, p, candidate, first, last, s, FAR, stamp)
-    bar = before - heat * wp.log(uniform(s, candidate) + 1.0e-9)
-    least = bar
-    chosen = old
-    chosen_key = int(-1)
-    for _k in range(proposals):
-        key = int(-1)
-        pose = old
-        if decks and uniform(s, candidate) < 0.3:
-            key = int(uniform(s, candidate) * 1.0e9)
-        if key < 0 or uniform(s, candidate) < 0.5:
-            scale = 0.02 + 0.4 * level * uniform(s, candidate)
-            propose(t, m, w, p, obj, trial, candidate, scale, wp.where(stay == 1, 0.35, 0.65))
-            pose = trial.poses[candidate, obj]
-            set_pose(trial, candidate, obj, old)
-        carry(t, o0, trial, candidate, obj, pose, whole)
-        if key >= 0:
-            shuffle(t, p, obj, trial, candidate, key)
-        choose_options(t, w, p, candidate, first, last, trial)
-        e = group_energy(t, m, w, p, candidate, first, last, trial, least, stamp)
-        if e < least:
-            least = e
-            chosen = pose
-            chosen_key = key
-        copy_group(t, p, candidate, first, last, s, trial)
-    if least < bar:
-        carry(t, o0, s, candidate, obj, chosen, whole)
-        if chosen_key >= 0:
-            shuffle(t, p, obj, s, candidate, chosen_key)
-        choose_options(t, w, p, candidate, first, last, s)
-        copy_group(t, p, candidate, first, last, s, trial)
-        update_cells(t, p, candidate, first, last, s)
-        for k in range(first, last):
-            i = t[0].group[k]
-            if energy[candidate, i] > 0.0 or i == obj:
-                ei, _h, fi, _g = members_energy(t, m, w, p, candidate, i, s)
-                energy[candidate, i] = wp.where(stay == 1, wp.max(ei - fi - SOLVED, 0.0), ei)
+    return obj
+
+
+@wp.func
+def next_object(
+    t: TablesRef,
+    o0: wp.int32,
+    n: wp.int32,
+    candidate: wp.int32,
+    energy: wp.array2d(dtype=wp.float32),
+    obj: wp.int32,
+    faulty: wp.bool,
+):
+    """The next free object after this one (of those with energy, if only faulty ones count); n at the end."""
+    obj += 1
+    while obj < n and (t[0].object_free[o0 + obj] == 0 or (faulty and energy[candidate, obj] <= SOLVED)):
+        obj += 1
+    return obj
+
+
+@wp.func
+def off_square(t: TablesRef, p: wp.int32, pose: wp.vec4):
+    """By how much a pose is turned against the room's first wall, modulo a quarter."""
+    plane = t[0].plane[t[0].plane_start[p]]
+    return wrap(pose[3] - wp.atan2(plane[1], plane[0]), QUARTER)
 
 
 @wp.kernel
@@ -452,78 +92,298 @@ def search(
     # Problem:
     t: TablesRef,
     m: Margins,
-    w: Weights,
-    budget: Budget,
+    w_given: Weights,
+    plan: Plan,
     problem: wp.array(dtype=wp.int32),
-    active: wp.array(dtype=wp.int32),
+    # State in:
+    open: wp.array(dtype=wp.int32),
+    clock: wp.array(dtype=wp.int32),
     # State in and out:
     s: State,
-    trial: State,
+    energy: wp.array2d(dtype=wp.float32),
     # State out:
-    energy_out: wp.array2d(dtype=wp.float32),
     total_out: wp.array(dtype=wp.float32),
 ):
-    """Search each active candidate in place; ``trial`` is scratch of the same shape."""
-    candidate = active[wp.tid()]
+    """Search each open candidate in place for one round. A warp a candidate."""
+    candidate = wp.tid() // lanes()
+    me = lane()
+    width = lanes()
+    if open[candidate] == 0:
+        return
     p = problem[candidate]
     o0 = t[0].object_start[p]
     n = t[0].object_start[p + 1] - o0
-    r0 = t[0].relation_start[p]
-    if budget.start == 3:
-        for obj in range(n):
-            set_pose(s, candidate, obj, s.anchors[candidate, obj])
-    elif budget.start > 0:
-        begin(t, m, w, p, candidate, s, budget.start)
-    for r in range(r0, t[0].relation_start[p + 1]):
-        s.options[candidate, r - r0] = best_option(t, w, o0, r, s, candidate)
-        trial.options[candidate, r - r0] = s.options[candidate, r - r0]
-    for obj in range(n):
-        trial.poses[candidate, obj] = s.poses[candidate, obj]
-        trial.turns[candidate, obj] = s.turns[candidate, obj]
-    fill_cells(t, p, candidate, s)
+    round = clock[0] % plan.rounds
+    stay = plan.start == GIVEN and clock[0] // plan.rounds < plan.at_home
+    w = w_given
+    if not stay:
+        w.pull = 0.0
+    hot = wp.where(stay, plan.hot_at_home, plan.hot)
+    for obj in range(me, n, width):
+        s.mark[candidate, obj] = 0
+    if crowded(n, s) and me == 0:
+        fill_cells(t, p, candidate, s)
+    meet()
 
     movable = wp.max(t[0].movable[p], 2)
-    moves = budget.moves * movable
+    moves = plan.moves * movable
     refresh = wp.max(4, movable // 2)
-    total = float(0.0)
+    phase = int(MOVING)
+    move = int(0)
     lingered = int(0)
-    done = bool(False)
-    for move in range(moves):
-        if move % refresh == 0:
-            all, soft = survey(t, m, w, p, candidate, s, energy_out, budget.stay)
-            total = all
-            if all - soft <= SOLVED:
-                lingered += refresh
-                done = soft <= SOLVED or lingered > budget.linger * movable or budget.stay == 1
-        sum = float(0.0)
-        for obj in range(n):
-            sum += energy_out[candidate, obj]
-        if done or sum <= 0.0:
-            done = True
-            break
-        level = 1.0 - (float(budget.round) + float(move) / float(moves)) / float(budget.rounds)
-        heat = budget.hot * level * level
-        if lingered > 0:
-            heat = 0.0
-        mark = uniform(s, candidate) * sum
-        make_move(
-            t, m, w, p, candidate, s, trial, energy_out, mark, heat, level, budget.proposals, budget.stay, move + 1
-        )
-    for _sweep in range(budget.polish):
-        if done:
-            break
-        for obj in range(n):
-            if t[0].object_free[o0 + obj] != 0:
-                descend(t, m, w, p, candidate, obj, s)
-        all, soft = survey(t, m, w, p, candidate, s, energy_out, budget.stay)
-        total = all
-        done = all <= SOLVED or (budget.stay == 1 and all - soft <= SOLVED)
-    if done:
-        for _again in range(1 + budget.stay):  # what goes back may clear the way for another
-            for obj in range(n):
-                if t[0].object_free[o0 + obj] != 0:
-                    if budget.stay == 1:
-                        go_back(t, m, w, p, candidate, obj, s)
-                    else:
-                        square_up(t, m, w, p, candidate, obj, s)
-    total_out[candidate] = total
+    sweep = int(0)
+    tidied = int(0)  # passes
+    solved = bool(False)
+    total = float(0.0)
+    obj = int(0)
+    cursor = int(-1)  # where polishing or tidying is among the objects
+    first = int(0)  # the range of its group that goes along
+    last = int(0)
+    stamp = int(0)
+    heat = float(0.0)  # how much a move may cost
+    scale = float(0.0)
+    draft = bool(False)
+    base = float(0.0)  # energy that a step has to beat
+    step = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    job = int(SURVEY)
+    while job != STOP:
+        count = int(1)
+        if job == SURVEY:
+            count = n
+        elif job == RATE:
+            count = last - first
+        elif job == MOVE:
+            count = plan.proposals
+        elif job == STEP:
+            count = plan.tries
+        elif job == SQUARE:
+            count = 2
+        elif job == RETURN:
+            count = BACK_STEPS
+
+        # The trials, each by a team of lanes.
+        team = team_for(count)
+        part = Share(me % team, team)
+        old = s.poses[candidate, obj]
+        share_sum = float(0.0)
+        soft_sum = float(0.0)
+        least = float(FAR)
+        least_k = int(0)
+        least_pose = old
+        least_draft = int(0)
+        g = wp.vec4(0.0, 0.0, 0.0, 0.0)
+        for k in range(me // team, count, width // team):
+            who = int(obj)
+            if job == SURVEY:
+                who = k
+            elif job == RATE:
+                who = t[0].group[first + k]
+            pose = s.poses[candidate, who]
+            view = View()
+            view.best = 1
+            if job == MOVE:
+                anew = bool(True)
+                if draft:
+                    u = uniform(s, candidate)
+                    if u < 0.3:
+                        view.draft = 1
+                    anew = u > 0.15
+                if anew:
+                    near = 0.02 + scale * uniform(s, candidate)
+                    pose = propose(t, m, w, p, obj, pose, s, candidate, near, wp.where(stay, 0.35, 0.65))
+            elif job == STEP:
+                pose = pose + wp.pow(SHORTER, float(k)) * step
+            elif job == SQUARE and k == 0:
+                pose[3] = pose[3] - off_square(t, p, pose)
+            elif job == RETURN:
+                d = s.anchors[candidate, obj] - pose
+                d[3] = wrap(d[3], TURN)
+                pose = pose + (1.0 - float(k) / float(BACK_STEPS)) * d
+            from_k = int(first)
+            to_k = int(last)
+            if job == SURVEY or job == RATE:
+                from_k = t[0].group_start[o0 + who]
+                to_k = members_end(t, o0 + who)
+            elif job != GRADIENT:
+                view.stamp = stamp
+                view.before = old
+                view.after = pose
+                view.spin = wp.vec2(wp.cos(pose[3] - old[3]), wp.sin(pose[3] - old[3]))
+            limit = float(FAR)
+            if job == MOVE or job == STEP:
+                limit = wp.min(least, base + heat)
+            e = float(0.0)
+            share = float(0.0)
+            soft = float(0.0)
+            if to_k > from_k:
+                e, share, soft, g = group_energy(t, m, w, p, candidate, from_k, to_k, s, limit, view, part)
+            if job == SURVEY or job == RATE:
+                if part.first == 0:
+                    share_sum += share
+                    soft_sum += soft
+                rating = float(0.0)
+                if to_k > from_k and t[0].object_free[o0 + who] != 0:
+                    rating = e
+                    if stay:  # soft terms are no reason to move anything
+                        rating = wp.max(e - soft - SOLVED, 0.0)
+                if part.first == 0:
+                    energy[candidate, who] = rating
+            elif job == STAND or job == GRADIENT:
+                base = e
+            elif job == RETURN:
+                if least == FAR and e - soft <= SOLVED:
+                    least = float(k)
+                    least_pose = pose
+            elif e < least:
+                least = e
+                least_k = k
+                least_pose = pose
+                least_draft = view.draft
+
+        # What comes of them.
+        moved = bool(False)
+        if job == SURVEY:
+            total = sum_of(share_sum)
+            soft_total = sum_of(soft_sum)
+            if phase == MOVING:
+                if total - soft_total <= SOLVED:
+                    lingered += refresh
+                    solved = soft_total <= SOLVED or lingered > plan.linger * movable or stay
+            else:
+                solved = total <= SOLVED or (stay and total - soft_total <= SOLVED)
+        elif job == MOVE or job >= STEP:
+            winner = lowest(least)
+            least = number_of(least, winner)
+            if job == MOVE:
+                moved = least < base + heat
+            elif job == STEP:
+                moved = least < base
+            elif job == SQUARE:
+                moved = index_of(least_k, winner) == 0
+            else:
+                moved = least < FAR
+            if moved:
+                view = View()
+                view.stamp = stamp
+                view.before = old
+                view.after = pose_of(least_pose, winner)
+                view.draft = index_of(least_draft, winner)
+                turned = view.after[3] - old[3]
+                view.spin = wp.vec2(wp.cos(turned), wp.sin(turned))
+                for k in range(first + me, last, width):
+                    pose, _q = seen(s, candidate, t[0].group[k], view)
+                    set_pose(s, candidate, t[0].group[k], pose)
+                if crowded(n, s):
+                    meet()
+                    if me == 0:
+                        for k in range(first, last):
+                            change_cell(t, p, candidate, t[0].group[k], s)
+        meet()
+
+        # What next.
+        done = int(job)
+        if phase == MOVING:
+            if done == STAND:
+                job = MOVE
+            elif done == MOVE and moved:
+                job = RATE
+            elif solved:
+                phase = TIDYING
+            elif done != SURVEY and move % refresh == 0:
+                job = SURVEY
+            elif move >= moves:
+                phase = POLISHING
+            else:
+                job = STAND
+                chosen = pick_object(n, candidate, energy, common(s, candidate))
+                if chosen < 0:  # nothing that is free to move is at fault
+                    phase = TIDYING
+                else:
+                    obj = chosen
+                    whole = bool(False)
+                    u = common(s, candidate)
+                    v = common(s, candidate)
+                    if t[0].object_parent[o0 + obj] >= 0 and u < wp.where(stay, 0.1, 0.25):
+                        obj = t[0].object_parent[o0 + obj]
+                        whole = True
+                    elif v < 0.5:
+                        whole = True
+                    first = t[0].group_start[o0 + obj]
+                    last = t[0].group_start[o0 + obj + 1]
+                    if not whole:
+                        last = members_end(t, o0 + obj)
+                    level = 1.0 - (float(round) + float(move) / float(moves)) / float(plan.rounds)
+                    scale = 0.4 * level
+                    heat = float(0.0)
+                    if lingered == 0:
+                        heat = -hot * level * level * wp.log(common(s, candidate) + 1.0e-9)
+                    # lanes of a team have to draw the same pose
+                    slot = me // team_for(plan.proposals)
+                    s.stream[candidate, me] = wp.rand_init(int(2.0e9 * common(s, candidate)), slot)
+                    draft = t[0].pool_size > 0 and t[0].deck_start[o0 + obj + 1] > t[0].deck_start[o0 + obj]
+                    move += 1
+        if phase == POLISHING:
+            heat = float(0.0)
+            arm = 0.3 * t[0].object_radius[o0 + obj][0] + 0.05
+            scaled = wp.vec4(g[0], g[1], g[2], g[3] / (arm * arm))
+            gg = wp.dot(g, scaled)
+            if done == SURVEY and solved:
+                phase = TIDYING
+                cursor = -1
+            elif done == GRADIENT and base > SOLVED and gg > 1.0e-12:
+                job = STEP
+                size = 1.8 * base / gg
+                reach = size * wp.sqrt(wp.dot(scaled, wp.vec4(g[0], g[1], g[2], arm * arm * scaled[3])))
+                if reach > STRIDE:
+                    size = size * STRIDE / reach
+                step = -size * scaled
+            elif sweep >= plan.polish:
+                job = STOP
+            else:
+                job = GRADIENT
+                cursor = next_object(t, o0, n, candidate, energy, cursor, True)
+                if cursor < n:
+                    obj = cursor
+                else:
+                    job = SURVEY
+                    cursor = -1
+                    sweep += 1
+        if phase == TIDYING:
+            heat = float(0.0)
+            job = STOP
+            while job == STOP and tidied <= wp.where(stay, 1, 0):  # what goes back may clear the way for another
+                cursor = next_object(t, o0, n, candidate, energy, cursor, False)
+                if cursor < n:
+                    obj = cursor
+                if cursor >= n:
+                    cursor = -1
+                    tidied += 1
+                elif stay:
+                    d = s.anchors[candidate, obj] - s.poses[candidate, obj]
+                    d[3] = wrap(d[3], TURN)
+                    if wp.dot(d, d) > 1.0e-12:
+                        job = RETURN
+                elif t[0].object_free[o0 + obj] & FREE_YAW and t[0].plane_start[p + 1] > t[0].plane_start[p]:
+                    off = wp.abs(off_square(t, p, s.poses[candidate, obj]))
+                    if off > 1.0e-6 and off < ALMOST_SQUARE:
+                        job = SQUARE
+        if job >= STAND and job != MOVE and job != STOP:
+            if job != STAND:
+                first = t[0].group_start[o0 + obj]
+                last = members_end(t, o0 + obj)
+                draft = False
+            stamp += 1
+            for k in range(first + me, last, width):
+                i = t[0].group[k]
+                carried = t[0].object_root[o0 + i] == obj
+                s.mark[candidate, i] = wp.where(carried, -stamp, stamp)
+                if draft:
+                    s.draft[candidate, i] = s.poses[candidate, i]
+            if draft:
+                meet()
+                key = int(1.0e9 * common(s, candidate))
+                if me == 0:
+                    shuffle(t, p, obj, candidate, key, s.draft)
+        meet()  # what was read above the next job's trials may write
+    if me == 0:
+        total_out[candidate] = total

@@ -125,11 +125,37 @@ class State:
     turns: wp.array2d(dtype=wp.vec2)  # cos, sin of yaw
     options: wp.array2d(dtype=wp.int32)  # chosen option of each relation, an index into row_start
     anchors: wp.array2d(dtype=wp.vec4)  # where Weights.pull pulls to
-    rng: wp.array(dtype=wp.uint32)  # one stream a candidate
-    mark: wp.array2d(dtype=wp.int32)  # the move that an object takes part in
+    rng: wp.array(dtype=wp.uint32)  # seed of each candidate's random streams
+    stream: wp.array2d(dtype=wp.uint32)  # [candidate, lane]: the search's streams; the last: the candidate's own
+    mark: wp.array2d(dtype=wp.int32)  # the move that an object takes part in, see `View`
+    draft: wp.array2d(dtype=wp.vec4)  # surfaces laid out otherwise, see `View`
     cell_head: wp.array2d(dtype=wp.int32)  # [candidate, cell]: first object of the cell; -1: none
     cell_next: wp.array2d(dtype=wp.int32)  # next object of the same cell
     cell_of: wp.array2d(dtype=wp.int32)
+
+
+@wp.struct
+class View:
+    """A look at a candidate as if some of its objects had moved already, and as its discrete choices stand.
+
+    Objects whose ``mark`` is the stamp turn and move with a body from one pose to another; where it is minus the
+    stamp they also rise with it, and with ``draft`` = 1 they start from ``State.draft``. Stamp 0: nothing moves.
+    """
+
+    stamp: wp.int32
+    draft: wp.int32
+    before: wp.vec4
+    after: wp.vec4
+    spin: wp.vec2  # (cos, sin) of the turn
+    best: wp.int32  # 1: relations choose their best option; 0: they keep to ``State.options``
+
+
+@wp.struct
+class Share:
+    """Which of the terms of an energy a thread adds up: every ``of``-th from ``first``."""
+
+    first: wp.int32
+    of: wp.int32
 
 
 @wp.struct

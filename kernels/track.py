@@ -1,4 +1,4 @@
-"""Small services on layouts: the (cos, sin) of yaws, keeping the best of each candidate."""
+"""Small services on layouts: the (cos, sin) of yaws, the best of each candidate, who is done, the clock."""
 
 import warp as wp
 
@@ -12,17 +12,17 @@ def keep_best(
     # Problem:
     t: TablesRef,
     problem: wp.array(dtype=wp.int32),
-    active: wp.array(dtype=wp.int32),
     # State in:
+    open: wp.array(dtype=wp.int32),
     s: State,
     total: wp.array(dtype=wp.float32),
     # State out:
     best_out: State,
     best_total_out: wp.array(dtype=wp.float32),
 ):
-    """Copy a candidate's layout when its energy is the lowest so far."""
-    candidate = active[wp.tid()]
-    if not total[candidate] < best_total_out[candidate]:
+    """Copy an open candidate's layout when its energy is the lowest so far."""
+    candidate = wp.tid()
+    if open[candidate] == 0 or not total[candidate] < best_total_out[candidate]:
         return
     p = problem[candidate]
     best_total_out[candidate] = total[candidate]
@@ -44,3 +44,45 @@ def set_turns(
     candidate, obj = wp.tid()
     yaw = poses[candidate, obj][3]
     turns_out[candidate, obj] = wp.vec2(wp.cos(yaw), wp.sin(yaw))
+
+
+@wp.kernel
+def tick(
+    # State out:
+    clock_out: wp.array(dtype=wp.int32),
+    left_out: wp.array(dtype=wp.int32),
+):
+    """Another step; nobody counted yet who is left. One thread."""
+    clock_out[0] = clock_out[0] + 1
+    left_out[0] = 0
+
+
+@wp.kernel
+def close(
+    # State in:
+    status: wp.array(dtype=wp.int8),
+    # State in and out:
+    open: wp.array(dtype=wp.int32),
+    # State out:
+    left_out: wp.array(dtype=wp.int32),
+):
+    """Close the candidates that are valid and count those that are not."""
+    candidate = wp.tid()
+    if open[candidate] == 1:
+        if int(status[candidate]) == 0:
+            open[candidate] = 0
+        else:
+            wp.atomic_add(left_out, 0, 1)
+
+
+@wp.kernel
+def proceed(
+    # State in:
+    clock: wp.array(dtype=wp.int32),
+    left: wp.array(dtype=wp.int32),
+    steps: wp.int32,
+    # State out:
+    more_out: wp.array(dtype=wp.int32),
+):
+    """Whether another step is due. One thread."""
+    more_out[0] = wp.where(left[0] > 0 and clock[0] < steps, 1, 0)

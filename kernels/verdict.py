@@ -154,16 +154,17 @@ def judge_objects(
     t: TablesRef,
     m: Margins,
     problem: wp.array(dtype=wp.int32),
-    active: wp.array(dtype=wp.int32),
     # State in:
+    open: wp.array(dtype=wp.int32),
     poses: wp.array2d(dtype=wp.vec4),
     turns: wp.array2d(dtype=wp.vec2),
     # State out:
     fault_out: wp.array2d(dtype=wp.int8),
 ):
-    """Fault of every object, [candidate, object]: 0, BROKEN or DIVERGED. A pair is charged to both."""
-    slot, obj = wp.tid()
-    candidate = active[slot]
+    """Fault of every object of the open candidates: 0, BROKEN or DIVERGED. A pair is charged to both."""
+    candidate, obj = wp.tid()
+    if open[candidate] == 0:
+        return
     p = problem[candidate]
     o0 = t[0].object_start[p]
     n = t[0].object_start[p + 1] - o0
@@ -196,16 +197,17 @@ def judge_relations(
     # Problem:
     t: TablesRef,
     problem: wp.array(dtype=wp.int32),
-    active: wp.array(dtype=wp.int32),
     # State in:
+    open: wp.array(dtype=wp.int32),
     poses: wp.array2d(dtype=wp.vec4),
     turns: wp.array2d(dtype=wp.vec2),
     # State out:
     holds_out: wp.array2d(dtype=wp.bool),
 ):
-    """Whether each relation holds under any of its options, [candidate, relation]."""
-    slot, rel = wp.tid()
-    candidate = active[slot]
+    """Whether each relation of the open candidates holds under any of its options, [candidate, relation]."""
+    candidate, rel = wp.tid()
+    if open[candidate] == 0:
+        return
     p = problem[candidate]
     r = t[0].relation_start[p] + rel
     if r >= t[0].relation_start[p + 1]:
@@ -225,15 +227,17 @@ def judge_candidates(
     # Problem:
     t: TablesRef,
     problem: wp.array(dtype=wp.int32),
-    active: wp.array(dtype=wp.int32),
     # State in:
+    open: wp.array(dtype=wp.int32),
     fault: wp.array2d(dtype=wp.int8),
     holds: wp.array2d(dtype=wp.bool),
     # State out:
     status_out: wp.array(dtype=wp.int8),
 ):
-    """Status of every candidate: 0 valid, 1 broken, 2 a hard relation is unmet, 3 diverged."""
-    candidate = active[wp.tid()]
+    """Status of every open candidate: 0 valid, 1 broken, 2 a hard relation is unmet, 3 diverged."""
+    candidate = wp.tid()
+    if open[candidate] == 0:
+        return
     p = problem[candidate]
     status = int(VALID)
     r0 = t[0].relation_start[p]

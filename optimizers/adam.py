@@ -6,15 +6,14 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.adam import Schedule, adam_step, choose, tick
-from sceneweaver.kernels.search import Budget, search
 from sceneweaver.kernels.track import keep_best
 
 from .base import Monitor, Outcome, Start, register
 from .batch import Batch, judge
+from .search import draw_starts
 
 STEPS = 400
 REASSIGN = 20  # steps between two looks at which wall or side each relation means
-STARTS = {"given": 0, "random": 1, "sample": 2}
 
 
 def _schedule(steps: int, start: Start) -> Schedule:
@@ -25,21 +24,6 @@ def _schedule(steps: int, start: Start) -> Schedule:
     schedule.noise = 0.03 if start != "given" else 0.005
     schedule.quiet = 0.6
     return schedule
-
-
-def draw_starts(batch: Batch, start: Start) -> None:
-    """Draw the poses that an optimiser starts from, in place."""
-    if STARTS[start] == 0:
-        return
-    budget = Budget()
-    budget.start, budget.rounds = STARTS[start], 1
-    everyone = wp.array(np.arange(batch.size, dtype=np.int32), dtype=wp.int32, device=batch.device)
-    trial = batch.scratch()
-    trial.rng, trial.mark = batch.state.rng, batch.state.mark
-    energy = wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.float32, device=batch.device)
-    total = wp.zeros(batch.size, dtype=wp.float32, device=batch.device)
-    inputs = [batch.tables, batch.margins, batch.weights, budget, batch.problem, everyone, batch.state, trial]
-    wp.launch(search, batch.size, inputs, [energy, total], device=batch.device)
 
 
 @register("adam")
@@ -58,7 +42,7 @@ def run_adam(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -
     total = wp.zeros(batch.size, dtype=wp.float32, device=device)
     best_total = wp.full(batch.size, float("inf"), dtype=wp.float32, device=device)
     clock = wp.zeros(1, dtype=wp.int32, device=device)
-    everyone = wp.array(np.arange(batch.size, dtype=np.int32), dtype=wp.int32, device=device)
+    everyone = wp.full(batch.size, 1, dtype=wp.int32, device=device)
     schedule = _schedule(steps, start)
     here, there = state, other
     for step in range(steps + 1):

@@ -32,6 +32,11 @@ class Monitor:
             self.timed_out = True
         return self.timed_out
 
+    @property
+    def watched(self) -> bool:
+        """True when someone wants to hear of progress or to cut the run off."""
+        return self.deadline is not None or self.report is not None
+
     def add(self, done: int, valid: int, best: float) -> None:
         """Candidates finished, how many of them valid, and the lowest energy seen."""
         self.done += done

@@ -8,9 +8,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 import warp as wp
 
+from sceneweaver.kernels.lanes import WARP
 from sceneweaver.kernels.tables import Margins, State, Tables, Weights
 from sceneweaver.kernels.track import set_turns
 from sceneweaver.kernels.verdict import judge_candidates, judge_objects, judge_relations
+
+STATE = (
+    "poses", "turns", "options", "anchors", "rng", "stream", "mark", "draft", "cell_head", "cell_next", "cell_of",
+)  # fmt: skip
 
 
 @dataclass
@@ -40,7 +45,7 @@ class Batch:
     def part(self, first: int, last: int) -> Batch:
         """Candidates first to last as a batch that shares this one's memory."""
         state = State()
-        for name in ("poses", "turns", "options", "anchors", "rng", "mark", "cell_head", "cell_next", "cell_of"):
+        for name in STATE:
             setattr(state, name, getattr(self.state, name)[first:last])
         return replace(self, problem=self.problem[first:last], state=state)
 
@@ -61,6 +66,11 @@ class Verdict:
 Progress = Callable[[int, int, int, float], None]
 
 
+def lanes_on(device: str) -> int:
+    """Threads that work on one candidate where a kernel deals its loops out over lanes."""
+    return 1 if device == "cpu" else WARP
+
+
 def new_state(candidates: int, objects: int, relations: int, device: str) -> State:
     """A state of zeros."""
     state = State()
@@ -70,7 +80,9 @@ def new_state(candidates: int, objects: int, relations: int, device: str) -> Sta
     state.options = wp.zeros(links, dtype=wp.int32, device=device)
     state.anchors = wp.zeros(shape, dtype=wp.vec4, device=device)
     state.rng = wp.zeros(candidates, dtype=wp.uint32, device=device)
+    state.stream = wp.zeros((candidates, lanes_on(device) + 1), dtype=wp.uint32, device=device)
     state.mark = wp.zeros(shape, dtype=wp.int32, device=device)
+    state.draft = wp.zeros(shape, dtype=wp.vec4, device=device)
     for name in ("cell_head", "cell_next", "cell_of"):  # no cells: all pairs are looked at
         setattr(state, name, wp.zeros((candidates, 1), dtype=wp.int32, device=device))
     return state
@@ -102,28 +114,52 @@ def load_poses(batch: Batch, poses: np.ndarray) -> None:
     wp.launch(set_turns, batch.state.poses.shape, [batch.state.poses], [batch.state.turns], device=batch.device)
 
 
-def judge(batch: Batch, active: wp.array | None = None) -> Verdict:
-    """Verdict on the active candidates (all by default); rows of the others are zero."""
+@dataclass
+class Court:
+    """Where the verdict on a batch is written, on its device: status [B], fault [B, N], holds [B, R]."""
+
+    status: wp.array
+    fault: wp.array
+    holds: wp.array
+
+
+def new_court(batch: Batch) -> Court:
+    """Room for a verdict on a batch."""
+    return Court(
+        wp.zeros(batch.size, dtype=wp.int8, device=batch.device),
+        wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.int8, device=batch.device),
+        wp.zeros((batch.size, max(batch.relations, 1)), dtype=wp.bool, device=batch.device),
+    )
+
+
+def sit(batch: Batch, court: Court, open: wp.array) -> None:
+    """Launch the verdict on the open candidates; what the court holds on the others stays."""
     device, state = batch.device, batch.state
-    if active is None:
-        active = wp.array(np.arange(batch.size, dtype=np.int32), dtype=wp.int32, device=device)
-    fault = wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.int8, device=device)
-    holds = wp.zeros((batch.size, max(batch.relations, 1)), dtype=wp.bool, device=device)
-    status = wp.zeros(batch.size, dtype=wp.int8, device=device)
-    n = active.shape[0]
     wp.launch(
         judge_objects,
-        (n, batch.objects),
-        [batch.tables, batch.margins, batch.problem, active, state.poses, state.turns],
-        [fault],
+        (batch.size, batch.objects),
+        [batch.tables, batch.margins, batch.problem, open, state.poses, state.turns],
+        [court.fault],
         device=device,
     )
     wp.launch(
         judge_relations,
-        (n, batch.relations),
-        [batch.tables, batch.problem, active, state.poses, state.turns],
-        [holds],
+        (batch.size, batch.relations),
+        [batch.tables, batch.problem, open, state.poses, state.turns],
+        [court.holds],
         device=device,
     )
-    wp.launch(judge_candidates, n, [batch.tables, batch.problem, active, fault, holds], [status], device=device)
-    return Verdict(status.numpy(), fault.numpy(), holds.numpy())
+    wp.launch(
+        judge_candidates,
+        batch.size,
+        [batch.tables, batch.problem, open, court.fault, court.holds],
+        [court.status],
+        device=device,
+    )
+
+
+def judge(batch: Batch) -> Verdict:
+    """Verdict on every candidate."""
+    court = new_court(batch)
+    sit(batch, court, wp.full(batch.size, 1, dtype=wp.int32, device=batch.device))
+    return Verdict(court.status.numpy(), court.fault.numpy(), court.holds.numpy())

@@ -5,31 +5,60 @@ from __future__ import annotations
 import numpy as np
 import warp as wp
 
+from sceneweaver.kernels.begin import Plan, begin
 from sceneweaver.kernels.cells import CELLS, CROWD
-from sceneweaver.kernels.search import Budget, search
-from sceneweaver.kernels.tables import State, Weights
-from sceneweaver.kernels.track import keep_best
+from sceneweaver.kernels.search import search
+from sceneweaver.kernels.tables import State
+from sceneweaver.kernels.track import close, keep_best, proceed, set_turns, tick
 
 from .base import Monitor, Outcome, Start, register
-from .batch import Batch, judge
+from .batch import STATE, Batch, judge, lanes_on, new_court, sit
 
 ATTEMPTS = 10
-ROUNDS = 8
-MOVES = 4  # in a round, for each movable object
-PROPOSALS = 5
-POLISH = 6
+AT_HOME = 3  # attempts from the given poses before anything is drawn anew
 LINGER = 2
 HOT = 0.3  # [m]
 HOT_AT_HOME = 0.05  # the same when little should move
-AT_HOME = 3  # attempts from the given poses before anything is drawn anew
 STARTS = {"given": 0, "random": 1, "sample": 2}
-FROM_ANCHORS = 3
+# A GPU tries many poses in the time of one, so that it needs fewer moves; measured on one H200 (docs/gpu.md).
+ROUNDS = {"cpu": 8, "cuda": 4}
+MOVES = {"cpu": 4, "cuda": 2}  # in a round, for each movable object
+PROPOSALS = {"cpu": 5, "cuda": 15}
+POLISH = {"cpu": 6, "cuda": 2}
+TRIES = {"cpu": 3, "cuda": 4}  # step lengths of one gradient step
+BLOCK = 32  # threads of a block on a GPU: one warp, so that a block ends with its candidate
+
+
+def plan_for(device: str, start: Start, attempts: int = ATTEMPTS) -> Plan:
+    """The plan of a search on a kind of device."""
+    kind = device.partition(":")[0]
+    plan = Plan()
+    plan.rounds, plan.steps = ROUNDS[kind], ROUNDS[kind] * attempts
+    plan.start, plan.at_home = STARTS[start], AT_HOME
+    plan.moves, plan.proposals, plan.tries = MOVES[kind], PROPOSALS[kind], TRIES[kind]
+    plan.polish, plan.linger, plan.hot, plan.hot_at_home = POLISH[kind], LINGER, HOT, HOT_AT_HOME
+    return plan
+
+
+def draw_starts(batch: Batch, start: Start) -> None:
+    """Draw the poses that an optimiser starts from, in place; "given" leaves them as they are."""
+    device = batch.device
+    everyone = wp.full(batch.size, 1, dtype=wp.int32, device=device)
+    clock = wp.zeros(1, dtype=wp.int32, device=device)
+    inputs = [batch.tables, batch.margins, batch.weights, plan_for(device, start), batch.problem, everyone, clock]
+    _launch(begin, batch, inputs, [batch.state])
+
+
+def _launch(kernel, batch: Batch, inputs: list, outputs: list) -> None:
+    """Launch a kernel whose lanes work on one candidate."""
+    dim = batch.size * lanes_on(batch.device)
+    wp.launch(kernel, dim, inputs, outputs, device=batch.device, block_dim=BLOCK)
 
 
 def _with_cells(batch: Batch) -> State:
     """The batch's state, with cells when there are enough objects for them to pay; only searches keep them current."""
     state = State()
-    for name in ("poses", "turns", "options", "anchors", "rng", "mark", "cell_head", "cell_next", "cell_of"):
+    for name in STATE:
         setattr(state, name, getattr(batch.state, name))
     if batch.objects > CROWD:
         state.cell_head = wp.zeros((batch.size, CELLS), dtype=wp.int32, device=batch.device)
@@ -38,97 +67,76 @@ def _with_cells(batch: Batch) -> State:
     return state
 
 
-def _without_pull(weights: Weights) -> Weights:
-    copy = Weights()
-    for name in ("collision", "bounds", "zone", "opening", "relation", "knee"):
-        setattr(copy, name, getattr(weights, name))
-    return copy
-
-
-def _budget(round_: int, start: int, stay: bool) -> Budget:
-    budget = Budget()
-    budget.round, budget.rounds = round_, ROUNDS
-    budget.moves, budget.proposals, budget.polish, budget.linger = MOVES, PROPOSALS, POLISH, LINGER
-    budget.hot = HOT_AT_HOME if stay else HOT
-    budget.stay = int(stay)
-    budget.start = start if round_ == 0 else 0
-    return budget
-
-
 @register("search")
 def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
     """Search every candidate until it is valid; ``budget`` is the number of attempts (default 10).
 
     The first attempt begins as ``start`` says, later ones by drawing from the relations. A candidate that never gets
-    valid ends at the lowest energy found.
+    valid ends at the lowest energy found. On a GPU the whole run is one graph: nothing comes back to the host until
+    all are valid or the attempts are used up, unless there is a deadline or progress to report.
     """
     device = batch.device
-    state, trial, best = _with_cells(batch), batch.scratch(), batch.scratch()
-    for name in ("rng", "mark", "cell_head", "cell_next", "cell_of"):  # one for a candidate, whoever draws
-        setattr(trial, name, getattr(state, name))
+    plan = plan_for(device, start, ATTEMPTS if budget is None else budget)
+    state, best, court = _with_cells(batch), batch.scratch(), new_court(batch)
     energy = wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.float32, device=device)
     total = wp.zeros(batch.size, dtype=wp.float32, device=device)
     best_total = wp.full(batch.size, float("inf"), dtype=wp.float32, device=device)
-    left = np.arange(batch.size, dtype=np.int32)
-    stay, weights = start == "given", batch.weights
-    if stay:  # what is in order already is left alone
+    open_ = wp.full(batch.size, 1, dtype=wp.int32, device=device)
+    clock, left, more = (wp.zeros(1, dtype=wp.int32, device=device) for _ in range(3))
+    solved = 0
+    if start == "given":  # what is in order already is left alone
         status = judge(batch).status
-        left = left[status != 0]
-        monitor.add(batch.size - left.size, batch.size - left.size, 0.0)
+        open_.assign((status != 0).astype(np.int32))
         best_total.assign(np.where(status == 0, 0.0, np.inf).astype(np.float32))
-    for attempt in range(ATTEMPTS if budget is None else budget):
-        mode = STARTS[start] if attempt == 0 else STARTS["sample"]
-        if stay and attempt < AT_HOME:
-            mode = STARTS["given"] if attempt == 0 else FROM_ANCHORS
-        elif stay:  # little movement was not enough: any layout is better than none
-            stay, weights = False, _without_pull(weights)
-        for round_ in range(ROUNDS):
-            if monitor.expired() or not left.size:
-                break
-            active = wp.array(left, dtype=wp.int32, device=device)
-            wp.launch(
-                search,
-                left.size,
-                [
-                    batch.tables,
-                    batch.margins,
-                    weights,
-                    _budget(round_, mode, stay),
-                    batch.problem,
-                    active,
-                    state,
-                    trial,
-                ],
-                [energy, total],
-                device=device,
-            )
-            wp.launch(
-                keep_best,
-                left.size,
-                [batch.tables, batch.problem, active, batch.state, total],
-                [best, best_total],
-                device=device,
-            )
-            status = judge(batch, active).status[left]
-            solved = int(np.sum(status == 0))
-            if solved:
-                monitor.add(solved, solved, float(total.numpy()[left[status == 0]].min()))
-            left = left[status != 0]
-    if left.size:
-        _restore(batch, best, left)
-        monitor.add(left.size, 0, float(best_total.numpy()[left].min()))
-    return Outcome(best_total.numpy())
+        solved = int(np.sum(status == 0))
+        monitor.add(solved, solved, 0.0)
 
+    def step() -> None:
+        """One round of every open candidate."""
+        common = [batch.tables, batch.margins, batch.weights, plan, batch.problem, open_, clock]
+        _launch(begin, batch, common, [state])
+        _launch(search, batch, common, [state, energy, total])
+        wp.launch(
+            keep_best,
+            batch.size,
+            [batch.tables, batch.problem, open_, batch.state, total],
+            [best, best_total],
+            device=device,
+        )
+        wp.launch(set_turns, state.poses.shape, [state.poses], [state.turns], device=device)
+        sit(batch, court, open_)
+        wp.launch(tick, 1, [], [clock, left], device=device)
+        wp.launch(close, batch.size, [court.status], [open_, left], device=device)
+        wp.launch(proceed, 1, [clock, left, plan.steps], [more], device=device)
 
-def _restore(batch: Batch, best, left: np.ndarray) -> None:
-    """Give the unsolved candidates the best layout they had."""
-    active = wp.array(left, dtype=wp.int32, device=batch.device)
-    zero = wp.zeros(batch.size, dtype=wp.float32, device=batch.device)
-    huge = wp.full(batch.size, float("inf"), dtype=wp.float32, device=batch.device)
-    wp.launch(
-        keep_best,
-        left.size,
-        [batch.tables, batch.problem, active, best, zero],
-        [batch.state, huge],
-        device=batch.device,
-    )
+    if solved < batch.size and not monitor.expired():
+        if device == "cpu" or monitor.watched:
+            for _ in range(plan.steps):
+                step()
+                done = batch.size - int(left.numpy()[0])
+                if done > solved:
+                    monitor.add(done - solved, done - solved, 0.0)
+                    solved = done
+                if solved == batch.size or monitor.expired():
+                    break
+        else:
+            more.fill_(1)
+            with wp.ScopedCapture(device=device) as capture:
+                wp.capture_while(more, step)
+            wp.capture_launch(capture.graph)
+            done = batch.size - int(left.numpy()[0])
+            monitor.add(done - solved, done - solved, 0.0)
+            solved = done
+    if solved < batch.size:  # the others get the best layout that they had
+        again = wp.full(batch.size, float("inf"), dtype=wp.float32, device=device)
+        wp.launch(
+            keep_best,
+            batch.size,
+            [batch.tables, batch.problem, open_, best, best_total],
+            [batch.state, again],
+            device=device,
+        )
+    energies = best_total.numpy()
+    if solved < batch.size:
+        monitor.add(batch.size - solved, 0, float(energies[open_.numpy() == 1].min()))
+    return Outcome(energies)

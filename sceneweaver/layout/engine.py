@@ -176,7 +176,7 @@ def solve(
     jobs: Sequence[Job], optimizer: str, steps: int | None, device: str, monitor: Monitor, began: float
 ) -> list[Solution]:
     """Solve jobs in shared launches, rooms of like size together."""
-    load(device, "track", "verdict", "walk", "adam" if optimizer == "adam" else "search")
+    load(device, "track", "verdict", "walk", "begin", "adam" if optimizer == "adam" else "search")
     pools = _pools(jobs, device, monitor.deadline)
     buckets: dict[tuple[str, int], list[int]] = {}
     for i, job in enumerate(jobs):

@@ -117,7 +117,7 @@ def test_relation_at_the_edge(device, kind):
     found = 0
     for params in ({}, PARAMS.get(kind, {})) if kind != "distance" else ({},):
         compiled = compile_scene(related(kind, **params))
-        solved = np.repeat(solutions(compiled, 8, device), 4, axis=0)
+        solved = np.repeat(solutions(compiled, 16, device), 4, axis=0)
         subject = compiled.room.relations[0].objects[0]
         moves = np.zeros(solved.shape)
         moves[:, subject] = rng.normal(size=(len(solved), 4)) * (0.8, 0.8, 0.8, 0.8)

@@ -1,0 +1,98 @@
+"""The start of an attempt: every free object drawn anew, anywhere or from its relations, or back at its anchor."""
+
+import warp as wp
+
+from .groups import carry, set_pose, shuffle
+from .lanes import lane, lanes, meet
+from .sample import keep_inside, random_start, settle, uniform
+from .tables import Margins, State, TablesRef, Weights
+
+# Fast sines on a GPU are good to a few micrometres; the judge gets exact ones (`set_turns`).
+wp.set_module_options({"enable_backward": False, "fast_math": True})
+
+DEPTHS = wp.constant(4)  # objects that others are placed by are drawn before those, down to this depth
+
+# Where an attempt begins, ``Plan.start``.
+GIVEN = 0
+ANYWHERE = 1
+RELATIONS = 2
+
+
+@wp.struct
+class Plan:
+    """How a search goes about it, in work units. A run is attempts of so many rounds; the clock counts rounds."""
+
+    steps: wp.int32  # rounds of all attempts
+    rounds: wp.int32  # rounds of one attempt
+    start: wp.int32  # GIVEN, ANYWHERE or RELATIONS; later attempts draw from the relations
+    at_home: wp.int32  # with GIVEN: attempts that begin there and keep what is in order where it is
+    moves: wp.int32  # in a round, for each movable object
+    proposals: wp.int32
+    polish: wp.int32  # gradient sweeps at the end of a round
+    tries: wp.int32  # step lengths of one gradient step
+    linger: wp.int32  # moves for each movable object spent on soft relations once the hard ones hold
+    hot: wp.float32  # [m] temperature at the start of an attempt
+    hot_at_home: wp.float32
+
+
+@wp.func
+def depth_of(t: TablesRef, o0: wp.int32, obj: wp.int32):
+    """How many objects stand between this one and what places it, in a row."""
+    depth = int(0)
+    parent = t[0].object_parent[o0 + obj]
+    while parent >= 0 and depth < DEPTHS - 1:
+        parent = t[0].object_parent[o0 + parent]
+        depth += 1
+    return depth
+
+
+@wp.kernel
+def begin(
+    # Problem:
+    t: TablesRef,
+    m: Margins,
+    w: Weights,
+    plan: Plan,
+    problem: wp.array(dtype=wp.int32),
+    # State in:
+    open: wp.array(dtype=wp.int32),
+    clock: wp.array(dtype=wp.int32),
+    # State in and out:
+    s: State,
+):
+    """At the first round of an attempt, put every open candidate where the attempt begins. A warp a candidate."""
+    candidate = wp.tid() // lanes()
+    me = lane()
+    if clock[0] % plan.rounds != 0 or open[candidate] == 0:
+        return
+    p = problem[candidate]
+    o0 = t[0].object_start[p]
+    n = t[0].object_start[p + 1] - o0
+    attempt = clock[0] // plan.rounds
+    if attempt == 0:
+        s.stream[candidate, me] = wp.rand_init(int(s.rng[candidate]), me)
+        if me == 0:
+            s.stream[candidate, lanes()] = wp.rand_init(int(s.rng[candidate]), lanes())
+        if plan.start == GIVEN:
+            return
+    elif plan.start == GIVEN and attempt < plan.at_home:
+        for obj in range(me, n, lanes()):
+            set_pose(s, candidate, obj, s.anchors[candidate, obj])
+        return
+    for depth in range(DEPTHS):
+        for obj in range(me, n, lanes()):
+            if t[0].object_root[o0 + obj] == obj and t[0].object_free[o0 + obj] != 0:
+                if depth_of(t, o0, obj) == depth:
+                    pose = random_start(t, p, o0 + obj, s.poses[candidate, obj], s, candidate)
+                    if plan.start != ANYWHERE or attempt > 0:
+                        pose = settle(t, w, p, obj, pose, s, candidate, True)
+                        pose = keep_inside(t, p, o0 + obj, pose, m.bounds_aim)
+                    carry(t, o0, s, candidate, obj, pose)
+        meet()
+    if t[0].pool_size > 0:
+        for obj in range(me, n, lanes()):
+            if t[0].deck_start[o0 + obj + 1] > t[0].deck_start[o0 + obj]:
+                shuffle(t, p, obj, candidate, int(uniform(s, candidate) * 1.0e9), s.poses)
+                for k in range(t[0].member_start[o0 + obj], t[0].member_start[o0 + obj + 1]):
+                    i = t[0].member[k]
+                    set_pose(s, candidate, i, s.poses[candidate, i])

@@ -1,0 +1,124 @@
+"""Bodies of several objects: a root with all that it carries, or with everything that it places as well."""
+
+import warp as wp
+
+from .energy import object_energy
+from .features import TURN
+from .geometry import FAR, perp, plane_of, turn, wrap
+from .lanes import sum_of_poses, sum_of_team
+from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, Share, State, TablesRef, View, Weights
+
+wp.set_module_options({"enable_backward": False})
+
+
+@wp.func
+def set_pose(s: State, candidate: wp.int32, obj: wp.int32, pose: wp.vec4):
+    """Write a pose with its (cos, sin), yaw wrapped."""
+    yaw = wrap(pose[3], TURN)
+    s.poses[candidate, obj] = wp.vec4(pose[0], pose[1], pose[2], yaw)
+    s.turns[candidate, obj] = wp.vec2(wp.cos(yaw), wp.sin(yaw))
+
+
+@wp.func
+def members_end(t: TablesRef, o: wp.int32):
+    """Where in the group of object o (global) its members end: itself and all that it carries, which come first."""
+    return t[0].group_start[o] + t[0].member_start[o + 1] - t[0].member_start[o]
+
+
+@wp.func
+def carry(t: TablesRef, o0: wp.int32, s: State, candidate: wp.int32, root: wp.int32, pose: wp.vec4):
+    """Move a root to a pose with all that it carries."""
+    old = s.poses[candidate, root]
+    spin = pose[3] - old[3]
+    q = wp.vec2(wp.cos(spin), wp.sin(spin))
+    for k in range(t[0].member_start[o0 + root], t[0].member_start[o0 + root + 1]):
+        i = t[0].member[k]
+        if i != root:
+            child = s.poses[candidate, i]
+            at = plane_of(pose) + turn(q, plane_of(child) - plane_of(old))
+            set_pose(s, candidate, i, wp.vec4(at[0], at[1], child[2] + pose[2] - old[2], child[3] + spin))
+    set_pose(s, candidate, root, pose)
+
+
+@wp.func
+def shuffle(
+    t: TablesRef,
+    p: wp.int32,
+    root: wp.int32,
+    candidate: wp.int32,
+    key: wp.int32,
+    # Out:
+    poses: wp.array2d(dtype=wp.vec4),
+):
+    """Lay out the surfaces of a root anew from their pools; the key says which entries."""
+    o = t[0].object_start[p] + root
+    rng = wp.rand_init(key)
+    for d in range(t[0].deck_start[o], t[0].deck_start[o + 1]):
+        base = poses[candidate, t[0].deck_supporter[d]]
+        q = wp.vec2(wp.cos(base[3]), wp.sin(base[3]))
+        first = t[0].deck_member_start[d]
+        count = t[0].deck_member_start[d + 1] - first
+        entry = wp.min(int(wp.randf(rng) * float(t[0].pool_size)), t[0].pool_size - 1)
+        for j in range(count):
+            local = t[0].pool[t[0].pool_start[d] + entry * count + j]
+            at = plane_of(base) + turn(q, plane_of(local))
+            yaw = wrap(base[3] + local[3], TURN)
+            poses[candidate, t[0].deck_member[first + j]] = wp.vec4(at[0], at[1], base[2] + t[0].deck_height[d], yaw)
+
+
+@wp.func
+def group_energy(
+    t: TablesRef,
+    m: Margins,
+    w: Weights,
+    p: wp.int32,
+    candidate: wp.int32,
+    first: wp.int32,
+    last: wp.int32,
+    s: State,
+    limit: wp.float32,
+    view: View,
+    part: Share,
+):
+    """Energy, share, soft share and gradient of the objects group[first:last] as one rigid body about the first.
+
+    Pairs among what the view moves are left out, and so is the rest once the energy exceeds the limit. A team of lanes
+    shares the terms, and each of them gets the whole.
+    """
+    root = t[0].group[first]
+    at = plane_of(s.poses[candidate, root])
+    e = float(0.0)
+    share = float(0.0)
+    soft = float(0.0)
+    g = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    for k in range(first, last):
+        if e > limit:
+            break
+        i = t[0].group[k]
+        ei, hi, fi, gi = object_energy(t, m, w, p, candidate, i, s, limit - e, view, part)
+        e += ei
+        share += hi
+        soft += fi
+        arm = perp(plane_of(s.poses[candidate, i]) - at)
+        g += wp.vec4(gi[0], gi[1], gi[2], gi[3] + gi[0] * arm[0] + gi[1] * arm[1])
+    if part.of > 1:
+        e = sum_of_team(e, part.of)
+        share = sum_of_team(share, part.of)
+        soft = sum_of_team(soft, part.of)
+        g = sum_of_poses(g, part.of)
+    free = t[0].object_free[t[0].object_start[p] + root]
+    if (free & FREE_PLANE) == 0:
+        g[0] = 0.0
+        g[1] = 0.0
+    if (free & FREE_Z) == 0:
+        g[2] = 0.0
+    if (free & FREE_YAW) == 0:
+        g[3] = 0.0
+    return e, share, soft, g
+
+
+@wp.func
+def members_energy(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, s: State):
+    """Energy, share, soft share and gradient of a root with all that it carries, as one rigid body."""
+    o = t[0].object_start[p] + root
+    return group_energy(t, m, w, p, candidate, t[0].group_start[o], members_end(t, o), s, FAR, View(), Share(0, 1))
