@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 import warp as wp
 
-from sceneweaver.kernels.adam import choose
 from sceneweaver.kernels.cells import CELLS, CROWD, fill_cells
 from sceneweaver.kernels.energy import evaluate
+from sceneweaver.kernels.step import choose
 from sceneweaver.kernels.tables import State, TablesRef
 from sceneweaver.layout.compile import CompiledScene, Problem, absolute, compile_scene, relative
 from sceneweaver.layout.engine import make_batch
