@@ -1,9 +1,9 @@
 """What step-based optimisers share: threads, moving a root with what it carries, the best so far, choosing options.
 
 These optimisers look at every object of every candidate in each step, so their kernels run one thread per (candidate,
-object), as (group, object, lane): a warp takes one object of LANES neighbouring candidates. Its threads then read the
-same table entries and take the same branches, and warps beside it find the candidates' poses in the cache. What is
-private to these optimisers is stored [object, candidate], so that a warp reads it in one piece.
+object) or (candidate, relation), as (group, object, lane): a warp takes one object of LANES neighbouring candidates.
+Its threads then read the same table entries and take the same branches, and warps beside it find the candidates' poses
+in the cache. What is private to these optimisers is stored [object, candidate], so that a warp reads it in one piece.
 """
 
 import warp as wp
@@ -146,7 +146,10 @@ def choose(
     other_out: wp.array2d(dtype=wp.int32),
 ):
     """Give every relation its best option at the present poses, in both buffers."""
-    candidate, rel = wp.tid()
+    group, rel, lane = wp.tid()
+    candidate = group * LANES + lane
+    if candidate >= problem.shape[0]:
+        return
     p = problem[candidate]
     r = t[0].relation_start[p] + rel
     if r < t[0].relation_start[p + 1]:

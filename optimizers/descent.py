@@ -27,9 +27,9 @@ def schedule_of(steps: int, rate: float, rate_end: float, noise: float, quiet: f
     return schedule
 
 
-def threads(batch: Batch) -> tuple[int, int, int]:
-    """Launch dimensions of kernels that run one thread per (candidate, object): (groups, objects, lanes)."""
-    return -(-batch.size // int(LANES)), batch.objects, int(LANES)
+def threads(batch: Batch, each: int) -> tuple[int, int, int]:
+    """Launch dimensions of kernels that take ``each`` objects or relations of every candidate: groups, each, lanes."""
+    return -(-batch.size // int(LANES)), each, int(LANES)
 
 
 def per_object(batch: Batch, dtype: type, fill: float = 0.0) -> wp.array:
@@ -66,7 +66,7 @@ def descend(batch: Batch, step: Any, schedule: Schedule, moments: int, monitor: 
         a, b = k % 2, (k + 1) % 2
         block.add(
             step,
-            threads(batch),
+            threads(batch, batch.objects),
             [
                 *(batch.tables, batch.margins, batch.weights, schedule, batch.problem),
                 *(clock[a], layout[a], share[b], lowest[a], *averages, layout[b].poses),
@@ -97,7 +97,7 @@ def add_choice(block: Launches, batch: Batch, state: State, options: Sequence[wp
     """Let every relation take its best option at the state's poses; ``options``: the two arrays to write it to."""
     if batch.relations:
         inputs = [batch.tables, batch.weights, batch.problem, state]
-        block.add(choose, (batch.size, batch.relations), inputs, options)
+        block.add(choose, threads(batch, batch.relations), inputs, options)
 
 
 def energy_of(batch: Batch) -> wp.array:
@@ -109,7 +109,7 @@ def energy_of(batch: Batch) -> wp.array:
     add_choice(now, batch, state, [state.options, state.options])
     now.add(
         measure,
-        threads(batch),
+        threads(batch, batch.objects),
         [batch.tables, batch.margins, batch.weights, batch.problem, state],
         [share, gradient],
     )

@@ -65,14 +65,14 @@ def one_step(block: Launches, batch: Batch, work: Workspace, push: float, steps:
     add_choice(block, batch, trial, [trial.options, trial.options])
     block.add(
         measure,
-        threads(batch),
+        threads(batch, batch.objects),
         [batch.tables, batch.margins, batch.weights, batch.problem, trial],
         [work.share, work.gradient],
     )
     block.add(decide, batch.size, [*problem, work.share, work.gradient, work.history, work.line, work.clock], [])
     block.add(
         make_trial,
-        threads(batch),
+        threads(batch, batch.objects),
         [
             *(*problem, push, steps, work.clock, batch.state.rng, work.share, work.line),
             *(batch.state.poses, work.best, trial),

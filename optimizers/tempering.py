@@ -1,4 +1,7 @@
-"""Parallel tempering: replicas of each candidate at several temperatures, then a descent from the best."""
+"""Parallel tempering: replicas of each candidate at several temperatures, between two descents.
+
+The first descent brings the replicas near minima, where small steps are accepted; the second polishes the best.
+"""
 
 from __future__ import annotations
 
@@ -23,8 +26,15 @@ COLDEST = 0.005  # [m], in units of the energy
 HOTTEST = {"given": 0.03, "random": 0.2, "sample": 0.2}
 JUMPS = {"given": 0.2, "random": 0.7, "sample": 0.7}  # share of moves that are jumps
 PACE = 0.015  # [m] a Langevin step takes for a slope of one, to begin with
+LEAD = 40  # steps of the descent at the beginning, at most a quarter of all
 POLISH = 0.25  # share of the steps for the descent at the end
 BLOCK = 10  # steps in one graph
+
+
+def parts(steps: int) -> tuple[int, int, int]:
+    """How many of the steps are first descent, tempering and last descent; replicas take the first two."""
+    lead, polish = min(LEAD, steps // 4), int(POLISH * steps)
+    return lead, steps - lead - polish, polish
 
 
 def ladder_of(candidates: int, hottest: float, device: str) -> Ladder:
@@ -56,12 +66,17 @@ def replicate(batch: Batch, rung: wp.array) -> Batch:
     return many
 
 
-def temper(batch: Batch, start: Start, steps: int, monitor: Monitor) -> None:
-    """Run the replicas in place: every candidate ends at the best layout that one of its replicas passed."""
+def temper(batch: Batch, start: Start, lead: int, steps: int, monitor: Monitor) -> None:
+    """Run the replicas in place: every candidate ends at the best layout that one of its replicas passed.
+
+    ``lead`` steps of descent come before the ``steps`` of tempering.
+    """
     device = batch.device
     ladder = ladder_of(batch.size, HOTTEST[start], device)
     rows = replicate(batch, ladder.rung)
     draw_starts(rows, start)
+    if lead:
+        descend(rows, adam_step, schedule_of(lead, rate=0.1, rate_end=0.005, noise=0.03, quiet=0.6), 2, monitor)
     state, trial = rows.state, rows.scratch()
     trial.anchors = state.anchors
     wp.copy(trial.poses, state.poses)
@@ -76,12 +91,12 @@ def temper(batch: Batch, start: Start, steps: int, monitor: Monitor) -> None:
     for _ in range(BLOCK):
         add_choice(block, rows, trial, [trial.options, trial.options])
         inputs = [tables, rows.margins, rows.weights, problem, trial]
-        block.add(measure, threads(rows), inputs, [share, trial_slope])
+        block.add(measure, threads(rows, rows.objects), inputs, [share, trial_slope])
         inputs = [tables, problem, REPLICAS, JUMPS[start], clock, state.rng, share, slope, trial_slope, step, ladder]
         block.add(accept, rows.size, inputs, [total])
         block.add(exchange, batch.size, [REPLICAS, state.rng, total, clock, ladder], [])
         inputs = [tables, problem, REPLICAS, clock, ladder, trial_slope, state, trial, slope]
-        block.add(make_moves, threads(rows), inputs, [step, best])
+        block.add(make_moves, threads(rows, rows.objects), inputs, [step, best])
     times, rest = divmod(steps + 1, BLOCK)  # the first only measures the start
     block.play(monitor, times, rest * (len(block) // BLOCK))
     nothing = wp.full(batch.size, np.inf, dtype=wp.float32, device=device)
@@ -90,12 +105,11 @@ def temper(batch: Batch, start: Start, steps: int, monitor: Monitor) -> None:
 
 @register("tempering", modules=("step", "tempering", "adam"))
 def run_tempering(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
-    """Refine every candidate by ``budget`` steps (default 1200), the last quarter of them a descent.
+    """Refine every candidate by ``budget`` steps (default 1200); it ends at the lowest energy of any replica.
 
-    A step measures REPLICAS energies of a candidate, one of the descent a single one.
+    A step measures REPLICAS energies of a candidate, one of the last descent a single one.
     """
-    steps = budget or STEPS
-    polish = int(POLISH * steps)
-    temper(batch, start, steps - polish, monitor)
+    lead, steps, polish = parts(budget or STEPS)
+    temper(batch, start, lead, steps, monitor)
     schedule = schedule_of(polish, rate=0.01, rate_end=0.0005, noise=0.0, quiet=1.0)
     return outcome(batch, descend(batch, adam_step, schedule, 2, monitor), monitor)

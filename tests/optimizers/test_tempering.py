@@ -8,7 +8,7 @@ import warp as wp
 
 from sceneweaver.kernels.tempering import FIRST, GROUP, LANGEVIN, accept, exchange, make_moves
 from sceneweaver.optimizers.descent import per_object, threads
-from sceneweaver.optimizers.tempering import REPLICAS, ladder_of, replicate
+from sceneweaver.optimizers.tempering import REPLICAS, ladder_of, parts, replicate
 from tests.kernels.harness import batch_of, zoo
 from tests.optimizers.batches import batch
 
@@ -140,7 +140,7 @@ def test_a_jump_moves_one_object_or_its_group_as_one(device, group):
     best = wp.zeros_like(what.state.poses)
     clock = wp.zeros(what.size, dtype=wp.int32, device=device)
     inputs = [rows.tables, rows.problem, REPLICAS, clock, ladder, other, rows.state, trial, slope]
-    wp.launch(make_moves, threads(rows), inputs, [step, best], device=device)
+    wp.launch(make_moves, threads(rows, rows.objects), inputs, [step, best], device=device)
     before, after = rows.state.poses.numpy(), trial.poses.numpy()
     moved = set(np.flatnonzero(np.abs(after - before)[..., :2].max(axis=(0, 2)) > 1e-3).tolist())
     assert len(together) > 1 and moved == (together if group else carried)
@@ -167,3 +167,9 @@ def test_a_start_is_taken_as_it_is(made):
     np.testing.assert_allclose(ladder.energy.numpy(), 3.0 * rows.objects)
     moves = ladder.move.numpy()
     assert 0.4 < np.mean(moves != LANGEVIN) < 0.55, "half jump, unless no object that may was found"
+
+
+@pytest.mark.parametrize("steps", [1, 2, 3, 4, 39, 400, 5000])
+def test_parts_are_all_of_the_budget(steps):
+    lead, tempered, polish = parts(steps)
+    assert lead + tempered + polish == steps and min(lead, polish) >= 0 and tempered > 0
