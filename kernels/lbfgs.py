@@ -140,9 +140,14 @@ def point(h: History, line: Line, candidate: wp.int32, n: wp.int32):
 def set_out(h: History, line: Line, candidate: wp.int32, n: wp.int32):
     """Begin a line search: direction, first stride, slope. False: the gradient leads nowhere."""
     slope = point(h, line, candidate, n)
-    if not slope < 0.0 and h.count[candidate] > 0:  # rounding: forget, and take the gradient
+    if not slope < 0.0:  # rounding: forget, and take the gradient
         h.count[candidate] = 0
-        slope = point(h, line, candidate, n)
+        gg = float(0.0)
+        for obj in range(n):
+            g = line.gradient[obj, candidate]
+            line.direction[obj, candidate] = -g
+            gg += wp.dot(g, g)
+        slope = -gg
     if not slope < -FLAT:
         return False
     far = float(0.0)
@@ -185,8 +190,9 @@ def decide(
     stride = line.stride[candidate]
     slope = line.slope[candidate]
     state = int(REFUSED)
-    flat = line.tries[candidate] == TRIES and stride == 0.0
-    if energy == wp.inf or (total <= energy + DECREASE * stride * slope and not flat):
+    anew = bool(False)
+    spent = line.tries[candidate] == TRIES
+    if energy == wp.inf or (total <= energy + DECREASE * stride * slope and not (spent and stride == 0.0)):
         if energy == wp.inf:
             h.count[candidate] = 0
             line.idle[candidate] = 0
@@ -197,27 +203,29 @@ def decide(
             line.gradient[obj, candidate] = trial_gradient[obj, candidate]
         line.energy[candidate] = total
         state = int(ACCEPTED)
-        going = set_out(h, line, candidate, n)
-        if not going or line.idle[candidate] == IDLE:  # the next trial is the layout itself, which leads to a push
-            line.stride[candidate] = 0.0
-            line.tries[candidate] = TRIES
-            h.count[candidate] = 0
-    elif line.tries[candidate] < TRIES:
+        anew = True
+    elif not spent:
         bend = total - energy - slope * stride  # of the parabola through both energies and the slope
         line.stride[candidate] = stride * wp.clamp(-0.5 * slope * stride / wp.max(bend, 1.0e-12), 0.1, 0.5)
         line.tries[candidate] = line.tries[candidate] + 1
+    elif h.count[candidate] > 0:
+        h.count[candidate] = 0
+        anew = True
     else:
-        again = bool(False)
-        if h.count[candidate] > 0:
+        state = int(STUCK)
+    if anew:
+        going = set_out(h, line, candidate, n)
+        if state == ACCEPTED and (not going or line.idle[candidate] == IDLE):
+            line.stride[candidate] = 0.0  # the next trial is the layout itself, which leads to a push
+            line.tries[candidate] = TRIES
             h.count[candidate] = 0
-            again = set_out(h, line, candidate, n)
-        if not again:
+        elif not going:
             state = int(STUCK)
-            if energy < line.lowest[candidate]:
-                line.lowest[candidate] = energy
-                state = int(STUCK_BEST)
-            line.energy[candidate] = wp.inf
-            h.count[candidate] = 0
+    if state == STUCK:
+        if energy < line.lowest[candidate]:
+            line.lowest[candidate] = energy
+            state = int(STUCK_BEST)
+        line.energy[candidate] = wp.inf
     line.state[candidate] = state
 
 

@@ -200,7 +200,15 @@ def jumps_with(t: TablesRef, o0: wp.int32, move: wp.int32, obj: wp.int32):
 
 
 @wp.func
-def jump(t: TablesRef, p: wp.int32, row: wp.int32, root: wp.int32, obj: wp.int32, seed: wp.uint32, s: State):
+def jump(
+    t: TablesRef,
+    p: wp.int32,
+    row: wp.int32,
+    root: wp.int32,
+    obj: wp.int32,
+    seed: wp.uint32,
+    poses: wp.array2d(dtype=wp.vec4),
+):
     """How object ``obj`` moves when root jumps anywhere in the room's bounding box and takes it along."""
     draw = seed
     box = t[0].room_box[p]
@@ -213,8 +221,8 @@ def jump(t: TablesRef, p: wp.int32, row: wp.int32, root: wp.int32, obj: wp.int32
         spin = TURN * wp.randf(draw)
     if (t[0].object_free[t[0].object_start[p] + root] & FREE_YAW) == 0:
         spin = 0.0
-    at = plane_of(s.poses[row, root])
-    pose = plane_of(s.poses[row, obj])
+    at = plane_of(poses[row, root])
+    pose = plane_of(poses[row, obj])
     d = wp.vec2(x, y) + turn(wp.vec2(wp.cos(spin), wp.sin(spin)), pose - at) - pose
     return wp.vec4(d[0], d[1], 0.0, spin)
 
@@ -270,5 +278,5 @@ def make_moves(
         d[3] = d[3] / turning_arm(t, o)
     elif jumps_with(t, o0, move, obj):
         seed = stream(s.rng[row], clock[candidate], OF_ROW + 2)
-        d = wp.cw_mul(free, jump(t, p, row, move % GROUP, obj, seed, s))
+        d = wp.cw_mul(free, jump(t, p, row, move % GROUP, obj, seed, s.poses))
     place_members(t, o, obj, row, row, d, s.poses, trial.poses, trial.turns)
