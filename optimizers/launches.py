@@ -17,8 +17,10 @@ class Launches:
     be captured; there the prepared commands are replayed one by one, which saves the packing of their arguments.
     """
 
-    def __init__(self, device: str) -> None:
+    def __init__(self, device: str, unroll: int = 1) -> None:
+        """``unroll``: how often a graph holds the block; also how many blocks pass between two looks at the time."""
         self.device = device
+        self.unroll = unroll
         self._commands: list[Any] = []
         self._keep: list[Any] = []  # the commands hold addresses only
 
@@ -33,27 +35,28 @@ class Launches:
 
     def play(self, monitor: Monitor, times: int = 1, rest: int = 0) -> bool:
         """Run the block ``times`` times, then its first ``rest`` launches; False when time ran out before the end."""
-        graph = self._graph() if times > 1 and self.device != "cpu" else None
-        for _ in range(times):
+        stretches, left = divmod(times, self.unroll)
+        graph = self._graph() if stretches > 1 and self.device != "cpu" else None
+        for _ in range(stretches):
             if self._expired(monitor):
                 return False
             if graph is None:
-                self._run(len(self))
+                self._run(self._commands * self.unroll)
             else:
                 wp.capture_launch(graph)
-        if rest:
+        if left or rest:
             if self._expired(monitor):
                 return False
-            self._run(rest)
+            self._run(self._commands * left + self._commands[:rest])
         return True
 
-    def _run(self, count: int) -> None:
-        for command in self._commands[:count]:
+    def _run(self, commands: Sequence[Any]) -> None:
+        for command in commands:
             command.launch()
 
     def _graph(self) -> Any:
         with wp.ScopedCapture(device=self.device, force_module_load=False) as capture:  # recording loaded the modules
-            self._run(len(self))
+            self._run(self._commands * self.unroll)
         return capture.graph
 
     def _expired(self, monitor: Monitor) -> bool:

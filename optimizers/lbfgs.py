@@ -19,7 +19,7 @@ from .starts import draw_starts
 
 STEPS = 400
 PUSH = {"given": 0.3, "random": 0.9, "sample": 0.9}  # [m] out of a minimum, at the start of the run
-BLOCK = 20  # steps in one graph
+UNROLL = 20  # steps in one graph
 
 
 @dataclass
@@ -86,10 +86,8 @@ def run_lbfgs(batch: Batch, start: Start, budget: int | None, monitor: Monitor) 
     """Refine every candidate by ``budget`` steps (default 400), one energy each; it ends at the lowest it passed."""
     draw_starts(batch, start)
     steps = budget or STEPS
-    work, block = workspace(batch), Launches(batch.device)
-    for _ in range(BLOCK):
-        one_step(block, batch, work, PUSH[start], steps)
-    times, rest = divmod(steps + 1, BLOCK)  # the first only measures the start
-    block.play(monitor, times, rest * (len(block) // BLOCK))
+    work, block = workspace(batch), Launches(batch.device, UNROLL)
+    one_step(block, batch, work, PUSH[start], steps)
+    block.play(monitor, steps + 1)  # the first only measures the start
     total = finish(batch, batch.state.poses, work.line.energy, work.best, work.line.lowest)
     return outcome(batch, total, monitor)

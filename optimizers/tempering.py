@@ -28,7 +28,7 @@ JUMPS = {"given": 0.2, "random": 0.7, "sample": 0.7}  # share of moves that are 
 PACE = 0.015  # [m] a Langevin step takes for a slope of one, to begin with
 LEAD = 40  # steps of the descent at the beginning, at most a quarter of all
 POLISH = 0.25  # share of the steps for the descent at the end
-BLOCK = 10  # steps in one graph
+UNROLL = 10  # steps in one graph
 
 
 def parts(steps: int) -> tuple[int, int, int]:
@@ -87,18 +87,16 @@ def temper(batch: Batch, start: Start, lead: int, steps: int, monitor: Monitor) 
     best = wp.zeros_like(batch.state.poses)
     tables, problem = rows.tables, rows.problem
 
-    block = Launches(device)
-    for _ in range(BLOCK):
-        add_choice(block, rows, trial, [trial.options, trial.options])
-        inputs = [tables, rows.margins, rows.weights, problem, trial]
-        block.add(measure, threads(rows, rows.objects), inputs, [share, trial_slope])
-        inputs = [tables, problem, REPLICAS, JUMPS[start], clock, state.rng, share, slope, trial_slope, step, ladder]
-        block.add(accept, rows.size, inputs, [total])
-        block.add(exchange, batch.size, [REPLICAS, state.rng, total, clock, ladder], [])
-        inputs = [tables, problem, REPLICAS, clock, ladder, trial_slope, state, trial, slope]
-        block.add(make_moves, threads(rows, rows.objects), inputs, [step, best])
-    times, rest = divmod(steps + 1, BLOCK)  # the first only measures the start
-    block.play(monitor, times, rest * (len(block) // BLOCK))
+    block = Launches(device, UNROLL)
+    add_choice(block, rows, trial, [trial.options, trial.options])
+    inputs = [tables, rows.margins, rows.weights, problem, trial]
+    block.add(measure, threads(rows, rows.objects), inputs, [share, trial_slope])
+    inputs = [tables, problem, REPLICAS, JUMPS[start], clock, state.rng, share, slope, trial_slope, step, ladder]
+    block.add(accept, rows.size, inputs, [total])
+    block.add(exchange, batch.size, [REPLICAS, state.rng, total, clock, ladder], [])
+    inputs = [tables, problem, REPLICAS, clock, ladder, trial_slope, state, trial, slope]
+    block.add(make_moves, threads(rows, rows.objects), inputs, [step, best])
+    block.play(monitor, steps + 1)  # the first only measures the start
     nothing = wp.full(batch.size, np.inf, dtype=wp.float32, device=device)
     finish(batch, batch.state.poses, nothing, best, ladder.lowest)
 

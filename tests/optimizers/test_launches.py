@@ -41,6 +41,15 @@ def test_order_and_number(block, times, rest, written):
     np.testing.assert_array_equal(number.numpy(), written)
 
 
+@pytest.mark.parametrize(("times", "written"), [(1, 5), (3, 555), (4, 5555), (7, 5555555)])
+def test_unrolled(device, times, written):
+    number = wp.zeros(4, dtype=wp.int64, device=device)
+    made = Launches(device, unroll=3)
+    made.add(_append, 4, [5], [number])
+    assert made.play(Monitor(1), times)
+    np.testing.assert_array_equal(number.numpy(), written)
+
+
 def test_playing_again_goes_on(block):
     made, number = block
     assert made.play(Monitor(1), 2) and made.play(Monitor(1), 2)
