@@ -10,19 +10,23 @@ from benchmarks.results import Plot, Result, Table
 MISSING = "matplotlib is not installed: no plots were drawn"
 
 
-def draw(result: Result, folder: Path) -> list[Path] | None:
-    """Write ``<plot>.png`` for every plot; None when there is no matplotlib."""
+def draw(result: Result, folder: Path, *, page: bool = False) -> list[Path] | None:
+    """Write ``<plot>.png`` for every plot, or for those that the page shows, named by the kind of device too.
+
+    None when there is no matplotlib.
+    """
     try:
         import matplotlib
     except ImportError:
         return None
     matplotlib.use("Agg")
-    folder.mkdir(parents=True, exist_ok=True)
     paths = []
     for plot in result.plots:
         table = result.table(plot.table)
-        if table.rows:
-            paths.append(_draw(plot, table, folder / f"{plot.name}.png", result.machine))
+        if table.rows and (plot.page or not page):
+            folder.mkdir(parents=True, exist_ok=True)
+            name = f"{plot.name}-{result.machine['device'].partition(':')[0]}" if page else plot.name
+            paths.append(_draw(plot, table, folder / f"{name}.png", result.machine))
     return paths
 
 
@@ -51,6 +55,8 @@ def _draw(plot: Plot, table: Table, path: Path, machine: dict[str, Any]) -> Path
                 points = [(r[plot.x], r[key]) for r in rows if r.get(key) is not None]
                 axes.plot(*zip(*points, strict=True) if points else ((), ()), marker="o", label=name or labels[key])
         axes.set_xlabel(labels[plot.x])
+        if plot.log_x:
+            axes.set_xscale("log")
         if plot.log:
             axes.set_xscale("log")
             ticks = sorted({row[plot.x] for row in table.rows})
@@ -60,6 +66,8 @@ def _draw(plot: Plot, table: Table, path: Path, machine: dict[str, Any]) -> Path
         axes.set_yscale("log")
     else:
         axes.set_ylim(bottom=0)
+    if plot.log_x:
+        axes.set_ylabel(", ".join(labels[key] for key in plot.y))
     axes.set_title(plot.title)
     axes.grid(alpha=0.3)
     if len(groups) * len(plot.y) > 1:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from benchmarks import plots
 from benchmarks.families import FAMILIES
 from benchmarks.markdown import result_lines, wrapped
 from benchmarks.results import Result
@@ -66,5 +67,7 @@ def write(folders: Sequence[Path], path: Path) -> None:
         for result in results:
             head, *rest = result_lines(result, level=3)
             lines += ["", head, "", *run_line(result), *rest]
+            for picture in plots.draw(result, path.parent / "images", page=True) or ():
+                lines += ["", f"![{result.title}](images/{picture.name})"]
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text("\n".join(line.rstrip() for line in lines) + "\n", "utf-8")

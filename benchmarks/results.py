@@ -39,7 +39,8 @@ class Table:
 class Plot:
     """A picture of a table: columns ``y`` over column ``x`` as lines, or as bars when ``x`` is a text.
 
-    ``series``: a column whose values each get a line of their own.
+    ``series``: a column whose values each get a line of their own. ``log``: both axes are logarithmic; ``log_x``: x is.
+    ``page``: the page of results shows it.
     """
 
     name: str
@@ -49,6 +50,8 @@ class Plot:
     y: tuple[str, ...]
     series: str | None = None
     log: bool = False
+    log_x: bool = False
+    page: bool = False
 
 
 @dataclass

@@ -3,6 +3,7 @@
 from .adam import run_adam as run_adam
 from .base import OPTIMIZERS as OPTIMIZERS
 from .base import Monitor as Monitor
+from .base import Optimizer as Optimizer
 from .base import Outcome as Outcome
 from .batch import Batch as Batch
 from .batch import Verdict as Verdict
@@ -10,13 +11,17 @@ from .batch import judge as judge
 from .batch import load_poses as load_poses
 from .batch import new_state as new_state
 from .batch import streams as streams
+from .langevin import run_langevin as run_langevin
+from .lbfgs import run_lbfgs as run_lbfgs
 from .run import run as run
 from .search import run_search as run_search
+from .tempering import run_tempering as run_tempering
 
 __all__ = [
     "OPTIMIZERS",
     "Batch",
     "Monitor",
+    "Optimizer",
     "Outcome",
     "Verdict",
     "judge",
@@ -24,6 +29,9 @@ __all__ = [
     "new_state",
     "run",
     "run_adam",
+    "run_langevin",
+    "run_lbfgs",
     "run_search",
+    "run_tempering",
     "streams",
 ]

@@ -55,17 +55,30 @@ class Outcome:
     energy: np.ndarray
 
 
-Optimizer = Callable[[Batch, Start, int | None, Monitor], Outcome]
-"""``optimizer(batch, start, budget, monitor)`` moves the batch's poses in place; budget in its own work units."""
+Solve = Callable[[Batch, Start, int | None, Monitor], Outcome]
+"""``solve(batch, start, budget, monitor)`` moves the batch's poses in place; budget in its own work units."""
+
+
+@dataclass(frozen=True)
+class Optimizer:
+    """An entry of the registry: the function, and the kernel modules that it launches, to compile ahead."""
+
+    solve: Solve
+    modules: tuple[str, ...]
+
+    def __call__(self, batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
+        """Move the batch's poses in place."""
+        return self.solve(batch, start, budget, monitor)
+
 
 OPTIMIZERS: dict[str, Optimizer] = {}
 
 
-def register(name: str) -> Callable[[Optimizer], Optimizer]:
-    """Enter an optimiser under a name."""
+def register(name: str, modules: tuple[str, ...] | None = None) -> Callable[[Solve], Solve]:
+    """Enter an optimiser under a name; ``modules`` of ``kernels`` hold its kernels (default: the one of its name)."""
 
-    def enter(optimizer: Optimizer) -> Optimizer:
-        OPTIMIZERS[name] = optimizer
-        return optimizer
+    def enter(solve: Solve) -> Solve:
+        OPTIMIZERS[name] = Optimizer(solve, modules or (name,))
+        return solve
 
     return enter

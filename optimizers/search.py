@@ -12,21 +12,21 @@ from sceneweaver.kernels.tables import State
 from sceneweaver.kernels.track import close, keep_best, proceed, set_turns, tick
 
 from .base import Monitor, Outcome, Start, register
-from .batch import STATE, Batch, judge, lanes_on, new_court, sit
+from .batch import STATE, Batch, judge, new_court, sit
+from .launches import repeat_while
+from .starts import STARTS, launch_lanes
 
 ATTEMPTS = 10
 AT_HOME = 3  # attempts from the given poses before anything is drawn anew
 LINGER = 2
 HOT = 0.3  # [m]
 HOT_AT_HOME = 0.05  # the same when little should move
-STARTS = {"given": 0, "random": 1, "sample": 2}
 # A GPU tries many poses in the time of one, so that it needs fewer moves; measured on one H200 (docs/gpu.md).
 ROUNDS = {"cpu": 8, "cuda": 4}
 MOVES = {"cpu": 4, "cuda": 2}  # in a round, for each movable object
 PROPOSALS = {"cpu": 5, "cuda": 15}
 POLISH = {"cpu": 6, "cuda": 2}
 TRIES = {"cpu": 3, "cuda": 4}  # step lengths of one gradient step
-BLOCK = 32  # threads of a block on a GPU: one warp, so that a block ends with its candidate
 
 
 def plan_for(device: str, start: Start, attempts: int = ATTEMPTS) -> Plan:
@@ -38,21 +38,6 @@ def plan_for(device: str, start: Start, attempts: int = ATTEMPTS) -> Plan:
     plan.moves, plan.proposals, plan.tries = MOVES[kind], PROPOSALS[kind], TRIES[kind]
     plan.polish, plan.linger, plan.hot, plan.hot_at_home = POLISH[kind], LINGER, HOT, HOT_AT_HOME
     return plan
-
-
-def draw_starts(batch: Batch, start: Start) -> None:
-    """Draw the poses that an optimiser starts from, in place; "given" leaves them as they are."""
-    device = batch.device
-    everyone = wp.full(batch.size, 1, dtype=wp.int32, device=device)
-    clock = wp.zeros(1, dtype=wp.int32, device=device)
-    inputs = [batch.tables, batch.margins, batch.weights, plan_for(device, start), batch.problem, everyone, clock]
-    _launch(begin, batch, inputs, [batch.state])
-
-
-def _launch(kernel, batch: Batch, inputs: list, outputs: list) -> None:
-    """Launch a kernel whose lanes work on one candidate."""
-    dim = batch.size * lanes_on(batch.device)
-    wp.launch(kernel, dim, inputs, outputs, device=batch.device, block_dim=BLOCK)
 
 
 def _with_cells(batch: Batch) -> State:
@@ -67,7 +52,7 @@ def _with_cells(batch: Batch) -> State:
     return state
 
 
-@register("search")
+@register("search", modules=("begin", "search"))
 def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
     """Search every candidate until it is valid; ``budget`` is the number of attempts (default 10).
 
@@ -94,8 +79,8 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
     def step() -> None:
         """One round of every open candidate."""
         common = [batch.tables, batch.margins, batch.weights, plan, batch.problem, open_, clock]
-        _launch(begin, batch, common, [state])
-        _launch(search, batch, common, [state, energy, total])
+        launch_lanes(begin, batch, common, [state])
+        launch_lanes(search, batch, common, [state, energy, total])
         wp.launch(
             keep_best,
             batch.size,
@@ -121,9 +106,7 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
                     break
         else:
             more.fill_(1)
-            with wp.ScopedCapture(device=device) as capture:
-                wp.capture_while(more, step)
-            wp.capture_launch(capture.graph)
+            repeat_while(device, more, step)
             done = batch.size - int(left.numpy()[0])
             monitor.add(done - solved, done - solved, 0.0)
             solved = done

@@ -9,13 +9,14 @@ from benchmarks.judging import Judge
 from benchmarks.results import Result
 from benchmarks.settings import Settings
 
-from . import cold, edits, memory, quality, scaling, soundness, throughput
+from . import cold, edits, memory, optimizers, quality, scaling, soundness, throughput
 
 Family = Callable[[Settings, Judge], Result]
 
 FAMILIES: Mapping[str, Family] = MappingProxyType(
     {
         "quality": quality.run,
+        "optimizers": optimizers.run,
         "throughput": throughput.run,
         "cold": cold.run,
         "scaling": scaling.run,

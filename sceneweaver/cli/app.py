@@ -49,6 +49,9 @@ class Optimizer(StrEnum):
 
     SEARCH = "search"
     ADAM = "adam"
+    LANGEVIN = "langevin"
+    LBFGS = "lbfgs"
+    TEMPERING = "tempering"
 
 
 def _version(wanted: bool) -> None:

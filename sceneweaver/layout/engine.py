@@ -74,7 +74,7 @@ def refine(
         device: "auto", "cpu", "cuda" or "cuda:k".
         optimizer: a name in ``sceneweaver.optimizers.OPTIMIZERS``.
         time_limit: seconds after which to stop with what there is; the result says that it was cut off.
-        steps: the optimiser's budget in its own work units (search: attempts, adam: steps).
+        steps: the optimiser's budget in its own work units (search: attempts, the others: steps).
         progress: called now and then as ``progress(done, total, valid, lowest energy)``.
         explain: when nothing is valid, find out why (``solution.explanation``); takes up to 10 s.
 
@@ -176,7 +176,7 @@ def solve(
     jobs: Sequence[Job], optimizer: str, steps: int | None, device: str, monitor: Monitor, began: float
 ) -> list[Solution]:
     """Solve jobs in shared launches, rooms of like size together."""
-    load(device, "track", "verdict", "walk", "begin", "adam" if optimizer == "adam" else "search")
+    load(device, *_modules(jobs, optimizer))
     pools = _pools(jobs, device, monitor.deadline)
     buckets: dict[tuple[str, int], list[int]] = {}
     for i, job in enumerate(jobs):
@@ -233,6 +233,15 @@ def solve(
             )
             first += n
     return [solutions[i] for i in range(len(jobs))]
+
+
+def _modules(jobs: Sequence[Job], optimizer: str) -> list[str]:
+    """The kernel modules that these jobs need."""
+    names = ["track", "verdict", "walk", *OPTIMIZERS[optimizer].modules]
+    if any(job.compiled.domains or job.start != "given" for job in jobs):
+        # What stands on surfaces is searched, whatever lays out the room, and so starts are drawn.
+        names += OPTIMIZERS["search"].modules
+    return list(dict.fromkeys(names))
 
 
 def _movement(before: np.ndarray, after: np.ndarray) -> np.ndarray:

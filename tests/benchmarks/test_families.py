@@ -12,6 +12,7 @@ from benchmarks.settings import Settings
 
 TABLES = {
     "quality": {"validity": 3, "variety": 3, "rivals": 5},
+    "optimizers": {"overall": 10, "rates": 4, "rooms": 10, "detail": 10},
     "throughput": {"throughput": 2},
     "cold": {"cold": 3},
     "scaling": {"objects": 2, "candidates": 1},

@@ -142,6 +142,21 @@ def test_plots(tmp_path):
     assert [p.name for p in plots.draw(result, tmp_path)] == ["p.png", "q.png"]
 
 
+def test_the_page_shows_some_plots(families, tmp_path, monkeypatch):
+    pytest.importorskip("matplotlib")
+
+    def shown(settings, judge) -> Result:
+        result = _result(settings, judge)
+        result.plots.append(Plot("curve", "A curve", "t", "time", ("share",), series="room", log_x=True, page=True))
+        return result
+
+    monkeypatch.setitem(families, "quality", shown)
+    assert cli.main(["quality", "--device", "cpu", "--out", str(tmp_path / "out")]) == 0
+    assert cli.main(["report", "--from", str(tmp_path / "out"), "--to", str(tmp_path / "docs" / "page.md")]) == 0
+    assert "![Quality](images/curve-cpu.png)" in (tmp_path / "docs" / "page.md").read_text()
+    assert [p.name for p in (tmp_path / "docs" / "images").iterdir()] == ["curve-cpu.png"]
+
+
 def test_without_matplotlib_there_are_no_plots(tmp_path, monkeypatch):
     monkeypatch.setitem(__import__("sys").modules, "matplotlib", None)
     assert plots.draw(_result(None, None), tmp_path) is None

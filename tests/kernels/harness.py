@@ -10,14 +10,15 @@ from pathlib import Path
 import numpy as np
 import warp as wp
 
-from sceneweaver.kernels.adam import choose
 from sceneweaver.kernels.cells import CELLS, CROWD, fill_cells
 from sceneweaver.kernels.energy import evaluate
+from sceneweaver.kernels.step import choose
 from sceneweaver.kernels.tables import State, TablesRef
 from sceneweaver.layout.compile import CompiledScene, Problem, absolute, compile_scene, relative
 from sceneweaver.layout.engine import make_batch
 from sceneweaver.layout.pack import weights as make_weights
 from sceneweaver.optimizers.batch import Batch, Verdict, judge, load_poses
+from sceneweaver.optimizers.descent import threads
 from sceneweaver.scene import Scene
 
 ZOO = Path(__file__).parents[1] / "zoo"
@@ -106,7 +107,7 @@ def best_options(batch: Batch) -> None:
     """Give every relation of every candidate its best option."""
     other = batch.scratch().options
     inputs = [batch.tables, batch.weights, batch.problem, batch.state]
-    wp.launch(choose, (batch.size, batch.relations), inputs, [batch.state.options, other], device=batch.device)
+    wp.launch(choose, threads(batch, batch.relations), inputs, [batch.state.options, other], device=batch.device)
 
 
 def run_energy(batch: Batch) -> Energies:

@@ -21,7 +21,7 @@ WITH_KERNELS = [m for m in MODULES if wp.get_module(m.__name__).kernels]
 
 def test_modules_are_found():
     names = {m.__name__.rpartition(".")[2] for m in WITH_KERNELS}
-    assert {"adam", "energy", "search", "track", "verdict"} <= names
+    assert {"adam", "energy", "langevin", "lbfgs", "search", "step", "tempering", "track", "verdict"} <= names
 
 
 @pytest.mark.parametrize("module", WITH_KERNELS, ids=lambda m: m.__name__.rpartition(".")[2])

@@ -78,7 +78,9 @@ def test_new_state_of_a_crowd_is_ready_for_use(device):
     np.testing.assert_allclose(found.share, run_energy(other).share, rtol=1e-5, atol=1e-5)
 
 
-@pytest.mark.parametrize(("optimizer", "budget"), [("adam", 12), ("search", 1)])
+@pytest.mark.parametrize(
+    ("optimizer", "budget"), [("adam", 12), ("langevin", 12), ("lbfgs", 12), ("tempering", 12), ("search", 1)]
+)
 def test_optimisers_know_the_energy_of_a_crowd(device, optimizer, budget):
     """The energy that an optimiser tells for a layout that it could not solve is the layout's energy."""
     rng = np.random.default_rng(54)

@@ -15,6 +15,7 @@ def test_random_starts_become_valid(name, candidates):
         assert sw.check(solution.scene(int(i)), walkable=False).valid
 
 
-def test_every_optimizer_takes_large_rooms():
-    solution = sw.refine(zoo("library-100"), init="random", candidates=2, optimizer="adam", steps=3, device="cpu")
+@pytest.mark.parametrize("optimizer", ["adam", "langevin", "lbfgs", "tempering"])
+def test_every_optimizer_takes_large_rooms(optimizer):
+    solution = sw.refine(zoo("library-100"), init="random", candidates=2, optimizer=optimizer, steps=3, device="cpu")
     assert np.isfinite(solution.poses).all()

@@ -1,0 +1,229 @@
+"""What step-based optimisers share: threads, moving a root with what it carries, the best so far, choosing options.
+
+These optimisers look at every object of every candidate in each step, so their kernels run one thread per (candidate,
+object) or (candidate, relation), as (group, object, lane): a warp takes one object of LANES neighbouring candidates.
+Its threads then read the same table entries and take the same branches, and warps beside it find the candidates' poses
+in the cache. What is private to these optimisers is stored [object, candidate], so that a warp reads it in one piece.
+"""
+
+import warp as wp
+
+from .energy import best_option, parties_of
+from .features import TURN
+from .geometry import perp, plane_of, wrap
+from .groups import members_energy
+from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, State, TablesRef, View, Weights
+
+wp.set_module_options({"enable_backward": False})
+
+LANES = wp.constant(32)  # candidates side by side in a warp
+AT_REST = wp.constant(1.0e-9)  # energy at which nothing is left to improve
+
+
+@wp.func
+def turning_arm(t: TablesRef, o: wp.int32):
+    """Length [m] by which yaw is scaled, so that a step turns object o about as far as it shifts it."""
+    return 0.3 * t[0].object_radius[o][0] + 0.05
+
+
+@wp.func
+def freedom(t: TablesRef, o: wp.int32):
+    """One for every coordinate (x, y, z, yaw) that object o is free in, else zero."""
+    free = t[0].object_free[o]
+    plane = wp.where((free & FREE_PLANE) != 0, 1.0, 0.0)
+    return wp.vec4(
+        plane, plane, wp.where((free & FREE_Z) != 0, 1.0, 0.0), wp.where((free & FREE_YAW) != 0, 1.0, 0.0)
+    )
+
+
+@wp.func
+def noise(rng: wp.uint32):
+    """Four standard normal numbers."""
+    v = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    for c in range(4):
+        v[c] = wp.randn(rng)
+    return v
+
+
+@wp.func
+def stream(seed: wp.uint32, step: wp.int32, index: wp.int32):
+    """A random stream of its own for each candidate's seed, step and index: no state to share between threads."""
+    return wp.rand_init(int(seed) + 7919 * step, index)
+
+
+@wp.func
+def scaled_gradient(
+    t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, arm: wp.float32, s: State
+):
+    """Share of a root in the candidate's energy and the gradient for its pose, yaw as a length at the arm."""
+    _e, share, _soft, g = members_energy(t, m, w, p, candidate, root, s)
+    g[3] = g[3] / arm
+    return share, g
+
+
+@wp.func
+def place_members(
+    t: TablesRef,
+    o: wp.int32,
+    root: wp.int32,
+    from_candidate: wp.int32,
+    to_candidate: wp.int32,
+    d: wp.vec4,
+    poses: wp.array2d(dtype=wp.vec4),
+    next_poses: wp.array2d(dtype=wp.vec4),
+    next_turns: wp.array2d(dtype=wp.vec2),
+):
+    """Write the poses of a root (o: its global index) and of all that it carries, moved by d (x, y, z, yaw)."""
+    old = poses[from_candidate, root]
+    pose = old + d
+    spin = wp.vec2(wp.cos(d[3]), wp.sin(d[3]))
+    for k in range(t[0].member_start[o], t[0].member_start[o + 1]):
+        i = t[0].member[k]
+        child = poses[from_candidate, i]
+        arm = plane_of(child) - plane_of(old)
+        at = plane_of(pose) + spin[0] * arm + spin[1] * perp(arm)
+        yaw = wrap(child[3] + d[3], TURN)
+        next_poses[to_candidate, i] = wp.vec4(at[0], at[1], child[2] + d[2], yaw)
+        next_turns[to_candidate, i] = wp.vec2(wp.cos(yaw), wp.sin(yaw))
+
+
+@wp.func
+def total_of(share: wp.array2d(dtype=wp.float32), candidate: wp.int32, n: wp.int32):
+    """Sum of the first n objects' shares [object, candidate]."""
+    total = float(0.0)
+    for obj in range(n):
+        total += share[obj, candidate]
+    return total
+
+
+@wp.func
+def keep_last(
+    t: TablesRef,
+    p: wp.int32,
+    candidate: wp.int32,
+    obj: wp.int32,
+    share: wp.array2d(dtype=wp.float32),
+    lowest: wp.array(dtype=wp.float32),
+    last: wp.array2d(dtype=wp.vec4),
+    best_out: wp.array2d(dtype=wp.vec4),
+    share_out: wp.array2d(dtype=wp.float32),
+    lowest_out: wp.array(dtype=wp.float32),
+):
+    """Keep the poses of the step before, whose shares are given, if they were the best; True: this thread has a root.
+
+    Candidates at rest have no thread with a root: they are left as they are.
+    """
+    o = t[0].object_start[p] + obj
+    n = t[0].object_start[p + 1] - t[0].object_start[p]
+    if obj >= n:
+        return False
+    low = lowest[candidate]
+    if low <= AT_REST:
+        lowest_out[candidate] = low
+        return False
+    total = total_of(share, candidate, n)
+    if obj == 0:
+        lowest_out[candidate] = wp.where(total < low, total, low)
+    if t[0].object_root[o] != obj:
+        share_out[obj, candidate] = 0.0
+        return False
+    if total < low:
+        for k in range(t[0].member_start[o], t[0].member_start[o + 1]):
+            best_out[candidate, t[0].member[k]] = last[candidate, t[0].member[k]]
+    return True
+
+
+@wp.kernel
+def choose(
+    # Problem:
+    t: TablesRef,
+    w: Weights,
+    problem: wp.array(dtype=wp.int32),
+    # State in:
+    s: State,
+    # State out:
+    options_out: wp.array2d(dtype=wp.int32),
+    other_out: wp.array2d(dtype=wp.int32),
+):
+    """Give every relation its best option at the present poses, in both buffers."""
+    group, rel, lane = wp.tid()
+    candidate = group * LANES + lane
+    if candidate >= problem.shape[0]:
+        return
+    p = problem[candidate]
+    r = t[0].relation_start[p] + rel
+    if r < t[0].relation_start[p + 1]:
+        parties = parties_of(t, t[0].object_start[p], r, s, candidate, View())
+        option, _e, _g = best_option(t, r, 0, parties, w.knee)
+        options_out[candidate, rel] = option
+        other_out[candidate, rel] = option
+
+
+@wp.kernel
+def measure(
+    # Problem:
+    t: TablesRef,
+    m: Margins,
+    w: Weights,
+    problem: wp.array(dtype=wp.int32),
+    # State in:
+    s: State,
+    # State out:
+    share_out: wp.array2d(dtype=wp.float32),
+    gradient_out: wp.array2d(dtype=wp.vec4),
+):
+    """Every root's share of its candidate's energy and its scaled gradient, [object, candidate]; else zero."""
+    group, obj, lane = wp.tid()
+    candidate = group * LANES + lane
+    if candidate >= problem.shape[0]:
+        return
+    p = problem[candidate]
+    o = t[0].object_start[p] + obj
+    share = float(0.0)
+    g = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    if o < t[0].object_start[p + 1]:
+        if t[0].object_root[o] == obj:
+            share, g = scaled_gradient(t, m, w, p, candidate, obj, turning_arm(t, o), s)
+    share_out[obj, candidate] = share
+    gradient_out[obj, candidate] = g
+
+
+@wp.kernel
+def take_best(
+    # Problem:
+    t: TablesRef,
+    problem: wp.array(dtype=wp.int32),
+    # State in:
+    last: wp.array2d(dtype=wp.vec4),
+    total: wp.array(dtype=wp.float32),
+    best: wp.array2d(dtype=wp.vec4),
+    lowest: wp.array(dtype=wp.float32),
+    # State out:
+    poses_out: wp.array2d(dtype=wp.vec4),
+    turns_out: wp.array2d(dtype=wp.vec2),
+):
+    """Give every candidate the better one of its last poses, of the given energy, and the best before them."""
+    candidate, obj = wp.tid()
+    p = problem[candidate]
+    if obj < t[0].object_start[p + 1] - t[0].object_start[p]:
+        pose = last[candidate, obj]
+        if not total[candidate] < lowest[candidate] and lowest[candidate] < wp.inf:
+            pose = best[candidate, obj]
+        poses_out[candidate, obj] = pose
+        turns_out[candidate, obj] = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
+
+
+@wp.kernel
+def add_up(
+    # Problem:
+    t: TablesRef,
+    problem: wp.array(dtype=wp.int32),
+    # State in:
+    share: wp.array2d(dtype=wp.float32),
+    # State out:
+    total_out: wp.array(dtype=wp.float32),
+):
+    """Energy of every candidate."""
+    candidate = wp.tid()
+    p = problem[candidate]
+    total_out[candidate] = total_of(share, candidate, t[0].object_start[p + 1] - t[0].object_start[p])

@@ -1,0 +1,282 @@
+"""Parallel tempering: replicas of each candidate at a ladder of temperatures, which they exchange.
+
+A candidate owns REPLICAS neighbouring rows of the state. Each holds one rung of the ladder, and samples
+exp(-energy / T) by one of two moves, both under the Metropolis rule:
+
+- a Langevin step of all that is free (MALA: Roberts & Tweedie 1996, "Exponential convergence of Langevin distributions
+  and their discrete approximations"), its length adapted ever more slowly to the best acceptance (Andrieu & Thoms 2008,
+  "A tutorial on adaptive MCMC");
+- a jump of one object, or of it and all that is placed by it, to anywhere in the room, by quarter turns as a rule.
+
+The energy is that of every relation's best option, so that an object that jumps may stand at another wall. Neighbouring
+rungs then exchange their temperatures by the rule of replica exchange (Swendsen & Wang 1986; Geyer 1991).
+"""
+
+import warp as wp
+
+from .features import TURN
+from .geometry import plane_of, turn
+from .sample import QUARTER
+from .step import LANES, freedom, noise, place_members, stream, total_of, turning_arm
+from .tables import FREE_PLANE, FREE_YAW, State, TablesRef
+
+wp.set_module_options({"enable_backward": False})
+
+GROUPS = wp.constant(0.5)  # share of jumps that take along what is placed by the object
+SQUARE = wp.constant(0.8)  # share of jumps that turn by quarters
+TARGET = wp.constant(0.574)  # acceptance at which MALA explores fastest
+PICKS = wp.constant(8)  # looks for an object that may jump
+OF_ROW = wp.constant(1048576)  # streams of rows begin here, beyond those of objects
+
+# ``Ladder.move``: the trial of a row. Zero and above: a jump of that object.
+FIRST = wp.constant(-1)  # the start, which is taken as it is
+LANGEVIN = wp.constant(-2)
+GROUP = wp.constant(65536)  # added to a jump of the whole group
+
+
+@wp.struct
+class Ladder:
+    """Replicas and their rungs. A row is candidate * replicas + replica."""
+
+    temperature: wp.array(dtype=wp.float32)  # [rung], in units of the energy [m], coldest first
+    rung: wp.array(dtype=wp.int32)  # [row]
+    pace: wp.array(dtype=wp.float32)  # [candidate * replicas + rung]: length of Langevin steps, metres per slope
+    energy: wp.array(dtype=wp.float32)  # [row]
+    move: wp.array(dtype=wp.int32)  # [row]
+    taken: wp.array(dtype=wp.int32)  # [row]: 1 when the trial was accepted
+    better: wp.array(dtype=wp.int32)  # [row]: 1 when the trial is the candidate's best so far
+    lowest: wp.array(dtype=wp.float32)  # [candidate]
+
+
+@wp.func
+def exchange_odds(energy_a: wp.float32, temperature_a: wp.float32, energy_b: wp.float32, temperature_b: wp.float32):
+    """Logarithm of the odds by which two replicas exchange their temperatures: 0 and above always."""
+    return (1.0 / temperature_a - 1.0 / temperature_b) * (energy_a - energy_b)
+
+
+@wp.func
+def langevin_odds(
+    step: wp.vec4, slope: wp.vec4, trial_slope: wp.vec4, pace: wp.float32, temperature: wp.float32
+):
+    """One object's part in the logarithm of how much likelier the way back is than the way there."""
+    there = step + pace * slope
+    back = step - pace * trial_slope
+    return (wp.dot(there, there) - wp.dot(back, back)) / (4.0 * pace * temperature)
+
+
+@wp.kernel
+def spread(
+    # Problem:
+    replicas: wp.int32,
+    problem: wp.array(dtype=wp.int32),
+    # State in:
+    s: State,
+    # State out:
+    problem_out: wp.array(dtype=wp.int32),
+    rows_out: State,
+    rung_out: wp.array(dtype=wp.int32),
+):
+    """Give every candidate its replicas: the same poses, streams of their own, the rungs in order."""
+    row, obj = wp.tid()
+    candidate = row // replicas
+    replica = row - candidate * replicas
+    rows_out.poses[row, obj] = s.poses[candidate, obj]
+    rows_out.turns[row, obj] = s.turns[candidate, obj]
+    rows_out.anchors[row, obj] = s.anchors[candidate, obj]
+    if obj == 0:
+        problem_out[row] = problem[candidate]
+        rows_out.rng[row] = wp.rand_init(int(s.rng[candidate]), replica)
+        rung_out[row] = replica
+
+
+@wp.kernel
+def accept(
+    # Problem:
+    t: TablesRef,
+    problem: wp.array(dtype=wp.int32),
+    replicas: wp.int32,
+    jumps: wp.float32,
+    # State in:
+    clock: wp.array(dtype=wp.int32),
+    rng: wp.array(dtype=wp.uint32),
+    share: wp.array2d(dtype=wp.float32),
+    slope: wp.array2d(dtype=wp.vec4),
+    trial_slope: wp.array2d(dtype=wp.vec4),
+    step: wp.array2d(dtype=wp.vec4),
+    # State in and out:
+    ladder: Ladder,
+    # State out:
+    total_out: wp.array(dtype=wp.float32),
+):
+    """Decide on every row's trial, adapt its pace, and draw what it tries next: a share of ``jumps`` jump."""
+    row = wp.tid()
+    p = problem[row]
+    n = t[0].object_start[p + 1] - t[0].object_start[p]
+    kind = ladder.move[row]
+    now = clock[0]
+    draw = stream(rng[row], now, OF_ROW)
+    total = total_of(share, row, n)
+    total_out[row] = total
+    rung = ladder.rung[row]
+    temperature = ladder.temperature[rung]
+    at = (row // replicas) * replicas + rung
+    pace = ladder.pace[at]
+    odds = (ladder.energy[row] - total) / temperature
+    if kind == LANGEVIN:
+        for obj in range(n):
+            odds += langevin_odds(step[obj, row], slope[obj, row], trial_slope[obj, row], pace, temperature)
+        chance = float(0.0)  # stays zero when the odds are no number
+        if odds > -50.0:
+            chance = wp.exp(wp.min(odds, 0.0))
+        ladder.pace[at] = pace * wp.exp(2.0 * (chance - TARGET) / wp.pow(1.0 + 0.1 * float(now), 0.6))
+    taken = kind == FIRST or wp.log(wp.randf(draw) + 1.0e-20) < odds
+    ladder.taken[row] = wp.where(taken, 1, 0)
+    if taken:
+        ladder.energy[row] = total
+    move = int(LANGEVIN)
+    if wp.randf(draw) < jumps:
+        for _try in range(PICKS):
+            obj = wp.min(int(wp.randf(draw) * float(n)), n - 1)
+            if move == LANGEVIN and (t[0].object_free[t[0].object_start[p] + obj] & FREE_PLANE) != 0:
+                move = obj
+        if move != LANGEVIN and wp.randf(draw) < GROUPS:
+            move += GROUP
+    ladder.move[row] = move
+
+
+@wp.kernel
+def exchange(
+    # Problem:
+    replicas: wp.int32,
+    # State in:
+    rng: wp.array(dtype=wp.uint32),
+    total: wp.array(dtype=wp.float32),
+    # State in and out:
+    clock: wp.array(dtype=wp.int32),
+    ladder: Ladder,
+):
+    """Let neighbouring rungs of each candidate exchange replicas, even pairs and odd pairs in turn; note the best."""
+    candidate = wp.tid()
+    first = candidate * replicas
+    now = clock[candidate]
+    clock[candidate] = now + 1
+    low = ladder.lowest[candidate]
+    best = int(-1)
+    for row in range(first, first + replicas):
+        ladder.better[row] = 0
+        if total[row] < low:
+            low = total[row]
+            best = row
+    if best >= 0:
+        ladder.better[best] = 1
+        ladder.lowest[candidate] = low
+    draw = stream(rng[first], now, OF_ROW + 1)
+    for cold in range(now % 2, replicas - 1, 2):
+        a = int(first)
+        b = int(first)
+        for row in range(first, first + replicas):
+            if ladder.rung[row] == cold:
+                a = row
+            if ladder.rung[row] == cold + 1:
+                b = row
+        odds = exchange_odds(
+            ladder.energy[a], ladder.temperature[cold], ladder.energy[b], ladder.temperature[cold + 1]
+        )
+        if wp.log(wp.randf(draw) + 1.0e-20) < odds:
+            ladder.rung[a] = cold + 1
+            ladder.rung[b] = cold
+
+
+@wp.func
+def jumps_with(t: TablesRef, o0: wp.int32, move: wp.int32, obj: wp.int32):
+    """True when a root takes part in a jump."""
+    if move < GROUP:
+        return obj == move
+    o = o0 + move - GROUP
+    for k in range(t[0].group_start[o], t[0].group_start[o + 1]):
+        if t[0].group[k] == obj:
+            return True
+    return False
+
+
+@wp.func
+def jump(
+    t: TablesRef,
+    p: wp.int32,
+    row: wp.int32,
+    root: wp.int32,
+    obj: wp.int32,
+    seed: wp.uint32,
+    poses: wp.array2d(dtype=wp.vec4),
+):
+    """How object ``obj`` moves when root jumps anywhere in the room's bounding box and takes it along."""
+    draw = seed
+    box = t[0].room_box[p]
+    x = box[0] + wp.randf(draw) * (box[2] - box[0])
+    y = box[1] + wp.randf(draw) * (box[3] - box[1])
+    spin = float(0.0)
+    if wp.randf(draw) < SQUARE:
+        spin = QUARTER * wp.floor(4.0 * wp.randf(draw))
+    else:
+        spin = TURN * wp.randf(draw)
+    if (t[0].object_free[t[0].object_start[p] + root] & FREE_YAW) == 0:
+        spin = 0.0
+    at = plane_of(poses[row, root])
+    pose = plane_of(poses[row, obj])
+    d = wp.vec2(x, y) + turn(wp.vec2(wp.cos(spin), wp.sin(spin)), pose - at) - pose
+    return wp.vec4(d[0], d[1], 0.0, spin)
+
+
+@wp.kernel
+def make_moves(
+    # Problem:
+    t: TablesRef,
+    problem: wp.array(dtype=wp.int32),
+    replicas: wp.int32,
+    # State in:
+    clock: wp.array(dtype=wp.int32),
+    ladder: Ladder,
+    trial_slope: wp.array2d(dtype=wp.vec4),
+    # State in and out:
+    s: State,
+    trial: State,
+    slope: wp.array2d(dtype=wp.vec4),
+    # State out:
+    step_out: wp.array2d(dtype=wp.vec4),
+    best_out: wp.array2d(dtype=wp.vec4),
+):
+    """Carry out what was decided on every row's trial and lay out the next one."""
+    group, obj, lane = wp.tid()
+    row = group * LANES + lane
+    if row >= problem.shape[0]:
+        return
+    p = problem[row]
+    o0 = t[0].object_start[p]
+    o = o0 + obj
+    if o >= t[0].object_start[p + 1]:
+        return
+    if t[0].object_root[o] != obj:
+        return
+    candidate = row // replicas
+    for k in range(t[0].member_start[o], t[0].member_start[o + 1]):
+        i = t[0].member[k]
+        if ladder.better[row] == 1:
+            best_out[candidate, i] = trial.poses[row, i]
+        if ladder.taken[row] == 1:
+            s.poses[row, i] = trial.poses[row, i]
+    if ladder.taken[row] == 1:
+        slope[obj, row] = trial_slope[obj, row]
+    free = freedom(t, o)
+    move = ladder.move[row]
+    d = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    if move == LANGEVIN:
+        rung = ladder.rung[row]
+        pace = ladder.pace[candidate * replicas + rung]
+        sigma = wp.sqrt(2.0 * pace * ladder.temperature[rung])
+        d = wp.cw_mul(free, sigma * noise(stream(s.rng[row], clock[candidate], obj)) - pace * slope[obj, row])
+        step_out[obj, row] = d
+        d[3] = d[3] / turning_arm(t, o)
+    elif jumps_with(t, o0, move, obj):
+        seed = stream(s.rng[row], clock[candidate], OF_ROW + 2)
+        d = wp.cw_mul(free, jump(t, p, row, move % GROUP, obj, seed, s.poses))
+    place_members(t, o, obj, row, row, d, s.poses, trial.poses, trial.turns)

@@ -1,0 +1,125 @@
+"""The loop that Adam and Langevin dynamics share: one launch a step, two buffers, the best of each candidate."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from sceneweaver.kernels.adam import Schedule
+from sceneweaver.kernels.step import LANES, add_up, choose, measure, take_best
+from sceneweaver.kernels.tables import State
+
+from .base import Monitor, Outcome
+from .batch import Batch, judge
+from .launches import Launches
+
+REASSIGN = 20  # steps between two looks at which wall or side each relation means; even: both buffers had their turn
+
+
+def schedule_of(steps: int, rate: float, rate_end: float, noise: float, quiet: float) -> Schedule:
+    """A schedule from its numbers; units as in ``Schedule``."""
+    schedule = Schedule()
+    schedule.steps, schedule.rate, schedule.rate_end = steps, rate, rate_end
+    schedule.noise, schedule.quiet = noise, quiet
+    return schedule
+
+
+def threads(batch: Batch, each: int) -> tuple[int, int, int]:
+    """Launch dimensions of kernels that take ``each`` objects or relations of every candidate: groups, each, lanes."""
+    return -(-batch.size // int(LANES)), each, int(LANES)
+
+
+def per_object(batch: Batch, dtype: type, fill: float = 0.0) -> wp.array:
+    """An array [object, candidate], the order in which warps read what is private to an optimiser."""
+    return wp.full((max(batch.objects, 1), batch.size), dtype(fill), dtype=dtype, device=batch.device)
+
+
+def descend(batch: Batch, step: Any, schedule: Schedule, moments: int, monitor: Monitor) -> wp.array:
+    """Take all of a schedule's steps in place; every candidate ends at the lowest energy that it passed.
+
+    Args:
+        batch: the candidates, at the poses to start from.
+        step: the kernel, with the arguments of ``adam.adam_step``.
+        schedule: step sizes and the number of steps.
+        moments: how many arrays of running averages the kernel keeps.
+        monitor: may stop the descent before its end.
+
+    Returns:
+        The candidates' energies [B] float32, on the device.
+    """
+    device, state, other = batch.device, batch.state, batch.scratch()
+    other.rng, other.anchors = state.rng, state.anchors
+    wp.copy(other.poses, state.poses)  # time may run out before the first step
+    averages = [per_object(batch, wp.vec4) for _ in range(moments)]
+    best = wp.zeros_like(state.poses)
+    share = [per_object(batch, wp.float32, np.inf) for _ in range(2)]
+    lowest = [wp.full(batch.size, np.inf, dtype=wp.float32, device=device) for _ in range(2)]
+    clock = [wp.zeros(1, dtype=wp.int32, device=device) for _ in range(2)]
+    layout = [state, other]
+
+    block = Launches(device)
+    add_choice(block, batch, state, [state.options, other.options])
+    for k in range(REASSIGN):
+        a, b = k % 2, (k + 1) % 2
+        block.add(
+            step,
+            threads(batch, batch.objects),
+            [
+                *(batch.tables, batch.margins, batch.weights, schedule, batch.problem),
+                *(clock[a], layout[a], share[b], lowest[a], *averages, layout[b].poses),
+            ],
+            [layout[b].turns, best, share[a], lowest[b], clock[b]],
+        )
+    times, rest = divmod(schedule.steps + 1, REASSIGN)  # the last step is there to measure where the one before led
+    done = block.play(monitor, times, rest + 1 if rest else 0)
+    a = (rest + 1) % 2 if done else 1  # the buffers of the last step
+    total = wp.zeros(batch.size, dtype=wp.float32, device=device)
+    wp.launch(add_up, batch.size, [batch.tables, batch.problem, share[a]], [total], device=device)
+    return finish(batch, layout[a].poses, total, best, lowest[1 - a])
+
+
+def finish(batch: Batch, last: wp.array, total: wp.array, best: wp.array, lowest: wp.array) -> wp.array:
+    """Give the batch the better of two layouts of each candidate, with their energies; the energies [B] of those."""
+    wp.launch(
+        take_best,
+        (batch.size, batch.objects),
+        [batch.tables, batch.problem, last, total, best, lowest],
+        [batch.state.poses, batch.state.turns],
+        device=batch.device,
+    )
+    return energy_of(batch)
+
+
+def add_choice(block: Launches, batch: Batch, state: State, options: Sequence[wp.array]) -> None:
+    """Let every relation take its best option at the state's poses; ``options``: the two arrays to write it to."""
+    if batch.relations:
+        inputs = [batch.tables, batch.weights, batch.problem, state]
+        block.add(choose, threads(batch, batch.relations), inputs, options)
+
+
+def energy_of(batch: Batch) -> wp.array:
+    """Choose every relation's best option in place; energies [B] float32 of the batch's poses, on the device."""
+    state, device = batch.state, batch.device
+    share, gradient = per_object(batch, wp.float32), per_object(batch, wp.vec4)
+    total = wp.zeros(batch.size, dtype=wp.float32, device=device)
+    now = Launches(device)
+    add_choice(now, batch, state, [state.options, state.options])
+    now.add(
+        measure,
+        threads(batch, batch.objects),
+        [batch.tables, batch.margins, batch.weights, batch.problem, state],
+        [share, gradient],
+    )
+    now.add(add_up, batch.size, [batch.tables, batch.problem, share], [total])
+    now.play(Monitor(0))
+    return total
+
+
+def outcome(batch: Batch, total: wp.array, monitor: Monitor) -> Outcome:
+    """Report a refined batch and hand over its energies."""
+    energy = total.numpy()
+    monitor.add(batch.size, int(np.sum(judge(batch).status == 0)), float(energy.min(initial=np.inf)))
+    return Outcome(energy)

@@ -1,0 +1,72 @@
+"""Kernel launches repeated without a look from the host: recorded once, as a graph on a GPU."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import warp as wp
+
+from .base import Monitor
+
+
+class Launches:
+    """A block of launches whose arguments never change; what changes from step to step lives in arrays.
+
+    On a GPU a block that is repeated becomes a CUDA graph. On a CPU pieces of a batch run in threads, where nothing may
+    be captured; there the prepared commands are replayed one by one, which saves the packing of their arguments.
+    """
+
+    def __init__(self, device: str, unroll: int = 1) -> None:
+        """``unroll``: how often a graph holds the block; also how many blocks pass between two looks at the time."""
+        self.device = device
+        self.unroll = unroll
+        self._commands: list[Any] = []
+        self._keep: list[Any] = []  # the commands hold addresses only
+
+    def add(self, kernel: Any, dim: Any, inputs: Sequence[Any], outputs: Sequence[Any]) -> None:
+        """Append a launch. Nothing runs yet."""
+        command = wp.launch(kernel, dim, [*inputs], [*outputs], device=self.device, record_cmd=True)
+        self._commands.append(command)
+        self._keep.append((inputs, outputs))
+
+    def __len__(self) -> int:
+        return len(self._commands)
+
+    def play(self, monitor: Monitor, times: int = 1, rest: int = 0) -> bool:
+        """Run the block ``times`` times, then its first ``rest`` launches; False when time ran out before the end."""
+        stretches, left = divmod(times, self.unroll)
+        graph = self._graph() if stretches > 1 and self.device != "cpu" else None
+        for _ in range(stretches):
+            if self._expired(monitor):
+                return False
+            if graph is None:
+                self._run(self._commands * self.unroll)
+            else:
+                wp.capture_launch(graph)
+        if left or rest:
+            if self._expired(monitor):
+                return False
+            self._run(self._commands * left + self._commands[:rest])
+        return True
+
+    def _run(self, commands: Sequence[Any]) -> None:
+        for command in commands:
+            command.launch()
+
+    def _graph(self) -> Any:
+        with wp.ScopedCapture(device=self.device, force_module_load=False) as capture:  # recording loaded the modules
+            self._run(self._commands * self.unroll)
+        return capture.graph
+
+    def _expired(self, monitor: Monitor) -> bool:
+        if monitor.deadline is not None and self.device != "cpu":
+            wp.synchronize_device(self.device)  # else all would be in the queue before the first is done
+        return monitor.expired()
+
+
+def repeat_while(device: str, more: wp.array, block: Callable[[], None]) -> None:
+    """Launch a block on a GPU as long as ``more[0]``, which its kernels write, is not zero; the GPU itself decides."""
+    with wp.ScopedCapture(device=device) as capture:
+        wp.capture_while(more, block)
+    wp.capture_launch(capture.graph)

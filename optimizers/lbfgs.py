@@ -1,0 +1,93 @@
+"""L-BFGS: each candidate by its own quasi-Newton steps, pushed on from minima that are no solution."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import warp as wp
+
+from sceneweaver.kernels.lbfgs import SLOTS, History, Line, decide, make_trial
+from sceneweaver.kernels.step import measure
+from sceneweaver.kernels.tables import State
+
+from .base import Monitor, Outcome, Start, register
+from .batch import Batch
+from .descent import add_choice, finish, outcome, per_object, threads
+from .launches import Launches
+from .starts import draw_starts
+
+STEPS = 400
+PUSH = {"given": 0.3, "random": 0.9, "sample": 0.9}  # [m] out of a minimum, at the start of the run
+UNROLL = 20  # steps in one graph
+
+
+@dataclass
+class Workspace:
+    """What L-BFGS keeps beside the batch; ``trial`` is the layout that is measured next."""
+
+    trial: State
+    best: wp.array
+    share: wp.array
+    gradient: wp.array
+    history: History
+    line: Line
+    clock: wp.array
+
+
+def workspace(batch: Batch) -> Workspace:
+    """A workspace before the first step: the first trial is the batch's poses."""
+    shape, device = (int(SLOTS), max(batch.objects, 1), batch.size), batch.device
+    trial = batch.scratch()
+    trial.anchors = batch.state.anchors
+    wp.copy(trial.poses, batch.state.poses)
+    wp.copy(trial.turns, batch.state.turns)
+    history, line = History(), Line()
+    history.moves = wp.zeros(shape, dtype=wp.vec4, device=device)
+    history.slopes = wp.zeros(shape, dtype=wp.vec4, device=device)
+    for name in ("count", "head"):
+        setattr(history, name, wp.zeros(batch.size, dtype=wp.int32, device=device))
+    for name in ("energy", "lowest"):
+        setattr(line, name, wp.full(batch.size, np.inf, dtype=wp.float32, device=device))
+    for name in ("stride", "slope"):
+        setattr(line, name, wp.zeros(batch.size, dtype=wp.float32, device=device))
+    for name in ("tries", "idle", "state"):
+        setattr(line, name, wp.zeros(batch.size, dtype=wp.int32, device=device))
+    line.gradient, line.direction = per_object(batch, wp.vec4), per_object(batch, wp.vec4)
+    share, gradient = per_object(batch, wp.float32), per_object(batch, wp.vec4)
+    clock = wp.zeros(1, dtype=wp.int32, device=device)
+    return Workspace(trial, wp.zeros_like(trial.poses), share, gradient, history, line, clock)
+
+
+def one_step(block: Launches, batch: Batch, work: Workspace, push: float, steps: int) -> None:
+    """Append one step: measure the trial, decide on it, make the next."""
+    trial, problem = work.trial, [batch.tables, batch.problem]
+    add_choice(block, batch, trial, [trial.options, trial.options])
+    block.add(
+        measure,
+        threads(batch, batch.objects),
+        [batch.tables, batch.margins, batch.weights, batch.problem, trial],
+        [work.share, work.gradient],
+    )
+    block.add(decide, batch.size, [*problem, work.share, work.gradient, work.history, work.line, work.clock], [])
+    block.add(
+        make_trial,
+        threads(batch, batch.objects),
+        [
+            *(*problem, push, steps, work.clock, batch.state.rng, work.share, work.line),
+            *(batch.state.poses, work.best, trial),
+        ],
+        [],
+    )
+
+
+@register("lbfgs", modules=("step", "lbfgs"))
+def run_lbfgs(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
+    """Refine every candidate by ``budget`` steps (default 400), one energy each; it ends at the lowest it passed."""
+    draw_starts(batch, start)
+    steps = budget or STEPS
+    work, block = workspace(batch), Launches(batch.device, UNROLL)
+    one_step(block, batch, work, PUSH[start], steps)
+    block.play(monitor, steps + 1)  # the first only measures the start
+    total = finish(batch, batch.state.poses, work.line.energy, work.best, work.line.lowest)
+    return outcome(batch, total, monitor)

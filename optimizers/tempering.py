@@ -1,0 +1,113 @@
+"""Parallel tempering: replicas of each candidate at several temperatures, between two descents.
+
+The first descent brings the replicas near minima, where small steps are accepted; the second polishes the best.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import warp as wp
+
+from sceneweaver.kernels.adam import adam_step
+from sceneweaver.kernels.step import measure
+from sceneweaver.kernels.tempering import FIRST, Ladder, accept, exchange, make_moves, spread
+
+from .base import Monitor, Outcome, Start, register
+from .batch import Batch
+from .descent import add_choice, descend, finish, outcome, per_object, schedule_of, threads
+from .launches import Launches
+from .starts import draw_starts
+
+STEPS = 1200
+REPLICAS = 3
+COLDEST = 0.005  # [m], in units of the energy
+HOTTEST = {"given": 0.03, "random": 0.2, "sample": 0.2}
+JUMPS = {"given": 0.2, "random": 0.7, "sample": 0.7}  # share of moves that are jumps
+PACE = 0.015  # [m] a Langevin step takes for a slope of one, to begin with
+LEAD = 40  # steps of the descent at the beginning, at most a quarter of all
+POLISH = 0.25  # share of the steps for the descent at the end
+UNROLL = 10  # steps in one graph
+
+
+def parts(steps: int) -> tuple[int, int, int]:
+    """How many of the steps are first descent, tempering and last descent; replicas take the first two."""
+    lead, polish = min(LEAD, steps // 4), int(POLISH * steps)
+    return lead, steps - lead - polish, polish
+
+
+def ladder_of(candidates: int, hottest: float, device: str) -> Ladder:
+    """A ladder for so many candidates, temperatures in equal ratios, before anything was tried."""
+    ladder, rows = Ladder(), candidates * REPLICAS
+    ladder.temperature = wp.array(np.geomspace(COLDEST, hottest, REPLICAS), dtype=wp.float32, device=device)
+    ladder.rung = wp.zeros(rows, dtype=wp.int32, device=device)
+    ladder.pace = wp.full(rows, PACE, dtype=wp.float32, device=device)
+    ladder.energy = wp.full(rows, np.inf, dtype=wp.float32, device=device)
+    ladder.move = wp.full(rows, int(FIRST), dtype=wp.int32, device=device)
+    for name in ("taken", "better"):
+        setattr(ladder, name, wp.zeros(rows, dtype=wp.int32, device=device))
+    ladder.lowest = wp.full(candidates, np.inf, dtype=wp.float32, device=device)
+    return ladder
+
+
+def replicate(batch: Batch, rung: wp.array) -> Batch:
+    """A batch in which every candidate has REPLICAS neighbouring rows."""
+    rows = batch.size * REPLICAS
+    many = replace(batch, problem=wp.zeros(rows, dtype=wp.int32, device=batch.device))
+    many.state = many.scratch()
+    wp.launch(
+        spread,
+        (rows, batch.objects),
+        [REPLICAS, batch.problem, batch.state],
+        [many.problem, many.state, rung],
+        device=batch.device,
+    )
+    return many
+
+
+def temper(batch: Batch, start: Start, lead: int, steps: int, monitor: Monitor) -> None:
+    """Run the replicas in place: every candidate ends at the best layout that one of its replicas passed.
+
+    ``lead`` steps of descent come before the ``steps`` of tempering.
+    """
+    device = batch.device
+    ladder = ladder_of(batch.size, HOTTEST[start], device)
+    rows = replicate(batch, ladder.rung)
+    draw_starts(rows, start)
+    if lead:
+        descend(rows, adam_step, schedule_of(lead, rate=0.1, rate_end=0.005, noise=0.03, quiet=0.6), 2, monitor)
+    state, trial = rows.state, rows.scratch()
+    trial.anchors = state.anchors
+    wp.copy(trial.poses, state.poses)
+    wp.copy(trial.turns, state.turns)
+    share, total = per_object(rows, wp.float32), wp.zeros(rows.size, dtype=wp.float32, device=device)
+    slope, trial_slope, step = (per_object(rows, wp.vec4) for _ in range(3))
+    clock = wp.zeros(batch.size, dtype=wp.int32, device=device)  # one for each candidate, all alike
+    best = wp.zeros_like(batch.state.poses)
+    tables, problem = rows.tables, rows.problem
+
+    block = Launches(device, UNROLL)
+    add_choice(block, rows, trial, [trial.options, trial.options])
+    inputs = [tables, rows.margins, rows.weights, problem, trial]
+    block.add(measure, threads(rows, rows.objects), inputs, [share, trial_slope])
+    inputs = [tables, problem, REPLICAS, JUMPS[start], clock, state.rng, share, slope, trial_slope, step, ladder]
+    block.add(accept, rows.size, inputs, [total])
+    block.add(exchange, batch.size, [REPLICAS, state.rng, total, clock, ladder], [])
+    inputs = [tables, problem, REPLICAS, clock, ladder, trial_slope, state, trial, slope]
+    block.add(make_moves, threads(rows, rows.objects), inputs, [step, best])
+    block.play(monitor, steps + 1)  # the first only measures the start
+    nothing = wp.full(batch.size, np.inf, dtype=wp.float32, device=device)
+    finish(batch, batch.state.poses, nothing, best, ladder.lowest)
+
+
+@register("tempering", modules=("step", "tempering", "adam"))
+def run_tempering(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
+    """Refine every candidate by ``budget`` steps (default 1200); it ends at the lowest energy of any replica.
+
+    A step measures REPLICAS energies of a candidate, one of the last descent a single one.
+    """
+    lead, steps, polish = parts(budget or STEPS)
+    temper(batch, start, lead, steps, monitor)
+    schedule = schedule_of(polish, rate=0.01, rate_end=0.0005, noise=0.0, quiet=1.0)
+    return outcome(batch, descend(batch, adam_step, schedule, 2, monitor), monitor)

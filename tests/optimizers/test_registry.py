@@ -1,0 +1,61 @@
+"""The registry: what it names exists, and every way in knows the same optimisers."""
+
+from __future__ import annotations
+
+import importlib
+
+import pytest
+import warp as wp
+
+import sceneweaver as sw
+from sceneweaver.cli.app import Optimizer as Choice
+from sceneweaver.layout.compile import compile_scene
+from sceneweaver.layout.engine import Job, _modules
+from sceneweaver.optimizers import OPTIMIZERS
+from tests.layout.made import BOX, CUP, scene, table
+from tests.optimizers.batches import STEPWISE
+
+
+def test_all_are_entered():
+    assert {"search", *STEPWISE} <= set(OPTIMIZERS)
+
+
+@pytest.mark.parametrize("name", OPTIMIZERS)
+def test_modules_hold_kernels(name):
+    assert OPTIMIZERS[name].modules
+    for module in OPTIMIZERS[name].modules:
+        found = importlib.import_module(f"sceneweaver.kernels.{module}")
+        assert wp.get_module(found.__name__).kernels
+
+
+def test_the_command_line_offers_those_that_lay_out():
+    assert {choice.value for choice in Choice} <= set(OPTIMIZERS)
+    assert {"search", *STEPWISE} <= {choice.value for choice in Choice}
+
+
+def test_only_what_is_needed_is_compiled():
+    plain, laden = compile_scene(scene([BOX], [])), compile_scene(scene([table(), CUP], []))
+    here = [Job(plain, plain.room.home[None], "given", 0)]
+    assert "search" not in _modules(here, "langevin") and "langevin" in _modules(here, "langevin")
+    assert "search" in _modules([Job(plain, plain.room.home[None], "random", 0)], "langevin"), "it draws the starts"
+    assert "search" in _modules([Job(laden, laden.room.home[None], "given", 0)], "adam"), "it fills the surfaces"
+
+
+@pytest.mark.parametrize("optimizer", STEPWISE)
+def test_through_the_front_door(optimizer):
+    what = scene([table(), CUP, BOX], [])
+    solution = sw.refine(what, candidates=8, init="random", optimizer=optimizer, steps=150, device="cpu")
+    assert (solution.status == 0).any()
+    assert sw.check(solution.best, walkable=False).valid
+
+
+@pytest.mark.parametrize("optimizer", STEPWISE)
+@pytest.mark.parametrize("steps", [0, -3, 2.5, True])
+def test_budgets_that_are_none(optimizer, steps):
+    with pytest.raises(sw.InputError, match="steps"):
+        sw.refine(scene([BOX], []), optimizer=optimizer, steps=steps, device="cpu")
+
+
+@pytest.mark.parametrize("optimizer", STEPWISE)
+def test_rooms_without_anything_to_do(optimizer):
+    assert sw.refine(scene([], []), candidates=2, optimizer=optimizer, device="cpu").best.objects == ()
