@@ -10,6 +10,7 @@ from .batch import judge as judge
 from .batch import load_poses as load_poses
 from .batch import new_state as new_state
 from .batch import streams as streams
+from .projection import run_projection as run_projection
 from .run import run as run
 from .search import run_search as run_search
 
@@ -24,6 +25,7 @@ __all__ = [
     "new_state",
     "run",
     "run_adam",
+    "run_projection",
     "run_search",
     "streams",
 ]

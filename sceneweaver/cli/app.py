@@ -49,6 +49,7 @@ class Optimizer(StrEnum):
 
     SEARCH = "search"
     ADAM = "adam"
+    PROJECTION = "projection"
 
 
 def _version(wanted: bool) -> None:

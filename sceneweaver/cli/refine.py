@@ -65,7 +65,7 @@ def run_refine(
     seed: int,
     init: Literal["sample", "random", "current"],
     device: str,
-    optimizer: Literal["search", "adam"],
+    optimizer: Literal["search", "adam", "projection"],
     time_limit: float | None,
     as_json: bool,
     picture: bool,

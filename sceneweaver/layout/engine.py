@@ -25,6 +25,7 @@ BROKEN, DIVERGED = 1, 3
 POOL = 64  # layouts solved beforehand for every support surface
 POOL_SALT = 0x5EED
 GRACE = 1.0  # [s] beyond a time limit in which to explain why nothing is valid
+KERNELS = {"projection": ("contacts", "projection")}  # modules of optimisers whose kernels bear other names
 PULL = 0.02  # [1/m] towards given poses, small beside any violation
 WALKED = 8  # of the best candidates, how many are measured for walkable floor
 
@@ -74,7 +75,8 @@ def refine(
         device: "auto", "cpu", "cuda" or "cuda:k".
         optimizer: a name in ``sceneweaver.optimizers.OPTIMIZERS``.
         time_limit: seconds after which to stop with what there is; the result says that it was cut off.
-        steps: the optimiser's budget in its own work units (search: attempts, adam: steps).
+        steps: the optimiser's budget in its own work units (search: attempts, adam: steps, projection: tries of a
+            candidate from the first feasible one on).
         progress: called now and then as ``progress(done, total, valid, lowest energy)``.
         explain: when nothing is valid, find out why (``solution.explanation``); takes up to 10 s.
 
@@ -176,7 +178,7 @@ def solve(
     jobs: Sequence[Job], optimizer: str, steps: int | None, device: str, monitor: Monitor, began: float
 ) -> list[Solution]:
     """Solve jobs in shared launches, rooms of like size together."""
-    load(device, "track", "verdict", "walk", "adam" if optimizer == "adam" else "search")
+    load(device, "track", "verdict", "walk", *KERNELS.get(optimizer, (optimizer,)))
     pools = _pools(jobs, device, monitor.deadline)
     buckets: dict[tuple[str, int], list[int]] = {}
     for i, job in enumerate(jobs):
@@ -186,7 +188,7 @@ def solve(
         group = [jobs[i] for i in members]
         if start == "given":
             for job in group:
-                _mend_surfaces(job, device, monitor.deadline)
+                _mend_surfaces(job, optimizer, device, monitor.deadline)
         sizes = [len(job.world) for job in group]
         batch = make_batch(
             [j.compiled.room for j in group],
@@ -317,8 +319,9 @@ def _surfaces_hold(compiled: CompiledScene, world: np.ndarray, device: str) -> n
     return np.all(judge(batch).status.reshape(len(compiled.domains), -1) != BROKEN, axis=0)
 
 
-def _mend_surfaces(job: Job, device: str, deadline: float | None) -> None:
+def _mend_surfaces(job: Job, optimizer: str, device: str, deadline: float | None) -> None:
     """Put what the given poses have on a surface back on it, with as little change as that takes."""
+    how = "projection" if optimizer == "projection" else "search"
     compiled, world = job.compiled, job.world.copy()
     for i, obj in enumerate(compiled.scene.objects):
         if obj.mount in ("floor", "ceiling") and not obj.fixed:
@@ -326,7 +329,7 @@ def _mend_surfaces(job: Job, device: str, deadline: float | None) -> None:
     if compiled.domains:
         batch = _domain_batch(compiled, world, job.seed, device)
         batch.weights = weights(pull=PULL)
-        run(batch, "search", "given", None, Monitor(batch.size, deadline))
+        run(batch, how, "given", None, Monitor(batch.size, deadline))
         poses = batch.state.poses.numpy().reshape(len(compiled.domains), len(world), batch.objects, 4)
         for domain, solved in zip(compiled.domains, poses.astype(np.float64), strict=True):
             deck = domain.deck
