@@ -239,7 +239,8 @@ def add_contacts(
     """Rows that keep two sets of prisms, of objects i and j (-1: static), apart.
 
     Each pair of prisms gets the two vertices nearest to the parting face, so that a face may rest on a face. Returns
-    the number of rows so far, and by how much [m] the pairs miss the verdict's limit in all.
+    the number of rows so far, and by how much [m] the pairs miss the verdict's limit in all, without those that cannot
+    move.
     """
     pa = plane_of(pose_a)
     pb = plane_of(pose_b)
@@ -252,7 +253,7 @@ def add_contacts(
                 if not discs_apart(t, a, pa, qa, b, pb, qb, reach):
                     clear, face, mine = parting_face(t, a, pa, qa, b, pb, qb, reach)
                     if face >= 0:
-                        missed += wp.max(hold + SURE - clear, 0.0)
+                        mobile = int(0)
                         # the face's owner, the other prism, and the direction from a to b
                         owner = pa
                         turned = qa
@@ -298,15 +299,21 @@ def add_contacts(
                                 room = ROWS
                                 if d > hold:
                                     room = ROWS - SPARE
-                                if count < room:
+                                if count >= room:
+                                    mobile = 1
+                                else:
                                     point = at + turn(q, t[0].vertex[v])
                                     ga = wp.vec4(-out[0], -out[1], 0.0, -wp.dot(out, perp(point - pa)))
                                     gb = wp.vec4(out[0], out[1], 0.0, wp.dot(out, perp(point - pb)))
-                                    count += add_row(
+                                    one = add_row(
                                         t, o0, candidate, base + count, wp.vec3i(i, j, -1), ga, gb,
                                         wp.vec4(0.0, 0.0, 0.0, 0.0), wanting(d, hold), face * 32768 + v, s, shift,
                                         rows, keys,
                                     )
+                                    count += one
+                                    mobile += one
+                        if mobile > 0:
+                            missed += wp.max(hold + SURE - clear, 0.0)
     return count, missed
 
 
@@ -356,20 +363,26 @@ def add_bounds(
                     elif d < next:
                         next = d
                         second = v
-            missed += wp.max(m.bounds_hold + SURE - low, 0.0)
+            mobile = int(0)
             for c in range(2):
                 v = lowest
                 d = low
                 if c == 1:
                     v = second
                     d = next
-                if v >= 0 and d < reach and count < ROWS:
+                if count >= ROWS:
+                    mobile = 1
+                elif v >= 0 and d < reach:
                     arm = turn(q, t[0].vertex[v])
                     g = wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(arm)))
-                    count += add_row(
+                    one = add_row(
                         t, o0, candidate, base + count, wp.vec3i(obj, -1, -1), g, none, none,
-                        wanting(d, m.bounds_hold), -1 - (k * 32768 + v), s, shift, rows, keys,
+                        wanting(d, m.bounds_hold), -3 - (k * 32768 + v), s, shift, rows, keys,
                     )
+                    count += one
+                    mobile += one
+            if mobile > 0:
+                missed += wp.max(m.bounds_hold + SURE - low, 0.0)
     for k in range(t[0].fixture_start[p], t[0].fixture_start[p + 1]):
         disc = t[0].prism_disc[t[0].fixture[k]]
         to = wp.vec2(disc[0], disc[1]) - at
@@ -387,8 +400,8 @@ def add_bounds(
     z = t[0].object_z[o]
     down = pose[2] + z[0]
     up = t[0].room_height[p] - z[1] - pose[2]
-    missed += wp.max(m.bounds_hold - down, 0.0) + wp.max(m.bounds_hold - up, 0.0)
     if t[0].object_free[o] & FREE_Z:
+        missed += wp.max(m.bounds_hold - down, 0.0) + wp.max(m.bounds_hold - up, 0.0)
         rise = wp.vec4(0.0, 0.0, 1.0, 0.0)
         if down < reach and count < ROWS:
             count += add_row(
@@ -531,16 +544,19 @@ def add_relations(
                         clear = (hold[1] - value) * scale
                         sign = -scale
                     if clear < reach:
-                        missed += wp.max(-clear, 0.0)
+                        one = int(1)
                         inset = wp.min(SLACK, 0.4 * width)
                         want = inset - clear
                         if clear > 0.1 * inset:
                             want = wp.min(want, 0.0)
                         if count < ROWS:
-                            count += add_row(
+                            one = add_row(
                                 t, o0, candidate, base + count, ids, sign * ga, sign * gb, sign * gc, want,
                                 1073741824 + 2 * k + side, s, shift, rows, keys,
                             )
+                            count += one
+                        if one > 0:
+                            missed += wp.max(-clear, 0.0)
     return count, missed
 
 
@@ -569,7 +585,8 @@ def gather_rows(
     """Rows of every active (candidate, object) at the present poses, with the forces that they had before.
 
     ``shift`` [candidate, object] is how far each root is from its anchor; slots of an object's rows begin at
-    ROWS times its index. ``missed_out`` is by how much [m] its terms miss the verdict's limits.
+    ROWS times its index. ``missed_out`` is by how much [m] its terms miss the verdict's limits, without those that
+    nothing free to move can mend.
     """
     slot, obj = wp.tid()
     candidate = active[slot]

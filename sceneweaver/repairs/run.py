@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -11,6 +12,9 @@ from sceneweaver.verify import Report, check
 
 from .report import Move, Repair, moves_between, notes_on
 from .upright import engine_scene, put_back
+
+if TYPE_CHECKING:
+    from sceneweaver.layout import Solution
 
 MOST, LEAST, WORK = 64, 4, 1280  # candidates: as many as WORK objects, within these bounds
 TRIES = 4  # of a candidate from the first feasible one on
@@ -68,23 +72,11 @@ def repair_report(
             source=scene, scene=scene, before=before, after=before, moves=(), notes=(), explanation=None, seed=seed,
             device=None, seconds=time.monotonic() - began,
         )  # fmt: skip
-    from sceneweaver.layout import refine
-
-    model, lift = engine_scene(scene, relations)
-    solution = refine(
-        model,
-        candidates=candidates or max(LEAST, min(MOST, WORK // max(1, len(scene.objects)))),
-        seed=seed,
-        init="current",
-        device=device,
-        optimizer="projection",
-        steps=TRIES,
-        time_limit=time_limit,
-    )
-    chosen = solution.order[:1]
-    if solution.status[chosen[0]] != 0:  # those with the least left to mend, too
-        chosen = np.unique(np.concatenate([chosen, np.argsort(solution.energy, kind="stable")[:TRIED]]))
-    options = [put_back(scene, lift, solution.poses[i]) for i in chosen]
+    budget = {"candidates": candidates, "seed": seed, "device": device}
+    solution, options = _solve(scene, relations, time_limit=time_limit, **budget)
+    if relations and solution.status.min() != 0:  # where relations cannot hold, everything else still can
+        left = None if time_limit is None else max(0.1, time_limit - (time.monotonic() - began))
+        options += _solve(scene, False, time_limit=left, explain=False, **budget)[1]
     judged = [(option, _judge(option, relations), moves_between(scene, option)) for option in options]
     fixed, after, moves = min([*judged, (scene, before, ())], key=_badness)
     return Repair(
@@ -100,6 +92,28 @@ def repair_report(
         seconds=time.monotonic() - began,
         timed_out=solution.timed_out,
     )
+
+
+def _solve(
+    scene: Scene, relations: bool, *, candidates: int | None, explain: bool = True, **options: Any
+) -> tuple[Solution, list[Scene]]:
+    """Project the scene; the solution, and its best layout as a scene, or when none is valid a few to choose from."""
+    from sceneweaver.layout import refine
+
+    model, lift = engine_scene(scene, relations)
+    solution = refine(
+        model,
+        candidates=candidates or max(LEAST, min(MOST, WORK // max(1, len(scene.objects)))),
+        init="current",
+        optimizer="projection",
+        steps=TRIES,
+        explain=explain,
+        **options,
+    )
+    chosen = solution.order[:1]
+    if solution.status[chosen[0]] != 0:  # those with the least left to mend, too
+        chosen = np.unique(np.concatenate([chosen, np.argsort(solution.energy, kind="stable")[:TRIED]]))
+    return solution, [put_back(scene, lift, solution.poses[i]) for i in chosen]
 
 
 def _check_arguments(candidates: int | None, seed: int, time_limit: float | None) -> None:
