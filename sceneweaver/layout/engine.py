@@ -239,7 +239,7 @@ def solve(
 
 
 def _same(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Which poses [..., 4] differ by rounding only; [..., 1]. Heights are allowed a quarter of the judge's tolerance."""
+    """Which poses [..., 4] differ by rounding only: [..., 1]. Heights may by a quarter of the judge's tolerance."""
     d = np.abs(b - a)
     d[..., 3] = np.abs((d[..., 3] + np.pi) % (2 * np.pi) - np.pi)
     return np.all(d < (ROUNDING, ROUNDING, 5e-4, ROUNDING), axis=-1, keepdims=True)

@@ -14,7 +14,7 @@ from sceneweaver.scene import Part, Pose, Scene, SceneObject
 
 UPRIGHT = math.radians(0.5)  # tilt that the judge takes for none
 SAME = 1.0e-5  # [m] and [rad] by which a pose may differ and still count as unmoved; float32 loses about 1e-6
-LEVEL = 9.0e-4  # [m] of height likewise; the judge allows twice that between an object and what it stands on
+LEVEL = 1.9e-3  # [m] of height above what it stands on or below what it hangs from; the judge allows 2 mm
 
 
 def tilt(pose: Pose) -> float:
@@ -78,20 +78,29 @@ def _indoors(scene: Scene) -> Scene:
 
 def put_back(scene: Scene, lift: np.ndarray, poses: np.ndarray) -> Scene:
     """The scene with the engine's poses [N, 4]: what has not moved keeps its pose to the bit, all keep their tilt."""
-    moved = {}
-    for obj, low, (x, y, z, yaw) in zip(scene.objects, lift, poses.astype(float), strict=True):
-        if obj.fixed:
-            continue
-        (u, v, w), turn = obj.pose.position, math.remainder(yaw - obj.pose.yaw, 2 * math.pi)
+    index = {o.id: i for i, o in enumerate(scene.objects)}
+    after: dict[int, Pose] = {}
+
+    def settle(i: int) -> Pose:
+        """The pose of an object, that of what it stands on before it."""
+        obj, (x, y, z, yaw) = scene.objects[i], (float(value) for value in poses[i])
+        (u, v, w), quaternion = obj.pose.position, obj.pose.quaternion
+        if i in after or obj.fixed:
+            return after.get(i, obj.pose)
+        z -= lift[i]
+        if obj.support is not None:
+            below = index[obj.support.object]
+            z += settle(below).position[2] + lift[below] - float(poses[below, 2])
         if max(abs(x - u), abs(y - v)) > SAME:
-            u, v = float(x), float(y)
-        if abs(z - low - w) > LEVEL:
-            w = float(z - low)
-        quaternion = obj.pose.quaternion if abs(turn) <= SAME else _turned(obj.pose.quaternion, turn)
-        pose = Pose(position=(u, v, w), quaternion=quaternion)
-        if pose != obj.pose:
-            moved[obj.id] = pose
-    return scene.replace_poses(moved)
+            u, v = x, y
+        if abs(z - w) > (SAME if obj.mount == "wall" else LEVEL):
+            w = float(z)
+        turn = math.remainder(yaw - obj.pose.yaw, 2 * math.pi)
+        after[i] = Pose(position=(u, v, w), quaternion=quaternion if abs(turn) <= SAME else _turned(quaternion, turn))
+        return after[i]
+
+    settled = {obj.id: settle(i) for i, obj in enumerate(scene.objects)}
+    return scene.replace_poses({o.id: settled[o.id] for o in scene.objects if settled[o.id] != o.pose})
 
 
 def _turned(q: tuple[float, float, float, float], yaw: float) -> tuple[float, float, float, float]:
