@@ -8,8 +8,8 @@ with the curvature of the constraints left out), and forces carry over. What no 
 
 import warp as wp
 
-from .contacts import ARM, ROWS, Row, mobility
 from .geometry import FAR, plane_of, turn
+from .inequality import ARM, ROWS, Row, mobility
 from .sample import best_option, set_pose
 from .tables import FREE_PLANE, FREE_YAW, FREE_Z, State, TablesRef, Weights
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 import warp as wp
 
-from sceneweaver.kernels.contacts import ROWS, Row, gather_rows
+from sceneweaver.kernels.gather import gather_rows
+from sceneweaver.kernels.inequality import ROWS, Row
 from sceneweaver.kernels.projection import Kick, begin_try, choose_sides, project, restore
 from sceneweaver.kernels.track import set_turns
 

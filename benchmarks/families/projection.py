@@ -23,7 +23,7 @@ NOISE_M = 0.2
 NOISE_RAD = math.radians(10)
 ARM = 0.5  # [m] that a radian counts as
 RIVAL = "benchmarks.rivals.drake_projection"
-PATIENCE = 20.0  # [s] that the rival has for a layout
+PATIENCE = 10.0  # [s] that the rival has for a layout
 
 ROOM, OBJECTS = Column("room", "room"), Column("objects", "objects", "count")
 OURS = (

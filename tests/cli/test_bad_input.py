@@ -123,7 +123,9 @@ def test_a_file_of_100_mb_is_refused_without_reading_it(run, tmp_path):
     assert_one_line(ended.err, "large.json", "MB")
 
 
-@pytest.mark.parametrize("command", [("refine", "-o", "out"), ("repair", "-o", "out"), ("check",), ("render", "-o", "p.png")])
+@pytest.mark.parametrize(
+    "command", [("refine", "-o", "out"), ("repair", "-o", "out"), ("check",), ("render", "-o", "p.png")]
+)
 def test_a_missing_file_and_a_folder(run, tmp_path, monkeypatch, command):
     monkeypatch.chdir(tmp_path)
     for source, named in (("nowhere.json", "no such file"), (tmp_path, "folder")):

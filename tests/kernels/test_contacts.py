@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 import warp as wp
 
-from sceneweaver.kernels.contacts import CONTENT, ROWS, SLACK, gather_rows
+from sceneweaver.kernels.gather import gather_rows
+from sceneweaver.kernels.inequality import CONTENT, ROWS, SLACK
 from sceneweaver.layout.compile import Problem
 from sceneweaver.optimizers.batch import Batch, judge
 from sceneweaver.optimizers.projection import REACH, Workspace
