@@ -83,7 +83,8 @@ def run_projection(batch: Batch, start: Start, budget: int | None, monitor: Moni
     The movement is the sum over roots of dx^2 + dy^2 + dz^2 + (0.5 m/rad dyaw)^2, from where the start has them. A
     try is a local minimum of it; each but the first begins with some objects elsewhere, near one that is in trouble
     or moved far. Tries go on until one is feasible, up to 40; then the search takes over, and a last projection
-    leads back what it found. A candidate that is feasible at the start stays as it is, to the bit.
+    leads back what it found. A candidate that is feasible at the start stays as it is, to the bit. The energy of the
+    outcome is what a candidate misses of the verdict's limits [m].
     """
     most = max(1, MEMORY // (max(batch.objects, 1) * int(ROWS) * 96))
     if batch.size > most:
