@@ -32,13 +32,15 @@ def movable(scene: Scene) -> np.ndarray:
     return np.array([i for i, o in enumerate(scene.objects) if o.mount == "floor" and not o.fixed], dtype=int)
 
 
-def noisy_poses(scene: Scene, candidates: int, seed: int) -> np.ndarray:
-    """The witness, N(0, 0.3 m) and N(0, 15 degrees) off on the floor; what stands on an object follows it."""
+def noisy_poses(
+    scene: Scene, candidates: int, seed: int, metres: float = NOISE_M, radians: float = NOISE_RAD
+) -> np.ndarray:
+    """The witness, N(0, metres) and N(0, radians) off on the floor; what stands on an object follows it."""
     rng = np.random.default_rng([seed, 0xBAD])
     poses = np.repeat(witness(scene)[None], candidates, axis=0)
     floor = movable(scene)
-    poses[:, floor, :2] += rng.normal(0.0, NOISE_M, (candidates, len(floor), 2))
-    poses[:, floor, 3] += rng.normal(0.0, NOISE_RAD, (candidates, len(floor)))
+    poses[:, floor, :2] += rng.normal(0.0, metres, (candidates, len(floor), 2))
+    poses[:, floor, 3] += rng.normal(0.0, radians, (candidates, len(floor)))
     return carry(scene, poses)
 
 

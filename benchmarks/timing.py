@@ -20,6 +20,6 @@ def timed(scene: Scene, settings: Settings, **options: Any) -> tuple[Solution, f
     return solution, time.perf_counter() - began
 
 
-def warm(scene: Scene, settings: Settings, init: Any = "sample") -> None:
+def warm(scene: Scene, settings: Settings, init: Any = "sample", **options: Any) -> None:
     """Compile and load what a call needs, outside of what is timed."""
-    refine(scene, candidates=2, seed=settings.seed, init=init, device=settings.device)
+    refine(scene, candidates=2, seed=settings.seed, init=init, device=settings.device, **options)

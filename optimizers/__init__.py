@@ -13,6 +13,7 @@ from .batch import new_state as new_state
 from .batch import streams as streams
 from .langevin import run_langevin as run_langevin
 from .lbfgs import run_lbfgs as run_lbfgs
+from .projection import run_projection as run_projection
 from .run import run as run
 from .search import run_search as run_search
 from .tempering import run_tempering as run_tempering
@@ -31,6 +32,7 @@ __all__ = [
     "run_adam",
     "run_langevin",
     "run_lbfgs",
+    "run_projection",
     "run_search",
     "run_tempering",
     "streams",

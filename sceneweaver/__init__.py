@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     from sceneweaver.layout import refine as refine
     from sceneweaver.layout import refine_many as refine_many
     from sceneweaver.render import draw_top as draw_top
+    from sceneweaver.repairs import Repair as Repair
+    from sceneweaver.repairs import repair as repair
+    from sceneweaver.repairs import repair_report as repair_report
     from sceneweaver.scene import Dropped as Dropped
     from sceneweaver.scene import InputError as InputError
     from sceneweaver.scene import MissingDependencyError as MissingDependencyError
@@ -34,6 +37,7 @@ __all__ = [
     "MissingDependencyError",
     "Pose",
     "Relation",
+    "Repair",
     "Report",
     "Room",
     "Scene",
@@ -47,6 +51,8 @@ __all__ = [
     "draw_top",
     "refine",
     "refine_many",
+    "repair",
+    "repair_report",
     "undefine_relation",
 ]
 
@@ -56,6 +62,7 @@ _HOME = {
     "MissingDependencyError": "scene",
     "Pose": "scene",
     "Relation": "scene",
+    "Repair": "repairs",
     "Report": "verify",
     "Room": "scene",
     "Scene": "scene",
@@ -68,6 +75,8 @@ _HOME = {
     "draw_top": "render",
     "refine": "layout",
     "refine_many": "layout",
+    "repair": "repairs",
+    "repair_report": "repairs",
     "undefine_relation": "extend",
 }
 

@@ -9,7 +9,7 @@ from benchmarks.judging import Judge
 from benchmarks.results import Result
 from benchmarks.settings import Settings
 
-from . import cold, edits, memory, optimizers, quality, scaling, soundness, throughput
+from . import cold, edits, memory, optimizers, projection, quality, scaling, soundness, throughput
 
 Family = Callable[[Settings, Judge], Result]
 
@@ -23,6 +23,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "memory": memory.run,
         "soundness": soundness.run,
         "edits": edits.run,
+        "projection": projection.run,
     }
 )
 

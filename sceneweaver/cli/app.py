@@ -52,6 +52,7 @@ class Optimizer(StrEnum):
     LANGEVIN = "langevin"
     LBFGS = "lbfgs"
     TEMPERING = "tempering"
+    PROJECTION = "projection"
 
 
 def _version(wanted: bool) -> None:
@@ -117,6 +118,38 @@ def refine(
     return run_refine(
         source, out, candidates=candidates, seed=seed, init=init.value, device=device, optimizer=optimizer.value,
         time_limit=time_limit, as_json=as_json, picture=picture,
+    )  # fmt: skip
+
+
+@app.command()
+def repair(
+    source: Input,
+    out: Annotated[
+        Path,
+        typer.Option(
+            "--out", "-o", metavar="OUT", help="A folder, or a .json file for the scene alone.", show_default=False
+        ),
+    ],  # fmt: skip
+    relations: Annotated[
+        bool, typer.Option("--relations/--no-relations", help="Make hard relations hold as well.")
+    ] = True,
+    candidates: Annotated[
+        int | None,
+        typer.Option(min=1, help="How many repairs to choose from (default: by the size of the scene).",
+                     show_default=False),
+    ] = None,
+    seed: Seed = 0,
+    device: Device = "auto",
+    time_limit: TimeLimit = None,
+    as_json: Json = False,
+    picture: Annotated[bool, typer.Option("--picture/--no-picture", help="Draw the annotated top view.")] = True,
+) -> int:  # fmt: skip
+    """Move the objects of a broken scene as little as makes it valid."""
+    from .repair import run_repair
+
+    return run_repair(
+        source, out, relations=relations, candidates=candidates, seed=seed, device=device, time_limit=time_limit,
+        as_json=as_json, picture=picture,
     )  # fmt: skip
 
 

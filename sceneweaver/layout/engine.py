@@ -25,6 +25,7 @@ BROKEN, DIVERGED = 1, 3
 POOL = 64  # layouts solved beforehand for every support surface
 POOL_SALT = 0x5EED
 GRACE = 1.0  # [s] beyond a time limit in which to explain why nothing is valid
+ROUNDING = 2.0e-6  # [m] and [rad] that a pose loses on the way into a surface's frame and back
 PULL = 0.02  # [1/m] towards given poses, small beside any violation
 WALKED = 8  # of the best candidates, how many are measured for walkable floor
 
@@ -74,7 +75,8 @@ def refine(
         device: "auto", "cpu", "cuda" or "cuda:k".
         optimizer: a name in ``sceneweaver.optimizers.OPTIMIZERS``.
         time_limit: seconds after which to stop with what there is; the result says that it was cut off.
-        steps: the optimiser's budget in its own work units (search: attempts, the others: steps).
+        steps: the optimiser's budget in its own work units (search: attempts, projection: tries of a candidate from
+            the first feasible one on, the others: steps).
         progress: called now and then as ``progress(done, total, valid, lowest energy)``.
         explain: when nothing is valid, find out why (``solution.explanation``); takes up to 10 s.
 
@@ -186,7 +188,7 @@ def solve(
         group = [jobs[i] for i in members]
         if start == "given":
             for job in group:
-                _mend_surfaces(job, device, monitor.deadline)
+                _mend_surfaces(job, optimizer, device, monitor.deadline)
         sizes = [len(job.world) for job in group]
         batch = make_batch(
             [j.compiled.room for j in group],
@@ -242,6 +244,13 @@ def _modules(jobs: Sequence[Job], optimizer: str) -> list[str]:
         # What stands on surfaces is searched, whatever lays out the room, and so starts are drawn.
         names += OPTIMIZERS["search"].modules
     return list(dict.fromkeys(names))
+
+
+def _same(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Which poses [..., 4] differ by rounding only: [..., 1]. Heights may by a quarter of the judge's tolerance."""
+    d = np.abs(b - a)
+    d[..., 3] = np.abs((d[..., 3] + np.pi) % (2 * np.pi) - np.pi)
+    return np.all(d < (ROUNDING, ROUNDING, 5e-4, ROUNDING), axis=-1, keepdims=True)
 
 
 def _movement(before: np.ndarray, after: np.ndarray) -> np.ndarray:
@@ -326,8 +335,9 @@ def _surfaces_hold(compiled: CompiledScene, world: np.ndarray, device: str) -> n
     return np.all(judge(batch).status.reshape(len(compiled.domains), -1) != BROKEN, axis=0)
 
 
-def _mend_surfaces(job: Job, device: str, deadline: float | None) -> None:
+def _mend_surfaces(job: Job, optimizer: str, device: str, deadline: float | None) -> None:
     """Put what the given poses have on a surface back on it, with as little change as that takes."""
+    how = "projection" if optimizer == "projection" else "search"
     compiled, world = job.compiled, job.world.copy()
     for i, obj in enumerate(compiled.scene.objects):
         if obj.mount in ("floor", "ceiling") and not obj.fixed:
@@ -335,7 +345,7 @@ def _mend_surfaces(job: Job, device: str, deadline: float | None) -> None:
     if compiled.domains:
         batch = _domain_batch(compiled, world, job.seed, device)
         batch.weights = weights(pull=PULL)
-        run(batch, "search", "given", None, Monitor(batch.size, deadline))
+        run(batch, how, "given", None, Monitor(batch.size, deadline))
         poses = batch.state.poses.numpy().reshape(len(compiled.domains), len(world), batch.objects, 4)
         for domain, solved in zip(compiled.domains, poses.astype(np.float64), strict=True):
             deck = domain.deck
@@ -343,5 +353,5 @@ def _mend_surfaces(job: Job, device: str, deadline: float | None) -> None:
             placed[..., 2] = world[:, None, deck.supporter, 2] + deck.height
             free = [not compiled.scene.objects[m].fixed for m in deck.members]
             members = np.asarray(deck.members)[free]
-            world[:, members] = placed[:, free]
+            world[:, members] = np.where(_same(world[:, members], placed[:, free]), world[:, members], placed[:, free])
     job.world = world

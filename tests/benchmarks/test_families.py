@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from benchmarks import rooms
 from benchmarks.families import FAMILIES
 from benchmarks.judging import Judge
 from benchmarks.markdown import WIDTH, result_lines
@@ -19,6 +20,7 @@ TABLES = {
     "memory": {"candidates": 1, "objects": 2},
     "soundness": {"soundness": 2},
     "edits": {"edits": 5, "rooms": 1, "detail": 5},
+    "projection": {"bodies": 1, "scenes": 2},
 }
 
 
@@ -43,3 +45,19 @@ def test_family_at_its_smallest(name, settings, tmp_path):
         assert {plot.x, *plot.y} <= {c.key for c in table.columns}
     assert Result.load(result.save(tmp_path)) == result
     assert max(map(len, result_lines(result))) <= WIDTH
+
+
+def test_projection_beside_a_rival(settings, monkeypatch):
+    def witness(scene, start, seconds):
+        return rooms.witness(scene), True
+
+    monkeypatch.setattr("benchmarks.families.projection._rival", lambda *_: witness)
+    (row,) = FAMILIES["projection"](settings, Judge(1)).table("drake").rows
+    assert row["theirs"] == row["both"] == 1 and row["their_feasible"] == 1.0
+    assert 0 < row["ratio"] <= 1.0, "the nearest feasible layout is no further away than another feasible one"
+
+
+def test_projection_without_a_rival_says_so(settings, monkeypatch):
+    monkeypatch.setattr("benchmarks.families.projection.RIVAL", "benchmarks.rivals.nobody")
+    result = FAMILIES["projection"](settings, Judge(1))
+    assert any("nobody cannot be imported" in note for note in result.notes)

@@ -55,7 +55,7 @@ CHANGES = {
 
 
 @pytest.mark.parametrize("what", CHANGES)
-@pytest.mark.parametrize("command", ["refine", "check"])
+@pytest.mark.parametrize("command", ["refine", "repair", "check"])
 def test_a_wrong_scene(run, tmp_path, monkeypatch, command, what):
     calls = engine.use(monkeypatch, engine.keeps)
     change, named = CHANGES[what]
@@ -90,6 +90,7 @@ def refuse(run, folder, command, content, named):
     before = listing(folder)
     outputs = {
         "refine": ["-o", folder / "out"],
+        "repair": ["-o", folder / "out"],
         "check": ["--metrics", folder / "m.json", "--picture", folder / "p.png"],
     }
     ended = run(command, source, *outputs[command])
@@ -122,7 +123,9 @@ def test_a_file_of_100_mb_is_refused_without_reading_it(run, tmp_path):
     assert_one_line(ended.err, "large.json", "MB")
 
 
-@pytest.mark.parametrize("command", [("refine", "-o", "out"), ("check",), ("render", "-o", "p.png")])
+@pytest.mark.parametrize(
+    "command", [("refine", "-o", "out"), ("repair", "-o", "out"), ("check",), ("render", "-o", "p.png")]
+)
 def test_a_missing_file_and_a_folder(run, tmp_path, monkeypatch, command):
     monkeypatch.chdir(tmp_path)
     for source, named in (("nowhere.json", "no such file"), (tmp_path, "folder")):
@@ -148,6 +151,11 @@ def test_a_missing_file_and_a_folder(run, tmp_path, monkeypatch, command):
         (["refine", "IN", "-o", "OUT", "--time-limit", "nan"], "--time-limit"),
         (["refine", "IN", "-o", "OUT", "--time-limit", "inf"], "--time-limit"),
         (["refine", "IN", "-o", "OUT", "--candidate", "5"], "--candidates"),
+        (["repair", "IN"], "--out"),
+        (["repair", "IN", "-o", "OUT", "--device", "tpu"], "cuda"),
+        (["repair", "IN", "-o", "OUT", "--candidates", "0"], "--candidates"),
+        (["repair", "IN", "-o", "OUT", "--time-limit", "-1"], "--time-limit"),
+        (["repair", "IN", "-o", "OUT", "--no-relation"], "--no-relations"),
         (["check", "IN", "--picture", "OUT/p.gif"], ".png"),
         (["check", "IN", "--metrics", "OUT/m.json"], "folder"),
         (["check", "IN", "--meshes", "OUT"], "--meshes"),
@@ -186,13 +194,16 @@ def test_wrong_options(run, bedroom, tmp_path, monkeypatch, args, named, as_json
         ("/proc/nowhere/out", "cannot be written"),
     ],
 )
-def test_places_that_cannot_be_written_are_refused_before_the_work(run, bedroom, tmp_path, monkeypatch, out, named):
+@pytest.mark.parametrize("command", ["refine", "repair"])
+def test_places_that_cannot_be_written_are_refused_before_the_work(
+    run, bedroom, tmp_path, monkeypatch, command, out, named
+):
     calls = engine.use(monkeypatch, engine.keeps)
     (tmp_path / "file.txt").write_text("mine")
     (tmp_path / "folder.json").mkdir()
     (tmp_path / "clash" / "scene.json").mkdir(parents=True)
     before = listing(tmp_path)
-    ended = run("refine", bedroom, "-o", tmp_path / out)
+    ended = run(command, bedroom, "-o", tmp_path / out)
     assert ended.code == 2 and not calls
     assert_one_line(ended.err, named)
     assert listing(tmp_path) == before and (tmp_path / "file.txt").read_text() == "mine"

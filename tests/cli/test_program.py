@@ -31,7 +31,7 @@ def test_help_is_quick_and_lists_the_commands(tmp_path):
     ended = start("--help", cwd=tmp_path)
     assert ended.returncode == 0 and ended.stderr == ""
     assert time.perf_counter() - began < 5  # well under one second on an idle machine
-    for command in ("refine", "check", "render", "demo", "examples"):
+    for command in ("refine", "repair", "check", "render", "demo", "examples"):
         assert command in ended.stdout
 
 
@@ -55,7 +55,7 @@ def test_without_a_command_there_is_help(capfd):
     assert "refine" in capfd.readouterr().out
 
 
-@pytest.mark.parametrize("command", ["refine", "check", "render", "demo", "examples"])
+@pytest.mark.parametrize("command", ["refine", "repair", "check", "render", "demo", "examples"])
 def test_every_command_has_help(capfd, command):
     assert main([command, "--help"]) == 0
     out = re.sub(r"\x1b\[[0-9;]*m", "", capfd.readouterr().out)

@@ -19,6 +19,7 @@ PUBLIC = [
     "MissingDependencyError",
     "Pose",
     "Relation",
+    "Repair",
     "Report",
     "Room",
     "Scene",
@@ -32,6 +33,8 @@ PUBLIC = [
     "draw_top",
     "refine",
     "refine_many",
+    "repair",
+    "repair_report",
     "undefine_relation",
 ]
 

@@ -112,7 +112,7 @@ def test_everything_no_number(device):
     run_energy(batch)
 
 
-@pytest.mark.parametrize("optimizer", ["search", "adam", "langevin", "lbfgs", "tempering"])
+@pytest.mark.parametrize("optimizer", ["search", "adam", "langevin", "lbfgs", "tempering", "projection"])
 def test_optimisers_survive_poses_that_are_no_numbers(device, optimizer):
     problem = zoo("bedroom-small").room
     layouts = np.repeat(problem.home[None], 6, axis=0)

@@ -1,0 +1,218 @@
+"""Projection: the feasible layout nearest to given poses."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import warp as wp
+
+from sceneweaver.kernels.gather import gather_rows
+from sceneweaver.kernels.inequality import ROWS, Row
+from sceneweaver.kernels.projection import Kick, begin_try, choose_sides, project, restore
+from sceneweaver.kernels.track import set_turns
+
+from .base import Monitor, Outcome, Start, register
+from .batch import STATE, Batch, new_state
+from .search import run_search
+from .starts import draw_starts
+
+TRIES = 2  # of a candidate from the first feasible one on
+MOST = 40  # tries before the search takes over, or half as many as there are objects
+STEPS = 16  # of a try: rows are taken anew so often
+SWEEPS = 30  # over the rows of a step, at most
+REACH = 0.12  # [m] clearance below which a pair gets rows
+# Kicks, one a try: radius [m] around the object in trouble, share of the roots there, how far off they start [m].
+# Small ones choose another side for a pair, large ones begin from elsewhere in the room.
+KICKS = ((1.2, 0.4, 0.1), (1.2, 0.4, 0.2), (1.2, 0.4, 0.3), (2.4, 0.3, 0.3), (1.2, 0.4, 0.5), (100.0, 0.3, 0.3))
+MEMORY = 2**30  # [bytes] of rows at once
+
+
+@dataclass
+class Workspace:
+    """Arrays of a projection beside the batch's state; see ``kernels.projection.project`` for what they hold."""
+
+    shift: wp.array
+    best: wp.array
+    scratch: wp.array
+    count: wp.array
+    missed: wp.array
+    fault: wp.array
+    rows: wp.array
+    keys: list[wp.array]  # of the step before and of this one, as are the forces
+    force: list[wp.array]
+    lack: wp.array
+    moved: wp.array
+    stride: wp.array
+    live: wp.array
+
+    @classmethod
+    def of(cls, batch: Batch) -> Workspace:
+        """Arrays for a batch; nothing found yet, all roots at their anchors."""
+        device, shape = batch.device, (batch.size, max(batch.objects, 1))
+        slots = (shape[0], shape[1] * int(ROWS))
+
+        def vectors() -> wp.array:
+            return wp.zeros(shape, dtype=wp.vec4, device=device)
+
+        def numbers(value: float = float("inf")) -> wp.array:
+            return wp.full(batch.size, value, dtype=wp.float32, device=device)
+
+        return cls(
+            shift=vectors(),
+            best=vectors(),
+            scratch=vectors(),
+            count=wp.zeros(shape, dtype=wp.int32, device=device),
+            missed=wp.zeros(shape, dtype=wp.float32, device=device),
+            fault=wp.zeros(shape, dtype=wp.float32, device=device),
+            rows=wp.zeros(slots, dtype=Row, device=device),  # pyright: ignore[reportArgumentType]
+            keys=[wp.zeros(slots, dtype=wp.int32, device=device) for _ in range(2)],
+            force=[wp.zeros(slots, dtype=wp.float32, device=device) for _ in range(2)],
+            lack=numbers(),
+            moved=numbers(),
+            stride=numbers(),
+            live=wp.zeros(batch.size, dtype=wp.int32, device=device),
+        )
+
+
+@register("projection", modules=("gather", "projection", "begin", "search"))
+def run_projection(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
+    """Move every candidate as little as makes it feasible; ``budget`` is the number of its tries (default 2).
+
+    The movement is the sum over roots of dx^2 + dy^2 + dz^2 + (0.5 m/rad dyaw)^2, from where the start has them. A
+    try is a local minimum of it; each but the first begins with some objects elsewhere, near one that is in trouble
+    or moved far. Tries go on until one is feasible, up to 40; then the search takes over, and a last projection
+    leads back what it found. A candidate that is feasible at the start stays as it is, to the bit. The energy of the
+    outcome is what a candidate misses of the verdict's limits [m].
+    """
+    most = max(1, MEMORY // (max(batch.objects, 1) * int(ROWS) * 96))
+    if batch.size > most:
+        parts = [batch.part(i, min(i + most, batch.size)) for i in range(0, batch.size, most)]
+        return Outcome(np.concatenate([run_projection(part, start, budget, monitor).energy for part in parts]))
+    if start != "given":
+        draw_starts(batch, start)
+        wp.copy(batch.state.anchors, batch.state.poses)
+    work, tries = Workspace.of(batch), TRIES if budget is None else budget
+    lost = _improve(batch, work, np.arange(batch.size), tries, max(MOST, batch.objects // 2), monitor)
+    wp.launch(
+        restore, (batch.size, batch.objects), [batch.tables, batch.problem, work.best, batch.state], device=batch.device
+    )
+    lack = work.lack.numpy()
+    monitor.add(batch.size - lost.size, batch.size - lost.size, 0.0)
+    if lost.size and not monitor.expired():
+        lack[lost] = _search(batch, lost, tries, monitor)
+    if lost.size:
+        monitor.add(lost.size, int(np.sum(lack[lost] == 0)), float(lack[lost].min()))
+    return Outcome(lack)
+
+
+def _improve(batch: Batch, work: Workspace, left: np.ndarray, tries: int, most: int, monitor: Monitor) -> np.ndarray:
+    """Give candidates ``left`` so many tries from the first feasible one on; returns those that are not feasible."""
+    feasible = np.zeros(batch.size, dtype=np.int32)  # tries since, the first one included
+    everyone = left
+    for attempt in range(most):
+        if not left.size or monitor.expired():
+            break
+        _try(batch, work, left, attempt)
+        lack, moved = work.lack.numpy(), work.moved.numpy()
+        feasible[left] += lack[left] == 0
+        left = left[(lack[left] > 0) | ((feasible[left] < tries) & (moved[left] > 0))]
+    return everyone[work.lack.numpy()[everyone] > 0]
+
+
+def _kick(attempt: int) -> Kick:
+    kick = Kick()
+    kick.attempt = attempt
+    kick.radius, kick.share, kick.spread = KICKS[(attempt - 1) % len(KICKS)]
+    return kick
+
+
+def _try(batch: Batch, work: Workspace, left: np.ndarray, attempt: int) -> None:
+    """One try of the candidates ``left``: begin, choose options, then rows and projection in turn."""
+    device, n = batch.device, left.size
+    active = wp.array(left.astype(np.int32), dtype=wp.int32, device=device)
+    problem = [batch.problem, active]
+    wp.launch(
+        begin_try,
+        (n, batch.objects),
+        [batch.tables, _kick(attempt), *problem, work.best, work.fault, batch.state],
+        [work.shift, work.count, work.live, work.stride],
+        device=device,
+    )
+    wp.launch(choose_sides, (n, batch.relations), [batch.tables, batch.weights, *problem, batch.state], device=device)
+    for _ in range(STEPS):
+        wp.launch(
+            gather_rows,
+            (n, batch.objects),
+            [
+                batch.tables,
+                batch.margins,
+                REACH,
+                *problem,
+                work.live,
+                batch.state,
+                work.shift,
+                work.keys[0],
+                work.force[0],
+                work.count,
+            ],
+            [work.rows, work.keys[1], work.force[1], work.missed],
+            device=device,
+        )
+        work.keys.reverse()
+        work.force.reverse()
+        wp.launch(
+            project,
+            n,
+            [
+                batch.tables,
+                SWEEPS,
+                *problem,
+                work.count,
+                work.rows,
+                work.missed,
+                batch.state,
+                work.shift,
+                work.force[0],
+                work.scratch,
+                work.best,
+                work.lack,
+                work.moved,
+                work.fault,
+                work.stride,
+                work.live,
+            ],
+            device=device,
+        )
+
+
+def _search(batch: Batch, lost: np.ndarray, tries: int, monitor: Monitor) -> np.ndarray:
+    """Search the candidates ``lost`` from where they are, and lead back what is found; returns what they lack [m]."""
+    few = _subset(batch, lost)
+    inner = Monitor(few.size, monitor.deadline)
+    found = run_search(few, "given", None, inner).energy
+    monitor.timed_out |= inner.timed_out
+    poses = few.state.poses.numpy().copy()  # on a CPU it is the state itself
+    work = Workspace.of(few)
+    with np.errstate(invalid="ignore"):  # poses that are no numbers stay what they are
+        shift = poses - few.state.anchors.numpy()
+        shift[..., 3] -= 2 * np.pi * np.round(shift[..., 3] / (2 * np.pi))
+    work.best.assign(np.nan_to_num(shift, posinf=0.0, neginf=0.0))
+    _improve(few, work, np.arange(few.size), tries, tries, monitor)
+    wp.launch(restore, (few.size, few.objects), [few.tables, few.problem, work.best, few.state], device=few.device)
+    lack = work.lack.numpy()
+    kept = np.where((lack == 0)[:, None, None], few.state.poses.numpy(), poses)
+    whole = batch.state.poses.numpy()
+    whole[lost] = kept
+    batch.state.poses.assign(whole)
+    wp.launch(set_turns, whole.shape[:2], [batch.state.poses], [batch.state.turns], device=batch.device)
+    return np.where(lack == 0, 0.0, found).astype(np.float32)
+
+
+def _subset(batch: Batch, chosen: np.ndarray) -> Batch:
+    """Some candidates of a batch, copied."""
+    state = new_state(chosen.size, batch.objects, batch.relations, batch.device)
+    for name in STATE:
+        getattr(state, name).assign(getattr(batch.state, name).numpy()[chosen])
+    problem = wp.array(batch.problem.numpy()[chosen], dtype=wp.int32, device=batch.device)
+    return replace(batch, problem=problem, state=state)

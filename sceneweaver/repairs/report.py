@@ -1,0 +1,101 @@
+"""What a repair did: the judge before and after, who moved, and what could not be mended."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from sceneweaver.scene import Scene
+from sceneweaver.verify import Report, Violation
+
+from .upright import UPRIGHT, tilt
+
+
+@dataclass(frozen=True)
+class Move:
+    """How far an object went: in the plane [m], upwards [m], and turned counter-clockwise [degrees]."""
+
+    id: str
+    distance: float
+    rise: float
+    turn: float
+
+
+@dataclass(frozen=True)
+class Repair:
+    """A repaired scene with its report.
+
+    Attributes:
+        source: the scene as it was.
+        scene: the scene after the repair; the very same when there was nothing to do.
+        before, after: the judge on both, with all relations taken for soft when they were not asked for.
+        moves: the objects that moved, in the scene's order.
+        notes: what the engine cannot represent and so left as it was.
+        explanation: why nothing valid was found; None otherwise.
+        seed, device: of the run; the device is None when nothing had to be solved.
+        seconds: from call to return.
+        timed_out: True when the time limit cut the run off.
+    """
+
+    source: Scene
+    scene: Scene
+    before: Report
+    after: Report
+    moves: tuple[Move, ...]
+    notes: tuple[str, ...]
+    explanation: str | None
+    seed: int
+    device: str | None
+    seconds: float
+    timed_out: bool = False
+
+    @property
+    def valid(self) -> bool:
+        """Whether the judge calls the repaired scene valid."""
+        return self.after.valid
+
+    @property
+    def unmet(self) -> tuple[Violation, ...]:
+        """What still makes the scene invalid."""
+        return tuple(v for v in self.after.violations if v.kind != "soft_relation")
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain JSON data; scenes are left out."""
+        return {
+            "valid": self.valid,
+            "moved": [asdict(m) for m in self.moves],
+            "notes": list(self.notes),
+            "explanation": self.explanation,
+            "seed": self.seed,
+            "device": self.device,
+            "seconds": self.seconds,
+            "timed_out": self.timed_out,
+            "before": self.before.to_dict(),
+            "metrics": self.after.to_dict(),
+        }
+
+
+def moves_between(before: Scene, after: Scene) -> tuple[Move, ...]:
+    """Who moved, of two scenes with the same objects."""
+    moves = []
+    for a, b in zip(before.objects, after.objects, strict=True):
+        if a.pose != b.pose:
+            (x, y, z), (u, v, w) = a.pose.position, b.pose.position
+            turn = math.degrees(math.remainder(b.pose.yaw - a.pose.yaw, 2 * math.pi))
+            moves.append(Move(a.id, math.hypot(u - x, v - y), w - z, turn))
+    return tuple(moves)
+
+
+def notes_on(scene: Scene) -> tuple[str, ...]:
+    """What a repair leaves as it is, because poses are x, y, z and yaw and nothing is added or taken away."""
+    notes = [
+        f"{o.id} leans by {math.degrees(tilt(o.pose)):.1f} degrees and keeps that; a repair moves and turns, but does "
+        "not set upright"
+        for o in scene.objects
+        if tilt(o.pose) > UPRIGHT
+    ]
+    if scene.dropped:
+        names = ", ".join(d.id for d in scene.dropped)
+        notes.append(f"{names}: listed as dropped and not brought back by a repair")
+    return tuple(notes)
