@@ -2,8 +2,8 @@
 
 One run for each start: noise takes the place of restarts. Collisions weigh little at first, so that objects get past
 each other. A step is compiled into a few kernels, on a GPU recorded as a CUDA graph as well; `prepare` does that, so
-that it is not in what is timed. On a CPU its kernels are short and end in a barrier: where other programs keep the cores
-busy, it is many times slower with several threads than with one (``OMP_NUM_THREADS=1``).
+that it is not in what is timed. On a CPU the kernels are short and end in a barrier: where other programs keep the
+cores busy, it is many times slower with several threads than with one (``OMP_NUM_THREADS=1``).
 """
 
 from __future__ import annotations
