@@ -14,7 +14,9 @@ from benchmarks.results import Result
 HEAD = (
     "This page is written by `python -m benchmarks report` from the results of `python -m benchmarks`; edits by hand "
     "are lost. Quality stands next to time, rivals run in the same run, and a family fails when an answer is wrong, "
-    "never because it is slow. `make bench` runs everything; `python -m benchmarks --help` says how to run a part."
+    "never because it is slow. `make bench` runs everything; `python -m benchmarks --help` says how to run a part. "
+    "Some rivals need packages that are not among the development dependencies (`uv pip install torch drake`); without "
+    "them they are left out, and a note says so."
 )
 
 

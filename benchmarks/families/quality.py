@@ -118,7 +118,7 @@ def _ours(result: Result, settings: Settings, judge: Judge, name: str, kind: str
 
 def _theirs(rival: Rival, settings: Settings, judge: Judge, name: str, kind: str) -> dict[str, Any]:
     scene = rooms.load(name)
-    count = min(rooms.candidates(settings, name), rival.most(len(scene.objects)))
+    count = min(rooms.candidates(settings, name), rival.most(len(scene.objects), settings.device))
     starts = (noisy_poses if kind == "noisy" else random_poses)(scene, count, settings.seed)
     poses, seconds = solve(rival, scene, starts, settings.seed, settings.device)
     opinions = judge(scene, poses)

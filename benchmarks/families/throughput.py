@@ -7,10 +7,11 @@ from typing import Any
 
 from benchmarks import rooms
 from benchmarks.audit import audit
+from benchmarks.families import tenbox
 from benchmarks.families.quality import OURS
 from benchmarks.judging import Judge
 from benchmarks.results import Column, Plot, Result
-from benchmarks.rivals import Rival, present, solve
+from benchmarks.rivals import Rival, batch_size, present, solve
 from benchmarks.settings import Settings, cores
 from benchmarks.signature import count_distinct
 from benchmarks.starts import blind, random_poses
@@ -54,7 +55,8 @@ def run(settings: Settings, judge: Judge) -> Result:
     result.notes.append(
         f"First valid: {_few(settings)} candidates a call. Judged and exceptions are of all three runs."
     )
-    result.notes.append("Rivals: one run from random starts.")
+    result.notes.append("Rivals: one run from random starts, with as many candidates as suit them.")
+    tenbox.add_table(result, settings, judge, rivals)
     title = "Distinct fully valid layouts per second"
     result.plots.append(Plot("throughput", title, "throughput", "room", ("distinct_rate",), "system", log=True))
     return result
@@ -98,7 +100,7 @@ def _first(settings: Settings, scene: Scene, seed: int) -> float | None:
 
 def _theirs(rival: Rival, settings: Settings, judge: Judge, name: str) -> dict[str, Any]:
     scene = rooms.load(name)
-    count = min(rooms.candidates(settings, name), rival.most(len(scene.objects)))
+    count = batch_size(rival, settings, len(scene.objects))
     poses, seconds = solve(rival, scene, random_poses(scene, count, settings.seed), settings.seed, settings.device)
     good = [i for i, o in enumerate(judge(scene, poses)) if o.valid]
     distinct, _ = count_distinct(scene, poses[good])

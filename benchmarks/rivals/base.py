@@ -11,11 +11,16 @@ import numpy as np
 from benchmarks.settings import Settings
 from sceneweaver.scene import Scene
 
+QUICK = 16  # candidates at quick sizes
+
 Solve = Callable[[Scene, np.ndarray, int, str], np.ndarray]
 """``solve(scene, starts [B, N, 4], seed, device)`` gives poses [B, N, 4]: world x, y, z [m] and yaw [rad].
 
 It may start again from anywhere. What stands on an object is to be carried along (``benchmarks.starts.carry``).
 """
+
+Prepare = Callable[[Scene, np.ndarray, str], None]
+"""``prepare(scene, starts [B, N, 4], device)``: what is done once for such a call, such as compiling; never timed."""
 
 
 @dataclass(frozen=True)
@@ -26,15 +31,18 @@ class Rival:
         name: as tables show it.
         about: one sentence: what it does and what it is not asked to do.
         solve: see `Solve`; imports what it needs itself.
-        missing: why it cannot run here, or None.
-        most: how many candidates it is given for a scene of so many objects, so that a run ends.
+        missing: why it cannot run on a device, or None.
+        most: how many candidates it is given for a scene of so many objects on a device: enough to keep the device
+            busy, and so few that a run ends.
+        prepare: see `Prepare`; None when there is nothing to do.
     """
 
     name: str
     about: str
     solve: Solve
-    missing: Callable[[], str | None]
-    most: Callable[[int], int]
+    missing: Callable[[str], str | None]
+    most: Callable[[int, str], int]
+    prepare: Prepare | None = None
 
 
 RIVALS: dict[str, Rival] = {}
@@ -52,7 +60,7 @@ def present(settings: Settings, notes: list[str]) -> list[Rival]:
     for rival in RIVALS.values():
         if settings.rivals is not None and rival.name not in settings.rivals:
             continue
-        reason = rival.missing()
+        reason = rival.missing(settings.device)
         notes.append(
             f"Rival {rival.name}: {rival.about}" if reason is None else f"Rival {rival.name} left out: {reason}"
         )
@@ -61,8 +69,19 @@ def present(settings: Settings, notes: list[str]) -> list[Rival]:
     return found
 
 
+def batch_size(rival: Rival, settings: Settings, objects: int) -> int:
+    """How many candidates it is given where it may have as many as suit it."""
+    most = rival.most(objects, settings.device)
+    return settings.size(most, min(most, QUICK))
+
+
 def solve(rival: Rival, scene: Scene, starts: np.ndarray, seed: int, device: str) -> tuple[np.ndarray, float]:
-    """Its layouts and how long it took [s]; poses that are not finite are put at the origin, for the judge to see."""
+    """Its layouts and how long it took without its preparation [s].
+
+    Poses that are not finite are put at the origin, for the judge to see.
+    """
+    if rival.prepare is not None:
+        rival.prepare(scene, starts, device)
     began = time.perf_counter()
     poses = np.asarray(rival.solve(scene, starts, seed, device), dtype=np.float64)
     seconds = time.perf_counter() - began

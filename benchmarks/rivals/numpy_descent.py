@@ -29,7 +29,7 @@ class Model:
         self.pulls: list[tuple[int, int, Pull]] = build(scene, self.floor)
         self.boxes, pairs = _boxes(scene, self.floor)
         self.pairs = self.active = Pairs(self.boxes, pairs)
-        self.planes = _planes(scene)
+        self.planes = hull_planes(scene)
 
     def look(self, x: np.ndarray) -> None:
         """Leave out pairs that are too far apart to touch before the next look."""
@@ -60,7 +60,7 @@ class Model:
         return loss
 
 
-def _planes(scene: Scene) -> list[tuple[np.ndarray, float]]:
+def hull_planes(scene: Scene) -> list[tuple[np.ndarray, float]]:
     """Half planes (n, c) of the outline's convex hull: n . x >= c inside."""
     import shapely
 
@@ -199,7 +199,7 @@ def solve(scene: Scene, starts: np.ndarray, seed: int, device: str) -> np.ndarra
     return carry(scene, poses)
 
 
-def _most(objects: int) -> int:
+def _most(objects: int, device: str) -> int:
     return 128 if objects <= 19 else 32 if objects <= 30 else 8 if objects <= 70 else 4
 
 
@@ -209,7 +209,7 @@ register(
         about="random-restart penalty descent (Adam, 300 steps, at most two restarts) on boxes with hinge losses, one "
         "core; what stands on surfaces is carried along as the witness has it.",
         solve=solve,
-        missing=lambda: None,
+        missing=lambda device: None,
         most=_most,
     )
 )

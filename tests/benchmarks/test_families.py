@@ -14,7 +14,7 @@ from benchmarks.settings import Settings
 TABLES = {
     "quality": {"validity": 3, "variety": 3, "rivals": 5},
     "optimizers": {"overall": 10, "rates": 4, "rooms": 10, "detail": 10},
-    "throughput": {"throughput": 2},
+    "throughput": {"throughput": 2, "boxes": 4},
     "cold": {"cold": 3},
     "scaling": {"objects": 2, "candidates": 1},
     "memory": {"candidates": 1, "objects": 2},
@@ -26,7 +26,8 @@ TABLES = {
 
 @pytest.fixture
 def settings(tmp_path):
-    return Settings(rooms=("bedroom-small",), device="cpu", quick=True, most=4, out=tmp_path)
+    rivals = ("numpy descent",)  # the others have tests of their own, and need not be installed
+    return Settings(rooms=("bedroom-small",), device="cpu", quick=True, most=4, rivals=rivals, out=tmp_path)
 
 
 @pytest.mark.parametrize("name", FAMILIES)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import time
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from benchmarks.judging import Judge
-from benchmarks.rivals import RIVALS, Rival, base, present, solve
+from benchmarks.rivals import RIVALS, Rival, base, batch_size, present, solve
 from benchmarks.rivals.boxes import Boxes, Pairs, overlap_loss
 from benchmarks.rivals.numpy_descent import Model
 from benchmarks.rooms import ROOMS, load, witness
@@ -83,7 +86,7 @@ def _rival(name: str, missing: str | None = None, shape: tuple[int, ...] | None 
     def run(scene, starts, seed, device):
         return np.full(shape or starts.shape, np.nan)
 
-    return Rival(name, "does nothing.", run, lambda: missing, lambda objects: 3)
+    return Rival(name, "does nothing.", run, lambda device: missing, lambda objects, device: 3)
 
 
 def test_registry(monkeypatch):
@@ -94,6 +97,27 @@ def test_registry(monkeypatch):
     assert [r.name for r in present(Settings(), notes)] == ["there"]
     assert notes == ["Rival there: does nothing.", "Rival gone left out: torch is not installed"]
     assert present(Settings(rivals=()), []) == []
+
+
+def test_rivals_prepare_outside_of_the_time():
+    scene, seen = load("bedroom-small"), []
+    starts = random_poses(scene, 2, 0)
+
+    def prepare(scene, starts, device):
+        seen.append((starts.shape, device))
+        time.sleep(0.2)
+
+    _, seconds = solve(replace(_rival("slow"), prepare=prepare), scene, starts, 0, "cpu")
+    assert seen == [(starts.shape, "cpu")]
+    assert seconds < 0.2
+
+
+def test_batches_suit_the_rival_and_the_settings():
+    rival = replace(_rival("big"), most=lambda objects, device: 8192 if device == "cuda:0" else 128)
+    assert batch_size(rival, Settings(device="cuda:0"), 10) == 8192
+    assert batch_size(rival, Settings(device="cpu"), 10) == 128
+    assert batch_size(rival, Settings(device="cpu", quick=True), 10) == 16
+    assert batch_size(rival, Settings(device="cpu", most=5), 10) == 5
 
 
 def test_what_a_rival_returns_is_checked():

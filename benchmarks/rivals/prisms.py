@@ -1,0 +1,178 @@
+"""What fills a scene, as upright convex prisms that floor objects carry along or that belong to the room."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from benchmarks.rivals.pulls import Room
+from benchmarks.rooms import witness
+from benchmarks.starts import movable
+from sceneweaver.scene import CATALOGUE, Door, Scene, Window
+
+WINDOW_DEPTH, DOOR_DEPTH = 0.3, 0.6  # [m] clear space before a window, and before a door that does not open inwards
+BEHIND = 2.0  # [m] that obstacles at the hull of the room reach out of it, so that no way out leads there
+
+
+@dataclass(frozen=True)
+class Prism:
+    """A convex polygon between two heights.
+
+    Attributes:
+        owner: which of ``starts.movable(scene)`` carries it along; -1: it stands still.
+        item: index of the object it belongs to; -1: the room's.
+        corners: counter-clockwise [V, 2], in the owner's frame, or in the world's where there is none [m].
+        z: lower and upper end in the world [m]; no rival lifts what stands on the floor.
+    """
+
+    owner: int
+    item: int
+    corners: np.ndarray
+    z: tuple[float, float]
+
+    def overlaps_height(self, other: Prism) -> bool:
+        """Whether the two have heights in common, without which they never meet."""
+        return min(self.z[1], other.z[1]) > max(self.z[0], other.z[0])
+
+
+def owners(scene: Scene) -> np.ndarray:
+    """Which of the movable floor objects every object moves with; -1: it stays where it is. Shape [N]."""
+    slot = {int(i): k for k, i in enumerate(movable(scene))}
+    index = {o.id: i for i, o in enumerate(scene.objects)}
+
+    def owner(i: int) -> int:
+        support = scene.objects[i].support
+        if i in slot:
+            return slot[i]
+        return -1 if support is None or scene.objects[i].fixed else owner(index[support.object])
+
+    return np.array([owner(i) for i in range(len(scene.objects))], dtype=int)
+
+
+def solids(scene: Scene) -> list[Prism]:
+    """The parts of all objects; what stands on an object is carried as the scene has it there."""
+    return [
+        Prism(owner, i, place(part.polygon), _lifted(part.z, z))
+        for i, (owner, place, z) in enumerate(_frames(scene))
+        for part in scene.objects[i].solids
+    ]
+
+
+def zones(scene: Scene) -> list[Prism]:
+    """The hard zones of all objects."""
+    return [
+        Prism(owner, i, place(hull(zone.polygon)), _lifted(zone.z, z))
+        for i, (owner, place, z) in enumerate(_frames(scene))
+        for zone in scene.objects[i].zones
+        if zone.hard
+    ]
+
+
+def openings(scene: Scene) -> list[Prism]:
+    """The clear space of doors and windows; in a wall of the hull it goes on behind the wall."""
+    room = Room(scene)
+    found = []
+    for opening in (*scene.room.doors, *scene.room.windows):
+        p, t, n = room.p[opening.wall], room.t[opening.wall], room.n[opening.wall]
+        behind = BEHIND if np.all((room.p - p) @ n > -1e-9) else 0.0
+        left, right = p + opening.offset * t, p + (opening.offset + opening.width) * t
+        front, back = _clear(opening) * n, -behind * n
+        z = (opening.sill, opening.sill + opening.height) if isinstance(opening, Window) else (0.0, opening.height)
+        found.append(Prism(-1, -1, np.array([left + back, right + back, right + front, left + front]), z))
+    return found
+
+
+def pockets(scene: Scene) -> list[Prism]:
+    """What the convex hull of the outline has more than the room; at the hull's edge it goes on outwards."""
+    import shapely
+
+    room = shapely.Polygon(scene.room.outline)
+    edge = room.convex_hull.exterior
+    outside = room.convex_hull.difference(room)
+    pieces = [p for p in getattr(outside, "geoms", [outside]) if p.area > 1e-9]
+    found = []
+    for piece in pieces:
+        convex = piece.convex_hull.area - piece.area < 1e-9
+        for part in [piece] if convex else shapely.constrained_delaunay_triangles(piece).geoms:
+            found.append(Prism(-1, -1, _thick(hull(part.exterior.coords[:-1]), edge), (0.0, scene.room.height)))
+    return found
+
+
+def tied(scene: Scene) -> set[tuple[int, int]]:
+    """Pairs of objects, by index, that may stand in each other's zones."""
+    index = {o.id: i for i, o in enumerate(scene.objects)}
+    pairs = {
+        (index[r.subject], index[r.target])
+        for r in scene.relations
+        if CATALOGUE[r.type].ties_zones and isinstance(r.target, str) and r.target in index
+    }
+    return pairs | {(b, a) for a, b in pairs}
+
+
+def hull(points: Sequence[Sequence[float]] | np.ndarray) -> np.ndarray:
+    """Corners of the convex hull of points in the plane, counter-clockwise [V, 2]."""
+    import shapely
+
+    ring = shapely.MultiPoint(np.asarray(points, dtype=float)).convex_hull.exterior  # type: ignore[attr-defined]
+    corners = np.array(ring.coords[:-1])
+    return corners if ring.is_ccw else corners[::-1]
+
+
+def rectangle(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray, float] | None:
+    """Middle [2], half size [2] and turn [rad] of a polygon that is a rectangle; None of any other."""
+    if len(corners) != 4:
+        return None
+    along, aside = corners[1] - corners[0], corners[2] - corners[1]
+    lengths = np.array([np.linalg.norm(along), np.linalg.norm(aside)])
+    skew = abs(along @ aside) + np.abs(corners[0] + corners[2] - corners[1] - corners[3]).max()
+    return None if skew > 1e-6 else (corners.mean(axis=0), lengths / 2, math.atan2(along[1], along[0]))
+
+
+def _frames(scene: Scene) -> Iterator[tuple[int, _Place, float]]:
+    """Of every object its owner, what puts its points into the owner's frame, and its height."""
+    own, floor = witness(scene), movable(scene)
+    for i, owner in enumerate(owners(scene)):
+        base = own[floor[owner]] if owner >= 0 else np.zeros(4)
+        yield int(owner), _Place(own[i], base), float(own[i, 2])
+
+
+class _Place:
+    """Points of an object at ``pose`` in the frame of ``base``; both x, y, z, yaw."""
+
+    def __init__(self, pose: np.ndarray, base: np.ndarray) -> None:
+        self.turn = _rotation(pose[3] - base[3])
+        self.shift = _rotation(-base[3]) @ (pose[:2] - base[:2])
+
+    def __call__(self, points: Sequence[Sequence[float]] | np.ndarray) -> np.ndarray:
+        return np.asarray(points, dtype=float) @ self.turn.T + self.shift
+
+
+def _rotation(angle: float) -> np.ndarray:
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[c, -s], [s, c]])
+
+
+def _lifted(z: tuple[float, float], by: float) -> tuple[float, float]:
+    return z[0] + by, z[1] + by
+
+
+def _clear(opening: Door | Window) -> float:
+    """Depth of the space that an opening needs [m]."""
+    if isinstance(opening, Window):
+        return WINDOW_DEPTH
+    return opening.width if opening.swing.startswith("in") else DOOR_DEPTH
+
+
+def _thick(corners: np.ndarray, edge) -> np.ndarray:
+    """A pocket with its side on the hull's edge moved outwards, so that it is left towards the room only."""
+    import shapely
+
+    after = np.roll(corners, -1, axis=0)
+    for p, q in zip(corners, after, strict=True):
+        if shapely.distance(edge, shapely.Point((p + q) / 2)) < 1e-6:
+            out = np.array([q[1] - p[1], p[0] - q[0]]) / np.linalg.norm(q - p)
+            return hull([*corners, p + BEHIND * out, q + BEHIND * out])
+    return corners
