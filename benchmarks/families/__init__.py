@@ -9,7 +9,7 @@ from benchmarks.judging import Judge
 from benchmarks.results import Result
 from benchmarks.settings import Settings
 
-from . import cold, edits, memory, optimizers, projection, quality, scaling, soundness, throughput
+from . import cold, edits, large, memory, optimizers, projection, quality, scaling, soundness, throughput
 
 Family = Callable[[Settings, Judge], Result]
 
@@ -18,6 +18,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "quality": quality.run,
         "optimizers": optimizers.run,
         "throughput": throughput.run,
+        "large": large.run,
         "cold": cold.run,
         "scaling": scaling.run,
         "memory": memory.run,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import warp as wp
@@ -13,10 +13,12 @@ import warp as wp
 from sceneweaver.kernels import load
 from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, judge, load_poses, new_state, run, streams
 from sceneweaver.optimizers.batch import Progress
-from sceneweaver.scene import InputError, MissingDependencyError, Scene
+from sceneweaver.scene import InputError, Scene
 
 from .access import walkable_shares
 from .compile import CompiledScene, Problem, absolute, compile_scene, relative
+from .devices import WALKED, pick_devices, solve_on
+from .job import Job
 from .pack import margins, pack, weights
 from .solution import Solution, rank
 
@@ -24,31 +26,10 @@ INITS = ("sample", "random", "current")
 BROKEN, DIVERGED = 1, 3
 POOL = 64  # layouts solved beforehand for every support surface
 POOL_SALT = 0x5EED
+DOMAIN_STRIDE = 2**24  # candidates of one surface, for the numbers of their random streams
 GRACE = 1.0  # [s] beyond a time limit in which to explain why nothing is valid
 ROUNDING = 2.0e-6  # [m] and [rad] that a pose loses on the way into a surface's frame and back
 PULL = 0.02  # [1/m] towards given poses, small beside any violation
-WALKED = 8  # of the best candidates, how many are measured for walkable floor
-
-
-def pick_device(device: str) -> str:
-    """The Warp device that a name stands for; "auto" takes the first GPU, else the CPU.
-
-    Raises:
-        InputError: not a device name. MissingDependencyError: a GPU that is not there.
-    """
-    wp.init()
-    if device == "auto":
-        return "cuda:0" if wp.is_cuda_available() else "cpu"
-    if device == "cpu":
-        return device
-    name, _, index = device.partition(":")
-    if name != "cuda" or not (index.isdigit() or index == ""):
-        raise InputError(f'device: "{device}" is not one of auto, cpu, cuda, cuda:0, cuda:1 ...')
-    count = wp.get_cuda_device_count()
-    if int(index or 0) >= count:
-        found = f"{count} CUDA devices found" if count else "no CUDA device found"
-        raise MissingDependencyError(f'device: "{device}" is not there ({found}); use device="cpu"')
-    return f"cuda:{int(index or 0)}"
 
 
 def refine(
@@ -72,7 +53,7 @@ def refine(
         seed: with the same seed and kind of device, the same bits.
         init: "sample" draws starts from the relations, "random" anywhere, "current" begins with the scene's poses;
             an array [B, N, 4] of world poses (x, y, z, yaw) begins with those.
-        device: "auto", "cpu", "cuda" or "cuda:k".
+        device: "auto", "cpu", "cuda", "cuda:k" or "cuda:all", which splits the candidates over all GPUs.
         optimizer: a name in ``sceneweaver.optimizers.OPTIMIZERS``.
         time_limit: seconds after which to stop with what there is; the result says that it was cut off.
         steps: the optimiser's budget in its own work units (search: attempts, projection: tries of a candidate from
@@ -85,13 +66,14 @@ def refine(
     """
     began = time.monotonic()
     given = _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps)
-    where = pick_device(device)
+    where = pick_devices(device)
     compiled = compile_scene(scene)
     world = np.repeat(compiled.room.home[None], candidates, axis=0) if given is None else given
     start = init if isinstance(init, str) and init != "current" else "given"
     job = Job(compiled, world, start, seed, keep=start == "given" and given is None)
     monitor = Monitor(len(world), None if time_limit is None else began + time_limit, progress)
-    return _explained(solve([job], optimizer, steps, where, monitor, began)[0], explain, began, monitor.deadline)
+    solution = solve_on(where, [job], lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began))[0]
+    return _explained(solution, explain, began, monitor.deadline)
 
 
 def refine_many(
@@ -112,7 +94,7 @@ def refine_many(
     Arguments and errors as for ``refine``; ``time_limit`` is for all scenes together, and ``init`` is a name.
     """
     began = time.monotonic()
-    where = pick_device(device)
+    where = pick_devices(device)
     jobs = []
     for scene in scenes:
         _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps)
@@ -121,7 +103,7 @@ def refine_many(
         current = init == "current"
         jobs.append(Job(compiled, world, "given" if current else init, seed, keep=current))
     monitor = Monitor(candidates * len(jobs), None if time_limit is None else began + time_limit, progress)
-    solutions = solve(jobs, optimizer, steps, where, monitor, began)
+    solutions = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began))
     return [_explained(solution, explain, began, monitor.deadline) for solution in solutions]
 
 
@@ -163,17 +145,6 @@ def _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps
     return poses
 
 
-@dataclass
-class Job:
-    """One scene to solve: world poses [B, N, 4] to begin with, how to begin ("given": from those), the seed."""
-
-    compiled: CompiledScene
-    world: np.ndarray
-    start: str
-    seed: int
-    keep: bool = False  # prefer the layout that moves least
-
-
 def solve(
     jobs: Sequence[Job], optimizer: str, steps: int | None, device: str, monitor: Monitor, began: float
 ) -> list[Solution]:
@@ -200,7 +171,9 @@ def solve(
             batch.weights = weights(pull=PULL)
         load_poses(batch, _stack([job.world for job in group], batch.objects))
         batch.state.rng.assign(
-            np.concatenate([streams(job.seed, np.arange(n)) for job, n in zip(group, sizes, strict=True)])
+            np.concatenate(
+                [streams(job.seed, job.first + np.arange(n)) for job, n in zip(group, sizes, strict=True)]
+            )
         )
         outcome = run(batch, optimizer, start, steps, monitor)
         verdict = judge(batch)
@@ -318,12 +291,13 @@ def _locals(compiled: CompiledScene, world: np.ndarray) -> list[np.ndarray]:
     return poses
 
 
-def _domain_batch(compiled: CompiledScene, world: np.ndarray, seed: int, device: str) -> Batch:
-    """Every surface of every candidate of one scene as a batch, surface by surface."""
+def _domain_batch(compiled: CompiledScene, world: np.ndarray, seed: int, first: int, device: str) -> Batch:
+    """Every surface of every candidate (numbered from ``first``) of one scene as a batch, surface by surface."""
     which = np.repeat(np.arange(len(compiled.domains)), len(world))
     batch = make_batch([d.problem for d in compiled.domains], which, device)
     load_poses(batch, _stack(_locals(compiled, world), batch.objects))
-    batch.state.rng.assign(streams(seed ^ ~POOL_SALT & 0xFFFFFFFF, np.arange(len(which))))
+    numbers = which * DOMAIN_STRIDE + np.tile(first + np.arange(len(world)), len(compiled.domains))
+    batch.state.rng.assign(streams(seed ^ ~POOL_SALT & 0xFFFFFFFF, numbers))
     return batch
 
 
@@ -331,7 +305,7 @@ def _surfaces_hold(compiled: CompiledScene, world: np.ndarray, device: str) -> n
     """Which candidates [B] have everything on its surface in order."""
     if not compiled.domains:
         return np.ones(len(world), dtype=bool)
-    batch = _domain_batch(compiled, world.astype(np.float64), 0, device)
+    batch = _domain_batch(compiled, world.astype(np.float64), 0, 0, device)
     return np.all(judge(batch).status.reshape(len(compiled.domains), -1) != BROKEN, axis=0)
 
 
@@ -343,7 +317,7 @@ def _mend_surfaces(job: Job, optimizer: str, device: str, deadline: float | None
         if obj.mount in ("floor", "ceiling") and not obj.fixed:
             world[:, i, 2] = compiled.room.home[i, 2]
     if compiled.domains:
-        batch = _domain_batch(compiled, world, job.seed, device)
+        batch = _domain_batch(compiled, world, job.seed, job.first, device)
         batch.weights = weights(pull=PULL)
         run(batch, how, "given", None, Monitor(batch.size, deadline))
         poses = batch.state.poses.numpy().reshape(len(compiled.domains), len(world), batch.objects, 4)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from benchmarks import rooms
@@ -15,6 +17,7 @@ TABLES = {
     "quality": {"validity": 3, "variety": 3, "rivals": 5},
     "optimizers": {"overall": 10, "rates": 4, "rooms": 10, "detail": 10},
     "throughput": {"throughput": 2, "boxes": 4},
+    "large": {"large": 1, "memory": 1},
     "cold": {"cold": 3},
     "scaling": {"objects": 2, "candidates": 1},
     "memory": {"candidates": 1, "objects": 2},
@@ -60,5 +63,5 @@ def test_projection_beside_a_rival(settings, monkeypatch):
 
 def test_projection_without_a_rival_says_so(settings, monkeypatch):
     monkeypatch.setattr("benchmarks.families.projection.RIVAL", "benchmarks.rivals.nobody")
-    result = FAMILIES["projection"](settings, Judge(1))
+    result = FAMILIES["projection"](replace(settings, rivals=None), Judge(1))
     assert any("nobody cannot be imported" in note for note in result.notes)

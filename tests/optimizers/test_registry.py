@@ -10,7 +10,8 @@ import warp as wp
 import sceneweaver as sw
 from sceneweaver.cli.app import Optimizer as Choice
 from sceneweaver.layout.compile import compile_scene
-from sceneweaver.layout.engine import Job, _modules
+from sceneweaver.layout.engine import _modules
+from sceneweaver.layout.job import Job
 from sceneweaver.optimizers import OPTIMIZERS
 from tests.layout.made import BOX, CUP, scene, table
 from tests.optimizers.batches import STEPWISE

@@ -13,7 +13,8 @@ from sceneweaver.optimizers import judge, load_poses
 from sceneweaver.scene import CATALOGUE, Relation, Room, Scene, SceneObject, Surface
 
 from ..compile import Problem, compile_scene, relative
-from ..engine import make_batch, pick_device
+from ..devices import pick_devices
+from ..engine import make_batch
 from ..solution import Solution
 from .sections import moved
 from .walls import Walls
@@ -42,7 +43,7 @@ class Study:
 
     def __init__(self, scene: Scene, solution: Solution, device: str, until: float) -> None:
         self.scene, self.solution, self.until = scene, solution, until
-        self.device = pick_device(device)
+        self.device = pick_devices(device)[0]
         self.compiled = compile_scene(scene)
         self.problem = self.compiled.room
         self.index = {o.id: i for i, o in enumerate(scene.objects)}

@@ -1,0 +1,89 @@
+"""Which devices a run uses, and its candidates split over several of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import numpy as np
+import warp as wp
+
+from sceneweaver.scene import InputError, MissingDependencyError
+
+from .job import Job
+from .solution import Solution, rank
+
+WALKED = 8  # of the best candidates, how many are measured for walkable floor
+
+
+def pick_devices(device: str) -> list[str]:
+    """The Warp devices that a name stands for: "auto" takes the first GPU, else the CPU; "cuda:all" every GPU.
+
+    Raises:
+        InputError: not a device name. MissingDependencyError: a GPU that is not there.
+    """
+    wp.init()
+    if device == "auto":
+        return ["cuda:0" if wp.is_cuda_available() else "cpu"]
+    if device == "cpu":
+        return [device]
+    name, _, index = device.partition(":")
+    if name != "cuda" or not (index.isdigit() or index in ("", "all")):
+        raise InputError(f'device: "{device}" is not one of auto, cpu, cuda, cuda:0, cuda:1 ..., cuda:all')
+    count = wp.get_cuda_device_count()
+    needed = 0 if index == "all" else int(index or 0)
+    if needed >= count:
+        found = f"{count} CUDA devices found" if count else "no CUDA device found"
+        raise MissingDependencyError(f'device: "{device}" is not there ({found}); use device="cpu"')
+    return [f"cuda:{i}" for i in range(count)] if index == "all" else [f"cuda:{needed}"]
+
+
+def solve_on(
+    devices: Sequence[str], jobs: Sequence[Job], solve: Callable[[Sequence[Job], str], list[Solution]]
+) -> list[Solution]:
+    """Solve jobs on several devices at once, each with its share of every job's candidates.
+
+    A candidate is the same wherever it is solved, so the result is that of one device of the kind.
+    """
+    if len(devices) == 1:
+        return solve(jobs, devices[0])
+    shares = [[_part(job, k, len(devices)) for job in jobs] for k in range(len(devices))]
+    busy = [(share, device) for share, device in zip(shares, devices, strict=True) if any(len(j.world) for j in share)]
+    with ThreadPoolExecutor(len(busy)) as pool:
+        found = list(pool.map(lambda task: solve([j for j in task[0] if len(j.world)], task[1]), busy))
+    parts: list[list[Solution]] = [[] for _ in jobs]
+    for (share, _), solutions in zip(busy, found, strict=True):
+        owners = [i for i, job in enumerate(share) if len(job.world)]
+        for i, solution in zip(owners, solutions, strict=True):
+            parts[i].append(solution)
+    return [_joined(pieces) for pieces in parts]
+
+
+def _part(job: Job, k: int, of: int) -> Job:
+    """The k-th of so many shares of a job's candidates."""
+    cuts = np.linspace(0, len(job.world), of + 1).astype(int)
+    return replace(job, world=job.world[cuts[k] : cuts[k + 1]], first=job.first + int(cuts[k]))
+
+
+def _joined(parts: Sequence[Solution]) -> Solution:
+    """One solution of the shares of its candidates, in order."""
+
+    def join(name: str) -> np.ndarray:
+        return np.concatenate([getattr(part, name) for part in parts])
+
+    status, relations, energy, walkable = (join(name) for name in ("status", "relations", "energy", "walkable"))
+    moved = None if parts[0].moved is None else join("moved")
+    others = rank(parts[0].source, status, relations, energy, moved=moved)[WALKED:]
+    walkable[others] = np.nan  # as if all had been ranked at once
+    return replace(
+        parts[0],
+        poses=join("poses"),
+        status=status,
+        relations=relations,
+        energy=energy,
+        walkable=walkable,
+        moved=moved,
+        elapsed=max(part.elapsed for part in parts),
+        timed_out=any(part.timed_out for part in parts),
+    )

@@ -1,0 +1,24 @@
+"""One scene to solve."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .compile import CompiledScene
+
+
+@dataclass
+class Job:
+    """One scene to solve: world poses [B, N, 4] to begin with, how to begin ("given": from those), the seed.
+
+    ``first`` is the number of the first candidate, when others solve those before it.
+    """
+
+    compiled: CompiledScene
+    world: np.ndarray
+    start: str
+    seed: int
+    keep: bool = False  # prefer the layout that moves least
+    first: int = 0
