@@ -16,9 +16,9 @@ PACKAGES = ("sceneweaver", "warp-lang", "numpy", "shapely", "scipy", "torch", "d
 
 def resolve(device: str) -> str:
     """The device that a name stands for; raises what ``refine`` would when it is not there."""
-    from sceneweaver.layout.engine import pick_device
+    from sceneweaver.layout.devices import pick_devices
 
-    return pick_device(device)
+    return pick_devices(device)[0]
 
 
 def device_name(device: str) -> str:
