@@ -17,7 +17,7 @@ from benchmarks.timing import timed, warm
 SIZES = {"bedroom-small": (262144, 16), "office-20": (65536, 8), "restaurant-60": (16384, 4)}
 JUDGED = 2048  # layouts of each room that the judge looks at
 RUNS = 3
-FORTY = (40, 65536)  # objects and candidates of the room whose memory is measured
+FLOOR = (50, 65536)  # objects and candidates of the room whose memory is measured
 
 COLUMNS = (
     Column("room", "room"),
@@ -52,7 +52,7 @@ def run(settings: Settings, judge: Judge) -> Result:
     for name in rooms.chosen(settings, tuple(SIZES)):
         for device in devices:
             table.rows.append(_row(result, settings, judge, name, device))
-    objects, full = FORTY
+    objects, full = FLOOR
     count = settings.size(full, 8)
     task = {"device": settings.device, "seed": settings.seed, "repeat": 1, "scenes": [objects], "candidates": count}
     found = children.run(task)
