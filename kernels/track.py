@@ -29,8 +29,6 @@ def keep_best(
     for obj in range(t[0].object_start[p + 1] - t[0].object_start[p]):
         best_out.poses[candidate, obj] = s.poses[candidate, obj]
         best_out.turns[candidate, obj] = s.turns[candidate, obj]
-    for r in range(t[0].relation_start[p + 1] - t[0].relation_start[p]):
-        best_out.options[candidate, r] = s.options[candidate, r]
 
 
 @wp.kernel

@@ -171,9 +171,7 @@ def solve(
             batch.weights = weights(pull=PULL)
         load_poses(batch, _stack([job.world for job in group], batch.objects))
         batch.state.rng.assign(
-            np.concatenate(
-                [streams(job.seed, job.first + np.arange(n)) for job, n in zip(group, sizes, strict=True)]
-            )
+            np.concatenate([streams(job.seed, job.first + np.arange(n)) for job, n in zip(group, sizes, strict=True)])
         )
         outcome = run(batch, optimizer, start, steps, monitor)
         verdict = judge(batch)

@@ -20,10 +20,10 @@ FAR = (83.0, -61.0)  # [m] a room of 100 m has corners like this
 EDGE = 24  # bisections: 1 m to a float32 step
 
 
-def room(name: str) -> CompiledScene:
+def room(name: str, device: str) -> CompiledScene:
     if name == "gallery":
         found = compile_scene(gallery())
-        solved = refine(found.scene, candidates=64, seed=2, device="cpu", steps=3)
+        solved = refine(found.scene, candidates=64, seed=2, device=device, steps=3)
         return compile_scene(solved.best)
     return zoo(name)
 
@@ -77,7 +77,7 @@ def test_objects_at_the_edge(device, name, far):
     Far away, float32 steps by 8 micrometres.
     """
     rng = np.random.default_rng(32)
-    compiled = room(name)
+    compiled = room(name, device)
     if far:
         compiled = compile_scene(move(compiled.scene, 0.7, FAR))
     n = compiled.room.size
