@@ -25,6 +25,7 @@ from .tables import FREE_YAW, Margins, Share, State, TablesRef, View, Weights
 wp.set_module_options({"enable_backward": False, "fast_math": True})
 
 SOLVED = wp.constant(1.0e-9)
+LEAST_MOVES = wp.constant(16)  # of a round, however few objects there are
 ALMOST_SQUARE = wp.constant(0.2)  # [rad]
 STRIDE = wp.constant(0.3)  # [m] longest gradient step
 SHORTER = wp.constant(0.35)  # how much shorter each next gradient step is tried
@@ -126,7 +127,7 @@ def search(
     meet()
 
     movable = wp.max(t[0].movable[p], 2)
-    moves = plan.moves * movable
+    moves = wp.max(plan.moves * movable, LEAST_MOVES)
     refresh = wp.max(4, movable // 2)
     phase = int(MOVING)
     move = int(0)

@@ -16,7 +16,7 @@ from .batch import STATE, Batch, judge, new_court, sit
 from .launches import repeat_while
 from .starts import STARTS, launch_lanes
 
-ATTEMPTS = 10
+ATTEMPTS = {"cpu": 10, "cuda": 20}
 AT_HOME = 3  # attempts from the given poses before anything is drawn anew
 LINGER = 2
 HOT = 0.3  # [m]
@@ -29,11 +29,11 @@ POLISH = {"cpu": 6, "cuda": 2}
 TRIES = {"cpu": 3, "cuda": 4}  # step lengths of one gradient step
 
 
-def plan_for(device: str, start: Start, attempts: int = ATTEMPTS) -> Plan:
+def plan_for(device: str, start: Start, attempts: int | None) -> Plan:
     """The plan of a search on a kind of device."""
     kind = device.partition(":")[0]
     plan = Plan()
-    plan.rounds, plan.steps = ROUNDS[kind], ROUNDS[kind] * attempts
+    plan.rounds, plan.steps = ROUNDS[kind], ROUNDS[kind] * (ATTEMPTS[kind] if attempts is None else attempts)
     plan.start, plan.at_home = STARTS[start], AT_HOME
     plan.moves, plan.proposals, plan.tries = MOVES[kind], PROPOSALS[kind], TRIES[kind]
     plan.polish, plan.linger, plan.hot, plan.hot_at_home = POLISH[kind], LINGER, HOT, HOT_AT_HOME
@@ -54,14 +54,15 @@ def _with_cells(batch: Batch) -> State:
 
 @register("search", modules=("begin", "search"))
 def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
-    """Search every candidate until it is valid; ``budget`` is the number of attempts (default 10).
+    """Search every candidate until it is valid; ``budget`` is the number of attempts (default 10, on a
+    GPU, whose attempts are shorter, 20).
 
     The first attempt begins as ``start`` says, later ones by drawing from the relations. A candidate that never gets
     valid ends at the lowest energy found. On a GPU the whole run is one graph: nothing comes back to the host until
     all are valid or the attempts are used up, unless there is a deadline or progress to report.
     """
     device = batch.device
-    plan = plan_for(device, start, ATTEMPTS if budget is None else budget)
+    plan = plan_for(device, start, budget)
     state, best, court = _with_cells(batch), batch.scratch(), new_court(batch)
     energy = wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.float32, device=device)
     total = wp.zeros(batch.size, dtype=wp.float32, device=device)
