@@ -107,8 +107,10 @@ def streams(seed: int, candidates: np.ndarray) -> np.ndarray:
 
 def load_poses(batch: Batch, poses: np.ndarray) -> None:
     """Set poses [B, N, 4]; also where the pull goes."""
-    padded = np.zeros((batch.size, max(batch.objects, 1), 4), dtype=np.float32)
-    padded[:, : poses.shape[1]] = poses
+    padded = poses
+    if poses.shape[1] != max(batch.objects, 1) or poses.dtype != np.float32:
+        padded = np.zeros((batch.size, max(batch.objects, 1), 4), dtype=np.float32)
+        padded[:, : poses.shape[1]] = poses
     batch.state.poses.assign(padded)
     batch.state.anchors.assign(padded)
     wp.launch(set_turns, batch.state.poses.shape, [batch.state.poses], [batch.state.turns], device=batch.device)

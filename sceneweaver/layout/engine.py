@@ -68,7 +68,7 @@ def refine(
     given = _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps)
     where = pick_devices(device)
     compiled = compile_scene(scene)
-    world = np.repeat(compiled.room.home[None], candidates, axis=0) if given is None else given
+    world = _all_at(compiled.room.home, candidates) if given is None else given
     start = init if isinstance(init, str) and init != "current" else "given"
     job = Job(compiled, world, start, seed, keep=start == "given" and given is None)
     monitor = Monitor(len(world), None if time_limit is None else began + time_limit, progress)
@@ -99,7 +99,7 @@ def refine_many(
     for scene in scenes:
         _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps)
         compiled = compile_scene(scene)
-        world = np.repeat(compiled.room.home[None], candidates, axis=0)
+        world = _all_at(compiled.room.home, candidates)
         current = init == "current"
         jobs.append(Job(compiled, world, "given" if current else init, seed, keep=current))
     monitor = Monitor(candidates * len(jobs), None if time_limit is None else began + time_limit, progress)
@@ -224,6 +224,11 @@ def _same(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return np.all(d < (ROUNDING, ROUNDING, 5e-4, ROUNDING), axis=-1, keepdims=True)
 
 
+def _all_at(home: np.ndarray, candidates: int) -> np.ndarray:
+    """The same poses [N, 4] for all candidates: [B, N, 4], read-only, without copies."""
+    return np.broadcast_to(home, (candidates, *home.shape))
+
+
 def _movement(before: np.ndarray, after: np.ndarray) -> np.ndarray:
     """How much a layout [B, N, 4] moved: metres and half metres per radian, and 5 cm for every object at all."""
     d = after - before
@@ -283,7 +288,8 @@ def _locals(compiled: CompiledScene, world: np.ndarray) -> list[np.ndarray]:
     """Poses [B, members, 4] of what stands on each surface, in the supporter's frame, on the surface."""
     poses = []
     for domain in compiled.domains:
-        local = relative(world[:, domain.deck.members], world[:, None, domain.deck.supporter])
+        members, supporter = world[:, domain.deck.members], world[:, None, domain.deck.supporter]
+        local = relative(members.astype(np.float64), supporter.astype(np.float64))
         local[..., 2] = 0.0
         poses.append(local)
     return poses
@@ -303,7 +309,7 @@ def _surfaces_hold(compiled: CompiledScene, world: np.ndarray, device: str) -> n
     """Which candidates [B] have everything on its surface in order."""
     if not compiled.domains:
         return np.ones(len(world), dtype=bool)
-    batch = _domain_batch(compiled, world.astype(np.float64), 0, 0, device)
+    batch = _domain_batch(compiled, world, 0, 0, device)
     return np.all(judge(batch).status.reshape(len(compiled.domains), -1) != BROKEN, axis=0)
 
 
