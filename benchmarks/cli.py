@@ -53,7 +53,7 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument("families", nargs="*", metavar="FAMILY", help=f"some of {', '.join(FAMILIES)} (default: all)")
     p.add_argument("--rooms", default="", metavar="A,B", help="rooms of the zoo, with commas between them")
     p.add_argument("--all", action="store_true", help="all rooms of the zoo where a family takes only some")
-    p.add_argument("--device", default="auto", help="auto, cpu, cuda or cuda:k (default: auto)")
+    p.add_argument("--device", default="auto", help="auto, cpu, cuda, cuda:k or cuda:all (default: auto)")
     p.add_argument("--quick", action="store_true", help="small sizes, to see that everything works")
     p.add_argument("--seed", type=int, default=0, help="first seed (default: 0)")
     p.add_argument("--most", type=int, help="at most so many candidates a call")

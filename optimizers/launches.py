@@ -69,4 +69,5 @@ def repeat_while(device: str, more: wp.array, block: Callable[[], None]) -> None
     """Launch a block on a GPU as long as ``more[0]``, which its kernels write, is not zero; the GPU itself decides."""
     with wp.ScopedCapture(device=device) as capture:
         wp.capture_while(more, block)
+    assert capture.graph is not None
     wp.capture_launch(capture.graph)

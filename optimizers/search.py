@@ -16,7 +16,7 @@ from .batch import STATE, Batch, judge, new_court, sit
 from .launches import repeat_while
 from .starts import STARTS, launch_lanes
 
-ATTEMPTS = {"cpu": 10, "cuda": 20}
+ATTEMPTS = {"cpu": 10, "cuda": 30}
 AT_HOME = 3  # attempts from the given poses before anything is drawn anew
 LINGER = 2
 HOT = 0.3  # [m]
@@ -55,7 +55,7 @@ def _with_cells(batch: Batch) -> State:
 @register("search", modules=("begin", "search"))
 def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
     """Search every candidate until it is valid; ``budget`` is the number of attempts (default 10, on a
-    GPU, whose attempts are shorter, 20).
+    GPU, whose attempts are shorter, 30).
 
     The first attempt begins as ``start`` says, later ones by drawing from the relations. A candidate that never gets
     valid ends at the lowest energy found. On a GPU the whole run is one graph: nothing comes back to the host until

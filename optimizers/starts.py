@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import warp as wp
 
 from sceneweaver.kernels.begin import Plan, begin
@@ -13,7 +15,7 @@ STARTS = {"given": 0, "random": 1, "sample": 2}
 BLOCK = 32  # threads of a block on a GPU: one warp, so that a block ends with its candidate
 
 
-def launch_lanes(kernel: wp.Kernel, batch: Batch, inputs: list, outputs: list) -> None:
+def launch_lanes(kernel: Any, batch: Batch, inputs: list, outputs: list) -> None:
     """Launch a kernel whose lanes work together on a candidate."""
     dim = batch.size * lanes_on(batch.device)
     wp.launch(kernel, dim, inputs, outputs, device=batch.device, block_dim=BLOCK)

@@ -64,8 +64,8 @@ def _version(wanted: bool) -> None:
 
 
 def _device(value: str) -> str:
-    if not re.fullmatch(r"auto|cpu|cuda(:\d+)?", value):
-        raise typer.BadParameter(f"'{value}' is not a device; give auto, cpu, cuda or cuda:0")
+    if not re.fullmatch(r"auto|cpu|cuda(:(\d+|all))?", value):
+        raise typer.BadParameter(f"'{value}' is not a device; give auto, cpu, cuda, cuda:0 or cuda:all")
     return value
 
 
@@ -78,7 +78,7 @@ def _seconds(value: float | None) -> float | None:
 Input = Annotated[Path, typer.Argument(metavar="IN", help="A scene.json.", show_default=False)]
 Candidates = Annotated[int, typer.Option(min=1, help="How many layouts are refined at once.")]
 Seed = Annotated[int, typer.Option(min=0, max=2**32 - 1, help="Equal seeds give equal results.")]
-Device = Annotated[str, typer.Option(callback=_device, metavar="auto|cpu|cuda[:k]", help="Where to compute.")]
+Device = Annotated[str, typer.Option(callback=_device, metavar="auto|cpu|cuda[:k|:all]", help="Where to compute.")]
 TimeLimit = Annotated[
     float | None, typer.Option(callback=_seconds, help="Stop after this many seconds.", show_default=False)
 ]
