@@ -323,35 +323,42 @@ def relation_energy(
 
 
 @wp.func
-def meeting(
+def near(
     t: TablesRef,
     m: Margins,
-    w: Weights,
     o0: wp.int32,
     row: wp.int32,
     o: wp.int32,
-    pose: wp.vec4,
-    q: wp.vec2,
+    at: wp.vec2,
     j: wp.int32,
     candidate: wp.int32,
     s: State,
     view: View,
 ):
-    """Pair energy of object o (global) with object j (local), and its gradient for o's pose."""
+    """True when object o (global) at a place may have a pair term with object j (local)."""
     flags = int(t[0].pair_flags[row + j])
-    e = float(0.0)
-    g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    if flags != 0 and (flags & PAIR_RIGID) == 0:
-        other = s.poses[candidate, j]
-        v = plane_of(other) - plane_of(pose)
-        ri = t[0].object_radius[o]
-        rj = t[0].object_radius[o0 + j]
-        # a zone only meets solids
-        far = wp.max(ri[0] + rj[1], ri[1] + rj[0]) + m.collision_aim
-        if wp.dot(v, v) < far * far:
-            if view.stamp == 0 or wp.abs(s.mark[candidate, j]) != view.stamp:
-                e, g = pair_energy(t, m, w, flags, o, pose, q, o0 + j, other, s.turns[candidate, j])
-    return e, g
+    if flags == 0 or (flags & PAIR_RIGID) != 0:
+        return False
+    v = plane_of(s.poses[candidate, j]) - at
+    ri = t[0].object_radius[o]
+    rj = t[0].object_radius[o0 + j]
+    # a zone only meets solids
+    far = wp.max(ri[0] + rj[1], ri[1] + rj[0]) + m.collision_aim
+    return wp.dot(v, v) < far * far and (view.stamp == 0 or wp.abs(s.mark[candidate, j]) != view.stamp)
+
+
+@wp.func_native("""
+#if defined(__CUDA_ARCH__)
+    return __ffs(bits) - 1;
+#else
+    int first = 0;
+    while (!((bits >> first) & 1)) first++;
+    return first;
+#endif
+""")
+def first_bit(bits: wp.int32) -> wp.int32:
+    """The number of the lowest bit that is set."""
+    ...
 
 
 @wp.func
@@ -414,31 +421,52 @@ def object_energy(
     turn_of = int(0)  # cells deal out what they hold one by one
     if cells:
         j = s.cell_head[candidate, y * t[0].grid_count[p][0] + x]
-    elif j >= n:
-        y = high + 1
-    while y <= high and e <= limit:
-        if j >= 0 and (not cells or turn_of == part.first):
-            ep, gp = meeting(t, m, w, o0, row, o, pose, q, j, candidate, s, view)
+    more = bool(True)
+    while more and e <= limit:
+        # who is near is found first: threads that work side by side then meet at the exact tests
+        bits = int(0)
+        first = int(j)
+        found = int(-1)
+        if cells:
+            while found < 0 and y <= high:
+                if j >= 0:
+                    if turn_of == part.first:
+                        if near(t, m, o0, row, o, at, j, candidate, s, view):
+                            found = j
+                    turn_of += 1
+                    if turn_of == part.of:
+                        turn_of = 0
+                    j = s.cell_next[candidate, j]
+                while j < 0 and y <= high:
+                    x += 1
+                    if x > right:
+                        x = int(left)
+                        y += 1
+                    if y <= high:
+                        j = s.cell_head[candidate, y * t[0].grid_count[p][0] + x]
+            more = found >= 0
+            if more:
+                bits = 1
+        else:
+            bit = int(1)
+            while bit != 0 and bit != (1 << 30) and j < n:
+                if near(t, m, o0, row, o, at, j, candidate, s, view):
+                    bits = bits | bit
+                bit = bit << 1
+                j += part.of
+            more = j < n
+        while bits != 0 and e <= limit:
+            k = first + first_bit(bits) * part.of
+            bits = bits & (bits - 1)
+            if cells:
+                k = found
+            flags = int(t[0].pair_flags[row + k])
+            ep, gp = pair_energy(
+                t, m, w, flags, o, pose, q, o0 + k, s.poses[candidate, k], s.turns[candidate, k]
+            )
             e += ep
             share += 0.5 * ep
             g += gp
-        if cells:
-            if j >= 0:
-                j = s.cell_next[candidate, j]
-                turn_of += 1
-                if turn_of == part.of:
-                    turn_of = 0
-            while j < 0 and y <= high:
-                x += 1
-                if x > right:
-                    x = int(left)
-                    y += 1
-                if y <= high:
-                    j = s.cell_head[candidate, y * t[0].grid_count[p][0] + x]
-        else:
-            j += part.of
-            if j >= n:
-                y = high + 1
     return e, share, soft, g
 
 
