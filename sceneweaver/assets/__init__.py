@@ -1,0 +1,1 @@
+"""Furniture with bodies: meshes, collision parts, support surfaces and the libraries that they come from."""

@@ -1,0 +1,112 @@
+"""An asset: one piece of furniture with its body, what it carries, and what it asks of the room."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+
+from sceneweaver.scene import Part, Pose, SceneObject, Support, Surface, Zone
+
+from .body import Hull, Link, Mesh
+
+Mount = Literal["floor", "wall", "ceiling", "surface"]
+
+
+@dataclass(frozen=True)
+class Origin:
+    """Where an asset comes from.
+
+    ``axes`` are the up and front axes that its file had ("z x" for ours) and ``metres_per_unit`` its scale;
+    ``front_confidence`` in 0..1 says how sure the front is, ``notes`` what an import changed or could not know.
+    """
+
+    source: str
+    licence: str
+    attribution: str = ""
+    axes: str = "z x"
+    metres_per_unit: float = 1.0
+    front_confidence: float = 1.0
+    notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Asset:
+    """A piece of furniture in its own frame: origin at the bottom centre of its box, z up, front +x, metres.
+
+    The visual ``mesh`` lies inside the union of the convex ``hulls`` (to 0.5 mm for hard bodies, 1 cm for leaves and
+    cloth), and those lie inside the at most eight prisms ``parts`` that the engine moves. ``surfaces`` carry other
+    things, ``zones`` are the room it needs to be used, ``sides`` the sides from which it is used.
+    """
+
+    id: str
+    category: str
+    mesh: Mesh
+    hulls: tuple[Hull, ...]
+    parts: tuple[Part, ...]
+    mount: Mount
+    mass: float
+    friction: float
+    origin: Origin
+    surfaces: tuple[Surface, ...] = ()
+    zones: tuple[Zone, ...] = ()
+    sides: tuple[str, ...] = ()
+    links: tuple[Link, ...] = ()
+    attributes: dict[str, Any] = field(default_factory=dict)
+    description: str = ""
+
+    @property
+    def size(self) -> tuple[float, float, float]:
+        """Depth along the front, width, height [m]."""
+        low, high = self.mesh.bounds
+        d, w, h = (round(float(v), 6) for v in high - low)
+        return d, w, h
+
+    def object(
+        self, id: str, *, pose: Pose | None = None, mount: Mount | None = None, support: Support | None = None
+    ) -> SceneObject:
+        """The scene object of this asset; ``mount`` is the asset's unless it can be had in another way too."""
+        extra = {} if pose is None else {"pose": pose}
+        return SceneObject(
+            id=id,
+            category=self.category,
+            description=self.description or None,
+            size=self.size,
+            mount=mount or ("surface" if support else self.mount),
+            support=support,
+            asset=self.id,
+            parts=self.parts,
+            zones=self.zones,
+            surfaces=self.surfaces,
+            attributes=self.attributes,
+            **extra,
+        )
+
+
+def volume_of(mesh: Mesh) -> float:
+    """Volume [m3] of the union of the mesh's closed pieces."""
+    return float(_manifold(mesh.vertices, mesh.faces).volume())
+
+
+def _manifold(vertices: np.ndarray, faces: np.ndarray):
+    import manifold3d
+
+    # Pieces overlap; manifold3d unites them when each is closed and faces outward.
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
+    n = len(vertices)
+    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]]])
+    graph = coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(n, n))
+    count, label = connected_components(graph, directed=False)
+    of_face = label[faces[:, 0]]
+    bodies = []
+    for k in range(count):
+        mine = faces[of_face == k]
+        if not len(mine):
+            continue
+        used, packed = np.unique(mine, return_inverse=True)
+        mesh = manifold3d.Mesh64(vertices[used], packed.reshape(-1, 3).astype(np.uint64))
+        bodies.append(manifold3d.Manifold(mesh))
+    return manifold3d.Manifold.batch_boolean(bodies, manifold3d.OpType.Add)

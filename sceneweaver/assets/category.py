@@ -1,0 +1,84 @@
+"""The categories of furniture: data in ``categories/*.yaml``, read once."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib import resources
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from sceneweaver.scene.base import FrozenModel
+
+from .asset import Mount
+
+Range = Annotated[tuple[float, float], Field(description="Least and largest usual value")]
+Side = Literal["front", "back", "left", "right", "top"]
+
+
+class Sizes(FrozenModel):
+    """Usual sizes [m]: depth along the front, width, height."""
+
+    depth: Range
+    width: Range
+    height: Range
+
+    @property
+    def ranges(self) -> tuple[Range, Range, Range]:
+        """The three ranges in the order of an object's ``size``."""
+        return self.depth, self.width, self.height
+
+    @model_validator(mode="after")
+    def _check(self) -> Sizes:
+        for name, (low, high) in zip(("depth", "width", "height"), self.ranges, strict=True):
+            if not 0 < low <= high:
+                raise ValueError(f"{name} must run from small to large, not {low} to {high}")
+        return self
+
+
+class Category(FrozenModel):
+    """One kind of thing that a user would name.
+
+    A category without ``size`` is a group of others ("seating"), and has no body of its own.
+    """
+
+    name: str
+    parent: str | None = Field(default=None, description="The wider category that it belongs to")
+    synonyms: tuple[str, ...] = Field(default=(), description="Other words for the same thing")
+    plural: str | None = Field(default=None, description="Plural where it is not regular")
+    size: Sizes | None = None
+    source: str = Field(default="", description="Where the sizes come from")
+    mount: tuple[Mount, ...] = Field(default=("floor",), description="What may hold it, the usual one first")
+    bottom: Range | None = Field(default=None, description="Usual height [m] of its bottom above the floor, on a wall")
+    on: tuple[str, ...] = Field(default=(), description="Categories that it usually stands on")
+    holds: tuple[str, ...] = Field(default=(), description="Categories that usually stand on or in it")
+    sides: tuple[Side, ...] = Field(default=(), description="Sides from which it is used")
+    clearance: dict[Side, float] = Field(default={}, description="Depth [m] of the free zone that a side needs")
+    mass: Range = Field(default=(1.0, 10.0), description="Mass [kg] of the smallest and the largest")
+    friction: float = Field(default=0.5, description="Coefficient of sliding friction")
+    body: Literal["hard", "soft", "leaf"] = Field(default="hard", description="How closely parts follow the mesh")
+
+    @property
+    def words(self) -> str:
+        """The name as a user would write it."""
+        return self.name.replace("_", " ")
+
+
+@cache
+def categories() -> dict[str, Category]:
+    """All categories by name; a category inherits nothing, so that each entry can be read on its own."""
+    import yaml
+
+    found: dict[str, Category] = {}
+    folder = resources.files(__package__).joinpath("categories")
+    for file in sorted(folder.iterdir(), key=lambda f: f.name):
+        if not file.name.endswith(".yaml"):
+            continue
+        for name, row in (yaml.safe_load(file.read_text(encoding="utf-8")) or {}).items():
+            if name in found:
+                raise ValueError(f"{file.name}: {name} is there already")
+            row = dict(row)
+            if isinstance(row.get("mount"), str):
+                row["mount"] = (row["mount"],)
+            found[name] = Category(name=name, **row)
+    return found

@@ -1,0 +1,415 @@
+"""The workbench of the parametric library: draws a piece of furniture and collects all that an asset needs."""
+
+from __future__ import annotations
+
+import math
+import zlib
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import NamedTuple, TypeVar
+
+import numpy as np
+
+from sceneweaver.scene import InputError, Surface, Zone
+
+from .. import shapes
+from ..asset import Asset, Origin
+from ..body import Hull, Link, Material, Mesh
+from ..category import Category
+from ..materials import STYLES, color_name, color_named, expand, finish, tinted
+from ..prisms import prisms_of
+from ..shapes.convex import Shape
+
+T = TypeVar("T")
+Interval = tuple[float, float]
+
+_ZONE_HEIGHT = 1.8
+"""Height [m] of access zones: a person."""
+
+
+class Size(NamedTuple):
+    """Depth along the front, width, height [m]."""
+
+    depth: float
+    width: float
+    height: float
+
+
+@dataclass(frozen=True)
+class Request:
+    """What a user asks of an asset; None leaves the choice to the seed."""
+
+    size: tuple[float | None, float | None, float | None] = (None, None, None)
+    color: str | None = None
+    material: str | None = None
+    style: str | None = None
+
+    @property
+    def suffix(self) -> str:
+        """The request as the end of an asset id; empty when nothing is asked."""
+        parts = []
+        if any(v is not None for v in self.size):
+            parts.append("size=" + ",".join("" if v is None else f"{v:g}" for v in self.size))
+        parts += [f"{k}={v}" for k in ("color", "material", "style") if (v := getattr(self, k)) is not None]
+        return "".join(f"&{part}" for part in parts)
+
+
+class Builder:
+    """Draws one asset in the object's frame: bottom at z = 0, front +x, left +y, metres.
+
+    Choices (``pick``, ``uniform``, ``whole``, ``chance``) are drawn by name, so that a new one leaves the others as
+    they were. Every shape is at once a piece of the visual mesh and one or more convex collision parts.
+    """
+
+    def __init__(self, category: Category, seed: int, request: Request | None = None):
+        if category.size is None:
+            raise InputError(f"category: '{category.name}' is a group of others; name one of them")
+        self.category = category
+        self.request = request or Request()
+        self._seed = seed
+        self.style = self.request.style or self.pick("style", STYLES)
+        if self.style not in STYLES:
+            raise InputError(f"style: '{self.style}' is unknown; use one of {', '.join(STYLES)}")
+        self.size = Size(*(self._extent(k) for k in range(3)))
+        self._frame = np.eye(4)
+        self._link = 0
+        self._group: str | None = None
+        self._links: list[Link] = []
+        self._materials: dict[Material, int] = {}
+        self._roles: dict[str, Material] = {}
+        self._pieces: list[tuple[np.ndarray, np.ndarray, int, int]] = []
+        self._hulls: list[Hull] = []
+        self._groups: list[str | None] = []
+        self._surfaces: list[Surface] = []
+        self._zones: list[Zone] = []
+        self._clear: list[tuple[Interval, Interval, Interval]] = []
+        self._words: list[str] = []
+
+    # Choices
+
+    def _rng(self, name: str) -> np.random.Generator:
+        return np.random.Generator(np.random.PCG64([zlib.crc32(self.category.name.encode()), self._seed,
+                                                    zlib.crc32(name.encode())]))  # fmt: skip
+
+    def pick(self, name: str, options: Sequence[T]) -> T:
+        """One of the options."""
+        return options[int(self._rng(name).integers(len(options)))]
+
+    def uniform(self, name: str, low: float, high: float) -> float:
+        """A number between two others."""
+        return float(self._rng(name).uniform(low, high))
+
+    def whole(self, name: str, low: int, high: int) -> int:
+        """A whole number from ``low`` to ``high``, both included."""
+        return int(self._rng(name).integers(low, high + 1))
+
+    def chance(self, name: str, share: float) -> bool:
+        """True in that share of the seeds."""
+        return bool(self._rng(name).uniform() < share)
+
+    def _extent(self, axis: int) -> float:
+        assert self.category.size is not None
+        name = ("depth", "width", "height")[axis]
+        low, high = self.category.size.ranges[axis]
+        asked = self.request.size[axis]
+        if asked is None:
+            return round(self.uniform(f"size {name}", low, high), 3)
+        if not low - 1e-6 <= asked <= high + 1e-6:
+            raise InputError(f"size: {self.category.words} has a {name} of {low:g} to {high:g} m, not {asked:g} m")
+        return float(asked)
+
+    # Materials
+
+    def material(self, role: str, *names: str) -> Material:
+        """A finish for a role such as "top" or "legs": one of the names, "@wood" for any of a family.
+
+        The same role has the same finish all over. The first role that can do so takes the colour and the material
+        that the user asked for; a style prefers finishes that suit it.
+        """
+        if role in self._roles:
+            return self._roles[role]
+        options = expand(names)
+        chosen = None
+        asked = self.request.material
+        taken = self._words
+        if asked and "material" not in taken:
+            like = [f for f in options if asked.lower() in (f.material.name, f.family) or asked.lower()
+                    in f.material.name.split()]  # fmt: skip
+            if like:
+                options, chosen = like, None
+                taken.append("material")
+        if self.request.color and "color" not in taken:
+            color = color_named(self.request.color)
+            like = [f for f in options if color_name(f.material.color) == color]
+            dyes = [f for f in options if f.tints]
+            if like:
+                options = like
+                taken.append("color")
+            elif dyes:
+                chosen = tinted(self.pick(f"material {role}", dyes).material, color)
+                taken.append("color")
+        if chosen is None:
+            suits = [f for f in options if self.style in f.styles]
+            chosen = self.pick(f"material {role}", suits or options).material
+        self._roles[role] = chosen
+        return chosen
+
+    # Where and to what
+
+    @contextmanager
+    def frame(
+        self, x: float = 0.0, y: float = 0.0, z: float = 0.0, yaw: float = 0.0, pitch: float = 0.0, roll: float = 0.0
+    ) -> Iterator[None]:
+        """Draw in a frame at (x, y, z) turned by yaw about z, then pitch about its y, then roll about its x [rad].
+
+        A positive pitch lowers what lies in front (+x); a negative one leans a back rest backward.
+        """
+        before = self._frame
+        cy, sy, cp, sp, cr, sr = (f(a) for a in (yaw, pitch, roll) for f in (math.cos, math.sin))
+        turn = (
+            np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]])
+            @ np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
+            @ np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
+        )
+        step = np.eye(4)
+        step[:3, :3], step[:3, 3] = turn, (x, y, z)
+        self._frame = before @ step
+        try:
+            yield
+        finally:
+            self._frame = before
+
+    @contextmanager
+    def solid(self, name: str) -> Iterator[None]:
+        """What is drawn inside becomes one prism of the engine (legs and seat of a chair, say)."""
+        before, self._group = self._group, name
+        try:
+            yield
+        finally:
+            self._group = before
+
+    @contextmanager
+    def hinge(self, name: str, at: tuple[float, float, float], axis=(0.0, 0.0, 1.0), limits=(0.0, 1.57)):
+        """What is drawn inside is a door: it turns about ``axis`` through ``at``; it is drawn closed."""
+        with self._moving(Link(name, "hinge", tuple(axis), tuple(at), tuple(limits))):
+            yield
+
+    @contextmanager
+    def slide(self, name: str, axis=(1.0, 0.0, 0.0), limits=(0.0, 0.3)):
+        """What is drawn inside is a drawer: it slides along ``axis``; it is drawn closed."""
+        with self._moving(Link(name, "slide", tuple(axis), (0.0, 0.0, 0.0), tuple(limits))):
+            yield
+
+    @contextmanager
+    def _moving(self, link: Link) -> Iterator[None]:
+        if self._link:
+            raise ValueError("a link inside a link")
+        turn, shift = self._frame[:3, :3], self._frame[:3, 3]
+        axis, anchor = turn @ np.array(link.axis), turn @ np.array(link.anchor) + shift
+        self._links.append(
+            Link(link.name, link.joint, tuple(map(float, axis)), tuple(map(float, anchor)), link.limits)
+        )
+        self._link = len(self._links)
+        try:
+            yield
+        finally:
+            self._link = 0
+
+    # Shapes
+
+    def add(self, shape: Shape, material: Material | str, hulls: Sequence[Shape] | None = None) -> None:
+        """A closed shape; ``hulls`` are its convex parts, by default the shape itself, which must then be convex.
+
+        An empty list adds no collision part: only for what lies inside other parts.
+        """
+        vertices, faces = shape
+        look = finish(material).material if isinstance(material, str) else material
+        index = self._materials.setdefault(look, len(self._materials))
+        self._pieces.append((self._place(vertices), faces, index, self._link))
+        for points, triangles in [shape] if hulls is None else hulls:
+            self._hulls.append(Hull(self._place(points), triangles, self._link))
+            self._groups.append(self._group)
+
+    def box(self, x: Interval, y: Interval, z: Interval, material: Material | str, bevel: float = 0.003) -> None:
+        """A box between two ends on each axis, its edges cut by ``bevel``."""
+        self.add(shapes.box(x, y, z, bevel), material)
+
+    def extrude(self, polygon, z: Interval, material: Material | str, bevel: float = 0.0) -> None:
+        """A simple polygon [V, 2], counter-clockwise, times a z interval."""
+        shape = shapes.extrusion(np.asarray(polygon), z, bevel)
+        pieces = shapes.convex_pieces(np.asarray(polygon, dtype=np.float64))
+        self.add(shape, material, None if len(pieces) == 1 else [shapes.extrusion(p, z) for p in pieces])
+
+    def frustum(
+        self, low: float, high: float, z: Interval, material: Material | str, segments: int = 24, bevel: float = 0.0
+    ) -> None:
+        """A cylinder or cone about z with these radii at its foot and head."""
+        self.add(shapes.frustum(low, high, z, segments, bevel), material)
+
+    def lathe(
+        self, profile: list[tuple[float, float]], material: Material | str, segments: int = 24, hollow: bool = False
+    ) -> None:
+        """A profile of (radius, z) turned about z.
+
+        A solid one rises from foot to head. A hollow one runs up outside and down again inside; it is one solid
+        body for collisions, as nothing is put into cups and vases.
+        """
+        shape = shapes.lathe(profile, segments)
+        if hollow:
+            top = max(range(len(profile)), key=lambda i: (profile[i][1], -i))
+            profile = profile[: top + 1]
+        self.add(shape, material, shapes.lathe_hulls(profile, segments))
+
+    def ball(self, radii: tuple[float, float, float], center: tuple[float, float, float], material, segments=20) -> None:
+        """An ellipsoid."""
+        shape = shapes.ball(radii, center, segments)
+        self.add(shape, material, None if segments <= 12 else [shapes.containing_hull(shape[0])])
+
+    def cushion(
+        self, x: Interval, y: Interval, z: Interval, material: Material | str, radius: float = 0.04, puff: float = 0.0
+    ) -> None:
+        """Upholstery: a box with round edges; ``puff`` (0 to 1) swells it to a pillow. Fills its box."""
+        shape = shapes.cushion(x, y, z, radius, puff)
+        self.add(shape, material, [shapes.containing_hull(shape[0])])
+
+    def sheet(self, grid: np.ndarray, thickness: float, material: Material | str, cells: int = 1) -> None:
+        """Cloth or a leaf: a bent grid of points [N, M, 3]; its hulls are those of ``cells`` strips along N."""
+        shape = shapes.sheet(grid, thickness)
+        n, m = grid.shape[:2]
+        cuts = np.unique(np.linspace(0, n - 1, cells + 1).round().astype(int))
+        both = shape[0].reshape(2, n, m, 3)
+        hulls = [shapes.hull(both[:, a : b + 1].reshape(-1, 3)) for a, b in zip(cuts[:-1], cuts[1:], strict=True)]
+        self.add(shape, material, hulls)
+
+    def tube(self, path, radius: float | np.ndarray, material: Material | str, segments: int = 10, closed=False) -> None:
+        """A bar along points [N, 3]: round with a radius, or with a convex section [K, 2]."""
+        path = np.asarray(path, dtype=np.float64)
+        shape = shapes.sweep(path, radius, segments, closed)
+        self.add(shape, material, shapes.sweep_hulls(path, radius, segments, closed))
+
+    def bar(self, a, b, radius: float | np.ndarray, material: Material | str, segments: int = 10) -> None:
+        """A straight bar between two points."""
+        self.tube([a, b], radius, material, segments)
+
+    def hull(self, points, material: Material | str) -> None:
+        """The convex hull of points [N, 3]: tapered legs, wedges, gems."""
+        self.add(shapes.hull(np.asarray(points, dtype=np.float64)), material)
+
+    def _place(self, points: np.ndarray) -> np.ndarray:
+        return points @ self._frame[:3, :3].T + self._frame[:3, 3]
+
+    # What others may do with it
+
+    def surface(
+        self, name: str, x: Interval, y: Interval, z: float, headroom: float | None = None, polygon=None
+    ) -> None:
+        """A flat place for other things at height z: a rectangle, or a polygon [V, 2] (x and y are then ignored).
+
+        The polygon is where footprints may be, so leave out lips and back panels.
+        """
+        corners = [(x[0], y[0]), (x[1], y[0]), (x[1], y[1]), (x[0], y[1])] if polygon is None else polygon
+        placed = self._place(np.array([(px, py, z) for px, py in corners], dtype=np.float64))
+        flat = [(float(a), float(b)) for a, b, _ in placed]
+        self._surfaces.append(Surface(name=name, polygon=flat, z=float(placed[0, 2]), headroom=headroom))
+
+    def zone(self, name: str, x: Interval, y: Interval, z: Interval = (0.0, _ZONE_HEIGHT), hard: bool = True) -> None:
+        """Room that must stay free for use; replaces the zone that the category's ``clearance`` gives that side."""
+        polygon = ((x[0], y[0]), (x[1], y[0]), (x[1], y[1]), (x[0], y[1]))
+        self._zones.append(Zone(name=name, polygon=polygon, z=z, hard=hard))
+
+    def clear(self, x: Interval, y: Interval, z: Interval) -> None:
+        """Room inside the box that prisms should not fill: where knees, or a chair, go."""
+        self._clear.append((x, y, z))
+
+    # The asset
+
+    def finish(self) -> Asset:
+        """All that was drawn, as an asset with its origin at the bottom centre of its box."""
+        offsets = np.cumsum([0] + [len(v) for v, *_ in self._pieces])
+        vertices = np.concatenate([v for v, *_ in self._pieces])
+        faces = np.concatenate([f + o for (_, f, *_), o in zip(self._pieces, offsets[:-1], strict=True)])
+        count = [len(f) for _, f, *_ in self._pieces]
+        low, high = vertices.min(axis=0), vertices.max(axis=0)
+        shift = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
+        mesh = Mesh(
+            vertices=vertices - shift,
+            faces=faces.astype(np.int32),
+            face_material=np.repeat([m for *_, m, _ in self._pieces], count).astype(np.int32),
+            face_link=np.repeat([link for *_, link in self._pieces], count).astype(np.int32),
+            materials=tuple(self._materials),
+        )
+        hulls = tuple(Hull(h.vertices - shift, h.faces, h.link) for h in self._hulls)
+        surfaces = tuple(_moved(s, shift) for s in self._surfaces)
+        size = tuple(float(v) for v in high - low)
+        clear = [tuple((a - d, b - d) for (a, b), d in zip(box, shift, strict=True)) for box in self._clear]
+        clear += [_above(s) for s in surfaces]
+        zones = [Zone(name=z.name, polygon=_shifted(z.polygon, shift), z=z.z, hard=z.hard) for z in self._zones]
+        named = {z.name for z in zones}
+        zones += [_access(side, depth, size) for side, depth in self.category.clearance.items() if side not in named]
+        main = next(iter(self._roles.values()), None)
+        attributes: dict = {"style": self.style}
+        if main is not None:
+            attributes |= {"color": color_name(main.color), "material": main.name}
+        return Asset(
+            id=f"parametric:{self.category.name}?seed={self._seed}{self.request.suffix}",
+            category=self.category.name,
+            mesh=mesh,
+            hulls=hulls,
+            parts=prisms_of(hulls, self._groups, clear),
+            mount=self.category.mount[0],
+            mass=self._mass(size),
+            friction=self.category.friction,
+            origin=Origin(source="parametric", licence="Apache-2.0", attribution="sceneweaver"),
+            surfaces=surfaces,
+            zones=tuple(zones),
+            sides=self.category.sides,
+            links=tuple(
+                Link(k.name, k.joint, k.axis, tuple(float(v) for v in np.array(k.anchor) - shift), k.limits)
+                for k in self._links
+            ),
+            attributes=attributes,
+            description=f"{main.name} {self.category.words}" if main is not None else self.category.words,
+        )
+
+    def _mass(self, size: tuple[float, ...]) -> float:
+        """Between the category's least and largest mass by where the box's volume lies in its range."""
+        assert self.category.size is not None
+        least, most = (math.prod(r[k] for r in self.category.size.ranges) for k in (0, 1))
+        share = (math.prod(size) - least) / max(1e-12, most - least)
+        low, high = self.category.mass
+        return round(low + (high - low) * min(1.0, max(0.0, share)), 3)
+
+
+def _moved(surface: Surface, shift: np.ndarray) -> Surface:
+    return Surface(
+        name=surface.name,
+        polygon=_shifted(surface.polygon, shift),
+        z=round(surface.z - float(shift[2]), 6),
+        headroom=surface.headroom,
+    )
+
+
+def _shifted(polygon, shift: np.ndarray) -> tuple[tuple[float, float], ...]:
+    return tuple((round(x - float(shift[0]), 6), round(y - float(shift[1]), 6)) for x, y in polygon)
+
+
+def _above(surface: Surface) -> tuple[Interval, Interval, Interval]:
+    """The box over a surface that must stay free of prisms, a little smaller than the room itself."""
+    xs, ys = [p[0] for p in surface.polygon], [p[1] for p in surface.polygon]
+    top = surface.z + min(surface.headroom or 0.3, 0.3)
+    return (min(xs) + 1e-3, max(xs) - 1e-3), (min(ys) + 1e-3, max(ys) - 1e-3), (surface.z + 1e-3, top - 1e-3)
+
+
+def _access(side: str, depth: float, size: tuple[float, ...]) -> Zone:
+    d, w, h = size
+    boxes = {
+        "front": ((d / 2, d / 2 + depth), (-w / 2, w / 2)),
+        "back": ((-d / 2 - depth, -d / 2), (-w / 2, w / 2)),
+        "left": ((-d / 2, d / 2), (w / 2, w / 2 + depth)),
+        "right": ((-d / 2, d / 2), (-w / 2 - depth, -w / 2)),
+        "top": ((-d / 2, d / 2), (-w / 2, w / 2)),
+    }
+    (x0, x1), (y0, y1) = boxes[side]
+    z = (h, h + depth) if side == "top" else (0.0, _ZONE_HEIGHT)
+    return Zone(name=side, polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=z, hard=True)

@@ -1,0 +1,36 @@
+"""Makers of simple closed shapes as (vertices, faces); every convex one is its own collision part.
+
+All are numpy only. Vertices are float64 [V, 3] in metres, faces int32 [F, 3], counter-clockwise seen from outside.
+"""
+
+from .blocks import box as box
+from .blocks import extrusion as extrusion
+from .convex import containing_hull as containing_hull
+from .convex import convex_pieces as convex_pieces
+from .convex import hull as hull
+from .convex import hull_of as hull_of
+from .rounds import ball as ball
+from .rounds import frustum as frustum
+from .rounds import lathe as lathe
+from .rounds import lathe_hulls as lathe_hulls
+from .soft import cushion as cushion
+from .soft import sheet as sheet
+from .sweeps import sweep as sweep
+from .sweeps import sweep_hulls as sweep_hulls
+
+__all__ = [
+    "ball",
+    "box",
+    "containing_hull",
+    "convex_pieces",
+    "cushion",
+    "extrusion",
+    "frustum",
+    "hull",
+    "hull_of",
+    "lathe",
+    "lathe_hulls",
+    "sheet",
+    "sweep",
+    "sweep_hulls",
+]

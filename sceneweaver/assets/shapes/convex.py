@@ -1,0 +1,70 @@
+"""Convex hulls: exact ones, and simple ones that contain a shape."""
+
+from __future__ import annotations
+
+import numpy as np
+
+Shape = tuple[np.ndarray, np.ndarray]  # vertices [V, 3], faces [F, 3]
+
+# Normals of the 26 faces of a cube with cut edges and corners.
+_DIRECTIONS = np.array([(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1) if (x, y, z) != (0, 0, 0)])
+_DIRECTIONS = _DIRECTIONS / np.linalg.norm(_DIRECTIONS, axis=1, keepdims=True)
+
+
+def hull(points: np.ndarray) -> Shape:
+    """The convex hull of points [N, 3], outward faces; ValueError when they lie in one plane."""
+    from scipy.spatial import ConvexHull, QhullError
+
+    points = np.asarray(points, dtype=np.float64)
+    try:
+        found = ConvexHull(points)
+    except QhullError as error:
+        raise ValueError("the points lie in one plane or are fewer than four") from error
+    faces = found.simplices.astype(np.int32)
+    a, b, c = points[faces[:, 0]], points[faces[:, 1]], points[faces[:, 2]]
+    inward = np.einsum("ij,ij->i", np.cross(b - a, c - a), found.equations[:, :3]) < 0
+    faces[inward] = faces[inward][:, ::-1]
+    used, packed = np.unique(faces, return_inverse=True)
+    return points[used], packed.reshape(-1, 3).astype(np.int32)
+
+
+def hull_of(shapes: list[Shape]) -> Shape:
+    """The convex hull of several shapes together."""
+    return hull(np.concatenate([vertices for vertices, _ in shapes]))
+
+
+def containing_hull(points: np.ndarray) -> Shape:
+    """A convex body of at most 26 faces that contains the points: tight for boxes, cushions and balls."""
+    from scipy.spatial import HalfspaceIntersection
+
+    reach = (points @ _DIRECTIONS.T).max(axis=0)
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    halfspaces = np.c_[_DIRECTIONS, -reach]
+    corners = HalfspaceIntersection(halfspaces, middle).intersections
+    # The same corner arises once for every three planes through it; unequal copies would make slivers.
+    _, first = np.unique(np.round(corners, 7), axis=0, return_index=True)
+    return hull(corners[np.sort(first)])
+
+
+def convex_pieces(polygon: np.ndarray) -> list[np.ndarray]:
+    """A simple polygon [V, 2], counter-clockwise, as few convex polygons: triangles merged while they stay convex."""
+    import shapely
+
+    shape = shapely.Polygon(polygon)
+    if shape.convex_hull.area - shape.area < 1e-10:
+        return [np.asarray(polygon, dtype=np.float64)]
+    pieces = [p for p in shapely.constrained_delaunay_triangles(shape).geoms if p.area > 1e-12]
+    merged = True
+    while merged:
+        merged = False
+        for i in range(len(pieces)):
+            for j in range(i + 1, len(pieces)):
+                union = pieces[i].union(pieces[j])
+                if union.geom_type == "Polygon" and union.convex_hull.area - union.area < 1e-10:
+                    pieces[i] = union
+                    del pieces[j]
+                    merged = True
+                    break
+            if merged:
+                break
+    return [shapely.get_coordinates(shapely.Polygon(p.exterior).normalize())[:-1][::-1] for p in pieces]
