@@ -1,0 +1,1 @@
+"""The drawings, one module a family; each registers its categories with ``draws``."""
