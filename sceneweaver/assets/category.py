@@ -46,6 +46,7 @@ class Category(FrozenModel):
     parent: str | None = Field(default=None, description="The wider category that it belongs to")
     synonyms: tuple[str, ...] = Field(default=(), description="Other words for the same thing")
     plural: str | None = Field(default=None, description="Plural where it is not regular")
+    usual: str | None = Field(default=None, description="Of a group: the member that is meant when nothing else is said")
     size: Sizes | None = None
     source: str = Field(default="", description="Where the sizes come from")
     mount: tuple[Mount, ...] = Field(default=("floor",), description="What may hold it, the usual one first")
@@ -77,7 +78,8 @@ def categories() -> dict[str, Category]:
         for name, row in (yaml.safe_load(file.read_text(encoding="utf-8")) or {}).items():
             if name in found:
                 raise ValueError(f"{file.name}: {name} is there already")
-            row = dict(row)
+            # YAML 1.1 reads the bare key "on" as true.
+            row = {"on" if key is True else key: value for key, value in row.items()}
             if isinstance(row.get("mount"), str):
                 row["mount"] = (row["mount"],)
             found[name] = Category(name=name, **row)

@@ -20,13 +20,10 @@ from ..category import Category
 from ..materials import STYLES, color_name, color_named, expand, finish, tinted
 from ..prisms import prisms_of
 from ..shapes.convex import Shape
+from ..zones import ZONE_HEIGHT, access_zones
 
 T = TypeVar("T")
 Interval = tuple[float, float]
-
-_ZONE_HEIGHT = 1.8
-"""Height [m] of access zones: a person."""
-
 
 class Size(NamedTuple):
     """Depth along the front, width, height [m]."""
@@ -271,7 +268,12 @@ class Builder:
     ) -> None:
         """Upholstery: a box with round edges; ``puff`` (0 to 1) swells it to a pillow. Fills its box."""
         shape = shapes.cushion(x, y, z, radius, puff)
-        self.add(shape, material, [shapes.containing_hull(shape[0])])
+        if puff > 0:
+            self.add(shape, material, [shapes.containing_hull(shape[0])])
+            return
+        # The planes at 45 degrees that touch round edges of radius r cut (2 - sqrt 2) r off a box.
+        r = min(radius, 0.4995 * min(x[1] - x[0], y[1] - y[0], z[1] - z[0]))
+        self.add(shape, material, [shapes.box(x, y, z, 0.5857 * r)])
 
     def sheet(self, grid: np.ndarray, thickness: float, material: Material | str, cells: int = 1) -> None:
         """Cloth or a leaf: a bent grid of points [N, M, 3]; its hulls are those of ``cells`` strips along N."""
@@ -313,7 +315,7 @@ class Builder:
         flat = [(float(a), float(b)) for a, b, _ in placed]
         self._surfaces.append(Surface(name=name, polygon=flat, z=float(placed[0, 2]), headroom=headroom))
 
-    def zone(self, name: str, x: Interval, y: Interval, z: Interval = (0.0, _ZONE_HEIGHT), hard: bool = True) -> None:
+    def zone(self, name: str, x: Interval, y: Interval, z: Interval = (0.0, ZONE_HEIGHT), hard: bool = True) -> None:
         """Room that must stay free for use; replaces the zone that the category's ``clearance`` gives that side."""
         polygon = ((x[0], y[0]), (x[1], y[0]), (x[1], y[1]), (x[0], y[1]))
         self._zones.append(Zone(name=name, polygon=polygon, z=z, hard=hard))
@@ -323,6 +325,27 @@ class Builder:
         self._clear.append((x, y, z))
 
     # The asset
+
+    def fit(self, size: Sequence[float] | None = None) -> None:
+        """Stretch all that was drawn so far until its box has this size, by default the one to draw."""
+        points = np.concatenate([v for v, *_ in self._pieces])
+        scale = np.asarray(size or self.size) / (points.max(axis=0) - points.min(axis=0))
+        s = tuple(float(v) for v in scale)
+        self._pieces = [(v * scale, f, m, k) for v, f, m, k in self._pieces]
+        self._hulls = [Hull(h.vertices * scale, h.faces, h.link) for h in self._hulls]
+        self._surfaces = [
+            Surface(name=k.name, polygon=tuple((x * s[0], y * s[1]) for x, y in k.polygon), z=k.z * s[2],
+                    headroom=None if k.headroom is None else k.headroom * s[2])
+            for k in self._surfaces
+        ]  # fmt: skip
+        self._links = [
+            Link(k.name, k.joint, k.axis, (k.anchor[0] * s[0], k.anchor[1] * s[1], k.anchor[2] * s[2]), k.limits)
+            for k in self._links
+        ]
+        self._clear = [
+            ((x[0] * s[0], x[1] * s[0]), (y[0] * s[1], y[1] * s[1]), (z[0] * s[2], z[1] * s[2]))
+            for x, y, z in self._clear
+        ]
 
     def finish(self) -> Asset:
         """All that was drawn, as an asset with its origin at the bottom centre of its box."""
@@ -346,7 +369,7 @@ class Builder:
         clear += [_above(s) for s in surfaces]
         zones = [Zone(name=z.name, polygon=_shifted(z.polygon, shift), z=z.z, hard=z.hard) for z in self._zones]
         named = {z.name for z in zones}
-        zones += [_access(side, depth, size) for side, depth in self.category.clearance.items() if side not in named]
+        zones += access_zones(self.category, size, named)
         main = next(iter(self._roles.values()), None)
         attributes: dict = {"style": self.style}
         if main is not None:
@@ -400,16 +423,3 @@ def _above(surface: Surface) -> tuple[Interval, Interval, Interval]:
     top = surface.z + min(surface.headroom or 0.3, 0.3)
     return (min(xs) + 1e-3, max(xs) - 1e-3), (min(ys) + 1e-3, max(ys) - 1e-3), (surface.z + 1e-3, top - 1e-3)
 
-
-def _access(side: str, depth: float, size: tuple[float, ...]) -> Zone:
-    d, w, h = size
-    boxes = {
-        "front": ((d / 2, d / 2 + depth), (-w / 2, w / 2)),
-        "back": ((-d / 2 - depth, -d / 2), (-w / 2, w / 2)),
-        "left": ((-d / 2, d / 2), (w / 2, w / 2 + depth)),
-        "right": ((-d / 2, d / 2), (-w / 2 - depth, -w / 2)),
-        "top": ((-d / 2, d / 2), (-w / 2, w / 2)),
-    }
-    (x0, x1), (y0, y1) = boxes[side]
-    z = (h, h + depth) if side == "top" else (0.0, _ZONE_HEIGHT)
-    return Zone(name=side, polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=z, hard=True)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 
 from .convex import Shape
@@ -18,7 +20,7 @@ def cushion(
     low, high = np.array([x[0], y[0], z[0]], dtype=np.float64), np.array([x[1], y[1], z[1]], dtype=np.float64)
     half = (high - low) / 2
     r = min(radius, 0.999 * float(half.min()))
-    directions, faces = _sphere_grid(steps, puff)
+    directions, faces = _pattern(steps, puff > 0)
     core = half - r
     # A sphere of radius r at each corner of the core box: the hull of those spheres is the rounded box.
     sign = np.where(directions >= 0, 1.0, -1.0)
@@ -30,7 +32,12 @@ def cushion(
         norm = (np.abs(directions) ** power).sum(axis=1, keepdims=True) ** (1 / power)
         points = (1 - puff) * points + puff * (directions / norm) * half
         points *= half / np.abs(points).max(axis=0)
-    return points + (low + high) / 2, faces
+    return points + (low + high) / 2, faces.copy()
+
+
+@cache
+def _pattern(steps: int, soft: bool) -> Shape:
+    return _sphere_grid(steps, 1.0 if soft else 0.0)
 
 
 def _sphere_grid(steps: int, puff: float) -> Shape:

@@ -1,0 +1,1 @@
+"""Other people's meshes: read, brought to our axes and unit, given collision parts and surfaces."""

@@ -1,0 +1,88 @@
+"""Native code that may crash or never end, in a process of its own with a time limit."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+
+class LimitedError(RuntimeError):
+    """The work was not done: too slow, crashed, or refused; the text says which."""
+
+
+def run_limited(task: str, arrays: dict[str, np.ndarray], seconds: float) -> dict[str, np.ndarray]:
+    """Run ``TASKS[task]`` on arrays in another process and return its arrays.
+
+    Raises:
+        LimitedError: after ``seconds``, or when the process failed.
+    """
+    with tempfile.TemporaryDirectory(prefix="sceneweaver-") as folder:
+        given, made = Path(folder, "given.npz"), Path(folder, "made.npz")
+        np.savez(given, **arrays)
+        command = [sys.executable, "-m", f"{__package__}.limited", task, str(given), str(made)]
+        try:
+            done = subprocess.run(command, capture_output=True, timeout=seconds, stdin=subprocess.DEVNULL)
+        except subprocess.TimeoutExpired:
+            raise LimitedError(f"not done within {seconds:g} s") from None
+        if done.returncode or not made.exists():
+            lines = done.stderr.decode(errors="replace").strip().splitlines()
+            raise LimitedError(lines[-1][:160] if lines else f"ended with code {done.returncode}")
+        with np.load(made) as found:
+            return {key: found[key] for key in found.files}
+
+
+def _decompose(arrays: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """CoACD: convex parts of a mesh."""
+    import coacd
+
+    coacd.set_log_level("error")
+    mesh = coacd.Mesh(arrays["vertices"], arrays["faces"])
+    parts = coacd.run_coacd(
+        mesh,
+        threshold=float(arrays["threshold"]),
+        max_convex_hull=int(arrays["limit"]),
+        preprocess_mode="off" if arrays["manifold"] else "auto",
+        max_ch_vertex=64,
+        seed=0,
+    )
+    points = [np.asarray(v, dtype=np.float64) for v, _ in parts]
+    return {"points": np.concatenate(points), "counts": np.array([len(p) for p in points])}
+
+
+def _simplify(arrays: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Quadric edge collapse, one material at a time."""
+    import fast_simplification
+
+    vertices, faces, groups = [], [], []
+    start = 0
+    target, total = int(arrays["target"]), len(arrays["faces"])
+    for group in np.unique(arrays["groups"]):
+        mine = arrays["faces"][arrays["groups"] == group]
+        used, packed = np.unique(mine, return_inverse=True)
+        points, triangles = arrays["vertices"][used], packed.reshape(-1, 3)
+        goal = max(12, int(target * len(mine) / total))
+        if len(triangles) > goal:
+            share = 1.0 - goal / len(triangles)
+            points, triangles = fast_simplification.simplify(
+                points.astype(np.float32), triangles.astype(np.int32), target_reduction=min(0.9999, share)
+            )[:2]
+        vertices.append(np.asarray(points, dtype=np.float64))
+        faces.append(np.asarray(triangles, dtype=np.int64) + start)
+        groups.append(np.full(len(triangles), group))
+        start += len(points)
+    return {"vertices": np.concatenate(vertices), "faces": np.concatenate(faces), "groups": np.concatenate(groups)}
+
+
+TASKS = {"decompose": _decompose, "simplify": _simplify}
+
+
+if __name__ == "__main__":
+    with np.load(sys.argv[2]) as _given:
+        _result = TASKS[sys.argv[1]]({key: _given[key] for key in _given.files})
+    _part = Path(sys.argv[3] + ".part.npz")
+    np.savez(_part, **_result)
+    _part.rename(sys.argv[3])

@@ -1,0 +1,40 @@
+"""3D-FUTURE: ``model_info.json`` and a folder a model with ``raw_model.obj``; y up, front +z, metres."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from ..imports.hints import Hints
+from .tables import read_json
+
+
+def fits(path: Path) -> bool:
+    """True for a folder with model_info.json."""
+    return (path / "model_info.json").is_file()
+
+
+def read(path: Path) -> Iterator[Hints]:
+    """Models whose mesh is there."""
+    for row in read_json(path / "model_info.json"):
+        uid = str(row.get("model_id", ""))
+        file = next((f for n in ("raw_model.obj", "normalized_model.obj") if (f := path / uid / n).exists()), None)
+        if not uid or file is None:
+            continue
+        # Categories read like "King-size Bed" or "Lounge Chair / Cafe Chair / Office Chair".
+        category = str(row.get("category") or row.get("super-category") or "").split("/")[0].strip().lower()
+        yield Hints(
+            path=file,
+            name=uid,
+            category=category or None,
+            up="y",
+            front="z",
+            metres=1.0,
+            source="3d-future",
+            licence="3D-FUTURE terms of use",
+            attributes={
+                "style": str(row.get("style") or "").lower(),
+                "material": str(row.get("material") or "").lower(),
+                "theme": str(row.get("theme") or "").lower(),
+            },
+        )

@@ -1,0 +1,109 @@
+"""Objects as MJCF: RoboCasa's ``model.xml`` and MolmoSpaces' ``<name>.xml``, a folder an object.
+
+Visual meshes are geoms of group 1 or without contact, collision meshes the others; z up. RoboCasa's fixtures face -y,
+which a ``front`` may overrule.
+"""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from sceneweaver.scene import InputError
+
+from ..imports.hints import Hints
+from .tables import number
+
+MAX_BYTES = 16 << 20
+
+
+def fits(path: Path) -> bool:
+    """True for an MJCF file, or a folder with model.xml files, or folders with an XML of their own name."""
+    if path.is_file():
+        return path.suffix.lower() == ".xml"
+    return next(iter(_models(path)), None) is not None
+
+
+def read(path: Path) -> Iterator[Hints]:
+    """One entry a model: its largest visual mesh file, in its body's frame."""
+    for model in [path] if path.is_file() else _models(path):
+        yield _hints(model, path)
+
+
+def _models(path: Path) -> list[Path]:
+    found = set(path.rglob("model.xml")) | {p for p in path.rglob("*.xml") if p.stem == p.parent.name}
+    return sorted(found)
+
+
+def _hints(model: Path, root: Path) -> Hints:
+    if model.stat().st_size > MAX_BYTES:
+        raise InputError(f"{model.name}: at most {MAX_BYTES >> 20} MiB of XML are read")
+    text = model.read_bytes()
+    if b"<!ENTITY" in text:
+        raise InputError(f"{model.name}: XML entities are not read")
+    try:
+        tree = ET.fromstring(text)
+    except ET.ParseError as error:
+        raise InputError(f"{model.name}: damaged XML ({error})") from error
+    compiler = tree.find("compiler")
+    base = model.parent / (compiler.get("meshdir", "") if compiler is not None else "")
+    meshes = {m.get("name") or Path(m.get("file", "")).stem: m for m in tree.iter("mesh") if m.get("file")}
+    visual, solid = [], []
+    for geom in tree.iter("geom"):
+        mesh = meshes.get(geom.get("mesh", ""))
+        if mesh is None:
+            continue
+        free = geom.get("contype") == "0" and geom.get("conaffinity") == "0"
+        looks = free or geom.get("group") in ("1", "2") or "visual" in (geom.get("class") or geom.get("name") or "")
+        (visual if looks else solid).append((geom, mesh))
+    chosen = visual or solid
+    if not chosen:
+        raise InputError(f"{model.name}: no geom with a mesh")
+    chosen.sort(key=lambda pair: -_bytes(base, pair[1]))
+    geom, mesh = chosen[0]
+    scale = [number(v) or 1.0 for v in (mesh.get("scale") or "1 1 1").split()]
+    pose = np.eye(4)
+    pose[:3, :3] = _rotation(geom) @ np.diag(scale)
+    pose[:3, 3] = [number(v) or 0.0 for v in (geom.get("pos") or "0 0 0").split()]
+    same = [pair for pair in solid if pair[0].get("pos") == geom.get("pos") and pair[1].get("scale") == mesh.get("scale")]
+    names = [part for part in model.parent.relative_to(root).parts if part] if model != root else []
+    return Hints(
+        path=base / mesh.get("file", ""),
+        name=model.parent.name if model.stem == "model" else model.stem,
+        category=(names[0] if len(names) > 1 else names[-1] if names else model.parent.name).rstrip("0123456789_"),
+        up="z",
+        front="-y",
+        metres=1.0,
+        transform=tuple(tuple(float(v) for v in row) for row in pose),
+        mass=sum(v for g, _ in solid if (v := number(g.get("mass"))) is not None) or None,
+        source="mjcf",
+        hulls=tuple(base / m.get("file", "") for _, m in same) if len(same) == len(solid) and visual else (),
+    )
+
+
+def _bytes(base: Path, mesh: ET.Element) -> int:
+    file = base / mesh.get("file", "")
+    return file.stat().st_size if file.is_file() else 0
+
+
+def _rotation(geom: ET.Element) -> np.ndarray:
+    """A geom's ``quat`` (wxyz) or ``euler`` (x, y, z in radians, applied in this order about moving axes)."""
+    if geom.get("quat"):
+        w, x, y, z = (number(v) or 0.0 for v in geom.get("quat", "").split())
+        n = (w * w + x * x + y * y + z * z) ** 0.5 or 1.0
+        w, x, y, z = w / n, x / n, y / n, z / n
+        return np.array(
+            [
+                [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+            ]
+        )
+    a, b, c = (number(v) or 0.0 for v in (geom.get("euler") or "0 0 0").split())
+    rx = np.array([[1, 0, 0], [0, np.cos(a), -np.sin(a)], [0, np.sin(a), np.cos(a)]])
+    ry = np.array([[np.cos(b), 0, np.sin(b)], [0, 1, 0], [-np.sin(b), 0, np.cos(b)]])
+    rz = np.array([[np.cos(c), -np.sin(c), 0], [np.sin(c), np.cos(c), 0], [0, 0, 1]])
+    return rx @ ry @ rz

@@ -1,0 +1,68 @@
+"""What a source of assets can do: say what it has, and load it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+from ..asset import Asset
+
+
+@dataclass(frozen=True)
+class Card:
+    """An asset as a search sees it, without its arrays; ``size`` is (depth, width, height) [m]."""
+
+    id: str
+    category: str
+    size: tuple[float, float, float]
+    source: str
+    licence: str
+    attributes: dict[str, Any] = field(default_factory=dict)
+    description: str = ""
+
+    @property
+    def text(self) -> str:
+        """All words about it, for matching."""
+        words = [self.category.replace("_", " "), self.description, *map(str, self.attributes.values())]
+        return " ".join(word for word in words if word).lower()
+
+
+class Source(Protocol):
+    """A library of assets.
+
+    ``find`` yields what it has of a category (fast, no meshes); ``load`` brings one of them by id. A source that
+    makes things to order draws them for the wish that it is given.
+    """
+
+    name: str
+
+    def find(self, category: str, wish: Wish) -> Iterator[Card]:
+        """Cards of a category; for sources that make things, ``wish.count`` of them in the wanted size and look."""
+        ...
+
+    def load(self, id: str) -> Asset:
+        """The asset of an id; InputError when there is none."""
+        ...
+
+    def owns(self, id: str) -> bool:
+        """Whether an id is one of this source."""
+        ...
+
+
+@dataclass(frozen=True)
+class Wish:
+    """What is looked for; None and empty leave it open.
+
+    ``size`` is the wanted (depth, width, height) [m]; ``words`` are style words, any colour or material among them;
+    ``licences`` are the only ones allowed, None allows all.
+    """
+
+    size: tuple[float | None, float | None, float | None] = (None, None, None)
+    color: str | None = None
+    material: str | None = None
+    style: str | None = None
+    words: str = ""
+    seed: int = 0
+    count: int = 8
+    licences: frozenset[str] | None = None

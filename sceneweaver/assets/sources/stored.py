@@ -1,0 +1,43 @@
+"""Imported assets: what a store holds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ..asset import Asset
+from ..store import Store
+from ..taxonomy import members
+from .base import Card, Wish
+
+
+class StoreSource:
+    """The assets of a store; its rows are read once."""
+
+    name = "store"
+
+    def __init__(self, store: Store | None = None):
+        self.store = store or Store()
+        self._cards: list[Card] | None = None
+
+    def find(self, category: str, wish: Wish) -> Iterator[Card]:
+        """Assets of the category, or of its members when it is a group."""
+        names = {category, *members(category)}
+        yield from (card for card in self.cards() if card.category in names)
+
+    def cards(self) -> list[Card]:
+        """All assets of the store."""
+        if self._cards is None:
+            self._cards = [
+                Card(row["id"], row["category"], tuple(row["size"]), row["source"], row["licence"], row["attributes"],
+                     row["description"])
+                for row in self.store.rows()
+            ]  # fmt: skip
+        return self._cards
+
+    def owns(self, id: str) -> bool:
+        """Whether the store has an asset of that id."""
+        return any(card.id == id for card in self.cards())
+
+    def load(self, id: str) -> Asset:
+        """Read the asset."""
+        return self.store.load(id)

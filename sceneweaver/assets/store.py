@@ -1,0 +1,187 @@
+"""The asset store: imported assets by the hash of their content, one folder and one manifest row each.
+
+``ROOT/objects/ab/abcd.../body.npz`` holds the arrays and ``row.json`` the manifest row. A folder is written under a
+temporary name and renamed when it is whole, so that readers never see half an asset and two processes that import the
+same asset at once do no harm: one of them comes second and leaves what is there.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import uuid
+from collections.abc import Iterator
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from sceneweaver.scene import InputError, Part, Surface, Zone
+from sceneweaver.scene.messages import suggest
+
+from .asset import Asset, Origin
+from .body import Hull, Link, Material, Mesh
+
+SCHEMA = "sceneweaver.asset/1"
+
+
+def default_root() -> Path:
+    """``$SCENEWEAVER_ASSETS``, or the user's cache folder."""
+    given = os.environ.get("SCENEWEAVER_ASSETS")
+    if given:
+        return Path(given).expanduser()
+    base = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
+    return Path(base).expanduser() / "sceneweaver" / "assets"
+
+
+class Store:
+    """A folder of assets; safe to share between processes."""
+
+    def __init__(self, root: Path | None = None):
+        self.root = default_root() if root is None else Path(root)
+
+    @property
+    def cache(self) -> Path:
+        """Where convex decompositions and other costly results are kept."""
+        return self.root / "cache"
+
+    def add(self, asset: Asset, content: str) -> bool:
+        """Keep an asset under the hash of its content; False when it was there already.
+
+        Raises:
+            InputError: when the folder cannot be written; nothing half-written stays behind.
+        """
+        final = self._folder(content)
+        if (final / "row.json").exists():
+            return False
+        draft = self.root / "drafts" / uuid.uuid4().hex
+        try:
+            draft.mkdir(parents=True)
+            _write_body(draft / "body.npz", asset)
+            (draft / "row.json").write_text(json.dumps(row_of(asset, content), indent=1) + "\n", encoding="utf-8")
+            final.parent.mkdir(parents=True, exist_ok=True)
+            os.rename(draft, final)
+        except OSError as error:
+            if (final / "row.json").exists():  # another process was quicker
+                return False
+            reason = error.strerror or type(error).__name__
+            line = f"{self.root}: the store cannot be written ({reason}); choose another with --store"
+            raise InputError(line) from error
+        finally:
+            shutil.rmtree(draft, ignore_errors=True)
+        return True
+
+    def rows(self) -> Iterator[dict[str, Any]]:
+        """All manifest rows, by id."""
+        found = []
+        for path in self.root.glob("objects/*/*/row.json"):
+            try:
+                row = json.loads(path.read_text(encoding="utf-8"))
+            except (OSError, ValueError):
+                continue  # being removed by another process, or not ours
+            if row.get("schema") == SCHEMA:
+                found.append(row)
+        yield from sorted(found, key=lambda row: row["id"])
+
+    def load(self, id: str) -> Asset:
+        """An asset by id; InputError when the store has none of that id."""
+        tail = id.rpartition("-")[2]
+        for path in self.root.glob(f"objects/{tail[:2]}/{tail}*/row.json") if len(tail) >= 8 else ():
+            row = json.loads(path.read_text(encoding="utf-8"))
+            if row.get("id") == id:
+                return _read(path.parent, row)
+        known = [row["id"] for row in self.rows()]
+        raise InputError(f"asset: '{id}' is not in the store {self.root}{suggest(id, known)}")
+
+    def remove(self, id: str) -> None:
+        """Forget an asset; InputError when the store has none of that id."""
+        asset_hash = next((row["hash"] for row in self.rows() if row["id"] == id), None)
+        if asset_hash is None:
+            raise InputError(f"asset: '{id}' is not in the store {self.root}")
+        trash = self.root / "drafts" / uuid.uuid4().hex
+        trash.parent.mkdir(parents=True, exist_ok=True)
+        os.rename(self._folder(asset_hash), trash)
+        shutil.rmtree(trash, ignore_errors=True)
+
+    def _folder(self, content: str) -> Path:
+        return self.root / "objects" / content[:2] / content
+
+
+def row_of(asset: Asset, content: str) -> dict[str, Any]:
+    """The manifest row: all facts about an asset that are no arrays."""
+    origin = asdict(asset.origin)
+    return {
+        "schema": SCHEMA,
+        "id": asset.id,
+        "hash": content,
+        "category": asset.category,
+        "description": asset.description,
+        "source": origin.pop("source"),
+        "licence": origin.pop("licence"),
+        "attribution": origin.pop("attribution"),
+        "axes": origin.pop("axes"),
+        "metres_per_unit": origin.pop("metres_per_unit"),
+        "front_confidence": origin.pop("front_confidence"),
+        "notes": list(origin.pop("notes")),
+        "size": list(asset.size),
+        "mount": asset.mount,
+        "mass": asset.mass,
+        "friction": asset.friction,
+        "sides": list(asset.sides),
+        "attributes": asset.attributes,
+        "parts": [part.model_dump(mode="json") for part in asset.parts],
+        "surfaces": [surface.model_dump(mode="json") for surface in asset.surfaces],
+        "zones": [zone.model_dump(mode="json") for zone in asset.zones],
+        "links": [asdict(link) for link in asset.links],
+        "materials": [asdict(material) for material in asset.mesh.materials],
+        "triangles": len(asset.mesh.faces),
+        "hulls": len(asset.hulls),
+    }
+
+
+def _write_body(path: Path, asset: Asset) -> None:
+    mesh = asset.mesh
+    np.savez_compressed(
+        path,
+        vertices=mesh.vertices,
+        faces=mesh.faces,
+        face_material=mesh.face_material,
+        face_link=mesh.face_link,
+        hull_vertices=np.concatenate([h.vertices for h in asset.hulls]),
+        hull_faces=np.concatenate([h.faces for h in asset.hulls]),
+        hull_counts=np.array([(len(h.vertices), len(h.faces), h.link) for h in asset.hulls]),
+    )
+
+
+def _read(folder: Path, row: dict[str, Any]) -> Asset:
+    with np.load(folder / "body.npz") as body:
+        arrays = {name: body[name] for name in body.files}
+    materials = tuple(Material(**{**m, "color": tuple(m["color"])}) for m in row["materials"])
+    hulls, v, f = [], 0, 0
+    for points, triangles, link in arrays["hull_counts"].tolist():
+        hulls.append(Hull(arrays["hull_vertices"][v : v + points], arrays["hull_faces"][f : f + triangles], link))
+        v, f = v + points, f + triangles
+    return Asset(
+        id=row["id"],
+        category=row["category"],
+        mesh=Mesh(arrays["vertices"], arrays["faces"], arrays["face_material"], arrays["face_link"], materials),
+        hulls=tuple(hulls),
+        parts=tuple(Part(**part) for part in row["parts"]),
+        mount=row["mount"],
+        mass=row["mass"],
+        friction=row["friction"],
+        origin=Origin(
+            row["source"], row["licence"], row["attribution"], row["axes"], row["metres_per_unit"],
+            row["front_confidence"], tuple(row["notes"]),
+        ),
+        surfaces=tuple(Surface(**surface) for surface in row["surfaces"]),
+        zones=tuple(Zone(**zone) for zone in row["zones"]),
+        sides=tuple(row["sides"]),
+        links=tuple(
+            Link(k["name"], k["joint"], tuple(k["axis"]), tuple(k["anchor"]), tuple(k["limits"])) for k in row["links"]
+        ),
+        attributes=row["attributes"],
+        description=row["description"],
+    )  # fmt: skip

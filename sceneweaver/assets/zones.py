@@ -1,0 +1,31 @@
+"""The room that a category needs on the sides from which it is used."""
+
+from __future__ import annotations
+
+from collections.abc import Container
+
+from sceneweaver.scene import Zone
+
+from .category import Category
+
+ZONE_HEIGHT = 1.8
+"""Height [m] of access zones: a person."""
+
+
+def access_zones(category: Category, size: tuple[float, ...], but: Container[str] = ()) -> tuple[Zone, ...]:
+    """One hard zone for each side with a clearance, except the sides in ``but``; ``size`` is (depth, width, height)."""
+    return tuple(_zone(side, depth, size) for side, depth in category.clearance.items() if side not in but)
+
+
+def _zone(side: str, depth: float, size: tuple[float, ...]) -> Zone:
+    d, w, h = size
+    boxes = {
+        "front": ((d / 2, d / 2 + depth), (-w / 2, w / 2)),
+        "back": ((-d / 2 - depth, -d / 2), (-w / 2, w / 2)),
+        "left": ((-d / 2, d / 2), (w / 2, w / 2 + depth)),
+        "right": ((-d / 2, d / 2), (-w / 2 - depth, -w / 2)),
+        "top": ((-d / 2, d / 2), (-w / 2, w / 2)),
+    }
+    (x0, x1), (y0, y1) = boxes[side]
+    z = (h, h + depth) if side == "top" else (0.0, ZONE_HEIGHT)
+    return Zone(name=side, polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=z, hard=True)
