@@ -6,6 +6,7 @@ nothing is summed across threads. Before it overwrites the poses of the step bef
 
 import warp as wp
 
+from .reading import item
 from .step import (
     LANES,
     freedom,
@@ -84,7 +85,7 @@ def adam_step(
     if candidate == 0 and obj == 0:
         clock_out[0] = clock[0] + 1
     p = problem[candidate]
-    o = t[0].object_start[p] + obj
+    o = item(t[0].object_start, p) + obj
     if not keep_last(t, p, candidate, obj, share, lowest, next_poses, best_out, share_out, lowest_out):
         return
     arm = turning_arm(t, o)

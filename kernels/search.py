@@ -18,6 +18,7 @@ from .features import TURN
 from .geometry import FAR, wrap
 from .groups import group_energy, members_end, set_pose, shuffle
 from .lanes import index_of, lane, lanes, lowest, meet, number_of, pose_of, sum_of, team_for
+from .reading import item
 from .sample import QUARTER, common, propose, uniform
 from .tables import FREE_YAW, Margins, Share, State, TablesRef, View, Weights
 
@@ -53,11 +54,11 @@ def pick_object(n: wp.int32, candidate: wp.int32, energy: wp.array2d(dtype=wp.fl
     """The object on which a share u of all energies falls, laid end to end; -1 when there is none."""
     sum = float(0.0)
     for i in range(n):
-        sum += energy[candidate, i]
+        sum += item(energy, candidate, i)
     left = u * sum
     obj = int(-1)
     for i in range(n):
-        e = energy[candidate, i]
+        e = item(energy, candidate, i)
         if e > 0.0 and left >= 0.0:
             obj = i
             left -= e
@@ -76,7 +77,7 @@ def next_object(
 ):
     """The next free object after this one (of those with energy, if only faulty ones count); n at the end."""
     obj += 1
-    while obj < n and (t[0].object_free[o0 + obj] == 0 or (faulty and energy[candidate, obj] <= SOLVED)):
+    while obj < n and (item(t[0].object_free, o0 + obj) == 0 or (faulty and item(energy, candidate, obj) <= SOLVED)):
         obj += 1
     return obj
 
@@ -84,7 +85,7 @@ def next_object(
 @wp.func
 def off_square(t: TablesRef, p: wp.int32, pose: wp.vec4):
     """By how much a pose is turned against the room's first wall, modulo a quarter."""
-    plane = t[0].plane[t[0].plane_start[p]]
+    plane = item(t[0].plane, item(t[0].plane_start, p))
     return wrap(pose[3] - wp.atan2(plane[1], plane[0]), QUARTER)
 
 
@@ -112,8 +113,8 @@ def search(
     if open[candidate] == 0:
         return
     p = problem[candidate]
-    o0 = t[0].object_start[p]
-    n = t[0].object_start[p + 1] - o0
+    o0 = item(t[0].object_start, p)
+    n = item(t[0].object_start, p + 1) - o0
     round = clock[0] % plan.rounds
     stay = plan.start == GIVEN and clock[0] // plan.rounds < plan.at_home
     w = w_given
@@ -126,7 +127,8 @@ def search(
         fill_cells(t, p, candidate, s)
     meet()
 
-    movable = wp.max(t[0].movable[p], 2)
+    walled = item(t[0].plane_start, p + 1) > item(t[0].plane_start, p)
+    movable = wp.max(item(t[0].movable, p), 2)
     moves = wp.max(plan.moves * movable, LEAST_MOVES)
     refresh = wp.max(4, movable // 2)
     phase = int(MOVING)
@@ -165,7 +167,7 @@ def search(
         # The trials, each by a team of lanes.
         team = team_for(count)
         part = Share(me % team, team)
-        old = s.poses[candidate, obj]
+        old = item(s.poses, candidate, obj)
         share_sum = float(0.0)
         soft_sum = float(0.0)
         least = float(FAR)
@@ -178,8 +180,8 @@ def search(
             if job == SURVEY:
                 who = k
             elif job == RATE:
-                who = t[0].group[first + k]
-            pose = s.poses[candidate, who]
+                who = item(t[0].group, first + k)
+            pose = item(s.poses, candidate, who)
             view = View()
             view.best = 1
             if job == MOVE:
@@ -197,13 +199,13 @@ def search(
             elif job == SQUARE and k == 0:
                 pose[3] = pose[3] - off_square(t, p, pose)
             elif job == RETURN:
-                d = s.anchors[candidate, obj] - pose
+                d = item(s.anchors, candidate, obj) - pose
                 d[3] = wrap(d[3], TURN)
                 pose = pose + (1.0 - float(k) / float(BACK_STEPS)) * d
             from_k = int(first)
             to_k = int(last)
             if job == SURVEY or job == RATE:
-                from_k = t[0].group_start[o0 + who]
+                from_k = item(t[0].group_start, o0 + who)
                 to_k = members_end(t, o0 + who)
             elif job != GRADIENT:
                 view.stamp = stamp
@@ -223,7 +225,7 @@ def search(
                     share_sum += share
                     soft_sum += soft
                 rating = float(0.0)
-                if to_k > from_k and t[0].object_free[o0 + who] != 0:
+                if to_k > from_k and item(t[0].object_free, o0 + who) != 0:
                     rating = e
                     if stay:  # soft terms are no reason to move anything
                         rating = wp.max(e - soft - SOLVED, 0.0)
@@ -272,13 +274,13 @@ def search(
                 turned = view.after[3] - old[3]
                 view.spin = wp.vec2(wp.cos(turned), wp.sin(turned))
                 for k in range(first + me, last, width):
-                    pose, _q = seen(s, candidate, t[0].group[k], view)
-                    set_pose(s, candidate, t[0].group[k], pose)
+                    pose, _q = seen(s, candidate, item(t[0].group, k), view)
+                    set_pose(s, candidate, item(t[0].group, k), pose)
                 if crowded(n, s):
                     meet()
                     if me == 0:
                         for k in range(first, last):
-                            change_cell(t, p, candidate, t[0].group[k], s)
+                            change_cell(t, p, candidate, item(t[0].group, k), s)
         meet()
 
         # What next.
@@ -304,13 +306,13 @@ def search(
                     whole = bool(False)
                     u = common(s, candidate)
                     v = common(s, candidate)
-                    if t[0].object_parent[o0 + obj] >= 0 and u < wp.where(stay, 0.1, 0.25):
-                        obj = t[0].object_parent[o0 + obj]
+                    if item(t[0].object_parent, o0 + obj) >= 0 and u < wp.where(stay, 0.1, 0.25):
+                        obj = item(t[0].object_parent, o0 + obj)
                         whole = True
                     elif v < 0.5:
                         whole = True
-                    first = t[0].group_start[o0 + obj]
-                    last = t[0].group_start[o0 + obj + 1]
+                    first = item(t[0].group_start, o0 + obj)
+                    last = item(t[0].group_start, o0 + obj + 1)
                     if not whole:
                         last = members_end(t, o0 + obj)
                     level = 1.0 - (float(round) + float(move) / float(moves)) / float(plan.rounds)
@@ -321,11 +323,11 @@ def search(
                     # lanes of a team have to draw the same pose
                     slot = me // team_for(plan.proposals)
                     s.stream[candidate, me] = wp.rand_init(int(2.0e9 * common(s, candidate)), slot)
-                    draft = t[0].pool_size > 0 and t[0].deck_start[o0 + obj + 1] > t[0].deck_start[o0 + obj]
+                    draft = t[0].pool_size > 0 and item(t[0].deck_start, o0 + obj + 1) > item(t[0].deck_start, o0 + obj)
                     move += 1
         if phase == POLISHING:
             heat = float(0.0)
-            arm = 0.3 * t[0].object_radius[o0 + obj][0] + 0.05
+            arm = 0.3 * item(t[0].object_radius, o0 + obj)[0] + 0.05
             scaled = wp.vec4(g[0], g[1], g[2], g[3] / (arm * arm))
             gg = wp.dot(g, scaled)
             if done == SURVEY and solved:
@@ -360,26 +362,26 @@ def search(
                     cursor = -1
                     tidied += 1
                 elif stay:
-                    d = s.anchors[candidate, obj] - s.poses[candidate, obj]
+                    d = item(s.anchors, candidate, obj) - item(s.poses, candidate, obj)
                     d[3] = wrap(d[3], TURN)
                     if wp.dot(d, d) > 1.0e-12:
                         job = RETURN
-                elif t[0].object_free[o0 + obj] & FREE_YAW and t[0].plane_start[p + 1] > t[0].plane_start[p]:
-                    off = wp.abs(off_square(t, p, s.poses[candidate, obj]))
+                elif item(t[0].object_free, o0 + obj) & FREE_YAW and walled:
+                    off = wp.abs(off_square(t, p, item(s.poses, candidate, obj)))
                     if off > 1.0e-6 and off < ALMOST_SQUARE:
                         job = SQUARE
         if job >= STAND and job != MOVE and job != STOP:
             if job != STAND:
-                first = t[0].group_start[o0 + obj]
+                first = item(t[0].group_start, o0 + obj)
                 last = members_end(t, o0 + obj)
                 draft = False
             stamp += 1
             for k in range(first + me, last, width):
-                i = t[0].group[k]
-                carried = t[0].object_root[o0 + i] == obj
+                i = item(t[0].group, k)
+                carried = item(t[0].object_root, o0 + i) == obj
                 s.mark[candidate, i] = wp.where(carried, -stamp, stamp)
                 if draft:
-                    s.draft[candidate, i] = s.poses[candidate, i]
+                    s.draft[candidate, i] = item(s.poses, candidate, i)
             if draft:
                 meet()
                 key = int(1.0e9 * common(s, candidate))
