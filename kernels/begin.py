@@ -9,7 +9,7 @@ from .sample import keep_inside, random_start, settle, uniform
 from .tables import Margins, State, TablesRef, Weights
 
 # Fast sines on a GPU are good to a few micrometres; the judge gets exact ones (`set_turns`).
-wp.set_module_options({"enable_backward": False, "fast_math": True})
+wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
 
 DEPTHS = wp.constant(4)  # objects that others are placed by are drawn before those, down to this depth
 

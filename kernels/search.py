@@ -23,7 +23,7 @@ from .sample import QUARTER, common, propose, uniform
 from .tables import FREE_YAW, Margins, Share, State, TablesRef, View, Weights
 
 # Fast sines on a GPU are good to a few micrometres; the judge gets exact ones (`set_turns`).
-wp.set_module_options({"enable_backward": False, "fast_math": True})
+wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
 
 SOLVED = wp.constant(1.0e-9)
 LEAST_MOVES = wp.constant(16)  # of a round, however few objects there are
@@ -35,13 +35,12 @@ BACK_STEPS = wp.constant(4)  # shares of the way back that are tried
 # Jobs.
 SURVEY = wp.constant(0)  # rate every object
 RATE = wp.constant(1)  # rate the objects of the group that has just moved
-STAND = wp.constant(2)  # what the objects to be moved cost where they are
-MOVE = wp.constant(3)  # proposals
-GRADIENT = wp.constant(4)  # of one object
-STEP = wp.constant(5)  # along it: a Polyak step towards zero energy, and shorter ones
-SQUARE = wp.constant(6)  # turn what stands almost square to the room fully square, unless that costs anything
-RETURN = wp.constant(7)  # take an object as far back to its anchor as costs nothing hard
-STOP = wp.constant(8)
+MOVE = wp.constant(2)  # what the objects to be moved cost where they are, and proposals
+GRADIENT = wp.constant(3)  # of one object
+STEP = wp.constant(4)  # along it: a Polyak step towards zero energy, and shorter ones
+SQUARE = wp.constant(5)  # turn what stands almost square to the room fully square, unless that costs anything
+RETURN = wp.constant(6)  # take an object as far back to its anchor as costs nothing hard
+STOP = wp.constant(7)
 
 # Phases of a round.
 MOVING = wp.constant(0)
@@ -156,7 +155,8 @@ def search(
         elif job == RATE:
             count = last - first
         elif job == MOVE:
-            count = plan.proposals
+            count = 1 + plan.proposals
+            base = FAR
         elif job == STEP:
             count = plan.tries
         elif job == SQUARE:
@@ -184,7 +184,7 @@ def search(
             pose = item(s.poses, candidate, who)
             view = View()
             view.best = 1
-            if job == MOVE:
+            if job == MOVE and k > 0:
                 anew = bool(True)
                 if draft:
                     u = uniform(s, candidate)
@@ -213,7 +213,7 @@ def search(
                 view.after = pose
                 view.spin = wp.vec2(wp.cos(pose[3] - old[3]), wp.sin(pose[3] - old[3]))
             limit = float(FAR)
-            if job == MOVE or job == STEP:
+            if (job == MOVE and k > 0) or job == STEP:
                 limit = wp.min(least, base + heat)
             e = float(0.0)
             share = float(0.0)
@@ -231,7 +231,7 @@ def search(
                         rating = wp.max(e - soft - SOLVED, 0.0)
                 if part.first == 0:
                     energy[candidate, who] = rating
-            elif job == STAND or job == GRADIENT:
+            elif job == GRADIENT or (job == MOVE and k == 0):
                 base = e
             elif job == RETURN:
                 if least == FAR and e - soft <= SOLVED:
@@ -258,6 +258,7 @@ def search(
             winner = lowest(least)
             least = number_of(least, winner)
             if job == MOVE:
+                base = number_of(base, 0)
                 moved = least < base + heat
             elif job == STEP:
                 moved = least < base
@@ -286,9 +287,7 @@ def search(
         # What next.
         done = int(job)
         if phase == MOVING:
-            if done == STAND:
-                job = MOVE
-            elif done == MOVE and moved:
+            if done == MOVE and moved:
                 job = RATE
             elif solved:
                 phase = TIDYING
@@ -297,7 +296,7 @@ def search(
             elif move >= moves:
                 phase = POLISHING
             else:
-                job = STAND
+                job = MOVE
                 chosen = pick_object(n, candidate, energy, common(s, candidate))
                 if chosen < 0:  # nothing that is free to move is at fault
                     phase = TIDYING
@@ -321,7 +320,7 @@ def search(
                     if lingered == 0:
                         heat = -hot * level * level * wp.log(common(s, candidate) + 1.0e-9)
                     # lanes of a team have to draw the same pose
-                    slot = me // team_for(plan.proposals)
+                    slot = me // team_for(1 + plan.proposals)
                     s.stream[candidate, me] = wp.rand_init(int(2.0e9 * common(s, candidate)), slot)
                     draft = t[0].pool_size > 0 and item(t[0].deck_start, o0 + obj + 1) > item(t[0].deck_start, o0 + obj)
                     move += 1
@@ -370,8 +369,8 @@ def search(
                     off = wp.abs(off_square(t, p, item(s.poses, candidate, obj)))
                     if off > 1.0e-6 and off < ALMOST_SQUARE:
                         job = SQUARE
-        if job >= STAND and job != MOVE and job != STOP:
-            if job != STAND:
+        if job >= MOVE and job != STOP:
+            if job != MOVE:
                 first = item(t[0].group_start, o0 + obj)
                 last = members_end(t, o0 + obj)
                 draft = False
