@@ -267,7 +267,7 @@ def distance(t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, p
 
     Polygon b may be a single vertex.
     """
-    s, n, x = separation(t, a, pa, qa, b, pb, qb, FAR)
+    s, n, x = prisms_apart(t, a, pa, qa, b, pb, qb, FAR)
     if s > 0.0:
         d0, v0, x0 = closest_to_edges(t, a, pa, qa, b, pb, qb)
         s = d0
