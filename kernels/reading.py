@@ -18,7 +18,13 @@ ALIGNED = {
     wp.vec3i: 4,
     wp.vec4: 16,
 }
-READ = "return *static_cast<decltype(a.data)>(__builtin_assume_aligned({at}, {align}));"
+READ = """
+    auto at = static_cast<decltype(a.data)>(__builtin_assume_aligned({at}, {align}));
+#if defined(__CUDA_ARCH__)
+    __builtin_assume(__isGlobal(at));
+#endif
+    return *at;
+"""
 IN_LINE = "a.data + i"
 IN_TABLE = "reinterpret_cast<char*>(a.data + j) + static_cast<long long>(i) * a.strides[0]"
 
