@@ -69,3 +69,19 @@ def fill_cells(t: TablesRef, p: wp.int32, candidate: wp.int32, s: State):
             s.cell_head[candidate, cell] = -1
         for obj in range(n):
             enter_cell(t, p, candidate, obj, s)
+
+
+@wp.kernel
+def enter_cells(
+    # Problem:
+    t: TablesRef,
+    problem: wp.array(dtype=wp.int32),
+    # State in:
+    open: wp.array(dtype=wp.int32),
+    # State in and out:
+    s: State,
+):
+    """Build the lists of every open candidate anew."""
+    candidate = wp.tid()
+    if open[candidate] == 1:
+        fill_cells(t, problem[candidate], candidate, s)

@@ -15,7 +15,10 @@ from .reading import item
 from .tables import (
     FIXTURE_SOLID,
     FREE_Z,
+    PAIR_COLLIDE,
     PAIR_RIGID,
+    PAIR_ZONE_OF_FIRST,
+    PAIR_ZONE_OF_SECOND,
     Margins,
     Share,
     State,
@@ -31,6 +34,7 @@ EAST = wp.constant(wp.vec2(1.0, 0.0))
 SOLIDS = wp.constant(0)
 ZONES = wp.constant(1)
 FIXTURES = wp.constant(2)
+FIXTURE = wp.constant(16)  # beside the flags of pairs: a meeting with a fixture
 
 
 @wp.func
@@ -123,47 +127,74 @@ def clearance(
     return e, g
 
 
+@wp.func_native("""
+#if defined(__CUDA_ARCH__)
+    return __ffs(bits) - 1;
+#else
+    int first = 0;
+    while (!((bits >> first) & 1)) first++;
+    return first;
+#endif
+""")
+def first_bit(bits: wp.int32) -> wp.int32:
+    """The number of the lowest bit that is set."""
+    ...
+
+
 @wp.func
-def pair_energy(
+def meeting_energy(
     t: TablesRef,
     m: Margins,
     w: Weights,
-    flags: wp.int32,
     a: wp.int32,
     pose_a: wp.vec4,
     qa: wp.vec2,
+    flags: wp.int32,
     b: wp.int32,
     pose_b: wp.vec4,
     qb: wp.vec2,
 ):
-    """Collision and zone penalties of objects a and b (global indices), with the gradient for a's pose."""
+    """Penalties of object a (global index) where it meets object b (global) or fixture b, with the gradient for a.
+
+    ``flags`` are those of the pair, or ``FIXTURE``.
+    """
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    for kind in range(3):
-        if flags & (1 << kind):
-            # solids against solids, a's zones against b's solids, a's solids against b's zones
-            kind_a = wp.where(kind == 1, ZONES, SOLIDS)
-            kind_b = wp.where(kind == 2, ZONES, SOLIDS)
-            a0 = item(t[0].solid_start, a)
-            a1 = item(t[0].solid_start, a + 1)
+    left = flags & (PAIR_COLLIDE | PAIR_ZONE_OF_FIRST | PAIR_ZONE_OF_SECOND | FIXTURE)
+    while left != 0:
+        flag = left & -left
+        left = left - flag
+        # solids against solids, a's zones against b's solids, a's solids against b's zones or against a fixture
+        kind_a = wp.where(flag == PAIR_ZONE_OF_FIRST, ZONES, SOLIDS)
+        kind_b = int(SOLIDS)
+        aim = m.zone_aim
+        weight = w.zone
+        b0 = int(b)
+        b1 = b + 1
+        if flag == FIXTURE:
+            kind_b = FIXTURES
+            weight = w.opening
+            if item(t[0].fixture_kind, b) == FIXTURE_SOLID:
+                aim = m.bounds_aim
+                weight = w.bounds
+        elif flag == PAIR_ZONE_OF_SECOND:
+            kind_b = ZONES
+            b0 = item(t[0].zone_start, b)
+            b1 = item(t[0].zone_start, b + 1)
+        else:
             b0 = item(t[0].solid_start, b)
             b1 = item(t[0].solid_start, b + 1)
-            aim = m.zone_aim
-            weight = w.zone
-            if kind == 0:
+            if flag == PAIR_COLLIDE:
                 aim = m.collision_aim
                 weight = w.collision
-            elif kind == 1:
-                a0 = item(t[0].zone_start, a)
-                a1 = item(t[0].zone_start, a + 1)
-            else:
-                b0 = item(t[0].zone_start, b)
-                b1 = item(t[0].zone_start, b + 1)
-            ek, gk = clearance(
-                t, kind_a, a0, a1, pose_a, qa, kind_b, b0, b1, pose_b, qb, aim, m.gate, w.knee
-            )
-            e += weight * ek
-            g += weight * gk
+        a0 = item(t[0].solid_start, a)
+        a1 = item(t[0].solid_start, a + 1)
+        if kind_a == ZONES:
+            a0 = item(t[0].zone_start, a)
+            a1 = item(t[0].zone_start, a + 1)
+        ek, gk = clearance(t, kind_a, a0, a1, pose_a, qa, kind_b, b0, b1, pose_b, qb, aim, m.gate, w.knee)
+        e += weight * ek
+        g += weight * gk
     return e, g
 
 
@@ -171,7 +202,7 @@ def pair_energy(
 def room_energy(
     t: TablesRef, m: Margins, w: Weights, p: wp.int32, o: wp.int32, pose: wp.vec4, q: wp.vec2, part: Share
 ):
-    """Bounds and openings: penalty of object o (global index) against the room, with gradient."""
+    """Bounds: penalty of object o (global index) against the walls, floor and ceiling, with gradient."""
     at = plane_of(pose)
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
@@ -185,22 +216,6 @@ def room_energy(
             de, dv = penalty(m.bounds_aim - depth - low, w.knee)
             e += w.bounds * de
             g -= w.bounds * dv * wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(turn(q, x))))
-    for k in range(item(t[0].fixture_start, p) + part.first, item(t[0].fixture_start, p + 1), part.of):
-        a = item(t[0].fixture, k)
-        disc = item(t[0].prism_disc, a)
-        to = wp.vec2(disc[0], disc[1]) - at
-        far = disc[2] + reach + m.bounds_aim
-        if wp.dot(to, to) < far * far:
-            solid = item(t[0].fixture_kind, k) == FIXTURE_SOLID
-            if solid or item(t[0].object_clear, o) == 1:
-                aim = wp.where(solid, m.bounds_aim, m.zone_aim)
-                es, gs = clearance(
-                    t, SOLIDS, item(t[0].solid_start, o), item(t[0].solid_start, o + 1), pose, q, FIXTURES, k, k + 1,
-                    wp.vec4(0.0, 0.0, 0.0, 0.0), EAST, aim, m.gate, w.knee,
-                )
-                weight = wp.where(solid, w.bounds, w.opening)
-                e += weight * es
-                g += weight * gs
     if part.first == 0 and item(t[0].object_free, o) & FREE_Z:
         z = item(t[0].object_z, o)
         off, slope = outside(pose[2], wp.vec2(m.bounds_aim - z[0], item(t[0].room_height, p) - z[1] - m.bounds_aim))
@@ -264,13 +279,14 @@ def option_energy(t: TablesRef, option: wp.int32, role: wp.int32, x: Parties, kn
 
 
 @wp.func
-def best_option(t: TablesRef, r: wp.int32, role: wp.int32, x: Parties, knee: wp.float32):
-    """The option of relation r (global) with the lowest penalty, that penalty and its gradient."""
-    first = item(t[0].option_start, r)
+def best_of(
+    t: TablesRef, first: wp.int32, last: wp.int32, role: wp.int32, x: Parties, knee: wp.float32
+):
+    """Of the options first:last the one with the lowest penalty, that penalty and its gradient."""
     best = int(first)
     low = float(FAR)
     low_g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    for option in range(first, item(t[0].option_start, r + 1)):
+    for option in range(first, last):
         e, g = option_energy(t, option, role, x, knee, low)
         if e < low:
             low = e
@@ -279,6 +295,13 @@ def best_option(t: TablesRef, r: wp.int32, role: wp.int32, x: Parties, knee: wp.
         if low <= 0.0:
             break
     return best, low, low_g
+
+
+@wp.func
+def best_option(t: TablesRef, r: wp.int32, role: wp.int32, x: Parties, knee: wp.float32):
+    """The option of relation r (global) with the lowest penalty, that penalty and its gradient."""
+    best, low, g = best_of(t, item(t[0].option_start, r), item(t[0].option_start, r + 1), role, x, knee)
+    return best, low, g
 
 
 @wp.func
@@ -300,15 +323,7 @@ def relation_energy(
     if view.best == 0:
         first = item(s.options, candidate, rel)
         last = first + 1
-    low = float(FAR)
-    low_g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    for option in range(first, last):
-        e, g = option_energy(t, option, role, x, w.knee, low)
-        if e < low:
-            low = e
-            low_g = g
-        if low <= 0.0:
-            break
+    _best, low, low_g = best_of(t, first, last, role, x, w.knee)
     weight = w.relation * item(t[0].relation_weight, r)
     return weight * low, weight * low_g
 
@@ -338,18 +353,14 @@ def near(
     return wp.dot(v, v) < far * far and (view.stamp == 0 or wp.abs(item(s.mark, candidate, j)) != view.stamp)
 
 
-@wp.func_native("""
-#if defined(__CUDA_ARCH__)
-    return __ffs(bits) - 1;
-#else
-    int first = 0;
-    while (!((bits >> first) & 1)) first++;
-    return first;
-#endif
-""")
-def first_bit(bits: wp.int32) -> wp.int32:
-    """The number of the lowest bit that is set."""
-    ...
+@wp.func
+def near_fixture(t: TablesRef, m: Margins, o: wp.int32, at: wp.vec2, k: wp.int32):
+    """True when object o (global) at a place may touch fixture k (global), and may not."""
+    disc = item(t[0].prism_disc, item(t[0].fixture, k))
+    to = wp.vec2(disc[0], disc[1]) - at
+    far = disc[2] + item(t[0].object_radius, o)[0] + m.bounds_aim
+    solid = item(t[0].fixture_kind, k) == FIXTURE_SOLID
+    return wp.dot(to, to) < far * far and (solid or item(t[0].object_clear, o) == 1)
 
 
 @wp.func
@@ -408,56 +419,72 @@ def object_energy(
     right, high = cell_at(t, p, at[0] + reach, at[1] + reach)
     x = int(left)
     y = int(low)
-    j = int(part.first)
+    head = int(-1)
     turn_of = int(0)  # cells deal out what they hold one by one
+    # what is gone through: the fixtures, then the objects one after the other, unless cells hold them
+    f0 = item(t[0].fixture_start, p)
+    fixtures = item(t[0].fixture_start, p + 1) - f0
+    listed = fixtures + n
     if cells:
-        j = item(s.cell_head, candidate, y * item(t[0].grid_count, p)[0] + x)
+        listed = fixtures
+        head = item(s.cell_head, candidate, y * item(t[0].grid_count, p)[0] + x)
+    j = int(part.first)
     more = bool(True)
     while more and e <= limit:
         # who is near is found first: threads that work side by side then meet at the exact tests
         bits = int(0)
-        first = int(j)
+        first = j - fixtures
         found = int(-1)
-        if cells:
-            while found < 0 and y <= high:
-                if j >= 0:
+        bit = int(1)
+        while bit != (1 << 30) and j < listed:
+            close = bool(False)
+            if j < fixtures:
+                close = near_fixture(t, m, o, at, f0 + j)
+            else:
+                close = near(t, m, o0, row, o, at, j - fixtures, candidate, s, view)
+            if close:
+                bits = bits | bit
+            bit = bit << 1
+            j += part.of
+        more = j < listed
+        if cells and not more:
+            while bits == 0 and found < 0 and y <= high:
+                if head >= 0:
                     if turn_of == part.first:
-                        if near(t, m, o0, row, o, at, j, candidate, s, view):
-                            found = j
+                        if near(t, m, o0, row, o, at, head, candidate, s, view):
+                            found = head
                     turn_of += 1
                     if turn_of == part.of:
                         turn_of = 0
-                    j = item(s.cell_next, candidate, j)
-                while j < 0 and y <= high:
+                    head = item(s.cell_next, candidate, head)
+                while head < 0 and y <= high:
                     x += 1
                     if x > right:
                         x = int(left)
                         y += 1
                     if y <= high:
-                        j = item(s.cell_head, candidate, y * item(t[0].grid_count, p)[0] + x)
-            more = found >= 0
-            if more:
+                        head = item(s.cell_head, candidate, y * item(t[0].grid_count, p)[0] + x)
+            more = y <= high or found >= 0
+            if found >= 0:
                 bits = 1
-        else:
-            bit = int(1)
-            while bit != 0 and bit != (1 << 30) and j < n:
-                if near(t, m, o0, row, o, at, j, candidate, s, view):
-                    bits = bits | bit
-                bit = bit << 1
-                j += part.of
-            more = j < n
         while bits != 0 and e <= limit:
             k = first + first_bit(bits) * part.of
             bits = bits & (bits - 1)
-            if cells:
+            if found >= 0:
                 k = found
-            flags = int(item(t[0].pair_flags, row + k))
-            ep, gp = pair_energy(
-                t, m, w, flags, o, pose, q, o0 + k, item(s.poses, candidate, k), item(s.turns, candidate, k)
-            )
-            e += ep
-            share += 0.5 * ep
-            g += gp
+            b = f0 + fixtures + k
+            flags = int(FIXTURE)
+            pose_b = wp.vec4(0.0, 0.0, 0.0, 0.0)
+            qb = EAST
+            if k >= 0:
+                b = o0 + k
+                flags = int(item(t[0].pair_flags, row + k))
+                pose_b = item(s.poses, candidate, k)
+                qb = item(s.turns, candidate, k)
+            em, gm = meeting_energy(t, m, w, o, pose, q, flags, b, pose_b, qb)
+            e += em
+            share += wp.where(k >= 0, 0.5, 1.0) * em
+            g += gm
     return e, share, soft, g
 
 

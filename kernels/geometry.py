@@ -105,16 +105,18 @@ def deepest(box: wp.vec4, m: wp.vec2):
 def box_separation(
     box_a: wp.vec4, pa: wp.vec2, qa: wp.vec2, box_b: wp.vec4, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
 ):
-    """`separation` of two boxes (``Tables.prism_box``), without loops and tables."""
+    """`separation` of two boxes (``Tables.prism_box``), without loops; of what they bound, only whether above the margin."""
     d = pb - pa + turn(qb, wp.vec2(box_b[0], box_b[1])) - turn(qa, wp.vec2(box_a[0], box_a[1]))
     u = turn_back(qa, d)
     v = turn_back(qb, d)
+    ha = wp.vec2(wp.abs(box_a[2]), box_a[3])
+    hb = wp.vec2(wp.abs(box_b[2]), box_b[3])
     c = wp.abs(wp.dot(qa, qb))
     s = wp.abs(qa[0] * qb[1] - qa[1] * qb[0])
-    a0 = wp.abs(u[0]) - box_a[2] - c * box_b[2] - s * box_b[3]
-    a1 = wp.abs(u[1]) - box_a[3] - s * box_b[2] - c * box_b[3]
-    b0 = wp.abs(v[0]) - box_b[2] - c * box_a[2] - s * box_a[3]
-    b1 = wp.abs(v[1]) - box_b[3] - s * box_a[2] - c * box_a[3]
+    a0 = wp.abs(u[0]) - ha[0] - c * hb[0] - s * hb[1]
+    a1 = wp.abs(u[1]) - ha[1] - s * hb[0] - c * hb[1]
+    b0 = wp.abs(v[0]) - hb[0] - c * ha[0] - s * ha[1]
+    b1 = wp.abs(v[1]) - hb[1] - s * ha[0] - c * ha[1]
     best = wp.max(wp.max(a0, a1), wp.max(b0, b1))
     n = wp.vec2(1.0, 0.0)
     x = pa
@@ -220,15 +222,11 @@ def separation(
 def prisms_apart(
     t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
 ):
-    """`separation` the quick way: boxes without loops, others only where their bounding circles meet."""
-    s = float(FAR)
-    n = wp.vec2(1.0, 0.0)
-    x = pa
+    """`separation` the quick way: boxes without loops, others only where their bounding boxes meet."""
     box_a = item(t[0].prism_box, a)
     box_b = item(t[0].prism_box, b)
-    if box_a[2] > 0.0 and box_b[2] > 0.0:
-        s, n, x = box_separation(box_a, pa, qa, box_b, pb, qb, margin)
-    elif not discs_apart(t, a, pa, qa, b, pb, qb, margin):
+    s, n, x = box_separation(box_a, pa, qa, box_b, pb, qb, margin)
+    if s <= margin and (box_a[2] < 0.0 or box_b[2] < 0.0):
         s, n, x = separation(t, a, pa, qa, b, pb, qb, margin)
     return s, n, x
 

@@ -12,7 +12,7 @@ keeps the lanes together, and the energy, which is most of the code, in one plac
 import warp as wp
 
 from .begin import GIVEN, Plan
-from .cells import change_cell, crowded, fill_cells
+from .cells import change_cell, crowded
 from .energy import seen
 from .features import TURN
 from .geometry import FAR, wrap
@@ -34,7 +34,7 @@ BACK_STEPS = wp.constant(4)  # shares of the way back that are tried
 
 # Jobs.
 SURVEY = wp.constant(0)  # rate every object
-RATE = wp.constant(1)  # rate the objects of the group that has just moved
+RATE = wp.constant(1)  # rate the objects of the group that has just moved, if they are not one body
 MOVE = wp.constant(2)  # what the objects to be moved cost where they are, and proposals
 GRADIENT = wp.constant(3)  # of one object
 STEP = wp.constant(4)  # along it: a Polyak step towards zero energy, and shorter ones
@@ -122,8 +122,6 @@ def search(
     hot = wp.where(stay, plan.hot_at_home, plan.hot)
     for obj in range(me, n, width):
         s.mark[candidate, obj] = 0
-    if crowded(n, s) and me == 0:
-        fill_cells(t, p, candidate, s)
     meet()
 
     walled = item(t[0].plane_start, p + 1) > item(t[0].plane_start, p)
@@ -174,6 +172,7 @@ def search(
         least_k = int(0)
         least_pose = old
         least_draft = int(0)
+        least_rating = float(0.0)
         g = wp.vec4(0.0, 0.0, 0.0, 0.0)
         for k in range(me // team, count, width // team):
             who = int(obj)
@@ -220,16 +219,15 @@ def search(
             soft = float(0.0)
             if to_k > from_k:
                 e, share, soft, g = group_energy(t, m, w, p, candidate, from_k, to_k, s, limit, view, part)
+            rating = float(0.0)
+            if to_k > from_k and item(t[0].object_free, o0 + who) != 0:
+                rating = e
+                if stay:  # soft terms are no reason to move anything
+                    rating = wp.max(e - soft - SOLVED, 0.0)
             if job == SURVEY or job == RATE:
                 if part.first == 0:
                     share_sum += share
                     soft_sum += soft
-                rating = float(0.0)
-                if to_k > from_k and item(t[0].object_free, o0 + who) != 0:
-                    rating = e
-                    if stay:  # soft terms are no reason to move anything
-                        rating = wp.max(e - soft - SOLVED, 0.0)
-                if part.first == 0:
                     energy[candidate, who] = rating
             elif job == GRADIENT or (job == MOVE and k == 0):
                 base = e
@@ -242,6 +240,7 @@ def search(
                 least_k = k
                 least_pose = pose
                 least_draft = view.draft
+                least_rating = rating
 
         # What comes of them.
         moved = bool(False)
@@ -260,6 +259,9 @@ def search(
             if job == MOVE:
                 base = number_of(base, 0)
                 moved = least < base + heat
+                rating = number_of(least_rating, winner)
+                if moved and me == 0:
+                    energy[candidate, obj] = rating
             elif job == STEP:
                 moved = least < base
             elif job == SQUARE:
@@ -287,7 +289,7 @@ def search(
         # What next.
         done = int(job)
         if phase == MOVING:
-            if done == MOVE and moved:
+            if done == MOVE and moved and last > members_end(t, o0 + obj):
                 job = RATE
             elif solved:
                 phase = TIDYING

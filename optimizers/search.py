@@ -6,7 +6,7 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.begin import Plan, begin
-from sceneweaver.kernels.cells import CELLS, CROWD
+from sceneweaver.kernels.cells import CELLS, CROWD, enter_cells
 from sceneweaver.kernels.search import search
 from sceneweaver.kernels.tables import State
 from sceneweaver.kernels.track import close, keep_best, proceed, set_turns, tick
@@ -52,7 +52,7 @@ def _with_cells(batch: Batch) -> State:
     return state
 
 
-@register("search", modules=("begin", "search"))
+@register("search", modules=("begin", "cells", "search"))
 def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
     """Search every candidate until it is valid; ``budget`` is the number of attempts (default 10, on a
     GPU, whose attempts are shorter, 30).
@@ -81,6 +81,8 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
         """One round of every open candidate."""
         common = [batch.tables, batch.margins, batch.weights, plan, batch.problem, open_, clock]
         launch_lanes(begin, batch, common, [state])
+        if batch.objects > CROWD:
+            wp.launch(enter_cells, batch.size, [batch.tables, batch.problem, open_], [state], device=device)
         launch_lanes(search, batch, common, [state, energy, total])
         wp.launch(
             keep_best,
