@@ -11,7 +11,7 @@ import warp as wp
 from .cells import cell_at, crowded
 from .features import TURN, feature
 from .geometry import FAR, lowest_vertex, perp, plane_of, prisms_apart, turn, turn_back, wrap
-from .reading import item
+from .reading import item, one
 from .tables import (
     FIXTURE_SOLID,
     FREE_Z,
@@ -212,10 +212,10 @@ def room_energy(
         n = wp.vec2(plane[0], plane[1])
         depth = wp.dot(n, at) - plane[2]
         if depth - reach < m.bounds_aim:
-            low, x = lowest_vertex(t, o, turn_back(q, n))
-            de, dv = penalty(m.bounds_aim - depth - low, w.knee)
+            low = lowest_vertex(t, o, turn_back(q, n))
+            de, dv = penalty(m.bounds_aim - depth - low[2], w.knee)
             e += w.bounds * de
-            g -= w.bounds * dv * wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(turn(q, x))))
+            g -= w.bounds * dv * wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(turn(q, wp.vec2(low[0], low[1])))))
     if part.first == 0 and item(t[0].object_free, o) & FREE_Z:
         z = item(t[0].object_z, o)
         off, slope = outside(pose[2], wp.vec2(m.bounds_aim - z[0], item(t[0].room_height, p) - z[1] - m.bounds_aim))
@@ -246,7 +246,7 @@ def parties_of(t: TablesRef, o0: wp.int32, r: wp.int32, s: State, candidate: wp.
     x.a = o0 + ids[0]
     x.b = -1
     x.qb = EAST
-    for k in range(3):
+    for k in range(0, 3, one()):
         if ids[k] >= 0:
             pose, q = seen(s, candidate, ids[k], view)
             if k == 0:

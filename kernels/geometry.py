@@ -12,7 +12,7 @@ contact points lie on one line along n, and a face's own rotation is first-order
 
 import warp as wp
 
-from .reading import item
+from .reading import item, one
 from .tables import TablesRef
 
 wp.set_module_options({"enable_backward": False})
@@ -63,33 +63,6 @@ def discs_apart(
 
 
 @wp.func
-def lowest_vertex(t: TablesRef, o: wp.int32, m: wp.vec2):
-    """The vertex of object o's footprint that lies furthest against the direction m, and how far along m it lies.
-
-    Direction and vertex are in the object's frame.
-    """
-    low = float(FAR)
-    x = wp.vec2(0.0, 0.0)
-    for f in range(item(t[0].foot_start, o), item(t[0].foot_start, o + 1)):
-        a = item(t[0].foot, f)
-        box = item(t[0].prism_box, a)
-        if box[2] > 0.0:
-            v = deepest(box, m)
-            d = wp.dot(m, v)
-            if d < low:
-                low = d
-                x = v
-        else:
-            for k in range(item(t[0].prism_start, a), item(t[0].prism_start, a + 1)):
-                u = item(t[0].vertex, k)
-                h = wp.dot(m, u)
-                if h < low:
-                    low = h
-                    x = u
-    return low, x
-
-
-@wp.func
 def sign_of(x: wp.float32):
     """1 or -1, never 0."""
     return wp.where(x < 0.0, -1.0, 1.0)
@@ -101,16 +74,41 @@ def deepest(box: wp.vec4, m: wp.vec2):
     return wp.vec2(box[0] - sign_of(m[0]) * box[2], box[1] - sign_of(m[1]) * box[3])
 
 
+@wp.func(inline=False)
+def lowest_vertex(t: TablesRef, o: wp.int32, m: wp.vec2):
+    """The vertex of object o's footprint that lies furthest against the direction m, and how far along m: (x, y, m).
+
+    Direction and vertex are in the object's frame.
+    """
+    low = wp.vec3(0.0, 0.0, FAR)
+    step = one()
+    for f in range(item(t[0].foot_start, o), item(t[0].foot_start, o + 1), step):
+        a = item(t[0].foot, f)
+        box = item(t[0].prism_box, a)
+        if box[2] > 0.0:
+            v = deepest(box, m)
+            d = wp.dot(m, v)
+            if d < low[2]:
+                low = wp.vec3(v[0], v[1], d)
+        else:
+            for k in range(item(t[0].prism_start, a), item(t[0].prism_start, a + 1), step):
+                u = item(t[0].vertex, k)
+                h = wp.dot(m, u)
+                if h < low[2]:
+                    low = wp.vec3(u[0], u[1], h)
+    return low
+
+
 @wp.func
 def box_separation(
     box_a: wp.vec4, pa: wp.vec2, qa: wp.vec2, box_b: wp.vec4, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
 ):
-    """`separation` of two boxes (``Tables.prism_box``), without loops; of what they bound, only whether above the margin."""
+    """`separation` of two boxes (``Tables.prism_box``), without loops; for what they bound, a least value."""
     d = pb - pa + turn(qb, wp.vec2(box_b[0], box_b[1])) - turn(qa, wp.vec2(box_a[0], box_a[1]))
     u = turn_back(qa, d)
     v = turn_back(qb, d)
-    ha = wp.vec2(wp.abs(box_a[2]), box_a[3])
-    hb = wp.vec2(wp.abs(box_b[2]), box_b[3])
+    ha = wp.vec2(wp.abs(box_a[2]), wp.abs(box_a[3]))
+    hb = wp.vec2(wp.abs(box_b[2]), wp.abs(box_b[3]))
     c = wp.abs(wp.dot(qa, qb))
     s = wp.abs(qa[0] * qb[1] - qa[1] * qb[0])
     a0 = wp.abs(u[0]) - ha[0] - c * hb[0] - s * hb[1]
@@ -218,6 +216,53 @@ def separation(
     return best, best_n, best_x
 
 
+@wp.func(inline=False)
+def convex_separation(
+    t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
+):
+    """`separation` where every face is a way out."""
+    best = float(-FAR)
+    best_n = wp.vec2(1.0, 0.0)
+    rest = wp.vec2(0.0, 0.0)  # the witness, a vertex of the polygon that does not own the face
+    owner = int(0)
+    step = one()
+    for which in range(0, 2, step):
+        mine = wp.where(which == 0, a, b)
+        other = wp.where(which == 0, b, a)
+        q = wp.where(which == 0, qa, qb)
+        q_other = wp.where(which == 0, qb, qa)
+        towards = turn_back(q, wp.where(which == 0, pb - pa, pa - pb))
+        spin = wp.vec2(wp.dot(q, q_other), q[0] * q_other[1] - q[1] * q_other[0])
+        box = item(t[0].prism_box, other)
+        v0 = item(t[0].prism_start, other)
+        v1 = item(t[0].prism_start, other + 1)
+        for face in range(item(t[0].prism_start, mine), item(t[0].prism_start, mine + 1), step):
+            plane = item(t[0].edge, face)
+            n = wp.vec2(plane[0], plane[1])
+            m = turn_back(spin, n)
+            x = deepest(box, m)
+            low = wp.dot(m, x)
+            if box[2] < 0.0:
+                low = FAR
+                for v in range(v0, v1, step):
+                    u = item(t[0].vertex, v)
+                    d = wp.dot(m, u)
+                    if d < low:
+                        low = d
+                        x = u
+            s = low + wp.dot(n, towards) - plane[2]
+            if s > best:
+                best = s
+                best_n = turn(q, n)
+                rest = x
+                owner = which
+                if s > margin:
+                    return s, best_n, pa
+    if owner == 0:
+        return best, best_n, pb + turn(qb, rest)
+    return best, -best_n, pa + turn(qa, rest)
+
+
 @wp.func
 def prisms_apart(
     t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
@@ -226,8 +271,10 @@ def prisms_apart(
     box_a = item(t[0].prism_box, a)
     box_b = item(t[0].prism_box, b)
     s, n, x = box_separation(box_a, pa, qa, box_b, pb, qb, margin)
-    if s <= margin and (box_a[2] < 0.0 or box_b[2] < 0.0):
+    if s <= margin and (box_a[3] < 0.0 or box_b[3] < 0.0):
         s, n, x = separation(t, a, pa, qa, b, pb, qb, margin)
+    elif s <= margin and (box_a[2] < 0.0 or box_b[2] < 0.0):
+        s, n, x = convex_separation(t, a, pa, qa, b, pb, qb, margin)
     return s, n, x
 
 
@@ -241,9 +288,10 @@ def closest_to_edges(
     best_x = pa
     a0 = item(t[0].prism_start, a)
     a1 = item(t[0].prism_start, a + 1)
-    for v in range(item(t[0].prism_start, b), item(t[0].prism_start, b + 1)):
+    step = one()
+    for v in range(item(t[0].prism_start, b), item(t[0].prism_start, b + 1), step):
         x = turn_back(qa, pb + turn(qb, item(t[0].vertex, v)) - pa)
-        for e in range(a0, a1):
+        for e in range(a0, a1, step):
             p = item(t[0].vertex, e)
             f = e + 1
             if f == a1:
@@ -265,7 +313,7 @@ def distance(t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, p
 
     Polygon b may be a single vertex.
     """
-    s, n, x = prisms_apart(t, a, pa, qa, b, pb, qb, FAR)
+    s, n, x = convex_separation(t, a, pa, qa, b, pb, qb, FAR)
     if s > 0.0:
         d0, v0, x0 = closest_to_edges(t, a, pa, qa, b, pb, qb)
         s = d0

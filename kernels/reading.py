@@ -1,4 +1,4 @@
-"""Reading tables and layouts: ``item(a, i)`` is ``a[i]`` and ``item(a, i, j)`` is ``a[i, j]``, for indices >= 0.
+"""Reading tables and layouts in little code: ``item(a, i)`` is ``a[i]`` and ``item(a, i, j)`` is ``a[i, j]``, for indices >= 0.
 
 A subscript in Warp looks up shape and strides and lets negative indices count from the end, which costs several times
 what the element does. Here an element lies right behind the one before it in its row; vectors are read in one piece.
@@ -11,6 +11,7 @@ wp.set_module_options({"enable_backward": False})
 ALIGNED = {
     wp.uint8: 1,
     wp.int32: 4,
+    wp.uint32: 4,
     wp.float32: 4,
     wp.vec2: 8,
     wp.vec2i: 8,
@@ -39,3 +40,17 @@ for _dtype, _align in ALIGNED.items():
     def item(a: wp.array2d(dtype=_dtype), i: wp.int32, j: wp.int32) -> _dtype:  # noqa: F811
         """Element j of row i."""
         ...
+
+
+@wp.func_native("""
+#if defined(__CUDA_ARCH__)
+    int step;
+    asm volatile("mov.u32 %0, 1;" : "=r"(step));
+    return step;
+#else
+    return 1;
+#endif
+""")
+def one() -> wp.int32:
+    """1, but no compiler knows: a loop in steps of it is not unrolled and takes little of the instruction cache."""
+    ...

@@ -11,7 +11,7 @@ import warp as wp
 from .energy import Parties, best_option, outside, parties_of
 from .features import TURN, feature
 from .geometry import lowest_vertex, perp, plane_of, turn_back
-from .lanes import lane, lanes, number_of
+from .lanes import lane
 from .reading import item
 from .tables import (
     FEATURE_BEARING,
@@ -36,27 +36,16 @@ REACH = wp.constant(0.6)  # [m] how far beyond the closed end of a half-open int
 @wp.func
 def uniform(s: State, candidate: wp.int32):
     """A uniform number in [0, 1) from the lane's own stream."""
-    r = s.stream[candidate, lane()]
+    r = item(s.stream, candidate, lane())
     u = wp.randf(r)
     s.stream[candidate, lane()] = r
     return u
 
 
 @wp.func
-def common(s: State, candidate: wp.int32):
-    """A uniform number from the candidate's own stream, the same in all lanes."""
-    u = float(0.0)
-    if lane() == 0:
-        r = s.stream[candidate, lanes()]
-        u = wp.randf(r)
-        s.stream[candidate, lanes()] = r
-    return number_of(u, 0)
-
-
-@wp.func
 def normal(s: State, candidate: wp.int32):
     """A standard normal number from the lane's own stream."""
-    r = s.stream[candidate, lane()]
+    r = item(s.stream, candidate, lane())
     u = wp.randn(r)
     s.stream[candidate, lane()] = r
     return u
@@ -215,8 +204,8 @@ def keep_inside(t: TablesRef, p: wp.int32, o: wp.int32, pose: wp.vec4, aim: wp.f
             n = wp.vec2(plane[0], plane[1])
             depth = wp.dot(n, plane_of(pose)) - plane[2]
             if depth - item(t[0].object_radius, o)[0] < aim:
-                low, _x = lowest_vertex(t, o, turn_back(q, n))
-                missing = aim - depth - low
+                low = lowest_vertex(t, o, turn_back(q, n))
+                missing = aim - depth - low[2]
                 if missing > 0.0:
                     pose[0] = pose[0] + missing * n[0]
                     pose[1] = pose[1] + missing * n[1]

@@ -18,8 +18,8 @@ from .features import TURN
 from .geometry import FAR, wrap
 from .groups import group_energy, members_end, set_pose, shuffle
 from .lanes import index_of, lane, lanes, lowest, meet, number_of, pose_of, sum_of, team_for
-from .reading import item
-from .sample import QUARTER, common, propose, uniform
+from .reading import item, one
+from .sample import QUARTER, propose, uniform
 from .tables import FREE_YAW, Margins, Share, State, TablesRef, View, Weights
 
 # Fast sines on a GPU are good to a few micrometres; the judge gets exact ones (`set_turns`).
@@ -52,11 +52,12 @@ TIDYING = wp.constant(2)
 def pick_object(n: wp.int32, candidate: wp.int32, energy: wp.array2d(dtype=wp.float32), u: wp.float32):
     """The object on which a share u of all energies falls, laid end to end; -1 when there is none."""
     sum = float(0.0)
-    for i in range(n):
+    step = one()
+    for i in range(0, n, step):
         sum += item(energy, candidate, i)
     left = u * sum
     obj = int(-1)
-    for i in range(n):
+    for i in range(0, n, step):
         e = item(energy, candidate, i)
         if e > 0.0 and left >= 0.0:
             obj = i
@@ -120,6 +121,7 @@ def search(
     if not stay:
         w.pull = 0.0
     hot = wp.where(stay, plan.hot_at_home, plan.hot)
+    dice = item(s.stream, candidate, width)  # the candidate's own stream, the same in all lanes
     for obj in range(me, n, width):
         s.mark[candidate, obj] = 0
     meet()
@@ -299,14 +301,14 @@ def search(
                 phase = POLISHING
             else:
                 job = MOVE
-                chosen = pick_object(n, candidate, energy, common(s, candidate))
+                chosen = pick_object(n, candidate, energy, wp.randf(dice))
                 if chosen < 0:  # nothing that is free to move is at fault
                     phase = TIDYING
                 else:
                     obj = chosen
                     whole = bool(False)
-                    u = common(s, candidate)
-                    v = common(s, candidate)
+                    u = wp.randf(dice)
+                    v = wp.randf(dice)
                     if item(t[0].object_parent, o0 + obj) >= 0 and u < wp.where(stay, 0.1, 0.25):
                         obj = item(t[0].object_parent, o0 + obj)
                         whole = True
@@ -320,10 +322,10 @@ def search(
                     scale = 0.4 * level
                     heat = float(0.0)
                     if lingered == 0:
-                        heat = -hot * level * level * wp.log(common(s, candidate) + 1.0e-9)
+                        heat = -hot * level * level * wp.log(wp.randf(dice) + 1.0e-9)
                     # lanes of a team have to draw the same pose
                     slot = me // team_for(1 + plan.proposals)
-                    s.stream[candidate, me] = wp.rand_init(int(2.0e9 * common(s, candidate)), slot)
+                    s.stream[candidate, me] = wp.rand_init(int(2.0e9 * wp.randf(dice)), slot)
                     draft = t[0].pool_size > 0 and item(t[0].deck_start, o0 + obj + 1) > item(t[0].deck_start, o0 + obj)
                     move += 1
         if phase == POLISHING:
@@ -385,9 +387,10 @@ def search(
                     s.draft[candidate, i] = item(s.poses, candidate, i)
             if draft:
                 meet()
-                key = int(1.0e9 * common(s, candidate))
+                key = int(1.0e9 * wp.randf(dice))
                 if me == 0:
                     shuffle(t, p, obj, candidate, key, s.draft)
         meet()  # what was read above the next job's trials may write
     if me == 0:
         total_out[candidate] = total
+        s.stream[candidate, width] = dice

@@ -89,7 +89,8 @@ class Tables:
     prism_start: wp.array(dtype=wp.int32)  # range of vertices
     prism_z: wp.array(dtype=wp.vec2)
     prism_disc: wp.array(dtype=wp.vec3)  # bounding circle: centre, radius
-    prism_box: wp.array(dtype=wp.vec4)  # centre, half edges of the bounding box; a first one < 0: no box itself
+    prism_box: wp.array(dtype=wp.vec4)  # centre and half edges of the bounding box, see below
+    # the first half edge is negative unless the prism is this box, the second if some of its faces are no way out
     vertex: wp.array(dtype=wp.vec2)
     edge: wp.array(dtype=wp.vec3)  # outward normal n and offset c of the edge that starts here: n . x <= c
     edge_real: wp.array(dtype=wp.int32)  # 0: an edge inside the outside of the room, no way out

@@ -90,8 +90,8 @@ class _Prisms:
         self.disc.append((*centre, reach_of([v - centre])))
         half = 0.5 * np.ptp(v, axis=0)
         real = all(prism.real or (True,))
-        if not (real and len(v) == 4 and np.all(half > 0.0) and np.all(np.abs(np.abs(v - centre) - half) <= SQUARE)):
-            half = np.maximum(half, SQUARE) * (-1.0, 1.0)
+        box = real and len(v) == 4 and bool(np.all(np.abs(np.abs(v - centre) - half) <= SQUARE))
+        half = np.maximum(half, SQUARE) * (1.0 if box else -1.0, 1.0 if real else -1.0)
         self.box.append((*centre, *half))
         self.vertex.append(v)
         self.edge.append(np.c_[out, np.sum(out * v, axis=1)])
