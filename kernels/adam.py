@@ -50,7 +50,7 @@ def noise_at(schedule: Schedule, life: wp.float32):
     return schedule.noise * wp.max(0.0, 1.0 - life / schedule.quiet)
 
 
-@wp.kernel
+@wp.kernel(cuda_max_registers=128)  # more warps are worth the spills
 def adam_step(
     # Problem:
     t: TablesRef,

@@ -75,27 +75,30 @@ def deepest(box: wp.vec4, m: wp.vec2):
 
 
 @wp.func(inline=False)
-def lowest_vertex(t: TablesRef, o: wp.int32, m: wp.vec2):
-    """The vertex of object o's footprint that lies furthest against the direction m, and how far along m: (x, y, m).
-
-    Direction and vertex are in the object's frame.
-    """
+def lowest_of_polygon(t: TablesRef, a: wp.int32, m: wp.vec2):
+    """The vertex of prism a that lies furthest against the direction m, and how far along m it lies: (x, y, m)."""
     low = wp.vec3(0.0, 0.0, FAR)
-    step = one()
-    for f in range(item(t[0].foot_start, o), item(t[0].foot_start, o + 1), step):
+    for k in range(item(t[0].prism_start, a), item(t[0].prism_start, a + 1), one()):
+        v = item(t[0].vertex, k)
+        d = wp.dot(m, v)
+        if d < low[2]:
+            low = wp.vec3(v[0], v[1], d)
+    return low
+
+
+@wp.func
+def lowest_vertex(t: TablesRef, o: wp.int32, m: wp.vec2):
+    """`lowest_of_polygon` over the whole footprint of object o; direction and vertex are in its frame."""
+    low = wp.vec3(0.0, 0.0, FAR)
+    for f in range(item(t[0].foot_start, o), item(t[0].foot_start, o + 1), one()):
         a = item(t[0].foot, f)
         box = item(t[0].prism_box, a)
-        if box[2] > 0.0:
-            v = deepest(box, m)
-            d = wp.dot(m, v)
-            if d < low[2]:
-                low = wp.vec3(v[0], v[1], d)
-        else:
-            for k in range(item(t[0].prism_start, a), item(t[0].prism_start, a + 1), step):
-                u = item(t[0].vertex, k)
-                h = wp.dot(m, u)
-                if h < low[2]:
-                    low = wp.vec3(u[0], u[1], h)
+        v = deepest(box, m)
+        here = wp.vec3(v[0], v[1], wp.dot(m, v))
+        if box[2] < 0.0:
+            here = lowest_of_polygon(t, a, m)
+        if here[2] < low[2]:
+            low = here
     return low
 
 
@@ -282,15 +285,24 @@ def prisms_apart(
 def closest_to_edges(
     t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2
 ):
-    """Smallest distance of b's vertices to a's edges: (distance, vector from a to b, witness point)."""
+    """Smallest distance of b's vertices to a, outside of it: (distance, vector from a to b, witness point)."""
     best = float(FAR)
     best_v = wp.vec2(1.0, 0.0)
     best_x = pa
     a0 = item(t[0].prism_start, a)
     a1 = item(t[0].prism_start, a + 1)
     step = one()
+    box = item(t[0].prism_box, a)
     for v in range(item(t[0].prism_start, b), item(t[0].prism_start, b + 1), step):
         x = turn_back(qa, pb + turn(qb, item(t[0].vertex, v)) - pa)
+        if box[2] > 0.0:
+            r = x - wp.vec2(box[0], box[1])
+            r = r - wp.vec2(wp.clamp(r[0], -box[2], box[2]), wp.clamp(r[1], -box[3], box[3]))
+            if wp.dot(r, r) < best:
+                best = wp.dot(r, r)
+                best_v = r
+                best_x = x
+            a1 = a0  # its edges need no look
         for e in range(a0, a1, step):
             p = item(t[0].vertex, e)
             f = e + 1
@@ -313,7 +325,11 @@ def distance(t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, p
 
     Polygon b may be a single vertex.
     """
-    s, n, x = convex_separation(t, a, pa, qa, b, pb, qb, FAR)
+    box_a = item(t[0].prism_box, a)
+    box_b = item(t[0].prism_box, b)
+    s, n, x = box_separation(box_a, pa, qa, box_b, pb, qb, FAR)
+    if box_a[2] < 0.0 or box_b[2] < 0.0:
+        s, n, x = convex_separation(t, a, pa, qa, b, pb, qb, FAR)
     if s > 0.0:
         d0, v0, x0 = closest_to_edges(t, a, pa, qa, b, pb, qb)
         s = d0

@@ -22,10 +22,10 @@ LINGER = 2
 HOT = 0.3  # [m]
 HOT_AT_HOME = 0.05  # the same when little should move
 # A GPU tries many poses in the time of one, so that it needs fewer moves; measured on one H200 (docs/gpu.md).
-ROUNDS = {"cpu": 8, "cuda": 4}
+ROUNDS = {"cpu": 8, "cuda": 3}
 MOVES = {"cpu": 4, "cuda": 2}  # in a round, for each movable object
 PROPOSALS = {"cpu": 5, "cuda": 15}
-POLISH = {"cpu": 6, "cuda": 2}
+POLISH = {"cpu": 6, "cuda": 1}
 TRIES = {"cpu": 3, "cuda": 4}  # step lengths of one gradient step
 
 
