@@ -1,7 +1,8 @@
 """Reading tables and layouts in little code.
 
-``item(a, i)`` is ``a[i]`` and ``item(a, i, j)`` is ``a[i, j]``, for indices that are not negative. A subscript in Warp looks up shape and strides and lets negative indices count from the end, which costs several times
-what the element does. Here an element lies right behind the one before it in its row; vectors are read in one piece.
+``item(a, i)`` is ``a[i]`` and ``item(a, i, j)`` is ``a[i, j]``, for indices that are not negative. A subscript in Warp
+looks up shape and strides and lets negative indices count from the end, which costs several times what the element
+does. Here an element lies right behind the one before it in its row, and vectors are read in one piece.
 """
 
 import warp as wp

@@ -16,14 +16,14 @@ from .batch import STATE, Batch, judge, new_court, sit
 from .launches import repeat_while
 from .starts import STARTS, launch_lanes
 
-ATTEMPTS = {"cpu": 10, "cuda": 30}
+ATTEMPTS = {"cpu": 10, "cuda": 40}
 AT_HOME = 3  # attempts from the given poses before anything is drawn anew
 LINGER = 2
 HOT = 0.3  # [m]
 HOT_AT_HOME = 0.05  # the same when little should move
 # A GPU tries many poses in the time of one, so that it needs fewer moves; measured on one H200 (docs/gpu.md).
-ROUNDS = {"cpu": 8, "cuda": 3}
-MOVES = {"cpu": 4, "cuda": 2}  # in a round, for each movable object
+ROUNDS = {"cpu": 8, "cuda": 2}
+MOVES = {"cpu": 4, "cuda": 3}  # in a round, for each movable object
 PROPOSALS = {"cpu": 5, "cuda": 15}
 POLISH = {"cpu": 6, "cuda": 1}
 TRIES = {"cpu": 3, "cuda": 4}  # step lengths of one gradient step
@@ -55,7 +55,7 @@ def _with_cells(batch: Batch) -> State:
 @register("search", modules=("begin", "cells", "search"))
 def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
     """Search every candidate until it is valid; ``budget`` is the number of attempts (default 10, on a
-    GPU, whose attempts are shorter, 30).
+    GPU, whose attempts are shorter, 40).
 
     The first attempt begins as ``start`` says, later ones by drawing from the relations. A candidate that never gets
     valid ends at the lowest energy found. On a GPU the whole run is one graph: nothing comes back to the host until
