@@ -4,11 +4,12 @@ import warp as wp
 
 from .groups import carry, set_pose, shuffle
 from .lanes import lane, lanes, meet
+from .reading import item
 from .sample import keep_inside, random_start, settle, uniform
 from .tables import Margins, State, TablesRef, Weights
 
 # Fast sines on a GPU are good to a few micrometres; the judge gets exact ones (`set_turns`).
-wp.set_module_options({"enable_backward": False, "fast_math": True})
+wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
 
 DEPTHS = wp.constant(4)  # objects that others are placed by are drawn before those, down to this depth
 
@@ -39,9 +40,9 @@ class Plan:
 def depth_of(t: TablesRef, o0: wp.int32, obj: wp.int32):
     """How many objects stand between this one and what places it, in a row."""
     depth = int(0)
-    parent = t[0].object_parent[o0 + obj]
+    parent = item(t[0].object_parent, o0 + obj)
     while parent >= 0 and depth < DEPTHS - 1:
-        parent = t[0].object_parent[o0 + parent]
+        parent = item(t[0].object_parent, o0 + parent)
         depth += 1
     return depth
 
@@ -66,8 +67,8 @@ def begin(
     if clock[0] % plan.rounds != 0 or open[candidate] == 0:
         return
     p = problem[candidate]
-    o0 = t[0].object_start[p]
-    n = t[0].object_start[p + 1] - o0
+    o0 = item(t[0].object_start, p)
+    n = item(t[0].object_start, p + 1) - o0
     attempt = clock[0] // plan.rounds
     if attempt == 0:
         s.stream[candidate, me] = wp.rand_init(int(s.rng[candidate]), me)
@@ -77,13 +78,13 @@ def begin(
             return
     elif plan.start == GIVEN and attempt < plan.at_home:
         for obj in range(me, n, lanes()):
-            set_pose(s, candidate, obj, s.anchors[candidate, obj])
+            set_pose(s, candidate, obj, item(s.anchors, candidate, obj))
         return
     for depth in range(DEPTHS):
         for obj in range(me, n, lanes()):
-            if t[0].object_root[o0 + obj] == obj and t[0].object_free[o0 + obj] != 0:
+            if item(t[0].object_root, o0 + obj) == obj and item(t[0].object_free, o0 + obj) != 0:
                 if depth_of(t, o0, obj) == depth:
-                    pose = random_start(t, p, o0 + obj, s.poses[candidate, obj], s, candidate)
+                    pose = random_start(t, p, o0 + obj, item(s.poses, candidate, obj), s, candidate)
                     if plan.start != ANYWHERE or attempt > 0:
                         pose = settle(t, w, p, obj, pose, s, candidate, True)
                         pose = keep_inside(t, p, o0 + obj, pose, m.bounds_aim)
@@ -91,8 +92,8 @@ def begin(
         meet()
     if t[0].pool_size > 0:
         for obj in range(me, n, lanes()):
-            if t[0].deck_start[o0 + obj + 1] > t[0].deck_start[o0 + obj]:
+            if item(t[0].deck_start, o0 + obj + 1) > item(t[0].deck_start, o0 + obj):
                 shuffle(t, p, obj, candidate, int(uniform(s, candidate) * 1.0e9), s.poses)
-                for k in range(t[0].member_start[o0 + obj], t[0].member_start[o0 + obj + 1]):
-                    i = t[0].member[k]
-                    set_pose(s, candidate, i, s.poses[candidate, i])
+                for k in range(item(t[0].member_start, o0 + obj), item(t[0].member_start, o0 + obj + 1)):
+                    i = item(t[0].member, k)
+                    set_pose(s, candidate, i, item(s.poses, candidate, i))

@@ -6,6 +6,7 @@ looks into the cells within its own reach and the largest reach of any other. Ro
 
 import warp as wp
 
+from .reading import item
 from .tables import State, TablesRef
 
 wp.set_module_options({"enable_backward": False})
@@ -23,8 +24,8 @@ def crowded(n: wp.int32, s: State):
 @wp.func
 def cell_at(t: TablesRef, p: wp.int32, x: wp.float32, y: wp.float32):
     """Column and row of the cell at a point; points outside belong to the border."""
-    grid = t[0].grid[p]
-    count = t[0].grid_count[p]
+    grid = item(t[0].grid, p)
+    count = item(t[0].grid_count, p)
     column = wp.clamp(int(wp.floor((x - grid[0]) / grid[2])), 0, count[0] - 1)
     row = wp.clamp(int(wp.floor((y - grid[1]) / grid[2])), 0, count[1] - 1)
     return column, row
@@ -33,38 +34,54 @@ def cell_at(t: TablesRef, p: wp.int32, x: wp.float32, y: wp.float32):
 @wp.func
 def enter_cell(t: TablesRef, p: wp.int32, candidate: wp.int32, obj: wp.int32, s: State):
     """Put an object into the list of the cell where it stands."""
-    pose = s.poses[candidate, obj]
+    pose = item(s.poses, candidate, obj)
     column, row = cell_at(t, p, pose[0], pose[1])
-    cell = row * t[0].grid_count[p][0] + column
+    cell = row * item(t[0].grid_count, p)[0] + column
     s.cell_of[candidate, obj] = cell
-    s.cell_next[candidate, obj] = s.cell_head[candidate, cell]
+    s.cell_next[candidate, obj] = item(s.cell_head, candidate, cell)
     s.cell_head[candidate, cell] = obj
 
 
 @wp.func
 def change_cell(t: TablesRef, p: wp.int32, candidate: wp.int32, obj: wp.int32, s: State):
     """Take an object that has moved out of its old cell's list and into that of its new one."""
-    cell = s.cell_of[candidate, obj]
-    at = s.cell_head[candidate, cell]
+    cell = item(s.cell_of, candidate, obj)
+    at = item(s.cell_head, candidate, cell)
     if at == obj:
-        s.cell_head[candidate, cell] = s.cell_next[candidate, obj]
+        s.cell_head[candidate, cell] = item(s.cell_next, candidate, obj)
     else:
-        while at >= 0 and s.cell_next[candidate, at] != obj:
-            at = s.cell_next[candidate, at]
+        while at >= 0 and item(s.cell_next, candidate, at) != obj:
+            at = item(s.cell_next, candidate, at)
         if at >= 0:
-            s.cell_next[candidate, at] = s.cell_next[candidate, obj]
+            s.cell_next[candidate, at] = item(s.cell_next, candidate, obj)
     enter_cell(t, p, candidate, obj, s)
 
 
 @wp.func
 def fill_cells(t: TablesRef, p: wp.int32, candidate: wp.int32, s: State):
     """Build a candidate's lists anew."""
-    n = t[0].object_start[p + 1] - t[0].object_start[p]
+    n = item(t[0].object_start, p + 1) - item(t[0].object_start, p)
     for obj in range(n):
         s.mark[candidate, obj] = 0
     if crowded(n, s):
-        count = t[0].grid_count[p]
+        count = item(t[0].grid_count, p)
         for cell in range(count[0] * count[1]):
             s.cell_head[candidate, cell] = -1
         for obj in range(n):
             enter_cell(t, p, candidate, obj, s)
+
+
+@wp.kernel
+def enter_cells(
+    # Problem:
+    t: TablesRef,
+    problem: wp.array(dtype=wp.int32),
+    # State in:
+    open: wp.array(dtype=wp.int32),
+    # State in and out:
+    s: State,
+):
+    """Build the lists of every open candidate anew."""
+    candidate = wp.tid()
+    if open[candidate] == 1:
+        fill_cells(t, problem[candidate], candidate, s)

@@ -10,11 +10,15 @@ import warp as wp
 
 from .cells import cell_at, crowded
 from .features import TURN, feature
-from .geometry import FAR, discs_apart, perp, plane_of, separation, turn, wrap
+from .geometry import FAR, lowest_vertex, perp, plane_of, prisms_apart, turn, turn_back, wrap
+from .reading import item, one
 from .tables import (
     FIXTURE_SOLID,
     FREE_Z,
+    PAIR_COLLIDE,
     PAIR_RIGID,
+    PAIR_ZONE_OF_FIRST,
+    PAIR_ZONE_OF_SECOND,
     Margins,
     Share,
     State,
@@ -30,6 +34,7 @@ EAST = wp.constant(wp.vec2(1.0, 0.0))
 SOLIDS = wp.constant(0)
 ZONES = wp.constant(1)
 FIXTURES = wp.constant(2)
+FIXTURE = wp.constant(16)  # beside the flags of pairs: a meeting with a fixture
 
 
 @wp.func
@@ -61,16 +66,16 @@ def gate(za: wp.float32, a: wp.vec2, zb: wp.float32, b: wp.vec2, least: wp.float
 @wp.func
 def seen(s: State, candidate: wp.int32, i: wp.int32, view: View):
     """Pose and (cos, sin) of the yaw of object i where a view sees it."""
-    pose = s.poses[candidate, i]
-    q = s.turns[candidate, i]
+    pose = item(s.poses, candidate, i)
+    q = item(s.turns, candidate, i)
     if view.stamp != 0:
-        mark = s.mark[candidate, i]
+        mark = item(s.mark, candidate, i)
         if wp.abs(mark) == view.stamp:
             rise = float(0.0)
             if mark < 0:
                 rise = view.after[2] - view.before[2]
                 if view.draft == 1:
-                    pose = s.draft[candidate, i]
+                    pose = item(s.draft, candidate, i)
                     q = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
             at = plane_of(view.after) + turn(view.spin, plane_of(pose) - plane_of(view.before))
             pose = wp.vec4(at[0], at[1], pose[2] + rise, pose[3] + view.after[3] - view.before[3])
@@ -82,10 +87,10 @@ def seen(s: State, candidate: wp.int32, i: wp.int32, view: View):
 def prism_at(t: TablesRef, kind: wp.int32, i: wp.int32):
     """Entry i of the list of solid parts (0), zones (1) or fixtures (2)."""
     if kind == SOLIDS:
-        return t[0].solid[i]
+        return item(t[0].solid, i)
     if kind == ZONES:
-        return t[0].zone[i]
-    return t[0].fixture[i]
+        return item(t[0].zone, i)
+    return item(t[0].fixture, i)
 
 
 @wp.func
@@ -114,56 +119,82 @@ def clearance(
         a = prism_at(t, first_kind, i)
         for j in range(second_start, second_end):
             b = prism_at(t, second_kind, j)
-            if gate(pose_a[2], t[0].prism_z[a], pose_b[2], t[0].prism_z[b], least):
-                if not discs_apart(t, a, pa, qa, b, pb, qb, aim):
-                    s, n, x = separation(t, a, pa, qa, b, pb, qb, aim)
-                    de, dv = penalty(aim - s, knee)
-                    e += de
-                    g += dv * wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(x - pa)))
+            if gate(pose_a[2], item(t[0].prism_z, a), pose_b[2], item(t[0].prism_z, b), least):
+                s, n, x = prisms_apart(t, a, pa, qa, b, pb, qb, aim)
+                de, dv = penalty(aim - s, knee)
+                e += de
+                g += dv * wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(x - pa)))
     return e, g
 
 
+@wp.func_native("""
+#if defined(__CUDA_ARCH__)
+    return __ffs(bits) - 1;
+#else
+    int first = 0;
+    while (!((bits >> first) & 1)) first++;
+    return first;
+#endif
+""")
+def first_bit(bits: wp.int32) -> wp.int32:
+    """The number of the lowest bit that is set."""
+    ...
+
+
 @wp.func
-def pair_energy(
+def meeting_energy(
     t: TablesRef,
     m: Margins,
     w: Weights,
-    flags: wp.int32,
     a: wp.int32,
     pose_a: wp.vec4,
     qa: wp.vec2,
+    flags: wp.int32,
     b: wp.int32,
     pose_b: wp.vec4,
     qb: wp.vec2,
 ):
-    """Collision and zone penalties of objects a and b (global indices), with the gradient for a's pose."""
+    """Penalties of object a (global index) where it meets object b (global) or fixture b, with the gradient for a.
+
+    ``flags`` are those of the pair, or ``FIXTURE``.
+    """
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    for kind in range(3):
-        if flags & (1 << kind):
-            # solids against solids, a's zones against b's solids, a's solids against b's zones
-            kind_a = wp.where(kind == 1, ZONES, SOLIDS)
-            kind_b = wp.where(kind == 2, ZONES, SOLIDS)
-            a0 = t[0].solid_start[a]
-            a1 = t[0].solid_start[a + 1]
-            b0 = t[0].solid_start[b]
-            b1 = t[0].solid_start[b + 1]
-            aim = m.zone_aim
-            weight = w.zone
-            if kind == 0:
+    left = flags & (PAIR_COLLIDE | PAIR_ZONE_OF_FIRST | PAIR_ZONE_OF_SECOND | FIXTURE)
+    while left != 0:
+        flag = left & -left
+        left = left - flag
+        # solids against solids, a's zones against b's solids, a's solids against b's zones or against a fixture
+        kind_a = wp.where(flag == PAIR_ZONE_OF_FIRST, ZONES, SOLIDS)
+        kind_b = int(SOLIDS)
+        aim = m.zone_aim
+        weight = w.zone
+        b0 = int(b)
+        b1 = b + 1
+        if flag == FIXTURE:
+            kind_b = FIXTURES
+            weight = w.opening
+            if item(t[0].fixture_kind, b) == FIXTURE_SOLID:
+                aim = m.bounds_aim
+                weight = w.bounds
+        elif flag == PAIR_ZONE_OF_SECOND:
+            kind_b = ZONES
+            b0 = item(t[0].zone_start, b)
+            b1 = item(t[0].zone_start, b + 1)
+        else:
+            b0 = item(t[0].solid_start, b)
+            b1 = item(t[0].solid_start, b + 1)
+            if flag == PAIR_COLLIDE:
                 aim = m.collision_aim
                 weight = w.collision
-            elif kind == 1:
-                a0 = t[0].zone_start[a]
-                a1 = t[0].zone_start[a + 1]
-            else:
-                b0 = t[0].zone_start[b]
-                b1 = t[0].zone_start[b + 1]
-            ek, gk = clearance(
-                t, kind_a, a0, a1, pose_a, qa, kind_b, b0, b1, pose_b, qb, aim, m.gate, w.knee
-            )
-            e += weight * ek
-            g += weight * gk
+        a0 = item(t[0].solid_start, a)
+        a1 = item(t[0].solid_start, a + 1)
+        if kind_a == ZONES:
+            a0 = item(t[0].zone_start, a)
+            a1 = item(t[0].zone_start, a + 1)
+        ek, gk = clearance(t, kind_a, a0, a1, pose_a, qa, kind_b, b0, b1, pose_b, qb, aim, m.gate, w.knee)
+        e += weight * ek
+        g += weight * gk
     return e, g
 
 
@@ -171,48 +202,23 @@ def pair_energy(
 def room_energy(
     t: TablesRef, m: Margins, w: Weights, p: wp.int32, o: wp.int32, pose: wp.vec4, q: wp.vec2, part: Share
 ):
-    """Bounds and openings: penalty of object o (global index) against the room, with gradient."""
+    """Bounds: penalty of object o (global index) against the walls, floor and ceiling, with gradient."""
     at = plane_of(pose)
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    reach = t[0].object_radius[o][0]
-    for k in range(t[0].plane_start[p] + part.first, t[0].plane_start[p + 1], part.of):
-        plane = t[0].plane[k]
+    reach = item(t[0].object_radius, o)[0]
+    for k in range(item(t[0].plane_start, p) + part.first, item(t[0].plane_start, p + 1), part.of):
+        plane = item(t[0].plane, k)
         n = wp.vec2(plane[0], plane[1])
         depth = wp.dot(n, at) - plane[2]
         if depth - reach < m.bounds_aim:
-            low = float(1.0e6)
-            x = at
-            for f in range(t[0].foot_start[o], t[0].foot_start[o + 1]):
-                a = t[0].foot[f]
-                for v in range(t[0].prism_start[a], t[0].prism_start[a + 1]):
-                    r = turn(q, t[0].vertex[v])
-                    d = depth + wp.dot(n, r)
-                    if d < low:
-                        low = d
-                        x = at + r
-            de, dv = penalty(m.bounds_aim - low, w.knee)
+            low = lowest_vertex(t, o, turn_back(q, n))
+            de, dv = penalty(m.bounds_aim - depth - low[2], w.knee)
             e += w.bounds * de
-            g -= w.bounds * dv * wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(x - at)))
-    for k in range(t[0].fixture_start[p] + part.first, t[0].fixture_start[p + 1], part.of):
-        a = t[0].fixture[k]
-        disc = t[0].prism_disc[a]
-        to = wp.vec2(disc[0], disc[1]) - at
-        far = disc[2] + reach + m.bounds_aim
-        if wp.dot(to, to) < far * far:
-            solid = t[0].fixture_kind[k] == FIXTURE_SOLID
-            if solid or t[0].object_clear[o] == 1:
-                aim = wp.where(solid, m.bounds_aim, m.zone_aim)
-                es, gs = clearance(
-                    t, SOLIDS, t[0].solid_start[o], t[0].solid_start[o + 1], pose, q, FIXTURES, k, k + 1,
-                    wp.vec4(0.0, 0.0, 0.0, 0.0), EAST, aim, m.gate, w.knee,
-                )
-                weight = wp.where(solid, w.bounds, w.opening)
-                e += weight * es
-                g += weight * gs
-    if part.first == 0 and t[0].object_free[o] & FREE_Z:
-        z = t[0].object_z[o]
-        off, slope = outside(pose[2], wp.vec2(m.bounds_aim - z[0], t[0].room_height[p] - z[1] - m.bounds_aim))
+            g -= w.bounds * dv * wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(turn(q, wp.vec2(low[0], low[1])))))
+    if part.first == 0 and item(t[0].object_free, o) & FREE_Z:
+        z = item(t[0].object_z, o)
+        off, slope = outside(pose[2], wp.vec2(m.bounds_aim - z[0], item(t[0].room_height, p) - z[1] - m.bounds_aim))
         dz, dzv = penalty(off, w.knee)
         e += w.bounds * dz
         g += wp.vec4(0.0, 0.0, w.bounds * dzv * slope, 0.0)
@@ -235,12 +241,12 @@ class Parties:
 @wp.func
 def parties_of(t: TablesRef, o0: wp.int32, r: wp.int32, s: State, candidate: wp.int32, view: View):
     """The objects of relation r (global) where a view sees them."""
-    ids = t[0].relation_object[r]
+    ids = item(t[0].relation_object, r)
     x = Parties()
     x.a = o0 + ids[0]
     x.b = -1
     x.qb = EAST
-    for k in range(3):
+    for k in range(0, 3, one()):
         if ids[k] >= 0:
             pose, q = seen(s, candidate, ids[k], view)
             if k == 0:
@@ -260,26 +266,27 @@ def option_energy(t: TablesRef, option: wp.int32, role: wp.int32, x: Parties, kn
     """Penalty of one option's rows, with the gradient for the object in the given role; stops above the limit."""
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    for row in range(t[0].row_start[option], t[0].row_start[option + 1]):
+    for row in range(item(t[0].row_start, option), item(t[0].row_start, option + 1)):
         if e >= limit:
             break
         value, slope = feature(t, row, role, x.a, x.b, x.pose_a, x.qa, x.pose_b, x.qb, x.pose_c)
-        off, sign = outside(value, t[0].row_aim[row])
-        scale = t[0].row_scale[row]
-        de, dv = penalty(off * scale, knee)
+        aim = item(t[0].row_aim, row)
+        off, sign = outside(value, wp.vec2(aim[0], aim[1]))
+        de, dv = penalty(off * aim[3], knee)
         e += de
-        g += dv * sign * scale * slope
+        g += dv * sign * aim[3] * slope
     return e, g
 
 
 @wp.func
-def best_option(t: TablesRef, r: wp.int32, role: wp.int32, x: Parties, knee: wp.float32):
-    """The option of relation r (global) with the lowest penalty, that penalty and its gradient."""
-    first = t[0].option_start[r]
+def best_of(
+    t: TablesRef, first: wp.int32, last: wp.int32, role: wp.int32, x: Parties, knee: wp.float32
+):
+    """Of the options first:last the one with the lowest penalty, that penalty and its gradient."""
     best = int(first)
     low = float(FAR)
     low_g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    for option in range(first, t[0].option_start[r + 1]):
+    for option in range(first, last):
         e, g = option_energy(t, option, role, x, knee, low)
         if e < low:
             low = e
@@ -288,6 +295,13 @@ def best_option(t: TablesRef, r: wp.int32, role: wp.int32, x: Parties, knee: wp.
         if low <= 0.0:
             break
     return best, low, low_g
+
+
+@wp.func
+def best_option(t: TablesRef, r: wp.int32, role: wp.int32, x: Parties, knee: wp.float32):
+    """The option of relation r (global) with the lowest penalty, that penalty and its gradient."""
+    best, low, g = best_of(t, item(t[0].option_start, r), item(t[0].option_start, r + 1), role, x, knee)
+    return best, low, g
 
 
 @wp.func
@@ -304,21 +318,13 @@ def relation_energy(
 ):
     """Penalty of relation r (global; rel: local), with the gradient for the object in the given role."""
     x = parties_of(t, o0, r, s, candidate, view)
-    first = t[0].option_start[r]
-    last = t[0].option_start[r + 1]
+    first = item(t[0].option_start, r)
+    last = item(t[0].option_start, r + 1)
     if view.best == 0:
-        first = s.options[candidate, rel]
+        first = item(s.options, candidate, rel)
         last = first + 1
-    low = float(FAR)
-    low_g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    for option in range(first, last):
-        e, g = option_energy(t, option, role, x, w.knee, low)
-        if e < low:
-            low = e
-            low_g = g
-        if low <= 0.0:
-            break
-    weight = w.relation * t[0].relation_weight[r]
+    _best, low, low_g = best_of(t, first, last, role, x, w.knee)
+    weight = w.relation * item(t[0].relation_weight, r)
     return weight * low, weight * low_g
 
 
@@ -336,29 +342,25 @@ def near(
     view: View,
 ):
     """True when object o (global) at a place may have a pair term with object j (local)."""
-    flags = int(t[0].pair_flags[row + j])
+    flags = int(item(t[0].pair_flags, row + j))
     if flags == 0 or (flags & PAIR_RIGID) != 0:
         return False
-    v = plane_of(s.poses[candidate, j]) - at
-    ri = t[0].object_radius[o]
-    rj = t[0].object_radius[o0 + j]
+    v = plane_of(item(s.poses, candidate, j)) - at
+    ri = item(t[0].object_radius, o)
+    rj = item(t[0].object_radius, o0 + j)
     # a zone only meets solids
     far = wp.max(ri[0] + rj[1], ri[1] + rj[0]) + m.collision_aim
-    return wp.dot(v, v) < far * far and (view.stamp == 0 or wp.abs(s.mark[candidate, j]) != view.stamp)
+    return wp.dot(v, v) < far * far and (view.stamp == 0 or wp.abs(item(s.mark, candidate, j)) != view.stamp)
 
 
-@wp.func_native("""
-#if defined(__CUDA_ARCH__)
-    return __ffs(bits) - 1;
-#else
-    int first = 0;
-    while (!((bits >> first) & 1)) first++;
-    return first;
-#endif
-""")
-def first_bit(bits: wp.int32) -> wp.int32:
-    """The number of the lowest bit that is set."""
-    ...
+@wp.func
+def near_fixture(t: TablesRef, m: Margins, o: wp.int32, at: wp.vec2, k: wp.int32):
+    """True when object o (global) at a place may touch fixture k (global), and may not."""
+    disc = item(t[0].prism_disc, item(t[0].fixture, k))
+    to = wp.vec2(disc[0], disc[1]) - at
+    far = disc[2] + item(t[0].object_radius, o)[0] + m.bounds_aim
+    solid = item(t[0].fixture_kind, k) == FIXTURE_SOLID
+    return wp.dot(to, to) < far * far and (solid or item(t[0].object_clear, o) == 1)
 
 
 @wp.func
@@ -382,8 +384,8 @@ def object_energy(
     pairs with objects that the view moves along, whose distances that does not change. A thread may take its share of
     the terms only; what the shares return adds up.
     """
-    o0 = t[0].object_start[p]
-    n = t[0].object_start[p + 1] - o0
+    o0 = item(t[0].object_start, p)
+    n = item(t[0].object_start, p + 1) - o0
     o = o0 + obj
     pose, q = seen(s, candidate, obj, view)
     at = plane_of(pose)
@@ -392,81 +394,97 @@ def object_energy(
     e, g = room_energy(t, m, w, p, o, pose, q, part)
     soft = float(0.0)
     if w.pull > 0.0 and part.first == 0:
-        d = pose - s.anchors[candidate, obj]
+        d = pose - item(s.anchors, candidate, obj)
         d[3] = wrap(d[3], TURN)
         soft += 0.5 * w.pull * wp.dot(d, d)
         e += soft
         g += w.pull * d
     share = e
-    r0 = t[0].relation_start[p]
-    for k in range(t[0].touch_start[o] + part.first, t[0].touch_start[o + 1], part.of):
-        r = t[0].touch[k]
-        if t[0].relation_rigid[r0 + r] == 0:
-            role = t[0].touch_role[k]
+    r0 = item(t[0].relation_start, p)
+    for k in range(item(t[0].touch_start, o) + part.first, item(t[0].touch_start, o + 1), part.of):
+        r = item(t[0].touch, k)
+        if item(t[0].relation_rigid, r0 + r) == 0:
+            role = item(t[0].touch_role, k)
             er, gr = relation_energy(t, w, o0, r0 + r, r, role, s, candidate, view)
             e += er
             g += gr
             if role == 0:
                 share += er
-                if t[0].relation_fault[r0 + r] == 0:
+                if item(t[0].relation_fault, r0 + r) == 0:
                     soft += er
-    row = t[0].pair_start[p] + obj * n
+    row = item(t[0].pair_start, p) + obj * n
     cells = crowded(n, s)
-    reach = t[0].object_radius[o][1] + t[0].grid[p][3] + m.collision_aim
+    reach = item(t[0].object_radius, o)[1] + item(t[0].grid, p)[3] + m.collision_aim
     left, low = cell_at(t, p, at[0] - reach, at[1] - reach)
     right, high = cell_at(t, p, at[0] + reach, at[1] + reach)
     x = int(left)
     y = int(low)
-    j = int(part.first)
+    head = int(-1)
     turn_of = int(0)  # cells deal out what they hold one by one
+    # what is gone through: the fixtures, then the objects one after the other, unless cells hold them
+    f0 = item(t[0].fixture_start, p)
+    fixtures = item(t[0].fixture_start, p + 1) - f0
+    listed = fixtures + n
     if cells:
-        j = s.cell_head[candidate, y * t[0].grid_count[p][0] + x]
+        listed = fixtures
+        head = item(s.cell_head, candidate, y * item(t[0].grid_count, p)[0] + x)
+    j = int(part.first)
     more = bool(True)
     while more and e <= limit:
         # who is near is found first: threads that work side by side then meet at the exact tests
         bits = int(0)
-        first = int(j)
+        first = j - fixtures
         found = int(-1)
-        if cells:
-            while found < 0 and y <= high:
-                if j >= 0:
+        bit = int(1)
+        while bit != (1 << 30) and j < listed:
+            close = bool(False)
+            if j < fixtures:
+                close = near_fixture(t, m, o, at, f0 + j)
+            else:
+                close = near(t, m, o0, row, o, at, j - fixtures, candidate, s, view)
+            if close:
+                bits = bits | bit
+            bit = bit << 1
+            j += part.of
+        more = j < listed
+        if cells and not more:
+            while bits == 0 and found < 0 and y <= high:
+                if head >= 0:
                     if turn_of == part.first:
-                        if near(t, m, o0, row, o, at, j, candidate, s, view):
-                            found = j
+                        if near(t, m, o0, row, o, at, head, candidate, s, view):
+                            found = head
                     turn_of += 1
                     if turn_of == part.of:
                         turn_of = 0
-                    j = s.cell_next[candidate, j]
-                while j < 0 and y <= high:
+                    head = item(s.cell_next, candidate, head)
+                while head < 0 and y <= high:
                     x += 1
                     if x > right:
                         x = int(left)
                         y += 1
                     if y <= high:
-                        j = s.cell_head[candidate, y * t[0].grid_count[p][0] + x]
-            more = found >= 0
-            if more:
+                        head = item(s.cell_head, candidate, y * item(t[0].grid_count, p)[0] + x)
+            more = y <= high or found >= 0
+            if found >= 0:
                 bits = 1
-        else:
-            bit = int(1)
-            while bit != 0 and bit != (1 << 30) and j < n:
-                if near(t, m, o0, row, o, at, j, candidate, s, view):
-                    bits = bits | bit
-                bit = bit << 1
-                j += part.of
-            more = j < n
         while bits != 0 and e <= limit:
             k = first + first_bit(bits) * part.of
             bits = bits & (bits - 1)
-            if cells:
+            if found >= 0:
                 k = found
-            flags = int(t[0].pair_flags[row + k])
-            ep, gp = pair_energy(
-                t, m, w, flags, o, pose, q, o0 + k, s.poses[candidate, k], s.turns[candidate, k]
-            )
-            e += ep
-            share += 0.5 * ep
-            g += gp
+            b = f0 + fixtures + k
+            flags = int(FIXTURE)
+            pose_b = wp.vec4(0.0, 0.0, 0.0, 0.0)
+            qb = EAST
+            if k >= 0:
+                b = o0 + k
+                flags = int(item(t[0].pair_flags, row + k))
+                pose_b = item(s.poses, candidate, k)
+                qb = item(s.turns, candidate, k)
+            em, gm = meeting_energy(t, m, w, o, pose, q, flags, b, pose_b, qb)
+            e += em
+            share += wp.where(k >= 0, 0.5, 1.0) * em
+            g += gm
     return e, share, soft, g
 
 
@@ -487,7 +505,7 @@ def evaluate(
     """Energy share, soft part of it and gradient of every object, [candidate, object]."""
     candidate, obj = wp.tid()
     p = problem[candidate]
-    if obj >= t[0].object_start[p + 1] - t[0].object_start[p]:
+    if obj >= item(t[0].object_start, p + 1) - item(t[0].object_start, p):
         share_out[candidate, obj] = 0.0
         soft_out[candidate, obj] = 0.0
         gradient_out[candidate, obj] = wp.vec4(0.0, 0.0, 0.0, 0.0)

@@ -8,6 +8,7 @@ gradient returned is that of the value with respect to the pose (x, y, z, yaw) o
 import warp as wp
 
 from .geometry import FAR, distance, perp, plane_of, turn, turn_back, wrap
+from .reading import item
 from .tables import (
     FEATURE_ASIDE,
     FEATURE_BEARING,
@@ -29,6 +30,26 @@ wp.set_module_options({"enable_backward": False})
 TURN = wp.constant(6.283185307179586)
 STEP = wp.constant(2.0e-3)  # [m, rad] of central differences: float32 keeps four digits of the slope
 TINY = wp.constant(1.0e-8)  # [m2] keeps angles about a coinciding centre finite
+
+
+@wp.func
+def normal_of(t: TablesRef, row: wp.int32):
+    """A row's direction, in the frame of b; for angles the first number is the period."""
+    frame = item(t[0].row_frame, row)
+    return wp.vec2(frame[0], frame[1])
+
+
+@wp.func
+def point_of(t: TablesRef, row: wp.int32):
+    """A row's point, in the frame of a."""
+    frame = item(t[0].row_frame, row)
+    return wp.vec2(frame[2], frame[3])
+
+
+@wp.func
+def offset_of(t: TablesRef, row: wp.int32):
+    """What is taken off a row's value."""
+    return item(t[0].row_aim, row)[2]
 
 
 @wp.func
@@ -60,16 +81,16 @@ def footprint_distance(
     best = float(FAR)
     best_n = wp.vec2(1.0, 0.0)
     best_x = pa
-    for i in range(t[0].foot_start[a], t[0].foot_start[a + 1]):
+    for i in range(item(t[0].foot_start, a), item(t[0].foot_start, a + 1)):
         if prism >= 0:
-            s, n, x = distance(t, t[0].foot[i], pa, qa, prism, pb, qb)
+            s, n, x = distance(t, item(t[0].foot, i), pa, qa, prism, pb, qb)
             if s < best:
                 best = s
                 best_n = n
                 best_x = x
         else:
-            for j in range(t[0].foot_start[b], t[0].foot_start[b + 1]):
-                s, n, x = distance(t, t[0].foot[i], pa, qa, t[0].foot[j], pb, qb)
+            for j in range(item(t[0].foot_start, b), item(t[0].foot_start, b + 1)):
+                s, n, x = distance(t, item(t[0].foot, i), pa, qa, item(t[0].foot, j), pb, qb)
                 if s < best:
                     best = s
                     best_n = n
@@ -80,15 +101,15 @@ def footprint_distance(
 @wp.func
 def line_feature(t: TablesRef, row: wp.int32, role: wp.int32, pa: wp.vec2, qa: wp.vec2, pb: wp.vec2, qb: wp.vec2):
     """Coordinate of a point of a along a direction fixed to b."""
-    n = turn(qb, t[0].row_normal[row])
-    x = pa + turn(qa, t[0].row_point[row])
-    return wp.dot(n, x - pb) - t[0].row_offset[row], lever(role, n, x, pa, pb)
+    n = turn(qb, normal_of(t, row))
+    x = pa + turn(qa, point_of(t, row))
+    return wp.dot(n, x - pb) - offset_of(t, row), lever(role, n, x, pa, pb)
 
 
 @wp.func
 def yaw_feature(t: TablesRef, row: wp.int32, role: wp.int32, yaw_a: wp.float32, yaw_b: wp.float32):
-    """Difference of yaw modulo the period ``row_normal.x``."""
-    value = wrap(yaw_a - yaw_b - t[0].row_offset[row], t[0].row_normal[row][0])
+    """Difference of yaw modulo the row's period."""
+    value = wrap(yaw_a - yaw_b - offset_of(t, row), normal_of(t, row)[0])
     return value, wp.vec4(0.0, 0.0, 0.0, wp.where(role == 0, 1.0, -1.0))
 
 
@@ -116,20 +137,20 @@ def half_extent(size: wp.vec3, n: wp.vec2, q: wp.vec2):
 @wp.func
 def extent_feature(t: TablesRef, row: wp.int32, a: wp.int32, pa: wp.vec2, qa: wp.vec2):
     """Lowest point of a's box along a direction of the room."""
-    n = t[0].row_normal[row]
-    reach, slope = half_extent(t[0].object_size[a], n, qa)
-    return wp.dot(n, pa) - t[0].row_offset[row] - reach, wp.vec4(n[0], n[1], 0.0, -slope)
+    n = normal_of(t, row)
+    reach, slope = half_extent(item(t[0].object_size, a), n, qa)
+    return wp.dot(n, pa) - offset_of(t, row) - reach, wp.vec4(n[0], n[1], 0.0, -slope)
 
 
 @wp.func
 def window_feature(t: TablesRef, row: wp.int32, a: wp.int32, pa: wp.vec2, qa: wp.vec2):
     """How much of the overlap along the wall is missing: of the shorter of a's box and the window (half width
-    ``row_point.x``) the share ``row_point.y`` must lie beside the other."""
-    n = t[0].row_normal[row]
-    reach, slope = half_extent(t[0].object_size[a], n, qa)
-    u = wp.dot(n, pa) - t[0].row_offset[row]
-    half = t[0].row_point[row][0]
-    share = 2.0 * t[0].row_point[row][1]
+    the point's x) the share the point's y must lie beside the other."""
+    n = normal_of(t, row)
+    reach, slope = half_extent(item(t[0].object_size, a), n, qa)
+    u = wp.dot(n, pa) - offset_of(t, row)
+    half = point_of(t, row)[0]
+    share = 2.0 * point_of(t, row)[1]
     value = wp.abs(u) - (reach + half - share * wp.min(reach, half))
     if reach < half:
         slope = (1.0 - share) * slope
@@ -173,7 +194,7 @@ def spread_feature(t: TablesRef, row: wp.int32, role: wp.int32, pa: wp.vec2, pb:
     """Angle about b from c to a."""
     u = pa - pb
     w = pc - pb
-    value = wrap(wp.atan2(u[1], u[0] + 1.0e-12) - wp.atan2(w[1], w[0] + 1.0e-12) - t[0].row_offset[row], TURN)
+    value = wrap(wp.atan2(u[1], u[0] + 1.0e-12) - wp.atan2(w[1], w[0] + 1.0e-12) - offset_of(t, row), TURN)
     by_u = angle_slope(u)
     by_w = angle_slope(w)
     g = by_u
@@ -224,7 +245,7 @@ def other_feature(
     pose_c: wp.vec4,
 ):
     """`feature` for all but the two most common kinds of rows."""
-    kind = t[0].row_feature[row]
+    kind = item(t[0].row_feature, row)
     pa = plane_of(pose_a)
     pb = plane_of(pose_b)
     pc = plane_of(pose_c)
@@ -233,7 +254,7 @@ def other_feature(
     if kind == FEATURE_BEARING:
         value, grad = bearing_feature(role, pa, qa, pb)
     elif kind == FEATURE_DISTANCE:
-        s, n, x = footprint_distance(t, a, pa, qa, b, pb, qb, t[0].row_prism[row])
+        s, n, x = footprint_distance(t, a, pa, qa, b, pb, qb, item(t[0].row_prism, row))
         value = s
         grad = lever(role, -n, x, pa, pb)
     elif kind == FEATURE_EXTENT:
@@ -241,7 +262,7 @@ def other_feature(
     elif kind == FEATURE_WINDOW:
         value, grad = window_feature(t, row, a, pa, qa)
     elif kind == FEATURE_HEIGHT:
-        value = pose_a[2] - pose_b[2] - t[0].row_offset[row]
+        value = pose_a[2] - pose_b[2] - offset_of(t, row)
         grad = wp.vec4(0.0, 0.0, wp.where(role == 0, 1.0, -1.0), 0.0)
     elif kind == FEATURE_BETWEEN:
         value, grad = between_feature(role, pa, pb, pc)
@@ -250,15 +271,15 @@ def other_feature(
     elif kind == FEATURE_SPREAD:
         value, grad = spread_feature(t, row, role, pa, pb, pc)
     elif kind == FEATURE_CONSTANT:
-        value = t[0].row_offset[row]
+        value = offset_of(t, row)
     elif kind >= FEATURE_USER:
-        u = t[0].row_point[row]
-        v = t[0].row_normal[row]
+        u = point_of(t, row)
+        v = normal_of(t, row)
         size_b = wp.vec3(0.0, 0.0, 0.0)
         if b >= 0:
-            size_b = t[0].object_size[b]
+            size_b = item(t[0].object_size, b)
         value, grad = user_feature(
-            kind, role, pose_a, pose_b, t[0].object_size[a], size_b, wp.vec4(u[0], u[1], v[0], v[1])
+            kind, role, pose_a, pose_b, item(t[0].object_size, a), size_b, wp.vec4(u[0], u[1], v[0], v[1])
         )
     if role == 2 and kind != FEATURE_BETWEEN and kind != FEATURE_ASIDE and kind != FEATURE_SPREAD:
         grad = wp.vec4(0.0, 0.0, 0.0, 0.0)  # the other features do not look at the second target
@@ -279,7 +300,7 @@ def feature(
     pose_c: wp.vec4,
 ):
     """Value of a row's feature and its gradient for one role; a and b are global object indices."""
-    kind = t[0].row_feature[row]
+    kind = item(t[0].row_feature, row)
     value = float(0.0)
     grad = wp.vec4(0.0, 0.0, 0.0, 0.0)
     if kind == FEATURE_LINE:

@@ -230,7 +230,7 @@ def add_relations(
                 pose_c = s.poses[candidate, ids[2]]
             option = s.options[candidate, r - r0]
             for k in range(t[0].row_start[option], t[0].row_start[option + 1]):
-                scale = t[0].row_scale[k]
+                scale = t[0].row_aim[k][3]
                 value, ga = feature(t, k, 0, o, b, pose_a, qa, pose_b, qb, pose_c)
                 gb = wp.vec4(0.0, 0.0, 0.0, 0.0)
                 gc = wp.vec4(0.0, 0.0, 0.0, 0.0)

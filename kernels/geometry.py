@@ -12,6 +12,7 @@ contact points lie on one line along n, and a face's own rotation is first-order
 
 import warp as wp
 
+from .reading import item, one
 from .tables import TablesRef
 
 wp.set_module_options({"enable_backward": False})
@@ -54,11 +55,84 @@ def discs_apart(
     t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
 ):
     """True when the bounding circles of prisms a and b are further apart than the margin."""
-    da = t[0].prism_disc[a]
-    db = t[0].prism_disc[b]
+    da = item(t[0].prism_disc, a)
+    db = item(t[0].prism_disc, b)
     v = pb + turn(qb, wp.vec2(db[0], db[1])) - pa - turn(qa, wp.vec2(da[0], da[1]))
     reach = da[2] + db[2] + margin
     return wp.dot(v, v) > reach * reach
+
+
+@wp.func
+def sign_of(x: wp.float32):
+    """1 or -1, never 0."""
+    return wp.where(x < 0.0, -1.0, 1.0)
+
+
+@wp.func
+def deepest(box: wp.vec4, m: wp.vec2):
+    """The vertex of a box (``Tables.prism_box``) that lies furthest against the direction m, both in its frame."""
+    return wp.vec2(box[0] - sign_of(m[0]) * box[2], box[1] - sign_of(m[1]) * box[3])
+
+
+@wp.func(inline=False)
+def lowest_of_polygon(t: TablesRef, a: wp.int32, m: wp.vec2):
+    """The vertex of prism a that lies furthest against the direction m, and how far along m it lies: (x, y, m)."""
+    low = wp.vec3(0.0, 0.0, FAR)
+    for k in range(item(t[0].prism_start, a), item(t[0].prism_start, a + 1), one()):
+        v = item(t[0].vertex, k)
+        d = wp.dot(m, v)
+        if d < low[2]:
+            low = wp.vec3(v[0], v[1], d)
+    return low
+
+
+@wp.func
+def lowest_vertex(t: TablesRef, o: wp.int32, m: wp.vec2):
+    """`lowest_of_polygon` over the whole footprint of object o; direction and vertex are in its frame."""
+    low = wp.vec3(0.0, 0.0, FAR)
+    for f in range(item(t[0].foot_start, o), item(t[0].foot_start, o + 1), one()):
+        a = item(t[0].foot, f)
+        box = item(t[0].prism_box, a)
+        v = deepest(box, m)
+        here = wp.vec3(v[0], v[1], wp.dot(m, v))
+        if box[2] < 0.0:
+            here = lowest_of_polygon(t, a, m)
+        if here[2] < low[2]:
+            low = here
+    return low
+
+
+@wp.func
+def box_separation(
+    box_a: wp.vec4, pa: wp.vec2, qa: wp.vec2, box_b: wp.vec4, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
+):
+    """`separation` of two boxes (``Tables.prism_box``), without loops; for what they bound, a least value."""
+    d = pb - pa + turn(qb, wp.vec2(box_b[0], box_b[1])) - turn(qa, wp.vec2(box_a[0], box_a[1]))
+    u = turn_back(qa, d)
+    v = turn_back(qb, d)
+    ha = wp.vec2(wp.abs(box_a[2]), wp.abs(box_a[3]))
+    hb = wp.vec2(wp.abs(box_b[2]), wp.abs(box_b[3]))
+    c = wp.abs(wp.dot(qa, qb))
+    s = wp.abs(qa[0] * qb[1] - qa[1] * qb[0])
+    a0 = wp.abs(u[0]) - ha[0] - c * hb[0] - s * hb[1]
+    a1 = wp.abs(u[1]) - ha[1] - s * hb[0] - c * hb[1]
+    b0 = wp.abs(v[0]) - hb[0] - c * ha[0] - s * ha[1]
+    b1 = wp.abs(v[1]) - hb[1] - s * ha[0] - c * ha[1]
+    best = wp.max(wp.max(a0, a1), wp.max(b0, b1))
+    n = wp.vec2(1.0, 0.0)
+    x = pa
+    if best <= margin:
+        if wp.max(a0, a1) >= wp.max(b0, b1):
+            n = sign_of(u[0]) * qa
+            if a1 > a0:
+                n = sign_of(u[1]) * perp(qa)
+            x = pb + turn(qb, deepest(box_b, turn_back(qb, n)))
+        else:
+            n = sign_of(v[0]) * qb
+            if b1 > b0:
+                n = sign_of(v[1]) * perp(qb)
+            x = pa + turn(qa, deepest(box_a, -turn_back(qa, n)))
+    return best, n, x
 
 
 @wp.func
@@ -70,7 +144,7 @@ def way_out(t: TablesRef, face: wp.int32, first: wp.int32, last: wp.int32, rest:
     before = rest - 1
     if rest == first:
         before = last - 1
-    return t[0].edge_real[face] == 1 and t[0].edge_real[rest] == 1 and t[0].edge_real[before] == 1
+    return item(t[0].edge_real, face) == 1 and item(t[0].edge_real, rest) == 1 and item(t[0].edge_real, before) == 1
 
 
 @wp.func(inline=False)
@@ -88,10 +162,10 @@ def separation(
     shut = float(-FAR)
     shut_n = wp.vec2(1.0, 0.0)
     shut_x = pa
-    a0 = t[0].prism_start[a]
-    a1 = t[0].prism_start[a + 1]
-    b0 = t[0].prism_start[b]
-    b1 = t[0].prism_start[b + 1]
+    a0 = item(t[0].prism_start, a)
+    a1 = item(t[0].prism_start, a + 1)
+    b0 = item(t[0].prism_start, b)
+    b1 = item(t[0].prism_start, b + 1)
     ab = pb - pa
     for k in range(a0, a1 + b1 - b0):
         # a's faces against b's vertices, then b's faces against a's
@@ -109,13 +183,13 @@ def separation(
             q = qb
             other = qa
             towards = -ab
-        plane = t[0].edge[face]
+        plane = item(t[0].edge, face)
         n = turn(q, wp.vec2(plane[0], plane[1]))
         m = turn_back(other, n)
         low = float(FAR)
         rest = int(v0)
         for v in range(v0, v1):
-            d = wp.dot(m, t[0].vertex[v])
+            d = wp.dot(m, item(t[0].vertex, v))
             if d < low:
                 low = d
                 rest = v
@@ -123,10 +197,10 @@ def separation(
         if s > margin:
             return s, n, pa
         if s > wp.min(best, shut):
-            x = pb + turn(qb, t[0].vertex[rest])
+            x = pb + turn(qb, item(t[0].vertex, rest))
             out = n
             if not mine:
-                x = pa + turn(qa, t[0].vertex[rest])
+                x = pa + turn(qa, item(t[0].vertex, rest))
                 out = -n
             if way_out(t, face, v0, v1, rest):
                 if s > best:
@@ -146,23 +220,95 @@ def separation(
 
 
 @wp.func(inline=False)
+def convex_separation(
+    t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
+):
+    """`separation` where every face is a way out."""
+    best = float(-FAR)
+    best_n = wp.vec2(1.0, 0.0)
+    rest = wp.vec2(0.0, 0.0)  # the witness, a vertex of the polygon that does not own the face
+    owner = int(0)
+    step = one()
+    for which in range(0, 2, step):
+        mine = wp.where(which == 0, a, b)
+        other = wp.where(which == 0, b, a)
+        q = wp.where(which == 0, qa, qb)
+        q_other = wp.where(which == 0, qb, qa)
+        towards = turn_back(q, wp.where(which == 0, pb - pa, pa - pb))
+        spin = wp.vec2(wp.dot(q, q_other), q[0] * q_other[1] - q[1] * q_other[0])
+        box = item(t[0].prism_box, other)
+        v0 = item(t[0].prism_start, other)
+        v1 = item(t[0].prism_start, other + 1)
+        for face in range(item(t[0].prism_start, mine), item(t[0].prism_start, mine + 1), step):
+            plane = item(t[0].edge, face)
+            n = wp.vec2(plane[0], plane[1])
+            m = turn_back(spin, n)
+            x = deepest(box, m)
+            low = wp.dot(m, x)
+            if box[2] < 0.0:
+                low = FAR
+                for v in range(v0, v1, step):
+                    u = item(t[0].vertex, v)
+                    d = wp.dot(m, u)
+                    if d < low:
+                        low = d
+                        x = u
+            s = low + wp.dot(n, towards) - plane[2]
+            if s > best:
+                best = s
+                best_n = turn(q, n)
+                rest = x
+                owner = which
+                if s > margin:
+                    return s, best_n, pa
+    if owner == 0:
+        return best, best_n, pb + turn(qb, rest)
+    return best, -best_n, pa + turn(qa, rest)
+
+
+@wp.func
+def prisms_apart(
+    t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
+):
+    """`separation` the quick way: boxes without loops, others only where their bounding boxes meet."""
+    box_a = item(t[0].prism_box, a)
+    box_b = item(t[0].prism_box, b)
+    s, n, x = box_separation(box_a, pa, qa, box_b, pb, qb, margin)
+    if s <= margin and (box_a[3] < 0.0 or box_b[3] < 0.0):
+        s, n, x = separation(t, a, pa, qa, b, pb, qb, margin)
+    elif s <= margin and (box_a[2] < 0.0 or box_b[2] < 0.0):
+        s, n, x = convex_separation(t, a, pa, qa, b, pb, qb, margin)
+    return s, n, x
+
+
+@wp.func(inline=False)
 def closest_to_edges(
     t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2
 ):
-    """Smallest distance of b's vertices to a's edges: (distance, vector from a to b, witness point)."""
+    """Smallest distance of b's vertices to a, outside of it: (distance, vector from a to b, witness point)."""
     best = float(FAR)
     best_v = wp.vec2(1.0, 0.0)
     best_x = pa
-    a0 = t[0].prism_start[a]
-    a1 = t[0].prism_start[a + 1]
-    for v in range(t[0].prism_start[b], t[0].prism_start[b + 1]):
-        x = turn_back(qa, pb + turn(qb, t[0].vertex[v]) - pa)
-        for e in range(a0, a1):
-            p = t[0].vertex[e]
+    a0 = item(t[0].prism_start, a)
+    a1 = item(t[0].prism_start, a + 1)
+    step = one()
+    box = item(t[0].prism_box, a)
+    for v in range(item(t[0].prism_start, b), item(t[0].prism_start, b + 1), step):
+        x = turn_back(qa, pb + turn(qb, item(t[0].vertex, v)) - pa)
+        if box[2] > 0.0:
+            r = x - wp.vec2(box[0], box[1])
+            r = r - wp.vec2(wp.clamp(r[0], -box[2], box[2]), wp.clamp(r[1], -box[3], box[3]))
+            if wp.dot(r, r) < best:
+                best = wp.dot(r, r)
+                best_v = r
+                best_x = x
+            a1 = a0  # its edges need no look
+        for e in range(a0, a1, step):
+            p = item(t[0].vertex, e)
             f = e + 1
             if f == a1:
                 f = a0
-            s = t[0].vertex[f] - p
+            s = item(t[0].vertex, f) - p
             u = wp.clamp(wp.dot(x - p, s) / wp.max(wp.dot(s, s), 1.0e-12), 0.0, 1.0)
             w = x - p - u * s
             d = wp.dot(w, w)
@@ -179,13 +325,17 @@ def distance(t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, p
 
     Polygon b may be a single vertex.
     """
-    s, n, x = separation(t, a, pa, qa, b, pb, qb, FAR)
+    box_a = item(t[0].prism_box, a)
+    box_b = item(t[0].prism_box, b)
+    s, n, x = box_separation(box_a, pa, qa, box_b, pb, qb, FAR)
+    if box_a[2] < 0.0 or box_b[2] < 0.0:
+        s, n, x = convex_separation(t, a, pa, qa, b, pb, qb, FAR)
     if s > 0.0:
         d0, v0, x0 = closest_to_edges(t, a, pa, qa, b, pb, qb)
         s = d0
         n = v0 / d0
         x = x0
-        if t[0].prism_start[b + 1] - t[0].prism_start[b] > 1:
+        if item(t[0].prism_start, b + 1) - item(t[0].prism_start, b) > 1:
             d1, v1, x1 = closest_to_edges(t, b, pb, qb, a, pa, qa)
             if d1 < d0:
                 s = d1

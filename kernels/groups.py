@@ -6,6 +6,7 @@ from .energy import object_energy
 from .features import TURN
 from .geometry import FAR, perp, plane_of, turn, wrap
 from .lanes import sum_of_poses, sum_of_team
+from .reading import item
 from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, Share, State, TablesRef, View, Weights
 
 wp.set_module_options({"enable_backward": False})
@@ -22,19 +23,19 @@ def set_pose(s: State, candidate: wp.int32, obj: wp.int32, pose: wp.vec4):
 @wp.func
 def members_end(t: TablesRef, o: wp.int32):
     """Where in the group of object o (global) its members end: itself and all that it carries, which come first."""
-    return t[0].group_start[o] + t[0].member_start[o + 1] - t[0].member_start[o]
+    return item(t[0].group_start, o) + item(t[0].member_start, o + 1) - item(t[0].member_start, o)
 
 
 @wp.func
 def carry(t: TablesRef, o0: wp.int32, s: State, candidate: wp.int32, root: wp.int32, pose: wp.vec4):
     """Move a root to a pose with all that it carries."""
-    old = s.poses[candidate, root]
+    old = item(s.poses, candidate, root)
     spin = pose[3] - old[3]
     q = wp.vec2(wp.cos(spin), wp.sin(spin))
-    for k in range(t[0].member_start[o0 + root], t[0].member_start[o0 + root + 1]):
-        i = t[0].member[k]
+    for k in range(item(t[0].member_start, o0 + root), item(t[0].member_start, o0 + root + 1)):
+        i = item(t[0].member, k)
         if i != root:
-            child = s.poses[candidate, i]
+            child = item(s.poses, candidate, i)
             at = plane_of(pose) + turn(q, plane_of(child) - plane_of(old))
             set_pose(s, candidate, i, wp.vec4(at[0], at[1], child[2] + pose[2] - old[2], child[3] + spin))
     set_pose(s, candidate, root, pose)
@@ -51,19 +52,20 @@ def shuffle(
     poses: wp.array2d(dtype=wp.vec4),
 ):
     """Lay out the surfaces of a root anew from their pools; the key says which entries."""
-    o = t[0].object_start[p] + root
+    o = item(t[0].object_start, p) + root
     rng = wp.rand_init(key)
-    for d in range(t[0].deck_start[o], t[0].deck_start[o + 1]):
-        base = poses[candidate, t[0].deck_supporter[d]]
+    for d in range(item(t[0].deck_start, o), item(t[0].deck_start, o + 1)):
+        base = poses[candidate, item(t[0].deck_supporter, d)]
         q = wp.vec2(wp.cos(base[3]), wp.sin(base[3]))
-        first = t[0].deck_member_start[d]
-        count = t[0].deck_member_start[d + 1] - first
+        first = item(t[0].deck_member_start, d)
+        count = item(t[0].deck_member_start, d + 1) - first
         entry = wp.min(int(wp.randf(rng) * float(t[0].pool_size)), t[0].pool_size - 1)
         for j in range(count):
-            local = t[0].pool[t[0].pool_start[d] + entry * count + j]
+            local = item(t[0].pool, item(t[0].pool_start, d) + entry * count + j)
             at = plane_of(base) + turn(q, plane_of(local))
             yaw = wrap(base[3] + local[3], TURN)
-            poses[candidate, t[0].deck_member[first + j]] = wp.vec4(at[0], at[1], base[2] + t[0].deck_height[d], yaw)
+            i = item(t[0].deck_member, first + j)
+            poses[candidate, i] = wp.vec4(at[0], at[1], base[2] + item(t[0].deck_height, d), yaw)
 
 
 @wp.func
@@ -85,8 +87,8 @@ def group_energy(
     Pairs among what the view moves are left out, and so is the rest once the energy exceeds the limit. A team of lanes
     shares the terms, and each of them gets the whole.
     """
-    root = t[0].group[first]
-    at = plane_of(s.poses[candidate, root])
+    root = item(t[0].group, first)
+    at = plane_of(item(s.poses, candidate, root))
     e = float(0.0)
     share = float(0.0)
     soft = float(0.0)
@@ -94,19 +96,19 @@ def group_energy(
     for k in range(first, last):
         if e > limit:
             break
-        i = t[0].group[k]
+        i = item(t[0].group, k)
         ei, hi, fi, gi = object_energy(t, m, w, p, candidate, i, s, limit - e, view, part)
         e += ei
         share += hi
         soft += fi
-        arm = perp(plane_of(s.poses[candidate, i]) - at)
+        arm = perp(plane_of(item(s.poses, candidate, i)) - at)
         g += wp.vec4(gi[0], gi[1], gi[2], gi[3] + gi[0] * arm[0] + gi[1] * arm[1])
     if part.of > 1:
         e = sum_of_team(e, part.of)
         share = sum_of_team(share, part.of)
         soft = sum_of_team(soft, part.of)
         g = sum_of_poses(g, part.of)
-    free = t[0].object_free[t[0].object_start[p] + root]
+    free = item(t[0].object_free, item(t[0].object_start, p) + root)
     if (free & FREE_PLANE) == 0:
         g[0] = 0.0
         g[1] = 0.0
@@ -120,5 +122,6 @@ def group_energy(
 @wp.func
 def members_energy(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, s: State):
     """Energy, share, soft share and gradient of a root with all that it carries, as one rigid body."""
-    o = t[0].object_start[p] + root
-    return group_energy(t, m, w, p, candidate, t[0].group_start[o], members_end(t, o), s, FAR, View(), Share(0, 1))
+    o = item(t[0].object_start, p) + root
+    first = item(t[0].group_start, o)
+    return group_energy(t, m, w, p, candidate, first, members_end(t, o), s, FAR, View(), Share(0, 1))

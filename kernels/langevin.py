@@ -9,6 +9,7 @@ exp(-energy / T); the temperature falls to zero, and what remains of the run is 
 import warp as wp
 
 from .adam import BETA2, Schedule, noise_at, rate_at
+from .reading import item
 from .step import (
     LANES,
     freedom,
@@ -21,7 +22,8 @@ from .step import (
 )
 from .tables import Margins, State, TablesRef, Weights
 
-wp.set_module_options({"enable_backward": False})
+# Fast sines on a GPU are good to a few micrometres; the layout that is kept is measured again with exact ones.
+wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
 
 FLOOR = wp.constant(0.3)  # slope beside which smaller ones do not lengthen the step; a violated term has slope 1
 
@@ -57,7 +59,7 @@ def langevin_step(
     if candidate == 0 and obj == 0:
         clock_out[0] = clock[0] + 1
     p = problem[candidate]
-    o = t[0].object_start[p] + obj
+    o = item(t[0].object_start, p) + obj
     if not keep_last(t, p, candidate, obj, share, lowest, next_poses, best_out, share_out, lowest_out):
         return
     arm = turning_arm(t, o)

@@ -10,8 +10,9 @@ import warp as wp
 
 from .energy import Parties, best_option, outside, parties_of
 from .features import TURN, feature
-from .geometry import perp, plane_of, turn
-from .lanes import lane, lanes, number_of
+from .geometry import lowest_vertex, perp, plane_of, turn_back
+from .lanes import lane
+from .reading import item
 from .tables import (
     FEATURE_BEARING,
     FEATURE_CONSTANT,
@@ -35,27 +36,16 @@ REACH = wp.constant(0.6)  # [m] how far beyond the closed end of a half-open int
 @wp.func
 def uniform(s: State, candidate: wp.int32):
     """A uniform number in [0, 1) from the lane's own stream."""
-    r = s.stream[candidate, lane()]
+    r = item(s.stream, candidate, lane())
     u = wp.randf(r)
     s.stream[candidate, lane()] = r
     return u
 
 
 @wp.func
-def common(s: State, candidate: wp.int32):
-    """A uniform number from the candidate's own stream, the same in all lanes."""
-    u = float(0.0)
-    if lane() == 0:
-        r = s.stream[candidate, lanes()]
-        u = wp.randf(r)
-        s.stream[candidate, lanes()] = r
-    return number_of(u, 0)
-
-
-@wp.func
 def normal(s: State, candidate: wp.int32):
     """A standard normal number from the lane's own stream."""
-    r = s.stream[candidate, lane()]
+    r = item(s.stream, candidate, lane())
     u = wp.randn(r)
     s.stream[candidate, lane()] = r
     return u
@@ -70,14 +60,14 @@ def pick(s: State, candidate: wp.int32, n: wp.int32):
 @wp.func
 def random_start(t: TablesRef, p: wp.int32, o: wp.int32, pose: wp.vec4, s: State, candidate: wp.int32):
     """A pose for object o (global) anywhere in the room's bounding box, square to the room four times in five."""
-    box = t[0].room_box[p]
-    free = t[0].object_free[o]
+    box = item(t[0].room_box, p)
+    free = item(t[0].object_free, o)
     if free & FREE_PLANE:
         pose[0] = box[0] + uniform(s, candidate) * (box[2] - box[0])
         pose[1] = box[1] + uniform(s, candidate) * (box[3] - box[1])
     if free & FREE_YAW:
-        if uniform(s, candidate) < 0.8 and t[0].plane_start[p + 1] > t[0].plane_start[p]:
-            n = t[0].plane[t[0].plane_start[p]]
+        if uniform(s, candidate) < 0.8 and item(t[0].plane_start, p + 1) > item(t[0].plane_start, p):
+            n = item(t[0].plane, item(t[0].plane_start, p))
             pose[3] = wp.atan2(n[1], n[0]) + QUARTER * float(pick(s, candidate, 4))
         else:
             pose[3] = TURN * uniform(s, candidate)
@@ -120,11 +110,12 @@ def project_option(
     """
     pose = x.pose_a
     q = x.qa
-    for row in range(t[0].row_start[option], t[0].row_start[option + 1]):
-        kind = t[0].row_feature[row]
+    for row in range(item(t[0].row_start, option), item(t[0].row_start, option + 1)):
+        kind = item(t[0].row_feature, row)
         if kind != FEATURE_CONSTANT:
             value, g = feature(t, row, 0, x.a, x.b, pose, q, x.pose_b, x.qb, x.pose_c)
-            aim = t[0].row_aim[row]
+            span = item(t[0].row_aim, row)
+            aim = wp.vec2(span[0], span[1])
             off, _sign = outside(value, aim)
             if off > 0.0 or fresh:
                 d = target_value(s, candidate, aim) - value
@@ -161,15 +152,15 @@ def settle(
     fresh: wp.bool,
 ):
     """A pose projected onto the object's own relations; a fresh draw starts from one of them at random."""
-    o0 = t[0].object_start[p]
+    o0 = item(t[0].object_start, p)
     o = o0 + obj
-    r0 = t[0].relation_start[p]
-    first = t[0].touch_start[o]
-    count = t[0].touch_start[o + 1] - first
-    free = t[0].object_free[o]
+    r0 = item(t[0].relation_start, p)
+    first = item(t[0].touch_start, o)
+    count = item(t[0].touch_start, o + 1) - first
+    free = item(t[0].object_free, o)
     mine = int(0)
     for k in range(first, first + count):
-        if t[0].touch_role[k] == 0 and t[0].relation_rigid[r0 + t[0].touch[k]] == 0:
+        if item(t[0].touch_role, k) == 0 and item(t[0].relation_rigid, r0 + item(t[0].touch, k)) == 0:
             mine += 1
     if mine == 0:
         return pose
@@ -179,21 +170,21 @@ def settle(
     # a fresh draw's sweep of one relation, then a sweep over all
     for sweep in range(wp.where(fresh, 0, 1), 2):
         for k in range(first, first + count):
-            r = r0 + t[0].touch[k]
-            if t[0].touch_role[k] == 0 and t[0].relation_rigid[r] == 0:
+            r = r0 + item(t[0].touch, k)
+            if item(t[0].touch_role, k) == 0 and item(t[0].relation_rigid, r) == 0:
                 draw = sweep == 0 and skip == 0
                 if sweep == 0:
                     skip -= 1
                 if sweep > 0:
-                    draw = t[0].relation_fault[r] != 0 or uniform(s, candidate) < 0.7
+                    draw = item(t[0].relation_fault, r) != 0 or uniform(s, candidate) < 0.7
                 if draw:
                     x = parties_of(t, o0, r, s, candidate, View())
                     x.pose_a = pose
                     x.qa = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
-                    option = t[0].option_start[r]
+                    option = item(t[0].option_start, r)
                     low = float(1.0)
                     if sweep == 0:
-                        option += pick(s, candidate, t[0].option_start[r + 1] - option)
+                        option += pick(s, candidate, item(t[0].option_start, r + 1) - option)
                     else:
                         best, e, _g = best_option(t, r, 0, x, w.knee)
                         option = best
@@ -207,39 +198,36 @@ def settle(
 def keep_inside(t: TablesRef, p: wp.int32, o: wp.int32, pose: wp.vec4, aim: wp.float32):
     """A pose with the footprint of object o (global) pushed back over each half plane that it crosses."""
     q = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
-    if t[0].object_free[o] & FREE_PLANE:
-        for k in range(t[0].plane_start[p], t[0].plane_start[p + 1]):
-            plane = t[0].plane[k]
+    if item(t[0].object_free, o) & FREE_PLANE:
+        for k in range(item(t[0].plane_start, p), item(t[0].plane_start, p + 1)):
+            plane = item(t[0].plane, k)
             n = wp.vec2(plane[0], plane[1])
             depth = wp.dot(n, plane_of(pose)) - plane[2]
-            if depth - t[0].object_radius[o][0] < aim:
-                low = float(1.0e6)
-                for f in range(t[0].foot_start[o], t[0].foot_start[o + 1]):
-                    a = t[0].foot[f]
-                    for v in range(t[0].prism_start[a], t[0].prism_start[a + 1]):
-                        low = wp.min(low, depth + wp.dot(n, turn(q, t[0].vertex[v])))
-                if low < aim:
-                    pose[0] = pose[0] + (aim - low) * n[0]
-                    pose[1] = pose[1] + (aim - low) * n[1]
+            if depth - item(t[0].object_radius, o)[0] < aim:
+                low = lowest_vertex(t, o, turn_back(q, n))
+                missing = aim - depth - low[2]
+                if missing > 0.0:
+                    pose[0] = pose[0] + missing * n[0]
+                    pose[1] = pose[1] + missing * n[1]
     return pose
 
 
 @wp.func
 def slide(t: TablesRef, p: wp.int32, obj: wp.int32, pose: wp.vec4, s: State, candidate: wp.int32, gap: wp.float32):
     """A pose slid along the object's own left axis until its box is flush with another's, or with a wall."""
-    o0 = t[0].object_start[p]
+    o0 = item(t[0].object_start, p)
     o = o0 + obj
-    if (t[0].object_free[o] & FREE_PLANE) == 0:
+    if (item(t[0].object_free, o) & FREE_PLANE) == 0:
         return pose
     axis = wp.vec2(-wp.sin(pose[3]), wp.cos(pose[3]))
-    half = 0.5 * t[0].object_size[o][1]
+    half = 0.5 * item(t[0].object_size, o)[1]
     side = wp.where(uniform(s, candidate) < 0.5, 1.0, -1.0)
-    n = t[0].object_start[p + 1] - o0
+    n = item(t[0].object_start, p + 1) - o0
     step = float(0.0)
     if uniform(s, candidate) < 0.3 or n < 2:
         found = float(1.0e6)
-        for k in range(t[0].plane_start[p], t[0].plane_start[p + 1]):
-            plane = t[0].plane[k]
+        for k in range(item(t[0].plane_start, p), item(t[0].plane_start, p + 1)):
+            plane = item(t[0].plane, k)
             along = side * (plane[0] * axis[0] + plane[1] * axis[1])
             if along < -0.5:
                 d = (wp.dot(wp.vec2(plane[0], plane[1]), plane_of(pose)) - plane[2]) / -along - half - gap
@@ -251,12 +239,12 @@ def slide(t: TablesRef, p: wp.int32, obj: wp.int32, pose: wp.vec4, s: State, can
         near = float(1.0e12)
         for _try in range(3):
             j = pick(s, candidate, n)
-            if t[0].object_root[o0 + j] != obj:
-                v = plane_of(s.poses[candidate, j]) - plane_of(pose)
+            if item(t[0].object_root, o0 + j) != obj:
+                v = plane_of(item(s.poses, candidate, j)) - plane_of(pose)
                 if wp.dot(v, v) < near:
                     near = wp.dot(v, v)
-                    qj = s.turns[candidate, j]
-                    size = t[0].object_size[o0 + j]
+                    qj = item(s.turns, candidate, j)
+                    size = item(t[0].object_size, o0 + j)
                     reach = 0.5 * (
                         wp.abs(wp.dot(axis, qj)) * size[0] + wp.abs(wp.dot(axis, perp(qj))) * size[1]
                     )
@@ -278,12 +266,12 @@ def propose(
     far: wp.float32,
 ):
     """Draw a new pose for an object: with probability ``far`` in the whole room, else within ``scale`` metres."""
-    o = t[0].object_start[p] + obj
+    o = item(t[0].object_start, p) + obj
     fresh = uniform(s, candidate) < far
     if fresh:
         pose = random_start(t, p, o, pose, s, candidate)
     else:
-        pose = jitter(t[0].object_free[o], pose, scale, s, candidate)
+        pose = jitter(item(t[0].object_free, o), pose, scale, s, candidate)
     pose = settle(t, w, p, obj, pose, s, candidate, fresh)
     pose = keep_inside(t, p, o, pose, m.bounds_aim)
     if uniform(s, candidate) < 0.35:

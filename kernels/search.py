@@ -12,17 +12,18 @@ keeps the lanes together, and the energy, which is most of the code, in one plac
 import warp as wp
 
 from .begin import GIVEN, Plan
-from .cells import change_cell, crowded, fill_cells
+from .cells import change_cell, crowded
 from .energy import seen
 from .features import TURN
 from .geometry import FAR, wrap
 from .groups import group_energy, members_end, set_pose, shuffle
 from .lanes import index_of, lane, lanes, lowest, meet, number_of, pose_of, sum_of, team_for
-from .sample import QUARTER, common, propose, uniform
+from .reading import item, one
+from .sample import QUARTER, propose, uniform
 from .tables import FREE_YAW, Margins, Share, State, TablesRef, View, Weights
 
 # Fast sines on a GPU are good to a few micrometres; the judge gets exact ones (`set_turns`).
-wp.set_module_options({"enable_backward": False, "fast_math": True})
+wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
 
 SOLVED = wp.constant(1.0e-9)
 LEAST_MOVES = wp.constant(16)  # of a round, however few objects there are
@@ -33,14 +34,13 @@ BACK_STEPS = wp.constant(4)  # shares of the way back that are tried
 
 # Jobs.
 SURVEY = wp.constant(0)  # rate every object
-RATE = wp.constant(1)  # rate the objects of the group that has just moved
-STAND = wp.constant(2)  # what the objects to be moved cost where they are
-MOVE = wp.constant(3)  # proposals
-GRADIENT = wp.constant(4)  # of one object
-STEP = wp.constant(5)  # along it: a Polyak step towards zero energy, and shorter ones
-SQUARE = wp.constant(6)  # turn what stands almost square to the room fully square, unless that costs anything
-RETURN = wp.constant(7)  # take an object as far back to its anchor as costs nothing hard
-STOP = wp.constant(8)
+RATE = wp.constant(1)  # rate the objects of the group that has just moved, if they are not one body
+MOVE = wp.constant(2)  # what the objects to be moved cost where they are, and proposals
+GRADIENT = wp.constant(3)  # of one object
+STEP = wp.constant(4)  # along it: a Polyak step towards zero energy, and shorter ones
+SQUARE = wp.constant(5)  # turn what stands almost square to the room fully square, unless that costs anything
+RETURN = wp.constant(6)  # take an object as far back to its anchor as costs nothing hard
+STOP = wp.constant(7)
 
 # Phases of a round.
 MOVING = wp.constant(0)
@@ -52,12 +52,13 @@ TIDYING = wp.constant(2)
 def pick_object(n: wp.int32, candidate: wp.int32, energy: wp.array2d(dtype=wp.float32), u: wp.float32):
     """The object on which a share u of all energies falls, laid end to end; -1 when there is none."""
     sum = float(0.0)
-    for i in range(n):
-        sum += energy[candidate, i]
+    step = one()
+    for i in range(0, n, step):
+        sum += item(energy, candidate, i)
     left = u * sum
     obj = int(-1)
-    for i in range(n):
-        e = energy[candidate, i]
+    for i in range(0, n, step):
+        e = item(energy, candidate, i)
         if e > 0.0 and left >= 0.0:
             obj = i
             left -= e
@@ -76,7 +77,7 @@ def next_object(
 ):
     """The next free object after this one (of those with energy, if only faulty ones count); n at the end."""
     obj += 1
-    while obj < n and (t[0].object_free[o0 + obj] == 0 or (faulty and energy[candidate, obj] <= SOLVED)):
+    while obj < n and (item(t[0].object_free, o0 + obj) == 0 or (faulty and item(energy, candidate, obj) <= SOLVED)):
         obj += 1
     return obj
 
@@ -84,7 +85,7 @@ def next_object(
 @wp.func
 def off_square(t: TablesRef, p: wp.int32, pose: wp.vec4):
     """By how much a pose is turned against the room's first wall, modulo a quarter."""
-    plane = t[0].plane[t[0].plane_start[p]]
+    plane = item(t[0].plane, item(t[0].plane_start, p))
     return wrap(pose[3] - wp.atan2(plane[1], plane[0]), QUARTER)
 
 
@@ -112,21 +113,21 @@ def search(
     if open[candidate] == 0:
         return
     p = problem[candidate]
-    o0 = t[0].object_start[p]
-    n = t[0].object_start[p + 1] - o0
+    o0 = item(t[0].object_start, p)
+    n = item(t[0].object_start, p + 1) - o0
     round = clock[0] % plan.rounds
     stay = plan.start == GIVEN and clock[0] // plan.rounds < plan.at_home
     w = w_given
     if not stay:
         w.pull = 0.0
     hot = wp.where(stay, plan.hot_at_home, plan.hot)
+    dice = item(s.stream, candidate, width)  # the candidate's own stream, the same in all lanes
     for obj in range(me, n, width):
         s.mark[candidate, obj] = 0
-    if crowded(n, s) and me == 0:
-        fill_cells(t, p, candidate, s)
     meet()
 
-    movable = wp.max(t[0].movable[p], 2)
+    walled = item(t[0].plane_start, p + 1) > item(t[0].plane_start, p)
+    movable = wp.max(item(t[0].movable, p), 2)
     moves = wp.max(plan.moves * movable, LEAST_MOVES)
     refresh = wp.max(4, movable // 2)
     phase = int(MOVING)
@@ -154,7 +155,8 @@ def search(
         elif job == RATE:
             count = last - first
         elif job == MOVE:
-            count = plan.proposals
+            count = 1 + plan.proposals
+            base = FAR
         elif job == STEP:
             count = plan.tries
         elif job == SQUARE:
@@ -165,24 +167,25 @@ def search(
         # The trials, each by a team of lanes.
         team = team_for(count)
         part = Share(me % team, team)
-        old = s.poses[candidate, obj]
+        old = item(s.poses, candidate, obj)
         share_sum = float(0.0)
         soft_sum = float(0.0)
         least = float(FAR)
         least_k = int(0)
         least_pose = old
         least_draft = int(0)
+        least_rating = float(0.0)
         g = wp.vec4(0.0, 0.0, 0.0, 0.0)
         for k in range(me // team, count, width // team):
             who = int(obj)
             if job == SURVEY:
                 who = k
             elif job == RATE:
-                who = t[0].group[first + k]
-            pose = s.poses[candidate, who]
+                who = item(t[0].group, first + k)
+            pose = item(s.poses, candidate, who)
             view = View()
             view.best = 1
-            if job == MOVE:
+            if job == MOVE and k > 0:
                 anew = bool(True)
                 if draft:
                     u = uniform(s, candidate)
@@ -197,13 +200,13 @@ def search(
             elif job == SQUARE and k == 0:
                 pose[3] = pose[3] - off_square(t, p, pose)
             elif job == RETURN:
-                d = s.anchors[candidate, obj] - pose
+                d = item(s.anchors, candidate, obj) - pose
                 d[3] = wrap(d[3], TURN)
                 pose = pose + (1.0 - float(k) / float(BACK_STEPS)) * d
             from_k = int(first)
             to_k = int(last)
             if job == SURVEY or job == RATE:
-                from_k = t[0].group_start[o0 + who]
+                from_k = item(t[0].group_start, o0 + who)
                 to_k = members_end(t, o0 + who)
             elif job != GRADIENT:
                 view.stamp = stamp
@@ -211,25 +214,24 @@ def search(
                 view.after = pose
                 view.spin = wp.vec2(wp.cos(pose[3] - old[3]), wp.sin(pose[3] - old[3]))
             limit = float(FAR)
-            if job == MOVE or job == STEP:
+            if (job == MOVE and k > 0) or job == STEP:
                 limit = wp.min(least, base + heat)
             e = float(0.0)
             share = float(0.0)
             soft = float(0.0)
             if to_k > from_k:
                 e, share, soft, g = group_energy(t, m, w, p, candidate, from_k, to_k, s, limit, view, part)
+            rating = float(0.0)
+            if to_k > from_k and item(t[0].object_free, o0 + who) != 0:
+                rating = e
+                if stay:  # soft terms are no reason to move anything
+                    rating = wp.max(e - soft - SOLVED, 0.0)
             if job == SURVEY or job == RATE:
                 if part.first == 0:
                     share_sum += share
                     soft_sum += soft
-                rating = float(0.0)
-                if to_k > from_k and t[0].object_free[o0 + who] != 0:
-                    rating = e
-                    if stay:  # soft terms are no reason to move anything
-                        rating = wp.max(e - soft - SOLVED, 0.0)
-                if part.first == 0:
                     energy[candidate, who] = rating
-            elif job == STAND or job == GRADIENT:
+            elif job == GRADIENT or (job == MOVE and k == 0):
                 base = e
             elif job == RETURN:
                 if least == FAR and e - soft <= SOLVED:
@@ -240,6 +242,7 @@ def search(
                 least_k = k
                 least_pose = pose
                 least_draft = view.draft
+                least_rating = rating
 
         # What comes of them.
         moved = bool(False)
@@ -256,7 +259,11 @@ def search(
             winner = lowest(least)
             least = number_of(least, winner)
             if job == MOVE:
+                base = number_of(base, 0)
                 moved = least < base + heat
+                rating = number_of(least_rating, winner)
+                if moved and me == 0:
+                    energy[candidate, obj] = rating
             elif job == STEP:
                 moved = least < base
             elif job == SQUARE:
@@ -272,21 +279,19 @@ def search(
                 turned = view.after[3] - old[3]
                 view.spin = wp.vec2(wp.cos(turned), wp.sin(turned))
                 for k in range(first + me, last, width):
-                    pose, _q = seen(s, candidate, t[0].group[k], view)
-                    set_pose(s, candidate, t[0].group[k], pose)
+                    pose, _q = seen(s, candidate, item(t[0].group, k), view)
+                    set_pose(s, candidate, item(t[0].group, k), pose)
                 if crowded(n, s):
                     meet()
                     if me == 0:
                         for k in range(first, last):
-                            change_cell(t, p, candidate, t[0].group[k], s)
+                            change_cell(t, p, candidate, item(t[0].group, k), s)
         meet()
 
         # What next.
         done = int(job)
         if phase == MOVING:
-            if done == STAND:
-                job = MOVE
-            elif done == MOVE and moved:
+            if done == MOVE and moved and last > members_end(t, o0 + obj):
                 job = RATE
             elif solved:
                 phase = TIDYING
@@ -295,37 +300,37 @@ def search(
             elif move >= moves:
                 phase = POLISHING
             else:
-                job = STAND
-                chosen = pick_object(n, candidate, energy, common(s, candidate))
+                job = MOVE
+                chosen = pick_object(n, candidate, energy, wp.randf(dice))
                 if chosen < 0:  # nothing that is free to move is at fault
                     phase = TIDYING
                 else:
                     obj = chosen
                     whole = bool(False)
-                    u = common(s, candidate)
-                    v = common(s, candidate)
-                    if t[0].object_parent[o0 + obj] >= 0 and u < wp.where(stay, 0.1, 0.25):
-                        obj = t[0].object_parent[o0 + obj]
+                    u = wp.randf(dice)
+                    v = wp.randf(dice)
+                    if item(t[0].object_parent, o0 + obj) >= 0 and u < wp.where(stay, 0.1, 0.25):
+                        obj = item(t[0].object_parent, o0 + obj)
                         whole = True
                     elif v < 0.5:
                         whole = True
-                    first = t[0].group_start[o0 + obj]
-                    last = t[0].group_start[o0 + obj + 1]
+                    first = item(t[0].group_start, o0 + obj)
+                    last = item(t[0].group_start, o0 + obj + 1)
                     if not whole:
                         last = members_end(t, o0 + obj)
                     level = 1.0 - (float(round) + float(move) / float(moves)) / float(plan.rounds)
                     scale = 0.4 * level
                     heat = float(0.0)
                     if lingered == 0:
-                        heat = -hot * level * level * wp.log(common(s, candidate) + 1.0e-9)
+                        heat = -hot * level * level * wp.log(wp.randf(dice) + 1.0e-9)
                     # lanes of a team have to draw the same pose
-                    slot = me // team_for(plan.proposals)
-                    s.stream[candidate, me] = wp.rand_init(int(2.0e9 * common(s, candidate)), slot)
-                    draft = t[0].pool_size > 0 and t[0].deck_start[o0 + obj + 1] > t[0].deck_start[o0 + obj]
+                    slot = me // team_for(1 + plan.proposals)
+                    s.stream[candidate, me] = wp.rand_init(int(2.0e9 * wp.randf(dice)), slot)
+                    draft = t[0].pool_size > 0 and item(t[0].deck_start, o0 + obj + 1) > item(t[0].deck_start, o0 + obj)
                     move += 1
         if phase == POLISHING:
             heat = float(0.0)
-            arm = 0.3 * t[0].object_radius[o0 + obj][0] + 0.05
+            arm = 0.3 * item(t[0].object_radius, o0 + obj)[0] + 0.05
             scaled = wp.vec4(g[0], g[1], g[2], g[3] / (arm * arm))
             gg = wp.dot(g, scaled)
             if done == SURVEY and solved:
@@ -360,31 +365,32 @@ def search(
                     cursor = -1
                     tidied += 1
                 elif stay:
-                    d = s.anchors[candidate, obj] - s.poses[candidate, obj]
+                    d = item(s.anchors, candidate, obj) - item(s.poses, candidate, obj)
                     d[3] = wrap(d[3], TURN)
                     if wp.dot(d, d) > 1.0e-12:
                         job = RETURN
-                elif t[0].object_free[o0 + obj] & FREE_YAW and t[0].plane_start[p + 1] > t[0].plane_start[p]:
-                    off = wp.abs(off_square(t, p, s.poses[candidate, obj]))
+                elif item(t[0].object_free, o0 + obj) & FREE_YAW and walled:
+                    off = wp.abs(off_square(t, p, item(s.poses, candidate, obj)))
                     if off > 1.0e-6 and off < ALMOST_SQUARE:
                         job = SQUARE
-        if job >= STAND and job != MOVE and job != STOP:
-            if job != STAND:
-                first = t[0].group_start[o0 + obj]
+        if job >= MOVE and job != STOP:
+            if job != MOVE:
+                first = item(t[0].group_start, o0 + obj)
                 last = members_end(t, o0 + obj)
                 draft = False
             stamp += 1
             for k in range(first + me, last, width):
-                i = t[0].group[k]
-                carried = t[0].object_root[o0 + i] == obj
+                i = item(t[0].group, k)
+                carried = item(t[0].object_root, o0 + i) == obj
                 s.mark[candidate, i] = wp.where(carried, -stamp, stamp)
                 if draft:
-                    s.draft[candidate, i] = s.poses[candidate, i]
+                    s.draft[candidate, i] = item(s.poses, candidate, i)
             if draft:
                 meet()
-                key = int(1.0e9 * common(s, candidate))
+                key = int(1.0e9 * wp.randf(dice))
                 if me == 0:
                     shuffle(t, p, obj, candidate, key, s.draft)
         meet()  # what was read above the next job's trials may write
     if me == 0:
         total_out[candidate] = total
+        s.stream[candidate, width] = dice

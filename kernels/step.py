@@ -12,6 +12,7 @@ from .energy import best_option, parties_of
 from .features import TURN
 from .geometry import perp, plane_of, wrap
 from .groups import members_energy
+from .reading import item
 from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, State, TablesRef, View, Weights
 
 wp.set_module_options({"enable_backward": False})
@@ -23,13 +24,13 @@ AT_REST = wp.constant(1.0e-9)  # energy at which nothing is left to improve
 @wp.func
 def turning_arm(t: TablesRef, o: wp.int32):
     """Length [m] by which yaw is scaled, so that a step turns object o about as far as it shifts it."""
-    return 0.3 * t[0].object_radius[o][0] + 0.05
+    return 0.3 * item(t[0].object_radius, o)[0] + 0.05
 
 
 @wp.func
 def freedom(t: TablesRef, o: wp.int32):
     """One for every coordinate (x, y, z, yaw) that object o is free in, else zero."""
-    free = t[0].object_free[o]
+    free = item(t[0].object_free, o)
     plane = wp.where((free & FREE_PLANE) != 0, 1.0, 0.0)
     return wp.vec4(
         plane, plane, wp.where((free & FREE_Z) != 0, 1.0, 0.0), wp.where((free & FREE_YAW) != 0, 1.0, 0.0)
@@ -77,8 +78,8 @@ def place_members(
     old = poses[from_candidate, root]
     pose = old + d
     spin = wp.vec2(wp.cos(d[3]), wp.sin(d[3]))
-    for k in range(t[0].member_start[o], t[0].member_start[o + 1]):
-        i = t[0].member[k]
+    for k in range(item(t[0].member_start, o), item(t[0].member_start, o + 1)):
+        i = item(t[0].member, k)
         child = poses[from_candidate, i]
         arm = plane_of(child) - plane_of(old)
         at = plane_of(pose) + spin[0] * arm + spin[1] * perp(arm)
@@ -92,7 +93,7 @@ def total_of(share: wp.array2d(dtype=wp.float32), candidate: wp.int32, n: wp.int
     """Sum of the first n objects' shares [object, candidate]."""
     total = float(0.0)
     for obj in range(n):
-        total += share[obj, candidate]
+        total += item(share, obj, candidate)
     return total
 
 
@@ -113,8 +114,8 @@ def keep_last(
 
     Candidates at rest have no thread with a root: they are left as they are.
     """
-    o = t[0].object_start[p] + obj
-    n = t[0].object_start[p + 1] - t[0].object_start[p]
+    o = item(t[0].object_start, p) + obj
+    n = item(t[0].object_start, p + 1) - item(t[0].object_start, p)
     if obj >= n:
         return False
     low = lowest[candidate]
@@ -124,12 +125,12 @@ def keep_last(
     total = total_of(share, candidate, n)
     if obj == 0:
         lowest_out[candidate] = wp.where(total < low, total, low)
-    if t[0].object_root[o] != obj:
+    if item(t[0].object_root, o) != obj:
         share_out[obj, candidate] = 0.0
         return False
     if total < low:
-        for k in range(t[0].member_start[o], t[0].member_start[o + 1]):
-            best_out[candidate, t[0].member[k]] = last[candidate, t[0].member[k]]
+        for k in range(item(t[0].member_start, o), item(t[0].member_start, o + 1)):
+            best_out[candidate, item(t[0].member, k)] = last[candidate, item(t[0].member, k)]
     return True
 
 
@@ -151,9 +152,9 @@ def choose(
     if candidate >= problem.shape[0]:
         return
     p = problem[candidate]
-    r = t[0].relation_start[p] + rel
-    if r < t[0].relation_start[p + 1]:
-        parties = parties_of(t, t[0].object_start[p], r, s, candidate, View())
+    r = item(t[0].relation_start, p) + rel
+    if r < item(t[0].relation_start, p + 1):
+        parties = parties_of(t, item(t[0].object_start, p), r, s, candidate, View())
         option, _e, _g = best_option(t, r, 0, parties, w.knee)
         options_out[candidate, rel] = option
         other_out[candidate, rel] = option
@@ -178,11 +179,11 @@ def measure(
     if candidate >= problem.shape[0]:
         return
     p = problem[candidate]
-    o = t[0].object_start[p] + obj
+    o = item(t[0].object_start, p) + obj
     share = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    if o < t[0].object_start[p + 1]:
-        if t[0].object_root[o] == obj:
+    if o < item(t[0].object_start, p + 1):
+        if item(t[0].object_root, o) == obj:
             share, g = scaled_gradient(t, m, w, p, candidate, obj, turning_arm(t, o), s)
     share_out[obj, candidate] = share
     gradient_out[obj, candidate] = g
@@ -205,7 +206,7 @@ def take_best(
     """Give every candidate the better one of its last poses, of the given energy, and the best before them."""
     candidate, obj = wp.tid()
     p = problem[candidate]
-    if obj < t[0].object_start[p + 1] - t[0].object_start[p]:
+    if obj < item(t[0].object_start, p + 1) - item(t[0].object_start, p):
         pose = last[candidate, obj]
         if not total[candidate] < lowest[candidate] and lowest[candidate] < wp.inf:
             pose = best[candidate, obj]
@@ -226,4 +227,4 @@ def add_up(
     """Energy of every candidate."""
     candidate = wp.tid()
     p = problem[candidate]
-    total_out[candidate] = total_of(share, candidate, t[0].object_start[p + 1] - t[0].object_start[p])
+    total_out[candidate] = total_of(share, candidate, item(t[0].object_start, p + 1) - item(t[0].object_start, p))

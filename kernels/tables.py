@@ -89,6 +89,8 @@ class Tables:
     prism_start: wp.array(dtype=wp.int32)  # range of vertices
     prism_z: wp.array(dtype=wp.vec2)
     prism_disc: wp.array(dtype=wp.vec3)  # bounding circle: centre, radius
+    prism_box: wp.array(dtype=wp.vec4)  # centre and half edges of the bounding box, see below
+    # the first half edge is negative unless the prism is this box, the second if some of its faces are no way out
     vertex: wp.array(dtype=wp.vec2)
     edge: wp.array(dtype=wp.vec3)  # outward normal n and offset c of the edge that starts here: n . x <= c
     edge_real: wp.array(dtype=wp.int32)  # 0: an edge inside the outside of the room, no way out
@@ -104,13 +106,10 @@ class Tables:
     option_start: wp.array(dtype=wp.int32)
     row_start: wp.array(dtype=wp.int32)
     row_feature: wp.array(dtype=wp.int32)
-    row_point: wp.array(dtype=wp.vec2)
-    row_normal: wp.array(dtype=wp.vec2)
-    row_offset: wp.array(dtype=wp.float32)
+    row_frame: wp.array(dtype=wp.vec4)  # the feature's normal and point
+    row_aim: wp.array(dtype=wp.vec4)  # interval that the energy pulls into, offset, metres per unit of the feature
     row_prism: wp.array(dtype=wp.int32)
-    row_aim: wp.array(dtype=wp.vec2)  # interval that the energy pulls into
     row_hold: wp.array(dtype=wp.vec2)  # interval that counts as fulfilled
-    row_scale: wp.array(dtype=wp.float32)  # metres per unit of the feature
 
 
 TablesRef = wp.array(dtype=Tables)

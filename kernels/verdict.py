@@ -7,7 +7,8 @@ import warp as wp
 
 from .energy import EAST, gate
 from .features import feature
-from .geometry import discs_apart, plane_of, separation, turn
+from .geometry import plane_of, prisms_apart, turn
+from .reading import item
 from .tables import (
     FIXTURE_SOLID,
     PAIR_COLLIDE,
@@ -48,11 +49,10 @@ def apart(
         a = first_list[i]
         for j in range(second_start, second_end):
             b = second_list[j]
-            if gate(pose_a[2], t[0].prism_z[a], pose_b[2], t[0].prism_z[b], least):
-                if not discs_apart(t, a, pa, qa, b, pb, qb, 0.0):
-                    s, _n, _x = separation(t, a, pa, qa, b, pb, qb, hold)
-                    if s < hold:
-                        return False
+            if gate(pose_a[2], item(t[0].prism_z, a), pose_b[2], item(t[0].prism_z, b), least):
+                s, _n, _x = prisms_apart(t, a, pa, qa, b, pb, qb, hold)
+                if s < hold:
+                    return False
     return True
 
 
@@ -69,23 +69,23 @@ def pair_holds(
     qb: wp.vec2,
 ):
     """True when objects a and b (global indices) neither collide nor stand in each other's hard zones."""
-    sa = t[0].solid_start[a]
-    sa1 = t[0].solid_start[a + 1]
-    sb = t[0].solid_start[b]
-    sb1 = t[0].solid_start[b + 1]
+    sa = item(t[0].solid_start, a)
+    sa1 = item(t[0].solid_start, a + 1)
+    sb = item(t[0].solid_start, b)
+    sb1 = item(t[0].solid_start, b + 1)
     if flags & PAIR_COLLIDE:
         if not apart(t, sa, sa1, t[0].solid, pose_a, qa, sb, sb1, t[0].solid, pose_b, qb, m.collision_hold, m.gate):
             return False
     if flags & PAIR_ZONE_OF_FIRST:
         if not apart(
-            t, t[0].zone_start[a], t[0].zone_start[a + 1], t[0].zone, pose_a, qa, sb, sb1, t[0].solid, pose_b, qb,
-            m.zone_hold, m.gate,
+            t, item(t[0].zone_start, a), item(t[0].zone_start, a + 1), t[0].zone, pose_a, qa, sb, sb1, t[0].solid,
+            pose_b, qb, m.zone_hold, m.gate,
         ):
             return False
     if flags & PAIR_ZONE_OF_SECOND:
         if not apart(
-            t, sa, sa1, t[0].solid, pose_a, qa, t[0].zone_start[b], t[0].zone_start[b + 1], t[0].zone, pose_b, qb,
-            m.zone_hold, m.gate,
+            t, sa, sa1, t[0].solid, pose_a, qa, item(t[0].zone_start, b), item(t[0].zone_start, b + 1), t[0].zone,
+            pose_b, qb, m.zone_hold, m.gate,
         ):
             return False
     return True
@@ -95,26 +95,26 @@ def pair_holds(
 def room_holds(t: TablesRef, m: Margins, p: wp.int32, o: wp.int32, pose: wp.vec4, q: wp.vec2):
     """True when object o (global index) is inside the room and clear of doors and windows."""
     at = plane_of(pose)
-    for k in range(t[0].plane_start[p], t[0].plane_start[p + 1]):
-        plane = t[0].plane[k]
+    for k in range(item(t[0].plane_start, p), item(t[0].plane_start, p + 1)):
+        plane = item(t[0].plane, k)
         n = wp.vec2(plane[0], plane[1])
-        for f in range(t[0].foot_start[o], t[0].foot_start[o + 1]):
-            a = t[0].foot[f]
-            for v in range(t[0].prism_start[a], t[0].prism_start[a + 1]):
-                if wp.dot(n, at + turn(q, t[0].vertex[v])) - plane[2] < m.bounds_hold:
+        for f in range(item(t[0].foot_start, o), item(t[0].foot_start, o + 1)):
+            a = item(t[0].foot, f)
+            for v in range(item(t[0].prism_start, a), item(t[0].prism_start, a + 1)):
+                if wp.dot(n, at + turn(q, item(t[0].vertex, v))) - plane[2] < m.bounds_hold:
                     return False
-    for k in range(t[0].fixture_start[p], t[0].fixture_start[p + 1]):
-        solid = t[0].fixture_kind[k] == FIXTURE_SOLID
-        if solid or t[0].object_clear[o] == 1:
+    for k in range(item(t[0].fixture_start, p), item(t[0].fixture_start, p + 1)):
+        solid = item(t[0].fixture_kind, k) == FIXTURE_SOLID
+        if solid or item(t[0].object_clear, o) == 1:
             hold = wp.where(solid, m.bounds_hold, m.zone_hold)
             if not apart(
-                t, t[0].solid_start[o], t[0].solid_start[o + 1], t[0].solid, pose, q, k, k + 1, t[0].fixture,
-                wp.vec4(0.0, 0.0, 0.0, 0.0), EAST, hold, m.gate,
+                t, item(t[0].solid_start, o), item(t[0].solid_start, o + 1), t[0].solid, pose, q, k, k + 1,
+                t[0].fixture, wp.vec4(0.0, 0.0, 0.0, 0.0), EAST, hold, m.gate,
             ):
                 return False
-    if pose[2] + t[0].object_z[o][1] > t[0].room_height[p] - m.bounds_hold:
+    if pose[2] + item(t[0].object_z, o)[1] > item(t[0].room_height, p) - m.bounds_hold:
         return False
-    return pose[2] + t[0].object_z[o][0] >= m.bounds_hold
+    return pose[2] + item(t[0].object_z, o)[0] >= m.bounds_hold
 
 
 @wp.func(inline=False)
@@ -138,11 +138,11 @@ def option_holds(
         qb = turns[candidate, ids[1]]
     if ids[2] >= 0:
         pose_c = poses[candidate, ids[2]]
-    for row in range(t[0].row_start[option], t[0].row_start[option + 1]):
+    for row in range(item(t[0].row_start, option), item(t[0].row_start, option + 1)):
         value, _g = feature(
             t, row, 0, o0 + ids[0], b, poses[candidate, ids[0]], turns[candidate, ids[0]], pose_b, qb, pose_c
         )
-        hold = t[0].row_hold[row]
+        hold = item(t[0].row_hold, row)
         if value < hold[0] or value > hold[1]:
             return False
     return True
@@ -166,8 +166,8 @@ def judge_objects(
     if open[candidate] == 0:
         return
     p = problem[candidate]
-    o0 = t[0].object_start[p]
-    n = t[0].object_start[p + 1] - o0
+    o0 = item(t[0].object_start, p)
+    n = item(t[0].object_start, p + 1) - o0
     if obj >= n:
         fault_out[candidate, obj] = wp.int8(0)
         return
@@ -178,14 +178,14 @@ def judge_objects(
     q = turns[candidate, obj]
     o = o0 + obj
     ok = room_holds(t, m, p, o, pose, q)
-    radius = t[0].object_radius[o]
-    row = t[0].pair_start[p] + obj * n
+    radius = item(t[0].object_radius, o)
+    row = item(t[0].pair_start, p) + obj * n
     for j in range(n):
-        flags = int(t[0].pair_flags[row + j])
+        flags = int(item(t[0].pair_flags, row + j))
         if ok and flags != 0:
             other = poses[candidate, j]
             v = plane_of(other) - plane_of(pose)
-            rj = t[0].object_radius[o0 + j]
+            rj = item(t[0].object_radius, o0 + j)
             far = wp.max(radius[0] + rj[1], radius[1] + rj[0])
             if wp.dot(v, v) < far * far:
                 ok = pair_holds(t, m, flags, o, pose, q, o0 + j, other, turns[candidate, j])
@@ -209,15 +209,15 @@ def judge_relations(
     if open[candidate] == 0:
         return
     p = problem[candidate]
-    r = t[0].relation_start[p] + rel
-    if r >= t[0].relation_start[p + 1]:
+    r = item(t[0].relation_start, p) + rel
+    if r >= item(t[0].relation_start, p + 1):
         holds_out[candidate, rel] = True
         return
     found = bool(False)
-    for option in range(t[0].option_start[r], t[0].option_start[r + 1]):
+    for option in range(item(t[0].option_start, r), item(t[0].option_start, r + 1)):
         if not found:
             found = option_holds(
-                t, t[0].object_start[p], t[0].relation_object[r], option, candidate, poses, turns
+                t, item(t[0].object_start, p), item(t[0].relation_object, r), option, candidate, poses, turns
             )
     holds_out[candidate, rel] = found
 
@@ -240,15 +240,15 @@ def judge_candidates(
         return
     p = problem[candidate]
     status = int(VALID)
-    r0 = t[0].relation_start[p]
-    for r in range(r0, t[0].relation_start[p + 1]):
+    r0 = item(t[0].relation_start, p)
+    for r in range(r0, item(t[0].relation_start, p + 1)):
         if not holds[candidate, r - r0]:
-            kind = t[0].relation_fault[r]
+            kind = item(t[0].relation_fault, r)
             if kind == UNMET and status == VALID:
                 status = UNMET
             if kind == BROKEN and status != DIVERGED:
                 status = BROKEN
-    for obj in range(t[0].object_start[p + 1] - t[0].object_start[p]):
+    for obj in range(item(t[0].object_start, p + 1) - item(t[0].object_start, p)):
         kind = int(fault[candidate, obj])
         if kind == DIVERGED:
             status = DIVERGED

@@ -6,7 +6,7 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.begin import Plan, begin
-from sceneweaver.kernels.cells import CELLS, CROWD
+from sceneweaver.kernels.cells import CELLS, CROWD, enter_cells
 from sceneweaver.kernels.search import search
 from sceneweaver.kernels.tables import State
 from sceneweaver.kernels.track import close, keep_best, proceed, set_turns, tick
@@ -16,16 +16,16 @@ from .batch import STATE, Batch, judge, new_court, sit
 from .launches import repeat_while
 from .starts import STARTS, launch_lanes
 
-ATTEMPTS = {"cpu": 10, "cuda": 30}
+ATTEMPTS = {"cpu": 10, "cuda": 40}
 AT_HOME = 3  # attempts from the given poses before anything is drawn anew
 LINGER = 2
 HOT = 0.3  # [m]
 HOT_AT_HOME = 0.05  # the same when little should move
 # A GPU tries many poses in the time of one, so that it needs fewer moves; measured on one H200 (docs/gpu.md).
-ROUNDS = {"cpu": 8, "cuda": 4}
-MOVES = {"cpu": 4, "cuda": 2}  # in a round, for each movable object
+ROUNDS = {"cpu": 8, "cuda": 2}
+MOVES = {"cpu": 4, "cuda": 3}  # in a round, for each movable object
 PROPOSALS = {"cpu": 5, "cuda": 15}
-POLISH = {"cpu": 6, "cuda": 2}
+POLISH = {"cpu": 6, "cuda": 1}
 TRIES = {"cpu": 3, "cuda": 4}  # step lengths of one gradient step
 
 
@@ -52,10 +52,10 @@ def _with_cells(batch: Batch) -> State:
     return state
 
 
-@register("search", modules=("begin", "search"))
+@register("search", modules=("begin", "cells", "search"))
 def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
     """Search every candidate until it is valid; ``budget`` is the number of attempts (default 10, on a
-    GPU, whose attempts are shorter, 30).
+    GPU, whose attempts are shorter, 40).
 
     The first attempt begins as ``start`` says, later ones by drawing from the relations. A candidate that never gets
     valid ends at the lowest energy found. On a GPU the whole run is one graph: nothing comes back to the host until
@@ -81,6 +81,8 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
         """One round of every open candidate."""
         common = [batch.tables, batch.margins, batch.weights, plan, batch.problem, open_, clock]
         launch_lanes(begin, batch, common, [state])
+        if batch.objects > CROWD:
+            wp.launch(enter_cells, batch.size, [batch.tables, batch.problem, open_], [state], device=device)
         launch_lanes(search, batch, common, [state, energy, total])
         wp.launch(
             keep_best,

@@ -34,6 +34,7 @@ WEIGHTS = {
     "pull": 0.0,
     "knee": 0.05,
 }
+SQUARE = 1.0e-6  # [m] by which a rectangle may be off
 
 
 def margins() -> k.Margins:
@@ -71,6 +72,7 @@ class _Prisms:
         self.start = [0]
         self.z: list[tuple[float, float]] = []
         self.disc: list[tuple[float, float, float]] = []
+        self.box: list[tuple[float, float, float, float]] = []
         self.vertex: list[np.ndarray] = []
         self.edge: list[np.ndarray] = []
         self.real: list[int] = []
@@ -86,6 +88,11 @@ class _Prisms:
         self.start.append(self.start[-1] + len(v))
         self.z.append(prism.z)
         self.disc.append((*centre, reach_of([v - centre])))
+        half = 0.5 * np.ptp(v, axis=0)
+        real = all(prism.real or (True,))
+        box = real and len(v) == 4 and bool(np.all(np.abs(np.abs(v - centre) - half) <= SQUARE))
+        half = np.maximum(half, SQUARE) * (1.0 if box else -1.0, 1.0 if real else -1.0)
+        self.box.append((*centre, *half))
         self.vertex.append(v)
         self.edge.append(np.c_[out, np.sum(out * v, axis=1)])
         self.real += [int(r) for r in (prism.real or (True,) * len(v))]
@@ -139,7 +146,7 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
     relation_weight: list[float] = []
     relation_fault: list[int] = []
     relation_rigid: list[int] = []
-    fields: dict[str, list] = {n: [] for n in ("feature", "point", "normal", "offset", "prism", "aim", "hold", "scale")}
+    fields: dict[str, list] = {n: [] for n in ("feature", "frame", "aim", "prism", "hold")}
 
     def table(shapes: Sequence[Prism]) -> list[int]:
         return [prisms.add(s) for s in shapes]
@@ -186,13 +193,10 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
             for rows in rel.options:
                 for r in rows:
                     fields["feature"].append(r.feature)
-                    fields["point"].append(r.point)
-                    fields["normal"].append(r.normal)
-                    fields["offset"].append(r.offset)
+                    fields["frame"].append((*r.normal, *r.point))
+                    fields["aim"].append((*r.aim, r.offset, r.scale))
                     fields["prism"].append(-1 if r.polygon is None else prisms.add(Prism(r.polygon, (0.0, 0.0))))
-                    fields["aim"].append(r.aim)
                     fields["hold"].append(r.hold)
-                    fields["scale"].append(r.scale)
                 row.add(rows)
             option.add(range(first, len(row.start) - 1))
         object_start.append(object_start[-1] + n)
@@ -260,16 +264,14 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
         ("object_z", wp.vec2, heights),
         ("prism_z", wp.vec2, prisms.z),
         ("prism_disc", wp.vec3, prisms.disc),
+        ("prism_box", wp.vec4, prisms.box),
         ("vertex", wp.vec2, np.concatenate(prisms.vertex) if prisms.vertex else []),
         ("edge", wp.vec3, np.concatenate(prisms.edge) if prisms.edge else []),
         ("plane", wp.vec3, plane.values),
         ("relation_weight", wp.float32, relation_weight),
-        ("row_point", wp.vec2, fields["point"]),
-        ("row_normal", wp.vec2, fields["normal"]),
-        ("row_offset", wp.float32, fields["offset"]),
-        ("row_aim", wp.vec2, fields["aim"]),
+        ("row_frame", wp.vec4, fields["frame"]),
+        ("row_aim", wp.vec4, fields["aim"]),
         ("row_hold", wp.vec2, fields["hold"]),
-        ("row_scale", wp.float32, fields["scale"]),
     ):
         setattr(t, name, floats(values, dtype))
     t.pool_size = len(next((entries for decks_ in pools or () for entries in decks_), ()))
