@@ -215,6 +215,117 @@ def examples(as_json: Json = False) -> int:
     return run_examples(as_json=as_json)
 
 
+assets = typer.Typer(name="assets", help="Furniture: draw it, show it, import other people's.")
+app.add_typer(assets)
+
+StorePath = Annotated[
+    Path | None,
+    typer.Option("--store", metavar="DIR", help="The asset store (default: $SCENEWEAVER_ASSETS, or the user's cache).",
+                 show_default=False),
+]  # fmt: skip
+Allow = Annotated[
+    list[str] | None,
+    typer.Option("--license-allow", metavar="NAME", help="Only assets of this licence; may be given several times.",
+                 show_default=False),
+]  # fmt: skip
+
+
+@assets.command("list")
+def assets_list(
+    store: StorePath = None,
+    source: Annotated[str | None, typer.Option(help="Only of this source.", show_default=False)] = None,
+    license_allow: Allow = None,
+    as_json: Json = False,
+) -> int:
+    """List what can be drawn and what the store holds."""
+    from .assets import run_list
+
+    return run_list(store=store, source=source, allow=license_allow or [], as_json=as_json)
+
+
+@assets.command("show")
+def assets_show(
+    id: Annotated[str, typer.Argument(metavar="ID|NOUN", help="An asset's id, or a word for it.", show_default=False)],
+    store: StorePath = None,
+    seed: Seed = 0,
+    picture: Annotated[
+        Path | None, typer.Option(metavar="PNG", help="Draw it as well.", show_default=False)
+    ] = None,
+    as_json: Json = False,
+) -> int:
+    """Say all about one asset: size, surfaces, zones, parts, licence."""
+    from .assets import run_show
+
+    return run_show(id, store=store, seed=seed, picture=picture, as_json=as_json)
+
+
+@assets.command("sheet")
+def assets_sheet(
+    out: Annotated[Path, typer.Option("--out", "-o", metavar="PNG", help="The picture.", show_default=False)],
+    names: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[CATEGORY|ID]...", help="What to draw (default: every category).", show_default=False),
+    ] = None,
+    seeds: Annotated[int, typer.Option(min=1, max=100, help="Variants of each category.")] = 1,
+    columns: Annotated[int, typer.Option(min=1, max=40, help="Pictures in a row.")] = 8,
+    tile: Annotated[int, typer.Option(min=32, max=1024, help="Pixels of a picture.")] = 240,
+    view: Annotated[str, typer.Option(metavar="corner|front|side|top", help="Where it is seen from.")] = "corner",
+    store: StorePath = None,
+    device: Device = "cpu",
+) -> int:
+    """Draw a labelled contact sheet."""
+    from .assets import run_sheet
+
+    return run_sheet(names or [], out, seeds=seeds, columns=columns, tile=tile, view=view, store=store,
+                     device="cuda" if device == "cuda:all" else "cpu" if device == "auto" else device)  # fmt: skip
+
+
+@assets.command("import")
+def assets_import(
+    source: Annotated[Path, typer.Argument(metavar="PATH", help="A mesh file, or a folder.", show_default=False)],
+    kind: Annotated[
+        str, typer.Option("--format", metavar="auto|folder|objathor|3d-future|hssd|abo|mjcf|metascenes",
+                          help="What kind of library the folder is."),
+    ] = "auto",
+    store: StorePath = None,
+    category: Annotated[str | None, typer.Option(help="What they are.", show_default=False)] = None,
+    up: Annotated[str | None, typer.Option(metavar="AXIS", help="Their up axis, such as y.", show_default=False)] = None,
+    front: Annotated[str | None, typer.Option(metavar="AXIS", help="Their front, such as -z.", show_default=False)] = None,
+    unit: Annotated[
+        float | None, typer.Option(metavar="METRES", help="Metres per unit, such as 0.01.", show_default=False)
+    ] = None,
+    licence: Annotated[str | None, typer.Option("--license", help="Their licence.", show_default=False)] = None,
+    license_allow: Allow = None,
+    time_limit: Annotated[float, typer.Option(callback=_seconds, help="Seconds for each piece of native work.")] = 60.0,
+    limit: Annotated[int | None, typer.Option(min=1, help="Stop after this many.", show_default=False)] = None,
+    as_json: Json = False,
+) -> int:  # fmt: skip
+    """Bring meshes into the store: unit, axes, front, collision parts and surfaces."""
+    from .assets import run_import
+
+    return run_import(
+        source, kind=kind, store=store, category=category, up=up, front=front, unit=unit, licence=licence,
+        allow=license_allow or [], time_limit=time_limit, limit=limit, as_json=as_json,
+    )  # fmt: skip
+
+
+@assets.command("infinigen")
+def assets_infinigen(
+    names: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[CATEGORY]...", help="What to make (default: eight common pieces).", show_default=False),
+    ] = None,
+    seeds: Annotated[int, typer.Option(min=1, max=1000, help="Variants of each category.")] = 1,
+    store: StorePath = None,
+    time_limit: Annotated[float, typer.Option(callback=_seconds, help="Seconds for each generator.")] = 300.0,
+    as_json: Json = False,
+) -> int:
+    """Make furniture with Infinigen's generators, in an environment of their own."""
+    from .assets import run_infinigen
+
+    return run_infinigen(names or [], seeds=seeds, store=store, time_limit=time_limit, as_json=as_json)
+
+
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code; ``argv`` is without the program's name."""
     args = list(sys.argv[1:] if argv is None else argv)

@@ -54,27 +54,46 @@ def _decompose(arrays: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
 
 
 def _simplify(arrays: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Quadric edge collapse, one material at a time."""
-    import fast_simplification
-
+    """Quadric edge collapse, one material at a time; what resists (loose triangles) is snapped to a grid."""
     vertices, faces, groups = [], [], []
     start = 0
     target, total = int(arrays["target"]), len(arrays["faces"])
     for group in np.unique(arrays["groups"]):
         mine = arrays["faces"][arrays["groups"] == group]
-        used, packed = np.unique(mine, return_inverse=True)
-        points, triangles = arrays["vertices"][used], packed.reshape(-1, 3)
+        points, triangles = _welded(arrays["vertices"], mine, 1e-6)
         goal = max(12, int(target * len(mine) / total))
         if len(triangles) > goal:
-            share = 1.0 - goal / len(triangles)
-            points, triangles = fast_simplification.simplify(
-                points.astype(np.float32), triangles.astype(np.int32), target_reduction=min(0.9999, share)
-            )[:2]
-        vertices.append(np.asarray(points, dtype=np.float64))
-        faces.append(np.asarray(triangles, dtype=np.int64) + start)
+            points, triangles = _collapsed(points, triangles, goal)
+        step = 2e-3
+        while len(triangles) > 1.02 * goal and step < 0.2:
+            points, triangles = _welded(points, triangles, step)
+            step *= 1.3
+        vertices.append(points)
+        faces.append(triangles + start)
         groups.append(np.full(len(triangles), group))
         start += len(points)
     return {"vertices": np.concatenate(vertices), "faces": np.concatenate(faces), "groups": np.concatenate(groups)}
+
+
+def _collapsed(points: np.ndarray, triangles: np.ndarray, goal: int) -> tuple[np.ndarray, np.ndarray]:
+    import fast_simplification
+
+    share = min(0.9999, 1.0 - goal / len(triangles))
+    made = fast_simplification.simplify(points.astype(np.float32), triangles.astype(np.int32), target_reduction=share)
+    return np.asarray(made[0], dtype=np.float64), np.asarray(made[1], dtype=np.int64)
+
+
+def _welded(points: np.ndarray, triangles: np.ndarray, step: float) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices of one grid cell (``step`` of the largest extent) as one, and what is left of the triangles."""
+    used, packed = np.unique(triangles, return_inverse=True)
+    points, triangles = points[used], packed.reshape(-1, 3)
+    cell = np.round((points - points.min(axis=0)) / (step * max(float(np.ptp(points, axis=0).max()), 1e-12)))
+    _, first, joined = np.unique(cell, axis=0, return_index=True, return_inverse=True)
+    triangles = joined.reshape(-1)[triangles]
+    a, b, c = triangles.T
+    triangles = triangles[(a != b) & (b != c) & (c != a)]
+    _, once = np.unique(np.sort(triangles, axis=1), axis=0, return_index=True)
+    return points[first], triangles[np.sort(once)].astype(np.int64)
 
 
 TASKS = {"decompose": _decompose, "simplify": _simplify}

@@ -29,6 +29,8 @@ def sweep_hulls(
     path: np.ndarray, section: float | np.ndarray, segments: int = 10, closed: bool = False
 ) -> list[Shape]:
     """The convex parts of a sweep: one hull for each stretch that is straight, or nearly so."""
+    if len(path) == 2 and not closed:
+        return [sweep(path, section, segments)]  # convex itself
     rings = _rings(np.asarray(path, dtype=np.float64), _section(section, segments), closed)
     n = len(rings)
     ends = range(n if closed else n - 1)

@@ -177,8 +177,12 @@ def daybed(b: Builder) -> None:
             inner = (long[0] + t, long[1] - t)
             b.box(inner if along_x else xs, ys if along_x else inner, (rise - 0.06, rise), wood, bevel=0.006)
             if panel:
-                b.box(inner if along_x else (xs[0] + 0.01, xs[1] - 0.01), (ys[0] + 0.01, ys[1] - 0.01) if along_x else inner,
-                      (rail - 0.04, rise - 0.06), wood)  # fmt: skip
+                b.box(
+                    inner if along_x else (xs[0] + 0.01, xs[1] - 0.01),
+                    (ys[0] + 0.01, ys[1] - 0.01) if along_x else inner,
+                    (rail - 0.04, rise - 0.06),
+                    wood,
+                )
             else:
                 slats(
                     b,
@@ -255,5 +259,5 @@ def mattress(b: Builder) -> None:
                 b.box((at - 0.045, at + 0.045), y, (0.06, 0.08), wood)
     top = low + min(0.2, h - low - 0.1)
     bedding(b, (x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), (low, top), pillows=1 if w < 1.2 else 2,
-            rail=low + 0.03, overhang=0.018)  # fmt: skip
+            rail=low + 0.03, overhang=0.018, thick=0.13)  # fmt: skip
     b.fit()

@@ -13,8 +13,9 @@ from .seating_parts import pillow, ring_shape
 
 Finish = Material | str
 
-SHEETS = ("white fabric", "beige fabric", "white fabric", "grey fabric")
-BLANKETS = ("@fabric",)
+SHEETS = ("white fabric", "beige fabric", "white fabric")
+BLANKETS = ("blue fabric", "navy fabric", "green fabric", "mustard fabric", "rust fabric", "rose fabric", "grey fabric",
+            "charcoal fabric", "red fabric")  # fmt: skip
 
 
 def bedding(
@@ -66,7 +67,7 @@ def head_pillows(
     w = y[1] - y[0]
     wide = min(0.78 if count == 2 else 0.66, (w - 0.06) / count - 0.03)
     middle = (y[0] + y[1]) / 2
-    double = b.chance("double pillows", 0.5) and depth > 0.4
+    double = b.chance("double pillows", 0.6) and thick > 0.145
     with b.solid(f"{group} pillows"):
         for k in range(count):
             at = middle + (k - (count - 1) / 2) * (wide + 0.04)

@@ -68,7 +68,7 @@ def laundry_sink(b: Builder) -> None:
                  rounded(x, y, 0.03, h - 0.03), rounded(x, y, 0.03, h)]  # fmt: skip
         inner = [rounded((x[0] + 0.1, x[1] - 0.035), (y[0] + 0.035, y[1] - 0.035), 0.04, h),
                  rounded((x[0] + 0.11, x[1] - 0.065), (y[0] + 0.065, y[1] - 0.065), 0.05, h - deep + 0.015)]  # fmt: skip
-        vessel(b, outer, inner, tub, (0, 3, 4, 7, 8, 11, 12, 15, 16))
+        vessel(b, outer, inner, tub, 16)
         with b.frame(0.02, 0.0, h - deep + 0.0145):
             b.frustum(0.035, 0.033, (0.0, 0.004), "chrome", segments=18)
     with b.solid("legs"):
@@ -183,31 +183,29 @@ def laundry_basket(b: Builder) -> None:
     """A tapered basket with rows of slots, a rolled rim with grips, and clothes in it."""
     d, w, h = b.size
     look = b.material("body", "white plastic", "grey plastic", "blue plastic", "wicker", "rattan")
-    full = b.chance("full", 0.7)
     with b.solid("basket"):
         def ring(f: float, z: float, t: float = 0.0):
             return oval(d / 2 * f - t, w / 2 * f - t, z, power=4.0)
 
-        rim = h - (0.05 if full else 0.0)
+        rim = h - 0.05
         vessel(b, [ring(0.78, 0.0), ring(0.95, rim - 0.03), ring(1.0, rim - 0.025), ring(1.0, rim)],
-               [ring(0.93, rim), ring(0.76, 0.01)], look)  # fmt: skip
+               [ring(0.93, rim), ring(0.75, 0.012)], look, 32)  # fmt: skip
         dark = "white plastic" if look.name != "white plastic" else "grey plastic"
         for s in (-1, 1):
-            for j in range(3):
-                z = 0.06 + j * (rim - 0.11) / 3
+            for j in range(2):
+                z = 0.06 + j * (rim - 0.11) / 2
                 f = 0.78 + 0.17 * (z / (rim - 0.03))
-                for k in range(7):
-                    a = (k - 3) * w * 0.085
+                for k in range(5):
+                    a = (k - 2) * w * 0.085
                     b.hull([(s * (d / 2 * (f + e) + o), a + q * 0.012, z + u) for e, u in ((0.0, 0.0), (0.17 * 0.035 / (rim - 0.03), 0.035))
                             for o in (-0.009, 0.0009) for q in (-1, 1)], dark)  # fmt: skip
-        if full:
-            cloths = ("white fabric", "blue fabric", "rose fabric", "mustard fabric", "grey fabric", "green fabric")
-            b.cushion((-d * 0.42, d * 0.42), (-w * 0.43, w * 0.43), (0.05, rim - 0.01), "white fabric", radius=0.05)
-            spots = ((-0.17, -0.24), (0.14, -0.2), (-0.1, 0.05), (0.16, 0.1), (-0.14, 0.27), (0.13, 0.28))
-            for k, (px, py) in enumerate(spots):
-                up = h if k == 2 else rim + b.uniform(f"up {k}", 0.012, 0.045)
-                with b.frame(px * d, py * w, 0.0):
-                    b.cushion((-0.105, 0.105), (-0.11, 0.11), (rim - 0.07, up), b.pick(f"cloth {k}", cloths), radius=0.03, puff=0.4)
+        cloths = ("white fabric", "blue fabric", "rose fabric", "mustard fabric", "grey fabric", "green fabric")
+        b.cushion((-d * 0.42, d * 0.42), (-w * 0.43, w * 0.43), (0.05, rim - 0.01), "white fabric", radius=0.05)
+        spots = ((-0.17, -0.24), (0.14, -0.2), (-0.1, 0.05), (0.16, 0.1), (-0.14, 0.27), (0.13, 0.28))
+        for k, (px, py) in enumerate(spots):
+            up = h if k == 2 else rim + b.uniform(f"up {k}", 0.012, 0.045)
+            with b.frame(px * d, py * w, 0.0):
+                b.cushion((-0.105, 0.105), (-0.11, 0.11), (rim - 0.07, up), b.pick(f"cloth {k}", cloths), radius=0.03, puff=0.4)
     b.fit()
 
 
@@ -228,7 +226,8 @@ def water_heater(b: Builder) -> None:
             b.box((-d / 2, x - 0.1), (-w * 0.3, w * 0.3), (z - 0.02, z + 0.02), "steel", bevel=0)
         f = d / 2
         b.box((f - 0.06, f - 0.0005), (-0.062, 0.062), (z0 + 0.09, z0 + 0.2), "grey plastic", bevel=0.01)
-        knob(b, f - 0.0015, -0.02, z0 + 0.135, "black plastic", 0.022, 0.0015)
+        with b.frame(f - 0.0015, -0.02, z0 + 0.135, pitch=math.pi / 2):
+            b.frustum(0.024, 0.022, (0.0, 0.0015), "black plastic", segments=18)
         b.box((f - 0.002, f), (0.02, 0.045), (z0 + 0.165, z0 + 0.175), "lamp glow", bevel=0)
         for y, look in ((-0.09, "blue plastic"), (0.09, "red plastic")):
             b.bar((x, y, 0.0), (x, y, z0 + 0.01), 0.011, "copper", 10)
@@ -337,10 +336,6 @@ def cleaning_cart(b: Builder) -> None:
     for k, z in enumerate(zs):
         with b.solid("base" if k == 0 else f"shelf {k}"):
             b.box((-x, x), ys if k else (y0, w / 2 - 0.02), (z - 0.035, z), body, bevel=0.005)
-            if k == 2:
-                for s in (-1, 1):
-                    b.box((s * (x - 0.008) - 0.008, s * (x - 0.008) + 0.008), ys, (z, z + 0.05), body, bevel=0.003)
-                b.box((-x + 0.016, x - 0.016), (y0, y0 + 0.016), (z, z + 0.05), body, bevel=0.003)
     with b.solid("end"):
         for s in (-1, 1):
             b.box((s * (x - 0.03) - 0.018, s * (x - 0.03) + 0.018), (y0 + 0.02, y0 + 0.05), (0.16, h - 0.19), "grey plastic")
@@ -356,7 +351,7 @@ def cleaning_cart(b: Builder) -> None:
         b.bar((-0.2, w / 2 - 0.012, h - 0.012), (0.2, w / 2 - 0.012, h - 0.012), 0.012, "grey plastic", 10)
         for s in (-1, 1):
             b.bar((s * 0.19, w / 2 - 0.012, h - 0.012), (s * 0.19, m + 0.05, h - 0.15), 0.011, "grey plastic", 8)
-    with b.solid("shelf 2"):
+    with b.solid("bottles"):
         tools = ("red plastic", "yellow plastic", "blue plastic", "green plastic", "pink plastic")
         z = zs[2]
         for k in range(4):

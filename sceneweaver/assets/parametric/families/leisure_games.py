@@ -168,7 +168,7 @@ def air_hockey(b: Builder) -> None:
         for s in (-1, 1):
             b.box((x - 0.09, x) if s > 0 else (-x, -x + 0.09), (-y, y), (z - 0.08, h), case, 0.02)
             b.box((-x + 0.08, x - 0.08), (y - 0.09, y) if s > 0 else (-y, -y + 0.09), (z - 0.08, h), case, 0.02)
-            inlay(b, (-0.17, 0.17), (s * (y - 0.09) - 0.0003, s * (y - 0.09) + 0.0003), (z, z + 0.035), "black plastic")
+            inlay(b, (-0.17, 0.17), (s * (y - 0.09) - 0.0003, s * (y - 0.09) + 0.0003), (z, z + 0.028), "black plastic")
             inlay(b, (-x + 0.09, x - 0.09), (s * y * 0.35 - 0.006, s * y * 0.35 + 0.006), (z - 0.01, z + 0.0003), "blue plastic")
             disc(b, (0.12 * s, s * y * 0.6, z + 0.01), 0.048, 0.02, "red plastic", "z", 24, 0.004)
             disc(b, (0.12 * s, s * y * 0.6, z + 0.03), 0.02, 0.04, "red plastic", "z", 16, 0.006)

@@ -203,7 +203,7 @@ def guitar_on_stand(b: Builder) -> None:
                  (0.0005, 0.0023), "black plastic")  # fmt: skip
         b.box((-0.02, 0.0), (-0.028, 0.028), (bl - 0.06, long * 0.86), "mahogany", 0.004)
         b.box((0.0, 0.008), (-0.026, 0.026), (bl * 0.74, long * 0.86), "wenge", 0.0)
-        for k in range(12):
+        for k in range(1, 12):
             z = long * 0.86 - (long * 0.86 - bl * 0.78) * (1 - 0.9**k) / (1 - 0.9**12)
             inlay(b, (0.007, 0.0083), (-0.026, 0.026), (z - 0.001, z + 0.001), "brass")
         face(b, [(-0.028, long * 0.86), (0.028, long * 0.86), (0.038, long), (-0.038, long)], (-0.018, 0.0), sides_)

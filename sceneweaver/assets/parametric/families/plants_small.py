@@ -47,7 +47,9 @@ def cactus(b: Builder) -> None:
             for n in range(5):
                 a = n * 1.257
                 with b.frame(0, 0, h - 0.02, yaw=a):
-                    b.add(_petal(0.03, 0.016, 0.5), b.material("flower", "pink petal", "red petal", "yellow petal"))
+                    petal = _petal(0.03, 0.016, 0.5)
+                    look = b.material("flower", "pink petal", "red petal", "yellow petal")
+                    b.add(petal, look, [shapes.hull(petal[0])])
             b.ball((0.006, 0.006, 0.006), (0, 0, h - 0.006), "yellow petal", 8)
             return
         thick = min(r * 0.36, high * 0.16)

@@ -60,8 +60,13 @@ def dining_chair(b: Builder) -> None:
         if style == "upholstered":
             angle = math.atan2(lean, h - seat)
             with b.frame(x, 0, seat - 0.02, pitch=-angle):
-                b.cushion((-0.03, 0.03), (-w / 2 + 0.005, w / 2 - 0.005), (0.0, (h - seat + 0.02) / math.cos(angle)), cover,
-                          radius=0.028)  # fmt: skip
+                b.cushion(
+                    (-0.03, 0.03),
+                    (-w / 2 + 0.005, w / 2 - 0.005),
+                    (0.0, (h - seat + 0.02) / math.cos(angle)),
+                    cover,
+                    radius=0.028,
+                )
             b.fit()
             return
         _posts(b, x, w, seat, h, wood, lean)
@@ -82,8 +87,13 @@ def dining_chair(b: Builder) -> None:
             for k in range(5):
                 y = inner * (-0.72 + 0.36 * k)
                 bow = 1 - (y / inner) ** 2
-                b.bar((at(seat + 0.13) - 0.012 * bow, y, seat + 0.13), (at(h - 0.07) - 0.02 * bow, y, h - 0.07), 0.007, wood,
-                      segments=8)  # fmt: skip
+                b.bar(
+                    (at(seat + 0.13) - 0.012 * bow, y, seat + 0.13),
+                    (at(h - 0.07) - 0.02 * bow, y, h - 0.07),
+                    0.007,
+                    wood,
+                    segments=8,
+                )
         elif style == "ladder":
             for k in range(2 if h < 0.92 else 3):
                 rail(h - 0.045 - (k + 1) * 0.115, 0.055)
@@ -177,8 +187,19 @@ def chair(b: Builder) -> None:
     else:
         wood = b.material("frame", *_WOODS)
         with b.solid("seat"):
-            b.extrude([(-d / 2 + 0.04, -w * 0.4), (d / 2 - 0.02, -w / 2), (d / 2, -w / 2 + 0.03), (d / 2, w / 2 - 0.03),
-                       (d / 2 - 0.02, w / 2), (-d / 2 + 0.04, w * 0.4)], (seat - 0.028, seat), wood, bevel=0.006)  # fmt: skip
+            b.extrude(
+                [
+                    (-d / 2 + 0.04, -w * 0.4),
+                    (d / 2 - 0.02, -w / 2),
+                    (d / 2, -w / 2 + 0.03),
+                    (d / 2, w / 2 - 0.03),
+                    (d / 2 - 0.02, w / 2),
+                    (-d / 2 + 0.04, w * 0.4),
+                ],
+                (seat - 0.028, seat),
+                wood,
+                bevel=0.006,
+            )
             splayed(
                 b,
                 (-d / 2 + 0.01, d / 2 - 0.01),
@@ -215,8 +236,12 @@ def school_chair(b: Builder) -> None:
     y, x0, x1 = w / 2 - r, -d / 2, d / 2
     with b.solid("seat"):
         for s in (-1, 1):
-            path = [(x1 - 0.03, s * y, 0), (x1 - 0.07, s * (y - 0.03), seat - 0.06), (x1 - 0.1, s * (y - 0.03), seat - 0.025),
-                    (x0 + 0.12, s * (y - 0.03), seat - 0.025)]  # fmt: skip
+            path = [
+                (x1 - 0.03, s * y, 0),
+                (x1 - 0.07, s * (y - 0.03), seat - 0.06),
+                (x1 - 0.1, s * (y - 0.03), seat - 0.025),
+                (x0 + 0.12, s * (y - 0.03), seat - 0.025),
+            ]
             b.tube(path, r, metal, 8)
             b.bar((x0 + 0.02, s * y, 0), (x0 + 0.15, s * (y - 0.03), seat - 0.03), r, metal, 8)
         b.bar((x0 + 0.16, -y + 0.03, seat - 0.027), (x0 + 0.16, y - 0.03, seat - 0.027), r * 0.8, metal, 8)
@@ -355,14 +380,17 @@ def high_chair(b: Builder) -> None:
         b.cushion((-0.03, 0.015), (-0.17, 0.17), (0.0, h - seat + 0.02), body, radius=0.022)
         b.cushion((0.01, 0.03), (-0.13, 0.13), (0.03, h - seat - 0.06), b.material("pad", "@fabric"), radius=0.01)
     for s in (-1, 1):
-        with b.solid("sides"):
+        with b.solid(f"side {s}"):
             b.cushion((-0.19, 0.12), (s * 0.17 - 0.02, s * 0.17 + 0.02), (seat - 0.02, seat + 0.17), body, radius=0.018)
     with b.solid("tray"):
         z = seat + 0.17
         b.cushion((-0.02, 0.27), (-0.225, 0.225), (z, z + 0.02), "white plastic", radius=0.01)
-        for xs, ys in (((0.25, 0.27), (-0.2, 0.2)), ((0.0, 0.26), (0.205, 0.225)), ((0.0, 0.26), (-0.225, -0.205))):
-            b.box(xs, ys, (z + 0.01, z + 0.035), "white plastic", bevel=0.006)
         b.bar((0.1, 0, seat + 0.01), (0.12, 0, z + 0.005), 0.016, body, 8)
+    for k, (xs, ys) in enumerate(
+        (((0.25, 0.27), (-0.2, 0.2)), ((0.0, 0.26), (0.205, 0.225)), ((0.0, 0.26), (-0.225, -0.205)))
+    ):
+        with b.solid(f"lip {k}"):
+            b.box(xs, ys, (z + 0.01, z + 0.035), "white plastic", bevel=0.006)
     b.surface("tray", (0.03, 0.235), (-0.19, 0.19), z + 0.02)
     b.fit()
 
@@ -376,7 +404,7 @@ def rocking_chair(b: Builder) -> None:
     seat = 0.43
     y = w / 2 - 0.03
     angle = np.linspace(-1, 1, 9)
-    runner = [(s * d / 2, 0.022 + 0.11 * s * s) for s in angle]
+    runner = [(s * d / 2, 0.022 + 0.3 * max(0.0, abs(s) - 0.45) ** 2) for s in angle]
     section = np.array([(0.016, 0.022), (-0.016, 0.022), (-0.016, -0.022), (0.016, -0.022)])
     for s in (-1, 1):
         ya = s * y

@@ -5,12 +5,27 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ...body import Material
+from ...materials import finish
 from ..builder import Builder, Interval
 from ..registry import draws
 from .seating_parts import pillow, splayed
 
 _COVERS = ("@fabric", "brown leather", "tan leather", "black leather")
-_THROWS = ("@fabric",)
+_THROWS = (
+    "beige fabric",
+    "mustard fabric",
+    "rust fabric",
+    "white fabric",
+    "navy fabric",
+    "green fabric",
+    "rose fabric",
+)
+
+
+def _contrast(cover: Material) -> tuple[str, ...]:
+    """Cloths for loose things that do not vanish on the cover."""
+    return tuple(name for name in _THROWS if max(
+        abs(a - c) for a, c in zip(finish(name).material.color, cover.color, strict=True)) > 0.2)  # fmt: skip
 
 
 class _Look(NamedTuple):
@@ -105,12 +120,12 @@ def _seats(
                         b.ball((0.009, 0.013, 0.013), (thick - 0.023, yb, high * row), cover, segments=8)
         start = front + 0.035 + thick + 0.01
         if k in pillows:
-            throw = b.material(f"pillow {k % 2}", *_THROWS)
+            throw = b.material(f"pillow {k % 2}", *_contrast(cover))
             where = ys[0] + 0.24 if k == 0 else ys[1] - 0.24
             turn = 0.25 if k == 0 else -0.25
             with b.solid(f"pillow {k}"):
                 tilt = 1.15
-                with b.frame(start + 0.005, where, look.seat + 0.2, yaw=-turn, pitch=-tilt):
+                with b.frame(start + 0.005, where, look.seat + 0.2, yaw=-turn, pitch=tilt):
                     pillow(b, 0.42, 0.42, 0.13, throw, lift=-0.1)
             start += 0.2
         b.surface(
@@ -188,7 +203,7 @@ def sectional_sofa(b: Builder) -> None:
             )
     b.surface("chaise", (front + 0.21, d / 2 - 0.06), (a + 0.06, c - 0.06), look.seat)
     if b.chance("throw", 0.5):
-        cloth = b.material("throw", *_THROWS)
+        cloth = b.material("throw", *_contrast(cover))
         with b.solid("throw"):
             xs = (d / 2 - 0.52, d / 2 - 0.2)
             b.box(xs, (a - 0.006, c + 0.006), (look.base - 0.02, look.seat + 0.008), cloth, bevel=0.012)
@@ -257,8 +272,8 @@ def sofa_bed(b: Builder) -> None:
             for k in range(5):
                 cx = x[0] + 0.24 + k * (d - 0.4) / 4
                 b.box((cx - 0.018, cx + 0.018), (ys[0] + 0.025, ys[1] - 0.025), (0.18, 0.6), wood, bevel=0.002)
-    throw = b.material("pillow", "@fabric")
-    with b.solid("pillow"), b.frame(x[0] + 0.39, y[1] - 0.26, seat + 0.19, pitch=-1.1, yaw=0.3):
+    throw = b.material("pillow", *_contrast(cover))
+    with b.solid("pillow"), b.frame(x[0] + 0.39, y[1] - 0.26, seat + 0.19, pitch=1.1, yaw=-0.3):
         pillow(b, 0.42, 0.42, 0.13, throw, lift=-0.06)
     b.fit()
 

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from ... import shapes
 from ..builder import Builder
 from ..registry import draws
 from .seating_parts import bent, pillow, shell
@@ -29,8 +30,20 @@ def waiting_bench(b: Builder) -> None:
         for s in (-1, 1):
             y = s * (w / 2 - 0.5 * step)
             b.box((-0.055, -0.005), (y - 0.025, y + 0.025), (0.04, beam - 0.03), metal, bevel=0.004)
-            b.hull([(px, y + t, z) for t in (-0.025, 0.025) for px, z in
-                    ((x0 + 0.04, 0.0), (x0 + 0.04, 0.02), (-0.03, 0.06), (x1 - 0.06, 0.02), (x1 - 0.06, 0.0))], metal)  # fmt: skip
+            b.hull(
+                [
+                    (px, y + t, z)
+                    for t in (-0.025, 0.025)
+                    for px, z in (
+                        (x0 + 0.04, 0.0),
+                        (x0 + 0.04, 0.02),
+                        (-0.03, 0.06),
+                        (x1 - 0.06, 0.02),
+                        (x1 - 0.06, 0.0),
+                    )
+                ],
+                metal,
+            )
     padded = body.name == "black leather"
     for k in range(count):
         y = -w / 2 + (k + 0.5) * step
@@ -53,8 +66,8 @@ def waiting_bench(b: Builder) -> None:
             else:
                 profile = [(x1, seat - 0.04), (x1 - 0.05, seat), (x1 - 0.2, seat - 0.012), (x0 + 0.24, seat - 0.03),
                            (x0 + 0.16, seat - 0.01)]  # fmt: skip
-                grid = bent(profile, [half] * 5, lambda _, s: (0.0, 0.015 * s * s), 5) + (0, y, 0)
-                shell(b, grid, 0.016, body, 4, 2)
+                grid = bent(profile, [half] * 5, lambda _, s: (0.0, 0.006 * s * s), 5) + (0, y, 0)
+                shell(b, grid, 0.016, body, 4, 1)
                 b.box((-0.1, 0.1), (y - 0.12, y + 0.12), (seat - 0.075, seat - 0.03), metal, bevel=0.004)
         with b.solid("backs"), b.frame(x0 + 0.19, y, seat - 0.02, pitch=-0.3):
             high = (h - seat + 0.02) / math.cos(0.3) - 0.01
@@ -62,8 +75,8 @@ def waiting_bench(b: Builder) -> None:
                 b.cushion((-0.03, 0.025), (-half, half), (0.03, high), body, radius=0.025)
             else:
                 grid = bent([(0.0, 0.0), (0.02, 0.14), (0.0, 0.3), (-0.02, high)], [half] * 4,
-                            lambda _, s: (0.03 * s * s, 0.0), 5)  # fmt: skip
-                shell(b, grid, 0.016, body, 3, 2)
+                            lambda _, s: (0.008 * s * s, 0.0), 5)  # fmt: skip
+                shell(b, grid, 0.016, body, 3, 1)
             b.box((-0.045, -0.002), (-0.03, 0.03), (-0.02, 0.2), metal, bevel=0.004)
     for k in range(count + 1):
         if b.style == "scandinavian" and 0 < k < count:
@@ -107,12 +120,12 @@ def egg_chair(b: Builder) -> None:
     # The egg: a wall about z, open to the front; thick enough to be seen as wicker.
     ex, ey = d / 2 - 0.075, r - 0.06
     rows = np.linspace(-0.97, 1.0, 12)
-    turn = np.linspace(0.72, 2 * math.pi - 0.72, 19)
+    turn = np.linspace(1.0, 2 * math.pi - 1.0, 19)
     opening = np.clip(1.0 - 0.85 * np.abs(rows) ** 2.5, 0.1, 1)
     grid = []
     for s, o in zip(rows, opening, strict=True):
         ring = max(0.06, math.sqrt(max(0.0, 1 - abs(s) ** 2.3)))
-        a = math.pi + (turn - math.pi) * (math.pi - 0.72 * o) / (math.pi - 0.72)
+        a = math.pi + (turn - math.pi) * (math.pi - 1.0 * o) / (math.pi - 1.0)
         grid.append(
             np.c_[0.0 + ex * ring * np.cos(a) + 0.01, ey * ring * np.sin(a), np.full(len(a), middle + s * half)]
         )
@@ -125,15 +138,16 @@ def egg_chair(b: Builder) -> None:
             centre = np.array([0.01, 0, middle])
             outward = path - centre
             outward[:, 2] = 0
-            b.tube(path + 0.006 * outward / (np.linalg.norm(outward, axis=1, keepdims=True) + 1e-9), 0.013, weave, 5)
+            outward /= np.linalg.norm(outward, axis=1, keepdims=True) + 1e-9
+            b.add(shapes.sweep(path + 0.004 * outward, 0.013, 5), weave, [])
         b.tube(grid[:, 0], 0.018, weave, 6)
         b.tube(grid[:, -1], 0.018, weave, 6)
         b.frustum(0.06, 0.06, (low - 0.005, low + 0.02), weave, segments=14)
         b.lathe([(0.3, low + 0.14), (0.37, low + 0.19), (0.37, low + 0.25), (0.33, low + 0.29)], cover, segments=24)
-        with b.frame(-0.2, 0, low + 0.52, pitch=-1.3):
+        with b.frame(-0.2, 0, low + 0.52, pitch=1.2):
             pillow(b, 0.5, 0.6, 0.2, cover, lift=-0.1)
         accent = b.material("pillow", "white fabric", "mustard fabric", "rust fabric", "green fabric")
-        with b.frame(-0.02, 0.1, low + 0.45, pitch=-1.15, yaw=0.2):
+        with b.frame(-0.02, 0.1, low + 0.45, pitch=1.05, yaw=0.2):
             pillow(b, 0.34, 0.4, 0.13, accent, lift=-0.06)
     b.fit()
 
@@ -184,6 +198,22 @@ def theater_seat(b: Builder) -> None:
     b.fit()
 
 
+def _hoop(b: Builder, rings: list[tuple[np.ndarray, float, str]], step: int = 2) -> None:
+    """Closed rings that lie side by side, with one collision part for every ``step`` of their stretches."""
+    points, drawn = [], []
+    for path, radius, material in rings:
+        shape = shapes.sweep(path, radius, 6, closed=True)
+        points.append(shape[0].reshape(len(path), -1, 3))
+        drawn.append((shape, material))
+    both = np.concatenate(points, axis=1)
+    count = len(both)
+    hulls = [
+        shapes.hull(both[[(k + i) % count for i in range(step + 1)]].reshape(-1, 3)) for k in range(0, count, step)
+    ]
+    for k, (shape, material) in enumerate(drawn):
+        b.add(shape, material, hulls if k == 0 else [])
+
+
 @draws("wheelchair")
 def wheelchair(b: Builder) -> None:
     """Two large spoked wheels with push rims, castors, a cloth seat and back, arms, handles, foot plates."""
@@ -196,7 +226,7 @@ def wheelchair(b: Builder) -> None:
     track = w / 2 - 0.06
     inner = track - 0.045
     n = 24
-    angle = (np.arange(n) + 0.5) * 2 * np.pi / n
+    angle = np.arange(n) * 2 * np.pi / n
     for s in (-1, 1):
         with b.solid(f"wheel {s}"):
             y = s * track
@@ -204,15 +234,15 @@ def wheelchair(b: Builder) -> None:
             def ring(r: float, yy: float) -> np.ndarray:
                 return np.c_[hub + r * np.cos(angle), np.full(n, yy), big + r * np.sin(angle)]
 
-            b.tube(ring(big - 0.014, y), 0.014, "rubber", 8, closed=True)
-            b.tube(ring(big - 0.034, y), 0.009, "aluminium", 6, closed=True)
-            b.tube(ring(big - 0.05, s * (w / 2 - 0.008)), 0.008, "chrome", 6, closed=True)
+            _hoop(b, [(ring(big - 0.014, y), 0.014, "rubber"), (ring(big - 0.034, y), 0.009, "aluminium")])
+            _hoop(b, [(ring(big - 0.05, s * (w / 2 - 0.008)), 0.008, "chrome")])
             with b.frame(hub, y, big, roll=math.pi / 2):
                 b.frustum(0.025, 0.025, (-0.035, 0.035), "aluminium", segments=12)
-            for k in range(10):
+            for k in range(5):
                 a = k * math.pi / 5
-                b.bar((hub, y, big), (hub + (big - 0.034) * math.cos(a), y, big + (big - 0.034) * math.sin(a)), 0.003,
-                      "aluminium", 4)  # fmt: skip
+                reach = np.array([(big - 0.034) * math.cos(a), 0.0, (big - 0.034) * math.sin(a)])
+                middle = np.array([hub, y, big])
+                b.bar(middle - reach, middle + reach, 0.003, "aluminium", 4)
             for a in (0.6, 2.2, 3.8, 5.4):
                 at = (hub + (big - 0.045) * math.cos(a), big + (big - 0.045) * math.sin(a))
                 b.bar((at[0], y, at[1]), (at[0], s * (w / 2 - 0.008), at[1]), 0.005, "aluminium", 5)

@@ -40,8 +40,13 @@ def stool(b: Builder) -> None:
                 b.lathe([(0.165, top + 0.01), (0.178, top + 0.022), (0.178, h - 0.012), (0.168, h)], cover, segments=28)
             else:
                 b.lathe([(0.15, top), (0.178, top + 0.012), (0.18, h - 0.008), (0.174, h)], wood, segments=28)
-            b.surface("top", (0, 0), (0, 0), h, polygon=[(0.15 * math.cos(k * math.pi / 4), 0.15 * math.sin(k * math.pi / 4))
-                                                         for k in range(8)])  # fmt: skip
+            b.surface(
+                "top",
+                (0, 0),
+                (0, 0),
+                h,
+                polygon=[(0.15 * math.cos(k * math.pi / 4), 0.15 * math.sin(k * math.pi / 4)) for k in range(8)],
+            )
         else:
             b.box((-0.18, 0.18), (-0.18, 0.18), (top, h), wood, bevel=0.008)
             b.surface("top", (-0.165, 0.165), (-0.165, 0.165), h)
@@ -149,8 +154,14 @@ def bench(b: Builder) -> None:
             b.box((-0.015, 0.015), (y[0] + 0.2, y[1] - 0.2), (0.55 * floor, 0.55 * floor + 0.06), wood)
         elif style == "metal":
             for cy in (inset[0], inset[1]):
-                ring = np.array([(x[0] + 0.03, cy, 0.0125), (x[1] - 0.03, cy, 0.0125), (x[1] - 0.03, cy, floor - 0.0125),
-                                 (x[0] + 0.03, cy, floor - 0.0125)])  # fmt: skip
+                ring = np.array(
+                    [
+                        (x[0] + 0.03, cy, 0.0125),
+                        (x[1] - 0.03, cy, 0.0125),
+                        (x[1] - 0.03, cy, floor - 0.0125),
+                        (x[0] + 0.03, cy, floor - 0.0125),
+                    ]
+                )
                 square = 0.0125 * np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)])
                 b.tube(ring, square, under, closed=True)
         else:
@@ -178,8 +189,12 @@ def storage_bench(b: Builder) -> None:
                 n = 2 if w < 1.1 else 3
                 step = w / n
                 ya, yb = y[0] + k * step + 0.05, y[0] + (k + 1) * step - 0.05
-                for ys, zs in (((ya, yb), (0.09, 0.13)), ((ya, yb), (seat - 0.11, seat - 0.07)),
-                               ((ya, ya + 0.04), (0.13, seat - 0.11)), ((yb - 0.04, yb), (0.13, seat - 0.11))):  # fmt: skip
+                for ys, zs in (
+                    ((ya, yb), (0.09, 0.13)),
+                    ((ya, yb), (seat - 0.11, seat - 0.07)),
+                    ((ya, ya + 0.04), (0.13, seat - 0.11)),
+                    ((yb - 0.04, yb), (0.13, seat - 0.11)),
+                ):
                     b.box((x[1] - 0.007, x[1]), ys, zs, wood, bevel=0.002)
         with b.hinge("lid", (x[0], 0.0, seat - 0.02), axis=(0.0, -1.0, 0.0), limits=(0.0, 1.4)), b.solid("chest"):
             b.box((x[0], x[1]), y, (seat - 0.02, seat + 0.004), wood)
@@ -238,8 +253,20 @@ def piano_bench(b: Builder) -> None:
             for cy in (y[0] + 0.03, y[1] - 0.03):
                 if turned:
                     with b.frame(cx, cy):
-                        b.lathe([(0.014, 0), (0.02, 0.02), (0.013, 0.05), (0.022, low * 0.55), (0.025, low * 0.8),
-                                 (0.016, low * 0.86), (0.028, low * 0.92), (0.028, low + 0.06)], wood, segments=14)  # fmt: skip
+                        b.lathe(
+                            [
+                                (0.014, 0),
+                                (0.02, 0.02),
+                                (0.013, 0.05),
+                                (0.022, low * 0.55),
+                                (0.025, low * 0.8),
+                                (0.016, low * 0.86),
+                                (0.028, low * 0.92),
+                                (0.028, low + 0.06),
+                            ],
+                            wood,
+                            segments=14,
+                        )
                 else:
                     square_leg(b, (cx, cy, 0), (cx, cy, low + 0.06), 0.032, 0.05, wood)
         b.box((x[0] + 0.01, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), (low + 0.02, h - 0.075), wood)
@@ -251,8 +278,13 @@ def piano_bench(b: Builder) -> None:
         sx, sy = (d - 0.01) / nx, (y[1] - y[0] - 0.01) / ny
         for i in range(nx):
             for j in range(ny):
-                b.cushion((x[0] + 0.005 + i * sx, x[0] + 0.005 + (i + 1) * sx),
-                          (y[0] + 0.005 + j * sy, y[0] + 0.005 + (j + 1) * sy), (h - 0.075, h), cover, radius=0.03)  # fmt: skip
+                b.cushion(
+                    (x[0] + 0.005 + i * sx, x[0] + 0.005 + (i + 1) * sx),
+                    (y[0] + 0.005 + j * sy, y[0] + 0.005 + (j + 1) * sy),
+                    (h - 0.075, h),
+                    cover,
+                    radius=0.03,
+                )
     b.fit()
 
 
@@ -292,8 +324,17 @@ def pouf(b: Builder) -> None:
     angle = np.arange(count) * 2 * np.pi / count
     bulge = 1 - 0.035 * np.abs(np.cos(angle * gores / 2)) ** 4
     rings = []
-    profile = [(0.72, 0.0), (0.9, 0.06), (0.99, 0.24), (1.0, 0.45), (0.97, 0.68), (0.86, 0.87), (0.66, 0.965), (0.35, 1.0),
-               (0.06, 0.985)]  # fmt: skip
+    profile = [
+        (0.72, 0.0),
+        (0.9, 0.06),
+        (0.99, 0.24),
+        (1.0, 0.45),
+        (0.97, 0.68),
+        (0.86, 0.87),
+        (0.66, 0.965),
+        (0.35, 1.0),
+        (0.06, 0.985),
+    ]
     for r, z in profile:
         share = bulge if 0.05 < z < 0.99 else bulge * 0 + 1
         rings.append(np.c_[r * share * np.cos(angle), r * share * np.sin(angle), np.full(count, z)])
@@ -319,7 +360,7 @@ def bean_bag(b: Builder) -> None:
     radius = np.interp(t, [0, 0.06, 0.25, 0.45, 0.65, 0.82, 0.94, 1], [0.8, 0.95, 1, 0.93, 0.72, 0.48, 0.24, 0.05])
     radius = radius * (1 - 0.025 * np.abs(np.cos(3 * a)) ** 6)
     # The crown lies toward the back; the front half sags, so that a seat remains.
-    height = t - 0.33 * t**1.5 * np.clip(np.cos(a), 0, 1) * np.sin(np.clip(t, 0, 1) * np.pi)
+    height = t - 0.5 * t**1.5 * np.clip(np.cos(a), 0, 1) * np.sin(np.clip(t, 0, 1) * np.pi)
     x = radius * np.cos(a) - 0.55 * t**1.6
     grid = np.stack([x * d / 2, radius * np.sin(a) * w / 2, height * h], axis=-1)
     faces = [band(k * m, (k + 1) * m, m) for k in range(n - 1)]

@@ -150,11 +150,11 @@ def air_conditioner(b: Builder) -> None:
         slope = math.atan2(h * 0.3, d * 0.28 - 0.02)
         with b.frame((d * 0.22 + d / 2 - 0.02) / 2, 0.0, h * 0.15, pitch=-slope):
             long = 0.4 * math.hypot(h * 0.3, d * 0.28 - 0.02)
-            b.add(shapes.box((-long, long), (-w * 0.45, w * 0.45), (-0.004, 0.0004)), "black plastic", hulls=[])
-            b.add(shapes.box((-long, long), (-w * 0.45, w * 0.45), (-0.0052, -0.0044)), body, hulls=[])
+            b.add(shapes.box((-long, long), (-w * 0.45, w * 0.45), (-0.0002, 0.004)), "black plastic", hulls=[])
+            b.add(shapes.box((-long, long), (-w * 0.45, w * 0.45), (0.002, 0.003)), body, hulls=[])
             for k in range(3):
                 x = (k - 1) * long * 0.62
-                b.add(shapes.box((x - 0.006, x + 0.006), (-w * 0.45, w * 0.45), (-0.0052, -0.0002)), body, hulls=[])
+                b.add(shapes.box((x - 0.006, x + 0.006), (-w * 0.45, w * 0.45), (-0.0003, 0.003)), body, hulls=[])
         b.box((d / 2 - 0.02, d / 2 + 0.0004), (-w / 2 + 0.005, w / 2 - 0.005), (h * 0.34, h * 0.345), "grey plastic", bevel=0.0)
         b.box((d / 2 - 0.01, d / 2 + 0.0006), (w * 0.34, w * 0.42), (h * 0.52, h * 0.6), "screen", bevel=0.0)
         for k in range(6):
@@ -173,7 +173,8 @@ def smoke_detector(b: Builder) -> None:
     r, h = b.size.width / 2, b.size.height
     with b.solid("body"):
         body = b.material("body", "white plastic")
-        _upside(b, h, [(r, 0.0), (r, h * 0.4), (r * 0.92, h * 0.55), (r * 0.8, h * 0.9), (r * 0.6, h)], body)
+        profile = [(r * 0.6, 0.0), (r * 0.8, h * 0.1), (r * 0.92, h * 0.45), (r, h * 0.6), (r, h)]
+        b.add(shapes.lathe(profile, 32), body, [shapes.frustum(r, r, (0.0, h), 32)])
         for k in range(18):
             with b.frame(yaw=k * math.pi / 9):
                 b.add(shapes.box((r * 0.84, r * 0.895), (-0.004, 0.004), (h * 0.18, h * 0.4)), "black plastic", hulls=[])

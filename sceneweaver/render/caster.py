@@ -1,0 +1,220 @@
+"""Pictures of meshes by ray casting, on the CPU or a GPU, without a display."""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+import warp as wp
+
+from sceneweaver.assets.body import Material, Mesh
+from sceneweaver.kernels import raycast
+from sceneweaver.scene import InputError
+
+from .camera import Camera
+
+_CREASE = np.cos(np.radians(36.0))
+_TEXTURES = {name: k for k, name in enumerate(("plain", "wood", "fabric", "stone", "metal", "leaf"))}
+_MAX_PIXELS = 64_000_000
+
+
+@dataclass(frozen=True)
+class Instance:
+    """A mesh somewhere in the world; ``transform`` is 4x4, from its frame to the world's."""
+
+    mesh: Mesh
+    transform: np.ndarray
+
+
+@dataclass(frozen=True)
+class Lighting:
+    """Sun and sky, in linear light; ``sun`` points toward it, ``reach`` is how far occlusion is looked for [m]."""
+
+    sun: tuple[float, float, float] = (0.55, -0.35, 0.75)
+    softness: float = 0.08
+    sun_color: tuple[float, float, float] = (1.25, 1.16, 1.02)
+    sky: tuple[float, float, float] = (0.78, 0.82, 0.88)
+    ground: tuple[float, float, float] = (0.46, 0.43, 0.40)
+    background: tuple[float, float, float] = (0.86, 0.86, 0.85)
+    reach: float = 1.5
+    exposure: float = 0.92
+
+
+@dataclass(frozen=True)
+class Quality:
+    """Rays a pixel, shade rays a ray, and the radius [pixels] over which diffuse light is smoothed."""
+
+    rays: int = 6
+    shades: int = 2
+    radius: int = 2
+
+
+@dataclass(frozen=True)
+class Picture:
+    """uint8 ``rgb`` [H, W, 3]; ``objects`` int32 [H, W], the instance seen or -1; ``depth`` float32 [H, W] [m]."""
+
+    rgb: np.ndarray
+    objects: np.ndarray
+    depth: np.ndarray
+
+
+def cast(
+    instances: list[Instance], camera: Camera, width: int, height: int, *, lighting: Lighting | None = None,
+    quality: Quality | None = None, device: str = "cpu",
+) -> Picture:  # fmt: skip
+    """Draw instances.
+
+    Raises:
+        InputError: for a picture without pixels, or one that is too large.
+    """
+    if width < 1 or height < 1 or width * height > _MAX_PIXELS:
+        raise InputError(f"picture: {width} x {height} pixels; between 1 and {_MAX_PIXELS} are drawn")
+    lighting, quality = lighting or Lighting(), quality or Quality()
+    pixels = width * height
+    with wp.ScopedDevice(device):
+        solid, keep = _solid(instances)
+        lens = raycast.Lens()
+        for key in ("eye", "forward", "right", "up"):
+            setattr(lens, key, wp.vec3(*getattr(camera, key)))
+        lens.flat = int(camera.flat)
+        light = raycast.Light()
+        light.sun = wp.normalize(wp.vec3(*lighting.sun))
+        light.softness = lighting.softness
+        for key in ("sun_color", "sky", "ground"):
+            setattr(light, key, wp.vec3(*getattr(lighting, key)))
+        light.reach = lighting.reach
+        color, lit, shine, normal, out = (wp.empty(pixels, dtype=wp.vec3) for _ in range(5))
+        depth, objects = wp.empty(pixels, dtype=float), wp.empty(pixels, dtype=int)
+        sky = wp.vec3(*lighting.background)
+
+        def draw(start: int, count: int) -> None:
+            wp.launch(raycast.cast, count, [solid, lens, light, sky, width, height, start, quality.rays,
+                      quality.shades], [color, lit, shine, normal, depth, objects], device=device)  # fmt: skip
+
+        def develop(start: int, count: int) -> None:
+            wp.launch(raycast.develop, count, [width, height, start, quality.radius, lighting.exposure, color, lit,
+                      shine, normal, depth, objects], [out], device=device)  # fmt: skip
+
+        for work in (draw, develop):
+            _in_bands(work, pixels, wp.get_device(device).is_cpu)
+        rgb = (out.numpy().reshape(height, width, 3) * 255.0 + 0.5).astype(np.uint8)
+        picture = Picture(rgb, objects.numpy().reshape(height, width), depth.numpy().reshape(height, width))
+    del keep
+    return picture
+
+
+def _in_bands(work, pixels: int, split: bool) -> None:
+    """All pixels at once on a GPU; on the CPU, where a kernel has one thread, in bands over Python threads."""
+    threads = os.cpu_count() or 1
+    if not split or threads == 1 or pixels < 4096:
+        work(0, pixels)
+        return
+    work(0, 1)  # compiles and loads the kernel before there are threads
+    cuts = np.linspace(0, pixels, 4 * threads + 1).astype(int)
+    with ThreadPoolExecutor(threads) as pool:
+        list(pool.map(lambda k: work(int(cuts[k]), int(cuts[k + 1] - cuts[k])), range(4 * threads)))
+
+
+def _solid(instances: list[Instance]):
+    """The world of all instances, and what must live as long as it is drawn."""
+    looks, numbers = [], []
+    points, local, faces, normals, look_of, grain = [], [], [], [], [], []
+    for number, instance in enumerate(instances):
+        mesh, matrix = instance.mesh, np.asarray(instance.transform, dtype=np.float64)
+        corner, axis = _prepared(id(mesh), _Keep(mesh))
+        start = sum(len(p) for p in points)
+        points.append(mesh.vertices @ matrix[:3, :3].T + matrix[:3, 3])
+        local.append(mesh.vertices)
+        faces.append(mesh.faces + start)
+        turned = corner @ np.linalg.inv(matrix[:3, :3])
+        normals.append(turned / np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), 1e-12))
+        look_of.append(mesh.face_material + len(looks))
+        grain.append(axis)
+        looks += [_look(material) for material in mesh.materials]
+        numbers.append(np.full(len(mesh.faces), number))
+    if not instances:  # a speck far below, so that there is a mesh at all
+        points, local = [np.array([[0, 0, -1e6], [1e-3, 0, -1e6], [0, 1e-3, -1e6]])], [np.zeros((3, 3))]
+        faces, normals, look_of = [np.array([[0, 1, 2]])], [np.zeros((3, 3))], [np.zeros(1, dtype=int)]
+        grain, numbers, looks = [np.zeros(1, dtype=int)], [np.zeros(1)], [_look(Material("none", (0, 0, 0)))]
+    flat = wp.array(np.concatenate(faces).reshape(-1), dtype=int)
+    mesh = wp.Mesh(points=wp.array(np.concatenate(points), dtype=wp.vec3), indices=flat)
+    solid = raycast.Solid()
+    solid.mesh = mesh.id
+    solid.normals = wp.array(np.concatenate(normals), dtype=wp.vec3)
+    solid.looks = wp.array(looks, dtype=raycast.Look)
+    solid.face_look = wp.array(np.concatenate(look_of), dtype=int)
+    solid.face_object = wp.array(np.concatenate(numbers), dtype=int)
+    solid.face_grain = wp.array(np.concatenate(grain), dtype=int)
+    solid.faces = flat
+    solid.local = wp.array(np.concatenate(local), dtype=wp.vec3)
+    return solid, mesh
+
+
+def _look(material: Material):
+    look = raycast.Look()
+    color = np.asarray(material.color, dtype=np.float64)
+    look.color = wp.vec3(*np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4))
+    look.roughness, look.metallic = material.roughness, material.metallic
+    look.opacity, look.emission = material.opacity, material.emission
+    look.texture = _TEXTURES[material.texture]
+    return look
+
+
+class _Keep:
+    """A mesh as a cache's argument: equal to all, as the id beside it tells meshes apart, and kept alive by it."""
+
+    def __init__(self, mesh: Mesh):
+        self.mesh = mesh
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Keep) and other.mesh is self.mesh
+
+    def __hash__(self) -> int:
+        return id(self.mesh)
+
+
+@lru_cache(maxsize=512)
+def _prepared(_: int, keep: _Keep) -> tuple[np.ndarray, np.ndarray]:
+    return corner_normals(keep.mesh), _grain(keep.mesh)
+
+
+def corner_normals(mesh: Mesh) -> np.ndarray:
+    """A unit normal for each triangle corner, [3 F, 3]: smooth over edges that bend by less than 36 degrees."""
+    v, f = mesh.vertices, mesh.faces
+    normal = np.cross(v[f[:, 1]] - v[f[:, 0]], v[f[:, 2]] - v[f[:, 0]])
+    unit = normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-18)
+    corner = f.reshape(-1)
+    owner = np.repeat(np.arange(len(f)), 3)
+    order = np.argsort(corner, kind="stable")
+    counts = np.bincount(corner, minlength=len(v))
+    starts = np.concatenate([[0], np.cumsum(counts)[:-1]])
+    # Every pair of triangles around a vertex.
+    size = counts[corner]
+    mine = np.repeat(np.arange(len(corner)), size)
+    step = np.arange(len(mine)) - np.repeat(np.cumsum(size) - size, size)
+    other = owner[order[starts[corner[mine]] + step]]
+    alike = np.einsum("ij,ij->i", unit[owner[mine]], unit[other]) > _CREASE
+    total = np.zeros((len(corner), 3))
+    for k in range(3):
+        total[:, k] = np.bincount(mine[alike], normal[other[alike], k], len(corner))
+    length = np.linalg.norm(total, axis=1, keepdims=True)
+    return np.where(length > 1e-18, total / np.maximum(length, 1e-18), unit[owner])
+
+
+def _grain(mesh: Mesh) -> np.ndarray:
+    """The axis along which a triangle's piece is longest, [F]: the way that wood grows in it."""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
+    f = mesh.faces
+    edges = np.concatenate([f[:, :2], f[:, 1:]])
+    shape = (len(mesh.vertices),) * 2
+    graph = coo_matrix((np.ones(len(edges), dtype=np.int8), (edges[:, 0], edges[:, 1])), shape=shape)
+    count, label = connected_components(graph, directed=False)
+    low, high = np.full((count, 3), np.inf), np.full((count, 3), -np.inf)
+    np.minimum.at(low, label, mesh.vertices)
+    np.maximum.at(high, label, mesh.vertices)
+    return np.argmax(high - low, axis=1)[label[f[:, 0]]]

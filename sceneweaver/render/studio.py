@@ -1,0 +1,82 @@
+"""One asset on an endless pale floor, and contact sheets of many."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from PIL import Image, ImageDraw
+
+from sceneweaver.assets.asset import Asset
+from sceneweaver.assets.body import Material, Mesh
+from sceneweaver.scene import InputError
+from sceneweaver.scene.messages import suggest
+
+from .camera import Camera
+from .caster import Instance, Lighting, Quality, cast
+from .canvas import font
+
+VIEWS = {
+    "corner": (-1.0, 0.62, -0.52),
+    "front": (-1.0, 0.0, -0.12),
+    "side": (0.0, 1.0, -0.12),
+    "top": (0.0, 0.0, -1.0),
+}
+
+_BACKDROP = Material("backdrop", (0.86, 0.855, 0.845), roughness=1.0)
+
+
+def portrait(
+    asset: Asset, size: int = 240, view: str = "corner", quality: Quality | None = None, device: str = "cpu"
+) -> Image.Image:
+    """A square picture of one asset.
+
+    Raises:
+        InputError: for a view that is unknown.
+    """
+    if view not in VIEWS:
+        raise InputError(f"view: '{view}' is unknown{suggest(view, VIEWS)}")
+    low, high = asset.mesh.bounds
+    reach = float(np.linalg.norm(high - low))
+    floor = _plane(30 * reach, vertical=asset.mount == "wall", low=low, hung=asset.mount == "ceiling", high=high)
+    instances = [Instance(asset.mesh, np.eye(4)), Instance(floor, np.eye(4))]
+    camera = Camera.framing(low, high, VIEWS[view], fov=0.42, margin=1.12)
+    lighting = Lighting(reach=0.5 * reach, background=(0.8, 0.8, 0.79))
+    return Image.fromarray(cast(instances, camera, size, size, lighting=lighting, quality=quality, device=device).rgb)
+
+
+def contact_sheet(
+    rows: Iterable[tuple[str, Asset]], columns: int = 8, tile: int = 240, view: str = "corner", device: str = "cpu"
+) -> Image.Image:
+    """Portraits in a grid, each with its label below."""
+    pictures = [(label, portrait(asset, tile, view, device=device)) for label, asset in rows]
+    if not pictures:
+        raise InputError("sheet: there is nothing to draw")
+    columns = max(1, min(columns, len(pictures)))
+    text = font(max(11, tile // 15))
+    strip = tile // 8
+    count = -(-len(pictures) // columns)
+    sheet = Image.new("RGB", (columns * tile, count * (tile + strip)), (246, 245, 243))
+    pen = ImageDraw.Draw(sheet)
+    for k, (label, picture) in enumerate(pictures):
+        x, y = (k % columns) * tile, (k // columns) * (tile + strip)
+        sheet.paste(picture, (x, y))
+        pen.text((x + tile / 2, y + tile + strip / 2), label, font=text, fill=(60, 58, 55), anchor="mm")
+    return sheet
+
+
+def _plane(size: float, vertical: bool, low: Sequence[float], hung: bool, high: Sequence[float]) -> Mesh:
+    """A floor under the asset, or a wall behind it; above a hanging one a ceiling would only be in the way."""
+    if vertical:
+        x = float(low[0]) - 1e-4
+        corners = [(x, -size, -size), (x, size, -size), (x, size, size), (x, -size, size)]
+    else:
+        z = float(low[2]) - (0.6 * float(high[2] - low[2]) if hung else 1e-4)
+        corners = [(-size, -size, z), (size, -size, z), (size, size, z), (-size, size, z)]
+    return Mesh(
+        np.array(corners),
+        np.array([[0, 1, 2], [0, 2, 3]], dtype=np.int32),
+        np.zeros(2, dtype=np.int32),
+        np.zeros(2, dtype=np.int32),
+        (_BACKDROP,),
+    )
