@@ -21,8 +21,13 @@ def _bowl(b: Builder, x: float, long: float, w: float, h: float, china: Finish, 
     front, back = x + long - mid, mid - x
     rim = h - 0.042
     if hung:
-        rings = [(0.45, 0.75, 0.42, 0.0), (0.62, 0.95, 0.62, 0.05), (0.85, 1.0, 0.85, 0.16), (0.96, 1.0, 0.97, rim - 0.05),
-                 (0.97, 1.0, 0.98, rim)]  # fmt: skip
+        rings = [
+            (0.45, 0.75, 0.42, 0.0),
+            (0.62, 0.95, 0.62, 0.05),
+            (0.85, 1.0, 0.85, 0.16),
+            (0.96, 1.0, 0.97, rim - 0.05),
+            (0.97, 1.0, 0.98, rim),
+        ]
     else:
         rings = [(0.50, 1.0, 0.62, 0.0), (0.48, 1.0, 0.58, 0.03), (0.46, 0.98, 0.54, 0.14), (0.68, 0.98, 0.74, 0.25),
                  (0.92, 1.0, 0.95, rim - 0.055), (0.97, 1.0, 0.98, rim)]  # fmt: skip
@@ -37,10 +42,16 @@ def _bowl(b: Builder, x: float, long: float, w: float, h: float, china: Finish, 
             b.frustum(0.011, 0.011, (-0.018, 0.018), "chrome", segments=12)
 
 
-def _flat(b: Builder, mid: float, front: float, back: float, half: float, low: float, high: float, look: Finish) -> tuple:
+def _flat(
+    b: Builder, mid: float, front: float, back: float, half: float, low: float, high: float, look: Finish
+) -> tuple:
     e = 0.006
-    rings = [egg(front - e, back - e, half - e, low, mid, 0.0, 2.2, 4.0), egg(front, back, half, low + e, mid, 0.0, 2.2, 4.0),
-             egg(front, back, half, high - e, mid, 0.0, 2.2, 4.0), egg(front - e, back - e, half - e, high, mid, 0.0, 2.2, 4.0)]  # fmt: skip
+    rings = [
+        egg(front - e, back - e, half - e, low, mid, 0.0, 2.2, 4.0),
+        egg(front, back, half, low + e, mid, 0.0, 2.2, 4.0),
+        egg(front, back, half, high - e, mid, 0.0, 2.2, 4.0),
+        egg(front - e, back - e, half - e, high, mid, 0.0, 2.2, 4.0),
+    ]
     from .kitchen_parts import _body
 
     shape = _body(rings)
@@ -52,8 +63,11 @@ def toilet(b: Builder) -> None:
     """A bowl on its foot, seat and lid, and behind them a cistern with its own lid and a push button."""
     d, w, h = b.size
     china = b.material("bowl", *_WHITE)
-    seat: Finish = b.pick("seat", ["oak", "walnut"]) if b.style in ("classic", "rustic") and b.chance("wood", 0.6) else (
-        "white plastic")  # fmt: skip
+    seat: Finish = (
+        b.pick("seat", ["oak", "walnut"])
+        if b.style in ("classic", "rustic") and b.chance("wood", 0.6)
+        else ("white plastic")
+    )
     deep = 0.175
     x0 = -d / 2
     sh = b.uniform("seat height", 0.42, 0.45)
@@ -67,7 +81,12 @@ def toilet(b: Builder) -> None:
         loft(b, low, china, whole=True)
         lid = ((x0, x0 + deep), (-w / 2, w / 2))
         inset = ((x0 + 0.008, x0 + deep - 0.008), (-w / 2 + 0.008, w / 2 - 0.008))
-        loft(b, [rounded(*lid, 0.035, top - 0.04), rounded(*lid, 0.035, top - 0.01), rounded(*inset, 0.03, top)], china, True)
+        loft(
+            b,
+            [rounded(*lid, 0.035, top - 0.04), rounded(*lid, 0.035, top - 0.01), rounded(*inset, 0.03, top)],
+            china,
+            True,
+        )
         with b.frame(x0 + deep / 2, 0.0, top):
             b.frustum(0.026, 0.024, (-0.001, 0.012), "chrome", segments=20, bevel=0.002)
             b.add(shapes.box((-0.02, 0.02), (-0.0008, 0.0008), (0.009, 0.0123)), "black steel", [])
@@ -135,8 +154,15 @@ def urinal(b: Builder) -> None:
         b.hull([(x0, s * w / 2, z) for s in (-1, 1) for z in (0.17, hb)]
                + [(x0 + 0.05, s * w / 2, z) for s in (-1, 1) for z in (0.2, hb - 0.02)], china)  # fmt: skip
         # A hood at the top.
-        loft(b, [egg(0.05, 0.0001, w / 2, hb * 0.78, x0, 0.0, 3.0, 8.0, 24), egg(0.15, 0.0001, w / 2, hb * 0.92, x0, 0.0, 3.0, 8.0, 24),
-                 egg(0.14, 0.0001, w / 2 * 0.97, hb, x0, 0.0, 3.0, 8.0, 24)], china)  # fmt: skip
+        loft(
+            b,
+            [
+                egg(0.05, 0.0001, w / 2, hb * 0.78, x0, 0.0, 3.0, 8.0, 24),
+                egg(0.15, 0.0001, w / 2, hb * 0.92, x0, 0.0, 3.0, 8.0, 24),
+                egg(0.14, 0.0001, w / 2 * 0.97, hb, x0, 0.0, 3.0, 8.0, 24),
+            ],
+            china,
+        )
         with b.frame(x0 + d * 0.52, 0.0, 0.165):
             b.frustum(0.03, 0.028, (0.0, 0.012), "chrome", segments=16)
         b.bar((x0 + 0.05, 0.0, hb - 0.01), (x0 + 0.05, 0.0, h), 0.012, "chrome")
@@ -144,7 +170,9 @@ def urinal(b: Builder) -> None:
     b.fit()
 
 
-def _basin_body(b: Builder, x: tuple, y: tuple, low: float, h: float, china: Finish, square: bool, ledge: float) -> None:
+def _basin_body(
+    b: Builder, x: tuple, y: tuple, low: float, h: float, china: Finish, square: bool, ledge: float
+) -> None:
     """A washbasin with a ledge for the tap at its back, open above."""
     cx, cy, rx, ry = (x[0] + x[1]) / 2, (y[0] + y[1]) / 2, (x[1] - x[0]) / 2, (y[1] - y[0]) / 2
     p = 6.0 if square else 2.6
@@ -154,7 +182,12 @@ def _basin_body(b: Builder, x: tuple, y: tuple, low: float, h: float, china: Fin
 
     mx = cx + ledge / 2
     ix, iy = rx - ledge / 2 - 0.02, ry - 0.028
-    outer = [out(0.45 if not square else 0.8, low), out(0.82 if not square else 0.93, low + 0.05), out(1.0, h - 0.05), out(1.0, h)]
+    outer = [
+        out(0.45 if not square else 0.8, low),
+        out(0.82 if not square else 0.93, low + 0.05),
+        out(1.0, h - 0.05),
+        out(1.0, h),
+    ]
     inner = [oval(ix, iy, h, mx, cy, p), oval(ix * 0.9, iy * 0.92, h - 0.05, mx, cy, p),
              oval(ix * 0.4, iy * 0.4, h - 0.115, mx, cy, 2.4)]  # fmt: skip
     vessel(b, outer, inner, china)
@@ -206,8 +239,17 @@ def wall_basin(b: Builder) -> None:
 def vanity(b: Builder) -> None:
     """A cabinet with one or two basins set on or into its top, and a tap for each."""
     d, w, total = b.size
-    leaf = b.material("fronts", "white paint", "oak", "walnut", "sage paint", "navy paint", "light grey paint", "light oak",
-                      "grey paint")  # fmt: skip
+    leaf = b.material(
+        "fronts",
+        "white paint",
+        "oak",
+        "walnut",
+        "sage paint",
+        "navy paint",
+        "light grey paint",
+        "light oak",
+        "grey paint",
+    )
     shell = b.material("body", "white paint") if leaf.name.endswith("paint") else leaf
     top = b.material("top", "marble", "white ceramic", "dark marble", "oak", "granite")
     pull = b.material("pulls", "chrome", "black steel", "brass")
@@ -244,13 +286,13 @@ def vanity(b: Builder) -> None:
                 continue
             front = x[1] - 0.021
             for ys in ((span[0], span[0] + 0.018), (span[1] - 0.018, span[1])):
-                back = x[0]
-                b.box((back, front), ys, (low, h - t - (0.14 if n == 3 or k else 0.0)), shell, bevel=0)
+                outer = ys[0] < y[0] + 0.001 or ys[1] > y[1] - 0.001
+                b.box((x[0], front), ys, (low, h - t - (0.0 if outer else 0.14)), shell, bevel=0)
             inner = (span[0] + 0.018, span[1] - 0.018)
             b.box((x[0], front), inner, (low, low + 0.018), shell, bevel=0)
             b.box((x[0], x[0] + 0.006), inner, (low + 0.018, h - t), shell, bevel=0)
             fronts(b, f"unit-{k}", front, span, (low, h - t), "drawers" if n == 3 and k == 1 else
-                   b.pick("layout", ["doors", "drawers"]), *looks[1:], shaker)  # fmt: skip
+                   b.pick("layout", ["doors", "drawers"]), looks[1], looks[2], looks[3], shaker)  # fmt: skip
         slab = ((-d / 2, d / 2 - 0.004), y, (h - t, h))
         if on:
             b.box(*slab, top)
@@ -266,11 +308,24 @@ def vanity(b: Builder) -> None:
                 deep = ((hx[0] + 0.05, hx[1] - 0.05), (m - half + 0.06, m + half - 0.06))
                 r = 0.03 if square else 0.09
                 under = ((hx[0] + 0.002, hx[1] - 0.002), (m - half + 0.002, m + half - 0.002))
-                vessel(b, [rounded((deep[0][0] - 0.012, deep[0][1] + 0.012), (deep[1][0] - 0.012, deep[1][1] + 0.012), 0.05,
-                                   h - 0.13), rounded(*under, 0.02, h - 0.04), rounded(*under, 0.02, h),
-                           rounded(*rim, 0.02, h), rounded(*rim, 0.02, h + 0.0015)],
-                       [rounded(*ins, r, h + 0.0015), rounded(*deep, 0.04, h - 0.118)], china,
-                       (0, 3, 4, 7, 8, 11, 12, 15, 16))  # fmt: skip
+                vessel(
+                    b,
+                    [
+                        rounded(
+                            (deep[0][0] - 0.012, deep[0][1] + 0.012),
+                            (deep[1][0] - 0.012, deep[1][1] + 0.012),
+                            0.05,
+                            h - 0.13,
+                        ),
+                        rounded(*under, 0.02, h - 0.04),
+                        rounded(*under, 0.02, h),
+                        rounded(*rim, 0.02, h),
+                        rounded(*rim, 0.02, h + 0.0015),
+                    ],
+                    [rounded(*ins, r, h + 0.0015), rounded(*deep, 0.04, h - 0.118)],
+                    china,
+                    (0, 3, 4, 7, 8, 11, 12, 15, 16),
+                )
                 with b.frame((hx[0] + hx[1]) / 2, m, h - 0.1185):
                     b.frustum(0.024, 0.022, (0.0, 0.005), "chrome", segments=14)
     for k, m in enumerate(mids):

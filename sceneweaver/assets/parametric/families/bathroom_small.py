@@ -20,10 +20,17 @@ def _towel(b: Builder, x: float, y: tuple, top: float, front: float, back: float
     """A towel over a bar at (x, top - r) with a woven band, its ends at two heights."""
     b.box((x + r, x + r + 0.012), y, (front, top - r), cloth, bevel=0.004)
     b.box((x - r - 0.012, x - r), y, (back, top - r), cloth, bevel=0.004)
-    ring = [(x + (r + 0.012) * math.cos(t), top - r - 0.012 + (r + 0.012) * math.sin(t)) for t in np.linspace(0, math.pi, 9)]
+    ring = [
+        (x + (r + 0.012) * math.cos(t), top - r - 0.012 + (r + 0.012) * math.sin(t)) for t in np.linspace(0, math.pi, 9)
+    ]
     b.hull([(px, py, pz) for px, pz in ring for py in y], cloth)
-    b.box((x + r + 0.0118, x + r + 0.0135), y, (front + 0.05, front + 0.075), "white fabric" if "white" not in str(cloth) else
-          "grey fabric", bevel=0)  # fmt: skip
+    b.box(
+        (x + r + 0.0118, x + r + 0.0135),
+        y,
+        (front + 0.05, front + 0.075),
+        "white fabric" if "white" not in str(cloth) else "grey fabric",
+        bevel=0,
+    )
 
 
 @draws("towel_rail")
@@ -56,7 +63,13 @@ def towel_radiator(b: Builder) -> None:
     r = 0.011
     with b.solid("radiator"):
         for s in (-1, 1):
-            b.box((x - 0.017, x + 0.013), (s * (w / 2 - 0.015) - 0.015, s * (w / 2 - 0.015) + 0.015), (0.06, h), metal, bevel=0.005)
+            b.box(
+                (x - 0.017, x + 0.013),
+                (s * (w / 2 - 0.015) - 0.015, s * (w / 2 - 0.015) + 0.015),
+                (0.06, h),
+                metal,
+                bevel=0.005,
+            )
             for z in (0.2, h - 0.15):
                 b.bar((-d / 2, s * (w / 2 - 0.05), z), (x, s * (w / 2 - 0.05), z), 0.01, metal, 8)
             with b.frame(x, s * (w / 2 - 0.015), 0.0):
@@ -104,11 +117,22 @@ def medicine_cabinet(b: Builder) -> None:
                 side = ys[0] + 0.02 if left else ys[1] - 0.02
                 if f > 0.01:
                     side = ys[0] + 0.008 if left else ys[1] - 0.008
-                b.box((x[1] + 0.013, x[1] + 0.028), (side - 0.005, side + 0.005), (0.3 * top, 0.3 * top + 0.05), "chrome",
-                      bevel=0.002)  # fmt: skip
+                b.box(
+                    (x[1] + 0.013, x[1] + 0.028),
+                    (side - 0.005, side + 0.005),
+                    (0.3 * top, 0.3 * top + 0.05),
+                    "chrome",
+                    bevel=0.002,
+                )
         if lamp:
             b.box((x[0], x[1] + 0.03), (y[0] + 0.03, y[1] - 0.03), (top, h), "chrome", bevel=0.004)
-            b.box((x[1] + 0.0, x[1] + 0.0305), (y[0] + 0.05, y[1] - 0.05), (top - 0.0005, top + 0.022), "lamp glow", bevel=0.002)
+            b.box(
+                (x[1] + 0.0, x[1] + 0.0305),
+                (y[0] + 0.05, y[1] - 0.05),
+                (top - 0.0005, top + 0.022),
+                "lamp glow",
+                bevel=0.002,
+            )
     b.fit()
 
 
@@ -127,8 +151,17 @@ def toilet_paper_holder(b: Builder) -> None:
         b.box((d / 2 - 0.0035, d / 2 - 0.002), (-0.05, 0.05), (0.0, z - 0.012), "paper", bevel=0)
         with b.frame(-d / 2, -w / 2 + 0.02, h - 0.025, pitch=math.pi / 2):
             b.frustum(0.02, 0.02, (0.0, 0.012), metal, segments=18, bevel=0.002)
-        b.tube([(-d / 2 + 0.01, -w / 2 + 0.02, h - 0.025), (cx, -w / 2 + 0.02, h - 0.025), (cx, -w / 2 + 0.011, z - 0.012),
-                (cx, w / 2 - 0.006, z - 0.012)], 0.006, metal, 8)  # fmt: skip
+        b.tube(
+            [
+                (-d / 2 + 0.01, -w / 2 + 0.02, h - 0.025),
+                (cx, -w / 2 + 0.02, h - 0.025),
+                (cx, -w / 2 + 0.011, z - 0.012),
+                (cx, w / 2 - 0.006, z - 0.012),
+            ],
+            0.006,
+            metal,
+            8,
+        )
         b.bar((cx, w / 2 - 0.006, z - 0.013), (cx, w / 2 - 0.006, z + 0.01), 0.006, metal, 8)
         if b.chance("flap", 0.6):
             b.hull([(px, py, pz) for px, pz in ((-d / 2, h - 0.012), (-d / 2, h), (cx, h), (d / 2 - 0.01, h - 0.02),
@@ -148,7 +181,13 @@ def bathroom_shelf(b: Builder) -> None:
     zs = [0.02 + k * (h - 0.02 - t - rail) / (count - 1) for k in range(count)]
     with b.solid("wall"):
         for s in (-1, 1):
-            b.box((-d / 2, -d / 2 + 0.01), (s * (w / 2 - 0.04) - 0.01, s * (w / 2 - 0.04) + 0.01), (0.0, h), metal, bevel=0.002)
+            b.box(
+                (-d / 2, -d / 2 + 0.01),
+                (s * (w / 2 - 0.04) - 0.01, s * (w / 2 - 0.04) + 0.01),
+                (0.0, h),
+                metal,
+                bevel=0.002,
+            )
     for k, z in enumerate(zs):
         with b.solid(f"board {k}"):
             b.box((-d / 2 + 0.0105, d / 2 - 0.012), (-w / 2, w / 2), (z, z + t), board, bevel=0.002)
@@ -159,7 +198,9 @@ def bathroom_shelf(b: Builder) -> None:
             zr = z + t + 0.03
             b.bar((d / 2 - 0.006, -w / 2 + 0.004, zr), (d / 2 - 0.006, w / 2 - 0.004, zr), 0.004, metal, 8)
             for s in (-1, 1):
-                b.bar((d / 2 - 0.006, s * (w / 2 - 0.012), z), (d / 2 - 0.006, s * (w / 2 - 0.012), zr), 0.004, metal, 8)
+                b.bar(
+                    (d / 2 - 0.006, s * (w / 2 - 0.012), z), (d / 2 - 0.006, s * (w / 2 - 0.012), zr), 0.004, metal, 8
+                )
         up = None if k == count - 1 else round(zs[k + 1] - 0.014 - z - t, 4)
         b.surface(f"shelf-{k}", (-d / 2 + 0.014, d / 2 - 0.018), (-w / 2 + 0.01, w / 2 - 0.01), z + t, headroom=up)
     b.fit()
@@ -184,9 +225,22 @@ def bath_mat(b: Builder) -> None:
         round_ends = b.chance("oval", 0.3)
         with b.solid("mat"):
             if round_ends:
-                loft(b, [oval(d / 2 - 0.004, w / 2 - 0.004, 0.0), oval(d / 2, w / 2, h * 0.4), oval(d / 2 - 0.006, w / 2 - 0.006, h * 0.75)],
-                     cloth, whole=True)  # fmt: skip
-                loft(b, [oval(d / 2 - 0.05, w / 2 - 0.05, h * 0.7), oval(d / 2 - 0.055, w / 2 - 0.055, h)], cloth, whole=True)
+                loft(
+                    b,
+                    [
+                        oval(d / 2 - 0.004, w / 2 - 0.004, 0.0),
+                        oval(d / 2, w / 2, h * 0.4),
+                        oval(d / 2 - 0.006, w / 2 - 0.006, h * 0.75),
+                    ],
+                    cloth,
+                    whole=True,
+                )
+                loft(
+                    b,
+                    [oval(d / 2 - 0.05, w / 2 - 0.05, h * 0.7), oval(d / 2 - 0.055, w / 2 - 0.055, h)],
+                    cloth,
+                    whole=True,
+                )
             else:
                 x, y = (-d / 2, d / 2), (-w / 2, w / 2)
                 loft(b, [rounded(x, y, 0.03, 0.0), rounded(x, y, 0.03, h * 0.5)], cloth, whole=True)
@@ -226,8 +280,17 @@ def laundry_hamper(b: Builder) -> None:
             b.box((x - 0.03, x), (-0.035, 0.035), (top + 0.0005, h - 0.012), "brown leather", bevel=0)
         for s in (-1, 1):
             yy = y * 0.955
-            b.tube([(-0.07, s * yy, top - 0.14), (-0.05, s * (yy + 0.012), top - 0.1), (0.05, s * (yy + 0.012), top - 0.1),
-                    (0.07, s * yy, top - 0.14)], 0.008, band, 8)  # fmt: skip
+            b.tube(
+                [
+                    (-0.07, s * yy, top - 0.14),
+                    (-0.05, s * (yy + 0.012), top - 0.1),
+                    (0.05, s * (yy + 0.012), top - 0.1),
+                    (0.07, s * yy, top - 0.14),
+                ],
+                0.008,
+                band,
+                8,
+            )
     b.fit()
 
 
@@ -235,7 +298,9 @@ def laundry_hamper(b: Builder) -> None:
 def scale(b: Builder) -> None:
     """A glass plate on feet with a display and steel contacts, or a padded one with a dial."""
     d, w, h = b.size
-    look = b.material("plate", "black glass", "white plastic", "frosted glass", "grey plastic", "white plastic", "bamboo")
+    look = b.material(
+        "plate", "black glass", "white plastic", "frosted glass", "grey plastic", "white plastic", "bamboo"
+    )
     x, y = (-d / 2, d / 2), (-w / 2, w / 2)
     # Its user stands with the toes toward the display, at -x, and reads it from +x.
     with b.solid("scale"):
@@ -262,7 +327,9 @@ def shower_stool(b: Builder) -> None:
     """A slatted or holed seat on four splayed legs with rubber feet."""
     d, w, h = b.size
     wood = b.chance("wood", 0.5)
-    seat = b.material("seat", "bamboo", "oak", "walnut") if wood else b.material("seat", "white plastic", "grey plastic")
+    seat = (
+        b.material("seat", "bamboo", "oak", "walnut") if wood else b.material("seat", "white plastic", "grey plastic")
+    )
     leg: Finish = seat if wood else b.material("legs", "aluminium", "chrome", "white steel")
     top = h - 0.028
     with b.solid("legs"):
@@ -280,15 +347,27 @@ def shower_stool(b: Builder) -> None:
             n = 6
             step = (d - 0.03) / n
             for s in (-1, 1):
-                b.box((-d / 2 + 0.02, d / 2 - 0.02), (s * (w / 2 - 0.06) - 0.015, s * (w / 2 - 0.06) + 0.015), (top - 0.02, top),
-                      seat)  # fmt: skip
+                b.box(
+                    (-d / 2 + 0.02, d / 2 - 0.02),
+                    (s * (w / 2 - 0.06) - 0.015, s * (w / 2 - 0.06) + 0.015),
+                    (top - 0.02, top),
+                    seat,
+                )
             for k in range(n):
                 a = -d / 2 + 0.015 + k * step
                 b.box((a + 0.003, a + step - 0.003), (-w / 2, w / 2), (top, h), seat, bevel=0.004)
         else:
             x, y = (-d / 2 + 0.015, d / 2 - 0.015), (-w / 2, w / 2)
-            loft(b, [rounded(x, y, 0.06, top - 0.005), rounded(x, y, 0.06, h - 0.006), rounded((x[0] + 0.008, x[1] - 0.008),
-                 (y[0] + 0.008, y[1] - 0.008), 0.055, h)], seat, whole=True)  # fmt: skip
+            loft(
+                b,
+                [
+                    rounded(x, y, 0.06, top - 0.005),
+                    rounded(x, y, 0.06, h - 0.006),
+                    rounded((x[0] + 0.008, x[1] - 0.008), (y[0] + 0.008, y[1] - 0.008), 0.055, h),
+                ],
+                seat,
+                whole=True,
+            )
             for i in range(3):
                 for j in range(5):
                     with b.frame((i - 1) * 0.06, (j - 2) * 0.06, h):
@@ -306,8 +385,21 @@ def grab_bar(b: Builder) -> None:
     z, x = h / 2, d / 2 - 0.016
     e = w / 2 - h / 2
     with b.solid("bar"):
-        b.tube([(-d / 2 + 0.004, -e, z), (x - 0.025, -e, z), (x - 0.007, -e + 0.008, z), (x, -e + 0.03, z), (x, e - 0.03, z),
-                (x - 0.007, e - 0.008, z), (x - 0.025, e, z), (-d / 2 + 0.004, e, z)], 0.016, metal, 12)  # fmt: skip
+        b.tube(
+            [
+                (-d / 2 + 0.004, -e, z),
+                (x - 0.025, -e, z),
+                (x - 0.007, -e + 0.008, z),
+                (x, -e + 0.03, z),
+                (x, e - 0.03, z),
+                (x - 0.007, e - 0.008, z),
+                (x - 0.025, e, z),
+                (-d / 2 + 0.004, e, z),
+            ],
+            0.016,
+            metal,
+            12,
+        )
         for s in (-1, 1):
             with b.frame(-d / 2, s * e, z, pitch=math.pi / 2):
                 b.frustum(h / 2, h / 2 - 0.006, (0.0, 0.009), metal, segments=24)
@@ -323,7 +415,10 @@ def hand_dryer(b: Builder) -> None:
         b.cushion((-d / 2, d / 2), (-w / 2, w / 2), (0.04, h), coat, radius=min(0.06, d * 0.4))
         b.hull([(px, py, z) for px, py, z in [(x, s * 0.075, 0.06) for x in (-0.03, d / 2 - 0.02) for s in (-1, 1)]
                 + [(x, s * 0.055, 0.0) for x in (-0.005, d / 2 - 0.02) for s in (-1, 1)]], "chrome")  # fmt: skip
-        b.hull([(px, s * 0.045, z) for px in (0.005, d / 2 - 0.03) for s in (-1, 1) for z in (-0.0015, 0.004)], "black plastic")
+        b.hull(
+            [(px, s * 0.045, z) for px in (0.005, d / 2 - 0.03) for s in (-1, 1) for z in (-0.0015, 0.004)],
+            "black plastic",
+        )
         f = d / 2
         b.box((f - 0.02, f + 0.0008), (-0.045, 0.045), (0.55 * h, 0.55 * h + 0.05), "black glass", bevel=0)
         b.box((f - 0.02, f + 0.0012), (-0.006, 0.006), (0.55 * h + 0.019, 0.55 * h + 0.031), "lamp glow", bevel=0)
@@ -348,11 +443,19 @@ def paper_towel_dispenser(b: Builder) -> None:
 
         loft(b, [ring(0.86, z0), ring(1.0, z0 + 0.06), ring(1.0, h - 0.03), ring(0.9, h)], coat, whole=True)
         b.box((0.0, d / 2 - 0.022), (-0.085, 0.085), (z0 - 0.003, z0 + 0.01), "black plastic", bevel=0)
-        b.hull([(px + o, s * 0.075, z) for px, z in ((0.012, z0), (0.02, 0.0)) for o in (0.0, 0.002) for s in (-1, 1)], "paper")
-        b.hull([(px + o, s * 0.075, z) for px, z in ((0.026, z0), (0.036, 0.015)) for o in (0.0, 0.002) for s in (-1, 1)], "paper")
+        b.hull(
+            [(px + o, s * 0.075, z) for px, z in ((0.012, z0), (0.02, 0.0)) for o in (0.0, 0.002) for s in (-1, 1)],
+            "paper",
+        )
+        b.hull(
+            [(px + o, s * 0.075, z) for px, z in ((0.026, z0), (0.036, 0.015)) for o in (0.0, 0.002) for s in (-1, 1)],
+            "paper",
+        )
         f = d / 2
         b.box((f - 0.02, f + 0.0006), (-0.02, 0.02), (z0 + 0.08, h - 0.12), "black glass", bevel=0)
-        b.box((f - 0.02, f + 0.001), (-0.0185, 0.0185), (z0 + 0.0815, z0 + 0.08 + 0.6 * (h - 0.2 - z0)), "paper", bevel=0)
+        b.box(
+            (f - 0.02, f + 0.001), (-0.0185, 0.0185), (z0 + 0.0815, z0 + 0.08 + 0.6 * (h - 0.2 - z0)), "paper", bevel=0
+        )
         with b.frame(f - 0.004, 0.0, h - 0.07, pitch=math.pi / 2):
             b.frustum(0.012, 0.011, (0.0, 0.005), "chrome", segments=14)
     b.fit()

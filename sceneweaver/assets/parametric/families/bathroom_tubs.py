@@ -12,8 +12,12 @@ from .kitchen_parts import Finish, oval, rounded, vessel
 
 
 def _inside(rx: float, ry: float, h: float, power: float) -> list[np.ndarray]:
-    return [oval(rx, ry, h, power=power, n=40), oval(rx * 0.97, ry * 0.985, h - 0.05, power=power, n=40),
-            oval(rx * 0.84, ry * 0.90, 0.17, power=power, n=40), oval(rx * 0.6, ry * 0.80, 0.11, power=3.0, n=40)]  # fmt: skip
+    return [
+        oval(rx, ry, h, power=power, n=40),
+        oval(rx * 0.97, ry * 0.985, h - 0.05, power=power, n=40),
+        oval(rx * 0.84, ry * 0.90, 0.17, power=power, n=40),
+        oval(rx * 0.6, ry * 0.80, 0.11, power=3.0, n=40),
+    ]
 
 
 def _mixer(b: Builder, y: float, z: float, metal: Finish) -> None:
@@ -27,8 +31,12 @@ def _mixer(b: Builder, y: float, z: float, metal: Finish) -> None:
             b.bar((px - 0.028, y, z + 0.065), (px + 0.028, y, z + 0.065), 0.008, metal, 8)
         with b.frame(0.0, y, z):
             b.frustum(0.024, 0.02, (0.0, 0.05), metal, segments=14)
-            b.tube([(0, 0, 0.045), (0, s * 0.01, 0.085), (0, s * 0.06, 0.11), (0, s * 0.12, 0.1), (0, s * 0.14, 0.075)], 0.014,
-                   metal, 10)  # fmt: skip
+            b.tube(
+                [(0, 0, 0.045), (0, s * 0.01, 0.085), (0, s * 0.06, 0.11), (0, s * 0.12, 0.1), (0, s * 0.14, 0.075)],
+                0.014,
+                metal,
+                10,
+            )
 
 
 @draws("bathtub")
@@ -44,8 +52,12 @@ def bathtub(b: Builder) -> None:
     rx, ry = d / 2 - 0.055, w / 2 - 0.07
     with b.solid("tub"):
         n = 40
-        outer = [oval(d / 2 - 0.012, w / 2 - 0.012, 0.04, power=24, n=n), oval(d / 2 - 0.012, w / 2 - 0.012, h - 0.035, power=24, n=n),
-                 oval(d / 2, w / 2, h - 0.03, power=24, n=n), oval(d / 2, w / 2, h, power=24, n=n)]  # fmt: skip
+        outer = [
+            oval(d / 2 - 0.012, w / 2 - 0.012, 0.04, power=24, n=n),
+            oval(d / 2 - 0.012, w / 2 - 0.012, h - 0.035, power=24, n=n),
+            oval(d / 2, w / 2, h - 0.03, power=24, n=n),
+            oval(d / 2, w / 2, h, power=24, n=n),
+        ]
         vessel(b, outer, _inside(rx, ry, h, p), white, 20)
         # The apron in front and at both ends, framed.
         f = d / 2 - 0.013
@@ -85,8 +97,12 @@ def freestanding_bathtub(b: Builder) -> None:
             for sx in (-1, 1):
                 for sy in (-1, 1):
                     cx, cy = sx * d * 0.29, sy * w * 0.31
-                    pts = [(cx, cy, low + 0.12), (cx + sx * 0.045, cy + sy * 0.05, low + 0.05),
-                           (cx + sx * 0.03, cy + sy * 0.035, 0.06), (cx + sx * 0.055, cy + sy * 0.06, 0.028)]  # fmt: skip
+                    pts = [
+                        (cx, cy, low + 0.12),
+                        (cx + sx * 0.045, cy + sy * 0.05, low + 0.05),
+                        (cx + sx * 0.03, cy + sy * 0.035, 0.06),
+                        (cx + sx * 0.055, cy + sy * 0.06, 0.028),
+                    ]
                     b.tube(pts, 0.018, metal, 8)
                     b.ball((0.028, 0.028, 0.02), (cx + sx * 0.055, cy + sy * 0.06, 0.02), metal, 12)
             rings = [oval(d / 2 * a, w / 2 * c, z, power=p, n=n) for a, c, z in outer]
@@ -122,8 +138,12 @@ def _column(b: Builder, x: float, y: float, h: float, metal: Finish, yaw: float 
         for s in (-1, 1):
             with b.frame(0.0225, s * 0.14, 1.04, roll=-s * math.pi / 2):
                 b.frustum(0.02, 0.018, (0.0, 0.035), metal, segments=14)
-        b.tube([(0.03, 0, 1.05), (0.03, 0, h - 0.14), (0.06, 0, h - 0.07), (0.12, 0, h - 0.05), (0.32, 0, h - 0.05)], 0.011,
-               metal, 10)  # fmt: skip
+        b.tube(
+            [(0.03, 0, 1.05), (0.03, 0, h - 0.14), (0.06, 0, h - 0.07), (0.12, 0, h - 0.05), (0.32, 0, h - 0.05)],
+            0.011,
+            metal,
+            10,
+        )
         with b.frame(0.32, 0.0, h - 0.085):
             b.frustum(0.11, 0.11, (0.0, 0.012), metal, segments=24)
             b.frustum(0.03, 0.014, (0.012, 0.035), metal, segments=12)
@@ -131,8 +151,14 @@ def _column(b: Builder, x: float, y: float, h: float, metal: Finish, yaw: float 
         b.bar((0.075, -0.02, 1.38), (0.1, -0.02, 1.58), 0.011, metal, 10)
         with b.frame(0.105, -0.02, 1.6, pitch=1.9):
             b.frustum(0.045, 0.03, (-0.012, 0.012), metal, segments=16)
-        hose = [(0.075, -0.02, 1.385), (0.07, -0.04, 1.15), (0.06, -0.06, 0.85), (0.05, -0.05, 0.75), (0.035, -0.02, 0.8),
-                (0.03, -0.005, 1.02)]  # fmt: skip
+        hose = [
+            (0.075, -0.02, 1.385),
+            (0.07, -0.04, 1.15),
+            (0.06, -0.06, 0.85),
+            (0.05, -0.05, 0.75),
+            (0.035, -0.02, 0.8),
+            (0.03, -0.005, 1.02),
+        ]
         b.tube(hose, 0.007, "steel", 6)
 
 
@@ -152,7 +178,9 @@ def shower(b: Builder) -> None:
     g, t = 0.008, 0.025
     xf = x[1] - 0.03
     with b.solid("back"):
-        b.box((x[0], x[0] + 0.012), y, (0.06, h), b.material("wall", "white paint", "marble", "light grey paint"), bevel=0)
+        b.box(
+            (x[0], x[0] + 0.012), y, (0.06, h), b.material("wall", "white paint", "marble", "light grey paint"), bevel=0
+        )
         for z in np.arange(0.36, h - 0.1, 0.3):
             b.box((x[0] + 0.0118, x[0] + 0.0126), y, (float(z) - 0.0015, float(z) + 0.0015), "grey plastic", bevel=0)
     left = b.chance("left pane", 0.75)
@@ -203,11 +231,21 @@ def corner_shower(b: Builder) -> None:
         x1, y0 = d / 2 - inset, -w / 2 + inset
         cx, cy = x1 - r + inset, y0 + r - inset
         q = r - inset
-        return [(cx + q * math.cos(-math.pi / 2 + k * math.pi / (2 * n)), cy + q * math.sin(-math.pi / 2 + k * math.pi / (2 * n)))
-                for k in range(n + 1)]  # fmt: skip
+        return [
+            (
+                cx + q * math.cos(-math.pi / 2 + k * math.pi / (2 * n)),
+                cy + q * math.sin(-math.pi / 2 + k * math.pi / (2 * n)),
+            )
+            for k in range(n + 1)
+        ]
 
     def outline(inset: float, z: float) -> np.ndarray:
-        pts = [(-d / 2 + inset, -w / 2 + inset), *front(inset), (d / 2 - inset, w / 2 - inset), (-d / 2 + inset, w / 2 - inset)]
+        pts = [
+            (-d / 2 + inset, -w / 2 + inset),
+            *front(inset),
+            (d / 2 - inset, w / 2 - inset),
+            (-d / 2 + inset, w / 2 - inset),
+        ]
         return np.array([(px, py, z) for px, py in pts])
 
     m = n + 4
@@ -226,13 +264,24 @@ def corner_shower(b: Builder) -> None:
     for k in range(len(line) - 1):
         (ax, ay), (bx, by) = line[k], line[k + 1]
         long = math.hypot(bx - ax, by - ay)
-        with b.solid(groups[k] if groups[k] != "curve" else f"curve {k // 5}"):
-            with b.frame(ax, ay, 0.0, yaw=math.atan2(by - ay, bx - ax)):
-                b.box((0.0, long), (-0.004, 0.004), (0.12, h - 0.03), "glass", bevel=0)
-                if k in (0, len(line) - 2):
-                    b.box((0.0 if k == 0 else long - 0.02, 0.02 if k == 0 else long), (-0.012, 0.012), (0.12, h - 0.03), metal,
-                          bevel=0)  # fmt: skip
-                    b.box((long - 0.012, long) if k == 0 else (0.0, 0.012), (-0.012, 0.012), (0.12, h - 0.03), metal, bevel=0)
+        name = groups[k] if groups[k] != "curve" else f"curve {k // 5}"
+        with b.solid(name), b.frame(ax, ay, 0.0, yaw=math.atan2(by - ay, bx - ax)):
+            b.box((0.0, long), (-0.004, 0.004), (0.12, h - 0.03), "glass", bevel=0)
+            if k in (0, len(line) - 2):
+                b.box(
+                    (0.0 if k == 0 else long - 0.02, 0.02 if k == 0 else long),
+                    (-0.012, 0.012),
+                    (0.12, h - 0.03),
+                    metal,
+                    bevel=0,
+                )
+                b.box(
+                    (long - 0.012, long) if k == 0 else (0.0, 0.012),
+                    (-0.012, 0.012),
+                    (0.12, h - 0.03),
+                    metal,
+                    bevel=0,
+                )
     a = line[1 + n // 2]
     c = math.sqrt(0.5)
     with b.solid("curve 0"):

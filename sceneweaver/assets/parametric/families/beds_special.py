@@ -5,12 +5,16 @@ from __future__ import annotations
 import math
 
 from ... import shapes
-from ..builder import Builder
+from ..builder import Builder, Interval
 from ..registry import draws
 from .beds_parts import SHEETS, bedding, ladder, slats
 from .seating_parts import pillow, ring_shape, square_leg
 
 _WOODS = ("pine", "white paint", "oak", "birch", "light grey paint", "ash grey wood")
+
+
+def _span(a: float, c: float) -> Interval:
+    return (min(a, c), max(a, c))
 
 
 def _posts(b: Builder, x, y, high: float, size: float, wood) -> None:
@@ -269,7 +273,7 @@ def hospital_bed(b: Builder) -> None:
             b.box((px + 0.012, px + 0.033), (-0.16, 0.16), (high - 0.002, high), panel, bevel=0.0005)
             b.box((px - 0.0, px + 0.045), (-0.24, 0.24), (high - 0.15, high - 0.1), "grey plastic", bevel=0.002)
     for s in (-1, 1):
-        ya, yb = sorted((s * (w / 2 - 0.055), s * (w / 2 - 0.02)))
+        ya, yb = _span(s * (w / 2 - 0.055), s * (w / 2 - 0.02))
         for xs, name in (((x[0] + 0.16, x[0] + 0.86), "head rail"), ((x[0] + 1.0, x[0] + 1.6), "foot rail")):
             with b.solid(f"{name} {s}"):
                 top_z = 0.88 if name == "head rail" else 0.8
@@ -283,7 +287,7 @@ def hospital_bed(b: Builder) -> None:
                       (deck - 0.05, deck - 0.02), metal)  # fmt: skip
                 b.box(
                     (sum(xs) / 2 - 0.1, sum(xs) / 2 + 0.1),
-                    sorted((s * w / 2, s * (w / 2 - 0.05))),
+                    _span(s * w / 2, s * (w / 2 - 0.05)),
                     (top_z - 0.07, top_z - 0.02),
                     "grey plastic",
                     bevel=0.008,
@@ -330,10 +334,10 @@ def massage_table(b: Builder) -> None:
                 for k in range(3):
                     step = (x[1] - x[0] - 0.24) / 3
                     xs = (x[0] + 0.12 + k * step + 0.006, x[0] + 0.12 + (k + 1) * step - 0.006)
-                    b.box(xs, sorted((s * (y[1] - 0.061), s * (y[1] - 0.045))), (0.09, h - 0.15), wood)
+                    b.box(xs, _span(s * (y[1] - 0.061), s * (y[1] - 0.045)), (0.09, h - 0.15), wood)
                     b.box(
                         (xs[1] - 0.05, xs[1] - 0.038),
-                        sorted((s * (y[1] - 0.046), s * (y[1] - 0.03))),
+                        _span(s * (y[1] - 0.046), s * (y[1] - 0.03)),
                         (h - 0.32, h - 0.2),
                         "brushed steel",
                         bevel=0.003,

@@ -12,8 +12,18 @@ from ..registry import draws
 from .lighting_parts import across
 from .walls_art import art
 
-_GLAZES = ("white ceramic", "blue ceramic", "terracotta", "grey ceramic", "cream ceramic", "glass", "sage paint", "dark marble",
-           "black paint", "rust fabric")  # fmt: skip
+_GLAZES = (
+    "white ceramic",
+    "blue ceramic",
+    "terracotta",
+    "grey ceramic",
+    "cream ceramic",
+    "glass",
+    "sage paint",
+    "dark marble",
+    "black paint",
+    "rust fabric",
+)
 _PROFILES = (
     [(0.5, 0.0), (0.56, 0.02), (0.9, 0.3), (1.0, 0.5), (0.86, 0.72), (0.42, 0.88), (0.4, 0.92), (0.52, 1.0)],
     [(0.7, 0.0), (0.74, 0.02), (1.0, 0.18), (0.98, 0.34), (0.55, 0.58), (0.3, 0.72), (0.28, 0.92), (0.4, 1.0)],
@@ -27,11 +37,16 @@ def _vessel(b: Builder, r: float, h: float) -> None:
     look = b.material("glaze", *_GLAZES[:-1])
     profile = [(r * u, h * v) for u, v in b.pick("profile", _PROFILES)]
     lip = profile[-1][0] - max(0.004, 0.04 * r)
+    radii, heights = [u for u, _ in profile], [v for _, v in profile]
+    rr = float(np.interp(np.linspace(0.86, 1.0, 15) * h, heights, radii).min()) - 0.005
+    inner = [(rr, 0.97 * h), (rr, 0.86 * h)]
     with b.solid("vase"):
-        b.lathe([*profile, (lip, h), (lip * 0.9, h * 0.9), (lip * 0.5, h * 0.86)], look, 32, hollow=True)
+        b.lathe([*profile, (lip, h), *inner], look, 32, hollow=True)
         if b.chance("band", 0.35) and look.name != "glass":
             (r0, z0), (r1, z1) = profile[1], profile[2]
-            b.lathe([(r0 + 0.0004, z0), (r1 + 0.0004, z1)], b.material("band", "brass", "white ceramic", "ink pigment"), 32)
+            b.lathe(
+                [(r0 + 0.0004, z0), (r1 + 0.0004, z1)], b.material("band", "brass", "white ceramic", "ink pigment"), 32
+            )
 
 
 @draws("vase")
@@ -56,14 +71,22 @@ def floor_vase(b: Builder) -> None:
         count = 26
         t = np.linspace(0.72, 1.0, count)
         at = np.c_[tip[0] * t, tip[1] * t, tip[2] * (0.78 + 0.2 * (t - 0.72) / 0.28)]
-        k.add(leaves(at, np.arange(count) * 2.4, 1.1, 0.9, 0.1, 0.018, (0.4, 1, 0.2), 0.0, 0.003, rib=False), "sand pigment", n)
+        k.add(
+            leaves(at, np.arange(count) * 2.4, 1.1, 0.9, 0.1, 0.018, (0.4, 1, 0.2), 0.0, 0.003, rib=False),
+            "sand pigment",
+            n,
+        )
     with b.solid("stalks"):
         k.draw(b, (-r * 0.95, r * 0.95), (-r * 0.95, r * 0.95), (tall * 0.9, h))
 
 
 def _flame(b: Builder, z: float, size: float = 0.03) -> None:
     b.bar((0, 0, z - 0.002), (0, 0, z + 0.006), 0.0012, "black plastic", 6)
-    b.lathe([(0.001, z + 0.003), (size * 0.24, z + size * 0.4), (size * 0.16, z + size * 0.68), (0.0, z + size)], "flame", 10)
+    b.lathe(
+        [(0.001, z + 0.003), (size * 0.24, z + size * 0.4), (size * 0.16, z + size * 0.68), (0.0, z + size)],
+        "flame",
+        10,
+    )
 
 
 @draws("candle")
@@ -75,8 +98,12 @@ def candle(b: Builder) -> None:
     with b.solid("candle"):
         if kind == "jar":
             z = h * 0.8
-            b.lathe([(r * 0.94, 0.0), (r, 0.004), (r, z), (r - 0.003, z), (r - 0.003, z * 0.75)],
-                    b.material("jar", "glass", "grey ceramic", "brass", "white ceramic"), 28, hollow=True)  # fmt: skip
+            b.lathe(
+                [(r * 0.94, 0.0), (r, 0.004), (r, z), (r - 0.003, z), (r - 0.003, z * 0.75)],
+                b.material("jar", "glass", "grey ceramic", "brass", "white ceramic"),
+                28,
+                hollow=True,
+            )
             b.frustum(r - 0.004, r - 0.004, (0.006, z * 0.76), wax, 24)
             _flame(b, z * 0.76, h - z * 0.76)
         elif kind == "pillar":
@@ -100,8 +127,22 @@ def candlestick(b: Builder) -> None:
     metal = b.material("metal", "brass", "black steel", "chrome", "oak", "copper")
     z = h * b.uniform("stick", 0.45, 0.58)
     with b.solid("candlestick"):
-        b.lathe([(r, 0.0), (r, 0.006), (r * 0.82, 0.014), (r * 0.3, 0.03), (r * 0.18, z * 0.35), (r * 0.34, z * 0.45),
-                 (r * 0.2, z * 0.55), (r * 0.16, z * 0.85), (r * 0.44, z * 0.94), (r * 0.44, z)], metal, 28)  # fmt: skip
+        b.lathe(
+            [
+                (r, 0.0),
+                (r, 0.006),
+                (r * 0.82, 0.014),
+                (r * 0.3, 0.03),
+                (r * 0.18, z * 0.35),
+                (r * 0.34, z * 0.45),
+                (r * 0.2, z * 0.55),
+                (r * 0.16, z * 0.85),
+                (r * 0.44, z * 0.94),
+                (r * 0.44, z),
+            ],
+            metal,
+            28,
+        )
         top = h - 0.03
         b.frustum(0.011, 0.009, (z - 0.005, top), b.material("candle", "candle wax", "white paint", "red paint"), 14)
         _flame(b, top)
@@ -133,14 +174,25 @@ def decorative_tray(b: Builder) -> None:
     lip = h * 0.62
     with b.solid("tray"):
         b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.008), look, bevel=0.002)
-        for s in (-1, 1):
-            x = sorted((s * (d / 2 - 0.008), s * d / 2))
-            y = sorted((s * (w / 2 - 0.008), s * w / 2))
+    for s in (-1, 1):
+        x = sorted((s * (d / 2 - 0.008), s * d / 2))
+        y = sorted((s * (w / 2 - 0.008), s * w / 2))
+        with b.solid(f"long rim {s}"):
             b.box((x[0], x[1]), (-w / 2, w / 2), (0.006, lip), look, bevel=0.002)
+        with b.solid(f"rim {s}"):
             b.box((-d / 2 + 0.008, d / 2 - 0.008), (y[0], y[1]), (0.006, lip), look, bevel=0.002)
             c = s * (w / 2 - 0.004)
-            b.tube([(-d * 0.2, c, lip - 0.004), (-d * 0.18, c, h - 0.0045), (d * 0.18, c, h - 0.0045), (d * 0.2, c, lip - 0.004)],
-                   0.0038, metal, 8)  # fmt: skip
+            b.tube(
+                [
+                    (-d * 0.2, c, lip - 0.004),
+                    (-d * 0.18, c, h - 0.0045),
+                    (d * 0.18, c, h - 0.0045),
+                    (d * 0.2, c, lip - 0.004),
+                ],
+                0.0038,
+                metal,
+                8,
+            )
     b.surface("top", (-d / 2 + 0.012, d / 2 - 0.012), (-w / 2 + 0.012, w / 2 - 0.012), 0.008)
 
 
@@ -163,11 +215,20 @@ def picture_frame(b: Builder) -> None:
             y, z = (-w / 2 + bar, w / 2 - bar), (bar, tall - bar)
             b.add(shapes.box((0.0, thick * 0.5), y, z), "paper", [shapes.box((0.0, thick * 0.5 + 0.003), y, z)])
             m = 0.014
-            art(b, (y[0] + m, y[1] - m), (z[0] + m, z[1] - m), thick * 0.5, rng, b.pick("photo", ["hills", "sea", "leaves"]))
+            art(
+                b,
+                (y[0] + m, y[1] - m),
+                (z[0] + m, z[1] - m),
+                thick * 0.5,
+                rng,
+                b.pick("photo", ["hills", "sea", "leaves"]),
+            )
         top = h * 0.6
         foot, head = -d / 2 + 0.004, d / 2 - thick - math.tan(lean) * top
-        b.hull([(xx + u, v, zz) for xx, zz in ((foot, 0.0), (head, top)) for u in (-0.003, 0.003) for v in (-0.02, 0.02)],
-               "black paint")  # fmt: skip
+        b.hull(
+            [(xx + u, v, zz) for xx, zz in ((foot, 0.0), (head, top)) for u in (-0.003, 0.003) for v in (-0.02, 0.02)],
+            "black paint",
+        )
 
 
 @draws("bookend")
@@ -183,13 +244,26 @@ def bookend(b: Builder) -> None:
             r = min(d / 2, (w - 0.016) / 2) * 0.94
             b.ball((r, r, r), (0.0, -w / 2 + 0.014 + r, 0.015 + r), b.material("ball", "brass", "marble", "oak"), 20)
         elif kind == "wedge":
-            b.hull([(x, y, z) for x in (-d / 2, d / 2) for y, z in ((-w / 2, 0), (w / 2, 0), (-w / 2, h), (-w / 2 + 0.03, h),
-                                                                   (w / 2, h * 0.3))], look)  # fmt: skip
+            b.hull(
+                [
+                    (x, y, z)
+                    for x in (-d / 2, d / 2)
+                    for y, z in ((-w / 2, 0), (w / 2, 0), (-w / 2, h), (-w / 2 + 0.03, h), (w / 2, h * 0.3))
+                ],
+                look,
+            )
         else:
             b.box((-d / 2, d / 2), (-w / 2, -w / 2 + 0.02), (0.0, h), look)
             a = np.linspace(0, np.pi / 2, 9)
             r0, r1 = w - 0.02, (w - 0.02) * 0.5
             high = h * 0.92
             for p, q in zip(a[:-1], a[1:], strict=True):
-                b.hull([(x, -w / 2 + 0.02 + r * math.cos(t), high * r / r0 * math.sin(t)) for x in (-d / 2 + 0.01, d / 2 - 0.01)
-                        for r in (r0, r1) for t in (p, q)], look)  # fmt: skip
+                b.hull(
+                    [
+                        (x, -w / 2 + 0.02 + r * math.cos(t), high * r / r0 * math.sin(t))
+                        for x in (-d / 2 + 0.01, d / 2 - 0.01)
+                        for r in (r0, r1)
+                        for t in (p, q)
+                    ],
+                    look,
+                )

@@ -48,14 +48,18 @@ def sculpture(b: Builder) -> None:
                     t = j / n
                     turn, s = 2.2 * t, k * (1.0 - 0.55 * abs(2 * t - 1) ** 1.5 * 0.8)
                     c, q = math.cos(turn), math.sin(turn)
-                    rings += [(s * (u * c - v * q), s * (u * q + v * c), foot + (h - foot) * t) for u, v in
-                              ((1, 0.6), (-1, 0.6), (-1, -0.6), (1, -0.6))]  # fmt: skip
+                    rings += [
+                        (s * (u * c - v * q), s * (u * q + v * c), foot + (h - foot) * t)
+                        for u, v in ((1, 0.6), (-1, 0.6), (-1, -0.6), (1, -0.6))
+                    ]
                 b.hull(rings, look)
         else:
             for s, tall, one in ((1, 1.0, look), (-1, 0.78, base)):
                 top = foot + (h - foot) * tall
                 t = np.linspace(0, 1, 8)
-                path = np.c_[np.zeros(8), s * (0.16 + 0.2 * np.sin(np.pi * t) - 0.26 * t) * w, foot - 0.006 + (top - foot) * t]
+                path = np.c_[
+                    np.zeros(8), s * (0.16 + 0.2 * np.sin(np.pi * t) - 0.26 * t) * w, foot - 0.006 + (top - foot) * t
+                ]
                 flat = np.array([[-0.02, -d * 0.2], [0.02, -d * 0.2], [0.02, d * 0.2], [-0.02, d * 0.2]])[:, ::-1][::-1]
                 path[-1, 2] = top - 0.012
                 b.tube(path, flat, one)
@@ -66,8 +70,19 @@ def _head(b: Builder, x: float, z: float, s: float, look) -> None:
     """A head of height s with its chin at z: skull, jaw, nose, hair and neck."""
     b.ball((s * 0.36, s * 0.3, s * 0.4), (x - s * 0.03, 0, z + s * 0.6), look, 18)
     b.ball((s * 0.25, s * 0.22, s * 0.34), (x + s * 0.08, 0, z + s * 0.33), look, 14)
-    b.hull([(x + s * u, s * v, z + s * q) for u, v, q in ((0.3, 0.0, 0.62), (0.43, 0.045, 0.4), (0.43, -0.045, 0.4),
-                                                         (0.26, 0.07, 0.38), (0.26, -0.07, 0.38))], look)  # fmt: skip
+    b.hull(
+        [
+            (x + s * u, s * v, z + s * q)
+            for u, v, q in (
+                (0.3, 0.0, 0.62),
+                (0.43, 0.045, 0.4),
+                (0.43, -0.045, 0.4),
+                (0.26, 0.07, 0.38),
+                (0.26, -0.07, 0.38),
+            )
+        ],
+        look,
+    )
     for sy in (-1, 1):
         b.ball((s * 0.05, s * 0.03, s * 0.09), (x - s * 0.02, sy * s * 0.295, z + s * 0.5), look, 8)
         b.ball((s * 0.09, s * 0.1, s * 0.03), (x + s * 0.27, sy * s * 0.11, z + s * 0.62), look, 8)
@@ -75,7 +90,9 @@ def _head(b: Builder, x: float, z: float, s: float, look) -> None:
     rng = np.random.default_rng(3)
     for k in range(18):
         a, e = k * 2.399, 0.15 + 1.3 * (k + 0.5) / 18
-        p = np.array([-0.06 + 0.34 * math.cos(a) * math.cos(e), 0.29 * math.sin(a) * math.cos(e), 0.62 + 0.37 * math.sin(e)])
+        p = np.array(
+            [-0.06 + 0.34 * math.cos(a) * math.cos(e), 0.29 * math.sin(a) * math.cos(e), 0.62 + 0.37 * math.sin(e)]
+        )
         if p[0] > 0.2 and p[2] < 0.8:
             continue
         r = s * rng.uniform(0.08, 0.1)
@@ -94,10 +111,29 @@ def bust(b: Builder) -> None:
         k = d * 0.36
         b.lathe([(k, 0.0), (k, foot * 0.2), (k * 0.7, foot * 0.4), (k * 0.55, foot * 0.8), (k * 0.7, foot)], look, 24)
         z1 = h - s
-        y = np.array([(0.3, foot), (0.46, foot + 0.3 * (z1 - foot)), (0.5, foot + 0.6 * (z1 - foot)), (0.36, z1 - 0.12 * s),
-                      (0.14, z1)])  # fmt: skip
-        b.hull([(d * u * q, sy * w * v * r, z) for v, z in y for sy in (-1, 1) for u, q, r in
-                ((0.5, 0.55 + 0.45 * (v > 0.3), 0.55), (0.3, 1.0, 1.0), (-0.3, 1.0, 1.0), (-0.5, 0.8, 0.55))], look)  # fmt: skip
+        y = np.array(
+            [
+                (0.3, foot),
+                (0.46, foot + 0.3 * (z1 - foot)),
+                (0.5, foot + 0.6 * (z1 - foot)),
+                (0.36, z1 - 0.12 * s),
+                (0.14, z1),
+            ]
+        )
+        b.hull(
+            [
+                (d * u * q, sy * w * v * r, z)
+                for v, z in y
+                for sy in (-1, 1)
+                for u, q, r in (
+                    (0.5, 0.55 + 0.45 * (v > 0.3), 0.55),
+                    (0.3, 1.0, 1.0),
+                    (-0.3, 1.0, 1.0),
+                    (-0.5, 0.8, 0.55),
+                )
+            ],
+            look,
+        )
         with b.frame(d * 0.02):
             _head(b, 0.0, z1 - 0.005, s * 0.99, look)
 
@@ -118,15 +154,35 @@ def statue(b: Builder) -> None:
     r = min(d, w) * 0.4
     with b.solid("figure"):
         b.frustum(r, r, (p, p + 0.02), look, 24, bevel=0.004)
-        rows = [(0.8, 0.02), (0.66, 0.2), (0.6, 0.42), (0.66, 0.5), (0.46, 0.64), (0.6, 0.76), (0.56, 0.82), (0.2, 0.85)]
+        rows = [
+            (0.8, 0.02),
+            (0.66, 0.2),
+            (0.6, 0.42),
+            (0.66, 0.5),
+            (0.46, 0.64),
+            (0.6, 0.76),
+            (0.56, 0.82),
+            (0.2, 0.85),
+        ]
         folds = 12
         for (u0, v0), (u1, v1) in zip(rows[:-1], rows[1:], strict=True):
-            b.hull([(r * u * 0.72 * math.cos(a), r * u * math.sin(a), p + f * v) for u, v in ((u0, v0), (u1, v1)) for a in
-                    np.arange(folds) * 2 * math.pi / folds], look)  # fmt: skip
+            b.hull(
+                [
+                    (r * u * 0.72 * math.cos(a), r * u * math.sin(a), p + f * v)
+                    for u, v in ((u0, v0), (u1, v1))
+                    for a in np.arange(folds) * 2 * math.pi / folds
+                ],
+                look,
+            )
         for k in range(9):
             a = -1.2 + 0.3 * k
-            b.bar((0.72 * r * 0.8 * math.cos(a), r * 0.8 * math.sin(a), p + f * 0.02),
-                  (0.72 * r * 0.5 * math.cos(a), r * 0.5 * math.sin(a), p + f * 0.6), 0.07 * r, look, 6)  # fmt: skip
+            b.bar(
+                (0.72 * r * 0.8 * math.cos(a), r * 0.8 * math.sin(a), p + f * 0.02),
+                (0.72 * r * 0.5 * math.cos(a), r * 0.5 * math.sin(a), p + f * 0.6),
+                0.07 * r,
+                look,
+                6,
+            )
         for s in (-1, 1):
             elbow = (r * 0.1, s * r * 0.86, p + f * 0.6)
             hand = (r * 0.5, s * r * 0.3, p + f * (0.62 if s > 0 else 0.54))
@@ -146,7 +202,9 @@ def pedestal(b: Builder) -> None:
             b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.05), look, bevel=0.004)
             b.lathe([(r * 1.16, 0.05), (r * 1.16, 0.075), (r * 1.02, 0.1)], look, 32)
             t = np.arange(32)
-            ring = np.c_[np.cos(t * math.pi / 16), np.sin(t * math.pi / 16)] * np.where(t % 2 == 0, r, r * 0.93)[:, None]
+            ring = (
+                np.c_[np.cos(t * math.pi / 16), np.sin(t * math.pi / 16)] * np.where(t % 2 == 0, r, r * 0.93)[:, None]
+            )
             b.add(shapes.extrusion(ring, (0.1, h - 0.09)), look, [shapes.extrusion(ring[::2], (0.1, h - 0.09))])
             b.lathe([(r * 0.98, h - 0.09), (r * 1.14, h - 0.06), (r * 1.14, h - 0.045)], look, 32)
             b.box((-d / 2, d / 2), (-w / 2, w / 2), (h - 0.045, h), look, bevel=0.004)
@@ -186,16 +244,33 @@ def desk_globe(b: Builder) -> None:
     w, h = b.size.width, b.size.height
     metal = b.material("stand", "brass", "walnut", "oak", "black steel", "chrome")
     sea = b.material("sea", "sea pigment", "sky pigment", "night pigment", "sand pigment")
-    land = b.material("land", "moss pigment", "ochre pigment", "forest pigment") if sea.name != "sand pigment" else "wicker"
+    land = (
+        b.material("land", "moss pigment", "ochre pigment", "forest pigment")
+        if sea.name != "sand pigment"
+        else "wicker"
+    )
     r = min(w / 2 - 0.012, (h - 0.07) / 2.14)
     z = h - r - 0.012
     with b.solid("globe"):
-        b.lathe([(r * 0.62, 0.0), (r * 0.62, 0.008), (r * 0.5, 0.016), (0.014, 0.03), (0.012, z - r - 0.006)], metal, 28)
+        b.lathe(
+            [(r * 0.62, 0.0), (r * 0.62, 0.008), (r * 0.5, 0.016), (0.014, 0.03), (0.012, z - r - 0.006)], metal, 28
+        )
         with b.frame(0, 0, z, roll=0.41):
             b.ball((r, r, r), (0, 0, 0), sea, 24)
             rng = np.random.default_rng(b.whole("lands", 0, 9))
-            spots = [(0.4, 0.6, 0.5), (0.1, -0.5, 0.42), (1.5, 0.5, 0.55), (2.2, 0.1, 0.4), (3.3, 0.6, 0.45), (3.6, -0.4, 0.45),
-                     (5.0, 0.2, 0.5), (5.6, 0.7, 0.4), (4.5, -0.5, 0.35), (0.0, 1.5, 0.3), (0.0, -1.5, 0.35)]  # fmt: skip
+            spots = [
+                (0.4, 0.6, 0.5),
+                (0.1, -0.5, 0.42),
+                (1.5, 0.5, 0.55),
+                (2.2, 0.1, 0.4),
+                (3.3, 0.6, 0.45),
+                (3.6, -0.4, 0.45),
+                (5.0, 0.2, 0.5),
+                (5.6, 0.7, 0.4),
+                (4.5, -0.5, 0.35),
+                (0.0, 1.5, 0.3),
+                (0.0, -1.5, 0.35),
+            ]
             for lon, lat, size in spots:
                 t = np.arange(10) * 0.628
                 wide = size * rng.uniform(0.6, 1.1, 10)
@@ -268,16 +343,41 @@ def trophy(b: Builder) -> None:
     with b.solid("trophy"):
         b.box((-k * 0.8, k * 0.8), (-k * 0.8, k * 0.8), (0.0, f), base, bevel=0.005)
         b.box((k * 0.8 - 0.001, k * 0.8 + 0.001), (-k * 0.5, k * 0.5), (f * 0.25, f * 0.75), metal, bevel=0.0)
-        top = [(0.6, 0.0), (0.56, 0.04), (0.16, 0.1), (0.12, 0.2), (0.22, 0.26), (0.14, 0.32), (0.5, 0.42), (0.84, 0.6), (0.94, 0.85),
-               (1.0, 1.0)]  # fmt: skip
+        top = [
+            (0.6, 0.0),
+            (0.56, 0.04),
+            (0.16, 0.1),
+            (0.12, 0.2),
+            (0.22, 0.26),
+            (0.14, 0.32),
+            (0.5, 0.42),
+            (0.84, 0.6),
+            (0.94, 0.85),
+            (1.0, 1.0),
+        ]
         profile = [(k * u, f + (h - f) * v) for u, v in top]
-        b.lathe([*profile, (k * 0.93, h), (k * 0.86, f + (h - f) * 0.85), (k * 0.4, f + (h - f) * 0.6)], metal, 28, hollow=True)
+        b.lathe(
+            [*profile, (k * 0.93, h), (k * 0.86, f + (h - f) * 0.85), (k * 0.4, f + (h - f) * 0.6)],
+            metal,
+            28,
+            hollow=True,
+        )
         z0 = f + (h - f) * 0.5
         z1 = f + (h - f) * 0.9
         for s in (-1, 1):
             out = w / 2 - 0.004
-            b.tube([(0, s * k * 0.6, z0), (0, s * (k * 0.6 + out) / 2, z0 + 0.06 * h), (0, s * out, (z0 + z1) / 2 + 0.03 * h),
-                    (0, s * out * 0.96, z1), (0, s * k * 0.9, z1 - 0.02 * h)], 0.004, metal, 8)  # fmt: skip
+            b.tube(
+                [
+                    (0, s * k * 0.6, z0),
+                    (0, s * (k * 0.6 + out) / 2, z0 + 0.06 * h),
+                    (0, s * out, (z0 + z1) / 2 + 0.03 * h),
+                    (0, s * out * 0.96, z1),
+                    (0, s * k * 0.9, z1 - 0.02 * h),
+                ],
+                0.004,
+                metal,
+                8,
+            )
 
 
 @draws("snow_globe")
@@ -298,8 +398,11 @@ def snow_globe(b: Builder) -> None:
         with b.frame(0.15 * k, -0.28 * k):
             s = k * 0.2
             b.box((-s, s), (-s, s), (low, low + s * 1.7), "red paint", bevel=0.0)
-            b.hull([(x, y, low + s * 1.7) for x in (-s * 1.2, s * 1.2) for y in (-s * 1.2, s * 1.2)]
-                   + [(x, 0, low + s * 2.8) for x in (-s * 1.2, s * 1.2)], "white paint")  # fmt: skip
+            b.hull(
+                [(x, y, low + s * 1.7) for x in (-s * 1.2, s * 1.2) for y in (-s * 1.2, s * 1.2)]
+                + [(x, 0, low + s * 2.8) for x in (-s * 1.2, s * 1.2)],
+                "white paint",
+            )
 
 
 @draws("music_box", "jewelry_box")
@@ -327,7 +430,14 @@ def lidded_box(b: Builder) -> None:
             b.bar((0, y[1] + 0.018, z), (0.02, y[1] + 0.018, z + 0.012), 0.003, metal, 8)
             b.bar((0.02, y[1] + 0.016, z + 0.012), (0.02, y[1] + 0.03, z + 0.012), 0.005, wood, 10)
         with b.hinge("lid", (x[0], middle, lid), axis=(0.0, -1.0, 0.0), limits=(0.0, 1.7)):
-            b.hull([(px, py, z) for z, m in ((lid + 0.001, 0.0), (lid + 0.6 * (h - lid), 0.0), (h - 0.002, 0.012))
-                    for px in (x[0] + m, x[1] - m) for py in (y[0] + m, y[1] - m)], wood)  # fmt: skip
+            b.hull(
+                [
+                    (px, py, z)
+                    for z, m in ((lid + 0.001, 0.0), (lid + 0.6 * (h - lid), 0.0), (h - 0.002, 0.012))
+                    for px in (x[0] + m, x[1] - m)
+                    for py in (y[0] + m, y[1] - m)
+                ],
+                wood,
+            )
             b.box((x[0] + 0.03, x[1] - 0.03), (y[0] + 0.03, y[1] - 0.03), (h - 0.006, h), metal, bevel=0.0)
             b.box((x[1] - 0.004, d / 2), (middle - 0.01, middle + 0.01), (lid + 0.004, lid + 0.018), metal, bevel=0.002)

@@ -273,7 +273,9 @@ def cable_machine(b: Builder) -> None:
     with b.solid("beam"):
         b.box((0.08, 0.16), (-w / 2 + 0.1, w / 2 - 0.1), (h - 0.09, h - 0.01), frame, 0.004)
         for s in (-1, 1):
-            b.tube([(0.12, s * 0.2, h - 0.06), (0.3, s * 0.25, h - 0.06), (0.34, s * 0.5, h - 0.1)], 0.016, "rubber", 10)
+            b.tube(
+                [(0.12, s * 0.2, h - 0.06), (0.3, s * 0.25, h - 0.06), (0.34, s * 0.5, h - 0.1)], 0.016, "rubber", 10
+            )
 
 
 @gear("leg_press")
@@ -308,7 +310,9 @@ def leg_press(b: Builder) -> None:
         b.box((-0.1, 0.16), (-gauge - 0.06, gauge + 0.06), (0.02, 0.1), "black steel", 0.006)
         b.box((-0.13, -0.09), (-gauge, gauge), (0.02, 0.5), "black plastic", 0.01)
         for k in range(5):
-            inlay(b, (-0.1303, -0.12), (-gauge * 0.8, gauge * 0.8), (0.12 + 0.07 * k, 0.13 + 0.07 * k), "yellow plastic")
+            inlay(
+                b, (-0.1303, -0.12), (-gauge * 0.8, gauge * 0.8), (0.12 + 0.07 * k, 0.13 + 0.07 * k), "yellow plastic"
+            )
         looks = _bumper(b, 2)
         for s in (-1, 1):
             b.bar((0.04, s * gauge, 0.1), (0.04, s * w / 2, 0.1), 0.024, "chrome", 10)
@@ -331,7 +335,9 @@ def pull_up_bar(b: Builder) -> None:
             post(b, (x, s * half, h * 0.5), (x, s * half, h - 0.02), frame, 0.055)
         with b.solid("dips"):
             b.box((x, d / 2 - 0.06), (y - 0.025, y + 0.025), (h * 0.5 - 0.03, h * 0.5 + 0.02), frame, 0.004)
-            b.cushion((x + 0.03, x + 0.33), (y - 0.06, y + 0.06), (h * 0.5 + 0.015, h * 0.5 + 0.06), "black leather", 0.02)
+            b.cushion(
+                (x + 0.03, x + 0.33), (y - 0.06, y + 0.06), (h * 0.5 + 0.015, h * 0.5 + 0.06), "black leather", 0.02
+            )
             b.bar((d / 2 - 0.1, y, h * 0.5), (d / 2 - 0.1, y, h * 0.5 + 0.16), 0.017, "rubber", 10)
     with b.solid("dips"):
         b.box((x - 0.03, x + 0.03), (-half, half), (h * 0.5 - 0.03, h * 0.5 + 0.03), frame, 0.004)

@@ -1,4 +1,4 @@
-"""Bars, cafes and restaurants: counters, display cases, stands, buffets, signs, trolleys."""
+"""Bars, cafes and restaurants: counters, display cases, espresso machines, tills, host stands."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import math
 
 from ..builder import Builder
 from ..registry import draws
-from .kitchen_parts import castors, loft, oval
 
 _WOODS = ("oak", "walnut", "mahogany", "wenge", "cherry", "light oak", "ash grey wood", "pine")
 
@@ -35,7 +34,13 @@ def bar_counter(b: Builder) -> None:
                 b.box((f - 0.001, f + 0.014), (a - 0.035, a + 0.035), (0.1, h - t - 0.08), wood, bevel=0.002)
                 if k < n:
                     m = y[0] + 0.02 + (k + 0.5) * step
-                    b.box((f - 0.001, f + 0.009), (m - step / 2 + 0.075, m + step / 2 - 0.075), (0.15, h - t - 0.13), wood, bevel=0.007)
+                    b.box(
+                        (f - 0.001, f + 0.009),
+                        (m - step / 2 + 0.075, m + step / 2 - 0.075),
+                        (0.15, h - t - 0.13),
+                        wood,
+                        bevel=0.007,
+                    )
         else:
             n = round(w / 0.07)
             step = (w - 0.04) / n
@@ -64,7 +69,9 @@ def bar_counter(b: Builder) -> None:
         with b.solid(f"shelf {k}"):
             b.box(inner, (y[0] + 0.045, y[1] - 0.045), (z - 0.022, z), wood, bevel=0.001)
         up = (0.48 - 0.025 if k == 0 else hw - 0.035) - z
-        b.surface(f"shelf-{k}", (inner[0] + 0.01, inner[1] - 0.01), (y[0] + 0.06, y[1] - 0.06), z, headroom=round(up, 3))
+        b.surface(
+            f"shelf-{k}", (inner[0] + 0.01, inner[1] - 0.01), (y[0] + 0.06, y[1] - 0.06), z, headroom=round(up, 3)
+        )
     b.surface("worktop", (back + 0.01, f - 0.24), (y[0] + 0.06, y[1] - 0.06), hw)
     b.surface("top", (f - 0.21, d / 2 - 0.01), (y[0] + 0.01, y[1] - 0.01), h)
     b.fit()
@@ -115,11 +122,31 @@ def display_case(b: Builder) -> None:
         xt = x[1] - lean
         b.box((x[0], xt + 0.012), y, (h - 0.03, h), metal, bevel=0.003)
         z0, z1 = low + 0.03, h - 0.03
-        b.hull([(px + o, s * (w / 2 - 0.002), z) for px, z in ((x[1], z0), (xt, z1)) for o in (-0.01, 0.0) for s in (-1, 1)], "glass")
+        b.hull(
+            [
+                (px + o, s * (w / 2 - 0.002), z)
+                for px, z in ((x[1], z0), (xt, z1))
+                for o in (-0.01, 0.0)
+                for s in (-1, 1)
+            ],
+            "glass",
+        )
         for s in (-1, 1):
-            b.hull([(px, s * (w / 2 - 0.003) + o, z) for px, z in ((x[0] + 0.02, z0), (x[0] + 0.02, z1), (x[1] - 0.011, z0), (xt - 0.011, z1))
-                    for o in (-0.003, 0.003)], "glass")  # fmt: skip
-            b.box((x[0], x[0] + 0.02), (s * (w / 2 - 0.012) - 0.012, s * (w / 2 - 0.012) + 0.012), (z0, z1), metal, bevel=0)
+            b.hull(
+                [
+                    (px, s * (w / 2 - 0.003) + o, z)
+                    for px, z in ((x[0] + 0.02, z0), (x[0] + 0.02, z1), (x[1] - 0.011, z0), (xt - 0.011, z1))
+                    for o in (-0.003, 0.003)
+                ],
+                "glass",
+            )
+            b.box(
+                (x[0], x[0] + 0.02),
+                (s * (w / 2 - 0.012) - 0.012, s * (w / 2 - 0.012) + 0.012),
+                (z0, z1),
+                metal,
+                bevel=0,
+            )
         for k, ys in enumerate(((y[0] + 0.024, 0.01), (-0.01, y[1] - 0.024))):
             b.box((x[0] + 0.002 + 0.009 * k, x[0] + 0.008 + 0.009 * k), ys, (z0, z1), "glass", bevel=0)
         zm = (z0 + z1) / 2 + 0.02
@@ -160,8 +187,19 @@ def espresso_machine(b: Builder) -> None:
         b.box((x[0], x[1] - 0.09), y, (top - 0.14, top), body, bevel=0.012)
         for s in (-1, 1):
             ys = (s * (w / 2 - 0.014) - 0.012, s * (w / 2 - 0.014) + 0.012)
-            b.hull([(px, py, z) for px, z in ((x[0] + 0.01, 0.06), (x[0] + 0.01, top - 0.05), (x[0] + 0.27, top - 0.05), (x[0] + 0.17, 0.06))
-                    for py in ys], body)  # fmt: skip
+            b.hull(
+                [
+                    (px, py, z)
+                    for px, z in (
+                        (x[0] + 0.01, 0.06),
+                        (x[0] + 0.01, top - 0.05),
+                        (x[0] + 0.27, top - 0.05),
+                        (x[0] + 0.17, 0.06),
+                    )
+                    for py in ys
+                ],
+                body,
+            )
         f = x[1] - 0.09
         for k in range(n):
             c = (k - (n - 1) / 2) * (w - 0.24) / max(1, n - 1) if n == 3 else (k - 0.5) * w * 0.42
@@ -174,8 +212,13 @@ def espresso_machine(b: Builder) -> None:
             b.bar((gx + 0.06, c, top - 0.215), (x[1], c, top - 0.235), 0.0145, grip, 10)
             for j in range(4):
                 a = c - 0.036 + j * 0.024
-                b.box((f - 0.01, f + 0.0025), (a - 0.008, a + 0.008), (top - 0.07, top - 0.052), "black plastic" if j else "lamp glow",
-                      bevel=0)  # fmt: skip
+                b.box(
+                    (f - 0.01, f + 0.0025),
+                    (a - 0.008, a + 0.008),
+                    (top - 0.07, top - 0.052),
+                    "black plastic" if j else "lamp glow",
+                    bevel=0,
+                )
         with b.frame(f - 0.002, 0.0 if n == 2 else (w - 0.24) / 4, top - 0.075, pitch=math.pi / 2):
             b.frustum(0.026, 0.025, (0.0, 0.012), "chrome", segments=20)
             b.frustum(0.021, 0.021, (0.01, 0.0125), "white plastic", segments=18)
@@ -188,8 +231,12 @@ def espresso_machine(b: Builder) -> None:
                 b.frustum(0.02, 0.018, (0.0, 0.035), grip, segments=12, bevel=0.003)
         r = 0.004
         c0, c1 = (x[0] + 0.015, f - 0.015), (y[0] + 0.015, y[1] - 0.015)
-        for a, e in (((c0[0], c1[0]), (c0[1], c1[0])), ((c0[1], c1[0]), (c0[1], c1[1])), ((c0[1], c1[1]), (c0[0], c1[1])), ((c0[0], c1[1]),
-                     (c0[0], c1[0]))):  # fmt: skip
+        for a, e in (
+            ((c0[0], c1[0]), (c0[1], c1[0])),
+            ((c0[1], c1[0]), (c0[1], c1[1])),
+            ((c0[1], c1[1]), (c0[0], c1[1])),
+            ((c0[0], c1[1]), (c0[0], c1[0])),
+        ):
             b.bar((*a, rail), (*e, rail), r, "chrome", 6)
             b.bar((*a, top - 0.01), (*a, rail), r, "chrome", 6)
         k = 0
@@ -224,22 +271,54 @@ def cash_register(b: Builder) -> None:
         if touch:
             with b.frame(-0.02, 0.0, z):
                 b.box((-0.1, 0.07), (-0.1, 0.1), (0.0, 0.02), body, bevel=0.005)
-                b.hull([(px, py, pz) for px, pz in ((-0.08, 0.015), (-0.02, 0.015), (-0.06, 0.13), (-0.03, 0.13)) for py in (-0.03, 0.03)], body)
+                b.hull(
+                    [
+                        (px, py, pz)
+                        for px, pz in ((-0.08, 0.015), (-0.02, 0.015), (-0.06, 0.13), (-0.03, 0.13))
+                        for py in (-0.03, 0.03)
+                    ],
+                    body,
+                )
             up = h - z
             a = 0.42
             with b.frame(0.0, 0.0, z + 0.035, pitch=-a):
                 long = (up - 0.035 - 0.02) / math.cos(a)
                 b.box((-0.03, 0.0), (-w * 0.42, w * 0.42), (0.0, long), body, bevel=0.006)
                 b.box((-0.002, 0.0015), (-w * 0.39, w * 0.39), (0.014, long - 0.014), "screen", bevel=0)
-                tints = ("blue plastic", "green plastic", "orange plastic", "yellow plastic", "grey plastic", "red plastic")
+                tints = (
+                    "blue plastic",
+                    "green plastic",
+                    "orange plastic",
+                    "yellow plastic",
+                    "grey plastic",
+                    "red plastic",
+                )
                 for i in range(3):
                     for j in range(4):
                         cy, cz = -w * 0.33 + j * w * 0.105, 0.035 + i * (long - 0.06) / 3
-                        b.box((0.0, 0.002), (cy, cy + w * 0.09), (cz, cz + (long - 0.08) / 3), tints[(i * 4 + j) % 6], bevel=0)
+                        b.box(
+                            (0.0, 0.002),
+                            (cy, cy + w * 0.09),
+                            (cz, cz + (long - 0.08) / 3),
+                            tints[(i * 4 + j) % 6],
+                            bevel=0,
+                        )
                 b.box((0.0, 0.002), (w * 0.12, w * 0.36), (0.035, long - 0.03), "white plastic", bevel=0)
         else:
-            b.hull([(px, py, pz) for px, pz in ((x[0] + 0.01, z), (x[1] - 0.02, z), (x[1] - 0.02, z + 0.03), (x[0] + 0.12, z + 0.13),
-                    (x[0] + 0.01, z + 0.13)) for py in (y[0] + 0.01, y[1] - 0.01)], body)  # fmt: skip
+            b.hull(
+                [
+                    (px, py, pz)
+                    for px, pz in (
+                        (x[0] + 0.01, z),
+                        (x[1] - 0.02, z),
+                        (x[1] - 0.02, z + 0.03),
+                        (x[0] + 0.12, z + 0.13),
+                        (x[0] + 0.01, z + 0.13),
+                    )
+                    for py in (y[0] + 0.01, y[1] - 0.01)
+                ],
+                body,
+            )
             run = x[1] - 0.02 - x[0] - 0.12
             tilt = math.atan2(0.1, run)
             with b.frame(x[1] - 0.02, 0.0, z + 0.03, pitch=tilt):
@@ -281,8 +360,14 @@ def host_stand(b: Builder) -> None:
     with b.solid("desk"):
         b.box((x[0], x[1]), y, (low - t, low), wood, bevel=0.001)
         # The slope rises toward the guests; a ledge keeps the book.
-        b.hull([(px, py, z) for px, z in ((-d / 2, low), (-d / 2, low + 0.03), (d / 2 - 0.06, h), (d / 2, h), (d / 2, low))
-                for py in (-w / 2, w / 2)], wood)  # fmt: skip
+        b.hull(
+            [
+                (px, py, z)
+                for px, z in ((-d / 2, low), (-d / 2, low + 0.03), (d / 2 - 0.06, h), (d / 2, h), (d / 2, low))
+                for py in (-w / 2, w / 2)
+            ],
+            wood,
+        )
         a = math.atan2(h - low - 0.03, d - 0.06)
         with b.frame(-d / 2, 0.0, low + 0.03, pitch=-a):
             b.box((0.006, 0.022), (-w / 2 + 0.03, w / 2 - 0.03), (-0.004, 0.016), trim, bevel=0.002)
@@ -290,246 +375,19 @@ def host_stand(b: Builder) -> None:
             b.box((0.06, 0.30), (-0.0015, 0.0015), (0.003, 0.0045), "grey plastic", bevel=0)
             for s in (-1, 1):
                 for k in range(6):
-                    b.box((0.09 + 0.033 * k, 0.094 + 0.033 * k), (s * 0.085 - 0.06, s * 0.085 + 0.06), (0.0035, 0.0044), "grey plastic", bevel=0)
+                    b.box(
+                        (0.09 + 0.033 * k, 0.094 + 0.033 * k),
+                        (s * 0.085 - 0.06, s * 0.085 + 0.06),
+                        (0.0035, 0.0044),
+                        "grey plastic",
+                        bevel=0,
+                    )
     for k, (z, up) in enumerate(((0.06, zm - t), (zm, low - t))):
-        b.surface(f"shelf-{k}", (x[0] + 0.02, x[1] - t - 0.01), (y[0] + t + 0.01, y[1] - t - 0.01), z, headroom=round(up - z - 0.005, 3))
-    b.fit()
-
-
-def _warmer(b: Builder, x: float, y: float, z: float, h: float, wide: float, deep: float, metal, dome: bool) -> None:
-    """A chafing dish: frame, burner, water pan, and a lid with a grip up to height h."""
-    with b.frame(x, y, z):
-        for s in (-1, 1):
-            for t in (-1, 1):
-                b.box((s * (deep / 2 - 0.015) - 0.008, s * (deep / 2 - 0.015) + 0.008), (t * (wide / 2 - 0.02) - 0.008, t * (wide / 2 - 0.02) + 0.008),
-                      (0.0, 0.12), metal, bevel=0)  # fmt: skip
-        b.box((-deep / 2 + 0.02, deep / 2 - 0.02), (-wide / 2 + 0.02, wide / 2 - 0.02), (0.02, 0.028), metal, bevel=0)
-        for t in (-1, 1):
-            with b.frame(0.0, t * wide * 0.22, 0.027):
-                b.frustum(0.04, 0.036, (0.0, 0.05), "copper", segments=14)
-        b.box((-deep / 2 + 0.01, deep / 2 - 0.01), (-wide / 2 + 0.012, wide / 2 - 0.012), (0.1, 0.16), metal, bevel=0.006)
-        b.box((-deep / 2, deep / 2), (-wide / 2, wide / 2), (0.155, 0.168), metal, bevel=0.003)
-        p = 5.0 if not dome else 2.6
-        zl = 0.168
-        up = h - z - zl - 0.03
-        rings = [oval(deep / 2 * s, wide / 2 * s, zl + up * f, power=p) for s, f in ((0.96, 0.0), (0.94, 0.35), (0.8, 0.75), (0.55, 1.0))]
-        loft(b, rings, metal, whole=True)
-        b.bar((0.0, -0.05, zl + up + 0.02), (0.0, 0.05, zl + up + 0.02), 0.009, "black plastic", 8)
-        for t in (-1, 1):
-            b.bar((0.0, t * 0.045, zl + up - 0.01), (0.0, t * 0.045, zl + up + 0.02), 0.006, "black plastic", 6)
-
-
-@draws("buffet_table")
-def buffet_table(b: Builder) -> None:
-    """A clothed table with two or three food warmers in a row, and room for plates at both ends and in front."""
-    d, w, h = b.size
-    cloth = b.material("cloth", "white fabric", "navy fabric", "black fabric", "red fabric", "beige fabric", "green fabric")
-    metal = b.material("warmers", "chrome", "brushed steel", "brass", "steel")
-    z = 0.84
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    n = 2 if w < 2.0 else 3
-    with b.solid("table"):
-        b.box((x[0] + 0.025, x[1] - 0.025), (y[0] + 0.025, y[1] - 0.025), (0.0, z - 0.004), cloth, bevel=0.01)
-        # Folds of the skirt.
-        for s in (-1, 1):
-            m = int(w / 0.09)
-            for k in range(m):
-                a = y[0] + 0.04 + (k + 0.5) * (w - 0.08) / m
-                b.hull([(s * (d / 2 - 0.026 + o), a + q, v) for o, q in ((0.0, -0.028), (0.0, 0.028), (0.014, 0.0)) for v in (0.004, z - 0.05)],
-                       cloth)  # fmt: skip
-            m = int(d / 0.09)
-            for k in range(m):
-                a = x[0] + 0.04 + (k + 0.5) * (d - 0.08) / m
-                b.hull([(a + q, s * (w / 2 - 0.026 + o), v) for o, q in ((0.0, -0.028), (0.0, 0.028), (0.014, 0.0)) for v in (0.004, z - 0.05)],
-                       cloth)  # fmt: skip
-        over = "white fabric" if cloth.name != "white fabric" else b.material("runner", "red fabric", "navy fabric", "mustard fabric")
-        b.box(x, y, (z - 0.06, z), over, bevel=0.006)
-    room = w - 0.66
-    wide = min(0.56, room / n - 0.06)
-    for k in range(n):
-        with b.solid(f"warmer {k}"):
-            _warmer(b, -0.1, (k - (n - 1) / 2) * room / n, z, h, wide, 0.37, metal, b.style in ("classic", "rustic"))
-    plates = y[0] + 0.17
-    with b.solid("plates"):
-        for s in (0, 1):
-            with b.frame(-0.16 + 0.3 * s, plates, z):
-                b.frustum(0.075, 0.13, (0.0, 0.012), "white ceramic", segments=24)
-                for k in range(1, 9):
-                    b.frustum(0.128, 0.13, (0.0005 + k * 0.0115, 0.0115 + k * 0.0115), "white ceramic", segments=24)
-    b.surface("front", (0.11, x[1] - 0.02), (y[0] + 0.33, y[1] - 0.02), z)
-    b.surface("end", (x[0] + 0.02, 0.105), (y[1] - 0.31, y[1] - 0.02), z)
-    b.fit()
-
-
-@draws("salad_bar")
-def salad_bar(b: Builder) -> None:
-    """A panelled counter with a cold well of pans under a glass guard on posts, and a tray rail in front."""
-    d, w, h = b.size
-    body = b.material("body", "oak", "walnut", "white paint", "sage paint", "brushed steel", "light oak")
-    rail = 0.14
-    x, y = (-d / 2, d / 2 - rail), (-w / 2, w / 2)
-    z = 0.86
-    with b.solid("body"):
-        b.box((x[0] + 0.05, x[1] - 0.05), (y[0] + 0.05, y[1] - 0.05), (0.0, 0.1), "black plastic", bevel=0)
-        b.box((x[0] + 0.01, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), (0.1, z - 0.06), body, bevel=0.002)
-        n = max(3, round(w / 0.45))
-        for k in range(n):
-            a, c = y[0] + 0.02 + k * (w - 0.04) / n, y[0] + 0.02 + (k + 1) * (w - 0.04) / n
-            b.box((x[1] - 0.011, x[1] - 0.002), (a + 0.015, c - 0.015), (0.14, z - 0.1), body, bevel=0.005)
-        b.box((x[0], x[0] + 0.07), y, (z - 0.06, z), "brushed steel", bevel=0)
-        b.box((x[1] - 0.07, x[1]), y, (z - 0.06, z), "brushed steel", bevel=0)
-        for s in (-1, 1):
-            b.box((x[0] + 0.07, x[1] - 0.07), (s * (w / 2 - 0.035) - 0.035, s * (w / 2 - 0.035) + 0.035), (z - 0.06, z), "brushed steel", bevel=0)
-        foods = ("lettuce", "tomato", "carrot", "cheese", "egg shell", "green apple", "aubergine", "bread crust", "grape", "lemon peel")
-        cols = max(3, round((w - 0.14) / 0.34))
-        wide, deep = (w - 0.14) / cols, (x[1] - x[0] - 0.14) / 2
-        first = b.whole("first", 0, 9)
-        for i in range(2):
-            for j in range(cols):
-                px, py = x[0] + 0.07 + i * deep, y[0] + 0.07 + j * wide
-                look = foods[(first + i * 4 + j * 3) % 10]
-                b.box((px, px + deep), (py, py + wide), (z - 0.06, z - 0.045), "steel", bevel=0)
-                b.box((px, px + deep), (py, py + 0.008), (z - 0.045, z - 0.002), "steel", bevel=0)
-                b.box((px, px + 0.008), (py + 0.008, py + wide), (z - 0.045, z - 0.002), "steel", bevel=0)
-                b.cushion((px + 0.012, px + deep - 0.004), (py + 0.012, py + wide - 0.004), (z - 0.05, z - 0.002), look, 0.02, 0.35)
-                for k in range(6):
-                    qx, qy = px + deep * (0.25 + 0.25 * (k % 3)), py + wide * (0.3 + 0.4 * (k // 3))
-                    b.ball((0.028, 0.032, 0.016), (qx + 0.01 * ((k * 7) % 3 - 1), qy, z - 0.003), look, 6)
-    for k in range(3):
-        px = x[1] + 0.03 + k * 0.048
-        b.bar((px, y[0] + 0.02, z - 0.07), (px, y[1] - 0.02, z - 0.07), 0.012, "chrome", 8)
-    with b.solid("rail"):
-        for s in (-1, 1):
-            b.hull([(px, s * w * 0.36 + o, v) for px, v in ((x[1] - 0.012, z - 0.1), (x[1] - 0.012, z - 0.2), (d / 2 - 0.014, z - 0.082),
-                    (d / 2 - 0.014, z - 0.1)) for o in (-0.012, 0.012)], "brushed steel")  # fmt: skip
-    with b.solid("guard"):
-        m = (x[0] + x[1]) / 2
-        for s in (-1, 1):
-            for t in (-1, 1):
-                b.bar((m + t * 0.02, s * (w / 2 - 0.035), z - 0.01), (m + t * 0.02, s * (w / 2 - 0.035), h - 0.03), 0.012, "chrome", 10)
-        b.box((m - 0.17, m + 0.17), y, (h - 0.03, h), body, bevel=0.003)
-        b.box((m - 0.03, m + 0.03), (y[0] + 0.06, y[1] - 0.06), (h - 0.034, h - 0.028), "lamp glow", bevel=0)
-        for t in (-1, 1):
-            b.hull([(m + t * px, py, v) for px, v in ((0.155, h - 0.03), (0.161, h - 0.03), (0.305, h - 0.2), (0.311, h - 0.2)) for py in
-                    (y[0] + 0.02, y[1] - 0.02)], "glass")  # fmt: skip
-    b.fit()
-
-
-@draws("menu_board")
-def menu_board(b: Builder) -> None:
-    """Two framed blackboards hinged at their tops, with chalk writing, held apart by chains."""
-    d, w, h = b.size
-    wood = b.material("frame", "oak", "pine", "walnut", "beech", "black paint", "white paint")
-    lean = math.atan2(d / 2 - 0.028, h)
-    long = (h - 0.004) / math.cos(lean) - 0.02
-    for s in (1, -1):
-        with b.solid(f"board {s}"), b.frame(s * 0.004, 0.0, h - 0.002, yaw=0.0 if s > 0 else math.pi, pitch=-lean):
-            y = (-w / 2, w / 2)
-            f, x = 0.05, (0.0, 0.022)
-            b.box(x, y, (-0.06, 0.0), wood, bevel=0.003)
-            b.box(x, y, (-long + 0.08, -long + 0.13), wood, bevel=0.003)
-            for t in (-1, 1):
-                ys = (y[0], y[0] + f) if t < 0 else (y[1] - f, y[1])
-                b.box(x, ys, (-long, -0.06), wood, bevel=0.003)
-            top, low = -0.06, -long + 0.13
-            b.box((0.006, 0.014), (y[0] + f, y[1] - f), (low, top), "ink pigment", bevel=0)
-            c = 0.0145
-            wide = w / 2 - f - 0.04
-            b.box((0.0135, c), (-wide * 0.7, wide * 0.7), (top - 0.085, top - 0.055), "chalk pigment", bevel=0)
-            b.box((0.0135, c), (-wide * 0.4, wide * 0.4), (top - 0.108, top - 0.103), "ochre pigment", bevel=0)
-            rows = 6
-            for k in range(rows):
-                z = top - 0.16 - k * (top - low - 0.24) / rows
-                name = 0.55 + 0.4 * b.uniform(f"long {s} {k}", 0.0, 1.0)
-                b.box((0.0135, c), (-wide, -wide + name * wide), (z, z + 0.014), "chalk pigment", bevel=0)
-                b.box((0.0135, c), (wide * 0.72, wide), (z, z + 0.014), "ochre pigment" if k % 2 else "chalk pigment", bevel=0)
-            # A cup in chalk.
-            z = low + 0.03
-            b.hull([(px, q, v) for px in (0.0135, c) for q, v in ((-0.022, z), (0.022, z), (0.034, z + 0.045), (-0.034, z + 0.045))], "chalk pigment")
-    z = 0.35 * h
-    half = (h - z) * math.tan(lean) - 0.004
-    with b.solid("board 1"):
-        for t in (-1, 1):
-            b.bar((-half, t * (w / 2 - 0.025), z), (half, t * (w / 2 - 0.025), z), 0.003, "brass", 6)
-    b.clear((-half, half), (-w / 2, w / 2), (0.0, z))
-    b.fit()
-
-
-@draws("serving_trolley")
-def serving_trolley(b: Builder) -> None:
-    """Two or three trays in a frame of tube, with a push bar and four wheels."""
-    d, w, h = b.size
-    metal = b.material("frame", "brass", "black steel", "chrome", "copper", "white steel")
-    board = b.material("trays", "glass", "walnut", "oak", "marble", "mirror", "black glass")
-    r = 0.011
-    x, y = (-d / 2 + r, d / 2 - r), (-w / 2 + r + 0.01, w / 2 - r - 0.10)
-    zs = (0.16, h - 0.12) if h < 0.85 else (0.15, 0.15 + (h - 0.28) / 2, h - 0.13)
-    for i, py in enumerate(y):
-        with b.solid(f"end {i}"):
-            for px in x:
-                b.bar((px, py, 0.085), (px, py, zs[-1] + 0.045), r, metal, 10)
-            if i == 1:
-                for px in x:
-                    b.tube([(px, py, zs[-1] + 0.03), (px, py + 0.03, h - 0.03), (px, w / 2 - r, h - r)], r, metal, 10)
-                b.bar((x[0] - r, w / 2 - r, h - r), (x[1] + r, w / 2 - r, h - r), r, metal, 10)
-    for k, z in enumerate(zs):
-        with b.solid(f"tray {k}"):
-            b.box((x[0], x[1]), (y[0], y[1]), (z - 0.012, z), board, bevel=0.001)
-            for px in x:
-                b.box((px - 0.008, px + 0.008), y, (z - 0.02, z - 0.004), metal, bevel=0)
-            for py in y:
-                b.box(x, (py - 0.008, py + 0.008), (z - 0.02, z - 0.004), metal, bevel=0)
-        for i, px in enumerate(x):
-            with b.solid(f"rail {i} {k}" if len(zs) < 3 else f"tray {k}"):
-                if len(zs) < 3:
-                    b.bar((px, y[0], z + 0.04), (px, y[1], z + 0.04), 0.005, metal, 6)
-        up = None if k == len(zs) - 1 else round(zs[k + 1] - 0.025 - z, 3)
-        b.surface(f"shelf-{k}" if up else "top", (x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), z, headroom=up)
-    with b.solid("tray 0"):
-        castors(b, x, y, 0.09, 0.035, metal)
-        for px in x:
-            for py in y:
-                b.bar((px, py, 0.08), (px, py, zs[0]), r, metal, 10)
-    b.fit()
-
-
-@draws("beer_tap")
-def beer_tap(b: Builder) -> None:
-    """A column or a bridge with two to four taps and tall handles, and a drip tray below."""
-    d, w, h = b.size
-    metal = b.material("tower", "chrome", "brass", "copper", "black steel", "brushed steel")
-    n = 2 if w < 0.38 else 3 if w < 0.46 else 4
-    x = -d / 2 + 0.075
-    top = h - 0.14
-    span = 0.085 * (n - 1)
-    with b.solid("tap"):
-        b.box((-d / 2 + 0.01, d / 2), (-w / 2, w / 2), (0.0, 0.022), "brushed steel", bevel=0.003)
-        for k in range(9):
-            a = -w / 2 + 0.02 + k * (w - 0.04) / 9
-            b.box((x + 0.06, d / 2 - 0.015), (a, a + 0.6 * (w - 0.04) / 9), (0.0215, 0.0245), "black steel", bevel=0)
-        r = 0.045
-        if n == 2 or b.chance("bridge", 0.5) and n > 2:
-            for s in (-1, 1) if n > 2 else (0,):
-                with b.frame(x, s * span / 2, 0.0):
-                    b.frustum(0.065, 0.055, (0.02, 0.045), metal, segments=24)
-                    b.frustum(r * 0.9, r * 0.9, (0.04, top), metal, segments=24)
-            b.bar((x, -span / 2 - 0.05, top - 0.01), (x, span / 2 + 0.05, top - 0.01), r, metal, 20)
-            for s in (-1, 1):
-                b.ball((r, r * 0.6, r), (x, s * (span / 2 + 0.05), top - 0.01), metal, 16)
-        else:
-            with b.frame(x, 0.0, 0.0):
-                b.frustum(0.085, 0.075, (0.02, 0.045), metal, segments=24)
-                b.frustum(0.055, 0.055, (0.04, top - 0.06), metal, segments=24)
-            b.box((x - 0.045, x + 0.045), (-span / 2 - 0.06, span / 2 + 0.06), (top - 0.075, top + 0.02), metal, bevel=0.012)
-        colors = ("red plastic", "yellow plastic", "green plastic", "black plastic", "blue plastic", "orange plastic")
-        for k in range(n):
-            y = (k - (n - 1) / 2) * 0.085
-            z = top - 0.015
-            b.bar((x + 0.03, y, z), (x + 0.095, y, z), 0.011, "chrome", 10)
-            b.bar((x + 0.085, y, z + 0.012), (x + 0.105, y, z - 0.085), 0.009, "chrome", 10)
-            look = colors[(k + b.whole("first", 0, 5)) % 6]
-            with b.frame(x + 0.085, y, z):
-                b.frustum(0.007, 0.007, (0.0, 0.045), "chrome", segments=10)
-                up = h - z
-                b.lathe([(0.011, 0.04), (0.014, 0.06), (0.021, up - 0.03), (0.018, up - 0.008), (0.008, up)], look, 14)
+        b.surface(
+            f"shelf-{k}",
+            (x[0] + 0.02, x[1] - t - 0.01),
+            (y[0] + t + 0.01, y[1] - t - 0.01),
+            z,
+            headroom=round(up - z - 0.005, 3),
+        )
     b.fit()

@@ -34,7 +34,13 @@ def luggage_rack(b: Builder) -> None:
             c = (k - (n - 1) / 2) * (w - 0.12) / n
             b.box((-x - 0.012, x + 0.012), (c - 0.027, c + 0.027), (top - 0.002, top + 0.002), strap, bevel=0)
             for s in (-1, 1):
-                b.box((s * (x + 0.002) - 0.0145, s * (x + 0.002) + 0.0145), (c - 0.027, c + 0.027), (top - 2 * r - 0.003, top - 0.001), strap, bevel=0.004)
+                b.box(
+                    (s * (x + 0.002) - 0.0145, s * (x + 0.002) + 0.0145),
+                    (c - 0.027, c + 0.027),
+                    (top - 2 * r - 0.003, top - 0.001),
+                    strap,
+                    bevel=0.004,
+                )
     if guard:
         with b.solid("guard"):
             for t in (-1, 1):
@@ -53,32 +59,57 @@ def luggage_cart(b: Builder) -> None:
     z, r = 0.24, 0.019
     x, y = d / 2 - 0.055, w / 2 - 0.055
     with b.solid("deck"):
-        b.box((-d / 2 + 0.018, d / 2 - 0.018), (-w / 2 + 0.018, w / 2 - 0.018), (z - 0.045, z - 0.012), metal, bevel=0.004)
+        b.box(
+            (-d / 2 + 0.018, d / 2 - 0.018), (-w / 2 + 0.018, w / 2 - 0.018), (z - 0.045, z - 0.012), metal, bevel=0.004
+        )
         b.box((-d / 2 + 0.035, d / 2 - 0.035), (-w / 2 + 0.035, w / 2 - 0.035), (z - 0.013, z), carpet, bevel=0.004)
-        bump = [(-d / 2 + 0.018, -w / 2 + 0.018), (d / 2 - 0.018, -w / 2 + 0.018), (d / 2 - 0.018, w / 2 - 0.018), (-d / 2 + 0.018, w / 2 - 0.018)]
+        bump = [
+            (-d / 2 + 0.018, -w / 2 + 0.018),
+            (d / 2 - 0.018, -w / 2 + 0.018),
+            (d / 2 - 0.018, w / 2 - 0.018),
+            (-d / 2 + 0.018, w / 2 - 0.018),
+        ]
         for a, e in zip(bump, bump[1:] + bump[:1], strict=True):
             b.bar((*a, z - 0.03), (*e, z - 0.03), 0.018, "rubber", 8)
         castors(b, (-x + 0.04, x - 0.04), (-y + 0.06, y - 0.06), z - 0.045, 0.085, metal)
     crown = h - 0.05
     bend = 0.28
+    bends: list = []
     for t in (-1, 1):
         with b.solid(f"frame {t}"):
             for s in (-1, 1):
-                path = [(s * x, t * y, z - 0.02), (s * x, t * y, crown - bend)]
+                b.bar((s * x, t * y, z - 0.02), (s * x, t * y, crown - bend), r, metal, 10)
+                path = [(s * x, t * y, crown - bend - 0.01), (s * x, t * y, crown - bend)]
                 for a in np.linspace(0.2, 1.0, 5):
                     q = a * math.pi / 2
-                    path.append((s * x * (1 - (1 - math.cos(q)) * 0.92), t * y * (1 - (1 - math.cos(q)) * 0.42), crown - bend * (1 - math.sin(q))))
-                b.tube(path, r, metal, 10)
+                    path.append(
+                        (
+                            s * x * (1 - (1 - math.cos(q)) * 0.92),
+                            t * y * (1 - (1 - math.cos(q)) * 0.42),
+                            crown - bend * (1 - math.sin(q)),
+                        )
+                    )
+                bends.append(path)
                 with b.frame(s * x, t * y, z - 0.012):
                     b.frustum(0.034, 0.026, (0.0, 0.03), metal, segments=14)
             b.bar((-x, t * y, z + 0.35), (x, t * y, z + 0.35), 0.013, metal, 10)
     with b.solid("crown"):
+        for path in bends:
+            b.tube(path, r, metal, 10)
         b.bar((0.0, -y * 0.6, crown), (0.0, y * 0.6, crown), r, metal, 12)
         for t in (-1, 1):
             b.bar((-x * 0.12, t * y * 0.58, crown), (x * 0.12, t * y * 0.58, crown), r, metal, 12)
         with b.frame(0.0, 0.0, crown):
-            b.lathe([(0.024, -0.022), (0.024, 0.02), (0.012, 0.03), (0.02, 0.04), (0.006, h - crown)], metal, segments=14)
-    b.surface("deck", (-d / 2 + 0.11, d / 2 - 0.11), (-w / 2 + 0.11, w / 2 - 0.11), z, headroom=round(crown - bend * 0.5 - z - 0.3, 2))
+            b.lathe(
+                [(0.024, -0.022), (0.024, 0.02), (0.012, 0.03), (0.02, 0.04), (0.006, h - crown)], metal, segments=14
+            )
+    b.surface(
+        "deck",
+        (-d / 2 + 0.11, d / 2 - 0.11),
+        (-w / 2 + 0.11, w / 2 - 0.11),
+        z,
+        headroom=round(crown - bend * 0.5 - z - 0.3, 2),
+    )
     b.fit()
 
 
@@ -101,7 +132,13 @@ def minibar(b: Builder) -> None:
             b.box(x, inner, (0.018, 0.06), coat, bevel=0)
             b.box(x, inner, (h - t, h), coat, bevel=0)
             b.box((x[0], x[0] + t), inner, (0.06, h - t), "white plastic", bevel=0)
-            b.box((x[1] - 0.05, x[1] - 0.02), (inner[0] + 0.03, inner[1] - 0.03), (h - t - 0.007, h - t), "lamp glow", bevel=0)
+            b.box(
+                (x[1] - 0.05, x[1] - 0.02),
+                (inner[0] + 0.03, inner[1] - 0.03),
+                (h - t - 0.007, h - t),
+                "lamp glow",
+                bevel=0,
+            )
             looks = ("green glass", "amber glass", "red plastic", "blue plastic", "clear plastic", "orange plastic")
             for k, z in enumerate((0.06, 0.06 + (h - 0.1) / 2)):
                 if k:
@@ -123,7 +160,12 @@ def minibar(b: Builder) -> None:
         with b.hinge("door", (leaf[1], at, 0.03), limits=(-1.9, 0.0) if hung == "left" else (0.0, 1.9)):
             if glass:
                 f = 0.05
-                for ys, zs in ((y, (0.03, 0.03 + f)), (y, (h - f, h)), ((y[0], y[0] + f), (0.03 + f, h - f)), ((y[1] - f, y[1]), (0.03 + f, h - f))):
+                for ys, zs in (
+                    (y, (0.03, 0.03 + f)),
+                    (y, (h - f, h)),
+                    ((y[0], y[0] + f), (0.03 + f, h - f)),
+                    ((y[1] - f, y[1]), (0.03 + f, h - f)),
+                ):
                     b.box(leaf, ys, zs, coat, bevel=0.001)
                 b.box((leaf[0] + 0.015, leaf[0] + 0.022), (y[0] + f, y[1] - f), (0.03 + f, h - f), "glass", bevel=0)
             else:
@@ -149,8 +191,19 @@ def ice_machine(b: Builder) -> None:
                     b.frustum(0.014, 0.022, (0.0, leg + 0.002), "chrome", segments=14)
         b.box(x, y, (leg, m), steel, bevel=0.004)
         b.box((x[0], x[1] - 0.02), (y[0] + 0.006, y[1] - 0.006), (m - 0.001, h), steel, bevel=0.004)
-        b.hull([(px, py, z) for px, z in ((x[1] - 0.021, m), (x[1] - 0.021, h - 0.004), (x[1] + 0.02, h - 0.03), (x[1] + 0.02, m + 0.004))
-                for py in (y[0] + 0.006, y[1] - 0.006)], steel)  # fmt: skip
+        b.hull(
+            [
+                (px, py, z)
+                for px, z in (
+                    (x[1] - 0.021, m),
+                    (x[1] - 0.021, h - 0.004),
+                    (x[1] + 0.02, h - 0.03),
+                    (x[1] + 0.02, m + 0.004),
+                )
+                for py in (y[0] + 0.006, y[1] - 0.006)
+            ],
+            steel,
+        )
         f = x[1] + 0.02
         n = max(5, int((h - m - 0.14) / 0.022))
         for k in range(n):
@@ -160,14 +213,27 @@ def ice_machine(b: Builder) -> None:
         b.box((f - 0.003, f + 0.0015), (y[0] + 0.05, y[0] + 0.2), (h - 0.085, h - 0.05), "blue plastic", bevel=0)
         zt = m - 0.03
         with b.hinge("flap", (x[1], 0.0, zt), axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0)):
-            b.hull([(px, py, z) for px, z in ((x[1] + 0.0005, zt), (x[1] + 0.0005, zt - 0.23), (x[1] + 0.045, zt - 0.23), (x[1] + 0.015, zt))
-                    for py in (y[0] + 0.04, y[1] - 0.04)], "black plastic" if b.chance("dark flap", 0.6) else "grey plastic")  # fmt: skip
+            b.hull(
+                [
+                    (px, py, z)
+                    for px, z in (
+                        (x[1] + 0.0005, zt),
+                        (x[1] + 0.0005, zt - 0.23),
+                        (x[1] + 0.045, zt - 0.23),
+                        (x[1] + 0.015, zt),
+                    )
+                    for py in (y[0] + 0.04, y[1] - 0.04)
+                ],
+                "black plastic" if b.chance("dark flap", 0.6) else "grey plastic",
+            )
             b.box((x[1] + 0.04, d / 2), (-0.09, 0.09), (zt - 0.23, zt - 0.2), "chrome", bevel=0.005)
         # Ice cubes as a sign on the front.
         for px, pz in ((0.0, 0.0), (0.06, 0.012), (0.028, 0.06)):
             z = leg + 0.06 + pz
             b.box((x[1] - 0.002, x[1] + 0.0025), (-0.06 + px, -0.015 + px), (z, z + 0.045), "blue ceramic", bevel=0)
-            b.box((x[1] - 0.002, x[1] + 0.003), (-0.053 + px, -0.03 + px), (z + 0.02, z + 0.038), "white plastic", bevel=0)
+            b.box(
+                (x[1] - 0.002, x[1] + 0.003), (-0.053 + px, -0.03 + px), (z + 0.02, z + 0.038), "white plastic", bevel=0
+            )
     b.fit()
 
 
@@ -191,11 +257,27 @@ def vending_machine(b: Builder) -> None:
         b.box((f - 0.3, f), (win[1], y[1]), (low, top), coat, bevel=0)
         b.box((f - 0.012, f - 0.004), win, (low, top), "glass", bevel=0)
         b.box((f - 0.002, f + 0.004), (y[0] + 0.05, y[1] - 0.05), (top + 0.03, h - 0.03), "lamp glow", bevel=0)
-        b.box((f + 0.0035, f + 0.0055), (y[0] + 0.12, y[0] + 0.12 + 0.45 * w), (top + 0.06, h - 0.06), "red plastic", bevel=0)
+        b.box(
+            (f + 0.0035, f + 0.0055),
+            (y[0] + 0.12, y[0] + 0.12 + 0.45 * w),
+            (top + 0.06, h - 0.06),
+            "red plastic",
+            bevel=0,
+        )
         b.box((f - 0.03, f - 0.015), win, (top - 0.008, top), "lamp glow", bevel=0)
         rows = 6
-        looks = ("red plastic", "yellow plastic", "blue plastic", "orange plastic", "green plastic", "pink plastic", "chocolate", "white plastic",
-                 "lilac plastic", "mint plastic")  # fmt: skip
+        looks = (
+            "red plastic",
+            "yellow plastic",
+            "blue plastic",
+            "orange plastic",
+            "green plastic",
+            "pink plastic",
+            "chocolate",
+            "white plastic",
+            "lilac plastic",
+            "mint plastic",
+        )
         step = (top - low) / rows
         cols = max(4, int((win[1] - win[0]) / 0.095))
         wide = (win[1] - win[0]) / cols
@@ -210,18 +292,35 @@ def vending_machine(b: Builder) -> None:
                 up = step - 0.035
                 if i < 2:
                     with b.frame(f - 0.075, c, z + 0.008):
-                        b.lathe([(0.03, 0.0), (0.031, up * 0.62), (0.012, up * 0.84), (0.014, up * 0.95)], look, segments=10)
+                        b.lathe(
+                            [(0.03, 0.0), (0.031, up * 0.62), (0.012, up * 0.84), (0.014, up * 0.95)], look, segments=10
+                        )
                 elif (i + j // 2) % 2:
-                    b.cushion((f - 0.1, f - 0.04), (c - wide * 0.4, c + wide * 0.4), (z + 0.008, z + 0.008 + up * 0.85), look, 0.012, 0.5)
+                    b.cushion(
+                        (f - 0.1, f - 0.04),
+                        (c - wide * 0.4, c + wide * 0.4),
+                        (z + 0.008, z + 0.008 + up * 0.85),
+                        look,
+                        0.012,
+                        0.5,
+                    )
                 else:
-                    b.box((f - 0.1, f - 0.06), (c - wide * 0.32, c + wide * 0.32), (z + 0.008, z + 0.008 + up * 0.8), look, bevel=0.004)
+                    b.box(
+                        (f - 0.1, f - 0.06),
+                        (c - wide * 0.32, c + wide * 0.32),
+                        (z + 0.008, z + 0.008 + up * 0.8),
+                        look,
+                        bevel=0.004,
+                    )
         m = (cut + y[1]) / 2
         b.box((f - 0.001, f + 0.003), (cut + 0.02, y[1] - 0.03), (0.85, 1.55), "black plastic", bevel=0)
         b.box((f + 0.002, f + 0.0045), (m - 0.075, m + 0.065), (1.43, 1.51), "screen", bevel=0)
         for i in range(4):
             for j in range(3):
                 cy, cz = m - 0.005 + (j - 1) * 0.042, 1.37 - i * 0.04
-                b.box((f + 0.002, f + 0.008), (cy - 0.015, cy + 0.015), (cz - 0.014, cz + 0.014), "grey plastic", bevel=0)
+                b.box(
+                    (f + 0.002, f + 0.008), (cy - 0.015, cy + 0.015), (cz - 0.014, cz + 0.014), "grey plastic", bevel=0
+                )
         b.box((f + 0.002, f + 0.01), (m - 0.05, m + 0.04), (1.12, 1.17), "chrome", bevel=0.002)
         b.box((f + 0.009, f + 0.0105), (m - 0.035, m + 0.025), (1.14, 1.148), "black plastic", bevel=0)
         b.box((f + 0.002, f + 0.006), (m - 0.04, m - 0.01), (1.02, 1.07), "blue plastic", bevel=0)
@@ -237,7 +336,9 @@ def vending_machine(b: Builder) -> None:
 def coffee_station(b: Builder) -> None:
     """A cabinet with a counter, over it an open shelf with mugs and jars against a panelled back."""
     d, w, h = b.size
-    leaf = b.material("fronts", "sage paint", "white paint", "oak", "navy paint", "walnut", "black paint", "cream paint", "light oak")
+    leaf = b.material(
+        "fronts", "sage paint", "white paint", "oak", "navy paint", "walnut", "black paint", "cream paint", "light oak"
+    )
     shell = b.material("body", "white paint", "oak", "walnut") if leaf.name.endswith("paint") else leaf
     top = b.material("top", "oak", "walnut", "marble", "beech", "dark marble")
     pull = b.material("pulls", "brass", "black steel", "steel")
@@ -249,14 +350,29 @@ def coffee_station(b: Builder) -> None:
         n = 2
         for k in range(n):
             layout = b.pick(f"layout {k}", ["drawers", "mixed", "doors"])
-            cabinet(b, f"unit-{k}", x, (y[0] + k * w / n, y[0] + (k + 1) * w / n), (0.08, z - t), layout, looks, b.style in ("classic", "rustic"))
+            cabinet(
+                b,
+                f"unit-{k}",
+                x,
+                (y[0] + k * w / n, y[0] + (k + 1) * w / n),
+                (0.08, z - t),
+                layout,
+                looks,
+                b.style in ("classic", "rustic"),
+            )
         b.box((-d / 2, d / 2 - 0.004), y, (z - t, z), top, bevel=0.003)
     with b.solid("back"):
         b.box((-d / 2, -d / 2 + 0.018), y, (z, h), leaf, bevel=0.002)
         n = round(w / 0.1)
         for k in range(n):
             a = y[0] + k * w / n
-            b.box((-d / 2 + 0.0175, -d / 2 + 0.022), (a + 0.003, a + w / n - 0.003), (z + 0.01, h - 0.01), leaf, bevel=0.001)
+            b.box(
+                (-d / 2 + 0.0175, -d / 2 + 0.022),
+                (a + 0.003, a + w / n - 0.003),
+                (z + 0.01, h - 0.01),
+                leaf,
+                bevel=0.001,
+            )
     zs = h - 0.16
     xs = (-d / 2 + 0.022, -d / 2 + 0.2)
     with b.solid("shelf"):
@@ -268,12 +384,21 @@ def coffee_station(b: Builder) -> None:
         m = 5
         for k in range(m):
             a = (k - (m - 1) / 2) * 0.12
-            look = ("white ceramic", "blue ceramic", "terracotta", "cream ceramic", "grey ceramic")[(k + b.whole("mug", 0, 4)) % 5]
+            look = ("white ceramic", "blue ceramic", "terracotta", "cream ceramic", "grey ceramic")[
+                (k + b.whole("mug", 0, 4)) % 5
+            ]
             b.bar((xs[1] - 0.05, a, zs - 0.021), (xs[1] - 0.05, a, zs - 0.038), 0.003, pull, 6)
             with b.frame(xs[1] - 0.05, a, zs - 0.125):
-                vessel(b, [oval(0.032, 0.032, 0.0, n=12), oval(0.036, 0.036, 0.085, n=12)], [oval(0.032, 0.032, 0.085, n=12),
-                       oval(0.028, 0.028, 0.005, n=12)], look, 3)  # fmt: skip
-                b.tube([(0.0, 0.033, 0.07), (0.0, 0.055, 0.068), (0.0, 0.055, 0.03), (0.0, 0.032, 0.02)], 0.005, look, 6)
+                vessel(
+                    b,
+                    [oval(0.032, 0.032, 0.0, n=12), oval(0.036, 0.036, 0.085, n=12)],
+                    [oval(0.032, 0.032, 0.085, n=12), oval(0.028, 0.028, 0.005, n=12)],
+                    look,
+                    3,
+                )
+                b.tube(
+                    [(0.0, 0.033, 0.07), (0.0, 0.055, 0.068), (0.0, 0.055, 0.03), (0.0, 0.032, 0.02)], 0.005, look, 6
+                )
     with b.solid("jars"):
         for k in range(3):
             a = y[0] + 0.12 + k * 0.12

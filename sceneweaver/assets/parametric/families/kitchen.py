@@ -39,7 +39,9 @@ def base(b: Builder) -> None:
     with b.solid("body"):
         b.box((x[0] + 0.02, x[1] - 0.07), (y[0] + 0.002, y[1] - 0.002), (0.0, 0.1), "black plastic", bevel=0)
         for k in range(count):
-            layout = b.pick(f"layout {k}", ["doors", "drawers", "mixed"] if step > 0.5 else ["door", "drawers", "mixed"])
+            layout = b.pick(
+                f"layout {k}", ["doors", "drawers", "mixed"] if step > 0.5 else ["door", "drawers", "mixed"]
+            )
             span = (y[0] + k * step, y[0] + (k + 1) * step)
             cabinet(b, f"unit-{k}", x, span, (0.1, h - t), layout, looks, shaker)
         b.box((-d / 2, d / 2 - 0.004), y, (h - t, h), top)
@@ -58,8 +60,14 @@ def corner_cabinet(b: Builder) -> None:
     inner = [(-d / 2, -w / 2), (-d / 2 + deep, -w / 2), (-d / 2 + deep, w / 2 - deep), (d / 2, w / 2 - deep),
              (d / 2, w / 2), (-d / 2, w / 2)]  # fmt: skip
     o = 0.03
-    over = [(-d / 2, -w / 2), (-d / 2 + deep + o, -w / 2), (-d / 2 + deep + o, w / 2 - deep - o), (d / 2, w / 2 - deep - o),
-            (d / 2, w / 2), (-d / 2, w / 2)]  # fmt: skip
+    over = [
+        (-d / 2, -w / 2),
+        (-d / 2 + deep + o, -w / 2),
+        (-d / 2 + deep + o, w / 2 - deep - o),
+        (d / 2, w / 2 - deep - o),
+        (d / 2, w / 2),
+        (-d / 2, w / 2),
+    ]
     shell = b.material("body", "white paint", "light grey paint")
     xa, yb = -d / 2 + deep, w / 2 - deep
     with b.solid("wing"):
@@ -74,9 +82,20 @@ def corner_cabinet(b: Builder) -> None:
         b.box((xa + o, d / 2), (yb - o, w / 2), (h - t, h), top, bevel=0)
         b.box((xa + 0.024, d / 2 - 0.002), (yb - 0.0205, yb - 0.0005), (0.102, h - t - 0.002), leaf)
     del inner
-    b.surface("top", (0, 1), (0, 1), h, polygon=[(over[0][0] + 0.01, over[0][1] + 0.01), (over[1][0] - 0.01, over[1][1] + 0.01),
-              (over[2][0] - 0.01, over[2][1] + 0.01), (over[3][0] - 0.01, over[3][1] + 0.01),
-              (over[4][0] - 0.01, over[4][1] - 0.01), (over[5][0] + 0.01, over[5][1] - 0.01)])  # fmt: skip
+    b.surface(
+        "top",
+        (0, 1),
+        (0, 1),
+        h,
+        polygon=[
+            (over[0][0] + 0.01, over[0][1] + 0.01),
+            (over[1][0] - 0.01, over[1][1] + 0.01),
+            (over[2][0] - 0.01, over[2][1] + 0.01),
+            (over[3][0] - 0.01, over[3][1] + 0.01),
+            (over[4][0] - 0.01, over[4][1] - 0.01),
+            (over[5][0] + 0.01, over[5][1] - 0.01),
+        ],
+    )
     b.fit()
 
 
@@ -113,8 +132,8 @@ def tall_cabinet(b: Builder) -> None:
         for k, z in enumerate((0.45, 0.8, split, split + 0.35)):
             deep = x[1] - 0.021 if k == 2 else x[1] - 0.06
             b.box((x[0] + 0.006, deep), (y[0] + 0.018, y[1] - 0.018), (z - 0.009, z + 0.009), looks[0], bevel=0)
-        fronts(b, "low", x[1] - 0.021, y, (0.1, split), kind, *looks[1:], shaker)
-        fronts(b, "high", x[1] - 0.021, y, (split, h), kind, *looks[1:], shaker)
+        fronts(b, "low", x[1] - 0.021, y, (0.1, split), kind, looks[1], looks[2], looks[3], shaker)
+        fronts(b, "high", x[1] - 0.021, y, (split, h), kind, looks[1], looks[2], looks[3], shaker)
     b.fit()
 
 
@@ -154,15 +173,24 @@ def sink_cabinet(b: Builder) -> None:
             span = (y[0] + k * w / count, y[0] + (k + 1) * w / count)
             here = span[0] < middle < span[1]
             fronts(b, f"unit-{k}", front, span, (0.1, h - t), "doors" if here or count == 1 else
-                   b.pick("beside", ["drawers", "mixed"]), *looks[1:], shaker)  # fmt: skip
+                   b.pick("beside", ["drawers", "mixed"]), looks[1], looks[2], looks[3], shaker)  # fmt: skip
         worktop(b, (-d / 2, d / 2 - 0.004), y, (h - t, h), top, [(hx, ys) for ys in bowls] if not double else
                 [(hx, (bowls[0][0], bowls[1][1]))])  # fmt: skip
         for ys in bowls:
             lip = 0.015 if not double else 0.007
-            basin(b, (hx[0] + 0.002, hx[1] - 0.002), (ys[0] + 0.002, ys[1] - 0.002), h, b.pick("deep", [0.17, 0.2]), steel,
-                  lip)  # fmt: skip
+            basin(
+                b,
+                (hx[0] + 0.002, hx[1] - 0.002),
+                (ys[0] + 0.002, ys[1] - 0.002),
+                h,
+                b.pick("deep", [0.17, 0.2]),
+                steel,
+                lip,
+            )
         if double:
-            b.box((hx[0] + 0.002, hx[1] - 0.002), (middle - 0.012, middle + 0.012), (h - 0.03, h + 0.0015), steel, bevel=0)
+            b.box(
+                (hx[0] + 0.002, hx[1] - 0.002), (middle - 0.012, middle + 0.012), (h - 0.03, h + 0.0015), steel, bevel=0
+            )
     tap(b, -d / 2 + 0.065, middle, h, metal, total - h, 0.2, square=b.chance("square tap", 0.35))
     edge = (bowls[0][0] - 0.025, bowls[-1][1] + 0.025)
     for name, ys in (("top-right", (y[0] + 0.01, edge[0])), ("top-left", (edge[1], y[1] - 0.01))):
@@ -223,7 +251,7 @@ def kitchen_cart(b: Builder) -> None:
         for ys in ((y[0] + 0.01, y[0] + 0.028), (y[1] - 0.028, y[1] - 0.01)):
             b.box((x[0] + p, x[1] - p), ys, (h - t - 0.15, h - t), frame, bevel=0)
         b.box((x[0] + 0.03, x[1] - 0.02), inner, (h - t - 0.15, h - t - 0.14), frame, bevel=0)
-        fronts(b, "unit", x[1] - 0.021, inner, (h - t - 0.15, h - t), "single", frame, metal, "knob")
+        fronts(b, "unit", x[1] - 0.021, inner, (h - t - 0.15, h - t), "drawer", frame, metal, "knob")
         yb = w / 2 - 0.01
         b.bar((x[0] + 0.03, yb, h - 0.08), (x[1] - 0.03, yb, h - 0.08), 0.009, metal, 8)
         for px in (x[0] + 0.05, x[1] - 0.05):

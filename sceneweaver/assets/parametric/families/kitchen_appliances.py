@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Literal
 
 from sceneweaver.assets import shapes
 from sceneweaver.assets.body import Material
@@ -123,7 +124,9 @@ def freezer(b: Builder) -> None:
 def stove(b: Builder) -> None:
     """A cooktop over a panel of knobs, an oven door with window and bar, and a drawer below."""
     d, w, h = b.size
-    coat = b.material("body", "brushed steel", "white paint", "black paint", "steel", "cream paint", "navy paint", "red paint")
+    coat = b.material(
+        "body", "brushed steel", "white paint", "black paint", "steel", "cream paint", "navy paint", "red paint"
+    )
     pull = b.material("handles", "chrome", "brushed steel", "brass")
     gas = b.chance("gas", 0.55)
     x, y = (-d / 2, d / 2 - 0.065), (-w / 2, w / 2)
@@ -162,7 +165,9 @@ def stove(b: Builder) -> None:
 def oven_tower(b: Builder) -> None:
     """A tall kitchen column with an oven at hand height, a small oven over it, a drawer below, a door above."""
     d, w, h = b.size
-    leaf = b.material("fronts", "white paint", "oak", "light grey paint", "walnut", "sage paint", "navy paint", "black paint")
+    leaf = b.material(
+        "fronts", "white paint", "oak", "light grey paint", "walnut", "sage paint", "navy paint", "black paint"
+    )
     shell = b.material("body", "white paint", "light grey paint")
     steel = b.material("oven", "brushed steel", "black paint", "steel")
     pull = b.material("pulls", "black steel", "steel", "brass")
@@ -212,11 +217,22 @@ def hob(b: Builder) -> None:
             py = (k - (n - 1) / 2) * (0.065 if gas else 0.035)
             if gas:
                 with b.frame(d / 2 - 0.045, py, top):
-                    b.frustum(0.019, 0.016, (-0.001, 0.022), "chrome" if look.name == "black glass" else "black plastic",
-                              segments=14, bevel=0.002)  # fmt: skip
+                    b.frustum(
+                        0.019,
+                        0.016,
+                        (-0.001, 0.022),
+                        "chrome" if look.name == "black glass" else "black plastic",
+                        segments=14,
+                        bevel=0.002,
+                    )
             else:
-                b.box((d / 2 - 0.05, d / 2 - 0.045), (py - 0.008, py + 0.008), (top - 0.002, top + 0.0001), "white plastic",
-                      bevel=0)  # fmt: skip
+                b.box(
+                    (d / 2 - 0.05, d / 2 - 0.045),
+                    (py - 0.008, py + 0.008),
+                    (top - 0.002, top + 0.0001),
+                    "white plastic",
+                    bevel=0,
+                )
     if not gas:
         b.surface("hob", (x[0] + 0.02, x[1] - 0.08), (y[0] + 0.02, y[1] - 0.02), h)
     b.fit()
@@ -240,7 +256,9 @@ def range_hood(b: Builder) -> None:
             lean = math.atan2(x[1] - 0.04 - x[0] - foot, 0.5 * h)
             with b.frame(x[0] + foot, 0.0, 0.0, pitch=lean):
                 long = 0.5 * h / math.cos(lean)
-                b.box((0.006, 0.016), (-w / 2 + 0.004, w / 2 - 0.004), (0.012, long - 0.004), "black glass", bevel=0.002)
+                b.box(
+                    (0.006, 0.016), (-w / 2 + 0.004, w / 2 - 0.004), (0.012, long - 0.004), "black glass", bevel=0.002
+                )
                 b.box((0.015, 0.0185), (-0.07, 0.07), (0.05, 0.07), "lamp glow", bevel=0)
             top = 0.5 * h
         else:
@@ -264,8 +282,13 @@ def range_hood(b: Builder) -> None:
         for k in range(4):
             z = h - 0.05 - 0.02 * k
             for s in (-1, 1):
-                b.box((x[0] + 0.06, x[0] + cd - 0.06), (s * (cw - 0.003) - 0.002, s * (cw - 0.003) + 0.002), (z, z + 0.008),
-                      "black plastic", bevel=0)  # fmt: skip
+                b.box(
+                    (x[0] + 0.06, x[0] + cd - 0.06),
+                    (s * (cw - 0.003) - 0.002, s * (cw - 0.003) + 0.002),
+                    (z, z + 0.008),
+                    "black plastic",
+                    bevel=0,
+                )
     b.fit()
 
 
@@ -280,11 +303,19 @@ def dishwasher(b: Builder) -> None:
         feet(b, x, y, 0.03)
         b.box((x[0] + 0.02, x[1] - 0.03), (y[0] + 0.01, y[1] - 0.01), (0.02, 0.1), "black plastic", bevel=0)
         b.box(x, y, (0.09, h - 0.03), "white paint" if not coat.metallic else "grey plastic", bevel=0.002)
-        b.box((x[0], face + 0.005), y, (h - 0.03, h), "white paint" if coat.name != "black paint" else coat, bevel=0.006)
+        b.box(
+            (x[0], face + 0.005), y, (h - 0.03, h), "white paint" if coat.name != "black paint" else coat, bevel=0.006
+        )
         ys = (y[0] + 0.002, y[1] - 0.002)
         with b.hinge("door", (face, 0.0, 0.11), axis=(0.0, 1.0, 0.0), limits=(0.0, 1.5)):
             b.box((x[1] + 0.0005, face), ys, (0.11, h - 0.145), coat, bevel=0.004)
-            b.box((x[1] + 0.0005, face), ys, (h - 0.142, h - 0.033), "black plastic" if coat.metallic else coat, bevel=0.004)
+            b.box(
+                (x[1] + 0.0005, face),
+                ys,
+                (h - 0.142, h - 0.033),
+                "black plastic" if coat.metallic else coat,
+                bevel=0.004,
+            )
             if b.chance("bar", 0.6):
                 handle(b, face, 0.0, h - 0.2, "chrome", "bar", 0.75 * w)
             else:
@@ -314,8 +345,13 @@ def microwave(b: Builder) -> None:
         for k in range(6):
             at = x[0] + 0.05 + k * 0.018
             for s in (-1, 1):
-                b.box((at, at + 0.008), (s * (w / 2 - 0.001) - 0.0012, s * (w / 2 - 0.001) + 0.0012), (h * 0.5, h * 0.8),
-                      "black plastic", bevel=0)  # fmt: skip
+                b.box(
+                    (at, at + 0.008),
+                    (s * (w / 2 - 0.001) - 0.0012, s * (w / 2 - 0.001) + 0.0012),
+                    (h * 0.5, h * 0.8),
+                    "black plastic",
+                    bevel=0,
+                )
         panel: Material | str = "black glass" if b.chance("dark panel", 0.6) else coat
         b.box((x[1] - 0.002, face), (cut + 0.001, y[1] - 0.001), (0.012, h - 0.002), panel, bevel=0.003)
         m = (cut + y[1]) / 2
@@ -328,8 +364,13 @@ def microwave(b: Builder) -> None:
             for i in range(4):
                 for j in range(3):
                     cy, cz = m + (j - 1) * 0.026, 0.06 + i * (h - 0.17) / 4
-                    b.box((face - 0.001, face + 0.0018), (cy - 0.009, cy + 0.009), (cz - 0.007, cz + 0.007), "grey plastic",
-                          bevel=0)  # fmt: skip
+                    b.box(
+                        (face - 0.001, face + 0.0018),
+                        (cy - 0.009, cy + 0.009),
+                        (cz - 0.007, cz + 0.007),
+                        "grey plastic",
+                        bevel=0,
+                    )
             b.box((face - 0.001, face + 0.003), (m - 0.035, m + 0.035), (0.022, 0.042), "grey plastic", bevel=0)
         with b.hinge("door", (face, y[0], 0.012), limits=(0.0, 1.92)):
             b.box((x[1] + 0.0005, face), (y[0] + 0.001, cut - 0.001), (0.012, h - 0.002), coat, bevel=0.003)
@@ -360,7 +401,9 @@ def wine_cooler(b: Builder) -> None:
         b.box(x, inner, (0.075, 0.105), coat, bevel=0)
         b.box(x, inner, (h - t, h), coat, bevel=0)
         b.box((x[0], x[0] + t), inner, (0.105, h - t), "black plastic", bevel=0)
-        b.box((x[1] - 0.05, x[1] - 0.03), (inner[0] + 0.03, inner[1] - 0.03), (h - t - 0.008, h - t), "lamp glow", bevel=0)
+        b.box(
+            (x[1] - 0.05, x[1] - 0.03), (inner[0] + 0.03, inner[1] - 0.03), (h - t - 0.008, h - t), "lamp glow", bevel=0
+        )
         rows = max(4, round((h - 0.2) / 0.15))
         n = max(3, int((inner[1] - inner[0]) / 0.095))
         step = (inner[1] - inner[0]) / n
@@ -378,7 +421,7 @@ def wine_cooler(b: Builder) -> None:
                     bottle = shapes.lathe([(r, 0.0), (r, 0.2), (0.014, 0.25), (0.014, 0.302)], 10)
                     b.add(bottle, glass, [shapes.hull(bottle[0])])
                     b.add(shapes.frustum(0.0142, 0.0142, (0.265, 0.3022), 10), caps[k % 3], [])
-        hung = b.pick("hung", ["left", "right"])
+        hung: Literal["left", "right"] = "left" if b.chance("hung", 0.5) else "right"
         door(b, "door", leaf, y, (0.08, h), coat, pull, hung, "none", "glass")
         py = y[0] + 0.03 if hung == "left" else y[1] - 0.03
         b.bar((leaf[1] + 0.03, py, 0.25 * h), (leaf[1] + 0.03, py, 0.8 * h), 0.009, pull, 10)

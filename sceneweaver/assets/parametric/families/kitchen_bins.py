@@ -11,8 +11,16 @@ from .kitchen_parts import loft, oval, rounded, vessel
 def trash_can(b: Builder) -> None:
     """A tapered bucket with a bag turned over its rim, or a tall one with a swing lid."""
     d, w, h = b.size
-    body = b.material("body", "black plastic", "brushed steel", "white plastic", "grey plastic", "green plastic", "black steel",
-                      "blue plastic")  # fmt: skip
+    body = b.material(
+        "body",
+        "black plastic",
+        "brushed steel",
+        "white plastic",
+        "grey plastic",
+        "green plastic",
+        "black steel",
+        "blue plastic",
+    )
     square = b.chance("square", 0.4)
 
     def ring(share: float, z: float):
@@ -20,7 +28,7 @@ def trash_can(b: Builder) -> None:
         return rounded((-x, x), (-y, y), 0.25 * min(x, y), z) if square else oval(x, y, z)
 
     lid = h > 0.5
-    cuts = (0, 3, 4, 7, 8, 11, 12, 15, 16) if square else 32
+    cuts = 16 if square else 32
     with b.solid("bin"):
         if lid:
             top = h - 0.17
@@ -46,7 +54,9 @@ def trash_can(b: Builder) -> None:
 def pedal_bin(b: Builder) -> None:
     """A steel drum with a domed lid, a pedal in front and a dark foot."""
     d, w, h = b.size
-    body = b.material("body", "brushed steel", "white steel", "black steel", "copper", "red paint", "sage paint", "cream paint")
+    body = b.material(
+        "body", "brushed steel", "white steel", "black steel", "copper", "red paint", "sage paint", "cream paint"
+    )
     dark = "black plastic"
     out = 0.06
     x, r = -out / 2, (d - out) / 2
@@ -96,12 +106,21 @@ def recycling_bin(b: Builder) -> None:
                 b.hull([(-d / 2, s, z) for s in y for z in (top + 0.001, h)]
                        + [(d / 2, s, z) for s in y for z in (top + 0.001, top + 0.022)]
                        + [(0.1 * d, s, h) for s in y], color)  # fmt: skip
-                b.box((d / 2 - 0.001, d / 2 + 0.012), (m - 0.05, m + 0.05), (top + 0.003, top + 0.018), color, bevel=0.003)
+                b.box(
+                    (d / 2 - 0.001, d / 2 + 0.012), (m - 0.05, m + 0.05), (top + 0.003, top + 0.018), color, bevel=0.003
+                )
             # A label on the sloping front.
             f0, f1 = 0.55, 0.78
             px = [d / 2 * 0.9 + (d / 2 - 0.012 - d / 2 * 0.9) * f for f in (f0, f1)]
-            b.hull([(p + o, m + s * step * 0.26, f * top) for p, f in zip(px, (f0, f1), strict=True) for o in (-0.004, 0.0015)
-                    for s in (-1, 1)], color)  # fmt: skip
+            b.hull(
+                [
+                    (p + o, m + s * step * 0.26, f * top)
+                    for p, f in zip(px, (f0, f1), strict=True)
+                    for o in (-0.004, 0.0015)
+                    for s in (-1, 1)
+                ],
+                color,
+            )
             b.hull([(p + o, m + s * step * 0.12, f * top) for p, f in zip(px, (f0 + 0.06, f1 - 0.06), strict=True)
                     for o in (-0.004, 0.003) for s in (-1, 1)], "white plastic")  # fmt: skip
     b.fit()

@@ -39,7 +39,9 @@ def egg(
 def rounded(x: Interval, y: Interval, r: float, z: float, k: int = 3) -> np.ndarray:
     """A ring of a rectangle with round corners, k steps each, counter-clockwise from the front right corner."""
     points = []
-    for i, (cx, cy) in enumerate(((x[1] - r, y[0] + r), (x[1] - r, y[1] - r), (x[0] + r, y[1] - r), (x[0] + r, y[0] + r))):
+    for i, (cx, cy) in enumerate(
+        ((x[1] - r, y[0] + r), (x[1] - r, y[1] - r), (x[0] + r, y[1] - r), (x[0] + r, y[0] + r))
+    ):
         for j in range(k + 1):
             a = -math.pi / 2 + i * math.pi / 2 + j * math.pi / (2 * k)
             points.append((cx + r * math.cos(a), cy + r * math.sin(a), z))
@@ -166,6 +168,9 @@ def fronts(
             top -= share * h
         return
     high = z[1]
+    if layout == "drawer":
+        drawer(b, f"{name}-drawer", xs, y, z, leaf, pull, style)
+        return
     if layout == "mixed":
         high = z[1] - 0.16
         drawer(b, f"{name}-drawer", xs, y, (high, z[1]), leaf, pull, style)
@@ -196,9 +201,16 @@ def burners(b: Builder, x: Interval, y: Interval, z: float, gas: bool, count: in
             cx, cy = x[0] + (i + 0.5) * dx, y[0] + (j + 0.5) * dy
             r = min(dx, dy) * (0.40 if (i + j) % 2 else 0.31)
             if not gas:
-                for k, (radius, look) in enumerate(((r, "grey plastic"), (r - 0.004, "black glass"),
-                                                    (r * 0.55, "grey plastic"), (r * 0.55 - 0.003, "black glass"))):
-                    b.add(shapes.frustum(radius, radius, (z - 0.004 - 0.001 * k, z + 0.00005 * (k + 1)), 24), look)
+                for k, (radius, look) in enumerate(
+                    (
+                        (r, "grey plastic"),
+                        (r - 0.004, "black glass"),
+                        (r * 0.55, "grey plastic"),
+                        (r * 0.55 - 0.003, "black glass"),
+                    )
+                ):
+                    with b.frame(cx, cy):
+                        b.add(shapes.frustum(radius, radius, (z - 0.004 - 0.001 * k, z + 0.00005 * (k + 1)), 24), look)
                 continue
             with b.frame(cx, cy, z):
                 b.frustum(r * 0.62, r * 0.5, (-0.002, 0.012), "iron", segments=16)
@@ -207,8 +219,13 @@ def burners(b: Builder, x: Interval, y: Interval, z: float, gas: bool, count: in
         for j in range(cols):
             cy, half = y[0] + (j + 0.5) * dy, dy / 2 - 0.012
             for s in (-1, 1):
-                b.box((x[0] + 0.01, x[1] - 0.01), (cy + s * half - 0.005, cy + s * half + 0.005), (z, z + 0.035), "iron",
-                      bevel=0)  # fmt: skip
+                b.box(
+                    (x[0] + 0.01, x[1] - 0.01),
+                    (cy + s * half - 0.005, cy + s * half + 0.005),
+                    (z, z + 0.035),
+                    "iron",
+                    bevel=0,
+                )
             for t in (0.02, 0.25, 0.5, 0.75, 0.98):
                 at = x[0] + 0.01 + t * (x[1] - x[0] - 0.02)
                 b.box((at - 0.005, at + 0.005), (cy - half, cy + half), (z + 0.024, z + 0.035), "iron", bevel=0)

@@ -86,7 +86,9 @@ def table_football(b: Builder) -> None:
             for k in range(6):
                 b.box((-0.16 + 0.05 * k, -0.125 + 0.05 * k), (s * (y - 0.07) - 0.004, s * (y - 0.07) + 0.004),
                       (h - 0.012, h), two if s > 0 else one, 0.002)  # fmt: skip
-            b.box((-0.18, 0.18), (s * (y - 0.07) - 0.006, s * (y - 0.07) + 0.006), (h - 0.02, h - 0.01), "black steel", 0)
+            b.box(
+                (-0.18, 0.18), (s * (y - 0.07) - 0.006, s * (y - 0.07) + 0.006), (h - 0.02, h - 0.01), "black steel", 0
+            )
         men = (1, 2, 3, 5, 5, 3, 2, 1)
         team = (0, 0, 1, 0, 1, 0, 1, 1)
         for k, count in enumerate(men):
@@ -150,7 +152,13 @@ def table_tennis(b: Builder) -> None:
         with b.solid(f"legs {s}"):
             for sx in (-1, 1):
                 post(b, (sx * (x - 0.14), s * 0.42, z - 0.05), (sx * (x - 0.14), s * 0.3, 0.06), metal, 0.04)
-                post(b, (sx * (x - 0.14), s * (w / 2 - 0.25), z - 0.05), (sx * (x - 0.14), s * (w / 2 - 0.3), 0.0), metal, 0.04)
+                post(
+                    b,
+                    (sx * (x - 0.14), s * (w / 2 - 0.25), z - 0.05),
+                    (sx * (x - 0.14), s * (w / 2 - 0.3), 0.0),
+                    metal,
+                    0.04,
+                )
                 disc(b, (sx * (x - 0.14), s * 0.3, 0.05), 0.05, 0.03, "black plastic", segments=16)
             b.box((-x + 0.14, x - 0.14), (s * 0.3 - 0.02, s * 0.3 + 0.02), (0.12, 0.16), metal, 0.003)
 
@@ -169,7 +177,13 @@ def air_hockey(b: Builder) -> None:
             b.box((x - 0.09, x) if s > 0 else (-x, -x + 0.09), (-y, y), (z - 0.08, h), case, 0.02)
             b.box((-x + 0.08, x - 0.08), (y - 0.09, y) if s > 0 else (-y, -y + 0.09), (z - 0.08, h), case, 0.02)
             inlay(b, (-0.17, 0.17), (s * (y - 0.09) - 0.0003, s * (y - 0.09) + 0.0003), (z, z + 0.028), "black plastic")
-            inlay(b, (-x + 0.09, x - 0.09), (s * y * 0.35 - 0.006, s * y * 0.35 + 0.006), (z - 0.01, z + 0.0003), "blue plastic")
+            inlay(
+                b,
+                (-x + 0.09, x - 0.09),
+                (s * y * 0.35 - 0.006, s * y * 0.35 + 0.006),
+                (z - 0.01, z + 0.0003),
+                "blue plastic",
+            )
             disc(b, (0.12 * s, s * y * 0.6, z + 0.01), 0.048, 0.02, "red plastic", "z", 24, 0.004)
             disc(b, (0.12 * s, s * y * 0.6, z + 0.03), 0.02, 0.04, "red plastic", "z", 16, 0.006)
         inlay(b, (-x + 0.09, x - 0.09), (-0.006, 0.006), (z - 0.01, z + 0.0003), "red plastic")
@@ -203,7 +217,12 @@ def arcade_machine(b: Builder) -> None:
     b.box((x0 + 0.02, x1 - 0.42), (-i, i), (0.7 * k, h - 0.26), "black plastic", 0.004)
     side(b, [(x1 - 0.42, 0.8 * k), (x1 - 0.14, 0.8 * k), (x1 - 0.03, 0.9 * k), (x1 - 0.03, 0.945 * k), (x1 - 0.29, 1.02 * k),
              (x1 - 0.42, 1.02 * k)], (-i, i), trim)  # fmt: skip
-    side(b, [(x1 - 0.44, 1.0 * k), (x1 - 0.3, 1.03 * k), (x1 - 0.4, 1.43 * k), (x1 - 0.44, 1.43 * k)], (-i, i), "black glass")
+    side(
+        b,
+        [(x1 - 0.44, 1.0 * k), (x1 - 0.3, 1.03 * k), (x1 - 0.4, 1.43 * k), (x1 - 0.44, 1.43 * k)],
+        (-i, i),
+        "black glass",
+    )
     with b.frame(x1 - 0.3, 0, 1.035 * k, pitch=-0.245):
         b.box((-0.03, 0.004), (-i + 0.05, i - 0.05), (0.05, 0.36 * k), "screen", 0.004)
         for a in range(4):
@@ -248,13 +267,21 @@ def pinball_machine(b: Builder) -> None:
             for a, c, look in ((0.6, -0.1, "red plastic"), (0.62, 0.1, "green plastic"), (0.72, 0.0, "orange plastic")):
                 disc(b, (-long * a, c, top + 0.02), 0.045, 0.04, "white plastic", "z", 20)
                 disc(b, (-long * a, c, top + 0.036), 0.05, 0.012, look, "z", 20)
-            for a, c, look in ((0.4, -0.14, "red plastic"), (0.42, 0.15, "blue plastic"), (0.5, 0.0, "lamp glow"),
-                               (0.85, -0.12, "blue plastic"), (0.84, 0.13, "yellow plastic"), (0.33, 0.0, "red plastic")):
+            for a, c, look in (
+                (0.4, -0.14, "red plastic"),
+                (0.42, 0.15, "blue plastic"),
+                (0.5, 0.0, "lamp glow"),
+                (0.85, -0.12, "blue plastic"),
+                (0.84, 0.13, "yellow plastic"),
+                (0.33, 0.0, "red plastic"),
+            ):
                 disc(b, (-long * a, c, top + 0.001), 0.022, 0.006, look, "z", 12)
             for s in (-1, 1):
                 with b.frame(-long * 0.14, s * 0.1, top, yaw=s * 1.0):
                     b.box((-0.01, 0.01), tuple(sorted((0, -s * 0.08))), (0, 0.02), "white plastic", 0.004)
-                b.bar((-long * 0.25, s * 0.2, top + 0.01), (-long * 0.17, s * 0.11, top + 0.01), 0.008, "red plastic", 6)
+                b.bar(
+                    (-long * 0.25, s * 0.2, top + 0.01), (-long * 0.17, s * 0.11, top + 0.01), 0.008, "red plastic", 6
+                )
             b.box((-long, 0), (-i, i), (-0.004, 0.0), "glass", 0)
         b.box((x1 - 0.02, x1 + 0.008), (-y - 0.004, y + 0.004), (0.82, 0.885), "chrome", 0.006)
         b.box((x1 - 0.03, x1 - 0.0), (-y, y), (0.6, 0.86), case, 0.003)
@@ -304,7 +331,9 @@ def dartboard(b: Builder) -> None:
                 b.hull([(x, py, pz) for py, pz in p for x in (face_x - 0.002, face_x + 0.0005)], look)
             a = k * math.pi / 10
             py, pz = 0.87 * w2 * math.sin(a), 0.87 * w2 * math.cos(a)
-            inlay(b, (face_x - 0.001, face_x + 0.0003), (py - 0.006, py + 0.006), (pz - 0.01, pz + 0.01), "white plastic")
+            inlay(
+                b, (face_x - 0.001, face_x + 0.0003), (py - 0.006, py + 0.006), (pz - 0.01, pz + 0.01), "white plastic"
+            )
         disc(b, (face_x, 0, 0), w2 * 0.07, 0.0012, "green plastic", "x", 16)
         disc(b, (face_x, 0, 0), w2 * 0.032, 0.002, "red plastic", "x", 12)
         ring(b, (face_x - 0.002, 0, 0), w2 * 0.985, w2 * 0.015, "black steel", "x", 32, 6)
@@ -370,14 +399,33 @@ def poker_table(b: Builder) -> None:
         b.extrude(_oval(x - 0.1, y - 0.1), (z - 0.025, z), felt)
         p = np.array(_oval(x - 0.06, y - 0.06))
         a = (np.arange(8) + 0.5) * math.pi / 4
-        b.tube(np.c_[p, np.full(len(p), z - 0.004)], np.c_[0.06 * np.cos(a), 0.03 * np.sin(a)], "black leather", closed=True)
+        b.tube(
+            np.c_[p, np.full(len(p), z - 0.004)],
+            np.c_[0.06 * np.cos(a), 0.03 * np.sin(a)],
+            "black leather",
+            closed=True,
+        )
         for k, look in enumerate(("red plastic", "blue plastic", "white plastic", "green plastic", "black plastic")):
             for j in range(4):
                 px, py = (x - 0.32) * math.cos(1.57 * j + 0.5), (y - 0.35) * math.sin(1.57 * j + 0.5)
-                disc(b, (px + 0.045 * (k % 3), py + 0.045 * (k // 3), z + 0.012 + 0.004 * k), 0.02, 0.024 + 0.008 * k, look, "z", 12)
+                disc(
+                    b,
+                    (px + 0.045 * (k % 3), py + 0.045 * (k // 3), z + 0.012 + 0.004 * k),
+                    0.02,
+                    0.024 + 0.008 * k,
+                    look,
+                    "z",
+                    12,
+                )
         for k in range(5):
             b.box((-0.03, 0.06), (-0.2 + 0.08 * k, -0.137 + 0.08 * k), (z, z + 0.001), "paper", 0)
-            inlay(b, (0.005, 0.025), (-0.18 + 0.08 * k, -0.157 + 0.08 * k), (z, z + 0.0013), "red plastic" if k % 2 else "black plastic")
+            inlay(
+                b,
+                (0.005, 0.025),
+                (-0.18 + 0.08 * k, -0.157 + 0.08 * k),
+                (z, z + 0.0013),
+                "red plastic" if k % 2 else "black plastic",
+            )
     for s in (-1, 1):
         with b.solid(f"foot {s}"):
             c = s * (y - x * 0.75)

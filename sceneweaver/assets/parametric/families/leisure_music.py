@@ -62,7 +62,9 @@ def upright_piano(b: Builder) -> None:
         y = s * (w / 2 - 0.035)
         with b.solid(f"leg {s}"):
             with b.frame(x1 - 0.07, y):
-                b.lathe([(0.03, 0.06), (0.022, 0.1), (0.034, key * 0.5), (0.026, key - 0.12), (0.04, key - 0.09)], wood, 16)
+                b.lathe(
+                    [(0.03, 0.06), (0.022, 0.1), (0.034, key * 0.5), (0.026, key - 0.12), (0.04, key - 0.09)], wood, 16
+                )
             b.box((body - 0.05, x1 - 0.01), (y - 0.035, y + 0.035), (0, 0.07), wood, 0.006)
     with b.solid("body"):
         _pedals(b, body + 0.04, 0.05)
@@ -113,7 +115,9 @@ def grand_piano(b: Builder) -> None:
     rim = 1.0
     # Seen from above: straight side at -y (bass is at the player's left, who looks toward -x: that is -y).
     t = np.linspace(0, 1, 10)
-    sway = [(x1 - 0.42 - float(s) * (d - 0.62), y - 0.62 * w * float(0.5 - 0.5 * math.cos(math.pi * s)) * 0.85) for s in t]
+    sway = [
+        (x1 - 0.42 - float(s) * (d - 0.62), y - 0.62 * w * float(0.5 - 0.5 * math.cos(math.pi * s)) * 0.85) for s in t
+    ]
     tail = [(x0 + 0.06, -y * 0.28), (x0, -y * 0.42), (x0, -y * 0.72), (x0 + 0.05, -y * 0.93), (x0 + 0.16, -y)]
     outline = [(x1 - 0.42, -y), (x1 - 0.42, y), *sway[1:], *tail]
     with b.solid("case"):
@@ -253,7 +257,13 @@ def cello(b: Builder) -> None:
         b.box((-0.035, 0.0), (-0.016, 0.016), (long * 0.92, long - 0.03), wood, 0.004)
         for k in range(4):
             s = -1 if k % 2 else 1
-            b.bar((-0.01, s * 0.01, long * (0.91 + 0.015 * k)), (-0.01, s * 0.07, long * (0.91 + 0.015 * k)), 0.006, "wenge", 8)
+            b.bar(
+                (-0.01, s * 0.01, long * (0.91 + 0.015 * k)),
+                (-0.01, s * 0.07, long * (0.91 + 0.015 * k)),
+                0.006,
+                "wenge",
+                8,
+            )
             y = -0.015 + 0.01 * k
             b.bar((0.05, y * 1.2, bl * 0.36), (0.061, y, bl * 0.455), 0.001, "steel", 4)
             b.bar((0.061, y, bl * 0.455), (0.02, y * 0.7, long * 0.91), 0.001, "steel", 4)
@@ -274,7 +284,9 @@ def _drum(b: Builder, at, r: float, t: float, shell: Look, axis: str = "z") -> N
         b.frustum(r, r, (-t / 2, t / 2), shell, 28)
         for s in (-1, 1):
             b.frustum(r + 0.008, r + 0.008, tuple(sorted((s * t / 2, s * (t / 2 - 0.022)))), "chrome", 28)
-            b.frustum(r * 0.96, r * 0.96, tuple(sorted((s * (t / 2 - 0.004), s * (t / 2 + 0.0004)))), "white plastic", 28)
+            b.frustum(
+                r * 0.96, r * 0.96, tuple(sorted((s * (t / 2 - 0.004), s * (t / 2 + 0.0004)))), "white plastic", 28
+            )
         for k in range(8):
             a = (k + 0.5) * math.pi / 4
             c, s = math.cos(a), math.sin(a)
@@ -393,7 +405,11 @@ def speaker_tower(b: Builder) -> None:
     for k, (rr, gap) in enumerate([(r * 0.8, 0), (r * 0.35, 0.01), (r, 0.02), (r, 0.02)]):
         if k:
             z -= rr + gap
-        for share, depth, look in ((1.0, 0.012, "brushed steel"), (0.88, 0.0126, "black plastic"), (0.35, 0.02, "grey plastic")):
+        for share, depth, look in (
+            (1.0, 0.012, "brushed steel"),
+            (0.88, 0.0126, "black plastic"),
+            (0.35, 0.02, "grey plastic"),
+        ):
             disc(b, (x1, 0, z), rr * share, depth * 1.6, look, "x", 24)
         z -= rr
 
@@ -443,7 +459,15 @@ def record_player(b: Builder) -> None:
     r = min(d * 0.42, w * 0.36)
     disc(b, (0, cy, z + 0.008), r, 0.016, "steel", "z", 36)
     disc(b, (0, cy, z + 0.017), r * 0.98, 0.004, "black plastic", "z", 36)
-    disc(b, (0, cy, z + 0.0193), r * 0.33, 0.0012, b.material("label", "red plastic", "yellow plastic", "blue plastic"), "z", 20)
+    disc(
+        b,
+        (0, cy, z + 0.0193),
+        r * 0.33,
+        0.0012,
+        b.material("label", "red plastic", "yellow plastic", "blue plastic"),
+        "z",
+        20,
+    )
     disc(b, (0, cy, z + 0.022), 0.004, 0.014, "chrome", "z", 8)
     ay = w / 2 - 0.065
     disc(b, (-d * 0.28, ay, z + 0.015), 0.035, 0.03, "steel", "z", 20)
@@ -490,7 +514,9 @@ def jukebox(b: Builder) -> None:
     glow = b.pick("glow", ["red petal", "yellow petal", "purple petal"])
     for rr, look in ((0.93, "lamp glow"), (0.83, glow)):
         t = np.linspace(0, math.pi, 11)
-        path = [(x1 + 0.03, r * rr, 0.16)] + [(x1 + 0.03, r * rr * math.cos(a), h - r + r * rr * math.sin(a)) for a in t]
+        path = [(x1 + 0.03, r * rr, 0.16)] + [
+            (x1 + 0.03, r * rr * math.cos(a), h - r + r * rr * math.sin(a)) for a in t
+        ]
         b.tube([*path, (x1 + 0.03, -r * rr, 0.16)], 0.026, look, 8)
     t = np.linspace(0, math.pi, 9)
     q = r * 0.62
@@ -501,7 +527,13 @@ def jukebox(b: Builder) -> None:
     b.box((x1, x1 + 0.06), (-q, q), (h * 0.53, h * 0.6), "chrome", 0.008)
     for k in range(8):
         y = -q * 0.85 + k * q * 1.7 / 7
-        inlay(b, (x1, x1 + 0.0603), (y - 0.018, y + 0.018), (h * 0.55, h * 0.58), "red plastic" if k % 2 else "white plastic")
+        inlay(
+            b,
+            (x1, x1 + 0.0603),
+            (y - 0.018, y + 0.018),
+            (h * 0.55, h * 0.58),
+            "red plastic" if k % 2 else "white plastic",
+        )
     b.box((x1, x1 + 0.048), (-q, q), (0.17, h * 0.5), "brass", 0.01)
     for k in range(7):
         y = -q * 0.84 + k * q * 1.68 / 6

@@ -53,10 +53,13 @@ def floor_lamp(b: Builder) -> None:
         elif kind == "globe":
             globe(b, r, h - r)
             b.lathe([(0.012, h - 2 * r - 0.03), (r * 0.42, h - 2 * r + 0.005), (r * 0.55, h - 1.85 * r)], metal, 20)
-            b.frustum(0.011, 0.011, (top - 0.3, h - 2 * r), metal, segments=16)
+            b.frustum(0.011, 0.011, (h - 2 * r - 0.3, h - 2 * r), metal, segments=16)
         else:
-            b.lathe([(0.014, h - 0.16), (0.05, h - 0.13), (r * 0.75, h - 0.05), (r, h - 0.004), (r, h - 0.002)],
-                    b.material("bowl", "frosted glass", "white steel", "brass", "black steel"), 32)  # fmt: skip
+            b.lathe(
+                [(0.014, h - 0.16), (0.05, h - 0.13), (r * 0.75, h - 0.05), (r, h - 0.004), (r, h - 0.002)],
+                b.material("bowl", "frosted glass", "white steel", "brass", "black steel"),
+                32,
+            )
             b.frustum(r - 0.006, r - 0.006, (h - 0.01, h), "lamp glow", 32)
 
 
@@ -116,8 +119,11 @@ def tripod_lamp(b: Builder) -> None:
         for k in range(3):
             a = k * 2 * math.pi / 3
             c, s = math.cos(a), math.sin(a)
-            b.hull([(spread * c + 0.010 * u, spread * s + 0.010 * v, 0.0) for u, v in _OCTAGON]
-                   + [(0.032 * c + 0.014 * u, 0.032 * s + 0.014 * v, hub) for u, v in _OCTAGON], wood)  # fmt: skip
+            b.hull(
+                [(spread * c + 0.010 * u, spread * s + 0.010 * v, 0.0) for u, v in _OCTAGON]
+                + [(0.032 * c + 0.014 * u, 0.032 * s + 0.014 * v, hub) for u, v in _OCTAGON],
+                wood,
+            )
         if b.chance("brace", 0.6):
             share = 0.38
             r = spread * (1 - share) + 0.032 * share
@@ -145,13 +151,22 @@ def table_lamp(b: Builder) -> None:
         body = b.material("body", "brass", "white steel", "black steel", "orange plastic", "teal paint")
         cap = h * 0.42
         with b.solid("lamp"):
-            b.lathe([(r * 0.62, 0), (r * 0.66, 0.012), (r * 0.3, 0.05), (r * 0.2, h * 0.3), (r * 0.24, h - cap + 0.01)],
-                    body, 28)  # fmt: skip
+            b.lathe(
+                [(r * 0.62, 0), (r * 0.66, 0.012), (r * 0.3, 0.05), (r * 0.2, h * 0.3), (r * 0.24, h - cap + 0.01)],
+                body,
+                28,
+            )
             b.lathe([(r * 0.86, h - cap - 0.012), (r * 0.9, h - cap + 0.004)], "lamp glow", 32)
-            b.lathe([(r * 0.97, h - cap), (r, h - cap + 0.008)] + [
-                (r * math.cos(a), h - cap + 0.008 + (cap - 0.008) * math.sin(a))
-                for a in np.linspace(0.2, math.pi / 2 - 0.1, 6)] + [(0.0, h)], "lit shade" if b.chance("lit", 0.5) else
-                body, 32)  # fmt: skip
+            b.lathe(
+                [(r * 0.97, h - cap), (r, h - cap + 0.008)]
+                + [
+                    (r * math.cos(a), h - cap + 0.008 + (cap - 0.008) * math.sin(a))
+                    for a in np.linspace(0.2, math.pi / 2 - 0.1, 6)
+                ]
+                + [(0.0, h)],
+                "lit shade" if b.chance("lit", 0.5) else body,
+                32,
+            )
         return
     body = b.material("body", "@ceramic", "oak", "walnut", "brass", "glass", "concrete", "bronze")
     metal = b.material("fittings", "brass", "black steel", "brushed steel")
@@ -167,14 +182,44 @@ def table_lamp(b: Builder) -> None:
                 b.ball((k * share, k * share, (z1 - z0) / 2), (0, 0, (z0 + z1) / 2), body, 20)
         else:
             profile = {
-                "gourd": [(0.62, 0.0), (0.66, 0.03), (0.95, 0.2), (1.0, 0.34), (0.86, 0.5), (0.52, 0.62), (0.42, 0.68),
-                          (0.5, 0.78), (0.48, 0.88), (0.22, 1.0)],
+                "gourd": [
+                    (0.62, 0.0),
+                    (0.66, 0.03),
+                    (0.95, 0.2),
+                    (1.0, 0.34),
+                    (0.86, 0.5),
+                    (0.52, 0.62),
+                    (0.42, 0.68),
+                    (0.5, 0.78),
+                    (0.48, 0.88),
+                    (0.22, 1.0),
+                ],
                 "bottle": [(0.8, 0.0), (0.86, 0.03), (0.9, 0.4), (0.86, 0.55), (0.6, 0.7), (0.32, 0.8), (0.24, 1.0)],
-                "sphere": [(0.7, 0.0), (0.7, 0.05), (0.4, 0.09), (0.34, 0.13), (0.75, 0.24), (1.0, 0.45), (1.0, 0.58),
-                           (0.78, 0.8), (0.4, 0.93), (0.2, 1.0)],
-                "stick": [(1.0, 0.0), (1.0, 0.06), (0.9, 0.085), (0.3, 0.12), (0.2, 0.16), (0.22, 0.5), (0.32, 0.54),
-                          (0.22, 0.6), (0.2, 0.92), (0.26, 1.0)],
-            }[kind]  # fmt: skip
+                "sphere": [
+                    (0.7, 0.0),
+                    (0.7, 0.05),
+                    (0.4, 0.09),
+                    (0.34, 0.13),
+                    (0.75, 0.24),
+                    (1.0, 0.45),
+                    (1.0, 0.58),
+                    (0.78, 0.8),
+                    (0.4, 0.93),
+                    (0.2, 1.0),
+                ],
+                "stick": [
+                    (1.0, 0.0),
+                    (1.0, 0.06),
+                    (0.9, 0.085),
+                    (0.3, 0.12),
+                    (0.2, 0.16),
+                    (0.22, 0.5),
+                    (0.32, 0.54),
+                    (0.22, 0.6),
+                    (0.2, 0.92),
+                    (0.26, 1.0),
+                ],
+            }[kind]
             b.lathe([(k * u, top * v) for u, v in profile], body, 28)
         b.frustum(0.012, 0.012, (top - 0.01, neck + tall * 0.3), metal, 12)
         b.frustum(0.02, 0.018, (top - 0.004, top + 0.018), metal, 16)
@@ -187,8 +232,9 @@ def table_lamp(b: Builder) -> None:
 def desk_lamp(b: Builder) -> None:
     """A weighted foot, two arms with springs and joints, and a bell that looks down in front."""
     d, w, h = b.size
-    metal = b.material("lamp", "black steel", "white steel", "red paint", "teal paint", "aluminium", "yellow paint",
-                       "sage paint")  # fmt: skip
+    metal = b.material(
+        "lamp", "black steel", "white steel", "red paint", "teal paint", "aluminium", "yellow paint", "sage paint"
+    )
     joint = b.material("joints", "chrome", "black plastic", "brass")
     base = w / 2
     bell = base * b.uniform("bell", 0.62, 0.8)
@@ -197,8 +243,11 @@ def desk_lamp(b: Builder) -> None:
     tip = (d - base - 1.54 * bell, 0.0, h * b.uniform("head", 0.74, 0.84))
     elbow = (-base * 0.6, 0.0, h - 0.014)
     with b.solid("foot"):
-        b.lathe([(base - 0.003, 0), (base, 0.004), (base, 0.026), (base - 0.006, 0.033), (0.03, 0.036), (0.018, 0.05)],
-                metal, 32)  # fmt: skip
+        b.lathe(
+            [(base - 0.003, 0), (base, 0.004), (base, 0.026), (base - 0.006, 0.033), (0.03, 0.036), (0.018, 0.05)],
+            metal,
+            32,
+        )
     with b.solid("arms"):
         for y in (-0.011, 0.011):
             b.bar((x0, y, z0), (elbow[0], y, elbow[2]), 0.0042, metal, 8)
@@ -250,10 +299,19 @@ def lantern(b: Builder) -> None:
         b.add(_roof(ring(r * 0.92), body + 0.014, ring(0.02), roof), metal)
         b.frustum(0.016, 0.02, (roof, roof + 0.016), metal, 12)
         loop = (h - roof - 0.012) / 2
-        turn = [(0.0, loop * math.cos(a), roof + 0.012 + loop + loop * math.sin(a))
-                for a in np.arange(12) * (math.pi / 6)]  # fmt: skip
-        b.tube([(x, y * (1 - 0.003 / loop), roof + 0.012 + loop + (z - roof - 0.012 - loop) * (1 - 0.003 / loop))
-                for x, y, z in turn], 0.003, metal, 6, closed=True)  # fmt: skip
+        turn = [
+            (0.0, loop * math.cos(a), roof + 0.012 + loop + loop * math.sin(a)) for a in np.arange(12) * (math.pi / 6)
+        ]
+        b.tube(
+            [
+                (x, y * (1 - 0.003 / loop), roof + 0.012 + loop + (z - roof - 0.012 - loop) * (1 - 0.003 / loop))
+                for x, y, z in turn
+            ],
+            0.003,
+            metal,
+            6,
+            closed=True,
+        )
 
 
 def _roof(low: np.ndarray, z0: float, high: np.ndarray, z1: float):
@@ -297,5 +355,3 @@ def string_lights(b: Builder) -> None:
         for k in range(bows + 1):
             y = -w / 2 + bulb + k * span
             b.bar((-d / 2, y, h - 0.006), (0.003, y, h - 0.006), 0.006, "white plastic", 8)
-
-

@@ -24,8 +24,17 @@ def pendant(b: Builder) -> None:
     """A cord from a rose, and a bell, drum, globe, cone, woven basket or cage with a bulb."""
     r, h = across(b) / 2, b.size.height
     kind = b.pick("kind", ["dome", "drum", "globe", "cone", "basket", "slats"])
-    metal = b.material("metal", "black steel", "brass", "copper", "white steel", "brushed steel", "teal paint",
-                       "sage paint", "mustard fabric")  # fmt: skip
+    metal = b.material(
+        "metal",
+        "black steel",
+        "brass",
+        "copper",
+        "white steel",
+        "brushed steel",
+        "teal paint",
+        "sage paint",
+        "mustard fabric",
+    )
     tall = min(h * 0.6, r * {"dome": 1.0, "drum": 0.9, "globe": 2.0, "cone": 1.25, "basket": 1.15, "slats": 1.2}[kind])
     rr = min(r, tall / 2) if kind == "globe" else r
     with b.solid("cord"):
@@ -57,8 +66,13 @@ def pendant(b: Builder) -> None:
             for k in range(count):
                 s = (k + 0.5) / count
                 radius = r * math.sin(math.pi * (0.16 + 0.62 * s)) ** 0.8
-                b.frustum(radius if k != 3 else r, (radius if k != 3 else r) * 0.9, (s * tall - 0.008, s * tall + 0.008),
-                          wood, 28)  # fmt: skip
+                b.frustum(
+                    radius if k != 3 else r,
+                    (radius if k != 3 else r) * 0.9,
+                    (s * tall - 0.008, s * tall + 0.008),
+                    wood,
+                    28,
+                )
             b.frustum(r * 0.42, r * 0.36, (0.0, tall), "lamp glow", 24)
 
 
@@ -110,24 +124,45 @@ def chandelier(b: Builder) -> None:
     body = min(0.42, h * 0.5)
     with b.solid("body"):
         k = body / 0.42
-        b.lathe([(0.0, 0.0), (0.02, 0.012), (0.016, 0.03), (0.05 * k, 0.07), (0.062 * k, 0.11), (0.03, 0.16 * k + 0.02),
-                 (0.018, 0.2 * k + 0.02), (0.032, 0.27 * k + 0.02), (0.02, 0.34 * k + 0.02), (0.012, h * 0.5 + 0.02)],
-                metal, 20)  # fmt: skip
+        b.lathe(
+            [
+                (0.0, 0.0),
+                (0.02, 0.012),
+                (0.016, 0.03),
+                (0.05 * k, 0.07),
+                (0.062 * k, 0.11),
+                (0.03, 0.16 * k + 0.02),
+                (0.018, 0.2 * k + 0.02),
+                (0.032, 0.27 * k + 0.02),
+                (0.02, 0.34 * k + 0.02),
+                (0.012, h * 0.5 + 0.02),
+            ],
+            metal,
+            20,
+        )
         bulb = 0.014 if kind == "candles" else min(0.07, r * 0.2)
         out = r - (0.034 if kind == "candles" else bulb)
         cup = body * 0.42
         for n in range(count):
             with b.frame(yaw=(n + 0.5) * 2 * math.pi / count):
-                path = [(0.03, 0, 0.12 * k), (out * 0.3, 0, 0.035), (out * 0.62, 0, 0.03), (out * 0.9, 0, 0.09 * k),
-                        (out, 0, cup)]  # fmt: skip
+                path = [
+                    (0.03, 0, 0.12 * k),
+                    (out * 0.3, 0, 0.035),
+                    (out * 0.62, 0, 0.03),
+                    (out * 0.9, 0, 0.09 * k),
+                    (out, 0, cup),
+                ]
                 b.tube(path, 0.006, metal, 8)
             a = (n + 0.5) * 2 * math.pi / count
             with b.frame(out * math.cos(a), out * math.sin(a)):
                 if kind == "candles":
                     b.lathe([(0.008, cup - 0.016), (0.034, cup), (0.034, cup + 0.006)], metal, 14)
                     b.frustum(0.013, 0.012, (cup, cup + 0.085), "candle wax", 10)
-                    b.lathe([(0.008, cup + 0.085), (bulb, cup + 0.105), (0.006, cup + 0.14), (0.0, cup + 0.155)],
-                            "lamp glow", 10)  # fmt: skip
+                    b.lathe(
+                        [(0.008, cup + 0.085), (bulb, cup + 0.105), (0.006, cup + 0.14), (0.0, cup + 0.155)],
+                        "lamp glow",
+                        10,
+                    )
                 else:
                     b.lathe([(0.01, cup - 0.02), (bulb * 0.6, cup), (bulb * 0.6, cup + 0.012)], metal, 14)
                     b.ball((bulb, bulb, bulb), (0, 0, cup + bulb + 0.004), "lamp glow", 14)
@@ -202,8 +237,18 @@ def ceiling_fan(b: Builder) -> None:
     lit = b.chance("light", 0.7)
     low = 0.09 if lit else 0.0
     with b.solid("motor"):
-        b.lathe([(0.05, low), (0.1, low + 0.012), (0.115, low + 0.05), (0.11, low + 0.09), (0.06, low + 0.125),
-                 (0.02, low + 0.15)], metal, 28)  # fmt: skip
+        b.lathe(
+            [
+                (0.05, low),
+                (0.1, low + 0.012),
+                (0.115, low + 0.05),
+                (0.11, low + 0.09),
+                (0.06, low + 0.125),
+                (0.02, low + 0.15),
+            ],
+            metal,
+            28,
+        )
         if lit:
             curve = [(0.1 * math.sin(a), 0.088 * (1 - math.cos(a))) for a in np.linspace(0, math.pi / 2, 6)]
             b.lathe([*curve, (0.1, low + 0.012)], "lamp glow", 28)
@@ -218,8 +263,14 @@ def ceiling_fan(b: Builder) -> None:
         for k in range(count):
             with b.frame(0, 0, low + 0.055, yaw=k * 2 * math.pi / count, roll=0.2):
                 b.box((0.09, 0.24), (-0.02, 0.02), (-0.004, 0.004), metal)
-                plan = [(0.19, -wide * 0.7), (reach - 0.03, -wide), (reach, -wide * 0.6), (reach, wide * 0.6),
-                        (reach - 0.03, wide), (0.19, wide * 0.7)]  # fmt: skip
+                plan = [
+                    (0.19, -wide * 0.7),
+                    (reach - 0.03, -wide),
+                    (reach, -wide * 0.6),
+                    (reach, wide * 0.6),
+                    (reach - 0.03, wide),
+                    (0.19, wide * 0.7),
+                ]
                 b.extrude(np.array(plan), (0.003, 0.011), blades, bevel=0.002)
 
 
@@ -241,9 +292,9 @@ def wall_sconce(b: Builder) -> None:
                 b.frustum(r - 0.006, r - 0.006, (h - 0.01, h), "lamp glow", 24)
             return
         plate = min(0.05, h * 0.2)
-        with b.frame(-d / 2, 0, h * 0.3, pitch=math.pi / 2):
+        with b.frame(-d / 2, 0, plate, pitch=math.pi / 2):
             b.frustum(plate, plate * 0.94, (0.0, 0.016), metal, 24, bevel=0.003)
-        path = [(-d / 2 + 0.01, 0, h * 0.3), (x - 0.04, 0, h * 0.2), (x - 0.01, 0, h * 0.22), (x, 0, h * 0.3)]
+        path = [(-d / 2 + 0.01, 0, plate), (x - 0.04, 0, h * 0.2), (x - 0.01, 0, h * 0.22), (x, 0, h * 0.3)]
         b.tube(path, 0.007, metal, 10)
         with b.frame(x):
             b.lathe([(0.012, h * 0.26), (0.028, h * 0.32), (0.028, h * 0.34)], metal, 16)

@@ -18,9 +18,14 @@ def across(b: Builder) -> float:
 
 
 def shade(
-    b: Builder, low: float, high: float, z: Interval, material: Material | str, segments: int = 28,
+    b: Builder,
+    low: float,
+    high: float,
+    z: Interval,
+    material: Material | str,
+    segments: int = 28,
     trim: Material | str | None = None,
-) -> None:  # fmt: skip
+) -> None:
     """A cloth or metal shade about z with these radii below and above; light shines out of both ends."""
     b.frustum(low, high, (z[0] + 0.003, z[1] - 0.003), material, segments)
     if trim is not None:
@@ -34,9 +39,13 @@ def shade(
 
 
 def shell(
-    b: Builder, outer: list[tuple[float, float]], thickness: float, material: Material | str, segments: int = 24,
+    b: Builder,
+    outer: list[tuple[float, float]],
+    thickness: float,
+    material: Material | str,
+    segments: int = 24,
     sectors: int = 8,
-) -> None:  # fmt: skip
+) -> None:
     """A thin bell about z: a profile of (radius, z) from foot to head with a wall; open below, parts all around."""
     inner = [(max(0.002, r - thickness), z) for r, z in outer]
     scale = 1.0 / math.cos(math.pi / segments)
@@ -67,8 +76,18 @@ def globe(b: Builder, radius: float, z: float, segments: int = 20) -> None:
 
 def foot(b: Builder, radius: float, thick: float, material: Material | str) -> None:
     """A round flat foot with a raised middle."""
-    b.lathe([(radius - 0.004, 0.0), (radius, 0.004), (radius, thick * 0.6), (radius - 0.008, thick * 0.8),
-             (0.03, thick), (0.018, thick + 0.012)], material, 32)  # fmt: skip
+    b.lathe(
+        [
+            (radius - 0.004, 0.0),
+            (radius, 0.004),
+            (radius, thick * 0.6),
+            (radius - 0.008, thick * 0.8),
+            (0.03, thick),
+            (0.018, thick + 0.012),
+        ],
+        material,
+        32,
+    )
 
 
 def arc(center: tuple[float, float], radius: float, start: float, end: float, steps: int) -> list[tuple]:

@@ -27,7 +27,13 @@ def _tray(b: Builder, x: float, y: Interval, z: float, metal: Look, chalk: bool 
         c = m - 0.3 + 0.16 * k
         b.bar((x + 0.035, c, z + 0.008), (x + 0.035, c + (0.08 if chalk else 0.12), z + 0.008), 0.008,
               ("white plastic", "yellow plastic", "pink plastic")[k] if chalk else _INKS[k], 8)  # fmt: skip
-    b.box((x + 0.012, x + 0.055), (m + 0.2, m + 0.32), (z, z + 0.03), "charcoal fabric" if chalk else "blue plastic", 0.004)
+    b.box(
+        (x + 0.012, x + 0.055),
+        (m + 0.2, m + 0.32),
+        (z, z + 0.03),
+        "charcoal fabric" if chalk else "blue plastic",
+        0.004,
+    )
 
 
 def _scribble(b: Builder, x: float, y: Interval, z: Interval, looks: tuple[str, ...]) -> None:
@@ -43,7 +49,13 @@ def _scribble(b: Builder, x: float, y: Interval, z: Interval, looks: tuple[str, 
     for k in range(4):
         c = y[0] + w * (0.12 + 0.07 * k)
         tall = h * b.uniform(f"bar {k}", 0.12, 0.4)
-        inlay(b, (x - 0.002, x + 0.0003), (c, c + w * 0.04), (z[0] + h * 0.25, z[0] + h * 0.25 + tall), looks[(k + 1) % len(looks)])
+        inlay(
+            b,
+            (x - 0.002, x + 0.0003),
+            (c, c + w * 0.04),
+            (z[0] + h * 0.25, z[0] + h * 0.25 + tall),
+            looks[(k + 1) % len(looks)],
+        )
 
 
 @gear("whiteboard")
@@ -71,7 +83,13 @@ def blackboard(b: Builder) -> None:
     _board(b, x, (-w / 2, w / 2), (0.02, h), b.material("slate", "forest pigment", "ink pigment"), wood, 0.045)
     _tray(b, x + 0.015, (-w / 2, w / 2), 0.035, wood, chalk=True)
     if b.chance("written", 0.8):
-        _scribble(b, x + 0.014, (-w / 2 + 0.1, w / 2 - 0.1), (0.1, h - 0.05), ("chalk pigment", "chalk pigment", "yellow petal"))
+        _scribble(
+            b,
+            x + 0.014,
+            (-w / 2 + 0.1, w / 2 - 0.1),
+            (0.1, h - 0.05),
+            ("chalk pigment", "chalk pigment", "yellow petal"),
+        )
 
 
 @gear("notice_board")
@@ -80,7 +98,9 @@ def notice_board(b: Builder) -> None:
     d, w, h = b.size
     frame = b.material("frame", "light oak", "aluminium", "white paint", "walnut")
     x = -d / 2
-    _board(b, x, (-w / 2, w / 2), (0, h), b.material("board", "cork", "cork", "blue fabric", "green fabric"), frame, 0.028)
+    _board(
+        b, x, (-w / 2, w / 2), (0, h), b.material("board", "cork", "cork", "blue fabric", "green fabric"), frame, 0.028
+    )
     looks = ("paper", "yellow plastic", "pink plastic", "mint plastic", "sky pigment", "paper")
     n, m = max(2, int((w - 0.15) / 0.24)), 2
     for k in range(n):
@@ -128,7 +148,9 @@ def flip_chart(b: Builder) -> None:
     lean = math.atan2(d * 0.42, h)
     for s in (-1, 1):
         b.bar((d / 2 - 0.015, s * (w / 2 - 0.02), 0.0), (-d * 0.05, s * w * 0.3, h * 0.9), 0.014, metal, 8)
-        b.box((d / 2 - 0.03, d / 2), (s * (w / 2 - 0.02) - 0.016, s * (w / 2 - 0.02) + 0.016), (0, 0.04), "rubber", 0.004)
+        b.box(
+            (d / 2 - 0.03, d / 2), (s * (w / 2 - 0.02) - 0.016, s * (w / 2 - 0.02) + 0.016), (0, 0.04), "rubber", 0.004
+        )
     b.bar((-d / 2 + 0.015, 0, 0.0), (-d * 0.06, 0, h * 0.8), 0.014, metal, 8)
     z0 = h - 1.02
     with b.frame(d / 2 - 0.02 - math.tan(lean) * z0 * 1.05, 0, z0, pitch=-lean):
@@ -239,12 +261,24 @@ def kiosk(b: Builder) -> None:
             b.box((-0.05, 0.03), (-w / 2, w / 2), (-0.06, 0.36), body, 0.012)
             b.box((0.025, 0.034), (-w / 2 + 0.03, w / 2 - 0.03), (-0.03, 0.33), "screen", 0.002)
             for k in range(3):
-                inlay(b, (0.03, 0.0343), (-w / 2 + 0.06, w / 2 - 0.06), (0.02 + 0.08 * k, 0.07 + 0.08 * k), (accent, "white plastic", "sky pigment")[k])
+                inlay(
+                    b,
+                    (0.03, 0.0343),
+                    (-w / 2 + 0.06, w / 2 - 0.06),
+                    (0.02 + 0.08 * k, 0.07 + 0.08 * k),
+                    (accent, "white plastic", "sky pigment")[k],
+                )
         return
     inlay(b, (x - 0.004, x + 0.0003), (-w / 2 + 0.08, w / 2 - 0.08), (z - 0.06, z), accent)
     for k in range(4):
         zz = z - 0.2 - 0.13 * k
-        inlay(b, (x - 0.004, x + 0.0003), (-w / 2 + 0.08, w / 2 - 0.08), (zz, zz + 0.08), ("white plastic", "sky pigment")[k % 2])
+        inlay(
+            b,
+            (x - 0.004, x + 0.0003),
+            (-w / 2 + 0.08, w / 2 - 0.08),
+            (zz, zz + 0.08),
+            ("white plastic", "sky pigment")[k % 2],
+        )
 
 
 @gear("lectern")

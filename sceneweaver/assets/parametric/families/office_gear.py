@@ -21,14 +21,22 @@ def desk_printer(b: Builder) -> None:
     x0, x1 = -d / 2, d / 2 - 0.08
     b.box((x0, x1), (-w / 2, w / 2), (0, h * 0.78), body, 0.012)
     b.box((x0 + 0.01, x1 - 0.005), (-w / 2 + 0.005, w / 2 - 0.005), (h * 0.77, h), body, 0.015)
-    inlay(b, (x0 + 0.02, x1 - 0.02), (-w / 2 - 0.0003, w / 2 + 0.0003), (h * 0.765, h * 0.78), "black plastic")
+    b.box((x0 + 0.015, x1 - 0.012), (-w / 2 + 0.008, w / 2 - 0.008), (h * 0.72, h * 0.84), "black plastic")
     inlay(b, (x1 - 0.01, x1 + 0.0003), (-w * 0.33, w * 0.33), (h * 0.16, h * 0.44), "black plastic")
     b.box((x1 - 0.03, d / 2), (-w * 0.28, w * 0.28), (h * 0.16, h * 0.19), "grey plastic", 0.003)
     b.box((x1 - 0.02, d / 2 - 0.02), (-0.105, 0.105), (h * 0.19, h * 0.2), "paper", 0)
     b.box((x1 - 0.02, x1 + 0.012), (-w * 0.4, w * 0.15), (h * 0.52, h * 0.74), "black plastic", 0.005)
     inlay(b, (x1, x1 + 0.0123), (-w * 0.3, -w * 0.1), (h * 0.56, h * 0.7), "screen")
     for k in range(3):
-        disc(b, (x1 + 0.012, w * (0.02 * k * 2 - 0.02), h * 0.63), 0.008, 0.003, ("green plastic", "white plastic", "red plastic")[k], "x", 10)
+        disc(
+            b,
+            (x1 + 0.012, w * (0.02 * k * 2 - 0.02), h * 0.63),
+            0.008,
+            0.003,
+            ("green plastic", "white plastic", "red plastic")[k],
+            "x",
+            10,
+        )
 
 
 @gear("photocopier")
@@ -74,7 +82,13 @@ def phone_booth(b: Builder) -> None:
     for s in (-1, 1):
         ys = (y - t, y) if s > 0 else (-y, -y + t)
         b.box((x0, x1), ys, (0.09, h - 0.1), shell, 0.02)
-        b.box((x0 + 0.05, x1 - 0.06), (y - t - 0.012, y - t + 0.001) if s > 0 else (-y + t - 0.001, -y + t + 0.012), (0.1, h - 0.12), felt, 0)
+        b.box(
+            (x0 + 0.05, x1 - 0.06),
+            (y - t - 0.012, y - t + 0.001) if s > 0 else (-y + t - 0.001, -y + t + 0.012),
+            (0.1, h - 0.12),
+            felt,
+            0,
+        )
     b.box((x0, x0 + 0.05), (-y + t, y - t), (0.1, h - 0.12), felt, 0)
     b.box((x0 + 0.05, x0 + 0.32), (-y + t + 0.02, y - t - 0.02), (0.4, 0.46), felt, 0.02)
     b.box((x0 + 0.06, x0 + 0.28), (-0.15, 0.15), (0.1, 0.41), shell, 0.01)
@@ -123,11 +137,23 @@ def server_rack(b: Builder) -> None:
         elif kind == "patch":
             for j in range(12):
                 c = -i * 0.86 + j * i * 1.72 / 11
-                inlay(b, (x1 - 0.04, f + 0.0003), (c - 0.008, c + 0.008), (m - 0.007, m + 0.007), "blue plastic" if j % 3 else "yellow plastic")
+                inlay(
+                    b,
+                    (x1 - 0.04, f + 0.0003),
+                    (c - 0.008, c + 0.008),
+                    (m - 0.007, m + 0.007),
+                    "blue plastic" if j % 3 else "yellow plastic",
+                )
         elif kind == "server":
             inlay(b, (x1 - 0.04, f + 0.0003), (-i * 0.6, i * 0.9), (m - 0.008, m + 0.008), "black plastic")
             for j, lamp in enumerate(("green plastic", "blue plastic", "orange plastic")):
-                inlay(b, (x1 - 0.04, f + 0.0003), (-i * 0.9 + 0.02 * j, -i * 0.9 + 0.02 * j + 0.008), (m - 0.004, m + 0.004), lamp)
+                inlay(
+                    b,
+                    (x1 - 0.04, f + 0.0003),
+                    (-i * 0.9 + 0.02 * j, -i * 0.9 + 0.02 * j + 0.008),
+                    (m - 0.004, m + 0.004),
+                    lamp,
+                )
         z += t
         k += 1
 
@@ -164,8 +190,16 @@ def shredder(b: Builder) -> None:
     body = b.material("body", "black plastic", "grey plastic", "white plastic")
     z = h * 0.72
     t = h - 0.06
-    b.hull([(x * d / 2 * q, y * w / 2 * q, zz) for x in (-1, 1) for y in (-1, 1) for q, zz in ((0.86, 0), (0.95, z))], body)
-    b.box((-d / 2, d / 2), (-w / 2, w / 2), (z, t), "black plastic" if body.name != "black plastic" else "grey plastic", 0.015)
+    b.hull(
+        [(x * d / 2 * q, y * w / 2 * q, zz) for x in (-1, 1) for y in (-1, 1) for q, zz in ((0.86, 0), (0.95, z))], body
+    )
+    b.box(
+        (-d / 2, d / 2),
+        (-w / 2, w / 2),
+        (z, t),
+        "black plastic" if body.name != "black plastic" else "grey plastic",
+        0.015,
+    )
     b.box((-0.008, 0.008), (-w * 0.34, w * 0.34), (t - 0.001, t + 0.002), "black glass", 0)
     b.box((-0.0015, 0.0015), (-0.105, 0.105), (t - 0.02, h), "paper", 0)
     inlay(b, (d / 2 - 0.01, d / 2 + 0.0003), (-0.02, 0.02), (z + 0.04, z + 0.055), "green plastic")
@@ -188,7 +222,9 @@ def wastebasket(b: Builder) -> None:
     for k in range(4):
         a = k * 1.7 + 0.4
         q = r * 0.27
-        b.ball((q, q * 0.9, q * 0.8), (r * 0.42 * math.cos(a), r * 0.42 * math.sin(a), h - q * 0.8 - 0.004 * k), "paper", 8)
+        b.ball(
+            (q, q * 0.9, q * 0.8), (r * 0.42 * math.cos(a), r * 0.42 * math.sin(a), h - q * 0.8 - 0.004 * k), "paper", 8
+        )
 
 
 @gear("book_return_cart")
@@ -202,7 +238,15 @@ def book_return_cart(b: Builder) -> None:
         ys = (y - 0.022, y) if s > 0 else (-y, -y + 0.022)
         side(b, [(-x, 0.1), (x, 0.1), (x, h - 0.12), (x - 0.08, h), (-x + 0.08, h), (-x, h - 0.12)], ys, frame)
     i = y - 0.02
-    looks = ("red fabric", "navy fabric", "green fabric", "mustard fabric", "brown leather", "teal paint", "beige fabric")
+    looks = (
+        "red fabric",
+        "navy fabric",
+        "green fabric",
+        "mustard fabric",
+        "brown leather",
+        "teal paint",
+        "beige fabric",
+    )
     for k in range(2):
         z = 0.16 + k * (h - 0.3) * 0.55
         b.box((-x + 0.02, x - 0.02), (-i, i), (z - 0.02, z), frame, 0.002)
@@ -214,7 +258,13 @@ def book_return_cart(b: Builder) -> None:
                 t = b.uniform(f"t {k} {e} {j}", 0.025, 0.055)
                 tall = b.uniform(f"h {k} {e} {j}", 0.19, 0.27)
                 deep = min(x - 0.04, b.uniform(f"d {k} {e} {j}", 0.13, 0.17))
-                b.box(tuple(sorted((e * 0.01, e * (0.01 + deep)))), (c, c + t - 0.001), (z, z + tall), b.pick(f"l {k} {e} {j}", looks), 0.003)
+                b.box(
+                    tuple(sorted((e * 0.01, e * (0.01 + deep)))),
+                    (c, c + t - 0.001),
+                    (z, z + tall),
+                    b.pick(f"l {k} {e} {j}", looks),
+                    0.003,
+                )
                 c += t
                 j += 1
 
@@ -228,7 +278,15 @@ def card_catalog(b: Builder) -> None:
     foot = h * 0.3
     for sx in (x0 + 0.03, x1 - 0.03):
         for s in (-1, 1):
-            b.hull([(sx + e * q, s * (y - 0.03) + f * q, z) for e in (-1, 1) for f in (-1, 1) for q, z in ((0.015, 0), (0.026, foot))], wood)
+            b.hull(
+                [
+                    (sx + e * q, s * (y - 0.03) + f * q, z)
+                    for e in (-1, 1)
+                    for f in (-1, 1)
+                    for q, z in ((0.015, 0), (0.026, foot))
+                ],
+                wood,
+            )
     b.box((x0, x1 - 0.002), (-y, y), (foot, h - 0.025), wood, 0.004)
     b.box((x0, x1 + 0.016), (-y - 0.01, y + 0.01), (h - 0.028, h), wood, 0.006)
     cols, rows = max(4, round(w / 0.17)), max(4, round((h - foot) / 0.13))
@@ -236,9 +294,15 @@ def card_catalog(b: Builder) -> None:
     for i in range(cols):
         for j in range(rows):
             c, z = -y + 0.025 + (i + 0.5) * cw, foot + 0.015 + (j + 0.5) * ch
-            b.add(_plain((x1 - 0.004, x1 + 0.0), (c - cw * 0.47, c + cw * 0.47), (z - ch * 0.46, z + ch * 0.46)), wood, None if (i, j) == (0, 0) else [])
+            b.add(
+                _plain((x1 - 0.004, x1 + 0.0), (c - cw * 0.47, c + cw * 0.47), (z - ch * 0.46, z + ch * 0.46)),
+                wood,
+                None if (i, j) == (0, 0) else [],
+            )
             inlay(b, (x1 - 0.003, x1 + 0.0002), (c - cw * 0.3, c + cw * 0.3), (z, z + ch * 0.3), "brass")
-            inlay(b, (x1 - 0.003, x1 + 0.0003), (c - cw * 0.25, c + cw * 0.25), (z + 0.006, z + ch * 0.3 - 0.006), "paper")
+            inlay(
+                b, (x1 - 0.003, x1 + 0.0003), (c - cw * 0.25, c + cw * 0.25), (z + 0.006, z + ch * 0.3 - 0.006), "paper"
+            )
             inlay(b, (x1 - 0.003, x1 + 0.0003), (c - 0.012, c + 0.012), (z - ch * 0.3, z - ch * 0.1), "brass")
     b.box((x1 - 0.004, x1), (-y + 0.02, y - 0.02), (foot + 0.01, h - 0.03), "wenge", 0)
     b.surface("top", (x0 + 0.01, x1), (-y + 0.01, y - 0.01), h)
@@ -271,7 +335,10 @@ def globe(b: Builder) -> None:
         m = np.array([math.cos(lat) * math.cos(lon), math.cos(lat) * math.sin(lon), math.sin(lat)])
         q = np.concatenate([p, p * 0.5 + m * 0.5])
         q = q / np.linalg.norm(q, axis=1, keepdims=True) * (r * 1.006) + (0, 0, zc)
-        b.hull(np.concatenate([q, [m * r * 0.8 + (0, 0, zc)], [m * r * 1.006 + (0, 0, zc)]]), land if s < 0.42 else "moss pigment")
+        b.hull(
+            np.concatenate([q, [m * r * 0.8 + (0, 0, zc)], [m * r * 1.006 + (0, 0, zc)]]),
+            land if s < 0.42 else "moss pigment",
+        )
     n = 24
     t = np.arange(n) * 2 * math.pi / n
     sec = np.array([(d * 0.05, -0.012), (d * 0.05, 0.012), (-d * 0.05, 0.012), (-d * 0.05, -0.012)])
@@ -280,7 +347,11 @@ def globe(b: Builder) -> None:
     for k in range(4):
         a = math.pi / 4 + k * math.pi / 2
         with b.frame(d * 0.44 * math.cos(a), d * 0.44 * math.sin(a)):
-            b.lathe([(0.014, 0), (0.022, 0.06), (0.015, 0.12), (0.026, zc * 0.5), (0.016, zc * 0.75), (0.022, zc - 0.01)], wood, 10)
+            b.lathe(
+                [(0.014, 0), (0.022, 0.06), (0.015, 0.12), (0.026, zc * 0.5), (0.016, zc * 0.75), (0.022, zc - 0.01)],
+                wood,
+                10,
+            )
         b.bar((d * 0.44 * math.cos(a), d * 0.44 * math.sin(a), 0.16), (0, 0, 0.13), 0.012, wood, 8)
     b.frustum(0.03, 0.04, (0.1, 0.17), wood, 12)
 
@@ -298,9 +369,21 @@ def mailboxes(b: Builder) -> None:
         for j in range(rows):
             y, z = -w / 2 + 0.02 + i * cw, 0.02 + j * ch
             b.box((x1 - 0.006, x1), (y + 0.004, y + cw - 0.004), (z + 0.004, z + ch - 0.004), case, 0)
-            inlay(b, (x1 - 0.003, x1 + 0.0003), (y + cw * 0.2, y + cw * 0.8), (z + ch * 0.72, z + ch * 0.82), "black plastic")
+            inlay(
+                b,
+                (x1 - 0.003, x1 + 0.0003),
+                (y + cw * 0.2, y + cw * 0.8),
+                (z + ch * 0.72, z + ch * 0.82),
+                "black plastic",
+            )
             inlay(b, (x1 - 0.003, x1 + 0.0003), (y + cw * 0.3, y + cw * 0.62), (z + ch * 0.4, z + ch * 0.55), "paper")
-            inlay(b, (x1 - 0.003, x1 + 0.0003), (y + cw * 0.78, y + cw * 0.84), (z + ch * 0.42, z + ch * 0.52), "black steel")
+            inlay(
+                b,
+                (x1 - 0.003, x1 + 0.0003),
+                (y + cw * 0.78, y + cw * 0.84),
+                (z + ch * 0.42, z + ch * 0.52),
+                "black steel",
+            )
 
 
 @gear("turnstile")

@@ -23,8 +23,15 @@ def _ball_crown(b, rng, count, size, width, foliage, z0: float, z1: float, outli
     k = Clumps()
     points = at * np.array([d / 2, w / 2, (z1 - z0) / 2]) * 0.86
     rise = rng.uniform(-0.5, 0.5, count) + 0.7 * at[:, 2]
-    made = leaves(points, turn + rng.uniform(-0.5, 0.5, count), rise, rng.uniform(0.3, 0.9, count),
-                  size * rng.uniform(0.75, 1.2, count), width, outline)  # fmt: skip
+    made = leaves(
+        points,
+        turn + rng.uniform(-0.5, 0.5, count),
+        rise,
+        rng.uniform(0.3, 0.9, count),
+        size * rng.uniform(0.75, 1.2, count),
+        width,
+        outline,
+    )
     clump = sectors(turn, 6) + 6 * (at[:, 2] > 0)
     shade = rng.uniform(size=count) < 0.35
     k.add((made[0][~shade], made[1]), foliage, clump[~shade])
@@ -50,10 +57,16 @@ def potted_plant(b: Builder) -> None:
             for n in range(trunks):
                 a = n * 2 * math.pi / trunks
                 lean = 0.02 if trunks > 1 else 0.0
-                b.tube([(lean * math.cos(a), lean * math.sin(a), soil - 0.03),
+                b.tube(
+                    [
+                        (lean * math.cos(a), lean * math.sin(a), soil - 0.03),
                         (0.4 * lean * math.cos(a + 2), 0.4 * lean * math.sin(a + 2), (soil + z0) / 2),
-                        (0.06 * d * math.cos(a), 0.06 * d * math.sin(a), z0 + (h - z0) * 0.55)],
-                       0.012 + 0.003 * h, "bark", 8)  # fmt: skip
+                        (0.06 * d * math.cos(a), 0.06 * d * math.sin(a), z0 + (h - z0) * 0.55),
+                    ],
+                    0.012 + 0.003 * h,
+                    "bark",
+                    8,
+                )
         if kind == "ficus":
             _ball_crown(b, rng, 170, 0.11, 0.045, green, z0, h, OVAL, "dark leaf")
         else:
@@ -68,8 +81,11 @@ def potted_plant(b: Builder) -> None:
     k = Clumps()
     for n in range(count):
         foot = np.array([0.03 * math.cos(yaw[n]), 0.03 * math.sin(yaw[n]), soil - 0.02])
-        middle = foot * 0.5 + tips[n] * 0.5 - np.array([out[n] * 0.25 * math.cos(yaw[n]), out[n] * 0.25 *
-                                                        math.sin(yaw[n]), 0])  # fmt: skip
+        middle = (
+            foot * 0.5
+            + tips[n] * 0.5
+            - np.array([out[n] * 0.25 * math.cos(yaw[n]), out[n] * 0.25 * math.sin(yaw[n]), 0])
+        )
         k.shape(stem([foot, middle, tips[n]], 0.005), green, int(sectors(yaw[n : n + 1])[0]))
     if kind == "split":
         made = _split(tips, yaw, 0.28 * math.sqrt(h), rng)
@@ -86,14 +102,29 @@ def _split(tips, yaw, length: float, rng) -> list:
     found = []
     for n in range(len(tips)):
         rise, t = rng.uniform(-0.1, 0.5), np.linspace(0.0, 0.8, 5)
-        points = tips[n] + length * t[:, None] * np.array([math.cos(yaw[n]) * math.cos(rise), math.sin(yaw[n]) *
-                                                           math.cos(rise), math.sin(rise) - 0.35]) * 0.9  # fmt: skip
+        points = (
+            tips[n]
+            + length
+            * t[:, None]
+            * np.array([math.cos(yaw[n]) * math.cos(rise), math.sin(yaw[n]) * math.cos(rise), math.sin(rise) - 0.35])
+            * 0.9
+        )
         lobe = length * np.array([0.5, 0.62, 0.6, 0.5, 0.38])
         parts = [
-            leaves(points, yaw[n] + sign * np.array([1.9, 1.45, 1.15, 0.85, 0.4]), 0.25 * rise + 0.1, 0.6, lobe,
-                   length * 0.26, (0.5, 1.0, 1.0, 0.3), 0.0, 0.0018, rib=False)
+            leaves(
+                points,
+                yaw[n] + sign * np.array([1.9, 1.45, 1.15, 0.85, 0.4]),
+                0.25 * rise + 0.1,
+                0.6,
+                lobe,
+                length * 0.26,
+                (0.5, 1.0, 1.0, 0.3),
+                0.0,
+                0.0018,
+                rib=False,
+            )
             for sign in (-1, 1)
-        ]  # fmt: skip
+        ]
         found.append((np.concatenate([p for p, _ in parts]), parts[0][1]))
     return found
 
@@ -174,8 +205,9 @@ def bamboo_plant(b: Builder) -> None:
                 k.shape(shapes.ball((0.011, 0.011, 0.005), tuple(p), 8), "leaf", 6 + n)
                 if p[2] > soil + 0.3 * (h - soil):
                     yaw = rng.uniform(0, 6.28) + np.arange(4) * 1.6
-                    made = leaves(np.repeat(p[None], 4, axis=0), yaw, rng.uniform(0.0, 0.8, 4), 1.0, 0.2, 0.024,
-                                  OVAL, 0.2)  # fmt: skip
+                    made = leaves(
+                        np.repeat(p[None], 4, axis=0), yaw, rng.uniform(0.0, 0.8, 4), 1.0, 0.2, 0.024, OVAL, 0.2
+                    )
                     k.add(made, "leaf" if j % 2 else "dark leaf", 6 + n)
     with b.solid("crown"):
         k.draw(b, (-d / 2, d / 2), (-w / 2, w / 2), (soil + 0.25 * (h - soil), h))
@@ -192,8 +224,13 @@ def olive_tree(b: Builder) -> None:
         fork = soil + (z0 - soil) * 0.8
         b.tube([(0, 0, soil - 0.02), (0.015, 0.01, soil + 0.3 * (fork - soil)), (-0.01, -0.01, fork)], 0.022, "bark", 8)
         for a in (0.3, 2.4, 4.5):
-            b.bar((-0.01, -0.01, fork - 0.01), (0.18 * d * math.cos(a), 0.18 * w * math.sin(a), z0 + (h - z0) * 0.5), 0.009,
-                  "bark", 7)  # fmt: skip
+            b.bar(
+                (-0.01, -0.01, fork - 0.01),
+                (0.18 * d * math.cos(a), 0.18 * w * math.sin(a), z0 + (h - z0) * 0.5),
+                0.009,
+                "bark",
+                7,
+            )
     _ball_crown(b, rng, 250, 0.09, 0.026, "silver leaf", z0, h, (0.3, 1.0, 0.9, 0.08), "leaf")
 
 
@@ -220,8 +257,17 @@ def christmas_tree(b: Builder) -> None:
         count = max(6, round(22 * (1 - 0.72 * share)))
         yaw = np.arange(count) * 2 * math.pi / count + 0.4 * n
         wide = 0.2 * (0.35 + 0.65 * reach)
-        made = leaves(np.tile((0.0, 0.0, z), (count, 1)), yaw, 0.12 + rng.uniform(-0.1, 0.1, count), 0.7,
-                      reach * rng.uniform(0.9, 1.02, count), wide, (0.3, 0.8, 1.0, 0.85, 0.1), -0.5, 0.004)  # fmt: skip
+        made = leaves(
+            np.tile((0.0, 0.0, z), (count, 1)),
+            yaw,
+            0.12 + rng.uniform(-0.1, 0.1, count),
+            0.7,
+            reach * rng.uniform(0.9, 1.02, count),
+            wide,
+            (0.3, 0.8, 1.0, 0.85, 0.1),
+            -0.5,
+            0.004,
+        )
         made[0][..., 0] *= rx
         made[0][..., 1] *= ry
         k.add(made, green if n % 2 else "dark leaf", n // 2)
@@ -236,16 +282,21 @@ def christmas_tree(b: Builder) -> None:
         k.draw(b, (-rx, rx), (-ry, ry), (low - 0.06, top))
         b.frustum(0.07, 0.01, (h - 0.5, top), green, 10)
     with b.solid("star"):
-        points = [(u * math.sin(a), top + star * 0.42 + u * math.cos(a)) for a, u in
-                  ((i * math.pi / 5, (0.5 if i % 2 == 0 else 0.2) * star) for i in range(10))]  # fmt: skip
+        points = [
+            (u * math.sin(a), top + star * 0.42 + u * math.cos(a))
+            for a, u in ((i * math.pi / 5, (0.5 if i % 2 == 0 else 0.2) * star) for i in range(10))
+        ]
         star_shape = _upright(np.array(points))
         b.add(star_shape, "brass", [shapes.hull(star_shape[0])])
 
 
 def _upright(points: np.ndarray):
     """A polygon in the yz plane, 16 mm thick; counter-clockwise seen from the front."""
-    flat = points if np.sum(points[:, 0] * np.roll(points[:, 1], -1) - points[:, 1] * np.roll(points[:, 0], -1)) > 0 else (
-        points[::-1])  # fmt: skip
+    flat = (
+        points
+        if np.sum(points[:, 0] * np.roll(points[:, 1], -1) - points[:, 1] * np.roll(points[:, 0], -1)) > 0
+        else (points[::-1])
+    )
     vertices, faces = shapes.extrusion(flat, (-0.008, 0.008))
     return vertices[:, [2, 0, 1]], faces
 
@@ -267,15 +318,27 @@ def planter_box(b: Builder) -> None:
             b.box((x - 0.01, x + 0.01), (-w / 2, w / 2), (high - 0.03, high), look)
             y = s * (w / 2 - 0.01)
             b.box((-d / 2 + 0.02, d / 2 - 0.02), (y - 0.01, y + 0.01), (high - 0.03, high), look)
-        b.box((-d / 2 + 0.02, d / 2 - 0.02), (-w / 2 + 0.02, w / 2 - 0.02), (high - 0.03, high - 0.02), "soil", bevel=0.0)
+        b.box(
+            (-d / 2 + 0.02, d / 2 - 0.02), (-w / 2 + 0.02, w / 2 - 0.02), (high - 0.03, high - 0.02), "soil", bevel=0.0
+        )
     count = int(w * 190)
     x = rng.uniform(-0.28, 0.28, count) * d
     y = (np.arange(count) + 0.5) / count * (w - 0.12) - w / 2 + 0.06
     base = np.c_[x, y, np.full(count, high - 0.025)]
     yaw = rng.uniform(0, 2 * np.pi, count)
     tall = (h - high) * rng.uniform(0.55, 1.05, count)
-    made = leaves(base, yaw, rng.uniform(1.15, 1.5, count), rng.uniform(0.3, 1.1, count), tall, 0.014, (0.8, 1.0, 0.8, 0.1),
-                  0.0, 0.0016, rib=False)  # fmt: skip
+    made = leaves(
+        base,
+        yaw,
+        rng.uniform(1.15, 1.5, count),
+        rng.uniform(0.3, 1.1, count),
+        tall,
+        0.014,
+        (0.8, 1.0, 0.8, 0.1),
+        0.0,
+        0.0016,
+        rib=False,
+    )
     parts = max(3, round(w / 0.25))
     clump = np.minimum(((y + w / 2) / w * parts).astype(int), parts - 1)
     tone = rng.integers(0, 3, count)
@@ -284,5 +347,3 @@ def planter_box(b: Builder) -> None:
         k.add((made[0][tone == n], made[1]), name, clump[tone == n])
     with b.solid("crown"):
         k.draw(b, (-d / 2 + 0.005, d / 2 - 0.005), (-w / 2 + 0.005, w / 2 - 0.005), (high - 0.025, h))
-
-

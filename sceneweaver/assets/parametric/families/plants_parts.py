@@ -26,14 +26,15 @@ def _pattern(n: int, m: int) -> np.ndarray:
 def leaves(
     base, yaw, rise, bend, length, width, outline=OVAL, fold: float = 0.25, thickness: float = 0.0016, rib: bool = True
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Many leaves: from points ``base`` [L, 3], turned by ``yaw``, rising at ``rise`` and bending down by ``bend`` [rad].
+    """Many leaves: from points ``base`` [L, 3], turned by ``yaw``, rising at ``rise``, bending down by ``bend`` [rad].
 
     The other figures are one number or [L]. Returns vertices [L, V, 3] and the faces of one leaf.
     """
     base = np.asarray(base, dtype=np.float64)
     count = len(base)
-    yaw, rise, bend, length, width = (np.broadcast_to(np.asarray(v, float), count) for v in
-                                      (yaw, rise, bend, length, width))  # fmt: skip
+    yaw, rise, bend, length, width = (
+        np.broadcast_to(np.asarray(v, float), count) for v in (yaw, rise, bend, length, width)
+    )
     n = len(outline)
     t = np.linspace(0, 1, n)
     middle = rise[:, None] - bend[:, None] * (t[:-1] + t[1:]) / 2
@@ -57,9 +58,18 @@ def leaves(
 
 
 def fronds(
-    base, yaw, rise, bend, length, leaflet: float, pairs: int, width: float, thickness: float = 0.0016, taper: float = 0.75
-) -> list[tuple[np.ndarray, np.ndarray]]:  # fmt: skip
-    """Feathered leaves: for each frond the rib and two rows of leaflets, as vertices [k, V, 3] with the faces of one."""
+    base,
+    yaw,
+    rise,
+    bend,
+    length,
+    leaflet: float,
+    pairs: int,
+    width: float,
+    thickness: float = 0.0016,
+    taper: float = 0.75,
+) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Feathered leaves: of each frond the rib and two rows of leaflets, as vertices [k, V, 3] and faces."""
     base = np.asarray(base, dtype=np.float64)
     count = len(base)
     yaw, rise, bend, length = (np.broadcast_to(np.asarray(v, float), count) for v in (yaw, rise, bend, length))
@@ -76,11 +86,33 @@ def fronds(
         for sign in (-1, 1):
             # Leaflets point outward and forward, and follow the rib's rise a little.
             found.append(
-                leaves(points, yaw[k] + sign * (1.15 - 0.75 * t), 0.5 * at - 0.1, 0.5, long, width, SMALL, 0.0, thickness,
-                       rib=False)
-            )  # fmt: skip
-        found.append(leaves(base[k : k + 1], yaw[k], rise[k], bend[k], length[k], 0.008, (1, 1, 0.9, 0.8, 0.6, 0.4), 0.0,
-                            0.006, rib=False))  # fmt: skip
+                leaves(
+                    points,
+                    yaw[k] + sign * (1.15 - 0.75 * t),
+                    0.5 * at - 0.1,
+                    0.5,
+                    long,
+                    width,
+                    SMALL,
+                    0.0,
+                    thickness,
+                    rib=False,
+                )
+            )
+        found.append(
+            leaves(
+                base[k : k + 1],
+                yaw[k],
+                rise[k],
+                bend[k],
+                length[k],
+                0.008,
+                (1, 1, 0.9, 0.8, 0.6, 0.4),
+                0.0,
+                0.006,
+                rib=False,
+            )
+        )
     return found
 
 
@@ -137,8 +169,18 @@ def randoms(b: Builder, name: str = "leaves") -> np.random.Generator:
 
 def pot(b: Builder, radius: float, h: float, role: str = "pot", styles=("taper", "belly", "cube", "rim")) -> float:
     """A pot about the z axis with soil in it; returns the height of the soil. One prism "pot"."""
-    look = b.material(role, "terracotta", "white ceramic", "grey ceramic", "concrete", "blue ceramic", "cream ceramic",
-                      "black paint", "rattan", "sage paint")  # fmt: skip
+    look = b.material(
+        role,
+        "terracotta",
+        "white ceramic",
+        "grey ceramic",
+        "concrete",
+        "blue ceramic",
+        "cream ceramic",
+        "black paint",
+        "rattan",
+        "sage paint",
+    )
     style = b.pick(f"{role} style", styles)
     soil = h - max(0.006, 0.06 * h)
     wall = max(0.004, 0.05 * radius)

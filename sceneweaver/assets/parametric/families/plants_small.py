@@ -23,8 +23,17 @@ def fern(b: Builder) -> None:
     yaw = np.arange(count) * 2.399
     share = np.arange(count) / count
     base = np.c_[0.02 * np.cos(yaw), 0.02 * np.sin(yaw), np.full(count, soil)]
-    made = fronds(base, yaw, 1.45 - 0.8 * share, 1.5 + 0.6 * share, (h - soil) * rng.uniform(1.0, 1.3, count), 0.22, 11,
-                  0.016, 0.0016)  # fmt: skip
+    made = fronds(
+        base,
+        yaw,
+        1.45 - 0.8 * share,
+        1.5 + 0.6 * share,
+        (h - soil) * rng.uniform(1.0, 1.3, count),
+        0.22,
+        11,
+        0.016,
+        0.0016,
+    )
     k = Clumps()
     for n, part in enumerate(made):
         k.add(part, green if n % 2 else "leaf", sectors(yaw[n // 3 : n // 3 + 1], 8))
@@ -37,7 +46,9 @@ def cactus(b: Builder) -> None:
     """A ribbed column with arms, a ribbed ball with a flower, or flat pads; with pale spines."""
     r, h = b.size.width / 2, b.size.height
     kind = b.pick("kind", ["arms", "ball", "column"])
-    soil = pot(b, r * 0.86, h * (0.5 if kind == "ball" else 0.3), styles=("taper", "rim", "belly"))
+    styles = ("taper", "rim", "belly")
+    wide = 0.86 if kind == "arms" else 1 / 0.98 if b.pick("pot style", styles) == "taper" else 1.0
+    soil = pot(b, r * wide, h * (0.5 if kind == "ball" else 0.3), styles=styles)
     green = b.material("body", "leaf", "dark leaf", "silver leaf")
     high = h - soil
     with b.solid("crown"):
@@ -60,8 +71,12 @@ def cactus(b: Builder) -> None:
                 z = soil + share * high
                 tip = min(h * 0.97, z + high * 0.36)
                 arm = thick * 0.58
-                path = [(0, side * thick * 0.6, z), (0, side * out * 0.8, z + 0.1 * high * 0.3), (0, side * out, z + arm * 1.4),
-                        (0, side * out, tip - arm)]  # fmt: skip
+                path = [
+                    (0, side * thick * 0.6, z),
+                    (0, side * out * 0.8, z + 0.1 * high * 0.3),
+                    (0, side * out, z + arm * 1.4),
+                    (0, side * out, tip - arm),
+                ]
                 b.tube(path, arm, green, 10)
                 b.ball((arm, arm, arm * 1.2), (0, side * out, tip - arm * 1.1), green, 12)
         for n in range(9):
@@ -69,7 +84,11 @@ def cactus(b: Builder) -> None:
             for m in range(2, 10):
                 z = soil + high * m / 11
                 x, y = thick * 1.0 * math.cos(a), thick * 1.0 * math.sin(a)
-                b.add(shapes.box((x - 0.003, x + 0.003), (y - 0.003, y + 0.003), (z - 0.003, z + 0.003)), "paper", hulls=[])
+                b.add(
+                    shapes.box((x - 0.003, x + 0.003), (y - 0.003, y + 0.003), (z - 0.003, z + 0.003)),
+                    "paper",
+                    hulls=[],
+                )
 
 
 def _petal(length: float, width: float, rise: float):
@@ -102,8 +121,17 @@ def succulent(b: Builder) -> None:
     yaw = np.arange(count) * 2.399
     share = np.arange(count) / (count - 1)
     base = np.c_[0.006 * np.cos(yaw), 0.006 * np.sin(yaw), soil + 0.012 * (1 - share)]
-    made = leaves(base, yaw, 1.45 - 1.25 * share, -0.5, min(d, w) * (0.16 + 0.34 * share), 0.026, (0.5, 0.9, 1.0, 0.7, 0.06),
-                  0.3, 0.004)  # fmt: skip
+    made = leaves(
+        base,
+        yaw,
+        1.45 - 1.25 * share,
+        -0.5,
+        min(d, w) * (0.16 + 0.34 * share),
+        0.026,
+        (0.5, 0.9, 1.0, 0.7, 0.06),
+        0.3,
+        0.004,
+    )
     k = Clumps()
     inner = share < 0.5
     k.add((made[0][inner], made[1]), "pale leaf" if b.chance("pale heart", 0.6) else tone, 0)
@@ -123,17 +151,35 @@ def bonsai(b: Builder) -> None:
     with b.solid("pot"):
         for sx in (-1, 1):
             for sy in (-1, 1):
-                b.box(*_span(sx * (td - 0.035), sx * (td - 0.012)), *_span(sy * (tw - 0.05), sy * (tw - 0.015)), (0.0, 0.012),
-                      glaze)  # fmt: skip
-        b.hull([(sx * td * u, sy * tw * u, z) for sx in (-1, 1) for sy in (-1, 1) for u, z in ((0.9, 0.01), (1.0, tray))],
-               glaze)  # fmt: skip
+                b.box(
+                    *_span(sx * (td - 0.035), sx * (td - 0.012)),
+                    *_span(sy * (tw - 0.05), sy * (tw - 0.015)),
+                    (0.0, 0.012),
+                    glaze,
+                )
+        b.hull(
+            [(sx * td * u, sy * tw * u, z) for sx in (-1, 1) for sy in (-1, 1) for u, z in ((0.9, 0.01), (1.0, tray))],
+            glaze,
+        )
         b.box((-td * 0.9, td * 0.9), (-tw * 0.92, tw * 0.92), (tray - 0.01, tray + 0.004), "soil", bevel=0.003)
         b.ball((0.018, 0.024, 0.014), (td * 0.4, -tw * 0.55, tray + 0.004), "granite", 10)
     bend = w * 0.12 * (1 if b.chance("lean left", 0.5) else -1)
-    spine = np.array([(0, -bend * 0.6, tray - 0.01), (0.01, bend * 0.5, h * 0.34), (-0.01, -bend * 0.7, h * 0.52),
-                      (0.0, bend * 0.3, h * 0.7), (0.0, 0.0, h * 0.84)])  # fmt: skip
-    pads = [((0.0, 0.0, h * 0.86), 0.26), ((0.0, bend * 2.6, h * 0.6), 0.24), ((0.0, -bend * 2.7, h * 0.68), 0.2),
-            ((d * 0.2, bend * 0.4, h * 0.52), 0.18), ((-d * 0.2, -bend * 0.6, h * 0.74), 0.18)]  # fmt: skip
+    spine = np.array(
+        [
+            (0, -bend * 0.6, tray - 0.01),
+            (0.01, bend * 0.5, h * 0.34),
+            (-0.01, -bend * 0.7, h * 0.52),
+            (0.0, bend * 0.3, h * 0.7),
+            (0.0, 0.0, h * 0.84),
+        ]
+    )
+    pads = [
+        ((0.0, 0.0, h * 0.86), 0.26),
+        ((0.0, bend * 2.6, h * 0.6), 0.24),
+        ((0.0, -bend * 2.7, h * 0.68), 0.2),
+        ((d * 0.2, bend * 0.4, h * 0.52), 0.18),
+        ((-d * 0.2, -bend * 0.6, h * 0.74), 0.18),
+    ]
     with b.solid("trunk"):
         made = stem(spine, 0.02 + 0.012 * h, 8)
         b.add(made, "bark", shapes.sweep_hulls(spine, 0.02 + 0.012 * h, 8))
@@ -168,7 +214,9 @@ def orchid(b: Builder) -> None:
     k.add(leaves(np.tile((0, 0, soil), (5, 1)), yaw, 0.7, 1.2, w * 0.5, w * 0.2, OVAL, 0.25, 0.003), "dark leaf", 0)
     for n, side in enumerate((1, -1) if b.chance("two stems", 0.7) else (1,)):
         t = np.linspace(0, 1, 9)
-        path = np.c_[0.2 * d * t * (0.5 - n), side * 0.42 * w * t**2.2, soil - 0.01 + (h - soil) * (1.25 * t - 0.3 * t**4)]
+        path = np.c_[
+            0.2 * d * t * (0.5 - n), side * 0.42 * w * t**2.2, soil - 0.01 + (h - soil) * (1.25 * t - 0.3 * t**4)
+        ]
         k.shape(stem(path, 0.0035), "leaf", 1 + n)
         for m in range(6):
             at = np.array([np.interp(0.5 + 0.1 * m, t, path[:, c]) for c in range(3)])
@@ -181,7 +229,9 @@ def orchid(b: Builder) -> None:
             c, s = math.cos(turn), math.sin(turn)
             up = np.stack([up[..., 0] * c - up[..., 1] * s, up[..., 0] * s + up[..., 1] * c, up[..., 2]], axis=-1)
             k.add((up + at + np.array([0.012, 0, -0.01]), faces), petal, 1 + n)
-            k.shape(shapes.ball((0.006, 0.005, 0.006), tuple(at + np.array([0.02, 0, -0.01])), 6), "yellow petal", 1 + n)
+            k.shape(
+                shapes.ball((0.006, 0.005, 0.006), tuple(at + np.array([0.02, 0, -0.01])), 6), "yellow petal", 1 + n
+            )
     with b.solid("crown"):
         k.draw(b, (-d / 2, d / 2), (-w / 2, w / 2), (soil - 0.01, h))
 
@@ -193,16 +243,21 @@ def flower_vase(b: Builder) -> None:
     rng = randoms(b)
     look = b.material("vase", "white ceramic", "blue ceramic", "glass", "cream ceramic", "terracotta", "grey ceramic")
     r, tall = min(d, w) * 0.23, h * 0.46
-    shape = b.pick("vase shape", [
-        [(0.7, 0), (0.75, 0.02), (1.0, 0.35), (0.85, 0.65), (0.5, 0.84), (0.62, 1.0)],
-        [(0.75, 0), (0.8, 0.02), (0.72, 0.4), (0.95, 1.0)],
-        [(0.6, 0), (0.95, 0.2), (1.0, 0.42), (0.7, 0.72), (0.46, 0.8), (0.5, 1.0)],
-    ])  # fmt: skip
+    shape = b.pick(
+        "vase shape",
+        [
+            [(0.7, 0), (0.75, 0.02), (1.0, 0.35), (0.85, 0.65), (0.5, 0.84), (0.62, 1.0)],
+            [(0.75, 0), (0.8, 0.02), (0.72, 0.4), (0.95, 1.0)],
+            [(0.6, 0), (0.95, 0.2), (1.0, 0.42), (0.7, 0.72), (0.46, 0.8), (0.5, 1.0)],
+        ],
+    )
     with b.solid("vase"):
         outer = [(r * u, tall * v) for u, v in shape]
         lip = outer[-1][0] - 0.005
         b.lathe([*outer, (lip, tall), (lip * 0.9, tall * 0.86)], look, 24, hollow=True)
-    petal = b.material("petals", "red petal", "pink petal", "yellow petal", "white petal", "purple petal", "orange petal")
+    petal = b.material(
+        "petals", "red petal", "pink petal", "yellow petal", "white petal", "purple petal", "orange petal"
+    )
     kind = b.pick("flowers", ["rose", "daisy", "tulip"])
     count = b.whole("count", 9, 13)
     k = Clumps()
@@ -218,8 +273,11 @@ def flower_vase(b: Builder) -> None:
         for made, look_of in _blossom(kind, size, color):
             points = made[0] @ _tilt(out).T + tip
             k.add((points, made[1]), look_of, n % 6)
-        k.add(leaves(middle[None], a + 1.0, 0.7, 1.0, 0.26 * h, 0.03 + 0.02 * h, OVAL), "leaf" if n % 2 else "dark leaf",
-              n % 6)  # fmt: skip
+        k.add(
+            leaves(middle[None], a + 1.0, 0.7, 1.0, 0.26 * h, 0.03 + 0.02 * h, OVAL),
+            "leaf" if n % 2 else "dark leaf",
+            n % 6,
+        )
     with b.solid("flowers"):
         k.draw(b, (-d / 2, d / 2), (-w / 2, w / 2), (tall * 0.78, h))
 
@@ -238,17 +296,56 @@ def _blossom(kind: str, size: float, petal) -> list:
     zero = np.zeros((1, 3))
     if kind == "daisy":
         a = np.arange(11) * 2 * np.pi / 11
-        heart = leaves(np.tile(zero, (6, 1)) + [0, 0, 0.004], np.arange(6) * 1.047, 0.35, 0.8, size * 0.4, size * 0.36,
-                       SMALL, 0.0, 0.008, rib=False)  # fmt: skip
-        return [(leaves(np.tile(zero, (11, 1)), a, 0.15, 0.3, size, size * 0.4, (0.4, 1.0, 0.3), 0.1), petal),
-                (heart, "yellow petal")]  # fmt: skip
+        heart = leaves(
+            np.tile(zero, (6, 1)) + [0, 0, 0.004],
+            np.arange(6) * 1.047,
+            0.35,
+            0.8,
+            size * 0.4,
+            size * 0.36,
+            SMALL,
+            0.0,
+            0.008,
+            rib=False,
+        )
+        return [
+            (leaves(np.tile(zero, (11, 1)), a, 0.15, 0.3, size, size * 0.4, (0.4, 1.0, 0.3), 0.1), petal),
+            (heart, "yellow petal"),
+        ]
     if kind == "tulip":
         a = np.arange(6) * 1.047
-        return [(leaves(np.tile(zero, (6, 1)), a, 0.5 + 0.15 * (np.arange(6) % 2), -1.3, size * 1.15, size * 0.75,
-                        (0.5, 1.0, 0.95, 0.15), 0.2), petal)]  # fmt: skip
+        return [
+            (
+                leaves(
+                    np.tile(zero, (6, 1)),
+                    a,
+                    0.5 + 0.15 * (np.arange(6) % 2),
+                    -1.3,
+                    size * 1.15,
+                    size * 0.75,
+                    (0.5, 1.0, 0.95, 0.15),
+                    0.2,
+                ),
+                petal,
+            )
+        ]
     rows = [(5, 0.35, -0.9, 0.95), (5, 0.75, -0.8, 0.9), (4, 1.1, -0.5, 0.8), (3, 1.4, -0.2, 0.7)]
-    return [(leaves(np.tile(zero, (c, 1)), np.arange(c) * 2 * np.pi / c + 0.6 * i, rise, bend, size * long, size * 0.85,
-                    (0.4, 1.0, 0.9, 0.4), 0.15), petal) for i, (c, rise, bend, long) in enumerate(rows)]  # fmt: skip
+    return [
+        (
+            leaves(
+                np.tile(zero, (c, 1)),
+                np.arange(c) * 2 * np.pi / c + 0.6 * i,
+                rise,
+                bend,
+                size * long,
+                size * 0.85,
+                (0.4, 1.0, 0.9, 0.4),
+                0.15,
+            ),
+            petal,
+        )
+        for i, (c, rise, bend, long) in enumerate(rows)
+    ]
 
 
 @draws("herb_pot")
@@ -258,8 +355,9 @@ def herb_pot(b: Builder) -> None:
     rng = randoms(b)
     soil = pot(b, min(d, w) * 0.38, h * 0.42, styles=("taper", "rim", "cube"))
     kind = b.pick("herb", ["basil", "chives", "rosemary"])
-    green = b.material("leaves", *{"basil": ("leaf", "pale leaf"), "chives": ("leaf",), "rosemary": ("silver leaf", "dark leaf")}
-                       [kind])  # fmt: skip
+    green = b.material(
+        "leaves", *{"basil": ("leaf", "pale leaf"), "chives": ("leaf",), "rosemary": ("silver leaf", "dark leaf")}[kind]
+    )
     k = Clumps()
     _bush(k, rng, kind, green, soil, h, min(d, w))
     with b.solid("crown"):
@@ -272,8 +370,22 @@ def _bush(k: Clumps, rng, kind: str, green, soil: float, h: float, wide: float) 
         yaw = rng.uniform(0, 2 * np.pi, count)
         out = rng.uniform(0, 0.22, count) * wide
         base = np.c_[out * np.cos(yaw), out * np.sin(yaw), np.full(count, soil - 0.008)]
-        k.add(leaves(base, yaw, rng.uniform(1.2, 1.55, count), 0.4, (h - soil) * rng.uniform(0.7, 1.0, count), 0.005,
-                     (1, 1, 0.2), 0.0, 0.003, rib=False), green, sectors(yaw, 4))  # fmt: skip
+        k.add(
+            leaves(
+                base,
+                yaw,
+                rng.uniform(1.2, 1.55, count),
+                0.4,
+                (h - soil) * rng.uniform(0.7, 1.0, count),
+                0.005,
+                (1, 1, 0.2),
+                0.0,
+                0.003,
+                rib=False,
+            ),
+            green,
+            sectors(yaw, 4),
+        )
         return
     stems = 14
     for n in range(stems):
@@ -285,8 +397,20 @@ def _bush(k: Clumps, rng, kind: str, green, soil: float, h: float, wide: float) 
         t = np.repeat(np.linspace(0.3, 1.0, rows), 2)
         yaw = a + np.arange(2 * rows) * 1.5708 + np.repeat(np.arange(rows), 2) * 0.8
         size = (wide * 0.2, wide * 0.14) if kind == "basil" else (wide * 0.16, 0.005)
-        k.add(leaves(foot + t[:, None] * (tip - foot), yaw, 0.5, 0.8, size[0] * rng.uniform(0.7, 1.1, 2 * rows), size[1],
-                     (0.3, 1.0, 0.8, 0.06), 0.25), green if n % 3 else "leaf", n % 5)  # fmt: skip
+        k.add(
+            leaves(
+                foot + t[:, None] * (tip - foot),
+                yaw,
+                0.5,
+                0.8,
+                size[0] * rng.uniform(0.7, 1.1, 2 * rows),
+                size[1],
+                (0.3, 1.0, 0.8, 0.06),
+                0.25,
+            ),
+            green if n % 3 else "leaf",
+            n % 5,
+        )
 
 
 @draws("small_plant")
@@ -303,9 +427,20 @@ def small_plant(b: Builder) -> None:
     share = np.arange(count) / count
     base = np.c_[0.012 * np.cos(yaw), 0.012 * np.sin(yaw), np.full(count, soil - 0.006)]
     if kind == "spider":
-        made = leaves(base, yaw, 1.5 - 0.8 * share, 1.6 + 0.5 * share, (h - soil) * 1.5, 0.018, (0.8, 1, 0.9, 0.7, 0.1), 0.3)
-        stripe = leaves(base + [0, 0, 0.0012], yaw, 1.5 - 0.8 * share, 1.6 + 0.5 * share, (h - soil) * 1.48, 0.006,
-                        (0.8, 1, 0.9, 0.7, 0.1), 0.3, 0.003)  # fmt: skip
+        made = leaves(
+            base, yaw, 1.5 - 0.8 * share, 1.6 + 0.5 * share, (h - soil) * 1.5, 0.018, (0.8, 1, 0.9, 0.7, 0.1), 0.3
+        )
+        stripe = leaves(
+            base + [0, 0, 0.0012],
+            yaw,
+            1.5 - 0.8 * share,
+            1.6 + 0.5 * share,
+            (h - soil) * 1.48,
+            0.006,
+            (0.8, 1, 0.9, 0.7, 0.1),
+            0.3,
+            0.003,
+        )
         k.add(stripe, "paper", sectors(yaw))
         k.add(made, green, sectors(yaw))
     else:
@@ -314,7 +449,11 @@ def small_plant(b: Builder) -> None:
         tips = base + long[:, None] * np.c_[np.cos(yaw) * np.cos(rise), np.sin(yaw) * np.cos(rise), np.sin(rise)]
         for n in range(count):
             k.shape(stem([base[n], tips[n]], 0.002, 5), green, int(sectors(yaw[n : n + 1])[0]))
-        k.add(leaves(tips, yaw, rise - 0.5, 0.9, w * 0.3, w * 0.17, BROAD if kind == "heart" else OVAL), green, sectors(yaw))
+        k.add(
+            leaves(tips, yaw, rise - 0.5, 0.9, w * 0.3, w * 0.17, BROAD if kind == "heart" else OVAL),
+            green,
+            sectors(yaw),
+        )
     with b.solid("crown"):
         k.draw(b, (-d / 2, d / 2), (-w / 2, w / 2), (soil - 0.006, h))
 
@@ -342,8 +481,15 @@ def hanging_plant(b: Builder) -> None:
         drop = rng.uniform(0.35, 1.0) * soil
         out = r * rng.uniform(1.05, 1.3)
         way = np.array([math.cos(a), math.sin(a), 0.0])
-        path = np.array([way * r * 0.4 + [0, 0, soil], way * r * 0.85 + [0, 0, soil + 0.05], way * out + [0, 0, soil - 0.02],
-                         way * out * 1.08 + [0, 0, soil - drop * 0.5], way * out + [0, 0, soil - drop]])  # fmt: skip
+        path = np.array(
+            [
+                way * r * 0.4 + [0, 0, soil],
+                way * r * 0.85 + [0, 0, soil + 0.05],
+                way * out + [0, 0, soil - 0.02],
+                way * out * 1.08 + [0, 0, soil - drop * 0.5],
+                way * out + [0, 0, soil - drop],
+            ]
+        )
         k.shape(stem(path, 0.0025, 5), "leaf", n % 6)
         t = np.linspace(0.5, 4.0, 11)
         at = np.stack([np.interp(t, np.arange(5), path[:, c]) for c in range(3)], axis=1)
@@ -369,15 +515,20 @@ def terrarium(b: Builder) -> None:
     with b.solid("glass"):
         if kind == "dome":
             b.frustum(r, r, (0.0, 0.018), metal, 28, bevel=0.004)
-            curve = [((r - 0.008) * math.cos(a), h * 0.5 + (h * 0.5 - 0.02) * math.sin(a)) for a in np.linspace(0, 1.5, 7)]
+            curve = [
+                ((r - 0.008) * math.cos(a), h * 0.5 + (h * 0.5 - 0.02) * math.sin(a)) for a in np.linspace(0, 1.5, 7)
+            ]
             b.lathe([(r - 0.008, 0.018), *curve, (0.0, h - 0.02)], "glass", 28)
             b.ball((0.012, 0.012, 0.012), (0, 0, h - 0.012), metal, 10)
             b.frustum(r - 0.014, r - 0.014, (0.018, floor), "soil", 24)
         else:
             k, eave = r - 0.004, h * 0.62
             b.box((-k, k), (-k, k), (0.004, eave), "glass", bevel=0.0)
-            b.hull([(sx * k, sy * k, eave) for sx in (-1, 1) for sy in (-1, 1)] + [(0.0, -k, h - 0.005), (0.0, k, h - 0.005)],
-                   "glass")  # fmt: skip
+            b.hull(
+                [(sx * k, sy * k, eave) for sx in (-1, 1) for sy in (-1, 1)]
+                + [(0.0, -k, h - 0.005), (0.0, k, h - 0.005)],
+                "glass",
+            )
             for sy in (-1, 1):
                 y = sy * k
                 for sx in (-1, 1):
@@ -393,7 +544,9 @@ def terrarium(b: Builder) -> None:
         yaw = np.arange(count) * 2.399
         spot = np.array([(0.25, 0.2), (-0.3, 0.25), (-0.05, -0.35), (0.3, -0.25)])[np.arange(count) % 4] * r
         base = np.c_[spot, np.full(count, floor - 0.003)]
-        made = leaves(base, yaw, rng.uniform(0.5, 1.4, count), 0.7, (h - floor) * rng.uniform(0.25, 0.5, count), 0.022, OVAL)
+        made = leaves(
+            base, yaw, rng.uniform(0.5, 1.4, count), 0.7, (h - floor) * rng.uniform(0.25, 0.5, count), 0.022, OVAL
+        )
         for n, name in enumerate(("leaf", "pale leaf", "dark leaf", "silver leaf")):
             k.add((made[0][np.arange(count) % 4 == n], made[1]), name, n)
         reach = r * 0.6

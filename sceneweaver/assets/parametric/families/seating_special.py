@@ -154,10 +154,10 @@ def egg_chair(b: Builder) -> None:
 
 @draws("theater_seat")
 def theater_seat(b: Builder) -> None:
-    """One to four padded recliners side by side with shared broad arms, cup holders and a raised back."""
+    """One to three padded recliners side by side with shared broad arms, cup holders and a raised back."""
     d, w, h = b.size
     cover = b.material("cover", "black leather", "brown leather", "red fabric", "charcoal fabric", "navy fabric")
-    count = max(1, min(4, round((w - 0.2) / 0.7)))
+    count = max(1, min(3, round((w - 0.2) / 0.7)))
     arm = 0.2
     step = (w - arm) / count
     x0, x1 = -d / 2, d / 2

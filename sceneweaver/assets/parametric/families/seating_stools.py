@@ -302,7 +302,7 @@ def ottoman(b: Builder) -> None:
         b.cushion(x, y, (h - 0.13, h), cover, radius=0.045)
         seam = h - 0.118
         b.box(
-            (x[0] + 0.002, x[1] - 0.002), (y[0] + 0.002, y[1] - 0.002), (seam - 0.005, seam + 0.005), cover, bevel=0.003
+            (x[0] + 0.006, x[1] - 0.006), (y[0] + 0.006, y[1] - 0.006), (seam - 0.005, seam + 0.005), cover, bevel=0.003
         )
         if b.chance("tufts", 0.5):
             for i in range(2):

@@ -15,18 +15,46 @@ SHELLS = ("steel", "black plastic", "white plastic", "red plastic", "cream paint
 
 def vessel(b: Builder, r: float, h: float, look: Look, inside: Look | None = None, low: float = 0.94) -> None:
     """The open body of a pot or pan."""
-    b.lathe([(low * r - 0.006, 0.0), (low * r, 0.006), (r, h - 0.004), (r + 0.003, h), (r - 0.002, h), (low * r - 0.003, 0.01),
-             (0.0, 0.007)], look, 28, hollow=True)  # fmt: skip
+    b.lathe(
+        [
+            (low * r - 0.006, 0.0),
+            (low * r, 0.006),
+            (r, h - 0.004),
+            (r + 0.003, h),
+            (r - 0.002, h),
+            (low * r - 0.003, 0.01),
+            (0.0, 0.007),
+        ],
+        look,
+        28,
+        hollow=True,
+    )
     if inside is not None:
         spot(b, low * r - 0.004, (0.007, 0.0085), inside, 28)
 
 
 def lid(b: Builder, r: float, z: float, high: float, look: Look, knob: Look) -> None:
     """A domed lid with a rim and a knob, that ends at ``z + high``."""
-    b.lathe([(r + 0.003, z), (r + 0.003, z + 0.004), *[(q, p) for q, p in dome(0.97 * r, z + 0.004, z + 0.5 * high, 4, 0.12 * r)]],
-            look, 28)  # fmt: skip
-    b.lathe([(0.008, z + 0.48 * high), (0.007, z + 0.7 * high), (0.02, z + 0.82 * high), (0.018, z + 0.96 * high),
-             (0.008, z + high)], knob, 14)  # fmt: skip
+    b.lathe(
+        [
+            (r + 0.003, z),
+            (r + 0.003, z + 0.004),
+            *[(q, p) for q, p in dome(0.97 * r, z + 0.004, z + 0.5 * high, 4, 0.12 * r)],
+        ],
+        look,
+        28,
+    )
+    b.lathe(
+        [
+            (0.008, z + 0.48 * high),
+            (0.007, z + 0.7 * high),
+            (0.02, z + 0.82 * high),
+            (0.018, z + 0.96 * high),
+            (0.008, z + high),
+        ],
+        knob,
+        14,
+    )
 
 
 @small("pot")
@@ -42,8 +70,14 @@ def pot(b: Builder) -> None:
     lid(b, r, wall, h - wall, cover, knob)
     for s in (-1, 1):
         y = s * (r - 0.002)
-        path = np.array([(-0.05, y, 0.8 * wall), (-0.045, s * (w / 2 - 0.006), 0.83 * wall), (0.045, s * (w / 2 - 0.006), 0.83 * wall),
-                         (0.05, y, 0.8 * wall)])  # fmt: skip
+        path = np.array(
+            [
+                (-0.05, y, 0.8 * wall),
+                (-0.045, s * (w / 2 - 0.006), 0.83 * wall),
+                (0.045, s * (w / 2 - 0.006), 0.83 * wall),
+                (0.05, y, 0.8 * wall),
+            ]
+        )
         path[[0, 3], 1] = s * np.sqrt(max(1e-6, r * r - 0.0025)) - s * 0.004
         b.tube(path, 0.006, knob if knob is not look and b.chance("dark grips", 0.4) else look, 8)
 
@@ -54,8 +88,13 @@ def _long_grip(b: Builder, start: float, reach: float, z: float, look: Look, met
     a = np.arange(n) * 2 * np.pi / n
     b.bar((0, start - 0.006, z), (0, start + 0.05, z + 0.012), 0.007, metal, 8)
     rings = []
-    for y, wide, zz in ((start + 0.035, 0.009, z + 0.009), (start + 0.07, 0.012, z + 0.017), (reach - 0.05, 0.013, z + 0.03),
-                        (reach - 0.008, 0.012, z + 0.034), (reach, 0.006, z + 0.035)):  # fmt: skip
+    for y, wide, zz in (
+        (start + 0.035, 0.009, z + 0.009),
+        (start + 0.07, 0.012, z + 0.017),
+        (reach - 0.05, 0.013, z + 0.03),
+        (reach - 0.008, 0.012, z + 0.034),
+        (reach, 0.006, z + 0.035),
+    ):
         rings.append(np.c_[wide * np.cos(a), np.full(n, y), zz + 0.75 * wide * np.sin(a)][::-1])
     b.add(lofted(rings), look, [shapes.hull(np.concatenate(p)) for p in zip(rings[:-1], rings[1:], strict=True)])
 
@@ -75,7 +114,11 @@ def frying_pan(b: Builder) -> None:
             for k, (ex, ey) in enumerate([(0.025, 0.025), (-0.025, -0.022)]):
                 with b.frame(ex, ey, 0.0085):
                     b.add(shapes.lathe([(0.045, 0.0), (0.04, 0.003), (0.0, 0.005)], 14), "icing", [])
-                    b.add(shapes.lathe([(0.017, 0.003), (0.013, 0.009), (0.0, 0.012)], 12), "banana peel" if k else "cheese", [])
+                    b.add(
+                        shapes.lathe([(0.017, 0.003), (0.013, 0.009), (0.0, 0.012)], 12),
+                        "banana peel" if k else "cheese",
+                        [],
+                    )
 
 
 @small("saucepan")
@@ -106,24 +149,44 @@ def kettle(b: Builder) -> None:
             b.lathe([(0.92 * r, 0.022), (0.95 * r, 0.05), (0.86 * r, 0.45 * h), (0.68 * r, top)], look, 28)
             b.lathe([(0.68 * r, top), *dome(0.62 * r, top + 0.01, 0.93 * h, 3, 0.1 * r)], dark, 24)
             orb(b, (0.14 * r, 0.14 * r, 0.035 * h), (0, 0, 0.955 * h), dark)
-            b.hull([(sx * 0.3 * r, 0.5 * r, 0.8 * h - 0.06) for sx in (-1, 1)] + [(sx * 0.24 * r, 0.5 * r, top) for sx in (-1, 1)]
-                   + [(sx * 0.06 * r, w - r - 0.62 * (w - d) - 0.3 * r + 0.1 * r, top - 0.004) for sx in (-1, 1)]
-                   + [(0, 0.8 * r, 0.72 * h)], look)  # fmt: skip
+            b.hull(
+                [(sx * 0.3 * r, 0.5 * r, 0.8 * h - 0.06) for sx in (-1, 1)]
+                + [(sx * 0.24 * r, 0.5 * r, top) for sx in (-1, 1)]
+                + [(sx * 0.06 * r, w - r - 0.62 * (w - d) - 0.3 * r + 0.1 * r, top - 0.004) for sx in (-1, 1)]
+                + [(0, 0.8 * r, 0.72 * h)],
+                look,
+            )
             n = np.array([[-0.011, -0.006], [0.011, -0.006], [0.011, 0.006], [-0.011, 0.006]])
             out = -(0.65 * (w - d)) - 0.0
-            path = [(0, -0.6 * r, 0.9 * h), (0, -r + 0.6 * out, 0.92 * h), (0, -r + out + 0.006, 0.84 * h),
-                    (0, -r + out + 0.01, 0.35 * h), (0, -0.85 * r, 0.22 * h)]  # fmt: skip
+            path = [
+                (0, -0.6 * r, 0.9 * h),
+                (0, -r + 0.6 * out, 0.92 * h),
+                (0, -r + out + 0.006, 0.84 * h),
+                (0, -r + out + 0.01, 0.35 * h),
+                (0, -0.85 * r, 0.22 * h),
+            ]
             b.tube(path, n, dark)
             decal(b, (0.7 * r, 0.93 * r), (-0.004, 0.004), (0.16 * h, 0.19 * h), "screen")
         else:
             top = 0.62 * h
-            b.lathe([(0.9 * r, 0.0), (r, 0.03 * h), (0.98 * r, 0.16 * h), (0.72 * r, 0.45 * h), (0.42 * r, 0.57 * h)], look, 28)
+            b.lathe(
+                [(0.9 * r, 0.0), (r, 0.03 * h), (0.98 * r, 0.16 * h), (0.72 * r, 0.45 * h), (0.42 * r, 0.57 * h)],
+                look,
+                28,
+            )
             b.lathe([(0.44 * r, 0.57 * h), (0.42 * r, 0.6 * h), (0.1 * r, top)], look, 20)
             orb(b, (0.15 * r, 0.15 * r, 0.04 * h), (0, 0, top + 0.03 * h), dark)
             b.bar((0, 0.7 * r, 0.2 * h), (0, r + 0.6 * (w - d), 0.5 * h), 0.17 * r, look, 12)
             arch(b, (0, -0.82 * r, 0.36 * h), (0, 0.82 * r, 0.36 * h), (0, 0, 0.6 * h), 0.006, "steel", 10)
-            b.tube([(0, 0.4 * r * np.cos(t) * 1.1, 0.36 * h + 0.6 * h * np.sin(np.arccos(0.536 * np.cos(t))))
-                    for t in np.linspace(0, np.pi, 6)], 0.011, dark, 8)  # fmt: skip
+            b.tube(
+                [
+                    (0, 0.4 * r * np.cos(t) * 1.1, 0.36 * h + 0.6 * h * np.sin(np.arccos(0.536 * np.cos(t))))
+                    for t in np.linspace(0, np.pi, 6)
+                ],
+                0.011,
+                dark,
+                8,
+            )
 
 
 @small("toaster")
@@ -135,9 +198,16 @@ def toaster(b: Builder) -> None:
     x, y = (-d / 2, d / 2), (-w / 2 + 0.012, w / 2 - 0.02)
     slab(b, (x[0] + 0.008, x[1] - 0.008), (y[0] - 0.004, y[1] + 0.004), (0.0, 0.02), dark, 0.02)
     body = 0.86 * h
-    rings = [rect((x[0] + e, x[1] - e), (y[0] + e, y[1] - e), z, rr, 4)
-             for e, z, rr in ((0.004, 0.015, 0.03), (0.0, 0.022, 0.034), (0.0, body - 0.02, 0.034), (0.006, body - 0.006, 0.03),
-                              (0.02, body, 0.02))]  # fmt: skip
+    rings = [
+        rect((x[0] + e, x[1] - e), (y[0] + e, y[1] - e), z, rr, 4)
+        for e, z, rr in (
+            (0.004, 0.015, 0.03),
+            (0.0, 0.022, 0.034),
+            (0.0, body - 0.02, 0.034),
+            (0.006, body - 0.006, 0.03),
+            (0.02, body, 0.02),
+        )
+    ]
     loft(b, rings, look, convex=True)
     for s in (-1, 1):
         xm = s * 0.2 * d
@@ -168,7 +238,11 @@ def coffee_maker(b: Builder) -> None:
             spot(b, 0.9 * r, (-0.004, 0.0003), "black steel", 24)
             jug = 0.7 * h - 0.05
             b.lathe([(0.82 * r, 0.0), (r, 0.25 * jug), (0.92 * r, 0.6 * jug), (0.62 * r, 0.86 * jug)], "glass", 24)
-            b.add(shapes.lathe([(0.78 * r, 0.004), (0.96 * r, 0.25 * jug), (0.93 * r, 0.5 * jug), (0.0, 0.5 * jug)], 24), "coffee", [])
+            b.add(
+                shapes.lathe([(0.78 * r, 0.004), (0.96 * r, 0.25 * jug), (0.93 * r, 0.5 * jug), (0.0, 0.5 * jug)], 24),
+                "coffee",
+                [],
+            )
             b.frustum(0.66 * r, 0.6 * r, (0.84 * jug, jug), dark, 24)
             arch(b, (0.6 * r, 0, 0.92 * jug), (0.9 * r, 0, 0.3 * jug), (0.55 * r, 0, 0), 0.007, dark, 6)
         decal(b, (x[1] - 0.05 * d, x[1] - 0.03 * d + 0.0003), (-0.035, 0.035), (0.82 * h, 0.9 * h), "screen")
@@ -202,12 +276,22 @@ def blender(b: Builder) -> None:
     r = d / 2
     look = b.material("body", *SHELLS)
     foot = 0.34 * h
-    loft(b, [rect((-e * r, e * r), (-e * r, e * r), z, 0.4 * r, 4) for e, z in ((1.0, 0.0), (1.0, 0.02), (0.7, foot))], look, convex=True)
+    loft(
+        b,
+        [rect((-e * r, e * r), (-e * r, e * r), z, 0.4 * r, 4) for e, z in ((1.0, 0.0), (1.0, 0.02), (0.7, foot))],
+        look,
+        convex=True,
+    )
     with b.frame(0.88 * r, 0, 0.13 * h, pitch=np.pi / 2 - 0.2):
         b.frustum(0.24 * r, 0.22 * r, (-0.01, 0.008), "chrome", 16, bevel=0.002)
     b.frustum(0.62 * r, 0.66 * r, (foot, foot + 0.03), "black plastic", 24)
     jug, top = foot + 0.03, 0.9 * h
-    b.lathe([(0.6 * r, jug), (0.82 * r, top), (0.79 * r, top), (0.57 * r, jug + 0.006), (0.0, jug + 0.005)], "glass", 24, hollow=True)
+    b.lathe(
+        [(0.6 * r, jug), (0.82 * r, top), (0.79 * r, top), (0.57 * r, jug + 0.006), (0.0, jug + 0.005)],
+        "glass",
+        24,
+        hollow=True,
+    )
     if b.chance("full", 0.6):
         drink = b.pick("drink", ["tomato", "lettuce", "pink icing", "orange peel"])
         b.add(shapes.frustum(0.56 * r, 0.69 * r, (jug + 0.007, jug + 0.55 * (top - jug)), 24), drink, [])
@@ -225,8 +309,14 @@ def stand_mixer(b: Builder) -> None:
     # Its head points to -y: seen from the front in profile, like on a shop's picture.
     y0, y1 = -w / 2, w / 2
     slab(b, (-0.5 * d, 0.5 * d), (y0, y1), (0.0, 0.035), look, 0.09, 0.008, 5)
-    loft(b, [rect((-e, e), (y1 - s, y1 - 0.01), z, 0.04, 3) for e, s, z in ((0.3 * d, 0.42 * w, 0.03), (0.2 * d, 0.27 * w, 0.2 * h),
-                                                                           (0.2 * d, 0.27 * w, 0.66 * h))], look)  # fmt: skip
+    loft(
+        b,
+        [
+            rect((-e, e), (y1 - s, y1 - 0.01), z, 0.04, 3)
+            for e, s, z in ((0.3 * d, 0.42 * w, 0.03), (0.2 * d, 0.27 * w, 0.2 * h), (0.2 * d, 0.27 * w, 0.66 * h))
+        ],
+        look,
+    )
     n, rings = 16, []
     a = np.arange(n) * 2 * np.pi / n
     zc, zr = 0.8 * h, 0.2 * h
@@ -239,8 +329,22 @@ def stand_mixer(b: Builder) -> None:
     r = min(0.46 * d, 0.3 * w)
     with b.frame(0, yb, 0):
         b.frustum(0.04, 0.03, (hub - 0.03, hub + 0.02), "chrome", 16)
-        b.lathe([(0.5 * r, 0.035), (0.5 * r, 0.045), (0.8 * r, 0.1 * h + 0.035), (r, 0.34 * h), (1.0 * r, 0.46 * h),
-                 (0.985 * r, 0.46 * h), (0.97 * r, 0.34 * h), (0.75 * r, 0.1 * h + 0.04), (0.0, 0.055)], "steel", 28, hollow=True)  # fmt: skip
+        b.lathe(
+            [
+                (0.5 * r, 0.035),
+                (0.5 * r, 0.045),
+                (0.8 * r, 0.1 * h + 0.035),
+                (r, 0.34 * h),
+                (1.0 * r, 0.46 * h),
+                (0.985 * r, 0.46 * h),
+                (0.97 * r, 0.34 * h),
+                (0.75 * r, 0.1 * h + 0.04),
+                (0.0, 0.055),
+            ],
+            "steel",
+            28,
+            hollow=True,
+        )
         b.bar((0, 0, 0.4 * h), (0, 0, hub - 0.02), 0.006, "chrome", 8)
     with b.frame(0.39 * d, y0 + 0.45 * w, zc, pitch=np.pi / 2):
         b.frustum(0.018, 0.018, (0.0, 0.02), "chrome", 14, bevel=0.003)
@@ -273,7 +377,13 @@ def cutting_board(b: Builder) -> None:
     slot = (w / 2 - 0.035, w / 2 - 0.018)
     b.add(shapes.box((-0.04, 0.04), slot, (0.002, t + 0.0003), 0.0), "wenge", [])
     for s in (-1, 1):
-        decal(b, (s * (d / 2 - 0.012) - 0.002, s * (d / 2 - 0.012) + 0.002), (-w / 2 + 0.012, w / 2 - 0.05), (t / 2, t + 0.0003), "wenge")
+        decal(
+            b,
+            (s * (d / 2 - 0.012) - 0.002, s * (d / 2 - 0.012) + 0.002),
+            (-w / 2 + 0.012, w / 2 - 0.05),
+            (t / 2, t + 0.0003),
+            "wenge",
+        )
     if t < h:
         food = b.pick("food", ["carrot", "tomato", "lettuce"])
         r = (h - t) / 2
@@ -291,8 +401,14 @@ def cutting_board(b: Builder) -> None:
 def _chef(b: Builder, x: float, y: float, z: float, length: float) -> None:
     with b.frame(x, y, z, yaw=np.pi / 2 - 0.15):
         b.box((0.0, 0.38 * length), (-0.011, 0.011), (0.0, 0.014), "black plastic", 0.004)
-        b.hull([(px * length, py, pz) for px, py in ((0.38, -0.013), (0.6, -0.019), (0.85, -0.014), (1.0, 0.008), (0.38, 0.012))
-                for pz in (0.005, 0.007)], "steel")  # fmt: skip
+        b.hull(
+            [
+                (px * length, py, pz)
+                for px, py in ((0.38, -0.013), (0.6, -0.019), (0.85, -0.014), (1.0, 0.008), (0.38, 0.012))
+                for pz in (0.005, 0.007)
+            ],
+            "steel",
+        )
 
 
 @small("knife_block")
@@ -327,27 +443,59 @@ def utensil_holder(b: Builder) -> None:
     look = b.material("body", "white ceramic", "cream ceramic", "grey ceramic", "steel", "copper", "blue ceramic")
     wood = b.material("spoons", "beech", "walnut", "bamboo")
     pot_high = 0.48 * h
-    b.lathe([(0.92 * r, 0.0), (r, 0.01), (r, pot_high - 0.012), (1.05 * r, pot_high - 0.008), (1.05 * r, pot_high),
-             (0.97 * r, pot_high), (0.92 * r, 0.012), (0.0, 0.01)], look, 24, hollow=True)  # fmt: skip
+    b.lathe(
+        [
+            (0.92 * r, 0.0),
+            (r, 0.01),
+            (r, pot_high - 0.012),
+            (1.05 * r, pot_high - 0.008),
+            (1.05 * r, pot_high),
+            (0.97 * r, pot_high),
+            (0.92 * r, 0.012),
+            (0.0, 0.01),
+        ],
+        look,
+        24,
+        hollow=True,
+    )
     kinds = ["spoon", "spatula", "whisk", "ladle", "spoon"]
     for k, kind in enumerate(kinds):
         a = 2 * np.pi * k / len(kinds) + b.uniform("turn", 0, 1.2)
         tip = 0.34 * d
         long = h - 0.012 - 0.05 * h * (k % 3)
-        with b.frame(-0.55 * r * np.cos(a), -0.55 * r * np.sin(a), 0.012, yaw=a, pitch=float(np.arctan2(0.22 * d + tip, long)) * 0.8):
+        with b.frame(
+            -0.55 * r * np.cos(a),
+            -0.55 * r * np.sin(a),
+            0.012,
+            yaw=a,
+            pitch=float(np.arctan2(0.22 * d + tip, long)) * 0.8,
+        ):
             head = 0.2 * h
             metal = kind in ("whisk", "ladle")
             b.bar((0, 0, 0.1 * h), (0, 0, long - head), 0.0045, "steel" if metal else wood, 8)
             top = long - 0.004
             if kind == "spatula":
-                b.hull([(x, y, z) for z, wy in ((long - head, 0.012), (long - head + 0.02, 0.026), (top, 0.028)) for y in (-wy, wy)
-                        for x in (-0.003, 0.003)], "black plastic" if k % 2 else wood)  # fmt: skip
+                b.hull(
+                    [
+                        (x, y, z)
+                        for z, wy in ((long - head, 0.012), (long - head + 0.02, 0.026), (top, 0.028))
+                        for y in (-wy, wy)
+                        for x in (-0.003, 0.003)
+                    ],
+                    "black plastic" if k % 2 else wood,
+                )
             elif kind == "whisk":
                 for turn in range(3):
                     with b.frame(yaw=turn * np.pi / 3):
                         t = np.linspace(0, np.pi, 8)
-                        b.tube(np.c_[0 * t, 0.028 * np.cos(t) * np.sin(t) ** 0.5, long - head + (head - 0.006) * np.sin(t)], 0.0013,
-                               "steel", 5)  # fmt: skip
+                        b.tube(
+                            np.c_[
+                                0 * t, 0.028 * np.cos(t) * np.sin(t) ** 0.5, long - head + (head - 0.006) * np.sin(t)
+                            ],
+                            0.0013,
+                            "steel",
+                            5,
+                        )
             else:
                 rz, ry = 0.42 * head, 0.022
                 orb(b, (0.007 if kind == "spoon" else 0.018, ry, rz), (0, 0, top - rz), "steel" if metal else wood, 12)
@@ -359,8 +507,24 @@ def colander(b: Builder) -> None:
     d, w, h = b.size
     r = d / 2 - 0.003
     look = b.material("body", "steel", "white steel", "red paint", "mint plastic", "brushed steel", "cream paint")
-    b.lathe([(0.5 * r, 0.0), (0.5 * r, 0.1 * h), (0.72 * r, 0.26 * h), (0.9 * r, 0.55 * h), (0.98 * r, 0.9 * h), (1.02 * r, 0.97 * h),
-             (1.02 * r, h), (0.96 * r, h), (0.87 * r, 0.55 * h), (0.68 * r, 0.28 * h), (0.0, 0.14 * h)], look, 28, hollow=True)  # fmt: skip
+    b.lathe(
+        [
+            (0.5 * r, 0.0),
+            (0.5 * r, 0.1 * h),
+            (0.72 * r, 0.26 * h),
+            (0.9 * r, 0.55 * h),
+            (0.98 * r, 0.9 * h),
+            (1.02 * r, 0.97 * h),
+            (1.02 * r, h),
+            (0.96 * r, h),
+            (0.87 * r, 0.55 * h),
+            (0.68 * r, 0.28 * h),
+            (0.0, 0.14 * h),
+        ],
+        look,
+        28,
+        hollow=True,
+    )
     for row in range(4):
         s = 0.3 + 0.14 * row
         rr = np.interp(s, [0.26, 0.55, 0.9], [0.72, 0.9, 0.98]) * r
@@ -371,7 +535,15 @@ def colander(b: Builder) -> None:
             with b.frame(rr * np.cos(a), rr * np.sin(a), s * h, yaw=a, pitch=np.pi / 2 + tilt):
                 b.add(shapes.frustum(0.0038, 0.0038, (-0.004, 0.0003), 6), "black steel", [])
     for s in (-1, 1):
-        arch(b, (-0.05, s * 0.86 * r, 0.95 * h), (0.05, s * 0.86 * r, 0.95 * h), (0, s * (w / 2 - 0.86 * r), 0), 0.005, look, 6)
+        arch(
+            b,
+            (-0.05, s * 0.86 * r, 0.95 * h),
+            (0.05, s * 0.86 * r, 0.95 * h),
+            (0, s * (w / 2 - 0.86 * r), 0),
+            0.005,
+            look,
+            6,
+        )
 
 
 @small("baking_tray")
@@ -380,8 +552,10 @@ def baking_tray(b: Builder) -> None:
     d, w, h = b.size
     look = b.material("body", "black steel", "brushed steel", "iron", "aluminium")
     rim = min(h, 0.025)
-    rings = [rect((-d / 2 + e, d / 2 - e), (-w / 2 + e, w / 2 - e), z, 0.02, 3)
-             for e, z in ((0.014, 0.0), (0.003, rim - 0.002), (0.0, rim), (0.004, rim), (0.016, 0.002))]  # fmt: skip
+    rings = [
+        rect((-d / 2 + e, d / 2 - e), (-w / 2 + e, w / 2 - e), z, 0.02, 3)
+        for e, z in ((0.014, 0.0), (0.003, rim - 0.002), (0.0, rim), (0.004, rim), (0.016, 0.002))
+    ]
     loft(b, rings, look, hollow=2)
     bun = b.chance("buns", 0.5)
     for i in range(3):
@@ -389,9 +563,15 @@ def baking_tray(b: Builder) -> None:
             px, py = (i - 1) * 0.27 * d, (j - 1.5) * 0.2 * w
             with b.frame(px + 0.01 * ((i + j) % 2), py, 0.002):
                 if bun:
-                    b.lathe([(0.03, 0.0), (0.036, 0.012), (0.03, max(0.018, 0.72 * h)), (0.012, h - 0.002)], "bread crust", 14)
+                    b.lathe(
+                        [(0.03, 0.0), (0.036, 0.012), (0.03, max(0.018, 0.72 * h)), (0.012, h - 0.002)],
+                        "bread crust",
+                        14,
+                    )
                 else:
-                    b.frustum(0.03, 0.026, (0.0, h - 0.002), "cake sponge" if (i + j) % 3 else "chocolate", 14, bevel=0.003)
+                    b.frustum(
+                        0.03, 0.026, (0.0, h - 0.002), "cake sponge" if (i + j) % 3 else "chocolate", 14, bevel=0.003
+                    )
 
 
 @small("rice_cooker", fit="round")
@@ -409,7 +589,13 @@ def rice_cooker(b: Builder) -> None:
     b.box((r + 0.01, r + 0.02), (-0.012, 0.012), (0.17 * h, 0.21 * h), "white plastic", 0.002)
     decal(b, (r, r + 0.0123), (-0.01, 0.01), (0.33 * h, 0.36 * h), "orange plastic")
     for s in (-1, 1):
-        b.box((-0.035, 0.035), (s * d / 2 - (0.08 * d if s > 0 else 0), s * d / 2 + (0.08 * d if s < 0 else 0)), (0.53 * h, 0.59 * h), dark, 0.005)
+        b.box(
+            (-0.035, 0.035),
+            (s * d / 2 - (0.08 * d if s > 0 else 0), s * d / 2 + (0.08 * d if s < 0 else 0)),
+            (0.53 * h, 0.59 * h),
+            dark,
+            0.005,
+        )
     b.box((-d / 2, -0.9 * r), (-0.02, 0.02), (0.1 * h, 0.3 * h), dark, 0.004)
 
 
@@ -454,7 +640,11 @@ def storage_jar(b: Builder) -> None:
     d, _, h = target(b)
     r = d / 2
     glassy = b.chance("glass", 0.6)
-    look = b.material("body", "glass") if glassy else b.material("body", "white ceramic", "cream ceramic", "blue ceramic", "steel")
+    look = (
+        b.material("body", "glass")
+        if glassy
+        else b.material("body", "white ceramic", "cream ceramic", "blue ceramic", "steel")
+    )
     cap = b.material("lid", "bamboo", "oak", "steel", "cork", "black steel")
     b.lathe([(0.93 * r, 0.0), (r, 0.03 * h), (r, 0.8 * h), (0.92 * r, 0.87 * h)], look, 24)
     if glassy:
@@ -508,8 +698,23 @@ def dish_rack(b: Builder) -> None:
     rm = min(0.04, 0.12 * w)
     for k, mug in enumerate(("red paint", "sage paint")):
         with b.frame((0.5 - k) * 0.45 * d, y1 - 0.09, 0.037):
-            b.frustum(rm, 0.9 * rm, (0.0, 0.085), b.material(f"cup {k}", "white ceramic", "blue ceramic", "terracotta", mug), 20, bevel=0.003)
-            arch(b, (0, -0.93 * rm, 0.07), (0, -0.95 * rm, 0.015), (0, -0.025, 0), 0.004, b.material(f"cup {k}", "white ceramic"), 5)
+            b.frustum(
+                rm,
+                0.9 * rm,
+                (0.0, 0.085),
+                b.material(f"cup {k}", "white ceramic", "blue ceramic", "terracotta", mug),
+                20,
+                bevel=0.003,
+            )
+            arch(
+                b,
+                (0, -0.93 * rm, 0.07),
+                (0, -0.95 * rm, 0.015),
+                (0, -0.025, 0),
+                0.004,
+                b.material(f"cup {k}", "white ceramic"),
+                5,
+            )
 
 
 @small("dish_soap")
@@ -518,8 +723,21 @@ def dish_soap(b: Builder) -> None:
     d, w, h = b.size
     look = b.material("body", "green plastic", "yellow plastic", "clear plastic", "blue plastic", "orange plastic")
     cap = b.material("cap", "white plastic", "blue plastic", "red plastic")
-    loft(b, [ellipse(sx * d / 2, sy * w / 2, z * h) for sx, sy, z in ((0.9, 0.92, 0.0), (1.0, 1.0, 0.03), (0.95, 0.86, 0.38),
-                                                                        (1.0, 0.96, 0.58), (0.75, 0.6, 0.76), (0.42, 0.26, 0.82))], look)  # fmt: skip
+    loft(
+        b,
+        [
+            ellipse(sx * d / 2, sy * w / 2, z * h)
+            for sx, sy, z in (
+                (0.9, 0.92, 0.0),
+                (1.0, 1.0, 0.03),
+                (0.95, 0.86, 0.38),
+                (1.0, 0.96, 0.58),
+                (0.75, 0.6, 0.76),
+                (0.42, 0.26, 0.82),
+            )
+        ],
+        look,
+    )
     b.frustum(0.2 * w, 0.18 * w, (0.81 * h, 0.92 * h), cap, 16, bevel=0.002)
     b.frustum(0.1 * w, 0.06 * w, (0.92 * h, h), cap, 12)
     loft_label(b, d, w, (0.12 * h, 0.34 * h))
@@ -528,7 +746,14 @@ def dish_soap(b: Builder) -> None:
 def loft_label(b: Builder, d: float, w: float, z: Interval, look: Look = "paper") -> None:
     """A label in front of an oval bottle."""
     decal(b, (0.3 * d, 0.487 * d), (-0.16 * w, 0.16 * w), z, look, own=True)
-    decal(b, (0.3 * d, 0.489 * d), (-0.12 * w, 0.12 * w), (z[0] + 0.4 * (z[1] - z[0]), z[0] + 0.65 * (z[1] - z[0])), "blue plastic", own=True)
+    decal(
+        b,
+        (0.3 * d, 0.489 * d),
+        (-0.12 * w, 0.12 * w),
+        (z[0] + 0.4 * (z[1] - z[0]), z[0] + 0.65 * (z[1] - z[0])),
+        "blue plastic",
+        own=True,
+    )
 
 
 @small("oven_mitt")
@@ -554,7 +779,10 @@ def electric_grill(b: Builder) -> None:
         for py in (y[0] + 0.05, y[1] - 0.05):
             b.box((px - 0.012, px + 0.012), (py - 0.012, py + 0.012), (0.0, 0.02), "rubber")
     b.box((x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), (0.42 * h, 0.5 * h), "iron", 0.002)
-    rings = [rect((x[0] + e, x[1] - e), (y[0] + e, y[1] - e), z * h, 0.025, 3) for e, z in ((0, 0.5), (0, 0.72), (0.02, 0.84), (0.05, 0.88))]
+    rings = [
+        rect((x[0] + e, x[1] - e), (y[0] + e, y[1] - e), z * h, 0.025, 3)
+        for e, z in ((0, 0.5), (0, 0.72), (0.02, 0.84), (0.05, 0.88))
+    ]
     loft(b, rings, look, convex=True)
     for s in (-1, 1):
         b.bar((x[1] - 0.06, s * 0.3 * w, 0.8 * h), (d / 2 - 0.012, s * 0.3 * w, h - 0.012), 0.009, "black plastic", 8)
@@ -571,8 +799,22 @@ def mixing_bowl(b: Builder) -> None:
     r = d / 2
     look = b.material("body", "steel", "white ceramic", "mint plastic", "cream ceramic", "glass", "red plastic")
     rim = 0.82 * h
-    b.lathe([(0.5 * r, 0.0), (0.55 * r, 0.03 * h), (0.82 * r, 0.3 * rim), (0.96 * r, 0.7 * rim), (r, rim), (r - 0.004, rim),
-             (0.93 * r, 0.7 * rim), (0.78 * r, 0.3 * rim), (0.0, 0.05 * h)], look, 28, hollow=True)  # fmt: skip
+    b.lathe(
+        [
+            (0.5 * r, 0.0),
+            (0.55 * r, 0.03 * h),
+            (0.82 * r, 0.3 * rim),
+            (0.96 * r, 0.7 * rim),
+            (r, rim),
+            (r - 0.004, rim),
+            (0.93 * r, 0.7 * rim),
+            (0.78 * r, 0.3 * rim),
+            (0.0, 0.05 * h),
+        ],
+        look,
+        28,
+        hollow=True,
+    )
     dough = b.pick("dough", ["cake sponge", "icing", "chocolate"])
     spot(b, 0.8 * r, (0.3 * h, 0.45 * h), dough, 24)
     b.bar((-0.2 * r, 0.1 * r, 0.35 * h), (0.0, 0.88 * r, h - 0.008), 0.006, "beech", 8)

@@ -16,12 +16,21 @@ def window(b: Builder, x: float, y: tuple[float, float], z: tuple[float, float])
     w, h = y[1] - y[0], z[1] - z[0]
     xs = (x - 0.001, x)
     decal(b, xs, y, z, "screen")
-    for a, c, e, f, look in ([(0.04, 0.6, 0.1, 0.9, "night pigment"), (0.04, 0.6, 0.8, 0.9, "sea pigment"),
-                                           (0.66, 0.96, 0.5, 0.9, "sea pigment"), (0.66, 0.96, 0.1, 0.44, "night pigment")]):
+    for a, c, e, f, look in [
+        (0.04, 0.6, 0.1, 0.9, "night pigment"),
+        (0.04, 0.6, 0.8, 0.9, "sea pigment"),
+        (0.66, 0.96, 0.5, 0.9, "sea pigment"),
+        (0.66, 0.96, 0.1, 0.44, "night pigment"),
+    ]:
         decal(b, (xs[0], x + 0.0001), (y[1] - c * w, y[1] - a * w), (z[0] + e * h, z[0] + f * h), look)
     for k in range(5):
-        decal(b, (xs[0], x + 0.00015), (y[1] - (0.36 + 0.07 * (k * 7 % 3)) * w, y[1] - 0.08 * w), (z[0] + (0.66 - 0.11 * k) * h,
-                                                                                                z[0] + (0.69 - 0.11 * k) * h), "sky pigment")  # fmt: skip
+        decal(
+            b,
+            (xs[0], x + 0.00015),
+            (y[1] - (0.36 + 0.07 * (k * 7 % 3)) * w, y[1] - 0.08 * w),
+            (z[0] + (0.66 - 0.11 * k) * h, z[0] + (0.69 - 0.11 * k) * h),
+            "sky pigment",
+        )
 
 
 @small("monitor")
@@ -34,14 +43,28 @@ def monitor(b: Builder) -> None:
     z0 = h - tall
     x = 0.12 * d
     slab(b, (x - 0.008, x + 0.012), (-w / 2, w / 2), (z0, h), look, 0.004, 0.002)
-    b.hull([(x - 0.007, s * 0.42 * w, z) for s in (-1, 1) for z in (z0 + 0.08 * tall, z0 + 0.85 * tall)]
-           + [(x - 0.035, s * 0.25 * w, z) for s in (-1, 1) for z in (z0 + 0.25 * tall, z0 + 0.65 * tall)], look)  # fmt: skip
+    b.hull(
+        [(x - 0.007, s * 0.42 * w, z) for s in (-1, 1) for z in (z0 + 0.08 * tall, z0 + 0.85 * tall)]
+        + [(x - 0.035, s * 0.25 * w, z) for s in (-1, 1) for z in (z0 + 0.25 * tall, z0 + 0.65 * tall)],
+        look,
+    )
     decal(b, (x, x + 0.0122), (-w / 2 + 0.008, w / 2 - 0.008), (z0 + 0.016, h - 0.008), "black glass")
     window(b, x + 0.0123, (-w / 2 + 0.01, w / 2 - 0.01), (z0 + 0.02, h - 0.01))
     decal(b, (x, x + 0.0123), (0.44 * w, 0.45 * w), (z0 + 0.006, z0 + 0.01), "lamp glow")
     neck = 0.03 if b.chance("slim", 0.5) else 0.05
-    b.hull([(px, s * neck, z) for s in (-1, 1) for px, z in ((-0.32 * d, 0.01), (-0.2 * d, 0.01), (x - 0.03, z0 + 0.55 * tall),
-                                                            (x - 0.05, z0 + 0.55 * tall))], stand)  # fmt: skip
+    b.hull(
+        [
+            (px, s * neck, z)
+            for s in (-1, 1)
+            for px, z in (
+                (-0.32 * d, 0.01),
+                (-0.2 * d, 0.01),
+                (x - 0.03, z0 + 0.55 * tall),
+                (x - 0.05, z0 + 0.55 * tall),
+            )
+        ],
+        stand,
+    )
     if b.chance("round foot", 0.4):
         n = 24
         t = (np.arange(n) + 0.5) * 2 * np.pi / n
@@ -70,11 +93,22 @@ def laptop(b: Builder) -> None:
             if i == 4 and 3 <= j <= 7:
                 if j == 3:
                     y = ky[0] + 3 * (ky[1] - ky[0]) / 12
-                    decal(b, (kx[0] + 4 * (kx[1] - kx[0]) / 5 + 0.002, kx[1] - 0.002), (y + 0.001, y + 5 * (ky[1] - ky[0]) / 12 - 0.001),
-                          (t - 0.001, t + 0.0004), keys)  # fmt: skip
+                    decal(
+                        b,
+                        (kx[0] + 4 * (kx[1] - kx[0]) / 5 + 0.002, kx[1] - 0.002),
+                        (y + 0.001, y + 5 * (ky[1] - ky[0]) / 12 - 0.001),
+                        (t - 0.001, t + 0.0004),
+                        keys,
+                    )
                 continue
             x, y = kx[0] + i * (kx[1] - kx[0]) / 5, ky[0] + j * (ky[1] - ky[0]) / 12
-            decal(b, (x + 0.002, x + (kx[1] - kx[0]) / 5 - 0.001), (y + 0.0015, y + (ky[1] - ky[0]) / 12 - 0.001), (t - 0.001, t + 0.0004), keys)
+            decal(
+                b,
+                (x + 0.002, x + (kx[1] - kx[0]) / 5 - 0.001),
+                (y + 0.0015, y + (ky[1] - ky[0]) / 12 - 0.001),
+                (t - 0.001, t + 0.0004),
+                keys,
+            )
     decal(b, (x0 + 0.62 * deep, x0 + 0.94 * deep), (-0.17 * w, 0.17 * w), (t - 0.001, t + 0.0003), "grey plastic")
     b.bar((x0 + 0.004, -0.4 * w, t - 0.004), (x0 + 0.004, 0.4 * w, t - 0.004), 0.005, "black plastic", 8)
     with b.frame(x0 + 0.004, 0, 0.008, pitch=-lean):
@@ -91,7 +125,10 @@ def keyboard(b: Builder) -> None:
     keys = b.material("keys", "black plastic", "white plastic", "grey plastic", "mint plastic")
     low, key = 0.4 * h, 0.24 * h
     high = h - key - 0.001
-    b.hull([(x, y, z) for y in (-w / 2, w / 2) for x, z in ((-d / 2, 0.0), (d / 2, 0.0), (d / 2, low), (-d / 2, high))], look)
+    b.hull(
+        [(x, y, z) for y in (-w / 2, w / 2) for x, z in ((-d / 2, 0.0), (d / 2, 0.0), (d / 2, low), (-d / 2, high))],
+        look,
+    )
     tilt = float(np.arctan2(high - low, d))
     rows, cols = 5, 19
     step, pitch = (w - 0.016) / cols, (d - 0.014) / (rows + 0.3)
@@ -108,7 +145,11 @@ def keyboard(b: Builder) -> None:
                 y = -w / 2 + 0.008 + j * step
                 c = accent if (i, j) in ((0, 0), (2, 12)) else keys
                 decal(b, (x + 0.001, x + pitch - 0.0015), (y + 0.0008, y + wide * step - 0.0008), (-0.001, 0.0004), c)
-                b.add(shapes.box((x + 0.0025, x + pitch - 0.003), (y + 0.002, y + wide * step - 0.002), (0.0, key), 0.0), c, [])
+                b.add(
+                    shapes.box((x + 0.0025, x + pitch - 0.003), (y + 0.002, y + wide * step - 0.002), (0.0, key), 0.0),
+                    c,
+                    [],
+                )
                 j += wide
         # One part for all keys.
         shape = shapes.box((0.007, d - 0.004), (-w / 2 + 0.007, w / 2 - 0.007), (0.0, key + 0.0002), 0.0)
@@ -122,12 +163,27 @@ def mouse(b: Builder) -> None:
     look = b.material("body", "black plastic", "white plastic", "grey plastic", "pink plastic")
     # Its buttons point away from the user, to -x.
     rings = []
-    for z, e, f in ((0.0, 0.9, 0.86), (0.15, 1.0, 1.0), (0.45, 0.97, 0.96), (0.72, 0.84, 0.8), (0.92, 0.56, 0.5), (1.0, 0.25, 0.22)):
+    for z, e, f in (
+        (0.0, 0.9, 0.86),
+        (0.15, 1.0, 1.0),
+        (0.45, 0.97, 0.96),
+        (0.72, 0.84, 0.8),
+        (0.92, 0.56, 0.5),
+        (1.0, 0.25, 0.22),
+    ):
         t = (np.arange(20) + 0.5) * 2 * np.pi / 20
-        rings.append(np.c_[(0.06 * d * z) + e * d / 2 * np.cos(t), f * w / 2 * np.sign(np.sin(t)) * np.abs(np.sin(t)) ** 0.85, np.full(20, z * h)])
+        rings.append(
+            np.c_[
+                (0.06 * d * z) + e * d / 2 * np.cos(t),
+                f * w / 2 * np.sign(np.sin(t)) * np.abs(np.sin(t)) ** 0.85,
+                np.full(20, z * h),
+            ]
+        )
     loft(b, rings, look, convex=True)
     shape = shapes.hull(np.concatenate(rings))
-    normal = np.cross(shape[0][shape[1][:, 1]] - shape[0][shape[1][:, 0]], shape[0][shape[1][:, 2]] - shape[0][shape[1][:, 0]])
+    normal = np.cross(
+        shape[0][shape[1][:, 1]] - shape[0][shape[1][:, 0]], shape[0][shape[1][:, 2]] - shape[0][shape[1][:, 0]]
+    )
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
     offset = np.einsum("ij,ij->i", normal, shape[0][shape[1][:, 0]])
     up = normal[:, 2] > 0.05
@@ -138,8 +194,20 @@ def mouse(b: Builder) -> None:
     xs = np.linspace(-0.44, -0.02, 8) * d
     for a, c in zip(xs[:-1], xs[1:], strict=True):
         za, zc = roof(a, 0), roof(c, 0)
-        b.add(shapes.hull(np.array([(px, y, z + e) for px, z in ((a, za), (c, zc)) for y in (-0.0008, 0.0008) for e in (-0.002, 0.0003)])),
-              "rubber", [])  # fmt: skip
+        b.add(
+            shapes.hull(
+                np.array(
+                    [
+                        (px, y, z + e)
+                        for px, z in ((a, za), (c, zc))
+                        for y in (-0.0008, 0.0008)
+                        for e in (-0.002, 0.0003)
+                    ]
+                )
+            ),
+            "rubber",
+            [],
+        )
     wx = -0.26 * d
     with b.frame(wx, 0, roof(wx, 0) - 0.006, roll=np.pi / 2):
         b.frustum(0.008, 0.008, (-0.0035, 0.0035), "rubber", 14)
@@ -149,9 +217,25 @@ def mouse(b: Builder) -> None:
 def mouse_pad(b: Builder) -> None:
     """A thin mat with round corners and a stitched edge."""
     d, w, h = b.size
-    look = b.material("body", "charcoal fabric", "black fabric", "grey fabric", "navy fabric", "brown leather", "green fabric")
-    slab(b, (-d / 2, d / 2), (-w / 2, w / 2), (0.0, h), b.material("edge", "black fabric", "red fabric", "grey fabric"), 0.015, 0.0006)
-    b.add(shapes.extrusion(rect((-d / 2 + 0.004, d / 2 - 0.004), (-w / 2 + 0.004, w / 2 - 0.004), 0, 0.012)[:, :2], (h / 2, h + 0.0003)), look, [])
+    look = b.material(
+        "body", "charcoal fabric", "black fabric", "grey fabric", "navy fabric", "brown leather", "green fabric"
+    )
+    slab(
+        b,
+        (-d / 2, d / 2),
+        (-w / 2, w / 2),
+        (0.0, h),
+        b.material("edge", "black fabric", "red fabric", "grey fabric"),
+        0.015,
+        0.0006,
+    )
+    b.add(
+        shapes.extrusion(
+            rect((-d / 2 + 0.004, d / 2 - 0.004), (-w / 2 + 0.004, w / 2 - 0.004), 0, 0.012)[:, :2], (h / 2, h + 0.0003)
+        ),
+        look,
+        [],
+    )
 
 
 @small("computer")
@@ -162,7 +246,9 @@ def computer(b: Builder) -> None:
     x, y = (-d / 2, d / 2), (-w / 2, w / 2)
     for px in (x[0] + 0.06, x[1] - 0.06):
         for s in (-1, 1):
-            b.box((px - 0.02, px + 0.02), (s * (w / 2 - 0.03) - 0.015, s * (w / 2 - 0.03) + 0.015), (0.0, 0.015), "rubber")
+            b.box(
+                (px - 0.02, px + 0.02), (s * (w / 2 - 0.03) - 0.015, s * (w / 2 - 0.03) + 0.015), (0.0, 0.015), "rubber"
+            )
     b.box((x[0], x[1] - 0.015), y, (0.015, h), look, 0.003)
     b.box((x[1] - 0.015, x[1]), (y[0] + 0.003, y[1] - 0.003), (0.02, h - 0.004), "black plastic", 0.004)
     front = x[1] + 0.0003
@@ -170,11 +256,19 @@ def computer(b: Builder) -> None:
     if style == "lit":
         for k in range(3):
             with b.frame(x[1], 0, (0.27 + 0.23 * k) * h, pitch=np.pi / 2):
-                b.add(shapes.frustum(0.34 * w, 0.34 * w, (-0.002, 0.0002), 24), b.pick("glow", ["sea pigment", "plum pigment", "red plastic"]), [])
+                b.add(
+                    shapes.frustum(0.34 * w, 0.34 * w, (-0.002, 0.0002), 24),
+                    b.pick("glow", ["sea pigment", "plum pigment", "red plastic"]),
+                    [],
+                )
                 b.add(shapes.frustum(0.3 * w, 0.3 * w, (-0.002, 0.0003), 24), "black plastic", [])
                 for j in range(5):
                     with b.frame(yaw=j * 2 * np.pi / 5):
-                        b.add(shapes.box((0.03 * w, 0.28 * w), (-0.03 * w, 0.03 * w), (-0.001, 0.0004)), "grey plastic", [])
+                        b.add(
+                            shapes.box((0.03 * w, 0.28 * w), (-0.03 * w, 0.03 * w), (-0.001, 0.0004)),
+                            "grey plastic",
+                            [],
+                        )
     else:
         n = 14 if style == "bars" else 26
         for k in range(n):
@@ -182,22 +276,46 @@ def computer(b: Builder) -> None:
             decal(b, (x[1] - 0.002, front), (-0.38 * w, 0.38 * w), (z, z + 0.3 * 0.62 * h / n), "grey plastic")
         for z in (0.8, 0.88):
             decal(b, (x[1] - 0.002, front), (-0.42 * w, 0.42 * w), (z * h, (z + 0.055) * h), "black steel")
-            decal(b, (x[1] - 0.002, front + 0.0001), (0.24 * w, 0.36 * w), ((z + 0.01) * h, (z + 0.02) * h), "grey plastic")
+            decal(
+                b,
+                (x[1] - 0.002, front + 0.0001),
+                (0.24 * w, 0.36 * w),
+                ((z + 0.01) * h, (z + 0.02) * h),
+                "grey plastic",
+            )
     with b.frame(x[1], -0.32 * w, 0.75 * h, pitch=np.pi / 2):
         b.add(shapes.frustum(0.01, 0.01, (-0.002, 0.0004), 16), "steel", [])
         b.add(shapes.frustum(0.004, 0.004, (-0.002, 0.00045), 12), "lamp glow", [])
     for k in range(3):
-        decal(b, (x[1] - 0.002, front), (-0.14 * w + 0.14 * k * w, -0.06 * w + 0.14 * k * w), (0.744 * h, 0.756 * h), "grey plastic")
+        decal(
+            b,
+            (x[1] - 0.002, front),
+            (-0.14 * w + 0.14 * k * w, -0.06 * w + 0.14 * k * w),
+            (0.744 * h, 0.756 * h),
+            "grey plastic",
+        )
     if b.chance("window", 0.5):
         decal(b, (x[0] + 0.1 * d, x[1] - 0.12 * d), (y[1] - 0.002, y[1] + 0.0003), (0.12 * h, 0.92 * h), "black glass")
     for k in range(9):
-        decal(b, (-0.2 * d + 0.04 * k * d, -0.18 * d + 0.04 * k * d), (-0.36 * w, 0.36 * w), (h - 0.002, h + 0.0003), "black plastic")
+        decal(
+            b,
+            (-0.2 * d + 0.04 * k * d, -0.18 * d + 0.04 * k * d),
+            (-0.36 * w, 0.36 * w),
+            (h - 0.002, h + 0.0003),
+            "black plastic",
+        )
 
 
 def _handheld(b: Builder, d: float, w: float, h: float, look: Look, radius: float) -> None:
     slab(b, (-d / 2, d / 2), (-w / 2, w / 2), (0.0, h), look, radius, 0.0022, 4)
     e = 0.0035
-    b.add(shapes.extrusion(rect((-d / 2 + e, d / 2 - e), (-w / 2 + e, w / 2 - e), 0, radius - e, 4)[:, :2], (h / 2, h + 0.0002)), "black glass", [])
+    b.add(
+        shapes.extrusion(
+            rect((-d / 2 + e, d / 2 - e), (-w / 2 + e, w / 2 - e), 0, radius - e, 4)[:, :2], (h / 2, h + 0.0002)
+        ),
+        "black glass",
+        [],
+    )
 
 
 @small("tablet")
@@ -212,7 +330,17 @@ def tablet(b: Builder) -> None:
         for j in range(6):
             if b.chance(f"icon {i} {j}", 0.85):
                 x, y = (-0.32 + 0.2 * i) * d, (-0.36 + 0.13 * j) * w
-                c = b.pick(f"colour {i} {j}", ["sea pigment", "sky pigment", "ochre pigment", "moss pigment", "terracotta pigment", "chalk pigment"])
+                c = b.pick(
+                    f"colour {i} {j}",
+                    [
+                        "sea pigment",
+                        "sky pigment",
+                        "ochre pigment",
+                        "moss pigment",
+                        "terracotta pigment",
+                        "chalk pigment",
+                    ],
+                )
                 decal(b, (x, x + 0.1 * d), (y, y + 0.065 * w), (h - 0.001, h + 0.0004), c)
 
 
@@ -228,7 +356,10 @@ def phone(b: Builder) -> None:
             if i < 4 and not b.chance(f"icon {i} {j}", 0.8):
                 continue
             x, y = (-0.3 + 0.15 * i) * d, (-0.38 + 0.2 * j) * w
-            c = b.pick(f"colour {i} {j}", ["sea pigment", "sky pigment", "ochre pigment", "moss pigment", "terracotta pigment", "chalk pigment"])
+            c = b.pick(
+                f"colour {i} {j}",
+                ["sea pigment", "sky pigment", "ochre pigment", "moss pigment", "terracotta pigment", "chalk pigment"],
+            )
             decal(b, (x, x + 0.075 * d), (y, y + 0.15 * w), (h - 0.001, h + 0.0004), c)
 
 
@@ -238,7 +369,14 @@ def desk_phone(b: Builder) -> None:
     d, w, h = b.size
     look = b.material("body", "black plastic", "grey plastic", "white plastic", "cream paint", "red plastic")
     low, high = 0.3 * h, 0.78 * h
-    b.hull([(x, y, z) for y in (-w / 2, w / 2) for x, z in ((-d / 2, 0.0), (d / 2, 0.0), (d / 2, low), (-0.3 * d, high), (-d / 2, high))], look)
+    b.hull(
+        [
+            (x, y, z)
+            for y in (-w / 2, w / 2)
+            for x, z in ((-d / 2, 0.0), (d / 2, 0.0), (d / 2, low), (-0.3 * d, high), (-d / 2, high))
+        ],
+        look,
+    )
     tilt = float(np.arctan2(high - low, 0.8 * d))
     with b.frame(d / 2, 0, low, pitch=tilt):
         s = 0.8 * d / np.cos(tilt)
@@ -246,7 +384,13 @@ def desk_phone(b: Builder) -> None:
         for i in range(4):
             for j in range(3):
                 x, y = (-0.64 + 0.15 * i) * s, (-0.04 + 0.16 * j) * w
-                b.box((x, x + 0.1 * s), (y, y + 0.11 * w), (-0.001, 0.004), "white plastic" if look.name != "white plastic" else "grey plastic", 0.001)
+                b.box(
+                    (x, x + 0.1 * s),
+                    (y, y + 0.11 * w),
+                    (-0.001, 0.004),
+                    "white plastic" if look.name != "white plastic" else "grey plastic",
+                    0.001,
+                )
         # The receiver lies along x at -y, over two cradles.
         y = -0.3 * w
         for x in (-0.87 * s, -0.13 * s):
@@ -308,10 +452,18 @@ def soundbar(b: Builder) -> None:
     look = b.material("body", "black plastic", "grey plastic", "white plastic", "walnut")
     cloth = b.material("cloth", "charcoal fabric", "grey fabric", "black fabric")
     slab(b, (-d / 2, d / 2), (-w / 2, w / 2), (0.006, h), cloth, 0.03, 0.008, 4)
-    slab(b, (-d / 2 + 0.012, d / 2 - 0.012), (-w / 2 + 0.012, w / 2 - 0.012), (h - 0.004, h + 0.001), look, 0.02, 0.0005)
+    slab(
+        b, (-d / 2 + 0.012, d / 2 - 0.012), (-w / 2 + 0.012, w / 2 - 0.012), (h - 0.004, h + 0.001), look, 0.02, 0.0005
+    )
     for s in (-1, 1):
         b.box((-0.3 * d, 0.3 * d), (s * 0.4 * w - 0.04, s * 0.4 * w + 0.04), (0.0, 0.01), "rubber", 0.002)
-        decal(b, (-d / 2 + 0.0001, d / 2 - 0.004), (s * (w / 2 - 0.05) - 0.002, s * (w / 2 - 0.05) + 0.002), (0.02, h - 0.01), look)
+        decal(
+            b,
+            (-d / 2 + 0.0001, d / 2 - 0.004),
+            (s * (w / 2 - 0.05) - 0.002, s * (w / 2 - 0.05) + 0.002),
+            (0.02, h - 0.01),
+            look,
+        )
     decal(b, (0.0, d / 2 + 0.0003), (-0.05, 0.05), (0.35 * h, 0.65 * h), "screen")
     for k in range(4):
         with b.frame(0, -0.045 + 0.03 * k, h):
@@ -329,7 +481,9 @@ def game_console(b: Builder) -> None:
     slab(b, (-d / 2, d / 2), (-w / 2, w / 2), (0.62 * h, h), look, 0.02, 0.004)
     x = (d / 2 - 0.014, d / 2 - 0.0097)
     decal(b, x, (-0.35 * w, 0.1 * w), (0.44 * h, 0.5 * h), "grey plastic")
-    decal(b, x, (-0.36 * w, 0.36 * w), (0.38 * h, 0.41 * h), b.pick("glow", ["lamp glow", "sea pigment", "sea pigment"]))
+    decal(
+        b, x, (-0.36 * w, 0.36 * w), (0.38 * h, 0.41 * h), b.pick("glow", ["lamp glow", "sea pigment", "sea pigment"])
+    )
     for k in range(3):
         decal(b, x, ((0.16 + 0.07 * k) * w, (0.2 + 0.07 * k) * w), (0.46 * h, 0.54 * h), "grey plastic")
     for k in range(8):
@@ -345,14 +499,35 @@ def game_controller(b: Builder) -> None:
     top = 0.72 * h
     slab(b, (-0.44 * d, 0.16 * d), (-0.4 * w, 0.4 * w), (0.3 * h, top), look, 0.03, 0.008, 4)
     for s in (-1, 1):
-        loft(b, [np.c_[(x + e * rx * np.cos(t)), s * y + e * ry * np.sin(t), np.full(16, z)] for z, x, y, rx, ry, e in
-                 ((0.0, 0.26 * d, 0.4 * w, 0.2 * d, 0.09 * w, 0.7), (0.12 * h, 0.22 * d, 0.395 * w, 0.27 * d, 0.105 * w, 1.0),
-                  (0.45 * h, 0.02 * d, 0.36 * w, 0.46 * d, 0.135 * w, 1.0), (0.66 * h, -0.12 * d, 0.33 * w, 0.32 * d, 0.14 * w, 1.0),
-                  (top, -0.14 * d, 0.32 * w, 0.27 * d, 0.12 * w, 0.9)) for t in [(np.arange(16) + 0.5) * np.pi / 8]], look)  # fmt: skip
+        loft(
+            b,
+            [
+                np.c_[(x + e * rx * np.cos(t)), s * y + e * ry * np.sin(t), np.full(16, z)]
+                for z, x, y, rx, ry, e in (
+                    (0.0, 0.26 * d, 0.4 * w, 0.2 * d, 0.09 * w, 0.7),
+                    (0.12 * h, 0.22 * d, 0.395 * w, 0.27 * d, 0.105 * w, 1.0),
+                    (0.45 * h, 0.02 * d, 0.36 * w, 0.46 * d, 0.135 * w, 1.0),
+                    (0.66 * h, -0.12 * d, 0.33 * w, 0.32 * d, 0.14 * w, 1.0),
+                    (top, -0.14 * d, 0.32 * w, 0.27 * d, 0.12 * w, 0.9),
+                )
+                for t in [(np.arange(16) + 0.5) * np.pi / 8]
+            ],
+            look,
+        )
         b.box((-d / 2, -0.3 * d), (s * 0.3 * w - 0.12 * w, s * 0.3 * w + 0.12 * w), (0.0, 0.66 * h), dark, 0.006)
     for px, py in ((-0.17 * d, -0.32 * w), (0.06 * d, 0.13 * w)):
         with b.frame(px, py, top - 0.002):
-            b.lathe([(0.1 * d, 0.0), (0.05 * d, 0.004), (0.045 * d, 0.6 * (h - top)), (0.085 * d, 0.7 * (h - top)), (0.08 * d, h - top + 0.002)], dark, 16)
+            b.lathe(
+                [
+                    (0.1 * d, 0.0),
+                    (0.05 * d, 0.004),
+                    (0.045 * d, 0.6 * (h - top)),
+                    (0.085 * d, 0.7 * (h - top)),
+                    (0.08 * d, h - top + 0.002),
+                ],
+                dark,
+                16,
+            )
     with b.frame(0.04 * d, -0.14 * w, top - 0.001):
         for x, y in ((0.09, 0.03), (0.03, 0.09)):
             b.box((-x * d, x * d), (-y * d, y * d), (0.0, 0.005), dark, 0.001)
@@ -397,10 +572,21 @@ def router(b: Builder) -> None:
     slab(b, (-d / 2 + 0.012, d / 2), (-w / 2, w / 2), (0.004, body), look, 0.018, 0.006, 4)
     slab(b, (-d / 2 + 0.03, d / 2 - 0.02), (-0.4 * w, 0.4 * w), (0.0, 0.01), "rubber", 0.01)
     for k in range(6):
-        decal(b, (d / 2 - 0.028, d / 2 - 0.022), ((-0.25 + 0.1 * k) * w, (-0.25 + 0.1 * k) * w + 0.006), (body - 0.001, body + 0.0003),
-              "lamp glow" if k < 3 else "green plastic")  # fmt: skip
+        decal(
+            b,
+            (d / 2 - 0.028, d / 2 - 0.022),
+            ((-0.25 + 0.1 * k) * w, (-0.25 + 0.1 * k) * w + 0.006),
+            (body - 0.001, body + 0.0003),
+            "lamp glow" if k < 3 else "green plastic",
+        )
     for k in range(5):
-        decal(b, (-0.1 * d + 0.02 * k * d * 2, -0.08 * d + 0.02 * k * d * 2), (-0.3 * w, 0.3 * w), (body - 0.001, body + 0.0002), "grey plastic")
+        decal(
+            b,
+            (-0.1 * d + 0.02 * k * d * 2, -0.08 * d + 0.02 * k * d * 2),
+            (-0.3 * w, 0.3 * w),
+            (body - 0.001, body + 0.0002),
+            "grey plastic",
+        )
     count = b.whole("aerials", 2, 4)
     for k in range(count):
         y = (k / (count - 1) - 0.5) * 0.86 * w
@@ -477,8 +663,16 @@ def radio(b: Builder) -> None:
         with b.frame(x - 0.002, y * w, 0.3 * h, pitch=np.pi / 2):
             b.lathe([(0.085 * h, 0.0), (0.085 * h, 0.006), (0.07 * h, 0.013), (0.065 * h, 0.016)], "brass", 20)
     n = np.array([[-0.009, -0.003], [0.009, -0.003], [0.009, 0.003], [-0.009, 0.003]])
-    b.tube([(-0.01, -0.36 * w, top - 0.006), (-0.01, -0.32 * w, h - 0.003), (-0.01, 0.32 * w, h - 0.003), (-0.01, 0.36 * w, top - 0.006)], n,
-           b.material("handle", "tan leather", "brass", "black leather"))  # fmt: skip
+    b.tube(
+        [
+            (-0.01, -0.36 * w, top - 0.006),
+            (-0.01, -0.32 * w, h - 0.003),
+            (-0.01, 0.32 * w, h - 0.003),
+            (-0.01, 0.36 * w, top - 0.006),
+        ],
+        n,
+        b.material("handle", "tan leather", "brass", "black leather"),
+    )
 
 
 @small("charger")
@@ -505,7 +699,11 @@ def smart_speaker(b: Builder) -> None:
     r = d / 2
     cloth = b.material("cloth", "grey fabric", "charcoal fabric", "white fabric", "blue fabric")
     dark = b.material("trim", "white plastic", "black plastic")
-    b.lathe([(0.8 * r, 0.0), (0.9 * r, 0.01), (r, 0.2 * h), (r, 0.8 * h), (0.94 * r, 0.92 * h), (0.84 * r, 0.985 * h)], cloth, 28)
+    b.lathe(
+        [(0.8 * r, 0.0), (0.9 * r, 0.01), (r, 0.2 * h), (r, 0.8 * h), (0.94 * r, 0.92 * h), (0.84 * r, 0.985 * h)],
+        cloth,
+        28,
+    )
     b.frustum(0.8 * r, 0.78 * r, (0.97 * h, h), dark, 28)
     spot(b, 0.74 * r, (0.98 * h, h + 0.0003), b.pick("glow", ["sky pigment", "lamp glow"]), 28)
     spot(b, 0.68 * r, (0.98 * h, h + 0.0004), dark, 28)
@@ -523,13 +721,24 @@ def hard_drive(b: Builder) -> None:
     decal(b, (0.4 * d, 0.43 * d), (-0.04 * w, 0.04 * w), (h / 2, h + 0.0003), "lamp glow")
     for k in range(5):
         x = (-0.2 + 0.09 * k) * d
-        decal(b, (x, x + 0.03 * d), (-0.4 * w, 0.4 * w), (h / 2, h + 0.0003), "black plastic" if look.name != "black plastic" else "grey plastic")
+        decal(
+            b,
+            (x, x + 0.03 * d),
+            (-0.4 * w, 0.4 * w),
+            (h / 2, h + 0.0003),
+            "black plastic" if look.name != "black plastic" else "grey plastic",
+        )
     b.box((-0.46 * d, -0.39 * d), (-0.008, 0.008), (0.25 * h, 0.7 * h), "black plastic", 0.001)
-    b.tube([(-0.44 * d, 0, 0.5 * h), (-0.49 * d, 0.1 * w, 0.3 * h), (-0.48 * d, 0.35 * w, 0.16 * h)], 0.0025, "black plastic", 6)
+    b.tube(
+        [(-0.44 * d, 0, 0.5 * h), (-0.49 * d, 0.1 * w, 0.3 * h), (-0.48 * d, 0.35 * w, 0.16 * h)],
+        0.0025,
+        "black plastic",
+        6,
+    )
 
 
-@small("microphone", fit="round")
-def microphone(b: Builder) -> None:
+@small("desk_microphone", fit="round")
+def desk_microphone(b: Builder) -> None:
     """A studio microphone on a round foot."""
     d, _, h = target(b)
     r = d / 2
@@ -555,17 +764,38 @@ def conference_phone(b: Builder) -> None:
     r = 0.5 * min(d, w)
     for k in range(3):
         with b.frame(yaw=k * 2 * np.pi / 3):
-            b.hull([(x * r, s * y * r, z * h) for s in (-1, 1) for x, y, z in ((0.0, 0.5, 0.0), (1.1, 0.22, 0.0), (1.12, 0.2, 0.2), (1.08, 0.18, 0.4),
-                                                                              (0.2, 0.45, 0.85), (-0.2, 0.4, 0.85))], look)  # fmt: skip
+            b.hull(
+                [
+                    (x * r, s * y * r, z * h)
+                    for s in (-1, 1)
+                    for x, y, z in (
+                        (0.0, 0.5, 0.0),
+                        (1.1, 0.22, 0.0),
+                        (1.12, 0.2, 0.2),
+                        (1.08, 0.18, 0.4),
+                        (0.2, 0.45, 0.85),
+                        (-0.2, 0.4, 0.85),
+                    )
+                ],
+                look,
+            )
             with b.frame(0.72 * r, 0, 0.61 * h, pitch=0.28):
                 b.box((-0.24 * r, 0.24 * r), (-0.17 * r, 0.17 * r), (-0.1 * h, 0.04 * h), "charcoal fabric", 0.004)
             with b.frame(1.09 * r, 0, 0.3 * h):
                 b.box((-0.02, 0.004), (-0.02, 0.02), (0.0, 0.08 * h), "green plastic", 0.001)
-    b.frustum(0.46 * r, 0.42 * r, (0.8 * h, 0.92 * h), "grey plastic" if look.name != "grey plastic" else "black plastic", 24)
+    b.frustum(
+        0.46 * r, 0.42 * r, (0.8 * h, 0.92 * h), "grey plastic" if look.name != "grey plastic" else "black plastic", 24
+    )
     b.box((-0.34 * r, -0.08 * r), (-0.26 * r, 0.26 * r), (0.88 * h, 0.96 * h), "screen", 0.002)
     for i in range(2):
         for j in range(3):
-            b.box(((0.0 + 0.16 * i) * r, (0.12 + 0.16 * i) * r), ((-0.24 + 0.17 * j) * r, (-0.12 + 0.17 * j) * r), (0.9 * h, h), "white plastic", 0.001)
+            b.box(
+                ((0.0 + 0.16 * i) * r, (0.12 + 0.16 * i) * r),
+                ((-0.24 + 0.17 * j) * r, (-0.12 + 0.17 * j) * r),
+                (0.9 * h, h),
+                "white plastic",
+                0.001,
+            )
 
 
 @small("vr_headset")
@@ -574,8 +804,15 @@ def vr_headset(b: Builder) -> None:
     d, w, h = b.size
     look = b.material("body", "white plastic", "black plastic", "grey plastic")
     strap = b.material("strap", "charcoal fabric", "grey fabric", "black fabric")
-    loft(b, [rect((0.5 * d - 0.09 + e, 0.5 * d - e), (-w / 2 + e, w / 2 - e), z, 0.035, 4) for e, z in
-             ((0.012, 0.0), (0.0, 0.018), (0.0, 0.8 * h - 0.015), (0.012, 0.8 * h))], look, convex=True)  # fmt: skip
+    loft(
+        b,
+        [
+            rect((0.5 * d - 0.09 + e, 0.5 * d - e), (-w / 2 + e, w / 2 - e), z, 0.035, 4)
+            for e, z in ((0.012, 0.0), (0.0, 0.018), (0.0, 0.8 * h - 0.015), (0.012, 0.8 * h))
+        ],
+        look,
+        convex=True,
+    )
     for k in (-1, 1):
         with b.frame(0.5 * d - 0.002, k * 0.22 * w, 0.4 * h, pitch=np.pi / 2):
             b.add(shapes.frustum(0.012, 0.012, (-0.002, 0.0023), 14), "black glass", [])
@@ -585,4 +822,14 @@ def vr_headset(b: Builder) -> None:
     xc = 0.5 * d - 0.06
     b.tube(np.c_[xc - (d - 0.065) * np.cos(t), 0.46 * w * np.sin(t), 0.4 * h + 0 * t], n, strap)
     m = np.array([[-0.013, -0.0025], [0.013, -0.0025], [0.013, 0.0025], [-0.013, 0.0025]])
-    b.tube([(0.5 * d - 0.05, 0, 0.79 * h), (0.2 * d, 0, 0.96 * h), (-0.1 * d, 0, h - 0.003), (-0.35 * d, 0, 0.85 * h), (-0.485 * d, 0, 0.45 * h)], m, strap)
+    b.tube(
+        [
+            (0.5 * d - 0.05, 0, 0.79 * h),
+            (0.2 * d, 0, 0.96 * h),
+            (-0.1 * d, 0, h - 0.003),
+            (-0.35 * d, 0, 0.85 * h),
+            (-0.485 * d, 0, 0.45 * h),
+        ],
+        m,
+        strap,
+    )

@@ -8,11 +8,26 @@ from ... import shapes
 from ..builder import Builder
 from .small_kit import Look, band, decal, dome, ellipse, hoop, loft, lofted, orb, rect, slab, small, spot, target
 
+
 def apple_at(b: Builder, r: float, look: Look, at=(0.0, 0.0, 0.0), stem: bool = True) -> None:
     """An apple whose foot is at ``at``: a waist at the stem, a stalk and a leaf."""
     with b.frame(*at):
-        b.lathe([(0.3 * r, 0.0), (0.62 * r, 0.12 * r), (0.88 * r, 0.5 * r), (r, 1.0 * r), (0.93 * r, 1.4 * r), (0.68 * r, 1.68 * r),
-                 (0.4 * r, 1.74 * r), (0.12 * r, 1.6 * r), (0.0, 1.5 * r)], look, 18, hollow=True)  # fmt: skip
+        b.lathe(
+            [
+                (0.3 * r, 0.0),
+                (0.62 * r, 0.12 * r),
+                (0.88 * r, 0.5 * r),
+                (r, 1.0 * r),
+                (0.93 * r, 1.4 * r),
+                (0.68 * r, 1.68 * r),
+                (0.4 * r, 1.74 * r),
+                (0.12 * r, 1.6 * r),
+                (0.0, 1.5 * r),
+            ],
+            look,
+            18,
+            hollow=True,
+        )
         if stem:
             b.bar((0, 0, 1.5 * r), (0.1 * r, 0.06 * r, 2.0 * r), 0.05 * r, "bark", 6)
 
@@ -55,8 +70,22 @@ def fruit_bowl(b: Builder) -> None:
     r = d / 2
     look = b.material("bowl", "white ceramic", "walnut", "oak", "blue ceramic", "grey ceramic", "brass")
     rim = 0.55 * h
-    b.lathe([(0.4 * r, 0.0), (0.42 * r, 0.08 * h), (0.75 * r, 0.25 * rim + 0.03), (0.95 * r, 0.7 * rim), (r, rim), (r - 0.004, rim),
-             (0.9 * r, 0.7 * rim), (0.7 * r, 0.3 * rim + 0.03), (0.0, 0.1 * h)], look, 28, hollow=True)  # fmt: skip
+    b.lathe(
+        [
+            (0.4 * r, 0.0),
+            (0.42 * r, 0.08 * h),
+            (0.75 * r, 0.25 * rim + 0.03),
+            (0.95 * r, 0.7 * rim),
+            (r, rim),
+            (r - 0.004, rim),
+            (0.9 * r, 0.7 * rim),
+            (0.7 * r, 0.3 * rim + 0.03),
+            (0.0, 0.1 * h),
+        ],
+        look,
+        28,
+        hollow=True,
+    )
     f = 0.255 * r
     order = ["red apple", "orange peel", "green apple", "lemon peel", "orange peel", "red apple"]
     turn = b.uniform("turn", 0, 6)
@@ -76,8 +105,13 @@ def fruit_bowl(b: Builder) -> None:
     else:
         for k in range(14):
             a, q = 2.4 * k, 0.1 * r * np.sqrt(k)
-            orb(b, (0.1 * r, 0.1 * r, 0.1 * r), (-0.42 * r + q * np.cos(a) * 0.7, 0.3 * r + q * np.sin(a), top + 0.22 * r - 0.004 * k),
-                "grape", 8)  # fmt: skip
+            orb(
+                b,
+                (0.1 * r, 0.1 * r, 0.1 * r),
+                (-0.42 * r + q * np.cos(a) * 0.7, 0.3 * r + q * np.sin(a), top + 0.22 * r - 0.004 * k),
+                "grape",
+                8,
+            )
 
 
 @small("apple", fit="round")
@@ -86,8 +120,16 @@ def apple(b: Builder) -> None:
     d, _, _ = target(b)
     r = d / 2
     apple_at(b, r, b.material("body", "red apple", "green apple", "lemon peel"))
-    b.hull([(0.05 * r, 0.05 * r, 1.8 * r), (0.4 * r, 0.26 * r, 1.86 * r), (0.3 * r, 0.46 * r, 1.9 * r), (0.75 * r, 0.6 * r, 1.82 * r),
-            (0.4 * r, 0.36 * r, 1.94 * r)], "dark leaf")  # fmt: skip
+    b.hull(
+        [
+            (0.05 * r, 0.05 * r, 1.8 * r),
+            (0.4 * r, 0.26 * r, 1.86 * r),
+            (0.3 * r, 0.46 * r, 1.9 * r),
+            (0.75 * r, 0.6 * r, 1.82 * r),
+            (0.4 * r, 0.36 * r, 1.94 * r),
+        ],
+        "dark leaf",
+    )
 
 
 @small("banana_bunch")
@@ -97,8 +139,8 @@ def banana_bunch(b: Builder) -> None:
     b.material("body", "banana peel")
     count = b.whole("count", 4, 5)
     for k in range(count):
-        up = max(0, k - 1)
-        with b.frame(0.006 * k, 0, 0.012 * up, yaw=0.5 - 0.26 * k, roll=-0.016 * up / w):
+        up = max(0, k - 2)
+        with b.frame(0.006 * k, 0, 0.012 * up, yaw=(0.6, 0.1, -0.4, 0.32, -0.12)[k], roll=-0.016 * up / w):
             banana_at(b, 0.9 * w, 0.017)
     b.hull([(x, y, z) for x in (-0.006, 0.02) for y in (-0.008, 0.014) for z in (0.012, 0.036)], "bark")
 
@@ -150,7 +192,14 @@ def _slice(rx: float, rz: float, zc: float, y0: float, y1: float, n: int) -> sha
 
 
 def _bread(b: Builder, d: float, h: float, y0: float, y1: float, crust: Look, n: int, blunt: float) -> None:
-    cuts = [(0.0, 1.0 if blunt == 0 else 0.55), (0.06, 1.0 if blunt == 0 else 0.82), (0.2, 1.0), (0.8, 1.0), (0.94, 0.82), (1.0, 0.55)]
+    cuts = [
+        (0.0, 1.0 if blunt == 0 else 0.55),
+        (0.06, 1.0 if blunt == 0 else 0.82),
+        (0.2, 1.0),
+        (0.8, 1.0),
+        (0.94, 0.82),
+        (1.0, 0.55),
+    ]
     rings = [_section(0.5 * d * s, 0.5 * h * s, 0.5 * h * s, y0 + t * (y1 - y0), n) for t, s in cuts]
     shape = lofted(rings)
     b.add(shape, crust, [shapes.hull(shape[0])])
@@ -163,11 +212,22 @@ def cake(b: Builder) -> None:
     r = 0.42 * d
     base = b.material("body", "icing", "chocolate", "pink icing", "cake sponge")
     trim = b.material("trim", "icing", "pink icing", "chocolate")
-    b.lathe([(0.36 * d, 0.0), (0.5 * d, 0.008), (0.5 * d, 0.012), (0.36 * d, 0.01), (0.0, 0.01)], "white ceramic", 32, hollow=True)
+    b.lathe(
+        [(0.36 * d, 0.0), (0.5 * d, 0.008), (0.5 * d, 0.012), (0.36 * d, 0.01), (0.0, 0.01)],
+        "white ceramic",
+        32,
+        hollow=True,
+    )
     top = 0.84 * h
     cut = b.chance("cut", 0.6)
     n, a0 = 24, (0.55 if cut else 0.0)
-    layers = [("cake sponge", 0.01, 0.26), (trim, 0.26, 0.3), ("cake sponge", 0.3, 0.55), (trim, 0.55, 0.59), ("cake sponge", 0.59, 0.8)]
+    layers = [
+        ("cake sponge", 0.01, 0.26),
+        (trim, 0.26, 0.3),
+        ("cake sponge", 0.3, 0.55),
+        (trim, 0.55, 0.59),
+        ("cake sponge", 0.59, 0.8),
+    ]
     if cut:
         angles = np.linspace(a0, 2 * np.pi - a0 * 0.3, n)
         half = n // 2
@@ -193,7 +253,12 @@ def cake(b: Builder) -> None:
             continue
         with b.frame(0.8 * r * np.cos(a), 0.8 * r * np.sin(a), top - 0.001):
             b.lathe([(0.1 * r, 0.0), (0.1 * r, 0.01), (0.0, 0.022)], trim, 8)
-            b.ball((0.075 * r, 0.075 * r, 0.5 * (h - top - 0.012)), (0, 0, h - top - 0.5 * (h - top - 0.012)), "red apple", 8)
+            b.ball(
+                (0.075 * r, 0.075 * r, 0.5 * (h - top - 0.012)),
+                (0, 0, h - top - 0.5 * (h - top - 0.012)),
+                "red apple",
+                8,
+            )
 
 
 def _ghost(b: Builder, outline: np.ndarray, z: tuple[float, float]) -> None:
@@ -211,8 +276,19 @@ def pizza(b: Builder) -> None:
     b.frustum(r, r, (0.0, 0.45 * h), wood, 36, bevel=0.002)
     p = 0.9 * r
     low = 0.45 * h
-    b.lathe([(0.95 * p, low), (p, low + 0.2 * h), (0.97 * p, low + 0.42 * h), (0.9 * p, low + 0.42 * h), (0.86 * p, low + 0.25 * h),
-             (0.0, low + 0.25 * h)], "bread crust", 32, hollow=True)  # fmt: skip
+    b.lathe(
+        [
+            (0.95 * p, low),
+            (p, low + 0.2 * h),
+            (0.97 * p, low + 0.42 * h),
+            (0.9 * p, low + 0.42 * h),
+            (0.86 * p, low + 0.25 * h),
+            (0.0, low + 0.25 * h),
+        ],
+        "bread crust",
+        32,
+        hollow=True,
+    )
     spot(b, 0.87 * p, (low, low + 0.3 * h), "tomato", 30)
     spot(b, 0.8 * p, (low, low + 0.34 * h), "cheese", 14)
     for k in range(9):
@@ -222,7 +298,11 @@ def pizza(b: Builder) -> None:
     for k in range(6):
         a, q = 1.2 + 2.4 * k * 1.3, (0.25 + 0.09 * k) * p
         with b.frame(q * np.cos(a), q * np.sin(a), low + 0.4 * h, yaw=a):
-            b.add(shapes.hull(np.array([(-0.02, 0, 0), (0.02, 0, 0), (0, 0.01, 0), (0, -0.01, 0), (0, 0, 0.0007)])), "dark leaf", [])
+            b.add(
+                shapes.hull(np.array([(-0.02, 0, 0), (0.02, 0, 0), (0, 0.01, 0), (0, -0.01, 0), (0, 0, 0.0007)])),
+                "dark leaf",
+                [],
+            )
     for k in range(3):
         with b.frame(z=0.0, yaw=k * np.pi / 3):
             b.add(shapes.box((-0.97 * p, 0.97 * p), (-0.001, 0.001), (low, low + 0.41 * h)), "bread crumb", [])
@@ -250,14 +330,27 @@ def cheese_board(b: Builder) -> None:
             b.extrude(np.r_[[(0.0, 0.0)], np.c_[rr * np.cos(part), rr * np.sin(part)]], (0.0, 0.75 * u), "soft cheese")
     for k in range(14):
         a, q = 2.4 * k, 0.008 * np.sqrt(k)
-        orb(b, (0.0095, 0.0095, 0.0095), (0.25 * d + q * np.cos(a), 0.06 * w + 1.5 * q * np.sin(a), t + 0.009 + 0.012 * (k < 5)), "grape", 8)
+        orb(
+            b,
+            (0.0095, 0.0095, 0.0095),
+            (0.25 * d + q * np.cos(a), 0.06 * w + 1.5 * q * np.sin(a), t + 0.009 + 0.012 * (k < 5)),
+            "grape",
+            8,
+        )
     for k in range(3):
         with b.frame(0.3 * d, -0.32 * w + 0.035 * k, t, yaw=0.3 * k):
             b.frustum(0.024, 0.022, (0.0, 0.006 + 0.003 * k), "ham", 12)
     with b.frame(0.1 * d, 0.36 * w, t, yaw=0.2):
         b.box((0.0, 0.09), (-0.008, 0.008), (0.0, 0.013), "walnut", 0.004)
         b.hull([(x, y, z) for x, y in ((0.085, -0.005), (0.085, 0.005), (0.0, 0.0)) for z in (0.004, 0.006)], "steel")
-        b.hull([(-x, y, z) for x, y in ((-0.005, -0.01), (0.085, -0.012), (0.1, 0.008), (-0.005, 0.009)) for z in (0.003, 0.006)], "steel")
+        b.hull(
+            [
+                (-x, y, z)
+                for x, y in ((-0.005, -0.01), (0.085, -0.012), (0.1, 0.008), (-0.005, 0.009))
+                for z in (0.003, 0.006)
+            ],
+            "steel",
+        )
 
 
 @small("cereal_box")
@@ -276,7 +369,9 @@ def cereal_box(b: Builder) -> None:
         for k in range(14):
             a, q = 2.4 * k, 0.065 * w * np.sqrt(k)
             with b.frame(q * np.cos(a), q * np.sin(a)):
-                b.add(shapes.frustum(0.045 * w, 0.045 * w, (-0.001, 0.0004), 8), "bread crust" if k % 3 else "cheese", [])
+                b.add(
+                    shapes.frustum(0.045 * w, 0.045 * w, (-0.001, 0.0004), 8), "bread crust" if k % 3 else "cheese", []
+                )
     decal(b, (-d * 0.3, d * 0.3), (w / 2 - 0.002, w / 2 + 0.0003), (0.15 * h, 0.6 * h), other)
     decal(b, (-0.001, 0.001), (-w / 2 + 0.004, w / 2 - 0.004), (h - 0.001, h + 0.0003), "cardboard")
 
@@ -289,8 +384,11 @@ def milk_carton(b: Builder) -> None:
     other = b.material("print", "blue plastic", "green plastic", "red plastic", "navy paint")
     eave, ridge = 0.78 * h, 0.93 * h
     b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, eave), look, 0.001)
-    b.hull([(x, y, eave) for x in (-d / 2, d / 2) for y in (-w / 2, w / 2)] + [(x, y, ridge) for x in (-0.003, 0.003)
-                                                                            for y in (-w / 2, w / 2)], look)  # fmt: skip
+    b.hull(
+        [(x, y, eave) for x in (-d / 2, d / 2) for y in (-w / 2, w / 2)]
+        + [(x, y, ridge) for x in (-0.003, 0.003) for y in (-w / 2, w / 2)],
+        look,
+    )
     b.box((-0.003, 0.003), (-w / 2, w / 2), (ridge - 0.004, h), look, 0.0)
     wave = (0.0, d / 2 + 0.0003)
     decal(b, wave, (-w / 2 + 0.001, w / 2 - 0.001), (0.05 * h, 0.4 * h), other)
@@ -328,10 +426,28 @@ def can(b: Builder) -> None:
     """A tin of food with a printed label, or a drink can."""
     d, _, h = target(b)
     r = d / 2
-    label = b.material("label", "red plastic", "green plastic", "yellow plastic", "blue plastic", "white plastic", "orange plastic")
+    label = b.material(
+        "label", "red plastic", "green plastic", "yellow plastic", "blue plastic", "white plastic", "orange plastic"
+    )
     fruit = b.pick("fruit", ["tomato", "carrot", "pale leaf", "lemon peel"])
-    b.lathe([(0.96 * r, 0.0), (r, 0.004), (r, 0.008), (0.97 * r, 0.012), (0.97 * r, h - 0.012), (r, h - 0.008), (r, h - 0.002),
-             (0.97 * r, h), (0.93 * r, h), (0.92 * r, h - 0.004), (0.0, h - 0.004)], "steel", 24, hollow=True)  # fmt: skip
+    b.lathe(
+        [
+            (0.96 * r, 0.0),
+            (r, 0.004),
+            (r, 0.008),
+            (0.97 * r, 0.012),
+            (0.97 * r, h - 0.012),
+            (r, h - 0.008),
+            (r, h - 0.002),
+            (0.97 * r, h),
+            (0.93 * r, h),
+            (0.92 * r, h - 0.004),
+            (0.0, h - 0.004),
+        ],
+        "steel",
+        24,
+        hollow=True,
+    )
     b.frustum(0.985 * r, 0.985 * r, (0.06 * h, 0.94 * h), label, 24)
     band(b, 0.985 * r, 0.985 * r, (0.62 * h, 0.8 * h), "paper")
     band(b, 0.985 * r, 0.985 * r, (0.12 * h, 0.24 * h), fruit)
@@ -346,8 +462,16 @@ def juice_bottle(b: Builder) -> None:
     look = b.material("body", "clear plastic", "glass")
     juice = b.pick("juice", ["orange peel", "tomato", "lemon peel", "red apple", "green apple"])
     cap = b.material("cap", "green plastic", "orange plastic", "white plastic", "red plastic")
-    prof = [(0.88 * r, 0.0), (r, 0.03 * h), (r, 0.28 * h), (0.86 * r, 0.4 * h), (0.98 * r, 0.52 * h), (0.9 * r, 0.65 * h), (0.42 * r, 0.84 * h),
-            (0.38 * r, 0.9 * h)]  # fmt: skip
+    prof = [
+        (0.88 * r, 0.0),
+        (r, 0.03 * h),
+        (r, 0.28 * h),
+        (0.86 * r, 0.4 * h),
+        (0.98 * r, 0.52 * h),
+        (0.9 * r, 0.65 * h),
+        (0.42 * r, 0.84 * h),
+        (0.38 * r, 0.9 * h),
+    ]
     b.lathe(prof, look, 24)
     b.add(shapes.lathe([(q * 0.96, max(z, 0.006)) for q, z in prof[:6]] + [(0.62 * r, 0.74 * h)], 24), juice, [])
     b.frustum(0.48 * r, 0.46 * r, (0.89 * h, h), cap, 20, bevel=0.001)
@@ -362,27 +486,58 @@ def vegetable_basket(b: Builder) -> None:
     look = b.material("basket", "wicker", "rattan", "oak", "pine")
     rim = 0.5 * h
     cuts = ((0.14, 0.0), (0.02, 0.9 * rim), (0.0, 0.92 * rim), (0.0, rim), (0.06, rim), (0.16, 0.012))
-    rings = [rect((-d / 2 + e * d / 2, d / 2 - e * d / 2), (-w / 2 + e * d / 2, w / 2 - e * d / 2), z, 0.05, 3) for e, z in cuts]
+    rings = [
+        rect((-d / 2 + e * d / 2, d / 2 - e * d / 2), (-w / 2 + e * d / 2, w / 2 - e * d / 2), z, 0.05, 3)
+        for e, z in cuts
+    ]
     loft(b, rings, look, hollow=2)
     for k in range(4):
         z = (0.14 + 0.2 * k) * rim
         e = float(np.interp(z, [0, 0.9 * rim], [0.14, 0.02])) * d / 2
-        b.add(lofted([rect((-d / 2 + e - 0.0003, d / 2 - e + 0.0003), (-w / 2 + e - 0.0003, w / 2 - e + 0.0003), zz, 0.05, 3)
-                      for zz in (z, z + 0.05 * rim)]), "bark", [])  # fmt: skip
+        b.add(
+            lofted(
+                [
+                    rect(
+                        (-d / 2 + e - 0.0003, d / 2 - e + 0.0003),
+                        (-w / 2 + e - 0.0003, w / 2 - e + 0.0003),
+                        zz,
+                        0.05,
+                        3,
+                    )
+                    for zz in (z, z + 0.05 * rim)
+                ]
+            ),
+            "bark",
+            [],
+        )
     u = h - rim
     orb(b, (0.2 * d, 0.2 * d, 0.75 * u), (-0.18 * d, 0.26 * w, rim + 0.25 * u), "lettuce", 10)
     for k in range(6):
         a = k * np.pi / 3
-        with b.frame(-0.18 * d + 0.13 * d * np.cos(a), 0.26 * w + 0.13 * d * np.sin(a), rim + 0.15 * u, yaw=a, pitch=0.35):
+        with b.frame(
+            -0.18 * d + 0.13 * d * np.cos(a), 0.26 * w + 0.13 * d * np.sin(a), rim + 0.15 * u, yaw=a, pitch=0.35
+        ):
             orb(b, (0.04 * d, 0.12 * d, 0.6 * u), (0, 0, 0), "pale leaf" if k % 2 else "leaf", 8)
     for k, (x, y) in enumerate(((0.22, 0.32), (0.26, 0.12), (0.08, 0.2), (0.16, -0.06))):
         orange_at(b, 0.1 * d, (x * d, y * w, rim - 0.06 * d), "tomato" if k % 3 else "red apple")
     for k in range(4):
-        with b.frame(-0.3 * d + 0.1 * d * k, -0.05 * w - 0.02 * w * k, rim + 0.1 * u, pitch=np.pi / 2 - 0.12, yaw=-1.3 + 0.16 * k):
+        with b.frame(
+            -0.3 * d + 0.1 * d * k, -0.05 * w - 0.02 * w * k, rim + 0.1 * u, pitch=np.pi / 2 - 0.12, yaw=-1.3 + 0.16 * k
+        ):
             b.lathe([(0.012 * d, 0.0), (0.055 * d, 0.3 * w), (0.045 * d, 0.34 * w)], "carrot", 10)
             b.frustum(0.012 * d, 0.04 * d, (0.33 * w, 0.42 * w), "leaf", 8)
     with b.frame(0.3 * d, -0.24 * w, rim + 0.16 * u, pitch=np.pi / 2, yaw=1.9):
-        b.lathe([(0.03 * d, -0.2 * w), (0.09 * d, -0.16 * w), (0.1 * d, -0.06 * w), (0.06 * d, 0.1 * w), (0.03 * d, 0.14 * w)], "aubergine", 12)
+        b.lathe(
+            [
+                (0.03 * d, -0.2 * w),
+                (0.09 * d, -0.16 * w),
+                (0.1 * d, -0.06 * w),
+                (0.06 * d, 0.1 * w),
+                (0.03 * d, 0.14 * w),
+            ],
+            "aubergine",
+            12,
+        )
 
 
 @small("pumpkin", fit="round")
@@ -410,17 +565,34 @@ def sandwich(b: Builder) -> None:
     glaze = b.material("plate", "white ceramic", "blue ceramic", "grey ceramic", "oak")
     slab(b, (-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.01), glaze, 0.03, 0.004, 4)
     u = h - 0.01
-    layers = [("bread crumb", 0.0, 0.26, 0.0), ("lettuce", 0.26, 0.36, -0.005), ("ham", 0.36, 0.46, 0.0), ("tomato", 0.46, 0.57, 0.004),
-              ("cheese", 0.57, 0.67, -0.003), ("bread crumb", 0.67, 1.0, 0.0)]  # fmt: skip
+    layers = [
+        ("bread crumb", 0.0, 0.26, 0.0),
+        ("lettuce", 0.26, 0.36, -0.005),
+        ("ham", 0.36, 0.46, 0.0),
+        ("tomato", 0.46, 0.57, 0.004),
+        ("cheese", 0.57, 0.67, -0.003),
+        ("bread crumb", 0.67, 1.0, 0.0),
+    ]
     s = 0.36 * min(d, w)
     for k in (-1, 1):
         with b.frame(0, k * 0.05 * w, 0.01, yaw=0.25 + (np.pi if k < 0 else 0)):
             for look, lo, hi, e in layers:
                 q = s - e
-                b.extrude(np.array([(-q * 1.05, 0.006 + e), (q * 1.05, 0.006 + e), (0.0, 1.05 * q)]), (lo * u, hi * u), look, 0.001)
+                b.extrude(
+                    np.array([(-q * 1.05, 0.006 + e), (q * 1.05, 0.006 + e), (0.0, 1.05 * q)]),
+                    (lo * u, hi * u),
+                    look,
+                    0.001,
+                )
                 if look == "bread crumb":
                     for x0 in (-1, 1):
-                        b.bar((x0 * q * 1.03, 0.008, (lo + hi) / 2 * u), (0, 1.04 * q, (lo + hi) / 2 * u), 0.115 * u, "bread crust", 6)
+                        b.bar(
+                            (x0 * q * 1.03, 0.008, (lo + hi) / 2 * u),
+                            (0, 1.04 * q, (lo + hi) / 2 * u),
+                            0.115 * u,
+                            "bread crust",
+                            6,
+                        )
 
 
 @small("croissant")
@@ -429,20 +601,31 @@ def croissant(b: Builder) -> None:
     d, w, h = b.size
     glaze = b.material("plate", "white ceramic", "cream ceramic", "blue ceramic")
     n = 24
-    loft(b, [ellipse(e * d / 2, e * w / 2, z, n) for e, z in ((0.7, 0.0), (1.0, 0.01), (1.0, 0.013), (0.7, 0.008), (0.0001, 0.008))], glaze,
-         hollow=2)  # fmt: skip
+    loft(
+        b,
+        [
+            ellipse(e * d / 2, e * w / 2, z, n)
+            for e, z in ((0.7, 0.0), (1.0, 0.01), (1.0, 0.013), (0.7, 0.008), (0.0001, 0.008))
+        ],
+        glaze,
+        hollow=2,
+    )
     t = np.linspace(-1.25, 1.25, 8)
     big = 0.27 * w
     u = h - 0.008
     fat = (0.34, 0.62, 0.86, 1.0, 0.86, 0.62, 0.34)
     for k in range(7):
         a = (t[k] + t[k + 1]) / 2
-        p0, p1 = (np.array([big * np.cos(s) - 0.6 * big, 1.2 * big * np.sin(s)]) for s in (t[k] - 0.06, t[k + 1] + 0.06))
+        p0, p1 = (
+            np.array([big * np.cos(s) - 0.6 * big, 1.2 * big * np.sin(s)]) for s in (t[k] - 0.06, t[k + 1] + 0.06)
+        )
         r = fat[k] * u / 2
         lo, hi = (0.8, 1.0) if a < 0 else (1.0, 0.8)
         way = p1 - p0
         with b.frame(float(p0[0]), float(p0[1]), 0.008 + r, yaw=float(np.arctan2(way[1], way[0])), pitch=np.pi / 2):
-            b.frustum(lo * r, hi * r, (0.0, float(np.hypot(*way))), "bread crust" if k % 2 else "cake sponge", 12, bevel=0.003)
+            b.frustum(
+                lo * r, hi * r, (0.0, float(np.hypot(*way))), "bread crust" if k % 2 else "cake sponge", 12, bevel=0.003
+            )
 
 
 @small("cookie_jar", fit="round")
@@ -458,7 +641,11 @@ def cookie_jar(b: Builder) -> None:
             a = j * 2 * np.pi / 5 + k
             z = 0.05 * h + 0.12 * h * k
             with b.frame(0.45 * r * np.cos(a), 0.45 * r * np.sin(a), z, pitch=0.2 * (-1) ** j):
-                b.add(shapes.frustum(0.3 * r, 0.26 * r, (0.0, 0.08 * h), 12, 0.003), "cake sponge" if (j + k) % 3 else "chocolate", [])
+                b.add(
+                    shapes.frustum(0.3 * r, 0.26 * r, (0.0, 0.08 * h), 12, 0.003),
+                    "cake sponge" if (j + k) % 3 else "chocolate",
+                    [],
+                )
     b.frustum(0.74 * r, 0.74 * r, (0.76 * h, 0.84 * h), cap, 24, bevel=0.003)
     b.lathe([(0.72 * r, 0.84 * h), *dome(0.68 * r, 0.845 * h, 0.9 * h, 3, 0.1 * r)], cap, 24)
     orb(b, (0.15 * r, 0.15 * r, 0.055 * h), (0, 0, 0.945 * h), cap)

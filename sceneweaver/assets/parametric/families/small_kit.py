@@ -98,18 +98,26 @@ def loft(b: Builder, rings: Sequence[np.ndarray], material: Look, convex: bool =
 
 
 def slab(
-    b: Builder, x: Interval, y: Interval, z: Interval, material: Look, radius: float = 0.01, bevel: float = 0.001,
+    b: Builder,
+    x: Interval,
+    y: Interval,
+    z: Interval,
+    material: Look,
+    radius: float = 0.01,
+    bevel: float = 0.001,
     n: int = 3,
-) -> None:  # fmt: skip
+) -> None:
     """A slab with round corners in the plan and cut edges."""
     c = min(bevel, 0.45 * (z[1] - z[0]), 0.6 * radius)
-    rings = [rect((x[0] + e, x[1] - e), (y[0] + e, y[1] - e), h, radius - e, n)
-             for e, h in ((c, z[0]), (0.0, z[0] + c), (0.0, z[1] - c), (c, z[1]))]  # fmt: skip
+    rings = [
+        rect((x[0] + e, x[1] - e), (y[0] + e, y[1] - e), h, radius - e, n)
+        for e, h in ((c, z[0]), (0.0, z[0] + c), (0.0, z[1] - c), (c, z[1]))
+    ]
     loft(b, rings, material, convex=True)
 
 
 def decal(b: Builder, x: Interval, y: Interval, z: Interval, material: Look, own: bool = False) -> None:
-    """A print, a label or a key: a box that stands out of a part by less than 0.4 mm, unless it is a part of its ``own``."""
+    """A print, a label or a key: a box that stands 0.3 mm out of a part, or farther as a part of its ``own``."""
     b.add(shapes.box(x, y, z), material, None if own else [])
 
 
@@ -138,9 +146,15 @@ def hoop(b: Builder, radius: float, z: float, thick: float, material: Look, n: i
 
 
 def spun(
-    b: Builder, profile: list[tuple[float, float]], material: Look, sx: float = 1.0, sy: float = 1.0,
-    segments: int = 20, hollow: bool = False, parts: bool = True,
-) -> None:  # fmt: skip
+    b: Builder,
+    profile: list[tuple[float, float]],
+    material: Look,
+    sx: float = 1.0,
+    sy: float = 1.0,
+    segments: int = 20,
+    hollow: bool = False,
+    parts: bool = True,
+) -> None:
     """A lathed profile, stretched along x and y."""
     scale = np.array([sx, sy, 1.0])
     points, faces = shapes.lathe(profile, segments)

@@ -9,10 +9,33 @@ from ..builder import Builder, Interval
 from .small_kit import Look, decal, rect, slab, small, spot, target
 from .small_kit import loft as loft_rings
 
-COVERS = ("red fabric", "navy fabric", "green fabric", "mustard fabric", "charcoal fabric", "rust fabric", "white paint", "teal paint",
-          "blue paint", "black paint", "rose fabric", "cream paint", "sage paint")  # fmt: skip
-PRINTS = ("ochre pigment", "terracotta pigment", "sand pigment", "blush pigment", "sky pigment", "sea pigment", "night pigment",
-          "moss pigment", "plum pigment", "chalk pigment")  # fmt: skip
+COVERS = (
+    "red fabric",
+    "navy fabric",
+    "green fabric",
+    "mustard fabric",
+    "charcoal fabric",
+    "rust fabric",
+    "white paint",
+    "teal paint",
+    "blue paint",
+    "black paint",
+    "rose fabric",
+    "cream paint",
+    "sage paint",
+)
+PRINTS = (
+    "ochre pigment",
+    "terracotta pigment",
+    "sand pigment",
+    "blush pigment",
+    "sky pigment",
+    "sea pigment",
+    "night pigment",
+    "moss pigment",
+    "plum pigment",
+    "chalk pigment",
+)
 
 
 def closed_book(b: Builder, d: float, w: float, t: float, cover: Look, ink: Look, hard: bool = True) -> None:
@@ -23,8 +46,14 @@ def closed_book(b: Builder, d: float, w: float, t: float, cover: Look, ink: Look
     b.box((-d / 2 + lip, d / 2 - lip), (y0 + 0.002, w / 2 - lip), (board, t - board), "paper", 0.0)
     b.box((-d / 2, d / 2), (y0, w / 2), (0.0, board), cover, 0.0005)
     b.box((-d / 2, d / 2), (y0, w / 2), (t - board, t), cover, 0.0005)
-    b.hull([(x, y, z) for x in (-d / 2, d / 2) for y, z in ((y0 + 0.003, 0.0), (y0, 0.0), (-w / 2, 0.25 * t), (-w / 2, 0.75 * t),
-                                                            (y0, t), (y0 + 0.003, t))], cover)  # fmt: skip
+    b.hull(
+        [
+            (x, y, z)
+            for x in (-d / 2, d / 2)
+            for y, z in ((y0 + 0.003, 0.0), (y0, 0.0), (-w / 2, 0.25 * t), (-w / 2, 0.75 * t), (y0, t), (y0 + 0.003, t))
+        ],
+        cover,
+    )
     decal(b, (-0.36 * d, -0.24 * d), (-0.3 * w, 0.34 * w), (t - board, t + 0.0003), ink)
     decal(b, (-0.2 * d, -0.17 * d), (-0.18 * w, 0.22 * w), (t - board, t + 0.0003), ink)
     decal(b, (0.33 * d, 0.35 * d), (-0.12 * w, 0.16 * w), (t - board, t + 0.0003), ink)
@@ -37,7 +66,9 @@ def leaves(b: Builder, d: float, w: float, z: Interval, look: Look = "paper") ->
     b.box((-d / 2, d / 2), (-w / 2, w / 2), z, look, 0.0)
 
 
-def printed(b: Builder, d: float, w: float, z: float, ink: Look = "grey paint", lines: int = 8, head: bool = True) -> None:
+def printed(
+    b: Builder, d: float, w: float, z: float, ink: Look = "grey paint", lines: int = 8, head: bool = True
+) -> None:
     """Lines of print on a sheet that lies at z, its head at -x."""
     if head:
         decal(b, (-0.42 * d, -0.37 * d), (-0.4 * w, 0.1 * w), (z - 0.0005, z + 0.0003), "ink pigment")
@@ -50,8 +81,15 @@ def printed(b: Builder, d: float, w: float, z: float, ink: Look = "grey paint", 
 def book(b: Builder) -> None:
     """A closed book: boards, spine, page block, title."""
     d, w, h = b.size
-    closed_book(b, d, w, h, b.material("cover", *COVERS), b.material("ink", "brass", "chalk pigment", "ink pigment"),
-                b.chance("hard", 0.7))  # fmt: skip
+    closed_book(
+        b,
+        d,
+        w,
+        h,
+        b.material("cover", *COVERS),
+        b.material("ink", "brass", "chalk pigment", "ink pigment"),
+        b.chance("hard", 0.7),
+    )
 
 
 @small("standing_books")
@@ -68,7 +106,16 @@ def standing_books(b: Builder) -> None:
             t = end - y
         tall = h if k == 1 else h * b.uniform(f"h{k}", 0.76, 0.99)
         deep = d if k == 1 else d * b.uniform(f"d{k}", 0.82, 0.99)
-        _upright(b, d / 2 - deep, d / 2 - 0.006 * b.uniform(f"x{k}", 0, 1), y, t, tall, first if k == 0 else b.pick(f"c{k}", COVERS), k)
+        _upright(
+            b,
+            d / 2 - deep,
+            d / 2 - 0.006 * b.uniform(f"x{k}", 0, 1),
+            y,
+            t,
+            tall,
+            first if k == 0 else b.pick(f"c{k}", COVERS),
+            k,
+        )
         y += t
         k += 1
     if lean:
@@ -103,7 +150,15 @@ def book_stack(b: Builder) -> None:
         turn = 0.0 if k == 0 else b.uniform(f"a{k}", -0.16, 0.16)
         cover = b.material("body", *COVERS) if k == 0 else b.pick(f"c{k}", COVERS)
         with b.frame(0, 0, z, yaw=turn + (np.pi if b.chance(f"flip{k}", 0.4) else 0.0)):
-            closed_book(b, d * s, w * s, t, cover, b.pick(f"i{k}", ["brass", "chalk pigment", "ink pigment"]), b.chance(f"hard{k}", 0.7))
+            closed_book(
+                b,
+                d * s,
+                w * s,
+                t,
+                cover,
+                b.pick(f"i{k}", ["brass", "chalk pigment", "ink pigment"]),
+                b.chance(f"hard{k}", 0.7),
+            )
         z += t
 
 
@@ -114,8 +169,15 @@ def open_book(b: Builder) -> None:
     cover = b.material("cover", *COVERS)
     b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.003), cover, 0.0005)
     for s in (-1, 1):
-        outline = [(0.0, 0.003), (w / 2 - 0.006, 0.003), (w / 2 - 0.01, 0.55 * h), (0.36 * w, 0.86 * h), (0.2 * w, h), (0.06 * w, 0.92 * h),
-                   (0.0, 0.55 * h)]  # fmt: skip
+        outline = [
+            (0.0, 0.003),
+            (w / 2 - 0.006, 0.003),
+            (w / 2 - 0.01, 0.55 * h),
+            (0.36 * w, 0.86 * h),
+            (0.2 * w, h),
+            (0.06 * w, 0.92 * h),
+            (0.0, 0.55 * h),
+        ]
         b.hull([(x, s * y, z) for y, z in outline for x in (-d / 2 + 0.004, d / 2 - 0.004)], "paper")
         # Print lies on the two upper slopes of the page.
         for (y0, z0), (y1, z1) in ((outline[5], outline[4]), (outline[4], outline[3])):
@@ -123,8 +185,20 @@ def open_book(b: Builder) -> None:
                 x = -0.4 * d + k * 0.075 * d
                 if s > 0 and k < 4 and b.chance("picture", 0.5):
                     continue
-                b.add(shapes.hull(np.array([(x + e, s * (yy + 0.004 * (1 if yy == outline[5][0] else 0)), zz + f) for e in (0.0, 0.012 * d)
-                                            for yy, zz in ((y0, z0), (y1, z1)) for f in (-0.0006, 0.0003)])), "grey paint", [])  # fmt: skip
+                b.add(
+                    shapes.hull(
+                        np.array(
+                            [
+                                (x + e, s * (yy + 0.004 * (1 if yy == outline[5][0] else 0)), zz + f)
+                                for e in (0.0, 0.012 * d)
+                                for yy, zz in ((y0, z0), (y1, z1))
+                                for f in (-0.0006, 0.0003)
+                            ]
+                        )
+                    ),
+                    "grey paint",
+                    [],
+                )
     b.box((-0.3 * d, d / 2), (-0.003, 0.003), (0.5 * h, 0.62 * h), b.pick("ribbon", ["red fabric", "navy fabric"]), 0.0)
 
 
@@ -143,7 +217,9 @@ def _cover_picture(b: Builder, d: float, w: float, z: float, k: str = "") -> Non
 def magazine(b: Builder) -> None:
     """A thin magazine with a picture and headlines on its cover."""
     d, w, h = b.size
-    look = b.material("cover", "white paint", "cream paint", "sage paint", "yellow paint", "red paint", "teal paint", "navy paint")
+    look = b.material(
+        "cover", "white paint", "cream paint", "sage paint", "yellow paint", "red paint", "teal paint", "navy paint"
+    )
     b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, h), look, 0.0004)
     _cover_picture(b, d, w, h)
 
@@ -155,11 +231,35 @@ def magazine_stack(b: Builder) -> None:
     count = max(3, round(h / 0.006))
     t = h / count
     for k in range(count):
-        name = b.material("body", "white paint", "cream paint", "red paint", "teal paint") if k == 0 else b.pick(
-            f"c{k}", ["white paint", "cream paint", "sage paint", "yellow paint", "red paint", "teal paint", "navy paint", "black paint"])
-        with b.frame(b.uniform(f"x{k}", -0.006, 0.006), b.uniform(f"y{k}", -0.006, 0.006), k * t, yaw=b.uniform(f"a{k}", -0.07, 0.07)):
+        name = (
+            b.material("body", "white paint", "cream paint", "red paint", "teal paint")
+            if k == 0
+            else b.pick(
+                f"c{k}",
+                [
+                    "white paint",
+                    "cream paint",
+                    "sage paint",
+                    "yellow paint",
+                    "red paint",
+                    "teal paint",
+                    "navy paint",
+                    "black paint",
+                ],
+            )
+        )
+        with b.frame(
+            b.uniform(f"x{k}", -0.006, 0.006),
+            b.uniform(f"y{k}", -0.006, 0.006),
+            k * t,
+            yaw=b.uniform(f"a{k}", -0.07, 0.07),
+        ):
             b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, t), name, 0.0004)
-            b.add(shapes.box((-d / 2 - 0.0001, d / 2 + 0.0001), (-w / 2 + 0.002, w / 2 + 0.0001), (0.2 * t, 0.8 * t)), "paper", [])
+            b.add(
+                shapes.box((-d / 2 - 0.0001, d / 2 + 0.0001), (-w / 2 + 0.002, w / 2 + 0.0001), (0.2 * t, 0.8 * t)),
+                "paper",
+                [],
+            )
             if k == count - 1:
                 _cover_picture(b, d, w, t)
 
@@ -207,7 +307,9 @@ def notebook(b: Builder) -> None:
     if t < 0.9 * h:
         r = (h - t) / 2
         with b.frame(-0.3 * d, -0.2 * w, t + r, yaw=0.4, pitch=np.pi / 2):
-            pencil(b, min(0.17, 0.7 * d), r, b.pick("pencil colour", ["yellow plastic", "red plastic", "green plastic"]))
+            pencil(
+                b, min(0.17, 0.7 * d), r, b.pick("pencil colour", ["yellow plastic", "red plastic", "green plastic"])
+            )
 
 
 def pencil(b: Builder, long: float, r: float, look: Look) -> None:
@@ -237,7 +339,15 @@ def _binder(b: Builder, d: float, t: float, h: float, cover: Look) -> None:
 def binder(b: Builder) -> None:
     """An upright ring binder with a label and a finger hole in its back."""
     d, w, h = b.size
-    _binder(b, d, w, h, b.material("cover", "black plastic", "red plastic", "blue plastic", "green plastic", "grey plastic", "yellow plastic"))
+    _binder(
+        b,
+        d,
+        w,
+        h,
+        b.material(
+            "cover", "black plastic", "red plastic", "blue plastic", "green plastic", "grey plastic", "yellow plastic"
+        ),
+    )
 
 
 @small("binder_row")
@@ -290,7 +400,11 @@ def paper_stack(b: Builder) -> None:
         last = k == count - 1
         turn = 0.0 if k == 0 else b.uniform(f"a{k}", -0.03, 0.03)
         with b.frame(b.uniform(f"x{k}", -0.003, 0.003), b.uniform(f"y{k}", -0.003, 0.003), k * h / count, yaw=turn):
-            look = "paper" if last or not b.chance(f"tint{k}", 0.3) else b.pick(f"t{k}", ["sky pigment", "sand pigment", "blush pigment"])
+            look = (
+                "paper"
+                if last or not b.chance(f"tint{k}", 0.3)
+                else b.pick(f"t{k}", ["sky pigment", "sand pigment", "blush pigment"])
+            )
             leaves(b, 0.297, 0.21, (0.0, h / count), look)
             if last:
                 printed(b, 0.297, 0.21, h / count, lines=12)
@@ -301,14 +415,44 @@ def pen_holder(b: Builder) -> None:
     """A cup with pencils, pens, and a ruler or scissors."""
     d, _, h = target(b)
     r = 0.4 * d
-    look = b.material("body", "black steel", "oak", "white ceramic", "grey ceramic", "concrete", "red plastic", "walnut", "mint plastic")
+    look = b.material(
+        "body",
+        "black steel",
+        "oak",
+        "white ceramic",
+        "grey ceramic",
+        "concrete",
+        "red plastic",
+        "walnut",
+        "mint plastic",
+    )
     cup = 0.55 * h
     if b.chance("round", 0.6):
-        b.lathe([(r - 0.002, 0.0), (r, 0.002), (r, cup), (r - 0.004, cup), (r - 0.004, 0.006), (0.0, 0.005)], look, 24, hollow=True)
+        b.lathe(
+            [(r - 0.002, 0.0), (r, 0.002), (r, cup), (r - 0.004, cup), (r - 0.004, 0.006), (0.0, 0.005)],
+            look,
+            24,
+            hollow=True,
+        )
     else:
-        loft_rings(b, [rect((-r + e, r - e), (-r + e, r - e), z, 0.008) for e, z in ((0.001, 0), (0, 0.002), (0, cup), (0.005, cup), (0.005, 0.006))],
-                   look, hollow=2)  # fmt: skip
-    colors = ["yellow plastic", "red plastic", "blue plastic", "green plastic", "black plastic", "orange plastic", "white plastic"]
+        loft_rings(
+            b,
+            [
+                rect((-r + e, r - e), (-r + e, r - e), z, 0.008)
+                for e, z in ((0.001, 0), (0, 0.002), (0, cup), (0.005, cup), (0.005, 0.006))
+            ],
+            look,
+            hollow=2,
+        )
+    colors = [
+        "yellow plastic",
+        "red plastic",
+        "blue plastic",
+        "green plastic",
+        "black plastic",
+        "orange plastic",
+        "white plastic",
+    ]
     for k in range(7):
         a = 2 * np.pi * k / 7 + b.uniform("turn", 0, 1)
         long = h * b.uniform(f"l{k}", 0.82, 1.0) - 0.008
@@ -323,7 +467,13 @@ def pen_holder(b: Builder) -> None:
             else:
                 pencil(b, long, 0.0038, b.pick(f"c{k}", colors))
     with b.frame(0, 0.3 * r, 0.006, roll=-0.12):
-        b.box((-0.014, 0.014), (-0.001, 0.001), (0.0, 0.9 * h), "clear plastic" if b.chance("clear", 0.5) else "steel", 0.0003)
+        b.box(
+            (-0.014, 0.014),
+            (-0.001, 0.001),
+            (0.0, 0.9 * h),
+            "clear plastic" if b.chance("clear", 0.5) else "steel",
+            0.0003,
+        )
 
 
 @small("pencil_case")
@@ -335,20 +485,38 @@ def pencil_case(b: Builder) -> None:
     b.box((-0.004, 0.004), (-0.42 * w, 0.42 * w), (h - 0.012, h - 0.001), "steel", 0.002)
     b.box((-0.003, 0.003), (0.36 * w, 0.45 * w), (h - 0.005, h), b.pick("tab", ["red fabric", "black leather"]), 0.001)
     for s in (-1, 1):
-        b.box((-0.28 * d, 0.28 * d), (s * 0.47 * w - 0.003, s * 0.47 * w + 0.003), (0.3 * h, 0.7 * h), "charcoal fabric", 0.001)
+        b.box(
+            (-0.28 * d, 0.28 * d),
+            (s * 0.47 * w - 0.003, s * 0.47 * w + 0.003),
+            (0.3 * h, 0.7 * h),
+            "charcoal fabric",
+            0.001,
+        )
 
 
 @small("stapler")
 def stapler(b: Builder) -> None:
     """A stapler: foot, anvil, arm that opens to the side at -y."""
     d, w, h = b.size
-    look = b.material("body", "black plastic", "red plastic", "blue plastic", "grey plastic", "mint plastic", "white plastic")
+    look = b.material(
+        "body", "black plastic", "red plastic", "blue plastic", "grey plastic", "mint plastic", "white plastic"
+    )
     slab(b, (-0.42 * d, 0.42 * d), (-w / 2, w / 2), (0.0, 0.12 * h), "black plastic", 0.01, 0.002)
     b.box((-0.2 * d, 0.2 * d), (-0.46 * w, -0.38 * w), (0.12 * h, 0.17 * h), "steel", 0.0005)
     rise = 0.1
     with b.frame(0, 0.46 * w, 0.3 * h, roll=rise):
         b.box((-0.3 * d, 0.3 * d), (-0.92 * w, 0.0), (0.0, 0.2 * h), "steel", 0.001)
-    arm = [(0.5, 0.1), (0.5, 0.6), (0.42, 0.78), (-0.2, 1.0), (-0.44, 0.98), (-0.49, 0.75), (-0.47, 0.62), (0.36, 0.42), (0.4, 0.1)]
+    arm = [
+        (0.5, 0.1),
+        (0.5, 0.6),
+        (0.42, 0.78),
+        (-0.2, 1.0),
+        (-0.44, 0.98),
+        (-0.49, 0.75),
+        (-0.47, 0.62),
+        (0.36, 0.42),
+        (0.4, 0.1),
+    ]
     lower, upper = [arm[1], arm[2], arm[3], arm[4], arm[5], arm[6], arm[7]], [arm[0], arm[1], arm[7], arm[8]]
     for part in (lower, upper):
         b.hull([(x * d, y * w, z * h) for y, z in part for x in (-0.5, 0.5)], look)
@@ -360,8 +528,10 @@ def tape_dispenser(b: Builder) -> None:
     d, w, h = b.size
     look = b.material("body", "black plastic", "grey plastic", "red plastic", "white plastic", "mint plastic")
     r = 0.36 * h
-    rings = [rect((-d / 2 + e, d / 2 - e), (-w / 2 + f, w / 2 - g), z, 0.006) for e, f, g, z in
-             ((0, 0, 0, 0.0), (0, 0, 0, 0.2 * h), (0.1 * d, 0.02 * w, 0.06 * w, 0.5 * h))]  # fmt: skip
+    rings = [
+        rect((-d / 2 + e, d / 2 - e), (-w / 2 + f, w / 2 - g), z, 0.006)
+        for e, f, g, z in ((0, 0, 0, 0.0), (0, 0, 0, 0.2 * h), (0.1 * d, 0.02 * w, 0.06 * w, 0.5 * h))
+    ]
     loft_rings(b, rings, look, convex=True)
     with b.frame(0, 0.14 * w, h - r - 0.001, roll=np.pi / 2):
         b.frustum(r, r, (-0.2 * d, 0.2 * d), "clear plastic", 24)
@@ -369,8 +539,22 @@ def tape_dispenser(b: Builder) -> None:
         b.frustum(0.55 * r, 0.55 * r, (-0.26 * d, 0.26 * d), look, 20)
         spot(b, 0.2 * r, (-0.265 * d + 0.0003, 0.26 * d + 0.0003), "black plastic")
     for s in (-1, 1):
-        b.hull([(s * x * d, y * w, z * h) for x in (0.3, 0.42) for y, z in ((-0.08, 0.45), (0.36, 0.45), (0.22, 0.72), (0.06, 0.72))], look)
-    b.hull([(x, y * w, z * h) for x in (-0.3 * d, 0.3 * d) for y, z in ((-0.48, 0.2), (-0.2, 0.4), (-0.44, 0.55), (-0.47, 0.55))], look)
+        b.hull(
+            [
+                (s * x * d, y * w, z * h)
+                for x in (0.3, 0.42)
+                for y, z in ((-0.08, 0.45), (0.36, 0.45), (0.22, 0.72), (0.06, 0.72))
+            ],
+            look,
+        )
+    b.hull(
+        [
+            (x, y * w, z * h)
+            for x in (-0.3 * d, 0.3 * d)
+            for y, z in ((-0.48, 0.2), (-0.2, 0.4), (-0.44, 0.55), (-0.47, 0.55))
+        ],
+        look,
+    )
     b.box((-0.28 * d, 0.28 * d), (-0.475 * w, -0.455 * w), (0.5 * h, 0.62 * h), "steel", 0.0)
 
 
@@ -389,7 +573,13 @@ def sticky_notes(b: Builder) -> None:
             if k == count - 1:
                 for j in range(4):
                     x = (-0.3 + 0.17 * j) * d
-                    decal(b, (x, x + 0.03 * d), (-0.36 * w, (0.3 - 0.12 * (j % 3)) * w), (h / count - 0.001, h / count + 0.0003), "ink pigment")
+                    decal(
+                        b,
+                        (x, x + 0.03 * d),
+                        (-0.36 * w, (0.3 - 0.12 * (j % 3)) * w),
+                        (h / count - 0.001, h / count + 0.0003),
+                        "ink pigment",
+                    )
 
 
 @small("envelope_stack")
@@ -408,7 +598,13 @@ def envelope_stack(b: Builder) -> None:
                 z = (t - 0.001, t + 0.0003)
                 decal(b, (-0.42 * d * s, -0.2 * d * s), (0.32 * w * s, 0.44 * w * s), z, "red paint")
                 for j in range(3):
-                    decal(b, ((0.05 + 0.1 * j) * d * s, (0.075 + 0.1 * j) * d * s), (0.02 * w, (0.3 - 0.05 * j) * w * s), z, "ink pigment")
+                    decal(
+                        b,
+                        ((0.05 + 0.1 * j) * d * s, (0.075 + 0.1 * j) * d * s),
+                        (0.02 * w, (0.3 - 0.05 * j) * w * s),
+                        z,
+                        "ink pigment",
+                    )
 
 
 @small("calendar")
@@ -431,7 +627,13 @@ def calendar(b: Builder) -> None:
                 for i in range(7):
                     for j in range(5):
                         y, z = (0.03 + 0.062 * i) * w, (0.58 - 0.11 * j) * long
-                        decal(b, (-0.001, 0.0004), (y, y + 0.035 * w), (z, z + 0.05 * long), "red paint" if i == 6 else "grey paint")
+                        decal(
+                            b,
+                            (-0.001, 0.0004),
+                            (y, y + 0.035 * w),
+                            (z, z + 0.05 * long),
+                            "red paint" if i == 6 else "grey paint",
+                        )
     n = 15
     for k in range(n):
         y = -0.46 * w + 0.92 * w * k / (n - 1)
@@ -458,7 +660,14 @@ def calculator(b: Builder) -> None:
     look = b.material("body", "black plastic", "grey plastic", "white plastic", "mint plastic")
     keys = b.material("keys", "white plastic", "grey plastic", "black plastic")
     low = 0.45 * h
-    b.hull([(x, y, z) for y in (-w / 2, w / 2) for x, z in ((d / 2, 0.0), (-d / 2, 0.0), (-d / 2, 0.75 * h), (-0.48 * d, 0.88 * h), (d / 2, low))], look)
+    b.hull(
+        [
+            (x, y, z)
+            for y in (-w / 2, w / 2)
+            for x, z in ((d / 2, 0.0), (-d / 2, 0.0), (-d / 2, 0.75 * h), (-0.48 * d, 0.88 * h), (d / 2, low))
+        ],
+        look,
+    )
     tilt = float(np.arctan2(0.88 * h - low, 0.98 * d))
     with b.frame(d / 2, 0, low, pitch=tilt):
         decal(b, (-0.95 * d, -0.76 * d), (-0.42 * w, 0.42 * w), (-0.002, 0.0003), "black plastic")
@@ -478,9 +687,22 @@ def scissors(b: Builder) -> None:
     for s in (-1, 1):
         z = 0.0 if s < 0 else 0.4 * h
         with b.frame(0, 0, 0, yaw=s * 0.14):
-            b.hull([(x * d, s * y * w, z + t) for x, y in ((-0.52, -0.01), (-0.05, -0.09), (0.06, -0.06), (0.06, 0.06), (-0.05, 0.06))
-                    for t in (0.15 * h, 0.5 * h)], "steel")  # fmt: skip
-            b.hull([(x * d, s * y * w, t) for x, y in ((0.03, -0.04), (0.03, 0.06), (0.16, 0.16), (0.18, 0.02)) for t in (z, z + 0.5 * h)], "steel")
+            b.hull(
+                [
+                    (x * d, s * y * w, z + t)
+                    for x, y in ((-0.52, -0.01), (-0.05, -0.09), (0.06, -0.06), (0.06, 0.06), (-0.05, 0.06))
+                    for t in (0.15 * h, 0.5 * h)
+                ],
+                "steel",
+            )
+            b.hull(
+                [
+                    (x * d, s * y * w, t)
+                    for x, y in ((0.03, -0.04), (0.03, 0.06), (0.16, 0.16), (0.18, 0.02))
+                    for t in (z, z + 0.5 * h)
+                ],
+                "steel",
+            )
         with b.frame(0.3 * d, s * 0.25 * w, 0.5 * h, yaw=s * 0.3):
             t = np.arange(14) * 2 * np.pi / 14
             n = np.array([[-0.006, -0.5 * h], [0.006, -0.5 * h], [0.006, 0.5 * h], [-0.006, 0.5 * h]])
@@ -496,8 +718,17 @@ def hole_punch(b: Builder) -> None:
     slab(b, (-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.16 * h), "black plastic", 0.01, 0.002)
     for s in (-1, 1):
         b.box((0.1 * d, 0.24 * d), (s * 0.34 * w - 0.008, s * 0.34 * w + 0.008), (0.16 * h, 0.6 * h), "steel", 0.002)
-        b.box((-0.3 * d, 0.3 * d), (s * 0.47 * w - 0.003, s * 0.47 * w + 0.003), (0.1 * h, 0.62 * h), "black steel", 0.001)
-    b.hull([(x * d, y * w, z * h) for y in (-0.44, 0.44) for x, z in ((0.3, 0.5), (0.32, 0.6), (0.1, 0.72), (-0.5, 1.0), (-0.5, 0.88), (-0.2, 0.55))], look)
+        b.box(
+            (-0.3 * d, 0.3 * d), (s * 0.47 * w - 0.003, s * 0.47 * w + 0.003), (0.1 * h, 0.62 * h), "black steel", 0.001
+        )
+    b.hull(
+        [
+            (x * d, y * w, z * h)
+            for y in (-0.44, 0.44)
+            for x, z in ((0.3, 0.5), (0.32, 0.6), (0.1, 0.72), (-0.5, 1.0), (-0.5, 0.88), (-0.2, 0.55))
+        ],
+        look,
+    )
     b.box((0.28 * d, 0.31 * d), (-0.4 * w, 0.4 * w), (0.18 * h, 0.2 * h), "steel", 0.0)
 
 
@@ -513,5 +744,11 @@ def business_card_holder(b: Builder) -> None:
         with b.frame(0.3 * d - 0.13 * d * k, 0, 0.12 * h, pitch=-0.12):
             b.box((-0.003, 0.0), (-0.44 * w, 0.44 * w), (0.0, (0.8 + 0.02 * k) * h), "paper", 0.0)
             if k == 0:
-                decal(b, (-0.001, 0.0003), (-0.36 * w, -0.05 * w), (0.6 * h, 0.68 * h), b.pick("logo", ["navy paint", "red paint", "teal paint"]))
+                decal(
+                    b,
+                    (-0.001, 0.0003),
+                    (-0.36 * w, -0.05 * w),
+                    (0.6 * h, 0.68 * h),
+                    b.pick("logo", ["navy paint", "red paint", "teal paint"]),
+                )
                 decal(b, (-0.001, 0.0003), (-0.36 * w, 0.2 * w), (0.5 * h, 0.53 * h), "grey paint")

@@ -11,8 +11,19 @@ from ...body import Material
 from ..builder import Builder, Interval
 from ..registry import draws
 
-_CLOTHS = ("grey fabric", "charcoal fabric", "beige fabric", "white fabric", "blue fabric", "navy fabric", "green fabric",
-           "mustard fabric", "rust fabric", "rose fabric", "red fabric")  # fmt: skip
+_CLOTHS = (
+    "grey fabric",
+    "charcoal fabric",
+    "beige fabric",
+    "white fabric",
+    "blue fabric",
+    "navy fabric",
+    "green fabric",
+    "mustard fabric",
+    "rust fabric",
+    "rose fabric",
+    "red fabric",
+)
 
 
 def _inlay(b: Builder, polygon, h: float, level: int, material: Material | str) -> None:
@@ -30,14 +41,21 @@ def _woven(b: Builder, d: float, w: float, h: float, fringe: float) -> None:
     second = b.material("second", "white fabric", "navy fabric", "beige fabric", "rust fabric", "charcoal fabric")
     if second.name == field.name:
         second = b.material("other second", "mustard fabric" if field.name != "mustard fabric" else "navy fabric")
-    third = b.material("third", "mustard fabric", "rose fabric", "green fabric", "red fabric", "blue fabric", "white fabric")
+    third = b.material(
+        "third", "mustard fabric", "rose fabric", "green fabric", "red fabric", "blue fabric", "white fabric"
+    )
     y1 = w / 2 - fringe
     x, y = (-d / 2, d / 2), (-y1, y1)
     whole = shapes.box(x, (-w / 2, w / 2), (0.0, h))
     with b.solid("rug"):
         b.add(shapes.box(x, y, (0.0, h - 0.0014)), field, hulls=[whole])
         edge = 0.012
-        for xs, ys in ((x, (y[0], y[0] + edge)), (x, (y[1] - edge, y[1])), ((x[0], x[0] + edge), y), ((x[1] - edge, x[1]), y)):
+        for xs, ys in (
+            (x, (y[0], y[0] + edge)),
+            (x, (y[1] - edge, y[1])),
+            ((x[0], x[0] + edge), y),
+            ((x[1] - edge, x[1]), y),
+        ):
             _inlay(b, _rectangle(xs, ys), h, 5, second)
         if fringe:
             count = int(d / 0.025)
@@ -75,7 +93,13 @@ def _woven(b: Builder, d: float, w: float, h: float, fringe: float) -> None:
                         _inlay(b, diamond + (cx, cy), h, 1, second)
                         _inlay(b, diamond * 0.5 + (cx, cy), h, 2, third if (i + j) % 2 else field)
                     elif (i + j) % 2:
-                        _inlay(b, _rectangle((cx - rx * 1.19, cx + rx * 1.19), (cy - ry * 1.19, cy + ry * 1.19)), h, 1, second)
+                        _inlay(
+                            b,
+                            _rectangle((cx - rx * 1.19, cx + rx * 1.19), (cy - ry * 1.19, cy + ry * 1.19)),
+                            h,
+                            1,
+                            second,
+                        )
         elif pattern == "zigzag":
             rows, teeth = max(3, round((y[1] - y[0]) / 0.35)), max(4, round(d / 0.2))
             t = np.linspace(x[0] + 0.013, x[1] - 0.013, 2 * teeth + 1)
@@ -125,8 +149,11 @@ def round_rug(b: Builder) -> None:
             rings = 0
         for k in range(rings):
             share = 1.0 - (k + 0.4) / rings
-            b.add(shapes.frustum(r * share, r * share, (h * 0.4, h - 0.0014 + 0.0014 * (k + 1) / rings), 48),
-                  second if k % 2 == 0 else field, hulls=[])  # fmt: skip
+            b.add(
+                shapes.frustum(r * share, r * share, (h * 0.4, h - 0.0014 + 0.0014 * (k + 1) / rings), 48),
+                second if k % 2 == 0 else field,
+                hulls=[],
+            )
         b.add(shapes.frustum(r * 0.06, r * 0.06, (h * 0.4, h), 16), second, hulls=[])
 
 
@@ -137,8 +164,11 @@ def doormat(b: Builder) -> None:
     coir = b.material("mat", "wicker", "cork", "charcoal fabric", "grey fabric")
     dark = "charcoal fabric" if coir.name != "charcoal fabric" else "grey fabric"
     with b.solid("mat"):
-        b.add(shapes.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, h - 0.0014), 0.002), coir,
-              [shapes.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, h))])  # fmt: skip
+        b.add(
+            shapes.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, h - 0.0014), 0.002),
+            coir,
+            [shapes.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, h))],
+        )
         m = 0.02
         x, y = (-d / 2 + m, d / 2 - m), (-w / 2 + m, w / 2 - m)
         for xs, ys in ((x, (y[0], y[0] + m)), (x, (y[1] - m, y[1])), ((x[0], x[0] + m), y), ((x[1] - m, x[1]), y)):
@@ -147,8 +177,18 @@ def doormat(b: Builder) -> None:
         slant = b.uniform("slant", -0.08, 0.08)
         for k in range(count):
             c = (k + 0.5) * (w - 0.2) / count - (w - 0.2) / 2
-            _inlay(b, [(-d * 0.3, c - 0.018 - slant), (d * 0.3, c - 0.018 + slant), (d * 0.3, c + 0.018 + slant),
-                       (-d * 0.3, c + 0.018 - slant)], h, 3, dark)  # fmt: skip
+            _inlay(
+                b,
+                [
+                    (-d * 0.3, c - 0.018 - slant),
+                    (d * 0.3, c - 0.018 + slant),
+                    (d * 0.3, c + 0.018 + slant),
+                    (-d * 0.3, c + 0.018 - slant),
+                ],
+                h,
+                3,
+                dark,
+            )
 
 
 def _pleats(b: Builder, y: Interval, z: Interval, depth: float, material: Material | str) -> None:
@@ -212,30 +252,35 @@ def cushion(b: Builder) -> None:
     cloth = b.material("cover", *_CLOTHS, "tan leather")
     trim = b.material("trim", "white fabric", "mustard fabric", "charcoal fabric", "rust fabric", "navy fabric")
     with b.solid("cushion"):
-        b.cushion((-d / 2 + 0.004, d / 2 - 0.004), (-w / 2 + 0.004, w / 2 - 0.004), (0.0, h), cloth, radius=0.05, puff=0.55)
-        kind = b.pick("kind", ["plain", "stripes", "button", "seam"])
+        pillow = _pillow(d, w, h)
+        b.add(pillow, cloth, [shapes.hull(pillow[0])])
+        kind = b.pick("kind", ["plain", "stripes", "button", "edge"])
         if kind == "stripes":
-            for share in (-0.28, 0.0, 0.28):
-                shape = shapes.cushion((-d / 2 + 0.003, d / 2 - 0.003), (-w / 2 + 0.003, w / 2 - 0.003), (-0.0015, h + 0.0015),
-                                       0.05, 0.55)  # fmt: skip
-                band = _slice(shape, share * w - 0.018, share * w + 0.018)
-                b.add(band, trim, hulls=[])
+            for share in (-0.24, 0.0, 0.24):
+                band = _pillow(d, w, h, (share - 0.05, share + 0.05), 0.0012)
+                b.add(band, trim, [shapes.hull(band[0])])
         elif kind == "button":
-            b.ball((0.016, 0.016, 0.006), (0.0, 0.0, h), trim, 12)
-        a = np.arange(24) * math.pi / 12
-        power = 0.35
-        ring = np.c_[np.sign(np.cos(a)) * np.abs(np.cos(a)) ** power * (d / 2 - 0.005),
-                     np.sign(np.sin(a)) * np.abs(np.sin(a)) ** power * (w / 2 - 0.005), np.full(24, h / 2)]  # fmt: skip
-        b.tube(ring, 0.005, trim if kind != "plain" else cloth, 6, closed=True)
+            b.ball((0.018, 0.018, 0.007), (0.0, 0.0, h - 0.004), trim, 12)
+        elif kind == "edge":
+            for share in (-0.46, 0.46):
+                band = _pillow(d, w, h, (share - 0.035, share + 0.035), 0.0012)
+                b.add(band, trim, [shapes.hull(band[0])])
 
 
-def _slice(shape, low: float, high: float):
-    """The part of a convex shape between two y planes, as a hull."""
-    import manifold3d
-
-    body = manifold3d.Manifold(manifold3d.Mesh64(shape[0], shape[1].astype(np.uint64)))
-    body = body.trim_by_plane((0.0, 1.0, 0.0), low).trim_by_plane((0.0, -1.0, 0.0), -high)
-    return shapes.hull(np.asarray(body.to_mesh64().vert_properties)[:, :3])
+def _pillow(d: float, w: float, h: float, part: Interval = (-0.5, 0.5), swell: float = 0.0):
+    """A pillow with drawn-in sides and pointed corners, or the slice of it between two shares of its width."""
+    n = 13
+    u = np.sin(np.linspace(-np.pi / 2, np.pi / 2, n))
+    v = u if part == (-0.5, 0.5) else np.linspace(2 * part[0], 2 * part[1], 5)
+    uu, vv = np.meshgrid(u, v, indexing="ij")
+    x = d / 2 * uu * (1 - 0.08 * (1 - vv**2))
+    y = w / 2 * vv * (1 - 0.08 * (1 - uu**2))
+    rise = np.clip((1 - uu**2) * (1 - vv**2), 0, 1) ** 0.42
+    z = np.maximum((h / 2 - swell) * rise, 0.003) + swell
+    grid = np.stack([x, y, z], axis=-1)
+    faces = shapes.sheet(grid, 0.001)[1]
+    upper, lower = grid.reshape(-1, 3), (grid * (1, 1, -1)).reshape(-1, 3)
+    return np.concatenate([upper, lower]) + (0.0, 0.0, h / 2), faces
 
 
 @draws("floor_cushion")
@@ -245,13 +290,24 @@ def floor_cushion(b: Builder) -> None:
     cloth = b.material("cover", *_CLOTHS)
     with b.solid("cushion"):
         handle = 0.02
-        b.cushion((-d / 2, d / 2 - handle), (-w / 2, w / 2), (0.0, h - 0.004), cloth, radius=min(0.06, h * 0.4), puff=0.18)
+        b.cushion(
+            (-d / 2, d / 2 - handle), (-w / 2, w / 2), (0.0, h - 0.004), cloth, radius=min(0.06, h * 0.4), puff=0.18
+        )
         for sx in (-1, 0, 1):
             for sy in (-1, 0, 1):
                 b.ball((0.014, 0.014, 0.006), (sx * d * 0.22, sy * w * 0.22, h - 0.006), cloth, 10)
         x = d / 2 - handle
-        b.tube([(x - 0.01, -0.05, h * 0.5), (x + handle - 0.005, -0.04, h * 0.5), (x + handle - 0.005, 0.04, h * 0.5),
-                (x - 0.01, 0.05, h * 0.5)], 0.005, cloth, 8)  # fmt: skip
+        b.tube(
+            [
+                (x - 0.01, -0.05, h * 0.5),
+                (x + handle - 0.005, -0.04, h * 0.5),
+                (x + handle - 0.005, 0.04, h * 0.5),
+                (x - 0.01, 0.05, h * 0.5),
+            ],
+            0.005,
+            cloth,
+            8,
+        )
 
 
 @draws("blanket_throw")
@@ -266,8 +322,13 @@ def blanket_throw(b: Builder) -> None:
     with b.solid("blanket"):
         for k in range(layers):
             shift = 0.006 * math.sin(2.1 * k)
-            b.cushion((-d / 2 + abs(shift), d / 2 - fringe - abs(shift)), (-w / 2 + 0.004 * k, w / 2 - 0.003 * k),
-                      (k * step, (k + 1) * step), cloth, radius=step * 0.48)  # fmt: skip
+            b.cushion(
+                (-d / 2 + abs(shift), d / 2 - fringe - abs(shift)),
+                (-w / 2 + 0.004 * k, w / 2 - 0.003 * k),
+                (k * step, (k + 1) * step),
+                cloth,
+                radius=step * 0.48,
+            )
         x = d / 2 - fringe
         for share in (-0.3, 0.3):
             y = share * w
@@ -276,5 +337,8 @@ def blanket_throw(b: Builder) -> None:
         whole = shapes.box((x - 0.01, d / 2), (-w / 2 + 0.012, w / 2 - 0.012), (step * 3.1, step * 3.7))
         for k in range(count):
             y = -w / 2 + 0.014 + (k + 0.5) * (w - 0.028) / count
-            b.add(shapes.box((x - 0.012, d / 2), (y - 0.003, y + 0.003), (step * 3.2, step * 3.5)), trim,
-                  [whole] if k == 0 else [])  # fmt: skip
+            b.add(
+                shapes.box((x - 0.012, d / 2), (y - 0.003, y + 0.003), (step * 3.2, step * 3.5)),
+                trim,
+                [whole] if k == 0 else [],
+            )

@@ -23,8 +23,16 @@ def picture(b: Builder) -> None:
     """A framed painting: landscape, sea, blocks, circles, arches, leaves or waves."""
     d, w, h = b.size
     with b.solid("picture"):
-        framed(b, (-w / 2, w / 2), (0.0, h), (-d / 2, d / 2), b.material("frame", *_FRAMES), b.uniform("bar", 0.018, 0.035),
-               b.uniform("mat", 0.03, 0.07) if b.chance("has mat", 0.5) else 0.0, _rng(b))  # fmt: skip
+        framed(
+            b,
+            (-w / 2, w / 2),
+            (0.0, h),
+            (-d / 2, d / 2),
+            b.material("frame", *_FRAMES),
+            b.uniform("bar", 0.018, 0.035),
+            b.uniform("mat", 0.03, 0.07) if b.chance("has mat", 0.5) else 0.0,
+            _rng(b),
+        )
 
 
 @draws("poster")
@@ -44,8 +52,12 @@ def poster(b: Builder) -> None:
         for k, share in ((0, 0.6), (1, 0.35)):
             wide = w * share / 2
             z = h * (0.13 - 0.05 * k)
-            panel(b, [(-wide, z - 0.012), (wide, z - 0.012), (wide, z + 0.012 - 0.006 * k), (-wide, z + 0.012 - 0.006 * k)],
-                  (x, x + 0.0035), "ink pigment")  # fmt: skip
+            panel(
+                b,
+                [(-wide, z - 0.012), (wide, z - 0.012), (wide, z + 0.012 - 0.006 * k), (-wide, z + 0.012 - 0.006 * k)],
+                (x, x + 0.0035),
+                "ink pigment",
+            )
 
 
 @draws("photo_frames")
@@ -56,18 +68,35 @@ def photo_frames(b: Builder) -> None:
     one = b.material("frame", *_FRAMES)
     two = b.material("second frame", *_FRAMES) if b.chance("two woods", 0.5) else one
     gap = 0.035
-    plan = b.pick("plan", [
-        [(0, 0, 0.4, 0.45), (0, 0.45, 0.4, 1), (0.4, 0, 0.72, 0.62), (0.4, 0.62, 0.72, 1), (0.72, 0.12, 1, 0.5),
-         (0.72, 0.5, 1, 0.9)],
-        [(0, 0.1, 0.3, 0.5), (0, 0.5, 0.3, 0.95), (0.3, 0, 0.7, 1), (0.7, 0.05, 1, 0.5), (0.7, 0.5, 1, 0.9)],
-        [(0, 0, 0.34, 0.5), (0.34, 0, 0.67, 0.5), (0.67, 0, 1, 0.5), (0, 0.5, 0.34, 1), (0.34, 0.5, 0.67, 1),
-         (0.67, 0.5, 1, 1)],
-    ])  # fmt: skip
+    plan = b.pick(
+        "plan",
+        [
+            [
+                (0, 0, 0.4, 0.45),
+                (0, 0.45, 0.4, 1),
+                (0.4, 0, 0.72, 0.62),
+                (0.4, 0.62, 0.72, 1),
+                (0.72, 0.12, 1, 0.5),
+                (0.72, 0.5, 1, 0.9),
+            ],
+            [(0, 0.1, 0.3, 0.5), (0, 0.5, 0.3, 0.95), (0.3, 0, 0.7, 1), (0.7, 0.05, 1, 0.5), (0.7, 0.5, 1, 0.9)],
+            [
+                (0, 0, 0.34, 0.5),
+                (0.34, 0, 0.67, 0.5),
+                (0.67, 0, 1, 0.5),
+                (0, 0.5, 0.34, 1),
+                (0.34, 0.5, 0.67, 1),
+                (0.67, 0.5, 1, 1),
+            ],
+        ],
+    )
     with b.solid("frames"):
         for k, (u0, v0, u1, v1) in enumerate(plan):
             y = (-w / 2 + u0 * w + (gap / 2 if u0 else 0), -w / 2 + u1 * w - (gap / 2 if u1 < 1 else 0))
             z = (v0 * h + (gap / 2 if v0 else 0), v1 * h - (gap / 2 if v1 < 1 else 0))
-            framed(b, y, z, (-d / 2, d / 2), one if k % 2 == 0 else two, 0.014, 0.1 * min(y[1] - y[0], z[1] - z[0]), rng)
+            framed(
+                b, y, z, (-d / 2, d / 2), one if k % 2 == 0 else two, 0.014, 0.1 * min(y[1] - y[0], z[1] - z[0]), rng
+            )
 
 
 @draws("wall_mirror")
@@ -110,8 +139,13 @@ def round_mirror(b: Builder) -> None:
             for k in range(32):
                 a = k * math.pi / 16
                 out = r if k % 2 == 0 else r * 0.84
-                b.bar((inner * math.cos(a), inner * math.sin(a), d * 0.4), (out * math.cos(a), out * math.sin(a), d * 0.4),
-                      0.004, metal, 6)  # fmt: skip
+                b.bar(
+                    (inner * math.cos(a), inner * math.sin(a), d * 0.4),
+                    (out * math.cos(a), out * math.sin(a), d * 0.4),
+                    0.004,
+                    metal,
+                    6,
+                )
             b.frustum(inner, inner, (0.0, d * 0.9), metal, 36, bevel=0.003)
             b.frustum(inner * 0.9, inner * 0.9, (d * 0.5, d), "mirror", 36)
         else:
@@ -127,20 +161,26 @@ def standing_mirror(b: Builder) -> None:
     bar, thick = b.uniform("bar", 0.03, 0.05), 0.028
     lean = math.asin(min(0.22, (d * 0.42) / h))
     tall = (h - thick * math.sin(lean)) / math.cos(lean)
-    with b.frame(d / 2 - thick - 0.002, 0.0, 0.0, pitch=-lean):
-        with b.solid("frame"):
-            b.box((0.0, thick), (-w / 2, w / 2), (0.0, bar), wood)
-            b.box((0.0, thick), (-w / 2, w / 2), (tall - bar, tall), wood)
-            b.box((0.0, thick), (-w / 2, -w / 2 + bar), (bar, tall - bar), wood)
-            b.box((0.0, thick), (w / 2 - bar, w / 2), (bar, tall - bar), wood)
-            b.box((0.004, thick - 0.006), (-w / 2 + bar, w / 2 - bar), (bar, tall - bar), "mirror", bevel=0.0)
-            b.box((0.0, 0.006), (-w / 2 + bar * 0.5, w / 2 - bar * 0.5), (bar * 0.5, tall - bar * 0.5), wood, bevel=0.0)
+    with b.frame(d / 2 - thick * math.cos(lean), 0.0, 0.0, pitch=-lean), b.solid("frame"):
+        b.box((0.0, thick), (-w / 2, w / 2), (0.0, bar), wood)
+        b.box((0.0, thick), (-w / 2, w / 2), (tall - bar, tall), wood)
+        b.box((0.0, thick), (-w / 2, -w / 2 + bar), (bar, tall - bar), wood)
+        b.box((0.0, thick), (w / 2 - bar, w / 2), (bar, tall - bar), wood)
+        b.box((0.004, thick - 0.006), (-w / 2 + bar, w / 2 - bar), (bar, tall - bar), "mirror", bevel=0.0)
+        b.box((0.0, 0.006), (-w / 2 + bar * 0.5, w / 2 - bar * 0.5), (bar * 0.5, tall - bar * 0.5), wood, bevel=0.0)
     top = h * 0.62
     with b.solid("prop"):
         foot, head = -d / 2 + 0.012, d / 2 - thick - math.tan(lean) * top
         for sy in (-1, 1):
-            b.hull([(x + u, sy * w * 0.3 + v, z) for x, z in ((foot, 0.0), (head, top)) for u in (-0.012, 0.012)
-                    for v in (-0.012, 0.012)], wood)  # fmt: skip
+            b.hull(
+                [
+                    (x + u, sy * w * 0.3 + v, z)
+                    for x, z in ((foot, 0.0), (head, top))
+                    for u in (-0.012, 0.012)
+                    for v in (-0.012, 0.012)
+                ],
+                wood,
+            )
         x = foot + (head - foot) * 0.3
         b.box((x - 0.008, x + 0.008), (-w * 0.3, w * 0.3), (top * 0.3 - 0.012, top * 0.3 + 0.012), wood)
 
@@ -157,8 +197,11 @@ def clock_face(b: Builder, r: float, z: float, dial, hands, numbers: bool = True
                 b.box((r * 0.92 - long, r * 0.92), (-wide, wide), (z, z + 0.001), hands, bevel=0.0)
     for turn, long, wide, lift in ((0.86, 0.5, 0.035, 0.002), (-1.05, 0.78, 0.022, 0.003)):
         with b.frame(yaw=math.pi - turn):
-            b.hull([(-0.1 * r, y, zz) for y in (-wide * r, wide * r) for zz in (z, z + lift)]
-                   + [(long * r, y * 0.5, zz) for y in (-wide * r, wide * r) for zz in (z, z + lift)], hands)  # fmt: skip
+            b.hull(
+                [(-0.1 * r, y, zz) for y in (-wide * r, wide * r) for zz in (z, z + lift)]
+                + [(long * r, y * 0.5, zz) for y in (-wide * r, wide * r) for zz in (z, z + lift)],
+                hands,
+            )
     b.frustum(0.05 * r, 0.05 * r, (z, z + 0.004), hands, 12)
 
 
@@ -171,9 +214,13 @@ def wall_clock(b: Builder) -> None:
     dial = b.material("dial", "white paint", "cream paint", "black paint", "navy paint")
     hands = "white paint" if dial.name in ("black paint", "navy paint") else "black steel"
     with b.solid("clock"), b.frame(-d / 2, 0.0, r, pitch=math.pi / 2):
-        b.lathe([(r * 0.94, 0.0), (r, 0.006), (r, d - 0.008), (r * 0.975, d - 0.002), (r * 0.95, d - 0.002),
-                 (r * 0.93, d - 0.01)], rim, 40, hollow=True)  # fmt: skip
-        clock_face(b, r * 0.93, d - 0.006, dial, hands)
+        b.lathe(
+            [(r * 0.94, 0.0), (r, 0.006), (r, d - 0.006), (r * 0.975, d), (r * 0.95, d), (r * 0.93, d - 0.01)],
+            rim,
+            40,
+            hollow=True,
+        )
+        clock_face(b, r * 0.93, d - 0.004, dial, hands)
 
 
 @draws("grandfather_clock")
@@ -212,8 +259,14 @@ def grandfather_clock(b: Builder) -> None:
             clock_face(b, r, 0.01, "cream paint", "black steel")
         b.box((x0, d / 2), (-w / 2, w / 2), (top, top + 0.03), wood, bevel=0.008)
         for sy in (-1, 1):
-            b.hull([(x, sy * y, z) for x in (x0 + 0.02, hx) for y, z in ((0.03, top + 0.03), (w / 2 - 0.02, top + 0.03),
-                                                                        (0.03, h - 0.012), (0.06, h - 0.02))], wood)  # fmt: skip
+            b.hull(
+                [
+                    (x, sy * y, z)
+                    for x in (x0 + 0.02, hx)
+                    for y, z in ((0.03, top + 0.03), (w / 2 - 0.02, top + 0.03), (0.03, h - 0.012), (0.06, h - 0.02))
+                ],
+                wood,
+            )
         with b.frame(0.0, 0.0):
             b.lathe([(0.02, top + 0.03), (0.024, h - 0.04), (0.012, h - 0.03), (0.016, h - 0.018), (0.0, h)], brass, 12)
 
@@ -224,8 +277,13 @@ def _screen(b: Builder, x: tuple[float, float], w: float, z: tuple[float, float]
     b.box((x[0] + 0.018, x[1] - 0.002), (-w / 2, w / 2), z, bezel, bevel=0.003)
     b.box((x[1] - 0.004, x[1]), (-w / 2 + 0.007, w / 2 - 0.007), (z[0] + 0.02, z[1] - 0.007), "screen", bevel=0.0)
     b.box((x[1] - 0.004, x[1] - 0.001), (-0.03, 0.03), (z[0] + 0.006, z[0] + 0.011), "grey plastic", bevel=0.0)
-    b.box((x[0], x[0] + 0.02), (-w * 0.3, w * 0.3), (middle - 0.3 * (z[1] - z[0]), middle + 0.15 * (z[1] - z[0])),
-          "black plastic", bevel=0.006)  # fmt: skip
+    b.box(
+        (x[0], x[0] + 0.02),
+        (-w * 0.3, w * 0.3),
+        (middle - 0.3 * (z[1] - z[0]), middle + 0.15 * (z[1] - z[0])),
+        "black plastic",
+        bevel=0.006,
+    )
 
 
 @draws("tv")
@@ -254,6 +312,13 @@ def tv_on_stand(b: Builder) -> None:
             for sy in (-1, 1):
                 for end in (-1, 1):
                     y = sy * w * 0.36
-                    b.hull([(end * d / 2, y - 0.009, 0.0), (end * d / 2, y + 0.009, 0.0), (end * (d / 2 - 0.03), y - 0.009, 0.0),
-                            (end * (d / 2 - 0.03), y + 0.009, 0.0)] + [(u, y + v, lift + 0.01) for u in (-0.01, 0.022)
-                            for v in (-0.009, 0.009)], bezel)  # fmt: skip
+                    b.hull(
+                        [
+                            (end * d / 2, y - 0.009, 0.0),
+                            (end * d / 2, y + 0.009, 0.0),
+                            (end * (d / 2 - 0.03), y - 0.009, 0.0),
+                            (end * (d / 2 - 0.03), y + 0.009, 0.0),
+                        ]
+                        + [(u, y + v, lift + 0.01) for u in (-0.01, 0.022) for v in (-0.009, 0.009)],
+                        bezel,
+                    )

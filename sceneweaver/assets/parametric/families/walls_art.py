@@ -58,14 +58,28 @@ def art(b: Builder, y: Interval, z: Interval, x: float, rng: np.random.Generator
     _cut(b, page, page, x, 1, tones[0])
     small = min(w, h)
     if kind in ("hills", "sea"):
-        _cut(b, round_at(rng.uniform(0.25, 0.75), rng.uniform(0.68, 0.8), small * rng.uniform(0.1, 0.16)), page, x, 2,
-             tones[3] if kind == "hills" else "ochre pigment")  # fmt: skip
+        _cut(
+            b,
+            round_at(rng.uniform(0.25, 0.75), rng.uniform(0.68, 0.8), small * rng.uniform(0.1, 0.16)),
+            page,
+            x,
+            2,
+            tones[3] if kind == "hills" else "ochre pigment",
+        )
         for n in range(4):
             level = 0.62 - 0.15 * n if kind == "hills" else 0.48 - 0.12 * n
             swing = 0.1 if kind == "hills" else 0.018
             line = level + swing * np.sin(t * rng.uniform(3, 7) + rng.uniform(0, 6)) + 0.3 * swing * np.sin(t * 14 + n)
-            _cut(b, below(line), page, x, 3 + n, tones[1 + (n + 1) % 4] if kind == "hills" else
-                 ("sea pigment", "sky pigment", "night pigment", "sand pigment")[n])  # fmt: skip
+            _cut(
+                b,
+                below(line),
+                page,
+                x,
+                3 + n,
+                tones[1 + (n + 1) % 4]
+                if kind == "hills"
+                else ("sea pigment", "sky pigment", "night pigment", "sand pigment")[n],
+            )
     elif kind == "blocks":
         u0 = 0.0
         for n, share in enumerate(rng.dirichlet((5, 5, 5))):
@@ -78,7 +92,9 @@ def art(b: Builder, y: Interval, z: Interval, x: float, rng: np.random.Generator
     elif kind == "circles":
         for n in range(6):
             r = small * rng.uniform(0.12, 0.3)
-            _cut(b, round_at(rng.uniform(0.15, 0.85), rng.uniform(0.15, 0.85), r), page, x, 2 + n // 2, tones[1 + n % 4])
+            _cut(
+                b, round_at(rng.uniform(0.15, 0.85), rng.uniform(0.15, 0.85), r), page, x, 2 + n // 2, tones[1 + n % 4]
+            )
         _cut(b, shapely.LineString([at(0.1, 0.2), at(0.9, 0.75)]).buffer(0.006), page, x, 6, "ink pigment")
     elif kind == "arches":
         c = rng.uniform(0.35, 0.65)
@@ -86,8 +102,11 @@ def art(b: Builder, y: Interval, z: Interval, x: float, rng: np.random.Generator
             r = small * (0.4 - 0.09 * n)
             v = z[0] + h * 0.12
             top = z[0] + h * 0.45
-            arch = shapely.Point(at(c, 0)[0], top).buffer(r, quad_segs=8).union(
-                shapely.box(at(c, 0)[0] - r, v, at(c, 0)[0] + r, top))  # fmt: skip
+            arch = (
+                shapely.Point(at(c, 0)[0], top)
+                .buffer(r, quad_segs=8)
+                .union(shapely.box(at(c, 0)[0] - r, v, at(c, 0)[0] + r, top))
+            )
             _cut(b, arch.intersection(shapely.box(y[0], v, y[1], z[1])), page, x, 2 + n, tones[(1 + n) % 5])
         _cut(b, round_at(0.8 if c < 0.5 else 0.2, 0.86, small * 0.08), page, x, 6, "ochre pigment")
     elif kind == "leaves":
@@ -109,9 +128,16 @@ def art(b: Builder, y: Interval, z: Interval, x: float, rng: np.random.Generator
 
 
 def framed(
-    b: Builder, y: Interval, z: Interval, depth: Interval, frame: Material | str, width: float, mat: float,
-    rng: np.random.Generator, kind: str | None = None,
-) -> None:  # fmt: skip
+    b: Builder,
+    y: Interval,
+    z: Interval,
+    depth: Interval,
+    frame: Material | str,
+    width: float,
+    mat: float,
+    rng: np.random.Generator,
+    kind: str | None = None,
+) -> None:
     """A picture in a frame of four bars, with a mat of paper ``mat`` wide (0 for none), between two depths."""
     x0, x1 = depth
     b.box(depth, y, (z[0], z[0] + width), frame, bevel=0.002)

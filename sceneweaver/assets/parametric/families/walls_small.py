@@ -27,8 +27,14 @@ def wall_shelf(b: Builder) -> None:
         for sy in (-1, 1):
             y = sy * (w / 2 - min(0.12, 0.18 * w))
             if kind == "corbel":
-                b.hull([(x, y + v, z) for v in (-0.011, 0.011) for x, z in ((-d / 2, low), (-d / 2 + 0.02, low),
-                                                                           (d / 2 - 0.02, z1), (-d / 2, z1))], wood)  # fmt: skip
+                b.hull(
+                    [
+                        (x, y + v, z)
+                        for v in (-0.011, 0.011)
+                        for x, z in ((-d / 2, low), (-d / 2 + 0.02, low), (d / 2 - 0.02, z1), (-d / 2, z1))
+                    ],
+                    wood,
+                )
             else:
                 b.box((-d / 2, -d / 2 + 0.005), (y - 0.015, y + 0.015), (low, z1), metal, bevel=0.001)
                 b.box((-d / 2, d / 2 - 0.01), (y - 0.015, y + 0.015), (z1 - 0.005, z1), metal, bevel=0.001)
@@ -59,8 +65,17 @@ def coat_hooks(b: Builder) -> None:
                 out = d / 2 - 0.009
                 b.tube([(x, y, h * 0.66), (out - 0.02, y, h * 0.7), (out, y, h * 0.9)], 0.005, metal, 8)
                 b.ball((0.009, 0.009, 0.009), (out, y, h * 0.9), metal, 8)
-                b.tube([(x, y, h * 0.4), (x + 0.015, y, h * 0.08 + 0.006), (x + 0.035, y, h * 0.08), (x + 0.042, y, h * 0.25)],
-                       0.005, metal, 8)  # fmt: skip
+                b.tube(
+                    [
+                        (x, y, h * 0.4),
+                        (x + 0.015, y, h * 0.08 + 0.006),
+                        (x + 0.035, y, h * 0.08),
+                        (x + 0.042, y, h * 0.25),
+                    ],
+                    0.005,
+                    metal,
+                    8,
+                )
         b.box((-d / 2, -d / 2 + 0.004), (-0.01, 0.01), (0.0, h * 0.3), wood, bevel=0.0)
 
 
@@ -98,14 +113,24 @@ def tapestry(b: Builder) -> None:
     with b.solid("tapestry"):
         b.bar((0.0, -w / 2, h - r), (0.0, w / 2, h - r), r * 0.98, wood, 12)
         b.add(shapes.box((-r, -r + 0.006), y, (fringe, h - r)), cloth, [shapes.box((-r, -r + 0.01), y, (0.0, h - r))])
-        art(b, (y[0] + 0.03, y[1] - 0.03), (fringe + 0.04, h - 2 * r - 0.05), -r + 0.0065, rng,
-            b.pick("art", ["arches", "waves", "hills", "blocks"]))  # fmt: skip
+        art(
+            b,
+            (y[0] + 0.03, y[1] - 0.03),
+            (fringe + 0.04, h - 2 * r - 0.05),
+            -r + 0.0065,
+            rng,
+            b.pick("art", ["arches", "waves", "hills", "blocks"]),
+        )
         count = int((y[1] - y[0]) / 0.014)
         for k in range(count):
             c = y[0] + (k + 0.5) * (y[1] - y[0]) / count
             low = fringe * 0.9 * abs(2 * (k + 0.5) / count - 1)
-            panel(b, [(c - 0.004, low), (c + 0.004, low), (c + 0.004, fringe + 0.002), (c - 0.004, fringe + 0.002)],
-                  (-r, -r + 0.005), cloth)  # fmt: skip
+            panel(
+                b,
+                [(c - 0.004, low), (c + 0.004, low), (c + 0.004, fringe + 0.002), (c - 0.004, fringe + 0.002)],
+                (-r, -r + 0.005),
+                cloth,
+            )
 
 
 @draws("wall_planter")
@@ -131,8 +156,11 @@ def wall_planter(b: Builder) -> None:
     base = np.c_[-d / 2 + 0.012 + 0.6 * deep * out * np.cos(yaw), 0.8 * r * out * np.sin(yaw), np.full(count, z1)]
     k = Clumps()
     green = b.material("leaves", "leaf", "pale leaf", "dark leaf")
-    k.add(leaves(base, yaw, rng.uniform(0.5, 1.4, count), rng.uniform(1.0, 2.2, count), h * 0.36, 0.045, OVAL), green,
-          sectors(yaw + 1.6, 6))  # fmt: skip
+    k.add(
+        leaves(base, yaw, rng.uniform(0.5, 1.4, count), rng.uniform(1.0, 2.2, count), h * 0.36, 0.045, OVAL),
+        green,
+        sectors(yaw + 1.6, 6),
+    )
     with b.solid("crown"):
         k.draw(b, (-d / 2 + 0.004, d / 2), (-w / 2, w / 2), (min(0.1 * h, z0), h))
         b.box((-d / 2, -d / 2 + 0.006), (-0.01, 0.01), (0.0, z0 + 0.02), look)
@@ -144,8 +172,15 @@ def air_conditioner(b: Builder) -> None:
     d, w, h = b.size
     body = b.material("body", "white plastic", "white paint", "light grey paint")
     with b.solid("unit"):
-        profile = [(-d / 2, 0.0), (d * 0.22, 0.0), (d / 2 - 0.02, h * 0.3), (d / 2, h * 0.5), (d / 2 - 0.004, h * 0.9),
-                   (d / 2 - 0.03, h), (-d / 2, h)]  # fmt: skip
+        profile = [
+            (-d / 2, 0.0),
+            (d * 0.22, 0.0),
+            (d / 2 - 0.02, h * 0.3),
+            (d / 2, h * 0.5),
+            (d / 2 - 0.004, h * 0.9),
+            (d / 2 - 0.03, h),
+            (-d / 2, h),
+        ]
         b.hull([(x, y, z) for x, z in profile for y in (-w / 2, w / 2)], body)
         slope = math.atan2(h * 0.3, d * 0.28 - 0.02)
         with b.frame((d * 0.22 + d / 2 - 0.02) / 2, 0.0, h * 0.15, pitch=-slope):
@@ -155,7 +190,13 @@ def air_conditioner(b: Builder) -> None:
             for k in range(3):
                 x = (k - 1) * long * 0.62
                 b.add(shapes.box((x - 0.006, x + 0.006), (-w * 0.45, w * 0.45), (-0.0003, 0.003)), body, hulls=[])
-        b.box((d / 2 - 0.02, d / 2 + 0.0004), (-w / 2 + 0.005, w / 2 - 0.005), (h * 0.34, h * 0.345), "grey plastic", bevel=0.0)
+        b.box(
+            (d / 2 - 0.02, d / 2 + 0.0004),
+            (-w / 2 + 0.005, w / 2 - 0.005),
+            (h * 0.34, h * 0.345),
+            "grey plastic",
+            bevel=0.0,
+        )
         b.box((d / 2 - 0.01, d / 2 + 0.0006), (w * 0.34, w * 0.42), (h * 0.52, h * 0.6), "screen", bevel=0.0)
         for k in range(6):
             x = -d * 0.35 + k * d * 0.1
@@ -177,7 +218,9 @@ def smoke_detector(b: Builder) -> None:
         b.add(shapes.lathe(profile, 32), body, [shapes.frustum(r, r, (0.0, h), 32)])
         for k in range(18):
             with b.frame(yaw=k * math.pi / 9):
-                b.add(shapes.box((r * 0.84, r * 0.895), (-0.004, 0.004), (h * 0.18, h * 0.4)), "black plastic", hulls=[])
+                b.add(
+                    shapes.box((r * 0.84, r * 0.895), (-0.004, 0.004), (h * 0.18, h * 0.4)), "black plastic", hulls=[]
+                )
         with b.frame(r * 0.4):
             b.add(shapes.frustum(0.004, 0.004, (0.0, 0.004), 10), "red plastic", hulls=[])
 
@@ -228,15 +271,23 @@ def light_switch(b: Builder) -> None:
         for k in range(count):
             y0 = -span / 2 + k * span / count + 0.001
             y1 = y0 + span / count - 0.002
-            b.hull([(x, y, z) for y in (y0, y1) for x, z in ((-d / 2, h * 0.16), (-d / 2, h * 0.84), (d / 2, h * 0.82),
-                                                            (d / 2 - d * 0.3, h * 0.18))], "white plastic")  # fmt: skip
+            b.hull(
+                [
+                    (x, y, z)
+                    for y in (y0, y1)
+                    for x, z in ((-d / 2, h * 0.16), (-d / 2, h * 0.84), (d / 2, h * 0.82), (d / 2 - d * 0.3, h * 0.18))
+                ],
+                "white plastic",
+            )
 
 
 @draws("window_blind")
 def window_blind(b: Builder) -> None:
     """Slats on cords under a head rail, or a roller blind half let down."""
     d, w, h = b.size
-    look = b.material("blind", "white paint", "beige fabric", "oak", "grey fabric", "light grey paint", "walnut", "sage paint")
+    look = b.material(
+        "blind", "white paint", "beige fabric", "oak", "grey fabric", "light grey paint", "walnut", "sage paint"
+    )
     with b.solid("blind"):
         if look.texture == "fabric":
             r = d / 2 - 0.003
@@ -254,8 +305,9 @@ def window_blind(b: Builder) -> None:
         for k in range(count):
             z = 0.045 + k * (h - 0.1) / max(1, count - 1)
             with b.frame(0.0, 0.0, z, pitch=0.6):
-                b.add(shapes.box((-d * 0.44, d * 0.44), (-w / 2 + 0.01, w / 2 - 0.01), (-0.0014, 0.0014)), look,
-                      hulls=[])  # fmt: skip
+                b.add(
+                    shapes.box((-d * 0.44, d * 0.44), (-w / 2 + 0.01, w / 2 - 0.01), (-0.0014, 0.0014)), look, hulls=[]
+                )
         for n, y in enumerate((-w * 0.36, 0.0, w * 0.36)):
             cord = shapes.box((-0.0015, 0.0015), (y - 0.0015, y + 0.0015), (0.018, h - 0.045))
             b.add(cord, "white fabric", [whole] if n == 0 else [])
