@@ -1,0 +1,85 @@
+"""The taxonomy: words, sizes and references agree, and any noun resolves to something that says how sure it is."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+import pytest
+
+from sceneweaver.assets.category import categories
+from sceneweaver.assets.parametric import makers
+from sceneweaver.assets.taxonomy import GENERIC, members, resolve
+
+
+def test_there_are_enough_categories() -> None:
+    known = categories()
+    bodies = {name for name, category in known.items() if category.size is not None}
+    assert bodies == set(makers())
+    assert len(bodies) >= 150
+    assert sum(known[name].mount[0] == "surface" for name in bodies) >= 60
+
+
+def test_every_word_means_one_thing() -> None:
+    owners = defaultdict(list)
+    for name, category in categories().items():
+        for word in (category.words, *category.synonyms):
+            owners[word.lower()].append(name)
+    assert {word: names for word, names in owners.items() if len(names) > 1} == {}
+
+
+def test_references_name_categories() -> None:
+    known = categories()
+    for name, category in known.items():
+        assert category.parent is None or category.parent in known, name
+        for other in (*category.on, *category.holds):
+            assert other in known, f"{name}: {other}"
+        assert category.usual is None or category.usual in known, name
+
+
+@pytest.mark.parametrize("name", sorted(name for name, c in categories().items() if c.size is not None))
+def test_entries_are_complete(name: str) -> None:
+    category = categories()[name]
+    assert category.source, "where do the sizes come from?"
+    assert category.parent or name == GENERIC
+    low, high = category.mass
+    assert 0 < low <= high <= 2000
+    assert 0.05 <= category.friction <= 1.5
+    assert set(category.clearance) <= set(category.sides)
+    assert all(0 < depth <= 2 for depth in category.clearance.values())
+    if "wall" in category.mount:
+        assert category.bottom is not None, "how high does it hang?"
+
+
+@pytest.mark.parametrize(
+    ("noun", "category", "how"),
+    [
+        ("desk", "desk", "exact"),
+        ("Office_Chair", "office_chair", "exact"),
+        ("swivel chair", "office_chair", "synonym"),
+        ("bookshelves", "bookcase", "synonym"),
+        ("wardrobes", "wardrobe", "plural"),
+        ("armoire", "wardrobe", "synonym"),
+        ("bokcase", "bookcase", "spelling"),
+        ("sofaa", "sofa", "spelling"),
+        ("gaming throne chair", "chair", "head"),
+        ("zebra", GENERIC, "generic"),
+        ("", GENERIC, "generic"),
+    ],
+)
+def test_nouns_resolve(noun: str, category: str, how: str) -> None:
+    match = resolve(noun)
+    assert (match.category, match.how) == (category, how)
+    assert bool(match.note) == (how in ("spelling", "head", "group", "generic"))
+
+
+def test_a_group_means_its_usual_member() -> None:
+    match = resolve("seat")
+    assert match.how == "group" and match.category in members("seating")
+
+
+def test_every_word_of_the_taxonomy_resolves_to_its_owner() -> None:
+    for name, category in categories().items():
+        if category.size is None:
+            continue
+        for word in (category.words, *category.synonyms):
+            assert resolve(word).category == name, word
