@@ -13,7 +13,9 @@ Y_UP = np.array([[0, 1, 0, 0], [0, 0, 1, 0], [1, 0, 0, 0], [0, 0, 0, 1.0]])
 """Our frame (front +x, left +y, up +z) as glTF has it: up +y, front +z, left +x."""
 
 
-def body(asset: Asset, *, matrix: np.ndarray | None = None, scale: float = 1.0, shift=(0.0, 0.0, 0.0)) -> trimesh.Trimesh:
+def body(
+    asset: Asset, *, matrix: np.ndarray | None = None, scale: float = 1.0, shift=(0.0, 0.0, 0.0)
+) -> trimesh.Trimesh:
     """The visual mesh of an asset, moved: first ``matrix``, then the scale, then the shift."""
     mesh = trimesh.Trimesh(asset.mesh.vertices, asset.mesh.faces, process=False)
     if matrix is not None:

@@ -194,7 +194,7 @@ def _check_surface(asset: Asset, surface, say) -> None:
         if part.z[0] < top - 2e-3 and part.z[1] > surface.z + 2e-3:
             share = shapely.Polygon(part.polygon).intersection(core).area / ring.area
             if share > 0.01:
-                say(f"{name}: a prism at z {part.z[0]:.3f} to {part.z[1]:.3f} fills {100 * share:.0f} % of the space over it")
+                say(f"{name}: a prism at z {part.z[0]:.3f} to {part.z[1]:.3f} fills {100 * share:.0f} % of its room")
 
 
 def _grid(shape, count: int = 8) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""Mesh files from elsewhere: normalised, or refused in one line that names the file; the store is never half-written."""
+"""Mesh files from elsewhere: normalised, or refused in one line that names the file; nothing is left half-written."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 import trimesh
-from tests.assets.meshes import Y_UP, body, turned, write, write_usd
 
 from sceneweaver.assets.imports.hints import Hints
 from sceneweaver.assets.imports.limited import LimitedError, run_limited
@@ -21,6 +20,7 @@ from sceneweaver.assets.readers import entries
 from sceneweaver.assets.store import Store
 from sceneweaver.cli import main
 from sceneweaver.scene import InputError
+from tests.assets.meshes import Y_UP, body, turned, write, write_usd
 
 
 @pytest.fixture(scope="module")
@@ -98,7 +98,9 @@ def test_shelf_boards_are_found_with_their_head_room(tmp_path: Path) -> None:
 
 def test_a_ten_metre_toy_is_caught(tmp_path: Path) -> None:
     path = write(trimesh.creation.box((9.0, 10.0, 7.0)), tmp_path / "t.stl")
-    with pytest.raises(InputError, match=r"t: with the stated unit it would be .* m; a .* is .* m; give --unit or --size"):
+    with pytest.raises(
+        InputError, match=r"t: with the stated unit it would be .* m; a .* is .* m; give --unit or --size"
+    ):
         prepare(Hints(path=path, name="t", category="toy car", metres=1.0))
 
 
@@ -196,7 +198,9 @@ def test_an_import_that_dies_leaves_nothing(tmp_path: Path, wardrobe, monkeypatc
 
 def _import_one(arguments: tuple[str, str]) -> str:
     path, store = arguments
-    asset = prepare(Hints(path=Path(path), name="w", category="wardrobe", up="z", front="x"), cache=Store(Path(store)).cache)
+    asset = prepare(
+        Hints(path=Path(path), name="w", category="wardrobe", up="z", front="x"), cache=Store(Path(store)).cache
+    )
     Store(Path(store)).add(asset, content_hash(asset))
     return asset.id
 

@@ -47,7 +47,7 @@ def prepare(hints: Hints, *, cache: Path | None = None, seconds: float = 60.0) -
         found, more = convex_parts(mesh.vertices, mesh.faces, cache=cache, seconds=seconds)
         hulls = tuple(found)
     # A seat is flat as well: only what is meant to carry things, or is not known, has surfaces.
-    carries = category is None or bool(category.holds)
+    carries = category is None or (bool(category.holds) and category.body == "hard")
     surfaces = find_surfaces(mesh.vertices, mesh.faces) if carries else ()
     low, high = mesh.bounds
     size = tuple(float(v) for v in high - low)

@@ -72,35 +72,48 @@ def main() -> None:
 
 
 def look_of(material) -> tuple:
-    """sRGB base colour, roughness and metallic: of the principled shader, with the mean of its colour ramps."""
-    color, roughness, metallic = (0.6, 0.6, 0.6), 0.6, 0.0
-    nodes = list(material.node_tree.nodes) if material and material.use_nodes else []
-    for node in nodes:
-        if node.type == "BSDF_PRINCIPLED":
-            base = node.inputs["Base Color"]
-            color = tuple(base.default_value)[:3]
-            if base.is_linked:
-                color = mean_color(nodes) or color
-            if not node.inputs["Roughness"].is_linked:
-                roughness = float(node.inputs["Roughness"].default_value)
-            metallic = float(node.inputs["Metallic"].default_value)
-            break
-    else:
-        color = mean_color(nodes) or color
+    """sRGB base colour, roughness and metallic of a shader, from what its nodes have unlinked; a mean, no texture."""
+    color, roughness, metallic = (0.4, 0.4, 0.4), 0.6, 0.0
+    nodes = list(all_nodes(material.node_tree)) if material and material.use_nodes else []
+    bodies = [node for node in nodes if node.type == "BSDF_PRINCIPLED"]
+    found = [tuple(n.inputs["Base Color"].default_value)[:3] for n in bodies if not n.inputs["Base Color"].is_linked]
+    if len(found) < len(bodies) or not bodies:
+        found = colors_of(nodes) or found
+    if found:
+        color = tuple(sum(c[k] for c in found) / len(found) for k in range(3))
+    plain = [node.inputs["Roughness"] for node in bodies if not node.inputs["Roughness"].is_linked]
+    if plain:
+        roughness = sum(float(i.default_value) for i in plain) / len(plain)
+    metal = [node.inputs["Metallic"] for node in bodies if not node.inputs["Metallic"].is_linked]
+    if metal:
+        metallic = sum(float(i.default_value) for i in metal) / len(metal)
     clipped = [max(0.0, min(1.0, c)) for c in color]
     srgb = [12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055 for c in clipped]
     return (*srgb, roughness, metallic)
 
 
-def mean_color(nodes) -> tuple | None:
-    """The mean colour of all ramps and plain colours of a shader."""
+def all_nodes(tree):
+    """The nodes of a tree and of the groups in it."""
+    for node in tree.nodes:
+        yield node
+        if node.type == "GROUP" and node.node_tree:
+            yield from all_nodes(node.node_tree)
+
+
+def colors_of(nodes) -> list:
+    """Colours that a shader is mixed from: ramps, plain colours, and unlinked colour sockets that were set."""
     found = []
     for node in nodes:
         if node.type == "VALTORGB":
             found += [tuple(e.color)[:3] for e in node.color_ramp.elements]
         elif node.type == "RGB":
             found.append(tuple(node.outputs[0].default_value)[:3])
-    return tuple(sum(c[k] for c in found) / len(found) for k in range(3)) if found else None
+        elif node.type in ("GROUP", "MIX", "MIX_RGB", "HUE_SAT", "BRIGHTCONTRAST"):
+            sockets = [i for i in node.inputs if i.type == "RGBA" and not i.is_linked]
+            found += [tuple(i.default_value)[:3] for i in sockets if len(set(tuple(i.default_value)[:3])) > 1]
+    # Pure black and white are masks of noise, hardly ever paint.
+    paints = [c for c in found if 0.02 < sum(c) < 2.9]
+    return [c for c in paints if max(c) - min(c) > 0.02] or paints
 
 
 if __name__ == "__main__":

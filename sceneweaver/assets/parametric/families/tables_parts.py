@@ -57,6 +57,11 @@ def tabletop(
         b.surface(name, (0, 0), (0, 0), z[1], headroom, polygon=drawn_in(plan, inset)[:: max(1, len(plan) // 24)])
 
 
+def proud(style: str) -> float:
+    """How far a handle of joinery stands out of its front [m]."""
+    return {"none": 0.0, "cup": 0.022}.get(style, 0.025)
+
+
 def planks(
     b: Builder, x: Interval, y: Interval, z: Interval, material: Finish, ends: float = 0.0, name: str | None = "top",
     wide: float = 0.14,
@@ -65,10 +70,10 @@ def planks(
     count = max(3, round((x[1] - x[0]) / wide))
     edges = np.linspace(x[0], x[1], count + 1)
     if ends:
-        b.box(x, (y[0], y[0] + ends), z, material, bevel=0.004)
-        b.box(x, (y[1] - ends, y[1]), z, material, bevel=0.004)
+        b.box(x, (y[0], y[0] + ends), z, material, bevel=0.0014)
+        b.box(x, (y[1] - ends, y[1]), z, material, bevel=0.0014)
     for low, high in zip(edges[:-1], edges[1:], strict=True):
-        b.box((float(low), float(high)), (y[0] + ends, y[1] - ends), z, material, bevel=0.004)
+        b.box((float(low), float(high)), (y[0] + ends, y[1] - ends), z, material, bevel=0.0014)
     if name:
         b.surface(name, (x[0] + 0.01, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), z[1])
 
