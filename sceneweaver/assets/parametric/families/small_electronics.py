@@ -549,8 +549,8 @@ def remote_control(b: Builder) -> None:
         with b.frame(x, y, top - 0.001):
             b.add(shapes.frustum(r, 0.9 * r, (0.0, 0.0013), 10), look, [])
 
-    key(-0.43 * d, 0.25 * w, 0.09 * w, "red plastic")
-    with b.frame(-0.22 * d, 0, top - 0.001):
+    key(-0.405 * d, 0.25 * w, 0.08 * w, "red plastic")
+    with b.frame(-0.2 * d, 0, top - 0.001):
         b.frustum(0.36 * w, 0.33 * w, (0.0, 0.0034), "black steel", 24)
         b.frustum(0.14 * w, 0.12 * w, (0.0, 0.004), "grey plastic", 16)
     for i in range(5):
@@ -558,9 +558,9 @@ def remote_control(b: Builder) -> None:
             c = "white plastic" if look.name != "white plastic" else "grey plastic"
             if i == 4:
                 c = ("green plastic", "yellow plastic", "blue plastic")[j]
-            key((0.02 + 0.085 * i) * d, (j - 1) * 0.27 * w, 0.1 * w, c)
+            key((0.03 + 0.082 * i) * d, (j - 1) * 0.26 * w, 0.1 * w, c)
     for j in (-1, 0, 1):
-        key(-0.36 * d, j * 0.27 * w, 0.08 * w, "grey plastic")
+        key(-0.33 * d, j * 0.27 * w, 0.08 * w, "grey plastic")
 
 
 @small("router")

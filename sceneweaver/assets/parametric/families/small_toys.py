@@ -294,7 +294,7 @@ def ball(b: Builder) -> None:
     if kind == "beach":
         colors = ("red plastic", "white plastic", "blue plastic", "white plastic", "yellow plastic", "white plastic")
         t = np.linspace(-np.pi / 2, np.pi / 2, 11)
-        whole = shapes.containing_hull(shapes.ball((r, r, r), (0, 0, r), n)[0])
+        whole = shapes.containing_hull(shapes.ball((r, r, r), (0, 0, r), 48)[0])
         for k, c in enumerate(colors):
             a = np.linspace(k, k + 1, 5) * np.pi / 3
             rings = [
@@ -323,7 +323,7 @@ def ball(b: Builder) -> None:
                 t = np.arange(5) * 2 * np.pi / 5
                 pts = [
                     np.c_[k * r * np.cos(t), k * r * np.sin(t), 0 * t + z * r]
-                    for k, z in ((m, (1 - m * m) ** 0.5 - 0.001), (0.5 * m, 0.987))
+                    for k, z in ((m, (1 - m * m) ** 0.5 - 0.004), (0.5 * m, 0.984))
                 ]
                 b.add(shapes.hull(np.concatenate([*pts, [(0, 0, 0.8 * r)]])), "black plastic", [])
     else:

@@ -282,7 +282,7 @@ def patio_table(b: Builder) -> None:
             apron(b, x, y, (low - 0.01, h), top, thick=rim)
             inner = (y[0] + rim, y[1] - rim)
             count = round((inner[1] - inner[0]) / (0.085 if kind == "slats" else 0.05)) | 1
-            step, gap = (inner[1] - inner[0]) / count, 0.006
+            step, gap = (inner[1] - inner[0]) / count, 0.004 if kind == "slats" else 0.003
             for k in range(count):
                 at = inner[0] + k * step
                 b.add(_slat((x[0] + rim, x[1] - rim), (at + gap / 2, at + step - gap / 2), (h - 0.018, h)), top, hulls=[])

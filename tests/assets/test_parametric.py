@@ -1,0 +1,89 @@
+"""Every drawing keeps the rules, is the same for the same arguments, and takes what a user asks for."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from sceneweaver.assets.asset import volume_of
+from sceneweaver.assets.category import categories
+from sceneweaver.assets.imports.prepare import content_hash
+from sceneweaver.assets.parametric import Request, make, makers
+from sceneweaver.scene import InputError
+from tests.assets.rules import examine
+
+NAMES = sorted(makers())
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_drawing_keeps_the_rules(name: str) -> None:
+    seed = sum(map(ord, name)) % 20  # another for each, the same every time
+    assert examine(make(name, seed), categories()[name]).faults == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", NAMES)
+def test_twenty_drawings_keep_the_rules(name: str) -> None:
+    for seed in range(20):
+        assert examine(make(name, seed), categories()[name]).faults == [], seed
+
+
+@pytest.mark.parametrize("name", ["office_chair", "potted_plant", "bookcase", "mug"])
+def test_equal_arguments_give_equal_assets(name: str) -> None:
+    assert content_hash(make(name, 7)) == content_hash(make(name, 7))
+    assert content_hash(make(name, 7)) != content_hash(make(name, 8))
+
+
+def test_variants_differ_in_more_than_scale() -> None:
+    for name in ("dining_chair", "desk", "sofa", "floor_lamp", "bed"):
+        shapes = {(len(make(name, s).mesh.faces), len(make(name, s).hulls)) for s in range(12)}
+        looks = {make(name, s).attributes["material"] for s in range(12)}
+        assert len(shapes) >= 3 and len(looks) >= 3, name
+
+
+def test_a_request_is_met() -> None:
+    asset = make("bookcase", 0, Request(size=(None, 0.9, 1.8), color="white", style="modern"))
+    assert asset.size[1:] == pytest.approx((0.9, 1.8), abs=1e-3)
+    assert asset.attributes["color"] == "white" and asset.attributes["style"] == "modern"
+    assert make("sofa", 0, Request(color="blue")).attributes["color"] == "blue"
+    assert "walnut" in make("desk", 0, Request(material="walnut")).description
+
+
+@pytest.mark.parametrize(
+    ("request_", "says"),
+    [
+        (Request(size=(None, 9.0, None)), "size: bookcase has a width of .* m, not 9 m"),
+        (Request(color="octarine"), "color: 'octarine' is unknown"),
+        (Request(style="baroque"), "style: 'baroque' is unknown"),
+    ],
+)
+def test_an_impossible_request_is_named(request_: Request, says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        make("bookcase", 0, request_)
+
+
+def test_groups_and_unknown_names_have_no_body() -> None:
+    with pytest.raises(InputError, match="category: 'bookcse' is unknown; did you mean"):
+        make("bookcse")
+    with pytest.raises(InputError, match="category: 'seating' is unknown"):
+        make("seating")
+
+
+def test_doors_and_drawers_move_without_their_body() -> None:
+    asset = make("wardrobe", 1)
+    doors = [link for link in asset.links if link.joint == "hinge"]
+    assert doors
+    for link in doors:
+        assert np.linalg.norm(link.axis) == pytest.approx(1.0)
+        assert link.limits[0] <= 0.0 <= link.limits[1] and link.limits[1] - link.limits[0] > 1.0
+
+
+def test_volume_counts_overlapping_pieces_once() -> None:
+    from sceneweaver.assets.body import Mesh
+    from sceneweaver.assets.shapes import box
+
+    a, b = box((0, 1), (0, 1), (0, 1)), box((0.5, 1.5), (0, 1), (0, 1))
+    faces = np.concatenate([a[1], b[1] + 8])
+    zero = np.zeros(len(faces), dtype=np.int32)
+    mesh = Mesh(np.concatenate([a[0], b[0]]), faces, zero, zero, ())
+    assert volume_of(mesh) == pytest.approx(1.5)
