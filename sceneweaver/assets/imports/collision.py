@@ -102,14 +102,21 @@ def _by_edges(triangles: np.ndarray) -> np.ndarray:
 
 def _hull(points: np.ndarray):
     """The convex hull, thickened a little where the points lie in a plane; at most 64 corners."""
+    from scipy.spatial import QhullError
+
     try:
         body = hull(points)
-        return body if len(body[0]) <= 64 else containing_hull(points)
     except ValueError:
         low, high = points.min(axis=0), points.max(axis=0)
         flat = np.maximum(2e-3 - (high - low), 0) / 2
         spread = np.concatenate([points + s * np.maximum(flat, 5e-4) * a for a in np.eye(3) for s in (-1, 1)])
         return hull(spread)
+    if len(body[0]) <= 64:
+        return body
+    try:
+        return containing_hull(points)
+    except (QhullError, ValueError):  # too thin for that
+        return body
 
 
 def _volume(points: np.ndarray, triangles: np.ndarray) -> float:

@@ -54,18 +54,36 @@ def _decompose(arrays: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
 
 
 def _simplify(arrays: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Quadric edge collapse, one material at a time; what resists (loose triangles) is snapped to a grid."""
+    """Quadric edge collapse, piece by piece; what resists (loose triangles) is snapped to a grid.
+
+    Each connected piece keeps triangles in proportion to its area, so that a finely meshed leg does not cost a coarsely
+    meshed cushion its shape.
+    """
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
+    pieces = []
+    for group in np.unique(arrays["groups"]):
+        points, triangles = _welded(arrays["vertices"], arrays["faces"][arrays["groups"] == group], 1e-7)
+        if not len(triangles):
+            continue
+        edges = np.concatenate([triangles[:, :2], triangles[:, 1:]])
+        graph = coo_matrix((np.ones(len(edges), dtype=np.int8), (edges[:, 0], edges[:, 1])), shape=(len(points),) * 2)
+        label = connected_components(graph, directed=False)[1][triangles[:, 0]]
+        order = np.argsort(label, kind="stable")
+        for mine in np.split(order, np.flatnonzero(np.diff(label[order])) + 1):
+            a, b, c = (points[triangles[mine, k]] for k in range(3))
+            area = float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
+            used, packed = np.unique(triangles[mine], return_inverse=True)
+            pieces.append((points[used], packed.reshape(-1, 3), group, area))
+    goals = _shares([len(t) for _, t, *_ in pieces], [area for *_, area in pieces], int(arrays["target"]))
     vertices, faces, groups = [], [], []
     start = 0
-    target, total = int(arrays["target"]), len(arrays["faces"])
-    for group in np.unique(arrays["groups"]):
-        mine = arrays["faces"][arrays["groups"] == group]
-        points, triangles = _welded(arrays["vertices"], mine, 1e-6)
-        goal = max(12, int(target * len(mine) / total))
+    for (points, triangles, group, _), goal in zip(pieces, goals, strict=True):
         if len(triangles) > goal:
             points, triangles = _collapsed(points, triangles, goal)
-        step = 2e-3
-        while len(triangles) > 1.02 * goal and step < 0.2:
+        step = 5e-3
+        while len(triangles) > 1.1 * goal + 12 and step < 0.5:
             points, triangles = _welded(points, triangles, step)
             step *= 1.3
         vertices.append(points)
@@ -73,6 +91,21 @@ def _simplify(arrays: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
         groups.append(np.full(len(triangles), group))
         start += len(points)
     return {"vertices": np.concatenate(vertices), "faces": np.concatenate(faces), "groups": np.concatenate(groups)}
+
+
+def _shares(counts: list[int], areas: list[float], target: int) -> list[int]:
+    """How many triangles each piece may keep: by area, and what small pieces leave over goes to the others."""
+    least = 48 if 48 * len(counts) <= target // 2 else 4
+    goals = [min(count, least) for count in counts]
+    for _ in range(8):
+        rest = target - sum(goals)
+        open_ = [k for k, count in enumerate(counts) if goals[k] < count]
+        total = sum(areas[k] for k in open_)
+        if rest <= 0 or not open_ or total <= 0:
+            break
+        for k in open_:
+            goals[k] = min(counts[k], goals[k] + int(rest * areas[k] / total))
+    return goals
 
 
 def _collapsed(points: np.ndarray, triangles: np.ndarray, goal: int) -> tuple[np.ndarray, np.ndarray]:

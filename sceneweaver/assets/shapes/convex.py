@@ -38,7 +38,7 @@ def containing_hull(points: np.ndarray) -> Shape:
     from scipy.spatial import HalfspaceIntersection
 
     reach = (points @ _DIRECTIONS.T).max(axis=0)
-    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    middle = points.mean(axis=0)  # inside the hull, and so inside the body
     halfspaces = np.c_[_DIRECTIONS, -reach]
     corners = HalfspaceIntersection(halfspaces, middle).intersections
     # The same corner arises once for every three planes through it; unequal copies would make slivers.

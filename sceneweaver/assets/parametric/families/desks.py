@@ -53,15 +53,14 @@ def desk(b: Builder) -> None:
         wooden = b.chance("wooden", 0.5)
         legs = b.material("legs", "oak", "beech", "walnut", "birch") if wooden else b.material("legs", *METALS)
         corner_legs(b, (x[0] + 0.03, x[1] - 0.03), (y[0] + 0.03, y[1] - 0.03), low, legs,
-                    b.pick("leg style", ["tapered", "splayed"]) if wooden else b.pick("leg style", ["square", "hairpin"]),
-                    0.05)  # fmt: skip
+                    b.pick("leg style", ["tapered", "splayed"] if wooden else ["square", "hairpin"]), 0.05)  # fmt: skip
         with b.solid("top"):
             b.box((x[0] + 0.08, x[0] + 0.1), (y[0] + 0.08, y[1] - 0.08), (low - 0.07, low), legs)
             for s in (-1, 1):
                 b.box((x[0] + 0.08, x[1] - 0.08), (s * (w / 2 - 0.09) - 0.01, s * (w / 2 - 0.09) + 0.01),
                       (low - 0.05, low), legs)  # fmt: skip
     elif kind in ("loop", "a"):
-        legs = b.material("legs", *METALS) if kind == "loop" else b.material("legs", "oak", "pine", "walnut", "black paint")
+        legs = b.material("legs", *(METALS if kind == "loop" else ("oak", "pine", "walnut", "black paint")))
         at = w / 2 - (0.05 if kind == "loop" else 0.16)
         for s in (-1, 1):
             end_frame(b, s * at, (x[0] + 0.03, x[1] - 0.03), low, legs, kind, 0.045)
@@ -106,8 +105,8 @@ def desk(b: Builder) -> None:
             step = (w - 0.06) / count
             for k in range(count):
                 at = y[0] + 0.03 + k * step
-                drawer(b, f"drawer-{k}", (shell[0], face), (at, at + step), (low - tall + 0.006, low - 0.004), top, pull,
-                       style if style != "bar" else "knob")  # fmt: skip
+                drawer(b, f"drawer-{k}", (shell[0], face), (at, at + step), (low - tall + 0.006, low - 0.004), top,
+                       pull, style if style != "bar" else "knob")  # fmt: skip
         corner_legs(b, (x[0] + 0.05, x[1] - 0.06), (y[0] + 0.05, y[1] - 0.05), low - tall, legs,
                     b.pick("leg style", ["tapered", "splayed", "round"]), 0.045)  # fmt: skip
         inner = (y[0] + 0.18, y[1] - 0.18)
@@ -133,12 +132,11 @@ def corner_desk(b: Builder) -> None:
     with b.solid("wing top"):
         b.box((edge, x[1]), side, (low, h), top)
     m = 0.01
-    ring = [(x[0] + m, y[0] + m), (edge - m, y[0] + m), (edge - m, inner), (x[1] - m, inner + m), (x[1] - m, y[1] - m),
+    bend = s * inner + m
+    ring = [(x[0] + m, y[0] + m), (edge - m, y[0] + m), (edge - m, bend), (x[1] - m, bend), (x[1] - m, y[1] - m),
             (x[0] + m, y[1] - m)]  # fmt: skip
-    ring[2] = (edge - m, inner + m)
     if s < 0:
-        ring = [(px, -py) for px, py in [(x[0] + m, y[0] + m), (edge - m, y[0] + m), (edge - m, -inner + m),
-                                         (x[1] - m, -inner + m), (x[1] - m, y[1] - m), (x[0] + m, y[1] - m)]][::-1]  # fmt: skip
+        ring = [(px, -py) for px, py in ring[::-1]]
     b.surface("top", (0, 0), (0, 0), h, polygon=ring)
     far = -s * (w / 2 - 0.04)
     if steel:
@@ -186,13 +184,15 @@ def standing_desk(b: Builder) -> None:
         b.box((x[1] - 0.05, x[1] - 0.005), (y[1] - 0.24, y[1] - 0.13), (low - 0.018, low), "black plastic", bevel=0.003)
         for k in range(4):
             at = y[1] - 0.225 + k * 0.025
-            b.box((x[1] - 0.006, x[1] - 0.003), (at - 0.007, at + 0.007), (low - 0.014, low - 0.006), "grey plastic", 0.0)
-    cut = b.uniform("cut", 0.5, 0.56) * 1.0
+            b.box((x[1] - 0.006, x[1] - 0.003), (at - 0.007, at + 0.007), (low - 0.014, low - 0.006),
+                  "grey plastic", 0.0)  # fmt: skip
+    cut = b.uniform("cut", 0.5, 0.56)
     for s in (-1, 1):
         at = s * (w / 2 - 0.25)
         with b.solid(f"foot {s}"):
-            b.hull([(px, at + py, pz) for px, pz in ((x[0] + 0.06, 0.012), (x[1] - 0.06, 0.012), (-0.06, 0.055),
-                    (0.03, 0.055), (x[0] + 0.06, 0.03), (x[1] - 0.06, 0.03)) for py in (-0.035, 0.035)], metal)  # fmt: skip
+            side = ((x[0] + 0.06, 0.012), (x[1] - 0.06, 0.012), (-0.06, 0.055), (0.03, 0.055), (x[0] + 0.06, 0.03),
+                    (x[1] - 0.06, 0.03))  # fmt: skip
+            b.hull([(px, at + py, pz) for px, pz in side for py in (-0.035, 0.035)], metal)
             for px in (x[0] + 0.09, x[1] - 0.09):
                 with b.frame(px, at):
                     b.frustum(0.02, 0.02, (0, 0.012), "rubber", segments=12)
@@ -202,7 +202,8 @@ def standing_desk(b: Builder) -> None:
     with b.solid("tray"):
         b.box((x[0] + 0.06, x[0] + 0.2), (-0.3 * w, 0.3 * w), (low - 0.09, low - 0.084), metal, bevel=0.001)
         for px in (x[0] + 0.06, x[0] + 0.195):
-            b.box((px, px + 0.005), (-0.3 * w, 0.3 * w), (low - 0.084, low - 0.05 if px > x[0] + 0.1 else low), metal, 0.0)
+            high = low - 0.05 if px > x[0] + 0.1 else low
+            b.box((px, px + 0.005), (-0.3 * w, 0.3 * w), (low - 0.084, high), metal, bevel=0.0)
     b.clear((0.06, x[1]), (-w / 2 + 0.35, w / 2 - 0.35), (0.0, 0.62))
 
 
@@ -276,6 +277,6 @@ def teacher_desk(b: Builder) -> None:
         drawer(b, "middle", (x[0] + 0.12, x[1] - 0.04), inner, (zone[1] - 0.08, zone[1]), wood, pull, style)
     with b.solid("modesty"):
         b.box((x[0] + 0.05, x[0] + 0.07), inner, (0.08, zone[1]), wood, bevel=0.0)
-        b.box((x[0] + 0.042, x[0] + 0.05), (inner[0] + 0.06, inner[1] - 0.06), (0.14, zone[1] - 0.06), wood, bevel=0.003)
+        b.box((x[0] + 0.042, x[0] + 0.05), (inner[0] + 0.06, inner[1] - 0.06), (0.14, zone[1] - 0.06), wood)
     b.clear((x[0] + 0.1, x[1]), (inner[0] + 0.01, inner[1] - 0.01), (0.0, 0.62))
     b.fit()

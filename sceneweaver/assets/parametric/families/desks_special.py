@@ -61,7 +61,9 @@ def secretary_desk(b: Builder) -> None:
             if b.chance("letters", 0.6):
                 for k in range(1, 4):
                     at = block[0] + (block[1] - block[0]) * k / 4
-                    b.box((x[0] + back, hutch - 0.01), (at - 0.003, at + 0.003), (mid + 0.012, h - 0.02), wood, bevel=0.0)
+                    b.box(
+                        (x[0] + back, hutch - 0.01), (at - 0.003, at + 0.003), (mid + 0.012, h - 0.02), wood, bevel=0.0
+                    )
     with b.solid("shelf"):
         b.box((x[0] + back, hutch - 0.005), (-third, third), (mid, mid + 0.012), wood, bevel=0.001)
     b.surface("shelf", (x[0] + 0.02, hutch - 0.02), (-third + 0.01, third - 0.01), mid + 0.012,
@@ -83,7 +85,9 @@ def computer_desk(b: Builder) -> None:
     with b.solid("top"):
         tabletop(b, rounded(x, y, 0.02, 3), (low, table), top, name=None)
         if glow:
-            b.box((x[1] - 0.004, x[1] + 0.001), (y[0] + 0.05, y[1] - 0.05), (low + 0.008, low + 0.014), "lamp glow", 0.0)
+            b.box(
+                (x[1] - 0.004, x[1] + 0.001), (y[0] + 0.05, y[1] - 0.05), (low + 0.008, low + 0.014), "lamp glow", 0.0
+            )
     for s in (-1, 1):
         end_frame(b, s * (w / 2 - 0.03), (x[0] + 0.03, x[1] - 0.04), low, metal, "loop", 0.04)
     shelf = x[0] + 0.26
@@ -103,7 +107,12 @@ def computer_desk(b: Builder) -> None:
         b.box((x[0] + 0.08, x[1] - 0.08), ys, (0.1, 0.118), top)
         inner = ys[0] if side > 0 else ys[1] - 0.016
         b.box((x[0] + 0.08, x[1] - 0.08), (inner, inner + 0.016), (0.118, low), top)
-        b.box((x[0] + 0.08, x[1] - 0.08), (ys[0] + 0.016, ys[1]) if side > 0 else (ys[0], ys[1] - 0.016), (0.5, 0.516), top)
+        b.box(
+            (x[0] + 0.08, x[1] - 0.08),
+            (ys[0] + 0.016, ys[1]) if side > 0 else (ys[0], ys[1] - 0.016),
+            (0.5, 0.516),
+            top,
+        )
         lo, hi = (ys[0] + 0.03, ys[1] - 0.02) if side > 0 else (ys[0] + 0.02, ys[1] - 0.03)
         b.box((x[0] + 0.1, x[1] - 0.13), (lo, hi), (0.118, 0.48), "black plastic", bevel=0.008)
         b.box((x[1] - 0.131, x[1] - 0.128), (lo + 0.02, hi - 0.02), (0.15, 0.45), "black glass", bevel=0.0)
@@ -139,7 +148,9 @@ def dressing_table(b: Builder) -> None:
         step = (w - 0.03) / count
         for k in range(count):
             at = y[0] + 0.015 + k * step
-            drawer(b, f"drawer-{k}", (x[0] + 0.03, face), (at, at + step), (low - deep, low - 0.002), wood, metal, style)
+            drawer(
+                b, f"drawer-{k}", (x[0] + 0.03, face), (at, at + step), (low - deep, low - 0.002), wood, metal, style
+            )
     legs = metal if metal.name != "chrome" and b.chance("metal legs", 0.35) else wood
     corner_legs(b, (x[0] + 0.02, face - 0.01), (y[0] + 0.025, y[1] - 0.025), low - deep, legs,
                 b.pick("legs", ["tapered", "splayed", "turned"] if legs is wood else ["round"]), 0.042)  # fmt: skip
@@ -220,11 +231,12 @@ def reception_desk(b: Builder) -> None:
     with b.solid("top"):
         b.box((x[0], wall[0]), (y[0] + 0.03, y[1] - 0.03), (table - 0.028, table), counter if kind != "stone" else body)
     b.surface("top", (x[0] + 0.01, wall[0] - 0.01), (y[0] + 0.06, y[1] - 0.06), table, round(h - 0.04 - table, 4))
+    profile = [(x[0] + 0.02, 0), (x[0] + 0.02, table + 0.03), (wall[0], 0), (wall[0], h - 0.035),
+               (wall[0] - 0.1, h - 0.035)]  # fmt: skip
     for s in (-1, 1):
         ys = (y[1] - 0.03, y[1]) if s > 0 else (y[0], y[0] + 0.03)
         with b.solid(f"side {s}"):
-            b.hull([(px, py, pz) for py in ys for px, pz in ((x[0] + 0.02, 0), (x[0] + 0.02, table + 0.03), (wall[0], 0),
-                    (wall[0], h - 0.035), (wall[0] - 0.1, h - 0.035))], body)  # fmt: skip
+            b.hull([(px, py, pz) for py in ys for px, pz in profile], body)
     pull = b.material("pulls", "black steel", "brushed steel")
     at = -w / 2 + 0.06
     with b.frame((x[0] + wall[0]) / 2, at + 0.21, 0, yaw=math.pi):
@@ -256,7 +268,9 @@ def workbench(b: Builder) -> None:
             b.bar((x[1] - 0.1, at, low - 0.06), (x[1] + 0.066, at, low - 0.06), 0.014, metal, segments=12)
             b.bar((x[1] - 0.1, at - 0.14, low - 0.06), (x[1] + 0.05, at - 0.14, low - 0.06), 0.009, metal, segments=8)
             b.bar((x[1] - 0.1, at + 0.14, low - 0.06), (x[1] + 0.05, at + 0.14, low - 0.06), 0.009, metal, segments=8)
-            b.bar((x[1] + 0.066, at - 0.11, low - 0.09), (x[1] + 0.066, at + 0.08, low - 0.03), 0.004, "steel", segments=8)
+            b.bar(
+                (x[1] + 0.066, at - 0.11, low - 0.09), (x[1] + 0.066, at + 0.08, low - 0.03), 0.004, "steel", segments=8
+            )
             b.bar((x[1] + 0.058, at, low - 0.06), (x[1] + 0.07, at, low - 0.06), 0.017, metal, segments=12)
         for k in range(6):
             py = y[0] + 0.15 + k * (w - 0.8) / 6
@@ -268,7 +282,9 @@ def workbench(b: Builder) -> None:
     shelf = 0.2
     with b.solid("shelf"):
         for px in (x[0] + 0.03 + width / 2, x[1] - 0.045 - width / 2):
-            b.box((px - 0.02, px + 0.02), (y[0] + 0.12 + width, y[1] - 0.12 - width), (shelf - 0.09, shelf - 0.02), legs)
+            b.box(
+                (px - 0.02, px + 0.02), (y[0] + 0.12 + width, y[1] - 0.12 - width), (shelf - 0.09, shelf - 0.02), legs
+            )
         b.box((x[0] + 0.06, x[1] - 0.075), (y[0] + 0.12 + width, y[1] - 0.12 - width), (shelf - 0.02, shelf), top)
     wide = 0.42
     if kind == "garage":
@@ -302,8 +318,8 @@ def drafting_table(b: Builder) -> None:
         b.box((long / 2 - 0.03, long / 2 + 0.012), (y[0] + 0.05, y[1] - 0.05), (0.0, 0.014), legs)
         b.box((-0.3 * long, 0.36 * long), (-0.3 * w, 0.3 * w), (0.0, 0.0012), "paper", bevel=0.0)
         for k in range(3):
-            b.box((-0.2 * long + 0.09 * k, -0.198 * long + 0.09 * k), (-0.2 * w, (0.05 + 0.06 * k) * w), (0.0012, 0.0017),
-                  "navy paint", bevel=0.0)  # fmt: skip
+            at = -0.2 * long + 0.09 * k
+            b.box((at, at + 0.002), (-0.2 * w, (0.05 + 0.06 * k) * w), (0.0012, 0.0017), "navy paint", bevel=0.0)
         for k in range(2):
             at = -0.2 * w + k * 0.25 * w
             b.box((-0.2 * long, 0.02 * long), (at, at + 0.002), (0.0012, 0.0017), "navy paint", bevel=0.0)
@@ -350,8 +366,8 @@ def lab_bench(b: Builder) -> None:
     with b.solid("sink"):
         b.box((0.0, 0.3), (sink - 0.2, sink + 0.2), (table, table + 0.008), "brushed steel", bevel=0.003)
         b.box((0.02, 0.28), (sink - 0.18, sink + 0.18), (table + 0.008, table + 0.009), "black steel", bevel=0.0)
-        b.tube([(-0.03, sink, table), (-0.03, sink, table + 0.26), (0.0, sink, table + 0.32), (0.07, sink, table + 0.34),
-                (0.13, sink, table + 0.3), (0.14, sink, table + 0.24)], 0.011, "chrome", segments=10)  # fmt: skip
+        neck = [(-0.03, 0.0), (-0.03, 0.26), (0.0, 0.32), (0.07, 0.34), (0.13, 0.3), (0.14, 0.24)]
+        b.tube([(px, sink, table + pz) for px, pz in neck], 0.011, "chrome", segments=10)
         b.bar((-0.03, sink - 0.05, table + 0.06), (-0.03, sink + 0.05, table + 0.06), 0.009, "chrome", segments=8)
         for k, look in ((-1, "blue plastic"), (1, "red plastic")):
             b.bar((-0.03, sink + k * 0.05, table + 0.06), (-0.03, sink + k * 0.075, table + 0.06), 0.014, look, 10)

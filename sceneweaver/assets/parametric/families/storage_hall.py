@@ -112,6 +112,7 @@ def hall_stand(b: Builder) -> None:
         b.box((x0, d / 2), (-w / 2, w / 2), (seat - 0.025, seat), wood, bevel=0.004)
     with b.solid("back"):
         b.box((x0, x0 + 0.018), inner, (0.12, seat - 0.025), wood, bevel=0.0)
+    with b.solid("panel"):
         for sy in (-1, 1):
             ys = sorted((sy * w / 2, sy * (w / 2 - 0.06)))
             b.box((x0, x0 + 0.03), (ys[0], ys[1]), (seat, h), wood)
@@ -120,8 +121,10 @@ def hall_stand(b: Builder) -> None:
         for ys in split(middle, max(4, round(w / 0.11)), 0.006):
             b.box((x0 + 0.012, x0 + 0.018), ys, (seat, h - 0.03), wood, bevel=0.002)
         b.box((x0 + 0.018, x0 + 0.03), middle, (h - 0.36, h - 0.26), wood)
+    with b.solid("hooks"):
         for k in range(count := max(3, round(w / 0.2))):
             _hook(b, x0 + 0.03, -w / 2 + (k + 0.5) * w / count, h - 0.32, metal)
+    with b.solid("panel"):
         if b.chance("mirror", 0.5):
             half = min(0.2, 0.28 * w)
             b.box((x0 + 0.018, x0 + 0.028), (-half - 0.025, half + 0.025), (seat + 0.22, h - 0.43), wood)
@@ -166,7 +169,7 @@ def umbrella_stand(b: Builder) -> None:
     d, w, h = b.size
     body = b.material("body", "black steel", "brass", "white ceramic", "wicker", "copper", "blue ceramic")
     r, tall = min(d, w) / 2, 0.52 + 0.06 * b.uniform("tall", -1, 1)
-    square = b.chance("square", 0.35)
+    square = not b.chance("round body", 0.6)
     with b.solid("body"):
         if square:
             for k in range(4):
@@ -178,7 +181,9 @@ def umbrella_stand(b: Builder) -> None:
                      (r, tall)], body, segments=28)  # fmt: skip
             b.frustum(r * 0.88, r * 0.88, (tall, tall + 0.0005), "black paint", segments=28)
         for k in range(count := b.whole("umbrellas", 2, 3)):
-            cloth = b.pick(f"cloth {k}", ["black fabric", "navy fabric", "red fabric", "green fabric", "mustard fabric"])
+            cloth = b.pick(
+                f"cloth {k}", ["black fabric", "navy fabric", "red fabric", "green fabric", "mustard fabric"]
+            )
             grip = b.pick(f"grip {k}", ["walnut", "beech", "black plastic"])
             with b.frame(yaw=2 * np.pi * k / count + 0.6):
                 _umbrella(b, r * 0.42, tall - 0.05, h - 0.03 * k, r * 0.3, cloth, grip)
@@ -221,8 +226,8 @@ def magazine_rack(b: Builder) -> None:
         for k in range(b.whole("papers", 4, 6)):
             high = h + b.uniform(f"high {k}", -0.1, -0.02)
             x = -0.034 + 0.012 * k
-            b.box((x, x + 0.008), (-w / 2 + 0.035 + 0.006 * k, w / 2 - 0.05), (0.091, high), b.pick(f"cover {k}", covers),
-                  bevel=0.001)  # fmt: skip
+            ys = (-w / 2 + 0.035 + 0.006 * k, w / 2 - 0.05)
+            b.box((x, x + 0.008), ys, (0.091, high), b.pick(f"cover {k}", covers), bevel=0.001)
 
 
 @draws("newspaper_stand")

@@ -218,23 +218,23 @@ def corner_shelf(b: Builder) -> None:
     d, w, h = b.size
     wood = b.material("body", *WOODS)
     t, board = 0.016, 0.02
-    x0, y0 = -d / 2, -w / 2
+    x0, y0 = -d / 2, w / 2
     with b.solid("back"):
-        b.box((x0, x0 + t), (y0, w / 2 - 0.03), (0.0, h), wood, bevel=0.0015)
+        b.box((x0, x0 + t), (-w / 2 + 0.03, y0), (0.0, h), wood, bevel=0.0015)
     with b.solid("side"):
-        b.box((x0 + t, d / 2 - 0.03), (y0, y0 + t), (0.0, h), wood, bevel=0.0015)
+        b.box((x0 + t, d / 2 - 0.03), (y0 - t, y0), (0.0, h), wood, bevel=0.0015)
     a = np.linspace(0.0, np.pi / 2, 13)
     rx, ry = d - t, w - t
-    ring = [(x0 + t, y0 + t), *((x0 + t + rx * np.cos(v), y0 + t + ry * np.sin(v)) for v in a)]
-    small = [(x0 + t + 0.005, y0 + t + 0.005), *((x0 + t + 0.95 * rx * np.cos(v), y0 + t + 0.95 * ry * np.sin(v))
+    ring = [(x0 + t, y0 - t), *((x0 + t + rx * np.cos(v), y0 - t - ry * np.sin(v)) for v in a)]
+    small = [(x0 + t + 0.005, y0 - t - 0.005), *((x0 + t + 0.95 * rx * np.cos(v), y0 - t - 0.95 * ry * np.sin(v))
              for v in np.linspace(0.03, np.pi / 2 - 0.03, 9))]  # fmt: skip
     count = 4 if h < 1.5 else 5
     levels = [0.08 + k * (h - 0.28) / (count - 1) for k in range(count)]
     for k, z in enumerate(levels):
         with b.solid(f"shelf-{k}"):
-            b.extrude(np.array(ring), (z - board, z), wood)
+            b.extrude(np.array(ring[::-1]), (z - board, z), wood)
         room = None if k + 1 == count else round(levels[k + 1] - board - z - 0.003, 4)
-        b.surface(f"shelf-{k}", (0, 0), (0, 0), z, headroom=room, polygon=small)
+        b.surface(f"shelf-{k}", (0, 0), (0, 0), z, headroom=room, polygon=small[::-1])
 
 
 @draws("library_shelf")

@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 
 from ... import shapes
-from ...shapes.convex import Shape
-from ..builder import Builder, Interval
+from ..builder import Builder
 from ..registry import draws
 from .tables_parts import apron, corner_legs, ellipse, end_frame, pedestal, planks, prism_leg, rounded, tabletop
 
@@ -271,7 +270,8 @@ def patio_table(b: Builder) -> None:
     elif kind == "metal":
         top = legs = b.material("top", "white steel", "black steel", "sage paint", "teal paint", "grey paint")
     else:
-        top, legs = b.material("top", "frosted glass", "glass"), b.material("legs", "black steel", "aluminium", "wicker")
+        top = b.material("top", "frosted glass", "glass")
+        legs = b.material("legs", "black steel", "aluminium", "wicker")
     low = h - 0.026
     with b.solid("top"):
         if kind == "glass":
@@ -280,23 +280,22 @@ def patio_table(b: Builder) -> None:
         else:
             rim = 0.06 if kind == "slats" else 0.035
             apron(b, x, y, (low - 0.01, h), top, thick=rim)
-            inner = (y[0] + rim, y[1] - rim)
+            across, inner = (x[0] + rim, x[1] - rim), (y[0] + rim, y[1] - rim)
             count = round((inner[1] - inner[0]) / (0.085 if kind == "slats" else 0.05)) | 1
-            step, gap = (inner[1] - inner[0]) / count, 0.004 if kind == "slats" else 0.003
+            step, gap = (inner[1] - inner[0]) / count, 0.007 if kind == "slats" else 0.005
             for k in range(count):
                 at = inner[0] + k * step
-                b.add(_slat((x[0] + rim, x[1] - rim), (at + gap / 2, at + step - gap / 2), (h - 0.018, h)), top, hulls=[])
-            b.add(_slat((x[0] + rim + 0.02, x[1] - rim - 0.02), inner, (h - 0.024, h - 0.019)), top,
-                  hulls=[_slat((x[0] + rim, x[1] - rim), inner, (h - 0.024, h))])  # fmt: skip
+                slat = shapes.box(across, (at + gap / 2, at + step - gap / 2), (h - 0.018, h), 0.0014)
+                b.add(slat, top, hulls=[])
+            # What shows between the slats; the whole field is one flat part.
+            ground = "black plastic" if top.name != "black steel" else "grey plastic"
+            b.add(shapes.box(across, inner, (h - 0.024, h - 0.0013)), ground,
+                  hulls=[shapes.box(across, inner, (h - 0.024, h))])  # fmt: skip
             apron(b, (x[0] + 0.03, x[1] - 0.03), (y[0] + 0.03, y[1] - 0.03), (low - 0.06, low - 0.01), legs)
             b.surface("top", (x[0] + 0.01, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), h)
     corner_legs(b, (x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), low - 0.01, legs,
                 "tapered" if kind == "slats" else b.pick("leg style", ["square", "round"]), 0.06)  # fmt: skip
     b.clear(x, (y[0] + 0.3, y[1] - 0.3), (0.0, 0.62))
-
-
-def _slat(x: Interval, y: Interval, z: Interval) -> Shape:
-    return shapes.box(x, y, z, 0.0014)
 
 
 @draws("picnic_table")

@@ -52,7 +52,8 @@ def coffee_table(b: Builder) -> None:
         z = b.uniform("shelf", 0.1, 0.16)
         with b.solid("shelf"):
             b.box((x[0] + 0.03, x[1] - 0.03), (y[0] + t, y[1] - t), (z - 0.02, z), wood)
-        b.surface("shelf", (x[0] + 0.04, x[1] - 0.04), (y[0] + t + 0.01, y[1] - t - 0.01), z, round(h - t - z - 0.005, 4))
+        b.surface("shelf", (x[0] + 0.04, x[1] - 0.04), (y[0] + t + 0.01, y[1] - t - 0.01), z,
+                  round(h - t - z - 0.005, 4))  # fmt: skip
     elif kind == "drawers":
         wood = b.material("top", *WOODS, *PAINTS)
         front = b.material("fronts", *WOODS) if wood.name.endswith("paint") else wood
@@ -190,7 +191,8 @@ def side_table(b: Builder) -> None:
                   (low - (0.018 if kind == "frame" else 0.06), low), legs, thick=0.018)  # fmt: skip
         width = 0.018 if kind == "frame" else 0.036
         corner_legs(b, (x[0] + 0.012, x[1] - 0.012), (y[0] + 0.012, y[1] - 0.012), low, legs,
-                    "square" if kind == "frame" else b.pick("legs", ["tapered", "square", "turned"]), width)  # fmt: skip
+                    "square" if kind == "frame" else b.pick("legs", ["tapered", "square", "turned"]),
+                    width)  # fmt: skip
         z = 0.15
         with b.solid("shelf"):
             b.box((x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), (z - 0.016, z), top)
@@ -205,10 +207,10 @@ def side_table(b: Builder) -> None:
         with b.solid("all"):
             tabletop(b, ellipse(r, r, 36), (low, h), top)
             b.frustum(r * 0.97, r * 0.97, (0.0, 0.03), metal, segments=36)
-            count = 20
+            count = 28
             for k in range(count):
                 with b.frame(yaw=2 * math.pi * k / count):
-                    b.box((0.86 * r, 0.94 * r), (-0.012, 0.012), (0.03, low), top if k % 2 else metal, bevel=0.002)
+                    b.box((0.86 * r, 0.94 * r), (-0.012, 0.012), (0.03, low), top, bevel=0.003)
             b.frustum(r * 0.84, r * 0.84, (0.03, low), top, segments=28)
         return
     with b.solid("top"):
@@ -228,7 +230,7 @@ def side_table(b: Builder) -> None:
             b.frustum(0.6 * r, 0.6 * r, (low - 0.012, low), legs, segments=28)
     else:
         foot = b.material("foot", *METALS) if kind == "disc" else b.material("foot", "white paint", "black paint")
-        pedestal(b, low, 0.7 * r, foot, kind)
+        pedestal(b, low, 0.7 * r, foot, kind, slim=0.55)
 
 
 @draws("tv_stand")
@@ -350,4 +352,5 @@ def console_table(b: Builder) -> None:
     if kind == "frame" or b.chance("shelf", 0.6):
         with b.solid("shelf"):
             b.box((x[0] + 0.02, front - 0.01), (y[0] + 0.03, y[1] - 0.03), (z - 0.018, z), top)
-        b.surface("shelf", (x[0] + 0.06, front - 0.055), (y[0] + 0.07, y[1] - 0.07), z, round(low - deep - z - 0.005, 4))
+        b.surface("shelf", (x[0] + 0.06, front - 0.055), (y[0] + 0.07, y[1] - 0.07), z,
+                  round(low - deep - z - 0.005, 4))  # fmt: skip

@@ -87,8 +87,8 @@ def prism_leg(b: Builder, foot: Sequence[float], head: Sequence[float], low, hig
 
 
 def cone_leg(
-    b: Builder, foot: Sequence[float], head: Sequence[float], low: float, high: float, material: Finish,
-    segments: int = 14,
+    b: Builder, foot: Sequence[float] | np.ndarray, head: Sequence[float] | np.ndarray, low: float, high: float,
+    material: Finish, segments: int = 14,
 ) -> None:  # fmt: skip
     """A round leg between two points with these radii, its ends level."""
     angle = (np.arange(segments) + 0.5) * (2 * math.pi / segments)
@@ -210,24 +210,22 @@ def end_frame(b: Builder, y: float, x: Interval, h: float, material: Finish, sty
             raise ValueError(f"no end frame of style {style}")
 
 
-def pedestal(b: Builder, h: float, radius: float, material: Finish, style: str) -> None:
-    """A central foot under a round top, up to height h, in one prism or two: "tulip", "disc", "claw", "drum", "cross"."""
+def pedestal(b: Builder, h: float, radius: float, material: Finish, style: str, slim: float = 1.0) -> None:
+    """A central foot under a round top, up to height h: "tulip", "disc", "claw", "drum" or "cross"."""
+    half = radius * 0.55
     with b.solid("foot"):
         if style == "tulip":
-            b.lathe([(radius, 0.0), (radius, 0.008), (radius * 0.72, 0.02), (radius * 0.42, 0.05), (0.07, 0.13),
-                     (0.048, 0.24), (0.045, 0.4 * h + 0.1)], material, segments=28)  # fmt: skip
+            b.lathe([(radius, 0.0), (radius, 0.008), (radius * 0.72, 0.02), (radius * 0.42, 0.05), (0.07 * slim, 0.13),
+                     (0.048 * slim, 0.24), (0.045 * slim, 0.4 * h + 0.1)], material, segments=28)  # fmt: skip
         elif style == "disc":
             b.lathe([(radius, 0.0), (radius, 0.012), (radius * 0.96, 0.018), (0.06, 0.028)], material, segments=28)
         elif style == "claw":
             for k in range(4):
                 with b.frame(yaw=math.pi / 4 + k * math.pi / 2):
-                    b.hull([(0.03, -0.025, 0.12), (0.03, 0.025, 0.12), (0.03, -0.025, 0.2), (0.03, 0.025, 0.2),
-                            (radius * 0.55, -0.022, 0.075), (radius * 0.55, 0.022, 0.075), (radius * 0.55, -0.022, 0.13),
-                            (radius * 0.55, 0.022, 0.13)], material)  # fmt: skip
-                    b.hull([(radius * 0.55, -0.022, 0.075), (radius * 0.55, 0.022, 0.075), (radius * 0.55, -0.022, 0.13),
-                            (radius * 0.55, 0.022, 0.13), (radius - 0.03, -0.022, 0.0), (radius - 0.03, 0.022, 0.0),
-                            (radius, -0.018, 0.0), (radius, 0.018, 0.0), (radius, -0.018, 0.04),
-                            (radius, 0.018, 0.04)], material)  # fmt: skip
+                    knee = [(half, y, z) for y in (-0.022, 0.022) for z in (0.075, 0.13)]
+                    b.hull([(0.03, y, z) for y in (-0.025, 0.025) for z in (0.12, 0.2)] + knee, material)
+                    b.hull(knee + [(radius - 0.03, y, 0.0) for y in (-0.022, 0.022)]
+                           + [(radius, y, z) for y in (-0.018, 0.018) for z in (0.0, 0.04)], material)  # fmt: skip
         elif style == "drum":
             b.frustum(radius * 0.62, radius * 0.5, (0.0, h - 0.03), material, segments=28, bevel=0.006)
         elif style == "cross":
@@ -240,7 +238,9 @@ def pedestal(b: Builder, h: float, radius: float, material: Finish, style: str) 
     with b.solid("column"):
         if style == "tulip":
             z = 0.4 * h + 0.1
-            b.lathe([(0.045, z), (0.05, 0.75 * h), (0.075, 0.9 * h), (radius * 0.55, h)], material, segments=24)
+            b.lathe(
+                [(0.045 * slim, z), (0.05 * slim, 0.75 * h), (0.075 * slim, 0.9 * h), (half, h)], material, segments=24
+            )
         elif style == "claw":
             b.lathe([(0.04, 0.07), (0.06, 0.1), (0.06, 0.2), (0.04, 0.23), (0.075, 0.3), (0.085, 0.38), (0.055, 0.5),
                      (0.04, 0.56), (0.06, 0.58), (0.06, h - 0.06), (radius * 0.5, h - 0.03),
@@ -248,5 +248,5 @@ def pedestal(b: Builder, h: float, radius: float, material: Finish, style: str) 
         elif style == "drum":
             b.frustum(radius * 0.7, radius * 0.7, (h - 0.03, h), material, segments=28)
         else:
-            b.frustum(0.038, 0.038, (0.02, h - 0.008), material, segments=20)
+            b.frustum(0.038 * slim, 0.038 * slim, (0.02, h - 0.008), material, segments=20)
             b.frustum(radius * 0.5, radius * 0.5, (h - 0.008, h), material, segments=20)

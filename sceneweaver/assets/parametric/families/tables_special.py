@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from ... import shapes
 from ..builder import Builder
 from ..joinery import door, drawer
 from ..registry import draws
@@ -42,14 +43,16 @@ def round_coffee_table(b: Builder) -> None:
     elif kind == "wire":
         metal = b.material("legs", "black steel", "brass", "copper", "white steel")
         with b.solid("all"):
-            turn = np.arange(36) * (2 * math.pi / 36)
+            turn = np.arange(18) * (2 * math.pi / 18)
             for radius, z in ((0.62 * r, 0.006), (0.9 * r, low - 0.006)):
-                b.tube(np.c_[radius * np.cos(turn), radius * np.sin(turn), np.full(36, z)], 0.006, metal, 6, closed=True)
+                ring = np.c_[radius * np.cos(turn), radius * np.sin(turn), np.full(18, z)]
+                b.tube(ring, 0.006, metal, 6, closed=True)
             for k in range(12):
                 for s in (-1, 1):
                     a, c = k * math.pi / 6, k * math.pi / 6 + s * 0.35
                     b.bar((0.62 * r * math.cos(a), 0.62 * r * math.sin(a), 0.006),
-                          (0.9 * r * math.cos(c), 0.9 * r * math.sin(c), low - 0.003), 0.004, metal, segments=5)  # fmt: skip
+                          (0.9 * r * math.cos(c), 0.9 * r * math.sin(c), low - 0.003), 0.004, metal,
+                          segments=5)  # fmt: skip
     elif kind == "shelf":
         z = 0.12
         with b.solid("shelf"):
@@ -148,26 +151,30 @@ def train_table(b: Builder) -> None:
         b.box((x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), (floor - 0.02, floor), "green paint", bevel=0.0)
         apron(b, x, y, (floor - 0.08, rim), wood)
         b.extrude(ellipse(0.16 * d, 0.13 * w, 24) + (0.06 * d, 0.12 * w), (floor - 0.001, floor + 0.001), "blue paint")
-        a, c, n = 0.36 * d, 0.38 * w, 32
-        ring = np.c_[ellipse(a, c, n, 2.8), np.full(n, floor + 0.006)]
-        b.tube(ring, np.array([(-0.006, -0.02), (0.006, -0.02), (0.006, 0.02), (-0.006, 0.02)]), "beech", closed=True)
-        tr = np.c_[ellipse(a, c, n, 2.8), np.full(n, floor + 0.013)]
+        a, c, n = 0.36 * d, 0.38 * w, 28
+        ring = np.c_[ellipse(a, c, n, 2.6), np.full(n, floor + 0.006)]
+        b.tube(ring, np.array([(-0.02, -0.006), (0.02, -0.006), (0.02, 0.006), (-0.02, 0.006)]), "beech", closed=True)
+        tr = np.c_[ellipse(a, c, n, 2.6), np.full(n, floor + 0.013)]
         for k in range(0, n, 2):
-            b.box((tr[k, 0] - 0.004, tr[k, 0] + 0.004), (tr[k, 1] - 0.004, tr[k, 1] + 0.004),
-                  (floor + 0.011, floor + 0.013), "walnut", bevel=0.0)  # fmt: skip
+            sleeper = shapes.box((tr[k, 0] - 0.005, tr[k, 0] + 0.005), (tr[k, 1] - 0.005, tr[k, 1] + 0.005),
+                                 (floor + 0.01, floor + 0.0124))  # fmt: skip
+            b.add(sleeper, "walnut", hulls=[])
         for k in range(4):
-            at = (-0.12 + 0.068 * k) * 1.0
+            at = -0.12 + 0.068 * k
             look = ("red paint", "yellow paint", "blue paint", "green paint")[k]
             px = -a
-            b.box((px - 0.017, px + 0.017), (at - 0.028, at + 0.028), (floor + 0.018, floor + 0.045), look, bevel=0.004)
+            car = shapes.box((px - 0.017, px + 0.017), (at - 0.028, at + 0.028), (floor + 0.018, floor + 0.045), 0.004)
+            room = shapes.box((px - 0.02, px + 0.02), (at - 0.028, at + 0.028), (floor + 0.012, floor + 0.045))
+            b.add(car, look, hulls=[room])
             for s in (-1, 1):
-                b.box((px - 0.02, px + 0.02), (at + s * 0.017 - 0.007, at + s * 0.017 + 0.007),
-                      (floor + 0.012, floor + 0.024), "black plastic", bevel=0.003)  # fmt: skip
+                wheel = shapes.box((px - 0.02, px + 0.02), (at + s * 0.017 - 0.007, at + s * 0.017 + 0.007),
+                                   (floor + 0.012, floor + 0.024), 0.003)  # fmt: skip
+                b.add(wheel, "black plastic", hulls=[])
             if k == 3:
                 with b.frame(px, at + 0.012):
                     b.frustum(0.008, 0.01, (floor + 0.045, floor + 0.066), "black plastic", segments=10)
                 b.box((px - 0.016, px + 0.016), (at - 0.027, at - 0.006), (floor + 0.045, floor + 0.065), "blue paint")
-    for k in range(9):
+    for k in range(7):
         px, py = b.uniform(f"tree x {k}", -0.24, 0.24) * d, b.uniform(f"tree y {k}", -0.26, 0.0) * w
         with b.solid("trees"), b.frame(px, py, floor):
             b.frustum(0.006, 0.006, (0, 0.03), "bark", segments=8)
@@ -196,11 +203,14 @@ def plant_stand(b: Builder) -> None:
         tabletop(b, ellipse(r, r, 36), (low, h), top)
     if kind == "column":
         with b.solid("foot"):
-            b.lathe([(r * 0.9, 0.0), (r * 0.9, 0.02), (r * 0.5, 0.04), (0.03, 0.07), (0.026, 0.2), (0.04, 0.24),
-                     (0.022, 0.28), (0.026, 0.6 * h), (0.042, 0.66 * h), (0.024, 0.7 * h), (0.03, 0.85 * h),
-                     (r * 0.55, low)], top, segments=24)  # fmt: skip
+            b.lathe([(r * 0.9, 0.0), (r * 0.9, 0.015), (r * 0.84, 0.025), (r * 0.5, 0.035), (0.032, 0.06), (0.02, 0.1),
+                     (0.03, 0.108), (0.03, 0.118), (0.018, 0.13), (0.016, 0.36 * h), (0.024, 0.44 * h),
+                     (0.033, 0.52 * h), (0.035, 0.57 * h), (0.03, 0.62 * h), (0.017, 0.68 * h), (0.028, 0.69 * h),
+                     (0.028, 0.705 * h), (0.017, 0.72 * h), (0.019, 0.86 * h), (0.04, low - 0.015),
+                     (r * 0.55, low - 0.006), (r * 0.55, low)], top, segments=24)  # fmt: skip
         return
-    metal = top if top.name in ("black steel", "brass", "white paint") else b.material("legs", "black steel", "brass", top.name)
+    plain = top.name in ("black steel", "brass", "white paint")
+    metal = top if plain else b.material("legs", "black steel", "brass", top.name)
     count = 3 if kind != "two tiers" else 4
     for k in range(count):
         a = math.pi / count + k * 2 * math.pi / count
@@ -242,7 +252,8 @@ def changing_table(b: Builder) -> None:
         b.cushion(xs, ys, (deck, deck + 0.045), mat, radius=0.02)
         b.cushion(xs, (ys[0], ys[0] + 0.1), (deck + 0.02, deck + 0.085), mat, radius=0.03)
         b.cushion(xs, (ys[1] - 0.1, ys[1]), (deck + 0.02, deck + 0.085), mat, radius=0.03)
-        b.cushion((xs[0] + 0.02, xs[0] + 0.16), (-0.13, 0.13), (deck + 0.04, deck + 0.075), "white fabric", radius=0.015)
+        b.cushion((xs[0] + 0.02, xs[0] + 0.16), (-0.13, 0.13), (deck + 0.04, deck + 0.075), "white fabric",
+                  radius=0.015)  # fmt: skip
     z = (0.08, deck - 0.02)
     face = x[1] - 0.004
     if kind == "shelves":
