@@ -67,7 +67,7 @@ class Asset:
         self, id: str, *, pose: Pose | None = None, mount: Mount | None = None, support: Support | None = None
     ) -> SceneObject:
         """The scene object of this asset; ``mount`` is the asset's unless it can be had in another way too."""
-        extra = {} if pose is None else {"pose": pose}
+        extra: dict[str, Any] = {} if pose is None else {"pose": pose}
         return SceneObject(
             id=id,
             category=self.category,

@@ -46,7 +46,9 @@ class Category(FrozenModel):
     parent: str | None = Field(default=None, description="The wider category that it belongs to")
     synonyms: tuple[str, ...] = Field(default=(), description="Other words for the same thing")
     plural: str | None = Field(default=None, description="Plural where it is not regular")
-    usual: str | None = Field(default=None, description="Of a group: the member that is meant when nothing else is said")
+    usual: str | None = Field(
+        default=None, description="Of a group: the member that is meant when nothing else is said"
+    )
     size: Sizes | None = None
     source: str = Field(default="", description="Where the sizes come from")
     mount: tuple[Mount, ...] = Field(default=("floor",), description="What may hold it, the usual one first")
@@ -71,7 +73,7 @@ def categories() -> dict[str, Category]:
     import yaml
 
     found: dict[str, Category] = {}
-    folder = resources.files(__package__).joinpath("categories")
+    folder = resources.files(__package__ or "").joinpath("categories")
     for file in sorted(folder.iterdir(), key=lambda f: f.name):
         if not file.name.endswith(".yaml"):
             continue

@@ -42,7 +42,7 @@ def palette() -> dict[str, Finish]:
     """All finishes by name, from ``materials.yaml``."""
     import yaml
 
-    data = yaml.safe_load(resources.files(__package__).joinpath("materials.yaml").read_text(encoding="utf-8"))
+    data = yaml.safe_load(resources.files(__package__ or "").joinpath("materials.yaml").read_text(encoding="utf-8"))
     found = {}
     for name, row in data["materials"].items():
         row = dict(row)

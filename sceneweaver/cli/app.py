@@ -248,9 +248,7 @@ def assets_show(
     id: Annotated[str, typer.Argument(metavar="ID|NOUN", help="An asset's id, or a word for it.", show_default=False)],
     store: StorePath = None,
     seed: Seed = 0,
-    picture: Annotated[
-        Path | None, typer.Option(metavar="PNG", help="Draw it as well.", show_default=False)
-    ] = None,
+    picture: Annotated[Path | None, typer.Option(metavar="PNG", help="Draw it as well.", show_default=False)] = None,
     as_json: Json = False,
 ) -> int:
     """Say all about one asset: size, surfaces, zones, parts, licence."""
@@ -289,8 +287,8 @@ def assets_import(
     ] = "auto",
     store: StorePath = None,
     category: Annotated[str | None, typer.Option(help="What they are.", show_default=False)] = None,
-    up: Annotated[str | None, typer.Option(metavar="AXIS", help="Their up axis, such as y.", show_default=False)] = None,
-    front: Annotated[str | None, typer.Option(metavar="AXIS", help="Their front, such as -z.", show_default=False)] = None,
+    up: Annotated[str | None, typer.Option(metavar="AXIS", help="Up axis, such as y.", show_default=False)] = None,
+    front: Annotated[str | None, typer.Option(metavar="AXIS", help="Front, such as -z.", show_default=False)] = None,
     unit: Annotated[
         float | None, typer.Option(metavar="METRES", help="Metres per unit, such as 0.01.", show_default=False)
     ] = None,
@@ -313,7 +311,9 @@ def assets_import(
 def assets_infinigen(
     names: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[CATEGORY]...", help="What to make (default: eight common pieces).", show_default=False),
+        typer.Argument(
+            metavar="[CATEGORY]...", help="What to make (default: eight common pieces).", show_default=False
+        ),
     ] = None,
     seeds: Annotated[int, typer.Option(min=1, max=1000, help="Variants of each category.")] = 1,
     store: StorePath = None,

@@ -61,8 +61,16 @@ def run_list(*, store: Path | None, source: str | None, allow: list[str], as_jso
         for name in sorted(makers()):
             sizes = categories()[name].size
             assert sizes is not None
-            rows.append({"id": f"parametric:{name}", "category": name, "source": "parametric", "licence": "Apache-2.0",
-                         "size": [f"{a:g}-{b:g}" for a, b in sizes.ranges], "synonyms": list(categories()[name].synonyms)})
+            rows.append(
+                {
+                    "id": f"parametric:{name}",
+                    "category": name,
+                    "source": "parametric",
+                    "licence": "Apache-2.0",
+                    "size": [f"{a:g}-{b:g}" for a, b in sizes.ranges],
+                    "synonyms": list(categories()[name].synonyms),
+                }
+            )
     if source != "parametric":
         keys = ("id", "category", "source", "licence", "size", "attribution", "hash")
         stored = ({k: row[k] for k in keys} for row in Store(store).rows())
@@ -103,8 +111,25 @@ def run_show(id: str, *, store: Path | None, seed: int, picture: Path | None, as
     if as_json:
         typer.echo(json.dumps(row, ensure_ascii=False, indent=1))
         return 0
-    for key in ("id", "category", "description", "source", "licence", "attribution", "size", "mount", "mass", "friction",
-                "sides", "attributes", "triangles", "hulls", "front_confidence", "notes", "hash"):  # fmt: skip
+    for key in (
+        "id",
+        "category",
+        "description",
+        "source",
+        "licence",
+        "attribution",
+        "size",
+        "mount",
+        "mass",
+        "friction",
+        "sides",
+        "attributes",
+        "triangles",
+        "hulls",
+        "front_confidence",
+        "notes",
+        "hash",
+    ):
         if row[key] not in ("", [], {}, None):
             typer.echo(f"{key:<17} {row[key]}")
     typer.echo(f"{'prisms':<17} {len(row['parts'])}")
@@ -159,9 +184,7 @@ def run_import(
     return 0 if not refused else NOT_VALID if made else 2
 
 
-def run_infinigen(
-    names: list[str], *, seeds: int, store: Path | None, time_limit: float, as_json: bool
-) -> int:
+def run_infinigen(names: list[str], *, seeds: int, store: Path | None, time_limit: float, as_json: bool) -> int:
     """Run Infinigen's generators and keep what they make."""
     from sceneweaver.assets.sources.infinigen_host import COMMON, generate
     from sceneweaver.assets.store import Store

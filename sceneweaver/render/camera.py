@@ -26,7 +26,8 @@ class Camera:
         """A perspective camera; ``fov`` [rad] is the whole vertical angle, ``aspect`` width over height."""
         forward, right, up = _axes(np.asarray(eye, dtype=float), np.asarray(target, dtype=float))
         half = math.tan(fov / 2)
-        return cls(*_tuples(eye, forward, right * half * aspect, up * half))
+        eye, forward, right, up = _tuples(eye, forward, right * half * aspect, up * half)
+        return cls(eye, forward, right, up)
 
     @classmethod
     def orthographic(cls, eye, target, height: float, aspect: float = 1.0) -> Camera:
@@ -53,7 +54,8 @@ class Camera:
             u, v = across / depth, tall / depth
             target = target + right * (u.max() + u.min()) / 2 * distance + up * (v.max() + v.min()) / 2 * distance
         eye = target - forward * distance
-        return cls(*_tuples(eye, forward, right * half * aspect, up * half))
+        eye, forward, right, up = _tuples(eye, forward, right * half * aspect, up * half)
+        return cls(eye, forward, right, up)
 
 
 def _axes(eye: np.ndarray, target: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

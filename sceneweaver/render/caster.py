@@ -81,12 +81,15 @@ def cast(
             setattr(lens, key, wp.vec3(*getattr(camera, key)))
         lens.flat = int(camera.flat)
         light = raycast.Light()
-        light.sun = wp.normalize(wp.vec3(*lighting.sun))
+        light.sun = wp.normalize(wp.vec3(*lighting.sun))  # pyright: ignore[reportCallIssue, reportArgumentType]
         light.softness = lighting.softness
         for key in ("sun_color", "sky", "ground"):
             setattr(light, key, wp.vec3(*getattr(lighting, key)))
         light.reach = lighting.reach
-        color, lit, shine, normal, out = (wp.empty(pixels, dtype=wp.vec3) for _ in range(5))
+        color, lit, shine, normal, out = (
+            wp.empty(pixels, dtype=wp.vec3)  # pyright: ignore[reportArgumentType]
+            for _ in range(5)
+        )
         depth, objects = wp.empty(pixels, dtype=float), wp.empty(pixels, dtype=int)
         sky = wp.vec3(*lighting.background)
 

@@ -13,8 +13,8 @@ from sceneweaver.scene import InputError
 from sceneweaver.scene.messages import suggest
 
 from .camera import Camera
-from .caster import Instance, Lighting, Quality, cast
 from .canvas import font
+from .caster import Instance, Lighting, Quality, cast
 
 VIEWS = {
     "corner": (-1.0, 0.62, -0.52),

@@ -16,7 +16,9 @@ def _study(seed: int) -> tuple[Scene, dict[str, Asset]]:
     assets: dict[str, Asset] = {}
     objects, relations = [], []
 
-    def add(category: str, number: int, draw: int, support: Support | None = None, request: Request | None = None) -> str:
+    def add(
+        category: str, number: int, draw: int, support: Support | None = None, request: Request | None = None
+    ) -> str:
         asset = make(category, draw, request)
         assets[asset.id] = asset
         objects.append(asset.object(f"{category}-{number}", support=support))

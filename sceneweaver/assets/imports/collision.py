@@ -17,6 +17,7 @@ from sceneweaver.scene.io import write_atomic
 from ..body import Hull
 from ..shapes import containing_hull, hull
 from .limited import LimitedError, run_limited
+from .pieces import pieces_of
 
 THRESHOLD = 0.05
 MAX_HULLS = 32
@@ -33,7 +34,7 @@ def convex_parts(
     Where that fails, the hull of the whole piece stands in: too large, never too small, and noted.
     """
     notes: list[str] = []
-    pieces = _pieces(vertices, faces)
+    pieces = pieces_of(vertices, faces)
     simple, rest = [], []
     for points, triangles in pieces:
         body = _hull(points)
@@ -54,50 +55,6 @@ def convex_parts(
             hulls += bodies
             notes.append(f"collision parts are whole hulls, too large: convex decomposition failed ({error})")
     return [Hull(v, f) for v, f in hulls], notes
-
-
-def _pieces(vertices: np.ndarray, faces: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Connected pieces, after vertices at one place have been joined.
-
-    Triangles hang together by edges that just two of them share: boards that touch along an edge, where four meet, stay
-    apart. Where that leaves hardly anything together (doubled triangles, say), sharing a vertex is enough.
-    """
-    scale = max(float(np.ptp(vertices, axis=0).max()), 1e-9)
-    _, first, joined = np.unique(np.round(vertices / scale, 7), axis=0, return_index=True, return_inverse=True)
-    points, triangles = vertices[first], joined.reshape(-1)[faces]
-    a, b, c = triangles.T
-    triangles = triangles[(a != b) & (b != c) & (c != a)]
-    loose = _linked(len(points), triangles[:, :2], triangles[:, 1:])[triangles[:, 0]]
-    strict = _by_edges(triangles)
-    of_face = strict if strict.max(initial=0) <= 4 * loose.max(initial=0) + MAX_PIECES else loose
-    order = np.argsort(of_face, kind="stable")
-    cuts = np.flatnonzero(np.diff(of_face[order])) + 1
-    pieces = []
-    for mine in np.split(order, cuts):
-        used, packed = np.unique(triangles[mine], return_inverse=True)
-        pieces.append((points[used], packed.reshape(-1, 3)))
-    return pieces
-
-
-def _linked(count: int, *edges: np.ndarray) -> np.ndarray:
-    """The number of the connected piece of each of ``count`` things that edges [E, 2] join."""
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
-
-    pairs = np.concatenate(edges)
-    graph = coo_matrix((np.ones(len(pairs), dtype=np.int8), (pairs[:, 0], pairs[:, 1])), shape=(count, count))
-    return connected_components(graph, directed=False)[1]
-
-
-def _by_edges(triangles: np.ndarray) -> np.ndarray:
-    """The piece of each triangle, where only edges of two triangles join."""
-    edges = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
-    owner = np.tile(np.arange(len(triangles)), 3)
-    _, name, counts = np.unique(edges, axis=0, return_inverse=True, return_counts=True)
-    name = name.reshape(-1)
-    pairs = owner[np.argsort(name, kind="stable")]
-    starts = np.concatenate([[0], np.cumsum(counts)[:-1]])[counts == 2]
-    return _linked(len(triangles), np.stack([pairs[starts], pairs[starts + 1]], axis=1))
 
 
 def _hull(points: np.ndarray):
@@ -171,7 +128,7 @@ def _decomposed(points: np.ndarray, triangles: np.ndarray, cache: Path | None, s
             import io
 
             buffer = io.BytesIO()
-            np.savez_compressed(buffer, **made)
+            np.savez_compressed(buffer, **made)  # pyright: ignore[reportArgumentType]
             file.parent.mkdir(parents=True, exist_ok=True)
             write_atomic(file, buffer.getvalue())
     return np.split(made["points"], np.cumsum(made["counts"])[:-1])

@@ -22,7 +22,7 @@ def run_limited(task: str, arrays: dict[str, np.ndarray], seconds: float) -> dic
     """
     with tempfile.TemporaryDirectory(prefix="sceneweaver-") as folder:
         given, made = Path(folder, "given.npz"), Path(folder, "made.npz")
-        np.savez(given, **arrays)
+        np.savez(given, **arrays)  # pyright: ignore[reportArgumentType]
         command = [sys.executable, "-m", f"{__package__}.limited", task, str(given), str(made)]
         try:
             done = subprocess.run(command, capture_output=True, timeout=seconds, stdin=subprocess.DEVNULL)
@@ -59,17 +59,14 @@ def _simplify(arrays: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
     Each connected piece keeps triangles in proportion to its area, so that a finely meshed leg does not cost a coarsely
     meshed cushion its shape.
     """
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
+    from .pieces import linked
 
     pieces = []
     for group in np.unique(arrays["groups"]):
         points, triangles = _welded(arrays["vertices"], arrays["faces"][arrays["groups"] == group], 1e-7)
         if not len(triangles):
             continue
-        edges = np.concatenate([triangles[:, :2], triangles[:, 1:]])
-        graph = coo_matrix((np.ones(len(edges), dtype=np.int8), (edges[:, 0], edges[:, 1])), shape=(len(points),) * 2)
-        label = connected_components(graph, directed=False)[1][triangles[:, 0]]
+        label = linked(len(points), triangles[:, :2], triangles[:, 1:])[triangles[:, 0]]
         order = np.argsort(label, kind="stable")
         for mine in np.split(order, np.flatnonzero(np.diff(label[order])) + 1):
             a, b, c = (points[triangles[mine, k]] for k in range(3))
@@ -112,7 +109,11 @@ def _collapsed(points: np.ndarray, triangles: np.ndarray, goal: int) -> tuple[np
     import fast_simplification
 
     share = min(0.9999, 1.0 - goal / len(triangles))
-    made = fast_simplification.simplify(points.astype(np.float32), triangles.astype(np.int32), target_reduction=share)
+    made = fast_simplification.simplify(
+        points.astype(np.float32),  # pyright: ignore[reportArgumentType]
+        triangles.astype(np.int32),
+        target_reduction=share,
+    )
     return np.asarray(made[0], dtype=np.float64), np.asarray(made[1], dtype=np.int64)
 
 
@@ -136,5 +137,5 @@ if __name__ == "__main__":
     with np.load(sys.argv[2]) as _given:
         _result = TASKS[sys.argv[1]]({key: _given[key] for key in _given.files})
     _part = Path(sys.argv[3] + ".part.npz")
-    np.savez(_part, **_result)
+    np.savez(_part, **_result)  # pyright: ignore[reportArgumentType]
     _part.rename(sys.argv[3])

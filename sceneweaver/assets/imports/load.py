@@ -1,5 +1,8 @@
 """Mesh files as raw triangles with a look each: GLB, glTF, OBJ, STL, PLY, OFF and USD."""
 
+# pxr has no stubs:
+# pyright: reportAttributeAccessIssue=false
+
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -48,14 +51,18 @@ def load(path: Path) -> RawMesh:
         raise InputError(f"{path}: no such file")
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES and suffix != _ARRAYS:
-        raise InputError(f"{path.name}: files of type '{suffix}' are not read; use one of {', '.join(sorted(SUFFIXES))}")
+        raise InputError(
+            f"{path.name}: files of type '{suffix}' are not read; use one of {', '.join(sorted(SUFFIXES))}"
+        )
     size = path.stat().st_size
     if size == 0:
         raise InputError(f"{path.name}: the file is empty")
     if size > MAX_BYTES:
         raise InputError(f"{path.name}: {size >> 20} MiB; at most {MAX_BYTES >> 20} MiB are read")
     try:
-        raw = _load_usd(path) if suffix in _USD else _load_arrays(path) if suffix == _ARRAYS else _load_mesh(path, suffix)
+        raw = (
+            _load_usd(path) if suffix in _USD else _load_arrays(path) if suffix == _ARRAYS else _load_mesh(path, suffix)
+        )
     except InputError:
         raise
     except Exception as error:  # libraries raise whatever they like for damaged files
@@ -113,7 +120,7 @@ def _load_mesh(path: Path, suffix: str) -> RawMesh:
 def _load_arrays(path: Path) -> RawMesh:
     with np.load(path) as found:
         looks = [
-            Material(str(name), tuple(round(float(c), 4) for c in row[:3]), roughness=float(row[3]), metallic=float(row[4]))
+            Material(str(name), _rgb(row), roughness=float(row[3]), metallic=float(row[4]))
             for name, row in zip(found["names"], found["looks"], strict=True)
         ]
         return RawMesh(
@@ -144,20 +151,25 @@ def _look(body, index: int) -> Material:
         factor = getattr(material, "diffuse", None) if factor is None else factor
         if factor is not None:
             rgba = np.asarray(factor, dtype=np.float64) / 255.0
-            color = tuple(round(float(c), 4) for c in rgba[:3])
+            color = _rgb(rgba)
             opacity = float(rgba[3]) if len(rgba) > 3 else 1.0
         image = getattr(material, "baseColorTexture", None) or getattr(material, "image", None)
         if image is not None:
             mean = np.asarray(image.convert("RGB").resize((8, 8))).reshape(-1, 3).mean(axis=0) / 255.0
             tint = np.ones(3) if factor is None or getattr(material, "baseColorFactor", None) is None else color
-            color = tuple(round(float(c), 4) for c in mean * tint)
+            color = _rgb(mean * tint)
         rough, metal = getattr(material, "roughnessFactor", None), getattr(material, "metallicFactor", None)
         roughness = roughness if rough is None else float(rough)
         # glTF's default is metallic, which files without textures hardly ever mean.
         metallic = metallic if metal is None else float(metal)
     elif getattr(visual, "kind", None) in ("vertex", "face"):
-        color = tuple(round(float(c) / 255.0, 4) for c in np.asarray(visual.main_color)[:3])
+        color = _rgb([float(c) / 255.0 for c in np.asarray(visual.main_color)[:3]])
     return Material(name=name, color=color, roughness=roughness, metallic=metallic, opacity=max(0.05, opacity))
+
+
+def _rgb(values) -> tuple[float, float, float]:
+    r, g, b = (round(float(c), 4) for c in values[:3])
+    return r, g, b
 
 
 def _load_usd(path: Path) -> RawMesh:
@@ -223,7 +235,7 @@ def _usd_look(mesh, bound, index: int) -> Material:
                 values[key] = value
     display = mesh.GetDisplayColorAttr().Get()
     linear = values.get("diffuseColor") or (display[0] if display else None)
-    color = _GREY if linear is None else tuple(round(_srgb(float(c)), 4) for c in linear)
+    color = _GREY if linear is None else _rgb([_srgb(float(c)) for c in linear])
     return Material(
         name=bound.GetPrim().GetName() if bound else f"material-{index}",
         color=color,

@@ -14,6 +14,7 @@ from ..category import Category
 from .front import front_of
 from .hints import AXES, Hints
 from .load import RawMesh
+from .orient import outward
 
 UNITS = ((1.0, "metres"), (0.01, "centimetres"), (0.001, "millimetres"), (0.0254, "inches"), (0.3048, "feet"))
 
@@ -74,7 +75,7 @@ def normalise(raw: RawMesh, hints: Hints, category: Category | None) -> Normalis
     points = points - np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
     mesh = Mesh(
         vertices=points[used],
-        faces=_packed(raw.faces, used).astype(np.int32),
+        faces=outward(points[used], _packed(raw.faces, used)).astype(np.int32),
         face_material=raw.face_material.astype(np.int32),
         face_link=np.zeros(len(raw.faces), dtype=np.int32),
         materials=raw.materials,

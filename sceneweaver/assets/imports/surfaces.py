@@ -53,7 +53,7 @@ def find_surfaces(vertices: np.ndarray, faces: np.ndarray) -> tuple[Surface, ...
         else:
             name = f"shelf-{shelves}"
             shelves += 1
-        polygon = [(round(float(x), 5), round(float(y), 5)) for x, y in ring]
+        polygon = tuple((round(float(x), 5), round(float(y), 5)) for x, y in ring)
         surfaces.append(Surface(name=name, polygon=polygon, z=round(z, 5), headroom=room))
     return tuple(surfaces)
 

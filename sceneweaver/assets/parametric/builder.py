@@ -24,6 +24,13 @@ from ..zones import ZONE_HEIGHT, access_zones
 
 T = TypeVar("T")
 Interval = tuple[float, float]
+Vec3 = tuple[float, float, float]
+
+
+def span(a: float, b: float) -> Interval:
+    """The interval between two numbers, given in any order."""
+    return (a, b) if a <= b else (b, a)
+
 
 class Size(NamedTuple):
     """Depth along the front, width, height [m]."""
@@ -189,13 +196,13 @@ class Builder:
     @contextmanager
     def hinge(self, name: str, at: tuple[float, float, float], axis=(0.0, 0.0, 1.0), limits=(0.0, 1.57)):
         """What is drawn inside is a door: it turns about ``axis`` through ``at``; it is drawn closed."""
-        with self._moving(Link(name, "hinge", tuple(axis), tuple(at), tuple(limits))):
+        with self._moving(Link(name, "hinge", _vec(axis), _vec(at), tuple(limits))):
             yield
 
     @contextmanager
     def slide(self, name: str, axis=(1.0, 0.0, 0.0), limits=(0.0, 0.3)):
         """What is drawn inside is a drawer: it slides along ``axis``; it is drawn closed."""
-        with self._moving(Link(name, "slide", tuple(axis), (0.0, 0.0, 0.0), tuple(limits))):
+        with self._moving(Link(name, "slide", _vec(axis), (0.0, 0.0, 0.0), tuple(limits))):
             yield
 
     @contextmanager
@@ -204,9 +211,7 @@ class Builder:
             raise ValueError("a link inside a link")
         turn, shift = self._frame[:3, :3], self._frame[:3, 3]
         axis, anchor = turn @ np.array(link.axis), turn @ np.array(link.anchor) + shift
-        self._links.append(
-            Link(link.name, link.joint, tuple(map(float, axis)), tuple(map(float, anchor)), link.limits)
-        )
+        self._links.append(Link(link.name, link.joint, _vec(axis), _vec(anchor), link.limits))
         self._link = len(self._links)
         try:
             yield
@@ -258,7 +263,9 @@ class Builder:
             profile = profile[: top + 1]
         self.add(shape, material, shapes.lathe_hulls(profile, segments))
 
-    def ball(self, radii: tuple[float, float, float], center: tuple[float, float, float], material, segments=20) -> None:
+    def ball(
+        self, radii: tuple[float, float, float], center: tuple[float, float, float], material, segments=20
+    ) -> None:
         """An ellipsoid."""
         shape = shapes.ball(radii, center, segments)
         self.add(shape, material, None if segments <= 12 else [shapes.containing_hull(shape[0])])
@@ -284,7 +291,9 @@ class Builder:
         hulls = [shapes.hull(both[:, a : b + 1].reshape(-1, 3)) for a, b in zip(cuts[:-1], cuts[1:], strict=True)]
         self.add(shape, material, hulls)
 
-    def tube(self, path, radius: float | np.ndarray, material: Material | str, segments: int = 10, closed=False) -> None:
+    def tube(
+        self, path, radius: float | np.ndarray, material: Material | str, segments: int = 10, closed=False
+    ) -> None:
         """A bar along points [N, 3]: round with a radius, or with a convex section [K, 2]."""
         path = np.asarray(path, dtype=np.float64)
         shape = shapes.sweep(path, radius, segments, closed)
@@ -312,8 +321,16 @@ class Builder:
         """
         corners = [(x[0], y[0]), (x[1], y[0]), (x[1], y[1]), (x[0], y[1])] if polygon is None else polygon
         placed = self._place(np.array([(px, py, z) for px, py in corners], dtype=np.float64))
-        flat = [(float(a), float(b)) for a, b, _ in placed]
+        flat = tuple((float(a), float(b)) for a, b, _ in placed)
         self._surfaces.append(Surface(name=name, polygon=flat, z=float(placed[0, 2]), headroom=headroom))
+
+    def unsurface(self) -> Surface:
+        """Take the surface named last away again, to name it anew in another shape."""
+        return self._surfaces.pop()
+
+    def resurface(self, surface: Surface, polygon: Sequence[Interval]) -> None:
+        """Put a surface that was taken away back with another polygon."""
+        self._surfaces.append(surface.model_copy(update={"polygon": tuple(polygon)}))
 
     def zone(self, name: str, x: Interval, y: Interval, z: Interval = (0.0, ZONE_HEIGHT), hard: bool = True) -> None:
         """Room that must stay free for use; replaces the zone that the category's ``clearance`` gives that side."""
@@ -365,7 +382,10 @@ class Builder:
         hulls = tuple(Hull(h.vertices - shift, h.faces, h.link) for h in self._hulls)
         surfaces = tuple(_moved(s, shift) for s in self._surfaces)
         size = tuple(float(v) for v in high - low)
-        clear = [tuple((a - d, b - d) for (a, b), d in zip(box, shift, strict=True)) for box in self._clear]
+        dx, dy, dz = shift
+        clear: list[tuple[Interval, Interval, Interval]] = [
+            ((x[0] - dx, x[1] - dx), (y[0] - dy, y[1] - dy), (z[0] - dz, z[1] - dz)) for x, y, z in self._clear
+        ]
         clear += [_above(s) for s in surfaces]
         zones = [Zone(name=z.name, polygon=_shifted(z.polygon, shift), z=z.z, hard=z.hard) for z in self._zones]
         named = {z.name for z in zones}
@@ -387,10 +407,7 @@ class Builder:
             surfaces=surfaces,
             zones=tuple(zones),
             sides=self.category.sides,
-            links=tuple(
-                Link(k.name, k.joint, k.axis, tuple(float(v) for v in np.array(k.anchor) - shift), k.limits)
-                for k in self._links
-            ),
+            links=tuple(Link(k.name, k.joint, k.axis, _vec(np.array(k.anchor) - shift), k.limits) for k in self._links),
             attributes=attributes,
             description=f"{main.name} {self.category.words}" if main is not None else self.category.words,
         )
@@ -402,6 +419,11 @@ class Builder:
         share = (math.prod(size) - least) / max(1e-12, most - least)
         low, high = self.category.mass
         return round(low + (high - low) * min(1.0, max(0.0, share)), 3)
+
+
+def _vec(values) -> Vec3:
+    x, y, z = (float(v) for v in values)
+    return x, y, z
 
 
 def _moved(surface: Surface, shift: np.ndarray) -> Surface:
@@ -422,4 +444,3 @@ def _above(surface: Surface) -> tuple[Interval, Interval, Interval]:
     xs, ys = [p[0] for p in surface.polygon], [p[1] for p in surface.polygon]
     top = surface.z + min(surface.headroom or 0.3, 0.3)
     return (min(xs) + 1e-3, max(xs) - 1e-3), (min(ys) + 1e-3, max(ys) - 1e-3), (surface.z + 1e-3, top - 1e-3)
-

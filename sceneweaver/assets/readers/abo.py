@@ -41,7 +41,8 @@ def read(path: Path) -> Iterator[Hints]:
             source="abo",
             licence="CC-BY-4.0",
             attribution="Amazon Berkeley Objects",
-            attributes={"color": _text(listing.get("color")).lower(), "material": _text(listing.get("material")).lower(),
+            attributes={"color": _text(listing.get("color")).lower(),
+                        "material": _text(listing.get("material")).lower(),
                         "style": _text(listing.get("style")).lower()},
         )  # fmt: skip
 
@@ -70,6 +71,8 @@ def _text(value: Any) -> str:
     """The English text, or the first, of ABO's lists of {language_tag, value}."""
     if isinstance(value, list):
         rows = [row for row in value if isinstance(row, dict) and row.get("value")]
-        best = next((row for row in rows if str(row.get("language_tag", "")).startswith("en")), rows[0] if rows else None)
+        best = next(
+            (row for row in rows if str(row.get("language_tag", "")).startswith("en")), rows[0] if rows else None
+        )
         return str(best["value"]) if best else ""
     return str(value or "")

@@ -68,7 +68,9 @@ def _hints(model: Path, root: Path) -> Hints:
     pose = np.eye(4)
     pose[:3, :3] = _rotation(geom) @ np.diag(scale)
     pose[:3, 3] = [number(v) or 0.0 for v in (geom.get("pos") or "0 0 0").split()]
-    same = [pair for pair in solid if pair[0].get("pos") == geom.get("pos") and pair[1].get("scale") == mesh.get("scale")]
+    same = [
+        pair for pair in solid if pair[0].get("pos") == geom.get("pos") and pair[1].get("scale") == mesh.get("scale")
+    ]
     names = [part for part in model.parent.relative_to(root).parts if part] if model != root else []
     return Hints(
         path=base / mesh.get("file", ""),

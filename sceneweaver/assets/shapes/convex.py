@@ -7,7 +7,9 @@ import numpy as np
 Shape = tuple[np.ndarray, np.ndarray]  # vertices [V, 3], faces [F, 3]
 
 # Normals of the 26 faces of a cube with cut edges and corners.
-_DIRECTIONS = np.array([(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1) if (x, y, z) != (0, 0, 0)])
+_DIRECTIONS = np.array(
+    [(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1) if (x, y, z) != (0, 0, 0)]
+)
 _DIRECTIONS = _DIRECTIONS / np.linalg.norm(_DIRECTIONS, axis=1, keepdims=True)
 
 
@@ -67,4 +69,6 @@ def convex_pieces(polygon: np.ndarray) -> list[np.ndarray]:
                     break
             if merged:
                 break
-    return [shapely.get_coordinates(shapely.Polygon(p.exterior).normalize())[:-1][::-1] for p in pieces]
+    return [
+        shapely.get_coordinates(shapely.Polygon(shapely.get_exterior_ring(p)).normalize())[:-1][::-1] for p in pieces
+    ]

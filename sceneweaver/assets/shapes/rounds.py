@@ -84,7 +84,9 @@ def lathe_hulls(profile: list[tuple[float, float]], segments: int = 12) -> list[
     return hulls
 
 
-def ball(radii: tuple[float, float, float], center: tuple[float, float, float] = (0, 0, 0), segments: int = 20) -> Shape:
+def ball(
+    radii: tuple[float, float, float], center: tuple[float, float, float] = (0, 0, 0), segments: int = 20
+) -> Shape:
     """An ellipsoid with half axes ``radii``."""
     angle = np.linspace(-np.pi / 2, np.pi / 2, segments // 2 + 1)
     profile = [(float(np.cos(a)) if abs(a) < np.pi / 2 - 1e-9 else 0.0, float(np.sin(a))) for a in angle]

@@ -25,9 +25,7 @@ def sweep(path: np.ndarray, section: float | np.ndarray, segments: int = 10, clo
     return rings.reshape(-1, 3), np.concatenate(faces).astype(np.int32)
 
 
-def sweep_hulls(
-    path: np.ndarray, section: float | np.ndarray, segments: int = 10, closed: bool = False
-) -> list[Shape]:
+def sweep_hulls(path: np.ndarray, section: float | np.ndarray, segments: int = 10, closed: bool = False) -> list[Shape]:
     """The convex parts of a sweep: one hull for each stretch that is straight, or nearly so."""
     if len(path) == 2 and not closed:
         return [sweep(path, section, segments)]  # convex itself

@@ -32,7 +32,7 @@ def main() -> None:
     try:
         made.finalize_assets([thing])
     except Exception as error:  # materials may need what a headless Blender lacks; the shape is there all the same
-        print(f"no materials: {error}", file=sys.stderr)
+        sys.stderr.write(f"no materials: {error}\n")
     vertices, faces, materials, looks, names = [], [], [], [], []
     depsgraph = bpy.context.evaluated_depsgraph_get()
     start = 0

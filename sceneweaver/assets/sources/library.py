@@ -1,4 +1,4 @@
-"""Retrieval over several sources: by category, size, style words and colour, and text embeddings where there are any."""
+"""Retrieval over several sources: by category, size, style words and colour, and by text embeddings if any."""
 
 from __future__ import annotations
 
@@ -35,7 +35,9 @@ class Library:
     """All sources of assets as one. Earlier sources win where scores are equal."""
 
     def __init__(self, sources: Sequence[Source] | None = None, embed: Embed | None = None):
-        self.sources: tuple[Source, ...] = tuple(sources) if sources is not None else (StoreSource(), ParametricSource())
+        self.sources: tuple[Source, ...] = (
+            tuple(sources) if sources is not None else (StoreSource(), ParametricSource())
+        )
         self._embed = embed
 
     def find(self, noun: str, wish: Wish | None = None) -> Found:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from ..builder import Builder
-from ..joinery import door, drawer
-from .gym_kit import castors, disc, gear, inlay, post, ring
+from ..builder import Builder, span
+from ..joinery import door
+from .gym_kit import castors, disc, gear, inlay, post
 
 _STEELS = ("white steel", "steel", "brushed steel", "light grey paint")
 
@@ -28,7 +28,7 @@ def examination_table(b: Builder) -> None:
                 c = s * (w / 2 - 0.04)
                 b.box(
                     (a + 0.01, a + (d - 0.24) / 3 - 0.01),
-                    tuple(sorted((c - s * 0.002, c + s * 0.012))),
+                    span(c - s * 0.002, c + s * 0.012),
                     (0.12, z - 0.14),
                     metal,
                     0.003,
@@ -67,7 +67,7 @@ def medical_cabinet(b: Builder) -> None:
     m = h * 0.42
     b.box((x0, x1), (-y, y), (0, m), steel, 0.004)
     for s in (-1, 1):
-        b.box((x0, x1), tuple(sorted((s * y, s * (y - 0.02)))), (m, h), steel, 0.002)
+        b.box((x0, x1), span(s * y, s * (y - 0.02)), (m, h), steel, 0.002)
     b.box((x0, x0 + 0.015), (-y, y), (m, h), steel, 0)
     b.box((x0, x1), (-y, y), (h - 0.03, h), steel, 0.002)
     i = y - 0.02
@@ -87,7 +87,7 @@ def medical_cabinet(b: Builder) -> None:
                 else:
                     b.lathe([(0.03, z), (0.03, z + t * 0.7), (0.014, z + t * 0.85), (0.014, z + t)], look, 12)
     for s, hung in ((-1, "right"), (1, "left")):
-        ys = tuple(sorted((0.0, s * y)))
+        ys = span(0.0, s * y)
         door(b, f"glass-{s}", (x1, x1 + 0.018), ys, (m, h), steel, "steel", hung=hung, panel="glass")  # type: ignore[arg-type]
         door(b, f"door-{s}", (x1, x1 + 0.018), ys, (0.04, m), steel, "steel", hung=hung)  # type: ignore[arg-type]
     x = x1 + 0.018
@@ -252,11 +252,20 @@ def stretcher(b: Builder) -> None:
             x = -d * 0.17 + k * d * 0.074
             b.bar((x, y, z - 0.07), (x, y, h - 0.02), 0.008, "chrome", 6)
         b.box((-d * 0.22, d * 0.25), (y - 0.012, y + 0.012), (z - 0.1, z - 0.06), metal, 0.003)
-        b.box((-d * 0.1, d * 0.1), tuple(sorted((y, y - s * 0.08))), (z - 0.09, z - 0.05), metal, 0.003)
+        b.box((-d * 0.1, d * 0.1), span(y, y - s * 0.08), (z - 0.09, z - 0.05), metal, 0.003)
     for x in (x0, x1):
         e = 1 if x > 0 else -1
-        b.tube([(x - e * 0.06, -w * 0.3, z - 0.06), (x - e * 0.014, -w * 0.3, z + 0.1), (x - e * 0.014, w * 0.3, z + 0.1), (x - e * 0.06, w * 0.3, z - 0.06)],
-               0.013, "black plastic", 8)  # fmt: skip
+        b.tube(
+            [
+                (x - e * 0.06, -w * 0.3, z - 0.06),
+                (x - e * 0.014, -w * 0.3, z + 0.1),
+                (x - e * 0.014, w * 0.3, z + 0.1),
+                (x - e * 0.06, w * 0.3, z - 0.06),
+            ],
+            0.013,
+            "black plastic",
+            8,
+        )
 
 
 @gear("instrument_trolley")

@@ -98,7 +98,7 @@ def desk(b: Builder) -> None:
             b.box((x[0] + 0.04, x[0] + 0.056), (inner[0] - 0.005, inner[1] + 0.005), (0.25, low), top, bevel=0.0)
     else:
         legs = b.material("legs", "black steel", "brass", "oak", "walnut", "beech") if b.chance("other", 0.5) else top
-        tall, count = 0.085, 3 if w > 1.5 else 2
+        tall, count = min(0.085, low - 0.625), 3 if w > 1.5 else 2
         shell, face = (x[0] + 0.03, x[1] - 0.03), x[1] - 0.01
         with b.solid("top"):
             b.box(shell, (y[0] + 0.02, y[1] - 0.02), (low - tall, low), top, bevel=0.002)
@@ -273,8 +273,8 @@ def teacher_desk(b: Builder) -> None:
                   (0.13, zone[1] - 0.06), wood, bevel=0.003)  # fmt: skip
     inner = (y[0] + 0.03 + wide, y[1] - 0.03 - wide)
     with b.solid("middle"):
-        b.box((x[0] + 0.1, x[1] - 0.06), inner, (zone[1] - 0.08, zone[1]), wood, bevel=0.001)
-        drawer(b, "middle", (x[0] + 0.12, x[1] - 0.04), inner, (zone[1] - 0.08, zone[1]), wood, pull, style)
+        b.box((x[0] + 0.1, x[1] - 0.06), inner, (zone[1] - 0.065, zone[1]), wood, bevel=0.001)
+        drawer(b, "middle", (x[0] + 0.12, x[1] - 0.04), inner, (zone[1] - 0.065, zone[1]), wood, pull, style)
     with b.solid("modesty"):
         b.box((x[0] + 0.05, x[0] + 0.07), inner, (0.08, zone[1]), wood, bevel=0.0)
         b.box((x[0] + 0.042, x[0] + 0.05), (inner[0] + 0.06, inner[1] - 0.06), (0.14, zone[1] - 0.06), wood)

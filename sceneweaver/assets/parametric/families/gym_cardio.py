@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from ..builder import Builder
+from ..builder import Builder, span
 from .gym_kit import Look, disc, gear, inlay, post, ring, side
 
 
@@ -91,7 +91,7 @@ def _cranks(b: Builder, x: float, z: float, y: float, r: float) -> None:
     for s in (-1, 1):
         a = (x + s * r * 0.75, s * y, z - s * r * 0.65)
         post(b, (x, s * y, z), a, "steel", 0.014, 0.03)
-        b.box((a[0] - 0.05, a[0] + 0.05), tuple(sorted((s * y, s * (y + 0.1)))), (a[2] - 0.012, a[2] + 0.012),
+        b.box((a[0] - 0.05, a[0] + 0.05), span(s * y, s * (y + 0.1)), (a[2] - 0.012, a[2] + 0.012),
               "black plastic", 0.005)  # fmt: skip
 
 
@@ -222,8 +222,17 @@ def stair_climber(b: Builder) -> None:
         ys = (y - 0.09, y) if s > 0 else (-y, -y + 0.09)
         side(b, [(x0 + 0.1, 0), (x1, 0), (x1, h * 0.58), (x1 - 0.3, h * 0.58), (x0 + 0.1, h * 0.2)], ys, body, 0.02)
         post(b, (x1 - 0.15, s * (y - 0.045), h * 0.5), (x1 - 0.25, s * (y - 0.045), h - 0.26), "black steel", 0.06)
-        b.tube([(x0 + 0.2, s * (y - 0.045), h * 0.24), (x0 + 0.28, s * (y - 0.045), h * 0.48),
-                (x1 - 0.25, s * (y - 0.045), h * 0.72), (x1 - 0.2, s * (y - 0.045), h * 0.8)], 0.022, "steel", 10)  # fmt: skip
+        b.tube(
+            [
+                (x0 + 0.2, s * (y - 0.045), h * 0.24),
+                (x0 + 0.28, s * (y - 0.045), h * 0.48),
+                (x1 - 0.25, s * (y - 0.045), h * 0.72),
+                (x1 - 0.2, s * (y - 0.045), h * 0.8),
+            ],
+            0.022,
+            "steel",
+            10,
+        )
     step = 0.21
     for k in range(4):
         x, z = x0 + 0.02 + k * 0.24, 0.08 + k * step

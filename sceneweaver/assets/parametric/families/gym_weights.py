@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from ..builder import Builder
+from ..builder import Builder, span
 from .gym_cardio import dumbbell_at, plate
 from .gym_kit import Look, disc, gear, inlay, post, ring, side
 
@@ -23,7 +23,7 @@ def weight_bench(b: Builder) -> None:
     for x, wide in ((x0 + 0.12, w / 2), (x1 - 0.06, w * 0.4)):
         post(b, (x, -wide, 0.03), (x, wide, 0.03), frame, 0.06)
         for s in (-1, 1):
-            b.box((x - 0.035, x + 0.035), tuple(sorted((s * wide, s * (wide - 0.05)))), (0, 0.065), "rubber", 0.004)
+            b.box((x - 0.035, x + 0.035), span(s * wide, s * (wide - 0.05)), (0, 0.065), "rubber", 0.004)
     post(b, (x0 + 0.12, 0, 0.05), (x1 - 0.06, 0, 0.05), frame, 0.06)
     post(b, (x1 - 0.06, 0, 0.03), (x1 - 0.2, 0, 0.4), frame, 0.06)
     sx = x1 - d * 0.3
@@ -257,7 +257,7 @@ def cable_machine(b: Builder) -> None:
             for e in (-0.1, 0.1):
                 b.bar((-0.1, y + e * 0.8, 0.07), (-0.1, y + e * 0.8, h - 0.1), 0.013, "chrome", 8)
             top = 0.12
-            for k in range(12):
+            for _ in range(12):
                 b.box((-0.18, -0.02), (y - 0.11, y + 0.11), (top, top + 0.042), "iron", 0.003)
                 top += 0.045
             b.box((-0.025, -0.015), (y - 0.012, y + 0.012), (0.4, 0.42), "yellow plastic", 0.002)

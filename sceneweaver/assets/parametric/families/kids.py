@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from ..builder import Builder
+from ..builder import Builder, span
 from .gym_kit import disc, face, gear, inlay, post, ring, side
 
 _GAY = (
@@ -64,7 +64,7 @@ def play_kitchen(b: Builder) -> None:
         b.box((x0, x1), (-y, y), (0, z - 0.02), wood, 0.004)
         b.box((x0, x1 + 0.01), (-y, y), (z - 0.025, z), "birch", 0.004)
         for s in (-1, 1):
-            b.box((x1 - 0.005, x1 + 0.008), tuple(sorted((s * 0.01, s * (y - 0.01)))), (0.04, z - 0.09), front, 0.004)
+            b.box((x1 - 0.005, x1 + 0.008), span(s * 0.01, s * (y - 0.01)), (0.04, z - 0.09), front, 0.004)
         b.box((x1, x1 + 0.012), (0.06, y - 0.06), (0.12, z - 0.19), "black glass", 0.003)
         b.bar((x1 + 0.015, 0.06, z - 0.13), (x1 + 0.015, y - 0.06, z - 0.13), 0.007, "steel", 8)
         disc(b, (x1 + 0.01, -0.04, z * 0.5), 0.015, 0.02, "steel", "x", 12)
@@ -86,7 +86,7 @@ def play_kitchen(b: Builder) -> None:
             b.lathe([(0.04, 0), (0.045, 0.05)], "red plastic", 16)
         b.box((x0, x0 + 0.018), (-y, y), (z - 0.01, h), wood, 0.003)
         for s in (-1, 1):
-            b.box((x0, x0 + 0.14), tuple(sorted((s * y, s * (y - 0.018)))), (z - 0.01, h), wood, 0.003)
+            b.box((x0, x0 + 0.14), span(s * y, s * (y - 0.018)), (z - 0.01, h), wood, 0.003)
         b.box((x0, x0 + 0.14), (-y, y), (h - 0.02, h), wood, 0.003)
         b.box((x0, x0 + 0.13), (-y, y), (h - 0.2, h - 0.185), wood, 0.002)
         for k in range(4):
@@ -111,9 +111,9 @@ def doll_house(b: Builder) -> None:
         b.box((-x, x - 0.01), (-y, y), (z - 0.012, z), "birch", 0.001)
     face(b, [(-y, e), (y, e), (0, h - 0.02)], (-x, -x + 0.01), wall)
     for s in (-1, 1):
-        p, q = (s * w / 2, e - 0.03), (0.0, h)
+        p = (s * w / 2, e - 0.03)
         r = [p, (p[0], p[1] + 0.024), (0, h), (0, h - 0.024)]
-        face(b, r if s < 0 and False else (r if s > 0 else r[::-1]), (-x, x), roof)
+        face(b, r if s > 0 else r[::-1], (-x, x), roof)
     b.box((-0.06, 0.0), (y * 0.45, y * 0.6), (e + 0.05, h * 0.97), "terracotta", 0.003)
     for c, z in ((-y * 0.5, e * 0.26), (y * 0.55, e * 0.26), (-y * 0.5, e * 0.76), (y * 0.55, e * 0.76)):
         inlay(b, (-x, -x + 0.0103), (c - 0.07, c + 0.07), (z - 0.05, z + 0.07), "white paint")
@@ -226,7 +226,6 @@ def play_tent(b: Builder) -> None:
         )
     b.cushion((-k * 0.85, k * 0.85), (-k * 0.85, k * 0.85), (0.0, 0.05), "grey fabric", 0.02)
     for j in range(5):
-        u = 0.35 + 0.06 * abs(j - 2) * 0
         z, y = m * 0.42, (-0.4 + 0.2 * j) * k
         x = k * (1 - z / m) + 0.004
         b.hull([(x + e, y + yy, z + zz) for e in (0, 0.003) for yy, zz in ((-0.04, 0), (0.04, 0), (0, -0.08))], _GAY[j])
@@ -482,6 +481,10 @@ def kids_car(b: Builder) -> None:
     for s in (-1, 1):
         disc(b, (d * 0.46, s * w * 0.25, z * 0.78), 0.04, 0.03, "lamp glow", "x", 16)
         inlay(
-            b, (-d / 2 - 0.0003, -d * 0.4), (s * w * 0.25 - 0.03, s * w * 0.25 + 0.03), (z * 0.55, z * 0.61), "red petal"
+            b,
+            (-d / 2 - 0.0003, -d * 0.4),
+            (s * w * 0.25 - 0.03, s * w * 0.25 + 0.03),
+            (z * 0.55, z * 0.61),
+            "red petal",
         )
     b.box((d * 0.45, d / 2 + 0.004), (-w * 0.2, w * 0.2), (0.16, 0.24), "black plastic", 0.006)

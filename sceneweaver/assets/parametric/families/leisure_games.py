@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from ..builder import Builder
-from .gym_kit import Look, disc, face, gear, inlay, post, ring, side
+from ..builder import Builder, span
+from .gym_kit import disc, gear, inlay, post, ring, side
 
 _BALLS = ("yellow plastic", "blue plastic", "red plastic", "lilac plastic", "orange plastic", "green plastic",
           "mahogany", "black plastic")  # fmt: skip
@@ -58,8 +58,10 @@ def pool_table(b: Builder) -> None:
         for sy in (-1, 1):
             with b.solid(f"leg {sx} {sy}"), b.frame(sx * (x - 0.16), sy * (y - 0.2)):
                 if style == "block":
-                    b.hull([(a * q, c * q, z) for a in (-1, 1) for c in (-1, 1) for q, z in ((0.06, 0), (0.1, h - 0.22))],
-                           wood)  # fmt: skip
+                    b.hull(
+                        [(a * q, c * q, z) for a in (-1, 1) for c in (-1, 1) for q, z in ((0.06, 0), (0.1, h - 0.22))],
+                        wood,
+                    )
                 else:
                     b.lathe([(0.06, 0), (0.07, 0.05), (0.045, 0.1), (0.09, 0.3), (0.075, 0.42), (0.05, 0.46),
                              (0.1, h - 0.22)], wood, 16)  # fmt: skip
@@ -130,8 +132,13 @@ def table_tennis(b: Builder) -> None:
         for s in (-1, 1):
             ys = (0.002, w / 2) if s > 0 else (-w / 2, -0.002)
             b.box((-x, x), ys, (z - 0.022, z), top, 0)
-            b.box((-x + 0.03, x - 0.03), (s * 0.03, s * (w / 2 - 0.03)) if s > 0 else (-w / 2 + 0.03, -0.03), (z - 0.065, z - 0.02),
-                  metal, 0.004)  # fmt: skip
+            b.box(
+                (-x + 0.03, x - 0.03),
+                (s * 0.03, s * (w / 2 - 0.03)) if s > 0 else (-w / 2 + 0.03, -0.03),
+                (z - 0.065, z - 0.02),
+                metal,
+                0.004,
+            )
             for xs in ((-x, -x + 0.02), (x - 0.02, x), (-0.003, 0.003)):
                 inlay(b, xs, ys, (z - 0.01, z + 0.0003), "white plastic")
             inlay(b, (-x, x), (w / 2 - 0.02, w / 2) if s > 0 else (-w / 2, -w / 2 + 0.02), (z - 0.01, z + 0.0003),
@@ -141,7 +148,7 @@ def table_tennis(b: Builder) -> None:
         b.box((-d / 2 + 0.01, d / 2 - 0.01), (-0.004, 0.004), (h - 0.015, h), "white fabric", 0)
         for s in (-1, 1):
             b.box((s * (d / 2 - 0.01) - 0.01, s * (d / 2 - 0.01) + 0.01), (-0.01, 0.01), (z - 0.05, h), metal, 0.003)
-            b.box(tuple(sorted((s * (x - 0.05), s * d / 2))), (-0.03, 0.03), (z - 0.05, z - 0.022), metal, 0.003)
+            b.box(span(s * (x - 0.05), s * d / 2), (-0.03, 0.03), (z - 0.05, z - 0.022), metal, 0.003)
     with b.solid("top"):
         for s, look in ((-1, "red plastic"), (1, "black plastic")):
             with b.frame(s * 0.3, s * w * 0.32, z, yaw=s * 0.6):
@@ -215,8 +222,19 @@ def arcade_machine(b: Builder) -> None:
     i = y - 0.02
     b.box((x0 + 0.02, x1 - 0.13), (-i, i), (0.02, 0.8 * k), "black plastic", 0.004)
     b.box((x0 + 0.02, x1 - 0.42), (-i, i), (0.7 * k, h - 0.26), "black plastic", 0.004)
-    side(b, [(x1 - 0.42, 0.8 * k), (x1 - 0.14, 0.8 * k), (x1 - 0.03, 0.9 * k), (x1 - 0.03, 0.945 * k), (x1 - 0.29, 1.02 * k),
-             (x1 - 0.42, 1.02 * k)], (-i, i), trim)  # fmt: skip
+    side(
+        b,
+        [
+            (x1 - 0.42, 0.8 * k),
+            (x1 - 0.14, 0.8 * k),
+            (x1 - 0.03, 0.9 * k),
+            (x1 - 0.03, 0.945 * k),
+            (x1 - 0.29, 1.02 * k),
+            (x1 - 0.42, 1.02 * k),
+        ],
+        (-i, i),
+        trim,
+    )
     side(
         b,
         [(x1 - 0.44, 1.0 * k), (x1 - 0.3, 1.03 * k), (x1 - 0.4, 1.43 * k), (x1 - 0.44, 1.43 * k)],
@@ -278,7 +296,7 @@ def pinball_machine(b: Builder) -> None:
                 disc(b, (-long * a, c, top + 0.001), 0.022, 0.006, look, "z", 12)
             for s in (-1, 1):
                 with b.frame(-long * 0.14, s * 0.1, top, yaw=s * 1.0):
-                    b.box((-0.01, 0.01), tuple(sorted((0, -s * 0.08))), (0, 0.02), "white plastic", 0.004)
+                    b.box((-0.01, 0.01), span(0, -s * 0.08), (0, 0.02), "white plastic", 0.004)
                 b.bar(
                     (-long * 0.25, s * 0.2, top + 0.01), (-long * 0.17, s * 0.11, top + 0.01), 0.008, "red plastic", 6
                 )
@@ -303,8 +321,15 @@ def pinball_machine(b: Builder) -> None:
         with b.solid(f"legs {sx > 0}"):
             for s in (-1, 1):
                 c = s * (y + 0.01)
-                b.hull([(sx + e * q + (0.03 if z > 0.7 else -0.03) * (zz > 0.1) * 0, c + f * q, zz)
-                        for e in (-1, 1) for f in (-1, 1) for q, zz in ((0.018, 0.02), (0.028, z))], "chrome")  # fmt: skip
+                b.hull(
+                    [
+                        (sx + e * q + (0.03 if z > 0.7 else -0.03) * (zz > 0.1) * 0, c + f * q, zz)
+                        for e in (-1, 1)
+                        for f in (-1, 1)
+                        for q, zz in ((0.018, 0.02), (0.028, z))
+                    ],
+                    "chrome",
+                )
                 disc(b, (sx, c, 0.012), 0.025, 0.024, "black plastic", "z", 12)
 
 
@@ -373,8 +398,12 @@ def chess_table(b: Builder) -> None:
                  (0.08, z - 0.04)], wood, 20)  # fmt: skip
         for k in range(4):
             with b.frame(yaw=k * math.pi / 2 + math.pi / 4):
-                side(b, [(0.03, 0.1), (s * 0.25, 0.03), (s * 0.42, 0.0), (s * 0.44, 0.03), (s * 0.26, 0.09), (0.03, 0.2)],
-                     (-0.02, 0.02), wood)  # fmt: skip
+                side(
+                    b,
+                    [(0.03, 0.1), (s * 0.25, 0.03), (s * 0.42, 0.0), (s * 0.44, 0.03), (s * 0.26, 0.09), (0.03, 0.2)],
+                    (-0.02, 0.02),
+                    wood,
+                )
     b.clear((-d / 2, d / 2), (-w / 2, -0.2), (0.1, z - 0.05))
     b.clear((-d / 2, d / 2), (0.2, w / 2), (0.1, z - 0.05))
 

@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from ..builder import Builder
-from .gym_kit import castors, disc, gear, inlay, post, ring
+from ..builder import Builder, span
+from .gym_kit import disc, gear, inlay, ring
 
 
 @gear("aquarium")
@@ -19,8 +19,8 @@ def aquarium(b: Builder) -> None:
     z = h * 0.55
     b.box((-x, x - 0.016), (-y, y), (0, z), wood, 0.004)
     for s in (-1, 1):
-        b.box((x - 0.018, x), tuple(sorted((s * 0.002, s * (y - 0.003)))), (0.05, z - 0.03), wood, 0.003)
-        inlay(b, (x - 0.01, x + 0.0003), tuple(sorted((s * 0.03, s * 0.045))), (z * 0.5, z * 0.7), "steel")
+        b.box((x - 0.018, x), span(s * 0.002, s * (y - 0.003)), (0.05, z - 0.03), wood, 0.003)
+        inlay(b, (x - 0.01, x + 0.0003), span(s * 0.03, s * 0.045), (z * 0.5, z * 0.7), "steel")
     b.box((-x, x), (-y, y), (z - 0.005, z + 0.02), "black plastic", 0.003)
     b.box((-x + 0.004, x - 0.004), (-y + 0.004, y - 0.004), (z + 0.02, h - 0.05), "glass", 0)
     b.box((-x, x), (-y, y), (h - 0.055, h), "black plastic", 0.006)
@@ -37,9 +37,15 @@ def aquarium(b: Builder) -> None:
         for m in range(3):
             a = k + 2.1 * m
             p, q = px + 0.05 * math.cos(a), py + 0.05 * math.sin(a)
-            pts = [(px - 0.008, py, z + 0.05), (px + 0.008, py, z + 0.05), (px, py + 0.008, z + 0.05),
-                   ((px + p) / 2 + 0.014, (py + q) / 2, z + 0.05 + tall * 0.55), ((px + p) / 2 - 0.014, (py + q) / 2, z + 0.05 + tall * 0.55),
-                   ((px + p) / 2, (py + q) / 2 + 0.012, z + 0.05 + tall * 0.5), (p, q, z + 0.05 + tall * (0.8 + 0.1 * m))]  # fmt: skip
+            pts = [
+                (px - 0.008, py, z + 0.05),
+                (px + 0.008, py, z + 0.05),
+                (px, py + 0.008, z + 0.05),
+                ((px + p) / 2 + 0.014, (py + q) / 2, z + 0.05 + tall * 0.55),
+                ((px + p) / 2 - 0.014, (py + q) / 2, z + 0.05 + tall * 0.55),
+                ((px + p) / 2, (py + q) / 2 + 0.012, z + 0.05 + tall * 0.5),
+                (p, q, z + 0.05 + tall * (0.8 + 0.1 * m)),
+            ]
             b.add(shapes.hull(np.array(pts)), looks[k % 3], [])
     for k in range(4):
         r = 0.03 + 0.012 * k
@@ -53,8 +59,16 @@ def aquarium(b: Builder) -> None:
         look = ("orange plastic", "yellow plastic", "blue plastic", "red plastic")[k % 4]
         s = 1 if k % 2 else -1
         b.add(shapes.ball((0.012, 0.035, 0.02), c, 10), look, [])
-        b.add(shapes.hull(np.array([(c[0] + e * 0.003, c[1] - s * 0.028 * 1, c[2]) for e in (-1, 1)] +
-                                   [(c[0], c[1] - s * 0.06, c[2] + q) for q in (-0.022, 0.022)])), look, [])  # fmt: skip
+        b.add(
+            shapes.hull(
+                np.array(
+                    [(c[0] + e * 0.003, c[1] - s * 0.028 * 1, c[2]) for e in (-1, 1)]
+                    + [(c[0], c[1] - s * 0.06, c[2] + q) for q in (-0.022, 0.022)]
+                )
+            ),
+            look,
+            [],
+        )
 
 
 @gear("fireplace")
@@ -72,12 +86,12 @@ def fireplace(b: Builder) -> None:
         z = h * 0.66
         b.box((x0, x0 + 0.05), (-lim, lim), (0.05, z), inner, 0)
         for s in (-1, 1):
-            b.box((x0, x1 - 0.03), tuple(sorted((s * lim, s * (y - 0.05)))), (0.05, h - 0.1), stone, 0.004)
-            b.box((x0 + 0.05, x1 - 0.04), tuple(sorted((s * (lim - 0.012), s * lim))), (0.05, z), inner, 0)
-            ys = tuple(sorted((s * (y - 0.06), s * (y - 0.22))))
+            b.box((x0, x1 - 0.03), span(s * lim, s * (y - 0.05)), (0.05, h - 0.1), stone, 0.004)
+            b.box((x0 + 0.05, x1 - 0.04), span(s * (lim - 0.012), s * lim), (0.05, z), inner, 0)
+            ys = span(s * (y - 0.06), s * (y - 0.22))
             b.box((x0, x1), ys, (0.05, h - 0.12), stone, 0.008)
-            b.box((x0, x1 + 0.02), tuple(sorted((s * (y - 0.045), s * (y - 0.235)))), (0.05, 0.17), stone, 0.01)
-            b.box((x0, x1 + 0.02), tuple(sorted((s * (y - 0.045), s * (y - 0.235)))), (h - 0.2, h - 0.12), stone, 0.01)
+            b.box((x0, x1 + 0.02), span(s * (y - 0.045), s * (y - 0.235)), (0.05, 0.17), stone, 0.01)
+            b.box((x0, x1 + 0.02), span(s * (y - 0.045), s * (y - 0.235)), (h - 0.2, h - 0.12), stone, 0.01)
             for k in (0.1, 0.14, 0.18):
                 b.box((x1 - 0.01, x1 + 0.008), (s * (y - k) - 0.01, s * (y - k) + 0.01), (0.22, h - 0.25), stone, 0.004)
         b.box((x0, x1 - 0.03), (-lim, lim), (z, h - 0.1), stone, 0.004)
@@ -261,9 +275,20 @@ def fan(b: Builder) -> None:
                 (0.11, e * 0.8 * c, z + e * 0.8 * s), (0.12, 0.05 * c, z + 0.05 * s)], 0.0025, metal, 4)  # fmt: skip
     for k in range(4):
         with b.frame(0.07, 0, z, roll=k * math.pi / 2 + 0.3):
-            b.hull([(e + q, yy, zz) for e in (-0.003, 0.003) for q, yy, zz in
-                    ((-0.01, -0.02, 0.03), (0.01, 0.02, 0.03), (-0.025, -0.07, r * 0.6), (0.025, 0.08, r * 0.6), (0.0, 0.05, r * 0.82))],
-                   "blue plastic" if metal.name == "white plastic" else "grey plastic")  # fmt: skip
+            b.hull(
+                [
+                    (e + q, yy, zz)
+                    for e in (-0.003, 0.003)
+                    for q, yy, zz in (
+                        (-0.01, -0.02, 0.03),
+                        (0.01, 0.02, 0.03),
+                        (-0.025, -0.07, r * 0.6),
+                        (0.025, 0.08, r * 0.6),
+                        (0.0, 0.05, r * 0.82),
+                    )
+                ],
+                "blue plastic" if metal.name == "white plastic" else "grey plastic",
+            )
 
 
 @gear("sewing_machine_table")
@@ -372,9 +397,21 @@ def litter_box(b: Builder) -> None:
     z = h * 0.35
     b.hull([(sx * x * q, sy * y * q, zz) for sx in (-1, 1) for sy in (-1, 1) for q, zz in ((0.88, 0), (1, z))], tray)
     t = h - 0.03
-    b.hull([(px, sy * y * q, zz) for sy in (-1, 1) for px, q, zz in
-            ((-x * 0.97, 0.97, z), (x * 0.97, 0.97, z), (-x * 0.9, 0.85, t - 0.05), (x * 0.8, 0.85, t - 0.05), (-x * 0.75, 0.6, t), (x * 0.6, 0.6, t))],
-           hood)  # fmt: skip
+    b.hull(
+        [
+            (px, sy * y * q, zz)
+            for sy in (-1, 1)
+            for px, q, zz in (
+                (-x * 0.97, 0.97, z),
+                (x * 0.97, 0.97, z),
+                (-x * 0.9, 0.85, t - 0.05),
+                (x * 0.8, 0.85, t - 0.05),
+                (-x * 0.75, 0.6, t),
+                (x * 0.6, 0.6, t),
+            )
+        ],
+        hood,
+    )
     s = math.atan2(x * 0.17, t - 0.05 - z)
     with b.frame(x * 0.97, 0, z, pitch=-s):
         b.box((-0.01, 0.002), (-w * 0.26, w * 0.26), (0.01, (t - z) * 0.72), "black plastic", 0.001)

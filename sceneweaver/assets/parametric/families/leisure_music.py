@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from ..builder import Builder
-from .gym_kit import Look, castors, disc, face, gear, inlay, post, ring, side
+from ..builder import Builder, span
+from .gym_kit import Look, disc, face, gear, inlay, side
 
 
 def keyboard(b: Builder, x: tuple[float, float], y: tuple[float, float], z: float, whites: int = 36) -> None:
@@ -188,8 +188,20 @@ def guitar_on_stand(b: Builder) -> None:
         bl = long * 0.48
         t = 0.05 if electric else 0.1
         half = w / 2
-        prof = [(0.0, 0.45), (0.03, 0.75), (0.1, 0.95), (0.22, 1.0), (0.34, 0.95), (0.46, 0.76), (0.56, 0.62), (0.66, 0.62),
-                (0.78, 0.72), (0.88, 0.74), (0.95, 0.66), (1.0, 0.35)]  # fmt: skip
+        prof = [
+            (0.0, 0.45),
+            (0.03, 0.75),
+            (0.1, 0.95),
+            (0.22, 1.0),
+            (0.34, 0.95),
+            (0.46, 0.76),
+            (0.56, 0.62),
+            (0.66, 0.62),
+            (0.78, 0.72),
+            (0.88, 0.74),
+            (0.95, 0.66),
+            (1.0, 0.35),
+        ]
         right = [(half * r, bl * z) for z, r in prof]
         outline = right + [(-y, z) for y, z in reversed(right)]
         face(b, outline, (-t, 0), sides_)
@@ -203,8 +215,12 @@ def guitar_on_stand(b: Builder) -> None:
             disc(b, (0.0018, 0, bl * 0.64), half * 0.29, 0.003, "walnut", "x", 24)
             disc(b, (0.002, 0, bl * 0.64), half * 0.25, 0.0032, "black plastic", "x", 24)
             b.box((0, 0.008), (-half * 0.4, half * 0.4), (bl * 0.24, bl * 0.275), "wenge", 0.002)
-            face(b, [(half * 0.28, bl * 0.42), (half * 0.6, bl * 0.44), (half * 0.5, bl * 0.62), (half * 0.25, bl * 0.55)],
-                 (0.0005, 0.0023), "black plastic")  # fmt: skip
+            face(
+                b,
+                [(half * 0.28, bl * 0.42), (half * 0.6, bl * 0.44), (half * 0.5, bl * 0.62), (half * 0.25, bl * 0.55)],
+                (0.0005, 0.0023),
+                "black plastic",
+            )
         b.box((-0.02, 0.0), (-0.028, 0.028), (bl - 0.06, long * 0.86), "mahogany", 0.004)
         b.box((0.0, 0.008), (-0.026, 0.026), (bl * 0.74, long * 0.86), "wenge", 0.0)
         for k in range(1, 12):
@@ -248,8 +264,20 @@ def cello(b: Builder) -> None:
             inlay(b, (0.005, 0.0123), (s * half * 0.42 - 0.004, s * half * 0.42 + 0.004), (bl * 0.38, bl * 0.54),
                   "black plastic")  # fmt: skip
         b.box((0.01, 0.06), (-0.045, 0.045), (bl * 0.45, bl * 0.46), "light oak", 0.002)
-        b.hull([(x, y, z) for x, y, z in ((0.012, -0.025, bl * 0.12), (0.012, 0.025, bl * 0.12), (0.05, -0.035, bl * 0.36),
-               (0.05, 0.035, bl * 0.36), (0.03, 0.0, bl * 0.1), (0.03, 0.02, bl * 0.36))], "wenge")  # fmt: skip
+        b.hull(
+            [
+                (x, y, z)
+                for x, y, z in (
+                    (0.012, -0.025, bl * 0.12),
+                    (0.012, 0.025, bl * 0.12),
+                    (0.05, -0.035, bl * 0.36),
+                    (0.05, 0.035, bl * 0.36),
+                    (0.03, 0.0, bl * 0.1),
+                    (0.03, 0.02, bl * 0.36),
+                )
+            ],
+            "wenge",
+        )
         b.hull([(x, y * (0.02 if z > 1 else 0.03), zz) for x, z, zz in ((0.055, 0, bl * 0.6), (0.04, 0, bl * 0.6),
                (0.02, 2, long * 0.9), (0.005, 2, long * 0.9)) for y in (-1, 1)], "wenge")  # fmt: skip
         b.box((-0.02, 0.01), (-0.018, 0.018), (bl - 0.03, long * 0.93), wood, 0.004)
@@ -283,10 +311,8 @@ def _drum(b: Builder, at, r: float, t: float, shell: Look, axis: str = "z") -> N
     with b.frame(at[0], at[1], at[2], **turn):
         b.frustum(r, r, (-t / 2, t / 2), shell, 28)
         for s in (-1, 1):
-            b.frustum(r + 0.008, r + 0.008, tuple(sorted((s * t / 2, s * (t / 2 - 0.022)))), "chrome", 28)
-            b.frustum(
-                r * 0.96, r * 0.96, tuple(sorted((s * (t / 2 - 0.004), s * (t / 2 + 0.0004)))), "white plastic", 28
-            )
+            b.frustum(r + 0.008, r + 0.008, span(s * t / 2, s * (t / 2 - 0.022)), "chrome", 28)
+            b.frustum(r * 0.96, r * 0.96, span(s * (t / 2 - 0.004), s * (t / 2 + 0.0004)), "white plastic", 28)
         for k in range(8):
             a = (k + 0.5) * math.pi / 4
             c, s = math.cos(a), math.sin(a)
@@ -423,8 +449,12 @@ def amplifier(b: Builder) -> None:
     t = h - 0.03
     x1 = d / 2
     b.box((-d / 2, x1 - 0.02), (-w / 2, w / 2), (0.02, t), skin, 0.012)
-    for ys, zs in (((-w / 2, w / 2), (0.02, 0.05)), ((-w / 2, w / 2), (t - 0.03, t)), ((-w / 2, -w / 2 + 0.03), (0.02, t)),
-                   ((w / 2 - 0.03, w / 2), (0.02, t))):  # fmt: skip
+    for ys, zs in (
+        ((-w / 2, w / 2), (0.02, 0.05)),
+        ((-w / 2, w / 2), (t - 0.03, t)),
+        ((-w / 2, -w / 2 + 0.03), (0.02, t)),
+        ((w / 2 - 0.03, w / 2), (0.02, t)),
+    ):
         b.box((x1 - 0.04, x1), ys, zs, skin, 0.004)
     b.box((x1 - 0.03, x1 - 0.012), (-w / 2 + 0.03, w / 2 - 0.03), (0.05, t - 0.12), cloth, 0)
     b.box((x1 - 0.03, x1 - 0.005), (-w / 2 + 0.03, w / 2 - 0.03), (t - 0.115, t - 0.03), "brass", 0.003)
@@ -440,8 +470,12 @@ def amplifier(b: Builder) -> None:
             c = s * w / 2
             b.box((x1 - 0.045, x1 + 0.0003), (c - 0.03, c + 0.0003) if s > 0 else (c - 0.0003, c + 0.03),
                   (z - 0.0003, z + 0.03) if z < 0.1 else (z - 0.03, z + 0.0003), "brass", 0.01)  # fmt: skip
-    b.tube([(-0.01, -0.11, t - 0.005), (-0.01, -0.08, h - 0.008), (-0.01, 0.08, h - 0.008), (-0.01, 0.11, t - 0.005)], 0.008,
-           "black leather", 8)  # fmt: skip
+    b.tube(
+        [(-0.01, -0.11, t - 0.005), (-0.01, -0.08, h - 0.008), (-0.01, 0.08, h - 0.008), (-0.01, 0.11, t - 0.005)],
+        0.008,
+        "black leather",
+        8,
+    )
 
 
 @gear("record_player")

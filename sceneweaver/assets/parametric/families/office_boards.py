@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from ..builder import Builder, Interval
-from .gym_kit import Look, castors, disc, gear, inlay, post
+from ..builder import Builder, Interval, span
+from .gym_kit import Look, castors, disc, gear, inlay
 
 _INKS = ("blue plastic", "red plastic", "black plastic", "green plastic")
 
@@ -170,7 +170,7 @@ def projector_screen(b: Builder) -> None:
     r = d / 2
     b.box((-r, r), (-w / 2, w / 2), (h - 2 * r, h), case, r * 0.5)
     for s in (-1, 1):
-        b.box((-r, r), tuple(sorted((s * w / 2, s * (w / 2 - 0.03)))), (h - 2 * r, h), "grey plastic", r * 0.4)
+        b.box((-r, r), span(s * w / 2, s * (w / 2 - 0.03)), (h - 2 * r, h), "grey plastic", r * 0.4)
     b.box((-0.003, 0.003), (-w / 2 + 0.05, w / 2 - 0.05), (0.02, h - r), "black plastic", 0)
     inlay(b, (0, 0.0033), (-w / 2 + 0.1, w / 2 - 0.1), (0.07, h - 2 * r - 0.12), "white plastic")
     b.box((-0.012, 0.012), (-w / 2 + 0.05, w / 2 - 0.05), (0, 0.025), case, 0.004)
@@ -205,7 +205,7 @@ def partition(b: Builder) -> None:
     z1 = h - 0.4 if glazed else h - 0.03
     b.box((-t, t), (-w / 2 + 0.025, w / 2 - 0.025), (0.08, z1), cloth, 0.004)
     for s in (-1, 1):
-        ys = tuple(sorted((s * w / 2, s * (w / 2 - 0.03))))
+        ys = span(s * w / 2, s * (w / 2 - 0.03))
         b.box((-t - 0.004, t + 0.004), ys, (0.03, h), metal, 0.003)
         b.box((-d / 2, d / 2), (s * (w / 2 - 0.1) - 0.03, s * (w / 2 - 0.1) + 0.03), (0, 0.02), metal, 0.004)
         b.box((-0.015, 0.015), (s * (w / 2 - 0.1) - 0.02, s * (w / 2 - 0.1) + 0.02), (0.015, 0.085), metal, 0.002)
@@ -230,8 +230,21 @@ def stanchion(b: Builder) -> None:
     r = d / 2
     for s in (-1, 1):
         with b.solid(f"post {s}"), b.frame(0, s * (w / 2 - r)):
-            b.lathe([(r, 0), (r, 0.012), (r * 0.6, 0.035), (0.03, 0.06), (0.024, 0.08), (0.024, h - 0.08), (0.036, h - 0.07),
-                     (0.036, h - 0.02), (0.018, h)], metal, 24)  # fmt: skip
+            b.lathe(
+                [
+                    (r, 0),
+                    (r, 0.012),
+                    (r * 0.6, 0.035),
+                    (0.03, 0.06),
+                    (0.024, 0.08),
+                    (0.024, h - 0.08),
+                    (0.036, h - 0.07),
+                    (0.036, h - 0.02),
+                    (0.018, h),
+                ],
+                metal,
+                24,
+            )
     e = w / 2 - r - 0.03
     with b.solid("band"):
         if rope:

@@ -6,8 +6,7 @@ import math
 
 import numpy as np
 
-from ..builder import Builder
-from ..joinery import drawer
+from ..builder import Builder, span
 from .gym_kit import castors, disc, gear, inlay, ring, side
 
 _CASES = ("white plastic", "grey plastic", "black plastic")
@@ -116,7 +115,7 @@ def server_rack(b: Builder) -> None:
     b.box((x0, x1 - 0.03), (-y, y), (0.03, h), case, 0.006)
     castors(b, (x0 + 0.08, x1 - 0.1), (-y + 0.08, y - 0.08), r=0.014)
     for s in (-1, 1):
-        b.box((x1 - 0.04, x1), tuple(sorted((s * y, s * (y - 0.05)))), (0.03, h), case, 0.003)
+        b.box((x1 - 0.04, x1), span(s * y, s * (y - 0.05)), (0.03, h), case, 0.003)
     b.box((x1 - 0.04, x1), (-y + 0.05, y - 0.05), (h - 0.06, h), case, 0.003)
     b.box((x1 - 0.04, x1), (-y + 0.05, y - 0.05), (0.03, 0.09), case, 0.003)
     z, k = 0.1, 0
@@ -215,8 +214,7 @@ def wastebasket(b: Builder) -> None:
     r = d / 2
     low = r * b.uniform("foot", 0.7, 0.9)
     t = h - 0.025
-    b.lathe([(low, 0), (r, t), (r, t + 0.006), (r * 0.95, t + 0.006), (r * 0.93, t - 0.02)], look, 28, hollow=False) if False else b.frustum(
-        low, r * 0.985, (0, t), look, 28)  # fmt: skip
+    b.frustum(low, r * 0.985, (0, t), look, 28)
     ring(b, (0, 0, t), r * 0.97, r * 0.03, look, "z", 24, 6)
     b.frustum(r * 0.9, r * 0.9, (t - 0.005, t + 0.001), "black plastic", 24)
     for k in range(4):
@@ -259,7 +257,7 @@ def book_return_cart(b: Builder) -> None:
                 tall = b.uniform(f"h {k} {e} {j}", 0.19, 0.27)
                 deep = min(x - 0.04, b.uniform(f"d {k} {e} {j}", 0.13, 0.17))
                 b.box(
-                    tuple(sorted((e * 0.01, e * (0.01 + deep)))),
+                    span(e * 0.01, e * (0.01 + deep)),
                     (c, c + t - 0.001),
                     (z, z + tall),
                     b.pick(f"l {k} {e} {j}", looks),

@@ -207,8 +207,8 @@ def sectional_sofa(b: Builder) -> None:
         with b.solid("throw"):
             xs = (d / 2 - 0.52, d / 2 - 0.2)
             b.box(xs, (a - 0.006, c + 0.006), (look.base - 0.02, look.seat + 0.008), cloth, bevel=0.012)
-        b._surfaces[-1] = b._surfaces[-1].model_copy(update={"polygon": tuple(
-            (min(px, xs[0] - 0.02), py) for px, py in b._surfaces[-1].polygon)})  # fmt: skip
+        last = b.unsurface()
+        b.resurface(last, [(min(px, xs[0] - 0.02), py) for px, py in last.polygon])
     _arm(b, (x[0], x[1] - 0.02), -end, -end * w / 2, look, cover, "arm")
     _arm(b, (x[0], x[1] - 0.02), end, end * w / 2, look, cover, "chaise arm")
     y = (-w / 2, long[1]) if end > 0 else (long[0], w / 2)
@@ -354,7 +354,7 @@ def chaise_longue(b: Builder) -> None:
     if b.chance("arm", 0.5):
         with b.solid("arm"):
             b.cushion((x[0] + 0.2, x[0] + 0.6 * d), (y[1] - 0.09, y[1]), (0.3, 0.62), cover, radius=0.04)
-        b._surfaces.pop()
+        b.unsurface()
         b.surface("seat", (x[0] + 0.52, x[1] - 0.06), (y[0] + 0.06, y[1] - 0.12), seat)
     b.fit()
 

@@ -70,7 +70,7 @@ def wardrobe(b: Builder) -> None:
     """A carcass on a plinth with two to four doors, a rail inside; a cornice in the classic style."""
     d, w, h = b.size
     two_tone = b.chance("two tone", 0.3)
-    woods = ("oak", "white paint", "walnut", "light grey paint", "pine", "cherry", "black paint", "sage paint")
+    woods = ("oak", "white paint", "walnut", "light grey paint", "pine", "cherry", "cream paint", "sage paint")
     wood = b.material("body", *(("oak", "light oak", "walnut") if two_tone else woods))
     fronts = b.material("fronts", "white paint", "sage paint", "navy paint", "cream paint") if two_tone else wood
     pull = b.material("pulls", "black steel", "brass", "brushed steel")

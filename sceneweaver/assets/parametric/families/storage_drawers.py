@@ -16,7 +16,7 @@ def dresser(b: Builder) -> None:
     d, w, h = b.size
     wood = b.material("body", *WOODS)
     fronts = b.material("fronts", "white paint", "oak", "navy paint") if b.chance("two tone", 0.35) else wood
-    style, pull, reach = pulls(b)
+    style, pull, reach = pulls(b, wood)
     base = b.pick("base", ["plinth", "bracket", "tapered", "splayed"])
     foot, over = (0.06 if base == "plinth" else 0.1 if base == "bracket" else 0.14), 0.01
     x, y = (-d / 2, d / 2 - max(reach, over)), (-w / 2 + over, w / 2 - over)
@@ -35,7 +35,7 @@ def tallboy(b: Builder) -> None:
     """A narrow, high chest of five to seven drawers."""
     d, w, h = b.size
     wood = b.material("body", *WOODS)
-    style, pull, reach = pulls(b)
+    style, pull, reach = pulls(b, wood)
     base = b.pick("base", ["plinth", "bracket", "tapered"])
     foot, over = (0.06 if base == "plinth" else 0.1), 0.01
     x, y = (-d / 2, d / 2 - max(reach, over)), (-w / 2 + over, w / 2 - over)
@@ -53,7 +53,7 @@ def sideboard(b: Builder) -> None:
     d, w, h = b.size
     wood = b.material("body", "walnut", "oak", "white paint", "light oak", "black paint", "mahogany")
     fronts = b.material("fronts", "white paint", "rattan", "teal paint") if b.chance("two tone", 0.3) else wood
-    style, pull, reach = pulls(b, "bar", "knob")
+    style, pull, reach = pulls(b, wood, "bar", "knob")
     base = b.pick("base", ["tapered", "splayed", "square", "plinth"])
     foot, over = (0.06 if base == "plinth" else min(0.2, 0.25 * h)), 0.006
     x, y = (-d / 2, d / 2 - max(reach, over)), (-w / 2 + over, w / 2 - over)
@@ -79,7 +79,7 @@ def cabinet(b: Builder) -> None:
     """One or two framed doors, often with drawers over them."""
     d, w, h = b.size
     wood = b.material("body", *WOODS)
-    style, pull, reach = pulls(b, "bar", "knob")
+    style, pull, reach = pulls(b, wood, "bar", "knob")
     base = b.pick("base", ["plinth", "bracket", "tapered", "square"])
     foot, over = (0.06 if base == "plinth" else 0.11), 0.01
     x, y = (-d / 2, d / 2 - max(reach, over)), (-w / 2 + over, w / 2 - over)
@@ -103,7 +103,7 @@ def linen_cabinet(b: Builder) -> None:
     """A tall closed cupboard: doors over two deep drawers, with a cornice."""
     d, w, h = b.size
     wood = b.material("body", "white paint", "cream paint", "oak", "pine", "sage paint")
-    style, pull, reach = pulls(b, "knob", "bar")
+    style, pull, reach = pulls(b, wood, "knob", "bar")
     x, y = (-d / 2, d / 2 - max(reach, 0.02)), (-w / 2 + 0.02, w / 2 - 0.02)
     with b.solid("body"):
         feet(b, x, y, 0.09, wood, "bracket")
@@ -123,7 +123,7 @@ def shoe_cabinet(b: Builder) -> None:
     """Shallow, with tilting flaps."""
     d, w, h = b.size
     wood = b.material("body", "white paint", "oak", "light grey paint", "walnut", "black paint")
-    style, pull, reach = pulls(b, "bar", "knob", "cup")
+    style, pull, reach = pulls(b, wood, "bar", "knob", "cup")
     x, y = (-d / 2, d / 2 - reach), (-w / 2, w / 2)
     with b.solid("body"):
         feet(b, x, y, 0.05, wood, "plinth")

@@ -59,7 +59,7 @@ def display_cabinet(b: Builder) -> None:
     """A cabinet with glass doors and sides over a closed foot; glass boards within."""
     d, w, h = b.size
     wood = b.material("body", "oak", "walnut", "white paint", "mahogany", "black paint", "cherry")
-    style, pull, reach = pulls(b, "bar", "knob")
+    style, pull, reach = pulls(b, wood, "bar", "knob")
     classic = b.style in ("classic", "rustic")
     post, over = 0.035, 0.02 if classic else 0.0
     x, y = (-d / 2, d / 2 - max(reach, over)), (-w / 2 + over, w / 2 - over)

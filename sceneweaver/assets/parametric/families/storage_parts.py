@@ -12,10 +12,13 @@ REACH = {"bar": 0.025, "knob": 0.025, "cup": 0.022, "none": 0.0}
 SHADOW = "black paint"
 
 
-def pulls(b: Builder, *styles: str) -> tuple[str, Material, float]:
-    """A style of handle, its metal, and how far it stands out."""
+def pulls(b: Builder, body: Material, *styles: str) -> tuple[str, Material, float]:
+    """A style of handle, a metal that shows on the body, and how far it stands out."""
     style = b.pick("pull style", styles or ("bar", "knob", "cup"))
-    return style, b.material("pulls", "black steel", "brass", "brushed steel", "bronze"), REACH[style]
+    metals = (
+        ("brass", "brushed steel", "steel") if max(body.color) < 0.25 else ("black steel", "brass", "brushed steel")
+    )
+    return style, b.material("pulls", *metals), REACH[style]
 
 
 def feet(b: Builder, x: Interval, y: Interval, high: float, wood: Material, style: str) -> None:

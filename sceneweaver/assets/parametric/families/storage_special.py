@@ -193,7 +193,7 @@ def bar_cabinet(b: Builder) -> None:
     """Two doors below, an open niche with bottles and a rack of glasses above."""
     d, w, h = b.size
     wood = b.material("body", "walnut", "mahogany", "oak", "black paint", "navy paint")
-    style, pull, reach = pulls(b, "knob", "bar")
+    style, pull, reach = pulls(b, wood, "knob", "bar")
     x, y = (-d / 2, d / 2 - reach), (-w / 2, w / 2)
     niche = 0.44
     with b.solid("body"):

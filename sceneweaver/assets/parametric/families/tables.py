@@ -39,7 +39,7 @@ def dining_table(b: Builder) -> None:
             tabletop(b, rounded(x, y, 0.015, 3), z, top)
         if base in ("tapered", "square", "turned"):
             inset = 0.035
-            apron(b, (x[0] + inset, x[1] - inset), (y[0] + inset, y[1] - inset), (low - 0.085, low), legs)
+            apron(b, (x[0] + inset, x[1] - inset), (y[0] + inset, y[1] - inset), (max(low - 0.085, 0.625), low), legs)
         elif base == "splayed":
             apron(b, (x[0] + 0.16, x[1] - 0.16), (y[0] + 0.16, y[1] - 0.16), (low - 0.05, low), legs)
     if base in ("tapered", "square", "turned", "splayed"):
@@ -205,7 +205,7 @@ def bistro_table(b: Builder) -> None:
         b.frustum(0.12, 0.12, (low - 0.02, low), metal, segments=20)
     reach = max(0.24, 0.72 * r) if not high else max(0.23, 0.8 * r)
     if base in ("disc", "cross", "tulip"):
-        pedestal(b, low, reach, metal, base)
+        pedestal(b, low, reach, metal, base, slim=0.75)
     else:
         with b.solid("foot"):
             for yaw in range(4):
@@ -253,7 +253,7 @@ def folding_table(b: Builder) -> None:
             for z in (0.12, low - 0.03):
                 b.bar((x0, at, z), (x1, at, z), r * 0.8, metal, segments=8)
         with b.solid(f"brace {s}"):
-            b.bar((0, at, 0.42), (0, at - s * 0.3, low - 0.008), 0.008, metal, segments=8)
+            b.bar((0, at, 0.42), (0, at - s * min(0.3, abs(at) - 0.26), low - 0.008), 0.008, metal, segments=8)
             b.bar((x0, at, 0.42), (x1, at, 0.42), 0.008, metal, segments=8)
     b.clear((x[0], x[1]), (y[0] + 0.5, y[1] - 0.5), (0.0, 0.62))
 

@@ -215,8 +215,9 @@ def pedestal(b: Builder, h: float, radius: float, material: Finish, style: str, 
     half = radius * 0.55
     with b.solid("foot"):
         if style == "tulip":
-            b.lathe([(radius, 0.0), (radius, 0.008), (radius * 0.72, 0.02), (radius * 0.42, 0.05), (0.07 * slim, 0.13),
-                     (0.048 * slim, 0.24), (0.045 * slim, 0.4 * h + 0.1)], material, segments=28)  # fmt: skip
+            b.lathe(
+                [(radius, 0.0), (radius, 0.008), (radius * 0.72, 0.02), (radius * 0.42, 0.05)], material, segments=28
+            )
         elif style == "disc":
             b.lathe([(radius, 0.0), (radius, 0.012), (radius * 0.96, 0.018), (0.06, 0.028)], material, segments=28)
         elif style == "claw":
@@ -237,10 +238,8 @@ def pedestal(b: Builder, h: float, radius: float, material: Finish, style: str, 
             raise ValueError(f"no pedestal of style {style}")
     with b.solid("column"):
         if style == "tulip":
-            z = 0.4 * h + 0.1
-            b.lathe(
-                [(0.045 * slim, z), (0.05 * slim, 0.75 * h), (0.075 * slim, 0.9 * h), (half, h)], material, segments=24
-            )
+            b.lathe([(radius * 0.42, 0.05), (0.07 * slim, 0.13), (0.048 * slim, 0.24), (0.045 * slim, 0.4 * h + 0.1),
+                     (0.05 * slim, 0.75 * h), (0.075 * slim, 0.9 * h), (half, h)], material, segments=24)  # fmt: skip
         elif style == "claw":
             b.lathe([(0.04, 0.07), (0.06, 0.1), (0.06, 0.2), (0.04, 0.23), (0.075, 0.3), (0.085, 0.38), (0.055, 0.5),
                      (0.04, 0.56), (0.06, 0.58), (0.06, h - 0.06), (radius * 0.5, h - 0.03),

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 
-from ..builder import Builder
-from ..joinery import drawer
+from ..builder import Builder, span
 from .gym_kit import castors, disc, face, gear, inlay, post, ring, side
 
 _LOUD = ("red paint", "blue paint", "yellow paint", "green paint", "black steel", "grey paint")
@@ -29,8 +28,17 @@ def tool_chest(b: Builder) -> None:
             b.box((x1 - 0.02, x1), (-y + 0.02, y - 0.02), (z + 0.004, z + t - 0.004), paint, 0.003)
             b.box((x1 - 0.002, x1 + 0.014), (-y + 0.05, y - 0.05), (z + t - 0.026, z + t - 0.01), "aluminium", 0.003)
         z += t
-    b.tube([(x0 + 0.08, y, h - 0.1), (x0 + 0.08, w / 2 - 0.012, h - 0.1), (x1 - 0.1, w / 2 - 0.012, h - 0.1), (x1 - 0.1, y, h - 0.1)],
-           0.012, "chrome", 8)  # fmt: skip
+    b.tube(
+        [
+            (x0 + 0.08, y, h - 0.1),
+            (x0 + 0.08, w / 2 - 0.012, h - 0.1),
+            (x1 - 0.1, w / 2 - 0.012, h - 0.1),
+            (x1 - 0.1, y, h - 0.1),
+        ],
+        0.012,
+        "chrome",
+        8,
+    )
     b.surface("top", (x0 + 0.01, x1 - 0.01), (-y + 0.01, y - 0.01), h)
 
 
@@ -44,13 +52,13 @@ def tool_cabinet(b: Builder) -> None:
     for s in (-1, 1):
         at = (x1 + 0.02, s * y, 0.06)
         with b.hinge(f"door-{s}", at, limits=(-1.9, 0.0) if s > 0 else (0.0, 1.9)):
-            b.box((x1, x1 + 0.02), tuple(sorted((s * 0.002, s * (y - 0.004)))), (0.06, h - 0.01), paint, 0.004)
+            b.box((x1, x1 + 0.02), span(s * 0.002, s * (y - 0.004)), (0.06, h - 0.01), paint, 0.004)
             for k in range(5):
                 for z in (0.2, h - 0.3):
                     inlay(
                         b,
                         (x1 + 0.01, x1 + 0.0203),
-                        tuple(sorted((s * y * 0.3, s * y * 0.7))),
+                        span(s * y * 0.3, s * y * 0.7),
                         (z + 0.022 * k, z + 0.022 * k + 0.008),
                         "black plastic",
                     )
@@ -136,7 +144,7 @@ def bicycle(b: Builder) -> None:
         b.bar((bb[0], s * 0.06, bb[2]), (bb[0] + s * 0.12, s * 0.075, bb[2] - s * 0.11), 0.01, "aluminium", 6)
         b.box(
             (bb[0] + s * 0.12 - 0.045, bb[0] + s * 0.12 + 0.045),
-            tuple(sorted((s * 0.08, s * 0.16))),
+            span(s * 0.08, s * 0.16),
             (bb[2] - s * 0.11 - 0.012, bb[2] - s * 0.11 + 0.012),
             "black plastic",
             0.004,
@@ -456,8 +464,22 @@ def jerry_can(b: Builder) -> None:
     d, w, h = b.size
     paint = b.material("can", "red plastic", "green paint", "blue plastic", "yellow plastic")
     t = h - 0.05
-    side(b, [(-d / 2, 0.02), (-d / 2 + 0.02, 0), (d / 2 - 0.02, 0), (d / 2, 0.02), (d / 2, t - 0.06), (d / 2 - 0.07, t), (-d / 2 + 0.02, t), (-d / 2, t - 0.02)],
-         (-w / 2, w / 2), paint, 0.008)  # fmt: skip
+    side(
+        b,
+        [
+            (-d / 2, 0.02),
+            (-d / 2 + 0.02, 0),
+            (d / 2 - 0.02, 0),
+            (d / 2, 0.02),
+            (d / 2, t - 0.06),
+            (d / 2 - 0.07, t),
+            (-d / 2 + 0.02, t),
+            (-d / 2, t - 0.02),
+        ],
+        (-w / 2, w / 2),
+        paint,
+        0.008,
+    )
     for s in (-1, 1):
         for k in (-1, 1):
             b.bar(
