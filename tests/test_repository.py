@@ -141,4 +141,4 @@ def test_readme_example_runs(number, tmp_path, monkeypatch):
     shutil.copy(ROOT / "tests" / "zoo" / "bedroom.json", tmp_path / "scene.json")
     monkeypatch.chdir(tmp_path)
     exec(compile(source, "<example in README.md>", "exec"), {"__name__": "readme"})
-    assert (tmp_path / "refined.json").is_file()
+    assert (tmp_path / "refined.json").is_file() or ".save(" not in source

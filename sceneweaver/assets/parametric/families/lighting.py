@@ -241,7 +241,7 @@ def desk_lamp(b: Builder) -> None:
     x0, z0 = -base * 0.2, 0.055
     tilt = 0.45
     tip = (d - base - 1.54 * bell, 0.0, h * b.uniform("head", 0.74, 0.84))
-    elbow = (-base * 0.6, 0.0, h - 0.014)
+    elbow = (-base * 0.6, 0.0, h - 0.0115)
     with b.solid("foot"):
         b.lathe(
             [(base - 0.003, 0), (base, 0.004), (base, 0.026), (base - 0.006, 0.033), (0.03, 0.036), (0.018, 0.05)],

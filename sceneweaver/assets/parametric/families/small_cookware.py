@@ -533,7 +533,7 @@ def colander(b: Builder) -> None:
         for k in range(count):
             a = 2 * np.pi * (k + 0.5 * (row % 2)) / count
             with b.frame(rr * np.cos(a), rr * np.sin(a), s * h, yaw=a, pitch=np.pi / 2 + tilt):
-                b.add(shapes.frustum(0.0038, 0.0038, (-0.004, 0.0003), 6), "black steel", [])
+                b.add(shapes.frustum(0.0036, 0.0036, (-0.004, 0.0), 6), "black steel", [])
     for s in (-1, 1):
         arch(
             b,

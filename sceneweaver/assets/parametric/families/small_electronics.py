@@ -254,26 +254,27 @@ def computer(b: Builder) -> None:
     front = x[1] + 0.0003
     style = b.pick("front", ["mesh", "bars", "lit"])
     if style == "lit":
+        r = min(w, 0.33 * h)  # three fans above each other fit the front
         for k in range(3):
             with b.frame(x[1], 0, (0.27 + 0.23 * k) * h, pitch=np.pi / 2):
                 b.add(
-                    shapes.frustum(0.34 * w, 0.34 * w, (-0.002, 0.0002), 24),
+                    shapes.frustum(0.34 * r, 0.34 * r, (-0.002, 0.0002), 24),
                     b.pick("glow", ["sea pigment", "plum pigment", "red plastic"]),
                     [],
                 )
-                b.add(shapes.frustum(0.3 * w, 0.3 * w, (-0.002, 0.0003), 24), "black plastic", [])
+                b.add(shapes.frustum(0.3 * r, 0.3 * r, (-0.002, 0.0003), 24), "black plastic", [])
                 for j in range(5):
                     with b.frame(yaw=j * 2 * np.pi / 5):
                         b.add(
-                            shapes.box((0.03 * w, 0.28 * w), (-0.03 * w, 0.03 * w), (-0.001, 0.0004)),
+                            shapes.box((0.03 * r, 0.28 * r), (-0.03 * r, 0.03 * r), (-0.001, 0.0004)),
                             "grey plastic",
                             [],
                         )
     else:
         n = 14 if style == "bars" else 26
         for k in range(n):
-            z = 0.06 * h + 0.62 * h * k / n
-            decal(b, (x[1] - 0.002, front), (-0.38 * w, 0.38 * w), (z, z + 0.3 * 0.62 * h / n), "grey plastic")
+            z = 0.1 * h + 0.58 * h * k / n
+            decal(b, (x[1] - 0.002, front), (-0.38 * w, 0.38 * w), (z, z + 0.3 * 0.58 * h / n), "grey plastic")
         for z in (0.8, 0.88):
             decal(b, (x[1] - 0.002, front), (-0.42 * w, 0.42 * w), (z * h, (z + 0.055) * h), "black steel")
             decal(
