@@ -136,6 +136,7 @@ def bust(b: Builder) -> None:
         )
         with b.frame(d * 0.02):
             _head(b, 0.0, z1 - 0.005, s * 0.99, look)
+    b.fit()
 
 
 @draws("statue")
