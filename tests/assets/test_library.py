@@ -1,0 +1,91 @@
+"""Retrieval over sources, and ids as recipes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from sceneweaver.assets import Library, Store, Wish, make
+from sceneweaver.assets.imports.prepare import content_hash
+from sceneweaver.assets.sources import ParametricSource, StoreSource
+from sceneweaver.assets.sources.library import embedder
+from sceneweaver.scene import InputError, MissingDependencyError
+
+OURS = Library([ParametricSource()])
+
+
+@pytest.fixture
+def both(tmp_path) -> Library:
+    """A store with one imported wardrobe, before our own library."""
+    asset = make("wardrobe", 3)
+    asset = replace(asset, id="", origin=replace(asset.origin, source="test", licence="CC-BY-4.0"))
+    content = content_hash(asset)
+    store = Store(tmp_path / "store")
+    store.add(replace(asset, id=f"test:wardrobe-{content[:12]}"), content)
+    return Library([StoreSource(store), ParametricSource()])
+
+
+def test_an_id_draws_the_same_body_again() -> None:
+    for card in OURS.find("bookshelves", Wish(words="white modern", size=(None, 0.9, 1.8), count=3)).cards:
+        again = OURS.load(card.id)
+        assert again.id == card.id and content_hash(again) == content_hash(ParametricSource().load(card.id))
+        assert again.size[1:] == pytest.approx((0.9, 1.8), abs=1e-3) and again.attributes["color"] == "white"
+
+
+def test_several_instances_match_or_vary() -> None:
+    chairs = OURS.choose("dining chairs", 6)
+    assert len({c.id for c in chairs}) == 1 and len(chairs) == 6
+    books = OURS.choose("book", 6, same=False)
+    assert len({b.id for b in books}) == 6
+
+
+def test_the_store_comes_first_and_licences_count(both: Library) -> None:
+    assert both.find("wardrobe").cards[0].source == "test"
+    assert both.choose("wardrobe")[0].origin.licence == "CC-BY-4.0"
+    only = both.find("wardrobe", Wish(licences=frozenset({"Apache-2.0"})))
+    assert {card.source for card in only.cards} == {"parametric"}
+    with pytest.raises(InputError, match="nothing suits 'wardrobe'"):
+        both.choose("wardrobe", wish=Wish(licences=frozenset({"MIT"})))
+
+
+def test_size_decides_between_equals(both: Library) -> None:
+    asset = both.find("wardrobe").cards[0]
+    other = (asset.size[0], 0.85 if asset.size[1] > 1.2 else 1.9, asset.size[2])
+    assert both.find("wardrobe", Wish(size=other)).cards[0].source == "parametric"
+
+
+def test_an_unknown_noun_gets_a_labelled_body() -> None:
+    found = OURS.find("flux capacitor")
+    assert found.match.how == "generic" and found.cards[0].category == "object"
+
+
+def test_embeddings_are_used_where_there_are_any() -> None:
+    def embed(texts):
+        return np.array([[1.0, 0.0]] + [[float("walnut" in text), 0.1] for text in texts[1:]])
+
+    found = Library([ParametricSource()], embed=embed).find("desk", Wish(words="something warm", count=12))
+    texts = [card.text for card in found.cards]
+    assert any("walnut" in t for t in texts) and "walnut" in texts[0]
+
+
+@pytest.mark.parametrize("id", ["parametric:desk?seed=x", "parametric:desk?seed=1&tall=3", "parametric:desk?seed=-1"])
+def test_a_wrong_recipe_is_named(id: str) -> None:
+    with pytest.raises(InputError, match="is no parametric id"):
+        OURS.load(id)
+
+
+def test_an_id_of_nobody_is_named() -> None:
+    with pytest.raises(InputError, match="no source has 'shop:desk'"):
+        OURS.load("shop:desk")
+
+
+def test_the_embedder_says_what_is_missing(tmp_path) -> None:
+    with pytest.raises(InputError, match="no folder with a model"):
+        embedder(str(tmp_path / "none"))
+    try:
+        import sentence_transformers  # noqa: F401  # pyright: ignore[reportMissingImports]
+    except ModuleNotFoundError:
+        with pytest.raises(MissingDependencyError, match="pip install sentence-transformers"):
+            embedder(str(tmp_path))
