@@ -79,13 +79,13 @@ def toy_car(b: Builder) -> None:
     )
     if b.chance("truck", 0.35):
         b.box((0.05 * d, 0.34 * d), (-half * 0.9, half * 0.9), (0.5 * h, h), b.pick("cab", list(BRIGHT)), 0.006)
-        decal(b, (0.2 * d, 0.34 * d + 0.0003), (-half * 0.7, half * 0.7), (0.68 * h, 0.92 * h), "black glass")
+        decal(b, (0.2 * d, 0.34 * d + 0.0003), (-half * 0.7, half * 0.7), (0.68 * h, 0.86 * h), "black glass")
         for s in (-1, 1):
             decal(
                 b,
-                (0.12 * d, 0.29 * d),
+                (0.12 * d, 0.28 * d),
                 (s * half * 0.9 - 0.0003, s * half * 0.9 + 0.0003),
-                (0.68 * h, 0.92 * h),
+                (0.68 * h, 0.86 * h),
                 "black glass",
             )
         for y in (-0.85, 0.85):

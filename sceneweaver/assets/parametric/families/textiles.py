@@ -243,6 +243,7 @@ def curtain(b: Builder) -> None:
 def sheer_curtain(b: Builder) -> None:
     """Two panels of thin cloth that let light through."""
     _hang(b, b.material("cloth", "sheer fabric"))
+    b.fit()
 
 
 @draws("cushion")
