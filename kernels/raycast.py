@@ -1,7 +1,9 @@
 """Pictures by ray casting against one ``wp.Mesh``: sun with soft shadow, sky with occlusion, glass, mirrors, textures.
 
 One thread a pixel, on CPU and CUDA alike. Diffuse light is written apart from colour, so that it can be smoothed
-without blurring edges or textures. The sampling pattern depends on the pixel only: equal scenes give equal pictures.
+without blurring edges or textures. Pixels of a tile as large as the smoothing window share one even point sequence,
+each a stretch of its own (interleaved sampling, Keller and Heidrich 2001), so a full window has next to no noise. The
+pattern depends on the pixel only: equal scenes give equal pictures.
 """
 
 import warp as wp
@@ -17,6 +19,9 @@ LEAF = wp.constant(5)
 
 _PI = wp.constant(3.14159265)
 _FAR = wp.constant(1.0e4)
+_R2_X = wp.constant(wp.uint32(3242174889))  # 2^32 / 1.32471795...
+_R2_Y = wp.constant(wp.uint32(2447445414))  # the same squared
+_HALF = wp.constant(wp.uint32(2147483648))
 
 
 @wp.struct
@@ -70,12 +75,11 @@ class Solid:
 
 
 @wp.func
-def _shuffled(i: int, k: int):
-    """A number in 0..1 for a pixel and a counter."""
-    h = wp.uint32(i) * wp.uint32(747796405) + wp.uint32(k) * wp.uint32(1640531513) + wp.uint32(12345)
-    h = ((h >> ((h >> wp.uint32(28)) + wp.uint32(4))) ^ h) * wp.uint32(277803737)
-    h = (h >> wp.uint32(22)) ^ h
-    return float(h >> wp.uint32(8)) * (1.0 / 16777216.0)
+def _even(k: int):
+    """Point k of Roberts' R2 sequence, in the unit square; in integers, so that it stays even for large k."""
+    x = wp.uint32(k) * _R2_X + _HALF
+    y = wp.uint32(k) * _R2_Y + _HALF
+    return wp.vec2(float(x >> wp.uint32(8)) * (1.0 / 16777216.0), float(y >> wp.uint32(8)) * (1.0 / 16777216.0))
 
 
 @wp.func
@@ -160,9 +164,11 @@ def _point(solid: Solid, face: int, u: float, v: float):
 
 @wp.func
 def _normal(solid: Solid, face: int, u: float, v: float, facing: wp.vec3, flat: wp.vec3):
-    """The smooth normal, turned against the ray."""
+    """The smooth normal, turned against the ray; seen from behind a surface is as smooth as from the front."""
     n = solid.normals[3 * face] * u + solid.normals[3 * face + 1] * v + solid.normals[3 * face + 2] * (1.0 - u - v)
     n = wp.normalize(n)
+    if wp.dot(flat, facing) > 0.0:
+        n = -n
     if wp.dot(n, facing) > -0.02:
         n = flat
         if wp.dot(n, facing) > 0.0:
@@ -198,6 +204,7 @@ def cast(
     start: int,
     rays: int,
     shades: int,
+    period: int,
     # State out:
     color_out: wp.array(dtype=wp.vec3),
     light_out: wp.array(dtype=wp.vec3),
@@ -206,11 +213,16 @@ def cast(
     depth_out: wp.array(dtype=float),
     object_out: wp.array(dtype=int),
 ):
-    """Colour, diffuse light, shine, normal, depth and object of each pixel, means over ``rays`` rays."""
+    """Colour, diffuse light, shine and normal of each pixel, means over ``rays`` rays; depth and object of its middle.
+
+    Light is sampled alike in tiles of ``period`` pixels; depth is a distance along the ray.
+    """
     pixel = start + wp.tid()
     px, py = pixel % width, pixel // width
+    tile = (py % period) * period + px % period
     color, lit, shine, mean = wp.vec3(0.0), wp.vec3(0.0), wp.vec3(0.0), wp.vec3(0.0)
-    depth = float(0.0)
+    depth = float(_FAR)
+    cover = float(0.0)
     first = int(-1)
     for s in range(rays):
         # The same even pattern in every pixel (Roberts' R2 sequence) makes clean edges.
@@ -225,13 +237,10 @@ def cast(
         else:
             way = wp.normalize(way + lens.right * x + lens.up * y)
         through = float(1.0)
-        travelled = float(0.0)
         for layer in range(6):
             hit = wp.mesh_query_ray(solid.mesh, at, way, _FAR)
             if not hit.result:
                 shine = shine + background * through
-                if layer == 0:
-                    depth = depth + _FAR
                 break
             look = solid.looks[solid.face_look[hit.face]]
             point = at + way * hit.t
@@ -240,11 +249,10 @@ def cast(
             if wp.dot(flat, way) > 0.0:
                 flat = -flat
             if layer == 0:
-                depth = depth + hit.t
                 mean = mean + n
-                if first == -1:
+                if s == 0:
+                    depth = hit.t
                     first = solid.face_object[hit.face]
-            travelled = travelled + hit.t
             opacity = look.opacity
             facing = wp.max(-wp.dot(n, way), 0.0)
             gloss = (1.0 - look.roughness) * (1.0 - look.roughness)
@@ -260,8 +268,9 @@ def cast(
             around = wp.vec3(0.0)
             for k in range(shades):
                 i = s * shades + k
-                r = wp.sqrt((float(k) + _shuffled(pixel, 101 + 2 * i)) / float(shades))
-                a = 2.0 * _PI * _shuffled(pixel, 102 + 2 * i)
+                e = _even(tile * rays * shades + i)
+                r = wp.sqrt(e[0])
+                a = 2.0 * _PI * e[1]
                 d = t1 * (r * wp.cos(a)) + t2 * (r * wp.sin(a)) + n * wp.sqrt(wp.max(0.0, 1.0 - r * r))
                 if wp.dot(d, flat) > 0.0:
                     free = _open(solid, origin, d, light.reach)
@@ -273,8 +282,9 @@ def cast(
             # The sun, a little disc.
             b1 = _tangent(light.sun)
             b2 = wp.cross(light.sun, b1)
-            ra = light.softness * wp.sqrt(_shuffled(pixel, 3001 + 2 * s))
-            aa = 2.0 * _PI * _shuffled(pixel, 3002 + 2 * s)
+            f = _even(tile * rays + s)
+            ra = light.softness * wp.sqrt(f[0])
+            aa = 2.0 * _PI * f[1]
             toward = wp.normalize(light.sun + b1 * (ra * wp.cos(aa)) + b2 * (ra * wp.sin(aa)))
             cosine = wp.dot(n, toward)
             sun = wp.vec3(0.0)
@@ -283,6 +293,7 @@ def cast(
             diffuse = base * ((1.0 - look.metallic) * share)
             color = color + diffuse
             lit = lit + (around + sun) * share
+            cover = cover + share
             # Reflection: a mirror's, or only a shimmer of sky.
             mirrored = way + n * (2.0 * facing)
             tint = base * look.metallic + wp.vec3(fresnel * gloss) * (1.0 - look.metallic)
@@ -305,10 +316,11 @@ def cast(
             at = point + way * 1.0e-4
     scale = 1.0 / float(rays)
     color_out[pixel] = color * scale
-    light_out[pixel] = lit * scale
+    # Colour already holds how much of the pixel is covered; light must not hold it once more, or edges are dark.
+    light_out[pixel] = lit / wp.max(cover, 1.0e-6)
     shine_out[pixel] = shine * scale
     normal_out[pixel] = mean * scale
-    depth_out[pixel] = depth * scale
+    depth_out[pixel] = depth
     object_out[pixel] = first
 
 

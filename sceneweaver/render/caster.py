@@ -12,7 +12,7 @@ import warp as wp
 
 from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.kernels import raycast
-from sceneweaver.scene import InputError
+from sceneweaver.scene import InputError, MissingDependencyError
 
 from .camera import Camera
 
@@ -45,7 +45,7 @@ class Lighting:
 
 @dataclass(frozen=True)
 class Quality:
-    """Rays a pixel, shade rays a ray, and the radius [pixels] over which diffuse light is smoothed."""
+    """Rays a pixel, shade rays a ray, and the radius [pixels] over which diffuse light is smoothed (0: not at all)."""
 
     rays: int = 6
     shades: int = 2
@@ -54,7 +54,11 @@ class Quality:
 
 @dataclass(frozen=True)
 class Picture:
-    """uint8 ``rgb`` [H, W, 3]; ``objects`` int32 [H, W], the instance seen or -1; ``depth`` float32 [H, W] [m]."""
+    """What was seen: ``rgb`` uint8 [H, W, 3].
+
+    ``objects`` int32 [H, W] is the instance in the middle of the pixel, or -1; ``depth`` float32 [H, W] its distance
+    from the camera along the ray [m], or inf.
+    """
 
     rgb: np.ndarray
     objects: np.ndarray
@@ -68,11 +72,18 @@ def cast(
     """Draw instances.
 
     Raises:
-        InputError: for a picture without pixels, or one that is too large.
+        InputError: for a picture without pixels, or one that is too large; a quality that draws nothing; a sun without
+            direction; a transform that is not finite, flattens its mesh, or is not 4x4.
+        MissingDependencyError: a GPU that is not there.
     """
     if width < 1 or height < 1 or width * height > _MAX_PIXELS:
         raise InputError(f"picture: {width} x {height} pixels; between 1 and {_MAX_PIXELS} are drawn")
     lighting, quality = lighting or Lighting(), quality or Quality()
+    if quality.rays < 1 or quality.shades < 1 or quality.radius < 0:
+        raise InputError("quality: at least 1 ray, 1 shade and a radius of 0")
+    if not 0 < np.linalg.norm(lighting.sun) < np.inf:
+        raise InputError(f"lighting.sun: {lighting.sun} is no direction")
+    _check_device(device)
     pixels = width * height
     with wp.ScopedDevice(device):
         solid, keep = _solid(instances)
@@ -92,10 +103,11 @@ def cast(
         )
         depth, objects = wp.empty(pixels, dtype=float), wp.empty(pixels, dtype=int)
         sky = wp.vec3(*lighting.background)
+        period = 2 * quality.radius + 1
 
         def draw(start: int, count: int) -> None:
-            wp.launch(raycast.cast, count, [solid, lens, light, sky, width, height, start, quality.rays,
-                      quality.shades], [color, lit, shine, normal, depth, objects], device=device)  # fmt: skip
+            given = [solid, lens, light, sky, width, height, start, quality.rays, quality.shades, period]
+            wp.launch(raycast.cast, count, given, [color, lit, shine, normal, depth, objects], device=device)
 
         def develop(start: int, count: int) -> None:
             wp.launch(raycast.develop, count, [width, height, start, quality.radius, lighting.exposure, color, lit,
@@ -104,7 +116,9 @@ def cast(
         for work in (draw, develop):
             _in_bands(work, pixels, wp.get_device(device).is_cpu)
         rgb = (out.numpy().reshape(height, width, 3) * 255.0 + 0.5).astype(np.uint8)
-        picture = Picture(rgb, objects.numpy().reshape(height, width), depth.numpy().reshape(height, width))
+        seen = objects.numpy().reshape(height, width)
+        distance = np.where(seen >= 0, depth.numpy().reshape(height, width), np.float32(np.inf))
+        picture = Picture(rgb, seen, distance)
     del keep
     return picture
 
@@ -126,7 +140,9 @@ def _solid(instances: list[Instance]):
     looks, numbers = [], []
     points, local, faces, normals, look_of, grain = [], [], [], [], [], []
     for number, instance in enumerate(instances):
-        mesh, matrix = instance.mesh, np.asarray(instance.transform, dtype=np.float64)
+        mesh, matrix = instance.mesh, _transform(instance, number)
+        if not len(mesh.faces):
+            continue
         corner, axis = _prepared(id(mesh), _Keep(mesh))
         start = sum(len(p) for p in points)
         points.append(mesh.vertices @ matrix[:3, :3].T + matrix[:3, 3])
@@ -138,7 +154,7 @@ def _solid(instances: list[Instance]):
         grain.append(axis)
         looks += [_look(material) for material in mesh.materials]
         numbers.append(np.full(len(mesh.faces), number))
-    if not instances:  # a speck far below, so that there is a mesh at all
+    if not faces:  # a speck far below, so that there is a mesh at all
         points, local = [np.array([[0, 0, -1e6], [1e-3, 0, -1e6], [0, 1e-3, -1e6]])], [np.zeros((3, 3))]
         faces, normals, look_of = [np.array([[0, 1, 2]])], [np.zeros((3, 3))], [np.zeros(1, dtype=int)]
         grain, numbers, looks = [np.zeros(1, dtype=int)], [np.zeros(1)], [_look(Material("none", (0, 0, 0)))]
@@ -154,6 +170,21 @@ def _solid(instances: list[Instance]):
     solid.faces = flat
     solid.local = wp.array(np.concatenate(local), dtype=wp.vec3)
     return solid, mesh
+
+
+def _transform(instance: Instance, number: int) -> np.ndarray:
+    matrix = np.asarray(instance.transform, dtype=np.float64)
+    if matrix.shape != (4, 4) or not np.isfinite(matrix).all() or abs(np.linalg.det(matrix[:3, :3])) < 1e-12:
+        raise InputError(f"instances[{number}].transform: not a finite 4x4 matrix that can be undone")
+    return matrix
+
+
+def _check_device(device: str) -> None:
+    wp.init()
+    if device != "cpu" and device not in (found.alias for found in wp.get_cuda_devices()) and not (
+        device == "cuda" and wp.is_cuda_available()
+    ):  # fmt: skip
+        raise MissingDependencyError(f'device: "{device}" is not there; use device="cpu"')
 
 
 def _look(material: Material):

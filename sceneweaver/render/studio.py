@@ -23,7 +23,7 @@ VIEWS = {
     "top": (0.0, 0.0, -1.0),
 }
 
-_BACKDROP = Material("backdrop", (0.86, 0.855, 0.845), roughness=1.0)
+_PAPER = (0.875, 0.870, 0.860)  # light [linear] of floor and background alike: pale, but white furniture stands out
 
 
 def portrait(
@@ -38,10 +38,10 @@ def portrait(
         raise InputError(f"view: '{view}' is unknown{suggest(view, VIEWS)}")
     low, high = asset.mesh.bounds
     reach = float(np.linalg.norm(high - low))
-    floor = _plane(30 * reach, vertical=asset.mount == "wall", low=low, hung=asset.mount == "ceiling", high=high)
+    lighting = Lighting(reach=0.5 * reach, background=_PAPER)
+    floor = _plane(30 * reach, asset.mount == "wall", low, asset.mount == "ceiling", high, lighting)
     instances = [Instance(asset.mesh, np.eye(4)), Instance(floor, np.eye(4))]
     camera = Camera.framing(low, high, VIEWS[view], fov=0.42, margin=1.12)
-    lighting = Lighting(reach=0.5 * reach, background=(0.8, 0.8, 0.79))
     return Image.fromarray(cast(instances, camera, size, size, lighting=lighting, quality=quality, device=device).rgb)
 
 
@@ -65,7 +65,20 @@ def contact_sheet(
     return sheet
 
 
-def _plane(size: float, vertical: bool, low: Sequence[float], hung: bool, high: Sequence[float]) -> Mesh:
+def _backdrop(normal: tuple[float, float, float], lighting: Lighting) -> Material:
+    """A matt finish that, facing along ``normal`` and unshaded, looks like the background: no horizon is seen."""
+    sun = np.array(lighting.sun) / np.linalg.norm(lighting.sun)
+    above = 0.5 + normal[2] / 3  # of the sky's colour, the rest is the ground's: the mean over what the plane faces
+    light = np.array(lighting.sky) * above + np.array(lighting.ground) * (1 - above)
+    light = light + np.array(lighting.sun_color) * max(0.0, float(sun @ normal))
+    c = np.minimum(np.array(lighting.background) / light, 1.0)
+    r, g, b = (float(v) for v in np.where(c <= 0.0031308, 12.92 * c, 1.055 * c ** (1 / 2.4) - 0.055))
+    return Material("backdrop", (r, g, b), roughness=1.0)
+
+
+def _plane(
+    size: float, vertical: bool, low: Sequence[float], hung: bool, high: Sequence[float], lighting: Lighting
+) -> Mesh:
     """A floor under the asset, or a wall behind it; above a hanging one a ceiling would only be in the way."""
     if vertical:
         x = float(low[0]) - 1e-4
@@ -78,5 +91,5 @@ def _plane(size: float, vertical: bool, low: Sequence[float], hung: bool, high: 
         np.array([[0, 1, 2], [0, 2, 3]], dtype=np.int32),
         np.zeros(2, dtype=np.int32),
         np.zeros(2, dtype=np.int32),
-        (_BACKDROP,),
+        (_backdrop((1.0, 0.0, 0.0) if vertical else (0.0, 0.0, 1.0), lighting),),
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import json
+import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -25,7 +26,7 @@ def read(path: Path) -> Iterator[Hints]:
     assert table is not None
     listings = _listings(path)
     for row in read_csv(table):
-        uid, place = row.get("3dmodel_id", ""), row.get("path", "")
+        uid, place = row.get("3dmodel_id") or "", row.get("path") or ""
         file = next((f for base in (path / "original", path, table.parent) if (f := base / place).is_file()), None)
         if not uid or file is None:
             continue
@@ -58,11 +59,11 @@ def _listings(path: Path) -> dict[str, dict[str, Any]]:
     for file in sorted(path.rglob("listings_*.json*")):
         try:
             data = file.read_bytes()
-            for line in (gzip.decompress(data) if file.suffix == ".gz" else data).decode("utf-8").splitlines():
+            for line in (gzip.decompress(data) if file.suffix == ".gz" else data).decode("utf-8").split("\n"):
                 row = json.loads(line) if line.strip() else {}
-                if row.get("3dmodel_id"):
+                if isinstance(row, dict) and row.get("3dmodel_id"):
                     found[row["3dmodel_id"]] = row
-        except (OSError, ValueError, EOFError) as error:
+        except (OSError, ValueError, EOFError, zlib.error) as error:
             raise InputError(f"{file.name}: not readable ({' '.join(str(error).split())[:100]})") from error
     return found
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from ..imports.hints import Hints
-from .tables import read_json
+from .tables import read_json, rows_of
 
 
 def fits(path: Path) -> bool:
@@ -16,7 +16,8 @@ def fits(path: Path) -> bool:
 
 def read(path: Path) -> Iterator[Hints]:
     """Models whose mesh is there."""
-    for row in read_json(path / "model_info.json"):
+    table = path / "model_info.json"
+    for row in rows_of(table, read_json(table)):
         uid = str(row.get("model_id", ""))
         file = next((f for n in ("raw_model.obj", "normalized_model.obj") if (f := path / uid / n).exists()), None)
         if not uid or file is None:

@@ -36,12 +36,19 @@ def read(path: Path) -> Iterator[Hints]:
             name=low.get("name") or uid,
             category=category or None,
             up=axis_of(low.get("up")) or "y",
-            front=axis_of(low.get("front")) or "z",
+            front=_front(axis_of(low.get("up")), axis_of(low.get("front"))),
             metres=1.0,
             source="hssd",
             licence="CC-BY-NC-4.0",
             attribution="Habitat Synthetic Scenes Dataset",
         )
+
+
+def _front(up: str | None, front: str | None) -> str | None:
+    """The row's front; +z, unless the row's up is along it: then it is left to be found."""
+    if front is not None:
+        return front
+    return None if up is not None and up.endswith("z") else "z"
 
 
 def _table(path: Path) -> Path | None:

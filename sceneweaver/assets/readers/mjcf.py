@@ -64,13 +64,12 @@ def _hints(model: Path, root: Path) -> Hints:
         raise InputError(f"{model.name}: no geom with a mesh")
     chosen.sort(key=lambda pair: -_bytes(base, pair[1]))
     geom, mesh = chosen[0]
-    scale = [number(v) or 1.0 for v in (mesh.get("scale") or "1 1 1").split()]
+    scale = _numbers(mesh.get("scale") or "1 1 1", 3, model.name)
     pose = np.eye(4)
-    pose[:3, :3] = _rotation(geom) @ np.diag(scale)
-    pose[:3, 3] = [number(v) or 0.0 for v in (geom.get("pos") or "0 0 0").split()]
-    same = [
-        pair for pair in solid if pair[0].get("pos") == geom.get("pos") and pair[1].get("scale") == mesh.get("scale")
-    ]
+    degrees = compiler is None or compiler.get("angle", "degree") != "radian"
+    pose[:3, :3] = _rotation(geom, degrees, model.name) @ np.diag(scale)
+    pose[:3, 3] = _numbers(geom.get("pos") or "0 0 0", 3, model.name)
+    same = [pair for pair in solid if _placed(*pair) == _placed(geom, mesh)]
     names = [part for part in model.parent.relative_to(root).parts if part] if model != root else []
     return Hints(
         path=base / mesh.get("file", ""),
@@ -86,15 +85,28 @@ def _hints(model: Path, root: Path) -> Hints:
     )
 
 
+def _placed(geom: ET.Element, mesh: ET.Element) -> tuple[str | None, ...]:
+    """Where a geom's mesh stands in its body, as it is written."""
+    return (*(geom.get(key) for key in ("pos", "quat", "euler")), mesh.get("scale"))
+
+
 def _bytes(base: Path, mesh: ET.Element) -> int:
     file = base / mesh.get("file", "")
     return file.stat().st_size if file.is_file() else 0
 
 
-def _rotation(geom: ET.Element) -> np.ndarray:
-    """A geom's ``quat`` (wxyz) or ``euler`` (x, y, z in radians, applied in this order about moving axes)."""
+def _numbers(text: str, count: int, name: str) -> list[float]:
+    """So many numbers of an attribute; InputError names the model when they are not there."""
+    found = [number(v) for v in text.split()]
+    if len(found) != count or any(v is None for v in found):
+        raise InputError(f"{name}: '{text[:40]}' are not {count} numbers")
+    return [float(v) for v in found if v is not None]
+
+
+def _rotation(geom: ET.Element, degrees: bool, name: str) -> np.ndarray:
+    """A geom's ``quat`` (wxyz) or ``euler`` (x, y, z, applied in this order about moving axes), as MJCF has them."""
     if geom.get("quat"):
-        w, x, y, z = (number(v) or 0.0 for v in geom.get("quat", "").split())
+        w, x, y, z = _numbers(geom.get("quat", ""), 4, name)
         n = (w * w + x * x + y * y + z * z) ** 0.5 or 1.0
         w, x, y, z = w / n, x / n, y / n, z / n
         return np.array(
@@ -104,7 +116,9 @@ def _rotation(geom: ET.Element) -> np.ndarray:
                 [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
             ]
         )
-    a, b, c = (number(v) or 0.0 for v in (geom.get("euler") or "0 0 0").split())
+    a, b, c = _numbers(geom.get("euler") or "0 0 0", 3, name)
+    if degrees:
+        a, b, c = np.radians([a, b, c])
     rx = np.array([[1, 0, 0], [0, np.cos(a), -np.sin(a)], [0, np.sin(a), np.cos(a)]])
     ry = np.array([[np.cos(b), 0, np.sin(b)], [0, 1, 0], [-np.sin(b), 0, np.cos(b)]])
     rz = np.array([[np.cos(c), -np.sin(c), 0], [np.sin(c), np.cos(c), 0], [0, 0, 1]])

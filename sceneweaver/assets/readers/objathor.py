@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from ..imports.hints import Hints
-from .tables import number, read_json
+from .tables import number, read_json, rows_of
 
 _NAMES = ("annotations.json", "annotations.json.gz")
 
@@ -28,8 +28,10 @@ def read(path: Path) -> Iterator[Hints]:
     table = _table(path)
     if table is not None:
         rows = read_json(table)
-        items = rows.items() if isinstance(rows, dict) else ((row.get("uid"), row) for row in rows)
-        for uid, row in items:
+        if isinstance(rows, dict):
+            rows = [{"uid": uid, **row} for uid, row in rows.items() if isinstance(row, dict)]
+        for row in rows_of(table, rows):
+            uid = row.get("uid")
             for file in (path / f"{uid}.glb", path / str(uid) / f"{uid}.glb", path / "glbs" / f"{uid}.glb"):
                 if file.exists():
                     yield _hints(file, str(uid), row)
@@ -38,7 +40,8 @@ def read(path: Path) -> Iterator[Hints]:
     for notes in sorted(path.glob("*/annotations.json*")):
         file = next(iter(sorted(notes.parent.glob("*.glb"))), None)
         if file is not None:
-            yield _hints(file, notes.parent.name, read_json(notes))
+            (row,) = rows_of(notes, [read_json(notes)])
+            yield _hints(file, notes.parent.name, row)
 
 
 def _table(path: Path) -> Path | None:
@@ -65,7 +68,9 @@ def _hints(file: Path, uid: str, row: dict[str, Any]) -> Hints:
         source="objaverse",
         licence=str(row.get("license", row.get("licence", "unknown"))),
         attribution=str(row.get("uid", uid)),
-        attributes={"material": ", ".join(row["materials"])} if isinstance(row.get("materials"), list) else {},
+        attributes={"material": ", ".join(map(str, row["materials"]))}
+        if isinstance(row.get("materials"), list)
+        else {},
     )
 
 

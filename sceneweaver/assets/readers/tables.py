@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import gzip
 import json
+import zlib
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +17,15 @@ def read_json(path: Path) -> Any:
     try:
         data = path.read_bytes()
         return json.loads(gzip.decompress(data) if path.suffix == ".gz" else data)
-    except (OSError, ValueError, EOFError) as error:
+    except (OSError, ValueError, EOFError, zlib.error) as error:
         raise InputError(f"{path.name}: not readable as JSON ({' '.join(str(error).split())[:100]})") from error
+
+
+def rows_of(path: Path, data: Any) -> list[dict[str, Any]]:
+    """A list of objects; InputError names the file when it is anything else."""
+    if not isinstance(data, list) or not all(isinstance(row, dict) for row in data):
+        raise InputError(f"{path.name}: must be a list of objects")
+    return data
 
 
 def read_csv(path: Path) -> list[dict[str, str]]:
