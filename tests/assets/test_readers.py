@@ -84,7 +84,8 @@ def test_abo(tmp_path: Path) -> None:
 
 
 MODEL = """<mujoco><compiler meshdir="visual"{angle}/><asset><mesh name="v" file="c.obj" scale="0.5 0.5 0.5"/>
-</asset><worldbody><body><geom type="mesh" mesh="v" group="1" contype="0" conaffinity="0" {pose}/></body></worldbody></mujoco>"""
+</asset><worldbody><body><geom type="mesh" mesh="v" group="1" contype="0" conaffinity="0" {pose}/>
+</body></worldbody></mujoco>"""
 
 
 @pytest.mark.parametrize(
