@@ -11,6 +11,9 @@ from .category import Category
 ZONE_HEIGHT = 1.8
 """Height [m] of access zones: a person."""
 
+STEP = 0.03
+"""Height [m] at which access zones begin: mats and thresholds are stepped on."""
+
 
 def access_zones(category: Category, size: tuple[float, ...], but: Container[str] = ()) -> tuple[Zone, ...]:
     """One hard zone for each side with a clearance, except the sides in ``but``; ``size`` is (depth, width, height)."""
@@ -27,5 +30,5 @@ def _zone(side: str, depth: float, size: tuple[float, ...]) -> Zone:
         "top": ((-d / 2, d / 2), (-w / 2, w / 2)),
     }
     (x0, x1), (y0, y1) = boxes[side]
-    z = (h, h + depth) if side == "top" else (0.0, ZONE_HEIGHT)
+    z = (h, h + depth) if side == "top" else (STEP, ZONE_HEIGHT)
     return Zone(name=side, polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=z, hard=True)

@@ -55,6 +55,13 @@ class Optimizer(StrEnum):
     PROJECTION = "projection"
 
 
+class Planner(StrEnum):
+    """Who chooses the tools of a design."""
+
+    RULES = "rules"
+    LLM = "llm"
+
+
 def _version(wanted: bool) -> None:
     if wanted:
         import sceneweaver
@@ -190,21 +197,55 @@ def render(
 
 
 @app.command()
-def demo(
-    out: Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the results.")] = Path("out/demo"),
-    example: Annotated[str, typer.Option(help="One of the rooms that `sceneweaver examples` lists.")] = "bedroom",
-    candidates: Candidates = 1024,
+def design(
+    prompt: Annotated[str, typer.Argument(metavar="PROMPT", help="The room, in words.", show_default=False)],
+    out: Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the results.",
+                                      show_default=False)],
     seed: Seed = 0,
+    steps: Annotated[int, typer.Option(min=1, max=100, help="Steps of the agent at most.")] = 10,
+    candidates: Annotated[int, typer.Option(min=1, help="Layouts that are refined for each call of a tool.")] = 256,
+    planner: Annotated[Planner, typer.Option(help="Who chooses the tools.")] = Planner.RULES,
     device: Device = "auto",
     time_limit: TimeLimit = None,
+    pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw views and the report.")] = True,
+    as_json: Json = False,
+) -> int:  # fmt: skip
+    """Make a furnished room from a request in words. A run that was cut off goes on when started again."""
+    from .design import run_design
+
+    return run_design(
+        prompt, out, seed=seed, steps=steps, candidates=candidates, planner=planner.value, device=device,
+        time_limit=time_limit, pictures=pictures, as_json=as_json,
+    )  # fmt: skip
+
+
+@app.command()
+def view(
+    source: Annotated[Path, typer.Argument(metavar="DIR", help="The folder of a design, or one of its files.",
+                                           show_default=False)],
+    port: Annotated[int, typer.Option(min=0, max=65535, help="Port to begin with; 0 takes any.")] = 8642,
+    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open it in the browser.")] = True,
+) -> int:  # fmt: skip
+    """Show a design in the browser, until Ctrl-C."""
+    from .view import run_view
+
+    return run_view(source, port, browser)
+
+
+@app.command()
+def demo(
+    out: Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the results.")] = Path("out/demo"),
+    seed: Seed = 0,
+    device: Device = "auto",
     as_json: Json = False,
 ) -> int:
-    """Lay out a room that ships with sceneweaver, from random starts."""
-    from .refine import run_demo
+    """Design a teenager's bedroom with a desk by the window."""
+    from .design import DEMO, run_design
 
-    return run_demo(
-        out, example=example, candidates=candidates, seed=seed, device=device, time_limit=time_limit, as_json=as_json
-    )
+    return run_design(
+        DEMO, out, seed=seed, steps=10, candidates=256, planner="rules", device=device, time_limit=None, pictures=True,
+        as_json=as_json,
+    )  # fmt: skip
 
 
 @app.command()

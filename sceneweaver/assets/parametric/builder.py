@@ -118,7 +118,7 @@ class Builder:
         low, high = self.category.size.ranges[axis]
         asked = self.request.size[axis]
         if asked is None:
-            return round(self.uniform(f"size {name}", low, high), 3)
+            return low if low == high else round(self.uniform(f"size {name}", low, high), 3)
         if not low - 1e-6 <= asked <= high + 1e-6:
             raise InputError(f"size: {self.category.words} has a {name} of {low:g} to {high:g} m, not {asked:g} m")
         return float(asked)

@@ -62,7 +62,7 @@ class ParametricSource:
         return Request(size, wish.color, wish.material, style)  # pyright: ignore[reportArgumentType]
 
 
-@lru_cache(maxsize=256)
+@lru_cache(maxsize=1024)
 def _draw(category: str, seed: int, request: Request) -> Asset:
     return make(category, seed, request)
 

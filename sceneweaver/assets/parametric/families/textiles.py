@@ -27,8 +27,14 @@ _CLOTHS = (
 
 
 def _inlay(b: Builder, polygon, h: float, level: int, material: Material | str) -> None:
-    """A flat region of another colour; regions of a higher level lie over lower ones."""
-    b.add(shapes.extrusion(np.asarray(polygon), (h * 0.4, h - 0.0014 + 0.00028 * level)), material, hulls=[])
+    """A flat region of another colour; regions of a higher level (0 to 5) lie over lower ones."""
+    top = _ground(h)
+    b.add(shapes.extrusion(np.asarray(polygon), (h * 0.4, top + (h - top) * level / 5)), material, hulls=[])
+
+
+def _ground(h: float) -> float:
+    """Height [m] of the cloth under the pattern; a rug is so thin that its pattern is most of it."""
+    return max(h - 0.0014, 0.5 * h)
 
 
 def _rectangle(x: Interval, y: Interval) -> list[tuple[float, float]]:
@@ -48,7 +54,7 @@ def _woven(b: Builder, d: float, w: float, h: float, fringe: float) -> None:
     x, y = (-d / 2, d / 2), (-y1, y1)
     whole = shapes.box(x, (-w / 2, w / 2), (0.0, h))
     with b.solid("rug"):
-        b.add(shapes.box(x, y, (0.0, h - 0.0014)), field, hulls=[whole])
+        b.add(shapes.box(x, y, (0.0, _ground(h))), field, hulls=[whole])
         edge = 0.012
         for xs, ys in (
             (x, (y[0], y[0] + edge)),
@@ -63,7 +69,7 @@ def _woven(b: Builder, d: float, w: float, h: float, fringe: float) -> None:
                 c = x[0] + (k + 0.5) * d / count
                 for s in (-1, 1):
                     ys = sorted((s * y1, s * w / 2))
-                    b.add(shapes.box((c - 0.004, c + 0.004), (ys[0], ys[1]), (0.0, h * 0.5)), "white fabric", hulls=[])
+                    b.add(shapes.box((c - 0.004, c + 0.004), (ys[0], ys[1]), (0.0, h * 0.6)), "white fabric", hulls=[])
         pattern = b.pick("pattern", ["border", "stripes", "diamonds", "medallion", "checks", "zigzag", "arcs"])
         if pattern in ("border", "medallion"):
             for k, (inset, look) in enumerate(((0.06, second), (0.09, field), (0.16, third), (0.175, field))):
@@ -139,7 +145,7 @@ def round_rug(b: Builder) -> None:
     second = b.material("second", "white fabric", "navy fabric", "beige fabric", "mustard fabric", "rust fabric")
     rings = b.whole("rings", 3, 8)
     with b.solid("rug"):
-        b.add(shapes.frustum(r, r, (0.0, h - 0.0014), 48), field, [shapes.frustum(r, r, (0.0, h), 48)])
+        b.add(shapes.frustum(r, r, (0.0, _ground(h)), 48), field, [shapes.frustum(r, r, (0.0, h), 48)])
         if b.chance("rays", 0.35):
             for k in range(16):
                 a = np.array([k, k + 0.5]) * math.pi / 8
@@ -150,7 +156,7 @@ def round_rug(b: Builder) -> None:
         for k in range(rings):
             share = 1.0 - (k + 0.4) / rings
             b.add(
-                shapes.frustum(r * share, r * share, (h * 0.4, h - 0.0014 + 0.0014 * (k + 1) / rings), 48),
+                shapes.frustum(r * share, r * share, (h * 0.4, _ground(h) + (h - _ground(h)) * (k + 1) / (rings + 1)), 48),
                 second if k % 2 == 0 else field,
                 hulls=[],
             )

@@ -1,0 +1,170 @@
+"""``design``: from a request in words to a furnished, verified room."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from sceneweaver.brief import Brief, read_brief
+from sceneweaver.critic import Review
+from sceneweaver.knowledge import RoomType, match_room, room_types
+from sceneweaver.scene import InputError, MissingDependencyError, Scene
+from sceneweaver.tools.registry import tools as registered
+from sceneweaver.verify import Report
+
+from .folder import RunFolder
+from .loop import Run
+from .memory import Step
+from .planner import RulesPlanner
+from .settings import Settings
+
+LONGEST = 100_000
+"""Characters of a request that are read."""
+
+LIKELY = "living_room"
+"""The kind of room that is made when the request names none and nothing in it tells."""
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a design led to; ``unmet`` lists what was asked for and is not so, ``notes`` what was assumed."""
+
+    scene: Scene
+    report: Report
+    review: Review
+    brief: Brief
+    steps: tuple[Step, ...]
+    notes: tuple[str, ...]
+    unmet: tuple[str, ...]
+    seconds: float
+    finished: str
+    out: Path | None = None
+
+    @property
+    def satisfied(self) -> bool:
+        """Whether the scene is valid and all that was asked for is so."""
+        return self.report.valid and not self.unmet
+
+
+def design(
+    prompt: str,
+    *,
+    seed: int = 0,
+    planner: str = "rules",
+    out: str | Path | None = None,
+    steps: int = 10,
+    candidates: int = 256,
+    device: str = "auto",
+    time_limit: float | None = None,
+    pictures: bool = True,
+    said: Callable[[Step], None] | None = None,
+    **switches: Any,
+) -> Result:
+    """Design a room from a request in words.
+
+    Args:
+        prompt: the request, in English.
+        seed: equal seeds give equal scenes.
+        planner: "rules", which needs no model, or "llm".
+        out: a folder for the scene, its pictures and report, and every step; a run that was cut off goes on there.
+        steps: steps of the agent at most.
+        candidates: layouts that are refined for each call of a tool.
+        device: "auto", "cpu", "cuda" or "cuda:k".
+        time_limit: seconds after which no step begins.
+        pictures: whether pictures and the report are drawn into ``out``.
+        said: called with each step as it ends.
+        switches: other fields of `Settings`, such as ``reflect=False``.
+
+    Raises:
+        InputError: for a request that says nothing, arguments out of range, or a folder that cannot be used.
+        MissingDependencyError: for a planner or device that is not there.
+    """
+    began = time.monotonic()
+    if planner not in ("rules", "llm"):
+        raise InputError(f"planner: '{planner}' is unknown; use rules or llm")
+    if planner == "llm":
+        raise MissingDependencyError("planner llm needs a language model, and none is set up; use planner rules")
+    settings = Settings(seed=seed, planner="rules", steps=steps, candidates=candidates, device=device,
+                        seconds=time_limit, **switches)  # fmt: skip
+    brief = read_brief(prompt[:LONGEST])
+    room, remarks = chosen_room(brief)
+    folder = RunFolder(Path(out)) if out is not None else None
+    tools = {name: tool for name, tool in registered().items() if settings.tools is None or name in settings.tools}
+    run = Run(brief, room, settings, tools, RulesPlanner(), folder=folder, said=said)
+    if folder is not None:
+        _resume(run, folder)
+    best = run.go()
+    unmet = tuple(dict.fromkeys((*run.memory.unmet, *_unmet(best.review))))
+    result = Result(
+        scene=best.scene,
+        report=_complete(best.report, best.review, settings, run, began),
+        review=best.review,
+        brief=brief,
+        steps=run.memory.steps,
+        notes=tuple(dict.fromkeys((*brief.notes, *remarks, *run.memory.notes))),
+        unmet=unmet,
+        seconds=time.monotonic() - began,
+        finished=run.memory.finished,
+        out=folder.path if folder else None,
+    )
+    if folder is None:
+        return result
+    from .deliver import deliver
+
+    return deliver(result, folder.path, run.library, device, pictures)
+
+
+def chosen_room(brief: Brief) -> tuple[RoomType, tuple[str, ...]]:
+    """The kind of room that a request means, and what was assumed where it does not say."""
+    known = room_types()
+    if brief.room is not None and brief.room in known:
+        return known[brief.room], ()
+    if brief.room_words:
+        found = match_room(brief.room_words)
+        if found is not None:
+            return known[found[0]], ()
+    wanted = {a.category for a in brief.objects}
+    scores = {
+        name: sum(any(c in item.what for item in room.items if item.need != "optional") for c in wanted)
+        for name, room in known.items()
+    }
+    best = max(sorted(scores), key=lambda n: (scores[n], n == LIKELY))
+    if not scores[best]:
+        best = LIKELY if LIKELY in known else next(iter(known))
+    said = f"'{brief.room_words}' is no kind of room that is known" if brief.room_words else "no kind of room was named"
+    return known[best], (f"{said}; made as a {best.replace('_', ' ')}",)
+
+
+def _resume(run: Run, folder: RunFolder) -> None:
+    from .executor import Executor
+
+    kept = folder.begin(run.brief, run.settings)
+    if kept is not None:
+        memory = kept[0]
+        spent = len(memory.steps) < run.settings.steps and memory.finished.endswith((" steps", " seconds"))
+        run.memory = memory.model_copy(update={"finished": ""}) if spent else memory  # a larger budget goes on
+        run.best = Executor(run.room, run.brief, run.settings).judged(kept[1])
+
+
+def _unmet(review: Review) -> list[str]:
+    """What the critic finds missing of the request."""
+    return [fault.reason for fault in review.faults if fault.criterion == "alignment"]
+
+
+def _complete(report: Report, review: Review, settings: Settings, run: Run, began: float) -> Report:
+    from importlib.metadata import version
+
+    scores = {"critic": review.critic, **{k: round(v, 2) for k, v in review.grades.items()}}
+    steps = {f"step {s.number}": s.seconds for s in run.memory.steps}
+    return replace(
+        report,
+        scores=scores,
+        seed=settings.seed,
+        device=settings.device,
+        candidates=settings.candidates,
+        seconds={"total": round(time.monotonic() - began, 3), **steps},
+        versions={**report.versions, "warp-lang": version("warp-lang")},
+    )

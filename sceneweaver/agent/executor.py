@@ -1,0 +1,187 @@
+"""Carry out a proposal: apply its edits, refine thousands of layouts, judge them, let the critic choose."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from sceneweaver.brief import Brief
+from sceneweaver.critic import Review, review_scene
+from sceneweaver.knowledge import RoomType
+from sceneweaver.layout import refine, refine_many
+from sceneweaver.scene import Dropped, Pose, Relation, Scene
+from sceneweaver.scene.edits import Remove, apply, apply_all
+from sceneweaver.tools.base import Proposal
+from sceneweaver.verify import Report, check
+
+from .settings import Settings
+from .tidy import tidy
+
+ROUNDS = 10
+"""Times that something gives way before a layout that cannot be valid is taken as it is."""
+
+NEEDS = ("optional", "usual", "needed", "asked")
+"""What gives way first, by the attribute ``need``."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """A scene with its judgement. ``unmet`` says what was asked for and given up, and why."""
+
+    scene: Scene
+    report: Report
+    review: Review
+    notes: tuple[str, ...] = ()
+    unmet: tuple[str, ...] = ()
+
+    @property
+    def key(self) -> tuple[float, ...]:
+        """Smaller is better: hard violations, what was given up, soft relations that fail, then the critic's grades."""
+        hard = sum(v.kind != "soft_relation" for v in self.report.violations)
+        soft = self.report.relations.soft
+        missing = (soft.total - soft.satisfied) / max(1, soft.total)
+        return hard, len(self.scene.dropped), round(4.0 * missing - self.review.total, 6)
+
+
+@dataclass(frozen=True)
+class Executor:
+    """Refines and judges proposals for one request."""
+
+    room: RoomType
+    brief: Brief
+    settings: Settings
+
+    def run(self, scene: Scene, proposal: Proposal, seed: int) -> Outcome:
+        """The best scene that follows from a proposal.
+
+        Raises:
+            InputError: when an edit cannot be applied.
+        """
+        draft, _ = apply_all(proposal.scene or scene, proposal.edits)
+        notes, unmet = list(proposal.notes), list(proposal.unmet)
+        if not proposal.fresh:
+            report = check(draft)
+            if report.valid:
+                return self._outcome(draft, notes, unmet, report)
+        if not self.settings.physics:
+            return self._outcome(self._unrefined(draft, proposal, seed), notes, unmet)
+        fresh = proposal.fresh
+        best = self._refined(draft, proposal.drafts, fresh, seed)
+        for _ in range(ROUNDS):
+            if best.report.valid or not any(v.kind not in ("soft_relation", "dropped") for v in best.report.violations):
+                break
+            lighter = self._give_way(draft, best, notes, unmet)
+            if lighter is None:
+                break
+            draft = lighter
+            best = min(best, self._refined(draft, _kept(proposal.drafts, draft), fresh, seed), key=lambda o: o.key)
+        return replace(best, notes=tuple(notes), unmet=tuple(unmet))
+
+    def judged(self, scene: Scene, report: Report | None = None) -> Outcome:
+        """A scene as it is."""
+        return self._outcome(scene, (), (), report)
+
+    def _outcome(
+        self, scene: Scene, notes: Sequence[str], unmet: Sequence[str], report: Report | None = None
+    ) -> Outcome:
+        report = report or check(scene)
+        return Outcome(scene, report, review_scene(scene, report, self.room, self.brief), tuple(notes), tuple(unmet))
+
+    def _refined(self, draft: Scene, drafts: Sequence[Mapping[str, Pose]], fresh: bool, seed: int) -> Outcome:
+        """The best of the layouts of a scene, and of those around each set of poses that stays as it is."""
+        layouts = self._around(draft, drafts, seed) if drafts else []
+        if not layouts:
+            layouts = self._free(draft, fresh, seed)
+        outcomes = [self._outcome(tidy(layout), (), ()) for layout in layouts]
+        return min(outcomes, key=lambda o: o.key)
+
+    def _free(self, draft: Scene, fresh: bool, seed: int) -> list[Scene]:
+        s = self.settings
+        solution = refine(
+            draft, candidates=s.candidates if fresh else max(16, s.candidates // 8), seed=seed,
+            init="sample" if fresh else "current", device=s.device, steps=s.attempts, explain=False,
+        )  # fmt: skip
+        return solution.distinct(s.finalists if fresh else 2) or [solution.best]
+
+    def _around(self, draft: Scene, drafts: Sequence[Mapping[str, Pose]], seed: int) -> list[Scene]:
+        """Valid layouts around objects that stay where a draft has them; empty when no draft leaves room for the rest."""
+        s = self.settings
+        scenes = [_pinned(draft, poses) for poses in drafts]
+        each = max(16, s.candidates // len(scenes))
+        solutions = refine_many(scenes, candidates=each, seed=seed, device=s.device, steps=s.attempts)
+        found = []
+        for solution in solutions:
+            found += [_unpinned(layout, draft) for layout in solution.distinct(max(1, s.finalists // len(scenes)))]
+        return found
+
+    def _unrefined(self, draft: Scene, proposal: Proposal, seed: int) -> Scene:
+        """A layout as the relations draw it, without search: what a tool alone would give."""
+        if not proposal.fresh:
+            return draft
+        scene = _pinned(draft, proposal.drafts[0]) if proposal.drafts else draft
+        solution = refine(scene, candidates=1, seed=seed, optimizer="adam", steps=1, device=self.settings.device,
+                          explain=False)  # fmt: skip
+        return _unpinned(solution.best, draft)
+
+    def _give_way(self, draft: Scene, best: Outcome, notes: list[str], unmet: list[str]) -> Scene | None:
+        """A scene that asks for less: without the least needed object in trouble, or with a relation made soft."""
+        trouble: dict[str, int] = {}
+        for violation in best.report.violations:
+            if violation.kind != "soft_relation":
+                for id in violation.objects:
+                    trouble[id] = trouble.get(id, 0) + 1
+        known = {o.id: o for o in draft.objects}
+        for need in NEEDS[:2]:
+            pool = [id for id in trouble if id in known and known[id].attributes.get("need") == need]
+            if pool:
+                id = max(pool, key=lambda i: (trouble[i], known[i].size[0] * known[i].size[1], i))
+                notes.append(f"{id} was left out: the room has no place for it")
+                return apply(draft, Remove(id=id, cascade=True))
+        false = {
+            (v.objects[0], v.detail.removeprefix(v.objects[0]).split(":")[0].strip())
+            for v in best.report.violations
+            if v.kind == "relation"
+        }
+        broken = [r for r in draft.relations if r.hard and (r.subject, r.type) in false]
+        for relation in sorted(broken, key=lambda r: _asked_for(r, draft)):
+            if _asked_for(relation, draft):
+                unmet.append(
+                    f"{relation.subject} {relation.type} {relation.target or ''}".strip() + " cannot hold here"
+                )
+            return draft.model_copy(
+                update={"relations": tuple(r.model_copy(update={"hard": False}) if r is relation else r
+                                           for r in draft.relations)}
+            )  # fmt: skip
+        pool = [id for id in trouble if id in known]
+        if not pool:
+            return None
+        rank = {need: k for k, need in enumerate(NEEDS)}
+        id = min(pool, key=lambda i: (rank.get(known[i].attributes.get("need", "usual"), 1), -trouble[i], i))
+        gone, reason = known[id], "there is no place for it in this room"
+        lighter = apply(draft, Remove(id=id, cascade=True))
+        unmet.append(f"{id}: {reason}")
+        dropped = (*lighter.dropped, Dropped(id=id, category=gone.category, reason=reason))
+        return lighter.model_copy(update={"dropped": dropped})
+
+
+def _asked_for(relation: Relation, scene: Scene) -> bool:
+    """Whether the request itself is the origin of a relation."""
+    return [relation.type, relation.subject] in scene.provenance.get("asked", [])
+
+
+def _kept(drafts: Sequence[Mapping[str, Pose]], scene: Scene) -> list[dict[str, Pose]]:
+    known = set(scene.ids)
+    return [{id: pose for id, pose in poses.items() if id in known} for poses in drafts]
+
+
+def _pinned(scene: Scene, poses: Mapping[str, Pose]) -> Scene:
+    objects = [
+        o.model_copy(update={"pose": poses[o.id], "fixed": True}) if o.id in poses else o for o in scene.objects
+    ]  # fmt: skip
+    return scene.model_copy(update={"objects": tuple(objects)})
+
+
+def _unpinned(layout: Scene, draft: Scene) -> Scene:
+    fixed = {o.id: o.fixed for o in draft.objects}
+    objects = [o.model_copy(update={"fixed": fixed[o.id]}) for o in layout.objects]
+    return layout.model_copy(update={"objects": tuple(objects)})

@@ -1,0 +1,157 @@
+"""Reason, act, reflect: the loop of the agent."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from sceneweaver.assets import Library
+from sceneweaver.brief import Brief
+from sceneweaver.knowledge import RoomType
+from sceneweaver.scene import InputError, Room, Scene
+from sceneweaver.tools.base import Context, Proposal
+from sceneweaver.tools.registry import Registered
+
+from .executor import Executor, Outcome
+from .folder import RunFolder
+from .memory import Call, Memory, Step
+from .planner import Planner, Situation
+from .settings import Settings
+
+FIXED_PLAN = ("init_prior", "add_tabletop", "add_crowd")
+"""What is done, in this order, when there is no reflection."""
+
+Said = Callable[[Step], None]
+
+
+@dataclass
+class Run:
+    """One request on its way to a scene."""
+
+    brief: Brief
+    room: RoomType
+    settings: Settings
+    tools: Mapping[str, Registered]
+    planner: Planner
+    library: Library = field(default_factory=Library)
+    folder: RunFolder | None = None
+    said: Said | None = None
+    memory: Memory = Memory()
+    best: Outcome | None = None
+
+    def go(self) -> Outcome:
+        """Take steps until the scene is good, nothing more can be mended, or the budget is spent.
+
+        Raises:
+            InputError: when not even a first scene can be made.
+        """
+        executor = Executor(self.room, self.brief, self.settings)
+        began = time.monotonic() - self.memory.seconds
+        reason = self.memory.finished
+        while not reason and not (reason := self._done(time.monotonic() - began)):
+            started = time.monotonic()
+            calls = self._calls()
+            if not calls:
+                reason = "nothing is left that a tool can mend"
+                break
+            outcomes, tried = self._tried(executor, calls)
+            self._take(outcomes, tried, calls, time.monotonic() - started)
+        if self.best is None:
+            raise InputError("prompt: " + (self.memory.steps[-1].note if self.memory.steps else "no tool can begin"))
+        self.memory = self.memory.model_copy(update={"finished": reason})
+        if self.folder is not None:
+            self.folder.state(self.folder.kept_scene(), self.memory, self.brief, self.settings)
+        return self.best
+
+    def _done(self, seconds: float) -> str:
+        """Why to stop now; empty to go on."""
+        s, memory = self.settings, self.memory
+        if len(memory.steps) >= s.steps:
+            return f"{s.steps} steps"
+        if s.seconds is not None and self.best is not None and seconds >= s.seconds:
+            return f"{s.seconds:g} seconds"
+        if not s.reflect or s.one_shot:
+            return ""
+        if memory.stale >= s.patience:
+            return f"no progress in {memory.stale} steps"
+        if self.best is not None and self.best.report.valid and self.best.review.total >= s.grade:
+            open_calls = any(f.tool for f in self.best.review.faults if f.points >= 0.5)
+            return "" if open_calls else f"grade {self.best.review.total:.1f}"
+        return ""
+
+    def _calls(self) -> list[Call]:
+        if not self.settings.reflect or self.settings.one_shot:
+            at = len(self.memory.steps)
+            plan = [name for name in FIXED_PLAN if name in self.tools]
+            return [Call(tool=plan[at], seed=self.settings.seed, reason="fixed plan")] if at < len(plan) else []
+        scene, review = (self.best.scene, self.best.review) if self.best else (None, None)
+        cards = {name: tool.card for name, tool in self.tools.items()}
+        return self.planner.plan(Situation(self.brief, self.room, scene, review, self.memory, cards, self.settings))
+
+    def _tried(self, executor: Executor, calls: list[Call]) -> tuple[dict[int, Outcome], list[dict[str, Any]]]:
+        """What each call leads to; one that fails says why and leaves the others alone."""
+        outcomes: dict[int, Outcome] = {}
+        tried: list[dict[str, Any]] = []
+        for k, call in enumerate(calls):
+            row: dict[str, Any] = {"tool": call.tool, "confidence": call.confidence, "reason": call.reason}
+            began = time.monotonic()
+            try:
+                scene = self.best.scene if self.best else empty_scene(self.brief, self.room)
+                proposal = self._propose(call, scene)
+                if self.best and not proposal.edits and not proposal.fresh and proposal.scene is None:
+                    row["failed"] = "nothing to change" + (f": {proposal.unmet[0]}" if proposal.unmet else "")
+                else:
+                    outcomes[k] = executor.run(scene, proposal, call.seed)
+                    row["grades"] = {**outcomes[k].review.grades, "total": round(outcomes[k].review.total, 3)}
+                    row["violations"] = int(outcomes[k].key[0])
+            except InputError as error:
+                row["failed"] = str(error)
+            row["seconds"] = round(time.monotonic() - began, 3)
+            tried.append(row)
+        return outcomes, tried
+
+    def _propose(self, call: Call, scene: Scene) -> Proposal:
+        tool = self.tools[call.tool].load()
+        return tool.propose(
+            Context(self.brief, self.room, scene, self.library, call.seed, call.instruction, call.inputs)
+        )
+
+    def _take(self, outcomes: dict[int, Outcome], tried: list[dict[str, Any]], calls: list[Call], spent: float) -> None:
+        """Keep the best outcome if it beats what there is; else roll back and trust the tools less."""
+        before = dict(self.best.review.grades) if self.best else {}
+        winner = min(outcomes, key=lambda k: outcomes[k].key) if outcomes else None
+        free = not self.settings.reflect or self.settings.one_shot
+        accepted = winner is not None and (self.best is None or free or outcomes[winner].key < self.best.key)
+        if accepted and winner is not None:
+            self.best = outcomes[winner]
+        losers = [] if free else [c for k, c in enumerate(calls) if k not in outcomes or (not accepted)]
+        current = self.best
+        note = "" if accepted else next((row["failed"] for row in tried if "failed" in row), "no better than before")
+        step = Step(
+            number=len(self.memory.steps) + 1,
+            call=calls[winner] if winner is not None else calls[0],
+            accepted=accepted,
+            before=before,
+            after=dict(current.review.grades) if current else {},
+            violations=int(current.key[0]) if current else 0,
+            objects=len(current.scene.objects) if current else 0,
+            seconds=round(spent, 3),
+            tried=tuple(tried),
+            note=note,
+        )
+        new = (outcomes[winner].notes, outcomes[winner].unmet) if accepted and winner is not None else ((), ())
+        self.memory = self.memory.after(step, losers, *new)
+        if self.folder is not None and current is not None:
+            self.folder.step(step.number, current.scene, current.report, current.review, self.memory, self.brief,
+                             self.settings)  # fmt: skip
+        if self.said is not None:
+            self.said(step)
+
+
+def empty_scene(brief: Brief, room: RoomType) -> Scene:
+    """The scene before the first step; initialisers replace its room."""
+    side = max(2.0, round(room.area[1] ** 0.5, 2))
+    outline = ((0.0, 0.0), (side, 0.0), (side, side), (0.0, side))
+    return Scene(id=room.name, prompt=brief.text, room=Room(type=room.name, outline=outline, height=room.height))

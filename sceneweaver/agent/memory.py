@@ -1,0 +1,83 @@
+"""What the agent remembers: the calls it made, what came of them, and how far each tool is to be trusted."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pydantic import Field
+
+from sceneweaver.scene.base import FrozenModel
+
+FORGIVING = 0.6
+"""Factor on a tool's confidence when a call of it brought nothing."""
+
+
+class Call(FrozenModel):
+    """One use of a tool; ``confidence`` in 0..1 and ``reason`` say why it was chosen."""
+
+    tool: str
+    instruction: str = ""
+    inputs: dict[str, Any] = {}
+    seed: int = 0
+    confidence: float = 1.0
+    reason: str = ""
+
+    @property
+    def signature(self) -> str:
+        """Equal for calls that ask for the same."""
+        import json
+
+        return f"{self.tool} {json.dumps(self.inputs, sort_keys=True)}"
+
+
+class Step(FrozenModel):
+    """What one step did. ``tried`` holds every call of it with what it reached or why it failed."""
+
+    number: int
+    call: Call | None
+    accepted: bool
+    before: dict[str, float] = {}
+    after: dict[str, float] = {}
+    violations: int = 0
+    objects: int = 0
+    seconds: float = 0.0
+    tried: tuple[dict[str, Any], ...] = ()
+    note: str = ""
+
+
+class Memory(FrozenModel):
+    """The history of a run; its JSON form is all that a run needs to go on, besides the scene."""
+
+    steps: tuple[Step, ...] = ()
+    confidence: dict[str, float] = Field(default={}, description="Factor on each tool's own confidence")
+    failed: tuple[str, ...] = Field(default=(), description="Signatures of calls that brought nothing")
+    seconds: float = 0.0
+    stale: int = 0
+    notes: tuple[str, ...] = ()
+    unmet: tuple[str, ...] = ()
+    finished: str = Field(default="", description="Why the run ended; empty while it goes on")
+
+    def after(self, step: Step, losers: list[Call], notes: tuple[str, ...], unmet: tuple[str, ...]) -> Memory:
+        """The memory with one more step; calls that brought nothing lower the trust in their tools."""
+        confidence = dict(self.confidence)
+        failed = list(self.failed)
+        for call in losers:
+            confidence[call.tool] = FORGIVING * confidence.get(call.tool, 1.0)
+            failed.append(call.signature)
+        if step.accepted and step.call is not None:
+            confidence[step.call.tool] = min(1.0, confidence.get(step.call.tool, 1.0) / FORGIVING**0.5)
+        return self.model_copy(
+            update={
+                "steps": (*self.steps, step),
+                "confidence": confidence,
+                "failed": tuple(failed),
+                "seconds": self.seconds + step.seconds,
+                "stale": 0 if step.accepted else self.stale + 1,
+                "notes": _more(self.notes, notes),
+                "unmet": _more(self.unmet, unmet),
+            }
+        )
+
+
+def _more(old: tuple[str, ...], new: tuple[str, ...]) -> tuple[str, ...]:
+    return (*old, *(text for text in dict.fromkeys(new) if text not in old))

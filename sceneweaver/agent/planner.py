@@ -1,0 +1,140 @@
+"""Which tools to try next. A planner is a protocol; this one needs no model."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from sceneweaver.brief import Brief
+from sceneweaver.critic import Fault, Review
+from sceneweaver.knowledge import RoomType
+from sceneweaver.scene import Scene
+from sceneweaver.tools.card import ToolCard
+
+from .memory import Call, Memory
+from .settings import Settings
+
+LISTS = {
+    "add_objects": "objects",
+    "add_relation": "relations",
+    "add_tabletop": "supports",
+    "add_crowd": "supports",
+    "remove_objects": "ids",
+    "update_layout": "ids",
+}
+"""Tools whose calls for several faults are one call, and the input that holds what each of them asks for."""
+
+LEAST = 0.15
+"""Points [of ten] that a call should be worth."""
+
+
+@dataclass(frozen=True)
+class Situation:
+    """What a planner knows; ``scene`` and ``review`` are None before the first step."""
+
+    brief: Brief
+    room: RoomType
+    scene: Scene | None
+    review: Review | None
+    memory: Memory
+    cards: Mapping[str, ToolCard]
+    settings: Settings
+
+
+class Planner(Protocol):
+    """Chooses the calls of a step."""
+
+    name: str
+
+    def plan(self, situation: Situation) -> list[Call]:
+        """Up to ``settings.side_by_side`` calls, the most promising first; none when nothing is left to mend."""
+        ...
+
+
+class RulesPlanner:
+    """Ranks tools by what the critic says they would mend, their cards' confidence and their record."""
+
+    name = "rules"
+
+    def plan(self, situation: Situation) -> list[Call]:
+        """As `Planner.plan`."""
+        if situation.scene is None or situation.review is None:
+            return _beginnings(situation)
+        settings, memory = situation.settings, situation.memory
+        calls: dict[str, Call] = {}
+        for tool, faults in _by_tool(situation.review.faults).items():
+            card = situation.cards.get(tool)
+            if card is None:
+                continue
+            trust = card.confidence * memory.confidence.get(tool, 1.0)
+            for chosen in _bundles(tool, faults):
+                points = sum(f.points for f in chosen)
+                call = Call(
+                    tool=tool,
+                    instruction=" ".join(f.suggestion for f in chosen[:4] if f.suggestion),
+                    inputs=_merged(tool, chosen),
+                    seed=_seed(settings.seed, len(memory.steps), tool),
+                    confidence=round(min(1.0, trust), 4),
+                    reason=f"{points:.1f} points: " + "; ".join(f.reason for f in chosen[:3]),
+                )
+                worth = points * trust
+                if call.signature in memory.failed or worth < LEAST:
+                    continue
+                if call.signature not in calls or worth > calls[call.signature].confidence:
+                    calls[call.signature] = call.model_copy(update={"confidence": round(worth, 4)})
+        ranked = sorted(calls.values(), key=lambda c: (-c.confidence, c.tool, c.signature))
+        return [c.model_copy(update={"confidence": min(1.0, c.confidence)}) for c in ranked[: settings.side_by_side]]
+
+
+def _beginnings(situation: Situation) -> list[Call]:
+    """The initialisers that suit the request, each with seeds of its own."""
+    settings = situation.settings
+    found = []
+    for name, card in situation.cards.items():
+        if card.role == "initializer" and card.needs == "nothing":
+            found.append((card.confidence * situation.memory.confidence.get(name, 1.0), name))
+    found.sort(key=lambda row: (-row[0], row[1]))
+    calls = [
+        Call(tool=name, instruction=situation.brief.text, seed=settings.seed, confidence=trust, reason="no scene yet")
+        for trust, name in found
+    ]
+    calls = [c for c in calls if c.signature not in situation.memory.failed]
+    return calls[: settings.side_by_side]
+
+
+def _by_tool(faults: Sequence[Fault]) -> dict[str, list[Fault]]:
+    found: dict[str, list[Fault]] = {}
+    for fault in faults:
+        if fault.tool is not None:
+            found.setdefault(fault.tool, []).append(fault)
+    return found
+
+
+def _bundles(tool: str, faults: list[Fault]) -> list[list[Fault]]:
+    """All of a tool's faults in one call where that is possible, and the gravest alone."""
+    if tool not in LISTS or len(faults) == 1:
+        return [[fault] for fault in faults]
+    return [faults, [max(faults, key=lambda f: f.points)]]
+
+
+def _merged(tool: str, faults: Sequence[Fault]) -> dict[str, Any]:
+    if len(faults) == 1 or tool not in LISTS:
+        return dict(faults[0].inputs)
+    key = LISTS[tool]
+    merged: dict[str, Any] = {}
+    items: list[Any] = []
+    for fault in faults:
+        listed = fault.inputs.get(key, [])
+        if not listed:
+            items, merged = [], {**merged, **fault.inputs}
+            if tool in ("add_tabletop", "add_crowd", "update_layout"):
+                break  # an empty list stands for all
+        items += [item for item in listed if item not in items]
+        merged.update({k: v for k, v in fault.inputs.items() if k != key and k not in merged})
+    return {**merged, key: items}
+
+
+def _seed(seed: int, step: int, tool: str) -> int:
+    return random.Random(f"{seed} {step} {tool}").randrange(2**32)

@@ -1,0 +1,96 @@
+"""``sceneweaver design`` and ``demo``: from a request in words to a folder with a room."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import typer
+
+from sceneweaver.scene import InputError
+
+from .app import NOT_VALID
+from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line
+
+if TYPE_CHECKING:
+    from sceneweaver.agent import Result
+    from sceneweaver.agent.memory import Step
+
+DEMO = "a bedroom for a teenager with a desk by the window"
+"""What ``make demo`` asks for."""
+
+FILES = (
+    "report.html", "views/corner.png", "views/top.png", "views/top_annotated.png", "scene.json", "scene.glb",
+    "metrics.json",
+)  # fmt: skip
+
+
+def run_design(
+    prompt: str,
+    out: Path,
+    *,
+    seed: int,
+    steps: int,
+    candidates: int,
+    planner: str,
+    device: str,
+    time_limit: float | None,
+    pictures: bool,
+    as_json: bool,
+) -> int:
+    """Design a room into a folder; 0 when all that was asked for is so, 3 when not."""
+    if out.suffix in (".json", ".html", ".png", ".glb") or out.is_file():
+        raise InputError(f"--out: {out} is no folder; give a folder")
+    with no_chatter():
+        from sceneweaver.agent import design
+
+        result = design(
+            prompt, seed=seed, planner=planner, out=out, steps=steps, candidates=candidates, device=device,
+            time_limit=time_limit, pictures=pictures, said=None if as_json else _say,
+        )  # fmt: skip
+    code = 0 if result.satisfied else NOT_VALID
+    if as_json:
+        print_json(_json(result, out, code))
+        return code
+    report, grades = result.report, result.review.grades
+    headline(result.scene.room.type, report.valid, f"{report.placed} objects, {relations_line(report)}")
+    typer.echo("  grades  " + ", ".join(f"{name} {value:.1f}" for name, value in grades.items()))
+    list_violations(report)
+    for text in result.unmet:
+        typer.secho(f"  unmet   {text}", fg="yellow")
+    for text in result.notes:
+        typer.echo(f"  note    {text}")
+    if result.brief.unread:
+        typer.echo("  not understood: " + ", ".join(result.brief.unread))
+    typer.echo(f"  {len(result.steps)} steps, {result.seconds:.1f} s; ended: {result.finished}")
+    list_files([out / name for name in FILES if (out / name).exists()])
+    return code
+
+
+def _say(step: Step) -> None:
+    """One line on stderr for each step."""
+    mean = sum(step.after.values()) / max(1, len(step.after))
+    verb = "kept" if step.accepted else "rolled back"
+    tool = step.call.tool if step.call else "-"
+    typer.echo(
+        f"step {step.number}: {tool:<16} {verb:<12} {step.objects:>3} objects, grade {mean:4.1f}, {step.seconds:.1f} s",
+        err=True,
+    )
+
+
+def _json(result: Result, out: Path, code: int) -> dict[str, Any]:
+    return {
+        "valid": result.report.valid,
+        "satisfied": result.satisfied,
+        "exit_code": code,
+        "objects": result.report.placed,
+        "grades": result.review.grades,
+        "unmet": list(result.unmet),
+        "notes": list(result.notes),
+        "unread": list(result.brief.unread),
+        "steps": [step.model_dump(mode="json") for step in result.steps],
+        "seconds": round(result.seconds, 3),
+        "finished": result.finished,
+        "files": [str(out / name) for name in FILES if (out / name).exists()],
+        "metrics": result.report.to_dict(),
+    }

@@ -1,0 +1,204 @@
+"""Whether the fronts of furniture, the seats, the doors and the windows are free."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from sceneweaver.assets import categories
+from sceneweaver.verify.solids import Body, Opening
+
+from . import kinds
+from .grade import Finding, finding
+from .needs import seat_like, table_of
+from .survey import FLAT, Survey
+
+LID = 5.0
+"""Highest grade of a layout in which something cannot be got at."""
+
+DEEP = 0.45
+"""Depth [m] of the room that a front needs, where the category asks for no less."""
+
+COVERED = 0.35
+"""Share of the room before a front that may be taken."""
+
+RISE = 0.3
+"""Depth [m] behind a seat to sit down and stand up."""
+
+ENTRY = 0.9
+"""Depth [m] of the way through a door that should be free."""
+
+LIGHT = 0.6
+"""Depth [m] before a window in which tall things take its light."""
+
+HEAD = 1.9
+"""Height [m] above which things are not in the way."""
+
+
+def faults(survey: Survey) -> Iterator[Finding]:
+    """Blocked fronts, seats without room, obstructed doors, darkened windows."""
+    yield from _fronts(survey)
+    yield from _seats(survey)
+    yield from _doors(survey)
+    yield from _windows(survey)
+    yield from _hung(survey)
+
+
+def _fronts(survey: Survey) -> Iterator[Finding]:
+    known = survey.violated.get("blocked_zone", set())
+    for body in survey.standing:
+        row = categories().get(body.item.category)
+        if row is None or not row.sides or seat_like(body) or body.item.category in kinds.SEATED_AT:
+            continue
+        table = "table_group" in kinds.groups_of(body.item.category)
+        if table and body.item.category not in kinds.WALL_BACKED | {"nightstand"}:
+            continue
+        for side in ("front",) if "front" in row.sides else ():
+            depth = min(DEEP, row.clearance.get(side, 0.3))
+            if body.item.category in kinds.LOUNGE:
+                depth = 0.2
+            strip = _strip(body, side, depth)
+            blockers = [
+                (share, other)
+                for other, share in _inside(survey, strip, body)
+                if frozenset((body.id, other.id)) not in known and not _companion(survey, body, other)
+            ]
+            total = sum(share for share, _ in blockers)
+            if total > COVERED:
+                worst = max(blockers, key=lambda b: (b[0], b[1].id))[1]
+                yield finding(
+                    "layout", "blocked_front", (body.id, *(b.id for _, b in blockers)),
+                    f"{worst.id} takes {total:.0%} of the {depth:.2f} m before {body.id}",
+                    f"move {worst.id} away from the front of {body.id}", points=1.2 + total, cap=LID,
+                    tool="update_layout", inputs={"ids": [worst.id]},
+                )  # fmt: skip
+
+
+def _companion(survey: Survey, body: Body, other: Body) -> bool:
+    """Whether something may stand before a front: what is tied to it, and light seats."""
+    if frozenset((body.id, other.id)) in survey.pairs:
+        return True
+    return other.item.category in ("stool", "pouf", "ottoman", "floor_cushion", "bean_bag") or (
+        body.item.category in kinds.LOUNGE and other.item.category in kinds.COFFEE | kinds.LOUNGE
+    )
+
+
+def _seats(survey: Survey) -> Iterator[Finding]:
+    """Seats at desks and tables that nobody can get into."""
+    for seat in survey.standing:
+        if not kinds.upright_seat(seat.item.category) or table_of(survey, seat) is None:
+            continue
+        table = table_of(survey, seat)
+        strip = _strip(seat, "back", RISE)
+        outside = 1.0 - float(strip.intersection(survey.placed.floor).area) / max(1e-9, float(strip.area))
+        taken = [(s, b) for b, s in _inside(survey, strip, seat) if b is not table and not seat_like(b)]
+        total = outside + sum(s for s, _ in taken)
+        if total <= 0.6:
+            continue
+        what = max(taken, key=lambda t: (t[0], t[1].id))[1].id if taken and taken[0][0] > outside else "the wall"
+        names = (seat.id, *(b.id for _, b in taken))
+        yield finding(
+            "functionality", "cramped_seat", names,
+            f"{what} leaves less than {RISE:g} m behind {seat.id}: {min(1.0, total):.0%} of it is taken",
+            f"leave at least {RISE:g} m behind {seat.id}", points=0.8, tool="update_layout",
+            inputs={"ids": [seat.id, *([table.id] if table else [])]},
+        )  # fmt: skip
+
+
+def _doors(survey: Survey) -> Iterator[Finding]:
+    known = survey.violated.get("blocked_opening", set())
+    for door in survey.placed.doors:
+        strip = _before(door, ENTRY)
+        for other, share in _inside(survey, strip, None):
+            if share > 0.12 and frozenset((other.id, door.item.id)) not in known:
+                yield finding(
+                    "layout", "door_obstructed", (other.id, door.item.id),
+                    f"{other.id} takes {share:.0%} of the {ENTRY:g} m behind {door.item.id}",
+                    f"move {other.id} away from {door.item.id}", points=0.6 + share, cap=LID if share > 0.5 else None,
+                    tool="add_relation",
+                    inputs={"relations": [{"type": "away_from_door", "subject": other.id, "target": None,
+                                           "hard": True}]},
+                )  # fmt: skip
+
+
+def _windows(survey: Survey) -> Iterator[Finding]:
+    known = survey.violated.get("blocked_opening", set())
+    for window in survey.placed.windows:
+        item = window.item
+        sill = window.z[0]
+        height = window.z[1] - window.z[0]
+        strip = _before(window, LIGHT)
+        for other, _ in _inside(survey, strip, None, head=10.0):
+            category = other.item.category
+            if category in kinds.SEE_THROUGH | kinds.WINDOW_WEAR or frozenset((other.id, item.id)) in known:
+                continue
+            spots = [window.wall.coordinates(c)[0] for c in other.corners]
+            wide = min(max(spots), item.offset + item.width) - max(min(spots), item.offset)
+            high = min(other.z[1], window.z[1]) - max(other.z[0], sill)
+            share = max(0.0, wide) / item.width * max(0.0, high) / height
+            if share > 0.2:
+                yield finding(
+                    "layout", "dark_window", (other.id, item.id),
+                    f"{other.id}, {other.z[1]:.2f} m high, covers {share:.0%} of {item.id}",
+                    f"move {other.id} away from {item.id}", points=0.7 + share, tool="update_layout",
+                    inputs={"ids": [other.id]},
+                )  # fmt: skip
+
+
+def _hung(survey: Survey) -> Iterator[Finding]:
+    """Things on a wall across a door or a window."""
+    known = survey.violated.get("blocked_opening", set())
+    for body in survey.bodies:
+        if body.item.mount != "wall" or body.item.category in kinds.WINDOW_WEAR:
+            continue
+        for opening in survey.placed.openings:
+            if frozenset((body.id, opening.item.id)) in known:
+                continue
+            spots = [opening.wall.coordinates(c) for c in body.corners]
+            if min(g for _, g in spots) > 0.25 or min(g for _, g in spots) < -0.2:
+                continue
+            along = [u for u, _ in spots]
+            low, high = opening.item.offset, opening.item.offset + opening.item.width
+            wide = min(max(along), high) - max(min(along), low)
+            tall = min(body.z[1], opening.z[1]) - max(body.z[0], opening.z[0])
+            if wide > 0.05 and tall > 0.05:
+                yield finding(
+                    "layout", "hung_over_opening", (body.id, opening.item.id),
+                    f"{body.id} hangs {wide:.2f} m across {opening.item.id}", f"move {body.id} to a free wall",
+                    points=1.2, tool="update_layout", inputs={"ids": [body.id]},
+                )  # fmt: skip
+
+
+def _strip(body: Body, side: str, depth: float) -> Any:
+    """The rectangle of some depth [m] before a side of a body, in plan."""
+    import shapely
+
+    (x, y), (nx, ny), half = body.face(side)
+    half *= 0.95
+    a, b = (x - ny * half, y + nx * half), (x + ny * half, y - nx * half)
+    shape = shapely.Polygon([a, b, (b[0] + nx * depth, b[1] + ny * depth), (a[0] + nx * depth, a[1] + ny * depth)])
+    shapely.prepare(shape)
+    return shape
+
+
+def _before(opening: Opening, depth: float) -> Any:
+    import shapely
+
+    (x, y), (tx, ty), (nx, ny) = opening.wall.start, opening.wall.along, opening.wall.inward
+    a, b = opening.item.offset, opening.item.offset + opening.item.width
+    ends = ((a, 0.0), (b, 0.0), (b, depth), (a, depth))
+    shape = shapely.Polygon([(x + tx * s + nx * d, y + ty * s + ny * d) for s, d in ends])
+    shapely.prepare(shape)
+    return shape
+
+
+def _inside(survey: Survey, strip: Any, own: Body | None, head: float = HEAD) -> Iterator[tuple[Body, float]]:
+    """Things on the floor or low on a wall that reach into a strip, with the share of it that they take."""
+    area = max(1e-9, float(strip.area))
+    for row in sorted(int(r) for r in survey.tree.query(strip, predicate="intersects")):
+        other = survey.bodies[row]
+        if other is own or other.item.mount in ("surface", "ceiling") or other.z[1] <= FLAT or other.z[0] > head:
+            continue
+        share = float(survey.footprints[row].intersection(strip).area) / area
+        if share > 0.02:
+            yield other, share

@@ -1,0 +1,169 @@
+"""Whether the relations that a request names hold."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Sequence
+
+from sceneweaver.brief import AskedRelation
+from sceneweaver.scene import CATALOGUE, InputError, Relation, Room
+from sceneweaver.verify.relations import judge_relation
+from sceneweaver.verify.solids import Body
+
+from .grade import Finding, finding
+from .survey import Survey
+
+MIDDLE = 0.2
+"""How far from the middle of the room, as a share of the side of a square of its floor, "in the middle" reaches."""
+
+COMPASS = {"north": (0.0, 1.0), "south": (0.0, -1.0), "east": (1.0, 0.0), "west": (-1.0, 0.0)}
+
+
+def faults(survey: Survey) -> Iterator[Finding]:
+    """Asked relations that do not hold; what is missing is said elsewhere."""
+    for said in survey.brief.relations:
+        subjects = _named(survey, said.subject)
+        if not subjects:
+            continue
+        wrong, why = _wrong(survey, said, subjects)
+        if wrong:
+            target = said.target if isinstance(said.target, str) else " and ".join(said.target or ())
+            words = said.words or f"{said.subject} {said.type} {target}".strip()
+            ids = [b.id for b in wrong]
+            rows = _rows(survey, said, wrong)
+            yield finding(
+                "alignment", "asked_relation", ids, f"'{words}' does not hold for {', '.join(ids[:4])}: {why}",
+                f"put {', '.join(ids[:4])} as asked", points=0.6 + 1.4 * len(wrong) / len(subjects),
+                tool="add_relation" if rows else "update_layout",
+                inputs={"relations": rows} if rows else {"ids": ids},
+            )  # fmt: skip
+
+
+def _named(survey: Survey, asked: str) -> list[Body]:
+    return [b for b in survey.bodies if survey.program.asked_of.get(b.id) == asked]
+
+
+def _wrong(survey: Survey, said: AskedRelation, subjects: Sequence[Body]) -> tuple[list[Body], str]:
+    """The subjects for which it does not hold, and why for the first."""
+    if said.target == "middle":
+        return _middle(survey, subjects)
+    wrong, why = [], ""
+    for body in subjects:
+        options = list(_options(survey, said, body, len(subjects)))
+        verdicts = []
+        for relation in options:
+            try:
+                verdicts.append(judge_relation(_around(survey, said, relation), relation))
+            except InputError as error:
+                why = why or str(error)
+        if any(v.holds for v in verdicts):
+            continue
+        if not verdicts and not options and said.target is not None and not _there(survey, said):
+            continue  # the target is missing, which is a fault of its own
+        wrong.append(body)
+        why = why or next((v.text for v in verdicts), "there is nothing to relate it to")
+    return wrong, why
+
+
+def _around(survey: Survey, said: AskedRelation, relation: Relation):
+    """The placed scene, in which the members of an asked group know of each other."""
+    if said.type != "around":
+        return survey.placed
+    kept = survey.__dict__.setdefault("_around", {})
+    key = (said.subject, relation.target)
+    if key not in kept:
+        from sceneweaver.verify.solids import Placed
+
+        group = [
+            Relation(type="around", subject=b.id, target=relation.target, params=relation.params)
+            for b in _named(survey, said.subject)
+        ]
+        others = tuple(r for r in survey.scene.relations if r.type != "around")
+        kept[key] = Placed.of(survey.scene.model_copy(update={"relations": (*others, *group)}))
+    return kept[key]
+
+
+def _there(survey: Survey, said: AskedRelation) -> bool:
+    names = (said.target,) if isinstance(said.target, str) else said.target or ()
+    asked = {a.id for a in survey.brief.objects}
+    return all(n not in asked or _named(survey, n) for n in names)
+
+
+def _options(survey: Survey, said: AskedRelation, body: Body, count: int) -> Iterator[Relation]:
+    """The relations of which one should hold for a subject."""
+    spec = CATALOGUE.get(said.type)
+    if spec is None:
+        return
+    params = dict(said.params)
+    kind = spec.target_kind
+    if said.type == "around" and "n" not in params:
+        params["n"] = count
+    targets: list[str | tuple[str, str] | None] = []
+    if kind == "none":
+        targets = [None]
+    elif kind == "wall":
+        name = said.target.split(":", 1)[1] if isinstance(said.target, str) and ":" in said.target else None
+        targets = [None] if name is None else [f"wall:{k}" for k in walls_named(name, survey.scene.room)]
+    elif kind in ("window", "door"):
+        targets = [None]
+    elif kind == "objects":
+        pair = said.target if isinstance(said.target, tuple) else (str(said.target), str(said.target))
+        first, second = (_named(survey, name) for name in pair)
+        pairs = ((a.id, b.id) for a in first for b in second if len({a.id, b.id, body.id}) == 3)
+        targets = [*itertools.islice(pairs, 64)]
+    else:
+        targets = [*(b.id for b in _named(survey, str(said.target)) if b is not body)]
+    for target in targets:
+        try:
+            if said.type == "around" and count < 2:
+                yield Relation(type="front_against", subject=body.id, target=target)
+            else:
+                yield Relation(type=said.type, subject=body.id, target=target, params=params)
+        except InputError:
+            continue
+
+
+def _rows(survey: Survey, said: AskedRelation, wrong: Sequence[Body]) -> list[dict]:
+    rows = []
+    for body in wrong:
+        first = next(_options(survey, said, body, len(_named(survey, said.subject))), None) if (
+            said.target != "middle"
+        ) else None  # fmt: skip
+        if first is not None:
+            target = list(first.target) if isinstance(first.target, tuple) else first.target
+            row = {"type": first.type, "subject": body.id, "target": target, "hard": True}
+            rows.append({**row, "params": dict(first.params)} if first.params else row)
+    return rows
+
+
+def _middle(survey: Survey, subjects: Sequence[Body]) -> tuple[list[Body], str]:
+    """Whether a group as a whole is in the middle of the floor."""
+    centroid = survey.placed.floor.centroid
+    x = sum(b.position[0] for b in subjects) / len(subjects)
+    y = sum(b.position[1] for b in subjects) / len(subjects)
+    away = math.hypot(x - float(centroid.x), y - float(centroid.y))
+    if away <= max(0.3, MIDDLE * math.sqrt(survey.area)):
+        return [], ""
+    return list(subjects), f"{away:.2f} m from the middle of the room"
+
+
+def walls_named(name: str, room: Room) -> list[int]:
+    """The walls that "left", "right", "far", "near" (seen from the door), a compass point or a number name."""
+    points = room.outline
+    count = len(points)
+    if name.isdigit():
+        return [int(name)] if int(name) < count else []
+    normals = []
+    for i in range(count):
+        (ax, ay), (bx, by) = points[i], points[(i + 1) % count]
+        length = math.hypot(bx - ax, by - ay)
+        normals.append((-(by - ay) / length, (bx - ax) / length))
+    nx, ny = normals[room.doors[0].wall if room.doors else 0]
+    out = COMPASS.get(name) or {
+        "far": (nx, ny), "opposite": (nx, ny), "back": (nx, ny), "near": (-nx, -ny), "front": (-nx, -ny),
+        "left": (-ny, nx), "right": (ny, -nx),
+    }.get(name)  # fmt: skip
+    if out is None:
+        return list(range(count))
+    return [i for i, (wx, wy) in enumerate(normals) if -(wx * out[0] + wy * out[1]) > 0.7]

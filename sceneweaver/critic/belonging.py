@@ -1,0 +1,134 @@
+"""Whether things belong in this kind of room, and whether the mix of them is believable."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from functools import cache
+
+from sceneweaver.assets import categories
+from sceneweaver.knowledge import RoomType
+from sceneweaver.verify.solids import Body
+
+from . import kinds
+from .grade import Finding, finding
+from .survey import Survey
+
+LID = 5.0
+"""Highest grade of a room with something from another kind of place in it."""
+
+DOMINANT = 0.4
+"""Share of the furniture up to which one kind may make up a room."""
+
+FEWEST = 8
+"""Pieces of furniture from which shares of kinds are looked at."""
+
+
+def faults(survey: Survey) -> Iterator[Finding]:
+    """Foreign things and one-sided mixes."""
+    yield from _foreign(survey)
+    yield from _dominant(survey)
+
+
+def measures(survey: Survey) -> dict[str, float]:
+    """How many kinds of things there are, and how large the share of the commonest is among the furniture."""
+    count = Counter(b.item.category for b in survey.bodies)
+    furniture = Counter(b.item.category for b in survey.bodies if b.item.mount != "surface")
+    total = sum(furniture.values())
+    return {
+        "categories": float(len(count)),
+        "diversity": len(count) / max(1.0, len(survey.bodies) ** 0.75),
+        "largest_share": max(furniture.values(), default=0) / total if total else 0.0,
+    }
+
+
+@cache
+def _expected(room: str, names: frozenset[str]) -> tuple[frozenset[str], frozenset[str]]:
+    """Categories that a room lists with their kin, and the kinds of places that they come from."""
+    del room
+    own = frozenset().union(*(kinds.kin(name) for name in names)) if names else frozenset()
+    return own, frozenset(w for w in map(kinds.world, names) if w is not None)
+
+
+def expected(room: RoomType) -> tuple[frozenset[str], frozenset[str]]:
+    """Categories that a room lists with their kin, and the kinds of places that they come from."""
+    return _expected(room.name, frozenset(name for item in room.items for name in item.what))
+
+
+def _foreign(survey: Survey) -> Iterator[Finding]:
+    own, worlds = expected(survey.room)
+    asked = {c for a in survey.brief.objects for c in kinds.kin(a.category)}
+    elsewhere = _elsewhere(survey.room.name)
+    for body in survey.bodies:
+        category = body.item.category
+        if category in own or category in asked or body.id in survey.program.item_of:
+            continue
+        if body.item.attributes.get("asked") in {a.id for a in survey.brief.objects}:
+            continue
+        strange = _strangeness(body, worlds, elsewhere)
+        if strange is None:
+            continue
+        points, lid, why = strange
+        yield finding(
+            "realism", "foreign_object", (body.id,),
+            f"a {kinds.words(category)} is {why} a {kinds.words(survey.room.name)}", f"remove {body.id}",
+            points=points, cap=lid, tool="remove_objects", inputs={"ids": [body.id]},
+        )  # fmt: skip
+
+
+@cache
+def _elsewhere(room: str) -> frozenset[str]:
+    """Categories that other kinds of rooms list and this one does not."""
+    from sceneweaver.knowledge import room_types
+
+    return frozenset(c for name, r in room_types().items() if name != room for i in r.items for c in i.what)
+
+
+def _strangeness(
+    body: Body, worlds: frozenset[str], elsewhere: frozenset[str]
+) -> tuple[float, float | None, str] | None:
+    """Points, lid and words for something that the room does not list; None when it may well be there."""
+    category = body.item.category
+    world = kinds.world(category)
+    if world is not None and world not in worlds:
+        large = body.item.mount == "floor" or max(body.size) > 0.5
+        if any(frozenset((world, other)) in kinds.NEIGHBOURS for other in worlds):
+            return 0.6, None, "unusual in"
+        return (3.0, LID, "out of place in") if large else (1.0, None, "out of place in")
+    row = categories().get(category)
+    if row is None or category in kinds.HARMLESS or kinds.groups_of(category) & kinds.NEUTRAL_GROUPS:
+        return None
+    if world is not None:
+        return None
+    if body.item.mount == "surface":
+        return None
+    if kinds.groups_of(category) & {"sport", "tool_group"}:
+        return 1.2, None, "unusual in"
+    if category in elsewhere or row.parent == "furniture":
+        return 0.7, None, "unusual in"
+    return 0.25, None, "not usual in"
+
+
+def _dominant(survey: Survey) -> Iterator[Finding]:
+    furniture = [b for b in survey.bodies if b.item.mount != "surface"]
+    if len(furniture) < FEWEST:
+        return
+    asked = {a.id: a for a in survey.brief.objects if a.count is not None}
+    count = Counter(b.item.category for b in furniture)
+    for category, number in count.items():
+        share = number / len(furniture)
+        if share <= DOMINANT:
+            continue
+        mine = [b for b in furniture if b.item.category == category]
+        usual = [b for b in mine if survey.program.item_of.get(b.id) in survey.room.made_of]
+        meant = [b for b in mine if survey.program.asked_of.get(b.id) in asked]
+        if 2 * max(len(usual), len(meant)) >= number:
+            continue
+        spare = mine[int(DOMINANT * len(furniture)) :]
+        ids = [b.id for b in spare]
+        yield finding(
+            "realism", "dominant_category", (b.id for b in mine),
+            f"{share:.0%} of the {len(furniture)} pieces of furniture are {kinds.words(category)}s",
+            "remove some of them, or add other furniture", points=1.0 + 3.0 * (share - DOMINANT),
+            tool="remove_objects", inputs={"ids": ids},
+        )  # fmt: skip

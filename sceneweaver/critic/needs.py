@@ -1,0 +1,173 @@
+"""Whether a room can be used for what it is: needed and usual furniture, and groups that belong together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from sceneweaver.knowledge import Item
+from sceneweaver.verify.solids import Body
+
+from . import kinds
+from .grade import Finding, finding
+from .program import Need
+from .survey import Survey
+
+LID = 5.5
+"""Highest grade of a room in which something needed is missing."""
+
+PARENT_WIDE = 0.9
+"""Distance [m] within which a seat counts as being at a table."""
+
+SHOW = frozenset(("decor", "lighting", "plant_group", "textile"))
+"""Groups whose absence makes a room unfinished rather than useless."""
+
+
+def faults(survey: Survey) -> Iterator[Finding]:
+    """Missing furniture and incomplete groups."""
+    reported: set[str] = set()
+    for need in survey.program.needs:
+        if need.missing:
+            reported.add(need.item.id)
+            yield _missing(survey, need)
+    yield from _desks(survey, reported)
+    yield from _tables(survey, reported)
+    yield from _screens(survey)
+
+
+def placing(survey: Survey, item: Item) -> list[dict[str, Any]]:
+    """The item's relations as ``add_objects`` takes them, with ids of objects for items."""
+    found = []
+    for place in item.place:
+        row: dict[str, Any] = {"type": place.type, **place.params}
+        if place.to not in (None, "wall", "window", "door"):
+            ids = [id for id, name in survey.program.item_of.items() if name == place.to]
+            if not ids:
+                continue
+            row["to"] = ids[0]
+        elif place.to is not None and place.to != "wall":
+            row["to"] = place.to
+        if place.soft:
+            row["soft"] = True
+        found.append(row)
+    return found
+
+
+def _missing(survey: Survey, need: Need) -> Finding:
+    item, have, category = need.item, len(need.have), need.item.what[0]
+    name = kinds.words(category)
+    call: dict[str, Any] = {"category": category, "count": need.missing}
+    place = placing(survey, item)
+    if place:
+        call["place"] = place
+    on = [id for id, of in survey.program.item_of.items() if of in item.on]
+    if on:
+        call["on"] = on
+    reason = f"{have} of {need.least} {name}s" if have else f"there is no {name}"
+    reason += f"; a {kinds.words(survey.room.name)} {'needs' if item.need == 'needed' else 'usually has'} {need.least}"
+    fix = f"add {need.missing} {name}{'s' if need.missing > 1 else ''}"
+    share = need.missing / need.least
+    inputs: Mapping[str, Any] = {"objects": [call]}
+    if item.need == "needed":
+        points, lid = 1.5 + 2.5 * share, LID if share > 0.5 else None
+        return finding("functionality", "missing_needed", need.have, reason, fix, points=points, cap=lid,
+                       tool="add_objects", inputs=dict(inputs))  # fmt: skip
+    show = bool(kinds.groups_of(category) & SHOW)
+    criterion = "functionality" if item.with_ is not None and not show else "completion"
+    return finding(criterion, "missing_usual", need.have, reason, fix, points=(0.5 if show else 0.7) * share + 0.2,
+                   tool="add_objects", inputs=dict(inputs))  # fmt: skip
+
+
+def seats_at(survey: Survey, table: Body) -> list[Body]:
+    """The upright seats that belong to a table: tied to it, or near it and nearer to it than to any other."""
+    found = []
+    for other, _ in survey.near(table, PARENT_WIDE):
+        if seat_like(other) and table_of(survey, other) is table:
+            found.append(other)
+    return found
+
+
+def seat_like(body: Body) -> bool:
+    """Whether people may sit on it at a table."""
+    return kinds.upright_seat(body.item.category) or body.item.category in ("bench", "booth_seat", "armchair")
+
+
+def table_of(survey: Survey, seat: Body) -> Body | None:
+    """The table or desk that a seat belongs to: the one it is tied to, else the nearest one close by."""
+    kept = survey.__dict__.setdefault("_table_of", {})
+    if seat.id not in kept:
+        kept[seat.id] = _find_table(survey, seat)
+    return kept[seat.id]
+
+
+def _find_table(survey: Survey, seat: Body) -> Body | None:
+    from .survey import SEAT_TIES
+
+    for kind, target in survey.ties.get(seat.id, ()):
+        other = survey.placed.by_id[target]
+        if kind in SEAT_TIES and other.item.category in kinds.SEATED_AT:
+            return other
+    best: tuple[float, Body] | None = None
+    for other, gap in survey.near(seat, PARENT_WIDE):
+        if other.item.category not in kinds.SEATED_AT:
+            continue
+        ahead, _ = seat.local(other.centre)
+        score = gap + (0.0 if ahead > 0 else 0.3)
+        if best is None or score < best[0] - 1e-4:
+            best = score, other
+    return best[1] if best else None
+
+
+def _desks(survey: Survey, reported: set[str]) -> Iterator[Finding]:
+    for desk in survey.of_kind(kinds.DESKS - {"reception_desk", "standing_desk"}):
+        if seats_at(survey, desk):
+            continue
+        item = survey.program.item_of.get(desk.id)
+        if any(n.item.with_ == item and item is not None and n.item.id in reported for n in survey.program.needs):
+            continue
+        seat = "stool" if desk.item.category == "dressing_table" else "office_chair"
+        seat = next((i.what[0] for i in survey.room.items if any(kinds.upright_seat(c) for c in i.what)), seat)
+        yield finding(
+            "functionality", "incomplete_group", (desk.id,), f"no chair within {PARENT_WIDE:g} m of {desk.id}",
+            f"add a {kinds.words(seat)} in front of {desk.id}", points=1.5, tool="add_objects",
+            inputs={"objects": [{"category": seat, "count": 1, "place": [{"type": "front_to_front", "to": desk.id}]}]},
+        )  # fmt: skip
+
+
+def _tables(survey: Survey, reported: set[str]) -> Iterator[Finding]:
+    for table in survey.of_kind(kinds.DINING - {"bar_table", "folding_table"}):
+        have = seats_at(survey, table)
+        want = 2 if min(table.size[:2]) < 0.75 and max(table.size[:2]) < 1.0 else max(2, round(max(table.size[:2])))
+        item = survey.program.item_of.get(table.id)
+        needs = [n for n in survey.program.needs if item is not None and n.item.with_ == item]
+        if len(have) >= want or any(n.item.id in reported for n in needs):
+            continue
+        seats = [i for i in survey.room.items if any(kinds.upright_seat(c) for c in i.what)]
+        if seats and not any(i.with_ == item for i in seats):
+            want = 1  # the room sets out its seats otherwise
+            if have:
+                continue
+        category = have[0].item.category if have else (seats[0].what[0] if seats else "dining_chair")
+        missing = want - len(have)
+        yield finding(
+            "functionality", "incomplete_group", (table.id, *(b.id for b in have)),
+            f"{len(have)} seats within {PARENT_WIDE:g} m of {table.id}, which is {max(table.size[:2]):.1f} m long",
+            f"add {missing} {kinds.words(category)} around {table.id}", points=0.6 + 1.4 * missing / want,
+            tool="add_objects",
+            inputs={"objects": [{"category": category, "count": missing,
+                                 "place": [{"type": "front_against", "to": table.id}]}]},
+        )  # fmt: skip
+
+
+def _screens(survey: Survey) -> Iterator[Finding]:
+    """A television that nobody can watch from a seat."""
+    if not survey.of_kind(kinds.TVS) or survey.of_kind(kinds.LOUNGE, kinds.BEDS, kinds.LONG_BEDS):
+        return
+    if any(kinds.upright_seat(b.item.category) or b.item.category == "bench" for b in survey.bodies):
+        return
+    tvs = [b.id for b in survey.of_kind(kinds.TVS)]
+    yield finding(
+        "functionality", "incomplete_group", tvs, f"no seat in the room for {tvs[0]}", f"add a sofa facing {tvs[0]}",
+        points=1.2, tool="add_objects",
+        inputs={"objects": [{"category": "sofa", "count": 1, "place": [{"type": "facing", "to": tvs[0]}]}]},
+    )  # fmt: skip

@@ -1,0 +1,251 @@
+"""Whether things stand in order: backs at walls, axes along walls, equals in rows, pictures at the right height."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from sceneweaver.assets import categories
+from sceneweaver.verify.solids import Body
+
+from . import kinds
+from .grade import Finding, finding
+from .needs import table_of
+from .survey import Survey, off_axis
+
+BACK_GAP = 0.15
+"""Gap [m] between the back of a large thing and its wall that passes; curtains and skirting take some."""
+
+SOFA_GAP = 0.6
+"""The same for sofas, which may stand off a wall."""
+
+LOFTY = 30.0
+"""Floor [m2] from which a sofa may stand free, as between two parts of a large room."""
+
+STRAIGHT, CROOKED = math.radians(1.0), math.radians(8.0)
+"""Angles [rad] between which a thing looks as if it should have been parallel to a wall."""
+
+ROW_GAP = (0.015, 0.12)
+"""Offsets [m] between equals in a row that look like a mistake."""
+
+HEIGHT_SLACK = 0.3
+"""How far [m] beyond its usual heights something may hang."""
+
+ABOVE = 0.6
+"""Height [m] over a piece of furniture up to which something hangs by that piece and not by the floor."""
+
+
+def faults(survey: Survey) -> Iterator[Finding]:
+    """Disorder."""
+    yield from _away_from_walls(survey)
+    yield from _crooked(survey)
+    yield from _rows(survey)
+    yield from _heights(survey)
+
+
+# ---- walls -----------------------------------------------------------------------------------------------------------
+
+
+def _away_from_walls(survey: Survey) -> Iterator[Finding]:
+    for body in survey.of_kind(kinds.WALL_BACKED, kinds.SOFAS):
+        if body.item.mount != "floor" or not _belongs_to_wall(survey, body):
+            continue
+        sofa = body.item.category in kinds.SOFAS
+        most = SOFA_GAP if sofa else BACK_GAP
+        if sofa and survey.area > LOFTY:
+            continue
+        back = survey.back_wall(body)
+        if back is not None and back[1] <= most and math.degrees(back[2]) <= 20:
+            continue
+        if _backed(survey, body, most) or _in_corner(survey, body):
+            continue
+        gap = back[1] if back else math.inf
+        reason = f"the back of {body.id} is {gap:.2f} m from the wall behind it" if back else (
+            f"no wall is behind {body.id}"
+        )  # fmt: skip
+        yield finding(
+            "layout", "away_from_wall", (body.id,), reason, f"put {body.id} with its back against a wall",
+            points=1.0 if sofa else 1.5, tool="add_relation",
+            inputs={"relations": [{"type": "against_wall", "subject": body.id, "target": None, "hard": True}]},
+        )  # fmt: skip
+
+
+def _belongs_to_wall(survey: Survey, body: Body) -> bool:
+    """Whether nothing says that it stands elsewhere: the room's items, or the request."""
+    asked = survey.program.asked_of.get(body.id)
+    if any(r.subject == asked and r.type != "against_wall" and r.target in ("middle", "window", "corner")
+           for r in survey.brief.relations):  # fmt: skip
+        return False
+    name = survey.program.item_of.get(body.id)
+    if name is None:
+        return True
+    item = survey.room.item(name)
+    if not item.place and item.row is None:
+        return True
+    if item.row is not None:
+        return False
+    free = {"back_to_back", "centered_on", "front_to_front", "around", "side_by_side", "leftright_to_leftright"}
+    types = {p.type for p in item.place}
+    return bool(types & {"against_wall", "in_corner", "at_window"}) or not types & free
+
+
+def _backed(survey: Survey, body: Body, most: float) -> bool:
+    """Whether something large stands close behind it: another shelf's back, a console table, a divider."""
+    (x, y), (nx, ny), half = body.face("back")
+    for other, gap in survey.near(body, most + 0.05):
+        if other.item.mount != "floor" or gap > most:
+            continue
+        dx, dy = other.position[0] - x, other.position[1] - y
+        if dx * nx + dy * ny > 0.02 and abs(dy * nx - dx * ny) < half and max(other.size[:2]) > half:
+            return True
+    return False
+
+
+def _in_corner(survey: Survey, body: Body) -> bool:
+    """Whether it stands across a corner of the room, as corner pieces do."""
+    return "corner" in body.item.category and float(survey.wall_gaps[body.index]) < 0.1
+
+
+# ---- angles ----------------------------------------------------------------------------------------------------------
+
+
+def _axis_gap(survey: Survey, body: Body) -> float:
+    """Least angle [rad] between a body and the walls, or the table that it belongs to."""
+    best = float(survey.wall_angles[body.index])
+    if seat := kinds.upright_seat(body.item.category):
+        table = table_of(survey, body)
+        if table is not None and "round" not in table.item.category and seat:
+            best = min(best, abs(off_axis(body.yaw - table.yaw)))
+    return best
+
+
+def _crooked(survey: Survey) -> Iterator[Finding]:
+    if len(survey.wall_axes) > 3:
+        return  # a round room has no axes
+    slight: list[tuple[str, float]] = []
+    for body in survey.standing:
+        row = categories().get(body.item.category)
+        d, w, _ = body.size
+        round_ = abs(d - w) < 0.03 * max(d, w) and (row is None or not row.sides)
+        if round_ or "round" in body.item.category or body.item.category in kinds.TALL_PLANTS:
+            continue
+        angle = _axis_gap(survey, body)
+        if kinds.upright_seat(body.item.category):
+            table = table_of(survey, body)
+            if table is None or "round" in table.item.category or table.item.category == "conference_table":
+                continue
+        if STRAIGHT < angle < CROOKED:
+            slight.append((body.id, math.degrees(angle)))
+        elif angle >= CROOKED and (
+            body.item.category in kinds.WALL_BACKED | kinds.BEDS | kinds.LONG_BEDS | kinds.SOFAS | kinds.DESKS
+            or body.item.category in kinds.DINING
+        ):
+            yield finding(
+                "layout", "askew", (body.id,),
+                f"{body.id} is turned {math.degrees(angle):.0f} degrees against the walls",
+                f"turn {body.id} parallel to a wall", points=0.8, tool="update_rotation",
+                inputs={"ids": [body.id], "yaw": _straight(survey, body)},
+            )  # fmt: skip
+    for body_id, degrees in slight:
+        body = survey.placed.by_id[body_id]
+        yield finding(
+            "layout", "crooked", (body_id,), f"{body_id} is {degrees:.1f} degrees off the direction of the walls",
+            f"turn {body_id} parallel to a wall", points=0.5, tool="update_rotation",
+            inputs={"ids": [body_id], "yaw": _straight(survey, body)},
+        )  # fmt: skip
+
+
+def _straight(survey: Survey, body: Body) -> float:
+    gaps = [off_axis(body.yaw - float(a)) for a in survey.wall_axes]
+    yaw = body.yaw - min(gaps, key=abs)
+    return round(math.remainder(yaw, 2 * math.pi), 4)
+
+
+# ---- rows ------------------------------------------------------------------------------------------------------------
+
+
+def _rows(survey: Survey) -> Iterator[Finding]:
+    """Three or more equals that nearly stand in line."""
+    sets: dict[str, list[Body]] = defaultdict(list)
+    for body in survey.standing:
+        if "plant" not in body.item.category:
+            sets[body.item.category].append(body)
+    for category, bodies in sets.items():
+        if len(bodies) < 3:
+            continue
+        uneven = _uneven(bodies)
+        if uneven:
+            ids = sorted({i for pair in uneven for i in pair[:2]})
+            worst = max(uneven, key=lambda u: u[2])
+            yield finding(
+                "layout", "uneven_row", ids,
+                f"{worst[0]} stands {100 * worst[2]:.0f} cm out of line with {worst[1]}",
+                f"line up the {kinds.words(category)}s", points=min(1.5, 0.4 * len(uneven)), tool="add_relation",
+                inputs={"relations": [{"type": "aligned", "subject": a, "target": b, "hard": False}
+                                      for a, b, _ in uneven]},
+            )  # fmt: skip
+
+
+def _uneven(bodies: list[Body]) -> list[tuple[str, str, float]]:
+    """Pairs (id, id, offset [m]) of near neighbours that nearly stand in line."""
+    centres = np.array([b.centre for b in bodies])
+    yaws = np.array([b.yaw for b in bodies])
+    reach = 1.2 * max(max(b.size[:2]) for b in bodies) + 0.6
+    found = []
+    for i, body in enumerate(bodies):
+        rest = centres - centres[i]
+        c, s = math.cos(body.yaw), math.sin(body.yaw)
+        ahead, aside = rest[:, 0] * c + rest[:, 1] * s, rest[:, 1] * c - rest[:, 0] * s
+        quarter = math.pi / 2
+        same = np.abs((yaws - body.yaw + quarter / 2) % quarter - quarter / 2) < math.radians(3)
+        for along, across in ((aside, ahead), (ahead, aside)):
+            mates = np.flatnonzero(same & (along > 0.05) & (along < reach) & (np.abs(across) < 0.2))
+            if not len(mates):
+                continue
+            j = int(mates[np.argmin(along[mates])])
+            off = abs(float(across[j]))
+            if ROW_GAP[0] < off < ROW_GAP[1]:
+                found.append((body.id, bodies[j].id, off))
+    return found
+
+
+# ---- heights ---------------------------------------------------------------------------------------------------------
+
+
+def _heights(survey: Survey) -> Iterator[Finding]:
+    for body in survey.bodies:
+        if body.item.mount != "wall":
+            continue
+        low, high = _usual_heights(survey, body)
+        bottom = body.z[0]
+        if low - HEIGHT_SLACK <= bottom <= high + HEIGHT_SLACK or _over_furniture(survey, body):
+            continue
+        again: dict[str, Any] = {"tool": "update_layout", "inputs": {"ids": [body.id]}}
+        yield finding(
+            "layout", "odd_height", (body.id,),
+            f"{body.id} hangs {bottom:.2f} m above the floor; usual are {low:.2f} to {high:.2f} m",
+            f"hang {body.id} at {(low + high) / 2:.2f} m", points=0.8, **again,
+        )  # fmt: skip
+
+
+def _usual_heights(survey: Survey, body: Body) -> tuple[float, float]:
+    hang = body.item.attributes.get("hang")
+    item = survey.program.item_of.get(body.id)
+    given = survey.room.item(item).bottom if item else None
+    row = categories().get(body.item.category)
+    low, high = given or (row.bottom if row and row.bottom else (0.0, 10.0))
+    if isinstance(hang, list | tuple) and len(hang) == 2 and all(isinstance(h, int | float) for h in hang):
+        low, high = min(low, float(hang[0])), max(high, float(hang[1]))
+    return low, high
+
+
+def _over_furniture(survey: Survey, body: Body) -> bool:
+    """Whether it hangs a little over something that stands at its wall."""
+    for other, _ in survey.near(body, 0.3):
+        if other.item.mount in ("floor", "surface") and 0.0 <= body.z[0] - other.z[1] <= ABOVE:
+            return True
+    return False

@@ -1,0 +1,73 @@
+"""What the judge's report says, as faults: collisions, floating things, blocked ways, broken relations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from sceneweaver.verify import Violation
+
+from .grade import Finding, finding
+from .survey import Survey
+
+LID = 5.0
+"""Highest grade of a layout whose faults hinder its use."""
+
+WALKABLE, REACHABLE = 0.9, 0.97
+"""Shares of the free floor, and of the furniture, that a person should get to."""
+
+SOLID = ("collision", "out_of_bounds", "unsupported")
+
+
+def faults(survey: Survey) -> Iterator[Finding]:
+    """All that the report holds against the scene."""
+    for violation in survey.report.violations:
+        yield from _violation(survey, violation)
+    yield from _ways(survey)
+
+
+def _violation(survey: Survey, v: Violation) -> Iterator[Finding]:
+    ids = tuple(name for name in v.objects if name in survey.placed.by_id)
+    again: dict[str, Any] = {"tool": "update_layout", "inputs": {"ids": list(ids)}}
+    match v.kind:
+        case "collision" | "out_of_bounds" | "unsupported":
+            floating = v.kind == "unsupported"
+            fix = "set it down on what carries it" if floating else f"lay out {' and '.join(ids)} again"
+            yield finding("layout", v.kind, ids, v.detail, fix, points=2.0, cap=LID, **again)
+            points = 2.0 if floating else 1.0
+            yield finding("realism", v.kind, ids, v.detail, fix, points=points, cap=LID if floating else None, **again)
+        case "blocked_zone" | "blocked_opening":
+            fix = f"move {ids[-1]} out of the way" if ids else "clear the way"
+            again["inputs"] = {"ids": [ids[-1]] if ids else []}
+            points = min(2.0, 1.2 + 2.0 * v.amount)
+            yield finding("layout", v.kind, v.objects, v.detail, fix, points=points, cap=LID, **again)
+        case "relation":
+            fix = f"lay out {v.objects[0]} again so that it holds"
+            yield finding("layout", "broken_relation", v.objects, v.detail, fix, points=1.0, **again)
+        case "soft_relation":
+            yield finding("layout", "soft_relation", v.objects, v.detail, points=0.15, **again)
+        case "dropped":
+            why = next((d.category for d in survey.scene.dropped if d.id == v.objects[0]), v.objects[0])
+            call = {"objects": [{"category": why, "count": 1}]}
+            fix = f"make room for the {why} and add it again"
+            for criterion in ("completion", "alignment"):
+                yield finding(criterion, "dropped", v.objects, v.detail, fix, points=1.5, tool="add_objects",
+                              inputs=call)  # fmt: skip
+
+
+def _ways(survey: Survey) -> Iterator[Finding]:
+    report = survey.report
+    walk, reach = report.walkable_share, report.reachable_share
+    again: dict[str, Any] = {"tool": "update_layout", "inputs": {"ids": []}}
+    if walk is not None and walk < WALKABLE:
+        yield finding(
+            "layout", "unwalkable", (), f"{walk:.0%} of the free floor can be reached from the door",
+            "lay out the room again with wider ways", points=0.5 + 8.0 * (WALKABLE - walk),
+            cap=LID if walk < 0.7 else None, **again,
+        )  # fmt: skip
+    if reach is not None and reach < REACHABLE:
+        yield finding(
+            "functionality", "unreachable", (), f"{reach:.0%} of the furniture can be reached from the door",
+            "lay out the room again so that all furniture can be reached", points=0.3 + 5.0 * (REACHABLE - reach),
+            cap=5.5 if reach < 0.7 else None, **again,
+        )  # fmt: skip

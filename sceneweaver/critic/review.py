@@ -1,0 +1,77 @@
+"""The symbolic critic: every check over one scene, and the grades that come of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from sceneweaver.brief import Brief
+from sceneweaver.knowledge import RoomType
+from sceneweaver.scene import Scene
+from sceneweaver.verify import Report
+
+from . import access, asked, belonging, facing, finish, needs, order, physical, sizes, space
+from .grade import Finding, finding, grades
+from .model import Review
+from .survey import Survey
+
+CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (
+    physical.faults,
+    needs.faults,
+    belonging.faults,
+    sizes.faults,
+    facing.faults,
+    access.faults,
+    order.faults,
+    space.faults,
+    finish.faults,
+    asked.faults,
+)
+"""All checks; each reads the survey and gives what it finds."""
+
+
+def review_scene(scene: Scene, report: Report, room: RoomType, brief: Brief) -> Review:
+    """Grade a scene as a critical visitor would, from its symbols alone: no picture and no model is needed.
+
+    Args:
+        scene: the scene, in metres.
+        report: what ``sceneweaver.verify.check(scene)`` says about it.
+        room: the kind of room that it should be.
+        brief: the request, read.
+
+    Returns:
+        Grades 0 to 10 for realism, functionality, layout, completion and alignment; every fault with numbers and,
+        where one can mend it, a call of a tool; and what was measured.
+    """
+    survey = Survey.of(scene, report, room, brief)
+    if not scene.objects:
+        found = [*_empty(survey), *asked.faults(survey)]
+    else:
+        found = [f for check in CHECKS for f in check(survey)]
+    ranked = sorted(found, key=lambda f: (f.cap is None, -f.fault.points))
+    return Review(grades=grades(found), faults=tuple(f.fault for f in ranked), measures=_measures(survey))
+
+
+def _empty(survey: Survey) -> Iterator[Finding]:
+    yield from needs.faults(survey)
+    for criterion in ("realism", "functionality", "layout", "completion"):
+        yield finding(criterion, "empty_room", (), "the room is empty", "furnish the room", points=9.0, cap=1.0)
+
+
+def _measures(survey: Survey) -> dict[str, float]:
+    report, scene = survey.report, survey.scene
+    floor = max(1, sum(o.mount == "floor" for o in scene.objects))
+    found = {
+        "objects": float(len(scene.objects)),
+        "floor_objects": float(sum(o.mount == "floor" for o in scene.objects)),
+        "relations_per_floor_object": len(scene.relations) / floor,
+        "floor_m2": survey.area,
+        "violations": float(sum(v.kind != "soft_relation" for v in report.violations)),
+        **belonging.measures(survey),
+        **space.measures(survey),
+        **finish.measures(survey),
+    }
+    for name in ("walkable_share", "reachable_share"):
+        share = getattr(report, name)
+        if share is not None:
+            found[name] = float(share)
+    return {name: round(value, 4) for name, value in found.items()}

@@ -1,0 +1,200 @@
+"""How the floor is filled: what is covered, what lies empty, and whether one end has it all."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .grade import Finding, finding
+from .survey import Survey
+
+REACH = 0.6
+"""Distance [m] around furniture that belongs to it: where one stands, sits and passes."""
+
+CELLS = 4000
+"""Cells of the grid that the floor is measured with, about."""
+
+CROWDED = 0.6
+"""Share of the floor under furniture from which a room is crowded."""
+
+EMPTY = 0.12
+"""Share of the floor that may lie idle in one rectangle, beyond the reach of all furniture."""
+
+EMPTY_LEAST = 2.0
+"""Area [m2] up to which an idle rectangle is no fault."""
+
+ONE_SIDED = 0.08
+"""Share of the furniture that each half of the room should have."""
+
+
+@dataclass(frozen=True)
+class Floor:
+    """The floor as a grid: ``inside`` the room, ``taken`` by furniture, ``used`` within `REACH` of it; [rows, cols]."""
+
+    cell: float
+    inside: NDArray[np.bool_]
+    taken: NDArray[np.bool_]
+    used: NDArray[np.bool_]
+    turn: float
+    origin: tuple[float, float]
+
+    def share(self, mask: NDArray[np.bool_]) -> float:
+        """Share of the room that a mask covers."""
+        return float((mask & self.inside).sum()) / max(1, int(self.inside.sum()))
+
+    def world(self, row: float, column: float) -> tuple[float, float]:
+        """The point [m] of a position in the grid."""
+        u, v = self.origin[0] + column * self.cell, self.origin[1] + row * self.cell
+        c, s = math.cos(self.turn), math.sin(self.turn)
+        return c * u - s * v, s * u + c * v
+
+
+def floor_of(survey: Survey) -> Floor:
+    """Measure the floor in the directions of the longest wall."""
+    kept = survey.__dict__.get("_floor")
+    if kept is None:
+        kept = survey.__dict__["_floor"] = _measure(survey)
+    return kept
+
+
+def _measure(survey: Survey) -> Floor:
+    import shapely
+    from scipy.ndimage import distance_transform_edt
+
+    turn = survey.axis
+    c, s = math.cos(-turn), math.sin(-turn)
+    rotate = np.array([[c, s], [-s, c]])
+    outline = np.asarray(survey.scene.room.outline) @ rotate
+    low, high = outline.min(axis=0), outline.max(axis=0)
+    cell = max(0.06, math.sqrt(survey.area / CELLS))
+    shape = np.maximum(1, np.ceil((high - low) / cell)).astype(int)
+    us, vs = (low[k] + (np.arange(shape[k]) + 0.5) * cell for k in (0, 1))
+    grid_u, grid_v = np.meshgrid(us, vs)
+    room = shapely.Polygon(outline)
+    shapely.prepare(room)
+    inside = np.asarray(shapely.contains_xy(room, grid_u, grid_v))
+    taken = np.zeros_like(inside)
+    parts = survey.placed.parts
+    owners = {b.index for b in survey.standing}
+    rows = [k for k in range(len(parts)) if int(parts.owner[k]) in owners]
+    for k in rows:
+        _fill(taken, parts.xy[k] @ rotate, us, vs)
+    away = np.asarray(distance_transform_edt(~taken)) * cell if taken.any() else np.full(inside.shape, np.inf)
+    used = away <= REACH
+    return Floor(cell, inside, taken & inside, used & inside, turn, (float(low[0]), float(low[1])))
+
+
+def _fill(mask: NDArray[np.bool_], polygon: NDArray[np.float64], us: NDArray, vs: NDArray) -> None:
+    """Set the cells whose centres lie in a convex counter-clockwise polygon [k, 2]."""
+    (u0, v0), (u1, v1) = polygon.min(axis=0), polygon.max(axis=0)
+    a, b = np.searchsorted(us, (u0, u1))
+    c, d = np.searchsorted(vs, (v0, v1))
+    if a >= b or c >= d:
+        return
+    u, v = us[a:b][None, :], vs[c:d][:, None]
+    ends = np.roll(polygon, -1, axis=0)
+    within = np.ones((d - c, b - a), dtype=bool)
+    for (x0, y0), (x1, y1) in zip(polygon, ends, strict=True):
+        within &= (x1 - x0) * (v - y0) - (y1 - y0) * (u - x0) >= -1e-9
+    mask[c:d, a:b] |= within
+
+
+def largest_rectangle(free: NDArray[np.bool_]) -> tuple[int, int, int, int, int]:
+    """The largest all-true rectangle: cells, first row, first column, rows, columns."""
+    best = (0, 0, 0, 0, 0)
+    heights = np.zeros(free.shape[1], dtype=int)
+    for r in range(free.shape[0]):
+        heights = np.where(free[r], heights + 1, 0)
+        stack: list[tuple[int, int]] = []
+        for k, h in enumerate([*heights.tolist(), 0]):
+            start = k
+            while stack and stack[-1][1] >= h:
+                start, tall = stack.pop()
+                if tall * (k - start) > best[0]:
+                    best = (tall * (k - start), r - tall + 1, start, tall, k - start)
+            stack.append((start, h))
+    return best
+
+
+def measures(survey: Survey) -> dict[str, float]:
+    """Shares of the floor that are covered and used, and the largest idle rectangle [m2]."""
+    floor = floor_of(survey)
+    free = largest_rectangle(floor.inside & ~floor.taken)[0] * floor.cell**2
+    idle = _idle(survey)[0] * floor.cell**2
+    return {
+        "covered_share": floor.share(floor.taken),
+        "used_share": floor.share(floor.used),
+        "free_rectangle_m2": free,
+        "empty_rectangle_m2": idle,
+        "balance": _halves(floor)[0],
+    }
+
+
+def _idle(survey: Survey) -> tuple[int, int, int, int, int]:
+    floor = floor_of(survey)
+    kept = survey.__dict__.get("_idle")
+    if kept is None:
+        kept = survey.__dict__["_idle"] = largest_rectangle(floor.inside & ~floor.used)
+    return kept
+
+
+def faults(survey: Survey) -> Iterator[Finding]:
+    """A crowded floor, idle corners, all the furniture at one end."""
+    floor = floor_of(survey)
+    covered = floor.share(floor.taken)
+    sparse = survey.brief.density == "sparse" or survey.brief.only
+    if covered > CROWDED:
+        ids = [b.id for b in sorted(survey.standing, key=lambda b: (round(-b.size[0] * b.size[1], 4), b.id))[:3]]
+        spare = _spare(survey) or ids[-1:]
+        yield finding(
+            "layout", "crowded", ids, f"furniture covers {covered:.0%} of the floor",
+            f"remove {', '.join(spare)}", points=0.5 + 12.0 * (covered - CROWDED),
+            cap=5.0 if covered > CROWDED + 0.15 else None, tool="remove_objects", inputs={"ids": spare},
+        )  # fmt: skip
+    cells, row, column, rows, columns = _idle(survey)
+    idle = cells * floor.cell**2
+    limit = max(EMPTY_LEAST, (2.0 if sparse else 1.0) * EMPTY * survey.area)
+    if idle > limit and survey.bodies:
+        x, y = floor.world(row + rows / 2, column + columns / 2)
+        share = idle / survey.area
+        yield finding(
+            "layout", "empty_area", (),
+            f"{columns * floor.cell:.1f} x {rows * floor.cell:.1f} m around ({x:.1f}, {y:.1f}) lie empty, "
+            f"{share:.0%} of the floor", "spread the furniture over the room", points=0.5 + 5.0 * (share - 0.5 * EMPTY),
+            tool="update_layout", inputs={"ids": []},
+        )  # fmt: skip
+    least, way = _halves(floor)
+    if least < ONE_SIDED and len(survey.standing) >= 4 and not sparse and survey.area > 8.0:
+        yield finding(
+            "layout", "one_sided", (),
+            f"the {way} half of the room has {least:.0%} of the furniture", "spread the furniture over the room",
+            points=0.6 + 6.0 * (ONE_SIDED - least), tool="update_layout", inputs={"ids": []},
+        )  # fmt: skip
+
+
+def _spare(survey: Survey) -> list[str]:
+    """Furniture that the room could do without, the largest first."""
+    needed = {id for n in survey.program.needs if n.item.need == "needed" for id in n.have}
+    spare = [b for b in survey.standing if b.id not in needed and b.id not in survey.program.asked_of]
+    return [b.id for b in sorted(spare, key=lambda b: (round(-b.size[0] * b.size[1], 4), b.id))[:2]]
+
+
+def _halves(floor: Floor) -> tuple[float, str]:
+    """The least share of the furniture that a half of the room has, against the floor in it; which half."""
+    total = int(floor.taken.sum())
+    if total == 0:
+        return 0.0, "whole"
+    best, name = 1.0, ""
+    for axis, words in ((1, ("left", "right")), (0, ("near", "far"))):
+        area = np.cumsum(floor.inside.sum(axis=1 - axis))
+        cut = int(np.searchsorted(area, area[-1] / 2)) + 1
+        taken = floor.taken.sum(axis=1 - axis)
+        for part, word in ((taken[:cut], words[0]), (taken[cut:], words[1])):
+            share = float(part.sum()) / total
+            if share < best:
+                best, name = share, word
+    return best, name

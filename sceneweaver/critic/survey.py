@@ -1,0 +1,232 @@
+"""The scene read once for all checks: where things are, what they are to the room, what ties them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sceneweaver.brief import Brief
+from sceneweaver.knowledge import RoomType
+from sceneweaver.scene import Scene
+from sceneweaver.verify import Report
+from sceneweaver.verify.solids import Body, Placed, Wall
+
+from .program import Program
+
+FLAT = 0.03
+"""Height [m] up to which things are walked on."""
+
+SEAT_TIES = frozenset(("front_against", "front_to_front", "around", "facing", "in_front_of"))
+"""Relations that say to which table a seat belongs."""
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Survey:
+    """All that the checks look at."""
+
+    scene: Scene
+    report: Report
+    room: RoomType
+    brief: Brief
+    placed: Placed
+
+    @classmethod
+    def of(cls, scene: Scene, report: Report, room: RoomType, brief: Brief) -> Survey:
+        """Read a scene."""
+        return cls(scene, report, room, brief, Placed.of(scene))
+
+    @cached_property
+    def program(self) -> Program:
+        """Which object stands for which item of the room and of the request."""
+        return Program.of(self.scene, self.room, self.brief, self.area)
+
+    @cached_property
+    def area(self) -> float:
+        """Floor [m2]."""
+        return float(self.placed.floor.area)
+
+    @cached_property
+    def bodies(self) -> tuple[Body, ...]:
+        """All objects."""
+        return self.placed.bodies
+
+    @cached_property
+    def standing(self) -> tuple[Body, ...]:
+        """What stands on the floor and is no rug."""
+        return tuple(b for b in self.bodies if b.item.mount == "floor" and b.size[2] > FLAT)
+
+    def of_kind(self, *kinds: Iterable[str]) -> list[Body]:
+        """The objects of some categories."""
+        wanted = frozenset().union(*kinds)
+        return [b for b in self.bodies if b.item.category in wanted]
+
+    @cached_property
+    def axis(self) -> float:
+        """Direction [rad] of the longest wall, modulo 90 degrees."""
+        longest = max(self.placed.walls, key=lambda w: round(w.length, 6))
+        return math.atan2(longest.along[1], longest.along[0]) % (math.pi / 2)
+
+    @cached_property
+    def wall_axes(self) -> Array:
+        """Directions [rad] of the walls modulo 90 degrees, each once."""
+        found: list[float] = []
+        for wall in self.placed.walls:
+            if wall.length < 0.4:
+                continue
+            angle = math.atan2(wall.along[1], wall.along[0])
+            if all(abs(off_axis(angle - other)) > math.radians(1.0) for other in found):
+                found.append(angle % (math.pi / 2))
+        return np.array(found or [self.axis])
+
+    @cached_property
+    def wall_angles(self) -> Array:
+        """Per object the least angle [rad] between its axes and a wall's; [n]."""
+        yaws = np.array([b.yaw for b in self.bodies]).reshape(-1, 1)
+        return np.abs(off_axis_array(yaws - self.wall_axes)).min(axis=1) if len(self.bodies) else np.empty(0)
+
+    @cached_property
+    def wall_gaps(self) -> Array:
+        """Distance [m] of each object's box from the nearest wall in plan, [n]; 0 where they touch or cross."""
+        import shapely
+
+        if not self.bodies:
+            return np.empty(0)
+        return np.asarray(shapely.distance(self.boxes, self.placed.floor.exterior))
+
+    @cached_property
+    def boxes(self) -> NDArray[Any]:
+        """The boxes of the objects in plan as shapely polygons [n]."""
+        import shapely
+
+        made: Any = shapely.polygons(np.array([_four(b.corners) for b in self.bodies]).reshape(-1, 4, 2))
+        return made
+
+    @cached_property
+    def footprints(self) -> NDArray[Any]:
+        """The union of each object's parts in plan as a shapely geometry [n]."""
+        import shapely
+
+        rows = [self.placed.parts.polygons[self.placed.part_rows(b)] for b in self.bodies]
+        out = np.empty(len(rows), dtype=object)
+        for i, parts in enumerate(rows):
+            out[i] = parts[0] if len(parts) == 1 else shapely.union_all(parts)
+        return out
+
+    @cached_property
+    def tree(self) -> Any:
+        """An index of the boxes in plan."""
+        import shapely
+
+        return shapely.STRtree(self.boxes)
+
+    def near(self, body: Body, distance: float) -> list[tuple[Body, float]]:
+        """Other objects whose box is within ``distance`` [m] of a body's, with their distances, nearest first."""
+        import shapely
+
+        rows = self.tree.query(self.boxes[body.index], predicate="dwithin", distance=distance)
+        rows = rows[rows != body.index]
+        gaps = shapely.distance(self.boxes[rows], self.boxes[body.index])
+        order = np.lexsort((rows, np.round(gaps, 4)))
+        return [(self.bodies[int(rows[k])], float(gaps[k])) for k in order]
+
+    def back_wall(self, body: Body) -> tuple[Wall, float, float] | None:
+        """The wall that the back of a body looks at, the gap [m] and the angle [rad] between them; None: none."""
+        face = body.face("back")
+        best = None
+        for wall in self.placed.walls:
+            turned = -(face.normal[0] * wall.inward[0] + face.normal[1] * wall.inward[1])
+            along, gap = wall.coordinates(face.centre)
+            if turned < 0.7 or not -0.1 <= along <= wall.length + 0.1 or gap < -0.2:
+                continue
+            if best is None or gap < best[1]:
+                best = (wall, max(0.0, gap), math.acos(min(1.0, turned)))
+        return best
+
+    def clear_ahead(self, body: Body, side: str = "front") -> float:
+        """Distance [m] from the middle of a side to the wall ahead of it."""
+        face = body.face(side)
+        return self._ray(face.centre, face.normal)
+
+    def _ray(self, start: tuple[float, float], way: tuple[float, float]) -> float:
+        best = math.inf
+        for wall in self.placed.walls:
+            facing = -(way[0] * wall.inward[0] + way[1] * wall.inward[1])
+            if facing < 1e-6:
+                continue
+            along, gap = wall.coordinates(start)
+            if gap < -0.05:
+                continue
+            t = max(0.0, gap) / facing
+            hit, _ = wall.coordinates((start[0] + t * way[0], start[1] + t * way[1]))
+            if -1e-6 <= hit <= wall.length + 1e-6:
+                best = min(best, t)
+        return best
+
+    @cached_property
+    def ties(self) -> dict[str, list[tuple[str, str]]]:
+        """For each object the (relation type, other object) in which it is a subject."""
+        found: dict[str, list[tuple[str, str]]] = {}
+        for r in self.scene.relations:
+            for target in r.targets:
+                if target in self.placed.by_id:
+                    found.setdefault(r.subject, []).append((r.type, target))
+        return found
+
+    @cached_property
+    def pairs(self) -> set[frozenset[str]]:
+        """Pairs of objects that some relation names together."""
+        return {frozenset((s, t)) for s, all_ties in self.ties.items() for _, t in all_ties}
+
+    @cached_property
+    def carried(self) -> dict[str, list[Body]]:
+        """What stands on each object."""
+        found: dict[str, list[Body]] = {}
+        for body in self.bodies:
+            if body.item.support is not None:
+                found.setdefault(body.item.support.object, []).append(body)
+        return found
+
+    @cached_property
+    def violated(self) -> dict[str, set[frozenset[str]]]:
+        """Per kind of violation the sets of names that take part."""
+        found: dict[str, set[frozenset[str]]] = {}
+        for v in self.report.violations:
+            found.setdefault(v.kind, set()).add(frozenset(v.objects))
+        return found
+
+
+def off_axis(angle: float) -> float:
+    """The angle [rad] brought into (-45, 45] degrees by quarter turns."""
+    quarter = math.pi / 2
+    return (angle + quarter / 2) % quarter - quarter / 2
+
+
+def off_axis_array(angle: Array) -> Array:
+    """`off_axis` for arrays."""
+    quarter = math.pi / 2
+    return (angle + quarter / 2) % quarter - quarter / 2
+
+
+def turn_to(body: Body, point: tuple[float, float]) -> float:
+    """Angle [rad] in 0..pi between a body's front and the way from its centre to a point."""
+    dx, dy = point[0] - body.position[0], point[1] - body.position[1]
+    if math.hypot(dx, dy) < 1e-6:
+        return 0.0
+    fx, fy = body.front
+    return abs(math.atan2(fx * dy - fy * dx, fx * dx + fy * dy))
+
+
+def _four(corners: tuple[tuple[float, float], ...]) -> list[tuple[float, float]]:
+    """Four corners; those of a tilted box are the corners of the bounds of its shadow."""
+    if len(corners) == 4:
+        return list(corners)
+    xs, ys = [c[0] for c in corners], [c[1] for c in corners]
+    return [(min(xs), min(ys)), (max(xs), min(ys)), (max(xs), max(ys)), (min(xs), max(ys))]

@@ -1,0 +1,121 @@
+"""What every object of a scene looks like: a mesh in its own frame, shared by all that have the same one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Literal
+
+import numpy as np
+
+from sceneweaver.assets import Asset, Material, Mesh
+from sceneweaver.assets.materials import color_named, finish, tinted
+from sceneweaver.scene import InputError, Part, Scene, SceneObject
+
+Load = Callable[[str], Asset]
+"""From the id of an asset to the asset; ``Library().load`` is one."""
+
+Missing = Literal["error", "parts"]
+"""What happens to an object whose asset cannot be loaded: an error, or it is shown as its parts."""
+
+_SAME_SIZE = 1e-5  # [m], relative to the extents of furniture: sizes of assets are rounded to 1e-6
+
+_CLAY = Material("clay", (0.78, 0.74, 0.69), roughness=0.8)
+
+
+@dataclass(frozen=True)
+class Body:
+    """The look of one object.
+
+    ``mesh`` is in the frame of the asset; bodies with an equal ``key`` have the same. ``scale`` [3] brings it to the
+    object's size, (1, 1, 1) unless someone gave the object another size than its asset has. ``note`` says what had
+    to be done without, empty when nothing.
+    """
+
+    object: SceneObject
+    key: str
+    mesh: Mesh
+    scale: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    note: str = ""
+
+
+def bodies_of(scene: Scene, load: Load | None = None, missing: Missing = "error") -> list[Body]:
+    """The bodies of all objects, in their order; each asset is loaded once.
+
+    Raises:
+        InputError: when an asset cannot be loaded, unless ``missing`` is "parts".
+    """
+    load = cache(load or _library())
+    return [_body(index, thing, load, missing) for index, thing in enumerate(scene.objects)]
+
+
+def prisms(parts: Sequence[Part], material: Material) -> Mesh:
+    """The mesh of convex prisms: each one a closed piece of its own."""
+    vertices: list[np.ndarray] = []
+    faces: list[np.ndarray] = []
+    start = 0
+    for part in parts:
+        plan = np.asarray(part.polygon, dtype=float)
+        n = len(plan)
+        vertices += [np.column_stack([plan, np.full(n, z)]) for z in part.z]
+        fan = np.array([(0, k, k + 1) for k in range(1, n - 1)])
+        ring = np.arange(n)
+        after = (ring + 1) % n
+        walls = np.concatenate([np.stack([ring, after, after + n], 1), np.stack([ring, after + n, ring + n], 1)])
+        faces.append(np.concatenate([fan[:, ::-1], fan + n, walls]) + start)
+        start += 2 * n
+    triangles = np.concatenate(faces).astype(np.int32)
+    zeros = np.zeros(len(triangles), dtype=np.int32)
+    return Mesh(np.concatenate(vertices), triangles, zeros, zeros, (material,))
+
+
+def _body(index: int, thing: SceneObject, load: Load, missing: Missing) -> Body:
+    if thing.asset is None:
+        return _plain(thing)
+    try:
+        asset = load(thing.asset)
+    except InputError as error:
+        if missing == "error":
+            raise InputError(f"objects[{index}].asset: {str(error).removeprefix('asset: ')}") from None
+        return _plain(thing, f"{thing.id}: its mesh is missing, its collision parts are shown")
+    factors = np.asarray(thing.size) / np.maximum(np.asarray(asset.size), 1e-9)
+    if np.max(np.abs(factors - 1) * np.asarray(thing.size)) < _SAME_SIZE:
+        factors = np.ones(3)
+    x, y, z = (float(f) for f in factors)
+    return Body(thing, thing.asset, asset.mesh, (x, y, z))
+
+
+def _plain(thing: SceneObject, note: str = "") -> Body:
+    """The parts of an object as they are."""
+    material = _material_of(thing)
+    shape = ";".join(f"{p.polygon}{p.z}" for p in thing.solids)
+    return Body(thing, f"parts:{material.name}:{shape}", prisms(thing.solids, material), note=note)
+
+
+def _material_of(thing: SceneObject) -> Material:
+    """The finish that an object's attributes name; else the colour of unpainted clay."""
+    found = _CLAY
+    material, color = thing.attributes.get("material"), thing.attributes.get("color")
+    if isinstance(material, str):
+        try:
+            found = finish(material.strip().lower())
+        except KeyError:
+            found = _CLAY
+        else:
+            found = found.material
+    if isinstance(color, str):
+        try:
+            found = tinted(found, color_named(color))
+        except InputError:  # any words may stand there
+            return found
+    return found
+
+
+def _library() -> Load:
+    from sceneweaver.assets import Library
+
+    return Library().load
+
+
+__all__ = ["Body", "Load", "Missing", "bodies_of", "prisms"]

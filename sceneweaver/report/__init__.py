@@ -1,0 +1,8 @@
+"""One HTML page about a scene: an interactive 3D view, pictures, numbers and how it came about."""
+
+from .data import ReportData as ReportData
+from .data import StepRow as StepRow
+from .page import report_html as report_html
+from .page import write_report as write_report
+
+__all__ = ["ReportData", "StepRow", "report_html", "write_report"]

@@ -1,0 +1,123 @@
+"""What the page says of relations, violations and objects, drawn from the scene and its metrics."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from sceneweaver.scene import Relation, Scene, SceneObject
+
+KINDS = {
+    "collision": "Collision",
+    "out_of_bounds": "Out of the room",
+    "unsupported": "Unsupported",
+    "blocked_zone": "Blocked zone",
+    "blocked_opening": "Blocked opening",
+    "relation": "Relation",
+    "soft_relation": "Soft relation",
+    "dropped": "Dropped",
+}
+
+
+@dataclass(frozen=True)
+class RelationRow:
+    """A relation in words; ``held`` is None when nobody checked, ``detail`` says what was measured when it fails."""
+
+    relation: Relation
+    text: str
+    held: bool | None
+    detail: str = ""
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A violation of metrics.json."""
+
+    kind: str
+    objects: tuple[str, ...]
+    detail: str
+
+    @property
+    def name(self) -> str:
+        """Its kind in words."""
+        return KINDS.get(self.kind, self.kind)
+
+
+def faults_of(metrics: Mapping[str, Any]) -> list[Fault]:
+    """The violations of metrics.json, in their order."""
+    rows = metrics.get("violations") or ()
+    return [Fault(str(v["kind"]), tuple(str(o) for o in v["objects"]), str(v["detail"])) for v in rows]
+
+
+def relation_rows(scene: Scene, metrics: Mapping[str, Any]) -> list[RelationRow]:
+    """All relations; one is broken when a violation is about it."""
+    checked = "violations" in metrics
+    said: dict[tuple[str, str], list[str]] = defaultdict(list)
+    for fault in faults_of(metrics):
+        if fault.kind in ("relation", "soft_relation"):
+            head, _, detail = fault.detail.partition(": ")
+            said[(fault.kind, head)].append(detail)
+    rows = []
+    for relation in scene.relations:
+        words = " ".join((relation.subject, relation.type, " and ".join(relation.targets))).rstrip()
+        details = said.get(("relation" if relation.hard else "soft_relation", words))
+        detail = details.pop(0) if details else ""
+        rows.append(RelationRow(relation, _phrase(relation), None if not checked else not detail, detail))
+    return rows
+
+
+def object_facts(scene: Scene, rows: list[RelationRow], faults: list[Fault]) -> dict[str, dict[str, Any]]:
+    """By id, what the panel of the 3D view shows of an object."""
+    carries: dict[str, list[str]] = defaultdict(list)
+    for thing in scene.objects:
+        if thing.support is not None:
+            carries[thing.support.object].append(thing.id)
+    told: dict[str, list[dict[str, Any]]] = defaultdict(list)
+    for row in rows:
+        for id in dict.fromkeys((row.relation.subject, *row.relation.targets)):
+            told[id].append({"text": row.text, "held": row.held})
+    wrong: dict[str, list[str]] = defaultdict(list)
+    for fault in faults:
+        for id in dict.fromkeys(fault.objects):
+            if fault.kind != "soft_relation":
+                wrong[id].append(f"{fault.name}: {fault.detail}")
+    return {o.id: _facts(o, carries[o.id], told[o.id], wrong[o.id]) for o in scene.objects}
+
+
+def _facts(thing: SceneObject, carries: list[str], told: list[dict[str, Any]], wrong: list[str]) -> dict[str, Any]:
+    d, w, h = thing.size
+    x, y, z = thing.pose.position
+    qx, qy, _, _ = thing.pose.quaternion
+    return {
+        "category": thing.category.replace("_", " "),
+        "description": thing.description,
+        "size": [d, w, h],
+        "position": [x, y, z],
+        "yaw": round(math.degrees(thing.pose.yaw), 2) + 0.0,
+        "tilted": math.hypot(qx, qy) > 1e-3,
+        "mount": {"floor": "on the floor", "wall": "on the wall", "ceiling": "on the ceiling"}.get(
+            thing.mount, thing.mount
+        ),
+        "support": None
+        if thing.support is None
+        else {"object": thing.support.object, "surface": thing.support.surface},
+        "asset": thing.asset,
+        "carries": carries,
+        "relations": told,
+        "faults": wrong,
+        "box": {"low": [-d / 2, -w / 2, 0.0], "high": [d / 2, w / 2, h]},
+        "top": [x, y, z + h + 0.03],
+    }
+
+
+def _phrase(relation: Relation) -> str:
+    """A relation as words: "chair-0 front against desk-0 (gap -0.4 to -0.1), soft"."""
+    params = []
+    for name, value in relation.params.items():
+        shown = " to ".join(f"{v:g}" for v in value) if isinstance(value, list | tuple) else f"{value}"
+        params.append(f"{name} {shown}")
+    text = " ".join((relation.subject, relation.type.replace("_", " "), " and ".join(relation.targets))).rstrip()
+    return text + (f" ({', '.join(params)})" if params else "") + ("" if relation.hard else ", soft")

@@ -1,0 +1,172 @@
+"""The scene packed for the 3D view: plain data, and all meshes in one deflated block.
+
+Each mesh is there once: positions as three planes of uint16 within its box, then three planes of corner numbers
+(uint16, or uint32 above 65536 vertices), faces in order of material. ``web/decode.js`` reads it.
+"""
+
+from __future__ import annotations
+
+import base64
+import math
+import zlib
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from sceneweaver.assets import Material, Mesh
+from sceneweaver.export.bodies import Load, bodies_of
+from sceneweaver.export.glb import room_meshes
+from sceneweaver.export.room import wall_frame
+from sceneweaver.scene import Room, Scene, SceneObject
+
+from .facts import Fault, RelationRow, object_facts
+from .openings import opening_meshes
+
+_TEXTURES = {"plain": 0, "wood": 1, "fabric": 2, "stone": 3, "metal": 4, "leaf": 5}
+_FLAT = {"position": [0.0, 0.0, 0.0], "quaternion": [0.0, 0.0, 0.0, 1.0], "scale": [1.0, 1.0, 1.0]}
+
+
+@dataclass(frozen=True)
+class Packed:
+    """The view's data for JSON, the meshes as base64, and what had to be done without."""
+
+    data: dict[str, Any]
+    meshes: str
+    warnings: tuple[str, ...]
+
+
+@dataclass
+class _Pack:
+    """Meshes and materials as they are collected, each once."""
+
+    meshes: list[dict[str, Any]] = field(default_factory=list)
+    materials: dict[Material, int] = field(default_factory=dict)
+    known: dict[str, int] = field(default_factory=dict)
+    data: bytearray = field(default_factory=bytearray)
+
+    def add(self, key: str, mesh: Mesh) -> int:
+        """The number of a mesh, which is added when it is new."""
+        if key in self.known:
+            return self.known[key]
+        order = np.argsort(mesh.face_material, kind="stable")
+        used, packed = np.unique(mesh.faces[order], return_inverse=True)
+        points = mesh.vertices[used]
+        low, high = points.min(axis=0), points.max(axis=0)
+        step = np.maximum((high - low) / 65535, 1e-12)
+        corner = packed.reshape(-1, 3).T.astype("<u2" if len(used) <= 65536 else "<u4")
+        kinds, counts = np.unique(mesh.face_material[order], return_counts=True)
+        row = {
+            "vertices": len(used),
+            "faces": len(order),
+            "low": low.tolist(),
+            "high": high.tolist(),
+            "step": step.tolist(),
+            "offset": len(self.data),
+            "runs": [
+                [self.materials.setdefault(mesh.materials[int(k)], len(self.materials)), int(count)]
+                for k, count in zip(kinds, counts, strict=True)
+            ],
+        }
+        self.data += np.ascontiguousarray(np.round((points - low) / step).T).astype("<u2").tobytes()
+        self.data += np.ascontiguousarray(corner).tobytes()
+        self.known[key] = len(self.meshes)
+        self.meshes.append(row)
+        return self.known[key]
+
+
+def pack(scene: Scene, rows: list[RelationRow], faults: list[Fault], load: Load | None = None) -> Packed:
+    """Pack a scene; objects whose asset cannot be loaded are shown as their parts."""
+    store = _Pack()
+    items: list[dict[str, Any]] = []
+    for name, mesh in room_meshes(scene.room).items():
+        kind, wall = ("floor", None) if name == "room:floor" else ("wall", int(name.rpartition(":")[2]))
+        items.append({"id": None, "kind": kind, "wall": wall, "mesh": store.add(f"\0{name}", mesh), **_FLAT})
+    for wall, name, mesh in opening_meshes(scene.room):
+        items.append({"id": None, "kind": "opening", "wall": wall, "mesh": store.add(f"\0{name}", mesh), **_FLAT})
+    bodies = bodies_of(scene, load, missing="parts")
+    for body in bodies:
+        thing = body.object
+        place = {"position": list(thing.pose.position), "quaternion": list(thing.pose.quaternion)}
+        items.append(
+            {
+                "id": thing.id,
+                "kind": "object",
+                "wall": _wall_of(scene.room, thing),
+                "mesh": store.add(body.key, body.mesh),
+                **place,
+                "scale": list(body.scale),
+            }
+        )
+    outline = np.asarray(scene.room.outline)
+    data = {
+        "room": {
+            "low": outline.min(axis=0).tolist(),
+            "high": outline.max(axis=0).tolist(),
+            "height": scene.room.height,
+        },
+        "walls": [_wall(scene.room, k) for k in range(len(scene.room.outline))],
+        "materials": [_material(m) for m in store.materials],
+        "meshes": store.meshes,
+        "items": items,
+        "objects": object_facts(scene, rows, faults),
+        "yaw": _best_side(scene),
+    }
+    text = base64.b64encode(zlib.compress(bytes(store.data), 9)).decode()
+    return Packed(data, text, tuple(b.note for b in bodies if b.note))
+
+
+def _material(m: Material) -> dict[str, Any]:
+    return {
+        "color": list(m.color),
+        "roughness": m.roughness,
+        "metallic": m.metallic,
+        "opacity": m.opacity,
+        "emission": m.emission,
+        "texture": _TEXTURES[m.texture],
+    }
+
+
+def _wall(room: Room, wall: int) -> dict[str, Any]:
+    start, _, outward = wall_frame(room, wall)
+    return {"point": list(start), "outward": list(outward)}
+
+
+def _wall_of(room: Room, thing: SceneObject) -> int | None:
+    """The wall that a wall-mounted object hangs on: the nearest one that it does not face."""
+    if thing.mount != "wall":
+        return None
+    x, y, _ = thing.pose.position
+    found: list[tuple[float, int]] = []
+    for k in range(len(room.outline)):
+        (ax, ay), (ux, uy), (nx, ny) = wall_frame(room, k)
+        bx, by = room.outline[(k + 1) % len(room.outline)]
+        along = min(max((x - ax) * ux + (y - ay) * uy, 0.0), math.hypot(bx - ax, by - ay))
+        gap = math.hypot(x - ax - along * ux, y - ay - along * uy)
+        faces = math.cos(thing.pose.yaw) * nx + math.sin(thing.pose.yaw) * ny
+        found.append((gap + (0.5 if faces > 0.5 else 0.0), k))
+    return min(found)[1]
+
+
+def _best_side(scene: Scene) -> float:
+    """The yaw [rad] of the camera, from the room's middle, that shows most fronts and hides least behind tall things."""
+    x0, y0 = np.mean(np.asarray(scene.room.outline), axis=0)
+    best = (-math.inf, 0.0)
+    for k in (7, 5, 1, 3):  # the corners, the one at right front first
+        yaw = k * math.pi / 4 + 0.12
+        side = (math.cos(yaw), math.sin(yaw))
+        score = 0.0
+        for thing in scene.objects:
+            d, w, h = thing.size
+            dx, dy = thing.pose.position[0] - x0, thing.pose.position[1] - y0
+            facing = math.cos(thing.pose.yaw) * side[0] + math.sin(thing.pose.yaw) * side[1]
+            if thing.mount == "wall":
+                score += 0.6 * w * h * facing
+            elif thing.mount == "floor":
+                score += w * h * (0.3 * facing - max(0.0, h - 0.9) * max(0.0, dx * side[0] + dy * side[1]))
+        if score > best[0] + 1e-9:
+            best = (score, yaw)
+    return best[1]
+
+
+__all__ = ["Packed", "pack"]

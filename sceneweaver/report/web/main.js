@@ -1,0 +1,128 @@
+// Starts the view. When anything fails, the picture that is already on the page stays, with a line that says why.
+async function start() {
+  const stage = byId("stage");
+  const canvas = byId("view");
+  const data = JSON.parse(byId("scene-data").textContent);
+  if (typeof DecompressionStream === "undefined") throw new Error("this browser is too old to unpack the scene");
+  const buffer = await unpack(byId("scene-meshes").textContent.trim());
+  const renderer = new Renderer(canvas, data, buffer);
+  const orbit = new Orbit(data.room, data.yaw);
+  const state = { selected: null, hover: null, boxes: false, labels: false, hideWalls: false };
+  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  let dirty = true; // the picture changed, so light is gathered anew
+  let marked = true; // only what lies over it did
+  let pending = false;
+  let last = 0;
+  let slow = 0;
+
+  const ask = () => {
+    if (pending) return;
+    pending = true;
+    requestAnimationFrame(frame);
+  };
+  const changed = () => {
+    dirty = true;
+    ask();
+  };
+  const select = (id) => {
+    state.selected = id;
+    marked = true;
+    panel.show(id);
+    byId("announce").textContent = id === null ? "Nothing selected" : `${id} selected`;
+    ask();
+  };
+  const panel = new Panel(data, select);
+  const labels = new Labels(data, select);
+  const pixel = (x, y) => {
+    const ratio = canvas.width / (canvas.clientWidth || 1);
+    return [Math.floor(x * ratio), canvas.height - 1 - Math.floor(y * ratio)];
+  };
+  const pick = (x, y) => {
+    const [px, py] = pixel(x, y);
+    return px < 0 || py < 0 || px >= canvas.width || py >= canvas.height ? null : renderer.pick(orbit, px, py);
+  };
+
+  function resize() {
+    const ratio = Math.min(window.devicePixelRatio || 1, 2);
+    const [width, height] = [Math.round(canvas.clientWidth * ratio), Math.round(canvas.clientHeight * ratio)];
+    if (!width || !height || (canvas.width === width && canvas.height === height)) return;
+    canvas.width = width;
+    canvas.height = height;
+    orbit.aspect = width / height;
+    if (!orbit.moved) Object.assign(orbit, orbit.fit(orbit.home.yaw, orbit.home.pitch));
+    changed();
+  }
+
+  function frame(now) {
+    pending = false;
+    // On a slow machine the frames of a still picture are fewer, so that the page stays quick.
+    if (now - last > 120 && now - last < 3000) slow = Math.min(8, slow + 1);
+    else if (slow > 0) slow -= 0.25;
+    last = now;
+    const gliding = orbit.step(still);
+    const sinking = renderer.moveWalls(orbit.eye(), state.hideWalls, still || !renderer.started);
+    renderer.started = true;
+    const moving = dirty || gliding || sinking;
+    if (moving) renderer.gathered = 0;
+    dirty = false;
+    const more = renderer.draw(orbit, {
+      still: !moving, boxes: state.boxes, selected: state.selected, hover: state.hover,
+      frames: slow > 3 ? 16 : FRAMES,
+    });
+    if (moving || marked) {
+      const view = orbit.matrix(canvas.width / canvas.height);
+      const cut = new Set(renderer.items.filter((i) => i.kind === "object" && i.cut < NEVER_CUT).map((i) => i.id));
+      labels.draw(view, canvas.clientWidth, canvas.clientHeight, state.labels, state.selected, (id) => !cut.has(id));
+      marked = false;
+    }
+    stage.dataset.frames = String(renderer.gathered);
+    if (gliding || sinking || moving || more) ask();
+  }
+
+  let hovering = 0;
+  listen(canvas, orbit, {
+    changed,
+    clicked: (x, y) => select(pick(x, y)),
+    hovered: (x, y) => {
+      const now = performance.now();
+      if (x >= 0 && now - hovering < 60) return;
+      hovering = now;
+      const id = x < 0 || slow > 3 ? null : pick(x, y);
+      canvas.style.cursor = id === null ? "grab" : "pointer";
+      canvas.title = id === null ? "" : id;
+    },
+    cleared: () => select(null),
+  });
+  const toggle = (name, key) => {
+    const button = byId(name);
+    button.addEventListener("click", () => {
+      state[key] = !state[key];
+      button.setAttribute("aria-pressed", String(state[key]));
+      marked = true;
+      if (key === "hideWalls") changed();
+      else ask();
+    });
+  };
+  toggle("button-boxes", "boxes");
+  toggle("button-labels", "labels");
+  toggle("button-walls", "hideWalls");
+  byId("button-top").addEventListener("click", () => { orbit.top(); changed(); });
+  byId("button-reset").addEventListener("click", () => { orbit.reset(); select(null); changed(); });
+  canvas.addEventListener("webglcontextlost", () => fail(new Error("the graphics driver gave up")));
+  new ResizeObserver(resize).observe(canvas);
+  stage.classList.add("running");
+  resize();
+  ask();
+  // A print shows the canvas as it is at that moment.
+  window.addEventListener("beforeprint", () => { renderer.draw(orbit, { ...state, still: false, frames: 0 }); });
+  return { orbit, renderer, project: (p) => transform(orbit.matrix(canvas.width / canvas.height), p) };
+}
+
+function fail(error) {
+  const stage = byId("stage");
+  stage.classList.remove("running");
+  stage.classList.add("failed");
+  byId("stage-note").textContent = `The interactive view cannot run here (${error.message}). This picture stands in for it.`;
+}
+
+start().then((view) => { window.sceneView = view; }, fail);

@@ -1,0 +1,351 @@
+// Draws the room. While anything moves: one frame with hardware antialiasing. When all is still: many frames, each
+// with light from another part of the sky, another point of the sun and another place within the pixel, are added up.
+const NEVER_CUT = 1000;
+const WALL_STUMP = 0.07; // what is left of a wall that would hide the room [m]
+const MAP = 2048;
+const FRAMES = 96;
+
+class Renderer {
+  constructor(canvas, data, buffer) {
+    const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, powerPreference: "high-performance" });
+    if (!gl) throw new Error("WebGL 2 is not available");
+    this.gl = gl;
+    this.canvas = canvas;
+    this.data = data;
+    this.canGather = Boolean(gl.getExtension("EXT_color_buffer_float"));
+    this.programs = {
+      surface: this.program(VERTEX, SURFACE), depth: this.program(VERTEX, DEPTH), flat: this.program(VERTEX, FLAT),
+      lines: this.program(LINES, FLAT), sum: this.program(SCREEN, SUM), develop: this.program(SCREEN, DEVELOP),
+      outline: this.program(SCREEN, OUTLINE),
+    };
+    this.meshes = data.meshes.map((mesh) => this.upload(decodeMesh(buffer, mesh, data.materials)));
+    this.items = data.items.map((item, index) => ({
+      ...item, index, mesh: this.meshes[item.mesh], model: placed(item.position, item.quaternion, item.scale),
+      inverseScale: item.scale.map((s) => 1 / (s * s)), cut: NEVER_CUT,
+    }));
+    this.empty = gl.createVertexArray();
+    this.cube = this.makeCube();
+    const { low, high, height } = data.room;
+    this.center = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, height / 2];
+    this.radius = Math.hypot(high[0] - low[0], high[1] - low[1], height) / 2 + 0.3;
+    this.sun = unit([0.42, -0.5, 1.0]);
+    this.sunMap = this.makeMap();
+    this.skyMap = this.makeMap();
+    this.mask = { texture: null, frame: null, width: 0, height: 0 };
+    this.heights = data.walls.map(() => data.room.height + 0.01);
+    this.gathered = 0;
+    this.renderSun(this.sun);
+  }
+
+  program(vertex, fragment) {
+    const gl = this.gl;
+    const program = gl.createProgram();
+    for (const [type, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+      const shader = gl.createShader(type);
+      gl.shaderSource(shader, text);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS) && !gl.isContextLost()) {
+        throw new Error("shader: " + gl.getShaderInfoLog(shader));
+      }
+    }
+    gl.linkProgram(program);
+    const found = { program };
+    const count = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) || 0;
+    for (let i = 0; i < count; i++) {
+      const { name } = gl.getActiveUniform(program, i);
+      found[name] = gl.getUniformLocation(program, name);
+    }
+    return found;
+  }
+
+  upload(mesh) {
+    const gl = this.gl;
+    const array = gl.createVertexArray();
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, mesh.data, gl.STATIC_DRAW);
+    const layout = [[3, gl.FLOAT, false, 0], [3, gl.BYTE, true, 12], [4, gl.UNSIGNED_BYTE, true, 16],
+      [4, gl.UNSIGNED_BYTE, true, 20]];
+    layout.forEach(([size, type, normalized, offset], k) => {
+      gl.enableVertexAttribArray(k);
+      gl.vertexAttribPointer(k, size, type, normalized, VERTEX_BYTES, offset);
+    });
+    gl.bindVertexArray(null);
+    return { array, opaque: mesh.opaque, count: mesh.count, low: mesh.low, high: mesh.high };
+  }
+
+  makeCube() {
+    const gl = this.gl;
+    const ends = [];
+    for (let a = 0; a < 8; a++) {
+      for (const bit of [1, 2, 4]) {
+        if (a & bit) continue;
+        for (const c of [a, a | bit]) ends.push(c & 1, (c >> 1) & 1, (c >> 2) & 1);
+      }
+    }
+    const array = gl.createVertexArray();
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(ends), gl.STATIC_DRAW);
+    gl.enableVertexAttribArray(0);
+    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+    gl.bindVertexArray(null);
+    return array;
+  }
+
+  makeMap() {
+    const gl = this.gl;
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.DEPTH_COMPONENT24, MAP, MAP);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_COMPARE_MODE, gl.COMPARE_REF_TO_TEXTURE);
+    for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) {
+      gl.texParameteri(gl.TEXTURE_2D, side, gl.LINEAR);
+    }
+    const frame = gl.createFramebuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, texture, 0);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    return { texture, frame, view: null };
+  }
+
+  // A target of the canvas's size: a texture of the format, with depth when wanted.
+  makeTarget(format, depth) {
+    const gl = this.gl;
+    const [width, height] = [this.canvas.width, this.canvas.height];
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, format, width, height);
+    for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) {
+      gl.texParameteri(gl.TEXTURE_2D, side, format === gl.R8 ? gl.LINEAR : gl.NEAREST);
+    }
+    for (const axis of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) {
+      gl.texParameteri(gl.TEXTURE_2D, axis, gl.CLAMP_TO_EDGE);
+    }
+    const frame = gl.createFramebuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+    let store = null;
+    if (depth) {
+      store = gl.createRenderbuffer();
+      gl.bindRenderbuffer(gl.RENDERBUFFER, store);
+      gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, width, height);
+      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, store);
+    }
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    return { texture, frame, store };
+  }
+
+  targets() {
+    const gl = this.gl;
+    const size = `${this.canvas.width} ${this.canvas.height}`;
+    if (this.targetSize === size) return;
+    for (const old of [this.mask, this.ids, this.once, ...(this.sums || [])]) {
+      if (!old || !old.texture) continue;
+      gl.deleteTexture(old.texture);
+      gl.deleteFramebuffer(old.frame);
+      if (old.store) gl.deleteRenderbuffer(old.store);
+    }
+    this.targetSize = size;
+    this.mask = this.makeTarget(gl.R8, false);
+    this.ids = this.makeTarget(gl.RGBA8, true);
+    this.once = this.canGather ? this.makeTarget(gl.RGBA16F, true) : null;
+    this.sums = this.canGather ? [0, 1].map(() => this.makeTarget(gl.RGBA32F, false)) : null;
+    this.gathered = 0;
+  }
+
+  use(name, uniforms) {
+    const gl = this.gl;
+    const program = this.programs[name];
+    gl.useProgram(program.program);
+    for (const [key, value] of Object.entries(uniforms)) this.set(program, key, value);
+    return program;
+  }
+
+  set(program, key, value) {
+    const gl = this.gl;
+    const at = program[key];
+    if (at === undefined) return;
+    if (typeof value === "number") gl.uniform1f(at, value);
+    else if (value.length === 16) gl.uniformMatrix4fv(at, false, value);
+    else if (value.length === 4) gl.uniform4fv(at, value);
+    else if (value.length === 3) gl.uniform3fv(at, value);
+    else gl.uniform2fv(at, value);
+  }
+
+  drawItem(program, item, first, count) {
+    const gl = this.gl;
+    if (count <= 0) return;
+    gl.uniformMatrix4fv(program.model, false, item.model);
+    if (program.inverseScale !== undefined) gl.uniform3fv(program.inverseScale, item.inverseScale);
+    gl.uniform1f(program.cut, item.cut);
+    gl.bindVertexArray(item.mesh.array);
+    gl.drawArrays(gl.TRIANGLES, first, count);
+  }
+
+  renderMap(map, direction, walls) {
+    const gl = this.gl;
+    const up = Math.abs(direction[2]) > 0.9 ? [0, 1, 0] : [0, 0, 1];
+    const r = this.radius;
+    const look = lookAt(add(this.center, scale(direction, 2 * r)), this.center, up);
+    map.view = multiply(orthographic(r, r, 0.5 * r, 3.5 * r), look);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, map.frame);
+    gl.viewport(0, 0, MAP, MAP);
+    gl.clear(gl.DEPTH_BUFFER_BIT);
+    gl.enable(gl.DEPTH_TEST);
+    gl.disable(gl.BLEND);
+    gl.disable(gl.CULL_FACE);
+    gl.enable(gl.POLYGON_OFFSET_FILL);
+    gl.polygonOffset(1.5, 2);
+    const program = this.use("depth", { view: map.view });
+    for (const item of this.items) {
+      // The sun shines over the walls, as if into a doll's house; the sky is dimmed by the walls that are shown.
+      if (item.kind === "object" || item.kind === "floor" || walls) this.drawItem(program, item, 0, item.mesh.opaque);
+    }
+    gl.disable(gl.POLYGON_OFFSET_FILL);
+  }
+
+  renderSun(direction) {
+    this.renderMap(this.sunMap, direction, false);
+  }
+
+  // Sinks the walls that stand between the camera and the room; true while they move.
+  moveWalls(eye, hideAll, jump) {
+    const full = this.data.room.height + 0.01;
+    let moving = false;
+    this.data.walls.forEach((wall, k) => {
+      const outside = (eye[0] - wall.point[0]) * wall.outward[0] + (eye[1] - wall.point[1]) * wall.outward[1] > 0.12;
+      const goal = hideAll || outside ? WALL_STUMP : full;
+      const gap = goal - this.heights[k];
+      this.heights[k] = jump || Math.abs(gap) < 0.01 ? goal : this.heights[k] + gap * 0.22;
+      moving = moving || this.heights[k] !== goal;
+    });
+    for (const item of this.items) {
+      const height = item.wall === null ? full : this.heights[item.wall];
+      item.cut = height >= full ? NEVER_CUT : height;
+    }
+    return moving;
+  }
+
+  surfaces(view, eye, gather, lit) {
+    const gl = this.gl;
+    const program = this.use("surface", {
+      view, eye, sun: this.sunNow || this.sun, sky: this.sky || this.sun, sunView: this.sunMap.view,
+      skyView: (this.skyMap.view || this.sunMap.view), texel: (2 * this.radius) / MAP, mapTexel: 1 / MAP,
+    });
+    gl.uniform1i(program.gather, gather ? 1 : 0);
+    gl.uniform1i(program.sunMap, 0);
+    gl.uniform1i(program.skyMap, 1);
+    gl.activeTexture(gl.TEXTURE1);
+    gl.bindTexture(gl.TEXTURE_2D, this.skyMap.texture);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, this.sunMap.texture);
+    gl.enable(gl.DEPTH_TEST);
+    gl.disable(gl.BLEND);
+    gl.disable(gl.CULL_FACE);
+    for (const item of this.items) {
+      gl.uniform1i(program.ground, item.kind === "floor" ? 1 : 0);
+      gl.uniform1f(program.lit, lit === item.id && item.kind === "object" ? 0.16 : 0);
+      this.drawItem(program, item, 0, item.mesh.opaque);
+    }
+    gl.uniform1i(program.ground, 0);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    gl.depthMask(false);
+    const glass = this.items.filter((item) => item.mesh.count > item.mesh.opaque);
+    const far = (item) => Math.hypot(item.model[12] - eye[0], item.model[13] - eye[1], item.model[14] - eye[2]);
+    for (const item of glass.sort((a, b) => far(b) - far(a))) {
+      gl.uniform1f(program.lit, lit === item.id ? 0.16 : 0);
+      this.drawItem(program, item, item.mesh.opaque, item.mesh.count - item.mesh.opaque);
+    }
+    gl.depthMask(true);
+    gl.disable(gl.BLEND);
+  }
+
+  // One frame to the canvas. Returns true when another frame would still make it better.
+  draw(camera, options) {
+    const gl = this.gl;
+    if (gl.isContextLost()) return false;
+    this.targets();
+    const [width, height] = [this.canvas.width, this.canvas.height];
+    const gather = this.canGather && options.still;
+    let view = camera.matrix(width / height);
+    if (gather && this.gathered < options.frames) {
+      if (this.gathered === 0) {
+        gl.bindFramebuffer(gl.FRAMEBUFFER, this.sums[0].frame);
+        gl.clearColor(0, 0, 0, 0);
+        gl.clear(gl.COLOR_BUFFER_BIT);
+      }
+      this.gatherOne(camera, view, width, height, options.hover);
+    }
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, width, height);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    if (gather && this.gathered >= Math.min(8, options.frames)) {
+      const program = this.use("develop", { share: 1 / this.gathered });
+      this.screen(program, this.sums[0].texture);
+    } else {
+      if (!gather) this.gathered = 0;
+      if (this.sunNow) this.renderSun(this.sun);
+      this.sunNow = null;
+      gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+      gl.viewport(0, 0, width, height);
+      this.surfaces(view, camera.eye(), false, options.hover);
+    }
+    if (options.boxes) this.drawBoxes(view, options.selected);
+    if (options.selected !== null) this.drawOutline(view, options.selected);
+    return gather && this.gathered < options.frames;
+  }
+
+  gatherOne(camera, view, width, height, hover) {
+    const gl = this.gl;
+    const k = this.gathered;
+    const angle = 2 * Math.PI * halton(k, 2);
+    const up = 0.06 + 0.94 * halton(k, 3);
+    const flat = Math.sqrt(1 - up * up);
+    this.sky = [flat * Math.cos(angle), flat * Math.sin(angle), up];
+    this.renderMap(this.skyMap, this.sky, true);
+    const spread = 0.05 * Math.sqrt(halton(k, 5));
+    const turn = 2 * Math.PI * halton(k, 7);
+    const side = unit(cross(this.sun, [0, 0, 1]));
+    const other = cross(side, this.sun);
+    const shift = add(scale(side, spread * Math.cos(turn)), scale(other, spread * Math.sin(turn)));
+    this.sunNow = unit(add(this.sun, shift));
+    this.renderSun(this.sunNow);
+    const jittered = new Float32Array(view);
+    const dx = (2 * (halton(k, 2) - 0.5)) / width;
+    const dy = (2 * (halton(k, 3) - 0.5)) / height;
+    for (let c = 0; c < 4; c++) {
+      jittered[4 * c] += dx * view[4 * c + 3];
+      jittered[4 * c + 1] += dy * view[4 * c + 3];
+    }
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.once.frame);
+    gl.viewport(0, 0, width, height);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    this.surfaces(jittered, camera.eye(), true, hover);
+    // Half floats cannot hold a sum, and not every device blends floats: the sum goes from one target to the other.
+    const [before, after] = this.sums;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, after.frame);
+    gl.disable(gl.BLEND);
+    const program = this.use("sum", {});
+    gl.uniform1i(program.before, 1);
+    gl.activeTexture(gl.TEXTURE1);
+    gl.bindTexture(gl.TEXTURE_2D, before.texture);
+    this.screen(program, this.once.texture);
+    this.sums = [after, before];
+    this.gathered++;
+  }
+
+  screen(program, texture) {
+    const gl = this.gl;
+    gl.disable(gl.DEPTH_TEST);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.uniform1i(program.image, 0);
+    gl.bindVertexArray(this.empty);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+}

@@ -1,0 +1,58 @@
+"""What a tool is: it reads the scene so far and an instruction, and answers with typed edits."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+from sceneweaver.assets import Library
+from sceneweaver.brief import Brief
+from sceneweaver.knowledge import RoomType
+from sceneweaver.scene import Pose, Scene
+from sceneweaver.scene.edits import AnyEdit
+
+
+@dataclass(frozen=True)
+class Context:
+    """What a tool may look at.
+
+    ``scene`` is the scene so far (for an initialiser an empty one, whose room may be replaced); ``seed`` decides all
+    that is drawn; ``instruction`` is a sentence, ``inputs`` what the tool's card asks for.
+    """
+
+    brief: Brief
+    room: RoomType
+    scene: Scene
+    library: Library
+    seed: int
+    instruction: str = ""
+    inputs: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Proposal:
+    """What a tool answers.
+
+    ``scene`` replaces the whole scene (initialisers only), then ``edits`` apply to it in order. Poses in edits are
+    proposals: the executor refines them. Each of ``drafts`` holds poses of some objects that stay as they are while
+    the rest is laid out around them; the best draft wins. ``notes`` say what was decided, ``unmet`` what could not be
+    done and why. ``fresh`` asks for a layout from scratch instead of the least movement.
+    """
+
+    edits: tuple[AnyEdit, ...] = ()
+    scene: Scene | None = None
+    drafts: tuple[Mapping[str, Pose], ...] = ()
+    fresh: bool = False
+    notes: tuple[str, ...] = ()
+    unmet: tuple[str, ...] = ()
+
+
+class Tool(Protocol):
+    """A tool. Its name is that of its card; it proposes and never solves poses for the room."""
+
+    name: str
+
+    def propose(self, context: Context) -> Proposal:
+        """Answer an instruction; InputError for inputs that its card forbids or that name what is not there."""
+        ...

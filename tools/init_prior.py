@@ -1,0 +1,199 @@
+"""A whole room from the knowledge base and the request: outline, objects with bodies, relations."""
+
+from __future__ import annotations
+
+import random
+
+from sceneweaver.assets import categories
+from sceneweaver.brief import Brief
+from sceneweaver.scene import InputError, Pose, Relation, Room, Scene, SceneObject, Support
+
+from .base import Context, Proposal
+from .prior_formation import formations
+from .prior_program import Program, Wanted, build, demands
+from .prior_relations import of_brief, of_items
+from .prior_shell import floor_area, shell
+
+FILL = {"sparse": 0.24, "normal": 0.33, "full": 0.40}
+"""Share of the floor under furniture up to which more is put in."""
+
+WALLED = 0.62
+"""Share of the walls, less doors, that furniture may take."""
+
+GROWTH = 1.12
+"""Factor by which a floor that nobody fixed grows when what is needed does not fit."""
+
+
+class InitPrior:
+    """Draws the room that the knowledge base and the request describe."""
+
+    name = "init_prior"
+
+    def propose(self, context: Context) -> Proposal:
+        """A new scene; ``inputs`` may hold ``style``."""
+        room, brief, seed = context.room, context.brief, context.seed
+        area, people, given, notes = floor_area(room, brief, seed)
+        style = brief.style or str(context.inputs.get("style") or "") or random.Random(seed ^ 0x57).choice(room.styles)
+        for _ in range(12):
+            space, remarks = shell(room, brief, area, seed)
+            program = _program(context, space, area, people, style)
+            crowded = program.footprint > FILL["full"] * area or program.wall > _wall(space)
+            if given or not crowded or area >= room.area[2] * 1.5:
+                break
+            area *= GROWTH
+        _support_small_things(program, brief)
+        notes += remarks + program.notes
+        asked, placed, unmet, middle = of_brief(brief, program.wanted, space)
+        relations = _consistent(asked, of_items(program.wanted, space, placed))
+        tall = {w.id: w.asset.size[2] for w in program.wanted}
+        over = {r.subject: tall[r.target] for r in relations if r.type == "above" and r.target in tall}
+        objects = [_object(w, space, over.get(w.id, 0.0)) for w in program.wanted]
+        unmet += _missing(brief, program)
+        if given and program.left_out:
+            notes.append("left out, as the floor asked for is full: " + ", ".join(sorted(set(program.left_out))[:8]))
+        scene = Scene(
+            id=room.name,
+            prompt=brief.text,
+            room=space,
+            objects=tuple(objects),
+            relations=tuple(relations),
+            provenance={"tool": self.name, "asked": [[r.type, r.subject] for r in asked], "room": room.name, "seed": seed, "style": style, "people": people,
+                        "finish": {"floor": room.floor, "walls": room.walls}},
+        )  # fmt: skip
+        drafts = formations(program.wanted, scene, seed)
+        if middle:
+            centre = _centred(middle, scene)
+            drafts = [{**d, **{k: v for k, v in centre.items() if k not in d}} for d in drafts] or [centre]
+        return Proposal(scene=scene, drafts=tuple(drafts), fresh=True, notes=tuple(notes), unmet=tuple(unmet))
+
+
+def _program(context: Context, space: Room, area: float, people: int, style: str) -> Program:
+    room, brief = context.room, context.brief
+    wishes = demands(room, brief, area, people, len(space.windows), context.seed)
+    pane = space.windows[0].width if space.windows else 0.0
+    fill = FILL[brief.density]
+    return build(wishes, room, brief, context.library, area, _wall(space), fill, context.seed, style, pane)
+
+
+def _wall(space: Room) -> float:
+    """Length [m] of wall that furniture may take."""
+    import math
+
+    total = sum(math.dist(a, b) for a, b in zip(space.outline, (*space.outline[1:], space.outline[0]), strict=True))
+    return WALLED * (total - sum(d.width for d in space.doors))
+
+
+def _support_small_things(program: Program, brief: Brief) -> None:
+    """Give what was asked to stand on something its support, and small things without one the likeliest."""
+    by_asked: dict[str, list[Wanted]] = {}
+    for one in program.wanted:
+        if one.asked is not None:
+            by_asked.setdefault(one.asked, []).append(one)
+    for said in brief.relations:
+        if said.type not in ("on_top", "inside"):
+            continue
+        targets = [w for w in by_asked.get(str(said.target), []) if w.asset.surfaces]
+        for k, one in enumerate(by_asked.get(said.subject, [])):
+            if targets and one not in targets:
+                one.support = targets[k % len(targets)]
+    known = categories()
+    for k, one in enumerate(program.wanted):
+        if one.mount != "surface" or one.support is not None:
+            continue
+        fits = [w for w in program.wanted if w is not one and w.support is None and _surface(w, one) is not None]
+        usual = [w for w in fits if w.category in known[one.category].on]
+        if usual or fits:
+            pool = usual or fits
+            one.support = pool[k % len(pool)]
+    lost = [w for w in program.wanted if w.mount == "surface" and w.support is None]
+    program.wanted = [w for w in program.wanted if w not in lost]
+    program.left_out += [f"{w.category}: nothing in the room can carry it" for w in lost]
+
+
+def _surface(support: Wanted, one: Wanted) -> str | None:
+    """The surface of a support that a thing fits on, the highest of the roomiest; None when there is none."""
+    import shapely
+
+    d, w, h = one.asset.size
+    best: tuple[float, str] | None = None
+    for surface in support.asset.surfaces:
+        if surface.headroom is not None and surface.headroom < h + 0.005:
+            continue
+        shape = shapely.Polygon(surface.polygon)
+        x0, y0, x1, y1 = shape.bounds
+        if min(x1 - x0, y1 - y0) < min(d, w) or max(x1 - x0, y1 - y0) < max(d, w):
+            continue
+        score = shape.area + 0.2 * surface.z
+        if best is None or score > best[0]:
+            best = score, surface.name
+    return best[1] if best else None
+
+
+def _object(one: Wanted, space: Room, over: float) -> SceneObject:
+    """The scene object; ``over`` is the height [m] of what it hangs above."""
+    support = None
+    if one.support is not None:
+        surface = _surface(one.support, one) or (
+            one.support.asset.surfaces[0].name if one.support.asset.surfaces else None
+        )
+        if surface is None:
+            raise InputError(f"{one.id}: {one.support.id} has no surface that carries it")
+        support = Support(object=one.support.id, surface=surface)
+    attributes = dict(one.asset.attributes)
+    if one.item is not None:
+        attributes["item"] = one.item.id
+    if one.asked is not None:
+        attributes["asked"] = one.asked
+    attributes["need"] = ("asked", "needed", "usual", "optional")[one.rank]
+    pose = Pose()
+    if one.mount == "wall":
+        low, high = _hang(one, space, over)
+        pose, attributes["hang"] = Pose(position=(0.0, 0.0, (low + high) / 2)), [low, high]
+    obj = one.asset.object(one.id, pose=pose, mount=None if support else one.mount, support=support)  # type: ignore[arg-type]
+    return obj.model_copy(update={"attributes": attributes})
+
+
+def _hang(one: Wanted, space: Room, over: float) -> tuple[float, float]:
+    """Heights [m] between which the bottom of a thing on a wall is: the item's or the category's, under the ceiling."""
+    low, high = (one.item and one.item.bottom) or categories()[one.category].bottom or (1.2, 1.5)
+    if over:
+        low, high = max(low, over + 0.08), max(high, over + 0.3)
+    most = max(0.0, space.height - one.asset.size[2] - 0.02)
+    return round(min(low, max(0.0, most - 0.1)), 3), round(min(high, most), 3)
+
+
+def _consistent(asked: list[Relation], usual: list[Relation]) -> list[Relation]:
+    """What was asked, then of the room's own relations those that do not say the same of the same objects again."""
+    said = {(r.type, r.subject, r.target) for r in asked}
+    return asked + [r for r in usual if (r.type, r.subject, r.target) not in said]
+
+
+def _missing(brief: Brief, program: Program) -> list[str]:
+    made: dict[str, int] = {}
+    for one in program.wanted:
+        if one.asked is not None:
+            made[one.asked] = made.get(one.asked, 0) + 1
+    out = []
+    for asked in brief.objects:
+        least = asked.count[0] if asked.count else 1
+        if made.get(asked.id, 0) < least:
+            reasons = [text for text in program.left_out if text.startswith(asked.category)]
+            out.append(f"{asked.noun}: {made.get(asked.id, 0)} of {least}" + (f" ({reasons[0]})" if reasons else ""))
+    return out
+
+
+def _centred(middle: dict[str, str], scene: Scene) -> dict[str, Pose]:
+    """Poses in the middle of the floor, side by side where there are several."""
+    import shapely
+
+    spot = shapely.Polygon(scene.room.outline).representative_point()
+    centroid = shapely.Polygon(scene.room.outline).centroid
+    if shapely.Polygon(scene.room.outline).contains(centroid):
+        spot = centroid
+    poses, at = {}, 0.0
+    widths = [scene.object(id).size[1] for id in middle]
+    start = -sum(widths) / 2
+    for id, width in zip(middle, widths, strict=True):
+        poses[id] = Pose.from_yaw(spot.x, spot.y + start + at + width / 2, 0.0, 0.0)
+        at += width + 0.02
+    return poses

@@ -1,0 +1,261 @@
+"""From a kind of room and a request to a list of objects: what, how many, beside which, and how badly needed."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+
+from sceneweaver.assets import Asset, Library, Wish, categories
+from sceneweaver.assets.taxonomy import members
+from sceneweaver.brief import Asked, Brief
+from sceneweaver.knowledge import Item, RoomType
+from sceneweaver.scene import InputError
+
+RANK = {"asked": 0, "needed": 1, "usual": 2, "optional": 3}
+
+
+@dataclass
+class Wanted:
+    """One object to be; ``parent`` is the instance that it goes with, ``support`` the one that it stands on."""
+
+    item: Item | None
+    category: str
+    asset: Asset
+    rank: int
+    number: int
+    parent: Wanted | None = None
+    support: Wanted | None = None
+    asked: str | None = None
+    id: str = ""
+
+    @property
+    def mount(self) -> str:
+        """What holds it."""
+        if self.support is not None:
+            return "surface"
+        return (self.item and self.item.mount) or self.asset.mount
+
+    @property
+    def footprint(self) -> float:
+        """Floor [m2] under it; half of it for a seat, as it goes partly under its table, and nothing for a rug."""
+        d, w, h = self.asset.size
+        if self.mount != "floor" or h < 0.02:
+            return 0.0
+        seat = self.parent is not None and "seating" in _groups(self.category)
+        return d * w * (0.5 if seat else 1.0)
+
+    @property
+    def wall(self) -> float:
+        """Wall [m] that it takes."""
+        places = self.item.place if self.item else ()
+        if self.mount == "floor" and any(p.type == "against_wall" and not p.soft for p in places):
+            return self.asset.size[1]
+        return 0.0
+
+
+@dataclass(frozen=True)
+class Demand:
+    """One kind of object with its count, before bodies are chosen."""
+
+    item: Item | None
+    categories: tuple[str, ...]
+    count: int
+    rank: int
+    asked: Asked | None = None
+    least: int = 0
+
+
+@dataclass
+class Program:
+    """All objects to be, in order of need, parents before what goes with them; ``left_out`` says what did not fit."""
+
+    wanted: list[Wanted] = field(default_factory=list)
+    left_out: list[str] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+
+    @property
+    def footprint(self) -> float:
+        """Floor [m2] that all take together."""
+        return sum(w.footprint for w in self.wanted)
+
+    @property
+    def wall(self) -> float:
+        """Wall [m] that all take together."""
+        return sum(w.wall for w in self.wanted)
+
+
+def _groups(category: str) -> set[str]:
+    found, known = set(), categories()
+    while category in known and known[category].parent:
+        category = known[category].parent or ""
+        found.add(category)
+    return found
+
+
+def demands(room: RoomType, brief: Brief, area: float, people: int, windows: int, seed: int) -> list[Demand]:
+    """What the room should hold: what was asked, then the room's items by need, without what must not be there."""
+    rng = random.Random(seed)
+    banned = {name for word in brief.without for name in (word, *members(word))}
+    asked = {a.id: a for a in brief.objects}
+    holders = {i.with_ for i in room.items if any(matches(a.category, i) for a in brief.objects)}
+    found: list[Demand] = []
+    for item in room.items:
+        draw, pick, keep = rng.random(), rng.random(), rng.random()
+        meant = [a for a in asked.values() if matches(a.category, item)]
+        if meant:
+            for one in meant:
+                del asked[one.id]
+            found += [_asked_demand(one, item, area, people, draw) for one in meant]
+            continue
+        names = tuple(c for c in item.what if c not in banned)
+        if not names or (brief.only and item.need != "needed") or (brief.only and brief.objects):
+            continue
+        if item.need == "optional" and item.id not in holders and keep < (0.75 if brief.density == "sparse" else 0.3):
+            continue
+        if item.need != "needed" and brief.density == "sparse" and keep < 0.4:
+            continue
+        count = windows if _hangs_at_windows(item) else item.count.of(area, people, draw)
+        start = int(pick * len(names)) if item.need != "needed" or len(names) > 1 else 0
+        names = names[start:] + names[:start]
+        if count > 0:
+            found.append(Demand(item, names, count, RANK[item.need], least=min(count, item.count.least)))
+    found += [_asked_demand(one, None, area, people, rng.random()) for one in asked.values()]
+    return found
+
+
+def matches(category: str, item: Item) -> bool:
+    """Whether something asked for is what an item of the room stands for."""
+    return category in item.what or any(category in members(name) for name in item.what)
+
+
+def _hangs_at_windows(item: Item) -> bool:
+    return any(p.type == "at_window" and not p.soft for p in item.place) and item.mount != "floor" and all(
+        categories()[c].mount[0] == "wall" for c in item.what if c in categories()
+    )  # fmt: skip
+
+
+def _asked_demand(asked: Asked, item: Item | None, area: float, people: int, draw: float) -> Demand:
+    if asked.count is not None:
+        low, high = asked.count
+        usual = item.count.of(area, people, draw) if item else low
+        count = max(low, min(high, usual))
+    else:
+        count = item.count.of(area, people, draw) if item else 1
+    return Demand(item, (asked.category,), count, 0, asked, count)
+
+
+def build(
+    wishes: Iterable[Demand], room: RoomType, brief: Brief, library: Library, area: float, wall: float, fill: float,
+    seed: int, style: str | None, pane: float = 0.0,
+) -> Program:  # fmt: skip
+    """Choose bodies for all demands, as long as the floor [m2] and the walls [m] have room for them.
+
+    ``pane`` is the width [m] of the windows, for what hangs before them.
+
+    What is asked for or needed is taken in any case; the rest ends where ``fill`` of the floor or the wall is taken.
+    """
+    program, by_item = Program(), {}
+    for number, demand in enumerate(sorted(wishes, key=_order(room))):
+        item = demand.item
+        parents: list[Wanted | None] = [None]
+        total = demand.asked is not None and demand.asked.count is not None
+        if item is not None and item.with_ is not None:
+            parents = [w for w in by_item.get(item.with_, ())]
+            if not parents:
+                if demand.asked is None:
+                    continue
+                parents = [None]
+        wish = _wish(demand, brief, style, seed + 101 * number)
+        if item is not None and _hangs_at_windows(item) and pane and wish.size[1] is None:
+            wish = replace(wish, size=(wish.size[0], pane + 0.3, wish.size[2]))
+        pieces = demand.count if total else demand.count * len(parents)
+        if not pieces:
+            continue
+        try:
+            assets = _bodies(demand, pieces, wish, library)
+        except InputError as error:
+            program.left_out.append(str(error))
+            continue
+        made: list[Wanted] = []
+        for k in range(pieces):
+            parent = parents[k % len(parents)] if total else parents[k // demand.count]
+            supports = [w for name in (item.on if item else ()) for w in by_item.get(name, ())]
+            support = supports[k % len(supports)] if supports else None
+            one = Wanted(item, assets[k].category, assets[k], demand.rank, k, parent, support,
+                         demand.asked.id if demand.asked else None)  # fmt: skip
+            must = demand.rank <= 1 and (k < demand.least * (1 if total else len(parents)))
+            if not must and not _fits(program, made, one, area, wall, fill):
+                program.left_out.append(f"{one.category}: the floor or the walls are full")
+                break
+            made.append(one)
+        program.wanted += made
+        if item is not None:
+            by_item.setdefault(item.id, []).extend(made)
+    _name(program.wanted)
+    return program
+
+
+def _order(room: RoomType):
+    """By need, an item never before what it goes with or stands on; then as the room's file has them."""
+    at = {item.id: k for k, item in enumerate(room.items)}
+
+    def rank(item: Item, own: int) -> int:
+        above = [room.item(name) for name in ((item.with_,) if item.with_ else ()) + item.on if name in at]
+        return max([own, *(rank(a, RANK[a.need]) for a in above)])
+
+    def key(demand: Demand) -> tuple[int, int]:
+        if demand.item is None:
+            return 1, 1000
+        return max(1, rank(demand.item, demand.rank)), at.get(demand.item.id, 1000)
+
+    return key
+
+
+def _wish(demand: Demand, brief: Brief, style: str | None, seed: int) -> Wish:
+    item, asked = demand.item, demand.asked
+    size: list[float | None] = [None, None, None]
+    rng = random.Random(seed)
+    if item is not None:
+        size = [None if r is None else round(rng.uniform(*r), 3) for r in item.size]
+    if asked is not None:
+        size = [a if a is not None else s for a, s in zip(asked.size, size, strict=True)]
+        if asked.scale != 1.0 and size == [None, None, None]:
+            ranges = categories()[asked.category].size
+            if ranges is not None:
+                at = min(1.0, max(0.0, 0.5 + 1.5 * (asked.scale - 1.0)))
+                size = [round(lo + at * (hi - lo), 3) for lo, hi in ranges.ranges]
+    return Wish(
+        size=(size[0], size[1], size[2]),
+        color=(asked and asked.color) or (item and item.color) or None,
+        material=asked.material if asked else None,
+        style=(asked and asked.style) or style,
+        words=" ".join(asked.words) if asked else "",
+        seed=seed,
+        count=1,
+    )
+
+
+def _bodies(demand: Demand, pieces: int, wish: Wish, library: Library) -> list[Asset]:
+    name = demand.categories[0]
+    same = demand.item.same if demand.item else True
+    if same:
+        return library.choose(name, pieces, wish)
+    out = []
+    for k in range(pieces):
+        category = demand.categories[k % len(demand.categories)]
+        out += library.choose(category, 1, replace(wish, seed=wish.seed + 7 * k))
+    return out
+
+
+def _fits(program: Program, made: list[Wanted], one: Wanted, area: float, wall: float, fill: float) -> bool:
+    floor = program.footprint + sum(w.footprint for w in made) + one.footprint
+    line = program.wall + sum(w.wall for w in made) + one.wall
+    return (one.footprint == 0 or floor <= fill * area) and (one.wall == 0 or line <= wall)
+
+
+def _name(wanted: list[Wanted]) -> None:
+    counts: dict[str, int] = {}
+    for one in wanted:
+        k = counts.get(one.category, 0)
+        one.id, counts[one.category] = f"{one.category}-{k}", k + 1

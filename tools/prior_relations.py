@@ -1,0 +1,214 @@
+"""The relations of a room's items and of a request, between the objects that stand for them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+
+from sceneweaver.brief import AskedRelation, Brief
+from sceneweaver.knowledge import Place
+from sceneweaver.scene import CATALOGUE, InputError, Relation, Room
+
+from .prior_program import Wanted
+
+BOUND = ("against_wall", "side_against_wall", "in_corner", "at_window", "away_from_door", "centered_on", "near")
+"""What a room's own relations may give way in when a request says where a thing goes."""
+
+CEILING = 0.15
+"""Height [m] that is left free above what hangs over something."""
+
+SYMMETRIC = ("side_by_side", "leftright_to_leftright", "back_to_back", "near", "aligned", "parallel", "distance")
+
+
+def of_items(wanted: Sequence[Wanted], room: Room, free: Iterable[str] = ()) -> list[Relation]:
+    """The relations that the items say, each for its instances; objects in ``free`` keep to what was asked instead."""
+    by_item: dict[str, list[Wanted]] = {}
+    for one in wanted:
+        if one.item is not None:
+            by_item.setdefault(one.item.id, []).append(one)
+    found: list[Relation] = []
+    loose = set(free)
+    for one in wanted:
+        for place in one.item.place if one.item else ():
+            if one.id in loose and place.type in BOUND:
+                continue
+            relation = _of_place(one, place, by_item, room)
+            if relation is None:
+                continue
+            found.append(relation)
+            if relation.type == "above" and one.mount == "wall":  # at the wall behind it, not at the one opposite
+                found.append(
+                    Relation(type="near", subject=one.id, target=relation.target, params={"max": 0.3},
+                             hard=relation.hard)
+                )  # fmt: skip
+    return _without_doubles(found)
+
+
+def _of_place(one: Wanted, place: Place, by_item: dict[str, list[Wanted]], room: Room) -> Relation | None:
+    kind = CATALOGUE[place.type].target
+    params = dict(place.params)
+    target: str | None = None
+    if one.support is not None and place.type in ("against_wall", "side_against_wall", "in_corner", "at_window"):
+        return None
+    if kind.startswith("window"):
+        if not room.windows:
+            return None
+        target = room.windows[one.number % len(room.windows)].id
+        width = room.windows[one.number % len(room.windows)].width
+        if one.mount == "wall" and "overlap" not in params:  # a curtain hangs before the middle of its window
+            params["overlap"] = max(0.1, round(0.95 * min(1.0, width / one.asset.size[1]), 2))
+    elif kind.startswith("door"):
+        if not room.doors:
+            return None
+    elif kind.startswith("object"):
+        other = _instance(one, place.to, by_item)
+        if other is None:
+            return None
+        target = other.id
+        if place.type == "above" and other.asset.size[2] + one.asset.size[2] + CEILING > room.height:
+            return None
+    if place.type == "around" and "n" not in params:
+        params["n"] = sum(w.parent is one.parent for w in by_item[one.item.id]) if one.item else 1
+        if params["n"] < 2:
+            return Relation(type="front_against", subject=one.id, target=target, hard=not place.soft)
+    return Relation(
+        type=place.type, subject=one.id, target=target, params=params, hard=not place.soft, weight=place.weight
+    )
+
+
+def _instance(one: Wanted, name: str | None, by_item: dict[str, list[Wanted]]) -> Wanted | None:
+    """Which instance of an item is meant: its own parent, the one before it in a chain, or one by its number."""
+    others = by_item.get(name or "", [])
+    if one.item is not None and name == one.item.id:
+        earlier = [w for w in others if w.number == one.number - 1]
+        return earlier[0] if earlier else None
+    for kin in (one.parent, one.parent and one.parent.parent, one.support):
+        if kin is not None and kin in others:
+            return kin
+    siblings = [w for w in others if w.parent is not None and w.parent is one.parent]
+    pool = siblings or others
+    return pool[one.number % len(pool)] if pool else None
+
+
+def of_brief(
+    brief: Brief, wanted: Sequence[Wanted], room: Room
+) -> tuple[list[Relation], set[str], list[str], dict[str, str]]:
+    """The relations that were asked for.
+
+    Returns the relations (hard), the ids of objects whose place they decide, what could not be said as relations, and
+    the objects that were asked to stand in the middle of the room (id: what was written).
+    """
+    made: dict[str, list[Wanted]] = {}
+    for one in wanted:
+        if one.asked is not None:
+            made.setdefault(one.asked, []).append(one)
+    found: list[Relation] = []
+    placed: set[str] = set()
+    unmet: list[str] = []
+    middle: dict[str, str] = {}
+    for said in brief.relations:
+        subjects = made.get(said.subject, [])
+        if said.target == "middle":
+            middle.update({w.id: said.words for w in subjects if w.mount == "floor"})
+            placed.update(w.id for w in subjects)
+            continue
+        for number, one in enumerate(subjects):
+            if said.type in ("on_top", "inside") and one.support is not None:
+                continue  # true by its support
+            try:
+                relation = _of_asked(said, one, number, len(subjects), made, room)
+            except InputError as error:
+                unmet.append(f"{said.words or said.type}: {error}")
+                continue
+            if relation is None:
+                unmet.append(f"{said.words or said.type}: there is nothing to relate {one.id} to")
+                continue
+            found.append(relation)
+            if one.mount == "floor" and said.type not in ("facing", "aligned", "parallel", "away_from_door"):
+                placed.add(one.id)
+    return _without_doubles(found), placed, unmet, middle
+
+
+def _of_asked(
+    said: AskedRelation, one: Wanted, number: int, count: int, made: dict[str, list[Wanted]], room: Room
+) -> Relation | None:
+    kind = CATALOGUE[said.type].target
+    params = dict(said.params)
+    target: str | tuple[str, str] | None = None
+    if kind.startswith("wall"):
+        if isinstance(said.target, str) and ":" in said.target:
+            target = f"wall:{wall_named(said.target.split(':', 1)[1], room)}"
+    elif kind.startswith("window"):
+        if not room.windows:
+            return None
+        target = room.windows[number % len(room.windows)].id
+    elif kind == "objects":
+        names = said.target if isinstance(said.target, tuple) else ()
+        pool = [made.get(name, []) for name in names]
+        if len(pool) == 1 and len(pool[0]) > 1:
+            pair = pool[0][:2]
+        elif len(pool) == 2 and all(pool):
+            pair = [pool[0][0], pool[1][-1]]
+        else:
+            return None
+        if pair[0] is pair[1]:
+            return None
+        target = (pair[0].id, pair[1].id)
+    elif kind.startswith("object"):
+        others = [w for w in made.get(str(said.target), []) if w is not one]
+        if not others:
+            return None
+        target = others[number % len(others)].id
+    if said.type == "around":
+        params["n"] = count
+        if count < 2:
+            return Relation(type="front_against", subject=one.id, target=target)
+    return Relation(type=said.type, subject=one.id, target=target, params=params)
+
+
+def wall_named(name: str, room: Room) -> int:
+    """The wall that "left", "right", "far", "near" (seen from the door) or a compass point names, or a number.
+
+    Raises:
+        InputError: for another name.
+    """
+    count = len(room.outline)
+    if name.isdigit():
+        if int(name) >= count:
+            raise InputError(f"wall {name}: the room has walls 0 to {count - 1}")
+        return int(name)
+    compass = {"north": (0.0, 1.0), "south": (0.0, -1.0), "east": (1.0, 0.0), "west": (-1.0, 0.0)}
+    if name in compass:
+        out = compass[name]
+    else:
+        entry = room.doors[0].wall if room.doors else 0
+        nx, ny = _inward(room, entry)
+        turns = {"far": (nx, ny), "opposite": (nx, ny), "back": (nx, ny), "near": (-nx, -ny), "front": (-nx, -ny),
+                 "left": (-ny, nx), "right": (ny, -nx)}  # fmt: skip
+        if name not in turns:
+            raise InputError(f"wall '{name}' is unknown; say left, right, far, near, north, south, east or west")
+        out = turns[name]
+    scores = []
+    for i in range(count):
+        nx, ny = _inward(room, i)
+        length = math.dist(room.outline[i], room.outline[(i + 1) % count])
+        scores.append((round(-(nx * out[0] + ny * out[1]), 1), length, i))
+    return max(scores)[2]
+
+
+def _inward(room: Room, wall: int) -> tuple[float, float]:
+    (ax, ay), (bx, by) = room.outline[wall], room.outline[(wall + 1) % len(room.outline)]
+    length = math.hypot(bx - ax, by - ay)
+    return -(by - ay) / length, (bx - ax) / length
+
+
+def _without_doubles(relations: Iterable[Relation]) -> list[Relation]:
+    seen: set[tuple] = set()
+    kept = []
+    for r in relations:
+        names = (r.subject, *r.targets)
+        key = (r.type, tuple(sorted(names)) if r.type in SYMMETRIC else names)
+        if key not in seen:
+            seen.add(key)
+            kept.append(r)
+    return kept

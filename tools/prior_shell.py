@@ -1,0 +1,143 @@
+"""The empty room: outline, doors and windows from a kind of room and a request."""
+
+from __future__ import annotations
+
+import math
+import random
+
+from sceneweaver.brief import Brief
+from sceneweaver.knowledge import RoomType
+from sceneweaver.scene import Room
+from sceneweaver.scene.model import Door, Window
+
+Point = tuple[float, float]
+
+SMALLEST, LARGEST = 1.5, 60.0
+"""Sides [m] of a room that are built at least and at most; what was asked is brought in between, with a note."""
+
+
+def floor_area(room: RoomType, brief: Brief, seed: int) -> tuple[float, int, bool, list[str]]:
+    """Floor [m2], people, whether the request fixes the floor, and what was assumed."""
+    rng, notes = random.Random(seed ^ 0xA2EA), []
+    people = brief.people if brief.people is not None else room.people
+    if brief.size is not None:
+        return brief.size[0] * brief.size[1], people, True, notes
+    if brief.area is not None:
+        return brief.area, people, True, notes
+    area = room.area[1] * brief.scale * rng.uniform(0.96, 1.08)
+    if brief.people is not None and room.area_per_person:
+        area = max(area, room.area_per_person * people)
+    return min(max(area, 0.8 * room.area[0]), max(room.area[2], 1.0)), people, False, notes
+
+
+def shell(room: RoomType, brief: Brief, area: float, seed: int) -> tuple[Room, list[str]]:
+    """A room of that floor area [m2]: the outline that was asked for, the door near a corner, windows opposite."""
+    rng, notes = random.Random(seed ^ 0x5E11), []
+    width, depth = _sides(room, brief, area, rng, notes)
+    outline = _outline(brief.shape, width, depth)
+    height = brief.height or room.height
+    if not 2.0 <= height <= 8.0:
+        notes.append(f"a ceiling of {height:g} m was brought to {min(max(height, 2.0), 8.0):g} m")
+        height = min(max(height, 2.0), 8.0)
+    walls = [math.dist(a, b) for a, b in zip(outline, [*outline[1:], outline[0]], strict=True)]
+    count = brief.doors if brief.doors is not None else max(1, room.doors.count.least)
+    entry = 0
+    doors, taken = [], set()
+    for k in range(min(count, len(walls))):
+        wall = entry if k == 0 else max((i for i in range(len(walls)) if i not in taken), key=lambda i: walls[i])
+        size = min(round(rng.uniform(*room.doors.width), 2), walls[wall] - 0.3)
+        if size < 0.6:
+            notes.append(f"wall {wall} is too short for a door")
+            continue
+        taken.add(wall)
+        play = walls[wall] - size
+        offset = rng.uniform(0.12, 0.3) if play > 0.5 else play / 2
+        near = rng.random() < 0.5
+        swing = room.doors.swing
+        if swing == "in-left" and not near:
+            swing = "in-right"  # the leaf opens against the wall beside it
+        doors.append(
+            Door(id=f"door-{k}", wall=wall, offset=round(offset if near else play - offset, 3), width=size,
+                 height=round(min(rng.uniform(*room.doors.height), height - 0.05), 2), swing=swing)
+        )  # fmt: skip
+    windows = _windows(room, brief, outline, walls, entry, height, rng, notes)
+    return Room(type=room.name, outline=tuple(outline), height=height, doors=tuple(doors), windows=windows), notes
+
+
+def _sides(room: RoomType, brief: Brief, area: float, rng: random.Random, notes: list[str]) -> tuple[float, float]:
+    if brief.size is not None:
+        sides = list(brief.size)
+    else:
+        aspect = rng.uniform(*room.aspect)
+        share = {"L": 0.80, "T": 0.76, "U": 0.80}.get(brief.shape or "", 1.0)
+        depth = math.sqrt(area / share / aspect)
+        sides = [depth * aspect, depth]
+    for k in (0, 1):
+        kept = min(max(sides[k], SMALLEST), LARGEST)
+        if kept != sides[k]:
+            notes.append(
+                f"a side of {sides[k]:.2f} m was brought to {kept:g} m; rooms have {SMALLEST:g} to {LARGEST:g} m"
+            )
+        sides[k] = round(kept, 2)
+    return sides[0], sides[1]
+
+
+def _outline(shape: str | None, w: float, d: float) -> list[Point]:
+    """Counter-clockwise corners; wall 0 is the one at y = 0."""
+    if shape == "L":
+        return [(0, 0), (w, 0), (w, round(0.55 * d, 2)), (round(0.55 * w, 2), round(0.55 * d, 2)),
+                (round(0.55 * w, 2), d), (0, d)]  # fmt: skip
+    if shape == "T":
+        a, b, c = round(0.25 * w, 2), round(0.75 * w, 2), round(0.5 * d, 2)
+        return [(a, 0), (b, 0), (b, c), (w, c), (w, d), (0, d), (0, c), (a, c)]
+    if shape == "U":
+        a, b, c = round(0.35 * w, 2), round(0.65 * w, 2), round(0.45 * d, 2)
+        return [(0, 0), (w, 0), (w, d), (b, d), (b, c), (a, c), (a, d), (0, d)]
+    if shape == "round":
+        r = min(w, d) / 2
+        turn = [2 * math.pi * (k + 0.5) / 12 - math.pi / 2 - 2 * math.pi / 12 for k in range(12)]
+        return [(round(r + r * math.cos(t), 3), round(r + r * math.sin(t), 3)) for t in turn]
+    return [(0, 0), (w, 0), (w, d), (0, d)]
+
+
+def _windows(
+    room: RoomType, brief: Brief, outline: list[Point], walls: list[float], entry: int, height: float,
+    rng: random.Random, notes: list[str],
+) -> tuple[Window, ...]:  # fmt: skip
+    """Windows in the walls that look away from the door, then in those beside it, centred."""
+    spec = room.windows
+    count = brief.windows if brief.windows is not None else spec.count.of(0.0, 0, rng.random())
+
+    def normal(i: int) -> Point:
+        (ax, ay), (bx, by) = outline[i], outline[(i + 1) % len(outline)]
+        return -(by - ay) / walls[i], (bx - ax) / walls[i]
+
+    front = normal(entry)
+    facing = {i: sum(a * b for a, b in zip(normal(i), front, strict=True)) for i in range(len(walls))}
+    choice = sorted((i for i in facing if i != entry and walls[i] >= 1.0), key=lambda i: (round(facing[i]), -walls[i]))
+    windows: list[Window] = []
+    used: dict[int, int] = {}
+    width = round(rng.uniform(*spec.width), 2)
+    sill = round(min(rng.uniform(*spec.sill), height - 0.8), 2)
+    tall = round(min(rng.uniform(*spec.height), height - 0.15 - sill), 2)
+    plan: dict[int, int] = {}
+    for k in range(count):
+        fits = [i for i in choice if (plan.get(i, 0) + 1) * (width + 0.5) <= walls[i]]
+        if not fits:
+            if walls and choice and not plan:
+                plan[choice[0]], width = 1, round(walls[choice[0]] - 0.6, 2)
+                continue
+            notes.append(f"{count - k} of {count} windows do not fit in the walls")
+            break
+        best = fits[0] if k == 0 or walls[fits[0]] > 2.2 * width * (plan.get(fits[0], 0) + 1) else fits[-1]
+        plan[best] = plan.get(best, 0) + 1
+    for wall, many in plan.items():
+        gap = (walls[wall] - many * width) / (many + 1)
+        for _ in range(many):
+            at = used.get(wall, 0)
+            used[wall] = at + 1
+            windows.append(
+                Window(id=f"window-{len(windows)}", wall=wall, offset=round(gap + at * (width + gap), 3), width=width,
+                       sill=sill, height=tall)
+            )  # fmt: skip
+    return tuple(windows)
