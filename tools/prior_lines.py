@@ -56,7 +56,9 @@ def set_out(lines: Sequence[Line], room: Room, taken: Iterable[Any], seed: int) 
     count = len(room.outline)
     blocked = [*taken, *_door_zones(room)]
     poses: Poses = {}
-    for line in lines:
+    queue = list(lines)
+    while queue:
+        line = queue.pop(0)
         order = list(range(count))
         rng.shuffle(order)
         order.sort(key=lambda i: _doors_at(room, i))
@@ -65,6 +67,10 @@ def set_out(lines: Sequence[Line], room: Room, taken: Iterable[Any], seed: int) 
             found = _along(line, room, wall, blocked, rng) or _around_corner(line, room, wall, blocked, rng)
             if found is not None:
                 break
+        if found is None and not line.flush and len(line.pieces) >= 4:
+            half = len(line.pieces) // 2  # too long for one wall: two lines
+            queue[:0] = [Line(line.pieces[:half], False), Line(line.pieces[half:], False)]
+            continue
         if found is None:
             return None
         for one, pose in found:

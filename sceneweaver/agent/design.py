@@ -56,7 +56,7 @@ def design(
     planner: str = "rules",
     out: str | Path | None = None,
     steps: int = 10,
-    candidates: int = 256,
+    candidates: int | None = None,
     device: str = "auto",
     time_limit: float | None = None,
     pictures: bool = True,
@@ -71,7 +71,7 @@ def design(
         planner: "rules", which needs no model, or "llm".
         out: a folder for the scene, its pictures and report, and every step; a run that was cut off goes on there.
         steps: steps of the agent at most.
-        candidates: layouts that are refined for each call of a tool.
+        candidates: layouts that are refined for each call of a tool; None decides by the kind of device.
         device: "auto", "cpu", "cuda" or "cuda:k".
         time_limit: seconds after which no step begins.
         pictures: whether pictures and the report are drawn into ``out``.
@@ -164,7 +164,7 @@ def _complete(report: Report, review: Review, settings: Settings, run: Run, bega
         scores=scores,
         seed=settings.seed,
         device=settings.device,
-        candidates=settings.candidates,
+        candidates=settings.layouts,
         seconds={"total": round(time.monotonic() - began, 3), **steps},
         versions={**report.versions, "warp-lang": version("warp-lang")},
     )

@@ -14,8 +14,12 @@ from sceneweaver.scene.edits import Remove, apply, apply_all
 from sceneweaver.tools.base import Proposal
 from sceneweaver.verify import Report, check
 
+from .coarse import coarse
 from .settings import Settings
 from .tidy import tidy
+
+ENOUGH = 4
+"""Valid layouts to choose from for which no further round is made."""
 
 ROUNDS = 10
 """Times that something gives way before a layout that cannot be valid is taken as it is."""
@@ -96,22 +100,35 @@ class Executor:
         return min(outcomes, key=lambda o: o.key)
 
     def _free(self, draft: Scene, fresh: bool, seed: int) -> list[Scene]:
-        s = self.settings
-        solution = refine(
-            draft, candidates=s.candidates if fresh else max(16, s.candidates // 8), seed=seed,
-            init="sample" if fresh else "current", device=s.device, steps=s.attempts, explain=False,
-        )  # fmt: skip
-        return solution.distinct(s.finalists if fresh else 2) or [solution.best]
+        """Layouts of a whole scene: a quick round first, more patient ones as long as too few come out valid."""
+        s, plain = self.settings, coarse(draft) if fresh else draft
+        count = s.layouts if fresh else max(16, s.layouts // 4)
+        found: list[Scene] = []
+        for round_, attempts in enumerate(s.attempts):
+            solution = refine(
+                plain, candidates=count, seed=(seed + round_) % 2**32, init="sample" if fresh else "current",
+                device=s.device, steps=attempts, explain=False,
+            )  # fmt: skip
+            layouts = solution.distinct(s.finalists - len(found) if fresh else 2)
+            found += [_posed(draft, layout) for layout in layouts]
+            if len(found) >= (ENOUGH if fresh else 1):
+                return found
+        return found or [_posed(draft, solution.best)]
 
     def _around(self, draft: Scene, drafts: Sequence[Mapping[str, Pose]], seed: int) -> list[Scene]:
-        """Valid layouts around objects that stay where a draft has them; empty when no draft leaves room for the rest."""
+        """Layouts around objects that stay where a draft has them; empty when no draft leaves room for the rest."""
         s = self.settings
-        scenes = [_pinned(draft, poses) for poses in drafts]
-        each = max(16, s.candidates // len(scenes))
-        solutions = refine_many(scenes, candidates=each, seed=seed, device=s.device, steps=s.attempts)
-        found = []
-        for solution in solutions:
-            found += [_unpinned(layout, draft) for layout in solution.distinct(max(1, s.finalists // len(scenes)))]
+        scenes = [_pinned(coarse(draft), poses) for poses in drafts]
+        each = max(8, s.layouts // len(scenes))
+        found: list[Scene] = []
+        for round_, attempts in enumerate(s.attempts):
+            solutions = refine_many(
+                scenes, candidates=each, seed=(seed + round_) % 2**32, device=s.device, steps=attempts
+            )  # fmt: skip
+            for solution in solutions:
+                found += [_posed(draft, layout) for layout in solution.distinct(max(2, s.finalists // len(scenes)))]
+            if len(found) >= ENOUGH:
+                break
         return found
 
     def _unrefined(self, draft: Scene, proposal: Proposal, seed: int) -> Scene:
@@ -121,7 +138,7 @@ class Executor:
         scene = _pinned(draft, proposal.drafts[0]) if proposal.drafts else draft
         solution = refine(scene, candidates=1, seed=seed, optimizer="adam", steps=1, device=self.settings.device,
                           explain=False)  # fmt: skip
-        return _unpinned(solution.best, draft)
+        return _posed(draft, solution.best)
 
     def _give_way(self, draft: Scene, best: Outcome, notes: list[str], unmet: list[str]) -> Scene | None:
         """A scene that asks for less: without the least needed object in trouble, or with a relation made soft."""
@@ -181,7 +198,6 @@ def _pinned(scene: Scene, poses: Mapping[str, Pose]) -> Scene:
     return scene.model_copy(update={"objects": tuple(objects)})
 
 
-def _unpinned(layout: Scene, draft: Scene) -> Scene:
-    fixed = {o.id: o.fixed for o in draft.objects}
-    objects = [o.model_copy(update={"fixed": fixed[o.id]}) for o in layout.objects]
-    return layout.model_copy(update={"objects": tuple(objects)})
+def _posed(draft: Scene, layout: Scene) -> Scene:
+    """The draft with the poses of a layout of it."""
+    return draft.replace_poses({o.id: o.pose for o in layout.objects})

@@ -12,19 +12,23 @@ from sceneweaver.scene.base import FrozenModel
 class Settings(FrozenModel):
     """Budgets and switches of a run; equal settings and seed give equal scenes unless a time limit cuts them off.
 
-    ``tools`` names the only tools to use (None: all that their cards allow); ``reflect`` and ``physics`` are there to be
-    switched off in ablations: without reflection the plan is fixed beforehand and nothing is taken back, without
+    ``tools`` names the only tools to use (None: all that their cards allow); ``reflect`` and ``physics`` are there to
+    be switched off in ablations: without reflection the plan is fixed beforehand and nothing is taken back, without
     physics layouts are drawn from the relations and not optimised.
     """
 
     seed: int = Field(default=0, ge=0, le=2**32 - 1)
     steps: int = Field(default=10, ge=1, le=100, description="Steps at most")
     side_by_side: int = Field(default=2, ge=1, le=8, description="Calls that are tried in one step")
-    candidates: int = Field(default=256, ge=1, description="Layouts that are refined for each call")
+    candidates: int | None = Field(
+        default=None, ge=1, description="Layouts that are refined for each call; None: by the kind of device"
+    )
     finalists: int = Field(default=10, ge=1, description="Layouts of these that the critic compares")
     device: str = "auto"
     seconds: float | None = Field(default=None, gt=0, description="Time after which no step begins [s]")
-    attempts: int = Field(default=8, ge=1, description="Times that a layout is begun anew when it fails")
+    attempts: tuple[int, ...] = Field(
+        default=(2, 6), description="Times that a layout is begun anew when it fails, in a first and in later rounds"
+    )
     grade: float = Field(default=9.7, description="Mean grade at which to stop")
     patience: int = Field(default=2, ge=1, description="Steps without progress after which to stop")
     memory: int = Field(default=1, ge=0, description="Steps that the planner remembers in full")
@@ -33,3 +37,12 @@ class Settings(FrozenModel):
     physics: bool = True
     one_shot: bool = False
     tools: tuple[str, ...] | None = None
+
+    @property
+    def layouts(self) -> int:
+        """Layouts that are refined for each call."""
+        if self.candidates is not None:
+            return self.candidates
+        from sceneweaver.layout.devices import pick_devices
+
+        return 64 if pick_devices(self.device)[0] == "cpu" else 2048

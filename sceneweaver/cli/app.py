@@ -203,7 +203,11 @@ def design(
                                       show_default=False)],
     seed: Seed = 0,
     steps: Annotated[int, typer.Option(min=1, max=100, help="Steps of the agent at most.")] = 10,
-    candidates: Annotated[int, typer.Option(min=1, help="Layouts that are refined for each call of a tool.")] = 256,
+    candidates: Annotated[
+        int | None,
+        typer.Option(min=1, help="Layouts that are refined for each call of a tool (default: by the device).",
+                     show_default=False),
+    ] = None,
     planner: Annotated[Planner, typer.Option(help="Who chooses the tools.")] = Planner.RULES,
     device: Device = "auto",
     time_limit: TimeLimit = None,
@@ -243,7 +247,7 @@ def demo(
     from .design import DEMO, run_design
 
     return run_design(
-        DEMO, out, seed=seed, steps=10, candidates=256, planner="rules", device=device, time_limit=None, pictures=True,
+        DEMO, out, seed=seed, steps=10, candidates=None, planner="rules", device=device, time_limit=None, pictures=True,
         as_json=as_json,
     )  # fmt: skip
 

@@ -31,7 +31,7 @@ def run_design(
     *,
     seed: int,
     steps: int,
-    candidates: int,
+    candidates: int | None,
     planner: str,
     device: str,
     time_limit: float | None,

@@ -130,6 +130,8 @@ def _windows(survey: Survey) -> Iterator[Finding]:
         strip = _before(window, LIGHT)
         for other, _ in _inside(survey, strip, None, head=10.0):
             category = other.item.category
+            if other.item.mount == "wall":
+                continue  # what hangs across a window is said below
             if category in kinds.SEE_THROUGH | kinds.WINDOW_WEAR or frozenset((other.id, item.id)) in known:
                 continue
             spots = [window.wall.coordinates(c)[0] for c in other.corners]

@@ -28,6 +28,7 @@ def faults(survey: Survey) -> Iterator[Finding]:
     """Foreign things and one-sided mixes."""
     yield from _foreign(survey)
     yield from _dominant(survey)
+    yield from _lifeless(survey)
 
 
 def measures(survey: Survey) -> dict[str, float]:
@@ -107,6 +108,22 @@ def _strangeness(
     if category in elsewhere or row.parent == "furniture":
         return 0.7, None, "unusual in"
     return 0.25, None, "not usual in"
+
+
+def _lifeless(survey: Survey) -> Iterator[Finding]:
+    """Furniture without the small things of every day."""
+    bases = [b for b in survey.bodies if b.item.surfaces and kinds.carries(b.item.category)]
+    if not bases or survey.brief.only:
+        return
+    small = sum(b.item.mount == "surface" for b in survey.bodies)
+    if small >= len(bases):
+        return
+    ids = [b.id for b in bases if b.id not in survey.carried]
+    yield finding(
+        "realism", "lifeless", ids, f"{small} small things on {len(bases)} tables and shelves: nobody lives here",
+        f"put things of every day on {', '.join(ids[:4])}", points=1.2 * (1 - small / len(bases)), tool="add_crowd",
+        inputs={"supports": ids},
+    )  # fmt: skip
 
 
 def _dominant(survey: Survey) -> Iterator[Finding]:

@@ -217,6 +217,8 @@ def _televisions(survey: Survey) -> Iterator[Finding]:
             yield _wrong([tv.id, seat.id], f"{tv.id} is turned {angle:.0f} degrees away from {seat.id}",
                          f"turn {tv.id} toward {seat.id}", False, 1.2, toward=seat.id)  # fmt: skip
             continue
+        seen = [s for s in seen if angle_to(survey, s, tv) <= LOUNGE] or seen
+        seen = [s for s in seen if s.item.category in kinds.SOFAS] or seen
         hidden = [(s, h) for s in seen if (h := _hides(survey, s, tv)) is not None]
         if len(hidden) == len(seen):
             seat, other = hidden[0]
@@ -259,6 +261,15 @@ def _beds(survey: Survey) -> Iterator[Finding]:
             points=2.0, cap=LID if gap > 0.5 else None, tool="add_relation",
             inputs={"relations": [{"type": "against_wall", "subject": bed.id, "target": None, "hard": True}]},
         )  # fmt: skip
+    for stand in survey.of_kind(("nightstand",)):
+        bed = next((b for b, gap in survey.near(stand, 0.5) if b.item.category in kinds.BEDS), None)
+        if bed is not None and bed.local(stand.centre)[0] > 0.0:
+            yield finding(
+                "layout", "wrong_side", (stand.id, bed.id),
+                f"{stand.id} stands {bed.local(stand.centre)[0] + bed.size[0] / 2:.2f} m from the head of {bed.id}",
+                f"put {stand.id} at the head of {bed.id}", points=1.0, tool="add_relation",
+                inputs={"relations": [{"type": "against_wall", "subject": stand.id, "target": None, "hard": True}]},
+            )  # fmt: skip
     for bed in survey.of_kind(kinds.LONG_BEDS):
         gap = float(survey.wall_gaps[bed.index])
         if gap > 0.2:

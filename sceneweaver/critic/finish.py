@@ -63,7 +63,7 @@ def filled(survey: Survey, body: Body) -> float:
     """Share of a body's surfaces, up to `REACHED`, on which something stands."""
     names = {s.name for s in body.item.surfaces if _low(body, s.z)}
     used = {b.item.support.surface for b in survey.carried.get(body.id, ()) if b.item.support is not None}
-    if not names:
+    if not names or (used and "table_group" in kinds.groups_of(body.item.category)):
         return 1.0
     return len(names & used) / len(names)
 
@@ -126,11 +126,10 @@ def _floor(survey: Survey) -> Iterator[Finding]:
     used = floor.share(floor.used)
     bare = 0.35 if survey.brief.density == "sparse" or survey.brief.only else BARE
     if used < bare:
-        spare = _more(survey)
         yield finding(
             "completion", "bare", (), f"{1 - used:.0%} of the floor is more than 0.6 m from any furniture",
             "add furniture to the empty part of the room", points=1.0 + 6.0 * (bare - used), cap=LID,
-            tool="add_objects" if spare else None, inputs={"objects": spare} if spare else {},
+            tool="add_objects", inputs={"objects": _more(survey)},
         )  # fmt: skip
     elif used < bare + 0.15:
         yield finding(
@@ -141,11 +140,13 @@ def _floor(survey: Survey) -> Iterator[Finding]:
 
 
 def _more(survey: Survey) -> list[dict[str, Any]]:
-    """Furniture of the room type that stands on the floor and is not there yet, optional things last."""
+    """Furniture of the room type that is not on the floor yet, optional things last; a plant when all of it is."""
     have = set(survey.program.item_of.values())
     rank = {"needed": 0, "usual": 1, "optional": 2}
     absent = [i for i in survey.room.items if i.id not in have and i.with_ is None and not i.on and _stands(i)]
     absent.sort(key=lambda i: rank[i.need])
+    if not absent:
+        return [{"category": "potted_plant", "count": 1, "place": [{"type": "in_corner"}]}]
     return [{"category": i.what[0], "count": 1, "place": placing(survey, i)} for i in absent[:2]]
 
 
@@ -173,11 +174,10 @@ def _numbers(survey: Survey) -> Iterator[Finding]:
         return
     want, have = expected(survey), len(survey.bodies)
     if want and have < 0.8 * want:
-        more = _more(survey)
         yield finding(
             "completion", "few_objects", (), f"{have} objects; such a room has about {want:.0f}",
             "add furniture and small things", points=3.5 * (0.8 - have / want) + 0.2,
-            tool="add_objects" if more else None, inputs={"objects": more} if more else {},
+            tool="add_objects", inputs={"objects": _more(survey)},
         )  # fmt: skip
 
 

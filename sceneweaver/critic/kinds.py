@@ -73,6 +73,9 @@ WALL_ART = _set(
     " blackboard notice_board menu_board dartboard tv projector_screen"
 )
 
+CLOSED = _set("wardrobe locker tall_cabinet safe washing_machine dryer dishwasher stove minibar chest shoe_rack")
+"""What may hold things that nobody misses when they are not there."""
+
 EYE_LEVEL = _set("picture poster photo_frames wall_clock tapestry wall_mirror round_mirror")
 """What is looked at, and so hangs at the height of the eyes."""
 
@@ -203,7 +206,9 @@ def upright_seat(category: str) -> bool:
 def carries(category: str) -> bool:
     """Whether something should stand on or in it: tables, desks, counters, shelves, and no seats or beds."""
     row = categories().get(category)
-    return row is not None and bool(row.holds) and not groups_of(category) & {"seating", "bed_group", "tableware"}
+    if row is None or not row.holds or category in CLOSED:
+        return False
+    return not groups_of(category) & {"seating", "bed_group", "tableware"}
 
 
 def words(category: str) -> str:

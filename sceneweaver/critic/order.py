@@ -194,7 +194,7 @@ def _uneven(bodies: list[Body]) -> list[tuple[str, str, float]]:
     """Pairs (id, id, offset [m]) of near neighbours that nearly stand in line."""
     centres = np.array([b.centre for b in bodies])
     yaws = np.array([b.yaw for b in bodies])
-    reach = 1.2 * max(max(b.size[:2]) for b in bodies) + 0.6
+    reach = 1.5 * max(max(b.size[:2]) for b in bodies) + 0.8
     found = []
     for i, body in enumerate(bodies):
         rest = centres - centres[i]

@@ -36,6 +36,8 @@ def _violation(survey: Survey, v: Violation) -> Iterator[Finding]:
             yield finding("layout", v.kind, ids, v.detail, fix, points=2.0, cap=LID, **again)
             points = 2.0 if floating else 1.0
             yield finding("realism", v.kind, ids, v.detail, fix, points=points, cap=LID if floating else None, **again)
+        case "blocked_zone" if len(ids) == 2 and _on_companion(survey, *ids):
+            return
         case "blocked_zone" | "blocked_opening":
             fix = f"move {ids[-1]} out of the way" if ids else "clear the way"
             again["inputs"] = {"ids": [ids[-1]] if ids else []}
@@ -45,7 +47,8 @@ def _violation(survey: Survey, v: Violation) -> Iterator[Finding]:
             fix = f"lay out {v.objects[0]} again so that it holds"
             yield finding("layout", "broken_relation", v.objects, v.detail, fix, points=1.0, **again)
         case "soft_relation":
-            yield finding("layout", "soft_relation", v.objects, v.detail, points=0.15, **again)
+            yield finding("layout", "soft_relation", v.objects, v.detail, points=min(0.6, 0.25 * _weight(survey, v)),
+                          **again)  # fmt: skip
         case "dropped":
             why = next((d.category for d in survey.scene.dropped if d.id == v.objects[0]), v.objects[0])
             call = {"objects": [{"category": why, "count": 1}]}
@@ -53,6 +56,22 @@ def _violation(survey: Survey, v: Violation) -> Iterator[Finding]:
             for criterion in ("completion", "alignment"):
                 yield finding(criterion, "dropped", v.objects, v.detail, fix, points=1.5, tool="add_objects",
                               inputs=call)  # fmt: skip
+
+
+def _on_companion(survey: Survey, owner: str, other: str) -> bool:
+    """Whether something stands on a piece that may stand in the owner's zone, as a lamp on the nightstand of a bed."""
+    base = survey.placed.by_id[other].item.support
+    while base is not None:
+        if frozenset((owner, base.object)) in survey.pairs:
+            return True
+        base = survey.placed.by_id[base.object].item.support if base.object in survey.placed.by_id else None
+    return False
+
+
+def _weight(survey: Survey, v: Violation) -> float:
+    """The weight of a soft relation."""
+    names = tuple(v.objects)
+    return next((r.weight for r in survey.scene.relations if not r.hard and (r.subject, *r.targets) == names), 1.0)
 
 
 def _ways(survey: Survey) -> Iterator[Finding]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
 
 from sceneweaver.brief import Brief
 from sceneweaver.knowledge import RoomType
@@ -11,7 +12,7 @@ from sceneweaver.verify import Report
 
 from . import access, asked, belonging, facing, finish, needs, order, physical, sizes, space
 from .grade import Finding, finding, grades
-from .model import Review
+from .model import Fault, Review
 from .survey import Survey
 
 CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (
@@ -27,6 +28,9 @@ CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (
     asked.faults,
 )
 """All checks; each reads the survey and gives what it finds."""
+
+MOST = 8
+"""Faults of one kind that are listed one by one."""
 
 
 def review_scene(scene: Scene, report: Report, room: RoomType, brief: Brief) -> Review:
@@ -48,7 +52,28 @@ def review_scene(scene: Scene, report: Report, room: RoomType, brief: Brief) -> 
     else:
         found = [f for check in CHECKS for f in check(survey)]
     ranked = sorted(found, key=lambda f: (f.cap is None, -f.fault.points))
-    return Review(grades=grades(found), faults=tuple(f.fault for f in ranked), measures=_measures(survey))
+    faults = _short([f.fault for f in ranked])
+    return Review(grades=grades(found), faults=faults, measures=_measures(survey))
+
+
+def _short(faults: Sequence[Fault]) -> tuple[Fault, ...]:
+    """The faults, of those of one kind the first `MOST` singly and the rest in one."""
+    kept: list[Fault] = []
+    rest: dict[tuple[str, str], list[Fault]] = {}
+    count: Counter[tuple[str, str]] = Counter()
+    for fault in faults:
+        key = (fault.criterion, fault.kind)
+        count[key] += 1
+        if count[key] < MOST or (count[key] == MOST and sum((f.criterion, f.kind) == key for f in faults) == MOST):
+            kept.append(fault)
+        else:
+            rest.setdefault(key, []).append(fault)
+    for more in rest.values():
+        ids = tuple(dict.fromkeys(id for f in more for id in f.objects))
+        points = round(sum(f.points for f in more), 3)
+        reason = f"{len(more)} more of this kind, such as: {more[0].reason}"
+        kept.append(more[0].model_copy(update={"objects": ids, "reason": reason, "points": points}))
+    return tuple(kept)
 
 
 def _empty(survey: Survey) -> Iterator[Finding]:

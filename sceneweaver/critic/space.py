@@ -21,8 +21,11 @@ CELLS = 4000
 CROWDED = 0.6
 """Share of the floor under furniture from which a room is crowded."""
 
-EMPTY = 0.12
+EMPTY = 0.14
 """Share of the floor that may lie idle in one rectangle, beyond the reach of all furniture."""
+
+NARROW = 1.0
+"""Width [m] up to which an idle strip is a way and no gap in the furniture."""
 
 EMPTY_LEAST = 2.0
 """Area [m2] up to which an idle rectangle is no fault."""
@@ -85,6 +88,9 @@ def _measure(survey: Survey) -> Floor:
         _fill(taken, parts.xy[k] @ rotate, us, vs)
     away = np.asarray(distance_transform_edt(~taken)) * cell if taken.any() else np.full(inside.shape, np.inf)
     used = away <= REACH
+    for k, zone in enumerate(survey.placed.opening_zones.xy):
+        if k < len(survey.placed.doors):
+            _fill(used, zone @ rotate, us, vs)
     return Floor(cell, inside, taken & inside, used & inside, turn, (float(low[0]), float(low[1])))
 
 
@@ -158,13 +164,13 @@ def faults(survey: Survey) -> Iterator[Finding]:
     cells, row, column, rows, columns = _idle(survey)
     idle = cells * floor.cell**2
     limit = max(EMPTY_LEAST, (2.0 if sparse else 1.0) * EMPTY * survey.area)
-    if idle > limit and survey.bodies:
+    if idle > limit and min(rows, columns) * floor.cell >= NARROW and survey.bodies:
         x, y = floor.world(row + rows / 2, column + columns / 2)
         share = idle / survey.area
         yield finding(
             "layout", "empty_area", (),
             f"{columns * floor.cell:.1f} x {rows * floor.cell:.1f} m around ({x:.1f}, {y:.1f}) lie empty, "
-            f"{share:.0%} of the floor", "spread the furniture over the room", points=0.5 + 5.0 * (share - 0.5 * EMPTY),
+            f"{share:.0%} of the floor", "spread the furniture over the room", points=0.4 + 5.0 * (share - EMPTY),
             tool="update_layout", inputs={"ids": []},
         )  # fmt: skip
     least, way = _halves(floor)

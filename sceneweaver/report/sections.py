@@ -45,7 +45,9 @@ def header(data: ReportData, valid: bool | None) -> str:
     seconds = (metrics.get("seconds") or {}).get("total")
     took = sum(step.seconds for step in data.steps) or seconds
     if isinstance(took, int | float):
-        facts.append((f"{took:.1f} s" if took >= 0.05 else f"{took * 1000:.0f} ms", "computing" if data.steps else "checking"))
+        facts.append(
+            (f"{took:.1f} s" if took >= 0.05 else f"{took * 1000:.0f} ms", "computing" if data.steps else "checking")
+        )
     share = metrics.get("reachable_share")
     if isinstance(share, int | float):
         facts.append((f"{100 * share:.0f} %", "reachable"))
@@ -74,7 +76,7 @@ def scores(review: Review | None, metrics: Mapping[str, Any]) -> str:
     for name, grade in grades.items():
         faults = [f for f in review.faults if f.criterion == name] if review is not None else []
         reasons = "".join(
-            f"<li>{esc(f.reason)}" + (f' <em>{esc(f.suggestion)}</em>' if f.suggestion else "") + "</li>"
+            f"<li>{esc(f.reason)}" + (f" <em>{esc(f.suggestion)}</em>" if f.suggestion else "") + "</li>"
             for f in faults[:6]
         )
         if len(faults) > 6:
@@ -163,7 +165,11 @@ def relations(rows: Sequence[RelationRow]) -> str:
     """All relations, those that do not hold first."""
     if not rows:
         return ""
-    marks = {True: ("held", "\u2713", "holds"), False: ("broken", "\u2717", "does not hold"), None: ("", "\u00b7", "not checked")}
+    marks = {
+        True: ("held", "\u2713", "holds"),
+        False: ("broken", "\u2717", "does not hold"),
+        None: ("", "\u00b7", "not checked"),
+    }
     items = []
     for row in sorted(rows, key=lambda r: r.held is not False):
         kind, mark, words = marks[row.held]
@@ -206,9 +212,7 @@ def _change(before: Mapping[str, float], after: Mapping[str, float]) -> str:
         old = before.get(name)
         tone = "" if old is None or abs(grade - old) < 0.05 else "good" if grade > old else "bad"
         was = "" if old is None else f"<s>{old:.1f}</s> "
-        cells.append(
-            f'<li class="{tone}"><span>{esc(name.replace("_", " "))}</span> {was}<b>{grade:.1f}</b></li>'
-        )
+        cells.append(f'<li class="{tone}"><span>{esc(name.replace("_", " "))}</span> {was}<b>{grade:.1f}</b></li>')
     return f'<ul class="change">{"".join(cells)}</ul>' if cells else ""
 
 

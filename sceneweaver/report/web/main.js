@@ -67,7 +67,7 @@ async function start() {
     dirty = false;
     const more = renderer.draw(orbit, {
       still: !moving, boxes: state.boxes, selected: state.selected, hover: state.hover,
-      frames: slow > 3 ? 16 : FRAMES,
+      frames: slow > 3 ? 32 : FRAMES,
     });
     if (moving || marked) {
       const view = orbit.matrix(canvas.width / canvas.height);
@@ -113,8 +113,6 @@ async function start() {
   stage.classList.add("running");
   resize();
   ask();
-  // A print shows the canvas as it is at that moment.
-  window.addEventListener("beforeprint", () => { renderer.draw(orbit, { ...state, still: false, frames: 0 }); });
   return { orbit, renderer, project: (p) => transform(orbit.matrix(canvas.width / canvas.height), p) };
 }
 

@@ -233,6 +233,7 @@ class Renderer {
     const program = this.use("surface", {
       view, eye, sun: this.sunNow || this.sun, sky: this.sky || this.sun, sunView: this.sunMap.view,
       skyView: (this.skyMap.view || this.sunMap.view), texel: (2 * this.radius) / MAP, mapTexel: 1 / MAP,
+      phase: gather ? this.gathered * 1.37 : 0,
     });
     gl.uniform1i(program.gather, gather ? 1 : 0);
     gl.uniform1i(program.sunMap, 0);

@@ -54,7 +54,7 @@ precision highp sampler2DShadow;
 uniform vec3 eye, sun, sky;
 uniform mat4 sunView, skyView;
 uniform sampler2DShadow sunMap, skyMap;
-uniform float cut, texel, mapTexel;
+uniform float cut, texel, mapTexel, phase;
 uniform int gather;    // 1: one of many frames that are added up, with light from one part of the sky
 uniform float lit;     // highlight of what the pointer is on
 uniform int ground;    // 1: the floor
@@ -112,8 +112,7 @@ float shadow(sampler2DShadow map, mat4 view, vec3 normal, vec3 light, float spre
   vec3 p = at.xyz * 0.5 + 0.5;
   if (any(lessThan(p, vec3(0.0))) || any(greaterThan(p, vec3(1.0)))) return 1.0;
   p.z -= 0.0006;
-  if (spread == 0.0) return texture(map, p);
-  float sum = 0.0, turn = hash(gl_FragCoord.xy) * 6.2832;
+  float sum = 0.0, turn = hash(gl_FragCoord.xy + phase) * 6.2832;
   for (int i = 0; i < 12; i++) {
     float r = sqrt((float(i) + 0.5) / 12.0) * spread * mapTexel, a = float(i) * 2.39996 + turn;
     sum += texture(map, p + vec3(cos(a) * r, sin(a) * r, 0.0));
@@ -125,7 +124,7 @@ void main() {
   vec3 toEye = normalize(eye - place), n = normalize(facing);
   if (!gl_FrontFacing) {
     if (cut < 100.0) { // the section through a cut wall
-      vec3 ink = vec3(0.055, 0.055, 0.06);
+      vec3 ink = vec3(0.23, 0.22, 0.21);
       result = vec4(gather == 1 ? ink : toScreen(ink), 1.0);
       return;
     }
@@ -134,18 +133,18 @@ void main() {
   float rough = clamp(kind.x, 0.06, 1.0), metal = kind.y, glow = kind.z, pattern = floor(kind.w * 255.0 + 0.5);
   vec3 base = patterned(pow(tint.rgb, vec3(2.2)), pattern);
   float facingSun = max(dot(n, sun), 0.0);
-  float sunlight = facingSun > 0.0 ? shadow(sunMap, sunView, n, sun, gather == 1 ? 1.5 : 2.6) : 0.0;
-  vec3 skyColor = vec3(0.86, 0.90, 0.97), bounce = vec3(0.50, 0.46, 0.42);
+  float sunlight = facingSun > 0.0 ? shadow(sunMap, sunView, n, sun, gather == 1 ? 2.0 : 2.6) : 0.0;
+  vec3 skyColor = vec3(0.86, 0.90, 0.97), bounce = vec3(0.58, 0.54, 0.50);
   vec3 ambient;
   if (gather == 1) {
     float open = max(dot(n, sky), 0.0);
-    if (open > 0.0) open *= shadow(skyMap, skyView, n, sky, 0.0);
-    ambient = skyColor * 2.0 * open + bounce * (0.5 - 0.42 * n.z);
+    if (open > 0.0) open *= shadow(skyMap, skyView, n, sky, 9.0);
+    ambient = skyColor * 2.0 * open + bounce * (0.56 - 0.30 * n.z);
   } else {
     ambient = 0.92 * mix(bounce, skyColor, 0.5 + 0.5 * n.z);
   }
   vec3 sunColor = vec3(1.0, 0.93, 0.82) * 1.9;
-  vec3 diffuse = base * (1.0 - metal) * (ambient * 0.62 + sunColor * facingSun * sunlight * 0.36);
+  vec3 diffuse = base * (1.0 - metal) * (ambient * 0.86 + sunColor * facingSun * sunlight * 0.42);
   // Highlights of the sun, and what is mirrored.
   vec3 half_ = normalize(sun + toEye), f0 = mix(vec3(0.04), base, metal);
   float nv = max(dot(n, toEye), 1e-3), nh = max(dot(n, half_), 0.0), a2 = pow(rough, 4.0);

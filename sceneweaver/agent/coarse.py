@@ -1,0 +1,56 @@
+"""Plainer collision shapes for the search: a layout that is valid for them is valid for the true parts inside them.
+
+A sofa of four octagons costs the engine sixteen times what its box costs, and its box is where nothing else can stand
+anyway. What others reach under (tables, desks) or around (corner sofas) keeps a box for each of its parts.
+"""
+
+from __future__ import annotations
+
+from sceneweaver.scene import Part, Scene, SceneObject
+
+TUCKED = ("front_against", "front_to_front", "around")
+
+SOLID = 0.8
+"""Share of its box that an object's plan must cover to be taken for the whole box."""
+
+
+def coarse(scene: Scene) -> Scene:
+    """The same scene with at most a few boxes for each object; ids, poses and relations are as they were."""
+    carrying = {o.support.object for o in scene.objects if o.support is not None}
+    seats = {r.subject for r in scene.relations if r.type in TUCKED}
+    tables = {t for r in scene.relations if r.type in TUCKED for t in r.targets}
+    objects = []
+    for o in scene.objects:
+        if not o.parts or o.id in carrying:
+            objects.append(o)
+        elif o.id in seats or o.id in tables:
+            objects.append(o.model_copy(update={"parts": tuple(_box(part) for part in o.parts)}))
+        else:
+            objects.append(o.model_copy(update={"parts": _merged(o)}))
+    return scene.model_copy(update={"objects": tuple(objects)})
+
+
+def _box(part: Part) -> Part:
+    xs, ys = [p[0] for p in part.polygon], [p[1] for p in part.polygon]
+    return _prism(min(xs), min(ys), max(xs), max(ys), part.z)
+
+
+def _prism(x0: float, y0: float, x1: float, y1: float, z: tuple[float, float]) -> Part:
+    return Part.model_construct(polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=z)
+
+
+def _merged(obj: SceneObject) -> tuple[Part, ...] | None:
+    """None, which means its whole box, where the boxes of its parts fill most of that; else those boxes.
+
+    What is high above the floor, such as the shade of an arched lamp, stays apart from what stands below it.
+    """
+    import shapely
+
+    boxes = [_box(part) for part in obj.parts or ()]
+    plan = shapely.union_all([shapely.Polygon(b.polygon) for b in boxes])
+    if plan.area >= SOLID * obj.size[0] * obj.size[1]:
+        return None
+    if plan.area >= SOLID * plan.envelope.area:
+        x0, y0, x1, y1 = plan.bounds
+        return (_prism(x0, y0, x1, y1, (min(b.z[0] for b in boxes), max(b.z[1] for b in boxes))),)
+    return tuple(boxes)

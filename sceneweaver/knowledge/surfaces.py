@@ -1,0 +1,188 @@
+"""What stands on tables and fills shelves, read once from ``arrangements/*.yaml`` and ``crowds/*.yaml``.
+
+Everything is said as the user of the piece sees it: back is the far edge, right is at the user's right hand.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from importlib import resources
+from types import MappingProxyType
+from typing import Any, Literal, TypeVar
+
+from pydantic import Field, field_validator, model_validator
+
+from sceneweaver.assets import categories
+from sceneweaver.scene import CATALOGUE, InputError
+from sceneweaver.scene.base import FrozenModel
+from sceneweaver.scene.messages import suggest
+
+from .load import read_yaml
+from .model import Need, Range
+
+Side = Literal["front", "back", "left", "right", "beside"]
+Level = Literal["main", "left", "right", "upper", "lower"]
+
+
+class _Kinds(FrozenModel):
+    """A choice among categories, with the sizes [m] that suit here."""
+
+    what: tuple[str, ...] = Field(description="Categories that serve, the best first")
+    size: tuple[Range | None, Range | None, Range | None] = (None, None, None)
+    turn: float = Field(default=0.0, description="Yaw [degrees] from facing the user")
+    loose: float = Field(default=0.0, description="Most the yaw strays [degrees]; 0 where a person would align it")
+
+    @field_validator("what", mode="before")
+    @classmethod
+    def _one(cls, value: Any) -> Any:
+        return (value,) if isinstance(value, str) else value
+
+    @field_validator("what")
+    @classmethod
+    def _known(cls, value: tuple[str, ...]) -> tuple[str, ...]:
+        for name in value:
+            if name not in categories() or categories()[name].size is None:
+                raise ValueError(f"{name} is no category with a body")
+        return value
+
+
+class Slot(_Kinds):
+    """One thing of an arrangement, and where it stands.
+
+    ``at`` is (depth, side): 0 at the back edge to 1 at the front edge, -1 at the user's left end to 1 at the right,
+    the thing itself staying inside. With ``by`` it stands at that side of another slot's thing, ``gap`` metres off,
+    with ``on`` upon it. ``each: seat`` repeats it before every chair, facing it.
+    """
+
+    id: str
+    need: Need = "usual"
+    chance: float = Field(default=1.0, ge=0, le=1, description="How often it is there")
+    at: tuple[float, float] | None = None
+    by: str | None = None
+    side: Side = "beside"
+    gap: float = 0.04
+    on: str | None = None
+    each: Literal["seat"] | None = None
+    surface: Level = "main"
+    fixed: bool = Field(default=False, description="Whether left and right keep when the arrangement is mirrored")
+    drift: float = Field(default=0.015, description="How far the place strays [m]")
+    reach: float = Field(default=0.16, description="How far it may move to where there is room [m]")
+    relate: str | None = Field(default=None, description="Relation to the thing of ``by`` (or ``on``) that this means")
+    least: tuple[float, float] = Field(default=(0.0, 0.0), description="Depth and width [m] of a support worth it")
+
+    @model_validator(mode="after")
+    def _check(self) -> Slot:
+        if sum(v is not None for v in (self.at, self.by, self.on, self.each)) != 1 and not (self.each and self.by):
+            raise ValueError(f"{self.id}: give one of at, by, on, each")
+        if self.relate is not None and self.relate not in CATALOGUE:
+            raise ValueError(f"{self.id}: {self.relate} is no relation of the catalogue")
+        return self
+
+
+class Arrangement(FrozenModel):
+    """Things that belong together on one piece of furniture."""
+
+    name: str
+    description: str
+    by_category: tuple[str, ...] = Field(default=(), description="Categories of furniture that it suits")
+    user: Literal["front", "back"] = Field(default="front", description="Side of the furniture its user is at")
+    most: float = Field(default=0.5, description="Largest share of the surface to cover, for what is not needed")
+    slots: tuple[Slot, ...]
+
+    @model_validator(mode="after")
+    def _order(self) -> Arrangement:
+        known: set[str] = set()
+        for slot in self.slots:
+            for name in (slot.by, slot.on):
+                if name is not None and name not in known:
+                    raise ValueError(f"{slot.id}: {name} is no slot before it")
+            if slot.id in known:
+                raise ValueError(f"two slots are called {slot.id}")
+            known.add(slot.id)
+        return self
+
+
+class Unit(_Kinds):
+    """Something that a shelf is filled with, ``repeat`` alike side by side."""
+
+    weight: float = 1.0
+    repeat: tuple[int, int] = (1, 1)
+    gap: float = Field(default=0.012, description="Between those that are alike [m]")
+    most: int = Field(default=8, description="Most groups of it on one surface")
+    level: Literal["low", "middle", "high"] | None = Field(
+        default=None, description="Where it usually is: below 0.6 m, between, above 1.6 m"
+    )
+    end: bool = Field(default=False, description="Whether it closes a row, like a bookend")
+    fill: bool = Field(default=False, description="Whether its width is chosen to fill what is left")
+    same: bool = Field(default=True, description="Whether those of one group are equal")
+
+
+class Crowd(FrozenModel):
+    """What fills shelves, racks and counters of one kind."""
+
+    name: str
+    description: str
+    by_category: tuple[str, ...] = Field(default=(), description="Categories of furniture that it suits")
+    mode: Literal["pack", "spread"] = Field(
+        default="spread", description="Groups close together from one end, or evenly spread"
+    )
+    count: tuple[int, int] = Field(default=(2, 8), description="Least and most objects on a surface")
+    share: Range = Field(default=(0.35, 0.9), description="Share of the width that is filled, at density 0 and 1")
+    setback: float = Field(default=0.02, description="From the front edge [m]")
+    top: str | None = Field(default=None, description="Another theme for the open top of a piece with shelves")
+    units: tuple[Unit, ...]
+
+
+Read = TypeVar("Read", Arrangement, Crowd)
+
+
+def _read(folder: str, kind: type[Read]) -> Mapping[str, Read]:
+    found: dict[str, Read] = {}
+    for file in sorted(resources.files(__package__ or "").joinpath(folder).iterdir(), key=lambda f: f.name):
+        if file.name.endswith(".yaml"):
+            data = read_yaml(file.read_text(encoding="utf-8"))
+            name = file.name.removesuffix(".yaml")
+            try:
+                found[name] = kind(name=name, **data)
+            except (InputError, TypeError) as error:
+                raise InputError(f"{folder}/{file.name}: {error}") from None
+    return MappingProxyType(found)
+
+
+@cache
+def arrangements() -> Mapping[str, Arrangement]:
+    """All arrangements by name."""
+    return _read("arrangements", Arrangement)
+
+
+@cache
+def crowds() -> Mapping[str, Crowd]:
+    """All themes by name."""
+    return _read("crowds", Crowd)
+
+
+def arrangement(name: str) -> Arrangement:
+    """The arrangement of that name; InputError when there is none."""
+    if name not in arrangements():
+        raise InputError(f"arrangement: '{name}' is unknown{suggest(name, arrangements())}")
+    return arrangements()[name]
+
+
+def crowd(name: str) -> Crowd:
+    """The theme of that name; InputError when there is none."""
+    if name not in crowds():
+        raise InputError(f"theme: '{name}' is unknown{suggest(name, crowds())}")
+    return crowds()[name]
+
+
+@cache
+def arrangement_of() -> Mapping[str, str]:
+    """The usual arrangement of each category of furniture that has one."""
+    return MappingProxyType({c: name for name, one in arrangements().items() for c in one.by_category})
+
+
+@cache
+def crowd_of() -> Mapping[str, str]:
+    """The usual theme of each category of furniture that has one."""
+    return MappingProxyType({c: name for name, one in crowds().items() for c in one.by_category})

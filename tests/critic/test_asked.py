@@ -1,0 +1,216 @@
+"""Whether the critic sees what a request asked for, and whether its tool calls can be acted on."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from sceneweaver.assets import categories
+from sceneweaver.brief import Brief
+from sceneweaver.critic import Fault, Review
+from sceneweaver.scene import CATALOGUE
+from tests.critic import rooms
+from tests.critic.rooms import Case, put
+from tests.critic.test_layout import only
+
+
+def brief(**data: Any) -> Brief:
+    return Brief.model_validate({"text": "", **data})
+
+
+def asked(category: str, **more: Any) -> dict[str, Any]:
+    return {"id": category, "noun": category.replace("_", " "), "category": category, **more}
+
+
+def review(case: Case, **data: Any) -> Review:
+    return Case(case.scene, case.room, brief(**data)).review()
+
+
+def test_what_was_asked_is_there() -> None:
+    found = review(rooms.living(), room="living_room", objects=[asked("sofa"), asked("coffee_table", count=(1, 1))])
+    assert found.grades["alignment"] == 10.0 and found.total > 9.0
+
+
+def test_missing_and_too_many() -> None:
+    case = rooms.office()
+    few = review(case, objects=[asked("desk", count=(3, 3)), asked("upright_piano")])
+    faults = {f.inputs["objects"][0]["category"]: f for f in only(few, "missing_asked", "alignment")}
+    assert faults["desk"].inputs["objects"][0]["count"] == 1 and "upright_piano" in faults
+    assert few.grades["alignment"] <= 5.0
+    one = review(case, objects=[asked("desk", count=(1, 1))])
+    fault = only(one, "too_many", "alignment")[0]
+    assert fault.tool == "remove_objects" and fault.inputs["ids"] in (["desk-0"], ["desk-1"])
+    assert 7.0 < one.grades["alignment"] < 10.0
+
+
+def test_attributes_and_sizes() -> None:
+    case = rooms.living()
+    color = case.scene.object("sofa-0").attributes["color"]
+    other = "red" if color != "red" else "blue"
+    assert not only(review(case, objects=[asked("sofa", color=color)]), "wrong_color", "alignment")
+    assert only(review(case, objects=[asked("sofa", color=other)]), "wrong_color", "alignment")[0].objects == (
+        "sofa-0",
+    )
+    assert not only(review(case, objects=[asked("sofa", size=(None, 2.0, None))]), "wrong_asked_size", "alignment")
+    wide = only(review(case, objects=[asked("sofa", size=(None, 2.6, None))]), "wrong_asked_size", "alignment")[0]
+    assert wide.inputs["sizes"]["sofa-0"][1] == 2.6
+    assert only(review(case, objects=[asked("tv_stand", scale=1.3), asked("coffee_table", scale=1.5)]),
+                "wrong_asked_size", "alignment")  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("relation", "holds"),
+    [
+        ({"type": "against_wall", "subject": "sofa", "target": "wall"}, True),
+        ({"type": "against_wall", "subject": "sofa", "target": "wall:east"}, True),
+        ({"type": "against_wall", "subject": "sofa", "target": "wall:right"}, True),
+        ({"type": "against_wall", "subject": "sofa", "target": "wall:west"}, False),
+        ({"type": "against_wall", "subject": "sofa", "target": "wall:far"}, False),
+        ({"type": "facing", "subject": "sofa", "target": "tv_on_stand"}, True),
+        ({"type": "facing", "subject": "armchair", "target": "sofa"}, False),
+        ({"type": "on_top", "subject": "tv_on_stand", "target": "tv_stand"}, True),
+        ({"type": "on_top", "subject": "vase", "target": "tv_stand"}, False),
+        ({"type": "near", "subject": "coffee_table", "target": "middle"}, True),
+        ({"type": "near", "subject": "bookcase", "target": "middle"}, False),
+        ({"type": "in_corner", "subject": "snake_plant", "target": "corner"}, True),
+        ({"type": "at_window", "subject": "armchair", "target": "window"}, False),
+        ({"type": "between", "subject": "coffee_table", "target": ("sofa", "tv_stand")}, True),
+        ({"type": "between", "subject": "snake_plant", "target": ("sofa", "tv_stand")}, False),
+    ],
+)
+def test_asked_relations(relation: dict[str, Any], holds: bool) -> None:
+    names = {relation["subject"], *(t for t in [relation["target"]] if t in categories())}
+    names |= set(relation["target"]) if isinstance(relation["target"], tuple) else set()
+    names |= {"coffee_table"} if "vase" in names else set()
+    found = review(rooms.living(), objects=[asked(n) for n in sorted(names)], relations=[relation])
+    faults = only(found, "asked_relation", "alignment")
+    assert (not faults) is holds, faults
+    if faults:
+        assert found.grades["alignment"] < 9.0 and relation["subject"] in faults[0].objects[0]
+
+
+def test_around() -> None:
+    case = rooms.restaurant(1, 1)
+    said = {"type": "around", "subject": "dining_chair", "target": "dining_table", "params": {"spread": 45}}
+    objects = [asked("dining_chair", count=(4, 4)), asked("dining_table")]
+    good = review(case, objects=objects, relations=[said])
+    assert not only(good, "asked_relation", "alignment")
+    moved = case.but({"id": "dining_chair-0", "x": 3.4, "y": 4.0})
+    assert only(review(moved, objects=objects, relations=[said]), "asked_relation", "alignment")
+
+
+def test_without_and_only() -> None:
+    case = rooms.bedroom()
+    banned = review(case, without=["rug", "plant_group"])
+    fault = only(banned, "unwanted", "alignment")[0]
+    assert set(fault.objects) == {"rug-0", "snake_plant-0"} and banned.grades["alignment"] <= 5.0
+    just = review(case, objects=[asked("bed"), asked("wardrobe")], only=True)
+    extra = only(just, "not_only", "alignment")[0]
+    assert "dresser-0" in extra.inputs["ids"] and "bed-0" not in extra.inputs["ids"]
+    assert not only(just, "missing_usual", "completion") and not only(just, "empty_support", "completion")
+
+
+@pytest.mark.parametrize(
+    ("data", "kind"),
+    [
+        ({"area": 14.4}, None), ({"area": 25.0}, "wrong_area"), ({"size": (5.0, 5.0)}, "wrong_area"),
+        ({"scale": 1.4, "area": None}, None), ({"shape": "rectangle"}, None), ({"shape": "L"}, "wrong_shape"),
+        ({"height": 2.6}, None), ({"height": 3.2}, "wrong_height"), ({"windows": 1}, None), ({"doors": 1}, None),
+        ({"windows": 3}, "wrong_windows"), ({"room": "kitchen"}, "wrong_room"), ({"colors": ("magenta",)}, "wrong_colors"),
+    ],
+)  # fmt: skip
+def test_the_room(data: dict[str, Any], kind: str | None) -> None:
+    found = review(rooms.bedroom(), **data)
+    mine = [f.kind for f in found.faults if f.criterion == "alignment"]
+    assert mine == ([kind] if kind else [])
+
+
+@pytest.mark.parametrize("name", ["rectangle", "L", "T", "U", "round"])
+def test_shapes(name: str) -> None:
+    import math
+
+    outlines = {
+        "rectangle": [(0, 0), (6, 0), (6, 5), (0, 5)],
+        "L": [(0, 0), (6, 0), (6, 3), (3, 3), (3, 6), (0, 6)],
+        "T": [(2, 0), (4, 0), (4, 3), (6, 3), (6, 5), (0, 5), (0, 3), (2, 3)],
+        "U": [(0, 0), (6, 0), (6, 6), (4, 6), (4, 2), (2, 2), (2, 6), (0, 6)],
+        "round": [(3 + 3 * math.cos(k * math.pi / 8), 3 + 3 * math.sin(k * math.pi / 8)) for k in range(16)],
+    }
+    case = rooms.bedroom()
+    room = case.scene.room.model_validate({"outline": outlines[name], "type": "bedroom", "height": 2.6})
+    scene = case.scene.model_copy(update={"room": room})
+    for shape in outlines:
+        found = review(Case(scene, case.room), shape=shape)
+        assert bool(only(found, "wrong_shape", "alignment")) is (shape != name), shape
+
+
+def test_style() -> None:
+    case = rooms.living()
+    parts = [o.id for o in case.scene.objects if o.mount == "floor"]
+    same = case.but(*({"id": id, "update": {"attributes": {"style": "modern"}}} for id in parts))
+    assert not only(review(same, style="modern"), "wrong_style", "alignment")
+    assert only(review(same, style="rustic"), "wrong_style", "alignment")
+
+
+# ---- tool calls ------------------------------------------------------------------------------------------------------
+
+BROKEN = [
+    rooms.living().but(
+        {"id": "sofa-0", "yaw": 30}, {"id": "bookcase-0", "y": 3.2}, {"id": "coffee_table-0", "gone": 1}
+    ),
+    rooms.office().but(
+        {"id": "office_chair-1", "yaw": -90}, {"id": "monitor-0", "yaw": 80}, {"id": "desk-0", "x": 1.3}
+    ),
+    rooms.bedroom().but({"id": "bed-0", "x": 1.8}, {"id": "wardrobe-0", "yaw": 0}, {"id": "nightstand-0", "gone": 1}),
+    rooms.restaurant().but(*({"id": f"dining_chair-{k}", "yaw": 40 + k} for k in range(9))),
+    rooms.bedroom().plus(put("toilet-0", 3.0, 0.9, 20)),
+]
+
+
+def acts(case: Case, fault: Fault) -> None:
+    """The inputs of a call are those of its tool and name what is there."""
+    ids, calls = set(case.scene.ids), fault.inputs
+    openings = {o.id for o in (*case.scene.room.doors, *case.scene.room.windows)}
+    match fault.tool:
+        case None:
+            assert not calls
+        case "add_objects":
+            assert set(calls) == {"objects"} and calls["objects"]
+            for row in calls["objects"]:
+                assert row["category"] in categories() and row["count"] >= 1
+                for place in row.get("place", ()):
+                    assert place["type"] in CATALOGUE and place.get("to", "wall") in {*ids, *openings, "wall", "window"}
+        case "add_tabletop" | "add_crowd":
+            assert set(calls) <= {"supports", "arrangement", "theme"} and calls["supports"]
+            assert set(calls["supports"]) <= ids
+        case "remove_objects" | "update_layout":
+            assert set(calls) == {"ids"} and set(calls["ids"]) <= ids
+        case "update_rotation":
+            assert set(calls["ids"]) <= ids and ("toward" in calls) != ("yaw" in calls)
+            assert calls.get("toward", next(iter(ids))) in ids
+        case "update_size":
+            assert set(calls["sizes"]) <= ids and all(len(s) == 3 and min(s) > 0 for s in calls["sizes"].values())
+        case "add_relation":
+            for row in calls["relations"]:
+                assert row["type"] in CATALOGUE and row["subject"] in ids
+                assert row["target"] is None or row["target"] in {*ids, *openings}
+        case other:
+            raise AssertionError(other)
+
+
+@pytest.mark.parametrize("case", BROKEN)
+def test_calls_can_be_acted_on(case: Case) -> None:
+    found = case.review()
+    assert found.faults and min(found.grades.values()) < 8.0
+    for fault in found.faults:
+        assert fault.reason and any(ch.isdigit() for ch in fault.reason) or fault.kind in ("foreign_object",)
+        assert fault.points >= 0 and fault.criterion in found.grades
+        acts(case, fault)
+
+
+def test_a_review_is_plain_data() -> None:
+    found = BROKEN[0].review()
+    assert Review.model_validate_json(found.model_dump_json()) == found
+    assert all(isinstance(v, float) for v in found.measures.values())
+    assert found == BROKEN[0].review()

@@ -1,0 +1,201 @@
+"""Pairs of scenes: a tidy one, and one with a single thing wrong with its layout."""
+
+from __future__ import annotations
+
+import pytest
+
+from sceneweaver.critic import Fault, Review
+from sceneweaver.scene import Relation
+from tests.critic import rooms
+from tests.critic.rooms import Case, put
+
+SMALL = 1.3
+"""Points that other criteria may lose by the same change."""
+
+
+def only(review: Review, kind: str, criterion: str = "layout") -> list[Fault]:
+    return [f for f in review.faults if f.kind == kind and f.criterion == criterion]
+
+
+def falls(good: Case, bad: Case, kind: str, objects: set[str], *, criterion: str = "layout", least: float = 0.4,
+          also: tuple[str, ...] = ()) -> Fault:  # fmt: skip
+    """The criterion falls, no other does by much, and a fault of the kind names the objects."""
+    before, after = good.review(), bad.review()
+    assert not only(before, kind, criterion), before.faults
+    found = only(after, kind, criterion)
+    assert found, [(f.kind, f.reason) for f in after.faults]
+    assert objects <= {id for f in found for id in f.objects}
+    assert after.grades[criterion] <= before.grades[criterion] - least
+    for name in after.grades:
+        if name != criterion and name not in also:
+            assert after.grades[name] >= before.grades[name] - SMALL, name
+    return found[0]
+
+
+@pytest.mark.parametrize("case", [rooms.bedroom, rooms.living, rooms.office, rooms.restaurant])
+def test_tidy_rooms_are_good(case) -> None:
+    review = case().review()
+    assert min(review.grades.values()) >= 8.0, [(f.kind, f.reason) for f in review.faults]
+    assert set(review.grades) == {"realism", "functionality", "layout", "completion", "alignment"}
+
+
+def test_collision() -> None:
+    good = rooms.living()
+    bad = good.but({"id": "armchair-0", "x": 3.2, "y": 1.6})
+    fault = falls(good, bad, "collision", {"armchair-0"}, also=("realism",), least=4.9)
+    assert bad.review().grades["layout"] <= 5.0
+    assert fault.tool == "update_layout" and "armchair-0" in fault.inputs["ids"]
+
+
+def test_floating_lowers_realism_and_layout() -> None:
+    good = rooms.living()
+    review = good.but({"id": "armchair-0", "z": 0.4}).review()
+    assert review.grades["layout"] <= 5.0 and review.grades["realism"] <= 5.0
+
+
+def test_what_stands_on_a_nightstand_does_not_block_its_bed() -> None:
+    assert not only(rooms.bedroom().review(), "blocked_zone")
+
+
+def test_chair_with_its_back_to_the_desk() -> None:
+    good = rooms.office()
+    bad = good.but({"id": "office_chair-1", "yaw": -90})
+    fault = falls(good, bad, "wrong_orientation", {"office_chair-1", "desk-1"}, least=4.0)
+    assert bad.review().grades["layout"] <= 5.0
+    assert fault.tool == "update_rotation" and fault.inputs == {"ids": ["office_chair-1"], "toward": "desk-1"}
+
+
+def test_sofa_with_its_back_to_the_television() -> None:
+    good = rooms.living()
+    bad = good.but({"id": "sofa-0", "yaw": 0})
+    falls(good, bad, "wrong_orientation", {"sofa-0"}, least=3.0)
+
+
+def test_television_to_the_wall() -> None:
+    good = rooms.living()
+    bad = good.but({"id": "tv_on_stand-0", "yaw": 180})
+    falls(good, bad, "wrong_orientation", {"tv_on_stand-0"}, least=3.0)
+
+
+def test_hidden_television() -> None:
+    good = rooms.living()
+    bad = good.plus(put("wardrobe-0", 1.6, 2.1, 0, size=(0.6, 1.0, 2.0)))
+    assert "hidden_screen" in {f.kind for f in bad.review().faults}
+
+
+def test_monitor_to_the_wall() -> None:
+    good = rooms.office()
+    bad = good.but({"id": "monitor-0", "yaw": 90})
+    falls(good, bad, "wrong_orientation", {"monitor-0", "office_chair-0"}, least=3.0)
+
+
+def test_bed_in_the_middle_of_the_room() -> None:
+    good = rooms.bedroom()
+    bad = good.but({"id": "bed-0", "x": 1.75})
+    fault = falls(good, bad, "headless_bed", {"bed-0"}, also=("functionality",))
+    assert fault.inputs["relations"][0]["type"] == "against_wall"
+
+
+def test_nightstand_at_the_foot() -> None:
+    good = rooms.bedroom()
+    bad = good.but({"id": "nightstand-0", "x": 1.8})
+    falls(good, bad, "wrong_side", {"nightstand-0", "bed-0"})
+
+
+def test_wardrobe_with_its_front_to_the_wall() -> None:
+    good = rooms.bedroom()
+    bad = good.but({"id": "wardrobe-0", "yaw": 0})
+    fault = falls(good, bad, "wrong_orientation", {"wardrobe-0"}, least=4.0)
+    assert fault.inputs["yaw"] == pytest.approx(3.1416, abs=1e-3) or fault.inputs["yaw"] == pytest.approx(-3.1416)
+
+
+def test_bookcase_away_from_the_wall() -> None:
+    good = rooms.office()
+    bad = good.but({"id": "bookcase-0", "x": 3.6})
+    falls(good, bad, "away_from_wall", {"bookcase-0"})
+
+
+def test_bookcases_back_to_back_may_stand_free() -> None:
+    good = rooms.office()
+    pair = [put(f"bookcase-{k}", 2.0 + s * 0.16, 1.3, yaw, size=(0.32, 1.0, 1.8))
+            for k, s, yaw in ((1, -1, 180), (2, 1, 0))]  # fmt: skip
+    assert not only(good.plus(*pair).review(), "away_from_wall")
+
+
+@pytest.mark.parametrize(("degrees", "there"), [(0.3, False), (4.0, True), (90.0, False)])
+def test_crooked(degrees: float, there: bool) -> None:
+    good = rooms.living()
+    bad = good.but({"id": "coffee_table-0", "yaw": degrees})
+    found = only(bad.review(), "crooked")
+    assert bool(found) is there
+    if found:
+        assert found[0].objects == ("coffee_table-0",) and found[0].inputs["yaw"] == pytest.approx(0.0, abs=1e-6)
+
+
+def test_uneven_row() -> None:
+    good = rooms.restaurant()
+    bad = good.but({"id": "dining_table-1", "y": 2.68})
+    falls(good, bad, "uneven_row", {"dining_table-1"}, least=0.2)
+
+
+def test_tall_thing_before_a_window() -> None:
+    good = rooms.bedroom()
+    bad = good.but({"id": "wardrobe-0", "x": 1.8, "y": 3.35, "yaw": -90})
+    fault = falls(good, bad, "dark_window", {"wardrobe-0", "window-0"})
+    assert fault.inputs["ids"] == ["wardrobe-0"]
+
+
+def test_thing_in_front_of_a_door() -> None:
+    good = rooms.living()
+    bad = good.but({"id": "armchair-0", "x": 0.75, "y": 0.5})
+    review = bad.review()
+    assert only(review, "blocked_opening") and review.grades["layout"] <= 5.0
+
+
+def test_blocked_front() -> None:
+    good = rooms.office()
+    bad = good.but({"id": "snake_plant-0", "x": 3.6, "y": 1.5})
+    falls(good, bad, "blocked_zone", {"snake_plant-0"}, least=1.0)
+
+
+def test_picture_across_a_window_and_too_low() -> None:
+    good = rooms.bedroom()
+    across = good.but({"id": "picture-0", "x": 1.8, "y": 3.98, "yaw": -90})
+    falls(good, across, "hung_over_opening", {"picture-0", "window-0"})
+    low = rooms.living().but({"id": "picture-0", "x": 0.02, "y": 0.9, "yaw": 0, "z": 0.2})
+    falls(rooms.living(), low, "odd_height", {"picture-0"})
+
+
+def test_sizes() -> None:
+    good = rooms.living()
+    plate = good.scene.object("book-0")
+    bad = good.but({"id": plate.id, "update": {"size": (0.5, 0.8, 0.6), "parts": None}})
+    fault = next(f for f in bad.review().faults if f.kind == "wrong_size")
+    assert fault.objects == ("book-0",) and fault.tool == "update_size"
+    assert bad.review().grades["layout"] <= 5.0
+
+
+def test_crowded_and_one_sided() -> None:
+    good = rooms.bedroom()
+    more = [put(f"wardrobe-{k + 1}", 0.9 + 1.1 * (k % 3), 0.4 + 0.7 * (k // 3), 90, size=(0.6, 1.0, 2.0))
+            for k in range(15)]  # fmt: skip
+    assert only(good.plus(*more).review(), "crowded")
+    wide = rooms.room(12.0, 4.0)
+    far = good.scene.model_copy(update={"room": wide})
+    review = Case(far, good.room).review()
+    assert only(review, "one_sided") and only(review, "empty_area")
+    assert review.grades["completion"] <= 5.0
+
+
+def test_narrow_ways() -> None:
+    good = rooms.bedroom()
+    wall = [put(f"dresser-{k + 1}", 0.7 + 1.15 * k, 1.0, 90, size=(0.45, 1.1, 0.8)) for k in range(3)]
+    assert "unwalkable" in {f.kind for f in good.plus(*wall).review().faults}
+
+
+def test_broken_hard_relation() -> None:
+    good = rooms.office()
+    relation = Relation(type="near", subject="bookcase-0", target="low_bookcase-0", params={"max": 0.5})
+    scene = good.scene.model_copy(update={"relations": (*good.scene.relations, relation)})
+    bad = Case(scene, good.room)
+    falls(good, bad, "broken_relation", {"bookcase-0", "low_bookcase-0"})
