@@ -9,7 +9,7 @@ from sceneweaver.brief import Brief
 from sceneweaver.scene import InputError, Pose, Relation, Room, Scene, SceneObject, Support
 
 from .base import Context, Proposal
-from .prior_formation import formations
+from .prior_formation import formations, in_rows
 from .prior_program import Program, Wanted, build, demands
 from .prior_relations import of_brief, of_items
 from .prior_shell import floor_area, shell
@@ -20,8 +20,8 @@ FILL = {"sparse": 0.24, "normal": 0.33, "full": 0.40}
 WALLED = 0.62
 """Share of the walls, less doors, that furniture may take."""
 
-GROWTH = 1.12
-"""Factor by which a floor that nobody fixed grows when what is needed does not fit."""
+GROWTH, GROWTHS = 1.12, 10
+"""Factor by which a floor that nobody fixed grows when what is needed does not fit, and how often."""
 
 
 class InitPrior:
@@ -34,37 +34,54 @@ class InitPrior:
         room, brief, seed = context.room, context.brief, context.seed
         area, people, given, notes = floor_area(room, brief, seed)
         style = brief.style or str(context.inputs.get("style") or "") or random.Random(seed ^ 0x57).choice(room.styles)
-        for _ in range(12):
+        for attempt in range(GROWTHS):
             space, remarks = shell(room, brief, area, seed)
             program = _program(context, space, area, people, style)
+            _support_small_things(program, brief)
+            scene, unmet, middle = _scene(context, space, program, style, people)
+            drafts = formations(program.wanted, scene, seed)
             crowded = program.footprint > FILL["full"] * area or program.wall > _wall(space)
-            if given or not crowded or area >= room.area[2] * 1.5:
+            astray = not drafts and in_rows(program.wanted)
+            if given or not (crowded or astray) or attempt == GROWTHS - 1 or area >= 1.5 * room.area[2]:
                 break
             area *= GROWTH
-        _support_small_things(program, brief)
         notes += remarks + program.notes
-        asked, placed, unmet, middle = of_brief(brief, program.wanted, space)
-        relations = _consistent(asked, of_items(program.wanted, space, placed))
-        tall = {w.id: w.asset.size[2] for w in program.wanted}
-        over = {r.subject: tall[r.target] for r in relations if r.type == "above" and r.target in tall}
-        objects = [_object(w, space, over.get(w.id, 0.0)) for w in program.wanted]
         unmet += _missing(brief, program)
         if given and program.left_out:
             notes.append("left out, as the floor asked for is full: " + ", ".join(sorted(set(program.left_out))[:8]))
-        scene = Scene(
-            id=room.name,
-            prompt=brief.text,
-            room=space,
-            objects=tuple(objects),
-            relations=tuple(relations),
-            provenance={"tool": self.name, "asked": [[r.type, r.subject] for r in asked], "room": room.name, "seed": seed, "style": style, "people": people,
-                        "finish": {"floor": room.floor, "walls": room.walls}},
-        )  # fmt: skip
-        drafts = formations(program.wanted, scene, seed)
         if middle:
             centre = _centred(middle, scene)
             drafts = [{**d, **{k: v for k, v in centre.items() if k not in d}} for d in drafts] or [centre]
         return Proposal(scene=scene, drafts=tuple(drafts), fresh=True, notes=tuple(notes), unmet=tuple(unmet))
+
+
+def _scene(
+    context: Context, space: Room, program: Program, style: str, people: int
+) -> tuple[Scene, list[str], dict[str, str]]:
+    """The scene of a program, what of the request cannot be said in it, and what was asked to stand in the middle."""
+    room, brief = context.room, context.brief
+    asked, placed, unmet, middle = of_brief(brief, program.wanted, space)
+    relations = _consistent(asked, of_items(program.wanted, space, placed))
+    tall = {w.id: w.asset.size[2] for w in program.wanted}
+    over = {r.subject: tall[r.target] for r in relations if r.type == "above" and r.target in tall}
+    before = {r.subject for r in relations if r.type == "at_window"}
+    scene = Scene(
+        id=room.name,
+        prompt=brief.text,
+        room=space,
+        objects=tuple(_object(w, space, over.get(w.id, 0.0), w.id not in before) for w in program.wanted),
+        relations=tuple(relations),
+        provenance={
+            "tool": InitPrior.name,
+            "asked": [[r.type, r.subject] for r in asked],
+            "room": room.name,
+            "seed": context.seed,
+            "style": style,
+            "people": people,
+            "finish": {"floor": room.floor, "walls": room.walls},
+        },
+    )
+    return scene, unmet, middle
 
 
 def _program(context: Context, space: Room, area: float, people: int, style: str) -> Program:
@@ -129,8 +146,8 @@ def _surface(support: Wanted, one: Wanted) -> str | None:
     return best[1] if best else None
 
 
-def _object(one: Wanted, space: Room, over: float) -> SceneObject:
-    """The scene object; ``over`` is the height [m] of what it hangs above."""
+def _object(one: Wanted, space: Room, over: float, clear: bool) -> SceneObject:
+    """The scene object; ``over`` is the height [m] of what it hangs above, ``clear`` keeps it off windows and doors."""
     support = None
     if one.support is not None:
         surface = _surface(one.support, one) or (
@@ -149,6 +166,7 @@ def _object(one: Wanted, space: Room, over: float) -> SceneObject:
     if one.mount == "wall":
         low, high = _hang(one, space, over)
         pose, attributes["hang"] = Pose(position=(0.0, 0.0, (low + high) / 2)), [low, high]
+        attributes["clear"] = clear
     obj = one.asset.object(one.id, pose=pose, mount=None if support else one.mount, support=support)  # type: ignore[arg-type]
     return obj.model_copy(update={"attributes": attributes})
 

@@ -12,11 +12,11 @@ from sceneweaver.scene import Pose, Room, Scene
 from .prior_lines import lines_of, set_out
 from .prior_program import Wanted
 
-PULL = 0.35
-"""Depth [m] behind a tucked chair that someone needs to sit down."""
+PULL = 0.12
+"""Depth [m] behind a chair that belongs to its table; the way between rows comes to it."""
 
-WAY = 0.75
-"""Width [m] of a way between two rows."""
+WAYS = (1.0, 0.8, 0.6)
+"""Widths [m] of the ways between rows that are tried; between neighbours in a row it is half of that."""
 
 Local = dict[str, tuple[float, float, float]]
 
@@ -40,9 +40,10 @@ def formations(program: Sequence[Wanted], scene: Scene, seed: int, most: int = 6
         return []
     drafts: list[dict[str, Pose]] = []
     grids = _grids(groups, program, scene, seed, most) if groups else [{}]
-    if groups and not grids:
-        grids = [{}]
+    if not grids:
+        return []
     sizes = {w.id: w.asset.size for w in program}
+    curtained = any(r.type == "at_window" and scene.object(r.subject).mount == "wall" for r in scene.relations)
     for k in range(most if lines else 1):
         for n, grid in enumerate(grids):
             if len(drafts) == most:
@@ -51,10 +52,19 @@ def formations(program: Sequence[Wanted], scene: Scene, seed: int, most: int = 6
                 drafts.append(grid)
                 continue
             taken = [_footprint(pose, sizes[id]) for id, pose in grid.items()]
-            poses = set_out(lines, scene.room, taken, seed + 31 * k + n)
+            poses = set_out(lines, scene.room, taken, seed + 31 * k + n, curtained)
             if poses is not None and {**grid, **poses} not in drafts:
                 drafts.append({**grid, **poses})
     return drafts or [grid for grid in grids if grid]
+
+
+def in_rows(program: Sequence[Wanted]) -> bool:
+    """Whether something of a program stands in grids, lines or runs."""
+    return len(_anchors(program)) >= 3 or bool(lines_of(program))
+
+
+def _anchors(program: Sequence[Wanted]) -> list[Wanted]:
+    return [w for w in program if w.item and w.item.row == "grid" and w.parent is None and w.support is None]
 
 
 def _grids(
@@ -62,17 +72,20 @@ def _grids(
 ) -> list[dict[str, Pose]]:
     rng = random.Random(seed ^ 0xF0F0)
     strip = _strip(program)
-    margins = (strip, 0.7 * strip)
-    tries = [(turn, margin, way) for way in (1.3, 1.0, 0.85) for margin in margins for turn in (0, 1, 2, 3)]
+    margins = (strip, 0.75 * strip, 0.5 * strip)
+    tries = [(turn, margin, way) for way in WAYS for margin in margins for turn in (0, 1, 2, 3)]
     head, tail = tries[:8], tries[8:]
     rng.shuffle(head)
     found: list[dict[str, Pose]] = []
-    for turn, margin, way in (*head, *tail):
-        if len(found) == most:
+    for mixed in (False, True):
+        for turn, margin, way in (*head, *tail):
+            if len(found) == most:
+                return found
+            draft = _grid(groups, scene.room, turn, margin, way, mixed)
+            if draft is not None:
+                found.append(draft)
+        if found:
             break
-        draft = _grid(groups, scene.room, turn, margin, way)
-        if draft is not None:
-            found.append(draft)
     return found
 
 
@@ -86,8 +99,8 @@ def _footprint(pose: Pose, size: tuple[float, float, float]):
 
 
 def _groups_of(program: Sequence[Wanted], scene: Scene) -> list[Group]:
-    """The groups whose anchor's item stands in a grid and that are four or more in all."""
-    anchors = [w for w in program if w.item and w.item.row == "grid" and w.parent is None and w.support is None]
+    """The groups whose anchor's item stands in a grid, where there are three or more."""
+    anchors = _anchors(program)
     if len(anchors) < 3:
         return []
     return [_group(a, [w for w in program if w.parent is a and w.mount == "floor"], scene) for a in anchors]
@@ -158,7 +171,7 @@ def _only_front(member: Wanted) -> bool:
 
 
 def _out(one: Wanted, anchor: Wanted) -> float:
-    """How far the middle of a seat lies beyond the edge of its table: just clear of it."""
+    """How far the middle of a seat lies beyond the edge of its table: just clear of it, to be pushed in later."""
     return one.asset.size[0] / 2 + 0.015
 
 
@@ -181,8 +194,13 @@ def _strip(program: Sequence[Wanted]) -> float:
     return (max(deep) if deep else 0.0) + 0.9
 
 
-def _grid(groups: Sequence[Group], room: Room, turn: int, margin: float, way: float) -> dict[str, Pose] | None:
-    """Rows of like groups, evenly spread over the room less ``margin`` along its walls; None when they do not fit."""
+def _grid(
+    groups: Sequence[Group], room: Room, turn: int, margin: float, way: float, mixed: bool
+) -> dict[str, Pose] | None:
+    """Rows of groups, of one kind unless ``mixed``, spread over the room less ``margin`` [m] along its walls.
+
+    None when they do not fit.
+    """
     xs, ys = [p[0] for p in room.outline], [p[1] for p in room.outline]
     x0, x1, y0, y1 = min(xs) + margin, max(xs) - margin, min(ys) + margin, max(ys) - margin
     # In the frame of the formation rows run along y; a quarter turn swaps the room's sides.
@@ -193,8 +211,8 @@ def _grid(groups: Sequence[Group], room: Room, turn: int, margin: float, way: fl
     for group in sorted(groups, key=lambda g: (-(g.box[2] - g.box[0]), g.anchor.id.rsplit("-", 1)[0])):
         wide = group.box[3] - group.box[1]
         for row in rows:
-            taken = sum(g.box[3] - g.box[1] for g in row) + 0.45 * way * len(row)
-            if taken + wide <= long and row[0].anchor.category == group.anchor.category:
+            taken = sum(g.box[3] - g.box[1] for g in row) + 0.5 * way * len(row)
+            if taken + wide <= long and (mixed or row[0].anchor.category == group.anchor.category):
                 row.append(group)
                 break
         else:
@@ -204,9 +222,9 @@ def _grid(groups: Sequence[Group], room: Room, turn: int, margin: float, way: fl
     _even(rows)
     depths = [max(g.box[2] - g.box[0] for g in row) for row in rows]
     spare = deep - sum(depths)
-    if spare < 0.45 * way * (len(rows) - 1):
+    if spare < way * (len(rows) - 1):
         return None
-    gap = min(spare / max(1, len(rows)), 1.2)
+    gap = min(spare / max(1, len(rows)), 1.5)
     start = (deep - sum(depths) - gap * (len(rows) - 1)) / 2
     poses: dict[str, Pose] = {}
     cx, cy, yaw = (x0 + x1) / 2, (y0 + y1) / 2, turn * math.pi / 2

@@ -18,6 +18,9 @@ FLUSH = 0.004
 LOOSE = (0.12, 0.6)
 """Least and largest gap [m] between the pieces of a line."""
 
+CURTAIN = 0.2
+"""Length [m] of wall that a curtain takes on each side of its window."""
+
 STEP = 0.1
 """Distance [m] between the places along a wall that are tried."""
 
@@ -44,17 +47,22 @@ def lines_of(program: Sequence[Wanted]) -> list[Line]:
     return found + [Line(tuple(pieces), False) for pieces in by_item.values() if len(pieces) >= 2]
 
 
-def set_out(lines: Sequence[Line], room: Room, taken: Iterable[Any], seed: int) -> Poses | None:
+def set_out(
+    lines: Sequence[Line], room: Room, taken: Iterable[Any], seed: int, curtained: bool = False
+) -> Poses | None:
     """Poses of all lines, each at the first of the walls, in an order drawn by seed, that has room for it.
 
-    A run that is too long for one wall goes on at the next one. ``taken`` are polygons that must stay free. None when
-    some line finds no wall.
+    Nothing stands before windows that are ``curtained``, and nothing taller than the sill before others. What is too
+    long for one wall goes over the corner, or stands in two parts. ``taken`` are polygons that must stay free. None
+    when something finds no wall.
     """
     import shapely
 
     rng = random.Random(seed)
     count = len(room.outline)
     blocked = [*taken, *_door_zones(room)]
+    if curtained:
+        blocked += [_before(room, w.wall, w.offset - CURTAIN, w.width + 2 * CURTAIN, 0.25) for w in room.windows]
     poses: Poses = {}
     queue = list(lines)
     while queue:
@@ -67,9 +75,9 @@ def set_out(lines: Sequence[Line], room: Room, taken: Iterable[Any], seed: int) 
             found = _along(line, room, wall, blocked, rng) or _around_corner(line, room, wall, blocked, rng)
             if found is not None:
                 break
-        if found is None and not line.flush and len(line.pieces) >= 4:
-            half = len(line.pieces) // 2  # too long for one wall: two lines
-            queue[:0] = [Line(line.pieces[:half], False), Line(line.pieces[half:], False)]
+        if found is None and len(line.pieces) >= 4:
+            half = len(line.pieces) // 2
+            queue[:0] = [Line(line.pieces[:half], line.flush), Line(line.pieces[half:], line.flush)]
             continue
         if found is None:
             return None
@@ -91,18 +99,19 @@ def _frame(room: Room, wall: int) -> tuple[Any, Any, Any, float]:
 
 
 def _door_zones(room: Room) -> list[Any]:
+    return [
+        _before(room, d.wall, d.offset, d.width, d.width if d.swing.startswith("in") else 0.6) for d in room.doors
+    ]  # fmt: skip
+
+
+def _before(room: Room, wall: int, offset: float, width: float, deep: float) -> Any:
+    """The rectangle before a stretch of a wall."""
     import shapely
 
-    zones = []
-    for door in room.doors:
-        p, t, n, _ = _frame(room, door.wall)
-        deep = door.width if door.swing.startswith("in") else 0.6
-        a = (p[0] + door.offset * t[0], p[1] + door.offset * t[1])
-        b = (a[0] + door.width * t[0], a[1] + door.width * t[1])
-        zones.append(
-            shapely.Polygon([a, b, (b[0] + deep * n[0], b[1] + deep * n[1]), (a[0] + deep * n[0], a[1] + deep * n[1])])
-        )
-    return zones
+    p, t, n, _ = _frame(room, wall)
+    a = (p[0] + offset * t[0], p[1] + offset * t[1])
+    b = (a[0] + width * t[0], a[1] + width * t[1])
+    return shapely.Polygon([a, b, (b[0] + deep * n[0], b[1] + deep * n[1]), (a[0] + deep * n[0], a[1] + deep * n[1])])
 
 
 def _along(line: Line, room: Room, wall: int, blocked: Sequence[Any], rng: random.Random, start: float = 0.0,

@@ -12,6 +12,8 @@ from sceneweaver.brief import Asked, Brief
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.scene import InputError
 
+FULL_LENGTH, BLIND = ("curtain", "sheer_curtain"), "window_blind"
+
 RANK = {"asked": 0, "needed": 1, "usual": 2, "optional": 3}
 
 
@@ -109,6 +111,8 @@ def demands(room: RoomType, brief: Brief, area: float, people: int, windows: int
             found += [_asked_demand(one, item, area, people, draw) for one in meant]
             continue
         names = tuple(c for c in item.what if c not in banned)
+        if _hangs_at_windows(item) and _something_at_windows(room, brief):
+            names = tuple(c for c in names if c not in FULL_LENGTH) or tuple({BLIND} - banned)
         if not names or (brief.only and item.need != "needed") or (brief.only and brief.objects):
             continue
         if item.need == "optional" and item.id not in holders and keep < (0.75 if brief.density == "sparse" else 0.3):
@@ -133,6 +137,16 @@ def _hangs_at_windows(item: Item) -> bool:
     return any(p.type == "at_window" and not p.soft for p in item.place) and item.mount != "floor" and all(
         categories()[c].mount[0] == "wall" for c in item.what if c in categories()
     )  # fmt: skip
+
+
+def _something_at_windows(room: RoomType, brief: Brief) -> bool:
+    """Whether furniture should stand under a window, where a curtain down to the floor would be in its way."""
+    asked = {a.id for a in brief.objects}
+    return any(r.type == "at_window" and r.subject in asked for r in brief.relations) or any(
+        p.type == "at_window" and not _hangs_at_windows(item) and item.need != "optional"
+        for item in room.items
+        for p in item.place
+    )
 
 
 def _asked_demand(asked: Asked, item: Item | None, area: float, people: int, draw: float) -> Demand:

@@ -41,7 +41,40 @@ def of_items(wanted: Sequence[Wanted], room: Room, free: Iterable[str] = ()) -> 
                     Relation(type="near", subject=one.id, target=relation.target, params={"max": 0.3},
                              hard=relation.hard)
                 )  # fmt: skip
-    return _without_doubles(found)
+    return _cornered(_without_doubles(found), room)
+
+
+def _cornered(relations: list[Relation], room: Room) -> list[Relation]:
+    """No more things bound to corners than there are corners free of doors; the others stand at a wall if they can."""
+    left = free_corners(room)
+    keep: set[str] = set()
+    for hard in (True, False):
+        for r in relations:
+            if r.type == "in_corner" and r.hard is hard and r.subject not in keep and left > 0:
+                keep.add(r.subject)
+                left -= 1
+    return _without_doubles(
+        Relation(type="against_wall", subject=r.subject, hard=False, weight=0.3)
+        if r.type == "in_corner" and r.subject not in keep
+        else r
+        for r in relations
+    )
+
+
+def free_corners(room: Room) -> int:
+    """Convex corners of a room that no door opens beside."""
+    count, free = len(room.outline), 0
+    for k, (x, y) in enumerate(room.outline):
+        (ax, ay), (bx, by) = room.outline[k - 1], room.outline[(k + 1) % count]
+        if (x - ax) * (by - y) - (y - ay) * (bx - x) <= 0:
+            continue
+        near = 0
+        for door in room.doors:
+            length = math.dist(room.outline[door.wall], room.outline[(door.wall + 1) % count])
+            near += door.wall == k and door.offset < 0.6
+            near += door.wall == (k - 1) % count and length - door.offset - door.width < 0.6
+        free += near == 0
+    return free
 
 
 def _of_place(one: Wanted, place: Place, by_item: dict[str, list[Wanted]], room: Room) -> Relation | None:

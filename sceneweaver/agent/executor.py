@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from sceneweaver.brief import Brief
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.knowledge import RoomType
@@ -20,6 +22,9 @@ from .tidy import tidy
 
 ENOUGH = 4
 """Valid layouts to choose from for which no further round is made."""
+
+PROMISING = 2
+"""Drafts that get a second round when none is valid at once."""
 
 ROUNDS = 10
 """Times that something gives way before a layout that cannot be valid is taken as it is."""
@@ -64,21 +69,25 @@ class Executor:
         draft, _ = apply_all(proposal.scene or scene, proposal.edits)
         notes, unmet = list(proposal.notes), list(proposal.unmet)
         if not proposal.fresh:
-            report = check(draft)
+            draft, report = _pruned(scene, draft, notes)
             if report.valid:
                 return self._outcome(draft, notes, unmet, report)
         if not self.settings.physics:
             return self._outcome(self._unrefined(draft, proposal, seed), notes, unmet)
-        fresh = proposal.fresh
-        best = self._refined(draft, proposal.drafts, fresh, seed)
+        fresh, drafts = proposal.fresh, [dict(poses) for poses in proposal.drafts]
+        if not fresh and (placed := self._in_place(scene, draft, seed)) is not None:
+            return replace(placed, notes=tuple(notes), unmet=tuple(unmet))
+        best = self._refined(draft, drafts, fresh, seed)
         for _ in range(ROUNDS):
             if best.report.valid or not any(v.kind not in ("soft_relation", "dropped") for v in best.report.violations):
                 break
             lighter = self._give_way(draft, best, notes, unmet)
             if lighter is None:
                 break
-            draft = lighter
-            best = min(best, self._refined(draft, _kept(proposal.drafts, draft), fresh, seed), key=lambda o: o.key)
+            draft, drafts = lighter, _kept(drafts, lighter)
+            best = min(best, self._refined(draft, drafts, fresh, seed), key=lambda o: o.key)
+        if drafts and not best.report.valid:  # the rows are what stands in the way
+            best = min(best, self._refined(draft, [], fresh, seed), key=lambda o: o.key)
         return replace(best, notes=tuple(notes), unmet=tuple(unmet))
 
     def judged(self, scene: Scene, report: Report | None = None) -> Outcome:
@@ -93,11 +102,25 @@ class Executor:
 
     def _refined(self, draft: Scene, drafts: Sequence[Mapping[str, Pose]], fresh: bool, seed: int) -> Outcome:
         """The best of the layouts of a scene, and of those around each set of poses that stays as it is."""
-        layouts = self._around(draft, drafts, seed) if drafts else []
-        if not layouts:
-            layouts = self._free(draft, fresh, seed)
+        layouts = self._around(draft, drafts, seed) if drafts else self._free(draft, fresh, seed)
         outcomes = [self._outcome(tidy(layout), (), ()) for layout in layouts]
         return min(outcomes, key=lambda o: o.key)
+
+    def _in_place(self, scene: Scene, draft: Scene, seed: int) -> Outcome | None:
+        """The best valid layout in which only what an edit added or changed moves; None when there is none."""
+        loose = _changed(scene, draft)
+        if not loose or len(loose) == len(draft.objects):
+            return None
+        s = self.settings
+        pinned = _pinned(coarse(draft), {o.id: o.pose for o in draft.objects if o.id not in loose})
+        solution = refine(
+            pinned, candidates=max(16, s.layouts // 2), seed=seed, device=s.device, steps=s.attempts[0],
+            init="sample" if loose - set(scene.ids) else "current", explain=False,
+        )  # fmt: skip
+        layouts = [_posed(draft, layout) for layout in solution.distinct(ENOUGH)]
+        outcomes = [self._outcome(tidy(layout), (), ()) for layout in layouts]
+        valid = [o for o in outcomes if o.report.valid]
+        return min(valid, key=lambda o: o.key) if valid else None
 
     def _free(self, draft: Scene, fresh: bool, seed: int) -> list[Scene]:
         """Layouts of a whole scene: a quick round first, more patient ones as long as too few come out valid."""
@@ -116,20 +139,25 @@ class Executor:
         return found or [_posed(draft, solution.best)]
 
     def _around(self, draft: Scene, drafts: Sequence[Mapping[str, Pose]], seed: int) -> list[Scene]:
-        """Layouts around objects that stay where a draft has them; empty when no draft leaves room for the rest."""
+        """Layouts around objects that stay where a draft has them; a second round for the most promising drafts."""
         s = self.settings
         scenes = [_pinned(coarse(draft), poses) for poses in drafts]
         each = max(8, s.layouts // len(scenes))
         found: list[Scene] = []
+        last: list[Scene] = []
         for round_, attempts in enumerate(s.attempts):
             solutions = refine_many(
                 scenes, candidates=each, seed=(seed + round_) % 2**32, device=s.device, steps=attempts
             )  # fmt: skip
             for solution in solutions:
-                found += [_posed(draft, layout) for layout in solution.distinct(max(2, s.finalists // len(scenes)))]
+                layouts = solution.distinct(max(2, s.finalists // len(scenes)))
+                found += [_posed(draft, layout) for layout in layouts]
             if len(found) >= ENOUGH:
-                break
-        return found
+                return found
+            order = sorted(range(len(scenes)), key=lambda k: float(np.median(solutions[k].energy)))
+            last = [_posed(draft, solutions[order[0]].best)]
+            scenes = [scenes[k] for k in order[:PROMISING]]
+        return found or last
 
     def _unrefined(self, draft: Scene, proposal: Proposal, seed: int) -> Scene:
         """A layout as the relations draw it, without search: what a tool alone would give."""
@@ -179,6 +207,41 @@ class Executor:
         unmet.append(f"{id}: {reason}")
         dropped = (*lighter.dropped, Dropped(id=id, category=gone.category, reason=reason))
         return lighter.model_copy(update={"dropped": dropped})
+
+
+def _pruned(scene: Scene, draft: Scene, notes: list[str]) -> tuple[Scene, Report]:
+    """An edited scene without the new small things that are in the way of something, and its report."""
+    before = set(scene.ids)
+    report = check(draft)
+    for _ in range(3):
+        hard = [v for v in report.violations if v.kind not in ("soft_relation", "relation")]
+        known = {o.id: o for o in draft.objects}
+        extra = {
+            id
+            for v in hard
+            for id in v.objects
+            if id in known and id not in before and known[id].mount == "surface" and "asked" not in known[id].attributes
+        }
+        if not extra:
+            break
+        for id in sorted(extra):
+            if id in draft.ids:
+                draft = apply(draft, Remove(id=id, cascade=True))
+        notes.append(f"{len(extra)} small things did not fit and were left out")
+        report = check(draft)
+    return draft, report
+
+
+def _changed(scene: Scene, draft: Scene) -> set[str]:
+    """Ids of what stands on floor, walls or ceiling and is new, or is not as it was."""
+    before = {o.id: o for o in scene.objects}
+    return {
+        o.id
+        for o in draft.objects
+        if o.mount != "surface"
+        and (o.id not in before or o.pose != before[o.id].pose or o.size != before[o.id].size
+             or o.asset != before[o.id].asset)
+    }  # fmt: skip
 
 
 def _asked_for(relation: Relation, scene: Scene) -> bool:

@@ -64,7 +64,7 @@ class RulesPlanner:
             return _beginnings(situation)
         settings, memory = situation.settings, situation.memory
         calls: dict[str, Call] = {}
-        for tool, faults in _by_tool(situation.review.faults).items():
+        for tool, faults in _by_tool(_sorted_out(situation.review.faults)).items():
             card = situation.cards.get(tool)
             if card is None:
                 continue
@@ -104,6 +104,20 @@ def _beginnings(situation: Situation) -> list[Call]:
     return calls[: settings.side_by_side]
 
 
+def _sorted_out(faults: Sequence[Fault]) -> list[Fault]:
+    """The faults, where shelves are not filled that another fault wants arranged."""
+    laid = {id for f in faults if f.tool == "add_tabletop" for id in f.inputs.get("supports", ())}
+    kept = []
+    for fault in faults:
+        if fault.tool == "add_crowd" and laid:
+            supports = [id for id in fault.inputs.get("supports", ()) if id not in laid]
+            if not supports:
+                continue
+            fault = fault.model_copy(update={"inputs": {**fault.inputs, "supports": supports}})
+        kept.append(fault)
+    return kept
+
+
 def _by_tool(faults: Sequence[Fault]) -> dict[str, list[Fault]]:
     found: dict[str, list[Fault]] = {}
     for fault in faults:
@@ -123,17 +137,13 @@ def _merged(tool: str, faults: Sequence[Fault]) -> dict[str, Any]:
     if len(faults) == 1 or tool not in LISTS:
         return dict(faults[0].inputs)
     key = LISTS[tool]
-    merged: dict[str, Any] = {}
     items: list[Any] = []
     for fault in faults:
         listed = fault.inputs.get(key, [])
-        if not listed:
-            items, merged = [], {**merged, **fault.inputs}
-            if tool in ("add_tabletop", "add_crowd", "update_layout"):
-                break  # an empty list stands for all
+        if not listed and tool in ("add_tabletop", "add_crowd", "update_layout"):
+            return {key: []}  # an empty list stands for all
         items += [item for item in listed if item not in items]
-        merged.update({k: v for k, v in fault.inputs.items() if k != key and k not in merged})
-    return {**merged, key: items}
+    return {key: items}  # what else a fault asks for is its own: for several, the tool decides
 
 
 def _seed(seed: int, step: int, tool: str) -> int:

@@ -7,8 +7,10 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from sceneweaver.assets import categories
+from sceneweaver.assets.materials import color_named, palette
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.brief import Asked
+from sceneweaver.scene import InputError
 from sceneweaver.verify.solids import Body
 
 from . import kinds
@@ -27,6 +29,11 @@ SIZE_SLACK = 0.15
 
 PER_PERSON = 0.7
 """Share of the room type's floor a person that is enough."""
+
+
+WORDS = {"wooden": "wood", "timber": "wood", "metallic": "metal", "steel": "metal", "iron": "metal", "cloth": "fabric",
+         "upholstered": "fabric", "textile": "fabric"}  # fmt: skip
+"""Words for materials that mean a whole family of them."""
 
 
 def faults(survey: Survey) -> Iterator[Finding]:
@@ -58,15 +65,23 @@ def _objects(survey: Survey) -> Iterator[Finding]:
                 points=1.0 + 2.5 * missing / least, cap=LID if len(bodies) * 2 < least else None, tool="add_objects",
                 inputs={"objects": [call]},
             )  # fmt: skip
-        elif len(bodies) > most:
-            spare = [b.id for b in bodies[most:]]
+        spare = [b.id for b in (*bodies[most:], *_beside(survey, asked))] if asked.count is not None else []
+        if spare:
             yield finding(
-                "alignment", "too_many", spare, f"{len(bodies)} '{asked.noun}', {most} were asked for",
+                "alignment", "too_many", spare, f"{most + len(spare)} '{asked.noun}', {most} were asked for",
                 f"remove {', '.join(spare)}", points=0.6 + 1.4 * min(1.0, len(spare) / max(1, most)),
                 tool="remove_objects", inputs={"ids": spare},
             )  # fmt: skip
         yield from _attributes(asked, bodies)
         yield from _sizes(asked, bodies)
+
+
+def _beside(survey: Survey, asked: Asked) -> list[Body]:
+    """More of what was asked for, that stands for nothing else in the request."""
+    names = {asked.category, *members(asked.category)}
+    if len(mine(survey, asked)) < (asked.count or (1, 1))[1]:
+        return []
+    return [b for b in survey.bodies if b.item.category in names and b.id not in survey.program.asked_of]
 
 
 def _attributes(asked: Asked, bodies: Sequence[Body]) -> Iterator[Finding]:
@@ -85,10 +100,27 @@ def _attributes(asked: Asked, bodies: Sequence[Body]) -> Iterator[Finding]:
 
 
 def _alike(body: Body, key: str, want: str) -> bool:
-    """Whether an attribute says what was asked, in its own words or in those of the material."""
-    given = {str(body.item.attributes.get(k, "")).lower() for k in {key, "material"}}
-    wanted = {want.lower(), want.lower().replace("gray", "grey")}
-    return any(w == g or w in g.split() or (" " in w and w in g) for g in given for w in wanted)
+    """Whether an attribute says what was asked, in its own words or by the name of a shade or a family."""
+    given = str(body.item.attributes.get(key, "")).lower()
+    if key == "color":
+        wanted, given = _color(want), _color(given)
+        return wanted == given or wanted in given.split() or given in wanted.split()
+    if want.lower() in given.split():
+        return True
+    wanted = WORDS.get(want.lower(), want.lower())
+    if key == "material":
+        finish = palette().get(str(body.item.attributes.get("material", "")))
+        if finish is not None and wanted in (finish.family, WORDS.get(finish.family)):
+            return True
+    return wanted == given or wanted in given.split() or (" " in wanted and wanted in given)
+
+
+def _color(words: str) -> str:
+    """The basic colour of some words, the words themselves where they name none."""
+    try:
+        return color_named(words)
+    except InputError:
+        return " ".join(words.lower().split())
 
 
 def _sizes(asked: Asked, bodies: Sequence[Body]) -> Iterator[Finding]:
@@ -109,7 +141,7 @@ def _sizes(asked: Asked, bodies: Sequence[Body]) -> Iterator[Finding]:
         elif asked.scale != 1.0 and row is not None and row.size is not None and asked.size == (None, None, None):
             usual = math.prod((low + high) / 2 for low, high in row.size.ranges[:2])
             ratio = body.size[0] * body.size[1] / usual
-            if (asked.scale > 1.0 and ratio < 0.95) or (asked.scale < 1.0 and ratio > 1.05):
+            if (asked.scale > 1.0 and ratio < 1.0) or (asked.scale < 1.0 and ratio > 1.0):
                 factor = math.sqrt(asked.scale / ratio)
                 size = [round(s * (factor if k < 2 else 1.0), 3) for k, s in enumerate(body.size)]
                 yield finding(
@@ -152,7 +184,7 @@ def _unwanted(survey: Survey) -> Iterator[Finding]:
 def _room(survey: Survey) -> Iterator[Finding]:
     brief, room, area = survey.brief, survey.scene.room, survey.area
     if brief.room is not None and brief.room != survey.room.name:
-        yield _shell("wrong_room", f"a {kinds.words(survey.room.name)}; a {kinds.words(brief.room)} was asked for", 3.0)
+        yield _shell("wrong_room", f"{kinds.a(survey.room.name)}; {kinds.a(brief.room)} was asked for", 3.0)
     want = brief.size[0] * brief.size[1] if brief.size is not None else brief.area
     if want is not None and abs(area - want) > AREA_SLACK * want:
         yield _shell("wrong_area", f"{area:.1f} m2 of floor, {want:.1f} m2 were asked for", 1.5)

@@ -72,7 +72,7 @@ def _foreign(survey: Survey) -> Iterator[Finding]:
         points, lid, why = strange
         yield finding(
             "realism", "foreign_object", (body.id,),
-            f"a {kinds.words(category)} is {why} a {kinds.words(survey.room.name)}", f"remove {body.id}",
+            f"{kinds.a(category)} is {why} {kinds.a(survey.room.name)}", f"remove {body.id}",
             points=points, cap=lid, tool="remove_objects", inputs={"ids": [body.id]},
         )  # fmt: skip
 

@@ -25,6 +25,9 @@ GRAVE = 60.0
 VIEW = 7.0
 """Distance [m] up to which a screen is watched."""
 
+AHEAD = 0.9
+"""Distance [m] before a front within which what it meets is what it faces."""
+
 EYES = 1.15
 """Height [m] of the eyes of someone who sits."""
 
@@ -46,11 +49,15 @@ def faults(survey: Survey) -> Iterator[Finding]:
 
 
 def angle_to(survey: Survey, body: Body, target: Body) -> float:
-    """Angle [deg] between the front of a body and the nearest point of a target, or its centre where they overlap."""
+    """Angle [deg] by which the front of a body misses a target; 0 where the way straight ahead soon meets it."""
     import shapely
 
     where = target.centre
     shape, spot = survey.boxes[target.index], shapely.Point(body.centre)
+    (x, y), (fx, fy) = body.centre, body.front
+    ahead = body.size[0] / 2 + AHEAD
+    if shapely.LineString([(x, y), (x + ahead * fx, y + ahead * fy)]).intersects(survey.footprints[target.index]):
+        return 0.0
     if not shape.contains(spot):
         near = shape.exterior.interpolate(shape.exterior.project(spot))
         where = (near.x, near.y)
@@ -75,7 +82,7 @@ def _chairs(survey: Survey) -> Iterator[Finding]:
                 yield _wrong([seat.id], f"{seat.id} faces a wall at {clear:.2f} m", f"turn {seat.id} around", False,
                              1.0, yaw=_opposite(seat))  # fmt: skip
             continue
-        angle = angle_to(survey, seat, table)
+        angle = 0.0 if _holds(survey, seat, table) else angle_to(survey, seat, table)
         if angle > SEAT and not _round_stool(seat):
             turned[table.id].append((seat.id, angle))
         elif _behind(seat, table):
@@ -96,6 +103,15 @@ def _chairs(survey: Survey) -> Iterator[Finding]:
             points=min(4.0, 1.2 * len(ids)), cap=LID if worst > GRAVE else None, tool="update_rotation",
             inputs={"ids": ids, "toward": table_id},
         )  # fmt: skip
+
+
+def _holds(survey: Survey, seat: Body, table: Body) -> bool:
+    """Whether a relation that puts a seat's front against its table holds."""
+    ties = {kind for kind, other in survey.ties.get(seat.id, ()) if other == table.id}
+    if not ties & {"front_against", "front_to_front", "around"}:
+        return False
+    broken = survey.violated.get("relation", set()) | survey.violated.get("soft_relation", set())
+    return frozenset((seat.id, table.id)) not in broken
 
 
 def _round_stool(seat: Body) -> bool:

@@ -191,7 +191,10 @@ def _touches(survey: Survey) -> Iterator[Finding]:
     said = {c for n in survey.program.needs if n.missing for c in n.item.what}
     bodies = survey.bodies
     lit = any("lighting" in kinds.groups_of(b.item.category) for b in bodies)
-    hung = any(b.item.mount == "wall" and b.item.category in kinds.WALL_ART for b in bodies)
+    hung = any(
+        b.item.mount == "wall" and b.item.category not in kinds.WINDOW_WEAR
+        and not kinds.groups_of(b.item.category) & {"lighting", "appliance"} for b in bodies
+    )  # fmt: skip
     soft = any(kinds.groups_of(b.item.category) & {"textile", "plant_group"} for b in bodies)
     rows = (
         (lit, "lighting", "no_light", "there is no lamp", "ceiling_light", 0.8),
@@ -204,7 +207,8 @@ def _touches(survey: Survey) -> Iterator[Finding]:
             continue
         name = _listed(survey.room, wanted) or category
         yield finding(
-            "completion", kind, (), reason, f"add a {kinds.words(name)}", points=points, tool="add_objects",
+            "completion", kind, (), reason, f"add {kinds.a(name)}",
+            points=points if _listed(survey.room, wanted) else points / 2, tool="add_objects",
             inputs={"objects": [{"category": name, "count": 1}]},
         )  # fmt: skip
 

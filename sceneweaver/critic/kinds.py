@@ -214,3 +214,8 @@ def carries(category: str) -> bool:
 def words(category: str) -> str:
     """The name as a user would write it."""
     return category.replace("_", " ")
+
+
+def a(category: str) -> str:
+    """The name with its article."""
+    return f"{'an' if category[0] in 'aeiou' else 'a'} {words(category)}"

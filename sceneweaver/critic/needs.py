@@ -64,12 +64,14 @@ def _missing(survey: Survey, need: Need) -> Finding:
     if on:
         call["on"] = on
     reason = f"{have} of {need.least} {name}s" if have else f"there is no {name}"
-    reason += f"; a {kinds.words(survey.room.name)} {'needs' if item.need == 'needed' else 'usually has'} {need.least}"
+    reason += f"; {kinds.a(survey.room.name)} {'needs' if item.need == 'needed' else 'usually has'} {need.least}"
     fix = f"add {need.missing} {name}{'s' if need.missing > 1 else ''}"
     share = need.missing / need.least
     inputs: Mapping[str, Any] = {"objects": [call]}
     if item.need == "needed":
         points, lid = 1.5 + 2.5 * share, LID if share > 0.5 else None
+        if have >= need.core:
+            points, lid = 0.4 + 1.6 * share, None  # enough for the room to be one, too few for its size
         return finding("functionality", "missing_needed", need.have, reason, fix, points=points, cap=lid,
                        tool="add_objects", inputs=dict(inputs))  # fmt: skip
     show = bool(kinds.groups_of(category) & SHOW)
@@ -107,7 +109,11 @@ def _find_table(survey: Survey, seat: Body) -> Body | None:
         other = survey.placed.by_id[target]
         if kind in SEAT_TIES and other.item.category in kinds.SEATED_AT:
             return other
+        if kind in ("front_against", "front_to_front", "around"):
+            return other  # whatever it is, the seat is meant for it
     best: tuple[float, Body] | None = None
+    if not _goes_with_table(survey, seat):
+        return None
     for other, gap in survey.near(seat, PARENT_WIDE):
         if other.item.category not in kinds.SEATED_AT:
             continue
@@ -116,6 +122,16 @@ def _find_table(survey: Survey, seat: Body) -> Body | None:
         if best is None or score < best[0] - 1e-4:
             best = score, other
     return best[1] if best else None
+
+
+def _goes_with_table(survey: Survey, seat: Body) -> bool:
+    """Whether the room's item for a seat belongs to a table, as in a waiting room it does not; seats of no item may."""
+    name = survey.program.item_of.get(seat.id)
+    if name is None:
+        return True
+    item = survey.room.item(name)
+    others = {item.with_, *(p.to for p in item.place)}
+    return any(i.id in others and set(i.what) & kinds.SEATED_AT for i in survey.room.items)
 
 
 def _desks(survey: Survey, reported: set[str]) -> Iterator[Finding]:
@@ -165,6 +181,9 @@ def _screens(survey: Survey) -> Iterator[Finding]:
         return
     if any(kinds.upright_seat(b.item.category) or b.item.category == "bench" for b in survey.bodies):
         return
+    seats = kinds.LOUNGE | kinds.BEDS | kinds.LONG_BEDS
+    if not any(set(item.what) & seats or any(map(kinds.upright_seat, item.what)) for item in survey.room.items):
+        return  # such rooms are not made for sitting
     tvs = [b.id for b in survey.of_kind(kinds.TVS)]
     yield finding(
         "functionality", "incomplete_group", tvs, f"no seat in the room for {tvs[0]}", f"add a sofa facing {tvs[0]}",

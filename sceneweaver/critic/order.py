@@ -1,13 +1,10 @@
-"""Whether things stand in order: backs at walls, axes along walls, equals in rows, pictures at the right height."""
+"""Whether things stand in order: backs at walls, axes along walls, pictures and screens where they belong."""
 
 from __future__ import annotations
 
 import math
-from collections import defaultdict
 from collections.abc import Iterator
 from typing import Any
-
-import numpy as np
 
 from sceneweaver.assets import categories
 from sceneweaver.verify.solids import Body
@@ -26,11 +23,8 @@ SOFA_GAP = 0.6
 LOFTY = 30.0
 """Floor [m2] from which a sofa may stand free, as between two parts of a large room."""
 
-STRAIGHT, CROOKED = math.radians(1.0), math.radians(8.0)
+STRAIGHT, CROOKED = math.radians(1.5), math.radians(8.0)
 """Angles [rad] between which a thing looks as if it should have been parallel to a wall."""
-
-ROW_GAP = (0.015, 0.12)
-"""Offsets [m] between equals in a row that look like a mistake."""
 
 HEIGHT_SLACK = 0.3
 """How far [m] beyond its usual heights something may hang."""
@@ -43,8 +37,8 @@ def faults(survey: Survey) -> Iterator[Finding]:
     """Disorder."""
     yield from _away_from_walls(survey)
     yield from _crooked(survey)
-    yield from _rows(survey)
     yield from _heights(survey)
+    yield from _off_centre(survey)
 
 
 # ---- walls -----------------------------------------------------------------------------------------------------------
@@ -86,7 +80,7 @@ def _belongs_to_wall(survey: Survey, body: Body) -> bool:
     item = survey.room.item(name)
     if not item.place and item.row is None:
         return True
-    if item.row is not None:
+    if item.row == "grid":
         return False
     free = {"back_to_back", "centered_on", "front_to_front", "around", "side_by_side", "leftright_to_leftright"}
     types = {p.type for p in item.place}
@@ -147,14 +141,15 @@ def _crooked(survey: Survey) -> Iterator[Finding]:
             yield finding(
                 "layout", "askew", (body.id,),
                 f"{body.id} is turned {math.degrees(angle):.0f} degrees against the walls",
-                f"turn {body.id} parallel to a wall", points=0.8, tool="update_rotation",
+                f"turn {body.id} parallel to a wall", points=0.8 + min(1.2, 0.7 * body.size[0] * body.size[1]),
+                tool="update_rotation",
                 inputs={"ids": [body.id], "yaw": _straight(survey, body)},
             )  # fmt: skip
     for body_id, degrees in slight:
         body = survey.placed.by_id[body_id]
         yield finding(
             "layout", "crooked", (body_id,), f"{body_id} is {degrees:.1f} degrees off the direction of the walls",
-            f"turn {body_id} parallel to a wall", points=0.5, tool="update_rotation",
+            f"turn {body_id} parallel to a wall", points=0.2 + 0.06 * degrees, tool="update_rotation",
             inputs={"ids": [body_id], "yaw": _straight(survey, body)},
         )  # fmt: skip
 
@@ -163,54 +158,6 @@ def _straight(survey: Survey, body: Body) -> float:
     gaps = [off_axis(body.yaw - float(a)) for a in survey.wall_axes]
     yaw = body.yaw - min(gaps, key=abs)
     return round(math.remainder(yaw, 2 * math.pi), 4)
-
-
-# ---- rows ------------------------------------------------------------------------------------------------------------
-
-
-def _rows(survey: Survey) -> Iterator[Finding]:
-    """Three or more equals that nearly stand in line."""
-    sets: dict[str, list[Body]] = defaultdict(list)
-    for body in survey.standing:
-        if "plant" not in body.item.category:
-            sets[body.item.category].append(body)
-    for category, bodies in sets.items():
-        if len(bodies) < 3:
-            continue
-        uneven = _uneven(bodies)
-        if uneven:
-            ids = sorted({i for pair in uneven for i in pair[:2]})
-            worst = max(uneven, key=lambda u: u[2])
-            yield finding(
-                "layout", "uneven_row", ids,
-                f"{worst[0]} stands {100 * worst[2]:.0f} cm out of line with {worst[1]}",
-                f"line up the {kinds.words(category)}s", points=min(1.5, 0.4 * len(uneven)), tool="add_relation",
-                inputs={"relations": [{"type": "aligned", "subject": a, "target": b, "hard": False}
-                                      for a, b, _ in uneven]},
-            )  # fmt: skip
-
-
-def _uneven(bodies: list[Body]) -> list[tuple[str, str, float]]:
-    """Pairs (id, id, offset [m]) of near neighbours that nearly stand in line."""
-    centres = np.array([b.centre for b in bodies])
-    yaws = np.array([b.yaw for b in bodies])
-    reach = 1.5 * max(max(b.size[:2]) for b in bodies) + 0.8
-    found = []
-    for i, body in enumerate(bodies):
-        rest = centres - centres[i]
-        c, s = math.cos(body.yaw), math.sin(body.yaw)
-        ahead, aside = rest[:, 0] * c + rest[:, 1] * s, rest[:, 1] * c - rest[:, 0] * s
-        quarter = math.pi / 2
-        same = np.abs((yaws - body.yaw + quarter / 2) % quarter - quarter / 2) < math.radians(3)
-        for along, across in ((aside, ahead), (ahead, aside)):
-            mates = np.flatnonzero(same & (along > 0.05) & (along < reach) & (np.abs(across) < 0.2))
-            if not len(mates):
-                continue
-            j = int(mates[np.argmin(along[mates])])
-            off = abs(float(across[j]))
-            if ROW_GAP[0] < off < ROW_GAP[1]:
-                found.append((body.id, bodies[j].id, off))
-    return found
 
 
 # ---- heights ---------------------------------------------------------------------------------------------------------
@@ -249,3 +196,22 @@ def _over_furniture(survey: Survey, body: Body) -> bool:
         if other.item.mount in ("floor", "surface") and 0.0 <= body.z[0] - other.z[1] <= ABOVE:
             return True
     return False
+
+
+def _off_centre(survey: Survey) -> Iterator[Finding]:
+    """Screens on a wall that hang beside their stand."""
+    for tv in survey.of_kind(("tv",)):
+        if tv.item.mount != "wall":
+            continue
+        for stand, _ in survey.near(tv, 0.6):
+            if stand.item.category != "tv_stand":
+                continue
+            _, aside = stand.local(tv.centre)
+            if abs(aside) > 0.25 * stand.size[1]:
+                yield finding(
+                    "layout", "off_centre", (tv.id, stand.id),
+                    f"{tv.id} hangs {abs(aside):.2f} m beside the middle of {stand.id}",
+                    f"hang {tv.id} over the middle of {stand.id}", points=0.7, tool="add_relation",
+                    inputs={"relations": [{"type": "above", "subject": tv.id, "target": stand.id, "hard": True}]},
+                )  # fmt: skip
+            break

@@ -18,10 +18,14 @@ SLACK = 0.75
 
 @dataclass(frozen=True)
 class Need:
-    """An item that the room should hold, how many at least, and the ids of those that it does."""
+    """An item that the room should hold, how many at least, and the ids of those that it does.
+
+    ``core`` of them any such room needs; ``least`` grows with the floor and the people.
+    """
 
     item: Item
     least: int
+    core: int
     have: tuple[str, ...]
     asked: bool
 
@@ -106,8 +110,10 @@ def _need(
     least = item.count.of(area, people, 0.0)
     if item.count.per_area is not None or item.count.per_person is not None:
         least = max(item.count.least, int(SLACK * least))
+    core = min(least, max(1, item.count.least))
     if item.with_ is not None:
         least *= len(by_item.get(item.with_, ()))
+        core *= len(by_item.get(item.with_, ()))
     if "at_window" in {p.type for p in item.place if not p.soft} and not windows:
         least = 0
     limits = [a.count[1] for a in meant if a.count is not None]
@@ -116,7 +122,7 @@ def _need(
     if brief.density == "sparse" and item.need != "needed":
         return None
     del room
-    return Need(item, least, have, bool(meant)) if least > 0 else None
+    return Need(item, least, core, have, bool(meant)) if least > 0 else None
 
 
 def _match_asked(scene: Scene, brief: Brief) -> dict[str, str]:

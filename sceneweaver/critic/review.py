@@ -10,7 +10,7 @@ from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 
-from . import access, asked, belonging, facing, finish, needs, order, physical, sizes, space
+from . import access, asked, belonging, facing, finish, needs, order, physical, rows, sizes, space
 from .grade import Finding, finding, grades
 from .model import Fault, Review
 from .survey import Survey
@@ -23,6 +23,7 @@ CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (
     facing.faults,
     access.faults,
     order.faults,
+    rows.faults,
     space.faults,
     finish.faults,
     asked.faults,

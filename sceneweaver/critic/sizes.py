@@ -14,8 +14,8 @@ from .survey import Survey
 
 NAMES = ("depth", "width", "height")
 
-ROOM = 1.3
-"""Factor beyond the usual range that still passes."""
+ROOM = (1.3, 1.3, 1.5)
+"""Factors beyond the usual depth, width and height that still pass; beds without a headboard are low."""
 
 WRONG = 1.8
 """Factor from which a size hinders belief and use."""
@@ -42,7 +42,7 @@ def _range(survey: Survey, body: Body) -> Iterator[Finding]:
     item = survey.program.item_of.get(body.id)
     own = survey.room.item(item).size if item else (None, None, None)
     asked = next((a for a in survey.brief.objects if a.id == survey.program.asked_of.get(body.id)), None)
-    worst, words, target = 1.0, "", list(body.size)
+    worst, words, target, odd = 1.0, "", list(body.size), False
     for k in range(3):
         low, high = row.size.ranges[k]
         given = own[k]
@@ -56,10 +56,11 @@ def _range(survey: Survey, body: Body) -> Iterator[Finding]:
         if max(size, high) <= THIN:
             continue
         factor = max(size / high, low / max(size, 1e-6))
-        if factor > worst:
+        odd = odd or factor > ROOM[k]
+        if factor > worst and factor > ROOM[k]:
             worst, words = factor, f"{size:.2f} m {NAMES[k]}, usual are {low:.2f} to {high:.2f} m"
         target[k] = min(max(size, low), high)
-    if worst > ROOM:
+    if odd:
         yield finding(
             "layout", "wrong_size", (body.id,), f"{body.id} ({kinds.words(body.item.category)}) has {words}",
             f"give {body.id} the size {' x '.join(f'{t:.2f}' for t in target)} m",

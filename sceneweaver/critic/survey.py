@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sceneweaver.assets import categories, resolve
 from sceneweaver.brief import Brief
 from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import Scene
@@ -40,7 +41,8 @@ class Survey:
 
     @classmethod
     def of(cls, scene: Scene, report: Report, room: RoomType, brief: Brief) -> Survey:
-        """Read a scene."""
+        """Read a scene; categories in a user's words are read as those of the taxonomy."""
+        scene = in_known_words(scene)
         return cls(scene, report, room, brief, Placed.of(scene))
 
     @cached_property
@@ -201,6 +203,19 @@ class Survey:
         for v in self.report.violations:
             found.setdefault(v.kind, set()).add(frozenset(v.objects))
         return found
+
+
+def in_known_words(scene: Scene) -> Scene:
+    """The scene with every category by its name in the taxonomy, as far as it is known."""
+    known = categories()
+    if all(o.category in known for o in scene.objects):
+        return scene
+    objects = []
+    for o in scene.objects:
+        match = None if o.category in known else resolve(o.category)
+        named = match is not None and match.how != "generic"
+        objects.append(o.model_copy(update={"category": match.category}) if match and named else o)
+    return scene.model_copy(update={"objects": tuple(objects)})
 
 
 def off_axis(angle: float) -> float:

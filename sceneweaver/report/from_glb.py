@@ -1,8 +1,11 @@
-"""A GLB file as a scene to look at: every node with a mesh is an object. What is no geometry is not read."""
+"""A GLB file as a scene to look at. Of our own files room and objects come back as they were; of others, every node
+with a mesh is an object, in a room around them."""
 
 from __future__ import annotations
 
+import json
 import os
+import struct
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +21,7 @@ _Z_UP = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], dtyp
 
 
 def read_glb(path: str | os.PathLike[str]) -> tuple[Scene, Load]:
-    """The scene of a y-up GLB file in metres, and the loader of its meshes; walls named ``room:`` are left out.
+    """The scene of a y-up GLB file in metres, and the loader of its meshes.
 
     Raises:
         InputError: when the file cannot be read or shows nothing.
@@ -27,11 +30,13 @@ def read_glb(path: str | os.PathLike[str]) -> tuple[Scene, Load]:
 
     name = Path(path)
     try:
+        document = _document(name.read_bytes())
         found: Any = trimesh.load(str(name), file_type="glb", force="scene")
-        nodes = list(found.graph.nodes_geometry)
-        placed = [(node, *found.graph[node]) for node in nodes if not str(node).startswith("room:")]
+        placed = [(str(node), *found.graph[node]) for node in found.graph.nodes_geometry]
     except Exception as error:  # a broken file fails in many ways inside the reader
         raise InputError(f"{name}: is no GLB file that can be read ({type(error).__name__}); export it anew") from None
+    ours = document.get("asset", {}).get("generator") == "sceneweaver"
+    nodes = {str(row.get("name")): row for row in document.get("nodes", [])} if ours else {}
     objects: list[SceneObject] = []
     assets: dict[str, Asset] = {}
     corners: list[np.ndarray] = []
@@ -39,28 +44,61 @@ def read_glb(path: str | os.PathLike[str]) -> tuple[Scene, Load]:
         shape = found.geometry[geometry]
         if not isinstance(shape, trimesh.Trimesh) or not len(shape.faces):
             continue
+        if ours and "category" not in nodes.get(node, {}).get("extras", {}):
+            continue  # floor and walls
         world = trimesh.transform_points(shape.vertices, _Z_UP @ matrix)
-        low, high = world.min(axis=0), world.max(axis=0)
-        base = np.array([*(low + high)[:2] / 2, low[2]])
         if not np.isfinite(world).all():
             raise InputError(f"{name}: node '{node}' has numbers that are not finite; export it anew")
-        id = f"{node}".strip() or f"node {len(objects)}"
-        size = np.maximum(high - low, 1e-3)
+        corners += [world.min(axis=0), world.max(axis=0)]
         asset = f"{len(assets)}"
-        assets[asset] = _asset(asset, id, world - base, shape)
-        x, y, z = (float(v) for v in base)
-        d, w, h = (float(v) for v in size)
-        category = str((shape.metadata or {}).get("category") or "mesh")
-        objects.append(
-            SceneObject(id=id, category=category, size=(d, w, h), pose=Pose(position=(x, y, z)), asset=asset)
-        )
-        corners += [low, high]
+        thing, local = _ours(nodes[node], shape) if ours else _others(node, world, shape)
+        objects.append(thing.model_copy(update={"asset": asset}))
+        assets[asset] = _asset(asset, thing.category, local, shape)
     if not objects:
         raise InputError(f"{name}: shows no mesh; export it anew")
-    low, high = np.min(corners, axis=0), np.max(corners, axis=0)
-    x0, y0, x1, y1 = (float(v) for v in (low[0] - 0.2, low[1] - 0.2, high[0] + 0.2, high[1] + 0.2))
-    room = Room(outline=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), height=max(0.5, float(high[2]) + 0.05))
-    return Scene(id=name.stem, room=room, objects=tuple(objects)), assets.__getitem__
+    scene = document["scenes"][0] if ours else {}
+    extras = scene.get("extras") or {}
+    room = Room.model_validate(extras["room"]) if "room" in extras else _around(corners)
+    return (
+        Scene(id=scene.get("name") or name.stem, prompt=extras.get("prompt", ""), room=room, objects=tuple(objects)),
+        assets.__getitem__,
+    )
+
+
+def _document(data: bytes) -> dict[str, Any]:
+    """The JSON part of a GLB file."""
+    length = struct.unpack_from("<I", data, 12)[0]
+    return json.loads(data[20 : 20 + length])
+
+
+def _ours(node: dict[str, Any], shape: Any) -> tuple[SceneObject, np.ndarray]:
+    """An object of a file that we wrote, and its vertices in its frame."""
+    extras = node["extras"]
+    pose = Pose(position=tuple(node["translation"]), quaternion=tuple(node["rotation"]))
+    mount = extras.get("mount", "floor")
+    thing = SceneObject(
+        id=node["name"], category=extras["category"], size=tuple(extras["size"]), pose=pose,
+        mount="floor" if mount == "surface" else mount,
+    )  # fmt: skip
+    return thing, np.asarray(shape.vertices) * np.asarray(node.get("scale", (1.0, 1.0, 1.0)))
+
+
+def _others(id: str, world: np.ndarray, shape: Any) -> tuple[SceneObject, np.ndarray]:
+    """A node of anybody's file as an object that is not turned, and its vertices in its frame."""
+    low, high = world.min(axis=0), world.max(axis=0)
+    base = np.array([*(low + high)[:2] / 2, low[2]])
+    x, y, z = base.tolist()
+    d, w, h = np.maximum(high - low, 1e-3).tolist()
+    clean = " ".join("".join(c if c.isprintable() else " " for c in id).split()) or "node"
+    clean = clean.replace("wall:", "wall ")
+    return SceneObject(id=clean, category="mesh", size=(d, w, h), pose=Pose(position=(x, y, z))), world - base
+
+
+def _around(corners: list[np.ndarray]) -> Room:
+    """A room a little larger than what is in it."""
+    low, high = np.min(corners, axis=0) - 0.2, np.max(corners, axis=0) + 0.2
+    (x0, y0, _), (x1, y1, z1) = low.tolist(), high.tolist()
+    return Room(outline=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), height=max(0.5, z1))
 
 
 def _asset(id: str, category: str, vertices: np.ndarray, shape: Any) -> Asset:
@@ -80,5 +118,6 @@ def _colors(shape: Any, faces: np.ndarray) -> tuple[list[tuple[float, float, flo
         corners = np.asarray(shape.visual.to_color().vertex_colors)[faces[:, 0], :3]
     except Exception:  # no colour, or one that trimesh cannot work out
         return [], np.zeros(len(faces), dtype=np.int32)
-    table, kinds = np.unique(corners // 8 * 8 + 4, axis=0, return_inverse=True)
-    return [tuple(row) for row in (table / 255.0).tolist()], kinds.reshape(-1).astype(np.int32)
+    # A photograph has too many colours for a table of materials: a few levels of each are enough to look at.
+    table, kinds = np.unique(corners // 16 * 16 + 8, axis=0, return_inverse=True)
+    return [(r, g, b) for r, g, b in (table / 255.0).tolist()], kinds.reshape(-1).astype(np.int32)

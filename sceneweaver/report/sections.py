@@ -45,9 +45,8 @@ def header(data: ReportData, valid: bool | None) -> str:
     seconds = (metrics.get("seconds") or {}).get("total")
     took = sum(step.seconds for step in data.steps) or seconds
     if isinstance(took, int | float):
-        facts.append(
-            (f"{took:.1f} s" if took >= 0.05 else f"{took * 1000:.0f} ms", "computing" if data.steps else "checking")
-        )
+        shown = f"{took:.1f} s" if took >= 0.05 else f"{took * 1000:.0f} ms"
+        facts.append((shown, "in all steps" if data.steps else "in all"))
     share = metrics.get("reachable_share")
     if isinstance(share, int | float):
         facts.append((f"{100 * share:.0f} %", "reachable"))
@@ -148,17 +147,22 @@ def measures(metrics: Mapping[str, Any]) -> str:
     ):
         if key in (metrics.get("stability") or {}):
             rows.append((name, number(metrics["stability"][key], 4)))
-    rows += [(key.capitalize(), esc_none(metrics[key])) for key in ("candidates", "seed", "device") if key in metrics]
+    rows += [
+        (key.capitalize(), str(metrics[key]))
+        for key in ("candidates", "seed", "device")
+        if metrics.get(key) is not None
+    ]
+    more: list[tuple[str, str]] = []
     spent = metrics.get("seconds") or {}
-    rows += [(f"Seconds, {name.replace('_', ' ')}", number(value, 3)) for name, value in spent.items()]
-    rows += [(f"Version of {name}", str(value)) for name, value in (metrics.get("versions") or {}).items()]
-    body = "".join(f"<tr><th scope='row'>{esc(n)}</th><td>{esc(v)}</td></tr>" for n, v in rows if v != "None")
-    return _section("metrics", "Metrics", f'<table class="metrics"><tbody>{body}</tbody></table>')
+    more += [(f"Seconds, {name.replace('_', ' ')}", number(value, 3)) for name, value in spent.items()]
+    more += [(f"Version of {name}", str(value)) for name, value in (metrics.get("versions") or {}).items()]
+    tail = f"<details><summary>Times and versions</summary>{_table(more)}</details>" if more else ""
+    return _section("metrics", "Metrics", _table(rows) + tail)
 
 
-def esc_none(value: object) -> str:
-    """The value as text; "None" is left out by the table."""
-    return str(value)
+def _table(rows: Sequence[tuple[str, str]]) -> str:
+    body = "".join(f"<tr><th scope='row'>{esc(n)}</th><td>{esc(v)}</td></tr>" for n, v in rows)
+    return f'<table class="metrics"><tbody>{body}</tbody></table>'
 
 
 def relations(rows: Sequence[RelationRow]) -> str:
@@ -191,7 +195,7 @@ def steps(rows: Sequence[StepRow]) -> str:
         picture = ""
         if row.picture is not None:
             url = picture_url(row.picture, 440, 80)
-            picture = f'<img src="{url}" alt="After step {row.number}" loading="lazy">'
+            picture = f'<img src="{url}" alt="After step {row.number}" width="{row.picture.width}" height="{row.picture.height}">'
         state = ("good", "accepted") if row.accepted else ("bad", "rolled back")
         note = f'<p class="aside">{esc(row.note)}</p>' if row.note else ""
         items.append(

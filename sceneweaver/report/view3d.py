@@ -149,7 +149,7 @@ def _wall_of(room: Room, thing: SceneObject) -> int | None:
 
 
 def _best_side(scene: Scene) -> float:
-    """The yaw [rad] of the camera, from the room's middle, that shows most fronts and hides least behind tall things."""
+    """The yaw [rad] of the camera around the room's middle that shows most fronts and has least behind tall things."""
     x0, y0 = np.mean(np.asarray(scene.room.outline), axis=0)
     best = (-math.inf, 0.0)
     for k in (7, 5, 1, 3):  # the corners, the one at right front first

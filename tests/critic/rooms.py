@@ -207,7 +207,7 @@ def living() -> Case:
     objects = [
         stand, sofa, table, case,
         put("armchair-0", 2.55, 0.75, 90, size=(0.8, 0.8, 0.9)),
-        put("snake_plant-0", 0.25, 3.9, size=(0.3, 0.3, 0.8)),
+        put("snake_plant-0", 0.2, 4.0, size=(0.3, 0.3, 0.8)),
         put("rug-0", 3.0, 2.1, 0),
         put("picture-0", 4.98, 2.1, 180, 1.3, size=(0.03, 0.9, 0.7)),
         put("ceiling_light-0", 2.5, 2.1),
@@ -275,3 +275,41 @@ def restaurant(rows: int = 2, columns: int = 3) -> Case:
 def _case(space: Room, objects: list[SceneObject], relations: list[Relation], type: RoomType) -> Case:
     scene = Scene(id=type.name, room=space, objects=tuple(objects), relations=tuple(relations))
     return Case(scene, type)
+
+
+KITCHEN = kind("kitchen", [
+    {"id": "counter", "what": "kitchen_counter", "need": "needed", "place": ["against_wall"], "top": "counter"},
+    {"id": "sink", "what": "sink_cabinet", "need": "needed", "place": ["against_wall"]},
+    {"id": "stove", "what": "stove", "need": "needed", "place": ["against_wall"]},
+    {"id": "fridge", "what": "fridge", "need": "needed", "place": ["against_wall"]},
+    {"id": "hood", "what": "range_hood", "place": ["above stove"]},
+    {"id": "table", "what": "dining_table", "top": "dinner"},
+    {"id": "chair", "what": "dining_chair", "with": "table", "count": [2, 6], "place": ["front_against table"]},
+    {"id": "lamp", "what": "ceiling_light"},
+])  # fmt: skip
+
+
+@cache
+def kitchen() -> Case:
+    """A kitchen of 4 x 3.6 m with one run at the wall y = 3.6, and a table for four."""
+    sizes = {"fridge": (0.62, 0.6, 1.8), "sink_cabinet": (0.62, 1.0, 1.2), "stove": (0.61, 0.6, 0.93),
+             "kitchen_counter": (0.62, 1.4, 0.9)}  # fmt: skip
+    objects, left = [], 0.1
+    for name, size in sizes.items():
+        objects.append(put(f"{name}-0", left + size[1] / 2, 3.6 - size[0] / 2, -90, size=size))
+        left += size[1] + 0.005
+    stove, counter = objects[2:4]
+    hood = asset("range_hood")
+    objects.append(put("range_hood-0", stove.pose.position[0], 3.6 - hood.size[0] / 2, -90, 1.6))
+    table = put("dining_table-0", 2.0, 1.2, 90, size=(0.8, 1.4, 0.75))
+    chairs = [put(f"dining_chair-{k}", 2.0 + 0.33 * dx, 1.2 + 0.67 * dy, -90 * dy, size=(0.5, 0.45, 0.9))
+              for k, (dx, dy) in enumerate(((-1, -1), (1, -1), (-1, 1), (1, 1)))]  # fmt: skip
+    objects += [
+        table, *chairs,
+        on(counter, "toaster-0", left=0.3), on(counter, "kettle-0", left=-0.3), on(table, "fruit_bowl-0"),
+        on(table, "mug-0", left=0.4),
+        put("ceiling_light-0", 2.0, 1.8), put("snake_plant-0", 3.8, 0.2, size=(0.3, 0.3, 0.8)),
+        put("wall_clock-0", 0.03, 1.2, 0, 1.7),
+    ]  # fmt: skip
+    relations = [Relation(type="front_against", subject=c.id, target=table.id) for c in chairs]
+    return _case(room(4.0, 3.6, type="kitchen"), objects, relations, KITCHEN)

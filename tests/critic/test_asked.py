@@ -55,8 +55,9 @@ def test_attributes_and_sizes() -> None:
     assert not only(review(case, objects=[asked("sofa", size=(None, 2.0, None))]), "wrong_asked_size", "alignment")
     wide = only(review(case, objects=[asked("sofa", size=(None, 2.6, None))]), "wrong_asked_size", "alignment")[0]
     assert wide.inputs["sizes"]["sofa-0"][1] == 2.6
-    assert only(review(case, objects=[asked("tv_stand", scale=1.3), asked("coffee_table", scale=1.5)]),
-                "wrong_asked_size", "alignment")  # fmt: skip
+    small = case.but({"id": "coffee_table-0", "update": {"size": (0.5, 0.85, 0.42)}})
+    assert only(review(small, objects=[asked("coffee_table", scale=1.3)]), "wrong_asked_size", "alignment")
+    assert not only(review(small, objects=[asked("coffee_table", scale=0.8)]), "wrong_asked_size", "alignment")
 
 
 @pytest.mark.parametrize(
@@ -100,6 +101,23 @@ def test_around() -> None:
     assert only(review(moved, objects=objects, relations=[said]), "asked_relation", "alignment")
 
 
+@pytest.mark.parametrize(
+    ("given", "want", "fits"),
+    [
+        ({"color": "light grey"}, {"color": "gray"}, True), ({"color": "navy"}, {"color": "dark blue"}, True),
+        ({"color": "red"}, {"color": "blue"}, False), ({"color": "weird"}, {"color": "weird"}, True),
+        ({"material": "walnut"}, {"material": "wooden"}, True), ({"material": "walnut"}, {"material": "oak"}, False),
+        ({"material": "brown leather"}, {"material": "leather"}, True),
+        ({"material": "black plastic"}, {"material": "metal"}, False),
+        ({"style": "modern"}, {"style": "modern"}, True), ({}, {"color": "blue"}, True),
+    ],
+)  # fmt: skip
+def test_words_for_looks(given: dict[str, str], want: dict[str, str], fits: bool) -> None:
+    case = rooms.living().but({"id": "sofa-0", "update": {"attributes": given}})
+    found = review(case, objects=[asked("sofa", **want)])
+    assert any(f.kind.startswith("wrong_") for f in found.faults if f.criterion == "alignment") is not fits
+
+
 def test_without_and_only() -> None:
     case = rooms.bedroom()
     banned = review(case, without=["rug", "plant_group"])
@@ -117,7 +135,8 @@ def test_without_and_only() -> None:
         ({"area": 14.4}, None), ({"area": 25.0}, "wrong_area"), ({"size": (5.0, 5.0)}, "wrong_area"),
         ({"scale": 1.4, "area": None}, None), ({"shape": "rectangle"}, None), ({"shape": "L"}, "wrong_shape"),
         ({"height": 2.6}, None), ({"height": 3.2}, "wrong_height"), ({"windows": 1}, None), ({"doors": 1}, None),
-        ({"windows": 3}, "wrong_windows"), ({"room": "kitchen"}, "wrong_room"), ({"colors": ("magenta",)}, "wrong_colors"),
+        ({"windows": 3}, "wrong_windows"), ({"room": "kitchen"}, "wrong_room"),
+        ({"colors": ("magenta",)}, "wrong_colors"),
     ],
 )  # fmt: skip
 def test_the_room(data: dict[str, Any], kind: str | None) -> None:
@@ -207,6 +226,31 @@ def test_calls_can_be_acted_on(case: Case) -> None:
         assert fault.reason and any(ch.isdigit() for ch in fault.reason) or fault.kind in ("foreign_object",)
         assert fault.points >= 0 and fault.criterion in found.grades
         acts(case, fault)
+
+
+@pytest.mark.parametrize("case", BROKEN)
+def test_doing_what_a_fault_says_helps(case: Case) -> None:
+    """Turning, resizing and removing can be done at once; each such call must not lower the total."""
+    import math
+
+    before = case.review()
+    for fault in before.faults:
+        change: list[dict[str, Any]] = []
+        if fault.tool == "update_rotation":
+            for id in fault.inputs["ids"]:
+                o = case.scene.object(id)
+                yaw = fault.inputs.get("yaw")
+                if yaw is None:
+                    to = case.scene.object(fault.inputs["toward"])
+                    dx, dy = (b - a for a, b in zip(o.pose.position[:2], to.pose.position[:2], strict=True))
+                    yaw = math.atan2(dy, dx)
+                change.append({"id": id, "yaw": math.degrees(yaw)})
+        elif fault.tool == "remove_objects":
+            change = [{"id": id, "gone": True} for id in fault.inputs["ids"]]
+        if change and fault.kind in ("crooked", "askew", "foreign_object", "wrong_orientation"):
+            after = case.but(*change).review()
+            same = [f for f in after.faults if f.kind == fault.kind and set(f.objects) == set(fault.objects)]
+            assert not same, (fault, same)
 
 
 def test_a_review_is_plain_data() -> None:

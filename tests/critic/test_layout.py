@@ -32,7 +32,7 @@ def falls(good: Case, bad: Case, kind: str, objects: set[str], *, criterion: str
     return found[0]
 
 
-@pytest.mark.parametrize("case", [rooms.bedroom, rooms.living, rooms.office, rooms.restaurant])
+@pytest.mark.parametrize("case", [rooms.bedroom, rooms.living, rooms.office, rooms.restaurant, rooms.kitchen])
 def test_tidy_rooms_are_good(case) -> None:
     review = case().review()
     assert min(review.grades.values()) >= 8.0, [(f.kind, f.reason) for f in review.faults]
@@ -199,3 +199,44 @@ def test_broken_hard_relation() -> None:
     scene = good.scene.model_copy(update={"relations": (*good.scene.relations, relation)})
     bad = Case(scene, good.room)
     falls(good, bad, "broken_relation", {"bookcase-0", "low_bookcase-0"})
+
+
+def test_tables_out_of_their_rows() -> None:
+    good = rooms.restaurant()
+    moves = [(0, 0.3, 0.45), (1, -0.25, -0.5), (2, 0.2, 0.25), (3, -0.5, 0.7), (4, 0.4, -0.25), (5, -0.55, 0.3)]
+    changes = []
+    for k, dx, dy in moves:
+        for id in (f"dining_table-{k}", *(f"dining_chair-{4 * k + j}" for j in range(4))):
+            x, y, _ = good.scene.object(id).pose.position
+            changes.append({"id": id, "x": x + dx, "y": y + dy})
+    fault = falls(good, good.but(*changes), "scattered", {"dining_table-3"}, least=0.3)
+    assert fault.inputs == {"ids": []}
+
+
+def test_kitchen_units_apart() -> None:
+    units = [put("stove-0", 0.4, 3.6, -90), put("fridge-0", 2.2, 3.6, -90), put("kitchen_cabinet-0", 3.6, 3.6, -90)]
+    good = rooms.office()
+    assert only(good.plus(*units).review(), "broken_run")
+    together = [put("stove-0", 0.4, 3.6, -90), put("fridge-0", 1.05, 3.6, -90), put("dishwasher-0", 1.7, 3.6, -90)]
+    assert not only(good.plus(*together).review(), "broken_run")
+
+
+def test_television_beside_its_stand() -> None:
+    good = rooms.living().but({"id": "tv_on_stand-0", "gone": True}, {"id": "sofa-0", "y": 2.1})
+    tv = put("tv-0", 0.04, 2.1, 0, 0.9)
+    assert not only(good.plus(tv).review(), "off_centre")
+    assert only(good.plus(put("tv-0", 0.04, 2.8, 0, 0.9)).review(), "off_centre")[0].objects == ("tv-0", "tv_stand-0")
+
+
+def test_seats_of_a_waiting_room_belong_to_no_table() -> None:
+    waiting = rooms.kind("waiting_room", [
+        {"id": "chair", "what": "chair", "count": [4, 8], "need": "needed", "place": ["against_wall"], "row": "line"},
+        {"id": "table", "what": "activity_table", "need": "usual"},
+    ])  # fmt: skip
+    chairs = [put(f"chair-{k}", 0.28, 1.2 + 0.6 * k, 0) for k in range(4)]
+    space = rooms.room(3.0, 4.0, door=1.8)
+    scene = rooms.living().scene.model_copy(
+        update={"room": space, "objects": (*chairs, put("activity_table-0", 0.45, 3.6)), "relations": ()}
+    )
+    review = Case(scene, waiting).review()
+    assert not only(review, "wrong_orientation") and not only(review, "cramped_seat", "functionality")

@@ -30,6 +30,15 @@ def test_one_nightstand_of_two_is_less_grave_than_none() -> None:
     assert 6.0 < one < 10.0 and none.grades["functionality"] < 6.0
 
 
+def test_fewer_than_the_floor_would_take_is_no_lack_of_the_needed() -> None:
+    items = [{"id": "desk", "what": "desk", "need": "needed", "count": {"per_area": 0.3, "least": 2, "most": 9}},
+             {"id": "chair", "what": "office_chair", "need": "needed", "with": "desk"}]  # fmt: skip
+    case = rooms.office()
+    few = Case(case.scene, rooms.kind("office", items)).review()
+    assert 7.0 < few.grades["functionality"] < 10.0
+    assert only(few, "missing_needed", "functionality")[0].reason.startswith("2 of 3 desks")
+
+
 def test_kin_may_stand_in_for_what_is_needed() -> None:
     good = rooms.bedroom()
     bed = good.scene.object("bed-0")
@@ -191,3 +200,55 @@ def test_order_of_objects_and_turns_of_the_room_change_nothing() -> None:
         turned = turned.model_copy(update={"room": turned.room.model_copy(update={"outline": outline})})
         grade = Case(turned, case.room).review().grades
         assert grade == pytest.approx(base.grades, abs=0.15)
+
+
+def test_categories_in_other_words() -> None:
+    good = rooms.living()
+    other = good.but(
+        {"id": "sofa-0", "update": {"category": "couch"}}, {"id": "bookcase-0", "update": {"category": "bookshelf"}}
+    )
+    assert other.review().grades == good.review().grades
+    strange = good.but({"id": "armchair-0", "update": {"category": "quux machine"}})
+    assert strange.review().total > 8.0
+
+
+def test_reasons_use_the_right_article() -> None:
+    case = rooms.office().but({"id": "bookcase-0", "gone": True}, {"id": "low_bookcase-0", "gone": True})
+    fault = only(case.review(), "missing_usual", "completion")[0]
+    assert fault.reason == "there is no bookcase; an office usually has 1"
+
+
+def test_every_kind_names_known_categories() -> None:
+    from sceneweaver.assets import categories
+    from sceneweaver.critic import kinds
+
+    known = set(categories())
+    for name, value in vars(kinds).items():
+        if isinstance(value, frozenset) and name.isupper() and name != "NEUTRAL_GROUPS":
+            assert value <= known, (name, value - known)
+    for family in (*kinds._KIN, *kinds.WORLDS.values()):
+        assert family <= known, family - known
+
+
+@pytest.mark.parametrize("name", ["bedroom", "living_room", "office", "kitchen"])
+def test_the_scenes_that_ship_with_the_library(name: str) -> None:
+    from sceneweaver.knowledge import room_types
+    from sceneweaver.scene import EXAMPLES
+
+    for example in EXAMPLES:
+        room = room_types().get(name) or rooms.BEDROOM
+        review = Case(Scene.example(example), room).review()
+        assert all(0.0 <= grade <= 10.0 for grade in review.grades.values())
+
+
+def test_tilted_things_and_round_rooms_are_read() -> None:
+    import math
+
+    case = rooms.living()
+    o = case.scene.object("armchair-0")
+    tilted = o.pose.model_copy(update={"quaternion": (math.sin(0.3), 0.0, 0.0, math.cos(0.3))})
+    outline = tuple((2.5 + 3.6 * math.cos(k * math.pi / 10), 2.1 + 3.6 * math.sin(k * math.pi / 10)) for k in range(20))
+    scene = case.scene.replace_poses({o.id: tilted})
+    room = scene.room.model_validate({"outline": outline, "height": 2.6})
+    review = Case(scene.model_copy(update={"room": room}), case.room).review()
+    assert review.measures["floor_m2"] > 35.0 and not only(review, "crooked")

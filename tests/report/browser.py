@@ -25,9 +25,10 @@ _FLAGS = (
 class Browser:
     """One page in one browser; every call ends within ``limit`` seconds or raises TimeoutError."""
 
-    def __init__(self, width: int = 1280, height: int = 800, limit: float = 30.0, flags: tuple[str, ...] = ()):
+    def __init__(self, width: int = 1280, height: int = 800, limit: float = 30.0, flags: tuple[str, ...] = (),
+                 calm: bool = True):  # fmt: skip
         assert BINARY is not None
-        self.limit = limit
+        self.limit, self.calm = limit, calm
         self.logs: list[str] = []
         self._folder = tempfile.mkdtemp(prefix="browser-")
         theirs_in, self._out = os.pipe()
@@ -122,7 +123,8 @@ class Browser:
             "Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=ratio, mobile=False
         )
         scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
-        self.call("Emulation.setEmulatedMedia", features=[scheme])
+        calm = {"name": "prefers-reduced-motion", "value": "reduce" if self.calm else "no-preference"}
+        self.call("Emulation.setEmulatedMedia", features=[scheme, calm])
 
     def shoot(self, path: Path, whole: bool = False) -> None:
         """Write a PNG of the window, or of the whole page."""

@@ -42,9 +42,14 @@ class Orbit {
   }
 
   matrix(aspect) {
-    const near = Math.max(0.02, this.distance * 0.02);
-    const look = lookAt(this.eye(), this.target, [0, 0, 1]);
-    return multiply(perspective(FOV, aspect, near, this.distance * 4 + 40), look);
+    // As tight around the room as can be: a rug lies less than a millimetre over the floor.
+    const { low, high, height } = this.room;
+    const middle = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, height / 2];
+    const radius = Math.hypot(high[0] - low[0], high[1] - low[1], height) / 2 + 1;
+    const eye = this.eye();
+    const away = Math.hypot(...sub(eye, middle));
+    const near = Math.max(Math.min(0.1, this.distance * 0.05), away - radius);
+    return multiply(perspective(FOV, aspect, near, away + radius), lookAt(eye, this.target, [0, 0, 1]));
   }
 
   turn(dx, dy) {

@@ -2,7 +2,8 @@
 // with light from another part of the sky, another point of the sun and another place within the pixel, are added up.
 const NEVER_CUT = 1000;
 const WALL_STUMP = 0.07; // what is left of a wall that would hide the room [m]
-const MAP = 2048;
+const SUN_MAP = 2048; // pixels of a shadow map; the sky's is coarser, as many of it are added up
+const SKY_MAP = 1024;
 const FRAMES = 96;
 
 class Renderer {
@@ -29,8 +30,8 @@ class Renderer {
     this.center = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, height / 2];
     this.radius = Math.hypot(high[0] - low[0], high[1] - low[1], height) / 2 + 0.3;
     this.sun = unit([0.42, -0.5, 1.0]);
-    this.sunMap = this.makeMap();
-    this.skyMap = this.makeMap();
+    this.sunMap = this.makeMap(SUN_MAP);
+    this.skyMap = this.makeMap(SKY_MAP);
     this.mask = { texture: null, frame: null, width: 0, height: 0 };
     this.heights = data.walls.map(() => data.room.height + 0.01);
     this.gathered = 0;
@@ -94,11 +95,11 @@ class Renderer {
     return array;
   }
 
-  makeMap() {
+  makeMap(size) {
     const gl = this.gl;
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.DEPTH_COMPONENT24, MAP, MAP);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.DEPTH_COMPONENT24, size, size);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_COMPARE_MODE, gl.COMPARE_REF_TO_TEXTURE);
     for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) {
       gl.texParameteri(gl.TEXTURE_2D, side, gl.LINEAR);
@@ -107,7 +108,7 @@ class Renderer {
     gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, texture, 0);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    return { texture, frame, view: null };
+    return { texture, frame, size, view: null };
   }
 
   // A target of the canvas's size: a texture of the format, with depth when wanted.
@@ -191,7 +192,7 @@ class Renderer {
     const look = lookAt(add(this.center, scale(direction, 2 * r)), this.center, up);
     map.view = multiply(orthographic(r, r, 0.5 * r, 3.5 * r), look);
     gl.bindFramebuffer(gl.FRAMEBUFFER, map.frame);
-    gl.viewport(0, 0, MAP, MAP);
+    gl.viewport(0, 0, map.size, map.size);
     gl.clear(gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
     gl.disable(gl.BLEND);
@@ -232,7 +233,7 @@ class Renderer {
     const gl = this.gl;
     const program = this.use("surface", {
       view, eye, sun: this.sunNow || this.sun, sky: this.sky || this.sun, sunView: this.sunMap.view,
-      skyView: (this.skyMap.view || this.sunMap.view), texel: (2 * this.radius) / MAP, mapTexel: 1 / MAP,
+      skyView: (this.skyMap.view || this.sunMap.view), texel: (2 * this.radius) / SUN_MAP, mapTexel: 1 / SUN_MAP,
       phase: gather ? this.gathered * 1.37 : 0,
     });
     gl.uniform1i(program.gather, gather ? 1 : 0);

@@ -138,7 +138,7 @@ void main() {
   vec3 ambient;
   if (gather == 1) {
     float open = max(dot(n, sky), 0.0);
-    if (open > 0.0) open *= shadow(skyMap, skyView, n, sky, 9.0);
+    if (open > 0.0) open *= shadow(skyMap, skyView, n, sky, 14.0);
     ambient = skyColor * 2.0 * open + bounce * (0.56 - 0.30 * n.z);
   } else {
     ambient = 0.92 * mix(bounce, skyColor, 0.5 + 0.5 * n.z);

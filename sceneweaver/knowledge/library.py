@@ -1,0 +1,208 @@
+"""A library of finished scenes: what there is at a glance, and each of them as a scene.
+
+``python -m sceneweaver.knowledge.library RUNS --to FOLDER`` collects the best scenes of a folder of runs into one.
+"""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from pydantic import Field
+
+from sceneweaver.scene import InputError, Scene, write_atomic
+from sceneweaver.scene.base import FrozenModel
+from sceneweaver.scene.messages import suggest
+
+INDEX = "index.json"
+
+DIGITS = 6
+"""Decimals of numbers in library files."""
+
+
+class SceneCard(FrozenModel):
+    """What a choice among scenes needs to know of one; ``sides`` are those of the box around its floor [m]."""
+
+    name: str
+    room: str
+    prompt: str = ""
+    area: float = Field(description="Floor [m2]")
+    sides: tuple[float, float]
+    corners: int
+    doors: int = 1
+    windows: int = 0
+    style: str | None = None
+    people: int | None = None
+    categories: dict[str, int] = Field(default={}, description="How many objects of each category")
+    grade: float | None = Field(default=None, description="Mean grade 0 to 10 of the critic")
+
+
+def own_folder() -> Path:
+    """The folder of the scenes that come with the library."""
+    return Path(str(resources.files(__package__ or "").joinpath("library")))
+
+
+def library_scenes(folder: str | Path | None = None) -> tuple[SceneCard, ...]:
+    """Cards of all scenes of a folder, of our own without one; files that are no scenes are skipped.
+
+    Raises:
+        InputError: when there is no such folder.
+    """
+    place = Path(folder) if folder is not None else own_folder()
+    if not place.is_dir():
+        if folder is None:
+            return ()
+        raise InputError(f"folder: '{place}' is no folder; give one that holds scene.json files")
+    index = place / INDEX
+    files = _files(place)
+    stamp = max((f.stat().st_mtime_ns for f in (index, *files) if f.exists()), default=0)
+    return _cards(place, len(files), stamp)
+
+
+def load_scene(name: str, folder: str | Path | None = None) -> Scene:
+    """The scene of a card's name; InputError when there is none, or its file is no scene."""
+    place = Path(folder) if folder is not None else own_folder()
+    for file in _files(place) if place.is_dir() else ():
+        if _name(place, file) == name:
+            return Scene.load(file)
+    known = [card.name for card in library_scenes(folder)]
+    raise InputError(f"library: there is no scene '{name}'{suggest(name, known)}")
+
+
+def card_of(name: str, data: Mapping[str, Any], grade: float | None = None) -> SceneCard:
+    """The card of a scene in plain JSON data."""
+    room = data["room"]
+    xs, ys = [float(p[0]) for p in room["outline"]], [float(p[1]) for p in room["outline"]]
+    area = sum(x0 * y1 - x1 * y0 for x0, y0, x1, y1 in zip(xs, ys, [*xs[1:], xs[0]], [*ys[1:], ys[0]], strict=True))
+    origin = data.get("provenance") or {}
+    style, people = origin.get("style"), origin.get("people")
+    return SceneCard(
+        name=name,
+        room=str(origin.get("room") or room.get("type", "room")),
+        prompt=data.get("prompt", ""),
+        area=round(abs(area) / 2, 3),
+        sides=(round(max(xs) - min(xs), 3), round(max(ys) - min(ys), 3)),
+        corners=len(xs),
+        doors=len(room.get("doors", ())),
+        windows=len(room.get("windows", ())),
+        style=style if isinstance(style, str) else None,
+        people=people if isinstance(people, int) else None,
+        categories=dict(sorted(Counter(o["category"] for o in data.get("objects", ())).items())),
+        grade=grade,
+    )
+
+
+def collect(runs: str | Path, to: str | Path, least: float = 0.0, each: int = 3, unjudged: bool = False) -> list[str]:
+    """Copy the best valid scenes of a folder of runs into a library folder, and write its index.
+
+    Args:
+        runs: a folder with scene.json files anywhere in it; metrics.json beside one says whether it is valid.
+        to: the library folder.
+        least: mean grade of the critic that a scene must have.
+        each: scenes of each kind of room at most.
+        unjudged: whether scenes without metrics are taken as well.
+
+    Returns:
+        The names of the scenes.
+    """
+    rows: list[tuple[float, str, Scene]] = []
+    for file in sorted(Path(runs).rglob("scene.json")):
+        if "steps" in file.relative_to(runs).parts:
+            continue  # a step on the way, not a result
+        metrics = _metrics(file.with_name("metrics.json"))
+        if metrics is None and not unjudged or metrics is not None and not metrics.get("valid"):
+            continue
+        numbers = [v for v in ((metrics or {}).get("scores") or {}).values() if isinstance(v, int | float)]
+        grade = sum(numbers) / len(numbers) if numbers else 0.0
+        if grade >= least:
+            rows.append((grade, str(file), Scene.load(file)))
+    rows.sort(key=lambda row: (-row[0], row[1]))
+    taken: Counter[str] = Counter()
+    place, cards = Path(to), []
+    place.mkdir(parents=True, exist_ok=True)
+    for grade, _, scene in rows:
+        kind = str(scene.provenance.get("room") or scene.room.type).replace(" ", "_")
+        if taken[kind] == each:
+            continue
+        taken[kind] += 1
+        name = f"{kind}-{taken[kind]}"
+        data = _rounded(scene.to_json())
+        Scene.from_json(data)  # it loads, or the caller learns why not
+        write_atomic(place / f"{name}.json", json.dumps(data, separators=(",", ":"), ensure_ascii=False) + "\n")
+        cards.append(card_of(name, data, round(grade, 2)))
+    text = json.dumps([card.model_dump(mode="json") for card in cards], indent=1)
+    write_atomic(place / INDEX, text + "\n")
+    return [card.name for card in cards]
+
+
+def _files(place: Path) -> list[Path]:
+    """Scene files of a folder: NAME.json, or NAME/scene.json."""
+    flat = [f for f in sorted(place.glob("*.json")) if f.name not in (INDEX, "metrics.json")]
+    return flat + sorted(place.glob("*/scene.json"))
+
+
+def _name(place: Path, file: Path) -> str:
+    return file.parent.name if file.name == "scene.json" and file.parent != place else file.stem
+
+
+@lru_cache(maxsize=16)
+def _cards(place: Path, count: int, stamp: int) -> tuple[SceneCard, ...]:
+    """Cards from the index where it lists all files, else from the files; cached until one of them changes."""
+    index = place / INDEX
+    if index.is_file():
+        try:
+            rows = [SceneCard.model_validate(row) for row in json.loads(index.read_text(encoding="utf-8"))]
+        except (ValueError, TypeError):
+            rows = []
+        if {row.name for row in rows} == {_name(place, f) for f in _files(place)}:
+            return tuple(rows)
+    found = []
+    for file in _files(place):
+        try:
+            data = json.loads(file.read_text(encoding="utf-8"))
+            found.append(card_of(_name(place, file), data))
+        except (OSError, ValueError, KeyError, TypeError, AttributeError):
+            continue  # some other JSON file
+    return tuple(found)
+
+
+def _metrics(file: Path) -> dict[str, Any] | None:
+    try:
+        data = json.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    return data if isinstance(data, dict) else None
+
+
+def _rounded(data: Any) -> Any:
+    if isinstance(data, float):
+        return round(data, DIGITS)
+    if isinstance(data, Mapping):
+        return {k: _rounded(v) for k, v in data.items()}
+    return [_rounded(v) for v in data] if isinstance(data, list | tuple) else data
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Collect scenes from the command line; the number of scenes is what it says."""
+    import argparse
+    import sys
+
+    parser = argparse.ArgumentParser(prog="python -m sceneweaver.knowledge.library", description=main.__doc__)
+    parser.add_argument("runs", help="folder with runs")
+    parser.add_argument("--to", default=str(own_folder()), help="library folder")
+    parser.add_argument("--least", type=float, default=0.0, help="least mean grade")
+    parser.add_argument("--each", type=int, default=3, help="scenes of each kind of room at most")
+    parser.add_argument("--unjudged", action="store_true", help="take scenes without metrics.json, too")
+    given = parser.parse_args(arguments)
+    names = collect(given.runs, given.to, given.least, given.each, given.unjudged)
+    sys.stdout.write(f"{len(names)} scenes in {given.to}: {', '.join(names)}\n")
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

@@ -1,0 +1,243 @@
+"""scene.glb, read by trimesh and by hand: every object whole under its name, where the scene has it."""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+import struct
+from typing import Any
+
+import numpy as np
+import pytest
+import trimesh
+
+from sceneweaver.assets import Asset, Material, Mesh, make
+from sceneweaver.export import glb_bytes, write_glb
+from sceneweaver.export.glb import linear
+from sceneweaver.export.room import WALL_THICKNESS, floor_mesh, wall_mesh, wall_plan
+from sceneweaver.scene import Door, InputError, Part, Pose, Room, Scene, SceneObject, Support, Window
+
+Z_UP = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], dtype=float)
+
+ROOM = Room(
+    outline=((0, 0), (5, 0), (5, 3), (3, 3), (3, 4), (0, 4)),
+    height=2.6,
+    doors=(Door(id="door-0", wall=0, offset=0.5, width=0.9, height=2.0),),
+    windows=(Window(id="window-0", wall=1, offset=1.0, width=1.2, sill=0.9, height=1.2),),
+)
+
+
+def _scene() -> tuple[Scene, dict[str, Asset]]:
+    assets = {name: make(name, seed) for name, seed in (("desk", 3), ("table_lamp", 1), ("armchair", 2), ("vase", 4))}
+    desk, tilt = assets["desk"], np.array([0.2, -0.1, 0.3, 0.9])
+    x, y, z, w = (tilt / np.linalg.norm(tilt)).tolist()
+    parts = (
+        Part(polygon=((-0.3, -0.2), (0.3, -0.2), (0, 0.4)), z=(0, 0.5)),
+        Part(polygon=((-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1)), z=(0.5, 0.8)),
+    )
+    objects = (
+        desk.object("desk é/1", pose=Pose.from_yaw(1.0, 1.5, 0.0, 2.1)),
+        desk.object("desk 2", pose=Pose.from_yaw(4.0, 1.5, 0.0, -0.7)),
+        assets["table_lamp"].object("lamp", pose=Pose.from_yaw(1, 1.5, 0.74, 0.3), support=Support(object="desk 2",
+                                    surface=desk.surfaces[0].name)),
+        assets["armchair"].object("chair", pose=Pose(position=(2.0, 2.0, 0.1), quaternion=(x, y, z, w))),
+        SceneObject(id="room:floor", category="plinth", size=(0.6, 0.6, 0.8), parts=parts, attributes={"color": "red"},
+                    pose=Pose.from_yaw(2.0, 0.8, 0.0, 1.0)),
+        SceneObject(id="scene", category="box", size=(0.3, 0.4, 0.5), pose=Pose.from_yaw(0.5, 3.5, 0.0, 0.4)),
+    )  # fmt: skip
+    return Scene(id="s", prompt="p", room=ROOM, objects=objects), {a.id: a for a in assets.values()}
+
+
+@pytest.fixture(scope="module")
+def made() -> tuple[Scene, dict[str, Asset], bytes]:
+    scene, assets = _scene()
+    return scene, assets, glb_bytes(scene, assets.__getitem__)
+
+
+def _split(data: bytes) -> tuple[dict[str, Any], bytes]:
+    magic, version, total = struct.unpack_from("<4sII", data)
+    assert (magic, version, total) == (b"glTF", 2, len(data))
+    length, kind = struct.unpack_from("<I4s", data, 12)
+    assert kind == b"JSON" and length % 4 == 0
+    size, kind = struct.unpack_from("<I4s", data, 20 + length)
+    assert kind == b"BIN\0" and size % 4 == 0 and 28 + length + size == len(data)
+    return json.loads(data[20 : 20 + length]), data[28 + length :]
+
+
+def _world(thing: SceneObject, points: np.ndarray) -> np.ndarray:
+    """Own arithmetic: rotates by q p q*."""
+    axis, w = np.asarray(thing.pose.quaternion[:3]), thing.pose.quaternion[3]
+    turned = points + 2 * np.cross(axis, np.cross(axis, points) + w * points)
+    return turned + np.asarray(thing.pose.position)
+
+
+def test_structure(made) -> None:
+    document, binary = _split(made[2])
+    assert document["asset"]["version"] == "2.0"
+    assert (
+        document["buffers"] == [{"byteLength": len(binary)}] or len(binary) - document["buffers"][0]["byteLength"] < 4
+    )
+    sizes = {5126: ("<f4", 4), 5123: ("<u2", 2), 5125: ("<u4", 4)}
+    width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}
+    views = document["bufferViews"]
+    assert all(v["byteOffset"] % 4 == 0 and v["byteOffset"] + v["byteLength"] <= len(binary) for v in views)
+    values = []
+    for accessor in document["accessors"]:
+        view = views[accessor["bufferView"]]
+        kind, each = sizes[accessor["componentType"]]
+        assert accessor["count"] * width[accessor["type"]] * each == view["byteLength"]
+        data = np.frombuffer(binary, kind, accessor["count"] * width[accessor["type"]], view["byteOffset"])
+        values.append(data.reshape(accessor["count"], -1))
+        assert np.isfinite(data).all()
+    for mesh in document["meshes"]:
+        (primitive,) = mesh["primitives"]
+        position = document["accessors"][primitive["attributes"]["POSITION"]]
+        points = values[primitive["attributes"]["POSITION"]]
+        assert points.min(axis=0).tolist() == position["min"] and points.max(axis=0).tolist() == position["max"]
+        assert values[primitive["indices"]].max() < len(points)
+        assert 0 <= primitive["material"] < len(document["materials"])
+    for node in document["nodes"]:
+        assert math.isclose(sum(q * q for q in node.get("rotation", (0, 0, 0, 1))), 1, abs_tol=1e-9)
+    names = [node["name"] for node in document["nodes"]]
+    assert len(set(names)) == len(names)
+    children = [c for node in document["nodes"] for c in node.get("children", ())]
+    assert sorted([*children, *document["scenes"][0]["nodes"]]) == list(range(len(names)))
+    assert b"\0" not in json.dumps(document).encode() and "\\u0000" not in json.dumps(document["nodes"])
+
+
+def test_names_and_extras(made) -> None:
+    scene, _, data = made
+    document, _ = _split(data)
+    nodes = {node["name"]: node for node in document["nodes"]}
+    assert set(scene.ids) <= set(nodes)
+    assert {f"room:wall:{k}" for k in range(6)} <= set(nodes)
+    lamp = nodes["lamp"]["extras"]
+    assert lamp["support"] == {"object": "desk 2", "surface": scene.object("lamp").support.surface}  # type: ignore[union-attr]
+    assert lamp["category"] == "table_lamp" and lamp["asset"] == scene.object("lamp").asset
+    assert nodes["desk é/1"]["mesh"] == nodes["desk 2"]["mesh"], "an asset is stored once"
+    assert nodes["room:floor"]["extras"]["category"] == "plinth", "an object keeps its name, even a strange one"
+
+
+def test_trimesh_finds_each_object_where_it_is(made) -> None:
+    scene, assets, data = made
+    loaded: Any = trimesh.load(io.BytesIO(data), file_type="glb")
+    assert set(scene.ids) <= set(loaded.graph.nodes_geometry)
+    for thing in scene.objects:
+        matrix, name = loaded.graph[thing.id]
+        shape = loaded.geometry[name]
+        if thing.asset is None:
+            points = np.array([(*p, z) for part in thing.solids for z in part.z for p in part.polygon])
+        else:
+            points = assets[thing.asset].mesh.vertices
+            own = trimesh.Trimesh(points, assets[thing.asset].mesh.faces, process=False)
+            assert shape.volume == pytest.approx(own.volume, rel=1e-4)
+            assert len(shape.faces) == len(own.faces)
+        expected = _world(thing, points)
+        found = trimesh.transform_points(shape.vertices, Z_UP @ matrix)
+        np.testing.assert_allclose(found.min(axis=0), expected.min(axis=0), atol=1e-4)
+        np.testing.assert_allclose(found.max(axis=0), expected.max(axis=0), atol=1e-4)
+        assert shape.is_watertight and shape.volume > 0
+
+
+def test_materials(made) -> None:
+    scene, assets, data = made
+    document, binary = _split(data)
+    from PIL import Image
+
+    images = []
+    for image in document["images"]:
+        view = document["bufferViews"][image["bufferView"]]
+        images.append(
+            np.asarray(Image.open(io.BytesIO(binary[view["byteOffset"] : view["byteOffset"] + view["byteLength"]])))
+        )
+    chair = next(n for n in document["nodes"] if n["name"] == "chair")
+    primitive = document["meshes"][chair["mesh"]]["primitives"][0]
+    palette = document["materials"][primitive["material"]]
+    mesh = assets[scene.object("chair").asset or ""].mesh
+    wanted = {tuple(round(255 * c) for c in mesh.materials[k].color) for k in np.unique(mesh.face_material)}
+    accessor = document["accessors"][primitive["attributes"]["TEXCOORD_0"]]
+    view = document["bufferViews"][accessor["bufferView"]]
+    places = np.frombuffer(binary, "<f4", accessor["count"] * 2, view["byteOffset"]).reshape(-1, 2)
+    texture = document["textures"][palette["pbrMetallicRoughness"]["baseColorTexture"]["index"]]
+    picture = images[texture["source"]]
+    height, width = picture.shape[:2]
+    found = {tuple(int(c) for c in picture[int(v * height), int(u * width)]) for u, v in places}
+    assert found == wanted
+    red = next(m for m in document["materials"] if m["name"] == "red clay")
+    assert red["pbrMetallicRoughness"]["baseColorFactor"][0] == pytest.approx(0.462, abs=0.01)
+
+
+def test_one_material_keeps_its_numbers() -> None:
+    glass = Material("g", (0.5, 0.25, 1.0), roughness=0.1, metallic=0.2, opacity=0.3, emission=0.5)
+    base = make("vase", 1)
+    mesh = base.mesh
+    plain = Mesh(mesh.vertices, mesh.faces, np.zeros_like(mesh.face_material), mesh.face_link, (glass,))
+    asset = Asset(**{**base.__dict__, "mesh": plain})
+    scene = Scene(id="s", room=ROOM, objects=(asset.object("vase", mount="floor"),))
+    document, _ = _split(glb_bytes(scene, lambda _: asset))
+    material = next(m for m in document["materials"] if m["name"] == "g")
+    assert material["pbrMetallicRoughness"] == {
+        "baseColorFactor": [*linear(glass.color), 0.3], "metallicFactor": 0.2, "roughnessFactor": 0.1,
+    }  # fmt: skip
+    assert material["alphaMode"] == "BLEND"
+    np.testing.assert_allclose(material["emissiveFactor"], [0.107, 0.0254, 0.5], atol=1e-3)
+
+
+def test_another_size_than_the_asset_has() -> None:
+    asset = make("desk", 3)
+    d, w, h = asset.size
+    thing = asset.object("desk").model_copy(update={"size": (d, w * 1.5, h)})
+    loaded: Any = trimesh.load(io.BytesIO(glb_bytes(Scene(id="s", room=ROOM, objects=(thing,)), lambda _: asset)),
+                               file_type="glb")  # fmt: skip
+    matrix, name = loaded.graph["desk"]
+    points = trimesh.transform_points(loaded.geometry[name].vertices, Z_UP @ matrix)
+    np.testing.assert_allclose(np.ptp(points, axis=0), (d, w * 1.5, h), atol=1e-4)
+
+
+def test_walls_and_floor() -> None:
+    walls = [wall_mesh(ROOM, k) for k in range(6)]
+    volumes = [float(trimesh.Trimesh(m.vertices, m.faces).volume) for m in walls]
+    perimeter = sum(math.dist(a, b) for a, b in zip(ROOM.outline, [*ROOM.outline[1:], ROOM.outline[0]], strict=True))
+    # Outward corners add a square each, the one reflex corner takes one away.
+    solid = (perimeter * WALL_THICKNESS + 4 * WALL_THICKNESS**2) * ROOM.height
+    holes = (0.9 * 2.0 + 1.2 * 1.2) * WALL_THICKNESS
+    assert sum(volumes) == pytest.approx(solid - holes, rel=1e-4)
+    floor = trimesh.Trimesh(*(getattr(floor_mesh(ROOM), name) for name in ("vertices", "faces")))
+    assert floor.is_watertight and floor.bounds[1][2] == pytest.approx(0, abs=1e-6)
+    for mesh in walls:
+        body = trimesh.Trimesh(mesh.vertices, mesh.faces)
+        assert body.is_watertight and body.bounds[0][2] == pytest.approx(0, abs=1e-6)
+    inner = walls[0].vertices[np.abs(walls[0].vertices[:, 1]) < 1e-6]
+    assert {(0.5, 2.0), (1.4, 2.0), (0.5, 0.0), (1.4, 0.0)} <= {(round(x, 6), round(z, 6)) for x, _, z in inner}
+
+
+@pytest.mark.parametrize(
+    "outline",
+    [
+        ((0, 0), (6, 0), (0.3, 0.4)),  # a sharp corner
+        ((0, 0), (4, 0), (4, 3), (2.05, 3), (2.05, 2.95), (1.95, 2.95), (1.95, 3), (0, 3)),  # a tiny niche
+        ((0, 0), (2, 0), (4, 0), (4, 3), (0, 3)),  # a straight corner
+    ],
+)
+def test_awkward_rooms(outline) -> None:
+    room = Room(outline=outline)
+    for k in range(len(outline)):
+        assert trimesh.Trimesh(wall_mesh(room, k).vertices, wall_mesh(room, k).faces).volume > 0
+        assert len(wall_plan(room, k)) == 4
+    trimesh.load(io.BytesIO(glb_bytes(Scene(id="s", room=room))), file_type="glb")
+
+
+def test_a_missing_asset_is_named(tmp_path) -> None:
+    thing = SceneObject(id="a", category="desk", size=(1, 1, 1), asset="nobody:1")
+    scene = Scene(id="s", room=ROOM, objects=(thing,))
+    with pytest.raises(InputError, match=r"objects\[0\]\.asset: .*nobody:1"):
+        write_glb(scene, tmp_path / "scene.glb")
+    assert not list(tmp_path.iterdir())
+    document, _ = _split(glb_bytes(scene, missing="parts"))
+    assert "missing" in next(n for n in document["nodes"] if n["name"] == "a")["extras"]["note"]
+
+
+def test_equal_scenes_give_equal_bytes(made) -> None:
+    scene, assets, data = made
+    assert glb_bytes(scene, assets.__getitem__) == data

@@ -1,0 +1,76 @@
+"""A small furnished room for the tests of the report."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from PIL import Image
+
+from sceneweaver.assets import Asset, make
+from sceneweaver.critic import Review
+from sceneweaver.critic.model import Fault
+from sceneweaver.report import ReportData, StepRow
+from sceneweaver.scene import Door, Dropped, Pose, Relation, Room, Scene, Support, Window
+
+HOSTILE = "</script><script>alert(1)</script><img src=x onerror=alert(2)>'\"&"
+
+
+@cache
+def asset(name: str, seed: int = 1) -> Asset:
+    """An asset, drawn once."""
+    return make(name, seed)
+
+
+def furnished(prompt: str = "A small study") -> Scene:
+    """A study in which nothing hides the armchair in the middle."""
+    desk = asset("desk")
+    objects = (
+        desk.object("desk-0", pose=Pose.from_yaw(0.5, 2.0, 0.0, 0.0)),
+        asset("mug").object("mug-0", pose=Pose.from_yaw(0.5, 2.0, desk.surfaces[0].z, 0.4),
+                            support=Support(object="desk-0", surface=desk.surfaces[0].name)),
+        asset("armchair").object("armchair-0", pose=Pose.from_yaw(2.2, 2.0, 0.0, -1.57)),
+        asset("picture").object("picture-0", pose=Pose.from_yaw(0.02, 3.2, 1.4, 0.0)),
+        asset("table_lamp").object("lamp-0", pose=Pose.from_yaw(3.5, 3.5, 0, 0), mount="floor"),
+        asset("table_lamp").object("lamp-1", pose=Pose.from_yaw(3.5, 0.5, 0, 0), mount="floor"),
+    )  # fmt: skip
+    room = Room(
+        type="study",
+        outline=((0, 0), (4, 0), (4, 4), (0, 4)),
+        doors=(Door(id="door-0", wall=1, offset=1.0, width=0.9, height=2.0),),
+        windows=(Window(id="window-0", wall=2, offset=1.0, width=1.6, sill=0.9, height=1.2),),
+    )
+    relations = (
+        Relation(type="against_wall", subject="desk-0"),
+        Relation(type="near", subject="armchair-0", target="desk-0", params={"max": 0.5}),
+        Relation(type="facing", subject="armchair-0", target="desk-0", hard=False),
+    )
+    return Scene(id="study", prompt=prompt, room=room, objects=objects, relations=relations)
+
+
+def load(id: str) -> Asset:
+    """The loader of the room's assets."""
+    found = {a.id: a for a in (asset(n) for n in ("desk", "mug", "armchair", "picture", "table_lamp"))}
+    return found[id]
+
+
+def full(text: str = "words") -> ReportData:
+    """A report with something in every section; ``text`` stands wherever free text can."""
+    from sceneweaver.verify import check
+
+    scene = furnished(text).model_copy(update={"dropped": (Dropped(id="x", category="sofa", reason=text),)})
+    metrics: dict[str, Any] = check(scene).to_dict()
+    picture = Image.effect_noise((320, 200), 40).convert("RGB")
+    review = Review(
+        grades={"realism": 8.0, "layout": 4.0},
+        faults=(Fault(criterion="layout", kind="empty_area", reason=text, suggestion=text),),
+    )
+    steps = (
+        StepRow(1, "init_prior", text, True, 2.5, {"realism": 6.0}, text, picture),
+        StepRow(2, text, "add books", False, 1.0, {"realism": 5.0}, "", None),
+        StepRow(3, "update_layout", "again", True, 1.0, {"realism": 8.0}),
+    )
+    return ReportData(
+        scene, metrics, review, {"top": picture, "top_annotated": picture, "corner": picture, text: picture}, steps,
+        (text,), (text,), (text,), load, text,
+    )  # fmt: skip

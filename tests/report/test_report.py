@@ -1,0 +1,214 @@
+"""The page as text: complete, safe, and alone in the world."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import re
+import zlib
+from dataclasses import replace
+from html.parser import HTMLParser
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sceneweaver.report import ReportData, report_html, write_report
+from sceneweaver.report.facts import faults_of, relation_rows
+from sceneweaver.report.openings import opening_meshes
+from sceneweaver.report.view3d import pack
+from sceneweaver.scene import InputError, Pose, Relation, SceneObject
+from sceneweaver.verify import check
+from tests.report.scenes import HOSTILE, asset, full, furnished, load
+
+
+class Page(HTMLParser):
+    """All tags with their attributes, the text of scripts, and the visible text."""
+
+    def __init__(self, text: str):
+        super().__init__(convert_charrefs=True)
+        self.tags: list[tuple[str, dict[str, str | None]]] = []
+        self.scripts: list[tuple[dict[str, str | None], str]] = []
+        self.words: list[str] = []
+        self.stack: list[str] = []
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append((tag, dict(attrs)))
+        if tag not in ("meta", "img", "input", "br"):
+            self.stack.append(tag)
+        if tag == "script":
+            self.scripts.append((dict(attrs), ""))
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.stack and self.stack.pop() == tag, f"</{tag}> closes nothing"
+
+    def handle_data(self, data: str) -> None:
+        if self.stack and self.stack[-1] == "script":
+            self.scripts[-1] = (self.scripts[-1][0], self.scripts[-1][1] + data)
+        elif not self.stack or self.stack[-1] != "style":
+            self.words.append(data)
+
+    @property
+    def text(self) -> str:
+        return " ".join(self.words)
+
+
+@pytest.fixture(scope="module")
+def page() -> tuple[str, Page]:
+    text = report_html(full())
+    return text, Page(text)
+
+
+def test_well_formed_and_complete(page) -> None:
+    text, parsed = page
+    assert not parsed.stack, "every element is closed"
+    for words in ("not valid", "Scores", "Violations", "Pictures", "Steps", "rolled back", "Relations", "Metrics",
+                  "Unmet wishes", "Warnings", "Notes", "Not placed", "armchair-0 near desk-0"):  # fmt: skip
+        assert words in parsed.text, words
+    ids = [attrs["id"] for _, attrs in parsed.tags if "id" in attrs]
+    assert len(ids) == len(set(ids))
+    asked = set(re.findall(r'byId\("([\w-]+)"\)', text)) | set(re.findall(r'\btoggle\("(button[\w-]+)"', text))
+    assert asked <= set(ids), "the scripts find what they look for"
+    assert all(attrs.get("alt") for tag, attrs in parsed.tags if tag == "img")
+    assert all(attrs.get("aria-label") for tag, attrs in parsed.tags if tag in ("canvas", "nav", "aside", "input"))
+
+
+def test_nothing_comes_from_elsewhere(page) -> None:
+    text, parsed = page
+    for tag, attrs in parsed.tags:
+        assert tag not in ("link", "iframe", "object", "embed", "base", "form")
+        for name in ("src", "href", "srcset", "action"):
+            assert (attrs.get(name) or "data:").startswith("data:")
+        assert not [name for name in attrs if name.startswith("on")]
+    assert not re.findall(r"(?:https?:)?//[\w-]+\.\w+", re.sub(r"base64,[\w+/=]+", "", text))
+    assert "@import" not in text and not re.findall(r"url\(", text)
+
+
+def test_only_our_own_script_may_run(page) -> None:
+    _, parsed = page
+    policy = next(a["content"] for t, a in parsed.tags if t == "meta" and a.get("http-equiv")) or ""
+    running = [code for attrs, code in parsed.scripts if attrs.get("type") not in ("application/json", "text/plain")]
+    assert len(running) == 1
+    digest = base64.b64encode(hashlib.sha256(running[0].encode()).digest()).decode()
+    assert f"script-src 'sha256-{digest}'" in policy and "default-src 'none'" in policy
+    assert "innerHTML" not in running[0] and "insertAdjacentHTML" not in running[0] and "eval(" not in running[0]
+
+
+def test_hostile_text_is_inert() -> None:
+    parsed = Page(report_html(full(HOSTILE)))
+    calm = Page(report_html(full()))
+    assert [tag for tag, _ in parsed.tags] == [tag for tag, _ in calm.tags], "it adds no element"
+    assert parsed.text.count(HOSTILE) >= 8, "it is shown as it is"
+    assert len(parsed.scripts) == 3
+
+
+def test_hostile_objects_are_inert() -> None:
+    scene = furnished()
+    name = HOSTILE + "\u2028"
+    bad = SceneObject(id=HOSTILE, category=name, description=name, size=(1, 1, 1), pose=Pose.from_yaw(2, 2, 0, 0),
+                      attributes={"color": HOSTILE})  # fmt: skip
+    rule = Relation(type="near", subject=HOSTILE, target="desk-0")
+    scene = scene.model_copy(update={"objects": (*scene.objects, bad), "relations": (*scene.relations, rule)})
+    parsed = Page(report_html(ReportData(scene, check(scene).to_dict(), load=load)))
+    assert len(parsed.scripts) == 3 and not any(tag == "img" for tag, _ in parsed.tags)
+    data = json.loads(next(code for attrs, code in parsed.scripts if attrs.get("id") == "scene-data"))
+    assert data["objects"][HOSTILE]["category"] == name
+
+
+def test_relations_and_their_verdicts() -> None:
+    scene = furnished()
+    report = check(scene)
+    rows = relation_rows(scene, report.to_dict())
+    held = sum(row.held is True for row in rows)
+    tally = report.relations
+    assert held == tally.hard.satisfied + tally.soft.satisfied and len(rows) == 3
+    assert all(row.detail for row in rows if row.held is False)
+    assert all(row.held is None for row in relation_rows(scene, {}))
+
+
+def test_steps_show_what_changed(page) -> None:
+    text, _ = page
+    # The second step is rolled back, so the third is compared with the first.
+    third = text[text.index(">again<") :]
+    assert "<s>6.0</s> <b>8.0</b>" in third[:400]
+
+
+def _unpack(packed: Any, k: int) -> tuple[np.ndarray, np.ndarray]:
+    """A mesh of the pack, decoded anew: vertices and faces."""
+    raw = zlib.decompress(base64.b64decode(packed.meshes))
+    row = packed.data["meshes"][k]
+    n, m, at = row["vertices"], row["faces"], row["offset"]
+    planes = np.frombuffer(raw, "<u2", 3 * n, at).reshape(3, n)
+    faces = np.frombuffer(raw, "<u2" if n <= 65536 else "<u4", 3 * m, at + 6 * n).reshape(3, m)
+    return (np.asarray(row["low"])[:, None] + planes * np.asarray(row["step"])[:, None]).T, faces.T
+
+
+def test_meshes_survive_the_packing() -> None:
+    import trimesh
+
+    packed = pack(furnished(), [], [], load)
+    items = {item["id"]: item for item in packed.data["items"] if item["id"]}
+    for id, name in (("armchair-0", "armchair"), ("desk-0", "desk"), ("picture-0", "picture")):
+        points, faces = _unpack(packed, items[id]["mesh"])
+        mesh = asset(name).mesh
+        np.testing.assert_allclose(points.min(axis=0), mesh.bounds[0], atol=5e-5)
+        np.testing.assert_allclose(points.max(axis=0), mesh.bounds[1], atol=5e-5)
+        own = trimesh.Trimesh(mesh.vertices, mesh.faces, process=False)
+        assert trimesh.Trimesh(points, faces, process=False).area == pytest.approx(own.area, rel=1e-3)
+        runs = packed.data["meshes"][items[id]["mesh"]]["runs"]
+        assert sum(count for _, count in runs) == len(mesh.faces)
+    assert items["lamp-0"]["mesh"] == items["lamp-1"]["mesh"]
+    assert items["picture-0"]["wall"] == 3 and items["desk-0"]["wall"] is None
+
+
+def test_doors_and_windows_are_closed_bodies() -> None:
+    import trimesh
+
+    found = list(opening_meshes(furnished().room))
+    assert [wall for wall, *_ in found] == [1, 2]
+    for _, _, mesh in found:
+        body = trimesh.Trimesh(mesh.vertices, mesh.faces, process=False)
+        assert body.is_watertight and body.volume > 0
+        assert all(piece.volume > 0 for piece in body.split(only_watertight=False))
+
+
+def test_a_missing_asset_is_shown_as_parts_and_said() -> None:
+    scene = furnished()
+    lost = scene.objects[0].model_copy(update={"asset": "nobody:1"})
+    scene = scene.model_copy(update={"objects": (lost, *scene.objects[1:])})
+
+    def careful(id: str):
+        if id == "nobody:1":
+            raise InputError("asset: gone")
+        return load(id)
+
+    parsed = Page(report_html(ReportData(scene, load=careful)))
+    assert "desk-0: its mesh is missing" in parsed.text
+    assert "not checked" in parsed.text
+
+
+def test_an_empty_room() -> None:
+    scene = furnished("").model_copy(update={"objects": (), "relations": ()})
+    assert not Page(report_html(ReportData(scene))).stack
+
+
+def test_size_of_a_full_room(tmp_path) -> None:
+    names = ("armchair", "bookcase", "desk", "office_chair", "potted_plant", "bed", "wardrobe", "monitor")
+    objects = []
+    for k in range(104):
+        made = asset(names[k % 8], k // 24)
+        pose = Pose.from_yaw(0.5 + k % 10, 0.5 + k // 10, 0, k)
+        objects.append(made.object(f"o-{k}", pose=pose, mount="floor"))
+    found = {asset(n, s).id: asset(n, s) for n in names for s in range(5)}
+    scene = furnished().model_copy(update={"objects": tuple(objects), "relations": ()})
+    data = replace(full(), scene=scene, metrics={}, load=found.__getitem__)
+    write_report(tmp_path / "report.html", data)
+    assert (tmp_path / "report.html").stat().st_size < 6e6
+    assert [p.name for p in tmp_path.iterdir()] == ["report.html"]
+
+
+def test_faults_without_metrics() -> None:
+    assert faults_of({}) == []

@@ -1,0 +1,131 @@
+"""Shelves, racks and counters filled with things of a theme, tidy rows at the front edge of every board."""
+
+from __future__ import annotations
+
+import random
+from typing import Any
+
+from sceneweaver.assets import categories
+from sceneweaver.knowledge.surfaces import Crowd, Unit, arrangement_of, crowd, crowd_of, crowds
+from sceneweaver.scene import InputError, SceneObject, Support, Surface
+from sceneweaver.scene.edits import Add, AnyEdit
+from sceneweaver.scene.messages import show
+
+from .base import Context, Proposal
+from .surface_assets import Shelf, placed
+from .surface_rows import Row
+from .surface_scene import Surroundings
+
+DENSITY = {"sparse": 0.25, "normal": 0.6, "full": 0.9}
+"""How full shelves are when only the request speaks of it."""
+
+
+class AddCrowd:
+    """Fills shelves by theme."""
+
+    name = "add_crowd"
+
+    def propose(self, context: Context) -> Proposal:
+        """Adds of things on the boards that are empty; their poses are free of collisions already."""
+        inputs = context.inputs
+        around = Surroundings(context.scene, context.room)
+        chosen = around.supports(inputs.get("supports") or [])
+        named = inputs.get("theme")
+        theme = crowd(str(named)) if named else None
+        density = _density(inputs.get("density"), context)
+        every = not inputs.get("supports")
+        if every:
+            chosen = [o for o in chosen if o.mount != "surface" and _shelf_like(around, o, theme)]
+        shelf = Shelf(context.library, context.brief, context.seed)
+        edits: list[AnyEdit] = []
+        notes: list[str] = []
+        unmet: list[str] = []
+        for support in chosen:
+            dice = random.Random(f"{context.seed}/{support.id}/crowd")
+            plan = theme or _theme(around, support)
+            boards = [s for s in support.surfaces if (support.id, s.name) not in around.carried]
+            if every and _dressed(around, support):
+                boards = [s for s in boards if s.headroom is not None]
+            count = 0
+            for board in boards:
+                added = _fill(around, shelf, support, board, plan, dice, density)
+                edits += added
+                count += len(added)
+            if count:
+                notes.append(f"{support.id}: {count} things, {plan.name.replace('_', ' ')}")
+            elif not every:
+                why = "all its boards carry things" if not boards else f"nothing of the theme {plan.name} fits its boards"
+                unmet.append(f"{support.id}: {why}")
+        if every and not edits:
+            unmet.append("there is no shelf with empty boards")
+        return Proposal(edits=tuple(edits), notes=tuple(notes), unmet=tuple(unmet))
+
+
+def _fill(
+    around: Surroundings, shelf: Shelf, support: SceneObject, board: Surface, plan: Crowd, dice: random.Random,
+    density: float,
+) -> list[AnyEdit]:  # fmt: skip
+    turned = _seen_from_behind(support, board)
+    frame = around.frame(support, turned)
+    field = around.field(support, board, frame)
+    height = support.pose.position[2] + board.z
+    if plan.top and board.headroom is None and board.z >= max(s.z for s in support.surfaces) - 1e-6:
+        plan = crowd(plan.top)
+    row = Row(field, plan, shelf, dice, height, density)
+    held = Support(object=support.id, surface=board.name)
+    return [
+        Add(
+            object=placed(
+                put.asset, around.new_id(put.asset.category), frame,
+                (float(put.at[0]), float(put.at[1]), board.z), put.yaw, held, support.id,
+            )
+        )
+        for put in row.fill()
+    ]  # fmt: skip
+
+
+def _seen_from_behind(support: SceneObject, board: Surface) -> bool:
+    """Whether a board is reached from the back: the back half of a shelf with two sides."""
+    xs = [p[0] for p in board.polygon]
+    sides = categories()[support.category].sides if support.category in categories() else ()
+    return "back" in sides and max(xs) <= 0.02 and len(support.surfaces) > 1
+
+
+def _density(given: Any, context: Context) -> float:
+    if given is None:
+        return DENSITY[context.brief.density]
+    if isinstance(given, bool) or not isinstance(given, int | float) or not 0 <= given <= 1:
+        raise InputError(f"density: {show(given)} is no number from 0 to 1")
+    return float(given)
+
+
+def _shelf_like(around: Surroundings, obj: SceneObject, theme: Crowd | None) -> bool:
+    item = around.item(obj)
+    if item is not None and item.fill:
+        return True
+    if theme is not None and obj.category in theme.by_category:
+        return True
+    return obj.category in crowd_of()
+
+
+def _dressed(around: Surroundings, obj: SceneObject) -> bool:
+    """Whether the open top of a support is left to an arrangement."""
+    item = around.item(obj)
+    if item is not None and (item.top or item.fill):
+        return bool(item.top)
+    return obj.category in arrangement_of()
+
+
+def _theme(around: Surroundings, obj: SceneObject) -> Crowd:
+    """The theme of a support: its item's, its category's, what the category holds, or things for storage."""
+    item = around.item(obj)
+    if item is not None and item.fill:
+        return crowd(item.fill)
+    if obj.category in crowd_of():
+        return crowds()[crowd_of()[obj.category]]
+    known = categories().get(obj.category)
+    held = [c for c in (known.holds if known else ()) if c in categories() and categories()[c].size]
+    if not held:
+        return crowds()["storage"]
+    units = tuple(Unit(what=(c,), most=2, loose=4) for c in held)
+    return Crowd(name="holds", description="What the category holds", units=units)

@@ -1,0 +1,133 @@
+"""Small things on desks, tables, counters and beds, each with its place relative to the others."""
+
+from __future__ import annotations
+
+import random
+import zlib
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sceneweaver.assets import categories, resolve
+from sceneweaver.knowledge.surfaces import Arrangement, Slot, arrangement, arrangement_of, arrangements
+from sceneweaver.scene import InputError, SceneObject
+from sceneweaver.scene.edits import Add, AnyEdit, Relate
+
+from .base import Context, Proposal
+from .surface_assets import Shelf
+from .surface_layout import Asked, Layer
+from .surface_places import surfaces_of
+from .surface_scene import Surroundings
+
+PLACES = ((0.4, 0.7), (0.5, -0.6), (0.75, 0.1), (0.2, -0.1), (0.6, 0.4))
+"""Where things stand that only the category table knows of: depth and side."""
+
+MOST = 40
+"""Most things of one kind that one call is asked for."""
+
+
+class AddTabletop:
+    """Lays arrangements out on supports."""
+
+    name = "add_tabletop"
+
+    def propose(self, context: Context) -> Proposal:
+        """Adds, and soft relations between what belongs together; poses are free of collisions already."""
+        inputs = context.inputs
+        around = Surroundings(context.scene, context.room)
+        chosen = around.supports(inputs.get("supports") or [])
+        asked = _asked(inputs.get("objects") or [])
+        named = inputs.get("arrangement")
+        plan = arrangement(str(named)) if named else None
+        if not inputs.get("supports"):
+            chosen = [o for o in chosen if _bare(around, o) and _worth(around, o, plan, named is not None)]
+        if not chosen:
+            why = "there is no table, desk or other support that lacks things"
+            unmet = tuple(f"{a.category}: {why}" for a in asked) or (() if inputs.get("supports") else (why,))
+            return Proposal(unmet=unmet)
+        shelf = Shelf(context.library, context.brief, context.seed)
+        edits: list[AnyEdit] = []
+        notes: list[str] = []
+        unmet: list[str] = []
+        open_asked = asked
+        for k, support in enumerate(chosen):
+            dice = random.Random(f"{context.seed}/{support.id}/{zlib.crc32(b'tabletop')}")
+            layer = Layer(around, shelf, support, plan or plan_of(around, support), dice)
+            share = open_asked[: -(-len(open_asked) // (len(chosen) - k))]
+            done = layer.run(share)
+            open_asked = [*done.unplaced, *open_asked[len(share) :]]
+            edits += [Add(object=o) for o in done.objects]
+            edits += [Relate(relation=r) for r in done.relations]
+            unmet += [f"{support.id}: there is no room for {_words(name)}" for name in done.missing]
+            if not done.objects and not done.missing and inputs.get("supports"):
+                unmet.append(f"{support.id}: nothing of its arrangement fits on it")
+            if done.objects:
+                notes.append(f"{support.id}: {_listed(done.objects)}")
+        unmet += [f"{_words(a.category)}: there is no room on {', '.join(o.id for o in chosen[:3])}" for a in open_asked]
+        return Proposal(edits=tuple(edits), notes=tuple(notes), unmet=tuple(unmet))
+
+
+def _asked(given: Any) -> list[Asked]:
+    """The things asked for, one entry each; InputError for what cannot be read."""
+    if isinstance(given, str | Mapping) or not isinstance(given, Sequence):
+        raise InputError('objects: give a list such as [{"category": "mug", "count": 2}]')
+    out: list[Asked] = []
+    for k, row in enumerate(given):
+        if not isinstance(row, Mapping) or not isinstance(row.get("category"), str) or not row["category"].strip():
+            raise InputError(f'objects[{k}]: give a category, such as {{"category": "mug", "count": 2}}')
+        count = row.get("count", 1)
+        if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST:
+            raise InputError(f"objects[{k}].count: {count!r} is no whole number from 1 to {MOST}")
+        category = resolve(row["category"]).category
+        if "surface" not in categories()[category].mount and category != "object":
+            raise InputError(f"objects[{k}].category: a {_words(category)} stands on no table; add it with add_objects")
+        look = {key: str(row[key]) for key in ("color", "material", "style", "words") if row.get(key)}
+        out += [Asked(category, look)] * count
+    return out
+
+
+def _bare(around: Surroundings, obj: SceneObject) -> bool:
+    top = plan_of(around, obj).top
+    return (obj.id, surfaces_of(obj, False, top)["main"].name) not in around.carried
+
+
+def _worth(around: Surroundings, obj: SceneObject, plan: Arrangement | None, named: bool) -> bool:
+    """Whether a support is one to dress when none was named: its item or its category says so."""
+    if named and plan is not None:
+        item = around.item(obj)
+        return obj.category in plan.by_category or (item is not None and item.top == plan.name)
+    item = around.item(obj)
+    if item is not None and item.top:
+        return True
+    if item is not None and item.fill and arrangement_of().get(obj.category) is None:
+        return False
+    return obj.mount != "surface" and obj.category in arrangement_of()
+
+
+def plan_of(around: Surroundings, obj: SceneObject) -> Arrangement:
+    """The arrangement of a support: its item's, its category's, what the category holds, or the generic one."""
+    item = around.item(obj)
+    if item is not None and item.top:
+        return arrangement(item.top)
+    if obj.category in arrangement_of():
+        return arrangements()[arrangement_of()[obj.category]]
+    known = categories().get(obj.category)
+    held = [c for c in (known.holds if known else ()) if c in categories() and categories()[c].size]
+    if not held:
+        return arrangements()["generic"]
+    slots = tuple(
+        Slot(id=f"thing-{k}", what=(*held[k::5],), at=at, chance=0.85, loose=8, reach=0.2)
+        for k, at in enumerate(PLACES)
+        if held[k::5]
+    )
+    return Arrangement(name="holds", description="What the category holds", most=0.4, slots=slots)
+
+
+def _listed(objects: Sequence[SceneObject]) -> str:
+    counts: dict[str, int] = {}
+    for o in objects:
+        counts[o.category] = counts.get(o.category, 0) + 1
+    return ", ".join(f"{n} {_words(c)}" for c, n in counts.items())
+
+
+def _words(category: str) -> str:
+    return category.replace("_", " ")

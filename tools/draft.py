@@ -1,0 +1,92 @@
+"""The scene while a tool adds to it: lookup by any name, fresh ids, and how much of what is tied to what."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from sceneweaver.assets import categories, resolve
+from sceneweaver.assets.taxonomy import members
+from sceneweaver.scene import Relation, Room, Scene, SceneObject
+
+KNOWN = ("exact", "synonym", "plural", "spelling", "group")
+"""How a noun may be understood for it to name what is in a scene."""
+
+
+def groups_of(category: str) -> set[str]:
+    """A category and the groups that it belongs to."""
+    found, known = {category}, categories()
+    while category in known and known[category].parent:
+        category = known[category].parent or ""
+        found.add(category)
+    return found
+
+
+@dataclass
+class Draft:
+    """Objects and relations that are there or about to be."""
+
+    room: Room
+    objects: dict[str, SceneObject] = field(default_factory=dict)
+    relations: list[Relation] = field(default_factory=list)
+
+    @classmethod
+    def of(cls, scene: Scene) -> Draft:
+        """A draft that holds what a scene holds."""
+        return cls(scene.room, {o.id: o for o in scene.objects}, list(scene.relations))
+
+    def fresh(self, category: str) -> str:
+        """An id ``category-k`` that nothing has."""
+        taken = {*self.objects, *(d.id for d in self.room.doors), *(w.id for w in self.room.windows)}
+        stem = category.replace(" ", "_")
+        k = sum(o.category == category for o in self.objects.values())
+        while f"{stem}-{k}" in taken:
+            k += 1
+        return f"{stem}-{k}"
+
+    def named(self, word: str) -> list[str]:
+        """Ids of the objects that a word names: an id, an item of the room, a category, or a noun for one."""
+        if word in self.objects:
+            return [word]
+        for key in ("item", "asked"):
+            found = [o.id for o in self.objects.values() if o.attributes.get(key) == word]
+            if found:
+                return found
+        found = self.of_category(word)
+        if found:
+            return found
+        match = resolve(word)
+        if match.how not in KNOWN:
+            return []
+        found = self.of_category(match.category)
+        return found or self.of_group(word)
+
+    def of_category(self, category: str) -> list[str]:
+        """Ids of the objects of exactly that category."""
+        return [o.id for o in self.objects.values() if o.category.replace(" ", "_") == category.replace(" ", "_")]
+
+    def of_group(self, noun: str) -> list[str]:
+        """Ids of the objects whose category is a wider or narrower form of a noun: a king bed is a bed."""
+        match = resolve(noun)
+        known = categories()
+        wider = known[match.category].parent if match.category in known else None
+        pool = set(members(noun.replace(" ", "_")))
+        head = noun.lower().replace("_", " ").rpartition(" ")[2]
+        if wider is not None:
+            pool |= {name for name in members(wider) if name.rpartition("_")[2] == head.removesuffix("s")}
+        return [o.id for o in self.objects.values() if o.category in pool]
+
+    def load(self, target: str, subject: SceneObject, types: Iterable[str] = ()) -> int:
+        """How many objects like ``subject`` are tied to a target, by relations of some types or of any."""
+        kinds = set(types)
+        item = subject.attributes.get("item")
+        count = 0
+        for r in self.relations:
+            if target not in r.targets or (kinds and r.type not in kinds) or r.subject == subject.id:
+                continue
+            other = self.objects.get(r.subject)
+            if other is None:
+                continue
+            if other.category == subject.category or (item is not None and other.attributes.get("item") == item):
+                count += 1
+        return count

@@ -1,0 +1,78 @@
+"""Begin with a finished scene of a library, adapted to the request."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Sequence
+
+from sceneweaver.brief import Brief
+from sceneweaver.knowledge.library import SceneCard, library_scenes, load_scene
+from sceneweaver.scene import InputError
+
+from .base import Context, Proposal
+from .card import checked
+from .library_adapt import CORNERS, adapted
+
+NEAR_BEST = 0.04
+"""Difference of scores within which the seed decides."""
+
+
+class InitLibrary:
+    """Takes the best matching scene of the library, or of a folder, and makes it what the request says."""
+
+    name = "init_library"
+
+    def propose(self, context: Context) -> Proposal:
+        """A whole scene; InputError when the library holds none of that kind of room."""
+        inputs = checked(self.name, context.inputs)
+        folder, name = inputs.get("folder"), inputs.get("name")
+        cards = library_scenes(folder)
+        if name is not None:
+            score = ""
+        else:
+            card, value = _best(cards, context, folder)
+            name, score = card.name, f", {value:.0%} alike"
+        scene, notes, unmet = adapted(context, load_scene(name, folder), self.name, name)
+        notes.insert(0, f"begun with the library scene {name}{score}")
+        return Proposal(scene=scene, notes=tuple(notes), unmet=tuple(unmet))
+
+
+def _best(cards: Sequence[SceneCard], context: Context, folder: str | None) -> tuple[SceneCard, float]:
+    """The card most like what is asked for, among equally good ones by seed."""
+    kind = context.room.name
+    own = [card for card in cards if card.room.replace(" ", "_") == kind]
+    if not own:
+        where = f"folder '{folder}'" if folder is not None else "the library"
+        raise InputError(f"tool init_library: {where} holds no {kind.replace('_', ' ')}; use init_prior")
+    scored = [(likeness(card, context.brief), card) for card in own]
+    top = max(score for score, _ in scored)
+    pool = sorted((row for row in scored if row[0] >= top - NEAR_BEST), key=lambda row: row[1].name)
+    score, card = random.Random(context.seed).choice(pool)
+    return card, score
+
+
+def likeness(card: SceneCard, brief: Brief) -> float:
+    """How near a library scene is to a request, 0 to 1: its objects first, then floor, shape, openings and style."""
+    terms: list[tuple[float, float]] = [(0.5, 1.0)]
+    for asked in brief.objects:
+        least = asked.count[0] if asked.count else 1
+        terms.append((1.0, min(1.0, card.categories.get(asked.category, 0) / max(1, least))))
+    for category in brief.without:
+        terms.append((0.3, 0.0 if category in card.categories else 1.0))
+    area = brief.size[0] * brief.size[1] if brief.size is not None else brief.area
+    if area:
+        terms.append((1.5, math.exp(-1.5 * abs(math.log(card.area / area)))))
+    if brief.size is not None:
+        own, want = sorted(card.sides, reverse=True), brief.size
+        terms.append((1.0, math.exp(-2.0 * abs(math.log((own[0] / own[1]) / (want[0] / want[1]))))))
+    if brief.shape is not None:
+        terms.append((2.0, 1.0 if card.corners == CORNERS[brief.shape] else 0.0))
+    for want, have in ((brief.windows, card.windows), (brief.doors, card.doors)):
+        if want is not None:
+            terms.append((0.8, 1.0 if want == have else 0.0))
+    if brief.people is not None and card.people:
+        terms.append((1.0, min(brief.people, card.people) / max(brief.people, card.people)))
+    if brief.style is not None:
+        terms.append((0.5, 1.0 if brief.style == card.style else 0.0))
+    return sum(w * v for w, v in terms) / sum(w for w, _ in terms)

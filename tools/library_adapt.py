@@ -1,0 +1,264 @@
+"""Make a finished scene what a request says: its floor, its objects and the relations that were asked for."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from sceneweaver.assets import Wish, categories
+from sceneweaver.assets.taxonomy import members
+from sceneweaver.brief import Asked, Brief
+from sceneweaver.scene import InputError, Pose, Room, Scene, SceneObject
+from sceneweaver.scene.edits import AnyEdit, Remove, Rename, apply, apply_all
+
+from .add_objects import AddObjects
+from .base import Context
+from .carry import move
+from .draft import Draft
+from .prior_program import matches
+from .reading import HERE
+from .relating import relations_of, row_of
+from .update_size import exchanged
+
+CORNERS = {"rectangle": 4, "L": 6, "T": 8, "U": 8, "round": 12}
+"""Corners of the shapes that a request can name."""
+
+SMALLEST = 0.02
+"""Relative change of a floor below which it is left as it is."""
+
+
+def adapted(context: Context, scene: Scene, tool: str, name: str) -> tuple[Scene, list[str], list[str]]:
+    """The scene as the request wants it, what was decided, and what could not be done."""
+    brief, notes, unmet = context.brief, list[str](), list[str]()
+    scene = scene.model_copy(
+        update={
+            "id": context.room.name,
+            "prompt": brief.text,
+            "dropped": (),
+            "objects": tuple(_unasked(o) for o in scene.objects),
+            "provenance": {**scene.provenance, "tool": tool, "library": name, "room": context.room.name,
+                           "seed": context.seed, "asked": []},
+        }
+    )  # fmt: skip
+    scene = _floor(scene, brief, notes, unmet)
+    scene = _without(scene, brief, notes)
+    made: dict[str, list[str]] = {}
+    later: list[Asked] = []
+    for asked in brief.objects:
+        scene, made[asked.id] = _found(context, scene, asked, notes)
+        least = asked.count[0] if asked.count else 1
+        if len(made[asked.id]) < least:
+            later.append(asked)
+    if brief.only and brief.objects:
+        named = {id for ids in made.values() for id in ids}
+        scene = _removed(scene, [o.id for o in scene.objects if o.id not in named and o.mount != "ceiling"])
+    for asked in later:
+        scene = _added(context, scene, asked, made, notes, unmet)
+    return _related(scene, brief, made, unmet), notes, unmet
+
+
+def _unasked(obj: SceneObject) -> SceneObject:
+    """What an older request asked for is not what this one asks for."""
+    kept = {k: v for k, v in obj.attributes.items() if k != "asked"}
+    if kept.get("need") == "asked":
+        kept["need"] = "usual"
+    return obj.model_copy(update={"attributes": kept})
+
+
+# ---- the floor ------------------------------------------------------------------------------------------------------
+
+
+def _floor(scene: Scene, brief: Brief, notes: list[str], unmet: list[str]) -> Scene:
+    """The scene with the floor and the height that were asked for; objects keep their place in proportion."""
+    room = scene.room
+    xs, ys = [p[0] for p in room.outline], [p[1] for p in room.outline]
+    x0, y0, w, d = min(xs), min(ys), max(xs) - min(xs), max(ys) - min(ys)
+    fx = fy = 1.0
+    if brief.size is not None:
+        wide, deep = brief.size if w >= d else (brief.size[1], brief.size[0])
+        fx, fy = wide / w, deep / d
+    elif brief.area is not None or brief.scale != 1.0:
+        import shapely
+
+        have = shapely.Polygon(room.outline).area
+        fx = fy = ((brief.area or have * brief.scale) / have) ** 0.5
+    height = brief.height or room.height
+    if abs(fx - 1) < SMALLEST and abs(fy - 1) < SMALLEST and height == room.height:
+        fx = fy = 1.0
+    if brief.shape is not None and len(room.outline) != CORNERS[brief.shape]:
+        unmet.append(f"the room is no {brief.shape} shape; the library has none")
+    if fx == fy == 1.0 and height == room.height:
+        return scene
+
+    def at(x: float, y: float) -> tuple[float, float]:
+        return round(x0 + (x - x0) * fx, 6), round(y0 + (y - y0) * fy, 6)
+
+    try:
+        outline = tuple(at(x, y) for x, y in room.outline)
+        after = Room.model_validate({**room.model_dump(), "outline": outline, "height": height,
+                                     **_openings(room, outline, height)})  # fmt: skip
+    except InputError as error:
+        unmet.append(f"the floor stays {w:.2f} x {d:.2f} m: {error}")
+        return scene
+    poses = {}
+    for o in scene.objects:
+        if o.support is None:
+            x, y, z = o.pose.position
+            up = height - room.height if o.mount == "ceiling" else 0.0
+            poses[o.id] = Pose(position=(*at(x, y), z + up), quaternion=o.pose.quaternion)
+    edits = move(scene, poses)
+    notes.append(f"the floor of {w:.2f} x {d:.2f} m was made {w * fx:.2f} x {d * fy:.2f} m")
+    return apply_all(scene.model_copy(update={"room": after}), edits)[0]
+
+
+def _openings(room: Room, outline: tuple[tuple[float, float], ...], height: float) -> dict[str, list[dict[str, Any]]]:
+    """Doors and windows at the same share of their walls, as wide as they were or as the walls allow."""
+    out: dict[str, list[dict[str, Any]]] = {"doors": [], "windows": []}
+    for key, openings in (("doors", room.doors), ("windows", room.windows)):
+        for o in openings:
+            n = len(outline)
+            old = math.dist(room.outline[o.wall], room.outline[(o.wall + 1) % n])
+            new = math.dist(outline[o.wall], outline[(o.wall + 1) % n])
+            width = min(o.width, max(0.3, new - 0.1))
+            middle = (o.offset + o.width / 2) * new / old
+            data = {**o.model_dump(), "width": width, "offset": min(max(0.0, middle - width / 2), new - width)}
+            data["height"] = min(o.height, height - getattr(o, "sill", 0.0) - 0.02)
+            out[key].append(data)
+    return out
+
+
+# ---- objects --------------------------------------------------------------------------------------------------------
+
+
+def _without(scene: Scene, brief: Brief, notes: list[str]) -> Scene:
+    banned = {name for word in brief.without for name in (word, *members(word))}
+    gone = [o.id for o in scene.objects if o.category in banned]
+    if gone:
+        notes.append(f"without {', '.join(gone[:6])}")
+    return _removed(scene, gone)
+
+
+def _removed(scene: Scene, ids: list[str]) -> Scene:
+    for id in ids:
+        if id in scene.ids:
+            scene = apply(scene, Remove(id=id, cascade=True))
+    return scene
+
+
+def _found(context: Context, scene: Scene, asked: Asked, notes: list[str]) -> tuple[Scene, list[str]]:
+    """Objects of the scene that stand for something asked: those of its category, or others exchanged for it."""
+    free = [o for o in scene.objects if "asked" not in o.attributes]
+    own = [o.id for o in free if o.category == asked.category]
+    most = asked.count[1] if asked.count else max(1, len(own))
+    spare, ids = own[most:], own[:most]
+    if spare:
+        notes.append(f"{len(spare)} {asked.category} fewer")
+        scene = _removed(scene, spare)
+    least = asked.count[0] if asked.count else 1
+    if not ids:
+        items = {i.id for i in context.room.items if matches(asked.category, i)}
+        others = [o.id for o in free if o.attributes.get("item") in items and o.id in scene.ids]
+        for id in others[: max(least, 1)]:
+            scene, new = _swapped(context, scene, id, asked, notes)
+            ids.append(new)
+    else:
+        for id in ids:
+            if not _suits(scene.object(id), asked):
+                scene, _ = _swapped(context, scene, id, asked, notes)
+    objects = tuple(
+        o.model_copy(update={"attributes": {**o.attributes, "asked": asked.id, "need": "asked"}}) if o.id in ids else o
+        for o in scene.objects
+    )
+    return scene.model_copy(update={"objects": objects}), ids
+
+
+def _suits(obj: SceneObject, asked: Asked) -> bool:
+    """Whether an object looks as was asked."""
+    for key in ("color", "material", "style"):
+        want = getattr(asked, key)
+        if want is not None and want.lower() not in str(obj.attributes.get(key, "")).lower():
+            return False
+    return all(want is None or abs(have - want) <= 0.06 * want for have, want in zip(obj.size, asked.size, strict=True))
+
+
+def _swapped(context: Context, scene: Scene, id: str, asked: Asked, notes: list[str]) -> tuple[Scene, str]:
+    """The scene with another body in the place of one, and its id."""
+    old = scene.object(id)
+    size: list[float | None] = list(asked.size)
+    category = categories()[asked.category]
+    if category.size is not None and asked.category == old.category:
+        size = [want if want is not None else have for want, have in zip(size, old.size, strict=True)]
+    wish = Wish(
+        size=(size[0], size[1], size[2]), color=asked.color, material=asked.material,
+        style=asked.style or context.brief.style, words=" ".join(asked.words), seed=context.seed % 2**31, count=4,
+    )  # fmt: skip
+    try:
+        asset = context.library.choose(asked.category, 1, wish)[0]
+        edits: list[AnyEdit] = exchanged(scene, old, asset, context.seed, notes, notes)
+        after, _ = apply_all(scene, edits)
+    except InputError as error:
+        notes.append(f"{id} stays as it is: {error}")
+        return scene, id
+    if asked.category == old.category:
+        return after, id
+    new = Draft.of(after.model_copy(update={"objects": tuple(o for o in after.objects if o.id != id)})).fresh(
+        asked.category
+    )
+    notes.append(f"{id} became {new}")
+    return apply(after, Rename(id=id, new_id=new)), new
+
+
+def _added(
+    context: Context, scene: Scene, asked: Asked, made: dict[str, list[str]], notes: list[str], unmet: list[str]
+) -> Scene:
+    """The scene with what is missing of something asked."""
+    least = asked.count[0] if asked.count else 1
+    row: dict[str, Any] = {"category": asked.category, "count": least - len(made[asked.id]), "asked": asked.id}
+    row.update({k: v for k in ("color", "material", "style") if (v := getattr(asked, k)) is not None})
+    if asked.size != (None, None, None):
+        row["size"] = list(asked.size)
+    on = [id for r in context.brief.relations if r.subject == asked.id and r.type in ("on_top", "inside")
+          for id in made.get(str(r.target), [])]  # fmt: skip
+    if on:
+        row["on"] = on
+    proposal = AddObjects().propose(replace(context, scene=scene, inputs={"objects": [row]}))
+    notes += proposal.notes
+    unmet += proposal.unmet
+    before = set(scene.ids)
+    scene, _ = apply_all(scene, proposal.edits)
+    made[asked.id] += [id for id in scene.ids if id not in before]
+    return scene
+
+
+# ---- relations ------------------------------------------------------------------------------------------------------
+
+
+def _related(scene: Scene, brief: Brief, made: Mapping[str, list[str]], unmet: list[str]) -> Scene:
+    """The scene with the relations that were asked for."""
+    draft, asked = Draft.of(scene), []
+    for said in brief.relations:
+        if said.type in ("on_top", "inside", "on_floor") or said.target == "middle":
+            continue
+        names = [said.target] if isinstance(said.target, str) else list(said.target or ())
+        to = [_meant(name, made) for name in names if name != "corner"]
+        entry: dict[str, Any] = {"type": said.type, "params": dict(said.params)}
+        row = row_of({**entry, "to": to if len(to) > 1 else to[0]} if to else entry)
+        subjects = made.get(said.subject, [])
+        for id in subjects:
+            relations, failed = relations_of(draft, [row], draft.objects[id], len(subjects))
+            unmet += [f"{said.words or said.type}: {reason}" for reason in failed]
+            for r in relations:
+                asked.append([r.type, r.subject])
+                if not any((r.type, r.subject, r.target) == (o.type, o.subject, o.target) for o in draft.relations):
+                    draft.relations.append(r)
+    provenance = {**scene.provenance, "asked": asked}
+    return scene.model_copy(update={"relations": tuple(draft.relations), "provenance": provenance})
+
+
+def _meant(name: str, made: Mapping[str, list[str]]) -> str:
+    """What a target of the request is in the scene: a part of the room, or the first object that stands for it."""
+    if name in HERE or name.startswith("wall:"):
+        return name
+    return next(iter(made.get(name, [])), name)

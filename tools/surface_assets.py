@@ -1,0 +1,88 @@
+"""Bodies for small things: chosen from the library within given sizes, few of a kind so that it is quick."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from sceneweaver.assets import Asset, Library, Wish, categories
+from sceneweaver.brief import Brief
+from sceneweaver.knowledge.model import Range
+from sceneweaver.scene import Pose, SceneObject, Support
+
+from .surface_geometry import Prism, Shape, counter_clockwise
+from .surface_scene import Frame
+
+VARIANTS = 6
+"""Different bodies of one kind and size in a call: drawing one takes longer than placing it."""
+
+STEP = 0.02
+"""Sizes are asked for in steps [m], so that equal bodies recur."""
+
+Sizes = tuple[Range | None, Range | None, Range | None]
+OPEN: Sizes = (None, None, None)
+
+
+class Shelf:
+    """The bodies of one call, drawn once each."""
+
+    def __init__(self, library: Library, brief: Brief, seed: int):
+        self._library = library
+        self._style = brief.style
+        self._seed = seed % 1000003
+        self._made: dict[Any, Asset] = {}
+        self._shapes: dict[str, Shape] = {}
+
+    def draw(
+        self, category: str, dice: random.Random, size: Sizes = OPEN, limit: tuple[float, float, float] | None = None,
+        look: dict[str, str] | None = None,
+    ) -> Asset | None:  # fmt: skip
+        """A body of a category, each extent within its range of ``size`` and, as far as it can be, under ``limit`` [m].
+
+        None when the category's smallest is larger than the limit.
+        """
+        known = categories()[category].size
+        if known is None:
+            return None
+        wanted: list[float | None] = []
+        for k, usual in enumerate(known.ranges):
+            most = usual[1] if limit is None else min(usual[1], limit[k])
+            if most < usual[0] - 1e-9:
+                return None
+            low, high = size[k] or usual
+            low, high = min(max(low, usual[0]), most), min(max(high, usual[0]), most)
+            if size[k] is None and most == usual[1]:
+                wanted.append(None)
+                continue
+            value = low + (high - low) * dice.random()
+            wanted.append(max(usual[0], min(most, int(value / STEP + 1e-6) * STEP)))
+        variant = dice.randrange(VARIANTS)
+        key = (category, variant, tuple(wanted), tuple(sorted((look or {}).items())))
+        if key not in self._made:
+            wish = Wish(size=(wanted[0], wanted[1], wanted[2]), style=self._style, seed=self._seed + variant, count=1)
+            known_look = {k: v for k, v in (look or {}).items() if k in ("color", "material", "style", "words")}
+            self._made[key] = self._library.choose(category, 1, replace(wish, **known_look))[0]
+        return self._made[key]
+
+    def shape(self, asset: Asset) -> Shape:
+        """What an asset covers where it stands; nothing goes under what juts out."""
+        if asset.id not in self._shapes:
+            d, w, h = asset.size
+            box = np.array([(-d / 2, -w / 2), (d / 2, -w / 2), (d / 2, w / 2), (-d / 2, w / 2)])
+            prisms = [
+                Prism(counter_clockwise(np.asarray(p.polygon, dtype=float)), 0.0, float(p.z[1])) for p in asset.parts
+            ]
+            self._shapes[asset.id] = Shape(tuple(prisms) or (Prism(box, 0.0, h),), asset.size)
+        return self._shapes[asset.id]
+
+
+def placed(
+    asset: Asset, id: str, frame: Frame, at: tuple[float, float, float], yaw: float, support: Support, group: str
+) -> SceneObject:
+    """The asset as an object at a place [m] and yaw [rad] of a support's frame."""
+    x, y, z = frame.out(*at)
+    made = asset.object(id, pose=Pose.from_yaw(x, y, z, frame.yaw + yaw), support=support)
+    return made.model_copy(update={"attributes": {**made.attributes, "group": group}})

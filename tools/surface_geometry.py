@@ -1,0 +1,199 @@
+"""Where prisms fit on a surface: inside its polygon and clear of what is there, for many offsets at once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+GAP = 0.006
+"""Free space [m] kept between things on one surface."""
+
+EDGE = 0.004
+"""Free space [m] kept to the edge of a surface."""
+
+
+@dataclass(frozen=True)
+class Prism:
+    """A convex polygon [n, 2], counter-clockwise, from ``low`` to ``high`` [m] above the surface."""
+
+    polygon: Array
+    low: float
+    high: float
+
+    def moved(self, x: float, y: float, yaw: float) -> Prism:
+        """The prism turned by ``yaw`` [rad] about the origin, then moved [m]."""
+        return Prism(turned(self.polygon, yaw) + (x, y), self.low, self.high)
+
+
+@dataclass(frozen=True)
+class Shape:
+    """What an object covers, in its own frame: prisms that stand on the surface; ``size`` is its box [m]."""
+
+    prisms: tuple[Prism, ...]
+    size: tuple[float, float, float]
+
+    def extent(self, yaw: float) -> tuple[Array, Array]:
+        """Least and largest x, y [m] about the origin when turned by ``yaw``."""
+        points = np.concatenate([turned(p.polygon, yaw) for p in self.prisms])
+        return points.min(axis=0), points.max(axis=0)
+
+    @property
+    def area(self) -> float:
+        """Area [m2] of its box."""
+        return self.size[0] * self.size[1]
+
+
+def turned(points: Array, yaw: float) -> Array:
+    """Points [n, 2] turned by ``yaw`` [rad] about the origin."""
+    if yaw == 0.0:
+        return points
+    c, s = math.cos(yaw), math.sin(yaw)
+    return points @ np.array([[c, s], [-s, c]])
+
+
+def normals(polygon: Array) -> Array:
+    """Outward unit normals [n, 2] of a counter-clockwise convex polygon."""
+    edge = np.roll(polygon, -1, axis=0) - polygon
+    length = np.hypot(edge[:, 0], edge[:, 1])
+    keep = length > 1e-9
+    return np.column_stack([edge[keep, 1], -edge[keep, 0]]) / length[keep, None]
+
+
+def counter_clockwise(polygon: Array) -> Array:
+    """The polygon [n, 2] in counter-clockwise order."""
+    x, y = polygon[:, 0], polygon[:, 1]
+    area = float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))
+    return polygon if area >= 0 else polygon[::-1].copy()
+
+
+@dataclass
+class Field:
+    """A surface to set things on: its polygon, and the prisms that are there already.
+
+    ``polygon`` is simple, in the frame of the surface [m]; heights of prisms are above the surface, ``headroom`` [m] is
+    the free height (infinite where open).
+    """
+
+    polygon: Array
+    headroom: float = math.inf
+    taken: list[Prism] = field(default_factory=list)
+    edge: float = EDGE
+
+    def __post_init__(self) -> None:
+        import shapely
+
+        outline = shapely.Polygon(self.polygon)
+        inner = outline.buffer(-self.edge, join_style="mitre")
+        if inner.geom_type == "MultiPolygon":
+            inner = max(inner.geoms, key=lambda g: g.area)
+        inner = inner.simplify(5e-4) if len(self.polygon) > 12 and not inner.is_empty else inner
+        self.empty = bool(inner.is_empty)
+        self.area = float(outline.area)
+        if self.empty:
+            self.low = self.high = self.centre = np.zeros(2)
+            return
+        hull = inner.convex_hull
+        ring = counter_clockwise(np.asarray(hull.exterior.coords)[:-1])
+        self._normals = normals(ring)
+        self._limit = (ring @ self._normals.T).max(axis=0)
+        self._notches = [np.asarray(t) for t in _triangles(hull.difference(inner))]
+        self.low, self.high = ring.min(axis=0), ring.max(axis=0)
+        self.centre = np.asarray(inner.centroid.coords[0])
+
+    def free(self, shape: Shape, yaw: float, at: Array, gap: float = GAP) -> NDArray[np.bool_]:
+        """Whether a shape turned by ``yaw`` [rad] may stand at each of the offsets ``at`` [k, 2]."""
+        good = np.zeros(len(at), dtype=bool)
+        if self.empty or shape.size[2] > self.headroom - 1e-3:
+            return good
+        rotated = [turned(p.polygon, yaw) for p in shape.prisms]
+        points = np.concatenate(rotated)
+        reach = (points @ self._normals.T).max(axis=0)
+        good = (at @ self._normals.T <= self._limit - reach).all(axis=1)
+        if not good.any():
+            return good
+        low, high = points.min(axis=0) + at.min(axis=0) - gap, points.max(axis=0) + at.max(axis=0) + gap
+        for polygon, prism in zip(rotated, shape.prisms, strict=True):
+            mine = normals(polygon)
+            for other in self._near(low, high, prism):
+                good &= _apart(polygon, mine, other, at) >= gap
+            for notch in self._notches:
+                good &= _apart(polygon, mine, notch, at) >= 0.0
+        return good
+
+    def put(self, shape: Shape, yaw: float, at: Sequence[float]) -> None:
+        """Take the place of a shape."""
+        self.taken.extend(p.moved(float(at[0]), float(at[1]), yaw) for p in shape.prisms)
+
+    def find(self, shape: Shape, yaw: float, target: Sequence[float], reach: float, gap: float = GAP) -> Array | None:
+        """The free place [2] nearest to ``target`` within ``reach`` [m], also on the way to the middle; None: none."""
+        goal = np.asarray(target, dtype=float)
+        if self.free(shape, yaw, goal[None], gap)[0]:
+            return goal
+        if reach <= 0:
+            return None
+        spots = np.concatenate(
+            [goal + _disc(round(reach, 2)), goal + np.linspace(0.1, 1, 10)[:, None] * self._in(goal)]
+        )
+        spots = spots[np.argsort(np.hypot(*(spots - goal).T), kind="stable")]
+        good = np.flatnonzero(self.free(shape, yaw, spots, gap))
+        return spots[good[0]] if len(good) else None
+
+    def inside(self, shape: Shape, yaw: float, share: tuple[float, float]) -> Array:
+        """The place [2] at ``share`` of depth (0 back, 1 front) and width (-1 to 1), kept in the surface's box."""
+        low, high = shape.extent(yaw)
+        least, most = self.low - low, self.high - high
+        middle = (least + most) / 2
+        least, most = np.minimum(least, middle), np.maximum(most, middle)
+        part = np.array([share[0], (share[1] + 1) / 2])
+        return least + np.clip(part, 0, 1) * (most - least) + np.array([1e-6, 0]) * (0.5 - part)
+
+    def _in(self, goal: Array) -> Array:
+        way = self.centre - goal
+        length = float(np.hypot(*way))
+        return way if length < 0.3 else way * (0.3 / length)
+
+    def _near(self, low: Array, high: Array, prism: Prism) -> Iterable[Array]:
+        for other in self.taken:
+            if other.low < prism.high - 1e-4 and other.high > prism.low + 1e-4:
+                if (other.polygon.max(axis=0) >= low).all() and (other.polygon.min(axis=0) <= high).all():
+                    yield other.polygon
+
+
+def _apart(a: Array, mine: Array, b: Array, at: Array) -> Array:
+    """Largest separation [k] of convex polygons ``a`` moved by each offset and ``b``, over the normals of both."""
+    theirs = normals(b)
+    one = (a @ theirs.T).min(axis=0) - (b @ theirs.T).max(axis=0) + at @ theirs.T
+    two = (b @ mine.T).min(axis=0) - (a @ mine.T).max(axis=0) - at @ mine.T
+    return np.maximum(one.max(axis=1), two.max(axis=1))
+
+
+_DISCS: dict[float, Array] = {}
+
+
+def _disc(radius: float) -> Array:
+    """Offsets [k, 2] in rings about the origin, 2.5 cm apart."""
+    if radius not in _DISCS:
+        rings = np.arange(0.0125, radius + 1e-9, 0.025)
+        angles = np.linspace(0, 2 * math.pi, 16, endpoint=False)
+        _DISCS[radius] = np.concatenate(
+            [np.zeros((1, 2)), *(r * np.column_stack([np.cos(angles), np.sin(angles)]) for r in rings)]
+        )
+    return _DISCS[radius]
+
+
+def _triangles(region: object) -> list[Array]:
+    """Counter-clockwise triangles [3, 2] that make up a region (shapely)."""
+    import shapely
+
+    pieces = shapely.get_parts(shapely.constrained_delaunay_triangles(region))  # pyright: ignore[reportArgumentType]
+    return [
+        counter_clockwise(np.asarray(t.exterior.coords)[:-1])
+        for t in pieces
+        if t.geom_type == "Polygon" and t.area > 1e-8
+    ]

@@ -1,0 +1,150 @@
+"""Places on a support: which surface is meant, what strays how far, where a setting lies before a chair."""
+
+from __future__ import annotations
+
+import math
+import random
+from typing import Protocol
+
+import numpy as np
+
+from sceneweaver.assets import Asset
+from sceneweaver.knowledge.surfaces import Slot
+from sceneweaver.scene import SceneObject, Surface
+
+from .surface_geometry import Array, Field, Shape
+from .surface_scene import Seat
+
+SEAT_EDGE = 0.02
+"""Distance [m] of a setting from the edge before its chair."""
+
+STRAIGHT = math.radians(25)
+"""Angle within which a setting is laid along the edge, although its chair stands askew."""
+
+
+class Placed(Protocol):
+    """Something that stands already: where, in the support's frame."""
+
+    at: Array
+    yaw: float
+    asset: Asset
+    seat: str | None
+
+
+def surfaces_of(obj: SceneObject, back: bool, top: bool = False) -> dict[str, Surface]:
+    """The surfaces of a support by level, left and right as its user sees them; those that are not there are left out.
+
+    The main one is the largest that is open and at a height to work at, or with ``top`` the highest.
+    """
+
+    def worth(s: Surface) -> float:
+        ring = np.asarray(s.polygon)
+        x, y = ring[:, 0], ring[:, 1]
+        area = abs(float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))) / 2
+        tight = s.headroom is not None and s.headroom < 0.2
+        high = s.z > 1.12 and s.z < obj.size[2] - 0.02
+        return area * (0.3 if tight else 1.0) * (0.4 if high else 1.0) * (0.4 if s.z < 0.5 * obj.size[2] - 0.15 else 1)
+
+    def side(s: Surface) -> float:
+        y = float(np.mean([p[1] for p in s.polygon]))
+        return -y if back else y
+
+    main = max(obj.surfaces, key=(lambda s: s.z) if top else worth)
+    level = [s for s in obj.surfaces if abs(s.z - main.z) < 0.1]
+    found = {"main": main, "left": min(level, key=side), "right": max(level, key=side)}
+    lower = [s for s in obj.surfaces if s.z < main.z - 0.1]
+    upper = [s for s in obj.surfaces if s.z > main.z + 0.05]
+    if lower:
+        found["lower"] = max(lower, key=lambda s: s.z)
+    if upper:
+        found["upper"] = max(upper, key=lambda s: s.z)
+    return found
+
+
+class Spread:
+    """What chance decides about one slot, drawn once: kind, yaw, and how far it strays."""
+
+    def __init__(self, slot: Slot, dice: random.Random, mirror: bool):
+        self._slot = slot
+        sign = -1.0 if mirror else 1.0
+        self._first = dice.random()
+        self.stray = math.radians(slot.loose) * dice.uniform(-1, 1)
+        self.yaw = sign * math.radians(slot.turn) + self.stray
+        self.drift = np.array([dice.uniform(-1, 1), dice.uniform(-1, 1)]) * slot.drift
+        at = slot.at or (0.5, 0.0)
+        self.share = (at[0], sign * at[1])
+        self._sign = sign
+        self._some = dice.random() < 0.5
+
+    def kinds(self) -> tuple[str, ...]:
+        """The slot's categories, the one to try first in front: mostly the first of them."""
+        what = self._slot.what
+        k = 0 if self._slot.need == "needed" else min(int(self._first**1.6 * len(what)), len(what) - 1)
+        return (what[k], *what[:k], *what[k + 1 :])
+
+    def beside(self, shape: Shape, yaw: float, anchor: Placed, other: Shape) -> list[Array]:
+        """Places [2] at the slot's side of what stands there, nearest to what is meant first."""
+        side = self._slot.side
+        ways = {"front": (1, 0), "back": (-1, 0), "right": (0, 1), "left": (0, -1)}
+        if side == "beside":
+            first, second = ("right", "left") if (self._sign > 0) == self._some else ("left", "right")
+            order = [first, second, "back", "front"]
+        else:
+            order = [side]
+        facing = anchor.yaw if anchor.seat is not None else 0.0  # a person sees it from the chair
+        goals = []
+        for name in order:
+            c, s = math.cos(facing), math.sin(facing)
+            x, y = ways[name]
+            way = np.array([c * x - s * y, s * x + c * y])
+            touch = _reach(other, anchor.yaw, way) + _reach(shape, yaw, -way)
+            goals.append(anchor.at + way * (touch + self._slot.gap))
+        return goals
+
+
+def _reach(shape: Shape, yaw: float, way: Array) -> float:
+    """How far a shape turned by ``yaw`` reaches along a unit vector [m]."""
+    from .surface_geometry import turned
+
+    return max(float((turned(p.polygon, yaw) @ way).max()) for p in shape.prisms)
+
+
+def seat_places(shape: Shape, field: Field, seat: Seat, stray: float) -> tuple[Array, float] | None:
+    """Where a thing lies before a chair, at the edge and facing it: place [2] and yaw; None when there is no room."""
+    yaw = math.atan2(-seat.look[1], -seat.look[0])
+    edge = _edge_yaw(field, seat)
+    if edge is not None and abs(math.remainder(edge - yaw, 2 * math.pi)) < STRAIGHT:
+        yaw = edge
+    look = -np.array([math.cos(yaw), math.sin(yaw)])
+    aside = np.array([-look[1], look[0]])
+    steps = np.arange(0.0, 1.6, 0.01)
+    best: tuple[float, Array] | None = None
+    for lateral in (0.0, 0.03, -0.03, 0.06, -0.06, 0.1, -0.1, 0.15, -0.15):
+        line = seat.place + aside * lateral + steps[:, None] * look
+        good = np.flatnonzero(field.free(shape, yaw + stray, line))
+        if len(good):
+            k = int(good[0])
+            if k + 1 in good:  # a little in from the edge
+                k = min(k + round(SEAT_EDGE / 0.01), int(good[-1]))
+                while k not in good:
+                    k -= 1
+            cost = float(steps[k]) + 2.5 * abs(lateral)
+            if best is None or cost < best[0]:
+                best = (cost, line[k])
+    return None if best is None else (best[1], yaw + stray)
+
+
+def _edge_yaw(field: Field, seat: Seat) -> float | None:
+    """Direction of the straight edge before a seat, outward; None at a round table."""
+    ring = field.polygon
+    step = np.roll(ring, -1, axis=0) - ring
+    length = np.hypot(step[:, 0], step[:, 1])
+    long = length > 0.35
+    if not long.any():
+        return None
+    out = np.column_stack([step[:, 1], -step[:, 0]])[long] / length[long, None]
+    k = int(np.argmax(out @ -seat.look))
+    return math.atan2(out[k, 1], out[k, 0])
+
+
+__all__ = ["SceneObject", "Spread", "seat_places", "surfaces_of"]

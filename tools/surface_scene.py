@@ -1,0 +1,198 @@
+"""What the surface tools read from a scene: supports with what stands near them, seats, ids that are free."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from sceneweaver.assets import categories
+from sceneweaver.assets.taxonomy import members
+from sceneweaver.knowledge import Item, RoomType
+from sceneweaver.scene import InputError, Scene, SceneObject, Surface
+from sceneweaver.scene.messages import suggest
+
+from .surface_geometry import Array, Field, Prism, counter_clockwise, turned
+
+WINDOW_DEPTH = 0.3
+"""Depth [m] of the space before a window that stays free, as the judge has it."""
+
+TIES = ("front_against", "front_to_front", "around")
+"""Relations by which a chair belongs to a table."""
+
+CEILING = 0.05
+"""Free height [m] left under the ceiling."""
+
+TILT = 1e-3
+"""Largest x and y of a quaternion that counts as upright."""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A support's frame in the room: x, y, z [m] and yaw [rad]."""
+
+    x: float
+    y: float
+    z: float
+    yaw: float
+
+    def out(self, x: float, y: float, z: float) -> tuple[float, float, float]:
+        """A point of the frame in the room [m]."""
+        c, s = math.cos(self.yaw), math.sin(self.yaw)
+        return self.x + c * x - s * y, self.y + s * x + c * y, self.z + z
+
+    def into(self, points: Array) -> Array:
+        """Points [n, 2] of the room in the frame [m]."""
+        return turned(points - (self.x, self.y), -self.yaw)
+
+
+@dataclass(frozen=True)
+class Seat:
+    """A chair at a table, in the table's frame: where it is [m], and the way it looks (a unit vector)."""
+
+    id: str
+    place: Array
+    look: Array
+
+
+class Surroundings:
+    """A scene, read once for many supports; what is added while they are filled is put into their fields."""
+
+    def __init__(self, scene: Scene, room: RoomType):
+        self.scene = scene
+        self.items: Mapping[str, Item] = {item.id: item for item in room.items}
+        self.carried: set[tuple[str, str]] = {(o.support.object, o.support.surface) for o in scene.objects if o.support}
+        self._ids = {*scene.ids, *(d.id for d in scene.room.doors), *(w.id for w in scene.room.windows)}
+        self._next: dict[str, int] = {}
+
+    def item(self, obj: SceneObject) -> Item | None:
+        """The item of the kind of room that an object stands for, if any."""
+        return self.items.get(str(obj.attributes.get("item", "")))
+
+    def supports(self, ids: Any) -> list[SceneObject]:
+        """The supports of these ids, all upright ones with surfaces when there are none.
+
+        Raises:
+            InputError: for what is no list of ids, an id that is not there or one without surfaces.
+        """
+        if isinstance(ids, str) or not isinstance(ids, Sequence) or not all(isinstance(i, str) for i in ids):
+            raise InputError('supports: give a list of object ids, such as ["desk-0"], or an empty one for all')
+        if not ids:
+            return [o for o in self.scene.objects if o.surfaces and upright(o)]
+        known = {o.id: o for o in self.scene.objects}
+        for id in ids:
+            if id not in known:
+                raise InputError(f"supports: '{id}' is no object of the scene{suggest(id, known)}")
+            if not known[id].surfaces:
+                raise InputError(f"supports: '{id}' has no surface that carries things; name another object")
+        return [known[id] for id in dict.fromkeys(ids)]
+
+    def new_id(self, category: str) -> str:
+        """An id that nothing in the scene has, such as mug-0; it counts as taken from then on."""
+        k = self._next.get(category, 0)
+        while f"{category}-{k}" in self._ids:
+            k += 1
+        self._next[category] = k + 1
+        self._ids.add(f"{category}-{k}")
+        return f"{category}-{k}"
+
+    def frame(self, obj: SceneObject, back: bool = False) -> Frame:
+        """The frame of an object, with +x toward its user: turned about when that is at its back."""
+        x, y, z = obj.pose.position
+        return Frame(x, y, z, obj.pose.yaw + (math.pi if back else 0.0))
+
+    def field(self, obj: SceneObject, surface: Surface, frame: Frame, edge: float = 0.004) -> Field:
+        """The surface in ``frame`` with all that reaches over it: things on it, above it, and spaces to keep free."""
+        ring = counter_clockwise(np.asarray(surface.polygon, dtype=float))
+        if abs(frame.yaw - obj.pose.yaw) > 1.0:
+            ring = -ring
+        base = frame.z + surface.z
+        head = math.inf if surface.headroom is None else surface.headroom
+        made = Field(ring, min(head, self.scene.room.height - CEILING - base), edge=edge)
+        middle = ring.mean(axis=0)
+        x, y, _ = frame.out(float(middle[0]), float(middle[1]), 0)
+        reach = float(np.hypot(*(ring - middle).T).max())
+        for own, low, high, prism in self._solids:
+            if own == obj.id or prism.high <= base + 1e-4:
+                continue
+            if (low > (x + reach, y + reach)).any() or (high < (x - reach, y - reach)).any():
+                continue
+            made.taken.append(Prism(frame.into(prism.polygon), prism.low - base, prism.high - base))
+        return made
+
+    def seats(self, obj: SceneObject) -> list[Seat]:
+        """The chairs that a relation ties to an object, else those before it that look at it, by angle around it."""
+        tied = []
+        for r in self.scene.relations:
+            if r.type in TIES and obj.id in (r.subject, *r.targets):
+                tied += [id for id in (r.subject, *r.targets) if id != obj.id]
+        chairs = [o for o in self.scene.objects if o.category in seats() and upright(o)]
+        found = [c for c in chairs if c.id in tied] or [c for c in chairs if self._looks(c, obj)]
+        frame = self.frame(obj)
+        out = []
+        for c in found:
+            yaw = c.pose.yaw - frame.yaw
+            place = frame.into(np.array([c.pose.position[:2]]))[0]
+            out.append(Seat(c.id, place, np.array([math.cos(yaw), math.sin(yaw)])))
+        return sorted(out, key=lambda s: math.atan2(s.place[1], s.place[0]))
+
+    def _looks(self, chair: SceneObject, obj: SceneObject) -> bool:
+        yaw = chair.pose.yaw - obj.pose.yaw
+        place = self.frame(obj).into(np.array([chair.pose.position[:2]]))[0]
+        half = np.array(obj.size[:2]) / 2
+        outside = float(np.hypot(*np.maximum(np.abs(place) - half, 0)))
+        way = np.clip(place, -half * 0.8, half * 0.8) - place
+        length = float(np.hypot(*way))
+        return length > 0 and outside < 0.6 and float(way @ (math.cos(yaw), math.sin(yaw))) > 0.9 * length
+
+    @cached_property
+    def _solids(self) -> list[tuple[str, Array, Array, Prism]]:
+        """Everything that may be in the way, in the room: owner, box and prism."""
+        found = list(self._openings())
+        for o in self.scene.objects:
+            shapes = [(p.polygon, p.z) for p in o.solids] + [(z.polygon, z.z) for z in o.zones if z.hard]
+            if not upright(o):  # anything within its reach, whichever way it lies
+                r = math.hypot(*o.size)
+                shapes = [(((-r, -r), (r, -r), (r, r), (-r, r)), (-r, r))]
+            x, y, z = o.pose.position
+            for polygon, span in shapes:
+                placed = turned(counter_clockwise(np.asarray(polygon, dtype=float)), o.pose.yaw) + (x, y)
+                found.append((o.id, Prism(placed, z + span[0], z + span[1])))
+        convex = []
+        for id, p in found:
+            convex.append((id, p.polygon.min(axis=0), p.polygon.max(axis=0), p))
+        return convex
+
+    def _openings(self) -> Iterator[tuple[str, Prism]]:
+        room = self.scene.room
+        corners = np.asarray(room.outline, dtype=float)
+        for opening in (*room.windows, *room.doors):
+            a, b = corners[opening.wall], corners[(opening.wall + 1) % len(corners)]
+            along = (b - a) / max(1e-9, float(np.hypot(*(b - a))))
+            inward = np.array([-along[1], along[0]])
+            window = hasattr(opening, "sill")
+            depth = WINDOW_DEPTH if window else opening.width
+            low = float(getattr(opening, "sill", 0.0))
+            start, end = a + along * opening.offset, a + along * (opening.offset + opening.width)
+            ring = np.array([start, end, end + inward * depth, start + inward * depth])
+            yield opening.id, Prism(ring, low, low + opening.height)
+
+
+def upright(obj: SceneObject) -> bool:
+    """Whether an object stands upright."""
+    return abs(obj.pose.quaternion[0]) < TILT and abs(obj.pose.quaternion[1]) < TILT
+
+
+def seats() -> frozenset[str]:
+    """The categories that people sit on."""
+    global _SEATS
+    if _SEATS is None:
+        _SEATS = frozenset(members("seating")) & frozenset(categories())
+    return _SEATS
+
+
+_SEATS: frozenset[str] | None = None

@@ -1,0 +1,83 @@
+"""Let some objects, or all, be laid out anew."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sceneweaver.scene import InputError, Pose, Scene, SceneObject
+from sceneweaver.scene.edits import AnyEdit
+
+from .add_relation import related
+from .base import Context, Proposal
+from .card import checked
+from .carry import move
+from .draft import Draft
+from .update_rotation import known_ids
+
+TIED = frozenset(("front_against", "front_to_front", "leftright_to_leftright", "around", "above", "below"))
+"""Types by which an object belongs to its target and goes where that goes."""
+
+
+class UpdateLayout:
+    """Sets objects back, so that the engine finds a place for them anew."""
+
+    name = "update_layout"
+
+    def propose(self, context: Context) -> Proposal:
+        """The objects of ``ids`` without a place, or with no ids a fresh layout of the room."""
+        scene, inputs = context.scene, checked(self.name, context.inputs)
+        where = f"tool {self.name}: inputs"
+        if not scene.objects:
+            raise InputError(f"tool {self.name}: the scene has no objects; begin with an initialiser")
+        ids = known_ids(scene, list(inputs.get("ids", ())), f"{where}.ids")
+        rows: list[dict[str, Any]] = [dict(row) for row in inputs.get("relations", ())]
+        edits, notes, unmet = related(scene, rows, f"{where}.relations")
+        if "near" in inputs:
+            more, said, against = _near(scene, ids, inputs["near"])
+            edits, notes, unmet = [*edits, *more], [*notes, *said], [*unmet, *against]
+        if not ids:
+            return Proposal(edits=tuple(edits), fresh=True, notes=tuple(notes), unmet=tuple(unmet))
+        free: dict[str, Pose] = {}
+        for id in _with_kin(scene, ids):
+            obj = scene.object(id)
+            if obj.fixed:
+                unmet.append(f"{id} is fixed")
+            elif obj.support is not None:
+                base = _base(scene, obj)
+                notes.append(f"{id} stands on {obj.support.object}, so {base.id} is laid out anew")
+                if not base.fixed:
+                    free[base.id] = _unplaced(base)
+            else:
+                free[id] = _unplaced(obj)
+        moves: list[AnyEdit] = list(move(scene, free))
+        return Proposal(edits=(*edits, *moves), notes=tuple(notes), unmet=tuple(unmet))
+
+
+def _unplaced(obj: SceneObject) -> Pose:
+    """The pose of what is new: at the origin, at its own height."""
+    return Pose(position=(0.0, 0.0, obj.pose.position[2]))
+
+
+def _with_kin(scene: Scene, ids: list[str]) -> list[str]:
+    """The objects with those that belong to them: a desk moves with its chair."""
+    found = list(ids)
+    for id in found:
+        found += [r.subject for r in scene.relations if r.hard and r.type in TIED and r.target == id
+                  and r.subject not in found]  # fmt: skip
+    return list(dict.fromkeys(found))
+
+
+def _base(scene: Scene, obj: SceneObject) -> SceneObject:
+    while obj.support is not None:
+        obj = scene.object(obj.support.object)
+    return obj
+
+
+def _near(scene: Scene, ids: list[str], word: str):
+    named = Draft.of(scene).named(word)
+    if not named:
+        raise InputError(f"tool update_layout: inputs.near is '{word}', which is no object; name one of the scene")
+    if not ids:
+        raise InputError("tool update_layout: inputs.near needs ids; name the objects that should stand near")
+    rows = [{"type": "near", "subject": id, "target": named[0]} for id in ids if id != named[0]]
+    return related(scene, rows, "tool update_layout: inputs.near")
