@@ -54,7 +54,7 @@ class AddCrowd:
             if count:
                 notes.append(f"{support.id}: {count} things, {plan.name.replace('_', ' ')}")
             elif not every:
-                why = "all its boards carry things" if not boards else f"nothing of the theme {plan.name} fits its boards"
+                why = f"nothing of theme {plan.name} fits its boards" if boards else "all its boards carry things"
                 unmet.append(f"{support.id}: {why}")
         if every and not edits:
             unmet.append("there is no shelf with empty boards")

@@ -85,7 +85,7 @@ def _add(work: _Work, row: Mapping[str, Any], number: int) -> None:
     for k, asset in enumerate(assets):
         subject = _object(work, row, asset, item, mount, asked_on, k, number)
         if subject is None:
-            place = " or ".join(asked_on) if asked_on else "anything"
+            place = " or ".join(asked_on) or "what is in the room"
             work.unmet.append(f"{len(assets) - k} of {count} {match.category}: there is no free place on {place}")
             return
         draft.objects[subject.id] = subject

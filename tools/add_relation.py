@@ -118,7 +118,7 @@ def _read(scene: Scene, row: Mapping[str, Any], where: str) -> Relation:
         trial = scene.model_copy(update={"relations": (relation,)})
         check_references(trial)
     except InputError as error:
-        raise InputError(f"{where}: {error}") from None
+        raise InputError(f"{where}: {str(error).removeprefix('relation: ')}") from None
     except ValueError as error:  # the scene's own checks, whose path is that of the scene
         loc = getattr(error, "loc", ())
         field = next((str(part) for part in reversed(loc) if isinstance(part, str)), "")

@@ -62,7 +62,8 @@ class AddTabletop:
                 unmet.append(f"{support.id}: nothing of its arrangement fits on it")
             if done.objects:
                 notes.append(f"{support.id}: {_listed(done.objects)}")
-        unmet += [f"{_words(a.category)}: there is no room on {', '.join(o.id for o in chosen[:3])}" for a in open_asked]
+        where = ", ".join(o.id for o in chosen[:3])
+        unmet += [f"{_words(a.category)}: there is no room on {where}" for a in open_asked]
         return Proposal(edits=tuple(edits), notes=tuple(notes), unmet=tuple(unmet))
 
 

@@ -16,7 +16,7 @@ from sceneweaver.scene.edits import AnyEdit, Remove, Rename, apply, apply_all
 from .add_objects import AddObjects
 from .base import Context
 from .carry import move
-from .draft import Draft
+from .draft import Draft, groups_of
 from .prior_program import matches
 from .reading import HERE
 from .relating import relations_of, row_of
@@ -24,6 +24,9 @@ from .update_size import exchanged
 
 CORNERS = {"rectangle": 4, "L": 6, "T": 8, "U": 8, "round": 12}
 """Corners of the shapes that a request can name."""
+
+KIN = frozenset(("bed_group", "chair_group"))
+"""Groups of which any member may be exchanged for any other."""
 
 SMALLEST = 0.02
 """Relative change of a floor below which it is left as it is."""
@@ -159,7 +162,7 @@ def _found(context: Context, scene: Scene, asked: Asked, notes: list[str]) -> tu
     least = asked.count[0] if asked.count else 1
     if not ids:
         items = {i.id for i in context.room.items if matches(asked.category, i)}
-        others = [o.id for o in free if o.attributes.get("item") in items and o.id in scene.ids]
+        others = [o.id for o in free if o.attributes.get("item") in items or _kin(o.category, asked.category)]
         for id in others[: max(least, 1)]:
             scene, new = _swapped(context, scene, id, asked, notes)
             ids.append(new)
@@ -172,6 +175,15 @@ def _found(context: Context, scene: Scene, asked: Asked, notes: list[str]) -> tu
         for o in scene.objects
     )
     return scene.model_copy(update={"objects": objects}), ids
+
+
+def _kin(one: str, other: str) -> bool:
+    """Whether one of two categories serves where the other is not wanted: beds, chairs, or two kinds of sofa."""
+    if groups_of(one) & groups_of(other) & KIN:
+        return True
+    return one.rpartition("_")[2] == other.rpartition("_")[2] and bool(
+        groups_of(one) & groups_of(other) - {"furniture"}
+    )
 
 
 def _suits(obj: SceneObject, asked: Asked) -> bool:

@@ -160,9 +160,9 @@ class Field:
 
     def _near(self, low: Array, high: Array, prism: Prism) -> Iterable[Array]:
         for other in self.taken:
-            if other.low < prism.high - 1e-4 and other.high > prism.low + 1e-4:
-                if (other.polygon.max(axis=0) >= low).all() and (other.polygon.min(axis=0) <= high).all():
-                    yield other.polygon
+            level = other.low < prism.high - 1e-4 and other.high > prism.low + 1e-4
+            if level and (other.polygon.max(axis=0) >= low).all() and (other.polygon.min(axis=0) <= high).all():
+                yield other.polygon
 
 
 def _apart(a: Array, mine: Array, b: Array, at: Array) -> Array:

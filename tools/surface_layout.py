@@ -164,7 +164,8 @@ class Layer:
             seats = self._seats
         names = (one.category,) if one else slot.what
         for name in names:
-            asset = self._shelf.draw(name, self._dice, slot.size, (1.0, 1.0, ground.headroom), one.look if one else None)
+            limit, look = (1.0, 1.0, ground.headroom), one.look if one else None
+            asset = self._shelf.draw(name, self._dice, slot.size, limit, look)
             if asset is None:
                 continue
             places = self._for_all(slot, asset, ground, seats)

@@ -1,4 +1,4 @@
-"""Rows of things on a shelf board: chosen by a theme until the board is full enough, then lined up at its front edge."""
+"""Rows of things on a shelf board: chosen by a theme until it is full enough, lined up at the front edge."""
 
 from __future__ import annotations
 

@@ -9,7 +9,20 @@ from benchmarks.judging import Judge
 from benchmarks.results import Result
 from benchmarks.settings import Settings
 
-from . import cold, edits, large, memory, optimizers, projection, quality, scaling, soundness, throughput
+from . import (
+    ablations,
+    cold,
+    design,
+    edits,
+    large,
+    memory,
+    optimizers,
+    projection,
+    quality,
+    scaling,
+    soundness,
+    throughput,
+)
 
 Family = Callable[[Settings, Judge], Result]
 
@@ -25,6 +38,8 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "soundness": soundness.run,
         "edits": edits.run,
         "projection": projection.run,
+        "design": design.run,
+        "ablations": ablations.run,
     }
 )
 

@@ -11,22 +11,27 @@ from .category import Category
 ZONE_HEIGHT = 1.8
 """Height [m] of access zones: a person."""
 
+HEAD = 0.6
+"""Length [m] beside the head of a bed that needs no way: a nightstand with a lamp stands there."""
+
 STEP = 0.03
 """Height [m] at which access zones begin: mats and thresholds are stepped on."""
 
 
 def access_zones(category: Category, size: tuple[float, ...], but: Container[str] = ()) -> tuple[Zone, ...]:
     """One hard zone for each side with a clearance, except the sides in ``but``; ``size`` is (depth, width, height)."""
-    return tuple(_zone(side, depth, size) for side, depth in category.clearance.items() if side not in but)
+    head = HEAD if category.parent == "bed_group" else 0.0
+    return tuple(_zone(side, depth, size, head) for side, depth in category.clearance.items() if side not in but)
 
 
-def _zone(side: str, depth: float, size: tuple[float, ...]) -> Zone:
+def _zone(side: str, depth: float, size: tuple[float, ...], head: float) -> Zone:
+    """``head`` metres at the back of the left and right side are left out."""
     d, w, h = size
     boxes = {
         "front": ((d / 2, d / 2 + depth), (-w / 2, w / 2)),
         "back": ((-d / 2 - depth, -d / 2), (-w / 2, w / 2)),
-        "left": ((-d / 2, d / 2), (w / 2, w / 2 + depth)),
-        "right": ((-d / 2, d / 2), (-w / 2 - depth, -w / 2)),
+        "left": ((-d / 2 + head, d / 2), (w / 2, w / 2 + depth)),
+        "right": ((-d / 2 + head, d / 2), (-w / 2 - depth, -w / 2)),
         "top": ((-d / 2, d / 2), (-w / 2, w / 2)),
     }
     (x0, x1), (y0, y1) = boxes[side]

@@ -35,8 +35,8 @@ def faults(survey: Survey) -> Iterator[Finding]:
     yield from _screens(survey)
 
 
-def placing(survey: Survey, item: Item) -> list[dict[str, Any]]:
-    """The item's relations as ``add_objects`` takes them, with ids of objects for items."""
+def placing(survey: Survey, item: Item, parent: str | None = None) -> list[dict[str, Any]]:
+    """The item's relations as ``add_objects`` takes them, with ids for items; ``parent`` is what it goes with."""
     found = []
     for place in item.place:
         row: dict[str, Any] = {"type": place.type, **place.params}
@@ -44,7 +44,7 @@ def placing(survey: Survey, item: Item) -> list[dict[str, Any]]:
             ids = [id for id, name in survey.program.item_of.items() if name == place.to]
             if not ids:
                 continue
-            row["to"] = ids[0]
+            row["to"] = parent if parent in ids else ids[0]
         elif place.to is not None and place.to != "wall":
             row["to"] = place.to
         if place.soft:
@@ -56,28 +56,45 @@ def placing(survey: Survey, item: Item) -> list[dict[str, Any]]:
 def _missing(survey: Survey, need: Need) -> Finding:
     item, have, category = need.item, len(need.have), need.item.what[0]
     name = kinds.words(category)
-    call: dict[str, Any] = {"category": category, "count": need.missing}
-    place = placing(survey, item)
-    if place:
-        call["place"] = place
     on = [id for id, of in survey.program.item_of.items() if of in item.on]
-    if on:
-        call["on"] = on
+    calls: list[dict[str, Any]] = []
+    for parent, number in _lacking(survey, need):
+        call: dict[str, Any] = {"category": category, "count": number}
+        place = placing(survey, item, parent)
+        calls.append({**call, **({"place": place} if place else {}), **({"on": on} if on else {})})
     reason = f"{have} of {need.least} {name}s" if have else f"there is no {name}"
     reason += f"; {kinds.a(survey.room.name)} {'needs' if item.need == 'needed' else 'usually has'} {need.least}"
     fix = f"add {need.missing} {name}{'s' if need.missing > 1 else ''}"
     share = need.missing / need.least
-    inputs: Mapping[str, Any] = {"objects": [call]}
+    inputs: Mapping[str, Any] = {"objects": calls}
     if item.need == "needed":
         points, lid = 1.5 + 2.5 * share, LID if share > 0.5 else None
-        if have >= need.core:
-            points, lid = 0.4 + 1.6 * share, None  # enough for the room to be one, too few for its size
+        others = not have and any(kinds.serves(b.item.category, item.what) for b in survey.bodies)
+        if have >= need.core or others:
+            points, lid = (0.4 + 1.6 * share), None  # too few for its size, or others do its work
         return finding("functionality", "missing_needed", need.have, reason, fix, points=points, cap=lid,
                        tool="add_objects", inputs=dict(inputs))  # fmt: skip
     show = bool(kinds.groups_of(category) & SHOW)
     criterion = "functionality" if item.with_ is not None and not show else "completion"
     return finding(criterion, "missing_usual", need.have, reason, fix, points=(0.5 if show else 0.7) * share + 0.2,
                    tool="add_objects", inputs=dict(inputs))  # fmt: skip
+
+
+def _lacking(survey: Survey, need: Need) -> list[tuple[str | None, int]]:
+    """With what the missing ones should go, and how many with each: the instances that have the fewest near them."""
+    name = need.item.with_
+    parents = [id for id, of in survey.program.item_of.items() if of == name] if name is not None else []
+    if len(parents) < 2:
+        return [(parents[0] if parents else None, need.missing)]
+    each, left, found = -(-need.least // len(parents)), need.missing, []
+    have = set(need.have)
+    near = {p: sum(b.id in have for b, _ in survey.near(survey.placed.by_id[p], PARENT_WIDE)) for p in parents}
+    for parent in sorted(parents, key=lambda p: near[p]):
+        number = min(left, max(0, each - near[parent]))
+        if number:
+            found.append((parent, number))
+            left -= number
+    return found if not left else [*found, (parents[0], left)]
 
 
 def seats_at(survey: Survey, table: Body) -> list[Body]:

@@ -17,7 +17,9 @@ from .facts import faults_of, relation_rows
 from .html import esc, json_block, picture_url
 from .view3d import pack
 
-_SCRIPTS = ("linear.js", "decode.js", "shaders.js", "renderer.js", "marks.js", "orbit.js", "panel.js", "main.js")
+_SCRIPTS = (
+    "linear.js", "decode.js", "shaders.js", "renderer.js", "targets.js", "marks.js", "orbit.js", "panel.js", "main.js",
+)  # fmt: skip
 _BUTTONS = (
     ("button-reset", "Reset view", None),
     ("button-top", "Top view", None),
@@ -84,8 +86,8 @@ def _view(data: ReportData) -> str:
         'to turn, plus and minus to zoom, Home to reset, T for the top view"></canvas>'
         '<div id="labels" class="labels" aria-hidden="true"></div>'
         f'<div class="tools" role="toolbar" aria-label="View">{buttons}</div>'
-        '<aside class="panel" id="object-panel" aria-label="Selected object" hidden></aside>'
         '<p class="hint">Drag to turn, scroll to zoom, shift-drag to move, click an object</p></div>'
+        '<aside class="panel" id="object-panel" aria-label="Selected object" hidden></aside>'
         f'<nav class="objects" aria-label="Objects"><div class="objects-head"><h2>Objects</h2>'
         f'<span class="count">{len(data.scene.objects)}</span></div>'
         '<input id="object-search" type="search" placeholder="Filter" aria-label="Filter objects" autocomplete="off">'

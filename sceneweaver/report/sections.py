@@ -195,7 +195,8 @@ def steps(rows: Sequence[StepRow]) -> str:
         picture = ""
         if row.picture is not None:
             url = picture_url(row.picture, 440, 80)
-            picture = f'<img src="{url}" alt="After step {row.number}" width="{row.picture.width}" height="{row.picture.height}">'
+            size = f'width="{row.picture.width}" height="{row.picture.height}"'
+            picture = f'<img src="{url}" alt="After step {row.number}" {size}>'
         state = ("good", "accepted") if row.accepted else ("bad", "rolled back")
         note = f'<p class="aside">{esc(row.note)}</p>' if row.note else ""
         items.append(

@@ -24,6 +24,8 @@ TABLES = {
     "soundness": {"soundness": 2},
     "edits": {"edits": 5, "rooms": 1, "detail": 5},
     "projection": {"bodies": 1, "scenes": 2},
+    "design": {"rooms": 1, "seeds": 1},
+    "ablations": {"parts": 4, "tools": 4},
 }
 
 

@@ -67,7 +67,9 @@ def test_table_with_too_few_chairs() -> None:
     good = rooms.restaurant()
     bad = good.but(*({"id": f"dining_chair-{k}", "gone": True} for k in range(4)))
     fault = falls(good, bad, "missing_needed", set(), criterion="functionality", least=1.0)
-    assert fault.inputs["objects"][0]["count"] == 4
+    row = fault.inputs["objects"][0]
+    assert row["count"] == 4 and row["place"] == [{"type": "front_against", "to": "dining_table-0"}]
+    assert len(fault.inputs["objects"]) == 1
 
 
 def test_chair_that_nobody_can_get_into() -> None:

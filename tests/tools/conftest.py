@@ -37,12 +37,12 @@ def call(library: Library) -> Call:
 
 
 def room_of(kind: str = "living_room", width: float = 6.0, depth: float = 5.0) -> Room:
-    """A room with a door in its south wall and a window in its north wall."""
+    """A room with a door in its south wall and a window in its east wall."""
     return Room(
         type=kind,
         outline=((0, 0), (width, 0), (width, depth), (0, depth)),
         doors=(Door(id="door-0", wall=0, offset=0.3, width=0.9, height=2.1),),
-        windows=(Window(id="window-0", wall=2, offset=width / 2 - 0.9, width=1.8, sill=0.8, height=1.4),),
+        windows=(Window(id="window-0", wall=1, offset=depth / 2 - 0.9, width=1.8, sill=0.8, height=1.4),),
     )
 
 

@@ -394,12 +394,14 @@ class Builder:
         attributes: dict = {"style": self.style}
         if main is not None:
             attributes |= {"color": color_name(main.color), "material": main.name}
+        parts = prisms_of(hulls, self._groups, clear)
+        surfaces = tuple(_on_parts(s, parts) for s in surfaces)
         return Asset(
             id=f"parametric:{self.category.name}?seed={self._seed}{self.request.suffix}",
             category=self.category.name,
             mesh=mesh,
             hulls=hulls,
-            parts=prisms_of(hulls, self._groups, clear),
+            parts=parts,
             mount=self.category.mount[0],
             mass=self._mass(size),
             friction=self.category.friction,
@@ -419,6 +421,27 @@ class Builder:
         share = (math.prod(size) - least) / max(1e-12, most - least)
         low, high = self.category.mass
         return round(low + (high - low) * min(1.0, max(0.0, share)), 3)
+
+
+THICK = 0.003
+"""Height [m] by which a prism may stand above the surface that it carries, as it takes in a rim or a joint."""
+
+
+def _on_parts(surface: Surface, parts: Sequence[Part]) -> Surface:
+    """The surface as high as the prisms under it, so that what stands on it does not stand in them."""
+    import shapely
+
+    inner = shapely.Polygon(surface.polygon).buffer(-0.002)
+    tops = [
+        part.z[1]
+        for part in parts
+        if part.z[0] < surface.z < part.z[1] <= surface.z + THICK
+        and shapely.Polygon(part.polygon).intersection(inner).area > 1e-4
+    ]
+    if not tops:
+        return surface
+    room = None if surface.headroom is None else surface.headroom - (max(tops) - surface.z)
+    return surface.model_copy(update={"z": max(tops), "headroom": room})
 
 
 def _vec(values) -> Vec3:

@@ -120,7 +120,8 @@ function fail(error) {
   const stage = byId("stage");
   stage.classList.remove("running");
   stage.classList.add("failed");
-  byId("stage-note").textContent = `The interactive view cannot run here (${error.message}). This picture stands in for it.`;
+  byId("stage-note").textContent =
+    `The interactive view cannot run here (${error.message}). This picture stands in for it.`;
 }
 
 start().then((view) => { window.sceneView = view; }, fail);

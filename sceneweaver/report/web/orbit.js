@@ -21,12 +21,14 @@ class Orbit {
     const back = [Math.cos(pitch) * Math.cos(yaw), Math.cos(pitch) * Math.sin(yaw), Math.sin(pitch)];
     const right = [-Math.sin(yaw), Math.cos(yaw), 0];
     const up = cross(back, right);
+    const level = (k) => (k & 1 ? high[0] : low[0]) * back[0] + (k & 2 ? high[1] : low[1]) * back[1];
+    const nearest = [0, 1, 2, 3].reduce((a, b) => (level(b) > level(a) ? b : a));
     let distance = 0.5;
     for (let k = 0; k < 8; k++) {
-      // Walls are outside the outline; those in front are cut, so their upper corners need not be seen.
+      // Walls are outside the outline; those in front are cut, so the upper corner between them need not be seen.
       const corner = [k & 1 ? high[0] + 0.1 : low[0] - 0.1, k & 2 ? high[1] + 0.1 : low[1] - 0.1, k & 4 ? height : 0];
       const p = sub(corner, target);
-      if (k & 4 && !top && dot(p, [back[0], back[1], 0]) > 0.3) continue;
+      if (k === nearest + 4 && !top) continue;
       const side = Math.max(Math.abs(dot(p, right)) / (t * a), Math.abs(dot(p, up)) / t);
       distance = Math.max(distance, side + dot(p, back));
     }
@@ -150,7 +152,8 @@ function listen(canvas, orbit, { changed, clicked, hovered, cleared }) {
   });
   const lift = (event) => {
     if (!fingers.delete(event.pointerId)) return;
-    if (event.type === "pointerup" && fingers.size === 0 && travelled <= 3 && event.button === 0) clicked(...spot(event));
+    const still = event.type === "pointerup" && fingers.size === 0 && travelled <= 3;
+    if (still && event.button === 0) clicked(...spot(event));
   };
   canvas.addEventListener("pointerup", lift);
   canvas.addEventListener("pointercancel", lift);

@@ -5,6 +5,7 @@ const WALL_STUMP = 0.07; // what is left of a wall that would hide the room [m]
 const SUN_MAP = 2048; // pixels of a shadow map; the sky's is coarser, as many of it are added up
 const SKY_MAP = 1024;
 const FRAMES = 96;
+const [THIN, THICK] = [0.005, 0.008]; // [m]
 
 class Renderer {
   constructor(canvas, data, buffer) {
@@ -20,10 +21,14 @@ class Renderer {
       outline: this.program(SCREEN, OUTLINE),
     };
     this.meshes = data.meshes.map((mesh) => this.upload(decodeMesh(buffer, mesh, data.materials)));
-    this.items = data.items.map((item, index) => ({
-      ...item, index, mesh: this.meshes[item.mesh], model: placed(item.position, item.quaternion, item.scale),
-      inverseScale: item.scale.map((s) => 1 / (s * s)), cut: NEVER_CUT,
-    }));
+    this.items = data.items.map((item) => {
+      const mesh = this.meshes[item.mesh];
+      // A rug of half a millimetre would flicker in and out of the floor, so such things are shown thicker.
+      const thick = mesh.high[2] - mesh.low[2];
+      const scale = [item.scale[0], item.scale[1], item.scale[2] * (thick < THIN ? THICK / thick : 1)];
+      const model = placed(item.position, item.quaternion, scale);
+      return { ...item, mesh, model, inverseScale: scale.map((s) => 1 / (s * s)), cut: NEVER_CUT };
+    });
     this.empty = gl.createVertexArray();
     this.cube = this.makeCube();
     const { low, high, height } = data.room;
@@ -74,86 +79,6 @@ class Renderer {
     });
     gl.bindVertexArray(null);
     return { array, opaque: mesh.opaque, count: mesh.count, low: mesh.low, high: mesh.high };
-  }
-
-  makeCube() {
-    const gl = this.gl;
-    const ends = [];
-    for (let a = 0; a < 8; a++) {
-      for (const bit of [1, 2, 4]) {
-        if (a & bit) continue;
-        for (const c of [a, a | bit]) ends.push(c & 1, (c >> 1) & 1, (c >> 2) & 1);
-      }
-    }
-    const array = gl.createVertexArray();
-    gl.bindVertexArray(array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(ends), gl.STATIC_DRAW);
-    gl.enableVertexAttribArray(0);
-    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
-    gl.bindVertexArray(null);
-    return array;
-  }
-
-  makeMap(size) {
-    const gl = this.gl;
-    const texture = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.DEPTH_COMPONENT24, size, size);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_COMPARE_MODE, gl.COMPARE_REF_TO_TEXTURE);
-    for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) {
-      gl.texParameteri(gl.TEXTURE_2D, side, gl.LINEAR);
-    }
-    const frame = gl.createFramebuffer();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, texture, 0);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    return { texture, frame, size, view: null };
-  }
-
-  // A target of the canvas's size: a texture of the format, with depth when wanted.
-  makeTarget(format, depth) {
-    const gl = this.gl;
-    const [width, height] = [this.canvas.width, this.canvas.height];
-    const texture = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, format, width, height);
-    for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) {
-      gl.texParameteri(gl.TEXTURE_2D, side, format === gl.R8 ? gl.LINEAR : gl.NEAREST);
-    }
-    for (const axis of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) {
-      gl.texParameteri(gl.TEXTURE_2D, axis, gl.CLAMP_TO_EDGE);
-    }
-    const frame = gl.createFramebuffer();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
-    let store = null;
-    if (depth) {
-      store = gl.createRenderbuffer();
-      gl.bindRenderbuffer(gl.RENDERBUFFER, store);
-      gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, width, height);
-      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, store);
-    }
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    return { texture, frame, store };
-  }
-
-  targets() {
-    const gl = this.gl;
-    const size = `${this.canvas.width} ${this.canvas.height}`;
-    if (this.targetSize === size) return;
-    for (const old of [this.mask, this.ids, this.once, ...(this.sums || [])]) {
-      if (!old || !old.texture) continue;
-      gl.deleteTexture(old.texture);
-      gl.deleteFramebuffer(old.frame);
-      if (old.store) gl.deleteRenderbuffer(old.store);
-    }
-    this.targetSize = size;
-    this.mask = this.makeTarget(gl.R8, false);
-    this.ids = this.makeTarget(gl.RGBA8, true);
-    this.once = this.canGather ? this.makeTarget(gl.RGBA16F, true) : null;
-    this.sums = this.canGather ? [0, 1].map(() => this.makeTarget(gl.RGBA32F, false)) : null;
-    this.gathered = 0;
   }
 
   use(name, uniforms) {
@@ -248,10 +173,14 @@ class Renderer {
     gl.disable(gl.CULL_FACE);
     for (const item of this.items) {
       gl.uniform1i(program.ground, item.kind === "floor" ? 1 : 0);
+      // Furniture may be open; of walls the back is seen where they are cut.
+      if (item.kind === "object" || item.cut < NEVER_CUT) gl.disable(gl.CULL_FACE);
+      else gl.enable(gl.CULL_FACE);
       gl.uniform1f(program.lit, lit === item.id && item.kind === "object" ? 0.16 : 0);
       this.drawItem(program, item, 0, item.mesh.opaque);
     }
     gl.uniform1i(program.ground, 0);
+    gl.disable(gl.CULL_FACE);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.depthMask(false);
@@ -317,8 +246,9 @@ class Renderer {
     this.sunNow = unit(add(this.sun, shift));
     this.renderSun(this.sunNow);
     const jittered = new Float32Array(view);
-    const dx = (2 * (halton(k, 2) - 0.5)) / width;
-    const dy = (2 * (halton(k, 3) - 0.5)) / height;
+    // Another sequence than the light's, or edges would always be lit from the same side.
+    const dx = (2 * ((0.5 + k * 0.7548776662) % 1) - 1) / width;
+    const dy = (2 * ((0.5 + k * 0.569840291) % 1) - 1) / height;
     for (let c = 0; c < 4; c++) {
       jittered[4 * c] += dx * view[4 * c + 3];
       jittered[4 * c + 1] += dy * view[4 * c + 3];

@@ -108,7 +108,7 @@ vec3 patterned(vec3 c, float texture) {
 }
 float shadow(sampler2DShadow map, mat4 view, vec3 normal, vec3 light, float spread) {
   float slope = 1.0 - clamp(dot(normal, light), 0.0, 1.0);
-  vec4 at = view * vec4(place + normal * texel * (0.6 + 2.2 * slope), 1.0);
+  vec4 at = view * vec4(place + normal * texel * (0.6 + (0.8 + 0.6 * spread) * slope), 1.0);
   vec3 p = at.xyz * 0.5 + 0.5;
   if (any(lessThan(p, vec3(0.0))) || any(greaterThan(p, vec3(1.0)))) return 1.0;
   p.z -= 0.0006;
@@ -138,10 +138,10 @@ void main() {
   vec3 ambient;
   if (gather == 1) {
     float open = max(dot(n, sky), 0.0);
-    if (open > 0.0) open *= shadow(skyMap, skyView, n, sky, 14.0);
-    ambient = skyColor * 2.0 * open + bounce * (0.56 - 0.30 * n.z);
+    if (open > 0.0) open *= shadow(skyMap, skyView, n, sky, 4.0);
+    ambient = skyColor * 2.0 * open + bounce * (0.66 - 0.36 * n.z);
   } else {
-    ambient = 0.92 * mix(bounce, skyColor, 0.5 + 0.5 * n.z);
+    ambient = mix(bounce, skyColor, 0.55 + 0.45 * n.z);
   }
   vec3 sunColor = vec3(1.0, 0.93, 0.82) * 1.9;
   vec3 diffuse = base * (1.0 - metal) * (ambient * 0.86 + sunColor * facingSun * sunlight * 0.42);
