@@ -22,6 +22,9 @@ from .usual import item_for, rows_for
 VARIED = frozenset(("decor", "plant_group", "stationery", "food", "toy_group", "toiletry", "container", "textile"))
 """Groups of which several at once are different ones."""
 
+AT_WINDOWS = frozenset(("curtain", "sheer_curtain", "window_blind"))
+"""What hangs before windows; everything else on a wall keeps clear of them."""
+
 NOT_ON = frozenset(("seating", "bed_group", "textile"))
 """Groups that carry only what is usual on them."""
 
@@ -132,7 +135,7 @@ def _bodies(
         return [
             _labelled(asset, row["category"]) for asset in context.library.choose(row["category"], count, wish, same)
         ]
-    if mount == "wall" and category in ("curtain", "sheer_curtain", "window_blind") and wish.size[1] is None:
+    if mount == "wall" and category in AT_WINDOWS and wish.size[1] is None:
         panes = [w.width for w in context.scene.room.windows]
         if panes:
             wish = replace(wish, size=(wish.size[0], max(panes) + 0.3, wish.size[2]))
@@ -191,6 +194,7 @@ def _object(
         most = max(0.0, room_height - asset.size[2] - 0.02)
         low, high = round(min(low, max(0.0, most - 0.1)), 3), round(min(high, most), 3)
         pose, attributes["hang"] = Pose(position=(0.0, 0.0, (low + high) / 2)), [low, high]
+        attributes["clear"] = asset.category not in AT_WINDOWS
     obj = asset.object(id, pose=pose, mount=mount, support=support)  # type: ignore[arg-type]
     return obj.model_copy(update={"attributes": attributes})
 

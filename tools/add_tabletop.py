@@ -42,8 +42,8 @@ class AddTabletop:
             chosen = [o for o in chosen if _bare(around, o) and _worth(around, o, plan, named is not None)]
         if not chosen:
             why = "there is no table, desk or other support that lacks things"
-            unmet = tuple(f"{a.category}: {why}" for a in asked) or (() if inputs.get("supports") else (why,))
-            return Proposal(unmet=unmet)
+            lacking = [f"{a.category}: {why}" for a in asked] or ([] if inputs.get("supports") else [why])
+            return Proposal(unmet=tuple(lacking))
         shelf = Shelf(context.library, context.brief, context.seed)
         edits: list[AnyEdit] = []
         notes: list[str] = []

@@ -30,11 +30,14 @@ class InitPrior:
     name = "init_prior"
 
     def propose(self, context: Context) -> Proposal:
-        """A new scene; ``inputs`` may hold ``style``."""
+        """A new scene; ``inputs`` may hold ``style``, and ``roomier``, a factor on a floor that nobody fixed."""
         room, brief, seed = context.room, context.brief, context.seed
         area, people, given, notes = floor_area(room, brief, seed)
+        if not given:
+            area = min(area * float(context.inputs.get("roomier", 1.0)), 1.5 * room.area[2])
         style = brief.style or str(context.inputs.get("style") or "") or random.Random(seed ^ 0x57).choice(room.styles)
-        for attempt in range(GROWTHS):
+        attempt = 0
+        while True:
             space, remarks = shell(room, brief, area, seed)
             program = _program(context, space, area, people, style)
             _support_small_things(program, brief)
@@ -42,7 +45,8 @@ class InitPrior:
             drafts = formations(program.wanted, scene, seed)
             crowded = program.footprint > FILL["full"] * area or program.wall > _wall(space)
             astray = not drafts and in_rows(program.wanted)
-            if given or not (crowded or astray) or attempt == GROWTHS - 1 or area >= 1.5 * room.area[2]:
+            attempt += 1
+            if given or not (crowded or astray) or attempt == GROWTHS or area >= 1.5 * room.area[2]:
                 break
             area *= GROWTH
         notes += remarks + program.notes

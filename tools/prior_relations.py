@@ -36,12 +36,21 @@ def of_items(wanted: Sequence[Wanted], room: Room, free: Iterable[str] = ()) -> 
             if relation is None:
                 continue
             found.append(relation)
+            if relation.type in ("front_against", "around") and one.parent is not None:
+                found.append(_squared(one, one.parent))
             if relation.type == "above" and one.mount == "wall":  # at the wall behind it, not at the one opposite
                 found.append(
                     Relation(type="near", subject=one.id, target=relation.target, params={"max": 0.3},
                              hard=relation.hard)
                 )  # fmt: skip
     return _cornered(_without_doubles(found), room)
+
+
+def _squared(seat: Wanted, table: Wanted) -> Relation:
+    """Seats look at the middle of a round table, and stand square to any other."""
+    if "round" in table.category:
+        return Relation(type="facing", subject=seat.id, target=table.id, hard=False, weight=0.5)
+    return Relation(type="aligned", subject=seat.id, target=table.id, hard=False, weight=0.5)
 
 
 def _cornered(relations: list[Relation], room: Room) -> list[Relation]:

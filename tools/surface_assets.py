@@ -16,10 +16,10 @@ from sceneweaver.scene import Pose, SceneObject, Support
 from .surface_geometry import Prism, Shape, counter_clockwise
 from .surface_scene import Frame
 
-VARIANTS = 6
+VARIANTS = 3
 """Different bodies of one kind and size in a call: drawing one takes longer than placing it."""
 
-STEP = 0.02
+STEP = 0.04
 """Sizes are asked for in steps [m], so that equal bodies recur."""
 
 Sizes = tuple[Range | None, Range | None, Range | None]
@@ -57,7 +57,8 @@ class Shelf:
             if size[k] is None and most == usual[1]:
                 wanted.append(None)
                 continue
-            value = low + (high - low) * dice.random()
+            # what only has to fit is as large as it may be; a size that was given is drawn from its range
+            value = most if size[k] is None else low + (high - low) * dice.random()
             wanted.append(max(usual[0], min(most, int(value / STEP + 1e-6) * STEP)))
         variant = dice.randrange(VARIANTS)
         key = (category, variant, tuple(wanted), tuple(sorted((look or {}).items())))

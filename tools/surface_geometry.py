@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -89,7 +90,7 @@ class Field:
         import shapely
 
         outline = shapely.Polygon(self.polygon)
-        inner = outline.buffer(-self.edge, join_style="mitre")
+        inner: Any = outline.buffer(-self.edge, join_style="mitre")
         if inner.geom_type == "MultiPolygon":
             inner = max(inner.geoms, key=lambda g: g.area)
         inner = inner.simplify(5e-4) if len(self.polygon) > 12 and not inner.is_empty else inner
@@ -98,7 +99,7 @@ class Field:
         if self.empty:
             self.low = self.high = self.centre = np.zeros(2)
             return
-        hull = inner.convex_hull
+        hull: Any = inner.convex_hull
         ring = counter_clockwise(np.asarray(hull.exterior.coords)[:-1])
         self._normals = normals(ring)
         self._limit = (ring @ self._normals.T).max(axis=0)
@@ -126,11 +127,13 @@ class Field:
                 good &= _apart(polygon, mine, notch, at) >= 0.0
         return good
 
-    def put(self, shape: Shape, yaw: float, at: Sequence[float]) -> None:
+    def put(self, shape: Shape, yaw: float, at: Sequence[float] | Array) -> None:
         """Take the place of a shape."""
         self.taken.extend(p.moved(float(at[0]), float(at[1]), yaw) for p in shape.prisms)
 
-    def find(self, shape: Shape, yaw: float, target: Sequence[float], reach: float, gap: float = GAP) -> Array | None:
+    def find(
+        self, shape: Shape, yaw: float, target: Sequence[float] | Array, reach: float, gap: float = GAP
+    ) -> Array | None:
         """The free place [2] nearest to ``target`` within ``reach`` [m], also on the way to the middle; None: none."""
         goal = np.asarray(target, dtype=float)
         if self.free(shape, yaw, goal[None], gap)[0]:
@@ -187,11 +190,11 @@ def _disc(radius: float) -> Array:
     return _DISCS[radius]
 
 
-def _triangles(region: object) -> list[Array]:
+def _triangles(region: Any) -> list[Array]:
     """Counter-clockwise triangles [3, 2] that make up a region (shapely)."""
     import shapely
 
-    pieces = shapely.get_parts(shapely.constrained_delaunay_triangles(region))  # pyright: ignore[reportArgumentType]
+    pieces = shapely.get_parts(shapely.constrained_delaunay_triangles(region))
     return [
         counter_clockwise(np.asarray(t.exterior.coords)[:-1])
         for t in pieces

@@ -124,7 +124,7 @@ class Layer:
         if like is not None and like.size[2] <= limit[2]:
             return not self._full(surface, like) and self._place(slot, like, surface, base, ground, spread)
         for name in names:
-            for size in (slot.size, ((0.0, 0.0),) * 2 + (slot.size[2],)):  # as it should be, then the smallest
+            for size in (slot.size, ((0.0, 0.0), (0.0, 0.0), slot.size[2])):  # as it should be, then the smallest
                 asset = self._shelf.draw(name, self._dice, size, limit, one.look if one else None)
                 if asset is None:
                     break
@@ -169,6 +169,8 @@ class Layer:
             if asset is None:
                 continue
             places = self._for_all(slot, asset, ground, seats)
+            if slot.by is not None and not all(p is not None for p in places):
+                continue  # beside every plate, or beside none
             if all(p is not None for p in places) or name == names[-1]:
                 for seat, place in zip(seats, places, strict=True):
                     if place is not None:

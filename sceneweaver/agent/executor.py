@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from sceneweaver.brief import Brief
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.knowledge import RoomType
@@ -21,12 +19,9 @@ from .settings import Settings
 from .tidy import tidy
 
 ENOUGH = 4
-"""Valid layouts to choose from for which no further round is made."""
+"""Valid layouts that are compared when a few things are added to a scene."""
 
-PROMISING = 2
-"""Drafts that get a second round when none is valid at once."""
-
-ROUNDS = 10
+ROUNDS = 8
 """Times that something gives way before a layout that cannot be valid is taken as it is."""
 
 NEEDS = ("optional", "usual", "needed", "asked")
@@ -75,19 +70,20 @@ class Executor:
         if not self.settings.physics:
             return self._outcome(self._unrefined(draft, proposal, seed), notes, unmet)
         fresh, drafts = proposal.fresh, [dict(poses) for poses in proposal.drafts]
-        if not fresh and (placed := self._in_place(scene, draft, seed)) is not None:
+        if not fresh and (placed := self._in_place(scene, draft, seed, notes)) is not None:
             return replace(placed, notes=tuple(notes), unmet=tuple(unmet))
-        best = self._refined(draft, drafts, fresh, seed)
-        for _ in range(ROUNDS):
+        best = self._refined(draft, drafts, fresh, seed, 0)
+        for round_ in range(ROUNDS):
             if best.report.valid or not any(v.kind not in ("soft_relation", "dropped") for v in best.report.violations):
                 break
             lighter = self._give_way(draft, best, notes, unmet)
             if lighter is None:
                 break
             draft, drafts = lighter, _kept(drafts, lighter)
-            best = min(best, self._refined(draft, drafts, fresh, seed), key=lambda o: o.key)
-        if drafts and not best.report.valid:  # the rows are what stands in the way
-            best = min(best, self._refined(draft, [], fresh, seed), key=lambda o: o.key)
+            # Patience pays once what is merely wished for has gone.
+            best = min(best, self._refined(draft, drafts, fresh, seed, int(round_ >= ROUNDS // 2)), key=lambda o: o.key)
+        if not best.report.valid:  # without the rows, if there are any: they may be what stands in the way
+            best = min(best, self._refined(draft, [], fresh, seed, 1), key=lambda o: o.key)
         return replace(best, notes=tuple(notes), unmet=tuple(unmet))
 
     def judged(self, scene: Scene, report: Report | None = None) -> Outcome:
@@ -100,64 +96,76 @@ class Executor:
         report = report or check(scene)
         return Outcome(scene, report, review_scene(scene, report, self.room, self.brief), tuple(notes), tuple(unmet))
 
-    def _refined(self, draft: Scene, drafts: Sequence[Mapping[str, Pose]], fresh: bool, seed: int) -> Outcome:
-        """The best of the layouts of a scene, and of those around each set of poses that stays as it is."""
-        layouts = self._around(draft, drafts, seed) if drafts else self._free(draft, fresh, seed)
+    def _refined(
+        self, draft: Scene, drafts: Sequence[Mapping[str, Pose]], fresh: bool, seed: int, patience: int
+    ) -> Outcome:
+        """The best of the layouts of a scene, or of those around each set of poses that stays as it is."""
+        attempts = self.settings.attempts[patience]
+        layouts = self._around(draft, drafts, seed, attempts) if drafts else self._free(draft, fresh, seed, attempts)
         outcomes = [self._outcome(tidy(layout), (), ()) for layout in layouts]
         return min(outcomes, key=lambda o: o.key)
 
-    def _in_place(self, scene: Scene, draft: Scene, seed: int) -> Outcome | None:
-        """The best valid layout in which only what an edit added or changed moves; None when there is none."""
-        loose = _changed(scene, draft)
-        if not loose or len(loose) == len(draft.objects):
-            return None
-        s = self.settings
-        pinned = _pinned(coarse(draft), {o.id: o.pose for o in draft.objects if o.id not in loose})
-        solution = refine(
-            pinned, candidates=max(16, s.layouts // 2), seed=seed, device=s.device, steps=s.attempts[0],
-            init="sample" if loose - set(scene.ids) else "current", explain=False,
-        )  # fmt: skip
-        layouts = [_posed(draft, layout) for layout in solution.distinct(ENOUGH)]
-        outcomes = [self._outcome(tidy(layout), (), ()) for layout in layouts]
-        valid = [o for o in outcomes if o.report.valid]
-        return min(valid, key=lambda o: o.key) if valid else None
+    def _in_place(self, scene: Scene, draft: Scene, seed: int, notes: list[str]) -> Outcome | None:
+        """The best valid layout in which only what an edit added or changed moves.
 
-    def _free(self, draft: Scene, fresh: bool, seed: int) -> list[Scene]:
-        """Layouts of a whole scene: a quick round first, more patient ones as long as too few come out valid."""
-        s, plain = self.settings, coarse(draft) if fresh else draft
-        count = s.layouts if fresh else max(16, s.layouts // 4)
-        found: list[Scene] = []
-        for round_, attempts in enumerate(s.attempts):
+        New things that nobody asked for and that find no place are given up, one after the other. None when what was
+        changed or asked for finds none.
+        """
+        s, old = self.settings, set(scene.ids)
+        while True:
+            loose = _changed(scene, draft)
+            if len(loose) == len(draft.objects):
+                return None
+            if not loose:
+                draft, report = _pruned(scene, draft, notes)
+                return self._outcome(draft, (), (), report) if report.valid else None
+            pinned = _pinned(coarse(draft), {o.id: o.pose for o in draft.objects if o.id not in loose})
             solution = refine(
-                plain, candidates=count, seed=(seed + round_) % 2**32, init="sample" if fresh else "current",
-                device=s.device, steps=attempts, explain=False,
+                pinned, candidates=max(16, s.layouts // 2), seed=seed, device=s.device, steps=s.attempts[0],
+                init="sample" if loose - old else "current", explain=False,
             )  # fmt: skip
-            layouts = solution.distinct(s.finalists - len(found) if fresh else 2)
-            found += [_posed(draft, layout) for layout in layouts]
-            if len(found) >= (ENOUGH if fresh else 1):
-                return found
-        return found or [_posed(draft, solution.best)]
+            layouts = [_posed(draft, layout) for layout in solution.distinct(ENOUGH)]
+            outcomes = [self._outcome(tidy(layout), (), ()) for layout in layouts]
+            valid = [o for o in outcomes if o.report.valid]
+            if valid:
+                return min(valid, key=lambda o: o.key)
+            report = check(_posed(draft, solution.best), walkable=False)
+            trouble = [id for v in report.violations if v.kind != "soft_relation" for id in v.objects]
+            extra = [
+                id for id in draft.ids if id in loose - old and draft.object(id).attributes.get("need") != "asked"
+            ]  # fmt: skip
+            if not extra:
+                return None
+            gone = max(extra, key=lambda id: (trouble.count(id), draft.index(id)))
+            notes.append(f"{gone} was left out: the room has no place for it")
+            draft = apply(draft, Remove(id=gone, cascade=True))
 
-    def _around(self, draft: Scene, drafts: Sequence[Mapping[str, Pose]], seed: int) -> list[Scene]:
-        """Layouts around objects that stay where a draft has them; a second round for the most promising drafts."""
+    def _free(self, draft: Scene, fresh: bool, seed: int, attempts: int) -> list[Scene]:
+        """Layouts of a whole scene, valid ones if there are any."""
+        s = self.settings
+        solution = refine(
+            coarse(draft) if fresh else draft, candidates=s.layouts if fresh else max(16, s.layouts // 4), seed=seed,
+            init="sample" if fresh else "current", device=s.device, steps=attempts, explain=False,
+        )  # fmt: skip
+        layouts = solution.distinct(s.finalists if fresh else 2) or [solution.best]
+        return [_posed(draft, layout) for layout in layouts]
+
+    def _around(
+        self, draft: Scene, drafts: Sequence[Mapping[str, Pose]], seed: int, attempts: int
+    ) -> list[Scene]:  # fmt: skip
+        """Layouts around objects that stay where a draft has them; if none is valid, the one that comes nearest."""
         s = self.settings
         scenes = [_pinned(coarse(draft), poses) for poses in drafts]
-        each = max(8, s.layouts // len(scenes))
-        found: list[Scene] = []
-        last: list[Scene] = []
-        for round_, attempts in enumerate(s.attempts):
-            solutions = refine_many(
-                scenes, candidates=each, seed=(seed + round_) % 2**32, device=s.device, steps=attempts
-            )  # fmt: skip
-            for solution in solutions:
-                layouts = solution.distinct(max(2, s.finalists // len(scenes)))
-                found += [_posed(draft, layout) for layout in layouts]
-            if len(found) >= ENOUGH:
-                return found
-            order = sorted(range(len(scenes)), key=lambda k: float(np.median(solutions[k].energy)))
-            last = [_posed(draft, solutions[order[0]].best)]
-            scenes = [scenes[k] for k in order[:PROMISING]]
-        return found or last
+        solutions = refine_many(
+            scenes, candidates=max(8, s.layouts // len(scenes)), seed=seed, device=s.device, steps=attempts
+        )  # fmt: skip
+        found = [
+            _posed(draft, layout)
+            for solution in solutions
+            for layout in solution.distinct(max(2, s.finalists // len(scenes)))
+        ]
+        nearest = min(solutions, key=lambda solution: float(solution.energy.min()))
+        return found or [_posed(draft, nearest.best)]
 
     def _unrefined(self, draft: Scene, proposal: Proposal, seed: int) -> Scene:
         """A layout as the relations draw it, without search: what a tool alone would give."""
@@ -179,9 +187,12 @@ class Executor:
         for need in NEEDS[:2]:
             pool = [id for id in trouble if id in known and known[id].attributes.get("need") == need]
             if pool:
-                id = max(pool, key=lambda i: (trouble[i], known[i].size[0] * known[i].size[1], i))
-                notes.append(f"{id} was left out: the room has no place for it")
-                return apply(draft, Remove(id=id, cascade=True))
+                pool.sort(key=lambda i: (-trouble[i], -known[i].size[0] * known[i].size[1], i))
+                for id in pool[: 1 + len(notes) // 2]:  # the longer it takes, the more gives way at once
+                    if id in draft.ids:
+                        notes.append(f"{id} was left out: the room has no place for it")
+                        draft = apply(draft, Remove(id=id, cascade=True))
+                return draft
         false = {
             (v.objects[0], v.detail.removeprefix(v.objects[0]).split(":")[0].strip())
             for v in best.report.violations
@@ -204,6 +215,9 @@ class Executor:
         id = min(pool, key=lambda i: (rank.get(known[i].attributes.get("need", "usual"), 1), -trouble[i], i))
         gone, reason = known[id], "there is no place for it in this room"
         lighter = apply(draft, Remove(id=id, cascade=True))
+        if gone.attributes.get("need") != "asked":
+            notes.append(f"{id} was left out: {reason}")
+            return lighter
         unmet.append(f"{id}: {reason}")
         dropped = (*lighter.dropped, Dropped(id=id, category=gone.category, reason=reason))
         return lighter.model_copy(update={"dropped": dropped})

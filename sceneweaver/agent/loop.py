@@ -141,7 +141,11 @@ class Run:
             tried=tuple(tried),
             note=note,
         )
-        new = (outcomes[winner].notes, outcomes[winner].unmet) if accepted and winner is not None else ((), ())
+        new: tuple[tuple[str, ...], tuple[str, ...]] = ((), ())
+        if accepted and winner is not None:
+            notes, unmet = outcomes[winner].notes, outcomes[winner].unmet
+            asked = self.tools[calls[winner].tool].card.role == "initializer"  # the others act on faults, not on wishes
+            new = (notes, unmet) if asked else ((*notes, *unmet), ())
         self.memory = self.memory.after(step, losers, *new)
         if self.folder is not None and current is not None:
             self.folder.step(step.number, current.scene, current.report, current.review, self.memory, self.brief,

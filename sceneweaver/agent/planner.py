@@ -26,6 +26,9 @@ LISTS = {
 }
 """Tools whose calls for several faults are one call, and the input that holds what each of them asks for."""
 
+LAST_BEGINNING, ROOMIER = 4, 0.15
+"""Ways to begin at most, and how much more floor each further draw has."""
+
 LEAST = 0.15
 """Points [of ten] that a call should be worth."""
 
@@ -89,19 +92,29 @@ class RulesPlanner:
 
 
 def _beginnings(situation: Situation) -> list[Call]:
-    """The initialisers that suit the request, each with seeds of its own."""
-    settings = situation.settings
+    """The initialisers that suit the request, best first; then the best again with other seeds and more floor."""
+    settings, memory = situation.settings, situation.memory
     found = []
     for name, card in situation.cards.items():
         if card.role == "initializer" and card.needs == "nothing":
-            found.append((card.confidence * situation.memory.confidence.get(name, 1.0), name))
+            found.append((card.confidence * memory.confidence.get(name, 1.0), name))
     found.sort(key=lambda row: (-row[0], row[1]))
+    if not found:
+        return []
+    text = situation.brief.text
     calls = [
-        Call(tool=name, instruction=situation.brief.text, seed=settings.seed, confidence=trust, reason="no scene yet")
+        Call(tool=name, instruction=text, seed=settings.seed, confidence=trust, reason="there is no scene yet")
         for trust, name in found
     ]
-    calls = [c for c in calls if c.signature not in situation.memory.failed]
-    return calls[: settings.side_by_side]
+    fixed = situation.brief.size is not None or situation.brief.area is not None
+    for k in range(len(calls), LAST_BEGINNING):
+        inputs = {} if fixed else {"roomier": round(1.0 + ROOMIER * (k - len(found) + 1), 2)}
+        reason = "another draw" if fixed else "another draw, with more floor"
+        calls.append(calls[0].model_copy(update={"seed": _seed(settings.seed, k, "init"), "inputs": inputs,
+                                                 "reason": reason}))  # fmt: skip
+    first, *others = [c for c in calls if c.signature not in memory.failed or fixed]
+    again = [c for c in others if c.tool == first.tool]
+    return [first, *again, *(c for c in others if c.tool != first.tool)][: settings.side_by_side]
 
 
 def _sorted_out(faults: Sequence[Fault]) -> list[Fault]:

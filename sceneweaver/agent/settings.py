@@ -26,8 +26,8 @@ class Settings(FrozenModel):
     finalists: int = Field(default=10, ge=1, description="Layouts of these that the critic compares")
     device: str = "auto"
     seconds: float | None = Field(default=None, gt=0, description="Time after which no step begins [s]")
-    attempts: tuple[int, ...] = Field(
-        default=(2, 6), description="Times that a layout is begun anew when it fails, in a first and in later rounds"
+    attempts: tuple[int, int] = Field(
+        default=(2, 6), description="Times that a layout is begun anew when it fails, at first and at last"
     )
     grade: float = Field(default=9.7, description="Mean grade at which to stop")
     patience: int = Field(default=2, ge=1, description="Steps without progress after which to stop")

@@ -56,15 +56,24 @@ class Camera:
         low, high = np.asarray(low, dtype=float), np.asarray(high, dtype=float)
         corners = np.array([[(low, high)[i][0], (low, high)[j][1], (low, high)[k][2]] for i in (0, 1) for j in (0, 1)
                             for k in (0, 1)])  # fmt: skip
-        target = (low + high) / 2
+        return cls.holding(corners, direction, fov, aspect, margin)
+
+    @classmethod
+    def holding(
+        cls, points: np.ndarray, direction, fov: float = 0.5, aspect: float = 1.0, margin: float = 1.08
+    ) -> Camera:
+        """A perspective camera that looks along ``direction`` and holds ``points`` [N, 3] just so, in the middle."""
+        _check_lens(fov, aspect)
+        target = (points.min(axis=0) + points.max(axis=0)) / 2
         forward, right, up = _axes(np.zeros(3), np.asarray(direction, dtype=float))
         half = math.tan(fov / 2)
-        for _ in range(3):
-            rel = corners - target
+        distance = 0.0
+        for _ in range(6):
+            rel = points - target
             along, across, tall = rel @ forward, rel @ right, rel @ up
             need = np.maximum(np.abs(across) / (half * aspect), np.abs(tall) / half) * margin
             distance = float(np.max(need - along))
-            # Centre what is seen: perspective makes near corners larger than far ones.
+            # Centre what is seen: perspective makes near points larger than far ones.
             depth = distance + along
             u, v = across / depth, tall / depth
             target = target + right * (u.max() + u.min()) / 2 * distance + up * (v.max() + v.min()) / 2 * distance

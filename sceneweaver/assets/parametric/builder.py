@@ -11,7 +11,7 @@ from typing import NamedTuple, TypeVar
 
 import numpy as np
 
-from sceneweaver.scene import InputError, Surface, Zone
+from sceneweaver.scene import InputError, Part, Surface, Zone
 
 from .. import shapes
 from ..asset import Asset, Origin

@@ -1,0 +1,71 @@
+"""Meshes of prisms with a material each: what walls, doors, windows and skirting boards are put together from."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from sceneweaver.assets.body import Material, Mesh
+
+Range = tuple[float, float]
+
+
+class Builder:
+    """Collects convex prisms in the world's frame [m] and turns them into one mesh."""
+
+    def __init__(self) -> None:
+        self._vertices: list[np.ndarray] = []
+        self._faces: list[np.ndarray] = []
+        self._kinds: list[np.ndarray] = []
+        self._materials: dict[Material, int] = {}
+        self._count = 0
+
+    def prism(
+        self, plan: np.ndarray, z: Range, material: Material, top: Material | None = None, base: bool = True
+    ) -> None:
+        """A convex counter-clockwise ``plan`` [N, 2] from ``z[0]`` to ``z[1]``; ``top`` is the look of its lid."""
+        n = len(plan)
+        ring = np.arange(n)
+        after = (ring + 1) % n
+        fan = np.array([(0, k, k + 1) for k in range(1, n - 1)])
+        sides = np.concatenate([np.stack([ring, after, after + n], 1), np.stack([ring, after + n, ring + n], 1)])
+        body = np.concatenate([fan[:, ::-1], sides]) if base else sides
+        vertices = np.concatenate([np.column_stack([plan, np.full(n, level)]) for level in z])
+        self.add(vertices, body, material)
+        self.add(vertices, fan + n, top or material)
+
+    def add(self, vertices: np.ndarray, faces: np.ndarray, material: Material) -> None:
+        """Any triangles: ``vertices`` [V, 3], ``faces`` [F, 3]."""
+        kind = self._materials.setdefault(material, len(self._materials))
+        self._vertices.append(np.asarray(vertices, dtype=float))
+        self._faces.append(np.asarray(faces, dtype=np.int32) + self._count)
+        self._kinds.append(np.full(len(faces), kind, dtype=np.int32))
+        self._count += len(vertices)
+
+    def mesh(self) -> Mesh | None:
+        """Everything as one mesh, or None when there is nothing."""
+        if not self._faces:
+            return None
+        kinds = np.concatenate(self._kinds)
+        faces = np.concatenate(self._faces).astype(np.int32)
+        return Mesh(np.concatenate(self._vertices), faces, kinds, np.zeros_like(kinds), tuple(self._materials))
+
+
+class WallFrame:
+    """A wall's own coordinates: ``s`` along it from its first corner, ``t`` out of the room, both in metres."""
+
+    def __init__(self, start: Sequence[float], end: Sequence[float]) -> None:
+        self.start, self.end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
+        self.length = float(np.linalg.norm(self.end - self.start))
+        self.along = (self.end - self.start) / max(self.length, 1e-9)
+        self.outward = np.array([self.along[1], -self.along[0]])
+
+    def points(self, pairs: Sequence[tuple[float, float]]) -> np.ndarray:
+        """World points [N, 2] of pairs (s, t)."""
+        pairs_ = np.asarray(pairs, dtype=float)
+        return self.start + pairs_[:, :1] * self.along + pairs_[:, 1:] * self.outward
+
+    def block(self, s: Range, t: Range) -> np.ndarray:
+        """The plan [4, 2] of a block, counter-clockwise from above."""
+        return self.points([(s[0], t[1]), (s[1], t[1]), (s[1], t[0]), (s[0], t[0])])

@@ -1,0 +1,85 @@
+"""From where a room is looked at: the corner that shows most, and what stands in its way."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from sceneweaver.scene import Scene
+
+from .camera import Camera
+from .room_shell import SLAB, STUB, frames_of
+from .shapes import WALL_THICKNESS
+
+PITCH = math.radians(37.0)
+_FOV = 0.42
+
+
+def corner_directions(scene: Scene) -> list[np.ndarray]:
+    """Unit vectors [2] from the room to the four corners of its box, the best one first."""
+    u, across = _axes_of(scene)
+    found = []
+    for a, b in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
+        way = a * u + b * across
+        found.append(way / np.linalg.norm(way))
+    return sorted(found, key=lambda way: (-round(_worth(scene, way), 6), round(math.atan2(way[1], way[0]), 6)))
+
+
+def opposite(ways: list[np.ndarray]) -> np.ndarray:
+    """The direction across the room from the best one."""
+    return min(ways, key=lambda way: float(way @ ways[0]))
+
+
+def cut_walls(scene: Scene, way: np.ndarray) -> set[int]:
+    """Walls whose outer face is turned to a camera in the direction ``way``: they hide the room."""
+    return {k for k, frame in enumerate(frames_of(scene.room)) if float(frame.outward @ way) > 0.12}
+
+
+def corner_camera(scene: Scene, way: np.ndarray, cut: set[int], aspect: float) -> Camera:
+    """A perspective camera that holds the room: its slab, the stubs and the walls that stand."""
+    forward = np.array([*(-way * math.cos(PITCH)), -math.sin(PITCH)])
+    points = []
+    for k, frame in enumerate(frames_of(scene.room)):
+        high = STUB if k in cut else scene.room.height
+        reach = WALL_THICKNESS
+        for s in (-reach, frame.length + reach):
+            for z in (-SLAB, high):
+                points.append((*frame.points([(s, reach)])[0], z))
+    return Camera.holding(np.asarray(points), forward, fov=_FOV, aspect=aspect, margin=1.06)
+
+
+def _axes_of(scene: Scene) -> tuple[np.ndarray, np.ndarray]:
+    longest = max(frames_of(scene.room), key=lambda f: round(f.length, 6))
+    u = longest.along
+    # The same axes whichever wall is the longest one.
+    turn = math.atan2(u[1], u[0]) % (math.pi / 2)
+    return np.array([math.cos(turn), math.sin(turn)]), np.array([-math.sin(turn), math.cos(turn)])
+
+
+def _worth(scene: Scene, way: np.ndarray) -> float:
+    """How much a camera in a direction shows: fronts of objects, windows; tall things near it hide the rest."""
+    outline = np.asarray(scene.room.outline)
+    middle = (outline.min(axis=0) + outline.max(axis=0)) / 2
+    reach = max(float(np.abs((outline - middle) @ way).max()), 1e-6)
+    frames, cut = frames_of(scene.room), cut_walls(scene, way)
+    worth = 0.0
+    for thing in scene.objects:
+        depth, width, height = thing.size
+        if thing.mount == "ceiling" or height < 0.05:
+            continue
+        front = np.array([math.cos(thing.pose.yaw), math.sin(thing.pose.yaw)])
+        near = float((np.asarray(thing.pose.position[:2]) - middle) @ way) / reach
+        face = width * height
+        worth += face * float(front @ way)
+        if thing.mount == "wall":
+            worth += 1.5 * face * float(front @ way)
+        if height > 1.0 and near > 0:
+            worth -= 2.0 * max(width, depth) * (height - 0.8) * near
+    for window in scene.room.windows:
+        worth += (0.6 if window.wall not in cut else 0.0) * window.width * window.height
+    for door in scene.room.doors:
+        worth += 0.2 * (door.wall not in cut)
+    # A deep L shows its inside from where no wall of the notch is in the way.
+    standing = sum(f.length for k, f in enumerate(frames) if k not in cut)
+    return worth + 0.05 * standing

@@ -1,0 +1,140 @@
+"""Floors as they are laid: planks in rows, tiles and slabs with joints, carpet and concrete in one piece."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from sceneweaver.assets.body import Material, Mesh
+
+from .room_blocks import Builder
+
+SLAB = 0.06
+"""Thickness of the floor slab [m], under z = 0."""
+
+_JOINT_DEPTH = 0.004
+_SIDE = Material("slab side", (0.70, 0.68, 0.65), roughness=0.9)
+_WOOD = ((0.745, 0.575, 0.405), (0.715, 0.545, 0.380), (0.765, 0.600, 0.432), (0.690, 0.525, 0.365),
+         (0.735, 0.560, 0.388), (0.755, 0.590, 0.420))  # fmt: skip
+_TILE = ((0.865, 0.86, 0.845), (0.85, 0.845, 0.83), (0.875, 0.87, 0.858))
+_STONE = ((0.70, 0.685, 0.655), (0.675, 0.66, 0.63), (0.725, 0.71, 0.68), (0.69, 0.672, 0.64))
+
+
+def floor_mesh(kind: str, plan: np.ndarray, under: np.ndarray, seed: int = 0) -> Mesh:
+    """The floor with its top at z = 0.
+
+    Args:
+        kind: One of ``room_finish.FLOORS``.
+        plan: What is covered [N, 2], a simple polygon [m].
+        under: The outer outline of slab and walls [M, 2].
+        seed: Which tones the planks or tiles get.
+    """
+    builder = Builder()
+    joint = {
+        "wood": Material("joint", (0.42, 0.31, 0.21), roughness=0.9),
+        "tile": Material("joint", (0.66, 0.65, 0.63), roughness=0.95),
+        "stone": Material("joint", (0.50, 0.48, 0.45), roughness=0.95),
+    }
+    _sheet(builder, under, -_JOINT_DEPTH, -SLAB, joint.get(kind, _SIDE), _SIDE)
+    rng = np.random.default_rng(seed)
+    if kind == "wood":
+        tones = [Material(f"plank {k}", c, roughness=0.48, texture="wood") for k, c in enumerate(_WOOD)]
+        _laid(builder, plan, _planks(plan, rng), tones, rng)
+    elif kind == "tile":
+        tones = [Material(f"tile {k}", c, roughness=0.32) for k, c in enumerate(_TILE)]
+        _laid(builder, plan, _grid(plan, 0.45, 0.45, 0.004), tones, rng)
+    elif kind == "stone":
+        tones = [Material(f"slab {k}", c, roughness=0.4, texture="stone") for k, c in enumerate(_STONE)]
+        _laid(builder, plan, _grid(plan, 0.9, 0.6, 0.005, shift=0.5), tones, rng)
+    else:
+        look = {
+            "carpet": Material("carpet", (0.565, 0.575, 0.59), roughness=0.98, texture="fabric"),
+            "concrete": Material("concrete", (0.69, 0.685, 0.67), roughness=0.6, texture="stone"),
+        }[kind]
+        _flat(builder, [plan], look)
+    mesh = builder.mesh()
+    assert mesh is not None
+    return mesh
+
+
+def _sheet(builder: Builder, plan: np.ndarray, top: float, bottom: float, lid: Material, side: Material) -> None:
+    triangles = _triangulated([plan])
+    n = len(plan)
+    ring = np.arange(n)
+    after = (ring + 1) % n
+    walls = np.concatenate([np.stack([ring, after, after + n], 1), np.stack([ring, after + n, ring + n], 1)])
+    vertices = np.concatenate([np.column_stack([plan, np.full(n, z)]) for z in (bottom, top)])
+    builder.add(vertices, np.concatenate([triangles[:, ::-1], walls]), side)
+    builder.add(vertices, triangles + n, lid)
+
+
+def _flat(builder: Builder, rings: Sequence[np.ndarray], material: Material) -> None:
+    points = np.concatenate(rings)
+    builder.add(np.column_stack([points, np.zeros(len(points))]), _triangulated(rings), material)
+
+
+def _laid(
+    builder: Builder, plan: np.ndarray, cells: Iterator[np.ndarray], tones: Sequence[Material],
+    rng: np.random.Generator,
+) -> None:  # fmt: skip
+    """Cells [4, 2] cut to the plan, each in one of the tones."""
+    import shapely
+
+    whole = shapely.Polygon(plan)
+    shapely.prepare(whole)
+    for cell in cells:
+        piece = shapely.Polygon(cell)
+        tone = tones[int(rng.integers(len(tones)))]
+        if shapely.contains_properly(whole, piece):
+            builder.add(np.column_stack([cell, np.zeros(len(cell))]), np.array([[0, 1, 2], [0, 2, 3]]), tone)
+        elif shapely.intersects(whole, piece):
+            for part in shapely.get_parts(shapely.intersection(whole, piece)):
+                if part.geom_type == "Polygon" and part.area > 1e-6:
+                    ring = np.asarray(shapely.orient_polygons(part).exterior.coords)[:-1]
+                    _flat(builder, [ring], tone)
+
+
+def _planks(plan: np.ndarray, rng: np.random.Generator) -> Iterator[np.ndarray]:
+    """Planks along the longest edge of the plan, their ends shifted from row to row."""
+    centre, turn, low, high = _frame(plan)
+    width, gap = 0.17, 0.0022
+    for k in range(int(np.ceil((high[1] - low[1]) / width))):
+        y = low[1] + k * width
+        x = low[0] - float(rng.uniform(0.0, 1.6))
+        while x < high[0]:
+            length = float(rng.uniform(1.3, 2.2))
+            yield _cell(centre, turn, (x, x + length - gap), (y, y + width - gap))
+            x += length
+
+
+def _grid(plan: np.ndarray, length: float, width: float, gap: float, shift: float = 0.0) -> Iterator[np.ndarray]:
+    centre, turn, low, high = _frame(plan)
+    for row in range(int(np.ceil((high[1] - low[1]) / width))):
+        y = low[1] + row * width
+        x = low[0] - (shift * length if row % 2 else 0.0)
+        while x < high[0]:
+            yield _cell(centre, turn, (x, x + length - gap), (y, y + width - gap))
+            x += length
+
+
+def _frame(plan: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """A point, a rotation [2, 2] whose first row runs along the longest edge, and the bounds in that frame."""
+    edges = np.roll(plan, -1, axis=0) - plan
+    longest = edges[int(np.argmax(np.round(np.linalg.norm(edges, axis=1), 6)))]
+    u = longest / np.linalg.norm(longest)
+    turn = np.array([u, [-u[1], u[0]]])
+    local = (plan - plan[0]) @ turn.T
+    return plan[0], turn, local.min(axis=0), local.max(axis=0)
+
+
+def _cell(centre: np.ndarray, turn: np.ndarray, x: tuple[float, float], y: tuple[float, float]) -> np.ndarray:
+    corners = np.array([(x[0], y[0]), (x[1], y[0]), (x[1], y[1]), (x[0], y[1])])
+    return centre + corners @ turn
+
+
+def _triangulated(rings: Sequence[np.ndarray]) -> np.ndarray:
+    """Triangles [F, 3] of a simple polygon, counter-clockwise."""
+    import manifold3d
+
+    return np.asarray(manifold3d.triangulate([np.asarray(ring, dtype=np.float64) for ring in rings]), dtype=np.int32)

@@ -1,0 +1,163 @@
+"""Arrangements on tables: inside, apart, facing whom they serve, and what was asked for is there."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from sceneweaver.assets import categories
+from sceneweaver.knowledge.surfaces import arrangement_of, arrangements, crowd_of
+from sceneweaver.scene import InputError, Pose, Scene, SceneObject
+from sceneweaver.scene.model import Window
+from sceneweaver.tools.add_tabletop import AddTabletop
+from sceneweaver.tools.surface_geometry import Field, Prism, Shape
+
+from .surface_rooms import after, answer, faults, laid, room, standing
+
+TOOL = AddTabletop()
+NAMES = (
+    "desk_set laptop_desk bedside dining cafe_table bar_setting coffee_table side_table dresser_display vanity_set "
+    "sink_set bath_edge toilet_tank kitchen_counter stove_top kitchen_island sideboard_display console_display "
+    "tv_stand meeting reception_counter checkout workbench teacher_desk school_desk kids_table toy_top bed_dressing "
+    "sofa_dressing windowsill treatment_desk lab_bench music_desk bench_top ottoman_tray gym_bench_top waiting_table "
+    "washing_machine_top shelf_display generic"
+)
+
+
+def of(scene: Scene, category: str) -> list[SceneObject]:
+    return [o for o in scene.objects if o.category == category]
+
+
+def local(obj: SceneObject, frame: SceneObject) -> tuple[float, float]:
+    dx, dy = (a - b for a, b in zip(obj.pose.position[:2], frame.pose.position[:2], strict=True))
+    c, s = math.cos(frame.pose.yaw), math.sin(frame.pose.yaw)
+    return c * dx + s * dy, -s * dx + c * dy
+
+
+def test_data() -> None:
+    assert set(NAMES.split()) <= set(arrangements())
+    assert set(arrangement_of()) | set(crowd_of()) <= set(categories())
+    twice = [c for a in arrangements().values() for c in a.by_category]
+    assert len(twice) == len(set(twice))
+
+
+@pytest.mark.parametrize("category", sorted(arrangement_of()))
+def test_every_arrangement_stands(category: str) -> None:
+    obj = standing(category) if "floor" in categories()[category].mount else None
+    if obj is None or not obj.surfaces or obj.mount != "floor":
+        pytest.skip("hangs on a wall, or this body carries nothing")
+    scene = room([obj])
+    done = after(scene, answer(TOOL, scene, {"supports": [obj.id]}))
+    assert not faults(done)
+    assert all(o.attributes["group"] == obj.id for o in done.objects[1:])
+
+
+def test_desk() -> None:
+    scene = room([standing("desk")])
+    done = after(scene, answer(TOOL, scene))
+    (monitor,), (keyboard,), (pad,), (mouse,) = (of(done, n) for n in ("monitor", "keyboard", "mouse_pad", "mouse"))
+    desk = done.object("desk-0")
+    assert abs(math.remainder(monitor.pose.yaw - desk.pose.yaw, 2 * math.pi)) < 0.02
+    assert local(keyboard, desk)[0] > local(monitor, desk)[0] + 0.1
+    assert local(mouse, desk)[1] > local(keyboard, desk)[1] + 0.15  # at the right hand of who sits in front
+    assert mouse.support is not None and mouse.support.object == pad.id
+    assert ("in_front_of", keyboard.id, monitor.id) in {(r.type, r.subject, r.target) for r in done.relations}
+    assert not any(r.hard for r in done.relations)
+
+
+def test_chair_behind_the_desk() -> None:
+    desk, chair = standing("desk", at=(0.0, 0.0, 0.0)), standing("office_chair", at=(-0.75, 0.0, 0.0))
+    done = after(room([desk, chair]), answer(TOOL, room([desk, chair])))
+    assert abs(math.remainder(of(done, "monitor")[0].pose.yaw - math.pi, 2 * math.pi)) < 0.02
+
+
+@pytest.mark.parametrize("category", ["dining_table", "round_dining_table"])
+def test_a_place_before_each_chair(category: str) -> None:
+    scene = laid(category)
+    done = after(scene, answer(TOOL, scene))
+    assert not faults(done, tuple(scene.ids))
+    plates = of(done, "place_setting") or of(done, "plate")
+    assert len(plates) == 4
+    for plate in plates:
+        chair = min(of(done, "dining_chair"), key=lambda c: math.dist(c.pose.position[:2], plate.pose.position[:2]))
+        assert abs(math.remainder(plate.pose.yaw - chair.pose.yaw - math.pi, 2 * math.pi)) < 0.5
+    assert len({p.asset for p in plates}) == 1
+
+
+def test_same_seed_same_answer() -> None:
+    scene = room([standing("desk"), standing("sideboard", at=(3, 3, 0))])
+    assert answer(TOOL, scene) == answer(TOOL, scene)
+    assert answer(TOOL, scene) != answer(TOOL, scene, seed=2)
+
+
+def test_asked() -> None:
+    scene = room([standing("dining_table")])
+    wish = {
+        "supports": ["dining_table-0"],
+        "objects": [{"category": "candlestick", "count": 2}, {"category": "laptop"}],
+    }
+    done = after(scene, answer(TOOL, scene, wish))
+    assert len(of(done, "candlestick")) >= 2 and of(done, "laptop") and not faults(done)
+
+
+def test_too_much_is_said() -> None:
+    scene = room([standing("nightstand")])
+    proposal = answer(TOOL, scene, {"objects": [{"category": "microwave", "count": 6}]})
+    assert any("microwave" in line for line in proposal.unmet)
+    assert not faults(after(scene, proposal))
+
+
+def test_ids_are_new_and_dressed_stays() -> None:
+    scene = room([standing("desk")])
+    once = after(scene, answer(TOOL, scene))
+    assert not answer(TOOL, once).edits  # nothing lacks things
+    twice = after(once, answer(TOOL, once, {"supports": ["desk-0"], "arrangement": "generic"}))
+    assert len(set(twice.ids)) == len(twice.ids) and not faults(twice)
+
+
+def test_under_a_wall_cabinet_and_before_a_window() -> None:
+    counter = standing("kitchen_counter", at=(0.0, 0.0, math.pi / 2))
+    y = -5 + counter.size[0] / 2 + 0.01
+    counter = counter.model_copy(update={"pose": Pose.from_yaw(0, y, 0, math.pi / 2)})
+    low = SceneObject(
+        id="hood", category="range_hood", size=(0.5, 3.0, 0.5), mount="ceiling",
+        pose=Pose.from_yaw(0.0, -4.75, counter.size[2] + 0.2, math.pi / 2),
+    )  # fmt: skip
+    window = Window(id="window-0", wall=0, offset=3.0, width=4.0, sill=1.0, height=1.2)
+    for scene in (room([counter, low]), room([counter], windows=(window,))):
+        done = after(scene, answer(TOOL, scene))
+        assert len(done.objects) > len(scene.objects)
+        assert not faults(done, ("hood",))
+
+
+@pytest.mark.parametrize(
+    ("inputs", "words"),
+    [
+        ({"supports": ["nothing-0"]}, "supports: 'nothing-0'"),
+        ({"supports": "desk-0"}, "supports: give a list"),
+        ({"supports": ["office_chair-0"]}, "no surface"),
+        ({"arrangement": "desk_sett"}, "arrangement: 'desk_sett' is unknown"),
+        ({"objects": [{"count": 2}]}, r"objects\[0\]: give a category"),
+        ({"objects": [{"category": "mug", "count": 0}]}, r"objects\[0\].count"),
+        ({"objects": [{"category": "wardrobe"}]}, r"objects\[0\].category"),
+    ],
+)
+def test_bad_inputs(inputs: dict[str, object], words: str) -> None:
+    scene = room([standing("desk"), standing("office_chair", at=(3, 3, 0))])
+    with pytest.raises(InputError, match=words) as caught:
+        answer(TOOL, scene, inputs)
+    assert "\n" not in str(caught.value)
+
+
+def test_field_of_any_simple_polygon() -> None:
+    ell = np.array([(0, 0), (1, 0), (1, 0.4), (0.4, 0.4), (0.4, 1), (0, 1)], dtype=float)
+    square = np.array([(-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1)])
+    shape = Shape((Prism(square, 0.0, 0.2),), (0.2, 0.2, 0.2))
+    field = Field(ell, headroom=0.5)
+    at = np.array([(0.2, 0.2), (0.8, 0.2), (0.2, 0.8), (0.8, 0.8), (0.45, 0.45), (0.05, 0.2)])
+    assert field.free(shape, 0.0, at).tolist() == [True, True, True, False, False, False]
+    field.put(shape, 0.0, (0.2, 0.2))
+    assert not field.free(shape, 0.3, np.array([(0.3, 0.2)]))[0]
+    assert not Field(ell, headroom=0.1).free(shape, 0.0, at).any()
