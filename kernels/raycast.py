@@ -50,7 +50,8 @@ class Lens:
 @wp.struct
 class Light:
     """The sun's direction (unit, toward it), its softness (tangent of the half angle), colours, and how far walls of
-    occlusion are looked for [m]."""
+    occlusion are looked for [m]; ``bounce`` is how much light near surfaces throw back in their colour (0: a plain
+    share). The beam is a second sun that the shutters hold off, and ``lamps`` the number of small lights."""
 
     sun: wp.vec3
     softness: float
@@ -58,11 +59,21 @@ class Light:
     sky: wp.vec3
     ground: wp.vec3
     reach: float
+    bounce: float
+    beam: wp.vec3
+    beam_softness: float
+    beam_color: wp.vec3
+    beam_floor: float
+    lamp_color: wp.vec3
+    lamps: int
 
 
 @wp.struct
 class Solid:
-    """The world: a mesh, its normals at triangle corners, looks, object numbers and object coordinates."""
+    """The world: a mesh, its normals at triangle corners, looks, object numbers and object coordinates.
+
+    ``shutters`` is a mesh that nobody sees: it only holds off the beam. ``lamps`` are small lights: place, power.
+    """
 
     mesh: wp.uint64
     normals: wp.array(dtype=wp.vec3)
@@ -72,6 +83,8 @@ class Solid:
     face_grain: wp.array(dtype=int)
     faces: wp.array(dtype=int)
     local: wp.array(dtype=wp.vec3)
+    shutters: wp.uint64
+    lamps: wp.array(dtype=wp.vec4)
 
 
 @wp.func
@@ -154,11 +167,47 @@ def _open(solid: Solid, origin: wp.vec3, direction: wp.vec3, reach: float):
 
 
 @wp.func
+def _around(solid: Solid, light: Light, origin: wp.vec3, direction: wp.vec3):
+    """The light that comes from the surroundings: the sky, or a near surface that throws light back in its colour."""
+    sky = _sky(direction, light)
+    if light.bounce <= 0.0:
+        return sky * (0.28 + 0.72 * _open(solid, origin, direction, light.reach))
+    seen = sky
+    hit = wp.mesh_query_ray(solid.mesh, origin, direction, light.reach)
+    if hit.result:
+        look = solid.looks[solid.face_look[hit.face]]
+        if look.emission <= 0.5:
+            # What is near hides all of the sky, what is far hardly any of it: there is no edge where the reach ends.
+            far = hit.t / light.reach
+            share = look.opacity * (1.0 - far * far)
+            thrown = wp.cw_mul(look.color * 0.75 + wp.vec3(0.12), light.sky) * light.bounce
+            seen = sky * (1.0 - share) + thrown * share
+    return seen
+
+
+@wp.func
+def _lamplight(solid: Solid, light: Light, point: wp.vec3, n: wp.vec3):
+    """The soft light of small lamps near by; it throws no shadows."""
+    total = float(0.0)
+    for k in range(light.lamps):
+        lamp = solid.lamps[k]
+        gap = wp.vec3(lamp[0], lamp[1], lamp[2]) - point
+        square = wp.dot(gap, gap)
+        if square < 9.0:
+            facing = wp.max(0.0, 0.25 + 0.75 * wp.dot(n, gap) / wp.sqrt(square + 1.0e-6))
+            fade = 1.0 - square / 9.0
+            total = total + lamp[3] * facing * fade * fade / (0.12 + square)
+    return light.lamp_color * total
+
+
+@wp.func
 def _point(solid: Solid, face: int, u: float, v: float):
     """A point of a triangle in its object's frame."""
-    a, b, c = solid.local[solid.faces[3 * face]], solid.local[solid.faces[3 * face + 1]], solid.local[
-        solid.faces[3 * face + 2]
-    ]
+    a, b, c = (
+        solid.local[solid.faces[3 * face]],
+        solid.local[solid.faces[3 * face + 1]],
+        solid.local[solid.faces[3 * face + 2]],
+    )
     return a * u + b * v + c * (1.0 - u - v)
 
 
@@ -199,6 +248,7 @@ def cast(
     lens: Lens,
     light: Light,
     background: wp.vec3,
+    pixels: wp.array(dtype=int),
     width: int,
     height: int,
     start: int,
@@ -213,11 +263,11 @@ def cast(
     depth_out: wp.array(dtype=float),
     object_out: wp.array(dtype=int),
 ):
-    """Colour, diffuse light, shine and normal of each pixel, means over ``rays`` rays; depth and object of its middle.
+    """Colour, diffuse light, shine and normal of some pixels, means over ``rays`` rays; depth and object of the middle.
 
     Light is sampled alike in tiles of ``period`` pixels; depth is a distance along the ray.
     """
-    pixel = start + wp.tid()
+    pixel = pixels[start + wp.tid()]
     px, py = pixel % width, pixel // width
     tile = (py % period) * period + px % period
     color, lit, shine, mean = wp.vec3(0.0), wp.vec3(0.0), wp.vec3(0.0), wp.vec3(0.0)
@@ -273,9 +323,8 @@ def cast(
                 a = 2.0 * _PI * e[1]
                 d = t1 * (r * wp.cos(a)) + t2 * (r * wp.sin(a)) + n * wp.sqrt(wp.max(0.0, 1.0 - r * r))
                 if wp.dot(d, flat) > 0.0:
-                    free = _open(solid, origin, d, light.reach)
                     # What is shaded still gets some light that others throw back.
-                    around = around + _sky(d, light) * (0.28 + 0.72 * free)
+                    around = around + _around(solid, light, origin, d)
                 else:
                     around = around + _sky(d, light) * 0.28
             around = around * (1.0 / float(shades))
@@ -290,6 +339,19 @@ def cast(
             sun = wp.vec3(0.0)
             if cosine > 0.0 and wp.dot(flat, toward) > 0.0:
                 sun = light.sun_color * (cosine * _open(solid, origin, toward, 40.0))
+            if light.beam_color[0] > 0.0 and point[2] > light.beam_floor:
+                c1 = _tangent(light.beam)
+                c2 = wp.cross(light.beam, c1)
+                rb = light.beam_softness * wp.sqrt(f[1])
+                ab = 2.0 * _PI * f[0]
+                slant = wp.normalize(light.beam + c1 * (rb * wp.cos(ab)) + c2 * (rb * wp.sin(ab)))
+                lean = wp.dot(n, slant)
+                if lean > 0.0 and wp.dot(flat, slant) > 0.0:
+                    held = wp.mesh_query_ray(solid.shutters, origin, slant, 60.0)
+                    if not held.result:
+                        sun = sun + light.beam_color * (lean * _open(solid, origin, slant, 40.0))
+            if light.lamps > 0:
+                around = around + _lamplight(solid, light, point, n)
             diffuse = base * ((1.0 - look.metallic) * share)
             color = color + diffuse
             lit = lit + (around + sun) * share
@@ -357,7 +419,10 @@ def develop(
                 if objects[other] == objects[pixel]:
                     alike = wp.max(0.0, wp.dot(n, normal[other]))
                     gap = wp.abs(depth[other] - far) / wp.max(0.02 * far, 1.0e-3)
-                    w = wp.pow(alike, 24.0) * wp.exp(-gap * gap) + 1.0e-4 * wp.where(other == pixel, 1.0, 0.0)
+                    a2 = alike * alike
+                    a4 = a2 * a2
+                    a8 = a4 * a4
+                    w = a8 * a8 * a8 * wp.exp(-gap * gap) + 1.0e-4 * wp.where(other == pixel, 1.0, 0.0)
                     total = total + light[other] * w
                     weight = weight + w
     lit = total / weight

@@ -7,12 +7,29 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets import Asset, Library, Wish, categories
-from sceneweaver.assets.taxonomy import members
+from sceneweaver.assets.taxonomy import members, singular
 from sceneweaver.brief import Asked, Brief
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.scene import InputError
 
 FULL_LENGTH, BLIND = ("curtain", "sheer_curtain"), "window_blind"
+
+GENERAL = (
+    "table",
+    "chair",
+    "bed",
+    "desk",
+    "lamp",
+    "shelf",
+    "cabinet",
+    "sink",
+    "light",
+    "seat",
+    "plant",
+    "rack",
+    "sofa",
+)
+"""Words of a request that leave the kind to the room."""
 
 RANK = {"asked": 0, "needed": 1, "usual": 2, "optional": 3}
 
@@ -100,11 +117,11 @@ def demands(room: RoomType, brief: Brief, area: float, people: int, windows: int
     rng = random.Random(seed)
     banned = {name for word in brief.without for name in (word, *members(word))}
     asked = {a.id: a for a in brief.objects}
-    holders = {i.with_ for i in room.items if any(matches(a.category, i) for a in brief.objects)}
+    holders = {i.with_ for i in room.items if any(matches(a, i) for a in brief.objects)}
     found: list[Demand] = []
     for item in room.items:
         draw, pick, keep = rng.random(), rng.random(), rng.random()
-        meant = [a for a in asked.values() if matches(a.category, item)]
+        meant = [a for a in asked.values() if matches(a, item)]
         if meant:
             for one in meant:
                 del asked[one.id]
@@ -128,9 +145,16 @@ def demands(room: RoomType, brief: Brief, area: float, people: int, windows: int
     return found
 
 
-def matches(category: str, item: Item) -> bool:
-    """Whether something asked for is what an item of the room stands for."""
-    return category in item.what or any(category in members(name) for name in item.what)
+def matches(asked: Asked, item: Item) -> bool:
+    """Whether something asked for is what an item of the room stands for; a "table" is a conference table, too."""
+    if asked.category in item.what or any(asked.category in members(name) for name in item.what):
+        return True
+    return loose(asked) and any(name.endswith("_" + singular(asked.noun)) for name in item.what)
+
+
+def loose(asked: Asked) -> bool:
+    """Whether a request used a general word ("chair"), which each kind of room has its own kind of."""
+    return singular(asked.noun) in GENERAL and not asked.style and not any(asked.size)
 
 
 def _hangs_at_windows(item: Item) -> bool:
@@ -156,7 +180,10 @@ def _asked_demand(asked: Asked, item: Item | None, area: float, people: int, dra
         count = max(low, min(high, usual))
     else:
         count = item.count.of(area, people, draw) if item else 1
-    return Demand(item, (asked.category,), count, 0, asked, count)
+    names = (asked.category,)
+    if item is not None and asked.category not in item.what and loose(asked):
+        names = item.what
+    return Demand(item, names, count, 0, asked, count)
 
 
 def build(

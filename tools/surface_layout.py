@@ -86,6 +86,8 @@ class Layer:
                 continue
             if slot.by is not None and one is None and not any(s.slot == slot.by for s in self._standing):
                 continue
+            if one is None and self._there_already(slot):
+                continue
             if slot.only and not any(s.slot == slot.by and s.asset.category in slot.only for s in self._standing):
                 continue
             if slot.on is not None and not any(s.slot == slot.on for s in self._standing):
@@ -101,6 +103,14 @@ class Layer:
         return self.done
 
     # one thing
+
+    def _there_already(self, slot: Slot) -> bool:
+        """Whether something near the support makes the slot needless, such as a television on the wall above it."""
+        x, y, _ = self._support.pose.position
+        return any(
+            o.category in slot.unless and math.hypot(o.pose.position[0] - x, o.pose.position[1] - y) < 1.5
+            for o in self._around.scene.objects
+        ) or any(s.object.category in slot.unless for s in self._standing)
 
     def _single(self, slot: Slot, one: Asked | None) -> bool:
         base = next((s for s in self._standing if s.slot == slot.on), None) if slot.on else None

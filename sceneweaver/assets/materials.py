@@ -82,6 +82,11 @@ def color_named(text: str) -> str:
     return word
 
 
+def color_words() -> tuple[str, ...]:
+    """Every word that `color_named` knows, but for those that name a material."""
+    return (*_COLORS, *(word for word in _ALIASES if word not in ("wood", "wooden")))
+
+
 def color_name(color: tuple[float, float, float]) -> str:
     """The basic colour nearest to an sRGB colour, by distance in CIELAB."""
     names = list(_COLORS)

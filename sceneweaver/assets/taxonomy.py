@@ -49,6 +49,12 @@ def _words() -> dict[str, tuple[str, How]]:
 
 
 @cache
+def phrases() -> dict[str, str]:
+    """Every known word or phrase, lower case, with the category or group that it names."""
+    return {word: name for word, (name, _) in _words().items()}
+
+
+@cache
 def members(group: str) -> tuple[str, ...]:
     """The categories with a body that belong to a group, directly or not."""
     known = categories()

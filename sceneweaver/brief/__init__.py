@@ -3,5 +3,6 @@
 from .model import Asked as Asked
 from .model import AskedRelation as AskedRelation
 from .model import Brief as Brief
+from .read import read_brief as read_brief
 
-__all__ = ["Asked", "AskedRelation", "Brief"]
+__all__ = ["Asked", "AskedRelation", "Brief", "read_brief"]

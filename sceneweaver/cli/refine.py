@@ -90,50 +90,6 @@ def run_refine(
     return result.exit_code
 
 
-def run_demo(
-    out: Path,
-    *,
-    example: str,
-    candidates: int,
-    seed: int,
-    device: str,
-    time_limit: float | None,
-    as_json: bool,
-) -> int:
-    """Refine a bundled room from random starts into a folder."""
-    if out.suffix == ".json":
-        raise InputError(f"--out: {out} looks like a file; give a folder")
-    result = _run(
-        Scene.example(example), out, picture=True, candidates=candidates, seed=seed, init="random", device=device,
-        optimizer="search", time_limit=time_limit,
-    )  # fmt: skip
-    if as_json:
-        print_json(result.to_dict())
-        return result.exit_code
-    report, solution = result.report, result.solution
-    from rich.console import Console
-    from rich.table import Table
-
-    table = Table(title=f"{solution.best.id}: {report.placed} objects, {relations_line(report)}", title_justify="left")
-    for name in ("candidates", "valid", "seconds", "layouts/s", "valid layouts/s", "device"):
-        table.add_column(name, justify="right", no_wrap=True)
-    rate = 1 / max(solution.elapsed, 1e-9)
-    table.add_row(
-        str(solution.candidates),
-        f"{100 * result.valid_candidates / max(solution.candidates, 1):.1f} %",
-        f"{solution.elapsed:.2f}",
-        f"{solution.candidates * rate:.0f}",
-        f"{result.valid_candidates * rate:.0f}",
-        str(solution.device),
-    )
-    Console().print(table)
-    headline("best layout", report.valid, "checked by the judge")
-    list_violations(report)
-    _explain(result)
-    list_files(list(result.files.values()))
-    return result.exit_code
-
-
 def _run(scene: Scene, out: Path, *, picture: bool, **options: Any) -> Result:
     """Refine, judge and write a scene."""
     single = out.suffix == ".json"

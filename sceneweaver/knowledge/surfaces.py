@@ -76,6 +76,9 @@ class Slot(_Kinds):
     drift: float = Field(default=0.015, description="How far the place strays [m]")
     reach: float = Field(default=0.16, description="How far it may move to where there is room [m]")
     relate: str | None = Field(default=None, description="Relation to the thing of ``by`` (or ``on``) that this means")
+    unless: tuple[str, ...] = Field(
+        default=(), description="Categories that make it needless when one is within 1.5 m already"
+    )
     least: tuple[float, float] = Field(default=(0.0, 0.0), description="Depth and width [m] of a support worth it")
 
     @model_validator(mode="after")

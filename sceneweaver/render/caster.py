@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -31,7 +32,13 @@ class Instance:
 
 @dataclass(frozen=True)
 class Lighting:
-    """Sun and sky, in linear light; ``sun`` points toward it, ``reach`` is how far occlusion is looked for [m]."""
+    """Sun and sky, in linear light; ``sun`` points toward it, ``reach`` is how far occlusion is looked for [m].
+
+    ``bounce`` is how much light near surfaces throw back in their own colour (0: a plain share of the sky's).
+    ``beam`` is a second sun that shines past ``shutters`` only, a mesh that nobody sees, and on nothing below the
+    height ``beam_floor`` [m]; when it is black there is none.
+    ``lamps`` are small lights (x, y, z [m], power) in one colour; they reach 3 m and throw no shadows.
+    """
 
     sun: tuple[float, float, float] = (0.55, -0.35, 0.75)
     softness: float = 0.08
@@ -41,15 +48,43 @@ class Lighting:
     background: tuple[float, float, float] = (0.86, 0.86, 0.85)
     reach: float = 1.5
     exposure: float = 0.92
+    bounce: float = 0.0
+    beam: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    beam_softness: float = 0.02
+    beam_color: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    beam_floor: float = -math.inf
+    shutters: Mesh | None = None
+    lamps: tuple[tuple[float, float, float, float], ...] = ()
+    lamp_color: tuple[float, float, float] = (1.0, 0.78, 0.52)
 
 
 @dataclass(frozen=True)
 class Quality:
-    """Rays a pixel, shade rays a ray, and the radius [pixels] over which diffuse light is smoothed (0: not at all)."""
+    """Rays a pixel, shade rays a ray, and the radius [pixels] over which diffuse light is smoothed (0: not at all).
+
+    With ``sparing`` only pixels where something ends or changes get all rays, the rest one: much faster for pictures
+    of large plain surfaces.
+    """
 
     rays: int = 6
     shades: int = 2
     radius: int = 2
+    sparing: bool = False
+
+    @classmethod
+    def draft(cls) -> Quality:
+        """For a quick look."""
+        return cls(rays=3, shades=2, radius=2, sparing=True)
+
+    @classmethod
+    def normal(cls) -> Quality:
+        """For a report."""
+        return cls(rays=5, shades=2, radius=3, sparing=True)
+
+    @classmethod
+    def fine(cls) -> Quality:
+        """For a front page."""
+        return cls(rays=12, shades=3, radius=3)
 
 
 @dataclass(frozen=True)
@@ -86,17 +121,19 @@ def cast(
     _check_device(device)
     pixels = width * height
     with wp.ScopedDevice(device):
-        solid, keep = _solid(instances)
+        solid, keep = _solid(instances, lighting)
         lens = raycast.Lens()
         for key in ("eye", "forward", "right", "up"):
             setattr(lens, key, wp.vec3(*getattr(camera, key)))
         lens.flat = int(camera.flat)
         light = raycast.Light()
         light.sun = wp.normalize(wp.vec3(*lighting.sun))  # pyright: ignore[reportCallIssue, reportArgumentType]
-        light.softness = lighting.softness
-        for key in ("sun_color", "sky", "ground"):
+        light.beam = wp.normalize(wp.vec3(*lighting.beam))  # pyright: ignore[reportCallIssue, reportArgumentType]
+        for key in ("sun_color", "sky", "ground", "beam_color", "lamp_color"):
             setattr(light, key, wp.vec3(*getattr(lighting, key)))
-        light.reach = lighting.reach
+        for key in ("softness", "reach", "bounce", "beam_softness", "beam_floor"):
+            setattr(light, key, getattr(lighting, key))
+        light.lamps = len(lighting.lamps)
         color, lit, shine, normal, out = (
             wp.empty(pixels, dtype=wp.vec3)  # pyright: ignore[reportArgumentType]
             for _ in range(5)
@@ -105,16 +142,28 @@ def cast(
         sky = wp.vec3(*lighting.background)
         period = 2 * quality.radius + 1
 
-        def draw(start: int, count: int) -> None:
-            given = [solid, lens, light, sky, width, height, start, quality.rays, quality.shades, period]
-            wp.launch(raycast.cast, count, given, [color, lit, shine, normal, depth, objects], device=device)
+        one_core = wp.get_device(device).is_cpu
+
+        def draw(which: np.ndarray, rays: int) -> None:
+            chosen = wp.array(which, dtype=int)
+
+            def band(start: int, count: int) -> None:
+                given = [solid, lens, light, sky, chosen, width, height, start, rays, quality.shades, period]
+                wp.launch(raycast.cast, count, given, [color, lit, shine, normal, depth, objects], device=device)
+
+            _in_bands(band, len(which), one_core)
 
         def develop(start: int, count: int) -> None:
             wp.launch(raycast.develop, count, [width, height, start, quality.radius, lighting.exposure, color, lit,
                       shine, normal, depth, objects], [out], device=device)  # fmt: skip
 
-        for work in (draw, develop):
-            _in_bands(work, pixels, wp.get_device(device).is_cpu)
+        draw(np.arange(pixels), 1 if quality.sparing else quality.rays)
+        if quality.sparing and quality.rays > 1:
+            shape = (height, width)
+            edges = _changes(objects.numpy().reshape(shape), depth.numpy().reshape(shape),
+                             *(a.numpy().reshape(*shape, 3) for a in (normal, color, shine)))  # fmt: skip
+            draw(np.flatnonzero(edges), quality.rays)
+        _in_bands(develop, pixels, one_core)
         rgb = (out.numpy().reshape(height, width, 3) * 255.0 + 0.5).astype(np.uint8)
         seen = objects.numpy().reshape(height, width)
         distance = np.where(seen >= 0, depth.numpy().reshape(height, width), np.float32(np.inf))
@@ -123,9 +172,31 @@ def cast(
     return picture
 
 
+def _changes(
+    objects: np.ndarray, depth: np.ndarray, normal: np.ndarray, color: np.ndarray, shine: np.ndarray
+) -> np.ndarray:
+    """Where one ray is not enough, bool [H, W]: pixels that differ from one of their eight neighbours."""
+    found = np.zeros(objects.shape, dtype=bool)
+    height, width = objects.shape
+    glow = np.minimum(shine.sum(axis=2), 3.0)
+    for dy, dx in ((0, 1), (1, 0), (1, 1), (1, -1)):
+        here = (slice(0, height - dy), slice(max(0, -dx), width - max(0, dx)))
+        there = (slice(dy, height), slice(max(0, dx), width + min(0, dx)))
+        unlike = objects[here] != objects[there]
+        unlike |= np.abs(depth[here] - depth[there]) > 0.02 * depth[here]
+        unlike |= np.einsum("ijk,ijk->ij", normal[here], normal[there]) < 0.96
+        unlike |= np.abs(color[here] - color[there]).max(axis=2) > 0.05
+        unlike |= np.abs(glow[here] - glow[there]) > 0.15
+        found[here] |= unlike
+        found[there] |= unlike
+    return found
+
+
 def _in_bands(work, pixels: int, split: bool) -> None:
     """All pixels at once on a GPU; on the CPU, where a kernel has one thread, in bands over Python threads."""
     threads = os.cpu_count() or 1
+    if pixels == 0:
+        return
     if not split or threads == 1 or pixels < 4096:
         work(0, pixels)
         return
@@ -135,7 +206,7 @@ def _in_bands(work, pixels: int, split: bool) -> None:
         list(pool.map(lambda k: work(int(cuts[k]), int(cuts[k + 1] - cuts[k])), range(4 * threads)))
 
 
-def _solid(instances: list[Instance]):
+def _solid(instances: list[Instance], lighting: Lighting):
     """The world of all instances, and what must live as long as it is drawn."""
     looks, numbers = [], []
     points, local, faces, normals, look_of, grain = [], [], [], [], [], []
@@ -169,7 +240,16 @@ def _solid(instances: list[Instance]):
     solid.face_grain = wp.array(np.concatenate(grain), dtype=int)
     solid.faces = flat
     solid.local = wp.array(np.concatenate(local), dtype=wp.vec3)
-    return solid, mesh
+    shutters = lighting.shutters
+    if shutters is None:
+        shutters = Mesh(np.array([[0, 0, -1e6], [1e-3, 0, -1e6], [0, 1e-3, -1e6]]), np.array([[0, 1, 2]]),
+                        np.zeros(1, int), np.zeros(1, int), ())  # fmt: skip
+    behind = wp.Mesh(
+        points=wp.array(shutters.vertices, dtype=wp.vec3), indices=wp.array(shutters.faces.reshape(-1), dtype=int)
+    )
+    solid.shutters = behind.id
+    solid.lamps = wp.array(np.asarray(lighting.lamps or ((0.0, 0.0, 0.0, 0.0),), dtype=np.float32), dtype=wp.vec4)
+    return solid, (mesh, behind)
 
 
 def _transform(instance: Instance, number: int) -> np.ndarray:

@@ -12,9 +12,10 @@ Range = tuple[float, float]
 
 
 class Builder:
-    """Collects convex prisms in the world's frame [m] and turns them into one mesh."""
+    """Collects convex prisms in the world's frame [m] and turns them into one mesh; all are cut at ``top`` [m]."""
 
-    def __init__(self) -> None:
+    def __init__(self, top: float = float("inf")) -> None:
+        self.top = top
         self._vertices: list[np.ndarray] = []
         self._faces: list[np.ndarray] = []
         self._kinds: list[np.ndarray] = []
@@ -25,6 +26,9 @@ class Builder:
         self, plan: np.ndarray, z: Range, material: Material, top: Material | None = None, base: bool = True
     ) -> None:
         """A convex counter-clockwise ``plan`` [N, 2] from ``z[0]`` to ``z[1]``; ``top`` is the look of its lid."""
+        if z[0] >= self.top - 1e-9:
+            return
+        z = (z[0], min(z[1], self.top))
         n = len(plan)
         ring = np.arange(n)
         after = (ring + 1) % n

@@ -19,7 +19,7 @@ _BY_WORD = {
     "stone": "lobby reception museum gallery bank",
 }  # fmt: skip
 _FLOOR_OF = {word: floor for floor, words in _BY_WORD.items() for word in words.split()}
-_PAINT = Material("wall paint", (0.93, 0.92, 0.90), roughness=0.95)
+_PAINT = Material("wall paint", (0.905, 0.89, 0.865), roughness=0.95)
 
 
 @dataclass(frozen=True)

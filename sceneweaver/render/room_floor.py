@@ -17,11 +17,15 @@ _JOINT_DEPTH = 0.004
 _SIDE = Material("slab side", (0.70, 0.68, 0.65), roughness=0.9)
 _WOOD = ((0.745, 0.575, 0.405), (0.715, 0.545, 0.380), (0.765, 0.600, 0.432), (0.690, 0.525, 0.365),
          (0.735, 0.560, 0.388), (0.755, 0.590, 0.420))  # fmt: skip
-_TILE = ((0.865, 0.86, 0.845), (0.85, 0.845, 0.83), (0.875, 0.87, 0.858))
+_TILE = ((0.795, 0.775, 0.745), (0.775, 0.757, 0.728), (0.810, 0.790, 0.760))
 _STONE = ((0.70, 0.685, 0.655), (0.675, 0.66, 0.63), (0.725, 0.71, 0.68), (0.69, 0.672, 0.64))
 
+_TONES = {"wood": _WOOD, "tile": _TILE, "stone": _STONE}
+_JOINTS = {"wood": (0.40, 0.29, 0.19), "tile": (0.60, 0.58, 0.55), "stone": (0.46, 0.44, 0.41)}
+_GAPS = {"wood": 0.0024, "tile": 0.004, "stone": 0.004}
 
-def floor_mesh(kind: str, plan: np.ndarray, under: np.ndarray, seed: int = 0) -> Mesh:
+
+def floor_mesh(kind: str, plan: np.ndarray, under: np.ndarray, seed: int = 0, pixel: float = 0.0) -> Mesh:
     """The floor with its top at z = 0.
 
     Args:
@@ -29,24 +33,26 @@ def floor_mesh(kind: str, plan: np.ndarray, under: np.ndarray, seed: int = 0) ->
         plan: What is covered [N, 2], a simple polygon [m].
         under: The outer outline of slab and walls [M, 2].
         seed: Which tones the planks or tiles get.
+        pixel: Size of a pixel on the floor [m]: joints thinner than that are drawn wider and paler, as they would
+            look from afar, so that they do not break up into dashes.
     """
     builder = Builder()
-    joint = {
-        "wood": Material("joint", (0.42, 0.31, 0.21), roughness=0.9),
-        "tile": Material("joint", (0.66, 0.65, 0.63), roughness=0.95),
-        "stone": Material("joint", (0.50, 0.48, 0.45), roughness=0.95),
-    }
-    _sheet(builder, under, -_JOINT_DEPTH, -SLAB, joint.get(kind, _SIDE), _SIDE)
+    gap, joint = _GAPS.get(kind, 0.0), _SIDE
+    if gap:
+        wide = max(gap, min(1.1 * pixel, 0.02))
+        tone = (1 - gap / wide) * np.asarray(_TONES[kind][0]) + gap / wide * np.asarray(_JOINTS[kind])
+        gap, joint = wide, Material("joint", (float(tone[0]), float(tone[1]), float(tone[2])), roughness=0.9)
+    _sheet(builder, under, -_JOINT_DEPTH, -SLAB, joint, _SIDE)
     rng = np.random.default_rng(seed)
     if kind == "wood":
         tones = [Material(f"plank {k}", c, roughness=0.48, texture="wood") for k, c in enumerate(_WOOD)]
-        _laid(builder, plan, _planks(plan, rng), tones, rng)
+        _laid(builder, plan, _planks(plan, rng, gap), tones, rng)
     elif kind == "tile":
         tones = [Material(f"tile {k}", c, roughness=0.32) for k, c in enumerate(_TILE)]
-        _laid(builder, plan, _grid(plan, 0.45, 0.45, 0.004), tones, rng)
+        _laid(builder, plan, _grid(plan, 0.45, 0.45, gap), tones, rng)
     elif kind == "stone":
         tones = [Material(f"slab {k}", c, roughness=0.4, texture="stone") for k, c in enumerate(_STONE)]
-        _laid(builder, plan, _grid(plan, 0.9, 0.6, 0.005, shift=0.5), tones, rng)
+        _laid(builder, plan, _grid(plan, 0.9, 0.6, gap, shift=0.5), tones, rng)
     else:
         look = {
             "carpet": Material("carpet", (0.565, 0.575, 0.59), roughness=0.98, texture="fabric"),
@@ -95,10 +101,10 @@ def _laid(
                     _flat(builder, [ring], tone)
 
 
-def _planks(plan: np.ndarray, rng: np.random.Generator) -> Iterator[np.ndarray]:
+def _planks(plan: np.ndarray, rng: np.random.Generator, gap: float) -> Iterator[np.ndarray]:
     """Planks along the longest edge of the plan, their ends shifted from row to row."""
     centre, turn, low, high = _frame(plan)
-    width, gap = 0.17, 0.0022
+    width = 0.17
     for k in range(int(np.ceil((high[1] - low[1]) / width))):
         y = low[1] + k * width
         x = low[0] - float(rng.uniform(0.0, 1.6))

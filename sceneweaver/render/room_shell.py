@@ -39,7 +39,9 @@ def frames_of(room: Room) -> list[WallFrame]:
     return [WallFrame(outline[k], outline[(k + 1) % len(outline)]) for k in range(len(outline))]
 
 
-def build_shell(room: Room, look: Finishes, cut: Collection[int] = (), top: float | None = None) -> Shell:
+def build_shell(
+    room: Room, look: Finishes, cut: Collection[int] = (), top: float | None = None, pixel: float = 0.0
+) -> Shell:
     """The shell of a room.
 
     Args:
@@ -47,24 +49,27 @@ def build_shell(room: Room, look: Finishes, cut: Collection[int] = (), top: floa
         look: What it is made of.
         cut: Walls that stand between camera and room: only a stub of them is left.
         top: Height [m] at which all walls are cut; None: the ceiling.
+        pixel: Size of a pixel on the floor [m], see ``floor_mesh``.
     """
     frames = frames_of(room)
     shifts = [_mitre(frames[k - 1], frames[k]) for k in range(len(frames))]
     high = room.height if top is None else min(top, room.height)
     walls = []
     for k, frame in enumerate(frames):
-        builder = Builder()
+        builder = Builder(high)
         ends = (-shifts[k], frame.length + shifts[(k + 1) % len(frames)])
         if k in cut:
             _wall(builder, room, k, frame, ends, STUB, look)
         else:
             _wall(builder, room, k, frame, ends, high, look)
+            builder.top = high - 0.002  # where all is cut, frames do not end in the plane of the wall's cut
             _fittings(builder, room, k, frame, look)
         walls.append(builder.mesh())
     outline = np.asarray(room.outline, dtype=float)
     outer = _outer(outline)
     seed = zlib.crc32(repr(room.outline).encode())
-    return Shell(floor_mesh(look.floor, _covered(room, frames, outline), outer, seed), tuple(walls), outer)
+    floor = floor_mesh(look.floor, _covered(room, frames, outline), outer, seed, pixel)
+    return Shell(floor, tuple(walls), outer)
 
 
 def wall_pieces(room: Room, wall: int, length: float, height: float) -> list[tuple[Range, Range]]:
@@ -132,7 +137,7 @@ def _covered(room: Room, frames: list[WallFrame], outline: np.ndarray) -> np.nda
         block = frames[door.wall].block((door.offset, door.offset + door.width), (-0.01, WALL_THICKNESS))
         parts.append(shapely.Polygon(block))
     whole = shapely.union_all(parts)
-    if whole.geom_type != "Polygon":
+    if not isinstance(whole, shapely.Polygon):
         return outline
     return np.asarray(shapely.orient_polygons(whole).exterior.coords)[:-1]
 

@@ -13,11 +13,17 @@ from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.messages import suggest
 
 from .camera import Camera
-from .caster import Instance, Lighting, Quality, cast
+from .caster import Instance, Quality, cast
 from .room_bodies import hidden_with, instances_of
 from .room_camera import corner_camera, corner_directions, cut_walls, opposite
 from .room_finish import finishes_of
+from .room_light import corner_light, top_light
+from .room_notes import annotated
 from .room_shell import SLAB, build_shell
+from .shapes import WALL_THICKNESS
+from .view import View
+
+_CUT = 1.5  # height [m] at which pictures from above cut the walls: through most windows
 
 ROOM_VIEWS = ("corner", "corner2", "top", "top_annotated")
 
@@ -50,7 +56,11 @@ def draw_rooms(
     """Several pictures of one room, by view; see ``draw_room``."""
     for view in views:
         if view not in ROOM_VIEWS:
-            raise InputError(f"view: '{view}' is unknown{suggest(view, ROOM_VIEWS)}; use one of {', '.join(ROOM_VIEWS)}")
+            known = ", ".join(ROOM_VIEWS)
+            raise InputError(f"view: '{view}' is unknown{suggest(view, ROOM_VIEWS)}; use one of {known}")
+    if width < 16 or height < 16:
+        raise InputError(f"width, height: {width} x {height} pixels are too few for a room; use at least 16 x 16")
+    quality = quality or Quality.normal()
     things = instances_of(scene, load)
     done: dict[str, Image.Image] = {}
     for view in views:
@@ -60,7 +70,7 @@ def draw_rooms(
             if "top" not in done:
                 done["top"] = _top(scene, things, width, height, quality, device)
             if view == "top_annotated":
-                done[view] = done["top"]
+                done[view] = annotated(done["top"], scene, _plan(scene, width, height))
     return {view: done[view] for view in views}
 
 
@@ -71,12 +81,12 @@ def _corner(
     way = opposite(ways) if across else ways[0]
     cut = cut_walls(scene, way)
     gone = hidden_with(scene, cut)
-    shell = build_shell(scene.room, finishes_of(scene), cut)
     camera = corner_camera(scene, way, cut, width / height)
+    distance = float(np.linalg.norm(np.asarray(camera.eye)[:2] - np.mean(scene.room.outline, axis=0)))
+    pixel = 2 * distance * float(np.linalg.norm(camera.up)) / height
+    shell = build_shell(scene.room, finishes_of(scene), cut, pixel=pixel)
     shown = [one for one, thing in zip(things, scene.objects, strict=True) if thing.id not in gone]
-    left = np.array([-way[1], way[0]])
-    sun = 0.75 * way + 0.55 * left
-    lighting = Lighting(sun=(float(sun[0]), float(sun[1]), 1.0), softness=0.06)
+    lighting = corner_light(scene.room, way, cut, shown)
     eye = np.eye(4)
     solids = [Instance(mesh, eye) for mesh in (shell.floor, *shell.walls, _ground()) if mesh is not None]
     return Image.fromarray(
@@ -88,18 +98,33 @@ def _top(
     scene: Scene, things: list[Instance], width: int, height: int, quality: Quality | None, device: str
 ) -> Image.Image:
     finishes = finishes_of(scene, cut=(0.30, 0.29, 0.28))
-    shell = build_shell(scene.room, finishes)
+    low, high = _bounds(scene)
+    middle = (low + high) / 2
+    span = height / _plan(scene, width, height).scale
+    shell = build_shell(scene.room, finishes, top=_CUT, pixel=span / height)
     shown = [one for one, thing in zip(things, scene.objects, strict=True) if thing.mount != "ceiling"]
-    low, high = shell.outer.min(axis=0) - 0.15, shell.outer.max(axis=0) + 0.15
-    middle, size = (low + high) / 2, high - low
-    span = max(size[1], size[0] * height / width)
     camera = Camera.orthographic((*middle, scene.room.height + 5.0), (*middle, 0.0), span, width / height)
-    lighting = Lighting(sun=(-0.45, 0.6, 1.3), softness=0.08)
+    lighting = top_light(scene.room, shown)
     eye = np.eye(4)
     solids = [Instance(mesh, eye) for mesh in (shell.floor, *shell.walls, _ground()) if mesh is not None]
     return Image.fromarray(
         cast([*shown, *solids], camera, width, height, lighting=lighting, quality=quality, device=device).rgb
     )
+
+
+def _plan(scene: Scene, width: int, height: int) -> View:
+    """How a picture from above brings metres to pixels."""
+    low, high = _bounds(scene)
+    scale = min(width / (high[0] - low[0]), height / (high[1] - low[1]))
+    x, y = (low + high) / 2
+    return View(scale, float(x - width / 2 / scale), float(y + height / 2 / scale))
+
+
+def _bounds(scene: Scene) -> tuple[np.ndarray, np.ndarray]:
+    """Lower and upper corner [2] of what a picture from above holds [m]."""
+    outline = np.asarray(scene.room.outline, dtype=float)
+    reach = WALL_THICKNESS + 0.15
+    return outline.min(axis=0) - reach, outline.max(axis=0) + reach
 
 
 def _ground() -> Mesh:

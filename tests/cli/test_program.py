@@ -18,6 +18,7 @@ import sceneweaver
 from sceneweaver.cli import main
 
 ROOT = Path(__file__).parents[2]
+EXAMPLE = Path(sceneweaver.__file__).parent / "scene" / "examples" / "bedroom.json"
 MODULE = [sys.executable, "-m", "sceneweaver.cli"]
 
 
@@ -31,7 +32,7 @@ def test_help_is_quick_and_lists_the_commands(tmp_path):
     ended = start("--help", cwd=tmp_path)
     assert ended.returncode == 0 and ended.stderr == ""
     assert time.perf_counter() - began < 5  # well under one second on an idle machine
-    for command in ("refine", "repair", "check", "render", "demo", "examples"):
+    for command in ("refine", "repair", "check", "render", "design", "view", "demo", "examples"):
         assert command in ended.stdout
 
 
@@ -55,11 +56,11 @@ def test_without_a_command_there_is_help(capfd):
     assert "refine" in capfd.readouterr().out
 
 
-@pytest.mark.parametrize("command", ["refine", "repair", "check", "render", "demo", "examples"])
+@pytest.mark.parametrize("command", ["refine", "repair", "check", "render", "design", "view", "demo", "examples"])
 def test_every_command_has_help(capfd, command):
     assert main([command, "--help"]) == 0
     out = re.sub(r"\x1b\[[0-9;]*m", "", capfd.readouterr().out)
-    assert "Usage" in out and "--json" in out
+    assert "Usage" in out and ("--json" in out or command == "view")
 
 
 def test_refine_with_the_real_engine(tmp_path):
@@ -91,7 +92,7 @@ def test_signals_leave_nothing_behind(tmp_path, number, code):
         "    open('started', 'w').close()\n"
         "    time.sleep(60)\n"
         "sys.modules['sceneweaver.layout'] = types.SimpleNamespace(refine=refine)\n"
-        "sys.exit(main(['demo', '--out', 'out']))\n"
+        f"sys.exit(main(['refine', {str(EXAMPLE)!r}, '--out', 'out']))\n"
     )
     process = subprocess.Popen([sys.executable, "-c", program], cwd=tmp_path, stderr=subprocess.PIPE, text=True)
     try:
@@ -114,7 +115,7 @@ def test_progress_is_shown_on_a_terminal(tmp_path):
         "from sceneweaver.cli import main\n"
         "from tests.cli import engine\n"
         "sys.modules['sceneweaver.layout'] = types.SimpleNamespace(refine=engine.keeps)\n"
-        f"sys.exit(main(['demo', '--out', {str(tmp_path / 'out')!r}, '--json']))\n"
+        f"sys.exit(main(['refine', {str(EXAMPLE)!r}, '--out', {str(tmp_path / 'out')!r}, '--json']))\n"
     )
     terminal, end = os.openpty()
     command = [sys.executable, "-c", program]

@@ -1,4 +1,4 @@
-"""``sceneweaver refine`` and ``demo`` with a stand-in for the engine."""
+"""``sceneweaver refine`` with a stand-in for the engine."""
 
 from __future__ import annotations
 
@@ -167,19 +167,10 @@ def test_a_fault_of_the_program_is_1_with_a_hint(run, bedroom, tmp_path, monkeyp
         assert_one_line(ended.err, "SCENEWEAVER_DEBUG=1", "first line second line")
 
 
-def test_demo_prints_a_summary(run, tmp_path, calls):
-    ended = run("demo", "--out", tmp_path / "out", "--candidates", 4)
-    assert (ended.code, ended.err) == (0, "")
-    assert listing(tmp_path / "out") == WRITTEN
-    for text in ("layouts/s", "50.0 %", "scene.json", "metrics.json", "top_annotated.png"):
-        assert text in ended.out
-    (call,) = calls
-    assert call["init"] == "random" and call["scene"].id == "bedroom"
-
-
 @pytest.mark.parametrize("name", EXAMPLES)
-def test_demo_of_every_example(run, tmp_path, calls, name):
-    ended = run("demo", "--out", tmp_path / "out", "--example", name, "--candidates", 4, "--json")
+def test_every_example_can_be_refined(run, tmp_path, calls, name):
+    Scene.example(name).save(tmp_path / "in.json")
+    ended = run("refine", tmp_path / "in.json", "-o", tmp_path / "out", "--candidates", 4, "--json")
     assert ended.code == 0 and ended.json["valid"] is True
 
 

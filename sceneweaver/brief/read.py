@@ -1,0 +1,177 @@
+"""``read_brief``: a request in plain English as a typed brief."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from sceneweaver.assets import categories
+from sceneweaver.scene import InputError
+
+from .clean import Cleaned, clean
+from .lexer import tokens
+from .model import Asked, AskedRelation, Brief
+from .parser import BESIDE, CATALOGUE, Mention, Parser, Reading, Said
+
+MOST = 400
+"""Largest count of one thing that is taken seriously."""
+
+
+def read_brief(text: str) -> Brief:
+    """What a request says. What is not understood is listed, what is assumed is noted; nothing is lost.
+
+    Raises:
+        InputError: when there is nothing to read.
+    """
+    if not isinstance(text, str) or not text.strip():
+        raise InputError('prompt: it is empty; say what room you want, such as "a bedroom with a desk"')
+    cleaned = clean(text)
+    notes = list(cleaned.notes)
+    reading = Parser(tokens(cleaned.text, notes), notes).run()
+    foreign = sum(ord(c) > 0x24F and c.isalpha() for c in text)
+    if foreign > 3 or not re.search(r"[a-zA-Z]", text):
+        notes.append("only English is read; what else the request says was not understood")
+    return _brief(text, cleaned, reading, notes)
+
+
+def _brief(text: str, cleaned: Cleaned, reading: Reading, notes: list[str]) -> Brief:
+    mentions = _without_contradictions(reading, notes)
+    _named(mentions)
+    ids = {id(m): m.id for m in mentions}
+    relations = [r for said in reading.said for r in _relations(said, ids, notes)]
+    style = reading.style
+    return Brief(
+        text=text,
+        room=reading.room,
+        room_words=reading.room_words,
+        shape=reading.shape,  # type: ignore[arg-type]
+        size=cleaned.size,
+        area=cleaned.area,
+        height=cleaned.height,
+        scale=reading.room_scale,
+        people=reading.people,
+        for_whom=tuple(reading.for_whom),
+        style=style,
+        colors=tuple(dict.fromkeys(reading.colors)),
+        windows=reading.openings.get("window"),
+        doors=reading.openings.get("door"),
+        density=reading.density or "normal",  # type: ignore[arg-type]
+        objects=tuple(_asked(m, notes) for m in mentions),
+        relations=tuple(_once(relations)),
+        without=tuple(dict.fromkeys(reading.without)),
+        only=reading.only,
+        unread=tuple(dict.fromkeys(word for word in reading.unread if word.strip())),
+        notes=tuple(dict.fromkeys(notes)),
+    )
+
+
+def _without_contradictions(reading: Reading, notes: list[str]) -> list[Mention]:
+    """What is both wanted and not wanted stays out."""
+    kept: list[Mention] = []
+    for mention in reading.mentions:
+        if mention.category in reading.without:
+            notes.append(f"{mention.noun} is both wanted and not wanted; it was left out")
+            continue
+        if mention.count == (0, 0):
+            reading.without.append(mention.category)
+            continue
+        kept.append(mention)
+    return kept
+
+
+def _named(mentions: list[Mention]) -> None:
+    used: dict[str, int] = {}
+    for mention in mentions:
+        n = used.get(mention.category, 0) + 1
+        used[mention.category] = n
+        mention.id = mention.category if n == 1 else f"{mention.category}-{n}"
+
+
+def _asked(mention: Mention, notes: list[str]) -> Asked:
+    count = mention.count
+    if count is not None and count[1] > MOST:
+        notes.append(f"{count[1]} x {mention.noun} was brought to {MOST}")
+        count = (min(count[0], MOST), MOST)
+    d, w, h = mention.size
+    found = categories()[mention.category].size
+    for want, bounds, name in zip(mention.size, found.ranges if found else (), ("deep", "wide", "high"), strict=False):
+        if want is not None and not bounds[0] - 1e-6 <= want <= bounds[1] + 1e-6:
+            notes.append(
+                f"a {mention.noun} {want:g} m {name} cannot be made; it is {bounds[0]:g} to {bounds[1]:g} m {name}"
+            )
+    return Asked(
+        id=mention.id, noun=mention.noun, category=mention.category, count=count, color=mention.color,
+        material=mention.material, style=mention.style, size=(d, w, h), scale=mention.scale, words=tuple(mention.words),
+    )  # fmt: skip
+
+
+def _relations(said: Said, ids: dict[int, str], notes: list[str]) -> list[AskedRelation]:
+    """A spoken relation as relations of the catalogue, one for each kind of thing that it is about."""
+    subjects = [m for m in said.subjects if id(m) in ids]
+    out = []
+    for subject in subjects:
+        kind, target, params = _meaning(said, subject, ids)
+        if kind is None:
+            if target is not None:
+                notes.append(f"'{said.words}' cannot be said as a relation and was left out")
+            continue
+        if isinstance(target, str) and target == subject.id:
+            continue
+        out.append(AskedRelation(type=kind, subject=subject.id, target=target, params=params, words=said.words))
+    return out
+
+
+def _meaning(said: Said, subject: Mention, ids: dict[int, str]) -> tuple[str | None, Any, dict[str, Any]]:
+    """Type, target and parameters; type None when there is no such relation (target None: nothing to say)."""
+    target = said.target
+    if isinstance(target, str):
+        return _at_place(said.kind, target, subject)
+    if isinstance(target, tuple):
+        pair = tuple(ids.get(id(m), "") for m in target)
+        return ("between", pair, {}) if all(pair) else (None, None, {})
+    name = ids.get(id(target))
+    if name is None:
+        return None, None, {}
+    kind = CATALOGUE.get(said.kind)
+    mount = categories()[subject.category].mount
+    carries = categories()[target.category].mount[0] == "floor"
+    if said.kind in ("on", "inside") and (mount[0] == "wall" or ("surface" not in mount and mount[0] != "floor")):
+        return "above", name, {}
+    if said.kind in ("on", "inside") and (not carries or (mount[0] == "floor" and "surface" not in mount)):
+        return "near", name, {"max": 0.3}
+    if said.kind in ("beside", "by", "below"):
+        return "near", name, {"max": BESIDE if said.kind != "below" else 0.0}
+    if said.kind == "against":
+        return "near", name, {"max": 0.1}
+    if said.kind == "above" and mount[0] == "ceiling":
+        return "near", name, {"max": 0.3}
+    if said.kind == "away":
+        return None, name, {}
+    if said.kind == "around" and mount[0] == "floor":
+        return "front_against", name, {}
+    return kind, name, {}
+
+
+def _at_place(kind: str, place: str, subject: Mention) -> tuple[str | None, Any, dict[str, Any]]:
+    mount = categories()[subject.category].mount[0]
+    if place == "middle":
+        return "centered_on", "middle", {}
+    if place == "corner":
+        return ("in_corner", None, {}) if mount == "floor" else (None, None, {})
+    if place == "window":
+        return ("away_from_door", None, {}) if kind == "away" else ("at_window", "window", {})
+    if place == "door":
+        return ("away_from_door", None, {}) if kind in ("away", "opposite", "facing") else (None, place, {})
+    if place.startswith("wall"):
+        return ("against_wall", place if ":" in place else None, {}) if mount != "surface" else (None, None, {})
+    return None, None, {}
+
+
+def _once(relations: list[AskedRelation]) -> list[AskedRelation]:
+    seen, kept = set(), []
+    for r in relations:
+        key = (r.type, r.subject, r.target)
+        if key not in seen:
+            seen.add(key)
+            kept.append(r)
+    return kept

@@ -1,0 +1,157 @@
+"""From a sentence to a room: the whole way, with all that can go wrong on it."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+from sceneweaver.agent import Settings, design
+from sceneweaver.agent.executor import Executor
+from sceneweaver.agent.folder import RunFolder
+from sceneweaver.brief import Brief, read_brief
+from sceneweaver.knowledge import room_type
+from sceneweaver.scene import InputError, MissingDependencyError, Relation, Scene
+from sceneweaver.scene.edits import Relate
+from sceneweaver.tools.base import Proposal
+from sceneweaver.verify import check
+
+QUICK = {"candidates": 32, "side_by_side": 1}
+ASKED = "Design me a bathroom"
+
+
+class Stopped(Exception):
+    pass
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    """An unbroken run and its folder."""
+    out = tmp_path_factory.mktemp("whole")
+    return design(ASKED, seed=4, out=out, pictures=False, **QUICK), out
+
+
+def test_a_room_from_a_sentence(whole):
+    result, out = whole
+    assert result.report.valid and result.satisfied, result.unmet
+    assert check(result.scene).valid
+    kinds = {o.category for o in result.scene.objects}
+    assert kinds & {"toilet", "wall_toilet"} and kinds & {"vanity", "double_vanity"}
+    assert Scene.load(out / "scene.json") == result.scene
+    metrics = json.loads((out / "metrics.json").read_text())
+    assert metrics["valid"] and metrics["scores"]["critic"] == "symbolic" and metrics["seconds"]["total"] > 0
+    steps = sorted((out / "steps").iterdir())
+    assert len(steps) == len(result.steps)
+    for folder in steps:
+        assert {p.name for p in folder.iterdir()} == {"scene.json", "metrics.json", "review.json", "step.json"}
+    assert (out / "scene.glb").stat().st_size > 10_000
+
+
+def test_equal_seeds_give_equal_scenes_and_others_do_not(whole):
+    again = design(ASKED, seed=4, **QUICK)
+    assert again.scene == whole[0].scene
+    assert design(ASKED, seed=5, **QUICK).scene != again.scene
+
+
+def test_killed_after_any_step_it_ends_with_the_same_scene(whole, tmp_path):
+    result, _ = whole
+    for k in range(1, len(result.steps) + 1):
+
+        def stop(step, k=k):
+            if step.number == k:
+                raise Stopped
+
+        out = tmp_path / str(k)
+        with pytest.raises(Stopped):
+            design(ASKED, seed=4, out=out, pictures=False, said=stop, **QUICK)
+        resumed = design(ASKED, seed=4, out=out, pictures=False, **QUICK)
+        assert resumed.scene == result.scene
+        assert [s.number for s in resumed.steps] == [s.number for s in result.steps]
+
+
+def test_killed_from_outside_it_goes_on(whole, tmp_path):
+    command = [sys.executable, "-m", "sceneweaver.cli", "design", ASKED, "--out", str(tmp_path), "--seed", "4",
+               "--no-pictures", "--candidates", "32"]  # fmt: skip
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    until = time.monotonic() + 60
+    while not (tmp_path / "state.json").exists() and time.monotonic() < until and process.poll() is None:
+        time.sleep(0.02)
+    process.send_signal(signal.SIGKILL)
+    process.wait(10)
+    assert not (tmp_path / "scene.glb").exists() or process.returncode == 0
+    done = subprocess.run(command, capture_output=True, timeout=120, text=True)
+    assert done.returncode == 0, done.stderr
+    unbroken = design(ASKED, seed=4, candidates=32)
+    assert Scene.load(tmp_path / "scene.json") == unbroken.scene
+
+
+def test_a_folder_of_another_run_is_refused(whole, tmp_path):
+    _, out = whole
+    with pytest.raises(InputError, match="another request"):
+        design("Design me a kitchen", seed=4, out=out, **QUICK)
+    with pytest.raises(InputError, match="seed 4, not 5"):
+        design(ASKED, seed=5, out=out, **QUICK)
+    (tmp_path / "state.json").write_text("{")
+    with pytest.raises(InputError, match="no state of a run"):
+        design(ASKED, out=tmp_path, **QUICK)
+    file = tmp_path / "file"
+    file.write_text("")
+    with pytest.raises(InputError, match="cannot be written"):
+        RunFolder(file / "x").begin(Brief(text="x"), Settings())
+
+
+@pytest.mark.parametrize("prompt", ["", "   \n", "\t"])
+def test_an_empty_request_is_refused(prompt):
+    with pytest.raises(InputError, match="prompt"):
+        design(prompt)
+
+
+def test_arguments_out_of_range():
+    with pytest.raises(InputError, match="planner"):
+        design(ASKED, planner="oracle")
+    with pytest.raises(MissingDependencyError):
+        design(ASKED, planner="llm")
+    with pytest.raises(InputError, match="steps"):
+        design(ASKED, steps=0)
+
+
+@pytest.mark.parametrize("prompt", ["请设计一间卧室", "'; DROP TABLE rooms; --", "<script>alert(1)</script>", "12345", "🛋️" * 40])
+def test_odd_requests_get_a_room_and_say_what_was_assumed(prompt):
+    result = design(prompt, steps=1, **QUICK)
+    assert result.scene.objects and result.report.valid
+    assert result.notes or result.brief.unread
+
+
+def test_what_cannot_be_is_said_and_the_rest_is_made(tmp_path):
+    result = design("a bathroom of 6 square metres with five bathtubs", out=tmp_path, pictures=False, **QUICK)
+    assert not result.satisfied and result.unmet
+    assert any("bathtub" in text for text in result.unmet)
+    physical = [v for v in result.report.violations if v.kind not in ("dropped", "soft_relation", "relation")]
+    assert not physical
+    assert (tmp_path / "scene.json").exists()
+
+
+def test_a_contradiction_gives_way_and_is_reported():
+    scene = design(ASKED, steps=1, seed=2, **QUICK).scene
+    toilet = next(o.id for o in scene.objects if "toilet" in o.category and o.mount == "floor")
+    vanity = next(o.id for o in scene.objects if "vanity" in o.category)
+    room = room_type("bathroom")
+    executor = Executor(room, read_brief(ASKED), Settings(candidates=32))
+    edits = tuple(Relate(relation=Relation(type=t, subject=toilet, target=vanity)) for t in ("left_of", "right_of"))
+    outcome = executor.run(scene, Proposal(edits=edits), 0)
+    assert outcome.report.valid
+    assert outcome.report.relations.hard.satisfied == outcome.report.relations.hard.total
+
+
+def test_ablations_leave_parts_out():
+    alone = design(ASKED, tools=("init_prior",), **QUICK)
+    assert {s.call.tool for s in alone.steps if s.call} == {"init_prior"}
+    fixed = design(ASKED, one_shot=True, **QUICK)
+    assert [s.call.tool for s in fixed.steps if s.call] == ["init_prior", "add_tabletop", "add_crowd"]
+    assert all(s.accepted for s in fixed.steps)
+    loose = design(ASKED, physics=False, tools=("init_prior",), **QUICK)
+    assert loose.report.collisions + loose.report.out_of_bounds > 0

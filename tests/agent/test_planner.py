@@ -1,0 +1,82 @@
+"""How calls are chosen, and what the memory makes of their outcome."""
+
+from __future__ import annotations
+
+import pytest
+
+from sceneweaver.agent.memory import Call, Memory, Step
+from sceneweaver.agent.planner import RulesPlanner, Situation
+from sceneweaver.agent.settings import Settings
+from sceneweaver.brief import Brief
+from sceneweaver.critic import CRITERIA, Fault, Review
+from sceneweaver.knowledge import room_type
+from sceneweaver.scene import InputError, Scene
+from sceneweaver.tools.registry import tools
+
+CARDS = {name: tool.card for name, tool in tools().items()}
+
+
+def _situation(faults=(), memory=None, scene=True, **settings):
+    review = Review(grades=dict.fromkeys(CRITERIA, 8.0), faults=tuple(faults))
+    return Situation(
+        Brief(text="a bedroom", room="bedroom"), room_type("bedroom"), Scene.example("bedroom") if scene else None,
+        review if scene else None, memory or Memory(), CARDS, Settings(**settings),
+    )  # fmt: skip
+
+
+def _fault(tool, points, **inputs):
+    return Fault(criterion="completion", kind="test", reason=f"{tool} {points}", tool=tool, inputs=inputs, points=points)
+
+
+def test_a_run_begins_with_initialisers_and_draws_of_their_own():
+    calls = RulesPlanner().plan(_situation(scene=False, side_by_side=3))
+    assert calls[0].tool == "init_prior" and calls[0].seed == 0
+    assert len({(c.tool, c.seed) for c in calls}) == 3
+    assert all(CARDS[c.tool].role == "initializer" for c in calls)
+
+
+def test_the_gravest_faults_come_first_and_those_of_a_tool_together():
+    faults = [
+        _fault("add_tabletop", 1.0, supports=["desk-0"]),
+        _fault("add_tabletop", 1.5, supports=["nightstand-0"]),
+        _fault("update_rotation", 0.5, ids=["chair-0"]),
+    ]
+    calls = RulesPlanner().plan(_situation(faults))
+    assert calls[0].tool == "add_tabletop"
+    assert set(calls[0].inputs["supports"]) == {"desk-0", "nightstand-0"}
+    assert 0 < calls[0].confidence <= 1 and "2.5 points" in calls[0].reason
+
+
+def test_shelves_are_not_filled_that_are_to_be_arranged():
+    faults = [
+        _fault("add_tabletop", 1.0, supports=["desk-0"]),
+        _fault("add_crowd", 3.0, supports=["desk-0", "shelf-0"]),
+    ]
+    calls = RulesPlanner().plan(_situation(faults))
+    crowd = next(c for c in calls if c.tool == "add_crowd")
+    assert crowd.inputs["supports"] == ["shelf-0"]
+
+
+def test_what_brought_nothing_is_not_tried_again():
+    fault = _fault("add_objects", 2.0, objects=[{"category": "plant"}])
+    call = RulesPlanner().plan(_situation([fault]))[0]
+    step = Step(number=1, call=call, accepted=False)
+    memory = Memory().after(step, [call], (), ())
+    assert memory.confidence["add_objects"] < 1 and memory.stale == 1
+    assert RulesPlanner().plan(_situation([fault], memory)) == []
+
+
+def test_trust_comes_back_with_success_and_a_memory_survives_json():
+    call = Call(tool="add_objects", inputs={"objects": [{"category": "plant"}]})
+    lost = Memory().after(Step(number=1, call=call, accepted=False), [call], ("a",), ("b",))
+    won = lost.after(Step(number=2, call=call, accepted=True), [], ("a", "c"), ())
+    assert won.confidence["add_objects"] > lost.confidence["add_objects"]
+    assert won.notes == ("a", "c") and won.unmet == ("b",) and won.stale == 0
+    assert Memory.model_validate(won.model_dump(mode="json")) == won
+
+
+def test_settings_out_of_range_are_refused():
+    with pytest.raises(InputError, match="steps"):
+        Settings(steps=0)
+    with pytest.raises(InputError, match="seed"):
+        Settings(seed=-1)

@@ -1,0 +1,85 @@
+"""Setting a layout straight makes nothing worse, and what was nearly so exactly so."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import sceneweaver as sw
+from sceneweaver.agent.coarse import coarse
+from sceneweaver.agent.tidy import tidy
+from sceneweaver.assets import make
+from sceneweaver.scene import Pose, Relation, Room, Scene
+from sceneweaver.verify import check
+
+
+def _room(*objects, relations=()):
+    room = Room(type="office", outline=((0, 0), (5, 0), (5, 4), (0, 4)), height=2.7)
+    return Scene(id="room", room=room, objects=objects, relations=relations)
+
+
+@pytest.mark.parametrize("name", ["bedroom", "study", "living-room"])
+def test_nothing_becomes_worse(name):
+    scene = Scene.example(name)
+    before, after = check(scene), check(tidy(scene))
+    assert after.valid >= before.valid
+    assert len(after.violations) <= len(before.violations)
+
+
+def test_what_is_nearly_square_and_flush_becomes_so():
+    wardrobe = make("wardrobe", 2).object("wardrobe-0")
+    d = wardrobe.size[0]
+    wardrobe = wardrobe.model_copy(update={"pose": Pose.from_yaw(2.5, d / 2 + 0.06, 0.0, math.pi / 2 + 0.06)})
+    scene = tidy(_room(wardrobe, relations=(Relation(type="against_wall", subject="wardrobe-0"),)))
+    pose = scene.object("wardrobe-0").pose
+    assert pose.yaw == pytest.approx(math.pi / 2, abs=1e-6)
+    assert pose.position[1] - d / 2 == pytest.approx(0.004, abs=1e-6)
+    assert check(scene).valid
+
+
+def test_chairs_are_pushed_under_their_table_all_alike():
+    table = make("dining_table", 1)
+    chair = make("dining_chair", 1)
+    d, c = table.size[0] / 2, chair.size[0] / 2
+    objects = [table.object("table-0", pose=Pose.from_yaw(2.5, 2.0, 0.0, 0.0))]
+    relations = []
+    for k, (side, v) in enumerate(((1, -0.35), (1, 0.35), (-1, -0.35), (-1, 0.35))):
+        yaw = math.pi if side > 0 else 0.0
+        pose = Pose.from_yaw(2.5 + side * (d + c + 0.01), 2.0 + v, 0.0, yaw)
+        objects.append(chair.object(f"chair-{k}", pose=pose))
+        relations.append(Relation(type="front_against", subject=f"chair-{k}", target="table-0"))
+    scene = _room(*objects, relations=tuple(relations))
+    assert check(scene).valid
+    after = tidy(scene)
+    assert check(after).valid
+    ways = {round(abs(after.object(f"chair-{k}").pose.position[0] - 2.5), 4) for k in range(4)}
+    assert len(ways) == 1 and ways.pop() < d + c - 0.02
+
+
+def test_coarse_shapes_contain_the_true_parts():
+    import shapely
+
+    objects = [
+        make(category, seed).object(f"{category}-{seed}", pose=Pose.from_yaw(2, 2, 0, 0))
+        for category in ("sofa", "sectional_sofa", "arc_lamp", "desk", "dining_chair", "wardrobe", "potted_plant")
+        for seed in (0, 1)
+    ]
+    plain = coarse(_room(*objects))
+    for true, rough in zip(objects, plain.objects, strict=True):
+        for part in true.solids:
+            room = shapely.union_all(
+                [
+                    shapely.Polygon(p.polygon).buffer(1e-6)
+                    for p in rough.solids
+                    if p.z[0] <= part.z[0] + 1e-9 and p.z[1] >= part.z[1] - 1e-6
+                ]
+            )
+            assert room.contains(shapely.Polygon(part.polygon)), true.id
+        assert len(rough.solids) <= len(true.solids)
+
+
+def test_a_layout_of_coarse_shapes_is_valid_for_the_true_ones():
+    scene = Scene.example("living-room")
+    solution = sw.refine(coarse(scene), candidates=16, seed=3)
+    assert check(scene.replace_poses({o.id: o.pose for o in solution.best.objects})).valid == (solution.status == 0).any()

@@ -1,0 +1,214 @@
+"""Pictures of whole rooms: what they show, what is cut away, how the shell is built, and what is refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from sceneweaver.assets import make
+from sceneweaver.render import Quality, draw_room, draw_rooms
+from sceneweaver.render.room_bodies import hidden_with, instances_of
+from sceneweaver.render.room_camera import corner_camera, corner_directions, cut_walls, opposite
+from sceneweaver.render.room_finish import FLOORS, finishes_of
+from sceneweaver.render.room_floor import floor_mesh
+from sceneweaver.render.room_light import corner_light, lamps_of
+from sceneweaver.render.room_notes import annotated
+from sceneweaver.render.room_shell import STUB, build_shell, wall_pieces
+from sceneweaver.scene import InputError, Pose, Room, Scene, Window
+from tests.render.scenes import ZOO, box, everything, room_of
+
+QUICK = Quality(rays=1, shades=1, radius=1)
+L_ROOM = ((0.0, 0.0), (5.0, 0.0), (5.0, 2.0), (2.0, 2.0), (2.0, 4.0), (0.0, 4.0))
+
+
+def furnished() -> Scene:
+    """A bed, a picture on the far wall and one on the near one, a pendant."""
+    bed = make("bed", seed=1).object("bed", pose=Pose.from_yaw(1.2, 1.5, 0.0, 0.0))
+    picture = {"category": "picture", "size": (0.03, 0.6, 0.5), "mount": "wall"}
+    back = box("back", 0.015, 2.5, z=1.4, **picture)
+    side = box("side", 2.0, 0.015, z=1.4, yaw=np.pi / 2, **picture)
+    lamp = box("lamp", 2.5, 1.5, z=2.2, size=(0.4, 0.4, 0.3), mount="ceiling", category="pendant_lamp")
+    room = Room(
+        outline=((0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)),
+        windows=(Window(id="w", wall=3, offset=0.8, width=1.4, sill=0.9, height=1.3),),
+    )
+    return room_of(bed, back, side, lamp, room=room)
+
+
+def load(asset_id: str):
+    category, _, seed = asset_id.removeprefix("parametric:").partition("?seed=")
+    return make(category, seed=int(seed))
+
+
+@pytest.mark.parametrize("view", ["corner", "corner2", "top"])
+def test_pictures_have_the_size_asked_for_and_show_something(view: str) -> None:
+    picture = draw_room(furnished(), load, view, 96, 72, QUICK)
+    assert picture.size == (96, 72) and picture.mode == "RGB"
+    pixels = np.asarray(picture, dtype=float)
+    assert pixels.std() > 12 and 90 < pixels.mean() < 245
+
+
+def test_views_of_one_call_are_those_of_single_calls() -> None:
+    scene = furnished()
+    both = draw_rooms(scene, load, ("top", "corner"), 64, 48, QUICK)
+    assert list(both) == ["top", "corner"]
+    for view, picture in both.items():
+        assert np.array_equal(np.asarray(picture), np.asarray(draw_room(scene, load, view, 64, 48, QUICK)))
+
+
+@pytest.mark.parametrize("name", ["living-dining-L", "studio-U", "bedroom-small"])
+def test_scenes_without_assets_are_drawn(name: str) -> None:
+    drawn = draw_rooms(Scene.load(ZOO / f"{name}.json"), None, ("corner", "top"), 64, 48, QUICK)
+    assert all(np.asarray(picture).std() > 10 for picture in drawn.values())
+
+
+def test_a_turned_room_with_all_kinds_of_doors_is_drawn_in_all_views() -> None:
+    assert len(draw_rooms(everything(), None, ("corner", "corner2", "top", "top_annotated"), 64, 48, QUICK)) == 4
+
+
+def test_every_point_of_the_room_is_in_the_picture() -> None:
+    for outline in (L_ROOM, tuple((3 * x, y) for x, y in L_ROOM)):
+        scene = Scene(id="s", room=Room(outline=outline))
+        for way in corner_directions(scene):
+            cut = cut_walls(scene, way)
+            camera = corner_camera(scene, way, cut, 4 / 3)
+            shell = build_shell(scene.room, finishes_of(scene), cut)
+            points = np.concatenate([shell.floor.vertices, *(w.vertices for w in shell.walls if w is not None)])
+            rel = points - np.asarray(camera.eye)
+            for axis in (camera.right, camera.up):
+                across = rel @ np.asarray(axis) / np.dot(axis, axis) / (rel @ np.asarray(camera.forward))
+                assert np.abs(across).max() < 1.0
+                assert across.max() + across.min() == pytest.approx(0.0, abs=0.12)
+
+
+def test_walls_before_the_room_are_stubs_and_the_others_stand() -> None:
+    scene = furnished()
+    way = corner_directions(scene)[0]
+    cut = cut_walls(scene, way)
+    assert len(cut) == 2
+    shell = build_shell(scene.room, finishes_of(scene), cut)
+    for k, wall in enumerate(shell.walls):
+        assert wall is not None
+        assert wall.bounds[1, 2] == pytest.approx(STUB if k in cut else scene.room.height)
+
+
+def test_what_hangs_on_a_cut_wall_goes_with_it_and_what_stands_on_that() -> None:
+    scene = furnished()
+    assert hidden_with(scene, {3}) == {"back"} and hidden_with(scene, {0}) == {"side"}
+    assert hidden_with(scene, {1, 2}) == set()
+
+
+def test_the_camera_looks_at_fronts() -> None:
+    # The bed and the picture look along +x: they are seen from there.
+    ways = corner_directions(furnished())
+    assert ways[0][0] > 0 and opposite(ways) @ ways[0] == pytest.approx(-1.0)
+
+
+def test_no_solid_part_of_a_wall_is_in_an_opening() -> None:
+    room = everything().room
+    for wall in range(len(room.outline)):
+        (ax, ay), (bx, by) = room.outline[wall], room.outline[(wall + 1) % len(room.outline)]
+        length = float(np.hypot(bx - ax, by - ay))
+        pieces = wall_pieces(room, wall, length, room.height)
+        holes = sum(d.width * d.height for d in room.doors if d.wall == wall)
+        holes += sum(w.width * w.height for w in room.windows if w.wall == wall)
+        solid = sum((b - a) * (z1 - z0) for (a, b), (z0, z1) in pieces)
+        assert solid == pytest.approx(length * room.height - holes)
+
+
+@pytest.mark.parametrize("kind", FLOORS)
+def test_floors_cover_their_plan_and_no_more(kind: str) -> None:
+    plan = np.array(L_ROOM)
+    mesh = floor_mesh(kind, plan, plan)
+    corners = mesh.vertices[mesh.faces]
+    lid = np.abs(corners[:, :, 2]).max(axis=1) < 1e-9
+    a, b, c = (corners[lid, k, :2] for k in range(3))
+    area = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
+    assert area.min() > -1e-9
+    assert 0.95 * 14.0 < area.sum() <= 14.0 + 1e-6
+    assert mesh.bounds[1, 2] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_finishes_come_from_the_scene_else_from_the_room() -> None:
+    scene = furnished()
+    assert finishes_of(scene).floor == "wood"
+    bath = scene.model_copy(update={"room": scene.room.model_copy(update={"type": "small_bathroom"})})
+    assert finishes_of(bath).floor == "tile"
+    said = scene.model_copy(update={"provenance": {"finish": {"floor": "stone", "walls": "sage"}}})
+    look = finishes_of(said)
+    assert look.floor == "stone" and look.wall.color[1] > max(look.wall.color[0], look.wall.color[2])
+
+
+@pytest.mark.parametrize(
+    ("finish", "message"),
+    [
+        ({"floor": "lava"}, r"provenance\.finish\.floor: 'lava' is unknown; use one of wood"),
+        ({"walls": "octarine"}, r"provenance\.finish\.walls: 'octarine' is unknown"),
+    ],
+)
+def test_unknown_finishes_are_refused(finish: dict[str, str], message: str) -> None:
+    scene = furnished().model_copy(update={"provenance": {"finish": finish}})
+    with pytest.raises(InputError, match=message):
+        finishes_of(scene)
+
+
+def test_unknown_views_sizes_and_assets_are_refused() -> None:
+    with pytest.raises(InputError, match="view: 'korner' is unknown"):
+        draw_room(furnished(), load, "korner")
+    with pytest.raises(InputError, match="width, height: 4 x 4 pixels are too few"):
+        draw_room(furnished(), load, "corner", 4, 4)
+    lost = room_of(box("x", 1, 1, asset="nowhere:thing"))
+
+    def missing(asset_id: str):
+        raise InputError(f"asset: '{asset_id}' is not there")
+
+    with pytest.raises(InputError, match=r"objects\[0\]\.asset: 'nowhere:thing' is not there"):
+        draw_room(lost, missing, "corner", 32, 32, QUICK)
+
+
+def test_an_object_of_another_size_than_its_asset_is_scaled() -> None:
+    asset = make("desk", seed=3)
+    thing = asset.object("desk", pose=Pose.from_yaw(1, 1, 0, 0.5))
+    d, w, h = thing.size
+    scene = room_of(thing.model_copy(update={"size": (d, 2 * w, h)}))
+    (one,) = instances_of(scene, lambda _: asset)
+    assert np.allclose(np.linalg.norm(one.transform[:3, :3], axis=0), (1, 2, 1), atol=1e-5)
+
+
+def test_sun_comes_in_by_the_window() -> None:
+    scene = furnished()
+    way = corner_directions(scene)[0]
+    light = corner_light(scene.room, way, cut_walls(scene, way), [])
+    # The window is in the wall at x = 0, whose outside is -x.
+    assert light.beam[0] < 0 < light.beam[2] and light.shutters is not None
+    bare = scene.room.model_copy(update={"windows": ()})
+    assert corner_light(bare, way, set(), []).shutters is None
+
+
+def test_lamps_are_found_where_they_glow() -> None:
+    lamp = make("floor_lamp", seed=1)
+    desk = make("desk", seed=1)
+    scene = room_of(desk.object("d", pose=Pose.from_yaw(1, 1, 0, 0)), lamp.object("l", pose=Pose.from_yaw(3, 2, 0, 0)))
+    found = lamps_of(instances_of(scene, lambda name: lamp if "lamp" in name else desk))
+    assert len(found) == 1
+    assert found[0][:2] == pytest.approx((3, 2), abs=0.3) and found[0][2] > 0.8
+
+
+def test_notes_grow_the_picture_by_edge_and_key() -> None:
+    drawn = draw_rooms(everything(), None, ("top", "top_annotated"), 320, 240, QUICK)
+    top, notes = drawn["top"], drawn["top_annotated"]
+    assert notes.width > top.width and notes.height > top.height
+    assert annotated is not None
+    # The axes: red along x, green along y, somewhere in the picture.
+    pixels = np.asarray(notes).astype(int)
+    red = (pixels[..., 0] > 170) & (pixels[..., 1] < 90) & (pixels[..., 2] < 90)
+    green = (pixels[..., 1] > 120) & (pixels[..., 0] < 90) & (pixels[..., 2] < 110)
+    assert red.sum() > 10 and green.sum() > 10
+
+
+def test_sparing_rays_changes_next_to_nothing() -> None:
+    scene = furnished()
+    full = draw_room(scene, load, "corner", 160, 120, Quality(rays=4, shades=2, radius=3))
+    some = draw_room(scene, load, "corner", 160, 120, Quality(rays=4, shades=2, radius=3, sparing=True))
+    difference = np.abs(np.asarray(full, dtype=float) - np.asarray(some, dtype=float))
+    assert difference.mean() < 3.0 and np.quantile(difference, 0.99) < 30
