@@ -381,7 +381,8 @@ def cast(
     # Colour already holds how much of the pixel is covered; light must not hold it once more, or edges are dark.
     light_out[pixel] = lit / wp.max(cover, 1.0e-6)
     shine_out[pixel] = shine * scale
-    normal_out[pixel] = mean * scale
+    # A unit vector at edges, too, where it is a mean: light is then smoothed along the edge.
+    normal_out[pixel] = mean / wp.max(wp.length(mean), 1.0e-6)
     depth_out[pixel] = depth
     object_out[pixel] = first
 

@@ -117,11 +117,11 @@ def demands(room: RoomType, brief: Brief, area: float, people: int, windows: int
     rng = random.Random(seed)
     banned = {name for word in brief.without for name in (word, *members(word))}
     asked = {a.id: a for a in brief.objects}
-    holders = {i.with_ for i in room.items if any(matches(a, i) for a in brief.objects)}
+    holders = {i.with_ for i in room.items if any(meant_by(a, i) for a in brief.objects)}
     found: list[Demand] = []
     for item in room.items:
         draw, pick, keep = rng.random(), rng.random(), rng.random()
-        meant = [a for a in asked.values() if matches(a, item)]
+        meant = [a for a in asked.values() if meant_by(a, item)]
         if meant:
             for one in meant:
                 del asked[one.id]
@@ -145,9 +145,14 @@ def demands(room: RoomType, brief: Brief, area: float, people: int, windows: int
     return found
 
 
-def matches(asked: Asked, item: Item) -> bool:
+def matches(category: str, item: Item) -> bool:
+    """Whether a category is what an item of the room stands for."""
+    return category in item.what or any(category in members(name) for name in item.what)
+
+
+def meant_by(asked: Asked, item: Item) -> bool:
     """Whether something asked for is what an item of the room stands for; a "table" is a conference table, too."""
-    if asked.category in item.what or any(asked.category in members(name) for name in item.what):
+    if matches(asked.category, item):
         return True
     return loose(asked) and any(name.endswith("_" + singular(asked.noun)) for name in item.what)
 

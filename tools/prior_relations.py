@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from sceneweaver.brief import AskedRelation, Brief
 from sceneweaver.knowledge import Place
@@ -11,8 +11,15 @@ from sceneweaver.scene import CATALOGUE, InputError, Relation, Room
 
 from .prior_program import Wanted
 
-BOUND = ("against_wall", "side_against_wall", "in_corner", "at_window", "away_from_door", "centered_on", "near")
-"""What a room's own relations may give way in when a request says where a thing goes."""
+CONFLICTS: dict[str, frozenset[str]] = {
+    "against_wall": frozenset(("against_wall", "in_corner", "at_window")),
+    "side_against_wall": frozenset(("against_wall", "in_corner", "at_window")),
+    "in_corner": frozenset(("at_window", "centered_on")),
+    "at_window": frozenset(("in_corner", "centered_on")),
+    "between": frozenset(("in_corner", "at_window", "near")),
+    "middle": frozenset(("against_wall", "side_against_wall", "in_corner", "at_window", "near", "centered_on")),
+}
+"""What a room's own relations of a thing give way to: the type that was asked for, and the types that it replaces."""
 
 CEILING = 0.15
 """Height [m] that is left free above what hangs over something."""
@@ -20,17 +27,16 @@ CEILING = 0.15
 SYMMETRIC = ("side_by_side", "leftright_to_leftright", "back_to_back", "near", "aligned", "parallel", "distance")
 
 
-def of_items(wanted: Sequence[Wanted], room: Room, free: Iterable[str] = ()) -> list[Relation]:
-    """The relations that the items say, each for its instances; objects in ``free`` keep to what was asked instead."""
+def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[str]]) -> list[Relation]:
+    """The relations that the items say, each for its instances; ``but`` has types that do not hold for some ids."""
     by_item: dict[str, list[Wanted]] = {}
     for one in wanted:
         if one.item is not None:
             by_item.setdefault(one.item.id, []).append(one)
     found: list[Relation] = []
-    loose = set(free)
     for one in wanted:
         for place in one.item.place if one.item else ():
-            if one.id in loose and place.type in BOUND:
+            if place.type in but.get(one.id, ()):
                 continue
             relation = _of_place(one, place, by_item, room)
             if relation is None:
@@ -134,25 +140,25 @@ def _instance(one: Wanted, name: str | None, by_item: dict[str, list[Wanted]]) -
 
 def of_brief(
     brief: Brief, wanted: Sequence[Wanted], room: Room
-) -> tuple[list[Relation], set[str], list[str], dict[str, str]]:
+) -> tuple[list[Relation], dict[str, frozenset[str]], list[str], dict[str, str]]:
     """The relations that were asked for.
 
-    Returns the relations (hard), the ids of objects whose place they decide, what could not be said as relations, and
-    the objects that were asked to stand in the middle of the room (id: what was written).
+    Returns the relations (hard), by id the types of a room's own relations that they replace, what could not be said
+    as relations, and the objects that were asked to stand in the middle of the room (id: what was written).
     """
     made: dict[str, list[Wanted]] = {}
     for one in wanted:
         if one.asked is not None:
             made.setdefault(one.asked, []).append(one)
     found: list[Relation] = []
-    placed: set[str] = set()
+    placed: dict[str, frozenset[str]] = {}
     unmet: list[str] = []
     middle: dict[str, str] = {}
     for said in brief.relations:
         subjects = made.get(said.subject, [])
         if said.target == "middle":
             middle.update({w.id: said.words for w in subjects if w.mount == "floor"})
-            placed.update(w.id for w in subjects)
+            placed.update({w.id: CONFLICTS["middle"] for w in subjects})
             continue
         for number, one in enumerate(subjects):
             if said.type in ("on_top", "inside") and one.support is not None:
@@ -166,8 +172,7 @@ def of_brief(
                 unmet.append(f"{said.words or said.type}: there is nothing to relate {one.id} to")
                 continue
             found.append(relation)
-            if one.mount == "floor" and said.type not in ("facing", "aligned", "parallel", "away_from_door"):
-                placed.add(one.id)
+            placed[one.id] = placed.get(one.id, frozenset()) | CONFLICTS.get(said.type, frozenset())
     return _without_doubles(found), placed, unmet, middle
 
 

@@ -117,6 +117,8 @@ def _windows(
     choice = sorted((i for i in facing if i != entry and walls[i] >= 1.0), key=lambda i: (round(facing[i]), -walls[i]))
     windows: list[Window] = []
     used: dict[int, int] = {}
+    if brief.windows is None and any(r.type == "at_window" for r in brief.relations):
+        count = max(count, 1)
     width = round(rng.uniform(*spec.width), 2)
     sill = round(min(rng.uniform(*spec.sill), height - 0.8), 2)
     tall = round(min(rng.uniform(*spec.height), height - 0.15 - sill), 2)

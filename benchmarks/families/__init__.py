@@ -19,6 +19,7 @@ from . import (
     optimizers,
     projection,
     quality,
+    requests,
     scaling,
     soundness,
     throughput,
@@ -40,6 +41,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "projection": projection.run,
         "design": design.run,
         "ablations": ablations.run,
+        "requests": requests.run,
     }
 )
 

@@ -25,6 +25,13 @@ _CEILING = re.compile(
     r"|ceilings?\s*(?:height)?\s*(?:of|is|at|:)?\s*" + _NUMBER + r"\s*" + _LENGTH + r"(?:\s*high)?"
     r"|(?:room\s+)?height\s*(?:of|is|:)?\s*" + _NUMBER + r"\s*" + _LENGTH + r")(?![a-z])"
 )
+_DIGITS = {word: n for n, word in enumerate(
+    "one two three four five six seven eight nine ten eleven twelve".split(), start=1)}  # fmt: skip
+_SPELT = re.compile(
+    r"\b(" + "|".join(_DIGITS) + r")\b(?=\s*-?\s*(?:by|x|square|sq|m|met(?:er|re)s?|feet|foot|ft|cm)\b)"
+)
+_FAR = re.compile(_NUMBER + r"\s*(?:km|kilomet(?:er|re)s?|miles?)\b")
+_BARE = re.compile(r"(?<![\w.])" + _NUMBER + _BY + _NUMBER + r"(?![\w.]|\s*(?:cm|mm|in)\b)")
 _TAG = re.compile(r"<[^<>]{0,200}>")
 _LETTERS = {"‘": "'", "’": "'", "“": '"', "”": '"', "–": "-", "—": ", ", "…": ". ", "\u00a0": " ", "²": "2"}
 
@@ -53,9 +60,13 @@ def clean(text: str) -> Cleaned:
     text = _TAG.sub(" ", text)
     text = re.sub(r"[\n;:!?•*]+|\s-\s", " . ", text)
     found = Cleaned("", notes=notes)
+    text = _SPELT.sub(lambda m: str(_DIGITS[m[1]]), text)
+    text = _FAR.sub(lambda m: _too_far(m, found), text)
     text = _CEILING.sub(lambda m: _ceiling(m, found), text)
     text = _SQUARE.sub(lambda m: _square(m, found), text)
     text = _SIDES.sub(lambda m: _sides(m, found), text)
+    if found.size is None:
+        text = _BARE.sub(lambda m: _bare(m, found), text)
     found.text = text
     _check(found)
     return found
@@ -87,7 +98,22 @@ def _sides(m: re.Match[str], found: Cleaned) -> str:
     a, b = metres(m[1], m[2] or m[4]), metres(m[3], m[4])
     if max(a, b) < 1.2:  # a piece of furniture
         return m[0]
+    found.size = (round(max(a, b), 4), round(min(a, b), 4))
+    return " "
+
+
+def _too_far(m: re.Match[str], found: Cleaned) -> str:
+    found.notes.append(f"'{m[0]}' is no measure of a room; it was left open")
+    return " "
+
+
+def _bare(m: re.Match[str], found: Cleaned) -> str:
+    """Sides without a unit are metres when a room may have them."""
+    a, b = metres(m[1], None), metres(m[2], None)
+    if not (1.5 <= min(a, b) and max(a, b) <= 40):
+        return m[0]
     found.size = (max(a, b), min(a, b))
+    found.notes.append(f"'{m[0].strip()}' was read as metres")
     return " "
 
 

@@ -8,7 +8,7 @@ from typing import Any
 from sceneweaver.assets import categories
 
 from .lexer import Token
-from .tables import category_of, groups
+from .tables import category_of, groups, words
 
 MODIFIERS = ("color", "material", "finish", "styles", "scale", "shape", "moods", "dim", "density", "room_scale")
 
@@ -17,7 +17,7 @@ CATALOGUE = {
     "behind": "behind", "left_of": "left_of", "right_of": "right_of", "between": "between", "around": "around",
     "against": "against_wall", "on": "on_top", "inside": "inside", "above": "above", "below": "near",
     "facing": "facing", "opposite": "facing", "parallel": "parallel", "aligned": "aligned",
-    "back_to_back": "back_to_back", "at_table": "front_against", "away": "away_from_door",
+    "back_to_back": "back_to_back", "flank": "leftright_to_leftright", "at_table": "front_against", "away": "away_from_door",
 }  # fmt: skip
 """What a spoken relation between two things is in the relation catalogue."""
 
@@ -108,6 +108,7 @@ class Parser:
         self.last: list[Mention] = []  # the noun phrase just read, for "it", "them" and lists
         self.relation: tuple[str, list[Mention], str] | None = None
         self.before: list[tuple[str, Any, str]] = []  # relations said ahead of their subject
+        self.before_used = False
         self.first_of_pair: Mention | None = None
         self.negated = False
         self.owner: Mention | None = None  # whose "with" it is
@@ -156,11 +157,16 @@ class Parser:
         if token.has("length"):
             self.pending.length = token.get("length")
             return
+        if token.text in ("seats", "sleeps", "seat", "sleep", "seating", "accommodates") and self._number_follows():
+            self.out.people = (self.tokens[self.at].get("amount") or (0, self.tokens[self.at].get("number")))[1]
+            self.at += 1
+            return
         if token.has("place") and self._place(token):
             return
         if token.has("people_words", "whom") and self._people(token):
             return
-        if token.has("group") and self.out.room is not None and not token.has("noun"):
+        if token.has("group") and not token.has("noun") and (self.out.room is not None or self._other_room()):
+            self._stranger_ends()
             self._group(token)
             return
         if token.has("room") and self._room(token):
@@ -200,6 +206,10 @@ class Parser:
     def _noun_follows(self, within: int) -> bool:
         return any(t.has("noun", "group") for t in self._ahead(within))
 
+    def _other_room(self) -> bool:
+        """Whether another word names the room, so that a "dining area" is a part of it."""
+        return any(t.has("room") and not t.has("group", "noun") for t in self.tokens)
+
     def _number_follows(self) -> bool:
         return any(t.has("number", "amount") for t in self._ahead(1))
 
@@ -210,6 +220,9 @@ class Parser:
             count = token.get("amount")
             if token.text in ("twin", "double", "single") and self.at < len(self.tokens):
                 ahead = self.tokens[self.at]
+                if ahead.has("room") or ahead.text == "room":
+                    self.out.people = 1 if token.text == "single" else 2  # "a twin room"
+                    return True
                 if ahead.has("noun") and f"{token.text} {ahead.text}":
                     self.pending.tokens.append(token)
                     return True
@@ -252,9 +265,10 @@ class Parser:
         name = token.get("room")
         noun = token.has("noun")
         if self.out.room is not None:
-            if noun:
-                return False
-            return True
+            other = name != self.out.room and not noun and not any(t.has("noun") for t in self._ahead(1))
+            if other:
+                self.out.notes.append(f"'{token.text}' is another room; only the {self.out.room_words} is made")
+            return not noun
         if noun and (self.out.mentions or self.owner is not None):
             return False
         if self.relation is not None and self.relation[0] not in ("inside",) and noun:
@@ -262,6 +276,8 @@ class Parser:
         self._stranger_ends()
         out = self.out
         out.room, out.room_words = name, token.text
+        spoken = token.text.replace("'s", "").split()
+        out.for_whom += [w for w in spoken if w in words()["whom"]]  # "bedroom for a teenager" may be one name
         for word in self.pending.tokens:
             if word.has("room_scale"):
                 out.room_scale = float(word.get("room_scale"))
@@ -305,6 +321,9 @@ class Parser:
             return True
         relation = self.relation
         if place == "room":
+            if self.strangers and self.out.room is None and not self.out.room_words:
+                self.out.room_words = " ".join([*self.strangers, token.text])
+                self.out.notes.append(f"'{self.out.room_words}' is no kind of room that is known")
             if relation is not None and relation[0] == "inside":
                 self.relation = None
             for word in self.pending.tokens:
@@ -326,7 +345,7 @@ class Parser:
             self.out.notes.append(f"'away from the {place}' cannot be said as a relation and was left out")
             self.relation = None
             return True
-        subjects, words = (relation[1], relation[2]) if relation else (list(self.last), token.text)
+        subjects, words = (relation[1], relation[2]) if relation else (self.last[-1:], token.text)
         if kind == "between" and self.first_of_pair is not None:
             self.out.said.append(Said("near", list(subjects), self.first_of_pair, words))
         self._relate(kind, place, subjects, words)
@@ -363,9 +382,7 @@ class Parser:
         if token.has("color", "material") and ahead is not None and ahead.has("noun"):
             self.pending.tokens.append(token)
             return False
-        if token.has("stop", "verb") and self.pending.empty and self.relation is None and not self.joined:
-            return False
-        return True
+        return not (token.has("stop", "verb") and self.pending.empty and self.relation is None and not self.joined)
 
     def _noun(self, token: Token) -> None:
         name = token.get("noun")
@@ -427,15 +444,20 @@ class Parser:
                     self._relate(kind, (mention, mention), subjects, words)
                 return
             target: Any = (self.first_of_pair, mention) if kind == "between" else mention
+            if self.at >= 2 and self.tokens[self.at - 2].has("each") and mention.count is not None:
+                for subject in subjects:  # "four chairs around each table"
+                    low, high = subject.count or (1, 1)
+                    subject.count = (low * mention.count[0], high * mention.count[1])
             for subject in subjects if kind in ("on", "inside") else ():
                 subject.category = SMALL.get(subject.category, subject.category)
             self._relate(kind, target, subjects, words)
             self.last = [mention]
             return
+        if self.before_used and not joined:  # "on the desk a lamp and a book": both; a new phrase is free of it
+            self.before = []
         for kind, target, words in self.before:
             self.out.said.append(Said(kind, [mention], target, words))
-        if self.before:
-            self.before = [] if not joined else self.before
+        self.before_used = bool(self.before)
         if self.owner is not None and self.owner is not mention:
             self._owned(self.owner, mention)
         if joined and self.last and not any(mention is m for m in self.last):
@@ -498,12 +520,13 @@ class Parser:
         self._leftover()
         subjects = list(self.subjects)
         if self.last and not self._verb_before():
-            subjects = self.last[-1:]  # "a bed and a desk by the window": the desk; "... are by the window": both
+            # "A bed and a desk by the window": the desk; "... are by the window": both; "on" is said of all.
+            subjects = list(self.last) if kind in ("on", "inside") else self.last[-1:]
         if self.joined:
             subjects = []
         self.relation, self.first_of_pair, self.joined = (kind, subjects, token.text), None, False
         if kind == "flank":
-            self.relation = ("beside", subjects, token.text)
+            self.relation = (kind, list(self.last) if not subjects or len(self.last) == 2 else subjects, token.text)
         return True
 
     def _target_follows(self) -> bool:
@@ -522,6 +545,7 @@ class Parser:
             self.subjects = list(subjects)
         else:
             self.before.append((kind, target, spoken))
+            self.before_used = False
 
     def _pronoun(self) -> bool:
         assert self.relation is not None
@@ -546,6 +570,8 @@ class Parser:
     def _break(self, text: str) -> None:
         self._leftover()
         if text == ",":
+            if self.before_used:
+                self.before, self.before_used = [], False
             self.joined = True
             return
         self.negated, self.joined, self.owner, self.relation = False, False, None, None

@@ -13,6 +13,8 @@ from .lexer import tokens
 from .model import Asked, AskedRelation, Brief
 from .parser import BESIDE, CATALOGUE, Mention, Parser, Reading, Said
 
+_BEDS = ("bed", "king_bed", "single_bed", "canopy_bed")
+
 MOST = 400
 """Largest count of one thing that is taken seriously."""
 
@@ -31,6 +33,8 @@ def read_brief(text: str) -> Brief:
     foreign = sum(ord(c) > 0x24F and c.isalpha() for c in text)
     if foreign > 3 or not re.search(r"[a-zA-Z]", text):
         notes.append("only English is read; what else the request says was not understood")
+    elif reading.room is None and not reading.mentions and sum(len(u.split()) for u in reading.unread) >= 3:
+        notes.append("nothing of it names a room or furniture; only English is read")
     return _brief(text, cleaned, reading, notes)
 
 
@@ -68,6 +72,13 @@ def _brief(text: str, cleaned: Cleaned, reading: Reading, notes: list[str]) -> B
 def _without_contradictions(reading: Reading, notes: list[str]) -> list[Mention]:
     """What is both wanted and not wanted stays out."""
     kept: list[Mention] = []
+    related = {id(m) for said in reading.said for m in said.subjects}
+    for k, one in enumerate(reading.mentions):
+        for two in reading.mentions[k + 1 :]:
+            if (one.category == two.category and one.count and two.count and one.count != two.count
+                    and not {id(one), id(two)} & related
+                    and (one.color, one.material, one.scale) == (two.color, two.material, two.scale)):  # fmt: skip
+                notes.append(f"{one.noun}: {one.count[0]} and {two.count[0]} were asked for; both are made")
     for mention in reading.mentions:
         if mention.category in reading.without:
             notes.append(f"{mention.noun} is both wanted and not wanted; it was left out")
@@ -134,11 +145,16 @@ def _meaning(said: Said, subject: Mention, ids: dict[int, str]) -> tuple[str | N
         return None, None, {}
     kind = CATALOGUE.get(said.kind)
     mount = categories()[subject.category].mount
-    carries = categories()[target.category].mount[0] == "floor"
+    support = categories()[target.category]
+    carries = support.mount[0] == "floor" or bool(support.holds)
     if said.kind in ("on", "inside") and (mount[0] == "wall" or ("surface" not in mount and mount[0] != "floor")):
         return "above", name, {}
     if said.kind in ("on", "inside") and (not carries or (mount[0] == "floor" and "surface" not in mount)):
         return "near", name, {"max": 0.3}
+    if said.kind in ("beside", "by") and subject.category == "nightstand" and target.category in _BEDS:
+        return "leftright_to_leftright", name, {}
+    if said.kind == "flank" and mount[0] != "floor":
+        return "near", name, {"max": BESIDE}
     if said.kind in ("beside", "by", "below"):
         return "near", name, {"max": BESIDE if said.kind != "below" else 0.0}
     if said.kind == "against":
@@ -168,8 +184,13 @@ def _at_place(kind: str, place: str, subject: Mention) -> tuple[str | None, Any,
 
 
 def _once(relations: list[AskedRelation]) -> list[AskedRelation]:
+    """Each relation once; "a bed with nightstands" says no more where a word says how they stand to the bed."""
     seen, kept = set(), []
     for r in relations:
+        if " with " in r.words and any(
+            o is not r and (o.subject, o.target) == (r.subject, r.target) and " with " not in o.words for o in relations
+        ):
+            continue
         key = (r.type, r.subject, r.target)
         if key not in seen:
             seen.add(key)

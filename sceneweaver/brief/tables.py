@@ -1,8 +1,7 @@
-"""What English words mean to a request: phrases of ``words.yaml`` and ``groups.yaml``, nouns, colours, kinds of rooms."""
+"""What English words mean to a request: phrases of ``words.yaml`` and ``groups.yaml``, nouns, colours, rooms."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
 from importlib import resources
 from typing import Any
@@ -44,13 +43,6 @@ MATERIALS = (
 )  # fmt: skip
 
 
-@dataclass(frozen=True)
-class Entry:
-    """What one phrase can be: kinds with their values, the likeliest first."""
-
-    kinds: dict[str, Any]
-
-
 @cache
 def words() -> dict[str, Any]:
     """The file ``words.yaml``."""
@@ -73,7 +65,7 @@ def vocabulary() -> dict[str, dict[str, Any]]:
 
     data = words()
     for section in ("relations", "places", "scale", "room_scale", "shape", "density", "styles", "dims"):
-        kind = {"relations": "relation", "places": "place", "styles": "style", "dims": "dim"}.get(section, section)
+        kind = {"relations": "relation", "places": "place", "dims": "dim"}.get(section, section)
         for value, listed in data[section].items():
             for phrase in listed:
                 put(phrase, kind, value)

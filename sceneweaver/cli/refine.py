@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import typer
 
-from sceneweaver.scene import InputError, Scene, write_atomic
+from sceneweaver.scene import Scene, write_atomic
 
 from .app import NOT_VALID
 from .output import headline, list_files, list_violations, no_chatter, print_json, progress_bar, relations_line, staged

@@ -105,7 +105,9 @@ def _options(survey: Survey, said: AskedRelation, body: Body, count: int) -> Ite
     elif kind == "wall":
         name = said.target.split(":", 1)[1] if isinstance(said.target, str) and ":" in said.target else None
         targets = [None] if name is None else [f"wall:{k}" for k in walls_named(name, survey.scene.room)]
-    elif kind in ("window", "door"):
+    elif kind == "window":
+        targets = [w.id for w in survey.scene.room.windows]
+    elif kind == "door":
         targets = [None]
     elif kind == "objects":
         pair = said.target if isinstance(said.target, tuple) else (str(said.target), str(said.target))

@@ -144,11 +144,11 @@ def cast(
 
         one_core = wp.get_device(device).is_cpu
 
-        def draw(which: np.ndarray, rays: int) -> None:
+        def draw(which: np.ndarray, rays: int, shades: int) -> None:
             chosen = wp.array(which, dtype=int)
 
             def band(start: int, count: int) -> None:
-                given = [solid, lens, light, sky, chosen, width, height, start, rays, quality.shades, period]
+                given = [solid, lens, light, sky, chosen, width, height, start, rays, shades, period]
                 wp.launch(raycast.cast, count, given, [color, lit, shine, normal, depth, objects], device=device)
 
             _in_bands(band, len(which), one_core)
@@ -157,12 +157,13 @@ def cast(
             wp.launch(raycast.develop, count, [width, height, start, quality.radius, lighting.exposure, color, lit,
                       shine, normal, depth, objects], [out], device=device)  # fmt: skip
 
-        draw(np.arange(pixels), 1 if quality.sparing else quality.rays)
+        draw(np.arange(pixels), 1 if quality.sparing else quality.rays, quality.shades)
         if quality.sparing and quality.rays > 1:
             shape = (height, width)
             edges = _changes(objects.numpy().reshape(shape), depth.numpy().reshape(shape),
                              *(a.numpy().reshape(*shape, 3) for a in (normal, color, shine)))  # fmt: skip
-            draw(np.flatnonzero(edges), quality.rays)
+            # Edges have fewer neighbours to be smoothed with.
+            draw(np.flatnonzero(edges), quality.rays, quality.shades + 1)
         _in_bands(develop, pixels, one_core)
         rgb = (out.numpy().reshape(height, width, 3) * 255.0 + 0.5).astype(np.uint8)
         seen = objects.numpy().reshape(height, width)

@@ -23,9 +23,12 @@ class Builder:
         self._count = 0
 
     def prism(
-        self, plan: np.ndarray, z: Range, material: Material, top: Material | None = None, base: bool = True
+        self, plan: np.ndarray, z: Range, material: Material, top: Material | None = None, first: Material | None = None
     ) -> None:
-        """A convex counter-clockwise ``plan`` [N, 2] from ``z[0]`` to ``z[1]``; ``top`` is the look of its lid."""
+        """A convex counter-clockwise ``plan`` [N, 2] from ``z[0]`` to ``z[1]``.
+
+        ``top`` is the look of its lid and ``first`` that of the side from its first corner to the second.
+        """
         if z[0] >= self.top - 1e-9:
             return
         z = (z[0], min(z[1], self.top))
@@ -33,19 +36,27 @@ class Builder:
         ring = np.arange(n)
         after = (ring + 1) % n
         fan = np.array([(0, k, k + 1) for k in range(1, n - 1)])
-        sides = np.concatenate([np.stack([ring, after, after + n], 1), np.stack([ring, after + n, ring + n], 1)])
-        body = np.concatenate([fan[:, ::-1], sides]) if base else sides
+        sides = np.stack([ring, after, after + n, ring, after + n, ring + n], 1).reshape(-1, 3)
         vertices = np.concatenate([np.column_stack([plan, np.full(n, level)]) for level in z])
-        self.add(vertices, body, material)
-        self.add(vertices, fan + n, top or material)
+        start = self._join(vertices)
+        self._paint(start, np.concatenate([fan[:, ::-1], sides[2:]]), material)
+        self._paint(start, sides[:2], first or material)
+        self._paint(start, fan + n, top or material)
 
     def add(self, vertices: np.ndarray, faces: np.ndarray, material: Material) -> None:
         """Any triangles: ``vertices`` [V, 3], ``faces`` [F, 3]."""
-        kind = self._materials.setdefault(material, len(self._materials))
+        self._paint(self._join(vertices), faces, material)
+
+    def _join(self, vertices: np.ndarray) -> int:
+        start = self._count
         self._vertices.append(np.asarray(vertices, dtype=float))
-        self._faces.append(np.asarray(faces, dtype=np.int32) + self._count)
-        self._kinds.append(np.full(len(faces), kind, dtype=np.int32))
         self._count += len(vertices)
+        return start
+
+    def _paint(self, start: int, faces: np.ndarray, material: Material) -> None:
+        kind = self._materials.setdefault(material, len(self._materials))
+        self._faces.append(np.asarray(faces, dtype=np.int32) + start)
+        self._kinds.append(np.full(len(faces), kind, dtype=np.int32))
 
     def mesh(self) -> Mesh | None:
         """Everything as one mesh, or None when there is nothing."""

@@ -23,7 +23,7 @@ _BLIND = Material("shutter", (0.0, 0.0, 0.0))
 def corner_light(room: Room, way: np.ndarray, cut: set[int], things: Sequence[Instance]) -> Lighting:
     """The light of a picture from a corner in the direction ``way`` [2] (unit, from the room to the camera)."""
     left = np.array([-way[1], way[0]])
-    key = 0.62 * way + 0.50 * left
+    key = 0.66 * way + 0.34 * left
     more = _beam(room, [k for k in range(len(room.outline)) if k not in cut])
     return Lighting(
         sun=(float(key[0]), float(key[1]), 1.15),

@@ -101,12 +101,8 @@ def _wall(
         if outer_b - outer_a < 1e-3:
             outer_a, outer_b = a, b
         plan = frame.points([(outer_a, WALL_THICKNESS), (outer_b, WALL_THICKNESS), (b, 0.0), (a, 0.0)])
-        builder.prism(plan, z, look.wall, look.cut if z[1] >= height - 1e-6 else look.wall)
-        # A thin outer skin keeps strong wall paint inside the room.
-        if outer_b - outer_a > 0.01:
-            skin = frame.points([(outer_a, WALL_THICKNESS + 0.001), (outer_b, WALL_THICKNESS + 0.001),
-                                 (outer_b, WALL_THICKNESS), (outer_a, WALL_THICKNESS)])  # fmt: skip
-            builder.prism(skin, z, look.outside, look.cut)
+        # The outer face, which is the plan's first side, has a paint of its own.
+        builder.prism(plan, z, look.wall, look.cut if z[1] >= height - 1e-6 else look.wall, first=look.outside)
 
 
 def _fittings(builder: Builder, room: Room, wall: int, frame: WallFrame, look: Finishes) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from PIL import Image
+from PIL import Image, ImageFilter
 
 from sceneweaver.assets import Asset
 from sceneweaver.assets.body import Material, Mesh
@@ -13,7 +13,7 @@ from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.messages import suggest
 
 from .camera import Camera
-from .caster import Instance, Quality, cast
+from .caster import Instance, Picture, Quality, cast
 from .room_bodies import hidden_with, instances_of
 from .room_camera import corner_camera, corner_directions, cut_walls, opposite
 from .room_finish import finishes_of
@@ -89,9 +89,8 @@ def _corner(
     lighting = corner_light(scene.room, way, cut, shown)
     eye = np.eye(4)
     solids = [Instance(mesh, eye) for mesh in (shell.floor, *shell.walls, _ground()) if mesh is not None]
-    return Image.fromarray(
-        cast([*shown, *solids], camera, width, height, lighting=lighting, quality=quality, device=device).rgb
-    )
+    drawn = cast([*shown, *solids], camera, width, height, lighting=lighting, quality=quality, device=device)
+    return Image.fromarray(_faded(_glowing(drawn, len(shown))))
 
 
 def _top(
@@ -107,9 +106,28 @@ def _top(
     lighting = top_light(scene.room, shown)
     eye = np.eye(4)
     solids = [Instance(mesh, eye) for mesh in (shell.floor, *shell.walls, _ground()) if mesh is not None]
-    return Image.fromarray(
-        cast([*shown, *solids], camera, width, height, lighting=lighting, quality=quality, device=device).rgb
-    )
+    drawn = cast([*shown, *solids], camera, width, height, lighting=lighting, quality=quality, device=device)
+    return Image.fromarray(_faded(_glowing(drawn, len(shown))))
+
+
+def _glowing(picture: Picture, things: int) -> np.ndarray:
+    """The picture [H, W, 3] with a soft warm shine around what is very bright of the first ``things`` instances."""
+    rgb = picture.rgb
+    bright = (picture.objects >= 0) & (picture.objects < things) & (rgb.min(axis=2) >= 250)
+    if not bright.any():
+        return rgb
+    radius = rgb.shape[0] / 75
+    mask = Image.fromarray((bright * np.uint8(255)).astype(np.uint8)).filter(ImageFilter.GaussianBlur(radius))
+    shine = np.asarray(mask, dtype=np.float32)[..., None] / 255 * np.array([0.50, 0.40, 0.26], dtype=np.float32)
+    return (255.0 - (255.0 - rgb) * (1.0 - shine)).astype(np.uint8)
+
+
+def _faded(rgb: np.ndarray) -> np.ndarray:
+    """The picture [H, W, 3] a little brighter in the middle and darker toward its corners, so that the eye stays in."""
+    height, width = rgb.shape[:2]
+    y, x = np.linspace(-1.0, 1.0, height)[:, None], np.linspace(-1.0, 1.0, width)[None, :]
+    share = 1.03 - 0.085 * np.clip(0.62 * x * x + 0.62 * y * y, 0.0, 1.2)
+    return np.clip(rgb * share[..., None].astype(np.float32) + 0.5, 0.0, 255.0).astype(np.uint8)
 
 
 def _plan(scene: Scene, width: int, height: int) -> View:
@@ -132,5 +150,5 @@ def _ground() -> Mesh:
     r, z = 500.0, -SLAB - 0.001
     corners = np.array([(-r, -r, z), (r, -r, z), (r, r, z), (-r, r, z)])
     zeros = np.zeros(2, dtype=np.int32)
-    look = Material("ground", (0.80, 0.79, 0.775), roughness=1.0)
+    look = Material("ground", (0.79, 0.778, 0.757), roughness=1.0)
     return Mesh(corners, np.array([[0, 1, 2], [0, 2, 3]], dtype=np.int32), zeros, zeros, (look,))

@@ -72,7 +72,7 @@ def test_coarse_shapes_contain_the_true_parts():
                 [
                     shapely.Polygon(p.polygon).buffer(1e-6)
                     for p in rough.solids
-                    if p.z[0] <= part.z[0] + 1e-9 and p.z[1] >= part.z[1] - 1e-6
+                    if p.z[0] <= part.z[0] + 1e-5 and p.z[1] >= part.z[1] - 1e-5
                 ]
             )
             assert room.contains(shapely.Polygon(part.polygon)), true.id

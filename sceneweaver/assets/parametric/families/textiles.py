@@ -155,8 +155,9 @@ def round_rug(b: Builder) -> None:
             rings = 0
         for k in range(rings):
             share = 1.0 - (k + 0.4) / rings
+            top = _ground(h) + (h - _ground(h)) * (k + 1) / (rings + 1)
             b.add(
-                shapes.frustum(r * share, r * share, (h * 0.4, _ground(h) + (h - _ground(h)) * (k + 1) / (rings + 1)), 48),
+                shapes.frustum(r * share, r * share, (h * 0.4, top), 48),
                 second if k % 2 == 0 else field,
                 hulls=[],
             )
