@@ -30,7 +30,7 @@ help: ## Show this list
 
 install: $(READY) ## Make .venv from uv.lock (the other targets do it when needed)
 
-demo: $(READY) ## Lay out the demo room; results in out/demo
+demo: $(READY) ## Design the demo room; results in out/demo
 	$(BIN)/python -m sceneweaver.cli demo --out $(OUT)
 
 test: $(READY) ## Run the tests except the long ones

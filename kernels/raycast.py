@@ -269,7 +269,8 @@ def cast(
     """
     pixel = pixels[start + wp.tid()]
     px, py = pixel % width, pixel // width
-    tile = (py % period) * period + px % period
+    # Rows are shifted against each other: else points in a column have nearly one direction, and shadows are streaky.
+    tile = (py % period) * period + (px + 2 * (py % period)) % period
     color, lit, shine, mean = wp.vec3(0.0), wp.vec3(0.0), wp.vec3(0.0), wp.vec3(0.0)
     depth = float(_FAR)
     cover = float(0.0)

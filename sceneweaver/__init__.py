@@ -7,6 +7,8 @@ from importlib import import_module as _import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from sceneweaver.agent import Result as Result
+    from sceneweaver.agent import design as design
     from sceneweaver.extend import define_relation as define_relation
     from sceneweaver.extend import undefine_relation as undefine_relation
     from sceneweaver.layout import Solution as Solution
@@ -39,6 +41,7 @@ __all__ = [
     "Relation",
     "Repair",
     "Report",
+    "Result",
     "Room",
     "Scene",
     "SceneObject",
@@ -48,6 +51,7 @@ __all__ = [
     "__version__",
     "check",
     "define_relation",
+    "design",
     "draw_top",
     "refine",
     "refine_many",
@@ -64,6 +68,7 @@ _HOME = {
     "Relation": "scene",
     "Repair": "repairs",
     "Report": "verify",
+    "Result": "agent",
     "Room": "scene",
     "Scene": "scene",
     "SceneObject": "scene",
@@ -72,6 +77,7 @@ _HOME = {
     "Violation": "verify",
     "check": "verify",
     "define_relation": "extend",
+    "design": "agent",
     "draw_top": "render",
     "refine": "layout",
     "refine_many": "layout",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -9,6 +10,7 @@ from sceneweaver.brief import AskedRelation, Brief
 from sceneweaver.knowledge import Place
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Room
 
+from .prior_lines import lines_of
 from .prior_program import Wanted
 
 CONFLICTS: dict[str, frozenset[str]] = {
@@ -49,7 +51,17 @@ def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[s
                     Relation(type="near", subject=one.id, target=relation.target, params={"max": 0.3},
                              hard=relation.hard)
                 )  # fmt: skip
-    return _cornered(_without_doubles(found), room)
+    return _cornered(_without_doubles([*found, *_chained(wanted)]), room)
+
+
+def _chained(wanted: Sequence[Wanted]) -> list[Relation]:
+    """The pieces of a run stand side by side, over the corner too; so they may reach into each other's free space."""
+    return [
+        Relation(type="side_by_side", subject=b.id, target=a.id, hard=False, weight=0.5)
+        for line in lines_of(wanted)
+        if line.flush
+        for a, b in itertools.pairwise(line.pieces)
+    ]
 
 
 def _squared(seat: Wanted, table: Wanted) -> Relation:

@@ -37,8 +37,8 @@ def run(settings: Settings, judge: Judge) -> Result:
     result = Result(
         "requests",
         "Requests in words",
-        "What a request asks for: things with their counts, relations, what must not be there, size, people. Met as the "
-        "critic measures it; what is not met or not understood is reported with the scene.",
+        "What a request asks for: things with their counts, relations, what must not be there, size, people. Met as "
+        "the critic measures it; what is not met or not understood is reported with the scene.",
     )
     table = result.add("requests", "Requests", COLUMNS)
     for number, text in enumerate(requests()[:1] if settings.quick else requests()):
@@ -52,7 +52,8 @@ def _row(text: str, settings: Settings, seed: int) -> dict[str, Any]:
     made = design(text, seed=seed, device=settings.device, candidates=settings.most)
     brief = made.brief
     asked = len(brief.objects) + len(brief.relations) + len(brief.without)
-    asked += sum(v is not None for v in (brief.size, brief.area, brief.people, brief.shape, brief.height, brief.windows))
+    said = (brief.size, brief.area, brief.people, brief.shape, brief.height, brief.windows)
+    asked += sum(value is not None for value in said)
     physical = [v for v in made.report.violations if v.kind not in ("soft_relation", "relation", "dropped")]
     reported = [*made.unmet, *(f"'{word}'" for word in brief.unread)]
     return {

@@ -72,13 +72,19 @@ class Executor:
         fresh, drafts = proposal.fresh, [dict(poses) for poses in proposal.drafts]
         if not fresh and (placed := self._in_place(scene, draft, seed, notes)) is not None:
             return replace(placed, notes=tuple(notes), unmet=tuple(unmet))
-        best = self._refined(draft, drafts, fresh, seed, 0)
+        best, patient = self._refined(draft, drafts, fresh, seed, 0), False
         for round_ in range(ROUNDS):
             if best.report.valid or not any(v.kind not in ("soft_relation", "dropped") for v in best.report.violations):
                 break
+            before = len(unmet)
             lighter = self._give_way(draft, best, notes, unmet)
             if lighter is None:
                 break
+            if len(unmet) > before and not patient:  # before anything that was asked for goes
+                patient = True
+                best = min(best, self._refined(draft, drafts, fresh, seed, 1), key=lambda o: o.key)
+                del unmet[before:]
+                continue
             draft, drafts = lighter, _kept(drafts, lighter)
             # Patience pays once what is merely wished for has gone.
             best = min(best, self._refined(draft, drafts, fresh, seed, int(round_ >= ROUNDS // 2)), key=lambda o: o.key)

@@ -26,7 +26,8 @@ _CEILING = re.compile(
     r"|(?:room\s+)?height\s*(?:of|is|:)?\s*" + _NUMBER + r"\s*" + _LENGTH + r")(?![a-z])"
 )
 _DIGITS = {word: n for n, word in enumerate(
-    "one two three four five six seven eight nine ten eleven twelve".split(), start=1)}  # fmt: skip
+    ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"],
+    start=1)}  # fmt: skip
 _SPELT = re.compile(
     r"\b(" + "|".join(_DIGITS) + r")\b(?=\s*-?\s*(?:by|x|square|sq|m|met(?:er|re)s?|feet|foot|ft|cm)\b)"
 )
@@ -110,7 +111,7 @@ def _too_far(m: re.Match[str], found: Cleaned) -> str:
 def _bare(m: re.Match[str], found: Cleaned) -> str:
     """Sides without a unit are metres when a room may have them."""
     a, b = metres(m[1], None), metres(m[2], None)
-    if not (1.5 <= min(a, b) and max(a, b) <= 40):
+    if not (min(a, b) >= 1.5 and max(a, b) <= 40):
         return m[0]
     found.size = (max(a, b), min(a, b))
     found.notes.append(f"'{m[0].strip()}' was read as metres")

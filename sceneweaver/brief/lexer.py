@@ -85,7 +85,7 @@ def _mended(raw: list[str], at: int, notes: list[str]) -> Token:
     word = raw[at]
     if len(word) >= SHORT and word.isascii():
         near = difflib.get_close_matches(word, _single_words(), n=1, cutoff=0.82)
-        if near and near[0][0] == word[0] and not near[0].startswith(word):  # "print" is no misspelt printer
+        if near and near[0][0] == word[0] and near[0] not in (word + "er", word + "or"):  # "print" stays
             notes.append(f"'{word}' was read as '{near[0]}'")
             return Token(near[0], dict(vocabulary()[near[0]]))
         if at + 1 < len(raw):

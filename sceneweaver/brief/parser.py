@@ -8,7 +8,8 @@ from typing import Any
 from sceneweaver.assets import categories
 
 from .lexer import Token
-from .tables import category_of, groups, words
+from .tables import category_of, groups
+from .tables import words as listed
 
 MODIFIERS = ("color", "material", "finish", "styles", "scale", "shape", "moods", "dim", "density", "room_scale")
 
@@ -17,7 +18,8 @@ CATALOGUE = {
     "behind": "behind", "left_of": "left_of", "right_of": "right_of", "between": "between", "around": "around",
     "against": "against_wall", "on": "on_top", "inside": "inside", "above": "above", "below": "near",
     "facing": "facing", "opposite": "facing", "parallel": "parallel", "aligned": "aligned",
-    "back_to_back": "back_to_back", "flank": "leftright_to_leftright", "at_table": "front_against", "away": "away_from_door",
+    "back_to_back": "back_to_back",
+    "flank": "leftright_to_leftright", "at_table": "front_against", "away": "away_from_door",
 }  # fmt: skip
 """What a spoken relation between two things is in the relation catalogue."""
 
@@ -180,6 +182,9 @@ class Parser:
             return
         if token.has("pron") and self.relation is not None and self.relation[0] != "away" and self._pronoun():
             return
+        if token.has("relation", "shape") and token.has("shape") and any(t.has("room", "noun") for t in self._ahead(1)):
+            self.pending.tokens.append(token)  # "a round restaurant"
+            return
         if token.has("relation") and self._relation(token):
             return
         if token.has("with"):
@@ -189,6 +194,8 @@ class Parser:
             self.joined = True
             return
         if token.has("det"):
+            if self.negated and token.text in ("a", "an") and self._negation_over():
+                self.negated = False
             self._leftover()
             self.pending = Pending(definite=token.text in ("the", "this", "that", "these", "those"), any=True)
             return
@@ -205,6 +212,11 @@ class Parser:
 
     def _noun_follows(self, within: int) -> bool:
         return any(t.has("noun", "group") for t in self._ahead(within))
+
+    def _negation_over(self) -> bool:
+        """Whether a new phrase begins: "no TV, and a desk" wants a desk, "without a TV or a desk" does not."""
+        back = [t.text for t in reversed(self.tokens[max(0, self.at - 7) : self.at - 1])]
+        return back[:1] != ["or"] and ("," in back[:2] or (back[:1] == ["and"] and "no" in back))
 
     def _other_room(self) -> bool:
         """Whether another word names the room, so that a "dining area" is a part of it."""
@@ -277,7 +289,7 @@ class Parser:
         out = self.out
         out.room, out.room_words = name, token.text
         spoken = token.text.replace("'s", "").split()
-        out.for_whom += [w for w in spoken if w in words()["whom"]]  # "bedroom for a teenager" may be one name
+        out.for_whom += [w for w in spoken if w in listed()["whom"]]  # "bedroom for a teenager" may be one name
         for word in self.pending.tokens:
             if word.has("room_scale"):
                 out.room_scale = float(word.get("room_scale"))
@@ -387,6 +399,15 @@ class Parser:
     def _noun(self, token: Token) -> None:
         name = token.get("noun")
         category = category_of(name)
+        if name in ("furniture", "object"):  # "white furniture" is about the whole room
+            self._leftover()
+            self.negated = False
+            return
+        if self.negated and self.pending.definite and any(t.has("relation") for t in self._ahead(1)):
+            self.negated = False  # "don't put the bed near the door" wants a bed
+            self._connect(self._known(category) or self._made(token.text, category))
+            self.pending, self.negated = Pending(), True
+            return
         if self.negated:
             words = groups()["without"].get(token.text)
             self.out.without += words or [name if categories()[name].size is None else category]
@@ -515,7 +536,19 @@ class Parser:
             return False
         if kind in ("by", "inside", "on") and token.has("stop") and not self._target_follows():
             return False
-        if self.negated:
+        if self.negated and any(t.has("room") and not t.has("noun") for t in self._ahead(2)):
+            self.negated = False  # "no plants in the living room"
+            return True
+        if self.negated:  # where a thing must not be
+            self._leftover()
+            start = self.at - 1
+            while self.at < len(self.tokens) and self.tokens[self.at].has("det"):
+                self.at += 1
+            self.at = min(self.at + 1, len(self.tokens))
+            words = " ".join(t.text for t in self.tokens[start : self.at])
+            self.out.unread.append(f"not {words}")
+            self.out.notes.append(f"'not {words}' cannot be said as a relation and was left out")
+            self.negated = False
             return True
         self._leftover()
         subjects = list(self.subjects)

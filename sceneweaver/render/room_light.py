@@ -24,11 +24,13 @@ def corner_light(room: Room, way: np.ndarray, cut: set[int], things: Sequence[In
     """The light of a picture from a corner in the direction ``way`` [2] (unit, from the room to the camera)."""
     left = np.array([-way[1], way[0]])
     key = 0.66 * way + 0.34 * left
-    more = _beam(room, [k for k in range(len(room.outline)) if k not in cut])
+    walls = list(range(len(room.outline)))
+    # Best is a window that is seen; sun also comes through those of the walls that are cut away.
+    more = _beam(room, [k for k in walls if k not in cut]) or _beam(room, walls)
     return Lighting(
         sun=(float(key[0]), float(key[1]), 1.15),
         softness=0.075,
-        sun_color=(0.62, 0.58, 0.53) if more else (0.80, 0.75, 0.68),
+        sun_color=(0.62, 0.58, 0.53) if more else (0.68, 0.64, 0.58),
         sky=(0.68, 0.695, 0.725),
         ground=(0.36, 0.335, 0.31),
         background=(0.80, 0.79, 0.775),

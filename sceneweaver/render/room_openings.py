@@ -26,8 +26,8 @@ def add_door(builder: Builder, frame: WallFrame, door: Door, thickness: float, l
     if door.swing == "slide":
         _leaf(builder, frame, (inner, -0.05), 0.0, wide, 0.0, top - bar, look, 1.0)
         return
-    # Seen from inside the room, with the wall ahead, "left" is the far end of the wall (walls run counter-clockwise).
-    at_end = door.swing == "in-left"
+    # Left and right are those of somebody who comes in: an in-left door hangs at its offset.
+    at_end = door.swing == "in-right"
     angle = _AJAR if door.swing != "out" else 0.0
     hinge = (inner + wide if at_end else inner, 0.004)
     _leaf(builder, frame, hinge, angle, wide, 0.008, top - bar, look, -1.0 if at_end else 1.0)

@@ -119,7 +119,10 @@ def test_arguments_out_of_range():
         design(ASKED, steps=0)
 
 
-@pytest.mark.parametrize("prompt", ["请设计一间卧室", "'; DROP TABLE rooms; --", "<script>alert(1)</script>", "12345", "🛋️" * 40])
+ODD = ("请设计一间卧室", "'; DROP TABLE rooms; --", "<script>alert(1)</script>", "12345", "🛋️" * 40)
+
+
+@pytest.mark.parametrize("prompt", ODD)
 def test_odd_requests_get_a_room_and_say_what_was_assumed(prompt):
     result = design(prompt, steps=1, **QUICK)
     assert result.scene.objects and result.report.valid

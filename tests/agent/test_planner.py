@@ -25,7 +25,8 @@ def _situation(faults=(), memory=None, scene=True, **settings):
 
 
 def _fault(tool, points, **inputs):
-    return Fault(criterion="completion", kind="test", reason=f"{tool} {points}", tool=tool, inputs=inputs, points=points)
+    reason = f"{tool} {points}"
+    return Fault(criterion="completion", kind="test", reason=reason, tool=tool, inputs=inputs, points=points)
 
 
 def test_a_run_begins_with_initialisers_and_draws_of_their_own():

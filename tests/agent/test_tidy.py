@@ -82,4 +82,5 @@ def test_coarse_shapes_contain_the_true_parts():
 def test_a_layout_of_coarse_shapes_is_valid_for_the_true_ones():
     scene = Scene.example("living-room")
     solution = sw.refine(coarse(scene), candidates=16, seed=3)
-    assert check(scene.replace_poses({o.id: o.pose for o in solution.best.objects})).valid == (solution.status == 0).any()
+    layout = scene.replace_poses({o.id: o.pose for o in solution.best.objects})
+    assert (solution.status == 0).any() and check(layout).valid

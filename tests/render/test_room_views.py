@@ -12,9 +12,8 @@ from sceneweaver.render.room_camera import corner_camera, corner_directions, cut
 from sceneweaver.render.room_finish import FLOORS, finishes_of
 from sceneweaver.render.room_floor import floor_mesh
 from sceneweaver.render.room_light import corner_light, lamps_of
-from sceneweaver.render.room_notes import annotated
 from sceneweaver.render.room_shell import STUB, build_shell, wall_pieces
-from sceneweaver.scene import InputError, Pose, Room, Scene, Window
+from sceneweaver.scene import Door, InputError, Pose, Room, Scene, Window
 from tests.render.scenes import ZOO, box, everything, room_of
 
 QUICK = Quality(rays=1, shades=1, radius=1)
@@ -116,6 +115,17 @@ def test_no_solid_part_of_a_wall_is_in_an_opening() -> None:
         assert solid == pytest.approx(length * room.height - holes)
 
 
+@pytest.mark.parametrize(("swing", "hinge"), [("in-left", 1.0), ("in-right", 1.9)])
+def test_doors_stand_ajar_from_the_hinge_that_their_swing_names(swing, hinge: float) -> None:
+    door = Door(id="d", wall=0, offset=1.0, width=0.9, height=2.0, swing=swing)
+    room = Room(outline=((0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)), doors=(door,))
+    mesh = build_shell(room, finishes_of(Scene(id="s", room=room))).walls[0]
+    assert mesh is not None
+    # What reaches farthest into the room is the leaf's free end, away from its hinge.
+    x = float(mesh.vertices[np.argmax(mesh.vertices[:, 1]), 0])
+    assert abs(x - hinge) > 0.6
+
+
 @pytest.mark.parametrize("kind", FLOORS)
 def test_floors_cover_their_plan_and_no_more(kind: str) -> None:
     plan = np.array(L_ROOM)
@@ -198,7 +208,6 @@ def test_notes_grow_the_picture_by_edge_and_key() -> None:
     drawn = draw_rooms(everything(), None, ("top", "top_annotated"), 320, 240, QUICK)
     top, notes = drawn["top"], drawn["top_annotated"]
     assert notes.width > top.width and notes.height > top.height
-    assert annotated is not None
     # The axes: red along x, green along y, somewhere in the picture.
     pixels = np.asarray(notes).astype(int)
     red = (pixels[..., 0] > 170) & (pixels[..., 1] < 90) & (pixels[..., 2] < 90)
