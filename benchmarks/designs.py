@@ -12,6 +12,8 @@ from sceneweaver.assets import Library
 from sceneweaver.knowledge import room_type
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report, check
+from sceneweaver.verify.solids import Placed
+from sceneweaver.verify.walkable import measure
 
 PAPER = {
     "bedroom": 14.0, "living_room": 17.3, "bathroom": 19.7, "childrens_room": 23.0, "gym": 29.7,
@@ -52,6 +54,14 @@ def dominance(scene: Scene) -> float:
     free = [o for o in scene.objects if o.attributes.get("item") not in room.made_of]
     counts = Counter(o.category for o in free)
     return max(counts.values(), default=0) / max(1, len(scene.objects))
+
+
+def needed_reached(scene: Scene) -> float:
+    """Of what was asked for or is needed and stands on the floor, the share whose functional sides can be reached."""
+    needed = [o.id for o in scene.objects if o.mount == "floor" and o.attributes.get("need") in ("asked", "needed")]
+    access = measure(Placed.of(scene))
+    missed = set(access.unreached) if access else set(needed)
+    return 1.0 - len(missed.intersection(needed)) / max(1, len(needed))
 
 
 def relations_per_object(scene: Scene) -> float:

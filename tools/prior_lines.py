@@ -64,6 +64,7 @@ def set_out(
     if curtained:
         blocked += [_before(room, w.wall, w.offset - CURTAIN, w.width + 2 * CURTAIN, 0.25) for w in room.windows]
     poses: Poses = {}
+    ways: list[Any] = []  # free space that the pieces of earlier lines need
     queue = list(lines)
     while queue:
         line = queue.pop(0)
@@ -72,7 +73,7 @@ def set_out(
         order.sort(key=lambda i: _doors_at(room, i))
         found = None
         for wall in order:
-            found = _along(line, room, wall, blocked, rng) or _around_corner(line, room, wall, blocked, rng)
+            found = _along(line, room, wall, blocked, ways) or _around_corner(line, room, wall, blocked, ways)
             if found is not None:
                 break
         if found is None and len(line.pieces) >= 4:
@@ -84,6 +85,7 @@ def set_out(
         for one, pose in found:
             poses[one.id] = pose
             blocked.append(shapely.Polygon(_rectangle(one, pose, 0.0 if line.flush else 0.5 * LOOSE[0])))
+            ways += _ways(one, pose)
     return poses
 
 
@@ -114,7 +116,7 @@ def _before(room: Room, wall: int, offset: float, width: float, deep: float) -> 
     return shapely.Polygon([a, b, (b[0] + deep * n[0], b[1] + deep * n[1]), (a[0] + deep * n[0], a[1] + deep * n[1])])
 
 
-def _along(line: Line, room: Room, wall: int, blocked: Sequence[Any], rng: random.Random, start: float = 0.0,
+def _along(line: Line, room: Room, wall: int, blocked: Sequence[Any], ways: Sequence[Any], start: float = 0.0,
            only: float | None = None) -> list[tuple[Wanted, Pose]] | None:  # fmt: skip
     """The whole line at one wall; ``start`` [m] is taken at its beginning, ``only`` fixes where it begins."""
     *_, length = _frame(room, wall)
@@ -134,14 +136,20 @@ def _along(line: Line, room: Room, wall: int, blocked: Sequence[Any], rng: rando
         # A run begins in a corner, a line stands in the middle of its wall.
         offsets.sort(key=lambda v: min(v - start, start + play - v) if line.flush else abs(v - middle))
     for offset in offsets:
-        placed = _placed(line.pieces, gap, room, wall, offset, blocked)
+        placed = _placed(line.pieces, gap, room, wall, offset, blocked, ways)
         if placed is not None:
             return placed
     return None
 
 
 def _placed(
-    pieces: Sequence[Wanted], gap: float, room: Room, wall: int, offset: float, blocked: Sequence[Any]
+    pieces: Sequence[Wanted],
+    gap: float,
+    room: Room,
+    wall: int,
+    offset: float,
+    blocked: Sequence[Any],
+    ways: Sequence[Any],
 ) -> list[tuple[Wanted, Pose]] | None:
     import shapely
 
@@ -163,7 +171,9 @@ def _placed(
         y = p[1] + (at + w / 2) * t[1] + across * n[1]
         pose = Pose.from_yaw(x, y, 0.0, yaw)
         body = shapely.Polygon(_rectangle(one, pose, -1e-4))
-        if not floor.contains(body) or any(body.intersects(other) for other in blocked):
+        if not floor.contains(body) or any(body.intersects(other) for other in (*blocked, *ways)):
+            return None
+        if any(way.intersects(other) for way in _ways(one, pose) for other in blocked):
             return None
         out.append((one, pose))
         at += w + gap
@@ -171,7 +181,7 @@ def _placed(
 
 
 def _around_corner(
-    line: Line, room: Room, wall: int, blocked: Sequence[Any], rng: random.Random
+    line: Line, room: Room, wall: int, blocked: Sequence[Any], ways: Sequence[Any]
 ) -> list[tuple[Wanted, Pose]] | None:
     """A run over two walls: its first pieces end in the corner, the others begin behind them on the next wall."""
     import shapely
@@ -185,15 +195,28 @@ def _around_corner(
         total = sum(o.asset.size[1] for o in first) + FLUSH * (cut - 1)
         if total > length - 2 * FLUSH:
             continue
-        head = _placed(first, FLUSH, room, wall, length - FLUSH - total, blocked)
+        head = _placed(first, FLUSH, room, wall, length - FLUSH - total, blocked, ways)
         if head is None:
             continue
         deep = max(o.asset.size[0] for o in first) + 3 * FLUSH
         others = [*blocked, *(shapely.Polygon(_rectangle(one, pose, 0.0)) for one, pose in head)]
-        tail = _along(Line(tuple(second), True), room, after, others, rng, start=deep, only=deep)
+        tail = _along(Line(tuple(second), True), room, after, others, ways, start=deep, only=deep)
         if tail is not None:
             return head + tail
     return None
+
+
+def _ways(one: Wanted, pose: Pose) -> list[Any]:
+    """The free space that a piece needs, a little less than all of it."""
+    import shapely
+    from shapely import affinity
+
+    found = []
+    for zone in one.asset.zones:
+        if zone.hard:
+            shape = affinity.rotate(shapely.Polygon(zone.polygon).buffer(-0.01), pose.yaw, (0, 0), use_radians=True)
+            found.append(affinity.translate(shape, pose.position[0], pose.position[1]))
+    return found
 
 
 def _rectangle(one: Wanted, pose: Pose, margin: float) -> list[tuple[float, float]]:

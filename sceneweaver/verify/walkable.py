@@ -41,13 +41,14 @@ class Access(NamedTuple):
 
     ``walkable``: of the free cells, the largest share that can be reached from one door; 0 when no cell is free.
     ``reachable``: of the objects that stand on the floor, the share with a functional side within 0.55 m of a cell that
-    can be reached from some door; 1 when there are none. The functional sides of an object are its front face and its
-    hard zones (their convex hulls); for the two objects of a `TUCKED` relation and for what is walked on, its whole
-    footprint. The distance is that in the plane, whatever stands in between.
+    can be reached from some door; 1 when there are none; ``unreached`` has the ids of the others. The functional sides
+    of an object are its front face and its hard zones (their convex hulls); for the two objects of a `TUCKED` relation
+    and for what is walked on, its whole footprint. The distance is that in the plane, whatever stands in between.
     """
 
     walkable: float
     reachable: float
+    unreached: tuple[str, ...] = ()
 
 
 def measure(placed: Placed) -> Access | None:
@@ -64,7 +65,8 @@ def measure(placed: Placed) -> Access | None:
     entered = _entered(placed, grid, free, regions) if placed.doors else {int(sizes.argmax())} - {0}
     walkable = max((int(sizes[k]) for k in entered), default=0) / max(1, int(sizes.sum()))
     reached = np.isin(regions, list(entered))
-    return Access(walkable, _reachable(placed, grid, reached))
+    standing, missed = _unreached(placed, grid, reached)
+    return Access(walkable, 1.0 - len(missed) / standing if standing else 1.0, missed)
 
 
 def _free(placed: Placed, grid: Grid) -> np.ndarray:
@@ -86,11 +88,12 @@ def _entered(placed: Placed, grid: Grid, free: np.ndarray, regions: np.ndarray) 
     return entered
 
 
-def _reachable(placed: Placed, grid: Grid, reached: np.ndarray) -> float:
+def _unreached(placed: Placed, grid: Grid, reached: np.ndarray) -> tuple[int, tuple[str, ...]]:
+    """How many objects stand on the floor, and the ids of those that cannot be reached."""
     tied = {name for r in placed.scene.relations if r.type in TUCKED for name in _ends(r)}
     standing = [body for body in placed.bodies if body.item.mount == "floor"]
     if not standing:
-        return 1.0
+        return 0, ()
     shapes: list[Array] = []
     owner: list[int] = []
     for index, body in enumerate(standing):
@@ -104,7 +107,8 @@ def _reachable(placed: Placed, grid: Grid, reached: np.ndarray) -> float:
         owner += [index] * len(found)
     spans = grid.spans([grid.to_grid(s) for s in shapes], RADIUS + ARM)
     near = grid.touches(reached, spans, len(shapes))
-    return len({owner[k] for k in np.flatnonzero(near)}) / len(standing)
+    touched = {owner[k] for k in np.flatnonzero(near)}
+    return len(standing), tuple(body.id for k, body in enumerate(standing) if k not in touched)
 
 
 def _ends(relation: Relation) -> tuple[str, ...]:

@@ -59,8 +59,8 @@ def test_the_grid_turns_with_the_room():
 
 
 def test_an_empty_room():
-    assert measure([]) == (1.0, 1.0)
-    assert measure([], doors=()) == (1.0, 1.0)
+    assert measure([])[:2] == (1.0, 1.0)
+    assert measure([], doors=())[:2] == (1.0, 1.0)
 
 
 @pytest.mark.parametrize(("gap", "open_"), [(0.38, False), (0.46, True)])
