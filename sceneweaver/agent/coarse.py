@@ -39,8 +39,8 @@ def _prism(x0: float, y0: float, x1: float, y1: float, z: tuple[float, float]) -
     return Part.model_construct(polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=z)
 
 
-def _merged(obj: SceneObject) -> tuple[Part, ...] | None:
-    """None, which means its whole box, where the boxes of its parts fill most of that; else those boxes.
+def _merged(obj: SceneObject) -> tuple[Part, ...]:
+    """One box around all parts where their boxes fill most of it, or most of the object's own; else those boxes.
 
     What is high above the floor, such as the shade of an arched lamp, stays apart from what stands below it.
     """
@@ -48,9 +48,7 @@ def _merged(obj: SceneObject) -> tuple[Part, ...] | None:
 
     boxes = [_box(part) for part in obj.parts or ()]
     plan = shapely.union_all([shapely.Polygon(b.polygon) for b in boxes])
-    if plan.area >= SOLID * obj.size[0] * obj.size[1]:
-        return None
-    if plan.area >= SOLID * plan.envelope.area:
+    if plan.area >= SOLID * min(obj.size[0] * obj.size[1], plan.envelope.area):
         x0, y0, x1, y1 = plan.bounds
         return (_prism(x0, y0, x1, y1, (min(b.z[0] for b in boxes), max(b.z[1] for b in boxes))),)
     return tuple(boxes)

@@ -11,7 +11,8 @@ from sceneweaver.scene import InputError
 from .clean import Cleaned, clean
 from .lexer import tokens
 from .model import Asked, AskedRelation, Brief
-from .parser import BESIDE, CATALOGUE, Mention, Parser, Reading, Said
+from .parser import Parser
+from .reading import BESIDE, CATALOGUE, Mention, Reading, Said
 
 _BEDS = ("bed", "king_bed", "single_bed", "canopy_bed")
 

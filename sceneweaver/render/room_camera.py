@@ -75,7 +75,7 @@ def _worth(scene: Scene, way: np.ndarray) -> float:
         if thing.mount == "wall":
             worth += 1.5 * face * float(front @ way)
         if height > 1.0 and near > 0:
-            worth -= 2.0 * max(width, depth) * (height - 0.8) * near
+            worth -= 5.0 * max(width, depth) * (height - 0.8) * near
     for window in scene.room.windows:
         worth += (0.6 if window.wall not in cut else 0.0) * window.width * window.height
     for door in scene.room.doors:

@@ -169,7 +169,6 @@ def test_a_missing_file_and_a_folder(run, tmp_path, monkeypatch, command):
         (["design", "a bedroom", "--out", "OUT", "--steps", "0"], "--steps"),
         (["design", "a bedroom", "--out", "OUT", "--planner", "oracle"], "--planner"),
         (["design", "a bedroom", "--out", "OUT", "--time-limit", "0"], "--time-limit"),
-        (["view", "OUT"], "OUT"),
         (["refin", "IN"], "refin"),
         (["--nonsense"], "--nonsense"),
     ],

@@ -92,7 +92,7 @@ def test_doors():
     assert measure([cabinets], doors=[back]).walkable == pytest.approx(behind, abs=0.02)
     assert measure([cabinets], doors=[back, DOOR]).walkable == pytest.approx(before, abs=0.02)
     assert measure([box("crate", (1.5, 1.5, 1.0), 2.0, 0.75)]).walkable == 0.0
-    assert measure([box("block", (4.0, 4.0, 1.0), 2.0, 2.0)]) == (0.0, 0.0)
+    assert measure([box("block", (4.0, 4.0, 1.0), 2.0, 2.0)]) == (0.0, 0.0, ("block",))
     assert measure([box("block", (4.0, 4.0, 1.0), 2.0, 2.0)], doors=()).walkable == 0.0
 
 
