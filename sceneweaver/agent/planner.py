@@ -114,7 +114,8 @@ def _beginnings(situation: Situation) -> list[Call]:
                                                  "reason": reason}))  # fmt: skip
     first, *others = [c for c in calls if c.signature not in memory.failed or fixed]
     again = [c for c in others if c.tool == first.tool]
-    return [first, *again, *(c for c in others if c.tool != first.tool)][: settings.side_by_side]
+    rest = [c for c in others if c.tool != first.tool]
+    return [first, *again[:1], *rest, *again[1:]][: settings.side_by_side]
 
 
 def _sorted_out(faults: Sequence[Fault]) -> list[Fault]:
