@@ -19,7 +19,26 @@ _SQUARE = re.compile(
     _NUMBER + r"\s*-?\s*(m2|m²|sqm|sq\.?\s*m(?:et(?:er|re)s?)?|square[\s-]?met(?:er|re)s?|square[\s-]?m|"
     r"sq\.?\s*ft\.?|sqft|square[\s-]?f(?:ee|oo)t|ft2|ft²)(?![a-z])"
 )
-_SIDES = re.compile(_NUMBER + r"\s*" + _LENGTH + r"?" + _BY + _NUMBER + r"\s*" + _LENGTH + r"(?![a-z])")
+_SIDES = re.compile(
+    _NUMBER
+    + r"\s*"
+    + _LENGTH
+    + r"?"
+    + _BY
+    + _NUMBER
+    + r"\s*"
+    + _LENGTH
+    + r"?(?:"
+    + _BY
+    + _NUMBER
+    + r"\s*"
+    + _LENGTH
+    + r"?)?(?![\w])"
+)
+_AXIS = r"\s*(?:long|wide|deep|broad|in\s+length|in\s+width)"
+_LONG_WIDE = re.compile(
+    _NUMBER + r"\s*" + _LENGTH + _AXIS + r"\s*(?:and|by|x|×|,)\s*" + _NUMBER + r"\s*" + _LENGTH + _AXIS + r"(?![a-z])"
+)
 _CEILING = re.compile(
     r"(?:" + _NUMBER + r"\s*-?\s*" + _LENGTH + r"\s*-?\s*(?:high|tall)?\s*-?\s*ceilings?"
     r"|ceilings?\s*(?:height)?\s*(?:of|is|at|:)?\s*" + _NUMBER + r"\s*" + _LENGTH + r"(?:\s*high)?"
@@ -45,6 +64,7 @@ class Cleaned:
     size: tuple[float, float] | None = None
     area: float | None = None
     height: float | None = None
+    sides: list[tuple[float, ...]] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
 
 
@@ -58,18 +78,18 @@ def clean(text: str) -> Cleaned:
         text = text.replace(letter, plain)
     text = unicodedata.normalize("NFKC", text).lower()
     text = "".join(c if c.isprintable() or c in "\n\t" else " " for c in text)
-    text = _TAG.sub(" ", text)
+    text = _TAG.sub(" ", text).replace("§", " ")
     text = re.sub(r"[\n;:!?•*]+|\s-\s", " . ", text)
     found = Cleaned("", notes=notes)
     text = _SPELT.sub(lambda m: str(_DIGITS[m[1]]), text)
     text = _FAR.sub(lambda m: _too_far(m, found), text)
     text = _CEILING.sub(lambda m: _ceiling(m, found), text)
     text = _SQUARE.sub(lambda m: _square(m, found), text)
+    text = _LONG_WIDE.sub(r"\1 \2 x \3 \4", text)
     text = _SIDES.sub(lambda m: _sides(m, found), text)
-    if found.size is None:
+    if not found.sides:
         text = _BARE.sub(lambda m: _bare(m, found), text)
     found.text = text
-    _check(found)
     return found
 
 
@@ -96,11 +116,12 @@ def _square(m: re.Match[str], found: Cleaned) -> str:
 
 
 def _sides(m: re.Match[str], found: Cleaned) -> str:
-    a, b = metres(m[1], m[2] or m[4]), metres(m[3], m[4])
-    if max(a, b) < 1.2:  # a piece of furniture
+    unit = m[6] or m[4] or m[2]
+    if unit is None:  # two bare numbers are sides only when a room may have them
         return m[0]
-    found.size = (round(max(a, b), 4), round(min(a, b), 4))
-    return " "
+    values = [metres(m[1], m[2] or unit), metres(m[3], m[4] or unit), *([metres(m[5], m[6] or unit)] if m[5] else [])]
+    found.sides.append(tuple(round(v, 4) for v in values))
+    return f" §{len(found.sides) - 1} "
 
 
 def _too_far(m: re.Match[str], found: Cleaned) -> str:
@@ -118,7 +139,7 @@ def _bare(m: re.Match[str], found: Cleaned) -> str:
     return " "
 
 
-def _check(found: Cleaned) -> None:
+def check(found: Cleaned) -> None:
     """Measures that no room has are left out, with a note."""
     if found.size is not None and (min(found.size) < 0.8 or max(found.size) > 100):
         found.notes.append(f"a room of {found.size[0]:g} x {found.size[1]:g} m cannot be made; its size was left open")

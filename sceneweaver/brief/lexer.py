@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
@@ -11,12 +12,16 @@ from typing import Any
 from .clean import metres
 from .tables import LONGEST, NUMBERS, vocabulary
 
-_WORD = re.compile(r"\d+(?:[.,]\d+)?|[a-z][a-z'&/]*|[^\W\d_]+|[.,()&]")
+_WORD = re.compile(r"§\d+|\d+(?:[.,]\d+)?|[a-z][a-z'&/]*|[^\W\d_]+|[.,()&]")
 _UNIT = re.compile(r"^(meters?|metres?|m|cm|centimeters?|centimetres?|ft|feet|foot|inch(?:es)?|in)$")
 _RANGE = re.compile(r"(\d+)\s*(?:-|to|or)\s*(\d+)")
 
 SHORT = 5
 """Letters that a word must have for its spelling to be mended."""
+
+
+LONG = 8
+"""Letters from which two slips are forgiven."""
 
 
 @dataclass
@@ -35,8 +40,8 @@ class Token:
         return self.kinds.get(kind)
 
 
-def tokens(text: str, notes: list[str]) -> list[Token]:
-    """The tokens of a clean text; corrected spellings are noted."""
+def tokens(text: str, notes: list[str], sides: Sequence[tuple[float, ...]] = ()) -> list[Token]:
+    """The tokens of a clean text, where "§k" stands for ``sides[k]`` [m]; corrected spellings are noted."""
     text = _RANGE.sub(r"\1 ~ \2", text.replace("-", "-"))
     raw = _WORD.findall(text.replace("~", " rangeto ").replace("-", " "))
     table = vocabulary()
@@ -46,6 +51,10 @@ def tokens(text: str, notes: list[str]) -> list[Token]:
         word = raw[at]
         if word in ".,()":
             found.append(Token(word, {"break": word}))
+            at += 1
+            continue
+        if word[0] == "§":
+            found.append(Token("sides", {"sides": sides[int(word[1:])]}))
             at += 1
             continue
         if word[0].isdigit():
@@ -85,7 +94,12 @@ def _mended(raw: list[str], at: int, notes: list[str]) -> Token:
     word = raw[at]
     if len(word) >= SHORT and word.isascii():
         near = difflib.get_close_matches(word, _single_words(), n=1, cutoff=0.82)
-        if near and near[0][0] == word[0] and near[0] not in (word + "er", word + "or"):  # "print" stays
+        if (
+            near
+            and near[0][0] == word[0]
+            and near[0] not in (word + "er", word + "or")
+            and (_slips(word, near[0]) <= (1 if len(word) < LONG else 2))
+        ):  # "print" stays
             notes.append(f"'{word}' was read as '{near[0]}'")
             return Token(near[0], dict(vocabulary()[near[0]]))
         if at + 1 < len(raw):
@@ -93,6 +107,20 @@ def _mended(raw: list[str], at: int, notes: list[str]) -> Token:
             if pair in vocabulary():
                 return Token(pair, dict(vocabulary()[pair]))
     return Token(word)
+
+
+def _slips(a: str, b: str) -> int:
+    """Letters wrong, missing, too many or changed round between two words."""
+    rows = [list(range(len(b) + 1))]
+    for i, x in enumerate(a, start=1):
+        row = [i]
+        for j, y in enumerate(b, start=1):
+            best = min(rows[-1][j] + 1, row[-1] + 1, rows[-1][j - 1] + (x != y))
+            if i > 1 and j > 1 and x == b[j - 2] and a[i - 2] == y:
+                best = min(best, rows[-2][j - 2] + 1)
+            row.append(best)
+        rows.append(row)
+    return rows[-1][-1]
 
 
 @cache

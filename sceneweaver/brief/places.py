@@ -22,7 +22,7 @@ class Places(Things):
             return not noun
         if noun and (self.out.mentions or self.owner is not None):
             return False
-        if self.relation is not None and self.relation[0] not in ("inside",) and noun:
+        if self.relation is not None and self.relation.kind not in ("inside",) and noun:
             return False
         self._stranger_ends()
         out = self.out
@@ -33,12 +33,17 @@ class Places(Things):
         for word in self.pending.tokens:
             if word.has("room_scale"):
                 out.room_scale = float(word.get("room_scale"))
-            if word.has("shape") and out.shape is None:
-                out.shape = word.get("shape")
+            self._room_shape(word)
             self._for_room(word)
         self.pending, self.relation = Pending(), None
         self.subjects, self.last = [], []
         return True
+
+    def _room_shape(self, word: Token) -> None:
+        if word.has("shape") and self.out.shape is None:
+            self.out.shape = word.get("shape")
+        if word.text in ("long", "narrow", "elongated", "oblong", "long narrow", "long and narrow"):
+            self._note(f"'{word.text}' gives no measure; give the sides of the room, such as 6 x 2 m")
 
     def _other_room(self) -> bool:
         """Whether another word names the room, so that a "dining area" is a part of it."""
@@ -80,18 +85,17 @@ class Places(Things):
             if self.strangers and self.out.room is None and not self.out.room_words:
                 self.out.room_words = " ".join([*self.strangers, token.text])
                 self.out.notes.append(f"'{self.out.room_words}' is no kind of room that is known")
-            if relation is not None and relation[0] == "inside":
+            if relation is not None and relation.kind == "inside":
                 self.relation = None
             for word in self.pending.tokens:
                 if word.has("room_scale"):
                     self.out.room_scale = float(word.get("room_scale"))
-                if word.has("shape") and self.out.shape is None:
-                    self.out.shape = word.get("shape")
+                self._room_shape(word)
                 self._for_room(word)
             self.pending = Pending()
             return True
         kinds = {"corner": "corner", "middle": "middle", "floor": "floor", "ceiling": "ceiling"}
-        kind = relation[0] if relation else ("inside" if place in kinds or place.startswith("wall:") else None)
+        kind = relation.kind if relation else ("inside" if place in kinds or place.startswith("wall:") else None)
         if kind is None:
             return token.has("stop")
         if self.negated:
@@ -101,15 +105,15 @@ class Places(Things):
             self.out.notes.append(f"'away from the {place}' cannot be said as a relation and was left out")
             self.relation = None
             return True
-        subjects, words = (relation[1], relation[2]) if relation else (self.last[-1:], token.text)
+        subjects, words = (relation.subjects, relation.words) if relation else (self.last[-1:], token.text)
         if kind == "between" and self.first_of_pair is not None:
             self.out.said.append(Said("near", list(subjects), self.first_of_pair, words))
-        self._relate(kind, place, subjects, words)
+        self._relate(kind, place, subjects, words, token.text)
         return True
 
     def _opening(self, place: str) -> bool:
         """Windows and doors as parts of the room: "two windows", "no windows", "with a window"."""
-        if self.relation is not None and self.relation[0] not in ("inside",):
+        if self.relation is not None and self.relation.kind not in ("inside",):
             return False
         if self.negated:
             self.out.openings[place], self.negated = 0, False

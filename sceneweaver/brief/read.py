@@ -8,9 +8,10 @@ from typing import Any
 from sceneweaver.assets import categories
 from sceneweaver.scene import InputError
 
-from .clean import Cleaned, clean
+from .clean import Cleaned, check, clean
 from .lexer import tokens
 from .model import Asked, AskedRelation, Brief
+from .mutual import EACH_OTHER, pairs, split_mutual
 from .parser import Parser
 from .reading import BESIDE, CATALOGUE, Mention, Reading, Said
 
@@ -30,7 +31,9 @@ def read_brief(text: str) -> Brief:
         raise InputError('prompt: it is empty; say what room you want, such as "a bedroom with a desk"')
     cleaned = clean(text)
     notes = list(cleaned.notes)
-    reading = Parser(tokens(cleaned.text, notes), notes).run()
+    reading = Parser(tokens(cleaned.text, notes, cleaned.sides), notes).run()
+    _sides(reading, cleaned)
+    notes += [note for note in cleaned.notes if note not in notes]
     foreign = sum(ord(c) > 0x24F and c.isalpha() for c in text)
     if foreign > 3 or not re.search(r"[a-zA-Z]", text):
         notes.append("only English is read; what else the request says was not understood")
@@ -39,7 +42,20 @@ def read_brief(text: str) -> Brief:
     return _brief(text, cleaned, reading, notes)
 
 
+def _sides(reading: Reading, cleaned: Cleaned) -> None:
+    """The sides that are of no thing are those of the room; the first count."""
+    for sides in reading.sides:
+        if cleaned.size is None:
+            cleaned.size = (max(sides[:2]), min(sides[:2]))
+            if len(sides) > 2 and cleaned.height is None:
+                cleaned.height = sides[2]
+        elif set(sides[:2]) != set(cleaned.size):
+            cleaned.notes.append(f"{sides[0]:g} x {sides[1]:g} m: the room has other sides already; it was left out")
+    check(cleaned)
+
+
 def _brief(text: str, cleaned: Cleaned, reading: Reading, notes: list[str]) -> Brief:
+    split_mutual(reading)
     mentions = _without_contradictions(reading, notes)
     _named(mentions)
     ids = {id(m): m.id for m in mentions}
@@ -120,6 +136,15 @@ def _asked(mention: Mention, notes: list[str]) -> Asked:
 def _relations(said: Said, ids: dict[int, str], notes: list[str]) -> list[AskedRelation]:
     """A spoken relation as relations of the catalogue, one for each kind of thing that it is about."""
     subjects = [m for m in said.subjects if id(m) in ids]
+    if said.target == EACH_OTHER:
+        if len(subjects) < 2:
+            notes.append(
+                f"'{said.words}' cannot be said of these {subjects[0].noun if subjects else 'things'}; left out"
+            )
+        return [
+            AskedRelation(type=CATALOGUE[said.kind], subject=a.id, target=b.id, words=said.words)
+            for a, b in pairs(said.kind, subjects)
+        ]
     out = []
     for subject in subjects:
         kind, target, params = _meaning(said, subject, ids)
@@ -164,6 +189,8 @@ def _meaning(said: Said, subject: Mention, ids: dict[int, str]) -> tuple[str | N
         return "near", name, {"max": 0.3}
     if said.kind == "away":
         return None, name, {}
+    if said.kind in ("by", "at_table") and _seat(subject) and support.parent == "table_group":
+        return "front_against", name, {}
     if said.kind == "around" and mount[0] == "floor":
         return "front_against", name, {}
     return kind, name, {}
@@ -175,6 +202,8 @@ def _at_place(kind: str, place: str, subject: Mention) -> tuple[str | None, Any,
         return "centered_on", "middle", {}
     if place == "corner":
         return ("in_corner", None, {}) if mount == "floor" else (None, None, {})
+    if place == "window" and kind in ("facing", "opposite"):
+        return None, place, {}
     if place == "window":
         return ("away_from_door", None, {}) if kind == "away" else ("at_window", "window", {})
     if place == "door":
@@ -182,6 +211,10 @@ def _at_place(kind: str, place: str, subject: Mention) -> tuple[str | None, Any,
     if place.startswith("wall"):
         return ("against_wall", place if ":" in place else None, {}) if mount != "surface" else (None, None, {})
     return None, None, {}
+
+
+def _seat(mention: Mention) -> bool:
+    return categories()[mention.category].parent in ("chair_group", "seating")
 
 
 def _once(relations: list[AskedRelation]) -> list[AskedRelation]:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+from sceneweaver.assets import categories
+
 from .lexer import Token
 
 MODIFIERS = ("color", "material", "finish", "styles", "scale", "shape", "moods", "dim", "density", "room_scale")
@@ -43,6 +45,8 @@ class Mention:
     scale: float = 1.0
     words: list[str] = field(default_factory=list)
     id: str = ""
+    implied: bool = False
+    """Whether only a part of the room ("dining area") called for it."""
 
 
 @dataclass
@@ -56,6 +60,17 @@ class Said:
 
 
 @dataclass
+class Open:
+    """A relation that waits for its target; ``rest`` is who it is about if nothing follows the target."""
+
+    kind: str
+    subjects: list[Mention]
+    words: str
+    guessed: bool = False
+    rest: list[Mention] = field(default_factory=list)
+
+
+@dataclass
 class Pending:
     """What was read before the noun that it belongs to."""
 
@@ -63,13 +78,15 @@ class Pending:
     bound: str | None = None
     definite: bool = False
     any: bool = False
+    article: bool = False
     length: float | None = None
+    sides: tuple[float, ...] | None = None
     tokens: list[Token] = field(default_factory=list)
 
     @property
     def empty(self) -> bool:
         """Whether nothing stands before the noun."""
-        return self.count is None and not self.any and not self.tokens and self.length is None
+        return self.count is None and not self.any and not self.tokens and self.length is None and self.sides is None
 
 
 @dataclass
@@ -90,8 +107,20 @@ class Reading:
     for_whom: list[str] = field(default_factory=list)
     openings: dict[str, int] = field(default_factory=dict)
     only: bool = False
+    sides: list[tuple[float, ...]] = field(default_factory=list)
     unread: list[str] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
+
+
+def give_sides(mention: Mention, sides: tuple[float, ...]) -> None:
+    """Two sides [m] and perhaps a height; the longer side lies as it does in the usual thing of that kind."""
+    usual = categories()[mention.category].size
+    long, short = max(sides[:2]), min(sides[:2])
+    deep = usual is not None and sum(usual.depth) > sum(usual.width)
+    mention.size[0:2] = (long, short) if deep else (short, long)
+    if len(sides) > 2:
+        mention.size[2] = sides[2]
+    mention.scale = 1.0
 
 
 class State:
@@ -104,14 +133,19 @@ class State:
         self.pending = Pending()
         self.subjects: list[Mention] = []  # who a relation is about
         self.last: list[Mention] = []  # the noun phrase just read, for "it", "them" and lists
-        self.relation: tuple[str, list[Mention], str] | None = None
+        self.relation: Open | None = None
         self.before: list[tuple[str, Any, str]] = []  # relations said ahead of their subject
         self.before_used = False
         self.first_of_pair: Mention | None = None
         self.negated = False
+        self.negated_article = False  # "without a TV, a rug": the list goes on; "no TV, a rug": it does not
+        self.negated_nouns = 0
         self.owner: Mention | None = None  # whose "with" it is
         self.joined = False  # whether "and" or a comma came just before
         self.strangers: list[str] = []
+        self.closed = False  # whether a relation was said of the last phrase, so that no list goes on from it
+        self.opening = True  # whether a sentence has just begun
+        self.predicate: list[Mention] = []  # what "is red" is about
 
     def _ahead(self, count: int) -> list[Token]:
         return self.tokens[self.at : self.at + count]
@@ -123,9 +157,13 @@ class State:
         return any(t.has("number", "amount") for t in self._ahead(1))
 
     def _leftover(self) -> None:
-        """Colours and styles without a noun belong to the room."""
-        for token in self.pending.tokens:
-            self._for_room(token)
+        """Colours and styles without a noun belong to what "is" them, or to the room."""
+        if self.predicate and self.pending.tokens:
+            for mention in self.predicate:
+                self._describe(mention)
+        else:
+            for token in self.pending.tokens:
+                self._for_room(token)
         self.pending = Pending()
 
     def _for_room(self, token: Token) -> None:
@@ -141,8 +179,31 @@ class State:
         """Whether a colour was said of a thing already."""
         return any(m.color == word for m in self.out.mentions[-1:])
 
-    def _known(self, category: str) -> Mention | None:
-        return next((m for m in reversed(self.out.mentions) if m.category == category), None)
+    def _describe(self, mention: Mention) -> None:
+        """What stood before a noun, or was said to be so of it."""
+        for word in self.pending.tokens:
+            if word.has("color"):
+                mention.color = word.get("color")
+            elif word.has("material"):
+                mention.material = word.get("material")
+            elif word.has("finish"):
+                mention.words.append(word.text)
+            elif word.has("scale"):
+                mention.scale = float(word.get("scale"))
+            elif word.has("styles"):
+                mention.style = word.get("styles")
+            elif not word.has("moods", "dim", "density"):
+                mention.words.append(word.text)
+        if self.pending.length is not None:
+            axis = next((t.get("dim") for t in self.pending.tokens if t.has("dim")), None)
+            if axis is not None:
+                mention.size[int(axis)] = self.pending.length
+                mention.scale = 1.0
+        if self.pending.sides is not None:
+            give_sides(mention, self.pending.sides)
+
+    def _note(self, text: str) -> None:
+        self.out.notes.append(text)
 
     def _stranger_ends(self) -> None:
         if self.strangers:

@@ -26,7 +26,7 @@ AMOUNTS: dict[str, tuple[int, int]] = {
     "a couple of": (2, 2), "couple of": (2, 2), "a pair of": (2, 2), "pair of": (2, 2), "several": (3, 5),
     "a few": (2, 4), "few": (2, 4), "some": (2, 4), "many": (5, 9), "lots of": (5, 9), "a lot of": (5, 9),
     "plenty of": (5, 9), "multiple": (2, 5), "various": (3, 5), "numerous": (5, 9), "a number of": (3, 6),
-    "a single": (1, 1), "single": (1, 1), "twin": (2, 2), "double": (2, 2),
+    "single": (1, 1), "twin": (2, 2), "double": (2, 2),
 }  # fmt: skip
 
 BOUNDS = {

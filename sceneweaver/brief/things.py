@@ -22,8 +22,11 @@ class Things(Relating):
                 ahead = self.tokens[self.at]
                 if ahead.has("room") or ahead.text == "room":
                     self.out.people = 1 if token.text == "single" else 2  # "a twin room"
+                    if ahead.text == "room" and self.out.room is None:
+                        self.out.room, self.out.room_words = "bedroom", f"{token.text} room"
+                        self._note(f"'{token.text} room' was taken for a bedroom")
                     return True
-                if ahead.has("noun") and f"{token.text} {ahead.text}":
+                if ahead.has("noun") and token.text != "single":
                     self.pending.tokens.append(token)
                     return True
         else:
@@ -36,14 +39,18 @@ class Things(Relating):
         if before == "for" and (not ahead or ahead[0].has("break", "with", "relation", "and")):
             self.out.people = count[1]  # "an office for two"
             return True
+        if self.negated and self._negation_over():
+            self.negated = False
         self._leftover()
         self.pending = Pending(count=count, any=True, definite=self.pending.definite)
         return True
 
     def _negation_over(self) -> bool:
-        """Whether a new phrase begins: "no TV, and a desk" wants a desk, "without a TV or a desk" does not."""
-        back = [t.text for t in reversed(self.tokens[max(0, self.at - 7) : self.at - 1])]
-        return back[:1] != ["or"] and ("," in back[:2] or (back[:1] == ["and"] and "no" in back))
+        """Whether a new phrase begins: "no TV, a desk" wants a desk, "without a TV or a desk" does not."""
+        before = self.tokens[self.at - 2]
+        return (
+            self.negated_nouns > 0 and not self.negated_article and before.text != "or" and before.has("break", "and")
+        )
 
     def _is_noun(self, token: Token) -> bool:
         ahead = self.tokens[self.at] if self.at < len(self.tokens) else None
@@ -61,23 +68,64 @@ class Things(Relating):
             return
         if self.negated and self.pending.definite and any(t.has("relation") for t in self._ahead(1)):
             self.negated = False  # "don't put the bed near the door" wants a bed
-            self._connect(self._known(category) or self._made(token.text, category))
+            self._connect(self._known(token.text, category) or self._made(token.text, category))
             self.pending, self.negated = Pending(), True
             return
         if self.negated:
+            self.negated_article = self.negated_article or (self.negated_nouns == 0 and self.pending.article)
+            self.negated_nouns += 1
             words = groups()["without"].get(token.text)
             self.out.without += words or [name if categories()[name].size is None else category]
             self.pending, self.joined = Pending(), False
             return
-        mention = self._known(category) if self.pending.definite or self.relation is not None else None
-        fresh = mention is None or self.pending.count is not None or any(
-            t.has("color", "material") for t in self.pending.tokens
-        )  # fmt: skip
-        if mention is None or fresh:
+        mention = self._implied(token.text, category) or self._known(token.text, category)
+        if mention is None:
             mention = self._made(token.text, category)
-        self._for_modifiers(mention)
-        self.pending = Pending()
+        self._describe(mention)
+        self.pending, self.predicate, self.opening = Pending(), [], False
         self._connect(mention)
+
+    def _known(self, noun: str, category: str) -> Mention | None:
+        """What was named before and is meant again; None when it is another one."""
+        pending = self.pending
+        if not pending.definite and (self.relation is None or pending.count is not None):
+            return None
+        colors = {t.get("color") for t in pending.tokens if t.has("color")}
+        materials = {t.get("material") for t in pending.tokens if t.has("material")}
+        if not pending.definite and (colors or materials):
+            return None
+        taken = self.relation.subjects if self.relation is not None and not pending.definite else []
+
+        def same(m: Mention) -> bool:
+            return (
+                m not in taken
+                and (pending.count is None or m.count is None or pending.count == m.count)
+                and (not colors or m.color in colors or m.color is None)
+                and (not materials or m.material in materials or m.material is None)
+            )
+
+        fitting = [m for m in reversed(self.out.mentions) if same(m)]
+        exact = [m for m in fitting if m.category == category]
+        if not exact and pending.definite:  # "the table" after "a round coffee table"
+            exact = [m for m in fitting if singular(m.noun).endswith(singular(noun))]
+        clear = [m for m in exact if (m.color in colors if colors else True)]
+        found = next(iter(clear or exact), None)
+        if found is not None and found.count is None:
+            found.count = pending.count
+        return found
+
+    def _implied(self, noun: str, category: str) -> Mention | None:
+        """What a "dining area" called for, when the request now says what it is to be."""
+        for mention in reversed(self.out.mentions):
+            head = singular(noun).split()[-1]
+            if mention.implied and (mention.category == category or singular(mention.noun).split()[-1] == head):
+                if singular(noun) != head:
+                    mention.noun, mention.category = noun, category
+                if self.pending.count is not None:
+                    mention.count = self.pending.count
+                mention.implied = False
+                return mention
+        return None
 
     def _made(self, noun: str, category: str) -> Mention:
         count = self.pending.count
@@ -87,31 +135,11 @@ class Things(Relating):
         self.out.mentions.append(mention)
         return mention
 
-    def _for_modifiers(self, mention: Mention) -> None:
-        for word in self.pending.tokens:
-            if word.has("color"):
-                mention.color = word.get("color")
-            elif word.has("material"):
-                mention.material = word.get("material")
-            elif word.has("finish"):
-                mention.words.append(word.text)
-            elif word.has("scale"):
-                mention.scale = float(word.get("scale"))
-            elif word.has("styles"):
-                mention.style = word.get("styles")
-            elif not word.has("moods", "dim", "density"):
-                mention.words.append(word.text)
-        if self.pending.length is not None:
-            axis = next((t.get("dim") for t in self.pending.tokens if t.has("dim")), None)
-            if axis is not None:
-                mention.size[int(axis)] = self.pending.length
-                mention.scale = 1.0
-
     def _connect(self, mention: Mention) -> None:
         """A noun ends a relation as its target, or begins a new phrase."""
         joined, self.joined = self.joined, False
         if self.relation is not None:
-            kind, subjects, words = self.relation
+            kind, subjects, words = self.relation.kind, self.relation.subjects, self.relation.words
             if kind == "between" and self.first_of_pair is None:
                 self.first_of_pair = mention
                 if mention.count is not None and mention.count[0] >= 2:
@@ -122,9 +150,10 @@ class Things(Relating):
                 for subject in subjects:  # "four chairs around each table"
                     low, high = subject.count or (1, 1)
                     subject.count = (low * mention.count[0], high * mention.count[1])
-            for subject in subjects if kind in ("on", "inside") else ():
-                subject.category = SMALL.get(subject.category, subject.category)
             self._relate(kind, target, subjects, words)
+            if kind in ("on", "inside") and self.out.said:
+                for subject in self.out.said[-1].subjects if self.out.said[-1].target is mention else ():
+                    subject.category = SMALL.get(subject.category, subject.category)
             self.last = [mention]
             return
         if self.before_used and not joined:  # "on the desk a lamp and a book": both; a new phrase is free of it
@@ -133,28 +162,25 @@ class Things(Relating):
             self.out.said.append(Said(kind, [mention], target, words))
         self.before_used = bool(self.before)
         if self.owner is not None and self.owner is not mention:
-            self._owned(self.owner, mention)
-        if joined and self.last and not any(mention is m for m in self.last):
+            self._owned(self.owner, mention, joined)
+        if joined and self.last and not self.closed and not any(mention is m for m in self.last):
             self.subjects = [*self.subjects, mention]
             self.last = [*self.last, mention]
         else:
             self.subjects, self.last = [mention], [mention]
+        self.closed = False
 
-    def _owned(self, owner: Mention, mention: Mention) -> None:
+    def _owned(self, owner: Mention, mention: Mention, joined: bool) -> None:
         """ "A desk with a lamp": what is small stands on what it came with, the rest is near it."""
         known = categories()
         small = known[mention.category].mount[0] == "surface"
         if small and known[owner.category].mount[0] == "floor":
             self.out.said.append(Said("on", [mention], owner, f"{owner.noun} with {mention.noun}"))
-        elif known[mention.category].mount[0] == "floor" and known[owner.category].mount[0] == "floor":
+        elif not joined and known[mention.category].mount[0] == "floor" and known[owner.category].mount[0] == "floor":
             self.out.said.append(Said("near", [mention], owner, f"{owner.noun} with {mention.noun}"))
         many = owner.count
         if self._each and many is not None and mention.count is not None:
             mention.count = (mention.count[0] * many[0], mention.count[1] * many[1])
-
-    @property
-    def _each(self) -> bool:
-        return any(t.has("each") for t in self.tokens[max(0, self.at - 6) : self.at])
 
     def _group(self, token: Token) -> None:
         """A part of the room ("reading corner") stands for its things."""
@@ -162,13 +188,16 @@ class Things(Relating):
         negated, self.negated = self.negated, False
         if negated:
             self.out.without += [category_of(name) for name in row["things"]]
+            self.negated_nouns += 1
             self.pending = Pending()
             return
         made = []
+        least, most = self.pending.count or (1, 1)
         for name, (low, high) in row["things"].items():
             category = category_of(name)
-            mention = self._known(category) or Mention(name.replace("_", " "), category, (low, high))
-            if mention not in self.out.mentions:
+            mention = next((m for m in self.out.mentions if m.category == category and not m.implied), None)
+            if mention is None:
+                mention = Mention(name.replace("_", " "), category, (low * least, high * most), implied=True)
                 self.out.mentions.append(mention)
             made.append(mention)
         for mention in made[1:]:
@@ -178,5 +207,13 @@ class Things(Relating):
         self.pending, self.joined, self.relation = Pending(), False, None
         for kind, target, words in self.before:
             self.out.said.append(Said(kind, made[:1], target, words))
-        self.before = []
+        self.before, self.closed, self.opening = [], False, False
         self.subjects, self.last = made[:1], made[:1]
+
+
+def singular(noun: str) -> str:
+    """A noun without the ending of its plural; good enough for comparing nouns with each other."""
+    for ending, plain in (("shelves", "shelf"), ("ies", "y"), ("ches", "ch"), ("shes", "sh"), ("ss", "ss"), ("s", "")):
+        if noun.endswith(ending):
+            return noun[: len(noun) - len(ending)] + plain
+    return noun

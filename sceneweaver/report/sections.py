@@ -51,10 +51,11 @@ def header(data: ReportData, valid: bool | None) -> str:
     if isinstance(share, int | float):
         facts.append((f"{100 * share:.0f} %", "reachable"))
     title = data.title or scene.id
-    prompt = f'<p class="prompt">{esc(scene.prompt)}</p>' if scene.prompt else ""
+    prompt = f'<p class="prompt">{esc(scene.prompt)}</p>' if scene.prompt and scene.prompt != title else ""
     rows = "".join(f"<li><b>{esc(value)}</b> <span>{esc(name)}</span></li>" for value, name in facts)
+    kind = scene.room.type.replace("_", " ")
     return (
-        f'<header class="top"><div><p class="eyebrow">{esc(scene.room.type)}</p><h1>{esc(title)}</h1>{prompt}</div>'
+        f'<header class="top"><div><p class="eyebrow">{esc(kind)}</p><h1>{esc(title)}</h1>{prompt}</div>'
         f'<p class="badge {badge[0]}">{badge[1]}</p><ul class="facts">{rows}</ul></header>'
     )
 
