@@ -10,7 +10,7 @@ from sceneweaver.scene import InputError, Pose, Relation, Room, Scene, SceneObje
 
 from .base import Context, Proposal
 from .prior_formation import formations, in_rows
-from .prior_program import Program, Wanted, build, demands
+from .prior_program import BLIND, Program, Wanted, build, demands
 from .prior_relations import of_brief, of_items
 from .prior_shell import floor_area, shell
 
@@ -91,7 +91,7 @@ def _scene(
 def _program(context: Context, space: Room, area: float, people: int, style: str) -> Program:
     room, brief = context.room, context.brief
     wishes = demands(room, brief, area, people, len(space.windows), context.seed)
-    pane = space.windows[0].width if space.windows else 0.0
+    pane = (space.windows[0].width, space.windows[0].height) if space.windows else None
     fill = FILL[brief.density]
     return build(wishes, room, brief, context.library, area, _wall(space), fill, context.seed, style, pane)
 
@@ -177,6 +177,10 @@ def _object(one: Wanted, space: Room, over: float, clear: bool) -> SceneObject:
 
 def _hang(one: Wanted, space: Room, over: float) -> tuple[float, float]:
     """Heights [m] between which the bottom of a thing on a wall is: the item's or the category's, under the ceiling."""
+    if one.category == BLIND and space.windows:
+        window = space.windows[one.number % len(space.windows)]
+        top = min(window.sill + window.height + 0.04, space.height - 0.02) - one.asset.size[2]
+        return round(top - 0.01, 3), round(top + 0.01, 3)
     low, high = (one.item and one.item.bottom) or categories()[one.category].bottom or (1.2, 1.5)
     if over:
         low, high = max(low, over + 0.08), max(high, over + 0.3)

@@ -193,11 +193,11 @@ def _asked_demand(asked: Asked, item: Item | None, area: float, people: int, dra
 
 def build(
     wishes: Iterable[Demand], room: RoomType, brief: Brief, library: Library, area: float, wall: float, fill: float,
-    seed: int, style: str | None, pane: float = 0.0,
+    seed: int, style: str | None, pane: tuple[float, float] | None = None,
 ) -> Program:  # fmt: skip
     """Choose bodies for all demands, as long as the floor [m2] and the walls [m] have room for them.
 
-    ``pane`` is the width [m] of the windows, for what hangs before them.
+    ``pane`` is the width and height [m] of the windows, for what hangs before them.
 
     What is asked for or needed is taken in any case; the rest ends where ``fill`` of the floor or the wall is taken.
     """
@@ -214,7 +214,8 @@ def build(
                 parents = [None]
         wish = _wish(demand, brief, style, seed + 101 * number)
         if item is not None and _hangs_at_windows(item) and pane and wish.size[1] is None:
-            wish = replace(wish, size=(wish.size[0], pane + 0.3, wish.size[2]))
+            high = 0.5 * pane[1] if demand.categories[0] == BLIND else wish.size[2]  # drawn up half the way
+            wish = replace(wish, size=(wish.size[0], pane[0] + 0.3, high))
         pieces = demand.count if total else demand.count * len(parents)
         if not pieces:
             continue
