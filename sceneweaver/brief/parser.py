@@ -103,6 +103,7 @@ class Parser(Places):
             self.pending = Pending(definite=definite, any=True, article=article)
             return
         if token.has("each", "both"):
+            self.pending.definite = self.pending.definite or token.has("each")
             return
         if token.has(*MODIFIERS):
             self.pending.tokens.append(token)

@@ -14,6 +14,7 @@ from .model import Asked, AskedRelation, Brief
 from .mutual import EACH_OTHER, pairs, split_mutual
 from .parser import Parser
 from .reading import BESIDE, CATALOGUE, Mention, Reading, Said
+from .relating import family
 
 _BEDS = ("bed", "king_bed", "single_bed", "canopy_bed")
 
@@ -39,7 +40,10 @@ def read_brief(text: str) -> Brief:
         notes.append("only English is read; what else the request says was not understood")
     elif reading.room is None and not reading.mentions and sum(len(u.split()) for u in reading.unread) >= 3:
         notes.append("nothing of it names a room or furniture; only English is read")
-    return _brief(text, cleaned, reading, notes)
+    brief = _brief(text, cleaned, reading, notes)
+    if not notes and not brief.unread and brief == Brief(text=text):
+        return brief.model_copy(update={"notes": ("nothing of the request was understood",)})
+    return brief
 
 
 def _sides(reading: Reading, cleaned: Cleaned) -> None:
@@ -138,9 +142,8 @@ def _relations(said: Said, ids: dict[int, str], notes: list[str]) -> list[AskedR
     subjects = [m for m in said.subjects if id(m) in ids]
     if said.target == EACH_OTHER:
         if len(subjects) < 2:
-            notes.append(
-                f"'{said.words}' cannot be said of these {subjects[0].noun if subjects else 'things'}; left out"
-            )
+            noun = subjects[0].noun if subjects else "things"
+            notes.append(f"'{said.words}' cannot be said of these {noun}; it was left out")
         return [
             AskedRelation(type=CATALOGUE[said.kind], subject=a.id, target=b.id, words=said.words)
             for a, b in pairs(said.kind, subjects)
@@ -189,7 +192,7 @@ def _meaning(said: Said, subject: Mention, ids: dict[int, str]) -> tuple[str | N
         return "near", name, {"max": 0.3}
     if said.kind == "away":
         return None, name, {}
-    if said.kind in ("by", "at_table") and _seat(subject) and support.parent == "table_group":
+    if said.kind in ("by", "at_table") and family(subject.category) == "seat" and family(target.category) == "table":
         return "front_against", name, {}
     if said.kind == "around" and mount[0] == "floor":
         return "front_against", name, {}
@@ -211,10 +214,6 @@ def _at_place(kind: str, place: str, subject: Mention) -> tuple[str | None, Any,
     if place.startswith("wall"):
         return ("against_wall", place if ":" in place else None, {}) if mount != "surface" else (None, None, {})
     return None, None, {}
-
-
-def _seat(mention: Mention) -> bool:
-    return categories()[mention.category].parent in ("chair_group", "seating")
 
 
 def _once(relations: list[AskedRelation]) -> list[AskedRelation]:

@@ -100,7 +100,8 @@ class Relating(State):
         if kind == LOST:
             self.out.unread.append(spoken)
             return
-        subjects = [s for s in subjects if s is not target]
+        aims = target if isinstance(target, tuple) else (target,)
+        subjects = [s for s in subjects if all(s is not aim for aim in aims)]
         if not subjects and rest and not self._subject_follows():
             subjects = [s for s in rest if s is not target]
         if not subjects:
@@ -145,7 +146,9 @@ class Relating(State):
 
     def _open_ends(self) -> None:
         """A relation without a target is noted, unless its word has other uses."""
-        if self.relation is not None and self.relation.kind not in ("by", "inside", "on", LOST):
+        if self.relation is not None and not (
+            self.relation.kind in ("by", "inside", "on", LOST) or self.relation.words in ("around", "over", "under")
+        ):
             self._note(f"'{self.relation.words}': it is not clear of what; it was left out")
         self.relation = None
 
@@ -198,7 +201,12 @@ def _meant(kind: str, target: Any, listed: list[Mention]) -> list[Mention]:
 
 
 def _family(mention: Mention) -> str:
-    parent = categories()[mention.category].parent
-    if parent in ("chair_group", "seating"):
-        return "seat"
-    return "table" if parent == "table_group" else str(parent)
+    return family(mention.category)
+
+
+def family(category: str) -> str:
+    """Seats, tables, or the group of the taxonomy that a category is in."""
+    known, name = categories(), category
+    while (parent := known[name].parent) is not None and parent in known and parent != "furniture":
+        name = parent
+    return {"chair_group": "seat", "seating": "seat", "table_group": "table"}.get(name, name)

@@ -41,8 +41,11 @@ class Things(Relating):
             return True
         if self.negated and self._negation_over():
             self.negated = False
+        definite = self.pending.definite
         self._leftover()
-        self.pending = Pending(count=count, any=True, definite=self.pending.definite)
+        self.pending = Pending(count=count, any=True, definite=definite)
+        if len(ahead) > 0 and ahead[0].text == "of" and [t.text for t in self._ahead(2)[1:]] in (["them"], ["these"]):
+            self.out.unread.append(f"{token.text} of them")
         return True
 
     def _negation_over(self) -> bool:
@@ -146,13 +149,14 @@ class Things(Relating):
                     self._relate(kind, (mention, mention), subjects, words)
                 return
             target: Any = (self.first_of_pair, mention) if kind == "between" else mention
-            if self.at >= 2 and self.tokens[self.at - 2].has("each") and mention.count is not None:
-                for subject in subjects:  # "four chairs around each table"
+            every = self.at >= 2 and self.tokens[self.at - 2].has("each") and mention.count is not None
+            self._relate(kind, target, subjects, words)
+            said = self.out.said[-1] if self.out.said else None
+            for subject in said.subjects if said is not None and said.target is mention else ():
+                if every and mention.count is not None:  # "four chairs around each table"
                     low, high = subject.count or (1, 1)
                     subject.count = (low * mention.count[0], high * mention.count[1])
-            self._relate(kind, target, subjects, words)
-            if kind in ("on", "inside") and self.out.said:
-                for subject in self.out.said[-1].subjects if self.out.said[-1].target is mention else ():
+                if kind in ("on", "inside"):
                     subject.category = SMALL.get(subject.category, subject.category)
             self.last = [mention]
             return
@@ -196,6 +200,8 @@ class Things(Relating):
         for name, (low, high) in row["things"].items():
             category = category_of(name)
             mention = next((m for m in self.out.mentions if m.category == category and not m.implied), None)
+            if mention is not None and mention.count is not None and mention.count[1] > high:
+                continue  # a library of bookcases has one for its reading corner
             if mention is None:
                 mention = Mention(name.replace("_", " "), category, (low * least, high * most), implied=True)
                 self.out.mentions.append(mention)

@@ -187,7 +187,7 @@ def bedroom() -> Case:
         put("picture-0", 0.02, 2.2, 0, 1.3, size=(0.03, 0.8, 0.6)),
         put("ceiling_light-0", 1.8, 2.0),
         on(stands[0], "book-0"), on(stands[1], "alarm_clock-0"),
-        on(dresser, "vase-0", left=0.3), on(dresser, "jewelry_box-0", left=-0.3), 
+        on(dresser, "vase-0", left=0.3), on(dresser, "jewelry_box-0", left=-0.3),
     ]  # fmt: skip
     relations = [
         Relation(type="against_wall", subject="bed-0"),
