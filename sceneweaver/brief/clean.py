@@ -52,6 +52,7 @@ _SPELT = re.compile(
 )
 _FAR = re.compile(_NUMBER + r"\s*(?:km|kilomet(?:er|re)s?|miles?)\b")
 _BARE = re.compile(r"(?<![\w.])" + _NUMBER + _BY + _NUMBER + r"(?![\w.]|\s*(?:cm|mm|in)\b)")
+_ENDLESS = re.compile(r"\d{10,}")
 _TAG = re.compile(r"<[^<>]{0,200}>")
 _LETTERS = {"‘": "'", "’": "'", "“": '"', "”": '"', "–": "-", "—": ", ", "…": ". ", "\u00a0": " ", "²": "2"}
 
@@ -77,10 +78,12 @@ def clean(text: str) -> Cleaned:
     for letter, plain in _LETTERS.items():
         text = text.replace(letter, plain)
     text = unicodedata.normalize("NFKC", text).lower()
+    found = Cleaned("", notes=notes)
     text = "".join(c if c.isprintable() or c in "\n\t" else " " for c in text)
     text = _TAG.sub(" ", text).replace("§", " ")
+    text = _ENDLESS.sub(lambda m: _endless(m, found), text)
+    text = re.sub(r"([^\n]{60})[ \t]*\n(?=[a-z])", r"\1 ", text)  # a long line that was wrapped
     text = re.sub(r"[\n;:!?•*]+|\s-\s", " . ", text)
-    found = Cleaned("", notes=notes)
     text = _SPELT.sub(lambda m: str(_DIGITS[m[1]]), text)
     text = _FAR.sub(lambda m: _too_far(m, found), text)
     text = _CEILING.sub(lambda m: _ceiling(m, found), text)
@@ -122,6 +125,11 @@ def _sides(m: re.Match[str], found: Cleaned) -> str:
     values = [metres(m[1], m[2] or unit), metres(m[3], m[4] or unit), *([metres(m[5], m[6] or unit)] if m[5] else [])]
     found.sides.append(tuple(round(v, 4) for v in values))
     return f" §{len(found.sides) - 1} "
+
+
+def _endless(m: re.Match[str], found: Cleaned) -> str:
+    found.notes.append(f"'{m[0][:10]}...' is no number that a room has; it was left out")
+    return " "
 
 
 def _too_far(m: re.Match[str], found: Cleaned) -> str:

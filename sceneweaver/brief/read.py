@@ -95,7 +95,7 @@ def _without_contradictions(reading: Reading, notes: list[str]) -> list[Mention]
     kept: list[Mention] = []
     related = {id(m) for said in reading.said for m in said.subjects}
     for k, one in enumerate(reading.mentions):
-        for two in reading.mentions[k + 1 :]:
+        for two in reading.mentions[k + 1 :] if one.count and id(one) not in related else ():
             if (one.category == two.category and one.count and two.count and one.count != two.count
                     and not {id(one), id(two)} & related
                     and (one.color, one.material, one.scale) == (two.color, two.material, two.scale)):  # fmt: skip
@@ -184,6 +184,8 @@ def _meaning(said: Said, subject: Mention, ids: dict[int, str]) -> tuple[str | N
         return "leftright_to_leftright", name, {}
     if said.kind == "flank" and mount[0] != "floor":
         return "near", name, {"max": BESIDE}
+    if said.kind in ("by", "at_table") and family(subject.category) == "seat" and family(target.category) == "table":
+        return "front_against", name, {}
     if said.kind in ("beside", "by", "below"):
         return "near", name, {"max": BESIDE if said.kind != "below" else 0.0}
     if said.kind == "against":
@@ -192,8 +194,6 @@ def _meaning(said: Said, subject: Mention, ids: dict[int, str]) -> tuple[str | N
         return "near", name, {"max": 0.3}
     if said.kind == "away":
         return None, name, {}
-    if said.kind in ("by", "at_table") and family(subject.category) == "seat" and family(target.category) == "table":
-        return "front_against", name, {}
     if said.kind == "around" and mount[0] == "floor":
         return "front_against", name, {}
     return kind, name, {}

@@ -195,7 +195,7 @@ def _meant(kind: str, target: Any, listed: list[Mention]) -> list[Mention]:
     if kind == "flank" and len(listed) == 2:
         return listed
     groups = {_family(m) for m in listed[-2:]}
-    if len(listed) == 2 and groups in ({"seat", "table"}, {"seat"}, {"bed_group", "table"}):
+    if len(listed) == 2 and groups in ({"seat", "table"}, {"seat"}):
         return listed  # "two armchairs and a side table by the window"
     return listed[-1:]
 

@@ -52,7 +52,10 @@ class Things(Relating):
         """Whether a new phrase begins: "no TV, a desk" wants a desk, "without a TV or a desk" does not."""
         before = self.tokens[self.at - 2]
         return (
-            self.negated_nouns > 0 and not self.negated_article and before.text != "or" and before.has("break", "and")
+            self.negated_nouns > 0
+            and not self.negated_article
+            and before.text != "or"
+            and before.has("break", "and", "verb")
         )
 
     def _is_noun(self, token: Token) -> bool:
@@ -119,9 +122,9 @@ class Things(Relating):
 
     def _implied(self, noun: str, category: str) -> Mention | None:
         """What a "dining area" called for, when the request now says what it is to be."""
-        for mention in reversed(self.out.mentions):
-            head = singular(noun).split()[-1]
-            if mention.implied and (mention.category == category or singular(mention.noun).split()[-1] == head):
+        head = singular(noun).split()[-1]
+        for mention in (m for m in reversed(self.out.mentions) if m.implied):
+            if mention.category == category or singular(mention.noun).split()[-1] == head:
                 if singular(noun) != head:
                     mention.noun, mention.category = noun, category
                 if self.pending.count is not None:

@@ -64,5 +64,14 @@ def match_room(words: str) -> tuple[str, float] | None:
     for form in (asked, asked.removesuffix("s")):
         if form in table:
             return table[form], 1.0
-    near = difflib.get_close_matches(asked, table, n=1, cutoff=0.8)
+    alike = [form for form in difflib.get_close_matches(asked, table, n=5, cutoff=0.8) if _word_by_word(asked, form)]
+    near = alike[:1]
     return (table[near[0]], difflib.SequenceMatcher(None, asked, near[0]).ratio()) if near else None
+
+
+def _word_by_word(asked: str, known: str) -> bool:
+    """Whether each word is a misspelling of its counterpart: a "boiler room" is no "toilet room"."""
+    mine, theirs = asked.split(), known.split()
+    return len(mine) != len(theirs) or all(
+        difflib.SequenceMatcher(None, a, b).ratio() >= 0.75 for a, b in zip(mine, theirs, strict=True)
+    )
