@@ -96,8 +96,9 @@ class Browser:
 
     def open(self, url: str) -> None:
         """Load a page; returns when it has been parsed."""
+        self.js("window.passed = true")  # the page before; it may be asked while the new one is on its way
         self.call("Page.navigate", url=url)
-        self.wait("document.readyState === 'complete'")
+        self.wait("!window.passed && document.readyState === 'complete'")
 
     def wait(self, condition: str) -> None:
         """Wait for an expression on the page to become true."""

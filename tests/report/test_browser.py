@@ -112,7 +112,7 @@ def test_hostile_text_does_not_run(tmp_path: Path) -> None:
         browser.open((tmp_path / "report.html").as_uri())
         browser.wait("document.getElementById('stage').className === 'stage running'")
         assert [line for line in browser.logs if not line.startswith("request: file:")] == []
-        assert HOSTILE in browser.js("document.querySelector('.prompt').textContent")
+        assert HOSTILE in browser.js("document.querySelector('header').textContent")
         assert browser.js("document.documentElement.scrollWidth <= innerWidth"), "nothing sticks out"
 
 

@@ -1,0 +1,134 @@
+"""Scenes as an MJCF folder that plain MuJoCo loads from any place: ``scene.xml`` and ``meshes/``.
+
+Bodies have the names of their objects. Geoms of group 2 are what is seen, those of group 3 what collides.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import secrets
+import shutil
+import zlib
+from pathlib import Path
+from xml.etree import ElementTree as Xml
+
+import numpy as np
+
+from sceneweaver.assets import Material
+from sceneweaver.physics import Model, build
+from sceneweaver.physics.model import Load, Thing
+from sceneweaver.scene import InputError, Scene
+
+
+def write_mjcf(scene: Scene, folder: str | os.PathLike[str], load: Load | None = None) -> Path:
+    """Write the folder whole: under a temporary name beside it, then renamed; an older export there is replaced.
+
+    Args:
+        scene: The scene.
+        folder: Where it goes; its parent must be there.
+        load: From asset id to asset; None: the library of this user.
+
+    Returns:
+        The path of ``scene.xml``.
+
+    Raises:
+        InputError: an asset is missing, the place cannot be written, or holds something that is no MJCF export.
+    """
+    target = Path(folder)
+    if target.exists() and not _ours(target):
+        raise InputError(f"folder: {target} is there and holds other things; give a new or empty folder")
+    model = mjcf(scene, load)
+    temporary = target.parent / f".sceneweaver-{secrets.token_hex(8)}.tmp"
+    old = target.parent / f"{temporary.name}.old"
+    try:
+        temporary.mkdir()
+        (temporary / "meshes").mkdir()
+        for name, content in model.files.items():
+            (temporary / "meshes" / name).write_bytes(content)
+        (temporary / "scene.xml").write_text(model.xml, encoding="utf-8")
+        if target.exists():
+            target.rename(old)
+        temporary.rename(target)
+    except FileNotFoundError:
+        raise InputError(f"folder: {target.parent} does not exist; make it first") from None
+    except OSError as error:
+        if old.exists() and not target.exists():
+            with contextlib.suppress(OSError):
+                old.rename(target)
+        raise InputError(f"folder: {target} cannot be written ({error.strerror}); choose another place") from None
+    finally:
+        for left in (temporary, old):
+            if left.exists():
+                shutil.rmtree(left, ignore_errors=True)
+    return target / "scene.xml"
+
+
+def mjcf(scene: Scene, load: Load | None = None) -> Model:
+    """The scene as MJCF with what is seen: the text, and the files of ``meshes/`` by name."""
+    wardrobe = _Wardrobe()
+    model = build(scene, load, wardrobe)
+    return Model(model.xml, wardrobe.files, model.free, model.fixed)
+
+
+def _ours(folder: Path) -> bool:
+    """Whether a folder holds nothing but an export, and so may be replaced."""
+    try:
+        return folder.is_dir() and {p.name for p in folder.iterdir()} <= {"scene.xml", "meshes"}
+    except OSError:
+        return False
+
+
+class _Wardrobe:
+    """Gives bodies their looks; meshes and materials are there once, however many use them."""
+
+    def __init__(self) -> None:
+        self.files: dict[str, bytes] = {}
+        self._materials: dict[Material, str] = {}
+        self._made: dict[tuple[str, int], list[tuple[str, Material]]] = {}
+
+    def __call__(self, assets: Xml.Element, body: Xml.Element, thing: Thing, link: int) -> None:
+        if thing.asset is None:
+            return  # its collision parts are all there is to see
+        if (thing.key, link) not in self._made:
+            self._made[thing.key, link] = self._add(assets, thing, link)
+        for name, material in self._made[thing.key, link]:
+            look = self._material(assets, material)
+            Xml.SubElement(body, "geom", {"class": "visual"}, mesh=name, material=look)
+
+    def _add(self, assets: Xml.Element, thing: Thing, link: int) -> list[tuple[str, Material]]:
+        """One mesh for each material of a link."""
+        assert thing.asset is not None
+        mesh, found = thing.asset.mesh, []
+        stem = f"{thing.asset.category}-{zlib.crc32(thing.key.encode()):08x}-{link}"
+        for number in np.unique(mesh.face_material[mesh.face_link == link]):
+            faces = mesh.faces[(mesh.face_link == link) & (mesh.face_material == number)]
+            used, packed = np.unique(faces, return_inverse=True)
+            name = f"{stem}-{number}"
+            points = mesh.vertices[used] * np.asarray(thing.scale)
+            self.files[f"{name}.obj"] = _obj(points, packed.reshape(-1, 3))
+            # Sheets and open pieces enclose no volume; as shells they have a frame all the same.
+            Xml.SubElement(assets, "mesh", name=name, file=f"{name}.obj", inertia="shell")
+            found.append((name, mesh.materials[int(number)]))
+        return found
+
+    def _material(self, assets: Xml.Element, material: Material) -> str:
+        if material not in self._materials:
+            name = f"{material.name} {len(self._materials)}"
+            color = " ".join(f"{c:.4g}" for c in (*material.color, material.opacity))
+            Xml.SubElement(
+                assets, "material", name=name, rgba=color, roughness=f"{material.roughness:.4g}",
+                metallic=f"{material.metallic:.4g}", emission=f"{material.emission:.4g}",
+                shininess=f"{1 - material.roughness:.4g}", specular=f"{0.5 * (1 - material.roughness):.4g}",
+            )  # fmt: skip
+            self._materials[material] = name
+        return self._materials[material]
+
+
+def _obj(points: np.ndarray, faces: np.ndarray) -> bytes:
+    lines = [f"v {x:.6g} {y:.6g} {z:.6g}" for x, y, z in points.tolist()]
+    lines += [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
+    return ("\n".join(lines) + "\n").encode()
+
+
+__all__ = ["mjcf", "write_mjcf"]

@@ -1,0 +1,293 @@
+"""A scene as a MuJoCo model: the text of an MJCF file and the meshes that it names.
+
+Floor and walls stand still; so do what hangs on walls and ceilings, what the scene calls fixed, the fixtures of
+``fixtures.yaml`` (sanitary ware and the kitchen run, which are plumbed in or screwed together) and what is heavier
+than 150 kg. All else is a free body: nothing that a person would call movable is welded. A body has the name of its
+object; its frame is the object's (bottom centre, front +x), so that its position and rotation are the scene's.
+
+Doors and drawers are bodies of their own in the object's, closed at 0 and held there by friction. Contacts are left
+out in two places only: between a piece and its own doors, and between floor coverings (at most ``COVERING`` thick)
+and what stands over them, which share that layer by construction.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from importlib import resources
+from typing import Any
+from xml.etree import ElementTree as Xml
+
+import numpy as np
+
+from sceneweaver.assets import Asset, categories
+from sceneweaver.scene import InputError, Room, Scene, SceneObject
+
+from .hulls import Solid, solids_of
+
+Load = Callable[[str], Asset]
+"""From the id of an asset to the asset; ``Library().load`` is one."""
+
+COVERING = 0.03
+"""Things on the floor that are at most this thick [m] lie under what stands over them: rugs and mats."""
+
+STEP = 0.004
+"""Time step [s]."""
+
+WALL = 0.1
+"""Thickness of the walls [m], outside the outline."""
+
+_DENSITY = 150.0  # [kg/m3] of an object's parts, when neither an asset nor its category says what it weighs
+_SAME_SIZE = 1e-5  # [m] by which an object may differ from its asset and not count as scaled
+
+
+@dataclass(frozen=True)
+class Thing:
+    """An object with what a simulator needs: its parts (in its frame), mass [kg], friction, and whether it may move.
+
+    ``key`` is equal for things with equal bodies; ``scale`` [3] brings the asset to the object's size.
+    """
+
+    object: SceneObject
+    asset: Asset | None
+    key: str
+    scale: tuple[float, float, float]
+    solids: tuple[Solid, ...]
+    mass: float
+    friction: float
+    free: bool
+
+
+@dataclass(frozen=True)
+class Model:
+    """MJCF text, the files it names (by path relative to it), and the ids of bodies that may move and that may not."""
+
+    xml: str
+    files: dict[str, bytes]
+    free: tuple[str, ...]
+    fixed: tuple[str, ...]
+
+
+Dress = Callable[[Xml.Element, Xml.Element, Thing, int], None]
+"""Adds what is seen of a thing's link to a body: (assets, body, thing, link)."""
+
+
+def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) -> Model:
+    """The MuJoCo model of a scene.
+
+    Args:
+        scene: The scene.
+        load: From asset id to asset; None: the library of this user.
+        dress: Adds visual meshes; None: only collision parts.
+
+    Raises:
+        InputError: when an asset cannot be loaded.
+    """
+    things = things_of(scene, load)
+    root = Xml.Element("mujoco", model=scene.id)
+    Xml.SubElement(root, "compiler", angle="radian", meshdir="meshes", boundinertia="1e-7")
+    Xml.SubElement(
+        root, "option", timestep=_n(STEP), integrator="implicitfast", cone="elliptic", impratio="10",
+        noslip_iterations="3",
+    )  # fmt: skip
+    # Contacts and their constraints live here; the default is too small for a hundred pieces of many parts each.
+    Xml.SubElement(root, "size", memory="1G")
+    Xml.SubElement(root, "statistic", center=_v(_middle(scene.room)), extent=_n(_reach(scene.room)))
+    default = Xml.SubElement(root, "default")
+    Xml.SubElement(default, "geom", group="3", rgba="0.7 0.7 0.72 1")
+    seen = Xml.SubElement(default, "default", {"class": "visual"})
+    Xml.SubElement(seen, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0", rgba="1 1 1 1")
+    assets = Xml.SubElement(root, "asset")
+    world = Xml.SubElement(root, "worldbody")
+    Xml.SubElement(world, "light", pos=_v((*_middle(scene.room)[:2], scene.room.height)), dir="0 0 -1")
+    _shell(world, scene.room)
+    contact = Xml.SubElement(root, "contact")
+    made: set[str] = set()
+    for thing in things:
+        _body(world, assets, contact, thing, made, dress)
+    _coverings(contact, things)
+    Xml.indent(root, " ")
+    free = tuple(t.object.id for t in things if t.free)
+    fixed = tuple(t.object.id for t in things if not t.free)
+    return Model(Xml.tostring(root, encoding="unicode") + "\n", {}, free, fixed)
+
+
+def things_of(scene: Scene, load: Load | None = None) -> list[Thing]:
+    """All objects, in their order; each asset is loaded once."""
+    if load is None:
+        from sceneweaver.assets import Library
+
+        load = Library().load
+    load, bodies = cache(load), {}
+    return [_thing(k, o, load, bodies) for k, o in enumerate(scene.objects)]
+
+
+def _thing(index: int, thing: SceneObject, load: Load, bodies: dict[str, tuple[Solid, ...]]) -> Thing:
+    asset, scale, key = None, np.ones(3), f"parts:{thing.id}"
+    if thing.asset is not None:
+        try:
+            asset = load(thing.asset)
+        except InputError as error:
+            raise InputError(f"objects[{index}].asset: {str(error).removeprefix('asset: ')}") from None
+        scale = np.asarray(thing.size) / np.maximum(np.asarray(asset.size), 1e-9)
+        if np.max(np.abs(scale - 1) * np.asarray(thing.size)) < _SAME_SIZE:
+            scale = np.ones(3)
+        key = thing.asset + ("" if (scale == 1).all() else f"*{_v(scale)}")
+    if key not in bodies:
+        bodies[key] = tuple(solids_of(thing, asset, scale))
+    solids = bodies[key]
+    mass, friction = _weight(thing, asset, float(np.prod(scale)), sum(s.volume for s in solids))
+    x, y, z = (float(f) for f in scale)
+    return Thing(thing, asset, key, (x, y, z), solids, mass, friction, not is_fixture(thing, mass))
+
+
+def is_fixture(thing: SceneObject, mass: float) -> bool:
+    """Whether it stands still: see the module's text."""
+    rule = _rule()
+    named = thing.category.strip().lower().replace(" ", "_") in rule[1]
+    return thing.fixed or thing.mount in ("wall", "ceiling") or named or mass > rule[0]
+
+
+@cache
+def _rule() -> tuple[float, frozenset[str]]:
+    import yaml
+
+    data = yaml.safe_load(resources.files(__package__ or "").joinpath("fixtures.yaml").read_text(encoding="utf-8"))
+    return float(data["heaviest"]), frozenset(data["categories"])
+
+
+def _weight(thing: SceneObject, asset: Asset | None, scale: float, volume: float) -> tuple[float, float]:
+    """Mass [kg] and friction: of the asset, else of the category, else by the volume of the parts."""
+    if asset is not None:
+        return max(asset.mass * scale, 1e-3), asset.friction
+    kind = categories().get(thing.category.strip().lower().replace(" ", "_"))
+    if kind is not None:
+        return math.sqrt(kind.mass[0] * kind.mass[1]), kind.friction
+    return max(_DENSITY * volume, 1e-3), 0.5
+
+
+def _shell(world: Xml.Element, room: Room) -> None:
+    """The floor, and each wall as boxes around its openings; windows have a pane, doorways are open."""
+    middle = _middle(room)
+    Xml.SubElement(
+        world, "geom", name="room:floor", type="plane", pos=_v((*middle[:2], 0)), size=_v((_reach(room),) * 2 + (0.1,)),
+        group="0", rgba="0.74 0.62 0.48 1", friction="0.8",
+    )  # fmt: skip
+    n = len(room.outline)
+    for k in range(n):
+        (ax, ay), (bx, by) = room.outline[k], room.outline[(k + 1) % n]
+        length, turn = math.hypot(bx - ax, by - ay), math.atan2(by - ay, bx - ax)
+        frame = Xml.SubElement(world, "body", name=f"room:wall:{k}", pos=_v((ax, ay, 0)), quat=_yaw(turn))
+        holes = [(d.offset, d.offset + d.width, 0.0, d.height, False) for d in room.doors if d.wall == k]
+        holes += [(w.offset, w.offset + w.width, w.sill, w.sill + w.height, True) for w in room.windows if w.wall == k]
+        # Both ends go on past the corner, outside the room: no slit is left there.
+        xs = sorted({-WALL, length + WALL, *(min(max(x, 0.0), length) for h in holes for x in h[:2])})
+        for low, high in zip(xs, xs[1:], strict=False):
+            if high - low < 1e-6:
+                continue
+            here = sorted((h[2], min(h[3], room.height), h[4]) for h in holes if h[0] < (low + high) / 2 < h[1])
+            z = 0.0
+            for bottom, top, pane in here:
+                _slab(frame, low, high, z, bottom, WALL)
+                if pane:
+                    _slab(frame, low, high, bottom, top, 0.01, rgba="0.75 0.85 0.9 0.25")
+                z = max(z, top)
+            _slab(frame, low, high, z, room.height, WALL)
+
+
+def _slab(frame: Xml.Element, x0: float, x1: float, z0: float, z1: float, thick: float, rgba: str = "") -> None:
+    if z1 - z0 < 1e-6:
+        return
+    size = ((x1 - x0) / 2, thick / 2, (z1 - z0) / 2)
+    pos = ((x0 + x1) / 2, -thick / 2, (z0 + z1) / 2)
+    Xml.SubElement(frame, "geom", type="box", pos=_v(pos), size=_v(size), group="0", rgba=rgba or "0.92 0.91 0.88 1")
+
+
+def _body(
+    world: Xml.Element, assets: Xml.Element, contact: Xml.Element, thing: Thing, made: set[str], dress: Dress | None
+) -> None:
+    x, y, z, w = thing.object.pose.quaternion
+    id = thing.object.id
+    top = Xml.SubElement(world, "body", name=id, pos=_v(thing.object.pose.position), quat=_v((w, x, y, z)))
+    if thing.free:
+        Xml.SubElement(top, "freejoint", name=id)
+    links = thing.asset.links if thing.asset is not None else ()
+    frames = [top]
+    total = sum(s.volume for s in thing.solids)
+    for number, link in enumerate(links, 1):
+        frame = Xml.SubElement(top, "body", name=f"{id}/{link.name}")
+        axis = np.asarray(link.axis) * (np.asarray(thing.scale) if link.joint == "slide" else 1.0)
+        stretch = float(np.linalg.norm(axis)) if link.joint == "slide" else 1.0
+        mine = sum(s.volume for s in thing.solids if s.link == number) / total * thing.mass
+        # Enough to keep it where it is against the little that a tilt or a hinge below brings, and easy to pull.
+        hold = max(0.2, 0.5 * mine) if link.joint == "hinge" else max(1.0, 2.0 * mine)
+        Xml.SubElement(
+            frame, "joint", name=f"{id}/{link.name}", type=link.joint, axis=_v(axis / np.linalg.norm(axis)),
+            pos=_v(np.asarray(link.anchor) * np.asarray(thing.scale)), limited="true",
+            range=_v(np.asarray(link.limits) * stretch), damping=_n(hold), frictionloss=_n(hold), armature="0.001",
+        )  # fmt: skip
+        frames.append(frame)
+        if not thing.free:  # a body that is part of the world is not left out as a parent is
+            Xml.SubElement(contact, "exclude", body1=id, body2=f"{id}/{link.name}")
+    for k, solid in enumerate(thing.solids):
+        _geom(assets, frames[solid.link], thing, k, solid, total, made)
+    if dress is not None:
+        for number, frame in enumerate(frames):
+            dress(assets, frame, thing, number)
+
+
+def _geom(
+    assets: Xml.Element, frame: Xml.Element, thing: Thing, k: int, solid: Solid, total: float, made: set[str]
+) -> None:
+    share: dict[str, Any] = {"mass": _n(max(thing.mass * solid.volume / total, 1e-7)), "friction": _n(thing.friction)}
+    if thing.asset is None:
+        share["group"] = "0"  # nothing else of it is to be seen
+    if solid.box is not None:
+        Xml.SubElement(frame, "geom", {"type": "box", "pos": _v(solid.box[0]), "size": _v(solid.box[1]), **share})
+        return
+    name = f"{thing.key}/{k}"
+    if name not in made:
+        made.add(name)
+        Xml.SubElement(assets, "mesh", name=name, inertia="convex", vertex=_v(solid.points.reshape(-1)))
+    Xml.SubElement(frame, "geom", {"type": "mesh", "mesh": name, **share})
+
+
+def _coverings(contact: Xml.Element, things: list[Thing]) -> None:
+    """Rugs and mats take part in no contact with what stands on the floor over them."""
+    flat = [t for t in things if t.object.mount == "floor" and t.object.size[2] <= COVERING]
+    for cover in flat:
+        for other in things:
+            if other is cover or other.object.mount != "floor":
+                continue
+            (ax, ay, _), (bx, by, _) = cover.object.pose.position, other.object.pose.position
+            reach = math.hypot(*cover.object.size[:2]) / 2 + math.hypot(*other.object.size[:2]) / 2
+            if math.hypot(ax - bx, ay - by) < reach and (other not in flat or other.object.id > cover.object.id):
+                Xml.SubElement(contact, "exclude", body1=cover.object.id, body2=other.object.id)
+                for link in other.asset.links if other.asset else ():
+                    Xml.SubElement(contact, "exclude", body1=cover.object.id, body2=f"{other.object.id}/{link.name}")
+
+
+def _middle(room: Room) -> tuple[float, float, float]:
+    low, high = np.min(room.outline, axis=0), np.max(room.outline, axis=0)
+    return float(low[0] + high[0]) / 2, float(low[1] + high[1]) / 2, room.height / 2
+
+
+def _reach(room: Room) -> float:
+    return float(np.linalg.norm(np.max(room.outline, axis=0) - np.min(room.outline, axis=0)))
+
+
+def _yaw(angle: float) -> str:
+    return _v((math.cos(angle / 2), 0.0, 0.0, math.sin(angle / 2)))
+
+
+def _n(value: float) -> str:
+    return f"{float(value):.9g}"
+
+
+def _v(values) -> str:
+    return " ".join(_n(value) for value in values)
+
+
+__all__ = ["COVERING", "Dress", "Load", "Model", "STEP", "Thing", "build", "is_fixture", "things_of"]

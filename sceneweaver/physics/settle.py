@@ -1,0 +1,95 @@
+"""Stability of a scene, and its settled poses, by MuJoCo on the CPU."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from sceneweaver.scene import InputError, Pose, Scene
+
+from .model import STEP, Load, Model, build
+
+LITTLE = 0.01
+"""A settled pose is taken over when the object moved at most this far [m]; farther is a fault."""
+
+
+@dataclass(frozen=True)
+class Settled:
+    """The scene at rest; ``moved`` is how far [m] each free object went, ``faults`` the ids that went too far."""
+
+    scene: Scene
+    moved: dict[str, float]
+    faults: tuple[str, ...]
+
+
+def stability(scene: Scene, load: Load | None = None, seconds: float = 3.0) -> dict[str, Any]:
+    """How far free objects move in ``seconds`` when physics is let loose.
+
+    Returns:
+        ``moved_over_0_1m`` and ``moved_over_0_01m``: shares in 0..1 of the objects that may move; ``mean_shift_m``:
+        their mean shift [m]; ``moved``: the shift [m] by id; ``free``: how many may move; ``fixed``: how many not.
+        The shift is that of the middle of the object's box, so that what tips over has moved.
+    """
+    model = build(scene, load)
+    shift = _shifts(scene, model, _run(model, seconds))
+    return measures(shift) | {"free": len(model.free), "fixed": len(model.fixed)}
+
+
+def settle(scene: Scene, load: Load | None = None, seconds: float = 3.0) -> Settled:
+    """Let things come to rest; what moved at most ``LITTLE`` gets its new pose, what moved farther is a fault."""
+    model = build(scene, load)
+    poses = _run(model, seconds)
+    shift = _shifts(scene, model, poses)
+    little = {id: poses[id] for id, far in shift.items() if far <= LITTLE}
+    return Settled(scene.replace_poses(little), shift, tuple(id for id, far in shift.items() if far > LITTLE))
+
+
+def measures(shift: dict[str, float]) -> dict[str, Any]:
+    """The numbers of ``stability`` from shifts [m] by id."""
+    far = np.array(list(shift.values())) if shift else np.zeros(1)
+    return {
+        "moved_over_0_1m": float((far > 0.1).mean()),
+        "moved_over_0_01m": float((far > 0.01).mean()),
+        "mean_shift_m": float(far.mean()),
+        "moved": dict(shift),
+    }
+
+
+def _run(model: Model, seconds: float) -> dict[str, Pose]:
+    """The poses of the free bodies after that time."""
+    from importlib import import_module
+
+    mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
+    if not 0 <= seconds < 1e4:
+        raise InputError(f"seconds: {seconds} is no time; give 0 or more")
+    loaded = mujoco.MjModel.from_xml_string(model.xml, model.files)
+    data = mujoco.MjData(loaded)
+    mujoco.mj_step(loaded, data, round(seconds / STEP))
+    full = [mujoco.mjtWarning.mjWARN_CONTACTFULL, mujoco.mjtWarning.mjWARN_CNSTRFULL]
+    if any(data.warning[int(kind)].number for kind in full):
+        raise InputError("objects: more contacts than MuJoCo has room for, nothing can be said; use fewer objects")
+    poses = {}
+    for id in model.free:
+        x, y, z, w, a, b, c = data.joint(id).qpos.tolist()
+        poses[id] = Pose(position=(x, y, z), quaternion=(a, b, c, w))
+    return poses
+
+
+def _shifts(scene: Scene, model: Model, poses: dict[str, Pose]) -> dict[str, float]:
+    found = {}
+    for id in model.free:
+        thing = scene.object(id)
+        up = np.array([0.0, 0.0, thing.size[2] / 2])
+        found[id] = float(np.linalg.norm(_at(poses[id], up) - _at(thing.pose, up)))
+    return found
+
+
+def _at(pose: Pose, point: np.ndarray) -> np.ndarray:
+    """A point of the object's frame in the world's."""
+    axis, w = np.asarray(pose.quaternion[:3]), pose.quaternion[3]
+    return point + 2 * np.cross(axis, np.cross(axis, point) + w * point) + np.asarray(pose.position)
+
+
+__all__ = ["LITTLE", "Settled", "measures", "settle", "stability"]

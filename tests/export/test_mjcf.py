@@ -1,0 +1,119 @@
+"""The MJCF folder, read by MuJoCo itself."""
+
+from __future__ import annotations
+
+import os
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sceneweaver.assets import make
+from sceneweaver.export.mjcf import write_mjcf
+from sceneweaver.scene import Door, InputError, Pose, Room, Scene, SceneObject, Support, Window
+
+mujoco: Any = import_module("mujoco")
+
+ROOM = Room(
+    outline=((0, 0), (5, 0), (5, 3), (3, 3), (3, 4), (0, 4)),
+    height=2.6,
+    doors=(Door(id="door-0", wall=0, offset=0.5, width=0.9, height=2.0),),
+    windows=(Window(id="window-0", wall=1, offset=1.0, width=1.2, sill=0.9, height=1.2),),
+)
+ASSETS = {a.id: a for a in (make("desk", 3), make("filing_cabinet", 1), make("mug", 2))}
+DESK, CABINET, MUG = ASSETS.values()
+TILT = tuple((np.array([0.2, -0.1, 0.3, 0.9]) / np.linalg.norm([0.2, -0.1, 0.3, 0.9])).tolist())
+
+
+def _scene() -> Scene:
+    top = DESK.surfaces[0]
+    objects = (
+        DESK.object("desk é/1", pose=Pose.from_yaw(1.5, 1.5, 0.0, 2.1)),
+        CABINET.object("cabinet", pose=Pose(position=(4.0, 1.5, 0.6), quaternion=TILT)),
+        MUG.object(
+            "mug", pose=Pose.from_yaw(1.5, 1.5, top.z, 0.3), support=Support(object="desk é/1", surface=top.name)
+        ),
+        SceneObject(id="box", category="unheard of", size=(0.3, 0.4, 0.5), pose=Pose.from_yaw(0.5, 3.5, 0.0, 0.4)),
+    )
+    return Scene(id="s", room=ROOM, objects=objects)
+
+
+def test_poses_come_back(tmp_path, monkeypatch) -> None:
+    scene = _scene()
+    path = write_mjcf(scene, tmp_path / "out", ASSETS.__getitem__)
+    moved = path.parent.rename(tmp_path / "elsewhere")
+    monkeypatch.chdir("/")
+    model = mujoco.MjModel.from_xml_path(str(moved / "scene.xml"))
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    for thing in scene.objects:
+        body = data.body(thing.id)
+        x, y, z, w = thing.pose.quaternion
+        assert np.allclose(body.xpos, thing.pose.position, atol=1e-6)
+        assert abs(abs(np.dot(body.xquat, (w, x, y, z))) - 1) < 1e-6
+    for asset, id in ((DESK, "desk é/1"), (MUG, "mug")):
+        assert model.body_subtreemass[model.body(id).id] == pytest.approx(asset.mass, rel=1e-3)
+    assert not [n for n in os.listdir(tmp_path) if n.endswith((".tmp", ".old"))]
+
+
+def test_what_is_seen_is_the_mesh_where_the_scene_has_it(tmp_path) -> None:
+    scene = _scene()
+    model = mujoco.MjModel.from_xml_path(str(write_mjcf(scene, tmp_path / "out", ASSETS.__getitem__)))
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    mine = model.body("cabinet").id
+    points = []
+    for g in range(model.ngeom):
+        if model.body_rootid[model.geom_bodyid[g]] == mine and model.geom_group[g] == 2:
+            m = model.geom_dataid[g]
+            start, count = model.mesh_vertadr[m], model.mesh_vertnum[m]
+            local = model.mesh_vert[start : start + count]
+            points.append(local @ data.geom_xmat[g].reshape(3, 3).T + data.geom_xpos[g])
+    found = np.concatenate(points)
+    axis, w = np.array(TILT[:3]), TILT[3]
+    v = CABINET.mesh.vertices
+    want = v + 2 * np.cross(axis, np.cross(axis, v) + w * v) + np.array([4.0, 1.5, 0.6])
+    assert np.allclose(found.min(0), want.min(0), atol=1e-4) and np.allclose(found.max(0), want.max(0), atol=1e-4)
+
+
+def test_a_drawer_opens_and_closes_without_hitting_its_cabinet(tmp_path) -> None:
+    room = Room(outline=((0, 0), (4, 0), (4, 4), (0, 4)))
+    scene = Scene(id="s", room=room, objects=(CABINET.object("cabinet", pose=Pose.from_yaw(2, 2, 0, 0.7)),))
+    model = mujoco.MjModel.from_xml_path(str(write_mjcf(scene, tmp_path / "out", ASSETS.__getitem__)))
+    data = mujoco.MjData(model)
+    link = next(k for k in CABINET.links if k.joint == "slide")
+    joint, body = data.joint(f"cabinet/{link.name}"), data.body(f"cabinet/{link.name}")
+    axis = data.joint(f"cabinet/{link.name}").xaxis
+    mujoco.mj_step(model, data, 50)
+    assert abs(joint.qpos[0]) < 1e-3
+    reached = []
+    for sign in (1, -1):
+        for _ in range(500):
+            body.xfrc_applied[:3] = sign * 15 * np.array(axis)
+            mujoco.mj_step(model, data)
+        reached.append(float(joint.qpos[0]))
+    assert reached[0] > 0.9 * link.limits[1] and abs(reached[1]) < 0.01
+
+
+def test_places_that_cannot_be_written(tmp_path) -> None:
+    scene = _scene()
+    with pytest.raises(InputError, match="does not exist"):
+        write_mjcf(scene, tmp_path / "no" / "out", ASSETS.__getitem__)
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "letters.txt").write_text("dear")
+    with pytest.raises(InputError, match="holds other things"):
+        write_mjcf(scene, tmp_path / "mine", ASSETS.__getitem__)
+    assert (tmp_path / "mine" / "letters.txt").read_text() == "dear"
+    write_mjcf(scene, tmp_path / "out", ASSETS.__getitem__)
+    write_mjcf(scene, tmp_path / "out", ASSETS.__getitem__)  # an older export is replaced
+    assert sorted(os.listdir(tmp_path)) == ["mine", "out"]
+
+
+def test_a_missing_asset_is_named(tmp_path) -> None:
+    def none(id: str):
+        raise InputError(f"asset: no source has '{id}'")
+
+    with pytest.raises(InputError, match=r"objects\[0\].asset"):
+        write_mjcf(_scene(), tmp_path / "out", none)
+    assert not os.listdir(tmp_path)
