@@ -86,6 +86,9 @@ def _add(work: _Work, row: Mapping[str, Any], number: int) -> None:
         work.unmet.append(f"{row['category']}: {error}")
         return
     for k, asset in enumerate(assets):
+        if mount == "floor" and asset.size[2] > 0.02 and draft.crammed(asset.size, asset.category):
+            work.unmet.append(f"{len(assets) - k} of {count} {match.category}: the floor or the walls are full")
+            return
         subject = _object(work, row, asset, item, mount, asked_on, k, number)
         if subject is None:
             place = " or ".join(asked_on) or "what is in the room"

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from sceneweaver.assets import categories, resolve
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.scene import Relation, Room, Scene, SceneObject
+
+CRAMMED = (0.7, 0.85)
+"""Shares of the floor and of the walls, less doors, that are furnished at most, whatever is asked for or needed."""
 
 KNOWN = ("exact", "synonym", "plural", "spelling", "group")
 """How a noun may be understood for it to name what is in a scene."""
@@ -20,6 +24,19 @@ def groups_of(category: str) -> set[str]:
         category = known[category].parent or ""
         found.add(category)
     return found
+
+
+def area_of(room: Room) -> float:
+    """Floor [m2] of a room."""
+    import shapely
+
+    return float(shapely.Polygon(room.outline).area)
+
+
+def walls_of(room: Room) -> float:
+    """Length [m] of the walls of a room, less doors."""
+    total = sum(math.dist(a, b) for a, b in zip(room.outline, (*room.outline[1:], room.outline[0]), strict=True))
+    return total - sum(d.width for d in room.doors)
 
 
 @dataclass
@@ -75,6 +92,16 @@ class Draft:
         if wider is not None:
             pool |= {name for name in members(wider) if name.rpartition("_")[2] == head.removesuffix("s")}
         return [o.id for o in self.objects.values() if o.category in pool]
+
+    def crammed(self, size: tuple[float, float, float], category: str) -> bool:
+        """Whether the floor, or the walls where such things stand at them, cannot hold one more of that size [m]."""
+        standing = [o for o in self.objects.values() if o.mount == "floor" and o.size[2] > 0.02]
+        walled = {r.subject for r in self.relations if r.type == "against_wall" and r.hard}
+        along = [o for o in standing if o.id in walled]
+        floor = sum(o.size[0] * o.size[1] for o in standing) + size[0] * size[1]
+        wall = sum(o.size[1] for o in along) + size[1]
+        at_walls = any(o.category == category for o in along)
+        return floor > CRAMMED[0] * area_of(self.room) or (at_walls and wall > CRAMMED[1] * walls_of(self.room))
 
     def load(self, target: str, subject: SceneObject, types: Iterable[str] = ()) -> int:
         """How many objects like ``subject`` are tied to a target, by relations of some types or of any."""

@@ -9,6 +9,7 @@ from sceneweaver.brief import Brief
 from sceneweaver.scene import InputError, Pose, Relation, Room, Scene, SceneObject, Support
 
 from .base import Context, Proposal
+from .draft import walls_of
 from .prior_formation import formations, in_rows
 from .prior_program import BLIND, Program, Wanted, build, demands
 from .prior_relations import of_brief, of_items
@@ -43,7 +44,7 @@ class InitPrior:
             _support_small_things(program, brief)
             scene, unmet, middle = _scene(context, space, program, style, people)
             drafts = formations(program.wanted, scene, seed)
-            crowded = program.footprint > FILL["full"] * area or program.wall > _wall(space)
+            crowded = program.footprint > FILL["full"] * area or program.wall > WALLED * walls_of(space)
             astray = not drafts and in_rows(program.wanted)
             attempt += 1
             if given or not (crowded or astray) or attempt == GROWTHS or area >= 1.5 * room.area[2]:
@@ -93,15 +94,10 @@ def _program(context: Context, space: Room, area: float, people: int, style: str
     wishes = demands(room, brief, area, people, len(space.windows), context.seed)
     pane = (space.windows[0].width, space.windows[0].height) if space.windows else None
     fill = FILL[brief.density]
-    return build(wishes, room, brief, context.library, area, _wall(space), fill, context.seed, style, pane)
-
-
-def _wall(space: Room) -> float:
-    """Length [m] of wall that furniture may take."""
-    import math
-
-    total = sum(math.dist(a, b) for a, b in zip(space.outline, (*space.outline[1:], space.outline[0]), strict=True))
-    return WALLED * (total - sum(d.width for d in space.doors))
+    walls = walls_of(space)
+    return build(
+        wishes, room, brief, context.library, area, walls, WALLED * walls, fill, context.seed, style, pane
+    )  # fmt: skip
 
 
 def _support_small_things(program: Program, brief: Brief) -> None:

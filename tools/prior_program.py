@@ -12,6 +12,8 @@ from sceneweaver.brief import Asked, Brief
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.scene import InputError
 
+from .draft import CRAMMED
+
 FULL_LENGTH, BLIND = ("curtain", "sheer_curtain"), "window_blind"
 
 GENERAL = (
@@ -30,6 +32,9 @@ GENERAL = (
     "sofa",
 )
 """Words of a request that leave the kind to the room."""
+
+SMALL, SPARE = 0.3, 0.05
+"""What takes at most this floor [m2] may take this share of the floor beyond what furniture fills."""
 
 RANK = {"asked": 0, "needed": 1, "usual": 2, "optional": 3}
 
@@ -117,6 +122,7 @@ def demands(room: RoomType, brief: Brief, area: float, people: int, windows: int
     rng = random.Random(seed)
     banned = {name for word in brief.without for name in (word, *members(word))}
     asked = {a.id: a for a in brief.objects}
+    shares = _shares(room, brief, area, people)
     holders = {i.with_ for i in room.items if any(meant_by(a, i) for a in brief.objects)}
     found: list[Demand] = []
     for item in room.items:
@@ -124,8 +130,16 @@ def demands(room: RoomType, brief: Brief, area: float, people: int, windows: int
         meant = [a for a in asked.values() if meant_by(a, item)]
         if meant:
             for one in meant:
-                del asked[one.id]
-            found += [_asked_demand(one, item, area, people, draw) for one in meant]
+                share = shares.get(one.id)
+                if share is None:
+                    del asked[one.id]
+                    found.append(_asked_demand(one, item, area, people, draw))
+                elif item.id in share:
+                    many = share.pop(item.id)
+                    if many:
+                        found.append(Demand(item, (one.category,), many, 0, one, many))
+                    if not share:
+                        del asked[one.id]
             continue
         names = tuple(c for c in item.what if c not in banned)
         if _hangs_at_windows(item) and _something_at_windows(room, brief):
@@ -142,6 +156,27 @@ def demands(room: RoomType, brief: Brief, area: float, people: int, windows: int
         if count > 0:
             found.append(Demand(item, names, count, RANK[item.need], least=min(count, item.count.least)))
     found += [_asked_demand(one, None, area, people, rng.random()) for one in asked.values()]
+    return found
+
+
+def _shares(room: RoomType, brief: Brief, area: float, people: int) -> dict[str, dict[str, int]]:
+    """Where several items of the room stand for something asked for, how its number is spread over them.
+
+    Each takes what it usually has, in the order of the room's file, and the last takes the rest: of eight bar stools
+    four stand at the counter and four at the tables.
+    """
+    found: dict[str, dict[str, int]] = {}
+    for one in brief.objects:
+        items = [item for item in room.items if matches(one.category, item)]
+        if one.count is None or len(items) < 2:
+            continue
+        left = _asked_demand(one, items[0], area, people, 0.5).count
+        share = found[one.id] = {}
+        for item in items:
+            hosts = room.item(item.with_).count.of(area, people, 0.5) if item.with_ else 1
+            usual = item.count.of(area, people, 0.5) * max(1, hosts)
+            share[item.id] = left if item is items[-1] else min(left, usual)
+            left -= share[item.id]
     return found
 
 
@@ -192,14 +227,14 @@ def _asked_demand(asked: Asked, item: Item | None, area: float, people: int, dra
 
 
 def build(
-    wishes: Iterable[Demand], room: RoomType, brief: Brief, library: Library, area: float, wall: float, fill: float,
-    seed: int, style: str | None, pane: tuple[float, float] | None = None,
+    wishes: Iterable[Demand], room: RoomType, brief: Brief, library: Library, area: float, space: float, wall: float,
+    fill: float, seed: int, style: str | None, pane: tuple[float, float] | None = None,
 ) -> Program:  # fmt: skip
     """Choose bodies for all demands, as long as the floor [m2] and the walls [m] have room for them.
 
-    ``pane`` is the width and height [m] of the windows, for what hangs before them.
-
-    What is asked for or needed is taken in any case; the rest ends where ``fill`` of the floor or the wall is taken.
+    ``space`` is the length of all walls; the usual ends where ``wall`` of it or ``fill`` of the floor is taken,
+    what is asked for or needed where not even `CRAMMED` would do. ``pane`` is the width and height [m] of the windows,
+    for what hangs before them.
     """
     program, by_item = Program(), {}
     for number, demand in enumerate(sorted(wishes, key=_order(room))):
@@ -232,7 +267,8 @@ def build(
             one = Wanted(item, assets[k].category, assets[k], demand.rank, k, parent, support,
                          demand.asked.id if demand.asked else None)  # fmt: skip
             must = demand.rank <= 1 and (k < demand.least * (1 if total else len(parents)))
-            if not must and not _fits(program, made, one, area, wall, fill):
+            most = (area, wall, fill) if not must else (area, space * CRAMMED[1], CRAMMED[0])
+            if not _fits(program, made, one, *most):
                 program.left_out.append(f"{one.category}: the floor or the walls are full")
                 break
             made.append(one)
@@ -298,6 +334,8 @@ def _bodies(demand: Demand, pieces: int, wish: Wish, library: Library) -> list[A
 def _fits(program: Program, made: list[Wanted], one: Wanted, area: float, wall: float, fill: float) -> bool:
     floor = program.footprint + sum(w.footprint for w in made) + one.footprint
     line = program.wall + sum(w.wall for w in made) + one.wall
+    if one.footprint <= SMALL:  # a bin or a plant still goes into a room that is full of furniture
+        fill, wall = fill + SPARE, wall * (1 + 2 * SPARE)
     return (one.footprint == 0 or floor <= fill * area) and (one.wall == 0 or line <= wall)
 
 

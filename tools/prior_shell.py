@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import random
 
 from sceneweaver.brief import Brief
 from sceneweaver.knowledge import RoomType
-from sceneweaver.scene import Room
+from sceneweaver.scene import InputError, Room
 from sceneweaver.scene.model import Door, Window
+
+from .prior_relations import wall_named
 
 Point = tuple[float, float]
 
@@ -60,8 +63,19 @@ def shell(room: RoomType, brief: Brief, area: float, seed: int) -> tuple[Room, l
             Door(id=f"door-{k}", wall=wall, offset=round(offset if near else play - offset, 3), width=size,
                  height=round(min(rng.uniform(*room.doors.height), height - 0.05), 2), swing=swing)
         )  # fmt: skip
-    windows = _windows(room, brief, outline, walls, entry, height, rng, notes)
+    bare = Room(type=room.name, outline=tuple(outline), height=height, doors=tuple(doors))
+    windows = _windows(room, brief, outline, walls, entry, height, rng, notes, _spoken_for(brief, bare))
     return Room(type=room.name, outline=tuple(outline), height=height, doors=tuple(doors), windows=windows), notes
+
+
+def _spoken_for(brief: Brief, room: Room) -> set[int]:
+    """The walls that something was asked to stand against."""
+    found: set[int] = set()
+    for said in brief.relations:
+        if said.type in ("against_wall", "side_against_wall") and str(said.target).startswith("wall:"):
+            with contextlib.suppress(InputError):  # said later, with the relation itself
+                found.add(wall_named(str(said.target).removeprefix("wall:"), room))
+    return found
 
 
 def _sides(room: RoomType, brief: Brief, area: float, rng: random.Random, notes: list[str]) -> tuple[float, float]:
@@ -102,9 +116,9 @@ def _outline(shape: str | None, w: float, d: float) -> list[Point]:
 
 def _windows(
     room: RoomType, brief: Brief, outline: list[Point], walls: list[float], entry: int, height: float,
-    rng: random.Random, notes: list[str],
+    rng: random.Random, notes: list[str], taken: set[int],
 ) -> tuple[Window, ...]:  # fmt: skip
-    """Windows in the walls that look away from the door, then in those beside it, centred."""
+    """Windows in walls that look away from the door, then in those beside it, centred; ``taken`` walls come last."""
     spec = room.windows
     count = brief.windows if brief.windows is not None else spec.count.of(0.0, 0, rng.random())
 
@@ -114,7 +128,10 @@ def _windows(
 
     front = normal(entry)
     facing = {i: sum(a * b for a, b in zip(normal(i), front, strict=True)) for i in range(len(walls))}
-    choice = sorted((i for i in facing if i != entry and walls[i] >= 1.0), key=lambda i: (round(facing[i]), -walls[i]))
+    free = [i for i in facing if i != entry and walls[i] >= 1.0]
+    choice = sorted(free, key=lambda i: (i in taken, round(facing[i]), -walls[i]))
+    if any(i not in taken for i in choice):
+        choice = [i for i in choice if i not in taken]
     windows: list[Window] = []
     used: dict[int, int] = {}
     if brief.windows is None and any(r.type == "at_window" for r in brief.relations):

@@ -219,14 +219,21 @@ class Executor:
             return None
         rank = {need: k for k, need in enumerate(NEEDS)}
         id = min(pool, key=lambda i: (rank.get(known[i].attributes.get("need", "usual"), 1), -trouble[i], i))
-        gone, reason = known[id], "there is no place for it in this room"
-        lighter = apply(draft, Remove(id=id, cascade=True))
-        if gone.attributes.get("need") != "asked":
-            notes.append(f"{id} was left out: {reason}")
-            return lighter
-        unmet.append(f"{id}: {reason}")
-        dropped = (*lighter.dropped, Dropped(id=id, category=gone.category, reason=reason))
-        return lighter.model_copy(update={"dropped": dropped})
+        # Of many of a kind several go at once: forty wardrobes are not tried forty times.
+        alike = sum(o.category == known[id].category for o in draft.objects)
+        twins = sorted((i for i in pool if known[i].category == known[id].category), key=lambda i: (-trouble[i], i))
+        reason = "there is no place for it in this room"
+        for gone in (known[i] for i in twins[: 1 + alike // 6]):
+            if gone.id not in draft.ids:
+                continue
+            draft = apply(draft, Remove(id=gone.id, cascade=True))
+            if gone.attributes.get("need") != "asked":
+                notes.append(f"{gone.id} was left out: {reason}")
+                continue
+            unmet.append(f"{gone.id}: {reason}")
+            dropped = (*draft.dropped, Dropped(id=gone.id, category=gone.category, reason=reason))
+            draft = draft.model_copy(update={"dropped": dropped})
+        return draft
 
 
 def _pruned(scene: Scene, draft: Scene, notes: list[str]) -> tuple[Scene, Report]:

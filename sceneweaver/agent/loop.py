@@ -17,11 +17,14 @@ from sceneweaver.tools.registry import Registered
 from .executor import Executor, Outcome
 from .folder import RunFolder
 from .memory import Call, Memory, Step
-from .planner import Planner, Situation
+from .planner import LISTS, Planner, Situation
 from .settings import Settings
 
-FIXED_PLAN = ("init_prior", "add_tabletop", "add_crowd")
-"""What is done, in this order, when there is no reflection."""
+BLIND_PLAN = ("init_prior", "add_tabletop", "add_crowd", "update_layout")
+"""What is done, in this order, when there is no reflection: the tools that need not be told where to act."""
+
+WHOLE_PLAN = 8
+"""Calls of a plan that is made once, at most."""
 
 Said = Callable[[Step], None]
 
@@ -82,13 +85,28 @@ class Run:
         return ""
 
     def _calls(self) -> list[Call]:
-        if not self.settings.reflect or self.settings.one_shot:
-            at = len(self.memory.steps)
-            plan = [name for name in FIXED_PLAN if name in self.tools]
+        at = len(self.memory.steps)
+        if not self.settings.reflect:
+            plan = [name for name in BLIND_PLAN if name in self.tools]
             return [Call(tool=plan[at], seed=self.settings.seed, reason="fixed plan")] if at < len(plan) else []
+        if not self.settings.one_shot:
+            return self._planned(self.settings)
+        if self.best is None:
+            return self._planned(self.settings)[:1]
+        if self.memory.plan is None:
+            self.memory = self.memory.model_copy(update={"plan": self._whole_plan()})
+        return list((self.memory.plan or ())[at - 1 : at])
+
+    def _planned(self, settings: Settings) -> list[Call]:
         scene, review = (self.best.scene, self.best.review) if self.best else (None, None)
         cards = {name: tool.card for name, tool in self.tools.items()}
-        return self.planner.plan(Situation(self.brief, self.room, scene, review, self.memory, cards, self.settings))
+        return self.planner.plan(Situation(self.brief, self.room, scene, review, self.memory, cards, settings))
+
+    def _whole_plan(self) -> tuple[Call, ...]:
+        """What is to be done, by the first scene alone; of calls for all faults and for one of them, that for all."""
+        calls = self._planned(self.settings.model_copy(update={"side_by_side": WHOLE_PLAN}))
+        before = [{c.tool for c in calls[:k]} for k in range(len(calls))]
+        return tuple(c for c, done in zip(calls, before, strict=True) if c.tool not in LISTS or c.tool not in done)
 
     def _tried(self, executor: Executor, calls: list[Call]) -> tuple[dict[int, Outcome], list[dict[str, Any]]]:
         """What each call leads to; one that fails says why and leaves the others alone."""

@@ -55,6 +55,7 @@ class Memory(FrozenModel):
     stale: int = 0
     notes: tuple[str, ...] = ()
     unmet: tuple[str, ...] = ()
+    plan: tuple[Call, ...] | None = Field(default=None, description="What is to be done, where that is decided once")
     finished: str = Field(default="", description="Why the run ended; empty while it goes on")
 
     def after(self, step: Step, losers: list[Call], notes: tuple[str, ...], unmet: tuple[str, ...]) -> Memory:

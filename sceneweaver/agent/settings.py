@@ -12,9 +12,10 @@ from sceneweaver.scene.base import FrozenModel
 class Settings(FrozenModel):
     """Budgets and switches of a run; equal settings and seed give equal scenes unless a time limit cuts them off.
 
-    ``tools`` names the only tools to use (None: all that their cards allow); ``reflect`` and ``physics`` are there to
-    be switched off in ablations: without reflection the plan is fixed beforehand and nothing is taken back, without
-    physics layouts are drawn from the relations and not optimised.
+    ``tools`` names the only tools to use (None: all that their cards allow). The others are for ablations. Without
+    ``reflect`` the plan is fixed beforehand and nothing is taken back; with ``one_shot`` the critic is heard once,
+    after the first step, and what it asks for is done without looking again; without ``physics`` layouts are drawn
+    from the relations and not optimised.
     """
 
     seed: int = Field(default=0, ge=0, le=2**32 - 1)

@@ -153,8 +153,22 @@ def test_a_contradiction_gives_way_and_is_reported():
 def test_ablations_leave_parts_out():
     alone = design(ASKED, tools=("init_prior",), **QUICK)
     assert {s.call.tool for s in alone.steps if s.call} == {"init_prior"}
-    fixed = design(ASKED, one_shot=True, **QUICK)
-    assert [s.call.tool for s in fixed.steps if s.call] == ["init_prior", "add_tabletop", "add_crowd"]
-    assert all(s.accepted for s in fixed.steps)
+    blind = design(ASKED, reflect=False, **QUICK)
+    assert [s.call.tool for s in blind.steps if s.call] == ["init_prior", "add_tabletop", "add_crowd", "update_layout"]
+    assert all(s.accepted or "failed" in s.tried[0] for s in blind.steps)
+
+
+def test_a_plan_made_once_is_carried_out_and_survives_a_restart(tmp_path):
+    whole = design(ASKED, one_shot=True, **QUICK)
+    tools = [s.call.tool for s in whole.steps if s.call]
+    assert len(tools) > 1 and tools[0] == "init_prior"
+    assert len([t for t in tools if t == "add_tabletop"]) <= 1  # all of them in one call
+    assert all(s.accepted or "failed" in s.tried[0] for s in whole.steps)
+    design(ASKED, out=tmp_path, one_shot=True, pictures=False, steps=2, **QUICK)
+    again = design(ASKED, out=tmp_path, one_shot=True, pictures=False, **QUICK)
+    assert again.scene == whole.scene
+
+
+def test_without_physics_layouts_are_not_optimised():
     loose = design(ASKED, physics=False, tools=("init_prior",), **QUICK)
     assert loose.report.collisions + loose.report.out_of_bounds > 0
