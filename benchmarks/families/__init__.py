@@ -17,11 +17,13 @@ from . import (
     large,
     memory,
     optimizers,
+    physics,
     projection,
     quality,
     requests,
     scaling,
     soundness,
+    stability,
     throughput,
 )
 
@@ -42,6 +44,8 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "design": design.run,
         "ablations": ablations.run,
         "requests": requests.run,
+        "physics": physics.run,
+        "stability": stability.run,
     }
 )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
@@ -21,15 +21,16 @@ if TYPE_CHECKING:
 VIEWS = ("top", "top_annotated", "corner")
 
 
-def deliver(result: Result, folder: Path, library: Library, device: str, pictures: bool) -> Result:
+def deliver(
+    result: Result, folder: Path, library: Library, device: str, pictures: bool, formats: Sequence[str]
+) -> Result:
     """Write everything; the result with the seconds that it took."""
     began = time.monotonic()
     load = cache(library.load)
     result.scene.save(folder / "scene.json")
-    from sceneweaver.export import write_glb
+    from sceneweaver.export import export_scene
 
-    with _whole(folder / "scene.glb") as path:
-        write_glb(result.scene, path, load)
+    export_scene(result.scene, folder, formats, load)
     drawn = {}
     if pictures:
         from sceneweaver.render import draw_rooms

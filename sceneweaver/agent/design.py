@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from sceneweaver.brief import Brief, read_brief
 from sceneweaver.critic import Review
+from sceneweaver.export import formats_named
 from sceneweaver.knowledge import RoomType, match_room, room_types
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
 from sceneweaver.tools.registry import tools as registered
 from sceneweaver.verify import Report
 
+from .executor import Executor
 from .folder import RunFolder
 from .loop import Run
 from .memory import Step
 from .planner import RulesPlanner
 from .settings import Settings
+from .settling import settled
 
 LONGEST = 100_000
 """Characters of a request that are read."""
@@ -60,6 +63,8 @@ def design(
     device: str = "auto",
     time_limit: float | None = None,
     pictures: bool = True,
+    export: str | Iterable[str] = ("glb", "usd", "mjcf"),
+    settle: bool = False,
     said: Callable[[Step], None] | None = None,
     **switches: Any,
 ) -> Result:
@@ -75,6 +80,9 @@ def design(
         device: "auto", "cpu", "cuda" or "cuda:k".
         time_limit: seconds after which no step begins.
         pictures: whether pictures and the report are drawn into ``out``.
+        export: formats that are written into ``out``: glb, usd, mjcf, scenestate; "all" or "none".
+        settle: whether to prefer layouts that physics leaves alone, to keep the poses in which things come to rest, and
+            to measure the stability of the scene.
         said: called with each step as it ends.
         switches: other fields of `Settings`, such as ``reflect=False``.
 
@@ -87,8 +95,9 @@ def design(
         raise InputError(f"planner: '{planner}' is unknown; use rules or llm")
     if planner == "llm":
         raise MissingDependencyError("planner llm needs a language model, and none is set up; use planner rules")
+    formats = formats_named(export)
     settings = Settings(seed=seed, planner="rules", steps=steps, candidates=candidates, device=device,
-                        seconds=time_limit, **switches)  # fmt: skip
+                        seconds=time_limit, settle=settle, **switches)  # fmt: skip
     brief = read_brief(prompt[:LONGEST])
     room, remarks = chosen_room(brief)
     folder = RunFolder(Path(out)) if out is not None else None
@@ -97,6 +106,9 @@ def design(
     if folder is not None:
         _resume(run, folder)
     best = run.go()
+    moved: list[str] = []
+    if settle:
+        best, moved = settled(best, Executor(room, brief, settings))
     unmet = tuple(dict.fromkeys((*run.memory.unmet, *_unmet(best.review))))
     result = Result(
         scene=best.scene,
@@ -104,7 +116,7 @@ def design(
         review=best.review,
         brief=brief,
         steps=run.memory.steps,
-        notes=tuple(dict.fromkeys((*brief.notes, *remarks, *run.memory.notes))),
+        notes=tuple(dict.fromkeys((*brief.notes, *remarks, *run.memory.notes, *moved))),
         unmet=unmet,
         seconds=time.monotonic() - began,
         finished=run.memory.finished,
@@ -114,7 +126,7 @@ def design(
         return result
     from .deliver import deliver
 
-    return deliver(result, folder.path, run.library, device, pictures)
+    return deliver(result, folder.path, run.library, device, pictures, formats)
 
 
 def chosen_room(brief: Brief) -> tuple[RoomType, tuple[str, ...]]:
@@ -139,8 +151,6 @@ def chosen_room(brief: Brief) -> tuple[RoomType, tuple[str, ...]]:
 
 
 def _resume(run: Run, folder: RunFolder) -> None:
-    from .executor import Executor
-
     kept = folder.begin(run.brief, run.settings)
     if kept is not None:
         memory = kept[0]

@@ -24,6 +24,9 @@ ENOUGH = 4
 ROUNDS = 8
 """Times that something gives way before a layout that cannot be valid is taken as it is."""
 
+STEADY = 3
+"""Layouts that are tried in physics, of those that the critic likes best."""
+
 NEEDS = ("optional", "usual", "needed", "asked")
 """What gives way first, by the attribute ``need``."""
 
@@ -109,7 +112,17 @@ class Executor:
         attempts = self.settings.attempts[patience]
         layouts = self._around(draft, drafts, seed, attempts) if drafts else self._free(draft, fresh, seed, attempts)
         outcomes = [self._outcome(tidy(layout), (), ()) for layout in layouts]
-        return min(outcomes, key=lambda o: o.key)
+        return self._steadiest(sorted(outcomes, key=lambda o: o.key))
+
+    def _steadiest(self, ranked: list[Outcome]) -> Outcome:
+        """The first of some outcomes, best first; to settle, the steadiest of the leading valid ones."""
+        leading = [o for o in ranked[:STEADY] if o.report.valid] if self.settings.settle else []
+        if len(leading) < 2:
+            return ranked[0]
+        from sceneweaver.physics import stability
+
+        moved = [sum(far > 0.01 for far in stability(o.scene)["moved"].values()) for o in leading]
+        return leading[moved.index(min(moved))]
 
     def _in_place(self, scene: Scene, draft: Scene, seed: int, notes: list[str]) -> Outcome | None:
         """The best valid layout in which only what an edit added or changed moves.
@@ -134,7 +147,7 @@ class Executor:
             outcomes = [self._outcome(tidy(layout), (), ()) for layout in layouts]
             valid = [o for o in outcomes if o.report.valid]
             if valid:
-                return min(valid, key=lambda o: o.key)
+                return self._steadiest(sorted(valid, key=lambda o: o.key))
             report = check(_posed(draft, solution.best), walkable=False)
             trouble = [id for v in report.violations if v.kind != "soft_relation" for id in v.objects]
             extra = [

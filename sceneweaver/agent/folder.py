@@ -18,7 +18,18 @@ from .settings import Settings
 
 SCHEMA = "sceneweaver.run/1"
 STATE = "state.json"
-RELEVANT = ("seed", "side_by_side", "candidates", "finalists", "planner", "reflect", "physics", "one_shot", "tools")
+RELEVANT = (
+    "seed",
+    "side_by_side",
+    "candidates",
+    "finalists",
+    "planner",
+    "reflect",
+    "physics",
+    "one_shot",
+    "settle",
+    "tools",
+)
 """Settings that must be the same for a run to go on; budgets may grow."""
 
 

@@ -175,11 +175,14 @@ def check(
     picture: Annotated[
         Path | None, typer.Option(metavar="PNG", help="Draw the top view, what is wrong in red.", show_default=False)
     ] = None,
+    physics: Annotated[
+        bool, typer.Option("--physics", help="Simulate 3 s with MuJoCo as well: does everything stay where it is?")
+    ] = False,
 ) -> int:  # fmt: skip
     """Judge a scene: collisions, bounds, support, zones, relations. Changes nothing."""
     from .check import run_check
 
-    return run_check(source, as_json=as_json, metrics=metrics, meshes=meshes, picture=picture)
+    return run_check(source, as_json=as_json, metrics=metrics, meshes=meshes, picture=picture, physics=physics)
 
 
 @app.command()
@@ -194,6 +197,27 @@ def render(
     from .render import run_render
 
     return run_render(source, out, plain=plain, width=width, as_json=as_json)
+
+
+@app.command()
+def export(
+    source: Input,
+    out: Annotated[
+        Path,
+        typer.Option("--out", "-o", metavar="OUT", help="A folder, or a file whose suffix says the format.",
+                     show_default=False),
+    ],
+    to: Annotated[
+        str | None,
+        typer.Option("--to", metavar="FORMATS", help="With a folder: glb, usd, usda, mjcf, scenestate, or all "
+                     "(default: glb,usd,mjcf).", show_default=False),
+    ] = None,
+    as_json: Json = False,
+) -> int:  # fmt: skip
+    """Write a scene for other tools: USD for Isaac Sim, MJCF for MuJoCo, GLB, SceneState."""
+    from .export import run_export
+
+    return run_export(source, out, to=to, as_json=as_json)
 
 
 @app.command()
@@ -212,6 +236,12 @@ def design(
     device: Device = "auto",
     time_limit: TimeLimit = None,
     pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw views and the report.")] = True,
+    export: Annotated[
+        str, typer.Option(metavar="FORMATS", help="Files for other tools: glb, usd, mjcf, scenestate, all or none.")
+    ] = "glb,usd,mjcf",
+    settle: Annotated[
+        bool, typer.Option("--settle/--no-settle", help="Prefer layouts that physics leaves alone; let things settle.")
+    ] = False,
     as_json: Json = False,
 ) -> int:  # fmt: skip
     """Make a furnished room from a request in words. A run that was cut off goes on when started again."""
@@ -219,7 +249,7 @@ def design(
 
     return run_design(
         prompt, out, seed=seed, steps=steps, candidates=candidates, planner=planner.value, device=device,
-        time_limit=time_limit, pictures=pictures, as_json=as_json,
+        time_limit=time_limit, pictures=pictures, export=export, settle=settle, as_json=as_json,
     )  # fmt: skip
 
 
@@ -248,7 +278,7 @@ def demo(
 
     return run_design(
         DEMO, out, seed=seed, steps=10, candidates=None, planner="rules", device=device, time_limit=None, pictures=True,
-        as_json=as_json,
+        export="glb,usd,mjcf", settle=False, as_json=as_json,
     )  # fmt: skip
 
 

@@ -13,7 +13,9 @@ from .output import headline, list_files, list_violations, no_chatter, print_jso
 from .render import require_png
 
 
-def run_check(source: Path, *, as_json: bool, metrics: Path | None, meshes: Path | None, picture: Path | None) -> int:
+def run_check(
+    source: Path, *, as_json: bool, metrics: Path | None, meshes: Path | None, picture: Path | None, physics: bool
+) -> int:
     """Judge a scene file."""
     if picture is not None:
         require_png(picture, "--picture")
@@ -23,7 +25,7 @@ def run_check(source: Path, *, as_json: bool, metrics: Path | None, meshes: Path
     from sceneweaver.verify import check
 
     with no_chatter():
-        report = check(scene, meshes=meshes)
+        report = check(scene, meshes=meshes, physics=physics)
     if metrics is not None:
         write_atomic(metrics, report.to_json() + "\n")
     if picture is not None:
@@ -37,6 +39,11 @@ def run_check(source: Path, *, as_json: bool, metrics: Path | None, meshes: Path
     list_violations(report)
     if report.walkable_share is not None and report.reachable_share is not None:
         typer.echo(f"  {report.walkable_share:.0%} of the floor walkable, {report.reachable_share:.0%} of it in reach")
+    if report.stability is not None:
+        moved, shift = report.stability["moved_over_0_01m"], report.stability["mean_shift_m"]
+        typer.echo(
+            f"  in 3 s of physics {moved:.1%} of the movable objects move over 1 cm, {1000 * shift:.2f} mm on average"
+        )
     for warning in report.warnings:
         typer.echo(f"  note: {warning}")
     list_files([path for path in (metrics, picture) if path is not None])

@@ -21,7 +21,7 @@ DEMO = "a bedroom for a teenager with a desk by the window"
 
 FILES = (
     "report.html", "views/corner.png", "views/top.png", "views/top_annotated.png", "scene.json", "scene.glb",
-    "metrics.json",
+    "scene.usdc", "scene.xml", "scenestate.json", "metrics.json",
 )  # fmt: skip
 
 
@@ -36,6 +36,8 @@ def run_design(
     device: str,
     time_limit: float | None,
     pictures: bool,
+    export: str,
+    settle: bool,
     as_json: bool,
 ) -> int:
     """Design a room into a folder; 0 when all that was asked for is so, 3 when not."""
@@ -46,7 +48,7 @@ def run_design(
 
         result = design(
             prompt, seed=seed, planner=planner, out=out, steps=steps, candidates=candidates, device=device,
-            time_limit=time_limit, pictures=pictures, said=None if as_json else _say,
+            time_limit=time_limit, pictures=pictures, export=export, settle=settle, said=None if as_json else _say,
         )  # fmt: skip
     code = 0 if result.satisfied else NOT_VALID
     if as_json:

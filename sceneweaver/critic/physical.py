@@ -47,7 +47,7 @@ def _violation(survey: Survey, v: Violation) -> Iterator[Finding]:
             fix = f"lay out {v.objects[0]} again so that it holds"
             yield finding("layout", "broken_relation", v.objects, v.detail, fix, points=1.0, **again)
         case "soft_relation":
-            yield finding("layout", "soft_relation", v.objects, v.detail, points=min(0.6, 0.25 * _weight(survey, v)),
+            yield finding("layout", "soft_relation", v.objects, v.detail, points=min(0.8, 0.5 * _weight(survey, v)),
                           **again)  # fmt: skip
         case "dropped":
             why = next((d.category for d in survey.scene.dropped if d.id == v.objects[0]), v.objects[0])

@@ -1,7 +1,25 @@
 """Scenes in the formats of other tools."""
 
+from .formats import FORMATS as FORMATS
+from .formats import export_file as export_file
+from .formats import export_scene as export_scene
+from .formats import formats_named as formats_named
 from .glb import glb_bytes as glb_bytes
 from .glb import write_glb as write_glb
 from .mjcf import write_mjcf as write_mjcf
+from .scenestate import write_scenestate as write_scenestate
+from .urdf import write_urdf as write_urdf
+from .usd import write_usd as write_usd
 
-__all__ = ["glb_bytes", "write_glb", "write_mjcf"]
+__all__ = [
+    "FORMATS",
+    "export_file",
+    "export_scene",
+    "formats_named",
+    "glb_bytes",
+    "write_glb",
+    "write_mjcf",
+    "write_scenestate",
+    "write_urdf",
+    "write_usd",
+]

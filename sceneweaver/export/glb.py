@@ -13,6 +13,7 @@ import math
 import os
 import struct
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,7 @@ from sceneweaver.assets import Material, Mesh
 from sceneweaver.scene import Room, Scene, write_atomic
 
 from .bodies import Body, Load, Missing, bodies_of
+from .models import with_mesh
 from .room import floor_mesh, wall_mesh
 
 _FLOAT, _SHORT, _INT = 5126, 5123, 5125
@@ -44,9 +46,9 @@ def glb_bytes(scene: Scene, load: Load | None = None, missing: Missing = "error"
         missing: Whether an asset that cannot be loaded is an error, or its object is shown as its parts.
 
     Raises:
-        InputError: when an asset cannot be loaded and ``missing`` is "error".
+        InputError: when an asset cannot be loaded or has no mesh, and ``missing`` is "error".
     """
-    found = bodies_of(scene, load, missing)
+    found = bodies_of(scene, with_mesh(load), missing)
     file = _File([material for body in found for material in body.mesh.materials])
     ids = set(scene.ids)
     children = [
@@ -57,6 +59,19 @@ def glb_bytes(scene: Scene, load: Load | None = None, missing: Missing = "error"
     top = file.node(_free("scene", ids), {"rotation": _Y_UP, "children": children})
     extras = {"prompt": scene.prompt, "room": scene.room.model_dump(mode="json")}
     return file.bytes(top, {"name": scene.id, "extras": extras})
+
+
+def model_bytes(mesh: Mesh, name: str) -> bytes:
+    """One mesh as glTF 2.0 binary: a single node without a transform, so that its vertices are the model's frame.
+
+    Args:
+        mesh: In the frame of an object: z up, front +x, left +y. In the file it is y up with the front along +z, as
+            glTF has it: a vertex (x, y, z) stands there as (y, z, x).
+        name: Of the node and the mesh.
+    """
+    file = _File(mesh.materials)
+    turned = replace(mesh, vertices=mesh.vertices[:, [1, 2, 0]])
+    return file.bytes(file.node(name, {"mesh": file.mesh(name, turned)}), {"name": name})
 
 
 def room_meshes(room: Room) -> dict[str, Mesh]:
@@ -173,7 +188,8 @@ class _File:
 
     @property
     def _rows(self) -> int:
-        return max(1, -(-len(self._cells) // _COLUMNS))
+        """Rows of the palette: a power of two, as the sides of textures should be."""
+        return 1 << (max(1, -(-len(self._cells) // _COLUMNS)) - 1).bit_length()
 
     def _accessor(self, values: np.ndarray, kind: str, component: int, target: int, bounds: bool = False) -> int:
         view = self._view(values.tobytes(), {"target": target})
@@ -256,4 +272,4 @@ def _srgb(value: float) -> float:
     return 12.92 * value if value <= 0.0031308 else 1.055 * value ** (1 / 2.4) - 0.055
 
 
-__all__ = ["glb_bytes", "linear", "room_meshes", "write_glb"]
+__all__ = ["glb_bytes", "linear", "model_bytes", "room_meshes", "write_glb"]

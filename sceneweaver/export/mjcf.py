@@ -5,10 +5,7 @@ Bodies have the names of their objects. Geoms of group 2 are what is seen, those
 
 from __future__ import annotations
 
-import contextlib
 import os
-import secrets
-import shutil
 import zlib
 from pathlib import Path
 from xml.etree import ElementTree as Xml
@@ -18,7 +15,9 @@ import numpy as np
 from sceneweaver.assets import Material
 from sceneweaver.physics import Model, build
 from sceneweaver.physics.model import Load, Thing
-from sceneweaver.scene import InputError, Scene
+from sceneweaver.scene import Scene
+
+from .folder import write_folder
 
 
 def write_mjcf(scene: Scene, folder: str | os.PathLike[str], load: Load | None = None) -> Path:
@@ -36,31 +35,9 @@ def write_mjcf(scene: Scene, folder: str | os.PathLike[str], load: Load | None =
         InputError: an asset is missing, the place cannot be written, or holds something that is no MJCF export.
     """
     target = Path(folder)
-    if target.exists() and not _ours(target):
-        raise InputError(f"folder: {target} is there and holds other things; give a new or empty folder")
     model = mjcf(scene, load)
-    temporary = target.parent / f".sceneweaver-{secrets.token_hex(8)}.tmp"
-    old = target.parent / f"{temporary.name}.old"
-    try:
-        temporary.mkdir()
-        (temporary / "meshes").mkdir()
-        for name, content in model.files.items():
-            (temporary / "meshes" / name).write_bytes(content)
-        (temporary / "scene.xml").write_text(model.xml, encoding="utf-8")
-        if target.exists():
-            target.rename(old)
-        temporary.rename(target)
-    except FileNotFoundError:
-        raise InputError(f"folder: {target.parent} does not exist; make it first") from None
-    except OSError as error:
-        if old.exists() and not target.exists():
-            with contextlib.suppress(OSError):
-                old.rename(target)
-        raise InputError(f"folder: {target} cannot be written ({error.strerror}); choose another place") from None
-    finally:
-        for left in (temporary, old):
-            if left.exists():
-                shutil.rmtree(left, ignore_errors=True)
+    files = {"scene.xml": model.xml.encode(), **{f"meshes/{name}": data for name, data in model.files.items()}}
+    write_folder(target, files, lambda names: names <= {"scene.xml", "meshes"})
     return target / "scene.xml"
 
 
@@ -69,14 +46,6 @@ def mjcf(scene: Scene, load: Load | None = None) -> Model:
     wardrobe = _Wardrobe()
     model = build(scene, load, wardrobe)
     return Model(model.xml, wardrobe.files, model.free, model.fixed)
-
-
-def _ours(folder: Path) -> bool:
-    """Whether a folder holds nothing but an export, and so may be replaced."""
-    try:
-        return folder.is_dir() and {p.name for p in folder.iterdir()} <= {"scene.xml", "meshes"}
-    except OSError:
-        return False
 
 
 class _Wardrobe:

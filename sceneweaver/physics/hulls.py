@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -16,6 +17,11 @@ MOST = 40
 _SLACK = 1e-4  # [m] by which a part may stand out of a prism and still belong to it
 _THINNEST = 1e-4  # [m]; thinner parts become boxes of this thickness
 _WASTE = 0.01  # share of volume that a merge may add when it is not forced
+_NEAR = 8  # neighbours of a part that it is tried with first
+_KEPT = 4096  # assets whose parts are kept
+_TOUCH = 1e-3  # [m] by which parts of different links may reach into each other
+
+_KNOWN: dict[bytes, list[Solid]] = {}
 
 
 @dataclass(frozen=True)
@@ -35,53 +41,98 @@ def solids_of(thing: SceneObject, asset: Asset | None, scale: np.ndarray) -> lis
     """The parts of an object; of an asset its hulls, ``scale`` [3] times as large, else the object's own prisms."""
     if asset is None or not asset.hulls:
         return [_solid(_corners(part), 0) for part in thing.solids]
-    prisms = [_corners(part) for part in asset.parts]
-    found = [_solid(np.asarray(hull.vertices, dtype=float), hull.link) for hull in asset.hulls]
-    merged = reduce(found, [part for part in asset.parts], MOST) if len(found) > MOST and prisms else found
+    merged = _of_asset(asset)
     if np.allclose(scale, 1.0, atol=1e-9):
         return merged
     return [_solid(solid.points * scale, solid.link) for solid in merged]
+
+
+def _of_asset(asset: Asset) -> list[Solid]:
+    """The hulls of an asset, merged where they are many; kept by their content, as scenes are built again and again."""
+    content = hashlib.blake2b(repr([(part.polygon, part.z) for part in asset.parts]).encode())
+    for hull in asset.hulls:
+        content.update(np.array([len(hull.vertices), hull.link]).tobytes())
+        content.update(np.ascontiguousarray(hull.vertices, dtype=float).tobytes())
+    key = content.digest()
+    if key not in _KNOWN:
+        if len(_KNOWN) >= _KEPT:
+            _KNOWN.clear()
+        found = [_solid(np.asarray(hull.vertices, dtype=float), hull.link) for hull in asset.hulls]
+        _KNOWN[key] = reduce(found, asset.parts, MOST) if len(found) > MOST and asset.parts else found
+    return list(_KNOWN[key])
 
 
 def reduce(solids: Sequence[Solid], parts: Sequence[Part], most: int) -> list[Solid]:
     """Merge parts until at most ``most`` are left, as far as that goes.
 
     Two parts are merged only when both lie in one prism (and belong to one link): a prism is convex, so their common
-    hull stays in it, and what was free in the scene stays free. Those go first whose hull adds the least volume.
+    hull stays in it, and what was free in the scene stays free. Nor may it reach into a part of another link, which
+    could then not move. Those go first whose hull adds the least volume.
     """
     import heapq
 
-    home = [_homes(solid.points, parts) for solid in solids]
     live: dict[int, Solid] = dict(enumerate(solids))
-    homes = dict(enumerate(home))
+    homes = {k: _homes(solid.points, parts) for k, solid in live.items()}
+    bounds = {k: np.stack([solid.points.min(axis=0), solid.points.max(axis=0)]) for k, solid in live.items()}
+    others = {link: [s for s in solids if s.link != link] for link in {s.link for s in solids}}
     heap: list[tuple[float, int, int, Solid]] = []
+    fresh, total = len(live), sum(s.volume for s in solids)
 
-    def offer(i: int, j: int) -> None:
-        one, two = live[i], live[j]
-        if one.link != two.link or not homes[i] & homes[j]:
-            return
-        both = _solid(np.concatenate([one.points, two.points]), one.link)
-        heapq.heappush(heap, (both.volume - one.volume - two.volume, i, j, both))
+    def offer(i: int, count: int, first: int) -> None:
+        """Pairs of a part with the nearest ones of number ``first`` and above."""
+        fits = [k for k in live if k >= first and k != i and live[k].link == live[i].link and homes[k] & homes[i]]
+        if len(fits) > count:
+            boxes = np.stack([bounds[k] for k in fits])
+            gap = np.maximum(np.maximum(boxes[:, 0] - bounds[i][1], bounds[i][0] - boxes[:, 1]), 0.0)
+            far = np.linalg.norm(gap, axis=1) + 0.1 * np.linalg.norm((boxes - bounds[i]).mean(axis=1), axis=1)
+            fits = [fits[k] for k in np.argpartition(far, count)[:count]]
+        for k in fits:
+            both = _solid(np.concatenate([live[i].points, live[k].points]), live[i].link)
+            heapq.heappush(heap, (both.volume - live[i].volume - live[k].volume, i, k, both))
 
-    numbers = sorted(live)
-    for a, i in enumerate(numbers):
-        for j in numbers[a + 1 :]:
-            offer(i, j)
-    fresh = len(numbers)
-    total = sum(s.volume for s in solids)
-    while heap:
-        added, i, j, both = heapq.heappop(heap)
-        if i not in live or j not in live:
-            continue
-        if len(live) <= most and added > _WASTE * total:
+    for count in (_NEAR, len(solids)):  # far pairs are seldom the cheapest, and are tried when there are no others
+        if count > _NEAR and len(live) <= most:
             break
-        common = homes[i] & homes[j]
-        del live[i], live[j]
-        live[fresh], homes[fresh] = both, common
-        for k in [k for k in live if k != fresh]:
-            offer(k, fresh)
-        fresh += 1
+        heap.clear()
+        for i in sorted(live):
+            offer(i, count, 0 if count == _NEAR else i + 1)
+        while heap:
+            added, i, j, both = heapq.heappop(heap)
+            if i not in live or j not in live:
+                continue
+            if len(live) <= most and added > _WASTE * total:
+                break
+            if any(_reaches(both, other) for other in others[both.link]):
+                continue
+            homes[fresh] = homes[i] & homes[j]
+            bounds[fresh] = np.stack([both.points.min(axis=0), both.points.max(axis=0)])
+            del live[i], live[j]
+            live[fresh] = both
+            offer(fresh, count, 0)
+            fresh += 1
     return [live[k] for k in sorted(live)]
+
+
+def _reaches(one: Solid, two: Solid) -> bool:
+    """Whether no face of either parts the two, by ``_TOUCH`` at least; in doubt they do reach into each other."""
+    low, high = np.maximum(one.points.min(0), two.points.min(0)), np.minimum(one.points.max(0), two.points.max(0))
+    if (high - low).min() < _TOUCH:
+        return False
+    for a, b in ((one, two), (two, one)):
+        planes = _planes(a)
+        if (b.points @ planes[:, :3].T + planes[:, 3]).min(axis=0).max() > -_TOUCH:
+            return False
+    return True
+
+
+def _planes(solid: Solid) -> np.ndarray:
+    """The faces as outward normal and offset, [F, 4]."""
+    from scipy.spatial import ConvexHull
+
+    if solid.box is None:
+        return ConvexHull(solid.points).equations
+    (centre, half), turns = solid.box, np.concatenate([np.eye(3), -np.eye(3)])
+    return np.column_stack([turns, -turns @ centre - np.tile(half, 2)])
 
 
 def _homes(points: np.ndarray, parts: Sequence[Part]) -> frozenset[int]:

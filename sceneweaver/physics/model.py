@@ -1,13 +1,14 @@
 """A scene as a MuJoCo model: the text of an MJCF file and the meshes that it names.
 
 Floor and walls stand still; so do what hangs on walls and ceilings, what the scene calls fixed, the fixtures of
-``fixtures.yaml`` (sanitary ware and the kitchen run, which are plumbed in or screwed together) and what is heavier
-than 150 kg. All else is a free body: nothing that a person would call movable is welded. A body has the name of its
-object; its frame is the object's (bottom centre, front +x), so that its position and rotation are the scene's.
+``fixtures.yaml`` (sanitary ware and the kitchen run, which are plumbed in or screwed together). All else is a free
+body, however heavy: nothing that a person would call movable is welded. A body has the name of its object; its frame is
+the object's (bottom centre, front +x), so that its position and rotation are the scene's.
 
-Doors and drawers are bodies of their own in the object's, closed at 0 and held there by friction. Contacts are left
-out in two places only: between a piece and its own doors, and between floor coverings (at most ``COVERING`` thick)
-and what stands over them, which share that layer by construction.
+Doors and drawers are bodies of their own in the object's, closed at 0 and held there by friction; so are the leaves of
+the room's doors, ``room:door:<id>``. Contacts are left out in two places only: between a piece and its own doors, and
+between floor coverings (at most ``COVERING`` thick) and what stands or swings over them, which share that layer by
+construction.
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ from sceneweaver.assets import Asset, categories
 from sceneweaver.scene import InputError, Room, Scene, SceneObject
 
 from .hulls import Solid, solids_of
+from .leaves import WALL, Leaf, leaves, wall_ends
 
 Load = Callable[[str], Asset]
 """From the id of an asset to the asset; ``Library().load`` is one."""
@@ -36,8 +38,8 @@ COVERING = 0.03
 STEP = 0.004
 """Time step [s]."""
 
-WALL = 0.1
-"""Thickness of the walls [m], outside the outline."""
+MEMORY = "1G"
+"""Room for contacts; what is not needed is never touched."""
 
 _DENSITY = 150.0  # [kg/m3] of an object's parts, when neither an asset nor its category says what it weighs
 _SAME_SIZE = 1e-5  # [m] by which an object may differ from its asset and not count as scaled
@@ -90,10 +92,9 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) ->
     Xml.SubElement(root, "compiler", angle="radian", meshdir="meshes", boundinertia="1e-7")
     Xml.SubElement(
         root, "option", timestep=_n(STEP), integrator="implicitfast", cone="elliptic", impratio="10",
-        noslip_iterations="3",
     )  # fmt: skip
     # Contacts and their constraints live here; the default is too small for a hundred pieces of many parts each.
-    Xml.SubElement(root, "size", memory="1G")
+    Xml.SubElement(root, "size", memory=MEMORY)
     Xml.SubElement(root, "statistic", center=_v(_middle(scene.room)), extent=_n(_reach(scene.room)))
     default = Xml.SubElement(root, "default")
     Xml.SubElement(default, "geom", group="3", rgba="0.7 0.7 0.72 1")
@@ -107,7 +108,10 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) ->
     made: set[str] = set()
     for thing in things:
         _body(world, assets, contact, thing, made, dress)
-    _coverings(contact, things)
+    doors = leaves(scene.room)
+    for leaf in doors:
+        _leaf(world, leaf)
+    _coverings(contact, things, doors)
     Xml.indent(root, " ")
     free = tuple(t.object.id for t in things if t.free)
     fixed = tuple(t.object.id for t in things if not t.free)
@@ -131,6 +135,9 @@ def _thing(index: int, thing: SceneObject, load: Load, bodies: dict[str, tuple[S
             asset = load(thing.asset)
         except InputError as error:
             raise InputError(f"objects[{index}].asset: {str(error).removeprefix('asset: ')}") from None
+        except (KeyError, OSError, ValueError) as error:  # its files are gone or broken
+            what = f"'{thing.asset}' cannot be read ({type(error).__name__}: {error})"
+            raise InputError(f"objects[{index}].asset: {what}; import it again") from None
         scale = np.asarray(thing.size) / np.maximum(np.asarray(asset.size), 1e-9)
         if np.max(np.abs(scale - 1) * np.asarray(thing.size)) < _SAME_SIZE:
             scale = np.ones(3)
@@ -140,22 +147,21 @@ def _thing(index: int, thing: SceneObject, load: Load, bodies: dict[str, tuple[S
     solids = bodies[key]
     mass, friction = _weight(thing, asset, float(np.prod(scale)), sum(s.volume for s in solids))
     x, y, z = (float(f) for f in scale)
-    return Thing(thing, asset, key, (x, y, z), solids, mass, friction, not is_fixture(thing, mass))
+    return Thing(thing, asset, key, (x, y, z), solids, mass, friction, not is_fixture(thing))
 
 
-def is_fixture(thing: SceneObject, mass: float) -> bool:
+def is_fixture(thing: SceneObject) -> bool:
     """Whether it stands still: see the module's text."""
-    rule = _rule()
-    named = thing.category.strip().lower().replace(" ", "_") in rule[1]
-    return thing.fixed or thing.mount in ("wall", "ceiling") or named or mass > rule[0]
+    named = thing.category.strip().lower().replace(" ", "_") in _fixtures()
+    return thing.fixed or thing.mount in ("wall", "ceiling") or named
 
 
 @cache
-def _rule() -> tuple[float, frozenset[str]]:
+def _fixtures() -> frozenset[str]:
     import yaml
 
     data = yaml.safe_load(resources.files(__package__ or "").joinpath("fixtures.yaml").read_text(encoding="utf-8"))
-    return float(data["heaviest"]), frozenset(data["categories"])
+    return frozenset(data["categories"])
 
 
 def _weight(thing: SceneObject, asset: Asset | None, scale: float, volume: float) -> tuple[float, float]:
@@ -182,8 +188,7 @@ def _shell(world: Xml.Element, room: Room) -> None:
         frame = Xml.SubElement(world, "body", name=f"room:wall:{k}", pos=_v((ax, ay, 0)), quat=_yaw(turn))
         holes = [(d.offset, d.offset + d.width, 0.0, d.height, False) for d in room.doors if d.wall == k]
         holes += [(w.offset, w.offset + w.width, w.sill, w.sill + w.height, True) for w in room.windows if w.wall == k]
-        # Both ends go on past the corner, outside the room: no slit is left there.
-        xs = sorted({-WALL, length + WALL, *(min(max(x, 0.0), length) for h in holes for x in h[:2])})
+        xs = sorted({*wall_ends(room, k), *(min(max(x, 0.0), length) for h in holes for x in h[:2])})
         for low, high in zip(xs, xs[1:], strict=False):
             if high - low < 1e-6:
                 continue
@@ -205,6 +210,22 @@ def _slab(frame: Xml.Element, x0: float, x1: float, z0: float, z1: float, thick:
     Xml.SubElement(frame, "geom", type="box", pos=_v(pos), size=_v(size), group="0", rgba=rgba or "0.92 0.91 0.88 1")
 
 
+def _leaf(world: Xml.Element, leaf: Leaf) -> None:
+    """The leaf of a door: friction keeps it where it is; a robot's pull at the handle is more."""
+    frame = Xml.SubElement(world, "body", name=leaf.name, pos=_v(leaf.position), quat=_yaw(leaf.yaw))
+    hold = 0.05 * leaf.mass if leaf.joint == "hinge" else 0.3 * leaf.mass  # [N m] or [N]: about 1 and 6
+    Xml.SubElement(
+        frame, "joint", name=leaf.name, type=leaf.joint, axis=_v(leaf.axis), limited="true", range=_v(leaf.limits),
+        damping=_n(hold), frictionloss=_n(hold), armature="0.001",
+    )  # fmt: skip
+    volumes = [float(np.prod(half)) for _, half in leaf.boxes]
+    for (centre, half), volume in zip(leaf.boxes, volumes, strict=True):
+        Xml.SubElement(
+            frame, "geom", type="box", pos=_v(centre), size=_v(half), group="0", rgba="0.82 0.74 0.62 1",
+            mass=_n(leaf.mass * volume / sum(volumes)), friction="0.5",
+        )  # fmt: skip
+
+
 def _body(
     world: Xml.Element, assets: Xml.Element, contact: Xml.Element, thing: Thing, made: set[str], dress: Dress | None
 ) -> None:
@@ -217,6 +238,9 @@ def _body(
     frames = [top]
     total = sum(s.volume for s in thing.solids)
     for number, link in enumerate(links, 1):
+        if not any(s.link == number for s in thing.solids):
+            frames.append(top)  # it has no parts, so it does not move
+            continue
         frame = Xml.SubElement(top, "body", name=f"{id}/{link.name}")
         axis = np.asarray(link.axis) * (np.asarray(thing.scale) if link.joint == "slide" else 1.0)
         stretch = float(np.linalg.norm(axis)) if link.joint == "slide" else 1.0
@@ -254,10 +278,12 @@ def _geom(
     Xml.SubElement(frame, "geom", {"type": "mesh", "mesh": name, **share})
 
 
-def _coverings(contact: Xml.Element, things: list[Thing]) -> None:
-    """Rugs and mats take part in no contact with what stands on the floor over them."""
+def _coverings(contact: Xml.Element, things: list[Thing], doors: list[Leaf]) -> None:
+    """Rugs and mats take part in no contact with what stands on the floor over them, nor with the doors' leaves."""
     flat = [t for t in things if t.object.mount == "floor" and t.object.size[2] <= COVERING]
     for cover in flat:
+        for leaf in doors:
+            Xml.SubElement(contact, "exclude", body1=cover.object.id, body2=leaf.name)
         for other in things:
             if other is cover or other.object.mount != "floor":
                 continue

@@ -14,6 +14,8 @@ from .model import STEP, Load, Model, build
 LITTLE = 0.01
 """A settled pose is taken over when the object moved at most this far [m]; farther is a fault."""
 
+_CHUNK = 50  # steps between two looks at whether all is well
+
 
 @dataclass(frozen=True)
 class Settled:
@@ -58,7 +60,11 @@ def measures(shift: dict[str, float]) -> dict[str, Any]:
 
 
 def _run(model: Model, seconds: float) -> dict[str, Pose]:
-    """The poses of the free bodies after that time."""
+    """The poses of the free bodies after that time.
+
+    Raises:
+        InputError: there was no room for all contacts, or the simulation diverged: no pose would mean anything.
+    """
     from importlib import import_module
 
     mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
@@ -66,15 +72,31 @@ def _run(model: Model, seconds: float) -> dict[str, Pose]:
         raise InputError(f"seconds: {seconds} is no time; give 0 or more")
     loaded = mujoco.MjModel.from_xml_string(model.xml, model.files)
     data = mujoco.MjData(loaded)
-    mujoco.mj_step(loaded, data, round(seconds / STEP))
-    full = [mujoco.mjtWarning.mjWARN_CONTACTFULL, mujoco.mjtWarning.mjWARN_CNSTRFULL]
-    if any(data.warning[int(kind)].number for kind in full):
-        raise InputError("objects: more contacts than MuJoCo has room for, nothing can be said; use fewer objects")
+    kinds, left = mujoco.mjtWarning, round(seconds / STEP)
+    while left > 0:
+        mujoco.mj_step(loaded, data, min(left, _CHUNK))
+        left -= _CHUNK
+        if any(data.warning[int(k)].number for k in (kinds.mjWARN_CONTACTFULL, kinds.mjWARN_CNSTRFULL)):
+            raise InputError(
+                f"objects: more contacts than MuJoCo has room for ({data.ncon:,} found a place); "
+                "take objects apart that overlap, or use fewer"
+            )
+        # MuJoCo begins anew where numbers get too large, and things would seem to be where they were.
+        bad = next((k for k in (kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
+                    if data.warning[int(k)].number), None)  # fmt: skip
+        if bad is not None or not np.isfinite(data.qpos).all():
+            near = "" if bad is None else f" at {_named(loaded, data.warning[int(bad)].lastinfo)}"
+            raise InputError(f"objects: the simulation diverged{near}; take objects apart that overlap deeply")
     poses = {}
     for id in model.free:
         x, y, z, w, a, b, c = data.joint(id).qpos.tolist()
         poses[id] = Pose(position=(x, y, z), quaternion=(a, b, c, w))
     return poses
+
+
+def _named(model: Any, dof: int) -> str:
+    """The object that a degree of freedom belongs to."""
+    return f"'{model.body(int(model.body_rootid[model.dof_bodyid[dof]])).name}'" if 0 <= dof < model.nv else "a joint"
 
 
 def _shifts(scene: Scene, model: Model, poses: dict[str, Pose]) -> dict[str, float]:

@@ -18,6 +18,7 @@ KINDS = {
     "blocked_opening": "Blocked opening",
     "relation": "Relation",
     "soft_relation": "Soft relation",
+    "unstable": "Falls or slides",
     "dropped": "Dropped",
 }
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from sceneweaver.scene.model import Relation, Scene
-from sceneweaver.verify import bounds, collisions, support, zones
+from sceneweaver.verify import bounds, collisions, stability, support, zones
 from sceneweaver.verify import walkable as access
 from sceneweaver.verify.meshes import MeshSet
 from sceneweaver.verify.relations import judge_relation
@@ -20,13 +20,18 @@ from sceneweaver.verify.terms import Verdict, length
 
 
 def check(
-    scene: Scene, *, meshes: MeshSet | Mapping[str, Any] | str | Path | None = None, walkable: bool = True
+    scene: Scene,
+    *,
+    meshes: MeshSet | Mapping[str, Any] | str | Path | None = None,
+    walkable: bool = True,
+    physics: bool = False,
 ) -> Report:
     """Judge a scene in float64, independently of the engine that made it.
 
     ``meshes`` gives the true shapes of assets: asset id -> ``trimesh.Trimesh`` or mesh file, a folder of
     ``<asset>.glb|obj|stl|ply`` files, or a `MeshSet` to be used again. Without it, objects are their parts or boxes.
-    ``walkable=False`` leaves out the flood fill.
+    ``walkable=False`` leaves out the flood fill. With ``physics`` the scene is simulated by MuJoCo, with the collision
+    parts of its assets, and what does not stay where it is makes it invalid.
     """
     clock = _Clock()
     placed = Placed.of(scene)
@@ -51,6 +56,11 @@ def check(
         clock.lap("walkable")
         if shares is None:
             warnings.append("the room is too large for the floor grid; walkable and reachable shares were not measured")
+    steady = None
+    if physics:
+        steady, fallen = stability.measure(scene)
+        found += fallen
+        clock.lap("physics")
     counts = Counter(violation.kind for violation in found)
     return Report(
         valid=all(v.kind == "soft_relation" for v in found),
@@ -65,6 +75,7 @@ def check(
         relations=RelationTally(*(_tally(scene.relations, verdicts, hard) for hard in (True, False))),
         walkable_share=shares.walkable if shares else None,
         reachable_share=shares.reachable if shares else None,
+        stability=steady,
         violations=tuple(found),
         seconds=clock.seconds(),
         versions=dict(_versions()),

@@ -20,6 +20,7 @@ Kind = Literal[
     "blocked_opening",
     "relation",
     "soft_relation",
+    "unstable",
     "dropped",
 ]
 

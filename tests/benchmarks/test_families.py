@@ -27,6 +27,8 @@ TABLES = {
     "design": {"rooms": 1, "seeds": 1},
     "ablations": {"parts": 4, "tools": 4},
     "requests": {"requests": 1},
+    "physics": {"worlds": 2},
+    "stability": {"rooms": 2, "seeds": 1},
 }
 
 

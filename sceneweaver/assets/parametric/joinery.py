@@ -102,11 +102,14 @@ def handle(
 
 def drawer(
     b: Builder, name: str, x: Interval, y: Interval, z: Interval, front: Material | str, pull: Material | str,
-    style: str = "bar",
+    style: str = "bar", travel: float | None = None,
 ) -> None:  # fmt: skip
-    """A drawer with a front of 18 mm that ends at x[1], filling the rectangle y, z with a gap of 2 mm; it slides."""
+    """A drawer with a front of 18 mm that ends at x[1], filling the rectangle y, z with a gap of 2 mm; it slides.
+
+    It comes out by ``travel``, unless told by three quarters of its depth x[1] - x[0].
+    """
     gap = 0.002
-    with b.slide(name, limits=(0.0, round(0.75 * (x[1] - x[0]), 3))):
+    with b.slide(name, limits=(0.0, round(0.75 * (x[1] - x[0]) if travel is None else travel, 3))):
         b.box((x[1] - 0.018, x[1]), (y[0] + gap, y[1] - gap), (z[0] + gap, z[1] - gap), front)
         wide = min(0.16, 0.4 * (y[1] - y[0]))
         handle(b, x[1], (y[0] + y[1]) / 2, (z[0] + z[1]) / 2, pull, style, wide)
@@ -122,8 +125,8 @@ def door(
     """
     gap = 0.0015
     y, z = (y[0] + gap, y[1] - gap), (z[0] + gap, z[1] - gap)
-    # A leaf opens outward: at +y it turns clockwise seen from above, at -y counter-clockwise.
-    at, limits = ((x[1], y[1], z[0]), (-1.92, 0.0)) if hung == "left" else ((x[1], y[0], z[0]), (0.0, 1.92))
+    # A leaf opens outward: hung at +y it turns counter-clockwise seen from above, at -y clockwise.
+    at, limits = ((x[1], y[1], z[0]), (0.0, 1.92)) if hung == "left" else ((x[1], y[0], z[0]), (-1.92, 0.0))
     with b.hinge(name, at, limits=limits):
         if panel is None:
             b.box(x, y, z, leaf)
@@ -138,6 +141,8 @@ def door(
         reach = min(0.05, 0.15 * (y[1] - y[0]))
         py = y[0] + reach if hung == "left" else y[1] - reach
         long = min(0.2, 0.5 * (z[1] - z[0]))
+        if style == "cup":  # it lies along the leaf's width, and stays on the leaf
+            long = min(long, 2 * (reach - 0.003) / 0.7)
         high = min(max(1.05, z[0] + 0.1), z[1] - long) if z[1] - z[0] > 1.2 else (z[0] + z[1]) / 2
         handle(b, x[1], py, high, pull, style, long, upright=True)
 

@@ -32,14 +32,14 @@ def _bowl(b: Builder, x: float, long: float, w: float, h: float, china: Finish, 
         rings = [(0.50, 1.0, 0.62, 0.0), (0.48, 1.0, 0.58, 0.03), (0.46, 0.98, 0.54, 0.14), (0.68, 0.98, 0.74, 0.25),
                  (0.92, 1.0, 0.95, rim - 0.055), (0.97, 1.0, 0.98, rim)]  # fmt: skip
     loft(b, [egg(front * f, back * k, w / 2 * s, z, mid, 0.0, 2.2, 5.0) for f, k, s, z in rings], china)
-    # Seat and lid, hinged at their back.
-    sb = back - 0.055
+    # Seat and lid, hinged at their back: before a cistern, so that the lid can stand up.
+    sb = back - (0.055 if hung else 0.115)
     b.add(*_flat(b, mid, front, sb, w / 2, rim + 0.0005, rim + 0.019, lid))
-    with b.hinge("lid", (mid - sb, 0.0, rim + 0.02), axis=(0.0, 1.0, 0.0), limits=(-1.75, 0.0)):
+    with b.hinge("lid", (mid - sb, 0.0, rim + 0.02), axis=(0.0, 1.0, 0.0), limits=(-1.75 if hung else -1.6, 0.0)):
         b.add(*_flat(b, mid, front * 0.995, sb, w / 2 * 0.99, rim + 0.021, h, lid))
     for s in (-1, 1):
-        with b.frame(mid - sb - 0.002, s * 0.075, rim + 0.016, roll=math.pi / 2):
-            b.frustum(0.011, 0.011, (-0.018, 0.018), "chrome", segments=12)
+        with b.frame(mid - sb - 0.004, s * 0.075, rim + 0.009, roll=math.pi / 2):
+            b.frustum(0.008, 0.008, (-0.018, 0.018), "chrome", segments=12)
 
 
 def _flat(

@@ -313,7 +313,7 @@ def table_clock(b: Builder) -> None:
 
 @draws("alarm_clock")
 def alarm_clock(b: Builder) -> None:
-    """A round clock with two bells and a hammer on two feet."""
+    """A round clock with two bells and a hammer on two skids."""
     d, w, h = b.size
     look = b.material("case", "red paint", "black steel", "brass", "teal paint", "white steel", "copper")
     r = min(w / 2, h * 0.4)
@@ -321,7 +321,9 @@ def alarm_clock(b: Builder) -> None:
     with b.solid("clock"):
         for s in (-1, 1):
             b.bar((0, s * r * 0.45, z - r * 0.7), (0, s * r * 0.72, 0.005), 0.005, look, 8)
-            b.ball((0.006, 0.006, 0.006), (0, s * r * 0.72, 0.006), look, 8)
+            # Skids as deep as the case: on two points it would tip.
+            y = s * r * 0.72
+            b.box((-0.42 * d, 0.42 * d), (y - 0.006, y + 0.006), (0.0, 0.007), look, bevel=0.002)
             with b.frame(0, s * r * 0.52, z + r * 0.84, roll=-s * 0.5):
                 b.lathe([(r * 0.4, 0.0), (r * 0.36, r * 0.16), (r * 0.16, r * 0.28), (0.0, r * 0.3)], "chrome", 18)
                 b.bar((0, 0, -r * 0.2), (0, 0, 0.002), 0.003, "chrome", 6)

@@ -22,7 +22,7 @@ def _leaf(
 ) -> None:  # fmt: skip
     """A thick door of an appliance with an upright bar handle between two heights, away from its hinge."""
     anchor = (x[1], y[1] if hung == "left" else y[0], z[0])
-    limits = (-1.92, 0.0) if hung == "left" else (0.0, 1.92)
+    limits = (0.0, 1.92) if hung == "left" else (-1.92, 0.0)
     with b.hinge(name, anchor, limits=limits):
         b.box(x, y, z, coat, bevel=bevel)
         py = y[0] + 0.05 if hung == "left" else y[1] - 0.05

@@ -154,26 +154,26 @@ def worktop(b: Builder, x: Interval, y: Interval, z: Interval, material: Finish,
 
 def fronts(
     b: Builder, name: str, x: float, y: Interval, z: Interval, layout: str, leaf: Finish, pull: Finish, style: str,
-    shaker: bool = False, glass: bool = False,
+    shaker: bool = False, glass: bool = False, deep: float = 0.4,
 ) -> None:  # fmt: skip
-    """Doors and drawers of 20 mm on a carcass whose front is at x: "door", "doors", "drawers" or "mixed"."""
-    h = z[1] - z[0]
+    """Doors and drawers of 20 mm on a carcass ``deep`` whose front is at x: "door", "doors", "drawers" or "mixed"."""
+    h, travel = z[1] - z[0], 0.75 * deep
     xs = (x + 0.0005, x + 0.0205)
     panel: Finish | None = "glass" if glass else leaf if shaker else None
     if layout == "drawers":
         shares = (0.24, 0.38, 0.38) if h > 0.5 else (0.5, 0.5)
         top = z[1]
         for k, share in enumerate(shares):
-            drawer(b, f"{name}-drawer-{k}", xs, y, (top - share * h, top), leaf, pull, style)
+            drawer(b, f"{name}-drawer-{k}", xs, y, (top - share * h, top), leaf, pull, style, travel)
             top -= share * h
         return
     high = z[1]
     if layout == "drawer":
-        drawer(b, f"{name}-drawer", xs, y, z, leaf, pull, style)
+        drawer(b, f"{name}-drawer", xs, y, z, leaf, pull, style, travel)
         return
     if layout == "mixed":
         high = z[1] - 0.16
-        drawer(b, f"{name}-drawer", xs, y, (high, z[1]), leaf, pull, style)
+        drawer(b, f"{name}-drawer", xs, y, (high, z[1]), leaf, pull, style, travel)
     if y[1] - y[0] > 0.62 or layout == "doors":
         m = (y[0] + y[1]) / 2
         door(b, f"{name}-right", xs, (y[0], m), (z[0], high), leaf, pull, "right", style, panel)
@@ -189,7 +189,7 @@ def cabinet(
     """A carcass with its fronts; ``looks`` are body, fronts, pulls, style; x[1] is where its fronts end."""
     body, leaf, pull, style = looks
     carcass(b, (x[0], x[1] - 0.021), y, z, body)
-    fronts(b, name, x[1] - 0.021, y, z, layout, leaf, pull, style, shaker, glass)
+    fronts(b, name, x[1] - 0.021, y, z, layout, leaf, pull, style, shaker, glass, x[1] - 0.021 - x[0])
 
 
 def burners(b: Builder, x: Interval, y: Interval, z: float, gas: bool, count: int = 4) -> None:

@@ -1,0 +1,106 @@
+"""What an exported scene does in plain MuJoCo, in a process that knows nothing else of it.
+
+``python -m benchmarks.exported FILE ...`` measures given scenes.
+"""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from statistics import fmean
+from typing import Any
+
+from benchmarks.designs import LIBRARY
+from benchmarks.results import Column
+from sceneweaver.assets import Asset
+from sceneweaver.export.mjcf import write_mjcf
+from sceneweaver.scene import Scene
+
+SECONDS = 3.0
+
+COLUMNS = (
+    Column("room", "room"),
+    Column("objects", "objects", "number"),
+    Column("free", "free", "number"),
+    Column("far", "> 0.1 m", "share"),
+    Column("little", "> 0.01 m", "share"),
+    Column("mean", "mean [mm]", "number"),
+    Column("most", "most [mm]", "number"),
+    Column("doors", "doors", "number"),
+    Column("ajar", "ajar, most", "share"),
+    Column("parts", "parts", "number"),
+    Column("contacts", "contacts", "number"),
+    Column("write_s", "write [s]", "number"),
+    Column("run_s", "run [s]", "number"),
+)
+_WORST = ("most", "ajar")  # of which the table by rooms shows the largest, not the mean
+
+
+def measure(scene: Scene, seconds: float = SECONDS, load: Callable[[str], Asset] | None = None) -> dict[str, Any]:
+    """Export a scene and let it loose in another process: the columns of the table, ``moved`` [m] by id, ``problems``.
+
+    Raises:
+        RuntimeError: MuJoCo does not take the export.
+    """
+    script = Path(__file__).resolve().with_name("plain_mujoco.py")
+    with tempfile.TemporaryDirectory() as folder:
+        began = time.perf_counter()
+        path = write_mjcf(scene, Path(folder) / "scene", load or LIBRARY.load)
+        written = time.perf_counter() - began
+        command = [sys.executable, "-I", str(script), str(path), str(seconds)]
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=3600)
+    if done.returncode:
+        raise RuntimeError(f"MuJoCo does not take the export: {done.stderr.strip()[-1000:]}")
+    found = json.loads(done.stdout.strip().splitlines()[-1])
+    far = list(found["moved"].values())
+    problems = [] if found["finite"] else ["diverged"]
+    problems += [f"{name} {count} times" for name, count in found["warnings"].items()]
+    return {
+        "objects": float(len(scene.objects)), "free": float(len(far)), **_shares(far),
+        "mean": 1e3 * fmean(far or [0.0]), "most": 1e3 * max(far, default=0.0),
+        **{key: float(found[key]) for key in ("doors", "ajar", "parts", "contacts", "run_s")},
+        "write_s": written, "moved": found["moved"], "problems": problems,
+    }  # fmt: skip
+
+
+def _shares(far: Sequence[float]) -> dict[str, float]:
+    count = max(1, len(far))
+    return {"far": sum(v > 0.1 for v in far) / count, "little": sum(v > 0.01 for v in far) / count}
+
+
+def joined(name: str, rows: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """One row for several scenes: shares and the mean are over all their bodies."""
+    far = [v for row in rows for v in row["moved"].values()]
+    keys = [c.key for c in COLUMNS[1:]]
+    means = {key: (max if key in _WORST else fmean)(row[key] for row in rows) for key in keys}
+    return {"room": name, **means, **_shares(far), "mean": 1e3 * fmean(far or [0.0])}
+
+
+def main(files: Sequence[str]) -> int:
+    """Print a line for each scene file, and one for each room type."""
+    rows = []
+    print(" ".join(f"{c.label:>10}" for c in COLUMNS))
+    for file in files:
+        scene = Scene.load(file)
+        rows.append({"room": scene.room.type, **measure(scene)})
+        _print(Path(file).stem, rows[-1])
+    for kind in sorted({row["room"] for row in rows}):
+        _print(kind, joined(kind, [row for row in rows if row["room"] == kind]))
+    if rows:
+        _print("all", joined("all", rows))
+    return 0
+
+
+def _print(name: str, row: dict[str, Any]) -> None:
+    numbers = " ".join(f"{row[c.key]:>10.4g}" for c in COLUMNS[1:])
+    moved = {id: round(v, 3) for id, v in row.get("moved", {}).items() if v > 0.01}
+    print(f"{name[:16]:>16} {numbers}", *(moved or row.get("problems", ())), flush=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,92 @@
+"""Folders that are there whole or not at all: written under a temporary name beside their place, then renamed."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import secrets
+import shutil
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+from sceneweaver.scene import InputError
+
+
+def write_folder(target: Path, files: Mapping[str, bytes], ours: Callable[[set[str]], bool]) -> None:
+    """Write a folder whole; an older export of the same kind in its place is replaced.
+
+    Args:
+        target: Where it goes; its parent must be there.
+        files: Contents by path relative to the folder, at most one folder deep.
+        ours: Whether a folder that holds these names is an export of this kind, and so may be replaced.
+
+    Raises:
+        InputError: the place cannot be written, or holds something else; nothing has changed then.
+    """
+    with staged(target) as draft:
+        if target.exists() and not (target.is_dir() and ours({p.name for p in target.iterdir()})):
+            raise InputError(f"folder: {target} is there and holds other things; give a new or empty folder")
+        fill(draft, files)
+        old = draft.with_suffix(".old")
+        try:
+            if target.exists():
+                target.rename(old)
+            draft.rename(target)
+        except OSError:
+            if old.exists() and not target.exists():
+                with contextlib.suppress(OSError):
+                    old.rename(target)
+            raise
+        finally:
+            shutil.rmtree(old, ignore_errors=True)
+
+
+@contextmanager
+def staged(target: Path, field: str = "folder") -> Iterator[Path]:
+    """A temporary folder beside ``target``, gone at the end; its errors become InputErrors on ``field``."""
+    draft = target.parent / f".sceneweaver-{secrets.token_hex(8)}.tmp"
+    try:
+        if not target.parent.is_dir():
+            raise InputError(f"{field}: {target.parent} is no folder; make it first")
+        draft.mkdir()
+        yield draft
+    except InputError:
+        raise
+    except (OSError, ValueError) as error:  # a path with a zero byte is a ValueError
+        reason = (error.strerror if isinstance(error, OSError) else None) or type(error).__name__
+        raise InputError(f"{field}: {target} cannot be written ({reason}); choose another place") from None
+    finally:
+        shutil.rmtree(draft, ignore_errors=True)
+
+
+def fill(folder: Path, files: Mapping[str, bytes]) -> None:
+    """Write files below a folder that is there."""
+    for name, content in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with open(path, "wb") as file:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())
+
+
+def move(places: Mapping[Path, Path]) -> None:
+    """Give files their final names, one after the other; when one fails, those that were not there before go again."""
+    fresh: list[Path] = []
+    try:
+        for source, place in places.items():
+            for folder in reversed([p for p in (place.parent, place.parent.parent) if not p.exists()]):
+                folder.mkdir()
+                fresh.append(folder)
+            if not place.exists():
+                fresh.append(place)
+            os.replace(source, place)
+    except (OSError, ValueError):
+        for path in reversed(fresh):
+            with contextlib.suppress(OSError, ValueError):
+                path.rmdir() if path.is_dir() else path.unlink()
+        raise
+
+
+__all__ = ["fill", "move", "staged", "write_folder"]

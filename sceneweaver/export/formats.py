@@ -1,0 +1,153 @@
+"""All formats by name: what a scene becomes in a folder, and which suffix stands for which format."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from sceneweaver.scene import InputError, Scene
+
+from .bodies import Load
+from .folder import fill, move, staged
+from .glb import write_glb
+from .mjcf import mjcf
+from .scenestate import write_scenestate
+from .usd import write_usd
+
+
+@dataclass(frozen=True)
+class Format:
+    """A format: the file that it makes in a folder, and who writes it."""
+
+    name: str
+    file: str
+    what: str
+    write: Callable[[Scene, Path, Load], object]
+
+
+def _write_mjcf(scene: Scene, path: Path, load: Load) -> None:
+    """``scene.xml`` with ``meshes/`` beside it, in a folder that holds other things as well; the text comes last."""
+    model = mjcf(scene, load)
+    meshes = path.parent / "meshes"
+    with staged(path, "path") as draft:
+        fill(draft, {**{f"meshes/{name}": data for name, data in model.files.items()}, path.name: model.xml.encode()})
+        move({draft / "meshes" / name: meshes / name for name in model.files} | {draft / path.name: path})
+    for left in meshes.glob("*.obj") if meshes.is_dir() else ():
+        if left.name not in model.files:
+            left.unlink()  # of an export that this one has replaced
+
+
+FORMATS: dict[str, Format] = {
+    f.name: f
+    for f in (
+        Format("glb", "scene.glb", "glTF 2.0 binary", write_glb),
+        Format("usd", "scene.usdc", "USD with physics, binary", write_usd),
+        Format("usda", "scene.usda", "USD with physics, as text", write_usd),
+        Format("mjcf", "scene.xml", "MuJoCo, with meshes/", _write_mjcf),
+        Format("scenestate", "scenestate.json", "SceneState, with models/",
+               lambda scene, path, load: write_scenestate(scene, path, load, models=True)),
+    )
+}  # fmt: skip
+
+USUAL = ("glb", "usd", "mjcf")
+"""What is written when nobody says what."""
+
+
+def formats_named(names: str | Iterable[str]) -> tuple[str, ...]:
+    """Names of formats from a list or from text with commas; "all" and "none" are understood.
+
+    Raises:
+        InputError: for a name that is no format.
+    """
+    listed = names.split(",") if isinstance(names, str) else list(names)
+    found: list[str] = []
+    for name in (text.strip().lower() for text in listed):
+        if name == "all":
+            found += [n for n in FORMATS if n != "usda"]
+        elif name in FORMATS:
+            found.append(name)
+        elif name not in ("none", ""):
+            raise InputError(f"export: '{name}' is no format; use {', '.join(FORMATS)}, all or none")
+    return tuple(dict.fromkeys(found))
+
+
+def format_of(path: Path) -> Format:
+    """The format that a file's suffix stands for.
+
+    Raises:
+        InputError: where it stands for none.
+    """
+    suffix = path.suffix.lower()
+    for found in FORMATS.values():
+        if Path(found.file).suffix == suffix:
+            return found
+    known = ", ".join(sorted({Path(f.file).suffix for f in FORMATS.values()}))
+    raise InputError(f"out: '{path.name}' stands for no format; end it with {known}, or give a folder and --to")
+
+
+def export_scene(
+    scene: Scene, folder: str | os.PathLike[str], formats: Sequence[str] = USUAL, load: Load | None = None
+) -> dict[str, Path]:
+    """Write a scene in several formats into a folder, which is made where it is not there.
+
+    Args:
+        scene: The scene.
+        folder: Where the files go; ``FORMATS`` says under which names.
+        formats: Names of formats.
+        load: From asset id to asset; None: the library of this user. Each asset is loaded once for all formats.
+
+    Returns:
+        The path of each format's file.
+
+    Raises:
+        InputError: for a format that is unknown, an asset that is missing, or a folder that cannot be written. Each
+            file is there whole or as it was before.
+    """
+    wanted = [FORMATS[name] for name in formats_named(formats)]
+    target = Path(folder)
+    fresh = not target.exists()
+    try:
+        target.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        reason = error.strerror or type(error).__name__
+        raise InputError(f"folder: {target} cannot be made ({reason}); choose another place") from None
+    load = _shared(load)
+    done: dict[str, Path] = {}
+    try:
+        for one in wanted:
+            one.write(scene, target / one.file, load)
+            done[one.name] = target / one.file
+    except BaseException:
+        if fresh:
+            shutil.rmtree(target, ignore_errors=True)
+        raise
+    return done
+
+
+def export_file(scene: Scene, path: str | os.PathLike[str], load: Load | None = None) -> Path:
+    """Write a scene to one file, in the format that its suffix stands for; meshes of MJCF go to ``meshes/`` beside it.
+
+    Raises:
+        InputError: as for ``export_scene``.
+    """
+    target = Path(path)
+    one = format_of(target)
+    if not target.parent.is_dir():
+        raise InputError(f"out: {target.parent} is no folder; make it first")
+    one.write(scene, target, _shared(load))
+    return target
+
+
+def _shared(load: Load | None) -> Load:
+    if load is None:
+        from sceneweaver.assets import Library
+
+        load = Library().load
+    return cache(load)
+
+
+__all__ = ["FORMATS", "USUAL", "Format", "export_file", "export_scene", "format_of", "formats_named"]

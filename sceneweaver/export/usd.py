@@ -1,0 +1,144 @@
+"""Scenes as USD stages (``.usda`` text, ``.usdc`` binary) for Isaac Sim and everything else that reads UsdPhysics.
+
+::
+
+    /PhysicsScene               gravity; beside /World, so that a stage that refers to this one keeps its own
+    /World                      the default prim: metres, kilograms, z up
+      Looks, PhysicsMaterials   what is seen, and how it rubs
+      Prototypes                mesh and colliders of each asset, once
+      Room                      Floor, Walls, Windows, Doors (leaves on hinges)
+      Objects/<id>              one for each object, at its pose; below it an instance of its prototype
+
+What may move is a rigid body with its mass; all else has colliders only and stands still. Which is which is decided
+where the model for MuJoCo is made, so that both behave alike.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import secrets
+from functools import cache
+from typing import Any
+
+from sceneweaver.physics.model import COVERING, Thing, things_of
+from sceneweaver.scene import InputError, Scene
+
+from .bodies import Body, Load, bodies_of
+from .usd_bodies import Solids, filter_pair
+from .usd_layer import Names, attribute, prim, usd
+from .usd_looks import Looks
+from .usd_objects import Prototypes, add_object
+from .usd_room import add_room
+
+SUFFIXES = (".usda", ".usdc")
+"""What a file may be called."""
+
+_GRAVITY = 9.81  # [m/s2]
+
+
+def write_usd(scene: Scene, path: str | os.PathLike[str], load: Load | None = None) -> None:
+    """Write a scene as USD under a temporary name in the same folder, and rename it.
+
+    Args:
+        scene: The scene.
+        path: The file; ``.usda`` is text, ``.usdc`` binary.
+        load: From asset id to asset; None: the library of this user.
+
+    Raises:
+        InputError: an asset is missing, the suffix is another, or the place cannot be written.
+    """
+    name = os.fspath(path)
+    suffix = os.path.splitext(name)[1].lower()
+    if suffix not in SUFFIXES:
+        raise InputError(f"path: {name} must end in .usda (text) or .usdc (binary)")
+    if os.path.isdir(name):
+        raise InputError(f"path: {name} is a folder; give a file name in it, such as scene{suffix}")
+    _save(usd_layer(scene, load), name, suffix)
+
+
+def usd_layer(scene: Scene, load: Load | None = None) -> Any:
+    """The scene as a ``pxr.Sdf.Layer`` in memory; ``Usd.Stage.Open`` takes it. For the arguments see ``write_usd``."""
+    if load is None:
+        from sceneweaver.assets import Library
+
+        load = Library().load
+    load = cache(load)
+    things, bodies = things_of(scene, load), bodies_of(scene, load)
+    layer = usd().Sdf.Layer.CreateAnonymous(".usda")
+    with usd().Sdf.ChangeBlock():
+        _fill(layer, scene, things, bodies)
+    return layer
+
+
+def _fill(layer: Any, scene: Scene, things: list[Thing], bodies: list[Body]) -> None:
+    layer.defaultPrim = "World"
+    layer.comment = "Made by sceneweaver"
+    for key, value in (("upAxis", "Z"), ("metersPerUnit", 1.0), ("kilogramsPerUnit", 1.0)):
+        layer.pseudoRoot.SetInfo(key, value)
+    facts = {"id": scene.id, "prompt": scene.prompt, "room": scene.room.type}
+    layer.customLayerData = {"sceneweaver": facts}
+    physics = prim(layer, "PhysicsScene", "PhysicsScene")
+    attribute(physics, "physics:gravityDirection", "Vector3f", (0.0, 0.0, -1.0))
+    attribute(physics, "physics:gravityMagnitude", "Float", _GRAVITY)
+    world = prim(layer, "World", kind="assembly", displayName=scene.id)
+    looks = Looks(prim(world, "Looks", "Scope"), prim(world, "PhysicsMaterials", "Scope"))
+    prototypes = Prototypes(prim(world, "Prototypes", "Scope"), looks)
+    doors = add_room(prim(world, "Room", kind="group"), scene.room, looks)
+    objects, names = prim(world, "Objects", kind="group"), Names()
+    solids = [
+        add_object(objects, names(thing.object.id), thing, body, prototypes)
+        for thing, body in zip(things, bodies, strict=True)
+    ]
+    _coverings(things, solids, doors, layer)
+
+
+def _coverings(things: list[Thing], solids: list[Solids], doors: list[Solids], layer: Any) -> None:
+    """Rugs and mats take part in no contact with what stands or swings over them: they share that layer."""
+    floor = [(t, s) for t, s in zip(things, solids, strict=True) if t.object.mount == "floor"]
+    flat = [(t, s) for t, s in floor if t.object.size[2] <= COVERING]
+    ids = {t.object.id for t, _ in flat}
+    for cover, mine in flat:
+        for leaf in doors:
+            filter_pair(mine, leaf, layer)
+        for other, its in floor:
+            if other is cover or (other.object.id in ids and other.object.id < cover.object.id):
+                continue
+            if _near(cover, other):
+                filter_pair(mine, its, layer)
+
+
+def _near(one: Thing, two: Thing) -> bool:
+    """Whether the circles around two footprints meet."""
+    (ax, ay, _), (bx, by, _) = one.object.pose.position, two.object.pose.position
+    (ad, aw, _), (bd, bw, _) = one.object.size, two.object.size
+    reach = (ad * ad + aw * aw) ** 0.5 / 2 + (bd * bd + bw * bw) ** 0.5 / 2
+    return ((ax - bx) ** 2 + (ay - by) ** 2) ** 0.5 < reach
+
+
+def _save(layer: Any, name: str, suffix: str) -> None:
+    target = os.path.realpath(name)
+    # USD goes by the suffix, so the temporary name has it, too.
+    temporary = os.path.join(os.path.dirname(target), f".sceneweaver-{secrets.token_hex(8)}.tmp{suffix}")
+    try:
+        # Made here first: the system says better than USD why a place cannot be written.
+        os.close(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
+        try:
+            written = layer.Export(temporary)
+        except usd().Tf.ErrorException:
+            written = False
+        if not written:
+            raise OSError("the disk may be full")
+        with open(temporary, "rb") as file:
+            os.fsync(file.fileno())
+        os.replace(temporary, target)
+    except (FileNotFoundError, NotADirectoryError):
+        raise InputError(f"path: the folder of {name} does not exist; make it first") from None
+    except OSError as error:
+        raise InputError(f"path: {name} cannot be written ({error.strerror or error}); choose another place") from None
+    finally:
+        with contextlib.suppress(OSError):
+            os.unlink(temporary)
+
+
+__all__ = ["SUFFIXES", "usd_layer", "write_usd"]

@@ -1,0 +1,109 @@
+"""Rigid bodies, joints and filtered pairs of a USD stage."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from .usd_layer import Prim, apply, attribute, attributes, prim, relate, rotation, triple
+
+
+@dataclass(frozen=True)
+class Solids:
+    """What of an object takes part in contacts: the paths of its rigid bodies; of one that has none, its colliders."""
+
+    bodies: tuple[Any, ...]
+    colliders: tuple[Any, ...] = ()
+
+
+@dataclass(frozen=True)
+class Hinge:
+    """How a body moves against another, of which it shares the frame when closed.
+
+    ``axis`` is a unit vector and ``anchor`` a point [m] on it, ``limits`` are in radians or metres; ``damping`` is in
+    N m s/rad or N s/m.
+    """
+
+    kind: Literal["hinge", "slide"]
+    axis: Sequence[float]
+    anchor: Sequence[float]
+    limits: Sequence[float]
+    damping: float
+
+
+def rigid(target: Prim, mass: float) -> None:
+    """Make a prim a rigid body of this mass [kg]; its inertia follows from its colliders."""
+    apply(target, "PhysicsRigidBodyAPI", "PhysicsMassAPI")
+    attribute(target, "physics:mass", "Float", float(mass))
+
+
+def weld(parent: Prim, name: str, frame: Prim, body: Prim) -> None:
+    """Fix a body to the place of ``frame``, a prim that is no body and whose frame it shares: so to the world.
+
+    As the joint names the frame, it goes along when someone moves the whole stage.
+    """
+    made = prim(parent, name, "PhysicsFixedJoint")
+    _between(made, frame, body)
+    _frames(made, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
+
+
+def join(parent: Prim, name: str, base: Prim, body: Prim, hinge: Hinge) -> None:
+    """A joint between two bodies, closed at 0, with a damper that keeps it from swinging freely.
+
+    Its axis is the coordinate axis that is nearest, turned the rest of the way.
+    """
+    turns = hinge.kind == "hinge"
+    made = prim(parent, name, "PhysicsRevoluteJoint" if turns else "PhysicsPrismaticJoint")
+    _between(made, base, body)
+    axis = np.asarray(hinge.axis, dtype=float) / np.linalg.norm(hinge.axis)
+    number = int(np.argmax(np.abs(axis)))
+    attribute(made, "physics:axis", "Token", "XYZ"[number], uniform=True)
+    _frames(made, hinge.anchor, _turn(number, axis))
+    # USD counts angles in degrees, those of dampers too.
+    unit = 180 / math.pi if turns else 1.0
+    low, high = (float(v) * unit for v in hinge.limits)
+    attributes(made, {"physics:lowerLimit": ("Float", low), "physics:upperLimit": ("Float", high)})
+    drive = "angular" if turns else "linear"
+    apply(made, f"PhysicsDriveAPI:{drive}")
+    attribute(made, f"drive:{drive}:physics:type", "Token", "force", uniform=True)
+    for key, value in (("stiffness", 0.0), ("damping", hinge.damping / unit), ("targetVelocity", 0.0)):
+        attribute(made, f"drive:{drive}:physics:{key}", "Float", float(value))
+
+
+def filter_pair(one: Solids, two: Solids, layer: Any) -> None:
+    """Leave out contacts between two objects; nothing to do where neither can move."""
+    owner, other = (one, two) if one.bodies else (two, one)
+    for path in owner.bodies:
+        body = layer.GetPrimAtPath(path)
+        apply(body, "PhysicsFilteredPairsAPI")
+        relate(body, "physics:filteredPairs", *(other.bodies or other.colliders))
+
+
+def _between(made: Prim, one: Prim, two: Prim) -> None:
+    relate(made, "physics:body0", one.path)
+    relate(made, "physics:body1", two.path)
+
+
+def _frames(made: Prim, position: Sequence[float], quaternion: Sequence[float]) -> None:
+    """The joint's frame, which is the same in both bodies; the quaternion is (x, y, z, w)."""
+    turn = rotation("Quatf", quaternion)
+    for side in "01":
+        attribute(made, f"physics:localPos{side}", "Point3f", triple(position))
+        attribute(made, f"physics:localRot{side}", "Quatf", turn)
+
+
+def _turn(number: int, axis: np.ndarray) -> tuple[float, float, float, float]:
+    """The shortest rotation (x, y, z, w) of coordinate axis ``number`` to a unit vector [3]."""
+    x, y, z = np.cross(np.eye(3)[number], axis)
+    full = np.array([x, y, z, 1 + axis[number]])
+    if np.linalg.norm(full) < 1e-9:  # the other way round: half a turn about another axis
+        full = np.array([*np.eye(3)[(number + 1) % 3], 0.0])
+    x, y, z, w = full / np.linalg.norm(full)
+    return float(x), float(y), float(z), float(w)
+
+
+__all__ = ["Hinge", "Solids", "filter_pair", "join", "rigid", "weld"]

@@ -1,0 +1,137 @@
+"""What is seen and what collides as USD prims: render meshes with normals, convex hulls, boxes."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from sceneweaver.assets import Mesh
+from sceneweaver.physics.hulls import Solid
+
+from .usd_layer import Prim, attribute, integers, prim, triple, vectors
+from .usd_looks import Looks
+
+_CREASE = math.radians(40)  # edges at most this sharp are shaded round
+_FINE = 10_000  # steps of a normal's coordinates: equal ones are stored once
+
+
+def render_mesh(parent: Prim, name: str, mesh: Mesh, looks: Looks, link: int | None = None) -> None:
+    """The faces of a mesh, or of one link of it; several materials are subsets of its faces. Without faces: no prim."""
+    chosen = np.ones(len(mesh.faces), dtype=bool) if link is None else mesh.face_link == link
+    faces, material = mesh.faces[chosen], mesh.face_material[chosen]
+    if not len(faces):
+        return
+    kept, packed = np.unique(faces, return_inverse=True)
+    faces, points = packed.reshape(-1, 3), mesh.vertices[kept]
+    numbers = [int(n) for n in np.unique(material)]
+    made = prim(parent, name, "Mesh")
+    _shape(made, points, faces)
+    normals, index = corner_normals(points, faces)
+    spec = attribute(made, "primvars:normals", "Normal3fArray", vectors(normals))
+    spec.SetInfo("interpolation", "faceVarying")
+    attribute(made, "primvars:normals:indices", "IntArray", integers(index))
+    if any(mesh.materials[n].opacity < 1 for n in numbers):
+        attribute(made, "doubleSided", "Bool", True, uniform=True)
+    if len(numbers) == 1:
+        looks.dress(made, mesh.materials[numbers[0]])
+        return
+    attribute(made, "subsetFamily:materialBind:familyType", "Token", "partition", uniform=True)
+    for number in numbers:
+        subset = prim(made, f"material_{number}", "GeomSubset")
+        attribute(subset, "elementType", "Token", "face", uniform=True)
+        attribute(subset, "familyName", "Token", "materialBind", uniform=True)
+        attribute(subset, "indices", "IntArray", integers(np.flatnonzero(material == number)))
+        looks.dress(subset, mesh.materials[number])
+
+
+def collider(parent: Prim, name: str, solid: Solid, looks: Looks, friction: float) -> None:
+    """A convex part: a cube for a box along the axes, else a mesh of which the simulator takes the hull."""
+    if solid.box is not None:
+        box_collider(parent, name, solid.box[0], solid.box[1], looks, friction)
+        return
+    made = prim(parent, name, "Mesh", ["PhysicsCollisionAPI", "PhysicsMeshCollisionAPI"])
+    _shape(made, solid.points, hull_faces(solid.points))
+    attribute(made, "purpose", "Token", "guide", uniform=True)
+    attribute(made, "physics:approximation", "Token", "convexHull", uniform=True)
+    looks.rub(made, friction)
+
+
+def box_collider(parent: Prim, name: str, center: np.ndarray, half: np.ndarray, looks: Looks, friction: float) -> None:
+    """A box by its centre [3] and half extents [3] in the frame of its parent."""
+    made = prim(parent, name, "Cube", ["PhysicsCollisionAPI"])
+    attribute(made, "size", "Double", 1.0)
+    attribute(made, "extent", "Float3Array", vectors(np.array([[-0.5] * 3, [0.5] * 3])))
+    attribute(made, "purpose", "Token", "guide", uniform=True)
+    attribute(made, "xformOp:translate", "Double3", triple(center))
+    attribute(made, "xformOp:scale", "Double3", triple(2 * half))
+    order = ["xformOp:translate", "xformOp:scale"]
+    attribute(made, "xformOpOrder", "TokenArray", order, uniform=True)
+    looks.rub(made, friction)
+
+
+def hull_faces(points: np.ndarray) -> np.ndarray:
+    """Triangles [F, 3] of the convex hull of points [V, 3], counter-clockwise seen from outside."""
+    from scipy.spatial import ConvexHull
+
+    hull = ConvexHull(points)
+    faces = hull.simplices.copy()
+    a, b, c = (points[faces[:, k]] for k in range(3))
+    inward = np.einsum("ij,ij->i", np.cross(b - a, c - a), hull.equations[:, :3]) < 0
+    faces[inward] = faces[inward][:, ::-1]
+    return faces
+
+
+def corner_normals(points: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Unit normals [N, 3], and which of them each corner has [3 F], face by face.
+
+    Corners at one vertex share a normal where the edges between their faces are flat or rounded, so that a turned leg
+    is round and a box keeps its edges.
+    """
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
+    corners = points[faces]
+    before, after = corners[:, [2, 0, 1]] - corners, corners[:, [1, 2, 0]] - corners
+    flat = np.cross(after[:, 0], before[:, 0])
+    flat /= np.maximum(np.linalg.norm(flat, axis=1, keepdims=True), 1e-30)
+    lengths = np.linalg.norm(before, axis=2) * np.linalg.norm(after, axis=2)
+    angles = np.arccos(np.clip((before * after).sum(axis=2) / np.maximum(lengths, 1e-30), -1, 1))
+
+    # Edges as (low vertex, high vertex), with the corners at both ends; two faces meet where equal ones follow.
+    start, end = faces, faces[:, [1, 2, 0]]
+    number = np.arange(faces.size).reshape(-1, 3)
+    turned = start > end
+    low = np.where(turned, number[:, [1, 2, 0]], number).ravel()
+    high = np.where(turned, number, number[:, [1, 2, 0]]).ravel()
+    key = (np.minimum(start, end).astype(np.int64) * len(points) + np.maximum(start, end)).ravel()
+    order = np.argsort(key, kind="stable")
+    one, two = order[:-1], order[1:]
+    meet = (key[one] == key[two]) & ((flat[one // 3] * flat[two // 3]).sum(axis=1) > math.cos(_CREASE))
+    one, two = one[meet], two[meet]
+    rows, columns = np.concatenate([low[one], high[one]]), np.concatenate([low[two], high[two]])
+    graph = coo_matrix((np.ones(len(rows), dtype=np.int8), (rows, columns)), shape=(faces.size, faces.size))
+    count, group = connected_components(graph, directed=False)
+
+    weighted = (flat[:, None] * angles[:, :, None]).reshape(-1, 3)
+    total = np.stack([np.bincount(group, weighted[:, k], count) for k in range(3)], axis=1)
+    length = np.linalg.norm(total, axis=1)
+    total[length < 1e-12] = (0.0, 0.0, 1.0)  # faces without area: any will do
+    total /= np.linalg.norm(total, axis=1, keepdims=True)
+    steps = np.rint(total * _FINE).astype(np.int64) + _FINE
+    span = 2 * _FINE + 1
+    packed, which = np.unique((steps[:, 0] * span + steps[:, 1]) * span + steps[:, 2], return_inverse=True)
+    found = np.stack([packed // span**2, packed // span % span, packed % span], axis=1) - float(_FINE)
+    return found / np.linalg.norm(found, axis=1, keepdims=True), which.reshape(-1)[group]
+
+
+def _shape(made: Prim, points: np.ndarray, faces: np.ndarray) -> None:
+    """Points, triangles and bounds of a mesh prim, shown as they are and not subdivided."""
+    attribute(made, "points", "Point3fArray", vectors(points))
+    attribute(made, "faceVertexCounts", "IntArray", integers(np.full(len(faces), 3)))
+    attribute(made, "faceVertexIndices", "IntArray", integers(faces.reshape(-1)))
+    attribute(made, "extent", "Float3Array", vectors(np.stack([points.min(axis=0), points.max(axis=0)])))
+    attribute(made, "subdivisionScheme", "Token", "none", uniform=True)
+
+
+__all__ = ["box_collider", "collider", "corner_normals", "hull_faces", "render_mesh"]

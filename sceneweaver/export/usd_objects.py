@@ -1,0 +1,148 @@
+"""Objects as USD prims: prototypes with mesh and colliders, and instances of them below rigid bodies."""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from sceneweaver.assets import Link
+from sceneweaver.physics.hulls import Solid
+from sceneweaver.physics.model import Thing
+
+from .bodies import Body
+from .usd_bodies import Hinge, Solids, filter_pair, join, rigid, weld
+from .usd_layer import Names, Prim, apply, label, place, prim, usd
+from .usd_looks import Looks
+from .usd_mesh import collider, render_mesh
+
+GEOMETRY = "Geometry"
+"""Name of the instance below each body."""
+
+_LIGHTEST = 1e-3  # [kg]: without a mass of its own, a simulator would make one up
+
+
+@dataclass(frozen=True)
+class _Prototype:
+    path: Any
+    colliders: tuple[str, ...]  # paths below it
+
+
+class Prototypes:
+    """The bodies that objects are instances of, in the sizes of their assets: one for each link of each asset."""
+
+    def __init__(self, scope: Prim, looks: Looks):
+        self._scope, self._looks = scope, looks
+        self._names = Names()
+        self._made: dict[tuple[str, float, int], _Prototype] = {}
+
+    def instance(self, parent: Prim, thing: Thing, body: Body, link: int) -> tuple[Any, ...]:
+        """Put link ``link`` of an object below a prim; returns the paths of its colliders there."""
+        # Without hulls of its own, an asset collides as the parts of each object, which need not be scaled ones.
+        own = thing.asset is not None and not thing.asset.hulls
+        key = (thing.key if own else body.key, thing.friction, link)
+        if key not in self._made:
+            self._made[key] = self._make(thing, body, link)
+        prototype = self._made[key]
+        made = prim(parent, GEOMETRY, instanceable=True)
+        made.referenceList.prependedItems.append(usd().Sdf.Reference("", prototype.path))
+        if body.scale != (1.0, 1.0, 1.0):
+            place(made, scale=body.scale)
+        return tuple(made.path.AppendPath(name) for name in prototype.colliders)
+
+    def _make(self, thing: Thing, body: Body, link: int) -> _Prototype:
+        links = thing.asset.links if thing.asset is not None else ()
+        noun = thing.asset.category if thing.asset is not None else thing.object.category
+        title = f"{noun}_{zlib.crc32(body.key.encode()):08x}"
+        if links:
+            title += f"_{links[link - 1].name if link else 'base'}"
+        made = prim(self._scope, self._names(title), abstract=True, displayName=thing.object.asset or noun)
+        render_mesh(made, "Mesh", body.mesh, self._looks, link)
+        mine = [solid for solid in thing.solids if solid.link == link]
+        if not mine:
+            return _Prototype(made.path, ())
+        scope, names = prim(made, "Collision", "Scope"), []
+        for number, solid in enumerate(mine):
+            collider(scope, f"part_{number}", _unscaled(solid, body.scale), self._looks, thing.friction)
+            names.append(f"Collision/part_{number}")
+        return _Prototype(made.path, tuple(names))
+
+
+def add_object(parent: Prim, name: str, thing: Thing, body: Body, prototypes: Prototypes) -> Solids:
+    """One object at its pose: a rigid body when it may move, else colliders that stand still.
+
+    A piece with doors or drawers is an articulation: its base and each of them are bodies side by side, and the base
+    of one that stands still is fixed to the world. So all doors of a piece can be driven in the same way.
+    """
+    item = thing.object
+    made = prim(parent, name, kind="component", displayName=item.id)
+    made.SetInfo("customData", {"sceneweaver": _facts(thing)})
+    label(made, item.category)
+    place(made, item.pose.position, item.pose.quaternion)
+    links = thing.asset.links if thing.asset is not None else ()
+    if links:
+        return _articulated(made, links, thing, body, prototypes)
+    colliders = prototypes.instance(made, thing, body, 0)
+    if not thing.free:
+        return Solids((), colliders)
+    rigid(made, max(thing.mass, _LIGHTEST))
+    return Solids((made.path,))
+
+
+def _articulated(made: Prim, links: Sequence[Link], thing: Thing, body: Body, prototypes: Prototypes) -> Solids:
+    apply(made, "PhysicsArticulationRootAPI")
+    total = sum(solid.volume for solid in thing.solids)
+    shares = [sum(s.volume for s in thing.solids if s.link == n) / total for n in range(len(links) + 1)]
+    names, bodies = Names("joints"), []
+    for number, title in enumerate(["base", *(link.name for link in links)]):
+        mine = prim(made, names(title), displayName=title)
+        place(mine)
+        rigid(mine, max(shares[number] * thing.mass, _LIGHTEST))
+        prototypes.instance(mine, thing, body, number)
+        bodies.append(mine)
+    joints = prim(made, "joints", "Scope")
+    base, layer = bodies[0], made.layer
+    if not thing.free:
+        weld(joints, "world", made, base)
+    titles = Names("world")
+    for number, link in enumerate(links, 1):
+        join(joints, titles(link.name), base, bodies[number], _hinge(link, thing, shares[number] * thing.mass))
+        filter_pair(Solids((base.path,)), Solids((bodies[number].path,)), layer)
+    return Solids(tuple(b.path for b in bodies))
+
+
+def _hinge(link: Link, thing: Thing, mass: float) -> Hinge:
+    """The joint of a link, in the size of the object; damped as much as in the model for MuJoCo."""
+    scale = np.asarray(thing.scale)
+    slides = link.joint == "slide"
+    axis = np.asarray(link.axis) * (scale if slides else 1.0)
+    stretch = float(np.linalg.norm(axis)) if slides else 1.0
+    limits = (link.limits[0] * stretch, link.limits[1] * stretch)
+    damping = max(1.0, 2.0 * mass) if slides else max(0.2, 0.5 * mass)
+    return Hinge(link.joint, axis.tolist(), (np.asarray(link.anchor) * scale).tolist(), limits, damping)
+
+
+def _facts(thing: Thing) -> dict[str, Any]:
+    """What is known of an object and has no place of its own in USD."""
+    item = thing.object
+    facts: dict[str, Any] = {"id": item.id, "category": item.category, "mount": item.mount}
+    if item.asset is not None:
+        facts["asset"] = item.asset
+    if item.support is not None:
+        facts["support"] = {"object": item.support.object, "surface": item.support.surface}
+    return facts
+
+
+def _unscaled(solid: Solid, scale: tuple[float, float, float]) -> Solid:
+    """A part of a scaled object in the size of its asset."""
+    if scale == (1.0, 1.0, 1.0):
+        return solid
+    by = np.asarray(scale)
+    box = None if solid.box is None else (solid.box[0] / by, solid.box[1] / by)
+    return Solid(solid.points / by, solid.volume / float(np.prod(by)), solid.link, box)
+
+
+__all__ = ["GEOMETRY", "Prototypes", "add_object"]

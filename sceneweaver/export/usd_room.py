@@ -1,0 +1,161 @@
+"""The room as USD prims: floor and walls with static colliders, window panes, and doors that open."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from sceneweaver.assets import Material, Mesh
+from sceneweaver.physics.leaves import WALL, Leaf, leaves, wall_ends
+from sceneweaver.scene import Part, Room
+
+from .bodies import prisms
+from .room import floor_mesh, openings, wall_mesh
+from .usd_bodies import Hinge, Solids, filter_pair, join, rigid, weld
+from .usd_layer import Names, Prim, apply, attribute, label, place, prim, rotation
+from .usd_looks import Looks
+from .usd_mesh import box_collider, render_mesh
+
+_DEEP = 0.5  # [m] of the floor's collider: nothing falls through it in one step
+_PANE = 0.01  # [m] thickness of a window pane
+_GLASS = Material("window glass", (0.86, 0.93, 0.95), roughness=0.05, opacity=0.2)
+_LEAF = Material("door leaf", (0.82, 0.74, 0.62), roughness=0.6, texture="wood")
+_HANDLE = Material("door handle", (0.62, 0.62, 0.63), roughness=0.35, metallic=1.0)
+_FRICTION, _LEAF_FRICTION = 0.8, 0.5
+
+Range = tuple[float, float, float, float]
+
+
+def add_room(parent: Prim, room: Room, looks: Looks) -> list[Solids]:
+    """Floor, walls, windows and doors below a prim; returns the leaves of the doors."""
+    _floor(parent, room, looks)
+    walls = prim(parent, "Walls", kind="group")
+    stays = [_wall(walls, room, k, looks) for k in range(len(room.outline))]
+    if room.windows:
+        windows, names = prim(parent, "Windows", kind="group"), Names()
+        for window in room.windows:
+            made = prim(windows, names(window.id), kind="component", displayName=window.id)
+            label(made, "window")
+            place(made, *wall_pose(room, window.wall))
+            low, high = window.offset, window.offset + window.width
+            _slab(made, "Pane", (low, high, window.sill, window.sill + window.height), _PANE, looks)
+    found = leaves(room)
+    if not found:
+        return []
+    doors, names = prim(parent, "Doors", kind="group"), Names()
+    moving = []
+    for leaf, door in zip(found, room.doors, strict=True):
+        moving.append(_door(doors, names(leaf.door), leaf, looks))
+        # Its hinge is in the opening: it may touch the wall that carries it, and no more than touch.
+        filter_pair(moving[-1], stays[door.wall], parent.layer)
+    return moving
+
+
+def wall_pose(room: Room, wall: int) -> tuple[tuple[float, float, float], tuple[float, float, float, float]]:
+    """Frame of a wall: at its first corner, +x along it, +y into the room; the quaternion is (x, y, z, w)."""
+    (ax, ay), (bx, by) = room.outline[wall], room.outline[(wall + 1) % len(room.outline)]
+    half = math.atan2(by - ay, bx - ax) / 2
+    return (ax, ay, 0.0), (0.0, 0.0, math.sin(half), math.cos(half))
+
+
+def wall_boxes(room: Room, wall: int) -> Iterator[Range]:
+    """The solid of a wall around its openings as boxes: from and to along it, from and to in height [m]."""
+    (ax, ay), (bx, by) = room.outline[wall], room.outline[(wall + 1) % len(room.outline)]
+    length = math.hypot(bx - ax, by - ay)
+    holes = [(at, at + wide, low, min(high, room.height)) for at, wide, low, high in openings(room, wall)]
+    cuts = sorted({*wall_ends(room, wall), *(min(max(x, 0.0), length) for h in holes for x in h[:2])})
+    for low, high in zip(cuts, cuts[1:], strict=False):
+        if high - low < 1e-6:
+            continue
+        z = 0.0
+        for bottom, top in sorted(h[2:] for h in holes if h[0] < (low + high) / 2 < h[1]):
+            if bottom - z > 1e-6:
+                yield low, high, z, bottom
+            z = max(z, top)
+        if room.height - z > 1e-6:
+            yield low, high, z, room.height
+
+
+def _floor(parent: Prim, room: Room, looks: Looks) -> None:
+    made = prim(parent, "Floor", kind="component")
+    label(made, "floor")
+    render_mesh(made, "Mesh", floor_mesh(room), looks)
+    low, high = np.min(room.outline, axis=0) - WALL, np.max(room.outline, axis=0) + WALL
+    center, half = (low + high) / 2, (high - low) / 2
+    scope = prim(made, "Collision", "Scope")
+    box_collider(scope, "part_0", np.array([*center, -_DEEP / 2]), np.array([*half, _DEEP / 2]), looks, _FRICTION)
+
+
+def _wall(parent: Prim, room: Room, wall: int, looks: Looks) -> Solids:
+    made = prim(parent, f"Wall_{wall}", kind="component", displayName=f"wall:{wall}")
+    label(made, "wall")
+    position, quaternion = wall_pose(room, wall)
+    place(made, position, quaternion)
+    mesh = wall_mesh(room, wall)
+    turn = 2 * math.atan2(quaternion[2], quaternion[3])
+    c, s = math.cos(turn), math.sin(turn)
+    points = (mesh.vertices - position) @ np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    render_mesh(made, "Mesh", Mesh(points, mesh.faces, mesh.face_material, mesh.face_link, mesh.materials), looks)
+    scope, paths = prim(made, "Collision", "Scope"), []
+    for number, (low, high, bottom, top) in enumerate(wall_boxes(room, wall)):
+        center, half = _middle(low, high, bottom, top, WALL)
+        box_collider(scope, f"part_{number}", center, half, looks, _FRICTION)
+        paths.append(scope.path.AppendChild(f"part_{number}"))
+    return Solids((), tuple(paths))
+
+
+def _slab(parent: Prim, name: str, span: Range, thick: float, looks: Looks) -> None:
+    """A pane in a wall's frame, seen and solid."""
+    center, half = _middle(*span, thick)
+    render_mesh(parent, name, _boxes([(center, half)], _GLASS), looks)
+    box_collider(prim(parent, "Collision", "Scope"), "part_0", center, half, looks, _FRICTION)
+
+
+def _middle(low: float, high: float, bottom: float, top: float, thick: float) -> tuple[np.ndarray, np.ndarray]:
+    """Centre and half extents of a box in a wall's frame, its inner face flush with the room."""
+    center = np.array([(low + high) / 2, -thick / 2, (bottom + top) / 2])
+    return center, np.array([(high - low) / 2, thick / 2, (top - bottom) / 2])
+
+
+def _door(parent: Prim, name: str, leaf: Leaf, looks: Looks) -> Solids:
+    """A leaf on a frame that is fixed to the world: an articulation like that of any piece with doors."""
+    made = prim(parent, name, kind="component", displayName=leaf.door)
+    made.SetInfo("customData", {"sceneweaver": {"id": leaf.door, "name": leaf.name}})
+    label(made, "door")
+    apply(made, "PhysicsArticulationRootAPI")
+    place(made, leaf.position, (0.0, 0.0, math.sin(leaf.yaw / 2), math.cos(leaf.yaw / 2)))
+    frame, panel = prim(made, "frame"), prim(made, "leaf")
+    place(frame)
+    rigid(frame, 1.0)
+    # It has no collider to take these from, and never moves.
+    attribute(frame, "physics:diagonalInertia", "Float3", (0.1, 0.1, 0.1))
+    attribute(frame, "physics:principalAxes", "Quatf", rotation("Quatf", (0, 0, 0, 1)))
+    attribute(frame, "physics:centerOfMass", "Point3f", (0.0, 0.0, 0.0))
+    place(panel)
+    rigid(panel, leaf.mass)
+    boxes = [(np.asarray(center), np.asarray(half)) for center, half in leaf.boxes]
+    render_mesh(panel, "Panel", _boxes(boxes[:1], _LEAF), looks)
+    if len(boxes) > 1:
+        render_mesh(panel, "Handles", _boxes(boxes[1:], _HANDLE), looks)
+    scope = prim(panel, "Collision", "Scope")
+    for number, (center, half) in enumerate(boxes):
+        box_collider(scope, f"part_{number}", center, half, looks, _LEAF_FRICTION)
+    joints = prim(made, "joints", "Scope")
+    weld(joints, "world", made, frame)
+    hold = 0.05 * leaf.mass if leaf.joint == "hinge" else 0.3 * leaf.mass
+    join(joints, "leaf", frame, panel, Hinge(leaf.joint, leaf.axis, (0.0, 0.0, 0.0), leaf.limits, hold))
+    return Solids((panel.path,))
+
+
+def _boxes(boxes: Sequence[tuple[np.ndarray, np.ndarray]], material: Material) -> Mesh:
+    """Boxes by centre [3] and half extents [3] as one mesh."""
+    parts = []
+    for center, half in boxes:
+        (x0, y0, z0), (x1, y1, z1) = (center - half).tolist(), (center + half).tolist()
+        parts.append(Part.model_construct(polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=(z0, z1)))
+    return prisms(parts, material)
+
+
+__all__ = ["add_room", "wall_boxes", "wall_pose"]

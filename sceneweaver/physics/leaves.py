@@ -1,0 +1,184 @@
+"""The moving leaves of a room's doors, as boxes on a hinge or a slide; at 0 they are closed.
+
+Left and right are those of somebody who comes in: an ``in-left`` leaf hangs at the door's offset, an ``in-right``
+leaf at its other end, an ``out`` leaf at its offset again. A leaf that swings stands in the opening, flush with the
+wall's face on the side to which it opens, and its axis is in that face: so it clears the wall at every angle. A leaf
+that slides hangs before the outer face of the wall, where no furniture is, and goes to the side that has more room.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from sceneweaver.scene import Door, Room
+
+WALL = 0.1
+"""Thickness of the walls [m], outside the outline."""
+
+THICK = 0.04
+"""Thickness of a leaf [m]."""
+
+Vector = tuple[float, float, float]
+Box = tuple[Vector, Vector]
+"""Centre [3] and half extents [3] in the leaf's frame [m]."""
+
+_FOOT = 0.005  # [m] between leaf and floor
+_GAP = 0.003  # [m] between leaf and jambs, where nothing asks for more
+_OPEN = math.pi / 2  # [rad]; farther, the leaf would leave the door's zone
+_OUT = 0.055  # [m] by which a handle stands out of the leaf; with the leaf it stays within the wall's thickness
+_PER_AREA = 12.0  # [kg/m2] of a leaf: a hollow wooden one
+_STEP = 0.01  # [m] or [rad] between the positions that are looked at for a wall in the way
+
+
+@dataclass(frozen=True)
+class Leaf:
+    """A door leaf.
+
+    Its frame: origin ``position`` (world [m], at the floor) on the hinge's axis, for a slide at the leaf's first end;
+    +x along the closed leaf, z up, turned by ``yaw`` [rad] in the world. ``axis`` is a unit vector of that frame,
+    ``limits`` are (closed, open) in radians or metres; ``mass`` [kg]. ``boxes``: the leaf, then its handles.
+    """
+
+    door: str
+    name: str
+    position: Vector
+    yaw: float
+    joint: Literal["hinge", "slide"]
+    axis: Vector
+    limits: tuple[float, float]
+    mass: float
+    boxes: tuple[Box, ...]
+
+
+def leaves(room: Room) -> list[Leaf]:
+    """One leaf for each door, in their order."""
+    return [_sliding(room, door) if door.swing == "slide" else _swinging(room, door) for door in room.doors]
+
+
+def wall_ends(room: Room, wall: int) -> tuple[float, float]:
+    """Where the slab of a wall begins and ends [m] along the wall, from its first corner.
+
+    At a convex corner it goes on, so that no slit is left outside; at a reflex one that would stand in the room.
+    """
+    outline, n = room.outline, len(room.outline)
+    (ax, ay), (bx, by) = outline[wall], outline[(wall + 1) % n]
+    (px, py), (qx, qy) = outline[wall - 1], outline[(wall + 2) % n]
+    length = math.hypot(bx - ax, by - ay)
+    first = (ax - px) * (by - ay) - (ay - py) * (bx - ax) > 0
+    last = (bx - ax) * (qy - by) - (by - ay) * (qx - bx) > 0
+    return (-WALL if first else 0.0), (length + WALL if last else length)
+
+
+def _swinging(room: Room, door: Door) -> Leaf:
+    out, right = door.swing == "out", door.swing == "in-right"
+    # At its far end the leaf's outer edge is farther from the axis than the leaf is wide.
+    gap = min(_GAP + THICK**2 / (2 * door.width), door.width / 8)
+    width, top = door.width - 2 * gap, max(door.height - _GAP, 2 * _FOOT)
+    turn = _turn(room, door.wall) + (math.pi if right else 0.0)
+    along = door.offset + door.width - gap if right else door.offset + gap
+    x, y = _point(room, door.wall, along, -WALL if out else 0.0)
+    # +y of the leaf's frame is into the room at its offset and out of it at the other end.
+    opens = -1.0 if out or right else 1.0
+    body = ((width / 2, -opens * THICK / 2, (_FOOT + top) / 2), (width / 2, THICK / 2, (top - _FOOT) / 2))
+    long, height = min(0.12, 0.3 * width), min(1.02, 0.55 * top)
+    end = width - min(0.05, 0.1 * width)
+    boxes: list[Box] = [body]
+    for face, side in ((0.0, opens), (-opens * THICK, -opens)):
+        neck = face + side * (_OUT - 0.015) / 2
+        boxes.append(((end - 0.01, neck, height), (0.01, (_OUT - 0.015) / 2, 0.01)))
+        boxes.append(((end - long / 2, face + side * (_OUT - 0.0075), height), (long / 2, 0.0075, 0.01)))
+    leaf = Leaf(
+        door.id, f"room:door:{door.id}", (x, y, 0.0), turn, "hinge", (0.0, 0.0, opens), (0.0, _OPEN),
+        _PER_AREA * width * top, tuple(boxes),
+    )  # fmt: skip
+    return _limited(leaf, _way(leaf, _walls(room), _OPEN))
+
+
+def _sliding(room: Room, door: Door) -> Leaf:
+    walls = _walls(room)
+    # The leaf covers the opening and a little more where no other wall begins.
+    plans = [_slide(room, door, over, flip) for over in (0.03, 0.0, -0.01) for flip in (False, True)]
+    clear = [leaf for leaf in plans if not _hits(leaf, 0.0, walls)] or plans[-2:]
+    ways = [(_way(leaf, walls, leaf.limits[1]), leaf) for leaf in clear[:2]]
+    travel, best = max(ways, key=lambda pair: pair[0])
+    return _limited(best, travel)
+
+
+def _slide(room: Room, door: Door, over: float, flip: bool) -> Leaf:
+    """The leaf, ``over`` metres wider than the opening at each end, that slides along the wall, or back."""
+    width, top = door.width + 2 * over, door.height + max(over, -0.002)
+    turn = _turn(room, door.wall) + (math.pi if flip else 0.0)
+    x, y = _point(room, door.wall, door.offset + (door.width + over if flip else -over), -WALL)
+    outward = 1.0 if flip else -1.0
+    middle = outward * (0.01 + THICK / 2)
+    at = over + min(0.06, 0.15 * door.width)  # of the handle, near the end that is left when it opens
+    tall, height = min(0.15, 0.3 * top), min(1.05, 0.55 * top)
+    boxes: list[Box] = [((width / 2, middle, (_FOOT + top) / 2), (width / 2, THICK / 2, (top - _FOOT) / 2))]
+    for side in (1.0, -1.0):
+        boxes.append(((at, middle + side * (THICK + 0.045) / 2, height), (0.01, 0.0225, tall)))
+    # Open, the handle in the opening stands just before the jamb.
+    travel = max(over + door.width - 0.015 - (at + 0.01), _STEP)
+    return Leaf(
+        door.id, f"room:door:{door.id}", (x, y, 0.0), turn, "slide", (1.0, 0.0, 0.0), (0.0, travel),
+        _PER_AREA * width * top, tuple(boxes),
+    )  # fmt: skip
+
+
+def _limited(leaf: Leaf, most: float) -> Leaf:
+    return Leaf(**{**leaf.__dict__, "limits": (0.0, round(max(most, _STEP), 4))})
+
+
+def _way(leaf: Leaf, walls: Any, most: float) -> float:
+    """How far it opens before it meets a wall, ``most`` at most, in steps."""
+    count = math.ceil(most / _STEP)
+    for k in range(1, count + 1):
+        if _hits(leaf, most * k / count, walls):
+            return most * max(k - 2, 0) / count  # one step back from the last that was free
+    return most
+
+
+def _hits(leaf: Leaf, at: float, walls: Any) -> bool:
+    """Whether the leaf, opened by ``at``, and a wall share a plan."""
+    from shapely.geometry import Polygon
+
+    slid = at if leaf.joint == "slide" else 0.0
+    turn = leaf.yaw + (at * leaf.axis[2] if leaf.joint == "hinge" else 0.0)
+    c, s = math.cos(turn), math.sin(turn)
+    for (bx, by, _), (hx, hy, _) in leaf.boxes:
+        corners = [(bx + slid + u * hx, by + v * hy) for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        plan = Polygon([(leaf.position[0] + c * x - s * y, leaf.position[1] + s * x + c * y) for x, y in corners])
+        if plan.intersection(walls).area > 1e-7:
+            return True
+    return False
+
+
+def _walls(room: Room) -> Any:
+    """The walls from above, less their doorways, as one plan."""
+    from shapely.geometry import Polygon
+    from shapely.ops import unary_union
+
+    def strip(wall: int, low: float, high: float) -> Any:
+        ends = ((low, -WALL), (high, -WALL), (high, 0.0), (low, 0.0))
+        return Polygon([_point(room, wall, s, t) for s, t in ends])
+
+    slabs: list[Any] = [strip(k, *wall_ends(room, k)) for k in range(len(room.outline))]
+    for door in room.doors:
+        slabs[door.wall] = slabs[door.wall].difference(strip(door.wall, door.offset, door.offset + door.width))
+    return unary_union(slabs)
+
+
+def _turn(room: Room, wall: int) -> float:
+    (ax, ay), (bx, by) = room.outline[wall], room.outline[(wall + 1) % len(room.outline)]
+    return math.atan2(by - ay, bx - ax)
+
+
+def _point(room: Room, wall: int, along: float, inward: float) -> tuple[float, float]:
+    """The point that far along a wall and that far into the room [m]."""
+    x, y = room.outline[wall]
+    c, s = math.cos(_turn(room, wall)), math.sin(_turn(room, wall))
+    return x + c * along - s * inward, y + s * along + c * inward
+
+
+__all__ = ["THICK", "WALL", "Leaf", "leaves", "wall_ends"]

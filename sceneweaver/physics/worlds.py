@@ -1,0 +1,266 @@
+"""One MuJoCo model, many worlds: initial poses that differ, what became of them, and MuJoCo C stepping them.
+
+Only poses differ between the worlds of a template: free bodies start elsewhere, and so may fixtures stand. Poses are
+[B, N, 7]: x, y, z and the quaternion x, y, z, w of N objects in B worlds, as in a scene.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from copy import copy
+from dataclasses import dataclass, field
+from importlib import import_module
+from typing import Any, Literal
+
+import numpy as np
+
+from sceneweaver.scene import InputError
+
+from .model import STEP
+
+CHUNK = 50
+"""Steps between two looks at how many contacts there are."""
+
+
+@dataclass(frozen=True)
+class Solver:
+    """Settings of the solver that may differ from a model's own; None leaves the model's.
+
+    MuJoCo Warp has all that our models ask for: elliptic cones, ``impratio``, the noslip pass, implicitfast and several
+    contacts of a pair of hulls. It works in single precision, and its tolerance is at least 1e-6 (MuJoCo C: 1e-8).
+    ``broadphase``, of MuJoCo Warp only: all pairs, or sweep and prune; None: what it takes itself.
+    """
+
+    noslip: int | None = None
+    cone: Literal["elliptic", "pyramidal"] | None = None
+    impratio: float | None = None
+    method: Literal["newton", "cg"] | None = None
+    iterations: int | None = None
+    tolerance: float | None = None
+    broadphase: Literal["nxn", "sap"] | None = None
+
+    def apply(self, model: Any) -> None:
+        """Write the settings into an MjModel."""
+        cones, methods = {"pyramidal": 0, "elliptic": 1}, {"cg": 1, "newton": 2}
+        values = {
+            "noslip_iterations": self.noslip, "cone": None if self.cone is None else cones[self.cone],
+            "solver": None if self.method is None else methods[self.method], "impratio": self.impratio,
+            "iterations": self.iterations, "tolerance": self.tolerance,
+        }  # fmt: skip
+        for name, value in values.items():
+            if value is not None:
+                setattr(model.opt, name, value)
+
+
+PRODUCT = Solver()
+"""As ``build`` writes them; as ``settle`` and ``stability`` take them."""
+
+
+@dataclass(frozen=True)
+class Template:
+    """What all worlds share.
+
+    Attributes:
+        model: the MjModel.
+        free, fixed: ids of the bodies that may move and that may not; their order is that of ``poses``: free first.
+        middle: [N] half the height of each object [m]: a shift is that of the middle of the box.
+        broadphase: as in ``Solver``.
+    """
+
+    model: Any
+    free: tuple[str, ...]
+    fixed: tuple[str, ...]
+    middle: np.ndarray
+    broadphase: Literal["nxn", "sap"] | None = None
+
+    @classmethod
+    def of(
+        cls, xml: str, files: dict[str, bytes], free: Sequence[str], fixed: Sequence[str], middle: Sequence[float],
+        solver: Solver = PRODUCT,
+    ) -> Template:  # fmt: skip
+        """Compile a model; ``middle`` [N] as in ``Template``, free ones first."""
+        mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
+        model = mujoco.MjModel.from_xml_string(xml, files)
+        solver.apply(model)
+        return cls(model, tuple(free), tuple(fixed), np.asarray(middle, dtype=float), solver.broadphase)
+
+    @property
+    def address(self) -> np.ndarray:
+        """[F] where the seven numbers of each free body begin in ``qpos``."""
+        return np.array([int(self.model.joint(id).qposadr[0]) for id in self.free], dtype=int)
+
+    @property
+    def fixtures(self) -> np.ndarray:
+        """Numbers of the bodies that do not move [N - F]."""
+        return np.array([int(self.model.body(id).id) for id in self.fixed], dtype=int)
+
+    def qpos(self, poses: np.ndarray) -> np.ndarray:
+        """[B, nq] initial positions: joints of doors and drawers closed, free bodies where ``poses`` has them."""
+        q = np.tile(self.model.qpos0, (len(poses), 1))
+        for k, at in enumerate(self.address):
+            q[:, at : at + 3] = poses[:, k, :3]
+            q[:, at + 3 : at + 7] = poses[:, k, [6, 3, 4, 5]]
+        return q
+
+    def placed(self, poses: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
+        """Positions [B, nbody, 3] and wxyz quaternions [B, nbody, 4] of all bodies in their parents.
+
+        None when no fixture stands elsewhere than in the model.
+        """
+        at, mine = self.fixtures, poses[:, len(self.free) :]
+        where, turn = np.asarray(self.model.body_pos), np.asarray(self.model.body_quat)
+        turned = mine[..., [6, 3, 4, 5]]
+        same = np.allclose(mine[..., :3], where[at], atol=1e-9) and np.allclose(turned, turn[at], atol=1e-9)
+        if same:
+            return None
+        positions, turns = np.tile(where, (len(poses), 1, 1)), np.tile(turn, (len(poses), 1, 1))
+        positions[:, at], turns[:, at] = mine[..., :3], turned
+        return positions, turns
+
+    def read(self, qpos: np.ndarray, start: np.ndarray) -> np.ndarray:
+        """Poses [B, N, 7] from positions [B, nq]; fixtures as in ``start``."""
+        poses = np.array(start, dtype=float)
+        for k, at in enumerate(self.address):
+            poses[:, k, :3] = qpos[:, at : at + 3]
+            poses[:, k, 3:] = qpos[:, [at + 4, at + 5, at + 6, at + 3]]
+        return poses
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of the worlds.
+
+    Attributes:
+        poses: [B, N, 7] at the end, free bodies first.
+        overflow: [B] there was no room for all contacts or constraints: nothing can be said of that world.
+        diverged: [B] numbers that are not finite, or too large for the simulator.
+        contacts: the most contacts of a world at once (MuJoCo C, looked at now and then), or their mean over all
+            worlds where they were most (MuJoCo Warp).
+        constraints: the most constraint rows of a world.
+        seconds: time of stepping, with the copies to and from the device.
+        grown: how often there was too little room and the run began again with more.
+        room: what there was room for: contacts of all worlds, rows of a world.
+        unfinished: [B] the solver came to its last iteration in some step.
+        inexact: [B] some depth of two hulls is less exact than asked for.
+        problem: what to say of an overflow.
+    """
+
+    poses: np.ndarray
+    overflow: np.ndarray
+    diverged: np.ndarray
+    contacts: float
+    constraints: int
+    seconds: float
+    grown: int = 0
+    room: dict[str, int] = field(default_factory=dict)
+    unfinished: np.ndarray | None = None
+    inexact: np.ndarray | None = None
+    problem: str | None = None
+
+
+def merged(parts: Sequence[Outcome]) -> Outcome:
+    """One outcome of worlds that were stepped one part after the other."""
+    if len(parts) == 1:
+        return parts[0]
+
+    def joined(name: str) -> np.ndarray | None:
+        masks = [getattr(p, name) for p in parts]
+        return None if any(m is None for m in masks) else np.concatenate(masks)
+
+    problems = [p.problem for p in parts if p.problem]
+    return Outcome(
+        np.concatenate([p.poses for p in parts]), np.concatenate([p.overflow for p in parts]),
+        np.concatenate([p.diverged for p in parts]), max(p.contacts for p in parts), max(p.constraints for p in parts),
+        sum(p.seconds for p in parts), sum(p.grown for p in parts), parts[-1].room, joined("unfinished"),
+        joined("inexact"), problems[0] if problems else None,
+    )  # fmt: skip
+
+
+def steps_of(seconds: float) -> int:
+    """Steps of a time [s].
+
+    Raises:
+        InputError: no time.
+    """
+    if not 0 <= seconds < 1e4:
+        raise InputError(f"seconds: {seconds} is no time; give 0 or more")
+    return round(seconds / STEP)
+
+
+def shifts(template: Template, start: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """[B, F] how far [m] the middle of each free body's box went."""
+    count = len(template.free)
+    up = np.zeros((count, 3))
+    up[:, 2] = template.middle[:count]
+    return np.linalg.norm(_at(end[:, :count], up) - _at(start[:, :count], up), axis=-1)
+
+
+def _at(poses: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """Points of the objects' frames in the world's; the rotation of a quaternion of any length but 0."""
+    axis, w = poses[..., 3:6], poses[..., 6:7]
+    turn = np.cross(axis, np.cross(axis, points) + w * points)
+    return points + 2 * turn / (poses[..., 3:] ** 2).sum(-1, keepdims=True) + poses[..., :3]
+
+
+def run_c(template: Template, start: np.ndarray, steps: int, threads: int = 1) -> Outcome:
+    """Step the worlds by MuJoCo C, on so many threads (which all are this process's)."""
+    began = time.perf_counter()
+    qpos, placed = template.qpos(start), template.placed(start)
+    parts = [part for part in np.array_split(np.arange(len(start)), max(1, threads)) if len(part)]
+
+    def run(part: np.ndarray) -> list[tuple[np.ndarray, bool, bool, int, int]]:
+        return _some(template.model, part, qpos, placed, steps)
+
+    if len(parts) == 1:
+        found = run(parts[0])
+    else:
+        with ThreadPoolExecutor(len(parts)) as pool:  # steps are taken without the interpreter's lock
+            found = [row for rows in pool.map(run, parts) for row in rows]
+    end = np.array([row[0] for row in found]).reshape(len(start), -1)
+    full = np.array([row[1] for row in found], dtype=bool)
+    problem = None
+    if full.any():
+        problem = (
+            f"objects: more contacts than MuJoCo has room for in {int(full.sum())} of {len(start)} worlds, nothing can "
+            "be said of those; use fewer objects"
+        )
+    return Outcome(
+        poses=template.read(end, start), overflow=full, diverged=np.array([row[2] for row in found], dtype=bool),
+        contacts=float(max((row[3] for row in found), default=0)),
+        constraints=max((row[4] for row in found), default=0), seconds=time.perf_counter() - began, problem=problem,
+    )  # fmt: skip
+
+
+def _some(
+    model: Any, worlds: np.ndarray, qpos: np.ndarray, placed: tuple[np.ndarray, np.ndarray] | None, steps: int
+) -> list[tuple[np.ndarray, bool, bool, int, int]]:
+    """(qpos, full, diverged, contacts, rows) of some worlds, one after the other."""
+    mujoco: Any = import_module("mujoco")
+    kinds = mujoco.mjtWarning
+    model = copy(model) if placed is not None else model
+    data, found = mujoco.MjData(model), []
+    for k in worlds:
+        if placed is not None:
+            model.body_pos[:], model.body_quat[:] = placed[0][k], placed[1][k]
+        mujoco.mj_resetData(model, data)
+        data.qpos[:] = qpos[k]
+        contacts = rows = done = 0
+        while done < steps:
+            count = min(CHUNK, steps - done)
+            mujoco.mj_step(model, data, count)
+            done += count
+            contacts, rows = max(contacts, int(data.ncon)), max(rows, int(data.nefc))
+
+        def warned(*those: Any) -> bool:
+            return any(data.warning[int(kind)].number for kind in those)
+
+        full = warned(kinds.mjWARN_CONTACTFULL, kinds.mjWARN_CNSTRFULL)
+        # MuJoCo begins anew after such a warning, so that the numbers themselves look well.
+        bad = warned(kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
+        found.append((np.array(data.qpos), full, bad or not np.isfinite(data.qpos).all(), contacts, rows))
+    return found
+
+
+__all__ = ["CHUNK", "Outcome", "PRODUCT", "Solver", "Template", "merged", "run_c", "shifts", "steps_of"]

@@ -1,0 +1,135 @@
+"""Door leaves: where the door's zone is, clear of the walls, and opened and closed in MuJoCo."""
+
+from __future__ import annotations
+
+import math
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sceneweaver.physics import build
+from sceneweaver.physics.leaves import THICK, WALL, Leaf, leaves
+from sceneweaver.scene import Door, Room, Scene, Window
+from sceneweaver.verify.solids import Placed
+
+mujoco: Any = import_module("mujoco")
+
+OUTLINE = ((0, 0), (4, 0), (4, 3), (2, 3), (2, 5), (0, 5))  # corner 3 is reflex
+SWINGS = ("in-left", "in-right", "out", "slide")
+PLACES = [(0, 0.0), (0, 1.5), (0, 3.1), (1, 1.0), (2, 0.3), (3, 0.6), (5, 2.0)]
+
+
+def _room(swing: str, wall: int, offset: float, turn: float = 0.0) -> Room:
+    c, s = math.cos(turn), math.sin(turn)
+    outline = tuple((c * x - s * y + 3, s * x + c * y - 2) for x, y in OUTLINE)
+    door = Door.model_validate({"id": "d", "wall": wall, "offset": offset, "width": 0.9, "height": 2, "swing": swing})
+    return Room(
+        outline=outline, doors=(door,), windows=(Window(id="w", wall=4, offset=0.4, width=1, sill=1, height=1),)
+    )
+
+
+def _load(room: Room) -> tuple[Any, Any]:
+    model = mujoco.MjModel.from_xml_string(build(Scene(id="s", room=room)).xml)
+    return model, mujoco.MjData(model)
+
+
+def _deepest(model: Any, data: Any, joint: str, at: float) -> float:
+    """How deep [m] anything is in anything with that joint at that place; not in contact: 0."""
+    data.qpos[model.joint(joint).qposadr[0]] = at
+    mujoco.mj_kinematics(model, data)
+    mujoco.mj_comPos(model, data)
+    mujoco.mj_collision(model, data)
+    return max([-float(c.dist) for c in data.contact[: data.ncon]], default=0.0)
+
+
+def _corners(leaf: Leaf, at: float) -> np.ndarray:
+    """The leaf's corners from above, opened by ``at``, in the world, [4, 2]."""
+    (x, y, _), (hx, hy, _) = leaf.boxes[0]
+    plan = np.array([(x + u * hx, y + v * hy) for u in (-1, 1) for v in (-1, 1)])
+    if leaf.joint == "slide":
+        plan, turn = plan + np.array([at * leaf.axis[0], 0.0]), leaf.yaw
+    else:
+        turn = leaf.yaw + at * leaf.axis[2]
+    c, s = math.cos(turn), math.sin(turn)
+    return plan @ np.array([[c, s], [-s, c]]) + np.array(leaf.position[:2])
+
+
+@pytest.mark.parametrize("swing", SWINGS)
+@pytest.mark.parametrize(("wall", "offset"), PLACES)
+def test_no_wall_is_touched_from_closed_to_open(swing: str, wall: int, offset: float) -> None:
+    room = _room(swing, wall, offset, 0.4)
+    (leaf,) = leaves(room)
+    model, data = _load(room)
+    for at in np.linspace(*leaf.limits, 40):
+        assert _deepest(model, data, leaf.name, at) < 1e-4
+    assert leaf.limits[1] > (1.3 if leaf.joint == "hinge" else 0.7)
+
+
+def test_a_wall_in_the_way_is_the_limit() -> None:
+    (free,) = leaves(_room("in-left", 0, 1.5))
+    room = _room("in-left", 0, 0.0)
+    (near,) = leaves(room)
+    model, data = _load(room)
+    assert near.limits[1] < free.limits[1] == pytest.approx(math.pi / 2, abs=1e-3)
+    assert _deepest(model, data, near.name, near.limits[1] + 0.05) > 1e-3, "the handle meets the other wall there"
+
+
+@pytest.mark.parametrize("swing", ["in-left", "in-right"])
+@pytest.mark.parametrize("wall", [0, 3])
+def test_the_leaf_sweeps_the_zone_of_its_door(swing: str, wall: int) -> None:
+    from shapely.geometry import MultiPoint, Polygon
+
+    room = _room(swing, wall, 0.8, 1.1)
+    (leaf,) = leaves(room)
+    (zone,) = (Polygon(d.polygon) for d in Placed.of(Scene(id="s", room=room)).doors)
+    assert zone.buffer(1e-3).contains(MultiPoint(_corners(leaf, leaf.limits[1])).convex_hull)
+    assert not zone.buffer(-1e-3).intersects(MultiPoint(_corners(leaf, 0.0)).convex_hull), "closed, it is in the wall"
+    # Left and right are those of somebody who comes in: in-left hangs at the door's offset.
+    (ax, ay), (bx, by) = room.outline[wall], room.outline[(wall + 1) % 6]
+    along = np.array([bx - ax, by - ay]) / math.dist((ax, ay), (bx, by))
+    at = float((np.array(leaf.position[:2]) - (ax, ay)) @ along)
+    assert at == pytest.approx(0.8 if swing == "in-left" else 1.7, abs=0.01)
+
+
+def test_a_closed_leaf_fills_its_opening() -> None:
+    for swing in SWINGS:
+        room = _room(swing, 0, 1.0)
+        (leaf,) = leaves(room)
+        across = _corners(leaf, 0.0) - room.outline[0]
+        assert across[:, 0].min() < 1.01 and across[:, 0].max() > 1.89
+        assert np.ptp(across[:, 1]) == pytest.approx(THICK)
+        if swing != "slide":
+            assert across[:, 1].min() >= -WALL - 1e-9 and across[:, 1].max() <= 1e-9
+        low, high = (leaf.boxes[0][0][2] + s * leaf.boxes[0][1][2] for s in (-1, 1))
+        assert low == pytest.approx(0.005) and high > 1.99
+        assert len(leaf.boxes) > 2 and leaf.mass > 10
+
+
+@pytest.mark.parametrize("swing", SWINGS)
+def test_it_stays_closed_and_opens_and_closes(swing: str) -> None:
+    room = _room(swing, 3, 0.5)
+    (leaf,) = leaves(room)
+    model, data = _load(room)
+    joint = data.joint(leaf.name)
+    mujoco.mj_step(model, data, 250)
+    assert abs(joint.qpos[0]) < 1e-3
+    reached = []
+    for sign in (1, -1):
+        joint.qfrc_applied[0] = sign * 20.0  # N, or N m: 23 N at the handle
+        mujoco.mj_step(model, data, 750)
+        reached.append(float(joint.qpos[0]) / leaf.limits[1])
+    assert reached[0] > 0.95 and abs(reached[1]) < 0.02
+
+
+def test_no_wall_stands_in_the_room() -> None:
+    """At a reflex corner a wall ends with its outline: beyond would be the room."""
+    model, data = _load(_room("slide", 0, 1.0))
+    mujoco.mj_kinematics(model, data)
+    corner = np.array([2 + 3, 3 - 2, 1.0])
+    for way in ((0.05, -0.05), (-0.05, 0.05), (-0.05, -0.05)):
+        point = corner + np.array([*way, 0.0])
+        for geom in np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_BOX):
+            local = data.geom_xmat[geom].reshape(3, 3).T @ (point - data.geom_xpos[geom])
+            assert (np.abs(local) > model.geom_size[geom]).any()
