@@ -24,6 +24,9 @@ ENOUGH = 4
 ROUNDS = 8
 """Times that something gives way before a layout that cannot be valid is taken as it is."""
 
+TIDIED = 4
+"""Layouts that are tidied up, of those that the critic likes best."""
+
 STEADY = 3
 """Layouts that are tried in physics, of those that the critic likes best."""
 
@@ -43,8 +46,8 @@ class Outcome:
 
     @property
     def key(self) -> tuple[float, ...]:
-        """Smaller is better: hard violations, what was given up, soft relations that fail, then the critic's grades."""
-        hard = sum(v.kind != "soft_relation" for v in self.report.violations)
+        """Smaller is better: what is wrong, what was given up, soft relations that fail, then the critic's grades."""
+        hard = sum(v.kind not in ("soft_relation", "dropped") for v in self.report.violations)
         soft = self.report.relations.soft
         missing = (soft.total - soft.satisfied) / max(1, soft.total)
         return hard, len(self.scene.dropped), round(4.0 * missing - self.review.total, 6)
@@ -111,8 +114,12 @@ class Executor:
         """The best of the layouts of a scene, or of those around each set of poses that stays as it is."""
         attempts = self.settings.attempts[patience]
         layouts = self._around(draft, drafts, seed, attempts) if drafts else self._free(draft, fresh, seed, attempts)
-        outcomes = [self._outcome(tidy(layout), (), ()) for layout in layouts]
-        return self._steadiest(sorted(outcomes, key=lambda o: o.key))
+        return self._steadiest(self._tidied(layouts))
+
+    def _tidied(self, layouts: Sequence[Scene]) -> list[Outcome]:
+        """The best few of some layouts, tidied up, best first: tidying is what costs most, so it is left for last."""
+        rough = sorted((self._outcome(layout, (), ()) for layout in layouts), key=lambda o: o.key)
+        return sorted((self._outcome(tidy(o.scene), (), ()) for o in rough[:TIDIED]), key=lambda o: o.key)
 
     def _steadiest(self, ranked: list[Outcome]) -> Outcome:
         """The first of some outcomes, best first; to settle, the steadiest of the leading valid ones."""
@@ -144,10 +151,9 @@ class Executor:
                 init="sample" if loose - old else "current", explain=False,
             )  # fmt: skip
             layouts = [_posed(draft, layout) for layout in solution.distinct(ENOUGH)]
-            outcomes = [self._outcome(tidy(layout), (), ()) for layout in layouts]
-            valid = [o for o in outcomes if o.report.valid]
+            valid = [o for o in self._tidied(layouts) if o.report.valid]
             if valid:
-                return self._steadiest(sorted(valid, key=lambda o: o.key))
+                return self._steadiest(valid)
             report = check(_posed(draft, solution.best), walkable=False)
             trouble = [id for v in report.violations if v.kind != "soft_relation" for id in v.objects]
             extra = [
@@ -163,7 +169,7 @@ class Executor:
         """Layouts of a whole scene, valid ones if there are any."""
         s = self.settings
         solution = refine(
-            coarse(draft) if fresh else draft, candidates=s.layouts if fresh else max(16, s.layouts // 4), seed=seed,
+            coarse(draft), candidates=s.layouts if fresh else max(16, s.layouts // 4), seed=seed,
             init="sample" if fresh else "current", device=s.device, steps=attempts, explain=False,
         )  # fmt: skip
         layouts = solution.distinct(s.finalists if fresh else 2) or [solution.best]
