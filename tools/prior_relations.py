@@ -120,6 +120,8 @@ def _of_place(one: Wanted, place: Place, by_item: dict[str, list[Wanted]], room:
     elif kind.startswith("door"):
         if not room.doors:
             return None
+    elif kind.startswith("wall") and place.to not in (None, "wall"):
+        target = f"wall:{wall_named(place.to.removeprefix('wall:'), room)}"
     elif kind.startswith("object"):
         other = _instance(one, place.to, by_item)
         if other is None:

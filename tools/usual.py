@@ -95,7 +95,7 @@ def _there(draft: Draft, row: Mapping[str, Any], subject: SceneObject) -> bool:
     if row["type"] == "away_from_door" or to == "door":
         return bool(draft.room.doors)
     words = [to] if isinstance(to, str) else list(to or ())
-    if not words or to == "wall":
+    if not words or str(to).partition(":")[0] == "wall":
         return True
     return any(id != subject.id for word in words for id in draft.named(word))
 

@@ -12,6 +12,9 @@ from collections.abc import Callable, Iterable
 from sceneweaver.scene import Pose, Relation, Room, Scene, SceneObject
 from sceneweaver.verify import check
 
+from .frames import local, world
+from .seats import spread
+
 SQUARE = math.radians(12.0)
 """Angle within which something is taken for square to a wall."""
 
@@ -35,7 +38,7 @@ Step = Callable[[Scene], Poses]
 
 def tidy(scene: Scene) -> Scene:
     """The scene with its objects set straight; what it violates is no more than before."""
-    for step in (_square, _flush, _beside, _centred, _flush):
+    for step in (_square, _flush, _beside, _centred, _flush, spread):
         scene = _kept(scene, step(scene))
     return _tuck(scene)
 
@@ -173,7 +176,7 @@ def _beside(scene: Scene) -> Poses:
         a, b = scene.object(r.subject), scene.object(r.target)
         if a.mount != "floor" or b.mount != "floor" or a.fixed:
             continue
-        u, v = _local(a, b)
+        u, v = local(a, b)
         side = 1.0 if v >= 0 else -1.0
         gap = abs(v) - (a.size[1] + b.size[1]) / 2
         if not 0.0 <= gap <= 0.06 or abs(_wrap(a.pose.yaw - b.pose.yaw)) > 0.02:
@@ -181,7 +184,7 @@ def _beside(scene: Scene) -> Poses:
         backs = (u - a.size[0] / 2) + b.size[0] / 2
         u -= backs if abs(backs) < 0.12 else 0.0
         v = side * ((a.size[1] + b.size[1]) / 2 + min(gap, BESIDE))
-        found[a.id] = _world(b, u, v, a.pose.position[2], a.pose.yaw)
+        found[a.id] = world(b, u, v, a.pose.position[2], a.pose.yaw)
     return found
 
 
@@ -241,7 +244,7 @@ def _ahead(obj: SceneObject, way: float) -> tuple[float, float, float, float]:
 
 def _gap(a: SceneObject, b: SceneObject) -> float:
     """Distance [m] from a's front face to b's box, straight ahead of a; negative when it reaches into it."""
-    u, v = _local(b, a)
+    u, v = local(b, a)
     turn = b.pose.yaw - a.pose.yaw
     reach = abs(math.cos(turn)) * b.size[0] / 2 + abs(math.sin(turn)) * b.size[1] / 2
     return u - reach - a.size[0] / 2
@@ -260,19 +263,19 @@ def _at_window(room: Room, window, a: SceneObject) -> tuple[float, float, float,
 def _to_target(r: Relation, a: SceneObject, b: SceneObject, alone: bool) -> tuple[float, float, float, float] | None:
     """The pose that centres a on b in the way that the relation means; None when it is too far off for that."""
     z, yaw = a.pose.position[2], a.pose.yaw
-    u, v = _local(a, b)
+    u, v = local(a, b)
     if r.type == "centered_on" or (a.mount == "ceiling" and r.type == "near"):
         flat = a.size[2] < 0.02
         turned = _like(yaw, b.pose.yaw) if flat or a.mount == "ceiling" else yaw
         if r.type == "centered_on" and a.mount != "ceiling" and not flat:
-            return _world(b, u, 0.0, z, yaw) if abs(v) <= abs(u) else _world(b, 0.0, v, z, yaw)
-        return _world(b, 0.0, 0.0, z, turned)
+            return world(b, u, 0.0, z, yaw) if abs(v) <= abs(u) else world(b, 0.0, v, z, yaw)
+        return world(b, 0.0, 0.0, z, turned)
     if r.type == "above" and a.mount == "wall" and math.cos(yaw - b.pose.yaw) > 0.99:
-        return _world(b, u, 0.0, z, yaw)
+        return world(b, u, 0.0, z, yaw)
     if r.type == "front_to_front" and alone and abs(v) < 0.6 and math.cos(yaw - b.pose.yaw) < -0.99:
-        return _world(b, u, 0.0, z, yaw)
+        return world(b, u, 0.0, z, yaw)
     if r.type == "facing" and math.cos(yaw - b.pose.yaw) < -0.99 and abs(v) < 0.8 and u > 0.8:
-        return _world(b, u, 0.0, z, yaw)
+        return world(b, u, 0.0, z, yaw)
     return None
 
 
@@ -280,15 +283,3 @@ def _like(yaw: float, other: float) -> float:
     """The quarter turn of ``other`` that is nearest to a yaw."""
     quarter = round((yaw - other) / (math.pi / 2))
     return other + quarter * math.pi / 2
-
-
-def _local(a: SceneObject, b: SceneObject) -> tuple[float, float]:
-    """Position of a in b's frame."""
-    dx, dy = a.pose.position[0] - b.pose.position[0], a.pose.position[1] - b.pose.position[1]
-    c, s = math.cos(b.pose.yaw), math.sin(b.pose.yaw)
-    return c * dx + s * dy, c * dy - s * dx
-
-
-def _world(b: SceneObject, u: float, v: float, z: float, yaw: float) -> tuple[float, float, float, float]:
-    c, s = math.cos(b.pose.yaw), math.sin(b.pose.yaw)
-    return b.pose.position[0] + c * u - s * v, b.pose.position[1] + s * u + c * v, z, yaw

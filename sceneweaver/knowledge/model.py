@@ -12,8 +12,8 @@ from sceneweaver.scene.base import FrozenModel
 Need = Literal["needed", "usual", "optional"]
 Range = tuple[float, float]
 
-PLACES = ("wall", "window", "door")
-"""Targets of a relation that are no objects: any wall, any window, any door."""
+PLACES = ("wall", "window", "door", "wall:far")
+"""Targets of a relation that are no objects: any wall, window or door, and the wall that looks at the door."""
 
 
 class Place(FrozenModel):

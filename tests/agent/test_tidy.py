@@ -8,6 +8,7 @@ import pytest
 
 import sceneweaver as sw
 from sceneweaver.agent.coarse import coarse
+from sceneweaver.agent.frames import local
 from sceneweaver.agent.tidy import tidy
 from sceneweaver.assets import make
 from sceneweaver.scene import Pose, Relation, Room, Scene
@@ -84,3 +85,27 @@ def test_a_layout_of_coarse_shapes_is_valid_for_the_true_ones():
     solution = sw.refine(coarse(scene), candidates=16, seed=3)
     layout = scene.replace_poses({o.id: o.pose for o in solution.best.objects})
     assert (solution.status == 0).any() and check(layout).valid
+
+
+@pytest.mark.parametrize("yaw", [0.0, 0.7, math.pi / 2])
+def test_seats_are_shared_out_between_the_sides_of_a_table(yaw):
+    table = make("conference_table", 3).object("table-0", pose=Pose.from_yaw(4.0, 3.0, 0.0, yaw))
+    chair = make("conference_chair", 1)
+    long, deep = table.size[1], table.size[0] / 2 + chair.size[0] / 2 + 0.03
+    spots = [(-deep, -0.45 * long), (-deep, -0.1 * long), (-deep, 0.15 * long), (-deep, 0.4 * long), (deep, 0.2 * long)]
+    chairs = []
+    for k, (u, v) in enumerate(spots):
+        x, y = 4.0 + math.cos(yaw) * u - math.sin(yaw) * v, 3.0 + math.sin(yaw) * u + math.cos(yaw) * v
+        pose = Pose.from_yaw(x, y, 0.0, yaw + (0.0 if u < 0 else math.pi))
+        chairs.append(chair.object(f"chair-{k}", pose=pose))
+    relations = tuple(Relation(type="front_against", subject=c.id, target="table-0") for c in chairs)
+    room = Room(type="office", outline=((0, 0), (8, 0), (8, 6), (0, 6)), height=2.7)
+    after = tidy(Scene(id="room", room=room, objects=(table, *chairs), relations=relations))
+    places = [local(after.object(c.id), after.object("table-0")) for c in chairs]
+    near, far = sorted(v for u, v in places if u < 0), sorted(v for u, v in places if u > 0)
+    assert sorted((len(near), len(far))) == [2, 3]
+    for row in (near, far):
+        assert sum(row) == pytest.approx(0.0, abs=0.01)  # the row is in the middle of its side
+        steps = [b - a for a, b in zip(row, row[1:], strict=False)]
+        assert max(steps) - min(steps) < 0.01
+    assert check(after).relations.hard.satisfied == 5
