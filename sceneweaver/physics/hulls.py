@@ -14,6 +14,12 @@ from sceneweaver.scene import Part, SceneObject
 MOST = 40
 """Parts of one asset that a simulator is given at most, where merging can reach that."""
 
+FEW = 16
+"""The same for small things: their parts are the many in a room, and a coarse shape is still close."""
+
+SMALL = 0.6
+"""What is nowhere longer than this [m] is small."""
+
 _SLACK = 1e-4  # [m] by which a part may stand out of a prism and still belong to it
 _THINNEST = 1e-4  # [m]; thinner parts become boxes of this thickness
 _WASTE = 0.01  # share of volume that a merge may add when it is not forced
@@ -39,7 +45,7 @@ class Solid:
 
 def solids_of(thing: SceneObject, asset: Asset | None, scale: np.ndarray) -> list[Solid]:
     """The parts of an object; of an asset its hulls, ``scale`` [3] times as large, else the object's own prisms."""
-    if asset is None or not asset.hulls:
+    if asset is None or not any(hull.link == 0 for hull in asset.hulls):
         return [_solid(_corners(part), 0) for part in thing.solids]
     merged = _of_asset(asset)
     if np.allclose(scale, 1.0, atol=1e-9):
@@ -49,7 +55,8 @@ def solids_of(thing: SceneObject, asset: Asset | None, scale: np.ndarray) -> lis
 
 def _of_asset(asset: Asset) -> list[Solid]:
     """The hulls of an asset, merged where they are many; kept by their content, as scenes are built again and again."""
-    content = hashlib.blake2b(repr([(part.polygon, part.z) for part in asset.parts]).encode())
+    most = MOST if max(asset.size) > SMALL else FEW
+    content = hashlib.blake2b(repr([most, *((part.polygon, part.z) for part in asset.parts)]).encode())
     for hull in asset.hulls:
         content.update(np.array([len(hull.vertices), hull.link]).tobytes())
         content.update(np.ascontiguousarray(hull.vertices, dtype=float).tobytes())
@@ -58,7 +65,7 @@ def _of_asset(asset: Asset) -> list[Solid]:
         if len(_KNOWN) >= _KEPT:
             _KNOWN.clear()
         found = [_solid(np.asarray(hull.vertices, dtype=float), hull.link) for hull in asset.hulls]
-        _KNOWN[key] = reduce(found, asset.parts, MOST) if len(found) > MOST and asset.parts else found
+        _KNOWN[key] = reduce(found, asset.parts, most) if len(found) > most and asset.parts else found
     return list(_KNOWN[key])
 
 
@@ -173,4 +180,4 @@ def _solid(points: np.ndarray, link: int) -> Solid:
     return Solid(kept, volume, link, box if volume > bounds * (1 - 1e-3) else None)
 
 
-__all__ = ["MOST", "Solid", "reduce", "solids_of"]
+__all__ = ["FEW", "MOST", "SMALL", "Solid", "reduce", "solids_of"]

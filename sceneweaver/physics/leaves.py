@@ -29,6 +29,7 @@ _GAP = 0.003  # [m] between leaf and jambs, where nothing asks for more
 _OPEN = math.pi / 2  # [rad]; farther, the leaf would leave the door's zone
 _OUT = 0.055  # [m] by which a handle stands out of the leaf; with the leaf it stays within the wall's thickness
 _PER_AREA = 12.0  # [kg/m2] of a leaf: a hollow wooden one
+_NEAR = 1.2 * WALL  # [m] from a corner, a door is in the way of the next wall's slab
 _STEP = 0.01  # [m] or [rad] between the positions that are looked at for a wall in the way
 
 
@@ -51,6 +52,11 @@ class Leaf:
     mass: float
     boxes: tuple[Box, ...]
 
+    @property
+    def stuck(self) -> bool:
+        """Whether a wall is in its way from the start, as in an acute corner; it can as good as not be opened."""
+        return self.limits[1] <= _STEP
+
 
 def leaves(room: Room) -> list[Leaf]:
     """One leaf for each door, in their order."""
@@ -60,15 +66,25 @@ def leaves(room: Room) -> list[Leaf]:
 def wall_ends(room: Room, wall: int) -> tuple[float, float]:
     """Where the slab of a wall begins and ends [m] along the wall, from its first corner.
 
-    At a convex corner it goes on, so that no slit is left outside; at a reflex one that would stand in the room.
+    At a convex corner it goes on, so that no slit is left outside; at a reflex one that would stand in the room. Where
+    a door of the next wall is in that corner, the slab leaves its doorway free.
     """
     outline, n = room.outline, len(room.outline)
     (ax, ay), (bx, by) = outline[wall], outline[(wall + 1) % n]
     (px, py), (qx, qy) = outline[wall - 1], outline[(wall + 2) % n]
-    length = math.hypot(bx - ax, by - ay)
-    first = (ax - px) * (by - ay) - (ay - py) * (bx - ax) > 0
-    last = (bx - ax) * (qy - by) - (by - ay) * (qx - bx) > 0
-    return (-WALL if first else 0.0), (length + WALL if last else length)
+    length, before, after = math.dist((ax, ay), (bx, by)), math.dist((px, py), (ax, ay)), math.dist((bx, by), (qx, qy))
+    first = ((ax - px) * (by - ay) - (ay - py) * (bx - ax)) / (before * length)  # sine of the turn
+    last = ((bx - ax) * (qy - by) - (by - ay) * (qx - bx)) / (length * after)
+    near = [d.offset + d.width > before - _NEAR for d in room.doors if d.wall == (wall - 1) % n]
+    next_ = [d.offset < _NEAR for d in room.doors if d.wall == (wall + 1) % n]
+    return -_over(first, any(near)), length + _over(last, any(next_))
+
+
+def _over(turn: float, doorway: bool) -> float:
+    """How far a slab goes on beyond a corner with this sine of its turn [m]; less than 0: it ends before."""
+    if turn > 0:
+        return 0.0 if doorway else WALL
+    return -WALL / max(-turn, 0.25) if doorway and turn < -1e-6 else 0.0
 
 
 def _swinging(room: Room, door: Door) -> Leaf:

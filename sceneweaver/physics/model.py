@@ -20,6 +20,7 @@ from functools import cache
 from importlib import resources
 from typing import Any
 from xml.etree import ElementTree as Xml
+from zipfile import BadZipFile
 
 import numpy as np
 
@@ -41,6 +42,7 @@ STEP = 0.004
 MEMORY = "1G"
 """Room for contacts; what is not needed is never touched."""
 
+_STOP = "0.008 1"  # ends of doors and drawers: as stiff as the time step allows, as many weigh little
 _DENSITY = 150.0  # [kg/m3] of an object's parts, when neither an asset nor its category says what it weighs
 _SAME_SIZE = 1e-5  # [m] by which an object may differ from its asset and not count as scaled
 
@@ -90,6 +92,7 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) ->
     things = things_of(scene, load)
     root = Xml.Element("mujoco", model=scene.id)
     Xml.SubElement(root, "compiler", angle="radian", meshdir="meshes", boundinertia="1e-7")
+    # No noslip pass: its cost grows with the square of the contacts, and over 3 s nothing creeps without it.
     Xml.SubElement(
         root, "option", timestep=_n(STEP), integrator="implicitfast", cone="elliptic", impratio="10",
     )  # fmt: skip
@@ -111,6 +114,9 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) ->
     doors = leaves(scene.room)
     for leaf in doors:
         _leaf(world, leaf)
+        if leaf.stuck:
+            for k in range(len(scene.room.outline)):
+                Xml.SubElement(contact, "exclude", body1=leaf.name, body2=f"room:wall:{k}")
     _coverings(contact, things, doors)
     Xml.indent(root, " ")
     free = tuple(t.object.id for t in things if t.free)
@@ -135,7 +141,7 @@ def _thing(index: int, thing: SceneObject, load: Load, bodies: dict[str, tuple[S
             asset = load(thing.asset)
         except InputError as error:
             raise InputError(f"objects[{index}].asset: {str(error).removeprefix('asset: ')}") from None
-        except (KeyError, OSError, ValueError) as error:  # its files are gone or broken
+        except (EOFError, KeyError, OSError, ValueError, BadZipFile) as error:  # its files are gone or broken
             what = f"'{thing.asset}' cannot be read ({type(error).__name__}: {error})"
             raise InputError(f"objects[{index}].asset: {what}; import it again") from None
         scale = np.asarray(thing.size) / np.maximum(np.asarray(asset.size), 1e-9)
@@ -216,7 +222,7 @@ def _leaf(world: Xml.Element, leaf: Leaf) -> None:
     hold = 0.05 * leaf.mass if leaf.joint == "hinge" else 0.3 * leaf.mass  # [N m] or [N]: about 1 and 6
     Xml.SubElement(
         frame, "joint", name=leaf.name, type=leaf.joint, axis=_v(leaf.axis), limited="true", range=_v(leaf.limits),
-        damping=_n(hold), frictionloss=_n(hold), armature="0.001",
+        damping=_n(hold), frictionloss=_n(hold), armature="0.001", solreflimit=_STOP,
     )  # fmt: skip
     volumes = [float(np.prod(half)) for _, half in leaf.boxes]
     for (centre, half), volume in zip(leaf.boxes, volumes, strict=True):
@@ -251,6 +257,7 @@ def _body(
             frame, "joint", name=f"{id}/{link.name}", type=link.joint, axis=_v(axis / np.linalg.norm(axis)),
             pos=_v(np.asarray(link.anchor) * np.asarray(thing.scale)), limited="true",
             range=_v(np.asarray(link.limits) * stretch), damping=_n(hold), frictionloss=_n(hold), armature="0.001",
+            solreflimit=_STOP,
         )  # fmt: skip
         frames.append(frame)
         if not thing.free:  # a body that is part of the world is not left out as a parent is
@@ -291,8 +298,10 @@ def _coverings(contact: Xml.Element, things: list[Thing], doors: list[Leaf]) -> 
             reach = math.hypot(*cover.object.size[:2]) / 2 + math.hypot(*other.object.size[:2]) / 2
             if math.hypot(ax - bx, ay - by) < reach and (other not in flat or other.object.id > cover.object.id):
                 Xml.SubElement(contact, "exclude", body1=cover.object.id, body2=other.object.id)
-                for link in other.asset.links if other.asset else ():
-                    Xml.SubElement(contact, "exclude", body1=cover.object.id, body2=f"{other.object.id}/{link.name}")
+                for k, link in enumerate(other.asset.links if other.asset else (), 1):
+                    if any(s.link == k for s in other.solids):
+                        name = f"{other.object.id}/{link.name}"
+                        Xml.SubElement(contact, "exclude", body1=cover.object.id, body2=name)
 
 
 def _middle(room: Room) -> tuple[float, float, float]:

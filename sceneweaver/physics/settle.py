@@ -14,6 +14,7 @@ from .model import STEP, Load, Model, build
 LITTLE = 0.01
 """A settled pose is taken over when the object moved at most this far [m]; farther is a fault."""
 
+_FULL = "objects: more contacts than MuJoCo has room for; take objects apart that overlap, or use fewer"
 _CHUNK = 50  # steps between two looks at whether all is well
 
 
@@ -74,18 +75,18 @@ def _run(model: Model, seconds: float) -> dict[str, Pose]:
     data = mujoco.MjData(loaded)
     kinds, left = mujoco.mjtWarning, round(seconds / STEP)
     while left > 0:
-        mujoco.mj_step(loaded, data, min(left, _CHUNK))
+        try:
+            mujoco.mj_step(loaded, data, min(left, _CHUNK))
+        except mujoco.FatalError:  # not even room to look for them
+            raise InputError(_FULL) from None
         left -= _CHUNK
         if any(data.warning[int(k)].number for k in (kinds.mjWARN_CONTACTFULL, kinds.mjWARN_CNSTRFULL)):
-            raise InputError(
-                f"objects: more contacts than MuJoCo has room for ({data.ncon:,} found a place); "
-                "take objects apart that overlap, or use fewer"
-            )
+            raise InputError(_FULL)
         # MuJoCo begins anew where numbers get too large, and things would seem to be where they were.
         bad = next((k for k in (kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
                     if data.warning[int(k)].number), None)  # fmt: skip
         if bad is not None or not np.isfinite(data.qpos).all():
-            near = "" if bad is None else f" at {_named(loaded, data.warning[int(bad)].lastinfo)}"
+            near = "" if bad in (None, kinds.mjWARN_BADQPOS) else _near(loaded, data.warning[int(bad)].lastinfo)
             raise InputError(f"objects: the simulation diverged{near}; take objects apart that overlap deeply")
     poses = {}
     for id in model.free:
@@ -94,9 +95,9 @@ def _run(model: Model, seconds: float) -> dict[str, Pose]:
     return poses
 
 
-def _named(model: Any, dof: int) -> str:
-    """The object that a degree of freedom belongs to."""
-    return f"'{model.body(int(model.body_rootid[model.dof_bodyid[dof]])).name}'" if 0 <= dof < model.nv else "a joint"
+def _near(model: Any, dof: int) -> str:
+    """Words for the object that a degree of freedom belongs to."""
+    return f" at '{model.body(int(model.body_rootid[model.dof_bodyid[dof]])).name}'" if 0 <= dof < model.nv else ""
 
 
 def _shifts(scene: Scene, model: Model, poses: dict[str, Pose]) -> dict[str, float]:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import re
 from importlib import import_module
 from typing import Any
 
@@ -98,8 +100,14 @@ def test_a_drawer_opens_and_closes_without_hitting_its_cabinet(tmp_path) -> None
 
 def test_places_that_cannot_be_written(tmp_path) -> None:
     scene = _scene()
-    with pytest.raises(InputError, match="does not exist"):
-        write_mjcf(scene, tmp_path / "no" / "out", ASSETS.__getitem__)
+    (tmp_path / "file").write_text("dear")
+    for place in (tmp_path / "no" / "out", tmp_path / "file" / "out"):
+        with pytest.raises(InputError, match=f"folder: {re.escape(str(place.parent))} is no folder; make it first"):
+            write_mjcf(scene, place, ASSETS.__getitem__)
+    for place in (tmp_path / ("x" * 300), tmp_path / "a\0b"):
+        with pytest.raises(InputError, match="folder: .* cannot be written"):
+            write_mjcf(scene, place, ASSETS.__getitem__)
+    (tmp_path / "file").unlink()
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "letters.txt").write_text("dear")
     with pytest.raises(InputError, match="holds other things"):
@@ -108,6 +116,37 @@ def test_places_that_cannot_be_written(tmp_path) -> None:
     write_mjcf(scene, tmp_path / "out", ASSETS.__getitem__)
     write_mjcf(scene, tmp_path / "out", ASSETS.__getitem__)  # an older export is replaced
     assert sorted(os.listdir(tmp_path)) == ["mine", "out"]
+
+
+def test_a_disk_that_fills_up_leaves_nothing_half_written(tmp_path, monkeypatch) -> None:
+    scene, out = _scene(), tmp_path / "out"
+    write_mjcf(scene, out, ASSETS.__getitem__)
+    before = {p: p.read_bytes() for p in sorted(out.rglob("*")) if p.is_file()}
+    count = 0
+
+    def full(*_: object) -> None:
+        nonlocal count
+        count += 1
+        if count > 3:
+            raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full)
+    fewer = scene.model_copy(update={"objects": scene.objects[:2]})
+    with pytest.raises(InputError, match=f"folder: {re.escape(str(out))} cannot be written .No space left"):
+        write_mjcf(fewer, out, ASSETS.__getitem__)
+    assert {p: p.read_bytes() for p in sorted(out.rglob("*")) if p.is_file()} == before
+    assert os.listdir(tmp_path) == ["out"]
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="nothing is forbidden to root")
+def test_a_folder_that_may_not_be_written(tmp_path) -> None:
+    shut = tmp_path / "shut"
+    shut.mkdir(mode=0o500)
+    with pytest.raises(
+        InputError, match=f"folder: {re.escape(str(shut / 'out'))} cannot be written .Permission denied"
+    ):
+        write_mjcf(_scene(), shut / "out", ASSETS.__getitem__)
+    assert not os.listdir(shut)
 
 
 def test_a_missing_asset_is_named(tmp_path) -> None:

@@ -77,6 +77,27 @@ def test_a_wall_in_the_way_is_the_limit() -> None:
 
 
 @pytest.mark.parametrize("swing", ["in-left", "in-right"])
+@pytest.mark.parametrize("wall", [2, 3])
+def test_a_doorway_in_a_reflex_corner_is_free(swing: str, wall: int) -> None:
+    """The slab of the next wall would stand in it."""
+    room = _room(swing, wall, 1.1 if wall == 2 else 0.0)
+    (leaf,) = leaves(room)
+    model, data = _load(room)
+    assert not leaf.stuck and leaf.limits[1] > 1.3
+    assert max(_deepest(model, data, leaf.name, at) for at in np.linspace(*leaf.limits, 40)) < 1e-4
+
+
+def test_a_door_that_cannot_open_stays_where_it_is() -> None:
+    """In an acute corner the free end of a leaf meets the other wall at once."""
+    door = Door(id="d", wall=1, offset=0.0, width=1.1, height=2.0, swing="in-right")
+    room = Room(outline=((0, 0), (6, 0), (4, 3), (2, 3)), doors=(door,))
+    (leaf,) = leaves(room)
+    model, data = _load(room)
+    mujoco.mj_step(model, data, 250)
+    assert leaf.stuck and abs(data.joint(leaf.name).qpos[0]) < 1e-3
+
+
+@pytest.mark.parametrize("swing", ["in-left", "in-right"])
 @pytest.mark.parametrize("wall", [0, 3])
 def test_the_leaf_sweeps_the_zone_of_its_door(swing: str, wall: int) -> None:
     from shapely.geometry import MultiPoint, Polygon

@@ -7,7 +7,7 @@ import pytest
 
 from sceneweaver.assets import make
 from sceneweaver.physics import build, settle, stability
-from sceneweaver.physics.hulls import MOST, solids_of
+from sceneweaver.physics.hulls import MOST, _reaches, solids_of
 from sceneweaver.scene import Part, Pose, Room, Scene, SceneObject, Support
 
 ROOM = Room(outline=((0, 0), (4, 0), (4, 4), (0, 4)))
@@ -53,6 +53,36 @@ def test_what_may_move() -> None:
     )  # fmt: skip
     model = build(_scene(*objects), ASSETS.__getitem__)
     assert model.free == ("free", "desk") and model.fixed == ("told", "toilet", "hung")
+
+
+def test_what_is_heavy_is_not_welded() -> None:
+    piano = make("grand_piano", 0)
+    assert piano.mass > 200
+    scene = _scene(piano.object("piano", pose=Pose.from_yaw(2, 2, 0, 0)))
+    found = stability(scene, {piano.id: piano}.__getitem__, 1.0)
+    assert found["free"] == 1 and found["mean_shift_m"] < 2e-3
+
+
+def test_fixtures_are_categories_that_exist() -> None:
+    from sceneweaver.assets import categories
+    from sceneweaver.physics.model import _fixtures
+
+    assert _fixtures() and _fixtures() <= set(categories())
+
+
+def test_parts_are_worked_out_once() -> None:
+    again = make("exercise_ball", 1)
+    assert solids_of(again.object("a"), again, np.ones(3))[0] is solids_of(BALL.object("b"), BALL, np.ones(3))[0]
+    once, twice = (sum(s.volume for s in solids_of(BALL.object("b"), BALL, np.full(3, k))) for k in (1.0, 2.0))
+    assert twice == pytest.approx(8 * once)
+
+
+def test_merged_parts_leave_what_moves_its_room() -> None:
+    kitchen = make("kitchen_counter", 0)
+    assert len(kitchen.hulls) > MOST
+    solids = solids_of(kitchen.object("k"), kitchen, np.ones(3))
+    assert len(solids) <= MOST and {s.link for s in solids} == set(range(len(kitchen.links) + 1))
+    assert not [1 for a in solids for b in solids if a.link < b.link and _reaches(a, b)]
 
 
 def test_parts_of_an_object_without_an_asset() -> None:

@@ -110,7 +110,7 @@ def medicine_cabinet(b: Builder) -> None:
             ys = (y[0] + k * step + 0.0015, y[0] + (k + 1) * step - 0.0015)
             left = k == count - 1
             at = ys[1] if left else ys[0]
-            with b.hinge(f"door-{k}", (x[1] + 0.018, at, 0.0), limits=(-1.7, 0.0) if left else (0.0, 1.7)):
+            with b.hinge(f"door-{k}", (x[1] + 0.018, at, 0.0), limits=(0.0, 1.7) if left else (-1.7, 0.0)):
                 b.box((x[1] + 0.0005, x[1] + 0.014), ys, (0.0015, top - 0.0015), shell, bevel=0.001)
                 f = 0.016 if shell.name in ("oak", "walnut") else 0.003
                 b.box((x[1] + 0.012, x[1] + 0.018), (ys[0] + f, ys[1] - f), (f, top - f), "mirror", bevel=0.0025)

@@ -206,7 +206,7 @@ def shower(b: Builder) -> None:
             cut += 0.008
         else:
             cut += 0.001
-        with b.hinge("door", (xf + t, y1, 0.09), limits=(-1.7, 0.0)):
+        with b.hinge("door", (xf + t, y1, 0.09), limits=(0.0, 1.7)):
             b.box((xf + 0.009, xf + 0.009 + g), (cut + 0.002, y1 - 0.002), (0.09, h - 0.034), "glass", bevel=0)
             hx = xf + 0.009 + g
             at = cut + 0.06

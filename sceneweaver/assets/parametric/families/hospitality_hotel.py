@@ -157,7 +157,7 @@ def minibar(b: Builder) -> None:
         b.box((x[1] - 0.001, x[1] + 0.003), (y[0] + 0.012, y[1] - 0.012), (0.035, 0.045), "rubber", bevel=0)
         at = y[1] if hung == "left" else y[0]
         py = y[0] + 0.035 if hung == "left" else y[1] - 0.035
-        with b.hinge("door", (leaf[1], at, 0.03), limits=(-1.9, 0.0) if hung == "left" else (0.0, 1.9)):
+        with b.hinge("door", (leaf[1], at, 0.03), limits=(0.0, 1.9) if hung == "left" else (-1.9, 0.0)):
             if glass:
                 f = 0.05
                 for ys, zs in (
@@ -325,7 +325,7 @@ def vending_machine(b: Builder) -> None:
         b.box((f + 0.009, f + 0.0105), (m - 0.035, m + 0.025), (1.14, 1.148), "black plastic", bevel=0)
         b.box((f + 0.002, f + 0.006), (m - 0.04, m - 0.01), (1.02, 1.07), "blue plastic", bevel=0)
         b.box((f + 0.002, f + 0.009), (m - 0.045, m + 0.035), (0.88, 0.95), "chrome", bevel=0.003)
-        with b.hinge("flap", (f, 0.0, 0.4), axis=(0.0, 1.0, 0.0), limits=(0.0, 0.9)):
+        with b.hinge("flap", (f, 0.0, 0.4), axis=(0.0, 1.0, 0.0), limits=(-0.9, 0.0)):
             b.box((f + 0.0005, f + 0.009), (win[0] + 0.02, win[1] - 0.02), (0.2, 0.4), "black plastic", bevel=0.002)
             b.box((f + 0.008, f + 0.012), (win[0] + 0.1, win[1] - 0.1), (0.355, 0.375), "grey plastic", bevel=0.001)
         b.box((f - 0.001, f + 0.002), (y[0] + 0.03, y[1] - 0.03), (0.07, 0.15), "black plastic", bevel=0)

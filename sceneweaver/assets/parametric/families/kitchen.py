@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..builder import Builder
-from ..joinery import carcass, handle
+from ..joinery import carcass, door
 from ..registry import draws
 from .kitchen_parts import basin, cabinet, castors, fronts, tap, worktop
 
@@ -74,8 +74,9 @@ def corner_cabinet(b: Builder) -> None:
         b.box((-d / 2 + 0.02, xa - 0.06), (-w / 2 + 0.002, w / 2), (0.0, 0.1), "black plastic", bevel=0)
         b.box((-d / 2, xa), (-w / 2, w / 2), (0.1, h - t), shell, bevel=0.001)
         b.box((-d / 2, xa + o), (-w / 2, w / 2), (h - t, h), top, bevel=0)
-        fronts(b, "front", xa, (-w / 2, yb), (0.1, h - t), "door", leaf, pull, "none", _shaker(b))
-        handle(b, xa + 0.0205, -w / 2 + 0.05, h - 0.22, pull, "bar" if style == "cup" else style, 0.14, upright=True)
+        # Hung at the outer end, and short of the other wing's front by more than its thickness: so it clears that.
+        front = (xa + 0.0005, xa + 0.0205), (-w / 2, yb - 0.026), (0.1, h - t)
+        door(b, "front-door", *front, leaf, pull, "right", style, leaf if _shaker(b) else None)
     with b.solid("arm"):
         b.box((xa - 0.06, d / 2 - 0.002), (yb + 0.06, w / 2 - 0.02), (0.0, 0.1), "black plastic", bevel=0)
         b.box((xa, d / 2), (yb, w / 2), (0.1, h - t), shell, bevel=0.001)

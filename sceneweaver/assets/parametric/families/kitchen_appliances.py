@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Literal
 
 from sceneweaver.assets import shapes
@@ -18,9 +19,12 @@ _COATS = ("white paint", "brushed steel", "black paint", "steel", "cream paint",
 
 def _leaf(
     b: Builder, name: str, x: Interval, y: Interval, z: Interval, coat: Finish, pull: Finish, hung: str, at: Interval,
-    bevel: float = 0.006,
+    bevel: float = 0.006, more: Callable[[], None] | None = None,
 ) -> None:  # fmt: skip
-    """A thick door of an appliance with an upright bar handle between two heights, away from its hinge."""
+    """A thick door of an appliance with an upright bar handle between two heights, away from its hinge.
+
+    ``more`` draws what else is on it.
+    """
     anchor = (x[1], y[1] if hung == "left" else y[0], z[0])
     limits = (0.0, 1.92) if hung == "left" else (-1.92, 0.0)
     with b.hinge(name, anchor, limits=limits):
@@ -29,6 +33,8 @@ def _leaf(
         b.bar((x[1] + 0.032, py, at[0]), (x[1] + 0.032, py, at[1]), 0.011, pull, 10)
         for pz in (at[0] + 0.03, at[1] - 0.03):
             b.bar((x[1] - 0.001, py, pz), (x[1] + 0.032, py, pz), 0.008, pull, 8)
+        if more is not None:
+            more()
 
 
 @draws("fridge")
@@ -44,6 +50,10 @@ def fridge(b: Builder) -> None:
     low = b.chance("freezer below", 0.6) and not retro
     split = h * (b.uniform("split low", 0.34, 0.4) if low else b.uniform("split high", 0.68, 0.74))
     leaf = (x[1] + 0.004, x[1] + 0.062)
+
+    def badge() -> None:
+        b.box((leaf[1] - 0.002, leaf[1] + 0.0015), (-0.045, 0.045), (h - 0.13, h - 0.115), pull, bevel=0)
+
     with b.solid("body"):
         feet(b, (x[0], x[1]), y, 0.04)
         b.box(x, y, (0.035, h), side, bevel=0.02 if retro else 0.004)
@@ -53,8 +63,8 @@ def fridge(b: Builder) -> None:
         for name, zs in (("lower", (0.06, split - 0.003)), ("upper", (split + 0.003, h - 0.002))):
             long = min(0.55, 0.6 * (zs[1] - zs[0]))
             at = (zs[1] - 0.06 - long, zs[1] - 0.06) if name == "lower" else (zs[0] + 0.06, zs[0] + 0.06 + long)
-            _leaf(b, f"{name} door", leaf, (y[0] + 0.001, y[1] - 0.001), zs, coat, pull, hung, at, bevel)
-        b.box((leaf[1] - 0.002, leaf[1] + 0.0015), (-0.045, 0.045), (h - 0.13, h - 0.115), pull, bevel=0)
+            more = badge if name == "upper" else None
+            _leaf(b, f"{name} door", leaf, (y[0] + 0.001, y[1] - 0.001), zs, coat, pull, hung, at, bevel, more)
     b.fit()
 
 
@@ -69,13 +79,23 @@ def side_by_side_fridge(b: Builder) -> None:
     drawers = b.chance("drawers", 0.45)
     low = 0.62 if drawers else 0.06
     m = 0.0 if drawers else -0.04
+
+    def dispenser() -> None:
+        cy = y[0] + 0.24 if not drawers else y[0] + 0.2
+        f = leaf[1]
+        b.box((f - 0.003, f + 0.002), (cy - 0.085, cy + 0.085), (1.0, 1.32), "black glass", bevel=0)
+        b.box((f - 0.003, f + 0.004), (cy - 0.06, cy + 0.06), (1.02, 1.2), "grey plastic", bevel=0)
+        b.box((f, f + 0.012), (cy - 0.05, cy + 0.05), (1.02, 1.03), "brushed steel", bevel=0)
+        b.box((f, f + 0.014), (cy - 0.015, cy + 0.015), (1.13, 1.19), "black plastic", bevel=0.002)
+        b.box((f, f + 0.0028), (cy - 0.04, cy + 0.04), (1.25, 1.28), "screen", bevel=0)
+
     with b.solid("body"):
         feet(b, x, y, 0.04)
         b.box(x, y, (0.035, h), "grey plastic", bevel=0.004)
         b.box((x[1] - 0.04, x[1] + 0.03), (y[0] + 0.02, y[1] - 0.02), (0.012, 0.05), "black plastic", bevel=0)
         b.box((x[1] - 0.001, x[1] + 0.004), (y[0] + 0.012, y[1] - 0.012), (0.07, h - 0.015), "rubber", bevel=0)
         at = (low + 0.12, h - 0.25) if drawers else (0.5, h - 0.35)
-        _leaf(b, "right door", leaf, (y[0] + 0.001, m - 0.003), (low, h), coat, pull, "right", at)
+        _leaf(b, "right door", leaf, (y[0] + 0.001, m - 0.003), (low, h), coat, pull, "right", at, more=dispenser)
         _leaf(b, "left door", leaf, (m + 0.003, y[1] - 0.001), (low, h), coat, pull, "left", at)
         if drawers:
             for k, zs in enumerate(((0.06, 0.335), (0.341, 0.614))):
@@ -85,13 +105,6 @@ def side_by_side_fridge(b: Builder) -> None:
                     b.bar((leaf[1] + 0.032, y[0] + 0.1, z), (leaf[1] + 0.032, y[1] - 0.1, z), 0.011, pull, 10)
                     for py in (y[0] + 0.13, y[1] - 0.13):
                         b.bar((leaf[1] - 0.001, py, z), (leaf[1] + 0.032, py, z), 0.008, pull, 8)
-        cy = y[0] + 0.24 if not drawers else y[0] + 0.2
-        f = leaf[1]
-        b.box((f - 0.003, f + 0.002), (cy - 0.085, cy + 0.085), (1.0, 1.32), "black glass", bevel=0)
-        b.box((f - 0.003, f + 0.004), (cy - 0.06, cy + 0.06), (1.02, 1.2), "grey plastic", bevel=0)
-        b.box((f, f + 0.012), (cy - 0.05, cy + 0.05), (1.02, 1.03), "brushed steel", bevel=0)
-        b.box((f, f + 0.014), (cy - 0.015, cy + 0.015), (1.13, 1.19), "black plastic", bevel=0.002)
-        b.box((f, f + 0.0028), (cy - 0.04, cy + 0.04), (1.25, 1.28), "screen", bevel=0)
     b.fit()
 
 
@@ -372,7 +385,7 @@ def microwave(b: Builder) -> None:
                         bevel=0,
                     )
             b.box((face - 0.001, face + 0.003), (m - 0.035, m + 0.035), (0.022, 0.042), "grey plastic", bevel=0)
-        with b.hinge("door", (face, y[0], 0.012), limits=(0.0, 1.92)):
+        with b.hinge("door", (face, y[0], 0.012), limits=(-1.92, 0.0)):
             b.box((x[1] + 0.0005, face), (y[0] + 0.001, cut - 0.001), (0.012, h - 0.002), coat, bevel=0.003)
             b.box((face - 0.002, face + 0.0012), (y[0] + 0.035, cut - 0.06), (0.045, h - 0.035), "black glass", bevel=0)
             at = cut - 0.03
@@ -422,9 +435,5 @@ def wine_cooler(b: Builder) -> None:
                     b.add(bottle, glass, [shapes.hull(bottle[0])])
                     b.add(shapes.frustum(0.0142, 0.0142, (0.265, 0.3022), 10), caps[k % 3], [])
         hung: Literal["left", "right"] = "left" if b.chance("hung", 0.5) else "right"
-        door(b, "door", leaf, y, (0.08, h), coat, pull, hung, "none", "glass")
-        py = y[0] + 0.03 if hung == "left" else y[1] - 0.03
-        b.bar((leaf[1] + 0.03, py, 0.25 * h), (leaf[1] + 0.03, py, 0.8 * h), 0.009, pull, 10)
-        for z in (0.3 * h, 0.75 * h):
-            b.bar((leaf[1] - 0.001, py, z), (leaf[1] + 0.03, py, z), 0.007, pull, 8)
+        door(b, "door", leaf, y, (0.08, h), coat, pull, hung, "bar", "glass")
     b.fit()

@@ -51,7 +51,7 @@ def washing_machine(b: Builder) -> None:
             b.box((g - 0.001, g + 0.003), (a, a + 0.013), (top - 0.066, top - 0.054), "chrome", bevel=0)
         z = 0.46 if not dry else 0.45
         r = b.uniform("door", 0.205, 0.225)
-        with b.hinge("door", (f + 0.02, y[1] - 0.06, z), limits=(-2.2, 0.0)):
+        with b.hinge("door", (f + 0.02, y[1] - 0.06, z), limits=(0.0, 2.2)):
             with b.frame(f, 0.0, z, pitch=math.pi / 2):
                 b.lathe([(r, 0.0005), (r, 0.022), (r - 0.015, 0.036), (r - 0.05, 0.04)], rim, segments=40)
                 b.lathe(

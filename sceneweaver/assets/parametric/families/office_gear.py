@@ -95,7 +95,7 @@ def phone_booth(b: Builder) -> None:
     b.box((x0 + 0.4, x1 - 0.1), ys, (0.72, 0.745), "light oak", 0.004)
     b.frustum(0.07, 0.07, (h - 0.135, h - 0.115), "lamp glow", 20)
     i = y - t - 0.003
-    with b.hinge("door", (x1, -i, 0.1), limits=(0.0, 1.7)):
+    with b.hinge("door", (x1 - 0.005, -i, 0.1), limits=(-1.7, 0.0)):
         for yy in ((-i, -i + 0.05), (i - 0.05, i)):
             b.box((x1 - 0.045, x1 - 0.005), yy, (0.104, h - 0.124), "black steel", 0.003)
         for zz in ((0.104, 0.16), (h - 0.18, h - 0.124)):

@@ -28,7 +28,7 @@ def locker(b: Builder) -> None:
                 side = (ys[0] + ys[1]) / 2
                 wide = 0.3 * (ys[1] - ys[0])
                 at = (x[1], ys[1], zs[0])
-                with b.hinge(f"door-{k}-{j}", at, limits=(-1.92, 0.0)):
+                with b.hinge(f"door-{k}-{j}", at, limits=(0.0, 1.92)):
                     b.box((x[1] - 0.018, x[1]), (ys[0] + 0.002, ys[1] - 0.002), (zs[0] + 0.002, zs[1] - 0.002), fronts,
                           bevel=0.002)  # fmt: skip
                     for z in (zs[1] - 0.08, zs[0] + 0.07):
@@ -121,7 +121,7 @@ def safe(b: Builder) -> None:
         b.box(x, y, (0.025, h), steel, bevel=0.008)
         b.box((x[1], x[1] + 0.003), (y[0] + 0.03, y[1] - 0.03), (0.055, h - 0.03), SHADOW, bevel=0.0)
         inner = (y[0] + 0.035, y[1] - 0.035)
-        with b.hinge("door", (x[1] + 0.003, inner[0], 0.06), limits=(0.0, 1.92)):
+        with b.hinge("door", (x[1] + 0.021, inner[0], 0.06), limits=(-1.92, 0.0)):
             f = x[1] + 0.021
             b.box((x[1] + 0.003, f), inner, (0.06, h - 0.035), steel, bevel=0.004)
             middle = 0.55 * h

@@ -51,7 +51,7 @@ def tool_cabinet(b: Builder) -> None:
     b.box((x0, x1), (-y, y), (0, h), paint, 0.005)
     for s in (-1, 1):
         at = (x1 + 0.02, s * y, 0.06)
-        with b.hinge(f"door-{s}", at, limits=(-1.9, 0.0) if s > 0 else (0.0, 1.9)):
+        with b.hinge(f"door-{s}", at, limits=(0.0, 1.9) if s > 0 else (-1.9, 0.0)):
             b.box((x1, x1 + 0.02), span(s * 0.002, s * (y - 0.004)), (0.06, h - 0.01), paint, 0.004)
             for k in range(5):
                 for z in (0.2, h - 0.3):
