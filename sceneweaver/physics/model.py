@@ -43,6 +43,7 @@ MEMORY = "1G"
 """Room for contacts; what is not needed is never touched."""
 
 _STOP = "0.008 1"  # ends of doors and drawers: as stiff as the time step allows, as many weigh little
+_UNSET = "0.5 0.5 0.5 1"  # MuJoCo's own default, which is the only one that leaves a geom the colour of its material
 _DENSITY = 150.0  # [kg/m3] of an object's parts, when neither an asset nor its category says what it weighs
 _SAME_SIZE = 1e-5  # [m] by which an object may differ from its asset and not count as scaled
 
@@ -99,13 +100,20 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) ->
     # Contacts and their constraints live here; the default is too small for a hundred pieces of many parts each.
     Xml.SubElement(root, "size", memory=MEMORY)
     Xml.SubElement(root, "statistic", center=_v(_middle(scene.room)), extent=_n(_reach(scene.room)))
+    look = Xml.SubElement(root, "visual")
+    Xml.SubElement(look, "headlight", ambient="0.42 0.42 0.44", diffuse="0.3 0.3 0.3", specular="0 0 0")
+    Xml.SubElement(look, "quality", shadowsize="4096")
     default = Xml.SubElement(root, "default")
     Xml.SubElement(default, "geom", group="3", rgba="0.7 0.7 0.72 1")
     seen = Xml.SubElement(default, "default", {"class": "visual"})
-    Xml.SubElement(seen, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0", rgba="1 1 1 1")
+    Xml.SubElement(seen, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0", rgba=_UNSET)
     assets = Xml.SubElement(root, "asset")
+    if dress is not None:
+        Xml.SubElement(assets, "texture", type="skybox", builtin="gradient", rgb1="0.8 0.84 0.88",
+                       rgb2="0.97 0.96 0.94", width="64", height="384")  # fmt: skip
     world = Xml.SubElement(root, "worldbody")
-    Xml.SubElement(world, "light", pos=_v((*_middle(scene.room)[:2], scene.room.height)), dir="0 0 -1")
+    Xml.SubElement(world, "light", directional="true", pos=_v((*_middle(scene.room)[:2], 2 * scene.room.height)),
+                   dir="-0.35 0.25 -1", diffuse="0.55 0.53 0.5", specular="0.1 0.1 0.1")  # fmt: skip
     _shell(world, scene.room)
     contact = Xml.SubElement(root, "contact")
     made: set[str] = set()

@@ -41,6 +41,16 @@ def _scene() -> Scene:
     return Scene(id="s", room=ROOM, objects=objects)
 
 
+def test_what_is_seen_has_the_colours_of_its_materials(tmp_path) -> None:
+    model = mujoco.MjModel.from_xml_path(str(write_mjcf(_scene(), tmp_path / "out", ASSETS.__getitem__)))
+    seen = np.flatnonzero(model.geom_group == 2)
+    assert len(seen) and (model.geom_matid[seen] >= 0).all()
+    # Another colour of a geom than MuJoCo's default would be shown in place of the material's.
+    assert np.allclose(model.geom_rgba[seen], [0.5, 0.5, 0.5, 1.0])
+    colors = {tuple(np.round(m.color, 2)) for a in (DESK, CABINET, MUG) for m in a.mesh.materials}
+    assert {tuple(np.round(model.mat_rgba[k, :3], 2)) for k in model.geom_matid[seen]} <= colors
+
+
 def test_poses_come_back(tmp_path, monkeypatch) -> None:
     scene = _scene()
     path = write_mjcf(scene, tmp_path / "out", ASSETS.__getitem__)
