@@ -195,7 +195,8 @@ def murphy_bed(b: Builder) -> None:
         b.box((x[1] - 0.003, x[1] + 0.008), (y[0] + t, y[1] - t), (0.0, 0.08), "black paint")
     z = (0.085, h - 0.185)
     inner = (y[0] + t + 0.003, y[1] - t - 0.003)
-    with b.hinge("bed", (x[1] + 0.021, 0.0, z[0]), axis=(0.0, 1.0, 0.0), limits=(0.0, math.pi / 2)), b.solid("cupboard"):
+    foot = (x[1] + 0.021, 0.0, z[0])
+    with b.hinge("bed", foot, axis=(0.0, 1.0, 0.0), limits=(0.0, math.pi / 2)), b.solid("cupboard"):
         b.box((x[1], x[1] + 0.014), inner, z, front)
         columns, rows = b.pick("panels", [(2, 1), (2, 2), (2, 3), (3, 1)])
         m = 0.07
