@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from sceneweaver.scene import Scene
+from sceneweaver.scene import Scene, SceneObject
 
 from .camera import Camera
 from .room_shell import SLAB, STUB, frames_of
@@ -57,6 +57,10 @@ def _axes_of(scene: Scene) -> tuple[np.ndarray, np.ndarray]:
     return np.array([math.cos(turn), math.sin(turn)]), np.array([-math.sin(turn), math.cos(turn)])
 
 
+def _before_window(thing: SceneObject) -> bool:
+    return any(word in thing.category for word in ("curtain", "blind"))
+
+
 def _worth(scene: Scene, way: np.ndarray) -> float:
     """How much a camera in a direction shows: fronts of objects, windows; tall things near it hide the rest."""
     outline = np.asarray(scene.room.outline)
@@ -71,9 +75,10 @@ def _worth(scene: Scene, way: np.ndarray) -> float:
         front = np.array([math.cos(thing.pose.yaw), math.sin(thing.pose.yaw)])
         near = float((np.asarray(thing.pose.position[:2]) - middle) @ way) / reach
         face = width * height
-        worth += face * float(front @ way)
         if thing.mount == "wall":
-            worth += 1.5 * face * float(front @ way)
+            # Pictures and mirrors are half of what a wall shows; curtains are large, and count by their windows.
+            face = 2.5 * min(face, 1.0) if not _before_window(thing) else 0.1 * face
+        worth += face * float(front @ way)
         if height > 1.0 and near > 0:
             worth -= 5.0 * max(width, depth) * (height - 0.8) * near
     for window in scene.room.windows:
