@@ -10,6 +10,9 @@ from sceneweaver.scene import Part, Scene, SceneObject
 
 TUCKED = ("front_against", "front_to_front", "around")
 
+HANGING = 0.09
+"""Depth [m] that pictures and the like are given: none hangs before another within the tolerance of its wall."""
+
 SOLID = 0.8
 """Share of its box that an object's plan must cover to be taken for the whole box."""
 
@@ -21,13 +24,21 @@ def coarse(scene: Scene) -> Scene:
     tables = {t for r in scene.relations if r.type in TUCKED for t in r.targets}
     objects = []
     for o in scene.objects:
-        if not o.parts or o.id in carrying:
+        if o.mount == "wall" and o.size[0] < HANGING and o.id not in carrying:
+            objects.append(o.model_copy(update={"parts": (_hanging(o),)}))
+        elif not o.parts or o.id in carrying:
             objects.append(o)
         elif o.id in seats or o.id in tables:
             objects.append(o.model_copy(update={"parts": tuple(_box(part) for part in o.parts)}))
         else:
             objects.append(o.model_copy(update={"parts": _merged(o)}))
     return scene.model_copy(update={"objects": tuple(objects)})
+
+
+def _hanging(obj: SceneObject) -> Part:
+    """The box of a thin thing on a wall with the space before it."""
+    depth, width, height = obj.size
+    return _prism(-depth / 2, -width / 2, HANGING - depth / 2, width / 2, (0.0, height))
 
 
 def _box(part: Part) -> Part:

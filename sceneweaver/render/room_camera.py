@@ -67,6 +67,7 @@ def _worth(scene: Scene, way: np.ndarray) -> float:
     middle = (outline.min(axis=0) + outline.max(axis=0)) / 2
     reach = max(float(np.abs((outline - middle) @ way).max()), 1e-6)
     frames, cut = frames_of(scene.room), cut_walls(scene, way)
+    floor = {o.id for o in scene.objects if o.mount == "floor"}
     worth = 0.0
     for thing in scene.objects:
         depth, width, height = thing.size
@@ -81,7 +82,9 @@ def _worth(scene: Scene, way: np.ndarray) -> float:
         worth += face * float(front @ way)
         if height > 1.0 and near > 0:
             worth -= 5.0 * max(width, depth) * (height - 0.8) * near
+    standing_there = {r.target for r in scene.relations if r.type == "at_window" and r.subject in floor}
     for window in scene.room.windows:
+        worth += 4.0 * (window.id in standing_there and window.wall not in cut)
         worth += (0.6 if window.wall not in cut else 0.0) * window.width * window.height
     for door in scene.room.doors:
         worth += 0.2 * (door.wall not in cut)
