@@ -332,6 +332,21 @@ def assets_show(
     return run_show(id, store=store, seed=seed, picture=picture, as_json=as_json)
 
 
+@assets.command("urdf")
+def assets_urdf(
+    id: Annotated[str, typer.Argument(metavar="ID|NOUN", help="An asset's id, or a word for it.", show_default=False)],
+    out: Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="The folder; its parent must be there.",
+                                      show_default=False)],
+    store: StorePath = None,
+    seed: Seed = 0,
+    as_json: Json = False,
+) -> int:  # fmt: skip
+    """Write one asset as URDF, with its doors and drawers as joints."""
+    from .assets import run_urdf
+
+    return run_urdf(id, out, store=store, seed=seed, as_json=as_json)
+
+
 @assets.command("sheet")
 def assets_sheet(
     out: Annotated[Path, typer.Option("--out", "-o", metavar="PNG", help="The picture.", show_default=False)],

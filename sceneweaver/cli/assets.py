@@ -5,11 +5,17 @@ from __future__ import annotations
 import io
 import json
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import typer
 
 from sceneweaver.scene import InputError, write_atomic
 from sceneweaver.scene.messages import suggest
+
+from .output import list_files, no_chatter
+
+if TYPE_CHECKING:
+    from sceneweaver.assets import Asset
 
 NOT_VALID = 3
 
@@ -87,20 +93,41 @@ def run_list(*, store: Path | None, source: str | None, allow: list[str], as_jso
     return 0
 
 
-def run_show(id: str, *, store: Path | None, seed: int, picture: Path | None, as_json: bool) -> int:
-    """Say all about one asset, or about what a word means."""
-    from sceneweaver.assets.imports.prepare import content_hash
+def _named(id: str, store: Path | None, seed: int) -> Asset:
+    """The asset of an id, or a drawn one of what a word means."""
     from sceneweaver.assets.sources import Library, ParametricSource, StoreSource
-    from sceneweaver.assets.store import Store, row_of
+    from sceneweaver.assets.store import Store
     from sceneweaver.assets.taxonomy import resolve
 
-    library = Library([StoreSource(Store(store)), ParametricSource()])
     if ":" not in id:
         match = resolve(id)
         if match.note:
             typer.echo(f"sceneweaver: {match.note}", err=True)
         id = f"parametric:{match.category}?seed={seed}"
-    asset = library.load(id)
+    return Library([StoreSource(Store(store)), ParametricSource()]).load(id)
+
+
+def run_urdf(id: str, out: Path, *, store: Path | None, seed: int, as_json: bool) -> int:
+    """Write one asset as a URDF folder."""
+    with no_chatter():
+        from sceneweaver.export import write_urdf
+
+        asset = _named(id, store, seed)
+        path = write_urdf(asset, out)
+    if as_json:
+        typer.echo(json.dumps({"id": asset.id, "file": str(path), "joints": [link.name for link in asset.links]}))
+        return 0
+    typer.echo(f"{asset.id}: {len(asset.links)} doors and drawers, {asset.mass:.1f} kg")
+    list_files([path])
+    return 0
+
+
+def run_show(id: str, *, store: Path | None, seed: int, picture: Path | None, as_json: bool) -> int:
+    """Say all about one asset, or about what a word means."""
+    from sceneweaver.assets.imports.prepare import content_hash
+    from sceneweaver.assets.store import row_of
+
+    asset = _named(id, store, seed)
     row = row_of(asset, content_hash(asset))
     if picture is not None:
         from sceneweaver.render.studio import portrait

@@ -93,6 +93,17 @@ def test_a_missing_asset_leaves_nothing_behind(scene, tmp_path, capsys):
     assert [p.name for p in tmp_path.iterdir()] == ["scene.json"]
 
 
+def test_a_piece_of_furniture_as_urdf(tmp_path, capsys):
+    import mujoco
+
+    assert main(["assets", "urdf", "wardrobe", "-o", str(tmp_path / "w"), "--json"]) == 0
+    said = json.loads(capsys.readouterr().out)
+    model = mujoco.MjModel.from_xml_path(said["file"])
+    assert model.njnt == len(said["joints"]) > 0
+    assert main(["assets", "urdf", "wardrobe", "-o", str(tmp_path / "a" / "b")]) == 2
+    assert "make it first" in capsys.readouterr().err
+
+
 def test_check_with_physics_measures_stability(source, capsys):
     assert main(["check", str(source), "--physics", "--json"]) == 0
     steady = json.loads(capsys.readouterr().out)["stability"]
