@@ -15,15 +15,19 @@ from sceneweaver.knowledge.load import read_yaml
 FILE = Path(__file__).parents[1] / "requests.yaml"
 
 COLUMNS = (
+    Column("number", "no.", "count"),
     Column("request", "request"),
     Column("room", "room"),
     Column("objects", "objects", "count"),
-    Column("physical", "physical faults", "count"),
+    Column("physical", "faults", "count"),
     Column("asked", "asked", "count"),
     Column("met", "met", "count"),
-    Column("reported", "unmet, reported"),
-    Column("seconds", "seconds", "number"),
+    Column("seconds", "s", "number"),
 )
+REPORTED = (COLUMNS[0], Column("reported", "reported as unmet or not understood"))
+
+LONGEST = {"request": 54, "reported": 104}
+"""Characters of a cell; what is longer is cut."""
 
 
 def requests() -> list[str]:
@@ -38,16 +42,34 @@ def run(settings: Settings, judge: Judge) -> Result:
         "requests",
         "Requests in words",
         "What a request asks for: things with their counts, relations, what must not be there, size, people. Met as "
-        "the critic measures it; what is not met or not understood is reported with the scene.",
+        "the critic measures it; what is not met or not understood is reported with the scene. Faults are physical "
+        "ones, by the judge.",
     )
-    table = result.add("requests", "Requests", COLUMNS)
-    for number, text in enumerate(requests()[:1] if settings.quick else requests()):
-        table.rows.append(_row(text, settings, settings.seed + number))
-    result.notes.append("Words that were not understood stand in quotes among what was reported.")
+    texts = requests()[:1] if settings.quick else requests()
+    tabulate(result, [row_of(text, settings, settings.seed + number) for number, text in enumerate(texts)])
     return result
 
 
-def _row(text: str, settings: Settings, seed: int) -> dict[str, Any]:
+def tabulate(result: Result, rows: list[dict[str, Any]]) -> None:
+    """Put the rows of all requests into two tables: what was asked and met, and what was reported."""
+    table = result.add("requests", "Requests", COLUMNS)
+    said = result.add("reported", "Reported", REPORTED)
+    for number, row in enumerate(rows, 1):
+        table.rows.append({**row, "number": number, "request": _cut(row["request"], LONGEST["request"])})
+        if row["reported"]:
+            said.rows.append({"number": number, "reported": _cut(row["reported"], LONGEST["reported"])})
+    met = sum(row["asked"] == row["met"] for row in rows)
+    result.notes.append(
+        f"All that was asked is so in {met} of {len(rows)}; words that were not understood stand in quotes."
+    )
+
+
+def _cut(text: str, most: int) -> str:
+    return text if len(text) <= most else text[: most - 1].rstrip() + "…"
+
+
+def row_of(text: str, settings: Settings, seed: int) -> dict[str, Any]:
+    """Design one request and compare."""
     began = time.perf_counter()
     made = design(text, seed=seed, device=settings.device, candidates=settings.most)
     brief = made.brief
@@ -63,6 +85,6 @@ def _row(text: str, settings: Settings, seed: int) -> dict[str, Any]:
         "physical": len(physical),
         "asked": asked,
         "met": max(0, asked - len(made.unmet)),
-        "reported": "; ".join(reported) or "-",
+        "reported": "; ".join(reported),
         "seconds": time.perf_counter() - began,
     }

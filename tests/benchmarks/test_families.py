@@ -26,7 +26,7 @@ TABLES = {
     "projection": {"bodies": 1, "scenes": 2},
     "design": {"rooms": 1, "seeds": 1},
     "ablations": {"parts": 4, "tools": 4},
-    "requests": {"requests": 1},
+    "requests": {"requests": 1, "reported": 0},
     "physics": {"worlds": 2},
     "stability": {"rooms": 2, "seeds": 1},
 }
