@@ -11,7 +11,7 @@ import warp as wp
 from .cells import cell_at, crowded
 from .features import TURN, feature
 from .geometry import FAR, lowest_vertex, perp, plane_of, prisms_apart, turn, turn_back, wrap
-from .reading import item, one
+from .reading import item, one, spot
 from .tables import (
     FIXTURE_SOLID,
     FREE_Z,
@@ -66,8 +66,8 @@ def gate(za: wp.float32, a: wp.vec2, zb: wp.float32, b: wp.vec2, least: wp.float
 @wp.func
 def seen(s: State, candidate: wp.int32, i: wp.int32, view: View):
     """Pose and (cos, sin) of the yaw of object i where a view sees it."""
-    pose = item(s.poses, candidate, i)
-    q = item(s.turns, candidate, i)
+    pose = spot(s.poses, candidate, i)
+    q = spot(s.turns, candidate, i)
     if view.stamp != 0:
         mark = item(s.mark, candidate, i)
         if wp.abs(mark) == view.stamp:
@@ -321,7 +321,7 @@ def relation_energy(
     first = item(t[0].option_start, r)
     last = item(t[0].option_start, r + 1)
     if view.best == 0:
-        first = item(s.options, candidate, rel)
+        first = spot(s.options, candidate, rel)
         last = first + 1
     _best, low, low_g = best_of(t, first, last, role, x, w.knee)
     weight = w.relation * item(t[0].relation_weight, r)
@@ -345,7 +345,7 @@ def near(
     flags = int(item(t[0].pair_flags, row + j))
     if flags == 0 or (flags & PAIR_RIGID) != 0:
         return False
-    v = plane_of(item(s.poses, candidate, j)) - at
+    v = plane_of(spot(s.poses, candidate, j)) - at
     ri = item(t[0].object_radius, o)
     rj = item(t[0].object_radius, o0 + j)
     # a zone only meets solids
@@ -394,7 +394,7 @@ def object_energy(
     e, g = room_energy(t, m, w, p, o, pose, q, part)
     soft = float(0.0)
     if w.pull > 0.0 and part.first == 0:
-        d = pose - item(s.anchors, candidate, obj)
+        d = pose - spot(s.anchors, candidate, obj)
         d[3] = wrap(d[3], TURN)
         soft += 0.5 * w.pull * wp.dot(d, d)
         e += soft
@@ -479,8 +479,8 @@ def object_energy(
             if k >= 0:
                 b = o0 + k
                 flags = int(item(t[0].pair_flags, row + k))
-                pose_b = item(s.poses, candidate, k)
-                qb = item(s.turns, candidate, k)
+                pose_b = spot(s.poses, candidate, k)
+                qb = spot(s.turns, candidate, k)
             em, gm = meeting_energy(t, m, w, o, pose, q, flags, b, pose_b, qb)
             e += em
             share += wp.where(k >= 0, 0.5, 1.0) * em

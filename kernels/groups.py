@@ -6,7 +6,7 @@ from .energy import object_energy
 from .features import TURN
 from .geometry import FAR, perp, plane_of, turn, wrap
 from .lanes import sum_of_poses, sum_of_team
-from .reading import item
+from .reading import item, spot
 from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, Share, State, TablesRef, View, Weights
 
 wp.set_module_options({"enable_backward": False})
@@ -29,13 +29,13 @@ def members_end(t: TablesRef, o: wp.int32):
 @wp.func
 def carry(t: TablesRef, o0: wp.int32, s: State, candidate: wp.int32, root: wp.int32, pose: wp.vec4):
     """Move a root to a pose with all that it carries."""
-    old = item(s.poses, candidate, root)
+    old = spot(s.poses, candidate, root)
     spin = pose[3] - old[3]
     q = wp.vec2(wp.cos(spin), wp.sin(spin))
     for k in range(item(t[0].member_start, o0 + root), item(t[0].member_start, o0 + root + 1)):
         i = item(t[0].member, k)
         if i != root:
-            child = item(s.poses, candidate, i)
+            child = spot(s.poses, candidate, i)
             at = plane_of(pose) + turn(q, plane_of(child) - plane_of(old))
             set_pose(s, candidate, i, wp.vec4(at[0], at[1], child[2] + pose[2] - old[2], child[3] + spin))
     set_pose(s, candidate, root, pose)
@@ -88,7 +88,7 @@ def group_energy(
     shares the terms, and each of them gets the whole.
     """
     root = item(t[0].group, first)
-    at = plane_of(item(s.poses, candidate, root))
+    at = plane_of(spot(s.poses, candidate, root))
     e = float(0.0)
     share = float(0.0)
     soft = float(0.0)
@@ -101,7 +101,7 @@ def group_energy(
         e += ei
         share += hi
         soft += fi
-        arm = perp(plane_of(item(s.poses, candidate, i)) - at)
+        arm = perp(plane_of(spot(s.poses, candidate, i)) - at)
         g += wp.vec4(gi[0], gi[1], gi[2], gi[3] + gi[0] * arm[0] + gi[1] * arm[1])
     if part.of > 1:
         e = sum_of_team(e, part.of)

@@ -29,6 +29,8 @@ READ = """
 """
 IN_LINE = "a.data + i"
 IN_TABLE = "reinterpret_cast<char*>(a.data + j) + static_cast<long long>(i) * a.strides[0]"
+ANYWHERE = "reinterpret_cast<char*>(a.data) + static_cast<long long>(i) * a.strides[0]"
+ANYWHERE += " + static_cast<long long>(j) * a.strides[1]"
 
 for _dtype, _align in ALIGNED.items():
 
@@ -40,6 +42,13 @@ for _dtype, _align in ALIGNED.items():
     @wp.func_native(READ.format(at=IN_TABLE, align=_align))
     def item(a: wp.array2d(dtype=_dtype), i: wp.int32, j: wp.int32) -> _dtype:  # noqa: F811
         """Element j of row i."""
+        ...
+
+for _dtype in (wp.int32, wp.vec2, wp.vec4):
+
+    @wp.func_native(READ.format(at=ANYWHERE, align=ALIGNED[_dtype]))
+    def spot(a: wp.array2d(dtype=_dtype), i: wp.int32, j: wp.int32) -> _dtype:
+        """Element j of row i of a layout, whether its rows or its columns lie in one piece."""
         ...
 
 

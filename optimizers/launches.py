@@ -24,9 +24,11 @@ class Launches:
         self._commands: list[Any] = []
         self._keep: list[Any] = []  # the commands hold addresses only
 
-    def add(self, kernel: Any, dim: Any, inputs: Sequence[Any], outputs: Sequence[Any]) -> None:
-        """Append a launch. Nothing runs yet."""
-        command = wp.launch(kernel, dim, [*inputs], [*outputs], device=self.device, record_cmd=True)
+    def add(self, kernel: Any, dim: Any, inputs: Sequence[Any], outputs: Sequence[Any], block: int = 256) -> None:
+        """Append a launch in blocks of ``block`` threads. Nothing runs yet."""
+        command = wp.launch(
+            kernel, dim, [*inputs], [*outputs], device=self.device, record_cmd=True, block_dim=block
+        )  # fmt: skip
         self._commands.append(command)
         self._keep.append((inputs, outputs))
 

@@ -94,7 +94,10 @@ def test_signals_leave_nothing_behind(tmp_path, number, code):
         "sys.modules['sceneweaver.layout'] = types.SimpleNamespace(refine=refine)\n"
         f"sys.exit(main(['refine', {str(EXAMPLE)!r}, '--out', 'out']))\n"
     )
-    process = subprocess.Popen([sys.executable, "-c", program], cwd=tmp_path, stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen(
+        [sys.executable, "-c", program], cwd=tmp_path, stderr=subprocess.PIPE, text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # jobs in the background begin without it
+    )  # fmt: skip
     try:
         for _ in range(600):
             if (tmp_path / "started").exists():
