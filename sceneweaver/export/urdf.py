@@ -25,7 +25,7 @@ import numpy as np
 
 from sceneweaver.assets import Asset, Link, Material
 from sceneweaver.physics.hulls import Solid
-from sceneweaver.physics.model import Thing, things_of
+from sceneweaver.physics.model import Thing, joint_of, things_of
 from sceneweaver.scene import InputError, Room, Scene, SceneObject
 
 from .bodies import Body, Load, bodies_of
@@ -172,17 +172,14 @@ def _collisions(element: Xml.Element, name: str, solids: Sequence[Solid], anchor
 def _joint(
     robot: Xml.Element, name: str, link: Link, scale: tuple[float, float, float], anchor: np.ndarray, mass: float
 ) -> None:
-    """From the base to a door or drawer; its friction keeps it where it is, and a hand moves it with ease."""
-    slides = link.joint == "slide"
-    axis = np.asarray(link.axis, dtype=float) * (np.asarray(scale) if slides else 1.0)
-    stretch = float(np.linalg.norm(axis)) if slides else 1.0
-    hold = max(1.0, 2.0 * mass) if slides else max(0.2, 0.5 * mass)
-    made = Xml.SubElement(robot, "joint", name=f"{name}_joint", type="prismatic" if slides else "revolute")
+    """From the base to a door or drawer."""
+    axis, (low, high), hold = joint_of(link, scale, mass)
+    kind = "prismatic" if link.joint == "slide" else "revolute"
+    made = Xml.SubElement(robot, "joint", name=f"{name}_joint", type=kind)
     Xml.SubElement(made, "parent", link=BASE)
     Xml.SubElement(made, "child", link=name)
     Xml.SubElement(made, "origin", xyz=_v(anchor), rpy="0 0 0")
-    Xml.SubElement(made, "axis", xyz=_v(axis / np.linalg.norm(axis)))
-    low, high = np.asarray(link.limits) * stretch
+    Xml.SubElement(made, "axis", xyz=_v(axis))
     Xml.SubElement(
         made, "limit", lower=_n(low), upper=_n(high), effort=_n(_EFFORT[link.joint]), velocity=_n(_SPEED[link.joint])
     )

@@ -24,7 +24,7 @@ from zipfile import BadZipFile
 
 import numpy as np
 
-from sceneweaver.assets import Asset, categories
+from sceneweaver.assets import Asset, Link, categories
 from sceneweaver.scene import InputError, Room, Scene, SceneObject
 
 from .hulls import Solid, solids_of
@@ -240,6 +240,22 @@ def _leaf(world: Xml.Element, leaf: Leaf) -> None:
         )  # fmt: skip
 
 
+def joint_of(
+    link: Link, scale: tuple[float, float, float], mass: float
+) -> tuple[np.ndarray, tuple[float, float], float]:
+    """The unit axis [3] of a door or drawer of that mass [kg], its limits [rad] or [m] and its friction.
+
+    The friction, [N m] or [N], keeps it where it is against the little that a tilt or a hinge below brings, and a hand
+    moves it with ease. ``scale`` is that of the object: a drawer of a deeper one comes out farther.
+    """
+    slides = link.joint == "slide"
+    axis = np.asarray(link.axis, dtype=float) * (np.asarray(scale) if slides else 1.0)
+    stretch = float(np.linalg.norm(axis)) if slides else 1.0
+    low, high = (float(end) * stretch for end in link.limits)
+    hold = max(1.0, 2.0 * mass) if slides else max(0.2, 0.5 * mass)
+    return axis / np.linalg.norm(axis), (low, high), hold
+
+
 def _body(
     world: Xml.Element, assets: Xml.Element, contact: Xml.Element, thing: Thing, made: set[str], dress: Dress | None
 ) -> None:
@@ -256,16 +272,12 @@ def _body(
             frames.append(top)  # it has no parts, so it does not move
             continue
         frame = Xml.SubElement(top, "body", name=f"{id}/{link.name}")
-        axis = np.asarray(link.axis) * (np.asarray(thing.scale) if link.joint == "slide" else 1.0)
-        stretch = float(np.linalg.norm(axis)) if link.joint == "slide" else 1.0
         mine = sum(s.volume for s in thing.solids if s.link == number) / total * thing.mass
-        # Enough to keep it where it is against the little that a tilt or a hinge below brings, and easy to pull.
-        hold = max(0.2, 0.5 * mine) if link.joint == "hinge" else max(1.0, 2.0 * mine)
+        axis, limits, hold = joint_of(link, thing.scale, mine)
         Xml.SubElement(
-            frame, "joint", name=f"{id}/{link.name}", type=link.joint, axis=_v(axis / np.linalg.norm(axis)),
-            pos=_v(np.asarray(link.anchor) * np.asarray(thing.scale)), limited="true",
-            range=_v(np.asarray(link.limits) * stretch), damping=_n(hold), frictionloss=_n(hold), armature="0.001",
-            solreflimit=_STOP,
+            frame, "joint", name=f"{id}/{link.name}", type=link.joint, axis=_v(axis),
+            pos=_v(np.asarray(link.anchor) * np.asarray(thing.scale)), limited="true", range=_v(limits),
+            damping=_n(hold), frictionloss=_n(hold), armature="0.001", solreflimit=_STOP,
         )  # fmt: skip
         frames.append(frame)
         if not thing.free:  # a body that is part of the world is not left out as a parent is
@@ -333,4 +345,4 @@ def _v(values) -> str:
     return " ".join(_n(value) for value in values)
 
 
-__all__ = ["COVERING", "Dress", "Load", "Model", "STEP", "Thing", "build", "is_fixture", "things_of"]
+__all__ = ["COVERING", "Dress", "Load", "Model", "STEP", "Thing", "build", "is_fixture", "joint_of", "things_of"]
