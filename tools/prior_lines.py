@@ -169,7 +169,7 @@ def _placed(
         across = d / 2 + FLUSH
         x = p[0] + (at + w / 2) * t[0] + across * n[0]
         y = p[1] + (at + w / 2) * t[1] + across * n[1]
-        pose = Pose.from_yaw(x, y, 0.0, yaw)
+        pose = Pose.from_yaw(x, y, 0.0, yaw + (math.pi if one.mounted_from_behind else 0.0))
         body = shapely.Polygon(_rectangle(one, pose, -1e-4))
         if not floor.contains(body) or any(body.intersects(other) for other in (*blocked, *ways)):
             return None

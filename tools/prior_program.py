@@ -70,6 +70,12 @@ class Wanted:
         return d * w * (0.5 if seat else 1.0)
 
     @property
+    def mounted_from_behind(self) -> bool:
+        """Whether it stands in a line at a wall with its front to it, as it is entered from its back: a treadmill."""
+        free = {zone.name for zone in self.asset.zones if zone.hard}
+        return self.item is not None and self.item.row == "line" and "back" in free and "front" not in free
+
+    @property
     def wall(self) -> float:
         """Wall [m] that it takes."""
         places = self.item.place if self.item else ()

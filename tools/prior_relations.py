@@ -105,6 +105,8 @@ def free_corners(room: Room) -> int:
 
 
 def _of_place(one: Wanted, place: Place, by_item: dict[str, list[Wanted]], room: Room) -> Relation | None:
+    if place.type == "against_wall" and one.mounted_from_behind:
+        place = place.model_copy(update={"type": "side_against_wall"})
     kind = CATALOGUE[place.type].target
     params = dict(place.params)
     target: str | None = None

@@ -34,6 +34,9 @@ EYES = 1.15
 HEAD_GAP = 0.15
 """Gap [m] between the head of a bed and its wall that still passes; a headboard may stand off a little."""
 
+BEYOND = 0.6
+"""Share of a free space outside of the room from which on nobody can stand in it."""
+
 NOSE = 0.4
 """Distance [m] to a wall from which the front of a thing is usable."""
 
@@ -46,6 +49,7 @@ def faults(survey: Survey) -> Iterator[Finding]:
     yield from _televisions(survey)
     yield from _beds(survey)
     yield from _fronts(survey)
+    yield from _walled_in(survey)
 
 
 def angle_to(survey: Survey, body: Body, target: Body) -> float:
@@ -305,3 +309,40 @@ def _fronts(survey: Survey) -> Iterator[Finding]:
         if clear < NOSE:
             yield _wrong([body.id], f"the front of {body.id} is {clear:.2f} m from a wall", f"turn {body.id} around",
                          True, 2.0, yaw=_opposite(body))  # fmt: skip
+
+
+def _walled_in(survey: Survey) -> Iterator[Finding]:
+    """Things whose free side, where someone stands to use them, lies beyond a wall: a shower that opens to the wall."""
+    seen = {b.index for b in survey.of_kind(kinds.WALL_BACKED, kinds.DESKS)}  # as `_fronts` has them
+    zones = survey.placed.zones
+    for k, owner in enumerate(zones.owner):
+        body = survey.bodies[int(owner)]
+        if body.item.mount != "floor" or body.index in seen:
+            continue
+        beyond = _beyond(survey, [k], body, 0.0)
+        if beyond <= BEYOND:
+            continue
+        seen.add(body.index)
+        reason = f"{beyond:.0%} of the free space at the {zones.names[k]} of {body.id} lies beyond a wall"
+        own = [j for j in range(len(zones)) if zones.owner[j] == owner]
+        here = _beyond(survey, own, body, 0.0)
+        quarters = (2,) if abs(body.size[0] - body.size[1]) > 0.05 else (1, 2, 3)  # so that it stays where it is
+        turns = {q: _beyond(survey, own, body, q * math.pi / 2) for q in quarters}
+        best = min(turns, key=lambda q: (round(turns[q], 3), q))
+        if turns[best] < here - 0.3:
+            yaw = round(math.remainder(body.yaw + best * math.pi / 2, 2 * math.pi), 4)
+            yield _wrong([body.id], reason, f"turn {body.id} around", True, 2.0, yaw=yaw)
+        else:
+            yield finding(
+                "layout", "walled_in", (body.id,), reason, f"move {body.id} away from the wall", points=1.5,
+                tool="update_layout", inputs={"ids": [body.id]},
+            )  # fmt: skip
+
+
+def _beyond(survey: Survey, zones: list[int], body: Body, turn: float) -> float:
+    """Share of a body's zones outside of the room if it turned on the spot; the sum over the zones."""
+    import shapely
+    from shapely.affinity import rotate
+
+    shapes = [rotate(survey.placed.zones.polygons[k], turn, origin=body.centre, use_radians=True) for k in zones]
+    return sum(1.0 - shapely.intersection(s, survey.placed.floor).area / max(s.area, 1e-9) for s in shapes)

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
-from sceneweaver.critic import Fault, Review
-from sceneweaver.scene import Relation
+from sceneweaver.assets import make
+from sceneweaver.brief import read_brief
+from sceneweaver.critic import Fault, Review, review_scene
+from sceneweaver.knowledge import room_type
+from sceneweaver.scene import Pose, Relation, Room, Scene
+from sceneweaver.verify import check
 from tests.critic import rooms
 from tests.critic.rooms import Case, put
 
@@ -107,6 +113,18 @@ def test_wardrobe_with_its_front_to_the_wall() -> None:
     bad = good.but({"id": "wardrobe-0", "yaw": 0})
     fault = falls(good, bad, "wrong_orientation", {"wardrobe-0"}, least=4.0)
     assert fault.inputs["yaw"] == pytest.approx(3.1416, abs=1e-3) or fault.inputs["yaw"] == pytest.approx(-3.1416)
+
+
+@pytest.mark.parametrize(("yaw", "walled"), [(0.0, False), (math.pi, True)])
+def test_a_shower_that_opens_to_the_wall(yaw: float, walled: bool) -> None:
+    body = make("shower", 405)
+    corner = Pose.from_yaw(body.size[0] / 2 + 0.01, body.size[1] / 2 + 0.01, 0.0, yaw)
+    room = Room(type="bathroom", outline=((0, 0), (3, 0), (3, 2.6), (0, 2.6)), height=2.5)
+    scene = Scene(id="b", room=room, objects=(body.object("shower-0", pose=corner),))
+    review = review_scene(scene, check(scene), room_type("bathroom"), read_brief("a bathroom"))
+    found = [f for f in only(review, "wrong_orientation") if f.objects == ("shower-0",)]
+    assert bool(found) is walled
+    assert all(f.tool == "update_rotation" and f.inputs["ids"] == ["shower-0"] for f in found)
 
 
 def test_bookcase_away_from_the_wall() -> None:

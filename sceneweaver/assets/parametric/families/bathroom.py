@@ -35,7 +35,7 @@ def _bowl(b: Builder, x: float, long: float, w: float, h: float, china: Finish, 
     # Seat and lid, hinged at their back: before a cistern, so that the lid can stand up.
     sb = back - (0.055 if hung else 0.115)
     b.add(*_flat(b, mid, front, sb, w / 2, rim + 0.0005, rim + 0.019, lid))
-    with b.hinge("lid", (mid - sb, 0.0, rim + 0.02), axis=(0.0, 1.0, 0.0), limits=(-1.75 if hung else -1.6, 0.0)):
+    with b.hinge("lid", (mid - sb, 0.0, rim + 0.02), axis=(0.0, 1.0, 0.0), limits=(-1.5, 0.0)):
         b.add(*_flat(b, mid, front * 0.995, sb, w / 2 * 0.99, rim + 0.021, h, lid))
     for s in (-1, 1):
         with b.frame(mid - sb - 0.004, s * 0.075, rim + 0.009, roll=math.pi / 2):

@@ -273,7 +273,7 @@ def laundry_hamper(b: Builder) -> None:
             for sy in (-1, 1):
                 with b.frame(sx * (x * 0.86 - 0.04), sy * (y * 0.86 - 0.04)):
                     b.frustum(0.014, 0.016, (0.0, 0.021), "oak", segments=10)
-        with b.hinge("lid", (-x, 0.0, top), axis=(0.0, 1.0, 0.0), limits=(-1.5, 0.0)):
+        with b.hinge("lid", (-x, 0.0, h - 0.01), axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0)):  # clear of a wall
             ins = 0.015
             loft(b, [rounded((-x, x), (-y, y), 0.035, top + 0.001), rounded((-x, x), (-y, y), 0.035, h - 0.01),
                      rounded((-x + ins, x - ins), (-y + ins, y - ins), 0.03, h)], weave, whole=True)  # fmt: skip

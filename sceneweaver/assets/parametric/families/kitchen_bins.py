@@ -72,7 +72,8 @@ def pedal_bin(b: Builder) -> None:
         loft(b, [ring(1.0, 0.0), ring(1.0, 0.045)], dark)
         loft(b, [ring(0.985, 0.045), ring(0.985, top - 0.006)], body)
         loft(b, [ring(1.0, top - 0.006), ring(1.0, top + 0.008)], dark)
-        with b.hinge("lid", (x - r, 0.0, top), axis=(0.0, 1.0, 0.0), limits=(-1.3, 0.0)):
+        back = h - 0.012 if square else top + 0.35 * (h - top)  # as high as the lid is upright: clear of a wall
+        with b.hinge("lid", (x - 0.985 * r, 0.0, back), axis=(0.0, 1.0, 0.0), limits=(-1.3, 0.0)):
             if square:
                 rings = [ring(0.99, top + 0.0085), ring(0.985, h - 0.012), ring(0.94, h)]
             else:
@@ -102,7 +103,7 @@ def recycling_bin(b: Builder) -> None:
             low = [(px * d / 2 * 0.9, m + s * step * 0.43, 0.0) for px in (-1, 1) for s in (-1, 1)]
             high = [(px * (d / 2 - 0.012), m + s * (step / 2 - 0.008), top) for px in (-1, 1) for s in (-1, 1)]
             b.hull(low + high, body)
-            with b.hinge(f"lid-{k}", (-d / 2, m, top), axis=(0.0, 1.0, 0.0), limits=(-1.2, 0.0)):
+            with b.hinge(f"lid-{k}", (-d / 2, m, h), axis=(0.0, 1.0, 0.0), limits=(-1.2, 0.0)):
                 b.hull([(-d / 2, s, z) for s in y for z in (top + 0.001, h)]
                        + [(d / 2, s, z) for s in y for z in (top + 0.001, top + 0.022)]
                        + [(0.1 * d, s, h) for s in y], color)  # fmt: skip
