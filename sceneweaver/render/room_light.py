@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -19,6 +20,16 @@ _LEAST_GLOW = 0.3  # emission from which on a material is a lamp's
 _MOST_LAMPS = 48
 _BLIND = Material("shutter", (0.0, 0.0, 0.0))
 
+_DAY: dict[str, Any] = {
+    "sky": (0.68, 0.695, 0.725),
+    "ground": (0.36, 0.335, 0.31),
+    "background": (0.80, 0.79, 0.775),
+    "reach": 1.6,
+    "bounce": 0.62,
+    "exposure": 1.06,
+}
+"""What all pictures of rooms have in common: an even daylight from all sides before a light ground."""
+
 
 def corner_light(room: Room, way: np.ndarray, cut: set[int], things: Sequence[Instance]) -> Lighting:
     """The light of a picture from a corner in the direction ``way`` [2] (unit, from the room to the camera)."""
@@ -31,13 +42,8 @@ def corner_light(room: Room, way: np.ndarray, cut: set[int], things: Sequence[In
         sun=(float(key[0]), float(key[1]), 1.15),
         softness=0.075,
         sun_color=(0.62, 0.58, 0.53) if more else (0.68, 0.64, 0.58),
-        sky=(0.68, 0.695, 0.725),
-        ground=(0.36, 0.335, 0.31),
-        background=(0.80, 0.79, 0.775),
-        reach=1.6,
-        bounce=0.62,
-        exposure=1.06,
         lamps=lamps_of(things),
+        **_DAY,
         **more,
     )
 
@@ -48,13 +54,8 @@ def top_light(room: Room, things: Sequence[Instance]) -> Lighting:
         sun=(-0.30, 0.34, 1.3),
         softness=0.07,
         sun_color=(0.72, 0.68, 0.62),
-        sky=(0.68, 0.695, 0.725),
-        ground=(0.36, 0.335, 0.31),
-        background=(0.80, 0.79, 0.775),
-        reach=1.6,
-        bounce=0.62,
-        exposure=1.06,
         lamps=lamps_of(things),
+        **_DAY,
         **_beam(room, list(range(len(room.outline)))),
     )
 
