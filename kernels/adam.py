@@ -6,7 +6,7 @@ nothing is summed across threads. Before it overwrites the poses of the step bef
 
 import warp as wp
 
-from .reading import item
+from .reading import inline_on_gpu, item
 from .step import (
     LANES,
     freedom,
@@ -79,6 +79,7 @@ def adam_step(
     ``share`` and, before they are overwritten, ``next_poses`` are those of the step before; ``lowest`` is the lowest
     energy before that step.
     """
+    inline_on_gpu()
     group, obj, lane = wp.tid()
     candidate = group * LANES + lane
     if candidate >= problem.shape[0]:

@@ -4,7 +4,7 @@ import warp as wp
 
 from .groups import carry, set_pose, shuffle
 from .lanes import lane, lanes, meet
-from .reading import item
+from .reading import item, one
 from .sample import keep_inside, random_start, settle, uniform
 from .tables import Margins, State, TablesRef, Weights
 
@@ -29,6 +29,9 @@ class Plan:
     at_home: wp.int32  # with GIVEN: attempts that begin there and keep what is in order where it is
     moves: wp.int32  # in a round, for each movable object
     proposals: wp.int32
+    slide: wp.float32  # share of proposals that are slid flush with something
+    whole: wp.float32  # share of moves that take along what the object places
+    rates: wp.int32  # 1: what such a move took along is rated at once, else at the next survey
     polish: wp.int32  # gradient sweeps at the end of a round
     tries: wp.int32  # step lengths of one gradient step
     linger: wp.int32  # moves for each movable object spent on soft relations once the hard ones hold
@@ -80,20 +83,22 @@ def begin(
         for obj in range(me, n, lanes()):
             set_pose(s, candidate, obj, item(s.anchors, candidate, obj))
         return
-    for depth in range(DEPTHS):
+    rng = item(s.stream, candidate, me)
+    for depth in range(0, DEPTHS, one()):  # it seldom runs: little code
         for obj in range(me, n, lanes()):
             if item(t[0].object_root, o0 + obj) == obj and item(t[0].object_free, o0 + obj) != 0:
                 if depth_of(t, o0, obj) == depth:
-                    pose = random_start(t, p, o0 + obj, item(s.poses, candidate, obj), s, candidate)
+                    pose = random_start(t, p, o0 + obj, item(s.poses, candidate, obj), rng)
                     if plan.start != ANYWHERE or attempt > 0:
-                        pose = settle(t, w, p, obj, pose, s, candidate, True)
+                        pose = settle(t, w, p, obj, pose, s, candidate, True, rng)
                         pose = keep_inside(t, p, o0 + obj, pose, m.bounds_aim)
                     carry(t, o0, s, candidate, obj, pose)
         meet()
     if t[0].pool_size > 0:
         for obj in range(me, n, lanes()):
             if item(t[0].deck_start, o0 + obj + 1) > item(t[0].deck_start, o0 + obj):
-                shuffle(t, p, obj, candidate, int(uniform(s, candidate) * 1.0e9), s.poses)
+                shuffle(t, p, obj, candidate, int(uniform(rng) * 1.0e9), s.poses)
                 for k in range(item(t[0].member_start, o0 + obj), item(t[0].member_start, o0 + obj + 1)):
                     i = item(t[0].member, k)
                     set_pose(s, candidate, i, item(s.poses, candidate, i))
+    s.stream[candidate, me] = rng

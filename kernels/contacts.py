@@ -92,15 +92,11 @@ def add_contacts(
     base: wp.int32,
     count: wp.int32,
     i: wp.int32,
-    first_start: wp.int32,
-    first_end: wp.int32,
-    first_list: wp.array(dtype=wp.int32),
+    parts_a: wp.vec2i,
     pose_a: wp.vec4,
     qa: wp.vec2,
     j: wp.int32,
-    second_start: wp.int32,
-    second_end: wp.int32,
-    second_list: wp.array(dtype=wp.int32),
+    parts_b: wp.vec2i,
     pose_b: wp.vec4,
     qb: wp.vec2,
     hold: wp.float32,
@@ -111,7 +107,7 @@ def add_contacts(
     rows: wp.array2d(dtype=Row),
     keys: wp.array2d(dtype=wp.int32),
 ):
-    """Rows that keep two sets of prisms, of objects i and j (-1: static), apart.
+    """Rows that keep two ranges of prisms, of objects i and j (-1: static), apart.
 
     Each pair of prisms gets the two vertices nearest to the parting face, so that a face may rest on a face. Returns
     the number of rows so far, and by how much [m] the pairs miss the verdict's limit in all, without those that cannot
@@ -120,10 +116,8 @@ def add_contacts(
     pa = plane_of(pose_a)
     pb = plane_of(pose_b)
     missed = float(0.0)
-    for x in range(first_start, first_end):
-        a = first_list[x]
-        for y in range(second_start, second_end):
-            b = second_list[y]
+    for a in range(parts_a[0], parts_a[1]):
+        for b in range(parts_b[0], parts_b[1]):
             if gate(pose_a[2], t[0].prism_z[a], pose_b[2], t[0].prism_z[b], least):
                 if not discs_apart(t, a, pa, qa, b, pb, qb, reach):
                     clear, face, mine = parting_face(t, a, pa, qa, b, pb, qb, reach)

@@ -11,7 +11,7 @@ import warp as wp
 from .cells import cell_at, crowded
 from .features import TURN, feature
 from .geometry import FAR, lowest_vertex, perp, plane_of, prisms_apart, turn, turn_back, wrap
-from .reading import item, one, spot
+from .reading import item, spot
 from .tables import (
     FIXTURE_SOLID,
     FREE_Z,
@@ -19,21 +19,21 @@ from .tables import (
     PAIR_RIGID,
     PAIR_ZONE_OF_FIRST,
     PAIR_ZONE_OF_SECOND,
+    SOLIDS,
+    ZONES,
     Margins,
     Share,
     State,
     TablesRef,
     View,
     Weights,
+    parts_of,
 )
 
 wp.set_module_options({"enable_backward": False})
 
 ORIGIN = wp.constant(wp.vec2(0.0, 0.0))
 EAST = wp.constant(wp.vec2(1.0, 0.0))
-SOLIDS = wp.constant(0)
-ZONES = wp.constant(1)
-FIXTURES = wp.constant(2)
 FIXTURE = wp.constant(16)  # beside the flags of pairs: a meeting with a fixture
 
 
@@ -84,43 +84,31 @@ def seen(s: State, candidate: wp.int32, i: wp.int32, view: View):
 
 
 @wp.func
-def prism_at(t: TablesRef, kind: wp.int32, i: wp.int32):
-    """Entry i of the list of solid parts (0), zones (1) or fixtures (2)."""
-    if kind == SOLIDS:
-        return item(t[0].solid, i)
-    if kind == ZONES:
-        return item(t[0].zone, i)
-    return item(t[0].fixture, i)
-
-
-@wp.func
 def clearance(
     t: TablesRef,
-    first_kind: wp.int32,
-    first_start: wp.int32,
-    first_end: wp.int32,
+    first: wp.vec2i,
     pose_a: wp.vec4,
     qa: wp.vec2,
-    second_kind: wp.int32,
-    second_start: wp.int32,
-    second_end: wp.int32,
+    second: wp.vec2i,
     pose_b: wp.vec4,
     qb: wp.vec2,
     aim: wp.float32,
     least: wp.float32,
     knee: wp.float32,
 ):
-    """Penalty of two sets of prisms for being closer than aim, with the gradient for the first's pose."""
+    """Penalty of two ranges of prisms for being closer than aim, with the gradient for the first's pose."""
     pa = plane_of(pose_a)
     pb = plane_of(pose_b)
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    for i in range(first_start, first_end):
-        a = prism_at(t, first_kind, i)
-        for j in range(second_start, second_end):
-            b = prism_at(t, second_kind, j)
-            if gate(pose_a[2], item(t[0].prism_z, a), pose_b[2], item(t[0].prism_z, b), least):
-                s, n, x = prisms_apart(t, a, pa, qa, b, pb, qb, aim)
+    for a in range(first[0], first[1]):
+        za = item(t[0].prism_z, a)
+        box_a = item(t[0].prism_box, a)
+        for b in range(second[0], second[1]):
+            zb = item(t[0].prism_z, b)
+            box_b = item(t[0].prism_box, b)
+            if gate(pose_a[2], za, pose_b[2], zb, least):
+                s, n, x = prisms_apart(t, a, box_a, pa, qa, b, box_b, pb, qb, aim)
                 de, dv = penalty(aim - s, knee)
                 e += de
                 g += dv * wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(x - pa)))
@@ -165,34 +153,23 @@ def meeting_energy(
         flag = left & -left
         left = left - flag
         # solids against solids, a's zones against b's solids, a's solids against b's zones or against a fixture
-        kind_a = wp.where(flag == PAIR_ZONE_OF_FIRST, ZONES, SOLIDS)
-        kind_b = int(SOLIDS)
+        first = parts_of(t, a, wp.where(flag == PAIR_ZONE_OF_FIRST, ZONES, SOLIDS))
+        second = wp.vec2i(0, 0)
         aim = m.zone_aim
         weight = w.zone
-        b0 = int(b)
-        b1 = b + 1
         if flag == FIXTURE:
-            kind_b = FIXTURES
+            prism = item(t[0].fixture, b)
+            second = wp.vec2i(prism, prism + 1)
             weight = w.opening
             if item(t[0].fixture_kind, b) == FIXTURE_SOLID:
                 aim = m.bounds_aim
                 weight = w.bounds
-        elif flag == PAIR_ZONE_OF_SECOND:
-            kind_b = ZONES
-            b0 = item(t[0].zone_start, b)
-            b1 = item(t[0].zone_start, b + 1)
         else:
-            b0 = item(t[0].solid_start, b)
-            b1 = item(t[0].solid_start, b + 1)
+            second = parts_of(t, b, wp.where(flag == PAIR_ZONE_OF_SECOND, ZONES, SOLIDS))
             if flag == PAIR_COLLIDE:
                 aim = m.collision_aim
                 weight = w.collision
-        a0 = item(t[0].solid_start, a)
-        a1 = item(t[0].solid_start, a + 1)
-        if kind_a == ZONES:
-            a0 = item(t[0].zone_start, a)
-            a1 = item(t[0].zone_start, a + 1)
-        ek, gk = clearance(t, kind_a, a0, a1, pose_a, qa, kind_b, b0, b1, pose_b, qb, aim, m.gate, w.knee)
+        ek, gk = clearance(t, first, pose_a, qa, second, pose_b, qb, aim, m.gate, w.knee)
         e += weight * ek
         g += weight * gk
     return e, g
@@ -246,18 +223,17 @@ def parties_of(t: TablesRef, o0: wp.int32, r: wp.int32, s: State, candidate: wp.
     x.a = o0 + ids[0]
     x.b = -1
     x.qb = EAST
-    for k in range(0, 3, one()):
-        if ids[k] >= 0:
-            pose, q = seen(s, candidate, ids[k], view)
-            if k == 0:
-                x.pose_a = pose
-                x.qa = q
-            elif k == 1:
-                x.b = o0 + ids[1]
-                x.pose_b = pose
-                x.qb = q
-            else:
-                x.pose_c = pose
+    pose, q = seen(s, candidate, ids[0], view)
+    x.pose_a = pose
+    x.qa = q
+    if ids[1] >= 0:
+        x.b = o0 + ids[1]
+        pose_b, qb = seen(s, candidate, ids[1], view)
+        x.pose_b = pose_b
+        x.qb = qb
+    if ids[2] >= 0:
+        pose_c, _qc = seen(s, candidate, ids[2], view)
+        x.pose_c = pose_c
     return x
 
 
@@ -336,21 +312,25 @@ def near(
     row: wp.int32,
     o: wp.int32,
     at: wp.vec2,
+    heights: wp.vec2,
     j: wp.int32,
     candidate: wp.int32,
     s: State,
     view: View,
 ):
-    """True when object o (global) at a place may have a pair term with object j (local)."""
-    flags = int(item(t[0].pair_flags, row + j))
-    if flags == 0 or (flags & PAIR_RIGID) != 0:
-        return False
-    v = plane_of(spot(s.poses, candidate, j)) - at
+    """True when object o (global) at a place and between two heights may have a pair term with object j (local)."""
+    flags = int(item(t[0].pair_flags, row + j))  # all that is needed is read at once, so that it is waited for once
+    other = spot(s.poses, candidate, j)
     ri = item(t[0].object_radius, o)
     rj = item(t[0].object_radius, o0 + j)
+    v = plane_of(other) - at
     # a zone only meets solids
     far = wp.max(ri[0] + rj[1], ri[1] + rj[0]) + m.collision_aim
-    return wp.dot(v, v) < far * far and (view.stamp == 0 or wp.abs(item(s.mark, candidate, j)) != view.stamp)
+    if flags == 0 or (flags & PAIR_RIGID) != 0 or wp.dot(v, v) >= far * far:
+        return False
+    if view.stamp != 0 and wp.abs(item(s.mark, candidate, j)) == view.stamp:
+        return False
+    return flags != PAIR_COLLIDE or gate(0.0, heights, other[2], item(t[0].object_z, o0 + j), m.gate)
 
 
 @wp.func
@@ -413,6 +393,8 @@ def object_energy(
                 if item(t[0].relation_fault, r0 + r) == 0:
                     soft += er
     row = item(t[0].pair_start, p) + obj * n
+    z = item(t[0].object_z, o)
+    heights = wp.vec2(pose[2] + z[0], pose[2] + z[1])
     cells = crowded(n, s)
     reach = item(t[0].object_radius, o)[1] + item(t[0].grid, p)[3] + m.collision_aim
     left, low = cell_at(t, p, at[0] - reach, at[1] - reach)
@@ -441,7 +423,7 @@ def object_energy(
             if j < fixtures:
                 close = near_fixture(t, m, o, at, f0 + j)
             else:
-                close = near(t, m, o0, row, o, at, j - fixtures, candidate, s, view)
+                close = near(t, m, o0, row, o, at, heights, j - fixtures, candidate, s, view)
             if close:
                 bits = bits | bit
             bit = bit << 1
@@ -451,7 +433,7 @@ def object_energy(
             while bits == 0 and found < 0 and y <= high:
                 if head >= 0:
                     if turn_of == part.first:
-                        if near(t, m, o0, row, o, at, head, candidate, s, view):
+                        if near(t, m, o0, row, o, at, heights, head, candidate, s, view):
                             found = head
                     turn_of += 1
                     if turn_of == part.of:

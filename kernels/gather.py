@@ -14,9 +14,12 @@ from .tables import (
     PAIR_RIGID,
     PAIR_ZONE_OF_FIRST,
     PAIR_ZONE_OF_SECOND,
+    SOLIDS,
+    ZONES,
     Margins,
     State,
     TablesRef,
+    parts_of,
 )
 
 wp.set_module_options({"enable_backward": False})
@@ -96,9 +99,10 @@ def add_bounds(
             solid = t[0].fixture_kind[k] == FIXTURE_SOLID
             if solid or t[0].object_clear[o] == 1:
                 hold = wp.where(solid, m.bounds_hold, m.zone_hold)
+                prism = t[0].fixture[k]
                 more, miss = add_contacts(
-                    t, o0, candidate, base, count, obj, t[0].solid_start[o], t[0].solid_start[o + 1], t[0].solid, pose,
-                    q, -1, k, k + 1, t[0].fixture, none, EAST, hold, m.gate, reach, s, shift, rows, keys,
+                    t, o0, candidate, base, count, obj, parts_of(t, o, SOLIDS), pose, q, -1,
+                    wp.vec2i(prism, prism + 1), none, EAST, hold, m.gate, reach, s, shift, rows, keys,
                 )
                 count = more
                 missed += miss
@@ -148,8 +152,7 @@ def add_pairs(
     q = s.turns[candidate, obj]
     radius = t[0].object_radius[a]
     line = t[0].pair_start[p] + obj * n
-    sa = t[0].solid_start[a]
-    sa1 = t[0].solid_start[a + 1]
+    sa = parts_of(t, a, SOLIDS)
     missed = float(0.0)
     for j in range(n):
         ours = ((obj + j) & 1) == 0
@@ -165,28 +168,25 @@ def add_pairs(
                 far = wp.max(radius[0] + rj[1], radius[1] + rj[0]) + reach
                 if wp.dot(v, v) < far * far:
                     qj = s.turns[candidate, j]
-                    sb = t[0].solid_start[b]
-                    sb1 = t[0].solid_start[b + 1]
+                    sb = parts_of(t, b, SOLIDS)
                     if flags & PAIR_COLLIDE:
                         count1, miss1 = add_contacts(
-                            t, o0, candidate, base, count, obj, sa, sa1, t[0].solid, pose, q, j, sb, sb1, t[0].solid,
-                            other, qj, m.collision_hold, m.gate, reach, s, shift, rows, keys,
+                            t, o0, candidate, base, count, obj, sa, pose, q, j, sb, other, qj, m.collision_hold,
+                            m.gate, reach, s, shift, rows, keys,
                         )
                         count = count1
                         missed += miss1
                     if flags & PAIR_ZONE_OF_FIRST:
                         count2, miss2 = add_contacts(
-                            t, o0, candidate, base, count, obj, t[0].zone_start[a], t[0].zone_start[a + 1], t[0].zone,
-                            pose, q, j, sb, sb1, t[0].solid, other, qj, m.zone_hold, m.gate, reach, s, shift, rows,
-                            keys,
+                            t, o0, candidate, base, count, obj, parts_of(t, a, ZONES), pose, q, j, sb, other, qj,
+                            m.zone_hold, m.gate, reach, s, shift, rows, keys,
                         )
                         count = count2
                         missed += miss2
                     if flags & PAIR_ZONE_OF_SECOND:
                         count3, miss3 = add_contacts(
-                            t, o0, candidate, base, count, obj, sa, sa1, t[0].solid, pose, q, j, t[0].zone_start[b],
-                            t[0].zone_start[b + 1], t[0].zone, other, qj, m.zone_hold, m.gate, reach, s, shift, rows,
-                            keys,
+                            t, o0, candidate, base, count, obj, sa, pose, q, j, parts_of(t, b, ZONES), other, qj,
+                            m.zone_hold, m.gate, reach, s, shift, rows, keys,
                         )
                         count = count3
                         missed += miss3

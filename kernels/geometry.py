@@ -219,14 +219,41 @@ def separation(
     return best, best_n, best_x
 
 
+@wp.func
+def box_face(t: TablesRef, box: wp.vec4, at: wp.vec2, spin: wp.vec2, other: wp.int32):
+    """The face of a box that parts it best from a polygon, its normal and its distance, all in the box's frame.
+
+    ``at`` and ``spin`` are the place and the (cos, sin) of the polygon there.
+    """
+    low = wp.vec2(FAR, FAR)
+    high = wp.vec2(-FAR, -FAR)
+    for v in range(item(t[0].prism_start, other), item(t[0].prism_start, other + 1), one()):
+        x = turn(spin, item(t[0].vertex, v))
+        low = wp.min(low, x)
+        high = wp.max(high, x)
+    low = low + at - wp.vec2(box[0] + box[2], box[1] + box[3])
+    high = wp.vec2(box[0] - box[2], box[1] - box[3]) - high - at
+    s = low[0]
+    n = wp.vec2(1.0, 0.0)
+    if high[0] > s:
+        s = high[0]
+        n = wp.vec2(-1.0, 0.0)
+    if low[1] > s:
+        s = low[1]
+        n = wp.vec2(0.0, 1.0)
+    if high[1] > s:
+        s = high[1]
+        n = wp.vec2(0.0, -1.0)
+    return s, n
+
+
 @wp.func(inline=False)
 def convex_separation(
     t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
 ):
     """`separation` where every face is a way out."""
     best = float(-FAR)
-    best_n = wp.vec2(1.0, 0.0)
-    rest = wp.vec2(0.0, 0.0)  # the witness, a vertex of the polygon that does not own the face
+    best_n = wp.vec2(1.0, 0.0)  # in the frame of the face's owner
     owner = int(0)
     step = one()
     for which in range(0, 2, step):
@@ -236,43 +263,63 @@ def convex_separation(
         q_other = wp.where(which == 0, qb, qa)
         towards = turn_back(q, wp.where(which == 0, pb - pa, pa - pb))
         spin = wp.vec2(wp.dot(q, q_other), q[0] * q_other[1] - q[1] * q_other[0])
+        face = item(t[0].prism_start, mine)
+        last = item(t[0].prism_start, mine + 1)
+        box = item(t[0].prism_box, mine)
+        if box[2] > 0.0:  # its faces all at once
+            s, n = box_face(t, box, towards, spin, other)
+            if s > best:
+                best = s
+                best_n = n
+                owner = which
+            face = last
         box = item(t[0].prism_box, other)
-        v0 = item(t[0].prism_start, other)
-        v1 = item(t[0].prism_start, other + 1)
-        for face in range(item(t[0].prism_start, mine), item(t[0].prism_start, mine + 1), step):
+        while face < last and best <= margin:
             plane = item(t[0].edge, face)
             n = wp.vec2(plane[0], plane[1])
             m = turn_back(spin, n)
-            x = deepest(box, m)
-            low = wp.dot(m, x)
+            low = wp.dot(m, deepest(box, m))
             if box[2] < 0.0:
                 low = FAR
-                for v in range(v0, v1, step):
-                    u = item(t[0].vertex, v)
-                    d = wp.dot(m, u)
-                    if d < low:
-                        low = d
-                        x = u
+                for v in range(item(t[0].prism_start, other), item(t[0].prism_start, other + 1), step):
+                    low = wp.min(low, wp.dot(m, item(t[0].vertex, v)))
             s = low + wp.dot(n, towards) - plane[2]
             if s > best:
                 best = s
-                best_n = turn(q, n)
-                rest = x
+                best_n = n
                 owner = which
-                if s > margin:
-                    return s, best_n, pa
+            face += 1
+        if best > margin:
+            return best, best_n, pa
+    # the witness: the vertex of the other prism that is nearest to the face
+    n = turn(wp.where(owner == 0, qa, qb), best_n)
+    other = wp.where(owner == 0, b, a)
+    q = wp.where(owner == 0, qb, qa)
+    m = turn_back(q, n)
+    box = item(t[0].prism_box, other)
+    x = deepest(box, m)
+    if box[2] < 0.0:
+        rest = lowest_of_polygon(t, other, m)
+        x = wp.vec2(rest[0], rest[1])
     if owner == 0:
-        return best, best_n, pb + turn(qb, rest)
-    return best, -best_n, pa + turn(qa, rest)
+        return best, n, pb + turn(q, x)
+    return best, -n, pa + turn(q, x)
 
 
 @wp.func
 def prisms_apart(
-    t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
+    t: TablesRef,
+    a: wp.int32,
+    box_a: wp.vec4,
+    pa: wp.vec2,
+    qa: wp.vec2,
+    b: wp.int32,
+    box_b: wp.vec4,
+    pb: wp.vec2,
+    qb: wp.vec2,
+    margin: wp.float32,
 ):
     """`separation` the quick way: boxes without loops, others only where their bounding boxes meet."""
-    box_a = item(t[0].prism_box, a)
-    box_b = item(t[0].prism_box, b)
     s, n, x = box_separation(box_a, pa, qa, box_b, pb, qb, margin)
     if s <= margin and (box_a[3] < 0.0 or box_b[3] < 0.0):
         s, n, x = separation(t, a, pa, qa, b, pb, qb, margin)

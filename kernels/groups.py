@@ -5,7 +5,6 @@ import warp as wp
 from .energy import object_energy
 from .features import TURN
 from .geometry import FAR, perp, plane_of, turn, wrap
-from .lanes import sum_of_poses, sum_of_team
 from .reading import item, spot
 from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, Share, State, TablesRef, View, Weights
 
@@ -84,8 +83,8 @@ def group_energy(
 ):
     """Energy, share, soft share and gradient of the objects group[first:last] as one rigid body about the first.
 
-    Pairs among what the view moves are left out, and so is the rest once the energy exceeds the limit. A team of lanes
-    shares the terms, and each of them gets the whole.
+    Pairs among what the view moves are left out, and so is the rest once the energy exceeds the limit. What the lanes
+    of a team return adds up.
     """
     root = item(t[0].group, first)
     at = plane_of(spot(s.poses, candidate, root))
@@ -103,11 +102,6 @@ def group_energy(
         soft += fi
         arm = perp(plane_of(spot(s.poses, candidate, i)) - at)
         g += wp.vec4(gi[0], gi[1], gi[2], gi[3] + gi[0] * arm[0] + gi[1] * arm[1])
-    if part.of > 1:
-        e = sum_of_team(e, part.of)
-        share = sum_of_team(share, part.of)
-        soft = sum_of_team(soft, part.of)
-        g = sum_of_poses(g, part.of)
     free = item(t[0].object_free, item(t[0].object_start, p) + root)
     if (free & FREE_PLANE) == 0:
         g[0] = 0.0

@@ -9,7 +9,7 @@ exp(-energy / T); the temperature falls to zero, and what remains of the run is 
 import warp as wp
 
 from .adam import BETA2, Schedule, noise_at, rate_at
-from .reading import item
+from .reading import inline_on_gpu, item
 from .step import (
     LANES,
     freedom,
@@ -52,6 +52,7 @@ def langevin_step(
     clock_out: wp.array(dtype=wp.int32),
 ):
     """Move every root one step; what it carries follows. Arrays as for ``adam.adam_step``."""
+    inline_on_gpu()
     group, obj, lane = wp.tid()
     candidate = group * LANES + lane
     if candidate >= problem.shape[0]:

@@ -64,3 +64,18 @@ for _dtype in (wp.int32, wp.vec2, wp.vec4):
 def one() -> wp.int32:
     """1, but no compiler knows: a loop in steps of it is not unrolled and takes little of the instruction cache."""
     ...
+
+
+@wp.func_native("""
+#if defined(__CUDA_ARCH__)
+#undef WP_NOINLINE
+#define WP_NOINLINE
+#endif
+""")
+def inline_on_gpu():
+    """Called first in a kernel: on a GPU, functions with ``inline=False`` are inlined there after all.
+
+    A call makes a GPU spill what lives across it, and hides from it what of the result is not needed. On a CPU such
+    functions are better off as calls, and everywhere else they keep the code short.
+    """
+    ...

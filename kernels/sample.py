@@ -3,7 +3,7 @@
 To draw a pose for an object, start anywhere and move it, row by row, to a random value inside each row's interval
 along the row's own gradient. Yaw rows come first in every option, and the remaining rows of an option are nearly
 orthogonal, so that one sweep fulfils them. The same code serves every relation, also a user's own. Nothing is
-written but the state of the random stream: every lane of a candidate may draw poses of its own.
+written but the state of the random stream, which the caller holds: many poses of a candidate may be drawn at once.
 """
 
 import warp as wp
@@ -11,8 +11,7 @@ import warp as wp
 from .energy import Parties, best_option, outside, parties_of
 from .features import TURN, feature
 from .geometry import lowest_vertex, perp, plane_of, turn_back
-from .lanes import lane
-from .reading import item
+from .reading import item, one
 from .tables import (
     FEATURE_BEARING,
     FEATURE_CONSTANT,
@@ -34,62 +33,62 @@ REACH = wp.constant(0.6)  # [m] how far beyond the closed end of a half-open int
 
 
 @wp.func
-def uniform(s: State, candidate: wp.int32):
-    """A uniform number in [0, 1) from the lane's own stream."""
-    r = item(s.stream, candidate, lane())
+def uniform(rng: wp.ref[wp.uint32]):
+    """A uniform number in [0, 1)."""
+    r = wp.uint32(rng)
     u = wp.randf(r)
-    s.stream[candidate, lane()] = r
+    rng = r
     return u
 
 
 @wp.func
-def normal(s: State, candidate: wp.int32):
-    """A standard normal number from the lane's own stream."""
-    r = item(s.stream, candidate, lane())
+def normal(rng: wp.ref[wp.uint32]):
+    """A standard normal number."""
+    r = wp.uint32(rng)
     u = wp.randn(r)
-    s.stream[candidate, lane()] = r
+    rng = r
     return u
 
 
 @wp.func
-def pick(s: State, candidate: wp.int32, n: wp.int32):
+def pick(rng: wp.ref[wp.uint32], n: wp.int32):
     """A uniform index below n."""
-    return wp.min(int(uniform(s, candidate) * float(n)), n - 1)
+    return wp.min(int(uniform(rng) * float(n)), n - 1)
 
 
 @wp.func
-def random_start(t: TablesRef, p: wp.int32, o: wp.int32, pose: wp.vec4, s: State, candidate: wp.int32):
+def random_start(t: TablesRef, p: wp.int32, o: wp.int32, pose: wp.vec4, rng: wp.ref[wp.uint32]):
     """A pose for object o (global) anywhere in the room's bounding box, square to the room four times in five."""
     box = item(t[0].room_box, p)
     free = item(t[0].object_free, o)
     if free & FREE_PLANE:
-        pose[0] = box[0] + uniform(s, candidate) * (box[2] - box[0])
-        pose[1] = box[1] + uniform(s, candidate) * (box[3] - box[1])
+        pose[0] = box[0] + uniform(rng) * (box[2] - box[0])
+        pose[1] = box[1] + uniform(rng) * (box[3] - box[1])
     if free & FREE_YAW:
-        if uniform(s, candidate) < 0.8 and item(t[0].plane_start, p + 1) > item(t[0].plane_start, p):
+        if uniform(rng) < 0.8 and item(t[0].plane_start, p + 1) > item(t[0].plane_start, p):
             n = item(t[0].plane, item(t[0].plane_start, p))
-            pose[3] = wp.atan2(n[1], n[0]) + QUARTER * float(pick(s, candidate, 4))
+            pose[3] = wp.atan2(n[1], n[0]) + QUARTER * float(pick(rng, 4))
         else:
-            pose[3] = TURN * uniform(s, candidate)
+            pose[3] = TURN * uniform(rng)
     return pose
 
 
 @wp.func
-def jitter(o_free: wp.int32, pose: wp.vec4, scale: wp.float32, s: State, candidate: wp.int32):
+def jitter(o_free: wp.int32, pose: wp.vec4, scale: wp.float32, rng: wp.ref[wp.uint32]):
     """A pose within about ``scale`` metres of a given one; once in twenty also turned by quarters."""
     if o_free & FREE_PLANE:
-        pose[0] = pose[0] + scale * normal(s, candidate)
-        pose[1] = pose[1] + scale * normal(s, candidate)
+        pose[0] = pose[0] + scale * normal(rng)
+        pose[1] = pose[1] + scale * normal(rng)
     if o_free & FREE_Z:
-        pose[2] = pose[2] + 0.5 * scale * normal(s, candidate)
+        pose[2] = pose[2] + 0.5 * scale * normal(rng)
     if o_free & FREE_YAW:
-        if uniform(s, candidate) < 0.05:
-            pose[3] = pose[3] + QUARTER * float(1 + pick(s, candidate, 3))
+        if uniform(rng) < 0.05:
+            pose[3] = pose[3] + QUARTER * float(1 + pick(rng, 3))
     return pose
 
 
 @wp.func
-def target_value(s: State, candidate: wp.int32, aim: wp.vec2):
+def target_value(aim: wp.vec2, rng: wp.ref[wp.uint32]):
     """A random value inside an interval that may be open to one side."""
     lo = aim[0]
     hi = aim[1]
@@ -97,12 +96,12 @@ def target_value(s: State, candidate: wp.int32, aim: wp.vec2):
         lo = hi - REACH
     if hi > 1.0e8:
         hi = lo + REACH
-    return lo + uniform(s, candidate) * (hi - lo)
+    return lo + uniform(rng) * (hi - lo)
 
 
 @wp.func
 def project_option(
-    t: TablesRef, option: wp.int32, x: Parties, s: State, candidate: wp.int32, free: wp.int32, fresh: wp.bool
+    t: TablesRef, option: wp.int32, x: Parties, free: wp.int32, fresh: wp.bool, rng: wp.ref[wp.uint32]
 ):
     """The subject's pose moved into the rows of one option, row by row.
 
@@ -118,10 +117,10 @@ def project_option(
             aim = wp.vec2(span[0], span[1])
             off, _sign = outside(value, aim)
             if off > 0.0 or fresh:
-                d = target_value(s, candidate, aim) - value
+                d = target_value(aim, rng) - value
                 if kind == FEATURE_YAW or kind == FEATURE_BEARING:
                     if free & FREE_YAW:
-                        if kind == FEATURE_YAW and uniform(s, candidate) < 0.7:
+                        if kind == FEATURE_YAW and uniform(rng) < 0.7:
                             d = wp.clamp(0.0, aim[0], aim[1]) - value  # people set furniture square
                         pose[3] = pose[3] + d * g[3]
                         q = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
@@ -150,6 +149,7 @@ def settle(
     s: State,
     candidate: wp.int32,
     fresh: wp.bool,
+    rng: wp.ref[wp.uint32],
 ):
     """A pose projected onto the object's own relations; a fresh draw starts from one of them at random."""
     o0 = item(t[0].object_start, p)
@@ -166,9 +166,10 @@ def settle(
         return pose
     skip = int(-1)
     if fresh:
-        skip = pick(s, candidate, mine)
-    # a fresh draw's sweep of one relation, then a sweep over all
-    for sweep in range(wp.where(fresh, 0, 1), 2):
+        skip = pick(rng, mine)
+    # a fresh draw's sweep of one relation (for others it is empty, so that all go through the second side by side),
+    # then a sweep over all
+    for sweep in range(0, 2, one()):
         for k in range(first, first + count):
             r = r0 + item(t[0].touch, k)
             if item(t[0].touch_role, k) == 0 and item(t[0].relation_rigid, r) == 0:
@@ -176,7 +177,7 @@ def settle(
                 if sweep == 0:
                     skip -= 1
                 if sweep > 0:
-                    draw = item(t[0].relation_fault, r) != 0 or uniform(s, candidate) < 0.7
+                    draw = item(t[0].relation_fault, r) != 0 or uniform(rng) < 0.7
                 if draw:
                     x = parties_of(t, o0, r, s, candidate, View())
                     x.pose_a = pose
@@ -184,13 +185,13 @@ def settle(
                     option = item(t[0].option_start, r)
                     low = float(1.0)
                     if sweep == 0:
-                        option += pick(s, candidate, item(t[0].option_start, r + 1) - option)
+                        option += pick(rng, item(t[0].option_start, r + 1) - option)
                     else:
                         best, e, _g = best_option(t, r, 0, x, w.knee)
                         option = best
                         low = e
                     if low > 0.0:
-                        pose = project_option(t, option, x, s, candidate, free, sweep == 0)
+                        pose = project_option(t, option, x, free, sweep == 0, rng)
     return pose
 
 
@@ -213,7 +214,16 @@ def keep_inside(t: TablesRef, p: wp.int32, o: wp.int32, pose: wp.vec4, aim: wp.f
 
 
 @wp.func
-def slide(t: TablesRef, p: wp.int32, obj: wp.int32, pose: wp.vec4, s: State, candidate: wp.int32, gap: wp.float32):
+def slide(
+    t: TablesRef,
+    p: wp.int32,
+    obj: wp.int32,
+    pose: wp.vec4,
+    s: State,
+    candidate: wp.int32,
+    gap: wp.float32,
+    rng: wp.ref[wp.uint32],
+):
     """A pose slid along the object's own left axis until its box is flush with another's, or with a wall."""
     o0 = item(t[0].object_start, p)
     o = o0 + obj
@@ -221,10 +231,10 @@ def slide(t: TablesRef, p: wp.int32, obj: wp.int32, pose: wp.vec4, s: State, can
         return pose
     axis = wp.vec2(-wp.sin(pose[3]), wp.cos(pose[3]))
     half = 0.5 * item(t[0].object_size, o)[1]
-    side = wp.where(uniform(s, candidate) < 0.5, 1.0, -1.0)
+    side = wp.where(uniform(rng) < 0.5, 1.0, -1.0)
     n = item(t[0].object_start, p + 1) - o0
     step = float(0.0)
-    if uniform(s, candidate) < 0.3 or n < 2:
+    if uniform(rng) < 0.3 or n < 2:
         found = float(1.0e6)
         for k in range(item(t[0].plane_start, p), item(t[0].plane_start, p + 1)):
             plane = item(t[0].plane, k)
@@ -238,7 +248,7 @@ def slide(t: TablesRef, p: wp.int32, obj: wp.int32, pose: wp.vec4, s: State, can
     else:
         near = float(1.0e12)
         for _try in range(3):
-            j = pick(s, candidate, n)
+            j = pick(rng, n)
             if item(t[0].object_root, o0 + j) != obj:
                 v = plane_of(item(s.poses, candidate, j)) - plane_of(pose)
                 if wp.dot(v, v) < near:
@@ -264,16 +274,21 @@ def propose(
     candidate: wp.int32,
     scale: wp.float32,
     far: wp.float32,
+    flush: wp.float32,
+    rng: wp.ref[wp.uint32],
 ):
-    """Draw a new pose for an object: with probability ``far`` in the whole room, else within ``scale`` metres."""
+    """Draw a new pose for an object: with probability ``far`` in the whole room, else within ``scale`` metres.
+
+    With probability ``flush`` it is then slid along something.
+    """
     o = item(t[0].object_start, p) + obj
-    fresh = uniform(s, candidate) < far
+    fresh = uniform(rng) < far
     if fresh:
-        pose = random_start(t, p, o, pose, s, candidate)
+        pose = random_start(t, p, o, pose, rng)
     else:
-        pose = jitter(item(t[0].object_free, o), pose, scale, s, candidate)
-    pose = settle(t, w, p, obj, pose, s, candidate, fresh)
+        pose = jitter(item(t[0].object_free, o), pose, scale, rng)
+    pose = settle(t, w, p, obj, pose, s, candidate, fresh, rng)
     pose = keep_inside(t, p, o, pose, m.bounds_aim)
-    if uniform(s, candidate) < 0.35:
-        pose = slide(t, p, obj, pose, s, candidate, m.collision_aim + 0.001)
+    if uniform(rng) < flush:
+        pose = slide(t, p, obj, pose, s, candidate, m.collision_aim + 0.001, rng)
     return pose

@@ -2,10 +2,13 @@
 
 A batch may hold candidates of several problems, so every table is the concatenation of the problems' tables and
 ``*_start`` arrays give each problem's, object's or relation's range (CSR). Indices of objects and relations stored
-inside the tables are local to their problem. Lengths are metres, angles radians.
+inside the tables are local to their problem. Lengths are metres, angles radians. Some vectors of three numbers are
+stored as four, which a thread reads in one piece.
 """
 
 import warp as wp
+
+from .reading import item
 
 wp.set_module_options({"enable_backward": False})
 
@@ -23,6 +26,10 @@ FREE_Z = 4
 # Kinds of static prisms, ``Tables.fixture_kind``.
 FIXTURE_SOLID = 0  # outside of the room, or a part of the furniture that carries a surface
 FIXTURE_OPENING = 1  # clearance of a door or a window
+
+# Kinds of an object's parts, see ``Tables.parts``.
+SOLIDS = wp.constant(0)
+ZONES = wp.constant(1)
 
 # Features of a relation row, ``Tables.row_feature``; `features.py` has their arithmetic.
 FEATURE_LINE = 0
@@ -66,9 +73,8 @@ class Tables:
     object_root: wp.array(dtype=wp.int32)  # the object that carries it along; its own index for a root
     member_start: wp.array(dtype=wp.int32)  # a root and all that it carries, itself first; empty for the carried
     member: wp.array(dtype=wp.int32)
-    solid_start: wp.array(dtype=wp.int32)  # ranges of prisms
+    parts: wp.array(dtype=wp.vec2i)  # [2 O] prisms that each object has from and to: solids, then zones
     foot_start: wp.array(dtype=wp.int32)
-    zone_start: wp.array(dtype=wp.int32)
     touch_start: wp.array(dtype=wp.int32)  # relations that the object takes part in
     touch: wp.array(dtype=wp.int32)
     touch_role: wp.array(dtype=wp.int32)  # 0 subject, 1 first target, 2 second target
@@ -83,21 +89,19 @@ class Tables:
     pool: wp.array(dtype=wp.vec4)  # entry by entry, poses in the supporter's frame above the surface
     pool_size: wp.int32  # entries of every deck
     # prism [M] or [M + 1]
-    solid: wp.array(dtype=wp.int32)
     foot: wp.array(dtype=wp.int32)
-    zone: wp.array(dtype=wp.int32)
     prism_start: wp.array(dtype=wp.int32)  # range of vertices
     prism_z: wp.array(dtype=wp.vec2)
-    prism_disc: wp.array(dtype=wp.vec3)  # bounding circle: centre, radius
+    prism_disc: wp.array(dtype=wp.vec4)  # bounding circle: centre, radius
     prism_box: wp.array(dtype=wp.vec4)  # centre and half edges of the bounding box, see below
     # the first half edge is negative unless the prism is this box, the second if some of its faces are no way out
     vertex: wp.array(dtype=wp.vec2)
-    edge: wp.array(dtype=wp.vec3)  # outward normal n and offset c of the edge that starts here: n . x <= c
+    edge: wp.array(dtype=wp.vec4)  # outward normal n and offset c of the edge that starts here: n . x <= c
     edge_real: wp.array(dtype=wp.int32)  # 0: an edge inside the outside of the room, no way out
     # static prism, half plane (n, c): n . x >= c inside
     fixture: wp.array(dtype=wp.int32)
     fixture_kind: wp.array(dtype=wp.int32)
-    plane: wp.array(dtype=wp.vec3)
+    plane: wp.array(dtype=wp.vec4)
     # relation [R] or [R + 1], option, row
     relation_object: wp.array(dtype=wp.vec3i)  # subject, first and second target; -1: none
     relation_weight: wp.array(dtype=wp.float32)
@@ -114,6 +118,12 @@ class Tables:
 
 TablesRef = wp.array(dtype=Tables)
 """How kernels take the tables: an array of one. The struct is 3 kB and functions take arguments by value."""
+
+
+@wp.func
+def parts_of(t: TablesRef, o: wp.int32, kind: wp.int32):
+    """The prisms that object o (global) has of a kind: from and to."""
+    return item(t[0].parts, 2 * o + kind)
 
 
 @wp.struct

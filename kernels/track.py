@@ -1,7 +1,9 @@
-"""Small services on layouts: the (cos, sin) of yaws, the best of each candidate, who is done, the clock."""
+"""Small services on layouts: starts, frames, (cos, sin) of yaws, the best of each candidate, who is done, the clock."""
 
 import warp as wp
 
+from .features import TURN
+from .geometry import plane_of, turn_back, wrap
 from .tables import State, TablesRef
 
 wp.set_module_options({"enable_backward": False})
@@ -42,6 +44,48 @@ def set_turns(
     candidate, obj = wp.tid()
     yaw = poses[candidate, obj][3]
     turns_out[candidate, obj] = wp.vec2(wp.cos(yaw), wp.sin(yaw))
+
+
+@wp.kernel
+def spread(
+    # Problem:
+    problem: wp.array(dtype=wp.int32),
+    # State in:
+    homes: wp.array2d(dtype=wp.vec4),
+    # State out:
+    poses_out: wp.array2d(dtype=wp.vec4),
+    anchors_out: wp.array2d(dtype=wp.vec4),
+):
+    """Put every candidate, [candidate, object], at the one pose that its problem has for each object."""
+    candidate, obj = wp.tid()
+    pose = homes[problem[candidate], obj]
+    poses_out[candidate, obj] = pose
+    anchors_out[candidate, obj] = pose
+
+
+@wp.kernel
+def onto_surfaces(
+    # Problem:
+    first: wp.int32,
+    candidates: wp.int32,
+    supporter: wp.array(dtype=wp.int32),
+    member_start: wp.array(dtype=wp.int32),
+    member: wp.array(dtype=wp.int32),
+    # State in:
+    poses: wp.array2d(dtype=wp.vec4),
+    # State out:
+    local_out: wp.array2d(dtype=wp.vec4),
+):
+    """Poses of what stands on each surface, in its supporter's frame, surface by surface, candidate by candidate."""
+    row, k = wp.tid()
+    deck = row // candidates
+    candidate = first + row % candidates
+    if k >= member_start[deck + 1] - member_start[deck]:
+        return
+    base = poses[candidate, supporter[deck]]
+    pose = poses[candidate, member[member_start[deck] + k]]
+    at = turn_back(wp.vec2(wp.cos(base[3]), wp.sin(base[3])), plane_of(pose) - plane_of(base))
+    local_out[row, k] = wp.vec4(at[0], at[1], 0.0, wrap(pose[3] - base[3], TURN))
 
 
 @wp.kernel

@@ -14,8 +14,11 @@ from .tables import (
     PAIR_COLLIDE,
     PAIR_ZONE_OF_FIRST,
     PAIR_ZONE_OF_SECOND,
+    SOLIDS,
+    ZONES,
     Margins,
     TablesRef,
+    parts_of,
 )
 
 wp.set_module_options({"enable_backward": False})
@@ -29,28 +32,24 @@ DIVERGED = wp.constant(3)
 @wp.func(inline=False)
 def apart(
     t: TablesRef,
-    first_start: wp.int32,
-    first_end: wp.int32,
-    first_list: wp.array(dtype=wp.int32),
+    first: wp.vec2i,
     pose_a: wp.vec4,
     qa: wp.vec2,
-    second_start: wp.int32,
-    second_end: wp.int32,
-    second_list: wp.array(dtype=wp.int32),
+    second: wp.vec2i,
     pose_b: wp.vec4,
     qb: wp.vec2,
     hold: wp.float32,
     least: wp.float32,
 ):
-    """True when no two prisms of the sets come closer than hold (negative: may sink in so far)."""
+    """True when no two prisms of the ranges come closer than hold (negative: may sink in so far)."""
     pa = plane_of(pose_a)
     pb = plane_of(pose_b)
-    for i in range(first_start, first_end):
-        a = first_list[i]
-        for j in range(second_start, second_end):
-            b = second_list[j]
+    for a in range(first[0], first[1]):
+        for b in range(second[0], second[1]):
             if gate(pose_a[2], item(t[0].prism_z, a), pose_b[2], item(t[0].prism_z, b), least):
-                s, _n, _x = prisms_apart(t, a, pa, qa, b, pb, qb, hold)
+                s, _n, _x = prisms_apart(
+                    t, a, item(t[0].prism_box, a), pa, qa, b, item(t[0].prism_box, b), pb, qb, hold
+                )
                 if s < hold:
                     return False
     return True
@@ -69,24 +68,16 @@ def pair_holds(
     qb: wp.vec2,
 ):
     """True when objects a and b (global indices) neither collide nor stand in each other's hard zones."""
-    sa = item(t[0].solid_start, a)
-    sa1 = item(t[0].solid_start, a + 1)
-    sb = item(t[0].solid_start, b)
-    sb1 = item(t[0].solid_start, b + 1)
+    sa = parts_of(t, a, SOLIDS)
+    sb = parts_of(t, b, SOLIDS)
     if flags & PAIR_COLLIDE:
-        if not apart(t, sa, sa1, t[0].solid, pose_a, qa, sb, sb1, t[0].solid, pose_b, qb, m.collision_hold, m.gate):
+        if not apart(t, sa, pose_a, qa, sb, pose_b, qb, m.collision_hold, m.gate):
             return False
     if flags & PAIR_ZONE_OF_FIRST:
-        if not apart(
-            t, item(t[0].zone_start, a), item(t[0].zone_start, a + 1), t[0].zone, pose_a, qa, sb, sb1, t[0].solid,
-            pose_b, qb, m.zone_hold, m.gate,
-        ):
+        if not apart(t, parts_of(t, a, ZONES), pose_a, qa, sb, pose_b, qb, m.zone_hold, m.gate):
             return False
     if flags & PAIR_ZONE_OF_SECOND:
-        if not apart(
-            t, sa, sa1, t[0].solid, pose_a, qa, item(t[0].zone_start, b), item(t[0].zone_start, b + 1), t[0].zone,
-            pose_b, qb, m.zone_hold, m.gate,
-        ):
+        if not apart(t, sa, pose_a, qa, parts_of(t, b, ZONES), pose_b, qb, m.zone_hold, m.gate):
             return False
     return True
 
@@ -107,10 +98,10 @@ def room_holds(t: TablesRef, m: Margins, p: wp.int32, o: wp.int32, pose: wp.vec4
         solid = item(t[0].fixture_kind, k) == FIXTURE_SOLID
         if solid or item(t[0].object_clear, o) == 1:
             hold = wp.where(solid, m.bounds_hold, m.zone_hold)
-            if not apart(
-                t, item(t[0].solid_start, o), item(t[0].solid_start, o + 1), t[0].solid, pose, q, k, k + 1,
-                t[0].fixture, wp.vec4(0.0, 0.0, 0.0, 0.0), EAST, hold, m.gate,
-            ):
+            prism = item(t[0].fixture, k)
+            fixture = wp.vec2i(prism, prism + 1)
+            nowhere = wp.vec4(0.0, 0.0, 0.0, 0.0)
+            if not apart(t, parts_of(t, o, SOLIDS), pose, q, fixture, nowhere, EAST, hold, m.gate):
                 return False
     if pose[2] + item(t[0].object_z, o)[1] > item(t[0].room_height, p) - m.bounds_hold:
         return False

@@ -6,7 +6,7 @@ A coarse measure for choosing among valid layouts; the judge has its own, finer 
 import warp as wp
 
 from .geometry import FAR, plane_of, turn_back
-from .tables import FIXTURE_SOLID, State, TablesRef
+from .tables import FIXTURE_SOLID, SOLIDS, State, TablesRef, parts_of
 
 wp.set_module_options({"enable_backward": False})
 
@@ -82,8 +82,8 @@ def mark_floor(
             reach = t[0].object_radius[o0 + obj][0] + floor.radius
             if wp.dot(v, v) < reach * reach:
                 local = turn_back(s.turns[candidate, obj], v)
-                for k in range(t[0].solid_start[o0 + obj], t[0].solid_start[o0 + obj + 1]):
-                    a = t[0].solid[k]
+                solids = parts_of(t, o0 + obj, SOLIDS)
+                for a in range(solids[0], solids[1]):
                     z = t[0].prism_z[a]
                     if pose[2] + z[0] < floor.high and pose[2] + z[1] > floor.low:
                         if point_distance(t, a, local) < floor.radius:

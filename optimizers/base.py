@@ -65,6 +65,11 @@ class Optimizer:
 
     solve: Solve
     modules: tuple[str, ...]
+    on_gpu: tuple[str, ...]
+
+    def modules_on(self, device: str) -> tuple[str, ...]:
+        """The modules that it launches on a device."""
+        return self.modules if device == "cpu" else self.on_gpu
 
     def __call__(self, batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
         """Move the batch's poses in place."""
@@ -74,11 +79,15 @@ class Optimizer:
 OPTIMIZERS: dict[str, Optimizer] = {}
 
 
-def register(name: str, modules: tuple[str, ...] | None = None) -> Callable[[Solve], Solve]:
-    """Enter an optimiser under a name; ``modules`` of ``kernels`` hold its kernels (default: the one of its name)."""
+def register(
+    name: str, modules: tuple[str, ...] | None = None, on_gpu: tuple[str, ...] | None = None
+) -> Callable[[Solve], Solve]:
+    """Enter an optimiser under a name; ``modules`` of ``kernels`` hold its kernels (default: the one of its name),
+    ``on_gpu`` those that it launches on a GPU (default: the same)."""
 
     def enter(solve: Solve) -> Solve:
-        OPTIMIZERS[name] = Optimizer(solve, modules or (name,))
+        own = modules or (name,)
+        OPTIMIZERS[name] = Optimizer(solve, own, on_gpu or own)
         return solve
 
     return enter

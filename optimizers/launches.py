@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import warp as wp
@@ -73,3 +74,12 @@ def repeat_while(device: str, more: wp.array, block: Callable[[], None]) -> None
         wp.capture_while(more, block)
     assert capture.graph is not None
     wp.capture_launch(capture.graph)
+
+
+def repeatable(device: str, block: Callable[[], None]) -> Callable[[], None]:
+    """The launches of a block, ready to be made again and again: on a GPU they are recorded once, as a graph."""
+    if device == "cpu":
+        return block
+    with wp.ScopedCapture(device=device) as capture:
+        block()
+    return partial(wp.capture_launch, capture.graph)

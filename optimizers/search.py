@@ -2,45 +2,76 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
+from typing import Any
+
 import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.begin import Plan, begin
 from sceneweaver.kernels.cells import CELLS, CROWD, enter_cells
+from sceneweaver.kernels.decide import decide_next, open_desks
+from sceneweaver.kernels.jobs import BACK_STEPS, Desk, Found
 from sceneweaver.kernels.search import search
 from sceneweaver.kernels.tables import State
 from sceneweaver.kernels.track import close, keep_best, proceed, set_turns, tick
+from sceneweaver.kernels.trials import draw, rate, slope
 
 from .base import Monitor, Outcome, Start, register
-from .batch import STATE, Batch, judge, new_court, sit
-from .launches import repeat_while
+from .batch import STATE, Batch, judge, lanes_on, new_court, sit
+from .launches import repeat_while, repeatable
 from .starts import STARTS, launch_lanes
 
-ATTEMPTS = {"cpu": 10, "cuda": 40}
 AT_HOME = 3  # attempts from the given poses before anything is drawn anew
 LINGER = 2
 HOT = 0.3  # [m]
 HOT_AT_HOME = 0.05  # the same when little should move
+
+
+@dataclass(frozen=True)
+class Effort:
+    """How a search spends its time; what it stands for is said in ``Plan``."""
+
+    attempts: int
+    rounds: int
+    moves: int
+    proposals: int
+    slide: float
+    whole: float
+    rates: bool
+    polish: int
+    tries: int
+
+
+CPU = Effort(attempts=10, rounds=8, moves=4, proposals=5, slide=0.35, whole=0.5, rates=True, polish=6, tries=3)
 # A GPU tries many poses in the time of one, so that it needs fewer moves; measured on one H200 (docs/gpu.md).
-ROUNDS = {"cpu": 8, "cuda": 2}
-MOVES = {"cpu": 4, "cuda": 3}  # in a round, for each movable object
-PROPOSALS = {"cpu": 5, "cuda": 15}
-POLISH = {"cpu": 6, "cuda": 1}
-TRIES = {"cpu": 3, "cuda": 4}  # step lengths of one gradient step
+GPU = Effort(attempts=40, rounds=1, moves=6, proposals=15, slide=0.2, whole=0.8, rates=False, polish=0, tries=4)
+GPU_CROWD = replace(GPU, proposals=7)
+GPU_AT_HOME = replace(GPU, rounds=2, moves=3, slide=0.35, whole=0.5, rates=True, polish=1)
 
 
-def plan_for(device: str, start: Start, attempts: int | None) -> Plan:
-    """The plan of a search on a kind of device."""
-    kind = device.partition(":")[0]
+def effort_for(device: str, start: Start, objects: int) -> Effort:
+    """The effort that suits a kind of device, a start and a number of objects."""
+    if device == "cpu":
+        return CPU
+    if start == "given":
+        return GPU_AT_HOME
+    return GPU if objects <= CROWD else GPU_CROWD
+
+
+def plan_for(effort: Effort, start: Start, attempts: int | None) -> Plan:
+    """The plan of a search; ``attempts`` replaces those of the effort."""
     plan = Plan()
-    plan.rounds, plan.steps = ROUNDS[kind], ROUNDS[kind] * (ATTEMPTS[kind] if attempts is None else attempts)
+    plan.rounds = effort.rounds
+    plan.steps = effort.rounds * (effort.attempts if attempts is None else attempts)
     plan.start, plan.at_home = STARTS[start], AT_HOME
-    plan.moves, plan.proposals, plan.tries = MOVES[kind], PROPOSALS[kind], TRIES[kind]
-    plan.polish, plan.linger, plan.hot, plan.hot_at_home = POLISH[kind], LINGER, HOT, HOT_AT_HOME
+    plan.moves, plan.proposals, plan.tries = effort.moves, effort.proposals, effort.tries
+    plan.slide, plan.whole, plan.rates = effort.slide, effort.whole, int(effort.rates)
+    plan.polish, plan.linger, plan.hot, plan.hot_at_home = effort.polish, LINGER, HOT, HOT_AT_HOME
     return plan
 
 
-def _with_cells(batch: Batch) -> State:
+def with_cells(batch: Batch) -> State:
     """The batch's state, with cells when there are enough objects for them to pay; only searches keep them current."""
     state = State()
     for name in STATE:
@@ -52,7 +83,59 @@ def _with_cells(batch: Batch) -> State:
     return state
 
 
-@register("search", modules=("begin", "cells", "search"))
+class Rounds:
+    """One round of every open candidate: in one launch, or in three for every job, for as long as anyone has one."""
+
+    def __init__(
+        self, batch: Batch, state: State, plan: Plan, open: wp.array, clock: wp.array, in_one: bool | None = None
+    ) -> None:
+        """``in_one``: all jobs of a candidate in one launch (default: on a CPU)."""
+        device, tried = batch.device, max(1 + plan.proposals, plan.tries, int(BACK_STEPS))
+        self.batch, self.state, self.plan, self.open, self.clock = batch, state, plan, open, clock
+        self.common = [batch.tables, batch.margins, batch.weights, plan, batch.problem]
+        self.energy = wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.float32, device=device)
+        self.total = wp.zeros(batch.size, dtype=wp.float32, device=device)
+        self.drawn = wp.zeros((batch.size, tried), dtype=wp.vec4, device=device)
+        self.drafted = wp.zeros((batch.size, tried), dtype=wp.int32, device=device)
+        self.in_one = device == "cpu" if in_one is None else in_one
+        if not self.in_one:
+            self.desk = wp.zeros(batch.size, dtype=Desk, device=device)
+            self.found = wp.zeros(batch.size, dtype=Found, device=device)
+            self.busy = wp.zeros(1, dtype=wp.int32, device=device)
+
+    def launch(self) -> None:
+        """Begin the attempt where one is due, then search."""
+        batch, state = self.batch, self.state
+        launch_lanes(begin, batch, [*self.common, self.open, self.clock], [state])
+        if batch.objects > CROWD:
+            wp.launch(enter_cells, batch.size, [batch.tables, batch.problem, self.open], [state], device=batch.device)
+        if self.in_one:
+            self._launch(search, batch.size, [self.open, self.clock, state], [self.energy, *self._trials(), self.total])
+        else:
+            self._launch(open_desks, batch.size, [self.open, state], [self.desk, self.busy])
+            wp.capture_while(self.busy, self._job)
+
+    def _job(self) -> None:
+        """The next job of every candidate."""
+        size, seen = self.batch.size, [self.clock, self.desk, self.state]
+        lanes = lanes_on(self.batch.device)
+        drawers = min(1 + self.plan.proposals, lanes)
+        self._launch(draw, (size, drawers), seen, [*self._trials(), self.busy], 128)
+        self._launch(rate, size * lanes, [*seen, *self._trials()], [self.energy, self.found], 64)
+        if self.plan.polish:
+            self._launch(slope, size * lanes, seen, [self.found], 64)
+        self._launch(
+            decide_next, size, [self.clock, self.found, self.state], [self.energy, self.desk, self.total, self.busy], 64
+        )
+
+    def _trials(self) -> list[wp.array]:
+        return [self.drawn, self.drafted]
+
+    def _launch(self, kernel: Any, dim: Any, inputs: list, outputs: list, block: int = 256) -> None:
+        wp.launch(kernel, dim, [*self.common, *inputs], outputs, device=self.batch.device, block_dim=block)
+
+
+@register("search", modules=("begin", "cells", "search"), on_gpu=("begin", "cells", "decide", "trials"))
 def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
     """Search every candidate until it is valid; ``budget`` is the number of attempts (default 10, on a
     GPU, whose attempts are shorter, 40).
@@ -62,13 +145,12 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
     all are valid or the attempts are used up, unless there is a deadline or progress to report.
     """
     device = batch.device
-    plan = plan_for(device, start, budget)
-    state, best, court = _with_cells(batch), batch.scratch(), new_court(batch)
-    energy = wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.float32, device=device)
-    total = wp.zeros(batch.size, dtype=wp.float32, device=device)
+    plan = plan_for(effort_for(device, start, batch.objects), start, budget)
+    state, best, court = with_cells(batch), batch.scratch(), new_court(batch)
     best_total = wp.full(batch.size, float("inf"), dtype=wp.float32, device=device)
     open_ = wp.full(batch.size, 1, dtype=wp.int32, device=device)
     clock, left, more = (wp.zeros(1, dtype=wp.int32, device=device) for _ in range(3))
+    rounds = Rounds(batch, state, plan, open_, clock)
     solved = 0
     if start == "given":  # what is in order already is left alone
         status = judge(batch).status
@@ -78,16 +160,12 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
         monitor.add(solved, solved, 0.0)
 
     def step() -> None:
-        """One round of every open candidate."""
-        common = [batch.tables, batch.margins, batch.weights, plan, batch.problem, open_, clock]
-        launch_lanes(begin, batch, common, [state])
-        if batch.objects > CROWD:
-            wp.launch(enter_cells, batch.size, [batch.tables, batch.problem, open_], [state], device=device)
-        launch_lanes(search, batch, common, [state, energy, total])
+        """One round of every open candidate, and the verdict on it."""
+        rounds.launch()
         wp.launch(
             keep_best,
             batch.size,
-            [batch.tables, batch.problem, open_, batch.state, total],
+            [batch.tables, batch.problem, open_, batch.state, rounds.total],
             [best, best_total],
             device=device,
         )
@@ -99,8 +177,9 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
 
     if solved < batch.size and not monitor.expired():
         if device == "cpu" or monitor.watched:
+            advance = repeatable(device, step)
             for _ in range(plan.steps):
-                step()
+                advance()
                 done = batch.size - int(left.numpy()[0])
                 if done > solved:
                     monitor.add(done - solved, done - solved, 0.0)

@@ -11,6 +11,7 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels import load
+from sceneweaver.kernels.track import onto_surfaces, set_turns, spread
 from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, judge, load_poses, new_state, run, streams
 from sceneweaver.optimizers.batch import Progress
 from sceneweaver.scene import InputError, Scene
@@ -149,7 +150,7 @@ def solve(
     jobs: Sequence[Job], optimizer: str, steps: int | None, device: str, monitor: Monitor, began: float
 ) -> list[Solution]:
     """Solve jobs in shared launches, rooms of like size together."""
-    load(device, *_modules(jobs, optimizer))
+    load(device, *_modules(jobs, optimizer, device))
     pools = _pools(jobs, device, monitor.deadline)
     buckets: dict[tuple[str, int], list[int]] = {}
     for i, job in enumerate(jobs):
@@ -169,7 +170,7 @@ def solve(
         )
         if start == "given":
             batch.weights = weights(pull=PULL)
-        load_poses(batch, _stack([job.world for job in group], batch.objects))
+        _load_worlds(batch, [job.world for job in group])
         batch.state.rng.assign(
             np.concatenate([streams(job.seed, job.first + np.arange(n)) for job, n in zip(group, sizes, strict=True)])
         )
@@ -182,7 +183,7 @@ def solve(
             room, scene = job.compiled.room, job.compiled.scene
             final = poses[rows, : room.size].copy()
             status = verdict.status[rows].copy()
-            status[(status != DIVERGED) & (room.faulty | ~_surfaces_hold(job.compiled, final, device))] = BROKEN
+            status[(status != DIVERGED) & (room.faulty | ~_surfaces_hold(job.compiled, batch, first, n))] = BROKEN
             holds = verdict.holds[rows, : len(scene.relations)].copy()
             for rider, relation in room.riders.items():
                 holds[:, relation] &= verdict.holds[rows, rider]
@@ -208,12 +209,12 @@ def solve(
     return [solutions[i] for i in range(len(jobs))]
 
 
-def _modules(jobs: Sequence[Job], optimizer: str) -> list[str]:
+def _modules(jobs: Sequence[Job], optimizer: str, device: str) -> list[str]:
     """The kernel modules that these jobs need."""
-    names = ["track", "verdict", "walk", *OPTIMIZERS[optimizer].modules]
+    names = ["track", "verdict", "walk", *OPTIMIZERS[optimizer].modules_on(device)]
     if any(job.compiled.domains or job.start != "given" for job in jobs):
         # What stands on surfaces is searched, whatever lays out the room, and so starts are drawn.
-        names += OPTIMIZERS["search"].modules
+        names += OPTIMIZERS["search"].modules_on(device)
     return list(dict.fromkeys(names))
 
 
@@ -245,6 +246,23 @@ def _stack(worlds: Sequence[np.ndarray], objects: int) -> np.ndarray:
         padded[first : first + len(world), : world.shape[1]] = world
         first += len(world)
     return padded
+
+
+def _load_worlds(batch: Batch, worlds: Sequence[np.ndarray]) -> None:
+    """Set the poses to begin with, those of one scene after the other. What is the same for all goes over once."""
+    if any(world.strides[0] for world in worlds):
+        load_poses(batch, _stack(worlds, batch.objects))
+        return
+    homes = wp.array(_stack([world[:1] for world in worlds], max(batch.objects, 1)), dtype=wp.vec4, device=batch.device)
+    state = batch.state
+    wp.launch(
+        spread,
+        state.poses.shape,
+        [batch.problem, homes],
+        [state.poses, state.anchors],
+        device=batch.device,
+    )
+    wp.launch(set_turns, state.poses.shape, [state.poses], [state.turns], device=batch.device)
 
 
 def make_batch(problems: Sequence[Problem], which: np.ndarray, device: str, pools=None) -> Batch:
@@ -305,12 +323,25 @@ def _domain_batch(compiled: CompiledScene, world: np.ndarray, seed: int, first: 
     return batch
 
 
-def _surfaces_hold(compiled: CompiledScene, world: np.ndarray, device: str) -> np.ndarray:
-    """Which candidates [B] have everything on its surface in order."""
+def _surfaces_hold(compiled: CompiledScene, batch: Batch, first: int, count: int) -> np.ndarray:
+    """Which of so many candidates of a batch, from the first on, have everything on its surface in order [count]."""
     if not compiled.domains:
-        return np.ones(len(world), dtype=bool)
-    batch = _domain_batch(compiled, world, 0, 0, device)
-    return np.all(judge(batch).status.reshape(len(compiled.domains), -1) != BROKEN, axis=0)
+        return np.ones(count, dtype=bool)
+    decks, device = [d.deck for d in compiled.domains], batch.device
+    surfaces = make_batch([d.problem for d in compiled.domains], np.repeat(np.arange(len(decks)), count), device)
+    start = np.cumsum([0, *(len(d.members) for d in decks)])
+    lists = ([d.supporter for d in decks], start, [m for d in decks for m in d.members])
+    tables = [wp.array(np.asarray(values, dtype=np.int32), device=device) for values in lists]
+    state = surfaces.state
+    wp.launch(
+        onto_surfaces,
+        state.poses.shape,
+        [first, count, *tables, batch.state.poses],
+        [state.poses],
+        device=device,
+    )
+    wp.launch(set_turns, state.poses.shape, [state.poses], [state.turns], device=device)
+    return np.all(judge(surfaces).status.reshape(len(decks), count) != BROKEN, axis=0)
 
 
 def _mend_surfaces(job: Job, optimizer: str, device: str, deadline: float | None) -> None:

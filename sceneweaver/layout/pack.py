@@ -131,7 +131,8 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
     number of entries throughout; without it searches leave surfaces as they are.
     """
     prisms = _Prisms()
-    solid, foot, zone, members, groups = (_Ranges() for _ in range(5))
+    foot, members, groups = (_Ranges() for _ in range(3))
+    ranges: list[tuple[int, int]] = []  # of prisms: solids and zones of every object
     touch, fixture, plane, option, row = (_Ranges() for _ in range(5))
     decks, deck_members, pool = (_Ranges() for _ in range(3))
     supporters: list[int] = []
@@ -161,9 +162,11 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
                 parts[i].append((r, rel.objects.index(i)))
         carried = np.bincount(problem.roots, minlength=n)
         for i in range(n):
-            solid.add(table(problem.solids[i]))
+            for shapes in (problem.solids[i], problem.zones[i]):
+                first = len(prisms.z)
+                table(shapes)
+                ranges.append((first, len(prisms.z)))
             foot.add(table([Prism(p, (0.0, 0.0)) for p in problem.feet[i]]))
-            zone.add(table(problem.zones[i]))
             near = reach_of([s.polygon for s in problem.solids[i]])
             reach.append((near, max(near, reach_of([z.polygon for z in problem.zones[i]]))))
             heights.append((min(s.z[0] for s in problem.solids[i]), max(s.z[1] for s in problem.solids[i])))
@@ -208,6 +211,8 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
     def floats(values, dtype) -> wp.array:
         width = 1 if dtype is wp.float32 else dtype._length_
         data = np.asarray(values, dtype=np.float32)
+        if width == 4 and data.ndim == 2 and data.shape[1] == 3:
+            data = np.pad(data, ((0, 0), (0, 1)))
         return wp.array(data.reshape(-1, width) if width > 1 else data.reshape(-1), dtype=dtype, device=device)
 
     t = k.Tables()
@@ -231,15 +236,11 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
         "pool_start": pool.start,
         "member_start": members.start,
         "member": members.values,
-        "solid_start": solid.start,
         "foot_start": foot.start,
-        "zone_start": zone.start,
         "touch_start": touch.start,
         "touch": touch.values,
         "touch_role": roles,
-        "solid": solid.values,
         "foot": foot.values,
-        "zone": zone.values,
         "prism_start": prisms.start,
         "edge_real": prisms.real,
         "fixture": fixture.values,
@@ -263,17 +264,18 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
         ("object_radius", wp.vec2, reach),
         ("object_z", wp.vec2, heights),
         ("prism_z", wp.vec2, prisms.z),
-        ("prism_disc", wp.vec3, prisms.disc),
+        ("prism_disc", wp.vec4, prisms.disc),
         ("prism_box", wp.vec4, prisms.box),
         ("vertex", wp.vec2, np.concatenate(prisms.vertex) if prisms.vertex else []),
-        ("edge", wp.vec3, np.concatenate(prisms.edge) if prisms.edge else []),
-        ("plane", wp.vec3, plane.values),
+        ("edge", wp.vec4, np.concatenate(prisms.edge) if prisms.edge else []),
+        ("plane", wp.vec4, plane.values),
         ("relation_weight", wp.float32, relation_weight),
         ("row_frame", wp.vec4, fields["frame"]),
         ("row_aim", wp.vec4, fields["aim"]),
         ("row_hold", wp.vec2, fields["hold"]),
     ):
         setattr(t, name, floats(values, dtype))
+    t.parts = wp.array(np.asarray(ranges, dtype=np.int32).reshape(-1, 2), dtype=wp.vec2i, device=device)
     t.pool_size = len(next((entries for decks_ in pools or () for entries in decks_), ()))
     t.pair_flags = wp.array(np.concatenate(flags).astype(np.uint8), dtype=wp.uint8, device=device)
     t.grid_count = wp.array([g[4:] for g in map(_grid, problems)], dtype=wp.vec2i, device=device)

@@ -24,7 +24,7 @@ def test_all_are_entered():
 @pytest.mark.parametrize("name", OPTIMIZERS)
 def test_modules_hold_kernels(name):
     assert OPTIMIZERS[name].modules
-    for module in OPTIMIZERS[name].modules:
+    for module in {*OPTIMIZERS[name].modules_on("cpu"), *OPTIMIZERS[name].modules_on("cuda:0")}:
         found = importlib.import_module(f"sceneweaver.kernels.{module}")
         assert wp.get_module(found.__name__).kernels
 
@@ -37,9 +37,12 @@ def test_the_command_line_offers_those_that_lay_out():
 def test_only_what_is_needed_is_compiled():
     plain, laden = compile_scene(scene([BOX], [])), compile_scene(scene([table(), CUP], []))
     here = [Job(plain, plain.room.home[None], "given", 0)]
-    assert "search" not in _modules(here, "langevin") and "langevin" in _modules(here, "langevin")
-    assert "search" in _modules([Job(plain, plain.room.home[None], "random", 0)], "langevin"), "it draws the starts"
-    assert "search" in _modules([Job(laden, laden.room.home[None], "given", 0)], "adam"), "it fills the surfaces"
+    assert "search" not in _modules(here, "langevin", "cpu") and "langevin" in _modules(here, "langevin", "cpu")
+    assert "search" in _modules([Job(plain, plain.room.home[None], "random", 0)], "langevin", "cpu"), (
+        "it draws the starts"
+    )
+    assert "search" in _modules([Job(laden, laden.room.home[None], "given", 0)], "adam", "cpu"), "it fills the surfaces"
+    assert "search" not in _modules([Job(plain, plain.room.home[None], "random", 0)], "search", "cuda:0")
 
 
 @pytest.mark.parametrize("optimizer", STEPWISE)

@@ -1,0 +1,335 @@
+"""What comes of a job's trials, and what the next job is.
+
+A move picks an object in proportion to its energy, and takes the best of some poses drawn for it by the Metropolis
+rule with a temperature that falls to zero. Walls and sides are discrete choices: wherever an object is looked at, its
+relations choose their best option. A round moves objects until nothing is at fault, then polishes what still is by
+gradient steps, and tidies up.
+"""
+
+import warp as wp
+
+from .begin import Plan
+from .cells import change_cell, crowded
+from .energy import seen
+from .features import TURN
+from .geometry import FAR, wrap
+from .groups import members_end, set_pose, shuffle
+from .jobs import (
+    GRADIENT,
+    MOVE,
+    MOVING,
+    POLISHING,
+    RATE,
+    RETURN,
+    SOLVED,
+    SQUARE,
+    STEP,
+    STOP,
+    SURVEY,
+    TIDYING,
+    Desk,
+    Found,
+    alone,
+    at_home,
+)
+from .lanes import lanes
+from .reading import item, one
+from .tables import FREE_YAW, Margins, State, TablesRef, View, Weights
+from .trials import off_square
+
+wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
+
+LEAST_MOVES = wp.constant(16)  # of a round, however few objects there are
+ALMOST_SQUARE = wp.constant(0.2)  # [rad]
+STRIDE = wp.constant(0.3)  # [m] longest gradient step
+
+
+@wp.func
+def pick_object(n: wp.int32, candidate: wp.int32, energy: wp.array2d(dtype=wp.float32), u: wp.float32):
+    """The object on which a share u of all energies falls, laid end to end; -1 when there is none."""
+    sum = float(0.0)
+    step = one()
+    for i in range(0, n, step):
+        sum += item(energy, candidate, i)
+    left = u * sum
+    obj = int(-1)
+    for i in range(0, n, step):
+        e = item(energy, candidate, i)
+        if e > 0.0 and left >= 0.0:
+            obj = i
+            left -= e
+    return obj
+
+
+@wp.func
+def next_object(
+    t: TablesRef,
+    o0: wp.int32,
+    n: wp.int32,
+    candidate: wp.int32,
+    energy: wp.array2d(dtype=wp.float32),
+    obj: wp.int32,
+    faulty: wp.bool,
+):
+    """The next free object after this one (of those with energy, if only faulty ones count); n at the end."""
+    obj += 1
+    while obj < n and (item(t[0].object_free, o0 + obj) == 0 or (faulty and item(energy, candidate, obj) <= SOLVED)):
+        obj += 1
+    return obj
+
+
+@wp.func
+def sit_down(t: TablesRef, p: wp.int32, candidate: wp.int32, s: State):
+    """The desk at the start of a round."""
+    for obj in range(item(t[0].object_start, p + 1) - item(t[0].object_start, p)):
+        s.mark[candidate, obj] = 0
+    d = Desk()
+    d.job = SURVEY
+    d.phase = MOVING
+    d.cursor = -1
+    d.dice = item(s.stream, candidate, lanes())
+    return d
+
+
+@wp.func
+def go(t: TablesRef, p: wp.int32, n: wp.int32, candidate: wp.int32, d: Desk, view: View, s: State):
+    """Move the objects of the desk to where a view sees them."""
+    for k in range(d.first, d.last):
+        obj = item(t[0].group, k)
+        pose, _q = seen(s, candidate, obj, view)
+        set_pose(s, candidate, obj, pose)
+        if crowded(n, s):
+            change_cell(t, p, candidate, obj, s)
+
+
+@wp.func
+def decide(
+    t: TablesRef,
+    plan: Plan,
+    round: wp.int32,
+    home: wp.bool,
+    p: wp.int32,
+    candidate: wp.int32,
+    x: Found,
+    s: State,
+    energy: wp.array2d(dtype=wp.float32),
+    d: Desk,
+):
+    """Act on a job's outcome, and choose the next job: the desk after it."""
+    o0 = item(t[0].object_start, p)
+    n = item(t[0].object_start, p + 1) - o0
+    movable = wp.max(item(t[0].movable, p), 2)
+    moves = wp.max(plan.moves * movable, LEAST_MOVES)
+    refresh = wp.max(4, movable // 2)
+    done = int(d.job)
+
+    # What comes of it.
+    moved = bool(False)
+    if done == SURVEY:
+        d.total = x.share
+        hard = x.share - x.soft
+        if d.phase == MOVING:
+            if hard <= SOLVED:
+                d.lingered += refresh
+                if x.soft <= SOLVED or d.lingered > plan.linger * movable or home:
+                    d.solved = 1
+        else:
+            d.solved = wp.where(x.share <= SOLVED or (home and hard <= SOLVED), 1, 0)
+    elif done == GRADIENT:
+        d.base = x.base
+    elif done == MOVE:
+        moved = x.least < x.base + d.heat
+        if moved:
+            energy[candidate, d.obj] = x.rating
+    elif done == STEP:
+        moved = x.least < d.base
+    elif done == SQUARE:
+        moved = x.index == 0
+    elif done == RETURN:
+        moved = x.least < FAR
+    if moved:
+        view = View()
+        view.stamp = d.stamp
+        view.draft = x.draft
+        view.before = item(s.poses, candidate, d.obj)
+        view.after = x.pose
+        turned = view.after[3] - view.before[3]
+        view.spin = wp.vec2(wp.cos(turned), wp.sin(turned))
+        go(t, p, n, candidate, d, view, s)
+
+    # What next.
+    d.job = STOP
+    if d.phase == MOVING:
+        if plan.rates != 0 and done == MOVE and moved and d.last > members_end(t, o0 + d.obj):
+            d.job = RATE
+        elif d.solved != 0:
+            d.phase = TIDYING
+        elif done != SURVEY and d.move % refresh == 0:
+            d.job = SURVEY
+        elif d.move >= moves:
+            d.phase = POLISHING
+        else:
+            dice = d.dice
+            chosen = pick_object(n, candidate, energy, wp.randf(dice))
+            if chosen < 0:  # nothing that is free to move is at fault
+                d.phase = TIDYING
+            else:
+                d.job = MOVE
+                whole = bool(False)
+                u = wp.randf(dice)
+                v = wp.randf(dice)
+                parent = item(t[0].object_parent, o0 + chosen)
+                if parent >= 0 and u < wp.where(home, 0.1, 0.25):
+                    chosen = parent
+                    whole = True
+                elif v < plan.whole:
+                    whole = True
+                d.obj = chosen
+                d.first = item(t[0].group_start, o0 + chosen)
+                d.last = item(t[0].group_start, o0 + chosen + 1)
+                if not whole:
+                    d.last = members_end(t, o0 + chosen)
+                level = 1.0 - (float(round) + float(d.move) / float(moves)) / float(plan.rounds)
+                d.scale = 0.4 * level
+                d.heat = 0.0
+                if d.lingered == 0:
+                    hot = wp.where(home, plan.hot_at_home, plan.hot)
+                    d.heat = -hot * level * level * wp.log(wp.randf(dice) + 1.0e-9)
+                d.seed = int(2.0e9 * wp.randf(dice))
+                d.draft = 0
+                if t[0].pool_size > 0:
+                    if item(t[0].deck_start, o0 + chosen + 1) > item(t[0].deck_start, o0 + chosen):
+                        d.draft = 1
+                d.move += 1
+            d.dice = dice
+    if d.phase == POLISHING:
+        d.heat = 0.0
+        arm = 0.3 * item(t[0].object_radius, o0 + d.obj)[0] + 0.05
+        g = x.gradient
+        scaled = wp.vec4(g[0], g[1], g[2], g[3] / (arm * arm))
+        gg = wp.dot(g, scaled)
+        if done == SURVEY and d.solved != 0:
+            d.phase = TIDYING
+            d.cursor = -1
+        elif done == GRADIENT and d.base > SOLVED and gg > 1.0e-12:
+            d.job = STEP
+            size = 1.8 * d.base / gg
+            reach = size * wp.sqrt(wp.dot(scaled, wp.vec4(g[0], g[1], g[2], arm * arm * scaled[3])))
+            if reach > STRIDE:
+                size = size * STRIDE / reach
+            d.step = -size * scaled
+        elif d.sweep < plan.polish:
+            d.job = GRADIENT
+            d.cursor = next_object(t, o0, n, candidate, energy, d.cursor, True)
+            if d.cursor < n:
+                d.obj = d.cursor
+            else:
+                d.job = SURVEY
+                d.cursor = -1
+                d.sweep += 1
+    if d.phase == TIDYING:
+        d.heat = 0.0
+        d.job = STOP
+        walled = item(t[0].plane_start, p + 1) > item(t[0].plane_start, p)
+        while d.job == STOP and d.tidied <= wp.where(home, 1, 0):  # what goes back may clear the way for another
+            d.cursor = next_object(t, o0, n, candidate, energy, d.cursor, False)
+            if d.cursor >= n:
+                d.cursor = -1
+                d.tidied += 1
+            else:
+                d.obj = d.cursor
+                pose = item(s.poses, candidate, d.obj)
+                if home:
+                    back = item(s.anchors, candidate, d.obj) - pose
+                    back[3] = wrap(back[3], TURN)
+                    if wp.dot(back, back) > 1.0e-12:
+                        d.job = RETURN
+                elif item(t[0].object_free, o0 + d.obj) & FREE_YAW and walled:
+                    off = wp.abs(off_square(t, p, pose))
+                    if off > 1.0e-6 and off < ALMOST_SQUARE:
+                        d.job = SQUARE
+    if d.job >= MOVE and d.job != STOP:
+        if d.job != MOVE:
+            first, last = alone(t, o0 + d.obj)
+            d.first = first
+            d.last = last
+            d.draft = 0
+        d.stamp += 1
+        for k in range(d.first, d.last):
+            i = item(t[0].group, k)
+            carried = item(t[0].object_root, o0 + i) == d.obj
+            s.mark[candidate, i] = wp.where(carried, -d.stamp, d.stamp)
+            if d.draft != 0:
+                s.draft[candidate, i] = item(s.poses, candidate, i)
+        if d.draft != 0:
+            dice = d.dice
+            shuffle(t, p, d.obj, candidate, int(1.0e9 * wp.randf(dice)), s.draft)
+            d.dice = dice
+    return d
+
+
+@wp.func
+def leave(candidate: wp.int32, d: Desk, s: State, total_out: wp.array(dtype=wp.float32)):
+    """The end of a round."""
+    total_out[candidate] = d.total
+    s.stream[candidate, lanes()] = d.dice
+
+
+@wp.kernel
+def open_desks(
+    # Problem:
+    t: TablesRef,
+    m: Margins,
+    w: Weights,
+    plan: Plan,
+    problem: wp.array(dtype=wp.int32),
+    # State in:
+    open: wp.array(dtype=wp.int32),
+    # State in and out:
+    s: State,
+    # State out:
+    desk_out: wp.array(dtype=Desk),
+    busy_out: wp.array(dtype=wp.int32),
+):
+    """Begin a round of every open candidate; the others have nothing to do."""
+    candidate = wp.tid()
+    if candidate == 0:
+        busy_out[0] = 1
+    d = Desk()
+    d.job = STOP
+    if open[candidate] != 0:
+        d = sit_down(t, problem[candidate], candidate, s)
+    desk_out[candidate] = d
+
+
+@wp.kernel
+def decide_next(
+    # Problem:
+    t: TablesRef,
+    m: Margins,
+    w: Weights,
+    plan: Plan,
+    problem: wp.array(dtype=wp.int32),
+    # State in:
+    clock: wp.array(dtype=wp.int32),
+    found: wp.array(dtype=Found),
+    # State in and out:
+    s: State,
+    energy: wp.array2d(dtype=wp.float32),
+    desk: wp.array(dtype=Desk),
+    # State out:
+    total_out: wp.array(dtype=wp.float32),
+    busy_out: wp.array(dtype=wp.int32),
+):
+    """Act on the outcome of every candidate's job and choose its next. ``busy_out`` becomes 1 if any has one."""
+    candidate = wp.tid()
+    d = desk[candidate]
+    if d.job == STOP:
+        return
+    round = clock[0] % plan.rounds
+    d = decide(t, plan, round, at_home(plan, clock), problem[candidate], candidate, found[candidate], s, energy, d)
+    desk[candidate] = d
+    if d.job == STOP:
+        leave(candidate, d, s, total_out)
+    else:
+        busy_out[0] = 1

@@ -1,0 +1,127 @@
+"""What a search does with one candidate: a chain of *jobs*, each a number of *trials*, with a decision after each.
+
+A trial is the energy of some objects as a `View` sees them. Between two jobs a candidate's search is all in its `Desk`,
+so that the trials of a job, and the jobs of different candidates, may run anywhere.
+"""
+
+import warp as wp
+
+from .begin import GIVEN, Plan
+from .groups import members_end
+from .reading import item
+from .tables import TablesRef, Weights
+
+wp.set_module_options({"enable_backward": False})
+
+SOLVED = wp.constant(1.0e-9)
+BACK_STEPS = wp.constant(4)  # shares of the way back that are tried
+
+# Jobs.
+SURVEY = wp.constant(0)  # rate every object
+RATE = wp.constant(1)  # rate the objects of the group that has just moved, if they are not one body
+MOVE = wp.constant(2)  # what the objects to be moved cost where they are, and proposals
+GRADIENT = wp.constant(3)  # of one object
+STEP = wp.constant(4)  # along it: a Polyak step towards zero energy, and shorter ones
+SQUARE = wp.constant(5)  # turn what stands almost square to the room fully square, unless that costs anything
+RETURN = wp.constant(6)  # take an object as far back to its anchor as costs nothing hard
+STOP = wp.constant(7)
+
+# Phases of a round.
+MOVING = wp.constant(0)
+POLISHING = wp.constant(1)
+TIDYING = wp.constant(2)
+
+
+@wp.struct
+class Desk:
+    """Where the search of a candidate stands: the job to be done, and what is remembered between jobs."""
+
+    job: wp.int32
+    phase: wp.int32
+    move: wp.int32  # moves made in this round
+    lingered: wp.int32  # of these, those since the hard relations held
+    sweep: wp.int32  # gradient sweeps
+    tidied: wp.int32  # passes
+    solved: wp.int32
+    obj: wp.int32  # whose turn it is
+    cursor: wp.int32  # where polishing or tidying is among the objects
+    first: wp.int32  # the range of its group that goes along
+    last: wp.int32
+    stamp: wp.int32  # of their marks
+    draft: wp.int32  # 1: their surfaces are laid out anew in `State.draft`
+    seed: wp.int32  # of the streams that proposals are drawn from
+    total: wp.float32  # energy at the last survey
+    heat: wp.float32  # how much a move may cost
+    scale: wp.float32  # [m] of near proposals
+    base: wp.float32  # energy that a step has to beat
+    step: wp.vec4  # along the gradient
+    dice: wp.uint32  # the candidate's own stream
+
+
+@wp.struct
+class Found:
+    """What came of a job's trials."""
+
+    share: wp.float32  # sums of a survey
+    soft: wp.float32
+    base: wp.float32  # energy where the objects are
+    gradient: wp.vec4
+    least: wp.float32  # the best trial: its energy, number, pose, rating and whether it took the draft
+    index: wp.int32
+    pose: wp.vec4
+    rating: wp.float32
+    draft: wp.int32
+
+
+@wp.func
+def at_home(plan: Plan, clock: wp.array(dtype=wp.int32)):
+    """True in attempts that keep what is in order where it is."""
+    return plan.start == GIVEN and clock[0] // plan.rounds < plan.at_home
+
+
+@wp.func
+def weights_at(w: Weights, home: wp.bool):
+    """The weights of an attempt: only at home something pulls back."""
+    if not home:
+        w.pull = 0.0
+    return w
+
+
+@wp.func
+def trials_of(d: Desk, n: wp.int32, plan: Plan):
+    """The number of trials of a job."""
+    if d.job == SURVEY:
+        return n
+    if d.job == RATE:
+        return d.last - d.first
+    if d.job == MOVE:
+        return 1 + plan.proposals
+    if d.job == STEP:
+        return plan.tries
+    if d.job == SQUARE:
+        return int(2)
+    if d.job == RETURN:
+        return BACK_STEPS
+    return int(1)
+
+
+@wp.func
+def rates_only(job: wp.int32):
+    """True when a job's trials look at one object each, where it is."""
+    return job == SURVEY or job == RATE
+
+
+@wp.func
+def object_of(t: TablesRef, d: Desk, k: wp.int32):
+    """The object that trial k is about."""
+    if d.job == SURVEY:
+        return k
+    if d.job == RATE:
+        return item(t[0].group, d.first + k)
+    return d.obj
+
+
+@wp.func
+def alone(t: TablesRef, o: wp.int32):
+    """The range of the group of object o (global) that is one body with it."""
+    return item(t[0].group_start, o), members_end(t, o)

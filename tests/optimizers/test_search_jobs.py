@@ -1,0 +1,94 @@
+"""The search taken apart into jobs, as on a GPU: the same layouts as in one launch, and its plan finds valid ones."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import warp as wp
+
+import sceneweaver as sw
+from sceneweaver.kernels.begin import Plan
+from sceneweaver.layout.engine import _load_worlds
+from sceneweaver.optimizers import load_poses, search, streams
+from sceneweaver.optimizers.base import Start
+from sceneweaver.optimizers.batch import Batch
+from sceneweaver.optimizers.search import CPU, GPU, GPU_AT_HOME, GPU_CROWD, Effort, effort_for, plan_for
+from tests.kernels.harness import ZOO, zoo
+from tests.optimizers.batches import batch
+
+ROUNDS = 2
+
+
+def run(what: Batch, plan: Plan, in_one: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Poses, energies by object and totals after some rounds."""
+    open_ = wp.full(what.size, 1, dtype=wp.int32, device=what.device)
+    open_.assign(np.arange(what.size) % 5 != 4)  # some are done already
+    clock = wp.zeros(1, dtype=wp.int32, device=what.device)
+    rounds = search.Rounds(what, search.with_cells(what), plan, open_, clock, in_one)
+    for k in range(ROUNDS):
+        clock.fill_(k)
+        rounds.launch()
+    return what.state.poses.numpy(), rounds.energy.numpy(), rounds.total.numpy()
+
+
+@pytest.mark.parametrize(
+    ("room", "start", "effort"),
+    [
+        ("bedroom-small", "random", GPU),
+        ("bedroom-small", "given", GPU_AT_HOME),
+        ("living-dining-L", "sample", CPU),
+        ("restaurant-60", "sample", GPU_CROWD),
+    ],
+)
+def test_job_by_job_is_the_same_as_in_one_launch(room: str, start: Start, effort: Effort) -> None:
+    results = []
+    for in_one in (True, False):
+        what = batch([room], 12, "cpu", 0.3)
+        what.state.rng.assign(streams(5, np.arange(what.size)))
+        results.append(run(what, plan_for(effort, start, None), in_one))
+    for one, other in zip(*results, strict=True):
+        np.testing.assert_array_equal(one, other)
+
+
+def test_those_that_are_done_stay_where_they_are() -> None:
+    what = batch(["bedroom-small"], 10, "cpu", 0.3)
+    what.state.rng.assign(streams(5, np.arange(what.size)))
+    before = what.state.poses.numpy().copy()
+    run(what, plan_for(GPU, "random", None), False)
+    moved = np.any(what.state.poses.numpy() != before, axis=(1, 2))
+    np.testing.assert_array_equal(moved, np.arange(what.size) % 5 != 4)
+
+
+@pytest.mark.parametrize("room", ["bedroom-small", "bedroom-tight", "office-20", "dining-round", "studio-U"])
+def test_the_plan_of_a_gpu_finds_valid_layouts(room: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(search, "effort_for", lambda device, start, objects: effort_for("cuda:0", start, objects))
+    scene = sw.Scene.load(ZOO / f"{room}.json")
+    solution = sw.refine(scene, candidates=16, init="random", seed=2, device="cpu", explain=False)
+    assert np.all(solution.status == 0)
+    assert not [v for k in range(16) for v in sw.check(solution.scene(k)).violations]
+
+
+def test_the_effort_suits_device_start_and_size() -> None:
+    assert effort_for("cpu", "random", 10) is CPU
+    assert effort_for("cuda:1", "random", 10) is GPU
+    assert effort_for("cuda:1", "sample", 100) is GPU_CROWD
+    assert effort_for("cuda", "given", 100) is GPU_AT_HOME
+    assert plan_for(GPU, "random", 7).steps == 7 * GPU.rounds
+
+
+def test_starts_that_are_the_same_for_all_go_over_once() -> None:
+    problems = [zoo("bedroom-small").room, zoo("office-20").room]
+    results = []
+    for broadcast in (True, False):
+        what = batch(["bedroom-small", "office-20"], 6, "cpu", 0.1)
+        worlds = [np.broadcast_to(p.home, (6, *p.home.shape)) for p in problems]
+        if broadcast:
+            _load_worlds(what, worlds)
+        else:
+            padded = np.zeros((12, what.objects, 4), dtype=np.float32)
+            for k, world in enumerate(worlds):
+                padded[6 * k : 6 * k + 6, : world.shape[1]] = world
+            load_poses(what, padded)
+        results.append([getattr(what.state, name).numpy() for name in ("poses", "anchors", "turns")])
+    for one, other in zip(*results, strict=True):
+        np.testing.assert_array_equal(one, other)
