@@ -82,4 +82,5 @@ def repeatable(device: str, block: Callable[[], None]) -> Callable[[], None]:
         return block
     with wp.ScopedCapture(device=device) as capture:
         block()
+    assert capture.graph is not None
     return partial(wp.capture_launch, capture.graph)

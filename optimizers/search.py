@@ -99,8 +99,8 @@ class Rounds:
         self.drafted = wp.zeros((batch.size, tried), dtype=wp.int32, device=device)
         self.in_one = device == "cpu" if in_one is None else in_one
         if not self.in_one:
-            self.desk = wp.zeros(batch.size, dtype=Desk, device=device)
-            self.found = wp.zeros(batch.size, dtype=Found, device=device)
+            self.desk = wp.zeros(batch.size, dtype=Desk, device=device)  # pyright: ignore[reportArgumentType]
+            self.found = wp.zeros(batch.size, dtype=Found, device=device)  # pyright: ignore[reportArgumentType]
             self.busy = wp.zeros(1, dtype=wp.int32, device=device)
 
     def launch(self) -> None:
