@@ -75,6 +75,7 @@ def descend(batch: Batch, step: Any, schedule: Schedule, moments: int, monitor: 
 
     block = Launches(device)
     add_choice(block, batch, state, [state.options, other.options])
+    chosen = len(block)  # launches before the steps: none without relations
     for k in range(REASSIGN):
         a, b = k % 2, (k + 1) % 2
         block.add(
@@ -88,7 +89,7 @@ def descend(batch: Batch, step: Any, schedule: Schedule, moments: int, monitor: 
             block=BLOCK,
         )
     times, rest = divmod(schedule.steps + 1, REASSIGN)  # the last step is there to measure where the one before led
-    done = block.play(monitor, times, rest + 1 if rest else 0)
+    done = block.play(monitor, times, chosen + rest if rest else 0)
     a = (rest + 1) % 2 if done else 1  # the buffers of the last step
     total = wp.zeros(batch.size, dtype=wp.float32, device=device)
     wp.launch(add_up, batch.size, [batch.tables, batch.problem, share[a]], [total], device=device)

@@ -7,10 +7,12 @@ import time
 import numpy as np
 import pytest
 
+import sceneweaver as sw
 from sceneweaver.layout.compile import relative
-from sceneweaver.optimizers import Monitor, judge, run
+from sceneweaver.optimizers import Monitor, descent, judge, run
 from sceneweaver.optimizers.batch import Batch
 from tests.kernels.harness import batch_of, best_options, run_energy, zoo
+from tests.layout.made import BOX, relation, scene
 from tests.optimizers.batches import STEPWISE, batch, layouts_of, refined
 
 SMALL = "bedroom-small"
@@ -126,3 +128,17 @@ def test_progress_is_told_once_for_each_candidate(device, optimizer):
     monitor = Monitor(6)
     run(batch([SMALL], 6, device, 0.05), optimizer, "given", 10, monitor)
     assert monitor.done == 6 and 0 <= monitor.valid <= 6 and np.isfinite(monitor.best)
+
+
+@pytest.mark.parametrize(("relations", "chosen"), [([], 0), ([relation("against_wall", "box")], 1)])
+def test_the_last_step_is_the_last(relations, chosen, monkeypatch):
+    calls = []
+
+    class Spy(descent.Launches):
+        def play(self, monitor, times=1, rest=0):
+            calls.append((len(self), times, rest))
+            return super().play(monitor, times, rest)
+
+    monkeypatch.setattr(descent, "Launches", Spy)
+    sw.refine(scene([BOX], relations), optimizer="adam", candidates=2, steps=2 * descent.REASSIGN + 4, device="cpu")
+    assert calls[0] == (chosen + descent.REASSIGN, 2, chosen + 5), "one step more than asked for measures the last"
