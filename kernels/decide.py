@@ -171,7 +171,9 @@ def decide(
         else:
             dice = d.dice
             chosen = pick_object(n, candidate, energy, wp.randf(dice))
-            if chosen < 0:  # nothing that is free to move is at fault
+            if chosen < 0 and plan.rates == 0 and done != SURVEY:  # ratings may be old
+                d.job = SURVEY
+            elif chosen < 0:  # nothing that is free to move is at fault
                 d.phase = TIDYING
             else:
                 d.job = MOVE
@@ -227,6 +229,8 @@ def decide(
                 d.job = SURVEY
                 d.cursor = -1
                 d.sweep += 1
+        elif done != SURVEY:  # the round ends with what it came to
+            d.job = SURVEY
     if d.phase == TIDYING:
         d.heat = 0.0
         d.job = STOP
