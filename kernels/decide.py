@@ -171,7 +171,7 @@ def decide(
         else:
             dice = d.dice
             chosen = pick_object(n, candidate, energy, wp.randf(dice))
-            if chosen < 0 and plan.rates == 0 and done != SURVEY:  # ratings may be old
+            if chosen < 0 and plan.rates == 0 and done != SURVEY:  # what went along with a move was not rated
                 d.job = SURVEY
             elif chosen < 0:  # nothing that is free to move is at fault
                 d.phase = TIDYING

@@ -95,8 +95,8 @@ class Rounds:
         self.common = [batch.tables, batch.margins, batch.weights, plan, batch.problem]
         self.energy = wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.float32, device=device)
         self.total = wp.zeros(batch.size, dtype=wp.float32, device=device)
-        self.drawn = wp.zeros((batch.size, tried), dtype=wp.vec4, device=device)
-        self.drafted = wp.zeros((batch.size, tried), dtype=wp.int32, device=device)
+        # the poses that are tried, and whether they take surfaces laid out anew
+        self.trials = [wp.zeros((batch.size, tried), dtype=dtype, device=device) for dtype in (wp.vec4, wp.int32)]
         self.in_one = device == "cpu" if in_one is None else in_one
         if not self.in_one:
             self.desk = wp.zeros(batch.size, dtype=Desk, device=device)  # pyright: ignore[reportArgumentType]
@@ -110,7 +110,7 @@ class Rounds:
         if batch.objects > CROWD:
             wp.launch(enter_cells, batch.size, [batch.tables, batch.problem, self.open], [state], device=batch.device)
         if self.in_one:
-            self._launch(search, batch.size, [self.open, self.clock, state], [self.energy, *self._trials(), self.total])
+            self._launch(search, batch.size, [self.open, self.clock, state], [self.energy, *self.trials, self.total])
         else:
             self._launch(open_desks, batch.size, [self.open, state], [self.desk, self.busy])
             wp.capture_while(self.busy, self._job)
@@ -120,16 +120,13 @@ class Rounds:
         size, seen = self.batch.size, [self.clock, self.desk, self.state]
         lanes = lanes_on(self.batch.device)
         drawers = min(1 + self.plan.proposals, lanes)
-        self._launch(draw, (size, drawers), seen, [*self._trials(), self.busy], 128)
-        self._launch(rate, size * lanes, [*seen, *self._trials()], [self.energy, self.found], 64)
+        self._launch(draw, (size, drawers), seen, [*self.trials, self.busy], 128)
+        self._launch(rate, size * lanes, [*seen, *self.trials], [self.energy, self.found], 64)
         if self.plan.polish:
             self._launch(slope, size * lanes, seen, [self.found], 64)
         self._launch(
             decide_next, size, [self.clock, self.found, self.state], [self.energy, self.desk, self.total, self.busy], 64
         )
-
-    def _trials(self) -> list[wp.array]:
-        return [self.drawn, self.drafted]
 
     def _launch(self, kernel: Any, dim: Any, inputs: list, outputs: list, block: int = 256) -> None:
         wp.launch(kernel, dim, [*self.common, *inputs], outputs, device=self.batch.device, block_dim=block)

@@ -8,7 +8,7 @@ import warp as wp
 
 import sceneweaver as sw
 from sceneweaver.kernels.begin import Plan
-from sceneweaver.layout.engine import _load_worlds
+from sceneweaver.layout.engine import _load_worlds, _surfaces_hold
 from sceneweaver.optimizers import load_poses, search, streams
 from sceneweaver.optimizers.base import Start
 from sceneweaver.optimizers.batch import Batch
@@ -103,3 +103,19 @@ def test_starts_that_are_the_same_for_all_go_over_once() -> None:
         results.append([getattr(what.state, name).numpy() for name in ("poses", "anchors", "turns")])
     for one, other in zip(*results, strict=True):
         np.testing.assert_array_equal(one, other)
+
+
+def test_what_stands_on_surfaces_is_judged_in_their_frames() -> None:
+    compiled = zoo("bedroom-small")
+    what = batch(["bedroom-small"], 6, "cpu", 0.1)
+    load_poses(what, np.repeat(compiled.room.home[None], 6, axis=0).astype(np.float32))
+    assert _surfaces_hold(compiled, what, 0, 6).all()
+    poses = what.state.poses.numpy()
+    turn = 1.0  # of the whole room, after which all is where it was on its surface
+    c, s = np.cos(turn), np.sin(turn)
+    poses[1] = np.stack(
+        [c * poses[1, :, 0] - s * poses[1, :, 1], s * poses[1, :, 0] + c * poses[1, :, 1], poses[1, :, 2],
+         poses[1, :, 3] + turn], axis=-1
+    )  # fmt: skip
+    poses[4, compiled.domains[-1].deck.members[0], 0] += 0.5
+    np.testing.assert_array_equal(_surfaces_hold(compiled, what, 1, 5), [True, True, True, False, True])
