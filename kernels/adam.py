@@ -1,4 +1,4 @@
-"""Adam with annealed noise: energy, gradient, update and the best so far of every object in one launch.
+"""Adam with annealed noise: the update of every object, and the best so far, in one launch.
 
 Each thread reads the poses of the last step and writes those of the next, so the order of threads does not matter and
 nothing is summed across threads. Before it overwrites the poses of the step before, it keeps them if they were best.
@@ -6,7 +6,7 @@ nothing is summed across threads. Before it overwrites the poses of the step bef
 
 import warp as wp
 
-from .reading import inline_on_gpu, item
+from .reading import item
 from .step import (
     LANES,
     freedom,
@@ -17,7 +17,7 @@ from .step import (
     stream,
     turning_arm,
 )
-from .tables import Margins, State, TablesRef, Weights
+from .tables import State, TablesRef
 
 # Fast sines on a GPU are good to a few micrometres; the layout that is kept is measured again with exact ones.
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
@@ -50,12 +50,10 @@ def noise_at(schedule: Schedule, life: wp.float32):
     return schedule.noise * wp.max(0.0, 1.0 - life / schedule.quiet)
 
 
-@wp.kernel(cuda_max_registers=128)  # more warps are worth the spills
+@wp.kernel
 def adam_step(
     # Problem:
     t: TablesRef,
-    m: Margins,
-    w: Weights,
     schedule: Schedule,
     problem: wp.array(dtype=wp.int32),
     # State in:
@@ -63,6 +61,8 @@ def adam_step(
     s: State,
     share: wp.array2d(dtype=wp.float32),
     lowest: wp.array(dtype=wp.float32),
+    part: wp.array2d(dtype=wp.float32),
+    slope: wp.array2d(dtype=wp.vec4),
     # State in and out:
     mean: wp.array2d(dtype=wp.vec4),
     square: wp.array2d(dtype=wp.vec4),
@@ -77,9 +77,8 @@ def adam_step(
     """Move every root one step along its gradient; what it carries follows.
 
     ``share`` and, before they are overwritten, ``next_poses`` are those of the step before; ``lowest`` is the lowest
-    energy before that step.
+    energy before that step; ``part`` and ``slope`` are every object's share and gradient at the poses of this step.
     """
-    inline_on_gpu()
     group, obj, lane = wp.tid()
     candidate = group * LANES + lane
     if candidate >= problem.shape[0]:
@@ -91,7 +90,7 @@ def adam_step(
     if not keep_last(t, p, candidate, obj, share, lowest, next_poses, best_out, share_out, lowest_out):
         return
     arm = turning_arm(t, o)
-    portion, g = scaled_gradient(t, m, w, p, candidate, obj, arm, s)
+    portion, g = scaled_gradient(t, o, obj, candidate, arm, part, slope, s.poses)
     share_out[obj, candidate] = portion
     step = clock[0]
     life = float(step) / float(schedule.steps)

@@ -9,16 +9,23 @@ length itself has kinks where the witness changes, and jumps where a body leaves
 import warp as wp
 
 from .cells import cell_at, crowded
-from .features import TURN, feature
-from .geometry import FAR, lowest_vertex, perp, plane_of, prisms_apart, turn, turn_back, wrap
+from .features import TURN, feature, plain_feature
+from .geometry import FAR, box_separation, lowest_vertex, perp, plane_of, prisms_apart, turn, turn_back, wrap
 from .reading import item, spot
 from .tables import (
+    BOXES,
+    DISTANCES,
     FIXTURE_SOLID,
+    FORMULAS,
     FREE_Z,
     PAIR_COLLIDE,
+    PAIR_POLYGON,
     PAIR_RIGID,
     PAIR_ZONE_OF_FIRST,
     PAIR_ZONE_OF_SECOND,
+    POLYGONS,
+    RELATIONS,
+    ROOM,
     SOLIDS,
     ZONES,
     Margins,
@@ -34,7 +41,7 @@ wp.set_module_options({"enable_backward": False})
 
 ORIGIN = wp.constant(wp.vec2(0.0, 0.0))
 EAST = wp.constant(wp.vec2(1.0, 0.0))
-FIXTURE = wp.constant(16)  # beside the flags of pairs: a meeting with a fixture
+FIXTURE = wp.constant(32)  # beside the flags of pairs: a meeting with a fixture
 
 
 @wp.func
@@ -95,6 +102,7 @@ def clearance(
     aim: wp.float32,
     least: wp.float32,
     knee: wp.float32,
+    without: wp.int32,
 ):
     """Penalty of two ranges of prisms for being closer than aim, with the gradient for the first's pose."""
     pa = plane_of(pose_a)
@@ -108,7 +116,13 @@ def clearance(
             zb = item(t[0].prism_z, b)
             box_b = item(t[0].prism_box, b)
             if gate(pose_a[2], za, pose_b[2], zb, least):
-                s, n, x = prisms_apart(t, a, box_a, pa, qa, b, box_b, pb, qb, aim)
+                s = float(0.0)
+                n = EAST
+                x = pa
+                if (without & POLYGONS) != 0:
+                    s, n, x = box_separation(box_a, pa, qa, box_b, pb, qb, aim)
+                else:
+                    s, n, x = prisms_apart(t, a, box_a, pa, qa, b, box_b, pb, qb, aim)
                 de, dv = penalty(aim - s, knee)
                 e += de
                 g += dv * wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(x - pa)))
@@ -141,6 +155,7 @@ def meeting_energy(
     b: wp.int32,
     pose_b: wp.vec4,
     qb: wp.vec2,
+    without: wp.int32,
 ):
     """Penalties of object a (global index) where it meets object b (global) or fixture b, with the gradient for a.
 
@@ -169,7 +184,7 @@ def meeting_energy(
             if flag == PAIR_COLLIDE:
                 aim = m.collision_aim
                 weight = w.collision
-        ek, gk = clearance(t, first, pose_a, qa, second, pose_b, qb, aim, m.gate, w.knee)
+        ek, gk = clearance(t, first, pose_a, qa, second, pose_b, qb, aim, m.gate, w.knee, without)
         e += weight * ek
         g += weight * gk
     return e, g
@@ -238,14 +253,21 @@ def parties_of(t: TablesRef, o0: wp.int32, r: wp.int32, s: State, candidate: wp.
 
 
 @wp.func
-def option_energy(t: TablesRef, option: wp.int32, role: wp.int32, x: Parties, knee: wp.float32, limit: wp.float32):
+def option_energy(
+    t: TablesRef, option: wp.int32, role: wp.int32, x: Parties, knee: wp.float32, limit: wp.float32, without: wp.int32
+):
     """Penalty of one option's rows, with the gradient for the object in the given role; stops above the limit."""
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
     for row in range(item(t[0].row_start, option), item(t[0].row_start, option + 1)):
         if e >= limit:
             break
-        value, slope = feature(t, row, role, x.a, x.b, x.pose_a, x.qa, x.pose_b, x.qb, x.pose_c)
+        value = float(0.0)
+        slope = wp.vec4(0.0, 0.0, 0.0, 0.0)
+        if (without & RELATIONS) != 0:
+            value, slope = plain_feature(t, row, role, x.a, x.b, x.pose_a, x.qa, x.pose_b, x.qb, without)
+        else:
+            value, slope = feature(t, row, role, x.a, x.b, x.pose_a, x.qa, x.pose_b, x.qb, x.pose_c)
         aim = item(t[0].row_aim, row)
         off, sign = outside(value, wp.vec2(aim[0], aim[1]))
         de, dv = penalty(off * aim[3], knee)
@@ -256,14 +278,20 @@ def option_energy(t: TablesRef, option: wp.int32, role: wp.int32, x: Parties, kn
 
 @wp.func
 def best_of(
-    t: TablesRef, first: wp.int32, last: wp.int32, role: wp.int32, x: Parties, knee: wp.float32
+    t: TablesRef,
+    first: wp.int32,
+    last: wp.int32,
+    role: wp.int32,
+    x: Parties,
+    knee: wp.float32,
+    without: wp.int32,
 ):
     """Of the options first:last the one with the lowest penalty, that penalty and its gradient."""
     best = int(first)
     low = float(FAR)
     low_g = wp.vec4(0.0, 0.0, 0.0, 0.0)
     for option in range(first, last):
-        e, g = option_energy(t, option, role, x, knee, low)
+        e, g = option_energy(t, option, role, x, knee, low, without)
         if e < low:
             low = e
             low_g = g
@@ -276,7 +304,7 @@ def best_of(
 @wp.func
 def best_option(t: TablesRef, r: wp.int32, role: wp.int32, x: Parties, knee: wp.float32):
     """The option of relation r (global) with the lowest penalty, that penalty and its gradient."""
-    best, low, g = best_of(t, item(t[0].option_start, r), item(t[0].option_start, r + 1), role, x, knee)
+    best, low, g = best_of(t, item(t[0].option_start, r), item(t[0].option_start, r + 1), role, x, knee, 0)
     return best, low, g
 
 
@@ -299,7 +327,7 @@ def relation_energy(
     if view.best == 0:
         first = spot(s.options, candidate, rel)
         last = first + 1
-    _best, low, low_g = best_of(t, first, last, role, x, w.knee)
+    _best, low, low_g = best_of(t, first, last, role, x, w.knee, view.without)
     weight = w.relation * item(t[0].relation_weight, r)
     return weight * low, weight * low_g
 
@@ -319,24 +347,34 @@ def near(
     view: View,
 ):
     """True when object o (global) at a place and between two heights may have a pair term with object j (local)."""
-    flags = int(item(t[0].pair_flags, row + j))  # all that is needed is read at once, so that it is waited for once
+    flags = int(item(t[0].pair_flags, row + j))
+    kind = wp.where((flags & PAIR_POLYGON) != 0, POLYGONS, BOXES)
+    if (view.without & BOXES) != 0 and kind == BOXES:
+        return False
+    # all that is needed is read at once, so that it is waited for once
     other = spot(s.poses, candidate, j)
     ri = item(t[0].object_radius, o)
     rj = item(t[0].object_radius, o0 + j)
     v = plane_of(other) - at
     # a zone only meets solids
     far = wp.max(ri[0] + rj[1], ri[1] + rj[0]) + m.collision_aim
-    if flags == 0 or (flags & PAIR_RIGID) != 0 or wp.dot(v, v) >= far * far:
+    if flags == 0 or (flags & PAIR_RIGID) != 0 or (view.without & kind) != 0 or wp.dot(v, v) >= far * far:
         return False
     if view.stamp != 0 and wp.abs(item(s.mark, candidate, j)) == view.stamp:
         return False
-    return flags != PAIR_COLLIDE or gate(0.0, heights, other[2], item(t[0].object_z, o0 + j), m.gate)
+    return (flags & ~PAIR_POLYGON) != PAIR_COLLIDE or gate(0.0, heights, other[2], item(t[0].object_z, o0 + j), m.gate)
 
 
 @wp.func
-def near_fixture(t: TablesRef, m: Margins, o: wp.int32, at: wp.vec2, k: wp.int32):
+def near_fixture(t: TablesRef, m: Margins, o: wp.int32, at: wp.vec2, k: wp.int32, view: View):
     """True when object o (global) at a place may touch fixture k (global), and may not."""
-    disc = item(t[0].prism_disc, item(t[0].fixture, k))
+    prism = item(t[0].fixture, k)
+    disc = item(t[0].prism_disc, prism)
+    if (view.without & (BOXES | POLYGONS)) != 0:
+        box = item(t[0].prism_box, prism)
+        boxes = item(t[0].object_boxes, o) == 1 and box[2] > 0.0 and box[3] > 0.0
+        if (view.without & wp.where(boxes, BOXES, POLYGONS)) != 0:
+            return False
     to = wp.vec2(disc[0], disc[1]) - at
     far = disc[2] + item(t[0].object_radius, o)[0] + m.bounds_aim
     solid = item(t[0].fixture_kind, k) == FIXTURE_SOLID
@@ -344,36 +382,28 @@ def near_fixture(t: TablesRef, m: Margins, o: wp.int32, at: wp.vec2, k: wp.int32
 
 
 @wp.func
-def object_energy(
+def own_energy(
     t: TablesRef,
     m: Margins,
     w: Weights,
     p: wp.int32,
     candidate: wp.int32,
     obj: wp.int32,
+    pose: wp.vec4,
+    q: wp.vec2,
     s: State,
-    limit: wp.float32,
     view: View,
     part: Share,
 ):
-    """Everything that object ``obj`` of a candidate takes part in.
-
-    Returns (energy, share, soft, gradient): the energy of all its terms; its share of the candidate's energy (half of
-    each pair, the whole of a relation for its subject); what of the share soft relations and the pull make up; and the
-    gradient of the energy for its pose (x, y, z, yaw). Once the energy exceeds the limit the rest is left out; so are
-    pairs with objects that the view moves along, whose distances that does not change. A thread may take its share of
-    the terms only; what the shares return adds up.
-    """
+    """`object_energy` without what is near the object: bounds, the pull and relations."""
     o0 = item(t[0].object_start, p)
-    n = item(t[0].object_start, p + 1) - o0
     o = o0 + obj
-    pose, q = seen(s, candidate, obj, view)
-    at = plane_of(pose)
-    if not wp.isfinite(pose):  # comparisons with NaN are false, so every term would pass it
-        return FAR, FAR, float(0.0), wp.vec4(0.0, 0.0, 0.0, 0.0)
-    e, g = room_energy(t, m, w, p, o, pose, q, part)
+    e = float(0.0)
+    g = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    if (view.without & ROOM) == 0:
+        e, g = room_energy(t, m, w, p, o, pose, q, part)
     soft = float(0.0)
-    if w.pull > 0.0 and part.first == 0:
+    if w.pull > 0.0 and part.first == 0 and (view.without & ROOM) == 0:
         d = pose - spot(s.anchors, candidate, obj)
         d[3] = wrap(d[3], TURN)
         soft += 0.5 * w.pull * wp.dot(d, d)
@@ -383,7 +413,10 @@ def object_energy(
     r0 = item(t[0].relation_start, p)
     for k in range(item(t[0].touch_start, o) + part.first, item(t[0].touch_start, o + 1), part.of):
         r = item(t[0].touch, k)
-        if item(t[0].relation_rigid, r0 + r) == 0:
+        wanted = item(t[0].relation_rigid, r0 + r) == 0
+        if (view.without & (FORMULAS | DISTANCES | RELATIONS)) != 0:
+            wanted = wanted and (view.without & item(t[0].relation_kind, r0 + r)) == 0
+        if wanted:
             role = item(t[0].touch_role, k)
             er, gr = relation_energy(t, w, o0, r0 + r, r, role, s, candidate, view)
             e += er
@@ -392,10 +425,38 @@ def object_energy(
                 share += er
                 if item(t[0].relation_fault, r0 + r) == 0:
                     soft += er
+    return e, share, soft, g
+
+
+@wp.func
+def add_meetings(
+    t: TablesRef,
+    m: Margins,
+    w: Weights,
+    p: wp.int32,
+    candidate: wp.int32,
+    obj: wp.int32,
+    pose: wp.vec4,
+    q: wp.vec2,
+    s: State,
+    limit: wp.float32,
+    view: View,
+    part: Share,
+    e: wp.float32,
+    share: wp.float32,
+    g: wp.vec4,
+):
+    """Energy, share and gradient of an object with those of what is near it: other objects and fixtures."""
+    e = float(e)
+    share = float(share)
+    o0 = item(t[0].object_start, p)
+    n = item(t[0].object_start, p + 1) - o0
+    o = o0 + obj
+    at = plane_of(pose)
     row = item(t[0].pair_start, p) + obj * n
     z = item(t[0].object_z, o)
     heights = wp.vec2(pose[2] + z[0], pose[2] + z[1])
-    cells = crowded(n, s)
+    cells = view.crowd != 0 and crowded(n, s)
     reach = item(t[0].object_radius, o)[1] + item(t[0].grid, p)[3] + m.collision_aim
     left, low = cell_at(t, p, at[0] - reach, at[1] - reach)
     right, high = cell_at(t, p, at[0] + reach, at[1] + reach)
@@ -421,7 +482,7 @@ def object_energy(
         while bit != (1 << 30) and j < listed:
             close = bool(False)
             if j < fixtures:
-                close = near_fixture(t, m, o, at, f0 + j)
+                close = near_fixture(t, m, o, at, f0 + j, view)
             else:
                 close = near(t, m, o0, row, o, at, heights, j - fixtures, candidate, s, view)
             if close:
@@ -463,11 +524,40 @@ def object_energy(
                 flags = int(item(t[0].pair_flags, row + k))
                 pose_b = spot(s.poses, candidate, k)
                 qb = spot(s.turns, candidate, k)
-            em, gm = meeting_energy(t, m, w, o, pose, q, flags, b, pose_b, qb)
+            em, gm = meeting_energy(t, m, w, o, pose, q, flags, b, pose_b, qb, view.without)
             e += em
             share += wp.where(k >= 0, 0.5, 1.0) * em
             g += gm
-    return e, share, soft, g
+    return e, share, g
+
+
+@wp.func
+def object_energy(
+    t: TablesRef,
+    m: Margins,
+    w: Weights,
+    p: wp.int32,
+    candidate: wp.int32,
+    obj: wp.int32,
+    s: State,
+    limit: wp.float32,
+    view: View,
+    part: Share,
+):
+    """Everything that object ``obj`` of a candidate takes part in.
+
+    Returns (energy, share, soft, gradient): the energy of all its terms; its share of the candidate's energy (half of
+    each pair, the whole of a relation for its subject); what of the share soft relations and the pull make up; and the
+    gradient of the energy for its pose (x, y, z, yaw). Once the energy exceeds the limit the rest is left out; so are
+    pairs with objects that the view moves along, whose distances that does not change. A thread may take its share of
+    the terms only; what the shares return adds up.
+    """
+    pose, q = seen(s, candidate, obj, view)
+    if not wp.isfinite(pose):  # comparisons with NaN are false, so every term would pass it
+        return FAR, FAR, float(0.0), wp.vec4(0.0, 0.0, 0.0, 0.0)
+    e, share, soft, g = own_energy(t, m, w, p, candidate, obj, pose, q, s, view, part)
+    e_all, share_all, g_all = add_meetings(t, m, w, p, candidate, obj, pose, q, s, limit, view, part, e, share, g)
+    return e_all, share_all, soft, g_all
 
 
 @wp.kernel
@@ -492,7 +582,9 @@ def evaluate(
         soft_out[candidate, obj] = 0.0
         gradient_out[candidate, obj] = wp.vec4(0.0, 0.0, 0.0, 0.0)
         return
-    _e, share, soft, g = object_energy(t, m, w, p, candidate, obj, s, FAR, View(), Share(0, 1))
+    view = View()
+    view.crowd = 1
+    _e, share, soft, g = object_energy(t, m, w, p, candidate, obj, s, FAR, view, Share(0, 1))
     share_out[candidate, obj] = share
     soft_out[candidate, obj] = soft
     gradient_out[candidate, obj] = g

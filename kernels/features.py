@@ -7,13 +7,13 @@ gradient returned is that of the value with respect to the pose (x, y, z, yaw) o
 
 import warp as wp
 
-from .geometry import FAR, distance, perp, plane_of, turn, turn_back, wrap
+from .geometry import FAR, box_distance, distance, perp, plane_of, turn, turn_back, wrap
 from .reading import item
 from .tables import (
+    DISTANCES,
     FEATURE_ASIDE,
     FEATURE_BEARING,
     FEATURE_BETWEEN,
-    FEATURE_CONSTANT,
     FEATURE_DISTANCE,
     FEATURE_EXTENT,
     FEATURE_HEIGHT,
@@ -22,6 +22,7 @@ from .tables import (
     FEATURE_USER,
     FEATURE_WINDOW,
     FEATURE_YAW,
+    FEATURES_PLAIN,
     TablesRef,
 )
 
@@ -76,26 +77,56 @@ def footprint_distance(
     pb: wp.vec2,
     qb: wp.vec2,
     prism: wp.int32,
+    boxes: wp.bool,
 ):
-    """Distance of a's footprint to that of object b, or to one static prism when prism >= 0; indices are global."""
+    """Distance of a's footprint to that of object b, or to one static prism when prism >= 0; indices are global.
+
+    ``boxes``: all of them are known to be boxes.
+    """
     best = float(FAR)
     best_n = wp.vec2(1.0, 0.0)
     best_x = pa
+    first = int(0)
+    last = int(1)
+    if prism < 0:
+        first = item(t[0].foot_start, b)
+        last = item(t[0].foot_start, b + 1)
     for i in range(item(t[0].foot_start, a), item(t[0].foot_start, a + 1)):
-        if prism >= 0:
-            s, n, x = distance(t, item(t[0].foot, i), pa, qa, prism, pb, qb)
+        mine = item(t[0].foot, i)
+        for j in range(first, last):
+            other = prism
+            if prism < 0:
+                other = item(t[0].foot, j)
+            s = float(0.0)
+            n = wp.vec2(1.0, 0.0)
+            x = pa
+            if boxes:
+                s, n, x = box_distance(item(t[0].prism_box, mine), pa, qa, item(t[0].prism_box, other), pb, qb)
+            else:
+                s, n, x = distance(t, mine, pa, qa, other, pb, qb)
             if s < best:
                 best = s
                 best_n = n
                 best_x = x
-        else:
-            for j in range(item(t[0].foot_start, b), item(t[0].foot_start, b + 1)):
-                s, n, x = distance(t, item(t[0].foot, i), pa, qa, item(t[0].foot, j), pb, qb)
-                if s < best:
-                    best = s
-                    best_n = n
-                    best_x = x
     return best, best_n, best_x
+
+
+@wp.func
+def distance_feature(
+    t: TablesRef,
+    row: wp.int32,
+    role: wp.int32,
+    a: wp.int32,
+    pa: wp.vec2,
+    qa: wp.vec2,
+    b: wp.int32,
+    pb: wp.vec2,
+    qb: wp.vec2,
+    boxes: wp.bool,
+):
+    """Distance of a's footprint to b's or to the row's prism."""
+    s, n, x = footprint_distance(t, a, pa, qa, b, pb, qb, item(t[0].row_prism, row), boxes)
+    return s, lever(role, -n, x, pa, pb)
 
 
 @wp.func
@@ -244,7 +275,7 @@ def other_feature(
     qb: wp.vec2,
     pose_c: wp.vec4,
 ):
-    """`feature` for all but the two most common kinds of rows."""
+    """`feature` for all but plain kinds of rows."""
     kind = item(t[0].row_feature, row)
     pa = plane_of(pose_a)
     pb = plane_of(pose_b)
@@ -254,24 +285,13 @@ def other_feature(
     if kind == FEATURE_BEARING:
         value, grad = bearing_feature(role, pa, qa, pb)
     elif kind == FEATURE_DISTANCE:
-        s, n, x = footprint_distance(t, a, pa, qa, b, pb, qb, item(t[0].row_prism, row))
-        value = s
-        grad = lever(role, -n, x, pa, pb)
-    elif kind == FEATURE_EXTENT:
-        value, grad = extent_feature(t, row, a, pa, qa)
-    elif kind == FEATURE_WINDOW:
-        value, grad = window_feature(t, row, a, pa, qa)
-    elif kind == FEATURE_HEIGHT:
-        value = pose_a[2] - pose_b[2] - offset_of(t, row)
-        grad = wp.vec4(0.0, 0.0, wp.where(role == 0, 1.0, -1.0), 0.0)
+        value, grad = distance_feature(t, row, role, a, pa, qa, b, pb, qb, False)
     elif kind == FEATURE_BETWEEN:
         value, grad = between_feature(role, pa, pb, pc)
     elif kind == FEATURE_ASIDE:
         value, grad = aside_feature(role, pa, pb, pc)
     elif kind == FEATURE_SPREAD:
         value, grad = spread_feature(t, row, role, pa, pb, pc)
-    elif kind == FEATURE_CONSTANT:
-        value = offset_of(t, row)
     elif kind >= FEATURE_USER:
         u = point_of(t, row)
         v = normal_of(t, row)
@@ -282,7 +302,45 @@ def other_feature(
             kind, role, pose_a, pose_b, item(t[0].object_size, a), size_b, wp.vec4(u[0], u[1], v[0], v[1])
         )
     if role == 2 and kind != FEATURE_BETWEEN and kind != FEATURE_ASIDE and kind != FEATURE_SPREAD:
-        grad = wp.vec4(0.0, 0.0, 0.0, 0.0)  # the other features do not look at the second target
+        grad = wp.vec4(0.0, 0.0, 0.0, 0.0)  # those do not look at the second target
+    return value, grad
+
+
+@wp.func
+def plain_feature(
+    t: TablesRef,
+    row: wp.int32,
+    role: wp.int32,
+    a: wp.int32,
+    b: wp.int32,
+    pose_a: wp.vec4,
+    qa: wp.vec2,
+    pose_b: wp.vec4,
+    qb: wp.vec2,
+    without: wp.int32,
+):
+    """`feature` for plain rows, and for distances of boxes unless ``without`` leaves them out."""
+    kind = item(t[0].row_feature, row)
+    pa = plane_of(pose_a)
+    value = float(0.0)
+    grad = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    if kind == FEATURE_LINE:
+        value, grad = line_feature(t, row, role, pa, qa, plane_of(pose_b), qb)
+    elif kind == FEATURE_YAW:
+        value, grad = yaw_feature(t, row, role, pose_a[3], pose_b[3])
+    elif kind == FEATURE_EXTENT:
+        value, grad = extent_feature(t, row, a, pa, qa)
+    elif kind == FEATURE_WINDOW:
+        value, grad = window_feature(t, row, a, pa, qa)
+    elif kind == FEATURE_HEIGHT:
+        value = pose_a[2] - pose_b[2] - offset_of(t, row)
+        grad = wp.vec4(0.0, 0.0, wp.where(role == 0, 1.0, -1.0), 0.0)
+    elif (without & DISTANCES) == 0 and kind == FEATURE_DISTANCE:
+        value, grad = distance_feature(t, row, role, a, pa, qa, b, plane_of(pose_b), qb, True)
+    else:  # FEATURE_CONSTANT
+        value = offset_of(t, row)
+    if role == 2:  # they do not look at the second target
+        grad = wp.vec4(0.0, 0.0, 0.0, 0.0)
     return value, grad
 
 
@@ -300,15 +358,10 @@ def feature(
     pose_c: wp.vec4,
 ):
     """Value of a row's feature and its gradient for one role; a and b are global object indices."""
-    kind = item(t[0].row_feature, row)
     value = float(0.0)
     grad = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    if kind == FEATURE_LINE:
-        value, grad = line_feature(t, row, role, plane_of(pose_a), qa, plane_of(pose_b), qb)
-        grad = wp.where(role == 2, wp.vec4(0.0, 0.0, 0.0, 0.0), grad)
-    elif kind == FEATURE_YAW:
-        value, grad = yaw_feature(t, row, role, pose_a[3], pose_b[3])
-        grad = wp.where(role == 2, wp.vec4(0.0, 0.0, 0.0, 0.0), grad)
+    if item(t[0].row_feature, row) < FEATURES_PLAIN:
+        value, grad = plain_feature(t, row, role, a, b, pose_a, qa, pose_b, qb, DISTANCES)
     else:
         value, grad = other_feature(t, row, role, a, b, pose_a, qa, pose_b, qb, pose_c)
     return value, grad

@@ -367,6 +367,47 @@ def closest_to_edges(
 
 
 @wp.func
+def box_distance(box_a: wp.vec4, pa: wp.vec2, qa: wp.vec2, box_b: wp.vec4, pb: wp.vec2, qb: wp.vec2):
+    """`distance` of two boxes (``Tables.prism_box``): from a corner of one to the other, unless they overlap."""
+    s, n, x = box_separation(box_a, pa, qa, box_b, pb, qb, FAR)
+    if s > 0.0:
+        ca = pa + turn(qa, wp.vec2(box_a[0], box_a[1]))
+        cb = pb + turn(qb, wp.vec2(box_b[0], box_b[1]))
+        ha = wp.vec2(box_a[2], box_a[3])
+        hb = wp.vec2(box_b[2], box_b[3])
+        u = turn_back(qa, cb - ca)  # b's centre as a sees it, and a's as b does
+        v = turn_back(qb, ca - cb)
+        spin = wp.vec2(wp.dot(qa, qb), qa[0] * qb[1] - qa[1] * qb[0])  # b's axes as a sees them
+        best = float(FAR)
+        corner = wp.vec2(0.0, 0.0)
+        mine = bool(True)
+        for k in range(4):
+            sign = wp.vec2(wp.where((k & 1) == 0, 1.0, -1.0), wp.where((k & 2) == 0, 1.0, -1.0))
+            of_b = u + turn(spin, wp.cw_mul(sign, hb))
+            of_a = v + turn_back(spin, wp.cw_mul(sign, ha))
+            gap_b = of_b - wp.vec2(wp.clamp(of_b[0], -ha[0], ha[0]), wp.clamp(of_b[1], -ha[1], ha[1]))
+            gap_a = of_a - wp.vec2(wp.clamp(of_a[0], -hb[0], hb[0]), wp.clamp(of_a[1], -hb[1], hb[1]))
+            if wp.dot(gap_b, gap_b) < best:
+                best = wp.dot(gap_b, gap_b)
+                corner = of_b
+                mine = True
+            if wp.dot(gap_a, gap_a) < best:
+                best = wp.dot(gap_a, gap_a)
+                corner = of_a
+                mine = False
+        s = wp.sqrt(best + 1.0e-14)
+        if mine:
+            gap = corner - wp.vec2(wp.clamp(corner[0], -ha[0], ha[0]), wp.clamp(corner[1], -ha[1], ha[1]))
+            n = turn(qa, gap) / s
+            x = ca + turn(qa, corner)
+        else:
+            gap = corner - wp.vec2(wp.clamp(corner[0], -hb[0], hb[0]), wp.clamp(corner[1], -hb[1], hb[1]))
+            n = -turn(qb, gap) / s
+            x = cb + turn(qb, corner)
+    return s, n, x
+
+
+@wp.func
 def distance(t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2):
     """Euclidean distance of two convex polygons; where they overlap, minus their separating-axis depth.
 
@@ -374,9 +415,10 @@ def distance(t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, p
     """
     box_a = item(t[0].prism_box, a)
     box_b = item(t[0].prism_box, b)
-    s, n, x = box_separation(box_a, pa, qa, box_b, pb, qb, FAR)
-    if box_a[2] < 0.0 or box_b[2] < 0.0:
-        s, n, x = convex_separation(t, a, pa, qa, b, pb, qb, FAR)
+    if box_a[2] > 0.0 and box_b[2] > 0.0:
+        s_box, n_box, x_box = box_distance(box_a, pa, qa, box_b, pb, qb)
+        return s_box, n_box, x_box
+    s, n, x = convex_separation(t, a, pa, qa, b, pb, qb, FAR)
     if s > 0.0:
         d0, v0, x0 = closest_to_edges(t, a, pa, qa, b, pb, qb)
         s = d0

@@ -4,7 +4,7 @@ import warp as wp
 
 from .energy import object_energy
 from .features import TURN
-from .geometry import FAR, perp, plane_of, turn, wrap
+from .geometry import perp, plane_of, turn, wrap
 from .reading import item, spot
 from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, Share, State, TablesRef, View, Weights
 
@@ -111,11 +111,3 @@ def group_energy(
     if (free & FREE_YAW) == 0:
         g[3] = 0.0
     return e, share, soft, g
-
-
-@wp.func
-def members_energy(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, s: State):
-    """Energy, share, soft share and gradient of a root with all that it carries, as one rigid body."""
-    o = item(t[0].object_start, p) + root
-    first = item(t[0].group_start, o)
-    return group_energy(t, m, w, p, candidate, first, members_end(t, o), s, FAR, View(), Share(0, 1))

@@ -9,7 +9,7 @@ exp(-energy / T); the temperature falls to zero, and what remains of the run is 
 import warp as wp
 
 from .adam import BETA2, Schedule, noise_at, rate_at
-from .reading import inline_on_gpu, item
+from .reading import item
 from .step import (
     LANES,
     freedom,
@@ -20,7 +20,7 @@ from .step import (
     stream,
     turning_arm,
 )
-from .tables import Margins, State, TablesRef, Weights
+from .tables import State, TablesRef
 
 # Fast sines on a GPU are good to a few micrometres; the layout that is kept is measured again with exact ones.
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
@@ -32,8 +32,6 @@ FLOOR = wp.constant(0.3)  # slope beside which smaller ones do not lengthen the 
 def langevin_step(
     # Problem:
     t: TablesRef,
-    m: Margins,
-    w: Weights,
     schedule: Schedule,
     problem: wp.array(dtype=wp.int32),
     # State in:
@@ -41,6 +39,8 @@ def langevin_step(
     s: State,
     share: wp.array2d(dtype=wp.float32),
     lowest: wp.array(dtype=wp.float32),
+    part: wp.array2d(dtype=wp.float32),
+    slope: wp.array2d(dtype=wp.vec4),
     # State in and out:
     square: wp.array2d(dtype=wp.vec4),
     next_poses: wp.array2d(dtype=wp.vec4),
@@ -52,7 +52,6 @@ def langevin_step(
     clock_out: wp.array(dtype=wp.int32),
 ):
     """Move every root one step; what it carries follows. Arrays as for ``adam.adam_step``."""
-    inline_on_gpu()
     group, obj, lane = wp.tid()
     candidate = group * LANES + lane
     if candidate >= problem.shape[0]:
@@ -64,7 +63,7 @@ def langevin_step(
     if not keep_last(t, p, candidate, obj, share, lowest, next_poses, best_out, share_out, lowest_out):
         return
     arm = turning_arm(t, o)
-    portion, g = scaled_gradient(t, m, w, p, candidate, obj, arm, s)
+    portion, g = scaled_gradient(t, o, obj, candidate, arm, part, slope, s.poses)
     share_out[obj, candidate] = portion
     step = clock[0]
     life = float(step) / float(schedule.steps)

@@ -11,9 +11,8 @@ import warp as wp
 from .energy import best_option, parties_of
 from .features import TURN
 from .geometry import perp, plane_of, wrap
-from .groups import members_energy
-from .reading import item
-from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, State, TablesRef, View, Weights
+from .reading import item, spot
+from .tables import FREE_PLANE, FREE_YAW, FREE_Z, State, TablesRef, View, Weights
 
 wp.set_module_options({"enable_backward": False})
 
@@ -54,10 +53,30 @@ def stream(seed: wp.uint32, step: wp.int32, index: wp.int32):
 
 @wp.func
 def scaled_gradient(
-    t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, root: wp.int32, arm: wp.float32, s: State
+    t: TablesRef,
+    o: wp.int32,
+    root: wp.int32,
+    candidate: wp.int32,
+    arm: wp.float32,
+    part: wp.array2d(dtype=wp.float32),
+    slope: wp.array2d(dtype=wp.vec4),
+    poses: wp.array2d(dtype=wp.vec4),
 ):
-    """Share of a root in the candidate's energy and the gradient for its pose, yaw as a length at the arm."""
-    _e, share, _soft, g = members_energy(t, m, w, p, candidate, root, s)
+    """Share of a root (o: its global index) in its candidate's energy, and the gradient for its pose.
+
+    ``part`` and ``slope`` are those of every object, which a root has with all that it carries. Yaw is a length at the
+    arm.
+    """
+    at = plane_of(spot(poses, candidate, root))
+    share = float(0.0)
+    g = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    for k in range(item(t[0].member_start, o), item(t[0].member_start, o + 1)):
+        i = item(t[0].member, k)
+        share += item(part, i, candidate)
+        gi = item(slope, i, candidate)
+        turned = perp(plane_of(spot(poses, candidate, i)) - at)
+        g += wp.vec4(gi[0], gi[1], gi[2], gi[3] + gi[0] * turned[0] + gi[1] * turned[1])
+    g = wp.cw_mul(g, freedom(t, o))
     g[3] = g[3] / arm
     return share, g
 
@@ -164,11 +183,11 @@ def choose(
 def measure(
     # Problem:
     t: TablesRef,
-    m: Margins,
-    w: Weights,
     problem: wp.array(dtype=wp.int32),
     # State in:
-    s: State,
+    poses: wp.array2d(dtype=wp.vec4),
+    part: wp.array2d(dtype=wp.float32),
+    slope: wp.array2d(dtype=wp.vec4),
     # State out:
     share_out: wp.array2d(dtype=wp.float32),
     gradient_out: wp.array2d(dtype=wp.vec4),
@@ -184,7 +203,7 @@ def measure(
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
     if o < item(t[0].object_start, p + 1):
         if item(t[0].object_root, o) == obj:
-            share, g = scaled_gradient(t, m, w, p, candidate, obj, turning_arm(t, o), s)
+            share, g = scaled_gradient(t, o, obj, candidate, turning_arm(t, o), part, slope, poses)
     share_out[obj, candidate] = share
     gradient_out[obj, candidate] = g
 

@@ -17,6 +17,7 @@ PAIR_COLLIDE = 1  # solids of i and j must not overlap; a term of the energy
 PAIR_ZONE_OF_FIRST = 2  # hard zones of i must be free of j's solids
 PAIR_ZONE_OF_SECOND = 4  # hard zones of j must be free of i's solids
 PAIR_RIGID = 8  # carried along together: the distance never changes, only the verdict looks at it
+PAIR_POLYGON = 16  # one of them has prisms that are no boxes
 
 # Bits of ``Tables.object_free``.
 FREE_PLANE = 1  # x, y
@@ -34,16 +35,25 @@ ZONES = wp.constant(1)
 # Features of a relation row, ``Tables.row_feature``; `features.py` has their arithmetic.
 FEATURE_LINE = 0
 FEATURE_YAW = 1
-FEATURE_BEARING = 2
-FEATURE_DISTANCE = 3
-FEATURE_EXTENT = 4
-FEATURE_WINDOW = 5
-FEATURE_HEIGHT = 6
-FEATURE_BETWEEN = 7
-FEATURE_ASIDE = 8
-FEATURE_SPREAD = 9
-FEATURE_CONSTANT = 10
+FEATURE_EXTENT = 2
+FEATURE_WINDOW = 3
+FEATURE_HEIGHT = 4
+FEATURE_CONSTANT = 5
+FEATURES_PLAIN = 6  # those before are short formulas
+FEATURE_BEARING = 6
+FEATURE_DISTANCE = 7
+FEATURE_BETWEEN = 8
+FEATURE_ASIDE = 9
+FEATURE_SPREAD = 10
 FEATURE_USER = 16  # and above: residuals registered by the user
+
+# Kinds of an energy's terms, bits of ``View.without``.
+ROOM = wp.constant(1)  # walls, floor and ceiling; the pull
+FORMULAS = wp.constant(2)  # relations of plain features
+DISTANCES = wp.constant(4)  # relations with distances of boxes besides
+RELATIONS = wp.constant(8)  # all other relations
+BOXES = wp.constant(16)  # where boxes meet
+POLYGONS = wp.constant(32)  # where other things meet
 
 
 @wp.struct
@@ -67,6 +77,8 @@ class Tables:
     object_z: wp.array(dtype=wp.vec2)  # lowest and highest point of the solids above the origin
     object_free: wp.array(dtype=wp.int32)
     object_clear: wp.array(dtype=wp.int32)  # 1: must keep openings clear (wall-mounted objects need not)
+    object_boxes: wp.array(dtype=wp.int32)  # 1: all its prisms are boxes
+    object_terms: wp.array(dtype=wp.int32)  # the kinds of terms that it may have
     group_start: wp.array(dtype=wp.int32)  # a root, all that it carries, and the groups of what is placed by it
     group: wp.array(dtype=wp.int32)
     object_parent: wp.array(dtype=wp.int32)  # the movable root that places this one by a relation; -1: none
@@ -107,6 +119,7 @@ class Tables:
     relation_weight: wp.array(dtype=wp.float32)
     relation_fault: wp.array(dtype=wp.int32)  # status when it does not hold: 0 soft, 1 mounting, 2 hard relation
     relation_rigid: wp.array(dtype=wp.int32)  # 1: between objects carried along together
+    relation_kind: wp.array(dtype=wp.int32)  # FORMULAS, DISTANCES or RELATIONS
     option_start: wp.array(dtype=wp.int32)
     row_start: wp.array(dtype=wp.int32)
     row_feature: wp.array(dtype=wp.int32)
@@ -156,6 +169,8 @@ class View:
     before: wp.vec4
     after: wp.vec4
     spin: wp.vec2  # (cos, sin) of the turn
+    without: wp.int32  # kinds of terms that are left out
+    crowd: wp.int32  # 1: what is near is found through cells where there are any; 0: there are none
     best: wp.int32  # 1: relations choose their best option; 0: they keep to ``State.options``
 
 

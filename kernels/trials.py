@@ -131,6 +131,7 @@ def rate_trials(
         last = int(d.last)
         view = View()
         view.best = 1
+        view.crowd = 1
         limit = float(FAR)
         if rates_only(d.job):
             first, last = alone(t, o0 + who)
@@ -193,6 +194,7 @@ def find_slope(
     first, last = alone(t, item(t[0].object_start, p) + d.obj)
     view = View()
     view.best = 1
+    view.crowd = 1
     e, _share, _soft, g = group_energy(t, m, w, p, candidate, first, last, s, FAR, view, Share(lane(), lanes()))
     x = Found()
     x.base = sum_of(e)

@@ -6,7 +6,7 @@ from sceneweaver.kernels.adam import Schedule, adam_step
 
 from .base import Monitor, Outcome, Start, register
 from .batch import Batch
-from .descent import descend, outcome, schedule_of
+from .descent import MEASURED, MEASURED_ON_GPU, descend, outcome, schedule_of
 from .starts import draw_starts
 
 STEPS = 400
@@ -18,7 +18,7 @@ def _schedule(steps: int, start: Start) -> Schedule:
     return schedule_of(steps, rate=0.12, rate_end=0.0005, noise=0.06, quiet=0.6)
 
 
-@register("adam", modules=("step", "adam"))
+@register("adam", modules=(*MEASURED, "adam"), on_gpu=(*MEASURED_ON_GPU, "adam"))
 def run_adam(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
     """Refine every candidate by ``budget`` steps (default 400); each ends at the lowest energy it passed."""
     draw_starts(batch, start)

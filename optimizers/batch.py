@@ -24,7 +24,7 @@ class Batch:
 
     ``tables`` is an array of one ``Tables``, ``keep`` what keeps its arrays alive. ``problem`` [B] int32 says which
     problem a candidate belongs to; ``state`` holds poses [B, N, 4] and the rest; N and R are the largest counts of
-    objects and relations of any problem.
+    objects and relations of any problem, ``terms`` the kinds of terms (bits of ``View.without``) that any of them has.
     """
 
     tables: wp.array
@@ -35,6 +35,7 @@ class Batch:
     state: State
     objects: int
     relations: int
+    terms: int
     device: str
 
     @property

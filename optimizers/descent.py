@@ -1,4 +1,4 @@
-"""The loop that Adam and Langevin dynamics share: one launch a step, two buffers, the best of each candidate."""
+"""The loop that Adam and Langevin dynamics share: slopes and a step, two buffers, the best of each candidate."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.adam import Schedule
+from sceneweaver.kernels.pieces import PIECES
+from sceneweaver.kernels.slopes import slopes_of_all
 from sceneweaver.kernels.step import LANES, add_up, choose, measure, take_best
 from sceneweaver.kernels.tables import State
 
@@ -16,7 +18,8 @@ from .base import Monitor, Outcome
 from .batch import Batch, judge
 from .launches import Launches
 
-BLOCK = 128  # threads: the fastest of 64, 128 and 256 on an H200
+BLOCK = 64  # threads: the fastest of 32, 64, 128 and 256 on an H200
+MEASURED, MEASURED_ON_GPU = ("step", "slopes"), ("step", "pieces")  # modules of the kernels that are launched here
 REASSIGN = 20  # steps between two looks at which wall or side each relation means; even: both buffers had their turn
 
 
@@ -76,20 +79,23 @@ def descend(batch: Batch, step: Any, schedule: Schedule, moments: int, monitor: 
     block = Launches(device)
     add_choice(block, batch, state, [state.options, other.options])
     chosen = len(block)  # launches before the steps: none without relations
+    part, slope = per_object(batch, wp.float32), per_object(batch, wp.vec4)
     for k in range(REASSIGN):
         a, b = k % 2, (k + 1) % 2
+        add_slopes(block, batch, layout[a], lowest[a], part, slope)
         block.add(
             step,
             threads(batch, batch.objects),
             [
-                *(batch.tables, batch.margins, batch.weights, schedule, batch.problem),
-                *(clock[a], layout[a], share[b], lowest[a], *averages, layout[b].poses),
+                *(batch.tables, schedule, batch.problem),
+                *(clock[a], layout[a], share[b], lowest[a], part, slope, *averages, layout[b].poses),
             ],
             [layout[b].turns, best, share[a], lowest[b], clock[b]],
             block=BLOCK,
         )
+    each = (len(block) - chosen) // REASSIGN
     times, rest = divmod(schedule.steps + 1, REASSIGN)  # the last step is there to measure where the one before led
-    done = block.play(monitor, times, chosen + rest if rest else 0)
+    done = block.play(monitor, times, chosen + each * rest if rest else 0)
     a = (rest + 1) % 2 if done else 1  # the buffers of the last step
     total = wp.zeros(batch.size, dtype=wp.float32, device=device)
     wp.launch(add_up, batch.size, [batch.tables, batch.problem, share[a]], [total], device=device)
@@ -115,6 +121,26 @@ def add_choice(block: Launches, batch: Batch, state: State, options: Sequence[wp
         block.add(choose, threads(batch, batch.relations), inputs, options)
 
 
+def add_slopes(block: Launches, batch: Batch, state: State, lowest: wp.array, part: wp.array, slope: wp.array) -> None:
+    """Measure every object's share of the energy and its gradient, [object, candidate], at the state's poses.
+
+    Candidates whose ``lowest`` energy so far is that of rest are left out.
+    """
+    kernels = [slopes_of_all] if batch.device == "cpu" else [piece for kinds, piece in PIECES if kinds & batch.terms]
+    inputs = [batch.tables, batch.margins, batch.weights, batch.problem, state, lowest]
+    for kernel in kernels:
+        block.add(kernel, threads(batch, batch.objects), inputs, [part, slope], block=BLOCK)
+
+
+def add_measure(block: Launches, batch: Batch, state: State, share: wp.array, gradient: wp.array) -> None:
+    """Measure every root's share of the energy and its scaled gradient, [object, candidate], at the state's poses."""
+    restless = wp.full(batch.size, np.inf, dtype=wp.float32, device=batch.device)
+    part, slope = per_object(batch, wp.float32), per_object(batch, wp.vec4)
+    add_slopes(block, batch, state, restless, part, slope)
+    inputs = [batch.tables, batch.problem, state.poses, part, slope]
+    block.add(measure, threads(batch, batch.objects), inputs, [share, gradient], block=BLOCK)
+
+
 def energy_of(batch: Batch) -> wp.array:
     """Choose every relation's best option in place; energies [B] float32 of the batch's poses, on the device."""
     state, device = batch.state, batch.device
@@ -122,12 +148,7 @@ def energy_of(batch: Batch) -> wp.array:
     total = wp.zeros(batch.size, dtype=wp.float32, device=device)
     now = Launches(device)
     add_choice(now, batch, state, [state.options, state.options])
-    now.add(
-        measure,
-        threads(batch, batch.objects),
-        [batch.tables, batch.margins, batch.weights, batch.problem, state],
-        [share, gradient],
-    )
+    add_measure(now, batch, state, share, gradient)
     now.add(add_up, batch.size, [batch.tables, batch.problem, share], [total])
     now.play(Monitor(0))
     return total

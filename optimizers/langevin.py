@@ -7,7 +7,7 @@ from sceneweaver.kernels.langevin import langevin_step
 
 from .base import Monitor, Outcome, Start, register
 from .batch import Batch
-from .descent import descend, outcome, schedule_of
+from .descent import MEASURED, MEASURED_ON_GPU, descend, outcome, schedule_of
 from .starts import draw_starts
 
 STEPS = 400
@@ -19,7 +19,7 @@ def _schedule(steps: int, start: Start) -> Schedule:
     return schedule_of(steps, rate=0.15, rate_end=0.0005, noise=0.1, quiet=0.7)
 
 
-@register("langevin", modules=("step", "langevin"))
+@register("langevin", modules=(*MEASURED, "langevin"), on_gpu=(*MEASURED_ON_GPU, "langevin"))
 def run_langevin(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
     """Refine every candidate by ``budget`` steps (default 400); each ends at the lowest energy it passed."""
     draw_starts(batch, start)

@@ -8,12 +8,11 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.lbfgs import SLOTS, History, Line, decide, make_trial
-from sceneweaver.kernels.step import measure
 from sceneweaver.kernels.tables import State
 
 from .base import Monitor, Outcome, Start, register
 from .batch import Batch
-from .descent import add_choice, finish, outcome, per_object, threads
+from .descent import MEASURED, MEASURED_ON_GPU, add_choice, add_measure, finish, outcome, per_object, threads
 from .launches import Launches
 from .starts import draw_starts
 
@@ -63,12 +62,7 @@ def one_step(block: Launches, batch: Batch, work: Workspace, push: float, steps:
     """Append one step: measure the trial, decide on it, make the next."""
     trial, problem = work.trial, [batch.tables, batch.problem]
     add_choice(block, batch, trial, [trial.options, trial.options])
-    block.add(
-        measure,
-        threads(batch, batch.objects),
-        [batch.tables, batch.margins, batch.weights, batch.problem, trial],
-        [work.share, work.gradient],
-    )
+    add_measure(block, batch, trial, work.share, work.gradient)
     block.add(decide, batch.size, [*problem, work.share, work.gradient, work.history, work.line, work.clock], [])
     block.add(
         make_trial,
@@ -81,7 +75,7 @@ def one_step(block: Launches, batch: Batch, work: Workspace, push: float, steps:
     )
 
 
-@register("lbfgs", modules=("step", "lbfgs"))
+@register("lbfgs", modules=(*MEASURED, "lbfgs"), on_gpu=(*MEASURED_ON_GPU, "lbfgs"))
 def run_lbfgs(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
     """Refine every candidate by ``budget`` steps (default 400), one energy each; it ends at the lowest it passed."""
     draw_starts(batch, start)

@@ -11,12 +11,22 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.adam import adam_step
-from sceneweaver.kernels.step import measure
 from sceneweaver.kernels.tempering import FIRST, Ladder, accept, exchange, make_moves, spread
 
 from .base import Monitor, Outcome, Start, register
 from .batch import Batch
-from .descent import add_choice, descend, finish, outcome, per_object, schedule_of, threads
+from .descent import (
+    MEASURED,
+    MEASURED_ON_GPU,
+    add_choice,
+    add_measure,
+    descend,
+    finish,
+    outcome,
+    per_object,
+    schedule_of,
+    threads,
+)
 from .launches import Launches
 from .starts import draw_starts
 
@@ -89,8 +99,7 @@ def temper(batch: Batch, start: Start, lead: int, steps: int, monitor: Monitor) 
 
     block = Launches(device, UNROLL)
     add_choice(block, rows, trial, [trial.options, trial.options])
-    inputs = [tables, rows.margins, rows.weights, problem, trial]
-    block.add(measure, threads(rows, rows.objects), inputs, [share, trial_slope])
+    add_measure(block, rows, trial, share, trial_slope)
     inputs = [tables, problem, REPLICAS, JUMPS[start], clock, state.rng, share, slope, trial_slope, step, ladder]
     block.add(accept, rows.size, inputs, [total])
     block.add(exchange, batch.size, [REPLICAS, state.rng, total, clock, ladder], [])
@@ -101,7 +110,7 @@ def temper(batch: Batch, start: Start, lead: int, steps: int, monitor: Monitor) 
     finish(batch, batch.state.poses, nothing, best, ladder.lowest)
 
 
-@register("tempering", modules=("step", "tempering", "adam"))
+@register("tempering", modules=(*MEASURED, "tempering", "adam"), on_gpu=(*MEASURED_ON_GPU, "tempering", "adam"))
 def run_tempering(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
     """Refine every candidate by ``budget`` steps (default 1200); it ends at the lowest energy of any replica.
 

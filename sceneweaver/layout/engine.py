@@ -277,6 +277,7 @@ def make_batch(problems: Sequence[Problem], which: np.ndarray, device: str, pool
         new_state(len(which), packed.objects, packed.relations, device),
         packed.objects,
         packed.relations,
+        packed.terms,
         device,
     )
 

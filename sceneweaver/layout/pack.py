@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import reduce
+from operator import or_
 
 import numpy as np
 import warp as wp
@@ -55,13 +57,14 @@ def weights(**changes: float) -> k.Weights:
 
 @dataclass
 class Packed:
-    """Tables of a batch of problems on one device, with the largest counts for launch sizes."""
+    """Tables of a batch of problems on one device, with the largest counts for launch sizes and all kinds of terms."""
 
     tables: wp.array  # of one k.Tables
     keep: k.Tables  # the arrays that it points to
     problems: Sequence[Problem]
     objects: int
     relations: int
+    terms: int
     device: str
 
 
@@ -98,6 +101,10 @@ class _Prisms:
         self.real += [int(r) for r in (prism.real or (True,) * len(v))]
         return len(self.z) - 1
 
+    def is_box(self, index: int) -> bool:
+        """True when a prism is its bounding box, of which every face is a way out."""
+        return min(self.box[index][2:]) > 0
+
 
 class _Ranges:
     """A CSR list under construction."""
@@ -109,6 +116,9 @@ class _Ranges:
     def add(self, values) -> None:
         self.values.extend(values)
         self.start.append(len(self.values))
+
+    def of(self, index: int) -> list:
+        return self.values[self.start[index] : self.start[index + 1]]
 
 
 def _grid(problem: Problem) -> tuple[float, float, float, float, int, int]:
@@ -147,6 +157,9 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
     relation_weight: list[float] = []
     relation_fault: list[int] = []
     relation_rigid: list[int] = []
+    relation_kind: list[int] = []
+    boxes: list[int] = []
+    terms: list[int] = []
     fields: dict[str, list] = {n: [] for n in ("feature", "frame", "aim", "prism", "hold")}
 
     def table(shapes: Sequence[Prism]) -> list[int]:
@@ -155,17 +168,18 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
     for which, problem in enumerate(problems):
         n = problem.size
         pair_start.append(sum(f.size for f in flags))
-        flags.append(problem.flags.ravel())
         parts: list[list[tuple[int, int]]] = [[] for _ in range(n)]
         for r, rel in enumerate(problem.relations):
             for i in sorted({o for o in rel.objects if o >= 0}):
                 parts[i].append((r, rel.objects.index(i)))
         carried = np.bincount(problem.roots, minlength=n)
         for i in range(n):
+            begin = len(prisms.z)
             for shapes in (problem.solids[i], problem.zones[i]):
                 first = len(prisms.z)
                 table(shapes)
                 ranges.append((first, len(prisms.z)))
+            whole = (begin, len(prisms.z))
             foot.add(table([Prism(p, (0.0, 0.0)) for p in problem.feet[i]]))
             near = reach_of([s.polygon for s in problem.solids[i]])
             reach.append((near, max(near, reach_of([z.polygon for z in problem.zones[i]]))))
@@ -179,6 +193,7 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
                 deck_heights.append(problem.decks[d].height)
                 deck_members.add(problem.decks[d].members)
                 pool.add(pools[which][d].reshape(-1, 4) if pools else [])
+            boxes.append(int(all(prisms.is_box(b) for b in range(*whole))))
             touch.add([r for r, _ in parts[i]])
             roles += [role for _, role in parts[i]]
         region = problem.region
@@ -193,6 +208,7 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
             alone = rel.objects[1] < 0
             relation_rigid.append(int(len(roots) == 1 and not alone))
             first = len(row.start) - 1
+            rows_before = len(fields["feature"])
             for rows in rel.options:
                 for r in rows:
                     fields["feature"].append(r.feature)
@@ -202,6 +218,18 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
                     fields["hold"].append(r.hold)
                 row.add(rows)
             option.add(range(first, len(row.start) - 1))
+            rest = {f for f in fields["feature"][rows_before:] if f >= k.FEATURES_PLAIN}
+            shapes = [f for o in rel.objects[:2] if o >= 0 for f in foot.of(object_start[-1] + o)]
+            shapes += [f for f in fields["prism"][rows_before:] if f >= 0]
+            distances = rest == {k.FEATURE_DISTANCE} and all(map(prisms.is_box, shapes))
+            relation_kind.append(int(k.FORMULAS if not rest else k.DISTANCES if distances else k.RELATIONS))
+        boxy = np.array(boxes[object_start[-1] :], dtype=bool)
+        round_pairs = (problem.flags != 0) & ~(boxy[:, None] & boxy)
+        flags.append((problem.flags | np.where(round_pairs, k.PAIR_POLYGON, 0)).ravel())
+        all_boxes = boxy.all() and all(map(prisms.is_box, fixture.of(which)))
+        always = int(k.ROOM) | int(k.BOXES) | (0 if all_boxes else int(k.POLYGONS))
+        kinds_of = relation_kind[relation_start[-1] :]
+        terms += [reduce(or_, (kinds_of[r] for r, _ in mine), always) for mine in parts]
         object_start.append(object_start[-1] + n)
         relation_start.append(relation_start[-1] + len(problem.relations))
 
@@ -224,6 +252,8 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
         "pair_start": pair_start,
         "object_free": np.concatenate([p.free for p in problems]),
         "object_clear": np.concatenate([p.clear for p in problems]),
+        "object_boxes": boxes,
+        "object_terms": terms,
         "object_root": np.concatenate([p.roots for p in problems]),
         "object_parent": np.concatenate([p.parents for p in problems]),
         "group_start": groups.start,
@@ -247,16 +277,17 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
         "fixture_kind": kinds,
         "relation_fault": relation_fault,
         "relation_rigid": relation_rigid,
+        "relation_kind": relation_kind,
         "option_start": option.start,
         "row_start": row.start,
         "row_feature": fields["feature"],
         "row_prism": fields["prism"],
     }.items():
         setattr(t, name, ints(values))
-    boxes = [p.region.box for p in problems]
+    outlines = [p.region.box for p in problems]
     for name, dtype, values in (
         ("room_height", wp.float32, [p.region.height for p in problems]),
-        ("room_box", wp.vec4, boxes),
+        ("room_box", wp.vec4, outlines),
         ("deck_height", wp.float32, deck_heights),
         ("pool", wp.vec4, pool.values),
         ("grid", wp.vec4, [(x0, y0, edge, reach) for x0, y0, edge, reach, _, _ in map(_grid, problems)]),
@@ -286,5 +317,6 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
         problems,
         max((p.size for p in problems), default=0),
         max((len(p.relations) for p in problems), default=0),
+        reduce(or_, terms, 0),
         device,
     )

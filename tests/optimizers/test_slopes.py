@@ -1,0 +1,101 @@
+"""Slopes in pieces, as on a GPU, against all terms in one kernel; and which pieces a batch needs."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import warp as wp
+
+from sceneweaver.kernels import tables as k
+from sceneweaver.kernels.pieces import EVERY_KIND, PIECES
+from sceneweaver.kernels.slopes import slopes_of_all
+from sceneweaver.layout.compile import compile_scene
+from sceneweaver.optimizers import load_poses
+from sceneweaver.optimizers.batch import Batch
+from sceneweaver.optimizers.descent import by_object, per_object, threads
+from tests.kernels.harness import ROOMS, batch_of, best_options
+from tests.layout.made import relation, scene, thing
+from tests.optimizers.batches import batch
+
+ROUND, HALL = "dining-round", "living-dining-L"  # round tables; a room whose outside is no box
+
+
+def slopes(what: Batch, kernels: list, lowest: float = np.inf) -> tuple[np.ndarray, np.ndarray]:
+    """Shares and slopes, [object, candidate], that some kernels add up to, from -1 where none writes."""
+    part, slope = per_object(what, wp.float32, -1.0), per_object(what, wp.vec4, -1.0)
+    rest = wp.full(what.size, lowest, dtype=wp.float32, device=what.device)
+    inputs = [what.tables, what.margins, what.weights, what.problem, by_object(what.state), rest, part, slope]
+    for kernel in kernels:
+        wp.launch(kernel, threads(what, what.objects), inputs, device=what.device)
+    return part.numpy(), slope.numpy()
+
+
+def needed(what: Batch) -> list:
+    """The pieces that a batch needs."""
+    return [kernel for kinds, kernel in PIECES if kinds & what.terms]
+
+
+@pytest.mark.parametrize("name", ROOMS)
+def test_pieces_add_up(device, name):
+    what = batch([name], 6, device)
+    what.weights.pull = 0.5
+    share, slope = slopes(what, needed(what))
+    whole, gradient = slopes(what, [slopes_of_all])
+    np.testing.assert_allclose(share, whole, atol=1e-5, rtol=1e-5)
+    np.testing.assert_allclose(slope, gradient, atol=2e-5, rtol=1e-4)
+    assert whole.max() > 0.1 and (whole >= 0).all()
+
+
+def test_every_kind_of_terms_is_in_one_piece():
+    kinds = [kinds for kinds, _ in PIECES]
+    assert sum(kinds) == EVERY_KIND and np.bitwise_or.reduce(kinds) == EVERY_KIND
+    assert kinds[0] & k.ROOM  # the one that sets what the others add to
+    assert np.bitwise_or.reduce([batch([name], 1, "cpu").terms for name in ROOMS]) == EVERY_KIND
+
+
+@pytest.mark.parametrize(("name", "kind"), [(ROUND, k.POLYGONS), (ROUND, k.RELATIONS), (HALL, k.POLYGONS)])
+def test_a_piece_that_is_needed_changes_something(device, name, kind):
+    what = batch([name], 20, device)
+    assert what.terms & kind
+    share, _ = slopes(what, needed(what))
+    without, _ = slopes(what, [kernel for kinds, kernel in PIECES if not kinds & kind])
+    assert np.abs(share - without).max() > 0.01
+
+
+def test_a_room_of_boxes_needs_little(device):
+    two = scene([thing("a"), thing("b")], [relation("near", "a", "b")])
+    problem = compile_scene(two).room
+    what = batch_of([problem], np.zeros(1, dtype=int), [problem.home], device)
+    assert what.terms == k.ROOM | k.BOXES | k.DISTANCES
+
+
+def test_batches_of_several_rooms(device):
+    """Kinds of terms that only one of the rooms has leave the others as they are, to the bit."""
+    few = batch(["bedroom-tight"], 5, device)
+    mixed = batch([ROUND, "bedroom-tight"], 5, device)
+    assert mixed.terms != few.terms
+    poses = mixed.state.poses.numpy()
+    poses[5:, : few.objects] = few.state.poses.numpy()
+    load_poses(mixed, poses)
+    best_options(mixed)
+    best_options(few)
+    for one, other in zip(slopes(mixed, needed(mixed)), slopes(few, needed(few)), strict=True):
+        np.testing.assert_array_equal(one[: few.objects, 5:], other)
+
+
+def test_no_number_is_far_and_flat(device):
+    what = batch(["bedroom-small"], 2, device)
+    poses = what.state.poses.numpy()
+    poses[0, 3, 1] = np.nan
+    what.state.poses.assign(poses)
+    share, slope = slopes(what, needed(what))
+    whole, gradient = slopes(what, [slopes_of_all])
+    assert share[3, 0] == whole[3, 0] >= 1e6 and not slope[3, 0].any() and not gradient[3, 0].any()
+    assert np.isfinite(share).all() and np.isfinite(slope[:, 1]).all()
+
+
+def test_at_rest_nothing_is_measured(device):
+    what = batch(["bedroom-small"], 3, device)
+    for kernels in (needed(what), [slopes_of_all]):
+        share, slope = slopes(what, kernels, lowest=0.0)
+        assert (share == -1).all() and (slope == -1).all()
