@@ -14,7 +14,7 @@ from benchmarks.settings import Settings
 from benchmarks.starts import blind
 from benchmarks.timing import timed, warm
 
-SIZES = {"bedroom-small": (262144, 16), "office-20": (65536, 8), "restaurant-60": (16384, 4)}
+SIZES = {"bedroom-small": (524288, 16), "office-20": (262144, 8), "restaurant-60": (32768, 4)}
 JUDGED = 2048  # layouts of each room that the judge looks at
 RUNS = 3
 FLOOR = (50, 65536)  # objects and candidates of the room whose memory is measured

@@ -19,7 +19,7 @@ from benchmarks.timing import timed, warm
 from sceneweaver.scene import Scene
 
 STARTS = {"random": random_poses, "noisy": noisy_poses}
-CPU, GPU = 1024, 8192  # candidates of ours
+CPU, GPU = 1024, 32768  # candidates of ours
 
 COLUMNS = (
     Column("start", "start"),

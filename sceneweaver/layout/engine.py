@@ -181,7 +181,9 @@ def solve(
         for i, job, n in zip(members, group, sizes, strict=True):
             rows = slice(first, first + n)
             room, scene = job.compiled.room, job.compiled.scene
-            final = poses[rows, : room.size].copy()
+            final = poses[rows, : room.size]
+            if len(group) > 1:  # a solution must not keep the layouts of others
+                final = final.copy()
             status = verdict.status[rows].copy()
             status[(status != DIVERGED) & (room.faulty | ~_surfaces_hold(job.compiled, batch, first, n))] = BROKEN
             holds = verdict.holds[rows, : len(scene.relations)].copy()
