@@ -12,7 +12,7 @@ import warp as wp
 from sceneweaver.scene import InputError, MissingDependencyError
 
 from .job import Job
-from .solution import Solution, rank
+from .solution import Solution, best_of
 
 WALKED = 8  # of the best candidates, how many are measured for walkable floor
 
@@ -68,17 +68,18 @@ def _part(job: Job, k: int, of: int) -> Job:
 
 def _joined(parts: Sequence[Solution]) -> Solution:
     """One solution of the shares of its candidates, in order."""
-
-    def join(name: str) -> np.ndarray:
-        return np.concatenate([getattr(part, name) for part in parts])
-
-    status, relations, energy, walkable = (join(name) for name in ("status", "relations", "energy", "walkable"))
-    moved = None if parts[0].moved is None else join("moved")
-    others = rank(parts[0].source, status, relations, energy, moved=moved)[WALKED:]
-    walkable[others] = np.nan  # as if all had been ranked at once
+    status, relations, energy, walkable, poses = (
+        _in_order([getattr(part, name) for part in parts])
+        for name in ("status", "relations", "energy", "walkable", "poses")
+    )
+    moved = None if parts[0].moved is None else _in_order([part.moved for part in parts if part.moved is not None])
+    best = best_of(WALKED, parts[0].source, status, relations, energy, moved)
+    measured = walkable[best]
+    walkable[:] = np.nan  # as if all had been ranked at once
+    walkable[best] = measured
     return replace(
         parts[0],
-        poses=join("poses"),
+        poses=poses,
         status=status,
         relations=relations,
         energy=energy,
@@ -87,3 +88,13 @@ def _joined(parts: Sequence[Solution]) -> Solution:
         elapsed=max(part.elapsed for part in parts),
         timed_out=any(part.timed_out for part in parts),
     )
+
+
+def _in_order(pieces: Sequence[np.ndarray]) -> np.ndarray:
+    """Arrays one after the other, copied side by side: fresh memory is slow to touch."""
+    whole = np.empty((sum(map(len, pieces)), *pieces[0].shape[1:]), dtype=pieces[0].dtype)
+    ends = np.cumsum([len(piece) for piece in pieces])
+    with ThreadPoolExecutor(len(pieces)) as pool:
+        for _ in pool.map(lambda end, piece: np.copyto(whole[end - len(piece) : end], piece), ends, pieces):
+            pass
+    return whole

@@ -21,7 +21,7 @@ from .compile import CompiledScene, Problem, absolute, compile_scene, relative
 from .devices import WALKED, pick_devices, solve_on
 from .job import Job
 from .pack import margins, pack, weights
-from .solution import Solution, rank
+from .solution import Solution, best_of
 
 INITS = ("sample", "random", "current")
 BROKEN, DIVERGED = 1, 3
@@ -191,7 +191,7 @@ def solve(
                 holds[:, relation] &= verdict.holds[rows, rider]
             energy = outcome.energy[rows].astype(np.float32)
             moved = _movement(job.world, final) if job.keep else None
-            order = rank(scene, status, holds, energy, moved=moved)[:WALKED]
+            order = best_of(WALKED, scene, status, holds, energy, moved)
             walkable = np.full(n, np.nan, dtype=np.float32)
             walkable[order] = walkable_shares(batch, room, first + order)
             solutions[i] = Solution(

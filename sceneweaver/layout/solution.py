@@ -24,13 +24,55 @@ def rank(
 
     Where movement counts (an edit of a scene that is there already), it comes before anything but the status.
     """
-    soft = np.array([r.weight if not r.hard else 0.0 for r in scene.relations])
-    missing = ~relations @ soft if len(soft) else np.zeros(len(status))
-    blocked = (
-        np.zeros(len(status)) if walkable is None else 1.0 - np.minimum(np.nan_to_num(walkable), WALKABLE) / WALKABLE
-    )
-    movement = np.zeros(len(status)) if moved is None else moved
-    return np.lexsort((energy, missing, np.round(blocked, 3), movement, status))
+    return np.lexsort(_keys(scene, status, relations, energy, walkable, moved)[::-1])
+
+
+def best_of(
+    k: int,
+    scene: Scene,
+    status: np.ndarray,
+    relations: np.ndarray,
+    energy: np.ndarray,
+    moved: np.ndarray | None = None,
+) -> np.ndarray:
+    """The first k of `rank`, without sorting all the others: a batch may have millions of candidates."""
+    keys = _keys(scene, status, relations, energy, None, moved)
+    chosen: list[np.ndarray] = []
+    tied = np.arange(len(status))
+    for key in keys:
+        left = k - sum(map(len, chosen))
+        if len(tied) <= left:
+            break
+        values = key[tied]
+        last = values.min()
+        if np.count_nonzero(values == last) < left:  # rare: most candidates are valid, and many have nothing left
+            last = np.partition(values, left - 1)[left - 1]
+        chosen.append(tied[values < last])
+        tied = tied[values == last]
+    few = np.concatenate([*chosen, tied])
+    few.sort()  # where all keys are alike, the first come first
+    return few[np.lexsort([key[few] for key in keys[::-1]])][:k]
+
+
+def _keys(
+    scene: Scene,
+    status: np.ndarray,
+    relations: np.ndarray,
+    energy: np.ndarray,
+    walkable: np.ndarray | None,
+    moved: np.ndarray | None,
+) -> list[np.ndarray]:
+    """What candidates are ordered by, the most important first: numbers [B], the less the better."""
+    keys = [status]
+    if moved is not None:
+        keys.append(np.where(np.isnan(moved), np.inf, moved))
+    if walkable is not None:
+        keys.append(np.round(1.0 - np.minimum(np.nan_to_num(walkable), WALKABLE) / WALKABLE, 3))
+    missing = np.zeros(len(status))
+    for i, relation in enumerate(scene.relations):
+        if not relation.hard:
+            missing += relation.weight * ~relations[:, i]
+    return [*keys, missing, np.where(np.isnan(energy), np.inf, energy)]
 
 
 @dataclass(frozen=True)
