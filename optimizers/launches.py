@@ -51,6 +51,8 @@ class Launches:
             if self._expired(monitor):
                 return False
             self._run(self._commands * left + self._commands[:rest])
+        if graph is not None:
+            wp.synchronize_device(self.device)  # to let go of a graph that runs would hold up other devices' threads
         return True
 
     def _run(self, commands: Sequence[Any]) -> None:
@@ -74,6 +76,7 @@ def repeat_while(device: str, more: wp.array, block: Callable[[], None]) -> None
         wp.capture_while(more, block)
     assert capture.graph is not None
     wp.capture_launch(capture.graph)
+    wp.synchronize_device(device)  # to let go of a graph that runs would hold up the other devices' threads
 
 
 def repeatable(device: str, block: Callable[[], None]) -> Callable[[], None]:

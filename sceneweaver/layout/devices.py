@@ -48,6 +48,8 @@ def solve_on(
     """
     if len(devices) == 1:
         return solve(jobs, devices[0])
+    layouts = [np.empty((len(job.world), job.compiled.room.size, 4), dtype=np.float32) for job in jobs]
+    jobs = [replace(job, into=into) for job, into in zip(jobs, layouts, strict=True)]
     shares = [[_part(job, k, len(devices)) for job in jobs] for k in range(len(devices))]
     busy = [(share, device) for share, device in zip(shares, devices, strict=True) if any(len(j.world) for j in share)]
     with ThreadPoolExecutor(len(busy)) as pool:
@@ -57,22 +59,25 @@ def solve_on(
         owners = [i for i, job in enumerate(share) if len(job.world)]
         for i, solution in zip(owners, solutions, strict=True):
             parts[i].append(solution)
-    return [_joined(pieces) for pieces in parts]
+    return [_joined(pieces, poses) for pieces, poses in zip(parts, layouts, strict=True)]
 
 
 def _part(job: Job, k: int, of: int) -> Job:
     """The k-th of so many shares of a job's candidates."""
     cuts = np.linspace(0, len(job.world), of + 1).astype(int)
-    return replace(job, world=job.world[cuts[k] : cuts[k + 1]], first=job.first + int(cuts[k]))
+    mine = slice(cuts[k], cuts[k + 1])
+    into = None if job.into is None else job.into[mine]
+    return replace(job, world=job.world[mine], first=job.first + int(cuts[k]), into=into)
 
 
-def _joined(parts: Sequence[Solution]) -> Solution:
-    """One solution of the shares of its candidates, in order."""
-    status, relations, energy, walkable, poses = (
-        _in_order([getattr(part, name) for part in parts])
-        for name in ("status", "relations", "energy", "walkable", "poses")
-    )
-    moved = None if parts[0].moved is None else _in_order([part.moved for part in parts if part.moved is not None])
+def _joined(parts: Sequence[Solution], poses: np.ndarray) -> Solution:
+    """One solution of the shares of its candidates, in order; their layouts are in place already."""
+
+    def join(name: str) -> np.ndarray:
+        return np.concatenate([getattr(part, name) for part in parts])
+
+    status, relations, energy, walkable = (join(name) for name in ("status", "relations", "energy", "walkable"))
+    moved = None if parts[0].moved is None else join("moved")
     best = best_of(WALKED, parts[0].source, status, relations, energy, moved)
     measured = walkable[best]
     walkable[:] = np.nan  # as if all had been ranked at once
@@ -88,13 +93,3 @@ def _joined(parts: Sequence[Solution]) -> Solution:
         elapsed=max(part.elapsed for part in parts),
         timed_out=any(part.timed_out for part in parts),
     )
-
-
-def _in_order(pieces: Sequence[np.ndarray]) -> np.ndarray:
-    """Arrays one after the other, copied side by side: fresh memory is slow to touch."""
-    whole = np.empty((sum(map(len, pieces)), *pieces[0].shape[1:]), dtype=pieces[0].dtype)
-    ends = np.cumsum([len(piece) for piece in pieces])
-    with ThreadPoolExecutor(len(pieces)) as pool:
-        for _ in pool.map(lambda end, piece: np.copyto(whole[end - len(piece) : end], piece), ends, pieces):
-            pass
-    return whole

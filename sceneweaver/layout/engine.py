@@ -73,7 +73,8 @@ def refine(
     start = init if isinstance(init, str) and init != "current" else "given"
     job = Job(compiled, world, start, seed, keep=start == "given" and given is None)
     monitor = Monitor(len(world), None if time_limit is None else began + time_limit, progress)
-    solution = solve_on(where, [job], lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began))[0]
+    jobs = _prepared([job], where, optimizer, monitor)
+    solution = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began))[0]
     return _explained(solution, explain, began, monitor.deadline)
 
 
@@ -104,6 +105,7 @@ def refine_many(
         current = init == "current"
         jobs.append(Job(compiled, world, "given" if current else init, seed, keep=current))
     monitor = Monitor(candidates * len(jobs), None if time_limit is None else began + time_limit, progress)
+    jobs = _prepared(jobs, where, optimizer, monitor)
     solutions = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began))
     return [_explained(solution, explain, began, monitor.deadline) for solution in solutions]
 
@@ -176,14 +178,11 @@ def solve(
         )
         outcome = run(batch, optimizer, start, steps, monitor)
         verdict = judge(batch)
-        poses = batch.state.poses.numpy()
         first = 0
         for i, job, n in zip(members, group, sizes, strict=True):
             rows = slice(first, first + n)
             room, scene = job.compiled.room, job.compiled.scene
-            final = poses[rows, : room.size]
-            if len(group) > 1:  # a solution must not keep the layouts of others
-                final = final.copy()
+            final = _layouts(batch, job, rows)
             status = verdict.status[rows].copy()
             status[(status != DIVERGED) & (room.faulty | ~_surfaces_hold(job.compiled, batch, first, n))] = BROKEN
             holds = verdict.holds[rows, : len(scene.relations)].copy()
@@ -284,10 +283,34 @@ def make_batch(problems: Sequence[Problem], which: np.ndarray, device: str, pool
     )
 
 
+def _layouts(batch: Batch, job: Job, rows: slice) -> np.ndarray:
+    """A job's layouts [B, N, 4] on the host; in memory of its own, as a solution must not keep those of others."""
+    found, shape = batch.state.poses, (len(job.world), job.compiled.room.size)
+    if batch.device == "cpu" and job.into is None and found.shape == shape:
+        return found.numpy()
+    into = np.empty((*shape, 4), dtype=np.float32) if job.into is None else job.into
+    if found.shape == shape:
+        wp.copy(wp.array(into, dtype=wp.vec4, device="cpu", copy=False), found)
+        wp.synchronize_device(batch.device)
+    else:
+        into[:] = found[rows].numpy()[:, : shape[1]]
+    return into
+
+
+def _prepared(jobs: Sequence[Job], devices: Sequence[str], optimizer: str, monitor: Monitor) -> list[Job]:
+    """The jobs with their surfaces solved, when several devices would all solve them."""
+    if len(devices) == 1:
+        return list(jobs)
+    load(devices[0], *_modules(jobs, optimizer, devices[0]))
+    pools = _pools(jobs, devices[0], monitor.deadline)
+    return [replace(job, pools=mine) for job, mine in zip(jobs, pools, strict=True)]
+
+
 def _pools(jobs: Sequence[Job], device: str, deadline: float | None) -> list[list[np.ndarray]]:
     """For every deck of every job, POOL layouts [POOL, members, 4] of its surface, all solved in shared launches."""
-    domains = [(j, k, d) for j, job in enumerate(jobs) for k, d in enumerate(job.compiled.domains)]
-    pools: list[list[np.ndarray]] = [[] for _ in jobs]
+    pools: list[list[np.ndarray]] = [[] if job.pools is None else job.pools for job in jobs]
+    open_jobs = [(j, job) for j, job in enumerate(jobs) if job.pools is None]
+    domains = [(j, k, d) for j, job in open_jobs for k, d in enumerate(job.compiled.domains)]
     if not domains:
         return pools
     which = np.repeat(np.arange(len(domains)), POOL)

@@ -13,7 +13,8 @@ from .compile import CompiledScene
 class Job:
     """One scene to solve: world poses [B, N, 4] to begin with, how to begin ("given": from those), the seed.
 
-    ``first`` is the number of the first candidate, when others solve those before it.
+    ``first`` is the number of the first candidate, when others solve those before it. ``into`` [B, N, 4] float32 is
+    where the layouts go (None: new memory), ``pools`` what its surfaces are laid out from (None: not solved yet).
     """
 
     compiled: CompiledScene
@@ -22,3 +23,5 @@ class Job:
     seed: int
     keep: bool = False  # prefer the layout that moves least
     first: int = 0
+    into: np.ndarray | None = None
+    pools: list[np.ndarray] | None = None
