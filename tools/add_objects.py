@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from sceneweaver.assets import Asset, Wish, categories, resolve
+from sceneweaver.assets.taxonomy import likeliness
 from sceneweaver.knowledge import Item
 from sceneweaver.scene import InputError, Pose, SceneObject
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
@@ -222,14 +223,14 @@ def _supports(draft: Draft, asset: Asset, item: Item | None, on: Sequence[str]) 
 
     if on:
         return able([id for word in on for id in draft.named(word)])
-    known = categories()
     usual = [id for name in (item.on if item is not None else ()) for id in draft.named(name)]
-    likely = [id for name in known[asset.category].on for id in draft.of_category(name)]
-    holders = [
-        o.id for o in draft.objects.values() if o.category in known and asset.category in known[o.category].holds
+    ranks = {o.id: likeliness(asset.category, o.category) for o in draft.objects.values()}
+    likely = [
+        able([id for id, found in ranks.items() if found == rank])
+        for rank in sorted({rank for rank in ranks.values() if rank is not None})
     ]
     rest = [o.id for o in draft.objects.values() if not groups_of(o.category) & NOT_ON]
-    return [*dict.fromkeys([*able(usual), *able(likely), *able(holders), *able(rest)])]
+    return [*dict.fromkeys([*able(usual), *(id for ids in likely for id in ids), *able(rest)])]
 
 
 def _laden(draft: Draft, id: str, category: str) -> tuple[int, int]:

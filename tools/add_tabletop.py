@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sceneweaver.assets import categories, resolve
-from sceneweaver.knowledge.surfaces import Arrangement, Slot, arrangement, arrangement_of, arrangements
+from sceneweaver.knowledge.surfaces import Arrangement, Slot, arrangement, arrangement_of, arrangements, lays
 from sceneweaver.scene import InputError, SceneObject
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
 
@@ -49,12 +49,13 @@ class AddTabletop:
         notes: list[str] = []
         unmet: list[str] = []
         open_asked = asked
+        plans = [plan or plan_of(around, support) for support in chosen]
         for k, support in enumerate(chosen):
             dice = random.Random(f"{context.seed}/{support.id}/{zlib.crc32(b'tabletop')}")
-            layer = Layer(around, shelf, support, plan or plan_of(around, support), dice)
-            share = open_asked[: -(-len(open_asked) // (len(chosen) - k))]
+            layer = Layer(around, shelf, support, plans[k], dice)
+            share = _share(open_asked, plans[k:])
             done = layer.run(share)
-            open_asked = [*done.unplaced, *open_asked[len(share) :]]
+            open_asked = [*done.unplaced, *(a for a in open_asked if not any(a is s for s in share))]
             edits += [Add(object=o) for o in done.objects]
             edits += [Relate(relation=r) for r in done.relations]
             unmet += [f"{support.id}: there is no room for {_words(name)}" for name in done.missing]
@@ -65,6 +66,14 @@ class AddTabletop:
         where = ", ".join(o.id for o in chosen[:3])
         unmet += [f"{_words(a.category)}: there is no room on {where}" for a in open_asked]
         return Proposal(edits=tuple(edits), notes=tuple(notes), unmet=tuple(unmet))
+
+
+def _share(asked: Sequence[Asked], plans: Sequence[Arrangement]) -> list[Asked]:
+    """What the first of some tables gets of the things asked for: what has its place there, an even part of what has
+    one nowhere."""
+    nowhere = [a for a in asked if not any(lays(plan, a.category) for plan in plans)]
+    even = nowhere[: -(-len(nowhere) // len(plans))]
+    return [a for a in asked if lays(plans[0], a.category) or any(a is e for e in even)]
 
 
 def _asked(given: Any) -> list[Asked]:
@@ -82,7 +91,7 @@ def _asked(given: Any) -> list[Asked]:
         if "surface" not in categories()[category].mount and category != "object":
             raise InputError(f"objects[{k}].category: a {_words(category)} stands on no table; add it with add_objects")
         look = {key: str(row[key]) for key in ("color", "material", "style", "words") if row.get(key)}
-        out += [Asked(category, look)] * count
+        out += [Asked(category, look) for _ in range(count)]
     return out
 
 

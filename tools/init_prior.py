@@ -5,7 +5,9 @@ from __future__ import annotations
 import random
 
 from sceneweaver.assets import categories
+from sceneweaver.assets.taxonomy import likeliness
 from sceneweaver.brief import Brief
+from sceneweaver.knowledge.surfaces import arrangement, arrangement_of, lays
 from sceneweaver.scene import InputError, Pose, Relation, Room, Scene, SceneObject, Support
 
 from .base import Context, Proposal
@@ -20,6 +22,14 @@ FILL = {"sparse": 0.24, "normal": 0.33, "full": 0.40}
 
 WALLED = 0.62
 """Share of the walls, less doors, that furniture may take."""
+
+FULL = 0.5
+"""Share of a support's surfaces from which on what was asked for stands elsewhere."""
+
+NOWHERE = 99
+
+BESIDE = 3
+"""Most things of a kind that a table is laid with later."""
 
 GROWTH, GROWTHS = 1.12, 10
 """Factor by which a floor that nobody fixed grows when what is needed does not fit, and how often."""
@@ -113,18 +123,45 @@ def _support_small_things(program: Program, brief: Brief) -> None:
         for k, one in enumerate(by_asked.get(said.subject, [])):
             if targets and one not in targets:
                 one.support = targets[k % len(targets)]
-    known = categories()
-    for k, one in enumerate(program.wanted):
+    load: dict[str, float] = {}  # share of the surfaces of a support that is taken
+    for one in program.wanted:
         if one.mount != "surface" or one.support is not None:
             continue
         fits = [w for w in program.wanted if w is not one and w.support is None and _surface(w, one) is not None]
-        usual = [w for w in fits if w.category in known[one.category].on]
-        if usual or fits:
-            pool = usual or fits
-            one.support = pool[k % len(pool)]
+        if fits:
+            best = min(fits, key=lambda w: _unlikely(one, w, load.get(w.id, 0.0)))
+            if _laid_later(program, one, best):
+                program.later.append(one)
+                continue
+            one.support = best
+            taken = one.asset.size[0] * one.asset.size[1] / max(_ground(one.support), 1e-6)
+            load[one.support.id] = load.get(one.support.id, 0.0) + taken
+    program.wanted = [w for w in program.wanted if w not in program.later]
     lost = [w for w in program.wanted if w.mount == "surface" and w.support is None]
     program.wanted = [w for w in program.wanted if w not in lost]
     program.left_out += [f"{w.category}: nothing in the room can carry it" for w in lost]
+
+
+def _laid_later(program: Program, one: Wanted, support: Wanted) -> bool:
+    """Whether a thing is left to what its table is laid with, where it has a place of its own: a screen on a desk."""
+    if likeliness(one.category, support.category) is None or one.asked is None:
+        return False
+    name = (support.item and support.item.top) or arrangement_of().get(support.category)
+    alike = sum(w.asked == one.asked for w in program.wanted)
+    return name is not None and alike <= BESIDE and lays(arrangement(name), one.category)
+
+
+def _unlikely(one: Wanted, support: Wanted, load: float) -> tuple[bool, int, float]:
+    """What speaks against a support: that it is full, that such things stand elsewhere, that others stand there."""
+    rank = likeliness(one.category, support.category)
+    return load > FULL, NOWHERE if rank is None else rank, load
+
+
+def _ground(support: Wanted) -> float:
+    """Area [m2] of a support's surfaces."""
+    import shapely
+
+    return float(sum(shapely.Polygon(surface.polygon).area for surface in support.asset.surfaces))
 
 
 def _surface(support: Wanted, one: Wanted) -> str | None:
@@ -192,7 +229,7 @@ def _consistent(asked: list[Relation], usual: list[Relation]) -> list[Relation]:
 
 def _missing(brief: Brief, program: Program) -> list[str]:
     made: dict[str, int] = {}
-    for one in program.wanted:
+    for one in (*program.wanted, *program.later):
         if one.asked is not None:
             made[one.asked] = made.get(one.asked, 0) + 1
     out = []

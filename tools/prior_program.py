@@ -98,9 +98,11 @@ class Demand:
 
 @dataclass
 class Program:
-    """All objects to be, in order of need, parents before what goes with them; ``left_out`` says what did not fit."""
+    """All objects to be, in order of need, parents before what goes with them; ``left_out`` says what did not fit,
+    ``later`` what its table is to be laid with."""
 
     wanted: list[Wanted] = field(default_factory=list)
+    later: list[Wanted] = field(default_factory=list)
     left_out: list[str] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
 

@@ -92,15 +92,26 @@ class Layer:
                 continue
             if slot.on is not None and not any(s.slot == slot.on for s in self._standing):
                 continue
+            if one is not None and slot.at is not None and sum(a.category == one.category for a in rest) > 1:
+                slot = slot.model_copy(update={"at": (slot.at[0], slot.at[1] or -0.55)})  # another one beside it
             good = self._seated(slot, one) if slot.each else self._single(slot, one)
             if good and one is not None:
                 rest.remove(one)
+                if slot.each is None:
+                    self._twins(slot, one.category, rest)
             elif not good and slot.need == "needed" and one is None:
                 self.done.missing.append(slot.what[0])
         for one in rest:
             if not self._anywhere(one):
                 self.done.unplaced.append(one)
         return self.done
+
+    def _twins(self, slot: Slot, category: str, rest: list[Asked]) -> None:
+        """More of the same that was asked for stands beside the first: two screens."""
+        for one in [a for a in rest if a.category == category]:
+            beside = Slot(id=f"{slot.id}-{len(self._standing)}", what=(category,), need="needed", by=slot.id, gap=0.03)
+            if self._single(beside, one):
+                rest.remove(one)
 
     # one thing
 

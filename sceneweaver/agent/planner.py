@@ -157,7 +157,9 @@ def _merged(tool: str, faults: Sequence[Fault]) -> dict[str, Any]:
         if not listed and tool in ("add_tabletop", "add_crowd", "update_layout"):
             return {key: []}  # an empty list stands for all
         items += [item for item in listed if item not in items]
-    return {key: items}  # what else a fault asks for is its own: for several, the tool decides
+    things = [] if key == "objects" else [row for fault in faults for row in fault.inputs.get("objects", ())]
+    # what else a fault asks for is its own: for several, the tool decides
+    return {key: items, "objects": things} if things else {key: items}
 
 
 def _seed(seed: int, step: int, tool: str) -> int:

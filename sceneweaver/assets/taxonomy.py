@@ -71,6 +71,20 @@ def members(group: str) -> tuple[str, ...]:
 
 
 @cache
+def likeliness(thing: str, carrier: str) -> int | None:
+    """How unlikely a category is to stand on another: 0 where it stands first of all; None: nowhere near usual.
+
+    What is said of a desk goes for a standing desk, too: a compound is of the kind of its last words.
+    """
+    known = categories()
+    if thing not in known or carrier not in known:
+        return None
+    for rank, kind in enumerate(known[thing].on):
+        if carrier == kind or carrier.endswith(f"_{kind}"):
+            return rank
+    return len(known[thing].on) if thing in known[carrier].holds else None
+
+
 def resolve(noun: str) -> Match:
     """The category that a noun means; never fails, but says how sure it is.
 

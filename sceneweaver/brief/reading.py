@@ -141,6 +141,7 @@ class State:
         self.negated_article = False  # "without a TV, a rug": the list goes on; "no TV, a rug": it does not
         self.negated_nouns = 0
         self.owner: Mention | None = None  # whose "with" it is
+        self.party: list[Mention] = []  # the things of the part of the room that was named last
         self.joined = False  # whether "and" or a comma came just before
         self.strangers: list[str] = []
         self.closed = False  # whether a relation was said of the last phrase, so that no list goes on from it

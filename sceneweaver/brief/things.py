@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from sceneweaver.assets import categories
+from sceneweaver.assets.taxonomy import likeliness
 
 from .lexer import Token
 from .reading import SMALL, Mention, Pending, Said
@@ -181,6 +182,11 @@ class Things(Relating):
         """ "A desk with a lamp": what is small stands on what it came with, the rest is near it."""
         known = categories()
         small = known[mention.category].mount[0] == "surface"
+        if small and owner in self.party:  # of a reading corner's things books stand in the bookcase
+            ranks = [(r, m) for m in self.party if (r := likeliness(mention.category, m.category)) is not None]
+            if not ranks:
+                return
+            owner = min(ranks, key=lambda pair: pair[0])[1]
         if small and known[owner.category].mount[0] == "floor":
             self.out.said.append(Said("on", [mention], owner, f"{owner.noun} with {mention.noun}"))
         elif not joined and known[mention.category].mount[0] == "floor" and known[owner.category].mount[0] == "floor":
@@ -217,7 +223,7 @@ class Things(Relating):
         for kind, target, words in self.before:
             self.out.said.append(Said(kind, made[:1], target, words))
         self.before, self.closed, self.opening = [], False, False
-        self.subjects, self.last = made[:1], made[:1]
+        self.subjects, self.last, self.party = made[:1], made[:1], made
 
 
 def singular(noun: str) -> str:

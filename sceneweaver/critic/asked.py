@@ -8,8 +8,9 @@ from typing import Any
 
 from sceneweaver.assets import categories
 from sceneweaver.assets.materials import color_named, palette
-from sceneweaver.assets.taxonomy import members
+from sceneweaver.assets.taxonomy import likeliness, members
 from sceneweaver.brief import Asked
+from sceneweaver.knowledge.surfaces import arrangement, arrangement_of, lays
 from sceneweaver.scene import InputError
 from sceneweaver.verify.solids import Body
 
@@ -17,6 +18,9 @@ from . import kinds
 from .asked_relations import faults as relation_faults
 from .grade import Finding, finding
 from .survey import FLAT, Survey
+
+BESIDE = 3
+"""Most things of a kind that stand side by side on a table."""
 
 LID = 5.0
 """Highest grade when something that was asked for is missing, or something unwanted is there."""
@@ -59,11 +63,15 @@ def _objects(survey: Survey) -> Iterator[Finding]:
             missing = least - len(bodies)
             call: dict[str, Any] = {"category": asked.category, "count": missing}
             call.update({k: v for k in ("color", "material", "style") if (v := getattr(asked, k)) is not None})
+            inputs: dict[str, Any] = {"objects": [call]}
+            table = _table_for(survey, asked.category) if missing <= BESIDE else None
+            if table is not None:
+                inputs["supports"] = [table]
             yield finding(
                 "alignment", "missing_asked", (b.id for b in bodies),
                 f"{len(bodies)} of {least} '{asked.noun}' that were asked for", f"add {missing} {name}",
-                points=1.0 + 2.5 * missing / least, cap=LID if len(bodies) * 2 < least else None, tool="add_objects",
-                inputs={"objects": [call]},
+                points=1.0 + 2.5 * missing / least, cap=LID if len(bodies) * 2 < least else None,
+                tool="add_objects" if table is None else "add_tabletop", inputs=inputs,
             )  # fmt: skip
         spare = [b.id for b in (*bodies[most:], *_beside(survey, asked))] if asked.count is not None else []
         if spare:
@@ -74,6 +82,19 @@ def _objects(survey: Survey) -> Iterator[Finding]:
             )  # fmt: skip
         yield from _attributes(asked, bodies)
         yield from _sizes(asked, bodies)
+
+
+def _table_for(survey: Survey, category: str) -> str | None:
+    """A bare table whose arrangement has a place for a category, the likeliest: a desk for a screen."""
+    found: list[tuple[int, str]] = []
+    for body in survey.bodies:
+        rank = likeliness(category, body.item.category)
+        name = survey.program.item_of.get(body.id)
+        item = survey.room.item(name) if name else None
+        plan = (item.top if item is not None else None) or arrangement_of().get(body.item.category)
+        if rank is not None and plan and not survey.carried.get(body.id) and lays(arrangement(plan), category):
+            found.append((rank, body.id))
+    return min(found)[1] if found else None
 
 
 def _beside(survey: Survey, asked: Asked) -> list[Body]:

@@ -193,6 +193,11 @@ def arrangement_of() -> Mapping[str, str]:
     return MappingProxyType({c: name for name, one in arrangements().items() for c in one.by_category})
 
 
+def lays(plan: Arrangement, category: str) -> bool:
+    """Whether an arrangement has a place of its own for a category, apart from what lies before every chair."""
+    return any(category in slot.what and slot.each is None for slot in plan.slots)
+
+
 @cache
 def crowd_of() -> Mapping[str, str]:
     """The usual theme of each category of furniture that has one."""

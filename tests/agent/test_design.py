@@ -172,3 +172,11 @@ def test_a_plan_made_once_is_carried_out_and_survives_a_restart(tmp_path):
 def test_without_physics_layouts_are_not_optimised():
     loose = design(ASKED, physics=False, tools=("init_prior",), **QUICK)
     assert loose.report.collisions + loose.report.out_of_bounds > 0
+
+
+def test_two_screens_stand_on_the_desk():
+    result = design("a home office with two monitors", seed=17)
+    screens = [o for o in result.scene.objects if o.category == "monitor"]
+    carriers = {o.support.object for o in screens if o.support is not None}
+    assert len(screens) == 2 and len(carriers) == 1 and result.report.valid and not result.unmet
+    assert "desk" in result.scene.object(carriers.pop()).category

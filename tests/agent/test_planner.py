@@ -48,6 +48,15 @@ def test_the_gravest_faults_come_first_and_those_of_a_tool_together():
     assert 0 < calls[0].confidence <= 1 and "2.5 points" in calls[0].reason
 
 
+def test_what_was_asked_for_stays_in_the_call_for_several_tables():
+    faults = [
+        _fault("add_tabletop", 1.0, supports=["nightstand-0"]),
+        _fault("add_tabletop", 3.0, supports=["desk-0"], objects=[{"category": "monitor", "count": 2}]),
+    ]
+    call = RulesPlanner().plan(_situation(faults))[0]
+    assert call.inputs["objects"] == [{"category": "monitor", "count": 2}] and len(call.inputs["supports"]) == 2
+
+
 def test_shelves_are_not_filled_that_are_to_be_arranged():
     faults = [
         _fault("add_tabletop", 1.0, supports=["desk-0"]),

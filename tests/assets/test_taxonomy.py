@@ -8,7 +8,7 @@ import pytest
 
 from sceneweaver.assets.category import categories
 from sceneweaver.assets.parametric import makers
-from sceneweaver.assets.taxonomy import GENERIC, members, resolve
+from sceneweaver.assets.taxonomy import GENERIC, likeliness, members, resolve
 
 
 def test_there_are_enough_categories() -> None:
@@ -83,3 +83,11 @@ def test_every_word_of_the_taxonomy_resolves_to_its_owner() -> None:
             continue
         for word in (category.words, *category.synonyms):
             assert resolve(word).category == name, word
+
+
+def test_where_things_stand() -> None:
+    """The likelier, the lower; what is said of a kind goes for its compounds."""
+    assert likeliness("monitor", "desk") == likeliness("monitor", "standing_desk") == 0
+    assert 0 < (likeliness("monitor", "bookcase") or 0) < (likeliness("monitor", "sideboard") or 0)
+    assert likeliness("monitor", "bathtub") is None and likeliness("zorb", "desk") is None
+    assert (likeliness("book", "bed") or 0) >= len(categories()["book"].on), "only as the bed says that it holds some"

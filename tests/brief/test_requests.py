@@ -106,6 +106,10 @@ COUNTS: list[tuple[str, dict[str, tuple[int, int] | None]]] = [
 ]
 
 RELATIONS: list[tuple[str, set[tuple[str, str, Any]]]] = [
+    (
+        "a reading nook with a big armchair and many books",
+        {("near", "floor_lamp", "armchair"), ("near", "bookcase", "armchair"), ("on_top", "book", "bookcase")},
+    ),
     ("two nightstands beside the bed", {("leftright_to_leftright", "nightstand", "bed")}),
     ("two nightstands on either side of the bed", {("leftright_to_leftright", "nightstand", "bed")}),
     ("a bed with two nightstands on either side of it", {("leftright_to_leftright", "nightstand", "bed")}),

@@ -44,6 +44,18 @@ def test_missing_and_too_many() -> None:
     assert 7.0 < one.grades["alignment"] < 10.0
 
 
+def test_what_a_table_is_laid_with_is_asked_of_the_table() -> None:
+    case = rooms.office()
+    bare = Case(case.scene.model_copy(update={"objects": tuple(o for o in case.scene.objects if o.support is None),
+                                              "relations": ()}), case.room)  # fmt: skip
+    fault = only(review(bare, objects=[asked("monitor", count=(2, 2))]), "missing_asked", "alignment")[0]
+    assert fault.tool == "add_tabletop" and fault.inputs["objects"] == [{"category": "monitor", "count": 2}]
+    (desk,) = fault.inputs["supports"]
+    assert bare.scene.object(desk).category == "desk"
+    many = only(review(bare, objects=[asked("monitor", count=(9, 9))]), "missing_asked", "alignment")[0]
+    assert many.tool == "add_objects", "too many for one"
+
+
 def test_attributes_and_sizes() -> None:
     case = rooms.living()
     color = case.scene.object("sofa-0").attributes["color"]

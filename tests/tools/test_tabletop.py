@@ -102,6 +102,17 @@ def test_asked() -> None:
     assert len(of(done, "candlestick")) >= 2 and of(done, "laptop") and not faults(done)
 
 
+def test_two_screens_stand_side_by_side() -> None:
+    scene = room([standing("desk"), standing("side_table", at=(2, 2, 0))])
+    wish = {"supports": ["side_table-0", "desk-0"], "objects": [{"category": "monitor", "count": 2}]}
+    done = after(scene, answer(TOOL, scene, wish))
+    desk, (left, right) = done.object("desk-0"), of(done, "monitor")
+    assert all(o.support is not None and o.support.object == desk.id for o in (left, right)), "not on the side table"
+    assert all(abs(math.remainder(o.pose.yaw - desk.pose.yaw, 2 * math.pi)) < 0.1 for o in (left, right))
+    (x0, y0), (x1, y1) = local(left, desk), local(right, desk)
+    assert abs(x0 - x1) < 0.1 < abs(y0 - y1) and of(done, "keyboard") and not faults(done)
+
+
 def test_too_much_is_said() -> None:
     scene = room([standing("nightstand")])
     proposal = answer(TOOL, scene, {"objects": [{"category": "microwave", "count": 6}]})
