@@ -7,6 +7,7 @@ import random
 from collections.abc import Iterable, Mapping, Sequence
 
 from sceneweaver.scene import Pose, Room, SceneObject, Support, Surface
+from sceneweaver.scene.polygons import union
 
 from .carry import carried, local, world
 
@@ -118,7 +119,7 @@ def _taken(objects: Mapping[str, SceneObject], room: Room, carrier: SceneObject,
                 shapes.append(shapely.Polygon(_turned(part.polygon, x, y, yaw)))
     if settled:
         shapes += _glass(room, carrier, low, high)
-    return shapely.union_all([s if s.is_valid else s.buffer(0) for s in shapes]) if shapes else shapely.Polygon()
+    return union(s if s.is_valid else s.buffer(0) for s in shapes)
 
 
 def _turned(polygon: Iterable[tuple[float, float]], x: float, y: float, yaw: float) -> list[tuple[float, float]]:

@@ -7,6 +7,7 @@ anyway. What others reach under (tables, desks) or around (corner sofas) keeps a
 from __future__ import annotations
 
 from sceneweaver.scene import Part, Scene, SceneObject
+from sceneweaver.scene.polygons import union
 
 TUCKED = ("front_against", "front_to_front", "around")
 
@@ -58,7 +59,7 @@ def _merged(obj: SceneObject) -> tuple[Part, ...]:
     import shapely
 
     boxes = [_box(part) for part in obj.parts or ()]
-    plan = shapely.union_all([shapely.Polygon(b.polygon) for b in boxes])
+    plan = union(shapely.Polygon(b.polygon) for b in boxes)
     if plan.area >= SOLID * min(obj.size[0] * obj.size[1], plan.envelope.area):
         x0, y0, x1, y1 = plan.bounds
         return (_prism(x0, y0, x1, y1, (min(b.z[0] for b in boxes), max(b.z[1] for b in boxes))),)

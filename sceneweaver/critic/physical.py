@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from sceneweaver.verify import Violation
+from sceneweaver.verify.walkable import measure
 
 from .grade import Finding, finding
 from .survey import Survey
@@ -15,6 +16,9 @@ LID = 5.0
 
 WALKABLE, REACHABLE = 0.9, 0.97
 """Shares of the free floor, and of the furniture, that a person should get to."""
+
+NEEDED = 0.8
+"""Points for each piece that the room needs, or that was asked for, which nobody gets to."""
 
 SOLID = ("collision", "out_of_bounds", "unsupported")
 
@@ -84,9 +88,16 @@ def _ways(survey: Survey) -> Iterator[Finding]:
             "lay out the room again with wider ways", points=0.5 + 8.0 * (WALKABLE - walk),
             cap=LID if walk < 0.7 else None, **again,
         )  # fmt: skip
-    if reach is not None and reach < REACHABLE:
-        yield finding(
-            "functionality", "unreachable", (), f"{reach:.0%} of the furniture can be reached from the door",
-            "lay out the room again so that all furniture can be reached", points=0.3 + 5.0 * (REACHABLE - reach),
-            cap=5.5 if reach < 0.7 else None, **again,
-        )  # fmt: skip
+    if reach is not None and reach < 1.0:
+        access = measure(survey.placed)
+        missed = access.unreached if access is not None else ()
+        grave = [id for id in missed if survey.scene.object(id).attributes.get("need") in ("asked", "needed")]
+        which = f", not {', '.join(missed[:4])}" if missed else ""
+        if grave or reach < REACHABLE:
+            yield finding(
+                "functionality", "unreachable", (),
+                f"{reach:.0%} of the furniture can be reached from the door{which}",
+                "lay out the room again so that all furniture can be reached",
+                points=0.3 + 5.0 * max(0.0, REACHABLE - reach) + NEEDED * len(grave),
+                cap=5.5 if reach < 0.7 else None, **again,
+            )  # fmt: skip

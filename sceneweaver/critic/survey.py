@@ -15,6 +15,7 @@ from sceneweaver.assets import categories, resolve
 from sceneweaver.brief import Brief
 from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import Scene
+from sceneweaver.scene.polygons import union
 from sceneweaver.verify import Report
 from sceneweaver.verify.solids import Body, Placed, Wall
 
@@ -114,12 +115,11 @@ class Survey:
     @cached_property
     def footprints(self) -> NDArray[Any]:
         """The union of each object's parts in plan as a shapely geometry [n]."""
-        import shapely
 
         rows = [self.placed.parts.polygons[self.placed.part_rows(b)] for b in self.bodies]
         out = np.empty(len(rows), dtype=object)
         for i, parts in enumerate(rows):
-            out[i] = parts[0] if len(parts) == 1 else shapely.union_all(parts)
+            out[i] = parts[0] if len(parts) == 1 else union(parts)
         return out
 
     @cached_property

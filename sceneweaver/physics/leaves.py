@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from sceneweaver.scene import Door, Room
+from sceneweaver.scene.polygons import union
 
 WALL = 0.1
 """Thickness of the walls [m], outside the outline."""
@@ -173,7 +174,6 @@ def _hits(leaf: Leaf, at: float, walls: Any) -> bool:
 def _walls(room: Room) -> Any:
     """The walls from above, less their doorways, as one plan."""
     from shapely.geometry import Polygon
-    from shapely.ops import unary_union
 
     def strip(wall: int, low: float, high: float) -> Any:
         ends = ((low, -WALL), (high, -WALL), (high, 0.0), (low, 0.0))
@@ -182,7 +182,7 @@ def _walls(room: Room) -> Any:
     slabs: list[Any] = [strip(k, *wall_ends(room, k)) for k in range(len(room.outline))]
     for door in room.doors:
         slabs[door.wall] = slabs[door.wall].difference(strip(door.wall, door.offset, door.offset + door.width))
-    return unary_union(slabs)
+    return union(slabs)
 
 
 def _turn(room: Room, wall: int) -> float:

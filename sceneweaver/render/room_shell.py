@@ -10,6 +10,7 @@ import numpy as np
 
 from sceneweaver.assets.body import Mesh
 from sceneweaver.scene import Room
+from sceneweaver.scene.polygons import union
 
 from .room_blocks import Builder, Range, WallFrame
 from .room_finish import Finishes
@@ -132,7 +133,7 @@ def _covered(room: Room, frames: list[WallFrame], outline: np.ndarray) -> np.nda
     for door in room.doors:
         block = frames[door.wall].block((door.offset, door.offset + door.width), (-0.01, WALL_THICKNESS))
         parts.append(shapely.Polygon(block))
-    whole = shapely.union_all(parts)
+    whole = union(parts)
     if not isinstance(whole, shapely.Polygon):
         return outline
     return np.asarray(shapely.orient_polygons(whole).exterior.coords)[:-1]

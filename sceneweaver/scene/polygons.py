@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from typing import Any
 
 from .messages import Problem
 
@@ -117,3 +118,17 @@ def _touch(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool:
         or (cda == 0 and _between(c, d, a))
         or (cdb == 0 and _between(c, d, b))
     )
+
+
+def union(shapes: Iterable[Any]) -> Any:
+    """The union of shapely geometries; where edges nearly coincide, of those rounded to a micrometre.
+
+    GEOS gives up on some edges that differ by the last digits of a float64 ("found non-noded intersection").
+    """
+    import shapely
+
+    found = list(shapes)
+    try:
+        return shapely.union_all(found)
+    except shapely.errors.GEOSException:
+        return shapely.union_all(found, grid_size=1e-6)

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from sceneweaver.scene.polygons import union
 from sceneweaver.verify.meshes import MeshSet
 from sceneweaver.verify.solids import DEPTH, Array, Body, Placed
 
@@ -66,7 +67,7 @@ def _leaves(placed: Placed, body: Body, room: Any) -> float:
     """How far the footprint of ``body`` is outside [m]; 0.0 when too little of it is to count."""
     import shapely
 
-    foot = shapely.union_all(placed.footprint(body))
+    foot = union(placed.footprint(body))
     outside = shapely.difference(foot, room)
     area = float(shapely.area(outside))
     return (_beyond(placed, foot) or area**0.5) if area > AREA else 0.0

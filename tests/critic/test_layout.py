@@ -211,6 +211,23 @@ def test_narrow_ways() -> None:
     assert "unwalkable" in {f.kind for f in good.plus(*wall).review().faults}
 
 
+def test_what_is_needed_should_be_reached() -> None:
+    """What nobody gets to is named, and costs more when the room needs it."""
+    good = rooms.bedroom()
+    wall = [put(f"dresser-{k + 1}", 0.7 + 1.15 * k, 1.0, 90, size=(0.45, 1.1, 0.8)) for k in range(3)]
+    points = []
+    for need in ("optional", "needed"):
+        objects = tuple(
+            o.model_copy(update={"attributes": {**o.attributes, "need": need}}) if o.id == "wardrobe-0" else o
+            for o in good.scene.objects
+        )
+        case = Case(good.scene.model_copy(update={"objects": objects}), good.room).plus(*wall)
+        (fault,) = only(case.review(), "unreachable", "functionality")
+        assert "wardrobe-0" in fault.reason and fault.tool == "update_layout"
+        points.append(fault.points)
+    assert points[1] > points[0] + 0.5
+
+
 def test_broken_hard_relation() -> None:
     good = rooms.office()
     relation = Relation(type="near", subject="bookcase-0", target="low_bookcase-0", params={"max": 0.5})

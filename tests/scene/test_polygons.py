@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import math
+from pathlib import Path
 
 import pytest
+import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely.geometry import Polygon
 
 from sceneweaver.scene.messages import Problem
-from sceneweaver.scene.polygons import check_simple, convex, counter_clockwise, signed_area
+from sceneweaver.scene.polygons import check_simple, convex, counter_clockwise, signed_area, union
 
 grid = st.lists(st.tuples(st.integers(0, 5), st.integers(0, 5)), min_size=3, max_size=8, unique=True)
 
@@ -63,3 +66,14 @@ def test_convexity_tolerates_rounding_only():
         convex(((0.0, 0.0), (0.5, 1e-6), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)))
     far = tuple((x + 4e5, y - 7e5) for x, y in ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)))
     assert convex(far) == far
+
+
+def test_union_of_what_nearly_coincides() -> None:
+    """The parts of a sofa bed as it stood in a room, whose edges differ in the last digits."""
+    parts = [shapely.Polygon(p) for p in json.loads((Path(__file__).parent / "nearly_coincident.json").read_text())]
+    with pytest.raises(shapely.errors.GEOSException):
+        shapely.union_all(parts)  # when this passes, `union` needs no second way
+    whole = union(parts)
+    assert whole.is_valid and max(p.area for p in parts) < whole.area < sum(p.area for p in parts)
+    assert all(shapely.difference(p, whole.buffer(2e-6)).area < 1e-12 for p in parts)
+    assert union([]).is_empty and union(iter(parts[:1])).equals(parts[0])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from sceneweaver.scene import Surface
+from sceneweaver.scene.polygons import union
 
 _LEVEL = 0.995  # cosine of about 6 degrees
 _SAME = 4e-3  # heights [m] that count as one
@@ -39,7 +40,7 @@ def find_surfaces(vertices: np.ndarray, faces: np.ndarray) -> tuple[Surface, ...
         if 0.5 * area[level].sum() < MIN_AREA:
             continue
         z = float(np.average(heights[level], weights=area[level]))
-        region = shapely.union_all(shapely.buffer(shapely.polygons(corners[level][:, :, :2]), 1e-4))
+        region = union(shapely.buffer(shapely.polygons(corners[level][:, :, :2]), 1e-4))
         region = region.buffer(-_NARROW).buffer(_NARROW - _MARGIN)
         for shape in getattr(region, "geoms", [region]):
             found += _with_headroom(shape, z, corners, total)
@@ -75,7 +76,7 @@ def _with_headroom(shape, z: float, corners: np.ndarray, total: float) -> list[t
             part = shape
         else:
             boxes = shapely.box(*(mine - cell / 2).T, *(mine + cell / 2).T)
-            part = shapely.union_all(boxes.tolist()).intersection(shape).buffer(-_NARROW).buffer(_NARROW)
+            part = union(boxes.tolist()).intersection(shape).buffer(-_NARROW).buffer(_NARROW)
         least = float(room[(np.isfinite(room) == covered) & (room > MIN_HEADROOM)].min())
         for piece in getattr(part, "geoms", [part]):
             for whole in _without_holes(piece):

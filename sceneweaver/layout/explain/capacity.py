@@ -9,6 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from sceneweaver.scene.polygons import union
+
 from ..shapes import Points, Prism
 from .sections import PENETRATION, levels_between, section
 
@@ -82,7 +84,7 @@ def fullest(
             for p, give in blocked
             if p.z[0] + PENETRATION < levels[i] < p.z[1] - PENETRATION
         ]
-        free = floor.buffer(PENETRATION, join_style="mitre").difference(shapely.union_all(taken)).area
+        free = floor.buffer(PENETRATION, join_style="mitre").difference(union(taken)).area
         if needs[i] > free and (worst is None or needs[i] - free > worst.need - worst.free):
             worst = Fullness(float(needs[i]), float(free), int(counts[i]))
     return worst

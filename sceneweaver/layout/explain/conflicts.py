@@ -6,6 +6,8 @@ from collections.abc import Iterator, Sequence
 
 import shapely
 
+from sceneweaver.scene.polygons import union
+
 from .search import CROWD, FIRM, Search
 from .study import OutOfTime
 from .walls import wall_claims
@@ -109,7 +111,7 @@ class Conflicts:
         everyone = " even without relations" if self.study.units else ""
         area = sum(self.study.area(self.study.index[o.id]) for o in ids if o.mount == "floor")
         floor = shapely.Polygon(self.study.scene.room.outline)
-        doors = shapely.union_all([shapely.Polygon(d.polygon) for d in self.study.problem.region.doors.values()])
+        doors = union(shapely.Polygon(d.polygon) for d in self.study.problem.region.doors.values())
         yield (
             f"These {len(ids)} objects do not fit together{self._beside_fixed(found)}{everyone} {FOUND}: "
             f"{listed([o.id for o in ids])}. Those on the floor cover {area:.1f} m2 of the "

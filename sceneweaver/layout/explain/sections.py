@@ -9,6 +9,8 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 import shapely
 
+from sceneweaver.scene.polygons import union
+
 from ..shapes import Points, Prism
 
 PENETRATION = 1.0e-3  # [m] that bodies may sink into each other and into walls
@@ -40,7 +42,7 @@ def section(prisms: Iterable[Prism], z: float, shrink: float = PENETRATION):
         for p in prisms
         if p.z[0] + PENETRATION < z < p.z[1] - PENETRATION
     ]
-    return shapely.union_all(shapes) if shapes else shapely.Polygon()
+    return union(shapes)
 
 
 def moved(prisms: Iterable[Prism], pose: np.ndarray) -> list[Prism]:

@@ -11,6 +11,7 @@ import shapely
 
 from sceneweaver.optimizers import judge, load_poses
 from sceneweaver.scene import CATALOGUE, Relation, Room, Scene, SceneObject, Surface
+from sceneweaver.scene.polygons import union
 
 from ..compile import Problem, compile_scene, relative
 from ..devices import pick_devices
@@ -161,7 +162,7 @@ class Study:
 
     def area(self, i: int) -> float:
         """Footprint of an object [m2]."""
-        return shapely.union_all([shapely.Polygon(p.polygon) for p in self.problem.solids[i]]).area
+        return float(union(shapely.Polygon(p.polygon) for p in self.problem.solids[i]).area)
 
     # what the solution's own candidates show
 
