@@ -27,6 +27,8 @@ def faults(survey: Survey) -> Iterator[Finding]:
         if not subjects:
             continue
         wrong, why = _wrong(survey, said, subjects)
+        if len(subjects) - len(wrong) >= _least(survey, said.subject):  # what came along may stand elsewhere
+            wrong = [b for b in wrong if b.item.attributes.get("asked") == said.subject]
         if wrong:
             target = said.target if isinstance(said.target, str) else " and ".join(said.target or ())
             words = said.words or f"{said.subject} {said.type} {target}".strip()
@@ -38,6 +40,11 @@ def faults(survey: Survey) -> Iterator[Finding]:
                 tool="add_relation" if rows else "update_layout",
                 inputs={"relations": rows} if rows else {"ids": ids},
             )  # fmt: skip
+
+
+def _least(survey: Survey, asked: str) -> int:
+    """How many of something were asked for."""
+    return next((a.count[0] if a.count else 1 for a in survey.brief.objects if a.id == asked), 1)
 
 
 def _named(survey: Survey, asked: str) -> list[Body]:

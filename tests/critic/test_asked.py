@@ -103,6 +103,23 @@ def test_asked_relations(relation: dict[str, Any], holds: bool) -> None:
         assert found.grades["alignment"] < 9.0 and relation["subject"] in faults[0].objects[0]
 
 
+def test_what_came_along_may_stand_elsewhere() -> None:
+    """A plant on the tv stand and one on the table: who asked for one to three on the stand has one there."""
+    case = rooms.living()
+    table, stand = case.scene.object("coffee_table-0"), case.scene.object("tv_stand-0")
+    said = {"type": "on_top", "subject": "succulent", "target": "tv_stand"}
+    objects = [asked("tv_stand"), asked("succulent", count=(1, 3))]
+    elsewhere = rooms.on(table, "succulent-8")
+    both = case.plus(rooms.on(stand, "succulent-9"), elsewhere)
+    assert not only(review(both, objects=objects, relations=[said]), "asked_relation", "alignment")
+    meant = elsewhere.model_copy(update={"attributes": {**elsewhere.attributes, "asked": "succulent"}})
+    wrong = case.plus(rooms.on(stand, "succulent-9"), meant)
+    (fault,) = only(review(wrong, objects=objects, relations=[said]), "asked_relation", "alignment")
+    assert "succulent-8" in fault.reason and "succulent-9" not in fault.reason
+    alone = case.plus(elsewhere)
+    assert only(review(alone, objects=objects, relations=[said]), "asked_relation", "alignment")
+
+
 def test_around() -> None:
     case = rooms.restaurant(1, 1)
     said = {"type": "around", "subject": "dining_chair", "target": "dining_table", "params": {"spread": 45}}
