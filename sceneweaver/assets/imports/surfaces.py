@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from sceneweaver.scene import Surface
@@ -40,7 +42,8 @@ def find_surfaces(vertices: np.ndarray, faces: np.ndarray) -> tuple[Surface, ...
         if 0.5 * area[level].sum() < MIN_AREA:
             continue
         z = float(np.average(heights[level], weights=area[level]))
-        region = union(shapely.buffer(shapely.polygons(corners[level][:, :, :2]), 1e-4))
+        grown: Any = shapely.buffer(shapely.polygons(corners[level][:, :, :2]), 1e-4)
+        region = union(grown)
         region = region.buffer(-_NARROW).buffer(_NARROW - _MARGIN)
         for shape in getattr(region, "geoms", [region]):
             found += _with_headroom(shape, z, corners, total)
