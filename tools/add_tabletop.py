@@ -8,7 +8,15 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sceneweaver.assets import categories, resolve
-from sceneweaver.knowledge.surfaces import Arrangement, Slot, arrangement, arrangement_of, arrangements, lays
+from sceneweaver.knowledge.surfaces import (
+    Arrangement,
+    Slot,
+    arrangement,
+    arrangement_of,
+    arrangements,
+    lays,
+    usual_arrangement,
+)
 from sceneweaver.scene import InputError, SceneObject
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
 
@@ -116,10 +124,9 @@ def _worth(around: Surroundings, obj: SceneObject, plan: Arrangement | None, nam
 def plan_of(around: Surroundings, obj: SceneObject) -> Arrangement:
     """The arrangement of a support: its item's, its category's, what the category holds, or the generic one."""
     item = around.item(obj)
-    if item is not None and item.top:
-        return arrangement(item.top)
-    if obj.category in arrangement_of():
-        return arrangements()[arrangement_of()[obj.category]]
+    plan = usual_arrangement(item.top if item is not None else None, obj.category)
+    if plan is not None:
+        return plan
     known = categories().get(obj.category)
     held = [c for c in (known.holds if known else ()) if c in categories() and categories()[c].size]
     if not held:

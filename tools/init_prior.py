@@ -7,7 +7,7 @@ import random
 from sceneweaver.assets import categories
 from sceneweaver.assets.taxonomy import likeliness
 from sceneweaver.brief import Brief
-from sceneweaver.knowledge.surfaces import arrangement, arrangement_of, lays
+from sceneweaver.knowledge.surfaces import lays, usual_arrangement
 from sceneweaver.scene import InputError, Pose, Relation, Room, Scene, SceneObject, Support
 
 from .base import Context, Proposal
@@ -27,9 +27,6 @@ FULL = 0.5
 """Share of a support's surfaces from which on what was asked for stands elsewhere."""
 
 NOWHERE = 99
-
-BESIDE = 3
-"""Most things of a kind that a table is laid with later."""
 
 GROWTH, GROWTHS = 1.12, 10
 """Factor by which a floor that nobody fixed grows when what is needed does not fit, and how often."""
@@ -130,7 +127,7 @@ def _support_small_things(program: Program, brief: Brief) -> None:
         fits = [w for w in program.wanted if w is not one and w.support is None and _surface(w, one) is not None]
         if fits:
             best = min(fits, key=lambda w: _unlikely(one, w, load.get(w.id, 0.0)))
-            if _laid_later(program, one, best):
+            if not brief.only and _laid_later(program, one, best):
                 program.later.append(one)
                 continue
             one.support = best
@@ -146,9 +143,8 @@ def _laid_later(program: Program, one: Wanted, support: Wanted) -> bool:
     """Whether a thing is left to what its table is laid with, where it has a place of its own: a screen on a desk."""
     if likeliness(one.category, support.category) is None or one.asked is None:
         return False
-    name = (support.item and support.item.top) or arrangement_of().get(support.category)
-    alike = sum(w.asked == one.asked for w in program.wanted)
-    return name is not None and alike <= BESIDE and lays(arrangement(name), one.category)
+    plan = usual_arrangement(support.item.top if support.item else None, support.category)
+    return lays(plan, one.category, sum(w.asked == one.asked for w in program.wanted))
 
 
 def _unlikely(one: Wanted, support: Wanted, load: float) -> tuple[bool, int, float]:

@@ -10,7 +10,7 @@ from sceneweaver.assets import categories
 from sceneweaver.assets.materials import color_named, palette
 from sceneweaver.assets.taxonomy import likeliness, members
 from sceneweaver.brief import Asked
-from sceneweaver.knowledge.surfaces import arrangement, arrangement_of, lays
+from sceneweaver.knowledge.surfaces import lays, usual_arrangement
 from sceneweaver.scene import InputError
 from sceneweaver.verify.solids import Body
 
@@ -18,9 +18,6 @@ from . import kinds
 from .asked_relations import faults as relation_faults
 from .grade import Finding, finding
 from .survey import FLAT, Survey
-
-BESIDE = 3
-"""Most things of a kind that stand side by side on a table."""
 
 LID = 5.0
 """Highest grade when something that was asked for is missing, or something unwanted is there."""
@@ -64,7 +61,8 @@ def _objects(survey: Survey) -> Iterator[Finding]:
             call: dict[str, Any] = {"category": asked.category, "count": missing}
             call.update({k: v for k in ("color", "material", "style") if (v := getattr(asked, k)) is not None})
             inputs: dict[str, Any] = {"objects": [call]}
-            table = _table_for(survey, asked.category) if missing <= BESIDE else None
+            # a table is laid with more than was asked for
+            table = None if survey.brief.only else _table_for(survey, asked.category, missing)
             if table is not None:
                 inputs["supports"] = [table]
             yield finding(
@@ -84,15 +82,15 @@ def _objects(survey: Survey) -> Iterator[Finding]:
         yield from _sizes(asked, bodies)
 
 
-def _table_for(survey: Survey, category: str) -> str | None:
-    """A bare table whose arrangement has a place for a category, the likeliest: a desk for a screen."""
+def _table_for(survey: Survey, category: str, count: int) -> str | None:
+    """A bare table whose arrangement has a place for so many of a category, the likeliest: a desk for a screen."""
     found: list[tuple[int, str]] = []
     for body in survey.bodies:
         rank = likeliness(category, body.item.category)
         name = survey.program.item_of.get(body.id)
         item = survey.room.item(name) if name else None
-        plan = (item.top if item is not None else None) or arrangement_of().get(body.item.category)
-        if rank is not None and plan and not survey.carried.get(body.id) and lays(arrangement(plan), category):
+        plan = usual_arrangement(item.top if item is not None else None, body.item.category)
+        if rank is not None and not survey.carried.get(body.id) and lays(plan, category, count):
             found.append((rank, body.id))
     return min(found)[1] if found else None
 

@@ -115,7 +115,6 @@ class Survey:
     @cached_property
     def footprints(self) -> NDArray[Any]:
         """The union of each object's parts in plan as a shapely geometry [n]."""
-
         rows = [self.placed.parts.polygons[self.placed.part_rows(b)] for b in self.bodies]
         out = np.empty(len(rows), dtype=object)
         for i, parts in enumerate(rows):

@@ -24,6 +24,9 @@ from .model import Need, Range
 Side = Literal["front", "back", "left", "right", "beside"]
 Level = Literal["main", "left", "right", "upper", "lower"]
 
+BESIDE = 3
+"""Most things of a kind that stand side by side on a table."""
+
 
 class _Kinds(FrozenModel):
     """A choice among categories, with the sizes [m] that suit here."""
@@ -193,9 +196,17 @@ def arrangement_of() -> Mapping[str, str]:
     return MappingProxyType({c: name for name, one in arrangements().items() for c in one.by_category})
 
 
-def lays(plan: Arrangement, category: str) -> bool:
-    """Whether an arrangement has a place of its own for a category, apart from what lies before every chair."""
-    return any(category in slot.what and slot.each is None for slot in plan.slots)
+def usual_arrangement(top: str | None, category: str) -> Arrangement | None:
+    """What a piece of furniture is laid with: as its item of the room says (``top``), else as its category."""
+    name = top or arrangement_of().get(category)
+    return arrangement(name) if name else None
+
+
+def lays(plan: Arrangement | None, category: str, count: int = 1) -> bool:
+    """Whether an arrangement has a place of its own for so many of a category, not one before every chair."""
+    return (
+        plan is not None and count <= BESIDE and any(category in slot.what and slot.each is None for slot in plan.slots)
+    )
 
 
 @cache

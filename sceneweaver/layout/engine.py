@@ -178,11 +178,11 @@ def solve(
         )
         outcome = run(batch, optimizer, start, steps, monitor)
         verdict = judge(batch)
+        layouts = _layouts(batch, group)
         first = 0
-        for i, job, n in zip(members, group, sizes, strict=True):
+        for i, job, final, n in zip(members, group, layouts, sizes, strict=True):
             rows = slice(first, first + n)
             room, scene = job.compiled.room, job.compiled.scene
-            final = _layouts(batch, job, rows)
             status = verdict.status[rows].copy()
             status[(status != DIVERGED) & (room.faulty | ~_surfaces_hold(job.compiled, batch, first, n))] = BROKEN
             holds = verdict.holds[rows, : len(scene.relations)].copy()
@@ -283,18 +283,22 @@ def make_batch(problems: Sequence[Problem], which: np.ndarray, device: str, pool
     )
 
 
-def _layouts(batch: Batch, job: Job, rows: slice) -> np.ndarray:
-    """A job's layouts [B, N, 4] on the host; in memory of its own, as a solution must not keep those of others."""
-    found, shape = batch.state.poses, (len(job.world), job.compiled.room.size)
-    if batch.device == "cpu" and job.into is None and found.shape == shape:
-        return found.numpy()
-    into = np.empty((*shape, 4), dtype=np.float32) if job.into is None else job.into
-    if found.shape == shape:
+def _layouts(batch: Batch, jobs: Sequence[Job]) -> list[np.ndarray]:
+    """Every job's layouts [B, N, 4] on the host, each in its own memory: a solution must not keep those of others."""
+    found, shapes = batch.state.poses, [(len(job.world), job.compiled.room.size) for job in jobs]
+    if found.shape == shapes[0]:  # one job alone: from the device to where they belong
+        if batch.device == "cpu" and jobs[0].into is None:
+            return [found.numpy()]
+        into = np.empty((*shapes[0], 4), dtype=np.float32) if jobs[0].into is None else jobs[0].into
         wp.copy(wp.array(into, dtype=wp.vec4, device="cpu", copy=False), found)
         wp.synchronize_device(batch.device)
-    else:
-        into[:] = found[rows].numpy()[:, : shape[1]]
-    return into
+        return [into]
+    cuts = np.split(found.numpy(), np.cumsum([n for n, _ in shapes])[:-1])
+    layouts = [poses[:, :size].copy() for poses, (_, size) in zip(cuts, shapes, strict=True)]
+    for job, mine in zip(jobs, layouts, strict=True):
+        if job.into is not None:
+            job.into[:] = mine
+    return layouts
 
 
 def _prepared(jobs: Sequence[Job], devices: Sequence[str], optimizer: str, monitor: Monitor) -> list[Job]:

@@ -180,3 +180,8 @@ def test_two_screens_stand_on_the_desk():
     carriers = {o.support.object for o in screens if o.support is not None}
     assert len(screens) == 2 and len(carriers) == 1 and result.report.valid and not result.unmet
     assert "desk" in result.scene.object(carriers.pop()).category
+
+
+def test_a_desk_with_only_a_laptop_is_laid_with_nothing_else():
+    scene = design("only a desk, a chair and a laptop", seed=1).scene
+    assert [o.category for o in scene.objects if o.support is not None] == ["laptop"]
