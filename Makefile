@@ -42,6 +42,7 @@ bench: $(READY) ## Run the long tests and the benchmarks
 
 lint: $(READY) ## Check style, floors and types
 	$(BIN)/ruff check $(wildcard $(CODE))
+	$(BIN)/ruff format --check $(wildcard $(CODE))
 	$(BIN)/lint-imports --no-logo
 	$(BIN)/pyright
 

@@ -16,9 +16,17 @@ from sceneweaver.verify.solids import Placed
 from sceneweaver.verify.walkable import measure
 
 PAPER = {
-    "bedroom": 14.0, "living_room": 17.3, "bathroom": 19.7, "childrens_room": 23.0, "gym": 29.7,
-    "meeting_room": 31.0, "office": 40.0, "restaurant": 88.0, "waiting_room": 25.7, "kitchen": 34.7,
-}  # fmt: skip
+    "bedroom": 14.0,
+    "living_room": 17.3,
+    "bathroom": 19.7,
+    "childrens_room": 23.0,
+    "gym": 29.7,
+    "meeting_room": 31.0,
+    "office": 40.0,
+    "restaurant": 88.0,
+    "waiting_room": 25.7,
+    "kitchen": 34.7,
+}
 """The ten kinds of rooms of the SceneWeaver paper with its mean counts of objects (its tables 2 and 8)."""
 
 LIBRARY = Library()

@@ -61,11 +61,16 @@ def measure(scene: Scene, seconds: float = SECONDS, load: Callable[[str], Asset]
     problems = [] if found["finite"] else ["diverged"]
     problems += [f"{name} {count} times" for name, count in found["warnings"].items()]
     return {
-        "objects": float(len(scene.objects)), "free": float(len(far)), **_shares(far),
-        "mean": 1e3 * fmean(far or [0.0]), "most": 1e3 * max(far, default=0.0),
+        "objects": float(len(scene.objects)),
+        "free": float(len(far)),
+        **_shares(far),
+        "mean": 1e3 * fmean(far or [0.0]),
+        "most": 1e3 * max(far, default=0.0),
         **{key: float(found[key]) for key in ("doors", "ajar", "parts", "contacts", "run_s")},
-        "write_s": written, "moved": found["moved"], "problems": problems,
-    }  # fmt: skip
+        "write_s": written,
+        "moved": found["moved"],
+        "problems": problems,
+    }
 
 
 def _shares(far: Sequence[float]) -> dict[str, float]:

@@ -57,10 +57,15 @@ def main(path, seconds):
     warnings = {str(mujoco.mjtWarning(k).name): int(w.number) for k, w in enumerate(data.warning) if w.number}
     return {
         "moved": {model.body(b).name: float(v) for b, v in zip(inside, far, strict=True)},
-        "doors": len(doors), "ajar": float(ajar.max(initial=0.0)), "parts": int((model.geom_contype > 0).sum()),
-        "contacts": contacts, "warnings": warnings, "finite": bool(np.isfinite(data.qpos).all()),
-        "load_s": loaded - began, "run_s": done - loaded,
-    }  # fmt: skip
+        "doors": len(doors),
+        "ajar": float(ajar.max(initial=0.0)),
+        "parts": int((model.geom_contype > 0).sum()),
+        "contacts": contacts,
+        "warnings": warnings,
+        "finite": bool(np.isfinite(data.qpos).all()),
+        "load_s": loaded - began,
+        "run_s": done - loaded,
+    }
 
 
 if __name__ == "__main__":

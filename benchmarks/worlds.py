@@ -68,9 +68,15 @@ COLUMNS = (
 
 
 def measure(
-    case: Case, device: str, sample: int = 64, seconds: float = 3.0, threads: int = 1, budget: float = 40.0,
-    backend: str | None = None, rows: Sequence[int] = USUAL,
-) -> Iterator[dict[str, Any]]:  # fmt: skip
+    case: Case,
+    device: str,
+    sample: int = 64,
+    seconds: float = 3.0,
+    threads: int = 1,
+    budget: float = 40.0,
+    backend: str | None = None,
+    rows: Sequence[int] = USUAL,
+) -> Iterator[dict[str, Any]]:
     """Rows of results, one for each of ``ROWS``.
 
     Args:
@@ -107,19 +113,39 @@ def measure(
         ours = np.where(sound[:, None], moved[some], np.inf) > LITTLE
         c, agreed = theirs > LITTLE, _agreed(ours, theirs > LITTLE)
         yield {
-            "shapes": shapes, "solver": name, "backend": kind, "worlds": len(start), "bodies": len(case.free),
-            "geoms": int(template.model.ngeom), "dofs": int(template.model.nv), "seconds": batch.seconds,
-            "each": 1e3 * batch.seconds / len(start), "core": 1e3 * core, "timed": timed,
-            "speedup": core * len(start) / batch.seconds, "goal": GOALS[shapes], "sample": len(some),
-            "agree": agreed, "agree_product": _agreed(ours, truth > LITTLE),
-            "c_agrees_product": _agreed(c, truth > LITTLE), "far": float(c.mean()),
+            "shapes": shapes,
+            "solver": name,
+            "backend": kind,
+            "worlds": len(start),
+            "bodies": len(case.free),
+            "geoms": int(template.model.ngeom),
+            "dofs": int(template.model.nv),
+            "seconds": batch.seconds,
+            "each": 1e3 * batch.seconds / len(start),
+            "core": 1e3 * core,
+            "timed": timed,
+            "speedup": core * len(start) / batch.seconds,
+            "goal": GOALS[shapes],
+            "sample": len(some),
+            "agree": agreed,
+            "agree_product": _agreed(ours, truth > LITTLE),
+            "c_agrees_product": _agreed(c, truth > LITTLE),
+            "far": float(c.mean()),
             "far_both": float((c & ours).sum() / (c | ours).sum()) if (c | ours).any() else 1.0,
             "apart": float(np.median(np.abs(moved[some] - theirs)[sound])) if sound.any() else None,
-            "contacts": batch.contacts, "constraints": batch.constraints, "room": batch.room, "grown": batch.grown,
-            "overflow": int(batch.overflow.sum()), "diverged": int(batch.diverged.sum()),
-            "c_diverged": int(alone.diverged.sum()), "unfinished": _count(batch.unfinished),
-            "inexact": _count(batch.inexact), "first": first, "call": call, "problem": batch.problem,
-        }  # fmt: skip
+            "contacts": batch.contacts,
+            "constraints": batch.constraints,
+            "room": batch.room,
+            "grown": batch.grown,
+            "overflow": int(batch.overflow.sum()),
+            "diverged": int(batch.diverged.sum()),
+            "c_diverged": int(alone.diverged.sum()),
+            "unfinished": _count(batch.unfinished),
+            "inexact": _count(batch.inexact),
+            "first": first,
+            "call": call,
+            "problem": batch.problem,
+        }
 
 
 def _alone(

@@ -175,9 +175,20 @@ def add_contacts(
                                     ga = wp.vec4(-out[0], -out[1], 0.0, -wp.dot(out, perp(point - pa)))
                                     gb = wp.vec4(out[0], out[1], 0.0, wp.dot(out, perp(point - pb)))
                                     one = add_row(
-                                        t, o0, candidate, base + count, wp.vec3i(i, j, -1), ga, gb,
-                                        wp.vec4(0.0, 0.0, 0.0, 0.0), wanting(d, hold), face * 32768 + v, s, shift,
-                                        rows, keys,
+                                        t,
+                                        o0,
+                                        candidate,
+                                        base + count,
+                                        wp.vec3i(i, j, -1),
+                                        ga,
+                                        gb,
+                                        wp.vec4(0.0, 0.0, 0.0, 0.0),
+                                        wanting(d, hold),
+                                        face * 32768 + v,
+                                        s,
+                                        shift,
+                                        rows,
+                                        keys,
                                     )
                                     count += one
                                     mobile += one

@@ -191,9 +191,7 @@ def meeting_energy(
 
 
 @wp.func
-def room_energy(
-    t: TablesRef, m: Margins, w: Weights, p: wp.int32, o: wp.int32, pose: wp.vec4, q: wp.vec2, part: Share
-):
+def room_energy(t: TablesRef, m: Margins, w: Weights, p: wp.int32, o: wp.int32, pose: wp.vec4, q: wp.vec2, part: Share):
     """Bounds: penalty of object o (global index) against the walls, floor and ceiling, with gradient."""
     at = plane_of(pose)
     e = float(0.0)

@@ -84,8 +84,20 @@ def add_bounds(
                     arm = turn(q, t[0].vertex[v])
                     g = wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(arm)))
                     one = add_row(
-                        t, o0, candidate, base + count, wp.vec3i(obj, -1, -1), g, none, none,
-                        wanting(d, m.bounds_hold), -3 - (k * 32768 + v), s, shift, rows, keys,
+                        t,
+                        o0,
+                        candidate,
+                        base + count,
+                        wp.vec3i(obj, -1, -1),
+                        g,
+                        none,
+                        none,
+                        wanting(d, m.bounds_hold),
+                        -3 - (k * 32768 + v),
+                        s,
+                        shift,
+                        rows,
+                        keys,
                     )
                     count += one
                     mobile += one
@@ -101,8 +113,26 @@ def add_bounds(
                 hold = wp.where(solid, m.bounds_hold, m.zone_hold)
                 prism = t[0].fixture[k]
                 more, miss = add_contacts(
-                    t, o0, candidate, base, count, obj, parts_of(t, o, SOLIDS), pose, q, -1,
-                    wp.vec2i(prism, prism + 1), none, EAST, hold, m.gate, reach, s, shift, rows, keys,
+                    t,
+                    o0,
+                    candidate,
+                    base,
+                    count,
+                    obj,
+                    parts_of(t, o, SOLIDS),
+                    pose,
+                    q,
+                    -1,
+                    wp.vec2i(prism, prism + 1),
+                    none,
+                    EAST,
+                    hold,
+                    m.gate,
+                    reach,
+                    s,
+                    shift,
+                    rows,
+                    keys,
                 )
                 count = more
                 missed += miss
@@ -114,13 +144,37 @@ def add_bounds(
         rise = wp.vec4(0.0, 0.0, 1.0, 0.0)
         if down < reach and count < ROWS:
             count += add_row(
-                t, o0, candidate, base + count, wp.vec3i(obj, -1, -1), rise, none, none, wanting(down, m.bounds_hold),
-                -1, s, shift, rows, keys,
+                t,
+                o0,
+                candidate,
+                base + count,
+                wp.vec3i(obj, -1, -1),
+                rise,
+                none,
+                none,
+                wanting(down, m.bounds_hold),
+                -1,
+                s,
+                shift,
+                rows,
+                keys,
             )
         if up < reach and count < ROWS:
             count += add_row(
-                t, o0, candidate, base + count, wp.vec3i(obj, -1, -1), -rise, none, none, wanting(up, m.bounds_hold),
-                -2, s, shift, rows, keys,
+                t,
+                o0,
+                candidate,
+                base + count,
+                wp.vec3i(obj, -1, -1),
+                -rise,
+                none,
+                none,
+                wanting(up, m.bounds_hold),
+                -2,
+                s,
+                shift,
+                rows,
+                keys,
             )
     return count, missed
 
@@ -171,22 +225,76 @@ def add_pairs(
                     sb = parts_of(t, b, SOLIDS)
                     if flags & PAIR_COLLIDE:
                         count1, miss1 = add_contacts(
-                            t, o0, candidate, base, count, obj, sa, pose, q, j, sb, other, qj, m.collision_hold,
-                            m.gate, reach, s, shift, rows, keys,
+                            t,
+                            o0,
+                            candidate,
+                            base,
+                            count,
+                            obj,
+                            sa,
+                            pose,
+                            q,
+                            j,
+                            sb,
+                            other,
+                            qj,
+                            m.collision_hold,
+                            m.gate,
+                            reach,
+                            s,
+                            shift,
+                            rows,
+                            keys,
                         )
                         count = count1
                         missed += miss1
                     if flags & PAIR_ZONE_OF_FIRST:
                         count2, miss2 = add_contacts(
-                            t, o0, candidate, base, count, obj, parts_of(t, a, ZONES), pose, q, j, sb, other, qj,
-                            m.zone_hold, m.gate, reach, s, shift, rows, keys,
+                            t,
+                            o0,
+                            candidate,
+                            base,
+                            count,
+                            obj,
+                            parts_of(t, a, ZONES),
+                            pose,
+                            q,
+                            j,
+                            sb,
+                            other,
+                            qj,
+                            m.zone_hold,
+                            m.gate,
+                            reach,
+                            s,
+                            shift,
+                            rows,
+                            keys,
                         )
                         count = count2
                         missed += miss2
                     if flags & PAIR_ZONE_OF_SECOND:
                         count3, miss3 = add_contacts(
-                            t, o0, candidate, base, count, obj, sa, pose, q, j, parts_of(t, b, ZONES), other, qj,
-                            m.zone_hold, m.gate, reach, s, shift, rows, keys,
+                            t,
+                            o0,
+                            candidate,
+                            base,
+                            count,
+                            obj,
+                            sa,
+                            pose,
+                            q,
+                            j,
+                            parts_of(t, b, ZONES),
+                            other,
+                            qj,
+                            m.zone_hold,
+                            m.gate,
+                            reach,
+                            s,
+                            shift,
+                            rows,
+                            keys,
                         )
                         count = count3
                         missed += miss3
@@ -256,8 +364,20 @@ def add_relations(
                             want = wp.min(want, 0.0)
                         if count < ROWS:
                             one = add_row(
-                                t, o0, candidate, base + count, ids, sign * ga, sign * gb, sign * gc, want,
-                                1073741824 + 2 * k + side, s, shift, rows, keys,
+                                t,
+                                o0,
+                                candidate,
+                                base + count,
+                                ids,
+                                sign * ga,
+                                sign * gb,
+                                sign * gc,
+                                want,
+                                1073741824 + 2 * k + side,
+                                s,
+                                shift,
+                                rows,
+                                keys,
                             )
                             count += one
                         if one > 0:

@@ -329,9 +329,7 @@ def prisms_apart(
 
 
 @wp.func(inline=False)
-def closest_to_edges(
-    t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2
-):
+def closest_to_edges(t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2):
     """Smallest distance of b's vertices to a, outside of it: (distance, vector from a to b, witness point)."""
     best = float(FAR)
     best_v = wp.vec2(1.0, 0.0)

@@ -111,9 +111,7 @@ def point(h: History, line: Line, candidate: wp.int32, n: wp.int32):
         inverse[k] = 1.0 / sy
         alpha[k] = sq / sy
         for obj in range(n):
-            line.direction[obj, candidate] = (
-                line.direction[obj, candidate] - alpha[k] * h.slopes[slot, obj, candidate]
-            )
+            line.direction[obj, candidate] = line.direction[obj, candidate] - alpha[k] * h.slopes[slot, obj, candidate]
     if count > 0:
         yy = float(0.0)
         for obj in range(n):

@@ -44,6 +44,7 @@ for _dtype, _align in ALIGNED.items():
         """Element j of row i."""
         ...
 
+
 for _dtype in (wp.int32, wp.vec2, wp.vec4):
 
     @wp.func_native(READ.format(at=ANYWHERE, align=ALIGNED[_dtype]))

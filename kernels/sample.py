@@ -100,9 +100,7 @@ def target_value(aim: wp.vec2, rng: wp.ref[wp.uint32]):
 
 
 @wp.func
-def project_option(
-    t: TablesRef, option: wp.int32, x: Parties, free: wp.int32, fresh: wp.bool, rng: wp.ref[wp.uint32]
-):
+def project_option(t: TablesRef, option: wp.int32, x: Parties, free: wp.int32, fresh: wp.bool, rng: wp.ref[wp.uint32]):
     """The subject's pose moved into the rows of one option, row by row.
 
     A fresh draw takes a new value for every row; otherwise only rows outside their interval move it.
@@ -255,9 +253,7 @@ def slide(
                     near = wp.dot(v, v)
                     qj = item(s.turns, candidate, j)
                     size = item(t[0].object_size, o0 + j)
-                    reach = 0.5 * (
-                        wp.abs(wp.dot(axis, qj)) * size[0] + wp.abs(wp.dot(axis, perp(qj))) * size[1]
-                    )
+                    reach = 0.5 * (wp.abs(wp.dot(axis, qj)) * size[0] + wp.abs(wp.dot(axis, perp(qj))) * size[1])
                     step = wp.dot(axis, v) + side * (half + reach + gap)
     return wp.vec4(pose[0] + step * axis[0], pose[1] + step * axis[1], pose[2], pose[3])
 

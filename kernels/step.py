@@ -31,9 +31,7 @@ def freedom(t: TablesRef, o: wp.int32):
     """One for every coordinate (x, y, z, yaw) that object o is free in, else zero."""
     free = item(t[0].object_free, o)
     plane = wp.where((free & FREE_PLANE) != 0, 1.0, 0.0)
-    return wp.vec4(
-        plane, plane, wp.where((free & FREE_Z) != 0, 1.0, 0.0), wp.where((free & FREE_YAW) != 0, 1.0, 0.0)
-    )
+    return wp.vec4(plane, plane, wp.where((free & FREE_Z) != 0, 1.0, 0.0), wp.where((free & FREE_YAW) != 0, 1.0, 0.0))
 
 
 @wp.func

@@ -55,9 +55,7 @@ def exchange_odds(energy_a: wp.float32, temperature_a: wp.float32, energy_b: wp.
 
 
 @wp.func
-def langevin_odds(
-    step: wp.vec4, slope: wp.vec4, trial_slope: wp.vec4, pace: wp.float32, temperature: wp.float32
-):
+def langevin_odds(step: wp.vec4, slope: wp.vec4, trial_slope: wp.vec4, pace: wp.float32, temperature: wp.float32):
     """One object's part in the logarithm of how much likelier the way back is than the way there."""
     there = step + pace * slope
     back = step - pace * trial_slope
@@ -179,9 +177,7 @@ def exchange(
                 a = row
             if ladder.rung[row] == cold + 1:
                 b = row
-        odds = exchange_odds(
-            ladder.energy[a], ladder.temperature[cold], ladder.energy[b], ladder.temperature[cold + 1]
-        )
+        odds = exchange_odds(ladder.energy[a], ladder.temperature[cold], ladder.energy[b], ladder.temperature[cold + 1])
         if wp.log(wp.randf(draw) + 1.0e-20) < odds:
             ladder.rung[a] = cold + 1
             ladder.rung[b] = cold

@@ -187,9 +187,7 @@ def rate_trials(
 
 
 @wp.func
-def find_slope(
-    t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, d: Desk, s: State
-):
+def find_slope(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, d: Desk, s: State):
     """The outcome of a job that takes a gradient; all lanes share its terms, and each gets the outcome."""
     first, last = alone(t, item(t[0].object_start, p) + d.obj)
     view = View()
@@ -230,7 +228,18 @@ def draw(
     home = at_home(plan, clock)
     by = wp.min(1 + plan.proposals, lanes())
     draw_trials(
-        t, m, weights_at(w, home), plan, home, problem[candidate], candidate, desk[candidate], first, by, s, drawn_out,
+        t,
+        m,
+        weights_at(w, home),
+        plan,
+        home,
+        problem[candidate],
+        candidate,
+        desk[candidate],
+        first,
+        by,
+        s,
+        drawn_out,
         drafted_out,
     )
 
@@ -260,7 +269,17 @@ def rate(
         return
     home = at_home(plan, clock)
     x = rate_trials(
-        t, m, weights_at(w, home), plan, home, problem[candidate], candidate, desk[candidate], s, drawn, drafted,
+        t,
+        m,
+        weights_at(w, home),
+        plan,
+        home,
+        problem[candidate],
+        candidate,
+        desk[candidate],
+        s,
+        drawn,
+        drafted,
         energy_out,
     )
     if lane() == 0:

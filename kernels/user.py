@@ -40,6 +40,7 @@ def unregister_residual(name: str) -> None:
 
 def probe_gradients(residual: wp.Function, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Gradients [K, 4] of a residual for the poses a [K, 4], beside those b: Warp's own, and the engine's."""
+
     @wp.kernel(module="unique", enable_backward=False)
     def probe(
         # State in:

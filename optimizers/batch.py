@@ -14,8 +14,18 @@ from sceneweaver.kernels.track import set_turns
 from sceneweaver.kernels.verdict import judge_candidates, judge_objects, judge_relations
 
 STATE = (
-    "poses", "turns", "options", "anchors", "rng", "stream", "mark", "draft", "cell_head", "cell_next", "cell_of",
-)  # fmt: skip
+    "poses",
+    "turns",
+    "options",
+    "anchors",
+    "rng",
+    "stream",
+    "mark",
+    "draft",
+    "cell_head",
+    "cell_next",
+    "cell_of",
+)
 
 
 @dataclass

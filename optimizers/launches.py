@@ -27,9 +27,7 @@ class Launches:
 
     def add(self, kernel: Any, dim: Any, inputs: Sequence[Any], outputs: Sequence[Any], block: int = 256) -> None:
         """Append a launch in blocks of ``block`` threads. Nothing runs yet."""
-        command = wp.launch(
-            kernel, dim, [*inputs], [*outputs], device=self.device, record_cmd=True, block_dim=block
-        )  # fmt: skip
+        command = wp.launch(kernel, dim, [*inputs], [*outputs], device=self.device, record_cmd=True, block_dim=block)
         self._commands.append(command)
         self._keep.append((inputs, outputs))
 

@@ -62,9 +62,14 @@ class AddCrowd:
 
 
 def _fill(
-    around: Surroundings, shelf: Shelf, support: SceneObject, board: Surface, plan: Crowd, dice: random.Random,
+    around: Surroundings,
+    shelf: Shelf,
+    support: SceneObject,
+    board: Surface,
+    plan: Crowd,
+    dice: random.Random,
     density: float,
-) -> list[AnyEdit]:  # fmt: skip
+) -> list[AnyEdit]:
     turned = _seen_from_behind(support, board)
     frame = around.frame(support, turned)
     field = around.field(support, board, frame)
@@ -76,12 +81,17 @@ def _fill(
     return [
         Add(
             object=placed(
-                put.asset, around.new_id(put.asset.category), frame,
-                (float(put.at[0]), float(put.at[1]), board.z), put.yaw, held, support.id,
+                put.asset,
+                around.new_id(put.asset.category),
+                frame,
+                (float(put.at[0]), float(put.at[1]), board.z),
+                put.yaw,
+                held,
+                support.id,
             )
         )
         for put in row.fill()
-    ]  # fmt: skip
+    ]
 
 
 def _seen_from_behind(support: SceneObject, board: Surface) -> bool:

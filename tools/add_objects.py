@@ -120,9 +120,15 @@ def _mount(row: Mapping[str, Any], category: str, item: Item | None, on: Sequenc
 
 
 def _bodies(
-    context: Context, draft: Draft, row: Mapping[str, Any], category: str, item: Item | None, count: int, number: int,
+    context: Context,
+    draft: Draft,
+    row: Mapping[str, Any],
+    category: str,
+    item: Item | None,
+    count: int,
+    number: int,
     mount: str,
-) -> list[Asset]:  # fmt: skip
+) -> list[Asset]:
     """Bodies for all of an entry: like those of its set that are there, equal ones, or for small things different."""
     seed = context.seed + 101 * number
     free = not any(row.get(k) for k in ("size", "color", "material", "style", "words"))
@@ -170,9 +176,15 @@ def _wish(context: Context, row: Mapping[str, Any], item: Item | None, seed: int
 
 
 def _object(
-    work: _Work, row: Mapping[str, Any], asset: Asset, item: Item | None, mount: str, on: Sequence[str], k: int,
+    work: _Work,
+    row: Mapping[str, Any],
+    asset: Asset,
+    item: Item | None,
+    mount: str,
+    on: Sequence[str],
+    k: int,
     number: int,
-) -> SceneObject | None:  # fmt: skip
+) -> SceneObject | None:
     """One scene object; None when it should stand on something and nothing has room for it."""
     context, draft = work.context, work.draft
     attributes = dict(asset.attributes)

@@ -102,9 +102,7 @@ def _program(context: Context, space: Room, area: float, people: int, style: str
     pane = (space.windows[0].width, space.windows[0].height) if space.windows else None
     fill = FILL[brief.density]
     walls = walls_of(space)
-    return build(
-        wishes, room, brief, context.library, area, walls, WALLED * walls, fill, context.seed, style, pane
-    )  # fmt: skip
+    return build(wishes, room, brief, context.library, area, walls, WALLED * walls, fill, context.seed, style, pane)
 
 
 def _support_small_things(program: Program, brief: Brief) -> None:

@@ -41,10 +41,16 @@ def adapted(context: Context, scene: Scene, tool: str, name: str) -> tuple[Scene
             "prompt": brief.text,
             "dropped": (),
             "objects": tuple(_unasked(o) for o in scene.objects),
-            "provenance": {**scene.provenance, "tool": tool, "library": name, "room": context.room.name,
-                           "seed": context.seed, "asked": []},
+            "provenance": {
+                **scene.provenance,
+                "tool": tool,
+                "library": name,
+                "room": context.room.name,
+                "seed": context.seed,
+                "asked": [],
+            },
         }
-    )  # fmt: skip
+    )
     scene = _floor(scene, brief, notes, unmet)
     scene = _without(scene, brief, notes)
     made: dict[str, list[str]] = {}
@@ -100,8 +106,9 @@ def _floor(scene: Scene, brief: Brief, notes: list[str], unmet: list[str]) -> Sc
 
     try:
         outline = tuple(at(x, y) for x, y in room.outline)
-        after = Room.model_validate({**room.model_dump(), "outline": outline, "height": height,
-                                     **_openings(room, outline, height)})  # fmt: skip
+        after = Room.model_validate(
+            {**room.model_dump(), "outline": outline, "height": height, **_openings(room, outline, height)}
+        )
     except InputError as error:
         unmet.append(f"the floor stays {w:.2f} x {d:.2f} m: {error}")
         return scene
@@ -203,9 +210,14 @@ def _swapped(context: Context, scene: Scene, id: str, asked: Asked, notes: list[
     if category.size is not None and asked.category == old.category:
         size = [want if want is not None else have for want, have in zip(size, old.size, strict=True)]
     wish = Wish(
-        size=(size[0], size[1], size[2]), color=asked.color, material=asked.material,
-        style=asked.style or context.brief.style, words=" ".join(asked.words), seed=context.seed % 2**31, count=4,
-    )  # fmt: skip
+        size=(size[0], size[1], size[2]),
+        color=asked.color,
+        material=asked.material,
+        style=asked.style or context.brief.style,
+        words=" ".join(asked.words),
+        seed=context.seed % 2**31,
+        count=4,
+    )
     try:
         asset = context.library.choose(asked.category, 1, wish)[0]
         edits: list[AnyEdit] = exchanged(scene, old, asset, context.seed, notes, notes)
@@ -231,8 +243,12 @@ def _added(
     row.update({k: v for k in ("color", "material", "style") if (v := getattr(asked, k)) is not None})
     if asked.size != (None, None, None):
         row["size"] = list(asked.size)
-    on = [id for r in context.brief.relations if r.subject == asked.id and r.type in ("on_top", "inside")
-          for id in made.get(str(r.target), [])]  # fmt: skip
+    on = [
+        id
+        for r in context.brief.relations
+        if r.subject == asked.id and r.type in ("on_top", "inside")
+        for id in made.get(str(r.target), [])
+    ]
     if on:
         row["on"] = on
     proposal = AddObjects().propose(replace(context, scene=scene, inputs={"objects": [row]}))

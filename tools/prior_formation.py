@@ -176,9 +176,14 @@ def _out(one: Wanted, anchor: Wanted) -> float:
 
 
 def _line(
-    poses: Local, seats: Sequence[Wanted], edge: tuple[float, float], axis: tuple[float, float], length: float,
-    yaw: float, anchor: Wanted,
-) -> None:  # fmt: skip
+    poses: Local,
+    seats: Sequence[Wanted],
+    edge: tuple[float, float],
+    axis: tuple[float, float],
+    length: float,
+    yaw: float,
+    anchor: Wanted,
+) -> None:
     """Seats evenly along one edge, facing it."""
     for k, one in enumerate(seats):
         at = ((k + 0.5) / len(seats) - 0.5) * length
@@ -241,9 +246,11 @@ def _grid(
             for id, (x, y, turned) in group.poses.items():
                 a, b = u + x, v + y
                 poses[id] = Pose.from_yaw(
-                    cx + a * math.cos(yaw) - b * math.sin(yaw), cy + a * math.sin(yaw) + b * math.cos(yaw), 0.0,
+                    cx + a * math.cos(yaw) - b * math.sin(yaw),
+                    cy + a * math.sin(yaw) + b * math.cos(yaw),
+                    0.0,
                     _wrapped(yaw + turned),
-                )  # fmt: skip
+                )
             at += wide + between
         start += depth + gap
     return poses

@@ -101,9 +101,7 @@ def _frame(room: Room, wall: int) -> tuple[Any, Any, Any, float]:
 
 
 def _door_zones(room: Room) -> list[Any]:
-    return [
-        _before(room, d.wall, d.offset, d.width, d.width if d.swing.startswith("in") else 0.6) for d in room.doors
-    ]  # fmt: skip
+    return [_before(room, d.wall, d.offset, d.width, d.width if d.swing.startswith("in") else 0.6) for d in room.doors]
 
 
 def _before(room: Room, wall: int, offset: float, width: float, deep: float) -> Any:
@@ -116,8 +114,15 @@ def _before(room: Room, wall: int, offset: float, width: float, deep: float) -> 
     return shapely.Polygon([a, b, (b[0] + deep * n[0], b[1] + deep * n[1]), (a[0] + deep * n[0], a[1] + deep * n[1])])
 
 
-def _along(line: Line, room: Room, wall: int, blocked: Sequence[Any], ways: Sequence[Any], start: float = 0.0,
-           only: float | None = None) -> list[tuple[Wanted, Pose]] | None:  # fmt: skip
+def _along(
+    line: Line,
+    room: Room,
+    wall: int,
+    blocked: Sequence[Any],
+    ways: Sequence[Any],
+    start: float = 0.0,
+    only: float | None = None,
+) -> list[tuple[Wanted, Pose]] | None:
     """The whole line at one wall; ``start`` [m] is taken at its beginning, ``only`` fixes where it begins."""
     *_, length = _frame(room, wall)
     widths = [one.asset.size[1] for one in line.pieces]
@@ -162,9 +167,12 @@ def _placed(
         if at + w > length + 1e-6:
             return None
         for window in room.windows:
-            if window.wall == wall and h > window.sill - 0.01 and at < window.offset + window.width and (
-                at + w > window.offset
-            ):  # fmt: skip
+            if (
+                window.wall == wall
+                and h > window.sill - 0.01
+                and at < window.offset + window.width
+                and (at + w > window.offset)
+            ):
                 return None
         across = d / 2 + FLUSH
         x = p[0] + (at + w / 2) * t[0] + across * n[0]

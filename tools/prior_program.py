@@ -206,9 +206,11 @@ def loose(asked: Asked) -> bool:
 
 
 def _hangs_at_windows(item: Item) -> bool:
-    return any(p.type == "at_window" and not p.soft for p in item.place) and item.mount != "floor" and all(
-        categories()[c].mount[0] == "wall" for c in item.what if c in categories()
-    )  # fmt: skip
+    return (
+        any(p.type == "at_window" and not p.soft for p in item.place)
+        and item.mount != "floor"
+        and all(categories()[c].mount[0] == "wall" for c in item.what if c in categories())
+    )
 
 
 def _something_at_windows(room: RoomType, brief: Brief) -> bool:
@@ -235,9 +237,18 @@ def _asked_demand(asked: Asked, item: Item | None, area: float, people: int, dra
 
 
 def build(
-    wishes: Iterable[Demand], room: RoomType, brief: Brief, library: Library, area: float, space: float, wall: float,
-    fill: float, seed: int, style: str | None, pane: tuple[float, float] | None = None,
-) -> Program:  # fmt: skip
+    wishes: Iterable[Demand],
+    room: RoomType,
+    brief: Brief,
+    library: Library,
+    area: float,
+    space: float,
+    wall: float,
+    fill: float,
+    seed: int,
+    style: str | None,
+    pane: tuple[float, float] | None = None,
+) -> Program:
     """Choose bodies for all demands, as long as the floor [m2] and the walls [m] have room for them.
 
     ``space`` is the length of all walls; the usual ends where ``wall`` of it or ``fill`` of the floor is taken,
@@ -272,8 +283,16 @@ def build(
             parent = parents[k % len(parents)] if total else parents[k // demand.count]
             supports = [w for name in (item.on if item else ()) for w in by_item.get(name, ())]
             support = supports[k % len(supports)] if supports else None
-            one = Wanted(item, assets[k].category, assets[k], demand.rank, k, parent, support,
-                         demand.asked.id if demand.asked else None)  # fmt: skip
+            one = Wanted(
+                item,
+                assets[k].category,
+                assets[k],
+                demand.rank,
+                k,
+                parent,
+                support,
+                demand.asked.id if demand.asked else None,
+            )
             must = demand.rank <= 1 and (k < demand.least * (1 if total else len(parents)))
             most = (area, wall, fill) if not must else (area, space * CRAMMED[1], CRAMMED[0])
             if not _fits(program, made, one, *most):

@@ -48,9 +48,10 @@ def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[s
                 found.append(_squared(one, one.parent))
             if relation.type == "above" and one.mount == "wall":  # at the wall behind it, not at the one opposite
                 found.append(
-                    Relation(type="near", subject=one.id, target=relation.target, params={"max": 0.3},
-                             hard=relation.hard)
-                )  # fmt: skip
+                    Relation(
+                        type="near", subject=one.id, target=relation.target, params={"max": 0.3}, hard=relation.hard
+                    )
+                )
     return _cornered(_without_doubles([*found, *_chained(wanted)]), room)
 
 
@@ -246,8 +247,15 @@ def wall_named(name: str, room: Room) -> int:
     else:
         entry = room.doors[0].wall if room.doors else 0
         nx, ny = _inward(room, entry)
-        turns = {"far": (nx, ny), "opposite": (nx, ny), "back": (nx, ny), "near": (-nx, -ny), "front": (-nx, -ny),
-                 "left": (-ny, nx), "right": (ny, -nx)}  # fmt: skip
+        turns = {
+            "far": (nx, ny),
+            "opposite": (nx, ny),
+            "back": (nx, ny),
+            "near": (-nx, -ny),
+            "front": (-nx, -ny),
+            "left": (-ny, nx),
+            "right": (ny, -nx),
+        }
         if name not in turns:
             raise InputError(f"wall '{name}' is unknown; say left, right, far, near, north, south, east or west")
         out = turns[name]

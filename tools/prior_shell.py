@@ -60,9 +60,15 @@ def shell(room: RoomType, brief: Brief, area: float, seed: int) -> tuple[Room, l
         if swing == "in-left" and not near:
             swing = "in-right"  # the leaf opens against the wall beside it
         doors.append(
-            Door(id=f"door-{k}", wall=wall, offset=round(offset if near else play - offset, 3), width=size,
-                 height=round(min(rng.uniform(*room.doors.height), height - 0.05), 2), swing=swing)
-        )  # fmt: skip
+            Door(
+                id=f"door-{k}",
+                wall=wall,
+                offset=round(offset if near else play - offset, 3),
+                width=size,
+                height=round(min(rng.uniform(*room.doors.height), height - 0.05), 2),
+                swing=swing,
+            )
+        )
     bare = Room(type=room.name, outline=tuple(outline), height=height, doors=tuple(doors))
     windows = _windows(room, brief, outline, walls, entry, height, rng, notes, _spoken_for(brief, bare))
     return Room(type=room.name, outline=tuple(outline), height=height, doors=tuple(doors), windows=windows), notes
@@ -99,8 +105,14 @@ def _sides(room: RoomType, brief: Brief, area: float, rng: random.Random, notes:
 def _outline(shape: str | None, w: float, d: float) -> list[Point]:
     """Counter-clockwise corners; wall 0 is the one at y = 0."""
     if shape == "L":
-        return [(0, 0), (w, 0), (w, round(0.55 * d, 2)), (round(0.55 * w, 2), round(0.55 * d, 2)),
-                (round(0.55 * w, 2), d), (0, d)]  # fmt: skip
+        return [
+            (0, 0),
+            (w, 0),
+            (w, round(0.55 * d, 2)),
+            (round(0.55 * w, 2), round(0.55 * d, 2)),
+            (round(0.55 * w, 2), d),
+            (0, d),
+        ]
     if shape == "T":
         a, b, c = round(0.25 * w, 2), round(0.75 * w, 2), round(0.5 * d, 2)
         return [(a, 0), (b, 0), (b, c), (w, c), (w, d), (0, d), (0, c), (a, c)]
@@ -115,9 +127,16 @@ def _outline(shape: str | None, w: float, d: float) -> list[Point]:
 
 
 def _windows(
-    room: RoomType, brief: Brief, outline: list[Point], walls: list[float], entry: int, height: float,
-    rng: random.Random, notes: list[str], taken: set[int],
-) -> tuple[Window, ...]:  # fmt: skip
+    room: RoomType,
+    brief: Brief,
+    outline: list[Point],
+    walls: list[float],
+    entry: int,
+    height: float,
+    rng: random.Random,
+    notes: list[str],
+    taken: set[int],
+) -> tuple[Window, ...]:
     """Windows in walls that look away from the door, then in those beside it, centred; ``taken`` walls come last."""
     spec = room.windows
     count = brief.windows if brief.windows is not None else spec.count.of(0.0, 0, rng.random())
@@ -156,7 +175,13 @@ def _windows(
             at = used.get(wall, 0)
             used[wall] = at + 1
             windows.append(
-                Window(id=f"window-{len(windows)}", wall=wall, offset=round(gap + at * (width + gap), 3), width=width,
-                       sill=sill, height=tall)
-            )  # fmt: skip
+                Window(
+                    id=f"window-{len(windows)}",
+                    wall=wall,
+                    offset=round(gap + at * (width + gap), 3),
+                    width=width,
+                    sill=sill,
+                    height=tall,
+                )
+            )
     return tuple(windows)

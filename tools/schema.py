@@ -19,12 +19,32 @@ TYPES: Mapping[str, tuple[type, ...]] = {
 }
 
 KEYWORDS = frozenset(
-    ("type", "description", "default", "properties", "required", "items", "enum", "minimum", "maximum",
-     "exclusiveMinimum", "minItems", "maxItems", "additionalProperties")
-)  # fmt: skip
+    (
+        "type",
+        "description",
+        "default",
+        "properties",
+        "required",
+        "items",
+        "enum",
+        "minimum",
+        "maximum",
+        "exclusiveMinimum",
+        "minItems",
+        "maxItems",
+        "additionalProperties",
+    )
+)
 
-_NAMES = {"object": "an object {...}", "array": "a list", "string": "a text", "number": "a number",
-          "integer": "a whole number", "boolean": "true or false", "null": "null"}  # fmt: skip
+_NAMES = {
+    "object": "an object {...}",
+    "array": "a list",
+    "string": "a text",
+    "number": "a number",
+    "integer": "a whole number",
+    "boolean": "true or false",
+    "null": "null",
+}
 
 DEEPEST = 24
 """Levels of nesting that inputs may have."""

@@ -37,9 +37,13 @@ class Shelf:
         self._shapes: dict[str, Shape] = {}
 
     def draw(
-        self, category: str, dice: random.Random, size: Sizes = OPEN, limit: tuple[float, float, float] | None = None,
+        self,
+        category: str,
+        dice: random.Random,
+        size: Sizes = OPEN,
+        limit: tuple[float, float, float] | None = None,
         look: dict[str, str] | None = None,
-    ) -> Asset | None:  # fmt: skip
+    ) -> Asset | None:
         """A body of a category, each extent within its range of ``size`` and, as far as it can be, under ``limit`` [m].
 
         None when the category's smallest is larger than the limit.

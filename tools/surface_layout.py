@@ -245,9 +245,17 @@ class Layer:
         return any(self._try(slot, one, surface, None) for surface in surfaces.values())
 
     def _stand(
-        self, slot: Slot, asset: Asset, surface: Surface, at: Array, yaw: float, *,
-        seat: Seat | None = None, base: Standing | None = None, anchor: Standing | None = None,
-    ) -> None:  # fmt: skip
+        self,
+        slot: Slot,
+        asset: Asset,
+        surface: Surface,
+        at: Array,
+        yaw: float,
+        *,
+        seat: Seat | None = None,
+        base: Standing | None = None,
+        anchor: Standing | None = None,
+    ) -> None:
         id = self._around.new_id(asset.category)
         holder = base.object.id if base else self._support.id
         if base is not None and not any(s.name == surface.name for s in base.object.surfaces):

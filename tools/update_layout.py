@@ -62,8 +62,11 @@ def _with_kin(scene: Scene, ids: list[str]) -> list[str]:
     """The objects with those that belong to them: a desk moves with its chair."""
     found = list(ids)
     for id in found:
-        found += [r.subject for r in scene.relations if r.hard and r.type in TIED and r.target == id
-                  and r.subject not in found]  # fmt: skip
+        found += [
+            r.subject
+            for r in scene.relations
+            if r.hard and r.type in TIED and r.target == id and r.subject not in found
+        ]
     return list(dict.fromkeys(found))
 
 

@@ -21,13 +21,35 @@ SEATS = ("chair_group", "stool", "bar_stool")
 LOUNGE = ("rocking_chair", "high_chair")
 """Chairs that are not pulled up to a table as a rule."""
 
-FRONTED = ("desk", "computer_desk", "standing_desk", "secretary_desk", "corner_desk", "dressing_table", "teacher_desk",
-           "school_desk", "workbench", "drafting_table", "lab_bench",
-           "sewing_machine_table", "reception_desk")  # fmt: skip
+FRONTED = (
+    "desk",
+    "computer_desk",
+    "standing_desk",
+    "secretary_desk",
+    "corner_desk",
+    "dressing_table",
+    "teacher_desk",
+    "school_desk",
+    "workbench",
+    "drafting_table",
+    "lab_bench",
+    "sewing_machine_table",
+    "reception_desk",
+)
 """Tables with one side to sit at."""
 
-TABLES = ("dining_table", "round_dining_table", "oval_table", "conference_table", "cafe_table", "kids_table",
-          "folding_table", "patio_table", "chess_table", "poker_table")  # fmt: skip
+TABLES = (
+    "dining_table",
+    "round_dining_table",
+    "oval_table",
+    "conference_table",
+    "cafe_table",
+    "kids_table",
+    "folding_table",
+    "patio_table",
+    "chess_table",
+    "poker_table",
+)
 
 HIGH = ("kitchen_island", "bar_table", "bar_counter")
 """What bar stools stand at."""

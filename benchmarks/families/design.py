@@ -48,7 +48,7 @@ def run(settings: Settings, judge: Judge) -> Result:
         each.rows += rows
         means.rows.append(
             {"room": name, **{c.key: fmean(row[c.key] for row in rows) for c in COLUMNS if c.key != "room"}}
-        )  # fmt: skip
+        )
     return result
 
 

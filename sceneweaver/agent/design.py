@@ -96,8 +96,16 @@ def design(
     if planner == "llm":
         raise MissingDependencyError("planner llm needs a language model, and none is set up; use planner rules")
     formats = formats_named(export)
-    settings = Settings(seed=seed, planner="rules", steps=steps, candidates=candidates, device=device,
-                        seconds=time_limit, settle=settle, **switches)  # fmt: skip
+    settings = Settings(
+        seed=seed,
+        planner="rules",
+        steps=steps,
+        candidates=candidates,
+        device=device,
+        seconds=time_limit,
+        settle=settle,
+        **switches,
+    )
     brief = read_brief(prompt[:LONGEST])
     room, remarks = chosen_room(brief)
     folder = RunFolder(Path(out)) if out is not None else None

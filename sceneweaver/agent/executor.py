@@ -147,18 +147,21 @@ class Executor:
                 return self._outcome(draft, (), (), report) if report.valid else None
             pinned = _pinned(coarse(draft), {o.id: o.pose for o in draft.objects if o.id not in loose})
             solution = refine(
-                pinned, candidates=max(16, s.layouts // 2), seed=seed, device=s.device, steps=s.attempts[0],
-                init="sample" if loose - old else "current", explain=False,
-            )  # fmt: skip
+                pinned,
+                candidates=max(16, s.layouts // 2),
+                seed=seed,
+                device=s.device,
+                steps=s.attempts[0],
+                init="sample" if loose - old else "current",
+                explain=False,
+            )
             layouts = [_posed(draft, layout) for layout in solution.distinct(ENOUGH)]
             valid = [o for o in self._tidied(layouts) if o.report.valid]
             if valid:
                 return self._steadiest(valid)
             report = check(_posed(draft, solution.best), walkable=False)
             trouble = [id for v in report.violations if v.kind != "soft_relation" for id in v.objects]
-            extra = [
-                id for id in draft.ids if id in loose - old and draft.object(id).attributes.get("need") != "asked"
-            ]  # fmt: skip
+            extra = [id for id in draft.ids if id in loose - old and draft.object(id).attributes.get("need") != "asked"]
             if not extra:
                 return None
             gone = max(extra, key=lambda id: (trouble.count(id), draft.index(id)))
@@ -169,21 +172,24 @@ class Executor:
         """Layouts of a whole scene, valid ones if there are any."""
         s = self.settings
         solution = refine(
-            coarse(draft), candidates=s.layouts if fresh else max(16, s.layouts // 4), seed=seed,
-            init="sample" if fresh else "current", device=s.device, steps=attempts, explain=False,
-        )  # fmt: skip
+            coarse(draft),
+            candidates=s.layouts if fresh else max(16, s.layouts // 4),
+            seed=seed,
+            init="sample" if fresh else "current",
+            device=s.device,
+            steps=attempts,
+            explain=False,
+        )
         layouts = solution.distinct(s.finalists if fresh else 2) or [solution.best]
         return [_posed(draft, layout) for layout in layouts]
 
-    def _around(
-        self, draft: Scene, drafts: Sequence[Mapping[str, Pose]], seed: int, attempts: int
-    ) -> list[Scene]:  # fmt: skip
+    def _around(self, draft: Scene, drafts: Sequence[Mapping[str, Pose]], seed: int, attempts: int) -> list[Scene]:
         """Layouts around objects that stay where a draft has them; if none is valid, the one that comes nearest."""
         s = self.settings
         scenes = [_pinned(coarse(draft), poses) for poses in drafts]
         solutions = refine_many(
             scenes, candidates=max(8, s.layouts // len(scenes)), seed=seed, device=s.device, steps=attempts
-        )  # fmt: skip
+        )
         found = [
             _posed(draft, layout)
             for solution in solutions
@@ -197,8 +203,9 @@ class Executor:
         if not proposal.fresh:
             return draft
         scene = _pinned(draft, proposal.drafts[0]) if proposal.drafts else draft
-        solution = refine(scene, candidates=1, seed=seed, optimizer="adam", steps=1, device=self.settings.device,
-                          explain=False)  # fmt: skip
+        solution = refine(
+            scene, candidates=1, seed=seed, optimizer="adam", steps=1, device=self.settings.device, explain=False
+        )
         return _posed(draft, solution.best)
 
     def _give_way(self, draft: Scene, best: Outcome, notes: list[str], unmet: list[str]) -> Scene | None:
@@ -230,9 +237,12 @@ class Executor:
                     f"{relation.subject} {relation.type} {relation.target or ''}".strip() + " cannot hold here"
                 )
             return draft.model_copy(
-                update={"relations": tuple(r.model_copy(update={"hard": False}) if r is relation else r
-                                           for r in draft.relations)}
-            )  # fmt: skip
+                update={
+                    "relations": tuple(
+                        r.model_copy(update={"hard": False}) if r is relation else r for r in draft.relations
+                    )
+                }
+            )
         pool = [id for id in trouble if id in known]
         if not pool:
             return None
@@ -285,9 +295,13 @@ def _changed(scene: Scene, draft: Scene) -> set[str]:
         o.id
         for o in draft.objects
         if o.mount != "surface"
-        and (o.id not in before or o.pose != before[o.id].pose or o.size != before[o.id].size
-             or o.asset != before[o.id].asset)
-    }  # fmt: skip
+        and (
+            o.id not in before
+            or o.pose != before[o.id].pose
+            or o.size != before[o.id].size
+            or o.asset != before[o.id].asset
+        )
+    }
 
 
 def _asked_for(relation: Relation, scene: Scene) -> bool:
@@ -301,9 +315,7 @@ def _kept(drafts: Sequence[Mapping[str, Pose]], scene: Scene) -> list[dict[str, 
 
 
 def _pinned(scene: Scene, poses: Mapping[str, Pose]) -> Scene:
-    objects = [
-        o.model_copy(update={"pose": poses[o.id], "fixed": True}) if o.id in poses else o for o in scene.objects
-    ]  # fmt: skip
+    objects = [o.model_copy(update={"pose": poses[o.id], "fixed": True}) if o.id in poses else o for o in scene.objects]
     return scene.model_copy(update={"objects": tuple(objects)})
 
 

@@ -72,8 +72,16 @@ class RunFolder:
             return None
         return memory, Scene.load(self.path / kept["scene"])
 
-    def step(self, number: int, scene: Scene, report: Report, review: Review, memory: Memory, brief: Brief,
-             settings: Settings) -> None:  # fmt: skip
+    def step(
+        self,
+        number: int,
+        scene: Scene,
+        report: Report,
+        review: Review,
+        memory: Memory,
+        brief: Brief,
+        settings: Settings,
+    ) -> None:
         """Write what a step led to, and then the state that points to it."""
         name = f"steps/{number:02d}"
         folder = self.path / name

@@ -166,8 +166,9 @@ class Run:
             new = (notes, unmet) if asked else ((*notes, *unmet), ())
         self.memory = self.memory.after(step, losers, *new)
         if self.folder is not None and current is not None:
-            self.folder.step(step.number, current.scene, current.report, current.review, self.memory, self.brief,
-                             self.settings)  # fmt: skip
+            self.folder.step(
+                step.number, current.scene, current.report, current.review, self.memory, self.brief, self.settings
+            )
         if self.said is not None:
             self.said(step)
 

@@ -110,8 +110,9 @@ def _beginnings(situation: Situation) -> list[Call]:
     for k in range(len(calls), LAST_BEGINNING):
         inputs = {} if fixed else {"roomier": round(1.0 + ROOMIER * (k - len(found) + 1), 2)}
         reason = "another draw" if fixed else "another draw, with more floor"
-        calls.append(calls[0].model_copy(update={"seed": _seed(settings.seed, k, "init"), "inputs": inputs,
-                                                 "reason": reason}))  # fmt: skip
+        calls.append(
+            calls[0].model_copy(update={"seed": _seed(settings.seed, k, "init"), "inputs": inputs, "reason": reason})
+        )
     first, *others = [c for c in calls if c.signature not in memory.failed or fixed]
     again = [c for c in others if c.tool == first.tool]
     rest = [c for c in others if c.tool != first.tool]

@@ -15,16 +15,49 @@ from .body import Material
 STYLES = ("modern", "scandinavian", "industrial", "classic", "rustic")
 
 _COLORS = {
-    "white": "#f2f0ec", "cream": "#ece2cf", "beige": "#d5c7ae", "tan": "#b88a5c", "brown": "#7a5236",
-    "dark brown": "#402b20", "black": "#222224", "grey": "#8d9093", "light grey": "#c9ccce", "silver": "#c4c6c9",
-    "gold": "#c8a24f", "red": "#b5382f", "burgundy": "#6f2430", "orange": "#e07f38", "yellow": "#e6bd45",
-    "mustard": "#cf9f3f", "green": "#58885a", "dark green": "#2f5a3b", "sage": "#9fb09a", "teal": "#3f7d80",
-    "blue": "#4a78b0", "light blue": "#a3c1da", "navy": "#2c3e5c", "purple": "#7a5a94", "pink": "#d79aa6",
-}  # fmt: skip
+    "white": "#f2f0ec",
+    "cream": "#ece2cf",
+    "beige": "#d5c7ae",
+    "tan": "#b88a5c",
+    "brown": "#7a5236",
+    "dark brown": "#402b20",
+    "black": "#222224",
+    "grey": "#8d9093",
+    "light grey": "#c9ccce",
+    "silver": "#c4c6c9",
+    "gold": "#c8a24f",
+    "red": "#b5382f",
+    "burgundy": "#6f2430",
+    "orange": "#e07f38",
+    "yellow": "#e6bd45",
+    "mustard": "#cf9f3f",
+    "green": "#58885a",
+    "dark green": "#2f5a3b",
+    "sage": "#9fb09a",
+    "teal": "#3f7d80",
+    "blue": "#4a78b0",
+    "light blue": "#a3c1da",
+    "navy": "#2c3e5c",
+    "purple": "#7a5a94",
+    "pink": "#d79aa6",
+}
 
-_ALIASES = {"gray": "grey", "light gray": "light grey", "wood": "brown", "wooden": "brown", "navy blue": "navy",
-            "dark blue": "navy", "violet": "purple", "ivory": "cream", "golden": "gold", "rose": "pink",
-            "charcoal": "black", "turquoise": "teal", "olive": "sage", "maroon": "burgundy"}  # fmt: skip
+_ALIASES = {
+    "gray": "grey",
+    "light gray": "light grey",
+    "wood": "brown",
+    "wooden": "brown",
+    "navy blue": "navy",
+    "dark blue": "navy",
+    "violet": "purple",
+    "ivory": "cream",
+    "golden": "gold",
+    "rose": "pink",
+    "charcoal": "black",
+    "turquoise": "teal",
+    "olive": "sage",
+    "maroon": "burgundy",
+}
 
 
 @dataclass(frozen=True)

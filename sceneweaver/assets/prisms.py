@@ -39,9 +39,11 @@ class _Lump:
 
 
 def prisms_of(
-    hulls: Sequence[Hull], groups: Sequence[str | None] | None = None, clear: Sequence[Box] = (),
+    hulls: Sequence[Hull],
+    groups: Sequence[str | None] | None = None,
+    clear: Sequence[Box] = (),
     limit: int = MAX_PRISMS,
-) -> tuple[Part, ...]:  # fmt: skip
+) -> tuple[Part, ...]:
     """Prisms that contain the hulls, at most ``limit``.
 
     Hulls of one group become one prism. The rest are merged, cheapest first, while a merge adds next to nothing or

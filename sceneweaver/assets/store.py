@@ -173,8 +173,13 @@ def _read(folder: Path, row: dict[str, Any]) -> Asset:
         mass=row["mass"],
         friction=row["friction"],
         origin=Origin(
-            row["source"], row["licence"], row["attribution"], row["axes"], row["metres_per_unit"],
-            row["front_confidence"], tuple(row["notes"]),
+            row["source"],
+            row["licence"],
+            row["attribution"],
+            row["axes"],
+            row["metres_per_unit"],
+            row["front_confidence"],
+            tuple(row["notes"]),
         ),
         surfaces=tuple(Surface(**surface) for surface in row["surfaces"]),
         zones=tuple(Zone(**zone) for zone in row["zones"]),
@@ -184,4 +189,4 @@ def _read(folder: Path, row: dict[str, Any]) -> Asset:
         ),
         attributes=row["attributes"],
         description=row["description"],
-    )  # fmt: skip
+    )

@@ -15,12 +15,34 @@ GENERIC = "object"
 """What stands in for a noun that nothing is known about: a labelled body of the asked size."""
 
 _IRREGULAR = {
-    "shelves": "shelf", "bookshelves": "bookshelf", "knives": "knife", "loaves": "loaf", "scarves": "scarf",
-    "leaves": "leaf", "mice": "mouse", "people": "person", "children": "child", "men": "man", "feet": "foot",
-    "mattresses": "mattress", "glasses": "glass", "couches": "couch", "benches": "bench", "boxes": "box",
-    "dishes": "dish", "brushes": "brush", "buses": "bus", "vases": "vase", "cacti": "cactus", "pouffes": "pouffe",
-    "bonsai": "bonsai", "tomatoes": "tomato", "potatoes": "potato", "pianos": "piano", "photos": "photo",
-}  # fmt: skip
+    "shelves": "shelf",
+    "bookshelves": "bookshelf",
+    "knives": "knife",
+    "loaves": "loaf",
+    "scarves": "scarf",
+    "leaves": "leaf",
+    "mice": "mouse",
+    "people": "person",
+    "children": "child",
+    "men": "man",
+    "feet": "foot",
+    "mattresses": "mattress",
+    "glasses": "glass",
+    "couches": "couch",
+    "benches": "bench",
+    "boxes": "box",
+    "dishes": "dish",
+    "brushes": "brush",
+    "buses": "bus",
+    "vases": "vase",
+    "cacti": "cactus",
+    "pouffes": "pouffe",
+    "bonsai": "bonsai",
+    "tomatoes": "tomato",
+    "potatoes": "potato",
+    "pianos": "piano",
+    "photos": "photo",
+}
 
 
 @dataclass(frozen=True)

@@ -44,9 +44,12 @@ _CEILING = re.compile(
     r"|ceilings?\s*(?:height)?\s*(?:of|is|at|:)?\s*" + _NUMBER + r"\s*" + _LENGTH + r"(?:\s*high)?"
     r"|(?:room\s+)?height\s*(?:of|is|:)?\s*" + _NUMBER + r"\s*" + _LENGTH + r")(?![a-z])"
 )
-_DIGITS = {word: n for n, word in enumerate(
-    ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"],
-    start=1)}  # fmt: skip
+_DIGITS = {
+    word: n
+    for n, word in enumerate(
+        ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"], start=1
+    )
+}
 _SPELT = re.compile(
     r"\b(" + "|".join(_DIGITS) + r")\b(?=\s*-?\s*(?:by|x|square|sq|m|met(?:er|re)s?|feet|foot|ft|cm)\b)"
 )

@@ -126,8 +126,11 @@ def _slips(a: str, b: str) -> int:
 @cache
 def _single_words() -> list[str]:
     useful = ("noun", "room", "color", "styles", "relation", "place", "number", "material", "shape")
-    return sorted(w for w, kinds in vocabulary().items() if " " not in w and len(w) >= SHORT - 1 and any(
-        k in kinds for k in useful))  # fmt: skip
+    return sorted(
+        w
+        for w, kinds in vocabulary().items()
+        if " " not in w and len(w) >= SHORT - 1 and any(k in kinds for k in useful)
+    )
 
 
 def _tens(found: list[Token]) -> list[Token]:

@@ -96,9 +96,14 @@ def _without_contradictions(reading: Reading, notes: list[str]) -> list[Mention]
     related = {id(m) for said in reading.said for m in said.subjects}
     for k, one in enumerate(reading.mentions):
         for two in reading.mentions[k + 1 :] if one.count and id(one) not in related else ():
-            if (one.category == two.category and one.count and two.count and one.count != two.count
-                    and not {id(one), id(two)} & related
-                    and (one.color, one.material, one.scale) == (two.color, two.material, two.scale)):  # fmt: skip
+            if (
+                one.category == two.category
+                and one.count
+                and two.count
+                and one.count != two.count
+                and not {id(one), id(two)} & related
+                and (one.color, one.material, one.scale) == (two.color, two.material, two.scale)
+            ):
                 notes.append(f"{one.noun}: {one.count[0]} and {two.count[0]} were asked for; both are made")
     for mention in reading.mentions:
         if mention.category in reading.without:
@@ -132,9 +137,17 @@ def _asked(mention: Mention, notes: list[str]) -> Asked:
                 f"a {mention.noun} {want:g} m {name} cannot be made; it is {bounds[0]:g} to {bounds[1]:g} m {name}"
             )
     return Asked(
-        id=mention.id, noun=mention.noun, category=mention.category, count=count, color=mention.color,
-        material=mention.material, style=mention.style, size=(d, w, h), scale=mention.scale, words=tuple(mention.words),
-    )  # fmt: skip
+        id=mention.id,
+        noun=mention.noun,
+        category=mention.category,
+        count=count,
+        color=mention.color,
+        material=mention.material,
+        style=mention.style,
+        size=(d, w, h),
+        scale=mention.scale,
+        words=tuple(mention.words),
+    )
 
 
 def _relations(said: Said, ids: dict[int, str], notes: list[str]) -> list[AskedRelation]:

@@ -160,9 +160,12 @@ class Relating(State):
         self.before, self.before_used = [], False
 
     def _break(self, text: str) -> None:
-        if text == "," and self.pending.any and self.pending.tokens and not any(
-            t.has("det", "number", "amount", "and", "verb") for t in self._ahead(1)
-        ):  # fmt: skip
+        if (
+            text == ","
+            and self.pending.any
+            and self.pending.tokens
+            and not any(t.has("det", "number", "amount", "and", "verb") for t in self._ahead(1))
+        ):
             return  # "a large, comfortable sofa"
         self._leftover()
         if self.relation is not None and self.first_of_pair is None:

@@ -33,8 +33,13 @@ class Things(Relating):
         else:
             n = int(token.get("number"))
             bound, high = self.pending.bound, 400
-            count = {"least": (n, max(n, min(high, n + 4))), "above": (n + 1, n + 5), "most": (min(1, n), n),
-                     "below": (min(1, n), max(0, n - 1)), None: (n, n)}[bound]  # fmt: skip
+            count = {
+                "least": (n, max(n, min(high, n + 4))),
+                "above": (n + 1, n + 5),
+                "most": (min(1, n), n),
+                "below": (min(1, n), max(0, n - 1)),
+                None: (n, n),
+            }[bound]
         before = self.tokens[self.at - 2].text if self.at >= 2 else ""
         ahead = self._ahead(1)
         if before == "for" and (not ahead or ahead[0].has("break", "with", "relation", "and")):

@@ -109,7 +109,7 @@ def refine(
         typer.Option(
             "--out", "-o", metavar="OUT", help="A folder, or a .json file for the scene alone.", show_default=False
         ),
-    ],  # fmt: skip
+    ],
     candidates: Candidates = 1024,
     seed: Seed = 0,
     init: Annotated[Init, typer.Option(help="Where the layouts start.")] = Init.SAMPLE,
@@ -123,9 +123,17 @@ def refine(
     from .refine import run_refine
 
     return run_refine(
-        source, out, candidates=candidates, seed=seed, init=init.value, device=device, optimizer=optimizer.value,
-        time_limit=time_limit, as_json=as_json, picture=picture,
-    )  # fmt: skip
+        source,
+        out,
+        candidates=candidates,
+        seed=seed,
+        init=init.value,
+        device=device,
+        optimizer=optimizer.value,
+        time_limit=time_limit,
+        as_json=as_json,
+        picture=picture,
+    )
 
 
 @app.command()
@@ -136,28 +144,36 @@ def repair(
         typer.Option(
             "--out", "-o", metavar="OUT", help="A folder, or a .json file for the scene alone.", show_default=False
         ),
-    ],  # fmt: skip
+    ],
     relations: Annotated[
         bool, typer.Option("--relations/--no-relations", help="Make hard relations hold as well.")
     ] = True,
     candidates: Annotated[
         int | None,
-        typer.Option(min=1, help="How many repairs to choose from (default: by the size of the scene).",
-                     show_default=False),
+        typer.Option(
+            min=1, help="How many repairs to choose from (default: by the size of the scene).", show_default=False
+        ),
     ] = None,
     seed: Seed = 0,
     device: Device = "auto",
     time_limit: TimeLimit = None,
     as_json: Json = False,
     picture: Annotated[bool, typer.Option("--picture/--no-picture", help="Draw the annotated top view.")] = True,
-) -> int:  # fmt: skip
+) -> int:
     """Move the objects of a broken scene as little as makes it valid."""
     from .repair import run_repair
 
     return run_repair(
-        source, out, relations=relations, candidates=candidates, seed=seed, device=device, time_limit=time_limit,
-        as_json=as_json, picture=picture,
-    )  # fmt: skip
+        source,
+        out,
+        relations=relations,
+        candidates=candidates,
+        seed=seed,
+        device=device,
+        time_limit=time_limit,
+        as_json=as_json,
+        picture=picture,
+    )
 
 
 @app.command()
@@ -169,8 +185,11 @@ def check(
     ] = None,
     meshes: Annotated[
         Path | None,
-        typer.Option(metavar="DIR", help="Folder of <asset>.glb, .obj, .stl or .ply files: judge the true shapes.",
-                     show_default=False),
+        typer.Option(
+            metavar="DIR",
+            help="Folder of <asset>.glb, .obj, .stl or .ply files: judge the true shapes.",
+            show_default=False,
+        ),
     ] = None,
     picture: Annotated[
         Path | None, typer.Option(metavar="PNG", help="Draw the top view, what is wrong in red.", show_default=False)
@@ -178,7 +197,7 @@ def check(
     physics: Annotated[
         bool, typer.Option("--physics", help="Simulate 3 s with MuJoCo as well: does everything stay where it is?")
     ] = False,
-) -> int:  # fmt: skip
+) -> int:
     """Judge a scene: collisions, bounds, support, zones, relations. Changes nothing."""
     from .check import run_check
 
@@ -204,16 +223,21 @@ def export(
     source: Input,
     out: Annotated[
         Path,
-        typer.Option("--out", "-o", metavar="OUT", help="A folder, or a file whose suffix says the format.",
-                     show_default=False),
+        typer.Option(
+            "--out", "-o", metavar="OUT", help="A folder, or a file whose suffix says the format.", show_default=False
+        ),
     ],
     to: Annotated[
         str | None,
-        typer.Option("--to", metavar="FORMATS", help="With a folder: glb, usd, usda, mjcf, scenestate, or all "
-                     "(default: glb,usd,mjcf).", show_default=False),
+        typer.Option(
+            "--to",
+            metavar="FORMATS",
+            help="With a folder: glb, usd, usda, mjcf, scenestate, or all (default: glb,usd,mjcf).",
+            show_default=False,
+        ),
     ] = None,
     as_json: Json = False,
-) -> int:  # fmt: skip
+) -> int:
     """Write a scene for other tools: USD for Isaac Sim, MJCF for MuJoCo, GLB, SceneState."""
     from .export import run_export
 
@@ -223,14 +247,16 @@ def export(
 @app.command()
 def design(
     prompt: Annotated[str, typer.Argument(metavar="PROMPT", help="The room, in words.", show_default=False)],
-    out: Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the results.",
-                                      show_default=False)],
+    out: Annotated[
+        Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the results.", show_default=False)
+    ],
     seed: Seed = 0,
     steps: Annotated[int, typer.Option(min=1, max=100, help="Steps of the agent at most.")] = 10,
     candidates: Annotated[
         int | None,
-        typer.Option(min=1, help="Layouts that are refined for each call of a tool (default: by the device).",
-                     show_default=False),
+        typer.Option(
+            min=1, help="Layouts that are refined for each call of a tool (default: by the device).", show_default=False
+        ),
     ] = None,
     planner: Annotated[Planner, typer.Option(help="Who chooses the tools.")] = Planner.RULES,
     device: Device = "auto",
@@ -243,23 +269,34 @@ def design(
         bool, typer.Option("--settle/--no-settle", help="Prefer layouts that physics leaves alone; let things settle.")
     ] = False,
     as_json: Json = False,
-) -> int:  # fmt: skip
+) -> int:
     """Make a furnished room from a request in words. A run that was cut off goes on when started again."""
     from .design import run_design
 
     return run_design(
-        prompt, out, seed=seed, steps=steps, candidates=candidates, planner=planner.value, device=device,
-        time_limit=time_limit, pictures=pictures, export=export, settle=settle, as_json=as_json,
-    )  # fmt: skip
+        prompt,
+        out,
+        seed=seed,
+        steps=steps,
+        candidates=candidates,
+        planner=planner.value,
+        device=device,
+        time_limit=time_limit,
+        pictures=pictures,
+        export=export,
+        settle=settle,
+        as_json=as_json,
+    )
 
 
 @app.command()
 def view(
-    source: Annotated[Path, typer.Argument(metavar="DIR", help="The folder of a design, or one of its files.",
-                                           show_default=False)],
+    source: Annotated[
+        Path, typer.Argument(metavar="DIR", help="The folder of a design, or one of its files.", show_default=False)
+    ],
     port: Annotated[int, typer.Option(min=0, max=65535, help="Port to begin with; 0 takes any.")] = 8642,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open it in the browser.")] = True,
-) -> int:  # fmt: skip
+) -> int:
     """Show a design in the browser, until Ctrl-C."""
     from .view import run_view
 
@@ -277,9 +314,19 @@ def demo(
     from .design import DEMO, run_design
 
     return run_design(
-        DEMO, out, seed=seed, steps=10, candidates=None, planner="rules", device=device, time_limit=None, pictures=True,
-        export="glb,usd,mjcf", settle=False, as_json=as_json,
-    )  # fmt: skip
+        DEMO,
+        out,
+        seed=seed,
+        steps=10,
+        candidates=None,
+        planner="rules",
+        device=device,
+        time_limit=None,
+        pictures=True,
+        export="glb,usd,mjcf",
+        settle=False,
+        as_json=as_json,
+    )
 
 
 @app.command()
@@ -295,14 +342,22 @@ app.add_typer(assets)
 
 StorePath = Annotated[
     Path | None,
-    typer.Option("--store", metavar="DIR", help="The asset store (default: $SCENEWEAVER_ASSETS, or the user's cache).",
-                 show_default=False),
-]  # fmt: skip
+    typer.Option(
+        "--store",
+        metavar="DIR",
+        help="The asset store (default: $SCENEWEAVER_ASSETS, or the user's cache).",
+        show_default=False,
+    ),
+]
 Allow = Annotated[
     list[str] | None,
-    typer.Option("--license-allow", metavar="NAME", help="Only assets of this licence; may be given several times.",
-                 show_default=False),
-]  # fmt: skip
+    typer.Option(
+        "--license-allow",
+        metavar="NAME",
+        help="Only assets of this licence; may be given several times.",
+        show_default=False,
+    ),
+]
 
 
 @assets.command("list")
@@ -335,12 +390,14 @@ def assets_show(
 @assets.command("urdf")
 def assets_urdf(
     id: Annotated[str, typer.Argument(metavar="ID|NOUN", help="An asset's id, or a word for it.", show_default=False)],
-    out: Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="The folder; its parent must be there.",
-                                      show_default=False)],
+    out: Annotated[
+        Path,
+        typer.Option("--out", "-o", metavar="DIR", help="The folder; its parent must be there.", show_default=False),
+    ],
     store: StorePath = None,
     seed: Seed = 0,
     as_json: Json = False,
-) -> int:  # fmt: skip
+) -> int:
     """Write one asset as URDF, with its doors and drawers as joints."""
     from .assets import run_urdf
 
@@ -364,16 +421,28 @@ def assets_sheet(
     """Draw a labelled contact sheet."""
     from .assets import run_sheet
 
-    return run_sheet(names or [], out, seeds=seeds, columns=columns, tile=tile, view=view, store=store,
-                     device="cuda" if device == "cuda:all" else "cpu" if device == "auto" else device)  # fmt: skip
+    return run_sheet(
+        names or [],
+        out,
+        seeds=seeds,
+        columns=columns,
+        tile=tile,
+        view=view,
+        store=store,
+        device="cuda" if device == "cuda:all" else "cpu" if device == "auto" else device,
+    )
 
 
 @assets.command("import")
 def assets_import(
     source: Annotated[Path, typer.Argument(metavar="PATH", help="A mesh file, or a folder.", show_default=False)],
     kind: Annotated[
-        str, typer.Option("--format", metavar="auto|folder|objathor|3d-future|hssd|abo|mjcf|metascenes",
-                          help="What kind of library the folder is."),
+        str,
+        typer.Option(
+            "--format",
+            metavar="auto|folder|objathor|3d-future|hssd|abo|mjcf|metascenes",
+            help="What kind of library the folder is.",
+        ),
     ] = "auto",
     store: StorePath = None,
     category: Annotated[str | None, typer.Option(help="What they are.", show_default=False)] = None,
@@ -387,14 +456,24 @@ def assets_import(
     time_limit: Annotated[float, typer.Option(callback=_seconds, help="Seconds for each piece of native work.")] = 60.0,
     limit: Annotated[int | None, typer.Option(min=1, help="Stop after this many.", show_default=False)] = None,
     as_json: Json = False,
-) -> int:  # fmt: skip
+) -> int:
     """Bring meshes into the store: unit, axes, front, collision parts and surfaces."""
     from .assets import run_import
 
     return run_import(
-        source, kind=kind, store=store, category=category, up=up, front=front, unit=unit, licence=licence,
-        allow=license_allow or [], time_limit=time_limit, limit=limit, as_json=as_json,
-    )  # fmt: skip
+        source,
+        kind=kind,
+        store=store,
+        category=category,
+        up=up,
+        front=front,
+        unit=unit,
+        licence=licence,
+        allow=license_allow or [],
+        time_limit=time_limit,
+        limit=limit,
+        as_json=as_json,
+    )
 
 
 @assets.command("infinigen")

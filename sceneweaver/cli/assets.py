@@ -171,9 +171,20 @@ def run_show(id: str, *, store: Path | None, seed: int, picture: Path | None, as
 
 
 def run_import(
-    source: Path, *, kind: str, store: Path | None, category: str | None, up: str | None, front: str | None,
-    unit: float | None, licence: str | None, allow: list[str], time_limit: float, limit: int | None, as_json: bool,
-) -> int:  # fmt: skip
+    source: Path,
+    *,
+    kind: str,
+    store: Path | None,
+    category: str | None,
+    up: str | None,
+    front: str | None,
+    unit: float | None,
+    licence: str | None,
+    allow: list[str],
+    time_limit: float,
+    limit: int | None,
+    as_json: bool,
+) -> int:
     """Bring mesh files into the store; what cannot be used is named, and the rest goes on."""
     from sceneweaver.assets.imports.prepare import content_hash, prepare
     from sceneweaver.assets.readers import entries
@@ -195,8 +206,16 @@ def run_import(
             refused.append(str(error))
             typer.echo(f"sceneweaver: {' '.join(str(error).split())}", err=True)
             continue
-        made.append({"id": asset.id, "category": asset.category, "size": list(asset.size), "new": new,
-                     "front_confidence": asset.origin.front_confidence, "notes": list(asset.origin.notes)})  # fmt: skip
+        made.append(
+            {
+                "id": asset.id,
+                "category": asset.category,
+                "size": list(asset.size),
+                "new": new,
+                "front_confidence": asset.origin.front_confidence,
+                "notes": list(asset.origin.notes),
+            }
+        )
         if not as_json:
             size = " x ".join(f"{v:.2f}" for v in asset.size)
             typer.echo(f"{asset.id}  {size} m{'' if new else '  (was there)'}")
@@ -222,8 +241,15 @@ def run_infinigen(names: list[str], *, seeds: int, store: Path | None, time_limi
         typer.echo("Preparing Infinigen's environment (once; about 1 GB) ...", err=True)
     for outcome in generate(names or list(COMMON), range(seeds), keep, seconds=time_limit):
         failed += outcome.asset is None
-        rows.append({"category": outcome.category, "seed": outcome.seed, "seconds": round(outcome.seconds, 1),
-                     "id": outcome.asset.id if outcome.asset else None, "reason": outcome.reason})  # fmt: skip
+        rows.append(
+            {
+                "category": outcome.category,
+                "seed": outcome.seed,
+                "seconds": round(outcome.seconds, 1),
+                "id": outcome.asset.id if outcome.asset else None,
+                "reason": outcome.reason,
+            }
+        )
         if not as_json:
             what = outcome.asset.id if outcome.asset else f"skipped: {outcome.reason}"
             typer.echo(f"{outcome.category} seed {outcome.seed}: {what} ({outcome.seconds:.1f} s)")

@@ -20,9 +20,17 @@ DEMO = "a bedroom for a teenager with a desk by the window"
 """What ``make demo`` asks for."""
 
 FILES = (
-    "report.html", "views/corner.png", "views/top.png", "views/top_annotated.png", "scene.json", "scene.glb",
-    "scene.usdc", "scene.xml", "scenestate.json", "metrics.json",
-)  # fmt: skip
+    "report.html",
+    "views/corner.png",
+    "views/top.png",
+    "views/top_annotated.png",
+    "scene.json",
+    "scene.glb",
+    "scene.usdc",
+    "scene.xml",
+    "scenestate.json",
+    "metrics.json",
+)
 
 
 def run_design(
@@ -47,9 +55,19 @@ def run_design(
         from sceneweaver.agent import design
 
         result = design(
-            prompt, seed=seed, planner=planner, out=out, steps=steps, candidates=candidates, device=device,
-            time_limit=time_limit, pictures=pictures, export=export, settle=settle, said=None if as_json else _say,
-        )  # fmt: skip
+            prompt,
+            seed=seed,
+            planner=planner,
+            out=out,
+            steps=steps,
+            candidates=candidates,
+            device=device,
+            time_limit=time_limit,
+            pictures=pictures,
+            export=export,
+            settle=settle,
+            said=None if as_json else _say,
+        )
     code = 0 if result.satisfied else NOT_VALID
     if as_json:
         print_json(_json(result, out, code))

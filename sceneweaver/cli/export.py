@@ -31,8 +31,14 @@ def run_export(source: Path, out: Path, *, to: str | None, as_json: bool) -> int
             files = export_scene(scene, out, names)
     seconds = time.monotonic() - began
     if as_json:
-        print_json({"exit_code": 0, "objects": len(scene.objects), "seconds": round(seconds, 3),
-                    "files": {name: str(path) for name, path in files.items()}})  # fmt: skip
+        print_json(
+            {
+                "exit_code": 0,
+                "objects": len(scene.objects),
+                "seconds": round(seconds, 3),
+                "files": {name: str(path) for name, path in files.items()},
+            }
+        )
         return 0
     typer.echo(f"{scene.id}: {len(scene.objects)} objects in {seconds:.1f} s")
     list_files(list(files.values()))

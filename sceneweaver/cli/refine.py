@@ -72,9 +72,16 @@ def run_refine(
 ) -> int:
     """Refine a scene file into a folder, or into a scene file when ``out`` ends in .json."""
     result = _run(
-        Scene.load(source), out, picture=picture, candidates=candidates, seed=seed, init=init, device=device,
-        optimizer=optimizer, time_limit=time_limit,
-    )  # fmt: skip
+        Scene.load(source),
+        out,
+        picture=picture,
+        candidates=candidates,
+        seed=seed,
+        init=init,
+        device=device,
+        optimizer=optimizer,
+        time_limit=time_limit,
+    )
     if as_json:
         print_json(result.to_dict())
         return result.exit_code

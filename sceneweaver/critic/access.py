@@ -67,11 +67,16 @@ def _fronts(survey: Survey) -> Iterator[Finding]:
             if total > COVERED:
                 worst = max(blockers, key=lambda b: (b[0], b[1].id))[1]
                 yield finding(
-                    "layout", "blocked_front", (body.id, *(b.id for _, b in blockers)),
+                    "layout",
+                    "blocked_front",
+                    (body.id, *(b.id for _, b in blockers)),
                     f"{worst.id} takes {total:.0%} of the {depth:.2f} m before {body.id}",
-                    f"move {worst.id} away from the front of {body.id}", points=1.2 + total, cap=LID,
-                    tool="update_layout", inputs={"ids": [worst.id]},
-                )  # fmt: skip
+                    f"move {worst.id} away from the front of {body.id}",
+                    points=1.2 + total,
+                    cap=LID,
+                    tool="update_layout",
+                    inputs={"ids": [worst.id]},
+                )
 
 
 def _companion(survey: Survey, body: Body, other: Body) -> bool:
@@ -98,11 +103,15 @@ def _seats(survey: Survey) -> Iterator[Finding]:
         what = max(taken, key=lambda t: (t[0], t[1].id))[1].id if taken and taken[0][0] > outside else "the wall"
         names = (seat.id, *(b.id for _, b in taken))
         yield finding(
-            "functionality", "cramped_seat", names,
+            "functionality",
+            "cramped_seat",
+            names,
             f"{what} leaves less than {RISE:g} m behind {seat.id}: {min(1.0, total):.0%} of it is taken",
-            f"leave at least {RISE:g} m behind {seat.id}", points=0.8, tool="update_layout",
+            f"leave at least {RISE:g} m behind {seat.id}",
+            points=0.8,
+            tool="update_layout",
             inputs={"ids": [seat.id, *([table.id] if table else [])]},
-        )  # fmt: skip
+        )
 
 
 def _doors(survey: Survey) -> Iterator[Finding]:
@@ -112,13 +121,18 @@ def _doors(survey: Survey) -> Iterator[Finding]:
         for other, share in _inside(survey, strip, None):
             if share > 0.12 and frozenset((other.id, door.item.id)) not in known:
                 yield finding(
-                    "layout", "door_obstructed", (other.id, door.item.id),
+                    "layout",
+                    "door_obstructed",
+                    (other.id, door.item.id),
                     f"{other.id} takes {share:.0%} of the {ENTRY:g} m behind {door.item.id}",
-                    f"move {other.id} away from {door.item.id}", points=0.6 + share, cap=LID if share > 0.5 else None,
+                    f"move {other.id} away from {door.item.id}",
+                    points=0.6 + share,
+                    cap=LID if share > 0.5 else None,
                     tool="add_relation",
-                    inputs={"relations": [{"type": "away_from_door", "subject": other.id, "target": None,
-                                           "hard": True}]},
-                )  # fmt: skip
+                    inputs={
+                        "relations": [{"type": "away_from_door", "subject": other.id, "target": None, "hard": True}]
+                    },
+                )
 
 
 def _windows(survey: Survey) -> Iterator[Finding]:
@@ -140,11 +154,15 @@ def _windows(survey: Survey) -> Iterator[Finding]:
             share = max(0.0, wide) / item.width * max(0.0, high) / height
             if share > 0.2:
                 yield finding(
-                    "layout", "dark_window", (other.id, item.id),
+                    "layout",
+                    "dark_window",
+                    (other.id, item.id),
                     f"{other.id}, {other.z[1]:.2f} m high, covers {share:.0%} of {item.id}",
-                    f"move {other.id} away from {item.id}", points=0.7 + share, tool="update_layout",
+                    f"move {other.id} away from {item.id}",
+                    points=0.7 + share,
+                    tool="update_layout",
                     inputs={"ids": [other.id]},
-                )  # fmt: skip
+                )
 
 
 def _hung(survey: Survey) -> Iterator[Finding]:
@@ -165,10 +183,15 @@ def _hung(survey: Survey) -> Iterator[Finding]:
             tall = min(body.z[1], opening.z[1]) - max(body.z[0], opening.z[0])
             if wide > 0.05 and tall > 0.05:
                 yield finding(
-                    "layout", "hung_over_opening", (body.id, opening.item.id),
-                    f"{body.id} hangs {wide:.2f} m across {opening.item.id}", f"move {body.id} to a free wall",
-                    points=1.2, tool="update_layout", inputs={"ids": [body.id]},
-                )  # fmt: skip
+                    "layout",
+                    "hung_over_opening",
+                    (body.id, opening.item.id),
+                    f"{body.id} hangs {wide:.2f} m across {opening.item.id}",
+                    f"move {body.id} to a free wall",
+                    points=1.2,
+                    tool="update_layout",
+                    inputs={"ids": [body.id]},
+                )
 
 
 def _strip(body: Body, side: str, depth: float) -> Any:

@@ -32,8 +32,16 @@ PER_PERSON = 0.7
 """Share of the room type's floor a person that is enough."""
 
 
-WORDS = {"wooden": "wood", "timber": "wood", "metallic": "metal", "steel": "metal", "iron": "metal", "cloth": "fabric",
-         "upholstered": "fabric", "textile": "fabric"}  # fmt: skip
+WORDS = {
+    "wooden": "wood",
+    "timber": "wood",
+    "metallic": "metal",
+    "steel": "metal",
+    "iron": "metal",
+    "cloth": "fabric",
+    "upholstered": "fabric",
+    "textile": "fabric",
+}
 """Words for materials that mean a whole family of them."""
 
 
@@ -66,18 +74,28 @@ def _objects(survey: Survey) -> Iterator[Finding]:
             if table is not None:
                 inputs["supports"] = [table]
             yield finding(
-                "alignment", "missing_asked", (b.id for b in bodies),
-                f"{len(bodies)} of {least} '{asked.noun}' that were asked for", f"add {missing} {name}",
-                points=1.0 + 2.5 * missing / least, cap=LID if len(bodies) * 2 < least else None,
-                tool="add_objects" if table is None else "add_tabletop", inputs=inputs,
-            )  # fmt: skip
+                "alignment",
+                "missing_asked",
+                (b.id for b in bodies),
+                f"{len(bodies)} of {least} '{asked.noun}' that were asked for",
+                f"add {missing} {name}",
+                points=1.0 + 2.5 * missing / least,
+                cap=LID if len(bodies) * 2 < least else None,
+                tool="add_objects" if table is None else "add_tabletop",
+                inputs=inputs,
+            )
         spare = [b.id for b in (*bodies[most:], *_beside(survey, asked))] if asked.count is not None else []
         if spare:
             yield finding(
-                "alignment", "too_many", spare, f"{most + len(spare)} '{asked.noun}', {most} were asked for",
-                f"remove {', '.join(spare)}", points=0.6 + 1.4 * min(1.0, len(spare) / max(1, most)),
-                tool="remove_objects", inputs={"ids": spare},
-            )  # fmt: skip
+                "alignment",
+                "too_many",
+                spare,
+                f"{most + len(spare)} '{asked.noun}', {most} were asked for",
+                f"remove {', '.join(spare)}",
+                points=0.6 + 1.4 * min(1.0, len(spare) / max(1, most)),
+                tool="remove_objects",
+                inputs={"ids": spare},
+            )
         yield from _attributes(asked, bodies)
         yield from _sizes(asked, bodies)
 
@@ -113,9 +131,13 @@ def _attributes(asked: Asked, bodies: Sequence[Body]) -> Iterator[Finding]:
             is_ = wrong[0].item.attributes.get(key)
             ids = [b.id for b in wrong]
             yield finding(
-                "alignment", f"wrong_{key}", ids, f"{ids[0]} is {is_}, '{want}' was asked for",
-                f"replace {', '.join(ids)} by {want} {kinds.words(asked.category)}", points=points,
-            )  # fmt: skip
+                "alignment",
+                f"wrong_{key}",
+                ids,
+                f"{ids[0]} is {is_}, '{want}' was asked for",
+                f"replace {', '.join(ids)} by {want} {kinds.words(asked.category)}",
+                points=points,
+            )
 
 
 def _alike(body: Body, key: str, want: str) -> bool:
@@ -153,10 +175,15 @@ def _sizes(asked: Asked, bodies: Sequence[Body]) -> Iterator[Finding]:
         off = max(abs(a - b) / b for a, b in zip(body.size, target, strict=True))
         if off > SIZE_SLACK:
             yield finding(
-                "alignment", "wrong_asked_size", (body.id,),
-                f"{body.id} measures {_show(body.size)} m, {_show(target)} m was asked for", f"resize {body.id}",
-                points=0.8, tool="update_size", inputs={"sizes": {body.id: target}},
-            )  # fmt: skip
+                "alignment",
+                "wrong_asked_size",
+                (body.id,),
+                f"{body.id} measures {_show(body.size)} m, {_show(target)} m was asked for",
+                f"resize {body.id}",
+                points=0.8,
+                tool="update_size",
+                inputs={"sizes": {body.id: target}},
+            )
         elif asked.scale != 1.0 and row is not None and row.size is not None and asked.size == (None, None, None):
             usual = math.prod((low + high) / 2 for low, high in row.size.ranges[:2])
             ratio = body.size[0] * body.size[1] / usual
@@ -164,11 +191,16 @@ def _sizes(asked: Asked, bodies: Sequence[Body]) -> Iterator[Finding]:
                 factor = math.sqrt(asked.scale / ratio)
                 size = [round(s * (factor if k < 2 else 1.0), 3) for k, s in enumerate(body.size)]
                 yield finding(
-                    "alignment", "wrong_asked_size", (body.id,),
+                    "alignment",
+                    "wrong_asked_size",
+                    (body.id,),
                     f"{body.id} covers {ratio:.2f} of the usual area; '{asked.noun}' was asked for "
                     f"{'large' if asked.scale > 1 else 'small'}",
-                    f"resize {body.id}", points=0.6, tool="update_size", inputs={"sizes": {body.id: size}},
-                )  # fmt: skip
+                    f"resize {body.id}",
+                    points=0.6,
+                    tool="update_size",
+                    inputs={"sizes": {body.id: size}},
+                )
 
 
 def _show(size: Sequence[float]) -> str:
@@ -180,21 +212,34 @@ def _unwanted(survey: Survey) -> Iterator[Finding]:
     there = [b.id for b in survey.bodies if b.item.category in banned]
     if there:
         yield finding(
-            "alignment", "unwanted", there, f"{', '.join(there[:4])}: not wanted in this room",
-            f"remove {', '.join(there)}", points=3.0, cap=LID, tool="remove_objects", inputs={"ids": there},
-        )  # fmt: skip
+            "alignment",
+            "unwanted",
+            there,
+            f"{', '.join(there[:4])}: not wanted in this room",
+            f"remove {', '.join(there)}",
+            points=3.0,
+            cap=LID,
+            tool="remove_objects",
+            inputs={"ids": there},
+        )
     if not survey.brief.only or not survey.brief.objects:
         return
     extra = [
-        b.id for b in survey.bodies
+        b.id
+        for b in survey.bodies
         if b.id not in survey.program.asked_of and b.item.mount != "surface" and b.size[2] > FLAT
-    ]  # fmt: skip
+    ]
     if extra:
         yield finding(
-            "alignment", "not_only", extra, f"{len(extra)} pieces of furniture beside what was asked for alone",
-            f"remove {', '.join(extra)}", points=min(4.0, 0.8 * len(extra)), tool="remove_objects",
+            "alignment",
+            "not_only",
+            extra,
+            f"{len(extra)} pieces of furniture beside what was asked for alone",
+            f"remove {', '.join(extra)}",
+            points=min(4.0, 0.8 * len(extra)),
+            tool="remove_objects",
             inputs={"ids": extra},
-        )  # fmt: skip
+        )
 
 
 # ---- the room --------------------------------------------------------------------------------------------------------
@@ -265,18 +310,25 @@ def _style(survey: Survey) -> Iterator[Finding]:
         other = [b for b in told if b.item.attributes["style"] != brief.style]
         if told and len(other) > 0.5 * len(told):
             yield finding(
-                "alignment", "wrong_style", (b.id for b in other[:8]),
-                f"{len(told) - len(other)} of {len(told)} pieces are {brief.style}", f"choose {brief.style} furniture",
+                "alignment",
+                "wrong_style",
+                (b.id for b in other[:8]),
+                f"{len(told) - len(other)} of {len(told)} pieces are {brief.style}",
+                f"choose {brief.style} furniture",
                 points=1.2 * (len(other) / len(told)),
-            )  # fmt: skip
+            )
     if brief.colors:
         told = [b for b in furniture if "color" in b.item.attributes]
         wanted = {c.lower().replace("gray", "grey") for c in brief.colors}
         if told and not any(str(b.item.attributes["color"]).lower() in wanted for b in told):
             yield finding(
-                "alignment", "wrong_colors", (), f"nothing is {' or '.join(brief.colors)}",
-                f"choose furniture in {' and '.join(brief.colors)}", points=0.8,
-            )  # fmt: skip
+                "alignment",
+                "wrong_colors",
+                (),
+                f"nothing is {' or '.join(brief.colors)}",
+                f"choose furniture in {' and '.join(brief.colors)}",
+                points=0.8,
+            )
 
 
 __all__ = ["faults", "mine", "shape_of"]

@@ -35,11 +35,15 @@ def faults(survey: Survey) -> Iterator[Finding]:
             ids = [b.id for b in wrong]
             rows = _rows(survey, said, wrong)
             yield finding(
-                "alignment", "asked_relation", ids, f"'{words}' does not hold for {', '.join(ids[:4])}: {why}",
-                f"put {', '.join(ids[:4])} as asked", points=0.6 + 1.4 * len(wrong) / len(subjects),
+                "alignment",
+                "asked_relation",
+                ids,
+                f"'{words}' does not hold for {', '.join(ids[:4])}: {why}",
+                f"put {', '.join(ids[:4])} as asked",
+                points=0.6 + 1.4 * len(wrong) / len(subjects),
                 tool="add_relation" if rows else "update_layout",
                 inputs={"relations": rows} if rows else {"ids": ids},
-            )  # fmt: skip
+            )
 
 
 def _least(survey: Survey, asked: str) -> int:
@@ -136,9 +140,11 @@ def _options(survey: Survey, said: AskedRelation, body: Body, count: int) -> Ite
 def _rows(survey: Survey, said: AskedRelation, wrong: Sequence[Body]) -> list[dict]:
     rows = []
     for body in wrong:
-        first = next(_options(survey, said, body, len(_named(survey, said.subject))), None) if (
-            said.target != "middle"
-        ) else None  # fmt: skip
+        first = (
+            next(_options(survey, said, body, len(_named(survey, said.subject))), None)
+            if (said.target != "middle")
+            else None
+        )
         if first is not None:
             target = list(first.target) if isinstance(first.target, tuple) else first.target
             row = {"type": first.type, "subject": body.id, "target": target, "hard": True}
@@ -170,9 +176,14 @@ def walls_named(name: str, room: Room) -> list[int]:
         normals.append((-(by - ay) / length, (bx - ax) / length))
     nx, ny = normals[room.doors[0].wall if room.doors else 0]
     out = COMPASS.get(name) or {
-        "far": (nx, ny), "opposite": (nx, ny), "back": (nx, ny), "near": (-nx, -ny), "front": (-nx, -ny),
-        "left": (-ny, nx), "right": (ny, -nx),
-    }.get(name)  # fmt: skip
+        "far": (nx, ny),
+        "opposite": (nx, ny),
+        "back": (nx, ny),
+        "near": (-nx, -ny),
+        "front": (-nx, -ny),
+        "left": (-ny, nx),
+        "right": (ny, -nx),
+    }.get(name)
     if out is None:
         return list(range(count))
     return [i for i, (wx, wy) in enumerate(normals) if -(wx * out[0] + wy * out[1]) > 0.7]

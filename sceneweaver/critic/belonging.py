@@ -71,10 +71,16 @@ def _foreign(survey: Survey) -> Iterator[Finding]:
             continue
         points, lid, why = strange
         yield finding(
-            "realism", "foreign_object", (body.id,),
-            f"{kinds.a(category)} is {why} {kinds.a(survey.room.name)}", f"remove {body.id}",
-            points=points, cap=lid, tool="remove_objects", inputs={"ids": [body.id]},
-        )  # fmt: skip
+            "realism",
+            "foreign_object",
+            (body.id,),
+            f"{kinds.a(category)} is {why} {kinds.a(survey.room.name)}",
+            f"remove {body.id}",
+            points=points,
+            cap=lid,
+            tool="remove_objects",
+            inputs={"ids": [body.id]},
+        )
 
 
 @cache
@@ -120,10 +126,15 @@ def _lifeless(survey: Survey) -> Iterator[Finding]:
         return
     ids = [b.id for b in bases if b.id not in survey.carried]
     yield finding(
-        "realism", "lifeless", ids, f"{small} small things on {len(bases)} tables and shelves: nobody lives here",
-        f"put things of every day on {', '.join(ids[:4])}", points=1.2 * (1 - small / len(bases)), tool="add_crowd",
+        "realism",
+        "lifeless",
+        ids,
+        f"{small} small things on {len(bases)} tables and shelves: nobody lives here",
+        f"put things of every day on {', '.join(ids[:4])}",
+        points=1.2 * (1 - small / len(bases)),
+        tool="add_crowd",
         inputs={"supports": ids},
-    )  # fmt: skip
+    )
 
 
 def _dominant(survey: Survey) -> Iterator[Finding]:
@@ -144,8 +155,12 @@ def _dominant(survey: Survey) -> Iterator[Finding]:
         spare = mine[int(DOMINANT * len(furniture)) :]
         ids = [b.id for b in spare]
         yield finding(
-            "realism", "dominant_category", (b.id for b in mine),
+            "realism",
+            "dominant_category",
+            (b.id for b in mine),
             f"{share:.0%} of the {len(furniture)} pieces of furniture are {kinds.words(category)}s",
-            "remove some of them, or add other furniture", points=1.0 + 3.0 * (share - DOMINANT),
-            tool="remove_objects", inputs={"ids": ids},
-        )  # fmt: skip
+            "remove some of them, or add other furniture",
+            points=1.0 + 3.0 * (share - DOMINANT),
+            tool="remove_objects",
+            inputs={"ids": ids},
+        )

@@ -70,8 +70,17 @@ def angle_to(survey: Survey, body: Body, target: Body) -> float:
 
 
 def _wrong(ids: list[str], reason: str, fix: str, grave: bool, points: float = 1.5, **inputs) -> Finding:
-    return finding("layout", "wrong_orientation", ids, reason, fix, points=points, cap=LID if grave else None,
-                   tool="update_rotation", inputs={"ids": ids[:1], **inputs})  # fmt: skip
+    return finding(
+        "layout",
+        "wrong_orientation",
+        ids,
+        reason,
+        fix,
+        points=points,
+        cap=LID if grave else None,
+        tool="update_rotation",
+        inputs={"ids": ids[:1], **inputs},
+    )
 
 
 def _chairs(survey: Survey) -> Iterator[Finding]:
@@ -83,19 +92,32 @@ def _chairs(survey: Survey) -> Iterator[Finding]:
         if table is None:
             clear = survey.clear_ahead(seat)
             if clear < NOSE and seat.item.category != "stool":
-                yield _wrong([seat.id], f"{seat.id} faces a wall at {clear:.2f} m", f"turn {seat.id} around", False,
-                             1.0, yaw=_opposite(seat))  # fmt: skip
+                yield _wrong(
+                    [seat.id],
+                    f"{seat.id} faces a wall at {clear:.2f} m",
+                    f"turn {seat.id} around",
+                    False,
+                    1.0,
+                    yaw=_opposite(seat),
+                )
             continue
         angle = 0.0 if _holds(survey, seat, table) else angle_to(survey, seat, table)
         if angle > SEAT and not _round_stool(seat):
             turned[table.id].append((seat.id, angle))
         elif _behind(seat, table):
             yield finding(
-                "layout", "wrong_side", (seat.id, table.id), f"{seat.id} is not at the front of {table.id}",
-                f"put {seat.id} in front of {table.id}", points=1.5, cap=LID, tool="add_relation",
-                inputs={"relations": [{"type": "front_to_front", "subject": seat.id, "target": table.id,
-                                       "hard": True}]},
-            )  # fmt: skip
+                "layout",
+                "wrong_side",
+                (seat.id, table.id),
+                f"{seat.id} is not at the front of {table.id}",
+                f"put {seat.id} in front of {table.id}",
+                points=1.5,
+                cap=LID,
+                tool="add_relation",
+                inputs={
+                    "relations": [{"type": "front_to_front", "subject": seat.id, "target": table.id, "hard": True}]
+                },
+            )
     for table_id, found in turned.items():
         worst = max(angle for _, angle in found)
         ids = [id for id, _ in found]
@@ -103,10 +125,16 @@ def _chairs(survey: Survey) -> Iterator[Finding]:
         if len(ids) > 1:
             reason = f"{len(ids)} seats at {table_id} are turned up to {worst:.0f} degrees away from it"
         yield finding(
-            "layout", "wrong_orientation", (*ids, table_id), reason, f"turn {', '.join(ids)} toward {table_id}",
-            points=min(4.0, 1.2 * len(ids)), cap=LID if worst > GRAVE else None, tool="update_rotation",
+            "layout",
+            "wrong_orientation",
+            (*ids, table_id),
+            reason,
+            f"turn {', '.join(ids)} toward {table_id}",
+            points=min(4.0, 1.2 * len(ids)),
+            cap=LID if worst > GRAVE else None,
+            tool="update_rotation",
             inputs={"ids": ids, "toward": table_id},
-        )  # fmt: skip
+        )
 
 
 def _holds(survey: Survey, seat: Body, table: Body) -> bool:
@@ -146,8 +174,14 @@ def _lounge(survey: Survey) -> Iterator[Finding]:
             continue
         clear = survey.clear_ahead(seat)
         if clear < 0.8:
-            yield _wrong([seat.id], f"{seat.id} faces a wall at {clear:.2f} m", f"turn {seat.id} into the room", True,
-                         2.0, yaw=_opposite(seat))  # fmt: skip
+            yield _wrong(
+                [seat.id],
+                f"{seat.id} faces a wall at {clear:.2f} m",
+                f"turn {seat.id} into the room",
+                True,
+                2.0,
+                yaw=_opposite(seat),
+            )
             continue
         near = survey.near(seat, 3.0)
         tables = [b for b, gap in near if b.item.category in kinds.COFFEE and gap < 1.2]
@@ -160,9 +194,14 @@ def _lounge(survey: Survey) -> Iterator[Finding]:
             if angle > LOUNGE:
                 tv = min(close, key=lambda b: (angle_to(survey, seat, b), b.id))
                 back = _another_faces(survey, seat, close)
-                yield _wrong([seat.id, tv.id], f"{seat.id} is turned {angle:.0f} degrees away from {tv.id}",
-                             f"turn {seat.id} toward {tv.id}", not back, 0.7 if back else 2.0,
-                             toward=tv.id)  # fmt: skip
+                yield _wrong(
+                    [seat.id, tv.id],
+                    f"{seat.id} is turned {angle:.0f} degrees away from {tv.id}",
+                    f"turn {seat.id} toward {tv.id}",
+                    not back,
+                    0.7 if back else 2.0,
+                    toward=tv.id,
+                )
                 continue
         targets = [*close, *tables, *others, *desks]
         angles = [angle_to(survey, seat, b) for b in targets]
@@ -172,9 +211,14 @@ def _lounge(survey: Survey) -> Iterator[Finding]:
         to = targets[0] if targets else None
         words = f"toward {to.id}" if to else "into the room"
         inputs = {"toward": to.id} if to else {"yaw": _toward(seat, middle)}
-        yield _wrong([seat.id, *([to.id] if to else [])],
-                     f"{seat.id} is turned {min([*angles, inward]):.0f} degrees away from all it could look at",
-                     f"turn {seat.id} {words}", False, 1.2, **inputs)  # fmt: skip
+        yield _wrong(
+            [seat.id, *([to.id] if to else [])],
+            f"{seat.id} is turned {min([*angles, inward]):.0f} degrees away from all it could look at",
+            f"turn {seat.id} {words}",
+            False,
+            1.2,
+            **inputs,
+        )
 
 
 def _another_faces(survey: Survey, seat: Body, tvs: list[Body]) -> bool:
@@ -200,14 +244,25 @@ def _desk_screens(survey: Survey) -> Iterator[Finding]:
         if viewer is not None:
             angle = math.degrees(turn_to(screen, viewer.centre))
             if angle > SCREEN:
-                yield _wrong([screen.id, viewer.id], f"{screen.id} is turned {angle:.0f} degrees away from {viewer.id}",
-                             f"turn {screen.id} toward {viewer.id}", angle > 90, 1.2, toward=viewer.id)  # fmt: skip
+                yield _wrong(
+                    [screen.id, viewer.id],
+                    f"{screen.id} is turned {angle:.0f} degrees away from {viewer.id}",
+                    f"turn {screen.id} toward {viewer.id}",
+                    angle > 90,
+                    1.2,
+                    toward=viewer.id,
+                )
         elif base.item.category in kinds.DESKS - {"corner_desk"}:
             angle = abs(math.degrees(math.remainder(screen.yaw - base.yaw, 2 * math.pi)))
             if angle > GRAVE:
-                yield _wrong([screen.id, base.id], f"{screen.id} is turned {angle:.0f} degrees from {base.id}'s front",
-                             f"turn {screen.id} to the front of {base.id}", False, 1.0,
-                             yaw=round(base.yaw, 4))  # fmt: skip
+                yield _wrong(
+                    [screen.id, base.id],
+                    f"{screen.id} is turned {angle:.0f} degrees from {base.id}'s front",
+                    f"turn {screen.id} to the front of {base.id}",
+                    False,
+                    1.0,
+                    yaw=round(base.yaw, 4),
+                )
 
 
 def _televisions(survey: Survey) -> Iterator[Finding]:
@@ -219,13 +274,24 @@ def _televisions(survey: Survey) -> Iterator[Finding]:
         if base is not None:
             angle = abs(math.degrees(math.remainder(tv.yaw - base.yaw, 2 * math.pi)))
             if angle > SCREEN:
-                yield _wrong([tv.id, base.id], f"{tv.id} is turned {angle:.0f} degrees from the front of {base.id}",
-                             f"turn {tv.id} to the front of {base.id}", True, 1.5, yaw=round(base.yaw, 4))  # fmt: skip
+                yield _wrong(
+                    [tv.id, base.id],
+                    f"{tv.id} is turned {angle:.0f} degrees from the front of {base.id}",
+                    f"turn {tv.id} to the front of {base.id}",
+                    True,
+                    1.5,
+                    yaw=round(base.yaw, 4),
+                )
                 continue
         clear = survey.clear_ahead(tv)
         if clear < 1.0:
-            yield _wrong([tv.id], f"{tv.id} faces a wall at {clear:.2f} m", f"turn {tv.id} into the room", True,
-                         yaw=_opposite(tv))  # fmt: skip
+            yield _wrong(
+                [tv.id],
+                f"{tv.id} faces a wall at {clear:.2f} m",
+                f"turn {tv.id} into the room",
+                True,
+                yaw=_opposite(tv),
+            )
             continue
         near = [s for s in seats if math.dist(s.centre, tv.centre) < VIEW]
         if not near:
@@ -234,8 +300,14 @@ def _televisions(survey: Survey) -> Iterator[Finding]:
         if not seen:
             seat = min(near, key=lambda s: (round(math.dist(s.centre, tv.centre), 4), s.id))
             angle = math.degrees(turn_to(tv, seat.centre))
-            yield _wrong([tv.id, seat.id], f"{tv.id} is turned {angle:.0f} degrees away from {seat.id}",
-                         f"turn {tv.id} toward {seat.id}", False, 1.2, toward=seat.id)  # fmt: skip
+            yield _wrong(
+                [tv.id, seat.id],
+                f"{tv.id} is turned {angle:.0f} degrees away from {seat.id}",
+                f"turn {tv.id} toward {seat.id}",
+                False,
+                1.2,
+                toward=seat.id,
+            )
             continue
         seen = [s for s in seen if angle_to(survey, s, tv) <= LOUNGE] or seen
         seen = [s for s in seen if s.item.category in kinds.SOFAS] or seen
@@ -243,10 +315,15 @@ def _televisions(survey: Survey) -> Iterator[Finding]:
         if len(hidden) == len(seen):
             seat, other = hidden[0]
             yield finding(
-                "layout", "hidden_screen", (tv.id, seat.id, other.id),
+                "layout",
+                "hidden_screen",
+                (tv.id, seat.id, other.id),
                 f"{other.id} stands between {seat.id} and {tv.id}",
-                f"move {other.id} out of the way", points=1.2, tool="update_layout", inputs={"ids": [other.id]},
-            )  # fmt: skip
+                f"move {other.id} out of the way",
+                points=1.2,
+                tool="update_layout",
+                inputs={"ids": [other.id]},
+            )
 
 
 def _hides(survey: Survey, seat: Body, tv: Body) -> Body | None:
@@ -277,27 +354,42 @@ def _beds(survey: Survey) -> Iterator[Finding]:
             continue  # a room divider or shelf behind the head
         reason = f"the head of {bed.id} is {gap:.2f} m from the wall" if back else f"no wall behind {bed.id}"
         yield finding(
-            "layout", "headless_bed", (bed.id,), reason, f"put the head of {bed.id} against a wall",
-            points=2.0, cap=LID if gap > 0.5 else None, tool="add_relation",
+            "layout",
+            "headless_bed",
+            (bed.id,),
+            reason,
+            f"put the head of {bed.id} against a wall",
+            points=2.0,
+            cap=LID if gap > 0.5 else None,
+            tool="add_relation",
             inputs={"relations": [{"type": "against_wall", "subject": bed.id, "target": None, "hard": True}]},
-        )  # fmt: skip
+        )
     for stand in survey.of_kind(("nightstand",)):
         bed = next((b for b, gap in survey.near(stand, 0.5) if b.item.category in kinds.BEDS), None)
         if bed is not None and bed.local(stand.centre)[0] > 0.0:
             yield finding(
-                "layout", "wrong_side", (stand.id, bed.id),
+                "layout",
+                "wrong_side",
+                (stand.id, bed.id),
                 f"{stand.id} stands {bed.local(stand.centre)[0] + bed.size[0] / 2:.2f} m from the head of {bed.id}",
-                f"put {stand.id} at the head of {bed.id}", points=1.0, tool="add_relation",
+                f"put {stand.id} at the head of {bed.id}",
+                points=1.0,
+                tool="add_relation",
                 inputs={"relations": [{"type": "against_wall", "subject": stand.id, "target": None, "hard": True}]},
-            )  # fmt: skip
+            )
     for bed in survey.of_kind(kinds.LONG_BEDS):
         gap = float(survey.wall_gaps[bed.index])
         if gap > 0.2:
             yield finding(
-                "layout", "headless_bed", (bed.id,), f"{bed.id} is {gap:.2f} m from the nearest wall",
-                f"put {bed.id} against a wall", points=1.2, tool="add_relation",
+                "layout",
+                "headless_bed",
+                (bed.id,),
+                f"{bed.id} is {gap:.2f} m from the nearest wall",
+                f"put {bed.id} against a wall",
+                points=1.2,
+                tool="add_relation",
                 inputs={"relations": [{"type": "against_wall", "subject": bed.id, "target": None, "hard": True}]},
-            )  # fmt: skip
+            )
 
 
 def _fronts(survey: Survey) -> Iterator[Finding]:
@@ -307,8 +399,14 @@ def _fronts(survey: Survey) -> Iterator[Finding]:
             continue
         clear = survey.clear_ahead(body)
         if clear < NOSE:
-            yield _wrong([body.id], f"the front of {body.id} is {clear:.2f} m from a wall", f"turn {body.id} around",
-                         True, 2.0, yaw=_opposite(body))  # fmt: skip
+            yield _wrong(
+                [body.id],
+                f"the front of {body.id} is {clear:.2f} m from a wall",
+                f"turn {body.id} around",
+                True,
+                2.0,
+                yaw=_opposite(body),
+            )
 
 
 def _walled_in(survey: Survey) -> Iterator[Finding]:
@@ -334,9 +432,15 @@ def _walled_in(survey: Survey) -> Iterator[Finding]:
             yield _wrong([body.id], reason, f"turn {body.id} around", True, 2.0, yaw=yaw)
         else:
             yield finding(
-                "layout", "walled_in", (body.id,), reason, f"move {body.id} away from the wall", points=1.5,
-                tool="update_layout", inputs={"ids": [body.id]},
-            )  # fmt: skip
+                "layout",
+                "walled_in",
+                (body.id,),
+                reason,
+                f"move {body.id} away from the wall",
+                points=1.5,
+                tool="update_layout",
+                inputs={"ids": [body.id]},
+            )
 
 
 def _beyond(survey: Survey, zones: list[int], body: Body, turn: float) -> float:

@@ -49,10 +49,13 @@ def measures(survey: Survey) -> dict[str, float]:
 def supports(survey: Survey) -> list[Body]:
     """Furniture that should carry something."""
     return [
-        b for b in survey.bodies
-        if b.item.surfaces and kinds.carries(b.item.category) and b.item.mount != "surface"
+        b
+        for b in survey.bodies
+        if b.item.surfaces
+        and kinds.carries(b.item.category)
+        and b.item.mount != "surface"
         and any(_low(b, s.z) for s in b.item.surfaces)
-    ]  # fmt: skip
+    ]
 
 
 def _low(body: Body, z: float) -> bool:
@@ -92,19 +95,29 @@ def _supports(survey: Survey) -> Iterator[Finding]:
         if name is not None:
             inputs["arrangement" if tool == "add_tabletop" else "theme"] = name
         yield finding(
-            "completion", "empty_support", ids,
+            "completion",
+            "empty_support",
+            ids,
             f"nothing stands on {', '.join(ids[:4])}{' and others' if len(ids) > 4 else ''}: "
             f"{share:.0%} of the tables and shelves are in use",
-            f"put things on {', '.join(ids[:4])}", points=0.4 + 3.0 * len(ids) / len(bases), cap=lid, tool=tool,
+            f"put things on {', '.join(ids[:4])}",
+            points=0.4 + 3.0 * len(ids) / len(bases),
+            cap=lid,
+            tool=tool,
             inputs=inputs,
-        )  # fmt: skip
+        )
     if poor:
         ids = [b.id for b in poor]
         yield finding(
-            "completion", "sparse_support", ids,
-            f"{level[ids[0]]:.0%} of the boards of {ids[0]} carry something", f"fill {', '.join(ids[:4])}",
-            points=0.2 + 1.2 * len(ids) / len(bases), tool="add_crowd", inputs={"supports": ids},
-        )  # fmt: skip
+            "completion",
+            "sparse_support",
+            ids,
+            f"{level[ids[0]]:.0%} of the boards of {ids[0]} carry something",
+            f"fill {', '.join(ids[:4])}",
+            points=0.2 + 1.2 * len(ids) / len(bases),
+            tool="add_crowd",
+            inputs={"supports": ids},
+        )
 
 
 def _call(survey: Survey, body: Body) -> tuple[str, str | None]:
@@ -127,16 +140,27 @@ def _floor(survey: Survey) -> Iterator[Finding]:
     bare = 0.35 if survey.brief.density == "sparse" or survey.brief.only else BARE
     if used < bare:
         yield finding(
-            "completion", "bare", (), f"{1 - used:.0%} of the floor is more than 0.6 m from any furniture",
-            "add furniture to the empty part of the room", points=1.0 + 6.0 * (bare - used), cap=LID,
-            tool="add_objects", inputs={"objects": _more(survey)},
-        )  # fmt: skip
+            "completion",
+            "bare",
+            (),
+            f"{1 - used:.0%} of the floor is more than 0.6 m from any furniture",
+            "add furniture to the empty part of the room",
+            points=1.0 + 6.0 * (bare - used),
+            cap=LID,
+            tool="add_objects",
+            inputs={"objects": _more(survey)},
+        )
     elif used < bare + 0.15:
         yield finding(
-            "completion", "bare", (), f"{1 - used:.0%} of the floor is more than 0.6 m from any furniture",
-            "add furniture to the empty part of the room", points=6.0 * (bare + 0.15 - used), tool="add_objects",
+            "completion",
+            "bare",
+            (),
+            f"{1 - used:.0%} of the floor is more than 0.6 m from any furniture",
+            "add furniture to the empty part of the room",
+            points=6.0 * (bare + 0.15 - used),
+            tool="add_objects",
             inputs={"objects": _more(survey)},
-        )  # fmt: skip
+        )
 
 
 def _more(survey: Survey) -> list[dict[str, Any]]:
@@ -175,10 +199,15 @@ def _numbers(survey: Survey) -> Iterator[Finding]:
     want, have = expected(survey), len(survey.bodies)
     if want and have < 0.8 * want:
         yield finding(
-            "completion", "few_objects", (), f"{have} objects; such a room has about {want:.0f}",
-            "add furniture and small things", points=3.5 * (0.8 - have / want) + 0.2,
-            tool="add_objects", inputs={"objects": _more(survey)},
-        )  # fmt: skip
+            "completion",
+            "few_objects",
+            (),
+            f"{have} objects; such a room has about {want:.0f}",
+            "add furniture and small things",
+            points=3.5 * (0.8 - have / want) + 0.2,
+            tool="add_objects",
+            inputs={"objects": _more(survey)},
+        )
 
 
 # ---- the last touches ------------------------------------------------------------------------------------------------
@@ -192,9 +221,11 @@ def _touches(survey: Survey) -> Iterator[Finding]:
     bodies = survey.bodies
     lit = any("lighting" in kinds.groups_of(b.item.category) for b in bodies)
     hung = any(
-        b.item.mount == "wall" and b.item.category not in kinds.WINDOW_WEAR
-        and not kinds.groups_of(b.item.category) & {"lighting", "appliance"} for b in bodies
-    )  # fmt: skip
+        b.item.mount == "wall"
+        and b.item.category not in kinds.WINDOW_WEAR
+        and not kinds.groups_of(b.item.category) & {"lighting", "appliance"}
+        for b in bodies
+    )
     soft = any(kinds.groups_of(b.item.category) & {"textile", "plant_group"} for b in bodies)
     rows = (
         (lit, "lighting", "no_light", "there is no lamp", "ceiling_light", 0.8),
@@ -207,10 +238,15 @@ def _touches(survey: Survey) -> Iterator[Finding]:
             continue
         name = _listed(survey.room, wanted) or category
         yield finding(
-            "completion", kind, (), reason, f"add {kinds.a(name)}",
-            points=points if _listed(survey.room, wanted) else points / 2, tool="add_objects",
+            "completion",
+            kind,
+            (),
+            reason,
+            f"add {kinds.a(name)}",
+            points=points if _listed(survey.room, wanted) else points / 2,
+            tool="add_objects",
             inputs={"objects": [{"category": name, "count": 1}]},
-        )  # fmt: skip
+        )
 
 
 def _listed(room: RoomType, groups: set[str]) -> str | None:

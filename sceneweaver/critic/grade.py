@@ -20,11 +20,25 @@ KIND_LIMIT = 3.0
 """Most points that faults of one kind take together, where `LIMITS` says nothing else."""
 
 LIMITS = {
-    "collision": 6.0, "out_of_bounds": 6.0, "unsupported": 6.0, "dropped": 6.0, "blocked_zone": 5.0,
-    "blocked_opening": 5.0, "missing_needed": 8.0, "missing_asked": 9.0, "unwanted": 7.0, "foreign_object": 7.0,
-    "wrong_orientation": 6.0, "wrong_size": 6.0, "asked_relation": 6.0, "missing_usual": 4.0, "empty_support": 4.0,
-    "bare": 6.0, "unwalkable": 5.0, "empty_room": 10.0,
-}  # fmt: skip
+    "collision": 6.0,
+    "out_of_bounds": 6.0,
+    "unsupported": 6.0,
+    "dropped": 6.0,
+    "blocked_zone": 5.0,
+    "blocked_opening": 5.0,
+    "missing_needed": 8.0,
+    "missing_asked": 9.0,
+    "unwanted": 7.0,
+    "foreign_object": 7.0,
+    "wrong_orientation": 6.0,
+    "wrong_size": 6.0,
+    "asked_relation": 6.0,
+    "missing_usual": 4.0,
+    "empty_support": 4.0,
+    "bare": 6.0,
+    "unwalkable": 5.0,
+    "empty_room": 10.0,
+}
 
 SLOPE = 0.2
 """How much a point beside the capping faults lowers a capped grade."""
@@ -52,9 +66,15 @@ def finding(
 ) -> Finding:
     """A finding in one call; ``inputs`` are those of ``tool``."""
     fault = Fault(
-        criterion=criterion, kind=kind, objects=tuple(objects), reason=reason, suggestion=suggestion, tool=tool,
-        inputs=inputs or {}, points=round(points, 3),
-    )  # fmt: skip
+        criterion=criterion,
+        kind=kind,
+        objects=tuple(objects),
+        reason=reason,
+        suggestion=suggestion,
+        tool=tool,
+        inputs=inputs or {},
+        points=round(points, 3),
+    )
     return Finding(fault, cap)
 
 

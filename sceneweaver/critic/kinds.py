@@ -23,10 +23,14 @@ DINING = _set(
 )
 """Tables that people sit around."""
 
-SEATED_AT = DESKS | DINING | _set(
-    "activity_table drafting_table lab_bench workbench sewing_machine_table kitchen_island bar_counter upright_piano"
-    " digital_piano grand_piano picnic_table train_table"
-)  # fmt: skip
+SEATED_AT = (
+    DESKS
+    | DINING
+    | _set(
+        "activity_table drafting_table lab_bench workbench sewing_machine_table kitchen_island bar_counter"
+        " upright_piano digital_piano grand_piano picnic_table train_table"
+    )
+)
 """What a chair may belong to."""
 
 COFFEE = _set("coffee_table round_coffee_table nesting_tables")
@@ -146,9 +150,11 @@ WORLDS: dict[str, frozenset[str]] = {
 """Things that belong to one kind of place and are odd anywhere else."""
 
 NEIGHBOURS = {
-    frozenset(("bathroom", "laundry")), frozenset(("kitchen", "laundry")), frozenset(("clinic", "sleeping")),
+    frozenset(("bathroom", "laundry")),
+    frozenset(("kitchen", "laundry")),
+    frozenset(("clinic", "sleeping")),
     frozenset(("kitchen", "shop")),
-}  # fmt: skip
+}
 """Kinds of places whose things are sometimes found in each other."""
 
 NEUTRAL_GROUPS = frozenset(("decor", "lighting", "plant_group", "textile", "container"))

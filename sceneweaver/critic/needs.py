@@ -72,12 +72,29 @@ def _missing(survey: Survey, need: Need) -> Finding:
         others = not have and any(kinds.serves(b.item.category, item.what) for b in survey.bodies)
         if have >= need.core or others:
             points, lid = (0.4 + 1.6 * share), None  # too few for its size, or others do its work
-        return finding("functionality", "missing_needed", need.have, reason, fix, points=points, cap=lid,
-                       tool="add_objects", inputs=dict(inputs))  # fmt: skip
+        return finding(
+            "functionality",
+            "missing_needed",
+            need.have,
+            reason,
+            fix,
+            points=points,
+            cap=lid,
+            tool="add_objects",
+            inputs=dict(inputs),
+        )
     show = bool(kinds.groups_of(category) & SHOW)
     criterion = "functionality" if item.with_ is not None and not show else "completion"
-    return finding(criterion, "missing_usual", need.have, reason, fix, points=(0.5 if show else 0.7) * share + 0.2,
-                   tool="add_objects", inputs=dict(inputs))  # fmt: skip
+    return finding(
+        criterion,
+        "missing_usual",
+        need.have,
+        reason,
+        fix,
+        points=(0.5 if show else 0.7) * share + 0.2,
+        tool="add_objects",
+        inputs=dict(inputs),
+    )
 
 
 def _lacking(survey: Survey, need: Need) -> list[tuple[str | None, int]]:
@@ -161,10 +178,15 @@ def _desks(survey: Survey, reported: set[str]) -> Iterator[Finding]:
         seat = "stool" if desk.item.category == "dressing_table" else "office_chair"
         seat = next((i.what[0] for i in survey.room.items if any(kinds.upright_seat(c) for c in i.what)), seat)
         yield finding(
-            "functionality", "incomplete_group", (desk.id,), f"no chair within {PARENT_WIDE:g} m of {desk.id}",
-            f"add a {kinds.words(seat)} in front of {desk.id}", points=1.5, tool="add_objects",
+            "functionality",
+            "incomplete_group",
+            (desk.id,),
+            f"no chair within {PARENT_WIDE:g} m of {desk.id}",
+            f"add a {kinds.words(seat)} in front of {desk.id}",
+            points=1.5,
+            tool="add_objects",
             inputs={"objects": [{"category": seat, "count": 1, "place": [{"type": "front_to_front", "to": desk.id}]}]},
-        )  # fmt: skip
+        )
 
 
 def _tables(survey: Survey, reported: set[str]) -> Iterator[Finding]:
@@ -183,13 +205,19 @@ def _tables(survey: Survey, reported: set[str]) -> Iterator[Finding]:
         category = have[0].item.category if have else (seats[0].what[0] if seats else "dining_chair")
         missing = want - len(have)
         yield finding(
-            "functionality", "incomplete_group", (table.id, *(b.id for b in have)),
+            "functionality",
+            "incomplete_group",
+            (table.id, *(b.id for b in have)),
             f"{len(have)} seats within {PARENT_WIDE:g} m of {table.id}, which is {max(table.size[:2]):.1f} m long",
-            f"add {missing} {kinds.words(category)} around {table.id}", points=0.6 + 1.4 * missing / want,
+            f"add {missing} {kinds.words(category)} around {table.id}",
+            points=0.6 + 1.4 * missing / want,
             tool="add_objects",
-            inputs={"objects": [{"category": category, "count": missing,
-                                 "place": [{"type": "front_against", "to": table.id}]}]},
-        )  # fmt: skip
+            inputs={
+                "objects": [
+                    {"category": category, "count": missing, "place": [{"type": "front_against", "to": table.id}]}
+                ]
+            },
+        )
 
 
 def _screens(survey: Survey) -> Iterator[Finding]:
@@ -203,7 +231,12 @@ def _screens(survey: Survey) -> Iterator[Finding]:
         return  # such rooms are not made for sitting
     tvs = [b.id for b in survey.of_kind(kinds.TVS)]
     yield finding(
-        "functionality", "incomplete_group", tvs, f"no seat in the room for {tvs[0]}", f"add a sofa facing {tvs[0]}",
-        points=1.2, tool="add_objects",
+        "functionality",
+        "incomplete_group",
+        tvs,
+        f"no seat in the room for {tvs[0]}",
+        f"add a sofa facing {tvs[0]}",
+        points=1.2,
+        tool="add_objects",
         inputs={"objects": [{"category": "sofa", "count": 1, "place": [{"type": "facing", "to": tvs[0]}]}]},
-    )  # fmt: skip
+    )

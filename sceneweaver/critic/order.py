@@ -58,21 +58,30 @@ def _away_from_walls(survey: Survey) -> Iterator[Finding]:
         if _backed(survey, body, most) or _in_corner(survey, body):
             continue
         gap = back[1] if back else math.inf
-        reason = f"the back of {body.id} is {gap:.2f} m from the wall behind it" if back else (
-            f"no wall is behind {body.id}"
-        )  # fmt: skip
+        reason = (
+            f"the back of {body.id} is {gap:.2f} m from the wall behind it"
+            if back
+            else (f"no wall is behind {body.id}")
+        )
         yield finding(
-            "layout", "away_from_wall", (body.id,), reason, f"put {body.id} with its back against a wall",
-            points=1.0 if sofa else 1.5, tool="add_relation",
+            "layout",
+            "away_from_wall",
+            (body.id,),
+            reason,
+            f"put {body.id} with its back against a wall",
+            points=1.0 if sofa else 1.5,
+            tool="add_relation",
             inputs={"relations": [{"type": "against_wall", "subject": body.id, "target": None, "hard": True}]},
-        )  # fmt: skip
+        )
 
 
 def _belongs_to_wall(survey: Survey, body: Body) -> bool:
     """Whether nothing says that it stands elsewhere: the room's items, or the request."""
     asked = survey.program.asked_of.get(body.id)
-    if any(r.subject == asked and r.type != "against_wall" and r.target in ("middle", "window", "corner")
-           for r in survey.brief.relations):  # fmt: skip
+    if any(
+        r.subject == asked and r.type != "against_wall" and r.target in ("middle", "window", "corner")
+        for r in survey.brief.relations
+    ):
         return False
     name = survey.program.item_of.get(body.id)
     if name is None:
@@ -139,19 +148,27 @@ def _crooked(survey: Survey) -> Iterator[Finding]:
             or body.item.category in kinds.DINING
         ):
             yield finding(
-                "layout", "askew", (body.id,),
+                "layout",
+                "askew",
+                (body.id,),
                 f"{body.id} is turned {math.degrees(angle):.0f} degrees against the walls",
-                f"turn {body.id} parallel to a wall", points=0.8 + min(1.2, 0.7 * body.size[0] * body.size[1]),
+                f"turn {body.id} parallel to a wall",
+                points=0.8 + min(1.2, 0.7 * body.size[0] * body.size[1]),
                 tool="update_rotation",
                 inputs={"ids": [body.id], "yaw": _straight(survey, body)},
-            )  # fmt: skip
+            )
     for body_id, degrees in slight:
         body = survey.placed.by_id[body_id]
         yield finding(
-            "layout", "crooked", (body_id,), f"{body_id} is {degrees:.1f} degrees off the direction of the walls",
-            f"turn {body_id} parallel to a wall", points=0.2 + 0.06 * degrees, tool="update_rotation",
+            "layout",
+            "crooked",
+            (body_id,),
+            f"{body_id} is {degrees:.1f} degrees off the direction of the walls",
+            f"turn {body_id} parallel to a wall",
+            points=0.2 + 0.06 * degrees,
+            tool="update_rotation",
             inputs={"ids": [body_id], "yaw": _straight(survey, body)},
-        )  # fmt: skip
+        )
 
 
 def _straight(survey: Survey, body: Body) -> float:
@@ -173,10 +190,14 @@ def _heights(survey: Survey) -> Iterator[Finding]:
             continue
         again: dict[str, Any] = {"tool": "update_layout", "inputs": {"ids": [body.id]}}
         yield finding(
-            "layout", "odd_height", (body.id,),
+            "layout",
+            "odd_height",
+            (body.id,),
             f"{body.id} hangs {bottom:.2f} m above the floor; usual are {low:.2f} to {high:.2f} m",
-            f"hang {body.id} at {(low + high) / 2:.2f} m", points=0.8, **again,
-        )  # fmt: skip
+            f"hang {body.id} at {(low + high) / 2:.2f} m",
+            points=0.8,
+            **again,
+        )
 
 
 def _usual_heights(survey: Survey, body: Body) -> tuple[float, float]:
@@ -209,9 +230,13 @@ def _off_centre(survey: Survey) -> Iterator[Finding]:
             _, aside = stand.local(tv.centre)
             if abs(aside) > 0.25 * stand.size[1]:
                 yield finding(
-                    "layout", "off_centre", (tv.id, stand.id),
+                    "layout",
+                    "off_centre",
+                    (tv.id, stand.id),
                     f"{tv.id} hangs {abs(aside):.2f} m beside the middle of {stand.id}",
-                    f"hang {tv.id} over the middle of {stand.id}", points=0.7, tool="add_relation",
+                    f"hang {tv.id} over the middle of {stand.id}",
+                    points=0.7,
+                    tool="add_relation",
                     inputs={"relations": [{"type": "above", "subject": tv.id, "target": stand.id, "hard": True}]},
-                )  # fmt: skip
+                )
             break

@@ -51,15 +51,17 @@ def _violation(survey: Survey, v: Violation) -> Iterator[Finding]:
             fix = f"lay out {v.objects[0]} again so that it holds"
             yield finding("layout", "broken_relation", v.objects, v.detail, fix, points=1.0, **again)
         case "soft_relation":
-            yield finding("layout", "soft_relation", v.objects, v.detail, points=min(0.8, 0.5 * _weight(survey, v)),
-                          **again)  # fmt: skip
+            yield finding(
+                "layout", "soft_relation", v.objects, v.detail, points=min(0.8, 0.5 * _weight(survey, v)), **again
+            )
         case "dropped":
             why = next((d.category for d in survey.scene.dropped if d.id == v.objects[0]), v.objects[0])
             call = {"objects": [{"category": why, "count": 1}]}
             fix = f"make room for the {why} and add it again"
             for criterion in ("completion", "alignment"):
-                yield finding(criterion, "dropped", v.objects, v.detail, fix, points=1.5, tool="add_objects",
-                              inputs=call)  # fmt: skip
+                yield finding(
+                    criterion, "dropped", v.objects, v.detail, fix, points=1.5, tool="add_objects", inputs=call
+                )
 
 
 def _on_companion(survey: Survey, owner: str, other: str) -> bool:
@@ -84,10 +86,15 @@ def _ways(survey: Survey) -> Iterator[Finding]:
     again: dict[str, Any] = {"tool": "update_layout", "inputs": {"ids": []}}
     if walk is not None and walk < WALKABLE:
         yield finding(
-            "layout", "unwalkable", (), f"{walk:.0%} of the free floor can be reached from the door",
-            "lay out the room again with wider ways", points=0.5 + 8.0 * (WALKABLE - walk),
-            cap=LID if walk < 0.7 else None, **again,
-        )  # fmt: skip
+            "layout",
+            "unwalkable",
+            (),
+            f"{walk:.0%} of the free floor can be reached from the door",
+            "lay out the room again with wider ways",
+            points=0.5 + 8.0 * (WALKABLE - walk),
+            cap=LID if walk < 0.7 else None,
+            **again,
+        )
     if reach is not None and reach < 1.0:
         access = measure(survey.placed)
         missed = access.unreached if access is not None else ()
@@ -95,9 +102,12 @@ def _ways(survey: Survey) -> Iterator[Finding]:
         which = f", not {', '.join(missed[:4])}" if missed else ""
         if grave or reach < REACHABLE:
             yield finding(
-                "functionality", "unreachable", (),
+                "functionality",
+                "unreachable",
+                (),
                 f"{reach:.0%} of the furniture can be reached from the door{which}",
                 "lay out the room again so that all furniture can be reached",
                 points=0.3 + 5.0 * max(0.0, REACHABLE - reach) + NEEDED * len(grave),
-                cap=5.5 if reach < 0.7 else None, **again,
-            )  # fmt: skip
+                cap=5.5 if reach < 0.7 else None,
+                **again,
+            )

@@ -68,9 +68,11 @@ class Program:
             least = _least(item, by_item, area, people)
             for level in (2, 1):
                 for o in scene.objects:
-                    if o.id not in item_of and len(by_item[item.id]) < max(least, item.count.most) and (
-                        serves(o.category, item.what) >= level and _mounted_as(o, item)
-                    ):  # fmt: skip
+                    if (
+                        o.id not in item_of
+                        and len(by_item[item.id]) < max(least, item.count.most)
+                        and (serves(o.category, item.what) >= level and _mounted_as(o, item))
+                    ):
                         item_of[o.id] = item.id
                         by_item[item.id].append(o.id)
         for o in scene.objects:  # more of an item than it counts is still of that item
@@ -97,9 +99,16 @@ def _least(item: Item, by_item: dict[str, list[str]], area: float, people: int) 
 
 
 def _need(
-    item: Item, room: RoomType, brief: Brief, banned: set[str], by_item: dict[str, list[str]],
-    asked_of: dict[str, str], area: float, people: int, windows: int,
-) -> Need | None:  # fmt: skip
+    item: Item,
+    room: RoomType,
+    brief: Brief,
+    banned: set[str],
+    by_item: dict[str, list[str]],
+    asked_of: dict[str, str],
+    area: float,
+    people: int,
+    windows: int,
+) -> Need | None:
     names = tuple(c for c in item.what if c not in banned)
     meant = [a for a in brief.objects if serves(a.category, item.what)]
     have = tuple(by_item.get(item.id, ()))

@@ -53,11 +53,15 @@ def _rows(survey: Survey) -> Iterator[Finding]:
             ids = sorted({i for pair in uneven for i in pair[:2]})
             worst = max(uneven, key=lambda u: u[2])
             yield finding(
-                "layout", "uneven_row", ids,
+                "layout",
+                "uneven_row",
+                ids,
                 f"{worst[0]} stands {100 * worst[2]:.0f} cm out of line with {worst[1]}",
-                f"line up the {kinds.words(category)}s", points=min(1.5, (0.25 if table else 0.4) * len(uneven)),
-                tool="update_layout", inputs={"ids": ids},
-            )  # fmt: skip
+                f"line up the {kinds.words(category)}s",
+                points=min(1.5, (0.25 if table else 0.4) * len(uneven)),
+                tool="update_layout",
+                inputs={"ids": ids},
+            )
 
 
 def _uneven(bodies: list[Body], seats: bool) -> list[tuple[str, str, float]]:
@@ -102,10 +106,15 @@ def _scattered(survey: Survey) -> Iterator[Finding]:
         share = len(alone) / len(tables)
         if share > 0.2:
             yield finding(
-                "layout", "scattered", alone,
-                f"{len(alone)} of {len(tables)} tables stand in no row with another", "set the tables out in rows",
-                points=0.4 + 1.8 * share, tool="update_layout", inputs={"ids": []},
-            )  # fmt: skip
+                "layout",
+                "scattered",
+                alone,
+                f"{len(alone)} of {len(tables)} tables stand in no row with another",
+                "set the tables out in rows",
+                points=0.4 + 1.8 * share,
+                tool="update_layout",
+                inputs={"ids": []},
+            )
 
 
 def _run(survey: Survey) -> Iterator[Finding]:
@@ -122,8 +131,12 @@ def _run(survey: Survey) -> Iterator[Finding]:
         for b in alone[:3]
     ]
     yield finding(
-        "layout", "broken_run", (b.id for b in alone),
+        "layout",
+        "broken_run",
+        (b.id for b in alone),
         f"{len(alone)} of {len(units)} kitchen units stand apart from all others",
-        f"put {', '.join(b.id for b in alone[:3])} beside the other units", points=0.4 + len(alone) / len(units),
-        tool="add_relation", inputs={"relations": rows},
-    )  # fmt: skip
+        f"put {', '.join(b.id for b in alone[:3])} beside the other units",
+        points=0.4 + len(alone) / len(units),
+        tool="add_relation",
+        inputs={"relations": rows},
+    )

@@ -62,11 +62,16 @@ def _range(survey: Survey, body: Body) -> Iterator[Finding]:
         target[k] = min(max(size, low), high)
     if odd:
         yield finding(
-            "layout", "wrong_size", (body.id,), f"{body.id} ({kinds.words(body.item.category)}) has {words}",
+            "layout",
+            "wrong_size",
+            (body.id,),
+            f"{body.id} ({kinds.words(body.item.category)}) has {words}",
             f"give {body.id} the size {' x '.join(f'{t:.2f}' for t in target)} m",
-            points=1.0 if worst < WRONG else min(3.0, 1.0 + worst), cap=5.0 if worst >= WRONG else None,
-            tool="update_size", inputs={"sizes": {body.id: [round(t, 3) for t in target]}},
-        )  # fmt: skip
+            points=1.0 if worst < WRONG else min(3.0, 1.0 + worst),
+            cap=5.0 if worst >= WRONG else None,
+            tool="update_size",
+            inputs={"sizes": {body.id: [round(t, 3) for t in target]}},
+        )
 
 
 def _equals(survey: Survey) -> Iterator[Finding]:
@@ -83,11 +88,15 @@ def _equals(survey: Survey) -> Iterator[Finding]:
         odd = [b for b in bodies if _factor(b, middle) > UNEQUAL]
         if odd:
             yield finding(
-                "layout", "unequal_siblings", (b.id for b in odd),
+                "layout",
+                "unequal_siblings",
+                (b.id for b in odd),
                 f"{odd[0].id} differs from {middle.id} by a factor of {_factor(odd[0], middle):.1f}",
-                f"give them the size of {middle.id}", points=0.6, tool="update_size",
+                f"give them the size of {middle.id}",
+                points=0.6,
+                tool="update_size",
                 inputs={"sizes": {b.id: list(middle.size) for b in odd}},
-            )  # fmt: skip
+            )
 
 
 def _factor(a: Body, b: Body) -> float:
@@ -104,8 +113,12 @@ def _carried(survey: Survey) -> Iterator[Finding]:
             continue
         factor = 0.4 * max(base.size[:2]) / max(body.size)
         yield finding(
-            "layout", "wrong_size", (body.id, base.id),
+            "layout",
+            "wrong_size",
+            (body.id, base.id),
             f"{body.id} measures {max(body.size):.2f} m and stands on {base.id} of {max(base.size[:2]):.2f} m",
-            f"make {body.id} smaller", points=1.5, tool="update_size",
+            f"make {body.id} smaller",
+            points=1.5,
+            tool="update_size",
             inputs={"sizes": {body.id: [round(s * factor, 3) for s in body.size]}},
-        )  # fmt: skip
+        )

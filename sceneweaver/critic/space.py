@@ -157,10 +157,16 @@ def faults(survey: Survey) -> Iterator[Finding]:
         ids = [b.id for b in sorted(survey.standing, key=lambda b: (round(-b.size[0] * b.size[1], 4), b.id))[:3]]
         spare = _spare(survey) or ids[-1:]
         yield finding(
-            "layout", "crowded", ids, f"furniture covers {covered:.0%} of the floor",
-            f"remove {', '.join(spare)}", points=0.5 + 12.0 * (covered - CROWDED),
-            cap=5.0 if covered > CROWDED + 0.15 else None, tool="remove_objects", inputs={"ids": spare},
-        )  # fmt: skip
+            "layout",
+            "crowded",
+            ids,
+            f"furniture covers {covered:.0%} of the floor",
+            f"remove {', '.join(spare)}",
+            points=0.5 + 12.0 * (covered - CROWDED),
+            cap=5.0 if covered > CROWDED + 0.15 else None,
+            tool="remove_objects",
+            inputs={"ids": spare},
+        )
     cells, row, column, rows, columns = _idle(survey)
     idle = cells * floor.cell**2
     limit = max(EMPTY_LEAST, (2.0 if sparse else 1.0) * EMPTY * survey.area)
@@ -168,18 +174,28 @@ def faults(survey: Survey) -> Iterator[Finding]:
         x, y = floor.world(row + rows / 2, column + columns / 2)
         share = idle / survey.area
         yield finding(
-            "layout", "empty_area", (),
+            "layout",
+            "empty_area",
+            (),
             f"{columns * floor.cell:.1f} x {rows * floor.cell:.1f} m around ({x:.1f}, {y:.1f}) lie empty, "
-            f"{share:.0%} of the floor", "spread the furniture over the room", points=0.4 + 5.0 * (share - EMPTY),
-            tool="update_layout", inputs={"ids": []},
-        )  # fmt: skip
+            f"{share:.0%} of the floor",
+            "spread the furniture over the room",
+            points=0.4 + 5.0 * (share - EMPTY),
+            tool="update_layout",
+            inputs={"ids": []},
+        )
     least, way = _halves(floor)
     if least < ONE_SIDED and len(survey.standing) >= 4 and not sparse and survey.area > 8.0:
         yield finding(
-            "layout", "one_sided", (),
-            f"the {way} half of the room has {least:.0%} of the furniture", "spread the furniture over the room",
-            points=0.6 + 6.0 * (ONE_SIDED - least), tool="update_layout", inputs={"ids": []},
-        )  # fmt: skip
+            "layout",
+            "one_sided",
+            (),
+            f"the {way} half of the room has {least:.0%} of the furniture",
+            "spread the furniture over the room",
+            points=0.6 + 6.0 * (ONE_SIDED - least),
+            tool="update_layout",
+            inputs={"ids": []},
+        )
 
 
 def _spare(survey: Survey) -> list[str]:

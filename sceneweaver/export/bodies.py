@@ -26,11 +26,15 @@ _SAME_SIZE = 1e-5  # [m], relative to the extents of furniture: sizes of assets 
 _CLAYS = tuple(
     Material(f"{name} clay", color, roughness=0.8)
     for name, color in (
-        ("sand", (0.80, 0.74, 0.65)), ("sage", (0.66, 0.72, 0.62)), ("rose", (0.80, 0.65, 0.60)),
-        ("sky", (0.64, 0.71, 0.78)), ("ochre", (0.80, 0.68, 0.47)), ("plum", (0.67, 0.60, 0.69)),
+        ("sand", (0.80, 0.74, 0.65)),
+        ("sage", (0.66, 0.72, 0.62)),
+        ("rose", (0.80, 0.65, 0.60)),
+        ("sky", (0.64, 0.71, 0.78)),
+        ("ochre", (0.80, 0.68, 0.47)),
+        ("plum", (0.67, 0.60, 0.69)),
         ("chalk", (0.83, 0.82, 0.79)),
     )
-)  # fmt: skip
+)
 """What a body without a mesh is made of unless its attributes say: one of these by its category."""
 
 

@@ -48,10 +48,14 @@ FORMATS: dict[str, Format] = {
         Format("usd", "scene.usdc", "USD with physics, binary", write_usd),
         Format("usda", "scene.usda", "USD with physics, as text", write_usd),
         Format("mjcf", "scene.xml", "MuJoCo, with meshes/", _write_mjcf),
-        Format("scenestate", "scenestate.json", "SceneState, with models/",
-               lambda scene, path, load: write_scenestate(scene, path, load, models=True)),
+        Format(
+            "scenestate",
+            "scenestate.json",
+            "SceneState, with models/",
+            lambda scene, path, load: write_scenestate(scene, path, load, models=True),
+        ),
     )
-}  # fmt: skip
+}
 
 USUAL = ("glb", "usd", "mjcf")
 """What is written when nobody says what."""

@@ -86,10 +86,16 @@ class _Wardrobe:
             name = f"{material.name} {len(self._materials)}"
             color = " ".join(f"{c:.4g}" for c in (*material.color, material.opacity))
             Xml.SubElement(
-                assets, "material", name=name, rgba=color, roughness=f"{material.roughness:.4g}",
-                metallic=f"{material.metallic:.4g}", emission=f"{material.emission:.4g}",
-                shininess=f"{1 - material.roughness:.4g}", specular=f"{0.5 * (1 - material.roughness):.4g}",
-            )  # fmt: skip
+                assets,
+                "material",
+                name=name,
+                rgba=color,
+                roughness=f"{material.roughness:.4g}",
+                metallic=f"{material.metallic:.4g}",
+                emission=f"{material.emission:.4g}",
+                shininess=f"{1 - material.roughness:.4g}",
+                specular=f"{0.5 * (1 - material.roughness):.4g}",
+            )
             self._materials[material] = name
         return self._materials[material]
 

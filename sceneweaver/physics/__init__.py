@@ -11,5 +11,13 @@ from .settle import settle as settle
 from .settle import stability as stability
 
 __all__ = [
-    "Many", "Model", "Settled", "build", "settle", "settle_many", "settle_scenes", "stability", "stability_many",
-]  # fmt: skip
+    "Many",
+    "Model",
+    "Settled",
+    "build",
+    "settle",
+    "settle_many",
+    "settle_scenes",
+    "stability",
+    "stability_many",
+]

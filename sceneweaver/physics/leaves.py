@@ -107,9 +107,16 @@ def _swinging(room: Room, door: Door) -> Leaf:
         boxes.append(((end - 0.01, neck, height), (0.01, (_OUT - 0.015) / 2, 0.01)))
         boxes.append(((end - long / 2, face + side * (_OUT - 0.0075), height), (long / 2, 0.0075, 0.01)))
     leaf = Leaf(
-        door.id, f"room:door:{door.id}", (x, y, 0.0), turn, "hinge", (0.0, 0.0, opens), (0.0, _OPEN),
-        _PER_AREA * width * top, tuple(boxes),
-    )  # fmt: skip
+        door.id,
+        f"room:door:{door.id}",
+        (x, y, 0.0),
+        turn,
+        "hinge",
+        (0.0, 0.0, opens),
+        (0.0, _OPEN),
+        _PER_AREA * width * top,
+        tuple(boxes),
+    )
     return _limited(leaf, _way(leaf, _walls(room), _OPEN))
 
 
@@ -138,9 +145,16 @@ def _slide(room: Room, door: Door, over: float, flip: bool) -> Leaf:
     # Open, the handle in the opening stands just before the jamb.
     travel = max(over + door.width - 0.015 - (at + 0.01), _STEP)
     return Leaf(
-        door.id, f"room:door:{door.id}", (x, y, 0.0), turn, "slide", (1.0, 0.0, 0.0), (0.0, travel),
-        _PER_AREA * width * top, tuple(boxes),
-    )  # fmt: skip
+        door.id,
+        f"room:door:{door.id}",
+        (x, y, 0.0),
+        turn,
+        "slide",
+        (1.0, 0.0, 0.0),
+        (0.0, travel),
+        _PER_AREA * width * top,
+        tuple(boxes),
+    )
 
 
 def _limited(leaf: Leaf, most: float) -> Leaf:

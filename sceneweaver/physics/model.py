@@ -95,8 +95,13 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) ->
     Xml.SubElement(root, "compiler", angle="radian", meshdir="meshes", boundinertia="1e-7")
     # No noslip pass: its cost grows with the square of the contacts, and over 3 s nothing creeps without it.
     Xml.SubElement(
-        root, "option", timestep=_n(STEP), integrator="implicitfast", cone="elliptic", impratio="10",
-    )  # fmt: skip
+        root,
+        "option",
+        timestep=_n(STEP),
+        integrator="implicitfast",
+        cone="elliptic",
+        impratio="10",
+    )
     # Contacts and their constraints live here; the default is too small for a hundred pieces of many parts each.
     Xml.SubElement(root, "size", memory=MEMORY)
     Xml.SubElement(root, "statistic", center=_v(_middle(scene.room)), extent=_n(_reach(scene.room)))
@@ -109,11 +114,26 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) ->
     Xml.SubElement(seen, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0", rgba=_UNSET)
     assets = Xml.SubElement(root, "asset")
     if dress is not None:
-        Xml.SubElement(assets, "texture", type="skybox", builtin="gradient", rgb1="0.8 0.84 0.88",
-                       rgb2="0.97 0.96 0.94", width="64", height="384")  # fmt: skip
+        Xml.SubElement(
+            assets,
+            "texture",
+            type="skybox",
+            builtin="gradient",
+            rgb1="0.8 0.84 0.88",
+            rgb2="0.97 0.96 0.94",
+            width="64",
+            height="384",
+        )
     world = Xml.SubElement(root, "worldbody")
-    Xml.SubElement(world, "light", directional="true", pos=_v((*_middle(scene.room)[:2], 2 * scene.room.height)),
-                   dir="-0.35 0.25 -1", diffuse="0.55 0.53 0.5", specular="0.1 0.1 0.1")  # fmt: skip
+    Xml.SubElement(
+        world,
+        "light",
+        directional="true",
+        pos=_v((*_middle(scene.room)[:2], 2 * scene.room.height)),
+        dir="-0.35 0.25 -1",
+        diffuse="0.55 0.53 0.5",
+        specular="0.1 0.1 0.1",
+    )
     _shell(world, scene.room)
     contact = Xml.SubElement(root, "contact")
     made: set[str] = set()
@@ -192,9 +212,16 @@ def _shell(world: Xml.Element, room: Room) -> None:
     """The floor, and each wall as boxes around its openings; windows have a pane, doorways are open."""
     middle = _middle(room)
     Xml.SubElement(
-        world, "geom", name="room:floor", type="plane", pos=_v((*middle[:2], 0)), size=_v((_reach(room),) * 2 + (0.1,)),
-        group="0", rgba="0.74 0.62 0.48 1", friction="0.8",
-    )  # fmt: skip
+        world,
+        "geom",
+        name="room:floor",
+        type="plane",
+        pos=_v((*middle[:2], 0)),
+        size=_v((_reach(room),) * 2 + (0.1,)),
+        group="0",
+        rgba="0.74 0.62 0.48 1",
+        friction="0.8",
+    )
     n = len(room.outline)
     for k in range(n):
         (ax, ay), (bx, by) = room.outline[k], room.outline[(k + 1) % n]
@@ -229,15 +256,31 @@ def _leaf(world: Xml.Element, leaf: Leaf) -> None:
     frame = Xml.SubElement(world, "body", name=leaf.name, pos=_v(leaf.position), quat=_yaw(leaf.yaw))
     hold = 0.05 * leaf.mass if leaf.joint == "hinge" else 0.3 * leaf.mass  # [N m] or [N]: about 1 and 6
     Xml.SubElement(
-        frame, "joint", name=leaf.name, type=leaf.joint, axis=_v(leaf.axis), limited="true", range=_v(leaf.limits),
-        damping=_n(hold), frictionloss=_n(hold), armature="0.001", solreflimit=_STOP,
-    )  # fmt: skip
+        frame,
+        "joint",
+        name=leaf.name,
+        type=leaf.joint,
+        axis=_v(leaf.axis),
+        limited="true",
+        range=_v(leaf.limits),
+        damping=_n(hold),
+        frictionloss=_n(hold),
+        armature="0.001",
+        solreflimit=_STOP,
+    )
     volumes = [float(np.prod(half)) for _, half in leaf.boxes]
     for (centre, half), volume in zip(leaf.boxes, volumes, strict=True):
         Xml.SubElement(
-            frame, "geom", type="box", pos=_v(centre), size=_v(half), group="0", rgba="0.82 0.74 0.62 1",
-            mass=_n(leaf.mass * volume / sum(volumes)), friction="0.5",
-        )  # fmt: skip
+            frame,
+            "geom",
+            type="box",
+            pos=_v(centre),
+            size=_v(half),
+            group="0",
+            rgba="0.82 0.74 0.62 1",
+            mass=_n(leaf.mass * volume / sum(volumes)),
+            friction="0.5",
+        )
 
 
 def joint_of(
@@ -275,10 +318,19 @@ def _body(
         mine = sum(s.volume for s in thing.solids if s.link == number) / total * thing.mass
         axis, limits, hold = joint_of(link, thing.scale, mine)
         Xml.SubElement(
-            frame, "joint", name=f"{id}/{link.name}", type=link.joint, axis=_v(axis),
-            pos=_v(np.asarray(link.anchor) * np.asarray(thing.scale)), limited="true", range=_v(limits),
-            damping=_n(hold), frictionloss=_n(hold), armature="0.001", solreflimit=_STOP,
-        )  # fmt: skip
+            frame,
+            "joint",
+            name=f"{id}/{link.name}",
+            type=link.joint,
+            axis=_v(axis),
+            pos=_v(np.asarray(link.anchor) * np.asarray(thing.scale)),
+            limited="true",
+            range=_v(limits),
+            damping=_n(hold),
+            frictionloss=_n(hold),
+            armature="0.001",
+            solreflimit=_STOP,
+        )
         frames.append(frame)
         if not thing.free:  # a body that is part of the world is not left out as a parent is
             Xml.SubElement(contact, "exclude", body1=id, body2=f"{id}/{link.name}")

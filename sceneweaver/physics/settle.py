@@ -83,8 +83,14 @@ def _run(model: Model, seconds: float) -> dict[str, Pose]:
         if any(data.warning[int(k)].number for k in (kinds.mjWARN_CONTACTFULL, kinds.mjWARN_CNSTRFULL)):
             raise InputError(_FULL)
         # MuJoCo begins anew where numbers get too large, and things would seem to be where they were.
-        bad = next((k for k in (kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
-                    if data.warning[int(k)].number), None)  # fmt: skip
+        bad = next(
+            (
+                k
+                for k in (kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
+                if data.warning[int(k)].number
+            ),
+            None,
+        )
         if bad is not None or not np.isfinite(data.qpos).all():
             near = "" if bad in (None, kinds.mjWARN_BADQPOS) else _near(loaded, data.warning[int(bad)].lastinfo)
             raise InputError(f"objects: the simulation diverged{near}; take objects apart that overlap deeply")

@@ -45,10 +45,13 @@ class Solver:
         """Write the settings into an MjModel."""
         cones, methods = {"pyramidal": 0, "elliptic": 1}, {"cg": 1, "newton": 2}
         values = {
-            "noslip_iterations": self.noslip, "cone": None if self.cone is None else cones[self.cone],
-            "solver": None if self.method is None else methods[self.method], "impratio": self.impratio,
-            "iterations": self.iterations, "tolerance": self.tolerance,
-        }  # fmt: skip
+            "noslip_iterations": self.noslip,
+            "cone": None if self.cone is None else cones[self.cone],
+            "solver": None if self.method is None else methods[self.method],
+            "impratio": self.impratio,
+            "iterations": self.iterations,
+            "tolerance": self.tolerance,
+        }
         for name, value in values.items():
             if value is not None:
                 setattr(model.opt, name, value)
@@ -77,9 +80,14 @@ class Template:
 
     @classmethod
     def of(
-        cls, xml: str, files: dict[str, bytes], free: Sequence[str], fixed: Sequence[str], middle: Sequence[float],
+        cls,
+        xml: str,
+        files: dict[str, bytes],
+        free: Sequence[str],
+        fixed: Sequence[str],
+        middle: Sequence[float],
         solver: Solver = PRODUCT,
-    ) -> Template:  # fmt: skip
+    ) -> Template:
         """Compile a model; ``middle`` [N] as in ``Template``, free ones first."""
         mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
         model = mujoco.MjModel.from_xml_string(xml, files)
@@ -171,11 +179,18 @@ def merged(parts: Sequence[Outcome]) -> Outcome:
 
     problems = [p.problem for p in parts if p.problem]
     return Outcome(
-        np.concatenate([p.poses for p in parts]), np.concatenate([p.overflow for p in parts]),
-        np.concatenate([p.diverged for p in parts]), max(p.contacts for p in parts), max(p.constraints for p in parts),
-        sum(p.seconds for p in parts), sum(p.grown for p in parts), parts[-1].room, joined("unfinished"),
-        joined("inexact"), problems[0] if problems else None,
-    )  # fmt: skip
+        np.concatenate([p.poses for p in parts]),
+        np.concatenate([p.overflow for p in parts]),
+        np.concatenate([p.diverged for p in parts]),
+        max(p.contacts for p in parts),
+        max(p.constraints for p in parts),
+        sum(p.seconds for p in parts),
+        sum(p.grown for p in parts),
+        parts[-1].room,
+        joined("unfinished"),
+        joined("inexact"),
+        problems[0] if problems else None,
+    )
 
 
 def steps_of(seconds: float) -> int:
@@ -227,10 +242,14 @@ def run_c(template: Template, start: np.ndarray, steps: int, threads: int = 1) -
             "be said of those; use fewer objects"
         )
     return Outcome(
-        poses=template.read(end, start), overflow=full, diverged=np.array([row[2] for row in found], dtype=bool),
+        poses=template.read(end, start),
+        overflow=full,
+        diverged=np.array([row[2] for row in found], dtype=bool),
         contacts=float(max((row[3] for row in found), default=0)),
-        constraints=max((row[4] for row in found), default=0), seconds=time.perf_counter() - began, problem=problem,
-    )  # fmt: skip
+        constraints=max((row[4] for row in found), default=0),
+        seconds=time.perf_counter() - began,
+        problem=problem,
+    )
 
 
 def _some(

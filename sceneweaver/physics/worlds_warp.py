@@ -129,13 +129,19 @@ def launch(template: Template, start: np.ndarray, steps: int, device: str, room:
     problem = _problem(overflow, room, peak) if overflow.any() else None
     rest = np.abs(np.concatenate([end, data.qvel.numpy()], axis=1))
     return Outcome(
-        poses=template.read(end, start), overflow=overflow,
+        poses=template.read(end, start),
+        overflow=overflow,
         diverged=np.logical_not((rest < _HUGE).all(axis=1)),
-        contacts=float(peak[0]) / worlds, constraints=int(peak[2]), seconds=seconds, grown=grown,
+        contacts=float(peak[0]) / worlds,
+        constraints=int(peak[2]),
+        seconds=seconds,
+        grown=grown,
         room={"contacts": room.contacts, "touching": room.touching, "rows": room.rows}
         | {"contacts_most": int(peak[0]), "near_most": int(peak[1])},
-        unfinished=(bits & kinds["iterations"]) != 0, inexact=(bits & kinds["pair"]) != 0, problem=problem,
-    )  # fmt: skip
+        unfinished=(bits & kinds["iterations"]) != 0,
+        inexact=(bits & kinds["pair"]) != 0,
+        problem=problem,
+    )
 
 
 def _attempt(

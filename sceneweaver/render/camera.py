@@ -54,8 +54,9 @@ class Camera:
         """A perspective camera that looks along ``direction`` and holds the box from ``low`` to ``high`` just so."""
         _check_lens(fov, aspect)
         low, high = np.asarray(low, dtype=float), np.asarray(high, dtype=float)
-        corners = np.array([[(low, high)[i][0], (low, high)[j][1], (low, high)[k][2]] for i in (0, 1) for j in (0, 1)
-                            for k in (0, 1)])  # fmt: skip
+        corners = np.array(
+            [[(low, high)[i][0], (low, high)[j][1], (low, high)[k][2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+        )
         return cls.holding(corners, direction, fov, aspect, margin)
 
     @classmethod

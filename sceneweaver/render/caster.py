@@ -101,9 +101,15 @@ class Picture:
 
 
 def cast(
-    instances: list[Instance], camera: Camera, width: int, height: int, *, lighting: Lighting | None = None,
-    quality: Quality | None = None, device: str = "cpu",
-) -> Picture:  # fmt: skip
+    instances: list[Instance],
+    camera: Camera,
+    width: int,
+    height: int,
+    *,
+    lighting: Lighting | None = None,
+    quality: Quality | None = None,
+    device: str = "cpu",
+) -> Picture:
     """Draw instances.
 
     Raises:
@@ -154,14 +160,22 @@ def cast(
             _in_bands(band, len(which), one_core)
 
         def develop(start: int, count: int) -> None:
-            wp.launch(raycast.develop, count, [width, height, start, quality.radius, lighting.exposure, color, lit,
-                      shine, normal, depth, objects], [out], device=device)  # fmt: skip
+            wp.launch(
+                raycast.develop,
+                count,
+                [width, height, start, quality.radius, lighting.exposure, color, lit, shine, normal, depth, objects],
+                [out],
+                device=device,
+            )
 
         draw(np.arange(pixels), 1 if quality.sparing else quality.rays, quality.shades)
         if quality.sparing and quality.rays > 1:
             shape = (height, width)
-            edges = _changes(objects.numpy().reshape(shape), depth.numpy().reshape(shape),
-                             *(a.numpy().reshape(*shape, 3) for a in (normal, color, shine)))  # fmt: skip
+            edges = _changes(
+                objects.numpy().reshape(shape),
+                depth.numpy().reshape(shape),
+                *(a.numpy().reshape(*shape, 3) for a in (normal, color, shine)),
+            )
             # Edges have fewer neighbours to be smoothed with.
             draw(np.flatnonzero(edges), quality.rays, quality.shades + 1)
         _in_bands(develop, pixels, one_core)
@@ -243,8 +257,13 @@ def _solid(instances: list[Instance], lighting: Lighting):
     solid.local = wp.array(np.concatenate(local), dtype=wp.vec3)
     shutters = lighting.shutters
     if shutters is None:
-        shutters = Mesh(np.array([[0, 0, -1e6], [1e-3, 0, -1e6], [0, 1e-3, -1e6]]), np.array([[0, 1, 2]]),
-                        np.zeros(1, int), np.zeros(1, int), ())  # fmt: skip
+        shutters = Mesh(
+            np.array([[0, 0, -1e6], [1e-3, 0, -1e6], [0, 1e-3, -1e6]]),
+            np.array([[0, 1, 2]]),
+            np.zeros(1, int),
+            np.zeros(1, int),
+            (),
+        )
     behind = wp.Mesh(
         points=wp.array(shutters.vertices, dtype=wp.vec3), indices=wp.array(shutters.faces.reshape(-1), dtype=int)
     )
@@ -262,9 +281,11 @@ def _transform(instance: Instance, number: int) -> np.ndarray:
 
 def _check_device(device: str) -> None:
     wp.init()
-    if device != "cpu" and device not in (found.alias for found in wp.get_cuda_devices()) and not (
-        device == "cuda" and wp.is_cuda_available()
-    ):  # fmt: skip
+    if (
+        device != "cpu"
+        and device not in (found.alias for found in wp.get_cuda_devices())
+        and not (device == "cuda" and wp.is_cuda_available())
+    ):
         raise MissingDependencyError(f'device: "{device}" is not there; use device="cpu"')
 
 

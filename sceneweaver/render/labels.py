@@ -103,9 +103,12 @@ def _by_number(order: Sequence[Wanted], fits: dict[str, Placed | None]) -> froze
 
 
 def _calm(
-    grid: _Grid, order: Sequence[Wanted], fits: dict[str, Placed | None], by_number: frozenset[str],
+    grid: _Grid,
+    order: Sequence[Wanted],
+    fits: dict[str, Placed | None],
+    by_number: frozenset[str],
     sizes: Sequence[int],
-) -> Iterator[tuple[Wanted, Placed | None]]:  # fmt: skip
+) -> Iterator[tuple[Wanted, Placed | None]]:
     """Labels inside their objects, with one size for all of a category: the smallest that any of them needs."""
     small = (sizes[-1], max(7, round(sizes[-1] * 0.8)))
     for w in order:

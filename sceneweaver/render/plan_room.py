@@ -90,12 +90,16 @@ def _draw_door(canvas: Canvas, view: View, wall: Wall, door: Door, unit: float) 
     if door.swing == "slide":
         canvas.polygon(
             view.points(wall.strip(start + width * 0.5, width * 0.62, 0.02, 0.02 + leaf)),
-            fill=palette.PAPER, line=palette.WALL, width=1.3 * unit,
-        )  # fmt: skip
+            fill=palette.PAPER,
+            line=palette.WALL,
+            width=1.3 * unit,
+        )
         canvas.polygon(
             view.points(wall.strip(start, width * 0.5, -t / 2 - leaf / 2, -t / 2 + leaf / 2)),
-            fill=palette.PAPER, line=palette.WALL, width=1.3 * unit,
-        )  # fmt: skip
+            fill=palette.PAPER,
+            line=palette.WALL,
+            width=1.3 * unit,
+        )
         return
     side = 1.0 if door.swing == "in-right" else -1.0
     hinge = end if side > 0 else start

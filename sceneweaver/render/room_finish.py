@@ -13,11 +13,11 @@ FLOORS = ("wood", "tile", "carpet", "concrete", "stone")
 
 _BY_WORD = {
     "tile": "bathroom toilet kitchen laundry restroom washroom hospital clinic dentist bakery cafe canteen laboratory "
-            "examination supermarket",
+    "examination supermarket",
     "carpet": "office meeting conference hotel cinema theater lecture library waiting computer",
     "concrete": "garage storage warehouse workshop gym server basement hall",
     "stone": "lobby reception museum gallery bank",
-}  # fmt: skip
+}
 _FLOOR_OF = {word: floor for floor, words in _BY_WORD.items() for word in words.split()}
 _PAINT = Material("wall paint", (0.905, 0.89, 0.865), roughness=0.95)
 

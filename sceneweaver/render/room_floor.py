@@ -15,8 +15,14 @@ SLAB = 0.06
 
 _JOINT_DEPTH = 0.004
 _SIDE = Material("slab side", (0.70, 0.68, 0.65), roughness=0.9)
-_WOOD = ((0.745, 0.575, 0.405), (0.715, 0.545, 0.380), (0.765, 0.600, 0.432), (0.690, 0.525, 0.365),
-         (0.735, 0.560, 0.388), (0.755, 0.590, 0.420))  # fmt: skip
+_WOOD = (
+    (0.745, 0.575, 0.405),
+    (0.715, 0.545, 0.380),
+    (0.765, 0.600, 0.432),
+    (0.690, 0.525, 0.365),
+    (0.735, 0.560, 0.388),
+    (0.755, 0.590, 0.420),
+)
 _TILE = ((0.795, 0.775, 0.745), (0.775, 0.757, 0.728), (0.810, 0.790, 0.760))
 _STONE = ((0.70, 0.685, 0.655), (0.675, 0.66, 0.63), (0.725, 0.71, 0.68), (0.69, 0.672, 0.64))
 
@@ -81,9 +87,12 @@ def _flat(builder: Builder, rings: Sequence[np.ndarray], material: Material) -> 
 
 
 def _laid(
-    builder: Builder, plan: np.ndarray, cells: Iterator[np.ndarray], tones: Sequence[Material],
+    builder: Builder,
+    plan: np.ndarray,
+    cells: Iterator[np.ndarray],
+    tones: Sequence[Material],
     rng: np.random.Generator,
-) -> None:  # fmt: skip
+) -> None:
     """Cells [4, 2] cut to the plan, each in one of the tones."""
     import shapely
 

@@ -98,8 +98,9 @@ def _axes(canvas: Canvas, view: View, unit: float) -> None:
         wing = 0.5 * head
         canvas.line((origin, base), (255, 255, 255, 210), 5.5 * unit)
         canvas.line((origin, base), color, 3.2 * unit)
-        canvas.polygon([tip, (base[0] + dy * wing, base[1] + dx * wing), (base[0] - dy * wing, base[1] - dx * wing)],
-                       fill=color)  # fmt: skip
+        canvas.polygon(
+            [tip, (base[0] + dy * wing, base[1] + dx * wing), (base[0] - dy * wing, base[1] - dx * wing)], fill=color
+        )
         at = (tip[0] + dx * 10 * unit, tip[1] + dy * 10 * unit)
         canvas.text(Text((name,), at, size, color, palette.PAPER, max(1, round(2 * unit)), bold=True))
     _disc(canvas, origin, 8 * unit, (255, 255, 255), Z_AXIS)
@@ -131,9 +132,14 @@ def _box(canvas: Canvas, view: View, thing: SceneObject, unit: float, dashed: bo
 
 
 def _names(
-    canvas: Canvas, scene: Scene, view: View, large: Sequence[SceneObject], discs: np.ndarray, radius: float,
+    canvas: Canvas,
+    scene: Scene,
+    view: View,
+    large: Sequence[SceneObject],
+    discs: np.ndarray,
+    radius: float,
     unit: float,
-) -> None:  # fmt: skip
+) -> None:
     """The id of each thing on the floor, inside its outline or beside it, never over another name or a disc."""
     plain = scene.model_copy(update={"objects": tuple(large)})
     items = items_of(plain)

@@ -34,16 +34,25 @@ def add_door(builder: Builder, frame: WallFrame, door: Door, thickness: float, l
 
 
 def _leaf(
-    builder: Builder, frame: WallFrame, hinge: tuple[float, float], angle: float, width: float, low: float,
-    high: float, look: Finishes, way: float,
-) -> None:  # fmt: skip
+    builder: Builder,
+    frame: WallFrame,
+    hinge: tuple[float, float],
+    angle: float,
+    width: float,
+    low: float,
+    high: float,
+    look: Finishes,
+    way: float,
+) -> None:
     """A leaf from its hinge (s, t) toward ``way`` along the wall, turned into the room by ``angle``."""
     along = np.array([way * np.cos(angle), -np.sin(angle)])
     across = np.array([way * np.sin(angle), np.cos(angle)])
 
     def block(a: Range, b: Range) -> np.ndarray:
-        corners = [np.asarray(hinge) + along * u + across * v for u, v in
-                   ((a[0], b[1]), (a[1], b[1]), (a[1], b[0]), (a[0], b[0]))]  # fmt: skip
+        corners = [
+            np.asarray(hinge) + along * u + across * v
+            for u, v in ((a[0], b[1]), (a[1], b[1]), (a[1], b[0]), (a[0], b[0]))
+        ]
         plan = frame.points([(float(p[0]), float(p[1])) for p in corners])
         return plan if way > 0 else plan[::-1]
 

@@ -29,9 +29,14 @@ ROOM_VIEWS = ("corner", "corner2", "top", "top_annotated")
 
 
 def draw_room(
-    scene: Scene, load: Callable[[str], Asset] | None = None, view: str = "corner", width: int = 1280,
-    height: int = 960, quality: Quality | None = None, device: str = "cpu",
-) -> Image.Image:  # fmt: skip
+    scene: Scene,
+    load: Callable[[str], Asset] | None = None,
+    view: str = "corner",
+    width: int = 1280,
+    height: int = 960,
+    quality: Quality | None = None,
+    device: str = "cpu",
+) -> Image.Image:
     """One picture of a furnished room.
 
     Args:
@@ -50,9 +55,14 @@ def draw_room(
 
 
 def draw_rooms(
-    scene: Scene, load: Callable[[str], Asset] | None = None, views: Sequence[str] = ("corner", "top"),
-    width: int = 1280, height: int = 960, quality: Quality | None = None, device: str = "cpu",
-) -> dict[str, Image.Image]:  # fmt: skip
+    scene: Scene,
+    load: Callable[[str], Asset] | None = None,
+    views: Sequence[str] = ("corner", "top"),
+    width: int = 1280,
+    height: int = 960,
+    quality: Quality | None = None,
+    device: str = "cpu",
+) -> dict[str, Image.Image]:
     """Several pictures of one room, by view; see ``draw_room``."""
     for view in views:
         if view not in ROOM_VIEWS:

@@ -98,9 +98,14 @@ class Key:
 
 
 def draw_footer(
-    width: int, unit: float, view: View, key: Key, categories: Sequence[tuple[str, palette.Rgb, int]],
-    notes: Sequence[str], alarms: Sequence[str],
-) -> Image.Image:  # fmt: skip
+    width: int,
+    unit: float,
+    view: View,
+    key: Key,
+    categories: Sequence[tuple[str, palette.Rgb, int]],
+    notes: Sequence[str],
+    alarms: Sequence[str],
+) -> Image.Image:
     """The foot of the sheet: scale bar and key, then categories, then notes and violations."""
     margin, row = 60 * unit, 30 * unit
     size = max(8, round(16 * unit))
@@ -142,8 +147,12 @@ def _draw_scale_bar(canvas: Canvas, view: View, x: float, y: float, width: int, 
     piece = metres * view.scale / 4
     tall = 4 * unit
     for k in range(4):
-        box = ((x + k * piece, y - tall), (x + (k + 1) * piece, y - tall), (x + (k + 1) * piece, y + tall),
-               (x + k * piece, y + tall))  # fmt: skip
+        box = (
+            (x + k * piece, y - tall),
+            (x + (k + 1) * piece, y - tall),
+            (x + (k + 1) * piece, y + tall),
+            (x + k * piece, y + tall),
+        )
         canvas.polygon(box, palette.INK if k % 2 == 0 else palette.PAPER, palette.INK, 1.2 * unit)
     canvas.text(Text((f"{metres:g} m",), (x + 4 * piece + 12 * unit, y), size, palette.INK, anchor="l"))
 

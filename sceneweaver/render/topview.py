@@ -132,8 +132,9 @@ def _draw_sheet(
     labelling = _draw_labels(canvas, view, items, (owners, edges), alarmed, unit)
     sheet.draw_axes(canvas, view, bounds_of(room.outline), shown, unit)
 
-    head = sheet.draw_title(width, unit, printable(scene.id), _facts(scene), printable(scene.prompt),
-                            _verdict(scene, violations, valid))  # fmt: skip
+    head = sheet.draw_title(
+        width, unit, printable(scene.id), _facts(scene), printable(scene.prompt), _verdict(scene, violations, valid)
+    )
     foot = _foot(scene, items, violations, soft, labelling, view, size, unit)
     parts = (head, canvas.finish(), foot)
     image = Image.new("RGB", (width, sum(p.height for p in parts)), palette.PAPER)
@@ -199,9 +200,13 @@ def _order(violation: ViolationLike) -> tuple[str, tuple[str, ...], str]:
 
 
 def _draw_labels(
-    canvas: Canvas, view: View, items: Sequence[Item], grids: tuple[np.ndarray, np.ndarray], alarmed: frozenset[str],
+    canvas: Canvas,
+    view: View,
+    items: Sequence[Item],
+    grids: tuple[np.ndarray, np.ndarray],
+    alarmed: frozenset[str],
     unit: float,
-) -> labels.Labelling:  # fmt: skip
+) -> labels.Labelling:
     wanted = []
     number = {item.id: k + 1 for k, item in enumerate(items)}
     for k, item in enumerate(items):
@@ -232,9 +237,15 @@ def _draw_labels(
 
 
 def _foot(
-    scene: Scene, items: Sequence[Item], violations: Sequence[ViolationLike], soft: int,
-    labelling: labels.Labelling, view: View, size: tuple[int, int], unit: float,
-) -> Image.Image:  # fmt: skip
+    scene: Scene,
+    items: Sequence[Item],
+    violations: Sequence[ViolationLike],
+    soft: int,
+    labelling: labels.Labelling,
+    view: View,
+    size: tuple[int, int],
+    unit: float,
+) -> Image.Image:
     key = sheet.Key(
         arrows=bool(items),
         zones=any(i.obj.zones for i in items),

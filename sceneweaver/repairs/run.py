@@ -69,9 +69,17 @@ def repair_report(
     before = _judge(scene, relations)
     if before.valid:
         return Repair(
-            source=scene, scene=scene, before=before, after=before, moves=(), notes=(), explanation=None, seed=seed,
-            device=None, seconds=time.monotonic() - began,
-        )  # fmt: skip
+            source=scene,
+            scene=scene,
+            before=before,
+            after=before,
+            moves=(),
+            notes=(),
+            explanation=None,
+            seed=seed,
+            device=None,
+            seconds=time.monotonic() - began,
+        )
     budget = {"candidates": candidates, "seed": seed, "device": device}
     solution, options = _solve(scene, relations, time_limit=time_limit, **budget)
     if relations and solution.status.min() != 0:  # where relations cannot hold, everything else still can

@@ -77,9 +77,12 @@ def _ours(node: dict[str, Any], shape: Any) -> tuple[SceneObject, np.ndarray]:
     pose = Pose(position=tuple(node["translation"]), quaternion=tuple(node["rotation"]))
     mount = extras.get("mount", "floor")
     thing = SceneObject(
-        id=node["name"], category=extras["category"], size=tuple(extras["size"]), pose=pose,
+        id=node["name"],
+        category=extras["category"],
+        size=tuple(extras["size"]),
+        pose=pose,
         mount="floor" if mount == "surface" else mount,
-    )  # fmt: skip
+    )
     return thing, np.asarray(shape.vertices) * np.asarray(node.get("scale", (1.0, 1.0, 1.0)))
 
 
@@ -107,9 +110,16 @@ def _asset(id: str, category: str, vertices: np.ndarray, shape: Any) -> Asset:
     materials = tuple(Material(f"color {k}", (r, g, b)) for k, (r, g, b) in enumerate(colors)) or (_GREY,)
     mesh = Mesh(np.asarray(vertices), faces, kinds, np.zeros_like(kinds), materials)
     return Asset(
-        id=id, category=category, mesh=mesh, hulls=(), parts=(), mount="floor", mass=1.0, friction=0.5,
+        id=id,
+        category=category,
+        mesh=mesh,
+        hulls=(),
+        parts=(),
+        mount="floor",
+        mass=1.0,
+        friction=0.5,
         origin=Origin("glb", "unknown"),
-    )  # fmt: skip
+    )
 
 
 def _colors(shape: Any, faces: np.ndarray) -> tuple[list[tuple[float, float, float]], np.ndarray]:

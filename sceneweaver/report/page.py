@@ -18,8 +18,16 @@ from .html import esc, json_block, picture_url
 from .view3d import pack
 
 _SCRIPTS = (
-    "linear.js", "decode.js", "shaders.js", "renderer.js", "targets.js", "marks.js", "orbit.js", "panel.js", "main.js",
-)  # fmt: skip
+    "linear.js",
+    "decode.js",
+    "shaders.js",
+    "renderer.js",
+    "targets.js",
+    "marks.js",
+    "orbit.js",
+    "panel.js",
+    "main.js",
+)
 _BUTTONS = (
     ("button-reset", "Reset view", None),
     ("button-top", "Top view", None),

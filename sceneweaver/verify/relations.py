@@ -258,10 +258,16 @@ def _beside(case: Case) -> Verdict:
     dx, dy = case.subject.position[0] - face.centre[0], case.subject.position[1] - face.centre[1]
     beyond = dx * face.normal[0] + dy * face.normal[1]
     aside = abs(dy * face.normal[0] - dx * face.normal[1])
-    return judge([[
-        Term("distance beyond its face", beyond, 0.0, case.number("max"), "m", TOLERANCE),
-        at_most("aside", aside, case.number("band") / 2 * 2 * face.half),
-    ]], "", ROUNDING)  # fmt: skip
+    return judge(
+        [
+            [
+                Term("distance beyond its face", beyond, 0.0, case.number("max"), "m", TOLERANCE),
+                at_most("aside", aside, case.number("band") / 2 * 2 * face.half),
+            ]
+        ],
+        "",
+        ROUNDING,
+    )
 
 
 def _centered_on(case: Case) -> Verdict:
@@ -279,10 +285,16 @@ def _between(case: Case) -> Verdict:
         return no("the two targets stand in one place")
     px, py = case.subject.position[0] - a[0], case.subject.position[1] - a[1]
     low, high = case.spec.value(case.relation, "along")
-    return judge([[
-        Term("along the line", (px * dx + py * dy) / size, low * size, high * size),
-        at_most("aside", abs(px * dy - py * dx) / size, case.number("aside")),
-    ]], "", ROUNDING)  # fmt: skip
+    return judge(
+        [
+            [
+                Term("along the line", (px * dx + py * dy) / size, low * size, high * size),
+                at_most("aside", abs(px * dy - py * dx) / size, case.number("aside")),
+            ]
+        ],
+        "",
+        ROUNDING,
+    )
 
 
 # ---- heights and supports --------------------------------------------------------------------------------------------
@@ -323,10 +335,16 @@ def _over(case: Case) -> Verdict:
     aside = abs(other.local(subject.centre)[1])
     above = case.relation.type == "above"
     clear = bottom(subject) - other.z[1] if above else bottom(other) - subject.z[1]
-    return judge([[
-        at_least("clearance", clear, 0.0, slack=TOLERANCE),
-        at_most("aside", aside, case.number("lateral") * other.size[1], slack=TOLERANCE),
-    ]], "", ROUNDING)  # fmt: skip
+    return judge(
+        [
+            [
+                at_least("clearance", clear, 0.0, slack=TOLERANCE),
+                at_most("aside", aside, case.number("lateral") * other.size[1], slack=TOLERANCE),
+            ]
+        ],
+        "",
+        ROUNDING,
+    )
 
 
 def _same_height(case: Case) -> Verdict:

@@ -214,11 +214,17 @@ def _rotation(quaternion: tuple[float, float, float, float]) -> tuple[Array, flo
     x, y, z, w = (c / norm for c in quaternion)
     yaw = math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
     if math.acos(max(-1.0, min(1.0, 1 - 2 * (x * x + y * y)))) > TILT:
-        return np.array([
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-        ]), yaw, True  # fmt: skip
+        return (
+            np.array(
+                [
+                    [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                    [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                    [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+                ]
+            ),
+            yaw,
+            True,
+        )
     c, s = math.cos(yaw), math.sin(yaw)
     return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]), yaw, False
 

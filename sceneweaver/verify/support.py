@@ -80,9 +80,7 @@ def rest(placed: Placed, body: Body, supporter: Body, surface: Surface) -> Rest:
     board = np.asarray(surface.polygon, dtype=float)
     if body.tilted or supporter.tilted:
         origin = np.asarray(supporter.position)
-        parts = [
-            (body.to_world(extrude(p.polygon, p.z)) - origin) @ supporter.rotation for p in body.item.solids
-        ]  # fmt: skip
+        parts = [(body.to_world(extrude(p.polygon, p.z)) - origin) @ supporter.rotation for p in body.item.solids]
         heights = np.concatenate(parts)[:, 2]
         low, high = float(heights.min()) - surface.z, float(heights.max()) - surface.z
         feet = shapely.convex_hull(np.array([shapely.multipoints(p[:, :2]) for p in parts]))

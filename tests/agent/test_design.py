@@ -74,8 +74,20 @@ def test_killed_after_any_step_it_ends_with_the_same_scene(whole, tmp_path):
 
 
 def test_killed_from_outside_it_goes_on(whole, tmp_path):
-    command = [sys.executable, "-m", "sceneweaver.cli", "design", ASKED, "--out", str(tmp_path), "--seed", "4",
-               "--no-pictures", "--candidates", "32"]  # fmt: skip
+    command = [
+        sys.executable,
+        "-m",
+        "sceneweaver.cli",
+        "design",
+        ASKED,
+        "--out",
+        str(tmp_path),
+        "--seed",
+        "4",
+        "--no-pictures",
+        "--candidates",
+        "32",
+    ]
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     until = time.monotonic() + 60
     while not (tmp_path / "state.json").exists() and time.monotonic() < until and process.poll() is None:

@@ -19,9 +19,14 @@ CARDS = {name: tool.card for name, tool in tools().items()}
 def _situation(faults=(), memory=None, scene=True, **settings):
     review = Review(grades=dict.fromkeys(CRITERIA, 8.0), faults=tuple(faults))
     return Situation(
-        Brief(text="a bedroom", room="bedroom"), room_type("bedroom"), Scene.example("bedroom") if scene else None,
-        review if scene else None, memory or Memory(), CARDS, Settings(**settings),
-    )  # fmt: skip
+        Brief(text="a bedroom", room="bedroom"),
+        room_type("bedroom"),
+        Scene.example("bedroom") if scene else None,
+        review if scene else None,
+        memory or Memory(),
+        CARDS,
+        Settings(**settings),
+    )
 
 
 def _fault(tool, points, **inputs):

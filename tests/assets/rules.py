@@ -201,8 +201,9 @@ def _grid(shape, count: int = 8) -> np.ndarray:
     import shapely
 
     x0, y0, x1, y1 = shape.bounds
-    x, y = np.meshgrid(x0 + (np.arange(count) + 0.493) / count * (x1 - x0),
-                       y0 + (np.arange(count) + 0.507) / count * (y1 - y0))  # fmt: skip
+    x, y = np.meshgrid(
+        x0 + (np.arange(count) + 0.493) / count * (x1 - x0), y0 + (np.arange(count) + 0.507) / count * (y1 - y0)
+    )
     points = np.c_[x.ravel(), y.ravel()]
     inside = points[shapely.contains_xy(shape, points)]
     return inside if len(inside) else np.array([shape.representative_point().coords[0]])
@@ -266,13 +267,17 @@ def main() -> int:
             for key in ("outside", "excess", "triangles", "prisms", "hulls"):
                 setattr(worst, key, max(getattr(worst, key), getattr(found, key)))
         rows.append((name, worst, statistics.median(seconds[-options.seeds :])))
-    print(f"{len(names)} categories x {options.seeds} seeds: {bad} assets with faults; "
-          f"median {1e3 * statistics.median(seconds):.1f} ms, slowest {1e3 * max(seconds):.0f} ms")  # fmt: skip
+    print(
+        f"{len(names)} categories x {options.seeds} seeds: {bad} assets with faults; "
+        f"median {1e3 * statistics.median(seconds):.1f} ms, slowest {1e3 * max(seconds):.0f} ms"
+    )
     rows.sort(key=lambda row: (-row[1].excess, -row[1].outside))
     print("worst ten by excess: category | excess % | outside mm | triangles | hulls | prisms | ms")
     for name, worst, took in rows[:10]:
-        print(f"{name} | {100 * worst.excess:.1f} | {1e3 * worst.outside:.3f} | {worst.triangles} | {worst.hulls} | "
-              f"{worst.prisms} | {1e3 * took:.1f}")  # fmt: skip
+        print(
+            f"{name} | {100 * worst.excess:.1f} | {1e3 * worst.outside:.3f} | {worst.triangles} | {worst.hulls} | "
+            f"{worst.prisms} | {1e3 * took:.1f}"
+        )
     return 1 if bad else 0
 
 

@@ -34,8 +34,15 @@ def _same(hints) -> None:
 
 @pytest.mark.parametrize("flat", [True, False])
 def test_objathor(tmp_path: Path, flat: bool) -> None:
-    row = {"category": "dining chair", "scale": CHAIR.size[2], "frontView": 0, "pose_z_rot_angle": 0.0,
-           "license": "by", "materials": ["oak", 3], "onFloor": True}  # fmt: skip
+    row = {
+        "category": "dining chair",
+        "scale": CHAIR.size[2],
+        "frontView": 0,
+        "pose_z_rot_angle": 0.0,
+        "license": "by",
+        "materials": ["oak", 3],
+        "onFloor": True,
+    }
     mesh = body(CHAIR, matrix=Y_UP, scale=17.0)
     if flat:
         write(mesh, tmp_path / "abc.glb")

@@ -57,8 +57,10 @@ COUNTS: list[tuple[str, dict[str, Any]]] = [
     ("an office with no plants, two desks and a cabinet", {"desk": (2, 2), "cabinet": (1, 1)}),
     ("a living room without a TV, a rug or plants, but with a piano", {"upright_piano": (1, 1)}),
     ("open-plan office with 8 workstations", {"desk": (8, 8), "office_chair": (8, 8)}),
-    ("living room with a dining area with a round table and six chairs",
-     {"round_dining_table": (1, 1), "dining_chair": (6, 6)}),
+    (
+        "living room with a dining area with a round table and six chairs",
+        {"round_dining_table": (1, 1), "dining_chair": (6, 6)},
+    ),
     ("Living room:\n- sofa\n- 2 armchairs\n- TV", {"sofa": None, "armchair": (2, 2), "tv": None}),
     ("* a grey sofa\n* a colour TV\n* gray rug", {"sofa": (1, 1), "tv": (1, 1), "rug": None}),
     ("a bedrooom with a wardrope and a matress", {"wardrobe": (1, 1), "mattress": (1, 1)}),
@@ -69,86 +71,122 @@ COUNTS: list[tuple[str, dict[str, Any]]] = [
     ("classroom with 24 desks in 4 rows, a teacher's desk", {"desk": (24, 24), "teacher_desk": (1, 1)}),
     ("bookshelf full of books", {"bookcase": None, "book": None}),
     ("no rug, put a plant in the corner", {"potted_plant": (1, 1)}),
-]  # fmt: skip
+]
 
 RELATIONS: list[tuple[str, set[tuple[str, str, Any]]]] = [
     ("a bed with a nightstand on either side", {("leftright_to_leftright", "nightstand", "bed")}),
     ("two bedside tables flanking a double bed", {("leftright_to_leftright", "nightstand", "bed")}),
-    ("two armchairs and a side table by the window",
-     {("at_window", "armchair", "window"), ("at_window", "side_table", "window")}),
+    (
+        "two armchairs and a side table by the window",
+        {("at_window", "armchair", "window"), ("at_window", "side_table", "window")},
+    ),
     ("a bed and a desk by the window", {("at_window", "desk", "window")}),
     ("a wardrobe, a bed and a desk by the window", {("at_window", "desk", "window")}),
     ("a desk with a lamp on it", {("on_top", "table_lamp", "desk")}),
-    ("a bedroom with a desk with a lamp and a laptop on it",
-     {("on_top", "table_lamp", "desk"), ("on_top", "laptop", "desk")}),
+    (
+        "a bedroom with a desk with a lamp and a laptop on it",
+        {("on_top", "table_lamp", "desk"), ("on_top", "laptop", "desk")},
+    ),
     ("two sofas facing each other", {("facing", "sofa", "sofa-2"), ("facing", "sofa-2", "sofa")}),
-    ("two desks facing each other and a plant in the corner",
-     {("facing", "desk", "desk-2"), ("facing", "desk-2", "desk"), ("in_corner", "potted_plant", None)}),
+    (
+        "two desks facing each other and a plant in the corner",
+        {("facing", "desk", "desk-2"), ("facing", "desk-2", "desk"), ("in_corner", "potted_plant", None)},
+    ),
     ("two beds side by side", {("side_by_side", "bed", "bed-2")}),
     ("a nightstand between the two beds", {("between", "nightstand", ("bed", "bed"))}),
     ("two beds and a nightstand between the two beds", {("between", "nightstand", ("bed", "bed"))}),
-    ("a bed against the left wall, a desk against the right wall and a wardrobe against the back wall",
-     {("against_wall", "bed", "wall:left"), ("against_wall", "desk", "wall:right"),
-      ("against_wall", "wardrobe", "wall:far")}),
+    (
+        "a bed against the left wall, a desk against the right wall and a wardrobe against the back wall",
+        {
+            ("against_wall", "bed", "wall:left"),
+            ("against_wall", "desk", "wall:right"),
+            ("against_wall", "wardrobe", "wall:far"),
+        },
+    ),
     ("a bookshelf against the wall", {("against_wall", "bookcase", None)}),
     ("a picture on the wall", {("against_wall", "picture", None)}),
     ("a clock on the wall above the desk", {("against_wall", "wall_clock", None), ("above", "wall_clock", "desk")}),
-    ("a table in the middle of the room with four chairs around it",
-     {("centered_on", "dining_table", "middle"), ("front_against", "chair", "dining_table")}),
+    (
+        "a table in the middle of the room with four chairs around it",
+        {("centered_on", "dining_table", "middle"), ("front_against", "chair", "dining_table")},
+    ),
     ("a rug under the table", {("near", "rug", "dining_table")}),
-    ("a rug in the middle of the room, and some posters on the wall above the desk",
-     {("centered_on", "rug", "middle"), ("against_wall", "poster", None), ("above", "poster", "desk")}),
-    ("a bed with a nightstand next to it, a white desk by the window",
-     {("leftright_to_leftright", "nightstand", "bed"), ("at_window", "desk", "window")}),
-    ("a sofa opposite the door, a plant in the corner",
-     {("away_from_door", "sofa", None), ("in_corner", "potted_plant", None)}),
-    ("standing desk, ergonomic chair, two monitors on the desk, printer on a cabinet",
-     {("on_top", "monitor", "standing_desk"), ("on_top", "desk_printer", "cabinet")}),
+    (
+        "a rug in the middle of the room, and some posters on the wall above the desk",
+        {("centered_on", "rug", "middle"), ("against_wall", "poster", None), ("above", "poster", "desk")},
+    ),
+    (
+        "a bed with a nightstand next to it, a white desk by the window",
+        {("leftright_to_leftright", "nightstand", "bed"), ("at_window", "desk", "window")},
+    ),
+    (
+        "a sofa opposite the door, a plant in the corner",
+        {("away_from_door", "sofa", None), ("in_corner", "potted_plant", None)},
+    ),
+    (
+        "standing desk, ergonomic chair, two monitors on the desk, printer on a cabinet",
+        {("on_top", "monitor", "standing_desk"), ("on_top", "desk_printer", "cabinet")},
+    ),
     ("a king-size bed. The bed should be by the window.", {("at_window", "king_bed", "window")}),
-    ("A round coffee table. Two armchairs beside the coffee table.",
-     {("near", "armchair", "round_coffee_table")}),
-    ("24 desks in 4 rows, a teacher's desk in front of the whiteboard",
-     {("in_front_of", "teacher_desk", "whiteboard")}),
-    ("a workbench on the right wall, tools hanging above it, and a bicycle",
-     {("against_wall", "workbench", "wall:right")}),
-    ("a desk by the window and next to the wardrobe",
-     {("at_window", "desk", "window"), ("near", "desk", "wardrobe")}),
+    ("A round coffee table. Two armchairs beside the coffee table.", {("near", "armchair", "round_coffee_table")}),
+    (
+        "24 desks in 4 rows, a teacher's desk in front of the whiteboard",
+        {("in_front_of", "teacher_desk", "whiteboard")},
+    ),
+    (
+        "a workbench on the right wall, tools hanging above it, and a bicycle",
+        {("against_wall", "workbench", "wall:right")},
+    ),
+    ("a desk by the window and next to the wardrobe", {("at_window", "desk", "window"), ("near", "desk", "wardrobe")}),
     ("A bed and a wardrobe. Next to the bed stands a lamp.", {("near", "table_lamp", "bed")}),
     ("a chair at the desk", {("front_against", "chair", "desk")}),
     ("bookshelf full of books", {("on_top", "book", "bookcase")}),
     ("a shelf with books and a vase on it", {("on_top", "book", "wall_shelf"), ("on_top", "vase", "wall_shelf")}),
-    ("sink under the window; fridge next to the oven",
-     {("at_window", "sink_cabinet", "window"), ("near", "fridge", "stove")}),
-]  # fmt: skip
+    (
+        "sink under the window; fridge next to the oven",
+        {("at_window", "sink_cabinet", "window"), ("near", "fridge", "stove")},
+    ),
+]
 
 LOOKS: list[tuple[str, str, dict[str, Any]]] = [
     ("a large, comfortable sofa", "sofa", {"scale": 1.2}),
     ("A living room with a sofa. It should be red.", "sofa", {"color": "red"}),
     ("The sofa is blue and the rug is white.", "rug", {"color": "white"}),
-    ("a dark green velvet sofa, 2.2 m long", "sofa",
-     {"color": "dark green", "material": "velvet", "size": (None, 2.2, None)}),
+    (
+        "a dark green velvet sofa, 2.2 m long",
+        "sofa",
+        {"color": "dark green", "material": "velvet", "size": (None, 2.2, None)},
+    ),
     ("a walnut coffee table 1.2m x 0.6m", "coffee_table", {"material": "walnut", "size": (0.6, 1.2, None)}),
     ("a desk (140 x 70 cm)", "desk", {"size": (0.7, 1.4, None)}),
     ("a 160 x 80 cm desk", "desk", {"size": (0.8, 1.6, None)}),
     ("a bed 2.1 m by 1.6 m", "bed", {"size": (2.1, 1.6, None)}),
     ("a tall wardrobe", "wardrobe", {"scale": 1.2}),
     ("a grey sofa", "sofa", {"color": "grey"}),
-]  # fmt: skip
+]
 
 NOTED: list[tuple[str, str]] = [
-    ("a narrow kitchen", "narrow"), ("a long hallway", "long"), ("a bedrooom", "bedrooom"), ("a twin room", "bedroom"),
+    ("a narrow kitchen", "narrow"),
+    ("a long hallway", "long"),
+    ("a bedrooom", "bedrooom"),
+    ("a twin room", "bedroom"),
     ("a kitchen with three chairs. There are two chairs in the kitchen.", "3 and 2"),
-    ("the sofa should face the window", "face the window"), ("open-plan office with 8 workstations", "workstations"),
-    ("a crib away from the window", "away from the window"), ("a 4 x 5 m bedroom, 6 x 7 m", "other sides"),
-    ("9 desks side by side", "side by side"), ("a 99999999999999 m2 room", "no number"),
-]  # fmt: skip
+    ("the sofa should face the window", "face the window"),
+    ("open-plan office with 8 workstations", "workstations"),
+    ("a crib away from the window", "away from the window"),
+    ("a 4 x 5 m bedroom, 6 x 7 m", "other sides"),
+    ("9 desks side by side", "side by side"),
+    ("a 99999999999999 m2 room", "no number"),
+]
 
 UNREAD: list[tuple[str, str]] = [
-    ("a bed with 2 pillows and a blanket on it", "pillows"), ("a fluffy rug", "fluffy"),
-    ("a garage with tools hanging above the workbench", "tools"), ("24 desks in 4 rows", "rows"),
+    ("a bed with 2 pillows and a blanket on it", "pillows"),
+    ("a fluffy rug", "fluffy"),
+    ("a garage with tools hanging above the workbench", "tools"),
+    ("24 desks in 4 rows", "rows"),
     ("a table and six chairs, two of them at the window", "two of them"),
     ("don't put the bed near the door", "not near the door"),
-]  # fmt: skip
+]
 
 LONG = """I'd like a cosy Scandinavian bedroom for a teenage girl, roughly 4 m by 3.5 m with a 2.6 m ceiling. There
 should be a single bed against the left wall with a nightstand next to it, a white desk by the window with an office
@@ -199,12 +237,24 @@ def test_a_whole_paragraph() -> None:
     assert (brief.room, brief.size, brief.height, brief.style) == ("bedroom", (4.0, 3.5), 2.6, "scandinavian")
     assert (brief.for_whom, brief.without, brief.unread) == (("teenage girl",), ("tv",), ())
     assert {a.id for a in brief.objects} == {
-        "single_bed", "nightstand", "desk", "office_chair", "wardrobe", "rug", "poster"}  # fmt: skip
+        "single_bed",
+        "nightstand",
+        "desk",
+        "office_chair",
+        "wardrobe",
+        "rug",
+        "poster",
+    }
     assert said(brief) == {
-        ("against_wall", "single_bed", "wall:left"), ("leftright_to_leftright", "nightstand", "single_bed"),
-        ("at_window", "desk", "window"), ("in_front_of", "office_chair", "desk"), ("facing", "wardrobe", "single_bed"),
-        ("centered_on", "rug", "middle"), ("against_wall", "poster", None), ("above", "poster", "desk"),
-    }  # fmt: skip
+        ("against_wall", "single_bed", "wall:left"),
+        ("leftright_to_leftright", "nightstand", "single_bed"),
+        ("at_window", "desk", "window"),
+        ("in_front_of", "office_chair", "desk"),
+        ("facing", "wardrobe", "single_bed"),
+        ("centered_on", "rug", "middle"),
+        ("against_wall", "poster", None),
+        ("above", "poster", "desk"),
+    }
 
 
 @pytest.mark.parametrize("words", ["throne room", "escape room", "boiler room", "zorb room"])

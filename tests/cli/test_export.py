@@ -111,15 +111,27 @@ def test_check_with_physics_measures_stability(source, capsys):
 
 
 def test_what_falls_makes_a_scene_invalid_for_check_with_physics(tmp_path, capsys):
-    plank = {"id": "plank", "category": "board", "size": [1.0, 0.1, 0.02], "mount": "surface",
-             "pose": {"position": [2.0, 1.5, 0.4], "quaternion": [0, 0, 0, 1]},
-             "support": {"object": "post", "surface": "top"}}  # fmt: skip
+    plank = {
+        "id": "plank",
+        "category": "board",
+        "size": [1.0, 0.1, 0.02],
+        "mount": "surface",
+        "pose": {"position": [2.0, 1.5, 0.4], "quaternion": [0, 0, 0, 1]},
+        "support": {"object": "post", "surface": "top"},
+    }
     top = [[-0.04, -0.04], [0.04, -0.04], [0.04, 0.04], [-0.04, 0.04]]
-    post = {"id": "post", "category": "post", "size": [0.1, 0.1, 0.4], "mount": "floor", "fixed": True,
-            "pose": {"position": [1.55, 1.5, 0.0], "quaternion": [0, 0, 0, 1]},
-            "surfaces": [{"name": "top", "polygon": top, "z": 0.4, "headroom": None}]}  # fmt: skip
-    scene = Scene.model_validate({"schema": "sceneweaver.scene/1", "id": "s", "room": ROOM.model_dump(),
-                                  "objects": [post, plank]})  # fmt: skip
+    post = {
+        "id": "post",
+        "category": "post",
+        "size": [0.1, 0.1, 0.4],
+        "mount": "floor",
+        "fixed": True,
+        "pose": {"position": [1.55, 1.5, 0.0], "quaternion": [0, 0, 0, 1]},
+        "surfaces": [{"name": "top", "polygon": top, "z": 0.4, "headroom": None}],
+    }
+    scene = Scene.model_validate(
+        {"schema": "sceneweaver.scene/1", "id": "s", "room": ROOM.model_dump(), "objects": [post, plank]}
+    )
     scene.save(tmp_path / "scene.json")
     assert main(["check", str(tmp_path / "scene.json"), "--physics", "--json"]) == 3
     found = json.loads(capsys.readouterr().out)
@@ -128,8 +140,21 @@ def test_what_falls_makes_a_scene_invalid_for_check_with_physics(tmp_path, capsy
 
 
 def test_a_design_comes_with_files_for_simulators_and_settled(tmp_path, capsys):
-    arguments = ["design", "a guest toilet", "-o", str(tmp_path), "--no-pictures", "--candidates", "32", "--steps", "3",
-                 "--settle", "--export", "usd,mjcf", "--json"]  # fmt: skip
+    arguments = [
+        "design",
+        "a guest toilet",
+        "-o",
+        str(tmp_path),
+        "--no-pictures",
+        "--candidates",
+        "32",
+        "--steps",
+        "3",
+        "--settle",
+        "--export",
+        "usd,mjcf",
+        "--json",
+    ]
     assert main(arguments) in (0, 3)
     metrics = json.loads((tmp_path / "metrics.json").read_text())
     assert metrics["valid"] and metrics["stability"]["moved_over_0_01m"] <= 0.1

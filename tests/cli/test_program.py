@@ -64,8 +64,11 @@ def test_every_command_has_help(capfd, command):
 
 
 def test_refine_with_the_real_engine(tmp_path):
-    name = next(r["path"] for r in json.loads(start("examples", "--json", cwd=tmp_path).stdout)["examples"]
-                if r["name"] == "study")  # fmt: skip
+    name = next(
+        r["path"]
+        for r in json.loads(start("examples", "--json", cwd=tmp_path).stdout)["examples"]
+        if r["name"] == "study"
+    )
     ended = start("refine", name, "-o", "out", "--candidates", "8", "--device", "cpu", "--json", cwd=tmp_path)
     assert ended.stderr == "" and ended.returncode in (0, 3)
     data = json.loads(ended.stdout)
@@ -95,9 +98,12 @@ def test_signals_leave_nothing_behind(tmp_path, number, code):
         f"sys.exit(main(['refine', {str(EXAMPLE)!r}, '--out', 'out']))\n"
     )
     process = subprocess.Popen(
-        [sys.executable, "-c", program], cwd=tmp_path, stderr=subprocess.PIPE, text=True,
+        [sys.executable, "-c", program],
+        cwd=tmp_path,
+        stderr=subprocess.PIPE,
+        text=True,
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # jobs in the background begin without it
-    )  # fmt: skip
+    )
     try:
         for _ in range(600):
             if (tmp_path / "started").exists():

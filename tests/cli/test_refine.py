@@ -46,8 +46,15 @@ def test_options_reach_the_engine(run, bedroom, tmp_path, calls):
     assert run("refine", bedroom, "-o", tmp_path / "out", *options, "--time-limit", 2.5).code == 0
     (call,) = calls
     del call["scene"]
-    assert call == {"candidates": 9, "seed": 3, "init": "current", "device": "cuda:1", "optimizer": "adam",
-                    "time_limit": 2.5, "progress": None}  # fmt: skip
+    assert call == {
+        "candidates": 9,
+        "seed": 3,
+        "init": "current",
+        "device": "cuda:1",
+        "optimizer": "adam",
+        "time_limit": 2.5,
+        "progress": None,
+    }
 
 
 def test_no_picture(run, bedroom, tmp_path, calls):

@@ -16,9 +16,11 @@ from sceneweaver.export import write_glb
 from sceneweaver.scene import InputError, Pose, Room, Scene, SceneObject
 
 SCENE = Scene(
-    id="small", prompt="a crate", room=Room(outline=((0, 0), (3, 0), (3, 2), (1, 2), (1, 3), (0, 3))),
+    id="small",
+    prompt="a crate",
+    room=Room(outline=((0, 0), (3, 0), (3, 2), (1, 2), (1, 3), (0, 3))),
     objects=(SceneObject(id="crate", category="crate", size=(0.5, 0.7, 0.4), pose=Pose.from_yaw(1, 1, 0, 0.5)),),
-)  # fmt: skip
+)
 
 
 @pytest.fixture
@@ -62,9 +64,22 @@ def test_serves_the_page_and_the_folder(run) -> None:
 
 @pytest.mark.parametrize(
     "path",
-    ["/../outside.json", "/%2e%2e/outside.json", "/views/../../outside.json", "/..%2foutside.json", "/link.json",
-     "/.secret.json", "/key.pem", "/views", "/views/", "//etc/passwd", "/%00", "/nothing.json", "/views/..%5c..%5cx"],
-)  # fmt: skip
+    [
+        "/../outside.json",
+        "/%2e%2e/outside.json",
+        "/views/../../outside.json",
+        "/..%2foutside.json",
+        "/link.json",
+        "/.secret.json",
+        "/key.pem",
+        "/views",
+        "/views/",
+        "//etc/passwd",
+        "/%00",
+        "/nothing.json",
+        "/views/..%5c..%5cx",
+    ],
+)
 def test_nothing_else(run, path: str) -> None:
     assert _ask(run[1], path)[0] == 404
 

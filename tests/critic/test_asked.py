@@ -46,8 +46,12 @@ def test_missing_and_too_many() -> None:
 
 def test_what_a_table_is_laid_with_is_asked_of_the_table() -> None:
     case = rooms.office()
-    bare = Case(case.scene.model_copy(update={"objects": tuple(o for o in case.scene.objects if o.support is None),
-                                              "relations": ()}), case.room)  # fmt: skip
+    bare = Case(
+        case.scene.model_copy(
+            update={"objects": tuple(o for o in case.scene.objects if o.support is None), "relations": ()}
+        ),
+        case.room,
+    )
     fault = only(review(bare, objects=[asked("monitor", count=(2, 2))]), "missing_asked", "alignment")[0]
     assert fault.tool == "add_tabletop" and fault.inputs["objects"] == [{"category": "monitor", "count": 2}]
     (desk,) = fault.inputs["supports"]
@@ -133,14 +137,18 @@ def test_around() -> None:
 @pytest.mark.parametrize(
     ("given", "want", "fits"),
     [
-        ({"color": "light grey"}, {"color": "gray"}, True), ({"color": "navy"}, {"color": "dark blue"}, True),
-        ({"color": "red"}, {"color": "blue"}, False), ({"color": "weird"}, {"color": "weird"}, True),
-        ({"material": "walnut"}, {"material": "wooden"}, True), ({"material": "walnut"}, {"material": "oak"}, False),
+        ({"color": "light grey"}, {"color": "gray"}, True),
+        ({"color": "navy"}, {"color": "dark blue"}, True),
+        ({"color": "red"}, {"color": "blue"}, False),
+        ({"color": "weird"}, {"color": "weird"}, True),
+        ({"material": "walnut"}, {"material": "wooden"}, True),
+        ({"material": "walnut"}, {"material": "oak"}, False),
         ({"material": "brown leather"}, {"material": "leather"}, True),
         ({"material": "black plastic"}, {"material": "metal"}, False),
-        ({"style": "modern"}, {"style": "modern"}, True), ({}, {"color": "blue"}, True),
+        ({"style": "modern"}, {"style": "modern"}, True),
+        ({}, {"color": "blue"}, True),
     ],
-)  # fmt: skip
+)
 def test_words_for_looks(given: dict[str, str], want: dict[str, str], fits: bool) -> None:
     case = rooms.living().but({"id": "sofa-0", "update": {"attributes": given}})
     found = review(case, objects=[asked("sofa", **want)])
@@ -161,13 +169,21 @@ def test_without_and_only() -> None:
 @pytest.mark.parametrize(
     ("data", "kind"),
     [
-        ({"area": 14.4}, None), ({"area": 25.0}, "wrong_area"), ({"size": (5.0, 5.0)}, "wrong_area"),
-        ({"scale": 1.4, "area": None}, None), ({"shape": "rectangle"}, None), ({"shape": "L"}, "wrong_shape"),
-        ({"height": 2.6}, None), ({"height": 3.2}, "wrong_height"), ({"windows": 1}, None), ({"doors": 1}, None),
-        ({"windows": 3}, "wrong_windows"), ({"room": "kitchen"}, "wrong_room"),
+        ({"area": 14.4}, None),
+        ({"area": 25.0}, "wrong_area"),
+        ({"size": (5.0, 5.0)}, "wrong_area"),
+        ({"scale": 1.4, "area": None}, None),
+        ({"shape": "rectangle"}, None),
+        ({"shape": "L"}, "wrong_shape"),
+        ({"height": 2.6}, None),
+        ({"height": 3.2}, "wrong_height"),
+        ({"windows": 1}, None),
+        ({"doors": 1}, None),
+        ({"windows": 3}, "wrong_windows"),
+        ({"room": "kitchen"}, "wrong_room"),
         ({"colors": ("magenta",)}, "wrong_colors"),
     ],
-)  # fmt: skip
+)
 def test_the_room(data: dict[str, Any], kind: str | None) -> None:
     found = review(rooms.bedroom(), **data)
     mine = [f.kind for f in found.faults if f.criterion == "alignment"]

@@ -23,8 +23,16 @@ def only(review: Review, kind: str, criterion: str = "layout") -> list[Fault]:
     return [f for f in review.faults if f.kind == kind and f.criterion == criterion]
 
 
-def falls(good: Case, bad: Case, kind: str, objects: set[str], *, criterion: str = "layout", least: float = 0.4,
-          also: tuple[str, ...] = ()) -> Fault:  # fmt: skip
+def falls(
+    good: Case,
+    bad: Case,
+    kind: str,
+    objects: set[str],
+    *,
+    criterion: str = "layout",
+    least: float = 0.4,
+    also: tuple[str, ...] = (),
+) -> Fault:
     """The criterion falls, no other does by much, and a fault of the kind names the objects."""
     before, after = good.review(), bad.review()
     assert not only(before, kind, criterion), before.faults
@@ -135,8 +143,9 @@ def test_bookcase_away_from_the_wall() -> None:
 
 def test_bookcases_back_to_back_may_stand_free() -> None:
     good = rooms.office()
-    pair = [put(f"bookcase-{k}", 2.0 + s * 0.16, 1.3, yaw, size=(0.32, 1.0, 1.8))
-            for k, s, yaw in ((1, -1, 180), (2, 1, 0))]  # fmt: skip
+    pair = [
+        put(f"bookcase-{k}", 2.0 + s * 0.16, 1.3, yaw, size=(0.32, 1.0, 1.8)) for k, s, yaw in ((1, -1, 180), (2, 1, 0))
+    ]
     assert not only(good.plus(*pair).review(), "away_from_wall")
 
 
@@ -195,8 +204,9 @@ def test_sizes() -> None:
 
 def test_crowded_and_one_sided() -> None:
     good = rooms.bedroom()
-    more = [put(f"wardrobe-{k + 1}", 0.9 + 1.1 * (k % 3), 0.4 + 0.7 * (k // 3), 90, size=(0.6, 1.0, 2.0))
-            for k in range(15)]  # fmt: skip
+    more = [
+        put(f"wardrobe-{k + 1}", 0.9 + 1.1 * (k % 3), 0.4 + 0.7 * (k // 3), 90, size=(0.6, 1.0, 2.0)) for k in range(15)
+    ]
     assert only(good.plus(*more).review(), "crowded")
     wide = rooms.room(12.0, 4.0)
     far = good.scene.model_copy(update={"room": wide})
@@ -264,10 +274,20 @@ def test_television_beside_its_stand() -> None:
 
 
 def test_seats_of_a_waiting_room_belong_to_no_table() -> None:
-    waiting = rooms.kind("waiting_room", [
-        {"id": "chair", "what": "chair", "count": [4, 8], "need": "needed", "place": ["against_wall"], "row": "line"},
-        {"id": "table", "what": "activity_table", "need": "usual"},
-    ])  # fmt: skip
+    waiting = rooms.kind(
+        "waiting_room",
+        [
+            {
+                "id": "chair",
+                "what": "chair",
+                "count": [4, 8],
+                "need": "needed",
+                "place": ["against_wall"],
+                "row": "line",
+            },
+            {"id": "table", "what": "activity_table", "need": "usual"},
+        ],
+    )
     chairs = [put(f"chair-{k}", 0.28, 1.2 + 0.6 * k, 0) for k in range(4)]
     space = rooms.room(3.0, 4.0, door=1.8)
     scene = rooms.living().scene.model_copy(

@@ -31,8 +31,10 @@ def test_one_nightstand_of_two_is_less_grave_than_none() -> None:
 
 
 def test_fewer_than_the_floor_would_take_is_no_lack_of_the_needed() -> None:
-    items = [{"id": "desk", "what": "desk", "need": "needed", "count": {"per_area": 0.3, "least": 2, "most": 9}},
-             {"id": "chair", "what": "office_chair", "need": "needed", "with": "desk"}]  # fmt: skip
+    items = [
+        {"id": "desk", "what": "desk", "need": "needed", "count": {"per_area": 0.3, "least": 2, "most": 9}},
+        {"id": "chair", "what": "office_chair", "need": "needed", "with": "desk"},
+    ]
     case = rooms.office()
     few = Case(case.scene, rooms.kind("office", items)).review()
     assert 7.0 < few.grades["functionality"] < 10.0
@@ -57,8 +59,9 @@ def test_item_attributes_count() -> None:
 def test_desk_without_chair() -> None:
     good = rooms.bedroom()
     desk = put("desk-0", 1.0, 0.42, 90, size=(0.6, 1.2, 0.74))
-    fault = falls(good, good.plus(desk), "incomplete_group", {"desk-0"}, criterion="functionality", least=1.0,
-                  also=("layout",))  # fmt: skip
+    fault = falls(
+        good, good.plus(desk), "incomplete_group", {"desk-0"}, criterion="functionality", least=1.0, also=("layout",)
+    )
     row = fault.inputs["objects"][0]
     assert row["place"] == [{"type": "front_to_front", "to": "desk-0"}] and row["count"] == 1
 
@@ -106,8 +109,15 @@ def test_one_kind_dominates_unless_the_room_is_made_of_it() -> None:
     assert not only(rooms.restaurant().review(), "dominant_category", "realism")
     plants = [put(f"snake_plant-{k}", 0.3 + 0.45 * k, 0.3, size=(0.3, 0.3, 0.8)) for k in range(3, 10)]
     good = rooms.living()
-    fault = falls(good, good.plus(*plants), "dominant_category", {"snake_plant-3"}, criterion="realism", least=0.8,
-                  also=("layout",))  # fmt: skip
+    fault = falls(
+        good,
+        good.plus(*plants),
+        "dominant_category",
+        {"snake_plant-3"},
+        criterion="realism",
+        least=0.8,
+        also=("layout",),
+    )
     assert set(fault.inputs["ids"]) < {f"snake_plant-{k}" for k in range(10)}
 
 
@@ -137,8 +147,9 @@ def test_bare_walls_and_no_light() -> None:
     bad = good.but({"id": "picture-0", "gone": True}, {"id": "ceiling_light-0", "gone": True})
     review = bad.review()
     assert {f.inputs["objects"][0]["category"] for f in only(review, "missing_usual", "completion")} == {
-        "picture", "ceiling_light",
-    }  # fmt: skip
+        "picture",
+        "ceiling_light",
+    }
     assert review.grades["completion"] <= good.review().grades["completion"] - 0.8
     assert review.grades["functionality"] == good.review().grades["functionality"]
 

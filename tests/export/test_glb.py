@@ -39,13 +39,22 @@ def _scene() -> tuple[Scene, dict[str, Asset]]:
     objects = (
         desk.object("desk é/1", pose=Pose.from_yaw(1.0, 1.5, 0.0, 2.1)),
         desk.object("desk 2", pose=Pose.from_yaw(4.0, 1.5, 0.0, -0.7)),
-        assets["table_lamp"].object("lamp", pose=Pose.from_yaw(1, 1.5, 0.74, 0.3), support=Support(object="desk 2",
-                                    surface=desk.surfaces[0].name)),
+        assets["table_lamp"].object(
+            "lamp",
+            pose=Pose.from_yaw(1, 1.5, 0.74, 0.3),
+            support=Support(object="desk 2", surface=desk.surfaces[0].name),
+        ),
         assets["armchair"].object("chair", pose=Pose(position=(2.0, 2.0, 0.1), quaternion=(x, y, z, w))),
-        SceneObject(id="room:floor", category="plinth", size=(0.6, 0.6, 0.8), parts=parts, attributes={"color": "red"},
-                    pose=Pose.from_yaw(2.0, 0.8, 0.0, 1.0)),
+        SceneObject(
+            id="room:floor",
+            category="plinth",
+            size=(0.6, 0.6, 0.8),
+            parts=parts,
+            attributes={"color": "red"},
+            pose=Pose.from_yaw(2.0, 0.8, 0.0, 1.0),
+        ),
         SceneObject(id="scene", category="box", size=(0.3, 0.4, 0.5), pose=Pose.from_yaw(0.5, 3.5, 0.0, 0.4)),
-    )  # fmt: skip
+    )
     return Scene(id="s", prompt="p", room=ROOM, objects=objects), {a.id: a for a in assets.values()}
 
 
@@ -178,8 +187,10 @@ def test_one_material_keeps_its_numbers() -> None:
     document, _ = _split(glb_bytes(scene, lambda _: asset))
     material = next(m for m in document["materials"] if m["name"] == "g")
     assert material["pbrMetallicRoughness"] == {
-        "baseColorFactor": [*linear(glass.color), 0.3], "metallicFactor": 0.2, "roughnessFactor": 0.1,
-    }  # fmt: skip
+        "baseColorFactor": [*linear(glass.color), 0.3],
+        "metallicFactor": 0.2,
+        "roughnessFactor": 0.1,
+    }
     assert material["alphaMode"] == "BLEND"
     np.testing.assert_allclose(material["emissiveFactor"], [0.107, 0.0254, 0.5], atol=1e-3)
 
@@ -188,8 +199,9 @@ def test_another_size_than_the_asset_has() -> None:
     asset = make("desk", 3)
     d, w, h = asset.size
     thing = asset.object("desk").model_copy(update={"size": (d, w * 1.5, h)})
-    loaded: Any = trimesh.load(io.BytesIO(glb_bytes(Scene(id="s", room=ROOM, objects=(thing,)), lambda _: asset)),
-                               file_type="glb")  # fmt: skip
+    loaded: Any = trimesh.load(
+        io.BytesIO(glb_bytes(Scene(id="s", room=ROOM, objects=(thing,)), lambda _: asset)), file_type="glb"
+    )
     matrix, name = loaded.graph["desk"]
     points = trimesh.transform_points(loaded.geometry[name].vertices, Z_UP @ matrix)
     np.testing.assert_allclose(np.ptp(points, axis=0), (d, w * 1.5, h), atol=1e-4)

@@ -56,16 +56,22 @@ def _scene() -> Scene:
         Part(polygon=((-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1)), z=(0.5, 0.8)),
     )
     objects = (
-        MUG.object("mug.1", pose=Pose.from_yaw(1.0, 1.5, top.z, 0.3),
-                   support=Support(object="desk é/1", surface=top.name)),
+        MUG.object(
+            "mug.1", pose=Pose.from_yaw(1.0, 1.5, top.z, 0.3), support=Support(object="desk é/1", surface=top.name)
+        ),
         DESK.object("desk é/1", pose=Pose.from_yaw(1.0, 1.5, 0.0, 2.1)),
         scaled,
         LAMP.object("lamp", mount="floor", pose=Pose.from_yaw(0.4, 3.5, 0.0, -0.7)),
         CHAIR.object("chair", pose=Pose(position=(2.0, 2.0, 0.1), quaternion=_unit(0.2, -0.1, 0.3, 0.9))),
-        SceneObject(id="plinth", category="Plinth, red!", size=(0.6, 0.6, 0.8), parts=parts,
-                    pose=Pose.from_yaw(2.0, 0.9, 0.0, 1.0)),
+        SceneObject(
+            id="plinth",
+            category="Plinth, red!",
+            size=(0.6, 0.6, 0.8),
+            parts=parts,
+            pose=Pose.from_yaw(2.0, 0.9, 0.0, 1.0),
+        ),
         SceneObject(id="plain", category="box", size=(0.3, 0.4, 0.5), pose=Pose.from_yaw(0.5, 3.0, 0.0, 0.4)),
-    )  # fmt: skip
+    )
     return Scene(id="s", prompt="p", room=ROOM, objects=objects)
 
 

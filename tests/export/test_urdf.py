@@ -42,10 +42,15 @@ def _chest() -> Asset:
     faces = np.concatenate([p.faces + s for p, s in zip(pieces, starts, strict=False)]).astype(np.int32)
     link = np.repeat(np.arange(3, dtype=np.int32), [len(p.faces) for p in pieces])
     mesh = Mesh(
-        np.concatenate([p.vertices for p in pieces]), faces, np.minimum(link, 1), link,
-        (Material("oak & <ash>", (0.7, 0.5, 0.3)),
-         Material("smoked glass", (0.1, 0.2, 0.3), opacity=0.5, emission=0.2)),
-    )  # fmt: skip
+        np.concatenate([p.vertices for p in pieces]),
+        faces,
+        np.minimum(link, 1),
+        link,
+        (
+            Material("oak & <ash>", (0.7, 0.5, 0.3)),
+            Material("smoked glass", (0.1, 0.2, 0.3), opacity=0.5, emission=0.2),
+        ),
+    )
     axis = np.array([0.6, 0.0, 0.8])
     return Asset(
         id="test:chest/1.0 é",

@@ -36,8 +36,12 @@ ROOM = Room(
     windows=(Window(id="window-0", wall=1, offset=1.0, width=1.2, sill=0.9, height=1.2),),
 )
 DESK, CABINET, COUNTER, MUG, RUG = (
-    make("desk", 2), make("filing_cabinet", 1), make("kitchen_counter", 1), make("mug", 2), make("rug", 1),
-)  # fmt: skip
+    make("desk", 2),
+    make("filing_cabinet", 1),
+    make("kitchen_counter", 1),
+    make("mug", 2),
+    make("rug", 1),
+)
 ASSETS = {a.id: a for a in (DESK, CABINET, COUNTER, MUG, RUG)}
 TILT = tuple((np.array([0.2, -0.1, 0.3, 0.9]) / np.linalg.norm([0.2, -0.1, 0.3, 0.9])).tolist())
 SCALE = (1.2, 0.8, 1.1)
@@ -103,11 +107,13 @@ def _world(prim) -> np.ndarray:
 
 def _matrix(position, quaternion) -> np.ndarray:
     x, y, z, w = quaternion
-    turn = np.array([
-        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-    ])  # fmt: skip
+    turn = np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
     return np.block([[turn, np.asarray(position, dtype=float)[:, None]], [np.zeros(3), 1.0]])
 
 
@@ -194,8 +200,10 @@ def test_poses_come_back(stage) -> None:
         orient = prim.GetAttribute("xformOp:orient").Get()
         assert orient.GetReal() == pytest.approx(w) and np.allclose(orient.GetImaginary(), (x, y, z))
         assert list(prim.GetAttribute("xformOpOrder").Get()) == [
-            "xformOp:translate", "xformOp:orient", "xformOp:scale",
-        ]  # fmt: skip
+            "xformOp:translate",
+            "xformOp:orient",
+            "xformOp:scale",
+        ]
 
 
 def test_what_is_seen_is_the_mesh_at_its_place(stage) -> None:
@@ -225,8 +233,9 @@ def test_what_is_seen_is_the_mesh_at_its_place(stage) -> None:
         got = np.concatenate(points)
         assert faces == len(asset.mesh.faces) and area == 1 + len(asset.links)
         assert np.allclose(got.min(0), want.min(0), atol=1e-5) and np.allclose(got.max(0), want.max(0), atol=1e-5)
-        assert np.allclose(np.sort(np.unique(got.round(4), axis=0), 0), np.sort(np.unique(want.round(4), axis=0), 0),
-                           atol=2e-4)  # fmt: skip
+        assert np.allclose(
+            np.sort(np.unique(got.round(4), axis=0), 0), np.sort(np.unique(want.round(4), axis=0), 0), atol=2e-4
+        )
 
 
 def test_what_may_move_is_a_body_of_its_mass(stage) -> None:

@@ -15,10 +15,30 @@ from sceneweaver.scene import CATALOGUE, InputError, Relation
 ROOMS = room_types()
 NAMES = sorted(ROOMS)
 HOMES = (
-    "attic_room", "balcony", "bathroom", "bedroom", "childrens_room", "dining_room", "game_room", "garage",
-    "guest_toilet", "hallway", "home_gym", "home_theatre", "kitchen", "laundry_room", "living_room", "music_room",
-    "nursery", "pantry", "studio_apartment", "study", "sunroom", "teen_bedroom", "walk_in_closet",
-)  # fmt: skip
+    "attic_room",
+    "balcony",
+    "bathroom",
+    "bedroom",
+    "childrens_room",
+    "dining_room",
+    "game_room",
+    "garage",
+    "guest_toilet",
+    "hallway",
+    "home_gym",
+    "home_theatre",
+    "kitchen",
+    "laundry_room",
+    "living_room",
+    "music_room",
+    "nursery",
+    "pantry",
+    "studio_apartment",
+    "study",
+    "sunroom",
+    "teen_bedroom",
+    "walk_in_closet",
+)
 FLAT = 0.02
 """Height [m] below which a thing is a mat or rug that furniture stands through."""
 
@@ -80,11 +100,20 @@ def test_a_word_means_one_room() -> None:
             assert said.setdefault(word, room.name) == room.name, f"{word}: {said[word]} and {room.name}"
 
 
-@pytest.mark.parametrize("words, name", [
-    ("home office", "study"), ("garage", "garage"), ("powder room", "guest_toilet"), ("home cinema", "home_theatre"),
-    ("Baby Room", "nursery"), ("teenager's room", "teen_bedroom"), ("walk-in closet", "walk_in_closet"),
-    ("dinning room", "dining_room"), ("kitchens", "kitchen"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "words, name",
+    [
+        ("home office", "study"),
+        ("garage", "garage"),
+        ("powder room", "guest_toilet"),
+        ("home cinema", "home_theatre"),
+        ("Baby Room", "nursery"),
+        ("teenager's room", "teen_bedroom"),
+        ("walk-in closet", "walk_in_closet"),
+        ("dinning room", "dining_room"),
+        ("kitchens", "kitchen"),
+    ],
+)
 def test_people_find_rooms_by_their_own_words(words: str, name: str) -> None:
     found = match_room(words)
     assert found is not None
@@ -182,7 +211,11 @@ def test_a_name_that_is_no_arrangement_is_refused() -> None:
         surfaces.arrangement("no_such_arrangement")
     with pytest.raises(ValueError, match="is no item"):
         RoomType(
-            name="x", description="x", sources=(), area=(4, 5, 6), doors={"width": (0.8, 0.8), "height": (2, 2)},  # type: ignore[arg-type]
+            name="x",
+            description="x",
+            sources=(),
+            area=(4, 5, 6),
+            doors={"width": (0.8, 0.8), "height": (2, 2)},  # type: ignore[arg-type]
             windows={"width": (1, 1), "height": (1, 1)},  # type: ignore[arg-type]
             items=({"id": "bed", "what": "bed", "place": ["near lamp"]},),  # type: ignore[arg-type]
-        )  # fmt: skip
+        )

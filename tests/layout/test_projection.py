@@ -142,9 +142,10 @@ def test_hard_relations_hold_afterwards_and_soft_ones_do_not_count():
     solution = project(scene(objects, [relation("against_wall", "bed")]))
     assert solution.status[0] == 0 and sw.check(solution.best).valid
     soft = relation("against_wall", "bed").model_copy(update={"hard": False})
-    assert project(scene(objects, [soft])).poses[0].tobytes() == np.float32(
-        [[*o.pose.position, o.pose.yaw] for o in objects]
-    ).tobytes()  # fmt: skip
+    assert (
+        project(scene(objects, [soft])).poses[0].tobytes()
+        == np.float32([[*o.pose.position, o.pose.yaw] for o in objects]).tobytes()
+    )
 
 
 def test_what_hangs_over_an_edge_goes_back_just_far_enough():

@@ -114,8 +114,13 @@ def test_what_stands_on_surfaces_is_judged_in_their_frames() -> None:
     turn = 1.0  # of the whole room, after which all is where it was on its surface
     c, s = np.cos(turn), np.sin(turn)
     poses[1] = np.stack(
-        [c * poses[1, :, 0] - s * poses[1, :, 1], s * poses[1, :, 0] + c * poses[1, :, 1], poses[1, :, 2],
-         poses[1, :, 3] + turn], axis=-1
-    )  # fmt: skip
+        [
+            c * poses[1, :, 0] - s * poses[1, :, 1],
+            s * poses[1, :, 0] + c * poses[1, :, 1],
+            poses[1, :, 2],
+            poses[1, :, 3] + turn,
+        ],
+        axis=-1,
+    )
     poses[4, compiled.domains[-1].deck.members[0], 0] += 0.5
     np.testing.assert_array_equal(_surfaces_hold(compiled, what, 1, 5), [True, True, True, False, True])

@@ -48,9 +48,12 @@ def test_a_little_is_taken_over() -> None:
 
 def test_what_may_move() -> None:
     objects = (
-        _box("free", 0), _box("told", 0, fixed=True), TOILET.object("toilet", pose=Pose.from_yaw(3, 3, 0, 0)),
-        DESK.object("desk", pose=Pose.from_yaw(2, 2, 0, 0)), _box("hung", 1.0, mount="wall"),
-    )  # fmt: skip
+        _box("free", 0),
+        _box("told", 0, fixed=True),
+        TOILET.object("toilet", pose=Pose.from_yaw(3, 3, 0, 0)),
+        DESK.object("desk", pose=Pose.from_yaw(2, 2, 0, 0)),
+        _box("hung", 1.0, mount="wall"),
+    )
     model = build(_scene(*objects), ASSETS.__getitem__)
     assert model.free == ("free", "desk") and model.fixed == ("told", "toilet", "hung")
 

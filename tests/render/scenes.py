@@ -63,19 +63,47 @@ def everything() -> Scene:
         room=room,
         objects=(
             put("shelf", 0.25, 2.0, category="shelf", surfaces=boards),
-            put("inside", 0.25, 2.0, z=0.2, size=(0.1, 0.1, 0.1), mount="surface",
-                support=Support(object="shelf", surface="in")),
-            put("upon", 0.3, 2.05, z=0.5, size=(0.12, 0.12, 0.1), mount="surface", category="vase",
-                support=Support(object="shelf", surface="top")),
+            put(
+                "inside",
+                0.25,
+                2.0,
+                z=0.2,
+                size=(0.1, 0.1, 0.1),
+                mount="surface",
+                support=Support(object="shelf", surface="in"),
+            ),
+            put(
+                "upon",
+                0.3,
+                2.05,
+                z=0.5,
+                size=(0.12, 0.12, 0.1),
+                mount="surface",
+                category="vase",
+                support=Support(object="shelf", surface="top"),
+            ),
             put("picture", 0.05, 1.0, z=1.2, size=(0.04, 0.5, 0.5), mount="wall"),
             put("lamp", 1.0, 1.6, z=2.4, size=(0.3, 0.3, 0.3), mount="ceiling", category="pendant_lamp"),
-            put("chair", 1.4, 0.9, size=(0.45, 0.45, 0.8), category="chair", yaw=2.0,
+            put(
+                "chair",
+                1.4,
+                0.9,
+                size=(0.45, 0.45, 0.8),
+                category="chair",
+                yaw=2.0,
                 attributes={"color": "black"},
-                zones=({"name": "front", "polygon": ((0.3, -0.2), (0.6, -0.2), (0.6, 0.2), (0.3, 0.2)), "z": (0, 1)},
-                       {"name": "soft", "polygon": ((0.6, -0.2), (0.8, -0.2), (0.8, 0.2), (0.6, 0.2)), "z": (0, 1),
-                        "hard": False})),
+                zones=(
+                    {"name": "front", "polygon": ((0.3, -0.2), (0.6, -0.2), (0.6, 0.2), (0.3, 0.2)), "z": (0, 1)},
+                    {
+                        "name": "soft",
+                        "polygon": ((0.6, -0.2), (0.8, -0.2), (0.8, 0.2), (0.6, 0.2)),
+                        "z": (0, 1),
+                        "hard": False,
+                    },
+                ),
+            ),
         ),
-    )  # fmt: skip
+    )
 
 
 def zoo(name: str) -> Scene:

@@ -94,9 +94,14 @@ def test_an_object_that_nobody_sees_still_gets_a_label():
 
 @pytest.mark.parametrize(
     ("text", "lines"),
-    [("coffee_table-0", ("coffee_", "table-0")), ("chair-12", ("chair", "-12")), ("bed", None), ("-1", None),
-     ("floor lamp", ("floor", "lamp"))],
-)  # fmt: skip
+    [
+        ("coffee_table-0", ("coffee_", "table-0")),
+        ("chair-12", ("chair", "-12")),
+        ("bed", None),
+        ("-1", None),
+        ("floor lamp", ("floor", "lamp")),
+    ],
+)
 def test_split(text, lines):
     assert split(text) == lines
 

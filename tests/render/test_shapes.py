@@ -58,8 +58,13 @@ def test_opening_zones_are_those_of_the_design():
 
 def test_layers_follow_supporters_and_survive_dangling_ones():
     assert shapes.layers(everything()) == {
-        "shelf": 0, "inside": 1, "upon": 1, "picture": 100, "lamp": 100, "chair": 0,
-    }  # fmt: skip
+        "shelf": 0,
+        "inside": 1,
+        "upon": 1,
+        "picture": 100,
+        "lamp": 100,
+        "chair": 0,
+    }
     top = (Surface(name="top", polygon=SQUARE, z=0.5),)
     tower = room_of(
         box("wall-shelf", 1.0, 1.0, mount="wall", surfaces=top),

@@ -145,9 +145,16 @@ def test_any_name_can_be_drawn(name):
 
 @pytest.mark.parametrize(
     ("text", "shown"),
-    [("plain-1", "plain-1"), ("Ångström", "Angstrom"), ("straße", "strasse"), ("椅子-1", "??-1"), ("椅子", ""),
-     (" a\n\tb ", "a b"), ("\x07bell", "?bell")],
-)  # fmt: skip
+    [
+        ("plain-1", "plain-1"),
+        ("Ångström", "Angstrom"),
+        ("straße", "strasse"),
+        ("椅子-1", "??-1"),
+        ("椅子", ""),
+        (" a\n\tb ", "a b"),
+        ("\x07bell", "?bell"),
+    ],
+)
 def test_printable(text, shown):
     assert printable(text) == shown
 

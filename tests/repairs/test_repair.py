@@ -154,8 +154,9 @@ def test_everything_in_one_place():
 
 
 def test_an_impossible_scene_is_as_good_as_it_gets_and_says_why():
-    what = scene([at(thing("whale", (9, 2, 1)), 2, 2), at(thing("b"), 0.1, 1.0), at(thing("c"), 3.9, 2.8)], [],
-                 room=room(4, 3))  # fmt: skip
+    what = scene(
+        [at(thing("whale", (9, 2, 1)), 2, 2), at(thing("b"), 0.1, 1.0), at(thing("c"), 3.9, 2.8)], [], room=room(4, 3)
+    )
     done = repair(what)
     assert not done.valid and done.explanation and "whale" in done.explanation
     assert len(done.unmet) < sum(v.kind != "soft_relation" for v in done.before.violations)

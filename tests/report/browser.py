@@ -16,17 +16,27 @@ from typing import Any
 BINARY = next((p for name in ("chromium", "chromium-browser", "google-chrome") if (p := shutil.which(name))), None)
 
 _FLAGS = (
-    "--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-sandbox",
-    "--remote-debugging-pipe", "--no-first-run", "--disable-extensions", "--disable-background-networking",
-    "--disable-dev-shm-usage", "--hide-scrollbars", "--mute-audio",
-)  # fmt: skip
+    "--headless=new",
+    "--no-sandbox",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-gpu-sandbox",
+    "--remote-debugging-pipe",
+    "--no-first-run",
+    "--disable-extensions",
+    "--disable-background-networking",
+    "--disable-dev-shm-usage",
+    "--hide-scrollbars",
+    "--mute-audio",
+)
 
 
 class Browser:
     """One page in one browser; every call ends within ``limit`` seconds or raises TimeoutError."""
 
-    def __init__(self, width: int = 1280, height: int = 800, limit: float = 30.0, flags: tuple[str, ...] = (),
-                 calm: bool = True):  # fmt: skip
+    def __init__(
+        self, width: int = 1280, height: int = 800, limit: float = 30.0, flags: tuple[str, ...] = (), calm: bool = True
+    ):
         assert BINARY is not None
         self.limit, self.calm = limit, calm
         self.logs: list[str] = []
@@ -35,12 +45,24 @@ class Browser:
         self._in, theirs_out = os.pipe()
         # The descriptors must be 3 and 4 in the child: a shell moves them there.
         line = f'exec "$0" "$@" 3<&{theirs_in} 4>&{theirs_out}'
-        args = ["bash", "-c", line, BINARY, *_FLAGS, *flags, f"--user-data-dir={self._folder}",
-                f"--window-size={width},{height}", "about:blank"]  # fmt: skip
+        args = [
+            "bash",
+            "-c",
+            line,
+            BINARY,
+            *_FLAGS,
+            *flags,
+            f"--user-data-dir={self._folder}",
+            f"--window-size={width},{height}",
+            "about:blank",
+        ]
         self._process = subprocess.Popen(
-            args, pass_fds=(theirs_in, theirs_out), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+            args,
+            pass_fds=(theirs_in, theirs_out),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
-        )  # fmt: skip
+        )
         os.close(theirs_in)
         os.close(theirs_out)
         self._number = 0

@@ -27,13 +27,16 @@ def furnished(prompt: str = "A small study") -> Scene:
     desk = asset("desk")
     objects = (
         desk.object("desk-0", pose=Pose.from_yaw(0.5, 2.0, 0.0, 0.0)),
-        asset("mug").object("mug-0", pose=Pose.from_yaw(0.5, 2.0, desk.surfaces[0].z, 0.4),
-                            support=Support(object="desk-0", surface=desk.surfaces[0].name)),
+        asset("mug").object(
+            "mug-0",
+            pose=Pose.from_yaw(0.5, 2.0, desk.surfaces[0].z, 0.4),
+            support=Support(object="desk-0", surface=desk.surfaces[0].name),
+        ),
         asset("armchair").object("armchair-0", pose=Pose.from_yaw(2.2, 2.0, 0.0, -1.57)),
         asset("picture").object("picture-0", pose=Pose.from_yaw(0.02, 3.2, 1.4, 0.0)),
         asset("table_lamp").object("lamp-0", pose=Pose.from_yaw(3.5, 3.5, 0, 0), mount="floor"),
         asset("table_lamp").object("lamp-1", pose=Pose.from_yaw(3.5, 0.5, 0, 0), mount="floor"),
-    )  # fmt: skip
+    )
     room = Room(
         type="study",
         outline=((0, 0), (4, 0), (4, 4), (0, 4)),
@@ -71,6 +74,14 @@ def full(text: str = "words") -> ReportData:
         StepRow(3, "update_layout", "again", True, 1.0, {"realism": 8.0}),
     )
     return ReportData(
-        scene, metrics, review, {"top": picture, "top_annotated": picture, "corner": picture, text: picture}, steps,
-        (text,), (text,), (text,), load, text,
-    )  # fmt: skip
+        scene,
+        metrics,
+        review,
+        {"top": picture, "top_annotated": picture, "corner": picture, text: picture},
+        steps,
+        (text,),
+        (text,),
+        (text,),
+        load,
+        text,
+    )

@@ -65,8 +65,21 @@ def page() -> tuple[str, Page]:
 def test_well_formed_and_complete(page) -> None:
     text, parsed = page
     assert not parsed.stack, "every element is closed"
-    for words in ("not valid", "Scores", "Violations", "Pictures", "Steps", "rolled back", "Relations", "Metrics",
-                  "Unmet wishes", "Warnings", "Notes", "Not placed", "armchair-0 near desk-0"):  # fmt: skip
+    for words in (
+        "not valid",
+        "Scores",
+        "Violations",
+        "Pictures",
+        "Steps",
+        "rolled back",
+        "Relations",
+        "Metrics",
+        "Unmet wishes",
+        "Warnings",
+        "Notes",
+        "Not placed",
+        "armchair-0 near desk-0",
+    ):
         assert words in parsed.text, words
     ids = [attrs["id"] for _, attrs in parsed.tags if "id" in attrs]
     assert len(ids) == len(set(ids))
@@ -108,8 +121,14 @@ def test_hostile_text_is_inert() -> None:
 def test_hostile_objects_are_inert() -> None:
     scene = furnished()
     name = HOSTILE + "\u2028"
-    bad = SceneObject(id=HOSTILE, category=name, description=name, size=(1, 1, 1), pose=Pose.from_yaw(2, 2, 0, 0),
-                      attributes={"color": HOSTILE})  # fmt: skip
+    bad = SceneObject(
+        id=HOSTILE,
+        category=name,
+        description=name,
+        size=(1, 1, 1),
+        pose=Pose.from_yaw(2, 2, 0, 0),
+        attributes={"color": HOSTILE},
+    )
     rule = Relation(type="near", subject=HOSTILE, target="desk-0")
     scene = scene.model_copy(update={"objects": (*scene.objects, bad), "relations": (*scene.relations, rule)})
     parsed = Page(report_html(ReportData(scene, check(scene).to_dict(), load=load)))

@@ -28,8 +28,16 @@ def library() -> Library:
 def call(library: Library) -> Call:
     """Call a tool by name on a scene."""
 
-    def run(name: str, scene: Scene, inputs: dict[str, Any] | None = None, *, room: str = "living_room", seed: int = 0,
-            instruction: str = "", brief: Brief | None = None) -> Proposal:  # fmt: skip
+    def run(
+        name: str,
+        scene: Scene,
+        inputs: dict[str, Any] | None = None,
+        *,
+        room: str = "living_room",
+        seed: int = 0,
+        instruction: str = "",
+        brief: Brief | None = None,
+    ) -> Proposal:
         context = Context(brief or Brief(text=""), room_type(room), scene, library, seed, instruction, inputs or {})
         return tool(name).load().propose(context)
 

@@ -25,9 +25,16 @@ def after(scene, proposal):
 
 
 def test_a_room_is_furnished_and_valid(lounge, call):
-    rows = [{"category": "tv stand"}, {"category": "tv"}, {"category": "floor lamp"}, {"category": "rug"},
-            {"category": "potted plant", "count": 2}, {"category": "curtain"}, {"category": "ceiling light"},
-            {"category": "table lamp"}]  # fmt: skip
+    rows = [
+        {"category": "tv stand"},
+        {"category": "tv"},
+        {"category": "floor lamp"},
+        {"category": "rug"},
+        {"category": "potted plant", "count": 2},
+        {"category": "curtain"},
+        {"category": "ceiling light"},
+        {"category": "table lamp"},
+    ]
     proposal = call("add_objects", lounge, {"objects": rows}, seed=3)
     assert not proposal.unmet
     scene = after(lounge, proposal)
@@ -72,11 +79,13 @@ def test_what_fits_nowhere_is_unmet(lounge, call):
 
 
 def test_relations_name_what_is_meant(lounge, call):
-    rows = [{"category": "floor lamp", "place": [{"type": "near", "to": "sofa", "max": 0.5, "soft": True}]},
-            {"category": "bookcase", "place": [{"type": "against_wall", "to": "wall:left"}]},
-            {"category": "palm", "place": [{"type": "at_window", "to": "window"}]},
-            {"category": "pouf", "place": [{"type": "between", "to": ["sofa", "armchair-0"]}]},
-            {"category": "trash can", "place": [{"type": "away_from_door", "params": {"min": 0.5}}]}]  # fmt: skip
+    rows = [
+        {"category": "floor lamp", "place": [{"type": "near", "to": "sofa", "max": 0.5, "soft": True}]},
+        {"category": "bookcase", "place": [{"type": "against_wall", "to": "wall:left"}]},
+        {"category": "palm", "place": [{"type": "at_window", "to": "window"}]},
+        {"category": "pouf", "place": [{"type": "between", "to": ["sofa", "armchair-0"]}]},
+        {"category": "trash can", "place": [{"type": "away_from_door", "params": {"min": 0.5}}]},
+    ]
     proposal = call("add_objects", lounge, {"objects": rows})
     assert not proposal.unmet
     lamp, shelf, palm, pouf, bin = (r for r in related(proposal))
@@ -122,8 +131,14 @@ def test_seed_decides(lounge, call):
 
 def test_the_request_and_the_room_leave_their_marks(lounge, call):
     brief = Brief(text="x", objects=(Asked(id="plant", noun="plants", category="palm", count=(1, 1)),))
-    new = added(call("add_objects", lounge, {"objects": [{"category": "palm", "count": 2}, {"category": "tv stand"}]},
-                     brief=brief))  # fmt: skip
+    new = added(
+        call(
+            "add_objects",
+            lounge,
+            {"objects": [{"category": "palm", "count": 2}, {"category": "tv stand"}]},
+            brief=brief,
+        )
+    )
     assert [o.attributes.get("asked") for o in new] == ["plant", None, None]
     assert new[0].attributes["need"] == "asked" and new[2].attributes["item"] == "tv_stand"
 
@@ -143,7 +158,7 @@ def test_size_colour_and_unknown_words(lounge, call):
         ({"objects": [{"category": "desk", "place": [{"type": "nere"}]}]}, 'did you mean "near"'),
         ({"objects": [{"category": "desk", "count": 0}]}, "inputs.objects[0].count is 0; at least 1"),
     ],
-)  # fmt: skip
+)
 def test_bad_inputs(lounge, call, inputs, line):
     with pytest.raises(InputError) as caught:
         call("add_objects", lounge, inputs)
@@ -151,8 +166,10 @@ def test_bad_inputs(lounge, call, inputs, line):
 
 
 def test_impossible_params_are_unmet(lounge, call):
-    rows = [{"category": "bench", "place": [{"type": "near", "to": "sofa", "colour": 3}]},
-            {"category": "bench", "place": [{"type": "against_wall", "to": "wall:9"}]}]  # fmt: skip
+    rows = [
+        {"category": "bench", "place": [{"type": "near", "to": "sofa", "colour": 3}]},
+        {"category": "bench", "place": [{"type": "against_wall", "to": "wall:9"}]},
+    ]
     proposal = call("add_objects", lounge, {"objects": rows})
     assert len(proposal.unmet) == 2 and "colour" in proposal.unmet[0] and "wall 9" in proposal.unmet[1]
 

@@ -84,8 +84,9 @@ def test_objects_are_swapped_added_and_removed(call, folder):
 
 def test_a_bed_of_another_kind_takes_the_place_of_the_bed(call, folder):
     brief = Brief(text="x", objects=(Asked(id="bed", noun="single bed", category="single_bed", count=(2, 2)),))
-    proposal = call("init_library", Scene.example("bedroom"), {"folder": str(folder), "name": "second"}, brief=brief,
-                    room="bedroom")  # fmt: skip
+    proposal = call(
+        "init_library", Scene.example("bedroom"), {"folder": str(folder), "name": "second"}, brief=brief, room="bedroom"
+    )
     beds = [o for o in proposal.scene.objects if "bed" in o.category.split("_")]
     assert [o.category for o in beds] == ["single_bed"] * 2 and all(o.attributes["asked"] == "bed" for o in beds)
 

@@ -68,8 +68,11 @@ def test_remove_by_category_keeps_some(lounge, call):
         "chair-1",
     )
     assert call("remove_objects", scene, {"category": "chair", "keep": 3}).edits == ()
-    for inputs, line in (({}, "name ids or a category"), ({"ids": ["sofa-1"]}, "did you mean 'sofa-0'"),
-                         ({"category": "piano"}, "there is none")):  # fmt: skip
+    for inputs, line in (
+        ({}, "name ids or a category"),
+        ({"ids": ["sofa-1"]}, "did you mean 'sofa-0'"),
+        ({"category": "piano"}, "there is none"),
+    ):
         with pytest.raises(InputError, match=line):
             call("remove_objects", scene, inputs)
 
@@ -124,8 +127,14 @@ def test_wrong_relations(lounge, call, row, line):
 
 
 def test_turned_toward_things(lounge, call):
-    for toward, (x, y) in (("sofa-0", (3.0, 4.5)), ("window", (6.0, 2.5)), ("door-0", (0.75, 0.0)),
-                           ("middle", (3.0, 2.5)), ("wall", (6.0, 2.6)), ("vase", (3.2, 3.2))):  # fmt: skip
+    for toward, (x, y) in (
+        ("sofa-0", (3.0, 4.5)),
+        ("window", (6.0, 2.5)),
+        ("door-0", (0.75, 0.0)),
+        ("middle", (3.0, 2.5)),
+        ("wall", (6.0, 2.6)),
+        ("vase", (3.2, 3.2)),
+    ):
         proposal = call("update_rotation", lounge, {"ids": ["armchair-0"], "toward": toward})
         made = after(lounge, proposal)
         pose = made.object("armchair-0").pose
@@ -156,9 +165,14 @@ def test_a_table_turns_with_its_vase(lounge, call):
 
 
 def test_bad_turns(lounge, call):
-    for inputs in ({"ids": ["sofa-0"]}, {"ids": ["sofa-0"], "yaw": 1, "degrees": 2}, {"ids": []},
-                   {"ids": ["sofa-0"], "toward": "the moon"}, {"ids": ["nothing"], "yaw": 1},
-                   {"ids": ["sofa-0"], "yaw": float("inf")}):  # fmt: skip
+    for inputs in (
+        {"ids": ["sofa-0"]},
+        {"ids": ["sofa-0"], "yaw": 1, "degrees": 2},
+        {"ids": []},
+        {"ids": ["sofa-0"], "toward": "the moon"},
+        {"ids": ["nothing"], "yaw": 1},
+        {"ids": ["sofa-0"], "yaw": float("inf")},
+    ):
         with pytest.raises(InputError, match="tool update_rotation: inputs"):
             call("update_rotation", lounge, inputs)
 
@@ -229,8 +243,11 @@ def test_all_is_laid_out_anew(lounge, call):
 
 
 def test_some_are_set_back_with_what_belongs_to_them(lounge, call):
-    proposal = call("update_layout", lounge, {"ids": ["sofa-0"], "relations": [
-        {"type": "against_wall", "subject": "sofa-0", "target": "wall:2"}]})  # fmt: skip
+    proposal = call(
+        "update_layout",
+        lounge,
+        {"ids": ["sofa-0"], "relations": [{"type": "against_wall", "subject": "sofa-0", "target": "wall:2"}]},
+    )
     moved = {e.id for e in proposal.edits if isinstance(e, SetPose)}
     assert moved == {"sofa-0", "coffee_table-0", "vase-0"} and not proposal.fresh
     made = after(lounge, proposal)

@@ -72,9 +72,14 @@ def test_own_tools_are_found_without_entry_points():
 
 
 def test_cards_are_read_without_importing_tools(site):
-    site({"paint_all": "painters.brush:Paint"},
-         {"painters/__init__.py": "", "painters/brush.py": "1 / 0",
-          "painters/paint_all.yaml": CARD.replace("NAME", "paint_all")})  # fmt: skip
+    site(
+        {"paint_all": "painters.brush:Paint"},
+        {
+            "painters/__init__.py": "",
+            "painters/brush.py": "1 / 0",
+            "painters/paint_all.yaml": CARD.replace("NAME", "paint_all"),
+        },
+    )
     entry = tools()["paint_all"]
     assert entry.card.role == "modifier"
     assert "painters.brush" not in sys.modules
@@ -82,20 +87,35 @@ def test_cards_are_read_without_importing_tools(site):
         entry.load()
 
 
-@pytest.mark.parametrize("card", ["painters/deep/paint_all.yaml", "painters/deep/toolcards/paint_all.yaml",
-                                  "painters/toolcards/paint_all.yaml", "painters/paint_all.yaml"])  # fmt: skip
+@pytest.mark.parametrize(
+    "card",
+    [
+        "painters/deep/paint_all.yaml",
+        "painters/deep/toolcards/paint_all.yaml",
+        "painters/toolcards/paint_all.yaml",
+        "painters/paint_all.yaml",
+    ],
+)
 def test_a_foreign_tool_works(site, call, card):
-    site({"paint_all": "painters.deep.brush:Paint"},
-         {"painters/__init__.py": "", "painters/deep/__init__.py": "", "painters/deep/brush.py": MODULE,
-          card: CARD.replace("NAME", "paint_all")})  # fmt: skip
+    site(
+        {"paint_all": "painters.deep.brush:Paint"},
+        {
+            "painters/__init__.py": "",
+            "painters/deep/__init__.py": "",
+            "painters/deep/brush.py": MODULE,
+            card: CARD.replace("NAME", "paint_all"),
+        },
+    )
     scene = Scene.example("bedroom")
     proposal = call("paint_all", scene, {"color": "blue"}, room="bedroom")
     assert {e.id for e in proposal.edits} == set(scene.ids)
 
 
 def test_a_module_without_a_package(site):
-    site({"paint_all": "paint_alone:Paint"},
-         {"paint_alone.py": MODULE, "paint_all.yaml": CARD.replace("NAME", "paint_all")})  # fmt: skip
+    site(
+        {"paint_all": "paint_alone:Paint"},
+        {"paint_alone.py": MODULE, "paint_all.yaml": CARD.replace("NAME", "paint_all")},
+    )
     assert tool("paint_all").load().name == "paint_all"
 
 
@@ -107,8 +127,14 @@ BROKEN = {
         {"paint_a": "painters.brush:Paint"},
         {"painters/__init__.py": "", "painters/paint_a.yaml": CARD.replace("NAME", "paint_b")},
     ),
-    "bad card": ({"paint_a": "painters.b:P"}, {"painters/__init__.py": "", "painters/paint_a.yaml": "role: [", }),
-}  # fmt: skip
+    "bad card": (
+        {"paint_a": "painters.b:P"},
+        {
+            "painters/__init__.py": "",
+            "painters/paint_a.yaml": "role: [",
+        },
+    ),
+}
 
 
 @pytest.mark.parametrize("kind", BROKEN)
@@ -122,17 +148,27 @@ def test_a_broken_tool_is_left_out_with_a_warning(site, caplog, kind):
 
 
 def test_our_names_are_not_taken_over(site, caplog):
-    site({"add_objects": "painters.brush:Paint"},
-         {"painters/__init__.py": "", "painters/brush.py": MODULE,
-          "painters/add_objects.yaml": CARD.replace("NAME", "add_objects")})  # fmt: skip
+    site(
+        {"add_objects": "painters.brush:Paint"},
+        {
+            "painters/__init__.py": "",
+            "painters/brush.py": MODULE,
+            "painters/add_objects.yaml": CARD.replace("NAME", "add_objects"),
+        },
+    )
     assert tools()["add_objects"].origin.startswith("sceneweaver.")
     assert "the name is taken" in caplog.text
 
 
 def test_what_is_no_tool_does_not_load(site):
-    site({"paint_a": "painters.brush:Paint"},
-         {"painters/__init__.py": "", "painters/brush.py": MODULE,
-          "painters/paint_a.yaml": CARD.replace("NAME", "paint_a")})  # fmt: skip
+    site(
+        {"paint_a": "painters.brush:Paint"},
+        {
+            "painters/__init__.py": "",
+            "painters/brush.py": MODULE,
+            "painters/paint_a.yaml": CARD.replace("NAME", "paint_a"),
+        },
+    )
     with pytest.raises(InputError, match="is no tool"):
         tools()["paint_a"].load()
 

@@ -133,9 +133,12 @@ def test_under_a_wall_cabinet_and_before_a_window() -> None:
     y = -5 + counter.size[0] / 2 + 0.01
     counter = counter.model_copy(update={"pose": Pose.from_yaw(0, y, 0, math.pi / 2)})
     low = SceneObject(
-        id="hood", category="range_hood", size=(0.5, 3.0, 0.5), mount="ceiling",
+        id="hood",
+        category="range_hood",
+        size=(0.5, 3.0, 0.5),
+        mount="ceiling",
         pose=Pose.from_yaw(0.0, -4.75, counter.size[2] + 0.2, math.pi / 2),
-    )  # fmt: skip
+    )
     window = Window(id="window-0", wall=0, offset=3.0, width=4.0, sill=1.0, height=1.2)
     for scene in (room([counter, low]), room([counter], windows=(window,))):
         done = after(scene, answer(TOOL, scene))

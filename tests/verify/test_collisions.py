@@ -13,9 +13,18 @@ from sceneweaver.verify.solids import Placed
 from tests.verify.build import box, judge, only, rectangle, scene, times, turned
 
 
-@pytest.mark.parametrize(("dx", "dz", "count"), [
-    (1.0, 0.0, 0), (0.9992, 0.0, 0), (0.9988, 0.0, 1), (0.5, 0.9992, 0), (0.5, 0.9988, 1), (0.5, 1.2, 0), (0.9, 0.9, 1),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("dx", "dz", "count"),
+    [
+        (1.0, 0.0, 0),
+        (0.9992, 0.0, 0),
+        (0.9988, 0.0, 1),
+        (0.5, 0.9992, 0),
+        (0.5, 0.9988, 1),
+        (0.5, 1.2, 0),
+        (0.9, 0.9, 1),
+    ],
+)
 def test_boxes(dx, dz, count):
     report = judge([box("a", (1, 1, 1), 4, 4), box("b", (1, 1, 1), 4 + dx, 4, z=dz)])
     assert report.collisions == count
@@ -55,10 +64,17 @@ def test_a_chair_under_a_table():
     legs = [{"polygon": rectangle(x, y, x + 0.05, y + 0.05), "z": [0, 0.7]} for x in (-0.4, 0.35) for y in (-0.6, 0.55)]
     top = {"polygon": rectangle(-0.4, -0.6, 0.4, 0.6), "z": [0.7, 0.74]}
     table = box("table", (0.8, 1.2, 0.74), 4, 4, parts=[*legs, top])
-    chair = box("chair", (0.5, 0.5, 0.9), 4.4, 4, 180.0, parts=[
-        {"polygon": rectangle(-0.2, -0.25, 0.25, 0.25), "z": [0, 0.45]},
-        {"polygon": rectangle(-0.25, -0.25, -0.2, 0.25), "z": [0.45, 0.9]},
-    ])  # fmt: skip
+    chair = box(
+        "chair",
+        (0.5, 0.5, 0.9),
+        4.4,
+        4,
+        180.0,
+        parts=[
+            {"polygon": rectangle(-0.2, -0.25, 0.25, 0.25), "z": [0, 0.45]},
+            {"polygon": rectangle(-0.25, -0.25, -0.2, 0.25), "z": [0.45, 0.9]},
+        ],
+    )
     assert judge([table, chair]).valid
     inside = {**chair, "pose": {"position": [4.15, 4, 0], "quaternion": turned(180.0)}}
     assert only(judge([table, inside]), "collision").amount == pytest.approx(0.04)

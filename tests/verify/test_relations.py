@@ -29,10 +29,20 @@ def test_every_type_has_a_judge():
 
 
 @pytest.mark.parametrize("yaw", [0.0, 30.0, 205.0])
-@pytest.mark.parametrize(("beyond", "aside", "expected"), [
-    (0.5, 0.0, True), (-0.0008, 0.0, True), (-0.0015, 0.0, False), (1.5008, 0.0, True), (1.5015, 0.0, False),
-    (0.5, 0.749, True), (0.5, 0.751, False), (0.5, -0.749, True), (0.5, -0.751, False),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("beyond", "aside", "expected"),
+    [
+        (0.5, 0.0, True),
+        (-0.0008, 0.0, True),
+        (-0.0015, 0.0, False),
+        (1.5008, 0.0, True),
+        (1.5015, 0.0, False),
+        (0.5, 0.749, True),
+        (0.5, 0.751, False),
+        (0.5, -0.749, True),
+        (0.5, -0.751, False),
+    ],
+)
 @pytest.mark.parametrize("kind", ["left_of", "right_of", "in_front_of", "behind"])
 def test_beside_a_face(kind, beyond, aside, expected, yaw):
     target = box("t", (1.0, 1.4, 0.7), 4.0, 4.0, yaw)
@@ -50,10 +60,19 @@ def test_beside_a_face_params():
     assert holds([target, subject], relation("left_of", "s", "t", max=1.6, band=1.9))
 
 
-@pytest.mark.parametrize(("along", "aside", "expected"), [
-    (2.0, 0.0, True), (0.801, 0.0, True), (0.799, 0.0, False), (3.199, 0.0, True), (3.201, 0.0, False),
-    (2.0, 0.499, True), (2.0, 0.501, False), (2.0, -0.501, False),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("along", "aside", "expected"),
+    [
+        (2.0, 0.0, True),
+        (0.801, 0.0, True),
+        (0.799, 0.0, False),
+        (3.199, 0.0, True),
+        (3.201, 0.0, False),
+        (2.0, 0.499, True),
+        (2.0, 0.501, False),
+        (2.0, -0.501, False),
+    ],
+)
 def test_between(along, aside, expected):
     a = box("a", (0.4, 0.4, 0.4), 2.0, 2.0)
     angle = math.radians(35)
@@ -90,11 +109,22 @@ def around(angles, radius=0.85, sides=8, turn=None, **params):
     return report.relations.hard.satisfied, report
 
 
-@pytest.mark.parametrize(("angles", "satisfied"), [
-    ([0, 90, 180, 270], 4), ([0, 90, 180, 246], 4), ([0, 90, 180, 244], 1), ([45, 225], 2), ([45, 201], 2),
-    ([45, 199], 0), ([135], 1), ([0, 60, 120, 180, 240, 300], 6), ([0, 114, 180, 270], 4), ([0, 116, 180, 270], 1),
-    ([350, 80, 170, 260], 4),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("angles", "satisfied"),
+    [
+        ([0, 90, 180, 270], 4),
+        ([0, 90, 180, 246], 4),
+        ([0, 90, 180, 244], 1),
+        ([45, 225], 2),
+        ([45, 201], 2),
+        ([45, 199], 0),
+        ([135], 1),
+        ([0, 60, 120, 180, 240, 300], 6),
+        ([0, 114, 180, 270], 4),
+        ([0, 116, 180, 270], 1),
+        ([350, 80, 170, 260], 4),
+    ],
+)
 def test_around_is_even(angles, satisfied):
     assert around(angles, sides=24)[0] == satisfied
 
@@ -143,10 +173,18 @@ def test_away_from_door_measures_parts():
     assert not holds([s], relation("away_from_door", "s", min=2.2), doors=[DOOR])
 
 
-@pytest.mark.parametrize(("dx", "dz", "expected"), [
-    (0.0, 0.0, True), (0.0, -0.0008, True), (0.0, -0.0012, False), (0.7008, 0.3, True), (-0.7008, 0.3, True),
-    (0.7012, 0.3, False), (-0.7012, 0.3, False),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("dx", "dz", "expected"),
+    [
+        (0.0, 0.0, True),
+        (0.0, -0.0008, True),
+        (0.0, -0.0012, False),
+        (0.7008, 0.3, True),
+        (-0.7008, 0.3, True),
+        (0.7012, 0.3, False),
+        (-0.7012, 0.3, False),
+    ],
+)
 def test_above_and_below(dx, dz, expected):
     target = box("t", (0.5, 1.4, 0.8), 4.0, 0.25, 90.0)
     mirror = box("s", (0.05, 0.6, 0.5), 4.0 + dx, 0.03, 90.0, 0.8 + dz, mount="wall")
@@ -189,15 +227,25 @@ def resting(surface, z, left=0.0, height=0.3, mount="surface"):
     return box("s", (0.2, 0.2, height), *beside(shelf(), 0.0, left), 30.0, z, mount=mount, support=support)
 
 
-@pytest.mark.parametrize(("kind", "thing", "expected"), [
-    ("on_top", resting("top", 1.0), True), ("on_top", resting("top", 1.0025), False),
-    ("on_top", resting("top", 1.0, 0.4005), True), ("on_top", resting("top", 1.0, 0.4015), False),
-    ("inside", resting("top", 1.0), False), ("inside", resting("board", 0.5), True),
-    ("inside", resting("board", 0.4975), False), ("inside", resting("board", 0.5, height=0.4008), True),
-    ("inside", resting("board", 0.5, height=0.4012), False), ("on_top", resting("board", 0.5), True),
-    ("on_top", resting("", 1.0, mount="floor"), True), ("inside", resting("", 1.0, mount="floor"), False),
-    ("inside", resting("", 0.5, mount="floor"), True), ("on_top", resting("", 0.7, mount="floor"), False),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("kind", "thing", "expected"),
+    [
+        ("on_top", resting("top", 1.0), True),
+        ("on_top", resting("top", 1.0025), False),
+        ("on_top", resting("top", 1.0, 0.4005), True),
+        ("on_top", resting("top", 1.0, 0.4015), False),
+        ("inside", resting("top", 1.0), False),
+        ("inside", resting("board", 0.5), True),
+        ("inside", resting("board", 0.4975), False),
+        ("inside", resting("board", 0.5, height=0.4008), True),
+        ("inside", resting("board", 0.5, height=0.4012), False),
+        ("on_top", resting("board", 0.5), True),
+        ("on_top", resting("", 1.0, mount="floor"), True),
+        ("inside", resting("", 1.0, mount="floor"), False),
+        ("inside", resting("", 0.5, mount="floor"), True),
+        ("on_top", resting("", 0.7, mount="floor"), False),
+    ],
+)
 def test_on_top_and_inside(kind, thing, expected):
     assert holds([shelf(), thing], relation(kind, "s", "t")) is expected
 
@@ -220,25 +268,37 @@ def test_at_window(target):
 WALLS = [box("s", (0.4, 1.0, 1.0), 0.2 + gap, 4.0) for gap in (0.0, 0.0705, 0.072)]
 
 
-@pytest.mark.parametrize(("thing", "params", "expected"), [
-    (WALLS[0], {}, True), (WALLS[1], {}, True), (WALLS[2], {}, False), (WALLS[2], {"gap": [0.0, 0.08]}, True),
-    (box("s", (0.4, 1.0, 1.0), 0.25, 4.0, 5.5), {}, False),
-    (box("s", (0.4, 1.0, 1.0), 0.25, 4.0, 5.5), {"degrees": 6, "gap": [0.0, 0.2]}, True),
-    (box("s", (0.4, 1.0, 1.0), 0.2, 0.3), {}, False), (box("s", (0.4, 1.0, 1.0), 0.2, 0.3), {"overlap": 0.7}, True),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("thing", "params", "expected"),
+    [
+        (WALLS[0], {}, True),
+        (WALLS[1], {}, True),
+        (WALLS[2], {}, False),
+        (WALLS[2], {"gap": [0.0, 0.08]}, True),
+        (box("s", (0.4, 1.0, 1.0), 0.25, 4.0, 5.5), {}, False),
+        (box("s", (0.4, 1.0, 1.0), 0.25, 4.0, 5.5), {"degrees": 6, "gap": [0.0, 0.2]}, True),
+        (box("s", (0.4, 1.0, 1.0), 0.2, 0.3), {}, False),
+        (box("s", (0.4, 1.0, 1.0), 0.2, 0.3), {"overlap": 0.7}, True),
+    ],
+)
 def test_against_wall_params(thing, params, expected):
     assert holds([thing], relation("against_wall", "s", **params)) is expected
 
 
-@pytest.mark.parametrize(("kind", "pose", "loose"), [
-    ("front_to_front", (4.8, 4.4, 160.0), {"degrees": 25, "gap": [-0.5, 0.5], "overlap": 0.1}),
-    ("leftright_to_leftright", (4.1, 5.3, 0.0), {"gap": [0.0, 0.6]}),
-    ("side_by_side", (4.1, 5.3, 0.0), {"gap": [0.0, 0.6]}),
-    ("back_to_back", (3.1, 4.0, 180.0), {"gap": [0.0, 0.5]}),
-    ("facing", (6.0, 4.0, 160.0), {"degrees": 21}),
-    ("aligned", (6.0, 4.0, 94.0), {"degrees": 5}), ("parallel", (6.0, 4.0, 184.0), {"degrees": 5}),
-    ("centered_on", (6.0, 4.2, 0.0), {"offset": 0.3}), ("near", (6.0, 4.0, 0.0), {"max": 2.0}),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("kind", "pose", "loose"),
+    [
+        ("front_to_front", (4.8, 4.4, 160.0), {"degrees": 25, "gap": [-0.5, 0.5], "overlap": 0.1}),
+        ("leftright_to_leftright", (4.1, 5.3, 0.0), {"gap": [0.0, 0.6]}),
+        ("side_by_side", (4.1, 5.3, 0.0), {"gap": [0.0, 0.6]}),
+        ("back_to_back", (3.1, 4.0, 180.0), {"gap": [0.0, 0.5]}),
+        ("facing", (6.0, 4.0, 160.0), {"degrees": 21}),
+        ("aligned", (6.0, 4.0, 94.0), {"degrees": 5}),
+        ("parallel", (6.0, 4.0, 184.0), {"degrees": 5}),
+        ("centered_on", (6.0, 4.2, 0.0), {"offset": 0.3}),
+        ("near", (6.0, 4.0, 0.0), {"max": 2.0}),
+    ],
+)
 def test_params_loosen(kind, pose, loose):
     things = [box("t", (1.0, 1.0, 0.7), 4.0, 4.0), box("s", (0.4, 0.6, 0.7), *pose)]
     assert not holds(things, relation(kind, "s", "t"))

@@ -22,15 +22,19 @@ TALLY = {
     "additionalProperties": False,
 }
 KINDS = [
-    "collision", "out_of_bounds", "unsupported", "blocked_zone", "blocked_opening", "relation", "soft_relation",
+    "collision",
+    "out_of_bounds",
+    "unsupported",
+    "blocked_zone",
+    "blocked_opening",
+    "relation",
+    "soft_relation",
     "dropped",
-]  # fmt: skip
+]
 PROPERTIES = {
     "schema": {"const": "sceneweaver.metrics/1"},
     "valid": {"type": "boolean"},
-    **dict.fromkeys(
-        ("requested", "placed", "dropped", "collisions", "out_of_bounds", "unsupported"), COUNT
-    ),
+    **dict.fromkeys(("requested", "placed", "dropped", "collisions", "out_of_bounds", "unsupported"), COUNT),
     **dict.fromkeys(("blocked_zones", "blocked_openings"), COUNT),
     "relations": {
         "type": "object",
@@ -65,7 +69,7 @@ PROPERTIES = {
     "device": {"type": ["string", "null"]},
     "candidates": {"type": ["integer", "null"]},
     "versions": {"type": "object", "additionalProperties": {"type": "string"}},
-}  # fmt: skip
+}
 METRICS = {
     "type": "object",
     "required": list(PROPERTIES),
@@ -139,9 +143,13 @@ def test_form_of_metrics(wrong, name):
     jsonschema.validate(json.loads(report.to_json()), METRICS)
     assert json.loads(report.to_json()) == report.to_dict()
     filled = dataclasses.replace(
-        report, seed=3, device="cuda:0", candidates=1024,
-        stability={"moved_over_0_1m": 0, "moved_over_0_01m": 1, "mean_shift_m": 0.001}, scores={"critic": "symbolic"},
-    )  # fmt: skip
+        report,
+        seed=3,
+        device="cuda:0",
+        candidates=1024,
+        stability={"moved_over_0_1m": 0, "moved_over_0_01m": 1, "mean_shift_m": 0.001},
+        scores={"critic": "symbolic"},
+    )
     jsonschema.validate(json.loads(filled.to_json()), METRICS)
     assert filled.to_dict()["stability"]["moved_over_0_01m"] == 1
 
@@ -174,9 +182,23 @@ def test_save(tmp_path, wrong):
 
 
 def test_a_failed_save_leaves_nothing_behind(tmp_path):
-    report = Report(**dict.fromkeys(
-        ("requested", "placed", "dropped", "collisions", "out_of_bounds", "unsupported", "blocked_zones",
-         "blocked_openings"), 0), valid=True, walkable_share=float("nan"))  # fmt: skip
+    report = Report(
+        **dict.fromkeys(
+            (
+                "requested",
+                "placed",
+                "dropped",
+                "collisions",
+                "out_of_bounds",
+                "unsupported",
+                "blocked_zones",
+                "blocked_openings",
+            ),
+            0,
+        ),
+        valid=True,
+        walkable_share=float("nan"),
+    )
     path = tmp_path / "metrics.json"
     path.write_text("old")
     with pytest.raises(ValueError):

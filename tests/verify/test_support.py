@@ -25,10 +25,18 @@ def test_floor(z, count):
     assert judge([box("s", (1, 1, 1), 4, 4, z=z)]).unsupported == count
 
 
-@pytest.mark.parametrize(("x", "z", "count"), [
-    (4.0, 0.7, 0), (4.0, 0.7018, 0), (4.0, 0.7022, 1), (4.0, 0.6982, 0), (4.0, 0.6978, 1),
-    (4.2508, 0.7, 0), (4.2512, 0.7, 1),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("x", "z", "count"),
+    [
+        (4.0, 0.7, 0),
+        (4.0, 0.7018, 0),
+        (4.0, 0.7022, 1),
+        (4.0, 0.6982, 0),
+        (4.0, 0.6978, 1),
+        (4.2508, 0.7, 0),
+        (4.2512, 0.7, 1),
+    ],
+)
 def test_surface(x, z, count):
     assert judge([table(), cup(x, z=z)]).unsupported == count
 
@@ -70,11 +78,22 @@ def on_wall(gap, y=4.0, yaw=0.0, z=1.2):
     return box("tv", (0.08, 1.0, 0.6), 0.04 + gap, y, yaw, z, mount="wall")
 
 
-@pytest.mark.parametrize(("thing", "count"), [
-    (on_wall(0.0), 0), (on_wall(-0.0009), 0), (on_wall(-0.0011), 1), (on_wall(0.0709), 0), (on_wall(0.0711), 1),
-    (on_wall(0.05, yaw=4.9), 0), (on_wall(0.05, yaw=5.1), 1), (on_wall(0.0, y=0.41), 0), (on_wall(0.0, y=0.39), 1),
-    (on_wall(0.0, yaw=180.0), 1), (box("tv", (0.08, 1.0, 0.6), 4.0, 4.0, mount="wall"), 1),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("thing", "count"),
+    [
+        (on_wall(0.0), 0),
+        (on_wall(-0.0009), 0),
+        (on_wall(-0.0011), 1),
+        (on_wall(0.0709), 0),
+        (on_wall(0.0711), 1),
+        (on_wall(0.05, yaw=4.9), 0),
+        (on_wall(0.05, yaw=5.1), 1),
+        (on_wall(0.0, y=0.41), 0),
+        (on_wall(0.0, y=0.39), 1),
+        (on_wall(0.0, yaw=180.0), 1),
+        (box("tv", (0.08, 1.0, 0.6), 4.0, 4.0, mount="wall"), 1),
+    ],
+)
 def test_wall(thing, count):
     assert judge([thing]).unsupported == count
 

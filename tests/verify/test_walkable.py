@@ -71,13 +71,16 @@ def test_the_robot_is_as_wide_as_40_cm(gap, open_):
         assert found.walkable == pytest.approx(0.5, abs=0.02)
 
 
-@pytest.mark.parametrize(("thing", "free"), [
-    (box("rug", (3.9, 3.9, 0.02), 2.0, 2.0), True),
-    (box("mat", (3.9, 3.9, 0.03), 2.0, 2.0), False),
-    (box("shelf", (0.3, 4.0, 0.3), 2.0, 2.0, 90.0, 1.8, mount="wall"), True),
-    (box("shelf", (0.3, 4.0, 0.3), 2.0, 2.0, 90.0, 1.7, mount="wall"), False),
-    (box("lamp", (0.3, 4.0, 0.3), 2.0, 2.0, 90.0, 2.4, mount="ceiling"), True),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("thing", "free"),
+    [
+        (box("rug", (3.9, 3.9, 0.02), 2.0, 2.0), True),
+        (box("mat", (3.9, 3.9, 0.03), 2.0, 2.0), False),
+        (box("shelf", (0.3, 4.0, 0.3), 2.0, 2.0, 90.0, 1.8, mount="wall"), True),
+        (box("shelf", (0.3, 4.0, 0.3), 2.0, 2.0, 90.0, 1.7, mount="wall"), False),
+        (box("lamp", (0.3, 4.0, 0.3), 2.0, 2.0, 90.0, 2.4, mount="ceiling"), True),
+    ],
+)
 def test_what_hinders(thing, free):
     assert (measure([thing]).walkable == 1.0) is free
 

@@ -120,10 +120,15 @@ def _decomposed(points: np.ndarray, triangles: np.ndarray, cache: Path | None, s
     else:
         made = run_limited(
             "decompose",
-            {"vertices": points, "faces": triangles, "threshold": np.array(THRESHOLD), "limit": np.array(MAX_HULLS),
-             "manifold": np.array(manifold)},
+            {
+                "vertices": points,
+                "faces": triangles,
+                "threshold": np.array(THRESHOLD),
+                "limit": np.array(MAX_HULLS),
+                "manifold": np.array(manifold),
+            },
             seconds,
-        )  # fmt: skip
+        )
         if file is not None:
             import io
 

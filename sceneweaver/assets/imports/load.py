@@ -124,9 +124,13 @@ def _load_arrays(path: Path) -> RawMesh:
             for name, row in zip(found["names"], found["looks"], strict=True)
         ]
         return RawMesh(
-            found["vertices"].astype(np.float64), found["faces"].astype(np.int64),
-            found["face_material"].astype(np.int64), tuple(looks), up="z", metres=1.0,
-        )  # fmt: skip
+            found["vertices"].astype(np.float64),
+            found["faces"].astype(np.int64),
+            found["face_material"].astype(np.int64),
+            tuple(looks),
+            up="z",
+            metres=1.0,
+        )
 
 
 def _check_glb(path: Path) -> None:
@@ -205,10 +209,13 @@ def _load_usd(path: Path) -> RawMesh:
     if not vertices:
         raise InputError(f"{path.name}: the file has no triangles")
     return RawMesh(
-        np.concatenate(vertices), np.concatenate(faces), np.concatenate(slots), tuple(looks),
+        np.concatenate(vertices),
+        np.concatenate(faces),
+        np.concatenate(slots),
+        tuple(looks),
         up=str(UsdGeom.GetStageUpAxis(stage)).lower(),
         metres=float(UsdGeom.GetStageMetersPerUnit(stage)) if UsdGeom.StageHasAuthoredMetersPerUnit(stage) else None,
-    )  # fmt: skip
+    )
 
 
 def _fans(counts: np.ndarray, corners: np.ndarray) -> np.ndarray:

@@ -125,8 +125,11 @@ def _guess_up(points: np.ndarray, category: Category | None) -> str:
         for axis, (a, b, c) in (("y", (0, 2, 1)), ("z", (0, 1, 2))):
             best = math.inf
             for first, second in ((a, b), (b, a)):
-                ratio = [math.log(extent[k] / math.sqrt(r[0] * r[1])) for k, r in
-                         zip((first, second, c), ranges, strict=True) if extent[k] > 0]  # fmt: skip
+                ratio = [
+                    math.log(extent[k] / math.sqrt(r[0] * r[1]))
+                    for k, r in zip((first, second, c), ranges, strict=True)
+                    if extent[k] > 0
+                ]
                 best = min(best, float(np.ptp(ratio)))
             misfit[axis] = best
         if abs(misfit["y"] - misfit["z"]) > 0.15:

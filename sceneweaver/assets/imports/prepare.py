@@ -52,10 +52,13 @@ def prepare(hints: Hints, *, cache: Path | None = None, seconds: float = 60.0) -
     low, high = mesh.bounds
     size = tuple(float(v) for v in high - low)
     clear = [
-        ((min(x for x, _ in s.polygon), max(x for x, _ in s.polygon)),
-         (min(y for _, y in s.polygon), max(y for _, y in s.polygon)), (s.z + 1e-3, s.z + min(s.headroom or 0.3, 0.3)))
+        (
+            (min(x for x, _ in s.polygon), max(x for x, _ in s.polygon)),
+            (min(y for _, y in s.polygon), max(y for _, y in s.polygon)),
+            (s.z + 1e-3, s.z + min(s.headroom or 0.3, 0.3)),
+        )
         for s in surfaces
-    ]  # fmt: skip
+    ]
     mount = hints.mount or (category.mount[0] if category else "surface" if max(size) < 0.35 else "floor")
     zones: tuple[Zone, ...] = access_zones(category, size) if category else ()
     asset = Asset(
@@ -92,9 +95,21 @@ def content_hash(asset: Asset) -> str:
         digest.update(np.ascontiguousarray(array).tobytes())
     for h in asset.hulls:
         digest.update(h.vertices.tobytes() + h.faces.tobytes() + bytes([h.link & 255]))
-    rest = (asset.category, asset.mesh.materials, asset.parts, asset.mount, asset.mass, asset.friction, asset.surfaces,
-            asset.zones, asset.sides, asset.links, sorted(asset.attributes.items()), asset.origin,
-            asset.description)  # fmt: skip
+    rest = (
+        asset.category,
+        asset.mesh.materials,
+        asset.parts,
+        asset.mount,
+        asset.mass,
+        asset.friction,
+        asset.surfaces,
+        asset.zones,
+        asset.sides,
+        asset.links,
+        sorted(asset.attributes.items()),
+        asset.origin,
+        asset.description,
+    )
     digest.update(repr(rest).encode())
     return digest.hexdigest()
 
@@ -110,8 +125,12 @@ def _category(hints: Hints) -> Category | None:
 def _simplified(raw: RawMesh, hints: Hints, seconds: float) -> tuple[RawMesh, tuple[str, ...]]:
     if len(raw.faces) <= MAX_TRIANGLES:
         return raw, ()
-    given = {"vertices": raw.vertices, "faces": raw.faces, "groups": raw.face_material,
-             "target": np.array(int(0.95 * MAX_TRIANGLES))}  # fmt: skip
+    given = {
+        "vertices": raw.vertices,
+        "faces": raw.faces,
+        "groups": raw.face_material,
+        "target": np.array(int(0.95 * MAX_TRIANGLES)),
+    }
     try:
         made = run_limited("simplify", given, seconds)
     except LimitedError as error:

@@ -93,8 +93,9 @@ class Builder:
     # Choices
 
     def _rng(self, name: str) -> np.random.Generator:
-        return np.random.Generator(np.random.PCG64([zlib.crc32(self.category.name.encode()), self._seed,
-                                                    zlib.crc32(name.encode())]))  # fmt: skip
+        return np.random.Generator(
+            np.random.PCG64([zlib.crc32(self.category.name.encode()), self._seed, zlib.crc32(name.encode())])
+        )
 
     def pick(self, name: str, options: Sequence[T]) -> T:
         """One of the options."""
@@ -138,8 +139,11 @@ class Builder:
         asked = self.request.material
         taken = self._words
         if asked and "material" not in taken:
-            like = [f for f in options if asked.lower() in (f.material.name, f.family) or asked.lower()
-                    in f.material.name.split()]  # fmt: skip
+            like = [
+                f
+                for f in options
+                if asked.lower() in (f.material.name, f.family) or asked.lower() in f.material.name.split()
+            ]
             if like:
                 options, chosen = like, None
                 taken.append("material")
@@ -351,10 +355,14 @@ class Builder:
         self._pieces = [(v * scale, f, m, k) for v, f, m, k in self._pieces]
         self._hulls = [Hull(h.vertices * scale, h.faces, h.link) for h in self._hulls]
         self._surfaces = [
-            Surface(name=k.name, polygon=tuple((x * s[0], y * s[1]) for x, y in k.polygon), z=k.z * s[2],
-                    headroom=None if k.headroom is None else k.headroom * s[2])
+            Surface(
+                name=k.name,
+                polygon=tuple((x * s[0], y * s[1]) for x, y in k.polygon),
+                z=k.z * s[2],
+                headroom=None if k.headroom is None else k.headroom * s[2],
+            )
             for k in self._surfaces
-        ]  # fmt: skip
+        ]
         self._links = [
             Link(k.name, k.joint, k.axis, (k.anchor[0] * s[0], k.anchor[1] * s[1], k.anchor[2] * s[2]), k.limits)
             for k in self._links

@@ -13,9 +13,14 @@ LegStyle = Literal["square", "tapered", "round", "splayed", "hairpin", "sled", "
 
 
 def legs(
-    b: Builder, x: Interval, y: Interval, z: Interval, material: Material | str, style: LegStyle = "square",
+    b: Builder,
+    x: Interval,
+    y: Interval,
+    z: Interval,
+    material: Material | str,
+    style: LegStyle = "square",
     width: float = 0.045,
-) -> None:  # fmt: skip
+) -> None:
     """Four legs, or what stands for them, inside the rectangle x, y between two heights.
 
     "sled" and "trestle" join front and back legs, "panel" makes each side one board.
@@ -79,9 +84,15 @@ def _leaning(b: Builder, foot, head, low: float, high: float, material: Material
 
 
 def handle(
-    b: Builder, x: float, y: float, z: float, material: Material | str, style: str = "bar", length: float = 0.12,
+    b: Builder,
+    x: float,
+    y: float,
+    z: float,
+    material: Material | str,
+    style: str = "bar",
+    length: float = 0.12,
     upright: bool = False,
-) -> None:  # fmt: skip
+) -> None:
     """A handle on a front face at depth x, centred at (y, z): "bar", "knob", "cup" or "none". It stands out 25 mm."""
     if style == "none":
         return
@@ -101,9 +112,16 @@ def handle(
 
 
 def drawer(
-    b: Builder, name: str, x: Interval, y: Interval, z: Interval, front: Material | str, pull: Material | str,
-    style: str = "bar", travel: float | None = None,
-) -> None:  # fmt: skip
+    b: Builder,
+    name: str,
+    x: Interval,
+    y: Interval,
+    z: Interval,
+    front: Material | str,
+    pull: Material | str,
+    style: str = "bar",
+    travel: float | None = None,
+) -> None:
     """A drawer with a front of 18 mm that ends at x[1], filling the rectangle y, z with a gap of 2 mm; it slides.
 
     It comes out by ``travel``, unless told by three quarters of its depth x[1] - x[0].
@@ -116,9 +134,17 @@ def drawer(
 
 
 def door(
-    b: Builder, name: str, x: Interval, y: Interval, z: Interval, leaf: Material | str, pull: Material | str,
-    hung: Literal["left", "right"] = "left", style: str = "bar", panel: Material | str | None = None,
-) -> None:  # fmt: skip
+    b: Builder,
+    name: str,
+    x: Interval,
+    y: Interval,
+    z: Interval,
+    leaf: Material | str,
+    pull: Material | str,
+    hung: Literal["left", "right"] = "left",
+    style: str = "bar",
+    panel: Material | str | None = None,
+) -> None:
     """A door leaf over the rectangle y, z between two depths, hinged at its left or right (seen from behind: +y, -y).
 
     With ``panel``, a framed door: the frame in ``leaf`` and a thinner panel (glass, say) in it.
@@ -148,9 +174,14 @@ def door(
 
 
 def carcass(
-    b: Builder, x: Interval, y: Interval, z: Interval, material: Material | str, board: float = 0.018,
+    b: Builder,
+    x: Interval,
+    y: Interval,
+    z: Interval,
+    material: Material | str,
+    board: float = 0.018,
     back: float = 0.006,
-) -> tuple[Interval, Interval, Interval]:  # fmt: skip
+) -> tuple[Interval, Interval, Interval]:
     """Two sides, a bottom, a top and a back; returns the interior (x, y, z)."""
     b.box(x, (y[0], y[0] + board), z, material, bevel=0.0015)
     b.box(x, (y[1] - board, y[1]), z, material, bevel=0.0015)

@@ -42,10 +42,12 @@ def read(path: Path) -> Iterator[Hints]:
             source="abo",
             licence="CC-BY-4.0",
             attribution="Amazon Berkeley Objects",
-            attributes={"color": _text(listing.get("color")).lower(),
-                        "material": _text(listing.get("material")).lower(),
-                        "style": _text(listing.get("style")).lower()},
-        )  # fmt: skip
+            attributes={
+                "color": _text(listing.get("color")).lower(),
+                "material": _text(listing.get("material")).lower(),
+                "style": _text(listing.get("style")).lower(),
+            },
+        )
 
 
 def _table(path: Path) -> Path | None:

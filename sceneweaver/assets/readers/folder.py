@@ -20,9 +20,25 @@ from ..imports.load import SUFFIXES
 from .tables import axis_of, number, read_csv, read_json
 
 _COLUMNS = (
-    "file", "category", "description", "up", "front", "unit", "depth", "width", "height", "mass", "friction", "mount",
-    "licence", "attribution", "color", "material", "style", "yaw",
-)  # fmt: skip
+    "file",
+    "category",
+    "description",
+    "up",
+    "front",
+    "unit",
+    "depth",
+    "width",
+    "height",
+    "mass",
+    "friction",
+    "mount",
+    "licence",
+    "attribution",
+    "color",
+    "material",
+    "style",
+    "yaw",
+)
 _UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}
 
 

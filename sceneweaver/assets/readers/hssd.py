@@ -8,8 +8,12 @@ from pathlib import Path
 from ..imports.hints import Hints
 from .tables import axis_of, read_csv
 
-_TABLES = ("hssd_obj_semantics_condensed.csv", "object_categories_filtered.csv", "fpmodels-with-decomposed.csv",
-           "fpmodels.csv")  # fmt: skip
+_TABLES = (
+    "hssd_obj_semantics_condensed.csv",
+    "object_categories_filtered.csv",
+    "fpmodels-with-decomposed.csv",
+    "fpmodels.csv",
+)
 
 
 def fits(path: Path) -> bool:
@@ -27,10 +31,18 @@ def read(path: Path) -> Iterator[Hints]:
         uid = next((low[k] for k in ("id", "object hash", "fullid", "uid") if low.get(k)), "").split(".")[-1]
         if uid not in files:
             continue
-        category = next(
-            (low[k] for k in ("main_category", "clean_category", "category", "main_wnsynsetkey", "wnlemmas")
-             if low.get(k)), "",
-        ).split(",")[0].split(".")[0]  # fmt: skip
+        category = (
+            next(
+                (
+                    low[k]
+                    for k in ("main_category", "clean_category", "category", "main_wnsynsetkey", "wnlemmas")
+                    if low.get(k)
+                ),
+                "",
+            )
+            .split(",")[0]
+            .split(".")[0]
+        )
         yield Hints(
             path=files[uid],
             name=low.get("name") or uid,

@@ -19,8 +19,14 @@ def fits(path: Path) -> bool:
 def read(path: Path) -> Iterator[Hints]:
     """One entry an instance."""
     for file in _files(path):
-        yield Hints(path=file, name=f"{file.parent.parent.name}-{file.stem}", up="z", metres=1.0, source="metascenes",
-                    licence="MetaScenes terms of use")  # fmt: skip
+        yield Hints(
+            path=file,
+            name=f"{file.parent.parent.name}-{file.stem}",
+            up="z",
+            metres=1.0,
+            source="metascenes",
+            licence="MetaScenes terms of use",
+        )
 
 
 def _files(path: Path) -> list[Path]:

@@ -9,10 +9,22 @@ from .convex import Shape
 Interval = tuple[float, float]
 
 _BOX_FACES = np.array(
-    [[0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4], [2, 6, 7], [2, 7, 3], [0, 4, 6], [0, 6, 2],
-     [1, 3, 7], [1, 7, 5]],
+    [
+        [0, 2, 3],
+        [0, 3, 1],
+        [4, 5, 7],
+        [4, 7, 6],
+        [0, 1, 5],
+        [0, 5, 4],
+        [2, 6, 7],
+        [2, 7, 3],
+        [0, 4, 6],
+        [0, 6, 2],
+        [1, 3, 7],
+        [1, 7, 5],
+    ],
     dtype=np.int32,
-)  # fmt: skip
+)
 
 
 def box(x: Interval, y: Interval, z: Interval, bevel: float = 0.0) -> Shape:

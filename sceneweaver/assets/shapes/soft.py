@@ -10,9 +10,13 @@ from .convex import Shape
 
 
 def cushion(
-    x: tuple[float, float], y: tuple[float, float], z: tuple[float, float], radius: float = 0.04, puff: float = 0.0,
+    x: tuple[float, float],
+    y: tuple[float, float],
+    z: tuple[float, float],
+    radius: float = 0.04,
+    puff: float = 0.0,
     steps: int = 3,
-) -> Shape:  # fmt: skip
+) -> Shape:
     """A box with round edges of ``radius``; ``puff`` in 0..1 swells its faces until it is an ellipsoid-like pillow.
 
     It fills its box exactly and is convex.
@@ -66,9 +70,11 @@ def _sphere_grid(steps: int, puff: float) -> Shape:
     # Corners and edges arise once a face; welded, the body is closed.
     _, first, inverse = np.unique(np.round(points, 9) + 0.0, axis=0, return_index=True, return_inverse=True)
     triangles = inverse.reshape(-1)[np.concatenate(faces)]
-    alive = (triangles[:, 0] != triangles[:, 1]) & (triangles[:, 1] != triangles[:, 2]) & (
-        triangles[:, 0] != triangles[:, 2]
-    )  # fmt: skip
+    alive = (
+        (triangles[:, 0] != triangles[:, 1])
+        & (triangles[:, 1] != triangles[:, 2])
+        & (triangles[:, 0] != triangles[:, 2])
+    )
     return points[first], triangles[alive].astype(np.int32)
 
 

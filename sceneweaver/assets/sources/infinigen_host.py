@@ -76,9 +76,14 @@ class Outcome:
 
 
 def generate(
-    categories: Sequence[str], seeds: Sequence[int], store: Store, *, seconds: float = 300.0,
-    setup_seconds: float = 1800.0, worker: Path = WORKER,
-) -> Iterator[Outcome]:  # fmt: skip
+    categories: Sequence[str],
+    seeds: Sequence[int],
+    store: Store,
+    *,
+    seconds: float = 300.0,
+    setup_seconds: float = 1800.0,
+    worker: Path = WORKER,
+) -> Iterator[Outcome]:
     """Run generators and keep what they make; one outcome for each category and seed, in order.
 
     The environment is made first (once: uv keeps it), within ``setup_seconds``; each generator has ``seconds``.
@@ -99,8 +104,12 @@ def generate(
 
 def _uv() -> str:
     """The uv command: $UV, on the path, beside this interpreter, or in the checkout's .uv folder."""
-    places = [os.environ.get("UV"), shutil.which("uv"), str(Path(sys.prefix, "bin", "uv")),
-              str(Path(sys.prefix).parent / ".uv" / "bin" / "uv")]  # fmt: skip
+    places = [
+        os.environ.get("UV"),
+        shutil.which("uv"),
+        str(Path(sys.prefix, "bin", "uv")),
+        str(Path(sys.prefix).parent / ".uv" / "bin" / "uv"),
+    ]
     for place in places:
         if place and Path(place).is_file():
             return place
@@ -130,9 +139,16 @@ def _one(uv: str, worker: Path, category: str, seed: int, store: Store, seconds:
             reason = text or f"ended with code {code}"
         else:
             hints = Hints(
-                path=out, name=f"{category}-{seed}", category=category, up="z", front="x", metres=1.0,
-                source="infinigen", licence="BSD-3-Clause", attribution="Infinigen",
-            )  # fmt: skip
+                path=out,
+                name=f"{category}-{seed}",
+                category=category,
+                up="z",
+                front="x",
+                metres=1.0,
+                source="infinigen",
+                licence="BSD-3-Clause",
+                attribution="Infinigen",
+            )
             try:
                 asset = prepare(hints, cache=store.cache, seconds=seconds)
                 store.add(asset, content_hash(asset))
@@ -145,9 +161,13 @@ def _run(command: list[str], seconds: float) -> tuple[int | None, str]:
     """Exit code (None after the time limit, when all processes have been ended) and the last line of stderr."""
     environment = {k: v for k, v in os.environ.items() if k not in ("PYTHONPATH", "VIRTUAL_ENV", "PYTHONHOME")}
     process = subprocess.Popen(
-        command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, env=environment,
+        command,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        env=environment,
         start_new_session=True,
-    )  # fmt: skip
+    )
     try:
         _, stderr = process.communicate(timeout=seconds)
     except subprocess.TimeoutExpired:

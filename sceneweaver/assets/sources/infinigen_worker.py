@@ -65,9 +65,13 @@ def main() -> None:
         raise SystemExit(f"{factory} made no mesh")
     part = f"{out}.part.npz"
     np.savez_compressed(
-        part, vertices=np.concatenate(vertices), faces=np.concatenate(faces), face_material=np.concatenate(materials),
-        looks=np.array(looks), names=np.array(names),
-    )  # fmt: skip
+        part,
+        vertices=np.concatenate(vertices),
+        faces=np.concatenate(faces),
+        face_material=np.concatenate(materials),
+        looks=np.array(looks),
+        names=np.array(names),
+    )
     os.replace(part, out)
 
 

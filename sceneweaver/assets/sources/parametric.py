@@ -28,8 +28,9 @@ class ParametricSource:
             return
         for k in range(wish.count):
             asset = _draw(category, wish.seed + k, self._request(category, wish))
-            yield Card(asset.id, category, asset.size, self.name, asset.origin.licence, asset.attributes,
-                       asset.description)  # fmt: skip
+            yield Card(
+                asset.id, category, asset.size, self.name, asset.origin.licence, asset.attributes, asset.description
+            )
 
     def owns(self, id: str) -> bool:
         """Ids look like ``parametric:desk?seed=3&color=white``."""

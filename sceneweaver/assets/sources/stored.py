@@ -28,10 +28,17 @@ class StoreSource:
         """All assets of the store."""
         if self._cards is None:
             self._cards = [
-                Card(row["id"], row["category"], tuple(row["size"]), row["source"], row["licence"], row["attributes"],
-                     row["description"])
+                Card(
+                    row["id"],
+                    row["category"],
+                    tuple(row["size"]),
+                    row["source"],
+                    row["licence"],
+                    row["attributes"],
+                    row["description"],
+                )
                 for row in self.store.rows()
-            ]  # fmt: skip
+            ]
         return self._cards
 
     def owns(self, id: str) -> bool:

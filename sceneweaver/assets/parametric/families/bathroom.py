@@ -29,8 +29,14 @@ def _bowl(b: Builder, x: float, long: float, w: float, h: float, china: Finish, 
             (0.97, 1.0, 0.98, rim),
         ]
     else:
-        rings = [(0.50, 1.0, 0.62, 0.0), (0.48, 1.0, 0.58, 0.03), (0.46, 0.98, 0.54, 0.14), (0.68, 0.98, 0.74, 0.25),
-                 (0.92, 1.0, 0.95, rim - 0.055), (0.97, 1.0, 0.98, rim)]  # fmt: skip
+        rings = [
+            (0.50, 1.0, 0.62, 0.0),
+            (0.48, 1.0, 0.58, 0.03),
+            (0.46, 0.98, 0.54, 0.14),
+            (0.68, 0.98, 0.74, 0.25),
+            (0.92, 1.0, 0.95, rim - 0.055),
+            (0.97, 1.0, 0.98, rim),
+        ]
     loft(b, [egg(front * f, back * k, w / 2 * s, z, mid, 0.0, 2.2, 5.0) for f, k, s, z in rings], china)
     # Seat and lid, hinged at their back: before a cistern, so that the lid can stand up.
     sb = back - (0.055 if hung else 0.115)
@@ -76,8 +82,10 @@ def toilet(b: Builder) -> None:
         b.box((x0 + 0.012, x0 + 0.18), (-w * 0.3, w * 0.3), (sh - 0.16, sh - 0.04), china, bevel=0.02)
     with b.solid("cistern"):
         top = h - 0.012
-        low = [rounded((x0 + 0.012, x0 + deep - 0.02), (-w / 2 + 0.03, w / 2 - 0.03), 0.03, sh - 0.04),
-               rounded((x0 + 0.008, x0 + deep - 0.008), (-w / 2 + 0.012, w / 2 - 0.012), 0.03, top - 0.04)]  # fmt: skip
+        low = [
+            rounded((x0 + 0.012, x0 + deep - 0.02), (-w / 2 + 0.03, w / 2 - 0.03), 0.03, sh - 0.04),
+            rounded((x0 + 0.008, x0 + deep - 0.008), (-w / 2 + 0.012, w / 2 - 0.012), 0.03, top - 0.04),
+        ]
         loft(b, low, china, whole=True)
         lid = ((x0, x0 + deep), (-w / 2, w / 2))
         inset = ((x0 + 0.008, x0 + deep - 0.008), (-w / 2 + 0.008, w / 2 - 0.008))
@@ -115,8 +123,12 @@ def bidet(b: Builder) -> None:
         loft(b, [egg(front * f, back * k, w / 2 * s, z, mid, 0.0, 2.2, 5.0) for f, k, s, z in foot], china)
         outer = [(0.74, 0.98, 0.78, 0.25), (0.95, 1.0, 0.96, 0.33), (1.0, 1.0, 1.0, h - 0.02), (0.985, 0.99, 0.98, h)]
         inner = [(0.84, 0.52, 0.80, h - 0.002), (0.79, 0.47, 0.74, 0.34), (0.42, 0.2, 0.36, 0.28)]
-        vessel(b, [egg(front * f, back * k, w / 2 * s, z, mid, 0.0, 2.2, 5.0) for f, k, s, z in outer],
-               [egg(front * f, back * k, w / 2 * s, z, mid, 0.0, 2.2, 2.4) for f, k, s, z in inner], china)  # fmt: skip
+        vessel(
+            b,
+            [egg(front * f, back * k, w / 2 * s, z, mid, 0.0, 2.2, 5.0) for f, k, s, z in outer],
+            [egg(front * f, back * k, w / 2 * s, z, mid, 0.0, 2.2, 2.4) for f, k, s, z in inner],
+            china,
+        )
         with b.frame(mid + 0.02, 0.0, 0.279):
             b.frustum(0.022, 0.022, (0.0, 0.004), "chrome", segments=14)
     tap(b, -d / 2 + 0.075, 0.0, h - 0.002, b.material("tap", "chrome", "brushed steel", "brass"), total - h, 0.11)
@@ -148,11 +160,18 @@ def urinal(b: Builder) -> None:
         for i in range(n - 1):
             pts = []
             for t, z in ((a[i], top[i]), (a[i + 1], top[i + 1])):
-                pts += [(*wall(1.0, 0.96, t), 0.17), (*wall(1.0, 0.98, t), z), (*wall(0.86, 0.82, t), 0.165),
-                        (*wall(0.88, 0.84, t), z)]  # fmt: skip
+                pts += [
+                    (*wall(1.0, 0.96, t), 0.17),
+                    (*wall(1.0, 0.98, t), z),
+                    (*wall(0.86, 0.82, t), 0.165),
+                    (*wall(0.88, 0.84, t), z),
+                ]
             b.hull(pts, china)
-        b.hull([(x0, s * w / 2, z) for s in (-1, 1) for z in (0.17, hb)]
-               + [(x0 + 0.05, s * w / 2, z) for s in (-1, 1) for z in (0.2, hb - 0.02)], china)  # fmt: skip
+        b.hull(
+            [(x0, s * w / 2, z) for s in (-1, 1) for z in (0.17, hb)]
+            + [(x0 + 0.05, s * w / 2, z) for s in (-1, 1) for z in (0.2, hb - 0.02)],
+            china,
+        )
         # A hood at the top.
         loft(
             b,
@@ -188,8 +207,11 @@ def _basin_body(
         out(1.0, h - 0.05),
         out(1.0, h),
     ]
-    inner = [oval(ix, iy, h, mx, cy, p), oval(ix * 0.9, iy * 0.92, h - 0.05, mx, cy, p),
-             oval(ix * 0.4, iy * 0.4, h - 0.115, mx, cy, 2.4)]  # fmt: skip
+    inner = [
+        oval(ix, iy, h, mx, cy, p),
+        oval(ix * 0.9, iy * 0.92, h - 0.05, mx, cy, p),
+        oval(ix * 0.4, iy * 0.4, h - 0.115, mx, cy, 2.4),
+    ]
     vessel(b, outer, inner, china)
     with b.frame(mx, cy, h - 0.1155):
         b.frustum(0.024, 0.022, (0.0, 0.006), "chrome", segments=16)
@@ -291,8 +313,18 @@ def vanity(b: Builder) -> None:
             inner = (span[0] + 0.018, span[1] - 0.018)
             b.box((x[0], front), inner, (low, low + 0.018), shell, bevel=0)
             b.box((x[0], x[0] + 0.006), inner, (low + 0.018, h - t), shell, bevel=0)
-            fronts(b, f"unit-{k}", front, span, (low, h - t), "drawers" if n == 3 and k == 1 else
-                   b.pick("layout", ["doors", "drawers"]), looks[1], looks[2], looks[3], shaker)  # fmt: skip
+            fronts(
+                b,
+                f"unit-{k}",
+                front,
+                span,
+                (low, h - t),
+                "drawers" if n == 3 and k == 1 else b.pick("layout", ["doors", "drawers"]),
+                looks[1],
+                looks[2],
+                looks[3],
+                shaker,
+            )
         slab = ((-d / 2, d / 2 - 0.004), y, (h - t, h))
         if on:
             b.box(*slab, top)
@@ -335,11 +367,20 @@ def vanity(b: Builder) -> None:
                 sx = min(vr, rx - 0.012)
                 p = 5.0 if square else 2.0
                 with b.frame(cx + 0.01, m, h):
-                    vessel(b, [oval(sx * 0.6, vr * 0.6, 0.0, power=p), oval(sx * 0.9, vr * 0.9, 0.05, power=p),
-                               oval(sx, vr, bowl, power=p)],
-                           [oval(sx - 0.012, vr - 0.012, bowl, power=p), oval(sx * 0.86, vr * 0.86, 0.05, power=p),
-                            oval(sx * 0.3, vr * 0.3, 0.014, power=2.4)],
-                           b.material("bowl", "white ceramic", "white ceramic", "dark marble", "concrete"))  # fmt: skip
+                    vessel(
+                        b,
+                        [
+                            oval(sx * 0.6, vr * 0.6, 0.0, power=p),
+                            oval(sx * 0.9, vr * 0.9, 0.05, power=p),
+                            oval(sx, vr, bowl, power=p),
+                        ],
+                        [
+                            oval(sx - 0.012, vr - 0.012, bowl, power=p),
+                            oval(sx * 0.86, vr * 0.86, 0.05, power=p),
+                            oval(sx * 0.3, vr * 0.3, 0.014, power=2.4),
+                        ],
+                        b.material("bowl", "white ceramic", "white ceramic", "dark marble", "concrete"),
+                    )
                     with b.frame(0.0, 0.0, 0.013):
                         b.frustum(0.022, 0.022, (0.0, 0.005), "chrome", segments=14)
         tap(b, -d / 2 + 0.05, m, h, metal, total - h, 0.15, name=f"tap {k}", square=square)

@@ -12,8 +12,16 @@ from ..registry import draws
 from .kitchen_parts import Finish, egg, loft, oval, rounded
 
 _METALS = ("chrome", "black steel", "brass", "brushed steel")
-_TERRY = ("white fabric", "blue fabric", "green fabric", "rose fabric", "grey fabric", "mustard fabric", "beige fabric",
-          "navy fabric")  # fmt: skip
+_TERRY = (
+    "white fabric",
+    "blue fabric",
+    "green fabric",
+    "rose fabric",
+    "grey fabric",
+    "mustard fabric",
+    "beige fabric",
+    "navy fabric",
+)
 
 
 def _towel(b: Builder, x: float, y: tuple, top: float, front: float, back: float, r: float, cloth: Finish) -> None:
@@ -164,8 +172,21 @@ def toilet_paper_holder(b: Builder) -> None:
         )
         b.bar((cx, w / 2 - 0.006, z - 0.013), (cx, w / 2 - 0.006, z + 0.01), 0.006, metal, 8)
         if b.chance("flap", 0.6):
-            b.hull([(px, py, pz) for px, pz in ((-d / 2, h - 0.012), (-d / 2, h), (cx, h), (d / 2 - 0.01, h - 0.02),
-                    (d / 2 - 0.01, h - 0.023), (cx, h - 0.004)) for py in (-0.052, 0.058)], metal)  # fmt: skip
+            b.hull(
+                [
+                    (px, py, pz)
+                    for px, pz in (
+                        (-d / 2, h - 0.012),
+                        (-d / 2, h),
+                        (cx, h),
+                        (d / 2 - 0.01, h - 0.02),
+                        (d / 2 - 0.01, h - 0.023),
+                        (cx, h - 0.004),
+                    )
+                    for py in (-0.052, 0.058)
+                ],
+                metal,
+            )
     b.fit()
 
 
@@ -267,16 +288,27 @@ def laundry_hamper(b: Builder) -> None:
             f = 0.86 + 0.12 * (k + 0.5) / n
             o = 0.0 if k % 2 else 0.004
             xs, ys = x * f - o, y * f - o
-            loft(b, [rounded((-xs, xs), (-ys, ys), 0.03, z0), rounded((-xs, xs), (-ys, ys), 0.03, z1)],
-                 weave if k not in (n - 3,) else band)  # fmt: skip
+            loft(
+                b,
+                [rounded((-xs, xs), (-ys, ys), 0.03, z0), rounded((-xs, xs), (-ys, ys), 0.03, z1)],
+                weave if k not in (n - 3,) else band,
+            )
         for sx in (-1, 1):
             for sy in (-1, 1):
                 with b.frame(sx * (x * 0.86 - 0.04), sy * (y * 0.86 - 0.04)):
                     b.frustum(0.014, 0.016, (0.0, 0.021), "oak", segments=10)
         with b.hinge("lid", (-x, 0.0, h - 0.01), axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0)):  # clear of a wall
             ins = 0.015
-            loft(b, [rounded((-x, x), (-y, y), 0.035, top + 0.001), rounded((-x, x), (-y, y), 0.035, h - 0.01),
-                     rounded((-x + ins, x - ins), (-y + ins, y - ins), 0.03, h)], weave, whole=True)  # fmt: skip
+            loft(
+                b,
+                [
+                    rounded((-x, x), (-y, y), 0.035, top + 0.001),
+                    rounded((-x, x), (-y, y), 0.035, h - 0.01),
+                    rounded((-x + ins, x - ins), (-y + ins, y - ins), 0.03, h),
+                ],
+                weave,
+                whole=True,
+            )
             b.box((x - 0.03, x), (-0.035, 0.035), (top + 0.0005, h - 0.012), "brown leather", bevel=0)
         for s in (-1, 1):
             yy = y * 0.955
@@ -309,16 +341,29 @@ def scale(b: Builder) -> None:
                 with b.frame(px, py):
                     b.frustum(0.02, 0.022, (0.0, 0.0085), "black plastic", segments=14)
         b.box((x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), (0.008, h - 0.009), "grey plastic", bevel=0.002)
-        loft(b, [rounded(x, y, 0.03, h - 0.009), rounded(x, y, 0.03, h - 0.001), rounded((x[0] + 0.002, x[1] - 0.002),
-             (y[0] + 0.002, y[1] - 0.002), 0.03, h)], look, whole=True)  # fmt: skip
+        loft(
+            b,
+            [
+                rounded(x, y, 0.03, h - 0.009),
+                rounded(x, y, 0.03, h - 0.001),
+                rounded((x[0] + 0.002, x[1] - 0.002), (y[0] + 0.002, y[1] - 0.002), 0.03, h),
+            ],
+            look,
+            whole=True,
+        )
         b.box((x[0] + 0.025, x[0] + 0.075), (-0.05, 0.05), (h - 0.002, h + 0.0008), "black glass", bevel=0)
         for k in range(3):
             a = -0.027 + k * 0.02
             b.box((x[0] + 0.038, x[0] + 0.062), (a, a + 0.013), (h, h + 0.0012), "lamp glow", bevel=0)
         for s in (-1, 1):
             for px in (-0.02, 0.07):
-                b.box((px - 0.025, px + 0.025), (s * w * 0.26 - 0.035, s * w * 0.26 + 0.035), (h - 0.002, h + 0.0008),
-                      "brushed steel", bevel=0)  # fmt: skip
+                b.box(
+                    (px - 0.025, px + 0.025),
+                    (s * w * 0.26 - 0.035, s * w * 0.26 + 0.035),
+                    (h - 0.002, h + 0.0008),
+                    "brushed steel",
+                    bevel=0,
+                )
     b.fit()
 
 
@@ -413,8 +458,14 @@ def hand_dryer(b: Builder) -> None:
     coat = b.material("body", "white plastic", "brushed steel", "chrome", "black plastic", "white steel")
     with b.solid("dryer"):
         b.cushion((-d / 2, d / 2), (-w / 2, w / 2), (0.04, h), coat, radius=min(0.06, d * 0.4))
-        b.hull([(px, py, z) for px, py, z in [(x, s * 0.075, 0.06) for x in (-0.03, d / 2 - 0.02) for s in (-1, 1)]
-                + [(x, s * 0.055, 0.0) for x in (-0.005, d / 2 - 0.02) for s in (-1, 1)]], "chrome")  # fmt: skip
+        b.hull(
+            [
+                (px, py, z)
+                for px, py, z in [(x, s * 0.075, 0.06) for x in (-0.03, d / 2 - 0.02) for s in (-1, 1)]
+                + [(x, s * 0.055, 0.0) for x in (-0.005, d / 2 - 0.02) for s in (-1, 1)]
+            ],
+            "chrome",
+        )
         b.hull(
             [(px, s * 0.045, z) for px in (0.005, d / 2 - 0.03) for s in (-1, 1) for z in (-0.0015, 0.004)],
             "black plastic",

@@ -106,15 +106,21 @@ def freestanding_bathtub(b: Builder) -> None:
                     b.tube(pts, 0.018, metal, 8)
                     b.ball((0.028, 0.028, 0.02), (cx + sx * 0.055, cy + sy * 0.06, 0.02), metal, 12)
             rings = [oval(d / 2 * a, w / 2 * c, z, power=p, n=n) for a, c, z in outer]
-            rings += [oval(d / 2, w / 2, h - 0.026, power=p, n=n), oval(d / 2, w / 2, h - 0.008, power=p, n=n),
-                      oval(d / 2 - 0.01, w / 2 - 0.01, h, power=p, n=n)]  # fmt: skip
+            rings += [
+                oval(d / 2, w / 2, h - 0.026, power=p, n=n),
+                oval(d / 2, w / 2, h - 0.008, power=p, n=n),
+                oval(d / 2 - 0.01, w / 2 - 0.01, h, power=p, n=n),
+            ]
             t = 0.055
         else:
             outer = [(0.72, 0.78, 0.0), (0.76, 0.81, 0.04), (0.88, 0.91, 0.3), (1.0, 1.0, h)]
             rings = [oval(d / 2 * a, w / 2 * c, z, power=p, n=n) for a, c, z in outer]
-        inner = [oval(d / 2 - t, w / 2 - t, h, power=p, n=n), oval(d / 2 * 0.82, w / 2 * 0.88, h * 0.55, power=p, n=n),
-                 oval(d / 2 * 0.66, w / 2 * 0.72, low + 0.12, power=p, n=n),
-                 oval(d / 2 * 0.5, w / 2 * 0.6, low + 0.08, power=p, n=n)]  # fmt: skip
+        inner = [
+            oval(d / 2 - t, w / 2 - t, h, power=p, n=n),
+            oval(d / 2 * 0.82, w / 2 * 0.88, h * 0.55, power=p, n=n),
+            oval(d / 2 * 0.66, w / 2 * 0.72, low + 0.12, power=p, n=n),
+            oval(d / 2 * 0.5, w / 2 * 0.6, low + 0.08, power=p, n=n),
+        ]
         vessel(b, rings, inner, white, 20, (2, 1))
         with b.frame(0.0, 0.0, low + 0.079):
             b.frustum(0.032, 0.03, (0.0, 0.004), "chrome", segments=18)
@@ -173,8 +179,16 @@ def shower(b: Builder) -> None:
         o = rounded(x, y, 0.01, 0.0)
         e = 0.04
         ins = ((x[0] + e, x[1] - e), (y[0] + e, y[1] - e))
-        _tray(b, [o, o + (0, 0, 0.06)], [rounded(*ins, 0.03, 0.06), rounded((ins[0][0] + 0.02, ins[0][1] - 0.02),
-              (ins[1][0] + 0.02, ins[1][1] - 0.02), 0.03, 0.03)], white, (0, 3, 4, 7, 8, 11, 12, 15, 16))  # fmt: skip
+        _tray(
+            b,
+            [o, o + (0, 0, 0.06)],
+            [
+                rounded(*ins, 0.03, 0.06),
+                rounded((ins[0][0] + 0.02, ins[0][1] - 0.02), (ins[1][0] + 0.02, ins[1][1] - 0.02), 0.03, 0.03),
+            ],
+            white,
+            (0, 3, 4, 7, 8, 11, 12, 15, 16),
+        )
     g, t = 0.008, 0.025
     xf = x[1] - 0.03
     with b.solid("back"):
@@ -292,7 +306,9 @@ def corner_shower(b: Builder) -> None:
             b.bar((px, py, 1.2), (px + 0.028 * c, py - 0.028 * c, 1.2), 0.007, metal, 8)
             b.bar((px + 0.028 * c, py - 0.028 * c, 0.97), (px + 0.028 * c, py - 0.028 * c, 1.23), 0.008, metal, 8)
     with b.solid("column"):
-        b.hull([(-d / 2 + dx, w / 2 - dy, z) for dx, dy in ((0.0, 0.2), (0.2, 0.0), (0.0, 0.0)) for z in (0.09, h)],
-               b.material("panel", "white plastic", "grey plastic"))  # fmt: skip
+        b.hull(
+            [(-d / 2 + dx, w / 2 - dy, z) for dx, dy in ((0.0, 0.2), (0.2, 0.0), (0.0, 0.0)) for z in (0.09, h)],
+            b.material("panel", "white plastic", "grey plastic"),
+        )
     _column(b, -d / 2 + 0.101, w / 2 - 0.101, h - 0.02, metal, yaw=-math.pi / 4)
     b.fit()

@@ -91,9 +91,16 @@ def bed(b: Builder) -> None:
                 )
     edge = 0.035 if w > 1.05 else 0.025
     last = x[1] - (0.055 if foot else 0.035)
-    bedding(b, (x[0] + thick, last), (y[0] + edge, y[1] - edge), (rail - 0.03, top), pillows=1 if single else 2,
-            rail=rail + 0.004, overhang=edge - 0.006 if not foot else 0.0,
-            runner=not single and b.chance("runner", 0.35))  # fmt: skip
+    bedding(
+        b,
+        (x[0] + thick, last),
+        (y[0] + edge, y[1] - edge),
+        (rail - 0.03, top),
+        pillows=1 if single else 2,
+        rail=rail + 0.004,
+        overhang=edge - 0.006 if not foot else 0.0,
+        runner=not single and b.chance("runner", 0.35),
+    )
     if not single and b.chance("throw pillow", 0.5):
         accent = b.material("throw pillow", "@fabric", "tan leather")
         with b.solid("bed pillows"), b.frame(x[0] + thick + 0.52, 0.0, top + 0.17, pitch=0.95):
@@ -116,8 +123,20 @@ def canopy_bed(b: Builder) -> None:
             with b.solid(f"post {cx:.1f} {cy:.1f}"), b.frame(cx, cy):
                 if turned:
                     b.box((-post / 2, post / 2), (-post / 2, post / 2), (0, 0.55), wood, bevel=0.006)
-                    b.lathe([(0.02, 0.55), (0.034, 0.6), (0.022, 0.66), (0.033, 1.0), (0.025, 1.5), (0.018, h - 0.12),
-                             (0.03, h - 0.08), (0.03, h)], wood, segments=14)  # fmt: skip
+                    b.lathe(
+                        [
+                            (0.02, 0.55),
+                            (0.034, 0.6),
+                            (0.022, 0.66),
+                            (0.033, 1.0),
+                            (0.025, 1.5),
+                            (0.018, h - 0.12),
+                            (0.03, h - 0.08),
+                            (0.03, h),
+                        ],
+                        wood,
+                        segments=14,
+                    )
                 else:
                     b.box((-post / 2, post / 2), (-post / 2, post / 2), (0, h), wood, bevel=0.005)
     half = post * 0.35
@@ -133,8 +152,15 @@ def canopy_bed(b: Builder) -> None:
         b.box((x[0] + 0.012, x[0] + 0.05), (y[0] + post, y[1] - post), (rail - 0.05, 1.05), cover, bevel=0.008)
         b.box((x[0] + 0.049, x[0] + 0.06), (y[0] + post + 0.08, y[1] - post - 0.08), (rail, 0.97), cover, bevel=0.005)
     inset = 0.045
-    bedding(b, (x[0] + 0.065, x[1] - 0.05), (y[0] + inset, y[1] - inset), (rail - 0.03, top), rail=rail + 0.004,
-            overhang=0.0, runner=b.chance("runner", 0.4))  # fmt: skip
+    bedding(
+        b,
+        (x[0] + 0.065, x[1] - 0.05),
+        (y[0] + inset, y[1] - inset),
+        (rail - 0.03, top),
+        rail=rail + 0.004,
+        overhang=0.0,
+        runner=b.chance("runner", 0.4),
+    )
     if b.chance("curtains", 0.65):
         cloth = b.material("curtain", "sheer fabric")
         for side in (-1, 1):
@@ -143,8 +169,12 @@ def canopy_bed(b: Builder) -> None:
             rows = []
             for t in s:
                 wave = 0.012 * np.sin(t * 22)
-                rows.append([(x[0] + post + t * 0.26 * k, cy + wave, z) for k, z in
-                             ((1.0, h - 0.05), (0.8, 1.3), (0.6, 1.05), (0.85, 0.1))])  # fmt: skip
+                rows.append(
+                    [
+                        (x[0] + post + t * 0.26 * k, cy + wave, z)
+                        for k, z in ((1.0, h - 0.05), (0.8, 1.3), (0.6, 1.05), (0.85, 0.1))
+                    ]
+                )
             with b.solid(f"post {x[0] + post / 2:.1f} {cy:.1f}"):
                 b.sheet(np.array(rows), 0.006, cloth, cells=1)
                 b.box((x[0] + post - 0.01, x[0] + post + 0.17), (cy - 0.016, cy + 0.016), (1.035, 1.065), cloth)
@@ -228,8 +258,15 @@ def toddler_bed(b: Builder) -> None:
         b.box((x[1] - 0.025, x[1]), y, (0.0, 0.4), wood, bevel=0.008)
     with b.solid("bed"):
         b.box((x[0] + 0.03, x[1] - 0.02), (y[0] + 0.015, y[1] - 0.015), (rail - 0.1, rail), wood, bevel=0.004)
-    bedding(b, (x[0] + 0.065, x[1] - 0.03), (y[0] + 0.03, y[1] - 0.03), (rail - 0.02, top), pillows=1, rail=rail + 0.01,
-            thick=0.09)  # fmt: skip
+    bedding(
+        b,
+        (x[0] + 0.065, x[1] - 0.03),
+        (y[0] + 0.03, y[1] - 0.03),
+        (rail - 0.02, top),
+        pillows=1,
+        rail=rail + 0.01,
+        thick=0.09,
+    )
     for side in (-1, 1):
         ys = (y[1] - 0.02, y[1]) if side > 0 else (y[0], y[0] + 0.02)
         with b.solid(f"rail {side}"):
@@ -258,6 +295,14 @@ def mattress(b: Builder) -> None:
                 at = x[0] + 0.045 + k * (d - 0.09) / (count - 1)
                 b.box((at - 0.045, at + 0.045), y, (0.06, 0.08), wood)
     top = low + min(0.2, h - low - 0.1)
-    bedding(b, (x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), (low, top), pillows=1 if w < 1.2 else 2,
-            rail=low + 0.03, overhang=0.018, thick=0.13)  # fmt: skip
+    bedding(
+        b,
+        (x[0] + 0.02, x[1] - 0.02),
+        (y[0] + 0.02, y[1] - 0.02),
+        (low, top),
+        pillows=1 if w < 1.2 else 2,
+        rail=low + 0.03,
+        overhang=0.018,
+        thick=0.13,
+    )
     b.fit()

@@ -14,14 +14,32 @@ from .seating_parts import pillow, ring_shape
 Finish = Material | str
 
 SHEETS = ("white fabric", "beige fabric", "white fabric")
-BLANKETS = ("blue fabric", "navy fabric", "green fabric", "mustard fabric", "rust fabric", "rose fabric", "grey fabric",
-            "charcoal fabric", "red fabric")  # fmt: skip
+BLANKETS = (
+    "blue fabric",
+    "navy fabric",
+    "green fabric",
+    "mustard fabric",
+    "rust fabric",
+    "rose fabric",
+    "grey fabric",
+    "charcoal fabric",
+    "red fabric",
+)
 
 
 def bedding(
-    b: Builder, x: Interval, y: Interval, z: Interval, group: str = "bed", pillows: int = 2, rail: float | None = None,
-    surface: str | None = "top", overhang: float = 0.0, runner: bool = False, thick: float = 0.15,
-) -> None:  # fmt: skip
+    b: Builder,
+    x: Interval,
+    y: Interval,
+    z: Interval,
+    group: str = "bed",
+    pillows: int = 2,
+    rail: float | None = None,
+    surface: str | None = "top",
+    overhang: float = 0.0,
+    runner: bool = False,
+    thick: float = 0.15,
+) -> None:
     """A mattress that fills the box, pillows at its head (-x), and a blanket with a folded edge over the rest.
 
     The blanket hangs down to ``rail`` at the sides and stands out there by ``overhang``.
@@ -41,15 +59,20 @@ def bedding(
         phase = b.uniform(f"{group} folds", 0, 6)
         shape = ring_shape((start, end), ys, (low, top), 0.05, swing, phase)
         b.add(shape, cover, [shapes.containing_hull(shape[0])])
-        fold = ring_shape((start + 0.004, start + 0.24), (ys[0] + swing - 0.006, ys[1] - swing + 0.006),
-                          (top - 0.16 if grow else low + 0.02, top + 0.014), 0.05)  # fmt: skip
+        fold = ring_shape(
+            (start + 0.004, start + 0.24),
+            (ys[0] + swing - 0.006, ys[1] - swing + 0.006),
+            (top - 0.16 if grow else low + 0.02, top + 0.014),
+            0.05,
+        )
         with b.solid(f"{group} pillows"):
             b.add(fold, sheet, [shapes.containing_hull(fold[0])])
         finish = end - 0.07
         if runner:
             accent = b.material("runner", "@fabric")
-            band = ring_shape((end - 0.62, end - 0.2), (ys[0] + swing - 0.004, ys[1] - swing + 0.004),
-                              (top - 0.14, top + 0.01), 0.04)  # fmt: skip
+            band = ring_shape(
+                (end - 0.62, end - 0.2), (ys[0] + swing - 0.004, ys[1] - swing + 0.004), (top - 0.14, top + 0.01), 0.04
+            )
             with b.solid(f"{group} runner"):
                 b.add(band, accent, [shapes.containing_hull(band[0])])
             finish = end - 0.66
@@ -78,8 +101,16 @@ def head_pillows(
                     pillow(b, depth * 0.9, wide * 0.96, thick * 0.9, cover, lift=0.0)
 
 
-def slats(b: Builder, x: Interval, y: Interval, z: Interval, material: Finish, pitch: float, size: float = 0.016,
-          round_: bool = False) -> None:  # fmt: skip
+def slats(
+    b: Builder,
+    x: Interval,
+    y: Interval,
+    z: Interval,
+    material: Finish,
+    pitch: float,
+    size: float = 0.016,
+    round_: bool = False,
+) -> None:
     """Upright bars along the longer of x and y, about ``pitch`` apart, between two heights."""
     along_x = x[1] - x[0] > y[1] - y[0]
     a, c = x if along_x else y
@@ -107,8 +138,13 @@ def head_board(b: Builder, x: float, y: Interval, z: Interval, style: str, cover
             b.box((x, x + 0.04), y, (0.0, high - 0.01), cover, bevel=0.01)
             count = max(5, round(w / 0.17))
             for k in range(count):
-                b.cushion((x + 0.02, x + 0.095), (y[0] + k * w / count, y[0] + (k + 1) * w / count), (low, high), cover,
-                          radius=0.035)  # fmt: skip
+                b.cushion(
+                    (x + 0.02, x + 0.095),
+                    (y[0] + k * w / count, y[0] + (k + 1) * w / count),
+                    (low, high),
+                    cover,
+                    radius=0.035,
+                )
         elif style == "tufted":
             b.cushion((x, x + 0.085), y, (0.0, high), cover, radius=0.035)
             for i in range(2 if high - low < 0.55 else 3):
@@ -146,8 +182,9 @@ def head_board(b: Builder, x: float, y: Interval, z: Interval, style: str, cover
 def ladder(b: Builder, x: Interval, y: float, z: Interval, material: Finish, lean: float, rungs: int) -> None:
     """A ladder with stiles at both ends of x, its head at y and its foot ``lean`` further out."""
     for cx in x:
-        points = [(cx + s, y + o + t, h) for s in (-0.016, 0.016) for t in (0, 0.05)
-                  for o, h in ((lean, z[0]), (0.0, z[1]))]  # fmt: skip
+        points = [
+            (cx + s, y + o + t, h) for s in (-0.016, 0.016) for t in (0, 0.05) for o, h in ((lean, z[0]), (0.0, z[1]))
+        ]
         b.hull(points, material)
     for k in range(rungs):
         t = (k + 1) / (rungs + 1)

@@ -53,8 +53,10 @@ def bunk_bed(b: Builder) -> None:
                 b.box(long, ys, (level - 0.07, level + 0.07), wood)
             b.box(long, (y[0] + t - 0.014, y[1] - t + 0.014), (level - 0.03, level - 0.01), wood, bevel=0.002)
     rung = (x[1] - t - 0.5, x[1] - t - 0.12)
-    for ys, ends, name in (((y[0] + 0.015, y[0] + t - 0.015), long, "guard back"),
-                           ((y[1] - t + 0.015, y[1] - 0.015), (long[0], rung[0]), "guard")):  # fmt: skip
+    for ys, ends, name in (
+        ((y[0] + 0.015, y[0] + t - 0.015), long, "guard back"),
+        ((y[1] - t + 0.015, y[1] - 0.015), (long[0], rung[0]), "guard"),
+    ):
         with b.solid(name):
             for z in (h - 0.075, h - 0.16):
                 b.box(ends, ys, (z, z + 0.055), wood)
@@ -156,8 +158,10 @@ def crib(b: Builder) -> None:
             b.box(inner, mid, (h - 0.06, h - 0.015), wood, bevel=0.008)
             b.box(inner, mid, (low, low + 0.06), wood)
             slats(b, inner, mid, (low + 0.05, h - 0.05), wood, 0.078, 0.014, True)
-    sheet, cover = b.material("sheet", *SHEETS), b.material("blanket", "rose fabric", "blue fabric", "green fabric",
-                                                            "mustard fabric", "white fabric")  # fmt: skip
+    sheet, cover = (
+        b.material("sheet", *SHEETS),
+        b.material("blanket", "rose fabric", "blue fabric", "green fabric", "mustard fabric", "white fabric"),
+    )
     with b.solid("bed"):
         inside = (x[0] + t, x[1] - t), (y[0] + t, y[1] - t)
         b.box(*inside, (low + 0.05, low + 0.075), wood, bevel=0.002)
@@ -166,8 +170,12 @@ def crib(b: Builder) -> None:
             (x[0] + 0.5 * d, x[1] - t - 0.004), (y[0] + t + 0.004, y[1] - t - 0.004), (bed - 0.06, bed + 0.018), 0.035
         )
         b.add(shape, cover, [shapes.containing_hull(shape[0])])
-        fold = ring_shape((x[0] + 0.5 * d + 0.002, x[0] + 0.5 * d + 0.13), (y[0] + t + 0.003, y[1] - t - 0.003),
-                          (bed - 0.05, bed + 0.026), 0.035)  # fmt: skip
+        fold = ring_shape(
+            (x[0] + 0.5 * d + 0.002, x[0] + 0.5 * d + 0.13),
+            (y[0] + t + 0.003, y[1] - t - 0.003),
+            (bed - 0.05, bed + 0.026),
+            0.035,
+        )
         b.add(fold, sheet, [shapes.containing_hull(fold[0])])
     with b.solid("pillow"):
         b.cushion(
@@ -278,14 +286,22 @@ def hospital_bed(b: Builder) -> None:
         for xs, name in (((x[0] + 0.16, x[0] + 0.86), "head rail"), ((x[0] + 1.0, x[0] + 1.6), "foot rail")):
             with b.solid(f"{name} {s}"):
                 top_z = 0.88 if name == "head rail" else 0.8
-                path = [(xs[0], (ya + yb) / 2, deck - 0.03), (xs[0] + 0.06, (ya + yb) / 2, top_z),
-                        (xs[1] - 0.06, (ya + yb) / 2, top_z), (xs[1], (ya + yb) / 2, deck - 0.03)]  # fmt: skip
+                path = [
+                    (xs[0], (ya + yb) / 2, deck - 0.03),
+                    (xs[0] + 0.06, (ya + yb) / 2, top_z),
+                    (xs[1] - 0.06, (ya + yb) / 2, top_z),
+                    (xs[1], (ya + yb) / 2, deck - 0.03),
+                ]
                 b.tube(path, 0.0145, panel if panel.name == "white plastic" else metal, 8)
                 for z in (0.6, 0.7) if name == "foot rail" else (0.6, 0.69, 0.78):
                     reach = 0.06 * (z - deck) / (top_z - deck)
                     b.bar((xs[0] + reach, (ya + yb) / 2, z), (xs[1] - reach, (ya + yb) / 2, z), 0.011, metal, 6)
-                b.box((xs[0] + 0.03, xs[1] - 0.03), (min(ya, s * (w / 2 - 0.075)), max(yb, s * (w / 2 - 0.075))),
-                      (deck - 0.05, deck - 0.02), metal)  # fmt: skip
+                b.box(
+                    (xs[0] + 0.03, xs[1] - 0.03),
+                    (min(ya, s * (w / 2 - 0.075)), max(yb, s * (w / 2 - 0.075))),
+                    (deck - 0.05, deck - 0.02),
+                    metal,
+                )
                 b.box(
                     (sum(xs) / 2 - 0.1, sum(xs) / 2 + 0.1),
                     _span(s * w / 2, s * (w / 2 - 0.05)),

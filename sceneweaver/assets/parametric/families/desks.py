@@ -13,9 +13,18 @@ METALS = ("black steel", "white steel", "brushed steel", "iron")
 
 
 def drawer_stack(
-    b: Builder, x: Interval, y: Interval, z: Interval, body: Material, front: Material, pull: Material, count: int,
-    style: str, name: str = "drawer", tall_last: bool = False,
-) -> None:  # fmt: skip
+    b: Builder,
+    x: Interval,
+    y: Interval,
+    z: Interval,
+    body: Material,
+    front: Material,
+    pull: Material,
+    count: int,
+    style: str,
+    name: str = "drawer",
+    tall_last: bool = False,
+) -> None:
     """A closed pedestal of drawers with fronts at x[1]; its body is one block in one prism."""
     face = x[1] - 0.018
     with b.solid(f"{name} stack"):
@@ -52,13 +61,24 @@ def desk(b: Builder) -> None:
     if kind == "legs":
         wooden = b.chance("wooden", 0.5)
         legs = b.material("legs", "oak", "beech", "walnut", "birch") if wooden else b.material("legs", *METALS)
-        corner_legs(b, (x[0] + 0.03, x[1] - 0.03), (y[0] + 0.03, y[1] - 0.03), low, legs,
-                    b.pick("leg style", ["tapered", "splayed"] if wooden else ["square", "hairpin"]), 0.05)  # fmt: skip
+        corner_legs(
+            b,
+            (x[0] + 0.03, x[1] - 0.03),
+            (y[0] + 0.03, y[1] - 0.03),
+            low,
+            legs,
+            b.pick("leg style", ["tapered", "splayed"] if wooden else ["square", "hairpin"]),
+            0.05,
+        )
         with b.solid("top"):
             b.box((x[0] + 0.08, x[0] + 0.1), (y[0] + 0.08, y[1] - 0.08), (low - 0.07, low), legs)
             for s in (-1, 1):
-                b.box((x[0] + 0.08, x[1] - 0.08), (s * (w / 2 - 0.09) - 0.01, s * (w / 2 - 0.09) + 0.01),
-                      (low - 0.05, low), legs)  # fmt: skip
+                b.box(
+                    (x[0] + 0.08, x[1] - 0.08),
+                    (s * (w / 2 - 0.09) - 0.01, s * (w / 2 - 0.09) + 0.01),
+                    (low - 0.05, low),
+                    legs,
+                )
     elif kind in ("loop", "a"):
         legs = b.material("legs", *(METALS if kind == "loop" else ("oak", "pine", "walnut", "black paint")))
         at = w / 2 - (0.05 if kind == "loop" else 0.16)
@@ -76,8 +96,11 @@ def desk(b: Builder) -> None:
         with b.solid("modesty"):
             b.box((x[0] + 0.06, x[0] + 0.078), (y[0] + 0.04, y[1] - 0.04), (0.3, low), side, bevel=0.0015)
     elif kind == "drawers":
-        front = b.material("fronts", "white paint", "sage paint", "navy paint", "light grey paint") \
-            if b.chance("two tone", 0.35) else top  # fmt: skip
+        front = (
+            b.material("fronts", "white paint", "sage paint", "navy paint", "light grey paint")
+            if b.chance("two tone", 0.35)
+            else top
+        )
         wide = b.uniform("stack", 0.36, 0.42)
         count = b.whole("count", 3, 4)
         sides = (-1, 1) if twin else (b.pick("side", [-1, 1]),)
@@ -85,15 +108,36 @@ def desk(b: Builder) -> None:
             if s in sides:
                 ys = (y[1] - 0.02 - wide, y[1] - 0.02) if s > 0 else (y[0] + 0.02, y[0] + 0.02 + wide)
                 with b.solid(f"stack{s} stack"):
-                    b.box((x[0] + 0.05, x[1] - 0.07), (ys[0] + 0.02, ys[1] - 0.02), (0.0, 0.05), "black plastic",
-                          bevel=0.0)  # fmt: skip
-                drawer_stack(b, (x[0] + 0.02, x[1] - 0.025), ys, (0.05, low - 0.001), top, front, pull, count, style,
-                             name=f"stack{s}", tall_last=True)  # fmt: skip
+                    b.box(
+                        (x[0] + 0.05, x[1] - 0.07),
+                        (ys[0] + 0.02, ys[1] - 0.02),
+                        (0.0, 0.05),
+                        "black plastic",
+                        bevel=0.0,
+                    )
+                drawer_stack(
+                    b,
+                    (x[0] + 0.02, x[1] - 0.025),
+                    ys,
+                    (0.05, low - 0.001),
+                    top,
+                    front,
+                    pull,
+                    count,
+                    style,
+                    name=f"stack{s}",
+                    tall_last=True,
+                )
                 inner = (inner[0], ys[0]) if s > 0 else (ys[1], inner[1])
             else:
                 with b.solid(f"side {s}"):
-                    b.box((x[0] + 0.02, x[1] - 0.03), (s * (w / 2 - 0.035) - 0.0125, s * (w / 2 - 0.035) + 0.0125),
-                          (0.0, low), top, bevel=0.002)  # fmt: skip
+                    b.box(
+                        (x[0] + 0.02, x[1] - 0.03),
+                        (s * (w / 2 - 0.035) - 0.0125, s * (w / 2 - 0.035) + 0.0125),
+                        (0.0, low),
+                        top,
+                        bevel=0.002,
+                    )
         with b.solid("modesty"):
             b.box((x[0] + 0.04, x[0] + 0.056), (inner[0] - 0.005, inner[1] + 0.005), (0.25, low), top, bevel=0.0)
     else:
@@ -105,10 +149,25 @@ def desk(b: Builder) -> None:
             step = (w - 0.06) / count
             for k in range(count):
                 at = y[0] + 0.03 + k * step
-                drawer(b, f"drawer-{k}", (shell[0], face), (at, at + step), (low - tall + 0.006, low - 0.004), top,
-                       pull, style if style != "bar" else "knob")  # fmt: skip
-        corner_legs(b, (x[0] + 0.05, x[1] - 0.06), (y[0] + 0.05, y[1] - 0.05), low - tall, legs,
-                    b.pick("leg style", ["tapered", "splayed", "round"]), 0.045)  # fmt: skip
+                drawer(
+                    b,
+                    f"drawer-{k}",
+                    (shell[0], face),
+                    (at, at + step),
+                    (low - tall + 0.006, low - 0.004),
+                    top,
+                    pull,
+                    style if style != "bar" else "knob",
+                )
+        corner_legs(
+            b,
+            (x[0] + 0.05, x[1] - 0.06),
+            (y[0] + 0.05, y[1] - 0.05),
+            low - tall,
+            legs,
+            b.pick("leg style", ["tapered", "splayed", "round"]),
+            0.045,
+        )
         inner = (y[0] + 0.18, y[1] - 0.18)
     b.clear((-0.1 if kind != "a" else -0.05, x[1]), (inner[0] + 0.1, inner[1] - 0.1), (0.0, 0.62))
 
@@ -133,8 +192,14 @@ def corner_desk(b: Builder) -> None:
         b.box((edge, x[1]), side, (low, h), top)
     m = 0.01
     bend = s * inner + m
-    ring = [(x[0] + m, y[0] + m), (edge - m, y[0] + m), (edge - m, bend), (x[1] - m, bend), (x[1] - m, y[1] - m),
-            (x[0] + m, y[1] - m)]  # fmt: skip
+    ring = [
+        (x[0] + m, y[0] + m),
+        (edge - m, y[0] + m),
+        (edge - m, bend),
+        (x[1] - m, bend),
+        (x[1] - m, y[1] - m),
+        (x[0] + m, y[1] - m),
+    ]
     if s < 0:
         ring = [(px, -py) for px, py in ring[::-1]]
     b.surface("top", (0, 0), (0, 0), h, polygon=ring)
@@ -159,8 +224,18 @@ def corner_desk(b: Builder) -> None:
     # The stack opens toward the sitter, across the wing.
     wide = x[1] - 0.02 - 0.42
     with b.frame(wide + 0.21, s * (w / 2 - 0.02), 0, yaw=-s * 1.5707963267948966):
-        drawer_stack(b, (0.0, wing - 0.05), (-0.21, 0.21), (0.03, low - 0.001), top, front, pull, 3,
-                     b.pick("pull style", ["bar", "knob"]), tall_last=True)  # fmt: skip
+        drawer_stack(
+            b,
+            (0.0, wing - 0.05),
+            (-0.21, 0.21),
+            (0.03, low - 0.001),
+            top,
+            front,
+            pull,
+            3,
+            b.pick("pull style", ["bar", "knob"]),
+            tall_last=True,
+        )
     with b.solid("drawer stack"):
         b.box((wide + 0.01, x[1] - 0.03), (side[0] + 0.08, side[1] - 0.08), (0, 0.03), "black plastic", bevel=0.0)
     b.clear((x[0] + 0.1, edge), (-w / 2 + 0.1, inner) if s > 0 else (inner, w / 2 - 0.1), (0, 0.62))
@@ -178,20 +253,31 @@ def standing_desk(b: Builder) -> None:
     with b.solid("top"):
         tabletop(b, rounded(x, y, b.pick("corner", [0.02, 0.06]), 4), (low, h), top)
         for s in (-1, 1):
-            b.box((x[0] + 0.08, x[1] - 0.08), (s * (w / 2 - 0.25) - 0.03, s * (w / 2 - 0.25) + 0.03), (low - 0.03, low),
-                  metal)  # fmt: skip
+            b.box(
+                (x[0] + 0.08, x[1] - 0.08),
+                (s * (w / 2 - 0.25) - 0.03, s * (w / 2 - 0.25) + 0.03),
+                (low - 0.03, low),
+                metal,
+            )
         b.box((-0.06, -0.02), (-w / 2 + 0.28, w / 2 - 0.28), (low - 0.045, low - 0.003), metal)
         b.box((x[1] - 0.05, x[1] - 0.005), (y[1] - 0.24, y[1] - 0.13), (low - 0.018, low), "black plastic", bevel=0.003)
         for k in range(4):
             at = y[1] - 0.225 + k * 0.025
-            b.box((x[1] - 0.006, x[1] - 0.003), (at - 0.007, at + 0.007), (low - 0.014, low - 0.006),
-                  "grey plastic", 0.0)  # fmt: skip
+            b.box(
+                (x[1] - 0.006, x[1] - 0.003), (at - 0.007, at + 0.007), (low - 0.014, low - 0.006), "grey plastic", 0.0
+            )
     cut = b.uniform("cut", 0.5, 0.56)
     for s in (-1, 1):
         at = s * (w / 2 - 0.25)
         with b.solid(f"foot {s}"):
-            side = ((x[0] + 0.06, 0.012), (x[1] - 0.06, 0.012), (-0.06, 0.055), (0.03, 0.055), (x[0] + 0.06, 0.03),
-                    (x[1] - 0.06, 0.03))  # fmt: skip
+            side = (
+                (x[0] + 0.06, 0.012),
+                (x[1] - 0.06, 0.012),
+                (-0.06, 0.055),
+                (0.03, 0.055),
+                (x[0] + 0.06, 0.03),
+                (x[1] - 0.06, 0.03),
+            )
             b.hull([(px, at + py, pz) for px, pz in side for py in (-0.035, 0.035)], metal)
             for px in (x[0] + 0.09, x[1] - 0.09):
                 with b.frame(px, at):
@@ -269,8 +355,13 @@ def teacher_desk(b: Builder) -> None:
             b.box((x[0] + 0.025, x[1] - 0.05), (ys[0] - 0.008, ys[1] + 0.008), (0.0, 0.07), wood, bevel=0.01)
             b.box((x[0] + 0.027, x[0] + 0.035), (ys[0] + 0.05, ys[1] - 0.05), (0.13, zone[1] - 0.06), wood, bevel=0.003)
             outer = ys[1] if s > 0 else ys[0]
-            b.box((x[0] + 0.1, x[1] - 0.12), (outer, outer + 0.008) if s > 0 else (outer - 0.008, outer),
-                  (0.13, zone[1] - 0.06), wood, bevel=0.003)  # fmt: skip
+            b.box(
+                (x[0] + 0.1, x[1] - 0.12),
+                (outer, outer + 0.008) if s > 0 else (outer - 0.008, outer),
+                (0.13, zone[1] - 0.06),
+                wood,
+                bevel=0.003,
+            )
     inner = (y[0] + 0.03 + wide, y[1] - 0.03 - wide)
     with b.solid("middle"):
         b.box((x[0] + 0.1, x[1] - 0.06), inner, (zone[1] - 0.065, zone[1]), wood, bevel=0.001)

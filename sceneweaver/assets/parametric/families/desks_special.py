@@ -34,8 +34,15 @@ def secretary_desk(b: Builder) -> None:
         for k in range(2):
             at = y[0] + 0.015 + k * step
             drawer(b, f"drawer-{k}", (x[0] + 0.04, face), (at, at + step), (low - deep, low - 0.002), wood, pull, style)
-    corner_legs(b, (x[0] + 0.012, face - 0.004), (y[0] + 0.015, y[1] - 0.015), low - deep, wood,
-                b.pick("legs", ["tapered", "turned"]), 0.048)  # fmt: skip
+    corner_legs(
+        b,
+        (x[0] + 0.012, face - 0.004),
+        (y[0] + 0.015, y[1] - 0.015),
+        low - deep,
+        wood,
+        b.pick("legs", ["tapered", "turned"]),
+        0.048,
+    )
     b.surface("top", (hutch + 0.03, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), table)
     t, back = 0.016, 0.006
     mid = table + 0.55 * (h - table)
@@ -66,8 +73,13 @@ def secretary_desk(b: Builder) -> None:
                     )
     with b.solid("shelf"):
         b.box((x[0] + back, hutch - 0.005), (-third, third), (mid, mid + 0.012), wood, bevel=0.001)
-    b.surface("shelf", (x[0] + 0.02, hutch - 0.02), (-third + 0.01, third - 0.01), mid + 0.012,
-              round(h - 0.02 - mid - 0.017, 4))  # fmt: skip
+    b.surface(
+        "shelf",
+        (x[0] + 0.02, hutch - 0.02),
+        (-third + 0.01, third - 0.01),
+        mid + 0.012,
+        round(h - 0.02 - mid - 0.017, 4),
+    )
     b.clear((x[0] + 0.1, x[1]), (y[0] + 0.1, y[1] - 0.1), (0.0, low - deep - 0.01))
 
 
@@ -121,8 +133,13 @@ def computer_desk(b: Builder) -> None:
     reach = min(0.3, 0.5 * (w - rack) - 0.12)
     with b.solid("tray"), b.slide("tray", limits=(0.0, 0.28)):
         b.box((x[1] - 0.36, x[1] - 0.03), (middle - reach, middle + reach), (low - 0.065, low - 0.05), top)
-        b.box((x[1] - 0.2, x[1] - 0.07), (middle - 0.21, middle + 0.21), (low - 0.05, low - 0.032), "black plastic",
-              bevel=0.004)  # fmt: skip
+        b.box(
+            (x[1] - 0.2, x[1] - 0.07),
+            (middle - 0.21, middle + 0.21),
+            (low - 0.05, low - 0.032),
+            "black plastic",
+            bevel=0.004,
+        )
         for k in (-1, 1):
             at = middle + k * (reach - 0.01)
             b.box((x[1] - 0.36, x[1] - 0.06), (at - 0.008, at + 0.008), (low - 0.05, low - 0.002), metal)
@@ -152,8 +169,15 @@ def dressing_table(b: Builder) -> None:
                 b, f"drawer-{k}", (x[0] + 0.03, face), (at, at + step), (low - deep, low - 0.002), wood, metal, style
             )
     legs = metal if metal.name != "chrome" and b.chance("metal legs", 0.35) else wood
-    corner_legs(b, (x[0] + 0.02, face - 0.01), (y[0] + 0.025, y[1] - 0.025), low - deep, legs,
-                b.pick("legs", ["tapered", "splayed", "turned"] if legs is wood else ["round"]), 0.042)  # fmt: skip
+    corner_legs(
+        b,
+        (x[0] + 0.02, face - 0.01),
+        (y[0] + 0.025, y[1] - 0.025),
+        low - deep,
+        legs,
+        b.pick("legs", ["tapered", "splayed", "turned"] if legs is wood else ["round"]),
+        0.042,
+    )
     b.surface("top", (x[0] + 0.09, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), table)
     kind = b.pick("mirror", ["round", "arch", "oval", "three"])
     frame = metal if b.chance("metal frame", 0.6) else wood
@@ -191,8 +215,9 @@ def _arch(half: float, low: float, high: float, count: int = 16) -> np.ndarray:
     """A round-headed opening as corners (y, z)."""
     half_high = min(half, 0.5 * (high - low))
     turn = np.linspace(0, math.pi, count + 1)
-    return np.concatenate([np.c_[half * np.cos(turn), high - half_high + half_high * np.sin(turn)],
-                           [(-half, low), (half, low)]])  # fmt: skip
+    return np.concatenate(
+        [np.c_[half * np.cos(turn), high - half_high + half_high * np.sin(turn)], [(-half, low), (half, low)]]
+    )
 
 
 @draws("reception_desk")
@@ -231,8 +256,13 @@ def reception_desk(b: Builder) -> None:
     with b.solid("top"):
         b.box((x[0], wall[0]), (y[0] + 0.03, y[1] - 0.03), (table - 0.028, table), counter if kind != "stone" else body)
     b.surface("top", (x[0] + 0.01, wall[0] - 0.01), (y[0] + 0.06, y[1] - 0.06), table, round(h - 0.04 - table, 4))
-    profile = [(x[0] + 0.02, 0), (x[0] + 0.02, table + 0.03), (wall[0], 0), (wall[0], h - 0.035),
-               (wall[0] - 0.1, h - 0.035)]  # fmt: skip
+    profile = [
+        (x[0] + 0.02, 0),
+        (x[0] + 0.02, table + 0.03),
+        (wall[0], 0),
+        (wall[0], h - 0.035),
+        (wall[0] - 0.1, h - 0.035),
+    ]
     for s in (-1, 1):
         ys = (y[1] - 0.03, y[1]) if s > 0 else (y[0], y[0] + 0.03)
         with b.solid(f"side {s}"):
@@ -241,8 +271,18 @@ def reception_desk(b: Builder) -> None:
     at = -w / 2 + 0.06
     with b.frame((x[0] + wall[0]) / 2, at + 0.21, 0, yaw=math.pi):
         deep = (wall[0] - x[0]) / 2
-        drawer_stack(b, (-deep + 0.01, deep - 0.03), (-0.2, 0.2), (0.04, table - 0.03), body, body, pull, 3, "cup",
-                     tall_last=True)  # fmt: skip
+        drawer_stack(
+            b,
+            (-deep + 0.01, deep - 0.03),
+            (-0.2, 0.2),
+            (0.04, table - 0.03),
+            body,
+            body,
+            pull,
+            3,
+            "cup",
+            tall_last=True,
+        )
     with b.solid("drawer stack"):
         b.box((x[0] + 0.08, wall[0] - 0.02), (at + 0.03, at + 0.38), (0, 0.04), "black plastic", bevel=0.0)
     b.clear((x[0], wall[0] - 0.02), (at + 0.45, w / 2 - 0.05), (0.0, 0.62))
@@ -293,11 +333,21 @@ def workbench(b: Builder) -> None:
         drawer_stack(b, (x[0] + 0.06, x[1] - 0.025), ys, (low - 0.36, low), legs, legs, pull, 3, "cup")
         with b.solid("drawer stack"):
             b.box((x[0] + 0.05, x[1] - 0.05), (ys[1], ys[1] + 0.018), (shelf, low), legs, bevel=0.0)
-        b.surface("shelf", (x[0] + 0.08, x[1] - 0.1), (ys[1] + 0.03, y[1] - 0.14 - width), shelf,
-                  round(low - shelf - 0.005, 4))  # fmt: skip
+        b.surface(
+            "shelf",
+            (x[0] + 0.08, x[1] - 0.1),
+            (ys[1] + 0.03, y[1] - 0.14 - width),
+            shelf,
+            round(low - shelf - 0.005, 4),
+        )
     else:
-        b.surface("shelf", (x[0] + 0.08, x[1] - 0.1), (y[0] + 0.15 + width, y[1] - 0.15 - width), shelf,
-                  round(low - 0.11 - shelf - 0.005, 4))  # fmt: skip
+        b.surface(
+            "shelf",
+            (x[0] + 0.08, x[1] - 0.1),
+            (y[0] + 0.15 + width, y[1] - 0.15 - width),
+            shelf,
+            round(low - 0.11 - shelf - 0.005, 4),
+        )
     b.fit()
 
 
@@ -327,8 +377,17 @@ def drafting_table(b: Builder) -> None:
         for s in (-1, 1):
             at = s * (w / 2 - 0.02)
             b.box((0.14 * long - 0.01, 0.14 * long + 0.055), (at - 0.016, at + 0.016), (0.0, 0.013), "black plastic")
-        b.hull([(0.05, 0.33 * w, 0.0), (0.05, 0.33 * w, 0.003), (0.05, 0.45 * w, 0.0), (0.05, 0.45 * w, 0.003),
-                (-0.12, 0.45 * w, 0.0), (-0.12, 0.45 * w, 0.003)], "clear plastic")  # fmt: skip
+        b.hull(
+            [
+                (0.05, 0.33 * w, 0.0),
+                (0.05, 0.33 * w, 0.003),
+                (0.05, 0.45 * w, 0.0),
+                (0.05, 0.45 * w, 0.003),
+                (-0.12, 0.45 * w, 0.0),
+                (-0.12, 0.45 * w, 0.003),
+            ],
+            "clear plastic",
+        )
     bar = 0.05 if wooden else 0.035
     reach = min(0.36 * w, w / 2 - 0.1)
     hold = middle - 0.05
@@ -340,8 +399,13 @@ def drafting_table(b: Builder) -> None:
             prism_leg(b, (x[0] + 0.14, at, bar * 0.5), (-0.02, at, 0.45), (0.03, bar * 0.7), (0.03, bar * 0.7), legs)
             with b.frame(0, 0, middle, pitch=tilt):
                 b.box((-0.3 * long, 0.3 * long), (at - bar / 2, at + bar / 2), (-0.06, -0.02), legs)
-            b.bar((0.0, at + s * bar / 2, hold - 0.02), (0.0, at + s * (bar / 2 + 0.03), hold - 0.02), 0.025,
-                  "black plastic", segments=12)  # fmt: skip
+            b.bar(
+                (0.0, at + s * bar / 2, hold - 0.02),
+                (0.0, at + s * (bar / 2 + 0.03), hold - 0.02),
+                0.025,
+                "black plastic",
+                segments=12,
+            )
     for name, z in (("low rail", 0.3), ("rail", hold - 0.14)):
         with b.solid(name):
             b.box((-0.02, 0.02), (-reach + bar / 2, reach - bar / 2), (z - 0.025, z + 0.025), legs)
@@ -381,8 +445,16 @@ def lab_bench(b: Builder) -> None:
             with b.solid(f"cupboard {k}"):
                 b.box((x[0] + 0.02, face - 0.019), ys, (0.09, low), body, bevel=0.001)
                 b.box((x[0] + 0.04, face - 0.06), ys, (0.0, 0.09), "black plastic", bevel=0.0)
-                door(b, "door", (face - 0.018, face), ys, (0.09, low - 0.002), body, pull,
-                     hung="left" if s > 0 else "right")  # fmt: skip
+                door(
+                    b,
+                    "door",
+                    (face - 0.018, face),
+                    ys,
+                    (0.09, low - 0.002),
+                    body,
+                    pull,
+                    hung="left" if s > 0 else "right",
+                )
         else:
             drawer_stack(b, (x[0] + 0.02, face), ys, (0.09, low), body, body, pull, 4, "bar")
             with b.solid("drawer stack"):
@@ -403,8 +475,11 @@ def lab_bench(b: Builder) -> None:
         at = s * (w / 2 - 0.1 - 0.11 * k)
         tall = b.uniform(f"bottle {k}", 0.12, 0.17) if k else 0.2
         with b.solid("bottles"), b.frame(x[0] + 0.09, at, shelf):
-            b.lathe([(0.036, 0.0), (0.038, 0.01), (0.038, 0.6 * tall), (0.014, 0.78 * tall), (0.014, 0.88 * tall)],
-                    look, segments=14)  # fmt: skip
+            b.lathe(
+                [(0.036, 0.0), (0.038, 0.01), (0.038, 0.6 * tall), (0.014, 0.78 * tall), (0.014, 0.88 * tall)],
+                look,
+                segments=14,
+            )
             b.frustum(0.017, 0.017, (0.88 * tall, tall), "blue plastic" if k % 2 else "black plastic", segments=12)
     far = (-w / 2 + 0.02, s * w / 2 - 0.68) if s > 0 else (-w / 2 + 0.68, w / 2 - 0.02)
     b.surface("shelf", (x[0] + 0.02, rack - 0.02), far, shelf)

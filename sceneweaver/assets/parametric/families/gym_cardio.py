@@ -38,16 +38,25 @@ def treadmill(b: Builder) -> None:
             for x in (x0 + 0.12, x1 - 0.15):
                 disc(b, (x, s * (y - 0.08), 0.035), 0.035, 0.05, "rubber", segments=12)
         disc(b, (x0 + 0.06, 0, 0.12), 0.045, w * 0.7, "rubber", segments=16)
-        side(b, [(x1 - 0.36, 0.04), (x1, 0.04), (x1, 0.2), (x1 - 0.06, 0.27), (x1 - 0.24, 0.27), (x1 - 0.36, 0.17)],
-             (-y + 0.02, y - 0.02), body, 0.012)  # fmt: skip
+        side(
+            b,
+            [(x1 - 0.36, 0.04), (x1, 0.04), (x1, 0.2), (x1 - 0.06, 0.27), (x1 - 0.24, 0.27), (x1 - 0.36, 0.17)],
+            (-y + 0.02, y - 0.02),
+            body,
+            0.012,
+        )
         inlay(b, (x1 - 0.2, x1 - 0.1), (-y * 0.6, y * 0.6), (0.2, 0.2703), accent)
     top = h - 0.25
     with b.solid("console"):
         for s in (-1, 1):
             yy = s * (y - 0.045)
             post(b, (x1 - 0.12, yy, 0.1), (x1 - 0.36, yy, top), metal, 0.06, 0.09)
-            b.tube([(x1 - 0.3, yy, top - 0.04), (x1 - 0.5, yy, top - 0.06), (x1 - 0.75, yy, top - 0.12)], 0.021,
-                   "rubber", 10)  # fmt: skip
+            b.tube(
+                [(x1 - 0.3, yy, top - 0.04), (x1 - 0.5, yy, top - 0.06), (x1 - 0.75, yy, top - 0.12)],
+                0.021,
+                "rubber",
+                10,
+            )
         b.box((x1 - 0.48, x1 - 0.32), (-y + 0.03, y - 0.03), (top - 0.06, top + 0.03), body, 0.015)
         for s in (-1, 1):
             disc(b, (x1 - 0.4, s * y * 0.6, top + 0.031), 0.045, 0.012, "black plastic", "z", 16)
@@ -91,8 +100,9 @@ def _cranks(b: Builder, x: float, z: float, y: float, r: float) -> None:
     for s in (-1, 1):
         a = (x + s * r * 0.75, s * y, z - s * r * 0.65)
         post(b, (x, s * y, z), a, "steel", 0.014, 0.03)
-        b.box((a[0] - 0.05, a[0] + 0.05), span(s * y, s * (y + 0.1)), (a[2] - 0.012, a[2] + 0.012),
-              "black plastic", 0.005)  # fmt: skip
+        b.box(
+            (a[0] - 0.05, a[0] + 0.05), span(s * y, s * (y + 0.1)), (a[2] - 0.012, a[2] + 0.012), "black plastic", 0.005
+        )
 
 
 def _saddle(b: Builder, x: float, z: float, long: float, wide: float) -> None:
@@ -107,8 +117,19 @@ def _saddle(b: Builder, x: float, z: float, long: float, wide: float) -> None:
 def _bars(b: Builder, x: float, z: float, w: float, reach: float) -> None:
     """Handlebars that come back toward the user."""
     y = w / 2
-    b.tube([(x + reach, -y + 0.03, z + 0.05), (x + reach * 0.3, -y, z + 0.02), (x, -y * 0.4, z), (x, y * 0.4, z),
-            (x + reach * 0.3, y, z + 0.02), (x + reach, y - 0.03, z + 0.05)], 0.016, "rubber", 10)  # fmt: skip
+    b.tube(
+        [
+            (x + reach, -y + 0.03, z + 0.05),
+            (x + reach * 0.3, -y, z + 0.02),
+            (x, -y * 0.4, z),
+            (x, y * 0.4, z),
+            (x + reach * 0.3, y, z + 0.02),
+            (x + reach, y - 0.03, z + 0.05),
+        ],
+        0.016,
+        "rubber",
+        10,
+    )
 
 
 @gear("spin_bike")
@@ -125,8 +146,10 @@ def spin_bike(b: Builder) -> None:
         post(b, (fx, s * 0.045, fz), (fx - 0.06, s * 0.045, 0.74), metal, 0.018, 0.05)
         post(b, (fx, s * 0.045, fz), (fx + 0.08, s * 0.045, 0.07), metal, 0.018, 0.05)
     disc(b, (-0.04, 0.05, 0.33), 0.1, 0.03, "black plastic", segments=24, bevel=0.005)
-    b.hull([(x, y, z + s) for x, z in ((-0.04, 0.33), (fx, fz)) for y in (0.04, 0.065) for s in (-0.045, 0.045)],
-           "black plastic")  # fmt: skip
+    b.hull(
+        [(x, y, z + s) for x, z in ((-0.04, 0.33), (fx, fz)) for y in (0.04, 0.065) for s in (-0.045, 0.045)],
+        "black plastic",
+    )
     _cranks(b, -0.04, 0.33, 0.09, 0.17)
     post(b, (fx - 0.06, 0, 0.74), (-0.04, 0, 0.33), metal, 0.06)
     post(b, (-0.04, 0, 0.07), (-d * 0.22, 0, 0.62), metal, 0.06)
@@ -137,8 +160,12 @@ def spin_bike(b: Builder) -> None:
     post(b, (fx - 0.2, 0, h * 0.9), (fx + 0.02, 0, h * 0.9), "steel", 0.035)
     y, z = min(w / 2, 0.24), h - 0.05
     for s in (-1, 1):
-        b.tube([(fx, 0, h * 0.91), (fx, s * y, h * 0.92), (fx + 0.14, s * y, z), (fx + 0.22, s * y * 0.7, z + 0.03)],
-               0.015, "rubber", 10)  # fmt: skip
+        b.tube(
+            [(fx, 0, h * 0.91), (fx, s * y, h * 0.92), (fx + 0.14, s * y, z), (fx + 0.22, s * y * 0.7, z + 0.03)],
+            0.015,
+            "rubber",
+            10,
+        )
 
 
 @gear("elliptical")
@@ -169,10 +196,24 @@ def elliptical(b: Builder) -> None:
             b.box((-0.2, 0.2), (-0.085, 0.085), (-0.02, 0.02), "rubber", 0.01)
             b.box((0.17, 0.2), (-0.085, 0.085), (0.0, 0.06), "rubber", 0.01)
         yy = s * w * 0.4
-        b.tube([(foot[0], y, foot[2] - 0.01), (px, yy, h * 0.55), (px - s * 0.1 - 0.02, yy, h * 0.82),
-                (px - 0.22 - s * 0.12, s * (w / 2 - 0.03), h - 0.03)], 0.02, metal, 10)  # fmt: skip
-        b.bar((px - s * 0.1 - 0.03, yy, h * 0.83), (px - 0.215 - s * 0.12, s * (w / 2 - 0.03), h - 0.035), 0.026,
-              "rubber", 10)  # fmt: skip
+        b.tube(
+            [
+                (foot[0], y, foot[2] - 0.01),
+                (px, yy, h * 0.55),
+                (px - s * 0.1 - 0.02, yy, h * 0.82),
+                (px - 0.22 - s * 0.12, s * (w / 2 - 0.03), h - 0.03),
+            ],
+            0.02,
+            metal,
+            10,
+        )
+        b.bar(
+            (px - s * 0.1 - 0.03, yy, h * 0.83),
+            (px - 0.215 - s * 0.12, s * (w / 2 - 0.03), h - 0.035),
+            0.026,
+            "rubber",
+            10,
+        )
     _console(b, px - 0.08, 0, h - 0.3, 0.32, 0.24)
 
 

@@ -9,8 +9,15 @@ import numpy as np
 from ..builder import Builder
 from .gym_kit import gear, inlay, ring
 
-_BRIGHT = ("blue plastic", "mint plastic", "lilac plastic", "pink plastic", "green plastic", "black plastic",
-           "grey plastic")  # fmt: skip
+_BRIGHT = (
+    "blue plastic",
+    "mint plastic",
+    "lilac plastic",
+    "pink plastic",
+    "green plastic",
+    "black plastic",
+    "grey plastic",
+)
 
 
 @gear("yoga_mat")
@@ -115,6 +122,17 @@ def trampoline(b: Builder) -> None:
     if h > 0.5:
         y = 0.25
         x = 0.86 * r
-        b.tube([(x, -y, 0.03), (x + 0.03, -y, h * 0.6), (x - 0.08, -y, h - 0.02), (x - 0.08, y, h - 0.02),
-                (x + 0.03, y, h * 0.6), (x, y, 0.03)], 0.016, "steel", 10)  # fmt: skip
+        b.tube(
+            [
+                (x, -y, 0.03),
+                (x + 0.03, -y, h * 0.6),
+                (x - 0.08, -y, h - 0.02),
+                (x - 0.08, y, h - 0.02),
+                (x + 0.03, y, h * 0.6),
+                (x, y, 0.03),
+            ],
+            0.016,
+            "steel",
+            10,
+        )
         b.bar((x - 0.08, -y + 0.02, h - 0.02), (x - 0.08, y - 0.02, h - 0.02), 0.022, "rubber", 10)

@@ -40,9 +40,16 @@ def gear(*names: str, square: bool = False) -> Callable[[Maker], Maker]:
 
 
 def disc(
-    b: Builder, at: Sequence[float], r: float, t: float, look: Look, axis: str = "y", segments: int = 24,
-    bevel: float = 0.0, head: float | None = None,
-) -> None:  # fmt: skip
+    b: Builder,
+    at: Sequence[float],
+    r: float,
+    t: float,
+    look: Look,
+    axis: str = "y",
+    segments: int = 24,
+    bevel: float = 0.0,
+    head: float | None = None,
+) -> None:
     """A wheel, weight or knob of thickness ``t`` centred at a point; ``head`` is the radius of its other end."""
     turn = {"x": {"pitch": math.pi / 2}, "y": {"roll": -math.pi / 2}, "z": {}}[axis]
     with b.frame(at[0], at[1], at[2], **turn):
@@ -50,9 +57,15 @@ def disc(
 
 
 def ring(
-    b: Builder, at: Sequence[float], r: float, thick: float, look: Look, axis: str = "y", n: int = 20,
+    b: Builder,
+    at: Sequence[float],
+    r: float,
+    thick: float,
+    look: Look,
+    axis: str = "y",
+    n: int = 20,
     segments: int = 8,
-) -> None:  # fmt: skip
+) -> None:
     """A tyre or hoop: a round bar in a circle of middle radius ``r``."""
     t = (np.arange(n) + 0.5) * (2 * np.pi / n)
     c, s, o = r * np.cos(t), r * np.sin(t), 0 * t

@@ -46,9 +46,13 @@ def _upright_pair(b: Builder, x: float, w: float, h: float, frame: Look) -> None
         for k in range(12):
             z = 0.25 + k * (h - 0.5) / 11
             for e in (-1, 1):
-                inlay(b, (x + e * 0.0345 - 0.0008, x + e * 0.0345 + 0.0008),
-                      (s * (w / 2 - 0.035) - 0.009, s * (w / 2 - 0.035) + 0.009), (z - 0.009, z + 0.009),
-                      "black plastic")  # fmt: skip
+                inlay(
+                    b,
+                    (x + e * 0.0345 - 0.0008, x + e * 0.0345 + 0.0008),
+                    (s * (w / 2 - 0.035) - 0.009, s * (w / 2 - 0.035) + 0.009),
+                    (z - 0.009, z + 0.009),
+                    "black plastic",
+                )
 
 
 def _barbell(b: Builder, x: float, z: float, length: float, looks: list[Look], r: float = 0.2) -> None:
@@ -64,8 +68,14 @@ def _barbell(b: Builder, x: float, z: float, length: float, looks: list[Look], r
 
 
 def _bumper(b: Builder, count: int) -> list[Look]:
-    kind = b.pick("plates", [("black plastic",) * 4, ("red plastic", "blue plastic", "yellow plastic", "green plastic"),
-                             ("rubber", "rubber", "grey plastic", "grey plastic")])  # fmt: skip
+    kind = b.pick(
+        "plates",
+        [
+            ("black plastic",) * 4,
+            ("red plastic", "blue plastic", "yellow plastic", "green plastic"),
+            ("rubber", "rubber", "grey plastic", "grey plastic"),
+        ],
+    )
     return list(kind[:count])
 
 
@@ -96,8 +106,19 @@ def squat_rack(b: Builder) -> None:
     with b.solid("barbell"):
         for s in (-1, 1):
             y = s * (cage / 2 - 0.035)
-            side(b, [(x1, z - 0.12), (x1 + 0.11, z - 0.04), (x1 + 0.11, z + 0.03), (x1 + 0.09, z + 0.03),
-                     (x1 + 0.09, z - 0.015), (x1, z - 0.015)], (y - 0.03, y + 0.03), "black plastic")  # fmt: skip
+            side(
+                b,
+                [
+                    (x1, z - 0.12),
+                    (x1 + 0.11, z - 0.04),
+                    (x1 + 0.11, z + 0.03),
+                    (x1 + 0.09, z + 0.03),
+                    (x1 + 0.09, z - 0.015),
+                    (x1, z - 0.015),
+                ],
+                (y - 0.03, y + 0.03),
+                "black plastic",
+            )
         _barbell(b, x1 + 0.06, z, w, _bumper(b, b.whole("plates each side", 1, 3)), 0.225)
 
 
@@ -203,8 +224,19 @@ def kettlebell_rack(b: Builder) -> None:
 def _kettlebell(b: Builder, x: float, y: float, z: float, r: float, look: Look) -> None:
     with b.frame(x, y, z):
         b.lathe([(r * 0.6, 0), (r * 0.9, r * 0.35), (r, r * 0.85), (r * 0.85, r * 1.4), (r * 0.45, r * 1.75)], look, 20)
-        b.tube([(0, -r * 0.5, r * 1.5), (0, -r * 0.72, r * 2.1), (0, -r * 0.5, r * 2.6), (0, r * 0.5, r * 2.6),
-                (0, r * 0.72, r * 2.1), (0, r * 0.5, r * 1.5)], r * 0.17, "black steel", 10)  # fmt: skip
+        b.tube(
+            [
+                (0, -r * 0.5, r * 1.5),
+                (0, -r * 0.72, r * 2.1),
+                (0, -r * 0.5, r * 2.6),
+                (0, r * 0.5, r * 2.6),
+                (0, r * 0.72, r * 2.1),
+                (0, r * 0.5, r * 1.5),
+            ],
+            r * 0.17,
+            "black steel",
+            10,
+        )
 
 
 @gear("kettlebell")
@@ -267,8 +299,13 @@ def cable_machine(b: Builder) -> None:
             b.box((0.06, 0.2), (y - 0.05, y + 0.05), (z - 0.09, z + 0.09), "black plastic", 0.008)
             disc(b, (0.2, y, z), 0.055, 0.025, "grey plastic", segments=16)
             b.bar((0.25, y, z - 0.02), (0.26, y, z - 0.2), 0.005, "black plastic", 6)
-            b.tube([(0.26, y, z - 0.2), (0.26, y - 0.06, z - 0.3), (0.26, y + 0.06, z - 0.3)], 0.008, "rubber", 8,
-                   closed=True)  # fmt: skip
+            b.tube(
+                [(0.26, y, z - 0.2), (0.26, y - 0.06, z - 0.3), (0.26, y + 0.06, z - 0.3)],
+                0.008,
+                "rubber",
+                8,
+                closed=True,
+            )
             b.box((-d / 2 + 0.05, d / 2 - 0.05), (y - 0.12, y + 0.12), (h - 0.12, h), frame, 0.008)
     with b.solid("beam"):
         b.box((0.08, 0.16), (-w / 2 + 0.1, w / 2 - 0.1), (h - 0.09, h - 0.01), frame, 0.004)
@@ -345,9 +382,19 @@ def pull_up_bar(b: Builder) -> None:
         b.cushion((x + 0.02, x + 0.08), (-0.14, 0.14), (h * 0.52, h * 0.68), "black leather", 0.025)
     with b.solid("bar"):
         y = w / 2
-        b.tube([(x + 0.12, -y, h - 0.13), (x + 0.08, -half * 1.05, h - 0.03), (x, -half * 0.8, h - 0.02),
-                (x, half * 0.8, h - 0.02), (x + 0.08, half * 1.05, h - 0.03), (x + 0.12, y, h - 0.13)], 0.017,
-               "rubber", 10)  # fmt: skip
+        b.tube(
+            [
+                (x + 0.12, -y, h - 0.13),
+                (x + 0.08, -half * 1.05, h - 0.03),
+                (x, -half * 0.8, h - 0.02),
+                (x, half * 0.8, h - 0.02),
+                (x + 0.08, half * 1.05, h - 0.03),
+                (x + 0.12, y, h - 0.13),
+            ],
+            0.017,
+            "rubber",
+            10,
+        )
     with b.solid("brace"):
         b.box((-d / 2, -d / 2 + 0.06), (-half - 0.06, half + 0.06), (0, 0.06), frame, 0.004)
 

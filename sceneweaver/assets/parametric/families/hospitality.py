@@ -224,8 +224,17 @@ def espresso_machine(b: Builder) -> None:
             b.frustum(0.021, 0.021, (0.01, 0.0125), "white plastic", segments=18)
         for s in (-1, 1):
             sy = s * (w / 2 - 0.045)
-            b.tube([(f - 0.01, sy, top - 0.11), (f + 0.03, sy, top - 0.12), (f + 0.045, sy - s * 0.01, top - 0.17),
-                    (f + 0.02, sy - s * 0.02, 0.15)], 0.006, "chrome", 8)  # fmt: skip
+            b.tube(
+                [
+                    (f - 0.01, sy, top - 0.11),
+                    (f + 0.03, sy, top - 0.12),
+                    (f + 0.045, sy - s * 0.01, top - 0.17),
+                    (f + 0.02, sy - s * 0.02, 0.15),
+                ],
+                0.006,
+                "chrome",
+                8,
+            )
             knob_x = f - 0.002
             with b.frame(knob_x, sy, top - 0.06, pitch=math.pi / 2):
                 b.frustum(0.02, 0.018, (0.0, 0.035), grip, segments=12, bevel=0.003)

@@ -13,9 +13,20 @@ _TOPS = ("oak", "walnut", "marble", "dark marble", "granite", "concrete", "beech
 def _looks(b: Builder) -> tuple:
     """Body, fronts, pulls and their style."""
     leaf = b.material(
-        "fronts", "white paint", "oak", "sage paint", "navy paint", "light grey paint", "walnut", "cream paint",
-        "black paint", "teal paint", "light oak", "pine", "grey paint",
-    )  # fmt: skip
+        "fronts",
+        "white paint",
+        "oak",
+        "sage paint",
+        "navy paint",
+        "light grey paint",
+        "walnut",
+        "cream paint",
+        "black paint",
+        "teal paint",
+        "light oak",
+        "pine",
+        "grey paint",
+    )
     body = b.material("body", "white paint", "light grey paint")
     pull = b.material("pulls", "black steel", "brass", "steel", "bronze")
     return body, leaf, pull, b.pick("pull style", ["bar", "bar", "knob", "cup"])
@@ -57,8 +68,14 @@ def corner_cabinet(b: Builder) -> None:
     top = b.material("top", *_TOPS)
     t, deep = 0.04, 0.58
     del looks, body
-    inner = [(-d / 2, -w / 2), (-d / 2 + deep, -w / 2), (-d / 2 + deep, w / 2 - deep), (d / 2, w / 2 - deep),
-             (d / 2, w / 2), (-d / 2, w / 2)]  # fmt: skip
+    inner = [
+        (-d / 2, -w / 2),
+        (-d / 2 + deep, -w / 2),
+        (-d / 2 + deep, w / 2 - deep),
+        (d / 2, w / 2 - deep),
+        (d / 2, w / 2),
+        (-d / 2, w / 2),
+    ]
     o = 0.03
     over = [
         (-d / 2, -w / 2),
@@ -173,10 +190,26 @@ def sink_cabinet(b: Builder) -> None:
         for k in range(count):
             span = (y[0] + k * w / count, y[0] + (k + 1) * w / count)
             here = span[0] < middle < span[1]
-            fronts(b, f"unit-{k}", front, span, (0.1, h - t), "doors" if here or count == 1 else
-                   b.pick("beside", ["drawers", "mixed"]), looks[1], looks[2], looks[3], shaker)  # fmt: skip
-        worktop(b, (-d / 2, d / 2 - 0.004), y, (h - t, h), top, [(hx, ys) for ys in bowls] if not double else
-                [(hx, (bowls[0][0], bowls[1][1]))])  # fmt: skip
+            fronts(
+                b,
+                f"unit-{k}",
+                front,
+                span,
+                (0.1, h - t),
+                "doors" if here or count == 1 else b.pick("beside", ["drawers", "mixed"]),
+                looks[1],
+                looks[2],
+                looks[3],
+                shaker,
+            )
+        worktop(
+            b,
+            (-d / 2, d / 2 - 0.004),
+            y,
+            (h - t, h),
+            top,
+            [(hx, ys) for ys in bowls] if not double else [(hx, (bowls[0][0], bowls[1][1]))],
+        )
         for ys in bowls:
             lip = 0.015 if not double else 0.007
             basin(

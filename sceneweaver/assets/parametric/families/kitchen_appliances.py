@@ -18,9 +18,18 @@ _COATS = ("white paint", "brushed steel", "black paint", "steel", "cream paint",
 
 
 def _leaf(
-    b: Builder, name: str, x: Interval, y: Interval, z: Interval, coat: Finish, pull: Finish, hung: str, at: Interval,
-    bevel: float = 0.006, more: Callable[[], None] | None = None,
-) -> None:  # fmt: skip
+    b: Builder,
+    name: str,
+    x: Interval,
+    y: Interval,
+    z: Interval,
+    coat: Finish,
+    pull: Finish,
+    hung: str,
+    at: Interval,
+    bevel: float = 0.006,
+    more: Callable[[], None] | None = None,
+) -> None:
     """A thick door of an appliance with an upright bar handle between two heights, away from its hinge.
 
     ``more`` draws what else is on it.
@@ -263,9 +272,12 @@ def range_hood(b: Builder) -> None:
     with b.solid("canopy"):
         if kind == "slant":
             foot = 0.16
-            b.hull([(x[0], s * w / 2, z) for s in (-1, 1) for z in (0.0, 0.5 * h)]
-                   + [(x[0] + foot, s * w / 2, 0.0) for s in (-1, 1)]
-                   + [(x[1] - 0.04, s * w / 2, 0.5 * h) for s in (-1, 1)], steel)  # fmt: skip
+            b.hull(
+                [(x[0], s * w / 2, z) for s in (-1, 1) for z in (0.0, 0.5 * h)]
+                + [(x[0] + foot, s * w / 2, 0.0) for s in (-1, 1)]
+                + [(x[1] - 0.04, s * w / 2, 0.5 * h) for s in (-1, 1)],
+                steel,
+            )
             lean = math.atan2(x[1] - 0.04 - x[0] - foot, 0.5 * h)
             with b.frame(x[0] + foot, 0.0, 0.0, pitch=lean):
                 long = 0.5 * h / math.cos(lean)
@@ -279,11 +291,19 @@ def range_hood(b: Builder) -> None:
             top = rim
             if kind == "pyramid":
                 top = rim + 0.2 + 0.12 * (h - 0.7)
-                b.hull([(px, s * (w / 2 - 0.01), rim - 0.001) for px in (x[0], x[1] - 0.01) for s in (-1, 1)]
-                       + [(px, s * cw, top) for px in (x[0], x[0] + cd) for s in (-1, 1)], steel)  # fmt: skip
+                b.hull(
+                    [(px, s * (w / 2 - 0.01), rim - 0.001) for px in (x[0], x[1] - 0.01) for s in (-1, 1)]
+                    + [(px, s * cw, top) for px in (x[0], x[0] + cd) for s in (-1, 1)],
+                    steel,
+                )
             for s in (-1, 1):
-                b.box((x[0] + 0.06, x[1] - 0.12), (s * w / 4 - w / 5, s * w / 4 + w / 5), (-0.0035, 0.002), "aluminium",
-                      bevel=0)  # fmt: skip
+                b.box(
+                    (x[0] + 0.06, x[1] - 0.12),
+                    (s * w / 4 - w / 5, s * w / 4 + w / 5),
+                    (-0.0035, 0.002),
+                    "aluminium",
+                    bevel=0,
+                )
                 with b.frame(x[1] - 0.07, s * w * 0.3):
                     b.frustum(0.03, 0.03, (-0.004, 0.002), "lamp glow", segments=16)
             for k in range(5):

@@ -36,12 +36,28 @@ def trash_can(b: Builder) -> None:
             loft(b, [ring(0.985, top), ring(1.0, top + 0.012), ring(1.0, top + 0.05)], "black plastic", whole=True)
             loft(b, [ring(0.98, top + 0.05), ring(0.62, h - 0.008), ring(0.55, h)], body, whole=True)
             # The flap, in a slope of the hood.
-            b.hull([(x, y, z) for x, z in ((d * 0.36, top + 0.065), (d * 0.30, top + 0.10), (d * 0.485, top + 0.05),
-                    (d * 0.335, h - 0.03)) for y in (-w * 0.2, w * 0.2)], "grey plastic")  # fmt: skip
+            b.hull(
+                [
+                    (x, y, z)
+                    for x, z in (
+                        (d * 0.36, top + 0.065),
+                        (d * 0.30, top + 0.10),
+                        (d * 0.485, top + 0.05),
+                        (d * 0.335, h - 0.03),
+                    )
+                    for y in (-w * 0.2, w * 0.2)
+                ],
+                "grey plastic",
+            )
         else:
             t = 0.006 / min(d, w) * 2
-            vessel(b, [ring(0.76, 0.0), ring(0.97, h - 0.02), ring(1.0, h - 0.018), ring(1.0, h)],
-                   [ring(1.0 - 2.5 * t, h), ring(0.76 - t, 0.012)], body, cuts)  # fmt: skip
+            vessel(
+                b,
+                [ring(0.76, 0.0), ring(0.97, h - 0.02), ring(1.0, h - 0.018), ring(1.0, h)],
+                [ring(1.0 - 2.5 * t, h), ring(0.76 - t, 0.012)],
+                body,
+                cuts,
+            )
             if b.chance("bag", 0.5):
                 # A liner folded down outside hides the rim.
                 loft(b, [ring(0.72, 0.35 * h), ring(0.79, 0.36 * h)], "white plastic", whole=True)
@@ -77,11 +93,19 @@ def pedal_bin(b: Builder) -> None:
             if square:
                 rings = [ring(0.99, top + 0.0085), ring(0.985, h - 0.012), ring(0.94, h)]
             else:
-                rings = [ring(s, top + 0.0085 + z * (h - top - 0.0085)) for s, z in
-                         ((0.99, 0.0), (0.98, 0.25), (0.9, 0.6), (0.72, 0.86), (0.4, 1.0))]  # fmt: skip
+                rings = [
+                    ring(s, top + 0.0085 + z * (h - top - 0.0085))
+                    for s, z in ((0.99, 0.0), (0.98, 0.25), (0.9, 0.6), (0.72, 0.86), (0.4, 1.0))
+                ]
             loft(b, rings, body, whole=True)
-        b.hull([(px, y, z) for px, z in ((x + r - 0.03, 0.012), (x + r - 0.03, 0.03), (d / 2, 0.006), (d / 2, 0.018))
-                for y in (-0.035, 0.035)], body if body.metallic else "chrome")  # fmt: skip
+        b.hull(
+            [
+                (px, y, z)
+                for px, z in ((x + r - 0.03, 0.012), (x + r - 0.03, 0.03), (d / 2, 0.006), (d / 2, 0.018))
+                for y in (-0.035, 0.035)
+            ],
+            body if body.metallic else "chrome",
+        )
         b.box((x - r - 0.001, x - r + 0.02), (-0.05, 0.05), (top - 0.06, top + 0.006), dark, bevel=0)
     b.fit()
 
@@ -104,9 +128,12 @@ def recycling_bin(b: Builder) -> None:
             high = [(px * (d / 2 - 0.012), m + s * (step / 2 - 0.008), top) for px in (-1, 1) for s in (-1, 1)]
             b.hull(low + high, body)
             with b.hinge(f"lid-{k}", (-d / 2, m, h), axis=(0.0, 1.0, 0.0), limits=(-1.2, 0.0)):
-                b.hull([(-d / 2, s, z) for s in y for z in (top + 0.001, h)]
-                       + [(d / 2, s, z) for s in y for z in (top + 0.001, top + 0.022)]
-                       + [(0.1 * d, s, h) for s in y], color)  # fmt: skip
+                b.hull(
+                    [(-d / 2, s, z) for s in y for z in (top + 0.001, h)]
+                    + [(d / 2, s, z) for s in y for z in (top + 0.001, top + 0.022)]
+                    + [(0.1 * d, s, h) for s in y],
+                    color,
+                )
                 b.box(
                     (d / 2 - 0.001, d / 2 + 0.012), (m - 0.05, m + 0.05), (top + 0.003, top + 0.018), color, bevel=0.003
                 )
@@ -122,6 +149,13 @@ def recycling_bin(b: Builder) -> None:
                 ],
                 color,
             )
-            b.hull([(p + o, m + s * step * 0.12, f * top) for p, f in zip(px, (f0 + 0.06, f1 - 0.06), strict=True)
-                    for o in (-0.004, 0.003) for s in (-1, 1)], "white plastic")  # fmt: skip
+            b.hull(
+                [
+                    (p + o, m + s * step * 0.12, f * top)
+                    for p, f in zip(px, (f0 + 0.06, f1 - 0.06), strict=True)
+                    for o in (-0.004, 0.003)
+                    for s in (-1, 1)
+                ],
+                "white plastic",
+            )
     b.fit()

@@ -23,9 +23,16 @@ def oval(rx: float, ry: float, z: float, x: float = 0.0, y: float = 0.0, power: 
 
 
 def egg(
-    front: float, back: float, ry: float, z: float, x: float = 0.0, y: float = 0.0, power: float = 2.2,
-    back_power: float = 2.2, n: int = 32,
-) -> np.ndarray:  # fmt: skip
+    front: float,
+    back: float,
+    ry: float,
+    z: float,
+    x: float = 0.0,
+    y: float = 0.0,
+    power: float = 2.2,
+    back_power: float = 2.2,
+    n: int = 32,
+) -> np.ndarray:
     """A ring whose front and back halves differ: a toilet's bowl is round in front and square at its back."""
     a = np.arange(n) * (2 * np.pi / n)
     c, s = np.cos(a), np.sin(a)
@@ -61,16 +68,18 @@ def _body(rings: Sequence[np.ndarray]):
 def loft(b: Builder, rings: Sequence[np.ndarray], material: Finish, whole: bool = False) -> None:
     """A solid through convex rings from below upward; its hulls are one for each pair, or one for all."""
     pairs = [tuple(rings)] if whole else list(zip(rings[:-1], rings[1:], strict=True))
-    hulls = [
-        shapes.hull(np.concatenate(p)) for p in pairs if np.ptp(np.concatenate(p)[:, 2]) > 1e-6
-    ]  # fmt: skip
+    hulls = [shapes.hull(np.concatenate(p)) for p in pairs if np.ptp(np.concatenate(p)[:, 2]) > 1e-6]
     b.add(_body(rings), material, hulls)
 
 
 def vessel(
-    b: Builder, outer: Sequence[np.ndarray], inner: Sequence[np.ndarray], material: Finish,
-    cuts: Sequence[int] | int = 16, split: tuple[int, int] | None = None,
-) -> None:  # fmt: skip
+    b: Builder,
+    outer: Sequence[np.ndarray],
+    inner: Sequence[np.ndarray],
+    material: Finish,
+    cuts: Sequence[int] | int = 16,
+    split: tuple[int, int] | None = None,
+) -> None:
     """A hollow body: rings up outside, then down inside. Its parts are a floor and staves, so it stays open.
 
     ``split`` cuts the staves of a bellied body in two at an outer and an inner ring.
@@ -81,8 +90,11 @@ def vessel(
     hulls = [shapes.hull(np.concatenate([outer[0], inner[-1]]))]
     for a, e in zip(ends[:-1], ends[1:], strict=True):
         index = np.arange(a, e + 1) % n
-        layers = [rings] if split is None else [[*outer[: split[0] + 1], *inner[split[1] :]],
-                                                [*outer[split[0] :], *inner[: split[1] + 1]]]  # fmt: skip
+        layers = (
+            [rings]
+            if split is None
+            else [[*outer[: split[0] + 1], *inner[split[1] :]], [*outer[split[0] :], *inner[: split[1] + 1]]]
+        )
         hulls += [shapes.hull(np.concatenate([ring[index] for ring in layer])) for layer in layers]
     b.add(_body(rings), material, hulls)
 
@@ -105,9 +117,13 @@ def basin(b: Builder, x: Interval, y: Interval, z: float, depth: float, material
     ]
     inner = [
         rounded((x[0] + t, x[1] - t), (y[0] + t, y[1] - t), r, z + 0.0015),
-        rounded((floor[0][0] + 0.006, floor[0][1] - 0.006), (floor[1][0] + 0.006, floor[1][1] - 0.006), 0.05,
-                z - depth + 0.006),
-    ]  # fmt: skip
+        rounded(
+            (floor[0][0] + 0.006, floor[0][1] - 0.006),
+            (floor[1][0] + 0.006, floor[1][1] - 0.006),
+            0.05,
+            z - depth + 0.006,
+        ),
+    ]
     vessel(b, outer, inner, material, CORNER_CUTS)
     with b.frame((x[0] + x[1]) / 2, (y[0] + y[1]) / 2, z - depth + 0.0055):
         b.frustum(0.035, 0.035, (0.0, 0.0025), "chrome", segments=16)
@@ -115,9 +131,16 @@ def basin(b: Builder, x: Interval, y: Interval, z: float, depth: float, material
 
 
 def tap(
-    b: Builder, x: float, y: float, z: float, material: Finish, height: float = 0.3, reach: float = 0.18,
-    name: str = "tap", square: bool = False,
-) -> None:  # fmt: skip
+    b: Builder,
+    x: float,
+    y: float,
+    z: float,
+    material: Finish,
+    height: float = 0.3,
+    reach: float = 0.18,
+    name: str = "tap",
+    square: bool = False,
+) -> None:
     """A mixer with a bent spout toward +x and a lever at its side."""
     with b.solid(name), b.frame(x, y, z):
         b.frustum(0.026, 0.022, (0.0, 0.05), material, segments=16, bevel=0.003)
@@ -128,8 +151,10 @@ def tap(
             b.box((reach - 0.028, reach), (-0.016, 0.016), (height - 0.04, height - 0.02), material, bevel=0.001)
         else:
             rad = min(reach / 2, height * 0.45)
-            arc = [(reach / 2 - reach / 2 * math.cos(t), 0.0, height - r - rad + rad * math.sin(t))
-                   for t in np.linspace(0, math.pi, 8)]  # fmt: skip
+            arc = [
+                (reach / 2 - reach / 2 * math.cos(t), 0.0, height - r - rad + rad * math.sin(t))
+                for t in np.linspace(0, math.pi, 8)
+            ]
             tail = [(reach, 0.0, height - r - rad - 0.03)]
             b.tube([(0.0, 0.0, 0.045), *arc, *tail], r, material, 10)
             b.frustum(0.014, 0.014, (0.0, 0.001), material, segments=8)
@@ -153,9 +178,19 @@ def worktop(b: Builder, x: Interval, y: Interval, z: Interval, material: Finish,
 
 
 def fronts(
-    b: Builder, name: str, x: float, y: Interval, z: Interval, layout: str, leaf: Finish, pull: Finish, style: str,
-    shaker: bool = False, glass: bool = False, deep: float = 0.4,
-) -> None:  # fmt: skip
+    b: Builder,
+    name: str,
+    x: float,
+    y: Interval,
+    z: Interval,
+    layout: str,
+    leaf: Finish,
+    pull: Finish,
+    style: str,
+    shaker: bool = False,
+    glass: bool = False,
+    deep: float = 0.4,
+) -> None:
     """Doors and drawers of 20 mm on a carcass ``deep`` whose front is at x: "door", "doors", "drawers" or "mixed"."""
     h, travel = z[1] - z[0], 0.75 * deep
     xs = (x + 0.0005, x + 0.0205)
@@ -183,9 +218,16 @@ def fronts(
 
 
 def cabinet(
-    b: Builder, name: str, x: Interval, y: Interval, z: Interval, layout: str, looks: tuple, shaker: bool = False,
+    b: Builder,
+    name: str,
+    x: Interval,
+    y: Interval,
+    z: Interval,
+    layout: str,
+    looks: tuple,
+    shaker: bool = False,
     glass: bool = False,
-) -> None:  # fmt: skip
+) -> None:
     """A carcass with its fronts; ``looks`` are body, fronts, pulls, style; x[1] is where its fronts end."""
     body, leaf, pull, style = looks
     carcass(b, (x[0], x[1] - 0.021), y, z, body)
@@ -243,8 +285,13 @@ def oven_door(b: Builder, name: str, x: Interval, y: Interval, z: Interval, look
     with b.hinge(name, (x[1], (y[0] + y[1]) / 2, z[0]), axis=(0.0, 1.0, 0.0), limits=(0.0, 1.5)):
         b.box(x, y, z, look, bevel=0.004)
         w, h = y[1] - y[0], z[1] - z[0]
-        b.box((x[1] - 0.003, x[1] + 0.001), (y[0] + 0.12 * w, y[1] - 0.12 * w), (z[0] + 0.16 * h, z[1] - 0.28 * h),
-              "black glass", bevel=0)  # fmt: skip
+        b.box(
+            (x[1] - 0.003, x[1] + 0.001),
+            (y[0] + 0.12 * w, y[1] - 0.12 * w),
+            (z[0] + 0.16 * h, z[1] - 0.28 * h),
+            "black glass",
+            bevel=0,
+        )
         handle(b, x[1], (y[0] + y[1]) / 2, z[1] - 0.11 * h, pull, "bar", 0.78 * w)
 
 
@@ -256,9 +303,7 @@ def feet(b: Builder, x: Interval, y: Interval, z: float, material: Finish = "bla
                 b.frustum(r, r, (0.0, z), material, segments=12)
 
 
-def castors(
-    b: Builder, x: Interval, y: Interval, z: float = 0.08, r: float = 0.032, metal: Finish = "steel"
-) -> None:  # fmt: skip
+def castors(b: Builder, x: Interval, y: Interval, z: float = 0.08, r: float = 0.032, metal: Finish = "steel") -> None:
     """Four wheels in forks at the corners of a rectangle; they carry at height z."""
     for px in x:
         for py in y:

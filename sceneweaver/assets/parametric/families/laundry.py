@@ -25,8 +25,13 @@ def washing_machine(b: Builder) -> None:
         b.box(x, (y[0] + 0.002, y[1] - 0.002), (0.012, h - 0.028), coat, bevel=0.008)
         b.box(x, y, (h - 0.03, h), coat, bevel=0.006)
         top = h - 0.032
-        b.box((f - 0.001, f + 0.006), (y[0] + 0.004, y[1] - 0.004), (top - 0.115, top - 0.004), "light grey paint"
-              if coat.name == "white paint" else "black plastic", bevel=0.002)  # fmt: skip
+        b.box(
+            (f - 0.001, f + 0.006),
+            (y[0] + 0.004, y[1] - 0.004),
+            (top - 0.115, top - 0.004),
+            "light grey paint" if coat.name == "white paint" else "black plastic",
+            bevel=0.002,
+        )
         g = f + 0.006
         if dry:
             b.box(
@@ -83,8 +88,12 @@ def laundry_sink(b: Builder) -> None:
     deep = 0.36
     with b.solid("tub"):
         low = rounded((x[0] + 0.05, x[1] - 0.05), (y[0] + 0.05, y[1] - 0.05), 0.04, h - deep)
-        outer = [low, rounded((x[0] + 0.018, x[1] - 0.018), (y[0] + 0.018, y[1] - 0.018), 0.03, h - 0.03),
-                 rounded(x, y, 0.03, h - 0.03), rounded(x, y, 0.03, h)]  # fmt: skip
+        outer = [
+            low,
+            rounded((x[0] + 0.018, x[1] - 0.018), (y[0] + 0.018, y[1] - 0.018), 0.03, h - 0.03),
+            rounded(x, y, 0.03, h - 0.03),
+            rounded(x, y, 0.03, h),
+        ]
         inner = [
             rounded((x[0] + 0.1, x[1] - 0.035), (y[0] + 0.035, y[1] - 0.035), 0.04, h),
             rounded((x[0] + 0.11, x[1] - 0.065), (y[0] + 0.065, y[1] - 0.065), 0.05, h - deep + 0.015),
@@ -98,8 +107,12 @@ def laundry_sink(b: Builder) -> None:
                 px, py = sx * (d / 2 - 0.055), sy * (w / 2 - 0.055)
                 b.bar((px + sx * 0.02, py + sy * 0.02, 0.0), (px, py, h - deep + 0.09), 0.017, leg, 10)
         b.bar((0.02, 0.0, 0.35), (0.02, 0.0, h - deep), 0.02, "white plastic", 12)
-        b.tube([(0.02, 0, 0.36), (0.0, 0, 0.31), (-0.05, 0, 0.31), (-0.07, 0, 0.36), (-d / 2 + 0.02, 0, 0.37)], 0.019,
-               "white plastic", 10)  # fmt: skip
+        b.tube(
+            [(0.02, 0, 0.36), (0.0, 0, 0.31), (-0.05, 0, 0.31), (-0.07, 0, 0.36), (-d / 2 + 0.02, 0, 0.37)],
+            0.019,
+            "white plastic",
+            10,
+        )
     tap(b, x[0] + 0.05, 0.0, h, b.material("tap", "chrome", "brass", "brushed steel"), total - h, 0.19)
     b.fit()
 
@@ -232,8 +245,13 @@ def laundry_basket(b: Builder) -> None:
             return oval(d / 2 * f - t, w / 2 * f - t, z, power=4.0)
 
         rim = h - 0.05
-        vessel(b, [ring(0.78, 0.0), ring(0.95, rim - 0.03), ring(1.0, rim - 0.025), ring(1.0, rim)],
-               [ring(0.93, rim), ring(0.75, 0.012)], look, 32)  # fmt: skip
+        vessel(
+            b,
+            [ring(0.78, 0.0), ring(0.95, rim - 0.03), ring(1.0, rim - 0.025), ring(1.0, rim)],
+            [ring(0.93, rim), ring(0.75, 0.012)],
+            look,
+            32,
+        )
         dark = "white plastic" if look.name != "white plastic" else "grey plastic"
         for s in (-1, 1):
             for j in range(2):

@@ -51,8 +51,15 @@ def vacuum_cleaner(b: Builder) -> None:
     with b.solid("tube"):
         hx = x0 + long - 0.01
         b.bar((hx - 0.05, 0, 0.13), (hx, 0, 0.14), 0.03, dark, 12)
-        hose = [(hx - 0.01, 0, 0.14), (hx + 0.03, -0.03, 0.25), (hx - 0.02, -0.06, 0.45), (hx - 0.1, -0.06, 0.7),
-                (hx - 0.06, -0.03, h - 0.07), (hx, 0.0, h - 0.03), (hx + 0.06, 0.0, h - 0.09)]  # fmt: skip
+        hose = [
+            (hx - 0.01, 0, 0.14),
+            (hx + 0.03, -0.03, 0.25),
+            (hx - 0.02, -0.06, 0.45),
+            (hx - 0.1, -0.06, 0.7),
+            (hx - 0.06, -0.03, h - 0.07),
+            (hx, 0.0, h - 0.03),
+            (hx + 0.06, 0.0, h - 0.09),
+        ]
         b.tube(hose, 0.02, dark, 10)
         top = (hx + 0.05, 0.0, h - 0.07)
         b.bar((tx, 0, 0.08), top, 0.0165, "chrome", 12)
@@ -79,8 +86,12 @@ def mop_bucket(b: Builder) -> None:
         def ring(f: float, z: float):
             return oval(d / 2 * f, w / 2 * f, z, power=3.0)
 
-        vessel(b, [ring(0.74, low), ring(0.95, top - 0.025), ring(1.0, top - 0.02), ring(1.0, top)],
-               [ring(0.93, top), ring(0.71, low + 0.012)], look)  # fmt: skip
+        vessel(
+            b,
+            [ring(0.74, low), ring(0.95, top - 0.025), ring(1.0, top - 0.02), ring(1.0, top)],
+            [ring(0.93, top), ring(0.71, low + 0.012)],
+            look,
+        )
         loft(b, [ring(0.72, low + 0.01), ring(0.81, low + 0.13)], "blue ceramic", whole=True)
         if wheels:
             castors(b, (-d * 0.27, d * 0.27), (-w * 0.27, w * 0.27), low + 0.004, 0.026)

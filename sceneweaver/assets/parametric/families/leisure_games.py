@@ -9,8 +9,16 @@ import numpy as np
 from ..builder import Builder, span
 from .gym_kit import disc, gear, inlay, post, ring, side
 
-_BALLS = ("yellow plastic", "blue plastic", "red plastic", "lilac plastic", "orange plastic", "green plastic",
-          "mahogany", "black plastic")  # fmt: skip
+_BALLS = (
+    "yellow plastic",
+    "blue plastic",
+    "red plastic",
+    "lilac plastic",
+    "orange plastic",
+    "green plastic",
+    "mahogany",
+    "black plastic",
+)
 
 
 @gear("pool_table")
@@ -35,8 +43,13 @@ def pool_table(b: Builder) -> None:
                 lo, hi = sorted((k * 0.07, k * (y - rail - 0.06)))
                 b.box((min(e, e - s * 0.045), max(e, e - s * 0.045)), (lo, hi), (bed - 0.001, h - 0.004), cloth, 0.01)
             f = s * (y - rail)
-            b.box((-x + rail + 0.06, x - rail - 0.06), (min(f, f - s * 0.045), max(f, f - s * 0.045)),
-                  (bed - 0.001, h - 0.004), cloth, 0.01)  # fmt: skip
+            b.box(
+                (-x + rail + 0.06, x - rail - 0.06),
+                (min(f, f - s * 0.045), max(f, f - s * 0.045)),
+                (bed - 0.001, h - 0.004),
+                cloth,
+                0.01,
+            )
         for sx in (-1, 1):
             for share in (-1, 0, 1):
                 px, py = sx * (x - rail - 0.015 + 0.05 * (share == 0)), share * (y - rail - 0.015)
@@ -63,8 +76,19 @@ def pool_table(b: Builder) -> None:
                         wood,
                     )
                 else:
-                    b.lathe([(0.06, 0), (0.07, 0.05), (0.045, 0.1), (0.09, 0.3), (0.075, 0.42), (0.05, 0.46),
-                             (0.1, h - 0.22)], wood, 16)  # fmt: skip
+                    b.lathe(
+                        [
+                            (0.06, 0),
+                            (0.07, 0.05),
+                            (0.045, 0.1),
+                            (0.09, 0.3),
+                            (0.075, 0.42),
+                            (0.05, 0.46),
+                            (0.1, h - 0.22),
+                        ],
+                        wood,
+                        16,
+                    )
 
 
 @gear("table_football")
@@ -72,8 +96,10 @@ def table_football(b: Builder) -> None:
     """A box with a green field, eight rods with men in two colours, goals and handles."""
     d, w, h = b.size
     wood = b.material("case", "walnut", "black paint", "light oak", "grey paint", "mahogany")
-    one, two = b.pick("teams", [("red plastic", "blue plastic"), ("yellow plastic", "black plastic"),
-                                ("white plastic", "red plastic")])  # fmt: skip
+    one, two = b.pick(
+        "teams",
+        [("red plastic", "blue plastic"), ("yellow plastic", "black plastic"), ("white plastic", "red plastic")],
+    )
     x, y = 0.37, w / 2
     z = h - 0.22
     with b.solid("case"):
@@ -86,8 +112,13 @@ def table_football(b: Builder) -> None:
             b.box((-x, x), ys, (z - 0.05, h - 0.01), wood, 0.004)
             inlay(b, (-0.1, 0.1), (s * (y - 0.03) - 0.0003, s * (y - 0.03) + 0.0003), (z, z + 0.09), "black plastic")
             for k in range(6):
-                b.box((-0.16 + 0.05 * k, -0.125 + 0.05 * k), (s * (y - 0.07) - 0.004, s * (y - 0.07) + 0.004),
-                      (h - 0.012, h), two if s > 0 else one, 0.002)  # fmt: skip
+                b.box(
+                    (-0.16 + 0.05 * k, -0.125 + 0.05 * k),
+                    (s * (y - 0.07) - 0.004, s * (y - 0.07) + 0.004),
+                    (h - 0.012, h),
+                    two if s > 0 else one,
+                    0.002,
+                )
             b.box(
                 (-0.18, 0.18), (s * (y - 0.07) - 0.006, s * (y - 0.07) + 0.006), (h - 0.02, h - 0.01), "black steel", 0
             )
@@ -106,9 +137,15 @@ def table_football(b: Builder) -> None:
             b.bar((end, py, zz), (end - sign * 0.12, py, zz), 0.017, "black plastic", 8)
             for m in range(count):
                 px = (m - (count - 1) / 2) * (0.6 / max(2, count)) + push * 0.5
-                b.hull([(px + e * q, py + f * t, zz + g) for e in (-1, 1) for f in (-1, 1)
-                        for q, t, g in ((0.012, 0.014, -0.09), (0.02, 0.012, 0.0), (0.02, 0.012, 0.03))],
-                       one if mine == 0 else two)  # fmt: skip
+                b.hull(
+                    [
+                        (px + e * q, py + f * t, zz + g)
+                        for e in (-1, 1)
+                        for f in (-1, 1)
+                        for q, t, g in ((0.012, 0.014, -0.09), (0.02, 0.012, 0.0), (0.02, 0.012, 0.03))
+                    ],
+                    one if mine == 0 else two,
+                )
                 b.ball((0.014, 0.014, 0.017), (px, py, zz + 0.044), "skin tone", 8)
         b.ball((0.017, 0.017, 0.017), (0.05, 0.02, z + 0.017), "white plastic", 10)
     for s in (-1, 1):
@@ -141,8 +178,13 @@ def table_tennis(b: Builder) -> None:
             )
             for xs in ((-x, -x + 0.02), (x - 0.02, x), (-0.003, 0.003)):
                 inlay(b, xs, ys, (z - 0.01, z + 0.0003), "white plastic")
-            inlay(b, (-x, x), (w / 2 - 0.02, w / 2) if s > 0 else (-w / 2, -w / 2 + 0.02), (z - 0.01, z + 0.0003),
-                  "white plastic")  # fmt: skip
+            inlay(
+                b,
+                (-x, x),
+                (w / 2 - 0.02, w / 2) if s > 0 else (-w / 2, -w / 2 + 0.02),
+                (z - 0.01, z + 0.0003),
+                "white plastic",
+            )
     with b.solid("net"):
         b.box((-d / 2 + 0.01, d / 2 - 0.01), (-0.002, 0.002), (z + 0.01, h - 0.015), "sheer fabric", 0)
         b.box((-d / 2 + 0.01, d / 2 - 0.01), (-0.004, 0.004), (h - 0.015, h), "white fabric", 0)
@@ -211,8 +253,19 @@ def arcade_machine(b: Builder) -> None:
     trim = b.material("trim", "yellow plastic", "red plastic", "blue plastic", "orange plastic")
     x0, x1, y = -d / 2, d / 2, w / 2
     k = h / 1.75
-    shape = [(x0, 0), (x1 - 0.1, 0), (x1 - 0.1, 0.75 * k), (x1, 0.88 * k), (x1, 0.98 * k), (x1 - 0.26, 1.05 * k),
-             (x1 - 0.36, 1.45 * k), (x1 - 0.1, 1.52 * k), (x1 - 0.1, h), (x0 + 0.12, h), (x0, h - 0.25)]  # fmt: skip
+    shape = [
+        (x0, 0),
+        (x1 - 0.1, 0),
+        (x1 - 0.1, 0.75 * k),
+        (x1, 0.88 * k),
+        (x1, 0.98 * k),
+        (x1 - 0.26, 1.05 * k),
+        (x1 - 0.36, 1.45 * k),
+        (x1 - 0.1, 1.52 * k),
+        (x1 - 0.1, h),
+        (x0 + 0.12, h),
+        (x0, h - 0.25),
+    ]
     for s in (-1, 1):
         ys = (y - 0.025, y) if s > 0 else (-y, -y + 0.025)
         side(b, shape, ys, case)
@@ -245,8 +298,13 @@ def arcade_machine(b: Builder) -> None:
         b.box((-0.03, 0.004), (-i + 0.05, i - 0.05), (0.05, 0.36 * k), "screen", 0.004)
         for a in range(4):
             for c in range(6):
-                inlay(b, (0.0, 0.0043), (-0.16 + 0.06 * c, -0.13 + 0.06 * c), (0.2 + 0.03 * a, 0.215 + 0.03 * a),
-                      ("red plastic", "yellow plastic", "green plastic", "blue plastic")[a])  # fmt: skip
+                inlay(
+                    b,
+                    (0.0, 0.0043),
+                    (-0.16 + 0.06 * c, -0.13 + 0.06 * c),
+                    (0.2 + 0.03 * a, 0.215 + 0.03 * a),
+                    ("red plastic", "yellow plastic", "green plastic", "blue plastic")[a],
+                )
         inlay(b, (0.0, 0.0043), (-0.03, 0.03), (0.08, 0.09), "white plastic")
     b.box((x0 + 0.12, x1 - 0.12), (-i, i), (1.5 * k, h - 0.01), "black plastic", 0.004)
     b.box((x1 - 0.14, x1 - 0.11), (-i + 0.02, i - 0.02), (1.54 * k, h - 0.02), "lit shade", 0.004)
@@ -312,8 +370,14 @@ def pinball_machine(b: Builder) -> None:
         b.box((x0 + 0.255, x0 + 0.264), (-w / 2 + 0.03, w / 2 - 0.03), (1.3, h - 0.04), "lit shade", 0.002)
         disc(b, (x0 + 0.264, 0, (1.3 + h) / 2), 0.19, 0.004, "red plastic", "x", 28)
         disc(b, (x0 + 0.2645, 0, (1.3 + h) / 2), 0.14, 0.005, "yellow plastic", "x", 28)
-        b.hull([(x0 + 0.25 + 0.018 * e, yy, (1.3 + h) / 2 + zz) for e in (0, 1)
-                for yy, zz in ((0, 0.13), (0.11, -0.08), (-0.11, -0.08))], "blue plastic")  # fmt: skip
+        b.hull(
+            [
+                (x0 + 0.25 + 0.018 * e, yy, (1.3 + h) / 2 + zz)
+                for e in (0, 1)
+                for yy, zz in ((0, 0.13), (0.11, -0.08), (-0.11, -0.08))
+            ],
+            "blue plastic",
+        )
         b.box((x0 + 0.255, x0 + 0.262), (-w / 2 + 0.06, w / 2 - 0.06), (1.13, 1.25), "black glass", 0.002)
         for k in range(4):
             inlay(b, (x0 + 0.26, x0 + 0.2623), (-0.18 + 0.1 * k, -0.12 + 0.1 * k), (1.17, 1.21), "orange plastic")
@@ -345,14 +409,18 @@ def dartboard(b: Builder) -> None:
         for k in range(20):
             a0 = (k - 0.5) * math.pi / 10
             odd = k % 2
-            for lo, hi, look in ((0.07, 0.42, "black plastic" if odd else "beige fabric"),
-                                 (0.42, 0.47, "red plastic" if odd else "green plastic"),
-                                 (0.47, 0.7, "black plastic" if odd else "beige fabric"),
-                                 (0.7, 0.755, "red plastic" if odd else "green plastic")):  # fmt: skip
+            for lo, hi, look in (
+                (0.07, 0.42, "black plastic" if odd else "beige fabric"),
+                (0.42, 0.47, "red plastic" if odd else "green plastic"),
+                (0.47, 0.7, "black plastic" if odd else "beige fabric"),
+                (0.7, 0.755, "red plastic" if odd else "green plastic"),
+            ):
                 if look == "black plastic":
                     continue
-                p = [(q * w2 * math.sin(a), q * w2 * math.cos(a)) for q, a in
-                     ((lo, a0), (lo, a0 + math.pi / 10), (hi, a0 + math.pi / 10), (hi, a0))]  # fmt: skip
+                p = [
+                    (q * w2 * math.sin(a), q * w2 * math.cos(a))
+                    for q, a in ((lo, a0), (lo, a0 + math.pi / 10), (hi, a0 + math.pi / 10), (hi, a0))
+                ]
                 b.hull([(x, py, pz) for py, pz in p for x in (face_x - 0.002, face_x + 0.0005)], look)
             a = k * math.pi / 10
             py, pz = 0.87 * w2 * math.sin(a), 0.87 * w2 * math.cos(a)
@@ -381,21 +449,47 @@ def chess_table(b: Builder) -> None:
         q = s * 0.8 / 8
         for i in range(8):
             for j in range(8):
-                inlay(b, ((i - 4) * q, (i - 3) * q), ((j - 4) * q, (j - 3) * q), (z - 0.002, z + 0.0003),
-                      "birch" if (i + j) % 2 else "wenge")  # fmt: skip
+                inlay(
+                    b,
+                    ((i - 4) * q, (i - 3) * q),
+                    ((j - 4) * q, (j - 3) * q),
+                    (z - 0.002, z + 0.0003),
+                    "birch" if (i + j) % 2 else "wenge",
+                )
         for team, sign in (("cream paint", -1), ("black paint", 1)):
             for k in range(8):
                 x = (k - 3.5) * q
                 tall = (0.05, 0.055, 0.065, 0.085, 0.078, 0.065, 0.055, 0.05)[k]
                 r = q * 0.3
                 with b.frame(x, sign * 3.5 * q, z):
-                    b.lathe([(r, 0), (r * 0.9, 0.008), (r * 0.45, 0.02), (r * 0.4, tall * 0.6), (r * 0.75, tall * 0.75),
-                             (r * 0.5, tall)], team, 8)  # fmt: skip
+                    b.lathe(
+                        [
+                            (r, 0),
+                            (r * 0.9, 0.008),
+                            (r * 0.45, 0.02),
+                            (r * 0.4, tall * 0.6),
+                            (r * 0.75, tall * 0.75),
+                            (r * 0.5, tall),
+                        ],
+                        team,
+                        8,
+                    )
                 with b.frame(x, sign * 2.5 * q, z):
                     b.lathe([(r * 0.8, 0), (r * 0.35, 0.016), (r * 0.5, 0.034), (r * 0.3, 0.04)], team, 8)
     with b.solid("foot"):
-        b.lathe([(0.05, 0.08), (0.045, 0.14), (0.075, 0.25), (0.04, 0.34), (0.04, z - 0.16), (0.07, z - 0.12),
-                 (0.08, z - 0.04)], wood, 20)  # fmt: skip
+        b.lathe(
+            [
+                (0.05, 0.08),
+                (0.045, 0.14),
+                (0.075, 0.25),
+                (0.04, 0.34),
+                (0.04, z - 0.16),
+                (0.07, z - 0.12),
+                (0.08, z - 0.04),
+            ],
+            wood,
+            20,
+        )
         for k in range(4):
             with b.frame(yaw=k * math.pi / 2 + math.pi / 4):
                 side(

@@ -148,8 +148,14 @@ def wood_stove(b: Builder) -> None:
         for k in range(5):
             c = -w * 0.18 + k * w * 0.09
             t = (z1 - z0) * b.uniform(f"flame {k}", 0.3, 0.6)
-            b.hull([(x1 + 0.018 + e, c + yy, z0 + 0.075 + zz) for e in (0, 0.0018) for yy, zz in
-                    ((-0.02, 0), (0.02, 0), (0.025, t * 0.3), (-0.025, t * 0.3), (0.0, t))], "flame")  # fmt: skip
+            b.hull(
+                [
+                    (x1 + 0.018 + e, c + yy, z0 + 0.075 + zz)
+                    for e in (0, 0.0018)
+                    for yy, zz in ((-0.02, 0), (0.02, 0), (0.025, t * 0.3), (-0.025, t * 0.3), (0.0, t))
+                ],
+                "flame",
+            )
         b.bar((x1 + 0.018, -w * 0.14, z0 + 0.075), (x1 + 0.018, w * 0.14, z0 + 0.075), 0.004, "bark", 8)
         b.bar(
             (x1 + 0.03, -w * 0.34, (z0 + z1) / 2 - 0.06), (x1 + 0.03, -w * 0.34, (z0 + z1) / 2 + 0.06), 0.01, "brass", 8
@@ -271,8 +277,18 @@ def fan(b: Builder) -> None:
         a = k * math.pi / 6
         c, s = math.cos(a), math.sin(a)
         e = r - 0.007
-        b.tube([(0.02, 0.05 * c, z + 0.05 * s), (0.03, e * 0.8 * c, z + e * 0.8 * s), (0.07, e * c, z + e * s),
-                (0.11, e * 0.8 * c, z + e * 0.8 * s), (0.12, 0.05 * c, z + 0.05 * s)], 0.0025, metal, 4)  # fmt: skip
+        b.tube(
+            [
+                (0.02, 0.05 * c, z + 0.05 * s),
+                (0.03, e * 0.8 * c, z + e * 0.8 * s),
+                (0.07, e * c, z + e * s),
+                (0.11, e * 0.8 * c, z + e * 0.8 * s),
+                (0.12, 0.05 * c, z + 0.05 * s),
+            ],
+            0.0025,
+            metal,
+            4,
+        )
     for k in range(4):
         with b.frame(0.07, 0, z, roll=k * math.pi / 2 + 0.3):
             b.hull(
@@ -337,7 +353,8 @@ def pet_bed(b: Builder) -> None:
     z = h - r - np.clip(np.cos(t) - 0.5, 0, 1) * h * 0.5
     b.tube(np.c_[a * np.cos(t), c * np.sin(t), np.maximum(z, r)], r, cloth, 10, closed=True)
     b.frustum(1.0, 1.0, (0, 0.001), cloth, 8) if False else b.extrude(
-        np.c_[(a + r * 0.5) * np.cos(t), (c + r * 0.5) * np.sin(t)], (0, h * 0.35), cloth)  # fmt: skip
+        np.c_[(a + r * 0.5) * np.cos(t), (c + r * 0.5) * np.sin(t)], (0, h * 0.35), cloth
+    )
     b.extrude(
         np.c_[a * 0.95 * np.cos(t), c * 0.95 * np.sin(t)],
         (h * 0.3, h * 0.5),

@@ -15,8 +15,13 @@ def keyboard(b: Builder, x: tuple[float, float], y: tuple[float, float], z: floa
     b.box(x, y, (z - 0.02, z), "white plastic", 0.0)
     step = (y[1] - y[0]) / whites
     for k in range(1, whites):
-        inlay(b, (x[0], x[1] + 0.0003), (y[0] + k * step - 0.0006, y[0] + k * step + 0.0006), (z - 0.01, z + 0.0003),
-              "black plastic")  # fmt: skip
+        inlay(
+            b,
+            (x[0], x[1] + 0.0003),
+            (y[0] + k * step - 0.0006, y[0] + k * step + 0.0006),
+            (z - 0.01, z + 0.0003),
+            "black plastic",
+        )
     m = x[0] + 0.36 * (x[1] - x[0])
     for k in range(1, whites):
         if k % 7 in (0, 3):
@@ -53,8 +58,13 @@ def upright_piano(b: Builder) -> None:
         b.box((body, x1), (-w / 2, w / 2), (key - 0.09, key - 0.02), wood, 0.006)
         for s in (-1, 1):
             ys = (w / 2 - 0.06, w / 2) if s > 0 else (-w / 2, -w / 2 + 0.06)
-            side(b, [(body, key - 0.03), (x1, key - 0.03), (x1, key + 0.01), (x1 - 0.05, key + 0.05),
-                     (body, key + 0.1)], ys, wood, 0.004)  # fmt: skip
+            side(
+                b,
+                [(body, key - 0.03), (x1, key - 0.03), (x1, key + 0.01), (x1 - 0.05, key + 0.05), (body, key + 0.1)],
+                ys,
+                wood,
+                0.004,
+            )
         keyboard(b, (body + 0.05, x1 - 0.03), (-w / 2 + 0.065, w / 2 - 0.065), key + 0.012, 52)
         b.box((body - 0.005, body + 0.05), (-w / 2 + 0.055, w / 2 - 0.055), (key - 0.03, key + 0.1), wood, 0.006)
         inlay(b, (body + 0.04, body + 0.0503), (-0.09, 0.09), (key + 0.055, key + 0.068), "brass")
@@ -89,8 +99,13 @@ def digital_piano(b: Builder) -> None:
         keyboard(b, (x0 + d * 0.5, x1 - 0.02), (-w / 2 + 0.05, w / 2 - 0.05), top - 0.028, 52)
         for k in range(9):
             y = -0.28 + k * 0.07
-            inlay(b, (x0 + d * 0.3, x0 + d * 0.34), (y - 0.014, y + 0.014), (top - 0.01, top + 0.0003),
-                  "red plastic" if k == 0 else "grey plastic")  # fmt: skip
+            inlay(
+                b,
+                (x0 + d * 0.3, x0 + d * 0.34),
+                (y - 0.014, y + 0.014),
+                (top - 0.01, top + 0.0003),
+                "red plastic" if k == 0 else "grey plastic",
+            )
         with b.frame(x0 + 0.09, 0, top - 0.005, pitch=-0.3):
             b.box((-0.006, 0.006), (-w * 0.26, w * 0.26), (0, rest / math.cos(0.3)), wood, 0.004)
     for s in (-1, 1):
@@ -147,8 +162,13 @@ def grand_piano(b: Builder) -> None:
         with b.frame(0, -y, rim, roll=angle):
             b.extrude([(px, (py + y)) for px, py in outline], (0.0, 0.018), wood)
         reach = y - w * 0.25
-        b.bar((x1 - 0.6, reach, rim - 0.08), (x1 - 0.6, -y + (reach + y) * 0.98,
-              rim + math.tan(angle) * (reach + y) * 0.98), 0.009, wood, 8)  # fmt: skip
+        b.bar(
+            (x1 - 0.6, reach, rim - 0.08),
+            (x1 - 0.6, -y + (reach + y) * 0.98, rim + math.tan(angle) * (reach + y) * 0.98),
+            0.009,
+            wood,
+            8,
+        )
     for k, (px, py) in enumerate([(x1 - 0.32, -y + 0.14), (x1 - 0.32, y - 0.14), (x0 + 0.34, -y * 0.5)]):
         with b.solid(f"leg {k}"), b.frame(px, py):
             b.lathe([(0.035, 0.05), (0.05, 0.12), (0.045, 0.3), (0.075, key - 0.12), (0.09, key - 0.06)], wood, 8)
@@ -241,8 +261,17 @@ def guitar_on_stand(b: Builder) -> None:
     b.bar((x * 0.32, 0, 0.12), (-d / 2, 0, 0.01), 0.01, "black steel")
     for s in (-1, 1):
         b.bar((x * 0.32, 0, 0.12), (d * 0.42, s * w * 0.42, 0.01), 0.01, "black steel")
-        b.tube([(x * 0.32, 0, 0.13), (d * 0.12 - 0.06, s * 0.09, 0.12), (d * 0.12 + 0.03, s * 0.09, 0.115),
-                (d * 0.12 + 0.04, s * 0.09, 0.15)], 0.009, "rubber", 8)  # fmt: skip
+        b.tube(
+            [
+                (x * 0.32, 0, 0.13),
+                (d * 0.12 - 0.06, s * 0.09, 0.12),
+                (d * 0.12 + 0.03, s * 0.09, 0.115),
+                (d * 0.12 + 0.04, s * 0.09, 0.15),
+            ],
+            0.009,
+            "rubber",
+            8,
+        )
 
 
 @gear("cello")
@@ -254,15 +283,33 @@ def cello(b: Builder) -> None:
         long = (h - 0.14) / math.cos(0.12)
         bl = long * 0.62
         half = w / 2
-        prof = [(0, 0.4), (0.05, 0.8), (0.16, 1.0), (0.3, 0.94), (0.38, 0.82), (0.42, 0.62), (0.5, 0.52), (0.58, 0.55),
-                (0.63, 0.7), (0.72, 0.78), (0.86, 0.74), (0.95, 0.5), (1, 0.2)]  # fmt: skip
+        prof = [
+            (0, 0.4),
+            (0.05, 0.8),
+            (0.16, 1.0),
+            (0.3, 0.94),
+            (0.38, 0.82),
+            (0.42, 0.62),
+            (0.5, 0.52),
+            (0.58, 0.55),
+            (0.63, 0.7),
+            (0.72, 0.78),
+            (0.86, 0.74),
+            (0.95, 0.5),
+            (1, 0.2),
+        ]
         right = [(half * r, bl * z) for z, r in prof]
         outline = right + [(-y, z) for y, z in reversed(right)]
         face(b, outline, (-0.13, 0), wood)
         face(b, [(y * 0.9, z * 0.96 + bl * 0.02) for y, z in outline], (-0.01, 0.012), wood)
         for s in (-1, 1):
-            inlay(b, (0.005, 0.0123), (s * half * 0.42 - 0.004, s * half * 0.42 + 0.004), (bl * 0.38, bl * 0.54),
-                  "black plastic")  # fmt: skip
+            inlay(
+                b,
+                (0.005, 0.0123),
+                (s * half * 0.42 - 0.004, s * half * 0.42 + 0.004),
+                (bl * 0.38, bl * 0.54),
+                "black plastic",
+            )
         b.box((0.01, 0.06), (-0.045, 0.045), (bl * 0.45, bl * 0.46), "light oak", 0.002)
         b.hull(
             [
@@ -278,8 +325,19 @@ def cello(b: Builder) -> None:
             ],
             "wenge",
         )
-        b.hull([(x, y * (0.02 if z > 1 else 0.03), zz) for x, z, zz in ((0.055, 0, bl * 0.6), (0.04, 0, bl * 0.6),
-               (0.02, 2, long * 0.9), (0.005, 2, long * 0.9)) for y in (-1, 1)], "wenge")  # fmt: skip
+        b.hull(
+            [
+                (x, y * (0.02 if z > 1 else 0.03), zz)
+                for x, z, zz in (
+                    (0.055, 0, bl * 0.6),
+                    (0.04, 0, bl * 0.6),
+                    (0.02, 2, long * 0.9),
+                    (0.005, 2, long * 0.9),
+                )
+                for y in (-1, 1)
+            ],
+            "wenge",
+        )
         b.box((-0.02, 0.01), (-0.018, 0.018), (bl - 0.03, long * 0.93), wood, 0.004)
         disc(b, (-0.02, 0, long - 0.04), 0.04, 0.04, wood, "y", 16)
         b.box((-0.035, 0.0), (-0.016, 0.016), (long * 0.92, long - 0.03), wood, 0.004)
@@ -465,11 +523,17 @@ def amplifier(b: Builder) -> None:
     for s in (-1, 1):
         for x in (-d / 2 + 0.03, x1 - 0.05):
             b.frustum(0.015, 0.018, (0, 0.022), "rubber", 12) if False else disc(
-                b, (x, s * (w / 2 - 0.04), 0.011), 0.017, 0.022, "rubber", "z", 12)  # fmt: skip
+                b, (x, s * (w / 2 - 0.04), 0.011), 0.017, 0.022, "rubber", "z", 12
+            )
         for z in (0.02, t):
             c = s * w / 2
-            b.box((x1 - 0.045, x1 + 0.0003), (c - 0.03, c + 0.0003) if s > 0 else (c - 0.0003, c + 0.03),
-                  (z - 0.0003, z + 0.03) if z < 0.1 else (z - 0.03, z + 0.0003), "brass", 0.01)  # fmt: skip
+            b.box(
+                (x1 - 0.045, x1 + 0.0003),
+                (c - 0.03, c + 0.0003) if s > 0 else (c - 0.0003, c + 0.03),
+                (z - 0.0003, z + 0.03) if z < 0.1 else (z - 0.03, z + 0.0003),
+                "brass",
+                0.01,
+            )
     b.tube(
         [(-0.01, -0.11, t - 0.005), (-0.01, -0.08, h - 0.008), (-0.01, 0.08, h - 0.008), (-0.01, 0.11, t - 0.005)],
         0.008,
@@ -505,8 +569,17 @@ def record_player(b: Builder) -> None:
     disc(b, (0, cy, z + 0.022), 0.004, 0.014, "chrome", "z", 8)
     ay = w / 2 - 0.065
     disc(b, (-d * 0.28, ay, z + 0.015), 0.035, 0.03, "steel", "z", 20)
-    b.tube([(-d * 0.38, ay, z + 0.04), (-d * 0.28, ay, z + 0.04), (d * 0.14, ay - 0.03, z + 0.032),
-            (d * 0.2, ay - 0.085, z + 0.026)], 0.005, "chrome", 8)  # fmt: skip
+    b.tube(
+        [
+            (-d * 0.38, ay, z + 0.04),
+            (-d * 0.28, ay, z + 0.04),
+            (d * 0.14, ay - 0.03, z + 0.032),
+            (d * 0.2, ay - 0.085, z + 0.026),
+        ],
+        0.005,
+        "chrome",
+        8,
+    )
     disc(b, (-d * 0.38, ay, z + 0.04), 0.014, 0.03, "black plastic", "x", 12)
     b.box((d * 0.17, d * 0.25), (ay - 0.115, ay - 0.085), (z + 0.018, z + 0.03), "black plastic", 0.003)
     for k in range(2):
@@ -554,8 +627,12 @@ def jukebox(b: Builder) -> None:
         b.tube([*path, (x1 + 0.03, -r * rr, 0.16)], 0.026, look, 8)
     t = np.linspace(0, math.pi, 9)
     q = r * 0.62
-    face(b, [(-q, h * 0.62), (q, h * 0.62)] + [(q * math.cos(a), h - r + q * math.sin(a)) for a in t], (x1, x1 + 0.043),
-         "screen")  # fmt: skip
+    face(
+        b,
+        [(-q, h * 0.62), (q, h * 0.62)] + [(q * math.cos(a), h - r + q * math.sin(a)) for a in t],
+        (x1, x1 + 0.043),
+        "screen",
+    )
     disc(b, (x1 + 0.044, 0, h * 0.72), q * 0.5, 0.006, "black plastic", "x", 28)
     disc(b, (x1 + 0.045, 0, h * 0.72), q * 0.18, 0.006, "red plastic", "x", 20)
     b.box((x1, x1 + 0.06), (-q, q), (h * 0.53, h * 0.6), "chrome", 0.008)

@@ -25,8 +25,13 @@ def _tray(b: Builder, x: float, y: Interval, z: float, metal: Look, chalk: bool 
     m = (y[0] + y[1]) / 2
     for k in range(3):
         c = m - 0.3 + 0.16 * k
-        b.bar((x + 0.035, c, z + 0.008), (x + 0.035, c + (0.08 if chalk else 0.12), z + 0.008), 0.008,
-              ("white plastic", "yellow plastic", "pink plastic")[k] if chalk else _INKS[k], 8)  # fmt: skip
+        b.bar(
+            (x + 0.035, c, z + 0.008),
+            (x + 0.035, c + (0.08 if chalk else 0.12), z + 0.008),
+            0.008,
+            ("white plastic", "yellow plastic", "pink plastic")[k] if chalk else _INKS[k],
+            8,
+        )
     b.box(
         (x + 0.012, x + 0.055),
         (m + 0.2, m + 0.32),
@@ -68,8 +73,13 @@ def whiteboard(b: Builder) -> None:
     _tray(b, x + 0.015, (-w * 0.3, w * 0.3), 0.03, frame)
     for sy in (-1, 1):
         for z in (0.02 + 0.015, h - 0.015):
-            b.box((x, x + 0.024), (sy * (w / 2 - 0.02) - 0.018, sy * (w / 2 - 0.02) + 0.018), (z - 0.015, z + 0.015),
-                  "grey plastic", 0.004)  # fmt: skip
+            b.box(
+                (x, x + 0.024),
+                (sy * (w / 2 - 0.02) - 0.018, sy * (w / 2 - 0.02) + 0.018),
+                (z - 0.015, z + 0.015),
+                "grey plastic",
+                0.004,
+            )
     if b.chance("written", 0.75):
         _scribble(b, x + 0.014, (-w / 2 + 0.1, w / 2 - 0.1), (0.1, h - 0.05), _INKS[:3])
 

@@ -176,8 +176,11 @@ def water_cooler(b: Builder) -> None:
     inlay(b, (x1 - 0.05, x1 + 0.00035), (-w * 0.355, w * 0.355), (z * 0.084, z * 0.696), body)
     with b.frame(-0.01):
         t = h - z
-        b.lathe([(r * 0.4, z - 0.002), (r * 0.45, z + t * 0.1), (r, z + t * 0.25), (r, z + t * 0.95), (r * 0.85, h)],
-                b.material("bottle", "sky pigment", "clear plastic"), 24)  # fmt: skip
+        b.lathe(
+            [(r * 0.4, z - 0.002), (r * 0.45, z + t * 0.1), (r, z + t * 0.25), (r, z + t * 0.95), (r * 0.85, h)],
+            b.material("bottle", "sky pigment", "clear plastic"),
+            24,
+        )
         for k in (0.4, 0.6, 0.8):
             ring(b, (0, 0, z + t * k), r, 0.008, "sky pigment", "z", 20, 6)
 
@@ -322,8 +325,16 @@ def globe(b: Builder) -> None:
     r = d / 2 * 0.8
     zc = h - r - 0.02
     b.ball((r, r, r), (0, 0, zc), sea, 28)
-    lands = [(0.3, 0.4, 0.4), (0.8, -0.3, 0.3), (2.2, 0.5, 0.45), (2.5, -0.1, 0.3), (3.6, 0.5, 0.4), (4.2, -0.35, 0.35),
-             (5.2, 0.3, 0.35), (5.6, -0.5, 0.25)]  # fmt: skip
+    lands = [
+        (0.3, 0.4, 0.4),
+        (0.8, -0.3, 0.3),
+        (2.2, 0.5, 0.45),
+        (2.5, -0.1, 0.3),
+        (3.6, 0.5, 0.4),
+        (4.2, -0.35, 0.35),
+        (5.2, 0.3, 0.35),
+        (5.6, -0.5, 0.25),
+    ]
     for lon, lat, s in lands:
         n = 9
         t = np.arange(n) * 2 * math.pi / n

@@ -29,12 +29,24 @@ def office_chair(b: Builder) -> None:
     lean = 0.16 * (top - low)
     bw = sw * b.uniform("back width", 0.86, 0.98)
     with b.solid("back"):
-        path = [(-0.1, 0, seat - 0.08), (x0 - 0.01, 0, seat - 0.07), (x0 - 0.05, 0, seat + 0.02),
-                (x0 - 0.06, 0, low + 0.1)]  # fmt: skip
+        path = [
+            (-0.1, 0, seat - 0.08),
+            (x0 - 0.01, 0, seat - 0.07),
+            (x0 - 0.05, 0, seat + 0.02),
+            (x0 - 0.06, 0, low + 0.1),
+        ]
         b.tube(path, 0.02, frame, segments=8)
         with b.frame(x0 - 0.03, 0, 0):
-            arc_panel(b, bw, (low, top), 0.018 if mesh else 0.05, 0.07, "charcoal fabric" if mesh else cover,
-                      lean=lean, narrow=0.86)  # fmt: skip
+            arc_panel(
+                b,
+                bw,
+                (low, top),
+                0.018 if mesh else 0.05,
+                0.07,
+                "charcoal fabric" if mesh else cover,
+                lean=lean,
+                narrow=0.86,
+            )
         with b.frame(x0 - 0.06, 0, 0):
             b.bar((0.005, 0, low + 0.02), (0.005 - 0.55 * lean, 0, low + 0.55 * (top - low)), 0.018, frame, segments=8)
             if mesh:
@@ -53,11 +65,22 @@ def office_chair(b: Builder) -> None:
                 if style == "post":
                     b.box((-0.035, 0.035), (y - 0.012, y + 0.012), (seat - 0.04, seat + 0.2), frame, bevel=0.006)
                 else:
-                    b.tube([(0.1, y, seat - 0.03), (0.14, y, seat + 0.19), (-0.09, y, seat + 0.19),
-                            (-0.05, y, seat - 0.03)], 0.011, frame, segments=8, closed=True)  # fmt: skip
+                    b.tube(
+                        [
+                            (0.1, y, seat - 0.03),
+                            (0.14, y, seat + 0.19),
+                            (-0.09, y, seat + 0.19),
+                            (-0.05, y, seat - 0.03),
+                        ],
+                        0.011,
+                        frame,
+                        segments=8,
+                        closed=True,
+                    )
                 b.bar((0.0, y - side * 0.1, seat - 0.05), (0.0, y, seat - 0.02), 0.012, frame, segments=6)
-                b.cushion((-0.12, 0.14), (y - 0.038, y + 0.038), (seat + 0.19, seat + 0.222), "black plastic",
-                          radius=0.012)  # fmt: skip
+                b.cushion(
+                    (-0.12, 0.14), (y - 0.038, y + 0.038), (seat + 0.19, seat + 0.222), "black plastic", radius=0.012
+                )
     b.fit()
 
 
@@ -118,15 +141,26 @@ def conference_chair(b: Builder) -> None:
         for side in (-1, 1):
             ys = side * y
             if cantilever:
-                path = [(x0 + 0.05, ys, r), (x1 - 0.05, ys, r), (x1 - 0.02, ys, 0.05), (x1 - 0.06, ys, arm - 0.05),
-                        (x1 - 0.1, ys, arm), (x0 + 0.07, ys, arm)]  # fmt: skip
+                path = [
+                    (x0 + 0.05, ys, r),
+                    (x1 - 0.05, ys, r),
+                    (x1 - 0.02, ys, 0.05),
+                    (x1 - 0.06, ys, arm - 0.05),
+                    (x1 - 0.1, ys, arm),
+                    (x0 + 0.07, ys, arm),
+                ]
                 b.tube(path, r, metal, segments=8)
             else:
-                b.tube([(x1 - 0.03, ys, 0), (x1 - 0.06, ys, arm - 0.03), (x1 - 0.09, ys, arm),
-                        (x0 + 0.07, ys, arm)], r, metal, segments=8)  # fmt: skip
+                b.tube(
+                    [(x1 - 0.03, ys, 0), (x1 - 0.06, ys, arm - 0.03), (x1 - 0.09, ys, arm), (x0 + 0.07, ys, arm)],
+                    r,
+                    metal,
+                    segments=8,
+                )
                 b.bar((x0 + 0.02, ys, 0), (x0 + 0.07, ys, arm), r, metal, segments=8)
-            b.cushion((x0 + 0.12, x1 - 0.11), (ys - 0.02, ys + 0.02), (arm + 0.008, arm + 0.032), "black plastic",
-                      radius=0.01)  # fmt: skip
+            b.cushion(
+                (x0 + 0.12, x1 - 0.11), (ys - 0.02, ys + 0.02), (arm + 0.008, arm + 0.032), "black plastic", radius=0.01
+            )
         if cantilever:
             b.bar((x0 + 0.05, -y, r), (x0 + 0.05, y, r), r, metal, segments=8)
         for x in (x0 + 0.14, x1 - 0.16):

@@ -13,8 +13,16 @@ from .seating_parts import arc_panel, bent, leg, shell, splayed, square_leg
 
 _WOODS = ("oak", "walnut", "beech", "light oak", "white paint", "black paint", "birch", "cherry")
 _COVERS = ("@fabric", "brown leather", "tan leather", "black leather")
-_PLASTICS = ("white plastic", "black plastic", "blue plastic", "red plastic", "green plastic", "yellow plastic",
-             "orange plastic", "grey plastic")  # fmt: skip
+_PLASTICS = (
+    "white plastic",
+    "black plastic",
+    "blue plastic",
+    "red plastic",
+    "green plastic",
+    "yellow plastic",
+    "orange plastic",
+    "grey plastic",
+)
 
 
 def _four_legs(b: Builder, d: float, w: float, seat: float, h: float, wood, lean: float) -> float:
@@ -105,8 +113,12 @@ def dining_chair(b: Builder) -> None:
         else:
             with b.frame(0, 0, 0):
                 low, high = seat + 0.1, h - 0.07
-                grid = np.array([[(at(z) - 0.018 * (1 - (y / inner) ** 2), y, z) for z in (low, high)]
-                                 for y in np.linspace(-inner, inner, 7)])  # fmt: skip
+                grid = np.array(
+                    [
+                        [(at(z) - 0.018 * (1 - (y / inner) ** 2), y, z) for z in (low, high)]
+                        for y in np.linspace(-inner, inner, 7)
+                    ]
+                )
                 weave = b.material("cane", "rattan", "wicker") if b.chance("cane", 0.5) else wood
                 b.sheet(grid, 0.012, weave, cells=3)
     b.fit()
@@ -115,8 +127,16 @@ def dining_chair(b: Builder) -> None:
 def _scoop(d: float, w: float, seat: float, h: float, arms: float) -> np.ndarray:
     """A shell from the seat's front edge to the top of the back; its sides turn up by ``arms``."""
     x1, x0 = d / 2 - 0.03, -d / 2
-    profile = [(x1, seat - 0.025), (x1 - 0.05, seat + 0.004), (x1 - 0.2, seat - 0.004), (x0 + 0.16, seat + 0.004),
-               (x0 + 0.1, seat + 0.06), (x0 + 0.065, seat + 0.18), (x0 + 0.03, h - 0.1), (x0, h)]  # fmt: skip
+    profile = [
+        (x1, seat - 0.025),
+        (x1 - 0.05, seat + 0.004),
+        (x1 - 0.2, seat - 0.004),
+        (x0 + 0.16, seat + 0.004),
+        (x0 + 0.1, seat + 0.06),
+        (x0 + 0.065, seat + 0.18),
+        (x0 + 0.03, h - 0.1),
+        (x0, h),
+    ]
     half = [w * k for k in (0.40, 0.455, 0.485, 0.485, 0.475, 0.46, 0.42, 0.28)]
     up = [0.0, 0.012, 0.035, 0.055, 0.06, 0.0, 0.0, -0.03]
     forward = [-0.02, 0.0, 0.0, 0.03, 0.06, 0.075, 0.06, 0.04]
@@ -137,12 +157,23 @@ def chair(b: Builder) -> None:
     if kind == "shell":
         body = b.material("shell", *_PLASTICS)
         under = b.pick("under", ["wood", "wire", "tube"])
-        metal = b.material("legs", "beech", "oak", "walnut") if under == "wood" else b.material(
-            "legs", "black steel", "chrome", "white steel")  # fmt: skip
+        metal = (
+            b.material("legs", "beech", "oak", "walnut")
+            if under == "wood"
+            else b.material("legs", "black steel", "chrome", "white steel")
+        )
         with b.solid("seat"):
             low, high = (0.011, 0.018) if under == "wood" else (0.009, 0.009)
-            splayed(b, (-d / 2 + 0.02, d / 2 - 0.01), (-w / 2 + 0.01, w / 2 - 0.01), (0, seat - 0.012), metal,
-                    0.09 if under != "tube" else 0.05, low, high)  # fmt: skip
+            splayed(
+                b,
+                (-d / 2 + 0.02, d / 2 - 0.01),
+                (-w / 2 + 0.01, w / 2 - 0.01),
+                (0, seat - 0.012),
+                metal,
+                0.09 if under != "tube" else 0.05,
+                low,
+                high,
+            )
             r, at = 0.006, 0.62
             for sx in (-1, 1):
                 b.bar((sx * d * 0.28, -w * 0.28, seat - 0.02), (sx * d * 0.28, w * 0.28, seat - 0.02), 0.009, metal, 8)
@@ -159,8 +190,13 @@ def chair(b: Builder) -> None:
             shell(b, grid[4:], 0.009, body, 3, 6)
         if b.chance("pad", 0.35):
             with b.solid("seat"):
-                b.cushion((-d / 2 + 0.15, d / 2 - 0.08), (-w * 0.33, w * 0.33), (seat - 0.004, seat + 0.03),
-                          b.material("pad", "@fabric"), radius=0.015)  # fmt: skip
+                b.cushion(
+                    (-d / 2 + 0.15, d / 2 - 0.08),
+                    (-w * 0.33, w * 0.33),
+                    (seat - 0.004, seat + 0.03),
+                    b.material("pad", "@fabric"),
+                    radius=0.015,
+                )
     elif kind == "bentwood":
         wood = b.material("frame", *_WOODS)
         weave = b.material("seat", "rattan", "wicker", wood.name)
@@ -257,8 +293,16 @@ def school_chair(b: Builder) -> None:
         shell(b, grid, 0.01, body, 4, 2)
     with b.solid("back"):
         for s in (-1, 1):
-            b.tube([(x0 + 0.14, s * (y - 0.03), seat - 0.025), (x0 + 0.085, s * (y - 0.03), seat + 0.02),
-                    (x0 + 0.02, s * (y - 0.04), h - 0.04)], r, metal, 8)  # fmt: skip
+            b.tube(
+                [
+                    (x0 + 0.14, s * (y - 0.03), seat - 0.025),
+                    (x0 + 0.085, s * (y - 0.03), seat + 0.02),
+                    (x0 + 0.02, s * (y - 0.04), h - 0.04),
+                ],
+                r,
+                metal,
+                8,
+            )
         with b.frame(x0 + 0.035, 0, 0):
             arc_panel(b, w * 0.9, (h - 0.19, h), 0.01, 0.03, body, lean=0.025, narrow=0.94)
     b.fit()
@@ -412,8 +456,14 @@ def rocking_chair(b: Builder) -> None:
             b.tube([(px, ya, pz) for px, pz in runner], section, wood)
             square_leg(b, (0.2, ya, 0.035), (0.22, ya, 0.64), 0.034, 0.034, wood)
             square_leg(b, (-0.22, ya, 0.035), (-0.2, ya, 0.63), 0.034, 0.034, wood)
-            b.hull([(px, ya + t, pz) for t in (-0.035, 0.035) for px, pz in
-                    ((-0.3, 0.625), (-0.3, 0.645), (0.27, 0.64), (0.27, 0.665))], wood)  # fmt: skip
+            b.hull(
+                [
+                    (px, ya + t, pz)
+                    for t in (-0.035, 0.035)
+                    for px, pz in ((-0.3, 0.625), (-0.3, 0.645), (0.27, 0.64), (0.27, 0.665))
+                ],
+                wood,
+            )
             b.bar((-0.21, ya, 0.25), (0.21, ya, 0.25), 0.01, wood, 8)
     with b.solid("seat"):
         for px in (-0.2, 0.21):

@@ -35,9 +35,15 @@ def square_leg(b: Builder, foot: Point, head: Point, low: float, high: float, ma
 
 
 def splayed(
-    b: Builder, x: Interval, y: Interval, z: Interval, material: Finish, splay: float = 0.06, low: float = 0.012,
+    b: Builder,
+    x: Interval,
+    y: Interval,
+    z: Interval,
+    material: Finish,
+    splay: float = 0.06,
+    low: float = 0.012,
     high: float = 0.02,
-) -> None:  # fmt: skip
+) -> None:
     """Four round legs whose feet stand in the corners of x, y; their heads are drawn in by ``splay``."""
     for sx, cx in ((1, x[0] + low), (-1, x[1] - low)):
         for sy, cy in ((1, y[0] + low), (-1, y[1] - low)):
@@ -58,8 +64,9 @@ def pillow(b: Builder, depth: float, width: float, thick: float, material: Finis
     i, j = np.meshgrid(np.arange(n - 1), np.arange(n - 1), indexing="ij")
     a = (i * n + j).ravel()
     quads = np.concatenate([np.c_[a, a + n, a + n + 1], np.c_[a, a + n + 1, a + 1]])
-    rim = np.concatenate([np.arange(n), n - 1 + n * np.arange(1, n), (n - 1) * n + np.arange(n - 2, -1, -1),
-                          n * np.arange(n - 2, 0, -1)])  # fmt: skip
+    rim = np.concatenate(
+        [np.arange(n), n - 1 + n * np.arange(1, n), (n - 1) * n + np.arange(n - 2, -1, -1), n * np.arange(n - 2, 0, -1)]
+    )
     after = np.roll(rim, -1)
     k = n * n
     edge = np.concatenate([np.c_[rim, k + after, k + rim], np.c_[rim, after, k + after]])
@@ -95,15 +102,26 @@ def bent(profile: list[tuple[float, float]], half: list[float], lift, count: int
 
 
 def arc_panel(
-    b: Builder, width: float, z: Interval, thickness: float, bulge: float, material: Finish, lean: float = 0.0,
-    count: int = 9, narrow: float = 1.0,
-) -> None:  # fmt: skip
+    b: Builder,
+    width: float,
+    z: Interval,
+    thickness: float,
+    bulge: float,
+    material: Finish,
+    lean: float = 0.0,
+    count: int = 9,
+    narrow: float = 1.0,
+) -> None:
     """A back rest bent around the sitter: its edges come forward by ``bulge``, its top leans back by ``lean`` [m]."""
     rows = []
     for s in np.linspace(-1, 1, count):
         forward = bulge * (1 - math.cos(s * 1.2)) / (1 - math.cos(1.2))
-        rows.append([(forward - lean * t, s * width / 2 * (1 + (narrow - 1) * t), z[0] + t * (z[1] - z[0]))
-                     for t in (0.0, 0.5, 1.0)])  # fmt: skip
+        rows.append(
+            [
+                (forward - lean * t, s * width / 2 * (1 + (narrow - 1) * t), z[0] + t * (z[1] - z[0]))
+                for t in (0.0, 0.5, 1.0)
+            ]
+        )
     b.sheet(np.array(rows), thickness, material, cells=(count - 1) // 2)
 
 
@@ -128,13 +146,25 @@ def star_base(b: Builder, reach: float, top: float, metal: Finish, castors: bool
     b.frustum(0.015, 0.015, (0.14 + 0.5 * (top - 0.14), top), metal, segments=12)
 
 
-def ring_shape(x: Interval, y: Interval, z: Interval, corner: float, wave: float = 0.0, phase: float = 0.0,
-               top: float = 0.04, step: float = 0.06) -> Shape:  # fmt: skip
+def ring_shape(
+    x: Interval,
+    y: Interval,
+    z: Interval,
+    corner: float,
+    wave: float = 0.0,
+    phase: float = 0.0,
+    top: float = 0.04,
+    step: float = 0.06,
+) -> Shape:
     """Cloth that hangs over a box: a flat top with round edges, and skirts that swing by ``wave`` at the hem."""
     core_x, core_y = (x[0] + corner + wave, x[1] - corner - wave), (y[0] + corner + wave, y[1] - corner - wave)
     points, normals = [], []
-    corners = [(core_x[1], core_y[0], -90), (core_x[1], core_y[1], 0), (core_x[0], core_y[1], 90),
-               (core_x[0], core_y[0], 180)]  # fmt: skip
+    corners = [
+        (core_x[1], core_y[0], -90),
+        (core_x[1], core_y[1], 0),
+        (core_x[0], core_y[1], 90),
+        (core_x[0], core_y[0], 180),
+    ]
     for k, (cx, cy, start) in enumerate(corners):
         for a in (0, 30, 60, 90):
             angle = math.radians(start + a)
@@ -145,8 +175,9 @@ def ring_shape(x: Interval, y: Interval, z: Interval, corner: float, wave: float
         count = max(1, round(length / step)) if wave > 0 else 1
         for i in range(1, count):
             points.append((cx + (nx - cx) * i / count, cy + (ny - cy) * i / count))
-            normals.append(normals[-1] if i > 1 else (math.cos(math.radians(start + 90)),
-                                                       math.sin(math.radians(start + 90))))  # fmt: skip
+            normals.append(
+                normals[-1] if i > 1 else (math.cos(math.radians(start + 90)), math.sin(math.radians(start + 90)))
+            )
     base, out = np.array(points), np.array(normals)
     n = len(base)
     run = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(base + corner * out, axis=0), axis=1))])

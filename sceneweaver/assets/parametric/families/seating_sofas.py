@@ -24,8 +24,11 @@ _THROWS = (
 
 def _contrast(cover: Material) -> tuple[str, ...]:
     """Cloths for loose things that do not vanish on the cover."""
-    return tuple(name for name in _THROWS if max(
-        abs(a - c) for a, c in zip(finish(name).material.color, cover.color, strict=True)) > 0.2)  # fmt: skip
+    return tuple(
+        name
+        for name in _THROWS
+        if max(abs(a - c) for a, c in zip(finish(name).material.color, cover.color, strict=True)) > 0.2
+    )
 
 
 class _Look(NamedTuple):
@@ -48,14 +51,25 @@ def _look(b: Builder, narrow: bool = False) -> _Look:
         arm = min(arm, 0.15)
     seat = b.uniform("seat height", 0.42, 0.46)
     legs = b.uniform("leg height", 0.09, 0.15) if b.chance("long legs", 0.7) else 0.05
-    return _Look(arms, arm, b.uniform("arm height", 0.58, 0.64), legs, 0.27, seat, b.uniform("back", 0.13, 0.17),
-                 b.pick("leg style", ["tapered", "block", "metal"]))  # fmt: skip
+    return _Look(
+        arms,
+        arm,
+        b.uniform("arm height", 0.58, 0.64),
+        legs,
+        0.27,
+        seat,
+        b.uniform("back", 0.13, 0.17),
+        b.pick("leg style", ["tapered", "block", "metal"]),
+    )
 
 
 def _feet(b: Builder, x: Interval, y: Interval, top: float, style: str) -> None:
     """Four feet (six under a long sofa), a little in from the edges."""
-    wood = b.material("legs", "oak", "walnut", "black paint") if style != "metal" else b.material(
-        "metal legs", "black steel", "chrome", "brass")  # fmt: skip
+    wood = (
+        b.material("legs", "oak", "walnut", "black paint")
+        if style != "metal"
+        else b.material("metal legs", "black steel", "chrome", "brass")
+    )
     with b.solid("base"):
         if style == "tapered" and top > 0.07:
             splayed(b, (x[0] + 0.03, x[1] - 0.03), (y[0] + 0.04, y[1] - 0.04), (0, top), wood, 0.02, 0.011, 0.021)
@@ -87,17 +101,26 @@ def _arm(b: Builder, x: Interval, side: int, edge: float, look: _Look, cover: Ma
             for cx in (x[0] + 0.06, x[1] - 0.06):
                 b.box((cx - 0.022, cx + 0.022), (middle - 0.018, middle + 0.018), (0.0, look.arm_top - 0.03), wood)
             b.box(x, ys, (look.arm_top - 0.03, look.arm_top), wood, bevel=0.008)
-            b.box((x[0] + 0.08, x[1] - 0.08), (middle - 0.012, middle + 0.012), (look.legs + 0.06, look.legs + 0.13),
-                  wood)  # fmt: skip
+            b.box(
+                (x[0] + 0.08, x[1] - 0.08), (middle - 0.012, middle + 0.012), (look.legs + 0.06, look.legs + 0.13), wood
+            )
         else:
             radius = 0.03 if look.arms == "slim" else 0.04
             b.cushion(x, ys, (look.legs, look.arm_top), cover, radius=radius)
 
 
 def _seats(
-    b: Builder, x: Interval, y: Interval, look: _Look, count: int, cover: Material, height: float,
-    pillows: tuple[int, ...] = (), lean: float = 0.14, buttons: bool = False,
-) -> None:  # fmt: skip
+    b: Builder,
+    x: Interval,
+    y: Interval,
+    look: _Look,
+    count: int,
+    cover: Material,
+    height: float,
+    pillows: tuple[int, ...] = (),
+    lean: float = 0.14,
+    buttons: bool = False,
+) -> None:
     """Base, back frame, and ``count`` seat and back cushions between the arms, with loose pillows on some seats."""
     front = x[0] + look.back
     with b.solid("base"):
@@ -186,8 +209,11 @@ def sectional_sofa(b: Builder) -> None:
     deep = 0.95
     x = (-d / 2, -d / 2 + deep)
     chaise = min(0.95, 0.36 * w)
-    long = (-w / 2 + look.arm - 0.005, w / 2 - look.arm - chaise) if end > 0 else (
-        -w / 2 + look.arm + chaise, w / 2 - look.arm + 0.005)  # fmt: skip
+    long = (
+        (-w / 2 + look.arm - 0.005, w / 2 - look.arm - chaise)
+        if end > 0
+        else (-w / 2 + look.arm + chaise, w / 2 - look.arm + 0.005)
+    )
     couch, loose = b.whole("seats", 2, 2), b.pick("pillows", [(0,), (1,), (0, 1)])
     _seats(b, x, long, look, couch, cover, h, loose)
     a, c = sorted((end * (w / 2 - look.arm + 0.005), end * (w / 2 - look.arm - chaise)))
@@ -308,12 +334,22 @@ def recliner(b: Builder) -> None:
         with b.frame(body + 0.02, 0, 0.36, pitch=-0.12):
             b.cushion((0.0, d - 0.98 - 0.01), (-y + 0.01, y - 0.01), (-0.03, 0.1), cover, radius=0.06)
         for side in (-1, 1):
-            b.bar((body - 0.06, side * (y - 0.06), 0.22), (body + 0.14, side * (y - 0.06), 0.37), 0.013, "black steel",
-                  segments=6)  # fmt: skip
+            b.bar(
+                (body - 0.06, side * (y - 0.06), 0.22),
+                (body + 0.14, side * (y - 0.06), 0.37),
+                0.013,
+                "black steel",
+                segments=6,
+            )
     if b.chance("lever", 0.7):
         with b.solid("arm -1"):
-            b.bar((body - 0.24, -w / 2 - 0.0, 0.3), (body - 0.12, -w / 2 - 0.0, 0.36), 0.011, b.material(
-                "lever", "walnut", "black plastic", "chrome"), segments=8)  # fmt: skip
+            b.bar(
+                (body - 0.24, -w / 2 - 0.0, 0.3),
+                (body - 0.12, -w / 2 - 0.0, 0.36),
+                0.011,
+                b.material("lever", "walnut", "black plastic", "chrome"),
+                segments=8,
+            )
     b.fit()
 
 
@@ -331,11 +367,22 @@ def chaise_longue(b: Builder) -> None:
             for cx in (x[0] + 0.12, x[1] - 0.12):
                 for cy in (y[0] + 0.06, y[1] - 0.06):
                     with b.frame(cx, cy):
-                        b.lathe([(0.012, 0), (0.018, 0.03), (0.028, legs * 0.55), (0.02, legs * 0.7),
-                                 (0.03, legs + 0.01)], wood, segments=12)  # fmt: skip
+                        b.lathe(
+                            [(0.012, 0), (0.018, 0.03), (0.028, legs * 0.55), (0.02, legs * 0.7), (0.03, legs + 0.01)],
+                            wood,
+                            segments=12,
+                        )
         else:
-            splayed(b, (x[0] + 0.05, x[1] - 0.05), (y[0] + 0.02, y[1] - 0.02), (0, legs + 0.01), wood, 0.03,
-                    0.008 if style == "metal" else 0.011, 0.01 if style == "metal" else 0.022)  # fmt: skip
+            splayed(
+                b,
+                (x[0] + 0.05, x[1] - 0.05),
+                (y[0] + 0.02, y[1] - 0.02),
+                (0, legs + 0.01),
+                wood,
+                0.03,
+                0.008 if style == "metal" else 0.011,
+                0.01 if style == "metal" else 0.022,
+            )
         b.cushion((x[0] + 0.06, x[1] - 0.02), (y[0] + 0.01, y[1] - 0.01), (legs, 0.28), cover, radius=0.025)
         b.cushion((x[0] + 0.2, x[1]), y, (0.27, seat), cover, radius=0.05)
     lean = 0.3

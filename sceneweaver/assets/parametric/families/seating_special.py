@@ -64,8 +64,13 @@ def waiting_bench(b: Builder) -> None:
                 with b.frame(0.0, y, seat, pitch=-0.06):
                     b.cushion((x0 + 0.14, x1), (-half, half), (-0.075, 0.0), body, radius=0.03)
             else:
-                profile = [(x1, seat - 0.04), (x1 - 0.05, seat), (x1 - 0.2, seat - 0.012), (x0 + 0.24, seat - 0.03),
-                           (x0 + 0.16, seat - 0.01)]  # fmt: skip
+                profile = [
+                    (x1, seat - 0.04),
+                    (x1 - 0.05, seat),
+                    (x1 - 0.2, seat - 0.012),
+                    (x0 + 0.24, seat - 0.03),
+                    (x0 + 0.16, seat - 0.01),
+                ]
                 grid = bent(profile, [half] * 5, lambda _, s: (0.0, 0.006 * s * s), 5) + (0, y, 0)
                 shell(b, grid, 0.016, body, 4, 1)
                 b.box((-0.1, 0.1), (y - 0.12, y + 0.12), (seat - 0.075, seat - 0.03), metal, bevel=0.004)
@@ -74,8 +79,12 @@ def waiting_bench(b: Builder) -> None:
             if padded:
                 b.cushion((-0.03, 0.025), (-half, half), (0.03, high), body, radius=0.025)
             else:
-                grid = bent([(0.0, 0.0), (0.02, 0.14), (0.0, 0.3), (-0.02, high)], [half] * 4,
-                            lambda _, s: (0.008 * s * s, 0.0), 5)  # fmt: skip
+                grid = bent(
+                    [(0.0, 0.0), (0.02, 0.14), (0.0, 0.3), (-0.02, high)],
+                    [half] * 4,
+                    lambda _, s: (0.008 * s * s, 0.0),
+                    5,
+                )
                 shell(b, grid, 0.016, body, 3, 1)
             b.box((-0.045, -0.002), (-0.03, 0.03), (-0.02, 0.2), metal, bevel=0.004)
     for k in range(count + 1):
@@ -109,8 +118,18 @@ def egg_chair(b: Builder) -> None:
     t = np.linspace(0, 1, 9)
     back = -d / 2 + 0.025
     with b.solid("post"):
-        arc = [(back, 0, 0.03), (back, 0, 0.9), *[(back + (0.5 * d - 0.03) * (1 - math.cos(s * math.pi / 2)) * 1.0, 0,
-               1.25 + (h - 1.272) * math.sin(s * math.pi / 2)) for s in t]]  # fmt: skip
+        arc = [
+            (back, 0, 0.03),
+            (back, 0, 0.9),
+            *[
+                (
+                    back + (0.5 * d - 0.03) * (1 - math.cos(s * math.pi / 2)) * 1.0,
+                    0,
+                    1.25 + (h - 1.272) * math.sin(s * math.pi / 2),
+                )
+                for s in t
+            ],
+        ]
         b.tube(arc, 0.022, metal, 10)
     with b.solid("chain"):
         b.bar((-0.005, 0, h - 0.03), (-0.005, 0, h - 0.16), 0.007, metal, 6)

@@ -52,8 +52,10 @@ def stool(b: Builder) -> None:
             b.surface("top", (-0.165, 0.165), (-0.165, 0.165), h)
         foot, head = 0.175, 0.115
         low, high = (0.009, 0.009) if under is not wood else (0.011, 0.018)
-        spots = [(math.cos(a), math.sin(a)) for a in
-                 (2 * math.pi * (k + 0.5) / count + (math.pi if count == 3 else 0) for k in range(count))]  # fmt: skip
+        spots = [
+            (math.cos(a), math.sin(a))
+            for a in (2 * math.pi * (k + 0.5) / count + (math.pi if count == 3 else 0) for k in range(count))
+        ]
         if not round_seat:
             spots, foot, head = [(1, 1), (-1, 1), (-1, -1), (1, -1)], 0.16, 0.14
         for c, s in spots:
@@ -100,8 +102,11 @@ def bar_stool(b: Builder) -> None:
         if b.chance("square seat", 0.5):
             b.cushion((-0.19, 0.2), (-0.2, 0.2), (seat - 0.07, seat), cover, radius=0.03)
         else:
-            b.lathe([(0.16, seat - 0.065), (0.195, seat - 0.05), (0.2, seat - 0.025), (0.185, seat - 0.006),
-                     (0.17, seat)], cover, segments=28)  # fmt: skip
+            b.lathe(
+                [(0.16, seat - 0.065), (0.195, seat - 0.05), (0.2, seat - 0.025), (0.185, seat - 0.006), (0.17, seat)],
+                cover,
+                segments=28,
+            )
     if backed:
         with b.solid("back"):
             with b.frame(-0.17, 0, 0):
@@ -135,8 +140,13 @@ def bench(b: Builder) -> None:
             count = 3 if w > 1.35 else 2
             step = (w - 0.02) / count
             for k in range(count):
-                b.cushion((x[0] + 0.005, x[1] - 0.005), (y[0] + 0.01 + k * step, y[0] + 0.009 + (k + 1) * step),
-                          (top - 0.004, h), cover, radius=0.022)  # fmt: skip
+                b.cushion(
+                    (x[0] + 0.005, x[1] - 0.005),
+                    (y[0] + 0.01 + k * step, y[0] + 0.009 + (k + 1) * step),
+                    (top - 0.004, h),
+                    cover,
+                    radius=0.022,
+                )
                 b.surface(
                     f"top-{k}", (x[0] + 0.035, x[1] - 0.035), (y[0] + 0.04 + k * step, y[0] - 0.02 + (k + 1) * step), h
                 )
@@ -221,8 +231,13 @@ def storage_bench(b: Builder) -> None:
             if k:
                 b.box((x[0] + 0.006, x[1] - 0.005), (ya - t, ya), (0.05, seat - t), wood, bevel=0.0)
             if k < full:
-                b.cushion((x[0] + 0.02, x[1] - 0.02), (ya + 0.015, yb - 0.015), (0.05, 0.05 + 0.72 * (seat - t - 0.05)),
-                          weave, radius=0.02)  # fmt: skip
+                b.cushion(
+                    (x[0] + 0.02, x[1] - 0.02),
+                    (ya + 0.015, yb - 0.015),
+                    (0.05, 0.05 + 0.72 * (seat - t - 0.05)),
+                    weave,
+                    radius=0.02,
+                )
                 middle = (ya + yb) / 2
                 b.box(
                     (x[1] - 0.022, x[1] - 0.012),
@@ -232,8 +247,13 @@ def storage_bench(b: Builder) -> None:
                     bevel=0.003,
                 )
             else:
-                b.surface(f"shelf-{k}", (x[0] + 0.012, x[1] - 0.015), (ya + 0.005, yb - 0.005), 0.05,
-                          headroom=round(seat - t - 0.05 - 0.004, 4))  # fmt: skip
+                b.surface(
+                    f"shelf-{k}",
+                    (x[0] + 0.012, x[1] - 0.015),
+                    (ya + 0.005, yb - 0.005),
+                    0.05,
+                    headroom=round(seat - t - 0.05 - 0.004, 4),
+                )
     if kind != "chest":
         b.surface("top", (x[0] + 0.035, x[1] - 0.035), (y[0] + 0.035, y[1] - 0.035), h)
     b.fit()

@@ -55,8 +55,13 @@ def bookcase(b: Builder) -> None:
             with b.solid(f"shelf-{k}"):
                 b.box((x[0] + 0.006, x[1] - 0.004), inner, (z - board, z), wood, bevel=0.0015)
         ceiling = floors[k + 1] - board if k + 1 < count else high
-        b.surface(f"shelf-{k}", (x[0] + 0.011, x[1] - 0.009), (inner[0] + 0.005, inner[1] - 0.005), z,
-                  headroom=round(ceiling - z - 0.005, 4))  # fmt: skip
+        b.surface(
+            f"shelf-{k}",
+            (x[0] + 0.011, x[1] - 0.009),
+            (inner[0] + 0.005, inner[1] - 0.005),
+            z,
+            headroom=round(ceiling - z - 0.005, 4),
+        )
     with b.solid("top"):
         b.box(x, inner, (high, h - head), wood, bevel=0.0015)
         if classic:
@@ -91,13 +96,28 @@ def wardrobe(b: Builder) -> None:
     interior = carcass(b, x, y, (foot, roof), wood)
     rail = roof - 0.1
     b.bar(((x[0] + x[1]) / 2, interior[1][0], rail), ((x[0] + x[1]) / 2, interior[1][1], rail), 0.0125, "brushed steel")
-    b.surface("floor", (interior[0][0] + 0.01, interior[0][1] - 0.02), interior[1], interior[2][0],
-              headroom=round(rail - 0.0125 - interior[2][0] - 0.005, 4))  # fmt: skip
+    b.surface(
+        "floor",
+        (interior[0][0] + 0.01, interior[0][1] - 0.02),
+        interior[1],
+        interior[2][0],
+        headroom=round(rail - 0.0125 - interior[2][0] - 0.005, 4),
+    )
     count = 2 if w < 1.2 else 3 if w < 1.6 else 4
     for k, ys in enumerate(split(y, count, 0.003)):
         panel = "mirror" if mirror and k == count // 2 else fronts if framed else None
-        door(b, f"door-{k}", (x[1], x[1] + front), ys, (foot + 0.003, roof - 0.003), fronts, pull,
-             hung="right" if k % 2 == 0 and k + 1 < count else "left", style=style, panel=panel)  # fmt: skip
+        door(
+            b,
+            f"door-{k}",
+            (x[1], x[1] + front),
+            ys,
+            (foot + 0.003, roof - 0.003),
+            fronts,
+            pull,
+            hung="right" if k % 2 == 0 and k + 1 < count else "left",
+            style=style,
+            panel=panel,
+        )
     if classic:
         with b.solid("cornice"):
             cornice(b, x, y, (roof, h), wood, over)

@@ -70,8 +70,17 @@ def sideboard(b: Builder) -> None:
             if k == drawers:
                 drawer_stack(b, fx, ys, fz, [1.2, 1.0, 0.9], [1, 1, 1], fronts, pull, style)
             else:
-                door(b, f"door-{k}", (x[1] - 0.018, x[1]), ys, fz, fronts, pull,
-                     hung="right" if k < drawers else "left", style=style)  # fmt: skip
+                door(
+                    b,
+                    f"door-{k}",
+                    (x[1] - 0.018, x[1]),
+                    ys,
+                    fz,
+                    fronts,
+                    pull,
+                    hung="right" if k < drawers else "left",
+                    style=style,
+                )
 
 
 @draws("cabinet")
@@ -94,8 +103,18 @@ def cabinet(b: Builder) -> None:
             drawer_stack(b, fx, fy, (split_at, fz[1]), [1.0], [1 if w < 0.7 else 2], wood, pull, style)
         count = 1 if w < 0.5 else 2
         for k, ys in enumerate(split(fy, count)):
-            door(b, f"door-{k}", (x[1] - 0.018, x[1]), ys, (fz[0], split_at), wood, pull,
-                 hung="right" if k == 0 else "left", style=style, panel=wood if framed else None)  # fmt: skip
+            door(
+                b,
+                f"door-{k}",
+                (x[1] - 0.018, x[1]),
+                ys,
+                (fz[0], split_at),
+                wood,
+                pull,
+                hung="right" if k == 0 else "left",
+                style=style,
+                panel=wood if framed else None,
+            )
 
 
 @draws("linen_cabinet")
@@ -113,8 +132,18 @@ def linen_cabinet(b: Builder) -> None:
         drawer_stack(b, fx, fy, (fz[0], middle), [1.0, 1.0], [1, 1], wood, pull, style)
         for k, ys in enumerate(split(fy, 1 if w < 0.6 else 2)):
             for j, zs in enumerate(split((middle, fz[1]), 1 if h < 1.75 else 2)):
-                door(b, f"door-{k}-{j}", (x[1] - 0.018, x[1]), ys, zs, wood, pull,
-                     hung="right" if k == 0 else "left", style=style, panel=wood)  # fmt: skip
+                door(
+                    b,
+                    f"door-{k}-{j}",
+                    (x[1] - 0.018, x[1]),
+                    ys,
+                    zs,
+                    wood,
+                    pull,
+                    hung="right" if k == 0 else "left",
+                    style=style,
+                    panel=wood,
+                )
     b.surface("top", (x[0] + 0.02, x[1]), (y[0] + 0.01, y[1] - 0.01), h)
 
 

@@ -32,17 +32,41 @@ def coat_rack(b: Builder) -> None:
         else:
             for k in range(4):
                 with b.frame(yaw=np.pi / 4 + k * np.pi / 2):
-                    b.tube([(0.0, 0, 0.19), (reach * 0.45, 0, 0.13), (reach * 0.8, 0, 0.05), (reach * 0.9, 0, 0.013)],
-                           0.013, frame, segments=10)  # fmt: skip
+                    b.tube(
+                        [(0.0, 0, 0.19), (reach * 0.45, 0, 0.13), (reach * 0.8, 0, 0.05), (reach * 0.9, 0, 0.013)],
+                        0.013,
+                        frame,
+                        segments=10,
+                    )
     with b.solid("pole"):
-        b.lathe([(r, 0.02), (r, h - 0.09), (r * 1.25, h - 0.085), (r * 1.25, h - 0.07), (r * 0.7, h - 0.06),
-                 (r * 1.15, h - 0.03), (0.006, h)], frame, segments=20)  # fmt: skip
+        b.lathe(
+            [
+                (r, 0.02),
+                (r, h - 0.09),
+                (r * 1.25, h - 0.085),
+                (r * 1.25, h - 0.07),
+                (r * 0.7, h - 0.06),
+                (r * 1.15, h - 0.03),
+                (0.006, h),
+            ],
+            frame,
+            segments=20,
+        )
     with b.solid("arms"):
         for k in range(arms):
             high = h - 0.14 if k % 2 == 0 else h - 0.32
             with b.frame(yaw=k * 2 * np.pi / arms):
-                b.tube([(0, 0, high - 0.08), (reach * 0.5, 0, high - 0.07), (reach * 0.85, 0, high - 0.02),
-                        (reach * 0.95, 0, high + 0.05)], 0.009, frame, segments=8)  # fmt: skip
+                b.tube(
+                    [
+                        (0, 0, high - 0.08),
+                        (reach * 0.5, 0, high - 0.07),
+                        (reach * 0.85, 0, high - 0.02),
+                        (reach * 0.95, 0, high + 0.05),
+                    ],
+                    0.009,
+                    frame,
+                    segments=8,
+                )
                 b.ball((0.015, 0.015, 0.015), (reach * 0.95, 0, high + 0.055), tips, segments=12)
     b.fit()
 
@@ -63,8 +87,12 @@ def clothes_rack(b: Builder) -> None:
                 for sx in (-1, 1):
                     with b.frame(sx * (d / 2 - 0.03), y, 0.0275, roll=np.pi / 2):
                         b.frustum(0.0275, 0.0275, (-0.012, 0.012), "black plastic", segments=14)
-        b.box((-d / 2 + 0.08, d / 2 - 0.08), (-w / 2 + 0.034, w / 2 - 0.034), (low + 0.06, low + 0.078),
-              b.material("shelf", "oak", "walnut", "white paint", "pine"))  # fmt: skip
+        b.box(
+            (-d / 2 + 0.08, d / 2 - 0.08),
+            (-w / 2 + 0.034, w / 2 - 0.034),
+            (low + 0.06, low + 0.078),
+            b.material("shelf", "oak", "walnut", "white paint", "pine"),
+        )
     y = w / 2 - 0.05
     for k, sy in enumerate((-1, 1)):
         with b.solid(f"upright-{k}"):
@@ -87,8 +115,14 @@ def _clothes(b: Builder, d: float, y: float, rail: float) -> None:
         long = b.uniform(f"long {k}", 0.62, 0.95)
         t = 0.018
         top = rail - 0.075
-        section = [(-wide, top - 0.1), (-0.06, top), (0.06, top), (wide, top - 0.1),
-                   (wide * 0.96, top - long), (-wide * 0.96, top - long)]  # fmt: skip
+        section = [
+            (-wide, top - 0.1),
+            (-0.06, top),
+            (0.06, top),
+            (wide, top - 0.1),
+            (wide * 0.96, top - long),
+            (-wide * 0.96, top - long),
+        ]
         b.hull([(px, at + s * t, pz) for px, pz in section for s in (-1, 1)], cloth)
         b.bar((0, at, top - 0.005), (0, at, rail + 0.005), 0.003, "chrome", segments=6)
 
@@ -159,8 +193,13 @@ def shoe_rack(b: Builder) -> None:
             for xs in split((-d / 2 + 0.002, d / 2 - 0.002), 5, 0.003):
                 b.box(xs, y, (z - 0.012, z), boards, bevel=0.001)
         room = None if k == tiers - 1 else round(levels[k + 1] - 0.019 - z, 4)
-        b.surface("top" if room is None else f"shelf-{k}", (-d / 2 + 0.008, d / 2 - 0.008),
-                  (y[0] + 0.005, y[1] - 0.005), z, headroom=room)  # fmt: skip
+        b.surface(
+            "top" if room is None else f"shelf-{k}",
+            (-d / 2 + 0.008, d / 2 - 0.008),
+            (y[0] + 0.005, y[1] - 0.005),
+            z,
+            headroom=room,
+        )
 
 
 @draws("umbrella_stand")
@@ -177,8 +216,18 @@ def umbrella_stand(b: Builder) -> None:
                     b.box((r - 0.012, r), (-r, r - 0.012), (0.0, tall), body, bevel=0.001)
             b.box((-r + 0.012, r - 0.012), (-r + 0.012, r - 0.012), (0.0, tall - 0.1), "black paint", bevel=0.0)
         else:
-            b.lathe([(r * 0.86, 0.0), (r * 0.9, 0.02), (r * 0.84, 0.05), (r * 0.9, tall - 0.03), (r, tall - 0.015),
-                     (r, tall)], body, segments=28)  # fmt: skip
+            b.lathe(
+                [
+                    (r * 0.86, 0.0),
+                    (r * 0.9, 0.02),
+                    (r * 0.84, 0.05),
+                    (r * 0.9, tall - 0.03),
+                    (r, tall - 0.015),
+                    (r, tall),
+                ],
+                body,
+                segments=28,
+            )
             b.frustum(r * 0.88, r * 0.88, (tall, tall + 0.0005), "black paint", segments=28)
         for k in range(count := b.whole("umbrellas", 2, 3)):
             cloth = b.pick(
@@ -198,8 +247,10 @@ def _umbrella(b: Builder, x: float, low: float, high: float, lean: float, cloth,
         b.frustum(0.03, 0.014, (0.0, long * 0.5), cloth, segments=12)
         b.frustum(0.006, 0.006, (long * 0.5, long * 0.72), "chrome", segments=8)
     turn = np.linspace(0.0, np.pi, 7)
-    crook = [(head - 0.004, 0, low + long * 0.68), *((head, 0.028 - 0.028 * np.cos(v), high - 0.042 + 0.028 * np.sin(v))
-             for v in turn)]  # fmt: skip
+    crook = [
+        (head - 0.004, 0, low + long * 0.68),
+        *((head, 0.028 - 0.028 * np.cos(v), high - 0.042 + 0.028 * np.sin(v)) for v in turn),
+    ]
     b.tube(crook, 0.01, grip, segments=8)
 
 
@@ -214,14 +265,35 @@ def magazine_rack(b: Builder) -> None:
         for sx in (-1, 1):
             for z0, z1 in ((0.09, 0.13), (h * 0.5, h * 0.5 + 0.035), (h - 0.035, h)):
                 lean = (d / 2 - t - 0.04) / (h - 0.09)
-                b.hull([(sx * (0.04 + lean * (z - 0.09) + a), y, z) for z in (z0, z1) for a in (0.0, t)
-                        for y in (-w / 2, w / 2)], wood)  # fmt: skip
+                b.hull(
+                    [
+                        (sx * (0.04 + lean * (z - 0.09) + a), y, z)
+                        for z in (z0, z1)
+                        for a in (0.0, t)
+                        for y in (-w / 2, w / 2)
+                    ],
+                    wood,
+                )
             for sy in (-1, 1):
                 y = sy * (w / 2 - 0.03)
-                b.hull([(sx * a, y + c, z) for z, p in ((0.0, d / 2), (0.09, 0.055))
-                        for a in (p - 0.022, p) for c in (-0.008, 0.008)], wood)  # fmt: skip
-                b.hull([(sx * a, y + c, z) for z, p in ((0.085, 0.04), (h - 0.005, d / 2 - t))
-                        for a in (p - 0.012, p) for c in (-0.008, 0.008)], wood)  # fmt: skip
+                b.hull(
+                    [
+                        (sx * a, y + c, z)
+                        for z, p in ((0.0, d / 2), (0.09, 0.055))
+                        for a in (p - 0.022, p)
+                        for c in (-0.008, 0.008)
+                    ],
+                    wood,
+                )
+                b.hull(
+                    [
+                        (sx * a, y + c, z)
+                        for z, p in ((0.085, 0.04), (h - 0.005, d / 2 - t))
+                        for a in (p - 0.012, p)
+                        for c in (-0.008, 0.008)
+                    ],
+                    wood,
+                )
         covers = ["paper", "red plastic", "blue plastic", "yellow plastic", "sea pigment", "blush pigment"]
         for k in range(b.whole("papers", 4, 6)):
             high = h + b.uniform(f"high {k}", -0.1, -0.02)
@@ -240,8 +312,14 @@ def newspaper_stand(b: Builder) -> None:
     covers = ["paper", "paper", "red plastic", "blue plastic", "yellow plastic", "green plastic", "chalk pigment"]
     with b.solid("body"):
         for ys in ((-w / 2, -w / 2 + t), (w / 2 - t, w / 2)):
-            b.hull([(x, y, z) for x, z in ((-d / 2, 0), (d / 2, 0), (d / 2, 0.14), (-d / 2 + 0.07, h), (-d / 2, h))
-                    for y in ys], frame)  # fmt: skip
+            b.hull(
+                [
+                    (x, y, z)
+                    for x, z in ((-d / 2, 0), (d / 2, 0), (d / 2, 0.14), (-d / 2 + 0.07, h), (-d / 2, h))
+                    for y in ys
+                ],
+                frame,
+            )
         inner = (-w / 2 + t, w / 2 - t)
         step = (h - 0.12) / tiers
         for k in range(tiers):
@@ -257,8 +335,13 @@ def newspaper_stand(b: Builder) -> None:
                     high = step * b.uniform(f"high {k} {j}", 0.72, 0.88)
                     cover = b.pick(f"cover {k} {j}", covers)
                     b.box((-0.008, -0.008 + thick), ys, (0.003, high), cover, bevel=0.001)
-                    b.box((-0.008 + thick, -0.007 + thick), (ys[0] + 0.012, ys[1] - 0.012), (high * 0.8, high * 0.92),
-                          b.pick(f"title {k} {j}", ["black paint", "red paint", "navy paint"]), bevel=0.0)  # fmt: skip
+                    b.box(
+                        (-0.008 + thick, -0.007 + thick),
+                        (ys[0] + 0.012, ys[1] - 0.012),
+                        (high * 0.8, high * 0.92),
+                        b.pick(f"title {k} {j}", ["black paint", "red paint", "navy paint"]),
+                        bevel=0.0,
+                    )
 
 
 @draws("room_divider")

@@ -14,17 +14,29 @@ WOODS = ("oak", "walnut", "white paint", "black paint", "light oak", "pine")
 
 
 def _boards(
-    b: Builder, x: Interval, y: Interval, floors: list[float], top: float, material: Material, board: float,
-    first: int = 0, name: str = "shelf",
-) -> None:  # fmt: skip
+    b: Builder,
+    x: Interval,
+    y: Interval,
+    floors: list[float],
+    top: float,
+    material: Material,
+    board: float,
+    first: int = 0,
+    name: str = "shelf",
+) -> None:
     """Boards whose upper sides are at these heights, each a surface, under a ceiling at ``top``."""
     for k, z in enumerate(floors):
         if k >= first:
             with b.solid(f"{name}-{k}"):
                 b.box(x, y, (z - board, z), material, bevel=0.0015)
         ceiling = floors[k + 1] - board if k + 1 < len(floors) else top
-        b.surface(f"{name}-{k}", (x[0] + 0.005, x[1] - 0.005), (y[0] + 0.005, y[1] - 0.005), z,
-                  headroom=round(ceiling - z - 0.003, 4))  # fmt: skip
+        b.surface(
+            f"{name}-{k}",
+            (x[0] + 0.005, x[1] - 0.005),
+            (y[0] + 0.005, y[1] - 0.005),
+            z,
+            headroom=round(ceiling - z - 0.003, 4),
+        )
 
 
 @draws("low_bookcase")
@@ -71,8 +83,18 @@ def display_cabinet(b: Builder) -> None:
         if foot > 0.2:
             b.box((x[1] - 0.02, x[1] - 0.0195), (y[0] + 0.005, y[1] - 0.005), (0.083, foot - 0.022), SHADOW, bevel=0.0)
             for k, ys in enumerate(split(y, 2)):
-                door(b, f"low-{k}", (x[1] - 0.0185, x[1]), ys, (0.08, foot - 0.02), wood, pull,
-                     hung="right" if k == 0 else "left", style=style, panel=wood)  # fmt: skip
+                door(
+                    b,
+                    f"low-{k}",
+                    (x[1] - 0.0185, x[1]),
+                    ys,
+                    (0.08, foot - 0.02),
+                    wood,
+                    pull,
+                    hung="right" if k == 0 else "left",
+                    style=style,
+                    panel=wood,
+                )
             b.box((x[1] - 0.02, x[1]), y, (foot - 0.02, foot), wood, bevel=0.001)
         else:
             b.box((x[1] - 0.02, x[1]), y, (0.08, foot), wood)
@@ -99,8 +121,18 @@ def display_cabinet(b: Builder) -> None:
     _boards(b, (x[0] + 0.008, x[1] - 0.03), inner, floors, roof, b.material("boards", "glass"), shelf, first=1)
     with b.solid("doors"):
         for k, ys in enumerate(split(y, 1 if w < 0.55 else 2)):
-            door(b, f"door-{k}", (x[1] - 0.0195, x[1]), ys, (foot + 0.002, roof - 0.002), wood, pull,
-                 hung="right" if k == 0 else "left", style=style, panel="glass")  # fmt: skip
+            door(
+                b,
+                f"door-{k}",
+                (x[1] - 0.0195, x[1]),
+                ys,
+                (foot + 0.002, roof - 0.002),
+                wood,
+                pull,
+                hung="right" if k == 0 else "left",
+                style=style,
+                panel="glass",
+            )
     if h < 1.4:
         b.surface("top", (x[0] + 0.01, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), h)
 
@@ -125,8 +157,13 @@ def metal_shelf(b: Builder) -> None:
                 b.box((xs[0], xs[1]), (ys[0], ys[1]), (0.0, 0.006), "black plastic", bevel=0.0)
     with b.solid("brace"):
         for sy in (-1, 1):
-            b.bar((x[0] + 0.006, -sy * (w / 2 - 0.02), 0.15), (x[0] + 0.006, sy * (w / 2 - 0.02), h - 0.15),
-                  0.003, steel, segments=6)  # fmt: skip
+            b.bar(
+                (x[0] + 0.006, -sy * (w / 2 - 0.02), 0.15),
+                (x[0] + 0.006, sy * (w / 2 - 0.02), h - 0.15),
+                0.003,
+                steel,
+                segments=6,
+            )
     count = 4 if h < 1.75 else 5
     levels = [0.12 + k * (h - 0.14) / (count - 1) for k in range(count)]
     levels[-1] = h - 0.012
@@ -137,8 +174,13 @@ def metal_shelf(b: Builder) -> None:
             for xs in ((inner_x[0], inner_x[0] + 0.015), (inner_x[1] - 0.015, inner_x[1])):
                 b.box(xs, inner_y, (z - lip - 0.012, z - 0.012), steel, bevel=0.001)
         ceiling = levels[k + 1] - lip - 0.012 - z if k + 1 < count else None
-        b.surface(f"shelf-{k}" if ceiling else "top", (x[0] + 0.04, x[1] - 0.04), (y[0] + 0.04, y[1] - 0.04), z,
-                  headroom=None if ceiling is None else round(ceiling - 0.003, 4))  # fmt: skip
+        b.surface(
+            f"shelf-{k}" if ceiling else "top",
+            (x[0] + 0.04, x[1] - 0.04),
+            (y[0] + 0.04, y[1] - 0.04),
+            z,
+            headroom=None if ceiling is None else round(ceiling - 0.003, 4),
+        )
 
 
 @draws("cube_shelf")
@@ -174,14 +216,24 @@ def cube_shelf(b: Builder) -> None:
                     top = zs[0][1] - 0.03
                     b.box((x[0] + 0.02, front), (y[0] + 0.006, y[1] - 0.006), (high, top), cloth, bevel=0.006)
                     middle = (y[0] + y[1]) / 2
-                    b.box((front, front + 0.006), (middle - 0.04, middle + 0.04), (top - 0.07, top - 0.05),
-                          "brown leather", bevel=0.002)  # fmt: skip
+                    b.box(
+                        (front, front + 0.006),
+                        (middle - 0.04, middle + 0.04),
+                        (top - 0.07, top - 0.05),
+                        "brown leather",
+                        bevel=0.002,
+                    )
         if j == rows:
             b.surface("top", (x[0] + 0.01, x[1] - 0.01), (-w / 2 + 0.01, w / 2 - 0.01), h)
         elif j or not bins:
             for k, y in enumerate(ys):
-                b.surface(f"shelf-{j * columns + k}", (x[0] + 0.005, x[1] - 0.009), (y[0] + 0.005, y[1] - 0.005),
-                          zs[j][0], headroom=round(zs[j][1] - zs[j][0] - 0.003, 4))  # fmt: skip
+                b.surface(
+                    f"shelf-{j * columns + k}",
+                    (x[0] + 0.005, x[1] - 0.009),
+                    (y[0] + 0.005, y[1] - 0.005),
+                    zs[j][0],
+                    headroom=round(zs[j][1] - zs[j][0] - 0.003, 4),
+                )
 
 
 @draws("ladder_shelf")
@@ -226,8 +278,13 @@ def corner_shelf(b: Builder) -> None:
     a = np.linspace(0.0, np.pi / 2, 13)
     rx, ry = d - t, w - t
     ring = [(x0 + t, y0 - t), *((x0 + t + rx * np.cos(v), y0 - t - ry * np.sin(v)) for v in a)]
-    small = [(x0 + t + 0.005, y0 - t - 0.005), *((x0 + t + 0.95 * rx * np.cos(v), y0 - t - 0.95 * ry * np.sin(v))
-             for v in np.linspace(0.03, np.pi / 2 - 0.03, 9))]  # fmt: skip
+    small = [
+        (x0 + t + 0.005, y0 - t - 0.005),
+        *(
+            (x0 + t + 0.95 * rx * np.cos(v), y0 - t - 0.95 * ry * np.sin(v))
+            for v in np.linspace(0.03, np.pi / 2 - 0.03, 9)
+        ),
+    ]
     count = 4 if h < 1.5 else 5
     levels = [0.08 + k * (h - 0.28) / (count - 1) for k in range(count)]
     for k, z in enumerate(levels):
@@ -290,8 +347,13 @@ def pantry_shelf(b: Builder) -> None:
                 for ys in split((y[0] + 0.01, y[1] - 0.01), 2, 0.02):
                     b.box((x[0] + 0.02, x[1] - 0.01), ys, (z, z + 0.24), crate, bevel=0.006)
                     middle = (ys[0] + ys[1]) / 2
-                    b.box((x[1] - 0.01, x[1] - 0.008), (middle - 0.045, middle + 0.045), (z + 0.17, z + 0.2),
-                          SHADOW, bevel=0.0)  # fmt: skip
+                    b.box(
+                        (x[1] - 0.01, x[1] - 0.008),
+                        (middle - 0.045, middle + 0.045),
+                        (z + 0.17, z + 0.2),
+                        SHADOW,
+                        bevel=0.0,
+                    )
         if k:
             room = None if k == 4 else round(levels[k + 1] - 0.023 - z, 4)
             name = "top" if k == 4 else f"shelf-{k - 1}"

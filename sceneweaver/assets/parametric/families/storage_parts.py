@@ -40,7 +40,7 @@ def feet(b: Builder, x: Interval, y: Interval, high: float, wood: Material, styl
 
 def case(
     b: Builder, x: Interval, y: Interval, z: Interval, wood: Material, board: float = 0.018
-) -> tuple[Interval, Interval, Interval]:  # fmt: skip
+) -> tuple[Interval, Interval, Interval]:
     """A closed box with a front rim; returns the rectangle for fronts that lie flush in it: (x, y, z)."""
     inner, rise = (y[0] + board, y[1] - board), (z[0] + board, z[1] - board)
     for ys in ((y[0], inner[0]), (inner[1], y[1])):
@@ -68,9 +68,17 @@ def cornice(b: Builder, x: Interval, y: Interval, z: Interval, wood: Material, o
 
 
 def drawer_stack(
-    b: Builder, x: Interval, y: Interval, z: Interval, rows: Sequence[float], columns: Sequence[int],
-    front: Material, pull: Material, style: str, name: str = "drawer",
-) -> None:  # fmt: skip
+    b: Builder,
+    x: Interval,
+    y: Interval,
+    z: Interval,
+    rows: Sequence[float],
+    columns: Sequence[int],
+    front: Material,
+    pull: Material,
+    style: str,
+    name: str = "drawer",
+) -> None:
     """Rows of drawers from the foot up with these shares of the height, each in so many columns."""
     total, low, number = sum(rows), z[0], 0
     for share, count in zip(rows, columns, strict=True):

@@ -29,8 +29,13 @@ def locker(b: Builder) -> None:
                 wide = 0.3 * (ys[1] - ys[0])
                 at = (x[1], ys[1], zs[0])
                 with b.hinge(f"door-{k}-{j}", at, limits=(0.0, 1.92)):
-                    b.box((x[1] - 0.018, x[1]), (ys[0] + 0.002, ys[1] - 0.002), (zs[0] + 0.002, zs[1] - 0.002), fronts,
-                          bevel=0.002)  # fmt: skip
+                    b.box(
+                        (x[1] - 0.018, x[1]),
+                        (ys[0] + 0.002, ys[1] - 0.002),
+                        (zs[0] + 0.002, zs[1] - 0.002),
+                        fronts,
+                        bevel=0.002,
+                    )
                     for z in (zs[1] - 0.08, zs[0] + 0.07):
                         slot = (x[1], x[1] + 0.0025), (side - wide, side + wide)
                         cover = shapes.box(*slot, (z, z + 0.06), 0.0)
@@ -200,8 +205,18 @@ def bar_cabinet(b: Builder) -> None:
         feet(b, x, y, 0.14, wood, b.pick("base", ["tapered", "square", "splayed"]))
         _, fy, fz = case(b, x, y, (0.14, h - niche), wood)
         for k, ys in enumerate(split(fy, 2)):
-            door(b, f"door-{k}", (x[1] - 0.018, x[1]), ys, fz, wood, pull, hung="right" if k == 0 else "left",
-                 style=style, panel="rattan" if b.style in ("scandinavian", "rustic") else wood)  # fmt: skip
+            door(
+                b,
+                f"door-{k}",
+                (x[1] - 0.018, x[1]),
+                ys,
+                fz,
+                wood,
+                pull,
+                hung="right" if k == 0 else "left",
+                style=style,
+                panel="rattan" if b.style in ("scandinavian", "rustic") else wood,
+            )
     for k, ys in enumerate(((y[0], y[0] + 0.018), (y[1] - 0.018, y[1]))):
         with b.solid(f"side-{k}"):
             b.box(x, ys, (h - niche, h - 0.02), wood)
@@ -211,12 +226,19 @@ def bar_cabinet(b: Builder) -> None:
         count = max(3, int((inner[1] - inner[0]) / 0.12))
         for k in range(count):
             if b.chance(f"bottle {k}", 0.75):
-                _bottle(b, x[0] + 0.06, inner[0] + (k + 0.5) * (inner[1] - inner[0]) / count, h - niche, k,
-                        b.uniform(f"high {k}", 0.24, 0.32))  # fmt: skip
+                _bottle(
+                    b,
+                    x[0] + 0.06,
+                    inner[0] + (k + 0.5) * (inner[1] - inner[0]) / count,
+                    h - niche,
+                    k,
+                    b.uniform(f"high {k}", 0.24, 0.32),
+                )
     with b.solid("top"):
         b.box(x, y, (h - 0.02, h), wood, bevel=0.004)
-    b.surface("counter", (x[0] + 0.12, x[1] - 0.01), (inner[0] + 0.005, inner[1] - 0.005), h - niche,
-              headroom=niche - 0.025)  # fmt: skip
+    b.surface(
+        "counter", (x[0] + 0.12, x[1] - 0.01), (inner[0] + 0.005, inner[1] - 0.005), h - niche, headroom=niche - 0.025
+    )
     b.surface("top", (x[0] + 0.01, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), h)
 
 
@@ -239,8 +261,16 @@ def bar_cart(b: Builder) -> None:
             for sx in (-1, 1):
                 _castor(b, sx * (x - 0.012), sy * y)
                 b.bar((sx * x, sy * y, 0.06), (sx * x, sy * y, h - 0.05), r, metal)
-            b.tube([(-x, sy * y, h - 0.05), (-x, sy * (y + 0.041), h - r), (x, sy * (y + 0.041), h - r),
-                    (x, sy * y, h - 0.05)], r, metal)  # fmt: skip
+            b.tube(
+                [
+                    (-x, sy * y, h - 0.05),
+                    (-x, sy * (y + 0.041), h - r),
+                    (x, sy * (y + 0.041), h - r),
+                    (x, sy * y, h - 0.05),
+                ],
+                r,
+                metal,
+            )
     levels = (0.2, h - 0.16)
     for k, z in enumerate(levels):
         with b.solid(f"tray-{k}"):
@@ -320,8 +350,18 @@ def trophy_case(b: Builder) -> None:
                 at = y[0] + 0.05 + (k + 0.5) * (w - 0.1) / count
                 _trophy(b, (x[0] + x[1] - t) / 2, at, z, min(0.85 * (levels[1] - foot) - 0.02, 0.42), f"{j} {k}")
         for k, ys in enumerate(split(y, 2)):
-            door(b, f"door-{k}", (x[1] - 0.02, x[1]), ys, (foot, roof), wood, "brass",
-                 hung="right" if k == 0 else "left", style="knob", panel="glass")  # fmt: skip
+            door(
+                b,
+                f"door-{k}",
+                (x[1] - 0.02, x[1]),
+                ys,
+                (foot, roof),
+                wood,
+                "brass",
+                hung="right" if k == 0 else "left",
+                style="knob",
+                panel="glass",
+            )
     b.surface("top", (x[0] + 0.01, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), h)
     b.fit()
 
@@ -333,5 +373,14 @@ def _trophy(b: Builder, x: float, y: float, z: float, most: float, name: str) ->
     r = min(0.07, 0.26 * high)
     with b.frame(x, y, z):
         b.frustum(r * 0.8, r * 0.7, (0.0, high * 0.15), "black paint", segments=14)
-        b.lathe([(r * 0.5, high * 0.15), (r * 0.18, high * 0.24), (r * 0.2, high * 0.4), (r * 0.75, high * 0.55),
-                 (r, high)], metal, segments=16)  # fmt: skip
+        b.lathe(
+            [
+                (r * 0.5, high * 0.15),
+                (r * 0.18, high * 0.24),
+                (r * 0.2, high * 0.4),
+                (r * 0.75, high * 0.55),
+                (r, high),
+            ],
+            metal,
+            segments=16,
+        )

@@ -33,8 +33,13 @@ def dining_table(b: Builder) -> None:
         if base in ("turned", "trestle", "cross", "a", "square") and b.chance("boards", 0.75):
             planks(b, x, y, z, top, ends=b.pick("ends", [0.0, 0.1]))
         elif base in ("splayed", "vee", "tapered"):
-            tabletop(b, rounded(x, y, b.pick("corner", [0.03, 0.08, 0.2])), z, top,
-                     edge="soft" if glass else b.pick("edge", ["soft", "knife"]))  # fmt: skip
+            tabletop(
+                b,
+                rounded(x, y, b.pick("corner", [0.03, 0.08, 0.2])),
+                z,
+                top,
+                edge="soft" if glass else b.pick("edge", ["soft", "knife"]),
+            )
         else:
             tabletop(b, rounded(x, y, 0.015, 3), z, top)
         if base in ("tapered", "square", "turned"):
@@ -73,8 +78,11 @@ def round_dining_table(b: Builder) -> None:
     d, w, h = b.size
     d = w = min(d, w)
     base = b.pick("base", ["tulip", "claw", "drum", "cross", "splayed", "tapered"])
-    tops = {"tulip": ("marble", "white paint", "dark marble", "oak", "walnut"), "drum": ("oak", "walnut", "marble"),
-            "cross": ("glass", "black paint", "oak", "white paint")}  # fmt: skip
+    tops = {
+        "tulip": ("marble", "white paint", "dark marble", "oak", "walnut"),
+        "drum": ("oak", "walnut", "marble"),
+        "cross": ("glass", "black paint", "oak", "white paint"),
+    }
     top = b.material("top", *tops.get(base, WOODS))
     glass = top.name == "glass"
     thick = 0.012 if glass else b.uniform("thickness", 0.022, 0.034)
@@ -88,8 +96,13 @@ def round_dining_table(b: Builder) -> None:
         if foot.name in ("marble", "dark marble", "glass"):
             foot = b.material("column", "oak", "walnut", "black paint")
     with b.solid("top"):
-        tabletop(b, ellipse(d / 2, w / 2, 48), (low, h), top,
-                 edge="soft" if glass or base == "claw" else b.pick("edge", ["soft", "knife"]))  # fmt: skip
+        tabletop(
+            b,
+            ellipse(d / 2, w / 2, 48),
+            (low, h),
+            top,
+            edge="soft" if glass or base == "claw" else b.pick("edge", ["soft", "knife"]),
+        )
         if base in ("splayed", "tapered", "claw"):
             r = 0.5 * d / 2 if base != "claw" else 0.42 * d
             b.frustum(r, r, (low - (0.05 if base != "claw" else 0.018), low), foot, segments=32)
@@ -100,8 +113,12 @@ def round_dining_table(b: Builder) -> None:
         pedestal(b, low, d * {"tulip": 0.27, "claw": 0.36, "drum": 0.36, "cross": 0.34}[base], foot, base)
     for yaw in (0, 1, 2, 3):
         lo, hi = 0.3 * d, d / 2
-        xs, ys = [((lo, hi), (-0.2, 0.2)), ((-hi, -lo), (-0.2, 0.2)), ((-0.2, 0.2), (lo, hi)),
-                  ((-0.2, 0.2), (-hi, -lo))][yaw]  # fmt: skip
+        xs, ys = [
+            ((lo, hi), (-0.2, 0.2)),
+            ((-hi, -lo), (-0.2, 0.2)),
+            ((-0.2, 0.2), (lo, hi)),
+            ((-0.2, 0.2), (-hi, -lo)),
+        ][yaw]
         b.clear(xs, ys, (0.07, 0.62))
 
 
@@ -131,8 +148,21 @@ def oval_table(b: Builder) -> None:
         for s in (-1, 1):
             with b.frame(0, s * at), b.solid(f"foot {s}"):
                 if base == "tulips":
-                    b.lathe([(0.3, 0.0), (0.3, 0.008), (0.21, 0.02), (0.12, 0.05), (0.065, 0.13), (0.048, 0.28),
-                             (0.048, 0.7 * low), (0.07, 0.88 * low), (0.16, low)], foot, segments=24)  # fmt: skip
+                    b.lathe(
+                        [
+                            (0.3, 0.0),
+                            (0.3, 0.008),
+                            (0.21, 0.02),
+                            (0.12, 0.05),
+                            (0.065, 0.13),
+                            (0.048, 0.28),
+                            (0.048, 0.7 * low),
+                            (0.07, 0.88 * low),
+                            (0.16, low),
+                        ],
+                        foot,
+                        segments=24,
+                    )
                 else:
                     b.frustum(0.2, 0.2, (0, 0.03), foot, segments=32)
                     b.frustum(0.17, 0.17, (0.03, low - 0.03), foot, segments=16)
@@ -149,8 +179,13 @@ def conference_table(b: Builder) -> None:
     form = b.pick("form", ["boat", "racetrack", "rectangle"])
     base = b.pick("base", ["panel", "loop", "drum"])
     top = b.material("top", "walnut", "oak", "light oak", "wenge", "white paint", "cherry")
-    foot = b.material("foot", "black steel", "brushed steel", "white steel") if base == "loop" else \
-        b.material("foot", "black paint", "grey paint") if b.chance("dark", 0.5) else top  # fmt: skip
+    foot = (
+        b.material("foot", "black steel", "brushed steel", "white steel")
+        if base == "loop"
+        else b.material("foot", "black paint", "grey paint")
+        if b.chance("dark", 0.5)
+        else top
+    )
     low = h - 0.032
     with b.solid("top"):
         if form == "boat":
@@ -210,8 +245,18 @@ def bistro_table(b: Builder) -> None:
         with b.solid("foot"):
             for yaw in range(4):
                 with b.frame(yaw=0.785398 + yaw * 1.570796):
-                    b.tube([(0.03, 0, 0.26), (0.05, 0, 0.14), (0.12, 0, 0.06), (reach - 0.03, 0, 0.03),
-                            (reach - 0.012, 0, 0.012)], 0.012, metal, segments=8)  # fmt: skip
+                    b.tube(
+                        [
+                            (0.03, 0, 0.26),
+                            (0.05, 0, 0.14),
+                            (0.12, 0, 0.06),
+                            (reach - 0.03, 0, 0.03),
+                            (reach - 0.012, 0, 0.012),
+                        ],
+                        0.012,
+                        metal,
+                        segments=8,
+                    )
                     with b.frame(reach - 0.02):
                         b.frustum(0.02, 0.016, (0.0, 0.02), metal, segments=12)
             b.frustum(0.045, 0.03, (0.08, 0.28), metal, segments=16)
@@ -289,12 +334,22 @@ def patio_table(b: Builder) -> None:
                 b.add(slat, top, hulls=[])
             # What shows between the slats; the whole field is one flat part.
             ground = "black plastic" if top.name != "black steel" else "grey plastic"
-            b.add(shapes.box(across, inner, (h - 0.024, h - 0.0013)), ground,
-                  hulls=[shapes.box(across, inner, (h - 0.024, h))])  # fmt: skip
+            b.add(
+                shapes.box(across, inner, (h - 0.024, h - 0.0013)),
+                ground,
+                hulls=[shapes.box(across, inner, (h - 0.024, h))],
+            )
             apron(b, (x[0] + 0.03, x[1] - 0.03), (y[0] + 0.03, y[1] - 0.03), (low - 0.06, low - 0.01), legs)
             b.surface("top", (x[0] + 0.01, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), h)
-    corner_legs(b, (x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), low - 0.01, legs,
-                "tapered" if kind == "slats" else b.pick("leg style", ["square", "round"]), 0.06)  # fmt: skip
+    corner_legs(
+        b,
+        (x[0] + 0.02, x[1] - 0.02),
+        (y[0] + 0.02, y[1] - 0.02),
+        low - 0.01,
+        legs,
+        "tapered" if kind == "slats" else b.pick("leg style", ["square", "round"]),
+        0.06,
+    )
     b.clear(x, (y[0] + 0.3, y[1] - 0.3), (0.0, 0.62))
 
 

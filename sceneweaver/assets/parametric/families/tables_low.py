@@ -52,8 +52,9 @@ def coffee_table(b: Builder) -> None:
         z = b.uniform("shelf", 0.1, 0.16)
         with b.solid("shelf"):
             b.box((x[0] + 0.03, x[1] - 0.03), (y[0] + t, y[1] - t), (z - 0.02, z), wood)
-        b.surface("shelf", (x[0] + 0.04, x[1] - 0.04), (y[0] + t + 0.01, y[1] - t - 0.01), z,
-                  round(h - t - z - 0.005, 4))  # fmt: skip
+        b.surface(
+            "shelf", (x[0] + 0.04, x[1] - 0.04), (y[0] + t + 0.01, y[1] - t - 0.01), z, round(h - t - z - 0.005, 4)
+        )
     elif kind == "drawers":
         wood = b.material("top", *WOODS, *PAINTS)
         front = b.material("fronts", *WOODS) if wood.name.endswith("paint") else wood
@@ -69,14 +70,27 @@ def coffee_table(b: Builder) -> None:
             step = (w - 0.04) / 2
             for k in range(2):
                 at = y[0] + 0.02 + k * step
-                drawer(b, f"drawer-{k}", (x[0] + 0.05, face), (at, at + step), (low - 0.11, low - 0.003), front,
-                       pull, style)  # fmt: skip
+                drawer(
+                    b,
+                    f"drawer-{k}",
+                    (x[0] + 0.05, face),
+                    (at, at + step),
+                    (low - 0.11, low - 0.003),
+                    front,
+                    pull,
+                    style,
+                )
         corner_legs(b, (x[0] + 0.04, x[1] - 0.045), (y[0] + 0.03, y[1] - 0.03), low - 0.11, legs, "tapered", 0.04)
         if low - 0.11 - rise > 0.1:
             with b.solid("shelf"):
                 b.box((x[0] + 0.05, x[1] - 0.055), (y[0] + 0.045, y[1] - 0.045), (rise - 0.055, rise - 0.037), wood)
-            b.surface("shelf", (x[0] + 0.09, x[1] - 0.095), (y[0] + 0.08, y[1] - 0.08), rise - 0.037,
-                      round(low - 0.11 - rise + 0.037 - 0.005, 4))  # fmt: skip
+            b.surface(
+                "shelf",
+                (x[0] + 0.09, x[1] - 0.095),
+                (y[0] + 0.08, y[1] - 0.08),
+                rise - 0.037,
+                round(low - 0.11 - rise + 0.037 - 0.005, 4),
+            )
     else:
         wood = b.material("top", *WOODS)
         t = 0.036 if kind == "rustic" else b.uniform("thickness", 0.022, 0.03)
@@ -98,8 +112,16 @@ def coffee_table(b: Builder) -> None:
         if kind == "splayed":
             with b.solid("top"):
                 apron(b, (x[0] * 0.62, x[1] * 0.62), (y[0] * 0.62, y[1] * 0.62), (low - 0.035, low), legs)
-            corner_legs(b, (x[0] * 0.8, x[1] * 0.8), (y[0] * 0.8, y[1] * 0.8), low, legs, "splayed", 0.04,
-                        cap=b.pick("cap", [None, "brass"]))  # fmt: skip
+            corner_legs(
+                b,
+                (x[0] * 0.8, x[1] * 0.8),
+                (y[0] * 0.8, y[1] * 0.8),
+                low,
+                legs,
+                "splayed",
+                0.04,
+                cap=b.pick("cap", [None, "brass"]),
+            )
         elif kind == "hairpin":
             corner_legs(b, (x[0] + 0.03, x[1] - 0.03), (y[0] + 0.03, y[1] - 0.03), low, legs, "hairpin")
         else:
@@ -113,8 +135,13 @@ def coffee_table(b: Builder) -> None:
                 else:
                     b.box((x[0] + 0.04, x[1] - 0.04), (y[0] + 0.04, y[1] - 0.04), (z - 0.02, z), wood)
             reach = 0.03 + width
-            b.surface("shelf", (x[0] + reach, x[1] - reach), (y[0] + reach, y[1] - reach), z,
-                      round(low - 0.055 - z - 0.005, 4))  # fmt: skip
+            b.surface(
+                "shelf",
+                (x[0] + reach, x[1] - reach),
+                (y[0] + reach, y[1] - reach),
+                z,
+                round(low - 0.055 - z - 0.005, 4),
+            )
 
 
 @draws("nightstand")
@@ -161,8 +188,13 @@ def nightstand(b: Builder) -> None:
                 b.box((body[0], face), side, (rise + 0.018, low - deep), wood)
         with b.solid("back"):
             b.box((body[0], body[0] + 0.008), (ys[0] + 0.018, ys[1] - 0.018), (rise + 0.018, low - deep), wood, 0.0)
-        b.surface("shelf", (body[0] + 0.015, face - 0.01), (ys[0] + 0.024, ys[1] - 0.024), rise + 0.018,
-                  round(low - deep - rise - 0.023, 4))  # fmt: skip
+        b.surface(
+            "shelf",
+            (body[0] + 0.015, face - 0.01),
+            (ys[0] + 0.024, ys[1] - 0.024),
+            rise + 0.018,
+            round(low - deep - rise - 0.023, 4),
+        )
     else:
         deep, z = 0.13, 0.14
         with b.solid("top"):
@@ -171,8 +203,13 @@ def nightstand(b: Builder) -> None:
         corner_legs(b, (body[0], face), ys, low - deep, legs, b.pick("table legs", ["square", "tapered"]), 0.038)
         with b.solid("shelf"):
             b.box((body[0] + 0.012, face - 0.012), (ys[0] + 0.012, ys[1] - 0.012), (z - 0.018, z), wood)
-        b.surface("shelf", (body[0] + 0.045, face - 0.045), (ys[0] + 0.045, ys[1] - 0.045), z,
-                  round(low - deep - z - 0.005, 4))  # fmt: skip
+        b.surface(
+            "shelf",
+            (body[0] + 0.045, face - 0.045),
+            (ys[0] + 0.045, ys[1] - 0.045),
+            z,
+            round(low - deep - z - 0.005, 4),
+        )
 
 
 @draws("side_table")
@@ -187,17 +224,34 @@ def side_table(b: Builder) -> None:
         low = h - (0.012 if top.name == "glass" else 0.02)
         with b.solid("top"):
             tabletop(b, rounded(x, y, 0.015, 3), (low, h), top)
-            apron(b, (x[0] + 0.012, x[1] - 0.012), (y[0] + 0.012, y[1] - 0.012),
-                  (low - (0.018 if kind == "frame" else 0.06), low), legs, thick=0.018)  # fmt: skip
+            apron(
+                b,
+                (x[0] + 0.012, x[1] - 0.012),
+                (y[0] + 0.012, y[1] - 0.012),
+                (low - (0.018 if kind == "frame" else 0.06), low),
+                legs,
+                thick=0.018,
+            )
         width = 0.018 if kind == "frame" else 0.036
-        corner_legs(b, (x[0] + 0.012, x[1] - 0.012), (y[0] + 0.012, y[1] - 0.012), low, legs,
-                    "square" if kind == "frame" else b.pick("legs", ["tapered", "square", "turned"]),
-                    width)  # fmt: skip
+        corner_legs(
+            b,
+            (x[0] + 0.012, x[1] - 0.012),
+            (y[0] + 0.012, y[1] - 0.012),
+            low,
+            legs,
+            "square" if kind == "frame" else b.pick("legs", ["tapered", "square", "turned"]),
+            width,
+        )
         z = 0.15
         with b.solid("shelf"):
             b.box((x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), (z - 0.016, z), top)
-        b.surface("shelf", (x[0] + 0.055, x[1] - 0.055), (y[0] + 0.055, y[1] - 0.055), z,
-                  round(low - (0.018 if kind == "frame" else 0.06) - z - 0.005, 4))  # fmt: skip
+        b.surface(
+            "shelf",
+            (x[0] + 0.055, x[1] - 0.055),
+            (y[0] + 0.055, y[1] - 0.055),
+            z,
+            round(low - (0.018 if kind == "frame" else 0.06) - z - 0.005, 4),
+        )
         return
     r = min(d, w) / 2
     top = b.material("top", *WOODS, "white paint", "marble", "dark marble", "teal paint", "black paint")
@@ -223,9 +277,14 @@ def side_table(b: Builder) -> None:
             c, s = math.cos(a), math.sin(a)
             with b.solid(f"leg {k}"):
                 foot, head = (0.86 * r * c, 0.86 * r * s, 0.0), (0.5 * r * c, 0.5 * r * s, low)
-                b.hull([(p[0] + q * math.cos(t), p[1] + q * math.sin(t), p[2]) for t in np.arange(12) * math.pi / 6
-                        for p, q in ((foot, 0.008 if steel else 0.01), (head, 0.009 if steel else 0.018))],
-                       legs)  # fmt: skip
+                b.hull(
+                    [
+                        (p[0] + q * math.cos(t), p[1] + q * math.sin(t), p[2])
+                        for t in np.arange(12) * math.pi / 6
+                        for p, q in ((foot, 0.008 if steel else 0.01), (head, 0.009 if steel else 0.018))
+                    ],
+                    legs,
+                )
         with b.solid("top"):
             b.frustum(0.6 * r, 0.6 * r, (low - 0.012, low), legs, segments=28)
     else:
@@ -238,8 +297,11 @@ def tv_stand(b: Builder) -> None:
     """A long low cabinet: doors or drawers at both ends, open shelves for players in the middle."""
     d, w, h = b.size
     wood = b.material("body", *WOODS, "white paint", "black paint", "light grey paint")
-    front = b.material("fronts", "white paint", "light grey paint", "oak", "walnut", "rattan") \
-        if b.chance("two tone", 0.5) else wood  # fmt: skip
+    front = (
+        b.material("fronts", "white paint", "light grey paint", "oak", "walnut", "rattan")
+        if b.chance("two tone", 0.5)
+        else wood
+    )
     pull = b.material("pulls", "black steel", "brass", "brushed steel")
     drawers = b.chance("drawers", 0.4)
     style = b.pick("pull style", ["bar", "knob", "cup"] if drawers else ["knob", "none"])
@@ -273,8 +335,17 @@ def tv_stand(b: Builder) -> None:
                 drawer(b, f"{name}-upper", (x[0] + 0.03, face), ys, (half, z[1]), front, pull, style)
                 drawer(b, f"{name}-lower", (x[0] + 0.03, face), ys, (z[0], half), front, pull, style)
             else:
-                door(b, f"{name}-door", (face - 0.02, face), ys, z, front, pull,
-                     hung="right" if name == "right" else "left", style=style)  # fmt: skip
+                door(
+                    b,
+                    f"{name}-door",
+                    (face - 0.02, face),
+                    ys,
+                    z,
+                    front,
+                    pull,
+                    hung="right" if name == "right" else "left",
+                    style=style,
+                )
     with b.solid("back"):
         b.box((x[0], x[0] + 0.01), inner, z, wood, bevel=0.0)
     middle = (z[0] + z[1]) / 2 + b.uniform("shelf", -0.02, 0.03)
@@ -286,8 +357,13 @@ def tv_stand(b: Builder) -> None:
             b.box((x[0] + 0.01, face - 0.02), inner, (middle - 0.016, middle), wood)
     for k, level in enumerate(levels):
         ceiling = middle - 0.016 if shelf and k == 0 else z[1]
-        b.surface(f"shelf-{k}", (x[0] + 0.02, face - 0.03), (inner[0] + 0.01, inner[1] - 0.01), level,
-                  round(ceiling - level - 0.005, 4))  # fmt: skip
+        b.surface(
+            f"shelf-{k}",
+            (x[0] + 0.02, face - 0.03),
+            (inner[0] + 0.01, inner[1] - 0.01),
+            level,
+            round(ceiling - level - 0.005, 4),
+        )
 
 
 @draws("console_table")
@@ -343,14 +419,29 @@ def console_table(b: Builder) -> None:
             step = (w - 0.03) / count
             for k in range(count):
                 at = y[0] + 0.015 + k * step
-                drawer(b, f"drawer-{k}", (x[0] + 0.03, x[1] - 0.026), (at, at + step), (low - deep, low - 0.003), legs,
-                       pull, b.pick("pull style", ["knob", "cup"]))  # fmt: skip
+                drawer(
+                    b,
+                    f"drawer-{k}",
+                    (x[0] + 0.03, x[1] - 0.026),
+                    (at, at + step),
+                    (low - deep, low - 0.003),
+                    legs,
+                    pull,
+                    b.pick("pull style", ["knob", "cup"]),
+                )
     front = x[1] - 0.01 if kind == "frame" else x[1] - 0.03
-    corner_legs(b, (x[0] + 0.01, front), (y[0] + 0.015, y[1] - 0.015), low - deep, legs,
-                "square" if kind == "frame" else b.pick("legs", ["tapered", "turned", "square"]),
-                0.022 if kind == "frame" else 0.045)  # fmt: skip
+    corner_legs(
+        b,
+        (x[0] + 0.01, front),
+        (y[0] + 0.015, y[1] - 0.015),
+        low - deep,
+        legs,
+        "square" if kind == "frame" else b.pick("legs", ["tapered", "turned", "square"]),
+        0.022 if kind == "frame" else 0.045,
+    )
     if kind == "frame" or b.chance("shelf", 0.6):
         with b.solid("shelf"):
             b.box((x[0] + 0.02, front - 0.01), (y[0] + 0.03, y[1] - 0.03), (z - 0.018, z), top)
-        b.surface("shelf", (x[0] + 0.06, front - 0.055), (y[0] + 0.07, y[1] - 0.07), z,
-                  round(low - deep - z - 0.005, 4))  # fmt: skip
+        b.surface(
+            "shelf", (x[0] + 0.06, front - 0.055), (y[0] + 0.07, y[1] - 0.07), z, round(low - deep - z - 0.005, 4)
+        )

@@ -42,15 +42,29 @@ def drawn_in(plan: np.ndarray, by: float) -> np.ndarray:
 
 
 def tabletop(
-    b: Builder, plan: np.ndarray, z: Interval, material: Finish, edge: Edge = "soft", name: str | None = "top",
-    headroom: float | None = None, inset: float = 0.01,
-) -> None:  # fmt: skip
+    b: Builder,
+    plan: np.ndarray,
+    z: Interval,
+    material: Finish,
+    edge: Edge = "soft",
+    name: str | None = "top",
+    headroom: float | None = None,
+    inset: float = 0.01,
+) -> None:
     """A convex slab with a support surface; a "knife" edge is cut away underneath."""
     if edge == "knife":
         low = drawn_in(plan, min(0.05, 1.6 * (z[1] - z[0])))
         thin = z[1] - 0.35 * (z[1] - z[0])
-        b.hull(np.concatenate([np.c_[low, np.full(len(low), z[0])], np.c_[plan, np.full(len(plan), thin)],
-                               np.c_[plan, np.full(len(plan), z[1])]]), material)  # fmt: skip
+        b.hull(
+            np.concatenate(
+                [
+                    np.c_[low, np.full(len(low), z[0])],
+                    np.c_[plan, np.full(len(plan), thin)],
+                    np.c_[plan, np.full(len(plan), z[1])],
+                ]
+            ),
+            material,
+        )
     else:
         b.extrude(plan, z, material, bevel=0.004 if edge == "soft" else 0.0015)
     if name:
@@ -63,9 +77,15 @@ def proud(style: str) -> float:
 
 
 def planks(
-    b: Builder, x: Interval, y: Interval, z: Interval, material: Finish, ends: float = 0.0, name: str | None = "top",
+    b: Builder,
+    x: Interval,
+    y: Interval,
+    z: Interval,
+    material: Finish,
+    ends: float = 0.0,
+    name: str | None = "top",
     wide: float = 0.14,
-) -> None:  # fmt: skip
+) -> None:
     """A top of boards along y with cut edges; ``ends`` is the width of the boards across its two ends."""
     count = max(3, round((x[1] - x[0]) / wide))
     edges = np.linspace(x[0], x[1], count + 1)
@@ -87,9 +107,14 @@ def prism_leg(b: Builder, foot: Sequence[float], head: Sequence[float], low, hig
 
 
 def cone_leg(
-    b: Builder, foot: Sequence[float] | np.ndarray, head: Sequence[float] | np.ndarray, low: float, high: float,
-    material: Finish, segments: int = 14,
-) -> None:  # fmt: skip
+    b: Builder,
+    foot: Sequence[float] | np.ndarray,
+    head: Sequence[float] | np.ndarray,
+    low: float,
+    high: float,
+    material: Finish,
+    segments: int = 14,
+) -> None:
     """A round leg between two points with these radii, its ends level."""
     angle = (np.arange(segments) + 0.5) * (2 * math.pi / segments)
     circle = np.c_[np.cos(angle), np.sin(angle), np.zeros(segments)]
@@ -101,16 +126,36 @@ def turned_leg(b: Builder, x: float, y: float, h: float, width: float, material:
     r, t = width / 2, h - block
     with b.frame(x, y):
         b.box((-r, r), (-r, r), (t, h), material)
-        profile = [(0.5, 0.0), (0.62, 0.03), (0.5, 0.075), (0.42, 0.10), (0.72, 0.115), (0.72, 0.135), (0.5, 0.15),
-                   (0.92, 0.68), (0.98, 0.80), (0.7, 0.90), (0.55, 0.925), (0.95, 0.94), (0.95, 0.97),
-                   (0.75, 1.0)]  # fmt: skip
+        profile = [
+            (0.5, 0.0),
+            (0.62, 0.03),
+            (0.5, 0.075),
+            (0.42, 0.10),
+            (0.72, 0.115),
+            (0.72, 0.135),
+            (0.5, 0.15),
+            (0.92, 0.68),
+            (0.98, 0.80),
+            (0.7, 0.90),
+            (0.55, 0.925),
+            (0.95, 0.94),
+            (0.95, 0.97),
+            (0.75, 1.0),
+        ]
         b.lathe([(r * a, t * k) for a, k in profile], material, segments=14)
 
 
 def corner_legs(
-    b: Builder, x: Interval, y: Interval, h: float, material: Finish, style: str, width: float = 0.05,
-    group: str | None = None, cap: Finish | None = None,
-) -> None:  # fmt: skip
+    b: Builder,
+    x: Interval,
+    y: Interval,
+    h: float,
+    material: Finish,
+    style: str,
+    width: float = 0.05,
+    group: str | None = None,
+    cap: Finish | None = None,
+) -> None:
     """Four separate legs with their outsides in the rectangle x, y, each its own prism (or all one ``group``).
 
     Styles: square, tapered (square, drawn in on its inner faces), round, splayed, turned, hairpin. ``cap`` dips the
@@ -146,16 +191,26 @@ def corner_legs(
                 fx, fy = px - sx * 0.012, py - sy * 0.012
                 for dx, dy in ((0.11, 0.02), (0.02, 0.11)):
                     b.bar((fx, fy, 0), (fx - sx * dx, fy - sy * dy, h - 0.004), r, material, segments=8)
-                b.box((min(px, px - sx * 0.14), max(px, px - sx * 0.14)), (min(py, py - sy * 0.14),
-                      max(py, py - sy * 0.14)), (h - 0.005, h), material, bevel=0.0)  # fmt: skip
+                b.box(
+                    (min(px, px - sx * 0.14), max(px, px - sx * 0.14)),
+                    (min(py, py - sy * 0.14), max(py, py - sy * 0.14)),
+                    (h - 0.005, h),
+                    material,
+                    bevel=0.0,
+                )
             else:
                 raise ValueError(f"no legs of style {style}")
 
 
 def apron(
-    b: Builder, x: Interval, y: Interval, z: Interval, material: Finish, thick: float = 0.02,
+    b: Builder,
+    x: Interval,
+    y: Interval,
+    z: Interval,
+    material: Finish,
+    thick: float = 0.02,
     sides: Sequence[str] = ("front", "back", "left", "right"),
-) -> None:  # fmt: skip
+) -> None:
     """Rails under a top, along the rectangle x, y."""
     if "front" in sides:
         b.box((x[1] - thick, x[1]), y, z, material)
@@ -182,19 +237,32 @@ def end_frame(b: Builder, y: float, x: Interval, h: float, material: Finish, sty
         elif style == "vee":
             for s in (-1, 1):
                 wide = 0.5 * (x1 - x0)
-                prism_leg(b, (mid + s * 0.45 * wide, y, 0), (mid + s * (wide - r), y, h), (bar, bar), (bar, bar),
-                          material)  # fmt: skip
+                prism_leg(
+                    b, (mid + s * 0.45 * wide, y, 0), (mid + s * (wide - r), y, h), (bar, bar), (bar, bar), material
+                )
             b.box((x0, x1), ys, (h - 0.02, h), material)
             b.box((mid - 0.3 * (x1 - x0), mid + 0.3 * (x1 - x0)), ys, (0, 0.02), material)
         elif style == "cross":
             for s in (-1, 1):
-                prism_leg(b, (mid - s * (mid - x0 - bar * 0.7), y, 0), (mid + s * (mid - x0 - bar * 0.7), y, h - 0.03),
-                          (bar * 1.4, bar), (bar * 1.4, bar), material)  # fmt: skip
+                prism_leg(
+                    b,
+                    (mid - s * (mid - x0 - bar * 0.7), y, 0),
+                    (mid + s * (mid - x0 - bar * 0.7), y, h - 0.03),
+                    (bar * 1.4, bar),
+                    (bar * 1.4, bar),
+                    material,
+                )
             b.box((x0, x1), ys, (h - 0.05, h), material)
         elif style == "a":
             for s in (-1, 1):
-                prism_leg(b, (mid + s * (mid - x0 - r), y, 0), (mid + s * 0.2 * (x1 - x0), y, h - 0.03), (bar, bar),
-                          (bar, bar), material)  # fmt: skip
+                prism_leg(
+                    b,
+                    (mid + s * (mid - x0 - r), y, 0),
+                    (mid + s * 0.2 * (x1 - x0), y, h - 0.03),
+                    (bar, bar),
+                    (bar, bar),
+                    material,
+                )
             b.box((x0 + 0.06, x1 - 0.06), ys, (h - 0.05, h), material)
             b.box((x0 + 0.14, x1 - 0.14), (y - r * 0.7, y + r * 0.7), (0.22, 0.22 + bar), material)
         elif style == "trestle":
@@ -202,8 +270,9 @@ def end_frame(b: Builder, y: float, x: Interval, h: float, material: Finish, sty
             b.box((x0, x0 + 0.09), (y - r * 1.3, y + r * 1.3), (0, 0.04), material)
             b.box((x1 - 0.09, x1), (y - r * 1.3, y + r * 1.3), (0, 0.04), material)
             b.box((mid - 0.07, mid + 0.07), ys, (0.08, h - 0.07), material, bevel=0.008)
-            prism_leg(b, (mid, y, h - 0.07), (mid, y, h), (0.5 * (x1 - x0), bar * 1.3), (x1 - x0 - 0.06, bar * 1.3),
-                      material)  # fmt: skip
+            prism_leg(
+                b, (mid, y, h - 0.07), (mid, y, h), (0.5 * (x1 - x0), bar * 1.3), (x1 - x0 - 0.06, bar * 1.3), material
+            )
         elif style == "slab":
             b.box(x, ys, (0, h), material, bevel=0.004)
         else:
@@ -225,25 +294,58 @@ def pedestal(b: Builder, h: float, radius: float, material: Finish, style: str, 
                 with b.frame(yaw=math.pi / 4 + k * math.pi / 2):
                     knee = [(half, y, z) for y in (-0.022, 0.022) for z in (0.075, 0.13)]
                     b.hull([(0.03, y, z) for y in (-0.025, 0.025) for z in (0.12, 0.2)] + knee, material)
-                    b.hull(knee + [(radius - 0.03, y, 0.0) for y in (-0.022, 0.022)]
-                           + [(radius, y, z) for y in (-0.018, 0.018) for z in (0.0, 0.04)], material)  # fmt: skip
+                    b.hull(
+                        knee
+                        + [(radius - 0.03, y, 0.0) for y in (-0.022, 0.022)]
+                        + [(radius, y, z) for y in (-0.018, 0.018) for z in (0.0, 0.04)],
+                        material,
+                    )
         elif style == "drum":
             b.frustum(radius * 0.62, radius * 0.5, (0.0, h - 0.03), material, segments=28, bevel=0.006)
         elif style == "cross":
             for yaw in (math.pi / 4, -math.pi / 4):
                 with b.frame(yaw=yaw):
-                    b.hull([(x, y, z) for x in (-radius, radius) for y in (-0.028, 0.028) for z in (0.0, 0.022)]
-                           + [(x, y, 0.05) for x in (-0.05, 0.05) for y in (-0.028, 0.028)], material)  # fmt: skip
+                    b.hull(
+                        [(x, y, z) for x in (-radius, radius) for y in (-0.028, 0.028) for z in (0.0, 0.022)]
+                        + [(x, y, 0.05) for x in (-0.05, 0.05) for y in (-0.028, 0.028)],
+                        material,
+                    )
         else:
             raise ValueError(f"no pedestal of style {style}")
     with b.solid("column"):
         if style == "tulip":
-            b.lathe([(radius * 0.42, 0.05), (0.07 * slim, 0.13), (0.048 * slim, 0.24), (0.045 * slim, 0.4 * h + 0.1),
-                     (0.05 * slim, 0.75 * h), (0.075 * slim, 0.9 * h), (half, h)], material, segments=24)  # fmt: skip
+            b.lathe(
+                [
+                    (radius * 0.42, 0.05),
+                    (0.07 * slim, 0.13),
+                    (0.048 * slim, 0.24),
+                    (0.045 * slim, 0.4 * h + 0.1),
+                    (0.05 * slim, 0.75 * h),
+                    (0.075 * slim, 0.9 * h),
+                    (half, h),
+                ],
+                material,
+                segments=24,
+            )
         elif style == "claw":
-            b.lathe([(0.04, 0.07), (0.06, 0.1), (0.06, 0.2), (0.04, 0.23), (0.075, 0.3), (0.085, 0.38), (0.055, 0.5),
-                     (0.04, 0.56), (0.06, 0.58), (0.06, h - 0.06), (radius * 0.5, h - 0.03),
-                     (radius * 0.5, h)], material, segments=20)  # fmt: skip
+            b.lathe(
+                [
+                    (0.04, 0.07),
+                    (0.06, 0.1),
+                    (0.06, 0.2),
+                    (0.04, 0.23),
+                    (0.075, 0.3),
+                    (0.085, 0.38),
+                    (0.055, 0.5),
+                    (0.04, 0.56),
+                    (0.06, 0.58),
+                    (0.06, h - 0.06),
+                    (radius * 0.5, h - 0.03),
+                    (radius * 0.5, h),
+                ],
+                material,
+                segments=20,
+            )
         elif style == "drum":
             b.frustum(radius * 0.7, radius * 0.7, (h - 0.03, h), material, segments=28)
         else:

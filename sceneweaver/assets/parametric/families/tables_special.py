@@ -31,8 +31,16 @@ def round_coffee_table(b: Builder) -> None:
     if kind == "splayed":
         with b.solid("top"):
             b.frustum(0.62 * r, 0.62 * r, (low - 0.035, low), top, segments=32)
-        corner_legs(b, (-0.66 * r, 0.66 * r), (-0.66 * r, 0.66 * r), low, top, "splayed", 0.044,
-                    cap=b.pick("cap", [None, "brass", "white paint"]))  # fmt: skip
+        corner_legs(
+            b,
+            (-0.66 * r, 0.66 * r),
+            (-0.66 * r, 0.66 * r),
+            low,
+            top,
+            "splayed",
+            0.044,
+            cap=b.pick("cap", [None, "brass", "white paint"]),
+        )
     elif kind == "drum":
         with b.solid("all"):
             count = 36
@@ -50,9 +58,13 @@ def round_coffee_table(b: Builder) -> None:
             for k in range(12):
                 for s in (-1, 1):
                     a, c = k * math.pi / 6, k * math.pi / 6 + s * 0.35
-                    b.bar((0.62 * r * math.cos(a), 0.62 * r * math.sin(a), 0.006),
-                          (0.9 * r * math.cos(c), 0.9 * r * math.sin(c), low - 0.003), 0.004, metal,
-                          segments=5)  # fmt: skip
+                    b.bar(
+                        (0.62 * r * math.cos(a), 0.62 * r * math.sin(a), 0.006),
+                        (0.9 * r * math.cos(c), 0.9 * r * math.sin(c), low - 0.003),
+                        0.004,
+                        metal,
+                        segments=5,
+                    )
     elif kind == "shelf":
         z = 0.12
         with b.solid("shelf"):
@@ -60,8 +72,13 @@ def round_coffee_table(b: Builder) -> None:
         for k in range(4):
             a = math.pi / 4 + k * math.pi / 2
             with b.solid(f"leg {k}"):
-                b.bar((0.8 * r * math.cos(a), 0.8 * r * math.sin(a), 0), (0.8 * r * math.cos(a), 0.8 * r * math.sin(a),
-                      low), 0.018, top, segments=14)  # fmt: skip
+                b.bar(
+                    (0.8 * r * math.cos(a), 0.8 * r * math.sin(a), 0),
+                    (0.8 * r * math.cos(a), 0.8 * r * math.sin(a), low),
+                    0.018,
+                    top,
+                    segments=14,
+                )
         b.surface("shelf", (-0.5 * r, 0.5 * r), (-0.5 * r, 0.5 * r), z, round(low - z - 0.005, 4))
     else:
         pedestal(b, low, 0.7 * r, b.material("foot", "black steel", "brass", "oak"), "drum")
@@ -156,8 +173,11 @@ def train_table(b: Builder) -> None:
         b.tube(ring, np.array([(-0.02, -0.006), (0.02, -0.006), (0.02, 0.006), (-0.02, 0.006)]), "beech", closed=True)
         tr = np.c_[ellipse(a, c, n, 2.6), np.full(n, floor + 0.013)]
         for k in range(0, n, 2):
-            sleeper = shapes.box((tr[k, 0] - 0.005, tr[k, 0] + 0.005), (tr[k, 1] - 0.005, tr[k, 1] + 0.005),
-                                 (floor + 0.01, floor + 0.0124))  # fmt: skip
+            sleeper = shapes.box(
+                (tr[k, 0] - 0.005, tr[k, 0] + 0.005),
+                (tr[k, 1] - 0.005, tr[k, 1] + 0.005),
+                (floor + 0.01, floor + 0.0124),
+            )
             b.add(sleeper, "walnut", hulls=[])
         for k in range(4):
             at = -0.12 + 0.068 * k
@@ -167,8 +187,12 @@ def train_table(b: Builder) -> None:
             room = shapes.box((px - 0.02, px + 0.02), (at - 0.028, at + 0.028), (floor + 0.012, floor + 0.045))
             b.add(car, look, hulls=[room])
             for s in (-1, 1):
-                wheel = shapes.box((px - 0.02, px + 0.02), (at + s * 0.017 - 0.007, at + s * 0.017 + 0.007),
-                                   (floor + 0.012, floor + 0.024), 0.003)  # fmt: skip
+                wheel = shapes.box(
+                    (px - 0.02, px + 0.02),
+                    (at + s * 0.017 - 0.007, at + s * 0.017 + 0.007),
+                    (floor + 0.012, floor + 0.024),
+                    0.003,
+                )
                 b.add(wheel, "black plastic", hulls=[])
             if k == 3:
                 with b.frame(px, at + 0.012):
@@ -183,8 +207,11 @@ def train_table(b: Builder) -> None:
     for k, (px, py, roof) in enumerate(((-0.16, 0.17, "red paint"), (-0.02, 0.27, "blue paint"))):
         with b.solid("houses"), b.frame(px * d, py * w, floor, yaw=0.3 * k):
             b.box((-0.03, 0.03), (-0.035, 0.035), (0, 0.05), "cream paint", bevel=0.0)
-            b.hull([(px2, py2, 0.05) for px2 in (-0.036, 0.036) for py2 in (-0.041, 0.041)]
-                   + [(0, -0.041, 0.09), (0, 0.041, 0.09)], roof)  # fmt: skip
+            b.hull(
+                [(px2, py2, 0.05) for px2 in (-0.036, 0.036) for py2 in (-0.041, 0.041)]
+                + [(0, -0.041, 0.09), (0, 0.041, 0.09)],
+                roof,
+            )
     with b.solid("trees"), b.frame(-0.1 * d, -0.05 * w, floor):
         b.frustum(0.007, 0.007, (0, 0.03), "bark", segments=8)
         b.frustum(0.034, 0.003, (0.025, 0.11), "leaf", segments=12)
@@ -203,11 +230,34 @@ def plant_stand(b: Builder) -> None:
         tabletop(b, ellipse(r, r, 36), (low, h), top)
     if kind == "column":
         with b.solid("foot"):
-            b.lathe([(r * 0.9, 0.0), (r * 0.9, 0.015), (r * 0.84, 0.025), (r * 0.5, 0.035), (0.032, 0.06), (0.02, 0.1),
-                     (0.03, 0.108), (0.03, 0.118), (0.018, 0.13), (0.016, 0.36 * h), (0.024, 0.44 * h),
-                     (0.033, 0.52 * h), (0.035, 0.57 * h), (0.03, 0.62 * h), (0.017, 0.68 * h), (0.028, 0.69 * h),
-                     (0.028, 0.705 * h), (0.017, 0.72 * h), (0.019, 0.86 * h), (0.04, low - 0.015),
-                     (r * 0.55, low - 0.006), (r * 0.55, low)], top, segments=24)  # fmt: skip
+            b.lathe(
+                [
+                    (r * 0.9, 0.0),
+                    (r * 0.9, 0.015),
+                    (r * 0.84, 0.025),
+                    (r * 0.5, 0.035),
+                    (0.032, 0.06),
+                    (0.02, 0.1),
+                    (0.03, 0.108),
+                    (0.03, 0.118),
+                    (0.018, 0.13),
+                    (0.016, 0.36 * h),
+                    (0.024, 0.44 * h),
+                    (0.033, 0.52 * h),
+                    (0.035, 0.57 * h),
+                    (0.03, 0.62 * h),
+                    (0.017, 0.68 * h),
+                    (0.028, 0.69 * h),
+                    (0.028, 0.705 * h),
+                    (0.017, 0.72 * h),
+                    (0.019, 0.86 * h),
+                    (0.04, low - 0.015),
+                    (r * 0.55, low - 0.006),
+                    (r * 0.55, low),
+                ],
+                top,
+                segments=24,
+            )
         return
     plain = top.name in ("black steel", "brass", "white paint")
     metal = top if plain else b.material("legs", "black steel", "brass", top.name)
@@ -252,8 +302,9 @@ def changing_table(b: Builder) -> None:
         b.cushion(xs, ys, (deck, deck + 0.045), mat, radius=0.02)
         b.cushion(xs, (ys[0], ys[0] + 0.1), (deck + 0.02, deck + 0.085), mat, radius=0.03)
         b.cushion(xs, (ys[1] - 0.1, ys[1]), (deck + 0.02, deck + 0.085), mat, radius=0.03)
-        b.cushion((xs[0] + 0.02, xs[0] + 0.16), (-0.13, 0.13), (deck + 0.04, deck + 0.075), "white fabric",
-                  radius=0.015)  # fmt: skip
+        b.cushion(
+            (xs[0] + 0.02, xs[0] + 0.16), (-0.13, 0.13), (deck + 0.04, deck + 0.075), "white fabric", radius=0.015
+        )
     z = (0.08, deck - 0.02)
     face = x[1] - 0.004
     if kind == "shelves":
@@ -268,11 +319,21 @@ def changing_table(b: Builder) -> None:
                         at = s * 0.22 * w
                         ys, xs = (at - 0.18 * w, at + 0.18 * w), (x[0] + 0.06, x[1] - 0.06)
                         b.box(xs, ys, (level, level + 0.19), basket, bevel=0.02)
-                        b.box((xs[0] - 0.006, xs[1] + 0.006), (ys[0] - 0.006, ys[1] + 0.006),
-                              (level + 0.17, level + 0.195), basket, bevel=0.008)  # fmt: skip
+                        b.box(
+                            (xs[0] - 0.006, xs[1] + 0.006),
+                            (ys[0] - 0.006, ys[1] + 0.006),
+                            (level + 0.17, level + 0.195),
+                            basket,
+                            bevel=0.008,
+                        )
             else:
-                b.surface("shelf", (x[0] + 0.05, x[1] - 0.06), (y[0] + 0.05, y[1] - 0.05), level,
-                          round(z[1] - level - 0.005, 4))  # fmt: skip
+                b.surface(
+                    "shelf",
+                    (x[0] + 0.05, x[1] - 0.06),
+                    (y[0] + 0.05, y[1] - 0.05),
+                    level,
+                    round(z[1] - level - 0.005, 4),
+                )
         return
     pull = b.material("pulls", "brass", "beech", "brushed steel", "black steel")
     with b.solid("body"):
@@ -283,11 +344,28 @@ def changing_table(b: Builder) -> None:
             count = 3
             step = (z[1] - z[0]) / count
             for k in range(count):
-                drawer(b, f"drawer-{k}", (x[0] + 0.03, face), ys, (z[0] + k * step, z[0] + (k + 1) * step), front, pull,
-                       style)  # fmt: skip
+                drawer(
+                    b,
+                    f"drawer-{k}",
+                    (x[0] + 0.03, face),
+                    ys,
+                    (z[0] + k * step, z[0] + (k + 1) * step),
+                    front,
+                    pull,
+                    style,
+                )
         else:
             drawer(b, "drawer", (x[0] + 0.03, face), ys, (z[1] - 0.2, z[1]), front, pull, style)
             for s in (-1, 1):
                 half = (0.0, ys[1]) if s > 0 else (ys[0], 0.0)
-                door(b, f"door {s}".replace(" ", ""), (face - 0.018, face), half, (z[0], z[1] - 0.2), front, pull,
-                     hung="left" if s > 0 else "right", style="knob" if style == "cup" else style)  # fmt: skip
+                door(
+                    b,
+                    f"door {s}".replace(" ", ""),
+                    (face - 0.018, face),
+                    half,
+                    (z[0], z[1] - 0.2),
+                    front,
+                    pull,
+                    hung="left" if s > 0 else "right",
+                    style="knob" if style == "cup" else style,
+                )
