@@ -1,0 +1,54 @@
+"""Convex hulls of points, in the plane by shapely and in space by scipy."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .polygons import counter_clockwise
+
+Array = NDArray[np.float64]
+
+
+def convex_hull(points: ArrayLike) -> Array:
+    """Corners [m, 2] of the convex hull of points [n, 2]: counter-clockwise, from the one with the least x, then y.
+
+    Collinear corners are left out. Of points on one line it is the two ends, of equal points the one.
+    """
+    import shapely
+
+    hull: Any = shapely.convex_hull(shapely.multipoints(np.asarray(points, dtype=float)))
+    found = np.unique(shapely.get_coordinates(hull), axis=0)
+    if hull.geom_type != "Polygon":
+        return found
+    ring = counter_clockwise(shapely.get_coordinates(hull)[:-1])
+    first = int(np.flatnonzero((ring == found[0]).all(axis=1))[0])
+    return np.roll(ring, -first, axis=0)
+
+
+def hull_faces(points: Array) -> NDArray[np.int32]:
+    """Triangles [f, 3] of the convex hull of points [n, 3], counter-clockwise seen from outside.
+
+    Raises:
+        ValueError: they are fewer than four or lie in one plane.
+    """
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        hull = ConvexHull(points)
+    except QhullError as error:
+        raise ValueError("the points lie in one plane or are fewer than four") from error
+    faces = hull.simplices.astype(np.int32)
+    a, b, c = (np.asarray(points)[faces[:, k]] for k in range(3))
+    inward = np.einsum("ij,ij->i", np.cross(b - a, c - a), hull.equations[:, :3]) < 0
+    faces[inward] = faces[inward][:, ::-1]
+    return faces
+
+
+def hull_mesh(points: ArrayLike) -> tuple[Array, NDArray[np.int32]]:
+    """The convex hull of points [n, 3] as vertices [v, 3] and outward triangles [f, 3]; errors of `hull_faces`."""
+    array = np.asarray(points, dtype=float)
+    used, packed = np.unique(hull_faces(array), return_inverse=True)
+    return array[used], packed.reshape(-1, 3).astype(np.int32)

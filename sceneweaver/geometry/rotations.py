@@ -1,0 +1,101 @@
+"""Rotations of space as unit quaternions (x, y, z, w); MuJoCo and USD have w first, see `wxyz`.
+
+What an upright object needs is plain arithmetic. All else is scipy's ``Rotation``, which takes quaternions of any
+length above zero and costs about 20 us a call, so many of them go in as one array.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+Quaternion = tuple[float, float, float, float]
+Vector = tuple[float, float, float]
+
+IDENTITY: Quaternion = (0.0, 0.0, 0.0, 1.0)
+
+
+def from_yaw(yaw: float) -> Quaternion:
+    """The rotation by ``yaw`` [rad] about +z."""
+    return 0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2)
+
+
+def yaw_of(quaternion: Sequence[float]) -> float:
+    """Direction [rad] in (-pi, pi] in which a unit quaternion turns +x, seen from above."""
+    x, y, z, w = quaternion
+    return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+
+
+def tilt_of(quaternion: Sequence[float]) -> float:
+    """Angle [rad] between +z and where a unit quaternion turns it."""
+    x, y, _, _ = quaternion
+    return math.acos(max(-1.0, min(1.0, 1.0 - 2.0 * (x * x + y * y))))
+
+
+def is_upright(quaternion: Sequence[float], tolerance: float = 1e-9) -> bool:
+    """Whether x and y of a quaternion are at most ``tolerance``, which is half the tilt that it allows [rad]."""
+    return abs(quaternion[0]) <= tolerance and abs(quaternion[1]) <= tolerance
+
+
+def wxyz(quaternion: Sequence[float]) -> Quaternion:
+    """A quaternion (x, y, z, w) with its real part first."""
+    x, y, z, w = quaternion
+    return w, x, y, z
+
+
+def xyzw(quaternion: Sequence[float]) -> Quaternion:
+    """A quaternion (w, x, y, z) with its real part last."""
+    w, x, y, z = quaternion
+    return x, y, z, w
+
+
+def multiply(a: Sequence[float], b: Sequence[float]) -> Quaternion:
+    """The rotation b followed by a."""
+    return _four(_rotation(a) * _rotation(b))
+
+
+def inverse(quaternion: Sequence[float]) -> Quaternion:
+    """The opposite rotation of a unit quaternion."""
+    x, y, z, w = quaternion
+    return -x, -y, -z, w
+
+
+def rotate(quaternion: Sequence[float], vector: Sequence[float]) -> Vector:
+    """A vector [3] turned."""
+    x, y, z = _rotation(quaternion).apply(vector).tolist()
+    return x, y, z
+
+
+def matrix(quaternions: Any) -> Any:
+    """Rotation matrices [..., 3, 3] of quaternions [..., 4]."""
+    import numpy as np
+
+    given = np.asarray(quaternions, dtype=float)
+    return _rotation(given.reshape(-1, 4)).as_matrix().reshape(*given.shape[:-1], 3, 3)
+
+
+def euler(angles: Sequence[float], axes: str = "XYZ") -> Any:
+    """The matrix [3, 3] of turns [rad] one after the other about moving axes (capitals) or fixed ones."""
+    from scipy.spatial.transform import Rotation
+
+    return Rotation.from_euler(axes, angles).as_matrix()
+
+
+def transform(poses: Any, points: Any) -> Any:
+    """World points [..., 3] of points [..., 3] in the frames of poses [..., 7]: x, y, z and a quaternion."""
+    import numpy as np
+
+    poses = np.asarray(poses, dtype=float)
+    return np.einsum("...ij,...j->...i", matrix(poses[..., 3:]), points) + poses[..., :3]
+
+
+def _rotation(quaternion: Any) -> Any:
+    from scipy.spatial.transform import Rotation
+
+    return Rotation.from_quat(quaternion)
+
+
+def _four(rotation: Any) -> Quaternion:
+    x, y, z, w = rotation.as_quat().tolist()
+    return x, y, z, w
