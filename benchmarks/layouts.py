@@ -78,7 +78,7 @@ def designed(count: int, device: str = "cpu") -> Case:
         scene = design(REQUEST, seed=seed, device=device).scene
         if len(build(scene).free) in BODIES:
             break
-    found = refine(scene, candidates=count, seed=0, device=device, explain=False)
+    found = refine(scene, candidates=count, seed=0, device=device)
     return case_of(scene, np.asarray(found.poses))
 
 

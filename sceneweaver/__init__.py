@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from sceneweaver.agent import Result as Result
     from sceneweaver.agent import design as design
+    from sceneweaver.explain import refine as refine
+    from sceneweaver.explain import refine_many as refine_many
     from sceneweaver.extend import define_relation as define_relation
     from sceneweaver.extend import undefine_relation as undefine_relation
     from sceneweaver.layout import Solution as Solution
-    from sceneweaver.layout import refine as refine
-    from sceneweaver.layout import refine_many as refine_many
     from sceneweaver.render import draw_top as draw_top
     from sceneweaver.repairs import Repair as Repair
     from sceneweaver.repairs import repair as repair
@@ -79,8 +79,8 @@ _HOME = {
     "define_relation": "extend",
     "design": "agent",
     "draw_top": "render",
-    "refine": "layout",
-    "refine_many": "layout",
+    "refine": "explain",
+    "refine_many": "explain",
     "repair": "repairs",
     "repair_report": "repairs",
     "undefine_relation": "extend",

@@ -74,10 +74,8 @@ def _row(result: Result, settings: Settings, judge: Judge, name: str, device: st
     count = settings.size(full, quick)
     here = Settings(**{**settings.__dict__, "device": device})
     warm(scene, here, init="random")
-    timed(scene, here, candidates=count, seed=settings.seed + RUNS, init="random", explain=False)  # memory pools grow
-    runs = [
-        timed(scene, here, candidates=count, seed=settings.seed + k, init="random", explain=False) for k in range(RUNS)
-    ]
+    timed(scene, here, candidates=count, seed=settings.seed + RUNS, init="random")  # memory pools grow
+    runs = [timed(scene, here, candidates=count, seed=settings.seed + k, init="random") for k in range(RUNS)]
     solution, seconds = min(runs, key=lambda run: run[1])
     found = audit(solution, judge, result, f"{name} {device}", settings.out, JUDGED)
     distinct = _distinct(solution.poses[solution.status == 0])

@@ -121,7 +121,7 @@ def _measure(
 ) -> dict[str, Any]:
     scene, init = start(rooms.load(name), kind, count, settings.seed)
     few = init if isinstance(init, str) else init[:2]
-    options = {"optimizer": optimizer, "seed": settings.seed, "explain": False}
+    options = {"optimizer": optimizer, "seed": settings.seed}
     refine(scene, candidates=2, init=few, steps=1, device=settings.device, **options)
     solution, seconds = timed(scene, settings, candidates=count, init=init, steps=budget, **options)
     label = f"{name} {kind} {optimizer} {budget} seed {settings.seed}"

@@ -118,7 +118,7 @@ def _ours(
     count = settings.size(rooms.by_size(name, 1024, 512, 32), rooms.by_size(name, 16, 4, 2))
     before = noisy_poses(scene, count, settings.seed, NOISE_M, NOISE_RAD)
     warm(scene, settings, before[:2], optimizer="projection")
-    options = {"seed": settings.seed, "init": before, "optimizer": "projection", "explain": False}
+    options = {"seed": settings.seed, "init": before, "optimizer": "projection"}
     solution, seconds = timed(scene, settings, **options)
     found = audit(solution, judge, result, f"{name} {what} projection", settings.out)
     moved = np.full(count, math.nan)

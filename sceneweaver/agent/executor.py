@@ -153,7 +153,6 @@ class Executor:
                 device=s.device,
                 steps=s.attempts[0],
                 init="sample" if loose - old else "current",
-                explain=False,
             )
             layouts = [_posed(draft, layout) for layout in solution.distinct(ENOUGH)]
             valid = [o for o in self._tidied(layouts) if o.report.valid]
@@ -178,7 +177,6 @@ class Executor:
             init="sample" if fresh else "current",
             device=s.device,
             steps=attempts,
-            explain=False,
         )
         layouts = solution.distinct(s.finalists if fresh else 2) or [solution.best]
         return [_posed(draft, layout) for layout in layouts]
@@ -203,9 +201,7 @@ class Executor:
         if not proposal.fresh:
             return draft
         scene = _pinned(draft, proposal.drafts[0]) if proposal.drafts else draft
-        solution = refine(
-            scene, candidates=1, seed=seed, optimizer="adam", steps=1, device=self.settings.device, explain=False
-        )
+        solution = refine(scene, candidates=1, seed=seed, optimizer="adam", steps=1, device=self.settings.device)
         return _posed(draft, solution.best)
 
     def _give_way(self, draft: Scene, best: Outcome, notes: list[str], unmet: list[str]) -> Scene | None:

@@ -105,7 +105,7 @@ def _run(scene: Scene, out: Path, *, picture: bool, **options: Any) -> Result:
     with staged(folder, names) as temporary:
         start = time.perf_counter()
         with progress_bar(f"refining {scene.id}", options["candidates"]) as progress, no_chatter():
-            from sceneweaver.layout import refine
+            from sceneweaver.explain import refine
             from sceneweaver.verify import check
 
             solution = refine(scene, progress=progress, **options)

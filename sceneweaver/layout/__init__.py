@@ -1,7 +1,9 @@
 """Compile a scene to a layout problem, refine many candidates of it, select."""
 
+from sceneweaver.optimizers.batch import Progress as Progress
+
 from .engine import refine as refine
 from .engine import refine_many as refine_many
 from .solution import Solution as Solution
 
-__all__ = ["Solution", "refine", "refine_many"]
+__all__ = ["Progress", "Solution", "refine", "refine_many"]

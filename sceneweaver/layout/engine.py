@@ -28,7 +28,6 @@ BROKEN, DIVERGED = 1, 3
 POOL = 64  # layouts solved beforehand for every support surface
 POOL_SALT = 0x5EED
 DOMAIN_STRIDE = 2**24  # candidates of one surface, for the numbers of their random streams
-GRACE = 1.0  # [s] beyond a time limit in which to explain why nothing is valid
 ROUNDING = 2.0e-6  # [m] and [rad] that a pose loses on the way into a surface's frame and back
 PULL = 0.02  # [1/m] towards given poses, small beside any violation
 
@@ -44,26 +43,10 @@ def refine(
     time_limit: float | None = None,
     steps: int | None = None,
     progress: Progress | None = None,
-    explain: bool = True,
 ) -> Solution:
     """Refine many candidate layouts of a scene at once.
 
-    Args:
-        scene: what to lay out; its poses matter to ``init="current"`` and for fixed objects.
-        candidates: how many layouts B to refine.
-        seed: with the same seed and kind of device, the same bits.
-        init: "sample" draws starts from the relations, "random" anywhere, "current" begins with the scene's poses;
-            an array [B, N, 4] of world poses (x, y, z, yaw) begins with those.
-        device: "auto", "cpu", "cuda", "cuda:k" or "cuda:all", which splits the candidates over all GPUs.
-        optimizer: a name in ``sceneweaver.optimizers.OPTIMIZERS``.
-        time_limit: seconds after which to stop with what there is; the result says that it was cut off.
-        steps: the optimiser's budget in its own work units (search: attempts, projection: tries of a candidate from
-            the first feasible one on, the others: steps).
-        progress: called now and then as ``progress(done, total, valid, lowest energy)``.
-        explain: when nothing is valid, find out why (``solution.explanation``); takes up to 10 s.
-
-    Raises:
-        InputError: an argument is out of range. MissingDependencyError: the device is not there.
+    Arguments and errors as for `sceneweaver.refine`, which this does the work of; no explanation is looked for.
     """
     began = time.monotonic()
     given = _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps)
@@ -74,8 +57,7 @@ def refine(
     job = Job(compiled, world, start, seed, keep=start == "given" and given is None)
     monitor = Monitor(len(world), None if time_limit is None else began + time_limit, progress)
     jobs = _prepared([job], where, optimizer, monitor)
-    solution = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began))[0]
-    return _explained(solution, explain, began, monitor.deadline)
+    return solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began))[0]
 
 
 def refine_many(
@@ -89,7 +71,6 @@ def refine_many(
     time_limit: float | None = None,
     steps: int | None = None,
     progress: Progress | None = None,
-    explain: bool = False,
 ) -> list[Solution]:
     """Refine many scenes in shared launches; each gets what ``refine`` would give it alone.
 
@@ -106,23 +87,7 @@ def refine_many(
         jobs.append(Job(compiled, world, "given" if current else init, seed, keep=current))
     monitor = Monitor(candidates * len(jobs), None if time_limit is None else began + time_limit, progress)
     jobs = _prepared(jobs, where, optimizer, monitor)
-    solutions = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began))
-    return [_explained(solution, explain, began, monitor.deadline) for solution in solutions]
-
-
-def _explained(solution: Solution, wanted: bool, began: float, deadline: float | None) -> Solution:
-    """The solution with the reason why nothing in it is valid, where that is so and asked for.
-
-    A run that its time limit cut off has a little more time to say why.
-    """
-    if not wanted or np.any(solution.status == 0):
-        return solution
-    from .explain import explain as find_reason  # it refines reduced scenes, so it stands above this module
-
-    if deadline is not None:
-        deadline = max(deadline, time.monotonic() + GRACE)
-    text = find_reason(solution.source, solution, device=solution.device, seed=solution.seed, deadline=deadline)
-    return replace(solution, explanation=text, elapsed=time.monotonic() - began)
+    return solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began))
 
 
 def _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps) -> np.ndarray | None:

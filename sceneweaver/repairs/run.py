@@ -106,7 +106,7 @@ def _solve(
     scene: Scene, relations: bool, *, candidates: int | None, explain: bool = True, **options: Any
 ) -> tuple[Solution, list[Scene]]:
     """Project the scene; the solution, and its best layout as a scene, or when none is valid a few to choose from."""
-    from sceneweaver.layout import refine
+    from sceneweaver.explain import refine
 
     model, lift = engine_scene(scene, relations)
     solution = refine(

@@ -41,9 +41,9 @@ def use(monkeypatch, refine: Callable[..., Any]) -> list[dict[str, Any]]:
         calls.append({"scene": scene, **options})
         return refine(scene, **options)
 
-    module = ModuleType("sceneweaver.layout")
+    module = ModuleType("sceneweaver.explain")
     module.refine = recorded  # type: ignore[attr-defined]
-    monkeypatch.setitem(sys.modules, "sceneweaver.layout", module)
+    monkeypatch.setitem(sys.modules, "sceneweaver.explain", module)
     return calls
 
 

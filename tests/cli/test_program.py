@@ -94,7 +94,7 @@ def test_signals_leave_nothing_behind(tmp_path, number, code):
         "def refine(scene, **options):\n"
         "    open('started', 'w').close()\n"
         "    time.sleep(60)\n"
-        "sys.modules['sceneweaver.layout'] = types.SimpleNamespace(refine=refine)\n"
+        "sys.modules['sceneweaver.explain'] = types.SimpleNamespace(refine=refine)\n"
         f"sys.exit(main(['refine', {str(EXAMPLE)!r}, '--out', 'out']))\n"
     )
     process = subprocess.Popen(
@@ -123,7 +123,7 @@ def test_progress_is_shown_on_a_terminal(tmp_path):
         "import sys, types\n"
         "from sceneweaver.cli import main\n"
         "from tests.cli import engine\n"
-        "sys.modules['sceneweaver.layout'] = types.SimpleNamespace(refine=engine.keeps)\n"
+        "sys.modules['sceneweaver.explain'] = types.SimpleNamespace(refine=engine.keeps)\n"
         f"sys.exit(main(['refine', {str(EXAMPLE)!r}, '--out', {str(tmp_path / 'out')!r}, '--json']))\n"
     )
     terminal, end = os.openpty()

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+from sceneweaver.layout import refine_many
 from sceneweaver.scene import Scene
 
-from ..engine import refine_many
 from .study import OutOfTime, Study
 
 CHUNK = 48  # parts that are tested at once
@@ -47,7 +47,6 @@ class Search:
             device=self.study.device,
             steps=steps,
             time_limit=left,
-            explain=False,
         )
         found = [bool(np.any(s.status == 0)) for s in solutions]
         if not all(found) and any(s.timed_out for s in solutions):

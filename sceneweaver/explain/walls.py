@@ -11,10 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from sceneweaver.layout.region import Region
+from sceneweaver.layout.shapes import Prism
 from sceneweaver.scene import CATALOGUE, Room, Scene, SceneObject
 
-from ..region import Region
-from ..shapes import Prism
 from .sections import INTRUSION, PENETRATION, levels_between, section
 from .words import crowd_words, few, listed, short_length, sized
 

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from sceneweaver.layout.shapes import Points, Prism
 from sceneweaver.scene.polygons import union
 
-from ..shapes import Points, Prism
 from .sections import PENETRATION, levels_between, section
 
 

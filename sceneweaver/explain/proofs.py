@@ -6,15 +6,15 @@ from collections.abc import Iterator
 
 import shapely
 
+from sceneweaver.layout.rows import NEVER
 from sceneweaver.scene import Relation, SceneObject
+from sceneweaver.verify import check
 
-from ..compile import compile_scene
-from ..rows import NEVER
 from .capacity import fits_turned, fullest
+from .findings import out_of_place, violation_words
 from .search import QUICK, Search
 from .sections import INTRUSION, PENETRATION, extent, hull
 from .study import Study
-from .violations import violations
 from .walls import wall_claims
 from .words import crowd_words, few, listed, plural, relation_words, sized, span_words, surface_words
 
@@ -26,19 +26,18 @@ def fixed_faults(search: Search) -> Iterator[str]:
     if not fixed:
         return
     scene = study.scene_of(())
-    found = violations(compile_scene(scene).room, scene, None)
-    held = [text for text, ids in found.items() if all(study.scene.object(i).fixed for i in ids)]
-    if held:
-        yield f"Fixed objects are in the way of any layout: {listed(held, 6, '; ')}."
-    for i in fixed:
-        obj = study.scene.objects[i]
-        height = {"floor": 0.0, "ceiling": study.scene.room.height - obj.size[2]}.get(obj.mount)
-        off = 0.0 if height is None else obj.pose.position[2] - height
-        if abs(off) > 1.8e-3:
-            held.append(obj.id)
-            where = "above" if off > 0 else "below"
-            yield f"{obj.id} is fixed {abs(off):.3f} m {where} where its mount ({obj.mount}) holds it."
-    if held or search.solvable([scene], QUICK)[0]:
+    found = [
+        violation
+        for violation in out_of_place(check(scene, walkable=False).violations)
+        if all(scene.object(name).fixed for name in violation.objects if name in study.index)
+    ]
+    unheld = [violation.detail for violation in found if violation.kind == "unsupported"]
+    others = [violation_words(violation) for violation in found if violation.kind != "unsupported"]
+    if others:
+        yield f"Fixed objects are in the way of any layout: {listed(others, 6, '; ')}."
+    if unheld:
+        yield f"Fixed objects are not held as their mounts say: {listed(unheld, 6, '; ')}."
+    if found or search.solvable([scene], QUICK)[0]:
         return
     alone = [study.scene.model_copy(update={"objects": _stack(study, i), "relations": ()}) for i in fixed]
     loose = [study.scene.objects[i] for i, can in zip(fixed, search.solvable(alone, QUICK), strict=True) if not can]

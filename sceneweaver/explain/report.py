@@ -6,14 +6,14 @@ import time
 
 import numpy as np
 
+from sceneweaver.layout import Solution
 from sceneweaver.scene import Scene
 
-from ..solution import Solution
 from .causes import find_causes
 from .conflicts import Conflicts
+from .findings import hints, most_unmet
 from .search import Search
 from .study import OutOfTime, Study
-from .violations import hints, most_unmet
 
 LONGEST = 10.0  # [s] that an explanation may take
 RESERVE = 0.3  # [s] of it kept for the last words

@@ -9,9 +9,8 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 import shapely
 
+from sceneweaver.layout.shapes import Points, Prism
 from sceneweaver.scene.polygons import union
-
-from ..shapes import Points, Prism
 
 PENETRATION = 1.0e-3  # [m] that bodies may sink into each other and into walls
 INTRUSION = 5.0e-3  # [m] that they may reach into the clearance of a door or window

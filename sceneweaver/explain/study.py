@@ -9,21 +9,20 @@ from functools import cached_property
 import numpy as np
 import shapely
 
-from sceneweaver.optimizers import judge, load_poses
+from sceneweaver.layout import Solution
+from sceneweaver.layout.compile import compile_scene
+from sceneweaver.layout.devices import pick_devices
 from sceneweaver.scene import CATALOGUE, Relation, Room, Scene, SceneObject, Surface
 from sceneweaver.scene.polygons import union
+from sceneweaver.verify import Violation, check
 
-from ..compile import Problem, compile_scene, relative
-from ..devices import pick_devices
-from ..engine import make_batch
-from ..solution import Solution
 from .sections import moved
 from .walls import Walls
 from .words import listed, relation_words
 
-LOOK = 256  # candidates of the solution that are looked at,
-MOST = 20_000  # as long as they hold no more objects than this
-BEST = 16  # candidates whose violations are counted
+LOOK = 64  # candidates of the solution that are judged again,
+MOST = 2_000  # as long as they hold no more objects than this,
+BEST = 16  # and so many at least
 
 
 class OutOfTime(Exception):
@@ -51,6 +50,7 @@ class Study:
         self.free = [i for i, o in enumerate(scene.objects) if not o.fixed]
         self.units = self._make_units()
         self.named = [self._named(unit) for unit in self.units]
+        self._findings: dict[int, tuple[Violation, ...] | None] = {}
         order = np.lexsort((solution.energy, solution.status == 3))
         self.top = order[: max(BEST, min(LOOK, MOST // max(1, len(scene.objects))))]
 
@@ -166,26 +166,29 @@ class Study:
 
     # what the solution's own candidates show
 
+    def findings(self, candidate: int) -> tuple[Violation, ...] | None:
+        """What the judge finds wrong in a candidate, kept for the next time; None where poses are no numbers."""
+        if candidate not in self._findings:
+            finite = bool(np.isfinite(self.solution.poses[candidate]).all())
+            report = check(self.solution.scene(candidate), walkable=False) if finite else None
+            self._findings[candidate] = report.violations if report else None
+        return self._findings[candidate]
+
     @cached_property
     def fault(self) -> np.ndarray:
         """Which objects collide, lie outside or off their surface ..., [top candidate, object]."""
-        if time.monotonic() > self.until:
-            raise OutOfTime
-        poses = self.solution.poses[self.top]
-        problems: list[tuple[Problem, list[int], np.ndarray]] = [(self.problem, list(range(len(self.index))), poses)]
-        for domain in self.compiled.domains:
-            members = domain.deck.members
-            local = relative(poses[:, members].astype(np.float64), poses[:, None, domain.deck.supporter])
-            local[..., 2] = 0.0
-            problems.append((domain.problem, members, local))
-        fault = np.zeros(poses.shape[:2], dtype=bool)
-        for problem, members, layout in problems:
-            batch = make_batch([problem], np.zeros(len(poses), dtype=np.int32), self.device)
-            load_poses(batch, layout)
-            verdict = judge(batch)
-            fault[:, members] |= verdict.fault[:, : len(members)] != 0
-            for r in range(len(problem.relation_ids), len(problem.relations)):  # mountings
-                fault[:, problem.relations[r].objects[0]] |= ~verdict.holds[:, r]
+        fault = np.zeros((len(self.top), len(self.scene.objects)), dtype=bool)
+        for row, candidate in zip(fault, self.top, strict=True):
+            if time.monotonic() > self.until:
+                raise OutOfTime
+            violations = self.findings(int(candidate))
+            if violations is None:
+                row[:] = True
+                continue
+            for violation in violations:
+                names = violation.objects[:1] if violation.kind == "unsupported" else violation.objects
+                if not violation.kind.endswith("relation"):
+                    row[[self.index[name] for name in names if name in self.index]] = True
         return fault
 
     @cached_property

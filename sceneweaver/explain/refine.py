@@ -1,0 +1,107 @@
+"""`sceneweaver.refine`: the engine's refinement, with the reason where nothing that it found is valid."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from sceneweaver.layout import Progress, Solution, engine
+from sceneweaver.scene import Scene
+
+from .report import explain as find_reason
+
+GRACE = 1.0  # [s] beyond a time limit in which to explain why nothing is valid
+
+
+def refine(
+    scene: Scene,
+    *,
+    candidates: int = 1024,
+    seed: int = 0,
+    init: str | np.ndarray = "sample",
+    device: str = "auto",
+    optimizer: str = "search",
+    time_limit: float | None = None,
+    steps: int | None = None,
+    progress: Progress | None = None,
+    explain: bool = True,
+) -> Solution:
+    """Refine many candidate layouts of a scene at once.
+
+    Args:
+        scene: what to lay out; its poses matter to ``init="current"`` and for fixed objects.
+        candidates: how many layouts B to refine.
+        seed: with the same seed and kind of device, the same bits.
+        init: "sample" draws starts from the relations, "random" anywhere, "current" begins with the scene's poses;
+            an array [B, N, 4] of world poses (x, y, z, yaw) begins with those.
+        device: "auto", "cpu", "cuda", "cuda:k" or "cuda:all", which splits the candidates over all GPUs.
+        optimizer: a name in ``sceneweaver.optimizers.OPTIMIZERS``.
+        time_limit: seconds after which to stop with what there is; the result says that it was cut off.
+        steps: the optimiser's budget in its own work units (search: attempts, projection: tries of a candidate from
+            the first feasible one on, the others: steps).
+        progress: called now and then as ``progress(done, total, valid, lowest energy)``.
+        explain: when nothing is valid, find out why (``solution.explanation``); takes up to 10 s.
+
+    Raises:
+        InputError: an argument is out of range. MissingDependencyError: the device is not there.
+    """
+    began = time.monotonic()
+    solution = engine.refine(
+        scene,
+        candidates=candidates,
+        seed=seed,
+        init=init,
+        device=device,
+        optimizer=optimizer,
+        time_limit=time_limit,
+        steps=steps,
+        progress=progress,
+    )
+    return _explained(solution, began, time_limit) if explain else solution
+
+
+def refine_many(
+    scenes: Sequence[Scene],
+    *,
+    candidates: int = 64,
+    seed: int = 0,
+    init: str = "sample",
+    device: str = "auto",
+    optimizer: str = "search",
+    time_limit: float | None = None,
+    steps: int | None = None,
+    progress: Progress | None = None,
+    explain: bool = False,
+) -> list[Solution]:
+    """Refine many scenes in shared launches; each gets what ``refine`` would give it alone.
+
+    Arguments and errors as for ``refine``; ``time_limit`` is for all scenes together, and ``init`` is a name.
+    """
+    began = time.monotonic()
+    solutions = engine.refine_many(
+        scenes,
+        candidates=candidates,
+        seed=seed,
+        init=init,
+        device=device,
+        optimizer=optimizer,
+        time_limit=time_limit,
+        steps=steps,
+        progress=progress,
+    )
+    return [_explained(solution, began, time_limit) for solution in solutions] if explain else solutions
+
+
+def _explained(solution: Solution, began: float, time_limit: float | None) -> Solution:
+    """The solution with the reason why nothing in it is valid, where that is so.
+
+    A run that its time limit cut off has a little more time to say why.
+    """
+    if np.any(solution.status == 0):
+        return solution
+    deadline = None if time_limit is None else max(began + time_limit, time.monotonic() + GRACE)
+    text = find_reason(solution.source, solution, device=solution.device, seed=solution.seed, deadline=deadline)
+    return replace(solution, explanation=text, elapsed=time.monotonic() - began)
