@@ -59,14 +59,14 @@ def on_meshes(scene: Scene) -> Report:
 def dominance(scene: Scene) -> float:
     """The largest share of one category among the objects, less what the room is made of."""
     room = room_type(scene.room.type)
-    free = [o for o in scene.objects if o.attributes.get("item") not in room.made_of]
+    free = [o for o in scene.objects if o.intent.program_item not in room.made_of]
     counts = Counter(o.category for o in free)
     return max(counts.values(), default=0) / max(1, len(scene.objects))
 
 
 def needed_reached(scene: Scene) -> float:
     """Of what was asked for or is needed and stands on the floor, the share whose functional sides can be reached."""
-    needed = [o.id for o in scene.objects if o.mount == "floor" and o.attributes.get("need") in ("asked", "needed")]
+    needed = [o.id for o in scene.objects if o.mount == "floor" and o.intent.priority in ("asked", "needed")]
     access = measure(Placed.of(scene))
     missed = set(access.unreached) if access else set(needed)
     return 1.0 - len(missed.intersection(needed)) / max(1, len(needed))

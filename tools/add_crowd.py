@@ -87,7 +87,6 @@ def _fill(
                 (float(put.at[0]), float(put.at[1]), board.z),
                 put.yaw,
                 held,
-                support.id,
             )
         )
         for put in row.fill()

@@ -10,7 +10,7 @@ from typing import Any
 from sceneweaver.assets import Asset, Wish, categories, resolve
 from sceneweaver.assets.taxonomy import likeliness
 from sceneweaver.knowledge import Item
-from sceneweaver.scene import InputError, Pose, SceneObject
+from sceneweaver.scene import InputError, Intent, Pose, SceneObject
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
 
 from .base import Context, Proposal
@@ -187,15 +187,10 @@ def _object(
 ) -> SceneObject | None:
     """One scene object; None when it should stand on something and nothing has room for it."""
     context, draft = work.context, work.draft
-    attributes = dict(asset.attributes)
     asked = row.get("asked") or _asked(context, draft, asset.category)
-    if item is not None:
-        attributes["item"] = item.id
-    if asked is not None:
-        attributes["asked"] = asked
     fallback = item.need if item is not None else "usual"
-    attributes["need"] = row.get("need") or ("asked" if asked is not None or not context.inputs else fallback)
-    id, support, pose = draft.fresh(asset.category), None, Pose()
+    priority = row.get("need") or ("asked" if asked is not None or not context.inputs else fallback)
+    id, support, pose, heights = draft.fresh(asset.category), None, Pose(), None
     room_height = draft.room.height
     if mount == "surface":
         supports = _supports(draft, asset, item, on)
@@ -208,11 +203,17 @@ def _object(
     elif mount == "wall":
         low, high = (item.bottom if item is not None else None) or categories()[asset.category].bottom or (1.2, 1.5)
         most = max(0.0, room_height - asset.size[2] - 0.02)
-        low, high = round(min(low, max(0.0, most - 0.1)), 3), round(min(high, most), 3)
-        pose, attributes["hang"] = Pose(position=(0.0, 0.0, (low + high) / 2)), [low, high]
-        attributes["clear"] = asset.category not in AT_WINDOWS
+        heights = round(min(low, max(0.0, most - 0.1)), 3), round(min(high, most), 3)
+        pose = Pose(position=(0.0, 0.0, sum(heights) / 2))
+    intent = Intent(
+        priority=priority,
+        request=asked,
+        program_item=item.id if item is not None else None,
+        mounting_height=heights,
+        keep_clear=mount == "wall" and asset.category not in AT_WINDOWS,
+    )
     obj = asset.object(id, pose=pose, mount=mount, support=support)  # type: ignore[arg-type]
-    return obj.model_copy(update={"attributes": attributes})
+    return obj.model_copy(update={"intent": intent})
 
 
 def _asked(context: Context, draft: Draft, category: str) -> str | None:
@@ -220,7 +221,7 @@ def _asked(context: Context, draft: Draft, category: str) -> str | None:
     for asked in context.brief.objects:
         if asked.category != category:
             continue
-        there = sum(o.attributes.get("asked") == asked.id for o in draft.objects.values())
+        there = sum(o.intent.request == asked.id for o in draft.objects.values())
         if there < (asked.count[1] if asked.count else 1):
             return asked.id
     return None

@@ -65,11 +65,9 @@ class Draft:
         """Ids of the objects that a word names: an id, an item of the room, a category, or a noun for one."""
         if word in self.objects:
             return [word]
-        for key in ("item", "asked"):
-            found = [o.id for o in self.objects.values() if o.attributes.get(key) == word]
-            if found:
-                return found
-        found = self.of_category(word)
+        there = self.objects.values()
+        found = [o.id for o in there if o.intent.program_item == word]
+        found = found or [o.id for o in there if o.intent.request == word] or self.of_category(word)
         if found:
             return found
         match = resolve(word)
@@ -106,7 +104,7 @@ class Draft:
     def load(self, target: str, subject: SceneObject, types: Iterable[str] = ()) -> int:
         """How many objects like ``subject`` are tied to a target, by relations of some types or of any."""
         kinds = set(types)
-        item = subject.attributes.get("item")
+        item = subject.intent.program_item
         count = 0
         for r in self.relations:
             if target not in r.targets or (kinds and r.type not in kinds) or r.subject == subject.id:
@@ -114,6 +112,6 @@ class Draft:
             other = self.objects.get(r.subject)
             if other is None:
                 continue
-            if other.category == subject.category or (item is not None and other.attributes.get("item") == item):
+            if other.category == subject.category or (item is not None and other.intent.program_item == item):
                 count += 1
         return count

@@ -8,12 +8,12 @@ from sceneweaver.assets import categories
 from sceneweaver.assets.taxonomy import likeliness
 from sceneweaver.brief import Brief
 from sceneweaver.knowledge.surfaces import lays, usual_arrangement
-from sceneweaver.scene import InputError, Pose, Relation, Room, Scene, SceneObject, Support
+from sceneweaver.scene import InputError, Intent, Pose, Relation, Room, Scene, SceneObject, Support
 
 from .base import Context, Proposal
 from .draft import walls_of
 from .prior_formation import formations, in_rows
-from .prior_program import BLIND, Program, Wanted, build, demands
+from .prior_program import BLIND, BY_RANK, Program, Wanted, build, demands
 from .prior_relations import of_brief, of_items
 from .prior_shell import floor_area, shell
 
@@ -187,19 +187,17 @@ def _object(one: Wanted, space: Room, over: float, clear: bool) -> SceneObject:
         if surface is None:
             raise InputError(f"{one.id}: {one.support.id} has no surface that carries it")
         support = Support(object=one.support.id, surface=surface)
-    attributes = dict(one.asset.attributes)
-    if one.item is not None:
-        attributes["item"] = one.item.id
-    if one.asked is not None:
-        attributes["asked"] = one.asked
-    attributes["need"] = ("asked", "needed", "usual", "optional")[one.rank]
-    pose = Pose()
-    if one.mount == "wall":
-        low, high = _hang(one, space, over)
-        pose, attributes["hang"] = Pose(position=(0.0, 0.0, (low + high) / 2)), [low, high]
-        attributes["clear"] = clear
+    heights = _hang(one, space, over) if one.mount == "wall" else None
+    pose = Pose(position=(0.0, 0.0, sum(heights) / 2)) if heights is not None else Pose()
+    intent = Intent(
+        priority=BY_RANK[one.rank],
+        request=one.asked,
+        program_item=one.item.id if one.item is not None else None,
+        mounting_height=heights,
+        keep_clear=one.mount == "wall" and clear,
+    )
     obj = one.asset.object(one.id, pose=pose, mount=None if support else one.mount, support=support)  # type: ignore[arg-type]
-    return obj.model_copy(update={"attributes": attributes})
+    return obj.model_copy(update={"intent": intent})
 
 
 def _hang(one: Wanted, space: Room, over: float) -> tuple[float, float]:

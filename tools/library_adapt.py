@@ -70,10 +70,13 @@ def adapted(context: Context, scene: Scene, tool: str, name: str) -> tuple[Scene
 
 def _unasked(obj: SceneObject) -> SceneObject:
     """What an older request asked for is not what this one asks for."""
-    kept = {k: v for k, v in obj.attributes.items() if k != "asked"}
-    if kept.get("need") == "asked":
-        kept["need"] = "usual"
-    return obj.model_copy(update={"attributes": kept})
+    priority = "usual" if obj.intent.priority == "asked" else obj.intent.priority
+    return _with_intent(obj, request=None, priority=priority)
+
+
+def _with_intent(obj: SceneObject, **intent: str | None) -> SceneObject:
+    """The object with some fields of its intent changed."""
+    return obj.model_copy(update={"intent": obj.intent.model_copy(update=intent)})
 
 
 # ---- the floor ------------------------------------------------------------------------------------------------------
@@ -159,7 +162,7 @@ def _removed(scene: Scene, ids: list[str]) -> Scene:
 
 def _found(context: Context, scene: Scene, asked: Asked, notes: list[str]) -> tuple[Scene, list[str]]:
     """Objects of the scene that stand for something asked: those of its category, or others exchanged for it."""
-    free = [o for o in scene.objects if "asked" not in o.attributes]
+    free = [o for o in scene.objects if o.intent.request is None]
     own = [o.id for o in free if o.category == asked.category]
     most = asked.count[1] if asked.count else max(1, len(own))
     spare, ids = own[most:], own[:most]
@@ -169,7 +172,7 @@ def _found(context: Context, scene: Scene, asked: Asked, notes: list[str]) -> tu
     least = asked.count[0] if asked.count else 1
     if not ids:
         items = {i.id for i in context.room.items if matches(asked.category, i)}
-        others = [o.id for o in free if o.attributes.get("item") in items or _kin(o.category, asked.category)]
+        others = [o.id for o in free if o.intent.program_item in items or _kin(o.category, asked.category)]
         for id in others[: max(least, 1)]:
             scene, new = _swapped(context, scene, id, asked, notes)
             ids.append(new)
@@ -177,10 +180,7 @@ def _found(context: Context, scene: Scene, asked: Asked, notes: list[str]) -> tu
         for id in ids:
             if not _suits(scene.object(id), asked):
                 scene, _ = _swapped(context, scene, id, asked, notes)
-    objects = tuple(
-        o.model_copy(update={"attributes": {**o.attributes, "asked": asked.id, "need": "asked"}}) if o.id in ids else o
-        for o in scene.objects
-    )
+    objects = tuple(_with_intent(o, request=asked.id, priority="asked") if o.id in ids else o for o in scene.objects)
     return scene.model_copy(update={"objects": objects}), ids
 
 

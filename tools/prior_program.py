@@ -10,7 +10,7 @@ from sceneweaver.assets import Asset, Library, Wish, categories
 from sceneweaver.assets.taxonomy import members, singular
 from sceneweaver.brief import Asked, Brief
 from sceneweaver.knowledge import Item, RoomType
-from sceneweaver.scene import InputError
+from sceneweaver.scene import PRIORITIES, InputError
 
 from .draft import CRAMMED
 
@@ -36,7 +36,10 @@ GENERAL = (
 SMALL, SPARE = 0.3, 0.05
 """What takes at most this floor [m2] may take this share of the floor beyond what furniture fills."""
 
-RANK = {"asked": 0, "needed": 1, "usual": 2, "optional": 3}
+BY_RANK = PRIORITIES[::-1]
+"""Priorities by rank, what is most wanted first."""
+
+RANK = {priority: rank for rank, priority in enumerate(BY_RANK)}
 
 
 @dataclass

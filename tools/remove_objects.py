@@ -63,7 +63,7 @@ def _meant(scene: Scene, inputs: Mapping[str, Any]) -> list[str]:
 
 def _worth(scene: Scene, obj: SceneObject) -> tuple[int, int, int, int]:
     """What is taken first: what nobody asked for, carries nothing and has few ties; of equals the last one."""
-    asked = int(obj.attributes.get("asked") is not None)
+    asked = int(obj.intent.request is not None)
     load = sum(o.support is not None and o.support.object == obj.id for o in scene.objects)
     ties = sum(obj.id in (r.subject, *r.targets) for r in scene.relations)
     return asked, load, ties, -scene.index(obj.id)

@@ -85,9 +85,8 @@ class Shelf:
 
 
 def placed(
-    asset: Asset, id: str, frame: Frame, at: tuple[float, float, float], yaw: float, support: Support, group: str
+    asset: Asset, id: str, frame: Frame, at: tuple[float, float, float], yaw: float, support: Support
 ) -> SceneObject:
     """The asset as an object at a place [m] and yaw [rad] of a support's frame."""
     x, y, z = frame.out(*at)
-    made = asset.object(id, pose=Pose.from_yaw(x, y, z, frame.yaw + yaw), support=support)
-    return made.model_copy(update={"attributes": {**made.attributes, "group": group}})
+    return asset.object(id, pose=Pose.from_yaw(x, y, z, frame.yaw + yaw), support=support)

@@ -262,7 +262,7 @@ class Layer:
             self._carries(base, surface)
         spot = (float(at[0]), float(at[1]), self._height(surface, base))
         support = Support(object=holder, surface=surface.name)
-        obj = placed(asset, id, self._frame, spot, yaw, support, self._support.id)
+        obj = placed(asset, id, self._frame, spot, yaw, support)
         self._standing.append(Standing(slot.id, seat.id if seat else None, obj, asset, surface, at, yaw))
         self.done.objects.append(obj)
         self._field(surface, base).put(self._shelf.shape(asset), yaw, at)

@@ -71,7 +71,7 @@ class Surroundings:
 
     def item(self, obj: SceneObject) -> Item | None:
         """The item of the kind of room that an object stands for, if any."""
-        return self.items.get(str(obj.attributes.get("item", "")))
+        return self.items.get(obj.intent.program_item or "")
 
     def supports(self, ids: Any) -> list[SceneObject]:
         """The supports of these ids, all upright ones with surfaces when there are none.

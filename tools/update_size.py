@@ -19,9 +19,6 @@ from .update_rotation import known_ids
 
 Size = tuple[float, float, float]
 
-KEPT = ("item", "asked", "need", "hang", "group")
-"""Attributes that say why an object is there; they stay when it gets another body."""
-
 CLOSE = 0.06
 """Relative difference of a size that is taken for what was asked."""
 
@@ -96,8 +93,7 @@ def exchanged(
 ) -> list[AnyEdit]:
     """Edits that give an object another body where it is; what it carries stays on it where there is room."""
     made = asset.object(obj.id, pose=obj.pose, mount=obj.mount, support=obj.support)
-    attributes = {**asset.attributes, **{k: obj.attributes[k] for k in KEPT if k in obj.attributes}}
-    made = made.model_copy(update={"attributes": attributes, "fixed": obj.fixed})
+    made = made.model_copy(update={"intent": obj.intent, "fixed": obj.fixed})
     if obj.mount == "ceiling":
         x, y, _ = obj.pose.position
         top = scene.room.height - made.size[2]
@@ -134,8 +130,8 @@ def _with_riders(
         found = _stays(old, new, rider, placed) or spot_on(placed, scene.room, [new.id], rider.size, seed)
         if found is None:
             before.append(Remove(id=rider.id, cascade=True))
-            need = rider.attributes.get("need")
-            (unmet if need == "asked" else notes).append(f"{rider.id} has no place on the new {new.id}")
+            grave = rider.intent.priority == "asked"
+            (unmet if grave else notes).append(f"{rider.id} has no place on the new {new.id}")
             continue
         support, pose = found
         if support != rider.support:

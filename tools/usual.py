@@ -73,7 +73,7 @@ def item_for(room: RoomType, category: str, draft: Draft, name: str | None = Non
     if name is not None:
         return next((item for item in room.items if item.id == name), None)
     fits = [item for item in room.items if matches(category, item)]
-    there = {o.attributes.get("item") for o in draft.objects.values()}
+    there = {o.intent.program_item for o in draft.objects.values()}
     return next((item for item in fits if item.id not in there), fits[0] if fits else None)
 
 

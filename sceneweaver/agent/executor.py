@@ -9,7 +9,7 @@ from sceneweaver.brief import Brief
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.knowledge import RoomType
 from sceneweaver.layout import refine, refine_many
-from sceneweaver.scene import Dropped, Pose, Relation, Scene
+from sceneweaver.scene import PRIORITIES, Dropped, Pose, Relation, Scene
 from sceneweaver.scene.edits import Remove, apply, apply_all
 from sceneweaver.tools.base import Proposal
 from sceneweaver.verify import Report, check
@@ -29,9 +29,6 @@ TIDIED = 4
 
 STEADY = 3
 """Layouts that are tried in physics, of those that the critic likes best."""
-
-NEEDS = ("optional", "usual", "needed", "asked")
-"""What gives way first, by the attribute ``need``."""
 
 
 @dataclass(frozen=True)
@@ -160,7 +157,7 @@ class Executor:
                 return self._steadiest(valid)
             report = check(_posed(draft, solution.best), walkable=False)
             trouble = [id for v in report.violations if v.kind != "soft_relation" for id in v.objects]
-            extra = [id for id in draft.ids if id in loose - old and draft.object(id).attributes.get("need") != "asked"]
+            extra = [id for id in draft.ids if id in loose - old and draft.object(id).intent.priority != "asked"]
             if not extra:
                 return None
             gone = max(extra, key=lambda id: (trouble.count(id), draft.index(id)))
@@ -212,8 +209,8 @@ class Executor:
                 for id in violation.objects:
                     trouble[id] = trouble.get(id, 0) + 1
         known = {o.id: o for o in draft.objects}
-        for need in NEEDS[:2]:
-            pool = [id for id in trouble if id in known and known[id].attributes.get("need") == need]
+        for priority in PRIORITIES[:2]:
+            pool = [id for id in trouble if id in known and known[id].intent.priority == priority]
             if pool:
                 pool.sort(key=lambda i: (-trouble[i], -known[i].size[0] * known[i].size[1], i))
                 for id in pool[: 1 + len(notes) // 2]:  # the longer it takes, the more gives way at once
@@ -242,8 +239,7 @@ class Executor:
         pool = [id for id in trouble if id in known]
         if not pool:
             return None
-        rank = {need: k for k, need in enumerate(NEEDS)}
-        id = min(pool, key=lambda i: (rank.get(known[i].attributes.get("need", "usual"), 1), -trouble[i], i))
+        id = min(pool, key=lambda i: (known[i].intent.rank, -trouble[i], i))
         # Of many of a kind several go at once: forty wardrobes are not tried forty times.
         alike = sum(o.category == known[id].category for o in draft.objects)
         twins = sorted((i for i in pool if known[i].category == known[id].category), key=lambda i: (-trouble[i], i))
@@ -252,7 +248,7 @@ class Executor:
             if gone.id not in draft.ids:
                 continue
             draft = apply(draft, Remove(id=gone.id, cascade=True))
-            if gone.attributes.get("need") != "asked":
+            if gone.intent.priority != "asked":
                 notes.append(f"{gone.id} was left out: {reason}")
                 continue
             unmet.append(f"{gone.id}: {reason}")
@@ -272,7 +268,7 @@ def _pruned(scene: Scene, draft: Scene, notes: list[str]) -> tuple[Scene, Report
             id
             for v in hard
             for id in v.objects
-            if id in known and id not in before and known[id].mount == "surface" and "asked" not in known[id].attributes
+            if id in known and id not in before and known[id].mount == "surface" and known[id].intent.request is None
         }
         if not extra:
             break

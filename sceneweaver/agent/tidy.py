@@ -207,10 +207,10 @@ def _centred(scene: Scene) -> Poses:
         if pose is not None:
             found[a.id] = pose
     for o in _free(scene):
-        hang = o.attributes.get("hang")
-        if o.mount == "wall" and isinstance(hang, list) and len(hang) == 2:
+        heights = o.intent.mounting_height
+        if o.mount == "wall" and heights is not None:
             x, y, _, yaw = found.get(o.id, (*o.pose.position, o.pose.yaw))
-            found[o.id] = (x, y, 0.5 * (float(hang[0]) + float(hang[1])), yaw)
+            found[o.id] = (x, y, 0.5 * (heights[0] + heights[1]), yaw)
     return found
 
 

@@ -28,7 +28,7 @@ def faults(survey: Survey) -> Iterator[Finding]:
             continue
         wrong, why = _wrong(survey, said, subjects)
         if len(subjects) - len(wrong) >= _least(survey, said.subject):  # what came along may stand elsewhere
-            wrong = [b for b in wrong if b.item.attributes.get("asked") == said.subject]
+            wrong = [b for b in wrong if b.item.intent.request == said.subject]
         if wrong:
             target = said.target if isinstance(said.target, str) else " and ".join(said.target or ())
             words = said.words or f"{said.subject} {said.type} {target}".strip()

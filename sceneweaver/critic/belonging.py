@@ -64,7 +64,7 @@ def _foreign(survey: Survey) -> Iterator[Finding]:
         category = body.item.category
         if category in own or category in asked or body.id in survey.program.item_of:
             continue
-        if body.item.attributes.get("asked") in {a.id for a in survey.brief.objects}:
+        if body.item.intent.request in {a.id for a in survey.brief.objects}:
             continue
         strange = _strangeness(body, worlds, elsewhere)
         if strange is None:

@@ -201,13 +201,12 @@ def _heights(survey: Survey) -> Iterator[Finding]:
 
 
 def _usual_heights(survey: Survey, body: Body) -> tuple[float, float]:
-    hang = body.item.attributes.get("hang")
     item = survey.program.item_of.get(body.id)
     given = survey.room.item(item).bottom if item else None
     row = categories().get(body.item.category)
     low, high = given or (row.bottom if row and row.bottom else (0.0, 10.0))
-    if isinstance(hang, list | tuple) and len(hang) == 2 and all(isinstance(h, int | float) for h in hang):
-        low, high = min(low, float(hang[0])), max(high, float(hang[1]))
+    if (meant := body.item.intent.mounting_height) is not None:
+        low, high = min(low, meant[0]), max(high, meant[1])
     return low, high
 
 

@@ -56,9 +56,8 @@ class Program:
         item_of: dict[str, str] = {}
         known = {item.id for item in room.items}
         for o in scene.objects:
-            name = o.attributes.get("item")
-            if isinstance(name, str) and name in known:
-                item_of[o.id] = name
+            if o.intent.program_item in known:
+                item_of[o.id] = o.intent.program_item
         banned = {name for word in brief.without for name in (word, *members(word))}
         needs: list[Need] = []
         by_item: dict[str, list[str]] = defaultdict(list)
@@ -139,9 +138,8 @@ def _match_asked(scene: Scene, brief: Brief) -> dict[str, str]:
     ids = {a.id: a for a in brief.objects}
     found: dict[str, str] = {}
     for o in scene.objects:
-        name = o.attributes.get("asked")
-        if isinstance(name, str) and name in ids:
-            found[o.id] = name
+        if o.intent.request in ids:
+            found[o.id] = o.intent.request
     for level in (3, 2, 1):
         for asked in brief.objects:
             have = sum(1 for name in found.values() if name == asked.id)

@@ -148,9 +148,9 @@ def _freedom(obj: SceneObject, carried: bool) -> int:
 
 
 def _keeps_clear(obj: SceneObject) -> bool:
-    """Whether doors and windows must stay free of it: not of what hangs on walls, unless its attribute ``clear`` says
-    so, as for pictures; to the judge that is no fault."""
-    return obj.mount != "wall" or obj.attributes.get("clear") is True
+    """Whether doors and windows must stay free of it: not of what hangs on walls, unless its intent says so, as for
+    pictures; to the judge that is no fault."""
+    return obj.mount != "wall" or obj.intent.keep_clear
 
 
 def _home(objects: Sequence[SceneObject]) -> np.ndarray:

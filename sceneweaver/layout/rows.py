@@ -450,19 +450,7 @@ def mounting(frame: Frame, obj: int) -> CompiledRelation:
     a = frame.objects[obj]
     rel = Relation(type="against_wall", subject=a.id)
     options = _at_walls(frame, rel, _values(rel, a))
-    hung = _hung(a)
-    if hung is not None:
-        options = [[*rows, height(0.0, *hung)] for rows in options]
+    if a.intent.mounting_height is not None:
+        # The judge knows no such limit. What hangs where nobody looks for it is no less valid, only ugly.
+        options = [[*rows, height(0.0, *a.intent.mounting_height)] for rows in options]
     return CompiledRelation((obj, -1, -1), options or [[NEVER]], 1.0, 1, True)
-
-
-def _hung(obj: SceneObject) -> Vector | None:
-    """Heights [m] between which the bottom of a wall object should be: its attribute ``hang``, if it has a usable one.
-
-    The judge knows no such limit. What hangs where nobody looks for it is no less valid, only ugly.
-    """
-    hang = obj.attributes.get("hang")
-    if not isinstance(hang, list | tuple) or len(hang) != 2:
-        return None
-    low, high = (float(v) if isinstance(v, int | float) else math.nan for v in hang)
-    return (low, high) if math.isfinite(low) and low <= high < INF else None

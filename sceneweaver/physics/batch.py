@@ -265,7 +265,7 @@ def _kind(scene: Scene) -> str:
     """Equal for scenes whose models differ in poses only."""
     objects = [
         o.model_copy(update={"pose": Pose(), "support": None}).model_dump(
-            mode="json", exclude={"attributes", "description", "zones", "surfaces"}
+            mode="json", exclude={"attributes", "intent", "description", "zones", "surfaces"}
         )
         for o in scene.objects
     ]

@@ -21,6 +21,7 @@ from .edits import Remove as Remove
 from .edits import Rename as Rename
 from .edits import Replace as Replace
 from .edits import SetAttributes as SetAttributes
+from .edits import SetIntent as SetIntent
 from .edits import SetPose as SetPose
 from .edits import SetSize as SetSize
 from .edits import SetSupport as SetSupport
@@ -34,6 +35,9 @@ from .edits import invert as invert
 from .errors import InputError as InputError
 from .errors import MissingDependencyError as MissingDependencyError
 from .errors import SceneWeaverError as SceneWeaverError
+from .intent import PRIORITIES as PRIORITIES
+from .intent import Intent as Intent
+from .intent import Priority as Priority
 from .io import EXAMPLES as EXAMPLES
 from .io import MAX_BYTES as MAX_BYTES
 from .io import write_atomic as write_atomic
@@ -67,11 +71,14 @@ __all__ = [
     "Edit",
     "Geometry",
     "InputError",
+    "Intent",
     "MAX_BYTES",
     "MissingDependencyError",
+    "PRIORITIES",
     "ParamSpec",
     "Part",
     "Pose",
+    "Priority",
     "Quat",
     "Relate",
     "Relation",
@@ -86,6 +93,7 @@ __all__ = [
     "SceneObject",
     "SceneWeaverError",
     "SetAttributes",
+    "SetIntent",
     "SetPose",
     "SetSize",
     "SetSupport",

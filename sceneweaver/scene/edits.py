@@ -15,6 +15,7 @@ from . import validate
 from .base import FrozenModel
 from .errors import InputError
 from .fields import Flag, Id, Index, JsonDict, Length, Name, Target
+from .intent import Intent
 from .messages import Problem, describe, quote, show, suggest
 from .model import Part, Pose, Relation, Scene, SceneObject, Support, Surface, Zone
 
@@ -120,13 +121,20 @@ class SetAttributes(_Edit):
     unset: tuple[str, ...] = ()
 
 
-Edit = Annotated[
-    Add | Remove | Replace | Relate | Unrelate | SetPose | SetSize | SetSupport | Rename | SetAttributes,
-    Field(discriminator="op"),
-]
-"""Any edit, told apart by ``op``."""
+class SetIntent(_Edit):
+    """Say what an object is there for, in the place of what was said before."""
 
-AnyEdit = Add | Remove | Replace | Relate | Unrelate | SetPose | SetSize | SetSupport | Rename | SetAttributes
+    op: Literal["intent"] = "intent"
+    id: Id
+    intent: Intent
+
+
+AnyEdit = (
+    Add | Remove | Replace | Relate | Unrelate | SetPose | SetSize | SetSupport | Rename | SetAttributes | SetIntent
+)
+
+Edit = Annotated[AnyEdit, Field(discriminator="op")]
+"""Any edit, told apart by ``op``."""
 
 EDITS: Mapping[str, type[_Edit]] = {cls.model_fields["op"].default: cls for cls in get_args(AnyEdit)}
 """The edit classes by ``op``."""
@@ -172,6 +180,8 @@ def apply(scene: Scene, edit: AnyEdit) -> Scene:
             return scene.replace_poses({edit.id: edit.pose})
         if isinstance(edit, SetAttributes):
             return _with_object(scene, _attributes(scene.object(edit.id), edit))
+        if isinstance(edit, SetIntent):
+            return _with_object(scene, scene.object(edit.id).model_copy(update={"intent": edit.intent}))
         after = _changed(scene, edit)
         try:
             validate.check_references(after)
@@ -240,6 +250,8 @@ def invert(scene: Scene, edit: AnyEdit) -> list[AnyEdit]:
             named = [*edit.set, *edit.unset]
             put = {key: old[key] for key in named if key in old}
             return [SetAttributes(id=edit.id, set=put, unset=tuple(key for key in edit.set if key not in old))]
+        case SetIntent():
+            return [SetIntent(id=edit.id, intent=scene.object(edit.id).intent)]
 
 
 def _changed(scene: Scene, edit: AnyEdit) -> Scene:
@@ -418,6 +430,7 @@ __all__ = [
     "Rename",
     "Replace",
     "SetAttributes",
+    "SetIntent",
     "SetPose",
     "SetSize",
     "SetSupport",

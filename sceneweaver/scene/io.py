@@ -21,7 +21,7 @@ MAX_BYTES = 64 * 2**20
 EXAMPLES = tuple(sorted(p.stem for p in (Path(__file__).parent / "examples").glob("*.json")))
 """Names for ``Scene.example``."""
 
-_OMIT_EMPTY = ("description", "parts", "attributes")
+_OMIT_EMPTY = ("description", "parts", "intent", "attributes")
 
 
 def load(path: str | os.PathLike[str], *, max_bytes: int = MAX_BYTES) -> Scene:
@@ -49,9 +49,10 @@ def from_json(data: Any) -> Scene:
 
 
 def to_json(scene: Scene) -> dict[str, Any]:
-    """The scene as plain JSON data; empty optional fields of objects are left out."""
+    """The scene as plain JSON data; empty optional fields of objects and of their intents are left out."""
     data = scene.model_dump(mode="json", by_alias=True)
     for obj in data["objects"]:
+        obj["intent"] = {key: value for key, value in obj["intent"].items() if value is not None and value is not False}
         for key in _OMIT_EMPTY:
             if obj[key] is None or obj[key] == {}:
                 del obj[key]

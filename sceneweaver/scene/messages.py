@@ -234,7 +234,8 @@ def _key_hint(key: str, loc: Loc, root: type[BaseModel]) -> str:
 
 
 def _literals(root: type[BaseModel], loc: Loc) -> list[str]:
-    return [a for a in get_args(_annotation(root, loc)) if isinstance(a, str)]
+    parts = get_args(_annotation(root, loc))
+    return [text for part in parts for text in ((part,) if isinstance(part, str) else get_args(part))]
 
 
 def _meaning(root: type[BaseModel], loc: Loc) -> str:

@@ -4,6 +4,9 @@ A migration turns the data of one version into that of the next; a chain of them
 
     @migration("sceneweaver.scene/1")
     def _from_1(data: dict[str, Any]) -> dict[str, Any]: ...   # gives data of sceneweaver.scene/2
+
+``intent`` came to version 1 as an optional field of objects. Before that its fields were attributes with other names;
+objects without an intent get theirs from those.
 """
 
 from __future__ import annotations
@@ -15,6 +18,7 @@ from collections.abc import Callable
 from typing import Any
 
 from .errors import InputError
+from .intent import Intent
 from .messages import quote, show
 from .model import SCHEMA
 
@@ -24,6 +28,15 @@ _NAME, _, _VERSION = SCHEMA.rpartition("/")
 _CURRENT = int(_VERSION)
 _SCHEMA = re.compile(re.escape(_NAME) + r"/(0|[1-9][0-9]{0,5})", re.ASCII)
 _migrations: dict[str, Migration] = {}
+
+_INTENT = {
+    "need": "priority",
+    "asked": "request",
+    "item": "program_item",
+    "hang": "mounting_height",
+    "clear": "keep_clear",
+}
+"""Fields of the intent by the attributes that once held them."""
 
 
 def migration(schema: str) -> Callable[[Migration], Migration]:
@@ -49,7 +62,7 @@ def migration(schema: str) -> Callable[[Migration], Migration]:
 
 
 def migrate(data: Any) -> dict[str, Any]:
-    """The data in the current schema version; data that is current already is given back as it is.
+    """The data in the current schema version; data that is current already is given back as it is, never changed.
 
     Raises:
         InputError: not an object, no schema or another one, a newer version, a version without migration.
@@ -60,7 +73,7 @@ def migrate(data: Any) -> dict[str, Any]:
         raise InputError(f'"schema" is missing; add "schema": "{SCHEMA}"')
     schema = data["schema"]
     if schema == SCHEMA:
-        return data
+        return _with_intents(data)
     match = _SCHEMA.fullmatch(schema) if isinstance(schema, str) else None
     if match is None:
         raise InputError(f'schema is {show(schema)}; a scene file has "{SCHEMA}"')
@@ -82,7 +95,33 @@ def migrate(data: Any) -> dict[str, Any]:
         except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
             text = f"schema is {show(schema)} and could not be brought to {_NAME}/{step + 1}"
             raise InputError(f"{text} ({type(error).__name__}: {quote(error)}); mend it by hand") from None
-    return data
+    return _with_intents(data)
+
+
+def _with_intents(data: dict[str, Any]) -> dict[str, Any]:
+    """The data with the intents that stand in attributes moved to where they belong."""
+    objects = data.get("objects")
+    if not isinstance(objects, list | tuple):
+        return data
+    moved = [_with_intent(obj) for obj in objects]
+    if all(new is old for new, old in zip(moved, objects, strict=True)):
+        return data
+    return {**data, "objects": moved}
+
+
+def _with_intent(obj: Any) -> Any:
+    attributes = obj.get("attributes") if isinstance(obj, dict) and "intent" not in obj else None
+    if not isinstance(attributes, dict) or attributes.keys().isdisjoint(_INTENT):
+        return obj
+    intent: dict[str, Any] = {}
+    for old, new in _INTENT.items():
+        try:
+            if old in attributes and Intent.model_validate({new: attributes[old]}):
+                intent[new] = attributes[old]
+        except InputError:
+            pass  # somebody else's attribute of that name: it stays one
+    kept = {key: value for key, value in attributes.items() if _INTENT.get(key) not in intent}
+    return {**obj, "intent": intent, "attributes": kept} if intent else obj
 
 
 @migration("sceneweaver.scene/0")

@@ -41,6 +41,7 @@ from .fields import (
     Vec3,
     Weight,
 )
+from .intent import Intent
 from .messages import Problem, quote, show, suggest
 
 SCHEMA = "sceneweaver.scene/1"
@@ -160,7 +161,10 @@ class SceneObject(FrozenModel):
         default=(), description="What others may stand on"
     )
     fixed: Flag = Field(default=False, description="Whether it must stay where it is")
-    attributes: JsonDict = Field(default_factory=dict, description="Free data: color, material, style ...")
+    intent: Intent = Field(default=Intent.model_construct(), description="What it is there for; changes no validity")
+    attributes: JsonDict = Field(
+        default_factory=dict, description="Free data on how it looks: color, material, style ..."
+    )
 
     @model_validator(mode="after")
     def _check(self) -> Self:

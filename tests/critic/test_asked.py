@@ -9,7 +9,7 @@ import pytest
 from sceneweaver.assets import categories
 from sceneweaver.brief import Brief
 from sceneweaver.critic import Fault, Review
-from sceneweaver.scene import CATALOGUE
+from sceneweaver.scene import CATALOGUE, Intent
 from tests.critic import rooms
 from tests.critic.rooms import Case, put
 from tests.critic.test_layout import only
@@ -116,7 +116,7 @@ def test_what_came_along_may_stand_elsewhere() -> None:
     elsewhere = rooms.on(table, "succulent-8")
     both = case.plus(rooms.on(stand, "succulent-9"), elsewhere)
     assert not only(review(both, objects=objects, relations=[said]), "asked_relation", "alignment")
-    meant = elsewhere.model_copy(update={"attributes": {**elsewhere.attributes, "asked": "succulent"}})
+    meant = elsewhere.model_copy(update={"intent": Intent(request="succulent")})
     wrong = case.plus(rooms.on(stand, "succulent-9"), meant)
     (fault,) = only(review(wrong, objects=objects, relations=[said]), "asked_relation", "alignment")
     assert "succulent-8" in fault.reason and "succulent-9" not in fault.reason

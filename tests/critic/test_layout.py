@@ -10,7 +10,7 @@ from sceneweaver.assets import make
 from sceneweaver.brief import read_brief
 from sceneweaver.critic import Fault, Review, review_scene
 from sceneweaver.knowledge import room_type
-from sceneweaver.scene import Pose, Relation, Room, Scene
+from sceneweaver.scene import Intent, Pose, Relation, Room, Scene
 from sceneweaver.verify import check
 from tests.critic import rooms
 from tests.critic.rooms import Case, put
@@ -226,9 +226,9 @@ def test_what_is_needed_should_be_reached() -> None:
     good = rooms.bedroom()
     wall = [put(f"dresser-{k + 1}", 0.7 + 1.15 * k, 1.0, 90, size=(0.45, 1.1, 0.8)) for k in range(3)]
     points = []
-    for need in ("optional", "needed"):
+    for priority in ("optional", "needed"):
         objects = tuple(
-            o.model_copy(update={"attributes": {**o.attributes, "need": need}}) if o.id == "wardrobe-0" else o
+            o.model_copy(update={"intent": Intent(priority=priority)}) if o.id == "wardrobe-0" else o
             for o in good.scene.objects
         )
         case = Case(good.scene.model_copy(update={"objects": objects}), good.room).plus(*wall)

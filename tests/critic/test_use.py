@@ -6,7 +6,7 @@ import pytest
 
 from sceneweaver.brief import Brief
 from sceneweaver.critic.grade import finding, grades, squash
-from sceneweaver.scene import Scene
+from sceneweaver.scene import Intent, Scene
 from tests.critic import rooms
 from tests.critic.rooms import Case, put
 from tests.critic.test_layout import falls, only
@@ -48,10 +48,10 @@ def test_kin_may_stand_in_for_what_is_needed() -> None:
     assert not only(other.review(), "missing_needed", "functionality")
 
 
-def test_item_attributes_count() -> None:
+def test_items_that_intents_name_count() -> None:
     good = rooms.bedroom()
     named = good.but(
-        {"id": "dresser-0", "update": {"attributes": {"item": "wardrobe"}}}, {"id": "wardrobe-0", "gone": 1}
+        {"id": "dresser-0", "update": {"intent": Intent(program_item="wardrobe")}}, {"id": "wardrobe-0", "gone": 1}
     )
     assert not only(named.review(), "missing_needed", "functionality")
 

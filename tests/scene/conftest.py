@@ -50,6 +50,7 @@ _SMALL: dict[str, Any] = {
             "parts": [{"polygon": _SQUARE, "z": [0.7, 0.75]}, {"polygon": _SQUARE, "z": [0, 0.1]}],
             "zones": [{"name": "front", "polygon": [[0.5, -0.5], [1, -0.5], [1, 0.5], [0.5, 0.5]], "z": [0, 1.8]}],
             "surfaces": [{"name": "top", "polygon": _SQUARE, "z": 0.75, "headroom": 1.5}],
+            "intent": {"priority": "asked", "request": "desk-1", "mounting_height": [0.5, 1]},
             "attributes": {"color": "brown", "style": {"era": [1950, 1960]}},
         },
         {

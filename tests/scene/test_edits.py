@@ -12,10 +12,12 @@ from pydantic import TypeAdapter
 
 from sceneweaver.scene import (
     EDITS,
+    PRIORITIES,
     Add,
     Edit,
     Geometry,
     InputError,
+    Intent,
     Pose,
     Relate,
     Relation,
@@ -25,6 +27,7 @@ from sceneweaver.scene import (
     Scene,
     SceneObject,
     SetAttributes,
+    SetIntent,
     SetPose,
     SetSize,
     SetSupport,
@@ -176,6 +179,18 @@ def test_rename(scene):
         Rename(id="chair-0", new_id="wall:0")
 
 
+def test_intent(scene):
+    hung = Intent(priority="needed", program_item="desk", mounting_height=(0.5, 0.5), keep_clear=True)
+    assert there_and_back(scene, SetIntent(id="desk-0", intent=hung)).object("desk-0").intent == hung
+    assert there_and_back(scene, SetIntent(id="chair-0", intent=hung)).object("chair-0").intent == hung
+    assert there_and_back(scene, SetIntent(id="desk-0", intent=Intent())).object("desk-0").intent == Intent()
+    refused(scene, SetIntent(id="dsk-0", intent=hung), "intent 'dsk-0': 'dsk-0' is no object of scene 'small'; did")
+    with pytest.raises(
+        InputError, match='intent: intent.priority is "high"; give one of: optional, usual, needed, asked'
+    ):
+        edit_from_json({"op": "intent", "id": "desk-0", "intent": {"priority": "high"}})
+
+
 def test_attributes(scene):
     edit = SetAttributes(id="desk-0", set={"color": "red", "n": 1}, unset=("style", "nothing"))
     assert there_and_back(scene, edit).object("desk-0").attributes == {"color": "red", "n": 1}
@@ -243,6 +258,13 @@ def test_the_union_is_discriminated_by_op():
 numbers = st.floats(-3, 3, allow_nan=False).map(lambda x: round(x, 3))
 sizes = st.tuples(*[st.floats(0.01, 5)] * 3)
 poses = st.builds(Pose.from_yaw, numbers, numbers, numbers, numbers)
+intents = st.builds(
+    Intent,
+    priority=st.sampled_from([None, *PRIORITIES]),
+    request=st.sampled_from([None, "x"]),
+    mounting_height=st.none() | st.tuples(numbers, numbers).map(sorted),
+    keep_clear=st.booleans(),
+)
 values = st.recursive(st.none() | st.integers() | st.text(max_size=3), lambda v: st.lists(v, max_size=2), max_leaves=4)
 surfaces = st.sampled_from([(), ({"name": "top", "polygon": SQUARE, "z": 0.5},)])
 
@@ -289,6 +311,8 @@ def edits(draw, scene: Scene):
         return SetSupport(id=id, support=support)
     if op == "rename":
         return Rename(id=id, new_id=fresh)
+    if op == "intent":
+        return SetIntent(id=id, intent=draw(intents))
     keys = st.sampled_from(["color", "style", "a", "b"])
     put = draw(st.dictionaries(keys, values, max_size=2))
     return SetAttributes(id=id, set=put, unset=tuple(k for k in draw(st.lists(keys, max_size=2)) if k not in put))

@@ -55,6 +55,13 @@ def after(scene: Scene, proposal: Proposal) -> Scene:
     return apply_all(scene, proposal.edits)[0]
 
 
+def carrier(scene: Scene, obj: SceneObject) -> SceneObject:
+    """What an object stands on in the end, be it by way of other small things."""
+    while obj.support is not None:
+        obj = scene.object(obj.support.object)
+    return obj
+
+
 def faults(scene: Scene, but: tuple[str, ...] = ()) -> list[str]:
     """What the judge finds wrong, save about the objects of ``but`` alone."""
     return [v.detail for v in check(scene).violations if v.kind in BAD and not set(v.objects) <= set(but)]

@@ -51,7 +51,7 @@ def test_poses_and_mounts(lounge, call):
     )
     picture, pendant, bench, book = added(proposal)
     assert (picture.mount, pendant.mount, bench.mount, book.mount) == ("wall", "ceiling", "floor", "surface")
-    low, high = picture.attributes["hang"]
+    low, high = picture.intent.mounting_height
     assert 0 < low <= picture.pose.position[2] <= high < lounge.room.height - picture.size[2]
     assert pendant.pose.position[2] + pendant.size[2] == pytest.approx(lounge.room.height)
     assert bench.pose == Pose()
@@ -139,8 +139,8 @@ def test_the_request_and_the_room_leave_their_marks(lounge, call):
             brief=brief,
         )
     )
-    assert [o.attributes.get("asked") for o in new] == ["plant", None, None]
-    assert new[0].attributes["need"] == "asked" and new[2].attributes["item"] == "tv_stand"
+    assert [o.intent.request for o in new] == ["plant", None, None]
+    assert new[0].intent.priority == "asked" and new[2].intent.program_item == "tv_stand"
 
 
 def test_size_colour_and_unknown_words(lounge, call):
@@ -215,7 +215,7 @@ def test_a_read_sentence_becomes_inputs(lounge, call, monkeypatch):
     shelf = next(o for o in added(proposal) if o.category == "bookcase")
     assert {(r.type, r.target) for r in related(proposal, shelf.id)} == {("near", "sofa-0"), ("in_corner", None)}
     assert all(o.support.object == shelf.id for o in added(proposal) if o.category == "book")
-    assert shelf.attributes["need"] == "asked" and any("flummox" in note for note in proposal.notes)
+    assert shelf.intent.priority == "asked" and any("flummox" in note for note in proposal.notes)
     monkeypatch.setattr("sceneweaver.brief.read_brief", lambda text: Brief(text=text), raising=False)
     with pytest.raises(InputError, match="names nothing to add"):
         call("add_objects", lounge, instruction="hello")

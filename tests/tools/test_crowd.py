@@ -11,7 +11,7 @@ from sceneweaver.knowledge.surfaces import crowd_of, crowds
 from sceneweaver.scene import InputError, Relation
 from sceneweaver.tools.add_crowd import AddCrowd
 
-from .surface_rooms import after, answer, faults, room, standing
+from .surface_rooms import after, answer, carrier, faults, room, standing
 
 TOOL = AddCrowd()
 SHELVES = sorted(c for c in crowd_of() if categories()[c].mount[0] == "floor")
@@ -58,7 +58,7 @@ def test_density() -> None:
 def test_only_empty_boards_and_new_ids() -> None:
     scene = room([standing("bookcase"), standing("desk", at=(3, 3, 0))])
     once = after(scene, answer(TOOL, scene))
-    assert all(o.attributes["group"] == "bookcase-0" for o in once.objects[2:])  # the desk is no shelf
+    assert all(carrier(once, o).id == "bookcase-0" for o in once.objects[2:])  # the desk is no shelf
     assert len(set(once.ids)) == len(once.ids)
     again = answer(TOOL, once)
     assert not again.edits and again.unmet

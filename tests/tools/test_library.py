@@ -9,7 +9,7 @@ import pytest
 import sceneweaver as sw
 from sceneweaver.brief import Asked, AskedRelation, Brief
 from sceneweaver.knowledge.library import collect, library_scenes, load_scene, own_folder
-from sceneweaver.scene import InputError, Scene
+from sceneweaver.scene import InputError, Intent, Scene
 
 
 @pytest.fixture
@@ -67,7 +67,7 @@ def test_objects_are_swapped_added_and_removed(call, folder):
     # The lounge was made by hand; items tell what may be swapped for what.
     lounge = load_scene("lounge", folder)
     marked = tuple(
-        o.model_copy(update={"attributes": {**o.attributes, "item": o.category}}) if o.category == "sofa" else o
+        o.model_copy(update={"intent": Intent(program_item=o.category)}) if o.category == "sofa" else o
         for o in lounge.objects
     )
     lounge.model_copy(update={"objects": marked}).save(folder / "lounge.json")
@@ -88,7 +88,7 @@ def test_a_bed_of_another_kind_takes_the_place_of_the_bed(call, folder):
         "init_library", Scene.example("bedroom"), {"folder": str(folder), "name": "second"}, brief=brief, room="bedroom"
     )
     beds = [o for o in proposal.scene.objects if "bed" in o.category.split("_")]
-    assert [o.category for o in beds] == ["single_bed"] * 2 and all(o.attributes["asked"] == "bed" for o in beds)
+    assert [o.category for o in beds] == ["single_bed"] * 2 and all(o.intent.request == "bed" for o in beds)
 
 
 def test_the_floor_is_made_as_asked(call, folder, lounge):
@@ -105,7 +105,7 @@ def test_the_floor_is_made_as_asked(call, folder, lounge):
 def test_only_what_is_named(call, folder):
     brief = Brief(text="x", objects=(Asked(id="sofa", noun="sofa", category="sofa"),), only=True)
     scene, _ = begun(call, folder, brief)
-    assert scene.ids == ("sofa-0",) and scene.object("sofa-0").attributes["asked"] == "sofa"
+    assert scene.ids == ("sofa-0",) and scene.object("sofa-0").intent.request == "sofa"
 
 
 def test_the_best_match_is_taken(call, folder, lounge):

@@ -14,7 +14,7 @@ from sceneweaver.scene.model import Window
 from sceneweaver.tools.add_tabletop import AddTabletop
 from sceneweaver.tools.surface_geometry import Field, Prism, Shape
 
-from .surface_rooms import after, answer, faults, laid, room, standing
+from .surface_rooms import after, answer, carrier, faults, laid, room, standing
 
 TOOL = AddTabletop()
 NAMES = (
@@ -51,7 +51,7 @@ def test_every_arrangement_stands(category: str) -> None:
     scene = room([obj])
     done = after(scene, answer(TOOL, scene, {"supports": [obj.id]}))
     assert not faults(done)
-    assert all(o.attributes["group"] == obj.id for o in done.objects[1:])
+    assert all(carrier(done, o).id == obj.id for o in done.objects[1:])
 
 
 def test_desk() -> None:
