@@ -6,9 +6,8 @@ nothing is summed across threads. Before it overwrites the poses of the step bef
 
 import warp as wp
 
-from .reading import item
+from .array_access import item
 from .step import (
-    LANES,
     freedom,
     keep_last,
     noise,
@@ -18,6 +17,7 @@ from .step import (
     turning_arm,
 )
 from .tables import State, TablesRef
+from .warp_primitives import WARP_SIZE
 
 # Fast sines on a GPU are good to a few micrometres; the layout that is kept is measured again with exact ones.
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
@@ -80,7 +80,7 @@ def adam_step(
     energy before that step; ``part`` and ``slope`` are every object's share and gradient at the poses of this step.
     """
     group, obj, lane = wp.tid()
-    candidate = group * LANES + lane
+    candidate = group * WARP_SIZE + lane
     if candidate >= problem.shape[0]:
         return
     if candidate == 0 and obj == 0:

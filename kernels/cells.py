@@ -6,7 +6,7 @@ looks into the cells within its own reach and the largest reach of any other. Ro
 
 import warp as wp
 
-from .reading import item
+from .array_access import item
 from .tables import State, TablesRef
 
 wp.set_module_options({"enable_backward": False})
@@ -77,11 +77,11 @@ def enter_cells(
     t: TablesRef,
     problem: wp.array(dtype=wp.int32),
     # State in:
-    open: wp.array(dtype=wp.int32),
+    active: wp.array(dtype=wp.int32),
     # State in and out:
     s: State,
 ):
-    """Build the lists of every open candidate anew."""
+    """Build the lists of every active candidate anew."""
     candidate = wp.tid()
-    if open[candidate] == 1:
+    if active[candidate] == 1:
         fill_cells(t, problem[candidate], candidate, s)

@@ -7,9 +7,9 @@ shortest. Given the face, the clearance of each vertex is smooth in both poses, 
 
 import warp as wp
 
-from .energy import gate
+from .energy import overlap_in_z
 from .geometry import FAR, discs_apart, perp, plane_of, turn, turn_back, way_out
-from .inequality import ROWS, SURE, Row, add_row, wanting
+from .inequality import ROWS, SURE, Inequality, add_row, wanting
 from .tables import State, TablesRef
 
 wp.set_module_options({"enable_backward": False})
@@ -104,7 +104,7 @@ def add_contacts(
     reach: wp.float32,
     s: State,
     shift: wp.array2d(dtype=wp.vec4),
-    rows: wp.array2d(dtype=Row),
+    rows: wp.array2d(dtype=Inequality),
     keys: wp.array2d(dtype=wp.int32),
 ):
     """Rows that keep two ranges of prisms, of objects i and j (-1: static), apart.
@@ -118,7 +118,7 @@ def add_contacts(
     missed = float(0.0)
     for a in range(parts_a[0], parts_a[1]):
         for b in range(parts_b[0], parts_b[1]):
-            if gate(pose_a[2], t[0].prism_z[a], pose_b[2], t[0].prism_z[b], least):
+            if overlap_in_z(pose_a[2], t[0].prism_z[a], pose_b[2], t[0].prism_z[b], least):
                 if not discs_apart(t, a, pa, qa, b, pb, qb, reach):
                     clear, face, mine = parting_face(t, a, pa, qa, b, pb, qb, reach)
                     if face >= 0:

@@ -8,10 +8,10 @@ length itself has kinks where the witness changes, and jumps where a body leaves
 
 import warp as wp
 
+from .array_access import item, item_strided
 from .cells import cell_at, crowded
 from .features import TURN, feature, plain_feature
 from .geometry import FAR, box_separation, lowest_vertex, perp, plane_of, prisms_apart, turn, turn_back, wrap
-from .reading import item, spot
 from .tables import (
     BOXES,
     DISTANCES,
@@ -65,16 +65,16 @@ def outside(value: wp.float32, interval: wp.vec2):
 
 
 @wp.func
-def gate(za: wp.float32, a: wp.vec2, zb: wp.float32, b: wp.vec2, least: wp.float32):
+def overlap_in_z(za: wp.float32, a: wp.vec2, zb: wp.float32, b: wp.vec2, least: wp.float32):
     """True when two z intervals overlap by more than the least: z decides whether, never how."""
     return wp.min(za + a[1], zb + b[1]) - wp.max(za + a[0], zb + b[0]) > least
 
 
 @wp.func
-def seen(s: State, candidate: wp.int32, i: wp.int32, view: View):
+def viewed_pose(s: State, candidate: wp.int32, i: wp.int32, view: View):
     """Pose and (cos, sin) of the yaw of object i where a view sees it."""
-    pose = spot(s.poses, candidate, i)
-    q = spot(s.turns, candidate, i)
+    pose = item_strided(s.poses, candidate, i)
+    q = item_strided(s.turns, candidate, i)
     if view.stamp != 0:
         mark = item(s.mark, candidate, i)
         if wp.abs(mark) == view.stamp:
@@ -115,7 +115,7 @@ def clearance(
         for b in range(second[0], second[1]):
             zb = item(t[0].prism_z, b)
             box_b = item(t[0].prism_box, b)
-            if gate(pose_a[2], za, pose_b[2], zb, least):
+            if overlap_in_z(pose_a[2], za, pose_b[2], zb, least):
                 s = float(0.0)
                 n = EAST
                 x = pa
@@ -144,7 +144,7 @@ def first_bit(bits: wp.int32) -> wp.int32:
 
 
 @wp.func
-def meeting_energy(
+def contact_energy(
     t: TablesRef,
     m: Margins,
     w: Weights,
@@ -184,14 +184,16 @@ def meeting_energy(
             if flag == PAIR_COLLIDE:
                 aim = m.collision_aim
                 weight = w.collision
-        ek, gk = clearance(t, first, pose_a, qa, second, pose_b, qb, aim, m.gate, w.knee, without)
+        ek, gk = clearance(t, first, pose_a, qa, second, pose_b, qb, aim, m.least_overlap_z, w.knee, without)
         e += weight * ek
         g += weight * gk
     return e, g
 
 
 @wp.func
-def room_energy(t: TablesRef, m: Margins, w: Weights, p: wp.int32, o: wp.int32, pose: wp.vec4, q: wp.vec2, part: Share):
+def bounds_energy(
+    t: TablesRef, m: Margins, w: Weights, p: wp.int32, o: wp.int32, pose: wp.vec4, q: wp.vec2, part: Share
+):
     """Bounds: penalty of object o (global index) against the walls, floor and ceiling, with gradient."""
     at = plane_of(pose)
     e = float(0.0)
@@ -216,7 +218,7 @@ def room_energy(t: TablesRef, m: Margins, w: Weights, p: wp.int32, o: wp.int32, 
 
 
 @wp.struct
-class Parties:
+class RelationPoses:
     """The objects of a relation: global indices of the first two and the poses of all three."""
 
     a: wp.int32
@@ -229,30 +231,36 @@ class Parties:
 
 
 @wp.func
-def parties_of(t: TablesRef, o0: wp.int32, r: wp.int32, s: State, candidate: wp.int32, view: View):
+def relation_poses(t: TablesRef, o0: wp.int32, r: wp.int32, s: State, candidate: wp.int32, view: View):
     """The objects of relation r (global) where a view sees them."""
     ids = item(t[0].relation_object, r)
-    x = Parties()
+    x = RelationPoses()
     x.a = o0 + ids[0]
     x.b = -1
     x.qb = EAST
-    pose, q = seen(s, candidate, ids[0], view)
+    pose, q = viewed_pose(s, candidate, ids[0], view)
     x.pose_a = pose
     x.qa = q
     if ids[1] >= 0:
         x.b = o0 + ids[1]
-        pose_b, qb = seen(s, candidate, ids[1], view)
+        pose_b, qb = viewed_pose(s, candidate, ids[1], view)
         x.pose_b = pose_b
         x.qb = qb
     if ids[2] >= 0:
-        pose_c, _qc = seen(s, candidate, ids[2], view)
+        pose_c, _qc = viewed_pose(s, candidate, ids[2], view)
         x.pose_c = pose_c
     return x
 
 
 @wp.func
 def option_energy(
-    t: TablesRef, option: wp.int32, role: wp.int32, x: Parties, knee: wp.float32, limit: wp.float32, without: wp.int32
+    t: TablesRef,
+    option: wp.int32,
+    role: wp.int32,
+    x: RelationPoses,
+    knee: wp.float32,
+    limit: wp.float32,
+    without: wp.int32,
 ):
     """Penalty of one option's rows, with the gradient for the object in the given role; stops above the limit."""
     e = float(0.0)
@@ -280,7 +288,7 @@ def best_of(
     first: wp.int32,
     last: wp.int32,
     role: wp.int32,
-    x: Parties,
+    x: RelationPoses,
     knee: wp.float32,
     without: wp.int32,
 ):
@@ -300,7 +308,7 @@ def best_of(
 
 
 @wp.func
-def best_option(t: TablesRef, r: wp.int32, role: wp.int32, x: Parties, knee: wp.float32):
+def best_option(t: TablesRef, r: wp.int32, role: wp.int32, x: RelationPoses, knee: wp.float32):
     """The option of relation r (global) with the lowest penalty, that penalty and its gradient."""
     best, low, g = best_of(t, item(t[0].option_start, r), item(t[0].option_start, r + 1), role, x, knee, 0)
     return best, low, g
@@ -319,11 +327,11 @@ def relation_energy(
     view: View,
 ):
     """Penalty of relation r (global; rel: local), with the gradient for the object in the given role."""
-    x = parties_of(t, o0, r, s, candidate, view)
+    x = relation_poses(t, o0, r, s, candidate, view)
     first = item(t[0].option_start, r)
     last = item(t[0].option_start, r + 1)
     if view.best == 0:
-        first = spot(s.options, candidate, rel)
+        first = item_strided(s.options, candidate, rel)
         last = first + 1
     _best, low, low_g = best_of(t, first, last, role, x, w.knee, view.without)
     weight = w.relation * item(t[0].relation_weight, r)
@@ -350,7 +358,7 @@ def near(
     if (view.without & BOXES) != 0 and kind == BOXES:
         return False
     # all that is needed is read at once, so that it is waited for once
-    other = spot(s.poses, candidate, j)
+    other = item_strided(s.poses, candidate, j)
     ri = item(t[0].object_radius, o)
     rj = item(t[0].object_radius, o0 + j)
     v = plane_of(other) - at
@@ -360,11 +368,13 @@ def near(
         return False
     if view.stamp != 0 and wp.abs(item(s.mark, candidate, j)) == view.stamp:
         return False
-    return (flags & ~PAIR_POLYGON) != PAIR_COLLIDE or gate(0.0, heights, other[2], item(t[0].object_z, o0 + j), m.gate)
+    return (flags & ~PAIR_POLYGON) != PAIR_COLLIDE or overlap_in_z(
+        0.0, heights, other[2], item(t[0].object_z, o0 + j), m.least_overlap_z
+    )
 
 
 @wp.func
-def near_fixture(t: TablesRef, m: Margins, o: wp.int32, at: wp.vec2, k: wp.int32, view: View):
+def may_meet_fixture(t: TablesRef, m: Margins, o: wp.int32, at: wp.vec2, k: wp.int32, view: View):
     """True when object o (global) at a place may touch fixture k (global), and may not."""
     prism = item(t[0].fixture, k)
     disc = item(t[0].prism_disc, prism)
@@ -399,23 +409,23 @@ def own_energy(
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
     if (view.without & ROOM) == 0:
-        e, g = room_energy(t, m, w, p, o, pose, q, part)
+        e, g = bounds_energy(t, m, w, p, o, pose, q, part)
     soft = float(0.0)
     if w.pull > 0.0 and part.first == 0 and (view.without & ROOM) == 0:
-        d = pose - spot(s.anchors, candidate, obj)
+        d = pose - item_strided(s.anchors, candidate, obj)
         d[3] = wrap(d[3], TURN)
         soft += 0.5 * w.pull * wp.dot(d, d)
         e += soft
         g += w.pull * d
     share = e
     r0 = item(t[0].relation_start, p)
-    for k in range(item(t[0].touch_start, o) + part.first, item(t[0].touch_start, o + 1), part.of):
-        r = item(t[0].touch, k)
+    for k in range(item(t[0].incidence_start, o) + part.first, item(t[0].incidence_start, o + 1), part.of):
+        r = item(t[0].incidence, k)
         wanted = item(t[0].relation_rigid, r0 + r) == 0
         if (view.without & (FORMULAS | DISTANCES | RELATIONS)) != 0:
             wanted = wanted and (view.without & item(t[0].relation_kind, r0 + r)) == 0
         if wanted:
-            role = item(t[0].touch_role, k)
+            role = item(t[0].incidence_role, k)
             er, gr = relation_energy(t, w, o0, r0 + r, r, role, s, candidate, view)
             e += er
             g += gr
@@ -427,7 +437,7 @@ def own_energy(
 
 
 @wp.func
-def add_meetings(
+def add_contact_energy(
     t: TablesRef,
     m: Margins,
     w: Weights,
@@ -480,7 +490,7 @@ def add_meetings(
         while bit != (1 << 30) and j < listed:
             close = bool(False)
             if j < fixtures:
-                close = near_fixture(t, m, o, at, f0 + j, view)
+                close = may_meet_fixture(t, m, o, at, f0 + j, view)
             else:
                 close = near(t, m, o0, row, o, at, heights, j - fixtures, candidate, s, view)
             if close:
@@ -520,9 +530,9 @@ def add_meetings(
             if k >= 0:
                 b = o0 + k
                 flags = int(item(t[0].pair_flags, row + k))
-                pose_b = spot(s.poses, candidate, k)
-                qb = spot(s.turns, candidate, k)
-            em, gm = meeting_energy(t, m, w, o, pose, q, flags, b, pose_b, qb, view.without)
+                pose_b = item_strided(s.poses, candidate, k)
+                qb = item_strided(s.turns, candidate, k)
+            em, gm = contact_energy(t, m, w, o, pose, q, flags, b, pose_b, qb, view.without)
             e += em
             share += wp.where(k >= 0, 0.5, 1.0) * em
             g += gm
@@ -550,11 +560,11 @@ def object_energy(
     pairs with objects that the view moves along, whose distances that does not change. A thread may take its share of
     the terms only; what the shares return adds up.
     """
-    pose, q = seen(s, candidate, obj, view)
+    pose, q = viewed_pose(s, candidate, obj, view)
     if not wp.isfinite(pose):  # comparisons with NaN are false, so every term would pass it
         return FAR, FAR, float(0.0), wp.vec4(0.0, 0.0, 0.0, 0.0)
     e, share, soft, g = own_energy(t, m, w, p, candidate, obj, pose, q, s, view, part)
-    e_all, share_all, g_all = add_meetings(t, m, w, p, candidate, obj, pose, q, s, limit, view, part, e, share, g)
+    e_all, share_all, g_all = add_contact_energy(t, m, w, p, candidate, obj, pose, q, s, limit, view, part, e, share, g)
     return e_all, share_all, soft, g_all
 
 

@@ -7,8 +7,8 @@ gradient returned is that of the value with respect to the pose (x, y, z, yaw) o
 
 import warp as wp
 
+from .array_access import item
 from .geometry import FAR, box_distance, distance, perp, plane_of, turn, turn_back, wrap
-from .reading import item
 from .tables import (
     DISTANCES,
     FEATURE_ASIDE,
@@ -89,14 +89,14 @@ def footprint_distance(
     first = int(0)
     last = int(1)
     if prism < 0:
-        first = item(t[0].foot_start, b)
-        last = item(t[0].foot_start, b + 1)
-    for i in range(item(t[0].foot_start, a), item(t[0].foot_start, a + 1)):
-        mine = item(t[0].foot, i)
+        first = item(t[0].footprint_start, b)
+        last = item(t[0].footprint_start, b + 1)
+    for i in range(item(t[0].footprint_start, a), item(t[0].footprint_start, a + 1)):
+        mine = item(t[0].footprint, i)
         for j in range(first, last):
             other = prism
             if prism < 0:
-                other = item(t[0].foot, j)
+                other = item(t[0].footprint, j)
             s = float(0.0)
             n = wp.vec2(1.0, 0.0)
             x = pa
@@ -146,7 +146,7 @@ def yaw_feature(t: TablesRef, row: wp.int32, role: wp.int32, yaw_a: wp.float32, 
 
 @wp.func
 def bearing_feature(role: wp.int32, pa: wp.vec2, qa: wp.vec2, pb: wp.vec2):
-    """Direction of b's centre seen from a's front."""
+    """Direction of b's centre viewed_pose from a's front."""
     v = pb - pa
     w = turn_back(qa, v)
     g = angle_slope(v)

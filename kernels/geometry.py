@@ -12,7 +12,7 @@ contact points lie on one line along n, and a face's own rotation is first-order
 
 import warp as wp
 
-from .reading import item, one
+from .array_access import item, opaque_one
 from .tables import TablesRef
 
 wp.set_module_options({"enable_backward": False})
@@ -78,7 +78,7 @@ def deepest(box: wp.vec4, m: wp.vec2):
 def lowest_of_polygon(t: TablesRef, a: wp.int32, m: wp.vec2):
     """The vertex of prism a that lies furthest against the direction m, and how far along m it lies: (x, y, m)."""
     low = wp.vec3(0.0, 0.0, FAR)
-    for k in range(item(t[0].prism_start, a), item(t[0].prism_start, a + 1), one()):
+    for k in range(item(t[0].prism_start, a), item(t[0].prism_start, a + 1), opaque_one()):
         v = item(t[0].vertex, k)
         d = wp.dot(m, v)
         if d < low[2]:
@@ -90,8 +90,8 @@ def lowest_of_polygon(t: TablesRef, a: wp.int32, m: wp.vec2):
 def lowest_vertex(t: TablesRef, o: wp.int32, m: wp.vec2):
     """`lowest_of_polygon` over the whole footprint of object o; direction and vertex are in its frame."""
     low = wp.vec3(0.0, 0.0, FAR)
-    for f in range(item(t[0].foot_start, o), item(t[0].foot_start, o + 1), one()):
-        a = item(t[0].foot, f)
+    for f in range(item(t[0].footprint_start, o), item(t[0].footprint_start, o + 1), opaque_one()):
+        a = item(t[0].footprint, f)
         box = item(t[0].prism_box, a)
         v = deepest(box, m)
         here = wp.vec3(v[0], v[1], wp.dot(m, v))
@@ -227,7 +227,7 @@ def box_face(t: TablesRef, box: wp.vec4, at: wp.vec2, spin: wp.vec2, other: wp.i
     """
     low = wp.vec2(FAR, FAR)
     high = wp.vec2(-FAR, -FAR)
-    for v in range(item(t[0].prism_start, other), item(t[0].prism_start, other + 1), one()):
+    for v in range(item(t[0].prism_start, other), item(t[0].prism_start, other + 1), opaque_one()):
         x = turn(spin, item(t[0].vertex, v))
         low = wp.min(low, x)
         high = wp.max(high, x)
@@ -255,7 +255,7 @@ def convex_separation(
     best = float(-FAR)
     best_n = wp.vec2(1.0, 0.0)  # in the frame of the face's owner
     owner = int(0)
-    step = one()
+    step = opaque_one()
     for which in range(0, 2, step):
         mine = wp.where(which == 0, a, b)
         other = wp.where(which == 0, b, a)
@@ -336,7 +336,7 @@ def closest_to_edges(t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.
     best_x = pa
     a0 = item(t[0].prism_start, a)
     a1 = item(t[0].prism_start, a + 1)
-    step = one()
+    step = opaque_one()
     box = item(t[0].prism_box, a)
     for v in range(item(t[0].prism_start, b), item(t[0].prism_start, b + 1), step):
         x = turn_back(qa, pb + turn(qb, item(t[0].vertex, v)) - pa)

@@ -2,10 +2,10 @@
 
 import warp as wp
 
+from .array_access import item, item_strided
 from .energy import object_energy
 from .features import TURN
 from .geometry import perp, plane_of, turn, wrap
-from .reading import item, spot
 from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, Share, State, TablesRef, View, Weights
 
 wp.set_module_options({"enable_backward": False})
@@ -26,22 +26,22 @@ def members_end(t: TablesRef, o: wp.int32):
 
 
 @wp.func
-def carry(t: TablesRef, o0: wp.int32, s: State, candidate: wp.int32, root: wp.int32, pose: wp.vec4):
+def move_with_members(t: TablesRef, o0: wp.int32, s: State, candidate: wp.int32, root: wp.int32, pose: wp.vec4):
     """Move a root to a pose with all that it carries."""
-    old = spot(s.poses, candidate, root)
+    old = item_strided(s.poses, candidate, root)
     spin = pose[3] - old[3]
     q = wp.vec2(wp.cos(spin), wp.sin(spin))
     for k in range(item(t[0].member_start, o0 + root), item(t[0].member_start, o0 + root + 1)):
         i = item(t[0].member, k)
         if i != root:
-            child = spot(s.poses, candidate, i)
+            child = item_strided(s.poses, candidate, i)
             at = plane_of(pose) + turn(q, plane_of(child) - plane_of(old))
             set_pose(s, candidate, i, wp.vec4(at[0], at[1], child[2] + pose[2] - old[2], child[3] + spin))
     set_pose(s, candidate, root, pose)
 
 
 @wp.func
-def shuffle(
+def redraw_surfaces(
     t: TablesRef,
     p: wp.int32,
     root: wp.int32,
@@ -53,18 +53,18 @@ def shuffle(
     """Lay out the surfaces of a root anew from their pools; the key says which entries."""
     o = item(t[0].object_start, p) + root
     rng = wp.rand_init(key)
-    for d in range(item(t[0].deck_start, o), item(t[0].deck_start, o + 1)):
-        base = poses[candidate, item(t[0].deck_supporter, d)]
+    for d in range(item(t[0].surface_start, o), item(t[0].surface_start, o + 1)):
+        base = poses[candidate, item(t[0].surface_supporter, d)]
         q = wp.vec2(wp.cos(base[3]), wp.sin(base[3]))
-        first = item(t[0].deck_member_start, d)
-        count = item(t[0].deck_member_start, d + 1) - first
+        first = item(t[0].surface_member_start, d)
+        count = item(t[0].surface_member_start, d + 1) - first
         entry = wp.min(int(wp.randf(rng) * float(t[0].pool_size)), t[0].pool_size - 1)
         for j in range(count):
             local = item(t[0].pool, item(t[0].pool_start, d) + entry * count + j)
             at = plane_of(base) + turn(q, plane_of(local))
             yaw = wrap(base[3] + local[3], TURN)
-            i = item(t[0].deck_member, first + j)
-            poses[candidate, i] = wp.vec4(at[0], at[1], base[2] + item(t[0].deck_height, d), yaw)
+            i = item(t[0].surface_member, first + j)
+            poses[candidate, i] = wp.vec4(at[0], at[1], base[2] + item(t[0].surface_height, d), yaw)
 
 
 @wp.func
@@ -84,10 +84,10 @@ def group_energy(
     """Energy, share, soft share and gradient of the objects group[first:last] as one rigid body about the first.
 
     Pairs among what the view moves are left out, and so is the rest once the energy exceeds the limit. What the lanes
-    of a team return adds up.
+    of a subwarp return adds up.
     """
     root = item(t[0].group, first)
-    at = plane_of(spot(s.poses, candidate, root))
+    at = plane_of(item_strided(s.poses, candidate, root))
     e = float(0.0)
     share = float(0.0)
     soft = float(0.0)
@@ -100,7 +100,7 @@ def group_energy(
         e += ei
         share += hi
         soft += fi
-        arm = perp(plane_of(spot(s.poses, candidate, i)) - at)
+        arm = perp(plane_of(item_strided(s.poses, candidate, i)) - at)
         g += wp.vec4(gi[0], gi[1], gi[2], gi[3] + gi[0] * arm[0] + gi[1] * arm[1])
     free = item(t[0].object_free, item(t[0].object_start, p) + root)
     if (free & FREE_PLANE) == 0:

@@ -19,7 +19,7 @@ SURE = wp.constant(3.0e-5)  # [m] beyond the verdict's limit, for rounding
 
 
 @wp.struct
-class Row:
+class Inequality:
     """One inequality first . d[body 0] + second . d[body 1] + third . d[body 2] >= goal; body -1: none."""
 
     body: wp.vec3i
@@ -68,14 +68,14 @@ def add_row(
     key: wp.int32,
     s: State,
     shift: wp.array2d(dtype=wp.vec4),
-    rows: wp.array2d(dtype=Row),
+    rows: wp.array2d(dtype=Inequality),
     keys: wp.array2d(dtype=wp.int32),
 ):
     """Write a row into a slot: the gradients for the objects ``who`` have to gain what is missing at the present poses.
 
     Returns 1, or 0 when nothing that is free to move can change it.
     """
-    row = Row()
+    row = Inequality()
     a = t[0].object_root[o0 + who[0]]
     row.body = wp.vec3i(a, -1, -1)
     row.first = on_root(t, o0, who[0], ga, s, candidate)

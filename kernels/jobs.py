@@ -1,14 +1,14 @@
-"""What a search does with one candidate: a chain of *jobs*, each a number of *trials*, with a decision after each.
+"""What a search does with one candidate: a chain of *jobs*, each a number of *proposals*, with a transition after each.
 
-A trial is the energy of some objects as a `View` sees them. Between two jobs a candidate's search is all in its `Desk`,
-so that the trials of a job, and the jobs of different candidates, may run anywhere.
+A proposal is rated by the energy of some objects as a `View` sees them. Between two jobs a candidate's search is all in
+its `SearchState`, so that the proposals of a job, and the jobs of different candidates, may be rated anywhere.
 """
 
 import warp as wp
 
-from .begin import GIVEN, Plan
+from .array_access import item
 from .groups import members_end
-from .reading import item
+from .starts import GIVEN, Plan
 from .tables import TablesRef, Weights
 
 wp.set_module_options({"enable_backward": False})
@@ -29,19 +29,19 @@ STOP = wp.constant(7)
 # Phases of a round.
 MOVING = wp.constant(0)
 POLISHING = wp.constant(1)
-TIDYING = wp.constant(2)
+FINISHING = wp.constant(2)
 
 
 @wp.struct
-class Desk:
+class SearchState:
     """Where the search of a candidate stands: the job to be done, and what is remembered between jobs."""
 
     job: wp.int32
     phase: wp.int32
     move: wp.int32  # moves made in this round
-    lingered: wp.int32  # of these, those since the hard relations held
+    soft_moves: wp.int32  # of these, those made for soft relations, since the hard ones held
     sweep: wp.int32  # gradient sweeps
-    tidied: wp.int32  # passes
+    finishing_passes: wp.int32
     solved: wp.int32
     obj: wp.int32  # whose turn it is
     cursor: wp.int32  # where polishing or tidying is among the objects
@@ -51,22 +51,22 @@ class Desk:
     draft: wp.int32  # 1: their surfaces are laid out anew in `State.draft`
     seed: wp.int32  # of the streams that proposals are drawn from
     total: wp.float32  # energy at the last survey
-    heat: wp.float32  # how much a move may cost
+    threshold: wp.float32  # what a move may cost: the Metropolis rule, drawn ahead
     scale: wp.float32  # [m] of near proposals
     base: wp.float32  # energy that a step has to beat
     step: wp.vec4  # along the gradient
-    dice: wp.uint32  # the candidate's own stream
+    rng: wp.uint32  # the candidate's own stream
 
 
 @wp.struct
-class Found:
-    """What came of a job's trials."""
+class JobResult:
+    """What came of a job's proposals."""
 
     share: wp.float32  # sums of a survey
     soft: wp.float32
     base: wp.float32  # energy where the objects are
     gradient: wp.vec4
-    least: wp.float32  # the best trial: its energy, number, pose, rating and whether it took the draft
+    least: wp.float32  # the best proposal: its energy, number, pose, rating and whether it took the draft
     index: wp.int32
     pose: wp.vec4
     rating: wp.float32
@@ -74,22 +74,22 @@ class Found:
 
 
 @wp.func
-def at_home(plan: Plan, clock: wp.array(dtype=wp.int32)):
+def is_anchored(plan: Plan, clock: wp.array(dtype=wp.int32)):
     """True in attempts that keep what is in order where it is."""
-    return plan.start == GIVEN and clock[0] // plan.rounds < plan.at_home
+    return plan.start == GIVEN and clock[0] // plan.rounds < plan.anchored_attempts
 
 
 @wp.func
-def weights_at(w: Weights, home: wp.bool):
-    """The weights of an attempt: only at home something pulls back."""
-    if not home:
+def weights_at(w: Weights, anchored: wp.bool):
+    """The weights of an attempt: something pulls back in those only that are anchored."""
+    if not anchored:
         w.pull = 0.0
     return w
 
 
 @wp.func
-def trials_of(d: Desk, n: wp.int32, plan: Plan):
-    """The number of trials of a job."""
+def proposal_count(d: SearchState, n: wp.int32, plan: Plan):
+    """How many proposals a job rates."""
     if d.job == SURVEY:
         return n
     if d.job == RATE:
@@ -107,13 +107,13 @@ def trials_of(d: Desk, n: wp.int32, plan: Plan):
 
 @wp.func
 def rates_only(job: wp.int32):
-    """True when a job's trials look at one object each, where it is."""
+    """True when a job's proposals look at one object each, where it is."""
     return job == SURVEY or job == RATE
 
 
 @wp.func
-def object_of(t: TablesRef, d: Desk, k: wp.int32):
-    """The object that trial k is about."""
+def object_of(t: TablesRef, d: SearchState, k: wp.int32):
+    """The object that proposal k is about."""
     if d.job == SURVEY:
         return k
     if d.job == RATE:
@@ -122,6 +122,6 @@ def object_of(t: TablesRef, d: Desk, k: wp.int32):
 
 
 @wp.func
-def alone(t: TablesRef, o: wp.int32):
+def single_body(t: TablesRef, o: wp.int32):
     """The range of the group of object o (global) that is one body with it."""
     return item(t[0].group_start, o), members_end(t, o)

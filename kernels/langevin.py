@@ -9,9 +9,8 @@ exp(-energy / T); the temperature falls to zero, and what remains of the run is 
 import warp as wp
 
 from .adam import BETA2, Schedule, noise_at, rate_at
-from .reading import item
+from .array_access import item
 from .step import (
-    LANES,
     freedom,
     keep_last,
     noise,
@@ -21,6 +20,7 @@ from .step import (
     turning_arm,
 )
 from .tables import State, TablesRef
+from .warp_primitives import WARP_SIZE
 
 # Fast sines on a GPU are good to a few micrometres; the layout that is kept is measured again with exact ones.
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
@@ -53,7 +53,7 @@ def langevin_step(
 ):
     """Move every root one step; what it carries follows. Arrays as for ``adam.adam_step``."""
     group, obj, lane = wp.tid()
-    candidate = group * LANES + lane
+    candidate = group * WARP_SIZE + lane
     if candidate >= problem.shape[0]:
         return
     if candidate == 0 and obj == 0:

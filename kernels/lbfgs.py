@@ -13,8 +13,9 @@ again (basin hopping, Wales & Doye 1997).
 
 import warp as wp
 
-from .step import AT_REST, LANES, freedom, noise, place_members, stream, total_of, turning_arm
+from .step import AT_REST, freedom, noise, place_members, stream, total_of, turning_arm
 from .tables import State, TablesRef
+from .warp_primitives import WARP_SIZE
 
 wp.set_module_options({"enable_backward": False})
 
@@ -40,8 +41,8 @@ STUCK_BEST = wp.constant(3)  # the same, and the minimum is the lowest so far
 class History:
     """Differences of accepted steps, [slot, object, candidate], and how many of them [candidate] hold."""
 
-    moves: wp.array3d(dtype=wp.vec4)
-    slopes: wp.array3d(dtype=wp.vec4)
+    steps: wp.array3d(dtype=wp.vec4)
+    gradient_changes: wp.array3d(dtype=wp.vec4)
     count: wp.array(dtype=wp.int32)
     head: wp.array(dtype=wp.int32)  # slot of the next pair
 
@@ -52,7 +53,7 @@ class Line:
 
     energy: wp.array(dtype=wp.float32)  # of the layout; infinite: take any trial
     lowest: wp.array(dtype=wp.float32)  # of the minima found before
-    stride: wp.array(dtype=wp.float32)  # share of the direction that the trial takes
+    step_length: wp.array(dtype=wp.float32)  # share of the direction that the trial takes
     slope: wp.array(dtype=wp.float32)  # of the energy along the direction
     tries: wp.array(dtype=wp.int32)
     idle: wp.array(dtype=wp.int32)
@@ -64,25 +65,25 @@ class Line:
 @wp.func
 def dot3(a: wp.array3d(dtype=wp.vec4), slot: wp.int32, b: wp.array2d(dtype=wp.vec4), candidate: wp.int32, n: wp.int32):
     """Inner product of a slot of the history with a vector."""
-    sum = float(0.0)
+    total = float(0.0)
     for obj in range(n):
-        sum += wp.dot(a[slot, obj, candidate], b[obj, candidate])
-    return sum
+        total += wp.dot(a[slot, obj, candidate], b[obj, candidate])
+    return total
 
 
 @wp.func
-def remember(h: History, line: Line, trial_gradient: wp.array2d(dtype=wp.vec4), candidate: wp.int32, n: wp.int32):
+def store_pair(h: History, line: Line, trial_gradient: wp.array2d(dtype=wp.vec4), candidate: wp.int32, n: wp.int32):
     """Enter the accepted step into the history, unless the energy does not curve upwards along it."""
     slot = h.head[candidate]
-    stride = line.stride[candidate]
+    step_length = line.step_length[candidate]
     ss = float(0.0)
     sy = float(0.0)
     yy = float(0.0)
     for obj in range(n):
-        a = stride * line.direction[obj, candidate]
+        a = step_length * line.direction[obj, candidate]
         b = trial_gradient[obj, candidate] - line.gradient[obj, candidate]
-        h.moves[slot, obj, candidate] = a
-        h.slopes[slot, obj, candidate] = b
+        h.steps[slot, obj, candidate] = a
+        h.gradient_changes[slot, obj, candidate] = b
         ss += wp.dot(a, a)
         sy += wp.dot(a, b)
         yy += wp.dot(b, b)
@@ -92,7 +93,7 @@ def remember(h: History, line: Line, trial_gradient: wp.array2d(dtype=wp.vec4), 
 
 
 @wp.func
-def point(h: History, line: Line, candidate: wp.int32, n: wp.int32):
+def two_loop_direction(h: History, line: Line, candidate: wp.int32, n: wp.int32):
     """Set the direction to minus the inverse Hessian that the history stands for, times the gradient; its slope."""
     count = h.count[candidate]
     newest = h.head[candidate] + SLOTS - 1
@@ -105,17 +106,19 @@ def point(h: History, line: Line, candidate: wp.int32, n: wp.int32):
         sy = float(0.0)
         sq = float(0.0)
         for obj in range(n):
-            a = h.moves[slot, obj, candidate]
-            sy += wp.dot(a, h.slopes[slot, obj, candidate])
+            a = h.steps[slot, obj, candidate]
+            sy += wp.dot(a, h.gradient_changes[slot, obj, candidate])
             sq += wp.dot(a, line.direction[obj, candidate])
         inverse[k] = 1.0 / sy
         alpha[k] = sq / sy
         for obj in range(n):
-            line.direction[obj, candidate] = line.direction[obj, candidate] - alpha[k] * h.slopes[slot, obj, candidate]
+            line.direction[obj, candidate] = (
+                line.direction[obj, candidate] - alpha[k] * h.gradient_changes[slot, obj, candidate]
+            )
     if count > 0:
         yy = float(0.0)
         for obj in range(n):
-            b = h.slopes[newest % SLOTS, obj, candidate]
+            b = h.gradient_changes[newest % SLOTS, obj, candidate]
             yy += wp.dot(b, b)
         scale = 1.0 / (inverse[0] * yy)
         for obj in range(n):
@@ -123,10 +126,10 @@ def point(h: History, line: Line, candidate: wp.int32, n: wp.int32):
     for i in range(count):
         k = count - 1 - i
         slot = (newest - k) % SLOTS
-        beta = inverse[k] * dot3(h.slopes, slot, line.direction, candidate, n)
+        beta = inverse[k] * dot3(h.gradient_changes, slot, line.direction, candidate, n)
         for obj in range(n):
             line.direction[obj, candidate] = (
-                line.direction[obj, candidate] + (alpha[k] - beta) * h.moves[slot, obj, candidate]
+                line.direction[obj, candidate] + (alpha[k] - beta) * h.steps[slot, obj, candidate]
             )
     slope = float(0.0)
     for obj in range(n):
@@ -135,9 +138,9 @@ def point(h: History, line: Line, candidate: wp.int32, n: wp.int32):
 
 
 @wp.func
-def set_out(h: History, line: Line, candidate: wp.int32, n: wp.int32):
-    """Begin a line search: direction, first stride, slope. False: the gradient leads nowhere."""
-    slope = point(h, line, candidate, n)
+def start_line_search(h: History, line: Line, candidate: wp.int32, n: wp.int32):
+    """Start a line search: direction, first step length, slope. False: the gradient leads nowhere."""
+    slope = two_loop_direction(h, line, candidate, n)
     if not slope < 0.0:  # rounding: forget, and take the gradient
         h.count[candidate] = 0
         gg = float(0.0)
@@ -151,17 +154,17 @@ def set_out(h: History, line: Line, candidate: wp.int32, n: wp.int32):
     far = float(0.0)
     for obj in range(n):
         far = wp.max(far, wp.length(line.direction[obj, candidate]))
-    stride = float(1.0)
+    step_length = float(1.0)
     if h.count[candidate] == 0:
-        stride = line.energy[candidate] / -slope  # Polyak's step: the least energy is zero
-    line.stride[candidate] = wp.min(stride, REACH / far)
+        step_length = line.energy[candidate] / -slope  # Polyak's step: the least energy is zero
+    line.step_length[candidate] = wp.min(step_length, REACH / far)
     line.slope[candidate] = slope
     line.tries[candidate] = 0
     return True
 
 
 @wp.kernel
-def decide(
+def search_line(
     # Problem:
     t: TablesRef,
     problem: wp.array(dtype=wp.int32),
@@ -182,20 +185,20 @@ def decide(
     energy = line.energy[candidate]
     if energy <= AT_REST:
         line.state[candidate] = REFUSED
-        line.stride[candidate] = 0.0
+        line.step_length[candidate] = 0.0
         return
     total = total_of(trial_share, candidate, n)
-    stride = line.stride[candidate]
+    step_length = line.step_length[candidate]
     slope = line.slope[candidate]
     state = int(REFUSED)
     anew = bool(False)
     spent = line.tries[candidate] == TRIES
-    if energy == wp.inf or (total <= energy + DECREASE * stride * slope and not (spent and stride == 0.0)):
+    if energy == wp.inf or (total <= energy + DECREASE * step_length * slope and not (spent and step_length == 0.0)):
         if energy == wp.inf:
             h.count[candidate] = 0
             line.idle[candidate] = 0
         else:
-            remember(h, line, trial_gradient, candidate, n)
+            store_pair(h, line, trial_gradient, candidate, n)
             line.idle[candidate] = wp.where(energy - total < LITTLE * energy, line.idle[candidate] + 1, 0)
         for obj in range(n):
             line.gradient[obj, candidate] = trial_gradient[obj, candidate]
@@ -203,8 +206,10 @@ def decide(
         state = int(ACCEPTED)
         anew = True
     elif not spent:
-        bend = total - energy - slope * stride  # of the parabola through both energies and the slope
-        line.stride[candidate] = stride * wp.clamp(-0.5 * slope * stride / wp.max(bend, 1.0e-12), 0.1, 0.5)
+        bend = total - energy - slope * step_length  # of the parabola through both energies and the slope
+        line.step_length[candidate] = step_length * wp.clamp(
+            -0.5 * slope * step_length / wp.max(bend, 1.0e-12), 0.1, 0.5
+        )
         line.tries[candidate] = line.tries[candidate] + 1
     elif h.count[candidate] > 0:
         h.count[candidate] = 0
@@ -212,9 +217,9 @@ def decide(
     else:
         state = int(STUCK)
     if anew:
-        going = set_out(h, line, candidate, n)
+        going = start_line_search(h, line, candidate, n)
         if state == ACCEPTED and (not going or line.idle[candidate] == IDLE):
-            line.stride[candidate] = 0.0  # the next trial is the layout itself, which leads to a push
+            line.step_length[candidate] = 0.0  # the next trial is the layout itself, which leads to a push
             line.tries[candidate] = TRIES
             h.count[candidate] = 0
         elif not going:
@@ -249,7 +254,7 @@ def make_trial(
     A push [m] (standard deviation, falling to zero over the steps) moves what has a share in the energy.
     """
     group, obj, lane = wp.tid()
-    candidate = group * LANES + lane
+    candidate = group * WARP_SIZE + lane
     if candidate >= problem.shape[0]:
         return
     p = problem[candidate]
@@ -267,7 +272,7 @@ def make_trial(
             best[candidate, i] = poses[candidate, i]
         elif state == STUCK:
             poses[candidate, i] = best[candidate, i]
-    d = line.stride[candidate] * line.direction[obj, candidate]
+    d = line.step_length[candidate] * line.direction[obj, candidate]
     if state == STUCK or state == STUCK_BEST:
         step = clock[0]
         sigma = push * wp.max(0.0, 1.0 - float(step) / float(steps))

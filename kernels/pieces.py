@@ -8,11 +8,10 @@ from typing import Any
 
 import warp as wp
 
-from .energy import add_meetings, own_energy
+from .array_access import inline_on_gpu, item, item_strided
+from .energy import add_contact_energy, own_energy
 from .geometry import FAR
-from .reading import inline_on_gpu, item, spot
 from .slopes import at_work
-from .step import LANES
 from .tables import (
     BOXES,
     DISTANCES,
@@ -27,6 +26,7 @@ from .tables import (
     View,
     Weights,
 )
+from .warp_primitives import WARP_SIZE
 
 # Fast sines on a GPU are good to a few micrometres; the layout that is kept is measured again with exact ones.
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
@@ -59,14 +59,14 @@ def _piece(name: str, kinds: int, registers: int) -> tuple[int, Any]:
         """Add some kinds of terms to every object's share and slope, [object, candidate]."""
         inline_on_gpu()
         group, obj, lane = wp.tid()
-        candidate = group * LANES + lane
+        candidate = group * WARP_SIZE + lane
         if not at_work(t, problem, candidate, obj, lowest):
             return
         p = problem[candidate]
         if (item(t[0].object_terms, item(t[0].object_start, p) + obj) & wanted) == 0:
             return
-        pose = spot(s.poses, candidate, obj)
-        q = spot(s.turns, candidate, obj)
+        pose = item_strided(s.poses, candidate, obj)
+        q = item_strided(s.turns, candidate, obj)
         e = float(0.0)
         own = float(0.0)
         g = wp.vec4(0.0, 0.0, 0.0, 0.0)
@@ -78,7 +78,9 @@ def _piece(name: str, kinds: int, registers: int) -> tuple[int, Any]:
             if alone != 0:
                 e, own, _soft, g = own_energy(t, m, w, p, candidate, obj, pose, q, s, view, Share(0, 1))
             if meets != 0:
-                e, own, g = add_meetings(t, m, w, p, candidate, obj, pose, q, s, FAR, view, Share(0, 1), e, own, g)
+                e, own, g = add_contact_energy(
+                    t, m, w, p, candidate, obj, pose, q, s, FAR, view, Share(0, 1), e, own, g
+                )
         if fresh != 0:
             share[obj, candidate] = own
             slope[obj, candidate] = g

@@ -8,10 +8,10 @@ with the curvature of the constraints left out), and forces carry over. What no 
 
 import warp as wp
 
-from .energy import best_option, parties_of
+from .energy import best_option, relation_poses
 from .geometry import FAR, plane_of, turn
 from .groups import set_pose
-from .inequality import ARM, ROWS, Row, mobility
+from .inequality import ARM, ROWS, Inequality, mobility
 from .tables import FREE_PLANE, FREE_YAW, FREE_Z, State, TablesRef, View, Weights
 
 wp.set_module_options({"enable_backward": False})
@@ -23,7 +23,7 @@ STILL = wp.constant(5.0e-5)  # [m] movement below which a layout counts as settl
 
 
 @wp.struct
-class Kick:
+class Perturbation:
     """How a try begins: roots within a radius [m] of one in trouble start elsewhere, some of them, so far off [m]."""
 
     attempt: wp.int32
@@ -54,10 +54,10 @@ def place(t: TablesRef, o0: wp.int32, candidate: wp.int32, root: wp.int32, d: wp
 def draw_focus(t: TablesRef, p: wp.int32, candidate: wp.int32, fault: wp.array2d(dtype=wp.float32), u: wp.float32):
     """An object drawn by its weight in ``fault``: u in [0, 1) falls on it when the weights are laid end to end."""
     n = t[0].object_start[p + 1] - t[0].object_start[p]
-    sum = float(0.0)
+    total = float(0.0)
     for obj in range(n):
-        sum += fault[candidate, obj]
-    left = u * sum
+        total += fault[candidate, obj]
+    left = u * total
     focus = int(0)
     for obj in range(n):
         f = fault[candidate, obj]
@@ -74,12 +74,12 @@ def movement(d: wp.vec4):
 
 
 @wp.kernel
-def begin_try(
+def start_try(
     # Problem:
     t: TablesRef,
-    kick: Kick,
+    perturbation: Perturbation,
     problem: wp.array(dtype=wp.int32),
-    active: wp.array(dtype=wp.int32),
+    selected: wp.array(dtype=wp.int32),
     # State in:
     best: wp.array2d(dtype=wp.vec4),
     fault: wp.array2d(dtype=wp.float32),
@@ -89,16 +89,16 @@ def begin_try(
     shift_out: wp.array2d(dtype=wp.vec4),
     count_out: wp.array2d(dtype=wp.int32),
     live_out: wp.array(dtype=wp.int32),
-    stride_out: wp.array(dtype=wp.float32),
+    last_step_out: wp.array(dtype=wp.float32),
 ):
     """Put every root where a try begins: where the best layout has it, or off its anchor by chance."""
     slot, obj = wp.tid()
-    candidate = active[slot]
+    candidate = selected[slot]
     p = problem[candidate]
     o0 = t[0].object_start[p]
     if obj == 0:
         live_out[candidate] = 1
-        stride_out[candidate] = FAR
+        last_step_out[candidate] = FAR
     if obj >= t[0].object_start[p + 1] - o0:
         return
     count_out[candidate, obj] = 0
@@ -106,15 +106,15 @@ def begin_try(
     if t[0].object_root[o] != obj:
         return
     d = best[candidate, obj]
-    if kick.attempt > 0:
-        draw = wp.rand_init(int(s.rng[candidate]), kick.attempt)
+    if perturbation.attempt > 0:
+        draw = wp.rand_init(int(s.rng[candidate]), perturbation.attempt)
         focus = draw_focus(t, p, candidate, fault, wp.randf(draw))
         far = plane_of(s.anchors[candidate, focus]) + plane_of(best[candidate, t[0].object_root[o0 + focus]])
         far -= plane_of(s.anchors[candidate, obj]) + plane_of(d)
-        rng = wp.rand_init(int(s.rng[candidate]) + 7919 * kick.attempt, obj)
-        close = wp.dot(far, far) < kick.radius * kick.radius
-        if close and (obj == t[0].object_root[o0 + focus] or wp.randf(rng) < kick.share):
-            d = kick.spread * wp.vec4(wp.randn(rng), wp.randn(rng), 0.5 * wp.randn(rng), wp.randn(rng))
+        rng = wp.rand_init(int(s.rng[candidate]) + 7919 * perturbation.attempt, obj)
+        close = wp.dot(far, far) < perturbation.radius * perturbation.radius
+        if close and (obj == t[0].object_root[o0 + focus] or wp.randf(rng) < perturbation.share):
+            d = perturbation.spread * wp.vec4(wp.randn(rng), wp.randn(rng), 0.5 * wp.randn(rng), wp.randn(rng))
     free = t[0].object_free[o]
     if (free & FREE_PLANE) == 0:
         d[0] = 0.0
@@ -128,28 +128,28 @@ def begin_try(
 
 
 @wp.kernel
-def choose_sides(
+def choose_options(
     # Problem:
     t: TablesRef,
     w: Weights,
     problem: wp.array(dtype=wp.int32),
-    active: wp.array(dtype=wp.int32),
+    selected: wp.array(dtype=wp.int32),
     # State in and out:
     s: State,
 ):
-    """Give every relation of the active candidates the option that it is nearest to."""
+    """Give every relation of the selected candidates the option that it is nearest to."""
     slot, rel = wp.tid()
-    candidate = active[slot]
+    candidate = selected[slot]
     p = problem[candidate]
     r = t[0].relation_start[p] + rel
     if r < t[0].relation_start[p + 1]:
-        parties = parties_of(t, t[0].object_start[p], r, s, candidate, View())
-        option, _e, _g = best_option(t, r, 0, parties, w.knee)
+        those = relation_poses(t, t[0].object_start[p], r, s, candidate, View())
+        option, _e, _g = best_option(t, r, 0, those, w.knee)
         s.options[candidate, rel] = option
 
 
 @wp.func
-def pull(d: wp.array2d(dtype=wp.vec4), candidate: wp.int32, row: Row, force: wp.float32):
+def apply_force(d: wp.array2d(dtype=wp.vec4), candidate: wp.int32, row: Inequality, force: wp.float32):
     """Move what a row is about by a change of its force."""
     d[candidate, row.body[0]] = d[candidate, row.body[0]] + force * mobility(row.first)
     if row.body[1] >= 0:
@@ -165,7 +165,7 @@ def sweep(
     n: wp.int32,
     backward: wp.int32,
     count: wp.array2d(dtype=wp.int32),
-    rows: wp.array2d(dtype=Row),
+    rows: wp.array2d(dtype=Inequality),
     force: wp.array2d(dtype=wp.float32),
     d: wp.array2d(dtype=wp.vec4),
 ):
@@ -189,7 +189,7 @@ def sweep(
                 new = wp.max(old + (missing - SOFT * old) * row.inverse, 0.0)
                 worst = wp.max(worst, wp.abs(new - old) / row.inverse)
                 force[candidate, slot] = new
-                pull(d, candidate, row, new - old)
+                apply_force(d, candidate, row, new - old)
     return worst
 
 
@@ -199,10 +199,10 @@ def project(
     t: TablesRef,
     sweeps: wp.int32,
     problem: wp.array(dtype=wp.int32),
-    active: wp.array(dtype=wp.int32),
+    selected: wp.array(dtype=wp.int32),
     # State in:
     count: wp.array2d(dtype=wp.int32),
-    rows: wp.array2d(dtype=Row),
+    rows: wp.array2d(dtype=Inequality),
     missed: wp.array2d(dtype=wp.float32),
     # State in and out:
     s: State,
@@ -213,16 +213,16 @@ def project(
     lack: wp.array(dtype=wp.float32),
     moved: wp.array(dtype=wp.float32),
     fault: wp.array2d(dtype=wp.float32),
-    stride: wp.array(dtype=wp.float32),
+    last_step: wp.array(dtype=wp.float32),
     live: wp.array(dtype=wp.int32),
 ):
     """Keep a layout that is the best so far, and go on to the least movement that satisfies its rows.
 
     Of the best layout so far ``lack`` [candidate] is what it misses [m], ``moved`` its squared movement, and ``fault``
     [candidate, object] each object's part of the lack or, where there is none, of the movement. ``d`` is scratch,
-    ``stride`` how far the last step went. A candidate that has settled at a feasible layout is no longer live.
+    ``last_step`` how far the last step went. A candidate that has settled at a feasible layout is no longer live.
     """
-    candidate = active[wp.tid()]
+    candidate = selected[wp.tid()]
     if live[candidate] == 0:
         return
     p = problem[candidate]
@@ -242,7 +242,7 @@ def project(
             fault[candidate, obj] = missed[candidate, obj]
             if miss == 0.0:
                 fault[candidate, obj] = movement(shift[candidate, obj])
-    if miss == 0.0 and (stride[candidate] < STILL or far == 0.0):
+    if miss == 0.0 and (last_step[candidate] < STILL or far == 0.0):
         live[candidate] = 0
         return
     for obj in range(n):
@@ -251,7 +251,7 @@ def project(
         for k in range(count[candidate, obj]):
             f = force[candidate, obj * ROWS + k]
             if f > 0.0:
-                pull(d, candidate, rows[candidate, obj * ROWS + k], f)
+                apply_force(d, candidate, rows[candidate, obj * ROWS + k], f)
     for i in range(sweeps):
         worst = sweep(t, candidate, n, i & 1, count, rows, force, d)
         if worst < 1.0e-5:
@@ -269,7 +269,7 @@ def project(
                 shift[candidate, obj] = new
                 place(t, o0, candidate, obj, new, s)
             furthest = wp.max(furthest, length)
-    stride[candidate] = furthest
+    last_step[candidate] = furthest
 
 
 @wp.kernel

@@ -8,10 +8,10 @@ written but the state of the random stream, which the caller holds: many poses o
 
 import warp as wp
 
-from .energy import Parties, best_option, outside, parties_of
+from .array_access import item, opaque_one
+from .energy import RelationPoses, best_option, outside, relation_poses
 from .features import TURN, feature
 from .geometry import lowest_vertex, perp, plane_of, turn_back
-from .reading import item, one
 from .tables import (
     FEATURE_BEARING,
     FEATURE_CONSTANT,
@@ -100,7 +100,9 @@ def target_value(aim: wp.vec2, rng: wp.ref[wp.uint32]):
 
 
 @wp.func
-def project_option(t: TablesRef, option: wp.int32, x: Parties, free: wp.int32, fresh: wp.bool, rng: wp.ref[wp.uint32]):
+def project_option(
+    t: TablesRef, option: wp.int32, x: RelationPoses, free: wp.int32, fresh: wp.bool, rng: wp.ref[wp.uint32]
+):
     """The subject's pose moved into the rows of one option, row by row.
 
     A fresh draw takes a new value for every row; otherwise only rows outside their interval move it.
@@ -138,7 +140,7 @@ def project_option(t: TablesRef, option: wp.int32, x: Parties, free: wp.int32, f
 
 
 @wp.func
-def settle(
+def project_onto_relations(
     t: TablesRef,
     w: Weights,
     p: wp.int32,
@@ -153,12 +155,12 @@ def settle(
     o0 = item(t[0].object_start, p)
     o = o0 + obj
     r0 = item(t[0].relation_start, p)
-    first = item(t[0].touch_start, o)
-    count = item(t[0].touch_start, o + 1) - first
+    first = item(t[0].incidence_start, o)
+    count = item(t[0].incidence_start, o + 1) - first
     free = item(t[0].object_free, o)
     mine = int(0)
     for k in range(first, first + count):
-        if item(t[0].touch_role, k) == 0 and item(t[0].relation_rigid, r0 + item(t[0].touch, k)) == 0:
+        if item(t[0].incidence_role, k) == 0 and item(t[0].relation_rigid, r0 + item(t[0].incidence, k)) == 0:
             mine += 1
     if mine == 0:
         return pose
@@ -167,17 +169,17 @@ def settle(
         skip = pick(rng, mine)
     # a fresh draw's sweep of one relation (for others it is empty, so that all go through the second side by side),
     # then a sweep over all
-    for sweep in range(0, 2, one()):
+    for sweep in range(0, 2, opaque_one()):
         for k in range(first, first + count):
-            r = r0 + item(t[0].touch, k)
-            if item(t[0].touch_role, k) == 0 and item(t[0].relation_rigid, r) == 0:
+            r = r0 + item(t[0].incidence, k)
+            if item(t[0].incidence_role, k) == 0 and item(t[0].relation_rigid, r) == 0:
                 draw = sweep == 0 and skip == 0
                 if sweep == 0:
                     skip -= 1
                 if sweep > 0:
                     draw = item(t[0].relation_fault, r) != 0 or uniform(rng) < 0.7
                 if draw:
-                    x = parties_of(t, o0, r, s, candidate, View())
+                    x = relation_poses(t, o0, r, s, candidate, View())
                     x.pose_a = pose
                     x.qa = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
                     option = item(t[0].option_start, r)
@@ -283,7 +285,7 @@ def propose(
         pose = random_start(t, p, o, pose, rng)
     else:
         pose = jitter(item(t[0].object_free, o), pose, scale, rng)
-    pose = settle(t, w, p, obj, pose, s, candidate, fresh, rng)
+    pose = project_onto_relations(t, w, p, obj, pose, s, candidate, fresh, rng)
     pose = keep_inside(t, p, o, pose, m.bounds_aim)
     if uniform(rng) < flush:
         pose = slide(t, p, obj, pose, s, candidate, m.collision_aim + 0.001, rng)

@@ -1,17 +1,17 @@
 """Search over one candidate: relation-guided moves of single objects and whole groups, annealed, then a polish.
 
 A round is a chain of jobs (`jobs`). Here one thread goes through a candidate's chain, which is how a CPU works. On a
-GPU all candidates do their next job side by side: their poses are drawn, then rated (`trials`), then it is decided what
-is next (`decide`). Energies are local: a move costs what touches the moved objects.
+GPU all candidates do their next job side by side: their poses are drawn, then rated (`proposals`), then it is decided
+what is next (`transitions`). Energies are local: a move costs what touches the moved objects.
 """
 
 import warp as wp
 
-from .begin import Plan
-from .decide import decide, leave, sit_down
-from .jobs import GRADIENT, MOVE, STOP, Found, at_home, weights_at
+from .jobs import GRADIENT, MOVE, STOP, JobResult, is_anchored, weights_at
+from .proposals import draw_proposals, find_gradient, rate_proposals
+from .starts import Plan
 from .tables import Margins, State, TablesRef, Weights
-from .trials import draw_trials, find_slope, rate_trials
+from .transitions import decide, finish_round, initial_state
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
 
@@ -25,7 +25,7 @@ def search(
     plan: Plan,
     problem: wp.array(dtype=wp.int32),
     # State in:
-    open: wp.array(dtype=wp.int32),
+    active: wp.array(dtype=wp.int32),
     clock: wp.array(dtype=wp.int32),
     # State in and out:
     s: State,
@@ -35,22 +35,22 @@ def search(
     # State out:
     total_out: wp.array(dtype=wp.float32),
 ):
-    """Search each open candidate in place for one round, one after the other: for a CPU."""
+    """Search each active candidate in place for one round, one after the other: for a CPU."""
     candidate = wp.tid()
-    if open[candidate] == 0:
+    if active[candidate] == 0:
         return
     p = problem[candidate]
-    round = clock[0] % plan.rounds
-    home = at_home(plan, clock)
-    weights = weights_at(w, home)
-    d = sit_down(t, p, candidate, s)
+    round_index = clock[0] % plan.rounds
+    anchored = is_anchored(plan, clock)
+    weights = weights_at(w, anchored)
+    d = initial_state(t, p, candidate, s)
     while d.job != STOP:
         if d.job >= MOVE:
-            draw_trials(t, m, weights, plan, home, p, candidate, d, 0, 1, s, drawn, drafted)
-        x = Found()
+            draw_proposals(t, m, weights, plan, anchored, p, candidate, d, 0, 1, s, drawn, drafted)
+        x = JobResult()
         if d.job == GRADIENT:
-            x = find_slope(t, m, weights, p, candidate, d, s)
+            x = find_gradient(t, m, weights, p, candidate, d, s)
         else:
-            x = rate_trials(t, m, weights, plan, home, p, candidate, d, s, drawn, drafted, energy)
-        d = decide(t, plan, round, home, p, candidate, x, s, energy, d)
-    leave(candidate, d, s, total_out)
+            x = rate_proposals(t, m, weights, plan, anchored, p, candidate, d, s, drawn, drafted, energy)
+        d = decide(t, plan, round_index, anchored, p, candidate, x, s, energy, d)
+    finish_round(candidate, d, s, total_out)

@@ -5,11 +5,12 @@ That is best on a CPU; a GPU takes `pieces`.
 
 import warp as wp
 
+from .array_access import item
 from .energy import object_energy
 from .geometry import FAR
-from .reading import item
-from .step import AT_REST, LANES
+from .step import AT_REST
 from .tables import Margins, Share, State, TablesRef, View, Weights
+from .warp_primitives import WARP_SIZE
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
 
@@ -48,7 +49,7 @@ def slopes_of_all(
     Candidates whose ``lowest`` energy is that of rest are left as they are.
     """
     group, obj, lane = wp.tid()
-    candidate = group * LANES + lane
+    candidate = group * WARP_SIZE + lane
     if not at_work(t, problem, candidate, obj, lowest):
         return
     _e, share, _soft, g = object_energy(t, m, w, problem[candidate], candidate, obj, s, FAR, View(), Share(0, 1))

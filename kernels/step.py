@@ -1,22 +1,22 @@
 """What step-based optimisers share: threads, moving a root with what it carries, the best so far, choosing options.
 
 These optimisers look at every object of every candidate in each step, so their kernels run one thread per (candidate,
-object) or (candidate, relation), as (group, object, lane): a warp takes one object of LANES neighbouring candidates.
-Its threads then read the same table entries and take the same branches, and warps beside it find the candidates' poses
+object) or (candidate, relation), as (group, object, lane): a warp takes one object of neighbouring candidates. Its
+threads then read the same table entries and take the same branches, and warps beside it find the candidates' poses
 in the cache. What is private to these optimisers is stored [object, candidate], so that a warp reads it in one piece.
 """
 
 import warp as wp
 
-from .energy import best_option, parties_of
+from .array_access import item, item_strided
+from .energy import best_option, relation_poses
 from .features import TURN
 from .geometry import perp, plane_of, wrap
-from .reading import item, spot
 from .tables import FREE_PLANE, FREE_YAW, FREE_Z, State, TablesRef, View, Weights
+from .warp_primitives import WARP_SIZE
 
 wp.set_module_options({"enable_backward": False})
 
-LANES = wp.constant(32)  # candidates side by side in a warp
 AT_REST = wp.constant(1.0e-9)  # energy at which nothing is left to improve
 
 
@@ -65,14 +65,14 @@ def scaled_gradient(
     ``part`` and ``slope`` are those of every object, which a root has with all that it carries. Yaw is a length at the
     arm.
     """
-    at = plane_of(spot(poses, candidate, root))
+    at = plane_of(item_strided(poses, candidate, root))
     share = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
     for k in range(item(t[0].member_start, o), item(t[0].member_start, o + 1)):
         i = item(t[0].member, k)
         share += item(part, i, candidate)
         gi = item(slope, i, candidate)
-        turned = perp(plane_of(spot(poses, candidate, i)) - at)
+        turned = perp(plane_of(item_strided(poses, candidate, i)) - at)
         g += wp.vec4(gi[0], gi[1], gi[2], gi[3] + gi[0] * turned[0] + gi[1] * turned[1])
     g = wp.cw_mul(g, freedom(t, o))
     g[3] = g[3] / arm
@@ -165,14 +165,14 @@ def choose(
 ):
     """Give every relation its best option at the present poses, in both buffers."""
     group, rel, lane = wp.tid()
-    candidate = group * LANES + lane
+    candidate = group * WARP_SIZE + lane
     if candidate >= problem.shape[0]:
         return
     p = problem[candidate]
     r = item(t[0].relation_start, p) + rel
     if r < item(t[0].relation_start, p + 1):
-        parties = parties_of(t, item(t[0].object_start, p), r, s, candidate, View())
-        option, _e, _g = best_option(t, r, 0, parties, w.knee)
+        those = relation_poses(t, item(t[0].object_start, p), r, s, candidate, View())
+        option, _e, _g = best_option(t, r, 0, those, w.knee)
         options_out[candidate, rel] = option
         other_out[candidate, rel] = option
 
@@ -192,7 +192,7 @@ def measure(
 ):
     """Every root's share of its candidate's energy and its scaled gradient, [object, candidate]; else zero."""
     group, obj, lane = wp.tid()
-    candidate = group * LANES + lane
+    candidate = group * WARP_SIZE + lane
     if candidate >= problem.shape[0]:
         return
     p = problem[candidate]

@@ -8,7 +8,7 @@ stored as four, which a thread reads in one piece.
 
 import warp as wp
 
-from .reading import item
+from .array_access import item
 
 wp.set_module_options({"enable_backward": False})
 
@@ -86,22 +86,22 @@ class Tables:
     member_start: wp.array(dtype=wp.int32)  # a root and all that it carries, itself first; empty for the carried
     member: wp.array(dtype=wp.int32)
     parts: wp.array(dtype=wp.vec2i)  # [2 O] prisms that each object has from and to: solids, then zones
-    foot_start: wp.array(dtype=wp.int32)
-    touch_start: wp.array(dtype=wp.int32)  # relations that the object takes part in
-    touch: wp.array(dtype=wp.int32)
-    touch_role: wp.array(dtype=wp.int32)  # 0 subject, 1 first target, 2 second target
-    deck_start: wp.array(dtype=wp.int32)  # a root's support surfaces, supporters before what they carry
+    footprint_start: wp.array(dtype=wp.int32)
+    incidence_start: wp.array(dtype=wp.int32)  # relations that the object takes part in
+    incidence: wp.array(dtype=wp.int32)
+    incidence_role: wp.array(dtype=wp.int32)  # 0 subject, 1 first target, 2 second target
+    surface_start: wp.array(dtype=wp.int32)  # a root's support surfaces, supporters before what they carry
     pair_flags: wp.array(dtype=wp.uint8)  # n x n per problem, from pair_start
     # deck: a support surface with what stands on it, and a pool of layouts solved for it beforehand
-    deck_supporter: wp.array(dtype=wp.int32)
-    deck_height: wp.array(dtype=wp.float32)
-    deck_member_start: wp.array(dtype=wp.int32)
-    deck_member: wp.array(dtype=wp.int32)
+    surface_supporter: wp.array(dtype=wp.int32)
+    surface_height: wp.array(dtype=wp.float32)
+    surface_member_start: wp.array(dtype=wp.int32)
+    surface_member: wp.array(dtype=wp.int32)
     pool_start: wp.array(dtype=wp.int32)
     pool: wp.array(dtype=wp.vec4)  # entry by entry, poses in the supporter's frame above the surface
     pool_size: wp.int32  # entries of every deck
     # prism [M] or [M + 1]
-    foot: wp.array(dtype=wp.int32)
+    footprint: wp.array(dtype=wp.int32)
     prism_start: wp.array(dtype=wp.int32)  # range of vertices
     prism_z: wp.array(dtype=wp.vec2)
     prism_disc: wp.array(dtype=wp.vec4)  # bounding circle: centre, radius
@@ -192,7 +192,7 @@ class Margins:
     bounds_hold: wp.float32
     zone_aim: wp.float32
     zone_hold: wp.float32
-    gate: wp.float32  # z overlap below which two prisms do not meet
+    least_overlap_z: wp.float32  # z overlap below which two prisms do not meet
 
 
 @wp.struct

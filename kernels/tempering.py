@@ -17,8 +17,9 @@ import warp as wp
 from .features import TURN
 from .geometry import plane_of, turn
 from .sample import QUARTER
-from .step import LANES, freedom, noise, place_members, stream, total_of, turning_arm
+from .step import freedom, noise, place_members, stream, total_of, turning_arm
 from .tables import FREE_PLANE, FREE_YAW, State, TablesRef
+from .warp_primitives import WARP_SIZE
 
 wp.set_module_options({"enable_backward": False})
 
@@ -28,7 +29,7 @@ TARGET = wp.constant(0.574)  # acceptance at which MALA explores fastest
 PICKS = wp.constant(8)  # looks for an object that may jump
 OF_ROW = wp.constant(1048576)  # streams of rows begin here, beyond those of objects
 
-# ``Ladder.move``: the trial of a row. Zero and above: a jump of that object.
+# ``Ladder.move``: the proposal of a row. Zero and above: a jump of that object.
 FIRST = wp.constant(-1)  # the start, which is taken as it is
 LANGEVIN = wp.constant(-2)
 GROUP = wp.constant(65536)  # added to a jump of the whole group
@@ -40,11 +41,11 @@ class Ladder:
 
     temperature: wp.array(dtype=wp.float32)  # [rung], in units of the energy [m], coldest first
     rung: wp.array(dtype=wp.int32)  # [row]
-    pace: wp.array(dtype=wp.float32)  # [candidate * replicas + rung]: length of Langevin steps, metres per slope
+    step_size: wp.array(dtype=wp.float32)  # [candidate * replicas + rung]: length of Langevin steps, metres per slope
     energy: wp.array(dtype=wp.float32)  # [row]
     move: wp.array(dtype=wp.int32)  # [row]
-    taken: wp.array(dtype=wp.int32)  # [row]: 1 when the trial was accepted
-    better: wp.array(dtype=wp.int32)  # [row]: 1 when the trial is the candidate's best so far
+    accepted: wp.array(dtype=wp.int32)  # [row]: 1 when the proposal was accepted
+    better: wp.array(dtype=wp.int32)  # [row]: 1 when the proposal is the candidate's best so far
     lowest: wp.array(dtype=wp.float32)  # [candidate]
 
 
@@ -55,15 +56,17 @@ def exchange_odds(energy_a: wp.float32, temperature_a: wp.float32, energy_b: wp.
 
 
 @wp.func
-def langevin_odds(step: wp.vec4, slope: wp.vec4, trial_slope: wp.vec4, pace: wp.float32, temperature: wp.float32):
+def langevin_odds(
+    step: wp.vec4, gradient: wp.vec4, proposal_gradient: wp.vec4, step_size: wp.float32, temperature: wp.float32
+):
     """One object's part in the logarithm of how much likelier the way back is than the way there."""
-    there = step + pace * slope
-    back = step - pace * trial_slope
-    return (wp.dot(there, there) - wp.dot(back, back)) / (4.0 * pace * temperature)
+    there = step + step_size * gradient
+    back = step - step_size * proposal_gradient
+    return (wp.dot(there, there) - wp.dot(back, back)) / (4.0 * step_size * temperature)
 
 
 @wp.kernel
-def spread(
+def copy_replicas(
     # Problem:
     replicas: wp.int32,
     problem: wp.array(dtype=wp.int32),
@@ -98,15 +101,15 @@ def accept(
     clock: wp.array(dtype=wp.int32),
     rng: wp.array(dtype=wp.uint32),
     share: wp.array2d(dtype=wp.float32),
-    slope: wp.array2d(dtype=wp.vec4),
-    trial_slope: wp.array2d(dtype=wp.vec4),
+    gradient: wp.array2d(dtype=wp.vec4),
+    proposal_gradient: wp.array2d(dtype=wp.vec4),
     step: wp.array2d(dtype=wp.vec4),
     # State in and out:
     ladder: Ladder,
     # State out:
     total_out: wp.array(dtype=wp.float32),
 ):
-    """Decide on every row's trial, adapt its pace, and draw what it tries next: a share of ``jumps`` jump."""
+    """Decide on every row's proposal, adapt its step size, and draw what it tries next: a share of ``jumps`` jump."""
     row = wp.tid()
     p = problem[row]
     n = t[0].object_start[p + 1] - t[0].object_start[p]
@@ -118,18 +121,20 @@ def accept(
     rung = ladder.rung[row]
     temperature = ladder.temperature[rung]
     at = (row // replicas) * replicas + rung
-    pace = ladder.pace[at]
+    step_size = ladder.step_size[at]
     odds = (ladder.energy[row] - total) / temperature
     if kind == LANGEVIN:
         for obj in range(n):
-            odds += langevin_odds(step[obj, row], slope[obj, row], trial_slope[obj, row], pace, temperature)
+            odds += langevin_odds(
+                step[obj, row], gradient[obj, row], proposal_gradient[obj, row], step_size, temperature
+            )
         chance = float(0.0)  # stays zero when the odds are no number
         if odds > -50.0:
             chance = wp.exp(wp.min(odds, 0.0))
-        ladder.pace[at] = pace * wp.exp(2.0 * (chance - TARGET) / wp.pow(1.0 + 0.1 * float(now), 0.6))
-    taken = kind == FIRST or wp.log(wp.randf(draw) + 1.0e-20) < odds
-    ladder.taken[row] = wp.where(taken, 1, 0)
-    if taken:
+        ladder.step_size[at] = step_size * wp.exp(2.0 * (chance - TARGET) / wp.pow(1.0 + 0.1 * float(now), 0.6))
+    accepted = kind == FIRST or wp.log(wp.randf(draw) + 1.0e-20) < odds
+    ladder.accepted[row] = wp.where(accepted, 1, 0)
+    if accepted:
         ladder.energy[row] = total
     move = int(LANGEVIN)
     if wp.randf(draw) < jumps:
@@ -232,18 +237,18 @@ def make_moves(
     # State in:
     clock: wp.array(dtype=wp.int32),
     ladder: Ladder,
-    trial_slope: wp.array2d(dtype=wp.vec4),
+    proposal_gradient: wp.array2d(dtype=wp.vec4),
     # State in and out:
     s: State,
-    trial: State,
-    slope: wp.array2d(dtype=wp.vec4),
+    proposal: State,
+    gradient: wp.array2d(dtype=wp.vec4),
     # State out:
     step_out: wp.array2d(dtype=wp.vec4),
     best_out: wp.array2d(dtype=wp.vec4),
 ):
-    """Carry out what was decided on every row's trial and lay out the next one."""
+    """Carry out what was decided on every row's proposal and lay out the next one."""
     group, obj, lane = wp.tid()
-    row = group * LANES + lane
+    row = group * WARP_SIZE + lane
     if row >= problem.shape[0]:
         return
     p = problem[row]
@@ -257,22 +262,22 @@ def make_moves(
     for k in range(t[0].member_start[o], t[0].member_start[o + 1]):
         i = t[0].member[k]
         if ladder.better[row] == 1:
-            best_out[candidate, i] = trial.poses[row, i]
-        if ladder.taken[row] == 1:
-            s.poses[row, i] = trial.poses[row, i]
-    if ladder.taken[row] == 1:
-        slope[obj, row] = trial_slope[obj, row]
+            best_out[candidate, i] = proposal.poses[row, i]
+        if ladder.accepted[row] == 1:
+            s.poses[row, i] = proposal.poses[row, i]
+    if ladder.accepted[row] == 1:
+        gradient[obj, row] = proposal_gradient[obj, row]
     free = freedom(t, o)
     move = ladder.move[row]
     d = wp.vec4(0.0, 0.0, 0.0, 0.0)
     if move == LANGEVIN:
         rung = ladder.rung[row]
-        pace = ladder.pace[candidate * replicas + rung]
-        sigma = wp.sqrt(2.0 * pace * ladder.temperature[rung])
-        d = wp.cw_mul(free, sigma * noise(stream(s.rng[row], clock[candidate], obj)) - pace * slope[obj, row])
+        step_size = ladder.step_size[candidate * replicas + rung]
+        sigma = wp.sqrt(2.0 * step_size * ladder.temperature[rung])
+        d = wp.cw_mul(free, sigma * noise(stream(s.rng[row], clock[candidate], obj)) - step_size * gradient[obj, row])
         step_out[obj, row] = d
         d[3] = d[3] / turning_arm(t, o)
     elif jumps_with(t, o0, move, obj):
         seed = stream(s.rng[row], clock[candidate], OF_ROW + 2)
         d = wp.cw_mul(free, jump(t, p, row, move % GROUP, obj, seed, s.poses))
-    place_members(t, o, obj, row, row, d, s.poses, trial.poses, trial.turns)
+    place_members(t, o, obj, row, row, d, s.poses, proposal.poses, proposal.turns)

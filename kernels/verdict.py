@@ -5,10 +5,10 @@ Thresholds are tighter than the judge's by more than float32 loses in a room of 
 
 import warp as wp
 
-from .energy import EAST, gate
+from .array_access import item
+from .energy import EAST, overlap_in_z
 from .features import feature
 from .geometry import plane_of, prisms_apart, turn
-from .reading import item
 from .tables import (
     FIXTURE_SOLID,
     PAIR_COLLIDE,
@@ -46,7 +46,7 @@ def apart(
     pb = plane_of(pose_b)
     for a in range(first[0], first[1]):
         for b in range(second[0], second[1]):
-            if gate(pose_a[2], item(t[0].prism_z, a), pose_b[2], item(t[0].prism_z, b), least):
+            if overlap_in_z(pose_a[2], item(t[0].prism_z, a), pose_b[2], item(t[0].prism_z, b), least):
                 s, _n, _x = prisms_apart(
                     t, a, item(t[0].prism_box, a), pa, qa, b, item(t[0].prism_box, b), pb, qb, hold
                 )
@@ -71,13 +71,13 @@ def pair_holds(
     sa = parts_of(t, a, SOLIDS)
     sb = parts_of(t, b, SOLIDS)
     if flags & PAIR_COLLIDE:
-        if not apart(t, sa, pose_a, qa, sb, pose_b, qb, m.collision_hold, m.gate):
+        if not apart(t, sa, pose_a, qa, sb, pose_b, qb, m.collision_hold, m.least_overlap_z):
             return False
     if flags & PAIR_ZONE_OF_FIRST:
-        if not apart(t, parts_of(t, a, ZONES), pose_a, qa, sb, pose_b, qb, m.zone_hold, m.gate):
+        if not apart(t, parts_of(t, a, ZONES), pose_a, qa, sb, pose_b, qb, m.zone_hold, m.least_overlap_z):
             return False
     if flags & PAIR_ZONE_OF_SECOND:
-        if not apart(t, sa, pose_a, qa, parts_of(t, b, ZONES), pose_b, qb, m.zone_hold, m.gate):
+        if not apart(t, sa, pose_a, qa, parts_of(t, b, ZONES), pose_b, qb, m.zone_hold, m.least_overlap_z):
             return False
     return True
 
@@ -89,8 +89,8 @@ def room_holds(t: TablesRef, m: Margins, p: wp.int32, o: wp.int32, pose: wp.vec4
     for k in range(item(t[0].plane_start, p), item(t[0].plane_start, p + 1)):
         plane = item(t[0].plane, k)
         n = wp.vec2(plane[0], plane[1])
-        for f in range(item(t[0].foot_start, o), item(t[0].foot_start, o + 1)):
-            a = item(t[0].foot, f)
+        for f in range(item(t[0].footprint_start, o), item(t[0].footprint_start, o + 1)):
+            a = item(t[0].footprint, f)
             for v in range(item(t[0].prism_start, a), item(t[0].prism_start, a + 1)):
                 if wp.dot(n, at + turn(q, item(t[0].vertex, v))) - plane[2] < m.bounds_hold:
                     return False
@@ -101,7 +101,7 @@ def room_holds(t: TablesRef, m: Margins, p: wp.int32, o: wp.int32, pose: wp.vec4
             prism = item(t[0].fixture, k)
             fixture = wp.vec2i(prism, prism + 1)
             nowhere = wp.vec4(0.0, 0.0, 0.0, 0.0)
-            if not apart(t, parts_of(t, o, SOLIDS), pose, q, fixture, nowhere, EAST, hold, m.gate):
+            if not apart(t, parts_of(t, o, SOLIDS), pose, q, fixture, nowhere, EAST, hold, m.least_overlap_z):
                 return False
     if pose[2] + item(t[0].object_z, o)[1] > item(t[0].room_height, p) - m.bounds_hold:
         return False
@@ -146,15 +146,15 @@ def judge_objects(
     m: Margins,
     problem: wp.array(dtype=wp.int32),
     # State in:
-    open: wp.array(dtype=wp.int32),
+    active: wp.array(dtype=wp.int32),
     poses: wp.array2d(dtype=wp.vec4),
     turns: wp.array2d(dtype=wp.vec2),
     # State out:
     fault_out: wp.array2d(dtype=wp.int8),
 ):
-    """Fault of every object of the open candidates: 0, BROKEN or DIVERGED. A pair is charged to both."""
+    """Fault of every object of the active candidates: 0, BROKEN or DIVERGED. A pair is charged to both."""
     candidate, obj = wp.tid()
-    if open[candidate] == 0:
+    if active[candidate] == 0:
         return
     p = problem[candidate]
     o0 = item(t[0].object_start, p)
@@ -189,15 +189,15 @@ def judge_relations(
     t: TablesRef,
     problem: wp.array(dtype=wp.int32),
     # State in:
-    open: wp.array(dtype=wp.int32),
+    active: wp.array(dtype=wp.int32),
     poses: wp.array2d(dtype=wp.vec4),
     turns: wp.array2d(dtype=wp.vec2),
     # State out:
     holds_out: wp.array2d(dtype=wp.bool),
 ):
-    """Whether each relation of the open candidates holds under any of its options, [candidate, relation]."""
+    """Whether each relation of the active candidates holds under any of its options, [candidate, relation]."""
     candidate, rel = wp.tid()
-    if open[candidate] == 0:
+    if active[candidate] == 0:
         return
     p = problem[candidate]
     r = item(t[0].relation_start, p) + rel
@@ -219,15 +219,15 @@ def judge_candidates(
     t: TablesRef,
     problem: wp.array(dtype=wp.int32),
     # State in:
-    open: wp.array(dtype=wp.int32),
+    active: wp.array(dtype=wp.int32),
     fault: wp.array2d(dtype=wp.int8),
     holds: wp.array2d(dtype=wp.bool),
     # State out:
     status_out: wp.array(dtype=wp.int8),
 ):
-    """Status of every open candidate: 0 valid, 1 broken, 2 a hard relation is unmet, 3 diverged."""
+    """Status of every active candidate: 0 valid, 1 broken, 2 a hard relation is unmet, 3 diverged."""
     candidate = wp.tid()
-    if open[candidate] == 0:
+    if active[candidate] == 0:
         return
     p = problem[candidate]
     status = int(VALID)

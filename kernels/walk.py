@@ -55,7 +55,7 @@ def mark_floor(
     t: TablesRef,
     floor: Floor,
     problem: wp.array(dtype=wp.int32),
-    active: wp.array(dtype=wp.int32),
+    selected: wp.array(dtype=wp.int32),
     # State in:
     s: State,
     # State out:
@@ -63,7 +63,7 @@ def mark_floor(
 ):
     """Mark the cells [slot, cell] where the robot cannot stand."""
     slot, cell = wp.tid()
-    candidate = active[slot]
+    candidate = selected[slot]
     p = problem[candidate]
     x = floor.origin + floor.cell * wp.vec2(float(cell % floor.nx) + 0.5, float(cell // floor.nx) + 0.5)
     blocked = bool(False)
@@ -92,7 +92,7 @@ def mark_floor(
 
 
 @wp.func
-def spread(
+def flood_fill(
     grid: wp.array2d(dtype=wp.int32),
     queue: wp.array2d(dtype=wp.int32),
     slot: wp.int32,
@@ -153,8 +153,8 @@ def walk(
                     near = far
                     seed = cell
         if seed >= 0:
-            reached += spread(grid, queue, slot, floor, seed)
+            reached += flood_fill(grid, queue, slot, floor, seed)
     if doors.shape[0] == 0:
         for cell in range(cells):
-            reached = wp.max(reached, spread(grid, queue, slot, floor, cell))
+            reached = wp.max(reached, flood_fill(grid, queue, slot, floor, cell))
     share_out[slot] = wp.where(free > 0, float(reached) / float(wp.max(free, 1)), 0.0)

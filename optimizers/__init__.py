@@ -4,7 +4,7 @@ from .adam import run_adam as run_adam
 from .base import OPTIMIZERS as OPTIMIZERS
 from .base import Monitor as Monitor
 from .base import Optimizer as Optimizer
-from .base import Outcome as Outcome
+from .base import OptimizerResult as OptimizerResult
 from .batch import Batch as Batch
 from .batch import Verdict as Verdict
 from .batch import judge as judge
@@ -23,7 +23,7 @@ __all__ = [
     "Batch",
     "Monitor",
     "Optimizer",
-    "Outcome",
+    "OptimizerResult",
     "Verdict",
     "judge",
     "load_poses",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sceneweaver.kernels.adam import Schedule, adam_step
 
-from .base import Monitor, Outcome, Start, register
+from .base import Monitor, OptimizerResult, Start, register
 from .batch import Batch
 from .descent import MEASURED, MEASURED_ON_GPU, descend, outcome, schedule_of
 from .starts import draw_starts
@@ -19,7 +19,7 @@ def _schedule(steps: int, start: Start) -> Schedule:
 
 
 @register("adam", modules=(*MEASURED, "adam"), on_gpu=(*MEASURED_ON_GPU, "adam"))
-def run_adam(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
+def run_adam(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
     """Refine every candidate by ``budget`` steps (default 400); each ends at the lowest energy it passed."""
     draw_starts(batch, start)
     total = descend(batch, adam_step, _schedule(budget or STEPS, start), 2, monitor)

@@ -49,13 +49,13 @@ class Monitor:
 
 
 @dataclass
-class Outcome:
+class OptimizerResult:
     """What an optimiser leaves besides the poses in the batch: energy [B] float32 (lowest total found)."""
 
     energy: np.ndarray
 
 
-Solve = Callable[[Batch, Start, int | None, Monitor], Outcome]
+Solve = Callable[[Batch, Start, int | None, Monitor], OptimizerResult]
 """``solve(batch, start, budget, monitor)`` moves the batch's poses in place; budget in its own work units."""
 
 
@@ -71,7 +71,7 @@ class Optimizer:
         """The modules that it launches on a device."""
         return self.modules if device == "cpu" else self.on_gpu
 
-    def __call__(self, batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
+    def __call__(self, batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
         """Move the batch's poses in place."""
         return self.solve(batch, start, budget, monitor)
 

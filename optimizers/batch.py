@@ -8,10 +8,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 import warp as wp
 
-from sceneweaver.kernels.lanes import WARP
+from sceneweaver.kernels.bookkeeping import set_turns
 from sceneweaver.kernels.tables import Margins, State, Tables, Weights
-from sceneweaver.kernels.track import set_turns
 from sceneweaver.kernels.verdict import judge_candidates, judge_objects, judge_relations
+from sceneweaver.kernels.warp_primitives import WARP_SIZE
 
 STATE = (
     "poses",
@@ -77,9 +77,9 @@ class Verdict:
 Progress = Callable[[int, int, int, float], None]
 
 
-def lanes_on(device: str) -> int:
+def threads_per_candidate(device: str) -> int:
     """Threads that work on one candidate where a kernel deals its loops out over lanes."""
-    return 1 if device == "cpu" else WARP
+    return 1 if device == "cpu" else WARP_SIZE
 
 
 def new_state(candidates: int, objects: int, relations: int, device: str) -> State:
@@ -91,7 +91,7 @@ def new_state(candidates: int, objects: int, relations: int, device: str) -> Sta
     state.options = wp.zeros(links, dtype=wp.int32, device=device)
     state.anchors = wp.zeros(shape, dtype=wp.vec4, device=device)
     state.rng = wp.zeros(candidates, dtype=wp.uint32, device=device)
-    state.stream = wp.zeros((candidates, lanes_on(device) + 1), dtype=wp.uint32, device=device)
+    state.stream = wp.zeros((candidates, threads_per_candidate(device) + 1), dtype=wp.uint32, device=device)
     state.mark = wp.zeros(shape, dtype=wp.int32, device=device)
     state.draft = wp.zeros(shape, dtype=wp.vec4, device=device)
     for name in ("cell_head", "cell_next", "cell_of"):  # no cells: all pairs are looked at
@@ -128,7 +128,7 @@ def load_poses(batch: Batch, poses: np.ndarray) -> None:
 
 
 @dataclass
-class Court:
+class DeviceVerdict:
     """Where the verdict on a batch is written, on its device: status [B], fault [B, N], holds [B, R]."""
 
     status: wp.array
@@ -136,43 +136,43 @@ class Court:
     holds: wp.array
 
 
-def new_court(batch: Batch) -> Court:
+def new_device_verdict(batch: Batch) -> DeviceVerdict:
     """Room for a verdict on a batch."""
-    return Court(
+    return DeviceVerdict(
         wp.zeros(batch.size, dtype=wp.int8, device=batch.device),
         wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.int8, device=batch.device),
         wp.zeros((batch.size, max(batch.relations, 1)), dtype=wp.bool, device=batch.device),
     )
 
 
-def sit(batch: Batch, court: Court, open: wp.array) -> None:
-    """Launch the verdict on the open candidates; what the court holds on the others stays."""
+def launch_verdict(batch: Batch, verdict: DeviceVerdict, active: wp.array) -> None:
+    """Launch the verdict on the active candidates; what the verdict holds on the others stays."""
     device, state = batch.device, batch.state
     wp.launch(
         judge_objects,
         (batch.size, batch.objects),
-        [batch.tables, batch.margins, batch.problem, open, state.poses, state.turns],
-        [court.fault],
+        [batch.tables, batch.margins, batch.problem, active, state.poses, state.turns],
+        [verdict.fault],
         device=device,
     )
     wp.launch(
         judge_relations,
         (batch.size, batch.relations),
-        [batch.tables, batch.problem, open, state.poses, state.turns],
-        [court.holds],
+        [batch.tables, batch.problem, active, state.poses, state.turns],
+        [verdict.holds],
         device=device,
     )
     wp.launch(
         judge_candidates,
         batch.size,
-        [batch.tables, batch.problem, open, court.fault, court.holds],
-        [court.status],
+        [batch.tables, batch.problem, active, verdict.fault, verdict.holds],
+        [verdict.status],
         device=device,
     )
 
 
 def judge(batch: Batch) -> Verdict:
     """Verdict on every candidate."""
-    court = new_court(batch)
-    sit(batch, court, wp.full(batch.size, 1, dtype=wp.int32, device=batch.device))
-    return Verdict(court.status.numpy(), court.fault.numpy(), court.holds.numpy())
+    verdict = new_device_verdict(batch)
+    launch_verdict(batch, verdict, wp.full(batch.size, 1, dtype=wp.int32, device=batch.device))
+    return Verdict(verdict.status.numpy(), verdict.fault.numpy(), verdict.holds.numpy())

@@ -11,10 +11,11 @@ import warp as wp
 from sceneweaver.kernels.adam import Schedule
 from sceneweaver.kernels.pieces import PIECES
 from sceneweaver.kernels.slopes import slopes_of_all
-from sceneweaver.kernels.step import LANES, add_up, choose, measure, take_best
+from sceneweaver.kernels.step import add_up, choose, measure, take_best
 from sceneweaver.kernels.tables import State
+from sceneweaver.kernels.warp_primitives import WARP_SIZE
 
-from .base import Monitor, Outcome
+from .base import Monitor, OptimizerResult
 from .batch import Batch, judge
 from .launches import Launches
 
@@ -33,7 +34,7 @@ def schedule_of(steps: int, rate: float, rate_end: float, noise: float, quiet: f
 
 def threads(batch: Batch, each: int) -> tuple[int, int, int]:
     """Launch dimensions of kernels that take ``each`` objects or relations of every candidate: groups, each, lanes."""
-    return -(-batch.size // int(LANES)), each, int(LANES)
+    return -(-batch.size // WARP_SIZE), each, WARP_SIZE
 
 
 def per_object(batch: Batch, dtype: type, fill: float = 0.0) -> wp.array:
@@ -154,8 +155,8 @@ def energy_of(batch: Batch) -> wp.array:
     return total
 
 
-def outcome(batch: Batch, total: wp.array, monitor: Monitor) -> Outcome:
+def outcome(batch: Batch, total: wp.array, monitor: Monitor) -> OptimizerResult:
     """Report a refined batch and hand over its energies."""
     energy = total.numpy()
     monitor.add(batch.size, int(np.sum(judge(batch).status == 0)), float(energy.min(initial=np.inf)))
-    return Outcome(energy)
+    return OptimizerResult(energy)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from sceneweaver.kernels.adam import Schedule
 from sceneweaver.kernels.langevin import langevin_step
 
-from .base import Monitor, Outcome, Start, register
+from .base import Monitor, OptimizerResult, Start, register
 from .batch import Batch
 from .descent import MEASURED, MEASURED_ON_GPU, descend, outcome, schedule_of
 from .starts import draw_starts
@@ -20,7 +20,7 @@ def _schedule(steps: int, start: Start) -> Schedule:
 
 
 @register("langevin", modules=(*MEASURED, "langevin"), on_gpu=(*MEASURED_ON_GPU, "langevin"))
-def run_langevin(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
+def run_langevin(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
     """Refine every candidate by ``budget`` steps (default 400); each ends at the lowest energy it passed."""
     draw_starts(batch, start)
     total = descend(batch, langevin_step, _schedule(budget or STEPS, start), 1, monitor)

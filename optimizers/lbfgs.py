@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 import warp as wp
 
-from sceneweaver.kernels.lbfgs import SLOTS, History, Line, decide, make_trial
+from sceneweaver.kernels.lbfgs import SLOTS, History, Line, make_trial, search_line
 from sceneweaver.kernels.tables import State
 
-from .base import Monitor, Outcome, Start, register
+from .base import Monitor, OptimizerResult, Start, register
 from .batch import Batch
 from .descent import MEASURED, MEASURED_ON_GPU, add_choice, add_measure, finish, outcome, per_object, threads
 from .launches import Launches
@@ -42,13 +42,13 @@ def workspace(batch: Batch) -> Workspace:
     wp.copy(trial.poses, batch.state.poses)
     wp.copy(trial.turns, batch.state.turns)
     history, line = History(), Line()
-    history.moves = wp.zeros(shape, dtype=wp.vec4, device=device)
-    history.slopes = wp.zeros(shape, dtype=wp.vec4, device=device)
+    history.steps = wp.zeros(shape, dtype=wp.vec4, device=device)
+    history.gradient_changes = wp.zeros(shape, dtype=wp.vec4, device=device)
     for name in ("count", "head"):
         setattr(history, name, wp.zeros(batch.size, dtype=wp.int32, device=device))
     for name in ("energy", "lowest"):
         setattr(line, name, wp.full(batch.size, np.inf, dtype=wp.float32, device=device))
-    for name in ("stride", "slope"):
+    for name in ("step_length", "slope"):
         setattr(line, name, wp.zeros(batch.size, dtype=wp.float32, device=device))
     for name in ("tries", "idle", "state"):
         setattr(line, name, wp.zeros(batch.size, dtype=wp.int32, device=device))
@@ -59,11 +59,11 @@ def workspace(batch: Batch) -> Workspace:
 
 
 def one_step(block: Launches, batch: Batch, work: Workspace, push: float, steps: int) -> None:
-    """Append one step: measure the trial, decide on it, make the next."""
+    """Append one step: measure the trial, search_line on it, make the next."""
     trial, problem = work.trial, [batch.tables, batch.problem]
     add_choice(block, batch, trial, [trial.options, trial.options])
     add_measure(block, batch, trial, work.share, work.gradient)
-    block.add(decide, batch.size, [*problem, work.share, work.gradient, work.history, work.line, work.clock], [])
+    block.add(search_line, batch.size, [*problem, work.share, work.gradient, work.history, work.line, work.clock], [])
     block.add(
         make_trial,
         threads(batch, batch.objects),
@@ -76,7 +76,7 @@ def one_step(block: Launches, batch: Batch, work: Workspace, push: float, steps:
 
 
 @register("lbfgs", modules=(*MEASURED, "lbfgs"), on_gpu=(*MEASURED_ON_GPU, "lbfgs"))
-def run_lbfgs(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
+def run_lbfgs(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
     """Refine every candidate by ``budget`` steps (default 400), one energy each; it ends at the lowest it passed."""
     draw_starts(batch, start)
     steps = budget or STEPS

@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 import warp as wp
 
-from sceneweaver.kernels.gather import gather_rows
-from sceneweaver.kernels.inequality import ROWS, Row
-from sceneweaver.kernels.projection import Kick, begin_try, choose_sides, project, restore
-from sceneweaver.kernels.track import set_turns
+from sceneweaver.kernels.bookkeeping import set_turns
+from sceneweaver.kernels.inequality import ROWS, Inequality
+from sceneweaver.kernels.linearise import linearise
+from sceneweaver.kernels.projection import Perturbation, choose_options, project, restore, start_try
 
-from .base import Monitor, Outcome, Start, register
+from .base import Monitor, OptimizerResult, Start, register
 from .batch import STATE, Batch, new_state
 from .search import run_search
 from .starts import draw_starts
@@ -24,7 +24,7 @@ SWEEPS = 30  # over the rows of a step, at most
 REACH = 0.12  # [m] clearance below which a pair gets rows
 # Kicks, one a try: radius [m] around the object in trouble, share of the roots there, how far off they start [m].
 # Small ones choose another side for a pair, large ones begin from elsewhere in the room.
-KICKS = ((1.2, 0.4, 0.1), (1.2, 0.4, 0.2), (1.2, 0.4, 0.3), (2.4, 0.3, 0.3), (1.2, 0.4, 0.5), (100.0, 0.3, 0.3))
+PERTURBATIONS = ((1.2, 0.4, 0.1), (1.2, 0.4, 0.2), (1.2, 0.4, 0.3), (2.4, 0.3, 0.3), (1.2, 0.4, 0.5), (100.0, 0.3, 0.3))
 MEMORY = 2**30  # [bytes] of rows at once
 
 
@@ -43,7 +43,7 @@ class Workspace:
     force: list[wp.array]
     lack: wp.array
     moved: wp.array
-    stride: wp.array
+    last_step: wp.array
     live: wp.array
 
     @classmethod
@@ -65,18 +65,18 @@ class Workspace:
             count=wp.zeros(shape, dtype=wp.int32, device=device),
             missed=wp.zeros(shape, dtype=wp.float32, device=device),
             fault=wp.zeros(shape, dtype=wp.float32, device=device),
-            rows=wp.zeros(slots, dtype=Row, device=device),  # pyright: ignore[reportArgumentType]
+            rows=wp.zeros(slots, dtype=Inequality, device=device),  # pyright: ignore[reportArgumentType]
             keys=[wp.zeros(slots, dtype=wp.int32, device=device) for _ in range(2)],
             force=[wp.zeros(slots, dtype=wp.float32, device=device) for _ in range(2)],
             lack=numbers(),
             moved=numbers(),
-            stride=numbers(),
+            last_step=numbers(),
             live=wp.zeros(batch.size, dtype=wp.int32, device=device),
         )
 
 
-@register("projection", modules=("gather", "projection", "begin", "search"))
-def run_projection(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
+@register("projection", modules=("linearise", "projection", "starts", "search"))
+def run_projection(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
     """Move every candidate as little as makes it feasible; ``budget`` is the number of its tries (default 2).
 
     The movement is the sum over roots of dx^2 + dy^2 + dz^2 + (0.5 m/rad dyaw)^2, from where the start has them. A
@@ -88,7 +88,7 @@ def run_projection(batch: Batch, start: Start, budget: int | None, monitor: Moni
     most = max(1, MEMORY // (max(batch.objects, 1) * int(ROWS) * 96))
     if batch.size > most:
         parts = [batch.part(i, min(i + most, batch.size)) for i in range(0, batch.size, most)]
-        return Outcome(np.concatenate([run_projection(part, start, budget, monitor).energy for part in parts]))
+        return OptimizerResult(np.concatenate([run_projection(part, start, budget, monitor).energy for part in parts]))
     if start != "given":
         draw_starts(batch, start)
         wp.copy(batch.state.anchors, batch.state.poses)
@@ -103,7 +103,7 @@ def run_projection(batch: Batch, start: Start, budget: int | None, monitor: Moni
         lack[lost] = _search(batch, lost, tries, monitor)
     if lost.size:
         monitor.add(lost.size, int(np.sum(lack[lost] == 0)), float(lack[lost].min()))
-    return Outcome(lack)
+    return OptimizerResult(lack)
 
 
 def _improve(batch: Batch, work: Workspace, left: np.ndarray, tries: int, most: int, monitor: Monitor) -> np.ndarray:
@@ -120,29 +120,29 @@ def _improve(batch: Batch, work: Workspace, left: np.ndarray, tries: int, most: 
     return everyone[work.lack.numpy()[everyone] > 0]
 
 
-def _kick(attempt: int) -> Kick:
-    kick = Kick()
-    kick.attempt = attempt
-    kick.radius, kick.share, kick.spread = KICKS[(attempt - 1) % len(KICKS)]
-    return kick
+def _perturbation(attempt: int) -> Perturbation:
+    perturbation = Perturbation()
+    perturbation.attempt = attempt
+    perturbation.radius, perturbation.share, perturbation.spread = PERTURBATIONS[(attempt - 1) % len(PERTURBATIONS)]
+    return perturbation
 
 
 def _try(batch: Batch, work: Workspace, left: np.ndarray, attempt: int) -> None:
     """One try of the candidates ``left``: begin, choose options, then rows and projection in turn."""
     device, n = batch.device, left.size
-    active = wp.array(left.astype(np.int32), dtype=wp.int32, device=device)
-    problem = [batch.problem, active]
+    selected = wp.array(left.astype(np.int32), dtype=wp.int32, device=device)
+    problem = [batch.problem, selected]
     wp.launch(
-        begin_try,
+        start_try,
         (n, batch.objects),
-        [batch.tables, _kick(attempt), *problem, work.best, work.fault, batch.state],
-        [work.shift, work.count, work.live, work.stride],
+        [batch.tables, _perturbation(attempt), *problem, work.best, work.fault, batch.state],
+        [work.shift, work.count, work.live, work.last_step],
         device=device,
     )
-    wp.launch(choose_sides, (n, batch.relations), [batch.tables, batch.weights, *problem, batch.state], device=device)
+    wp.launch(choose_options, (n, batch.relations), [batch.tables, batch.weights, *problem, batch.state], device=device)
     for _ in range(STEPS):
         wp.launch(
-            gather_rows,
+            linearise,
             (n, batch.objects),
             [
                 batch.tables,
@@ -179,7 +179,7 @@ def _try(batch: Batch, work: Workspace, left: np.ndarray, attempt: int) -> None:
                 work.lack,
                 work.moved,
                 work.fault,
-                work.stride,
+                work.last_step,
                 work.live,
             ],
             device=device,

@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import warp as wp
 
-from .base import OPTIMIZERS, Monitor, Outcome, Start
+from .base import OPTIMIZERS, Monitor, OptimizerResult, Start
 from .batch import Batch
 
 PIECE = 32  # candidates that one CPU thread takes at a time: small enough to share work, large enough to pay a launch
@@ -19,12 +19,12 @@ def cpu_threads() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def run(batch: Batch, optimizer: str, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
+def run(batch: Batch, optimizer: str, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
     """Move the batch's poses in place. Pieces do not know of each other, so threads do not change the result."""
     solve = OPTIMIZERS[optimizer]
     if not batch.size or not batch.objects:
         monitor.add(batch.size, batch.size, 0.0)
-        return Outcome(np.zeros(batch.size, dtype=np.float32))
+        return OptimizerResult(np.zeros(batch.size, dtype=np.float32))
     if batch.device != "cpu":
         with wp.ScopedDevice(batch.device):
             return solve(batch, start, budget, monitor)
@@ -36,4 +36,4 @@ def run(batch: Batch, optimizer: str, start: Start, budget: int | None, monitor:
     outcomes = [solve(parts[0], start, budget, monitor)]  # the first alone: it compiles what is not compiled yet
     with ThreadPoolExecutor(threads) as pool:
         outcomes += pool.map(lambda part: solve(part, start, budget, monitor), parts[1:])
-    return Outcome(np.concatenate([o.energy for o in outcomes]))
+    return OptimizerResult(np.concatenate([o.energy for o in outcomes]))

@@ -8,24 +8,24 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from sceneweaver.kernels.begin import Plan, begin
+from sceneweaver.kernels.bookkeeping import advance_clock, check_continue, keep_best, retire_valid, set_turns
 from sceneweaver.kernels.cells import CELLS, CROWD, enter_cells
-from sceneweaver.kernels.decide import decide_next, open_desks
-from sceneweaver.kernels.jobs import BACK_STEPS, Desk, Found
+from sceneweaver.kernels.jobs import BACK_STEPS, JobResult, SearchState
+from sceneweaver.kernels.proposals import draw, rate, take_gradients
 from sceneweaver.kernels.search import search
+from sceneweaver.kernels.starts import Plan, start_attempt
 from sceneweaver.kernels.tables import State
-from sceneweaver.kernels.track import close, keep_best, proceed, set_turns, tick
-from sceneweaver.kernels.trials import draw, rate, slope
+from sceneweaver.kernels.transitions import advance, start_rounds
 
-from .base import Monitor, Outcome, Start, register
-from .batch import STATE, Batch, judge, lanes_on, new_court, sit
+from .base import Monitor, OptimizerResult, Start, register
+from .batch import STATE, Batch, judge, launch_verdict, new_device_verdict, threads_per_candidate
 from .launches import repeat_while, repeatable
-from .starts import STARTS, launch_lanes
+from .starts import STARTS, launch_warps
 
-AT_HOME = 3  # attempts from the given poses before anything is drawn anew
-LINGER = 2
-HOT = 0.3  # [m]
-HOT_AT_HOME = 0.05  # the same when little should move
+ANCHORED_ATTEMPTS = 3  # attempts from the given poses before anything is drawn anew
+SOFT_MOVES = 2
+TEMPERATURE = 0.3  # [m]
+ANCHORED_TEMPERATURE = 0.05  # the same when little should move
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ CPU = Effort(attempts=10, rounds=8, moves=4, proposals=5, slide=0.35, whole=0.5,
 # A GPU tries many poses in the time of one, so that it needs fewer moves; measured on one H200 (docs/gpu.md).
 GPU = Effort(attempts=40, rounds=1, moves=6, proposals=15, slide=0.2, whole=0.8, rates=False, polish=0, tries=4)
 GPU_CROWD = replace(GPU, proposals=7)
-GPU_AT_HOME = replace(GPU, rounds=2, moves=3, slide=0.35, whole=0.5, rates=True, polish=1)
+GPU_ANCHORED = replace(GPU, rounds=2, moves=3, slide=0.35, whole=0.5, rates=True, polish=1)
 
 
 def effort_for(device: str, start: Start, objects: int) -> Effort:
@@ -55,7 +55,7 @@ def effort_for(device: str, start: Start, objects: int) -> Effort:
     if device == "cpu":
         return CPU
     if start == "given":
-        return GPU_AT_HOME
+        return GPU_ANCHORED
     return GPU if objects <= CROWD else GPU_CROWD
 
 
@@ -64,10 +64,15 @@ def plan_for(effort: Effort, start: Start, attempts: int | None) -> Plan:
     plan = Plan()
     plan.rounds = effort.rounds
     plan.steps = effort.rounds * (effort.attempts if attempts is None else attempts)
-    plan.start, plan.at_home = STARTS[start], AT_HOME
+    plan.start, plan.anchored_attempts = STARTS[start], ANCHORED_ATTEMPTS
     plan.moves, plan.proposals, plan.tries = effort.moves, effort.proposals, effort.tries
     plan.slide, plan.whole, plan.rates = effort.slide, effort.whole, int(effort.rates)
-    plan.polish, plan.linger, plan.hot, plan.hot_at_home = effort.polish, LINGER, HOT, HOT_AT_HOME
+    plan.polish, plan.soft_moves, plan.temperature, plan.anchored_temperature = (
+        effort.polish,
+        SOFT_MOVES,
+        TEMPERATURE,
+        ANCHORED_TEMPERATURE,
+    )
     return plan
 
 
@@ -84,56 +89,62 @@ def with_cells(batch: Batch) -> State:
 
 
 class Rounds:
-    """One round of every open candidate: in one launch, or in three for every job, for as long as anyone has one."""
+    """One round of every active candidate: in one launch, or in three for every job, for as long as anyone has one."""
 
     def __init__(
-        self, batch: Batch, state: State, plan: Plan, open: wp.array, clock: wp.array, in_one: bool | None = None
+        self, batch: Batch, state: State, plan: Plan, active: wp.array, clock: wp.array, in_one: bool | None = None
     ) -> None:
         """``in_one``: all jobs of a candidate in one launch (default: on a CPU)."""
         device, tried = batch.device, max(1 + plan.proposals, plan.tries, int(BACK_STEPS))
-        self.batch, self.state, self.plan, self.open, self.clock = batch, state, plan, open, clock
+        self.batch, self.state, self.plan, self.active, self.clock = batch, state, plan, active, clock
         self.common = [batch.tables, batch.margins, batch.weights, plan, batch.problem]
         self.energy = wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.float32, device=device)
         self.total = wp.zeros(batch.size, dtype=wp.float32, device=device)
         # the poses that are tried, and whether they take surfaces laid out anew
-        self.trials = [wp.zeros((batch.size, tried), dtype=dtype, device=device) for dtype in (wp.vec4, wp.int32)]
+        self.proposals = [wp.zeros((batch.size, tried), dtype=dtype, device=device) for dtype in (wp.vec4, wp.int32)]
         self.in_one = device == "cpu" if in_one is None else in_one
         if not self.in_one:
-            self.desk = wp.zeros(batch.size, dtype=Desk, device=device)  # pyright: ignore[reportArgumentType]
-            self.found = wp.zeros(batch.size, dtype=Found, device=device)  # pyright: ignore[reportArgumentType]
+            self.search_state = wp.zeros(batch.size, dtype=SearchState, device=device)  # pyright: ignore[reportArgumentType]
+            self.result = wp.zeros(batch.size, dtype=JobResult, device=device)  # pyright: ignore[reportArgumentType]
             self.busy = wp.zeros(1, dtype=wp.int32, device=device)
 
     def launch(self) -> None:
-        """Begin the attempt where one is due, then search."""
+        """Start the attempt where one is due, then search."""
         batch, state = self.batch, self.state
-        launch_lanes(begin, batch, [*self.common, self.open, self.clock], [state])
+        launch_warps(start_attempt, batch, [*self.common, self.active, self.clock], [state])
         if batch.objects > CROWD:
-            wp.launch(enter_cells, batch.size, [batch.tables, batch.problem, self.open], [state], device=batch.device)
+            wp.launch(enter_cells, batch.size, [batch.tables, batch.problem, self.active], [state], device=batch.device)
         if self.in_one:
-            self._launch(search, batch.size, [self.open, self.clock, state], [self.energy, *self.trials, self.total])
+            self._launch(
+                search, batch.size, [self.active, self.clock, state], [self.energy, *self.proposals, self.total]
+            )
         else:
-            self._launch(open_desks, batch.size, [self.open, state], [self.desk, self.busy])
+            self._launch(start_rounds, batch.size, [self.active, state], [self.search_state, self.busy])
             wp.capture_while(self.busy, self._job)
 
     def _job(self) -> None:
         """The next job of every candidate."""
-        size, seen = self.batch.size, [self.clock, self.desk, self.state]
-        lanes = lanes_on(self.batch.device)
+        size, seen = self.batch.size, [self.clock, self.search_state, self.state]
+        lanes = threads_per_candidate(self.batch.device)
         drawers = min(1 + self.plan.proposals, lanes)
-        self._launch(draw, (size, drawers), seen, [*self.trials, self.busy], 128)
-        self._launch(rate, size * lanes, [*seen, *self.trials], [self.energy, self.found], 64)
+        self._launch(draw, (size, drawers), seen, [*self.proposals, self.busy], 128)
+        self._launch(rate, size * lanes, [*seen, *self.proposals], [self.energy, self.result], 64)
         if self.plan.polish:
-            self._launch(slope, size * lanes, seen, [self.found], 64)
+            self._launch(take_gradients, size * lanes, seen, [self.result], 64)
         self._launch(
-            decide_next, size, [self.clock, self.found, self.state], [self.energy, self.desk, self.total, self.busy], 64
+            advance,
+            size,
+            [self.clock, self.result, self.state],
+            [self.energy, self.search_state, self.total, self.busy],
+            64,
         )
 
     def _launch(self, kernel: Any, dim: Any, inputs: list, outputs: list, block: int = 256) -> None:
         wp.launch(kernel, dim, [*self.common, *inputs], outputs, device=self.batch.device, block_dim=block)
 
 
-@register("search", modules=("begin", "cells", "search"), on_gpu=("begin", "cells", "decide", "trials"))
-def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
+@register("search", modules=("starts", "cells", "search"), on_gpu=("starts", "cells", "transitions", "proposals"))
+def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
     """Search every candidate until it is valid; ``budget`` is the number of attempts (default 10, on a
     GPU, whose attempts are shorter, 40).
 
@@ -143,34 +154,34 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
     """
     device = batch.device
     plan = plan_for(effort_for(device, start, batch.objects), start, budget)
-    state, best, court = with_cells(batch), batch.scratch(), new_court(batch)
+    state, best, verdict = with_cells(batch), batch.scratch(), new_device_verdict(batch)
     best_total = wp.full(batch.size, float("inf"), dtype=wp.float32, device=device)
-    open_ = wp.full(batch.size, 1, dtype=wp.int32, device=device)
+    active = wp.full(batch.size, 1, dtype=wp.int32, device=device)
     clock, left, more = (wp.zeros(1, dtype=wp.int32, device=device) for _ in range(3))
-    rounds = Rounds(batch, state, plan, open_, clock)
+    rounds = Rounds(batch, state, plan, active, clock)
     solved = 0
     if start == "given":  # what is in order already is left alone
         status = judge(batch).status
-        open_.assign((status != 0).astype(np.int32))
+        active.assign((status != 0).astype(np.int32))
         best_total.assign(np.where(status == 0, 0.0, np.inf).astype(np.float32))
         solved = int(np.sum(status == 0))
         monitor.add(solved, solved, 0.0)
 
     def step() -> None:
-        """One round of every open candidate, and the verdict on it."""
+        """One round of every active candidate, and the verdict on it."""
         rounds.launch()
         wp.launch(
             keep_best,
             batch.size,
-            [batch.tables, batch.problem, open_, batch.state, rounds.total],
+            [batch.tables, batch.problem, active, batch.state, rounds.total],
             [best, best_total],
             device=device,
         )
         wp.launch(set_turns, state.poses.shape, [state.poses], [state.turns], device=device)
-        sit(batch, court, open_)
-        wp.launch(tick, 1, [], [clock, left], device=device)
-        wp.launch(close, batch.size, [court.status], [open_, left], device=device)
-        wp.launch(proceed, 1, [clock, left, plan.steps], [more], device=device)
+        launch_verdict(batch, verdict, active)
+        wp.launch(advance_clock, 1, [], [clock, left], device=device)
+        wp.launch(retire_valid, batch.size, [verdict.status], [active, left], device=device)
+        wp.launch(check_continue, 1, [clock, left, plan.steps], [more], device=device)
 
     if solved < batch.size and not monitor.expired():
         if device == "cpu" or monitor.watched:
@@ -194,11 +205,11 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
         wp.launch(
             keep_best,
             batch.size,
-            [batch.tables, batch.problem, open_, best, best_total],
+            [batch.tables, batch.problem, active, best, best_total],
             [batch.state, again],
             device=device,
         )
     energies = best_total.numpy()
     if solved < batch.size:
-        monitor.add(batch.size - solved, 0, float(energies[open_.numpy() == 1].min()))
-    return Outcome(energies)
+        monitor.add(batch.size - solved, 0, float(energies[active.numpy() == 1].min()))
+    return OptimizerResult(energies)

@@ -6,18 +6,18 @@ from typing import Any
 
 import warp as wp
 
-from sceneweaver.kernels.begin import Plan, begin
+from sceneweaver.kernels.starts import Plan, start_attempt
 
 from .base import Start
-from .batch import Batch, lanes_on
+from .batch import Batch, threads_per_candidate
 
 STARTS = {"given": 0, "random": 1, "sample": 2}
 BLOCK = 32  # threads of a block on a GPU: one warp, so that a block ends with its candidate
 
 
-def launch_lanes(kernel: Any, batch: Batch, inputs: list, outputs: list) -> None:
+def launch_warps(kernel: Any, batch: Batch, inputs: list, outputs: list) -> None:
     """Launch a kernel whose lanes work together on a candidate."""
-    dim = batch.size * lanes_on(batch.device)
+    dim = batch.size * threads_per_candidate(batch.device)
     wp.launch(kernel, dim, inputs, outputs, device=batch.device, block_dim=BLOCK)
 
 
@@ -30,4 +30,4 @@ def draw_starts(batch: Batch, start: Start) -> None:
     everyone = wp.full(batch.size, 1, dtype=wp.int32, device=batch.device)
     clock = wp.zeros(1, dtype=wp.int32, device=batch.device)
     inputs = [batch.tables, batch.margins, batch.weights, plan, batch.problem, everyone, clock]
-    launch_lanes(begin, batch, inputs, [batch.state])
+    launch_warps(start_attempt, batch, inputs, [batch.state])

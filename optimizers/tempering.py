@@ -11,9 +11,9 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.adam import adam_step
-from sceneweaver.kernels.tempering import FIRST, Ladder, accept, exchange, make_moves, spread
+from sceneweaver.kernels.tempering import FIRST, Ladder, accept, copy_replicas, exchange, make_moves
 
-from .base import Monitor, Outcome, Start, register
+from .base import Monitor, OptimizerResult, Start, register
 from .batch import Batch
 from .descent import (
     MEASURED,
@@ -35,7 +35,7 @@ REPLICAS = 3
 COLDEST = 0.005  # [m], in units of the energy
 HOTTEST = {"given": 0.03, "random": 0.2, "sample": 0.2}
 JUMPS = {"given": 0.2, "random": 0.7, "sample": 0.7}  # share of moves that are jumps
-PACE = 0.015  # [m] a Langevin step takes for a slope of one, to begin with
+STEP_SIZE = 0.015  # [m] a Langevin step takes for a gradient of one, to begin with
 LEAD = 40  # steps of the descent at the beginning, at most a quarter of all
 POLISH = 0.25  # share of the steps for the descent at the end
 UNROLL = 10  # steps in one graph
@@ -52,10 +52,10 @@ def ladder_of(candidates: int, hottest: float, device: str) -> Ladder:
     ladder, rows = Ladder(), candidates * REPLICAS
     ladder.temperature = wp.array(np.geomspace(COLDEST, hottest, REPLICAS), dtype=wp.float32, device=device)
     ladder.rung = wp.zeros(rows, dtype=wp.int32, device=device)
-    ladder.pace = wp.full(rows, PACE, dtype=wp.float32, device=device)
+    ladder.step_size = wp.full(rows, STEP_SIZE, dtype=wp.float32, device=device)
     ladder.energy = wp.full(rows, np.inf, dtype=wp.float32, device=device)
     ladder.move = wp.full(rows, int(FIRST), dtype=wp.int32, device=device)
-    for name in ("taken", "better"):
+    for name in ("accepted", "better"):
         setattr(ladder, name, wp.zeros(rows, dtype=wp.int32, device=device))
     ladder.lowest = wp.full(candidates, np.inf, dtype=wp.float32, device=device)
     return ladder
@@ -67,7 +67,7 @@ def replicate(batch: Batch, rung: wp.array) -> Batch:
     many = replace(batch, problem=wp.zeros(rows, dtype=wp.int32, device=batch.device))
     many.state = many.scratch()
     wp.launch(
-        spread,
+        copy_replicas,
         (rows, batch.objects),
         [REPLICAS, batch.problem, batch.state],
         [many.problem, many.state, rung],
@@ -87,23 +87,35 @@ def temper(batch: Batch, start: Start, lead: int, steps: int, monitor: Monitor) 
     draw_starts(rows, start)
     if lead:
         descend(rows, adam_step, schedule_of(lead, rate=0.1, rate_end=0.005, noise=0.03, quiet=0.6), 2, monitor)
-    state, trial = rows.state, rows.scratch()
-    trial.anchors = state.anchors
-    wp.copy(trial.poses, state.poses)
-    wp.copy(trial.turns, state.turns)
+    state, proposal = rows.state, rows.scratch()
+    proposal.anchors = state.anchors
+    wp.copy(proposal.poses, state.poses)
+    wp.copy(proposal.turns, state.turns)
     share, total = per_object(rows, wp.float32), wp.zeros(rows.size, dtype=wp.float32, device=device)
-    slope, trial_slope, step = (per_object(rows, wp.vec4) for _ in range(3))
+    gradient, proposal_gradient, step = (per_object(rows, wp.vec4) for _ in range(3))
     clock = wp.zeros(batch.size, dtype=wp.int32, device=device)  # one for each candidate, all alike
     best = wp.zeros_like(batch.state.poses)
     tables, problem = rows.tables, rows.problem
 
     block = Launches(device, UNROLL)
-    add_choice(block, rows, trial, [trial.options, trial.options])
-    add_measure(block, rows, trial, share, trial_slope)
-    inputs = [tables, problem, REPLICAS, JUMPS[start], clock, state.rng, share, slope, trial_slope, step, ladder]
+    add_choice(block, rows, proposal, [proposal.options, proposal.options])
+    add_measure(block, rows, proposal, share, proposal_gradient)
+    inputs = [
+        tables,
+        problem,
+        REPLICAS,
+        JUMPS[start],
+        clock,
+        state.rng,
+        share,
+        gradient,
+        proposal_gradient,
+        step,
+        ladder,
+    ]
     block.add(accept, rows.size, inputs, [total])
     block.add(exchange, batch.size, [REPLICAS, state.rng, total, clock, ladder], [])
-    inputs = [tables, problem, REPLICAS, clock, ladder, trial_slope, state, trial, slope]
+    inputs = [tables, problem, REPLICAS, clock, ladder, proposal_gradient, state, proposal, gradient]
     block.add(make_moves, threads(rows, rows.objects), inputs, [step, best])
     block.play(monitor, steps + 1)  # the first only measures the start
     nothing = wp.full(batch.size, np.inf, dtype=wp.float32, device=device)
@@ -111,7 +123,7 @@ def temper(batch: Batch, start: Start, lead: int, steps: int, monitor: Monitor) 
 
 
 @register("tempering", modules=(*MEASURED, "tempering", "adam"), on_gpu=(*MEASURED_ON_GPU, "tempering", "adam"))
-def run_tempering(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> Outcome:
+def run_tempering(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
     """Refine every candidate by ``budget`` steps (default 1200); it ends at the lowest energy of any replica.
 
     A step measures REPLICAS energies of a candidate, one of the last descent a single one.

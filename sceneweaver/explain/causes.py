@@ -50,7 +50,7 @@ def full_surfaces(conflicts: Conflicts) -> Iterator[str]:
     search, study = conflicts.search, conflicts.study
     full = False
     for domain in study.compiled.domains:
-        members = [i for i in domain.deck.members if not study.scene.objects[i].fixed]
+        members = [i for i in domain.surface.members if not study.scene.objects[i].fixed]
         if not study.fault[:, members].any(axis=1).all():
             continue
         fixed = any(study.scene.objects[i].fixed for i in study.carriers(members))

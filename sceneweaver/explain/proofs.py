@@ -100,7 +100,7 @@ def _too_large_for_surfaces(study: Study) -> list[str]:
     lines = []
     for domain in study.compiled.domains:
         before = len(lines)
-        for i in (i for i in domain.deck.members if not study.scene.objects[i].fixed):
+        for i in (i for i in domain.surface.members if not study.scene.objects[i].fixed):
             obj = study.scene.objects[i]
             surface = study.surface(obj)
             on = surface_words(obj)
@@ -109,11 +109,11 @@ def _too_large_for_surfaces(study: Study) -> list[str]:
                 lines.append(f"{obj.id} is {high:.2f} m tall; {on} has {surface.headroom:.2f} m of head room.")
             elif not fits_turned(hull(study.problem.solids[i]), domain.problem.region.planes):
                 lines.append(f"{sized(obj)} is larger than what it stands on: {on} is {span_words(surface.polygon)}.")
-        polygon = shapely.Polygon(study.surface(study.scene.objects[domain.deck.members[0]]).polygon)
+        polygon = shapely.Polygon(study.surface(study.scene.objects[domain.surface.members[0]]).polygon)
         blocked = [(p, PENETRATION) for p in domain.problem.region.solids]
         full = fullest(domain.problem.solids, polygon, blocked)
         if full and len(lines) == before:
-            members = [study.scene.objects[i] for i in domain.deck.members]
+            members = [study.scene.objects[i] for i in domain.surface.members]
             cover = f"{crowd_words(members)} {'cover' if len(members) > 1 else 'covers'}"
             lines.append(
                 f"{surface_words(members[0])} is overfull: {cover} {full.need:.3g} m2 of {full.free:.3g} m2: "

@@ -10,7 +10,7 @@ import warp as wp
 from sceneweaver.kernels.walk import Floor, mark_floor, walk
 from sceneweaver.optimizers import Batch
 
-from .compile import Problem
+from .compile import LayoutProblem
 
 CELL = 0.1
 RADIUS = 0.2  # of the robot, as the judge has it
@@ -18,7 +18,7 @@ LOW, HIGH = 0.02, 1.8
 MOST_CELLS = 20_000  # of one room; larger rooms get larger cells
 
 
-def walkable_shares(batch: Batch, room: Problem, candidates: np.ndarray) -> np.ndarray:
+def walkable_shares(batch: Batch, room: LayoutProblem, candidates: np.ndarray) -> np.ndarray:
     """Share of the free floor that can be reached from the doors, for some candidates of a batch.
 
     Args:
@@ -40,13 +40,13 @@ def walkable_shares(batch: Batch, room: Problem, candidates: np.ndarray) -> np.n
     grid = wp.zeros((count, floor.nx * floor.ny), dtype=wp.int32, device=device)
     queue = wp.zeros_like(grid)
     share = wp.zeros(count, dtype=wp.float32, device=device)
-    active = wp.array(candidates.astype(np.int32), dtype=wp.int32, device=device)
+    selected = wp.array(candidates.astype(np.int32), dtype=wp.int32, device=device)
     centres = np.array([d.polygon.mean(axis=0) for d in room.region.doors.values()], dtype=np.float32).reshape(-1, 2)
     doors = wp.array(centres, dtype=wp.vec2, device=device)
     wp.launch(
         mark_floor,
         grid.shape,
-        [batch.tables, floor, batch.problem, active, batch.state],
+        [batch.tables, floor, batch.problem, selected, batch.state],
         [grid],
         device=device,
     )

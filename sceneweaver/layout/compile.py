@@ -22,7 +22,7 @@ from .shapes import Prism, footprint_of, solids_of, tidy, zones_of
 
 
 @dataclass
-class Deck:
+class SupportSurface:
     """What a support surface carries: indices of supporter and members, height of the surface above the supporter."""
 
     supporter: int
@@ -31,7 +31,7 @@ class Deck:
 
 
 @dataclass
-class Problem:
+class LayoutProblem:
     """One layout problem in plain arrays; see ``kernels.tables`` for what the kernels make of it.
 
     ``home`` holds the scene's poses [object, 4] (x, y, z, yaw) in the problem's frame; ``relations`` the scene's
@@ -49,14 +49,14 @@ class Problem:
     groups: list[list[int]]
     parents: np.ndarray
     solids: list[list[Prism]]
-    feet: list[list[np.ndarray]]
+    footprints: list[list[np.ndarray]]
     zones: list[list[Prism]]
     flags: np.ndarray
     relations: list[CompiledRelation]
     relation_ids: list[int]
     riders: dict[int, int]
     faulty: bool = False
-    decks: list[Deck] = field(default_factory=list)
+    surfaces: list[SupportSurface] = field(default_factory=list)
 
     @property
     def size(self) -> int:
@@ -68,8 +68,8 @@ class Problem:
 class Domain:
     """A support surface with what stands on it, in the supporter's frame; heights are above the surface."""
 
-    deck: Deck
-    problem: Problem
+    surface: SupportSurface
+    problem: LayoutProblem
 
 
 @dataclass
@@ -77,7 +77,7 @@ class CompiledScene:
     """The room's problem and its domains, supporters before what they carry."""
 
     scene: Scene
-    room: Problem
+    room: LayoutProblem
     domains: list[Domain]
 
 
@@ -182,16 +182,16 @@ def _compile(
     relations: Sequence[tuple[int, Relation]],
     windows,
     in_room: bool,
-) -> Problem:
+) -> LayoutProblem:
     index = {o.id: i for i, o in enumerate(objects)}
     solids = [solids_of(o) for o in objects]
-    feet = [footprint_of(s) for s in solids]
+    footprints = [footprint_of(s) for s in solids]
     zones = [zones_of(o) for o in objects]
     around: dict[str, list[Relation]] = {}
     for _, rel in relations:
         if rel.type == "around" and isinstance(rel.target, str):
             around.setdefault(rel.target, []).append(rel)
-    frame = Frame(objects, index, region, feet, windows, around)
+    frame = Frame(objects, index, region, footprints, windows, around)
     compiled = [compile_relation(frame, rel) for _, rel in relations]
     riders: dict[int, int] = {}
     for i, (_, rel) in enumerate(relations):
@@ -204,7 +204,7 @@ def _compile(
     roots = _roots(objects, index) if in_room else np.arange(len(objects))
     free = np.array([_freedom(o, in_room and roots[i] != i) for i, o in enumerate(objects)], dtype=np.int32)
     groups, parents = _families([r for _, r in relations], index, roots, free)
-    return Problem(
+    return LayoutProblem(
         ids=[o.id for o in objects],
         region=region,
         sizes=np.array([o.size for o in objects], dtype=np.float64).reshape(-1, 3),
@@ -215,7 +215,7 @@ def _compile(
         groups=groups,
         parents=parents,
         solids=solids,
-        feet=feet,
+        footprints=footprints,
         zones=zones,
         flags=_flags(zones, roots, _ties([r for _, r in relations], index), [o.fixed for o in objects]),
         relations=compiled,
@@ -292,12 +292,12 @@ def compile_scene(scene: Scene) -> CompiledScene:
         ]
         objects = [scene.objects[i] for i in members]
         problem = _compile(objects, local, region, relations, (), in_room=False)
-        domains.append(Domain(Deck(supporter, z, members), problem))
+        domains.append(Domain(SupportSurface(supporter, z, members), problem))
     room = _compile(
         scene.objects, home, room_region(scene.room), list(enumerate(scene.relations)), scene.room.windows, in_room=True
     )
     room.faulty = faulty
-    room.decks = [d.deck for d in domains]
+    room.surfaces = [d.surface for d in domains]
     return CompiledScene(scene, room, domains)
 
 

@@ -11,13 +11,13 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels import load
-from sceneweaver.kernels.track import onto_surfaces, set_turns, spread
+from sceneweaver.kernels.bookkeeping import broadcast_poses, set_turns, to_surface_frames
 from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, judge, load_poses, new_state, run, streams
 from sceneweaver.optimizers.batch import Progress
 from sceneweaver.scene import InputError, Scene
 
 from .access import walkable_shares
-from .compile import CompiledScene, Problem, absolute, compile_scene, relative
+from .compile import CompiledScene, LayoutProblem, absolute, compile_scene, relative
 from .devices import WALKED, pick_devices, solve_on
 from .job import Job
 from .pack import margins, pack, weights
@@ -177,7 +177,7 @@ def solve(
 
 def _modules(jobs: Sequence[Job], optimizer: str, device: str) -> list[str]:
     """The kernel modules that these jobs need."""
-    names = ["track", "verdict", "walk", *OPTIMIZERS[optimizer].modules_on(device)]
+    names = ["bookkeeping", "verdict", "walk", *OPTIMIZERS[optimizer].modules_on(device)]
     if any(job.compiled.domains or job.start != "given" for job in jobs):
         # What stands on surfaces is searched, whatever lays out the room, and so starts are drawn.
         names += OPTIMIZERS["search"].modules_on(device)
@@ -222,7 +222,7 @@ def _load_worlds(batch: Batch, worlds: Sequence[np.ndarray]) -> None:
     homes = wp.array(_stack([world[:1] for world in worlds], max(batch.objects, 1)), dtype=wp.vec4, device=batch.device)
     state = batch.state
     wp.launch(
-        spread,
+        broadcast_poses,
         state.poses.shape,
         [batch.problem, homes],
         [state.poses, state.anchors],
@@ -231,7 +231,7 @@ def _load_worlds(batch: Batch, worlds: Sequence[np.ndarray]) -> None:
     wp.launch(set_turns, state.poses.shape, [state.poses], [state.turns], device=batch.device)
 
 
-def make_batch(problems: Sequence[Problem], which: np.ndarray, device: str, pools=None) -> Batch:
+def make_batch(problems: Sequence[LayoutProblem], which: np.ndarray, device: str, pools=None) -> Batch:
     """A batch with one candidate for every entry of ``which`` (the index of its problem)."""
     packed = pack(problems, device, pools)
     return Batch(
@@ -276,7 +276,7 @@ def _prepared(jobs: Sequence[Job], devices: Sequence[str], optimizer: str, monit
 
 
 def _pools(jobs: Sequence[Job], device: str, deadline: float | None) -> list[list[np.ndarray]]:
-    """For every deck of every job, POOL layouts [POOL, members, 4] of its surface, all solved in shared launches."""
+    """For every surface of every job, POOL layouts [POOL, members, 4] of its surface, all solved in shared launches."""
     pools: list[list[np.ndarray]] = [[] if job.pools is None else job.pools for job in jobs]
     open_jobs = [(j, job) for j, job in enumerate(jobs) if job.pools is None]
     domains = [(j, k, d) for j, job in open_jobs for k, d in enumerate(job.compiled.domains)]
@@ -301,7 +301,7 @@ def _locals(compiled: CompiledScene, world: np.ndarray) -> list[np.ndarray]:
     """Poses [B, members, 4] of what stands on each surface, in the supporter's frame, on the surface."""
     poses = []
     for domain in compiled.domains:
-        members, supporter = world[:, domain.deck.members], world[:, None, domain.deck.supporter]
+        members, supporter = world[:, domain.surface.members], world[:, None, domain.surface.supporter]
         local = relative(members.astype(np.float64), supporter.astype(np.float64))
         local[..., 2] = 0.0
         poses.append(local)
@@ -322,21 +322,21 @@ def _surfaces_hold(compiled: CompiledScene, batch: Batch, first: int, count: int
     """Which of so many candidates of a batch, from the first on, have everything on its surface in order [count]."""
     if not compiled.domains:
         return np.ones(count, dtype=bool)
-    decks, device = [d.deck for d in compiled.domains], batch.device
-    surfaces = make_batch([d.problem for d in compiled.domains], np.repeat(np.arange(len(decks)), count), device)
-    start = np.cumsum([0, *(len(d.members) for d in decks)])
-    lists = ([d.supporter for d in decks], start, [m for d in decks for m in d.members])
+    surfaces, device = [d.surface for d in compiled.domains], batch.device
+    onto = make_batch([d.problem for d in compiled.domains], np.repeat(np.arange(len(surfaces)), count), device)
+    start = np.cumsum([0, *(len(s.members) for s in surfaces)])
+    lists = ([s.supporter for s in surfaces], start, [m for s in surfaces for m in s.members])
     tables = [wp.array(np.asarray(values, dtype=np.int32), device=device) for values in lists]
-    state = surfaces.state
+    state = onto.state
     wp.launch(
-        onto_surfaces,
+        to_surface_frames,
         state.poses.shape,
         [first, count, *tables, batch.state.poses],
         [state.poses],
         device=device,
     )
     wp.launch(set_turns, state.poses.shape, [state.poses], [state.turns], device=device)
-    return np.all(judge(surfaces).status.reshape(len(decks), count) != BROKEN, axis=0)
+    return np.all(judge(onto).status.reshape(len(surfaces), count) != BROKEN, axis=0)
 
 
 def _mend_surfaces(job: Job, optimizer: str, device: str, deadline: float | None) -> None:
@@ -352,10 +352,10 @@ def _mend_surfaces(job: Job, optimizer: str, device: str, deadline: float | None
         run(batch, how, "given", None, Monitor(batch.size, deadline))
         poses = batch.state.poses.numpy().reshape(len(compiled.domains), len(world), batch.objects, 4)
         for domain, solved in zip(compiled.domains, poses.astype(np.float64), strict=True):
-            deck = domain.deck
-            placed = absolute(solved[:, : len(deck.members)], world[:, None, deck.supporter])
-            placed[..., 2] = world[:, None, deck.supporter, 2] + deck.height
-            free = [not compiled.scene.objects[m].fixed for m in deck.members]
-            members = np.asarray(deck.members)[free]
+            surface = domain.surface
+            placed = absolute(solved[:, : len(surface.members)], world[:, None, surface.supporter])
+            placed[..., 2] = world[:, None, surface.supporter, 2] + surface.height
+            free = [not compiled.scene.objects[m].fixed for m in surface.members]
+            members = np.asarray(surface.members)[free]
             world[:, members] = np.where(_same(world[:, members], placed[:, free]), world[:, members], placed[:, free])
     job.world = world

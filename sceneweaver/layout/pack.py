@@ -14,7 +14,7 @@ import warp as wp
 from sceneweaver.kernels import tables as k
 from sceneweaver.kernels.cells import CELLS
 
-from .compile import Problem
+from .compile import LayoutProblem
 from .shapes import Prism, reach_of
 
 # The judge lets bodies sink in by 1 mm, zones by 5 mm; the verdict keeps well inside of that, the energy aims at air.
@@ -25,7 +25,7 @@ MARGINS = {
     "bounds_hold": -5.0e-4,
     "zone_aim": 0.0,
     "zone_hold": -4.5e-3,
-    "gate": 5.0e-4,
+    "least_overlap_z": 5.0e-4,
 }
 WEIGHTS = {
     "collision": 1.0,
@@ -61,7 +61,7 @@ class Packed:
 
     tables: wp.array  # of one k.Tables
     keep: k.Tables  # the arrays that it points to
-    problems: Sequence[Problem]
+    problems: Sequence[LayoutProblem]
     objects: int
     relations: int
     terms: int
@@ -121,7 +121,7 @@ class _Ranges:
         return self.values[self.start[index] : self.start[index + 1]]
 
 
-def _grid(problem: Problem) -> tuple[float, float, float, float, int, int]:
+def _grid(problem: LayoutProblem) -> tuple[float, float, float, float, int, int]:
     """Cells over a problem's place: lowest corner, edge, the largest reach of an object, columns, rows."""
     x0, y0, x1, y1 = problem.region.box
     shapes = zip(problem.solids, problem.zones, strict=True)
@@ -134,19 +134,19 @@ def _grid(problem: Problem) -> tuple[float, float, float, float, int, int]:
     return x0, y0, edge, reach, columns, rows
 
 
-def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.ndarray]] | None = None) -> Packed:
+def pack(problems: Sequence[LayoutProblem], device: str, pools: Sequence[Sequence[np.ndarray]] | None = None) -> Packed:
     """Concatenate the tables of problems and put them on a device.
 
-    ``pools`` gives, for every deck of every problem, layouts [entries, members, 4] in the supporter's frame, the same
-    number of entries throughout; without it searches leave surfaces as they are.
+    ``pools`` gives, for every surface of every problem, layouts [entries, members, 4] in the supporter's frame, the
+    same number of entries throughout; without it searches leave surfaces as they are.
     """
     prisms = _Prisms()
     foot, members, groups = (_Ranges() for _ in range(3))
     ranges: list[tuple[int, int]] = []  # of prisms: solids and zones of every object
     touch, fixture, plane, option, row = (_Ranges() for _ in range(5))
-    decks, deck_members, pool = (_Ranges() for _ in range(3))
+    surfaces, surface_members, pool = (_Ranges() for _ in range(3))
     supporters: list[int] = []
-    deck_heights: list[float] = []
+    surface_heights: list[float] = []
     roles: list[int] = []
     kinds: list[int] = []
     object_start, relation_start, pair_start = [0], [0], []
@@ -180,18 +180,18 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
                 table(shapes)
                 ranges.append((first, len(prisms.z)))
             whole = (begin, len(prisms.z))
-            foot.add(table([Prism(p, (0.0, 0.0)) for p in problem.feet[i]]))
+            foot.add(table([Prism(p, (0.0, 0.0)) for p in problem.footprints[i]]))
             near = reach_of([s.polygon for s in problem.solids[i]])
             reach.append((near, max(near, reach_of([z.polygon for z in problem.zones[i]]))))
             heights.append((min(s.z[0] for s in problem.solids[i]), max(s.z[1] for s in problem.solids[i])))
             members.add(problem.groups[i][: carried[i]] if problem.roots[i] == i else [])
             groups.add(problem.groups[i])
-            mine = [d for d, deck in enumerate(problem.decks) if problem.roots[deck.supporter] == i]
-            decks.add(mine)
+            mine = [d for d, surface in enumerate(problem.surfaces) if problem.roots[surface.supporter] == i]
+            surfaces.add(mine)
             for d in mine:
-                supporters.append(problem.decks[d].supporter)
-                deck_heights.append(problem.decks[d].height)
-                deck_members.add(problem.decks[d].members)
+                supporters.append(problem.surfaces[d].supporter)
+                surface_heights.append(problem.surfaces[d].height)
+                surface_members.add(problem.surfaces[d].members)
                 pool.add(pools[which][d].reshape(-1, 4) if pools else [])
             boxes.append(int(all(prisms.is_box(b) for b in range(*whole))))
             touch.add([r for r, _ in parts[i]])
@@ -259,18 +259,18 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
         "group_start": groups.start,
         "group": groups.values,
         "movable": [int(np.sum((p.free != 0) & (p.roots == np.arange(p.size)))) for p in problems],
-        "deck_start": decks.start,
-        "deck_supporter": supporters,
-        "deck_member_start": deck_members.start,
-        "deck_member": deck_members.values,
+        "surface_start": surfaces.start,
+        "surface_supporter": supporters,
+        "surface_member_start": surface_members.start,
+        "surface_member": surface_members.values,
         "pool_start": pool.start,
         "member_start": members.start,
         "member": members.values,
-        "foot_start": foot.start,
-        "touch_start": touch.start,
-        "touch": touch.values,
-        "touch_role": roles,
-        "foot": foot.values,
+        "footprint_start": foot.start,
+        "incidence_start": touch.start,
+        "incidence": touch.values,
+        "incidence_role": roles,
+        "footprint": foot.values,
         "prism_start": prisms.start,
         "edge_real": prisms.real,
         "fixture": fixture.values,
@@ -288,7 +288,7 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
     for name, dtype, values in (
         ("room_height", wp.float32, [p.region.height for p in problems]),
         ("room_box", wp.vec4, outlines),
-        ("deck_height", wp.float32, deck_heights),
+        ("surface_height", wp.float32, surface_heights),
         ("pool", wp.vec4, pool.values),
         ("grid", wp.vec4, [(x0, y0, edge, reach) for x0, y0, edge, reach, _, _ in map(_grid, problems)]),
         ("object_size", wp.vec3, np.concatenate([p.sizes for p in problems])),
@@ -307,7 +307,7 @@ def pack(problems: Sequence[Problem], device: str, pools: Sequence[Sequence[np.n
     ):
         setattr(t, name, floats(values, dtype))
     t.parts = wp.array(np.asarray(ranges, dtype=np.int32).reshape(-1, 2), dtype=wp.vec2i, device=device)
-    t.pool_size = len(next((entries for decks_ in pools or () for entries in decks_), ()))
+    t.pool_size = len(next((entries for layouts in pools or () for entries in layouts), ()))
     t.pair_flags = wp.array(np.concatenate(flags).astype(np.uint8), dtype=wp.uint8, device=device)
     t.grid_count = wp.array([g[4:] for g in map(_grid, problems)], dtype=wp.vec2i, device=device)
     t.relation_object = wp.array(np.asarray(triples, dtype=np.int32).reshape(-1, 3), dtype=wp.vec3i, device=device)

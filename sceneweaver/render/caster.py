@@ -12,9 +12,9 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.assets.body import Material, Mesh
-from sceneweaver.kernels import raycast
 from sceneweaver.scene import InputError, MissingDependencyError
 
+from . import raycast_kernels as raycast
 from .camera import Camera
 
 _CREASE = np.cos(np.radians(36.0))

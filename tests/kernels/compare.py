@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sceneweaver.layout.compile import Problem
+from sceneweaver.layout.compile import LayoutProblem
 from sceneweaver.layout.pack import WEIGHTS
 from tests.kernels import twin
 from tests.kernels.harness import Energies, batch_of, run_energy
@@ -56,7 +56,7 @@ def against(references: Sequence[twin.Reference], found: Energies, name: str = "
 
 
 def check(
-    problems: Sequence[Problem],
+    problems: Sequence[LayoutProblem],
     which: Sequence[int],
     layouts: Sequence[np.ndarray],
     options: Sequence[np.ndarray],

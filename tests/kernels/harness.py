@@ -14,7 +14,7 @@ from sceneweaver.kernels.cells import CELLS, CROWD, fill_cells
 from sceneweaver.kernels.energy import evaluate
 from sceneweaver.kernels.step import choose
 from sceneweaver.kernels.tables import State, TablesRef
-from sceneweaver.layout.compile import CompiledScene, Problem, absolute, compile_scene, relative
+from sceneweaver.layout.compile import CompiledScene, LayoutProblem, absolute, compile_scene, relative
 from sceneweaver.layout.engine import make_batch
 from sceneweaver.layout.pack import weights as make_weights
 from sceneweaver.optimizers.batch import Batch, Verdict, judge, load_poses
@@ -46,7 +46,7 @@ class Energies:
 
 
 def batch_of(
-    problems: Sequence[Problem],
+    problems: Sequence[LayoutProblem],
     which: Sequence[int],
     layouts: Sequence[np.ndarray],
     device: str,
@@ -121,12 +121,12 @@ def run_energy(batch: Batch) -> Energies:
     return Energies(*(a.numpy().astype(np.float64) for a in (share, soft, gradient)))
 
 
-def energies(problem: Problem, layouts: np.ndarray, device: str, **more) -> Energies:
+def energies(problem: LayoutProblem, layouts: np.ndarray, device: str, **more) -> Energies:
     """Energy of layouts [B, N, 4] of one problem."""
     return run_energy(batch_of([problem], [0] * len(layouts), layouts, device, **more))
 
 
-def verdict(problem: Problem, layouts: np.ndarray, device: str) -> Verdict:
+def verdict(problem: LayoutProblem, layouts: np.ndarray, device: str) -> Verdict:
     """Verdict on layouts [B, N, 4] of one problem."""
     return judge(batch_of([problem], [0] * len(layouts), layouts, device))
 
@@ -139,7 +139,7 @@ def as_float32(layouts: np.ndarray) -> np.ndarray:
     return np.asarray(layouts, dtype=np.float32).astype(np.float64)
 
 
-def noisy(problem: Problem, rng: np.random.Generator, scale: float, rigid: bool = False) -> np.ndarray:
+def noisy(problem: LayoutProblem, rng: np.random.Generator, scale: float, rigid: bool = False) -> np.ndarray:
     """The scene's own layout, disturbed: metres in the plane, twice that in radians, half in height.
 
     ``rigid`` moves what is carried along with its supporter, and heights only where they are free.
@@ -154,7 +154,7 @@ def noisy(problem: Problem, rng: np.random.Generator, scale: float, rigid: bool 
     return as_float32(np.where((problem.roots == np.arange(problem.size))[:, None], moved, carried))
 
 
-def scattered(problem: Problem, rng: np.random.Generator) -> np.ndarray:
+def scattered(problem: LayoutProblem, rng: np.random.Generator) -> np.ndarray:
     """Poses anywhere in the room and a little outside, any yaw, heights a little off."""
     x0, y0, x1, y1 = problem.region.box
     layout = problem.home.copy()
@@ -165,6 +165,6 @@ def scattered(problem: Problem, rng: np.random.Generator) -> np.ndarray:
     return as_float32(layout)
 
 
-def any_options(problem: Problem, rng: np.random.Generator) -> np.ndarray:
+def any_options(problem: LayoutProblem, rng: np.random.Generator) -> np.ndarray:
     """A random option for every relation."""
     return np.array([rng.integers(len(r.options)) for r in problem.relations], dtype=np.int64)

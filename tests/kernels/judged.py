@@ -34,9 +34,9 @@ def engine(compiled: CompiledScene, layouts: np.ndarray, device: str) -> tuple[n
     room = verdict(compiled.room, layouts, device)
     fault = room.fault != 0
     for domain in compiled.domains:
-        local = relative(layouts[:, domain.deck.members], layouts[:, None, domain.deck.supporter])
+        local = relative(layouts[:, domain.surface.members], layouts[:, None, domain.surface.supporter])
         local[..., 2] = 0.0
-        fault[:, domain.deck.members] |= verdict(domain.problem, local, device).fault != 0
+        fault[:, domain.surface.members] |= verdict(domain.problem, local, device).fault != 0
     valid = (room.status == 0) & ~fault.any(axis=1) & (not compiled.room.faulty)
     holds = room.holds[:, : len(compiled.scene.relations)].copy()
     for rider, relation in compiled.room.riders.items():

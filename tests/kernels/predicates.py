@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from sceneweaver.kernels import tables as k
-from sceneweaver.layout.compile import Problem
+from sceneweaver.layout.compile import LayoutProblem
 from sceneweaver.layout.pack import MARGINS
 from sceneweaver.layout.shapes import Prism
 from tests.kernels.polygons import placed, reach, separation, shared_height
@@ -20,34 +20,36 @@ VALID, BROKEN, UNMET, DIVERGED = 0, 1, 2, 3
 
 
 def apart_margin(
-    first: Sequence[Prism], one: np.ndarray, second: Sequence[Prism], two: np.ndarray, hold: float, gate: float
+    first: Sequence[Prism], one: np.ndarray, second: Sequence[Prism], two: np.ndarray, hold: float, overlap_in_z: float
 ) -> float:
     """How much further apart two sets of prisms are than they must be, in z or in the plane."""
     margin = np.inf
     for p in first:
         for q in second:
-            free = gate - float(shared_height(p, one[2], q, two[2]))
+            free = overlap_in_z - float(shared_height(p, one[2], q, two[2]))
             if free < margin:
                 gap = separation(placed(p.polygon, one[None]), placed(q.polygon, two[None]), q.real, min(hold, 0.0))
                 margin = min(margin, max(free, float(gap[0]) - hold))
     return margin
 
 
-def room_margin(problem: Problem, i: int, pose: np.ndarray, m: Mapping[str, float]) -> float:
+def room_margin(problem: LayoutProblem, i: int, pose: np.ndarray, m: Mapping[str, float]) -> float:
     """Object i inside the room and clear of its openings."""
     region, hold = problem.region, m["bounds_hold"]
-    corners = np.concatenate([placed(f, pose[None])[0] for f in problem.feet[i]])
+    corners = np.concatenate([placed(f, pose[None])[0] for f in problem.footprints[i]])
     depth = corners @ region.planes[:, :2].T - region.planes[:, 2]
     low, high = min(p.z[0] for p in problem.solids[i]), max(p.z[1] for p in problem.solids[i])
     margins = [float(depth.min()) - hold, pose[2] + low - hold, region.height - hold - pose[2] - high]
     still = np.zeros(4)
-    margins.append(apart_margin(problem.solids[i], pose, region.solids, still, hold, m["gate"]))
+    margins.append(apart_margin(problem.solids[i], pose, region.solids, still, hold, m["least_overlap_z"]))
     if problem.clear[i]:
-        margins.append(apart_margin(problem.solids[i], pose, region.openings, still, m["zone_hold"], m["gate"]))
+        margins.append(
+            apart_margin(problem.solids[i], pose, region.openings, still, m["zone_hold"], m["least_overlap_z"])
+        )
     return min(margins)
 
 
-def pair_margin(problem: Problem, i: int, j: int, poses: np.ndarray, m: Mapping[str, float]) -> float:
+def pair_margin(problem: LayoutProblem, i: int, j: int, poses: np.ndarray, m: Mapping[str, float]) -> float:
     """Objects i and j neither collide nor stand in each other's hard zones."""
     flags = int(problem.flags[i, j])
     margins = [np.inf]
@@ -57,11 +59,11 @@ def pair_margin(problem: Problem, i: int, j: int, poses: np.ndarray, m: Mapping[
         (k.PAIR_ZONE_OF_SECOND, m["zone_hold"], problem.solids[i], problem.zones[j]),
     ):
         if flags & bit:
-            margins.append(apart_margin(a, poses[i], b, poses[j], hold, m["gate"]))
+            margins.append(apart_margin(a, poses[i], b, poses[j], hold, m["least_overlap_z"]))
     return min(margins)
 
 
-def object_margins(problem: Problem, poses: np.ndarray, m: Mapping[str, float] = MARGINS) -> np.ndarray:
+def object_margins(problem: LayoutProblem, poses: np.ndarray, m: Mapping[str, float] = MARGINS) -> np.ndarray:
     """Margin of every object [N]; a pair counts for both."""
     margins = np.array([room_margin(problem, i, poses[i], m) for i in range(problem.size)])
     radius = np.array([reach([*s, *z]) for s, z in zip(problem.solids, problem.zones, strict=True)])
@@ -72,7 +74,7 @@ def object_margins(problem: Problem, poses: np.ndarray, m: Mapping[str, float] =
     return margins
 
 
-def relation_margins(problem: Problem, poses: np.ndarray) -> np.ndarray:
+def relation_margins(problem: LayoutProblem, poses: np.ndarray) -> np.ndarray:
     """Margin of every relation [R] under its best option."""
     margins = []
     for rel in problem.relations:
@@ -85,7 +87,7 @@ def relation_margins(problem: Problem, poses: np.ndarray) -> np.ndarray:
     return np.array(margins)
 
 
-def status(problem: Problem, objects: np.ndarray, relations: np.ndarray) -> int:
+def status(problem: LayoutProblem, objects: np.ndarray, relations: np.ndarray) -> int:
     """Status of a layout from its margins."""
     faults = np.array([rel.fault for rel in problem.relations], dtype=int)
     if (objects < 0).any() or (faults[relations < 0] == BROKEN).any():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sceneweaver.layout.compile import Problem, compile_scene
+from sceneweaver.layout.compile import LayoutProblem, compile_scene
 from sceneweaver.optimizers import Monitor, run
 from sceneweaver.optimizers.batch import Batch, judge
 from tests.kernels.harness import (
@@ -25,7 +25,7 @@ DIVERGED = 3
 
 
 @pytest.fixture(scope="module")
-def problems() -> list[Problem]:
+def problems() -> list[LayoutProblem]:
     """Rooms of 11 to 24 objects, with 10 to 20 relations, and a surface without any."""
     made = compile_scene(gallery())
     rooms = [zoo(n).room for n in ("living", "bedroom-small", "studio-U", "living-dining-L")]

@@ -11,17 +11,26 @@ import warp as wp
 import sceneweaver.kernels
 
 ARCH = 90  # Hopper
-MODULES = [
-    importlib.import_module(f"{sceneweaver.kernels.__name__}.{info.name}")
-    for info in pkgutil.iter_modules(sceneweaver.kernels.__path__)
-]
+NAMES = [f"{sceneweaver.kernels.__name__}.{info.name}" for info in pkgutil.iter_modules(sceneweaver.kernels.__path__)]
+MODULES = [importlib.import_module(name) for name in (*NAMES, "sceneweaver.render.raycast_kernels")]
 # Modules without kernels of their own are compiled with those that use them.
 WITH_KERNELS = [m for m in MODULES if wp.get_module(m.__name__).kernels]
 
 
 def test_modules_are_found():
     names = {m.__name__.rpartition(".")[2] for m in WITH_KERNELS}
-    assert {"adam", "energy", "langevin", "lbfgs", "search", "step", "tempering", "track", "verdict"} <= names
+    expected = {
+        "adam",
+        "bookkeeping",
+        "energy",
+        "langevin",
+        "lbfgs",
+        "raycast_kernels",
+        "search",
+        "tempering",
+        "verdict",
+    }
+    assert expected <= names
 
 
 @pytest.mark.parametrize("module", WITH_KERNELS, ids=lambda m: m.__name__.rpartition(".")[2])

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 import warp as wp
 
-from sceneweaver.kernels.gather import gather_rows
 from sceneweaver.kernels.inequality import CONTENT, ROWS, SLACK
-from sceneweaver.layout.compile import Problem
+from sceneweaver.kernels.linearise import linearise
+from sceneweaver.layout.compile import LayoutProblem
 from sceneweaver.optimizers.batch import Batch, judge
 from sceneweaver.optimizers.projection import REACH, Workspace
 from tests.kernels.harness import as_float32, batch_of, best_options, noisy, zoo
@@ -31,12 +31,12 @@ def gather(batch: Batch) -> list[Rows]:
     """Rows of every candidate at its poses, which count as its anchors."""
     work = Workspace.of(batch)
     work.live.fill_(1)
-    active = wp.array(np.arange(batch.size, dtype=np.int32), dtype=wp.int32, device=batch.device)
+    selected = wp.array(np.arange(batch.size, dtype=np.int32), dtype=wp.int32, device=batch.device)
     best_options(batch)
-    inputs = [batch.tables, batch.margins, REACH, batch.problem, active, work.live, batch.state, work.shift]
+    inputs = [batch.tables, batch.margins, REACH, batch.problem, selected, work.live, batch.state, work.shift]
     inputs += [work.keys[0], work.force[0], work.count]
     outputs = [work.rows, work.keys[1], work.force[1], work.missed]
-    wp.launch(gather_rows, (batch.size, batch.objects), inputs, outputs, device=batch.device)
+    wp.launch(linearise, (batch.size, batch.objects), inputs, outputs, device=batch.device)
     rows, keys, count, missed = (a.numpy() for a in (work.rows, work.keys[1], work.count, work.missed))
     found = []
     for c in range(batch.size):
@@ -53,7 +53,7 @@ def gather(batch: Batch) -> list[Rows]:
     return found
 
 
-def moved(problem: Problem, layout: np.ndarray, root: int, d: np.ndarray) -> np.ndarray:
+def moved(problem: LayoutProblem, layout: np.ndarray, root: int, d: np.ndarray) -> np.ndarray:
     """A layout with a root, and what it carries, moved by d."""
     out = layout.copy()
     c, s = np.cos(d[3]), np.sin(d[3])

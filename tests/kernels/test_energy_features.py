@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from sceneweaver.kernels import tables as k
-from sceneweaver.layout.compile import Problem, compile_scene
+from sceneweaver.layout.compile import LayoutProblem, compile_scene
 from sceneweaver.layout.rows import INF, CompiledRelation, Row
 from tests.kernels import compare, twin
 from tests.kernels.harness import as_float32
@@ -41,7 +41,7 @@ CASES = {
 }
 
 
-def base() -> Problem:
+def base() -> LayoutProblem:
     objects = [chair("a", 1.0, 1.0), table("b", 3.0, 3.0), sofa("c", 5.0, 5.0)]
     return compile_scene(scene(objects)).room
 
@@ -66,8 +66,8 @@ def blank(name: str, rng: np.random.Generator) -> Row:
 
 
 def asked(
-    problem: Problem, row: Row, ids: tuple[int, int, int], layout: np.ndarray, excess: float, above: bool
-) -> Problem:
+    problem: LayoutProblem, row: Row, ids: tuple[int, int, int], layout: np.ndarray, excess: float, above: bool
+) -> LayoutProblem:
     """The problem with one relation of one row, whose interval the layout misses by the excess [m]."""
     poses = {i: layout[None, i] for i in ids if i >= 0}
     value = float(twin.row_value(problem, row, ids, poses)[0])

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sceneweaver.layout.compile import Problem, compile_scene
+from sceneweaver.layout.compile import LayoutProblem, compile_scene
 from sceneweaver.scene.catalogue import BUILT_IN
 from tests.kernels import compare
 from tests.kernels.harness import any_options, noisy, scattered
 from tests.kernels.made import gallery, related
 
 
-def layouts_of(problem: Problem, rng: np.random.Generator, count: int) -> list[np.ndarray]:
+def layouts_of(problem: LayoutProblem, rng: np.random.Generator, count: int) -> list[np.ndarray]:
     half = count // 2
     return [scattered(problem, rng) for _ in range(half)] + [noisy(problem, rng, 0.15) for _ in range(count - half)]
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sceneweaver.layout.compile import Problem, compile_scene
+from sceneweaver.layout.compile import LayoutProblem, compile_scene
 from sceneweaver.layout.pack import MARGINS
 from tests.kernels import compare
 from tests.kernels.harness import any_options, as_float32, energies
@@ -20,11 +20,11 @@ ALONE = {"collision": 0.0, "bounds": 0.0, "zone": 0.0, "opening": 0.0, "relation
 FRONT = {"name": "front", "polygon": centred(0.5, 1.0, 0.75), "z": [0.0, 1.0], "hard": True}
 
 
-def problem(*objects: dict[str, Any], relations=(), **room) -> Problem:
+def problem(*objects: dict[str, Any], relations=(), **room) -> LayoutProblem:
     return compile_scene(scene(list(objects), list(relations), **room)).room
 
 
-def pair(a: dict[str, Any] | None = None, b: dict[str, Any] | None = None, relations=(), **room) -> Problem:
+def pair(a: dict[str, Any] | None = None, b: dict[str, Any] | None = None, relations=(), **room) -> LayoutProblem:
     """Two boxes of 1 m in a room of 8 m, clear of its walls."""
     objects = [box(id, (1.0, 1.0, 1.0), 4.0, 4.0, **(more or {})) for id, more in (("a", a), ("b", b))]
     return problem(*objects, relations=relations, **room)
@@ -35,7 +35,7 @@ def penalty(v: float) -> tuple[float, float]:
     return (0.0, 0.0) if v <= 0 else (v * v / (2 * KNEE), v / KNEE) if v < KNEE else (v - KNEE / 2, 1.0)
 
 
-def run(p: Problem, layout, device: str, **weights):
+def run(p: LayoutProblem, layout, device: str, **weights):
     """Shares, soft shares and gradients of one layout; weights not given are zero."""
     found = energies(p, np.array([layout], dtype=float), device, weights={**ALONE, **weights})
     return found.share[0], found.soft[0], found.gradient[0]
@@ -58,7 +58,9 @@ def test_collision_is_gated_by_height_not_eased_by_it(device):
     share, _, gradient = run(pair(), [[4, 4, 0, 0], [4.7, 4, 0.98, 0]], device, collision=1.0)
     assert share.sum() == pytest.approx(penalty(0.3 + AIM)[0], rel=1e-5)
     assert not gradient[:, 2].any()
-    share, _, gradient = run(pair(), [[4, 4, 0, 0], [4.7, 4, 1 - 0.9 * MARGINS["gate"], 0]], device, collision=1.0)
+    share, _, gradient = run(
+        pair(), [[4, 4, 0, 0], [4.7, 4, 1 - 0.9 * MARGINS["least_overlap_z"], 0]], device, collision=1.0
+    )
     assert not share.any() and not gradient.any()
 
 

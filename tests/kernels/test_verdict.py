@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sceneweaver.layout.compile import Problem, compile_scene
+from sceneweaver.layout.compile import LayoutProblem, compile_scene
 from sceneweaver.scene.catalogue import BUILT_IN
 from tests.kernels.harness import LARGE, ROOMS, noisy, scattered, verdict, zoo
 from tests.kernels.made import gallery, related
@@ -15,7 +15,7 @@ NEAR = 2e-5  # [m, rad] so near to a threshold, float32 may decide either way
 LEFT_OUT = 0.03
 
 
-def agree(problem: Problem, layouts: list[np.ndarray], device: str) -> np.ndarray:
+def agree(problem: LayoutProblem, layouts: list[np.ndarray], device: str) -> np.ndarray:
     """Assert that kernels and predicates agree but near thresholds; gives [status, count] of the kernels."""
     found = verdict(problem, np.array(layouts), device)
     n, r = problem.size, len(problem.relations)

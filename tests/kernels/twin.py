@@ -1,9 +1,10 @@
 """The energy as its definitions have it, in float64 NumPy: the reference that the kernels are tested against.
 
-It reads a `layout.compile.Problem` (polygons, rows, relations), never the packed tables, so packing is tested too. The
-energy is a list of terms. A term knows the objects that it depends on, how its value is shared among them, and how to
-compute the value for K variants of their poses at once; its gradient is a central difference. Every object's pose is
-independent of the others, also where a supporter would carry it along, and the options of relations are as given.
+It reads a `layout.compile.LayoutProblem` (polygons, rows, relations), never the packed tables, so packing is tested
+too. The energy is a list of terms. A term knows the objects that it depends on, how its value is shared among them, and
+how to compute the value for K variants of their poses at once; its gradient is a central difference. Every object's
+pose is independent of the others, also where a supporter would carry it along, and the options of relations are as
+given.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sceneweaver.kernels import tables as k
-from sceneweaver.layout.compile import Problem
+from sceneweaver.layout.compile import LayoutProblem
 from sceneweaver.layout.pack import MARGINS, WEIGHTS
 from sceneweaver.layout.rows import Row
 from sceneweaver.layout.shapes import Prism
@@ -64,7 +65,7 @@ def huber(v: np.ndarray, knee: float) -> np.ndarray:
     return np.where(v < knee, v * v / (2.0 * knee), v - knee / 2.0)
 
 
-def too_close(first: Sequence[Prism], second: Sequence[Prism], aim: float, gate: float, knee: float):
+def too_close(first: Sequence[Prism], second: Sequence[Prism], aim: float, overlap_in_z: float, knee: float):
     """Penalty of two sets of prisms for every pair that meets in z and is closer than ``aim`` in the plane."""
 
     def value(poses: Poses) -> np.ndarray:
@@ -73,7 +74,7 @@ def too_close(first: Sequence[Prism], second: Sequence[Prism], aim: float, gate:
         e = np.zeros(len(poses))
         for p in first:
             for q in second:
-                meets = shared_height(p, one[:, 2], q, two[:, 2]) > gate
+                meets = shared_height(p, one[:, 2], q, two[:, 2]) > overlap_in_z
                 if meets.any():
                     apart = separation(placed(p.polygon, one), placed(q.polygon, two), q.real)
                     e += np.where(meets, huber(aim - apart, knee), 0.0)
@@ -82,7 +83,9 @@ def too_close(first: Sequence[Prism], second: Sequence[Prism], aim: float, gate:
     return value
 
 
-def _pair_terms(problem: Problem, poses: np.ndarray, m: Mapping[str, float], w: Mapping[str, float]) -> Iterator[Term]:
+def _pair_terms(
+    problem: LayoutProblem, poses: np.ndarray, m: Mapping[str, float], w: Mapping[str, float]
+) -> Iterator[Term]:
     solids, zones = problem.solids, problem.zones
     radius = np.array([reach([*s, *z]) for s, z in zip(solids, zones, strict=True)])
     apart = np.hypot(*(poses[:, None, :2] - poses[None, :, :2]).transpose(2, 0, 1)) - radius[:, None] - radius[None, :]
@@ -96,27 +99,31 @@ def _pair_terms(problem: Problem, poses: np.ndarray, m: Mapping[str, float], w: 
             (k.PAIR_ZONE_OF_SECOND, "zone", solids[i], zones[j]),
         ):
             if flags & bit and a and b:
-                term = too_close(a, b, m[f"{kind}_aim"], m["gate"], w["knee"])
+                term = too_close(a, b, m[f"{kind}_aim"], m["least_overlap_z"], w["knee"])
                 yield Term(kind, (int(i), int(j)), (0.5, 0.5), _times(w[kind], term))
 
 
-def _room_terms(problem: Problem, poses: np.ndarray, m: Mapping[str, float], w: Mapping[str, float]) -> Iterator[Term]:
+def _room_terms(
+    problem: LayoutProblem, poses: np.ndarray, m: Mapping[str, float], w: Mapping[str, float]
+) -> Iterator[Term]:
     region, aim, knee = problem.region, m["bounds_aim"], w["knee"]
     for i in range(problem.size):
-        feet, solids = problem.feet[i], problem.solids[i]
+        footprints, solids = problem.footprints[i], problem.solids[i]
         for plane in region.planes:
 
-            def deepest(p: Poses, feet=feet, n=plane[:2], c=plane[2]) -> np.ndarray:
-                depth = np.concatenate([placed(f, p[:, 0]) for f in feet], axis=1) @ n - c
+            def deepest(p: Poses, shapes=footprints, n=plane[:2], c=plane[2]) -> np.ndarray:
+                depth = np.concatenate([placed(f, p[:, 0]) for f in shapes], axis=1) @ n - c
                 return w["bounds"] * huber(aim - depth.min(axis=1), knee)
 
             if plane[:2] @ poses[i, :2] - plane[2] < reach(solids) + aim + NEARBY:
                 yield Term("bounds", (i,), (1.0,), deepest)
         for prism in region.solids:
-            yield Term("bounds", (i,), (1.0,), _times(w["bounds"], too_close(solids, [prism], aim, m["gate"], knee)))
+            yield Term(
+                "bounds", (i,), (1.0,), _times(w["bounds"], too_close(solids, [prism], aim, m["least_overlap_z"], knee))
+            )
         if problem.clear[i]:
             for prism in region.openings:
-                term = too_close(solids, [prism], m["zone_aim"], m["gate"], knee)
+                term = too_close(solids, [prism], m["zone_aim"], m["least_overlap_z"], knee)
                 yield Term("opening", (i,), (1.0,), _times(w["opening"], term))
         if problem.free[i] & k.FREE_Z:
             low, high = min(p.z[0] for p in solids), max(p.z[1] for p in solids)
@@ -133,13 +140,15 @@ def beyond(value: np.ndarray, interval: tuple[float, float]) -> np.ndarray:
     return np.maximum(np.maximum(interval[0] - value, value - interval[1]), 0.0)
 
 
-def row_value(problem: Problem, row: Row, ids: tuple[int, int, int], poses: Mapping[int, np.ndarray]) -> np.ndarray:
+def row_value(
+    problem: LayoutProblem, row: Row, ids: tuple[int, int, int], poses: Mapping[int, np.ndarray]
+) -> np.ndarray:
     """The feature of a row for poses {object: [K, 4]}; object -1 is the room."""
     room = np.zeros_like(poses[ids[0]])
     return FEATURES[row.feature](problem, row, ids, *(poses.get(i, room) for i in ids))
 
 
-def relation_term(problem: Problem, index: int, option: int, w: Mapping[str, float]) -> Term:
+def relation_term(problem: LayoutProblem, index: int, option: int, w: Mapping[str, float]) -> Term:
     """One relation under one of its options; the subject bears it."""
     rel = problem.relations[index]
     objects = tuple(dict.fromkeys(i for i in rel.objects if i >= 0))
@@ -153,14 +162,14 @@ def relation_term(problem: Problem, index: int, option: int, w: Mapping[str, flo
     return Term("relation", objects, shares, value, soft=rel.fault == 0)
 
 
-def _relation_terms(problem: Problem, options: Sequence[int], w: Mapping[str, float]) -> Iterator[Term]:
+def _relation_terms(problem: LayoutProblem, options: Sequence[int], w: Mapping[str, float]) -> Iterator[Term]:
     for index, rel in enumerate(problem.relations):
         stacks = {int(problem.roots[i]) for i in rel.objects if i >= 0}
         if rel.objects[1] < 0 or len(stacks) > 1:  # what is carried along together keeps its relations
             yield relation_term(problem, index, int(options[index]), w)
 
 
-def _pull_terms(problem: Problem, anchors: np.ndarray, w: Mapping[str, float]) -> Iterator[Term]:
+def _pull_terms(problem: LayoutProblem, anchors: np.ndarray, w: Mapping[str, float]) -> Iterator[Term]:
     for i in range(problem.size):
 
         def value(poses: Poses, anchor=anchors[i]) -> np.ndarray:
@@ -176,7 +185,7 @@ def _times(weight: float, value: Callable[[Poses], np.ndarray]) -> Callable[[Pos
 
 
 def terms(
-    problem: Problem,
+    problem: LayoutProblem,
     poses: np.ndarray,
     options: Sequence[int],
     anchors: np.ndarray | None = None,
@@ -210,7 +219,7 @@ def differences(term: Term, poses: np.ndarray) -> tuple[float, np.ndarray, np.nd
 
 
 def energy(
-    problem: Problem,
+    problem: LayoutProblem,
     poses: np.ndarray,
     options: Sequence[int],
     anchors: np.ndarray | None = None,

@@ -6,14 +6,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from sceneweaver.layout.compile import Problem
+from sceneweaver.layout.compile import LayoutProblem
 from sceneweaver.optimizers import Batch, Monitor, run, streams
 from tests.kernels.harness import batch_of, noisy, scattered, zoo
 
 STEPWISE = ("adam", "langevin", "lbfgs", "tempering")  # a budget of these is a number of steps
 
 
-def layouts_of(problem: Problem, count: int, seed: int = 0, scale: float | None = None) -> list[np.ndarray]:
+def layouts_of(problem: LayoutProblem, count: int, seed: int = 0, scale: float | None = None) -> list[np.ndarray]:
     """Layouts [N, 4] at the scene's own heights: its own layout disturbed by so much, or scattered over the room."""
     rng = np.random.default_rng(seed)
     layouts = [

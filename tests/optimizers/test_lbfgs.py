@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import warp as wp
 
-from sceneweaver.kernels.lbfgs import ACCEPTED, MEMORY, REFUSED, SLOTS, STUCK_BEST, TRIES, decide
+from sceneweaver.kernels.lbfgs import ACCEPTED, MEMORY, REFUSED, SLOTS, STUCK_BEST, TRIES, search_line
 from sceneweaver.optimizers import Monitor
 from sceneweaver.optimizers.launches import Launches
 from sceneweaver.optimizers.lbfgs import one_step, workspace
@@ -19,15 +19,15 @@ ROOM, COUNT = "bedroom-small", 6
 OBJECTS = zoo(ROOM).room.size
 
 
-def two_loop(gradient: np.ndarray, moves: list[np.ndarray], slopes: list[np.ndarray]) -> np.ndarray:
+def two_loop(gradient: np.ndarray, steps: list[np.ndarray], gradient_changes: list[np.ndarray]) -> np.ndarray:
     """Minus the inverse Hessian times the gradient (Nocedal & Wright 2006, algorithm 7.4); oldest pairs first."""
     q, alphas = gradient.copy(), []
-    for s, y in zip(moves[::-1], slopes[::-1], strict=True):
+    for s, y in zip(steps[::-1], gradient_changes[::-1], strict=True):
         alphas.append(s @ q / (s @ y))
         q -= alphas[-1] * y
-    if moves:
-        q *= moves[-1] @ slopes[-1] / (slopes[-1] @ slopes[-1])
-    for s, y, alpha in zip(moves, slopes, alphas[::-1], strict=True):
+    if steps:
+        q *= steps[-1] @ gradient_changes[-1] / (gradient_changes[-1] @ gradient_changes[-1])
+    for s, y, alpha in zip(steps, gradient_changes, alphas[::-1], strict=True):
         q += (alpha - y @ q / (s @ y)) * s
     return -q
 
@@ -38,7 +38,7 @@ def remembered(work, candidate: int) -> tuple[list[np.ndarray], list[np.ndarray]
     slots = [(head - count + k) % int(SLOTS) for k in range(count)]
     return tuple(
         [a.numpy()[slot, :, candidate].astype(np.float64).ravel() for slot in slots]
-        for a in (work.history.moves, work.history.slopes)
+        for a in (work.history.steps, work.history.gradient_changes)
     )
 
 
@@ -50,14 +50,14 @@ def test_direction_is_that_of_the_reference(device):
     for _ in range(30):
         step.play(Monitor(1))
         for c in np.flatnonzero(work.line.state.numpy() == ACCEPTED):
-            moves, slopes = remembered(work, c)
+            steps, gradient_changes = remembered(work, c)
             gradient = work.line.gradient.numpy()[:, c].astype(np.float64).ravel()
             found = work.line.direction.numpy()[:, c].astype(np.float64).ravel()
-            wanted = two_loop(gradient, moves, slopes)
+            wanted = two_loop(gradient, steps, gradient_changes)
             assert np.linalg.norm(found - wanted) < 2e-3 * np.linalg.norm(wanted)
-            assert all(s @ y > 0 for s, y in zip(moves, slopes, strict=True))
+            assert all(s @ y > 0 for s, y in zip(steps, gradient_changes, strict=True))
             assert gradient @ found < 0
-            compared, longest = compared + 1, max(longest, len(moves))
+            compared, longest = compared + 1, max(longest, len(steps))
     assert compared > 40 and longest == MEMORY
 
 
@@ -72,7 +72,7 @@ def searching(device):
     work.line.direction.assign(-vector)
     work.line.energy.assign([1.0])
     work.line.slope.assign([-1.0])
-    work.line.stride.assign([0.5])
+    work.line.step_length.assign([0.5])
 
     def after(energy: float, slope: float) -> SimpleNamespace:
         """What is decided when the trial has this energy and this slope along x."""
@@ -81,8 +81,10 @@ def searching(device):
         work.share.assign(share)
         work.gradient.assign(vector * slope)
         inputs = [what.tables, what.problem, work.share, work.gradient, work.history, work.line, work.clock]
-        wp.launch(decide, 1, inputs, device=device)
-        found = {name: getattr(work.line, name).numpy()[0] for name in ("energy", "stride", "state", "tries", "slope")}
+        wp.launch(search_line, 1, inputs, device=device)
+        found = {
+            name: getattr(work.line, name).numpy()[0] for name in ("energy", "step_length", "state", "tries", "slope")
+        }
         return SimpleNamespace(**found, count=work.history.count.numpy()[0])
 
     return after
@@ -104,11 +106,11 @@ def test_pairs_without_positive_curvature_are_left_out(searching, slope):
 def test_what_does_not_help_cuts_the_step(searching, energy):
     found = searching(energy, 0.5)
     assert found.state == REFUSED and found.energy == 1.0 and found.tries == 1
-    assert 0.05 * 0.99 <= found.stride <= 0.25 * 1.01
+    assert 0.05 * 0.99 <= found.step_length <= 0.25 * 1.01
 
 
 def test_the_parabola_says_by_how_much(searching):
-    assert searching(1.25, 0.5).stride == pytest.approx(0.5 * 0.5 / (2 * 0.75), rel=1e-5)
+    assert searching(1.25, 0.5).step_length == pytest.approx(0.5 * 0.5 / (2 * 0.75), rel=1e-5)
 
 
 def test_when_nothing_helps_the_candidate_is_pushed_on(searching):
@@ -122,4 +124,4 @@ def test_when_nothing_helps_the_candidate_is_pushed_on(searching):
 def test_a_solved_candidate_rests(searching):
     assert searching(0.0, 0.0).state == ACCEPTED
     found = searching(0.0, 0.0)
-    assert found.state == REFUSED and found.stride == 0.0
+    assert found.state == REFUSED and found.step_length == 0.0

@@ -7,12 +7,12 @@ import pytest
 import warp as wp
 
 import sceneweaver as sw
-from sceneweaver.kernels.begin import Plan
+from sceneweaver.kernels.starts import Plan
 from sceneweaver.layout.engine import _load_worlds, _surfaces_hold
 from sceneweaver.optimizers import load_poses, search, streams
 from sceneweaver.optimizers.base import Start
 from sceneweaver.optimizers.batch import Batch
-from sceneweaver.optimizers.search import CPU, GPU, GPU_AT_HOME, GPU_CROWD, Effort, effort_for, plan_for
+from sceneweaver.optimizers.search import CPU, GPU, GPU_ANCHORED, GPU_CROWD, Effort, effort_for, plan_for
 from tests.kernels.harness import ZOO, best_options, run_energy, zoo
 from tests.optimizers.batches import batch
 
@@ -35,7 +35,7 @@ def run(what: Batch, plan: Plan, in_one: bool) -> tuple[np.ndarray, np.ndarray, 
     ("room", "start", "effort"),
     [
         ("bedroom-small", "random", GPU),
-        ("bedroom-small", "given", GPU_AT_HOME),
+        ("bedroom-small", "given", GPU_ANCHORED),
         ("living-dining-L", "sample", CPU),
         ("restaurant-60", "sample", GPU_CROWD),
     ],
@@ -59,7 +59,7 @@ def test_those_that_are_done_stay_where_they_are() -> None:
     np.testing.assert_array_equal(moved, np.arange(what.size) % 5 != 4)
 
 
-@pytest.mark.parametrize("effort", [CPU, GPU, GPU_AT_HOME])
+@pytest.mark.parametrize("effort", [CPU, GPU, GPU_ANCHORED])
 def test_a_round_reports_the_energy_that_it_leaves(effort: Effort) -> None:
     what = batch(["children-twin"], 60, "cpu")  # the last survey of a round need not come at its end
     totals = run(what, plan_for(effort, "random", None), True)[2]
@@ -83,7 +83,7 @@ def test_the_effort_suits_device_start_and_size() -> None:
     assert effort_for("cpu", "random", 10) is CPU
     assert effort_for("cuda:1", "random", 10) is GPU
     assert effort_for("cuda:1", "sample", 100) is GPU_CROWD
-    assert effort_for("cuda", "given", 100) is GPU_AT_HOME
+    assert effort_for("cuda", "given", 100) is GPU_ANCHORED
     assert plan_for(GPU, "random", 7).steps == 7 * GPU.rounds
 
 
@@ -122,5 +122,5 @@ def test_what_stands_on_surfaces_is_judged_in_their_frames() -> None:
         ],
         axis=-1,
     )
-    poses[4, compiled.domains[-1].deck.members[0], 0] += 0.5
+    poses[4, compiled.domains[-1].surface.members[0], 0] += 0.5
     np.testing.assert_array_equal(_surfaces_hold(compiled, what, 1, 5), [True, True, True, False, True])

@@ -81,43 +81,54 @@ def test_langevin_steps_keep_their_distribution(made, adjusted):
     """In a bowl of stiffness k, coordinates at temperature T have variance T / k, and keep it; taking every step (the
     unadjusted algorithm) widens it, so that the test would notice."""
     what, rows, ladder = made
-    device, stiffness, pace, coordinates = what.device, 20.0, 0.045, 3
+    device, stiffness, step_size, coordinates = what.device, 20.0, 0.045, 3
     rung = ladder.rung.numpy()
     temperature = ladder.temperature.numpy()[rung][:, None]
     rng = np.random.default_rng(3)
     x = rng.normal(size=(rows.size, coordinates)) * np.sqrt(temperature / stiffness)
     ladder.energy.assign(0.5 * stiffness * np.sum(x**2, axis=1))
-    ladder.pace.fill_(pace)
-    clock = wp.full(what.size, 10**8, dtype=wp.int32, device=device)  # the pace hardly adapts any more
+    ladder.step_size.fill_(step_size)
+    clock = wp.full(what.size, 10**8, dtype=wp.int32, device=device)  # the step_size hardly adapts any more
     total = wp.zeros(rows.size, dtype=wp.float32, device=device)
     share = per_object(rows, wp.float32)
-    slope, trial_slope, step = (per_object(rows, wp.vec4) for _ in range(3))
+    gradient, proposal_gradient, step = (per_object(rows, wp.vec4) for _ in range(3))
 
     def vectors(values: np.ndarray) -> np.ndarray:
         full = np.zeros((rows.objects, rows.size, 4), dtype=np.float32)
         full[0, :, :coordinates] = values
         return full
 
-    taken = np.zeros(rows.size)
+    accepted = np.zeros(rows.size)
     for k in range(12):
-        d = rng.normal(size=x.shape) * np.sqrt(2 * pace * temperature) - pace * stiffness * x
+        d = rng.normal(size=x.shape) * np.sqrt(2 * step_size * temperature) - step_size * stiffness * x
         y = x + d
         shares = np.zeros((rows.objects, rows.size), dtype=np.float32)
         shares[0] = 0.5 * stiffness * np.sum(y**2, axis=1)
         share.assign(shares)
-        for array, values in ((slope, stiffness * x), (trial_slope, stiffness * y), (step, d)):
+        for array, values in ((gradient, stiffness * x), (proposal_gradient, stiffness * y), (step, d)):
             array.assign(vectors(values))
         ladder.move.fill_(LANGEVIN)
         clock.fill_(10**8 + k)
-        inputs = [rows.tables, rows.problem, REPLICAS, 0.0, clock, rows.state.rng, share, slope, trial_slope, step]
+        inputs = [
+            rows.tables,
+            rows.problem,
+            REPLICAS,
+            0.0,
+            clock,
+            rows.state.rng,
+            share,
+            gradient,
+            proposal_gradient,
+            step,
+        ]
         wp.launch(accept, rows.size, [*inputs, ladder], [total], device=device)
-        yes = ladder.taken.numpy() == 1
-        taken += yes
+        yes = ladder.accepted.numpy() == 1
+        accepted += yes
         x = np.where(yes[:, None], y, x) if adjusted else y
     variance = np.array([np.var(x[rung == k]) * stiffness for k in range(REPLICAS)]) / ladder.temperature.numpy()
     if adjusted:
         np.testing.assert_allclose(variance, 1.0, rtol=0.05)
-        assert 0.3 < taken.mean() / 12 < 0.95
+        assert 0.3 < accepted.mean() / 12 < 0.95
         np.testing.assert_allclose(ladder.energy.numpy(), 0.5 * stiffness * np.sum(x**2, axis=1), rtol=1e-3, atol=1e-6)
     else:
         assert (variance > 1.3).all()
@@ -135,13 +146,13 @@ def test_a_jump_moves_one_object_or_its_group_as_one(device, group):
     together = set(members[start[root] : start[root + 1]].tolist())
     carried = {i for i in range(problem.size) if problem.roots[i] == root}
     ladder.move.fill_(root + (int(GROUP) if group else 0))
-    trial = rows.scratch()
-    slope, other, step = (per_object(rows, wp.vec4) for _ in range(3))
+    proposal = rows.scratch()
+    gradient, other, step = (per_object(rows, wp.vec4) for _ in range(3))
     best = wp.zeros_like(what.state.poses)
     clock = wp.zeros(what.size, dtype=wp.int32, device=device)
-    inputs = [rows.tables, rows.problem, REPLICAS, clock, ladder, other, rows.state, trial, slope]
+    inputs = [rows.tables, rows.problem, REPLICAS, clock, ladder, other, rows.state, proposal, gradient]
     wp.launch(make_moves, threads(rows, rows.objects), inputs, [step, best], device=device)
-    before, after = rows.state.poses.numpy(), trial.poses.numpy()
+    before, after = rows.state.poses.numpy(), proposal.poses.numpy()
     moved = set(np.flatnonzero(np.abs(after - before)[..., :2].max(axis=(0, 2)) > 1e-3).tolist())
     assert len(together) > 1 and moved == (together if group else carried)
     x0, y0, x1, y1 = problem.region.box
@@ -163,7 +174,7 @@ def test_a_start_is_taken_as_it_is(made):
     total = wp.zeros(rows.size, dtype=wp.float32, device=what.device)
     inputs = [rows.tables, rows.problem, REPLICAS, 0.5, clock, rows.state.rng, share, *vectors, ladder]
     wp.launch(accept, rows.size, inputs, [total], device=what.device)
-    assert (ladder.taken.numpy() == 1).all()
+    assert (ladder.accepted.numpy() == 1).all()
     np.testing.assert_allclose(ladder.energy.numpy(), 3.0 * rows.objects)
     moves = ladder.move.numpy()
     assert 0.4 < np.mean(moves != LANGEVIN) < 0.55, "half jump, unless no object that may was found"

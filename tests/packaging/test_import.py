@@ -1,10 +1,15 @@
 """``import sceneweaver`` has to stay cheap: heavy libraries are imported where they are used."""
 
 import json
+import os
 import subprocess
 import sys
+from pathlib import Path
 
 HEAVY = {"warp", "jax", "pxr", "mujoco", "mujoco_warp", "coacd", "trimesh", "shapely", "manifold3d"}
+
+ROOT = Path(__file__).parents[2]
+NO_DRIVER = "Warp CUDA warning: Could not find or load the NVIDIA CUDA driver"  # Warp's native code writes it itself
 
 PROGRAM = """
 import json, sys, time
@@ -24,3 +29,11 @@ def test_import_pulls_in_nothing_heavy(tmp_path, record_property):
     record_property("import_seconds", round(seen["seconds"], 3))
     print(f"import sceneweaver: {seen['seconds']:.3f} s")
     assert not HEAVY & set(seen["modules"])
+
+
+def test_the_engine_starts_without_a_word():
+    program = "import warp, sceneweaver.layout, sceneweaver.render.caster; warp.init()"
+    environment = {k: v for k, v in os.environ.items() if k != "SCENEWEAVER_DEBUG"}
+    result = subprocess.run([sys.executable, "-c", program], cwd=ROOT, env=environment, capture_output=True, check=True)
+    said = [line for line in result.stderr.decode().splitlines() if not line.startswith(NO_DRIVER)]
+    assert result.stdout == b"" and said == []

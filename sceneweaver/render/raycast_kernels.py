@@ -6,8 +6,12 @@ each a stretch of its own (interleaved sampling, Keller and Heidrich 2001), so a
 pattern depends on the pixel only: equal scenes give equal pictures.
 """
 
+import os
+
 import warp as wp
 
+if not os.environ.get("SCENEWEAVER_DEBUG"):
+    wp.config.log_level = wp.LOG_ERROR  # no greeting, no notes on what is compiled
 wp.set_module_options({"enable_backward": False, "fast_math": True})
 
 PLAIN = wp.constant(0)

@@ -1,13 +1,13 @@
-"""The trials of the search's jobs: drawing poses, and what they cost.
+"""The proposals of the search's jobs: drawing poses, and what they cost.
 
-On a GPU a warp rates the trials of one candidate: with as many trials as lanes each lane has its own; with fewer, a
-team of lanes shares the terms of one energy. Drawing and rating are kernels of their own, so that the code of each
-fits the instruction cache and all warps are at the same place of it.
+On a GPU a warp rates the proposals of one candidate: with as many proposals as lanes each lane has its own; with
+fewer, a subwarp of lanes shares the terms of one energy. Drawing and rating are kernels of their own, so that the
+code of each fits the instruction cache and all warps are at the same place of it.
 """
 
 import warp as wp
 
-from .begin import Plan
+from .array_access import inline_on_gpu, item
 from .features import TURN
 from .geometry import FAR, wrap
 from .groups import group_energy
@@ -20,19 +20,30 @@ from .jobs import (
     SQUARE,
     STEP,
     STOP,
-    Desk,
-    Found,
-    alone,
-    at_home,
+    JobResult,
+    SearchState,
+    is_anchored,
     object_of,
+    proposal_count,
     rates_only,
-    trials_of,
+    single_body,
     weights_at,
 )
-from .lanes import index_of, lane, lanes, lowest, number_of, pose_of, sum_of, sum_of_poses, sum_of_team, team_for
-from .reading import inline_on_gpu, item
 from .sample import QUARTER, propose, uniform
+from .starts import Plan
 from .tables import Margins, Share, State, TablesRef, View, Weights
+from .warp_primitives import (
+    lane_id,
+    shfl_float,
+    shfl_int,
+    shfl_vec4,
+    subwarp_size,
+    subwarp_sum,
+    subwarp_sum_vec4,
+    warp_argmin,
+    warp_size,
+    warp_sum,
+)
 
 # Fast sines on a GPU are good to a few micrometres; the judge gets exact ones (`set_turns`).
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
@@ -40,8 +51,8 @@ wp.set_module_options({"enable_backward": False, "fast_math": True, "default_gri
 SHORTER = wp.constant(0.35)  # how much shorter each next gradient step is tried
 DRAFTS = wp.constant(0.3)  # share of proposals that take the surfaces laid out anew
 STAYS = wp.constant(0.15)  # share of proposals that then leave the object where it is
-FAR_AWAY = wp.constant(0.65)  # share of proposals anywhere in the room
-FAR_FROM_HOME = wp.constant(0.35)  # the same at home
+FAR_SHARE = wp.constant(0.65)  # share of proposals anywhere in the room
+FAR_SHARE_ANCHORED = wp.constant(0.35)  # the same in anchored attempts
 
 
 @wp.func
@@ -52,25 +63,25 @@ def off_square(t: TablesRef, p: wp.int32, pose: wp.vec4):
 
 
 @wp.func
-def draw_trials(
+def draw_proposals(
     t: TablesRef,
     m: Margins,
     w: Weights,
     plan: Plan,
-    home: wp.bool,
+    anchored: wp.bool,
     p: wp.int32,
     candidate: wp.int32,
-    d: Desk,
+    d: SearchState,
     first: wp.int32,
     by: wp.int32,
     s: State,
     drawn: wp.array2d(dtype=wp.vec4),
     drafted: wp.array2d(dtype=wp.int32),
 ):
-    """Draw the pose of every ``by``-th trial from ``first``, and whether it takes the draft."""
+    """Draw the pose of every ``by``-th proposal from ``first``, and whether it takes the draft."""
     old = item(s.poses, candidate, d.obj)
     rng = wp.rand_init(d.seed, first)
-    for k in range(first, trials_of(d, 0, plan), by):
+    for k in range(first, proposal_count(d, 0, plan), by):
         pose = old
         draft = int(0)
         if d.job == MOVE and k > 0:
@@ -82,7 +93,7 @@ def draw_trials(
                 anew = u > STAYS
             if anew:
                 near = 0.02 + d.scale * uniform(rng)
-                far = wp.where(home, FAR_FROM_HOME, FAR_AWAY)
+                far = wp.where(anchored, FAR_SHARE_ANCHORED, FAR_SHARE)
                 pose = propose(t, m, w, p, d.obj, pose, s, candidate, near, far, plan.slide, rng)
         elif d.job == STEP:
             pose = pose + wp.pow(SHORTER, float(k)) * d.step
@@ -99,33 +110,33 @@ def draw_trials(
 
 
 @wp.func
-def rate_trials(
+def rate_proposals(
     t: TablesRef,
     m: Margins,
     w: Weights,
     plan: Plan,
-    home: wp.bool,
+    anchored: wp.bool,
     p: wp.int32,
     candidate: wp.int32,
-    d: Desk,
+    d: SearchState,
     s: State,
     drawn: wp.array2d(dtype=wp.vec4),
     drafted: wp.array2d(dtype=wp.int32),
     energy: wp.array2d(dtype=wp.float32),
 ):
-    """Rate all trials of a job, each by a team of lanes. Every lane gets the outcome. The code has no gradients."""
+    """Rate all proposals of a job, each by a subwarp. Every lane gets the result. The code has no gradients."""
     o0 = item(t[0].object_start, p)
-    me = lane()
-    count = trials_of(d, item(t[0].object_start, p + 1) - o0, plan)
-    team = team_for(count)
-    part = Share(me % team, team)
+    me = lane_id()
+    count = proposal_count(d, item(t[0].object_start, p + 1) - o0, plan)
+    subwarp = subwarp_size(count)
+    part = Share(me % subwarp, subwarp)
     old = item(s.poses, candidate, d.obj)
-    x = Found()
+    x = JobResult()
     x.least = FAR
     x.base = FAR
     if d.job == STEP:
         x.base = d.base
-    for k in range(me // team, count, lanes() // team):
+    for k in range(me // subwarp, count, warp_size() // subwarp):
         who = object_of(t, d, k)
         first = int(d.first)
         last = int(d.last)
@@ -134,7 +145,7 @@ def rate_trials(
         view.crowd = 1
         limit = float(FAR)
         if rates_only(d.job):
-            first, last = alone(t, o0 + who)
+            first, last = single_body(t, o0 + who)
         else:
             view.stamp = d.stamp
             view.draft = item(drafted, candidate, k)
@@ -142,19 +153,19 @@ def rate_trials(
             view.after = item(drawn, candidate, k)
             view.spin = wp.vec2(wp.cos(view.after[3] - old[3]), wp.sin(view.after[3] - old[3]))
             if (d.job == MOVE and k > 0) or d.job == STEP:
-                limit = wp.min(x.least, x.base + d.heat)
+                limit = wp.min(x.least, x.base + d.threshold)
         e = float(0.0)
         share = float(0.0)
         soft = float(0.0)
         rating = float(0.0)
         if last > first:
             e, share, soft, _g = group_energy(t, m, w, p, candidate, first, last, s, limit, view, part)
-            e = sum_of_team(e, team)
-            share = sum_of_team(share, team)
-            soft = sum_of_team(soft, team)
+            e = subwarp_sum(e, subwarp)
+            share = subwarp_sum(share, subwarp)
+            soft = subwarp_sum(soft, subwarp)
             if item(t[0].object_free, o0 + who) != 0:
                 rating = e
-                if home:  # soft terms are no reason to move anything
+                if anchored:  # soft terms are no reason to move anything
                     rating = wp.max(e - soft - SOLVED, 0.0)
         if rates_only(d.job):
             if part.first == 0:
@@ -173,30 +184,30 @@ def rate_trials(
             x.pose = view.after
             x.draft = view.draft
             x.rating = rating
-    if lanes() > 1:
-        winner = lowest(x.least)
-        x.share = sum_of(x.share)
-        x.soft = sum_of(x.soft)
-        x.base = number_of(x.base, 0)
-        x.least = number_of(x.least, winner)
-        x.index = index_of(x.index, winner)
-        x.pose = pose_of(x.pose, winner)
-        x.draft = index_of(x.draft, winner)
-        x.rating = number_of(x.rating, winner)
+    if warp_size() > 1:
+        winner = warp_argmin(x.least)
+        x.share = warp_sum(x.share)
+        x.soft = warp_sum(x.soft)
+        x.base = shfl_float(x.base, 0)
+        x.least = shfl_float(x.least, winner)
+        x.index = shfl_int(x.index, winner)
+        x.pose = shfl_vec4(x.pose, winner)
+        x.draft = shfl_int(x.draft, winner)
+        x.rating = shfl_float(x.rating, winner)
     return x
 
 
 @wp.func
-def find_slope(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, d: Desk, s: State):
-    """The outcome of a job that takes a gradient; all lanes share its terms, and each gets the outcome."""
-    first, last = alone(t, item(t[0].object_start, p) + d.obj)
+def find_gradient(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, d: SearchState, s: State):
+    """The result of a job that takes a gradient; all lanes share its terms, and each gets the result."""
+    first, last = single_body(t, item(t[0].object_start, p) + d.obj)
     view = View()
     view.best = 1
     view.crowd = 1
-    e, _share, _soft, g = group_energy(t, m, w, p, candidate, first, last, s, FAR, view, Share(lane(), lanes()))
-    x = Found()
-    x.base = sum_of(e)
-    x.gradient = sum_of_poses(g, lanes())
+    e, _share, _soft, g = group_energy(t, m, w, p, candidate, first, last, s, FAR, view, Share(lane_id(), warp_size()))
+    x = JobResult()
+    x.base = warp_sum(e)
+    x.gradient = subwarp_sum_vec4(g, warp_size())
     return x
 
 
@@ -210,7 +221,7 @@ def draw(
     problem: wp.array(dtype=wp.int32),
     # State in:
     clock: wp.array(dtype=wp.int32),
-    desk: wp.array(dtype=Desk),
+    search_state: wp.array(dtype=SearchState),
     # State in and out:
     s: State,
     # State out:
@@ -223,19 +234,19 @@ def draw(
     candidate, first = wp.tid()
     if candidate == 0 and first == 0:
         busy_out[0] = 0
-    if desk[candidate].job < MOVE or desk[candidate].job == STOP:
+    if search_state[candidate].job < MOVE or search_state[candidate].job == STOP:
         return
-    home = at_home(plan, clock)
-    by = wp.min(1 + plan.proposals, lanes())
-    draw_trials(
+    anchored = is_anchored(plan, clock)
+    by = wp.min(1 + plan.proposals, warp_size())
+    draw_proposals(
         t,
         m,
-        weights_at(w, home),
+        weights_at(w, anchored),
         plan,
-        home,
+        anchored,
         problem[candidate],
         candidate,
-        desk[candidate],
+        search_state[candidate],
         first,
         by,
         s,
@@ -254,40 +265,40 @@ def rate(
     problem: wp.array(dtype=wp.int32),
     # State in:
     clock: wp.array(dtype=wp.int32),
-    desk: wp.array(dtype=Desk),
+    search_state: wp.array(dtype=SearchState),
     s: State,
     drawn: wp.array2d(dtype=wp.vec4),
     drafted: wp.array2d(dtype=wp.int32),
     # State out:
     energy_out: wp.array2d(dtype=wp.float32),
-    found_out: wp.array(dtype=Found),
+    result_out: wp.array(dtype=JobResult),
 ):
-    """Rate the trials of every candidate's job. A warp a candidate."""
+    """Rate the proposals of every candidate's job. A warp a candidate."""
     inline_on_gpu()
-    candidate = wp.tid() // lanes()
-    if desk[candidate].job == STOP or desk[candidate].job == GRADIENT:
+    candidate = wp.tid() // warp_size()
+    if search_state[candidate].job == STOP or search_state[candidate].job == GRADIENT:
         return
-    home = at_home(plan, clock)
-    x = rate_trials(
+    anchored = is_anchored(plan, clock)
+    x = rate_proposals(
         t,
         m,
-        weights_at(w, home),
+        weights_at(w, anchored),
         plan,
-        home,
+        anchored,
         problem[candidate],
         candidate,
-        desk[candidate],
+        search_state[candidate],
         s,
         drawn,
         drafted,
         energy_out,
     )
-    if lane() == 0:
-        found_out[candidate] = x
+    if lane_id() == 0:
+        result_out[candidate] = x
 
 
 @wp.kernel
-def slope(
+def take_gradients(
     # Problem:
     t: TablesRef,
     m: Margins,
@@ -296,17 +307,17 @@ def slope(
     problem: wp.array(dtype=wp.int32),
     # State in:
     clock: wp.array(dtype=wp.int32),
-    desk: wp.array(dtype=Desk),
+    search_state: wp.array(dtype=SearchState),
     s: State,
     # State out:
-    found_out: wp.array(dtype=Found),
+    result_out: wp.array(dtype=JobResult),
 ):
     """Take the gradient where that is a candidate's job. A warp a candidate."""
     inline_on_gpu()
-    candidate = wp.tid() // lanes()
-    if desk[candidate].job != GRADIENT:
+    candidate = wp.tid() // warp_size()
+    if search_state[candidate].job != GRADIENT:
         return
-    weights = weights_at(w, at_home(plan, clock))
-    x = find_slope(t, m, weights, problem[candidate], candidate, desk[candidate], s)
-    if lane() == 0:
-        found_out[candidate] = x
+    weights = weights_at(w, is_anchored(plan, clock))
+    x = find_gradient(t, m, weights, problem[candidate], candidate, search_state[candidate], s)
+    if lane_id() == 0:
+        result_out[candidate] = x

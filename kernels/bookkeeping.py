@@ -15,16 +15,16 @@ def keep_best(
     t: TablesRef,
     problem: wp.array(dtype=wp.int32),
     # State in:
-    open: wp.array(dtype=wp.int32),
+    active: wp.array(dtype=wp.int32),
     s: State,
     total: wp.array(dtype=wp.float32),
     # State out:
     best_out: State,
     best_total_out: wp.array(dtype=wp.float32),
 ):
-    """Copy an open candidate's layout when its energy is the lowest so far."""
+    """Copy an active candidate's layout when its energy is the lowest so far."""
     candidate = wp.tid()
-    if open[candidate] == 0 or not total[candidate] < best_total_out[candidate]:
+    if active[candidate] == 0 or not total[candidate] < best_total_out[candidate]:
         return
     p = problem[candidate]
     best_total_out[candidate] = total[candidate]
@@ -47,7 +47,7 @@ def set_turns(
 
 
 @wp.kernel
-def spread(
+def broadcast_poses(
     # Problem:
     problem: wp.array(dtype=wp.int32),
     # State in:
@@ -64,7 +64,7 @@ def spread(
 
 
 @wp.kernel
-def onto_surfaces(
+def to_surface_frames(
     # Problem:
     first: wp.int32,
     candidates: wp.int32,
@@ -78,18 +78,18 @@ def onto_surfaces(
 ):
     """Poses of what stands on each surface, in its supporter's frame, surface by surface, candidate by candidate."""
     row, k = wp.tid()
-    deck = row // candidates
+    surface = row // candidates
     candidate = first + row % candidates
-    if k >= member_start[deck + 1] - member_start[deck]:
+    if k >= member_start[surface + 1] - member_start[surface]:
         return
-    base = poses[candidate, supporter[deck]]
-    pose = poses[candidate, member[member_start[deck] + k]]
+    base = poses[candidate, supporter[surface]]
+    pose = poses[candidate, member[member_start[surface] + k]]
     at = turn_back(wp.vec2(wp.cos(base[3]), wp.sin(base[3])), plane_of(pose) - plane_of(base))
     local_out[row, k] = wp.vec4(at[0], at[1], 0.0, wrap(pose[3] - base[3], TURN))
 
 
 @wp.kernel
-def tick(
+def advance_clock(
     # State out:
     clock_out: wp.array(dtype=wp.int32),
     left_out: wp.array(dtype=wp.int32),
@@ -100,25 +100,25 @@ def tick(
 
 
 @wp.kernel
-def close(
+def retire_valid(
     # State in:
     status: wp.array(dtype=wp.int8),
     # State in and out:
-    open: wp.array(dtype=wp.int32),
+    active: wp.array(dtype=wp.int32),
     # State out:
     left_out: wp.array(dtype=wp.int32),
 ):
-    """Close the candidates that are valid and count those that are not."""
+    """Take the valid candidates out of the search and count the others."""
     candidate = wp.tid()
-    if open[candidate] == 1:
+    if active[candidate] == 1:
         if int(status[candidate]) == 0:
-            open[candidate] = 0
+            active[candidate] = 0
         else:
             wp.atomic_add(left_out, 0, 1)
 
 
 @wp.kernel
-def proceed(
+def check_continue(
     # State in:
     clock: wp.array(dtype=wp.int32),
     left: wp.array(dtype=wp.int32),

@@ -6,7 +6,7 @@ from .contacts import add_contacts
 from .energy import EAST
 from .features import feature
 from .geometry import FAR, perp, plane_of, turn, turn_back
-from .inequality import ROWS, SLACK, SURE, Row, add_row, wanting
+from .inequality import ROWS, SLACK, SURE, Inequality, add_row, wanting
 from .tables import (
     FIXTURE_SOLID,
     FREE_Z,
@@ -37,7 +37,7 @@ def add_bounds(
     reach: wp.float32,
     s: State,
     shift: wp.array2d(dtype=wp.vec4),
-    rows: wp.array2d(dtype=Row),
+    rows: wp.array2d(dtype=Inequality),
     keys: wp.array2d(dtype=wp.int32),
 ):
     """Rows that keep an object in the room and out of openings; returns as `add_contacts`."""
@@ -59,8 +59,8 @@ def add_bounds(
             second = int(-1)
             low = float(FAR)
             next = float(FAR)
-            for f in range(t[0].foot_start[o], t[0].foot_start[o + 1]):
-                a = t[0].foot[f]
+            for f in range(t[0].footprint_start[o], t[0].footprint_start[o + 1]):
+                a = t[0].footprint[f]
                 for v in range(t[0].prism_start[a], t[0].prism_start[a + 1]):
                     d = depth + wp.dot(mm, t[0].vertex[v])
                     if d < low:
@@ -127,7 +127,7 @@ def add_bounds(
                     none,
                     EAST,
                     hold,
-                    m.gate,
+                    m.least_overlap_z,
                     reach,
                     s,
                     shift,
@@ -191,7 +191,7 @@ def add_pairs(
     reach: wp.float32,
     s: State,
     shift: wp.array2d(dtype=wp.vec4),
-    rows: wp.array2d(dtype=Row),
+    rows: wp.array2d(dtype=Inequality),
     keys: wp.array2d(dtype=wp.int32),
 ):
     """Rows of the pairs that an object looks after: solids apart, and out of hard zones. Returns as `add_contacts`.
@@ -239,7 +239,7 @@ def add_pairs(
                             other,
                             qj,
                             m.collision_hold,
-                            m.gate,
+                            m.least_overlap_z,
                             reach,
                             s,
                             shift,
@@ -264,7 +264,7 @@ def add_pairs(
                             other,
                             qj,
                             m.zone_hold,
-                            m.gate,
+                            m.least_overlap_z,
                             reach,
                             s,
                             shift,
@@ -289,7 +289,7 @@ def add_pairs(
                             other,
                             qj,
                             m.zone_hold,
-                            m.gate,
+                            m.least_overlap_z,
                             reach,
                             s,
                             shift,
@@ -312,7 +312,7 @@ def add_relations(
     reach: wp.float32,
     s: State,
     shift: wp.array2d(dtype=wp.vec4),
-    rows: wp.array2d(dtype=Row),
+    rows: wp.array2d(dtype=Inequality),
     keys: wp.array2d(dtype=wp.int32),
 ):
     """Rows of the hard relations of which an object is the subject, under their chosen options; as `add_contacts`."""
@@ -320,9 +320,9 @@ def add_relations(
     r0 = t[0].relation_start[p]
     o = o0 + obj
     missed = float(0.0)
-    for c in range(t[0].touch_start[o], t[0].touch_start[o + 1]):
-        r = r0 + t[0].touch[c]
-        if t[0].touch_role[c] == 0 and t[0].relation_fault[r] != 0 and t[0].relation_rigid[r] == 0:
+    for c in range(t[0].incidence_start[o], t[0].incidence_start[o + 1]):
+        r = r0 + t[0].incidence[c]
+        if t[0].incidence_role[c] == 0 and t[0].relation_fault[r] != 0 and t[0].relation_rigid[r] == 0:
             ids = t[0].relation_object[r]
             pose_a = s.poses[candidate, obj]
             qa = s.turns[candidate, obj]
@@ -386,13 +386,13 @@ def add_relations(
 
 
 @wp.kernel
-def gather_rows(
+def linearise(
     # Problem:
     t: TablesRef,
     m: Margins,
     reach: wp.float32,
     problem: wp.array(dtype=wp.int32),
-    active: wp.array(dtype=wp.int32),
+    selected: wp.array(dtype=wp.int32),
     # State in:
     live: wp.array(dtype=wp.int32),
     s: State,
@@ -402,19 +402,19 @@ def gather_rows(
     # State in and out:
     count: wp.array2d(dtype=wp.int32),
     # State out:
-    rows_out: wp.array2d(dtype=Row),
+    rows_out: wp.array2d(dtype=Inequality),
     keys_out: wp.array2d(dtype=wp.int32),
     force_out: wp.array2d(dtype=wp.float32),
     missed_out: wp.array2d(dtype=wp.float32),
 ):
-    """Rows of every active (candidate, object) at the present poses, with the forces that they had before.
+    """Rows of every selected (candidate, object) at the present poses, with the forces that they had before.
 
     ``shift`` [candidate, object] is how far each root is from its anchor; slots of an object's rows begin at
     ROWS times its index. ``missed_out`` is by how much [m] its terms miss the verdict's limits, without those that
     nothing free to move can mend.
     """
     slot, obj = wp.tid()
-    candidate = active[slot]
+    candidate = selected[slot]
     p = problem[candidate]
     if live[candidate] == 0 or obj >= t[0].object_start[p + 1] - t[0].object_start[p]:
         return

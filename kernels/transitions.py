@@ -1,4 +1,4 @@
-"""What comes of a job's trials, and what the next job is.
+"""What comes of a job's proposals, and what the next job is.
 
 A move picks an object in proportion to its energy, and takes the best of some poses drawn for it by the Metropolis
 rule with a temperature that falls to zero. Walls and sides are discrete choices: wherever an object is looked at, its
@@ -8,13 +8,14 @@ gradient steps, and tidies up.
 
 import warp as wp
 
-from .begin import Plan
+from .array_access import item, opaque_one
 from .cells import change_cell, crowded
-from .energy import seen
+from .energy import viewed_pose
 from .features import TURN
 from .geometry import FAR, wrap
-from .groups import members_end, set_pose, shuffle
+from .groups import members_end, redraw_surfaces, set_pose
 from .jobs import (
+    FINISHING,
     GRADIENT,
     MOVE,
     MOVING,
@@ -26,16 +27,15 @@ from .jobs import (
     STEP,
     STOP,
     SURVEY,
-    TIDYING,
-    Desk,
-    Found,
-    alone,
-    at_home,
+    JobResult,
+    SearchState,
+    is_anchored,
+    single_body,
 )
-from .lanes import lanes
-from .reading import item, one
+from .proposals import off_square
+from .starts import Plan
 from .tables import FREE_YAW, Margins, State, TablesRef, View, Weights
-from .trials import off_square
+from .warp_primitives import warp_size
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
 
@@ -47,11 +47,11 @@ STRIDE = wp.constant(0.3)  # [m] longest gradient step
 @wp.func
 def pick_object(n: wp.int32, candidate: wp.int32, energy: wp.array2d(dtype=wp.float32), u: wp.float32):
     """The object on which a share u of all energies falls, laid end to end; -1 when there is none."""
-    sum = float(0.0)
-    step = one()
+    total = float(0.0)
+    step = opaque_one()
     for i in range(0, n, step):
-        sum += item(energy, candidate, i)
-    left = u * sum
+        total += item(energy, candidate, i)
+    left = u * total
     obj = int(-1)
     for i in range(0, n, step):
         e = item(energy, candidate, i)
@@ -79,24 +79,24 @@ def next_object(
 
 
 @wp.func
-def sit_down(t: TablesRef, p: wp.int32, candidate: wp.int32, s: State):
-    """The desk at the start of a round."""
+def initial_state(t: TablesRef, p: wp.int32, candidate: wp.int32, s: State):
+    """The state at the start of a round."""
     for obj in range(item(t[0].object_start, p + 1) - item(t[0].object_start, p)):
         s.mark[candidate, obj] = 0
-    d = Desk()
+    d = SearchState()
     d.job = SURVEY
     d.phase = MOVING
     d.cursor = -1
-    d.dice = item(s.stream, candidate, lanes())
+    d.rng = item(s.stream, candidate, warp_size())
     return d
 
 
 @wp.func
-def go(t: TablesRef, p: wp.int32, n: wp.int32, candidate: wp.int32, d: Desk, view: View, s: State):
-    """Move the objects of the desk to where a view sees them."""
+def apply_move(t: TablesRef, p: wp.int32, n: wp.int32, candidate: wp.int32, d: SearchState, view: View, s: State):
+    """Move the objects of a move to where a view sees them."""
     for k in range(d.first, d.last):
         obj = item(t[0].group, k)
-        pose, _q = seen(s, candidate, obj, view)
+        pose, _q = viewed_pose(s, candidate, obj, view)
         set_pose(s, candidate, obj, pose)
         if crowded(n, s):
             change_cell(t, p, candidate, obj, s)
@@ -106,16 +106,16 @@ def go(t: TablesRef, p: wp.int32, n: wp.int32, candidate: wp.int32, d: Desk, vie
 def decide(
     t: TablesRef,
     plan: Plan,
-    round: wp.int32,
-    home: wp.bool,
+    round_index: wp.int32,
+    anchored: wp.bool,
     p: wp.int32,
     candidate: wp.int32,
-    x: Found,
+    x: JobResult,
     s: State,
     energy: wp.array2d(dtype=wp.float32),
-    d: Desk,
+    d: SearchState,
 ):
-    """Act on a job's outcome, and choose the next job: the desk after it."""
+    """Act on a job's result, and choose the next job: the state after it."""
     o0 = item(t[0].object_start, p)
     n = item(t[0].object_start, p + 1) - o0
     movable = wp.max(item(t[0].movable, p), 2)
@@ -130,15 +130,15 @@ def decide(
         hard = x.share - x.soft
         if d.phase == MOVING:
             if hard <= SOLVED:
-                d.lingered += refresh
-                if x.soft <= SOLVED or d.lingered > plan.linger * movable or home:
+                d.soft_moves += refresh
+                if x.soft <= SOLVED or d.soft_moves > plan.soft_moves * movable or anchored:
                     d.solved = 1
         else:
-            d.solved = wp.where(x.share <= SOLVED or (home and hard <= SOLVED), 1, 0)
+            d.solved = wp.where(x.share <= SOLVED or (anchored and hard <= SOLVED), 1, 0)
     elif done == GRADIENT:
         d.base = x.base
     elif done == MOVE:
-        moved = x.least < x.base + d.heat
+        moved = x.least < x.base + d.threshold
         if moved:
             energy[candidate, d.obj] = x.rating
     elif done == STEP:
@@ -155,7 +155,7 @@ def decide(
         view.after = x.pose
         turned = view.after[3] - view.before[3]
         view.spin = wp.vec2(wp.cos(turned), wp.sin(turned))
-        go(t, p, n, candidate, d, view, s)
+        apply_move(t, p, n, candidate, d, view, s)
 
     # What next.
     d.job = STOP
@@ -163,25 +163,25 @@ def decide(
         if plan.rates != 0 and done == MOVE and moved and d.last > members_end(t, o0 + d.obj):
             d.job = RATE
         elif d.solved != 0:
-            d.phase = TIDYING
+            d.phase = FINISHING
         elif done != SURVEY and d.move % refresh == 0:
             d.job = SURVEY
         elif d.move >= moves:
             d.phase = POLISHING
         else:
-            dice = d.dice
-            chosen = pick_object(n, candidate, energy, wp.randf(dice))
+            rng = d.rng
+            chosen = pick_object(n, candidate, energy, wp.randf(rng))
             if chosen < 0 and plan.rates == 0 and done != SURVEY:  # what went along with a move was not rated
                 d.job = SURVEY
             elif chosen < 0:  # nothing that is free to move is at fault
-                d.phase = TIDYING
+                d.phase = FINISHING
             else:
                 d.job = MOVE
                 whole = bool(False)
-                u = wp.randf(dice)
-                v = wp.randf(dice)
+                u = wp.randf(rng)
+                v = wp.randf(rng)
                 parent = item(t[0].object_parent, o0 + chosen)
-                if parent >= 0 and u < wp.where(home, 0.1, 0.25):
+                if parent >= 0 and u < wp.where(anchored, 0.1, 0.25):
                     chosen = parent
                     whole = True
                 elif v < plan.whole:
@@ -191,27 +191,27 @@ def decide(
                 d.last = item(t[0].group_start, o0 + chosen + 1)
                 if not whole:
                     d.last = members_end(t, o0 + chosen)
-                level = 1.0 - (float(round) + float(d.move) / float(moves)) / float(plan.rounds)
+                level = 1.0 - (float(round_index) + float(d.move) / float(moves)) / float(plan.rounds)
                 d.scale = 0.4 * level
-                d.heat = 0.0
-                if d.lingered == 0:
-                    hot = wp.where(home, plan.hot_at_home, plan.hot)
-                    d.heat = -hot * level * level * wp.log(wp.randf(dice) + 1.0e-9)
-                d.seed = int(2.0e9 * wp.randf(dice))
+                d.threshold = 0.0
+                if d.soft_moves == 0:
+                    temperature = wp.where(anchored, plan.anchored_temperature, plan.temperature)
+                    d.threshold = -temperature * level * level * wp.log(wp.randf(rng) + 1.0e-9)
+                d.seed = int(2.0e9 * wp.randf(rng))
                 d.draft = 0
                 if t[0].pool_size > 0:
-                    if item(t[0].deck_start, o0 + chosen + 1) > item(t[0].deck_start, o0 + chosen):
+                    if item(t[0].surface_start, o0 + chosen + 1) > item(t[0].surface_start, o0 + chosen):
                         d.draft = 1
                 d.move += 1
-            d.dice = dice
+            d.rng = rng
     if d.phase == POLISHING:
-        d.heat = 0.0
+        d.threshold = 0.0
         arm = 0.3 * item(t[0].object_radius, o0 + d.obj)[0] + 0.05
         g = x.gradient
         scaled = wp.vec4(g[0], g[1], g[2], g[3] / (arm * arm))
         gg = wp.dot(g, scaled)
         if done == SURVEY and d.solved != 0:
-            d.phase = TIDYING
+            d.phase = FINISHING
             d.cursor = -1
         elif done == GRADIENT and d.base > SOLVED and gg > 1.0e-12:
             d.job = STEP
@@ -231,19 +231,21 @@ def decide(
                 d.sweep += 1
         elif done != SURVEY:  # the round ends with what it came to
             d.job = SURVEY
-    if d.phase == TIDYING:
-        d.heat = 0.0
+    if d.phase == FINISHING:
+        d.threshold = 0.0
         d.job = STOP
         walled = item(t[0].plane_start, p + 1) > item(t[0].plane_start, p)
-        while d.job == STOP and d.tidied <= wp.where(home, 1, 0):  # what goes back may clear the way for another
+        while d.job == STOP and d.finishing_passes <= wp.where(
+            anchored, 1, 0
+        ):  # what goes back may clear the way for another
             d.cursor = next_object(t, o0, n, candidate, energy, d.cursor, False)
             if d.cursor >= n:
                 d.cursor = -1
-                d.tidied += 1
+                d.finishing_passes += 1
             else:
                 d.obj = d.cursor
                 pose = item(s.poses, candidate, d.obj)
-                if home:
+                if anchored:
                     back = item(s.anchors, candidate, d.obj) - pose
                     back[3] = wrap(back[3], TURN)
                     if wp.dot(back, back) > 1.0e-12:
@@ -254,7 +256,7 @@ def decide(
                         d.job = SQUARE
     if d.job >= MOVE and d.job != STOP:
         if d.job != MOVE:
-            first, last = alone(t, o0 + d.obj)
+            first, last = single_body(t, o0 + d.obj)
             d.first = first
             d.last = last
             d.draft = 0
@@ -266,21 +268,21 @@ def decide(
             if d.draft != 0:
                 s.draft[candidate, i] = item(s.poses, candidate, i)
         if d.draft != 0:
-            dice = d.dice
-            shuffle(t, p, d.obj, candidate, int(1.0e9 * wp.randf(dice)), s.draft)
-            d.dice = dice
+            rng = d.rng
+            redraw_surfaces(t, p, d.obj, candidate, int(1.0e9 * wp.randf(rng)), s.draft)
+            d.rng = rng
     return d
 
 
 @wp.func
-def leave(candidate: wp.int32, d: Desk, s: State, total_out: wp.array(dtype=wp.float32)):
+def finish_round(candidate: wp.int32, d: SearchState, s: State, total_out: wp.array(dtype=wp.float32)):
     """The end of a round."""
     total_out[candidate] = d.total
-    s.stream[candidate, lanes()] = d.dice
+    s.stream[candidate, warp_size()] = d.rng
 
 
 @wp.kernel
-def open_desks(
+def start_rounds(
     # Problem:
     t: TablesRef,
     m: Margins,
@@ -288,26 +290,26 @@ def open_desks(
     plan: Plan,
     problem: wp.array(dtype=wp.int32),
     # State in:
-    open: wp.array(dtype=wp.int32),
+    active: wp.array(dtype=wp.int32),
     # State in and out:
     s: State,
     # State out:
-    desk_out: wp.array(dtype=Desk),
+    search_state_out: wp.array(dtype=SearchState),
     busy_out: wp.array(dtype=wp.int32),
 ):
-    """Begin a round of every open candidate; the others have nothing to do."""
+    """Start a round of every active candidate; the others have nothing to do."""
     candidate = wp.tid()
     if candidate == 0:
         busy_out[0] = 1
-    d = Desk()
+    d = SearchState()
     d.job = STOP
-    if open[candidate] != 0:
-        d = sit_down(t, problem[candidate], candidate, s)
-    desk_out[candidate] = d
+    if active[candidate] != 0:
+        d = initial_state(t, problem[candidate], candidate, s)
+    search_state_out[candidate] = d
 
 
 @wp.kernel
-def decide_next(
+def advance(
     # Problem:
     t: TablesRef,
     m: Margins,
@@ -316,24 +318,26 @@ def decide_next(
     problem: wp.array(dtype=wp.int32),
     # State in:
     clock: wp.array(dtype=wp.int32),
-    found: wp.array(dtype=Found),
+    result: wp.array(dtype=JobResult),
     # State in and out:
     s: State,
     energy: wp.array2d(dtype=wp.float32),
-    desk: wp.array(dtype=Desk),
+    search_state: wp.array(dtype=SearchState),
     # State out:
     total_out: wp.array(dtype=wp.float32),
     busy_out: wp.array(dtype=wp.int32),
 ):
-    """Act on the outcome of every candidate's job and choose its next. ``busy_out`` becomes 1 if any has one."""
+    """Act on the result of every candidate's job and choose its next. ``busy_out`` becomes 1 if any has one."""
     candidate = wp.tid()
-    d = desk[candidate]
+    d = search_state[candidate]
     if d.job == STOP:
         return
-    round = clock[0] % plan.rounds
-    d = decide(t, plan, round, at_home(plan, clock), problem[candidate], candidate, found[candidate], s, energy, d)
-    desk[candidate] = d
+    round_index = clock[0] % plan.rounds
+    d = decide(
+        t, plan, round_index, is_anchored(plan, clock), problem[candidate], candidate, result[candidate], s, energy, d
+    )
+    search_state[candidate] = d
     if d.job == STOP:
-        leave(candidate, d, s, total_out)
+        finish_round(candidate, d, s, total_out)
     else:
         busy_out[0] = 1

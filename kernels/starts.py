@@ -2,11 +2,11 @@
 
 import warp as wp
 
-from .groups import carry, set_pose, shuffle
-from .lanes import lane, lanes, meet
-from .reading import item, one
-from .sample import keep_inside, random_start, settle, uniform
+from .array_access import item, opaque_one
+from .groups import move_with_members, redraw_surfaces, set_pose
+from .sample import keep_inside, project_onto_relations, random_start, uniform
 from .tables import Margins, State, TablesRef, Weights
+from .warp_primitives import lane_id, syncwarp, warp_size
 
 # Fast sines on a GPU are good to a few micrometres; the judge gets exact ones (`set_turns`).
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
@@ -26,7 +26,7 @@ class Plan:
     steps: wp.int32  # rounds of all attempts
     rounds: wp.int32  # rounds of one attempt
     start: wp.int32  # GIVEN, ANYWHERE or RELATIONS; later attempts draw from the relations
-    at_home: wp.int32  # with GIVEN: attempts that begin there and keep what is in order where it is
+    anchored_attempts: wp.int32  # with GIVEN: attempts that begin there and keep what is in order where it is
     moves: wp.int32  # in a round, for each movable object
     proposals: wp.int32
     slide: wp.float32  # share of proposals that are slid flush with something
@@ -34,9 +34,9 @@ class Plan:
     rates: wp.int32  # 1: what such a move took along is rated at once, else at the next survey
     polish: wp.int32  # gradient sweeps at the end of a round
     tries: wp.int32  # step lengths of one gradient step
-    linger: wp.int32  # moves for each movable object spent on soft relations once the hard ones hold
-    hot: wp.float32  # [m] temperature at the start of an attempt
-    hot_at_home: wp.float32
+    soft_moves: wp.int32  # moves for each movable object spent on soft relations once the hard ones hold
+    temperature: wp.float32  # [m] temperature at the start of an attempt
+    anchored_temperature: wp.float32
 
 
 @wp.func
@@ -51,7 +51,7 @@ def depth_of(t: TablesRef, o0: wp.int32, obj: wp.int32):
 
 
 @wp.kernel
-def begin(
+def start_attempt(
     # Problem:
     t: TablesRef,
     m: Margins,
@@ -59,15 +59,15 @@ def begin(
     plan: Plan,
     problem: wp.array(dtype=wp.int32),
     # State in:
-    open: wp.array(dtype=wp.int32),
+    active: wp.array(dtype=wp.int32),
     clock: wp.array(dtype=wp.int32),
     # State in and out:
     s: State,
 ):
-    """At the first round of an attempt, put every open candidate where the attempt begins. A warp a candidate."""
-    candidate = wp.tid() // lanes()
-    me = lane()
-    if clock[0] % plan.rounds != 0 or open[candidate] == 0:
+    """At the first round of an attempt, put every active candidate where the attempt begins. A warp a candidate."""
+    candidate = wp.tid() // warp_size()
+    me = lane_id()
+    if clock[0] % plan.rounds != 0 or active[candidate] == 0:
         return
     p = problem[candidate]
     o0 = item(t[0].object_start, p)
@@ -76,28 +76,28 @@ def begin(
     if attempt == 0:
         s.stream[candidate, me] = wp.rand_init(int(s.rng[candidate]), me)
         if me == 0:
-            s.stream[candidate, lanes()] = wp.rand_init(int(s.rng[candidate]), lanes())
+            s.stream[candidate, warp_size()] = wp.rand_init(int(s.rng[candidate]), warp_size())
         if plan.start == GIVEN:
             return
-    elif plan.start == GIVEN and attempt < plan.at_home:
-        for obj in range(me, n, lanes()):
+    elif plan.start == GIVEN and attempt < plan.anchored_attempts:
+        for obj in range(me, n, warp_size()):
             set_pose(s, candidate, obj, item(s.anchors, candidate, obj))
         return
     rng = item(s.stream, candidate, me)
-    for depth in range(0, DEPTHS, one()):  # it seldom runs: little code
-        for obj in range(me, n, lanes()):
+    for depth in range(0, DEPTHS, opaque_one()):  # it seldom runs: little code
+        for obj in range(me, n, warp_size()):
             if item(t[0].object_root, o0 + obj) == obj and item(t[0].object_free, o0 + obj) != 0:
                 if depth_of(t, o0, obj) == depth:
                     pose = random_start(t, p, o0 + obj, item(s.poses, candidate, obj), rng)
                     if plan.start != ANYWHERE or attempt > 0:
-                        pose = settle(t, w, p, obj, pose, s, candidate, True, rng)
+                        pose = project_onto_relations(t, w, p, obj, pose, s, candidate, True, rng)
                         pose = keep_inside(t, p, o0 + obj, pose, m.bounds_aim)
-                    carry(t, o0, s, candidate, obj, pose)
-        meet()
+                    move_with_members(t, o0, s, candidate, obj, pose)
+        syncwarp()
     if t[0].pool_size > 0:
-        for obj in range(me, n, lanes()):
-            if item(t[0].deck_start, o0 + obj + 1) > item(t[0].deck_start, o0 + obj):
-                shuffle(t, p, obj, candidate, int(uniform(rng) * 1.0e9), s.poses)
+        for obj in range(me, n, warp_size()):
+            if item(t[0].surface_start, o0 + obj + 1) > item(t[0].surface_start, o0 + obj):
+                redraw_surfaces(t, p, obj, candidate, int(uniform(rng) * 1.0e9), s.poses)
                 for k in range(item(t[0].member_start, o0 + obj), item(t[0].member_start, o0 + obj + 1)):
                     i = item(t[0].member, k)
                     set_pose(s, candidate, i, item(s.poses, candidate, i))

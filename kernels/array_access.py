@@ -48,7 +48,7 @@ for _dtype, _align in ALIGNED.items():
 for _dtype in (wp.int32, wp.vec2, wp.vec4):
 
     @wp.func_native(READ.format(at=ANYWHERE, align=ALIGNED[_dtype]))
-    def spot(a: wp.array2d(dtype=_dtype), i: wp.int32, j: wp.int32) -> _dtype:
+    def item_strided(a: wp.array2d(dtype=_dtype), i: wp.int32, j: wp.int32) -> _dtype:
         """Element j of row i of a layout, whether its rows or its columns lie in one piece."""
         ...
 
@@ -62,7 +62,7 @@ for _dtype in (wp.int32, wp.vec2, wp.vec4):
     return 1;
 #endif
 """)
-def one() -> wp.int32:
+def opaque_one() -> wp.int32:
     """1, but no compiler knows: a loop in steps of it is not unrolled and takes little of the instruction cache."""
     ...
 
