@@ -7,7 +7,7 @@ from typing import Any
 
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Scene, SceneObject
 from sceneweaver.scene.edits import Relate, Unrelate
-from sceneweaver.scene.validate import check_references
+from sceneweaver.scene.references import check_references
 
 from .base import Context, Proposal
 from .card import checked
@@ -115,8 +115,7 @@ def _read(scene: Scene, row: Mapping[str, Any], where: str) -> Relation:
         data["target"] = tuple(pair) if len(pair) == 2 else pair[0] if len(pair) == 1 else None
     try:
         relation = Relation.model_validate(data)
-        trial = scene.model_copy(update={"relations": (relation,)})
-        check_references(trial)
+        check_references(scene.room, scene.objects, (relation,))
     except InputError as error:
         raise InputError(f"{where}: {str(error).removeprefix('relation: ')}") from None
     except ValueError as error:  # the scene's own checks, whose path is that of the scene

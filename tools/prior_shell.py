@@ -8,8 +8,7 @@ import random
 
 from sceneweaver.brief import Brief
 from sceneweaver.knowledge import RoomType
-from sceneweaver.scene import InputError, Room
-from sceneweaver.scene.model import Door, Window
+from sceneweaver.scene import Door, InputError, Room, Window
 
 from .prior_relations import wall_named
 

@@ -10,13 +10,11 @@ from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from sceneweaver.assets import Library
 from sceneweaver.scene import Scene
 
-if TYPE_CHECKING:
-    from .design import Result
+from .result import Result
 
 VIEWS = ("top", "top_annotated", "corner")
 

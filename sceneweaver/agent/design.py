@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,15 +12,17 @@ from sceneweaver.brief import Brief, read_brief
 from sceneweaver.critic import Review
 from sceneweaver.export import formats_named
 from sceneweaver.knowledge import RoomType, match_room, room_types
-from sceneweaver.scene import InputError, MissingDependencyError, Scene
+from sceneweaver.scene import InputError, MissingDependencyError
 from sceneweaver.tools.registry import tools as registered
 from sceneweaver.verify import Report
 
+from .deliver import deliver
 from .executor import Executor
 from .folder import RunFolder
 from .loop import Run
 from .memory import Step
 from .planner import RulesPlanner
+from .result import Result
 from .settings import Settings
 from .settling import settled
 
@@ -29,27 +31,6 @@ LONGEST = 100_000
 
 LIKELY = "living_room"
 """The kind of room that is made when the request names none and nothing in it tells."""
-
-
-@dataclass(frozen=True)
-class Result:
-    """What a design led to; ``unmet`` lists what was asked for and is not so, ``notes`` what was assumed."""
-
-    scene: Scene
-    report: Report
-    review: Review
-    brief: Brief
-    steps: tuple[Step, ...]
-    notes: tuple[str, ...]
-    unmet: tuple[str, ...]
-    seconds: float
-    finished: str
-    out: Path | None = None
-
-    @property
-    def satisfied(self) -> bool:
-        """Whether the scene is valid and all that was asked for is so."""
-        return self.report.valid and not self.unmet
 
 
 def design(
@@ -132,8 +113,6 @@ def design(
     )
     if folder is None:
         return result
-    from .deliver import deliver
-
     return deliver(result, folder.path, run.library, device, pictures, formats)
 
 

@@ -21,7 +21,7 @@ from typing import Annotated
 
 import typer
 
-USAGE, NOT_VALID, MISSING, INTERRUPTED = 2, 3, 4, 130
+from .exit_codes import BAD_INPUT, INTERRUPTED, MISSING
 
 # The base of typer's usage errors, which lives in click or, with newer versions of typer, in typer itself.
 _UsageError: type[Exception] = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "ClickException")
@@ -514,7 +514,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     except _UsageError as error:
-        return _fail(_usage(error), getattr(error, "exit_code", USAGE), as_json)
+        return _fail(_usage(error), getattr(error, "exit_code", BAD_INPUT), as_json)
     except ModuleNotFoundError as error:
         if (error.name or "").partition(".")[0] == "sceneweaver":
             return _fault(error, as_json)

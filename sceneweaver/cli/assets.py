@@ -12,12 +12,11 @@ import typer
 from sceneweaver.scene import InputError, write_atomic
 from sceneweaver.scene.messages import suggest
 
+from .exit_codes import BAD_INPUT, NOT_VALID
 from .output import list_files, no_chatter
 
 if TYPE_CHECKING:
     from sceneweaver.assets import Asset
-
-NOT_VALID = 3
 
 
 def run_sheet(
@@ -227,7 +226,7 @@ def run_import(
         typer.echo(f"{len(made)} imported, {len(refused)} refused, {skipped} skipped by licence, into {keep.root}")
     if not made and not refused and not skipped:
         raise InputError(f"{source}: there are no mesh files in it")
-    return 0 if not refused else NOT_VALID if made else 2
+    return 0 if not refused else NOT_VALID if made else BAD_INPUT
 
 
 def run_infinigen(names: list[str], *, seeds: int, store: Path | None, time_limit: float, as_json: bool) -> int:

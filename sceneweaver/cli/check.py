@@ -8,7 +8,7 @@ import typer
 
 from sceneweaver.scene import InputError, Scene, write_atomic
 
-from .app import NOT_VALID
+from .exit_codes import NOT_VALID
 from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line
 from .render import require_png
 

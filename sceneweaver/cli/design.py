@@ -9,7 +9,7 @@ import typer
 
 from sceneweaver.scene import InputError
 
-from .app import NOT_VALID
+from .exit_codes import NOT_VALID
 from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ import typer
 
 from sceneweaver.scene import Scene, write_atomic
 
-from .app import NOT_VALID
+from .exit_codes import NOT_VALID
 from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line, staged
 from .refine import METRICS, PICTURE, SCENE
 

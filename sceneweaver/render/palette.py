@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from PIL import ImageColor
 
 if TYPE_CHECKING:
-    from sceneweaver.scene.model import SceneObject
+    from sceneweaver.scene import SceneObject
 
 Rgb = tuple[int, int, int]
 

@@ -15,7 +15,7 @@ from sceneweaver.render.palette import Rgb
 from sceneweaver.render.shapes import Prism, area, cut, inside, layers, prisms, to_world
 from sceneweaver.render.symbols import strokes_of
 from sceneweaver.render.view import View
-from sceneweaver.scene.model import Scene, SceneObject
+from sceneweaver.scene import Scene, SceneObject
 
 _VEIL = 105  # opacity, of 255, of what is drawn translucent
 HANGING = 100  # layers from here on hang on a wall or from the ceiling

@@ -8,7 +8,7 @@ from sceneweaver.render import palette
 from sceneweaver.render.canvas import Canvas, Color, Text, text_width
 from sceneweaver.render.shapes import WALL_THICKNESS, Wall, opening_zone, outer_outline, walls
 from sceneweaver.render.view import View, bounds_of, step_for
-from sceneweaver.scene.model import Door, Room, Vec2, Window
+from sceneweaver.scene import Door, Room, Vec2, Window
 
 
 def draw_floor(canvas: Canvas, view: View, room: Room) -> None:

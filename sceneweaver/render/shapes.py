@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from sceneweaver.scene.model import Door, Pose, Room, Scene, SceneObject, Vec2, Vec3, Window
+from sceneweaver.scene import Door, Pose, Room, Scene, SceneObject, Vec2, Vec3, Window
 
 WALL_THICKNESS = 0.12
 

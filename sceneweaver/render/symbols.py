@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from sceneweaver.render.palette import words_of
 from sceneweaver.render.shapes import area
-from sceneweaver.scene.model import Vec2
+from sceneweaver.scene import Vec2
 
 
 @dataclass(frozen=True)

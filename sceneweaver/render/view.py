@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from sceneweaver.render.canvas import Point
 from sceneweaver.render.shapes import WALL_THICKNESS, Prism
-from sceneweaver.scene.model import Room, Vec2
+from sceneweaver.scene import Room, Vec2
 
 
 @dataclass(frozen=True)

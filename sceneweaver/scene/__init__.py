@@ -35,30 +35,30 @@ from .edits import invert as invert
 from .errors import InputError as InputError
 from .errors import MissingDependencyError as MissingDependencyError
 from .errors import SceneWeaverError as SceneWeaverError
+from .fields import Quat as Quat
+from .fields import Vec2 as Vec2
+from .fields import Vec3 as Vec3
 from .intent import PRIORITIES as PRIORITIES
 from .intent import Intent as Intent
 from .intent import Priority as Priority
 from .io import EXAMPLES as EXAMPLES
 from .io import MAX_BYTES as MAX_BYTES
 from .io import write_atomic as write_atomic
+from .migrate import SCHEMA as SCHEMA
 from .migrate import migration as migration
-from .model import SCHEMA as SCHEMA
-from .model import Door as Door
-from .model import Dropped as Dropped
-from .model import Part as Part
-from .model import Pose as Pose
-from .model import Quat as Quat
-from .model import Relation as Relation
-from .model import Room as Room
 from .model import Scene as Scene
-from .model import SceneObject as SceneObject
-from .model import Support as Support
-from .model import Surface as Surface
-from .model import Vec2 as Vec2
-from .model import Vec3 as Vec3
-from .model import Window as Window
-from .model import Zone as Zone
-from .validate import wall_number as wall_number
+from .objects import Dropped as Dropped
+from .objects import Part as Part
+from .objects import Pose as Pose
+from .objects import SceneObject as SceneObject
+from .objects import Support as Support
+from .objects import Surface as Surface
+from .objects import Zone as Zone
+from .relation import Relation as Relation
+from .relation import wall_number as wall_number
+from .room import Door as Door
+from .room import Room as Room
+from .room import Window as Window
 
 __all__ = [
     "Add",

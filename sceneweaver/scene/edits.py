@@ -11,13 +11,15 @@ from typing import Annotated, Any, Literal, get_args
 
 from pydantic import Field
 
-from . import validate
 from .base import FrozenModel
 from .errors import InputError
 from .fields import Flag, Id, Index, JsonDict, Length, Name, Target
 from .intent import Intent
 from .messages import Problem, describe, quote, show, suggest
-from .model import Part, Pose, Relation, Scene, SceneObject, Support, Surface, Zone
+from .model import Scene
+from .objects import Part, Pose, SceneObject, Support, Surface, Zone
+from .references import check_references
+from .relation import Relation
 
 
 class _Edit(FrozenModel):
@@ -184,7 +186,7 @@ def apply(scene: Scene, edit: AnyEdit) -> Scene:
             return _with_object(scene, scene.object(edit.id).model_copy(update={"intent": edit.intent}))
         after = _changed(scene, edit)
         try:
-            validate.check_references(after)
+            check_references(after.room, after.objects, after.relations)
         except Problem as problem:
             raise InputError(describe(problem.loc, problem.text, after)) from None
     except InputError as error:

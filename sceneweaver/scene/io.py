@@ -8,12 +8,12 @@ import os
 import re
 import secrets
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
+from .base import FrozenModel
 from .errors import InputError
 from .messages import clean, quote, show, suggest
 from .migrate import migrate
-from .model import Scene
 
 MAX_BYTES = 64 * 2**20
 """Largest file [bytes] that is read unless told otherwise."""
@@ -24,59 +24,61 @@ EXAMPLES = tuple(sorted(p.stem for p in (Path(__file__).parent / "examples").glo
 _OMIT_EMPTY = ("description", "parts", "intent", "attributes")
 
 
-def load(path: str | os.PathLike[str], *, max_bytes: int = MAX_BYTES) -> Scene:
-    """Read a scene file of this or an older schema version.
+class SceneFile(FrozenModel):
+    """A scene as far as reading and writing go: what `Scene` has of it."""
 
-    Raises:
-        InputError: with one line that names the file, the field and the fix.
-    """
-    name = clean(os.fspath(path))
-    try:
-        return from_json(parse(read_bytes(path, max_bytes=max_bytes)))
-    except InputError as error:
-        text = str(error)
-        raise InputError(text if text.startswith(f"{name}: ") else f"{name}: {text}") from None
+    @classmethod
+    def load(cls, path: str | os.PathLike[str], *, max_bytes: int = MAX_BYTES) -> Self:
+        """Read a ``scene.json`` of this or an older schema version.
 
+        Raises:
+            InputError: with one line that names the file, the field and the fix.
+        """
+        name = clean(os.fspath(path))
+        try:
+            return cls.loads(read_bytes(path, max_bytes=max_bytes))
+        except InputError as error:
+            text = str(error)
+            raise InputError(text if text.startswith(f"{name}: ") else f"{name}: {text}") from None
 
-def loads(text: str | bytes) -> Scene:
-    """The scene in the text of a scene file; InputError with one line on anything wrong."""
-    return from_json(parse(text))
+    @classmethod
+    def loads(cls, text: str | bytes) -> Self:
+        """The scene in the text of a ``scene.json``; InputError with one line on anything wrong."""
+        return cls.from_json(parse(text))
 
+    @classmethod
+    def from_json(cls, data: Any) -> Self:
+        """The scene in plain JSON data of this or an older schema version; InputError on anything wrong."""
+        return cls.model_validate(migrate(data))
 
-def from_json(data: Any) -> Scene:
-    """The scene in plain JSON data of this or an older schema version; InputError on anything wrong."""
-    return Scene.model_validate(migrate(data))
+    @classmethod
+    def example(cls, name: str = "bedroom") -> Self:
+        """One of the scenes that ship with the library, see ``EXAMPLES``; InputError for another name."""
+        if name not in EXAMPLES:
+            raise InputError(f"no example {quote(name)}{suggest(name, EXAMPLES, what='examples', mark=chr(39))}")
+        return cls.load(Path(__file__).parent / "examples" / f"{name}.json")
 
+    def to_json(self) -> dict[str, Any]:
+        """The scene as plain JSON data; empty optional fields of objects and of their intents are left out."""
+        data = self.model_dump(mode="json", by_alias=True)
+        for obj in data["objects"]:
+            intent = obj["intent"].items()
+            obj["intent"] = {key: value for key, value in intent if value is not None and value is not False}
+            for key in _OMIT_EMPTY:
+                if obj[key] is None or obj[key] == {}:
+                    del obj[key]
+        return data
 
-def to_json(scene: Scene) -> dict[str, Any]:
-    """The scene as plain JSON data; empty optional fields of objects and of their intents are left out."""
-    data = scene.model_dump(mode="json", by_alias=True)
-    for obj in data["objects"]:
-        obj["intent"] = {key: value for key, value in obj["intent"].items() if value is not None and value is not False}
-        for key in _OMIT_EMPTY:
-            if obj[key] is None or obj[key] == {}:
-                del obj[key]
-    return data
+    def dumps(self) -> str:
+        """The text of a ``scene.json``: floats in full, short lists of numbers on one line."""
+        text = json.dumps(self.to_json(), indent=1, ensure_ascii=False, allow_nan=False)
+        # Raw newlines stand between JSON tokens only, never within a string: these two match nothing else.
+        text = re.sub(r'\[\n\s+([^\[\]{}"]*?)\n\s+\]', _join, text)
+        return re.sub(r'\[\n\s+((?:\[[^\[\]{}"\n]*\],?\s+)+?)\]', _join, text) + "\n"
 
-
-def dumps(scene: Scene) -> str:
-    """The text of a scene file: floats in full, short lists of numbers on one line."""
-    text = json.dumps(to_json(scene), indent=1, ensure_ascii=False, allow_nan=False)
-    # Raw newlines stand between JSON tokens only, never within a string: these two match nothing else.
-    text = re.sub(r'\[\n\s+([^\[\]{}"]*?)\n\s+\]', _join, text)
-    return re.sub(r'\[\n\s+((?:\[[^\[\]{}"\n]*\],?\s+)+?)\]', _join, text) + "\n"
-
-
-def save(scene: Scene, path: str | os.PathLike[str]) -> None:
-    """Write a scene file; see ``write_atomic``."""
-    write_atomic(path, dumps(scene))
-
-
-def example(name: str) -> Scene:
-    """A scene that ships with the library; InputError for a name that is not in ``EXAMPLES``."""
-    if name not in EXAMPLES:
-        raise InputError(f"no example {quote(name)}{suggest(name, EXAMPLES, what='examples', mark=chr(39))}")
-    return load(Path(__file__).parent / "examples" / f"{name}.json")
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write ``scene.json`` under a temporary name and rename it; InputError when that cannot be done."""
+        write_atomic(path, self.dumps())
 
 
 def read_bytes(path: str | os.PathLike[str], *, max_bytes: int = MAX_BYTES) -> bytes:

@@ -20,7 +20,9 @@ from typing import Any
 from .errors import InputError
 from .intent import Intent
 from .messages import quote, show
-from .model import SCHEMA
+
+SCHEMA = "sceneweaver.scene/1"
+"""The current version."""
 
 Migration = Callable[[dict[str, Any]], dict[str, Any]]
 

@@ -13,7 +13,8 @@ from typing import Any
 
 from .catalogue import CATALOGUE
 from .io import write_atomic
-from .model import SCHEMA, Scene
+from .migrate import SCHEMA
+from .model import Scene
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 FILE = Path(__file__).with_name("scene.schema.json")

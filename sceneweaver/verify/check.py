@@ -9,7 +9,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene.model import Relation, Scene
+from sceneweaver.scene import Relation, Scene
 from sceneweaver.verify import bounds, collisions, stability, support, zones
 from sceneweaver.verify import walkable as access
 from sceneweaver.verify.meshes import MeshSet

@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sceneweaver.scene import SceneObject
 from sceneweaver.scene.errors import InputError
-from sceneweaver.scene.model import SceneObject
 from sceneweaver.verify import convex
 from sceneweaver.verify.solids import DEPTH, Array, extrude
 

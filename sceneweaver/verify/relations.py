@@ -13,9 +13,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from sceneweaver.scene import Relation
 from sceneweaver.scene.catalogue import CATALOGUE, RelationSpec
 from sceneweaver.scene.errors import InputError
-from sceneweaver.scene.model import Relation
 from sceneweaver.verify.contacts import face_terms, turn, wall_contacts
 from sceneweaver.verify.solids import Body, Face, Opening, Placed
 from sceneweaver.verify.support import bottom, rest

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from sceneweaver.scene.model import Door, Scene, SceneObject, Vec2, Window
+from sceneweaver.scene import Door, Scene, SceneObject, Vec2, Window
 
 Array = NDArray[np.float64]
 Point = tuple[float, float]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from sceneweaver.scene.model import Scene
+from sceneweaver.scene import Scene
 
 from .report import Violation
 from .terms import length

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from sceneweaver.scene.model import Surface
+from sceneweaver.scene import Surface
 from sceneweaver.verify.contacts import wall_contacts
 from sceneweaver.verify.solids import DEPTH, Body, Placed, extrude
 from sceneweaver.verify.terms import judge, length

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sceneweaver.scene.model import Relation
+from sceneweaver.scene import Relation
 from sceneweaver.verify.grid import Grid
 from sceneweaver.verify.solids import Array, Body, Placed
 

@@ -12,8 +12,7 @@ from sceneweaver.assets import Asset, Request, make
 from sceneweaver.brief import Brief
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.knowledge import RoomType
-from sceneweaver.scene import Pose, Relation, Room, Scene, SceneObject, Support
-from sceneweaver.scene.model import Door, Window
+from sceneweaver.scene import Door, Pose, Relation, Room, Scene, SceneObject, Support, Window
 from sceneweaver.verify import Report, check
 
 Size = tuple[float, float, float]

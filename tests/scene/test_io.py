@@ -11,7 +11,6 @@ import time
 import pytest
 
 from sceneweaver.scene import EXAMPLES, InputError, Scene
-from sceneweaver.scene import io as scene_io
 
 
 def refused(call, *parts):
@@ -131,7 +130,7 @@ def test_limit_can_be_set_and_holds_for_pipes(tmp_path):
     os.mkfifo(path)
     writer = threading.Thread(target=lambda: path.write_bytes(b" " * 2000))
     writer.start()
-    refused(lambda: scene_io.load(path, max_bytes=1000), "the file has more than")
+    refused(lambda: Scene.load(path, max_bytes=1000), "the file has more than")
     writer.join()
 
 

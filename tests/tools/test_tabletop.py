@@ -9,8 +9,7 @@ import pytest
 
 from sceneweaver.assets import categories
 from sceneweaver.knowledge.surfaces import arrangement_of, arrangements, crowd_of
-from sceneweaver.scene import InputError, Pose, Scene, SceneObject
-from sceneweaver.scene.model import Window
+from sceneweaver.scene import InputError, Pose, Scene, SceneObject, Window
 from sceneweaver.tools.add_tabletop import AddTabletop
 from sceneweaver.tools.surface_geometry import Field, Prism, Shape
 

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from sceneweaver.scene.model import Scene
+from sceneweaver.scene import Scene
 from sceneweaver.verify import check
 
 TESTS = Path(__file__).parents[1]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from sceneweaver.scene.model import Scene
+from sceneweaver.scene import Scene
 from sceneweaver.verify import Report, Violation, check
 
 Json = dict[str, Any]

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sceneweaver.scene.model import Scene
+from sceneweaver.scene import Scene
 from sceneweaver.verify import check
 from tests.verify.agreement import ZOO, Agreement, by_check, by_oracle, compare, zoo
 

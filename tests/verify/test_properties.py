@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from sceneweaver.scene import Scene
 from sceneweaver.scene.catalogue import CATALOGUE
-from sceneweaver.scene.model import Scene
 from sceneweaver.verify import check
 from tests.verify.agreement import at_threshold, by_check, disturb, zoo
 from tests.verify.build import times, turned

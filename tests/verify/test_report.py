@@ -8,7 +8,7 @@ import sys
 import jsonschema
 import pytest
 
-from sceneweaver.scene.model import Scene
+from sceneweaver.scene import Scene
 from sceneweaver.verify import Report, Violation, check
 from tests.verify.agreement import zoo
 from tests.verify.build import box, judge, rectangle, relation, scene

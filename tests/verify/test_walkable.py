@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import shapely
 
-from sceneweaver.scene.model import Scene
+from sceneweaver.scene import Scene
 from sceneweaver.verify import check, walkable
 from sceneweaver.verify.grid import CELL, Grid
 from sceneweaver.verify.solids import Placed

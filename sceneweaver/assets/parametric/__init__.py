@@ -3,8 +3,8 @@
 from .builder import Builder as Builder
 from .builder import Request as Request
 from .builder import Size as Size
+from .drawing import make as make
+from .drawing import makers as makers
 from .registry import draws as draws
-from .registry import make as make
-from .registry import makers as makers
 
 __all__ = ["Builder", "Request", "Size", "draws", "make", "makers"]

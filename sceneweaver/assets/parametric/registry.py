@@ -1,22 +1,15 @@
-"""Which function draws which category, and ``make``, which runs it."""
+"""Which function draws which category."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache
-from importlib import import_module
-from pkgutil import iter_modules
 
-from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import suggest
-
-from ..asset import Asset
-from ..category import categories
-from .builder import Builder, Request
+from .builder import Builder
 
 Maker = Callable[[Builder], None]
 
-_makers: dict[str, Maker] = {}
+MAKERS: dict[str, Maker] = {}
+"""The functions by category; complete when all modules of ``families`` have been imported."""
 
 
 def draws(*names: str) -> Callable[[Maker], Maker]:
@@ -24,33 +17,9 @@ def draws(*names: str) -> Callable[[Maker], Maker]:
 
     def register(maker: Maker) -> Maker:
         for name in names:
-            if name in _makers:
+            if name in MAKERS:
                 raise ValueError(f"two functions draw {name}")
-            _makers[name] = maker
+            MAKERS[name] = maker
         return maker
 
     return register
-
-
-@cache
-def makers() -> dict[str, Maker]:
-    """All categories that have a body, with the function that draws it."""
-    from . import families
-
-    for module in iter_modules(families.__path__):
-        import_module(f"{families.__name__}.{module.name}")
-    return _makers
-
-
-def make(category: str, seed: int = 0, request: Request | None = None) -> Asset:
-    """Draw one asset; equal arguments give equal assets.
-
-    Raises:
-        InputError: for a category that is not drawn, or a request outside the category's range.
-    """
-    known = makers()
-    if category not in known:
-        raise InputError(f"category: '{category}' is unknown{suggest(category, known)}")
-    builder = Builder(categories()[category], seed, request)
-    known[category](builder)
-    return builder.finish()

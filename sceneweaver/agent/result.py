@@ -1,0 +1,34 @@
+"""What a design led to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from sceneweaver.brief import Brief
+from sceneweaver.critic import Review
+from sceneweaver.scene import Scene
+from sceneweaver.verify import Report
+
+from .memory import Step
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a design led to; ``unmet`` lists what was asked for and is not so, ``notes`` what was assumed."""
+
+    scene: Scene
+    report: Report
+    review: Review
+    brief: Brief
+    steps: tuple[Step, ...]
+    notes: tuple[str, ...]
+    unmet: tuple[str, ...]
+    seconds: float
+    finished: str
+    out: Path | None = None
+
+    @property
+    def satisfied(self) -> bool:
+        """Whether the scene is valid and all that was asked for is so."""
+        return self.report.valid and not self.unmet

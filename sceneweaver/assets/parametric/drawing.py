@@ -1,0 +1,38 @@
+"""``make`` draws one asset, by the function that its category is registered with."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib import import_module
+from pkgutil import iter_modules
+
+from sceneweaver.scene import InputError
+from sceneweaver.scene.messages import suggest
+
+from ..asset import Asset
+from ..category import categories
+from . import families
+from .builder import Builder, Request
+from .registry import MAKERS, Maker
+
+
+@cache
+def makers() -> dict[str, Maker]:
+    """All categories that have a body, with the function that draws it."""
+    for module in iter_modules(families.__path__):
+        import_module(f"{families.__name__}.{module.name}")
+    return MAKERS
+
+
+def make(category: str, seed: int = 0, request: Request | None = None) -> Asset:
+    """Draw one asset; equal arguments give equal assets.
+
+    Raises:
+        InputError: for a category that is not drawn, or a request outside the category's range.
+    """
+    known = makers()
+    if category not in known:
+        raise InputError(f"category: '{category}' is unknown{suggest(category, known)}")
+    builder = Builder(categories()[category], seed, request)
+    known[category](builder)
+    return builder.finish()

@@ -1,0 +1,130 @@
+"""The objects of a scene: pose, shape, what holds them, what they are for."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, ClassVar, Literal, Self
+
+from pydantic import Field, model_validator
+
+from .base import FrozenModel
+from .errors import InputError
+from .fields import ConvexPolygon, Flag, Id, Interval, JsonDict, Length, Name, Number, Polygon, Quat, Text, Vec3
+from .intent import Intent
+from .messages import Problem, show
+
+
+class Pose(FrozenModel):
+    """World position of an object's bottom centre and its rotation as an xyzw quaternion."""
+
+    position: Vec3 = Field(default=(0.0, 0.0, 0.0), description="World position of the bottom centre [m]")
+    quaternion: Quat = Field(default=(0.0, 0.0, 0.0, 1.0), description="Rotation as a unit quaternion x, y, z, w")
+
+    @property
+    def yaw(self) -> float:
+        """Rotation about +z in radians, in (-pi, pi]."""
+        x, y, z, w = self.quaternion
+        return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+
+    @classmethod
+    def from_yaw(cls, x: float, y: float, z: float, yaw: float) -> Pose:
+        """The upright pose at (x, y, z) turned by ``yaw`` radians; InputError when one of them is not finite."""
+        if not math.isfinite(yaw):
+            raise InputError(f"pose: yaw is {show(float(yaw))}; numbers must be finite")
+        return cls(position=(x, y, z), quaternion=(0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2)))
+
+
+class Support(FrozenModel):
+    """The surface that an object stands on."""
+
+    object: Id = Field(description="Id of the object that carries this one")
+    surface: Name = Field(description="Name of one of its surfaces")
+
+
+class Part(FrozenModel):
+    """One convex prism of an object's collision shape: a polygon times a z interval."""
+
+    polygon: ConvexPolygon = Field(description="Corners [x, y] of a convex polygon in the object's frame [m]")
+    z: Interval = Field(description="Lower and upper end in the object's frame [m]")
+
+
+class Zone(FrozenModel):
+    """Space that should stay free of other objects, such as the swing of a wardrobe door."""
+
+    name: Name
+    polygon: Polygon = Field(description="Corners [x, y] of a simple polygon in the object's frame [m]")
+    z: Interval = Field(description="Lower and upper end in the object's frame [m]")
+    hard: Flag = Field(default=True, description="Whether an object in the zone makes the scene invalid")
+
+
+class Surface(FrozenModel):
+    """A horizontal support surface at height ``z`` with ``headroom`` metres of free space (None: no limit)."""
+
+    name: Name = Field(description="Unique within the object")
+    polygon: Polygon = Field(description="Corners [x, y] of a simple polygon in the object's frame [m]")
+    z: Number = Field(description="Height in the object's frame [m]")
+    headroom: Length | None = Field(default=None, description="Free height above the surface [m]; null: no limit")
+
+
+class SceneObject(FrozenModel):
+    """One object of a scene."""
+
+    _noun: ClassVar[str] = "object"
+
+    id: Id = Field(description="Unique among doors, windows and objects")
+    category: Name = Field(description="What it is, such as office chair; any words")
+    description: Text | None = Field(default=None, description="What it looks like")
+    size: tuple[Length, Length, Length] = Field(description="Depth along the front, width, height [m]")
+    pose: Pose = Pose.model_construct(position=(0.0, 0.0, 0.0), quaternion=(0.0, 0.0, 0.0, 1.0))
+    mount: Literal["floor", "wall", "ceiling", "surface"] = Field(default="floor", description="What holds it")
+    support: Support | None = Field(default=None, description="What it stands on; for mount surface, and only there")
+    asset: Name | None = Field(default=None, description="Id of its mesh; null: shown as its parts")
+    parts: Annotated[tuple[Part, ...], Field(fail_fast=True)] | None = Field(
+        default=None, description="Collision shape as convex prisms; null: its box"
+    )
+    zones: Annotated[tuple[Zone, ...], Field(fail_fast=True)] = Field(
+        default=(), description="Space to keep free around it"
+    )
+    surfaces: Annotated[tuple[Surface, ...], Field(fail_fast=True)] = Field(
+        default=(), description="What others may stand on"
+    )
+    fixed: Flag = Field(default=False, description="Whether it must stay where it is")
+    intent: Intent = Field(default=Intent.model_construct(), description="What it is there for; changes no validity")
+    attributes: JsonDict = Field(
+        default_factory=dict, description="Free data on how it looks: color, material, style ..."
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        """Mount and support go together; the surfaces of an object have names of their own."""
+        if self.mount == "surface" and self.support is None:
+            raise Problem(
+                ("support",), 'is missing, but mount is "surface"; name the object and surface that it stands on'
+            )
+        if self.mount != "surface" and self.support is not None:
+            raise Problem(
+                ("support",), f'is given, but mount is "{self.mount}"; set mount to "surface" or support to null'
+            )
+        names: set[str] = set()
+        for i, surface in enumerate(self.surfaces):
+            if surface.name in names:
+                raise Problem(("surfaces", i, "name"), f"{show(surface.name)} is taken; choose another")
+            names.add(surface.name)
+        return self
+
+    @property
+    def solids(self) -> tuple[Part, ...]:
+        """The collision parts; an object without parts is its box."""
+        if self.parts:
+            return self.parts
+        d, w, h = self.size
+        box = ((-d / 2, -w / 2), (d / 2, -w / 2), (d / 2, w / 2), (-d / 2, w / 2))
+        return (Part.model_construct(polygon=box, z=(0.0, h)),)
+
+
+class Dropped(FrozenModel):
+    """An object that was asked for and could not be placed."""
+
+    id: Id
+    category: Name
+    reason: Text = Field(description="Why it could not be placed")

@@ -1,0 +1,71 @@
+"""The room of a scene with its doors and windows."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from .base import FrozenModel
+from .fields import Id, Index, Length, Name, Offset, Outline
+from .messages import Problem
+
+FIT_TOLERANCE = 1e-6
+"""How far [m] an opening may stand over its wall's end or the ceiling: rounding, no more."""
+
+
+class Door(FrozenModel):
+    """A door in wall ``wall``, starting ``offset`` metres after the wall's first corner."""
+
+    id: Id = Field(description="Unique among doors, windows and objects")
+    wall: Index = Field(description="Number of the wall, from 0; wall i runs from corner i to corner i + 1")
+    offset: Offset = Field(description="Distance from the wall's first corner to the opening [m]")
+    width: Length = Field(description="Width along the wall [m]")
+    height: Length = Field(description="Height from the floor [m]")
+    swing: Literal["in-left", "in-right", "out", "slide"] = Field(
+        default="in-left", description="How it opens; in-left and in-right need a square of its width free inside"
+    )
+
+
+class Window(FrozenModel):
+    """A window in wall ``wall``; ``sill`` is the height of its lower edge."""
+
+    id: Id = Field(description="Unique among doors, windows and objects")
+    wall: Index = Field(description="Number of the wall, from 0; wall i runs from corner i to corner i + 1")
+    offset: Offset = Field(description="Distance from the wall's first corner to the opening [m]")
+    width: Length = Field(description="Width along the wall [m]")
+    sill: Offset = Field(description="Height of the lower edge above the floor [m]")
+    height: Length = Field(description="Height of the window itself [m]")
+
+
+class Room(FrozenModel):
+    """The room: a simple outline, counter-clockwise; wall i runs from corner i to corner i + 1."""
+
+    type: Name = Field(default="room", description="Kind of room, such as bedroom")
+    outline: Outline = Field(description="Corners [x, y] of the floor in counter-clockwise order [m]")
+    height: Length = Field(default=2.7, description="Height of the ceiling above the floor [m]")
+    doors: Annotated[tuple[Door, ...], Field(fail_fast=True)] = ()
+    windows: Annotated[tuple[Window, ...], Field(fail_fast=True)] = ()
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        """Doors and windows lie in a wall that exists, within its length and height."""
+        corners = self.outline
+        for key, openings in (("doors", self.doors), ("windows", self.windows)):
+            for i, opening in enumerate(openings):
+                if opening.wall >= len(corners):
+                    known = f"the outline has walls 0 to {len(corners) - 1}"
+                    raise Problem((key, i, "wall"), f"is {opening.wall}; {known}")
+                length = math.dist(corners[opening.wall], corners[(opening.wall + 1) % len(corners)])
+                end = opening.offset + opening.width
+                if end > length + FIT_TOLERANCE:
+                    fix = f"wall {opening.wall} is {length:.6g} m long; move it or make it narrower"
+                    raise Problem((key, i), f": offset + width is {end:.6g} m, but {fix}")
+                sill = getattr(opening, "sill", 0.0)
+                top = sill + opening.height
+                if top > self.height + FIT_TOLERANCE:
+                    what = "sill + height" if key == "windows" else "height"
+                    fix = f"the room is {self.height:.6g} m high; make it lower"
+                    raise Problem((key, i), f": {what} is {top:.6g} m, but {fix}")
+        return self
