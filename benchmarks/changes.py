@@ -105,6 +105,6 @@ def involved(scene: Scene, edited: str) -> set[str]:
     """The edited object, all that violations of the edited scene name, and what stands on those."""
     named = {edited}
     for violation in check(scene, walkable=False).violations:
-        if violation.kind != "soft_relation":
+        if violation.hard:
             named |= set(violation.objects) & set(scene.ids)
     return {o.id for id in named for o in _stack(scene, id)}

@@ -43,7 +43,7 @@ def place(scene: Scene, poses: np.ndarray) -> Scene:
 def opinion(scene: Scene, walkable: bool = False) -> Opinion:
     """Judge one scene."""
     report = check(scene, walkable=walkable)
-    wrong = [v for v in report.violations if v.kind != "soft_relation"]
+    wrong = [v for v in report.violations if v.hard]
     hard, soft = report.relations.hard, report.relations.soft
     return Opinion(
         valid=report.valid,

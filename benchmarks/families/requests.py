@@ -76,7 +76,7 @@ def row_of(text: str, settings: Settings, seed: int) -> dict[str, Any]:
     asked = len(brief.objects) + len(brief.relations) + len(brief.without)
     said = (brief.size, brief.area, brief.people, brief.shape, brief.height, brief.windows)
     asked += sum(value is not None for value in said)
-    physical = [v for v in made.report.violations if v.kind not in ("soft_relation", "relation", "dropped")]
+    physical = [v for v in made.report.violations if v.hard and v.relation is None and v.kind != "dropped"]
     reported = [*made.unmet, *(f"'{word}'" for word in brief.unread)]
     return {
         "request": text,

@@ -12,7 +12,7 @@ from sceneweaver.layout import refine, refine_many
 from sceneweaver.scene import PRIORITIES, Dropped, Pose, Relation, Scene
 from sceneweaver.scene.edits import Remove, apply, apply_all
 from sceneweaver.tools.base import Proposal
-from sceneweaver.verify import Report, check
+from sceneweaver.verify import Report, Violation, check
 
 from .coarse import coarse
 from .settings import Settings
@@ -42,12 +42,16 @@ class Outcome:
     unmet: tuple[str, ...] = ()
 
     @property
+    def faults(self) -> tuple[Violation, ...]:
+        """What is wrong with the layout; what could not be placed at all is not in it."""
+        return tuple(v for v in self.report.violations if v.hard and v.kind != "dropped")
+
+    @property
     def key(self) -> tuple[float, ...]:
         """Smaller is better: what is wrong, what was given up, soft relations that fail, then the critic's grades."""
-        hard = sum(v.kind not in ("soft_relation", "dropped") for v in self.report.violations)
         soft = self.report.relations.soft
         missing = (soft.total - soft.satisfied) / max(1, soft.total)
-        return hard, len(self.scene.dropped), round(4.0 * missing - self.review.total, 6)
+        return len(self.faults), len(self.scene.dropped), round(4.0 * missing - self.review.total, 6)
 
 
 @dataclass(frozen=True)
@@ -77,7 +81,7 @@ class Executor:
             return replace(placed, notes=tuple(notes), unmet=tuple(unmet))
         best, patient = self._refined(draft, drafts, fresh, seed, 0), False
         for round_ in range(ROUNDS):
-            if best.report.valid or not any(v.kind not in ("soft_relation", "dropped") for v in best.report.violations):
+            if not best.faults:
                 break
             before = len(unmet)
             lighter = self._give_way(draft, best, notes, unmet)
@@ -156,7 +160,7 @@ class Executor:
             if valid:
                 return self._steadiest(valid)
             report = check(_posed(draft, solution.best), walkable=False)
-            trouble = [id for v in report.violations if v.kind != "soft_relation" for id in v.objects]
+            trouble = [id for v in report.violations if v.hard for id in v.objects]
             extra = [id for id in draft.ids if id in loose - old and draft.object(id).intent.priority != "asked"]
             if not extra:
                 return None
@@ -205,7 +209,7 @@ class Executor:
         """A scene that asks for less: without the least needed object in trouble, or with a relation made soft."""
         trouble: dict[str, int] = {}
         for violation in best.report.violations:
-            if violation.kind != "soft_relation":
+            if violation.hard:
                 for id in violation.objects:
                     trouble[id] = trouble.get(id, 0) + 1
         known = {o.id: o for o in draft.objects}
@@ -218,12 +222,8 @@ class Executor:
                         notes.append(f"{id} was left out: the room has no place for it")
                         draft = apply(draft, Remove(id=id, cascade=True))
                 return draft
-        false = {
-            (v.objects[0], v.detail.removeprefix(v.objects[0]).split(":")[0].strip())
-            for v in best.report.violations
-            if v.kind == "relation"
-        }
-        broken = [r for r in draft.relations if r.hard and (r.subject, r.type) in false]
+        false = {(v.relation.type, v.objects) for v in best.report.violations if v.hard and v.relation is not None}
+        broken = [r for r in draft.relations if r.hard and (r.type, (r.subject, *r.targets)) in false]
         for relation in sorted(broken, key=lambda r: _asked_for(r, draft)):
             if _asked_for(relation, draft):
                 unmet.append(
@@ -262,7 +262,7 @@ def _pruned(scene: Scene, draft: Scene, notes: list[str]) -> tuple[Scene, Report
     before = set(scene.ids)
     report = check(draft)
     for _ in range(3):
-        hard = [v for v in report.violations if v.kind not in ("soft_relation", "relation")]
+        hard = [v for v in report.violations if v.hard and v.relation is None]
         known = {o.id: o for o in draft.objects}
         extra = {
             id

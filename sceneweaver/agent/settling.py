@@ -29,9 +29,7 @@ def settled(outcome: Outcome, executor: Executor) -> tuple[Outcome, list[str]]:
         if after.report.valid or not outcome.report.valid:
             break
         # A body may rest a millimetre lower than its prisms do, which the judge would call sunk.
-        kept |= {
-            id for v in after.report.violations if v.kind != "soft_relation" for id in v.objects if id in rest.moved
-        }
+        kept |= {id for v in after.report.violations if v.hard for id in v.objects if id in rest.moved}
         poses = {o.id: o.pose for o in outcome.scene.objects if o.id in kept}
         after = executor.judged(rest.scene.replace_poses(poses))
     if outcome.report.valid and not after.report.valid:

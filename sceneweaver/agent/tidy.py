@@ -73,7 +73,7 @@ def _kept(scene: Scene, wanted: Poses) -> Scene:
 
 def _faults(scene: Scene) -> set[tuple[str, tuple[str, ...]]]:
     report = check(scene, walkable=False)
-    return {(v.kind + (v.detail.split(":")[0] if "relation" in v.kind else ""), v.objects) for v in report.violations}
+    return {(v.relation.type if v.relation else v.kind, v.objects) for v in report.violations}
 
 
 def _moves(obj: SceneObject, pose: tuple[float, float, float, float]) -> bool:

@@ -140,7 +140,7 @@ def relations_line(report: Report) -> str:
 
 def list_violations(report: Report) -> None:
     """What is wrong, a line each; soft relations last."""
-    found = sorted(report.violations, key=lambda v: v.kind == "soft_relation")
+    found = sorted(report.violations, key=lambda v: not v.hard)
     for violation in found[:MOST_LISTED]:
         typer.echo(f"  {violation.kind:<15}  {violation.detail or ', '.join(violation.objects)}")
     if len(found) > MOST_LISTED:

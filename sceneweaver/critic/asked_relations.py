@@ -62,18 +62,18 @@ def _wrong(survey: Survey, said: AskedRelation, subjects: Sequence[Body]) -> tup
     wrong, why = [], ""
     for body in subjects:
         options = list(_options(survey, said, body, len(subjects)))
-        verdicts = []
+        judgements = []
         for relation in options:
             try:
-                verdicts.append(judge_relation(_around(survey, said, relation), relation))
+                judgements.append(judge_relation(_around(survey, said, relation), relation))
             except InputError as error:
                 why = why or str(error)
-        if any(v.holds for v in verdicts):
+        if any(j.holds for j in judgements):
             continue
-        if not verdicts and not options and said.target is not None and not _there(survey, said):
+        if not judgements and not options and said.target is not None and not _there(survey, said):
             continue  # the target is missing, which is a fault of its own
         wrong.append(body)
-        why = why or next((v.text for v in verdicts), "there is nothing to relate it to")
+        why = why or next((j.text for j in judgements), "there is nothing to relate it to")
     return wrong, why
 
 

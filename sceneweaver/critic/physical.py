@@ -76,8 +76,7 @@ def _on_companion(survey: Survey, owner: str, other: str) -> bool:
 
 def _weight(survey: Survey, v: Violation) -> float:
     """The weight of a soft relation."""
-    names = tuple(v.objects)
-    return next((r.weight for r in survey.scene.relations if not r.hard and (r.subject, *r.targets) == names), 1.0)
+    return survey.scene.relations[v.relation.index].weight if v.relation is not None else 1.0
 
 
 def _ways(survey: Survey) -> Iterator[Finding]:

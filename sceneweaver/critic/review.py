@@ -91,7 +91,7 @@ def _measures(survey: Survey) -> dict[str, float]:
         "floor_objects": float(sum(o.mount == "floor" for o in scene.objects)),
         "relations_per_floor_object": len(scene.relations) / floor,
         "floor_m2": survey.area,
-        "violations": float(sum(v.kind != "soft_relation" for v in report.violations)),
+        "violations": float(sum(v.hard for v in report.violations)),
         **belonging.measures(survey),
         **space.measures(survey),
         **finish.measures(survey),

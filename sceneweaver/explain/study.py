@@ -187,7 +187,7 @@ class Study:
                 continue
             for violation in violations:
                 names = violation.objects[:1] if violation.kind == "unsupported" else violation.objects
-                if not violation.kind.endswith("relation"):
+                if violation.relation is None:
                     row[[self.index[name] for name in names if name in self.index]] = True
         return fault
 

@@ -58,7 +58,7 @@ class Repair:
     @property
     def unmet(self) -> tuple[Violation, ...]:
         """What still makes the scene invalid."""
-        return tuple(v for v in self.after.violations if v.kind != "soft_relation")
+        return tuple(v for v in self.after.violations if v.hard)
 
     def to_dict(self) -> dict[str, Any]:
         """Plain JSON data; scenes are left out."""

@@ -144,5 +144,5 @@ def _judge(scene: Scene, relations: bool) -> Report:
 def _badness(result: tuple[Scene, Report, tuple[Move, ...]]) -> tuple[int, float]:
     """Order of results: by how many things are wrong, then by how far objects went."""
     _, report, moves = result
-    wrong = sum(v.kind != "soft_relation" for v in report.violations)
+    wrong = sum(v.hard for v in report.violations)
     return wrong, sum(m.distance + abs(m.rise) for m in moves)

@@ -35,11 +35,12 @@ class RelationRow:
 
 @dataclass(frozen=True)
 class Fault:
-    """A violation of metrics.json."""
+    """A violation of metrics.json; ``relation`` is the place of its relation in the scene, None when it names none."""
 
     kind: str
     objects: tuple[str, ...]
     detail: str
+    relation: int | None = None
 
     @property
     def name(self) -> str:
@@ -49,25 +50,21 @@ class Fault:
 
 def faults_of(metrics: Mapping[str, Any]) -> list[Fault]:
     """The violations of metrics.json, in their order."""
-    rows = metrics.get("violations") or ()
-    return [Fault(str(v["kind"]), tuple(str(o) for o in v["objects"]), str(v["detail"])) for v in rows]
+    return [
+        Fault(str(v["kind"]), tuple(map(str, v["objects"])), str(v["detail"]), v.get("relation", {}).get("index"))
+        for v in metrics.get("violations") or ()
+    ]
 
 
 def relation_rows(scene: Scene, metrics: Mapping[str, Any]) -> list[RelationRow]:
-    """All relations; one is broken when a violation is about it."""
-    checked = "violations" in metrics
-    said: dict[tuple[str, str], list[str]] = defaultdict(list)
-    for fault in faults_of(metrics):
-        if fault.kind in ("relation", "soft_relation"):
-            head, _, detail = fault.detail.partition(": ")
-            said[(fault.kind, head)].append(detail)
-    rows = []
-    for relation in scene.relations:
-        words = " ".join((relation.subject, relation.type, " and ".join(relation.targets))).rstrip()
-        details = said.get(("relation" if relation.hard else "soft_relation", words))
-        detail = details.pop(0) if details else ""
-        rows.append(RelationRow(relation, _phrase(relation), None if not checked else not detail, detail))
-    return rows
+    """All relations; one is broken when a violation names it. In files where violations name none, nothing is known."""
+    faults = [fault for fault in faults_of(metrics) if fault.kind in ("relation", "soft_relation")]
+    broken = {fault.relation: fault.detail for fault in faults}
+    checked = "violations" in metrics and None not in broken
+    return [
+        RelationRow(r, _phrase(r), k not in broken if checked else None, broken.get(k, ""))
+        for k, r in enumerate(scene.relations)
+    ]
 
 
 def object_facts(scene: Scene, rows: list[RelationRow], faults: list[Fault]) -> dict[str, dict[str, Any]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -18,7 +18,7 @@ class Exit(NamedTuple):
     """Object ``index`` leaves the room ``through`` a wall, the ceiling or the floor, by ``amount`` metres."""
 
     index: int
-    through: str
+    through: Literal["wall", "ceiling", "floor"]
     amount: float
 
 

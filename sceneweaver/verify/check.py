@@ -12,11 +12,12 @@ from typing import Any
 from sceneweaver.scene import Relation, Scene
 from sceneweaver.verify import bounds, collisions, stability, support, zones
 from sceneweaver.verify import walkable as access
+from sceneweaver.verify.measure import Judgement, Measurement, at_most, length
 from sceneweaver.verify.meshes import MeshSet
+from sceneweaver.verify.overlap import ZONE_DEPTH
 from sceneweaver.verify.relations import judge_relation
-from sceneweaver.verify.report import RelationTally, Report, Tally, Violation
-from sceneweaver.verify.solids import Placed
-from sceneweaver.verify.terms import Verdict, length
+from sceneweaver.verify.report import Kind, RelationRef, RelationTally, Report, Tally, Violation
+from sceneweaver.verify.solids import DEPTH, Placed
 
 
 def check(
@@ -48,8 +49,8 @@ def check(
     clock.lap("support")
     found += _zones(placed) + _openings(placed)
     clock.lap("zones")
-    verdicts = [judge_relation(placed, relation) for relation in scene.relations]
-    found += [_relation(r, v) for r, v in zip(scene.relations, verdicts, strict=True) if not v.holds]
+    judgements = [judge_relation(placed, relation) for relation in scene.relations]
+    found += [_relation(scene, k, judgement) for k, judgement in enumerate(judgements) if not judgement.holds]
     clock.lap("relations")
     shares = access.measure(placed) if walkable else None
     if walkable:
@@ -63,7 +64,7 @@ def check(
         clock.lap("physics")
     counts = Counter(violation.kind for violation in found)
     return Report(
-        valid=all(v.kind == "soft_relation" for v in found),
+        valid=not any(v.hard for v in found),
         requested=len(scene.objects) + len(scene.dropped),
         placed=len(scene.objects),
         dropped=len(scene.dropped),
@@ -72,7 +73,7 @@ def check(
         unsupported=counts["unsupported"],
         blocked_zones=counts["blocked_zone"],
         blocked_openings=counts["blocked_opening"],
-        relations=RelationTally(*(_tally(scene.relations, verdicts, hard) for hard in (True, False))),
+        relations=RelationTally(*(_tally(scene.relations, judgements, hard) for hard in (True, False))),
         walkable_share=shares.walkable if shares else None,
         reachable_share=shares.reachable if shares else None,
         stability=steady,
@@ -87,16 +88,17 @@ def _collisions(placed: Placed, meshes: MeshSet, warnings: list[str]) -> list[Vi
     found = []
     for a, b, depth in collisions.find(placed, meshes, warnings):
         first, second = placed.bodies[a].id, placed.bodies[b].id
-        found.append(Violation("collision", (first, second), f"{first} sinks {length(depth)} into {second}", depth))
+        detail = f"{first} sinks {length(depth)} into {second}"
+        found.append(_violation("collision", (first, second), detail, at_most("depth", depth, 0.0, slack=DEPTH)))
     return found
 
 
 def _bounds(placed: Placed, meshes: MeshSet) -> list[Violation]:
     """One violation an object, however many ways it leaves the room."""
     ways = {
-        "wall": "reaches {} out of the room",
-        "ceiling": "rises {} above the ceiling",
-        "floor": "sinks {} into the floor",
+        "wall": ("reaches {} out of the room", "reach out of the room"),
+        "ceiling": ("rises {} above the ceiling", "height above the ceiling"),
+        "floor": ("sinks {} into the floor", "depth below the floor"),
     }
     by_object: dict[int, list[bounds.Exit]] = {}
     for leaving in bounds.find(placed, meshes):
@@ -104,16 +106,18 @@ def _bounds(placed: Placed, meshes: MeshSet) -> list[Violation]:
     found = []
     for index, exits in by_object.items():
         name = placed.bodies[index].id
-        text = " and ".join(ways[e.through].format(length(e.amount)) for e in exits)
-        found.append(Violation("out_of_bounds", (name,), f"{name} {text}", max(e.amount for e in exits)))
+        text = " and ".join(ways[e.through][0].format(length(e.amount)) for e in exits)
+        worst = max(exits, key=lambda e: e.amount)
+        measured = at_most(ways[worst.through][1], worst.amount, 0.0, slack=DEPTH)
+        found.append(_violation("out_of_bounds", (name,), f"{name} {text}", measured))
     return found
 
 
 def _support(placed: Placed) -> list[Violation]:
     found = []
-    for index, text, amount, supporter in support.find(placed):
+    for index, text, worst, supporter in support.find(placed):
         names = (placed.bodies[index].id, *(() if supporter is None else (placed.bodies[supporter].id,)))
-        found.append(Violation("unsupported", names, f"{names[0]} {text}", amount))
+        found.append(_violation("unsupported", names, f"{names[0]} {text}", worst))
     return found
 
 
@@ -122,7 +126,8 @@ def _zones(placed: Placed) -> list[Violation]:
     for owner, zone, other, depth in zones.find(placed):
         first, second = placed.bodies[owner].id, placed.bodies[other].id
         detail = f"{second} stands {length(depth)} inside the zone {zone!r} of {first}"
-        found.append(Violation("blocked_zone", (first, second), detail, depth))
+        measured = at_most("depth in the zone", depth, 0.0, slack=ZONE_DEPTH)
+        found.append(_violation("blocked_zone", (first, second), detail, measured, zone=zone))
     return found
 
 
@@ -131,20 +136,33 @@ def _openings(placed: Placed) -> list[Violation]:
     for _, opening, other, depth in zones.find_openings(placed):
         name = placed.bodies[other].id
         detail = f"{name} stands {length(depth)} inside the clear space of {opening}"
-        found.append(Violation("blocked_opening", (name, opening), detail, depth))
+        measured = at_most("depth in the clear space", depth, 0.0, slack=ZONE_DEPTH)
+        found.append(_violation("blocked_opening", (name, opening), detail, measured))
     return found
 
 
-def _relation(relation: Relation, verdict: Verdict) -> Violation:
-    target = relation.target
-    targets = () if target is None else (target,) if isinstance(target, str) else tuple(target)
-    said = " ".join((relation.subject, relation.type, " and ".join(targets))).rstrip()
-    kind = "relation" if relation.hard else "soft_relation"
-    return Violation(kind, (relation.subject, *targets), f"{said}: {verdict.text}", verdict.excess)
+def _relation(scene: Scene, index: int, judgement: Judgement) -> Violation:
+    r = scene.relations[index]
+    said = " ".join((r.subject, r.type, " and ".join(r.targets))).rstrip()
+    return _violation(
+        "relation" if r.hard else "soft_relation",
+        (r.subject, *r.targets),
+        f"{said}: {judgement.text}",
+        judgement.worst,
+        relation=RelationRef(index, r.type, r.subject, r.target),
+    )
 
 
-def _tally(relations: tuple[Relation, ...], verdicts: list[Verdict], hard: bool) -> Tally:
-    holds = [v.holds for r, v in zip(relations, verdicts, strict=True) if r.hard is hard]
+def _violation(
+    kind: Kind, objects: tuple[str, ...], detail: str, measurement: Measurement | None, **more: Any
+) -> Violation:
+    """A violation whose amount is how far the measurement is off."""
+    amount = measurement.excess if measurement is not None else 0.0
+    return Violation(kind, objects, detail, amount, measurement=measurement, **more)
+
+
+def _tally(relations: tuple[Relation, ...], judgements: list[Judgement], hard: bool) -> Tally:
+    holds = [j.holds for r, j in zip(relations, judgements, strict=True) if r.hard is hard]
     return Tally(len(holds), sum(holds))
 
 

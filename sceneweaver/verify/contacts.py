@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterable, Iterator
 
 from sceneweaver.scene.catalogue import CATALOGUE
+from sceneweaver.verify.measure import TOLERANCE, Measurement, Measurements, at_least, at_most
 from sceneweaver.verify.solids import Body, Face, Placed, Point, Wall
-from sceneweaver.verify.terms import TOLERANCE, Term, Terms, at_least, at_most
 
 _WALL = CATALOGUE["against_wall"]
 
@@ -17,8 +17,10 @@ def turn(a: Point, b: Point) -> float:
     return math.degrees(abs(math.atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1])))
 
 
-def face_terms(face: Face, other: Face, gap: tuple[float, float], degrees: float, overlap: float) -> Terms:
-    """Terms of ``face`` opposing ``other``: angle, distance along the other's normal, shared width.
+def face_measurements(
+    face: Face, other: Face, gap: tuple[float, float], degrees: float, overlap: float
+) -> Measurements:
+    """Measurements of ``face`` opposing ``other``: angle, distance along the other's normal, shared width.
 
     ``gap`` [m] may be negative (one reaches into the other); ``overlap`` is a share of the narrower face.
     """
@@ -28,18 +30,18 @@ def face_terms(face: Face, other: Face, gap: tuple[float, float], degrees: float
     shared = min(along + face.half, other.half) - max(along - face.half, -other.half)
     return (
         at_most("turned", turn(face.normal, (-nx, -ny)), degrees, "deg"),
-        Term("gap", dx * nx + dy * ny, gap[0], gap[1], "m", TOLERANCE),
+        Measurement("gap", dx * nx + dy * ny, gap[0], gap[1], "m", TOLERANCE),
         at_least("overlap", shared, overlap * 2 * min(face.half, other.half)),
     )
 
 
-def wall_terms(face: Face, wall: Wall, most: float, degrees: float, overlap: float) -> Terms:
-    """Terms of ``face`` against ``wall``: angle, distance 0 to ``most`` [m], share of the face's width along it."""
+def wall_measurements(face: Face, wall: Wall, most: float, degrees: float, overlap: float) -> Measurements:
+    """Measurements of ``face`` against ``wall``: angle, distance 0 to ``most`` [m], the face's width along it."""
     along, gap = wall.coordinates(face.centre)
     shared = min(along + face.half, wall.length) - max(along - face.half, 0.0)
     return (
         at_most("turned", turn(face.normal, (-wall.inward[0], -wall.inward[1])), degrees, "deg"),
-        Term("gap", gap, 0.0, most, "m", TOLERANCE),
+        Measurement("gap", gap, 0.0, most, "m", TOLERANCE),
         at_least("along the wall", shared, overlap * 2 * face.half),
     )
 
@@ -52,10 +54,10 @@ def wall_contacts(
     most: float = _WALL.value(None, "gap")[1],
     degrees: float = _WALL.value(None, "degrees"),
     overlap: float = _WALL.value(None, "overlap"),
-) -> Iterator[Terms]:
-    """Yield the terms of each of ``sides`` against wall ``wall``, or every wall; the defaults are against_wall's."""
+) -> Iterator[Measurements]:
+    """Yield what is measured of each of ``sides`` against wall ``wall``, or every wall; defaults are against_wall's."""
     faces = [body.face(side) for side in sides]
     for other in placed.walls:
         if wall is None or other.index == wall:
             for face in faces:
-                yield wall_terms(face, other, most, degrees, overlap)
+                yield wall_measurements(face, other, most, degrees, overlap)

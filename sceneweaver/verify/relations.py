@@ -16,10 +16,21 @@ import numpy as np
 from sceneweaver.scene import Relation
 from sceneweaver.scene.catalogue import CATALOGUE, RelationSpec
 from sceneweaver.scene.errors import InputError
-from sceneweaver.verify.contacts import face_terms, turn, wall_contacts
+from sceneweaver.verify.contacts import face_measurements, turn, wall_contacts
+from sceneweaver.verify.measure import (
+    HOLDS,
+    ROUNDING,
+    TOLERANCE,
+    Judgement,
+    Measurement,
+    Measurements,
+    at_least,
+    at_most,
+    fails,
+    judge,
+)
 from sceneweaver.verify.solids import Body, Face, Opening, Placed
 from sceneweaver.verify.support import bottom, rest
-from sceneweaver.verify.terms import HOLDS, ROUNDING, TOLERANCE, Term, Terms, Verdict, at_least, at_most, judge, no
 
 CORNER = 0.17
 """Least sine of the turn at a convex corner of the room that counts for in_corner (about 10 degrees)."""
@@ -46,10 +57,10 @@ class Case(NamedTuple):
         return self.target
 
 
-Judge = Callable[[Case], "Verdict | bool"]
+Judge = Callable[[Case], "Judgement | bool"]
 
 
-def judge_relation(placed: Placed, relation: Relation) -> Verdict:
+def judge_relation(placed: Placed, relation: Relation) -> Judgement:
     """Judge one relation of the scene. A relation of an object that was dropped does not hold."""
     spec = CATALOGUE.get(relation.type)
     function = JUDGES.get(relation.type)
@@ -61,17 +72,17 @@ def judge_relation(placed: Placed, relation: Relation) -> Verdict:
     named = {"object": (target,), "objects": target or ()}.get(kind, ())
     for name in (relation.subject, *named):
         if name not in placed.by_id:
-            return no(f"{name} is not in the scene")
+            return fails(f"{name} is not in the scene")
     subject = placed.by_id[relation.subject]
     other = placed.by_id[target] if kind == "object" and isinstance(target, str) else None
-    verdict = function(Case(placed, relation, subject, other, spec))
-    if isinstance(verdict, Verdict):
-        return verdict
-    return HOLDS if verdict else no("does not hold")
+    judgement = function(Case(placed, relation, subject, other, spec))
+    if isinstance(judgement, Judgement):
+        return judgement
+    return HOLDS if judgement else fails("does not hold")
 
 
 def register_judge(relation_type: str, function: Judge) -> None:
-    """Judge relations of a registered type with ``function``: Case -> Verdict, or a bool."""
+    """Judge relations of a registered type with ``function``: Case -> Judgement, or a bool."""
     if relation_type in _BUILT_IN:
         raise InputError(f"relation type {relation_type!r} is built in; its judge cannot be replaced")
     JUDGES[relation_type] = function
@@ -85,7 +96,7 @@ def _whole(overlap: float) -> float:
 # ---- walls, corners, windows, doors ----------------------------------------------------------------------------------
 
 
-def _against_wall(case: Case) -> Verdict:
+def _against_wall(case: Case) -> Judgement:
     """A face that the catalogue names is against a wall. Of ``gap`` only the most counts: touching is always fine."""
     target = case.relation.target
     index = int(target[5:]) if isinstance(target, str) and target.startswith("wall:") else None
@@ -95,7 +106,7 @@ def _against_wall(case: Case) -> Verdict:
     return judge(contacts, f"the room has no {target or 'wall'}", _whole(overlap))
 
 
-def _in_corner(case: Case) -> Verdict:
+def _in_corner(case: Case) -> Judgement:
     """Footprint near a convex corner of the room, and box near both of its walls."""
     import shapely
 
@@ -103,7 +114,7 @@ def _in_corner(case: Case) -> Verdict:
     to_corner, to_wall = case.number("to_corner"), case.number("to_wall")
     foot = placed.footprint(case.subject)
 
-    def alternatives() -> Iterator[Terms]:
+    def alternatives() -> Iterator[Measurements]:
         for wall in placed.walls:
             before = placed.walls[wall.index - 1]
             if before.along[0] * wall.inward[0] + before.along[1] * wall.inward[1] > -CORNER:
@@ -122,12 +133,12 @@ def _in_corner(case: Case) -> Verdict:
     return judge(alternatives(), "the room has no convex corner")
 
 
-def _at_window(case: Case) -> Verdict:
+def _at_window(case: Case) -> Judgement:
     """Box before the window along its wall, and near that wall; any window without a target."""
     most, overlap = case.number("max"), case.number("overlap")
     target = case.relation.target
 
-    def terms(window: Opening) -> Terms:
+    def measurements(window: Opening) -> Measurements:
         spots = [window.wall.coordinates(corner) for corner in case.subject.corners]
         low, high = min(u for u, _ in spots), max(u for u, _ in spots)
         start, width = window.item.offset, window.item.width
@@ -138,38 +149,38 @@ def _at_window(case: Case) -> Verdict:
         )
 
     chosen = (w for w in case.placed.windows if target is None or w.item.id == target)
-    return judge(map(terms, chosen), f"the room has no {target or 'window'}")
+    return judge(map(measurements, chosen), f"the room has no {target or 'window'}")
 
 
-def _away_from_door(case: Case) -> Verdict:
+def _away_from_door(case: Case) -> Judgement:
     """Footprint at least ``min`` from the zone of the door; from every door's without a target."""
     import shapely
 
     least, target = case.number("min"), case.relation.target
     foot = case.placed.footprint(case.subject)
-    terms = [
+    apart = [
         at_least(f"distance to {door.item.id}", float(shapely.distance(foot, zone).min()), least, slack=TOLERANCE)
         for door, zone in zip(case.placed.doors, case.placed.opening_zones.polygons, strict=False)
         if target is None or door.item.id == target
     ]
-    return no(f"the room has no {target}") if target is not None and not terms else judge([terms], "", ROUNDING)
+    return fails(f"the room has no {target}") if target is not None and not apart else judge([apart], "", ROUNDING)
 
 
 # ---- faces of two objects --------------------------------------------------------------------------------------------
 
 
-def _faces(case: Case) -> Verdict:
+def _faces(case: Case) -> Judgement:
     """A face of the subject opposes a face of the target; which faces may, the catalogue says."""
     spec, subject, other = case.spec, case.subject, case.other
     gap = spec.gap_range(case.relation, subject.size[0])
     degrees, overlap = case.number("degrees"), case.number("overlap")
     theirs = [other.face(side) for side in spec.target_sides]
     faces = (subject.face(side) for side in spec.subject_sides)
-    pairs = (face_terms(f, g, gap, degrees, overlap) for f in faces for g in theirs)
+    pairs = (face_measurements(f, g, gap, degrees, overlap) for f in faces for g in theirs)
     return judge(pairs, "it has no such face", _whole(overlap))
 
 
-def _around(case: Case) -> Verdict:
+def _around(case: Case) -> Judgement:
     """Front against an edge of the hull of the target's footprint, and evenly spread among the group.
 
     The group are the subjects of all ``around`` relations with this target. The angles between the subject and its two
@@ -182,7 +193,7 @@ def _around(case: Case) -> Verdict:
     spread = _spread(case)
     front = subject.face("front")
     edges = _edges(case.placed, other)
-    alternatives = ((*face_terms(front, e, gap, degrees, overlap), *spread) for e in edges)
+    alternatives = ((*face_measurements(front, e, gap, degrees, overlap), *spread) for e in edges)
     return judge(alternatives, "the target has no edge", ROUNDING)
 
 
@@ -202,8 +213,8 @@ def _edges(placed: Placed, body: Body) -> Iterator[Face]:
             yield Face((float(a[0] + b[0]) / 2, float(a[1] + b[1]) / 2), normal, size / 2)
 
 
-def _spread(case: Case) -> Terms:
-    """Terms of the angles to the neighbours on both sides [deg]."""
+def _spread(case: Case) -> Measurements:
+    """Measurements of the angles to the neighbours on both sides [deg]."""
     target, by_id = case.relation.target, case.placed.by_id
     names = {r.subject for r in case.placed.scene.relations if r.type == "around" and r.target == target}
     group = [by_id[name] for name in names if name in by_id]
@@ -214,7 +225,7 @@ def _spread(case: Case) -> Terms:
     turns = sorted((_bearing(case.other, b) - here) % 360.0 for b in group if b is not case.subject)
     even, off = 360.0 / n, case.number("spread")
     gaps = (("angle to the next", turns[0]), ("angle to the one before", 360.0 - turns[-1]))
-    return tuple(Term(name, gap, even - off, even + off, "deg") for name, gap in gaps)
+    return tuple(Measurement(name, gap, even - off, even + off, "deg") for name, gap in gaps)
 
 
 def _bearing(centre: Body, body: Body) -> float:
@@ -224,35 +235,35 @@ def _bearing(centre: Body, body: Body) -> float:
 # ---- distances and directions ----------------------------------------------------------------------------------------
 
 
-def _apart(case: Case) -> Verdict:
+def _apart(case: Case) -> Judgement:
     """Distance between the footprints."""
     least = case.number("min") if "min" in case.spec.params else 0.0
     apart = case.placed.distance(case.subject, case.other)
-    return judge([[Term("distance", apart, least, case.number("max"), "m", TOLERANCE)]], "")
+    return judge([[Measurement("distance", apart, least, case.number("max"), "m", TOLERANCE)]], "")
 
 
-def _facing(case: Case) -> Verdict:
+def _facing(case: Case) -> Judgement:
     """Target's centre near the direction of the front; coinciding centres face nothing (90 degrees)."""
     (ax, ay), (bx, by) = case.subject.centre, case.other.centre
     off = turn(case.subject.front, (bx - ax, by - ay)) if (ax, ay) != (bx, by) else 90.0
     return judge([[at_most("turned away by", off, case.number("degrees"), "deg")]], "")
 
 
-def _yaws(case: Case, modulo: float) -> Verdict:
+def _yaws(case: Case, modulo: float) -> Judgement:
     off = math.degrees(case.subject.yaw - case.other.yaw)
     off = abs((off + modulo / 2) % modulo - modulo / 2)
     return judge([[at_most("turned", off, case.number("degrees"), "deg")]], "")
 
 
-def _aligned(case: Case) -> Verdict:
+def _aligned(case: Case) -> Judgement:
     return _yaws(case, 90.0)
 
 
-def _parallel(case: Case) -> Verdict:
+def _parallel(case: Case) -> Judgement:
     return _yaws(case, 180.0)
 
 
-def _beside(case: Case) -> Verdict:
+def _beside(case: Case) -> Judgement:
     """Subject's centre beyond a face of the target, in a band ``band`` times as wide as that face."""
     face = case.other.face(case.spec.target_sides[0])
     dx, dy = case.subject.position[0] - face.centre[0], case.subject.position[1] - face.centre[1]
@@ -261,7 +272,7 @@ def _beside(case: Case) -> Verdict:
     return judge(
         [
             [
-                Term("distance beyond its face", beyond, 0.0, case.number("max"), "m", TOLERANCE),
+                Measurement("distance beyond its face", beyond, 0.0, case.number("max"), "m", TOLERANCE),
                 at_most("aside", aside, case.number("band") / 2 * 2 * face.half),
             ]
         ],
@@ -270,25 +281,25 @@ def _beside(case: Case) -> Verdict:
     )
 
 
-def _centered_on(case: Case) -> Verdict:
+def _centered_on(case: Case) -> Judgement:
     """The smaller offset of the subject's centre in the target's frame."""
     off = min(map(abs, case.other.local(case.subject.centre)))
     return judge([[at_most("off centre by", off, case.number("offset"), slack=TOLERANCE)]], "")
 
 
-def _between(case: Case) -> Verdict:
+def _between(case: Case) -> Judgement:
     """Subject's centre beside the middle part of the line between two centres."""
     a, b = (case.placed.by_id[name].centre for name in case.relation.target or ())
     dx, dy = b[0] - a[0], b[1] - a[1]
     size = math.hypot(dx, dy)
     if size < 1e-9:
-        return no("the two targets stand in one place")
+        return fails("the two targets stand in one place")
     px, py = case.subject.position[0] - a[0], case.subject.position[1] - a[1]
     low, high = case.spec.value(case.relation, "along")
     return judge(
         [
             [
-                Term("along the line", (px * dx + py * dy) / size, low * size, high * size),
+                Measurement("along the line", (px * dx + py * dy) / size, low * size, high * size),
                 at_most("aside", abs(px * dy - py * dx) / size, case.number("aside")),
             ]
         ],
@@ -300,13 +311,13 @@ def _between(case: Case) -> Verdict:
 # ---- heights and supports --------------------------------------------------------------------------------------------
 
 
-def _on_floor(case: Case) -> Verdict:
+def _on_floor(case: Case) -> Judgement:
     z = bottom(case.subject)
     name = "height above the floor" if z >= 0 else "depth below the floor"
     return judge([[at_most(name, abs(z), case.number("height"))]], "", ROUNDING)
 
 
-def _on_surface(case: Case) -> Verdict:
+def _on_surface(case: Case) -> Judgement:
     """Subject rests on a surface of the target: the one that its support names, or any when it names none.
 
     For ``inside`` only surfaces with a head room count.
@@ -314,7 +325,7 @@ def _on_surface(case: Case) -> Verdict:
     item, other = case.subject.item, case.other
     inner = case.relation.type == "inside"
     if item.support is not None and item.support.object != other.id:
-        return no(f"stands on {item.support.object}")
+        return fails(f"stands on {item.support.object}")
     surfaces = [
         s
         for s in other.item.surfaces
@@ -324,12 +335,12 @@ def _on_surface(case: Case) -> Verdict:
     if any(r.ok for r, _ in rests):
         return HOLDS
     if not rests:
-        return no(f"{other.id} has no {'inner ' if inner else ''}surface for it")
-    nearest, name = min(rests, key=lambda found: found[0].worst)
-    return Verdict(False, nearest.worst, "m", nearest.text(f"{name} of {other.id}"))
+        return fails(f"{other.id} has no {'inner ' if inner else ''}surface for it")
+    nearest, name = min(rests, key=lambda found: found[0].worst.excess)
+    return Judgement(False, nearest.text(f"{name} of {other.id}"), nearest.worst)
 
 
-def _over(case: Case) -> Verdict:
+def _over(case: Case) -> Judgement:
     """``above``: bottom at or over the target's top; ``below``: top at or under its bottom; both within its width."""
     other, subject = case.other, case.subject
     aside = abs(other.local(subject.centre)[1])
@@ -347,7 +358,7 @@ def _over(case: Case) -> Verdict:
     )
 
 
-def _same_height(case: Case) -> Verdict:
+def _same_height(case: Case) -> Judgement:
     off = abs(bottom(case.subject) - bottom(case.other))
     return judge([[at_most("difference of height", off, case.number("tolerance"), slack=TOLERANCE)]], "", ROUNDING)
 

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import tempfile
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any, Literal
+
+from .measure import Measurement
 
 SCHEMA = "sceneweaver.metrics/1"
 
@@ -26,6 +29,16 @@ Kind = Literal[
 
 
 @dataclass(frozen=True, slots=True)
+class RelationRef:
+    """Which relation of a scene is meant: its place in ``relations``, and what stands there."""
+
+    index: int
+    type: str
+    subject: str
+    target: str | tuple[str, str] | None
+
+
+@dataclass(frozen=True, slots=True)
 class Violation:
     """One thing that is wrong.
 
@@ -38,12 +51,41 @@ class Violation:
         amount: how much, 0 when it has no size. Metres: depth of a collision or in a zone, distance outside the room,
             height or length that is wrong under an object. Of a relation the worst excess over what is allowed, in
             metres, or in degrees where the angle is worst; angles are compared with lengths on an arm of half a metre.
+        relation: the relation that does not hold; None for other kinds.
+        zone: name of the blocked zone among those of its owner; None for other kinds.
+        measurement: what was measured, and the interval in which it should lie, the tolerance of the judge aside. Of
+            several quantities that are off the worst; None where nothing can be measured.
     """
 
     kind: Kind
     objects: tuple[str, ...]
     detail: str
     amount: float
+    relation: RelationRef | None = None
+    zone: str | None = None
+    measurement: Measurement | None = None
+
+    @property
+    def hard(self) -> bool:
+        """Whether it makes the scene invalid."""
+        return self.kind != "soft_relation"
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain JSON data.
+
+        ``relation``, ``zone`` and the keys of the measurement (``quantity``, ``measured``, ``allowed`` [low, high] with
+        null for an open end, ``unit``) are there only where there is something to say.
+        """
+        data = {"kind": self.kind, "objects": list(self.objects), "detail": self.detail, "amount": self.amount}
+        data["hard"] = self.hard
+        if self.relation is not None:
+            data["relation"] = asdict(self.relation)
+        if self.zone is not None:
+            data["zone"] = self.zone
+        if (m := self.measurement) is not None:
+            allowed = [end if math.isfinite(end) else None for end in (m.low, m.high)]
+            data |= {"quantity": m.quantity, "measured": m.value, "allowed": allowed, "unit": m.unit}
+        return data
 
 
 class _Items:
@@ -109,7 +151,7 @@ class Report:
     def to_dict(self) -> dict[str, Any]:
         """Return plain JSON data; ``warnings`` is there only when there are any."""
         data: dict[str, Any] = {"schema": SCHEMA, **asdict(self)}
-        data["violations"] = [{**asdict(v), "objects": list(v.objects)} for v in self.violations]
+        data["violations"] = [v.to_dict() for v in self.violations]
         data["warnings"] = list(self.warnings)
         if not self.warnings:
             del data["warnings"]

@@ -7,8 +7,8 @@ from typing import Any
 
 from sceneweaver.scene import Scene
 
+from .measure import at_most, length
 from .report import Violation
-from .terms import length
 
 FALLEN = 0.1
 """Movement [m] in `SECONDS` from which on something did not stay where it was put, but fell or slid."""
@@ -33,7 +33,13 @@ def numbers(found: Mapping[str, Any]) -> dict[str, float]:
 def violations(moved: Mapping[str, float]) -> list[Violation]:
     """One for each object that moved farther than `FALLEN`, given the movement [m] of each."""
     return [
-        Violation("unstable", (id,), f"{id} moves {length(far)} in {SECONDS:g} s of physics", far)
+        Violation(
+            "unstable",
+            (id,),
+            f"{id} moves {length(far)} in {SECONDS:g} s of physics",
+            far,
+            measurement=at_most("movement in physics", far, 0.0, slack=FALLEN),
+        )
         for id, far in moved.items()
         if far > FALLEN
     ]

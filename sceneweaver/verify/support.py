@@ -18,20 +18,25 @@ import numpy as np
 
 from sceneweaver.scene import Surface
 from sceneweaver.verify.contacts import wall_contacts
+from sceneweaver.verify.measure import Measurement, at_most, judge, length
 from sceneweaver.verify.solids import DEPTH, Body, Placed, extrude
-from sceneweaver.verify.terms import judge, length
 
 LEVEL = 2e-3
 """Height in metres by which a bottom may miss what it stands on."""
 
 
 class Unsupported(NamedTuple):
-    """What is wrong under object ``index``: a sentence without its subject, the worst length [m], and the supporter."""
+    """What is wrong under object ``index``: a sentence without its subject, the worst measurement, the supporter."""
 
     index: int
     text: str
-    amount: float
+    worst: Measurement | None = None
     supporter: int | None = None
+
+    @property
+    def amount(self) -> float:
+        """How far off the worst measurement is, 0 when nothing can be measured."""
+        return self.worst.excess if self.worst is not None else 0.0
 
 
 class Rest(NamedTuple):
@@ -51,10 +56,14 @@ class Rest(NamedTuple):
         return abs(self.gap) <= LEVEL and self.over == 0.0 and self.squeeze <= DEPTH
 
     @property
-    def worst(self) -> float:
-        """The largest of the lengths that are too large [m]."""
-        height = abs(self.gap) if abs(self.gap) > LEVEL else 0.0
-        return max(height, self.over, self.squeeze if self.squeeze > DEPTH else 0.0)
+    def worst(self) -> Measurement:
+        """The one of its lengths that is farthest off, when it is not ok."""
+        lengths = (
+            _height("height above its surface", self.gap),
+            at_most("reach over the edge", self.over, 0.0),
+            at_most("height beyond the head room", self.squeeze, 0.0, slack=DEPTH),
+        )
+        return max((m for m in lengths if not m.ok()), key=lambda m: m.excess)
 
     def text(self, surface: str) -> str:
         """What is wrong, as the rest of a sentence about the body; ``surface`` names what it stands on."""
@@ -101,7 +110,8 @@ def find(placed: Placed) -> list[Unsupported]:
         wrong = [w for w in (_mounting(placed, body), _resting(placed, body)) if w is not None]
         if wrong:
             text = " and ".join(w.text for w in wrong)
-            found.append(Unsupported(body.index, text, max(w.amount for w in wrong), wrong[-1].supporter))
+            worst = max(wrong, key=lambda w: w.amount).worst
+            found.append(Unsupported(body.index, text, worst, wrong[-1].supporter))
     return found
 
 
@@ -111,18 +121,21 @@ def _mounting(placed: Placed, body: Body) -> Unsupported | None:
         z = bottom(body)
         if abs(z) > LEVEL:
             verb = "floats" if z > 0 else "sinks"
-            return Unsupported(body.index, f"{verb} {length(z)} {_over(z)} the floor", abs(z))
+            return Unsupported(
+                body.index, f"{verb} {length(z)} {_over(z)} the floor", _height("height above the floor", z)
+            )
     elif mount == "ceiling":
         gap = placed.scene.room.height - body.z[1]
         if abs(gap) > LEVEL:
             where = "below" if gap > 0 else "above"
-            return Unsupported(body.index, f"hangs {length(gap)} {where} the ceiling", abs(gap))
+            worst = _height("height below the ceiling", gap)
+            return Unsupported(body.index, f"hangs {length(gap)} {where} the ceiling", worst)
     elif mount == "wall":
-        verdict = judge(wall_contacts(placed, body, ("back",), None), "the room has no wall")
-        if not verdict.holds:
-            return Unsupported(body.index, f"does not hang on a wall: {verdict.text}", verdict.excess)
+        hung = judge(wall_contacts(placed, body, ("back",), None), "the room has no wall")
+        if not hung.holds:
+            return Unsupported(body.index, f"does not hang on a wall: {hung.text}", hung.worst)
     elif body.item.support is None:
-        return Unsupported(body.index, "has no surface to stand on", 0.0)
+        return Unsupported(body.index, "has no surface to stand on")
     return None
 
 
@@ -134,11 +147,16 @@ def _resting(placed: Placed, body: Body) -> Unsupported | None:
     surface = supporter and next((s for s in supporter.item.surfaces if s.name == support.surface), None)
     name = f"{support.surface} of {support.object}"
     if supporter is None or surface is None:
-        return Unsupported(body.index, f"should stand on {name}, which is not there", 0.0)
+        return Unsupported(body.index, f"should stand on {name}, which is not there")
     measured = rest(placed, body, supporter, surface)
     if measured.ok:
         return None
     return Unsupported(body.index, measured.text(name), measured.worst, supporter.index)
+
+
+def _height(quantity: str, value: float) -> Measurement:
+    """A height [m] that should be 0."""
+    return Measurement(quantity, value, 0.0, 0.0, slack=LEVEL)
 
 
 def _over(gap: float) -> str:

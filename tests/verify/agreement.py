@@ -282,7 +282,7 @@ def by_check(scene: Json) -> set[Fact]:
         if v.kind in ("collision", "out_of_bounds"):
             facts.add((v.kind, *sorted(v.objects)))
         elif v.kind == "blocked_zone":
-            facts.add(("zone", v.objects[0], v.detail.split("'")[1], v.objects[1]))
+            facts.add(("zone", v.objects[0], str(v.zone), v.objects[1]))
         elif v.kind == "blocked_opening":
             facts.add(("opening", v.objects[1], v.objects[0]))
         elif v.kind == "unsupported":
@@ -290,7 +290,7 @@ def by_check(scene: Json) -> set[Fact]:
                 facts.add(("unsupported", v.objects[0]))
         else:
             target = " and ".join(v.objects[1:]) or None
-            facts.add(("relation", v.objects[0], v.detail.split()[1].rstrip(":"), str(target)))
+            facts.add(("relation", v.objects[0], v.relation.type if v.relation else "", str(target)))
     assert (report.collisions, report.out_of_bounds) == (kinds["collision"], kinds["out_of_bounds"])
     assert (report.blocked_zones, report.blocked_openings) == (kinds["blocked_zone"], kinds["blocked_opening"])
     for tally, kind, hard in (

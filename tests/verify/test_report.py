@@ -21,6 +21,7 @@ TALLY = {
     "required": ["total", "satisfied"],
     "additionalProperties": False,
 }
+MEASURED = ["quantity", "measured", "allowed", "unit"]
 KINDS = [
     "collision",
     "out_of_bounds",
@@ -55,8 +56,26 @@ PROPERTIES = {
                 "objects": {"type": "array", "items": {"type": "string"}, "minItems": 1},
                 "detail": {"type": "string", "pattern": "^[^\n]+$"},
                 "amount": {"type": "number", "minimum": 0},
+                "hard": {"type": "boolean"},
+                "relation": {
+                    "type": "object",
+                    "properties": {
+                        "index": COUNT,
+                        "type": {"type": "string"},
+                        "subject": {"type": "string"},
+                        "target": {"type": ["string", "array", "null"]},
+                    },
+                    "required": ["index", "type", "subject", "target"],
+                    "additionalProperties": False,
+                },
+                "zone": {"type": "string"},
+                "quantity": {"type": "string"},
+                "measured": {"type": "number"},
+                "allowed": {"type": "array", "items": {"type": ["number", "null"]}, "minItems": 2, "maxItems": 2},
+                "unit": {"enum": ["m", "deg"]},
             },
-            "required": ["kind", "objects", "detail", "amount"],
+            "required": ["kind", "objects", "detail", "amount", "hard"],
+            "dependentRequired": {key: MEASURED for key in MEASURED},
             "additionalProperties": False,
         },
     },
@@ -113,6 +132,31 @@ def test_counts(wrong):
     assert sentences["dropped"] == "sofa could not be placed: no wall is free"
     assert sentences["blocked_zone"] == "bag stands 35.0 cm inside the zone 'doors' of wardrobe"
     assert sentences["soft_relation"].startswith("a near out: distance 4.8 m, allowed 0 to 1 m")
+
+
+def test_violations_say_in_fields_what_they_say_in_words(wrong):
+    report = check(wrong)
+    by_kind = {v.kind: v for v in report.violations}
+    for v in report.violations:
+        assert v.hard is (v.kind != "soft_relation")
+        assert (v.relation is None) is (v.kind not in ("relation", "soft_relation"))
+        assert (v.measurement is None) is (v.kind == "dropped")
+        if v.measurement is not None:
+            assert not v.measurement.ok() and v.amount == v.measurement.excess
+        if v.relation is not None:
+            said = wrong.relations[v.relation.index]
+            assert (said.type, said.subject, said.target) == (v.relation.type, v.relation.subject, v.relation.target)
+            assert v.objects == (said.subject, *said.targets) and v.hard is said.hard
+    assert by_kind["blocked_zone"].zone == "doors"
+    data = {v["kind"]: v for v in report.to_dict()["violations"]}
+    assert data["relation"]["relation"] == {"index": 1, "type": "facing", "subject": "a", "target": "wardrobe"}
+    assert (data["relation"]["unit"], data["relation"]["allowed"][0]) == ("deg", None)
+    soft = data["soft_relation"]
+    assert (soft["quantity"], soft["allowed"], soft["unit"]) == ("distance", [0.0, 1.0], "m")
+    assert soft["measured"] == pytest.approx(4.8) and soft["amount"] == pytest.approx(3.8)
+    assert data["unsupported"]["measured"] == 0.5 and data["unsupported"]["allowed"] == [0.0, 0.0]
+    assert data["blocked_zone"]["measured"] == pytest.approx(0.35)
+    assert "measured" not in data["dropped"] and "relation" not in data["collision"]
 
 
 def test_dropped_alone_makes_it_invalid():

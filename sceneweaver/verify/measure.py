@@ -1,4 +1,4 @@
-"""A condition as numbers: measured quantities, the interval that each must lie in, what to say when it does not."""
+"""A condition as numbers: measurements, the interval that each must lie in, what to say when it does not."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ ARM = 0.5
 
 
 ROUNDING = 1e-9
-"""Metres or degrees by which terms may be off in relations that the oracle (tests/oracle) does not define.
+"""Metres or degrees by which measurements may be off in relations that the oracle (tests/oracle) does not define.
 
 Round numbers, such as six chairs at an octagonal table, 15 degrees off its edges, then hold however the room is turned.
 """
 
 
-class Term(NamedTuple):
+class Measurement(NamedTuple):
     """One quantity: ``value`` must lie in [``low`` - ``slack``, ``high`` + ``slack``]; ``unit`` is m or deg."""
 
-    name: str
+    quantity: str
     value: float
     low: float
     high: float
@@ -55,58 +55,56 @@ class Term(NamedTuple):
             allowed = f"at least {low} {self.unit}"
         else:
             allowed = f"allowed {low} to {high} {self.unit}"
-        return f"{self.name} {value}, {allowed}"
+        return f"{self.quantity} {value}, {allowed}"
 
 
-Terms = Sequence[Term]
-"""Terms that must all hold."""
+Measurements = Sequence[Measurement]
+"""Measurements that must all lie in their intervals."""
 
 
-class Verdict(NamedTuple):
-    """Whether a condition ``holds``; else how far off it is (``excess`` in ``unit``) and the ``text`` that says so."""
+class Judgement(NamedTuple):
+    """Whether a condition ``holds``; else the ``text`` that says why not, and the ``worst`` measurement if any."""
 
     holds: bool
-    excess: float = 0.0
-    unit: str = "m"
     text: str = ""
+    worst: Measurement | None = None
 
 
-HOLDS = Verdict(True)
+HOLDS = Judgement(True)
 
 
-def at_most(name: str, value: float, high: float, unit: str = "m", slack: float = 0.0) -> Term:
-    """Return the term ``value <= high + slack``."""
-    return Term(name, value, -math.inf, high, unit, slack)
+def at_most(quantity: str, value: float, high: float, unit: str = "m", slack: float = 0.0) -> Measurement:
+    """Return the measurement with ``value <= high + slack``."""
+    return Measurement(quantity, value, -math.inf, high, unit, slack)
 
 
-def at_least(name: str, value: float, low: float, unit: str = "m", slack: float = 0.0) -> Term:
-    """Return the term ``value >= low - slack``."""
-    return Term(name, value, low, math.inf, unit, slack)
+def at_least(quantity: str, value: float, low: float, unit: str = "m", slack: float = 0.0) -> Measurement:
+    """Return the measurement with ``value >= low - slack``."""
+    return Measurement(quantity, value, low, math.inf, unit, slack)
 
 
-def no(text: str) -> Verdict:
-    """Return the verdict of a condition that cannot hold, with the reason."""
-    return Verdict(False, 0.0, "m", text)
+def fails(text: str) -> Judgement:
+    """Return the judgement of a condition that cannot hold, with the reason."""
+    return Judgement(False, text)
 
 
-def judge(alternatives: Iterable[Terms], otherwise: str, rounding: float = 0.0) -> Verdict:
-    """Return whether all terms of some alternative hold; if not, speak of the one that is least off.
+def judge(alternatives: Iterable[Measurements], otherwise: str, rounding: float = 0.0) -> Judgement:
+    """Return whether all measurements of some alternative are in order; if not, speak of the one that is least off.
 
-    ``excess`` is that of the worst failing term in its own unit. Without any alternative the text is ``otherwise``.
+    Without any alternative the text is ``otherwise``.
     """
-    best: list[Term] | None = None
+    best: list[Measurement] | None = None
     least = math.inf
-    for terms in alternatives:
-        failing = [term for term in terms if not term.ok(rounding)]
+    for measurements in alternatives:
+        failing = [m for m in measurements if not m.ok(rounding)]
         if not failing:
             return HOLDS
-        total = sum(term.weight for term in failing)
+        total = sum(m.weight for m in failing)
         if best is None or total < least:
             best, least = failing, total
     if best is None:
-        return no(otherwise)
-    worst = max(best, key=lambda term: term.weight)
-    return Verdict(False, worst.excess, worst.unit, "; ".join(map(str, best)))
+        return fails(otherwise)
+    return Judgement(False, "; ".join(map(str, best)), max(best, key=lambda m: m.weight))
 
 
 def length(metres: float) -> str:
@@ -117,11 +115,11 @@ def length(metres: float) -> str:
     return f"{size * 100:.1f} cm" if size < 1.0 else f"{size:.2f} m"
 
 
-def _places(term: Term) -> int:
+def _places(m: Measurement) -> int:
     """Decimals that show the value to be outside its interval."""
-    for places in range(1 if term.unit == "deg" else 2, 9):
-        shown = round(term.value, places)
-        if shown < term.low or shown > term.high:
+    for places in range(1 if m.unit == "deg" else 2, 9):
+        shown = round(m.value, places)
+        if shown < m.low or shown > m.high:
             return places
     return 9
 

@@ -1,0 +1,97 @@
+"""Meaning is read from typed fields: nobody parses the judge's sentences, or steers by free attributes."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+FOLDERS = ("sceneweaver", "kernels", "optimizers", "tools", "benchmarks")
+LOOKS = {"color", "material", "style", "label"}
+"""Attributes that say how a thing looks or what it is called; all that code may read of them by name."""
+
+
+def sources() -> list[Path]:
+    return [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.py"))]
+
+
+def is_prose(node: ast.expr) -> bool:
+    """Whether an expression is the sentence of a violation: ``x.detail``, ``x["detail"]`` or str() of them."""
+    match node:
+        case ast.Attribute(attr="detail") | ast.Subscript(slice=ast.Constant(value="detail")):
+            return True
+        case ast.Call(func=ast.Name(id="str"), args=[inner]):
+            return is_prose(inner)
+    return False
+
+
+def parsed_prose(tree: ast.AST) -> Iterator[int]:
+    """Lines that take such a sentence apart: a method or slice of it, a search in it, a pattern on it."""
+    for node in ast.walk(tree):
+        match node:
+            case ast.Attribute(value=inner) | ast.Subscript(value=inner) if is_prose(inner):
+                yield node.lineno
+            case ast.Compare(left=left, comparators=others) if any(map(is_prose, (left, *others))):
+                yield node.lineno
+            case ast.Call(func=ast.Attribute(value=ast.Name(id="re")), args=given) if any(map(is_prose, given)):
+                yield node.lineno
+
+
+def named_attributes(tree: ast.AST) -> Iterator[tuple[int, str]]:
+    """Line and key of every attribute that is read by name."""
+    for node in ast.walk(tree):
+        match node:
+            case (
+                ast.Call(
+                    func=ast.Attribute(value=ast.Attribute(attr="attributes"), attr="get" | "pop"),
+                    args=[ast.Constant(value=str(key)), *_],
+                )
+                | ast.Subscript(value=ast.Attribute(attr="attributes"), slice=ast.Constant(value=str(key)))
+                | ast.Compare(left=ast.Constant(value=str(key)), comparators=[ast.Attribute(attr="attributes")])
+            ):
+                yield node.lineno, key
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        'v.detail.split(":")[0]',
+        "v.detail.removeprefix(name).strip()",
+        "v.detail[:4]",
+        '"gap" in v.detail',
+        're.search("gap", v.detail)',
+        'row["detail"].partition(": ")',
+        'str(row["detail"]).startswith("a")',
+    ],
+)
+def test_the_rule_on_sentences_sees(code):
+    assert list(parsed_prose(ast.parse(code)))
+
+
+@pytest.mark.parametrize("code", ["print(v.detail)", 'f"{v.kind}: {v.detail}"', "if v.detail: pass", "Fault(v.detail)"])
+def test_the_rule_on_sentences_lets_through(code):
+    assert not list(parsed_prose(ast.parse(code)))
+
+
+@pytest.mark.parametrize("code", ['o.attributes.get("need", 1)', 'o.attributes["need"]', '"need" in a.b.attributes'])
+def test_the_rule_on_attributes_sees(code):
+    assert [key for _, key in named_attributes(ast.parse(code))] == ["need"]
+
+
+def test_nobody_parses_what_the_judge_says():
+    found = [f"{path.relative_to(ROOT)}:{line}" for path in sources() for line in parsed_prose(_tree(path))]
+    assert not found, "read the fields of Violation (relation, zone, measurement) instead"
+
+
+def test_attributes_say_how_things_look_and_no_more():
+    read = [(path, line, key) for path in sources() for line, key in named_attributes(_tree(path))]
+    assert {"color", "material"} <= {key for _, _, key in read}
+    found = [f"{path.relative_to(ROOT)}:{line} {key}" for path, line, key in read if key not in LOOKS]
+    assert not found, "what steers belongs to Intent (sceneweaver/scene/intent.py)"
+
+
+def _tree(path: Path) -> ast.AST:
+    return ast.parse(path.read_text("utf-8"))
