@@ -9,6 +9,7 @@ import warp as wp
 from .array_access import item
 from .groups import members_end
 from .starts import GIVEN, Plan
+from .state_machine import MOVE, RATE, RETURN, SQUARE, STEP, SURVEY
 from .tables import TablesRef, Weights
 
 wp.set_module_options({"enable_backward": False})
@@ -16,20 +17,17 @@ wp.set_module_options({"enable_backward": False})
 SOLVED = wp.constant(1.0e-9)
 BACK_STEPS = wp.constant(4)  # shares of the way back that are tried
 
-# Jobs.
-SURVEY = wp.constant(0)  # rate every object
-RATE = wp.constant(1)  # rate the objects of the group that has just moved, if they are not one body
-MOVE = wp.constant(2)  # what the objects to be moved cost where they are, and proposals
-GRADIENT = wp.constant(3)  # of one object
-STEP = wp.constant(4)  # along it: a Polyak step towards zero energy, and shorter ones
-SQUARE = wp.constant(5)  # turn what stands almost square to the room fully square, unless that costs anything
-RETURN = wp.constant(6)  # take an object as far back to its anchor as costs nothing hard
-STOP = wp.constant(7)
 
-# Phases of a round.
-MOVING = wp.constant(0)
-POLISHING = wp.constant(1)
-FINISHING = wp.constant(2)
+@wp.struct
+class Context:
+    """Which candidate a search is about, and how far its attempt is."""
+
+    candidate: wp.int32
+    problem: wp.int32
+    first_object: wp.int32  # global index of the problem's object 0
+    objects: wp.int32
+    round: wp.int32  # of the attempt
+    anchored: wp.bool  # the attempt keeps what is in order where it is
 
 
 @wp.struct
@@ -74,9 +72,16 @@ class JobResult:
 
 
 @wp.func
-def is_anchored(plan: Plan, clock: wp.array(dtype=wp.int32)):
-    """True in attempts that keep what is in order where it is."""
-    return plan.start == GIVEN and clock[0] // plan.rounds < plan.anchored_attempts
+def context_of(t: TablesRef, plan: Plan, p: wp.int32, candidate: wp.int32, clock: wp.array(dtype=wp.int32)):
+    """The context of a candidate's search in the present round."""
+    c = Context()
+    c.candidate = candidate
+    c.problem = p
+    c.first_object = item(t[0].object_start, p)
+    c.objects = item(t[0].object_start, p + 1) - c.first_object
+    c.round = clock[0] % plan.rounds
+    c.anchored = plan.start == GIVEN and clock[0] // plan.rounds < plan.anchored_attempts
+    return c
 
 
 @wp.func
@@ -88,10 +93,10 @@ def weights_at(w: Weights, anchored: wp.bool):
 
 
 @wp.func
-def proposal_count(d: SearchState, n: wp.int32, plan: Plan):
+def proposal_count(d: SearchState, c: Context, plan: Plan):
     """How many proposals a job rates."""
     if d.job == SURVEY:
-        return n
+        return c.objects
     if d.job == RATE:
         return d.last - d.first
     if d.job == MOVE:

@@ -13,16 +13,11 @@ from .geometry import FAR, wrap
 from .groups import group_energy
 from .jobs import (
     BACK_STEPS,
-    GRADIENT,
-    MOVE,
-    RETURN,
     SOLVED,
-    SQUARE,
-    STEP,
-    STOP,
+    Context,
     JobResult,
     SearchState,
-    is_anchored,
+    context_of,
     object_of,
     proposal_count,
     rates_only,
@@ -31,6 +26,7 @@ from .jobs import (
 )
 from .sample import QUARTER, propose, uniform
 from .starts import Plan
+from .state_machine import GRADIENT, MOVE, RETURN, SQUARE, STEP, STOP
 from .tables import Margins, Share, State, TablesRef, View, Weights
 from .warp_primitives import (
     lane_id,
@@ -68,9 +64,7 @@ def draw_proposals(
     m: Margins,
     w: Weights,
     plan: Plan,
-    anchored: wp.bool,
-    p: wp.int32,
-    candidate: wp.int32,
+    c: Context,
     d: SearchState,
     first: wp.int32,
     by: wp.int32,
@@ -79,9 +73,10 @@ def draw_proposals(
     drafted: wp.array2d(dtype=wp.int32),
 ):
     """Draw the pose of every ``by``-th proposal from ``first``, and whether it takes the draft."""
+    candidate = c.candidate
     old = item(s.poses, candidate, d.obj)
     rng = wp.rand_init(d.seed, first)
-    for k in range(first, proposal_count(d, 0, plan), by):
+    for k in range(first, proposal_count(d, c, plan), by):
         pose = old
         draft = int(0)
         if d.job == MOVE and k > 0:
@@ -93,12 +88,12 @@ def draw_proposals(
                 anew = u > STAYS
             if anew:
                 near = 0.02 + d.scale * uniform(rng)
-                far = wp.where(anchored, FAR_SHARE_ANCHORED, FAR_SHARE)
-                pose = propose(t, m, w, p, d.obj, pose, s, candidate, near, far, plan.slide, rng)
+                far = wp.where(c.anchored, FAR_SHARE_ANCHORED, FAR_SHARE)
+                pose = propose(t, m, w, c.problem, d.obj, pose, s, candidate, near, far, plan.slide, rng)
         elif d.job == STEP:
             pose = pose + wp.pow(SHORTER, float(k)) * d.step
         elif d.job == SQUARE and k == 0:
-            pose[3] = pose[3] - off_square(t, p, pose)
+            pose[3] = pose[3] - off_square(t, c.problem, pose)
         elif d.job == RETURN:
             back = item(s.anchors, candidate, d.obj) - pose
             back[3] = wrap(back[3], TURN)
@@ -115,9 +110,7 @@ def rate_proposals(
     m: Margins,
     w: Weights,
     plan: Plan,
-    anchored: wp.bool,
-    p: wp.int32,
-    candidate: wp.int32,
+    c: Context,
     d: SearchState,
     s: State,
     drawn: wp.array2d(dtype=wp.vec4),
@@ -125,9 +118,10 @@ def rate_proposals(
     energy: wp.array2d(dtype=wp.float32),
 ):
     """Rate all proposals of a job, each by a subwarp. Every lane gets the result. The code has no gradients."""
-    o0 = item(t[0].object_start, p)
+    candidate = c.candidate
+    o0 = c.first_object
     me = lane_id()
-    count = proposal_count(d, item(t[0].object_start, p + 1) - o0, plan)
+    count = proposal_count(d, c, plan)
     subwarp = subwarp_size(count)
     part = Share(me % subwarp, subwarp)
     old = item(s.poses, candidate, d.obj)
@@ -159,13 +153,13 @@ def rate_proposals(
         soft = float(0.0)
         rating = float(0.0)
         if last > first:
-            e, share, soft, _g = group_energy(t, m, w, p, candidate, first, last, s, limit, view, part)
+            e, share, soft, _g = group_energy(t, m, w, c.problem, candidate, first, last, s, limit, view, part)
             e = subwarp_sum(e, subwarp)
             share = subwarp_sum(share, subwarp)
             soft = subwarp_sum(soft, subwarp)
             if item(t[0].object_free, o0 + who) != 0:
                 rating = e
-                if anchored:  # soft terms are no reason to move anything
+                if c.anchored:  # soft terms are no reason to move anything
                     rating = wp.max(e - soft - SOLVED, 0.0)
         if rates_only(d.job):
             if part.first == 0:
@@ -198,13 +192,15 @@ def rate_proposals(
 
 
 @wp.func
-def find_gradient(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, d: SearchState, s: State):
+def find_gradient(t: TablesRef, m: Margins, w: Weights, c: Context, d: SearchState, s: State):
     """The result of a job that takes a gradient; all lanes share its terms, and each gets the result."""
-    first, last = single_body(t, item(t[0].object_start, p) + d.obj)
+    first, last = single_body(t, c.first_object + d.obj)
     view = View()
     view.best = 1
     view.crowd = 1
-    e, _share, _soft, g = group_energy(t, m, w, p, candidate, first, last, s, FAR, view, Share(lane_id(), warp_size()))
+    e, _share, _soft, g = group_energy(
+        t, m, w, c.problem, c.candidate, first, last, s, FAR, view, Share(lane_id(), warp_size())
+    )
     x = JobResult()
     x.base = warp_sum(e)
     x.gradient = subwarp_sum_vec4(g, warp_size())
@@ -236,23 +232,10 @@ def draw(
         busy_out[0] = 0
     if search_state[candidate].job < MOVE or search_state[candidate].job == STOP:
         return
-    anchored = is_anchored(plan, clock)
+    c = context_of(t, plan, problem[candidate], candidate, clock)
+    w = weights_at(w, c.anchored)
     by = wp.min(1 + plan.proposals, warp_size())
-    draw_proposals(
-        t,
-        m,
-        weights_at(w, anchored),
-        plan,
-        anchored,
-        problem[candidate],
-        candidate,
-        search_state[candidate],
-        first,
-        by,
-        s,
-        drawn_out,
-        drafted_out,
-    )
+    draw_proposals(t, m, w, plan, c, search_state[candidate], first, by, s, drawn_out, drafted_out)
 
 
 @wp.kernel(cuda_max_registers=128)
@@ -278,21 +261,9 @@ def rate(
     candidate = wp.tid() // warp_size()
     if search_state[candidate].job == STOP or search_state[candidate].job == GRADIENT:
         return
-    anchored = is_anchored(plan, clock)
-    x = rate_proposals(
-        t,
-        m,
-        weights_at(w, anchored),
-        plan,
-        anchored,
-        problem[candidate],
-        candidate,
-        search_state[candidate],
-        s,
-        drawn,
-        drafted,
-        energy_out,
-    )
+    c = context_of(t, plan, problem[candidate], candidate, clock)
+    w = weights_at(w, c.anchored)
+    x = rate_proposals(t, m, w, plan, c, search_state[candidate], s, drawn, drafted, energy_out)
     if lane_id() == 0:
         result_out[candidate] = x
 
@@ -317,7 +288,7 @@ def take_gradients(
     candidate = wp.tid() // warp_size()
     if search_state[candidate].job != GRADIENT:
         return
-    weights = weights_at(w, is_anchored(plan, clock))
-    x = find_gradient(t, m, weights, problem[candidate], candidate, search_state[candidate], s)
+    c = context_of(t, plan, problem[candidate], candidate, clock)
+    x = find_gradient(t, m, weights_at(w, c.anchored), c, search_state[candidate], s)
     if lane_id() == 0:
         result_out[candidate] = x

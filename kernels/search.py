@@ -7,11 +7,13 @@ what is next (`transitions`). Energies are local: a move costs what touches the 
 
 import warp as wp
 
-from .jobs import GRADIENT, MOVE, STOP, JobResult, is_anchored, weights_at
+from .jobs import JobResult, context_of, weights_at
 from .proposals import draw_proposals, find_gradient, rate_proposals
+from .rounds import finish_round, initial_state
 from .starts import Plan
+from .state_machine import GRADIENT, MOVE, STOP
 from .tables import Margins, State, TablesRef, Weights
-from .transitions import decide, finish_round, initial_state
+from .transitions import transition
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
 
@@ -39,18 +41,16 @@ def search(
     candidate = wp.tid()
     if active[candidate] == 0:
         return
-    p = problem[candidate]
-    round_index = clock[0] % plan.rounds
-    anchored = is_anchored(plan, clock)
-    weights = weights_at(w, anchored)
-    d = initial_state(t, p, candidate, s)
+    c = context_of(t, plan, problem[candidate], candidate, clock)
+    weights = weights_at(w, c.anchored)
+    d = initial_state(t, c.problem, candidate, s)
     while d.job != STOP:
         if d.job >= MOVE:
-            draw_proposals(t, m, weights, plan, anchored, p, candidate, d, 0, 1, s, drawn, drafted)
+            draw_proposals(t, m, weights, plan, c, d, 0, 1, s, drawn, drafted)
         x = JobResult()
         if d.job == GRADIENT:
-            x = find_gradient(t, m, weights, p, candidate, d, s)
+            x = find_gradient(t, m, weights, c, d, s)
         else:
-            x = rate_proposals(t, m, weights, plan, anchored, p, candidate, d, s, drawn, drafted, energy)
-        d = decide(t, plan, round_index, anchored, p, candidate, x, s, energy, d)
+            x = rate_proposals(t, m, weights, plan, c, d, s, drawn, drafted, energy)
+        d = transition(t, plan, c, x, s, energy, d)
     finish_round(candidate, d, s, total_out)

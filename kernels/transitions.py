@@ -1,9 +1,8 @@
-"""What comes of a job's proposals, and what the next job is.
+"""From one job of the search to the next: the result is applied, and the phase says what event it is.
 
 A move picks an object in proportion to its energy, and takes the best of some poses drawn for it by the Metropolis
 rule with a temperature that falls to zero. Walls and sides are discrete choices: wherever an object is looked at, its
-relations choose their best option. A round moves objects until nothing is at fault, then polishes what still is by
-gradient steps, and tidies up.
+relations choose their best option. What event leads to what is in `state_machine.TRANSITIONS`.
 """
 
 import warp as wp
@@ -14,34 +13,40 @@ from .energy import viewed_pose
 from .features import TURN
 from .geometry import FAR, wrap
 from .groups import members_end, redraw_surfaces, set_pose
-from .jobs import (
-    FINISHING,
+from .jobs import SOLVED, Context, JobResult, SearchState, single_body
+from .proposals import off_square
+from .starts import Plan
+from .state_machine import (
     GRADIENT,
+    GROUP_MOVED,
+    IN_ORDER,
     MOVE,
+    MOVES_SPENT,
     MOVING,
+    NO_JOB,
+    NOTHING_LEFT,
+    OBJECT_CHOSEN,
+    OFF_ANCHOR,
+    OFF_SQUARE,
     POLISHING,
-    RATE,
     RETURN,
-    SOLVED,
+    SLOPE_FOUND,
     SQUARE,
     STEP,
     STOP,
     SURVEY,
-    JobResult,
-    SearchState,
-    is_anchored,
-    single_body,
+    SURVEY_DUE,
+    SWEEPS_SPENT,
+    next_job,
+    next_phase,
 )
-from .proposals import off_square
-from .starts import Plan
-from .tables import FREE_YAW, Margins, State, TablesRef, View, Weights
-from .warp_primitives import warp_size
+from .tables import FREE_YAW, State, TablesRef, View
 
-wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
+wp.set_module_options({"enable_backward": False})
 
 LEAST_MOVES = wp.constant(16)  # of a round, however few objects there are
 ALMOST_SQUARE = wp.constant(0.2)  # [rad]
-STRIDE = wp.constant(0.3)  # [m] longest gradient step
+LONGEST_STEP = wp.constant(0.3)  # [m] along a gradient
 
 
 @wp.func
@@ -62,282 +67,260 @@ def pick_object(n: wp.int32, candidate: wp.int32, energy: wp.array2d(dtype=wp.fl
 
 
 @wp.func
-def next_object(
-    t: TablesRef,
-    o0: wp.int32,
-    n: wp.int32,
-    candidate: wp.int32,
-    energy: wp.array2d(dtype=wp.float32),
-    obj: wp.int32,
-    faulty: wp.bool,
-):
-    """The next free object after this one (of those with energy, if only faulty ones count); n at the end."""
+def next_object(t: TablesRef, c: Context, energy: wp.array2d(dtype=wp.float32), obj: wp.int32, faulty: wp.bool):
+    """The next free object after this one, of those with energy if only faulty ones count; ``c.objects`` at the end."""
     obj += 1
-    while obj < n and (item(t[0].object_free, o0 + obj) == 0 or (faulty and item(energy, candidate, obj) <= SOLVED)):
+    while obj < c.objects and (
+        item(t[0].object_free, c.first_object + obj) == 0 or (faulty and item(energy, c.candidate, obj) <= SOLVED)
+    ):
         obj += 1
     return obj
 
 
 @wp.func
-def initial_state(t: TablesRef, p: wp.int32, candidate: wp.int32, s: State):
-    """The state at the start of a round."""
-    for obj in range(item(t[0].object_start, p + 1) - item(t[0].object_start, p)):
-        s.mark[candidate, obj] = 0
-    d = SearchState()
-    d.job = SURVEY
-    d.phase = MOVING
-    d.cursor = -1
-    d.rng = item(s.stream, candidate, warp_size())
-    return d
+def movable_of(t: TablesRef, c: Context):
+    """How many roots may move, at least two; budgets are counted in these."""
+    return wp.max(item(t[0].movable, c.problem), 2)
 
 
 @wp.func
-def apply_move(t: TablesRef, p: wp.int32, n: wp.int32, candidate: wp.int32, d: SearchState, view: View, s: State):
-    """Move the objects of a move to where a view sees them."""
+def apply_move(t: TablesRef, c: Context, x: JobResult, d: SearchState, s: State):
+    """Put the objects of a move where its best proposal has them."""
+    view = View()
+    view.stamp = d.stamp
+    view.draft = x.draft
+    view.before = item(s.poses, c.candidate, d.obj)
+    view.after = x.pose
+    turned = view.after[3] - view.before[3]
+    view.spin = wp.vec2(wp.cos(turned), wp.sin(turned))
     for k in range(d.first, d.last):
         obj = item(t[0].group, k)
-        pose, _q = viewed_pose(s, candidate, obj, view)
-        set_pose(s, candidate, obj, pose)
-        if crowded(n, s):
-            change_cell(t, p, candidate, obj, s)
+        pose, _q = viewed_pose(s, c.candidate, obj, view)
+        set_pose(s, c.candidate, obj, pose)
+        if crowded(c.objects, s):
+            change_cell(t, c.problem, c.candidate, obj, s)
 
 
 @wp.func
-def decide(
+def apply_result(
     t: TablesRef,
     plan: Plan,
-    round_index: wp.int32,
-    anchored: wp.bool,
-    p: wp.int32,
-    candidate: wp.int32,
+    c: Context,
     x: JobResult,
     s: State,
     energy: wp.array2d(dtype=wp.float32),
     d: SearchState,
 ):
-    """Act on a job's result, and choose the next job: the state after it."""
-    o0 = item(t[0].object_start, p)
-    n = item(t[0].object_start, p + 1) - o0
-    movable = wp.max(item(t[0].movable, p), 2)
-    moves = wp.max(plan.moves * movable, LEAST_MOVES)
-    refresh = wp.max(4, movable // 2)
-    done = int(d.job)
-
-    # What comes of it.
+    """Take in the result of the job that was done: the state after it, and whether something has moved."""
+    movable = movable_of(t, c)
     moved = bool(False)
-    if done == SURVEY:
+    if d.job == SURVEY:
         d.total = x.share
         hard = x.share - x.soft
         if d.phase == MOVING:
             if hard <= SOLVED:
-                d.soft_moves += refresh
-                if x.soft <= SOLVED or d.soft_moves > plan.soft_moves * movable or anchored:
+                d.soft_moves += wp.max(4, movable // 2)
+                if x.soft <= SOLVED or d.soft_moves > plan.soft_moves * movable or c.anchored:
                     d.solved = 1
         else:
-            d.solved = wp.where(x.share <= SOLVED or (anchored and hard <= SOLVED), 1, 0)
-    elif done == GRADIENT:
+            d.solved = wp.where(x.share <= SOLVED or (c.anchored and hard <= SOLVED), 1, 0)
+    elif d.job == GRADIENT:
         d.base = x.base
-    elif done == MOVE:
+    elif d.job == MOVE:
         moved = x.least < x.base + d.threshold
         if moved:
-            energy[candidate, d.obj] = x.rating
-    elif done == STEP:
+            energy[c.candidate, d.obj] = x.rating
+    elif d.job == STEP:
         moved = x.least < d.base
-    elif done == SQUARE:
+    elif d.job == SQUARE:
         moved = x.index == 0
-    elif done == RETURN:
+    elif d.job == RETURN:
         moved = x.least < FAR
     if moved:
-        view = View()
-        view.stamp = d.stamp
-        view.draft = x.draft
-        view.before = item(s.poses, candidate, d.obj)
-        view.after = x.pose
-        turned = view.after[3] - view.before[3]
-        view.spin = wp.vec2(wp.cos(turned), wp.sin(turned))
-        apply_move(t, p, n, candidate, d, view, s)
+        apply_move(t, c, x, d, s)
+    return d, moved
 
-    # What next.
-    d.job = STOP
-    if d.phase == MOVING:
-        if plan.rates != 0 and done == MOVE and moved and d.last > members_end(t, o0 + d.obj):
-            d.job = RATE
-        elif d.solved != 0:
-            d.phase = FINISHING
-        elif done != SURVEY and d.move % refresh == 0:
-            d.job = SURVEY
-        elif d.move >= moves:
-            d.phase = POLISHING
-        else:
-            rng = d.rng
-            chosen = pick_object(n, candidate, energy, wp.randf(rng))
-            if chosen < 0 and plan.rates == 0 and done != SURVEY:  # what went along with a move was not rated
-                d.job = SURVEY
-            elif chosen < 0:  # nothing that is free to move is at fault
-                d.phase = FINISHING
-            else:
-                d.job = MOVE
-                whole = bool(False)
-                u = wp.randf(rng)
-                v = wp.randf(rng)
-                parent = item(t[0].object_parent, o0 + chosen)
-                if parent >= 0 and u < wp.where(anchored, 0.1, 0.25):
-                    chosen = parent
-                    whole = True
-                elif v < plan.whole:
-                    whole = True
-                d.obj = chosen
-                d.first = item(t[0].group_start, o0 + chosen)
-                d.last = item(t[0].group_start, o0 + chosen + 1)
-                if not whole:
-                    d.last = members_end(t, o0 + chosen)
-                level = 1.0 - (float(round_index) + float(d.move) / float(moves)) / float(plan.rounds)
-                d.scale = 0.4 * level
-                d.threshold = 0.0
-                if d.soft_moves == 0:
-                    temperature = wp.where(anchored, plan.anchored_temperature, plan.temperature)
-                    d.threshold = -temperature * level * level * wp.log(wp.randf(rng) + 1.0e-9)
-                d.seed = int(2.0e9 * wp.randf(rng))
-                d.draft = 0
-                if t[0].pool_size > 0:
-                    if item(t[0].surface_start, o0 + chosen + 1) > item(t[0].surface_start, o0 + chosen):
-                        d.draft = 1
-                d.move += 1
-            d.rng = rng
-    if d.phase == POLISHING:
-        d.threshold = 0.0
-        arm = 0.3 * item(t[0].object_radius, o0 + d.obj)[0] + 0.05
-        g = x.gradient
-        scaled = wp.vec4(g[0], g[1], g[2], g[3] / (arm * arm))
-        gg = wp.dot(g, scaled)
-        if done == SURVEY and d.solved != 0:
-            d.phase = FINISHING
-            d.cursor = -1
-        elif done == GRADIENT and d.base > SOLVED and gg > 1.0e-12:
-            d.job = STEP
-            size = 1.8 * d.base / gg
-            reach = size * wp.sqrt(wp.dot(scaled, wp.vec4(g[0], g[1], g[2], arm * arm * scaled[3])))
-            if reach > STRIDE:
-                size = size * STRIDE / reach
-            d.step = -size * scaled
-        elif d.sweep < plan.polish:
-            d.job = GRADIENT
-            d.cursor = next_object(t, o0, n, candidate, energy, d.cursor, True)
-            if d.cursor < n:
-                d.obj = d.cursor
-            else:
-                d.job = SURVEY
-                d.cursor = -1
-                d.sweep += 1
-        elif done != SURVEY:  # the round ends with what it came to
-            d.job = SURVEY
-    if d.phase == FINISHING:
-        d.threshold = 0.0
-        d.job = STOP
-        walled = item(t[0].plane_start, p + 1) > item(t[0].plane_start, p)
-        while d.job == STOP and d.finishing_passes <= wp.where(
-            anchored, 1, 0
-        ):  # what goes back may clear the way for another
-            d.cursor = next_object(t, o0, n, candidate, energy, d.cursor, False)
-            if d.cursor >= n:
-                d.cursor = -1
-                d.finishing_passes += 1
-            else:
-                d.obj = d.cursor
-                pose = item(s.poses, candidate, d.obj)
-                if anchored:
-                    back = item(s.anchors, candidate, d.obj) - pose
-                    back[3] = wrap(back[3], TURN)
-                    if wp.dot(back, back) > 1.0e-12:
-                        d.job = RETURN
-                elif item(t[0].object_free, o0 + d.obj) & FREE_YAW and walled:
-                    off = wp.abs(off_square(t, p, pose))
-                    if off > 1.0e-6 and off < ALMOST_SQUARE:
-                        d.job = SQUARE
-    if d.job >= MOVE and d.job != STOP:
-        if d.job != MOVE:
-            first, last = single_body(t, o0 + d.obj)
-            d.first = first
-            d.last = last
-            d.draft = 0
-        d.stamp += 1
-        for k in range(d.first, d.last):
-            i = item(t[0].group, k)
-            carried = item(t[0].object_root, o0 + i) == d.obj
-            s.mark[candidate, i] = wp.where(carried, -d.stamp, d.stamp)
-            if d.draft != 0:
-                s.draft[candidate, i] = item(s.poses, candidate, i)
-        if d.draft != 0:
-            rng = d.rng
-            redraw_surfaces(t, p, d.obj, candidate, int(1.0e9 * wp.randf(rng)), s.draft)
-            d.rng = rng
+
+@wp.func
+def choose_move(t: TablesRef, plan: Plan, c: Context, moves: wp.int32, chosen: wp.int32, d: SearchState):
+    """Set up the move of an object: who goes along, how near the proposals are and what they may cost."""
+    rng = d.rng
+    whole = bool(False)
+    u = wp.randf(rng)
+    v = wp.randf(rng)
+    parent = item(t[0].object_parent, c.first_object + chosen)
+    if parent >= 0 and u < wp.where(c.anchored, 0.1, 0.25):
+        chosen = parent
+        whole = True
+    elif v < plan.whole:
+        whole = True
+    o = c.first_object + chosen
+    d.obj = chosen
+    d.first = item(t[0].group_start, o)
+    d.last = item(t[0].group_start, o + 1)
+    if not whole:
+        d.last = members_end(t, o)
+    level = 1.0 - (float(c.round) + float(d.move) / float(moves)) / float(plan.rounds)
+    d.scale = 0.4 * level
+    d.threshold = 0.0
+    if d.soft_moves == 0:
+        temperature = wp.where(c.anchored, plan.anchored_temperature, plan.temperature)
+        d.threshold = -temperature * level * level * wp.log(wp.randf(rng) + 1.0e-9)
+    d.seed = int(2.0e9 * wp.randf(rng))
+    d.draft = 0
+    if t[0].pool_size > 0 and item(t[0].surface_start, o + 1) > item(t[0].surface_start, o):
+        d.draft = 1
+    d.move += 1
+    d.rng = rng
     return d
 
 
 @wp.func
-def finish_round(candidate: wp.int32, d: SearchState, s: State, total_out: wp.array(dtype=wp.float32)):
-    """The end of a round."""
-    total_out[candidate] = d.total
-    s.stream[candidate, warp_size()] = d.rng
-
-
-@wp.kernel
-def start_rounds(
-    # Problem:
+def moving_event(
     t: TablesRef,
-    m: Margins,
-    w: Weights,
     plan: Plan,
-    problem: wp.array(dtype=wp.int32),
-    # State in:
-    active: wp.array(dtype=wp.int32),
-    # State in and out:
-    s: State,
-    # State out:
-    search_state_out: wp.array(dtype=SearchState),
-    busy_out: wp.array(dtype=wp.int32),
+    c: Context,
+    done: wp.int32,
+    moved: wp.bool,
+    energy: wp.array2d(dtype=wp.float32),
+    d: SearchState,
 ):
-    """Start a round of every active candidate; the others have nothing to do."""
-    candidate = wp.tid()
-    if candidate == 0:
-        busy_out[0] = 1
-    d = SearchState()
-    d.job = STOP
-    if active[candidate] != 0:
-        d = initial_state(t, problem[candidate], candidate, s)
-    search_state_out[candidate] = d
+    """What comes next while objects move: the state, and the event."""
+    movable = movable_of(t, c)
+    moves = wp.max(plan.moves * movable, LEAST_MOVES)
+    event = int(IN_ORDER)
+    if plan.rates != 0 and done == MOVE and moved and d.last > members_end(t, c.first_object + d.obj):
+        event = GROUP_MOVED
+    elif d.solved == 0:
+        if done != SURVEY and d.move % wp.max(4, movable // 2) == 0:
+            event = SURVEY_DUE
+        elif d.move >= moves:
+            event = MOVES_SPENT
+        else:
+            rng = d.rng
+            chosen = pick_object(c.objects, c.candidate, energy, wp.randf(rng))
+            d.rng = rng
+            if chosen >= 0:
+                event = OBJECT_CHOSEN
+                d = choose_move(t, plan, c, moves, chosen, d)
+            elif plan.rates == 0 and done != SURVEY:  # what went along with a move was not rated
+                event = SURVEY_DUE
+    return d, event
 
 
-@wp.kernel
-def advance(
-    # Problem:
+@wp.func
+def polishing_event(
     t: TablesRef,
-    m: Margins,
-    w: Weights,
     plan: Plan,
-    problem: wp.array(dtype=wp.int32),
-    # State in:
-    clock: wp.array(dtype=wp.int32),
-    result: wp.array(dtype=JobResult),
-    # State in and out:
+    c: Context,
+    done: wp.int32,
+    g: wp.vec4,
+    energy: wp.array2d(dtype=wp.float32),
+    d: SearchState,
+):
+    """What comes next while objects take gradient steps, g is the gradient last found: the state, and the event."""
+    arm = 0.3 * item(t[0].object_radius, c.first_object + d.obj)[0] + 0.05
+    scaled = wp.vec4(g[0], g[1], g[2], g[3] / (arm * arm))
+    gg = wp.dot(g, scaled)
+    event = int(SWEEPS_SPENT)
+    if done == SURVEY and d.solved != 0:
+        event = IN_ORDER
+    elif done == GRADIENT and d.base > SOLVED and gg > 1.0e-12:
+        event = SLOPE_FOUND
+        size = 1.8 * d.base / gg
+        reach = size * wp.sqrt(wp.dot(scaled, wp.vec4(g[0], g[1], g[2], arm * arm * scaled[3])))
+        if reach > LONGEST_STEP:
+            size = size * LONGEST_STEP / reach
+        d.step = -size * scaled
+    elif d.sweep < plan.polish:
+        event = OBJECT_CHOSEN
+        d.cursor = next_object(t, c, energy, d.cursor, True)
+        if d.cursor < c.objects:
+            d.obj = d.cursor
+        else:
+            event = SURVEY_DUE
+            d.cursor = -1
+            d.sweep += 1
+    elif done != SURVEY:  # the round ends with what it came to
+        event = SURVEY_DUE
+    return d, event
+
+
+@wp.func
+def finishing_event(t: TablesRef, c: Context, s: State, energy: wp.array2d(dtype=wp.float32), d: SearchState):
+    """What comes next while objects go back or square up: the state, and the event."""
+    walled = item(t[0].plane_start, c.problem + 1) > item(t[0].plane_start, c.problem)
+    event = int(NOTHING_LEFT)
+    passes = wp.where(c.anchored, 1, 0)  # what goes back may clear the way for another
+    while event == NOTHING_LEFT and d.finishing_passes <= passes:
+        d.cursor = next_object(t, c, energy, d.cursor, False)
+        if d.cursor >= c.objects:
+            d.cursor = -1
+            d.finishing_passes += 1
+        else:
+            d.obj = d.cursor
+            pose = item(s.poses, c.candidate, d.obj)
+            if c.anchored:
+                back = item(s.anchors, c.candidate, d.obj) - pose
+                back[3] = wrap(back[3], TURN)
+                if wp.dot(back, back) > 1.0e-12:
+                    event = OFF_ANCHOR
+            elif item(t[0].object_free, c.first_object + d.obj) & FREE_YAW and walled:
+                off = wp.abs(off_square(t, c.problem, pose))
+                if off > 1.0e-6 and off < ALMOST_SQUARE:
+                    event = OFF_SQUARE
+    return d, event
+
+
+@wp.func
+def mark_movers(t: TablesRef, c: Context, s: State, d: SearchState):
+    """Mark the objects that the next job moves, and lay out their surfaces anew where it may take such a draft."""
+    if d.job != MOVE:
+        first, last = single_body(t, c.first_object + d.obj)
+        d.first = first
+        d.last = last
+        d.draft = 0
+    d.stamp += 1
+    for k in range(d.first, d.last):
+        i = item(t[0].group, k)
+        carried = item(t[0].object_root, c.first_object + i) == d.obj
+        s.mark[c.candidate, i] = wp.where(carried, -d.stamp, d.stamp)
+        if d.draft != 0:
+            s.draft[c.candidate, i] = item(s.poses, c.candidate, i)
+    if d.draft != 0:
+        rng = d.rng
+        redraw_surfaces(t, c.problem, d.obj, c.candidate, int(1.0e9 * wp.randf(rng)), s.draft)
+        d.rng = rng
+    return d
+
+
+@wp.func
+def transition(
+    t: TablesRef,
+    plan: Plan,
+    c: Context,
+    x: JobResult,
     s: State,
     energy: wp.array2d(dtype=wp.float32),
-    search_state: wp.array(dtype=SearchState),
-    # State out:
-    total_out: wp.array(dtype=wp.float32),
-    busy_out: wp.array(dtype=wp.int32),
+    d: SearchState,
 ):
-    """Act on the result of every candidate's job and choose its next. ``busy_out`` becomes 1 if any has one."""
-    candidate = wp.tid()
-    d = search_state[candidate]
-    if d.job == STOP:
-        return
-    round_index = clock[0] % plan.rounds
-    d = decide(
-        t, plan, round_index, is_anchored(plan, clock), problem[candidate], candidate, result[candidate], s, energy, d
-    )
-    search_state[candidate] = d
-    if d.job == STOP:
-        finish_round(candidate, d, s, total_out)
-    else:
-        busy_out[0] = 1
+    """Apply a job's result and choose the next job: the state after it."""
+    done = int(d.job)
+    d, moved = apply_result(t, plan, c, x, s, energy, d)
+    d.job = NO_JOB
+    while d.job == NO_JOB:
+        event = int(NOTHING_LEFT)
+        if d.phase == MOVING:
+            d, event = moving_event(t, plan, c, done, moved, energy, d)
+        elif d.phase == POLISHING:
+            d, event = polishing_event(t, plan, c, done, x.gradient, energy, d)
+        else:
+            d, event = finishing_event(t, c, s, energy, d)
+        d.job = next_job(d.phase, event)
+        d.phase = next_phase(d.phase, event)
+        if d.job == NO_JOB:  # a phase begins
+            d.cursor = -1
+            d.threshold = 0.0
+    if d.job >= MOVE and d.job != STOP:
+        d = mark_movers(t, c, s, d)
+    return d

@@ -12,10 +12,10 @@ from sceneweaver.kernels.bookkeeping import advance_clock, check_continue, keep_
 from sceneweaver.kernels.cells import CELLS, CROWD, enter_cells
 from sceneweaver.kernels.jobs import BACK_STEPS, JobResult, SearchState
 from sceneweaver.kernels.proposals import draw, rate, take_gradients
+from sceneweaver.kernels.rounds import advance, start_rounds
 from sceneweaver.kernels.search import search
 from sceneweaver.kernels.starts import Plan, start_attempt
 from sceneweaver.kernels.tables import State
-from sceneweaver.kernels.transitions import advance, start_rounds
 
 from .base import Monitor, OptimizerResult, Start, register
 from .batch import STATE, Batch, judge, launch_verdict, new_device_verdict, threads_per_candidate
@@ -143,7 +143,7 @@ class Rounds:
         wp.launch(kernel, dim, [*self.common, *inputs], outputs, device=self.batch.device, block_dim=block)
 
 
-@register("search", modules=("starts", "cells", "search"), on_gpu=("starts", "cells", "transitions", "proposals"))
+@register("search", modules=("starts", "cells", "search"), on_gpu=("starts", "cells", "rounds", "proposals"))
 def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
     """Search every candidate until it is valid; ``budget`` is the number of attempts (default 10, on a
     GPU, whose attempts are shorter, 40).

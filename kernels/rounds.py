@@ -1,0 +1,93 @@
+"""Rounds of the search job by job, as a GPU goes through them: their start, and a transition after every job."""
+
+import warp as wp
+
+from .array_access import item
+from .jobs import JobResult, SearchState, context_of
+from .starts import Plan
+from .state_machine import MOVING, STOP, SURVEY
+from .tables import Margins, State, TablesRef, Weights
+from .transitions import transition
+from .warp_primitives import warp_size
+
+wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
+
+
+@wp.func
+def initial_state(t: TablesRef, p: wp.int32, candidate: wp.int32, s: State):
+    """The state at the start of a round."""
+    for obj in range(item(t[0].object_start, p + 1) - item(t[0].object_start, p)):
+        s.mark[candidate, obj] = 0
+    d = SearchState()
+    d.job = SURVEY
+    d.phase = MOVING
+    d.cursor = -1
+    d.rng = item(s.stream, candidate, warp_size())
+    return d
+
+
+@wp.func
+def finish_round(candidate: wp.int32, d: SearchState, s: State, total_out: wp.array(dtype=wp.float32)):
+    """The end of a round."""
+    total_out[candidate] = d.total
+    s.stream[candidate, warp_size()] = d.rng
+
+
+@wp.kernel
+def start_rounds(
+    # Problem:
+    t: TablesRef,
+    m: Margins,
+    w: Weights,
+    plan: Plan,
+    problem: wp.array(dtype=wp.int32),
+    # State in:
+    active: wp.array(dtype=wp.int32),
+    # State in and out:
+    s: State,
+    # State out:
+    search_state_out: wp.array(dtype=SearchState),
+    busy_out: wp.array(dtype=wp.int32),
+):
+    """Start a round of every active candidate; the others have nothing to do."""
+    candidate = wp.tid()
+    if candidate == 0:
+        busy_out[0] = 1
+    d = SearchState()
+    d.job = STOP
+    if active[candidate] != 0:
+        d = initial_state(t, problem[candidate], candidate, s)
+    search_state_out[candidate] = d
+
+
+@wp.kernel
+def advance(
+    # Problem:
+    t: TablesRef,
+    m: Margins,
+    w: Weights,
+    plan: Plan,
+    problem: wp.array(dtype=wp.int32),
+    # State in:
+    clock: wp.array(dtype=wp.int32),
+    result: wp.array(dtype=JobResult),
+    # State in and out:
+    s: State,
+    energy: wp.array2d(dtype=wp.float32),
+    search_state: wp.array(dtype=SearchState),
+    # State out:
+    total_out: wp.array(dtype=wp.float32),
+    busy_out: wp.array(dtype=wp.int32),
+):
+    """Apply the result of every candidate's job and choose its next. ``busy_out`` becomes 1 if any has one."""
+    candidate = wp.tid()
+    d = search_state[candidate]
+    if d.job == STOP:
+        return
+    c = context_of(t, plan, problem[candidate], candidate, clock)
+    d = transition(t, plan, c, result[candidate], s, energy, d)
+    search_state[candidate] = d
+    if d.job == STOP:
+        finish_round(candidate, d, s, total_out)
+    else:
+        busy_out[0] = 1
