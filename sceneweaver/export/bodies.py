@@ -13,6 +13,7 @@ import numpy as np
 
 from sceneweaver.assets import Asset, Material, Mesh
 from sceneweaver.assets.materials import color_named, finish, tinted
+from sceneweaver.geometry.prisms import prism_mesh
 from sceneweaver.scene import InputError, Part, Scene, SceneObject
 
 Load = Callable[[str], Asset]
@@ -66,22 +67,12 @@ def bodies_of(scene: Scene, load: Load | None = None, missing: Missing = "error"
 
 def prisms(parts: Sequence[Part], material: Material) -> Mesh:
     """The mesh of convex prisms: each one a closed piece of its own."""
-    vertices: list[np.ndarray] = []
-    faces: list[np.ndarray] = []
-    start = 0
-    for part in parts:
-        plan = np.asarray(part.polygon, dtype=float)
-        n = len(plan)
-        vertices += [np.column_stack([plan, np.full(n, z)]) for z in part.z]
-        fan = np.array([(0, k, k + 1) for k in range(1, n - 1)])
-        ring = np.arange(n)
-        after = (ring + 1) % n
-        walls = np.concatenate([np.stack([ring, after, after + n], 1), np.stack([ring, after + n, ring + n], 1)])
-        faces.append(np.concatenate([fan[:, ::-1], fan + n, walls]) + start)
-        start += 2 * n
+    pieces = [prism_mesh(part.polygon, part.z) for part in parts]
+    starts = np.cumsum([0, *(len(vertices) for vertices, _ in pieces)])
+    faces = [own + start for (_, own), start in zip(pieces, starts, strict=False)]
     triangles = np.concatenate(faces).astype(np.int32)
     zeros = np.zeros(len(triangles), dtype=np.int32)
-    return Mesh(np.concatenate(vertices), triangles, zeros, zeros, (material,))
+    return Mesh(np.concatenate([vertices for vertices, _ in pieces]), triangles, zeros, zeros, (material,))
 
 
 def _body(index: int, thing: SceneObject, load: Load, missing: Missing) -> Body:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sceneweaver.geometry.hulls import hull_faces
 from sceneweaver.physics.hulls import Solid
 
 
@@ -59,14 +60,8 @@ def _second_moments(solid: Solid) -> tuple[np.ndarray, np.ndarray]:
 def triangles(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """A point [3] within the convex hull of ``points`` [V, 3], and the hull's triangles [F, 3, 3], seen from outside
     counter-clockwise."""
-    from scipy.spatial import ConvexHull
-
-    hull = ConvexHull(points)
-    within = points[hull.vertices].mean(axis=0)
-    fans = points[hull.simplices]
-    inward = np.linalg.det(fans - within) < 0
-    fans[inward] = fans[inward][:, ::-1]
-    return within, fans
+    faces = hull_faces(points)
+    return points[np.unique(faces)].mean(axis=0), points[faces]
 
 
 __all__ = ["Inertia", "inertia_of", "triangles"]

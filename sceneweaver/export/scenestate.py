@@ -23,13 +23,15 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.assets import Material
-from sceneweaver.scene import InputError, Room, Scene, SceneObject
+from sceneweaver.geometry.rotations import matrix, multiply
+from sceneweaver.geometry.shell import FLOOR_THICKNESS, WALL_THICKNESS, heights
+from sceneweaver.scene import Door, InputError, Room, Scene, SceneObject, Window
 
 from .bodies import Body, Load, Missing, bodies_of
 from .folder import fill, move, staged
 from .glb import model_bytes
 from .models import model_of, with_mesh
-from .room import FLOOR, FLOOR_THICKNESS, WALL, WALL_THICKNESS
+from .room import FLOOR, WALL
 
 SOURCE = "sceneweaver"
 """The asset source: what stands before the dot of a model id."""
@@ -124,15 +126,15 @@ def _object(scene: Scene, index: int, body: Body) -> dict[str, Any]:
 
 def _transform(thing: SceneObject, scale: Sequence[float]) -> dict[str, Any]:
     """From the model's frame to the scene's: as a matrix, and as what it is made of (first scale, then rotation)."""
-    turn = _rotation(thing.pose.quaternion)
-    matrix = np.eye(4)
-    matrix[:3, :3] = turn @ np.diag(scale) @ _MODEL
-    matrix[:3, 3] = thing.pose.position
+    turn = matrix(thing.pose.quaternion)
+    to_scene = np.eye(4)
+    to_scene[:3, :3] = turn @ np.diag(scale) @ _MODEL
+    to_scene[:3, 3] = thing.pose.position
     return {
         "rows": 4,
         "cols": 4,
-        "data": matrix.T.reshape(-1).tolist(),
-        "rotation": _times(thing.pose.quaternion, _MODEL_QUATERNION),
+        "data": to_scene.T.reshape(-1).tolist(),
+        "rotation": list(multiply(thing.pose.quaternion, _MODEL_QUATERNION)),
         "translation": list(thing.pose.position),
         "scale": [scale[1], scale[2], scale[0]],
     }
@@ -140,7 +142,7 @@ def _transform(thing: SceneObject, scale: Sequence[float]) -> dict[str, Any]:
 
 def _box(thing: SceneObject) -> dict[str, list[float]]:
     """The object's box in the scene: centre, full lengths, and its front, left and up axes, one after the other."""
-    turn = _rotation(thing.pose.quaternion)
+    turn = matrix(thing.pose.quaternion)
     centre = np.asarray(thing.pose.position) + turn[:, 2] * thing.size[2] / 2
     return {
         "centroid": centre.tolist(),
@@ -150,22 +152,21 @@ def _box(thing: SceneObject) -> dict[str, list[float]]:
 
 
 def _arch(name: str, room: Room) -> dict[str, Any]:
-    n, elements = len(room.outline), []
+    elements: list[dict[str, Any]] = []
     for kind, z, depth in (("Floor", 0.0, FLOOR_THICKNESS), ("Ceiling", room.height, FLOOR_THICKNESS)):
         made = {"id": f"room|{kind.lower()}", "type": kind, "roomId": "room", "depth": depth}
         look = [{"name": "surface", "diffuse": _hex(FLOOR if kind == "Floor" else WALL)}]
         elements.append(made | {"points": [[x, y, z] for x, y in room.outline], "materials": look})
-    for k in range(n):
-        (ax, ay), (bx, by) = room.outline[k], room.outline[(k + 1) % n]
+    for wall in room.walls:
         elements.append(
             {
-                "id": f"room|wall|{k}",
+                "id": f"room|wall|{wall.index}",
                 "type": "Wall",
                 "roomId": "room",
                 "height": room.height,
                 "depth": WALL_THICKNESS,
-                "points": [[ax, ay, 0.0], [bx, by, 0.0]],
-                "holes": _holes(room, k),
+                "points": [[*wall.start, 0.0], [*wall.end, 0.0]],
+                "holes": [_hole(o) for o in room.openings_of(wall.index)],
                 "materials": [{"name": side, "diffuse": _hex(WALL)} for side in ("inside", "outside")],
             }
         )
@@ -182,17 +183,14 @@ def _arch(name: str, room: Room) -> dict[str, Any]:
             "Floor": {"depth": FLOOR_THICKNESS},
         },
         "elements": elements,
-        "regions": [{"id": "room", "type": room.type, "walls": list(range(2, n + 2))}],
+        "regions": [{"id": "room", "type": room.type, "walls": list(range(2, len(elements)))}],
     }
 
 
-def _holes(room: Room, wall: int) -> list[dict[str, Any]]:
-    found = [(d.id, "Door", d.offset, d.width, 0.0, d.height) for d in room.doors if d.wall == wall]
-    found += [(w.id, "Window", w.offset, w.width, w.sill, w.height) for w in room.windows if w.wall == wall]
-    return [
-        {"id": id, "type": kind, "box": {"min": [along, up], "max": [along + width, up + height]}}
-        for id, kind, along, width, up, height in found
-    ]
+def _hole(opening: Door | Window) -> dict[str, Any]:
+    low, high = heights(opening)
+    box = {"min": [opening.offset, low], "max": [opening.offset + opening.width, high]}
+    return {"id": opening.id, "type": "Door" if isinstance(opening, Door) else "Window", "box": box}
 
 
 def _model_files(bodies: Sequence[Body]) -> dict[str, bytes]:
@@ -205,24 +203,6 @@ def _model_files(bodies: Sequence[Body]) -> dict[str, bytes]:
         files[f"{stem}/{model.name}.glb"] = model_bytes(model.mesh, model.name)
         files[f"{stem}/data.json"] = (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode()
     return files
-
-
-def _rotation(quaternion: Sequence[float]) -> np.ndarray:
-    """The rotation matrix [3, 3] of a unit quaternion x, y, z, w."""
-    x, y, z, w = quaternion
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-        ]
-    )
-
-
-def _times(a: Sequence[float], b: Sequence[float]) -> list[float]:
-    """The product of two quaternions x, y, z, w: first b, then a."""
-    u, v = np.asarray(a[:3]), np.asarray(b[:3])
-    return [*(a[3] * v + b[3] * u + np.cross(u, v)).tolist(), float(a[3] * b[3] - u @ v)]
 
 
 def _hex(material: Material) -> str:

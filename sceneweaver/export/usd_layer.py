@@ -9,6 +9,8 @@ from typing import Any, Literal
 
 import numpy as np
 
+from sceneweaver.geometry.rotations import wxyz
+
 Prim = Any
 """A ``pxr.Sdf.PrimSpec``."""
 
@@ -108,8 +110,7 @@ def triple(values: Sequence[float] | np.ndarray) -> tuple[float, float, float]:
 
 def rotation(type: Literal["Quatf", "Quatd"], quaternion: Sequence[float]) -> Any:
     """A quaternion (x, y, z, w) as a value of that type; USD has its real part first."""
-    x, y, z, w = (float(v) for v in quaternion)
-    return getattr(usd().Gf, type)(w, x, y, z)
+    return getattr(usd().Gf, type)(*map(float, wxyz(quaternion)))
 
 
 def vectors(values: np.ndarray) -> Any:

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from sceneweaver.assets import Mesh
+from sceneweaver.geometry.hulls import hull_faces
 from sceneweaver.physics.hulls import Solid
 
 from .usd_layer import Prim, attribute, integers, prim, triple, vectors
@@ -70,18 +71,6 @@ def box_collider(parent: Prim, name: str, center: np.ndarray, half: np.ndarray, 
     looks.rub(made, friction)
 
 
-def hull_faces(points: np.ndarray) -> np.ndarray:
-    """Triangles [F, 3] of the convex hull of points [V, 3], counter-clockwise seen from outside."""
-    from scipy.spatial import ConvexHull
-
-    hull = ConvexHull(points)
-    faces = hull.simplices.copy()
-    a, b, c = (points[faces[:, k]] for k in range(3))
-    inward = np.einsum("ij,ij->i", np.cross(b - a, c - a), hull.equations[:, :3]) < 0
-    faces[inward] = faces[inward][:, ::-1]
-    return faces
-
-
 def corner_normals(points: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Unit normals [N, 3], and which of them each corner has [3 F], face by face.
 
@@ -134,4 +123,4 @@ def _shape(made: Prim, points: np.ndarray, faces: np.ndarray) -> None:
     attribute(made, "subdivisionScheme", "Token", "none", uniform=True)
 
 
-__all__ = ["box_collider", "collider", "corner_normals", "hull_faces", "render_mesh"]
+__all__ = ["box_collider", "collider", "corner_normals", "render_mesh"]

@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from sceneweaver.assets import Material, Mesh
-from sceneweaver.physics.leaves import WALL, Leaf, leaves, wall_ends
+from sceneweaver.geometry.rotations import Quaternion, from_yaw
+from sceneweaver.geometry.shell import PANE_THICKNESS, WALL_THICKNESS, heights, wall_pieces
+from sceneweaver.geometry.walls import Wall
+from sceneweaver.physics.leaves import Leaf, leaves, wall_ends
 from sceneweaver.scene import Part, Room
 
 from .bodies import prisms
-from .room import floor_mesh, openings, wall_mesh
+from .room import floor_mesh, wall_mesh
 from .usd_bodies import Hinge, Solids, filter_pair, join, rigid, weld
 from .usd_layer import Names, Prim, apply, attribute, label, place, prim, rotation
 from .usd_looks import Looks
 from .usd_mesh import box_collider, render_mesh
 
 _DEEP = 0.5  # [m] of the floor's collider: nothing falls through it in one step
-_PANE = 0.01  # [m] thickness of a window pane
 _GLASS = Material("window glass", (0.86, 0.93, 0.95), roughness=0.05, opacity=0.2)
 _LEAF = Material("door leaf", (0.82, 0.74, 0.62), roughness=0.6, texture="wood")
 _HANDLE = Material("door handle", (0.62, 0.62, 0.63), roughness=0.35, metallic=1.0)
@@ -38,9 +39,9 @@ def add_room(parent: Prim, room: Room, looks: Looks) -> list[Solids]:
         for window in room.windows:
             made = prim(windows, names(window.id), kind="component", displayName=window.id)
             label(made, "window")
-            place(made, *wall_pose(room, window.wall))
-            low, high = window.offset, window.offset + window.width
-            _slab(made, "Pane", (low, high, window.sill, window.sill + window.height), _PANE, looks)
+            place(made, *wall_pose(room.walls[window.wall]))
+            span = (window.offset, window.offset + window.width, *heights(window))
+            _slab(made, "Pane", span, PANE_THICKNESS, looks)
     found = leaves(room)
     if not found:
         return []
@@ -53,36 +54,22 @@ def add_room(parent: Prim, room: Room, looks: Looks) -> list[Solids]:
     return moving
 
 
-def wall_pose(room: Room, wall: int) -> tuple[tuple[float, float, float], tuple[float, float, float, float]]:
+def wall_pose(wall: Wall) -> tuple[tuple[float, float, float], Quaternion]:
     """Frame of a wall: at its first corner, +x along it, +y into the room; the quaternion is (x, y, z, w)."""
-    (ax, ay), (bx, by) = room.outline[wall], room.outline[(wall + 1) % len(room.outline)]
-    half = math.atan2(by - ay, bx - ax) / 2
-    return (ax, ay, 0.0), (0.0, 0.0, math.sin(half), math.cos(half))
+    return (*wall.start, 0.0), from_yaw(wall.yaw)
 
 
 def wall_boxes(room: Room, wall: int) -> Iterator[Range]:
     """The solid of a wall around its openings as boxes: from and to along it, from and to in height [m]."""
-    (ax, ay), (bx, by) = room.outline[wall], room.outline[(wall + 1) % len(room.outline)]
-    length = math.hypot(bx - ax, by - ay)
-    holes = [(at, at + wide, low, min(high, room.height)) for at, wide, low, high in openings(room, wall)]
-    cuts = sorted({*wall_ends(room, wall), *(min(max(x, 0.0), length) for h in holes for x in h[:2])})
-    for low, high in zip(cuts, cuts[1:], strict=False):
-        if high - low < 1e-6:
-            continue
-        z = 0.0
-        for bottom, top in sorted(h[2:] for h in holes if h[0] < (low + high) / 2 < h[1]):
-            if bottom - z > 1e-6:
-                yield low, high, z, bottom
-            z = max(z, top)
-        if room.height - z > 1e-6:
-            yield low, high, z, room.height
+    pieces = wall_pieces(room.walls[wall].length, room.openings_of(wall), room.height, wall_ends(room, wall))
+    return ((*span, *z) for span, z, opening in pieces if opening is None)
 
 
 def _floor(parent: Prim, room: Room, looks: Looks) -> None:
     made = prim(parent, "Floor", kind="component")
     label(made, "floor")
     render_mesh(made, "Mesh", floor_mesh(room), looks)
-    low, high = np.min(room.outline, axis=0) - WALL, np.max(room.outline, axis=0) + WALL
+    low, high = np.min(room.outline, axis=0) - WALL_THICKNESS, np.max(room.outline, axis=0) + WALL_THICKNESS
     center, half = (low + high) / 2, (high - low) / 2
     scope = prim(made, "Collision", "Scope")
     box_collider(scope, "part_0", np.array([*center, -_DEEP / 2]), np.array([*half, _DEEP / 2]), looks, _FRICTION)
@@ -91,16 +78,13 @@ def _floor(parent: Prim, room: Room, looks: Looks) -> None:
 def _wall(parent: Prim, room: Room, wall: int, looks: Looks) -> Solids:
     made = prim(parent, f"Wall_{wall}", kind="component", displayName=f"wall:{wall}")
     label(made, "wall")
-    position, quaternion = wall_pose(room, wall)
-    place(made, position, quaternion)
+    place(made, *wall_pose(room.walls[wall]))
     mesh = wall_mesh(room, wall)
-    turn = 2 * math.atan2(quaternion[2], quaternion[3])
-    c, s = math.cos(turn), math.sin(turn)
-    points = (mesh.vertices - position) @ np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    points = np.column_stack([room.walls[wall].frame.to_local(mesh.vertices[:, :2]), mesh.vertices[:, 2]])
     render_mesh(made, "Mesh", Mesh(points, mesh.faces, mesh.face_material, mesh.face_link, mesh.materials), looks)
     scope, paths = prim(made, "Collision", "Scope"), []
     for number, (low, high, bottom, top) in enumerate(wall_boxes(room, wall)):
-        center, half = _middle(low, high, bottom, top, WALL)
+        center, half = _middle(low, high, bottom, top, WALL_THICKNESS)
         box_collider(scope, f"part_{number}", center, half, looks, _FRICTION)
         paths.append(scope.path.AppendChild(f"part_{number}"))
     return Solids((), tuple(paths))
@@ -125,7 +109,7 @@ def _door(parent: Prim, name: str, leaf: Leaf, looks: Looks) -> Solids:
     made.SetInfo("customData", {"sceneweaver": {"id": leaf.door, "name": leaf.name}})
     label(made, "door")
     apply(made, "PhysicsArticulationRootAPI")
-    place(made, leaf.position, (0.0, 0.0, math.sin(leaf.yaw / 2), math.cos(leaf.yaw / 2)))
+    place(made, leaf.position, from_yaw(leaf.yaw))
     frame, panel = prim(made, "frame"), prim(made, "leaf")
     place(frame)
     rigid(frame, 1.0)

@@ -78,14 +78,14 @@ def outer_corner(before: Wall, after: Wall) -> Point | None:
 
 def wall_plan(walls: Sequence[Wall], index: int) -> Quad:
     """A wall from above, counter-clockwise: first corner, the two outer ones, second corner; mitred where it can be."""
-    wall, following = walls[index], walls[(index + 1) % len(walls)]
+    wall = walls[index]
     straight = wall.point(0.0, -WALL_THICKNESS), wall.point(wall.length, -WALL_THICKNESS)
     first = outer_corner(walls[index - 1], wall) or straight[0]
-    last = outer_corner(wall, following) or straight[1]
+    last = outer_corner(wall, walls[(index + 1) % len(walls)]) or straight[1]
     if wall.coordinates(last)[0] - wall.coordinates(first)[0] < 1e-3:
         # A short wall between two corners that lean towards each other: mitred, it would turn over.
         first, last = straight
-    return wall.start, first, last, following.start
+    return wall.start, first, last, wall.end
 
 
 def outer_outline(walls: Sequence[Wall]) -> tuple[Point, ...]:

@@ -15,21 +15,17 @@ Quad = tuple[Point, Point, Point, Point]
 
 @dataclass(frozen=True)
 class Wall:
-    """The inner face of wall ``index``: from corner ``start`` along the unit vector ``along``, ``length`` metres.
+    """The inner face of wall ``index``: from corner ``start`` to ``end``, ``length`` metres along a unit vector.
 
     ``inward`` is the unit normal into the room. A point has an offset along the wall and a depth into the room [m].
     """
 
     index: int
     start: Point
+    end: Point
     along: Point
     inward: Point
     length: float
-
-    @property
-    def end(self) -> Point:
-        """The second corner [m]."""
-        return self.point(self.length)
 
     @property
     def outward(self) -> Point:
@@ -69,5 +65,5 @@ def walls_of(outline: Sequence[Sequence[float]] | Any) -> tuple[Wall, ...]:
     for i, (a, b) in enumerate(zip(corners, corners[1:] + corners[:1], strict=True)):
         length = math.dist(a, b)
         along = ((b[0] - a[0]) / length, (b[1] - a[1]) / length)
-        walls.append(Wall(i, a, along, (-along[1], along[0]), length))
+        walls.append(Wall(i, a, b, along, (-along[1], along[0]), length))
     return tuple(walls)

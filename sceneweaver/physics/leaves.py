@@ -12,11 +12,11 @@ import math
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from sceneweaver.geometry.polygons import rectangle, union
+from sceneweaver.geometry.se2 import SE2
+from sceneweaver.geometry.shell import WALL_THICKNESS
+from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene import Door, Room
-from sceneweaver.scene.polygons import union
-
-WALL = 0.1
-"""Thickness of the walls [m], outside the outline."""
 
 THICK = 0.04
 """Thickness of a leaf [m]."""
@@ -30,7 +30,7 @@ _GAP = 0.003  # [m] between leaf and jambs, where nothing asks for more
 _OPEN = math.pi / 2  # [rad]; farther, the leaf would leave the door's zone
 _OUT = 0.055  # [m] by which a handle stands out of the leaf; with the leaf it stays within the wall's thickness
 _PER_AREA = 12.0  # [kg/m2] of a leaf: a hollow wooden one
-_NEAR = 1.2 * WALL  # [m] from a corner, a door is in the way of the next wall's slab
+_NEAR = 1.2 * WALL_THICKNESS  # [m] from a corner, a door is in the way of the next wall's slab
 _STEP = 0.01  # [m] or [rad] between the positions that are looked at for a wall in the way
 
 
@@ -70,22 +70,25 @@ def wall_ends(room: Room, wall: int) -> tuple[float, float]:
     At a convex corner it goes on, so that no slit is left outside; at a reflex one that would stand in the room. Where
     a door of the next wall is in that corner, the slab leaves its doorway free.
     """
-    outline, n = room.outline, len(room.outline)
-    (ax, ay), (bx, by) = outline[wall], outline[(wall + 1) % n]
-    (px, py), (qx, qy) = outline[wall - 1], outline[(wall + 2) % n]
-    length, before, after = math.dist((ax, ay), (bx, by)), math.dist((px, py), (ax, ay)), math.dist((bx, by), (qx, qy))
-    first = ((ax - px) * (by - ay) - (ay - py) * (bx - ax)) / (before * length)  # sine of the turn
-    last = ((bx - ax) * (qy - by) - (by - ay) * (qx - bx)) / (length * after)
-    near = [d.offset + d.width > before - _NEAR for d in room.doors if d.wall == (wall - 1) % n]
-    next_ = [d.offset < _NEAR for d in room.doors if d.wall == (wall + 1) % n]
+    walls = room.walls
+    one, following = walls[wall], walls[(wall + 1) % len(walls)]
+    length, before = one.length, walls[wall - 1].length
+    first, last = _sine(walls[wall - 1], one), _sine(one, following)
+    near = [d.offset + d.width > before - _NEAR for d in room.doors if walls[d.wall] is walls[wall - 1]]
+    next_ = [d.offset < _NEAR for d in room.doors if d.wall == following.index]
     return -_over(first, any(near)), length + _over(last, any(next_))
+
+
+def _sine(before: Wall, after: Wall) -> float:
+    """Of the turn from a wall to the next; below 0 at a reflex corner."""
+    return before.along[0] * after.along[1] - before.along[1] * after.along[0]
 
 
 def _over(turn: float, doorway: bool) -> float:
     """How far a slab goes on beyond a corner with this sine of its turn [m]; less than 0: it ends before."""
     if turn > 0:
-        return 0.0 if doorway else WALL
-    return -WALL / max(-turn, 0.25) if doorway and turn < -1e-6 else 0.0
+        return 0.0 if doorway else WALL_THICKNESS
+    return -WALL_THICKNESS / max(-turn, 0.25) if doorway and turn < -1e-6 else 0.0
 
 
 def _swinging(room: Room, door: Door) -> Leaf:
@@ -93,9 +96,10 @@ def _swinging(room: Room, door: Door) -> Leaf:
     # At its far end the leaf's outer edge is farther from the axis than the leaf is wide.
     gap = min(_GAP + THICK**2 / (2 * door.width), door.width / 8)
     width, top = door.width - 2 * gap, max(door.height - _GAP, 2 * _FOOT)
-    turn = _turn(room, door.wall) + (math.pi if right else 0.0)
+    wall = room.walls[door.wall]
+    turn = wall.yaw + (math.pi if right else 0.0)
     along = door.offset + door.width - gap if right else door.offset + gap
-    x, y = _point(room, door.wall, along, -WALL if out else 0.0)
+    x, y = wall.point(along, -WALL_THICKNESS if out else 0.0)
     # +y of the leaf's frame is into the room at its offset and out of it at the other end.
     opens = -1.0 if out or right else 1.0
     body = ((width / 2, -opens * THICK / 2, (_FOOT + top) / 2), (width / 2, THICK / 2, (top - _FOOT) / 2))
@@ -133,8 +137,9 @@ def _sliding(room: Room, door: Door) -> Leaf:
 def _slide(room: Room, door: Door, over: float, flip: bool) -> Leaf:
     """The leaf, ``over`` metres wider than the opening at each end, that slides along the wall, or back."""
     width, top = door.width + 2 * over, door.height + max(over, -0.002)
-    turn = _turn(room, door.wall) + (math.pi if flip else 0.0)
-    x, y = _point(room, door.wall, door.offset + (door.width + over if flip else -over), -WALL)
+    wall = room.walls[door.wall]
+    turn = wall.yaw + (math.pi if flip else 0.0)
+    x, y = wall.point(door.offset + (door.width + over if flip else -over), -WALL_THICKNESS)
     outward = 1.0 if flip else -1.0
     middle = outward * (0.01 + THICK / 2)
     at = over + min(0.06, 0.15 * door.width)  # of the handle, near the end that is left when it opens
@@ -176,10 +181,9 @@ def _hits(leaf: Leaf, at: float, walls: Any) -> bool:
 
     slid = at if leaf.joint == "slide" else 0.0
     turn = leaf.yaw + (at * leaf.axis[2] if leaf.joint == "hinge" else 0.0)
-    c, s = math.cos(turn), math.sin(turn)
+    frame = SE2(*leaf.position[:2], turn)
     for (bx, by, _), (hx, hy, _) in leaf.boxes:
-        corners = [(bx + slid + u * hx, by + v * hy) for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
-        plan = Polygon([(leaf.position[0] + c * x - s * y, leaf.position[1] + s * x + c * y) for x, y in corners])
+        plan = Polygon([frame.world(bx + slid + u, by + v) for u, v in rectangle(2 * hx, 2 * hy)])
         if plan.intersection(walls).area > 1e-7:
             return True
     return False
@@ -189,26 +193,14 @@ def _walls(room: Room) -> Any:
     """The walls from above, less their doorways, as one plan."""
     from shapely.geometry import Polygon
 
-    def strip(wall: int, low: float, high: float) -> Any:
-        ends = ((low, -WALL), (high, -WALL), (high, 0.0), (low, 0.0))
-        return Polygon([_point(room, wall, s, t) for s, t in ends])
+    def strip(wall: Wall, low: float, high: float) -> Any:
+        return Polygon(wall.strip(low, high - low, -WALL_THICKNESS, 0.0))
 
-    slabs: list[Any] = [strip(k, *wall_ends(room, k)) for k in range(len(room.outline))]
+    slabs: list[Any] = [strip(wall, *wall_ends(room, wall.index)) for wall in room.walls]
     for door in room.doors:
-        slabs[door.wall] = slabs[door.wall].difference(strip(door.wall, door.offset, door.offset + door.width))
+        doorway = strip(room.walls[door.wall], door.offset, door.offset + door.width)
+        slabs[door.wall] = slabs[door.wall].difference(doorway)
     return union(slabs)
 
 
-def _turn(room: Room, wall: int) -> float:
-    (ax, ay), (bx, by) = room.outline[wall], room.outline[(wall + 1) % len(room.outline)]
-    return math.atan2(by - ay, bx - ax)
-
-
-def _point(room: Room, wall: int, along: float, inward: float) -> tuple[float, float]:
-    """The point that far along a wall and that far into the room [m]."""
-    x, y = room.outline[wall]
-    c, s = math.cos(_turn(room, wall)), math.sin(_turn(room, wall))
-    return x + c * along - s * inward, y + s * along + c * inward
-
-
-__all__ = ["THICK", "WALL", "Leaf", "leaves", "wall_ends"]
+__all__ = ["THICK", "Leaf", "leaves", "wall_ends"]

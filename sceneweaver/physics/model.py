@@ -25,10 +25,12 @@ from zipfile import BadZipFile
 import numpy as np
 
 from sceneweaver.assets import Asset, Link, categories
-from sceneweaver.scene import InputError, Room, Scene, SceneObject
+from sceneweaver.geometry.rotations import from_yaw, wxyz
+from sceneweaver.geometry.shell import PANE_THICKNESS, WALL_THICKNESS, wall_pieces
+from sceneweaver.scene import InputError, Room, Scene, SceneObject, Window
 
 from .hulls import Solid, solids_of
-from .leaves import WALL, Leaf, leaves, wall_ends
+from .leaves import Leaf, leaves, wall_ends
 
 Load = Callable[[str], Asset]
 """From the id of an asset to the asset; ``Library().load`` is one."""
@@ -222,30 +224,19 @@ def _shell(world: Xml.Element, room: Room) -> None:
         rgba="0.74 0.62 0.48 1",
         friction="0.8",
     )
-    n = len(room.outline)
-    for k in range(n):
-        (ax, ay), (bx, by) = room.outline[k], room.outline[(k + 1) % n]
-        length, turn = math.hypot(bx - ax, by - ay), math.atan2(by - ay, bx - ax)
-        frame = Xml.SubElement(world, "body", name=f"room:wall:{k}", pos=_v((ax, ay, 0)), quat=_yaw(turn))
-        holes = [(d.offset, d.offset + d.width, 0.0, d.height, False) for d in room.doors if d.wall == k]
-        holes += [(w.offset, w.offset + w.width, w.sill, w.sill + w.height, True) for w in room.windows if w.wall == k]
-        xs = sorted({*wall_ends(room, k), *(min(max(x, 0.0), length) for h in holes for x in h[:2])})
-        for low, high in zip(xs, xs[1:], strict=False):
-            if high - low < 1e-6:
-                continue
-            here = sorted((h[2], min(h[3], room.height), h[4]) for h in holes if h[0] < (low + high) / 2 < h[1])
-            z = 0.0
-            for bottom, top, pane in here:
-                _slab(frame, low, high, z, bottom, WALL)
-                if pane:
-                    _slab(frame, low, high, bottom, top, 0.01, rgba="0.75 0.85 0.9 0.25")
-                z = max(z, top)
-            _slab(frame, low, high, z, room.height, WALL)
+    for wall in room.walls:
+        frame = Xml.SubElement(
+            world, "body", name=f"room:wall:{wall.index}", pos=_v((*wall.start, 0)), quat=_yaw(wall.yaw)
+        )
+        ends = wall_ends(room, wall.index)
+        for span, z, opening in wall_pieces(wall.length, room.openings_of(wall.index), room.height, ends):
+            if opening is None:
+                _slab(frame, *span, *z, WALL_THICKNESS)
+            elif isinstance(opening, Window):
+                _slab(frame, *span, *z, PANE_THICKNESS, rgba="0.75 0.85 0.9 0.25")
 
 
 def _slab(frame: Xml.Element, x0: float, x1: float, z0: float, z1: float, thick: float, rgba: str = "") -> None:
-    if z1 - z0 < 1e-6:
-        return
     size = ((x1 - x0) / 2, thick / 2, (z1 - z0) / 2)
     pos = ((x0 + x1) / 2, -thick / 2, (z0 + z1) / 2)
     Xml.SubElement(frame, "geom", type="box", pos=_v(pos), size=_v(size), group="0", rgba=rgba or "0.92 0.91 0.88 1")
@@ -302,9 +293,9 @@ def joint_of(
 def _body(
     world: Xml.Element, assets: Xml.Element, contact: Xml.Element, thing: Thing, made: set[str], dress: Dress | None
 ) -> None:
-    x, y, z, w = thing.object.pose.quaternion
     id = thing.object.id
-    top = Xml.SubElement(world, "body", name=id, pos=_v(thing.object.pose.position), quat=_v((w, x, y, z)))
+    pose = thing.object.pose
+    top = Xml.SubElement(world, "body", name=id, pos=_v(pose.position), quat=_v(wxyz(pose.quaternion)))
     if thing.free:
         Xml.SubElement(top, "freejoint", name=id)
     links = thing.asset.links if thing.asset is not None else ()
@@ -386,7 +377,7 @@ def _reach(room: Room) -> float:
 
 
 def _yaw(angle: float) -> str:
-    return _v((math.cos(angle / 2), 0.0, 0.0, math.sin(angle / 2)))
+    return _v(wxyz(from_yaw(angle)))
 
 
 def _n(value: float) -> str:

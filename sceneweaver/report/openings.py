@@ -7,7 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from sceneweaver.assets import Material, Mesh
-from sceneweaver.export.room import WALL_THICKNESS, wall_frame
+from sceneweaver.geometry.prisms import prism_mesh
+from sceneweaver.geometry.shell import WALL_THICKNESS
+from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene import Room
 
 _FRAME = Material("window frame", (0.96, 0.955, 0.94), roughness=0.5)
@@ -24,10 +26,10 @@ _BAR = 0.05
 def opening_meshes(room: Room) -> Iterator[tuple[int, str, Mesh]]:
     """Wall, a name and the mesh in the world's frame of each door and window."""
     for k, door in enumerate(room.doors):
-        yield door.wall, f"door:{k}", _built(room, door.wall, _door(door.offset, door.width, door.height))
+        yield door.wall, f"door:{k}", _built(room.walls[door.wall], _door(door.offset, door.width, door.height))
     for k, window in enumerate(room.windows):
         blocks = _window(window.offset, window.width, window.sill, window.height)
-        yield window.wall, f"window:{k}", _built(room, window.wall, blocks)
+        yield window.wall, f"window:{k}", _built(room.walls[window.wall], blocks)
 
 
 def _border(offset: float, width: float, low: float, high: float, deep: Range, bottom: bool) -> list[Block]:
@@ -68,37 +70,16 @@ def _window(offset: float, width: float, sill: float, height: float) -> list[Blo
     return blocks
 
 
-def _built(room: Room, wall: int, blocks: list[Block]) -> Mesh:
-    start, along, outward = (np.asarray(v) for v in wall_frame(room, wall))
+def _built(wall: Wall, blocks: list[Block]) -> Mesh:
     materials = tuple(dict.fromkeys(block[3] for block in blocks))
     vertices, faces, kinds = [], [], []
-    for (s0, s1), (t0, t1), (z0, z1), material in blocks:
-        # Along x outward points down: seen from above this order runs counter-clockwise.
-        plan = [start + along * s + outward * t for s, t in ((s0, t1), (s1, t1), (s1, t0), (s0, t0))]
-        first = 8 * len(kinds)
-        vertices += [(*p, z) for z in (z0, z1) for p in plan]
-        faces.append(_BOX + first)
+    for (s0, s1), (t0, t1), z, material in blocks:
+        points, triangles = prism_mesh(wall.strip(s0, s1 - s0, -t1, -t0), z)
+        faces.append(triangles + len(points) * len(kinds))
+        vertices.append(points)
         kinds.append(materials.index(material))
-    face_material = np.repeat(np.asarray(kinds, dtype=np.int32), len(_BOX))
-    triangles = np.concatenate(faces).astype(np.int32)
-    return Mesh(np.asarray(vertices, dtype=float), triangles, face_material, np.zeros_like(face_material), materials)
+    face_material = np.repeat(np.asarray(kinds, dtype=np.int32), len(faces[0]))
+    return Mesh(np.concatenate(vertices), np.concatenate(faces), face_material, np.zeros_like(face_material), materials)
 
-
-_BOX = np.array(
-    [
-        (0, 2, 1),
-        (0, 3, 2),
-        (4, 5, 6),
-        (4, 6, 7),
-        (0, 1, 5),
-        (0, 5, 4),
-        (1, 2, 6),
-        (1, 6, 5),
-        (2, 3, 7),
-        (2, 7, 6),
-        (3, 0, 4),
-        (3, 4, 7),
-    ]
-)
 
 __all__ = ["opening_meshes"]

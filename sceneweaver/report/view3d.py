@@ -17,7 +17,7 @@ import numpy as np
 from sceneweaver.assets import Material, Mesh
 from sceneweaver.export.bodies import Load, bodies_of
 from sceneweaver.export.glb import room_meshes
-from sceneweaver.export.room import wall_frame
+from sceneweaver.geometry.angles import heading
 from sceneweaver.scene import Room, Scene, SceneObject
 
 from .facts import Fault, RelationRow, object_facts
@@ -128,23 +128,19 @@ def _material(m: Material) -> dict[str, Any]:
 
 
 def _wall(room: Room, wall: int) -> dict[str, Any]:
-    start, _, outward = wall_frame(room, wall)
-    return {"point": list(start), "outward": list(outward)}
+    return {"point": list(room.walls[wall].start), "outward": list(room.walls[wall].outward)}
 
 
 def _wall_of(room: Room, thing: SceneObject) -> int | None:
     """The wall that a wall-mounted object hangs on: the nearest one that it does not face."""
     if thing.mount != "wall":
         return None
-    x, y, _ = thing.pose.position
     found: list[tuple[float, int]] = []
-    for k in range(len(room.outline)):
-        (ax, ay), (ux, uy), (nx, ny) = wall_frame(room, k)
-        bx, by = room.outline[(k + 1) % len(room.outline)]
-        along = min(max((x - ax) * ux + (y - ay) * uy, 0.0), math.hypot(bx - ax, by - ay))
-        gap = math.hypot(x - ax - along * ux, y - ay - along * uy)
-        faces = math.cos(thing.pose.yaw) * nx + math.sin(thing.pose.yaw) * ny
-        found.append((gap + (0.5 if faces > 0.5 else 0.0), k))
+    for wall in room.walls:
+        along, depth = wall.coordinates(thing.pose.position)
+        gap = math.hypot(along - min(max(along, 0.0), wall.length), depth)
+        faces = float(np.dot(thing.pose.frame.axis, wall.outward))
+        found.append((gap + (0.5 if faces > 0.5 else 0.0), wall.index))
     return min(found)[1]
 
 
@@ -154,12 +150,12 @@ def _best_side(scene: Scene) -> float:
     best = (-math.inf, 0.0)
     for k in (7, 5, 1, 3):  # the corners, the one at right front first
         yaw = k * math.pi / 4 + 0.12
-        side = (math.cos(yaw), math.sin(yaw))
+        side = heading(yaw)
         score = 0.0
         for thing in scene.objects:
             d, w, h = thing.size
             dx, dy = thing.pose.position[0] - x0, thing.pose.position[1] - y0
-            facing = math.cos(thing.pose.yaw) * side[0] + math.sin(thing.pose.yaw) * side[1]
+            facing = float(np.dot(thing.pose.frame.axis, side))
             if thing.mount == "wall":
                 score += 0.6 * w * h * facing
             elif thing.mount == "floor":

@@ -17,6 +17,8 @@ import re
 from collections.abc import Callable
 from typing import Any
 
+from sceneweaver.geometry.rotations import from_yaw
+
 from .errors import InputError
 from .intent import Intent
 from .messages import quote, show
@@ -138,5 +140,5 @@ def _yaw_to_quaternion(data: dict[str, Any]) -> dict[str, Any]:
         if isinstance(yaw, bool) or not isinstance(yaw, int | float) or not math.isfinite(yaw):
             raise InputError(f"object {quote(obj.get('id'))}: pose.yaw is {show(yaw)}; give a finite number of radians")
         del pose["yaw"]
-        pose["quaternion"] = [0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2)]
+        pose["quaternion"] = list(from_yaw(yaw))
     return data

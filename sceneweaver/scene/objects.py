@@ -7,6 +7,9 @@ from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
+from sceneweaver.geometry.rotations import from_yaw, yaw_of
+from sceneweaver.geometry.se2 import SE2
+
 from .base import FrozenModel
 from .errors import InputError
 from .fields import ConvexPolygon, Flag, Id, Interval, JsonDict, Length, Name, Number, Polygon, Quat, Text, Vec3
@@ -23,15 +26,19 @@ class Pose(FrozenModel):
     @property
     def yaw(self) -> float:
         """Rotation about +z in radians, in (-pi, pi]."""
-        x, y, z, w = self.quaternion
-        return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+        return yaw_of(self.quaternion)
+
+    @property
+    def frame(self) -> SE2:
+        """The pose as seen from above."""
+        return SE2(self.position[0], self.position[1], self.yaw)
 
     @classmethod
     def from_yaw(cls, x: float, y: float, z: float, yaw: float) -> Pose:
         """The upright pose at (x, y, z) turned by ``yaw`` radians; InputError when one of them is not finite."""
         if not math.isfinite(yaw):
             raise InputError(f"pose: yaw is {show(float(yaw))}; numbers must be finite")
-        return cls(position=(x, y, z), quaternion=(0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2)))
+        return cls(position=(x, y, z), quaternion=from_yaw(yaw))
 
 
 class Support(FrozenModel):

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
+
+from sceneweaver.geometry.shell import heights
+from sceneweaver.geometry.walls import Wall, walls_of
 
 from .base import FrozenModel
 from .fields import Id, Index, Length, Name, Offset, Outline
@@ -48,22 +50,35 @@ class Room(FrozenModel):
     doors: Annotated[tuple[Door, ...], Field(fail_fast=True)] = ()
     windows: Annotated[tuple[Window, ...], Field(fail_fast=True)] = ()
 
+    @property
+    def walls(self) -> tuple[Wall, ...]:
+        """The walls in order."""
+        return walls_of(self.outline)
+
+    @property
+    def openings(self) -> tuple[Door | Window, ...]:
+        """Doors, then windows."""
+        return *self.doors, *self.windows
+
+    def openings_of(self, wall: int) -> list[Door | Window]:
+        """The doors, then the windows of one wall."""
+        return [o for o in self.openings if o.wall == wall]
+
     @model_validator(mode="after")
     def _check(self) -> Self:
         """Doors and windows lie in a wall that exists, within its length and height."""
-        corners = self.outline
+        walls = self.walls
         for key, openings in (("doors", self.doors), ("windows", self.windows)):
             for i, opening in enumerate(openings):
-                if opening.wall >= len(corners):
-                    known = f"the outline has walls 0 to {len(corners) - 1}"
+                if opening.wall >= len(walls):
+                    known = f"the outline has walls 0 to {len(walls) - 1}"
                     raise Problem((key, i, "wall"), f"is {opening.wall}; {known}")
-                length = math.dist(corners[opening.wall], corners[(opening.wall + 1) % len(corners)])
+                length = walls[opening.wall].length
                 end = opening.offset + opening.width
                 if end > length + FIT_TOLERANCE:
                     fix = f"wall {opening.wall} is {length:.6g} m long; move it or make it narrower"
                     raise Problem((key, i), f": offset + width is {end:.6g} m, but {fix}")
-                sill = getattr(opening, "sill", 0.0)
-                top = sill + opening.height
+                _, top = heights(opening)
                 if top > self.height + FIT_TOLERANCE:
                     what = "sill + height" if key == "windows" else "height"
                     fix = f"the room is {self.height:.6g} m high; make it lower"

@@ -15,7 +15,8 @@ import trimesh
 from sceneweaver.assets import Asset, Material, Mesh, make
 from sceneweaver.export import glb_bytes, write_glb
 from sceneweaver.export.glb import linear
-from sceneweaver.export.room import WALL_THICKNESS, floor_mesh, wall_mesh, wall_plan
+from sceneweaver.export.room import floor_mesh, wall_mesh
+from sceneweaver.geometry.shell import WALL_THICKNESS, wall_plan
 from sceneweaver.scene import Door, InputError, Part, Pose, Room, Scene, SceneObject, Support, Window
 
 Z_UP = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], dtype=float)
@@ -236,7 +237,7 @@ def test_awkward_rooms(outline) -> None:
     room = Room(outline=outline)
     for k in range(len(outline)):
         assert trimesh.Trimesh(wall_mesh(room, k).vertices, wall_mesh(room, k).faces).volume > 0
-        assert len(wall_plan(room, k)) == 4
+        assert len(wall_plan(room.walls, k)) == 4
     trimesh.load(io.BytesIO(glb_bytes(Scene(id="s", room=room))), file_type="glb")
 
 

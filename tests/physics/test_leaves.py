@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from sceneweaver.geometry.shell import WALL_THICKNESS
 from sceneweaver.physics import build
-from sceneweaver.physics.leaves import THICK, WALL, Leaf, leaves
+from sceneweaver.physics.leaves import THICK, Leaf, leaves
 from sceneweaver.scene import Door, Room, Scene, Window
 from sceneweaver.verify.solids import Placed
 
@@ -122,7 +123,7 @@ def test_a_closed_leaf_fills_its_opening() -> None:
         assert across[:, 0].min() < 1.01 and across[:, 0].max() > 1.89
         assert np.ptp(across[:, 1]) == pytest.approx(THICK)
         if swing != "slide":
-            assert across[:, 1].min() >= -WALL - 1e-9 and across[:, 1].max() <= 1e-9
+            assert across[:, 1].min() >= -WALL_THICKNESS - 1e-9 and across[:, 1].max() <= 1e-9
         low, high = (leaf.boxes[0][0][2] + s * leaf.boxes[0][1][2] for s in (-1, 1))
         assert low == pytest.approx(0.005) and high > 1.99
         assert len(leaf.boxes) > 2 and leaf.mass > 10

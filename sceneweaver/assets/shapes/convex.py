@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from sceneweaver.geometry.hulls import hull_mesh
+
 Shape = tuple[np.ndarray, np.ndarray]  # vertices [V, 3], faces [F, 3]
 
 # Normals of the 26 faces of a cube with cut edges and corners.
@@ -15,19 +17,7 @@ _DIRECTIONS = _DIRECTIONS / np.linalg.norm(_DIRECTIONS, axis=1, keepdims=True)
 
 def hull(points: np.ndarray) -> Shape:
     """The convex hull of points [N, 3], outward faces; ValueError when they lie in one plane."""
-    from scipy.spatial import ConvexHull, QhullError
-
-    points = np.asarray(points, dtype=np.float64)
-    try:
-        found = ConvexHull(points)
-    except QhullError as error:
-        raise ValueError("the points lie in one plane or are fewer than four") from error
-    faces = found.simplices.astype(np.int32)
-    a, b, c = points[faces[:, 0]], points[faces[:, 1]], points[faces[:, 2]]
-    inward = np.einsum("ij,ij->i", np.cross(b - a, c - a), found.equations[:, :3]) < 0
-    faces[inward] = faces[inward][:, ::-1]
-    used, packed = np.unique(faces, return_inverse=True)
-    return points[used], packed.reshape(-1, 3).astype(np.int32)
+    return hull_mesh(points)
 
 
 def hull_of(shapes: list[Shape]) -> Shape:
