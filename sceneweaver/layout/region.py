@@ -77,8 +77,7 @@ def _rectangle(wall: Wall, start: float, end: float, depth: float) -> Points:
 
 
 def room_region(room: Room) -> Region:
-    """The room with the clearances of its doors and windows (DESIGN: door width x width, 0.6 m if it slides or opens
-    outward; window 0.3 m from the sill up)."""
+    """The room with the clearances of its doors and windows (docs/conventions.md says how deep)."""
     region = enclosure(room.outline, room.height)
     region.walls = walls_of(room.outline)
     for door in room.doors:

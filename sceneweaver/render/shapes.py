@@ -113,7 +113,7 @@ def outer_outline(room: Room, thickness: float = WALL_THICKNESS) -> tuple[Vec2, 
 
 
 def opening_zone(wall: Wall, opening: Door | Window) -> tuple[Vec2, ...]:
-    """The floor that an opening needs free (DESIGN section 3)."""
+    """The floor that an opening needs free."""
     depth = 0.3
     if isinstance(opening, Door):
         depth = opening.width if opening.swing.startswith("in") else 0.6

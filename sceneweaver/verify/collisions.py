@@ -1,6 +1,6 @@
 """Pairs of objects that collide.
 
-Definition (DESIGN section 4): two objects collide when they penetrate deeper than 1 mm, as the least translation over
+Two objects collide when they penetrate deeper than 1 mm, as the least translation over
 pairs of their convex parts, and share more than the smaller of 1e-6 m3 and 1 % of the smaller body. For boxes and
 prisms one pair of parts must do both. Where a mesh is known, the depth still comes from the parts (which contain the
 mesh), or from the convex hull of a mesh without parts, and the shared volume from the meshes themselves. Two concave

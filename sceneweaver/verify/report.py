@@ -1,4 +1,4 @@
-"""What the judge found, in the form of ``metrics.json`` (schema ``sceneweaver.metrics/1``, DESIGN section 3)."""
+"""What the judge found, in the form of ``metrics.json`` (schema ``sceneweaver.metrics/1``)."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 Point = tuple[float, float]
 
 DEPTH = 1e-3
-"""Depth in metres up to which two solids count as touching (DESIGN section 4, Verification)."""
+"""Depth in metres up to which two solids count as touching."""
 
 TILT = math.radians(0.5)
 """Tilt in radians from which the true rotated geometry of an object is used."""

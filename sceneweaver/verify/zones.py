@@ -1,8 +1,8 @@
 """Space that must stay free: the hard zones of objects, and the clear spaces before doors and windows.
 
 A part counts when it reaches more than 1 mm into the zone's height, covers more than 1e-4 m2 of it and is more than
-5 mm deep in the plane. Objects that a relation ties (DESIGN section 3, Zones) may stand in each other's zones, whether
-the relation is hard or soft.
+5 mm deep in the plane. Objects that a relation ties (``ties_zones`` in the catalogue) may stand in each other's zones,
+whether the relation is hard or soft.
 """
 
 from __future__ import annotations
