@@ -25,7 +25,7 @@ from sceneweaver.scene import InputError, MissingDependencyError, Pose, Scene
 from .boxes import boxed
 from .model import COVERING, Load, Model, build, things_of
 from .settle import LITTLE, Settled, measures
-from .worlds import PRODUCT, Outcome, Solver, Template, run_c, shifts, steps_of
+from .worlds import PRODUCT, SimulationResult, Solver, Template, run_c, shifts, steps_of
 
 Shapes = Literal["hull", "box"]
 Backend = Literal["c", "warp"]
@@ -56,7 +56,7 @@ class Many:
     diverged: np.ndarray
     backend: Backend
     device: str
-    outcome: Outcome
+    outcome: SimulationResult
 
     @property
     def moved(self) -> np.ndarray:
@@ -179,7 +179,7 @@ def settle_scenes(scenes: Sequence[Scene], load: Load | None = None, **options: 
 
 def run(
     template: Template, start: np.ndarray, steps: int, device: str, backend: Backend | None, threads: int | None
-) -> tuple[Outcome, Backend, str]:
+) -> tuple[SimulationResult, Backend, str]:
     """Step the worlds where they are to be stepped: (outcome, backend, device)."""
     device = _device(device)
     kind: Backend = backend or ("c" if device == "cpu" else "warp")
@@ -189,7 +189,7 @@ def run(
         raise InputError(f'backend: "c" has no {device}; say device="cpu"')
     if not template.free:
         none = np.zeros(len(start), dtype=bool)
-        return Outcome(start.copy(), none, none.copy(), 0.0, 0, 0.0), kind, device
+        return SimulationResult(start.copy(), none, none.copy(), 0.0, 0, 0.0), kind, device
     if kind == "c":
         cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
         return run_c(template, start, steps, min(threads or cores, len(start))), kind, device

@@ -137,7 +137,7 @@ class Template:
 
 
 @dataclass(frozen=True)
-class Outcome:
+class SimulationResult:
     """What became of the worlds.
 
     Attributes:
@@ -168,7 +168,7 @@ class Outcome:
     problem: str | None = None
 
 
-def merged(parts: Sequence[Outcome]) -> Outcome:
+def merged(parts: Sequence[SimulationResult]) -> SimulationResult:
     """One outcome of worlds that were stepped one part after the other."""
     if len(parts) == 1:
         return parts[0]
@@ -178,7 +178,7 @@ def merged(parts: Sequence[Outcome]) -> Outcome:
         return None if any(m is None for m in masks) else np.concatenate(masks)
 
     problems = [p.problem for p in parts if p.problem]
-    return Outcome(
+    return SimulationResult(
         np.concatenate([p.poses for p in parts]),
         np.concatenate([p.overflow for p in parts]),
         np.concatenate([p.diverged for p in parts]),
@@ -219,7 +219,7 @@ def _at(poses: np.ndarray, points: np.ndarray) -> np.ndarray:
     return points + 2 * turn / (poses[..., 3:] ** 2).sum(-1, keepdims=True) + poses[..., :3]
 
 
-def run_c(template: Template, start: np.ndarray, steps: int, threads: int = 1) -> Outcome:
+def run_c(template: Template, start: np.ndarray, steps: int, threads: int = 1) -> SimulationResult:
     """Step the worlds by MuJoCo C, on so many threads (which all are this process's)."""
     began = time.perf_counter()
     qpos, placed = template.qpos(start), template.placed(start)
@@ -241,7 +241,7 @@ def run_c(template: Template, start: np.ndarray, steps: int, threads: int = 1) -
             f"objects: more contacts than MuJoCo has room for in {int(full.sum())} of {len(start)} worlds, nothing can "
             "be said of those; use fewer objects"
         )
-    return Outcome(
+    return SimulationResult(
         poses=template.read(end, start),
         overflow=full,
         diverged=np.array([row[2] for row in found], dtype=bool),
@@ -282,4 +282,4 @@ def _some(
     return found
 
 
-__all__ = ["CHUNK", "Outcome", "PRODUCT", "Solver", "Template", "merged", "run_c", "shifts", "steps_of"]
+__all__ = ["CHUNK", "SimulationResult", "PRODUCT", "Solver", "Template", "merged", "run_c", "shifts", "steps_of"]

@@ -15,7 +15,7 @@ import warp as wp
 
 from sceneweaver.scene import InputError
 
-from .worlds import CHUNK, Outcome, Template, merged
+from .worlds import CHUNK, SimulationResult, Template, merged
 
 LAUNCH = 2048
 """Worlds of one launch at most: a bedroom of 1,024 worlds needs about 10 GB while it looks for contacts."""
@@ -62,7 +62,7 @@ class Room:
         return Room(max(contacts, touching), touching, rows)
 
 
-def run_warp(template: Template, start: np.ndarray, steps: int, device: str) -> Outcome:
+def run_warp(template: Template, start: np.ndarray, steps: int, device: str) -> SimulationResult:
     """Step worlds, at most ``LAUNCH`` at once; arguments as of ``launch``.
 
     Raises:
@@ -80,7 +80,9 @@ def run_warp(template: Template, start: np.ndarray, steps: int, device: str) -> 
         ) from None
 
 
-def launch(template: Template, start: np.ndarray, steps: int, device: str, room: Room | None = None) -> Outcome:
+def launch(
+    template: Template, start: np.ndarray, steps: int, device: str, room: Room | None = None
+) -> SimulationResult:
     """Step all worlds at once.
 
     On a GPU one step is captured as a graph, which is launched again and again; every ``CHUNK`` steps it is looked at
@@ -128,7 +130,7 @@ def launch(template: Template, start: np.ndarray, steps: int, device: str, room:
         _remember(template, worlds, peak)
     problem = _problem(overflow, room, peak) if overflow.any() else None
     rest = np.abs(np.concatenate([end, data.qvel.numpy()], axis=1))
-    return Outcome(
+    return SimulationResult(
         poses=template.read(end, start),
         overflow=overflow,
         diverged=np.logical_not((rest < _HUGE).all(axis=1)),

@@ -15,28 +15,28 @@ from sceneweaver.render.view import Bounds, View, step_for
 
 
 @dataclass(frozen=True)
-class Verdict:
+class Badge:
     """What the title says about the scene; ``good`` None: nobody checked it."""
 
     text: str
     good: bool | None
 
 
-def draw_title(width: int, unit: float, title: str, facts: str, prompt: str, verdict: Verdict) -> Image.Image:
+def draw_title(width: int, unit: float, title: str, facts: str, prompt: str, badge: Badge) -> Image.Image:
     """The head of the sheet."""
     margin = 60 * unit
     canvas = Canvas(width, round((118 if not prompt else 148) * unit), palette.PAPER)
     room = width - 2 * margin
-    if verdict.text:
+    if badge.text:
         size = max(8, round(20 * unit))
-        color = {True: palette.GOOD, False: palette.ALARM, None: palette.MUTED}[verdict.good]
-        wide = text_width(verdict.text, size) + 44 * unit
+        color = {True: palette.GOOD, False: palette.ALARM, None: palette.MUTED}[badge.good]
+        wide = text_width(badge.text, size) + 44 * unit
         right, middle = width - margin, 58 * unit
         box = (right - wide, middle - 20 * unit, right, middle + 20 * unit)
         canvas.pill(box, 20 * unit, palette.mixed(palette.PAPER, color, 0.1), (*color, 120))
         dot = (right - wide + 20 * unit, middle, 5 * unit)
         canvas.pill((dot[0] - dot[2], dot[1] - dot[2], dot[0] + dot[2], dot[1] + dot[2]), dot[2], color)
-        canvas.text(Text((verdict.text,), (right - wide + 32 * unit, middle), size, color, anchor="l"))
+        canvas.text(Text((badge.text,), (right - wide + 32 * unit, middle), size, color, anchor="l"))
         room -= wide + 20 * unit
     size = max(9, round(34 * unit))
     canvas.text(Text((shortened(title, size, room),), (margin, 50 * unit), size, palette.INK, anchor="l", bold=True))

@@ -133,7 +133,7 @@ def _draw_sheet(
     sheet.draw_axes(canvas, view, bounds_of(room.outline), shown, unit)
 
     head = sheet.draw_title(
-        width, unit, printable(scene.id), _facts(scene), printable(scene.prompt), _verdict(scene, violations, valid)
+        width, unit, printable(scene.id), _facts(scene), printable(scene.prompt), _badge(scene, violations, valid)
     )
     foot = _foot(scene, items, violations, soft, labelling, view, size, unit)
     parts = (head, canvas.finish(), foot)
@@ -174,12 +174,12 @@ def _count(number: int, what: str) -> str:
     return f"{number} {what}" + ("" if number == 1 else "s")
 
 
-def _verdict(scene: Scene, violations: Sequence[ViolationLike], valid: bool | None) -> sheet.Verdict:
+def _badge(scene: Scene, violations: Sequence[ViolationLike], valid: bool | None) -> sheet.Badge:
     if violations:
-        return sheet.Verdict(f"not valid  ·  {_count(len(violations), 'violation')}", False)
+        return sheet.Badge(f"not valid  ·  {_count(len(violations), 'violation')}", False)
     if valid is False or scene.dropped:
-        return sheet.Verdict("not valid", False)
-    return sheet.Verdict("valid", True) if valid else sheet.Verdict("not checked", None)
+        return sheet.Badge("not valid", False)
+    return sheet.Badge("valid", True) if valid else sheet.Badge("not checked", None)
 
 
 def _draw_alarms(

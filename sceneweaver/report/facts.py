@@ -34,7 +34,7 @@ class RelationRow:
 
 
 @dataclass(frozen=True)
-class Fault:
+class ViolationRow:
     """A violation of metrics.json; ``relation`` is the place of its relation in the scene, None when it names none."""
 
     kind: str
@@ -48,10 +48,12 @@ class Fault:
         return KINDS.get(self.kind, self.kind)
 
 
-def faults_of(metrics: Mapping[str, Any]) -> list[Fault]:
+def faults_of(metrics: Mapping[str, Any]) -> list[ViolationRow]:
     """The violations of metrics.json, in their order."""
     return [
-        Fault(str(v["kind"]), tuple(map(str, v["objects"])), str(v["detail"]), v.get("relation", {}).get("index"))
+        ViolationRow(
+            str(v["kind"]), tuple(map(str, v["objects"])), str(v["detail"]), v.get("relation", {}).get("index")
+        )
         for v in metrics.get("violations") or ()
     ]
 
@@ -67,7 +69,7 @@ def relation_rows(scene: Scene, metrics: Mapping[str, Any]) -> list[RelationRow]
     ]
 
 
-def object_facts(scene: Scene, rows: list[RelationRow], faults: list[Fault]) -> dict[str, dict[str, Any]]:
+def object_facts(scene: Scene, rows: list[RelationRow], faults: list[ViolationRow]) -> dict[str, dict[str, Any]]:
     """By id, what the panel of the 3D view shows of an object."""
     carries: dict[str, list[str]] = defaultdict(list)
     for thing in scene.objects:

@@ -8,7 +8,7 @@ from typing import Any
 from sceneweaver.critic import Review
 
 from .data import ReportData, StepRow
-from .facts import Fault, RelationRow
+from .facts import RelationRow, ViolationRow
 from .html import esc, number, picture_url
 
 _CAPTIONS = {
@@ -110,7 +110,7 @@ def pictures(data: ReportData) -> str:
     return _section("pictures", "Pictures", f'<div class="pictures">{"".join(figures)}</div>') if figures else ""
 
 
-def findings(data: ReportData, faults: Sequence[Fault]) -> str:
+def findings(data: ReportData, faults: Sequence[ViolationRow]) -> str:
     """Violations, unmet wishes, dropped objects, warnings and notes."""
     parts = []
     hard = [f for f in faults if f.kind != "soft_relation"]

@@ -20,7 +20,7 @@ from sceneweaver.export.glb import room_meshes
 from sceneweaver.geometry.angles import heading
 from sceneweaver.scene import Room, Scene, SceneObject
 
-from .facts import Fault, RelationRow, object_facts
+from .facts import RelationRow, ViolationRow, object_facts
 from .openings import opening_meshes
 
 _TEXTURES = {"plain": 0, "wood": 1, "fabric": 2, "stone": 3, "metal": 4, "leaf": 5}
@@ -75,7 +75,7 @@ class _Pack:
         return self.known[key]
 
 
-def pack(scene: Scene, rows: list[RelationRow], faults: list[Fault], load: Load | None = None) -> Packed:
+def pack(scene: Scene, rows: list[RelationRow], faults: list[ViolationRow], load: Load | None = None) -> Packed:
     """Pack a scene; objects whose asset cannot be loaded are shown as their parts."""
     store = _Pack()
     items: list[dict[str, Any]] = []

@@ -15,7 +15,7 @@ from types import MappingProxyType
 from typing import Any, Literal, Protocol
 
 from .errors import InputError
-from .messages import Problem, clean, show, suggest
+from .messages import FieldError, clean, show, suggest
 
 SIDES = ("front", "back", "left", "right")
 TARGETS = ("none", "wall", "wall?", "object", "objects", "window", "window?", "door", "door?")
@@ -60,34 +60,34 @@ class ParamSpec:
     required: bool = False
 
     def check(self, value: Any) -> float | int | Gap | str:
-        """The value as float, int or a pair of floats; raises Problem when it has another type or is out of bounds."""
+        """The value as float, int or a pair of floats; FieldError when it has another type or is out of bounds."""
         if self.type == "range":
             if value == TUCKED and self.default == TUCKED:
                 return TUCKED
             if not isinstance(value, list | tuple) or len(value) != 2:
-                raise Problem((), f"is {show(value)}; give a range [least, most]")
+                raise FieldError((), f"is {show(value)}; give a range [least, most]")
             low, high = self._number(value[0], (0,)), self._number(value[1], (1,))
             if low > high:
-                raise Problem((), f"is [{low:g}, {high:g}]; the first must not be more than the second")
+                raise FieldError((), f"is [{low:g}, {high:g}]; the first must not be more than the second")
             return (low, high)
         number = self._number(value, ())
         if self.type == "integer":
             if number != int(number):
-                raise Problem((), f"is {show(value)}; give a whole number")
+                raise FieldError((), f"is {show(value)}; give a whole number")
             return int(number)
         return number
 
     def _number(self, value: Any, loc: tuple[int, ...]) -> float:
         if isinstance(value, bool) or not isinstance(value, int | float):
-            raise Problem(loc, f"is {show(value)}; give a number")
+            raise FieldError(loc, f"is {show(value)}; give a number")
         if not math.isfinite(value):
-            raise Problem(loc, f"is {show(value)}; numbers must be finite")
+            raise FieldError(loc, f"is {show(value)}; numbers must be finite")
         low, more, high = self.minimum, self.exclusive_minimum, self.maximum
         if (low is not None and value < low) or (more is not None and value <= more):
             bound = f"at least {low:g}" if low is not None else f"more than {more:g}"
-            raise Problem(loc, f"is {show(value)}; it must be {bound}")
+            raise FieldError(loc, f"is {show(value)}; it must be {bound}")
         if high is not None and value > high:
-            raise Problem(loc, f"is {show(value)}; it must be at most {high:g}")
+            raise FieldError(loc, f"is {show(value)}; it must be at most {high:g}")
         return float(value)
 
 
@@ -166,23 +166,23 @@ class RelationSpec:
         """The params with their proper types: numbers as float, counts as int, ranges as pairs.
 
         Raises:
-            Problem: an unknown name, a value of another type, out of bounds or out of order, a missing value.
+            FieldError: an unknown name, a value of another type, out of bounds or out of order, a missing value.
         """
         out: dict[str, Any] = {}
         for name, value in params.items():
             if name not in self.params:
                 hint = suggest(name, self.params, what="known") if self.params else f"; {self.type} takes none"
-                raise Problem((), f': unknown param "{clean(name)}"{hint}')
+                raise FieldError((), f': unknown param "{clean(name)}"{hint}')
             try:
                 out[name] = self.params[name].check(value)
-            except Problem as problem:
-                raise Problem((name, *problem.loc), problem.text) from None
+            except FieldError as error:
+                raise FieldError((name, *error.loc), error.text) from None
         for name, param in self.params.items():
             if param.required and name not in out:
                 unit = f", in {param.unit}" if param.unit else ""
-                raise Problem((), f': "{name}" is missing; {self.type} needs it{unit}')
+                raise FieldError((), f': "{name}" is missing; {self.type} needs it{unit}')
         if "min" in out and "max" in out and out["min"] > out["max"]:
-            raise Problem(("min",), f"is {out['min']:g}, more than max {out['max']:g}; swap them")
+            raise FieldError(("min",), f"is {out['min']:g}, more than max {out['max']:g}; swap them")
         return out
 
 

@@ -15,7 +15,7 @@ from .base import FrozenModel
 from .errors import InputError
 from .fields import Flag, Id, Index, JsonDict, Length, Name, Target
 from .intent import Intent
-from .messages import Problem, describe, quote, show, suggest
+from .messages import FieldError, describe, quote, show, suggest
 from .model import Scene
 from .objects import Part, Pose, SceneObject, Support, Surface, Zone
 from .references import check_references
@@ -187,8 +187,8 @@ def apply(scene: Scene, edit: AnyEdit) -> Scene:
         after = _changed(scene, edit)
         try:
             check_references(after.room, after.objects, after.relations)
-        except Problem as problem:
-            raise InputError(describe(problem.loc, problem.text, after)) from None
+        except FieldError as error:
+            raise InputError(describe(error.loc, error.text, after)) from None
     except InputError as error:
         raise InputError(f"{edit.op} {_named(edit)}: {error}") from None
     return after

@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 
-from .messages import Problem, show
+from .messages import FieldError, show
 from .polygons import Points, check_simple, convex, counter_clockwise, signed_area
 
 LARGEST = 1e6
@@ -39,7 +39,7 @@ Flag = Annotated[bool, Field(strict=True)]
 
 def _check_text(value: str) -> str:
     if not value.isascii() and any("\ud800" <= c <= "\udfff" for c in value):
-        raise Problem((), "holds half a surrogate pair, which no file can hold; give valid Unicode")
+        raise FieldError((), "holds half a surrogate pair, which no file can hold; give valid Unicode")
     return value
 
 
@@ -54,22 +54,22 @@ Vec3 = tuple[Number, Number, Number]
 
 def _check_id(value: str) -> str:
     if not value.isprintable() or value != value.strip():
-        raise Problem((), f"is {show(value)}; ids are printable and neither start nor end with a space")
+        raise FieldError((), f"is {show(value)}; ids are printable and neither start nor end with a space")
     if _WALL.match(value):
-        raise Problem((), f'is {show(value)}; ids that start with "wall:" mean walls, choose another')
+        raise FieldError((), f'is {show(value)}; ids that start with "wall:" mean walls, choose another')
     return value
 
 
 def _check_interval(value: tuple[float, float]) -> tuple[float, float]:
     if not value[1] - value[0] >= SMALLEST:
-        raise Problem((), f"is [{value[0]:g}, {value[1]:g}]; the first must be less than the second")
+        raise FieldError((), f"is [{value[0]:g}, {value[1]:g}]; the first must be less than the second")
     return value
 
 
 def _unit(value: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
     length = math.hypot(*value)
     if not abs(length - 1.0) <= UNIT_TOLERANCE:
-        raise Problem((), f"has norm {length:.4g}; divide it by its norm to make that 1 (the order is x, y, z, w)")
+        raise FieldError((), f"has norm {length:.4g}; divide it by its norm to make that 1 (the order is x, y, z, w)")
     if abs(length - 1.0) <= 1e-12:  # as good as 1: scaling again would only stir the last bits
         return value
     x, y, z, w = value
@@ -79,7 +79,7 @@ def _unit(value: tuple[float, float, float, float]) -> tuple[float, float, float
 def _check_outline(points: Points) -> Points:
     check_simple(points)
     if signed_area(points) < 0:
-        raise Problem((), "runs clockwise; reverse it and renumber the walls of doors, windows and relations")
+        raise FieldError((), "runs clockwise; reverse it and renumber the walls of doors, windows and relations")
     return points
 
 
@@ -87,7 +87,7 @@ def json_value(value: Any, depth: int = 0) -> Any:
     """A copy of ``value`` as plain JSON: lists for tuples, Python numbers for numpy scalars.
 
     Raises:
-        Problem: when something in it cannot be written as JSON (NaN, other types, deeper than 32 levels).
+        FieldError: when something in it cannot be written as JSON (NaN, other types, deeper than 32 levels).
     """
     if value is None or isinstance(value, bool):
         return value
@@ -97,32 +97,32 @@ def json_value(value: Any, depth: int = 0) -> Any:
         value = value.item()
     if isinstance(value, int):
         if value.bit_length() > 1000:
-            raise Problem((), "is a huge number; numbers must fit a double")
+            raise FieldError((), "is a huge number; numbers must fit a double")
         return value
     if isinstance(value, float):
         if not math.isfinite(value):
-            raise Problem((), f"is {show(value)}; numbers must be finite")
+            raise FieldError((), f"is {show(value)}; numbers must be finite")
         return value
     if depth >= _MAX_DEPTH:
-        raise Problem((), f"is nested deeper than {_MAX_DEPTH} levels; flatten it")
+        raise FieldError((), f"is nested deeper than {_MAX_DEPTH} levels; flatten it")
     if isinstance(value, Mapping):
         return {_json_key(key): _at(key, item, depth) for key, item in value.items()}
     if isinstance(value, list | tuple):
         return [_at(i, item, depth) for i, item in enumerate(value)]
-    raise Problem((), f"is {show(value)}; give something that JSON can hold")
+    raise FieldError((), f"is {show(value)}; give something that JSON can hold")
 
 
 def _json_key(key: object) -> str:
     if not isinstance(key, str):
-        raise Problem((), f": key {show(key)} is not a string; JSON keys are")
+        raise FieldError((), f": key {show(key)} is not a string; JSON keys are")
     return json_value(key)
 
 
 def _at(key: str | int, value: object, depth: int) -> object:
     try:
         return json_value(value, depth + 1)
-    except Problem as problem:
-        raise Problem((key, *problem.loc), problem.text) from None
+    except FieldError as error:
+        raise FieldError((key, *error.loc), error.text) from None
 
 
 def _check_target(value: Any) -> Any:
@@ -130,7 +130,7 @@ def _check_target(value: Any) -> Any:
         return value
     if isinstance(value, list | tuple) and len(value) == 2 and all(isinstance(v, str) for v in value):
         return tuple(value)
-    raise Problem((), f"is {show(value)}; give an id, a list of two ids, or null")
+    raise FieldError((), f"is {show(value)}; give an id, a list of two ids, or null")
 
 
 _Corners = Annotated[tuple[Vec2, ...], Field(min_length=3, fail_fast=True)]

@@ -8,7 +8,7 @@ from pydantic import AfterValidator, Field
 
 from .base import FrozenModel
 from .fields import Flag, Name, Vec2
-from .messages import Problem
+from .messages import FieldError
 
 Priority = Literal["optional", "usual", "needed", "asked"]
 """How much an object is wanted: nice to have, usual in such a room, needed by it, asked for in the request."""
@@ -19,7 +19,7 @@ PRIORITIES: tuple[Priority, ...] = get_args(Priority)
 
 def _check_heights(value: tuple[float, float]) -> tuple[float, float]:
     if not value[0] <= value[1]:
-        raise Problem((), f"is [{value[0]:g}, {value[1]:g}]; the first must not be greater than the second")
+        raise FieldError((), f"is [{value[0]:g}, {value[1]:g}]; the first must not be greater than the second")
     return value
 
 

@@ -40,7 +40,7 @@ _MOST_COMPARED = 5000
 _LABELLED = ("doors", "windows", "objects", "relations", "dropped")
 
 
-class Problem(ValueError):
+class FieldError(ValueError):
     """Something wrong at ``loc``, a path relative to the model that raises it; ``text`` continues the path."""
 
     def __init__(self, loc: Loc, text: str) -> None:
@@ -166,7 +166,7 @@ def _explain(problem: Mapping[str, Any], root: type[BaseModel]) -> tuple[Loc, st
     field = next((key for key in reversed(loc) if isinstance(key, str)), "")
     if kind == "value_error":
         cause = ctx["error"]
-        return (loc + cause.loc, cause.text) if isinstance(cause, Problem) else (loc, f"is wrong: {cause}")
+        return (loc + cause.loc, cause.text) if isinstance(cause, FieldError) else (loc, f"is wrong: {cause}")
     if loc[-1:] == ("[key]",):
         return loc[:-2], f": key {show(value)} is not a string; JSON keys are"
     if kind == "extra_forbidden":

@@ -14,7 +14,7 @@ from .base import FrozenModel
 from .errors import InputError
 from .fields import ConvexPolygon, Flag, Id, Interval, JsonDict, Length, Name, Number, Polygon, Quat, Text, Vec3
 from .intent import Intent
-from .messages import Problem, show
+from .messages import FieldError, show
 
 
 class Pose(FrozenModel):
@@ -105,17 +105,17 @@ class SceneObject(FrozenModel):
     def _check(self) -> Self:
         """Mount and support go together; the surfaces of an object have names of their own."""
         if self.mount == "surface" and self.support is None:
-            raise Problem(
+            raise FieldError(
                 ("support",), 'is missing, but mount is "surface"; name the object and surface that it stands on'
             )
         if self.mount != "surface" and self.support is not None:
-            raise Problem(
+            raise FieldError(
                 ("support",), f'is given, but mount is "{self.mount}"; set mount to "surface" or support to null'
             )
         names: set[str] = set()
         for i, surface in enumerate(self.surfaces):
             if surface.name in names:
-                raise Problem(("surfaces", i, "name"), f"{show(surface.name)} is taken; choose another")
+                raise FieldError(("surfaces", i, "name"), f"{show(surface.name)} is taken; choose another")
             names.add(surface.name)
         return self
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from .messages import Problem
+from .messages import FieldError
 
 Vec2 = tuple[float, float]
 Points = tuple[Vec2, ...]
@@ -36,30 +36,30 @@ def check_simple(points: Points) -> None:
     """Refuse a polygon with repeated corners, crossing or touching edges, or no area.
 
     Raises:
-        Problem: with the corner, and what to do.
+        FieldError: with the corner, and what to do.
     """
     n = len(points)
     for i, (x, y) in enumerate(points):
         j = (i + 1) % n
         if math.hypot(points[j][0] - x, points[j][1] - y) < MIN_EDGE:
             if j == 0:
-                raise Problem((i,), "repeats corner 0; leave the closing corner out")
-            raise Problem((j,), f"repeats corner {i}; remove one of them")
+                raise FieldError((i,), "repeats corner 0; leave the closing corner out")
+            raise FieldError((j,), f"repeats corner {i}; remove one of them")
     for i in range(n):
         (ax, ay), (bx, by), (cx, cy) = points[i - 1], points[i], points[(i + 1) % n]
         ux, uy, vx, vy = bx - ax, by - ay, cx - bx, cy - by
         if ux * vx + uy * vy < 0 and abs(ux * vy - uy * vx) <= 1e-12 * math.hypot(ux, uy) * math.hypot(vx, vy):
-            raise Problem((i,), "is a spike where the outline doubles back on itself; remove the corner")
+            raise FieldError((i,), "is a spike where the outline doubles back on itself; remove the corner")
     _check_crossing(points)
     if abs(signed_area(points)) < MIN_AREA:
-        raise Problem((), "has no area; give corners that enclose some")
+        raise FieldError((), "has no area; give corners that enclose some")
 
 
 def counter_clockwise(points: Points) -> Points:
     """The same simple polygon, counter-clockwise, from the same first corner.
 
     Raises:
-        Problem: when it is not simple.
+        FieldError: when it is not simple.
     """
     check_simple(points)
     return points if signed_area(points) > 0 else (points[0], *reversed(points[1:]))
@@ -69,7 +69,7 @@ def convex(points: Points) -> Points:
     """The same simple polygon, counter-clockwise.
 
     Raises:
-        Problem: when it is not simple or not convex.
+        FieldError: when it is not simple or not convex.
     """
     points = counter_clockwise(points)
     n = len(points)
@@ -78,7 +78,7 @@ def convex(points: Points) -> Points:
         ux, uy, vx, vy = bx - ax, by - ay, cx - bx, cy - by
         if ux * vy - uy * vx < -CONVEX_TOLERANCE * math.hypot(ux, uy) * math.hypot(vx, vy):
             where = f"({bx:g}, {by:g})"
-            raise Problem((), f"is not convex at corner {where}; split it into convex parts")
+            raise FieldError((), f"is not convex at corner {where}; split it into convex parts")
     return points
 
 
@@ -90,12 +90,14 @@ def _check_crossing(points: Points) -> None:
 
         reason = explain_validity(Polygon(points))
         if reason != "Valid Geometry":
-            raise Problem((), f"crosses itself ({reason}); list the corners in order around the shape")
+            raise FieldError((), f"crosses itself ({reason}); list the corners in order around the shape")
         return
     for i in range(n):
         for j in range(i + 2, n - (i == 0)):
             if _touch(points[i], points[i + 1], points[j], points[(j + 1) % n]):
-                raise Problem((), f"crosses itself: edges {i} and {j} meet; list the corners in order around the shape")
+                raise FieldError(
+                    (), f"crosses itself: edges {i} and {j} meet; list the corners in order around the shape"
+                )
 
 
 def _turn(a: Vec2, b: Vec2, c: Vec2) -> float:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from .catalogue import CATALOGUE
-from .messages import Loc, Problem, quote, show, suggest
+from .messages import FieldError, Loc, quote, show, suggest
 from .objects import SceneObject
 from .relation import Relation
 from .room import Room
@@ -20,7 +20,7 @@ def check_references(room: Room, objects: Sequence[SceneObject], relations: Sequ
     for loc, name in _ids(room, objects):
         where = "".join(f"[{k}]" if isinstance(k, int) else f".{k}" for k in loc).lstrip(".")
         if name in seen:
-            raise Problem((*loc, "id"), f"is taken by {seen[name]}; ids are unique over doors, windows and objects")
+            raise FieldError((*loc, "id"), f"is taken by {seen[name]}; ids are unique over doors, windows and objects")
         seen[name] = where
     by_id = {o.id: o for o in objects}
     _check_supports(by_id)
@@ -34,7 +34,7 @@ def check_references(room: Room, objects: Sequence[SceneObject], relations: Sequ
     for i, relation in enumerate(relations):
         if relation.subject not in by_id:
             fix = suggest(relation.subject, by_id, what="objects", mark="'")
-            raise Problem(("relations", i, "subject"), f"is {quote(relation.subject)}, which is no object{fix}")
+            raise FieldError(("relations", i, "subject"), f"is {quote(relation.subject)}, which is no object{fix}")
         kind = CATALOGUE[relation.type].target_kind
         for k, target in enumerate(relation.targets):
             if target not in kinds[kind]:
@@ -42,7 +42,7 @@ def check_references(room: Room, objects: Sequence[SceneObject], relations: Sequ
                 loc: Loc = ("relations", i, "target", k) if kind == "objects" else ("relations", i, "target")
                 fix = suggest(target, kinds[kind], what=f"{noun}s", mark="'")
                 fix = f"; the walls are wall:0 to wall:{len(room.outline) - 1}" if kind == "wall" else fix
-                raise Problem(loc, f"is {quote(target)}, which is no {noun} of this scene{fix}")
+                raise FieldError(loc, f"is {quote(target)}, which is no {noun} of this scene{fix}")
 
 
 def _check_supports(objects: dict[str, SceneObject]) -> None:
@@ -54,11 +54,11 @@ def _check_supports(objects: dict[str, SceneObject]) -> None:
         if carrier is None:
             name = obj.support.object
             fix = suggest(name, objects, what="objects", mark="'")
-            raise Problem(("objects", i, "support", "object"), f"is {quote(name)}, which is no object{fix}")
+            raise FieldError(("objects", i, "support", "object"), f"is {quote(name)}, which is no object{fix}")
         if obj.support.surface not in (s.name for s in carrier.surfaces):
             fix = suggest(obj.support.surface, [s.name for s in carrier.surfaces], what="its surfaces")
             text = f"is {show(obj.support.surface)}, which is no surface of {quote(carrier.id)}{fix}"
-            raise Problem(("objects", i, "support", "surface"), text)
+            raise FieldError(("objects", i, "support", "surface"), text)
     for obj in objects.values():
         path: dict[str, None] = {}
         at: SceneObject | None = obj
@@ -66,7 +66,9 @@ def _check_supports(objects: dict[str, SceneObject]) -> None:
             if at.id in path:
                 circle = " -> ".join(quote(name) for name in [*list(path)[list(path).index(at.id) :], at.id])
                 i = next(i for i, o in enumerate(objects.values()) if o is at)
-                raise Problem(("objects", i, "support"), f"goes round in a circle: {circle}; one must stand elsewhere")
+                raise FieldError(
+                    ("objects", i, "support"), f"goes round in a circle: {circle}; one must stand elsewhere"
+                )
             path[at.id] = None
             at = objects[at.support.object] if at.support else None
         done.update(path)

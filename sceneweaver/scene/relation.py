@@ -10,7 +10,7 @@ from pydantic import Field, field_validator, model_validator
 from .base import FrozenModel
 from .catalogue import CATALOGUE
 from .fields import Flag, Id, JsonDict, Name, Target, Weight
-from .messages import Problem, quote, show, suggest
+from .messages import FieldError, quote, show, suggest
 
 _WALL = re.compile(r"wall:(0|[1-9][0-9]{0,8})", re.ASCII)
 
@@ -38,7 +38,7 @@ class Relation(FrozenModel):
     @classmethod
     def _known(cls, value: str) -> str:
         if value not in CATALOGUE:
-            raise Problem((), f"{show(value)} is unknown{suggest(value, CATALOGUE)}")
+            raise FieldError((), f"{show(value)} is unknown{suggest(value, CATALOGUE)}")
         return value
 
     @model_validator(mode="after")
@@ -46,8 +46,8 @@ class Relation(FrozenModel):
         self._check_target()
         try:
             params = CATALOGUE[self.type].check_params(self.params)
-        except Problem as problem:
-            raise Problem(("params", *problem.loc), problem.text) from None
+        except FieldError as error:
+            raise FieldError(("params", *error.loc), error.text) from None
         object.__setattr__(self, "params", params)  # with their proper types; the model is not out in the world yet
         return self
 
@@ -73,18 +73,18 @@ class Relation(FrozenModel):
         wanted += " or null" if spec.target_optional and kind != "none" else ""
         if target is None:
             if not spec.target_optional:
-                raise Problem(("target",), f"is missing; {self.type} takes {wanted}")
+                raise FieldError(("target",), f"is missing; {self.type} takes {wanted}")
             return
         if kind == "none":
-            raise Problem(("target",), f"is {_show_target(target)}; {self.type} takes none, set it to null")
+            raise FieldError(("target",), f"is {_show_target(target)}; {self.type} takes none, set it to null")
         if isinstance(target, str) == (kind == "objects"):
-            raise Problem(("target",), f"is {_show_target(target)}; {self.type} takes {wanted}")
+            raise FieldError(("target",), f"is {_show_target(target)}; {self.type} takes {wanted}")
         if kind == "wall" and wall_number(self.targets[0]) is None:
-            raise Problem(("target",), f"is {_show_target(target)}; {self.type} takes {wanted}, such as wall:0")
+            raise FieldError(("target",), f"is {_show_target(target)}; {self.type} takes {wanted}, such as wall:0")
         if self.subject in self.targets:
-            raise Problem(("target",), f"is {quote(self.subject)}, the subject itself; name another object")
+            raise FieldError(("target",), f"is {quote(self.subject)}, the subject itself; name another object")
         if kind == "objects" and len(set(self.targets)) < 2:
-            raise Problem(("target",), f"names {quote(self.targets[0])} twice; name two objects")
+            raise FieldError(("target",), f"names {quote(self.targets[0])} twice; name two objects")
 
 
 def _show_target(target: str | tuple[str, str]) -> str:

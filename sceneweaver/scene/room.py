@@ -11,7 +11,7 @@ from sceneweaver.geometry.walls import Wall, walls_of
 
 from .base import FrozenModel
 from .fields import Id, Index, Length, Name, Offset, Outline
-from .messages import Problem
+from .messages import FieldError
 
 FIT_TOLERANCE = 1e-6
 """How far [m] an opening may stand over its wall's end or the ceiling: rounding, no more."""
@@ -72,15 +72,15 @@ class Room(FrozenModel):
             for i, opening in enumerate(openings):
                 if opening.wall >= len(walls):
                     known = f"the outline has walls 0 to {len(walls) - 1}"
-                    raise Problem((key, i, "wall"), f"is {opening.wall}; {known}")
+                    raise FieldError((key, i, "wall"), f"is {opening.wall}; {known}")
                 length = walls[opening.wall].length
                 end = opening.offset + opening.width
                 if end > length + FIT_TOLERANCE:
                     fix = f"wall {opening.wall} is {length:.6g} m long; move it or make it narrower"
-                    raise Problem((key, i), f": offset + width is {end:.6g} m, but {fix}")
+                    raise FieldError((key, i), f": offset + width is {end:.6g} m, but {fix}")
                 _, top = heights(opening)
                 if top > self.height + FIT_TOLERANCE:
                     what = "sill + height" if key == "windows" else "height"
                     fix = f"the room is {self.height:.6g} m high; make it lower"
-                    raise Problem((key, i), f": {what} is {top:.6g} m, but {fix}")
+                    raise FieldError((key, i), f": {what} is {top:.6g} m, but {fix}")
         return self

@@ -13,7 +13,7 @@ from sceneweaver.assets import make
 from sceneweaver.physics import batch, settle, stability
 from sceneweaver.physics.batch import model_of, poses_of, settle_many, settle_scenes, stability_many
 from sceneweaver.physics.boxes import boxed
-from sceneweaver.physics.worlds import PRODUCT, Outcome, Solver, Template, merged, run_c, shifts
+from sceneweaver.physics.worlds import PRODUCT, SimulationResult, Solver, Template, merged, run_c, shifts
 from sceneweaver.scene import InputError, Pose, Room, Scene, SceneObject, Support
 
 ROOM = Room(outline=((0, 0), (5, 0), (5, 5), (0, 5)))
@@ -192,7 +192,7 @@ def test_what_had_no_room_is_never_taken_for_an_answer(monkeypatch) -> None:
 
     def full(template, start, steps, device, backend, threads):
         overflow, astray = np.array([0, 1, 0, 0], bool), np.array([0, 0, 1, 0], bool)
-        return Outcome(start.copy(), overflow, astray, 9.0, 9, 0.1, problem="candidates: no room"), "c", "cpu"
+        return SimulationResult(start.copy(), overflow, astray, 9.0, 9, 0.1, problem="candidates: no room"), "c", "cpu"
 
     monkeypatch.setattr(batch, "run", full)
     found = settle_many(scene, poses, LOAD)
@@ -206,7 +206,7 @@ def test_what_had_no_room_is_never_taken_for_an_answer(monkeypatch) -> None:
 
 
 def test_parts_of_a_run_are_one() -> None:
-    one = Outcome(np.zeros((2, 1, 7)), np.array([True, False]), np.zeros(2, bool), 3.0, 5, 1.0, 1, problem="p")
+    one = SimulationResult(np.zeros((2, 1, 7)), np.array([True, False]), np.zeros(2, bool), 3.0, 5, 1.0, 1, problem="p")
     two = replace(one, overflow=np.zeros(2, bool), constraints=9, problem=None, grown=0)
     both = merged([two, one])
     assert both.poses.shape == (4, 1, 7) and both.overflow.tolist() == [False, False, True, False]

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely.geometry import Polygon
 
-from sceneweaver.scene.messages import Problem
+from sceneweaver.scene.messages import FieldError
 from sceneweaver.scene.polygons import check_simple, convex, counter_clockwise, signed_area, union
 
 grid = st.lists(st.tuples(st.integers(0, 5), st.integers(0, 5)), min_size=3, max_size=8, unique=True)
@@ -28,7 +28,7 @@ def test_simple_agrees_with_shapely(points):
     points = tuple((float(x), float(y)) for x, y in points)
     try:
         check_simple(points)
-    except Problem:
+    except FieldError:
         assert not Polygon(points).is_valid
     else:
         assert Polygon(points).is_valid and Polygon(points).area == pytest.approx(abs(signed_area(points)))
@@ -40,7 +40,7 @@ def test_convex_agrees_with_shapely(points):
     shape = Polygon(points)
     try:
         turned = convex(tuple((float(x), float(y)) for x, y in points))
-    except Problem:
+    except FieldError:
         assert not shape.is_valid or shape.area < shape.convex_hull.area
     else:
         assert shape.area == shape.convex_hull.area and signed_area(turned) > 0 and turned[0] == points[0]
@@ -56,13 +56,13 @@ def test_rings_of_any_number_of_corners_pass_and_turn(n):
 @pytest.mark.parametrize("turns", [2, 3])
 def test_a_star_turns_left_at_every_corner_and_is_no_convex_polygon(turns):
     star = tuple(ring(7)[i * turns % 7] for i in range(7))
-    with pytest.raises(Problem, match="crosses itself"):
+    with pytest.raises(FieldError, match="crosses itself"):
         convex(star)
 
 
 def test_convexity_tolerates_rounding_only():
     assert convex(((0.0, 0.0), (0.5, 1e-11), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)))
-    with pytest.raises(Problem, match="not convex at corner"):
+    with pytest.raises(FieldError, match="not convex at corner"):
         convex(((0.0, 0.0), (0.5, 1e-6), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)))
     far = tuple((x + 4e5, y - 7e5) for x, y in ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)))
     assert convex(far) == far

@@ -65,7 +65,7 @@ COMMON = ("office_chair", "desk", "dining_table", "bookcase", "sofa", "tv", "flo
 
 
 @dataclass(frozen=True)
-class Outcome:
+class GenerationResult:
     """What came of one generator: the asset, or the reason why there is none."""
 
     category: str
@@ -83,7 +83,7 @@ def generate(
     seconds: float = 300.0,
     setup_seconds: float = 1800.0,
     worker: Path = WORKER,
-) -> Iterator[Outcome]:
+) -> Iterator[GenerationResult]:
     """Run generators and keep what they make; one outcome for each category and seed, in order.
 
     The environment is made first (once: uv keeps it), within ``setup_seconds``; each generator has ``seconds``.
@@ -123,7 +123,7 @@ def _set_up(uv: str, worker: Path, seconds: float) -> None:
         raise MissingDependencyError(f"infinigen: its environment could not be made ({why})")
 
 
-def _one(uv: str, worker: Path, category: str, seed: int, store: Store, seconds: float) -> Outcome:
+def _one(uv: str, worker: Path, category: str, seed: int, store: Store, seconds: float) -> GenerationResult:
     import time
 
     start = time.perf_counter()
@@ -154,7 +154,7 @@ def _one(uv: str, worker: Path, category: str, seed: int, store: Store, seconds:
                 store.add(asset, content_hash(asset))
             except InputError as error:
                 asset, reason = None, str(error)
-    return Outcome(category, seed, asset, reason, time.perf_counter() - start)
+    return GenerationResult(category, seed, asset, reason, time.perf_counter() - start)
 
 
 def _run(command: list[str], seconds: float) -> tuple[int | None, str]:
