@@ -127,6 +127,8 @@ class Tables:
     row_aim: wp.array(dtype=wp.vec4)  # interval that the energy pulls into, offset, metres per unit of the feature
     row_prism: wp.array(dtype=wp.int32)
     row_hold: wp.array(dtype=wp.vec2)  # interval that counts as fulfilled
+    # rows of exact values of each option, from and to; their aim is the value and the one that all may share
+    snap_start: wp.array(dtype=wp.int32)
 
 
 TablesRef = wp.array(dtype=Tables)

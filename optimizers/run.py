@@ -19,6 +19,14 @@ def cpu_threads() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
+def pieces(batch: Batch) -> list[Batch]:
+    """The batch in the pieces that CPU threads take, on a GPU as it is."""
+    if batch.device != "cpu":
+        return [batch]
+    piece = max(1, min(PIECE, -(-batch.size // cpu_threads())))
+    return [batch.part(i, min(i + piece, batch.size)) for i in range(0, batch.size, piece)]
+
+
 def run(batch: Batch, optimizer: str, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
     """Move the batch's poses in place. Pieces do not know of each other, so threads do not change the result."""
     solve = OPTIMIZERS[optimizer]
@@ -28,12 +36,10 @@ def run(batch: Batch, optimizer: str, start: Start, budget: int | None, monitor:
     if batch.device != "cpu":
         with wp.ScopedDevice(batch.device):
             return solve(batch, start, budget, monitor)
-    threads = cpu_threads()
-    piece = max(1, min(PIECE, -(-batch.size // threads)))
-    parts = [batch.part(i, min(i + piece, batch.size)) for i in range(0, batch.size, piece)]
+    parts = pieces(batch)
     if len(parts) == 1:
         return solve(parts[0], start, budget, monitor)
     outcomes = [solve(parts[0], start, budget, monitor)]  # the first alone: it compiles what is not compiled yet
-    with ThreadPoolExecutor(threads) as pool:
+    with ThreadPoolExecutor(cpu_threads()) as pool:
         outcomes += pool.map(lambda part: solve(part, start, budget, monitor), parts[1:])
     return OptimizerResult(np.concatenate([o.energy for o in outcomes]))

@@ -154,6 +154,7 @@ class Executor:
                 device=s.device,
                 steps=s.attempts[0],
                 init="sample" if loose - old else "current",
+                snap=True,
             )
             layouts = [_posed(draft, layout) for layout in solution.distinct(ENOUGH)]
             valid = [o for o in self._tidied(layouts) if o.report.valid]
@@ -178,6 +179,7 @@ class Executor:
             init="sample" if fresh else "current",
             device=s.device,
             steps=attempts,
+            snap=True,
         )
         layouts = solution.distinct(s.finalists if fresh else 2) or [solution.best]
         return [_posed(draft, layout) for layout in layouts]
@@ -187,7 +189,7 @@ class Executor:
         s = self.settings
         scenes = [_pinned(coarse(draft), poses) for poses in drafts]
         solutions = refine_many(
-            scenes, candidates=max(8, s.layouts // len(scenes)), seed=seed, device=s.device, steps=attempts
+            scenes, candidates=max(8, s.layouts // len(scenes)), seed=seed, device=s.device, steps=attempts, snap=True
         )
         found = [
             _posed(draft, layout)

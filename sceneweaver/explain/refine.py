@@ -28,6 +28,7 @@ def refine(
     steps: int | None = None,
     progress: Progress | None = None,
     explain: bool = True,
+    snap: bool = False,
 ) -> Solution:
     """Refine many candidate layouts of a scene at once.
 
@@ -44,6 +45,8 @@ def refine(
             the first feasible one on, the others: steps).
         progress: called now and then as ``progress(done, total, valid, lowest energy)``.
         explain: when nothing is valid, find out why (``solution.explanation``); takes up to 10 s.
+        snap: bring valid layouts to the exact values of their relations at the end: square to the room, flush with
+            walls and neighbours, centred, chairs pushed in, as far as nothing is in the way.
 
     Raises:
         InputError: an argument is out of range. MissingDependencyError: the device is not there.
@@ -59,6 +62,7 @@ def refine(
         time_limit=time_limit,
         steps=steps,
         progress=progress,
+        snap=snap,
     )
     return _explained(solution, began, time_limit) if explain else solution
 
@@ -75,6 +79,7 @@ def refine_many(
     steps: int | None = None,
     progress: Progress | None = None,
     explain: bool = False,
+    snap: bool = False,
 ) -> list[Solution]:
     """Refine many scenes in shared launches; each gets what ``refine`` would give it alone.
 
@@ -91,6 +96,7 @@ def refine_many(
         time_limit=time_limit,
         steps=steps,
         progress=progress,
+        snap=snap,
     )
     return [_explained(solution, began, time_limit) for solution in solutions] if explain else solutions
 

@@ -8,6 +8,7 @@ verdict and the pair terms see the whole scene.
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -191,7 +192,8 @@ def _compile(
     for _, rel in relations:
         if rel.type == "around" and isinstance(rel.target, str):
             around.setdefault(rel.target, []).append(rel)
-    frame = Frame(objects, index, region, footprints, windows, around)
+    tied = Counter((rel.type, rel.target) for _, rel in relations if isinstance(rel.target, str))
+    frame = Frame(objects, index, region, footprints, windows, around, tied)
     compiled = [compile_relation(frame, rel) for _, rel in relations]
     riders: dict[int, int] = {}
     for i, (_, rel) in enumerate(relations):

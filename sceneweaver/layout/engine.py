@@ -14,6 +14,8 @@ from sceneweaver.kernels import load
 from sceneweaver.kernels.bookkeeping import broadcast_poses, set_turns, to_surface_frames
 from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, judge, load_poses, new_state, run, streams
 from sceneweaver.optimizers.batch import Progress
+from sceneweaver.optimizers.snap import MODULES as SNAP_MODULES
+from sceneweaver.optimizers.snap import snap_batch
 from sceneweaver.scene import InputError, Scene
 
 from .access import walkable_shares
@@ -43,6 +45,7 @@ def refine(
     time_limit: float | None = None,
     steps: int | None = None,
     progress: Progress | None = None,
+    snap: bool = False,
 ) -> Solution:
     """Refine many candidate layouts of a scene at once.
 
@@ -57,7 +60,7 @@ def refine(
     job = Job(compiled, world, start, seed, keep=start == "given" and given is None)
     monitor = Monitor(len(world), None if time_limit is None else began + time_limit, progress)
     jobs = _prepared([job], where, optimizer, monitor)
-    return solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began))[0]
+    return solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))[0]
 
 
 def refine_many(
@@ -71,6 +74,7 @@ def refine_many(
     time_limit: float | None = None,
     steps: int | None = None,
     progress: Progress | None = None,
+    snap: bool = False,
 ) -> list[Solution]:
     """Refine many scenes in shared launches; each gets what ``refine`` would give it alone.
 
@@ -87,7 +91,7 @@ def refine_many(
         jobs.append(Job(compiled, world, "given" if current else init, seed, keep=current))
     monitor = Monitor(candidates * len(jobs), None if time_limit is None else began + time_limit, progress)
     jobs = _prepared(jobs, where, optimizer, monitor)
-    return solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began))
+    return solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))
 
 
 def _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps) -> np.ndarray | None:
@@ -114,10 +118,16 @@ def _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps
 
 
 def solve(
-    jobs: Sequence[Job], optimizer: str, steps: int | None, device: str, monitor: Monitor, began: float
+    jobs: Sequence[Job],
+    optimizer: str,
+    steps: int | None,
+    device: str,
+    monitor: Monitor,
+    began: float,
+    snap: bool = False,
 ) -> list[Solution]:
     """Solve jobs in shared launches, rooms of like size together."""
-    load(device, *_modules(jobs, optimizer, device))
+    load(device, *_modules(jobs, optimizer, device), *(SNAP_MODULES if snap else ()))
     pools = _pools(jobs, device, monitor.deadline)
     buckets: dict[tuple[str, int], list[int]] = {}
     for i, job in enumerate(jobs):
@@ -142,6 +152,9 @@ def solve(
             np.concatenate([streams(job.seed, job.first + np.arange(n)) for job, n in zip(group, sizes, strict=True)])
         )
         outcome = run(batch, optimizer, start, steps, monitor)
+        if snap:
+            batch.weights = weights()
+            snap_batch(batch, _orders([job.compiled.room for job in group], batch.objects))
         verdict = judge(batch)
         layouts = _layouts(batch, group)
         first = 0
@@ -173,6 +186,19 @@ def solve(
             )
             first += n
     return [solutions[i] for i in range(len(jobs))]
+
+
+def _orders(problems: Sequence[LayoutProblem], objects: int) -> np.ndarray:
+    """The objects [problem, object] of each problem, parents before those that are placed by them."""
+    orders = np.zeros((len(problems), max(objects, 1)), dtype=np.int32)
+    for row, problem in zip(orders, problems, strict=True):
+        depths = np.zeros(problem.size, dtype=np.int32)
+        for i, parent in enumerate(problem.parents):
+            while parent >= 0:
+                depths[i] += 1
+                parent = problem.parents[parent]
+        row[: problem.size] = np.argsort(depths, kind="stable")
+    return orders
 
 
 def _modules(jobs: Sequence[Job], optimizer: str, device: str) -> list[str]:

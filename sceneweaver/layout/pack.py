@@ -143,7 +143,7 @@ def pack(problems: Sequence[LayoutProblem], device: str, pools: Sequence[Sequenc
     prisms = _Prisms()
     foot, members, groups = (_Ranges() for _ in range(3))
     ranges: list[tuple[int, int]] = []  # of prisms: solids and zones of every object
-    touch, fixture, plane, option, row = (_Ranges() for _ in range(5))
+    touch, fixture, plane, option, row, snap = (_Ranges() for _ in range(6))
     surfaces, surface_members, pool = (_Ranges() for _ in range(3))
     supporters: list[int] = []
     surface_heights: list[float] = []
@@ -210,13 +210,15 @@ def pack(problems: Sequence[LayoutProblem], device: str, pools: Sequence[Sequenc
             first = len(row.start) - 1
             rows_before = len(fields["feature"])
             for rows in rel.options:
-                for r in rows:
+                kept = [r for r in rows if not r.is_open]
+                for r in kept:
                     fields["feature"].append(r.feature)
                     fields["frame"].append((*r.normal, *r.point))
                     fields["aim"].append((*r.aim, r.offset, r.scale))
                     fields["prism"].append(-1 if r.polygon is None else prisms.add(Prism(r.polygon, (0.0, 0.0))))
                     fields["hold"].append(r.hold)
-                row.add(rows)
+                row.add(kept)
+                snap.add([r for r in rows if r.exact is not None])
             option.add(range(first, len(row.start) - 1))
             rest = {f for f in fields["feature"][rows_before:] if f >= k.FEATURES_PLAIN}
             shapes = [f for o in rel.objects[:2] if o >= 0 for f in foot.of(object_start[-1] + o)]
@@ -232,6 +234,14 @@ def pack(problems: Sequence[LayoutProblem], device: str, pools: Sequence[Sequenc
         terms += [reduce(or_, (kinds_of[r] for r, _ in mine), always) for mine in parts]
         object_start.append(object_start[-1] + n)
         relation_start.append(relation_start[-1] + len(problem.relations))
+
+    first_snap = len(fields["feature"])
+    for r in snap.values:  # behind all others, which the energy reads; rows with prisms have no exact value
+        fields["feature"].append(r.feature)
+        fields["frame"].append((*r.normal, *r.point))
+        fields["aim"].append((r.exact.value, r.exact.alike, r.offset, r.scale))
+        fields["prism"].append(-1)
+        fields["hold"].append(r.exact.within)
 
     def ints(values) -> wp.array:
         return wp.array(np.asarray(values, dtype=np.int32).reshape(-1), dtype=wp.int32, device=device)
@@ -280,6 +290,7 @@ def pack(problems: Sequence[LayoutProblem], device: str, pools: Sequence[Sequenc
         "relation_kind": relation_kind,
         "option_start": option.start,
         "row_start": row.start,
+        "snap_start": first_snap + np.asarray(snap.start),
         "row_feature": fields["feature"],
         "row_prism": fields["prism"],
     }.items():

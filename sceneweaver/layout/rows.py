@@ -2,31 +2,38 @@
 asks one feature of the poses to lie in an interval.
 
 Each row has two intervals: ``hold`` is the judge's, narrowed by more than float32 loses, and decides; ``aim`` is
-narrower still and is what the energy pulls into, so that the optimum lies strictly inside.
+narrower still and is what the energy pulls into, so that the optimum lies strictly inside. A row may also have the
+value that it takes when the relation is exact; a row without intervals is there for that alone.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
 from sceneweaver.kernels import tables as k
-from sceneweaver.scene import CATALOGUE, Relation, SceneObject, Window
+from sceneweaver.scene import CATALOGUE, Relation, RelationSpec, SceneObject, Window
 
 from .region import Region, Wall, walls_of
 from .shapes import Points, convex_pieces
 
 INF = 1.0e9
+DEGREE = math.radians(1.0)
 LEVER = 0.5  # metres that a radian counts as
 SLACK = 5.0e-4  # of the judge's 1 mm tolerance on lengths, what the engine allows itself
 TIGHT = 2.0e-4  # where the judge has no tolerance
 TIGHT_ANGLE = math.radians(0.02)
 
+LOW = 0.2  # [m] what is lower than its target by more is not pushed under it as a seat is
+HUNG = 1.0  # [m] beyond the heights where a thing should hang, from where it is brought to their middle
+FLAT = 0.02  # [m] height of what lies on the floor like a rug
+
 Vector = tuple[float, float]
+OPEN: Vector = (-INF, INF)
 SIDES: dict[str, Vector] = {"front": (1.0, 0.0), "back": (-1.0, 0.0), "left": (0.0, 1.0), "right": (0.0, -1.0)}
 
 
@@ -42,6 +49,33 @@ class Row:
     offset: float = 0.0
     polygon: Points | None = None
     scale: float = 1.0
+    exact: Snap | None = None
+
+    @property
+    def is_open(self) -> bool:
+        """True when any value will do."""
+        return self.aim == self.hold == OPEN
+
+    def snapped(self, spec: RelationSpec, name: str, unit: float = 1.0) -> Row:
+        """The row with what the catalogue says of a quantity's exact value, if it does; ``unit`` is that of the row."""
+        exact = spec.snap.get(name)
+        if exact is None:
+            return self
+        value, (low, high) = exact.value * unit, exact.within
+        alike = value if exact.alike is None else exact.alike * unit
+        return replace(self, exact=Snap(value, alike, (low * unit, high * unit)))
+
+
+@dataclass(frozen=True)
+class Snap:
+    """The exact value of a row, brought about from within an interval only.
+
+    Where ``alike`` is another value, the subjects of a group take the same value, as near to the exact one as all can.
+    """
+
+    value: float
+    alike: float
+    within: Vector
 
 
 @dataclass(frozen=True)
@@ -65,6 +99,7 @@ class Frame:
     footprints: list[list[Points]]
     windows: Sequence[Window] = ()
     around: dict[str, list[Relation]] = field(default_factory=dict)  # target id -> the relations of its children
+    tied: dict[tuple[str, str], int] = field(default_factory=dict)  # how many relations of a type have a target
 
     def object(self, key: str) -> SceneObject:
         """The object with an id."""
@@ -107,6 +142,15 @@ def height(offset: float, lo: float, hi: float, slack: float = SLACK) -> Row:
     return Row(k.FEATURE_HEIGHT, aim, hold, offset=offset)
 
 
+def _open_line(point: Vector, normal, offset: float) -> Row:
+    """A coordinate along a direction of the target on which the relation itself does not insist."""
+    return Row(k.FEATURE_LINE, OPEN, OPEN, point=point, normal=(float(normal[0]), float(normal[1])), offset=offset)
+
+
+def _open_yaw(offset: float, period: float = 2 * math.pi) -> Row:
+    return Row(k.FEATURE_YAW, OPEN, OPEN, normal=(period, 0.0), offset=offset, scale=LEVER)
+
+
 NEVER = Row(k.FEATURE_CONSTANT, (0.0, 0.0), (0.0, 0.0), offset=1.0)
 
 
@@ -144,15 +188,17 @@ def _facing_rows(
     ]
 
 
-def _wall_rows(a: SceneObject, side: str, wall: Wall, gap: Vector, degrees: float, overlap: float) -> list[Row] | None:
+def _wall_rows(
+    a: SceneObject, side: str, wall: Wall, gap: Vector, degrees: float, overlap: float, spec: RelationSpec
+) -> list[Row] | None:
     """a's side face at a wall; None when the wall is too short for it."""
     point, _, half = _face(a, side)
     across = wall.length / 2 + half - 2 * half * overlap
     if wall.length < 2 * half * overlap + 4 * TIGHT:
         return None
     return [
-        yaw(_bearing(wall.n) + math.pi - _bearing(SIDES[side]), degrees),
-        line(point, wall.n, float(wall.n @ wall.p), *gap),
+        yaw(_bearing(wall.n) + math.pi - _bearing(SIDES[side]), degrees).snapped(spec, "degrees", DEGREE),
+        line(point, wall.n, float(wall.n @ wall.p), *gap).snapped(spec, "gap"),
         line(point, wall.t, float(wall.t @ wall.p) + wall.length / 2, -across, across, -TIGHT),
     ]
 
@@ -160,14 +206,14 @@ def _wall_rows(a: SceneObject, side: str, wall: Wall, gap: Vector, degrees: floa
 def _at_walls(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     a = frame.object(rel.subject)
     wanted = int(rel.target.split(":")[1]) if isinstance(rel.target, str) else None
-    gap = value("gap")
+    gap, spec = value("gap"), CATALOGUE[rel.type]
     options = []
     for i, wall in enumerate(frame.region.walls):
         if wanted is not None and i != wanted:
             continue
-        for side in CATALOGUE[rel.type].subject_sides:
+        for side in spec.subject_sides:
             # the judge knows no lower limit but its 1 mm; objects stay inside the room anyway
-            rows = _wall_rows(a, side, wall, (0.0, gap[1]), value("degrees"), value("overlap"))
+            rows = _wall_rows(a, side, wall, (0.0, gap[1]), value("degrees"), value("overlap"), spec)
             if rows:
                 options.append(rows)
     return options
@@ -180,10 +226,31 @@ def _at_sides(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     for side_a in spec.subject_sides:
         for side_b in spec.target_sides:
             _, reach, half = _face(b, side_b)
-            options.append(
-                _facing_rows(a, side_a, SIDES[side_b], reach, 0.0, half, gap, value("degrees"), value("overlap"))
-            )
+            rows = _facing_rows(a, side_a, SIDES[side_b], reach, 0.0, half, gap, value("degrees"), value("overlap"))
+            options.append(_exact_faces(frame, rel, rows) + _backs(a, side_a, b, side_b, spec))
     return options
+
+
+def _exact_faces(frame: Frame, rel: Relation, rows: list[Row]) -> list[Row]:
+    """Rows of two faces with their exact values: a gap only where the relation does not say one itself, the middles
+    only for what is alone there."""
+    a, b, spec = frame.object(rel.subject), frame.object(_one(rel)), CATALOGUE[rel.type]
+    angle, gap, lateral = rows
+    angle = angle.snapped(spec, "degrees", DEGREE)
+    exact = spec.snap.get("gap")
+    low = exact is not None and exact.alike is not None and (a.mount != "floor" or a.size[2] < b.size[2] - LOW)
+    if "gap" not in rel.params and not low:
+        gap = gap.snapped(spec, "gap")
+    if frame.tied.get((rel.type, b.id), 1) == 1:
+        lateral = lateral.snapped(spec, "lateral")
+    return [angle, gap, lateral]
+
+
+def _backs(a: SceneObject, side_a: str, b: SceneObject, side_b: str, spec: RelationSpec) -> list[Row]:
+    """The back of a in line with that of b, where both look the same way."""
+    if {side_a, side_b} != {"left", "right"}:
+        return []
+    return [_open_line((-a.size[0] / 2, 0.0), (1.0, 0.0), -b.size[0] / 2).snapped(spec, "backs")]
 
 
 def _one(rel: Relation) -> str:
@@ -199,7 +266,15 @@ def _distance(lo: float, hi: float, polygon: Points | None = None, slack: float 
 
 
 def _near(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    return [[_distance(0.0, value("max"))]]
+    middle = _middle(rel) if frame.object(rel.subject).mount == "ceiling" else []
+    return [[_distance(0.0, value("max")), *middle]]
+
+
+def _middle(rel: Relation) -> list[Row]:
+    """Exact rows of what belongs right over or under the middle of its target, turned as it is or by quarters."""
+    spec = CATALOGUE[rel.type]
+    lines = [_open_line((0.0, 0.0), n, 0.0).snapped(spec, "lateral") for n in ((1.0, 0.0), (0.0, 1.0))]
+    return [*lines, _open_yaw(0.0, math.pi / 2).snapped(spec, "degrees", DEGREE)]
 
 
 def _apart(frame: Frame, rel: Relation, value) -> list[list[Row]]:
@@ -209,15 +284,24 @@ def _apart(frame: Frame, rel: Relation, value) -> list[list[Row]]:
 
 def _bearing_row(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     aim, hold = _angle(value("degrees"))
-    return [[Row(k.FEATURE_BEARING, aim, hold, scale=LEVER)]]
+    return [[Row(k.FEATURE_BEARING, aim, hold, scale=LEVER), *_opposite(rel, math.pi)]]
+
+
+def _opposite(rel: Relation, turned: float) -> list[Row]:
+    """Exact rows of the two middles in line along b's front, for what is turned so against b."""
+    spec = CATALOGUE[rel.type]
+    return [
+        _open_yaw(turned).snapped(spec, "degrees", DEGREE),
+        _open_line((0.0, 0.0), (0.0, 1.0), 0.0).snapped(spec, "lateral"),
+    ]
 
 
 def _aligned(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    return [[yaw(0.0, value("degrees"), math.pi / 2)]]
+    return [[yaw(0.0, value("degrees"), math.pi / 2).snapped(CATALOGUE[rel.type], "degrees", DEGREE)]]
 
 
 def _parallel(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    return [[yaw(0.0, value("degrees"), math.pi)]]
+    return [[yaw(0.0, value("degrees"), math.pi).snapped(CATALOGUE[rel.type], "degrees", DEGREE)]]
 
 
 def _beyond(side: str) -> Callable[[Frame, Relation, Callable], list[list[Row]]]:
@@ -236,8 +320,11 @@ def _beyond(side: str) -> Callable[[Frame, Relation, Callable], list[list[Row]]]
 
 
 def _centered(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    limit = value("offset")
-    return [[line((0.0, 0.0), n, 0.0, -limit, limit)] for n in ((0.0, 1.0), (1.0, 0.0))]
+    limit, spec, a = value("offset"), CATALOGUE[rel.type], frame.object(rel.subject)
+    middle = _middle(rel) if a.mount == "ceiling" or a.size[2] < FLAT else []
+    return [
+        [line((0.0, 0.0), n, 0.0, -limit, limit).snapped(spec, "lateral"), *middle] for n in ((0.0, 1.0), (1.0, 0.0))
+    ]
 
 
 def _corner(frame: Frame, rel: Relation, value) -> list[list[Row]]:
@@ -251,7 +338,8 @@ def _corner(frame: Frame, rel: Relation, value) -> list[list[Row]]:
         rows = [_distance(0.0, value("to_corner"), wall.p[None, :], -TIGHT)]
         for w in (before, wall):
             n = (float(w.n[0]), float(w.n[1]))
-            rows.append(Row(k.FEATURE_EXTENT, aim, hold, normal=n, offset=float(w.n @ wall.p)))
+            row = Row(k.FEATURE_EXTENT, aim, hold, normal=n, offset=float(w.n @ wall.p))
+            rows.append(row.snapped(CATALOGUE[rel.type], "gap"))
         options.append(rows)
     return options
 
@@ -265,6 +353,12 @@ def _at_window(frame: Frame, rel: Relation, value) -> list[list[Row]]:
         middle = float(wall.t @ wall.p) + window.offset + window.width / 2
         aim, hold = _span(-INF, value("max"), -TIGHT)
         n, t = (float(wall.n[0]), float(wall.n[1])), (float(wall.t[0]), float(wall.t[1]))
+        centre = []
+        if frame.object(rel.subject).mount == "wall":
+            centre = [
+                _open_yaw(_bearing(wall.n)).snapped(CATALOGUE[rel.type], "degrees", DEGREE),
+                _open_line((0.0, 0.0), wall.t, middle).snapped(CATALOGUE[rel.type], "lateral"),
+            ]
         options.append(
             [
                 Row(
@@ -276,6 +370,7 @@ def _at_window(frame: Frame, rel: Relation, value) -> list[list[Row]]:
                     offset=middle,
                 ),
                 Row(k.FEATURE_EXTENT, aim, hold, normal=n, offset=float(wall.n @ wall.p)),
+                *centre,
             ]
         )
     return options
@@ -314,7 +409,7 @@ def _around(frame: Frame, rel: Relation, value) -> list[list[Row]]:
             value("degrees"),
             value("overlap"),
         )
-        options.append(rows + spread)
+        options.append(_exact_faces(frame, rel, rows) + spread)
     return options
 
 
@@ -362,7 +457,7 @@ def _stacked(above: bool) -> Callable[[Frame, Relation, Callable], list[list[Row
         half = b.size[1] * value("lateral")
         lateral = line((0.0, 0.0), (0.0, 1.0), 0.0, -half, half)
         vertical = height(b.size[2], 0.0, INF) if above else height(-a.size[2], -INF, 0.0)
-        return [[lateral, vertical]]
+        return [[lateral, vertical, *(_opposite(rel, 0.0) if a.mount == "wall" else ())]]
 
     return build
 
@@ -450,7 +545,10 @@ def mounting(frame: Frame, obj: int) -> CompiledRelation:
     a = frame.objects[obj]
     rel = Relation(type="against_wall", subject=a.id)
     options = _at_walls(frame, rel, _values(rel, a))
-    if a.intent.mounting_height is not None:
+    hung = a.intent.mounting_height
+    if hung is not None:
         # The judge knows no such limit. What hangs where nobody looks for it is no less valid, only ugly.
-        options = [[*rows, height(0.0, *a.intent.mounting_height)] for rows in options]
+        middle = 0.5 * (hung[0] + hung[1])
+        level = replace(height(0.0, *hung), exact=Snap(middle, middle, (hung[0] - HUNG, hung[1] + HUNG)))
+        options = [[*rows, level] for rows in options]
     return CompiledRelation((obj, -1, -1), options or [[NEVER]], 1.0, 1, True)

@@ -92,6 +92,22 @@ class ParamSpec:
 
 
 @dataclass(frozen=True, slots=True)
+class Exact:
+    """The value of a quantity of a relation when it is not merely fulfilled but exact.
+
+    Attributes:
+        value: the exact value, in m or deg.
+        within: between which values the quantity is brought to it; beyond them it is taken to be meant otherwise.
+        alike: where it is given, all subjects with one target take the same value, from this to the exact one, which
+            is then as far as one would go, such as chairs that are pushed under a table.
+    """
+
+    value: float
+    within: tuple[float, float]
+    alike: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class RelationSpec:
     """A relation type.
 
@@ -103,6 +119,8 @@ class RelationSpec:
         params: what a relation may set for itself; a parameter named like a field above overrides that field.
         constants: numbers of the type's definition that nothing overrides.
         ties_zones: subject and target are exempt from each other's hard zones.
+        snap: the exact values of quantities: ``degrees`` off, ``gap``, ``lateral`` (the two middles, along the
+            target's face), ``backs`` (the two back faces, along the front).
     """
 
     type: str
@@ -116,6 +134,7 @@ class RelationSpec:
     params: Mapping[str, ParamSpec] = field(default_factory=lambda: MappingProxyType({}))
     constants: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
     ties_zones: bool = False
+    snap: Mapping[str, Exact] = field(default_factory=lambda: MappingProxyType({}))
 
     @property
     def target_kind(self) -> str:
@@ -208,7 +227,12 @@ def _spec(entry: Mapping[str, Any]) -> RelationSpec:
         params=MappingProxyType(params),
         constants=MappingProxyType(dict(entry["constants"])),
         ties_zones=entry["ties_zones"],
+        snap=MappingProxyType({name: _exact(e) for name, e in entry.get("snap", {}).items()}),
     )
+
+
+def _exact(entry: Mapping[str, Any]) -> Exact:
+    return Exact(float(entry["exact"]), _pair(entry["within"]), entry.get("alike"))
 
 
 def _load() -> dict[str, RelationSpec]:

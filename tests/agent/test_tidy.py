@@ -28,36 +28,6 @@ def test_nothing_becomes_worse(name):
     assert len(after.violations) <= len(before.violations)
 
 
-def test_what_is_nearly_square_and_flush_becomes_so():
-    wardrobe = make("wardrobe", 2).object("wardrobe-0")
-    d = wardrobe.size[0]
-    wardrobe = wardrobe.model_copy(update={"pose": Pose.from_yaw(2.5, d / 2 + 0.06, 0.0, math.pi / 2 + 0.06)})
-    scene = tidy(_room(wardrobe, relations=(Relation(type="against_wall", subject="wardrobe-0"),)))
-    pose = scene.object("wardrobe-0").pose
-    assert pose.yaw == pytest.approx(math.pi / 2, abs=1e-6)
-    assert pose.position[1] - d / 2 == pytest.approx(0.004, abs=1e-6)
-    assert check(scene).valid
-
-
-def test_chairs_are_pushed_under_their_table_all_alike():
-    table = make("dining_table", 1)
-    chair = make("dining_chair", 1)
-    d, c = table.size[0] / 2, chair.size[0] / 2
-    objects = [table.object("table-0", pose=Pose.from_yaw(2.5, 2.0, 0.0, 0.0))]
-    relations = []
-    for k, (side, v) in enumerate(((1, -0.35), (1, 0.35), (-1, -0.35), (-1, 0.35))):
-        yaw = math.pi if side > 0 else 0.0
-        pose = Pose.from_yaw(2.5 + side * (d + c + 0.01), 2.0 + v, 0.0, yaw)
-        objects.append(chair.object(f"chair-{k}", pose=pose))
-        relations.append(Relation(type="front_against", subject=f"chair-{k}", target="table-0"))
-    scene = _room(*objects, relations=tuple(relations))
-    assert check(scene).valid
-    after = tidy(scene)
-    assert check(after).valid
-    ways = {round(abs(after.object(f"chair-{k}").pose.position[0] - 2.5), 4) for k in range(4)}
-    assert len(ways) == 1 and ways.pop() < d + c - 0.02
-
-
 def test_coarse_shapes_contain_the_true_parts():
     import shapely
 

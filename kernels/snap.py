@@ -1,0 +1,400 @@
+"""Exact poses: what stands nearly square, flush, centred or in line is brought to stand exactly so.
+
+The energy leaves everything within its tolerances; people see three degrees and two centimetres. Rows of exact values
+(``Tables.snap_start``) say what a relation's quantities ought to be. Objects are brought there one by one, what others
+are placed by first, together with all that they place or else alone: all of the way, or three quarters, half or a
+quarter of it, the first that costs nothing. What shares a target is brought there side by side, all by the same value.
+"""
+
+import warp as wp
+
+from .array_access import item, opaque_one
+from .energy import RelationPoses, best_option, relation_energy, relation_poses, viewed_pose
+from .features import TURN, feature
+from .geometry import wrap
+from .groups import group_energy, members_end, move_with_members, set_pose
+from .sample import QUARTER
+from .tables import (
+    DISTANCES,
+    FEATURE_YAW,
+    FORMULAS,
+    FREE_PLANE,
+    FREE_YAW,
+    FREE_Z,
+    RELATIONS,
+    Margins,
+    Share,
+    State,
+    TablesRef,
+    View,
+    Weights,
+)
+
+wp.set_module_options({"enable_backward": False, "default_grid_stride": False})
+
+PASSES = wp.constant(3)
+SHARES = wp.constant(4)  # of the way that are tried
+SQUARE = wp.constant(0.21)  # [rad] within which something is taken for square to a wall
+STILL = wp.constant(2.0e-6)  # [m, rad] a way that is not worth going
+NOTHING = wp.constant(1.0e-6)  # energy that counts as none
+FAILING = wp.constant(1.0e-5)  # energy from which on a soft relation is taken not to hold
+SLACK = wp.constant(0.02)  # by which the energy of soft relations that do not hold may rise
+
+
+@wp.func
+def exact_pose(t: TablesRef, r: wp.int32, x: RelationPoses, free: wp.int32, knee: wp.float32, share: wp.float32):
+    """The subject's pose with the quantities of relation r (global) exact, one after the other.
+
+    It ends at the first quantity that is too far off. Quantities that are shared come to lie between the value that
+    all may take (share 0) and the exact one (share 1); a negative share leaves them as they are.
+    """
+    option, _e, _g = best_option(t, r, 0, x, knee)
+    pose = x.pose_a
+    q = x.qa
+    for row in range(item(t[0].snap_start, option), item(t[0].snap_start, option + 1)):
+        value, g = feature(t, row, 0, x.a, x.b, pose, q, x.pose_b, x.qb, x.pose_c)
+        within = item(t[0].row_hold, row)
+        aim = item(t[0].row_aim, row)
+        shared = aim[0] != aim[1]
+        if (value < within[0] or value > within[1]) and not (shared and share < 0.0):
+            break
+        d = aim[0] - value
+        if shared:
+            d = wp.where(share < 0.0, 0.0, aim[1] + share * (aim[0] - aim[1]) - value)
+        kind = item(t[0].row_feature, row)
+        if kind == FEATURE_YAW:
+            if free & FREE_YAW:
+                pose[3] = pose[3] + d * g[3]
+                q = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
+        else:
+            if (free & FREE_PLANE) == 0:
+                g[0] = 0.0
+                g[1] = 0.0
+            if (free & FREE_Z) == 0:
+                g[2] = 0.0
+            gg = g[0] * g[0] + g[1] * g[1] + g[2] * g[2]
+            if gg > 1.0e-8:
+                step = d / gg
+                pose = wp.vec4(pose[0] + step * g[0], pose[1] + step * g[1], pose[2] + step * g[2], pose[3])
+    return pose
+
+
+@wp.func
+def shares_value(t: TablesRef, r: wp.int32):
+    """True when a quantity of relation r (global) takes the same value for all subjects of its target."""
+    first = item(t[0].snap_start, item(t[0].option_start, r))
+    for row in range(first, item(t[0].snap_start, item(t[0].option_start, r + 1))):
+        aim = item(t[0].row_aim, row)
+        if aim[0] != aim[1]:
+            return True
+    return False
+
+
+@wp.func
+def squared(t: TablesRef, p: wp.int32, pose: wp.vec4):
+    """A pose turned square to the wall to which it nearly is."""
+    least = float(SQUARE)
+    turned = float(0.0)
+    for k in range(item(t[0].plane_start, p), item(t[0].plane_start, p + 1)):
+        plane = item(t[0].plane, k)
+        off = wrap(pose[3] - wp.atan2(plane[1], plane[0]), QUARTER)
+        if wp.abs(off) < least:
+            least = wp.abs(off)
+            turned = off
+    return wp.vec4(pose[0], pose[1], pose[2], pose[3] - turned)
+
+
+@wp.func
+def way_to(pose: wp.vec4, goal: wp.vec4):
+    """The way from one pose to another, the shorter way round."""
+    d = goal - pose
+    return wp.vec4(d[0], d[1], d[2], wrap(d[3], TURN))
+
+
+@wp.func
+def is_still(way: wp.vec4):
+    """True for a way that is not worth going."""
+    return wp.max(wp.max(wp.abs(way[0]), wp.abs(way[1])), wp.max(wp.abs(way[2]), wp.abs(way[3]))) < STILL
+
+
+@wp.func
+def allowed(
+    t: TablesRef,
+    w: Weights,
+    p: wp.int32,
+    candidate: wp.int32,
+    first: wp.int32,
+    last: wp.int32,
+    view: View,
+    s: State,
+):
+    """True when no relation of the objects group[first:last] is worse off where a view sees them than where they are.
+
+    Soft ones that do not hold in either case may be a little worse off.
+    """
+    o0 = item(t[0].object_start, p)
+    r0 = item(t[0].relation_start, p)
+    still = View()
+    still.best = 1
+    for k in range(first, last):
+        obj = item(t[0].group, k)
+        for j in range(item(t[0].incidence_start, o0 + obj), item(t[0].incidence_start, o0 + obj + 1)):
+            r = item(t[0].incidence, j)
+            if item(t[0].relation_rigid, r0 + r) == 0:
+                e = wp.vec2(0.0, 0.0)
+                for moved in range(0, 2, opaque_one()):
+                    if moved == 1:
+                        still.stamp = view.stamp
+                        still.before = view.before
+                        still.after = view.after
+                        still.spin = view.spin
+                    else:
+                        still.stamp = 0
+                    ei, _g = relation_energy(t, w, o0, r0 + r, r, 0, s, candidate, still)
+                    e[moved] = ei
+                rise = float(NOTHING)
+                if item(t[0].relation_fault, r0 + r) == 0 and e[0] > FAILING:
+                    rise = SLACK
+                if e[1] > e[0] + rise:
+                    return False
+    return True
+
+
+@wp.func
+def go(t: TablesRef, candidate: wp.int32, first: wp.int32, last: wp.int32, view: View, s: State):
+    """Move the objects group[first:last] to where a view sees them."""
+    for k in range(first, last):
+        i = item(t[0].group, k)
+        pose, _q = viewed_pose(s, candidate, i, view)
+        set_pose(s, candidate, i, pose)
+
+
+@wp.func
+def try_way(
+    t: TablesRef,
+    m: Margins,
+    w: Weights,
+    p: wp.int32,
+    candidate: wp.int32,
+    obj: wp.int32,
+    way: wp.vec4,
+    stamp: wp.int32,
+    s: State,
+):
+    """Move an object along a way, as far as costs nothing: with all that it places, else with what it carries.
+
+    Returns the last stamp that marks were set to.
+    """
+    o0 = item(t[0].object_start, p)
+    first = item(t[0].group_start, o0 + obj)
+    alone = members_end(t, o0 + obj)
+    last = item(t[0].group_start, o0 + obj + 1)
+    old = item(s.poses, candidate, obj)
+    mark = int(stamp)
+    moved = bool(False)
+    for whole in range(1, -1, -opaque_one()):
+        if whole == 0:
+            if last == alone:
+                moved = True  # the same again
+            last = alone
+        if not moved:
+            mark += 1
+            for k in range(first, last):
+                i = item(t[0].group, k)
+                carried = item(t[0].object_root, o0 + i) == obj
+                s.mark[candidate, i] = wp.where(carried, -mark, mark)
+            view = View()
+            view.without = FORMULAS | DISTANCES | RELATIONS
+            view.stamp = mark
+            view.before = old
+            base = float(0.0)
+            for k in range(0, SHARES + 1, opaque_one()):
+                if not moved:
+                    share = 1.0 - float(k - 1) / float(SHARES)
+                    if k == 0:
+                        share = 0.0
+                    view.after = old + share * way
+                    view.spin = wp.vec2(wp.cos(share * way[3]), wp.sin(share * way[3]))
+                    limit = float(1.0e6)
+                    if k > 0:
+                        limit = base + NOTHING
+                    e, _share, _soft, _g = group_energy(t, m, w, p, candidate, first, last, s, limit, view, Share(0, 1))
+                    if k == 0:
+                        base = e
+                    elif e <= limit:
+                        if allowed(t, w, p, candidate, first, last, view, s):
+                            go(t, candidate, first, last, view, s)
+                            moved = True
+    return mark
+
+
+@wp.func
+def is_placed(t: TablesRef, o0: wp.int32, r: wp.int32):
+    """True when the subject of relation r (global) is free to move by itself."""
+    subject = o0 + item(t[0].relation_object, r)[0]
+    root = item(t[0].object_root, subject)
+    return o0 + root == subject and item(t[0].object_free, subject) != 0 and item(t[0].relation_rigid, r) == 0
+
+
+@wp.func
+def snap_one(
+    t: TablesRef,
+    m: Margins,
+    w: Weights,
+    p: wp.int32,
+    candidate: wp.int32,
+    obj: wp.int32,
+    stamp: wp.int32,
+    s: State,
+):
+    """Square an object to the room, then to its relations: those to objects first, those to the room have the last
+    word. Returns the last stamp that marks were set to."""
+    o0 = item(t[0].object_start, p)
+    o = o0 + obj
+    r0 = item(t[0].relation_start, p)
+    free = item(t[0].object_free, o)
+    mark = int(stamp)
+    first = item(t[0].incidence_start, o)
+    count = item(t[0].incidence_start, o + 1) - first
+    for k in range(-1, 2 * count, opaque_one()):
+        pose = item(s.poses, candidate, obj)
+        goal = pose
+        if k < 0:
+            if free & FREE_YAW:
+                goal = squared(t, p, pose)
+        else:
+            at = first + k % wp.max(count, 1)
+            r = r0 + item(t[0].incidence, at)
+            in_room = item(t[0].relation_object, r)[1] < 0
+            if item(t[0].incidence_role, at) == 0 and item(t[0].relation_rigid, r) == 0 and in_room == (k >= count):
+                x = relation_poses(t, o0, r, s, candidate, View())
+                goal = exact_pose(t, r, x, free, w.knee, -1.0)
+        way = way_to(pose, goal)
+        if not is_still(way):
+            mark = try_way(t, m, w, p, candidate, obj, way, mark, s)
+    return mark
+
+
+@wp.func
+def energy_at(
+    t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, target: wp.int32, first: wp.int32, s: State
+):
+    """Energy of all that shares a value at a target, from relation ``first`` (global) on, soft terms apart."""
+    o0 = item(t[0].object_start, p)
+    e = float(0.0)
+    soft = float(0.0)
+    for r in range(first, item(t[0].relation_start, p + 1)):
+        if item(t[0].relation_object, r)[1] == target and shares_value(t, r) and is_placed(t, o0, r):
+            o = o0 + item(t[0].relation_object, r)[0]
+            view = View()
+            view.best = 1
+            ei, _share, fi, _g = group_energy(
+                t,
+                m,
+                w,
+                p,
+                candidate,
+                item(t[0].group_start, o),
+                members_end(t, o),
+                s,
+                1.0e6,
+                view,
+                Share(0, 1),
+            )
+            e += ei
+            soft += fi
+    return e, soft
+
+
+@wp.func
+def snap_alike(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, first: wp.int32, s: State):
+    """Give all that shares a value at a target the same one, as near to the exact one as costs nothing.
+
+    ``first`` (global) is the first of the relations that share it.
+    """
+    o0 = item(t[0].object_start, p)
+    target = item(t[0].relation_object, first)[1]
+    last = item(t[0].relation_start, p + 1)
+    base = float(0.0)
+    base_soft = float(0.0)
+    done = bool(False)
+    for k in range(0, SHARES + 3, opaque_one()):  # where they are, all shares down to none, and back
+        if not done:
+            for r in range(first, last):
+                if item(t[0].relation_object, r)[1] == target and shares_value(t, r) and is_placed(t, o0, r):
+                    obj = item(t[0].relation_object, r)[0]
+                    if k == 0:
+                        s.draft[candidate, obj] = item(s.poses, candidate, obj)
+                    else:
+                        pose = item(s.draft, candidate, obj)
+                        if k < SHARES + 2:
+                            x = relation_poses(t, o0, r, s, candidate, View())
+                            x.pose_a = pose
+                            x.qa = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
+                            share = 1.0 - float(k - 1) / float(SHARES)
+                            pose = exact_pose(t, r, x, item(t[0].object_free, o0 + obj), w.knee, share)
+                        move_with_members(t, o0, s, candidate, obj, pose)
+            e, soft = energy_at(t, m, w, p, candidate, target, first, s)
+            if k == 0:
+                base = e
+                base_soft = soft
+            else:
+                done = e - soft <= base - base_soft + NOTHING and soft <= base_soft + NOTHING
+
+
+@wp.kernel
+def snap(
+    # Problem:
+    t: TablesRef,
+    m: Margins,
+    w: Weights,
+    problem: wp.array(dtype=wp.int32),
+    order: wp.array2d(dtype=wp.int32),
+    # State in:
+    active: wp.array(dtype=wp.int32),
+    # State in and out:
+    s: State,
+):
+    """Make active candidates exact. ``order`` [problem, object] lists parents first. A thread a candidate."""
+    candidate = wp.tid()
+    if active[candidate] == 0:
+        return
+    p = problem[candidate]
+    o0 = item(t[0].object_start, p)
+    n = item(t[0].object_start, p + 1) - o0
+    w.pull = 0.0
+    for obj in range(n):
+        s.mark[candidate, obj] = 0
+    stamp = int(0)
+    for _turn in range(0, PASSES, opaque_one()):
+        for k in range(0, n, opaque_one()):
+            obj = order[p, k]
+            if item(t[0].object_root, o0 + obj) == obj and item(t[0].object_free, o0 + obj) != 0:
+                stamp = snap_one(t, m, w, p, candidate, obj, stamp, s)
+    r0 = item(t[0].relation_start, p)
+    for r in range(r0, item(t[0].relation_start, p + 1)):
+        target = item(t[0].relation_object, r)[1]
+        if target >= 0 and shares_value(t, r) and is_placed(t, o0, r):
+            first = bool(True)
+            for k in range(r0, r):
+                if item(t[0].relation_object, k)[1] == target and shares_value(t, k) and is_placed(t, o0, k):
+                    first = False
+            if first:
+                snap_alike(t, m, w, p, candidate, r, s)
+
+
+@wp.kernel
+def keep_valid(
+    # State in:
+    before: wp.array2d(dtype=wp.vec4),
+    active: wp.array(dtype=wp.int32),
+    status: wp.array(dtype=wp.int8),
+    # State in and out:
+    s: State,
+):
+    """Take back the poses [candidate, object] of active candidates that are not valid any more."""
+    candidate, obj = wp.tid()
+    if active[candidate] != 0 and int(status[candidate]) != 0:
+        pose = before[candidate, obj]
+        s.poses[candidate, obj] = pose
+        s.turns[candidate, obj] = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
