@@ -1,0 +1,106 @@
+"""What a finished design leaves in its folder: everything, whole or not at all."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from sceneweaver.agent.deliver import deliver
+from sceneweaver.agent.memory import Call, Step
+from sceneweaver.agent.result import Result
+from sceneweaver.assets import Library, make
+from sceneweaver.brief import Brief
+from sceneweaver.critic import CRITERIA, Review
+from sceneweaver.scene import InputError, Pose, Room, Scene, Support
+from sceneweaver.verify import check
+
+PICTURES = {"top.png", "top_annotated.png", "corner.png"}
+
+
+@pytest.fixture(scope="module")
+def result() -> Result:
+    table = make("coffee_table", seed=1).object("coffee_table-0", pose=Pose.from_yaw(1.5, 1.5, 0.0, 0.3))
+    top = table.surfaces[0]
+    on = Support(object=table.id, surface=top.name)
+    book = make("book", seed=1).object("book-0", pose=Pose.from_yaw(1.5, 1.5, top.z, 0.3), support=on)
+    room = Room(type="lounge", outline=((0, 0), (3, 0), (3, 3), (0, 3)))
+    scene = Scene(id="lounge", prompt="a table", room=room, objects=(table, book))
+    report = check(scene)
+    assert report.valid
+    return Result(
+        scene=scene,
+        report=report,
+        review=Review(grades=dict.fromkeys(CRITERIA, 7.0)),
+        brief=Brief(text="a table with a book on it"),
+        steps=(
+            Step(number=1, call=Call(tool="init_prior", reason="there is no scene yet"), accepted=True),
+            Step(number=2, call=Call(tool="add_crowd", instruction="fill the shelf"), accepted=False, note="full"),
+        ),
+        notes=("a note of the agent",),
+        unmet=("a shelf",),
+        seconds=2.0,
+        finished="2 steps",
+    )
+
+
+def files(folder: Path) -> set[str]:
+    return {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
+
+
+def test_scene_and_metrics_alone(result, tmp_path):
+    done = deliver(result, tmp_path, Library(), "cpu", False, ())
+    assert files(tmp_path) == {"scene.json", "metrics.json"}
+    assert Scene.load(tmp_path / "scene.json") == result.scene
+    metrics = json.loads((tmp_path / "metrics.json").read_text("utf-8"))
+    assert metrics == json.loads(done.report.to_json())
+    assert metrics["seconds"]["total"] >= metrics["seconds"]["files"] >= 0
+    assert done.seconds >= 2.0 and done.scene is result.scene
+
+
+def test_pictures_report_and_model(result, tmp_path):
+    kept = tmp_path / "steps" / "01"
+    kept.mkdir(parents=True)
+    result.scene.save(kept / "scene.json")
+    deliver(result, tmp_path, Library(), "cpu", True, ("glb",))
+    expected = {"scene.json", "metrics.json", "scene.glb", "report.html", "steps/01/scene.json"}
+    assert files(tmp_path) == expected | {f"views/{name}" for name in PICTURES}
+    for name in PICTURES:
+        assert (tmp_path / "views" / name).read_bytes().startswith(b"\x89PNG")
+    assert (tmp_path / "scene.glb").read_bytes().startswith(b"glTF")
+    page = (tmp_path / "report.html").read_text("utf-8")
+    for said in ("a table with a book on it", "a note of the agent", "a shelf", "init_prior", "fill the shelf", "full"):
+        assert said in page
+    # Readable for others, as a file that was opened and written would be.
+    assert all((tmp_path / name).stat().st_mode & 0o044 == 0o044 for name in ("report.html", "views/top.png"))
+
+
+def test_what_was_there_stays_when_a_picture_or_the_report_fails(result, tmp_path, monkeypatch):
+    (tmp_path / "views").mkdir()
+    for name in ("views/top.png", "report.html"):
+        (tmp_path / name).write_bytes(b"old")
+
+    class Torn:
+        """A picture that breaks off while it is written."""
+
+        def save(self, path: Path, kind: str) -> None:
+            path.write_bytes(b"half")
+            raise OSError("disk full")
+
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *_, **__: {"top": Torn()})
+    with pytest.raises(OSError, match="disk full"):
+        deliver(result, tmp_path, Library(), "cpu", True, ())
+    assert (tmp_path / "views/top.png").read_bytes() == b"old"
+    assert files(tmp_path) == {"scene.json", "views/top.png", "report.html"}  # nothing half written is left
+
+    def broken(path: Path, data: object) -> None:
+        path.write_text("<html>")
+        raise InputError("no page")
+
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *_, **__: {})
+    monkeypatch.setattr("sceneweaver.report.write_report", broken)
+    with pytest.raises(InputError, match="no page"):
+        deliver(result, tmp_path, Library(), "cpu", True, ())
+    assert (tmp_path / "report.html").read_bytes() == b"old"
+    assert files(tmp_path) == {"scene.json", "metrics.json", "views/top.png", "report.html"}

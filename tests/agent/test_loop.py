@@ -1,0 +1,263 @@
+"""The loop: which steps it takes, what it keeps, when it stops. Planner, tools and executor are stand-ins."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import pytest
+
+from sceneweaver.agent import loop
+from sceneweaver.agent.executor import Outcome
+from sceneweaver.agent.folder import RunFolder
+from sceneweaver.agent.loop import Run, empty_scene
+from sceneweaver.agent.memory import Call, Memory
+from sceneweaver.agent.planner import Situation
+from sceneweaver.agent.settings import Settings
+from sceneweaver.brief import Brief
+from sceneweaver.critic import CRITERIA, Fault, Review
+from sceneweaver.knowledge import room_type
+from sceneweaver.scene import InputError, Pose, Scene, SceneObject
+from sceneweaver.scene.edits import Add
+from sceneweaver.tools.base import Context, Proposal
+from sceneweaver.tools.card import own_card
+from sceneweaver.tools.registry import Registered
+from sceneweaver.verify import check
+
+ROOM = room_type("bedroom")
+BRIEF = Brief(text="a bedroom", room="bedroom")
+
+
+@dataclass
+class Tool:
+    """Adds a box whose category says which grade the critic is to give."""
+
+    name: str
+    answers: list[Proposal | Exception] = field(default_factory=list)
+    seen: list[Context] = field(default_factory=list)
+
+    def propose(self, context: Context) -> Proposal:
+        self.seen.append(context)
+        answer = self.answers.pop(0)
+        if isinstance(answer, Exception):
+            raise answer
+        return answer
+
+
+@dataclass
+class Planner:
+    """Gives out lists of calls in order, then none."""
+
+    plans: list[list[Call]]
+    seen: list[Situation] = field(default_factory=list)
+    name: str = "scripted"
+
+    def plan(self, situation: Situation) -> list[Call]:
+        self.seen.append(situation)
+        return self.plans.pop(0)[: situation.settings.side_by_side] if self.plans else []
+
+
+class Executor:
+    """Applies the first edit of a proposal; the grade of the outcome stands in what it adds."""
+
+    def __init__(self, *_: Any) -> None:
+        pass
+
+    def run(self, scene: Scene, proposal: Proposal, seed: int) -> Outcome:
+        (edit,) = proposal.edits
+        assert isinstance(edit, Add)
+        if any(o.id == edit.object.id for o in scene.objects):
+            raise InputError(f"add '{edit.object.id}': it is there")
+        after = scene.model_copy(update={"objects": (*scene.objects, edit.object)})
+        grade = float(edit.object.category)
+        faults = (Fault(criterion="layout", kind="k", reason="r", tool="add_objects"),) * (grade < 9.9)
+        review = Review(grades=dict.fromkeys(CRITERIA, grade), faults=faults)
+        return Outcome(after, check(after), review, proposal.notes, proposal.unmet)
+
+
+def adds(id: str, grade: float, at: float = 2.0, **said: Any) -> Proposal:
+    """A box at (at, at) [m] that makes the scene worth a grade."""
+    box = SceneObject(id=id, category=str(grade), size=(0.2, 0.2, 0.2), pose=Pose(position=(at, at, 0.0)))
+    return Proposal(edits=(Add(object=box),), **said)
+
+
+@pytest.fixture
+def go(monkeypatch) -> Callable[..., tuple[Run, Outcome | None, Planner, dict[str, Tool]]]:
+    """Run the loop on scripted answers of tools and scripted plans, one call of each tool a step unless given."""
+    monkeypatch.setattr(loop, "Executor", Executor)
+
+    def run(
+        answers: dict[str, Sequence[Proposal | Exception]], plans: Sequence[Sequence[Call]], **more: Any
+    ) -> tuple[Run, Outcome | None, Planner, dict[str, Tool]]:
+        tools = {name: Tool(name, list(given)) for name, given in answers.items()}
+        known = {name: Registered(own_card(name), lambda t=t: t, name) for name, t in tools.items()}
+        planner = Planner([list(calls) for calls in plans])
+        settings = more.pop("settings", Settings(device="cpu"))
+        made = Run(BRIEF, ROOM, settings, known, planner, **more)
+        return made, made.go(), planner, tools
+
+    return run
+
+
+BEGIN = [Call(tool="init_prior")]
+
+
+def calls(*tools: str, **inputs: Any) -> list[Call]:
+    return [Call(tool=name, inputs=inputs) for name in tools]
+
+
+def test_what_is_better_is_kept_and_what_is_worse_is_rolled_back(go):
+    answers = {"init_prior": [adds("a", 5)], "add_objects": [adds("b", 4, 1.0), adds("c", 6, 1.0)]}
+    run, best, planner, _ = go(answers, [BEGIN, calls("add_objects", n=1), calls("add_objects", n=2)])
+    assert best.scene.ids == ("a", "c") and best.review.total == 6
+    assert [s.accepted for s in run.memory.steps] == [True, False, True]
+    assert run.memory.steps[1].note == "no better than before" and run.memory.steps[1].after["layout"] == 5
+    assert run.memory.failed == (Call(tool="add_objects", inputs={"n": 1}).signature,)
+    assert [s.scene.ids if s.scene else None for s in planner.seen[:4]] == [None, ("a",), ("a",), ("a", "c")]
+    assert run.memory.finished == "nothing is left that a tool can mend"
+
+
+def test_a_violation_outweighs_every_grade(go):
+    # The second box stands in the first one.
+    answers = {"init_prior": [adds("a", 2)], "add_objects": [adds("b", 9.5)]}
+    run, best, _, _ = go(answers, [BEGIN, calls("add_objects")])
+    assert best.scene.ids == ("a",) and not run.memory.steps[1].accepted
+    assert run.memory.steps[1].tried[0]["violations"] == 1
+
+
+def test_of_calls_side_by_side_the_best_wins_and_the_others_are_not_blamed(go):
+    answers = {
+        "init_prior": [adds("a", 5)],
+        "add_objects": [adds("b", 6, 0.5)],
+        "add_crowd": [adds("c", 7, 1.0)],
+        "add_tabletop": [InputError("supports: give ids")],
+    }
+    plan = calls("add_objects", "add_crowd", "add_tabletop")
+    run, best, _, _ = go(answers, [BEGIN, plan], settings=Settings(device="cpu", side_by_side=3))
+    assert best.scene.ids == ("a", "c")
+    kept = run.memory.steps[1]
+    assert kept.call == plan[1] and kept.accepted and kept.note == ""
+    assert [row.get("failed") for row in kept.tried] == [None, None, "supports: give ids"]
+    assert run.memory.failed == (plan[2].signature,)
+    assert run.memory.confidence["add_tabletop"] < 1 == run.memory.confidence["add_crowd"]
+
+
+def test_a_call_that_changes_nothing_is_not_carried_out(go):
+    answers = {"init_prior": [adds("a", 5)], "add_crowd": [Proposal(unmet=("the shelf is full",))]}
+    run, best, _, _ = go(answers, [BEGIN, calls("add_crowd")])
+    assert best.scene.ids == ("a",)
+    assert run.memory.steps[1].tried[0]["failed"] == run.memory.steps[1].note == "nothing to change: the shelf is full"
+
+
+def test_tools_see_the_scene_the_call_and_the_request(go):
+    first = Call(tool="add_objects", inputs={"objects": []}, instruction="put a lamp", seed=77)
+    _, best, _, tools = go({"init_prior": [adds("a", 5)], "add_objects": [adds("b", 6, 1.0)]}, [BEGIN, [first]])
+    begun, context = tools["init_prior"].seen[0], tools["add_objects"].seen[0]
+    assert begun.scene == empty_scene(BRIEF, ROOM)
+    assert (context.scene.ids, context.seed, context.instruction) == (("a",), 77, "put a lamp")
+    assert context.inputs == {"objects": []} and context.brief is BRIEF and context.room is ROOM
+    assert best.scene.ids == ("a", "b")
+
+
+def test_only_what_an_initialiser_could_not_do_is_unmet(go):
+    answers = {
+        "init_prior": [adds("a", 5, notes=("n",), unmet=("no bed",))],
+        "add_objects": [adds("b", 6, 1.0, notes=("m",), unmet=("no lamp",))],
+        "add_crowd": [adds("c", 1, 0.5, notes=("rolled back",))],
+    }
+    run, _, _, _ = go(answers, [BEGIN, calls("add_objects"), calls("add_crowd")])
+    assert run.memory.unmet == ("no bed",) and run.memory.notes == ("n", "m", "no lamp")
+
+
+@pytest.mark.parametrize(
+    ("settings", "grades", "steps", "reason"),
+    [
+        ({"steps": 2}, [5, 6, 7], 2, "2 steps"),
+        ({"patience": 2}, [5, 4, 4, 8], 3, "no progress in 2 steps"),
+        ({"patience": 1}, [5, 6, 4, 8], 3, "no progress in 1 steps"),
+        ({"grade": 9.95}, [9, 10], 2, "grade 10.0"),
+        ({"grade": 6.0}, [5, 7, 8], 3, "nothing is left that a tool can mend"),  # there are faults that a tool can mend
+        ({"seconds": 1e-9}, [5, 6], 1, "1e-09 seconds"),
+    ],
+)
+def test_when_it_stops(go, settings, grades, steps, reason):
+    boxes = [adds(f"b{k}", grade, 0.5 + 0.5 * k) for k, grade in enumerate(grades)]
+    plans = [BEGIN, *([calls("add_objects", k=k) for k in range(1, len(grades))])]
+    run, _, _, _ = go(
+        {"init_prior": boxes[:1], "add_objects": boxes[1:]}, plans, settings=Settings(device="cpu", **settings)
+    )
+    assert len(run.memory.steps) == steps and run.memory.finished == reason
+
+
+def test_without_a_first_scene_it_says_why(go):
+    with pytest.raises(InputError, match="prompt: the floor is too small"):
+        go({"init_prior": [InputError("the floor is too small")]}, [BEGIN])
+    with pytest.raises(InputError, match="prompt: no tool can begin"):
+        go({}, [])
+
+
+def test_it_begins_again_when_the_first_scene_fails(go):
+    run, best, planner, _ = go({"init_prior": [InputError("no"), adds("a", 5)]}, [BEGIN, BEGIN])
+    assert best.scene.ids == ("a",) and [s.accepted for s in run.memory.steps] == [False, True]
+    assert planner.seen[1].scene is None and planner.seen[1].memory.stale == 1
+
+
+def test_a_fixed_plan_keeps_all_it_does_and_asks_no_planner(go):
+    answers = {
+        "init_prior": [adds("a", 5)],
+        "add_tabletop": [adds("b", 1, 1.0)],
+        "update_layout": [adds("a", 9)],  # fails: it is there
+    }
+    run, best, planner, _ = go(answers, [], settings=Settings(device="cpu", reflect=False))
+    assert best.scene.ids == ("a", "b") and not planner.seen
+    assert [s.call.tool for s in run.memory.steps] == ["init_prior", "add_tabletop", "update_layout"]
+    assert [s.accepted for s in run.memory.steps] == [True, True, False] and not run.memory.failed
+
+
+def test_a_plan_made_once_is_followed_whatever_comes_of_it(go):
+    answers = {
+        "init_prior": [adds("a", 8)],
+        "add_objects": [adds("b", 3, 1.0)],
+        "add_crowd": [adds("c", 2, 1.5)],
+    }
+    plan = [*calls("add_objects", "add_crowd"), *calls("add_objects", one=1)]
+    run, best, planner, _ = go(answers, [BEGIN, plan], settings=Settings(device="cpu", one_shot=True))
+    assert best.scene.ids == ("a", "b", "c") and len(planner.seen) == 2
+    assert run.memory.plan == tuple(plan[:2])  # of a tool that takes lists the call for all faults is enough
+
+
+def test_a_finished_run_is_not_taken_up_again(go, monkeypatch):
+    scene = empty_scene(BRIEF, ROOM)
+    kept = Outcome(scene, check(scene), Review(grades=dict.fromkeys(CRITERIA, 4.0)))
+    run, best, planner, _ = go({}, [BEGIN], memory=Memory(finished="3 steps"), best=kept)
+    assert best is kept and not planner.seen and run.memory.finished == "3 steps"
+
+
+def test_every_step_is_told_and_written(go, tmp_path):
+    told: list[int] = []
+    folder = RunFolder(tmp_path)
+    settings = Settings(device="cpu")
+    assert folder.begin(BRIEF, settings) is None
+    answers = {"init_prior": [adds("a", 5)], "add_objects": [adds("b", 4, 1.0)]}
+    run, best, _, _ = go(
+        answers,
+        [BEGIN, calls("add_objects")],
+        folder=folder,
+        settings=settings,
+        said=lambda step: told.append(step.number),
+    )
+    assert told == [1, 2]
+    assert Scene.load(tmp_path / "steps" / "02" / "scene.json") == best.scene
+    state = json.loads((tmp_path / "state.json").read_text("utf-8"))
+    assert Memory.model_validate(state["memory"]) == run.memory and state["memory"]["finished"]
+    kept = RunFolder(tmp_path).begin(BRIEF, settings)
+    assert kept == (run.memory, best.scene)
+
+
+def test_the_empty_scene_is_a_square_of_the_usual_size():
+    scene = empty_scene(BRIEF, ROOM)
+    width = scene.room.outline[2][0]
+    assert width**2 == pytest.approx(ROOM.area[1], rel=0.01) and scene.room.height == ROOM.height
+    assert scene.prompt == "a bedroom" and not scene.objects
