@@ -89,6 +89,43 @@ def to_surface_frames(
 
 
 @wp.kernel
+def release(
+    # Problem:
+    t: TablesRef,
+    problem: wp.array(dtype=wp.int32),
+    rounds: wp.int32,
+    anchored_attempts: wp.int32,
+    # State in:
+    active: wp.array(dtype=wp.int32),
+    clock: wp.array(dtype=wp.int32),
+    fault: wp.array2d(dtype=wp.int8),
+    holds: wp.array2d(dtype=wp.bool),
+    # State out:
+    released_out: wp.array2d(dtype=wp.int32),
+):
+    """At the start of an attempt, let the roots move whose bodies the last verdict finds at fault; all in the last one.
+
+    What was released before stays so: attempt by attempt the neighbours join that were in the way of the last one.
+    """
+    candidate = wp.tid()
+    if active[candidate] == 0 or clock[0] % rounds != 0:
+        return
+    p = problem[candidate]
+    o0 = t[0].object_start[p]
+    all_of_them = clock[0] // rounds >= anchored_attempts - 1
+    for obj in range(t[0].object_start[p + 1] - o0):
+        if all_of_them or int(fault[candidate, obj]) != 0:
+            released_out[candidate, t[0].object_root[o0 + obj]] = 1
+    r0 = t[0].relation_start[p]
+    for r in range(r0, t[0].relation_start[p + 1]):
+        if t[0].relation_fault[r] != 0 and not holds[candidate, r - r0]:
+            parties = t[0].relation_object[r]
+            for k in range(3):
+                if parties[k] >= 0:
+                    released_out[candidate, t[0].object_root[o0 + parties[k]]] = 1
+
+
+@wp.kernel
 def advance_clock(
     # State out:
     clock_out: wp.array(dtype=wp.int32),

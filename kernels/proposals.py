@@ -160,7 +160,7 @@ def rate_proposals(
             if item(t[0].object_free, o0 + who) != 0:
                 rating = e
                 if c.anchored:  # soft terms are no reason to move anything
-                    rating = wp.max(e - soft - SOLVED, 0.0)
+                    rating = float(item(s.released, c.candidate, who)) * wp.max(e - soft - SOLVED, 0.0)
         if rates_only(d.job):
             if part.first == 0:
                 x.share += share

@@ -151,6 +151,7 @@ class State:
     anchors: wp.array2d(dtype=wp.vec4)  # where Weights.pull pulls to
     rng: wp.array(dtype=wp.uint32)  # seed of each candidate's random streams
     stream: wp.array2d(dtype=wp.uint32)  # [candidate, lane]: the search's streams; the last: the candidate's own
+    released: wp.array2d(dtype=wp.int32)  # 1: a root that anchored attempts may move, see `release`
     mark: wp.array2d(dtype=wp.int32)  # the move that an object takes part in, see `View`
     draft: wp.array2d(dtype=wp.vec4)  # surfaces laid out otherwise, see `View`
     cell_head: wp.array2d(dtype=wp.int32)  # [candidate, cell]: first object of the cell; -1: none

@@ -67,6 +67,16 @@ def pick_object(n: wp.int32, candidate: wp.int32, energy: wp.array2d(dtype=wp.fl
 
 
 @wp.func
+def may_move(t: TablesRef, c: Context, first: wp.int32, last: wp.int32, s: State):
+    """True when the attempt may move everything in group[first:last]."""
+    if c.anchored:
+        for k in range(first, last):
+            if item(s.released, c.candidate, item(t[0].object_root, c.first_object + item(t[0].group, k))) == 0:
+                return False
+    return True
+
+
+@wp.func
 def next_object(t: TablesRef, c: Context, energy: wp.array2d(dtype=wp.float32), obj: wp.int32, faulty: wp.bool):
     """The next free object after this one, of those with energy if only faulty ones count; ``c.objects`` at the end."""
     obj += 1
@@ -142,13 +152,15 @@ def apply_result(
 
 
 @wp.func
-def choose_move(t: TablesRef, plan: Plan, c: Context, moves: wp.int32, chosen: wp.int32, d: SearchState):
+def choose_move(t: TablesRef, plan: Plan, c: Context, moves: wp.int32, chosen: wp.int32, s: State, d: SearchState):
     """Set up the move of an object: who goes along, how near the proposals are and what they may cost."""
     rng = d.rng
     whole = bool(False)
     u = wp.randf(rng)
     v = wp.randf(rng)
     parent = item(t[0].object_parent, c.first_object + chosen)
+    if c.anchored and parent >= 0 and item(s.released, c.candidate, parent) == 0:
+        parent = -1
     if parent >= 0 and u < wp.where(c.anchored, 0.1, 0.25):
         chosen = parent
         whole = True
@@ -158,7 +170,7 @@ def choose_move(t: TablesRef, plan: Plan, c: Context, moves: wp.int32, chosen: w
     d.obj = chosen
     d.first = item(t[0].group_start, o)
     d.last = item(t[0].group_start, o + 1)
-    if not whole:
+    if not whole or not may_move(t, c, d.first, d.last, s):
         d.last = members_end(t, o)
     level = 1.0 - (float(c.round) + float(d.move) / float(moves)) / float(plan.rounds)
     d.scale = 0.4 * level
@@ -182,6 +194,7 @@ def moving_event(
     c: Context,
     done: wp.int32,
     moved: wp.bool,
+    s: State,
     energy: wp.array2d(dtype=wp.float32),
     d: SearchState,
 ):
@@ -202,7 +215,7 @@ def moving_event(
             d.rng = rng
             if chosen >= 0:
                 event = OBJECT_CHOSEN
-                d = choose_move(t, plan, c, moves, chosen, d)
+                d = choose_move(t, plan, c, moves, chosen, s, d)
             elif plan.rates == 0 and done != SURVEY:  # what went along with a move was not rated
                 event = SURVEY_DUE
     return d, event
@@ -311,7 +324,7 @@ def transition(
     while d.job == NO_JOB:
         event = int(NOTHING_LEFT)
         if d.phase == MOVING:
-            d, event = moving_event(t, plan, c, done, moved, energy, d)
+            d, event = moving_event(t, plan, c, done, moved, s, energy, d)
         elif d.phase == POLISHING:
             d, event = polishing_event(t, plan, c, done, x.gradient, energy, d)
         else:

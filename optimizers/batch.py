@@ -20,6 +20,7 @@ STATE = (
     "anchors",
     "rng",
     "stream",
+    "released",
     "mark",
     "draft",
     "cell_head",
@@ -92,6 +93,7 @@ def new_state(candidates: int, objects: int, relations: int, device: str) -> Sta
     state.anchors = wp.zeros(shape, dtype=wp.vec4, device=device)
     state.rng = wp.zeros(candidates, dtype=wp.uint32, device=device)
     state.stream = wp.zeros((candidates, threads_per_candidate(device) + 1), dtype=wp.uint32, device=device)
+    state.released = wp.zeros((candidates, 1), dtype=wp.int32, device=device)  # for searches from given poses only
     state.mark = wp.zeros(shape, dtype=wp.int32, device=device)
     state.draft = wp.zeros(shape, dtype=wp.vec4, device=device)
     for name in ("cell_head", "cell_next", "cell_of"):  # no cells: all pairs are looked at

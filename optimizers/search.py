@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from sceneweaver.kernels.bookkeeping import advance_clock, check_continue, keep_best, retire_valid, set_turns
+from sceneweaver.kernels.bookkeeping import advance_clock, check_continue, keep_best, release, retire_valid, set_turns
 from sceneweaver.kernels.cells import CELLS, CROWD, enter_cells
 from sceneweaver.kernels.jobs import BACK_STEPS, JobResult, SearchState
 from sceneweaver.kernels.proposals import draw, rate, take_gradients
@@ -18,11 +18,10 @@ from sceneweaver.kernels.starts import Plan, start_attempt
 from sceneweaver.kernels.tables import State
 
 from .base import Monitor, OptimizerResult, Start, register
-from .batch import STATE, Batch, judge, launch_verdict, new_device_verdict, threads_per_candidate
+from .batch import STATE, Batch, launch_verdict, new_device_verdict, threads_per_candidate
 from .launches import repeat_while, repeatable
 from .starts import STARTS, launch_warps
 
-ANCHORED_ATTEMPTS = 3  # attempts from the given poses before anything is drawn anew
 SOFT_MOVES = 2
 TEMPERATURE = 0.3  # [m]
 ANCHORED_TEMPERATURE = 0.05  # the same when little should move
@@ -41,13 +40,14 @@ class Effort:
     rates: bool
     polish: int
     tries: int
+    anchored_attempts: int = 4
 
 
 CPU = Effort(attempts=10, rounds=8, moves=4, proposals=5, slide=0.35, whole=0.5, rates=True, polish=6, tries=3)
 # A GPU tries many poses in the time of one, so that it needs fewer moves; measured on one H200 (docs/gpu.md).
 GPU = Effort(attempts=40, rounds=1, moves=6, proposals=15, slide=0.2, whole=0.8, rates=False, polish=0, tries=4)
 GPU_CROWD = replace(GPU, proposals=7)
-GPU_ANCHORED = replace(GPU, rounds=2, moves=3, slide=0.35, whole=0.5, rates=True, polish=1)
+GPU_ANCHORED = replace(GPU, rounds=2, moves=3, slide=0.35, whole=0.5, rates=True, polish=1, anchored_attempts=8)
 
 
 def effort_for(device: str, start: Start, objects: int) -> Effort:
@@ -64,7 +64,7 @@ def plan_for(effort: Effort, start: Start, attempts: int | None) -> Plan:
     plan = Plan()
     plan.rounds = effort.rounds
     plan.steps = effort.rounds * (effort.attempts if attempts is None else attempts)
-    plan.start, plan.anchored_attempts = STARTS[start], ANCHORED_ATTEMPTS
+    plan.start, plan.anchored_attempts = STARTS[start], effort.anchored_attempts
     plan.moves, plan.proposals, plan.tries = effort.moves, effort.proposals, effort.tries
     plan.slide, plan.whole, plan.rates = effort.slide, effort.whole, int(effort.rates)
     plan.polish, plan.soft_moves, plan.temperature, plan.anchored_temperature = (
@@ -76,11 +76,12 @@ def plan_for(effort: Effort, start: Start, attempts: int | None) -> Plan:
     return plan
 
 
-def with_cells(batch: Batch) -> State:
-    """The batch's state, with cells when there are enough objects for them to pay; only searches keep them current."""
+def extend_state(batch: Batch) -> State:
+    """The batch's state with what only a search keeps: the objects released so far, and cells where they pay."""
     state = State()
     for name in STATE:
         setattr(state, name, getattr(batch.state, name))
+    state.released = wp.zeros_like(state.mark)
     if batch.objects > CROWD:
         state.cell_head = wp.zeros((batch.size, CELLS), dtype=wp.int32, device=batch.device)
         state.cell_next = wp.zeros((batch.size, batch.objects), dtype=wp.int32, device=batch.device)
@@ -154,21 +155,32 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
     """
     device = batch.device
     plan = plan_for(effort_for(device, start, batch.objects), start, budget)
-    state, best, verdict = with_cells(batch), batch.scratch(), new_device_verdict(batch)
+    state, best, verdict = extend_state(batch), batch.scratch(), new_device_verdict(batch)
     best_total = wp.full(batch.size, float("inf"), dtype=wp.float32, device=device)
     active = wp.full(batch.size, 1, dtype=wp.int32, device=device)
     clock, left, more = (wp.zeros(1, dtype=wp.int32, device=device) for _ in range(3))
     rounds = Rounds(batch, state, plan, active, clock)
     solved = 0
     if start == "given":  # what is in order already is left alone
-        status = judge(batch).status
+        launch_verdict(batch, verdict, active)
+        status = verdict.status.numpy()
         active.assign((status != 0).astype(np.int32))
         best_total.assign(np.where(status == 0, 0.0, np.inf).astype(np.float32))
         solved = int(np.sum(status == 0))
         monitor.add(solved, solved, 0.0)
 
+    release_inputs = [batch.tables, batch.problem, plan.rounds, plan.anchored_attempts]
+
     def step() -> None:
         """One round of every active candidate, and the verdict on it."""
+        if start == "given":
+            wp.launch(
+                release,
+                batch.size,
+                [*release_inputs, active, clock, verdict.fault, verdict.holds],
+                [state.released],
+                device=device,
+            )
         rounds.launch()
         wp.launch(
             keep_best,

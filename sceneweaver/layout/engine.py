@@ -167,7 +167,7 @@ def solve(
             for rider, relation in room.riders.items():
                 holds[:, relation] &= verdict.holds[rows, rider]
             energy = outcome.energy[rows].astype(np.float32)
-            moved = _movement(job.world, final) if job.keep else None
+            moved = _movement(job.world, final, _in_order(batch, first, job)) if job.keep else None
             order = best_of(WALKED, scene, status, holds, energy, moved)
             walkable = np.full(n, np.nan, dtype=np.float32)
             walkable[order] = walkable_shares(batch, room, first + order)
@@ -222,12 +222,31 @@ def _all_at(home: np.ndarray, candidates: int) -> np.ndarray:
     return np.broadcast_to(home, (candidates, *home.shape))
 
 
-def _movement(before: np.ndarray, after: np.ndarray) -> np.ndarray:
-    """How much a layout [B, N, 4] moved: metres and half metres per radian, and 5 cm for every object at all."""
+def _in_order(batch: Batch, candidate: int, job: Job) -> np.ndarray:
+    """Which objects [N] of a job's scene, as it is given, no violation names, with what carries and is carried.
+
+    ``candidate`` is one of the job's in the batch.
+    """
+    room, part = job.compiled.room, batch.part(candidate, candidate + 1)
+    part = replace(part, state=part.scratch())
+    load_poses(part, room.home[None])
+    verdict = judge(part)
+    faulty = verdict.fault[0, : room.size] != 0
+    for relation, holds in zip(room.relations, verdict.holds[0], strict=False):
+        if relation.fault and not holds:
+            faulty[[i for i in relation.objects if i >= 0]] = True
+    return ~np.isin(room.roots, room.roots[faulty])
+
+
+def _movement(before: np.ndarray, after: np.ndarray, in_order: np.ndarray) -> np.ndarray:
+    """How much a layout [B, N, 4] moved: metres and half metres per radian, and a price for every object at all.
+
+    The price is 5 m for what was in order [N], 5 cm for the others.
+    """
     d = after - before
     turned = np.abs((d[..., 3] + np.pi) % (2 * np.pi) - np.pi)
     moved = np.linalg.norm(d[..., :3], axis=-1) + 0.5 * turned
-    return np.sum(moved + 0.05 * (moved > 0.01), axis=-1)
+    return np.sum(moved + np.where(in_order, 5.0, 0.05) * (moved > 0.01), axis=-1)
 
 
 def _stack(worlds: Sequence[np.ndarray], objects: int) -> np.ndarray:

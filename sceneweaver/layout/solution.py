@@ -88,6 +88,7 @@ class Solution:
         walkable: [B] float32, share of the free floor that can be reached from the doors; measured for the best few
             candidates, NaN for the others.
         moved: [B], how far objects were moved in all [m], where ``init="current"`` asked for little; None otherwise.
+            An object that was in order before counts as 5 m more when it moves at all.
         elapsed: seconds from call to return.
         timed_out: True when the time limit cut the run off.
         explanation: what stands in the way when nothing is valid; None otherwise.

@@ -5,7 +5,7 @@ import pytest
 
 import sceneweaver as sw
 from sceneweaver.layout import engine
-from sceneweaver.scene import Pose
+from sceneweaver.scene import Add, Pose, apply
 from tests.layout.made import BED, BOX, CUP, OTHER, PICTURE, relation, room, scene, table, thing, zoo
 
 SMALL = ["bedroom-small", "bedroom", "children-twin", "living", "living-dining-L", "dining-round", "studio-U"]
@@ -99,6 +99,29 @@ def test_an_edit_moves_only_what_is_in_the_way(name):
         for k, other in enumerate(what.objects):
             if other.id not in touched and (other.support is None or other.support.object not in touched):
                 assert moved[k] < 0.01, other.id
+
+
+@pytest.mark.parametrize(
+    ("name", "occupied"),
+    [("bedroom", "nightstand-0"), ("bedroom", "armchair-0"), ("lockers-wall-full", "locker-6")],
+)
+def test_what_is_added_makes_way_and_bystanders_keep_their_poses(name, occupied):
+    """Rooms in which things touch: the energy wants more air between them, but nobody asked for that."""
+    what = zoo(name)
+    x, y, _ = what.object(occupied).pose.position
+    new = thing("plant", (0.35, 0.35, 0.8), pose=Pose.from_yaw(x, y, 0.0, 0.0))
+    crowded = apply(what, Add(object=new))
+    named = {id for v in sw.check(crowded, walkable=False).violations for id in v.objects}
+    solution = refine(crowded, init="current", candidates=16)
+    assert (solution.status == 0).all()
+    still = [
+        k
+        for k, o in enumerate(crowded.objects)
+        if o.id not in named and (o.support is None or o.support.object not in named)
+    ]
+    assert len(still) > 5
+    moved = np.abs(solution.poses[solution.order[0]] - poses_of(crowded))[still]
+    assert moved.max() < 1e-5
 
 
 def test_fixed_objects_keep_their_exact_poses():

@@ -7,6 +7,7 @@ import pytest
 import warp as wp
 
 import sceneweaver as sw
+from sceneweaver.kernels import bookkeeping
 from sceneweaver.kernels.starts import Plan
 from sceneweaver.layout.engine import _load_worlds, _surfaces_hold
 from sceneweaver.optimizers import load_poses, search, streams
@@ -24,7 +25,9 @@ def run(what: Batch, plan: Plan, in_one: bool) -> tuple[np.ndarray, np.ndarray, 
     open_ = wp.full(what.size, 1, dtype=wp.int32, device=what.device)
     open_.assign(np.arange(what.size) % 5 != 4)  # some are done already
     clock = wp.zeros(1, dtype=wp.int32, device=what.device)
-    rounds = search.Rounds(what, search.with_cells(what), plan, open_, clock, in_one)
+    state = search.extend_state(what)
+    state.released.fill_(1)
+    rounds = search.Rounds(what, state, plan, open_, clock, in_one)
     for k in range(ROUNDS):
         clock.fill_(k)
         rounds.launch()
@@ -124,3 +127,32 @@ def test_what_stands_on_surfaces_is_judged_in_their_frames() -> None:
     )
     poses[4, compiled.domains[-1].surface.members[0], 0] += 0.5
     np.testing.assert_array_equal(_surfaces_hold(compiled, what, 1, 5), [True, True, True, False, True])
+
+
+def test_the_neighbourhood_of_a_violation_is_released_step_by_step() -> None:
+    room = zoo("bedroom-small").room
+    what = batch(["bedroom-small"], 3, "cpu")
+    released = wp.zeros((3, what.objects), dtype=wp.int32, device="cpu")
+    fault = np.zeros((3, what.objects), dtype=np.int8)
+    fault[:2, room.size - 1] = 1  # something that is carried
+    holds = np.ones((3, what.relations), dtype=bool)
+    pair = next(r for r, rel in enumerate(room.relations) if rel.fault and rel.objects[1] >= 0)
+    soft = next(r for r, rel in enumerate(room.relations) if not rel.fault)
+    holds[1, pair], holds[2, soft] = False, False
+
+    def release(clock: int) -> np.ndarray:
+        inputs = [wp.array(a, device="cpu") for a in (np.int32([1, 1, 1]), np.int32([clock]), fault, holds)]
+        wp.launch(bookkeeping.release, 3, [what.tables, what.problem, 2, 3, *inputs], [released], device="cpu")
+        return released.numpy().copy()
+
+    first = np.zeros((3, what.objects), dtype=np.int32)
+    first[:2, room.roots[room.size - 1]] = 1
+    first[1, room.roots[[o for o in room.relations[pair].objects if o >= 0]]] = 1
+    np.testing.assert_array_equal(release(0), first)
+    fault[:2] = 0
+    fault[2, 0] = 1
+    np.testing.assert_array_equal(release(1), first)  # in the middle of an attempt
+    first[2, room.roots[0]] = 1
+    np.testing.assert_array_equal(release(2), first)
+    first[:, room.roots] = 1
+    np.testing.assert_array_equal(release(4), first)  # the last attempt that starts from the given poses
