@@ -67,3 +67,18 @@ def walls_of(outline: Sequence[Sequence[float]] | Any) -> tuple[Wall, ...]:
         along = ((b[0] - a[0]) / length, (b[1] - a[1]) / length)
         walls.append(Wall(i, a, b, along, (-along[1], along[0]), length))
     return tuple(walls)
+
+
+def wall_behind(walls: Sequence[Wall], point: Sequence[float], front: Sequence[float]) -> int:
+    """The wall that something hangs on at a point (x, y, ...) and that looks along a unit vector (x, y).
+
+    It is the nearest one; half a metre is added for one that it faces, as near a corner another wall may be nearer.
+    """
+
+    def gap(wall: Wall) -> tuple[float, int]:
+        offset, depth = wall.coordinates(point)
+        beyond = offset - min(max(offset, 0.0), wall.length)
+        turned = max(0.0, 1.0 - front[0] * wall.inward[0] - front[1] * wall.inward[1])
+        return math.hypot(beyond, depth) + 0.5 * turned, wall.index
+
+    return min(map(gap, walls))[1]

@@ -9,10 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 from PIL import Image, ImageDraw
 
+from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.render import labels, palette
 from sceneweaver.render.canvas import Canvas, Point
 from sceneweaver.render.palette import Rgb
-from sceneweaver.render.shapes import Prism, area, cut, inside, layers, prisms, to_world
+from sceneweaver.render.shapes import Prism, cut, inside, layers, prisms, to_world
 from sceneweaver.render.symbols import strokes_of
 from sceneweaver.render.view import View
 from sceneweaver.scene import Scene, SceneObject
@@ -144,7 +145,7 @@ def _line_width(item: Item, view: View, unit: float) -> float:
 def _symbol_part(item: Item) -> int:
     """The part that carries the plan symbol: the only one, or the highest of those that make up most of the box."""
     whole = item.obj.size[0] * item.obj.size[1]
-    large = [k for k, p in enumerate(item.solids) if abs(area(p.polygon)) > 0.7 * whole]
+    large = [k for k, p in enumerate(item.solids) if abs(signed_area(p.polygon)) > 0.7 * whole]
     return max(large, key=lambda k: (item.solids[k].top, k), default=-1)
 
 
@@ -174,7 +175,7 @@ def _draw_hidden(canvas: Canvas, view: View, items: Sequence[Item], unit: float)
             ox, oy, oreach = _disc(other)
             if other.id != item.id and math.hypot(ox - x, oy - y) < reach + oreach:
                 above += [(other, p) for p in other.solids]
-        p = max(item.solids, key=lambda s: (abs(area(s.polygon)), s.top))
+        p = max(item.solids, key=lambda s: (abs(signed_area(s.polygon)), s.top))
         for a, b in zip(p.polygon, [*p.polygon[1:], p.polygon[0]], strict=True):
             for other, q in above:
                 share = cut(a, b, q.polygon) if q.bottom > p.top - 1e-3 else None

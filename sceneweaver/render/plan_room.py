@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import math
 
+from sceneweaver.geometry.shell import WALL_THICKNESS, clear_zone, outer_outline
+from sceneweaver.geometry.walls import Wall
 from sceneweaver.render import palette
 from sceneweaver.render.canvas import Canvas, Color, Text, text_width
-from sceneweaver.render.shapes import WALL_THICKNESS, Wall, opening_zone, outer_outline, walls
 from sceneweaver.render.view import View, bounds_of, step_for
 from sceneweaver.scene import Door, Room, Vec2, Window
 
 
 def draw_floor(canvas: Canvas, view: View, room: Room) -> None:
     """The floor and, around it, the walls as one solid ring."""
-    canvas.polygon(view.points(outer_outline(room)), fill=palette.WALL)
+    canvas.polygon(view.points(outer_outline(room.walls)), fill=palette.WALL)
     canvas.polygon(view.points(room.outline), fill=palette.FLOOR)
 
 
@@ -43,13 +44,9 @@ def _clipped(outline: list[Vec2], axis: int, value: float) -> list[tuple[Vec2, V
 
 def draw_opening_zones(canvas: Canvas, view: View, room: Room, unit: float, alarmed: frozenset[str]) -> None:
     """The floor that doors and windows need free."""
-    edges = {w.index: w for w in walls(room)}
-    for opening in (*room.doors, *room.windows):
-        wall = edges.get(opening.wall)
-        if wall is None:
-            continue
+    for opening in room.openings:
         color = palette.ALARM if opening.id in alarmed else palette.OPENING
-        points = view.points(opening_zone(wall, opening))
+        points = view.points(clear_zone(opening, room.walls))
         canvas.polygon(points, fill=(*color, 16))
         canvas.hatch(points, (*color, 70), 1.0 * unit, 9 * unit, -45)
         canvas.dashed(points, (*color, 130), 1.1 * unit, (6 * unit, 4 * unit), closed=True)
@@ -57,13 +54,10 @@ def draw_opening_zones(canvas: Canvas, view: View, room: Room, unit: float, alar
 
 def draw_openings(canvas: Canvas, view: View, room: Room, unit: float) -> None:
     """Windows in the walls; doors with their leaves and the arcs of their swing."""
-    edges = {w.index: w for w in walls(room)}
     for window in room.windows:
-        if window.wall in edges:
-            _draw_window(canvas, view, edges[window.wall], window, unit)
+        _draw_window(canvas, view, room.walls[window.wall], window, unit)
     for door in room.doors:
-        if door.wall in edges:
-            _draw_door(canvas, view, edges[door.wall], door, unit)
+        _draw_door(canvas, view, room.walls[door.wall], door, unit)
 
 
 def _draw_window(canvas: Canvas, view: View, wall: Wall, window: Window, unit: float) -> None:
@@ -118,13 +112,13 @@ def _draw_door(canvas: Canvas, view: View, wall: Wall, door: Door, unit: float) 
 def name_walls(canvas: Canvas, view: View, room: Room, unit: float) -> None:
     """The ids of doors and windows beside them, and the numbers of the walls."""
     size = max(8, round(13 * unit))
-    for wall in walls(room):
-        taken = [(o.offset, o.offset + o.width) for o in (*room.doors, *room.windows) if o.wall == wall.index]
-        for opening in (*room.doors, *room.windows):
-            if opening.wall == wall.index:
-                out = opening.width if isinstance(opening, Door) and opening.swing == "out" else 0.0
-                middle = opening.offset + opening.width / 2
-                _beside(canvas, view, wall, middle, out, opening.id, size, palette.MUTED)
+    for wall in room.walls:
+        openings = room.openings_of(wall.index)
+        taken = [(o.offset, o.offset + o.width) for o in openings]
+        for opening in openings:
+            out = opening.width if isinstance(opening, Door) and opening.swing == "out" else 0.0
+            middle = opening.offset + opening.width / 2
+            _beside(canvas, view, wall, middle, out, opening.id, size, palette.MUTED)
         place = _free_middle(wall.length, taken)
         thick = WALL_THICKNESS * view.scale
         text = f"wall:{wall.index}"
@@ -156,7 +150,7 @@ def _beside(
 ) -> None:
     """Text on the outer side of a wall, along it where the wall is level or plumb."""
     x, y = view.point(wall.point(offset, -WALL_THICKNESS - out))
-    nx, ny = -wall.inward[0], wall.inward[1]  # outward, in the picture
+    nx, ny = wall.outward[0], -wall.outward[1]  # outward, in the picture
     upright = abs(wall.along[1]) > 0.98
     half = size * 0.62 if upright or abs(wall.along[0]) > 0.98 else size * 0.62 + text_width(text, size) / 2 * abs(nx)
     at = (x + nx * (half + size * 0.35), y + ny * (half + size * 0.35))

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from sceneweaver.assets.body import Material, Mesh
+from sceneweaver.geometry.prisms import prism_mesh
+from sceneweaver.geometry.walls import Wall
 
 Range = tuple[float, float]
 
@@ -33,15 +33,12 @@ class Builder:
             return
         z = (z[0], min(z[1], self.top))
         n = len(plan)
-        ring = np.arange(n)
-        after = (ring + 1) % n
-        fan = np.array([(0, k, k + 1) for k in range(1, n - 1)])
-        sides = np.stack([ring, after, after + n, ring, after + n, ring + n], 1).reshape(-1, 3)
-        vertices = np.concatenate([np.column_stack([plan, np.full(n, level)]) for level in z])
+        vertices, faces = prism_mesh(plan, z)
+        bottom, lid, sides = np.split(faces, (n - 2, 2 * n - 4))
         start = self._join(vertices)
-        self._paint(start, np.concatenate([fan[:, ::-1], sides[2:]]), material)
-        self._paint(start, sides[:2], first or material)
-        self._paint(start, fan + n, top or material)
+        self._paint(start, np.concatenate([bottom, np.delete(sides, (0, n), axis=0)]), material)
+        self._paint(start, sides[[0, n]], first or material)
+        self._paint(start, lid, top or material)
 
     def add(self, vertices: np.ndarray, faces: np.ndarray, material: Material) -> None:
         """Any triangles: ``vertices`` [V, 3], ``faces`` [F, 3]."""
@@ -67,20 +64,6 @@ class Builder:
         return Mesh(np.concatenate(self._vertices), faces, kinds, np.zeros_like(kinds), tuple(self._materials))
 
 
-class WallFrame:
-    """A wall's own coordinates: ``s`` along it from its first corner, ``t`` out of the room, both in metres."""
-
-    def __init__(self, start: Sequence[float], end: Sequence[float]) -> None:
-        self.start, self.end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
-        self.length = float(np.linalg.norm(self.end - self.start))
-        self.along = (self.end - self.start) / max(self.length, 1e-9)
-        self.outward = np.array([self.along[1], -self.along[0]])
-
-    def points(self, pairs: Sequence[tuple[float, float]]) -> np.ndarray:
-        """World points [N, 2] of pairs (s, t)."""
-        pairs_ = np.asarray(pairs, dtype=float)
-        return self.start + pairs_[:, :1] * self.along + pairs_[:, 1:] * self.outward
-
-    def block(self, s: Range, t: Range) -> np.ndarray:
-        """The plan [4, 2] of a block, counter-clockwise from above."""
-        return self.points([(s[0], t[1]), (s[1], t[1]), (s[1], t[0]), (s[0], t[0])])
+def wall_block(wall: Wall, along: Range, outward: Range) -> np.ndarray:
+    """The plan [4, 2] of a block in a wall, counter-clockwise: offsets along it, depths out of the room [m]."""
+    return np.array(wall.strip(along[0], along[1] - along[0], -outward[1], -outward[0]))

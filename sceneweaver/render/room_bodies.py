@@ -12,11 +12,12 @@ import numpy as np
 from sceneweaver.assets import Asset
 from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.assets.materials import color_named, finish, tinted
+from sceneweaver.geometry.rotations import matrix
+from sceneweaver.geometry.walls import wall_behind
 from sceneweaver.scene import InputError, Scene, SceneObject
 
 from .caster import Instance
 from .room_blocks import Builder
-from .room_shell import frames_of
 
 Load = Callable[[str], Asset]
 
@@ -43,20 +44,9 @@ def instances_of(scene: Scene, load: Load | None = None) -> list[Instance]:
 
 def hidden_with(scene: Scene, cut: Collection[int]) -> set[str]:
     """Ids of the objects that hang on walls that are cut away, and of all that stands on those objects."""
-    frames = frames_of(scene.room)
-    gone: set[str] = set()
-    for thing in scene.objects:
-        if thing.mount == "wall" and frames:
-            point, front = np.asarray(thing.pose.position[:2]), _front(thing)
-            gaps = []
-            for k, frame in enumerate(frames):
-                rel = point - frame.start
-                s = float(np.clip(rel @ frame.along, 0.0, frame.length))
-                # It turns its back to its wall: another wall, nearer at a corner, is not the one.
-                turned = 0.5 * max(0.0, 1.0 + float(front @ frame.outward))
-                gaps.append((float(np.linalg.norm(rel - s * frame.along)) + turned, k))
-            if min(gaps)[1] in cut:
-                gone.add(thing.id)
+    walls = scene.room.walls
+    hung = [o for o in scene.objects if o.mount == "wall"]
+    gone = {o.id for o in hung if wall_behind(walls, o.pose.position, o.pose.frame.axis) in cut}
     grown = True
     while grown:
         more = {o.id for o in scene.objects if o.support is not None and o.support.object in gone} - gone
@@ -65,24 +55,20 @@ def hidden_with(scene: Scene, cut: Collection[int]) -> set[str]:
     return gone
 
 
-def _front(thing: SceneObject) -> np.ndarray:
-    return np.array([np.cos(thing.pose.yaw), np.sin(thing.pose.yaw)])
-
-
 def _instance(index: int, thing: SceneObject, load: Load) -> Instance:
-    matrix = np.eye(4)
-    matrix[:3, :3] = _rotation(thing.pose.quaternion)
-    matrix[:3, 3] = thing.pose.position
+    place = np.eye(4)
+    place[:3, :3] = matrix(thing.pose.quaternion)
+    place[:3, 3] = thing.pose.position
     if thing.asset is None:
-        return Instance(_parts_mesh(thing), matrix)
+        return Instance(_parts_mesh(thing), place)
     try:
         asset = load(thing.asset)
     except InputError as error:
         raise InputError(f"objects[{index}].asset: {str(error).removeprefix('asset: ')}") from None
     factors = np.asarray(thing.size) / np.maximum(np.asarray(asset.size), 1e-9)
     if np.max(np.abs(factors - 1.0) * np.asarray(thing.size)) > 1e-5:  # [m]; sizes are rounded to 1e-6
-        matrix[:3, :3] = matrix[:3, :3] * factors
-    return Instance(asset.mesh, matrix)
+        place[:3, :3] = place[:3, :3] * factors
+    return Instance(asset.mesh, place)
 
 
 def _parts_mesh(thing: SceneObject) -> Mesh:
@@ -106,18 +92,6 @@ def material_of(thing: SceneObject) -> Material:
         with contextlib.suppress(InputError):
             found = tinted(found, color_named(color))
     return found
-
-
-def _rotation(quaternion: tuple[float, float, float, float]) -> np.ndarray:
-    """The rotation matrix [3, 3] of a unit quaternion x, y, z, w."""
-    x, y, z, w = quaternion
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-        ]
-    )
 
 
 def _library() -> Load:

@@ -6,11 +6,12 @@ import math
 
 import numpy as np
 
+from sceneweaver.geometry.angles import heading
+from sceneweaver.geometry.shell import FLOOR_THICKNESS, WALL_THICKNESS
 from sceneweaver.scene import Scene, SceneObject
 
 from .camera import Camera
-from .room_shell import SLAB, STUB, frames_of
-from .shapes import WALL_THICKNESS
+from .room_shell import STUB
 
 PITCH = math.radians(37.0)
 _FOV = 0.42
@@ -33,28 +34,26 @@ def opposite(ways: list[np.ndarray]) -> np.ndarray:
 
 def cut_walls(scene: Scene, way: np.ndarray) -> set[int]:
     """Walls whose outer face is turned to a camera in the direction ``way``: they hide the room."""
-    return {k for k, frame in enumerate(frames_of(scene.room)) if float(frame.outward @ way) > 0.12}
+    return {wall.index for wall in scene.room.walls if float(np.dot(wall.outward, way)) > 0.12}
 
 
 def corner_camera(scene: Scene, way: np.ndarray, cut: set[int], aspect: float) -> Camera:
     """A perspective camera that holds the room: its slab, the stubs and the walls that stand."""
     forward = np.array([*(-way * math.cos(PITCH)), -math.sin(PITCH)])
     points = []
-    for k, frame in enumerate(frames_of(scene.room)):
-        high = STUB if k in cut else scene.room.height
-        reach = WALL_THICKNESS
-        for s in (-reach, frame.length + reach):
-            for z in (-SLAB, high):
-                points.append((*frame.points([(s, reach)])[0], z))
+    for wall in scene.room.walls:
+        high, reach = STUB if wall.index in cut else scene.room.height, WALL_THICKNESS
+        for offset in (-reach, wall.length + reach):
+            for z in (-FLOOR_THICKNESS, high):
+                points.append((*wall.point(offset, -reach), z))
     return Camera.holding(np.asarray(points), forward, fov=_FOV, aspect=aspect, margin=1.06)
 
 
 def _axes_of(scene: Scene) -> tuple[np.ndarray, np.ndarray]:
-    longest = max(frames_of(scene.room), key=lambda f: round(f.length, 6))
-    u = longest.along
+    longest = max(scene.room.walls, key=lambda wall: round(wall.length, 6))
     # The same axes whichever wall is the longest one.
-    turn = math.atan2(u[1], u[0]) % (math.pi / 2)
-    return np.array([math.cos(turn), math.sin(turn)]), np.array([-math.sin(turn), math.cos(turn)])
+    x, y = heading(longest.yaw % (math.pi / 2))
+    return np.array([x, y]), np.array([-y, x])
 
 
 def _before_window(thing: SceneObject) -> bool:
@@ -66,20 +65,20 @@ def _worth(scene: Scene, way: np.ndarray) -> float:
     outline = np.asarray(scene.room.outline)
     middle = (outline.min(axis=0) + outline.max(axis=0)) / 2
     reach = max(float(np.abs((outline - middle) @ way).max()), 1e-6)
-    frames, cut = frames_of(scene.room), cut_walls(scene, way)
+    cut = cut_walls(scene, way)
     floor = {o.id for o in scene.objects if o.mount == "floor"}
     worth = 0.0
     for thing in scene.objects:
         depth, width, height = thing.size
         if thing.mount == "ceiling" or height < 0.05:
             continue
-        front = np.array([math.cos(thing.pose.yaw), math.sin(thing.pose.yaw)])
+        front = thing.pose.frame.axis
         near = float((np.asarray(thing.pose.position[:2]) - middle) @ way) / reach
         face = width * height
         if thing.mount == "wall":
             # Pictures and mirrors are half of what a wall shows; curtains are large, and count by their windows.
             face = 2.5 * min(face, 1.0) if not _before_window(thing) else 0.1 * face
-        worth += face * float(front @ way)
+        worth += face * float(np.dot(front, way))
         if height > 1.0 and near > 0:
             worth -= 5.0 * max(width, depth) * (height - 0.8) * near
     standing_there = {r.target for r in scene.relations if r.type == "at_window" and r.subject in floor}
@@ -89,5 +88,5 @@ def _worth(scene: Scene, way: np.ndarray) -> float:
     for door in scene.room.doors:
         worth += 0.2 * (door.wall not in cut)
     # A deep L shows its inside from where no wall of the notch is in the way.
-    standing = sum(f.length for k, f in enumerate(frames) if k not in cut)
+    standing = sum(wall.length for wall in scene.room.walls if wall.index not in cut)
     return worth + 0.05 * standing

@@ -7,11 +7,11 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from sceneweaver.assets.body import Material, Mesh
+from sceneweaver.geometry.prisms import prism_vertices, ring_faces
+from sceneweaver.geometry.shell import FLOOR_THICKNESS
+from sceneweaver.geometry.walls import Wall, walls_of
 
 from .room_blocks import Builder
-
-SLAB = 0.06
-"""Thickness of the floor slab [m], under z = 0."""
 
 _JOINT_DEPTH = 0.004
 _SIDE = Material("slab side", (0.70, 0.68, 0.65), roughness=0.9)
@@ -48,7 +48,7 @@ def floor_mesh(kind: str, plan: np.ndarray, under: np.ndarray, seed: int = 0, pi
         wide = max(gap, min(1.1 * pixel, 0.02))
         tone = (1 - gap / wide) * np.asarray(_TONES[kind][0]) + gap / wide * np.asarray(_JOINTS[kind])
         gap, joint = wide, Material("joint", (float(tone[0]), float(tone[1]), float(tone[2])), roughness=0.9)
-    _sheet(builder, under, -_JOINT_DEPTH, -SLAB, joint, _SIDE)
+    _sheet(builder, under, -_JOINT_DEPTH, -FLOOR_THICKNESS, joint, _SIDE)
     rng = np.random.default_rng(seed)
     if kind == "wood":
         tones = [Material(f"plank {k}", c, roughness=0.48, texture="wood") for k, c in enumerate(_WOOD)]
@@ -73,11 +73,8 @@ def floor_mesh(kind: str, plan: np.ndarray, under: np.ndarray, seed: int = 0, pi
 def _sheet(builder: Builder, plan: np.ndarray, top: float, bottom: float, lid: Material, side: Material) -> None:
     triangles = _triangulated([plan])
     n = len(plan)
-    ring = np.arange(n)
-    after = (ring + 1) % n
-    walls = np.concatenate([np.stack([ring, after, after + n], 1), np.stack([ring, after + n, ring + n], 1)])
-    vertices = np.concatenate([np.column_stack([plan, np.full(n, z)]) for z in (bottom, top)])
-    builder.add(vertices, np.concatenate([triangles[:, ::-1], walls]), side)
+    vertices = prism_vertices(plan, (bottom, top))
+    builder.add(vertices, np.concatenate([triangles[:, ::-1], ring_faces(0, n, n)]), side)
     builder.add(vertices, triangles + n, lid)
 
 
@@ -112,40 +109,32 @@ def _laid(
 
 def _planks(plan: np.ndarray, rng: np.random.Generator, gap: float) -> Iterator[np.ndarray]:
     """Planks along the longest edge of the plan, their ends shifted from row to row."""
-    centre, turn, low, high = _frame(plan)
+    longest, low, high = _frame(plan)
     width = 0.17
     for k in range(int(np.ceil((high[1] - low[1]) / width))):
         y = low[1] + k * width
         x = low[0] - float(rng.uniform(0.0, 1.6))
         while x < high[0]:
             length = float(rng.uniform(1.3, 2.2))
-            yield _cell(centre, turn, (x, x + length - gap), (y, y + width - gap))
+            yield np.array(longest.strip(x, length - gap, y, y + width - gap))
             x += length
 
 
 def _grid(plan: np.ndarray, length: float, width: float, gap: float, shift: float = 0.0) -> Iterator[np.ndarray]:
-    centre, turn, low, high = _frame(plan)
+    longest, low, high = _frame(plan)
     for row in range(int(np.ceil((high[1] - low[1]) / width))):
         y = low[1] + row * width
         x = low[0] - (shift * length if row % 2 else 0.0)
         while x < high[0]:
-            yield _cell(centre, turn, (x, x + length - gap), (y, y + width - gap))
+            yield np.array(longest.strip(x, length - gap, y, y + width - gap))
             x += length
 
 
-def _frame(plan: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """A point, a rotation [2, 2] whose first row runs along the longest edge, and the bounds in that frame."""
-    edges = np.roll(plan, -1, axis=0) - plan
-    longest = edges[int(np.argmax(np.round(np.linalg.norm(edges, axis=1), 6)))]
-    u = longest / np.linalg.norm(longest)
-    turn = np.array([u, [-u[1], u[0]]])
-    local = (plan - plan[0]) @ turn.T
-    return plan[0], turn, local.min(axis=0), local.max(axis=0)
-
-
-def _cell(centre: np.ndarray, turn: np.ndarray, x: tuple[float, float], y: tuple[float, float]) -> np.ndarray:
-    corners = np.array([(x[0], y[0]), (x[1], y[0]), (x[1], y[1]), (x[0], y[1])])
-    return centre + corners @ turn
+def _frame(plan: np.ndarray) -> tuple[Wall, tuple[float, float], tuple[float, float]]:
+    """The longest edge of a plan, and the plan's bounds in that edge's coordinates."""
+    longest = max(walls_of(plan), key=lambda wall: round(wall.length, 6))
+    u, v = longest.coordinates(plan.T)
+    return longest, (float(u.min()), float(v.min())), (float(u.max()), float(v.max()))
 
 
 def _triangulated(rings: Sequence[np.ndarray]) -> np.ndarray:

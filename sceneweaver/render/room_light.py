@@ -9,12 +9,11 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.assets.body import Material, Mesh
-from sceneweaver.scene import Room
+from sceneweaver.geometry.shell import WALL_THICKNESS, wall_pieces
+from sceneweaver.scene import Room, Window
 
 from .caster import Instance, Lighting
-from .room_blocks import Builder
-from .room_shell import frames_of, wall_pieces
-from .shapes import WALL_THICKNESS
+from .room_blocks import Builder, wall_block
 
 _LEAST_GLOW = 0.3  # emission from which on a material is a lamp's
 _MOST_LAMPS = 48
@@ -79,7 +78,6 @@ def lamps_of(things: Sequence[Instance]) -> tuple[tuple[float, float, float, flo
 
 def _beam(room: Room, walls: Sequence[int]) -> dict:
     """The sun through the windows of the wall of ``walls`` with the most glass; nothing without windows."""
-    frames = frames_of(room)
     glass = {k: 0.0 for k in walls}
     for window in room.windows:
         if window.wall in glass:
@@ -87,9 +85,9 @@ def _beam(room: Room, walls: Sequence[int]) -> dict:
     best = max(glass, key=lambda k: (round(glass[k], 6), -k), default=None)
     if best is None or glass[best] <= 0:
         return {}
-    frame = frames[best]
+    wall = room.walls[best]
     # A little aslant, so that bars and curtains draw lines that run into the room.
-    slant = frame.outward + 0.42 * frame.along
+    slant = np.array(wall.outward) + 0.42 * np.array(wall.along)
     slant = slant / np.linalg.norm(slant)
     height = math.tan(math.radians(36.0))
     return {
@@ -104,16 +102,13 @@ def _beam(room: Room, walls: Sequence[int]) -> dict:
 def _shutters(room: Room) -> Mesh:
     """Full walls and a ceiling, so that the sun comes in by the windows alone."""
     builder = Builder()
-    for k, frame in enumerate(frames_of(room)):
-        for (a, b), z in wall_pieces(room, k, frame.length, room.height):
-            reach_a = a - (WALL_THICKNESS if a <= 1e-6 else 0.0)
-            reach_b = b + (WALL_THICKNESS if b >= frame.length - 1e-6 else 0.0)
+    for wall in room.walls:
+        for (a, b), z, opening in wall_pieces(wall.length, room.openings_of(wall.index), room.height):
             # Doors are shut to the sun; of a wall's pieces only the gaps of windows stay open.
-            builder.prism(frame.block((reach_a, reach_b), (0.01, WALL_THICKNESS)), z, _BLIND)
-        for door in room.doors:
-            if door.wall == k:
-                span = (door.offset, door.offset + door.width)
-                builder.prism(frame.block(span, (0.01, WALL_THICKNESS)), (0.0, door.height), _BLIND)
+            if not isinstance(opening, Window):
+                reach_a = a - (WALL_THICKNESS if a <= 1e-6 else 0.0)
+                reach_b = b + (WALL_THICKNESS if b >= wall.length - 1e-6 else 0.0)
+                builder.prism(wall_block(wall, (reach_a, reach_b), (0.01, WALL_THICKNESS)), z, _BLIND)
     outline = np.asarray(room.outline, dtype=float)
     low, high = outline.min(axis=0) - 1.0, outline.max(axis=0) + 1.0
     # The ceiling may be larger than the room: it only holds off sun from above.

@@ -9,13 +9,14 @@ from collections.abc import Sequence
 import numpy as np
 from PIL import Image
 
+from sceneweaver.geometry.shell import outer_outline
 from sceneweaver.scene import Scene, SceneObject
 
 from . import labels, palette
 from .canvas import Canvas, Point, Text, text_width
 from .palette import Rgb
 from .plan_objects import items_of, owner_grid
-from .shapes import outer_outline, to_world
+from .shapes import to_world
 from .view import View, bounds_of, step_for
 
 X_AXIS: Rgb = (204, 44, 40)
@@ -143,7 +144,7 @@ def _names(
     """The id of each thing on the floor, inside its outline or beside it, never over another name or a disc."""
     plain = scene.model_copy(update={"objects": tuple(large)})
     items = items_of(plain)
-    outline, outer = view.points(scene.room.outline), view.points(outer_outline(scene.room))
+    outline, outer = view.points(scene.room.outline), view.points(outer_outline(scene.room.walls))
     owners, edges = owner_grid((canvas.width, canvas.height), view, items, outline, outer)
     for x, y in discs:
         rows, cols = (

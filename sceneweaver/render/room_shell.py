@@ -9,20 +9,20 @@ from dataclasses import dataclass
 import numpy as np
 
 from sceneweaver.assets.body import Mesh
+from sceneweaver.geometry.polygons import union
+from sceneweaver.geometry.shell import WALL_THICKNESS, outer_outline, wall_pieces, wall_plan
+from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene import Room
-from sceneweaver.scene.polygons import union
 
-from .room_blocks import Builder, Range, WallFrame
+from .room_blocks import Builder, wall_block
 from .room_finish import Finishes
-from .room_floor import SLAB, floor_mesh
+from .room_floor import floor_mesh
 from .room_openings import add_door, add_window
-from .shapes import WALL_THICKNESS
 
 STUB = 0.05
 """Height [m] at which a wall between camera and room is cut."""
 
 _SKIRTING = (0.014, 0.075)  # depth and height [m]
-_LONGEST_MITRE = 3.0  # in wall thicknesses
 
 
 @dataclass(frozen=True)
@@ -32,12 +32,6 @@ class Shell:
     floor: Mesh
     walls: tuple[Mesh | None, ...]
     outer: np.ndarray
-
-
-def frames_of(room: Room) -> list[WallFrame]:
-    """The frames of all walls; wall i runs from corner i to corner i + 1."""
-    outline = room.outline
-    return [WallFrame(outline[k], outline[(k + 1) % len(outline)]) for k in range(len(outline))]
 
 
 def build_shell(
@@ -52,107 +46,70 @@ def build_shell(
         top: Height [m] at which all walls are cut; None: the ceiling.
         pixel: Size of a pixel on the floor [m], see ``floor_mesh``.
     """
-    frames = frames_of(room)
-    shifts = [_mitre(frames[k - 1], frames[k]) for k in range(len(frames))]
-    high = room.height if top is None else min(top, room.height)
-    walls = []
-    for k, frame in enumerate(frames):
+    walls, high = room.walls, room.height if top is None else min(top, room.height)
+    meshes = []
+    for wall in walls:
         builder = Builder(high)
-        ends = (-shifts[k], frame.length + shifts[(k + 1) % len(frames)])
-        if k in cut:
-            _wall(builder, room, k, frame, ends, STUB, look)
+        if wall.index in cut:
+            _wall(builder, room, wall, STUB, look)
         else:
-            _wall(builder, room, k, frame, ends, high, look)
+            _wall(builder, room, wall, high, look)
             builder.top = high - 0.002  # where all is cut, frames do not end in the plane of the wall's cut
-            _fittings(builder, room, k, frame, look)
-        walls.append(builder.mesh())
-    outline = np.asarray(room.outline, dtype=float)
-    outer = _outer(outline)
+            _fittings(builder, room, wall, look)
+        meshes.append(builder.mesh())
+    outer = np.array(outer_outline(walls))
     seed = zlib.crc32(repr(room.outline).encode())
-    floor = floor_mesh(look.floor, _covered(room, frames, outline), outer, seed, pixel)
-    return Shell(floor, tuple(walls), outer)
+    floor = floor_mesh(look.floor, _covered(room), outer, seed, pixel)
+    return Shell(floor, tuple(meshes), outer)
 
 
-def wall_pieces(room: Room, wall: int, length: float, height: float) -> list[tuple[Range, Range]]:
-    """The solid parts of a wall, each an interval along it and one of height [m]."""
-    holes = [(d.offset, d.offset + d.width, 0.0, d.height) for d in room.doors if d.wall == wall]
-    holes += [(w.offset, w.offset + w.width, w.sill, w.sill + w.height) for w in room.windows if w.wall == wall]
-    cuts = sorted({0.0, length, *(min(max(v, 0.0), length) for hole in holes for v in hole[:2])})
-    pieces: list[tuple[Range, Range]] = []
-    for a, b in zip(cuts, cuts[1:], strict=False):
-        if b - a < 1e-6:
+def _wall(builder: Builder, room: Room, wall: Wall, height: float, look: Finishes) -> None:
+    ends = [wall.coordinates(corner)[0] for corner in wall_plan(room.walls, wall.index)[1:3]]
+    for (a, b), z, opening in wall_pieces(wall.length, room.openings_of(wall.index), height):
+        if opening is not None:
             continue
-        middle, low = (a + b) / 2, 0.0
-        for _, _, z0, z1 in sorted((h for h in holes if h[0] < middle < h[1]), key=lambda h: h[2]):
-            if min(z0, height) - low > 1e-6:
-                pieces.append(((a, b), (low, min(z0, height))))
-            low = max(low, z1)
-        if height - low > 1e-6:
-            pieces.append(((a, b), (low, height)))
-    return pieces
-
-
-def _wall(
-    builder: Builder, room: Room, wall: int, frame: WallFrame, ends: Range, height: float, look: Finishes
-) -> None:
-    for (a, b), z in wall_pieces(room, wall, frame.length, height):
         # Where a piece ends at a corner its outer face runs on to the next wall's.
         outer_a = ends[0] if a <= 1e-6 else a
-        outer_b = ends[1] if b >= frame.length - 1e-6 else b
+        outer_b = ends[1] if b >= wall.length - 1e-6 else b
         if outer_b - outer_a < 1e-3:
             outer_a, outer_b = a, b
-        plan = frame.points([(outer_a, WALL_THICKNESS), (outer_b, WALL_THICKNESS), (b, 0.0), (a, 0.0)])
+        corners = ((outer_a, -WALL_THICKNESS), (outer_b, -WALL_THICKNESS), (b, 0.0), (a, 0.0))
+        plan = np.array([wall.point(*corner) for corner in corners])
         # The outer face, which is the plan's first side, has a paint of its own.
         builder.prism(plan, z, look.wall, look.cut if z[1] >= height - 1e-6 else look.wall, first=look.outside)
 
 
-def _fittings(builder: Builder, room: Room, wall: int, frame: WallFrame, look: Finishes) -> None:
-    for door in room.doors:
-        if door.wall == wall:
-            add_door(builder, frame, door, WALL_THICKNESS, look)
-    for window in room.windows:
-        if window.wall == wall:
-            add_window(builder, frame, window, WALL_THICKNESS, look)
+def _fittings(builder: Builder, room: Room, wall: Wall, look: Finishes) -> None:
+    doors = [d for d in room.doors if d.wall == wall.index]
+    windows = [w for w in room.windows if w.wall == wall.index]
+    for door in doors:
+        add_door(builder, wall, door, look)
+    for window in windows:
+        add_window(builder, wall, window, look)
     depth, height = _SKIRTING
     at = 0.0
-    gaps = sorted((d.offset - 0.03, d.offset + d.width + 0.03) for d in room.doors if d.wall == wall)
-    gaps += sorted((w.offset, w.offset + w.width) for w in room.windows if w.wall == wall and w.sill < height)
-    for a, b in [*sorted(gaps), (frame.length, frame.length)]:
+    gaps = [(d.offset - 0.03, d.offset + d.width + 0.03) for d in doors]
+    gaps += [(w.offset, w.offset + w.width) for w in windows if w.sill < height]
+    for a, b in [*sorted(gaps), (wall.length, wall.length)]:
         if a - at > 0.01:
-            builder.prism(frame.block((at, a), (-depth, 0.0)), (0.0, height), look.trim)
+            builder.prism(wall_block(wall, (at, a), (-depth, 0.0)), (0.0, height), look.trim)
         at = max(at, b)
 
 
-def _covered(room: Room, frames: list[WallFrame], outline: np.ndarray) -> np.ndarray:
+def _covered(room: Room) -> np.ndarray:
     """The floor's plan: the outline, and the thresholds of doors."""
     import shapely
 
+    outline = np.asarray(room.outline, dtype=float)
     if not room.doors:
         return outline
     parts = [shapely.Polygon(outline)]
     for door in room.doors:
-        block = frames[door.wall].block((door.offset, door.offset + door.width), (-0.01, WALL_THICKNESS))
-        parts.append(shapely.Polygon(block))
+        parts.append(shapely.Polygon(room.walls[door.wall].strip(door.offset, door.width, -WALL_THICKNESS, 0.01)))
     whole = union(parts)
     if not isinstance(whole, shapely.Polygon):
         return outline
     return np.asarray(shapely.orient_polygons(whole).exterior.coords)[:-1]
 
 
-def _mitre(before: WallFrame, after: WallFrame) -> float:
-    """How far the outer faces of two walls run beyond their common corner [m]; below 0 at reflex corners."""
-    cross = float(before.along[0] * after.along[1] - before.along[1] * after.along[0])
-    dot = float(before.along @ after.along)
-    reach = WALL_THICKNESS * cross / max(1.0 + dot, 1e-6)
-    return float(np.clip(reach, -_LONGEST_MITRE * WALL_THICKNESS, _LONGEST_MITRE * WALL_THICKNESS))
-
-
-def _outer(outline: np.ndarray) -> np.ndarray:
-    """The outer outline of slab and walls, counter-clockwise [N, 2]."""
-    import shapely
-
-    grown = shapely.buffer(shapely.Polygon(outline), WALL_THICKNESS, join_style="mitre", mitre_limit=_LONGEST_MITRE)
-    return np.asarray(shapely.orient_polygons(grown).exterior.coords)[:-1]
-
-
-__all__ = ["SLAB", "STUB", "Shell", "build_shell", "frames_of", "wall_pieces"]
+__all__ = ["STUB", "Shell", "build_shell"]

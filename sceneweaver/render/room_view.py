@@ -9,6 +9,7 @@ from PIL import Image, ImageFilter
 
 from sceneweaver.assets import Asset
 from sceneweaver.assets.body import Material, Mesh
+from sceneweaver.geometry.shell import FLOOR_THICKNESS, WALL_THICKNESS
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.messages import suggest
 
@@ -19,8 +20,7 @@ from .room_camera import corner_camera, corner_directions, cut_walls, opposite
 from .room_finish import finishes_of
 from .room_light import corner_light, top_light
 from .room_notes import annotated
-from .room_shell import SLAB, build_shell
-from .shapes import WALL_THICKNESS
+from .room_shell import build_shell
 from .view import View
 
 _CUT = 1.5  # height [m] at which pictures from above cut the walls: through most windows
@@ -157,7 +157,7 @@ def _bounds(scene: Scene) -> tuple[np.ndarray, np.ndarray]:
 
 def _ground() -> Mesh:
     """An endless pale ground under the slab."""
-    r, z = 500.0, -SLAB - 0.001
+    r, z = 500.0, -FLOOR_THICKNESS - 0.001
     corners = np.array([(-r, -r, z), (r, -r, z), (r, r, z), (-r, r, z)])
     zeros = np.zeros(2, dtype=np.int32)
     look = Material("ground", (0.79, 0.778, 0.757), roughness=1.0)

@@ -9,8 +9,9 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
+from sceneweaver.geometry.polygons import signed_area
+from sceneweaver.geometry.se2 import SE2
 from sceneweaver.render.palette import words_of
-from sceneweaver.render.shapes import area
 from sceneweaver.scene import Vec2
 
 
@@ -38,7 +39,7 @@ def strokes_of(category: str, depth: float, width: float) -> list[Stroke]:
 
 def _fits(stroke: Stroke, depth: float, width: float) -> bool:
     inside = all(abs(x) <= depth / 2 + 1e-6 and abs(y) <= width / 2 + 1e-6 for x, y in stroke.points)
-    return inside and (stroke.tone is None or area(stroke.points) > 0)
+    return inside and (stroke.tone is None or signed_area(stroke.points) > 0)
 
 
 def _rect(x0: float, y0: float, x1: float, y1: float, radius: float = 0.0) -> tuple[Vec2, ...]:
@@ -146,11 +147,11 @@ def _plant(d: float, w: float) -> Iterator[Stroke]:
 
 
 def _leaf(length: float, angle: float) -> tuple[Vec2, ...]:
-    c, s = math.cos(angle), math.sin(angle)
     profile = ((0.0, 0.0), (0.25, 0.13), (0.55, 0.19), (0.82, 0.11), (1.0, 0.0))
     side = [(x * length, y * length) for x, y in profile]
     points = [(x, -y) for x, y in side] + side[-2:0:-1]
-    return tuple((x * c - y * s, x * s + y * c) for x, y in points)
+    frame = SE2(yaw=angle)
+    return tuple(frame.world(x, y) for x, y in points)
 
 
 def _lamp(d: float, w: float) -> Iterator[Stroke]:

@@ -13,10 +13,11 @@ from typing import Protocol
 import numpy as np
 from PIL import Image
 
+from sceneweaver.geometry.polygons import signed_area
+from sceneweaver.geometry.shell import outer_outline
 from sceneweaver.render import labels, palette, plan_objects, plan_room, sheet
 from sceneweaver.render.canvas import Canvas, Text
 from sceneweaver.render.plan_objects import Item
-from sceneweaver.render.shapes import area, outer_outline
 from sceneweaver.render.view import View, bounds_of, content
 from sceneweaver.scene import InputError, Scene, write_atomic
 
@@ -113,7 +114,7 @@ def _draw_sheet(
     alarmed = frozenset(name for v in violations for name in v.objects)
     view, size = _view(scene, items, width, 124 * unit, 68 * unit, 44 * unit, 84 * unit)
     canvas = Canvas(*size, palette.PAPER)
-    floor, outer = view.points(room.outline), view.points(outer_outline(room))
+    floor, outer = view.points(room.outline), view.points(outer_outline(room.walls))
 
     plan_room.draw_floor(canvas, view, room)
     plan_room.draw_grid(canvas, view, room, unit)
@@ -159,7 +160,7 @@ def _view(
 
 def _facts(scene: Scene) -> str:
     box = bounds_of(scene.room.outline)
-    floor = abs(area(scene.room.outline))
+    floor = signed_area(scene.room.outline)
     parts = [
         _count(len(scene.objects), "object"),
         _count(len(scene.relations), "relation"),

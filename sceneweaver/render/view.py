@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from sceneweaver.geometry.shell import WALL_THICKNESS
 from sceneweaver.render.canvas import Point
-from sceneweaver.render.shapes import WALL_THICKNESS, Prism
+from sceneweaver.render.shapes import Prism
 from sceneweaver.scene import Room, Vec2
 
 
@@ -64,13 +64,9 @@ def content(room: Room, solids: Iterable[Prism]) -> Bounds:
         x0, x1 = min(x0, max(b.x0, inner.x0 - slack)), max(x1, min(b.x1, inner.x1 + slack))
         y0, y1 = min(y0, max(b.y0, inner.y0 - slack)), max(y1, min(b.y1, inner.y1 + slack))
     for door in room.doors:
-        if door.swing == "out" and 0 <= door.wall < len(room.outline):
+        if door.swing == "out":
             # An outward leaf needs room in the picture too.
-            (ax, ay), (bx, by) = room.outline[door.wall], room.outline[(door.wall + 1) % len(room.outline)]
-            length = math.hypot(bx - ax, by - ay) or 1.0
-            nx, ny = (by - ay) / length, -(bx - ax) / length
-            for s in (door.offset, door.offset + door.width):
-                px, py = ax + (bx - ax) / length * s + nx * door.width, ay + (by - ay) / length * s + ny * door.width
+            for px, py in room.walls[door.wall].strip(door.offset, door.width, 0.0, -door.width)[2:]:
                 x0, x1, y0, y1 = min(x0, px), max(x1, px), min(y0, py), max(y1, py)
     t = WALL_THICKNESS
     return Bounds(x0 - t, y0 - t, x1 + t, y1 + t)

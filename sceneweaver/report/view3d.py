@@ -18,6 +18,7 @@ from sceneweaver.assets import Material, Mesh
 from sceneweaver.export.bodies import Load, bodies_of
 from sceneweaver.export.glb import room_meshes
 from sceneweaver.geometry.angles import heading
+from sceneweaver.geometry.walls import wall_behind
 from sceneweaver.scene import Room, Scene, SceneObject
 
 from .facts import RelationRow, ViolationRow, object_facts
@@ -132,16 +133,8 @@ def _wall(room: Room, wall: int) -> dict[str, Any]:
 
 
 def _wall_of(room: Room, thing: SceneObject) -> int | None:
-    """The wall that a wall-mounted object hangs on: the nearest one that it does not face."""
-    if thing.mount != "wall":
-        return None
-    found: list[tuple[float, int]] = []
-    for wall in room.walls:
-        along, depth = wall.coordinates(thing.pose.position)
-        gap = math.hypot(along - min(max(along, 0.0), wall.length), depth)
-        faces = float(np.dot(thing.pose.frame.axis, wall.outward))
-        found.append((gap + (0.5 if faces > 0.5 else 0.0), wall.index))
-    return min(found)[1]
+    """The wall that a wall-mounted object hangs on."""
+    return wall_behind(room.walls, thing.pose.position, thing.pose.frame.axis) if thing.mount == "wall" else None
 
 
 def _best_side(scene: Scene) -> float:

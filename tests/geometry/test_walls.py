@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sceneweaver.geometry import shell
-from sceneweaver.geometry.walls import walls_of
+from sceneweaver.geometry.walls import wall_behind, walls_of
 from sceneweaver.scene import Door, Window
 
 L_SHAPE = ((0.0, 0.0), (5.0, 0.0), (5.0, 2.0), (3.0, 2.0), (3.0, 4.0), (0.0, 4.0))
@@ -129,3 +129,11 @@ def test_openings_one_above_the_other():
     found = [(z, o) for span, z, o in shell.wall_pieces(3.0, [high, low], 2.0) if span == (1.0, 2.0)]
     np.testing.assert_allclose([z for z, _ in found], [(0, 0.3), (0.3, 0.8), (0.8, 1.2), (1.2, 1.7), (1.7, 2.0)])
     assert [o for _, o in found] == [None, low, None, high, None]
+
+
+def test_what_hangs_in_a_corner_hangs_on_the_wall_at_its_back():
+    walls = walls_of(L_SHAPE)
+    assert wall_behind(walls, (0.1, 0.05, 1.5), (1.0, 0.0)) == 5
+    assert wall_behind(walls, (0.1, 0.05, 1.5), (0.0, 1.0)) == 0
+    assert wall_behind(walls, (3.02, 3.0), (-1.0, 0.0)) == 3
+    assert wall_behind(walls, (2.9, 3.95), (0.0, -1.0)) == 4

@@ -12,7 +12,7 @@ from sceneweaver.render.room_camera import corner_camera, corner_directions, cut
 from sceneweaver.render.room_finish import FLOORS, finishes_of
 from sceneweaver.render.room_floor import floor_mesh
 from sceneweaver.render.room_light import corner_light, lamps_of
-from sceneweaver.render.room_shell import STUB, build_shell, wall_pieces
+from sceneweaver.render.room_shell import STUB, build_shell
 from sceneweaver.scene import Door, InputError, Pose, Room, Scene, Window
 from tests.render.scenes import ZOO, box, everything, room_of
 
@@ -101,18 +101,6 @@ def test_the_camera_looks_at_fronts() -> None:
     # The bed and the picture look along +x: they are seen from there.
     ways = corner_directions(furnished())
     assert ways[0][0] > 0 and opposite(ways) @ ways[0] == pytest.approx(-1.0)
-
-
-def test_no_solid_part_of_a_wall_is_in_an_opening() -> None:
-    room = everything().room
-    for wall in range(len(room.outline)):
-        (ax, ay), (bx, by) = room.outline[wall], room.outline[(wall + 1) % len(room.outline)]
-        length = float(np.hypot(bx - ax, by - ay))
-        pieces = wall_pieces(room, wall, length, room.height)
-        holes = sum(d.width * d.height for d in room.doors if d.wall == wall)
-        holes += sum(w.width * w.height for w in room.windows if w.wall == wall)
-        solid = sum((b - a) * (z1 - z0) for (a, b), (z0, z1) in pieces)
-        assert solid == pytest.approx(length * room.height - holes)
 
 
 @pytest.mark.parametrize(("swing", "hinge"), [("in-left", 1.0), ("in-right", 1.9)])
