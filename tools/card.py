@@ -17,8 +17,6 @@ from .schema import check_inputs, check_schema
 Role = Literal["initializer", "implementer", "modifier"]
 """The scale at which a tool works: a whole scene, the things in a part of it, or details of what is there."""
 
-Needs = Literal["nothing", "llm", "vlm", "dataset", "model"]
-
 
 class Example(FrozenModel):
     """A sentence and the inputs that say the same."""
@@ -43,7 +41,6 @@ class ToolCard(FrozenModel):
     rooms: Literal["all"] | tuple[str, ...] = "all"
     inputs: dict[str, Any]
     example: Example
-    needs: Needs = "nothing"
     confidence: Annotated[float, Field(ge=0.0, le=1.0)] = 0.5
 
     @model_validator(mode="after")

@@ -25,7 +25,6 @@ GROUP = "sceneweaver.tools"
 OWN: Mapping[str, str] = {
     "init_prior": "InitPrior",
     "init_library": "InitLibrary",
-    "init_llm": "InitLlm",
     "add_objects": "AddObjects",
     "add_tabletop": "AddTabletop",
     "add_crowd": "AddCrowd",
@@ -75,10 +74,9 @@ def tool(name: str) -> Registered:
 
 
 def _targets() -> Iterator[tuple[str, str]]:
-    """Names and "module:Class" of all tools. Our own whose module does not come with this version are not offered."""
+    """Names and "module:Class" of all tools."""
     for name, cls in OWN.items():
-        if util.find_spec(f"{__package__}.{name}") is not None:
-            yield name, f"{__package__}.{name}:{cls}"
+        yield name, f"{__package__}.{name}:{cls}"
     for point in sorted(metadata.entry_points(group=GROUP), key=lambda p: (p.name, p.value)):
         if point.name not in OWN or not point.value.startswith(f"{__package__}."):
             yield point.name, point.value.replace(" ", "")

@@ -13,6 +13,7 @@ from sceneweaver.critic import Review
 from sceneweaver.export import formats_named
 from sceneweaver.knowledge import RoomType, match_room, room_types
 from sceneweaver.scene import InputError, MissingDependencyError
+from sceneweaver.tools.registry import Registered
 from sceneweaver.tools.registry import tools as registered
 from sceneweaver.verify import Report
 
@@ -79,7 +80,6 @@ def design(
     formats = formats_named(export)
     settings = Settings(
         seed=seed,
-        planner="rules",
         steps=steps,
         candidates=candidates,
         device=device,
@@ -90,7 +90,7 @@ def design(
     brief = read_brief(prompt[:LONGEST])
     room, remarks = chosen_room(brief)
     folder = RunFolder(Path(out)) if out is not None else None
-    tools = {name: tool for name, tool in registered().items() if settings.tools is None or name in settings.tools}
+    tools = {name: tool for name, tool in registered().items() if usable(name, tool, settings, room)}
     run = Run(brief, room, settings, tools, RulesPlanner(), folder=folder, said=said)
     if folder is not None:
         _resume(run, folder)
@@ -114,6 +114,11 @@ def design(
     if folder is None:
         return result
     return deliver(result, folder.path, run.library, device, pictures, formats)
+
+
+def usable(name: str, tool: Registered, settings: Settings, room: RoomType) -> bool:
+    """Whether a tool may be called: the settings name it or none, and its card is for such a room."""
+    return (settings.tools is None or name in settings.tools) and tool.card.suits(room.name)
 
 
 def chosen_room(brief: Brief) -> tuple[RoomType, tuple[str, ...]]:

@@ -23,7 +23,6 @@ RELEVANT = (
     "side_by_side",
     "candidates",
     "finalists",
-    "planner",
     "reflect",
     "physics",
     "one_shot",

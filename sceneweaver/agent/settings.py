@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 from pydantic import Field
 
 from sceneweaver.scene.base import FrozenModel
@@ -32,9 +30,7 @@ class Settings(FrozenModel):
     )
     grade: float = Field(default=9.7, description="Mean grade at which to stop")
     patience: int = Field(default=2, ge=1, description="Steps without progress after which to stop")
-    memory: int = Field(default=1, ge=0, description="Steps that the planner remembers in full")
     settle: bool = Field(default=False, description="Prefer what physics leaves alone, and keep its settled poses")
-    planner: Literal["rules", "llm"] = "rules"
     reflect: bool = True
     physics: bool = True
     one_shot: bool = False

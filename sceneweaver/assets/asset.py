@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
-import numpy as np
-
 from sceneweaver.scene import Part, Pose, SceneObject, Support, Surface, Zone
 
 from .body import Hull, Link, Mesh
@@ -82,31 +80,3 @@ class Asset:
             attributes=self.attributes,
             **extra,
         )
-
-
-def volume_of(mesh: Mesh) -> float:
-    """Volume [m3] of the union of the mesh's closed pieces."""
-    return float(_manifold(mesh.vertices, mesh.faces).volume())
-
-
-def _manifold(vertices: np.ndarray, faces: np.ndarray):
-    import manifold3d
-
-    # Pieces overlap; manifold3d unites them when each is closed and faces outward.
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
-
-    n = len(vertices)
-    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]]])
-    graph = coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(n, n))
-    count, label = connected_components(graph, directed=False)
-    of_face = label[faces[:, 0]]
-    bodies = []
-    for k in range(count):
-        mine = faces[of_face == k]
-        if not len(mine):
-            continue
-        used, packed = np.unique(mine, return_inverse=True)
-        mesh = manifold3d.Mesh64(vertices[used], packed.reshape(-1, 3).astype(np.uint64))
-        bodies.append(manifold3d.Manifold(mesh))
-    return manifold3d.Manifold.batch_boolean(bodies, manifold3d.OpType.Add)

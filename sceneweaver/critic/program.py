@@ -82,7 +82,7 @@ class Program:
                     item_of[o.id] = best.id
                     by_item[best.id].append(o.id)
         for item in room.items:
-            need = _need(item, room, brief, banned, by_item, asked_of, area, people, len(scene.room.windows))
+            need = _need(item, room, brief, banned, by_item, area, people, len(scene.room.windows))
             if need is not None:
                 needs.append(need)
         return cls(item_of, asked_of, tuple(needs), people)
@@ -103,7 +103,6 @@ def _need(
     brief: Brief,
     banned: set[str],
     by_item: dict[str, list[str]],
-    asked_of: dict[str, str],
     area: float,
     people: int,
     windows: int,

@@ -51,7 +51,7 @@ def read_glb(path: str | os.PathLike[str]) -> tuple[Scene, Load]:
             raise InputError(f"{name}: node '{node}' has numbers that are not finite; export it anew")
         corners += [world.min(axis=0), world.max(axis=0)]
         asset = f"{len(assets)}"
-        thing, local = _ours(nodes[node], shape) if ours else _others(node, world, shape)
+        thing, local = _ours(nodes[node], shape) if ours else _others(node, world)
         objects.append(thing.model_copy(update={"asset": asset}))
         assets[asset] = _asset(asset, thing.category, local, shape)
     if not objects:
@@ -86,7 +86,7 @@ def _ours(node: dict[str, Any], shape: Any) -> tuple[SceneObject, np.ndarray]:
     return thing, np.asarray(shape.vertices) * np.asarray(node.get("scale", (1.0, 1.0, 1.0)))
 
 
-def _others(id: str, world: np.ndarray, shape: Any) -> tuple[SceneObject, np.ndarray]:
+def _others(id: str, world: np.ndarray) -> tuple[SceneObject, np.ndarray]:
     """A node of anybody's file as an object that is not turned, and its vertices in its frame."""
     low, high = world.min(axis=0), world.max(axis=0)
     base = np.array([*(low + high)[:2] / 2, low[2]])

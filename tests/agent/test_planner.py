@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+import ast
+from dataclasses import replace
+from pathlib import Path
+
 import pytest
 
+from sceneweaver import agent
+from sceneweaver.agent.design import usable
 from sceneweaver.agent.memory import Call, Memory, Step
 from sceneweaver.agent.planner import RulesPlanner, Situation
 from sceneweaver.agent.settings import Settings
@@ -95,3 +101,22 @@ def test_settings_out_of_range_are_refused():
         Settings(steps=0)
     with pytest.raises(InputError, match="seed"):
         Settings(seed=-1)
+
+
+def test_every_setting_is_read_somewhere():
+    folder = Path(agent.__file__).parent
+    read = {
+        node.attr
+        for file in folder.glob("*.py")
+        for node in ast.walk(ast.parse(file.read_text()))
+        if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Load)
+    }
+    assert set(Settings.model_fields) <= read
+
+
+def test_a_tool_is_used_in_the_rooms_of_its_card_alone():
+    crowd = tools()["add_crowd"]
+    only_shops = replace(crowd, card=crowd.card.model_copy(update={"rooms": ("shop",)}))
+    shop, bedroom = room_type("shop"), room_type("bedroom")
+    assert [usable("add_crowd", only_shops, Settings(), room) for room in (shop, bedroom)] == [True, False]
+    assert not usable("add_crowd", crowd, Settings(tools=("add_objects",)), shop)

@@ -12,8 +12,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sceneweaver.assets.asset import Asset, volume_of
-from sceneweaver.assets.body import Hull
+from sceneweaver.assets.asset import Asset
+from sceneweaver.assets.body import Hull, Mesh
 from sceneweaver.assets.category import Category, categories
 from sceneweaver.assets.parametric import make, makers
 
@@ -21,6 +21,34 @@ SIZE_TOLERANCE = 1e-3
 OUTSIDE = {"hard": 0.5e-3, "soft": 1e-2, "leaf": 1e-2}
 MAX_EXCESS = 0.25
 MAX_TRIANGLES = 20_000
+
+
+def volume_of(mesh: Mesh) -> float:
+    """Volume [m3] of the union of the mesh's closed pieces."""
+    return float(_manifold(mesh.vertices, mesh.faces).volume())
+
+
+def _manifold(vertices: np.ndarray, faces: np.ndarray):
+    import manifold3d
+
+    # Pieces overlap; manifold3d unites them when each is closed and faces outward.
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
+    n = len(vertices)
+    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]]])
+    graph = coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(n, n))
+    count, label = connected_components(graph, directed=False)
+    of_face = label[faces[:, 0]]
+    bodies = []
+    for k in range(count):
+        mine = faces[of_face == k]
+        if not len(mine):
+            continue
+        used, packed = np.unique(mine, return_inverse=True)
+        mesh = manifold3d.Mesh64(vertices[used], packed.reshape(-1, 3).astype(np.uint64))
+        bodies.append(manifold3d.Manifold(mesh))
+    return manifold3d.Manifold.batch_boolean(bodies, manifold3d.OpType.Add)
 
 
 @dataclass

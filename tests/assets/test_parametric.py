@@ -5,12 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sceneweaver.assets.asset import volume_of
 from sceneweaver.assets.category import categories
 from sceneweaver.assets.imports.prepare import content_hash
 from sceneweaver.assets.parametric import Request, make, makers
 from sceneweaver.scene import InputError
-from tests.assets.rules import examine
+from tests.assets.rules import examine, volume_of
 
 NAMES = sorted(makers())
 

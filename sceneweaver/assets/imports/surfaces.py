@@ -46,7 +46,7 @@ def find_surfaces(vertices: np.ndarray, faces: np.ndarray) -> tuple[Surface, ...
         region = union(grown)
         region = region.buffer(-_NARROW).buffer(_NARROW - _MARGIN)
         for shape in getattr(region, "geoms", [region]):
-            found += _with_headroom(shape, z, corners, total)
+            found += _with_headroom(shape, z, corners)
     found.sort(key=lambda row: -_area(row[1]))
     found = sorted(found[:MAX_SURFACES], key=lambda row: row[0])
     surfaces, shelves = [], 0
@@ -62,7 +62,7 @@ def find_surfaces(vertices: np.ndarray, faces: np.ndarray) -> tuple[Surface, ...
     return tuple(surfaces)
 
 
-def _with_headroom(shape, z: float, corners: np.ndarray, total: float) -> list[tuple[float, np.ndarray, float | None]]:
+def _with_headroom(shape, z: float, corners: np.ndarray) -> list[tuple[float, np.ndarray, float | None]]:
     """A region cut into what is free above and what is covered, without holes."""
     import shapely
 

@@ -40,17 +40,15 @@ def _bowl(b: Builder, x: float, long: float, w: float, h: float, china: Finish, 
     loft(b, [egg(front * f, back * k, w / 2 * s, z, mid, 0.0, 2.2, 5.0) for f, k, s, z in rings], china)
     # Seat and lid, hinged at their back: before a cistern, so that the lid can stand up.
     sb = back - (0.055 if hung else 0.115)
-    b.add(*_flat(b, mid, front, sb, w / 2, rim + 0.0005, rim + 0.019, lid))
+    b.add(*_flat(mid, front, sb, w / 2, rim + 0.0005, rim + 0.019, lid))
     with b.hinge("lid", (mid - sb, 0.0, rim + 0.02), axis=(0.0, 1.0, 0.0), limits=(-1.5, 0.0)):
-        b.add(*_flat(b, mid, front * 0.995, sb, w / 2 * 0.99, rim + 0.021, h, lid))
+        b.add(*_flat(mid, front * 0.995, sb, w / 2 * 0.99, rim + 0.021, h, lid))
     for s in (-1, 1):
         with b.frame(mid - sb - 0.004, s * 0.075, rim + 0.009, roll=math.pi / 2):
             b.frustum(0.008, 0.008, (-0.018, 0.018), "chrome", segments=12)
 
 
-def _flat(
-    b: Builder, mid: float, front: float, back: float, half: float, low: float, high: float, look: Finish
-) -> tuple:
+def _flat(mid: float, front: float, back: float, half: float, low: float, high: float, look: Finish) -> tuple:
     e = 0.006
     rings = [
         egg(front - e, back - e, half - e, low, mid, 0.0, 2.2, 4.0),

@@ -13,7 +13,6 @@ from ..builder import Builder, Interval
 
 OVAL = (0.12, 0.8, 1.0, 0.72, 0.04)
 BROAD = (0.3, 0.95, 1.0, 0.6, 0.03)
-BLADE = (0.7, 1.0, 0.9, 0.65, 0.05)
 SMALL = (0.15, 1.0, 0.05)
 
 

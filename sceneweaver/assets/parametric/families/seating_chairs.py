@@ -25,7 +25,7 @@ _PLASTICS = (
 )
 
 
-def _four_legs(b: Builder, d: float, w: float, seat: float, h: float, wood, lean: float) -> float:
+def _four_legs(b: Builder, d: float, w: float, seat: float, wood, lean: float) -> float:
     """Front legs, back legs that run on as posts of the back rest, apron, stretchers; returns where the posts stand."""
     x0, x1 = -d / 2 + lean, d / 2 - 0.01
     t = 0.036
@@ -57,7 +57,7 @@ def dining_chair(b: Builder) -> None:
         style = "ladder"
     seat, lean = b.uniform("seat height", 0.44, 0.47), 0.08
     with b.solid("seat"):
-        x = _four_legs(b, d, w, seat, h, wood, lean)
+        x = _four_legs(b, d, w, seat, wood, lean)
         if cover is wood:
             b.box((x - 0.005, d / 2), (-w / 2, w / 2), (seat - 0.022, seat), wood, bevel=0.006)
         else:

@@ -8,8 +8,6 @@ from ... import shapes
 from ..builder import Builder
 from .small_kit import Look, decal, dome, hoop, loft, rect, slab, small, spot, target
 
-CASES = ("black plastic", "white plastic", "grey plastic", "aluminium", "black steel")
-
 
 def window(b: Builder, x: float, y: tuple[float, float], z: tuple[float, float]) -> None:
     """A lit picture on a front at depth x: title bar, a panel, lines of text."""
