@@ -241,12 +241,14 @@ class Executor:
         pool = [id for id in trouble if id in known]
         if not pool:
             return None
-        id = min(pool, key=lambda i: (known[i].intent.rank, -trouble[i], i))
+        pool.sort(key=lambda i: (known[i].intent.rank, -trouble[i], i))
+        first = known[pool[0]]
         # Of many of a kind several go at once: forty wardrobes are not tried forty times.
-        alike = sum(o.category == known[id].category for o in draft.objects)
-        twins = sorted((i for i in pool if known[i].category == known[id].category), key=lambda i: (-trouble[i], i))
+        alike = sum(o.category == first.category for o in draft.objects)
+        twins = [o for o in map(known.__getitem__, pool) if o.category == first.category]
+        twins = [o for o in twins if o.intent.rank == first.intent.rank]
         reason = "there is no place for it in this room"
-        for gone in (known[i] for i in twins[: 1 + alike // 6]):
+        for gone in twins[: 1 + alike // 6]:
             if gone.id not in draft.ids:
                 continue
             draft = apply(draft, Remove(id=gone.id, cascade=True))

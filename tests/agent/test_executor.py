@@ -1,0 +1,226 @@
+"""Carrying out proposals in small rooms: what moves, what gives way first, and what is said of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from sceneweaver.agent.executor import Executor, Outcome
+from sceneweaver.agent.settings import Settings
+from sceneweaver.brief import Brief
+from sceneweaver.critic import CRITERIA, Review
+from sceneweaver.knowledge import room_type
+from sceneweaver.scene import (
+    Add,
+    Dropped,
+    InputError,
+    Intent,
+    Pose,
+    Priority,
+    Relation,
+    Remove,
+    Room,
+    Scene,
+    SceneObject,
+    SetPose,
+    Support,
+    Surface,
+)
+from sceneweaver.tools.base import Proposal
+from sceneweaver.verify import Violation, check
+
+QUICK = Settings(device="cpu", candidates=16)
+LARGE = (1.7, 1.7, 0.8)
+"""Of this size one fits beside the bed in the room below, not two."""
+
+
+def box(
+    id: str, size: tuple[float, float, float], x: float = 0.0, y: float = 0.0, z: float = 0.0, **more: Any
+) -> SceneObject:
+    """A box at x, y, z [m]."""
+    return SceneObject(
+        id=id, category=more.pop("category", "cabinet"), size=size, pose=Pose.from_yaw(x, y, z, 0), **more
+    )
+
+
+def wanted(id: str, priority: Priority | None, size: tuple[float, float, float] = LARGE) -> SceneObject:
+    return box(id, size, intent=Intent(priority=priority, request=id if priority == "asked" else None))
+
+
+def room_with(*objects: SceneObject, relations: tuple[Relation, ...] = (), **more: Any) -> Scene:
+    """Objects in a room of 3 by 3 m."""
+    room = Room(type="bedroom", outline=((0, 0), (3, 0), (3, 3), (0, 3)))
+    return Scene(id="s", room=room, objects=objects, relations=relations, **more)
+
+
+BED = box("bed-0", (2.0, 1.6, 0.5), 1.1, 2.1)
+
+
+def run(before: Scene, /, *edits: Any, settings: Settings = QUICK, seed: int = 0, **more: Any) -> Outcome:
+    executor = Executor(room_type("bedroom"), Brief(text="a bedroom"), settings)
+    return executor.run(before, Proposal(edits=edits, **more), seed)
+
+
+def fresh(scene: Scene, **more: Any) -> Outcome:
+    """A layout from scratch."""
+    return run(scene, scene=scene, fresh=True, **more)
+
+
+# ---- edits ----------------------------------------------------------------------------------------------------------
+
+
+def test_what_is_valid_as_it_was_proposed_is_left_alone():
+    stool = box("stool-0", (0.4, 0.4, 0.5), 2.6, 0.4)
+    outcome = run(room_with(BED), Add(object=stool), notes=("a note",), unmet=("a wish",))
+    assert outcome.scene == room_with(BED, stool) and outcome.report.valid
+    assert outcome.notes == ("a note",) and outcome.unmet == ("a wish",)
+
+
+def test_what_is_new_finds_a_place_and_nothing_else_moves():
+    scene = room_with(BED, box("desk-0", (0.6, 1.0, 0.75), 2.6, 0.6))
+    outcome = run(scene, Add(object=wanted("chest-0", "usual", (0.4, 0.9, 0.8))))
+    assert outcome.report.valid and not outcome.notes
+    assert outcome.scene.objects[:2] == scene.objects
+    assert run(scene, Add(object=wanted("chest-0", "usual", (0.4, 0.9, 0.8)))).scene == outcome.scene
+
+
+def test_what_was_moved_into_another_thing_is_moved_out_again_and_the_other_stays():
+    scene = room_with(BED, box("chest-0", (0.4, 0.9, 0.8), 2.7, 0.6))
+    outcome = run(scene, SetPose(id="chest-0", pose=Pose.from_yaw(1.9, 1.5, 0, 0)))
+    assert outcome.report.valid and outcome.scene.object("bed-0") == scene.object("bed-0")
+    assert outcome.scene.object("chest-0").pose != scene.object("chest-0").pose
+
+
+def test_what_nobody_asked_for_is_left_out_where_it_has_no_place():
+    for priority in (None, "optional", "usual", "needed"):
+        outcome = run(room_with(BED), Add(object=wanted("chest-0", priority)))
+        assert outcome.scene == room_with(BED) and outcome.report.valid
+        assert outcome.notes == ("chest-0 was left out: the room has no place for it",) and not outcome.unmet
+
+
+def test_what_was_asked_for_is_dropped_at_last_and_reported():
+    outcome = run(room_with(BED), Add(object=wanted("chest-0", "asked")))
+    assert outcome.scene.ids == ("bed-0",)
+    assert [d.id for d in outcome.scene.dropped] == ["chest-0"] and not outcome.report.valid
+    assert outcome.unmet == ("chest-0: there is no place for it in this room",)
+    assert outcome.key[:2] == (0, 1)
+
+
+def test_small_things_that_are_in_the_way_are_left_out_unless_they_were_asked_for():
+    top = Surface(name="top", polygon=((-0.3, -0.5), (0.3, -0.5), (0.3, 0.5), (-0.3, 0.5)), z=0.75)
+    on = Support(object="desk-0", surface="top")
+    desk = box("desk-0", (0.6, 1.0, 0.75), 2.6, 0.6, surfaces=(top,))
+    cups = [
+        box(f"cup-{k}", (0.1, 0.1, 0.1), 2.6, y, 0.75, support=on, mount="surface") for k, y in enumerate((0.6, 0.63))
+    ]
+    scene = room_with(BED, desk, cups[0])
+    outcome = run(scene, Add(object=cups[1]))
+    assert outcome.scene == scene and outcome.report.valid
+    assert outcome.notes == ("1 small things did not fit and were left out",)
+    asked = cups[1].model_copy(update={"intent": Intent(priority="asked", request="cup")})
+    outcome = run(scene, Add(object=asked))
+    assert outcome.scene.ids == (*scene.ids, "cup-1") and outcome.report.valid and not outcome.notes
+
+
+def test_edits_that_cannot_be_applied_are_refused():
+    with pytest.raises(InputError, match="remove 'sofa-0'"):
+        run(room_with(BED), Remove(id="sofa-0"))
+
+
+# ---- whole rooms ----------------------------------------------------------------------------------------------------
+
+
+def test_a_room_from_scratch_is_valid_and_depends_on_the_seed_alone():
+    parts = [wanted(f"chest-{k}", "usual", (0.5, 0.8 + 0.1 * k, 1.0)) for k in range(3)]
+    against = tuple(Relation(type="against_wall", subject=o.id) for o in parts)
+    scene = room_with(BED, *parts, relations=against)
+    first, again, other = fresh(scene), fresh(scene), fresh(scene, seed=1)
+    assert first.report.valid and other.report.valid and check(first.scene).valid
+    assert first.scene == again.scene and first.scene != other.scene
+    assert first.scene.relations == against and first.scene.ids == scene.ids
+
+
+def test_the_least_wanted_gives_way_first():
+    crowd = [wanted("a", "asked"), wanted("b", "optional"), wanted("c", "usual"), wanted("d", "needed")]
+    outcome = fresh(room_with(*crowd))
+    assert not outcome.faults
+    assert outcome.scene.ids == ("a",) and not outcome.unmet and not outcome.scene.dropped
+    gone = [note.split()[0] for note in outcome.notes]
+    assert gone == ["b", "c", "d"]
+
+
+def test_of_many_alike_some_are_kept_and_each_that_was_asked_for_is_accounted_for():
+    crowd = [wanted(f"chest-{k}", "asked", (1.2, 1.2, 0.8)) for k in range(7)]
+    outcome = fresh(room_with(*crowd))
+    kept, dropped = outcome.scene.ids, tuple(d.id for d in outcome.scene.dropped)
+    assert kept and dropped and sorted(kept + dropped) == sorted(o.id for o in crowd)
+    assert len(outcome.unmet) == len(dropped) and not outcome.faults
+
+
+LEFT, RIGHT = (Relation(type=t, subject="a", target="b") for t in ("left_of", "right_of"))
+
+
+@pytest.mark.parametrize(
+    ("asked", "soft", "unmet"),
+    [
+        ([["left_of", "a"]], "right_of", []),
+        ([["right_of", "a"]], "left_of", []),
+        ([["left_of", "a"], ["right_of", "a"]], "left_of", ["a left_of b cannot hold here"]),
+    ],
+)
+def test_of_contradicting_relations_the_one_that_was_not_asked_for_becomes_soft(asked, soft, unmet):
+    pair = [box(id, (0.4, 0.4, 0.5), category="stool", intent=Intent(priority="needed")) for id in "ab"]
+    outcome = fresh(room_with(*pair, relations=(LEFT, RIGHT), provenance={"asked": asked}))
+    assert outcome.report.valid and outcome.scene.ids == ("a", "b")
+    assert [r.type for r in outcome.scene.relations if not r.hard] == [soft]
+    assert list(outcome.unmet) == unmet
+
+
+def test_of_relations_of_one_type_the_one_that_fails_becomes_soft():
+    posts = [box(f"post-{k}", (0.1, 0.1, 1.0), x, 0.2, fixed=True) for k, x in enumerate((0.2, 2.8))]
+    stool = box("stool-0", (0.3, 0.3, 0.4), intent=Intent(priority="needed"))
+    near = tuple(Relation(type="near", subject="stool-0", target=p.id, params={"max": 0.3}) for p in posts)
+    outcome = fresh(room_with(*posts, stool, relations=near))
+    assert outcome.report.valid
+    kept = [r.target for r in outcome.scene.relations if r.hard]
+    failing = [v.relation.target for v in outcome.report.violations if v.relation is not None]
+    assert len(kept) == 1 and {*kept, *failing} == {"post-0", "post-1"}
+
+
+def test_without_physics_nothing_is_searched():
+    blind = QUICK.model_copy(update={"physics": False})
+    outcome = run(room_with(BED), Add(object=wanted("chest-0", "usual")), settings=blind)
+    assert outcome.scene.object("chest-0").pose == Pose() and outcome.report.collisions + outcome.report.out_of_bounds
+    drawn = fresh(room_with(*(wanted(id, "usual") for id in "abc")), settings=blind)
+    assert drawn.scene.ids == ("a", "b", "c") and not drawn.notes and drawn.faults
+
+
+# ---- what is better --------------------------------------------------------------------------------------------------
+
+
+def judged(scene: Scene, grade: float) -> Outcome:
+    return Outcome(scene, check(scene), Review(grades=dict.fromkeys(CRITERIA, grade)))
+
+
+def test_faults_weigh_more_than_what_was_dropped_and_that_more_than_grades():
+    good, poor = judged(room_with(BED), 9), judged(room_with(BED), 3)
+    gone = Dropped(id="sofa-0", category="sofa", reason="no place")
+    without = judged(room_with(BED, dropped=(gone,)), 9)
+    broken = judged(room_with(BED, box("chest-0", LARGE, 1.1, 2.1)), 9.5)
+    assert sorted([broken, without, poor, good], key=lambda o: o.key) == [good, poor, without, broken]
+    assert not without.faults and not without.report.valid
+    assert [v.kind for v in broken.faults] == ["collision"]
+
+
+def test_soft_relations_that_fail_cost_and_are_no_faults():
+    facing = Relation(type="near", subject="stool-0", target="bed-0", params={"max": 0.1}, hard=False)
+    near, far = (
+        judged(room_with(BED, box("stool-0", (0.3, 0.3, 0.4), 2.0, y), relations=(facing,)), 8) for y in (1.1, 0.3)
+    )
+    assert near.key < far.key and near.key[:2] == far.key[:2] == (0, 0) and not far.faults
+    assert [v.kind for v in far.report.violations] == ["soft_relation"]
+    unstable = Violation("unstable", ("bed-0",), "bed-0 moves 20 cm in 3 s of physics", 0.2)
+    fallen = replace(near, report=replace(near.report, violations=(unstable,)))
+    assert fallen.faults == (unstable,) and fallen.key[0] == 1
