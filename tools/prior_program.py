@@ -337,7 +337,8 @@ def _wish(demand: Demand, brief: Brief, style: str | None, seed: int) -> Wish:
             ranges = categories()[asked.category].size
             if ranges is not None:
                 at = min(1.0, max(0.0, 0.5 + 1.5 * (asked.scale - 1.0)))
-                size = [round(lo + at * (hi - lo), 3) for lo, hi in ranges.ranges]
+                # Rounded within the range: the pile of a rug is half a millimetre high.
+                size = [min(max(round(lo + at * (hi - lo), 3), lo), hi) for lo, hi in ranges.ranges]
     return Wish(
         size=(size[0], size[1], size[2]),
         color=(asked and asked.color) or (item and item.color) or None,

@@ -197,3 +197,11 @@ def test_two_screens_stand_on_the_desk():
 def test_a_desk_with_only_a_laptop_is_laid_with_nothing_else():
     scene = design("only a desk, a chair and a laptop", seed=1).scene
     assert [o.category for o in scene.objects if o.support is not None] == ["laptop"]
+
+
+@pytest.mark.parametrize("word", ["large", "small"])
+def test_a_thing_half_a_millimetre_high_may_be_large_or_small(word):
+    """The height of a rug is not rounded to nothing."""
+    result = design(f"a living room with a {word} rug", seed=0, steps=1, candidates=16, side_by_side=1)
+    (rug,) = [o for o in result.scene.objects if o.category == "rug"]
+    assert 0 < rug.size[2] < 0.01

@@ -89,3 +89,9 @@ def test_the_embedder_says_what_is_missing(tmp_path) -> None:
     except ModuleNotFoundError:
         with pytest.raises(MissingDependencyError, match="pip install sentence-transformers"):
             embedder(str(tmp_path))
+
+
+@pytest.mark.parametrize("size", [(2.0, 3.0, 0.0), (-1.0, None, None), (None, float("nan"), None), (float("inf"),) * 3])
+def test_a_wished_size_is_a_length(size) -> None:
+    with pytest.raises(InputError, match=r"size: a (depth|width|height) of"):
+        OURS.find("rug", Wish(size=size))

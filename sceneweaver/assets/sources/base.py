@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any, Protocol
+
+from sceneweaver.scene import InputError
 
 from ..asset import Asset
 
@@ -56,6 +59,9 @@ class Wish:
 
     ``size`` is the wanted (depth, width, height) [m]; ``words`` are style words, any colour or material among them;
     ``licences`` are the only ones allowed, None allows all.
+
+    Raises:
+        InputError: for a size that is no length above 0.
     """
 
     size: tuple[float | None, float | None, float | None] = (None, None, None)
@@ -66,3 +72,8 @@ class Wish:
     seed: int = 0
     count: int = 8
     licences: frozenset[str] | None = None
+
+    def __post_init__(self) -> None:
+        for name, want in zip(("depth", "width", "height"), self.size, strict=True):
+            if want is not None and not (math.isfinite(want) and want > 0):
+                raise InputError(f"size: a {name} of {want} m is none; give a length above 0, or None")
