@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 from sceneweaver.assets import Library
-from sceneweaver.scene import Scene
+from sceneweaver.scene import Scene, whole
 
 from .result import Result
 
@@ -36,7 +33,7 @@ def deliver(
         drawn = draw_rooms(result.scene, load, VIEWS, device=_drawing_device(device))
         (folder / "views").mkdir(exist_ok=True)
         for name, picture in drawn.items():
-            with _whole(folder / "views" / f"{name}.png") as path:
+            with whole(folder / "views" / f"{name}.png") as path:
                 picture.save(path, "PNG")
     spent = time.monotonic() - began
     seconds = {**result.report.seconds, "files": round(spent, 3)}
@@ -80,23 +77,7 @@ def _report(result: Result, folder: Path, load: Callable, drawn: dict) -> None:
         load=load,
         title=result.brief.text[:120],
     )
-    with _whole(folder / "report.html") as path:
-        write_report(path, data)
-
-
-@contextmanager
-def _whole(path: Path) -> Iterator[Path]:
-    """A temporary path that is renamed to ``path`` when the block ends without an error."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=".tmp-", suffix=path.suffix)
-    os.close(handle)
-    try:
-        yield Path(name)
-        os.chmod(name, 0o644)
-        os.replace(name, path)
-    except BaseException:
-        if os.path.exists(name):
-            os.unlink(name)
-        raise
+    write_report(folder / "report.html", data)
 
 
 def _drawing_device(device: str) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -92,14 +92,21 @@ def design(
     folder = RunFolder(Path(out)) if out is not None else None
     tools = {name: tool for name, tool in registered().items() if usable(name, tool, settings, room)}
     run = Run(brief, room, settings, tools, RulesPlanner(), folder=folder, said=said)
-    if folder is not None:
+    if folder is None:
+        return _result(run, remarks, began)
+    with folder.held():
         _resume(run, folder)
+        return deliver(_result(run, remarks, began), folder.path, run.library, device, pictures, formats)
+
+
+def _result(run: Run, remarks: Sequence[str], began: float) -> Result:
+    brief, settings = run.brief, run.settings
     best = run.go()
     moved: list[str] = []
-    if settle:
-        best, moved = settled(best, Executor(room, brief, settings))
+    if settings.settle:
+        best, moved = settled(best, Executor(run.room, brief, settings))
     unmet = tuple(dict.fromkeys((*run.memory.unmet, *_unmet(best.review))))
-    result = Result(
+    return Result(
         scene=best.scene,
         report=_complete(best.report, best.review, settings, run, began),
         review=best.review,
@@ -109,11 +116,8 @@ def design(
         unmet=unmet,
         seconds=time.monotonic() - began,
         finished=run.memory.finished,
-        out=folder.path if folder else None,
+        out=run.folder.path if run.folder else None,
     )
-    if folder is None:
-        return result
-    return deliver(result, folder.path, run.library, device, pictures, formats)
 
 
 def usable(name: str, tool: Registered, settings: Settings, room: RoomType) -> bool:
@@ -143,7 +147,7 @@ def chosen_room(brief: Brief) -> tuple[RoomType, tuple[str, ...]]:
 
 
 def _resume(run: Run, folder: RunFolder) -> None:
-    kept = folder.begin(run.brief, run.settings)
+    kept = folder.resume(run.brief, run.settings)
     if kept is not None:
         memory = kept[0]
         spent = len(memory.steps) < run.settings.steps and memory.finished.endswith((" steps", " seconds"))

@@ -3,21 +3,27 @@
 from __future__ import annotations
 
 import json
-import os
-import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar, Literal
+
+from pydantic import Field
 
 from sceneweaver.brief import Brief
 from sceneweaver.critic import Review
-from sceneweaver.scene import InputError, Scene
+from sceneweaver.scene import InputError, Scene, locked, read_bytes, sweep, write_atomic
+from sceneweaver.scene.base import FrozenModel
+from sceneweaver.scene.io import parse
 from sceneweaver.verify import Report
 
 from .memory import Memory
 from .settings import Settings
 
-SCHEMA = "sceneweaver.run/1"
 STATE = "state.json"
+MAX_STATE = 16 * 2**20
+"""Most bytes of a state file that are read; a run of a hundred steps writes about one million."""
+
 RELEVANT = (
     "seed",
     "side_by_side",
@@ -32,44 +38,61 @@ RELEVANT = (
 """Settings that must be the same for a run to go on; budgets may grow."""
 
 
+class State(FrozenModel):
+    """What ``state.json`` holds: all that a run needs to go on, besides the scene that it points to."""
+
+    _noun: ClassVar[str] = "state"
+
+    schema_: Literal["sceneweaver.run/1"] = Field(default="sceneweaver.run/1", alias="schema")
+    prompt: str
+    brief: dict[str, Any] = Field(default={}, description="How the request was read; for readers of the file")
+    settings: Settings
+    scene: str = Field(pattern=r"^steps/\d+/scene\.json$", description="Path of the scene, inside the folder")
+    memory: Memory
+
+
 class RunFolder:
     """Writes a run step by step; what is in ``state.json`` is always a whole state."""
 
     def __init__(self, path: Path):
         self.path = path
 
-    def begin(self, brief: Brief, settings: Settings) -> tuple[Memory, Scene] | None:
-        """Make the folder; the memory and scene of the run that stopped here, if one of the same request did.
+    @contextmanager
+    def held(self) -> Iterator[None]:
+        """Make the folder, keep other processes from writing to it, and clear away what a killed run left half written.
 
         Raises:
-            InputError: when the folder cannot be written, or holds a run of another request or other settings.
+            InputError: when the folder cannot be written, or another process writes to it.
         """
         try:
             (self.path / "steps").mkdir(parents=True, exist_ok=True)
-            handle, probe = tempfile.mkstemp(dir=self.path)
-            os.close(handle)
-            os.unlink(probe)
         except OSError as error:
             raise InputError(f"--out: {self.path} cannot be written ({error.strerror}); choose another place") from None
+        with locked(self.path / "scene.json", f"--out: {self.path}"):
+            for folder in (self.path, self.path / "views", *self.path.glob("steps/*")):
+                sweep(folder)
+            yield
+
+    def resume(self, brief: Brief, settings: Settings) -> tuple[Memory, Scene] | None:
+        """The memory and scene of the run that stopped here, if one of the same request did.
+
+        Raises:
+            InputError: when the folder holds a run of another request or other settings, or a damaged state.
+        """
         kept = self._state()
         if kept is None:
             return None
-        if kept.get("prompt") != brief.text:
-            asked = str(kept.get("prompt"))
+        if kept.prompt != brief.text:
             raise InputError(
-                f"--out: {self.path} holds a run of another request ({asked[:60]!r}); choose another place"
+                f"--out: {self.path} holds a run of another request ({kept.prompt[:60]!r}); choose another place"
             )
-        old = Settings(**kept["settings"])
         for name in RELEVANT:
-            if getattr(old, name) != getattr(settings, name):
+            if getattr(kept.settings, name) != getattr(settings, name):
                 raise InputError(
-                    f"--out: {self.path} holds a run with {name} {getattr(old, name)!r}, not "
+                    f"--out: {self.path} holds a run with {name} {getattr(kept.settings, name)!r}, not "
                     f"{getattr(settings, name)!r}; choose another place"
                 )
-        memory = Memory(**kept["memory"])
-        if not memory.steps:
-            return None
-        return memory, Scene.load(self.path / kept["scene"])
+        return (kept.memory, Scene.load(self.path / kept.scene)) if kept.memory.steps else None
 
     def step(
         self,
@@ -87,50 +110,35 @@ class RunFolder:
         folder.mkdir(exist_ok=True)
         scene.save(folder / "scene.json")
         report.save(folder / "metrics.json")
-        write(folder / "review.json", review.model_dump(mode="json"))
-        write(folder / "step.json", memory.steps[-1].model_dump(mode="json") if memory.steps else {})
+        _write(folder / "review.json", review.model_dump(mode="json"))
+        _write(folder / "step.json", memory.steps[-1].model_dump(mode="json") if memory.steps else {})
         self.state(f"{name}/scene.json", memory, brief, settings)
 
     def state(self, scene: str, memory: Memory, brief: Brief, settings: Settings) -> None:
         """Write the state to go on from; ``scene`` is a path inside the folder."""
-        write(
-            self.path / STATE,
-            {
-                "schema": SCHEMA,
-                "prompt": brief.text,
-                "brief": brief.model_dump(mode="json"),
-                "settings": settings.model_dump(mode="json"),
-                "scene": scene,
-                "memory": memory.model_dump(mode="json"),
-            },
+        state = State(
+            prompt=brief.text, brief=brief.model_dump(mode="json"), settings=settings, scene=scene, memory=memory
         )
+        _write(self.path / STATE, state.model_dump(mode="json"))
 
     def kept_scene(self) -> str:
         """The path, inside the folder, of the scene that the state points to; empty when there is none."""
         kept = self._state()
-        return str(kept["scene"]) if kept else ""
+        return kept.scene if kept else ""
 
-    def _state(self) -> dict[str, Any] | None:
+    def _state(self) -> State | None:
+        """The state that is there, if any; InputError names the file, the field and the fix."""
         path = self.path / STATE
-        if not path.exists():
+        if not path.exists() and not path.is_symlink():
             return None
         try:
-            data = json.loads(path.read_text(encoding="utf-8"))
-            if data["schema"] != SCHEMA:
-                raise ValueError(data["schema"])
-            return data
-        except (OSError, ValueError, KeyError, TypeError):
-            raise InputError(f"{path}: this is no state of a run; remove it or choose another folder") from None
+            return State.model_validate(parse(read_bytes(path, max_bytes=MAX_STATE)))
+        except InputError as error:
+            reason = str(error).removeprefix(f"{path}: ").partition("; ")[0]
+            raise InputError(
+                f"{path}: this is no state of a run ({reason}); remove it or choose another folder"
+            ) from None
 
 
-def write(path: Path, data: Any) -> None:
-    """Write JSON under a temporary name and rename it."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            json.dump(data, file, indent=1, ensure_ascii=False)
-        os.chmod(name, 0o644)
-        os.replace(name, path)
-    except BaseException:
-        os.unlink(name)
-        raise
+def _write(path: Path, data: Any) -> None:
+    write_atomic(path, json.dumps(data, indent=1, ensure_ascii=False) + "\n")

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from pydantic import Field
 
 from sceneweaver.scene.base import FrozenModel
+from sceneweaver.scene.fields import JsonDict
 
 FORGIVING = 0.6
 """Factor on a tool's confidence when a call of it brought nothing."""
@@ -17,7 +16,7 @@ class Call(FrozenModel):
 
     tool: str
     instruction: str = ""
-    inputs: dict[str, Any] = {}
+    inputs: JsonDict = {}
     seed: int = 0
     confidence: float = 1.0
     reason: str = ""
@@ -41,7 +40,7 @@ class Step(FrozenModel):
     violations: int = 0
     objects: int = 0
     seconds: float = 0.0
-    tried: tuple[dict[str, Any], ...] = ()
+    tried: tuple[JsonDict, ...] = ()
     note: str = ""
 
 

@@ -9,20 +9,22 @@ from __future__ import annotations
 
 import json
 import os
-import shutil
-import uuid
 from collections.abc import Iterator
+from contextlib import AbstractContextManager
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from sceneweaver.scene import InputError, Part, Surface, Zone
+from sceneweaver.scene import InputError, Part, Surface, Zone, read_bytes, sweep
+from sceneweaver.scene.files import temporary_folder
+from sceneweaver.scene.io import parse
 from sceneweaver.scene.messages import suggest
 
 from .asset import Asset, Origin
 from .body import Hull, Link, Material, Mesh
+from .imports.guarded import read_arrays
 
 SCHEMA = "sceneweaver.asset/1"
 
@@ -56,21 +58,18 @@ class Store:
         final = self._folder(content)
         if (final / "row.json").exists():
             return False
-        draft = self.root / "drafts" / uuid.uuid4().hex
         try:
-            draft.mkdir(parents=True)
-            _write_body(draft / "body.npz", asset)
-            (draft / "row.json").write_text(json.dumps(row_of(asset, content), indent=1) + "\n", encoding="utf-8")
-            final.parent.mkdir(parents=True, exist_ok=True)
-            os.rename(draft, final)
+            with self._draft() as draft:
+                _write_body(draft / "body.npz", asset)
+                (draft / "row.json").write_text(json.dumps(row_of(asset, content), indent=1) + "\n", encoding="utf-8")
+                final.parent.mkdir(parents=True, exist_ok=True)
+                os.rename(draft, final)
         except OSError as error:
             if (final / "row.json").exists():  # another process was quicker
                 return False
             reason = error.strerror or type(error).__name__
             line = f"{self.root}: the store cannot be written ({reason}); choose another with --store"
             raise InputError(line) from error
-        finally:
-            shutil.rmtree(draft, ignore_errors=True)
         return True
 
     def rows(self) -> Iterator[dict[str, Any]]:
@@ -78,8 +77,8 @@ class Store:
         found = []
         for path in self.root.glob("objects/*/*/row.json"):
             try:
-                row = json.loads(path.read_text(encoding="utf-8"))
-            except (OSError, ValueError):
+                row = parse(read_bytes(path))
+            except InputError:
                 continue  # being removed by another process, or not ours
             if row.get("schema") == SCHEMA:
                 found.append(row)
@@ -89,7 +88,7 @@ class Store:
         """An asset by id; InputError when the store has none of that id."""
         tail = id.rpartition("-")[2]
         for path in self.root.glob(f"objects/{tail[:2]}/{tail}*/row.json") if len(tail) >= 8 else ():
-            row = json.loads(path.read_text(encoding="utf-8"))
+            row = parse(read_bytes(path))
             if row.get("id") == id:
                 return _read(path.parent, row)
         known = [row["id"] for row in self.rows()]
@@ -100,10 +99,15 @@ class Store:
         asset_hash = next((row["hash"] for row in self.rows() if row["id"] == id), None)
         if asset_hash is None:
             raise InputError(f"asset: '{id}' is not in the store {self.root}")
-        trash = self.root / "drafts" / uuid.uuid4().hex
-        trash.parent.mkdir(parents=True, exist_ok=True)
-        os.rename(self._folder(asset_hash), trash)
-        shutil.rmtree(trash, ignore_errors=True)
+        with self._draft() as trash:
+            os.rename(self._folder(asset_hash), trash / "removed")
+
+    def _draft(self) -> AbstractContextManager[Path]:
+        """A temporary folder on the disk of the store; what a killed process left there goes."""
+        drafts = self.root / "drafts"
+        drafts.mkdir(parents=True, exist_ok=True)
+        sweep(drafts)
+        return temporary_folder(drafts)
 
     def _folder(self, content: str) -> Path:
         return self.root / "objects" / content[:2] / content
@@ -156,8 +160,7 @@ def _write_body(path: Path, asset: Asset) -> None:
 
 
 def _read(folder: Path, row: dict[str, Any]) -> Asset:
-    with np.load(folder / "body.npz") as body:
-        arrays = {name: body[name] for name in body.files}
+    arrays = read_arrays(folder / "body.npz")
     materials = tuple(Material(**{**m, "color": tuple(m["color"])}) for m in row["materials"])
     hulls, v, f = [], 0, 0
     for points, triangles, link in arrays["hull_counts"].tolist():

@@ -6,7 +6,6 @@ import contextlib
 import io
 import json
 import os
-import shutil
 import sys
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
@@ -15,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from sceneweaver.scene import InputError
+from sceneweaver.scene import InputError, locked, sweep
+from sceneweaver.scene.files import temporary_folder
 
 if TYPE_CHECKING:
     from sceneweaver.verify import Report
@@ -32,33 +32,38 @@ MOST_LISTED = 20
 def staged(folder: Path, names: Sequence[str]) -> Iterator[Path]:
     """A temporary folder whose files ``names`` are moved to ``folder`` when the block ends without an error.
 
-    Before the block runs, it is certain that ``folder`` can be made and written to. After an error it is as before.
+    Before the block runs, it is certain that ``folder`` is there, can be written to, and is written by nobody else.
+    After an error it is as before.
 
     Raises:
-        InputError: when ``folder`` is a file, one of the names is a folder, or nothing can be written there.
+        InputError: when ``folder`` is a file or another process writes there, one of the names is a folder, or nothing
+            can be written.
     """
-    parent = folder
-    while not parent.exists() and parent != parent.parent:
-        parent = parent.parent
-    if not parent.is_dir():
-        raise InputError(f"{parent}: this is a file, so no folder {folder} can be; choose another place")
+    new = [place for place in (folder, *folder.parents) if not place.exists()]
+    if not (new[-1].parent if new else folder).is_dir():
+        raise InputError(f"{folder}: there is a file of this name, or of a folder above; choose another place")
     for name in names:
         if (folder / name).is_dir():
             raise InputError(f"{folder / name}: this is a folder; remove it or choose another place")
+    done = False
     try:
-        temporary = Path(tempfile.mkdtemp(prefix=".sceneweaver-", dir=parent))
-    except OSError as error:
-        raise InputError(f"{folder}: cannot be written ({error.strerror}); choose another place") from None
-    try:
-        yield temporary
-        for name in names:
-            if (temporary / name).exists():
-                (folder / name).parent.mkdir(parents=True, exist_ok=True)
-                os.replace(temporary / name, folder / name)
+        folder.mkdir(parents=True, exist_ok=True)
+        with locked(folder / names[0], f"--out: {folder}"):
+            sweep(folder)
+            with temporary_folder(folder) as temporary:
+                yield temporary
+                for name in names:
+                    if (temporary / name).exists():
+                        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+                        os.replace(temporary / name, folder / name)
+        done = True
     except OSError as error:
         raise InputError(f"{folder}: cannot be written ({error.strerror or error}); choose another place") from None
     finally:
-        shutil.rmtree(temporary, ignore_errors=True)
+        if not done:
+            with contextlib.suppress(OSError):
+                for place in new:
+                    place.rmdir()
 
 
 @contextlib.contextmanager

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import webbrowser
 from collections.abc import Callable
@@ -16,10 +15,13 @@ from urllib.parse import unquote, urlsplit
 
 import typer
 
-from sceneweaver.scene import InputError, Scene
+from sceneweaver.scene import InputError, Scene, read_bytes
+from sceneweaver.scene.io import parse
 
 HOST = "127.0.0.1"
 PORTS_TRIED = 50
+MAX_BYTES = 2 << 30
+"""Largest file [bytes] that is served."""
 
 _TYPES = {
     ".html": "text/html; charset=utf-8",
@@ -69,7 +71,7 @@ def show(path: Path) -> tuple[Callable[[], bytes], Path | None]:
     """
     if path.is_dir():
         if (path / "report.html").is_file():
-            return (path / "report.html").read_bytes, path
+            return partial(read_bytes, path / "report.html", max_bytes=MAX_BYTES), path
         for name in ("scene.json", "scene.glb"):
             if (path / name).is_file():
                 return _fixed(_page(path / name)), path
@@ -77,7 +79,7 @@ def show(path: Path) -> tuple[Callable[[], bytes], Path | None]:
     if not path.exists():
         raise InputError(f"{path}: does not exist; give a run's folder, a report.html, a scene.json or a scene.glb")
     if path.suffix.lower() in (".html", ".htm"):
-        return path.read_bytes, None
+        return partial(read_bytes, path, max_bytes=MAX_BYTES), None
     return _fixed(_page(path)), None
 
 
@@ -127,8 +129,8 @@ def _metrics(path: Path, scene: Path) -> dict[str, Any] | None:
     try:
         if scene.name != "scene.json" or path.stat().st_mtime < scene.stat().st_mtime:
             return None
-        data = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        data = parse(read_bytes(path))
+    except (OSError, InputError):
         return None
     return data if isinstance(data, dict) and data.get("schema") == "sceneweaver.metrics/1" else None
 
@@ -168,8 +170,8 @@ class _Handler(BaseHTTPRequestHandler):
                 if file is None:
                     self.send_error(HTTPStatus.NOT_FOUND)
                     return
-                data, kind = file.read_bytes(), _TYPES[file.suffix.lower()]
-        except OSError:
+                data, kind = read_bytes(file, max_bytes=MAX_BYTES), _TYPES[file.suffix.lower()]
+        except (OSError, InputError):
             self.send_error(HTTPStatus.NOT_FOUND)
             return
         self.send_response(HTTPStatus.OK)

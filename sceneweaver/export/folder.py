@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import contextlib
 import os
-import secrets
-import shutil
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
 from sceneweaver.scene import InputError
+from sceneweaver.scene.files import temporary_folder
 
 
 def write_folder(target: Path, files: Mapping[str, bytes], ours: Callable[[set[str]], bool]) -> None:
@@ -27,37 +26,33 @@ def write_folder(target: Path, files: Mapping[str, bytes], ours: Callable[[set[s
     with staged(target) as draft:
         if target.exists() and not (target.is_dir() and ours({p.name for p in target.iterdir()})):
             raise InputError(f"folder: {target} is there and holds other things; give a new or empty folder")
-        fill(draft, files)
-        old = draft.with_suffix(".old")
+        new, old = draft / "new", draft / "old"
+        new.mkdir()
+        fill(new, files)
         try:
             if target.exists():
                 target.rename(old)
-            draft.rename(target)
+            new.rename(target)
         except OSError:
             if old.exists() and not target.exists():
                 with contextlib.suppress(OSError):
                     old.rename(target)
             raise
-        finally:
-            shutil.rmtree(old, ignore_errors=True)
 
 
 @contextmanager
 def staged(target: Path, field: str = "folder") -> Iterator[Path]:
     """A temporary folder beside ``target``, gone at the end; its errors become InputErrors on ``field``."""
-    draft = target.parent / f".sceneweaver-{secrets.token_hex(8)}.tmp"
     try:
         if not target.parent.is_dir():
             raise InputError(f"{field}: {target.parent} is no folder; make it first")
-        draft.mkdir()
-        yield draft
+        with temporary_folder(target.parent) as draft:
+            yield draft
     except InputError:
         raise
     except (OSError, ValueError) as error:  # a path with a zero byte is a ValueError
         reason = (error.strerror if isinstance(error, OSError) else None) or type(error).__name__
         raise InputError(f"{field}: {target} cannot be written ({reason}); choose another place") from None
-    finally:
-        shutil.rmtree(draft, ignore_errors=True)
 
 
 def fill(folder: Path, files: Mapping[str, bytes]) -> None:

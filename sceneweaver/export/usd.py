@@ -15,14 +15,12 @@ where the model for MuJoCo is made, so that both behave alike.
 
 from __future__ import annotations
 
-import contextlib
 import os
-import secrets
 from functools import cache
 from typing import Any
 
 from sceneweaver.physics.model import COVERING, Thing, things_of
-from sceneweaver.scene import InputError, Scene
+from sceneweaver.scene import InputError, Scene, whole
 
 from .bodies import Body, Load, bodies_of
 from .usd_bodies import Solids, filter_pair
@@ -54,7 +52,7 @@ def write_usd(scene: Scene, path: str | os.PathLike[str], load: Load | None = No
         raise InputError(f"path: {name} must end in .usda (text) or .usdc (binary)")
     if os.path.isdir(name):
         raise InputError(f"path: {name} is a folder; give a file name in it, such as scene{suffix}")
-    _save(usd_layer(scene, load), name, suffix)
+    _save(usd_layer(scene, load), name)
 
 
 def usd_layer(scene: Scene, load: Load | None = None) -> Any:
@@ -116,11 +114,8 @@ def _near(one: Thing, two: Thing) -> bool:
     return ((ax - bx) ** 2 + (ay - by) ** 2) ** 0.5 < reach
 
 
-def _save(layer: Any, name: str, suffix: str) -> None:
-    target = os.path.realpath(name)
-    # USD goes by the suffix, so the temporary name has it, too.
-    temporary = os.path.join(os.path.dirname(target), f".sceneweaver-{secrets.token_hex(8)}.tmp{suffix}")
-    try:
+def _save(layer: Any, name: str) -> None:
+    with whole(name) as temporary:
         # Made here first: the system says better than USD why a place cannot be written.
         os.close(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
         try:
@@ -129,16 +124,6 @@ def _save(layer: Any, name: str, suffix: str) -> None:
             written = False
         if not written:
             raise OSError("the disk may be full")
-        with open(temporary, "rb") as file:
-            os.fsync(file.fileno())
-        os.replace(temporary, target)
-    except (FileNotFoundError, NotADirectoryError):
-        raise InputError(f"path: the folder of {name} does not exist; make it first") from None
-    except OSError as error:
-        raise InputError(f"path: {name} cannot be written ({error.strerror or error}); choose another place") from None
-    finally:
-        with contextlib.suppress(OSError):
-            os.unlink(temporary)
 
 
 __all__ = ["SUFFIXES", "usd_layer", "write_usd"]

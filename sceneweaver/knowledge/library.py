@@ -15,8 +15,9 @@ from typing import Any
 
 from pydantic import Field
 
-from sceneweaver.scene import InputError, Scene, write_atomic
+from sceneweaver.scene import InputError, Scene, read_bytes, write_atomic
 from sceneweaver.scene.base import FrozenModel
+from sceneweaver.scene.io import parse
 from sceneweaver.scene.messages import suggest
 
 INDEX = "index.json"
@@ -156,7 +157,7 @@ def _cards(place: Path, count: int, stamp: int) -> tuple[SceneCard, ...]:
     index = place / INDEX
     if index.is_file():
         try:
-            rows = [SceneCard.model_validate(row) for row in json.loads(index.read_text(encoding="utf-8"))]
+            rows = [SceneCard.model_validate(row) for row in parse(read_bytes(index))]
         except (ValueError, TypeError):
             rows = []
         if {row.name for row in rows} == {_name(place, f) for f in _files(place)}:
@@ -164,7 +165,7 @@ def _cards(place: Path, count: int, stamp: int) -> tuple[SceneCard, ...]:
     found = []
     for file in _files(place):
         try:
-            data = json.loads(file.read_text(encoding="utf-8"))
+            data = parse(read_bytes(file))
             found.append(card_of(_name(place, file), data))
         except (OSError, ValueError, KeyError, TypeError, AttributeError):
             continue  # some other JSON file
@@ -173,8 +174,8 @@ def _cards(place: Path, count: int, stamp: int) -> tuple[SceneCard, ...]:
 
 def _metrics(file: Path) -> dict[str, Any] | None:
     try:
-        data = json.loads(file.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        data = parse(read_bytes(file))
+    except InputError:
         return None
     return data if isinstance(data, dict) else None
 

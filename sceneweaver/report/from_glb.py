@@ -13,8 +13,9 @@ import numpy as np
 
 from sceneweaver.assets import Asset, Material, Mesh
 from sceneweaver.assets.asset import Origin
+from sceneweaver.assets.imports.guarded import MAX_BYTES, read_meshes
 from sceneweaver.export.bodies import Load
-from sceneweaver.scene import InputError, Pose, Room, Scene, SceneObject
+from sceneweaver.scene import InputError, MissingDependencyError, Pose, Room, Scene, SceneObject, read_bytes
 
 _GREY = Material("grey", (0.75, 0.74, 0.72))
 _Z_UP = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], dtype=float)
@@ -30,9 +31,11 @@ def read_glb(path: str | os.PathLike[str]) -> tuple[Scene, Load]:
 
     name = Path(path)
     try:
-        document = _document(name.read_bytes())
-        found: Any = trimesh.load(str(name), file_type="glb", force="scene")
+        document = _document(read_bytes(name, max_bytes=MAX_BYTES))
+        found: Any = read_meshes(name)
         placed = [(str(node), *found.graph[node]) for node in found.graph.nodes_geometry]
+    except (InputError, MissingDependencyError):
+        raise
     except Exception as error:  # a broken file fails in many ways inside the reader
         raise InputError(f"{name}: is no GLB file that can be read ({type(error).__name__}); export it anew") from None
     ours = document.get("asset", {}).get("generator") == "sceneweaver"

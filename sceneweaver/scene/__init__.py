@@ -38,12 +38,16 @@ from .errors import SceneWeaverError as SceneWeaverError
 from .fields import Quat as Quat
 from .fields import Vec2 as Vec2
 from .fields import Vec3 as Vec3
+from .files import MAX_BYTES as MAX_BYTES
+from .files import locked as locked
+from .files import read_bytes as read_bytes
+from .files import sweep as sweep
+from .files import whole as whole
+from .files import write_atomic as write_atomic
 from .intent import PRIORITIES as PRIORITIES
 from .intent import Intent as Intent
 from .intent import Priority as Priority
 from .io import EXAMPLES as EXAMPLES
-from .io import MAX_BYTES as MAX_BYTES
-from .io import write_atomic as write_atomic
 from .migrate import SCHEMA as SCHEMA
 from .migrate import migration as migration
 from .model import Scene as Scene
@@ -109,9 +113,13 @@ __all__ = [
     "edit_to_json",
     "edits_from_json",
     "invert",
+    "locked",
     "migration",
+    "read_bytes",
     "register_relation",
+    "sweep",
     "unregister_relation",
     "wall_number",
+    "whole",
     "write_atomic",
 ]

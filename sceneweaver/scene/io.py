@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
 import os
 import re
-import secrets
 from pathlib import Path
 from typing import Any, Self
 
 from .base import FrozenModel
 from .errors import InputError
+from .files import MAX_BYTES, read_bytes, write_atomic
 from .messages import clean, quote, show, suggest
 from .migrate import migrate
-
-MAX_BYTES = 64 * 2**20
-"""Largest file [bytes] that is read unless told otherwise."""
 
 EXAMPLES = tuple(sorted(p.stem for p in (Path(__file__).parent / "examples").glob("*.json")))
 """Names for ``Scene.example``."""
@@ -81,33 +77,6 @@ class SceneFile(FrozenModel):
         write_atomic(path, self.dumps())
 
 
-def read_bytes(path: str | os.PathLike[str], *, max_bytes: int = MAX_BYTES) -> bytes:
-    """The content of a file of at most ``max_bytes``; a larger one is refused before it is read.
-
-    Raises:
-        InputError: when it is missing, a folder, too large, or cannot be read.
-    """
-    name = clean(os.fspath(path))
-    limit = f"{max_bytes / 2**20:.6g} MB"
-    try:
-        size = os.stat(path).st_size
-        if os.path.isdir(path):
-            raise InputError(f"{name}: this is a folder; give the file in it, such as scene.json")
-        if size > max_bytes:
-            raise InputError(f"{name}: the file has {size / 2**20:.6g} MB; at most {limit} are read")
-        with open(path, "rb") as file:
-            content = file.read(max_bytes + 1)
-    except FileNotFoundError:
-        raise InputError(f"{name}: no such file; check the path") from None
-    except (OSError, ValueError) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError(f"{name}: cannot be read ({_reason(error)}); check the path and its permissions") from None
-    if len(content) > max_bytes:  # a pipe or device, whose size nobody knows before
-        raise InputError(f"{name}: the file has more than {limit}; at most that is read")
-    return content
-
-
 def parse(text: str | bytes) -> Any:
     """JSON text as data.
 
@@ -137,38 +106,6 @@ def parse(text: str | bytes) -> Any:
         raise InputError("invalid JSON: a number has too many digits; numbers must fit a double") from None
 
 
-def write_atomic(path: str | os.PathLike[str], content: str | bytes) -> None:
-    """Write a file so that others see the old one or the whole new one: temporary name, fsync, rename.
-
-    Raises:
-        InputError: when the folder is missing or cannot be written; no temporary file stays behind.
-    """
-    name = clean(os.fspath(path))
-    data = content.encode("utf-8") if isinstance(content, str) else content
-    temporary: str | None = None
-    try:
-        target = os.path.realpath(path)
-        if os.path.isdir(target):
-            raise InputError(f"{name}: this is a folder; give a file name in it, such as scene.json")
-        temporary = os.path.join(os.path.dirname(target), f".sceneweaver-{secrets.token_hex(8)}.tmp")
-        with open(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666), "wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(temporary, target)
-        temporary = None
-    except FileNotFoundError:
-        raise InputError(f"{name}: its folder does not exist; make it first") from None
-    except (OSError, ValueError) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError(f"{name}: cannot be written ({_reason(error)}); choose another place") from None
-    finally:
-        if temporary is not None:
-            with contextlib.suppress(OSError):
-                os.unlink(temporary)
-
-
 def _join(match: re.Match[str]) -> str:
     return "[" + re.sub(r"\s*\n\s*", " ", match[1].strip()) + "]"
 
@@ -182,7 +119,3 @@ def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
         where = f" of {quote(name)}" if isinstance(name, str) else ""
         raise InputError(f"invalid JSON: key {show(twice)} stands twice in one object{where}; remove one")
     return data
-
-
-def _reason(error: Exception) -> str:
-    return clean(error.strerror if isinstance(error, OSError) and error.strerror else str(error))

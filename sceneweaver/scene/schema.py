@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from .catalogue import CATALOGUE
-from .io import write_atomic
+from .files import write_atomic
 from .migrate import SCHEMA
 from .model import Scene
 

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sceneweaver.assets.imports.guarded import read_meshes
 from sceneweaver.scene import SceneObject
 from sceneweaver.scene.errors import InputError
 from sceneweaver.verify import convex
@@ -139,11 +140,7 @@ def part_points(item: SceneObject, body: MeshBody | None) -> list[Array]:
 
 
 def _load(asset: str, path: Path) -> Any:
-    import trimesh
-
-    if not path.is_file():
-        raise InputError(f"meshes[{asset!r}]: no file {path}")
     try:
-        return trimesh.load_mesh(path, process=False)
-    except Exception as error:
-        raise InputError(f"meshes[{asset!r}]: cannot read {path}: {str(error).splitlines()[0]}") from error
+        return read_meshes(path).to_mesh()
+    except InputError as error:
+        raise InputError(f"meshes[{asset!r}]: {error}") from None

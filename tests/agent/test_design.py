@@ -13,7 +13,7 @@ import pytest
 from sceneweaver.agent import Settings, design
 from sceneweaver.agent.executor import Executor
 from sceneweaver.agent.folder import RunFolder
-from sceneweaver.brief import Brief, read_brief
+from sceneweaver.brief import read_brief
 from sceneweaver.knowledge import room_type
 from sceneweaver.scene import InputError, MissingDependencyError, Relation, Scene
 from sceneweaver.scene.edits import Relate
@@ -113,7 +113,7 @@ def test_a_folder_of_another_run_is_refused(whole, tmp_path):
     file = tmp_path / "file"
     file.write_text("")
     with pytest.raises(InputError, match="cannot be written"):
-        RunFolder(file / "x").begin(Brief(text="x"), Settings())
+        RunFolder(file / "x").held().__enter__()
 
 
 @pytest.mark.parametrize("prompt", ["", "   \n", "\t"])

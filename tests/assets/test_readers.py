@@ -124,7 +124,7 @@ def test_metascenes(tmp_path: Path) -> None:
     ("name", "data", "says"),
     [
         ("annotations.json", b"{", "annotations.json: not readable as JSON"),
-        ("annotations.json.gz", gzip.compress(b"{}" * 99, mtime=0)[:-12], "annotations.json.gz: not readable as JSON"),
+        ("annotations.json.gz", gzip.compress(b"{}" * 99, mtime=0)[:-12], "annotations.json.gz: not readable as gzip"),
         ("annotations.json", b"[3]", "annotations.json: must be a list of objects"),
         ("model_info.json", b'{"a": 1}', "model_info.json: must be a list of objects"),
         ("x/model.xml", b"<mujoco><asset>", "model.xml: damaged XML"),

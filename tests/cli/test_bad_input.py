@@ -222,7 +222,7 @@ def test_a_folder_without_permission(run, bedroom, tmp_path, monkeypatch):
     def refused(*args, **kwargs):
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr("tempfile.mkdtemp", refused)
+    monkeypatch.setattr("os.mkdir", refused)
     ended = run("refine", bedroom, "-o", tmp_path / "out")
     assert ended.code == 2 and not calls
     assert_one_line(ended.err, "Permission denied")

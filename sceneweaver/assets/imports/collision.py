@@ -12,10 +12,11 @@ from pathlib import Path
 
 import numpy as np
 
-from sceneweaver.scene.io import write_atomic
+from sceneweaver.scene import write_atomic
 
 from ..body import Hull
 from ..shapes import containing_hull, hull
+from .guarded import read_arrays
 from .limited import LimitedError, run_limited
 from .pieces import pieces_of
 
@@ -115,8 +116,7 @@ def _decomposed(points: np.ndarray, triangles: np.ndarray, cache: Path | None, s
     key.update(f"coacd 1 {THRESHOLD} {MAX_HULLS} {manifold}".encode())
     file = None if cache is None else cache / "coacd" / f"{key.hexdigest()}.npz"
     if file is not None and file.exists():
-        with np.load(file) as stored:
-            made = {name: stored[name] for name in stored.files}
+        made = read_arrays(file)
     else:
         made = run_limited(
             "decompose",

@@ -10,11 +10,12 @@ from pathlib import Path
 
 import numpy as np
 
-from sceneweaver.scene import InputError
+from sceneweaver.scene import InputError, MissingDependencyError
+from sceneweaver.scene.files import open_regular, reason
 
 from ..body import Material
+from .guarded import MAX_BYTES, read_arrays, read_meshes, require_regular_layers
 
-MAX_BYTES = 1 << 30
 MAX_TRIANGLES = 10_000_000
 
 _USD = {".usd", ".usda", ".usdc", ".usdz"}
@@ -46,32 +47,26 @@ def load(path: Path) -> RawMesh:
 
     Raises:
         InputError: for a file that is missing, too large, damaged, of an unknown kind, or without triangles.
+        MissingDependencyError: for a file that needs a package which is not installed.
     """
-    if not path.is_file():
-        raise InputError(f"{path}: no such file")
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES and suffix != _ARRAYS:
         raise InputError(
             f"{path.name}: files of type '{suffix}' are not read; use one of {', '.join(sorted(SUFFIXES))}"
         )
-    size = path.stat().st_size
-    if size == 0:
-        raise InputError(f"{path.name}: the file is empty")
-    if size > MAX_BYTES:
-        raise InputError(f"{path.name}: {size >> 20} MiB; at most {MAX_BYTES >> 20} MiB are read")
+    with open_regular(path, MAX_BYTES) as file:
+        if not file.read(1):
+            raise InputError(f"{path.name}: the file is empty")
     try:
         raw = (
             _load_usd(path) if suffix in _USD else _load_arrays(path) if suffix == _ARRAYS else _load_mesh(path, suffix)
         )
-    except InputError:
+    except (InputError, MissingDependencyError):
         raise
     except Exception as error:  # libraries raise whatever they like for damaged files
-        reason = " ".join(str(error).split())[:120] or type(error).__name__
-        raise InputError(f"{path.name}: the file is damaged or cut off ({reason})") from error
+        raise InputError(f"{path.name}: the file is damaged or cut off ({reason(error)})") from error
     if len(raw.faces) == 0:
         raise InputError(f"{path.name}: the file has no triangles")
-    if len(raw.faces) > MAX_TRIANGLES:
-        raise InputError(f"{path.name}: {len(raw.faces)} triangles; simplify it to at most {MAX_TRIANGLES}")
     if not np.isfinite(raw.vertices).all():
         raise InputError(f"{path.name}: some vertices are NaN or infinite")
     if int(raw.faces.min()) < 0 or int(raw.faces.max()) >= len(raw.vertices):
@@ -85,9 +80,7 @@ def load(path: Path) -> RawMesh:
 def _load_mesh(path: Path, suffix: str) -> RawMesh:
     import trimesh
 
-    if suffix == ".glb":
-        _check_glb(path)
-    scene = trimesh.load_scene(path, process=False, skip_materials=False)
+    scene = read_meshes(path)
     vertices, faces, slots, looks = [], [], [], []
     start = 0
     for name in scene.graph.nodes_geometry:
@@ -97,6 +90,7 @@ def _load_mesh(path: Path, suffix: str) -> RawMesh:
             continue
         points = np.asarray(body.vertices, dtype=np.float64) @ transform[:3, :3].T + transform[:3, 3]
         triangles = np.asarray(body.faces, dtype=np.int64)
+        _require_few(path, sum(map(len, faces)) + len(triangles))
         if np.linalg.det(transform[:3, :3]) < 0:
             triangles = triangles[:, ::-1]
         vertices.append(points)
@@ -117,31 +111,26 @@ def _load_mesh(path: Path, suffix: str) -> RawMesh:
     )
 
 
+def _require_few(path: Path, triangles: int) -> None:
+    """A small file may show one mesh any number of times."""
+    if triangles > MAX_TRIANGLES:
+        raise InputError(f"{path.name}: over {MAX_TRIANGLES} triangles; simplify it to at most so many")
+
+
 def _load_arrays(path: Path) -> RawMesh:
-    with np.load(path) as found:
-        looks = [
-            Material(str(name), _rgb(row), roughness=float(row[3]), metallic=float(row[4]))
-            for name, row in zip(found["names"], found["looks"], strict=True)
-        ]
-        return RawMesh(
-            found["vertices"].astype(np.float64),
-            found["faces"].astype(np.int64),
-            found["face_material"].astype(np.int64),
-            tuple(looks),
-            up="z",
-            metres=1.0,
-        )
-
-
-def _check_glb(path: Path) -> None:
-    """The length in a GLB's header must be that of the file: readers give odd errors for one that is cut off."""
-    with path.open("rb") as file:
-        head = file.read(12)
-    if len(head) < 12 or head[:4] != b"glTF":
-        raise InputError(f"{path.name}: this is no GLB file")
-    length = int.from_bytes(head[8:12], "little")
-    if path.stat().st_size < length:
-        raise InputError(f"{path.name}: the file is cut off: {path.stat().st_size} of {length} bytes")
+    found = read_arrays(path)
+    looks = [
+        Material(str(name), _rgb(row), roughness=float(row[3]), metallic=float(row[4]))
+        for name, row in zip(found["names"], found["looks"], strict=True)
+    ]
+    return RawMesh(
+        found["vertices"].astype(np.float64),
+        found["faces"].astype(np.int64),
+        found["face_material"].astype(np.int64),
+        tuple(looks),
+        up="z",
+        metres=1.0,
+    )
 
 
 def _look(body, index: int) -> Material:
@@ -179,6 +168,7 @@ def _rgb(values) -> tuple[float, float, float]:
 def _load_usd(path: Path) -> RawMesh:
     from pxr import Usd, UsdGeom, UsdShade
 
+    require_regular_layers(path)
     stage = Usd.Stage.Open(str(path))
     cache = UsdGeom.XformCache()
     vertices, faces, slots, looks = [], [], [], []
@@ -197,6 +187,7 @@ def _load_usd(path: Path) -> RawMesh:
         world = np.array(cache.GetLocalToWorldTransform(prim))  # row vectors
         points = points @ world[:3, :3] + world[3, :3]
         triangles = _fans(counts, corners)
+        _require_few(path, sum(map(len, faces)) + len(triangles))
         flipped = mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded
         if flipped != (np.linalg.det(world[:3, :3]) < 0):
             triangles = triangles[:, ::-1]

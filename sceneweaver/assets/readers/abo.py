@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import gzip
-import json
-import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError
+from sceneweaver.scene.files import lines_unpacked
 
 from ..imports.hints import Hints
-from .tables import read_csv
+from .tables import parsed, read_csv
 
 
 def fits(path: Path) -> bool:
@@ -59,14 +56,10 @@ def _listings(path: Path) -> dict[str, dict[str, Any]]:
     """Listings (one JSON object a line) by the id of their 3D model."""
     found = {}
     for file in sorted(path.rglob("listings_*.json*")):
-        try:
-            data = file.read_bytes()
-            for line in (gzip.decompress(data) if file.suffix == ".gz" else data).decode("utf-8").split("\n"):
-                row = json.loads(line) if line.strip() else {}
-                if isinstance(row, dict) and row.get("3dmodel_id"):
-                    found[row["3dmodel_id"]] = row
-        except (OSError, ValueError, EOFError, zlib.error) as error:
-            raise InputError(f"{file.name}: not readable ({' '.join(str(error).split())[:100]})") from error
+        for line in lines_unpacked(file):
+            row = parsed(file, line) if line.strip() else {}
+            if isinstance(row, dict) and isinstance(row.get("3dmodel_id"), str):
+                found[row["3dmodel_id"]] = row
     return found
 
 

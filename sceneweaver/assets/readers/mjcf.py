@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from sceneweaver.scene import InputError
+from sceneweaver.scene import InputError, read_bytes
 
 from ..imports.hints import Hints
 from .tables import number
@@ -39,9 +39,7 @@ def _models(path: Path) -> list[Path]:
 
 
 def _hints(model: Path, root: Path) -> Hints:
-    if model.stat().st_size > MAX_BYTES:
-        raise InputError(f"{model.name}: at most {MAX_BYTES >> 20} MiB of XML are read")
-    text = model.read_bytes()
+    text = read_bytes(model, max_bytes=MAX_BYTES)
     if b"<!ENTITY" in text:
         raise InputError(f"{model.name}: XML entities are not read")
     try:

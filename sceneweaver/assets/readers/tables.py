@@ -3,22 +3,31 @@
 from __future__ import annotations
 
 import csv
-import gzip
+import io
 import json
-import zlib
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError
+from sceneweaver.scene import InputError, read_bytes
+from sceneweaver.scene.files import MAX_UNPACKED, read_unpacked, reason
+
+MAX_CONTAINERS = 10_000_000
+"""Lists and objects of a JSON file, or cells of a table, at most: in memory they take far more than in the file."""
 
 
 def read_json(path: Path) -> Any:
-    """A JSON file, gzipped or not; InputError names the file when it is damaged."""
+    """A JSON file, gzipped or not; InputError names the file when it is damaged or holds over `MAX_UNPACKED` bytes."""
+    return parsed(path, read_unpacked(path))
+
+
+def parsed(path: Path, text: bytes) -> Any:
+    """JSON text of a file; InputError names the file when it is damaged."""
     try:
-        data = path.read_bytes()
-        return json.loads(gzip.decompress(data) if path.suffix == ".gz" else data)
-    except (OSError, ValueError, EOFError, zlib.error) as error:
-        raise InputError(f"{path.name}: not readable as JSON ({' '.join(str(error).split())[:100]})") from error
+        if text.count(b"{") + text.count(b"[") > MAX_CONTAINERS:
+            raise ValueError(f"over {MAX_CONTAINERS} lists and objects; split it")
+        return json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise InputError(f"{path.name}: not readable as JSON ({reason(error)})") from error
 
 
 def rows_of(path: Path, data: Any) -> list[dict[str, Any]]:
@@ -31,10 +40,14 @@ def rows_of(path: Path, data: Any) -> list[dict[str, Any]]:
 def read_csv(path: Path) -> list[dict[str, str]]:
     """A CSV file with a header; InputError names the file when it is damaged."""
     try:
-        with path.open(newline="", encoding="utf-8-sig") as file:
-            return list(csv.DictReader(file))
-    except (OSError, ValueError, csv.Error) as error:
-        raise InputError(f"{path.name}: not readable as CSV ({' '.join(str(error).split())[:100]})") from error
+        text = read_bytes(path, max_bytes=MAX_UNPACKED).decode("utf-8-sig")
+        if text.count(",") + text.count("\n") > MAX_CONTAINERS:
+            raise ValueError(f"over {MAX_CONTAINERS} cells; split it")
+        return list(csv.DictReader(io.StringIO(text, newline="")))
+    except InputError:
+        raise
+    except (ValueError, csv.Error) as error:
+        raise InputError(f"{path.name}: not readable as CSV ({reason(error)})") from error
 
 
 def number(value: Any) -> float | None:

@@ -1,0 +1,262 @@
+"""Files that users name: only regular ones are opened, no more is read than a limit, and none is seen half written.
+
+What is being written lies in a temporary folder beside its place, which an advisory lock holds while its process lives.
+The system frees that lock with the process, however it ends, so `sweep` tells what a killed run has left from what
+another run is writing.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import fcntl
+import gzip
+import os
+import secrets
+import shutil
+import stat
+import zlib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import IO
+
+from .errors import InputError
+from .messages import clean
+
+MAX_BYTES = 64 * 2**20
+"""Largest file [bytes] that is read unless told otherwise."""
+
+MAX_UNPACKED = 256 * 2**20
+"""Most [bytes] that a compressed file may hold, unless told otherwise."""
+
+TEMPORARY, SUFFIX = ".sceneweaver-", ".tmp"
+"""How the names of temporary folders begin and end."""
+
+Place = str | os.PathLike[str]
+
+
+def open_regular(path: Place, max_bytes: int = MAX_BYTES) -> IO[bytes]:
+    """A regular file of at most ``max_bytes``, open for reading. Never waits, as opening a pipe would.
+
+    Raises:
+        InputError: when it is missing, no regular file (a folder, pipe, socket or device), too large, or unreadable.
+    """
+    name = clean(os.fspath(path))
+    try:
+        _require_readable(os.stat(path), name, max_bytes)
+        descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+        try:
+            _require_readable(os.fstat(descriptor), name, max_bytes)  # another file may have taken its place
+            return open(descriptor, "rb")
+        except BaseException:
+            os.close(descriptor)
+            raise
+    except FileNotFoundError:
+        raise InputError(f"{name}: no such file; check the path") from None
+    except (OSError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(f"{name}: cannot be read ({reason(error)}); check the path and its permissions") from None
+
+
+def _require_readable(status: os.stat_result, name: str, max_bytes: int) -> None:
+    if stat.S_ISDIR(status.st_mode):
+        raise InputError(f"{name}: this is a folder; give the file in it, such as scene.json")
+    if not stat.S_ISREG(status.st_mode):
+        raise InputError(f"{name}: this is a pipe or a device; give a regular file")
+    if status.st_size > max_bytes:
+        raise InputError(f"{name}: the file has {_megabytes(status.st_size)}; at most {_megabytes(max_bytes)} are read")
+
+
+def read_bytes(path: Place, *, max_bytes: int = MAX_BYTES) -> bytes:
+    """The content of a regular file of at most ``max_bytes``; a larger one is refused before it is read.
+
+    Raises:
+        InputError: as `open_regular`.
+    """
+    with open_regular(path, max_bytes) as file:
+        try:
+            content = file.read(max_bytes + 1)
+        except OSError as error:
+            raise InputError(f"{clean(os.fspath(path))}: cannot be read ({reason(error)}); check the disk") from None
+    if len(content) > max_bytes:  # it grew since it was opened
+        raise InputError(f"{clean(os.fspath(path))}: the file has more than {_megabytes(max_bytes)}")
+    return content
+
+
+@contextlib.contextmanager
+def open_unpacked(path: Place, max_bytes: int = MAX_UNPACKED) -> Iterator[IO[bytes]]:
+    """A regular file as a stream, unpacked where its name ends in ``.gz``. It may hold more than ``max_bytes``.
+
+    Raises:
+        InputError: as `open_regular`, and for a gzip file that is damaged.
+    """
+    name = clean(os.fspath(path))
+    with open_regular(path, max_bytes) as packed:
+        try:
+            yield gzip.GzipFile(fileobj=packed) if name.endswith(".gz") else packed  # pyright: ignore[reportReturnType]
+        except (gzip.BadGzipFile, EOFError, zlib.error) as error:
+            raise InputError(f"{name}: not readable as gzip ({reason(error)}); fetch it anew") from None
+
+
+def read_unpacked(path: Place, *, max_bytes: int = MAX_UNPACKED) -> bytes:
+    """The content of a file, unpacked where its name ends in ``.gz``; no more than ``max_bytes`` are ever unpacked.
+
+    Raises:
+        InputError: as `open_unpacked`, and when it holds more.
+    """
+    with open_unpacked(path, max_bytes) as file:
+        content = file.read(max_bytes + 1)
+    _require_fewer(len(content), path, max_bytes)
+    return content
+
+
+def lines_unpacked(path: Place, *, max_bytes: int = MAX_UNPACKED) -> Iterator[bytes]:
+    """The lines of a file, one by one, unpacked where its name ends in ``.gz``; errors as `read_unpacked`."""
+    done = 0
+    with open_unpacked(path, max_bytes) as file:
+        while line := file.readline(max_bytes + 1):
+            done += len(line)
+            _require_fewer(done, path, max_bytes)
+            yield line
+
+
+def _require_fewer(size: int, path: Place, max_bytes: int) -> None:
+    if size > max_bytes:
+        raise InputError(
+            f"{clean(os.fspath(path))}: it unpacks to more than {_megabytes(max_bytes)}; split it into smaller files"
+        )
+
+
+@contextlib.contextmanager
+def whole(path: Place) -> Iterator[str]:
+    """A temporary path, of the same file name, that takes the place of ``path`` when the block ends without an error.
+
+    Others see the old file or the whole new one. After an error, or a kill and a `sweep`, nothing stays behind.
+
+    Raises:
+        InputError: when the folder is missing or cannot be written, or ``path`` is a folder.
+    """
+    name = clean(os.fspath(path))
+    try:
+        target = os.path.realpath(path)
+        if os.path.isdir(target):
+            raise InputError(f"{name}: this is a folder; give a file name in it, such as scene.json")
+        with temporary_folder(os.path.dirname(target)) as folder:
+            temporary = os.path.join(folder, os.path.basename(target))
+            yield temporary
+            with open(temporary, "rb") as file:
+                os.fsync(file.fileno())
+            os.replace(temporary, target)
+    except FileNotFoundError:
+        raise InputError(f"{name}: its folder does not exist; make it first") from None
+    except (OSError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(f"{name}: cannot be written ({reason(error)}); choose another place") from None
+
+
+def write_atomic(path: Place, content: str | bytes) -> None:
+    """Write a file so that others see the old one or the whole new one: temporary name, fsync, rename.
+
+    Raises:
+        InputError: as `whole`.
+    """
+    with whole(path) as temporary, open(temporary, "wb") as file:
+        file.write(content.encode("utf-8") if isinstance(content, str) else content)
+
+
+@contextlib.contextmanager
+def temporary_folder(parent: Place) -> Iterator[Path]:
+    """A folder in ``parent`` that is gone when the block ends; see `sweep` for one whose process was killed.
+
+    Raises:
+        OSError: when it cannot be made.
+    """
+    while True:
+        folder = Path(parent, f"{TEMPORARY}{secrets.token_hex(8)}{SUFFIX}")
+        folder.mkdir()
+        try:
+            lock = os.open(folder, os.O_RDONLY | os.O_CLOEXEC)
+        except OSError:
+            folder.rmdir()
+            raise
+        with contextlib.suppress(OSError):  # a file system without locks: then nobody sweeps there, either
+            fcntl.flock(lock, fcntl.LOCK_EX)
+        if folder.exists():  # else it was swept before it was locked
+            break
+        os.close(lock)
+    try:
+        yield folder
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+        os.close(lock)
+
+
+def sweep(folder: Place) -> None:
+    """Remove the temporary folders in ``folder`` whose process is no more; those in use stay."""
+    for stale in Path(folder).glob(f"{TEMPORARY}*{SUFFIX}"):
+        with contextlib.suppress(OSError):
+            lock = os.open(stale, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC)
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                shutil.rmtree(stale, ignore_errors=True)
+            finally:
+                os.close(lock)
+
+
+@contextlib.contextmanager
+def locked(path: Place, what: str) -> Iterator[None]:
+    """Hold the lock file of ``path``, which states our process number, for as long as the block runs.
+
+    A lock of a process that was killed is taken over. Where the file system knows no locks, nothing is held.
+
+    Args:
+        path: what only one process at a time may write; the lock file lies beside it and is gone at the end.
+        what: names what is locked in the error, such as "--out: DIR".
+
+    Raises:
+        InputError: when another process holds it, with the number of that process.
+    """
+    folder, file = os.path.split(path)
+    name = os.path.join(folder, f"{TEMPORARY}{file}.lock")
+    descriptor = _locked_file(name, what)
+    try:
+        os.truncate(descriptor, 0)
+        os.write(descriptor, f"{os.getpid()}\n".encode())
+        yield
+    finally:
+        with contextlib.suppress(OSError):
+            os.unlink(name)
+        os.close(descriptor)
+
+
+def _locked_file(name: str, what: str) -> int:
+    while True:
+        try:
+            descriptor = os.open(name, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC, 0o666)
+        except OSError as error:
+            raise InputError(f"{what} cannot be written ({reason(error)}); choose another place") from None
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            if error.errno not in (errno.EAGAIN, errno.EACCES):
+                return descriptor
+            holder = os.read(descriptor, 32).decode(errors="replace").strip()
+            os.close(descriptor)
+            by = f"process {holder}" if holder.isdigit() else "another process"
+            raise InputError(f"{what} is being written by {by}; wait for it, or choose another place") from None
+        with contextlib.suppress(OSError):
+            if os.path.samestat(os.fstat(descriptor), os.stat(name)):  # else its last holder has just removed it
+                return descriptor
+        os.close(descriptor)
+
+
+def reason(error: BaseException) -> str:
+    """What an error of the system or of a reader says, on one line."""
+    text = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+    return clean(text)[:120] or type(error).__name__
+
+
+def _megabytes(count: int) -> str:
+    return f"{count / 2**20:.6g} MB"

@@ -1,0 +1,156 @@
+"""Mesh files and tables of unknown origin: pipes, bombs, and packages that are not there."""
+
+from __future__ import annotations
+
+import base64
+import builtins
+import gzip
+import json
+import os
+import zipfile
+
+import numpy as np
+import pytest
+
+from sceneweaver.assets.imports import guarded
+from sceneweaver.assets.imports.load import load
+from sceneweaver.assets.readers import entries
+from sceneweaver.assets.readers.tables import read_csv, read_json
+from sceneweaver.scene import InputError, MissingDependencyError
+from sceneweaver.verify.meshes import MeshSet
+
+CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], dtype=np.float32)
+FACES = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], dtype=np.uint32)
+
+
+def gltf(uri: str) -> dict:
+    """A tetrahedron whose buffer is elsewhere."""
+    return {
+        "asset": {"version": "2.0"},
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "buffers": [{"uri": uri, "byteLength": 96}],
+        "bufferViews": [
+            {"buffer": 0, "byteOffset": 0, "byteLength": 48},
+            {"buffer": 0, "byteOffset": 48, "byteLength": 48},
+        ],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 4},
+            {"bufferView": 1, "componentType": 5125, "type": "SCALAR", "count": 12},
+        ],
+    }
+
+
+def stl(name: str) -> bytes:
+    """A tetrahedron as an STL file in text, whose name is in Latin-1."""
+    rows = "".join(
+        "facet normal 0 0 0\nouter loop\n"
+        + "".join(f"vertex {x} {y} {z}\n" for x, y, z in CORNERS[face])
+        + "endloop\nendfacet\n"
+        for face in FACES
+    )
+    return f"solid {name}\n{rows}endsolid {name}\n".encode("latin-1")
+
+
+def test_a_buffer_beside_the_file_is_read_and_a_pipe_is_not(tmp_path):
+    (tmp_path / "sound.bin").write_bytes(CORNERS.tobytes() + FACES.tobytes())
+    (tmp_path / "sound.gltf").write_text(json.dumps(gltf("sound.bin")))
+    assert len(load(tmp_path / "sound.gltf").faces) == 4
+    os.mkfifo(tmp_path / "pipe.bin")
+    for uri, name in (("pipe.bin", "pipe.gltf"), ("link.bin", "link.gltf")):
+        (tmp_path / name).write_text(json.dumps(gltf(uri)))
+    (tmp_path / "link.bin").symlink_to(tmp_path / "pipe.bin")
+    for name in ("pipe.gltf", "link.gltf"):
+        with pytest.raises(InputError, match="is a pipe or a device; give a regular file"):
+            load(tmp_path / name)
+    os.mkfifo(tmp_path / "pipe.stl")
+    with pytest.raises(InputError, match="pipe.stl: this is a pipe or a device"):
+        load(tmp_path / "pipe.stl")
+    with pytest.raises(InputError, match="meshes.'a'.: .*is a pipe or a device"):
+        MeshSet({"a": tmp_path / "pipe.stl"}).get("a")
+
+
+def test_usd_does_not_wait_for_a_pipe(tmp_path):
+    os.mkfifo(tmp_path / "pipe.usda")
+    for how in (
+        "(\n    subLayers = [@./pipe.usda@]\n)",
+        '\ndef Xform "a" (\n    references = @./pipe.usda@</a>\n)\n{\n}',
+    ):
+        (tmp_path / "chair.usda").write_text(f"#usda 1.0\n{how}\n")
+        with pytest.raises(InputError, match="pipe.usda: this is a pipe or a device"):
+            load(tmp_path / "chair.usda")
+
+
+def test_arrays_larger_than_any_file_are_refused(tmp_path):
+    uri = "data:application/octet-stream;base64," + base64.b64encode(CORNERS.tobytes() + FACES.tobytes()).decode()
+    document = gltf(uri)
+    (tmp_path / "sound.gltf").write_text(json.dumps(document))
+    assert len(load(tmp_path / "sound.gltf").faces) == 4
+    document["accessors"][0] = {"componentType": 5126, "type": "VEC3", "count": 1 << 40}  # so many zeros
+    (tmp_path / "zeros.gltf").write_text(json.dumps(document))
+    with pytest.raises(InputError, match="its arrays have .* MiB; at most 1024 MiB are read"):
+        load(tmp_path / "zeros.gltf")
+
+
+def test_a_mesh_shown_over_and_over_is_counted_each_time(tmp_path, monkeypatch):
+    uri = "data:application/octet-stream;base64," + base64.b64encode(CORNERS.tobytes() + FACES.tobytes()).decode()
+    document = gltf(uri)
+    document["nodes"] = [{"mesh": 0}] * 50
+    document["scenes"] = [{"nodes": list(range(50))}]
+    (tmp_path / "many.gltf").write_text(json.dumps(document))
+    assert len(load(tmp_path / "many.gltf").faces) == 200
+    monkeypatch.setattr("sceneweaver.assets.imports.load.MAX_TRIANGLES", 100)
+    with pytest.raises(InputError, match="over 100 triangles"):
+        load(tmp_path / "many.gltf")
+
+
+def test_a_packed_array_is_bounded(tmp_path, monkeypatch):
+    np.savez_compressed(tmp_path / "zeros.npz", vertices=np.zeros(1 << 20))
+    monkeypatch.setattr(guarded, "MAX_BYTES", 1 << 20)
+    with pytest.raises(InputError, match="zeros.npz: it unpacks to more than 1 MiB"):
+        load(tmp_path / "zeros.npz")
+    with zipfile.ZipFile(tmp_path / "odd.npz", "w") as packed:
+        packed.writestr("vertices.npy", b"no array")
+    with pytest.raises(InputError, match="odd.npz: the file is damaged"):
+        load(tmp_path / "odd.npz")
+
+
+def test_tables_are_bounded(tmp_path, monkeypatch):
+    monkeypatch.setattr("sceneweaver.assets.readers.tables.read_unpacked.__kwdefaults__", {"max_bytes": 1 << 20})
+    (tmp_path / "annotations.json.gz").write_bytes(gzip.compress(b" " * (8 << 20)))
+    with pytest.raises(InputError, match="annotations.json.gz: it unpacks to more than 1 MB"):
+        list(entries(tmp_path, "objathor"))
+    monkeypatch.setattr("sceneweaver.assets.readers.tables.MAX_CONTAINERS", 1000)
+    (tmp_path / "wide.json").write_text("[" + "[],[]," * 1000 + "[]]")
+    with pytest.raises(InputError, match="wide.json: not readable as JSON .over 1000 lists and objects"):
+        read_json(tmp_path / "wide.json")
+    (tmp_path / "wide.csv").write_text("a,b\n" * 1000)
+    with pytest.raises(InputError, match="wide.csv: not readable as CSV .over 1000 cells"):
+        read_csv(tmp_path / "wide.csv")
+
+
+def test_a_table_nested_too_deep_is_one_line(tmp_path):
+    (tmp_path / "deep.json").write_text("[" * 100_000)
+    with pytest.raises(InputError, match="deep.json: not readable as JSON"):
+        read_json(tmp_path / "deep.json")
+
+
+def test_a_sound_stl_with_a_name_in_latin_letters_is_read(tmp_path):
+    pytest.importorskip("charset_normalizer")  # a dependency since trimesh asks for it
+    (tmp_path / "chair.stl").write_bytes(stl("Stühlchen"))
+    assert len(load(tmp_path / "chair.stl").faces) == 4
+
+
+def test_a_missing_package_is_named_and_the_file_is_not_called_damaged(tmp_path, monkeypatch):
+    real = builtins.__import__
+
+    def without(name, *args, **kwargs):
+        if name == "charset_normalizer":
+            raise ModuleNotFoundError(f"No module named '{name}'", name=name)
+        return real(name, *args, **kwargs)
+
+    monkeypatch.setattr(builtins, "__import__", without)
+    (tmp_path / "chair.stl").write_bytes(stl("Stühlchen"))
+    with pytest.raises(MissingDependencyError, match="chair.stl: .*'charset_normalizer'; install it with: pip install"):
+        load(tmp_path / "chair.stl")
