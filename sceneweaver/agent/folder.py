@@ -43,7 +43,7 @@ class State(FrozenModel):
 
     _noun: ClassVar[str] = "state"
 
-    schema_: Literal["sceneweaver.run/1"] = Field(default="sceneweaver.run/1", alias="schema")
+    schema_: Literal["sceneweaver.run/1"] = Field(alias="schema")
     prompt: str
     brief: dict[str, Any] = Field(default={}, description="How the request was read; for readers of the file")
     settings: Settings
@@ -117,7 +117,12 @@ class RunFolder:
     def state(self, scene: str, memory: Memory, brief: Brief, settings: Settings) -> None:
         """Write the state to go on from; ``scene`` is a path inside the folder."""
         state = State(
-            prompt=brief.text, brief=brief.model_dump(mode="json"), settings=settings, scene=scene, memory=memory
+            schema="sceneweaver.run/1",
+            prompt=brief.text,
+            brief=brief.model_dump(mode="json"),
+            settings=settings,
+            scene=scene,
+            memory=memory,
         )
         _write(self.path / STATE, state.model_dump(mode="json"))
 

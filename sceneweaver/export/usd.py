@@ -115,15 +115,18 @@ def _near(one: Thing, two: Thing) -> bool:
 
 
 def _save(layer: Any, name: str) -> None:
-    with whole(name) as temporary:
-        # Made here first: the system says better than USD why a place cannot be written.
-        os.close(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
-        try:
-            written = layer.Export(temporary)
-        except usd().Tf.ErrorException:
-            written = False
-        if not written:
-            raise OSError("the disk may be full")
+    try:
+        with whole(name) as temporary:
+            # Made here first: the system says better than USD why a place cannot be written.
+            os.close(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
+            try:
+                written = layer.Export(temporary)
+            except usd().Tf.ErrorException:
+                written = False
+            if not written:
+                raise OSError("the disk may be full")
+    except InputError as error:
+        raise InputError(f"path: {error}") from None
 
 
 __all__ = ["SUFFIXES", "usd_layer", "write_usd"]

@@ -1,0 +1,124 @@
+"""The folder of a run: damaged states are one line each, and one process writes at a time."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+
+import pytest
+
+from sceneweaver.agent import Settings
+from sceneweaver.agent.folder import RunFolder
+from sceneweaver.agent.memory import Memory, Step
+from sceneweaver.brief import Brief
+from sceneweaver.scene import InputError, Scene
+
+BRIEF = Brief(text="a room")
+
+
+@pytest.fixture
+def kept(tmp_path):
+    """A folder with the state of a run of one step, as a dictionary that can be spoilt, and what writes it back."""
+    folder = RunFolder(tmp_path)
+    scene = Scene.example("bedroom")
+    (tmp_path / "steps" / "01").mkdir(parents=True)
+    scene.save(tmp_path / "steps" / "01" / "scene.json")
+    memory = Memory(steps=(Step(number=1, call=None, accepted=True),))
+    folder.state("steps/01/scene.json", memory, BRIEF, Settings())
+    data = json.loads((tmp_path / "state.json").read_text())
+    return folder, data, lambda value: (tmp_path / "state.json").write_text(json.dumps(value))
+
+
+def test_a_sound_state_is_taken_up_again(kept):
+    folder, *_ = kept
+    memory, scene = folder.resume(BRIEF, Settings())
+    assert len(memory.steps) == 1 and scene == Scene.example("bedroom")
+
+
+WRONG = {"missing": None, "number": 3, "text": "x", "list": [], "null": None, "inner": {"seed": [], "steps": {}}}
+
+
+@pytest.mark.parametrize("field", ["schema", "prompt", "settings", "scene", "memory"])
+@pytest.mark.parametrize("how", WRONG)
+def test_a_field_that_is_missing_or_of_another_type(kept, field, how):
+    folder, data, write = kept
+    if how == "missing":
+        del data[field]
+    elif field == "prompt" and how == "text":
+        data["brief"] = 3
+        field = "brief"
+    else:
+        data[field] = WRONG[how]
+    write(data)
+    with pytest.raises(
+        InputError, match=rf"state.json: this is no state of a run \(.*{field}.*\); remove it or choose"
+    ) as found:
+        folder.resume(BRIEF, Settings())
+    assert "\n" not in str(found.value)
+
+
+@pytest.mark.parametrize("scene", ["../../etc/scene.json", "/etc/passwd", "", "steps/01/../../x/scene.json"])
+def test_the_scene_of_a_state_lies_in_its_folder(kept, scene):
+    folder, data, write = kept
+    write({**data, "scene": scene})
+    with pytest.raises(InputError, match="this is no state of a run .*scene"):
+        folder.resume(BRIEF, Settings())
+
+
+@pytest.mark.parametrize(
+    "text", ["", "{", "[]", "3", "null", '{"schema": ' * 100_000, '{"a": ' * 500 + "1" + "}" * 500]
+)
+def test_what_is_no_state_at_all(kept, text):
+    folder, *_ = kept
+    (folder.path / "state.json").write_text(text)
+    with pytest.raises(
+        InputError, match=r"state.json: this is no state of a run \(.*\); remove it or choose another folder"
+    ):
+        folder.resume(BRIEF, Settings())
+
+
+def test_what_is_nested_too_deep(kept):
+    folder, data, write = kept
+    deep: dict = {}
+    for _ in range(300):
+        deep = {"a": deep}
+    data["memory"]["steps"][0]["tried"] = [deep]
+    write(data)
+    with pytest.raises(InputError, match="nested deeper than 32 levels"):
+        folder.resume(BRIEF, Settings())
+
+
+def test_a_state_that_is_a_pipe(kept):
+    folder, *_ = kept
+    os.unlink(folder.path / "state.json")
+    os.mkfifo(folder.path / "state.json")
+    with pytest.raises(InputError, match="this is a pipe or a device"):
+        folder.resume(BRIEF, Settings())
+
+
+def test_the_command_says_it_in_one_line_with_code_2(kept):
+    folder, data, write = kept
+    write({**data, "memory": {"steps": 3}})
+    done = subprocess.run(
+        [sys.executable, "-m", "sceneweaver", "design", "a room", "--out", str(folder.path)],
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert done.returncode == 2 and done.stderr.count("\n") == 1 and "memory.steps" in done.stderr
+
+
+def test_two_runs_do_not_share_a_folder_and_leftovers_go(kept):
+    folder, *_ = kept
+    (folder.path / "views").mkdir()
+    for place in (folder.path, folder.path / "views", folder.path / "steps" / "01"):
+        (place / ".sceneweaver-0123456789abcdef.tmp").mkdir()
+        (place / ".sceneweaver-0123456789abcdef.tmp" / "corner.png").write_bytes(b"half")
+    with folder.held():
+        assert not list(folder.path.rglob("*.tmp"))
+        with pytest.raises(InputError, match=f"--out: .* is being written by process {os.getpid()}; wait for it"):
+            RunFolder(folder.path).held().__enter__()
+    with folder.held():
+        pass
