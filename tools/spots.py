@@ -6,8 +6,8 @@ import math
 import random
 from collections.abc import Iterable, Mapping, Sequence
 
+from sceneweaver.geometry.polygons import union
 from sceneweaver.scene import Pose, Room, SceneObject, Support, Surface
-from sceneweaver.scene.polygons import union
 
 from .carry import carried, local, world
 

@@ -6,8 +6,8 @@ anyway. What others reach under (tables, desks) or around (corner sofas) keeps a
 
 from __future__ import annotations
 
+from sceneweaver.geometry.polygons import union
 from sceneweaver.scene import Part, Scene, SceneObject
-from sceneweaver.scene.polygons import union
 
 TUCKED = ("front_against", "front_to_front", "around")
 

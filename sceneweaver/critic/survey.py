@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 
 from sceneweaver.assets import categories, resolve
 from sceneweaver.brief import Brief
+from sceneweaver.geometry.polygons import union
 from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import Scene
-from sceneweaver.scene.polygons import union
 from sceneweaver.verify import Report
 from sceneweaver.verify.solids import Body, Placed, Wall
 

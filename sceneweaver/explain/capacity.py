@@ -9,8 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from sceneweaver.geometry.polygons import union
+from sceneweaver.geometry.se2 import SE2
 from sceneweaver.layout.shapes import Points, Prism
-from sceneweaver.scene.polygons import union
 
 from .sections import PENETRATION, levels_between, section
 
@@ -21,8 +22,7 @@ def fits_turned(points: Points, planes: np.ndarray) -> bool:
     steps = 360
     slack = 2 * PENETRATION + reach * math.pi / steps
     for angle in np.arange(steps) * (2 * math.pi / steps):
-        c, s = math.cos(angle), math.sin(angle)
-        turned = points @ np.array([[c, s], [-s, c]])
+        turned = SE2(yaw=angle).to_world(points)
         room = 1e4 * np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
         for nx, ny, offset in planes:
             need = offset - float((turned @ np.array([nx, ny])).min()) - slack

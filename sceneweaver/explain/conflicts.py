@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import shapely
 
-from sceneweaver.scene.polygons import union
+from sceneweaver.geometry.polygons import union
 
 from .search import CROWD, FIRM, Search
 from .study import OutOfTime

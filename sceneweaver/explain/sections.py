@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import itertools
-import math
 from collections.abc import Iterable, Sequence
 
 import numpy as np
 import shapely
 
+from sceneweaver.geometry.hulls import convex_hull
+from sceneweaver.geometry.polygons import union
+from sceneweaver.geometry.se2 import SE2
 from sceneweaver.layout.shapes import Points, Prism
-from sceneweaver.scene.polygons import union
 
 PENETRATION = 1.0e-3  # [m] that bodies may sink into each other and into walls
 INTRUSION = 5.0e-3  # [m] that they may reach into the clearance of a door or window
@@ -18,9 +19,7 @@ INTRUSION = 5.0e-3  # [m] that they may reach into the clearance of a door or wi
 
 def hull(solids: Sequence[Prism]) -> Points:
     """The convex hull of solids, seen from above."""
-    points = np.concatenate([p.polygon for p in solids])
-    shape = shapely.MultiPoint(points).convex_hull
-    return shapely.get_coordinates(shape)[:-1]
+    return convex_hull(np.concatenate([p.polygon for p in solids]))
 
 
 def extent(prisms: Sequence[Prism]) -> tuple[float, float]:
@@ -46,6 +45,5 @@ def section(prisms: Iterable[Prism], z: float, shrink: float = PENETRATION):
 
 def moved(prisms: Iterable[Prism], pose: np.ndarray) -> list[Prism]:
     """Prisms of an object, in the room that it has this pose [x, y, z, yaw] in."""
-    c, s = math.cos(pose[3]), math.sin(pose[3])
-    turn = np.array([[c, s], [-s, c]])
-    return [Prism(p.polygon @ turn + pose[:2], (p.z[0] + pose[2], p.z[1] + pose[2])) for p in prisms]
+    x, y, z, yaw = (float(value) for value in pose)
+    return [Prism(SE2(x, y, yaw).to_world(p.polygon), (p.z[0] + z, p.z[1] + z)) for p in prisms]

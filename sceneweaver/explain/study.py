@@ -9,11 +9,11 @@ from functools import cached_property
 import numpy as np
 import shapely
 
+from sceneweaver.geometry.polygons import union
 from sceneweaver.layout import Solution
 from sceneweaver.layout.compile import compile_scene
 from sceneweaver.layout.devices import pick_devices
 from sceneweaver.scene import CATALOGUE, Relation, Room, Scene, SceneObject, Surface
-from sceneweaver.scene.polygons import union
 from sceneweaver.verify import Violation, check
 
 from .sections import moved

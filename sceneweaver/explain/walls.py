@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from sceneweaver.geometry.angles import dot
 from sceneweaver.layout.region import Region
 from sceneweaver.layout.shapes import Prism
 from sceneweaver.scene import CATALOGUE, Room, Scene, SceneObject
@@ -128,10 +129,10 @@ class Walls:
         free = self.free[key]
         out = []
         for wall in self.region.walls:
-            ends = [wall.p + line * wall.n + at * wall.t for at in (-spare, wall.length + spare)]
+            ends = [wall.point(at, line) for at in (-spare, wall.length + spare)]
             hit = free.intersection(shapely.LineString(ends))
             pieces = [g for g in getattr(hit, "geoms", [hit]) if g.geom_type == "LineString" and not g.is_empty]
-            spans = [sorted(float((np.asarray(p) - wall.p) @ wall.t) for p in g.coords) for g in pieces]
+            spans = [sorted(wall.coordinates(p)[0] for p in g.coords) for g in pieces]
             out.append(sorted((s[0], s[-1]) for s in spans))
         return out
 
@@ -149,7 +150,7 @@ class Walls:
         corners = []
         for i, wall in enumerate(walls):
             j = (i + 1) % len(walls)
-            square = abs(float(wall.t @ walls[j].t)) < 1e-3 and float(wall.n @ walls[j].t) > 0
+            square = abs(dot(wall.along, walls[j].along)) < 1e-3 and dot(wall.inward, walls[j].along) > 0
             if square and spans[i] and spans[j] and loss > 0:
                 (_, end), (start, _) = spans[i][-1], spans[j][0]
                 if abs(end - wall.length) < 0.005 and abs(start) < 0.005:

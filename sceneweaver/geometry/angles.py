@@ -23,3 +23,8 @@ def heading(yaw: float) -> tuple[float, float]:
 def bearing(start: Any, end: Any) -> float:
     """The yaw in (-pi, pi] of the way from one point [2 or more] to another."""
     return math.atan2(end[1] - start[1], end[0] - start[0])
+
+
+def dot(a: Any, b: Any) -> Any:
+    """The inner product of the first two coordinates of two vectors."""
+    return a[0] * b[0] + a[1] * b[1]

@@ -7,19 +7,20 @@ verdict and the pair terms see the whole scene.
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
+from sceneweaver.geometry.polygons import tidy
+from sceneweaver.geometry.se2 import relative
 from sceneweaver.kernels import tables as k
 from sceneweaver.scene import CATALOGUE, Relation, Scene, SceneObject
 
 from .region import Region, enclosure, room_region
 from .rows import INF, CompiledRelation, Frame, compile_relation, mounting, spread_before
-from .shapes import Prism, footprint_of, solids_of, tidy, zones_of
+from .shapes import Prism, footprint_of, solids_of, zones_of
 
 
 @dataclass
@@ -238,23 +239,6 @@ def _room_home(scene: Scene) -> tuple[np.ndarray, bool]:
             else:
                 home[i, 2] = height
     return home, faulty
-
-
-def relative(pose: np.ndarray, frame: np.ndarray) -> np.ndarray:
-    """Poses [..., 4] of the world as seen from the frames [..., 4] (x, y, z, yaw)."""
-    c, s = np.cos(frame[..., 3]), np.sin(frame[..., 3])
-    d = pose - frame
-    yaw = (d[..., 3] + math.pi) % (2 * math.pi) - math.pi
-    return np.stack([c * d[..., 0] + s * d[..., 1], c * d[..., 1] - s * d[..., 0], d[..., 2], yaw], axis=-1)
-
-
-def absolute(local: np.ndarray, frame: np.ndarray) -> np.ndarray:
-    """The inverse of `relative`."""
-    c, s = np.cos(frame[..., 3]), np.sin(frame[..., 3])
-    yaw = (local[..., 3] + frame[..., 3] + math.pi) % (2 * math.pi) - math.pi
-    x = frame[..., 0] + c * local[..., 0] - s * local[..., 1]
-    y = frame[..., 1] + s * local[..., 0] + c * local[..., 1]
-    return np.stack([x, y, frame[..., 2] + local[..., 2], yaw], axis=-1)
 
 
 def _domain_region(supporter: SceneObject, name: str) -> tuple[Region, float]:

@@ -10,6 +10,8 @@ from dataclasses import replace
 import numpy as np
 import warp as wp
 
+from sceneweaver.geometry.angles import wrap_angle
+from sceneweaver.geometry.se2 import absolute, relative
 from sceneweaver.kernels import load
 from sceneweaver.kernels.bookkeeping import broadcast_poses, set_turns, to_surface_frames
 from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, judge, load_poses, new_state, run, streams
@@ -19,7 +21,7 @@ from sceneweaver.optimizers.snap import snap_batch
 from sceneweaver.scene import InputError, Scene
 
 from .access import walkable_shares
-from .compile import CompiledScene, LayoutProblem, absolute, compile_scene, relative
+from .compile import CompiledScene, LayoutProblem, compile_scene
 from .devices import WALKED, pick_devices, solve_on
 from .job import Job
 from .pack import margins, pack, weights
@@ -213,7 +215,7 @@ def _modules(jobs: Sequence[Job], optimizer: str, device: str) -> list[str]:
 def _same(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Which poses [..., 4] differ by rounding only: [..., 1]. Heights may by a quarter of the judge's tolerance."""
     d = np.abs(b - a)
-    d[..., 3] = np.abs((d[..., 3] + np.pi) % (2 * np.pi) - np.pi)
+    d[..., 3] = np.abs(wrap_angle(d[..., 3]))
     return np.all(d < (ROUNDING, ROUNDING, 5e-4, ROUNDING), axis=-1, keepdims=True)
 
 
@@ -244,7 +246,7 @@ def _movement(before: np.ndarray, after: np.ndarray, in_order: np.ndarray) -> np
     The price is 5 m for what was in order [N], 5 cm for the others.
     """
     d = after - before
-    turned = np.abs((d[..., 3] + np.pi) % (2 * np.pi) - np.pi)
+    turned = np.abs(wrap_angle(d[..., 3]))
     moved = np.linalg.norm(d[..., :3], axis=-1) + 0.5 * turned
     return np.sum(moved + np.where(in_order, 5.0, 0.05) * (moved > 0.01), axis=-1)
 

@@ -10,21 +10,15 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from sceneweaver.geometry.angles import dot
+from sceneweaver.geometry.polygons import convex_pieces, tidy
+from sceneweaver.geometry.shell import clear_zone, heights
+from sceneweaver.geometry.walls import Wall, walls_of
 from sceneweaver.scene import Room
 
-from .shapes import Points, Prism, convex_pieces, tidy
+from .shapes import Prism
 
 EVERYWHERE = (-1.0e3, 1.0e3)
-
-
-@dataclass(frozen=True)
-class Wall:
-    """One wall: first corner p, direction t, inward normal n, length."""
-
-    p: np.ndarray
-    t: np.ndarray
-    n: np.ndarray
-    length: float
 
 
 @dataclass
@@ -35,20 +29,9 @@ class Region:
     solids: list[Prism]
     height: float
     openings: list[Prism] = field(default_factory=list)
-    walls: list[Wall] = field(default_factory=list)
+    walls: tuple[Wall, ...] = ()
     doors: dict[str, Prism] = field(default_factory=dict)
     box: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
-
-
-def walls_of(outline) -> list[Wall]:
-    """Walls of a counter-clockwise outline."""
-    points = np.asarray(outline, dtype=np.float64)
-    walls = []
-    for p, q in zip(points, np.roll(points, -1, axis=0), strict=True):
-        length = float(np.hypot(*(q - p)))
-        t = (q - p) / length
-        walls.append(Wall(p, t, np.array([-t[1], t[0]]), length))
-    return walls
 
 
 def enclosure(outline, height: float) -> Region:
@@ -57,7 +40,7 @@ def enclosure(outline, height: float) -> Region:
 
     inside = shapely.Polygon(np.asarray(outline, dtype=np.float64))
     hull = tidy(shapely.get_coordinates(inside.convex_hull)[:-1])
-    planes = [(*wall.n, float(wall.n @ wall.p)) for wall in walls_of(hull)]
+    planes = [(*wall.inward, dot(wall.inward, wall.start)) for wall in walls_of(hull)]
     solids: list[Prism] = []
     outside = shapely.Polygon(hull).difference(inside)
     border = inside.exterior
@@ -70,22 +53,10 @@ def enclosure(outline, height: float) -> Region:
     return Region(np.asarray(planes), solids, height, box=inside.bounds)
 
 
-def _rectangle(wall: Wall, start: float, end: float, depth: float) -> Points:
-    corner = wall.p + start * wall.t
-    along, into = (end - start) * wall.t, depth * wall.n
-    return np.array([corner, corner + along, corner + along + into, corner + into])
-
-
 def room_region(room: Room) -> Region:
-    """The room with the clearances of its doors and windows (docs/conventions.md says how deep)."""
+    """The room with the floor that its doors and windows need free."""
     region = enclosure(room.outline, room.height)
-    region.walls = walls_of(room.outline)
-    for door in room.doors:
-        depth = door.width if door.swing.startswith("in") else 0.6
-        polygon = _rectangle(region.walls[door.wall], door.offset, door.offset + door.width, depth)
-        region.doors[door.id] = Prism(polygon, (0.0, door.height))
-        region.openings.append(region.doors[door.id])
-    for window in room.windows:
-        polygon = _rectangle(region.walls[window.wall], window.offset, window.offset + window.width, 0.3)
-        region.openings.append(Prism(polygon, (window.sill, window.sill + window.height)))
+    region.walls = room.walls
+    region.openings = [Prism(np.array(clear_zone(o, room.walls)), heights(o)) for o in room.openings]
+    region.doors = {door.id: zone for door, zone in zip(room.doors, region.openings, strict=False)}
     return region

@@ -15,11 +15,14 @@ from typing import Any
 
 import numpy as np
 
+from sceneweaver.geometry.angles import dot
+from sceneweaver.geometry.polygons import tidy
+from sceneweaver.geometry.walls import Wall, walls_of
 from sceneweaver.kernels import tables as k
 from sceneweaver.scene import CATALOGUE, Relation, RelationSpec, SceneObject, Window
 
-from .region import Region, Wall, walls_of
-from .shapes import Points, convex_pieces
+from .region import Region
+from .shapes import Points
 
 INF = 1.0e9
 DEGREE = math.radians(1.0)
@@ -197,9 +200,9 @@ def _wall_rows(
     if wall.length < 2 * half * overlap + 4 * TIGHT:
         return None
     return [
-        yaw(_bearing(wall.n) + math.pi - _bearing(SIDES[side]), degrees).snapped(spec, "degrees", DEGREE),
-        line(point, wall.n, float(wall.n @ wall.p), *gap).snapped(spec, "gap"),
-        line(point, wall.t, float(wall.t @ wall.p) + wall.length / 2, -across, across, -TIGHT),
+        yaw(_bearing(wall.inward) + math.pi - _bearing(SIDES[side]), degrees).snapped(spec, "degrees", DEGREE),
+        line(point, wall.inward, dot(wall.inward, wall.start), *gap).snapped(spec, "gap"),
+        line(point, wall.along, dot(wall.along, wall.start) + wall.length / 2, -across, across, -TIGHT),
     ]
 
 
@@ -333,12 +336,11 @@ def _corner(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     options = []
     for i, wall in enumerate(walls):
         before = walls[i - 1]
-        if float(before.t @ wall.n) > -0.17:  # not a convex corner of at least 10 degrees
+        if dot(before.along, wall.inward) > -0.17:  # not a convex corner of at least 10 degrees
             continue
-        rows = [_distance(0.0, value("to_corner"), wall.p[None, :], -TIGHT)]
+        rows = [_distance(0.0, value("to_corner"), np.array([wall.start]), -TIGHT)]
         for w in (before, wall):
-            n = (float(w.n[0]), float(w.n[1]))
-            row = Row(k.FEATURE_EXTENT, aim, hold, normal=n, offset=float(w.n @ wall.p))
+            row = Row(k.FEATURE_EXTENT, aim, hold, normal=w.inward, offset=dot(w.inward, wall.start))
             rows.append(row.snapped(CATALOGUE[rel.type], "gap"))
         options.append(rows)
     return options
@@ -350,14 +352,13 @@ def _at_window(frame: Frame, rel: Relation, value) -> list[list[Row]]:
         if rel.target not in (None, window.id):
             continue
         wall = frame.region.walls[window.wall]
-        middle = float(wall.t @ wall.p) + window.offset + window.width / 2
+        middle = dot(wall.along, wall.start) + window.offset + window.width / 2
         aim, hold = _span(-INF, value("max"), -TIGHT)
-        n, t = (float(wall.n[0]), float(wall.n[1])), (float(wall.t[0]), float(wall.t[1]))
         centre = []
         if frame.object(rel.subject).mount == "wall":
             centre = [
-                _open_yaw(_bearing(wall.n)).snapped(CATALOGUE[rel.type], "degrees", DEGREE),
-                _open_line((0.0, 0.0), wall.t, middle).snapped(CATALOGUE[rel.type], "lateral"),
+                _open_yaw(_bearing(wall.inward)).snapped(CATALOGUE[rel.type], "degrees", DEGREE),
+                _open_line((0.0, 0.0), wall.along, middle).snapped(CATALOGUE[rel.type], "lateral"),
             ]
         options.append(
             [
@@ -366,10 +367,10 @@ def _at_window(frame: Frame, rel: Relation, value) -> list[list[Row]]:
                     (-INF, -0.003),
                     (-INF, -TIGHT),
                     point=(window.width / 2, value("overlap")),
-                    normal=t,
+                    normal=wall.along,
                     offset=middle,
                 ),
-                Row(k.FEATURE_EXTENT, aim, hold, normal=n, offset=float(wall.n @ wall.p)),
+                Row(k.FEATURE_EXTENT, aim, hold, normal=wall.inward, offset=dot(wall.inward, wall.start)),
                 *centre,
             ]
         )
@@ -396,14 +397,14 @@ def _around(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     hull = shapely.MultiPolygon([shapely.Polygon(p) for p in frame.footprints[target]]).convex_hull
     spread = _spread(frame, rel)
     options = []
-    for edge in walls_of(convex_pieces(shapely.get_coordinates(hull)[:-1])[0]):
-        outward, half = -edge.n, edge.length / 2
+    for edge in walls_of(tidy(shapely.get_coordinates(hull)[:-1])):
+        (nx, ny), half = edge.outward, edge.length / 2
         rows = _facing_rows(
             a,
             "front",
-            (float(outward[0]), float(outward[1])),
-            float(outward @ edge.p),
-            float(np.array([-outward[1], outward[0]]) @ (edge.p + half * edge.t)),
+            edge.outward,
+            dot(edge.outward, edge.start),
+            dot((-ny, nx), edge.point(half)),
             half,
             value("gap"),
             value("degrees"),

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 
+from sceneweaver.geometry.hulls import convex_hull
+from sceneweaver.geometry.polygons import convex_pieces, is_convex, tidy
+from sceneweaver.geometry.prisms import prism_vertices
+from sceneweaver.geometry.rotations import from_yaw, is_upright, matrix, multiply
 from sceneweaver.scene import SceneObject
 
 Points = np.ndarray  # [V, 2] float64, counter-clockwise
@@ -21,83 +24,17 @@ class Prism:
     real: tuple[bool, ...] | None = None
 
 
-def signed_area(polygon: Points) -> float:
-    """Area of a polygon, positive when it runs counter-clockwise."""
-    x, y = polygon[:, 0], polygon[:, 1]
-    return 0.5 * float(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))
-
-
-def tidy(polygon, tolerance: float = 1e-9) -> Points:
-    """The polygon counter-clockwise, without repeated and collinear vertices."""
-    points = np.asarray(polygon, dtype=np.float64)
-    if signed_area(points) < 0:
-        points = points[::-1]
-    before, after = points - np.roll(points, 1, axis=0), np.roll(points, -1, axis=0) - points
-    cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
-    scale = np.hypot(before[:, 0], before[:, 1]) * np.hypot(after[:, 0], after[:, 1])
-    keep = np.abs(cross) > tolerance * np.maximum(1e-12, scale)
-    return points[keep] if keep.sum() >= 3 else points
-
-
-def is_convex(polygon: Points, tolerance: float = 1e-9) -> bool:
-    """True when a counter-clockwise polygon never turns right."""
-    a = np.roll(polygon, -1, axis=0) - polygon
-    b = np.roll(a, -1, axis=0)
-    return bool(np.all(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] >= -tolerance))
-
-
-def convex_pieces(polygon) -> list[Points]:
-    """A simple polygon as few convex pieces: triangles, merged while the union stays convex (Hertel and Mehlhorn)."""
-    points = tidy(polygon)
-    if is_convex(points):
-        return [points]
-    import shapely
-
-    triangles = shapely.constrained_delaunay_triangles(shapely.Polygon(points)).geoms
-    pieces = [p for p in triangles if p.area > 1e-10]
-    merged = True
-    while merged:
-        merged = False
-        for i in range(len(pieces)):
-            for j in range(i + 1, len(pieces)):
-                if pieces[i].intersection(pieces[j]).length < 1e-9:
-                    continue
-                union = pieces[i].union(pieces[j])
-                if union.geom_type == "Polygon" and union.convex_hull.area - union.area < 1e-9:
-                    pieces[i] = union
-                    del pieces[j]
-                    merged = True
-                    break
-            if merged:
-                break
-    return [tidy(shapely.get_coordinates(p)[:-1]) for p in pieces]
-
-
 def solids_of(obj: SceneObject) -> list[Prism]:
     """Collision prisms of an object; a tilted one stands in the upright hulls of its turned parts."""
     prisms = [Prism(tidy(part.polygon), part.z) for part in obj.solids]
-    x, y, z, w = obj.pose.quaternion
-    if abs(x) < 1e-9 and abs(y) < 1e-9:
+    if is_upright(obj.pose.quaternion):
         return prisms
-    yaw = obj.pose.yaw
-    c, s = math.cos(yaw), math.sin(yaw)
-    spin = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])  # back by the yaw that the engine keeps
-    tilt = spin @ np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-        ]
-    )
-    import shapely
-
+    tilt = matrix(multiply(from_yaw(-obj.pose.yaw), obj.pose.quaternion))  # without the yaw that the engine keeps
     leaning = []
     for prism in prisms:
-        corners = np.concatenate([np.c_[prism.polygon, np.full(len(prism.polygon), z)] for z in prism.z]) @ tilt.T
-        hull = shapely.MultiPoint(corners[:, :2]).convex_hull
-        leaning.append(
-            Prism(tidy(shapely.get_coordinates(hull)[:-1]), (float(corners[:, 2].min()), float(corners[:, 2].max())))
-        )
+        corners = prism_vertices(prism.polygon, prism.z) @ tilt.T
+        heights = (float(corners[:, 2].min()), float(corners[:, 2].max()))
+        leaning.append(Prism(tidy(convex_hull(corners[:, :2])), heights))
     return leaning
 
 

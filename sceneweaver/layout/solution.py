@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.scene import Pose, Scene
 
 WALKABLE = 0.9  # share of the free floor that a room should let one walk to
@@ -144,5 +145,5 @@ class Solution:
 def _differ(a: np.ndarray, b: np.ndarray) -> bool:
     """True when some object stands 0.5 m or is turned 45 degrees apart."""
     moved = np.linalg.norm(a[:, :3] - b[:, :3], axis=1) >= 0.5
-    turned = np.abs((a[:, 3] - b[:, 3] + np.pi) % (2 * np.pi) - np.pi) >= np.pi / 4
+    turned = np.abs(wrap_angle(a[:, 3] - b[:, 3])) >= np.pi / 4
     return bool(np.any(moved | turned))

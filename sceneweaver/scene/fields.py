@@ -9,8 +9,10 @@ from typing import Annotated, Any
 
 from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 
+from sceneweaver.geometry.polygons import signed_area
+
 from .messages import FieldError, show
-from .polygons import Points, check_simple, convex, counter_clockwise, signed_area
+from .polygons import Points, check_simple, convex, counter_clockwise
 
 LARGEST = 1e6
 """Largest magnitude of any length [m]."""

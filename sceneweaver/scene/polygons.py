@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
-from typing import Any
+
+from sceneweaver.geometry.polygons import signed_area
 
 from .messages import FieldError
 
@@ -21,15 +21,6 @@ CONVEX_TOLERANCE = 1e-9
 """Least sine of the turn at a corner of a convex polygon, negated."""
 
 _MANY = 64
-
-
-def signed_area(points: Sequence[Vec2]) -> float:
-    """Area [m2] of a polygon, positive when it runs counter-clockwise."""
-    x0, y0 = points[0]
-    total = 0.0
-    for (ax, ay), (bx, by) in zip(points[1:], points[2:], strict=False):
-        total += (ax - x0) * (by - y0) - (bx - x0) * (ay - y0)
-    return total / 2
 
 
 def check_simple(points: Points) -> None:
@@ -120,17 +111,3 @@ def _touch(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool:
         or (cda == 0 and _between(c, d, a))
         or (cdb == 0 and _between(c, d, b))
     )
-
-
-def union(shapes: Iterable[Any]) -> Any:
-    """The union of shapely geometries; where edges nearly coincide, of those rounded to a micrometre.
-
-    GEOS gives up on some edges that differ by the last digits of a float64 ("found non-noded intersection").
-    """
-    import shapely
-
-    found = list(shapes)
-    try:
-        return shapely.union_all(found)
-    except shapely.errors.GEOSException:
-        return shapely.union_all(found, grid_size=1e-6)

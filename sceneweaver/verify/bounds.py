@@ -6,7 +6,7 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from sceneweaver.scene.polygons import union
+from sceneweaver.geometry.polygons import union
 from sceneweaver.verify.meshes import MeshSet
 from sceneweaver.verify.solids import DEPTH, Array, Body, Placed
 

@@ -10,11 +10,12 @@ from pathlib import Path
 import numpy as np
 import warp as wp
 
+from sceneweaver.geometry.se2 import absolute, relative
 from sceneweaver.kernels.cells import CELLS, CROWD, fill_cells
 from sceneweaver.kernels.energy import evaluate
 from sceneweaver.kernels.step import choose
 from sceneweaver.kernels.tables import State, TablesRef
-from sceneweaver.layout.compile import CompiledScene, LayoutProblem, absolute, compile_scene, relative
+from sceneweaver.layout.compile import CompiledScene, LayoutProblem, compile_scene
 from sceneweaver.layout.engine import make_batch
 from sceneweaver.layout.pack import weights as make_weights
 from sceneweaver.optimizers.batch import Batch, Verdict, judge, load_poses

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sceneweaver.layout.compile import CompiledScene, relative
+from sceneweaver.geometry.se2 import relative
+from sceneweaver.layout.compile import CompiledScene
 from sceneweaver.scene import Scene
 from sceneweaver.verify import check
 from sceneweaver.verify.relations import judge_relation

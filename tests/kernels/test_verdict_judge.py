@@ -7,8 +7,9 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from sceneweaver.geometry.se2 import absolute, relative
 from sceneweaver.layout import refine
-from sceneweaver.layout.compile import CompiledScene, absolute, compile_scene, relative
+from sceneweaver.layout.compile import CompiledScene, compile_scene
 from sceneweaver.scene.catalogue import BUILT_IN
 from tests.kernels.harness import LARGE, ROOMS, as_float32, noisy, scattered, zoo
 from tests.kernels.judged import compare, engine

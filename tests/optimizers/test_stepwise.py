@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import sceneweaver as sw
-from sceneweaver.layout.compile import relative
+from sceneweaver.geometry.se2 import relative
 from sceneweaver.optimizers import Monitor, descent, judge, run
 from sceneweaver.optimizers.batch import Batch
 from tests.kernels.harness import batch_of, best_options, run_energy, zoo

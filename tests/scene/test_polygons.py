@@ -12,8 +12,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely.geometry import Polygon
 
+from sceneweaver.geometry.polygons import signed_area, union
 from sceneweaver.scene.messages import FieldError
-from sceneweaver.scene.polygons import check_simple, convex, counter_clockwise, signed_area, union
+from sceneweaver.scene.polygons import check_simple, convex, counter_clockwise
 
 grid = st.lists(st.tuples(st.integers(0, 5), st.integers(0, 5)), min_size=3, max_size=8, unique=True)
 
