@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from sceneweaver.geometry.polygons import union
 from sceneweaver.scene import Surface
-from sceneweaver.scene.polygons import union
 
 _LEVEL = 0.995  # cosine of about 6 degrees
 _SAME = 4e-3  # heights [m] that count as one
