@@ -1,0 +1,182 @@
+"""A room from the knowledge base and a request: floor, objects with what they are there for, relations."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+
+import pytest
+import shapely
+
+from sceneweaver.assets import Library, categories
+from sceneweaver.brief import Brief, read_brief
+from sceneweaver.knowledge import RoomType, room_type, room_types
+from sceneweaver.scene import Scene
+from sceneweaver.tools.add_objects import AT_WINDOWS
+from sceneweaver.tools.base import Context, Proposal
+from sceneweaver.tools.init_prior import FULL, InitPrior
+
+Prior = Callable[..., tuple[Scene, Proposal]]
+
+
+@pytest.fixture(scope="module")
+def prior(library: Library) -> Prior:
+    """The first scene for a request, and the proposal that it comes in."""
+
+    def run(text: str, seed: int = 0, brief: Brief | None = None, room: str | None = None, **inputs: object):
+        brief = brief or read_brief(text)
+        kind = room_type(room or brief.room or "living_room")
+        start = Scene(id="empty", room={"outline": ((0, 0), (3, 0), (3, 3), (0, 3))})
+        proposal = InitPrior().propose(Context(brief, kind, start, library, seed, inputs=inputs))
+        assert proposal.scene is not None and proposal.fresh and not proposal.edits
+        return proposal.scene, proposal
+
+    return run
+
+
+def area(scene: Scene) -> float:
+    return float(shapely.Polygon(scene.room.outline).area)
+
+
+def kinds(scene: Scene) -> Counter[str]:
+    return Counter(o.category for o in scene.objects)
+
+
+def standing_for(scene: Scene, room: RoomType) -> Counter[str | None]:
+    """How many objects stand for each item of a kind of room."""
+    return Counter(o.intent.program_item for o in scene.objects if room.item(o.intent.program_item or "") is not None)
+
+
+@pytest.mark.parametrize("name", ["bedroom", "kitchen", "office", "bathroom", "cafe"])
+def test_a_kind_of_room_gets_what_it_needs(prior, name):
+    room = room_types()[name]
+    scene, proposal = prior(f"a {name}", room=name)
+    assert Scene.loads(scene.dumps()) == scene and not proposal.unmet
+    assert 0.8 * room.area[0] <= area(scene) <= 1.5 * room.area[2]
+    assert len(scene.room.doors) >= 1
+    have = standing_for(scene, room)
+    needed = {i.id for i in room.items if i.need == "needed" and not i.with_ and i.mount in (None, "floor")}
+    assert needed and needed <= set(have)
+    assert scene.provenance["room"] == name and scene.prompt == f"a {name}"
+
+
+@pytest.mark.parametrize("name", ["bedroom", "kitchen", "living_room"])
+def test_objects_say_what_they_are_there_for(prior, name):
+    room = room_types()[name]
+    scene, _ = prior(f"a {name}", seed=3, room=name)
+    for o in scene.objects:
+        item = room.item(o.intent.program_item or "")
+        assert item is not None and o.intent.priority == item.need and o.intent.request is None
+        heights = o.intent.mounting_height
+        assert (heights is None) is (o.mount != "wall")
+        if heights is not None:
+            low, high = heights
+            assert low <= o.pose.position[2] <= high <= scene.room.height - o.size[2]
+        assert o.intent.keep_clear is (o.mount == "wall" and o.category not in AT_WINDOWS)
+    assert any(o.mount == "wall" for o in scene.objects)
+
+
+def test_what_is_asked_for_is_there_as_often_and_marked(prior):
+    brief = read_brief("a living room with two armchairs, a piano and three floor lamps")
+    scene, proposal = prior("", brief=brief)
+    asked = Counter(o.intent.request for o in scene.objects if o.intent.priority == "asked")
+    counts = {a.id: (a.count or (1, 1))[0] for a in brief.objects}
+    assert sorted(counts.values()) == [1, 2, 3] and asked == counts and not proposal.unmet
+    assert all((o.intent.request is None) is (o.intent.priority != "asked") for o in scene.objects)
+
+
+def test_what_is_not_wanted_is_not_there(prior):
+    scene, _ = prior("a bedroom without a wardrobe and without curtains")
+    assert not {"wardrobe", "curtain", "sheer_curtain"} & set(kinds(scene))
+    scene, _ = prior("only a bed and a nightstand in a bedroom")
+    assert {o.intent.priority for o in scene.objects} == {"asked"} and len(scene.objects) == 2
+
+
+def test_relations_that_were_asked_for_come_first_and_are_said_once(prior):
+    scene, _ = prior("a bedroom with a desk at the window and an armchair in the corner")
+    asked = scene.provenance["asked"]
+    assert [[r.type, r.subject] for r in scene.relations[: len(asked)]] == asked
+    named = {type: scene.object(subject).category for type, subject in asked}
+    assert "desk" in named["at_window"] and named["in_corner"] == "armchair"
+    said = [(r.type, r.subject, r.target) for r in scene.relations]
+    assert len(said) == len(set(said))
+    ids = {*scene.ids, *(d.id for d in scene.room.doors), *(w.id for w in scene.room.windows)}
+    assert all(t in ids or t.startswith("wall:") for r in scene.relations for t in r.targets)
+
+
+def test_small_things_stand_where_they_fit(prior):
+    scene, proposal = prior("a living room with a fruit bowl on the coffee table and a lamp on the sideboard")
+    assert not proposal.unmet
+    small = {o.intent.request: o for o in scene.objects if o.intent.request and o.mount == "surface"}
+    carriers = {id: scene.object(o.support.object).category for id, o in small.items()}
+    assert set(carriers.values()) == {"coffee_table", "sideboard"}
+    for o in small.values():
+        surface = next(s for s in scene.object(o.support.object).surfaces if s.name == o.support.surface)
+        x0, y0, x1, y1 = shapely.Polygon(surface.polygon).bounds
+        assert min(x1 - x0, y1 - y0) >= min(o.size[:2]) and max(x1 - x0, y1 - y0) >= max(o.size[:2])
+        assert surface.headroom is None or surface.headroom > o.size[2]
+
+
+def test_many_small_things_are_spread_over_what_can_carry_them(prior):
+    scene, _ = prior("a living room with thirty vases")
+    vases = [o for o in scene.objects if o.category == "vase"]
+    load: Counter[str] = Counter()
+    for o in vases:
+        load[o.support.object] += o.size[0] * o.size[1]
+    ground = {id: sum(shapely.Polygon(s.polygon).area for s in scene.object(id).surfaces) for id in load}
+    largest = max(o.size[0] * o.size[1] for o in vases)
+    assert len(vases) == 30 and len(load) > 1 and all(load[id] <= FULL * ground[id] + largest for id in load)
+
+
+@pytest.mark.parametrize(
+    ("text", "size", "corners", "height"),
+    [
+        ("a bedroom of 3 by 4 metres", 12.0, 4, None),
+        ("a bedroom of 14 square metres with a ceiling of 3 metres", 14.0, 4, 3.0),
+        ("an L-shaped living room of 24 square metres", 24.0, 6, None),
+    ],
+)
+def test_the_floor_is_as_asked_however_much_is_asked_of_it(prior, text, size, corners, height):
+    for more in ("", ", with six wardrobes"):
+        scene, _ = prior(text + more)
+        assert area(scene) == pytest.approx(size, rel=0.03) and len(scene.room.outline) == corners
+        assert height is None or scene.room.height == height
+
+
+def test_a_floor_that_nobody_fixed_grows_with_what_is_asked_for(prior):
+    plain, _ = prior("a bedroom")
+    full, proposal = prior("a bedroom with six wardrobes")
+    assert kinds(full)["wardrobe"] == 6 and area(full) > 1.1 * area(plain) and not proposal.unmet
+    roomier, _ = prior("a bedroom", roomier=1.3)
+    assert area(roomier) == pytest.approx(1.3 * area(plain), rel=0.02)
+    fixed, _ = prior("a bedroom of 14 square metres", roomier=1.3)
+    assert area(fixed) == pytest.approx(14.0, rel=0.02)
+
+
+def test_what_has_no_place_on_a_given_floor_is_said(prior):
+    scene, proposal = prior("a bathroom of 5 square metres with six bathtubs")
+    have = kinds(scene)["bathtub"]
+    assert 0 < have < 6
+    assert [text for text in proposal.unmet if text.startswith(f"bathtubs: {have} of 6 (bathtub: ")]
+    assert any(note.startswith("left out, as the floor asked for is full: ") for note in proposal.notes)
+
+
+def test_equal_seeds_give_equal_scenes_and_others_do_not(prior):
+    first, again, other = (prior("a study for two", seed=s, room="study")[0] for s in (5, 5, 6))
+    assert first == again and first.objects != other.objects and first.room != other.room
+
+
+def test_the_style_is_that_of_the_request_or_the_call_or_one_of_the_rooms(prior):
+    styles = set(room_types()["bedroom"].styles)
+    assert {prior("a bedroom", seed=s)[0].provenance["style"] for s in range(4)} <= styles
+    assert prior("a bedroom", style="rustic")[0].provenance["style"] == "rustic"
+    assert prior("an industrial bedroom", style="rustic")[0].provenance["style"] == "industrial"
+
+
+def test_every_body_is_of_its_category(prior):
+    scene, _ = prior("a living room", seed=2)
+    for o in scene.objects:
+        usual = categories()[o.category].size
+        assert usual is not None
+        assert all(low * 0.98 <= s <= high * 1.02 for s, (low, high) in zip(o.size, usual.ranges, strict=True)), o.id
+        assert o.asset is not None and o.attributes.get("color")
