@@ -182,8 +182,9 @@ def test_a_plan_made_once_is_carried_out_and_survives_a_restart(tmp_path):
 
 
 def test_without_physics_layouts_are_not_optimised():
-    loose = design(ASKED, physics=False, tools=("init_prior",), **QUICK)
+    loose, refined = (design(ASKED, physics=on, tools=("init_prior",), **QUICK) for on in (False, True))
     assert loose.report.collisions + loose.report.out_of_bounds > 0
+    assert refined.report.valid
 
 
 def test_two_screens_stand_on_the_desk():

@@ -155,7 +155,8 @@ def test_non_manifold_meshes_are_taken(tmp_path: Path) -> None:
     torn = trimesh.Trimesh(box.vertices, np.concatenate([box.faces[:-3], [[0, 1, 7]], [[0, 1, 7]]]), process=False)
     got = prepare(Hints(path=write(torn, tmp_path / "torn.obj"), name="torn", up="z", metres=1.0), cache=tmp_path)
     np.testing.assert_allclose(got.size, (0.5, 0.8, 0.7), atol=1e-6)
-    assert len(got.hulls) >= 1
+    corners = np.concatenate([hull.vertices for hull in got.hulls])
+    np.testing.assert_allclose(np.ptp(corners, axis=0), (0.5, 0.8, 0.7), atol=1e-3)
 
 
 @pytest.mark.slow

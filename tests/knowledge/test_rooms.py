@@ -124,7 +124,7 @@ def test_people_find_rooms_by_their_own_words(words: str, name: str) -> None:
 def test_all_that_a_room_names_exists(name: str) -> None:
     room, known = ROOMS[name], categories()
     color_named(room.walls)
-    assert room.sources
+    assert room.sources and all(len(source.split()) >= 2 for source in room.sources)
     for id in room.made_of:
         room.item(id)
     for item in room.items:

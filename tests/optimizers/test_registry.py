@@ -18,7 +18,7 @@ from tests.optimizers.batches import STEPWISE
 
 
 def test_all_are_entered():
-    assert {"search", *STEPWISE} <= set(OPTIMIZERS)
+    assert set(OPTIMIZERS) == {"search", "projection", *STEPWISE}
 
 
 @pytest.mark.parametrize("name", OPTIMIZERS)

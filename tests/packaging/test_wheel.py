@@ -1,5 +1,6 @@
 """The two archives hold the whole library as real files, and the wheel works away from the repository."""
 
+import json
 import os
 import stat
 import subprocess
@@ -118,4 +119,7 @@ def test_wheel_brings_the_command(python, tmp_path):
 
 def test_command_judges_a_scene_away_from_the_repository(python, tmp_path):
     # 3: judged, and found not valid. Here it only counts that nothing is missing.
-    run(python.with_name("sceneweaver"), "check", ROOT / "tests/zoo/bedroom.json", cwd=tmp_path, codes=(0, 3))
+    command = python.with_name("sceneweaver"), "check", ROOT / "tests/zoo/bedroom.json", "--json"
+    judged = json.loads(run(*command, cwd=tmp_path, codes=(0, 3)))
+    assert judged["schema"] == "sceneweaver.metrics/1"
+    assert judged["placed"] == len(json.loads((ROOT / "tests/zoo/bedroom.json").read_text())["objects"])

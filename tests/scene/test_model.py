@@ -291,7 +291,11 @@ def test_zones_and_surfaces_may_be_concave(small):
     concave = [[0, 0], [1, 0], [0.2, 0.2], [0, 1]]
     small["objects"][1]["zones"][0]["polygon"] = concave
     small["objects"][1]["surfaces"][0]["polygon"] = concave
-    Scene.from_json(small)
+    desk = Scene.from_json(small).objects[1]
+    assert desk.zones[0].polygon == desk.surfaces[0].polygon == tuple(map(tuple, concave))
+    small["objects"][1]["parts"][0]["polygon"] = concave
+    with pytest.raises(InputError, match="convex"):
+        Scene.from_json(small)
 
 
 def test_parts_have_no_limit_of_number_or_corners(small):
