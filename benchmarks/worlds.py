@@ -21,7 +21,7 @@ from benchmarks.layouts import Case, designed, small
 from benchmarks.results import Column, Result
 from sceneweaver.physics.batch import run
 from sceneweaver.physics.settle import LITTLE
-from sceneweaver.physics.worlds import PRODUCT, Outcome, Solver, Template, merged, run_c, shifts, steps_of
+from sceneweaver.physics.worlds import PRODUCT, SimulationResult, Solver, Template, merged, run_c, shifts, steps_of
 
 ROWS: tuple[tuple[str, str, Solver], ...] = (
     ("box", "product", PRODUCT),
@@ -150,7 +150,7 @@ def measure(
 
 def _alone(
     template: Template, start: np.ndarray, steps: int, threads: int, budget: float
-) -> tuple[Outcome, float, int]:
+) -> tuple[SimulationResult, float, int]:
     """(outcome of all, seconds a world on one core that has nothing else to do, worlds timed)."""
     run_c(template, start[:1], min(steps, 10))
     parts, spent, done = [], 0.0, 0
