@@ -7,191 +7,124 @@ shortest. Given the face, the clearance of each vertex is smooth in both poses, 
 
 import warp as wp
 
-from .energy import overlap_in_z
-from .geometry import FAR, discs_apart, perp, plane_of, turn, turn_back, way_out
-from .inequality import ROWS, SURE, Inequality, add_row, wanting
+from .bodies import Body, Candidate
+from .geometry import FAR, discs_apart, overlap_in_z, parting_face, perp, plane_of, turn, turn_back
+from .inequality import ROWS, SURE, InequalitySystem, add_row, wanting
 from .tables import State, TablesRef
+from .terms_contacts import Contact
 
 wp.set_module_options({"enable_backward": False})
 
 SPARE = wp.constant(8)  # rows of an object kept for what is violated
 
 
-@wp.func(inline=False)
-def parting_face(
-    t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, far: wp.float32
-):
-    """The face, of prism a or b, with the largest clearance of the other prism: (clearance, face, 1 when it is a's).
+@wp.struct
+class NearestVertices:
+    """The two vertices that lie furthest against a direction, and how far along it they lie [m]; -1: none."""
 
-    As `geometry.separation`, which finds the same clearance: faces that are no way out only tell whether the prisms
-    are apart. The face is -1 when they are further apart than ``far``.
-    """
-    best = float(-FAR)
-    best_face = int(-1)
-    best_mine = int(1)
-    shut = float(-FAR)
-    shut_face = int(-1)
-    shut_mine = int(1)
-    a0 = t[0].prism_start[a]
-    a1 = t[0].prism_start[a + 1]
-    b0 = t[0].prism_start[b]
-    b1 = t[0].prism_start[b + 1]
-    ab = pb - pa
-    for k in range(a0, a1 + b1 - b0):
-        mine = int(1)
-        face = k
-        v0 = b0
-        v1 = b1
-        q = qa
-        other = qb
-        towards = ab
-        if k >= a1:
-            mine = 0
-            face = b0 + k - a1
-            v0 = a0
-            v1 = a1
-            q = qb
-            other = qa
-            towards = -ab
-        plane = t[0].edge[face]
-        n = turn(q, wp.vec2(plane[0], plane[1]))
-        m = turn_back(other, n)
-        low = float(FAR)
-        rest = int(v0)
-        for v in range(v0, v1):
-            d = wp.dot(m, t[0].vertex[v])
-            if d < low:
-                low = d
-                rest = v
-        clear = low + wp.dot(n, towards) - plane[2]
-        if clear > far:
-            return clear, int(-1), int(1)
-        if clear > wp.min(best, shut):
-            if way_out(t, face, v0, v1, rest):
-                if clear > best:
-                    best = clear
-                    best_face = face
-                    best_mine = mine
-            else:
-                if clear > 0.0:
-                    return FAR, int(-1), int(1)
-                if clear > shut:
-                    shut = clear
-                    shut_face = face
-                    shut_mine = mine
-    if best == -FAR:
-        return shut, shut_face, shut_mine
-    return best, best_face, best_mine
+    lowest: wp.int32
+    second: wp.int32
+    low: wp.float32
+    next: wp.float32
+
+
+@wp.func
+def no_vertices():
+    """Nothing looked at yet."""
+    return NearestVertices(-1, -1, FAR, FAR)
+
+
+@wp.func
+def nearest_vertices(t: TablesRef, prism: wp.int32, m: wp.vec2, offset: wp.float32, x: NearestVertices):
+    """The two nearest vertices among those so far and a prism's, along m (in its frame) from an offset."""
+    for v in range(t[0].prism_start[prism], t[0].prism_start[prism + 1]):
+        d = wp.dot(m, t[0].vertex[v]) + offset
+        if d < x.low:
+            x.next = x.low
+            x.second = x.lowest
+            x.low = d
+            x.lowest = v
+        elif d < x.next:
+            x.next = d
+            x.second = v
+    return x
 
 
 @wp.func(inline=False)
-def add_contacts(
+def add_contact_rows(
     t: TablesRef,
-    o0: wp.int32,
-    candidate: wp.int32,
-    base: wp.int32,
-    count: wp.int32,
-    i: wp.int32,
-    parts_a: wp.vec2i,
-    pose_a: wp.vec4,
-    qa: wp.vec2,
-    j: wp.int32,
-    parts_b: wp.vec2i,
-    pose_b: wp.vec4,
-    qb: wp.vec2,
-    hold: wp.float32,
+    c: Candidate,
+    a: Body,
+    b: Body,
+    contact: Contact,
     least: wp.float32,
     reach: wp.float32,
+    count: wp.int32,
     s: State,
-    shift: wp.array2d(dtype=wp.vec4),
-    rows: wp.array2d(dtype=Inequality),
-    keys: wp.array2d(dtype=wp.int32),
+    system: InequalitySystem,
 ):
-    """Rows that keep two ranges of prisms, of objects i and j (-1: static), apart.
+    """Rows that keep the prisms of a contact of two bodies apart.
 
     Each pair of prisms gets the two vertices nearest to the parting face, so that a face may rest on a face. Returns
     the number of rows so far, and by how much [m] the pairs miss the verdict's limit in all, without those that cannot
     move.
     """
-    pa = plane_of(pose_a)
-    pb = plane_of(pose_b)
+    count = int(count)
+    pa = plane_of(a.pose)
+    pb = plane_of(b.pose)
     missed = float(0.0)
-    for a in range(parts_a[0], parts_a[1]):
-        for b in range(parts_b[0], parts_b[1]):
-            if overlap_in_z(pose_a[2], t[0].prism_z[a], pose_b[2], t[0].prism_z[b], least):
-                if not discs_apart(t, a, pa, qa, b, pb, qb, reach):
-                    clear, face, mine = parting_face(t, a, pa, qa, b, pb, qb, reach)
-                    if face >= 0:
-                        mobile = int(0)
-                        # the face's owner, the other prism, and the direction from a to b
-                        owner = pa
-                        turned = qa
-                        v0 = t[0].prism_start[b]
-                        v1 = t[0].prism_start[b + 1]
-                        at = pb
-                        q = qb
-                        if mine == 0:
-                            owner = pb
-                            turned = qb
-                            v0 = t[0].prism_start[a]
-                            v1 = t[0].prism_start[a + 1]
-                            at = pa
-                            q = qa
-                        plane = t[0].edge[face]
-                        n = turn(turned, wp.vec2(plane[0], plane[1]))
-                        m = turn_back(q, n)
-                        offset = wp.dot(n, at - owner) - plane[2]
-                        lowest = int(-1)
-                        second = int(-1)
-                        low = float(FAR)
-                        next = float(FAR)
-                        for v in range(v0, v1):
-                            d = wp.dot(m, t[0].vertex[v]) + offset
-                            if d < low:
-                                next = low
-                                second = lowest
-                                low = d
-                                lowest = v
-                            elif d < next:
-                                next = d
-                                second = v
-                        out = n
-                        if mine == 0:
-                            out = -n
-                        for k in range(2):
-                            v = lowest
-                            d = low
-                            if k == 1:
-                                v = second
-                                d = next
-                            if v >= 0 and d < reach:
-                                room = ROWS
-                                if d > hold:
-                                    room = ROWS - SPARE
-                                if count >= room:
-                                    mobile = 1
-                                else:
-                                    point = at + turn(q, t[0].vertex[v])
-                                    ga = wp.vec4(-out[0], -out[1], 0.0, -wp.dot(out, perp(point - pa)))
-                                    gb = wp.vec4(out[0], out[1], 0.0, wp.dot(out, perp(point - pb)))
-                                    one = add_row(
-                                        t,
-                                        o0,
-                                        candidate,
-                                        base + count,
-                                        wp.vec3i(i, j, -1),
-                                        ga,
-                                        gb,
-                                        wp.vec4(0.0, 0.0, 0.0, 0.0),
-                                        wanting(d, hold),
-                                        face * 32768 + v,
-                                        s,
-                                        shift,
-                                        rows,
-                                        keys,
-                                    )
-                                    count += one
-                                    mobile += one
-                        if mobile > 0:
-                            missed += wp.max(hold + SURE - clear, 0.0)
+    for i in range(contact.first[0], contact.first[1]):
+        for j in range(contact.second[0], contact.second[1]):
+            near = overlap_in_z(a.pose[2], t[0].prism_z[i], b.pose[2], t[0].prism_z[j], least)
+            if near and not discs_apart(t, i, pa, a.turn, j, pb, b.turn, reach):
+                parting = parting_face(t, i, pa, a.turn, j, pb, b.turn, reach)
+                if parting.face >= 0:
+                    # the face's owner, the other prism, and the direction from a to b
+                    owner = pa
+                    turned = a.turn
+                    other = j
+                    at = pb
+                    q = b.turn
+                    if not parting.of_first:
+                        owner = pb
+                        turned = b.turn
+                        other = i
+                        at = pa
+                        q = a.turn
+                    plane = t[0].edge[parting.face]
+                    n = turn(turned, wp.vec2(plane[0], plane[1]))
+                    offset = wp.dot(n, at - owner) - plane[2]
+                    nearest = nearest_vertices(t, other, turn_back(q, n), offset, no_vertices())
+                    out = n
+                    if not parting.of_first:
+                        out = -n
+                    mobile = int(0)
+                    for k in range(2):
+                        v = wp.where(k == 0, nearest.lowest, nearest.second)
+                        d = wp.where(k == 0, nearest.low, nearest.next)
+                        if v >= 0 and d < reach:
+                            room = ROWS
+                            if d > contact.hold:
+                                room = ROWS - SPARE
+                            if count >= room:
+                                mobile = 1
+                            else:
+                                point = at + turn(q, t[0].vertex[v])
+                                added = add_row(
+                                    t,
+                                    c,
+                                    a.obj * ROWS + count,
+                                    wp.vec3i(a.obj, b.obj, -1),
+                                    wp.vec4(-out[0], -out[1], 0.0, -wp.dot(out, perp(point - pa))),
+                                    wp.vec4(out[0], out[1], 0.0, wp.dot(out, perp(point - pb))),
+                                    wp.vec4(0.0, 0.0, 0.0, 0.0),
+                                    wanting(d, contact.hold),
+                                    parting.face * 32768 + v,
+                                    s,
+                                    system,
+                                )
+                                count += added
+                                mobile += added
+                    if mobile > 0:
+                        missed += wp.max(contact.hold + SURE - parting.clearance, 0.0)
     return count, missed

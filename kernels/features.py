@@ -10,7 +10,6 @@ import warp as wp
 from .array_access import item
 from .geometry import FAR, box_distance, distance, perp, plane_of, turn, turn_back, wrap
 from .tables import (
-    DISTANCES,
     FEATURE_ASIDE,
     FEATURE_BEARING,
     FEATURE_BETWEEN,
@@ -31,6 +30,19 @@ wp.set_module_options({"enable_backward": False})
 TURN = wp.constant(6.283185307179586)
 STEP = wp.constant(2.0e-3)  # [m, rad] of central differences: float32 keeps four digits of the slope
 TINY = wp.constant(1.0e-8)  # [m2] keeps angles about a coinciding centre finite
+
+
+@wp.struct
+class RelationPoses:
+    """The objects of a relation: global indices of the first two (-1: none) and the poses of all three."""
+
+    a: wp.int32
+    b: wp.int32
+    pose_a: wp.vec4
+    qa: wp.vec2  # (cos, sin) of the yaw
+    pose_b: wp.vec4
+    qb: wp.vec2
+    pose_c: wp.vec4
 
 
 @wp.func
@@ -261,29 +273,18 @@ def user_feature(kind: wp.int32, role: wp.int32, a: wp.vec4, b: wp.vec4, size_a:
 
 
 @wp.func(inline=False)
-def other_feature(
-    t: TablesRef,
-    row: wp.int32,
-    role: wp.int32,
-    a: wp.int32,
-    b: wp.int32,
-    pose_a: wp.vec4,
-    qa: wp.vec2,
-    pose_b: wp.vec4,
-    qb: wp.vec2,
-    pose_c: wp.vec4,
-):
+def other_feature(t: TablesRef, row: wp.int32, role: wp.int32, x: RelationPoses):
     """`feature` for all but plain kinds of rows."""
     kind = item(t[0].row_feature, row)
-    pa = plane_of(pose_a)
-    pb = plane_of(pose_b)
-    pc = plane_of(pose_c)
+    pa = plane_of(x.pose_a)
+    pb = plane_of(x.pose_b)
+    pc = plane_of(x.pose_c)
     value = float(0.0)
     grad = wp.vec4(0.0, 0.0, 0.0, 0.0)
     if kind == FEATURE_BEARING:
-        value, grad = bearing_feature(role, pa, qa, pb)
+        value, grad = bearing_feature(role, pa, x.qa, pb)
     elif kind == FEATURE_DISTANCE:
-        value, grad = distance_feature(t, row, role, a, pa, qa, b, pb, qb, False)
+        value, grad = distance_feature(t, row, role, x.a, pa, x.qa, x.b, pb, x.qb, False)
     elif kind == FEATURE_BETWEEN:
         value, grad = between_feature(role, pa, pb, pc)
     elif kind == FEATURE_ASIDE:
@@ -294,10 +295,10 @@ def other_feature(
         u = point_of(t, row)
         v = normal_of(t, row)
         size_b = wp.vec3(0.0, 0.0, 0.0)
-        if b >= 0:
-            size_b = item(t[0].object_size, b)
+        if x.b >= 0:
+            size_b = item(t[0].object_size, x.b)
         value, grad = user_feature(
-            kind, role, pose_a, pose_b, item(t[0].object_size, a), size_b, wp.vec4(u[0], u[1], v[0], v[1])
+            kind, role, x.pose_a, x.pose_b, item(t[0].object_size, x.a), size_b, wp.vec4(u[0], u[1], v[0], v[1])
         )
     if role == 2 and kind != FEATURE_BETWEEN and kind != FEATURE_ASIDE and kind != FEATURE_SPREAD:
         grad = wp.vec4(0.0, 0.0, 0.0, 0.0)  # those do not look at the second target
@@ -305,36 +306,25 @@ def other_feature(
 
 
 @wp.func
-def plain_feature(
-    t: TablesRef,
-    row: wp.int32,
-    role: wp.int32,
-    a: wp.int32,
-    b: wp.int32,
-    pose_a: wp.vec4,
-    qa: wp.vec2,
-    pose_b: wp.vec4,
-    qb: wp.vec2,
-    without: wp.int32,
-):
-    """`feature` for plain rows, and for distances of boxes unless ``without`` leaves them out."""
+def plain_feature(t: TablesRef, row: wp.int32, role: wp.int32, x: RelationPoses, distances: wp.bool):
+    """`feature` for plain rows and, where asked for, for distances of boxes."""
     kind = item(t[0].row_feature, row)
-    pa = plane_of(pose_a)
+    pa = plane_of(x.pose_a)
     value = float(0.0)
     grad = wp.vec4(0.0, 0.0, 0.0, 0.0)
     if kind == FEATURE_LINE:
-        value, grad = line_feature(t, row, role, pa, qa, plane_of(pose_b), qb)
+        value, grad = line_feature(t, row, role, pa, x.qa, plane_of(x.pose_b), x.qb)
     elif kind == FEATURE_YAW:
-        value, grad = yaw_feature(t, row, role, pose_a[3], pose_b[3])
+        value, grad = yaw_feature(t, row, role, x.pose_a[3], x.pose_b[3])
     elif kind == FEATURE_EXTENT:
-        value, grad = extent_feature(t, row, a, pa, qa)
+        value, grad = extent_feature(t, row, x.a, pa, x.qa)
     elif kind == FEATURE_WINDOW:
-        value, grad = window_feature(t, row, a, pa, qa)
+        value, grad = window_feature(t, row, x.a, pa, x.qa)
     elif kind == FEATURE_HEIGHT:
-        value = pose_a[2] - pose_b[2] - offset_of(t, row)
+        value = x.pose_a[2] - x.pose_b[2] - offset_of(t, row)
         grad = wp.vec4(0.0, 0.0, wp.where(role == 0, 1.0, -1.0), 0.0)
-    elif (without & DISTANCES) == 0 and kind == FEATURE_DISTANCE:
-        value, grad = distance_feature(t, row, role, a, pa, qa, b, plane_of(pose_b), qb, True)
+    elif distances and kind == FEATURE_DISTANCE:
+        value, grad = distance_feature(t, row, role, x.a, pa, x.qa, x.b, plane_of(x.pose_b), x.qb, True)
     else:  # FEATURE_CONSTANT
         value = offset_of(t, row)
     if role == 2:  # they do not look at the second target
@@ -343,23 +333,12 @@ def plain_feature(
 
 
 @wp.func
-def feature(
-    t: TablesRef,
-    row: wp.int32,
-    role: wp.int32,
-    a: wp.int32,
-    b: wp.int32,
-    pose_a: wp.vec4,
-    qa: wp.vec2,
-    pose_b: wp.vec4,
-    qb: wp.vec2,
-    pose_c: wp.vec4,
-):
-    """Value of a row's feature and its gradient for one role; a and b are global object indices."""
+def feature(t: TablesRef, row: wp.int32, role: wp.int32, x: RelationPoses):
+    """Value of a row's feature and its gradient for the pose of the object in one role."""
     value = float(0.0)
     grad = wp.vec4(0.0, 0.0, 0.0, 0.0)
     if item(t[0].row_feature, row) < FEATURES_PLAIN:
-        value, grad = plain_feature(t, row, role, a, b, pose_a, qa, pose_b, qb, DISTANCES)
+        value, grad = plain_feature(t, row, role, x, False)
     else:
-        value, grad = other_feature(t, row, role, a, b, pose_a, qa, pose_b, qb, pose_c)
+        value, grad = other_feature(t, row, role, x)
     return value, grad

@@ -51,6 +51,12 @@ def wrap(angle: wp.float32, period: wp.float32):
 
 
 @wp.func
+def overlap_in_z(za: wp.float32, a: wp.vec2, zb: wp.float32, b: wp.vec2, least: wp.float32):
+    """True when two z intervals overlap by more than the least: z decides whether, never how."""
+    return wp.min(za + a[1], zb + b[1]) - wp.max(za + a[0], zb + b[0]) > least
+
+
+@wp.func
 def discs_apart(
     t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
 ):
@@ -147,21 +153,31 @@ def way_out(t: TablesRef, face: wp.int32, first: wp.int32, last: wp.int32, rest:
     return item(t[0].edge_real, face) == 1 and item(t[0].edge_real, rest) == 1 and item(t[0].edge_real, before) == 1
 
 
+@wp.struct
+class PartingFace:
+    """The face of one of two convex polygons a and b that parts them best, and the other's vertex nearest to it."""
+
+    clearance: wp.float32  # [m], negative is depth
+    face: wp.int32  # -1: they are known to be apart, whatever the best face is
+    of_first: wp.bool  # the face is a's
+    vertex: wp.int32
+
+
 @wp.func(inline=False)
-def separation(
+def parting_face(
     t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
 ):
-    """Separating-axis distance of two convex polygons over the face normals of both; negative is depth.
+    """The separating axis of two convex polygons among the face normals of both.
 
-    Stops at the first axis that parts them by more than the margin (the value is then just some number above it).
+    Stops at the first axis that parts them by more than the margin (the clearance is then just some number above it).
     Axes that are no way out (`way_out`) part the polygons, but a body inside is never pushed along them.
     """
-    best = float(-FAR)
-    best_n = wp.vec2(1.0, 0.0)
-    best_x = pa
-    shut = float(-FAR)
-    shut_n = wp.vec2(1.0, 0.0)
-    shut_x = pa
+    best = PartingFace()
+    best.clearance = -FAR
+    best.face = -1
+    shut = PartingFace()
+    shut.clearance = -FAR
+    shut.face = -1
     a0 = item(t[0].prism_start, a)
     a1 = item(t[0].prism_start, a + 1)
     b0 = item(t[0].prism_start, b)
@@ -169,21 +185,22 @@ def separation(
     ab = pb - pa
     for k in range(a0, a1 + b1 - b0):
         # a's faces against b's vertices, then b's faces against a's
-        mine = k < a1
-        face = k
+        here = PartingFace()
+        here.of_first = k < a1
+        here.face = k
         v0 = b0
         v1 = b1
         q = qa
         other = qb
         towards = ab
-        if not mine:
-            face = b0 + k - a1
+        if k >= a1:
+            here.face = b0 + k - a1
             v0 = a0
             v1 = a1
             q = qb
             other = qa
             towards = -ab
-        plane = item(t[0].edge, face)
+        plane = item(t[0].edge, here.face)
         n = turn(q, wp.vec2(plane[0], plane[1]))
         m = turn_back(other, n)
         low = float(FAR)
@@ -193,30 +210,45 @@ def separation(
             if d < low:
                 low = d
                 rest = v
-        s = low + wp.dot(n, towards) - plane[2]
-        if s > margin:
-            return s, n, pa
-        if s > wp.min(best, shut):
-            x = pb + turn(qb, item(t[0].vertex, rest))
-            out = n
-            if not mine:
-                x = pa + turn(qa, item(t[0].vertex, rest))
-                out = -n
-            if way_out(t, face, v0, v1, rest):
-                if s > best:
-                    best = s
-                    best_n = out
-                    best_x = x
+        here.vertex = rest
+        here.clearance = low + wp.dot(n, towards) - plane[2]
+        if here.clearance > margin:
+            here.face = -1
+            return here
+        if here.clearance > wp.min(best.clearance, shut.clearance):
+            if way_out(t, here.face, v0, v1, rest):
+                if here.clearance > best.clearance:
+                    best = here
             else:
-                if s > 0.0:
-                    return FAR, n, pa
-                if s > shut:
-                    shut = s
-                    shut_n = out
-                    shut_x = x
-    if best == -FAR:
-        return shut, shut_n, shut_x
-    return best, best_n, best_x
+                if here.clearance > 0.0:
+                    here.clearance = FAR
+                    here.face = -1
+                    return here
+                if here.clearance > shut.clearance:
+                    shut = here
+    if best.clearance == -FAR:
+        return shut
+    return best
+
+
+@wp.func(inline=False)
+def separation(
+    t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
+):
+    """Separating-axis distance of two convex polygons; negative is depth. Stops as `parting_face` does."""
+    found = parting_face(t, a, pa, qa, b, pb, qb, margin)
+    n = wp.vec2(1.0, 0.0)
+    x = pa
+    if found.face >= 0:
+        plane = item(t[0].edge, found.face)
+        rest = item(t[0].vertex, found.vertex)
+        if found.of_first:
+            n = turn(qa, wp.vec2(plane[0], plane[1]))
+            x = pb + turn(qb, rest)
+        else:
+            n = -turn(qb, wp.vec2(plane[0], plane[1]))
+            x = pa + turn(qa, rest)
+    return found.clearance, n, x
 
 
 @wp.func

@@ -1,12 +1,15 @@
 """Bodies of several objects: a root with all that it carries, or with everything that it places as well."""
 
+from functools import cache
+
 import warp as wp
 
 from .array_access import item, item_strided
-from .energy import object_energy
+from .bodies import Candidate, free_part
+from .evaluator import EVERY_KIND, object_evaluator
 from .features import TURN
 from .geometry import perp, plane_of, turn, wrap
-from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Margins, Share, State, TablesRef, View, Weights
+from .tables import Energy, Margins, State, TablesRef, TermSlice, View, Weights
 
 wp.set_module_options({"enable_backward": False})
 
@@ -67,47 +70,45 @@ def redraw_surfaces(
             poses[candidate, i] = wp.vec4(at[0], at[1], base[2] + item(t[0].surface_height, d), yaw)
 
 
-@wp.func
-def group_energy(
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
-    p: wp.int32,
-    candidate: wp.int32,
-    first: wp.int32,
-    last: wp.int32,
-    s: State,
-    limit: wp.float32,
-    view: View,
-    part: Share,
-):
-    """Energy, share, soft share and gradient of the objects group[first:last] as one rigid body about the first.
+@cache
+def group_evaluator(kinds: int) -> wp.Function:
+    """A function that adds up some kinds of terms of the objects group[first:last], as one rigid body about the first.
 
-    Pairs among what the view moves are left out, and so is the rest once the energy exceeds the limit. What the lanes
-    of a subwarp return adds up.
+    Pairs among what the view moves are left out, and so is the rest once the energy exceeds the limit.
     """
-    root = item(t[0].group, first)
-    at = plane_of(item_strided(s.poses, candidate, root))
-    e = float(0.0)
-    share = float(0.0)
-    soft = float(0.0)
-    g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    for k in range(first, last):
-        if e > limit:
-            break
-        i = item(t[0].group, k)
-        ei, hi, fi, gi = object_energy(t, m, w, p, candidate, i, s, limit - e, view, part)
-        e += ei
-        share += hi
-        soft += fi
-        arm = perp(plane_of(item_strided(s.poses, candidate, i)) - at)
-        g += wp.vec4(gi[0], gi[1], gi[2], gi[3] + gi[0] * arm[0] + gi[1] * arm[1])
-    free = item(t[0].object_free, item(t[0].object_start, p) + root)
-    if (free & FREE_PLANE) == 0:
-        g[0] = 0.0
-        g[1] = 0.0
-    if (free & FREE_Z) == 0:
-        g[2] = 0.0
-    if (free & FREE_YAW) == 0:
-        g[3] = 0.0
-    return e, share, soft, g
+    object_energy = object_evaluator(kinds)
+
+    @wp.func(name=f"group_energy_{kinds}")
+    def energy(
+        t: TablesRef,
+        m: Margins,
+        w: Weights,
+        c: Candidate,
+        first: wp.int32,
+        last: wp.int32,
+        s: State,
+        view: View,
+        part: TermSlice,
+    ):
+        root = item(t[0].group, first)
+        at = plane_of(item_strided(s.poses, c.index, root))
+        total = Energy()
+        for k in range(first, last):
+            if total.value > part.limit:
+                break
+            i = item(t[0].group, k)
+            rest = TermSlice(part.first, part.step, part.limit - total.value)
+            e = object_energy(t, m, w, c, i, s, view, rest)
+            total.value += e.value
+            total.share += e.share
+            total.soft += e.soft
+            arm = perp(plane_of(item_strided(s.poses, c.index, i)) - at)
+            g = e.gradient
+            total.gradient += wp.vec4(g[0], g[1], g[2], g[3] + g[0] * arm[0] + g[1] * arm[1])
+        total.gradient = free_part(t, c.first_object + root, total.gradient)
+        return total
+
+    return energy
+
+
+group_energy = group_evaluator(EVERY_KIND)

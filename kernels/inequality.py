@@ -6,8 +6,9 @@ the object is on.
 
 import warp as wp
 
+from .bodies import Candidate, free_part
 from .geometry import perp, plane_of
-from .tables import FREE_PLANE, FREE_YAW, FREE_Z, State, TablesRef
+from .tables import State, TablesRef
 
 wp.set_module_options({"enable_backward": False})
 
@@ -30,6 +31,15 @@ class Inequality:
     inverse: wp.float32  # of J W^-1 J^T, where W holds the weights of the squared movement
 
 
+@wp.struct
+class InequalitySystem:
+    """The inequalities of all candidates; slots of an object's rows begin at ROWS times its index."""
+
+    rows: wp.array2d(dtype=Inequality)  # [candidate, slot]
+    keys: wp.array2d(dtype=wp.int32)  # [candidate, slot]: by which a row is known again in the next step
+    shift: wp.array2d(dtype=wp.vec4)  # [candidate, object]: how far each root is from its anchor
+
+
 @wp.func
 def mobility(v: wp.vec4):
     """W^-1 v: the least movement that a unit pull along v causes."""
@@ -37,28 +47,19 @@ def mobility(v: wp.vec4):
 
 
 @wp.func
-def on_root(t: TablesRef, o0: wp.int32, obj: wp.int32, g: wp.vec4, s: State, candidate: wp.int32):
+def on_root(t: TablesRef, c: Candidate, obj: wp.int32, g: wp.vec4, s: State):
     """A gradient for an object's pose as one for the pose of its root, without what the root is not free to do."""
-    root = t[0].object_root[o0 + obj]
+    root = t[0].object_root[c.first_object + obj]
     if root != obj:
-        arm = perp(plane_of(s.poses[candidate, obj]) - plane_of(s.poses[candidate, root]))
+        arm = perp(plane_of(s.poses[c.index, obj]) - plane_of(s.poses[c.index, root]))
         g[3] = g[3] + g[0] * arm[0] + g[1] * arm[1]
-    free = t[0].object_free[o0 + root]
-    if (free & FREE_PLANE) == 0:
-        g[0] = 0.0
-        g[1] = 0.0
-    if (free & FREE_Z) == 0:
-        g[2] = 0.0
-    if (free & FREE_YAW) == 0:
-        g[3] = 0.0
-    return g
+    return free_part(t, c.first_object + root, g)
 
 
 @wp.func(inline=False)
 def add_row(
     t: TablesRef,
-    o0: wp.int32,
-    candidate: wp.int32,
+    c: Candidate,
     slot: wp.int32,
     who: wp.vec3i,
     ga: wp.vec4,
@@ -67,50 +68,65 @@ def add_row(
     missing: wp.float32,
     key: wp.int32,
     s: State,
-    shift: wp.array2d(dtype=wp.vec4),
-    rows: wp.array2d(dtype=Inequality),
-    keys: wp.array2d(dtype=wp.int32),
+    system: InequalitySystem,
 ):
     """Write a row into a slot: the gradients for the objects ``who`` have to gain what is missing at the present poses.
 
     Returns 1, or 0 when nothing that is free to move can change it.
     """
     row = Inequality()
-    a = t[0].object_root[o0 + who[0]]
+    a = t[0].object_root[c.first_object + who[0]]
     row.body = wp.vec3i(a, -1, -1)
-    row.first = on_root(t, o0, who[0], ga, s, candidate)
+    row.first = on_root(t, c, who[0], ga, s)
     row.goal = missing
     if who[1] >= 0:
-        b = t[0].object_root[o0 + who[1]]
-        g = on_root(t, o0, who[1], gb, s, candidate)
+        b = t[0].object_root[c.first_object + who[1]]
+        g = on_root(t, c, who[1], gb, s)
         if b == a:
             row.first += g
         else:
             row.body[1] = b
             row.second = g
     if who[2] >= 0:
-        c = t[0].object_root[o0 + who[2]]
-        h = on_root(t, o0, who[2], gc, s, candidate)
-        if c == a:
+        third = t[0].object_root[c.first_object + who[2]]
+        h = on_root(t, c, who[2], gc, s)
+        if third == a:
             row.first += h
-        elif c == row.body[1]:
+        elif third == row.body[1]:
             row.second += h
         else:
-            row.body[2] = c
+            row.body[2] = third
             row.third = h
     size = wp.dot(row.first, mobility(row.first)) + wp.dot(row.second, mobility(row.second))
     size += wp.dot(row.third, mobility(row.third))
     if size < 1.0e-8:
         return int(0)
     row.inverse = 1.0 / size
-    row.goal += wp.dot(row.first, shift[candidate, a])
+    row.goal += wp.dot(row.first, system.shift[c.index, a])
     if row.body[1] >= 0:
-        row.goal += wp.dot(row.second, shift[candidate, row.body[1]])
+        row.goal += wp.dot(row.second, system.shift[c.index, row.body[1]])
     if row.body[2] >= 0:
-        row.goal += wp.dot(row.third, shift[candidate, row.body[2]])
-    rows[candidate, slot] = row
-    keys[candidate, slot] = key
+        row.goal += wp.dot(row.third, system.shift[c.index, row.body[2]])
+    system.rows[c.index, slot] = row
+    system.keys[c.index, slot] = key
     return int(1)
+
+
+@wp.func
+def add_own_row(
+    t: TablesRef,
+    c: Candidate,
+    obj: wp.int32,
+    slot: wp.int32,
+    g: wp.vec4,
+    missing: wp.float32,
+    key: wp.int32,
+    s: State,
+    system: InequalitySystem,
+):
+    """`add_row` of one object alone."""
+    none = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    return add_row(t, c, slot, wp.vec3i(obj, -1, -1), g, none, none, missing, key, s, system)
 
 
 @wp.func

@@ -7,8 +7,9 @@ its `SearchState`, so that the proposals of a job, and the jobs of different can
 import warp as wp
 
 from .array_access import item
+from .bodies import Candidate
 from .groups import members_end
-from .starts import GIVEN, Plan
+from .starts import Plan
 from .state_machine import MOVE, RATE, RETURN, SQUARE, STEP, SURVEY
 from .tables import TablesRef, Weights
 
@@ -19,23 +20,13 @@ BACK_STEPS = wp.constant(4)  # shares of the way back that are tried
 
 
 @wp.struct
-class Context:
-    """Which candidate a search is about, and how far its attempt is."""
-
-    candidate: wp.int32
-    problem: wp.int32
-    first_object: wp.int32  # global index of the problem's object 0
-    objects: wp.int32
-    round: wp.int32  # of the attempt
-    anchored: wp.bool  # the attempt keeps what is in order where it is
-
-
-@wp.struct
 class SearchState:
     """Where the search of a candidate stands: the job to be done, and what is remembered between jobs."""
 
     job: wp.int32
     phase: wp.int32
+    round: wp.int32  # of the attempt
+    anchored: wp.int32  # 1: the attempt keeps what is in order where it is
     move: wp.int32  # moves made in this round
     soft_moves: wp.int32  # of these, those made for soft relations, since the hard ones held
     sweep: wp.int32  # gradient sweeps
@@ -72,28 +63,15 @@ class JobResult:
 
 
 @wp.func
-def context_of(t: TablesRef, plan: Plan, p: wp.int32, candidate: wp.int32, clock: wp.array(dtype=wp.int32)):
-    """The context of a candidate's search in the present round."""
-    c = Context()
-    c.candidate = candidate
-    c.problem = p
-    c.first_object = item(t[0].object_start, p)
-    c.objects = item(t[0].object_start, p + 1) - c.first_object
-    c.round = clock[0] % plan.rounds
-    c.anchored = plan.start == GIVEN and clock[0] // plan.rounds < plan.anchored_attempts
-    return c
-
-
-@wp.func
-def weights_at(w: Weights, anchored: wp.bool):
+def weights_at(w: Weights, d: SearchState):
     """The weights of an attempt: something pulls back in those only that are anchored."""
-    if not anchored:
+    if d.anchored == 0:
         w.pull = 0.0
     return w
 
 
 @wp.func
-def proposal_count(d: SearchState, c: Context, plan: Plan):
+def proposal_count(d: SearchState, c: Candidate, plan: Plan):
     """How many proposals a job rates."""
     if d.job == SURVEY:
         return c.objects

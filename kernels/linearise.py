@@ -1,353 +1,189 @@
-"""Feasibility near a layout as linear inequalities: bounds, openings, hard relations, collisions and zones."""
+"""Feasibility near a layout as linear inequalities: bounds, openings, hard relations, collisions and zones.
+
+The functions that add rows return how many an object has so far, and by how much [m] its terms miss the verdict's
+limits in all, without those that nothing free to move can mend.
+"""
 
 import warp as wp
 
-from .contacts import add_contacts
-from .energy import EAST
+from .bodies import Body, Candidate, body_of, candidate_of, fixture_body
+from .contacts import add_contact_rows, nearest_vertices, no_vertices
 from .features import feature
 from .geometry import FAR, perp, plane_of, turn, turn_back
-from .inequality import ROWS, SLACK, SURE, Inequality, add_row, wanting
-from .tables import (
-    FIXTURE_SOLID,
-    FREE_Z,
-    PAIR_COLLIDE,
-    PAIR_RIGID,
-    PAIR_ZONE_OF_FIRST,
-    PAIR_ZONE_OF_SECOND,
-    SOLIDS,
-    ZONES,
-    Margins,
-    State,
-    TablesRef,
-    parts_of,
-)
+from .inequality import ROWS, SLACK, SURE, InequalitySystem, add_own_row, add_row, wanting
+from .tables import FREE_Z, PAIR_RIGID, Margins, State, TablesRef, View
+from .terms_contacts import CONTACTS, FIXTURE, contact_of, meets_fixture, reach_of_pair
+from .terms_relations import relation_poses
 
 wp.set_module_options({"enable_backward": False})
 
+# Keys of rows; a contact's is face * 32768 + vertex.
+KEY_FLOOR = wp.constant(-1)
+KEY_CEILING = wp.constant(-2)
+KEY_WALL = wp.constant(-3)  # less half plane * 32768 + vertex
+KEY_RELATION = wp.constant(1073741824)  # plus twice the row of tables, plus the side
+
 
 @wp.func(inline=False)
-def add_bounds(
-    t: TablesRef,
-    m: Margins,
-    p: wp.int32,
-    candidate: wp.int32,
-    obj: wp.int32,
-    base: wp.int32,
-    count: wp.int32,
-    reach: wp.float32,
-    s: State,
-    shift: wp.array2d(dtype=wp.vec4),
-    rows: wp.array2d(dtype=Inequality),
-    keys: wp.array2d(dtype=wp.int32),
+def add_wall_rows(
+    t: TablesRef, m: Margins, c: Candidate, x: Body, reach: wp.float32, s: State, system: InequalitySystem
 ):
-    """Rows that keep an object in the room and out of openings; returns as `add_contacts`."""
-    o0 = t[0].object_start[p]
-    o = o0 + obj
-    pose = s.poses[candidate, obj]
-    q = s.turns[candidate, obj]
-    at = plane_of(pose)
-    none = wp.vec4(0.0, 0.0, 0.0, 0.0)
+    """Rows that keep an object inside the walls."""
+    count = int(0)
     missed = float(0.0)
-    radius = t[0].object_radius[o][0]
-    for k in range(t[0].plane_start[p], t[0].plane_start[p + 1]):
+    at = plane_of(x.pose)
+    for k in range(t[0].plane_start[c.problem], t[0].plane_start[c.problem + 1]):
         plane = t[0].plane[k]
         n = wp.vec2(plane[0], plane[1])
         depth = wp.dot(n, at) - plane[2]
-        if depth - radius < reach:
-            mm = turn_back(q, n)
-            lowest = int(-1)
-            second = int(-1)
-            low = float(FAR)
-            next = float(FAR)
-            for f in range(t[0].footprint_start[o], t[0].footprint_start[o + 1]):
-                a = t[0].footprint[f]
-                for v in range(t[0].prism_start[a], t[0].prism_start[a + 1]):
-                    d = depth + wp.dot(mm, t[0].vertex[v])
-                    if d < low:
-                        next = low
-                        second = lowest
-                        low = d
-                        lowest = v
-                    elif d < next:
-                        next = d
-                        second = v
+        if depth - t[0].object_radius[x.index][0] < reach:
+            nearest = no_vertices()
+            for f in range(t[0].footprint_start[x.index], t[0].footprint_start[x.index + 1]):
+                nearest = nearest_vertices(t, t[0].footprint[f], turn_back(x.turn, n), depth, nearest)
             mobile = int(0)
-            for c in range(2):
-                v = lowest
-                d = low
-                if c == 1:
-                    v = second
-                    d = next
+            for i in range(2):
+                v = wp.where(i == 0, nearest.lowest, nearest.second)
+                d = wp.where(i == 0, nearest.low, nearest.next)
                 if count >= ROWS:
                     mobile = 1
                 elif v >= 0 and d < reach:
-                    arm = turn(q, t[0].vertex[v])
-                    g = wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(arm)))
-                    one = add_row(
-                        t,
-                        o0,
-                        candidate,
-                        base + count,
-                        wp.vec3i(obj, -1, -1),
-                        g,
-                        none,
-                        none,
-                        wanting(d, m.bounds_hold),
-                        -3 - (k * 32768 + v),
-                        s,
-                        shift,
-                        rows,
-                        keys,
-                    )
-                    count += one
-                    mobile += one
+                    g = wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(turn(x.turn, t[0].vertex[v]))))
+                    want = wanting(d, m.bounds_hold)
+                    key = KEY_WALL - (k * 32768 + v)
+                    added = add_own_row(t, c, x.obj, x.obj * ROWS + count, g, want, key, s, system)
+                    count += added
+                    mobile += added
             if mobile > 0:
-                missed += wp.max(m.bounds_hold + SURE - low, 0.0)
-    for k in range(t[0].fixture_start[p], t[0].fixture_start[p + 1]):
-        disc = t[0].prism_disc[t[0].fixture[k]]
-        to = wp.vec2(disc[0], disc[1]) - at
-        far = disc[2] + radius + reach
-        if wp.dot(to, to) < far * far:
-            solid = t[0].fixture_kind[k] == FIXTURE_SOLID
-            if solid or t[0].object_clear[o] == 1:
-                hold = wp.where(solid, m.bounds_hold, m.zone_hold)
-                prism = t[0].fixture[k]
-                more, miss = add_contacts(
-                    t,
-                    o0,
-                    candidate,
-                    base,
-                    count,
-                    obj,
-                    parts_of(t, o, SOLIDS),
-                    pose,
-                    q,
-                    -1,
-                    wp.vec2i(prism, prism + 1),
-                    none,
-                    EAST,
-                    hold,
-                    m.least_overlap_z,
-                    reach,
-                    s,
-                    shift,
-                    rows,
-                    keys,
-                )
-                count = more
-                missed += miss
-    z = t[0].object_z[o]
-    down = pose[2] + z[0]
-    up = t[0].room_height[p] - z[1] - pose[2]
-    if t[0].object_free[o] & FREE_Z:
-        missed += wp.max(m.bounds_hold - down, 0.0) + wp.max(m.bounds_hold - up, 0.0)
-        rise = wp.vec4(0.0, 0.0, 1.0, 0.0)
-        if down < reach and count < ROWS:
-            count += add_row(
-                t,
-                o0,
-                candidate,
-                base + count,
-                wp.vec3i(obj, -1, -1),
-                rise,
-                none,
-                none,
-                wanting(down, m.bounds_hold),
-                -1,
-                s,
-                shift,
-                rows,
-                keys,
-            )
-        if up < reach and count < ROWS:
-            count += add_row(
-                t,
-                o0,
-                candidate,
-                base + count,
-                wp.vec3i(obj, -1, -1),
-                -rise,
-                none,
-                none,
-                wanting(up, m.bounds_hold),
-                -2,
-                s,
-                shift,
-                rows,
-                keys,
-            )
+                missed += wp.max(m.bounds_hold + SURE - nearest.low, 0.0)
     return count, missed
 
 
 @wp.func(inline=False)
-def add_pairs(
+def add_fixture_rows(
     t: TablesRef,
     m: Margins,
-    p: wp.int32,
-    candidate: wp.int32,
-    obj: wp.int32,
-    base: wp.int32,
-    count: wp.int32,
+    c: Candidate,
+    x: Body,
     reach: wp.float32,
+    count: wp.int32,
+    missed: wp.float32,
     s: State,
-    shift: wp.array2d(dtype=wp.vec4),
-    rows: wp.array2d(dtype=Inequality),
-    keys: wp.array2d(dtype=wp.int32),
+    system: InequalitySystem,
 ):
-    """Rows of the pairs that an object looks after: solids apart, and out of hard zones. Returns as `add_contacts`.
+    """Rows that keep an object out of the room's outside and of openings."""
+    count = int(count)
+    missed = float(missed)
+    for k in range(t[0].fixture_start[c.problem], t[0].fixture_start[c.problem + 1]):
+        disc = t[0].prism_disc[t[0].fixture[k]]
+        to = wp.vec2(disc[0], disc[1]) - plane_of(x.pose)
+        far = disc[2] + t[0].object_radius[x.index][0] + reach
+        if wp.dot(to, to) < far * far and meets_fixture(t, x.index, k):
+            contact = contact_of(t, m, FIXTURE, x.index, k)
+            count, miss = add_contact_rows(
+                t, c, x, fixture_body(k), contact, m.least_overlap_z, reach, count, s, system
+            )
+            missed += miss
+    return count, missed
+
+
+@wp.func(inline=False)
+def add_height_rows(
+    t: TablesRef,
+    m: Margins,
+    c: Candidate,
+    x: Body,
+    reach: wp.float32,
+    count: wp.int32,
+    missed: wp.float32,
+    s: State,
+    system: InequalitySystem,
+):
+    """Rows that keep an object above the floor and below the ceiling."""
+    count = int(count)
+    missed = float(missed)
+    if t[0].object_free[x.index] & FREE_Z:
+        z = t[0].object_z[x.index]
+        down = x.pose[2] + z[0]
+        up = t[0].room_height[c.problem] - z[1] - x.pose[2]
+        missed += wp.max(m.bounds_hold - down, 0.0) + wp.max(m.bounds_hold - up, 0.0)
+        rise = wp.vec4(0.0, 0.0, 1.0, 0.0)
+        if down < reach and count < ROWS:
+            want = wanting(down, m.bounds_hold)
+            count += add_own_row(t, c, x.obj, x.obj * ROWS + count, rise, want, KEY_FLOOR, s, system)
+        if up < reach and count < ROWS:
+            want = wanting(up, m.bounds_hold)
+            count += add_own_row(t, c, x.obj, x.obj * ROWS + count, -rise, want, KEY_CEILING, s, system)
+    return count, missed
+
+
+@wp.func(inline=False)
+def add_pair_rows(
+    t: TablesRef,
+    m: Margins,
+    c: Candidate,
+    x: Body,
+    reach: wp.float32,
+    count: wp.int32,
+    s: State,
+    system: InequalitySystem,
+):
+    """Rows of the pairs that an object looks after: solids apart, and out of hard zones.
 
     Of two objects the first looks after the pair when their indices are both even or both odd, else the second, so
     that threads of one candidate have like work.
     """
-    o0 = t[0].object_start[p]
-    n = t[0].object_start[p + 1] - o0
-    a = o0 + obj
-    pose = s.poses[candidate, obj]
-    q = s.turns[candidate, obj]
-    radius = t[0].object_radius[a]
-    line = t[0].pair_start[p] + obj * n
-    sa = parts_of(t, a, SOLIDS)
+    count = int(count)
     missed = float(0.0)
-    for j in range(n):
-        ours = ((obj + j) & 1) == 0
-        if j < obj:
+    for j in range(c.objects):
+        ours = ((x.obj + j) & 1) == 0
+        if j < x.obj:
             ours = not ours
-        if ours:
-            flags = int(t[0].pair_flags[line + j])
-            if flags != 0 and (flags & PAIR_RIGID) == 0:
-                other = s.poses[candidate, j]
-                v = plane_of(other) - plane_of(pose)
-                b = o0 + j
-                rj = t[0].object_radius[b]
-                far = wp.max(radius[0] + rj[1], radius[1] + rj[0]) + reach
-                if wp.dot(v, v) < far * far:
-                    qj = s.turns[candidate, j]
-                    sb = parts_of(t, b, SOLIDS)
-                    if flags & PAIR_COLLIDE:
-                        count1, miss1 = add_contacts(
-                            t,
-                            o0,
-                            candidate,
-                            base,
-                            count,
-                            obj,
-                            sa,
-                            pose,
-                            q,
-                            j,
-                            sb,
-                            other,
-                            qj,
-                            m.collision_hold,
-                            m.least_overlap_z,
-                            reach,
-                            s,
-                            shift,
-                            rows,
-                            keys,
-                        )
-                        count = count1
-                        missed += miss1
-                    if flags & PAIR_ZONE_OF_FIRST:
-                        count2, miss2 = add_contacts(
-                            t,
-                            o0,
-                            candidate,
-                            base,
-                            count,
-                            obj,
-                            parts_of(t, a, ZONES),
-                            pose,
-                            q,
-                            j,
-                            sb,
-                            other,
-                            qj,
-                            m.zone_hold,
-                            m.least_overlap_z,
-                            reach,
-                            s,
-                            shift,
-                            rows,
-                            keys,
-                        )
-                        count = count2
-                        missed += miss2
-                    if flags & PAIR_ZONE_OF_SECOND:
-                        count3, miss3 = add_contacts(
-                            t,
-                            o0,
-                            candidate,
-                            base,
-                            count,
-                            obj,
-                            sa,
-                            pose,
-                            q,
-                            j,
-                            parts_of(t, b, ZONES),
-                            other,
-                            qj,
-                            m.zone_hold,
-                            m.least_overlap_z,
-                            reach,
-                            s,
-                            shift,
-                            rows,
-                            keys,
-                        )
-                        count = count3
-                        missed += miss3
+        flags = int(t[0].pair_flags[t[0].pair_start[c.problem] + x.obj * c.objects + j])
+        if ours and flags != 0 and (flags & PAIR_RIGID) == 0:
+            other = body_of(c, j, s)
+            v = plane_of(other.pose) - plane_of(x.pose)
+            far = reach_of_pair(t, x.index, other.index) + reach
+            if wp.dot(v, v) < far * far:
+                left = flags & CONTACTS
+                while left != 0:
+                    flag = left & -left
+                    left = left - flag
+                    contact = contact_of(t, m, flag, x.index, other.index)
+                    count, miss = add_contact_rows(t, c, x, other, contact, m.least_overlap_z, reach, count, s, system)
+                    missed += miss
     return count, missed
 
 
 @wp.func(inline=False)
-def add_relations(
+def add_relation_rows(
     t: TablesRef,
-    p: wp.int32,
-    candidate: wp.int32,
+    c: Candidate,
     obj: wp.int32,
-    base: wp.int32,
-    count: wp.int32,
     reach: wp.float32,
+    count: wp.int32,
     s: State,
-    shift: wp.array2d(dtype=wp.vec4),
-    rows: wp.array2d(dtype=Inequality),
-    keys: wp.array2d(dtype=wp.int32),
+    system: InequalitySystem,
 ):
-    """Rows of the hard relations of which an object is the subject, under their chosen options; as `add_contacts`."""
-    o0 = t[0].object_start[p]
-    r0 = t[0].relation_start[p]
-    o = o0 + obj
+    """Rows of the hard relations of which an object is the subject, under their chosen options."""
+    count = int(count)
     missed = float(0.0)
-    for c in range(t[0].incidence_start[o], t[0].incidence_start[o + 1]):
-        r = r0 + t[0].incidence[c]
-        if t[0].incidence_role[c] == 0 and t[0].relation_fault[r] != 0 and t[0].relation_rigid[r] == 0:
+    r0 = t[0].relation_start[c.problem]
+    o = c.first_object + obj
+    for incidence in range(t[0].incidence_start[o], t[0].incidence_start[o + 1]):
+        r = r0 + t[0].incidence[incidence]
+        if t[0].incidence_role[incidence] == 0 and t[0].relation_fault[r] != 0 and t[0].relation_rigid[r] == 0:
             ids = t[0].relation_object[r]
-            pose_a = s.poses[candidate, obj]
-            qa = s.turns[candidate, obj]
-            pose_b = wp.vec4(0.0, 0.0, 0.0, 0.0)
-            qb = EAST
-            pose_c = wp.vec4(0.0, 0.0, 0.0, 0.0)
-            b = int(-1)
-            if ids[1] >= 0:
-                b = o0 + ids[1]
-                pose_b = s.poses[candidate, ids[1]]
-                qb = s.turns[candidate, ids[1]]
-            if ids[2] >= 0:
-                pose_c = s.poses[candidate, ids[2]]
-            option = s.options[candidate, r - r0]
+            x = relation_poses(t, c.first_object, r, s, c.index, View())
+            option = s.options[c.index, r - r0]
             for k in range(t[0].row_start[option], t[0].row_start[option + 1]):
                 scale = t[0].row_aim[k][3]
-                value, ga = feature(t, k, 0, o, b, pose_a, qa, pose_b, qb, pose_c)
+                value, ga = feature(t, k, 0, x)
                 gb = wp.vec4(0.0, 0.0, 0.0, 0.0)
                 gc = wp.vec4(0.0, 0.0, 0.0, 0.0)
                 if ids[1] >= 0:
-                    _vb, gb1 = feature(t, k, 1, o, b, pose_a, qa, pose_b, qb, pose_c)
-                    gb = gb1
+                    _vb, gb = feature(t, k, 1, x)
                 if ids[2] >= 0:
-                    _vc, gc1 = feature(t, k, 2, o, b, pose_a, qa, pose_b, qb, pose_c)
-                    gc = gc1
+                    _vc, gc = feature(t, k, 2, x)
                 hold = t[0].row_hold[k]
                 width = (hold[1] - hold[0]) * scale
                 for side in range(2):
@@ -357,30 +193,17 @@ def add_relations(
                         clear = (hold[1] - value) * scale
                         sign = -scale
                     if clear < reach:
-                        one = int(1)
+                        added = int(1)
                         inset = wp.min(SLACK, 0.4 * width)
                         want = inset - clear
                         if clear > 0.1 * inset:
                             want = wp.min(want, 0.0)
                         if count < ROWS:
-                            one = add_row(
-                                t,
-                                o0,
-                                candidate,
-                                base + count,
-                                ids,
-                                sign * ga,
-                                sign * gb,
-                                sign * gc,
-                                want,
-                                1073741824 + 2 * k + side,
-                                s,
-                                shift,
-                                rows,
-                                keys,
-                            )
-                            count += one
-                        if one > 0:
+                            key = KEY_RELATION + 2 * k + side
+                            slot = obj * ROWS + count
+                            added = add_row(t, c, slot, ids, sign * ga, sign * gb, sign * gc, want, key, s, system)
+                            count += added
+                        if added > 0:
                             missed += wp.max(-clear, 0.0)
     return count, missed
 
@@ -396,43 +219,45 @@ def linearise(
     # State in:
     live: wp.array(dtype=wp.int32),
     s: State,
-    shift: wp.array2d(dtype=wp.vec4),
     keys: wp.array2d(dtype=wp.int32),
     force: wp.array2d(dtype=wp.float32),
     # State in and out:
     count: wp.array2d(dtype=wp.int32),
+    system: InequalitySystem,
     # State out:
-    rows_out: wp.array2d(dtype=Inequality),
-    keys_out: wp.array2d(dtype=wp.int32),
     force_out: wp.array2d(dtype=wp.float32),
     missed_out: wp.array2d(dtype=wp.float32),
 ):
     """Rows of every selected (candidate, object) at the present poses, with the forces that they had before.
 
-    ``shift`` [candidate, object] is how far each root is from its anchor; slots of an object's rows begin at
-    ROWS times its index. ``missed_out`` is by how much [m] its terms miss the verdict's limits, without those that
-    nothing free to move can mend.
+    ``keys`` and ``force`` [candidate, slot] are those of the step before. ``missed_out`` is by how much [m] an object's
+    terms miss the verdict's limits, without those that nothing free to move can mend.
     """
     slot, obj = wp.tid()
     candidate = selected[slot]
-    p = problem[candidate]
-    if live[candidate] == 0 or obj >= t[0].object_start[p + 1] - t[0].object_start[p]:
+    if live[candidate] == 0:
         return
-    if not wp.isfinite(s.poses[candidate, obj]):
+    c = candidate_of(t, problem, candidate)
+    if obj >= c.objects:
+        return
+    x = body_of(c, obj, s)
+    if not wp.isfinite(x.pose):
         missed_out[candidate, obj] = FAR
         count[candidate, obj] = 0
         return
+    n, bounds = add_wall_rows(t, m, c, x, reach, s, system)
+    n, bounds = add_fixture_rows(t, m, c, x, reach, n, bounds, s, system)
+    n, bounds = add_height_rows(t, m, c, x, reach, n, bounds, s, system)
+    n, relations = add_relation_rows(t, c, obj, reach, n, s, system)
+    n, pairs = add_pair_rows(t, m, c, x, reach, n, s, system)
     base = obj * ROWS
     before = count[candidate, obj]
-    n1, miss1 = add_bounds(t, m, p, candidate, obj, base, 0, reach, s, shift, rows_out, keys_out)
-    n2, miss2 = add_relations(t, p, candidate, obj, base, n1, reach, s, shift, rows_out, keys_out)
-    n3, miss3 = add_pairs(t, m, p, candidate, obj, base, n2, reach, s, shift, rows_out, keys_out)
-    for k in range(n3):
-        key = keys_out[candidate, base + k]
+    for k in range(n):
+        key = system.keys[candidate, base + k]
         warm = float(0.0)
-        for c in range(before):
-            if keys[candidate, base + c] == key:
-                warm = force[candidate, base + c]
+        for i in range(before):
+            if keys[candidate, base + i] == key:
+                warm = force[candidate, base + i]
         force_out[candidate, base + k] = warm
-    count[candidate, obj] = n3
-    missed_out[candidate, obj] = miss1 + miss2 + miss3
+    count[candidate, obj] = n
+    missed_out[candidate, obj] = bounds + relations + pairs

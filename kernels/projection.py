@@ -8,11 +8,12 @@ with the curvature of the constraints left out), and forces carry over. What no 
 
 import warp as wp
 
-from .energy import best_option, relation_poses
+from .bodies import free_part
 from .geometry import FAR, plane_of, turn
 from .groups import set_pose
 from .inequality import ARM, ROWS, Inequality, mobility
-from .tables import FREE_PLANE, FREE_YAW, FREE_Z, State, TablesRef, View, Weights
+from .tables import State, TablesRef, View, Weights
+from .terms_relations import best_option, relation_poses
 
 wp.set_module_options({"enable_backward": False})
 
@@ -115,14 +116,7 @@ def start_try(
         close = wp.dot(far, far) < perturbation.radius * perturbation.radius
         if close and (obj == t[0].object_root[o0 + focus] or wp.randf(rng) < perturbation.share):
             d = perturbation.spread * wp.vec4(wp.randn(rng), wp.randn(rng), 0.5 * wp.randn(rng), wp.randn(rng))
-    free = t[0].object_free[o]
-    if (free & FREE_PLANE) == 0:
-        d[0] = 0.0
-        d[1] = 0.0
-    if (free & FREE_Z) == 0:
-        d[2] = 0.0
-    if (free & FREE_YAW) == 0:
-        d[3] = 0.0
+    d = free_part(t, o, d)
     shift_out[candidate, obj] = d
     place(t, o0, candidate, obj, d, s)
 

@@ -8,16 +8,15 @@ code of each fits the instruction cache and all warps are at the same place of i
 import warp as wp
 
 from .array_access import inline_on_gpu, item
+from .bodies import Candidate, candidate_of
 from .features import TURN
 from .geometry import FAR, wrap
 from .groups import group_energy
 from .jobs import (
     BACK_STEPS,
     SOLVED,
-    Context,
     JobResult,
     SearchState,
-    context_of,
     object_of,
     proposal_count,
     rates_only,
@@ -27,7 +26,7 @@ from .jobs import (
 from .sample import QUARTER, propose, uniform
 from .starts import Plan
 from .state_machine import GRADIENT, MOVE, RETURN, SQUARE, STEP, STOP
-from .tables import Margins, Share, State, TablesRef, View, Weights
+from .tables import Margins, State, TablesRef, TermSlice, View, Weights
 from .warp_primitives import (
     lane_id,
     shfl_float,
@@ -64,7 +63,7 @@ def draw_proposals(
     m: Margins,
     w: Weights,
     plan: Plan,
-    c: Context,
+    c: Candidate,
     d: SearchState,
     first: wp.int32,
     by: wp.int32,
@@ -73,7 +72,7 @@ def draw_proposals(
     drafted: wp.array2d(dtype=wp.int32),
 ):
     """Draw the pose of every ``by``-th proposal from ``first``, and whether it takes the draft."""
-    candidate = c.candidate
+    candidate = c.index
     old = item(s.poses, candidate, d.obj)
     rng = wp.rand_init(d.seed, first)
     for k in range(first, proposal_count(d, c, plan), by):
@@ -88,7 +87,7 @@ def draw_proposals(
                 anew = u > STAYS
             if anew:
                 near = 0.02 + d.scale * uniform(rng)
-                far = wp.where(c.anchored, FAR_SHARE_ANCHORED, FAR_SHARE)
+                far = wp.where(d.anchored == 1, FAR_SHARE_ANCHORED, FAR_SHARE)
                 pose = propose(t, m, w, c.problem, d.obj, pose, s, candidate, near, far, plan.slide, rng)
         elif d.job == STEP:
             pose = pose + wp.pow(SHORTER, float(k)) * d.step
@@ -110,7 +109,7 @@ def rate_proposals(
     m: Margins,
     w: Weights,
     plan: Plan,
-    c: Context,
+    c: Candidate,
     d: SearchState,
     s: State,
     drawn: wp.array2d(dtype=wp.vec4),
@@ -118,12 +117,11 @@ def rate_proposals(
     energy: wp.array2d(dtype=wp.float32),
 ):
     """Rate all proposals of a job, each by a subwarp. Every lane gets the result. The code has no gradients."""
-    candidate = c.candidate
+    candidate = c.index
     o0 = c.first_object
     me = lane_id()
     count = proposal_count(d, c, plan)
     subwarp = subwarp_size(count)
-    part = Share(me % subwarp, subwarp)
     old = item(s.poses, candidate, d.obj)
     x = JobResult()
     x.least = FAR
@@ -137,7 +135,7 @@ def rate_proposals(
         view = View()
         view.best = 1
         view.crowd = 1
-        limit = float(FAR)
+        part = TermSlice(me % subwarp, subwarp, FAR)
         if rates_only(d.job):
             first, last = single_body(t, o0 + who)
         else:
@@ -147,22 +145,22 @@ def rate_proposals(
             view.after = item(drawn, candidate, k)
             view.spin = wp.vec2(wp.cos(view.after[3] - old[3]), wp.sin(view.after[3] - old[3]))
             if (d.job == MOVE and k > 0) or d.job == STEP:
-                limit = wp.min(x.least, x.base + d.threshold)
+                part.limit = wp.min(x.least, x.base + d.threshold)
         e = float(0.0)
         share = float(0.0)
         soft = float(0.0)
         rating = float(0.0)
         if last > first:
-            e, share, soft, _g = group_energy(t, m, w, c.problem, candidate, first, last, s, limit, view, part)
-            e = subwarp_sum(e, subwarp)
-            share = subwarp_sum(share, subwarp)
-            soft = subwarp_sum(soft, subwarp)
+            energy_of_group = group_energy(t, m, w, c, first, last, s, view, part)
+            e = subwarp_sum(energy_of_group.value, subwarp)
+            share = subwarp_sum(energy_of_group.share, subwarp)
+            soft = subwarp_sum(energy_of_group.soft, subwarp)
             if item(t[0].object_free, o0 + who) != 0:
                 rating = e
-                if c.anchored:  # soft terms are no reason to move anything
-                    rating = float(item(s.released, c.candidate, who)) * wp.max(e - soft - SOLVED, 0.0)
+                if d.anchored == 1:  # soft terms are no reason to move anything
+                    rating = float(item(s.released, c.index, who)) * wp.max(e - soft - SOLVED, 0.0)
         if rates_only(d.job):
-            if part.first == 0:
+            if me % subwarp == 0:
                 x.share += share
                 x.soft += soft
                 energy[candidate, who] = rating
@@ -192,18 +190,16 @@ def rate_proposals(
 
 
 @wp.func
-def find_gradient(t: TablesRef, m: Margins, w: Weights, c: Context, d: SearchState, s: State):
+def find_gradient(t: TablesRef, m: Margins, w: Weights, c: Candidate, d: SearchState, s: State):
     """The result of a job that takes a gradient; all lanes share its terms, and each gets the result."""
     first, last = single_body(t, c.first_object + d.obj)
     view = View()
     view.best = 1
     view.crowd = 1
-    e, _share, _soft, g = group_energy(
-        t, m, w, c.problem, c.candidate, first, last, s, FAR, view, Share(lane_id(), warp_size())
-    )
+    e = group_energy(t, m, w, c, first, last, s, view, TermSlice(lane_id(), warp_size(), FAR))
     x = JobResult()
-    x.base = warp_sum(e)
-    x.gradient = subwarp_sum_vec4(g, warp_size())
+    x.base = warp_sum(e.value)
+    x.gradient = subwarp_sum_vec4(e.gradient, warp_size())
     return x
 
 
@@ -216,7 +212,6 @@ def draw(
     plan: Plan,
     problem: wp.array(dtype=wp.int32),
     # State in:
-    clock: wp.array(dtype=wp.int32),
     search_state: wp.array(dtype=SearchState),
     # State in and out:
     s: State,
@@ -232,10 +227,11 @@ def draw(
         busy_out[0] = 0
     if search_state[candidate].job < MOVE or search_state[candidate].job == STOP:
         return
-    c = context_of(t, plan, problem[candidate], candidate, clock)
-    w = weights_at(w, c.anchored)
+    c = candidate_of(t, problem, candidate)
+    d = search_state[candidate]
+    w = weights_at(w, d)
     by = wp.min(1 + plan.proposals, warp_size())
-    draw_proposals(t, m, w, plan, c, search_state[candidate], first, by, s, drawn_out, drafted_out)
+    draw_proposals(t, m, w, plan, c, d, first, by, s, drawn_out, drafted_out)
 
 
 @wp.kernel(cuda_max_registers=128)
@@ -247,7 +243,6 @@ def rate(
     plan: Plan,
     problem: wp.array(dtype=wp.int32),
     # State in:
-    clock: wp.array(dtype=wp.int32),
     search_state: wp.array(dtype=SearchState),
     s: State,
     drawn: wp.array2d(dtype=wp.vec4),
@@ -261,9 +256,10 @@ def rate(
     candidate = wp.tid() // warp_size()
     if search_state[candidate].job == STOP or search_state[candidate].job == GRADIENT:
         return
-    c = context_of(t, plan, problem[candidate], candidate, clock)
-    w = weights_at(w, c.anchored)
-    x = rate_proposals(t, m, w, plan, c, search_state[candidate], s, drawn, drafted, energy_out)
+    c = candidate_of(t, problem, candidate)
+    d = search_state[candidate]
+    w = weights_at(w, d)
+    x = rate_proposals(t, m, w, plan, c, d, s, drawn, drafted, energy_out)
     if lane_id() == 0:
         result_out[candidate] = x
 
@@ -277,7 +273,6 @@ def take_gradients(
     plan: Plan,
     problem: wp.array(dtype=wp.int32),
     # State in:
-    clock: wp.array(dtype=wp.int32),
     search_state: wp.array(dtype=SearchState),
     s: State,
     # State out:
@@ -288,7 +283,7 @@ def take_gradients(
     candidate = wp.tid() // warp_size()
     if search_state[candidate].job != GRADIENT:
         return
-    c = context_of(t, plan, problem[candidate], candidate, clock)
-    x = find_gradient(t, m, weights_at(w, c.anchored), c, search_state[candidate], s)
+    d = search_state[candidate]
+    x = find_gradient(t, m, weights_at(w, d), candidate_of(t, problem, candidate), d, s)
     if lane_id() == 0:
         result_out[candidate] = x

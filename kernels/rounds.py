@@ -3,8 +3,9 @@
 import warp as wp
 
 from .array_access import item
-from .jobs import JobResult, SearchState, context_of
-from .starts import Plan
+from .bodies import Candidate, candidate_of
+from .jobs import JobResult, SearchState
+from .starts import GIVEN, Plan
 from .state_machine import MOVING, STOP, SURVEY
 from .tables import Margins, State, TablesRef, Weights
 from .transitions import transition
@@ -14,15 +15,17 @@ wp.set_module_options({"enable_backward": False, "fast_math": True, "default_gri
 
 
 @wp.func
-def initial_state(t: TablesRef, p: wp.int32, candidate: wp.int32, s: State):
+def initial_state(plan: Plan, c: Candidate, clock: wp.array(dtype=wp.int32), s: State):
     """The state at the start of a round."""
-    for obj in range(item(t[0].object_start, p + 1) - item(t[0].object_start, p)):
-        s.mark[candidate, obj] = 0
+    for obj in range(c.objects):
+        s.mark[c.index, obj] = 0
     d = SearchState()
     d.job = SURVEY
     d.phase = MOVING
+    d.round = clock[0] % plan.rounds
+    d.anchored = wp.where(plan.start == GIVEN and clock[0] // plan.rounds < plan.anchored_attempts, 1, 0)
     d.cursor = -1
-    d.rng = item(s.stream, candidate, warp_size())
+    d.rng = item(s.stream, c.index, warp_size())
     return d
 
 
@@ -43,6 +46,7 @@ def start_rounds(
     problem: wp.array(dtype=wp.int32),
     # State in:
     active: wp.array(dtype=wp.int32),
+    clock: wp.array(dtype=wp.int32),
     # State in and out:
     s: State,
     # State out:
@@ -56,7 +60,7 @@ def start_rounds(
     d = SearchState()
     d.job = STOP
     if active[candidate] != 0:
-        d = initial_state(t, problem[candidate], candidate, s)
+        d = initial_state(plan, candidate_of(t, problem, candidate), clock, s)
     search_state_out[candidate] = d
 
 
@@ -69,7 +73,6 @@ def advance(
     plan: Plan,
     problem: wp.array(dtype=wp.int32),
     # State in:
-    clock: wp.array(dtype=wp.int32),
     result: wp.array(dtype=JobResult),
     # State in and out:
     s: State,
@@ -84,8 +87,7 @@ def advance(
     d = search_state[candidate]
     if d.job == STOP:
         return
-    c = context_of(t, plan, problem[candidate], candidate, clock)
-    d = transition(t, plan, c, result[candidate], s, energy, d)
+    d = transition(t, plan, candidate_of(t, problem, candidate), result[candidate], s, energy, d)
     search_state[candidate] = d
     if d.job == STOP:
         finish_round(candidate, d, s, total_out)

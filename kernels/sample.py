@@ -9,9 +9,9 @@ written but the state of the random stream, which the caller holds: many poses o
 import warp as wp
 
 from .array_access import item, opaque_one
-from .energy import RelationPoses, best_option, outside, relation_poses
-from .features import TURN, feature
+from .features import TURN, RelationPoses, feature
 from .geometry import lowest_vertex, perp, plane_of, turn_back
+from .penalties import outside
 from .tables import (
     FEATURE_BEARING,
     FEATURE_CONSTANT,
@@ -25,6 +25,7 @@ from .tables import (
     View,
     Weights,
 )
+from .terms_relations import best_option, relation_poses
 
 wp.set_module_options({"enable_backward": False})
 
@@ -107,12 +108,10 @@ def project_option(
 
     A fresh draw takes a new value for every row; otherwise only rows outside their interval move it.
     """
-    pose = x.pose_a
-    q = x.qa
     for row in range(item(t[0].row_start, option), item(t[0].row_start, option + 1)):
         kind = item(t[0].row_feature, row)
         if kind != FEATURE_CONSTANT:
-            value, g = feature(t, row, 0, x.a, x.b, pose, q, x.pose_b, x.qb, x.pose_c)
+            value, g = feature(t, row, 0, x)
             span = item(t[0].row_aim, row)
             aim = wp.vec2(span[0], span[1])
             off, _sign = outside(value, aim)
@@ -122,8 +121,9 @@ def project_option(
                     if free & FREE_YAW:
                         if kind == FEATURE_YAW and uniform(rng) < 0.7:
                             d = wp.clamp(0.0, aim[0], aim[1]) - value  # people set furniture square
-                        pose[3] = pose[3] + d * g[3]
-                        q = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
+                        yaw = x.pose_a[3] + d * g[3]
+                        x.pose_a = wp.vec4(x.pose_a[0], x.pose_a[1], x.pose_a[2], yaw)
+                        x.qa = wp.vec2(wp.cos(yaw), wp.sin(yaw))
                 else:
                     if (free & FREE_PLANE) == 0:
                         g[0] = 0.0
@@ -132,11 +132,8 @@ def project_option(
                         g[2] = 0.0
                     gg = g[0] * g[0] + g[1] * g[1] + g[2] * g[2]
                     if gg > 1.0e-8:
-                        step = d / gg
-                        pose[0] = pose[0] + step * g[0]
-                        pose[1] = pose[1] + step * g[1]
-                        pose[2] = pose[2] + step * g[2]
-    return pose
+                        x.pose_a = x.pose_a + d / gg * wp.vec4(g[0], g[1], g[2], 0.0)
+    return x.pose_a
 
 
 @wp.func

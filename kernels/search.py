@@ -7,7 +7,8 @@ what is next (`transitions`). Energies are local: a move costs what touches the 
 
 import warp as wp
 
-from .jobs import JobResult, context_of, weights_at
+from .bodies import candidate_of
+from .jobs import JobResult, weights_at
 from .proposals import draw_proposals, find_gradient, rate_proposals
 from .rounds import finish_round, initial_state
 from .starts import Plan
@@ -41,9 +42,9 @@ def search(
     candidate = wp.tid()
     if active[candidate] == 0:
         return
-    c = context_of(t, plan, problem[candidate], candidate, clock)
-    weights = weights_at(w, c.anchored)
-    d = initial_state(t, c.problem, candidate, s)
+    c = candidate_of(t, problem, candidate)
+    d = initial_state(plan, c, clock, s)
+    weights = weights_at(w, d)
     while d.job != STOP:
         if d.job >= MOVE:
             draw_proposals(t, m, weights, plan, c, d, 0, 1, s, drawn, drafted)

@@ -9,26 +9,25 @@ quarter of it, the first that costs nothing. What shares a target is brought the
 import warp as wp
 
 from .array_access import item, opaque_one
-from .energy import RelationPoses, best_option, relation_energy, relation_poses, viewed_pose
-from .features import TURN, feature
-from .geometry import wrap
-from .groups import group_energy, members_end, move_with_members, set_pose
+from .bodies import Candidate, candidate_of, viewed_pose
+from .evaluator import EVERY_KIND
+from .features import TURN, RelationPoses, feature
+from .geometry import FAR, wrap
+from .groups import group_energy, group_evaluator, members_end, move_with_members, set_pose
 from .sample import QUARTER
 from .tables import (
-    DISTANCES,
     FEATURE_YAW,
-    FORMULAS,
     FREE_PLANE,
     FREE_YAW,
     FREE_Z,
-    RELATIONS,
     Margins,
-    Share,
     State,
     TablesRef,
+    TermSlice,
     View,
     Weights,
 )
+from .terms_relations import ALL_RELATIONS, best_option, relation_energy, relation_poses
 
 wp.set_module_options({"enable_backward": False, "default_grid_stride": False})
 
@@ -40,6 +39,8 @@ NOTHING = wp.constant(1.0e-6)  # energy that counts as none
 FAILING = wp.constant(1.0e-5)  # energy from which on a soft relation is taken not to hold
 SLACK = wp.constant(0.02)  # by which the energy of soft relations that do not hold may rise
 
+group_energy_without_relations = group_evaluator(EVERY_KIND & ~ALL_RELATIONS)
+
 
 @wp.func
 def exact_pose(t: TablesRef, r: wp.int32, x: RelationPoses, free: wp.int32, knee: wp.float32, share: wp.float32):
@@ -49,10 +50,8 @@ def exact_pose(t: TablesRef, r: wp.int32, x: RelationPoses, free: wp.int32, knee
     all may take (share 0) and the exact one (share 1); a negative share leaves them as they are.
     """
     option, _e, _g = best_option(t, r, 0, x, knee)
-    pose = x.pose_a
-    q = x.qa
     for row in range(item(t[0].snap_start, option), item(t[0].snap_start, option + 1)):
-        value, g = feature(t, row, 0, x.a, x.b, pose, q, x.pose_b, x.qb, x.pose_c)
+        value, g = feature(t, row, 0, x)
         within = item(t[0].row_hold, row)
         aim = item(t[0].row_aim, row)
         shared = aim[0] != aim[1]
@@ -64,8 +63,9 @@ def exact_pose(t: TablesRef, r: wp.int32, x: RelationPoses, free: wp.int32, knee
         kind = item(t[0].row_feature, row)
         if kind == FEATURE_YAW:
             if free & FREE_YAW:
-                pose[3] = pose[3] + d * g[3]
-                q = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
+                yaw = x.pose_a[3] + d * g[3]
+                x.pose_a = wp.vec4(x.pose_a[0], x.pose_a[1], x.pose_a[2], yaw)
+                x.qa = wp.vec2(wp.cos(yaw), wp.sin(yaw))
         else:
             if (free & FREE_PLANE) == 0:
                 g[0] = 0.0
@@ -74,9 +74,8 @@ def exact_pose(t: TablesRef, r: wp.int32, x: RelationPoses, free: wp.int32, knee
                 g[2] = 0.0
             gg = g[0] * g[0] + g[1] * g[1] + g[2] * g[2]
             if gg > 1.0e-8:
-                step = d / gg
-                pose = wp.vec4(pose[0] + step * g[0], pose[1] + step * g[1], pose[2] + step * g[2], pose[3])
-    return pose
+                x.pose_a = x.pose_a + d / gg * wp.vec4(g[0], g[1], g[2], 0.0)
+    return x.pose_a
 
 
 @wp.func
@@ -121,8 +120,7 @@ def is_still(way: wp.vec4):
 def allowed(
     t: TablesRef,
     w: Weights,
-    p: wp.int32,
-    candidate: wp.int32,
+    c: Candidate,
     first: wp.int32,
     last: wp.int32,
     view: View,
@@ -132,13 +130,14 @@ def allowed(
 
     Soft ones that do not hold in either case may be a little worse off.
     """
-    o0 = item(t[0].object_start, p)
-    r0 = item(t[0].relation_start, p)
+    r0 = item(t[0].relation_start, c.problem)
     still = View()
     still.best = 1
     for k in range(first, last):
         obj = item(t[0].group, k)
-        for j in range(item(t[0].incidence_start, o0 + obj), item(t[0].incidence_start, o0 + obj + 1)):
+        for j in range(
+            item(t[0].incidence_start, c.first_object + obj), item(t[0].incidence_start, c.first_object + obj + 1)
+        ):
             r = item(t[0].incidence, j)
             if item(t[0].relation_rigid, r0 + r) == 0:
                 e = wp.vec2(0.0, 0.0)
@@ -150,7 +149,7 @@ def allowed(
                         still.spin = view.spin
                     else:
                         still.stamp = 0
-                    ei, _g = relation_energy(t, w, o0, r0 + r, r, 0, s, candidate, still)
+                    ei, _g = relation_energy(t, w, c, r, 0, s, still, ALL_RELATIONS)
                     e[moved] = ei
                 rise = float(NOTHING)
                 if item(t[0].relation_fault, r0 + r) == 0 and e[0] > FAILING:
@@ -161,12 +160,12 @@ def allowed(
 
 
 @wp.func
-def go(t: TablesRef, candidate: wp.int32, first: wp.int32, last: wp.int32, view: View, s: State):
+def go(t: TablesRef, c: Candidate, first: wp.int32, last: wp.int32, view: View, s: State):
     """Move the objects group[first:last] to where a view sees them."""
     for k in range(first, last):
         i = item(t[0].group, k)
-        pose, _q = viewed_pose(s, candidate, i, view)
-        set_pose(s, candidate, i, pose)
+        pose, _q = viewed_pose(s, c.index, i, view)
+        set_pose(s, c.index, i, pose)
 
 
 @wp.func
@@ -174,8 +173,7 @@ def try_way(
     t: TablesRef,
     m: Margins,
     w: Weights,
-    p: wp.int32,
-    candidate: wp.int32,
+    c: Candidate,
     obj: wp.int32,
     way: wp.vec4,
     stamp: wp.int32,
@@ -185,11 +183,10 @@ def try_way(
 
     Returns the last stamp that marks were set to.
     """
-    o0 = item(t[0].object_start, p)
-    first = item(t[0].group_start, o0 + obj)
-    alone = members_end(t, o0 + obj)
-    last = item(t[0].group_start, o0 + obj + 1)
-    old = item(s.poses, candidate, obj)
+    first = item(t[0].group_start, c.first_object + obj)
+    alone = members_end(t, c.first_object + obj)
+    last = item(t[0].group_start, c.first_object + obj + 1)
+    old = item(s.poses, c.index, obj)
     mark = int(stamp)
     moved = bool(False)
     for whole in range(1, -1, -opaque_one()):
@@ -201,10 +198,9 @@ def try_way(
             mark += 1
             for k in range(first, last):
                 i = item(t[0].group, k)
-                carried = item(t[0].object_root, o0 + i) == obj
-                s.mark[candidate, i] = wp.where(carried, -mark, mark)
+                carried = item(t[0].object_root, c.first_object + i) == obj
+                s.mark[c.index, i] = wp.where(carried, -mark, mark)
             view = View()
-            view.without = FORMULAS | DISTANCES | RELATIONS
             view.stamp = mark
             view.before = old
             base = float(0.0)
@@ -215,15 +211,16 @@ def try_way(
                         share = 0.0
                     view.after = old + share * way
                     view.spin = wp.vec2(wp.cos(share * way[3]), wp.sin(share * way[3]))
-                    limit = float(1.0e6)
+                    limit = float(FAR)
                     if k > 0:
                         limit = base + NOTHING
-                    e, _share, _soft, _g = group_energy(t, m, w, p, candidate, first, last, s, limit, view, Share(0, 1))
+                    part = TermSlice(0, 1, limit)
+                    e = group_energy_without_relations(t, m, w, c, first, last, s, view, part).value
                     if k == 0:
                         base = e
                     elif e <= limit:
-                        if allowed(t, w, p, candidate, first, last, view, s):
-                            go(t, candidate, first, last, view, s)
+                        if allowed(t, w, c, first, last, view, s):
+                            go(t, c, first, last, view, s)
                             moved = True
     return mark
 
@@ -241,100 +238,87 @@ def snap_one(
     t: TablesRef,
     m: Margins,
     w: Weights,
-    p: wp.int32,
-    candidate: wp.int32,
+    c: Candidate,
     obj: wp.int32,
     stamp: wp.int32,
     s: State,
 ):
     """Square an object to the room, then to its relations: those to objects first, those to the room have the last
     word. Returns the last stamp that marks were set to."""
-    o0 = item(t[0].object_start, p)
-    o = o0 + obj
-    r0 = item(t[0].relation_start, p)
+    o = c.first_object + obj
+    r0 = item(t[0].relation_start, c.problem)
     free = item(t[0].object_free, o)
     mark = int(stamp)
     first = item(t[0].incidence_start, o)
     count = item(t[0].incidence_start, o + 1) - first
     for k in range(-1, 2 * count, opaque_one()):
-        pose = item(s.poses, candidate, obj)
+        pose = item(s.poses, c.index, obj)
         goal = pose
         if k < 0:
             if free & FREE_YAW:
-                goal = squared(t, p, pose)
+                goal = squared(t, c.problem, pose)
         else:
             at = first + k % wp.max(count, 1)
             r = r0 + item(t[0].incidence, at)
             in_room = item(t[0].relation_object, r)[1] < 0
             if item(t[0].incidence_role, at) == 0 and item(t[0].relation_rigid, r) == 0 and in_room == (k >= count):
-                x = relation_poses(t, o0, r, s, candidate, View())
+                x = relation_poses(t, c.first_object, r, s, c.index, View())
                 goal = exact_pose(t, r, x, free, w.knee, -1.0)
         way = way_to(pose, goal)
         if not is_still(way):
-            mark = try_way(t, m, w, p, candidate, obj, way, mark, s)
+            mark = try_way(t, m, w, c, obj, way, mark, s)
     return mark
 
 
 @wp.func
-def energy_at(
-    t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, target: wp.int32, first: wp.int32, s: State
-):
+def energy_at(t: TablesRef, m: Margins, w: Weights, c: Candidate, target: wp.int32, first: wp.int32, s: State):
     """Energy of all that shares a value at a target, from relation ``first`` (global) on, soft terms apart."""
-    o0 = item(t[0].object_start, p)
     e = float(0.0)
     soft = float(0.0)
-    for r in range(first, item(t[0].relation_start, p + 1)):
-        if item(t[0].relation_object, r)[1] == target and shares_value(t, r) and is_placed(t, o0, r):
-            o = o0 + item(t[0].relation_object, r)[0]
+    for r in range(first, item(t[0].relation_start, c.problem + 1)):
+        if item(t[0].relation_object, r)[1] == target and shares_value(t, r) and is_placed(t, c.first_object, r):
+            o = c.first_object + item(t[0].relation_object, r)[0]
             view = View()
             view.best = 1
-            ei, _share, fi, _g = group_energy(
-                t,
-                m,
-                w,
-                p,
-                candidate,
-                item(t[0].group_start, o),
-                members_end(t, o),
-                s,
-                1.0e6,
-                view,
-                Share(0, 1),
-            )
-            e += ei
-            soft += fi
+            first_member = item(t[0].group_start, o)
+            mine = group_energy(t, m, w, c, first_member, members_end(t, o), s, view, TermSlice(0, 1, FAR))
+            e += mine.value
+            soft += mine.soft
     return e, soft
 
 
 @wp.func
-def snap_alike(t: TablesRef, m: Margins, w: Weights, p: wp.int32, candidate: wp.int32, first: wp.int32, s: State):
+def snap_alike(t: TablesRef, m: Margins, w: Weights, c: Candidate, first: wp.int32, s: State):
     """Give all that shares a value at a target the same one, as near to the exact one as costs nothing.
 
     ``first`` (global) is the first of the relations that share it.
     """
-    o0 = item(t[0].object_start, p)
     target = item(t[0].relation_object, first)[1]
-    last = item(t[0].relation_start, p + 1)
+    last = item(t[0].relation_start, c.problem + 1)
     base = float(0.0)
     base_soft = float(0.0)
     done = bool(False)
     for k in range(0, SHARES + 3, opaque_one()):  # where they are, all shares down to none, and back
         if not done:
             for r in range(first, last):
-                if item(t[0].relation_object, r)[1] == target and shares_value(t, r) and is_placed(t, o0, r):
+                if (
+                    item(t[0].relation_object, r)[1] == target
+                    and shares_value(t, r)
+                    and is_placed(t, c.first_object, r)
+                ):
                     obj = item(t[0].relation_object, r)[0]
                     if k == 0:
-                        s.draft[candidate, obj] = item(s.poses, candidate, obj)
+                        s.draft[c.index, obj] = item(s.poses, c.index, obj)
                     else:
-                        pose = item(s.draft, candidate, obj)
+                        pose = item(s.draft, c.index, obj)
                         if k < SHARES + 2:
-                            x = relation_poses(t, o0, r, s, candidate, View())
+                            x = relation_poses(t, c.first_object, r, s, c.index, View())
                             x.pose_a = pose
                             x.qa = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
                             share = 1.0 - float(k - 1) / float(SHARES)
-                            pose = exact_pose(t, r, x, item(t[0].object_free, o0 + obj), w.knee, share)
-                        move_with_members(t, o0, s, candidate, obj, pose)
-            e, soft = energy_at(t, m, w, p, candidate, target, first, s)
+                            pose = exact_pose(t, r, x, item(t[0].object_free, c.first_object + obj), w.knee, share)
+                        move_with_members(t, c.first_object, s, c.index, obj, pose)
+            e, soft = energy_at(t, m, w, c, target, first, s)
             if k == 0:
                 base = e
                 base_soft = soft
@@ -359,28 +343,33 @@ def snap(
     candidate = wp.tid()
     if active[candidate] == 0:
         return
-    p = problem[candidate]
-    o0 = item(t[0].object_start, p)
-    n = item(t[0].object_start, p + 1) - o0
+    c = candidate_of(t, problem, candidate)
     w.pull = 0.0
-    for obj in range(n):
+    for obj in range(c.objects):
         s.mark[candidate, obj] = 0
     stamp = int(0)
     for _turn in range(0, PASSES, opaque_one()):
-        for k in range(0, n, opaque_one()):
-            obj = order[p, k]
-            if item(t[0].object_root, o0 + obj) == obj and item(t[0].object_free, o0 + obj) != 0:
-                stamp = snap_one(t, m, w, p, candidate, obj, stamp, s)
-    r0 = item(t[0].relation_start, p)
-    for r in range(r0, item(t[0].relation_start, p + 1)):
+        for k in range(0, c.objects, opaque_one()):
+            obj = order[c.problem, k]
+            if (
+                item(t[0].object_root, c.first_object + obj) == obj
+                and item(t[0].object_free, c.first_object + obj) != 0
+            ):
+                stamp = snap_one(t, m, w, c, obj, stamp, s)
+    r0 = item(t[0].relation_start, c.problem)
+    for r in range(r0, item(t[0].relation_start, c.problem + 1)):
         target = item(t[0].relation_object, r)[1]
-        if target >= 0 and shares_value(t, r) and is_placed(t, o0, r):
+        if target >= 0 and shares_value(t, r) and is_placed(t, c.first_object, r):
             first = bool(True)
             for k in range(r0, r):
-                if item(t[0].relation_object, k)[1] == target and shares_value(t, k) and is_placed(t, o0, k):
+                if (
+                    item(t[0].relation_object, k)[1] == target
+                    and shares_value(t, k)
+                    and is_placed(t, c.first_object, k)
+                ):
                     first = False
             if first:
-                snap_alike(t, m, w, p, candidate, r, s)
+                snap_alike(t, m, w, c, r, s)
 
 
 @wp.kernel

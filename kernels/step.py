@@ -9,10 +9,10 @@ in the cache. What is private to these optimisers is stored [object, candidate],
 import warp as wp
 
 from .array_access import item, item_strided
-from .energy import best_option, relation_poses
 from .features import TURN
 from .geometry import perp, plane_of, wrap
 from .tables import FREE_PLANE, FREE_YAW, FREE_Z, State, TablesRef, View, Weights
+from .terms_relations import best_option, relation_poses
 from .warp_primitives import WARP_SIZE
 
 wp.set_module_options({"enable_backward": False})

@@ -47,13 +47,14 @@ FEATURE_ASIDE = 9
 FEATURE_SPREAD = 10
 FEATURE_USER = 16  # and above: residuals registered by the user
 
-# Kinds of an energy's terms, bits of ``View.without``.
-ROOM = wp.constant(1)  # walls, floor and ceiling; the pull
+# Kinds of an energy's terms, bits of ``Tables.object_terms``; `evaluator.TERMS` says what adds them up.
+BOUNDS = wp.constant(1)  # walls, floor and ceiling
 FORMULAS = wp.constant(2)  # relations of plain features
 DISTANCES = wp.constant(4)  # relations with distances of boxes besides
 RELATIONS = wp.constant(8)  # all other relations
 BOXES = wp.constant(16)  # where boxes meet
 POLYGONS = wp.constant(32)  # where other things meet
+PULL = wp.constant(64)  # of the anchor
 
 
 @wp.struct
@@ -172,17 +173,30 @@ class View:
     before: wp.vec4
     after: wp.vec4
     spin: wp.vec2  # (cos, sin) of the turn
-    without: wp.int32  # kinds of terms that are left out
     crowd: wp.int32  # 1: what is near is found through cells where there are any; 0: there are none
     best: wp.int32  # 1: relations choose their best option; 0: they keep to ``State.options``
 
 
 @wp.struct
-class Share:
-    """Which of the terms of an energy a thread adds up: every ``of``-th from ``first``."""
+class TermSlice:
+    """Which terms of an energy a thread adds up: every ``step``-th from ``first``; no more once they exceed the limit.
+
+    What threads with all the slices return adds up.
+    """
 
     first: wp.int32
-    of: wp.int32
+    step: wp.int32
+    limit: wp.float32
+
+
+@wp.struct
+class Energy:
+    """A sum of terms [m], and its gradient."""
+
+    value: wp.float32  # all that an object takes part in
+    share: wp.float32  # its share of the candidate's energy: half of each pair, the whole of a relation for its subject
+    soft: wp.float32  # what of the share soft relations and the pull make up
+    gradient: wp.vec4  # of the value for the object's pose (x, y, z, yaw)
 
 
 @wp.struct

@@ -8,12 +8,12 @@ relations choose their best option. What event leads to what is in `state_machin
 import warp as wp
 
 from .array_access import item, opaque_one
+from .bodies import Candidate, viewed_pose
 from .cells import change_cell, crowded
-from .energy import viewed_pose
 from .features import TURN
 from .geometry import FAR, wrap
 from .groups import members_end, redraw_surfaces, set_pose
-from .jobs import SOLVED, Context, JobResult, SearchState, single_body
+from .jobs import SOLVED, JobResult, SearchState, single_body
 from .proposals import off_square
 from .starts import Plan
 from .state_machine import (
@@ -67,55 +67,55 @@ def pick_object(n: wp.int32, candidate: wp.int32, energy: wp.array2d(dtype=wp.fl
 
 
 @wp.func
-def may_move(t: TablesRef, c: Context, first: wp.int32, last: wp.int32, s: State):
-    """True when the attempt may move everything in group[first:last]."""
-    if c.anchored:
-        for k in range(first, last):
-            if item(s.released, c.candidate, item(t[0].object_root, c.first_object + item(t[0].group, k))) == 0:
+def may_move(t: TablesRef, c: Candidate, d: SearchState, s: State):
+    """True when the attempt may move all objects of a move."""
+    if d.anchored == 1:
+        for k in range(d.first, d.last):
+            if item(s.released, c.index, item(t[0].object_root, c.first_object + item(t[0].group, k))) == 0:
                 return False
     return True
 
 
 @wp.func
-def next_object(t: TablesRef, c: Context, energy: wp.array2d(dtype=wp.float32), obj: wp.int32, faulty: wp.bool):
+def next_object(t: TablesRef, c: Candidate, energy: wp.array2d(dtype=wp.float32), obj: wp.int32, faulty: wp.bool):
     """The next free object after this one, of those with energy if only faulty ones count; ``c.objects`` at the end."""
     obj += 1
     while obj < c.objects and (
-        item(t[0].object_free, c.first_object + obj) == 0 or (faulty and item(energy, c.candidate, obj) <= SOLVED)
+        item(t[0].object_free, c.first_object + obj) == 0 or (faulty and item(energy, c.index, obj) <= SOLVED)
     ):
         obj += 1
     return obj
 
 
 @wp.func
-def movable_of(t: TablesRef, c: Context):
+def movable_of(t: TablesRef, c: Candidate):
     """How many roots may move, at least two; budgets are counted in these."""
     return wp.max(item(t[0].movable, c.problem), 2)
 
 
 @wp.func
-def apply_move(t: TablesRef, c: Context, x: JobResult, d: SearchState, s: State):
+def apply_move(t: TablesRef, c: Candidate, x: JobResult, d: SearchState, s: State):
     """Put the objects of a move where its best proposal has them."""
     view = View()
     view.stamp = d.stamp
     view.draft = x.draft
-    view.before = item(s.poses, c.candidate, d.obj)
+    view.before = item(s.poses, c.index, d.obj)
     view.after = x.pose
     turned = view.after[3] - view.before[3]
     view.spin = wp.vec2(wp.cos(turned), wp.sin(turned))
     for k in range(d.first, d.last):
         obj = item(t[0].group, k)
-        pose, _q = viewed_pose(s, c.candidate, obj, view)
-        set_pose(s, c.candidate, obj, pose)
+        pose, _q = viewed_pose(s, c.index, obj, view)
+        set_pose(s, c.index, obj, pose)
         if crowded(c.objects, s):
-            change_cell(t, c.problem, c.candidate, obj, s)
+            change_cell(t, c.problem, c.index, obj, s)
 
 
 @wp.func
 def apply_result(
     t: TablesRef,
     plan: Plan,
-    c: Context,
+    c: Candidate,
     x: JobResult,
     s: State,
     energy: wp.array2d(dtype=wp.float32),
@@ -130,16 +130,16 @@ def apply_result(
         if d.phase == MOVING:
             if hard <= SOLVED:
                 d.soft_moves += wp.max(4, movable // 2)
-                if x.soft <= SOLVED or d.soft_moves > plan.soft_moves * movable or c.anchored:
+                if x.soft <= SOLVED or d.soft_moves > plan.soft_moves * movable or d.anchored == 1:
                     d.solved = 1
         else:
-            d.solved = wp.where(x.share <= SOLVED or (c.anchored and hard <= SOLVED), 1, 0)
+            d.solved = wp.where(x.share <= SOLVED or (d.anchored == 1 and hard <= SOLVED), 1, 0)
     elif d.job == GRADIENT:
         d.base = x.base
     elif d.job == MOVE:
         moved = x.least < x.base + d.threshold
         if moved:
-            energy[c.candidate, d.obj] = x.rating
+            energy[c.index, d.obj] = x.rating
     elif d.job == STEP:
         moved = x.least < d.base
     elif d.job == SQUARE:
@@ -152,16 +152,16 @@ def apply_result(
 
 
 @wp.func
-def choose_move(t: TablesRef, plan: Plan, c: Context, moves: wp.int32, chosen: wp.int32, s: State, d: SearchState):
+def choose_move(t: TablesRef, plan: Plan, c: Candidate, moves: wp.int32, chosen: wp.int32, s: State, d: SearchState):
     """Set up the move of an object: who goes along, how near the proposals are and what they may cost."""
     rng = d.rng
     whole = bool(False)
     u = wp.randf(rng)
     v = wp.randf(rng)
     parent = item(t[0].object_parent, c.first_object + chosen)
-    if c.anchored and parent >= 0 and item(s.released, c.candidate, parent) == 0:
+    if d.anchored == 1 and parent >= 0 and item(s.released, c.index, parent) == 0:
         parent = -1
-    if parent >= 0 and u < wp.where(c.anchored, 0.1, 0.25):
+    if parent >= 0 and u < wp.where(d.anchored == 1, 0.1, 0.25):
         chosen = parent
         whole = True
     elif v < plan.whole:
@@ -170,13 +170,13 @@ def choose_move(t: TablesRef, plan: Plan, c: Context, moves: wp.int32, chosen: w
     d.obj = chosen
     d.first = item(t[0].group_start, o)
     d.last = item(t[0].group_start, o + 1)
-    if not whole or not may_move(t, c, d.first, d.last, s):
+    if not whole or not may_move(t, c, d, s):
         d.last = members_end(t, o)
-    level = 1.0 - (float(c.round) + float(d.move) / float(moves)) / float(plan.rounds)
+    level = 1.0 - (float(d.round) + float(d.move) / float(moves)) / float(plan.rounds)
     d.scale = 0.4 * level
     d.threshold = 0.0
     if d.soft_moves == 0:
-        temperature = wp.where(c.anchored, plan.anchored_temperature, plan.temperature)
+        temperature = wp.where(d.anchored == 1, plan.anchored_temperature, plan.temperature)
         d.threshold = -temperature * level * level * wp.log(wp.randf(rng) + 1.0e-9)
     d.seed = int(2.0e9 * wp.randf(rng))
     d.draft = 0
@@ -191,7 +191,7 @@ def choose_move(t: TablesRef, plan: Plan, c: Context, moves: wp.int32, chosen: w
 def moving_event(
     t: TablesRef,
     plan: Plan,
-    c: Context,
+    c: Candidate,
     done: wp.int32,
     moved: wp.bool,
     s: State,
@@ -211,7 +211,7 @@ def moving_event(
             event = MOVES_SPENT
         else:
             rng = d.rng
-            chosen = pick_object(c.objects, c.candidate, energy, wp.randf(rng))
+            chosen = pick_object(c.objects, c.index, energy, wp.randf(rng))
             d.rng = rng
             if chosen >= 0:
                 event = OBJECT_CHOSEN
@@ -225,7 +225,7 @@ def moving_event(
 def polishing_event(
     t: TablesRef,
     plan: Plan,
-    c: Context,
+    c: Candidate,
     done: wp.int32,
     g: wp.vec4,
     energy: wp.array2d(dtype=wp.float32),
@@ -260,11 +260,11 @@ def polishing_event(
 
 
 @wp.func
-def finishing_event(t: TablesRef, c: Context, s: State, energy: wp.array2d(dtype=wp.float32), d: SearchState):
+def finishing_event(t: TablesRef, c: Candidate, s: State, energy: wp.array2d(dtype=wp.float32), d: SearchState):
     """What comes next while objects go back or square up: the state, and the event."""
     walled = item(t[0].plane_start, c.problem + 1) > item(t[0].plane_start, c.problem)
     event = int(NOTHING_LEFT)
-    passes = wp.where(c.anchored, 1, 0)  # what goes back may clear the way for another
+    passes = wp.where(d.anchored == 1, 1, 0)  # what goes back may clear the way for another
     while event == NOTHING_LEFT and d.finishing_passes <= passes:
         d.cursor = next_object(t, c, energy, d.cursor, False)
         if d.cursor >= c.objects:
@@ -272,9 +272,9 @@ def finishing_event(t: TablesRef, c: Context, s: State, energy: wp.array2d(dtype
             d.finishing_passes += 1
         else:
             d.obj = d.cursor
-            pose = item(s.poses, c.candidate, d.obj)
-            if c.anchored:
-                back = item(s.anchors, c.candidate, d.obj) - pose
+            pose = item(s.poses, c.index, d.obj)
+            if d.anchored == 1:
+                back = item(s.anchors, c.index, d.obj) - pose
                 back[3] = wrap(back[3], TURN)
                 if wp.dot(back, back) > 1.0e-12:
                     event = OFF_ANCHOR
@@ -286,7 +286,7 @@ def finishing_event(t: TablesRef, c: Context, s: State, energy: wp.array2d(dtype
 
 
 @wp.func
-def mark_movers(t: TablesRef, c: Context, s: State, d: SearchState):
+def mark_movers(t: TablesRef, c: Candidate, s: State, d: SearchState):
     """Mark the objects that the next job moves, and lay out their surfaces anew where it may take such a draft."""
     if d.job != MOVE:
         first, last = single_body(t, c.first_object + d.obj)
@@ -297,12 +297,12 @@ def mark_movers(t: TablesRef, c: Context, s: State, d: SearchState):
     for k in range(d.first, d.last):
         i = item(t[0].group, k)
         carried = item(t[0].object_root, c.first_object + i) == d.obj
-        s.mark[c.candidate, i] = wp.where(carried, -d.stamp, d.stamp)
+        s.mark[c.index, i] = wp.where(carried, -d.stamp, d.stamp)
         if d.draft != 0:
-            s.draft[c.candidate, i] = item(s.poses, c.candidate, i)
+            s.draft[c.index, i] = item(s.poses, c.index, i)
     if d.draft != 0:
         rng = d.rng
-        redraw_surfaces(t, c.problem, d.obj, c.candidate, int(1.0e9 * wp.randf(rng)), s.draft)
+        redraw_surfaces(t, c.problem, d.obj, c.index, int(1.0e9 * wp.randf(rng)), s.draft)
         d.rng = rng
     return d
 
@@ -311,7 +311,7 @@ def mark_movers(t: TablesRef, c: Context, s: State, d: SearchState):
 def transition(
     t: TablesRef,
     plan: Plan,
-    c: Context,
+    c: Candidate,
     x: JobResult,
     s: State,
     energy: wp.array2d(dtype=wp.float32),

@@ -6,20 +6,12 @@ Thresholds are tighter than the judge's by more than float32 loses in a room of 
 import warp as wp
 
 from .array_access import item
-from .energy import EAST, overlap_in_z
+from .bodies import Body, Candidate, body_of, candidate_of, fixture_body
 from .features import feature
-from .geometry import plane_of, prisms_apart, turn
-from .tables import (
-    FIXTURE_SOLID,
-    PAIR_COLLIDE,
-    PAIR_ZONE_OF_FIRST,
-    PAIR_ZONE_OF_SECOND,
-    SOLIDS,
-    ZONES,
-    Margins,
-    TablesRef,
-    parts_of,
-)
+from .geometry import overlap_in_z, plane_of, prisms_apart, turn
+from .tables import Margins, State, TablesRef, View
+from .terms_contacts import CONTACTS, FIXTURE, Contact, contact_of, meets_fixture, reach_of_pair
+from .terms_relations import relation_poses
 
 wp.set_module_options({"enable_backward": False})
 
@@ -30,113 +22,69 @@ DIVERGED = wp.constant(3)
 
 
 @wp.func(inline=False)
-def apart(
-    t: TablesRef,
-    first: wp.vec2i,
-    pose_a: wp.vec4,
-    qa: wp.vec2,
-    second: wp.vec2i,
-    pose_b: wp.vec4,
-    qb: wp.vec2,
-    hold: wp.float32,
-    least: wp.float32,
-):
-    """True when no two prisms of the ranges come closer than hold (negative: may sink in so far)."""
-    pa = plane_of(pose_a)
-    pb = plane_of(pose_b)
-    for a in range(first[0], first[1]):
-        for b in range(second[0], second[1]):
-            if overlap_in_z(pose_a[2], item(t[0].prism_z, a), pose_b[2], item(t[0].prism_z, b), least):
-                s, _n, _x = prisms_apart(
-                    t, a, item(t[0].prism_box, a), pa, qa, b, item(t[0].prism_box, b), pb, qb, hold
-                )
-                if s < hold:
+def contact_holds(t: TablesRef, x: Contact, a: Body, b: Body, least: wp.float32):
+    """True when no two prisms of a contact come closer than it has to hold (negative: may sink in so far)."""
+    pa = plane_of(a.pose)
+    pb = plane_of(b.pose)
+    for i in range(x.first[0], x.first[1]):
+        box_a = item(t[0].prism_box, i)
+        for j in range(x.second[0], x.second[1]):
+            if overlap_in_z(a.pose[2], item(t[0].prism_z, i), b.pose[2], item(t[0].prism_z, j), least):
+                box_b = item(t[0].prism_box, j)
+                s, _n, _x = prisms_apart(t, i, box_a, pa, a.turn, j, box_b, pb, b.turn, x.hold)
+                if s < x.hold:
                     return False
     return True
 
 
 @wp.func
-def pair_holds(
-    t: TablesRef,
-    m: Margins,
-    flags: wp.int32,
-    a: wp.int32,
-    pose_a: wp.vec4,
-    qa: wp.vec2,
-    b: wp.int32,
-    pose_b: wp.vec4,
-    qb: wp.vec2,
-):
-    """True when objects a and b (global indices) neither collide nor stand in each other's hard zones."""
-    sa = parts_of(t, a, SOLIDS)
-    sb = parts_of(t, b, SOLIDS)
-    if flags & PAIR_COLLIDE:
-        if not apart(t, sa, pose_a, qa, sb, pose_b, qb, m.collision_hold, m.least_overlap_z):
-            return False
-    if flags & PAIR_ZONE_OF_FIRST:
-        if not apart(t, parts_of(t, a, ZONES), pose_a, qa, sb, pose_b, qb, m.zone_hold, m.least_overlap_z):
-            return False
-    if flags & PAIR_ZONE_OF_SECOND:
-        if not apart(t, sa, pose_a, qa, parts_of(t, b, ZONES), pose_b, qb, m.zone_hold, m.least_overlap_z):
+def contacts_hold(t: TablesRef, m: Margins, flags: wp.int32, a: Body, b: Body):
+    """True when every contact holds that the flags of a pair, or ``FIXTURE``, mean for two bodies."""
+    left = flags & CONTACTS
+    while left != 0:
+        flag = left & -left
+        left = left - flag
+        if not contact_holds(t, contact_of(t, m, flag, a.index, b.index), a, b, m.least_overlap_z):
             return False
     return True
 
 
 @wp.func(inline=False)
-def room_holds(t: TablesRef, m: Margins, p: wp.int32, o: wp.int32, pose: wp.vec4, q: wp.vec2):
-    """True when object o (global index) is inside the room and clear of doors and windows."""
-    at = plane_of(pose)
+def room_holds(t: TablesRef, m: Margins, p: wp.int32, x: Body):
+    """True when an object is inside the room and clear of doors and windows."""
+    at = plane_of(x.pose)
+    o = x.index
     for k in range(item(t[0].plane_start, p), item(t[0].plane_start, p + 1)):
         plane = item(t[0].plane, k)
         n = wp.vec2(plane[0], plane[1])
         for f in range(item(t[0].footprint_start, o), item(t[0].footprint_start, o + 1)):
             a = item(t[0].footprint, f)
             for v in range(item(t[0].prism_start, a), item(t[0].prism_start, a + 1)):
-                if wp.dot(n, at + turn(q, item(t[0].vertex, v))) - plane[2] < m.bounds_hold:
+                if wp.dot(n, at + turn(x.turn, item(t[0].vertex, v))) - plane[2] < m.bounds_hold:
                     return False
     for k in range(item(t[0].fixture_start, p), item(t[0].fixture_start, p + 1)):
-        solid = item(t[0].fixture_kind, k) == FIXTURE_SOLID
-        if solid or item(t[0].object_clear, o) == 1:
-            hold = wp.where(solid, m.bounds_hold, m.zone_hold)
-            prism = item(t[0].fixture, k)
-            fixture = wp.vec2i(prism, prism + 1)
-            nowhere = wp.vec4(0.0, 0.0, 0.0, 0.0)
-            if not apart(t, parts_of(t, o, SOLIDS), pose, q, fixture, nowhere, EAST, hold, m.least_overlap_z):
+        if meets_fixture(t, o, k):
+            if not contacts_hold(t, m, FIXTURE, x, fixture_body(k)):
                 return False
-    if pose[2] + item(t[0].object_z, o)[1] > item(t[0].room_height, p) - m.bounds_hold:
+    if x.pose[2] + item(t[0].object_z, o)[1] > item(t[0].room_height, p) - m.bounds_hold:
         return False
-    return pose[2] + item(t[0].object_z, o)[0] >= m.bounds_hold
+    return x.pose[2] + item(t[0].object_z, o)[0] >= m.bounds_hold
 
 
 @wp.func(inline=False)
-def option_holds(
-    t: TablesRef,
-    o0: wp.int32,
-    ids: wp.vec3i,
-    option: wp.int32,
-    candidate: wp.int32,
-    poses: wp.array2d(dtype=wp.vec4),
-    turns: wp.array2d(dtype=wp.vec2),
-):
-    """True when every row of an option lies in its interval."""
-    pose_b = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    qb = EAST
-    pose_c = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    b = int(-1)
-    if ids[1] >= 0:
-        b = o0 + ids[1]
-        pose_b = poses[candidate, ids[1]]
-        qb = turns[candidate, ids[1]]
-    if ids[2] >= 0:
-        pose_c = poses[candidate, ids[2]]
-    for row in range(item(t[0].row_start, option), item(t[0].row_start, option + 1)):
-        value, _g = feature(
-            t, row, 0, o0 + ids[0], b, poses[candidate, ids[0]], turns[candidate, ids[0]], pose_b, qb, pose_c
-        )
-        hold = item(t[0].row_hold, row)
-        if value < hold[0] or value > hold[1]:
-            return False
-    return True
+def relation_holds(t: TablesRef, c: Candidate, r: wp.int32, s: State):
+    """True when every row of one of relation r's options (global) lies in its interval."""
+    x = relation_poses(t, c.first_object, r, s, c.index, View())
+    for option in range(item(t[0].option_start, r), item(t[0].option_start, r + 1)):
+        holds = bool(True)
+        for row in range(item(t[0].row_start, option), item(t[0].row_start, option + 1)):
+            if holds:
+                value, _g = feature(t, row, 0, x)
+                hold = item(t[0].row_hold, row)
+                holds = not (value < hold[0] or value > hold[1])
+        if holds:
+            return True
+    return False
 
 
 @wp.kernel
@@ -147,8 +95,7 @@ def judge_objects(
     problem: wp.array(dtype=wp.int32),
     # State in:
     active: wp.array(dtype=wp.int32),
-    poses: wp.array2d(dtype=wp.vec4),
-    turns: wp.array2d(dtype=wp.vec2),
+    s: State,
     # State out:
     fault_out: wp.array2d(dtype=wp.int8),
 ):
@@ -156,30 +103,24 @@ def judge_objects(
     candidate, obj = wp.tid()
     if active[candidate] == 0:
         return
-    p = problem[candidate]
-    o0 = item(t[0].object_start, p)
-    n = item(t[0].object_start, p + 1) - o0
-    if obj >= n:
+    c = candidate_of(t, problem, candidate)
+    if obj >= c.objects:
         fault_out[candidate, obj] = wp.int8(0)
         return
-    pose = poses[candidate, obj]
-    if not wp.isfinite(pose):
+    x = body_of(c, obj, s)
+    if not wp.isfinite(x.pose):
         fault_out[candidate, obj] = wp.int8(DIVERGED)
         return
-    q = turns[candidate, obj]
-    o = o0 + obj
-    ok = room_holds(t, m, p, o, pose, q)
-    radius = item(t[0].object_radius, o)
-    row = item(t[0].pair_start, p) + obj * n
-    for j in range(n):
+    ok = room_holds(t, m, c.problem, x)
+    row = item(t[0].pair_start, c.problem) + obj * c.objects
+    for j in range(c.objects):
         flags = int(item(t[0].pair_flags, row + j))
         if ok and flags != 0:
-            other = poses[candidate, j]
-            v = plane_of(other) - plane_of(pose)
-            rj = item(t[0].object_radius, o0 + j)
-            far = wp.max(radius[0] + rj[1], radius[1] + rj[0])
+            other = body_of(c, j, s)
+            v = plane_of(other.pose) - plane_of(x.pose)
+            far = reach_of_pair(t, x.index, other.index)
             if wp.dot(v, v) < far * far:
-                ok = pair_holds(t, m, flags, o, pose, q, o0 + j, other, turns[candidate, j])
+                ok = contacts_hold(t, m, flags, x, other)
     fault_out[candidate, obj] = wp.int8(wp.where(ok, VALID, BROKEN))
 
 
@@ -190,8 +131,7 @@ def judge_relations(
     problem: wp.array(dtype=wp.int32),
     # State in:
     active: wp.array(dtype=wp.int32),
-    poses: wp.array2d(dtype=wp.vec4),
-    turns: wp.array2d(dtype=wp.vec2),
+    s: State,
     # State out:
     holds_out: wp.array2d(dtype=wp.bool),
 ):
@@ -199,18 +139,12 @@ def judge_relations(
     candidate, rel = wp.tid()
     if active[candidate] == 0:
         return
-    p = problem[candidate]
-    r = item(t[0].relation_start, p) + rel
-    if r >= item(t[0].relation_start, p + 1):
-        holds_out[candidate, rel] = True
-        return
-    found = bool(False)
-    for option in range(item(t[0].option_start, r), item(t[0].option_start, r + 1)):
-        if not found:
-            found = option_holds(
-                t, item(t[0].object_start, p), item(t[0].relation_object, r), option, candidate, poses, turns
-            )
-    holds_out[candidate, rel] = found
+    c = candidate_of(t, problem, candidate)
+    r = item(t[0].relation_start, c.problem) + rel
+    holds = bool(True)
+    if r < item(t[0].relation_start, c.problem + 1):
+        holds = relation_holds(t, c, r, s)
+    holds_out[candidate, rel] = holds
 
 
 @wp.kernel

@@ -35,7 +35,7 @@ class Batch:
 
     ``tables`` is an array of one ``Tables``, ``keep`` what keeps its arrays alive. ``problem`` [B] int32 says which
     problem a candidate belongs to; ``state`` holds poses [B, N, 4] and the rest; N and R are the largest counts of
-    objects and relations of any problem, ``terms`` the kinds of terms (bits of ``View.without``) that any of them has.
+    objects and relations of any problem, ``terms`` the kinds of terms (bits of ``Tables.object_terms``) that any has.
     """
 
     tables: wp.array
@@ -153,14 +153,14 @@ def launch_verdict(batch: Batch, verdict: DeviceVerdict, active: wp.array) -> No
     wp.launch(
         judge_objects,
         (batch.size, batch.objects),
-        [batch.tables, batch.margins, batch.problem, active, state.poses, state.turns],
+        [batch.tables, batch.margins, batch.problem, active, state],
         [verdict.fault],
         device=device,
     )
     wp.launch(
         judge_relations,
         (batch.size, batch.relations),
-        [batch.tables, batch.problem, active, state.poses, state.turns],
+        [batch.tables, batch.problem, active, state],
         [verdict.holds],
         device=device,
     )

@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 import warp as wp
 
+from sceneweaver.kernels import gradients, gradients_gpu
 from sceneweaver.kernels.adam import Schedule
-from sceneweaver.kernels.pieces import PIECES
-from sceneweaver.kernels.slopes import slopes_of_all
 from sceneweaver.kernels.step import add_up, choose, measure, take_best
 from sceneweaver.kernels.tables import State
 from sceneweaver.kernels.warp_primitives import WARP_SIZE
@@ -20,7 +19,8 @@ from .batch import Batch, judge
 from .launches import Launches
 
 BLOCK = 64  # threads: the fastest of 32, 64, 128 and 256 on an H200
-MEASURED, MEASURED_ON_GPU = ("step", "slopes"), ("step", "pieces")  # modules of the kernels that are launched here
+# Modules of the kernels that are launched here.
+MEASURED, MEASURED_ON_GPU = ("step", "gradients"), ("step", "gradients_gpu")
 REASSIGN = 20  # steps between two looks at which wall or side each relation means; even: both buffers had their turn
 
 
@@ -127,7 +127,8 @@ def add_slopes(block: Launches, batch: Batch, state: State, lowest: wp.array, pa
 
     Candidates whose ``lowest`` energy so far is that of rest are left out.
     """
-    kernels = [slopes_of_all] if batch.device == "cpu" else [piece for kinds, piece in PIECES if kinds & batch.terms]
+    wanted = (gradients.WHOLE,) if batch.device == "cpu" else gradients_gpu.GROUPS
+    kernels = [kernel for kinds, kernel in wanted if kinds & batch.terms]
     inputs = [batch.tables, batch.margins, batch.weights, batch.problem, state, lowest]
     for kernel in kernels:
         block.add(kernel, threads(batch, batch.objects), inputs, [part, slope], block=BLOCK)

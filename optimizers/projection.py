@@ -8,7 +8,7 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.bookkeeping import set_turns
-from sceneweaver.kernels.inequality import ROWS, Inequality
+from sceneweaver.kernels.inequality import ROWS, Inequality, InequalitySystem
 from sceneweaver.kernels.linearise import linearise
 from sceneweaver.kernels.projection import Perturbation, choose_options, project, restore, start_try
 
@@ -45,6 +45,12 @@ class Workspace:
     moved: wp.array
     last_step: wp.array
     live: wp.array
+
+    def system(self) -> InequalitySystem:
+        """Where the rows of this step go."""
+        system = InequalitySystem()
+        system.rows, system.keys, system.shift = self.rows, self.keys[1], self.shift
+        return system
 
     @classmethod
     def of(cls, batch: Batch) -> Workspace:
@@ -151,12 +157,12 @@ def _try(batch: Batch, work: Workspace, left: np.ndarray, attempt: int) -> None:
                 *problem,
                 work.live,
                 batch.state,
-                work.shift,
                 work.keys[0],
                 work.force[0],
                 work.count,
+                work.system(),
             ],
-            [work.rows, work.keys[1], work.force[1], work.missed],
+            [work.force[1], work.missed],
             device=device,
         )
         work.keys.reverse()

@@ -120,12 +120,12 @@ class Rounds:
                 search, batch.size, [self.active, self.clock, state], [self.energy, *self.proposals, self.total]
             )
         else:
-            self._launch(start_rounds, batch.size, [self.active, state], [self.search_state, self.busy])
+            self._launch(start_rounds, batch.size, [self.active, self.clock, state], [self.search_state, self.busy])
             wp.capture_while(self.busy, self._job)
 
     def _job(self) -> None:
         """The next job of every candidate."""
-        size, seen = self.batch.size, [self.clock, self.search_state, self.state]
+        size, seen = self.batch.size, [self.search_state, self.state]
         lanes = threads_per_candidate(self.batch.device)
         drawers = min(1 + self.plan.proposals, lanes)
         self._launch(draw, (size, drawers), seen, [*self.proposals, self.busy], 128)
@@ -135,7 +135,7 @@ class Rounds:
         self._launch(
             advance,
             size,
-            [self.clock, self.result, self.state],
+            [self.result, self.state],
             [self.energy, self.search_state, self.total, self.busy],
             64,
         )

@@ -229,7 +229,7 @@ def pack(problems: Sequence[LayoutProblem], device: str, pools: Sequence[Sequenc
         round_pairs = (problem.flags != 0) & ~(boxy[:, None] & boxy)
         flags.append((problem.flags | np.where(round_pairs, k.PAIR_POLYGON, 0)).ravel())
         all_boxes = boxy.all() and all(map(prisms.is_box, fixture.of(which)))
-        always = int(k.ROOM) | int(k.BOXES) | (0 if all_boxes else int(k.POLYGONS))
+        always = int(k.BOUNDS) | int(k.PULL) | int(k.BOXES) | (0 if all_boxes else int(k.POLYGONS))
         kinds_of = relation_kind[relation_start[-1] :]
         terms += [reduce(or_, (kinds_of[r] for r, _ in mine), always) for mine in parts]
         object_start.append(object_start[-1] + n)

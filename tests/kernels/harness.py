@@ -12,7 +12,7 @@ import warp as wp
 
 from sceneweaver.geometry.se2 import absolute, relative
 from sceneweaver.kernels.cells import CELLS, CROWD, fill_cells
-from sceneweaver.kernels.energy import evaluate
+from sceneweaver.kernels.evaluator import evaluate
 from sceneweaver.kernels.step import choose
 from sceneweaver.kernels.tables import State, TablesRef
 from sceneweaver.layout.compile import CompiledScene, LayoutProblem, compile_scene

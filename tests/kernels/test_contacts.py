@@ -33,9 +33,9 @@ def gather(batch: Batch) -> list[Rows]:
     work.live.fill_(1)
     selected = wp.array(np.arange(batch.size, dtype=np.int32), dtype=wp.int32, device=batch.device)
     best_options(batch)
-    inputs = [batch.tables, batch.margins, REACH, batch.problem, selected, work.live, batch.state, work.shift]
-    inputs += [work.keys[0], work.force[0], work.count]
-    outputs = [work.rows, work.keys[1], work.force[1], work.missed]
+    inputs = [batch.tables, batch.margins, REACH, batch.problem, selected, work.live, batch.state]
+    inputs += [work.keys[0], work.force[0], work.count, work.system()]
+    outputs = [work.force[1], work.missed]
     wp.launch(linearise, (batch.size, batch.objects), inputs, outputs, device=batch.device)
     rows, keys, count, missed = (a.numpy() for a in (work.rows, work.keys[1], work.count, work.missed))
     found = []

@@ -1,4 +1,4 @@
-"""Slopes in pieces, as on a GPU, against all terms in one kernel; and which pieces a batch needs."""
+"""Gradients by groups of terms, as on a GPU, against all terms in one kernel; and which groups a batch needs."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ import pytest
 import warp as wp
 
 from sceneweaver.kernels import tables as k
-from sceneweaver.kernels.pieces import EVERY_KIND, PIECES
-from sceneweaver.kernels.slopes import slopes_of_all
+from sceneweaver.kernels.evaluator import EVERY_KIND, TERMS
+from sceneweaver.kernels.gradients import WHOLE
+from sceneweaver.kernels.gradients_gpu import GROUPS
 from sceneweaver.layout.compile import compile_scene
 from sceneweaver.optimizers import load_poses
 from sceneweaver.optimizers.batch import Batch
@@ -20,45 +21,46 @@ from tests.optimizers.batches import batch
 ROUND, HALL = "dining-round", "living-dining-L"  # round tables; a room whose outside is no box
 
 
-def slopes(what: Batch, kernels: list, lowest: float = np.inf) -> tuple[np.ndarray, np.ndarray]:
-    """Shares and slopes, [object, candidate], that some kernels add up to, from -1 where none writes."""
-    part, slope = per_object(what, wp.float32, -1.0), per_object(what, wp.vec4, -1.0)
+def gradients(what: Batch, kernels: list, lowest: float = np.inf) -> tuple[np.ndarray, np.ndarray]:
+    """Shares and gradients, [object, candidate], that some kernels add up to, from -1 where none writes."""
+    share, gradient = per_object(what, wp.float32, -1.0), per_object(what, wp.vec4, -1.0)
     rest = wp.full(what.size, lowest, dtype=wp.float32, device=what.device)
-    inputs = [what.tables, what.margins, what.weights, what.problem, by_object(what.state), rest, part, slope]
+    inputs = [what.tables, what.margins, what.weights, what.problem, by_object(what.state), rest, share, gradient]
     for kernel in kernels:
         wp.launch(kernel, threads(what, what.objects), inputs, device=what.device)
-    return part.numpy(), slope.numpy()
+    return share.numpy(), gradient.numpy()
 
 
 def needed(what: Batch) -> list:
-    """The pieces that a batch needs."""
-    return [kernel for kinds, kernel in PIECES if kinds & what.terms]
+    """The kernels of the groups that a batch needs."""
+    return [kernel for kinds, kernel in GROUPS if kinds & what.terms]
 
 
 @pytest.mark.parametrize("name", ROOMS)
-def test_pieces_add_up(device, name):
+def test_groups_add_up(device, name):
     what = batch([name], 6, device)
     what.weights.pull = 0.5
-    share, slope = slopes(what, needed(what))
-    whole, gradient = slopes(what, [slopes_of_all])
+    share, slope = gradients(what, needed(what))
+    whole, gradient = gradients(what, [WHOLE.kernel])
     np.testing.assert_allclose(share, whole, atol=1e-5, rtol=1e-5)
     np.testing.assert_allclose(slope, gradient, atol=2e-5, rtol=1e-4)
     assert whole.max() > 0.1 and (whole >= 0).all()
 
 
-def test_every_kind_of_terms_is_in_one_piece():
-    kinds = [kinds for kinds, _ in PIECES]
+def test_every_kind_of_terms_is_in_one_group():
+    kinds = [kinds for kinds, _ in GROUPS]
     assert sum(kinds) == EVERY_KIND and np.bitwise_or.reduce(kinds) == EVERY_KIND
-    assert kinds[0] & k.ROOM  # the one that sets what the others add to
+    assert sum(term.kind for term in TERMS) == EVERY_KIND == WHOLE.kinds
+    assert kinds[0] & k.BOUNDS  # the one that sets what the others add to
     assert np.bitwise_or.reduce([batch([name], 1, "cpu").terms for name in ROOMS]) == EVERY_KIND
 
 
 @pytest.mark.parametrize(("name", "kind"), [(ROUND, k.POLYGONS), (ROUND, k.RELATIONS), (HALL, k.POLYGONS)])
-def test_a_piece_that_is_needed_changes_something(device, name, kind):
+def test_a_group_that_is_needed_changes_something(device, name, kind):
     what = batch([name], 20, device)
     assert what.terms & kind
-    share, _ = slopes(what, needed(what))
-    without, _ = slopes(what, [kernel for kinds, kernel in PIECES if not kinds & kind])
+    share, _ = gradients(what, needed(what))
+    without, _ = gradients(what, [kernel for kinds, kernel in GROUPS if not kinds & kind])
     assert np.abs(share - without).max() > 0.01
 
 
@@ -66,7 +68,7 @@ def test_a_room_of_boxes_needs_little(device):
     two = scene([thing("a"), thing("b")], [relation("near", "a", "b")])
     problem = compile_scene(two).room
     what = batch_of([problem], np.zeros(1, dtype=int), [problem.home], device)
-    assert what.terms == k.ROOM | k.BOXES | k.DISTANCES
+    assert what.terms == k.BOUNDS | k.PULL | k.BOXES | k.DISTANCES
 
 
 def test_batches_of_several_rooms(device):
@@ -79,7 +81,7 @@ def test_batches_of_several_rooms(device):
     load_poses(mixed, poses)
     best_options(mixed)
     best_options(few)
-    for one, other in zip(slopes(mixed, needed(mixed)), slopes(few, needed(few)), strict=True):
+    for one, other in zip(gradients(mixed, needed(mixed)), gradients(few, needed(few)), strict=True):
         np.testing.assert_array_equal(one[: few.objects, 5:], other)
 
 
@@ -88,14 +90,14 @@ def test_no_number_is_far_and_flat(device):
     poses = what.state.poses.numpy()
     poses[0, 3, 1] = np.nan
     what.state.poses.assign(poses)
-    share, slope = slopes(what, needed(what))
-    whole, gradient = slopes(what, [slopes_of_all])
+    share, slope = gradients(what, needed(what))
+    whole, gradient = gradients(what, [WHOLE.kernel])
     assert share[3, 0] == whole[3, 0] >= 1e6 and not slope[3, 0].any() and not gradient[3, 0].any()
     assert np.isfinite(share).all() and np.isfinite(slope[:, 1]).all()
 
 
 def test_at_rest_nothing_is_measured(device):
     what = batch(["bedroom-small"], 3, device)
-    for kernels in (needed(what), [slopes_of_all]):
-        share, slope = slopes(what, kernels, lowest=0.0)
+    for kernels in (needed(what), [WHOLE.kernel]):
+        share, slope = gradients(what, kernels, lowest=0.0)
         assert (share == -1).all() and (slope == -1).all()

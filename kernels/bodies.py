@@ -1,0 +1,109 @@
+"""Candidates and their objects, as functions take them: what would else be six arguments is a struct of two or four."""
+
+import warp as wp
+
+from .array_access import item, item_strided
+from .geometry import plane_of, turn
+from .tables import FREE_PLANE, FREE_YAW, FREE_Z, State, TablesRef, View
+
+wp.set_module_options({"enable_backward": False})
+
+EAST = wp.constant(wp.vec2(1.0, 0.0))
+
+
+@wp.struct
+class Candidate:
+    """A candidate and the range of its problem's objects in the tables."""
+
+    index: wp.int32
+    problem: wp.int32
+    first_object: wp.int32  # global index of the problem's object 0
+    objects: wp.int32
+
+
+@wp.struct
+class Body:
+    """An object, or the prism of a fixture, at a pose."""
+
+    obj: wp.int32  # local index; -1: a fixture
+    index: wp.int32  # global index of the object or of the fixture
+    pose: wp.vec4  # x, y, z [m], yaw [rad]
+    turn: wp.vec2  # (cos, sin) of the yaw
+
+
+@wp.func
+def candidate_of(t: TablesRef, problem: wp.array(dtype=wp.int32), candidate: wp.int32):
+    """A candidate of a batch, of which ``problem`` [candidate] says whose layout it is."""
+    c = Candidate()
+    c.index = candidate
+    c.problem = problem[candidate]
+    c.first_object = item(t[0].object_start, c.problem)
+    c.objects = item(t[0].object_start, c.problem + 1) - c.first_object
+    return c
+
+
+@wp.func
+def viewed_pose(s: State, candidate: wp.int32, i: wp.int32, view: View):
+    """Pose and (cos, sin) of the yaw of object i where a view sees it."""
+    pose = item_strided(s.poses, candidate, i)
+    q = item_strided(s.turns, candidate, i)
+    if view.stamp != 0:
+        mark = item(s.mark, candidate, i)
+        if wp.abs(mark) == view.stamp:
+            rise = float(0.0)
+            if mark < 0:
+                rise = view.after[2] - view.before[2]
+                if view.draft == 1:
+                    pose = item(s.draft, candidate, i)
+                    q = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
+            at = plane_of(view.after) + turn(view.spin, plane_of(pose) - plane_of(view.before))
+            pose = wp.vec4(at[0], at[1], pose[2] + rise, pose[3] + view.after[3] - view.before[3])
+            q = turn(view.spin, q)
+    return pose, q
+
+
+@wp.func
+def viewed_body(c: Candidate, obj: wp.int32, s: State, view: View):
+    """An object where a view sees it."""
+    body = Body()
+    body.obj = obj
+    body.index = c.first_object + obj
+    pose, q = viewed_pose(s, c.index, obj, view)
+    body.pose = pose
+    body.turn = q
+    return body
+
+
+@wp.func
+def body_of(c: Candidate, obj: wp.int32, s: State):
+    """An object where it stands."""
+    body = Body()
+    body.obj = obj
+    body.index = c.first_object + obj
+    body.pose = item_strided(s.poses, c.index, obj)
+    body.turn = item_strided(s.turns, c.index, obj)
+    return body
+
+
+@wp.func
+def fixture_body(k: wp.int32):
+    """Fixture k (global), which stands where its prism says."""
+    body = Body()
+    body.obj = -1
+    body.index = k
+    body.turn = EAST
+    return body
+
+
+@wp.func
+def free_part(t: TablesRef, o: wp.int32, v: wp.vec4):
+    """A vector (x, y, z, yaw) without what object o (global) is not free to do."""
+    free = item(t[0].object_free, o)
+    if (free & FREE_PLANE) == 0:
+        v[0] = 0.0
+        v[1] = 0.0
+    if (free & FREE_Z) == 0:
+        v[2] = 0.0
+    if (free & FREE_YAW) == 0:
+        v[3] = 0.0
+    return v
