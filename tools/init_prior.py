@@ -85,7 +85,6 @@ def _scene(
         relations=tuple(relations),
         provenance={
             "tool": InitPrior.name,
-            "asked": [[r.type, r.subject] for r in asked],
             "room": room.name,
             "seed": context.seed,
             "style": style,
@@ -216,7 +215,9 @@ def _hang(one: Wanted, space: Room, over: float) -> tuple[float, float]:
 def _consistent(asked: list[Relation], usual: list[Relation]) -> list[Relation]:
     """What was asked, then of the room's own relations those that do not say the same of the same objects again."""
     said = {(r.type, r.subject, r.target) for r in asked}
-    return asked + [r for r in usual if (r.type, r.subject, r.target) not in said]
+    return [r.model_copy(update={"asked": True}) for r in asked] + [
+        r for r in usual if (r.type, r.subject, r.target) not in said
+    ]
 
 
 def _missing(brief: Brief, program: Program) -> list[str]:

@@ -41,13 +41,13 @@ def adapted(context: Context, scene: Scene, tool: str, name: str) -> tuple[Scene
             "prompt": brief.text,
             "dropped": (),
             "objects": tuple(_unasked(o) for o in scene.objects),
+            "relations": tuple(r.model_copy(update={"asked": False}) for r in scene.relations),
             "provenance": {
                 **scene.provenance,
                 "tool": tool,
                 "library": name,
                 "room": context.room.name,
                 "seed": context.seed,
-                "asked": [],
             },
         }
     )
@@ -265,7 +265,7 @@ def _added(
 
 def _related(scene: Scene, brief: Brief, made: Mapping[str, list[str]], unmet: list[str]) -> Scene:
     """The scene with the relations that were asked for."""
-    draft, asked = Draft.of(scene), []
+    draft = Draft.of(scene)
     for said in brief.relations:
         if said.type in ("on_top", "inside", "on_floor") or said.target == "middle":
             continue
@@ -278,11 +278,13 @@ def _related(scene: Scene, brief: Brief, made: Mapping[str, list[str]], unmet: l
             relations, failed = relations_of(draft, [row], draft.objects[id], len(subjects))
             unmet += [f"{said.words or said.type}: {reason}" for reason in failed]
             for r in relations:
-                asked.append([r.type, r.subject])
-                if not any((r.type, r.subject, r.target) == (o.type, o.subject, o.target) for o in draft.relations):
+                said_so = [(o.type, o.subject, o.target) for o in draft.relations]
+                if (key := (r.type, r.subject, r.target)) not in said_so:
+                    said_so.append(key)
                     draft.relations.append(r)
-    provenance = {**scene.provenance, "asked": asked}
-    return scene.model_copy(update={"relations": tuple(draft.relations), "provenance": provenance})
+                at = said_so.index(key)
+                draft.relations[at] = draft.relations[at].model_copy(update={"asked": True})
+    return scene.model_copy(update={"relations": tuple(draft.relations)})
 
 
 def _meant(name: str, made: Mapping[str, list[str]]) -> str:

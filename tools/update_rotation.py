@@ -144,12 +144,11 @@ def _turned(scene: Scene, obj: SceneObject, yaw: float) -> Pose:
 
 def _yielding(scene: Scene, poses: Mapping[str, Pose], toward: str | None) -> list[AnyEdit]:
     """Edits that make wishes of the relations that nobody asked for and that would turn objects back."""
-    asked = scene.provenance.get("asked", [])
     edits: list[AnyEdit] = []
     for r in scene.relations:
         if r.type != "facing" or not r.hard or r.subject not in poses or r.target == toward:
             continue
-        if [r.type, r.subject] in asked or not isinstance(r.target, str):
+        if r.asked or not isinstance(r.target, str):
             continue
         x, y, _ = poses[r.subject].position
         tx, ty = _point(scene, r.target, (x, y))

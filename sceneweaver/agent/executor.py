@@ -9,7 +9,7 @@ from sceneweaver.brief import Brief
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.knowledge import RoomType
 from sceneweaver.layout import refine, refine_many
-from sceneweaver.scene import PRIORITIES, Dropped, Pose, Relation, Scene
+from sceneweaver.scene import PRIORITIES, Dropped, Pose, Scene
 from sceneweaver.scene.edits import Remove, apply, apply_all
 from sceneweaver.tools.base import Proposal
 from sceneweaver.verify import Report, Violation, check
@@ -226,8 +226,8 @@ class Executor:
                 return draft
         false = {(v.relation.type, v.objects) for v in best.report.violations if v.hard and v.relation is not None}
         broken = [r for r in draft.relations if r.hard and (r.type, (r.subject, *r.targets)) in false]
-        for relation in sorted(broken, key=lambda r: _asked_for(r, draft)):
-            if _asked_for(relation, draft):
+        for relation in sorted(broken, key=lambda r: r.asked):
+            if relation.asked:
                 unmet.append(
                     f"{relation.subject} {relation.type} {relation.target or ''}".strip() + " cannot hold here"
                 )
@@ -298,11 +298,6 @@ def _changed(scene: Scene, draft: Scene) -> set[str]:
             or o.asset != before[o.id].asset
         )
     }
-
-
-def _asked_for(relation: Relation, scene: Scene) -> bool:
-    """Whether the request itself is the origin of a relation."""
-    return [relation.type, relation.subject] in scene.provenance.get("asked", [])
 
 
 def _kept(drafts: Sequence[Mapping[str, Pose]], scene: Scene) -> list[dict[str, Pose]]:

@@ -55,7 +55,7 @@ class SceneFile(FrozenModel):
         return cls.load(Path(__file__).parent / "examples" / f"{name}.json")
 
     def to_json(self) -> dict[str, Any]:
-        """The scene as plain JSON data; empty optional fields of objects and of their intents are left out."""
+        """The scene as plain JSON data; what says nothing in objects, their intents and relations is left out."""
         data = self.model_dump(mode="json", by_alias=True)
         for obj in data["objects"]:
             intent = obj["intent"].items()
@@ -63,6 +63,9 @@ class SceneFile(FrozenModel):
             for key in _OMIT_EMPTY:
                 if obj[key] is None or obj[key] == {}:
                     del obj[key]
+        for relation in data["relations"]:
+            if not relation["asked"]:
+                del relation["asked"]
         return data
 
     def dumps(self) -> str:

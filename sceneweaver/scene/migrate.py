@@ -6,7 +6,7 @@ A migration turns the data of one version into that of the next; a chain of them
     def _from_1(data: dict[str, Any]) -> dict[str, Any]: ...   # gives data of sceneweaver.scene/2
 
 ``intent`` came to version 1 as an optional field of objects. Before that its fields were attributes with other names;
-objects without an intent get theirs from those.
+objects without an intent get theirs from those. ``asked`` of relations was a list [type, subject] in the provenance.
 """
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ def migrate(data: Any) -> dict[str, Any]:
         raise InputError(f'"schema" is missing; add "schema": "{SCHEMA}"')
     schema = data["schema"]
     if schema == SCHEMA:
-        return _with_intents(data)
+        return _with_meaning(data)
     match = _SCHEMA.fullmatch(schema) if isinstance(schema, str) else None
     if match is None:
         raise InputError(f'schema is {show(schema)}; a scene file has "{SCHEMA}"')
@@ -99,18 +99,27 @@ def migrate(data: Any) -> dict[str, Any]:
         except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
             text = f"schema is {show(schema)} and could not be brought to {_NAME}/{step + 1}"
             raise InputError(f"{text} ({type(error).__name__}: {quote(error)}); mend it by hand") from None
-    return _with_intents(data)
+    return _with_meaning(data)
 
 
-def _with_intents(data: dict[str, Any]) -> dict[str, Any]:
-    """The data with the intents that stand in attributes moved to where they belong."""
-    objects = data.get("objects")
-    if not isinstance(objects, list | tuple):
-        return data
-    moved = [_with_intent(obj) for obj in objects]
-    if all(new is old for new, old in zip(moved, objects, strict=True)):
-        return data
-    return {**data, "objects": moved}
+def _with_meaning(data: dict[str, Any]) -> dict[str, Any]:
+    """The data with what stands in attributes and provenance for intents and relations moved to where it belongs."""
+    objects, relations, provenance = (data.get(key) for key in ("objects", "relations", "provenance"))
+    if isinstance(objects, list | tuple):
+        moved = [_with_intent(obj) for obj in objects]
+        if any(new is not old for new, old in zip(moved, objects, strict=True)):
+            data = {**data, "objects": moved}
+    asked = provenance.get("asked") if isinstance(provenance, dict) else None
+    if isinstance(relations, list | tuple) and isinstance(asked, list) and all(isinstance(a, list) for a in asked):
+        data = {**data, "relations": [_with_asked(r, asked) for r in relations]}
+        data["provenance"] = {key: value for key, value in data["provenance"].items() if key != "asked"}
+    return data
+
+
+def _with_asked(relation: Any, asked: list[list[Any]]) -> Any:
+    if not isinstance(relation, dict) or [relation.get("type"), relation.get("subject")] not in asked:
+        return relation
+    return {"asked": True, **relation}
 
 
 def _with_intent(obj: Any) -> Any:

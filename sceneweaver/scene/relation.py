@@ -33,6 +33,7 @@ class Relation(FrozenModel):
     params: JsonDict = Field(default_factory=dict, description="Numbers of the relation type set for this relation")
     hard: Flag = Field(default=True, description="Whether the scene is invalid when the relation does not hold")
     weight: Weight = Field(default=1.0, description="Weight among soft relations")
+    asked: Flag = Field(default=False, description="Whether the request says it; what it does not say gives way first")
 
     @field_validator("type")
     @classmethod

@@ -66,7 +66,7 @@ _SMALL: dict[str, Any] = {
         {"id": "chair-1", "category": "chair", "size": [0.5, 0.5, 0.9]},
     ],
     "relations": [
-        {"type": "against_wall", "subject": "desk-0", "target": "wall:1"},
+        {"type": "against_wall", "subject": "desk-0", "target": "wall:1", "asked": True},
         {"type": "around", "subject": "chair-0", "target": "desk-0", "params": {"gap": [0, 0.2]}},
         {"type": "near", "subject": "chair-1", "target": "desk-0", "params": {"max": 2}, "hard": False, "weight": 0.5},
         {"type": "between", "subject": "desk-0", "target": ["chair-0", "chair-1"]},

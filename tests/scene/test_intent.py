@@ -82,6 +82,24 @@ def test_old_files_in_an_older_version(small):
     assert chair.intent.priority == "usual" and chair.attributes == {"n": 1}
 
 
+def test_relations_of_old_files_know_whether_they_were_asked_for(small):
+    del small["relations"][0]["asked"]
+    small["provenance"]["asked"] = [["near", "chair-1"], ["in_corner", "nothing"]]
+    before = copy.deepcopy(small)
+    scene = Scene.from_json(small)
+    assert small == before and scene.provenance == {"seed": 7}
+    assert {(r.type, r.subject) for r in scene.relations if r.asked} == {("near", "chair-1")}
+    written = scene.to_json()["relations"]
+    assert [r.get("asked") for r in written] == [r.asked or None for r in scene.relations]
+    assert Scene.loads(scene.dumps()) == scene
+
+
+@pytest.mark.parametrize("asked", ["yes", {"near": 1}, [["near", "chair-1"], "more"]])
+def test_a_foreign_note_of_what_was_asked_stays(small, asked):
+    small["provenance"]["asked"] = asked
+    assert Scene.from_json(small).provenance["asked"] == asked
+
+
 @pytest.mark.parametrize("objects", [5, [5], [{"attributes": 5}], [{"attributes": {"need": "asked"}}], {}])
 def test_what_is_no_scene_is_still_refused_by_the_model(small, objects):
     small["objects"] = objects

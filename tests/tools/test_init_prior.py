@@ -94,9 +94,9 @@ def test_what_is_not_wanted_is_not_there(prior):
 
 def test_relations_that_were_asked_for_come_first_and_are_said_once(prior):
     scene, _ = prior("a bedroom with a desk at the window and an armchair in the corner")
-    asked = scene.provenance["asked"]
-    assert [[r.type, r.subject] for r in scene.relations[: len(asked)]] == asked
-    named = {type: scene.object(subject).category for type, subject in asked}
+    asked = [r for r in scene.relations if r.asked]
+    assert list(scene.relations[: len(asked)]) == asked
+    named = {r.type: scene.object(r.subject).category for r in asked}
     assert "desk" in named["at_window"] and named["in_corner"] == "armchair"
     said = [(r.type, r.subject, r.target) for r in scene.relations]
     assert len(said) == len(set(said))

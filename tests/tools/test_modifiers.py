@@ -149,7 +149,8 @@ def test_turned_toward_things(lounge, call):
 def test_a_turn_holds_against_what_nobody_asked_for(lounge, call):
     made = after(lounge, call("update_rotation", lounge, {"ids": ["armchair-0"], "toward": "wall"}))
     assert [r.hard for r in made.relations if r.type == "facing"] == [False]
-    asked = lounge.model_copy(update={"provenance": {"asked": [["facing", "armchair-0"]]}})
+    said = tuple(r.model_copy(update={"asked": r.type == "facing"}) for r in lounge.relations)
+    asked = lounge.model_copy(update={"relations": said})
     made = after(asked, call("update_rotation", asked, {"ids": ["armchair-0"], "toward": "wall"}))
     assert [r.hard for r in made.relations if r.type == "facing"] == [True]
 
