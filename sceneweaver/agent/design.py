@@ -17,6 +17,7 @@ from sceneweaver.tools.registry import Registered
 from sceneweaver.tools.registry import tools as registered
 from sceneweaver.verify import Report
 
+from .deadline import NEVER, Deadline
 from .deliver import deliver
 from .executor import Executor
 from .folder import RunFolder
@@ -26,6 +27,9 @@ from .planner import RulesPlanner
 from .result import Result
 from .settings import Settings
 from .settling import settled
+
+LEAST_RESERVE = 2.0
+"""Least time [s] that is kept for writing the results."""
 
 LONGEST = 100_000
 """Characters of a request that are read."""
@@ -43,11 +47,12 @@ def design(
     steps: int = 10,
     candidates: int | None = None,
     device: str = "auto",
-    time_limit: float | None = None,
+    time_limit: float | None = 120.0,
     pictures: bool = True,
     export: str | Iterable[str] = ("glb", "usd", "mjcf"),
     settle: bool = False,
     said: Callable[[Step], None] | None = None,
+    began: float | None = None,
     **switches: Any,
 ) -> Result:
     """Design a room from a request in words.
@@ -60,19 +65,21 @@ def design(
         steps: steps of the agent at most.
         candidates: layouts that are refined for each call of a tool; None decides by the kind of device.
         device: "auto", "cpu", "cuda" or "cuda:k".
-        time_limit: seconds after which no step begins.
+        time_limit: seconds that all may take, files included; what is best then is kept, and ``finished`` says so.
+            None: as long as it takes.
         pictures: whether pictures and the report are drawn into ``out``.
         export: formats that are written into ``out``: glb, usd, mjcf, scenestate; "all" or "none".
         settle: whether to prefer layouts that physics leaves alone, to keep the poses in which things come to rest, and
             to measure the stability of the scene.
         said: called with each step as it ends.
+        began: when the time began to run, by ``time.monotonic()``; None: now.
         switches: other fields of `Settings`, such as ``reflect=False``.
 
     Raises:
         InputError: for a request that says nothing, arguments out of range, or a folder that cannot be used.
         MissingDependencyError: for a planner or device that is not there.
     """
-    began = time.monotonic()
+    began = time.monotonic() if began is None else began
     if planner not in ("rules", "llm"):
         raise InputError(f"planner: '{planner}' is unknown; use rules or llm")
     if planner == "llm":
@@ -92,18 +99,37 @@ def design(
     folder = RunFolder(Path(out)) if out is not None else None
     tools = {name: tool for name, tool in registered().items() if usable(name, tool, settings, room)}
     run = Run(brief, room, settings, tools, RulesPlanner(), folder=folder, said=said)
+    end = NEVER if settings.seconds is None else Deadline(began + settings.seconds)
     if folder is None:
+        run.deadline = end
         return _result(run, remarks, began)
     with folder.held():
         _resume(run, folder)
-        return deliver(_result(run, remarks, began), folder.path, run.library, device, pictures, formats)
+        end = end.before(run.memory.seconds)
+        run.deadline = end.before(reserve(settings.seconds or 0.0, time.monotonic() - began))
+        return deliver(_result(run, remarks, began), folder.path, run.library, device, pictures, formats, end)
+
+
+def reserve(limit: float, started: float) -> float:
+    """Seconds of a time limit that are kept for writing the results.
+
+    To start up takes about as long as to write the results of a room in their quickest form, so it measures how fast
+    this machine is just now.
+
+    Args:
+        limit: the time limit [s].
+        started: seconds that it took to start up and to read the request.
+    """
+    return min(0.6 * limit, max(LEAST_RESERVE, 0.12 * limit, started))
 
 
 def _result(run: Run, remarks: Sequence[str], began: float) -> Result:
     brief, settings = run.brief, run.settings
     best = run.go()
     moved: list[str] = []
-    if settings.settle:
+    if settings.settle and run.deadline.passed:
+        moved = ["things have not settled: time was up"]
+    elif settings.settle:
         best, moved = settled(best, Executor(run.room, brief, settings))
     unmet = tuple(dict.fromkeys((*run.memory.unmet, *_unmet(best.review))))
     return Result(
@@ -150,7 +176,7 @@ def _resume(run: Run, folder: RunFolder) -> None:
     kept = folder.resume(run.brief, run.settings)
     if kept is not None:
         memory = kept[0]
-        spent = len(memory.steps) < run.settings.steps and memory.finished.endswith((" steps", " seconds"))
+        spent = len(memory.steps) < run.settings.steps and memory.finished.endswith((" steps", " seconds", " attempts"))
         run.memory = memory.model_copy(update={"finished": ""}) if spent else memory  # a larger budget goes on
         run.best = Executor(run.room, run.brief, run.settings).judged(kept[1])
 

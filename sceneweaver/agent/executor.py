@@ -15,6 +15,7 @@ from sceneweaver.tools.base import Proposal
 from sceneweaver.verify import Report, Violation, check
 
 from .coarse import coarse
+from .deadline import NEVER, Deadline
 from .settings import Settings
 from .tidy import tidy
 
@@ -54,13 +55,15 @@ class Outcome:
         return len(self.faults), len(self.scene.dropped), round(4.0 * missing - self.review.total, 6)
 
 
-@dataclass(frozen=True)
+@dataclass
 class Executor:
-    """Refines and judges proposals for one request."""
+    """Refines and judges proposals for one request; ``attempts`` counts the layouts begun anew, for all candidates."""
 
     room: RoomType
     brief: Brief
     settings: Settings
+    deadline: Deadline = NEVER
+    attempts: int = 0
 
     def run(self, scene: Scene, proposal: Proposal, seed: int) -> Outcome:
         """The best scene that follows from a proposal.
@@ -81,7 +84,7 @@ class Executor:
             return replace(placed, notes=tuple(notes), unmet=tuple(unmet))
         best, patient = self._refined(draft, drafts, fresh, seed, 0), False
         for round_ in range(ROUNDS):
-            if not best.faults:
+            if not best.faults or self.deadline.passed:
                 break
             before = len(unmet)
             lighter = self._give_way(draft, best, notes, unmet)
@@ -95,7 +98,9 @@ class Executor:
             draft, drafts = lighter, _kept(drafts, lighter)
             # Patience pays once what is merely wished for has gone.
             best = min(best, self._refined(draft, drafts, fresh, seed, int(round_ >= ROUNDS // 2)), key=lambda o: o.key)
-        if not best.report.valid:  # without the rows, if there are any: they may be what stands in the way
+        if (
+            not best.report.valid and not self.deadline.passed
+        ):  # without the rows, if there are any: they may be what stands in the way
             best = min(best, self._refined(draft, [], fresh, seed, 1), key=lambda o: o.key)
         return replace(best, notes=tuple(notes), unmet=tuple(unmet))
 
@@ -114,18 +119,26 @@ class Executor:
     ) -> Outcome:
         """The best of the layouts of a scene, or of those around each set of poses that stays as it is."""
         attempts = self.settings.attempts[patience]
+        self.attempts += attempts
         layouts = self._around(draft, drafts, seed, attempts) if drafts else self._free(draft, fresh, seed, attempts)
         return self._steadiest(self._tidied(layouts))
 
     def _tidied(self, layouts: Sequence[Scene]) -> list[Outcome]:
         """The best few of some layouts, tidied up, best first: tidying is what costs most, so it is left for last."""
-        rough = sorted((self._outcome(layout, (), ()) for layout in layouts), key=lambda o: o.key)
+        rough: list[Outcome] = []
+        for layout in layouts:
+            if rough and self.deadline.passed:
+                break
+            rough.append(self._outcome(layout, (), ()))
+        rough.sort(key=lambda o: o.key)
+        if self.deadline.passed:
+            return rough
         return sorted((self._outcome(tidy(o.scene), (), ()) for o in rough[:TIDIED]), key=lambda o: o.key)
 
     def _steadiest(self, ranked: list[Outcome]) -> Outcome:
         """The first of some outcomes, best first; to settle, the steadiest of the leading valid ones."""
         leading = [o for o in ranked[:STEADY] if o.report.valid] if self.settings.settle else []
-        if len(leading) < 2:
+        if len(leading) < 2 or self.deadline.passed:
             return ranked[0]
         from sceneweaver.physics import stability
 
@@ -147,12 +160,14 @@ class Executor:
                 draft, report = _pruned(scene, draft, notes)
                 return self._outcome(draft, (), (), report) if report.valid else None
             pinned = _pinned(coarse(draft), {o.id: o.pose for o in draft.objects if o.id not in loose})
+            self.attempts += s.attempts[0]
             solution = refine(
                 pinned,
                 candidates=max(16, s.layouts // 2),
                 seed=seed,
                 device=s.device,
                 steps=s.attempts[0],
+                time_limit=self.deadline.time_limit,
                 init="sample" if loose - old else "current",
                 snap=True,
             )
@@ -163,7 +178,7 @@ class Executor:
             report = check(_posed(draft, solution.best), walkable=False)
             trouble = [id for v in report.violations if v.hard for id in v.objects]
             extra = [id for id in draft.ids if id in loose - old and draft.object(id).intent.priority != "asked"]
-            if not extra:
+            if not extra or self.deadline.passed:
                 return None
             gone = max(extra, key=lambda id: (trouble.count(id), draft.index(id)))
             notes.append(f"{gone} was left out: the room has no place for it")
@@ -179,6 +194,7 @@ class Executor:
             init="sample" if fresh else "current",
             device=s.device,
             steps=attempts,
+            time_limit=self.deadline.time_limit,
             snap=True,
         )
         layouts = solution.distinct(s.finalists if fresh else 2) or [solution.best]
@@ -189,7 +205,13 @@ class Executor:
         s = self.settings
         scenes = [_pinned(coarse(draft), poses) for poses in drafts]
         solutions = refine_many(
-            scenes, candidates=max(8, s.layouts // len(scenes)), seed=seed, device=s.device, steps=attempts, snap=True
+            scenes,
+            candidates=max(8, s.layouts // len(scenes)),
+            seed=seed,
+            device=s.device,
+            steps=attempts,
+            time_limit=self.deadline.time_limit,
+            snap=True,
         )
         found = [
             _posed(draft, layout)

@@ -14,6 +14,7 @@ from sceneweaver.scene import InputError, Room, Scene
 from sceneweaver.tools.base import Context, Proposal
 from sceneweaver.tools.registry import Registered
 
+from .deadline import NEVER, Deadline
 from .executor import Executor, Outcome
 from .folder import RunFolder
 from .memory import Call, Memory, Step
@@ -40,6 +41,7 @@ class Run:
     planner: Planner
     library: Library = field(default_factory=Library)
     folder: RunFolder | None = None
+    deadline: Deadline = NEVER
     said: Said | None = None
     memory: Memory = Memory()
     best: Outcome | None = None
@@ -50,17 +52,17 @@ class Run:
         Raises:
             InputError: when not even a first scene can be made.
         """
-        executor = Executor(self.room, self.brief, self.settings)
-        began = time.monotonic() - self.memory.seconds
+        executor = Executor(self.room, self.brief, self.settings, self.deadline)
         reason = self.memory.finished
-        while not reason and not (reason := self._done(time.monotonic() - began)):
-            started = time.monotonic()
+        while not reason and not (reason := self._done()):
+            started, executor.attempts = time.monotonic(), 0
             calls = self._calls()
             if not calls:
                 reason = "nothing is left that a tool can mend"
                 break
             outcomes, tried = self._tried(executor, calls)
-            self._take(outcomes, tried, calls, time.monotonic() - started)
+            if tried:  # else time ran out before the first
+                self._take(outcomes, tried, calls[: len(tried)], time.monotonic() - started, executor.attempts)
         if self.best is None:
             raise InputError("prompt: " + (self.memory.steps[-1].note if self.memory.steps else "no tool can begin"))
         self.memory = self.memory.model_copy(update={"finished": reason})
@@ -68,13 +70,15 @@ class Run:
             self.folder.state(self.folder.kept_scene(), self.memory, self.brief, self.settings)
         return self.best
 
-    def _done(self, seconds: float) -> str:
+    def _done(self) -> str:
         """Why to stop now; empty to go on."""
         s, memory = self.settings, self.memory
+        if self.best is not None and self.deadline.passed:
+            return f"{s.seconds:g} seconds"
         if len(memory.steps) >= s.steps:
             return f"{s.steps} steps"
-        if s.seconds is not None and self.best is not None and seconds >= s.seconds:
-            return f"{s.seconds:g} seconds"
+        if memory.attempts >= s.work:
+            return f"{s.work} attempts"
         if not s.reflect or s.one_shot:
             return ""
         if memory.stale >= s.patience:
@@ -113,6 +117,8 @@ class Run:
         outcomes: dict[int, Outcome] = {}
         tried: list[dict[str, Any]] = []
         for k, call in enumerate(calls):
+            if (self.best or outcomes) and self.deadline.passed:
+                break
             row: dict[str, Any] = {"tool": call.tool, "confidence": call.confidence, "reason": call.reason}
             began = time.monotonic()
             try:
@@ -136,7 +142,9 @@ class Run:
             Context(self.brief, self.room, scene, self.library, call.seed, call.instruction, call.inputs)
         )
 
-    def _take(self, outcomes: dict[int, Outcome], tried: list[dict[str, Any]], calls: list[Call], spent: float) -> None:
+    def _take(
+        self, outcomes: dict[int, Outcome], tried: list[dict[str, Any]], calls: list[Call], spent: float, attempts: int
+    ) -> None:
         """Keep the best outcome if it beats what there is; else roll back and trust the tools less."""
         before = dict(self.best.review.grades) if self.best else {}
         winner = min(outcomes, key=lambda k: outcomes[k].key) if outcomes else None
@@ -164,7 +172,7 @@ class Run:
             notes, unmet = outcomes[winner].notes, outcomes[winner].unmet
             asked = self.tools[calls[winner].tool].card.role == "initializer"  # the others act on faults, not on wishes
             new = (notes, unmet) if asked else ((*notes, *unmet), ())
-        self.memory = self.memory.after(step, losers, *new)
+        self.memory = self.memory.after(step, losers, *new, attempts)
         if self.folder is not None and current is not None:
             self.folder.step(
                 step.number, current.scene, current.report, current.review, self.memory, self.brief, self.settings

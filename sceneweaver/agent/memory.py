@@ -51,13 +51,16 @@ class Memory(FrozenModel):
     confidence: dict[str, float] = Field(default={}, description="Factor on each tool's own confidence")
     failed: tuple[str, ...] = Field(default=(), description="Signatures of calls that brought nothing")
     seconds: float = 0.0
+    attempts: int = Field(default=0, ge=0, description="Layouts begun anew, for all candidates")
     stale: int = 0
     notes: tuple[str, ...] = ()
     unmet: tuple[str, ...] = ()
     plan: tuple[Call, ...] | None = Field(default=None, description="What is to be done, where that is decided once")
     finished: str = Field(default="", description="Why the run ended; empty while it goes on")
 
-    def after(self, step: Step, losers: list[Call], notes: tuple[str, ...], unmet: tuple[str, ...]) -> Memory:
+    def after(
+        self, step: Step, losers: list[Call], notes: tuple[str, ...], unmet: tuple[str, ...], attempts: int = 0
+    ) -> Memory:
         """The memory with one more step; calls that brought nothing lower the trust in their tools."""
         confidence = dict(self.confidence)
         failed = list(self.failed)
@@ -72,6 +75,7 @@ class Memory(FrozenModel):
                 "confidence": confidence,
                 "failed": tuple(failed),
                 "seconds": self.seconds + step.seconds,
+                "attempts": self.attempts + attempts,
                 "stale": 0 if step.accepted else self.stale + 1,
                 "notes": _more(self.notes, notes),
                 "unmet": _more(self.unmet, unmet),

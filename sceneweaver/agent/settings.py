@@ -24,10 +24,11 @@ class Settings(FrozenModel):
     )
     finalists: int = Field(default=10, ge=1, description="Layouts of these that the critic compares")
     device: str = "auto"
-    seconds: float | None = Field(default=None, gt=0, description="Time after which no step begins [s]")
+    seconds: float | None = Field(default=120.0, gt=0, description="Time limit [s]; None: none")
     attempts: tuple[int, int] = Field(
         default=(2, 6), description="Times that a layout is begun anew when it fails, at first and at last"
     )
+    work: int = Field(default=240, ge=1, description="Attempts at a layout after which no step begins")
     grade: float = Field(default=9.7, description="Mean grade at which to stop")
     patience: int = Field(default=2, ge=1, description="Steps without progress after which to stop")
     settle: bool = Field(default=False, description="Prefer what physics leaves alone, and keep its settled poses")

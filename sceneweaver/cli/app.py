@@ -260,7 +260,9 @@ def design(
     ] = None,
     planner: Annotated[Planner, typer.Option(help="Who chooses the tools.")] = Planner.RULES,
     device: Device = "auto",
-    time_limit: TimeLimit = None,
+    time_limit: Annotated[
+        float, typer.Option(callback=_seconds, help="Seconds that all may take, files included.")
+    ] = 120.0,
     pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw views and the report.")] = True,
     export: Annotated[
         str, typer.Option(metavar="FORMATS", help="Files for other tools: glb, usd, mjcf, scenestate, all or none.")
@@ -321,7 +323,7 @@ def demo(
         candidates=None,
         planner="rules",
         device=device,
-        time_limit=None,
+        time_limit=120.0,
         pictures=True,
         export="glb,usd,mjcf",
         settle=False,

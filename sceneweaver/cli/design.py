@@ -10,7 +10,7 @@ import typer
 from sceneweaver.scene import InputError
 
 from .exit_codes import NOT_VALID
-from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line
+from .output import headline, list_files, list_violations, no_chatter, print_json, process_began, relations_line
 
 if TYPE_CHECKING:
     from sceneweaver.agent import Result
@@ -67,6 +67,7 @@ def run_design(
             export=export,
             settle=settle,
             said=None if as_json else _say,
+            began=process_began(),
         )
     code = 0 if result.satisfied else NOT_VALID
     if as_json:

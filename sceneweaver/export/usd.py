@@ -120,7 +120,7 @@ def _save(layer: Any, name: str) -> None:
             # Made here first: the system says better than USD why a place cannot be written.
             os.close(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
             try:
-                written = layer.Export(temporary)
+                written = layer.Export(str(temporary))
             except usd().Tf.ErrorException:
                 written = False
             if not written:

@@ -129,7 +129,7 @@ def _require_fewer(size: int, path: Place, max_bytes: int) -> None:
 
 
 @contextlib.contextmanager
-def whole(path: Place) -> Iterator[str]:
+def whole(path: Place) -> Iterator[Path]:
     """A temporary path, of the same file name, that takes the place of ``path`` when the block ends without an error.
 
     Others see the old file or the whole new one. After an error, or a kill and a `sweep`, nothing stays behind.
@@ -143,7 +143,7 @@ def whole(path: Place) -> Iterator[str]:
         if os.path.isdir(target):
             raise InputError(f"{name}: this is a folder; give a file name in it, such as scene.json")
         with temporary_folder(os.path.dirname(target)) as folder:
-            temporary = os.path.join(folder, os.path.basename(target))
+            temporary = folder / os.path.basename(target)
             yield temporary
             with open(temporary, "rb") as file:
                 os.fsync(file.fileno())

@@ -6,7 +6,9 @@ import json
 from pathlib import Path
 
 import pytest
+from PIL import Image
 
+from sceneweaver.agent.deadline import Deadline
 from sceneweaver.agent.deliver import deliver
 from sceneweaver.agent.memory import Call, Step
 from sceneweaver.agent.result import Result
@@ -89,10 +91,10 @@ def test_what_was_there_stays_when_a_picture_or_the_report_fails(result, tmp_pat
             raise OSError("disk full")
 
     monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *_, **__: {"top": Torn()})
-    with pytest.raises(OSError, match="disk full"):
+    with pytest.raises(InputError, match="top.png: cannot be written .disk full."):
         deliver(result, tmp_path, Library(), "cpu", True, ())
     assert (tmp_path / "views/top.png").read_bytes() == b"old"
-    assert files(tmp_path) == {"scene.json", "views/top.png", "report.html"}  # nothing half written is left
+    assert files(tmp_path) == {"scene.json", "metrics.json", "views/top.png", "report.html"}  # nothing half written
 
     def broken(path: Path, data: object) -> None:
         path.write_text("<html>")
@@ -104,3 +106,27 @@ def test_what_was_there_stays_when_a_picture_or_the_report_fails(result, tmp_pat
         deliver(result, tmp_path, Library(), "cpu", True, ())
     assert (tmp_path / "report.html").read_bytes() == b"old"
     assert files(tmp_path) == {"scene.json", "metrics.json", "views/top.png", "report.html"}
+
+
+def test_when_time_is_up_the_scene_and_its_metrics_are_written_and_the_rest_is_noted(result, tmp_path):
+    done = deliver(result, tmp_path, Library(), "cpu", True, ("glb", "usd"), Deadline(0.0))
+    assert files(tmp_path) == {"scene.json", "metrics.json"}
+    assert done.notes[-1] == "time was up before these were written: glb, usd, pictures"
+
+
+@pytest.mark.parametrize(("left", "size"), [(1.5, (320, 240)), (59.0, (1280, 960))])
+def test_pictures_are_as_large_as_there_is_time_for(result, tmp_path, monkeypatch, left, size):
+    """Each size takes a tenth of a second for each 320 x 240 pixels, by a clock of our own."""
+    clock = [100.0]
+    monkeypatch.setattr("sceneweaver.agent.deliver.time.monotonic", lambda: clock[0])
+
+    def drawn(scene, load, views, width=1280, height=960, device=""):
+        clock[0] += 0.1 * width * height / (320 * 240) * 3
+        return {"top": Image.new("RGB", (width, height))}
+
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", drawn)
+    done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(100.0 + left))
+    with Image.open(tmp_path / "views" / "top.png") as picture:
+        assert picture.size == size
+    short = "time was short, so the pictures have 320 x 240 pixels"
+    assert (short in done.notes) == (size == (320, 240)) and clock[0] <= 100.0 + left

@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from sceneweaver.agent.deadline import Deadline
 from sceneweaver.agent.executor import Executor, Outcome
 from sceneweaver.agent.settings import Settings
 from sceneweaver.brief import Brief
@@ -225,3 +226,13 @@ def test_soft_relations_that_fail_cost_and_are_no_faults():
     unstable = Violation("unstable", ("bed-0",), "bed-0 moves 20 cm in 3 s of physics", 0.2)
     fallen = replace(near, report=replace(near.report, violations=(unstable,)))
     assert fallen.faults == (unstable,) and fallen.key[0] == 1
+
+
+def test_a_deadline_that_has_passed_ends_the_search_with_what_there_is():
+    chests = [wanted(f"chest-{k}", "asked") for k in range(30)]
+    settings = QUICK.model_copy(update={"attempts": (20, 60)})
+    executor = Executor(room_type("bedroom"), Brief(text="a bedroom"), settings, Deadline(0.0))
+    before = room_with(BED, *chests)
+    outcome = executor.run(before, Proposal(scene=before, fresh=True), 0)
+    assert outcome.scene.ids == before.ids and not outcome.report.valid and not outcome.unmet
+    assert executor.attempts == 20  # one search, which its time limit cut off; nothing gave way

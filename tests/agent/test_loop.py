@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from sceneweaver.agent import loop
+from sceneweaver.agent.deadline import Deadline
 from sceneweaver.agent.executor import Outcome
 from sceneweaver.agent.folder import RunFolder
 from sceneweaver.agent.loop import Run, empty_scene
@@ -63,9 +64,10 @@ class Executor:
     """Applies the first edit of a proposal; the grade of the outcome stands in what it adds."""
 
     def __init__(self, *_: Any) -> None:
-        pass
+        self.attempts = 0
 
     def run(self, scene: Scene, proposal: Proposal, seed: int) -> Outcome:
+        self.attempts += 5
         (edit,) = proposal.edits
         assert isinstance(edit, Add)
         if any(o.id == edit.object.id for o in scene.objects):
@@ -179,7 +181,8 @@ def test_only_what_an_initialiser_could_not_do_is_unmet(go):
         ({"patience": 1}, [5, 6, 4, 8], 3, "no progress in 1 steps"),
         ({"grade": 9.95}, [9, 10], 2, "grade 10.0"),
         ({"grade": 6.0}, [5, 7, 8], 3, "nothing is left that a tool can mend"),  # there are faults that a tool can mend
-        ({"seconds": 1e-9}, [5, 6], 1, "1e-09 seconds"),
+        ({"work": 5}, [5, 6], 1, "5 attempts"),
+        ({"work": 6}, [5, 6, 7], 2, "6 attempts"),
     ],
 )
 def test_when_it_stops(go, settings, grades, steps, reason):
@@ -189,6 +192,18 @@ def test_when_it_stops(go, settings, grades, steps, reason):
         {"init_prior": boxes[:1], "add_objects": boxes[1:]}, plans, settings=Settings(device="cpu", **settings)
     )
     assert len(run.memory.steps) == steps and run.memory.finished == reason
+
+
+def test_a_deadline_that_has_passed_leaves_the_first_scene(go):
+    boxes = [adds(f"b{k}", 5 + k, 0.5 + 0.5 * k) for k in range(2)]
+    settings = Settings(device="cpu", seconds=3.0, side_by_side=2)
+    plans = [calls("init_prior", "add_objects"), calls("add_objects")]
+    run, best, _, _ = go(
+        {"init_prior": boxes[:1], "add_objects": boxes[1:]}, plans, settings=settings, deadline=Deadline(0.0)
+    )
+    assert best.scene.ids == ("b0",) and run.memory.finished == "3 seconds"
+    assert len(run.memory.steps) == 1 and len(run.memory.steps[0].tried) == 1
+    assert not run.memory.failed  # what there was no time for is not held against its tool
 
 
 def test_without_a_first_scene_it_says_why(go):
@@ -239,20 +254,21 @@ def test_every_step_is_told_and_written(go, tmp_path):
     told: list[int] = []
     folder = RunFolder(tmp_path)
     settings = Settings(device="cpu")
-    assert folder.begin(BRIEF, settings) is None
+    assert folder.resume(BRIEF, settings) is None
     answers = {"init_prior": [adds("a", 5)], "add_objects": [adds("b", 4, 1.0)]}
-    run, best, _, _ = go(
-        answers,
-        [BEGIN, calls("add_objects")],
-        folder=folder,
-        settings=settings,
-        said=lambda step: told.append(step.number),
-    )
+    with folder.held():
+        run, best, _, _ = go(
+            answers,
+            [BEGIN, calls("add_objects")],
+            folder=folder,
+            settings=settings,
+            said=lambda step: told.append(step.number),
+        )
     assert told == [1, 2]
     assert Scene.load(tmp_path / "steps" / "02" / "scene.json") == best.scene
     state = json.loads((tmp_path / "state.json").read_text("utf-8"))
     assert Memory.model_validate(state["memory"]) == run.memory and state["memory"]["finished"]
-    kept = RunFolder(tmp_path).begin(BRIEF, settings)
+    kept = RunFolder(tmp_path).resume(BRIEF, settings)
     assert kept == (run.memory, best.scene)
 
 
