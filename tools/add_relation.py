@@ -12,9 +12,7 @@ from sceneweaver.scene.references import check_references
 from .base import Context, Proposal
 from .card import checked
 
-SYMMETRIC = frozenset(
-    ("side_by_side", "leftright_to_leftright", "back_to_back", "near", "aligned", "parallel", "distance")
-)
+SYMMETRIC = CATALOGUE.with_role("symmetric")
 """Types that say the same with subject and target exchanged."""
 
 OPPOSITE = {
@@ -32,7 +30,7 @@ OPPOSITE = {
 }
 """Types that cannot hold together for the same two objects."""
 
-PLACES = frozenset(("front_against", "front_to_front", "around"))
+PLACES = CATALOGUE.with_role("seat")
 """Types of which an object can have one only: it cannot be pulled up to two things."""
 
 
@@ -88,8 +86,7 @@ def clash(a: Relation, b: Relation) -> bool:
     if a.subject == b.subject:
         if a.type in PLACES and b.type in PLACES and a.target != b.target:
             return True
-        walls = ("against_wall", "side_against_wall")
-        if a.type == b.type and a.type in walls and None not in (a.target, b.target):
+        if a.type == b.type and a.type in CATALOGUE.with_role("wall") and None not in (a.target, b.target):
             return a.target != b.target and a.type == "against_wall"
         if a.target == b.target and a.target is not None:
             return b.type in OPPOSITE.get(a.type, ()) or a.type in OPPOSITE.get(b.type, ()) or _apart(a, b)
@@ -137,7 +134,7 @@ def _impossible(subject: SceneObject, relation: Relation) -> str:
     """Why a relation can never hold; empty when it can."""
     if relation.type in ("on_top", "inside") and (subject.support is None or subject.support.object != relation.target):
         return f"{subject.id} does not stand on it; add it there anew with add_objects"
-    floor = ("against_wall", "side_against_wall", "in_corner")
+    floor = CATALOGUE.with_role("edge") - {"at_window"}
     if subject.support is not None and relation.type in floor and relation.hard:
         return f"{subject.id} stands on {subject.support.object}, which decides where it is"
     return ""

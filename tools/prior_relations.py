@@ -12,6 +12,7 @@ from sceneweaver.scene import CATALOGUE, InputError, Relation, Room
 
 from .prior_lines import lines_of
 from .prior_program import Wanted
+from .prior_seats import seat_relations
 
 CONFLICTS: dict[str, frozenset[str]] = {
     "against_wall": frozenset(("against_wall", "in_corner", "at_window")),
@@ -26,7 +27,7 @@ CONFLICTS: dict[str, frozenset[str]] = {
 CEILING = 0.15
 """Height [m] that is left free above what hangs over something."""
 
-SYMMETRIC = ("side_by_side", "leftright_to_leftright", "back_to_back", "near", "aligned", "parallel", "distance")
+SYMMETRIC = CATALOGUE.with_role("symmetric")
 
 
 def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[str]]) -> list[Relation]:
@@ -52,7 +53,7 @@ def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[s
                         type="near", subject=one.id, target=relation.target, params={"max": 0.3}, hard=relation.hard
                     )
                 )
-    return _cornered(_without_doubles([*found, *_chained(wanted)]), room)
+    return _cornered(_without_doubles([*found, *seat_relations(wanted), *_chained(wanted)]), room)
 
 
 def _chained(wanted: Sequence[Wanted]) -> list[Relation]:
@@ -111,7 +112,7 @@ def _of_place(one: Wanted, place: Place, by_item: dict[str, list[Wanted]], room:
     kind = CATALOGUE[place.type].target
     params = dict(place.params)
     target: str | None = None
-    if one.support is not None and place.type in ("against_wall", "side_against_wall", "in_corner", "at_window"):
+    if one.support is not None and place.type in CATALOGUE.with_role("edge"):
         return None
     if kind.startswith("window"):
         if not room.windows:

@@ -8,7 +8,7 @@ import random
 
 from sceneweaver.brief import Brief
 from sceneweaver.knowledge import RoomType
-from sceneweaver.scene import Door, InputError, Room, Window
+from sceneweaver.scene import CATALOGUE, Door, InputError, Room, Window
 
 from .prior_relations import wall_named
 
@@ -77,7 +77,7 @@ def _spoken_for(brief: Brief, room: Room) -> set[int]:
     """The walls that something was asked to stand against."""
     found: set[int] = set()
     for said in brief.relations:
-        if said.type in ("against_wall", "side_against_wall") and str(said.target).startswith("wall:"):
+        if said.type in CATALOGUE.with_role("wall") and str(said.target).startswith("wall:"):
             with contextlib.suppress(InputError):  # said later, with the relation itself
                 found.add(wall_named(str(said.target).removeprefix("wall:"), room))
     return found

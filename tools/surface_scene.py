@@ -13,7 +13,7 @@ import numpy as np
 from sceneweaver.assets import categories
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.knowledge import Item, RoomType
-from sceneweaver.scene import InputError, Scene, SceneObject, Surface
+from sceneweaver.scene import CATALOGUE, InputError, Scene, SceneObject, Surface
 from sceneweaver.scene.messages import suggest
 
 from .surface_geometry import Array, Field, Prism, counter_clockwise, turned
@@ -21,7 +21,7 @@ from .surface_geometry import Array, Field, Prism, counter_clockwise, turned
 WINDOW_DEPTH = 0.3
 """Depth [m] of the space before a window that stays free, as the judge has it."""
 
-TIES = ("front_against", "front_to_front", "around")
+TIES = CATALOGUE.with_role("seat")
 """Relations by which a chair belongs to a table."""
 
 CEILING = 0.05

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sceneweaver.scene import InputError, Pose, Scene, SceneObject
+from sceneweaver.scene import CATALOGUE, InputError, Pose, Scene, SceneObject
 from sceneweaver.scene.edits import AnyEdit
 
 from .add_relation import related
@@ -14,7 +14,7 @@ from .carry import move
 from .draft import Draft
 from .update_rotation import known_ids
 
-TIED = frozenset(("front_against", "front_to_front", "leftright_to_leftright", "around", "above", "below"))
+TIED = CATALOGUE.with_role("tying")
 """Types by which an object belongs to its target and goes where that goes."""
 
 

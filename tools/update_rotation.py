@@ -19,7 +19,7 @@ from .draft import Draft
 WIDE = 30.0
 """Angle [deg] that a `facing` relation is given where objects are turned toward one."""
 
-TURNS = frozenset(("front_against", "front_to_front", "around", "against_wall", "back_to_back", "facing"))
+TURNS = CATALOGUE.with_role("turning")
 """Types that decide how their subject is turned: next to one of them toward the same thing, facing says nothing new."""
 
 

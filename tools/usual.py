@@ -9,7 +9,7 @@ from typing import Any
 
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.knowledge.load import read_yaml
-from sceneweaver.scene import SceneObject
+from sceneweaver.scene import CATALOGUE, SceneObject
 
 from .draft import Draft, groups_of
 from .prior_program import matches
@@ -110,7 +110,7 @@ def _of_place(place: Any) -> Row:
 def _there(draft: Draft, row: Mapping[str, Any], subject: SceneObject) -> bool:
     """Whether what a relation needs is in the room; a wall relation is nothing for what hangs from the ceiling."""
     to = row["to"]
-    if row["type"] in ("against_wall", "side_against_wall", "in_corner") and subject.mount != "floor":
+    if row["type"] in CATALOGUE.with_role("edge") - {"at_window"} and subject.mount != "floor":
         return False
     if row["type"] == "at_window" or to == "window":
         return bool(draft.room.windows)

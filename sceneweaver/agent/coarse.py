@@ -7,9 +7,7 @@ anyway. What others reach under (tables, desks) or around (corner sofas) keeps a
 from __future__ import annotations
 
 from sceneweaver.geometry.polygons import union
-from sceneweaver.scene import Part, Scene, SceneObject
-
-TUCKED = ("front_against", "front_to_front", "around")
+from sceneweaver.scene import CATALOGUE, Part, Scene, SceneObject
 
 HANGING = 0.09
 """Depth [m] that pictures and the like are given: none hangs before another within the tolerance of its wall."""
@@ -21,8 +19,9 @@ SOLID = 0.8
 def coarse(scene: Scene) -> Scene:
     """The same scene with at most a few boxes for each object; ids, poses and relations are as they were."""
     carrying = {o.support.object for o in scene.objects if o.support is not None}
-    seats = {r.subject for r in scene.relations if r.type in TUCKED}
-    tables = {t for r in scene.relations if r.type in TUCKED for t in r.targets}
+    seating = CATALOGUE.with_role("seat")
+    seats = {r.subject for r in scene.relations if r.type in seating}
+    tables = {t for r in scene.relations if r.type in seating for t in r.targets}
     objects = []
     for o in scene.objects:
         if o.mount == "wall" and o.size[0] < HANGING and o.id not in carrying:

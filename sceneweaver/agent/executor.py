@@ -17,16 +17,12 @@ from sceneweaver.verify import Report, Violation, check
 from .coarse import coarse
 from .deadline import NEVER, Deadline
 from .settings import Settings
-from .tidy import tidy
 
 ENOUGH = 4
 """Valid layouts that are compared when a few things are added to a scene."""
 
 ROUNDS = 8
 """Times that something gives way before a layout that cannot be valid is taken as it is."""
-
-TIDIED = 4
-"""Layouts that are tidied up, of those that the critic likes best."""
 
 STEADY = 3
 """Layouts that are tried in physics, of those that the critic likes best."""
@@ -121,19 +117,16 @@ class Executor:
         attempts = self.settings.attempts[patience]
         self.attempts += attempts
         layouts = self._around(draft, drafts, seed, attempts) if drafts else self._free(draft, fresh, seed, attempts)
-        return self._steadiest(self._tidied(layouts))
+        return self._steadiest(self._ranked(layouts))
 
-    def _tidied(self, layouts: Sequence[Scene]) -> list[Outcome]:
-        """The best few of some layouts, tidied up, best first: tidying is what costs most, so it is left for last."""
-        rough: list[Outcome] = []
+    def _ranked(self, layouts: Sequence[Scene]) -> list[Outcome]:
+        """Some layouts with their judgement, best first; past the deadline the first of them alone."""
+        judged: list[Outcome] = []
         for layout in layouts:
-            if rough and self.deadline.passed:
+            if judged and self.deadline.passed:
                 break
-            rough.append(self._outcome(layout, (), ()))
-        rough.sort(key=lambda o: o.key)
-        if self.deadline.passed:
-            return rough
-        return sorted((self._outcome(tidy(o.scene), (), ()) for o in rough[:TIDIED]), key=lambda o: o.key)
+            judged.append(self._outcome(layout, (), ()))
+        return sorted(judged, key=lambda o: o.key)
 
     def _steadiest(self, ranked: list[Outcome]) -> Outcome:
         """The first of some outcomes, best first; to settle, the steadiest of the leading valid ones."""
@@ -172,7 +165,7 @@ class Executor:
                 snap=True,
             )
             layouts = [_posed(draft, layout) for layout in solution.distinct(ENOUGH)]
-            valid = [o for o in self._tidied(layouts) if o.report.valid]
+            valid = [o for o in self._ranked(layouts) if o.report.valid]
             if valid:
                 return self._steadiest(valid)
             report = check(_posed(draft, solution.best), walkable=False)

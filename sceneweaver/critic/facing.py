@@ -6,6 +6,7 @@ import math
 from collections import defaultdict
 from collections.abc import Iterator
 
+from sceneweaver.scene import CATALOGUE
 from sceneweaver.verify.solids import Body
 
 from . import kinds
@@ -140,7 +141,7 @@ def _chairs(survey: Survey) -> Iterator[Finding]:
 def _holds(survey: Survey, seat: Body, table: Body) -> bool:
     """Whether a relation that puts a seat's front against its table holds."""
     ties = {kind for kind, other in survey.ties.get(seat.id, ()) if other == table.id}
-    if not ties & {"front_against", "front_to_front", "around"}:
+    if not ties & CATALOGUE.with_role("seat"):
         return False
     broken = survey.violated.get("relation", set()) | survey.violated.get("soft_relation", set())
     return frozenset((seat.id, table.id)) not in broken

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from sceneweaver.knowledge import Item
+from sceneweaver.scene import CATALOGUE
 from sceneweaver.verify.solids import Body
 
 from . import kinds
@@ -143,7 +144,7 @@ def _find_table(survey: Survey, seat: Body) -> Body | None:
         other = survey.placed.by_id[target]
         if kind in SEAT_TIES and other.item.category in kinds.SEATED_AT:
             return other
-        if kind in ("front_against", "front_to_front", "around"):
+        if kind in CATALOGUE.with_role("seat"):
             return other  # whatever it is, the seat is meant for it
     best: tuple[float, Body] | None = None
     if not _goes_with_table(survey, seat):

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from sceneweaver.assets import categories
+from sceneweaver.scene import CATALOGUE
 from sceneweaver.verify.solids import Body
 
 from . import kinds
@@ -93,7 +94,7 @@ def _belongs_to_wall(survey: Survey, body: Body) -> bool:
         return False
     free = {"back_to_back", "centered_on", "front_to_front", "around", "side_by_side", "leftright_to_leftright"}
     types = {p.type for p in item.place}
-    return bool(types & {"against_wall", "in_corner", "at_window"}) or not types & free
+    return bool(types & CATALOGUE.with_role("edge") - {"side_against_wall"}) or not types & free
 
 
 def _backed(survey: Survey, body: Body, most: float) -> bool:

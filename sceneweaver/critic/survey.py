@@ -15,7 +15,7 @@ from sceneweaver.assets import categories, resolve
 from sceneweaver.brief import Brief
 from sceneweaver.geometry.polygons import union
 from sceneweaver.knowledge import RoomType
-from sceneweaver.scene import Scene
+from sceneweaver.scene import CATALOGUE, Scene
 from sceneweaver.verify import Report
 from sceneweaver.verify.solids import Body, Placed, Wall
 
@@ -24,7 +24,7 @@ from .program import Program
 FLAT = 0.03
 """Height [m] up to which things are walked on."""
 
-SEAT_TIES = frozenset(("front_against", "front_to_front", "around", "facing", "in_front_of"))
+SEAT_TIES = CATALOGUE.with_role("seat") | {"facing", "in_front_of"}
 """Relations that say to which table a seat belongs."""
 
 Array = NDArray[np.float64]

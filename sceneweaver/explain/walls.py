@@ -58,7 +58,7 @@ def wall_claims(scene: Scene) -> list[Claim]:
     """One claim for every object that has to stand at a wall and is upright and free to move."""
     claims: dict[str, Claim] = {}
     for rel in scene.relations:
-        if not rel.hard or rel.type not in ("against_wall", "side_against_wall"):
+        if not rel.hard or rel.type not in CATALOGUE.with_role("wall"):
             continue
         obj, spec = scene.object(rel.subject), CATALOGUE[rel.type]
         if obj.fixed or obj.mount != "floor" or max(map(abs, obj.pose.quaternion[:2])) > 1e-9:

@@ -109,17 +109,14 @@ def _roots(objects: Sequence[SceneObject], index: dict[str, int]) -> np.ndarray:
     return roots
 
 
-# Relations that say how an object is turned or how high it hangs, not where it stands.
-_NOT_PLACING = ("facing", "aligned", "parallel", "same_height", "distance")
-
-
 def _families(relations: Sequence[Relation], index: dict[str, int], roots: np.ndarray, free: np.ndarray):
     """Who goes along with whom: each root's group (itself and what it carries, then the groups of the objects that
     relations place by it) and each root's parent (-1: none)."""
     n = len(roots)
     parents = np.full(n, -1, dtype=np.int32)
+    placing = CATALOGUE.with_role("placing")
     for rel in relations:
-        if rel.type in _NOT_PLACING or not isinstance(rel.target, str) or rel.target not in index:
+        if rel.type not in placing or not isinstance(rel.target, str) or rel.target not in index:
             continue
         child, parent = index[rel.subject], int(roots[index[rel.target]])
         if roots[child] == child and child != parent and free[child] and free[parent] and parents[child] < 0:

@@ -23,7 +23,10 @@ EVERYWHERE = (-1.0e3, 1.0e3)
 
 @dataclass
 class Region:
-    """Half planes [K, 3] as (n, c) with n . x >= c inside; prisms that stand for the outside; opening clearances."""
+    """Half planes [K, 3] as (n, c) with n . x >= c inside; prisms that stand for the outside; opening clearances.
+
+    ``middle`` is the centroid, or a point inside where the centroid is not.
+    """
 
     planes: np.ndarray
     solids: list[Prism]
@@ -32,6 +35,7 @@ class Region:
     walls: tuple[Wall, ...] = ()
     doors: dict[str, Prism] = field(default_factory=dict)
     box: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
+    middle: tuple[float, float] = (0.0, 0.0)
 
 
 def enclosure(outline, height: float) -> Region:
@@ -50,7 +54,8 @@ def enclosure(outline, height: float) -> Region:
         for piece in convex_pieces(shapely.get_coordinates(part)[:-1]):
             middles = 0.5 * (piece + np.roll(piece, -1, axis=0))
             solids.append(Prism(piece, EVERYWHERE, tuple(border.distance(shapely.Point(m)) < 1e-6 for m in middles)))
-    return Region(np.asarray(planes), solids, height, box=inside.bounds)
+    middle = inside.centroid if inside.contains(inside.centroid) else inside.representative_point()
+    return Region(np.asarray(planes), solids, height, box=inside.bounds, middle=(middle.x, middle.y))
 
 
 def room_region(room: Room) -> Region:

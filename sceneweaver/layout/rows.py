@@ -64,7 +64,11 @@ class Row:
         exact = spec.snap.get(name)
         if exact is None:
             return self
-        value, (low, high) = exact.value * unit, exact.within
+        low, high = exact.within
+        if isinstance(exact.value, str):
+            value = 0.5 * (max(self.aim[0], -INF) + min(self.aim[1], INF))
+        else:
+            value = exact.value * unit
         alike = value if exact.alike is None else exact.alike * unit
         return replace(self, exact=Snap(value, alike, (low * unit, high * unit)))
 
@@ -389,6 +393,68 @@ def _between(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     ]
 
 
+def _seated(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    a, b, spec = frame.object(rel.subject), frame.object(_one(rel)), CATALOGUE[rel.type]
+    normal = SIDES[value("side")]
+    point, _, _ = _face(a, "front")
+    _, reach, half = _face(b, value("side"))
+    place = ((value("k") + 0.5) / value("n") - 0.5) * 2 * half
+    offset = value("offset")
+    angle, gap, lateral = _exact_faces(
+        frame,
+        rel,
+        [
+            yaw(_bearing(normal) + math.pi, value("degrees")),
+            line(point, normal, reach, *value("gap")),
+            line(point, (-normal[1], normal[0]), place, -offset, offset),
+        ],
+    )
+    return [[angle, lateral.snapped(spec, "lateral"), gap]]
+
+
+def _next(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    return [_straight(frame, rel, value)]
+
+
+def _straight(frame: Frame, rel: Relation, value) -> list[Row]:
+    """Rows of the next in a row beyond a side of b: the boxes apart, the backs or else the middles in line."""
+    a, b, spec = frame.object(rel.subject), frame.object(_one(rel)), CATALOGUE[rel.type]
+    normal, offset = SIDES[value("side")], value("offset")
+    _, reach_a, _ = _face(a, value("side"))
+    _, reach_b, _ = _face(b, value("side"))
+    near = (-normal[0] * reach_a, -normal[1] * reach_a)
+    if normal[0] == 0.0:
+        level = line((-a.size[0] / 2, 0.0), (1.0, 0.0), -b.size[0] / 2, -offset, offset)
+    else:
+        level = line((0.0, 0.0), (0.0, 1.0), 0.0, -offset, offset)
+    return [
+        yaw(0.0, value("degrees")).snapped(spec, "degrees", DEGREE),
+        line(near, normal, reach_b, *value("gap")).snapped(spec, "gap"),
+        level.snapped(spec, "lateral"),
+    ]
+
+
+def _run(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    """Straight on, or around the corner: before b, the back in line with the side of b that is in the corner."""
+    a, b, spec = frame.object(rel.subject), frame.object(_one(rel)), CATALOGUE[rel.type]
+    side = SIDES[value("side")]
+    turned = -side[1]  # to the right the run goes on facing b's left
+    offset = value("offset")
+    corner = [
+        yaw(turned * math.pi / 2, value("degrees")).snapped(spec, "degrees", DEGREE),
+        line((0.0, turned * a.size[1] / 2), (1.0, 0.0), b.size[0] / 2, *value("gap")).snapped(spec, "gap"),
+        line((-a.size[0] / 2, 0.0), side, b.size[1] / 2, -offset, offset).snapped(spec, "lateral"),
+    ]
+    return [_straight(frame, rel, value), corner]
+
+
+def _in_middle(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    (x, y), offset = frame.region.middle, value("offset")
+    return [
+        [line((0.0, 0.0), (1.0, 0.0), x, -offset, offset), line((0.0, 0.0), (0.0, 1.0), y, -offset, offset)],
+    ]
+
+
 def _around(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     import shapely
 
@@ -512,6 +578,10 @@ BUILDERS: dict[str, Builder] = {
     "above": _stacked(True),
     "below": _stacked(False),
     "same_height": _same_height,
+    "seated_at": _seated,
+    "next_to": _next,
+    "run_on": _run,
+    "in_middle": _in_middle,
 }
 
 

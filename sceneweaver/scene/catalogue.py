@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
@@ -23,6 +23,20 @@ TUCKED = "tucked"
 """A gap of [-0.8 * the subject's depth, 0.05]: the subject may reach under the target where their parts allow it."""
 TUCKED_SHARE = 0.8
 TUCKED_MOST = 0.05
+
+ROLES: Mapping[str, str] = MappingProxyType(
+    {
+        "placing": "says where the subject stands by its target, so that it goes along with it",
+        "seat": "pulls a seat up to a table",
+        "wall": "puts a face to a wall",
+        "edge": "keeps the subject at the edge of the room",
+        "symmetric": "says the same of its target",
+        "turning": "says how the subject is turned",
+        "tying": "makes the subject belong to its target, so that it is placed anew with it",
+        "formation": "sets out many things regularly",
+    }
+)
+"""What relation types are for, by name."""
 
 Side = Literal["front", "back", "left", "right"]
 Gap = tuple[float, float]
@@ -42,7 +56,7 @@ class ParamSpec:
     """A parameter of a relation type.
 
     Attributes:
-        type: ``number``, ``integer`` or ``range`` (two numbers in order).
+        type: ``number``, ``integer``, ``range`` (two numbers in order) or ``choice`` (a word of ``choices``).
         default: its value when a relation does not give it; None when it must be given or is worked out.
         unit: ``m``, ``deg`` or empty for a plain ratio or count.
         minimum, maximum: bounds, included; ``exclusive_minimum``: lower bound, left out.
@@ -50,7 +64,7 @@ class ParamSpec:
     """
 
     name: str
-    type: Literal["number", "integer", "range"]
+    type: Literal["number", "integer", "range", "choice"]
     default: float | int | Gap | str | None
     unit: str
     description: str
@@ -58,9 +72,14 @@ class ParamSpec:
     maximum: float | None = None
     exclusive_minimum: float | None = None
     required: bool = False
+    choices: tuple[str, ...] = ()
 
     def check(self, value: Any) -> float | int | Gap | str:
-        """The value as float, int or a pair of floats; FieldError when it has another type or is out of bounds."""
+        """The value as float, int, a pair of floats or a word; FieldError for another type or a bad number."""
+        if self.type == "choice":
+            if not isinstance(value, str) or value not in self.choices:
+                raise FieldError((), f"is {show(value)}; give one of {', '.join(self.choices)}")
+            return value
         if self.type == "range":
             if value == TUCKED and self.default == TUCKED:
                 return TUCKED
@@ -96,13 +115,13 @@ class Exact:
     """The value of a quantity of a relation when it is not merely fulfilled but exact.
 
     Attributes:
-        value: the exact value, in m or deg.
+        value: the exact value, in m or deg; ``middle``: that of the interval that the relation allows.
         within: between which values the quantity is brought to it; beyond them it is taken to be meant otherwise.
         alike: where it is given, all subjects with one target take the same value, from this to the exact one, which
             is then as far as one would go, such as chairs that are pushed under a table.
     """
 
-    value: float
+    value: float | Literal["middle"]
     within: tuple[float, float]
     alike: float | None = None
 
@@ -119,6 +138,7 @@ class RelationSpec:
         params: what a relation may set for itself; a parameter named like a field above overrides that field.
         constants: numbers of the type's definition that nothing overrides.
         ties_zones: subject and target are exempt from each other's hard zones.
+        roles: what relations of the type are for, see `ROLES`.
         snap: the exact values of quantities: ``degrees`` off, ``gap``, ``lateral`` (the two middles, along the
             target's face), ``backs`` (the two back faces, along the front).
     """
@@ -134,6 +154,7 @@ class RelationSpec:
     params: Mapping[str, ParamSpec] = field(default_factory=lambda: MappingProxyType({}))
     constants: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
     ties_zones: bool = False
+    roles: frozenset[str] = frozenset(("placing",))
     snap: Mapping[str, Exact] = field(default_factory=lambda: MappingProxyType({}))
 
     @property
@@ -214,7 +235,8 @@ def _spec(entry: Mapping[str, Any]) -> RelationSpec:
     params: dict[str, ParamSpec] = {}
     for name, p in entry["params"].items():  # a param without a default of its own overrides the field of its name
         default = _pair(p["default"]) if "default" in p else {**entry, "gap": gap}[name]
-        params[name] = ParamSpec(**{"name": name, **p, "default": default})
+        words = {"choices": tuple(p["choices"])} if "choices" in p else {}
+        params[name] = ParamSpec(**{"name": name, **p, **words, "default": default})
     return RelationSpec(
         type=entry["type"],
         description=entry["description"],
@@ -227,12 +249,14 @@ def _spec(entry: Mapping[str, Any]) -> RelationSpec:
         params=MappingProxyType(params),
         constants=MappingProxyType(dict(entry["constants"])),
         ties_zones=entry["ties_zones"],
+        roles=frozenset(entry["roles"]),
         snap=MappingProxyType({name: _exact(e) for name, e in entry.get("snap", {}).items()}),
     )
 
 
 def _exact(entry: Mapping[str, Any]) -> Exact:
-    return Exact(float(entry["exact"]), _pair(entry["within"]), entry.get("alike"))
+    value = entry["exact"]
+    return Exact("middle" if value == "middle" else float(value), _pair(entry["within"]), entry.get("alike"))
 
 
 def _load() -> dict[str, RelationSpec]:
@@ -242,7 +266,25 @@ def _load() -> dict[str, RelationSpec]:
 
 _specs: dict[str, RelationSpec] = _load()
 
-CATALOGUE: Mapping[str, RelationSpec] = MappingProxyType(_specs)
+
+class Catalogue(Mapping[str, RelationSpec]):
+    """Relation types by name, read-only."""
+
+    def __getitem__(self, name: str) -> RelationSpec:
+        return _specs[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(_specs)
+
+    def __len__(self) -> int:
+        return len(_specs)
+
+    def with_role(self, *roles: str) -> frozenset[str]:
+        """The names of the types that have any of some roles (`ROLES`)."""
+        return frozenset(name for name, spec in _specs.items() if spec.roles & set(roles))
+
+
+CATALOGUE = Catalogue()
 """Every relation type by name, in the order of the data file; registered ones come last."""
 
 BUILT_IN: frozenset[str] = frozenset(_specs)

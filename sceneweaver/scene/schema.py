@@ -56,6 +56,8 @@ def _relation(name: str) -> dict[str, Any]:
         for ours, theirs in (("minimum", "minimum"), ("maximum", "maximum"), ("exclusive_minimum", "exclusiveMinimum")):
             if getattr(param, ours) is not None:
                 number[theirs] = getattr(param, ours)
+        if param.type == "choice":
+            number = {"enum": list(param.choices)}
         if param.type == "range":
             number = {"type": "array", "items": number, "minItems": 2, "maxItems": 2}
             number = {"anyOf": [{"const": param.default}, number]} if isinstance(param.default, str) else number

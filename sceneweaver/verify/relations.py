@@ -9,14 +9,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
 
 import numpy as np
 
 from sceneweaver.scene import Relation
-from sceneweaver.scene.catalogue import CATALOGUE, RelationSpec
+from sceneweaver.scene.catalogue import CATALOGUE
 from sceneweaver.scene.errors import InputError
+from sceneweaver.verify.case import Case
 from sceneweaver.verify.contacts import face_measurements, turn, wall_contacts
+from sceneweaver.verify.formations import in_middle, next_to, run_on, seated_at
 from sceneweaver.verify.measure import (
     HOLDS,
     ROUNDING,
@@ -34,27 +35,6 @@ from sceneweaver.verify.support import bottom, rest
 
 CORNER = 0.17
 """Least sine of the turn at a convex corner of the room that counts for in_corner (about 10 degrees)."""
-
-
-class Case(NamedTuple):
-    """A relation to judge: where, its subject, its target when that is an object, and the catalogue's entry."""
-
-    placed: Placed
-    relation: Relation
-    subject: Body
-    target: Body | None
-    spec: RelationSpec
-
-    def number(self, name: str) -> float:
-        """The number called ``name``: the relation's own, else the catalogue's."""
-        return float(self.spec.value(self.relation, name))
-
-    @property
-    def other(self) -> Body:
-        """The target object."""
-        if self.target is None:
-            raise InputError(f"relation {self.relation.type} of {self.relation.subject}: needs an object as its target")
-        return self.target
 
 
 Judge = Callable[[Case], "Judgement | bool"]
@@ -392,6 +372,10 @@ JUDGES: dict[str, Judge] = {
     "above": _over,
     "below": _over,
     "same_height": _same_height,
+    "seated_at": seated_at,
+    "next_to": next_to,
+    "run_on": run_on,
+    "in_middle": in_middle,
 }
 """The judge of every relation type."""
 

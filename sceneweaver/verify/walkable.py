@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sceneweaver.scene import Relation
+from sceneweaver.scene import CATALOGUE, Relation
 from sceneweaver.verify.grid import Grid
 from sceneweaver.verify.solids import Array, Body, Placed
 
@@ -32,7 +32,7 @@ STEP = 0.02
 MOST_CELLS = 10_000_000
 """Cells up to which a floor is measured: a square of 158 m."""
 
-TUCKED = frozenset(("front_against", "front_to_front", "around"))
+TUCKED = CATALOGUE.with_role("seat")
 """Relations, hard or soft, by which one object stands in front of another."""
 
 

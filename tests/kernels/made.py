@@ -115,6 +115,10 @@ PARAMS: dict[str, Json] = {
     "above": {"lateral": 0.2},
     "below": {"lateral": 0.2},
     "same_height": {"tolerance": 0.2},
+    "seated_at": {"side": "left", "k": 2, "n": 3, "offset": 0.2},
+    "next_to": {"side": "back", "gap": [0.2, 0.9]},
+    "run_on": {"side": "left", "gap": [0.0, 0.4], "offset": 0.3},
+    "in_middle": {"offset": 1.5},
 }
 """Numbers other than the defaults, for the types that take any."""
 
@@ -126,7 +130,7 @@ def related(kind: str, **params) -> Scene:
     objects = [chair("a", 1.0, 2.5), table("b", 1.6, 4.0), sofa("c", 3.0, 3.2, yaw=40.0)]
     target: Any = "b"
     second: tuple[str, Any] = ("c", "b")
-    if kind in ("on_floor", "in_corner"):
+    if kind in ("on_floor", "in_corner", "in_middle"):
         target, second = None, ("c", None)
     elif kind in ("against_wall", "side_against_wall"):
         target, second = None, ("c", "wall:3")

@@ -106,4 +106,15 @@ ONE_OF_EACH: dict[str, Scene] = {
     "above": scene([OTHER, PICTURE], [relation("above", "picture", "other"), relation("against_wall", "other")]),
     "below": scene([TELLY, BOX], [relation("below", "box", "telly"), relation("against_wall", "box")]),
     "same_height": scene([TELLY, PICTURE], [relation("same_height", "picture", "telly")]),
+    "seated_at": scene(
+        [table(size=(0.8, 1.6, 0.75)), *CHAIRS],
+        [
+            relation("seated_at", c.id, "table", side=("back", "front")[k % 2], k=k // 2, n=2)
+            for k, c in enumerate(CHAIRS)
+        ],
+        room=room(6, 5),
+    ),
+    "next_to": scene([OTHER, BOX], [relation("next_to", "box", "other", side="back", gap=[0.3, 0.4])]),
+    "run_on": scene([OTHER, BOX], [relation("run_on", "box", "other"), relation("against_wall", "box")]),
+    "in_middle": scene([OTHER, BOX], [relation("in_middle", "box", offset=0.1)]),
 }

@@ -18,7 +18,8 @@ from sceneweaver.scene import (
     register_relation,
     unregister_relation,
 )
-from sceneweaver.scene.catalogue import TARGETS
+from sceneweaver.scene.catalogue import ROLES, TARGETS
+from sceneweaver.scene.messages import FieldError
 
 ALL, LRF, LR, B, F = (
     ("front", "back", "left", "right"),
@@ -58,6 +59,19 @@ TABLE = {
     "above": ("object", (), (), None, None, None, {"lateral": 0.5}, False),
     "below": ("object", (), (), None, None, None, {"lateral": 0.5}, False),
     "same_height": ("object", (), (), None, None, None, {"tolerance": 0.03}, False),
+    "seated_at": ("object", F, ALL, 15, "tucked", None, {"side": "front", "k": 0, "n": 1, "offset": 0.05}, True),
+    "next_to": (
+        "object",
+        (),
+        ("left", "right", "front", "back"),
+        3,
+        (0, 0.6),
+        None,
+        {"side": "left", "offset": 0.05},
+        False,
+    ),
+    "run_on": ("object", (), LR, 3, (0, 0.03), None, {"side": "right", "offset": 0.05}, True),
+    "in_middle": ("none", (), (), None, None, None, {"offset": 0.5}, False),
 }
 
 
@@ -102,6 +116,23 @@ def test_gap_range_resolves_tucked_by_the_subjects_depth():
     assert CATALOGUE["against_wall"].gap_range(None, 0.5) == (0, 0.07)
     with pytest.raises(InputError, match="near: "):
         CATALOGUE["near"].gap_range(None, 0.5)
+
+
+def test_a_choice_is_one_of_its_words():
+    spec = CATALOGUE["next_to"]
+    assert spec.check_params({"side": "back"}) == {"side": "back"}
+    for value in ("top", 1, None, ["back"]):
+        with pytest.raises(FieldError) as caught:
+            spec.check_params({"side": value})
+        assert "give one of left, right, front, back" in caught.value.text
+
+
+def test_roles():
+    assert CATALOGUE.with_role("seat") == {"front_against", "front_to_front", "around", "seated_at"}
+    assert CATALOGUE.with_role("wall", "seat") == CATALOGUE.with_role("wall") | CATALOGUE.with_role("seat")
+    assert all(spec.roles <= set(ROLES) for spec in CATALOGUE.values())
+    assert all(CATALOGUE.with_role(role) for role in ROLES)
+    assert "near" in CATALOGUE.with_role("placing") and "aligned" not in CATALOGUE.with_role("placing")
 
 
 def test_target_kinds():
