@@ -9,6 +9,7 @@ in the cache. What is private to these optimisers is stored [object, candidate],
 import warp as wp
 
 from .array_access import item, item_strided
+from .bodies import Candidate
 from .features import TURN
 from .geometry import perp, plane_of, wrap
 from .tables import FREE_PLANE, FREE_YAW, FREE_Z, State, TablesRef, View, Weights
@@ -117,8 +118,7 @@ def total_of(share: wp.array2d(dtype=wp.float32), candidate: wp.int32, n: wp.int
 @wp.func
 def keep_last(
     t: TablesRef,
-    p: wp.int32,
-    candidate: wp.int32,
+    c: Candidate,
     obj: wp.int32,
     share: wp.array2d(dtype=wp.float32),
     lowest: wp.array(dtype=wp.float32),
@@ -131,15 +131,15 @@ def keep_last(
 
     Candidates at rest have no thread with a root: they are left as they are.
     """
-    o = item(t[0].object_start, p) + obj
-    n = item(t[0].object_start, p + 1) - item(t[0].object_start, p)
-    if obj >= n:
+    candidate = c.index
+    o = c.first_object + obj
+    if obj >= c.objects:
         return False
     low = lowest[candidate]
     if low <= AT_REST:
         lowest_out[candidate] = low
         return False
-    total = total_of(share, candidate, n)
+    total = total_of(share, candidate, c.objects)
     if obj == 0:
         lowest_out[candidate] = wp.where(total < low, total, low)
     if item(t[0].object_root, o) != obj:

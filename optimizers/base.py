@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Protocol, TypeVar, cast, runtime_checkable
 
 import numpy as np
 
@@ -59,9 +60,33 @@ Solve = Callable[[Batch, Start, int | None, Monitor], OptimizerResult]
 """``solve(batch, start, budget, monitor)`` moves the batch's poses in place; budget in its own work units."""
 
 
+@runtime_checkable
+class Optimizer(Protocol):
+    """What the registry holds, and what an optimiser of your own has to be."""
+
+    def modules_on(self, device: str) -> tuple[str, ...]:
+        """The modules of ``sceneweaver.kernels`` that it launches on a device, to compile ahead; may be empty."""
+        ...
+
+    def __call__(self, batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
+        """Move the batch's poses [B, N, 4] in place.
+
+        Args:
+            batch: candidates of one or several problems, on one device. On a CPU it is called from several threads,
+                each with a part of the candidates; a candidate's result must not depend on the others.
+            start: whether to begin at the batch's poses, or where (`starts.draw_starts` draws).
+            budget: in work units of its own; None: its default.
+            monitor: to report to, and to ask whether time is up.
+
+        Returns:
+            The energy of every candidate's final poses.
+        """
+        ...
+
+
 @dataclass(frozen=True)
-class Optimizer:
-    """An entry of the registry: the function, and the kernel modules that it launches, to compile ahead."""
+class FunctionOptimizer:
+    """An optimiser that is a function, with the kernel modules that it launches."""
 
     solve: Solve
     modules: tuple[str, ...]
@@ -78,16 +103,22 @@ class Optimizer:
 
 OPTIMIZERS: dict[str, Optimizer] = {}
 
+_Entered = TypeVar("_Entered", bound=Solve)
+
 
 def register(
     name: str, modules: tuple[str, ...] | None = None, on_gpu: tuple[str, ...] | None = None
-) -> Callable[[Solve], Solve]:
-    """Enter an optimiser under a name; ``modules`` of ``kernels`` hold its kernels (default: the one of its name),
-    ``on_gpu`` those that it launches on a GPU (default: the same)."""
+) -> Callable[[_Entered], _Entered]:
+    """Enter an optimiser under a name: one that is an `Optimizer`, or a function.
 
-    def enter(solve: Solve) -> Solve:
-        own = modules or (name,)
-        OPTIMIZERS[name] = Optimizer(solve, own, on_gpu or own)
+    For a function ``modules`` of ``kernels`` hold its kernels (default: the one of its name), ``on_gpu`` those that it
+    launches on a GPU (default: the same).
+    """
+
+    def enter(solve: _Entered) -> _Entered:
+        own = modules if modules is not None else (name,)
+        whole = hasattr(solve, "modules_on")
+        OPTIMIZERS[name] = cast(Optimizer, solve) if whole else FunctionOptimizer(solve, own, on_gpu or own)
         return solve
 
     return enter

@@ -1,15 +1,15 @@
-"""The loop that Adam and Langevin dynamics share: slopes and a step, two buffers, the best of each candidate."""
+"""The loop that update rules share: gradients and a step, two buffers, the best of each candidate."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from dataclasses import asdict, dataclass
 
 import numpy as np
 import warp as wp
 
 from sceneweaver.kernels import gradients, gradients_gpu
-from sceneweaver.kernels.adam import Schedule
+from sceneweaver.kernels.descent import Schedule, UpdateRule
 from sceneweaver.kernels.step import add_up, choose, measure, take_best
 from sceneweaver.kernels.tables import State
 from sceneweaver.kernels.warp_primitives import WARP_SIZE
@@ -24,12 +24,22 @@ MEASURED, MEASURED_ON_GPU = ("step", "gradients"), ("step", "gradients_gpu")
 REASSIGN = 20  # steps between two looks at which wall or side each relation means; even: both buffers had their turn
 
 
-def schedule_of(steps: int, rate: float, rate_end: float, noise: float, quiet: float) -> Schedule:
-    """A schedule from its numbers; units as in ``Schedule``."""
-    schedule = Schedule()
-    schedule.steps, schedule.rate, schedule.rate_end = steps, rate, rate_end
-    schedule.noise, schedule.quiet = noise, quiet
-    return schedule
+@dataclass(frozen=True)
+class Settings:
+    """What a schedule is made of; units as in ``kernels.descent.Schedule``."""
+
+    rate: float
+    rate_end: float
+    noise: float
+    quiet: float
+
+    def schedule(self, steps: int) -> Schedule:
+        """The schedule of a run of so many steps."""
+        schedule = Schedule()
+        schedule.steps = steps
+        for name, value in asdict(self).items():
+            setattr(schedule, name, value)
+        return schedule
 
 
 def threads(batch: Batch, each: int) -> tuple[int, int, int]:
@@ -55,14 +65,13 @@ def by_object(state: State) -> State:
     return found
 
 
-def descend(batch: Batch, step: Any, schedule: Schedule, moments: int, monitor: Monitor) -> wp.array:
+def descend(batch: Batch, rule: UpdateRule, schedule: Schedule, monitor: Monitor) -> wp.array:
     """Take all of a schedule's steps in place; every candidate ends at the lowest energy that it passed.
 
     Args:
         batch: the candidates, at the poses to start from.
-        step: the kernel, with the arguments of ``adam.adam_step``.
+        rule: how a step is taken.
         schedule: step sizes and the number of steps.
-        moments: how many arrays of running averages the kernel keeps.
         monitor: may stop the descent before its end.
 
     Returns:
@@ -70,7 +79,8 @@ def descend(batch: Batch, step: Any, schedule: Schedule, moments: int, monitor: 
     """
     device, state = batch.device, by_object(batch.state)
     other = by_object(batch.state)  # time may run out before the first step
-    averages = [per_object(batch, wp.vec4) for _ in range(moments)]
+    mean = per_object(batch, wp.vec4) if rule.keeps_mean else wp.zeros((1, 1), dtype=wp.vec4, device=device)
+    square = per_object(batch, wp.vec4)
     best = per_object(batch, wp.vec4).transpose()
     share = [per_object(batch, wp.float32, np.inf) for _ in range(2)]
     lowest = [wp.full(batch.size, np.inf, dtype=wp.float32, device=device) for _ in range(2)]
@@ -80,16 +90,16 @@ def descend(batch: Batch, step: Any, schedule: Schedule, moments: int, monitor: 
     block = Launches(device)
     add_choice(block, batch, state, [state.options, other.options])
     chosen = len(block)  # launches before the steps: none without relations
-    part, slope = per_object(batch, wp.float32), per_object(batch, wp.vec4)
+    part, each = per_object(batch, wp.float32), per_object(batch, wp.vec4)
     for k in range(REASSIGN):
         a, b = k % 2, (k + 1) % 2
-        add_slopes(block, batch, layout[a], lowest[a], part, slope)
+        add_gradients(block, batch, layout[a], lowest[a], part, each)
         block.add(
-            step,
+            rule.kernel,
             threads(batch, batch.objects),
             [
                 *(batch.tables, schedule, batch.problem),
-                *(clock[a], layout[a], share[b], lowest[a], part, slope, *averages, layout[b].poses),
+                *(clock[a], layout[a], share[b], lowest[a], part, each, mean, square, layout[b].poses),
             ],
             [layout[b].turns, best, share[a], lowest[b], clock[b]],
             block=BLOCK,
@@ -122,24 +132,26 @@ def add_choice(block: Launches, batch: Batch, state: State, options: Sequence[wp
         block.add(choose, threads(batch, batch.relations), inputs, options)
 
 
-def add_slopes(block: Launches, batch: Batch, state: State, lowest: wp.array, part: wp.array, slope: wp.array) -> None:
+def add_gradients(
+    block: Launches, batch: Batch, state: State, lowest: wp.array, part: wp.array, gradient: wp.array
+) -> None:
     """Measure every object's share of the energy and its gradient, [object, candidate], at the state's poses.
 
     Candidates whose ``lowest`` energy so far is that of rest are left out.
     """
     wanted = (gradients.WHOLE,) if batch.device == "cpu" else gradients_gpu.GROUPS
-    kernels = [kernel for kinds, kernel in wanted if kinds & batch.terms]
     inputs = [batch.tables, batch.margins, batch.weights, batch.problem, state, lowest]
-    for kernel in kernels:
-        block.add(kernel, threads(batch, batch.objects), inputs, [part, slope], block=BLOCK)
+    for kinds, kernel in wanted:
+        if kinds & batch.terms:
+            block.add(kernel, threads(batch, batch.objects), inputs, [part, gradient], block=BLOCK)
 
 
 def add_measure(block: Launches, batch: Batch, state: State, share: wp.array, gradient: wp.array) -> None:
     """Measure every root's share of the energy and its scaled gradient, [object, candidate], at the state's poses."""
     restless = wp.full(batch.size, np.inf, dtype=wp.float32, device=batch.device)
-    part, slope = per_object(batch, wp.float32), per_object(batch, wp.vec4)
-    add_slopes(block, batch, state, restless, part, slope)
-    inputs = [batch.tables, batch.problem, state.poses, part, slope]
+    part, each = per_object(batch, wp.float32), per_object(batch, wp.vec4)
+    add_gradients(block, batch, state, restless, part, each)
+    inputs = [batch.tables, batch.problem, state.poses, part, each]
     block.add(measure, threads(batch, batch.objects), inputs, [share, gradient], block=BLOCK)
 
 

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 import warp as wp
 
-from sceneweaver.kernels.adam import adam_step
+from sceneweaver.kernels.descent import ADAM
 from sceneweaver.kernels.tempering import FIRST, Ladder, accept, copy_replicas, exchange, make_moves
 
 from .base import Monitor, OptimizerResult, Start, register
@@ -18,13 +18,13 @@ from .batch import Batch
 from .descent import (
     MEASURED,
     MEASURED_ON_GPU,
+    Settings,
     add_choice,
     add_measure,
     descend,
     finish,
     outcome,
     per_object,
-    schedule_of,
     threads,
 )
 from .launches import Launches
@@ -38,6 +38,8 @@ JUMPS = {"given": 0.2, "random": 0.7, "sample": 0.7}  # share of moves that are 
 STEP_SIZE = 0.015  # [m] a Langevin step takes for a gradient of one, to begin with
 LEAD = 40  # steps of the descent at the beginning, at most a quarter of all
 POLISH = 0.25  # share of the steps for the descent at the end
+FIRST_DESCENT = Settings(rate=0.1, rate_end=0.005, noise=0.03, quiet=0.6)
+LAST_DESCENT = Settings(rate=0.01, rate_end=0.0005, noise=0.0, quiet=1.0)
 UNROLL = 10  # steps in one graph
 
 
@@ -86,7 +88,7 @@ def temper(batch: Batch, start: Start, lead: int, steps: int, monitor: Monitor) 
     rows = replicate(batch, ladder.rung)
     draw_starts(rows, start)
     if lead:
-        descend(rows, adam_step, schedule_of(lead, rate=0.1, rate_end=0.005, noise=0.03, quiet=0.6), 2, monitor)
+        descend(rows, ADAM, FIRST_DESCENT.schedule(lead), monitor)
     state, proposal = rows.state, rows.scratch()
     proposal.anchors = state.anchors
     wp.copy(proposal.poses, state.poses)
@@ -122,7 +124,7 @@ def temper(batch: Batch, start: Start, lead: int, steps: int, monitor: Monitor) 
     finish(batch, batch.state.poses, nothing, best, ladder.lowest)
 
 
-@register("tempering", modules=(*MEASURED, "tempering", "adam"), on_gpu=(*MEASURED_ON_GPU, "tempering", "adam"))
+@register("tempering", modules=(*MEASURED, "tempering", "descent"), on_gpu=(*MEASURED_ON_GPU, "tempering", "descent"))
 def run_tempering(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
     """Refine every candidate by ``budget`` steps (default 1200); it ends at the lowest energy of any replica.
 
@@ -130,5 +132,4 @@ def run_tempering(batch: Batch, start: Start, budget: int | None, monitor: Monit
     """
     lead, steps, polish = parts(budget or STEPS)
     temper(batch, start, lead, steps, monitor)
-    schedule = schedule_of(polish, rate=0.01, rate_end=0.0005, noise=0.0, quiet=1.0)
-    return outcome(batch, descend(batch, adam_step, schedule, 2, monitor), monitor)
+    return outcome(batch, descend(batch, ADAM, LAST_DESCENT.schedule(polish), monitor), monitor)

@@ -19,7 +19,7 @@ WITH_KERNELS = [m for m in MODULES if wp.get_module(m.__name__).kernels]
 
 def test_modules_are_found():
     names = {m.__name__.rpartition(".")[2] for m in WITH_KERNELS}
-    expected = {"adam", "bookkeeping", "evaluator", "gradients_gpu", "lbfgs", "raycast_kernels", "search", "verdict"}
+    expected = {"bookkeeping", "descent", "evaluator", "gradients_gpu", "lbfgs", "raycast_kernels", "search", "verdict"}
     assert expected <= names
 
 

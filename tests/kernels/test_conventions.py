@@ -130,7 +130,7 @@ def test_kernels_are_found():
         "evaluator.evaluate",
         "verdict.judge_objects",
         "search.search",
-        "adam.adam_step",
+        "descent.step",
         "raycast_kernels.cast",
     }
     assert expected <= {k.name for k in KERNELS}
