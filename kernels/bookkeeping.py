@@ -137,21 +137,42 @@ def advance_clock(
 
 
 @wp.kernel
-def retire_valid(
+def retire(
+    # Problem:
+    t: TablesRef,
+    problem: wp.array(dtype=wp.int32),
+    first_steps: wp.int32,
+    close: wp.float32,
     # State in:
+    clock: wp.array(dtype=wp.int32),
     status: wp.array(dtype=wp.int8),
+    best: State,
+    best_total: wp.array(dtype=wp.float32),
     # State in and out:
     active: wp.array(dtype=wp.int32),
+    s: State,
     # State out:
     left_out: wp.array(dtype=wp.int32),
 ):
-    """Take the valid candidates out of the search and count the others."""
+    """Take candidates out of the search, and count those that go on in ``left_out[0]``.
+
+    The valid ones leave, and after so many steps those that never came close to it (energy above ``close`` [m]): with
+    their best layout, and counted in ``left_out[1]``.
+    """
     candidate = wp.tid()
-    if active[candidate] == 1:
-        if int(status[candidate]) == 0:
-            active[candidate] = 0
-        else:
-            wp.atomic_add(left_out, 0, 1)
+    if active[candidate] == 0:
+        return
+    if int(status[candidate]) == 0:
+        active[candidate] = 0
+    elif clock[0] == first_steps and best_total[candidate] > close:
+        active[candidate] = 0
+        wp.atomic_add(left_out, 1, 1)
+        p = problem[candidate]
+        for obj in range(t[0].object_start[p + 1] - t[0].object_start[p]):
+            s.poses[candidate, obj] = best.poses[candidate, obj]
+            s.turns[candidate, obj] = best.turns[candidate, obj]
+    else:
+        wp.atomic_add(left_out, 0, 1)
 
 
 @wp.kernel

@@ -24,6 +24,7 @@ class Plan:
     """How a search goes about it, in work units. A run is attempts of so many rounds; the clock counts rounds."""
 
     steps: wp.int32  # rounds of all attempts
+    first_steps: wp.int32  # rounds after which candidates leave that never came close to valid
     rounds: wp.int32  # rounds of one attempt
     start: wp.int32  # GIVEN, ANYWHERE or RELATIONS; later attempts draw from the relations
     anchored_attempts: wp.int32  # with GIVEN: attempts that begin there and keep what is in order where it is

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from sceneweaver.kernels.bookkeeping import advance_clock, check_continue, keep_best, release, retire_valid, set_turns
+from sceneweaver.kernels.bookkeeping import advance_clock, check_continue, keep_best, release, retire, set_turns
 from sceneweaver.kernels.cells import CELLS, CROWD, enter_cells
 from sceneweaver.kernels.jobs import BACK_STEPS, JobResult, SearchState
 from sceneweaver.kernels.proposals import draw, rate, take_gradients
@@ -22,6 +22,7 @@ from .batch import STATE, Batch, launch_verdict, new_device_verdict, threads_per
 from .launches import repeat_while, repeatable
 from .starts import STARTS, launch_warps
 
+CLOSE = 0.1  # [m] energy below which further attempts are worth their time
 SOFT_MOVES = 2
 TEMPERATURE = 0.3  # [m]
 ANCHORED_TEMPERATURE = 0.05  # the same when little should move
@@ -32,6 +33,7 @@ class Effort:
     """How a search spends its time; what it stands for is said in ``Plan``."""
 
     attempts: int
+    most_attempts: int
     rounds: int
     moves: int
     proposals: int
@@ -43,9 +45,22 @@ class Effort:
     anchored_attempts: int = 4
 
 
-CPU = Effort(attempts=10, rounds=8, moves=4, proposals=5, slide=0.35, whole=0.5, rates=True, polish=6, tries=3)
+CPU = Effort(
+    attempts=10, most_attempts=30, rounds=8, moves=4, proposals=5, slide=0.35, whole=0.5, rates=True, polish=6, tries=3
+)
 # A GPU tries many poses in the time of one, so that it needs fewer moves; measured on one H200 (docs/gpu.md).
-GPU = Effort(attempts=40, rounds=1, moves=6, proposals=15, slide=0.2, whole=0.8, rates=False, polish=0, tries=4)
+GPU = Effort(
+    attempts=40,
+    most_attempts=120,
+    rounds=1,
+    moves=6,
+    proposals=15,
+    slide=0.2,
+    whole=0.8,
+    rates=False,
+    polish=0,
+    tries=4,
+)
 GPU_CROWD = replace(GPU, proposals=7)
 GPU_ANCHORED = replace(GPU, rounds=2, moves=3, slide=0.35, whole=0.5, rates=True, polish=1, anchored_attempts=8)
 
@@ -63,7 +78,9 @@ def plan_for(effort: Effort, start: Start, attempts: int | None) -> Plan:
     """The plan of a search; ``attempts`` replaces those of the effort."""
     plan = Plan()
     plan.rounds = effort.rounds
-    plan.steps = effort.rounds * (effort.attempts if attempts is None else attempts)
+    first = effort.attempts if attempts is None else attempts
+    most = first if attempts is not None or start == "given" else effort.most_attempts
+    plan.first_steps, plan.steps = effort.rounds * first, effort.rounds * most
     plan.start, plan.anchored_attempts = STARTS[start], effort.anchored_attempts
     plan.moves, plan.proposals, plan.tries = effort.moves, effort.proposals, effort.tries
     plan.slide, plan.whole, plan.rates = effort.slide, effort.whole, int(effort.rates)
@@ -146,8 +163,8 @@ class Rounds:
 
 @register("search", modules=("starts", "cells", "search"), on_gpu=("starts", "cells", "rounds", "proposals"))
 def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
-    """Search every candidate until it is valid; ``budget`` is the number of attempts (default 10, on a
-    GPU, whose attempts are shorter, 40).
+    """Search every candidate until it is valid; ``budget`` is the number of attempts (default 10, on a GPU, whose
+    attempts are shorter, 40; three times as many for those that are close to valid by then).
 
     The first attempt begins as ``start`` says, later ones by drawing from the relations. A candidate that never gets
     valid ends at the lowest energy found. On a GPU the whole run is one graph: nothing comes back to the host until
@@ -158,7 +175,7 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
     state, best, verdict = extend_state(batch), batch.scratch(), new_device_verdict(batch)
     best_total = wp.full(batch.size, float("inf"), dtype=wp.float32, device=device)
     active = wp.full(batch.size, 1, dtype=wp.int32, device=device)
-    clock, left, more = (wp.zeros(1, dtype=wp.int32, device=device) for _ in range(3))
+    clock, left, more = (wp.zeros(n, dtype=wp.int32, device=device) for n in (1, 2, 1))
     rounds = Rounds(batch, state, plan, active, clock)
     solved = 0
     if start == "given":  # what is in order already is left alone
@@ -192,7 +209,13 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
         wp.launch(set_turns, state.poses.shape, [state.poses], [state.turns], device=device)
         launch_verdict(batch, verdict, active)
         wp.launch(advance_clock, 1, [], [clock, left], device=device)
-        wp.launch(retire_valid, batch.size, [verdict.status], [active, left], device=device)
+        wp.launch(
+            retire,
+            batch.size,
+            [batch.tables, batch.problem, plan.first_steps, CLOSE, clock, verdict.status, best, best_total],
+            [active, batch.state, left],
+            device=device,
+        )
         wp.launch(check_continue, 1, [clock, left, plan.steps], [more], device=device)
 
     if solved < batch.size and not monitor.expired():
@@ -200,16 +223,16 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
             advance = repeatable(device, step)
             for _ in range(plan.steps):
                 advance()
-                done = batch.size - int(left.numpy()[0])
+                done = batch.size - int(left.numpy().sum())
                 if done > solved:
                     monitor.add(done - solved, done - solved, 0.0)
                     solved = done
-                if solved == batch.size or monitor.expired():
+                if left.numpy()[0] == 0 or monitor.expired():
                     break
         else:
             more.fill_(1)
             repeat_while(device, more, step)
-            done = batch.size - int(left.numpy()[0])
+            done = batch.size - int(left.numpy().sum())
             monitor.add(done - solved, done - solved, 0.0)
             solved = done
     if solved < batch.size:  # the others get the best layout that they had
@@ -223,5 +246,6 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
         )
     energies = best_total.numpy()
     if solved < batch.size:
-        monitor.add(batch.size - solved, 0, float(energies[active.numpy() == 1].min()))
+        unsolved = (active.numpy() != 0) | (verdict.status.numpy() != 0)
+        monitor.add(batch.size - solved, 0, float(energies[unsolved].min()))
     return OptimizerResult(energies)

@@ -25,6 +25,7 @@ from . import (
     soundness,
     stability,
     throughput,
+    tight,
 )
 
 Family = Callable[[Settings, Judge], Result]
@@ -40,6 +41,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "memory": memory.run,
         "soundness": soundness.run,
         "edits": edits.run,
+        "tight": tight.run,
         "projection": projection.run,
         "design": design.run,
         "ablations": ablations.run,

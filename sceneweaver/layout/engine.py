@@ -16,6 +16,7 @@ from sceneweaver.kernels import load
 from sceneweaver.kernels.bookkeeping import broadcast_poses, set_turns, to_surface_frames
 from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, judge, load_poses, new_state, run, streams
 from sceneweaver.optimizers.batch import Progress
+from sceneweaver.optimizers.search import effort_for
 from sceneweaver.optimizers.snap import MODULES as SNAP_MODULES
 from sceneweaver.optimizers.snap import snap_batch
 from sceneweaver.scene import InputError, Scene
@@ -334,7 +335,8 @@ def _pools(jobs: Sequence[Job], device: str, deadline: float | None) -> list[lis
     load_poses(batch, _stack([np.repeat(d.problem.home[None], POOL, axis=0) for _, _, d in domains], batch.objects))
     seeds = [streams(jobs[j].seed ^ POOL_SALT, k * POOL + np.arange(POOL)) for j, k, _ in domains]
     batch.state.rng.assign(np.concatenate(seeds))
-    run(batch, "search", "random", None, Monitor(len(which), deadline))
+    attempts = effort_for(device, "random", batch.objects).attempts  # some good layouts are enough
+    run(batch, "search", "random", attempts, Monitor(len(which), deadline))
     status = judge(batch).status.reshape(-1, POOL)
     poses = batch.state.poses.numpy().reshape(len(domains), POOL, batch.objects, 4)
     for (j, _, domain), found, layouts in zip(domains, status, poses, strict=True):

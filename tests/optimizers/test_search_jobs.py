@@ -88,6 +88,11 @@ def test_the_effort_suits_device_start_and_size() -> None:
     assert effort_for("cuda:1", "sample", 100) is GPU_CROWD
     assert effort_for("cuda", "given", 100) is GPU_ANCHORED
     assert plan_for(GPU, "random", 7).steps == 7 * GPU.rounds
+    plan = plan_for(CPU, "random", None)
+    assert (plan.first_steps, plan.steps) == (CPU.attempts * CPU.rounds, CPU.most_attempts * CPU.rounds)
+    for start, attempts in (("given", None), ("random", 7)):  # no more than that, however close
+        plan = plan_for(CPU, start, attempts)
+        assert plan.first_steps == plan.steps
 
 
 def test_starts_that_are_the_same_for_all_go_over_once() -> None:
@@ -156,3 +161,29 @@ def test_the_neighbourhood_of_a_violation_is_released_step_by_step() -> None:
     np.testing.assert_array_equal(release(2), first)
     first[:, room.roots] = 1
     np.testing.assert_array_equal(release(4), first)  # the last attempt that starts from the given poses
+
+
+def test_those_that_never_come_close_leave_with_their_best_layout() -> None:
+    what = batch(["bedroom-small"], 5, "cpu", 0.3)
+    best = what.scratch()
+    best.poses.fill_(wp.vec4(1.0, 2.0, 0.0, 0.5))
+    before = what.state.poses.numpy().copy()
+    status = np.int8([0, 1, 2, 1, 1])
+    energies, active = np.float32([0.0, 0.05, 0.3, 0.3, 0.3]), wp.array(np.int32([1, 1, 1, 0, 1]), device="cpu")
+    left = wp.zeros(2, dtype=wp.int32, device="cpu")
+
+    def retire(clock: int) -> list[int]:
+        left.zero_()
+        inputs = [wp.array(a, device="cpu") for a in (np.int32([clock]), status)]
+        inputs += [best, wp.array(energies, device="cpu")]
+        tables = [what.tables, what.problem, 6, 0.1]
+        wp.launch(bookkeeping.retire, 5, [*tables, *inputs], [active, what.state, left], device="cpu")
+        return left.numpy().tolist()
+
+    assert retire(5) == [3, 0]
+    np.testing.assert_array_equal(what.state.poses.numpy(), before)
+    assert retire(6) == [1, 2]
+    np.testing.assert_array_equal(active.numpy(), [0, 1, 0, 0, 0])
+    gone = what.state.poses.numpy()
+    np.testing.assert_array_equal(gone[[0, 1, 3]], before[[0, 1, 3]])
+    assert np.all(gone[[2, 4]] == best.poses.numpy()[[2, 4]])
