@@ -35,9 +35,9 @@ def _posed(scene: Scene, obj: SceneObject, dx: float, dy: float, turn: float) ->
     return scene
 
 
-def _stack(scene: Scene, id: str) -> list[SceneObject]:
+def _stack(scene: Scene, object_id: str) -> list[SceneObject]:
     """An object and all that stands on it."""
-    ids = {id}
+    ids = {object_id}
     while more := {o.id for o in scene.objects if o.support and o.support.object in ids} - ids:
         ids |= more
     return [o for o in scene.objects if o.id in ids]
@@ -107,4 +107,4 @@ def involved(scene: Scene, edited: str) -> set[str]:
     for violation in check(scene, walkable=False).violations:
         if violation.hard:
             named |= set(violation.objects) & set(scene.ids)
-    return {o.id for id in named for o in _stack(scene, id)}
+    return {o.id for object_id in named for o in _stack(scene, object_id)}

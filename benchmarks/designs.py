@@ -50,9 +50,9 @@ def on_meshes(scene: Scene) -> Report:
     import trimesh
 
     meshes = {}
-    for id in {o.asset for o in scene.objects if o.asset is not None}:
-        mesh = LIBRARY.load(id).mesh
-        meshes[id] = trimesh.Trimesh(mesh.vertices, mesh.faces, process=False)
+    for object_id in {o.asset for o in scene.objects if o.asset is not None}:
+        mesh = LIBRARY.load(object_id).mesh
+        meshes[object_id] = trimesh.Trimesh(mesh.vertices, mesh.faces, process=False)
     return check(scene, meshes=meshes)
 
 

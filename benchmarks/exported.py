@@ -103,7 +103,7 @@ def main(files: Sequence[str]) -> int:
 
 def _print(name: str, row: dict[str, Any]) -> None:
     numbers = " ".join(f"{row[c.key]:>10.4g}" for c in COLUMNS[1:])
-    moved = {id: round(v, 3) for id, v in row.get("moved", {}).items() if v > 0.01}
+    moved = {object_id: round(v, 3) for object_id, v in row.get("moved", {}).items() if v > 0.01}
     print(f"{name[:16]:>16} {numbers}", *(moved or row.get("problems", ())), flush=True)
 
 

@@ -69,13 +69,13 @@ class _Plan:
 
     def put(self, kind: str, x: float, y: float, yaw: float) -> str:
         pose = Pose.from_yaw(x, y, 0.0, yaw)
-        id = f"{kind}-{len(self.objects)}"
+        object_id = f"{kind}-{len(self.objects)}"
         placed = {"position": list(pose.position), "quaternion": list(pose.quaternion)}
-        self.objects.append({"id": id, "category": kind, "mount": "floor", "pose": placed, **SHAPES[kind]})
-        return id
+        self.objects.append({"id": object_id, "category": kind, "mount": "floor", "pose": placed, **SHAPES[kind]})
+        return object_id
 
-    def relate(self, type: str, subject: str, target: str | None = None) -> None:
-        self.relations.append({"type": type, "subject": subject, "target": target, "hard": True})
+    def relate(self, kind: str, subject: str, target: str | None = None) -> None:
+        self.relations.append({"type": kind, "subject": subject, "target": target, "hard": True})
 
     def table(self, x: float, y: float) -> None:
         table = self.put("table", x, y, 0.0)

@@ -57,7 +57,7 @@ def case_of(scene: Scene, poses: np.ndarray, seed: int = 0) -> Case:
     models = {shapes: model_of(scene, shapes=shapes) for shapes in ("box", "hull")}
     free, fixed = models["hull"].free, models["hull"].fixed
     index = {o.id: k for k, o in enumerate(scene.objects)}
-    order = [index[id] for id in (*free, *fixed)]
+    order = [index[object_id] for object_id in (*free, *fixed)]
     start = poses_of(scene, poses)[:, order]
     random = np.random.default_rng(seed)
     shape = (len(start), len(free))

@@ -44,10 +44,10 @@ RELATIONS = (
 def ten_boxes() -> Scene:
     """The room in a valid layout: floor fill 0.41, a door, no zones."""
     objects = []
-    for id, (size, x, y, degrees) in BOXES.items():
+    for object_id, (size, x, y, degrees) in BOXES.items():
         pose = Pose.from_yaw(x, y, 0.0, math.radians(degrees))
         placed = {"position": list(pose.position), "quaternion": list(pose.quaternion)}
-        objects.append({"id": id, "category": id, "mount": "floor", "size": list(size), "pose": placed})
+        objects.append({"id": object_id, "category": object_id, "mount": "floor", "size": list(size), "pose": placed})
     relations = [{"type": t, "subject": a, "target": b, "hard": True} for t, a, b in RELATIONS]
     door = {"id": "door", "wall": 0, "offset": 1.3, "width": 0.8, "height": 2.05}
     outline = [[0, 0], [4, 0], [4, 5], [0, 5]]

@@ -121,11 +121,11 @@ def _beginnings(situation: Situation) -> list[Call]:
 
 def _sorted_out(faults: Sequence[Fault]) -> list[Fault]:
     """The faults, where shelves are not filled that another fault wants arranged."""
-    laid = {id for f in faults if f.tool == "add_tabletop" for id in f.inputs.get("supports", ())}
+    laid = {object_id for f in faults if f.tool == "add_tabletop" for object_id in f.inputs.get("supports", ())}
     kept = []
     for fault in faults:
         if fault.tool == "add_crowd" and laid:
-            supports = [id for id in fault.inputs.get("supports", ()) if id not in laid]
+            supports = [object_id for object_id in fault.inputs.get("supports", ()) if object_id not in laid]
             if not supports:
                 continue
             fault = fault.model_copy(update={"inputs": {**fault.inputs, "supports": supports}})

@@ -23,13 +23,15 @@ def settled(outcome: Outcome, executor: Executor) -> tuple[Outcome, list[str]]:
     from sceneweaver.physics import settle, stability
 
     rest = settle(outcome.scene)
-    notes = [f"{id} moves {100 * rest.moved[id]:.1f} cm in physics" for id in rest.faults]
+    notes = [f"{object_id} moves {100 * rest.moved[object_id]:.1f} cm in physics" for object_id in rest.faults]
     after, kept = executor.judged(rest.scene), set()
     for _ in range(ROUNDS):
         if after.report.valid or not outcome.report.valid:
             break
         # A body may rest a millimetre lower than its prisms do, which the judge would call sunk.
-        kept |= {id for v in after.report.violations if v.hard for id in v.objects if id in rest.moved}
+        kept |= {
+            object_id for v in after.report.violations if v.hard for object_id in v.objects if object_id in rest.moved
+        }
         poses = {o.id: o.pose for o in outcome.scene.objects if o.id in kept}
         after = executor.judged(rest.scene.replace_poses(poses))
     if outcome.report.valid and not after.report.valid:

@@ -62,12 +62,12 @@ class Asset:
         return d, w, h
 
     def object(
-        self, id: str, *, pose: Pose | None = None, mount: Mount | None = None, support: Support | None = None
+        self, asset_id: str, *, pose: Pose | None = None, mount: Mount | None = None, support: Support | None = None
     ) -> SceneObject:
         """The scene object of this asset; ``mount`` is the asset's unless it can be had in another way too."""
         extra: dict[str, Any] = {} if pose is None else {"pose": pose}
         return SceneObject(
-            id=id,
+            id=asset_id,
             category=self.category,
             description=self.description or None,
             size=self.size,

@@ -84,21 +84,21 @@ class Store:
                 found.append(row)
         yield from sorted(found, key=lambda row: row["id"])
 
-    def load(self, id: str) -> Asset:
+    def load(self, asset_id: str) -> Asset:
         """An asset by id; InputError when the store has none of that id."""
-        tail = id.rpartition("-")[2]
+        tail = asset_id.rpartition("-")[2]
         for path in self.root.glob(f"objects/{tail[:2]}/{tail}*/row.json") if len(tail) >= 8 else ():
             row = parse(read_bytes(path))
-            if row.get("id") == id:
+            if row.get("id") == asset_id:
                 return _read(path.parent, row)
         known = [row["id"] for row in self.rows()]
-        raise InputError(f"asset: '{id}' is not in the store {self.root}{suggest(id, known)}")
+        raise InputError(f"asset: '{asset_id}' is not in the store {self.root}{suggest(asset_id, known)}")
 
-    def remove(self, id: str) -> None:
+    def remove(self, asset_id: str) -> None:
         """Forget an asset; InputError when the store has none of that id."""
-        asset_hash = next((row["hash"] for row in self.rows() if row["id"] == id), None)
+        asset_hash = next((row["hash"] for row in self.rows() if row["id"] == asset_id), None)
         if asset_hash is None:
-            raise InputError(f"asset: '{id}' is not in the store {self.root}")
+            raise InputError(f"asset: '{asset_id}' is not in the store {self.root}")
         with self._draft() as trash:
             os.rename(self._folder(asset_hash), trash / "removed")
 

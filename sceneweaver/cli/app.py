@@ -377,7 +377,9 @@ def assets_list(
 
 @assets.command("show")
 def assets_show(
-    id: Annotated[str, typer.Argument(metavar="ID|NOUN", help="An asset's id, or a word for it.", show_default=False)],
+    asset_id: Annotated[
+        str, typer.Argument(metavar="ID|NOUN", help="An asset's id, or a word for it.", show_default=False)
+    ],
     store: StorePath = None,
     seed: Seed = 0,
     picture: Annotated[Path | None, typer.Option(metavar="PNG", help="Draw it as well.", show_default=False)] = None,
@@ -386,12 +388,14 @@ def assets_show(
     """Say all about one asset: size, surfaces, zones, parts, licence."""
     from .assets import run_show
 
-    return run_show(id, store=store, seed=seed, picture=picture, as_json=as_json)
+    return run_show(asset_id, store=store, seed=seed, picture=picture, as_json=as_json)
 
 
 @assets.command("urdf")
 def assets_urdf(
-    id: Annotated[str, typer.Argument(metavar="ID|NOUN", help="An asset's id, or a word for it.", show_default=False)],
+    asset_id: Annotated[
+        str, typer.Argument(metavar="ID|NOUN", help="An asset's id, or a word for it.", show_default=False)
+    ],
     out: Annotated[
         Path,
         typer.Option("--out", "-o", metavar="DIR", help="The folder; its parent must be there.", show_default=False),
@@ -403,7 +407,7 @@ def assets_urdf(
     """Write one asset as URDF, with its doors and drawers as joints."""
     from .assets import run_urdf
 
-    return run_urdf(id, out, store=store, seed=seed, as_json=as_json)
+    return run_urdf(asset_id, out, store=store, seed=seed, as_json=as_json)
 
 
 @assets.command("sheet")

@@ -92,26 +92,26 @@ def run_list(*, store: Path | None, source: str | None, allow: list[str], as_jso
     return 0
 
 
-def _named(id: str, store: Path | None, seed: int) -> Asset:
+def _named(asset_id: str, store: Path | None, seed: int) -> Asset:
     """The asset of an id, or a drawn one of what a word means."""
     from sceneweaver.assets.sources import Library, ParametricSource, StoreSource
     from sceneweaver.assets.store import Store
     from sceneweaver.assets.taxonomy import resolve
 
-    if ":" not in id:
-        match = resolve(id)
+    if ":" not in asset_id:
+        match = resolve(asset_id)
         if match.note:
             typer.echo(f"sceneweaver: {match.note}", err=True)
-        id = f"parametric:{match.category}?seed={seed}"
-    return Library([StoreSource(Store(store)), ParametricSource()]).load(id)
+        asset_id = f"parametric:{match.category}?seed={seed}"
+    return Library([StoreSource(Store(store)), ParametricSource()]).load(asset_id)
 
 
-def run_urdf(id: str, out: Path, *, store: Path | None, seed: int, as_json: bool) -> int:
+def run_urdf(asset_id: str, out: Path, *, store: Path | None, seed: int, as_json: bool) -> int:
     """Write one asset as a URDF folder."""
     with no_chatter():
         from sceneweaver.export import write_urdf
 
-        asset = _named(id, store, seed)
+        asset = _named(asset_id, store, seed)
         path = write_urdf(asset, out)
     if as_json:
         typer.echo(json.dumps({"id": asset.id, "file": str(path), "joints": [link.name for link in asset.links]}))
@@ -121,12 +121,12 @@ def run_urdf(id: str, out: Path, *, store: Path | None, seed: int, as_json: bool
     return 0
 
 
-def run_show(id: str, *, store: Path | None, seed: int, picture: Path | None, as_json: bool) -> int:
+def run_show(asset_id: str, *, store: Path | None, seed: int, picture: Path | None, as_json: bool) -> int:
     """Say all about one asset, or about what a word means."""
     from sceneweaver.assets.imports.prepare import content_hash
     from sceneweaver.assets.store import row_of
 
-    asset = _named(id, store, seed)
+    asset = _named(asset_id, store, seed)
     row = row_of(asset, content_hash(asset))
     if picture is not None:
         from sceneweaver.render.studio import portrait

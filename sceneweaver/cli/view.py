@@ -152,7 +152,7 @@ class _Handler(BaseHTTPRequestHandler):
     def do_HEAD(self) -> None:  # noqa: N802, D102
         self._answer(False)
 
-    def log_message(self, format: str, *args: Any) -> None:
+    def log_message(self, template: str, *args: Any) -> None:
         """Say nothing: what a browser asks for is no news."""
 
     def _answer(self, body: bool) -> None:

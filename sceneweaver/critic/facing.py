@@ -121,7 +121,7 @@ def _chairs(survey: Survey) -> Iterator[Finding]:
             )
     for table_id, found in turned.items():
         worst = max(angle for _, angle in found)
-        ids = [id for id, _ in found]
+        ids = [object_id for object_id, _ in found]
         reason = f"{ids[0]} is turned {worst:.0f} degrees away from {table_id}"
         if len(ids) > 1:
             reason = f"{len(ids)} seats at {table_id} are turned up to {worst:.0f} degrees away from it"

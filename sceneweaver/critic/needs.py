@@ -42,7 +42,7 @@ def placing(survey: Survey, item: Item, parent: str | None = None) -> list[dict[
     for place in item.place:
         row: dict[str, Any] = {"type": place.type, **place.params}
         if place.to not in (None, "wall", "window", "door"):
-            ids = [id for id, name in survey.program.item_of.items() if name == place.to]
+            ids = [object_id for object_id, name in survey.program.item_of.items() if name == place.to]
             if not ids:
                 continue
             row["to"] = parent if parent in ids else ids[0]
@@ -57,7 +57,7 @@ def placing(survey: Survey, item: Item, parent: str | None = None) -> list[dict[
 def _missing(survey: Survey, need: Need) -> Finding:
     item, have, category = need.item, len(need.have), need.item.what[0]
     name = kinds.words(category)
-    on = [id for id, of in survey.program.item_of.items() if of in item.on]
+    on = [object_id for object_id, of in survey.program.item_of.items() if of in item.on]
     calls: list[dict[str, Any]] = []
     for parent, number in _lacking(survey, need):
         call: dict[str, Any] = {"category": category, "count": number}
@@ -101,7 +101,7 @@ def _missing(survey: Survey, need: Need) -> Finding:
 def _lacking(survey: Survey, need: Need) -> list[tuple[str | None, int]]:
     """With what the missing ones should go, and how many with each: the instances that have the fewest near them."""
     name = need.item.with_
-    parents = [id for id, of in survey.program.item_of.items() if of == name] if name is not None else []
+    parents = [object_id for object_id, of in survey.program.item_of.items() if of == name] if name is not None else []
     if len(parents) < 2:
         return [(parents[0] if parents else None, need.missing)]
     each, left, found = -(-need.least // len(parents)), need.missing, []

@@ -97,7 +97,9 @@ def _ways(survey: Survey) -> Iterator[Finding]:
     if reach is not None and reach < 1.0:
         access = measure(survey.placed)
         missed = access.unreached if access is not None else ()
-        grave = [id for id in missed if survey.scene.object(id).intent.priority in ("asked", "needed")]
+        grave = [
+            object_id for object_id in missed if survey.scene.object(object_id).intent.priority in ("asked", "needed")
+        ]
         which = f", not {', '.join(missed[:4])}" if missed else ""
         if grave or reach < REACHABLE:
             yield finding(

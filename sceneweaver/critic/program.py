@@ -61,8 +61,8 @@ class Program:
         banned = {name for word in brief.without for name in (word, *members(word))}
         needs: list[Need] = []
         by_item: dict[str, list[str]] = defaultdict(list)
-        for id, name in item_of.items():
-            by_item[name].append(id)
+        for object_id, name in item_of.items():
+            by_item[name].append(object_id)
         for item in room.items:
             least = _least(item, by_item, area, people)
             for level in (2, 1):

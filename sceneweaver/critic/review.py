@@ -70,7 +70,7 @@ def _short(faults: Sequence[Fault]) -> tuple[Fault, ...]:
         else:
             rest.setdefault(key, []).append(fault)
     for more in rest.values():
-        ids = tuple(dict.fromkeys(id for f in more for id in f.objects))
+        ids = tuple(dict.fromkeys(object_id for f in more for object_id in f.objects))
         points = round(sum(f.points for f in more), 3)
         reason = f"{len(more)} more of this kind, such as: {more[0].reason}"
         kept.append(more[0].model_copy(update={"objects": ids, "reason": reason, "points": points}))

@@ -200,7 +200,7 @@ def faults(survey: Survey) -> Iterator[Finding]:
 
 def _spare(survey: Survey) -> list[str]:
     """Furniture that the room could do without, the largest first."""
-    needed = {id for n in survey.program.needs if n.item.need == "needed" for id in n.have}
+    needed = {object_id for n in survey.program.needs if n.item.need == "needed" for object_id in n.have}
     spare = [b for b in survey.standing if b.id not in needed and b.id not in survey.program.asked_of]
     return [b.id for b in sorted(spare, key=lambda b: (round(-b.size[0] * b.size[1], 4), b.id))[:2]]
 

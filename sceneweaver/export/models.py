@@ -47,10 +47,10 @@ def with_mesh(load: Load | None) -> Load:
         load = Library().load
     given = load
 
-    def checked(id: str) -> Asset:
-        asset = given(id)
+    def checked(object_id: str) -> Asset:
+        asset = given(object_id)
         if not len(asset.mesh.faces):
-            raise InputError(f"asset: '{id}' has no mesh; import it again or choose another asset")
+            raise InputError(f"asset: '{object_id}' has no mesh; import it again or choose another asset")
         return asset
 
     return checked

@@ -43,10 +43,16 @@ class Names:
 
 
 def prim(
-    parent: Prim, name: str, type: str = "Xform", apis: Iterable[str] = (), *, abstract: bool = False, **fields: Any
+    parent: Prim,
+    name: str,
+    type_name: str = "Xform",
+    apis: Iterable[str] = (),
+    *,
+    abstract: bool = False,
+    **fields: Any,
 ) -> Prim:
     """A new prim below another (or the layer): its type, its applied schemas, and fields such as ``kind``."""
-    made = usd().Sdf.PrimSpec(parent, name, usd().Sdf.SpecifierClass if abstract else usd().Sdf.SpecifierDef, type)
+    made = usd().Sdf.PrimSpec(parent, name, usd().Sdf.SpecifierClass if abstract else usd().Sdf.SpecifierDef, type_name)
     for key, value in fields.items():
         made.SetInfo(key, value)
     apply(made, *apis)
@@ -62,10 +68,10 @@ def apply(target: Prim, *apis: str) -> None:
     target.SetInfo("apiSchemas", usd().Sdf.TokenListOp.Create(prependedItems=items))
 
 
-def attribute(target: Prim, name: str, type: str, value: Any, *, uniform: bool = False) -> Any:
-    """A new attribute of a prim; ``type`` is a name of ``Sdf.ValueTypeNames``. Returns its spec."""
+def attribute(target: Prim, name: str, type_name: str, value: Any, *, uniform: bool = False) -> Any:
+    """A new attribute of a prim; ``type_name`` is one of ``Sdf.ValueTypeNames``. Returns its spec."""
     variability = usd().Sdf.VariabilityUniform if uniform else usd().Sdf.VariabilityVarying
-    made = usd().Sdf.AttributeSpec(target, name, getattr(usd().Sdf.ValueTypeNames, type), variability)
+    made = usd().Sdf.AttributeSpec(target, name, getattr(usd().Sdf.ValueTypeNames, type_name), variability)
     if value is not None:
         made.default = value
     return made
@@ -73,8 +79,8 @@ def attribute(target: Prim, name: str, type: str, value: Any, *, uniform: bool =
 
 def attributes(target: Prim, values: Mapping[str, tuple[str, Any]]) -> None:
     """Several attributes: type and value by name."""
-    for name, (type, value) in values.items():
-        attribute(target, name, type, value)
+    for name, (type_name, value) in values.items():
+        attribute(target, name, type_name, value)
 
 
 def relate(target: Prim, name: str, *paths: Any) -> None:
@@ -108,9 +114,9 @@ def triple(values: Sequence[float] | np.ndarray) -> tuple[float, float, float]:
     return x, y, z
 
 
-def rotation(type: Literal["Quatf", "Quatd"], quaternion: Sequence[float]) -> Any:
+def rotation(type_name: Literal["Quatf", "Quatd"], quaternion: Sequence[float]) -> Any:
     """A quaternion (x, y, z, w) as a value of that type; USD has its real part first."""
-    return getattr(usd().Gf, type)(*map(float, wxyz(quaternion)))
+    return getattr(usd().Gf, type_name)(*map(float, wxyz(quaternion)))
 
 
 def vectors(values: np.ndarray) -> Any:

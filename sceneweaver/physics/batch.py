@@ -78,10 +78,12 @@ class Many:
             raise InputError(self.problem if self.overflow[world] and self.problem else _DIVERGED)
         index = {o.id: k for k, o in enumerate(self.source.objects)}
         begun = {o.id: _pose(self.start[world, k]) for o, k in zip(self.source.objects, index.values(), strict=True)}
-        shift = {id: float(far) for id, far in zip(self.free, self.shift[world], strict=True)}
-        little = {id: _pose(self.poses[world, index[id]]) for id, far in shift.items() if far <= LITTLE}
+        shift = {object_id: float(far) for object_id, far in zip(self.free, self.shift[world], strict=True)}
+        little = {
+            object_id: _pose(self.poses[world, index[object_id]]) for object_id, far in shift.items() if far <= LITTLE
+        }
         scene = self.source.replace_poses(begun | little)
-        return Settled(scene, shift, tuple(id for id, far in shift.items() if far > LITTLE))
+        return Settled(scene, shift, tuple(object_id for object_id, far in shift.items() if far > LITTLE))
 
 
 _DIVERGED = "objects: the simulation went astray; are there objects inside each other?"
@@ -124,9 +126,11 @@ def settle_many(
     model = model_of(scene, load, shapes)
     heights = {o.id: o.size[2] / 2 for o in scene.objects}
     order = [*model.free, *model.fixed]
-    template = Template.of(model.xml, model.files, model.free, model.fixed, [heights[id] for id in order], solver)
+    template = Template.of(
+        model.xml, model.files, model.free, model.fixed, [heights[object_id] for object_id in order], solver
+    )
     place = {o.id: k for k, o in enumerate(scene.objects)}
-    at = np.array([place[id] for id in order], dtype=int)
+    at = np.array([place[object_id] for object_id in order], dtype=int)
     outcome, kind, device = run(template, poses[:, at], steps, device, backend, threads)
     end = np.empty_like(poses)
     end[:, at] = outcome.poses

@@ -293,11 +293,11 @@ def joint_of(
 def _body(
     world: Xml.Element, assets: Xml.Element, contact: Xml.Element, thing: Thing, made: set[str], dress: Dress | None
 ) -> None:
-    id = thing.object.id
+    object_id = thing.object.id
     pose = thing.object.pose
-    top = Xml.SubElement(world, "body", name=id, pos=_v(pose.position), quat=_v(wxyz(pose.quaternion)))
+    top = Xml.SubElement(world, "body", name=object_id, pos=_v(pose.position), quat=_v(wxyz(pose.quaternion)))
     if thing.free:
-        Xml.SubElement(top, "freejoint", name=id)
+        Xml.SubElement(top, "freejoint", name=object_id)
     links = thing.asset.links if thing.asset is not None else ()
     frames = [top]
     total = sum(s.volume for s in thing.solids)
@@ -305,13 +305,13 @@ def _body(
         if not any(s.link == number for s in thing.solids):
             frames.append(top)  # it has no parts, so it does not move
             continue
-        frame = Xml.SubElement(top, "body", name=f"{id}/{link.name}")
+        frame = Xml.SubElement(top, "body", name=f"{object_id}/{link.name}")
         mine = sum(s.volume for s in thing.solids if s.link == number) / total * thing.mass
         axis, limits, hold = joint_of(link, thing.scale, mine)
         Xml.SubElement(
             frame,
             "joint",
-            name=f"{id}/{link.name}",
+            name=f"{object_id}/{link.name}",
             type=link.joint,
             axis=_v(axis),
             pos=_v(np.asarray(link.anchor) * np.asarray(thing.scale)),
@@ -324,7 +324,7 @@ def _body(
         )
         frames.append(frame)
         if not thing.free:  # a body that is part of the world is not left out as a parent is
-            Xml.SubElement(contact, "exclude", body1=id, body2=f"{id}/{link.name}")
+            Xml.SubElement(contact, "exclude", body1=object_id, body2=f"{object_id}/{link.name}")
     for k, solid in enumerate(thing.solids):
         _geom(assets, frames[solid.link], thing, k, solid, total, made)
     if dress is not None:

@@ -45,8 +45,10 @@ def settle(scene: Scene, load: Load | None = None, seconds: float = 3.0) -> Sett
     model = build(scene, load)
     poses = _run(model, seconds)
     shift = _shifts(scene, model, poses)
-    little = {id: poses[id] for id, far in shift.items() if far <= LITTLE}
-    return Settled(scene.replace_poses(little), shift, tuple(id for id, far in shift.items() if far > LITTLE))
+    little = {object_id: poses[object_id] for object_id, far in shift.items() if far <= LITTLE}
+    return Settled(
+        scene.replace_poses(little), shift, tuple(object_id for object_id, far in shift.items() if far > LITTLE)
+    )
 
 
 def measures(shift: dict[str, float]) -> dict[str, Any]:
@@ -95,9 +97,9 @@ def _run(model: Model, seconds: float) -> dict[str, Pose]:
             near = "" if bad in (None, kinds.mjWARN_BADQPOS) else _near(loaded, data.warning[int(bad)].lastinfo)
             raise InputError(f"objects: the simulation diverged{near}; take objects apart that overlap deeply")
     poses = {}
-    for id in model.free:
-        x, y, z, w, a, b, c = data.joint(id).qpos.tolist()
-        poses[id] = Pose(position=(x, y, z), quaternion=(a, b, c, w))
+    for object_id in model.free:
+        x, y, z, w, a, b, c = data.joint(object_id).qpos.tolist()
+        poses[object_id] = Pose(position=(x, y, z), quaternion=(a, b, c, w))
     return poses
 
 
@@ -108,10 +110,10 @@ def _near(model: Any, dof: int) -> str:
 
 def _shifts(scene: Scene, model: Model, poses: dict[str, Pose]) -> dict[str, float]:
     found = {}
-    for id in model.free:
-        thing = scene.object(id)
+    for object_id in model.free:
+        thing = scene.object(object_id)
         up = np.array([0.0, 0.0, thing.size[2] / 2])
-        found[id] = float(np.linalg.norm(_at(poses[id], up) - _at(thing.pose, up)))
+        found[object_id] = float(np.linalg.norm(_at(poses[object_id], up) - _at(thing.pose, up)))
     return found
 
 

@@ -97,12 +97,12 @@ class Template:
     @property
     def address(self) -> np.ndarray:
         """[F] where the seven numbers of each free body begin in ``qpos``."""
-        return np.array([int(self.model.joint(id).qposadr[0]) for id in self.free], dtype=int)
+        return np.array([int(self.model.joint(object_id).qposadr[0]) for object_id in self.free], dtype=int)
 
     @property
     def fixtures(self) -> np.ndarray:
         """Numbers of the bodies that do not move [N - F]."""
-        return np.array([int(self.model.body(id).id) for id in self.fixed], dtype=int)
+        return np.array([int(self.model.body(object_id).id) for object_id in self.fixed], dtype=int)
 
     def qpos(self, poses: np.ndarray) -> np.ndarray:
         """[B, nq] initial positions: joints of doors and drawers closed, free bodies where ``poses`` has them."""

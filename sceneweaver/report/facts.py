@@ -77,13 +77,13 @@ def object_facts(scene: Scene, rows: list[RelationRow], faults: list[ViolationRo
             carries[thing.support.object].append(thing.id)
     told: dict[str, list[dict[str, Any]]] = defaultdict(list)
     for row in rows:
-        for id in dict.fromkeys((row.relation.subject, *row.relation.targets)):
-            told[id].append({"text": row.text, "held": row.held})
+        for object_id in dict.fromkeys((row.relation.subject, *row.relation.targets)):
+            told[object_id].append({"text": row.text, "held": row.held})
     wrong: dict[str, list[str]] = defaultdict(list)
     for fault in faults:
-        for id in dict.fromkeys(fault.objects):
+        for object_id in dict.fromkeys(fault.objects):
             if fault.kind != "soft_relation":
-                wrong[id].append(f"{fault.name}: {fault.detail}")
+                wrong[object_id].append(f"{fault.name}: {fault.detail}")
     return {o.id: _facts(o, carries[o.id], told[o.id], wrong[o.id]) for o in scene.objects}
 
 

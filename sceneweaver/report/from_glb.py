@@ -89,13 +89,13 @@ def _ours(node: dict[str, Any], shape: Any) -> tuple[SceneObject, np.ndarray]:
     return thing, np.asarray(shape.vertices) * np.asarray(node.get("scale", (1.0, 1.0, 1.0)))
 
 
-def _others(id: str, world: np.ndarray) -> tuple[SceneObject, np.ndarray]:
+def _others(object_id: str, world: np.ndarray) -> tuple[SceneObject, np.ndarray]:
     """A node of anybody's file as an object that is not turned, and its vertices in its frame."""
     low, high = world.min(axis=0), world.max(axis=0)
     base = np.array([*(low + high)[:2] / 2, low[2]])
     x, y, z = base.tolist()
     d, w, h = np.maximum(high - low, 1e-3).tolist()
-    clean = " ".join("".join(c if c.isprintable() else " " for c in id).split()) or "node"
+    clean = " ".join("".join(c if c.isprintable() else " " for c in object_id).split()) or "node"
     clean = clean.replace("wall:", "wall ")
     return SceneObject(id=clean, category="mesh", size=(d, w, h), pose=Pose(position=(x, y, z))), world - base
 
@@ -107,13 +107,13 @@ def _around(corners: list[np.ndarray]) -> Room:
     return Room(outline=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), height=max(0.5, z1))
 
 
-def _asset(id: str, category: str, vertices: np.ndarray, shape: Any) -> Asset:
+def _asset(object_id: str, category: str, vertices: np.ndarray, shape: Any) -> Asset:
     faces = np.asarray(shape.faces, dtype=np.int32)
     colors, kinds = _colors(shape, faces)
     materials = tuple(Material(f"color {k}", (r, g, b)) for k, (r, g, b) in enumerate(colors)) or (_GREY,)
     mesh = Mesh(np.asarray(vertices), faces, kinds, np.zeros_like(kinds), materials)
     return Asset(
-        id=id,
+        id=object_id,
         category=category,
         mesh=mesh,
         hulls=(),

@@ -20,12 +20,12 @@ def esc(value: object) -> str:
     return html.escape(text.encode("utf-8", "replace").decode(), quote=True)
 
 
-def json_block(id: str, data: Any) -> str:
+def json_block(element_id: str, data: Any) -> str:
     """A script element that holds JSON and can neither run nor be left by what stands in it."""
     text = json.dumps(data, separators=(",", ":"), allow_nan=False, ensure_ascii=True)
     for char, code in _UNSAFE.items():
         text = text.replace(char, code)
-    return f'<script type="application/json" id="{esc(id)}">{text}</script>'
+    return f'<script type="application/json" id="{esc(element_id)}">{text}</script>'
 
 
 def picture_url(picture: Image, width: int, quality: int = 86) -> str:

@@ -84,8 +84,10 @@ def _view(data: ReportData) -> str:
     still = next((data.pictures[n] for n in ("corner", "top", "top_annotated") if n in data.pictures), None)
     image = f'<img class="still" src="{picture_url(still, 1100)}" alt="The room">' if still is not None else ""
     buttons = "".join(
-        f'<button type="button" id="{id}"' + (f' aria-pressed="{pressed}"' if pressed else "") + f">{text}</button>"
-        for id, text, pressed in _BUTTONS
+        f'<button type="button" id="{element_id}"'
+        + (f' aria-pressed="{pressed}"' if pressed else "")
+        + f">{text}</button>"
+        for element_id, text, pressed in _BUTTONS
     )
     return (
         '<section id="room" aria-label="Interactive 3D view"><div class="stage" id="stage">'

@@ -222,8 +222,9 @@ def _change(before: Mapping[str, float], after: Mapping[str, float]) -> str:
     return f'<ul class="change">{"".join(cells)}</ul>' if cells else ""
 
 
-def _section(id: str, title: str, body: str) -> str:
-    return f'<section id="{id}" aria-labelledby="{id}-title"><h2 id="{id}-title">{title}</h2>{body}</section>'
+def _section(element_id: str, title: str, body: str) -> str:
+    heading = f'<h2 id="{element_id}-title">{title}</h2>'
+    return f'<section id="{element_id}" aria-labelledby="{element_id}-title">{heading}{body}</section>'
 
 
 def columns(parts: Iterable[str]) -> str:

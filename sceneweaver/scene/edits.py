@@ -314,9 +314,9 @@ def _rebuilt(obj: SceneObject, **changes: Any) -> SceneObject:
     return SceneObject(**{**{name: getattr(obj, name) for name in SceneObject.model_fields}, **changes})
 
 
-def _carried(scene: Scene, id: str) -> dict[str, int]:
+def _carried(scene: Scene, object_id: str) -> dict[str, int]:
     """What stands on an object, directly or on something that does, with how many steps up each is."""
-    levels = {id: 0}
+    levels = {object_id: 0}
     grew = True
     while grew:
         grew = False
@@ -331,14 +331,14 @@ def _removed(scene: Scene, edit: Remove) -> set[str]:
     scene.index(edit.id)
     gone = _carried(scene, edit.id)
     if len(gone) > 1 and not edit.cascade:
-        on = ", ".join(quote(id) for id in list(gone)[1:4]) + (", ..." if len(gone) > 4 else "")
+        on = ", ".join(quote(object_id) for object_id in list(gone)[1:4]) + (", ..." if len(gone) > 4 else "")
         raise InputError(f"{on} would stand on nothing; set cascade to true to remove all")
     return set(gone)
 
 
 def _restore(scene: Scene, gone: set[str]) -> list[AnyEdit]:
     """Edits that put objects and the relations that name them back where they were, carriers before what they carry."""
-    order = sorted((scene.index(id) for id in gone), key=lambda i: (_depth(scene, i), i))
+    order = sorted((scene.index(object_id) for object_id in gone), key=lambda i: (_depth(scene, i), i))
     there = {i for i, o in enumerate(scene.objects) if o.id not in gone}
     out: list[AnyEdit] = []
     for i in order:
@@ -402,8 +402,8 @@ def _attributes(obj: SceneObject, edit: SetAttributes) -> SceneObject:
 def _renamed(scene: Scene, edit: Rename) -> Scene:
     scene.index(edit.id)
 
-    def new(id: str) -> str:
-        return edit.new_id if id == edit.id else id
+    def new(object_id: str) -> str:
+        return edit.new_id if object_id == edit.id else object_id
 
     objects = []
     for o in scene.objects:

@@ -54,16 +54,18 @@ class Scene(SceneFile):
         """The ids of the objects, in order."""
         return tuple(self._lookup())
 
-    def index(self, id: str) -> int:
+    def index(self, object_id: str) -> int:
         """The position of an object in ``objects``; InputError when there is none of that id."""
         lookup = self._lookup()
-        if id not in lookup:
-            raise InputError(f"{quote(id)} is no object of scene {quote(self.id)}{suggest(id, lookup, mark=chr(39))}")
-        return lookup[id]
+        if object_id not in lookup:
+            raise InputError(
+                f"{quote(object_id)} is no object of scene {quote(self.id)}{suggest(object_id, lookup, mark=chr(39))}"
+            )
+        return lookup[object_id]
 
-    def object(self, id: str) -> SceneObject:
+    def object(self, object_id: str) -> SceneObject:
         """The object of that id; InputError when there is none."""
-        return self.objects[self.index(id)]
+        return self.objects[self.index(object_id)]
 
     def replace_poses(self, poses: Mapping[str, Pose]) -> Scene:
         """The scene with some objects elsewhere; quick, as nothing but the ids is checked again.
@@ -72,8 +74,8 @@ class Scene(SceneFile):
             InputError: for an id that is no object of the scene.
         """
         objects = list(self.objects)
-        for id, pose in poses.items():
-            at = self.index(id)
+        for object_id, pose in poses.items():
+            at = self.index(object_id)
             objects[at] = objects[at].model_copy(update={"pose": pose})
         return self.model_copy(update={"objects": tuple(objects)})
 

@@ -35,11 +35,11 @@ def violations(moved: Mapping[str, float]) -> list[Violation]:
     return [
         Violation(
             "unstable",
-            (id,),
-            f"{id} moves {length(far)} in {SECONDS:g} s of physics",
+            (object_id,),
+            f"{object_id} moves {length(far)} in {SECONDS:g} s of physics",
             far,
             measurement=at_most("movement in physics", far, 0.0, slack=FALLEN),
         )
-        for id, far in moved.items()
+        for object_id, far in moved.items()
         if far > FALLEN
     ]

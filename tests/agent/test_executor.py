@@ -38,16 +38,16 @@ LARGE = (1.7, 1.7, 0.8)
 
 
 def box(
-    id: str, size: tuple[float, float, float], x: float = 0.0, y: float = 0.0, z: float = 0.0, **more: Any
+    object_id: str, size: tuple[float, float, float], x: float = 0.0, y: float = 0.0, z: float = 0.0, **more: Any
 ) -> SceneObject:
     """A box at x, y, z [m]."""
     return SceneObject(
-        id=id, category=more.pop("category", "cabinet"), size=size, pose=Pose.from_yaw(x, y, z, 0), **more
+        id=object_id, category=more.pop("category", "cabinet"), size=size, pose=Pose.from_yaw(x, y, z, 0), **more
     )
 
 
-def wanted(id: str, priority: Priority | None, size: tuple[float, float, float] = LARGE) -> SceneObject:
-    return box(id, size, intent=Intent(priority=priority, request=id if priority == "asked" else None))
+def wanted(object_id: str, priority: Priority | None, size: tuple[float, float, float] = LARGE) -> SceneObject:
+    return box(object_id, size, intent=Intent(priority=priority, request=object_id if priority == "asked" else None))
 
 
 def room_with(*objects: SceneObject, relations: tuple[Relation, ...] = (), **more: Any) -> Scene:
@@ -172,7 +172,7 @@ LEFT, RIGHT = (Relation(type=t, subject="a", target="b") for t in ("left_of", "r
     ],
 )
 def test_of_contradicting_relations_the_one_that_was_not_asked_for_becomes_soft(asked, soft, unmet):
-    pair = [box(id, (0.4, 0.4, 0.5), category="stool", intent=Intent(priority="needed")) for id in "ab"]
+    pair = [box(object_id, (0.4, 0.4, 0.5), category="stool", intent=Intent(priority="needed")) for object_id in "ab"]
     relations = tuple(r.model_copy(update={"asked": r.type in asked}) for r in (LEFT, RIGHT))
     outcome = fresh(room_with(*pair, relations=relations))
     assert outcome.report.valid and outcome.scene.ids == ("a", "b")
@@ -195,7 +195,7 @@ def test_without_physics_nothing_is_searched():
     blind = QUICK.model_copy(update={"physics": False})
     outcome = run(room_with(BED), Add(object=wanted("chest-0", "usual")), settings=blind)
     assert outcome.scene.object("chest-0").pose == Pose() and outcome.report.collisions + outcome.report.out_of_bounds
-    drawn = fresh(room_with(*(wanted(id, "usual") for id in "abc")), settings=blind)
+    drawn = fresh(room_with(*(wanted(object_id, "usual") for object_id in "abc")), settings=blind)
     assert drawn.scene.ids == ("a", "b", "c") and not drawn.notes and drawn.faults
 
 

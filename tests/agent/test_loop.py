@@ -79,9 +79,9 @@ class Executor:
         return Outcome(after, check(after), review, proposal.notes, proposal.unmet)
 
 
-def adds(id: str, grade: float, at: float = 2.0, **said: Any) -> Proposal:
+def adds(object_id: str, grade: float, at: float = 2.0, **said: Any) -> Proposal:
     """A box at (at, at) [m] that makes the scene worth a grade."""
-    box = SceneObject(id=id, category=str(grade), size=(0.2, 0.2, 0.2), pose=Pose(position=(at, at, 0.0)))
+    box = SceneObject(id=object_id, category=str(grade), size=(0.2, 0.2, 0.2), pose=Pose(position=(at, at, 0.0)))
     return Proposal(edits=(Add(object=box),), **said)
 
 

@@ -70,10 +70,12 @@ def test_embeddings_are_used_where_there_are_any() -> None:
     assert any("walnut" in t for t in texts) and "walnut" in texts[0]
 
 
-@pytest.mark.parametrize("id", ["parametric:desk?seed=x", "parametric:desk?seed=1&tall=3", "parametric:desk?seed=-1"])
-def test_a_wrong_recipe_is_named(id: str) -> None:
+@pytest.mark.parametrize(
+    "asset_id", ["parametric:desk?seed=x", "parametric:desk?seed=1&tall=3", "parametric:desk?seed=-1"]
+)
+def test_a_wrong_recipe_is_named(asset_id: str) -> None:
     with pytest.raises(InputError, match="is no parametric id"):
-        OURS.load(id)
+        OURS.load(asset_id)
 
 
 def test_an_id_of_nobody_is_named() -> None:

@@ -56,7 +56,7 @@ def test_real_furniture_is_placed_without_collisions(seed: int) -> None:
     best = solution.best
     report = sw.check(best)
     assert report.valid, report.violations[:3]
-    bodies = {id: trimesh.Trimesh(a.mesh.vertices, a.mesh.faces, process=False) for id, a in assets.items()}
+    bodies = {asset_id: trimesh.Trimesh(a.mesh.vertices, a.mesh.faces, process=False) for asset_id, a in assets.items()}
     true = sw.check(best, meshes=bodies)
     assert true.valid and true.collisions == 0, true.violations[:3]
 

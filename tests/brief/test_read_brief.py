@@ -216,9 +216,9 @@ def test_relations(text: str, expected: set[tuple[str, str, Any]]) -> None:
     assert said(read_brief(text)) == expected
 
 
-@pytest.mark.parametrize(("text", "id", "looks"), LOOKS, ids=[t for t, _, _ in LOOKS])
-def test_looks(text: str, id: str, looks: dict[str, Any]) -> None:
-    (asked,) = (a for a in read_brief(text).objects if a.id == id)
+@pytest.mark.parametrize(("text", "object_id", "looks"), LOOKS, ids=[t for t, _, _ in LOOKS])
+def test_looks(text: str, object_id: str, looks: dict[str, Any]) -> None:
+    (asked,) = (a for a in read_brief(text).objects if a.id == object_id)
     assert {name: getattr(asked, name) for name in looks} == looks
 
 

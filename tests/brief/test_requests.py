@@ -205,9 +205,9 @@ def test_relations(text: str, said: set) -> None:
     assert _consistent(brief)
 
 
-@pytest.mark.parametrize(("text", "id", "looks"), LOOKS, ids=[t for t, _, _ in LOOKS])
-def test_looks(text: str, id: str, looks: dict[str, Any]) -> None:
-    (asked,) = (a for a in read_brief(text).objects if a.id == id)
+@pytest.mark.parametrize(("text", "object_id", "looks"), LOOKS, ids=[t for t, _, _ in LOOKS])
+def test_looks(text: str, object_id: str, looks: dict[str, Any]) -> None:
+    (asked,) = (a for a in read_brief(text).objects if a.id == object_id)
     assert {name: getattr(asked, name) for name in looks} == looks
 
 

@@ -45,14 +45,14 @@ class Case:
         """The case with objects moved (id, x, y, degrees, z), taken out (id, gone) or of another category."""
         objects = {o.id: o for o in self.scene.objects}
         for change in changes:
-            id = change["id"]
+            object_id = change["id"]
             if change.get("gone"):
-                del objects[id]
+                del objects[object_id]
             else:
-                before = objects[id]
-                objects[id] = _changed(before, change)
-                for other in [o for o in objects.values() if o.support and o.support.object == id]:
-                    objects[other.id] = _carried(other, before.pose, objects[id].pose)
+                before = objects[object_id]
+                objects[object_id] = _changed(before, change)
+                for other in [o for o in objects.values() if o.support and o.support.object == object_id]:
+                    objects[other.id] = _carried(other, before.pose, objects[object_id].pose)
         objects = {k: o for k, o in objects.items() if o.support is None or o.support.object in objects}
         relations = tuple(r for r in self.scene.relations if {r.subject, *r.targets} <= {*objects, None})
         scene = self.scene.model_copy(update={"objects": tuple(objects.values()), "relations": relations})
@@ -83,7 +83,7 @@ def _carried(o: SceneObject, before: Pose, after: Pose) -> SceneObject:
 
 
 def put(
-    id: str,
+    object_id: str,
     x: float,
     y: float,
     yaw: float = 0.0,
@@ -94,14 +94,14 @@ def put(
     mount: Any = None,
 ) -> SceneObject:
     """An object of the category before the dash of its id; yaw in degrees."""
-    body = asset(id.rsplit("-", 1)[0], seed, size)
+    body = asset(object_id.rsplit("-", 1)[0], seed, size)
     z = HEIGHT - body.size[2] if body.mount == "ceiling" else z
-    return body.object(id, pose=Pose.from_yaw(x, y, z, math.radians(yaw)), mount=mount)
+    return body.object(object_id, pose=Pose.from_yaw(x, y, z, math.radians(yaw)), mount=mount)
 
 
 def on(
     base: SceneObject,
-    id: str,
+    object_id: str,
     ahead: float = 0.0,
     left: float = 0.0,
     yaw: float = 0.0,
@@ -117,11 +117,11 @@ def on(
     x = base.pose.position[0] + u * math.cos(turn) - v * math.sin(turn)
     y = base.pose.position[1] + u * math.sin(turn) + v * math.cos(turn)
     pose = Pose.from_yaw(x, y, base.pose.position[2] + row.z, turn + math.radians(yaw))
-    body = asset(id.rsplit("-", 1)[0], seed)
-    return body.object(id, pose=pose, support=Support(object=base.id, surface=row.name))
+    body = asset(object_id.rsplit("-", 1)[0], seed)
+    return body.object(object_id, pose=pose, support=Support(object=base.id, surface=row.name))
 
 
-def room(width: float, depth: float, *, door: float = 0.3, window: float | None = None, type: str = "room") -> Room:
+def room(width: float, depth: float, *, door: float = 0.3, window: float | None = None, kind: str = "room") -> Room:
     """A rectangle with a door in the wall y = 0, and a window in the wall opposite, starting at x = ``window``."""
     windows = (
         ()
@@ -129,7 +129,7 @@ def room(width: float, depth: float, *, door: float = 0.3, window: float | None 
         else (Window(id="window-0", wall=2, offset=width - window - 1.4, width=1.4, sill=0.9, height=1.3),)
     )
     return Room(
-        type=type,
+        type=kind,
         outline=((0, 0), (width, 0), (width, depth), (0, depth)),
         height=HEIGHT,
         windows=windows,
@@ -256,7 +256,7 @@ def bedroom() -> Case:
         *(Relation(type="leftright_to_leftright", subject=s.id, target="bed-0") for s in stands),
         Relation(type="against_wall", subject="wardrobe-0"),
     ]
-    return _case(room(3.6, 4.0, window=1.0, type="bedroom"), objects, relations, BEDROOM)
+    return _case(room(3.6, 4.0, window=1.0, kind="bedroom"), objects, relations, BEDROOM)
 
 
 @cache
@@ -290,7 +290,7 @@ def living() -> Case:
         Relation(type="against_wall", subject="tv_stand-0"),
         Relation(type="front_to_front", subject="coffee_table-0", target="sofa-0", params={"gap": [0.3, 0.5]}),
     ]
-    return _case(room(5.0, 4.2, window=0.6, type="living_room"), objects, relations[:2], LIVING)
+    return _case(room(5.0, 4.2, window=0.6, kind="living_room"), objects, relations[:2], LIVING)
 
 
 @cache
@@ -320,7 +320,7 @@ def office() -> Case:
     relations = [
         Relation(type="front_to_front", subject=c.id, target=d.id) for c, d in zip(chairs, desks, strict=True)
     ] + [Relation(type="against_wall", subject=d.id) for d in desks]
-    return _case(room(4.2, 3.8, type="office"), objects, relations, OFFICE)
+    return _case(room(4.2, 3.8, kind="office"), objects, relations, OFFICE)
 
 
 @cache
@@ -348,12 +348,12 @@ def restaurant(rows: int = 2, columns: int = 3) -> Case:
         put("picture-0", 0.02, depth / 2, 0, 1.3, size=(0.03, 0.9, 0.7)),
         put("ceiling_light-0", width / 2, depth / 2),
     ]
-    return _case(room(width, depth, type="restaurant"), objects, relations, DINING)
+    return _case(room(width, depth, kind="restaurant"), objects, relations, DINING)
 
 
-def _case(space: Room, objects: list[SceneObject], relations: list[Relation], type: RoomType) -> Case:
-    scene = Scene(id=type.name, room=space, objects=tuple(objects), relations=tuple(relations))
-    return Case(scene, type)
+def _case(space: Room, objects: list[SceneObject], relations: list[Relation], kind: RoomType) -> Case:
+    scene = Scene(id=kind.name, room=space, objects=tuple(objects), relations=tuple(relations))
+    return Case(scene, kind)
 
 
 KITCHEN = kind(
@@ -404,4 +404,4 @@ def kitchen() -> Case:
         put("wall_clock-0", 0.03, 1.2, 0, 1.7),
     ]
     relations = [Relation(type="front_against", subject=c.id, target=table.id) for c in chairs]
-    return _case(room(4.0, 3.6, type="kitchen"), objects, relations, KITCHEN)
+    return _case(room(4.0, 3.6, kind="kitchen"), objects, relations, KITCHEN)

@@ -212,7 +212,7 @@ def test_shapes(name: str) -> None:
 def test_style() -> None:
     case = rooms.living()
     parts = [o.id for o in case.scene.objects if o.mount == "floor"]
-    same = case.but(*({"id": id, "update": {"attributes": {"style": "modern"}}} for id in parts))
+    same = case.but(*({"id": object_id, "update": {"attributes": {"style": "modern"}}} for object_id in parts))
     assert not only(review(same, style="modern"), "wrong_style", "alignment")
     assert only(review(same, style="rustic"), "wrong_style", "alignment")
 
@@ -282,16 +282,16 @@ def test_doing_what_a_fault_says_helps(case: Case) -> None:
     for fault in before.faults:
         change: list[dict[str, Any]] = []
         if fault.tool == "update_rotation":
-            for id in fault.inputs["ids"]:
-                o = case.scene.object(id)
+            for object_id in fault.inputs["ids"]:
+                o = case.scene.object(object_id)
                 yaw = fault.inputs.get("yaw")
                 if yaw is None:
                     to = case.scene.object(fault.inputs["toward"])
                     dx, dy = (b - a for a, b in zip(o.pose.position[:2], to.pose.position[:2], strict=True))
                     yaw = math.atan2(dy, dx)
-                change.append({"id": id, "yaw": math.degrees(yaw)})
+                change.append({"id": object_id, "yaw": math.degrees(yaw)})
         elif fault.tool == "remove_objects":
-            change = [{"id": id, "gone": True} for id in fault.inputs["ids"]]
+            change = [{"id": object_id, "gone": True} for object_id in fault.inputs["ids"]]
         if change and fault.kind in ("crooked", "askew", "foreign_object", "wrong_orientation"):
             after = case.but(*change).review()
             same = [f for f in after.faults if f.kind == fault.kind and set(f.objects) == set(fault.objects)]

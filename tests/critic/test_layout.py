@@ -38,7 +38,7 @@ def falls(
     assert not only(before, kind, criterion), before.faults
     found = only(after, kind, criterion)
     assert found, [(f.kind, f.reason) for f in after.faults]
-    assert objects <= {id for f in found for id in f.objects}
+    assert objects <= {object_id for f in found for object_id in f.objects}
     assert after.grades[criterion] <= before.grades[criterion] - least
     for name in after.grades:
         if name != criterion and name not in also:
@@ -251,9 +251,9 @@ def test_tables_out_of_their_rows() -> None:
     moves = [(0, 0.3, 0.45), (1, -0.25, -0.5), (2, 0.2, 0.25), (3, -0.5, 0.7), (4, 0.4, -0.25), (5, -0.55, 0.3)]
     changes = []
     for k, dx, dy in moves:
-        for id in (f"dining_table-{k}", *(f"dining_chair-{4 * k + j}" for j in range(4))):
-            x, y, _ = good.scene.object(id).pose.position
-            changes.append({"id": id, "x": x + dx, "y": y + dy})
+        for object_id in (f"dining_table-{k}", *(f"dining_chair-{4 * k + j}" for j in range(4))):
+            x, y, _ = good.scene.object(object_id).pose.position
+            changes.append({"id": object_id, "x": x + dx, "y": y + dy})
     fault = falls(good, good.but(*changes), "scattered", {"dining_table-3"}, least=0.3)
     assert fault.inputs == {"ids": []}
 

@@ -23,13 +23,21 @@ DOOR = {"id": "door-0", "wall": 0, "offset": 0.2, "width": 0.9, "height": 2.0}
 WINDOW = {"id": "window-0", "wall": 2, "offset": 1.0, "width": 1.2, "sill": 1.0, "height": 1.0}
 
 
-def obj(id: str, depth: float, width: float, height: float, at: tuple[float, ...] = (0, 0, 0), **more: Any) -> dict:
+def obj(
+    object_id: str, depth: float, width: float, height: float, at: tuple[float, ...] = (0, 0, 0), **more: Any
+) -> dict:
     pose = {"position": list(at), "quaternion": [0, 0, 0, 1]}
-    return {"id": id, "category": id.rsplit("-", 1)[0], "size": [depth, width, height], "pose": pose, **more}
+    return {
+        "id": object_id,
+        "category": object_id.rsplit("-", 1)[0],
+        "size": [depth, width, height],
+        "pose": pose,
+        **more,
+    }
 
 
-def on(id: str, carrier: str, depth: float, width: float, height: float) -> dict:
-    return obj(id, depth, width, height, mount="surface", support={"object": carrier, "surface": "top"})
+def on(object_id: str, carrier: str, depth: float, width: float, height: float) -> dict:
+    return obj(object_id, depth, width, height, mount="surface", support={"object": carrier, "surface": "top"})
 
 
 def top(depth: float, width: float, z: float, headroom: float | None = None) -> list[dict]:
@@ -41,8 +49,8 @@ def rectangle(depth: float, width: float) -> list[list[float]]:
     return [[-d, -w], [d, -w], [d, w], [-d, w]]
 
 
-def rel(type: str, subject: str, target: Any = None, **params: Any) -> dict:
-    return {"type": type, "subject": subject, "target": target, "params": params}
+def rel(kind: str, subject: str, target: Any = None, **params: Any) -> dict:
+    return {"type": kind, "subject": subject, "target": target, "params": params}
 
 
 def room(

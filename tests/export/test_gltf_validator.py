@@ -104,8 +104,8 @@ def _body(*materials: Material, count: int = 1) -> Mesh:
     return Mesh(points, faces, look, np.zeros(len(faces), dtype=np.int32), materials)
 
 
-def _like(asset: Asset, id: str, mesh: Mesh) -> Asset:
-    return replace(asset, id=id, mesh=mesh, links=())
+def _like(asset: Asset, object_id: str, mesh: Mesh) -> Asset:
+    return replace(asset, id=object_id, mesh=mesh, links=())
 
 
 def _scenes() -> dict[str, Scene]:
@@ -141,11 +141,11 @@ LOOKS = (
 )
 
 
-def _load(id: str) -> Asset:
+def _load(object_id: str) -> Asset:
     known = {a.id: a for a in (DESK, *LOOKS)}
-    if id not in known:
-        raise InputError(f"asset: no source has '{id}'")
-    return known[id]
+    if object_id not in known:
+        raise InputError(f"asset: no source has '{object_id}'")
+    return known[object_id]
 
 
 def test_the_validator_sees_what_is_wrong(issues) -> None:

@@ -65,8 +65,8 @@ def test_poses_come_back(tmp_path, monkeypatch) -> None:
         x, y, z, w = thing.pose.quaternion
         assert np.allclose(body.xpos, thing.pose.position, atol=1e-6)
         assert abs(abs(np.dot(body.xquat, (w, x, y, z))) - 1) < 1e-6
-    for asset, id in ((DESK, "desk é/1"), (MUG, "mug")):
-        assert model.body_subtreemass[model.body(id).id] == pytest.approx(asset.mass, rel=1e-3)
+    for asset, object_id in ((DESK, "desk é/1"), (MUG, "mug")):
+        assert model.body_subtreemass[model.body(object_id).id] == pytest.approx(asset.mass, rel=1e-3)
     assert not [n for n in os.listdir(tmp_path) if n.endswith((".tmp", ".old"))]
 
 
@@ -161,8 +161,8 @@ def test_a_folder_that_may_not_be_written(tmp_path) -> None:
 
 
 def test_a_missing_asset_is_named(tmp_path) -> None:
-    def none(id: str):
-        raise InputError(f"asset: no source has '{id}'")
+    def none(object_id: str):
+        raise InputError(f"asset: no source has '{object_id}'")
 
     with pytest.raises(InputError, match=r"objects\[0\].asset"):
         write_mjcf(_scene(), tmp_path / "out", none)

@@ -169,7 +169,7 @@ def test_header_ids_and_parents(written) -> None:
 
 def test_model_names_differ_for_ids_that_look_alike() -> None:
     ids = ["parametric:desk?seed=1", "parametric:desk?seed=11", "parametric:desk?seed=1 ", "x/desk.1", "x/desk/1"]
-    assert len({model_name(id, "desk") for id in ids}) == len(ids)
+    assert len({model_name(object_id, "desk") for object_id in ids}) == len(ids)
     assert model_name("a", "../é. .") == model_name("a", "é") and "." not in model_name("a", "../x.y")
 
 
@@ -236,10 +236,10 @@ def test_scenes_of_one_folder_share_their_models(tmp_path) -> None:
 def test_missing_meshes(tmp_path) -> None:
     scene = _scene()
 
-    def load(id: str):
-        if id == CHAIR.id:
-            raise InputError(f"asset: no source has '{id}'")
-        return ASSETS[id]
+    def load(object_id: str):
+        if object_id == CHAIR.id:
+            raise InputError(f"asset: no source has '{object_id}'")
+        return ASSETS[object_id]
 
     with pytest.raises(InputError, match=r"^objects\[4\]\.asset: no source has"):
         write_scenestate(scene, tmp_path / "s.json", load, models=True)

@@ -278,8 +278,8 @@ def test_errors_leave_nothing_behind(tmp_path) -> None:
     empty = replace(CHAIR, mesh=replace(CHAIR.mesh, **bare))
     ghost = replace(CHAIR, links=(Link("ghost", "hinge", (0, 0, 1), (0, 0, 0), (0, 1)),))
 
-    def gone(id: str) -> Asset:
-        raise InputError(f"asset: no source has '{id}'")
+    def gone(object_id: str) -> Asset:
+        raise InputError(f"asset: no source has '{object_id}'")
 
     cases = [
         (lambda: write_urdf(empty, tmp_path / "out"), r"^asset: '.*' has no mesh; "),

@@ -46,7 +46,7 @@ TILT = tuple((np.array([0.2, -0.1, 0.3, 0.9]) / np.linalg.norm([0.2, -0.1, 0.3, 
 SCALE = (1.2, 0.8, 1.1)
 
 
-def _scaled(asset, id: str, scale, pose: Pose) -> SceneObject:
+def _scaled(asset, object_id: str, scale, pose: Pose) -> SceneObject:
     """An object of an asset in another size."""
     x, y, z = scale
     parts = tuple(
@@ -55,7 +55,7 @@ def _scaled(asset, id: str, scale, pose: Pose) -> SceneObject:
     )
     d, w, h = asset.size
     return SceneObject(
-        id=id, category=asset.category, size=(d * x, w * y, h * z), pose=pose, asset=asset.id, parts=parts
+        id=object_id, category=asset.category, size=(d * x, w * y, h * z), pose=pose, asset=asset.id, parts=parts
     )
 
 
@@ -310,8 +310,8 @@ def test_friction_and_looks_are_bound(stage) -> None:
             assert collider.HasAPI(UsdShade.MaterialBindingAPI)  # without it, no simulator looks for one
             assert rub.GetStaticFrictionAttr().Get() == pytest.approx(thing.friction, abs=1e-4)
             assert rub.GetDynamicFrictionAttr().Get() == pytest.approx(thing.friction, abs=1e-4)
-    for id in ("desk é-1", "large desk"):
-        (mesh,) = [p for p in _all(found[id]) if p.IsA(UsdGeom.Mesh) and not p.HasAPI(UsdPhysics.CollisionAPI)]
+    for object_id in ("desk é-1", "large desk"):
+        (mesh,) = [p for p in _all(found[object_id]) if p.IsA(UsdGeom.Mesh) and not p.HasAPI(UsdPhysics.CollisionAPI)]
         subsets = UsdShade.MaterialBindingAPI(mesh).GetMaterialBindSubsets()
         covered = np.sort(np.concatenate([s.GetIndicesAttr().Get() for s in subsets]))
         assert np.array_equal(covered, np.arange(len(DESK.mesh.faces)))
@@ -344,7 +344,7 @@ def test_everything_is_labelled(stage) -> None:
 
 def test_equal_assets_are_instances_of_one_prototype(stage) -> None:
     found = _objects(stage)
-    desks = [found[id].GetChild("Geometry") for id in ("desk é/1", "desk é-1", "large desk")]
+    desks = [found[object_id].GetChild("Geometry") for object_id in ("desk é/1", "desk é-1", "large desk")]
     assert len({str(d.GetPrototype().GetPath()) for d in desks}) == 1
     assert all(not p.HasAPI(UsdPhysics.RigidBodyAPI) for p in stage.Traverse() if p.IsInstanceable())
     assert all(not p.HasAPI(UsdPhysics.RigidBodyAPI) for q in stage.GetPrototypes() for p in Usd.PrimRange(q))
@@ -397,9 +397,9 @@ def _axis(joint) -> np.ndarray:
     return _frames(joint)[0][:3, :3] @ np.eye(3)["XYZ".index(joint.GetAttribute("physics:axis").Get())]
 
 
-@pytest.mark.parametrize("id", ["cabinet", "wide cabinet", "counter"])
-def test_doors_and_drawers_have_their_joints(stage, id) -> None:
-    prim, thing = _objects(stage)[id], SCENE.object(id)
+@pytest.mark.parametrize("object_id", ["cabinet", "wide cabinet", "counter"])
+def test_doors_and_drawers_have_their_joints(stage, object_id) -> None:
+    prim, thing = _objects(stage)[object_id], SCENE.object(object_id)
     assert thing.asset is not None
     asset = ASSETS[thing.asset]
     scale = np.asarray(thing.size) / np.asarray(asset.size)
@@ -427,7 +427,7 @@ def test_doors_and_drawers_have_their_joints(stage, id) -> None:
         assert joint.GetRelationship("physics:body0").GetTargets() == [base.GetPath()]
         assert moving in UsdPhysics.FilteredPairsAPI(base).GetFilteredPairsRel().GetTargets()
     fixed = [p for p in prim.GetChild("joints").GetChildren() if p.IsA(UsdPhysics.FixedJoint)]
-    assert len(fixed) == (id == "counter")
+    assert len(fixed) == (object_id == "counter")
     for joint in fixed:
         one, two = _frames(joint)
         assert np.allclose(one, two, atol=1e-6)
@@ -570,8 +570,8 @@ def test_the_same_scene_gives_the_same_text(tmp_path) -> None:
     assert (tmp_path / "a.usda").read_bytes() == (tmp_path / "b.usda").read_bytes()
 
 
-def _no_asset(id: str) -> Any:
-    raise InputError(f"asset: no asset {id!r}; check the id")
+def _no_asset(object_id: str) -> Any:
+    raise InputError(f"asset: no asset {object_id!r}; check the id")
 
 
 def test_errors_are_one_line_and_leave_nothing_behind(tmp_path, monkeypatch) -> None:

@@ -125,8 +125,8 @@ def test_all_that_a_room_names_exists(name: str) -> None:
     room, known = ROOMS[name], categories()
     color_named(room.walls)
     assert room.sources and all(len(source.split()) >= 2 for source in room.sources)
-    for id in room.made_of:
-        room.item(id)
+    for object_id in room.made_of:
+        room.item(object_id)
     for item in room.items:
         for what in item.what:
             assert what in known, f"{item.id}: {what} is no category"

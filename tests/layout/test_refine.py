@@ -111,7 +111,7 @@ def test_what_is_added_makes_way_and_bystanders_keep_their_poses(name, occupied)
     x, y, _ = what.object(occupied).pose.position
     new = thing("plant", (0.35, 0.35, 0.8), pose=Pose.from_yaw(x, y, 0.0, 0.0))
     crowded = apply(what, Add(object=new))
-    named = {id for v in sw.check(crowded, walkable=False).violations for id in v.objects}
+    named = {object_id for v in sw.check(crowded, walkable=False).violations for object_id in v.objects}
     solution = refine(crowded, init="current", candidates=16)
     assert (solution.status == 0).all()
     still = [

@@ -27,8 +27,8 @@ def _exact(scene: Scene) -> Scene:
     return sw.refine(scene, init="current", candidates=1, device="cpu", snap=True).best
 
 
-def _at(thing, id: str, x: float, y: float, degrees: float, z: float = 0.0, **more):
-    return thing.object(id, pose=Pose.from_yaw(x, y, z, math.radians(degrees)), **more)
+def _at(thing, object_id: str, x: float, y: float, degrees: float, z: float = 0.0, **more):
+    return thing.object(object_id, pose=Pose.from_yaw(x, y, z, math.radians(degrees)), **more)
 
 
 @pytest.mark.parametrize("name", ["bedroom-small", "bedroom-tight", "living-dining-L", "office-20"])
@@ -137,8 +137,8 @@ def test_a_lamp_hangs_over_the_middle_and_a_rug_lies_under_it():
         Relation(type="centered_on", subject="rug", target="table"),
     )
     after = _exact(_room(*objects, relations=relations))
-    for id in ("lamp", "rug"):
-        assert after.object(id).pose.position[:2] == pytest.approx((2.5, 2.0), abs=1e-5)
+    for object_id in ("lamp", "rug"):
+        assert after.object(object_id).pose.position[:2] == pytest.approx((2.5, 2.0), abs=1e-5)
 
 
 def test_a_picture_hangs_over_the_middle_at_the_middle_of_its_heights():

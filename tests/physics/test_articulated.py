@@ -223,9 +223,9 @@ def test_it_opens_and_closes_in_a_room(bedroom: tuple[Any, dict[str, Asset]], th
         force = 30.0 if thing != "dishwasher" else 60.0  # its door falls open, and has to be lifted
         assert _pull(model, data, joint, force, 1.5) > 0.8
         assert -0.02 < _pull(model, data, joint, -force, 1.5) < 0.02
-        for id in ("mug", "table_lamp", "cabinet", "wardrobe"):
-            adr = int(model.joint(id).qposadr[0])
-            assert np.linalg.norm(data.qpos[adr : adr + 3] - start[adr : adr + 3]) < 0.05, f"{id} stays"
+        for object_id in ("mug", "table_lamp", "cabinet", "wardrobe"):
+            adr = int(model.joint(object_id).qposadr[0])
+            assert np.linalg.norm(data.qpos[adr : adr + 3] - start[adr : adr + 3]) < 0.05, f"{object_id} stays"
 
 
 def test_the_room_has_a_door_that_opens(bedroom: tuple[Any, dict[str, Asset]]) -> None:

@@ -24,8 +24,8 @@ TOP = DESK.surfaces[0]
 SECONDS = 0.6
 
 
-def _box(id: str, x: float, y: float, z: float, **more) -> SceneObject:
-    return SceneObject(id=id, category="box", size=(0.3, 0.2, 0.4), pose=Pose.from_yaw(x, y, z, 0.5), **more)
+def _box(object_id: str, x: float, y: float, z: float, **more) -> SceneObject:
+    return SceneObject(id=object_id, category="box", size=(0.3, 0.2, 0.4), pose=Pose.from_yaw(x, y, z, 0.5), **more)
 
 
 def _scene(*objects: SceneObject) -> Scene:
@@ -252,7 +252,7 @@ def test_warp_agrees_with_c_and_says_what_has_no_room(monkeypatch) -> None:
     assert (warp.moved == c.moved).all() and c.moved.any()
     assert np.abs(warp.shift - c.shift)[~c.moved].max() < 1e-3
     place = {o.id: k for k, o in enumerate(scene.objects)}
-    order = [place[id] for id in (*c.free, *c.fixed)]
+    order = [place[object_id] for object_id in (*c.free, *c.fixed)]
     model = model_of(scene, LOAD)
     template = Template.of(model.xml, {}, model.free, model.fixed, [scene.objects[k].size[2] / 2 for k in order])
     start = poses_of(scene, poses)[:, order]

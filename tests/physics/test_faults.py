@@ -21,8 +21,8 @@ mujoco: Any = import_module("mujoco")
 ROOM = Room(outline=((0, 0), (40, 0), (40, 40), (0, 40)))
 
 
-def _box(id: str, x: float, y: float, z: float = 0.0) -> SceneObject:
-    return SceneObject(id=id, category="box", size=(0.3, 0.2, 0.4), pose=Pose.from_yaw(x, y, z, 0.5))
+def _box(object_id: str, x: float, y: float, z: float = 0.0) -> SceneObject:
+    return SceneObject(id=object_id, category="box", size=(0.3, 0.2, 0.4), pose=Pose.from_yaw(x, y, z, 0.5))
 
 
 def _scene(*objects: SceneObject) -> Scene:

@@ -15,8 +15,8 @@ ASSETS = {a.id: a for a in (make("desk", 3), make("mug", 2), make("toilet", 1), 
 DESK, MUG, TOILET, BALL = ASSETS.values()
 
 
-def _box(id: str, z: float, **more) -> SceneObject:
-    return SceneObject(id=id, category="box", size=(0.3, 0.2, 0.4), pose=Pose.from_yaw(1, 1, z, 0.5), **more)
+def _box(object_id: str, z: float, **more) -> SceneObject:
+    return SceneObject(id=object_id, category="box", size=(0.3, 0.2, 0.4), pose=Pose.from_yaw(1, 1, z, 0.5), **more)
 
 
 def _scene(*objects: SceneObject) -> Scene:

@@ -25,9 +25,11 @@ def rectangle(width: float, depth: float) -> tuple[tuple[float, float], ...]:
     return ((0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth))
 
 
-def box(id: str, x: float, y: float, *, size=(0.5, 0.5, 0.5), yaw: float = 0.0, z: float = 0.0, **more) -> SceneObject:
+def box(
+    object_id: str, x: float, y: float, *, size=(0.5, 0.5, 0.5), yaw: float = 0.0, z: float = 0.0, **more
+) -> SceneObject:
     more.setdefault("category", "box")
-    return SceneObject(id=id, size=size, pose=Pose.from_yaw(x, y, z, yaw), **more)
+    return SceneObject(id=object_id, size=size, pose=Pose.from_yaw(x, y, z, yaw), **more)
 
 
 def room_of(*objects: SceneObject, width: float = 4.0, depth: float = 3.0, **more) -> Scene:
@@ -42,8 +44,8 @@ def everything() -> Scene:
     def turn(x: float, y: float) -> tuple[float, float]:
         return (x * c - y * s, x * s + y * c)
 
-    def put(id: str, x: float, y: float, **more) -> SceneObject:
-        return box(id, *turn(x, y), yaw=0.35 + more.pop("yaw", 0.0), **more)
+    def put(object_id: str, x: float, y: float, **more) -> SceneObject:
+        return box(object_id, *turn(x, y), yaw=0.35 + more.pop("yaw", 0.0), **more)
 
     outline = tuple(turn(*p) for p in ((0, 0), (3, 0), (3, 2), (1.8, 2), (1.8, 3), (0, 3)))
     top = ((-0.2, -0.2), (0.2, -0.2), (0.2, 0.2), (-0.2, 0.2))

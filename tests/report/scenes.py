@@ -51,10 +51,10 @@ def furnished(prompt: str = "A small study") -> Scene:
     return Scene(id="study", prompt=prompt, room=room, objects=objects, relations=relations)
 
 
-def load(id: str) -> Asset:
+def load(object_id: str) -> Asset:
     """The loader of the room's assets."""
     found = {a.id: a for a in (asset(n) for n in ("desk", "mug", "armchair", "picture", "table_lamp"))}
-    return found[id]
+    return found[object_id]
 
 
 def full(text: str = "words") -> ReportData:

@@ -174,14 +174,14 @@ def test_meshes_survive_the_packing() -> None:
 
     packed = pack(furnished(), [], [], load)
     items = {item["id"]: item for item in packed.data["items"] if item["id"]}
-    for id, name in (("armchair-0", "armchair"), ("desk-0", "desk"), ("picture-0", "picture")):
-        points, faces = _unpack(packed, items[id]["mesh"])
+    for object_id, name in (("armchair-0", "armchair"), ("desk-0", "desk"), ("picture-0", "picture")):
+        points, faces = _unpack(packed, items[object_id]["mesh"])
         mesh = asset(name).mesh
         np.testing.assert_allclose(points.min(axis=0), mesh.bounds[0], atol=5e-5)
         np.testing.assert_allclose(points.max(axis=0), mesh.bounds[1], atol=5e-5)
         own = trimesh.Trimesh(mesh.vertices, mesh.faces, process=False)
         assert trimesh.Trimesh(points, faces, process=False).area == pytest.approx(own.area, rel=1e-3)
-        runs = packed.data["meshes"][items[id]["mesh"]]["runs"]
+        runs = packed.data["meshes"][items[object_id]["mesh"]]["runs"]
         assert sum(count for _, count in runs) == len(mesh.faces)
     assert items["lamp-0"]["mesh"] == items["lamp-1"]["mesh"]
     assert items["picture-0"]["wall"] == 3 and items["desk-0"]["wall"] is None
@@ -203,10 +203,10 @@ def test_a_missing_asset_is_shown_as_parts_and_said() -> None:
     lost = scene.objects[0].model_copy(update={"asset": "nobody:1"})
     scene = scene.model_copy(update={"objects": (lost, *scene.objects[1:])})
 
-    def careful(id: str):
-        if id == "nobody:1":
+    def careful(object_id: str):
+        if object_id == "nobody:1":
             raise InputError("asset: gone")
-        return load(id)
+        return load(object_id)
 
     parsed = Page(report_html(ReportData(scene, load=careful)))
     assert "desk-0: its mesh is missing" in parsed.text

@@ -271,7 +271,7 @@ surfaces = st.sampled_from([(), ({"name": "top", "polygon": SQUARE, "z": 0.5},)]
 
 @st.composite
 def edits(draw, scene: Scene):
-    id = draw(st.sampled_from(scene.ids))
+    object_id = draw(st.sampled_from(scene.ids))
     other = draw(st.sampled_from(scene.ids))
     fresh = draw(st.sampled_from(["new-0", "new-1", "new-2", "chair-0"]))
     index = draw(st.none() | st.integers(0, 5))
@@ -280,7 +280,7 @@ def edits(draw, scene: Scene):
     op = draw(st.sampled_from(sorted(EDITS)))
     if op in ("add", "replace"):
         obj = SceneObject(
-            id=fresh if op == "add" else id,
+            id=fresh if op == "add" else object_id,
             category="thing",
             size=draw(sizes),
             pose=draw(poses),
@@ -290,32 +290,34 @@ def edits(draw, scene: Scene):
         )
         return Add(object=obj, index=index) if op == "add" else Replace(object=obj)
     if op == "remove":
-        return Remove(id=id, cascade=draw(st.booleans()))
+        return Remove(id=object_id, cascade=draw(st.booleans()))
     if op == "relate":
         target = draw(
             st.sampled_from([("near", other), ("in_corner", None), ("against_wall", "wall:2"), ("around", other)])
         )
-        assume(target[1] != id)
-        return Relate(relation=Relation(type=target[0], subject=id, target=target[1]), index=index)
+        assume(target[1] != object_id)
+        return Relate(relation=Relation(type=target[0], subject=object_id, target=target[1]), index=index)
     if op == "unrelate":
         assume(scene.relations)
         i = draw(st.integers(0, len(scene.relations) - 1))
         r = scene.relations[i]
         return Unrelate(type=r.type, subject=r.subject, target=r.target, index=draw(st.sampled_from([None, i])))
     if op == "pose":
-        return SetPose(id=id, pose=draw(poses))
+        return SetPose(id=object_id, pose=draw(poses))
     if op == "size":
         geometry = draw(st.none() | st.builds(Geometry, surfaces=surfaces))
-        return SetSize(id=id, size=draw(sizes), geometry=geometry)
+        return SetSize(id=object_id, size=draw(sizes), geometry=geometry)
     if op == "support":
-        return SetSupport(id=id, support=support)
+        return SetSupport(id=object_id, support=support)
     if op == "rename":
-        return Rename(id=id, new_id=fresh)
+        return Rename(id=object_id, new_id=fresh)
     if op == "intent":
-        return SetIntent(id=id, intent=draw(intents))
+        return SetIntent(id=object_id, intent=draw(intents))
     keys = st.sampled_from(["color", "style", "a", "b"])
     put = draw(st.dictionaries(keys, values, max_size=2))
-    return SetAttributes(id=id, set=put, unset=tuple(k for k in draw(st.lists(keys, max_size=2)) if k not in put))
+    return SetAttributes(
+        id=object_id, set=put, unset=tuple(k for k in draw(st.lists(keys, max_size=2)) if k not in put)
+    )
 
 
 @settings(

@@ -88,10 +88,10 @@ def test_relations_name_what_is_meant(lounge, call):
     ]
     proposal = call("add_objects", lounge, {"objects": rows})
     assert not proposal.unmet
-    lamp, shelf, palm, pouf, bin = (r for r in related(proposal))
+    lamp, shelf, palm, pouf, waste_bin = (r for r in related(proposal))
     assert (lamp.type, lamp.target, lamp.hard, lamp.params) == ("near", "sofa-0", False, {"max": 0.5})
     assert (shelf.type, shelf.target) == ("against_wall", "wall:3")
-    assert palm.target == "window-0" and pouf.target == ("sofa-0", "armchair-0") and bin.params == {"min": 0.5}
+    assert palm.target == "window-0" and pouf.target == ("sofa-0", "armchair-0") and waste_bin.params == {"min": 0.5}
 
 
 def test_what_is_not_there_is_unmet_and_the_usual_place_serves(lounge, call):

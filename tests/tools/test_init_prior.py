@@ -108,7 +108,7 @@ def test_small_things_stand_where_they_fit(prior):
     scene, proposal = prior("a living room with a fruit bowl on the coffee table and a lamp on the sideboard")
     assert not proposal.unmet
     small = {o.intent.request: o for o in scene.objects if o.intent.request and o.mount == "surface"}
-    carriers = {id: scene.object(o.support.object).category for id, o in small.items()}
+    carriers = {object_id: scene.object(o.support.object).category for object_id, o in small.items()}
     assert set(carriers.values()) == {"coffee_table", "sideboard"}
     for o in small.values():
         surface = next(s for s in scene.object(o.support.object).surfaces if s.name == o.support.surface)
@@ -123,9 +123,15 @@ def test_many_small_things_are_spread_over_what_can_carry_them(prior):
     load: Counter[str] = Counter()
     for o in vases:
         load[o.support.object] += o.size[0] * o.size[1]
-    ground = {id: sum(shapely.Polygon(s.polygon).area for s in scene.object(id).surfaces) for id in load}
+    ground = {
+        object_id: sum(shapely.Polygon(s.polygon).area for s in scene.object(object_id).surfaces) for object_id in load
+    }
     largest = max(o.size[0] * o.size[1] for o in vases)
-    assert len(vases) == 30 and len(load) > 1 and all(load[id] <= FULL * ground[id] + largest for id in load)
+    assert (
+        len(vases) == 30
+        and len(load) > 1
+        and all(load[object_id] <= FULL * ground[object_id] + largest for object_id in load)
+    )
 
 
 @pytest.mark.parametrize(

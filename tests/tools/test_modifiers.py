@@ -211,7 +211,7 @@ def test_what_fits_no_longer_is_said(call, lounge):
     proposal = call("update_size", full, {"sizes": {"coffee_table-0": small}})
     made = after(full, proposal)
     gone = set(full.ids) - set(made.ids)
-    assert gone and all(any(id in note for note in (*proposal.notes, *proposal.unmet)) for id in gone)
+    assert gone and all(any(object_id in note for note in (*proposal.notes, *proposal.unmet)) for object_id in gone)
     assert made.object("coffee_table-0").size[1] < table.size[1]
     for o in made.objects:
         if o.support is not None:

@@ -30,11 +30,11 @@ def times(a: list[float], b: list[float]) -> list[float]:
 
 
 def box(
-    id: str, size: tuple[float, float, float], x: float, y: float, yaw: float = 0.0, z: float = 0.0, **more
+    object_id: str, size: tuple[float, float, float], x: float, y: float, yaw: float = 0.0, z: float = 0.0, **more
 ) -> Json:
     """A box-shaped object; yaw in degrees."""
     pose = {"position": [x, y, z], "quaternion": more.pop("quaternion", turned(yaw))}
-    return {"id": id, "category": "thing", "size": list(size), "pose": pose, **more}
+    return {"id": object_id, "category": "thing", "size": list(size), "pose": pose, **more}
 
 
 def rectangle(x0: float, y0: float, x1: float, y1: float) -> list[list[float]]:

@@ -44,11 +44,11 @@ class Source(Protocol):
         """Cards of a category; for sources that make things, ``wish.count`` of them in the wanted size and look."""
         ...
 
-    def load(self, id: str) -> Asset:
+    def load(self, asset_id: str) -> Asset:
         """The asset of an id; InputError when there is none."""
         ...
 
-    def owns(self, id: str) -> bool:
+    def owns(self, asset_id: str) -> bool:
         """Whether an id is one of this source."""
         ...
 

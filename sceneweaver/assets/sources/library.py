@@ -67,15 +67,15 @@ class Library:
         if not found.cards:
             raise InputError(f"asset: nothing suits '{noun}'; allow more licences or import some")
         cards = [found.cards[0]] * count if same else [found.cards[k % len(found.cards)] for k in range(count)]
-        made = {id: self.load(id) for id in {card.id for card in cards}}
+        made = {asset_id: self.load(asset_id) for asset_id in {card.id for card in cards}}
         return [made[card.id] for card in cards]
 
-    def load(self, id: str) -> Asset:
+    def load(self, asset_id: str) -> Asset:
         """The asset of an id, from the source that owns it; InputError when none does."""
         for source in self.sources:
-            if source.owns(id):
-                return source.load(id)
-        raise InputError(f"asset: no source has '{id}'; import it, or use parametric:CATEGORY?seed=N")
+            if source.owns(asset_id):
+                return source.load(asset_id)
+        raise InputError(f"asset: no source has '{asset_id}'; import it, or use parametric:CATEGORY?seed=N")
 
     @staticmethod
     def _score(card: Card, wish: Wish) -> float:

@@ -32,22 +32,22 @@ class ParametricSource:
                 asset.id, category, asset.size, self.name, asset.origin.licence, asset.attributes, asset.description
             )
 
-    def owns(self, id: str) -> bool:
+    def owns(self, asset_id: str) -> bool:
         """Ids look like ``parametric:desk?seed=3&color=white``."""
-        return id.startswith(PREFIX)
+        return asset_id.startswith(PREFIX)
 
-    def load(self, id: str) -> Asset:
+    def load(self, asset_id: str) -> Asset:
         """Draw the asset of an id again."""
-        category, _, query = id.removeprefix(PREFIX).partition("?")
+        category, _, query = asset_id.removeprefix(PREFIX).partition("?")
         given = dict(parse_qsl(query, keep_blank_values=True))
         try:
             seed = int(given.pop("seed", "0"))
             size = _size(given.pop("size", ",,"))
             request = Request(size=size, **{k: given.pop(k) for k in ("color", "material", "style") if k in given})
         except (TypeError, ValueError) as error:
-            raise InputError(f"asset: '{id}' is no parametric id; write parametric:CATEGORY?seed=N") from error
+            raise InputError(f"asset: '{asset_id}' is no parametric id; write parametric:CATEGORY?seed=N") from error
         if given or seed < 0:
-            raise InputError(f"asset: '{id}' is no parametric id; write parametric:CATEGORY?seed=N")
+            raise InputError(f"asset: '{asset_id}' is no parametric id; write parametric:CATEGORY?seed=N")
         return _draw(category, seed, request)
 
     @staticmethod

@@ -41,10 +41,10 @@ class StoreSource:
             ]
         return self._cards
 
-    def owns(self, id: str) -> bool:
+    def owns(self, asset_id: str) -> bool:
         """Whether the store has an asset of that id."""
-        return any(card.id == id for card in self.cards())
+        return any(card.id == asset_id for card in self.cards())
 
-    def load(self, id: str) -> Asset:
+    def load(self, asset_id: str) -> Asset:
         """Read the asset."""
-        return self.store.load(id)
+        return self.store.load(asset_id)
