@@ -13,7 +13,7 @@ from sceneweaver.scene import InputError, Intent, Pose, Relation, Room, Scene, S
 from .base import Context, Proposal
 from .draft import walls_of
 from .prior_formation import formations, in_rows
-from .prior_program import BLIND, BY_RANK, Program, Wanted, build, demands
+from .prior_program import BLIND, BY_RANK, LeftOut, Program, Wanted, build, demands
 from .prior_relations import of_brief, of_items
 from .prior_shell import floor_area, shell
 
@@ -60,7 +60,8 @@ class InitPrior:
         notes += remarks + program.notes
         unmet += _missing(brief, program)
         if given and program.left_out:
-            notes.append("left out, as the floor asked for is full: " + ", ".join(sorted(set(program.left_out))[:8]))
+            reasons = sorted({one.reason for one in program.left_out})
+            notes.append("left out, as the floor asked for is full: " + ", ".join(reasons[:8]))
         if middle:
             centre = _centred(middle, scene)
             drafts = [{**d, **{k: v for k, v in centre.items() if k not in d}} for d in drafts] or [centre]
@@ -133,7 +134,7 @@ def _support_small_things(program: Program, brief: Brief) -> None:
     program.wanted = [w for w in program.wanted if w not in program.later]
     lost = [w for w in program.wanted if w.mount == "surface" and w.support is None]
     program.wanted = [w for w in program.wanted if w not in lost]
-    program.left_out += [f"{w.category}: nothing in the room can carry it" for w in lost]
+    program.left_out += [LeftOut(w.asked, f"{w.category}: nothing in the room can carry it") for w in lost]
 
 
 def _laid_later(program: Program, one: Wanted, support: Wanted) -> bool:
@@ -229,7 +230,7 @@ def _missing(brief: Brief, program: Program) -> list[str]:
     for asked in brief.objects:
         least = asked.count[0] if asked.count else 1
         if made.get(asked.id, 0) < least:
-            reasons = [text for text in program.left_out if text.startswith(asked.category)]
+            reasons = [one.reason for one in program.left_out if one.asked == asked.id]
             out.append(f"{asked.noun}: {made.get(asked.id, 0)} of {least}" + (f" ({reasons[0]})" if reasons else ""))
     return out
 

@@ -99,6 +99,14 @@ class Demand:
     least: int = 0
 
 
+@dataclass(frozen=True)
+class LeftOut:
+    """Something that is not in the program: the id of what in the request it stands for, if anything, and why."""
+
+    asked: str | None
+    reason: str
+
+
 @dataclass
 class Program:
     """All objects to be, in order of need, parents before what goes with them; ``left_out`` says what did not fit,
@@ -106,7 +114,7 @@ class Program:
 
     wanted: list[Wanted] = field(default_factory=list)
     later: list[Wanted] = field(default_factory=list)
-    left_out: list[str] = field(default_factory=list)
+    left_out: list[LeftOut] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
 
     @property
@@ -279,7 +287,7 @@ def build(
         try:
             assets = _bodies(demand, pieces, wish, library)
         except InputError as error:
-            program.left_out.append(str(error))
+            program.left_out.append(LeftOut(demand.asked.id if demand.asked else None, str(error)))
             continue
         made: list[Wanted] = []
         for k in range(pieces):
@@ -299,7 +307,7 @@ def build(
             must = demand.rank <= 1 and (k < demand.least * (1 if total else len(parents)))
             most = (area, wall, fill) if not must else (area, space * CRAMMED[1], CRAMMED[0])
             if not _fits(program, made, one, *most):
-                program.left_out.append(f"{one.category}: the floor or the walls are full")
+                program.left_out.append(LeftOut(one.asked, f"{one.category}: the floor or the walls are full"))
                 break
             made.append(one)
         program.wanted += made

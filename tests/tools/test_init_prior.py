@@ -167,6 +167,14 @@ def test_what_has_no_place_on_a_given_floor_is_said(prior):
     assert any(note.startswith("left out, as the floor asked for is full: ") for note in proposal.notes)
 
 
+def test_why_something_is_missing_is_said_of_that_thing(prior):
+    """A word for many kinds of chairs is told why its own chairs are missing, not why other things are."""
+    scene, proposal = prior("a study of 5 square metres with forty chairs and fifteen wardrobes")
+    (line,) = [text for text in proposal.unmet if text.startswith("chairs: ")]
+    made = sum(o.intent.request == "chair" for o in scene.objects)
+    assert 0 < made < 40 and line == f"chairs: {made} of 40 (office_chair: the floor or the walls are full)"
+
+
 def test_equal_seeds_give_equal_scenes_and_others_do_not(prior):
     first, again, other = (prior("a study for two", seed=s, room="study")[0] for s in (5, 5, 6))
     assert first == again and first.objects != other.objects and first.room != other.room
