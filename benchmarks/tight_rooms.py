@@ -113,9 +113,9 @@ def _rectangle(depth: float, width: float, x: float = 0.0, y: float = 0.0) -> li
 def _pieces(rng: np.random.Generator) -> dict[str, Piece]:
     """Furniture of any size: a bed between two nightstands, a desk with a chair, a wardrobe, a dresser, a bookcase."""
 
-    def draw(id: str, depth: tuple, width: tuple, height: tuple, zone: float = 0.0) -> Piece:
+    def draw(object_id: str, depth: tuple, width: tuple, height: tuple, zone: float = 0.0) -> Piece:
         d, w, h = (round(float(rng.uniform(*span)), 2) for span in (depth, width, height))
-        return Piece(id, d, w, h, zone)
+        return Piece(object_id, d, w, h, zone)
 
     pieces = [
         draw("bed", (1.95, 2.15), (0.9, 1.8), (0.5, 0.6)),
@@ -159,7 +159,7 @@ def _empty(rng: np.random.Generator, width: float, depth: float, shares: np.ndar
 
 def _bed(layout: Layout, pieces: dict[str, Piece], rng: np.random.Generator) -> bool:
     """Put the bed between its nightstands, somewhere along a wall."""
-    row = [pieces[id] for id in ("nightstand-0", "bed", "nightstand-1")]
+    row = [pieces[object_id] for object_id in ("nightstand-0", "bed", "nightstand-1")]
     width = sum(p.width for p in row) + 2 * layout.air
     wall = layout.walls[int(rng.integers(4))]
     if wall.length <= width + 2 * layout.air:
@@ -265,10 +265,10 @@ def tight_room(seed: int) -> Scene:
         tries = (_fill(empty, pieces, rng) for _ in range(TRIES))
         found = next((layout for layout in tries if layout is not None), None)
         scale *= GROWTH
-    objects = [_object(piece, found.poses[id]) for id, piece in pieces.items()]
+    objects = [_object(piece, found.poses[object_id]) for object_id, piece in pieces.items()]
     by_id = {o["id"]: o for o in objects}
-    objects += [_thing(by_id[id], size) for id, size in THINGS.items()]
-    backs = [{"type": "against_wall", "subject": id} for id in pieces if id != "chair"]
+    objects += [_thing(by_id[object_id], size) for object_id, size in THINGS.items()]
+    backs = [{"type": "against_wall", "subject": object_id} for object_id in pieces if object_id != "chair"]
     sides = [{"type": "leftright_to_leftright", "subject": f"nightstand-{k}", "target": "bed"} for k in range(2)]
     seat = {"type": "front_to_front", "subject": "chair", "target": "desk"}
     middle = {"type": "centered_on", "subject": "chair", "target": "desk", "hard": False}
