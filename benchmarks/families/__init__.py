@@ -16,6 +16,7 @@ from . import (
     edits,
     large,
     memory,
+    odd,
     optimizers,
     physics,
     projection,
@@ -46,6 +47,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "design": design.run,
         "ablations": ablations.run,
         "requests": requests.run,
+        "odd": odd.run,
         "physics": physics.run,
         "stability": stability.run,
     }

@@ -174,7 +174,8 @@ def _explain(problem: Mapping[str, Any], root: type[BaseModel]) -> tuple[Loc, st
     if kind == "missing":
         return loc[:-1], f': "{loc[-1]}" is missing; add it{_meaning(root, loc)}'
     if kind == "too_long":
-        return loc, f"has {ctx['actual_length']} entries; give {ctx['max_length']}"
+        most = ctx["max_length"]  # a pair or triple has to have just so many
+        return loc, f"has {ctx['actual_length']} entries; give {most if most <= 4 else f'at most {most}'}"
     if kind == "too_short":
         return loc, f"has {ctx['actual_length']} entries; give at least {ctx['min_length']}"
     if kind == "string_too_short":

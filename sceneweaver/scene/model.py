@@ -25,6 +25,9 @@ from .references import check_references
 from .relation import Relation
 from .room import Room
 
+MAX_OBJECTS, MAX_RELATIONS = 10_000, 100_000
+"""How many objects and relations one scene may have; with more, judging it would take minutes."""
+
 
 class Scene(SceneFile):
     """A whole scene. Immutable: edits return a new scene."""
@@ -33,8 +36,8 @@ class Scene(SceneFile):
     id: Name = Field(description="Name of the scene")
     prompt: Text = Field(default="", description="The request that it answers")
     room: Room
-    objects: Annotated[tuple[SceneObject, ...], Field(fail_fast=True)] = ()
-    relations: Annotated[tuple[Relation, ...], Field(fail_fast=True)] = ()
+    objects: Annotated[tuple[SceneObject, ...], Field(fail_fast=True, max_length=MAX_OBJECTS)] = ()
+    relations: Annotated[tuple[Relation, ...], Field(fail_fast=True, max_length=MAX_RELATIONS)] = ()
     provenance: JsonDict = Field(default_factory=dict, description="Free data: where the scene comes from")
     dropped: Annotated[tuple[Dropped, ...], Field(fail_fast=True)] = Field(
         default=(), description="What was asked for and could not be placed; anything here makes the scene invalid"

@@ -11,10 +11,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from sceneweaver.scene.errors import InputError
 from sceneweaver.verify.solids import DEPTH, Array, Prisms
 
 ZONE_DEPTH = 5e-3
 """Depth in metres up to which a solid may reach into a zone."""
+
+MAX_PAIRS = 2_000_000
+"""Pairs of bounding boxes that are looked at, both ways round: some 20 s of work."""
+
+CHUNK = 256
+"""Boxes that are looked up at a time, so that a heap of objects does not fill the memory before it is counted."""
 
 ZONE_AREA = 1e-4
 """Area in square metres up to which a solid may cover a zone."""
@@ -35,12 +42,18 @@ class Overlaps:
 
 
 def _broad(a: Prisms, b: Prisms) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Pairs whose bounding boxes meet."""
+    """Pairs whose bounding boxes meet; InputError where there are more than `MAX_PAIRS`."""
     import shapely
 
     tree = shapely.STRtree(shapely.box(*b.boxes.T))
-    i, j = tree.query(shapely.box(*a.boxes.T))
-    return i, j
+    boxes, found, count = shapely.box(*a.boxes.T), [], 0
+    for start in range(0, len(boxes), CHUNK):
+        i, j = tree.query(boxes[start : start + CHUNK])
+        found.append((i + start, j))
+        count += len(i)
+        if count > MAX_PAIRS:
+            raise InputError(f"objects: over {MAX_PAIRS} pairs of parts or zones overlap; spread the objects out")
+    return np.concatenate([i for i, _ in found]), np.concatenate([j for _, j in found])
 
 
 def _reach(a: Prisms, b: Prisms, i: NDArray[np.intp], j: NDArray[np.intp]) -> Array:

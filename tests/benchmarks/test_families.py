@@ -28,6 +28,7 @@ TABLES = {
     "design": {"rooms": 1, "seeds": 1},
     "ablations": {"parts": 4, "tools": 4},
     "requests": {"requests": 1, "reported": 0},
+    "odd": {"odd": 3},
     "physics": {"worlds": 2},
     "stability": {"rooms": 2, "seeds": 1},
 }

@@ -399,3 +399,12 @@ def test_data_given_is_not_changed(small):
     before = copy.deepcopy(small)
     Scene.from_json(small)
     assert small == before
+
+
+def test_a_scene_has_ten_thousand_objects_at_most(small):
+    many = [{"id": f"a{i}", "category": "box", "size": [1, 1, 1]} for i in range(10_001)]
+    small["objects"], small["relations"] = many, []
+    with pytest.raises(InputError, match="^objects has 10001 entries; give at most 10000$"):
+        Scene.from_json(small)
+    small["objects"] = many[:-1]
+    assert len(Scene.from_json(small).objects) == 10_000

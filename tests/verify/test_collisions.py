@@ -1,13 +1,15 @@
 """Collisions of prisms and of tilted bodies on both sides of each threshold, and the depth of convex bodies."""
 
 import math
+import tracemalloc
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sceneweaver.verify import convex
+from sceneweaver.scene import InputError
+from sceneweaver.verify import check, convex
 from sceneweaver.verify.overlap import overlaps
 from sceneweaver.verify.solids import Placed
 from tests.verify.build import box, judge, only, rectangle, scene, times, turned
@@ -165,3 +167,14 @@ def test_flat_bodies_have_no_depth():
     sheet = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype=float)
     assert convex.depth(sheet, sheet) == 0.0
     assert convex.hull_vertices(sheet).shape == (4, 3)
+
+
+def test_a_heap_of_objects_is_refused_before_its_pairs_fill_the_memory():
+    heap = scene([box(f"a{i}", (1, 1, 1), 4, 4) for i in range(2000)])
+    tracemalloc.start()
+    try:
+        with pytest.raises(InputError, match="over 2000000 pairs of parts or zones overlap; spread the objects"):
+            check(heap)
+        assert tracemalloc.get_traced_memory()[1] < 200 << 20
+    finally:
+        tracemalloc.stop()
