@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from sceneweaver.geometry.rotations import Vector, from_yaw, inverse, multiply, rotate, yaw_of
 from sceneweaver.scene import Pose, Scene, SceneObject
 from sceneweaver.scene.edits import SetPose
-
-Vec3 = tuple[float, float, float]
-Quat = tuple[float, float, float, float]
 
 
 def carried(objects: Mapping[str, SceneObject], id: str) -> list[str]:
@@ -47,43 +45,17 @@ def local(carrier: Pose, rider: Pose) -> tuple[float, float, float, float]:
     """x, y, z [m] and yaw [rad] of ``rider`` in the frame of ``carrier``."""
     back = inverse(carrier.quaternion)
     x, y, z = rotate(back, _minus(rider.position, carrier.position))
-    return x, y, z, Pose(quaternion=multiply(back, rider.quaternion)).yaw
+    return x, y, z, yaw_of(multiply(back, rider.quaternion))
 
 
 def world(carrier: Pose, x: float, y: float, z: float, yaw: float) -> Pose:
     """The pose whose place [m] and yaw [rad] in the frame of ``carrier`` are given."""
-    import math
-
-    own = (0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2))
     offset = rotate(carrier.quaternion, (x, y, z))
     a, b, c = (p + q for p, q in zip(carrier.position, offset, strict=True))
-    return Pose(position=(a, b, c), quaternion=multiply(carrier.quaternion, own))
+    return Pose(position=(a, b, c), quaternion=multiply(carrier.quaternion, from_yaw(yaw)))
 
 
-def multiply(a: Quat, b: Quat) -> Quat:
-    """The rotation b followed by a, as xyzw quaternions."""
-    ax, ay, az, aw = a
-    bx, by, bz, bw = b
-    return (
-        aw * bx + ax * bw + ay * bz - az * by,
-        aw * by - ax * bz + ay * bw + az * bx,
-        aw * bz + ax * by - ay * bx + az * bw,
-        aw * bw - ax * bx - ay * by - az * bz,
-    )
-
-
-def inverse(q: Quat) -> Quat:
-    """The opposite rotation of a unit quaternion."""
-    return -q[0], -q[1], -q[2], q[3]
-
-
-def rotate(q: Quat, v: Vec3) -> Vec3:
-    """A vector turned by a unit quaternion."""
-    x, y, z, _ = multiply(multiply(q, (*v, 0.0)), inverse(q))
-    return x, y, z
-
-
-def _minus(a: Vec3, b: Vec3) -> Vec3:
+def _minus(a: Vector, b: Vector) -> Vector:
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 

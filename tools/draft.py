@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from sceneweaver.assets import categories, resolve
 from sceneweaver.assets.taxonomy import members
+from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.scene import Relation, Room, Scene, SceneObject
 
 CRAMMED = (0.7, 0.85)
@@ -28,15 +28,12 @@ def groups_of(category: str) -> set[str]:
 
 def area_of(room: Room) -> float:
     """Floor [m2] of a room."""
-    import shapely
-
-    return float(shapely.Polygon(room.outline).area)
+    return signed_area(room.outline)
 
 
 def walls_of(room: Room) -> float:
     """Length [m] of the walls of a room, less doors."""
-    total = sum(math.dist(a, b) for a, b in zip(room.outline, (*room.outline[1:], room.outline[0]), strict=True))
-    return total - sum(d.width for d in room.doors)
+    return sum(wall.length for wall in room.walls) - sum(d.width for d in room.doors)
 
 
 @dataclass

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
@@ -10,6 +9,7 @@ from typing import Any
 from sceneweaver.assets import Wish, categories
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.brief import Asked, Brief
+from sceneweaver.geometry.walls import walls_of
 from sceneweaver.scene import InputError, Pose, Room, Scene, SceneObject
 from sceneweaver.scene.edits import AnyEdit, Remove, Rename, apply, apply_all
 
@@ -129,11 +129,10 @@ def _floor(scene: Scene, brief: Brief, notes: list[str], unmet: list[str]) -> Sc
 def _openings(room: Room, outline: tuple[tuple[float, float], ...], height: float) -> dict[str, list[dict[str, Any]]]:
     """Doors and windows at the same share of their walls, as wide as they were or as the walls allow."""
     out: dict[str, list[dict[str, Any]]] = {"doors": [], "windows": []}
+    walls = walls_of(outline)
     for key, openings in (("doors", room.doors), ("windows", room.windows)):
         for o in openings:
-            n = len(outline)
-            old = math.dist(room.outline[o.wall], room.outline[(o.wall + 1) % n])
-            new = math.dist(outline[o.wall], outline[(o.wall + 1) % n])
+            old, new = room.walls[o.wall].length, walls[o.wall].length
             width = min(o.width, max(0.3, new - 0.1))
             middle = (o.offset + o.width / 2) * new / old
             data = {**o.model_dump(), "width": width, "offset": min(max(0.0, middle - width / 2), new - width)}

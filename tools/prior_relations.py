@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import itertools
-import math
 from collections.abc import Iterable, Mapping, Sequence
 
 from sceneweaver.brief import AskedRelation, Brief
+from sceneweaver.brief.wall_names import direction_of
+from sceneweaver.geometry.angles import cross, dot
 from sceneweaver.knowledge import Place
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Room
 
@@ -92,17 +93,14 @@ def _cornered(relations: list[Relation], room: Room) -> list[Relation]:
 
 def free_corners(room: Room) -> int:
     """Convex corners of a room that no door opens beside."""
-    count, free = len(room.outline), 0
-    for k, (x, y) in enumerate(room.outline):
-        (ax, ay), (bx, by) = room.outline[k - 1], room.outline[(k + 1) % count]
-        if (x - ax) * (by - y) - (y - ay) * (bx - x) <= 0:
+    walls, free = room.walls, 0
+    for wall in walls:
+        before = walls[wall.index - 1]
+        if cross(before.along, wall.along) <= 0:
             continue
-        near = 0
-        for door in room.doors:
-            length = math.dist(room.outline[door.wall], room.outline[(door.wall + 1) % count])
-            near += door.wall == k and door.offset < 0.6
-            near += door.wall == (k - 1) % count and length - door.offset - door.width < 0.6
-        free += near == 0
+        first = any(d.offset < 0.6 for d in room.doors if d.wall == wall.index)
+        last = any(before.length - d.offset - d.width < 0.6 for d in room.doors if d.wall == before.index)
+        free += not (first or last)
     return free
 
 
@@ -237,41 +235,14 @@ def wall_named(name: str, room: Room) -> int:
     Raises:
         InputError: for another name.
     """
-    count = len(room.outline)
     if name.isdigit():
-        if int(name) >= count:
-            raise InputError(f"wall {name}: the room has walls 0 to {count - 1}")
+        if int(name) >= len(room.walls):
+            raise InputError(f"wall {name}: the room has walls 0 to {len(room.walls) - 1}")
         return int(name)
-    compass = {"north": (0.0, 1.0), "south": (0.0, -1.0), "east": (1.0, 0.0), "west": (-1.0, 0.0)}
-    if name in compass:
-        out = compass[name]
-    else:
-        entry = room.doors[0].wall if room.doors else 0
-        nx, ny = _inward(room, entry)
-        turns = {
-            "far": (nx, ny),
-            "opposite": (nx, ny),
-            "back": (nx, ny),
-            "near": (-nx, -ny),
-            "front": (-nx, -ny),
-            "left": (-ny, nx),
-            "right": (ny, -nx),
-        }
-        if name not in turns:
-            raise InputError(f"wall '{name}' is unknown; say left, right, far, near, north, south, east or west")
-        out = turns[name]
-    scores = []
-    for i in range(count):
-        nx, ny = _inward(room, i)
-        length = math.dist(room.outline[i], room.outline[(i + 1) % count])
-        scores.append((round(-(nx * out[0] + ny * out[1]), 1), length, i))
-    return max(scores)[2]
-
-
-def _inward(room: Room, wall: int) -> tuple[float, float]:
-    (ax, ay), (bx, by) = room.outline[wall], room.outline[(wall + 1) % len(room.outline)]
-    length = math.hypot(bx - ax, by - ay)
-    return -(by - ay) / length, (bx - ax) / length
+    way = direction_of(name, room)
+    if way is None:
+        raise InputError(f"wall '{name}' is unknown; say left, right, far, near, north, south, east or west")
+    return max((round(dot(wall.outward, way), 1), wall.length, wall.index) for wall in room.walls)[2]
 
 
 def _without_doubles(relations: Iterable[Relation]) -> list[Relation]:

@@ -7,6 +7,8 @@ import math
 import random
 
 from sceneweaver.brief import Brief
+from sceneweaver.geometry.angles import dot
+from sceneweaver.geometry.walls import walls_of
 from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import CATALOGUE, Door, InputError, Room, Window
 
@@ -41,7 +43,7 @@ def shell(room: RoomType, brief: Brief, area: float, seed: int) -> tuple[Room, l
     if not 2.0 <= height <= 8.0:
         notes.append(f"a ceiling of {height:g} m was brought to {min(max(height, 2.0), 8.0):g} m")
         height = min(max(height, 2.0), 8.0)
-    walls = [math.dist(a, b) for a, b in zip(outline, [*outline[1:], outline[0]], strict=True)]
+    walls = [wall.length for wall in walls_of(outline)]
     count = brief.doors if brief.doors is not None else max(1, room.doors.count.least)
     entry = 0
     doors, taken = [], set()
@@ -140,12 +142,8 @@ def _windows(
     spec = room.windows
     count = brief.windows if brief.windows is not None else spec.count.of(0.0, 0, rng.random())
 
-    def normal(i: int) -> Point:
-        (ax, ay), (bx, by) = outline[i], outline[(i + 1) % len(outline)]
-        return -(by - ay) / walls[i], (bx - ax) / walls[i]
-
-    front = normal(entry)
-    facing = {i: sum(a * b for a, b in zip(normal(i), front, strict=True)) for i in range(len(walls))}
+    sides = walls_of(outline)
+    facing = {wall.index: dot(wall.inward, sides[entry].inward) for wall in sides}
     free = [i for i in facing if i != entry and walls[i] >= 1.0]
     choice = sorted(free, key=lambda i: (i in taken, round(facing[i]), -walls[i]))
     if any(i not in taken for i in choice):

@@ -10,10 +10,11 @@ import numpy as np
 
 from sceneweaver.assets import Asset, Library, Wish, categories
 from sceneweaver.brief import Brief
+from sceneweaver.geometry.polygons import counter_clockwise
 from sceneweaver.knowledge.model import Range
 from sceneweaver.scene import Pose, SceneObject, Support
 
-from .surface_geometry import Prism, Shape, counter_clockwise
+from .surface_geometry import Prism, Shape
 from .surface_scene import Frame
 
 VARIANTS = 3
@@ -77,9 +78,7 @@ class Shelf:
         if asset.id not in self._shapes:
             d, w, h = asset.size
             box = np.array([(-d / 2, -w / 2), (d / 2, -w / 2), (d / 2, w / 2), (-d / 2, w / 2)])
-            prisms = [
-                Prism(counter_clockwise(np.asarray(p.polygon, dtype=float)), 0.0, float(p.z[1])) for p in asset.parts
-            ]
+            prisms = [Prism(counter_clockwise(p.polygon), 0.0, float(p.z[1])) for p in asset.parts]
             self._shapes[asset.id] = Shape(tuple(prisms) or (Prism(box, 0.0, h),), asset.size)
         return self._shapes[asset.id]
 
@@ -88,5 +87,5 @@ def placed(
     asset: Asset, id: str, frame: Frame, at: tuple[float, float, float], yaw: float, support: Support
 ) -> SceneObject:
     """The asset as an object at a place [m] and yaw [rad] of a support's frame."""
-    x, y, z = frame.out(*at)
-    return asset.object(id, pose=Pose.from_yaw(x, y, z, frame.yaw + yaw), support=support)
+    x, y = frame.world(*at[:2])
+    return asset.object(id, pose=Pose.from_yaw(x, y, frame.z + at[2], frame.yaw + yaw), support=support)

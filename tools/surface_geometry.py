@@ -10,6 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sceneweaver.geometry.polygons import counter_clockwise, normals
+from sceneweaver.geometry.se2 import SE2
+
 Array = NDArray[np.float64]
 
 GAP = 0.006
@@ -52,25 +55,7 @@ class Shape:
 
 def turned(points: Array, yaw: float) -> Array:
     """Points [n, 2] turned by ``yaw`` [rad] about the origin."""
-    if yaw == 0.0:
-        return points
-    c, s = math.cos(yaw), math.sin(yaw)
-    return points @ np.array([[c, s], [-s, c]])
-
-
-def normals(polygon: Array) -> Array:
-    """Outward unit normals [n, 2] of a counter-clockwise convex polygon."""
-    edge = np.roll(polygon, -1, axis=0) - polygon
-    length = np.hypot(edge[:, 0], edge[:, 1])
-    keep = length > 1e-9
-    return np.column_stack([edge[keep, 1], -edge[keep, 0]]) / length[keep, None]
-
-
-def counter_clockwise(polygon: Array) -> Array:
-    """The polygon [n, 2] in counter-clockwise order."""
-    x, y = polygon[:, 0], polygon[:, 1]
-    area = float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))
-    return polygon if area >= 0 else polygon[::-1].copy()
+    return points if yaw == 0.0 else SE2(yaw=yaw).to_world(points)
 
 
 @dataclass

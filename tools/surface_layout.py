@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.assets import Asset
+from sceneweaver.geometry.polygons import counter_clockwise
+from sceneweaver.geometry.se2 import SE2
 from sceneweaver.knowledge.surfaces import Arrangement, Slot
 from sceneweaver.scene import Relation, SceneObject, Support, Surface
 
@@ -289,9 +291,7 @@ class Layer:
                 edge = 0.012 if min(self._support.size[:2]) > 0.3 else EDGE
                 self._fields[key] = self._around.field(self._support, surface, self._frame, edge)
             else:
-                from .surface_geometry import counter_clockwise, turned
-
-                ring = turned(counter_clockwise(np.asarray(surface.polygon, dtype=float)), base.yaw) + base.at
+                ring = SE2(base.at[0], base.at[1], base.yaw).to_world(counter_clockwise(surface.polygon))
                 head = self._field(base.surface, None).headroom - surface.z
                 self._fields[key] = Field(ring, head, edge=GAP / 2)
         return self._fields[key]

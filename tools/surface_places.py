@@ -9,10 +9,12 @@ from typing import Protocol
 import numpy as np
 
 from sceneweaver.assets import Asset
+from sceneweaver.geometry.angles import bearing, heading, wrap_angle
+from sceneweaver.geometry.se2 import SE2
 from sceneweaver.knowledge.surfaces import Slot
 from sceneweaver.scene import SceneObject, Surface
 
-from .surface_geometry import Array, Field, Shape
+from .surface_geometry import Array, Field, Shape, turned
 from .surface_scene import Seat
 
 SEAT_EDGE = 0.02
@@ -94,9 +96,7 @@ class Spread:
         facing = anchor.yaw if anchor.seat is not None else 0.0  # a person sees it from the chair
         goals = []
         for name in order:
-            c, s = math.cos(facing), math.sin(facing)
-            x, y = ways[name]
-            way = np.array([c * x - s * y, s * x + c * y])
+            way = np.array(SE2(yaw=facing).world(*ways[name]))
             touch = _reach(other, anchor.yaw, way) + _reach(shape, yaw, -way)
             goals.append(anchor.at + way * (touch + self._slot.gap))
         return goals
@@ -104,18 +104,16 @@ class Spread:
 
 def _reach(shape: Shape, yaw: float, way: Array) -> float:
     """How far a shape turned by ``yaw`` reaches along a unit vector [m]."""
-    from .surface_geometry import turned
-
     return max(float((turned(p.polygon, yaw) @ way).max()) for p in shape.prisms)
 
 
 def seat_places(shape: Shape, field: Field, seat: Seat, stray: float) -> tuple[Array, float] | None:
     """Where a thing lies before a chair, at the edge and facing it: place [2] and yaw; None when there is no room."""
-    yaw = math.atan2(-seat.look[1], -seat.look[0])
+    yaw = bearing(seat.look, (0.0, 0.0))
     edge = _edge_yaw(field, seat)
-    if edge is not None and abs(math.remainder(edge - yaw, 2 * math.pi)) < STRAIGHT:
+    if edge is not None and abs(wrap_angle(edge - yaw)) < STRAIGHT:
         yaw = edge
-    look = -np.array([math.cos(yaw), math.sin(yaw)])
+    look = -np.array(heading(yaw))
     aside = np.array([-look[1], look[0]])
     steps = np.arange(0.0, 1.6, 0.01)
     best: tuple[float, Array] | None = None

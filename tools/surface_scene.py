@@ -12,14 +12,16 @@ import numpy as np
 
 from sceneweaver.assets import categories
 from sceneweaver.assets.taxonomy import members
+from sceneweaver.geometry.angles import dot, heading
+from sceneweaver.geometry.polygons import counter_clockwise
+from sceneweaver.geometry.rotations import is_upright
+from sceneweaver.geometry.se2 import SE2
+from sceneweaver.geometry.shell import WINDOW_CLEARANCE, heights
 from sceneweaver.knowledge import Item, RoomType
-from sceneweaver.scene import CATALOGUE, InputError, Scene, SceneObject, Surface
+from sceneweaver.scene import CATALOGUE, Door, InputError, Scene, SceneObject, Surface
 from sceneweaver.scene.messages import suggest
 
-from .surface_geometry import Array, Field, Prism, counter_clockwise, turned
-
-WINDOW_DEPTH = 0.3
-"""Depth [m] of the space before a window that stays free, as the judge has it."""
+from .surface_geometry import Array, Field, Prism
 
 TIES = CATALOGUE.with_role("seat")
 """Relations by which a chair belongs to a table."""
@@ -32,22 +34,10 @@ TILT = 1e-3
 
 
 @dataclass(frozen=True)
-class Frame:
-    """A support's frame in the room: x, y, z [m] and yaw [rad]."""
+class Frame(SE2):
+    """A support's frame in the room; ``z`` [m] is its height."""
 
-    x: float
-    y: float
-    z: float
-    yaw: float
-
-    def out(self, x: float, y: float, z: float) -> tuple[float, float, float]:
-        """A point of the frame in the room [m]."""
-        c, s = math.cos(self.yaw), math.sin(self.yaw)
-        return self.x + c * x - s * y, self.y + s * x + c * y, self.z + z
-
-    def into(self, points: Array) -> Array:
-        """Points [n, 2] of the room in the frame [m]."""
-        return turned(points - (self.x, self.y), -self.yaw)
+    z: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -82,7 +72,7 @@ class Surroundings:
         if isinstance(ids, str) or not isinstance(ids, Sequence) or not all(isinstance(i, str) for i in ids):
             raise InputError('supports: give a list of object ids, such as ["desk-0"], or an empty one for all')
         if not ids:
-            return [o for o in self.scene.objects if o.surfaces and upright(o)]
+            return [o for o in self.scene.objects if o.surfaces and is_upright(o.pose.quaternion, TILT)]
         known = {o.id: o for o in self.scene.objects}
         for id in ids:
             if id not in known:
@@ -103,25 +93,25 @@ class Surroundings:
     def frame(self, obj: SceneObject, back: bool = False) -> Frame:
         """The frame of an object, with +x toward its user: turned about when that is at its back."""
         x, y, z = obj.pose.position
-        return Frame(x, y, z, obj.pose.yaw + (math.pi if back else 0.0))
+        return Frame(x, y, obj.pose.yaw + (math.pi if back else 0.0), z)
 
     def field(self, obj: SceneObject, surface: Surface, frame: Frame, edge: float = 0.004) -> Field:
         """The surface in ``frame`` with all that reaches over it: things on it, above it, and spaces to keep free."""
-        ring = counter_clockwise(np.asarray(surface.polygon, dtype=float))
+        ring = counter_clockwise(surface.polygon)
         if abs(frame.yaw - obj.pose.yaw) > 1.0:
             ring = -ring
         base = frame.z + surface.z
         head = math.inf if surface.headroom is None else surface.headroom
         made = Field(ring, min(head, self.scene.room.height - CEILING - base), edge=edge)
         middle = ring.mean(axis=0)
-        x, y, _ = frame.out(float(middle[0]), float(middle[1]), 0)
+        x, y = frame.world(*middle.tolist())
         reach = float(np.hypot(*(ring - middle).T).max())
         for own, low, high, prism in self._solids:
             if own == obj.id or prism.high <= base + 1e-4:
                 continue
             if (low > (x + reach, y + reach)).any() or (high < (x - reach, y - reach)).any():
                 continue
-            made.taken.append(Prism(frame.into(prism.polygon), prism.low - base, prism.high - base))
+            made.taken.append(Prism(frame.to_local(prism.polygon), prism.low - base, prism.high - base))
         return made
 
     def seats(self, obj: SceneObject) -> list[Seat]:
@@ -130,24 +120,24 @@ class Surroundings:
         for r in self.scene.relations:
             if r.type in TIES and obj.id in (r.subject, *r.targets):
                 tied += [id for id in (r.subject, *r.targets) if id != obj.id]
-        chairs = [o for o in self.scene.objects if o.category in seats() and upright(o)]
+        chairs = [o for o in self.scene.objects if o.category in seats() and is_upright(o.pose.quaternion, TILT)]
         found = [c for c in chairs if c.id in tied] or [c for c in chairs if self._looks(c, obj)]
         frame = self.frame(obj)
         out = []
         for c in found:
             yaw = c.pose.yaw - frame.yaw
-            place = frame.into(np.array([c.pose.position[:2]]))[0]
-            out.append(Seat(c.id, place, np.array([math.cos(yaw), math.sin(yaw)])))
+            place = frame.to_local(np.array([c.pose.position[:2]]))[0]
+            out.append(Seat(c.id, place, np.array(heading(yaw))))
         return sorted(out, key=lambda s: math.atan2(s.place[1], s.place[0]))
 
     def _looks(self, chair: SceneObject, obj: SceneObject) -> bool:
         yaw = chair.pose.yaw - obj.pose.yaw
-        place = self.frame(obj).into(np.array([chair.pose.position[:2]]))[0]
+        place = self.frame(obj).to_local(np.array([chair.pose.position[:2]]))[0]
         half = np.array(obj.size[:2]) / 2
         outside = float(np.hypot(*np.maximum(np.abs(place) - half, 0)))
         way = np.clip(place, -half * 0.8, half * 0.8) - place
         length = float(np.hypot(*way))
-        return length > 0 and outside < 0.6 and float(way @ (math.cos(yaw), math.sin(yaw))) > 0.9 * length
+        return length > 0 and outside < 0.6 and dot(way, heading(yaw)) > 0.9 * length
 
     @cached_property
     def _solids(self) -> list[tuple[str, Array, Array, Prism]]:
@@ -155,12 +145,12 @@ class Surroundings:
         found = list(self._openings())
         for o in self.scene.objects:
             shapes = [(p.polygon, p.z) for p in o.solids] + [(z.polygon, z.z) for z in o.zones if z.hard]
-            if not upright(o):  # anything within its reach, whichever way it lies
+            if not is_upright(o.pose.quaternion, TILT):  # anything within its reach, whichever way it lies
                 r = math.hypot(*o.size)
                 shapes = [(((-r, -r), (r, -r), (r, r), (-r, r)), (-r, r))]
             x, y, z = o.pose.position
             for polygon, span in shapes:
-                placed = turned(counter_clockwise(np.asarray(polygon, dtype=float)), o.pose.yaw) + (x, y)
+                placed = o.pose.frame.to_world(counter_clockwise(polygon))
                 found.append((o.id, Prism(placed, z + span[0], z + span[1])))
         convex = []
         for id, p in found:
@@ -169,22 +159,10 @@ class Surroundings:
 
     def _openings(self) -> Iterator[tuple[str, Prism]]:
         room = self.scene.room
-        corners = np.asarray(room.outline, dtype=float)
         for opening in (*room.windows, *room.doors):
-            a, b = corners[opening.wall], corners[(opening.wall + 1) % len(corners)]
-            along = (b - a) / max(1e-9, float(np.hypot(*(b - a))))
-            inward = np.array([-along[1], along[0]])
-            window = hasattr(opening, "sill")
-            depth = WINDOW_DEPTH if window else opening.width
-            low = float(getattr(opening, "sill", 0.0))
-            start, end = a + along * opening.offset, a + along * (opening.offset + opening.width)
-            ring = np.array([start, end, end + inward * depth, start + inward * depth])
-            yield opening.id, Prism(ring, low, low + opening.height)
-
-
-def upright(obj: SceneObject) -> bool:
-    """Whether an object stands upright."""
-    return abs(obj.pose.quaternion[0]) < TILT and abs(obj.pose.quaternion[1]) < TILT
+            depth = opening.width if isinstance(opening, Door) else WINDOW_CLEARANCE
+            ring = np.array(room.walls[opening.wall].strip(opening.offset, opening.width, 0.0, depth))
+            yield opening.id, Prism(ring, *heights(opening))
 
 
 def seats() -> frozenset[str]:

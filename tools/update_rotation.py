@@ -6,7 +6,8 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from sceneweaver.scene import CATALOGUE, InputError, Pose, Room, Scene, SceneObject
+from sceneweaver.geometry.angles import bearing, wrap_angle
+from sceneweaver.scene import CATALOGUE, InputError, Pose, Scene, SceneObject
 from sceneweaver.scene.edits import AnyEdit, Relate, Unrelate, apply_all
 from sceneweaver.scene.messages import suggest
 
@@ -52,7 +53,7 @@ class UpdateRotation:
                 unmet.append(f"{id} hangs on a wall, which decides how it is turned")
                 continue
             yaw = _yaw(scene, obj, inputs, toward)
-            if abs(math.remainder(yaw - obj.pose.yaw, 2 * math.pi)) < 1e-4:
+            if abs(wrap_angle(yaw - obj.pose.yaw)) < 1e-4:
                 notes.append(f"{id} is turned so already")
                 continue
             poses[id] = _turned(scene, obj, yaw)
@@ -99,7 +100,7 @@ def _yaw(scene: Scene, obj: SceneObject, inputs: Mapping[str, Any], toward: str 
     tx, ty = _point(scene, toward, (x, y))
     if math.hypot(tx - x, ty - y) < 1e-6:
         return obj.pose.yaw
-    return math.atan2(ty - y, tx - x)
+    return bearing((x, y), (tx, ty))
 
 
 def _point(scene: Scene, toward: str, at: tuple[float, float]) -> tuple[float, float]:
@@ -114,22 +115,14 @@ def _point(scene: Scene, toward: str, at: tuple[float, float]) -> tuple[float, f
         spot = shape.centroid if shape.contains(shape.centroid) else shape.representative_point()
         return spot.x, spot.y
     if toward == "wall":
-        edges = [_edge(room, k) for k in range(len(room.outline))]
-        line = min(edges, key=lambda e: e.distance(shapely.Point(at)))
+        line = shapely.Polygon(room.outline).exterior
         spot = line.interpolate(line.project(shapely.Point(at)))
         return spot.x, spot.y
     openings = [o for o in (*room.doors, *room.windows) if o.id == toward] or list(
         room.doors if toward == "door" else room.windows
     )
-    middles = [_edge(room, o.wall).interpolate(o.offset + o.width / 2) for o in openings]
-    spot = min(middles, key=lambda p: math.hypot(p.x - at[0], p.y - at[1]))
-    return spot.x, spot.y
-
-
-def _edge(room: Room, wall: int):
-    import shapely
-
-    return shapely.LineString([room.outline[wall], room.outline[(wall + 1) % len(room.outline)]])
+    middles = [room.walls[o.wall].point(o.offset + o.width / 2) for o in openings]
+    return min(middles, key=lambda p: math.dist(p, at))
 
 
 def _turned(scene: Scene, obj: SceneObject, yaw: float) -> Pose:
@@ -150,9 +143,8 @@ def _yielding(scene: Scene, poses: Mapping[str, Pose], toward: str | None) -> li
             continue
         if r.asked or not isinstance(r.target, str):
             continue
-        x, y, _ = poses[r.subject].position
-        tx, ty = _point(scene, r.target, (x, y))
-        off = math.remainder(math.atan2(ty - y, tx - x) - poses[r.subject].yaw, 2 * math.pi)
+        at = poses[r.subject].position[:2]
+        off = wrap_angle(bearing(at, _point(scene, r.target, at)) - poses[r.subject].yaw)
         if abs(off) > math.radians(float(CATALOGUE["facing"].value(r, "degrees"))):
             edits.append(Unrelate(type=r.type, subject=r.subject, target=r.target))
             edits.append(Relate(relation=r.model_copy(update={"hard": False})))

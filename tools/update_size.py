@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from typing import Any
 from urllib.parse import parse_qsl, urlencode
 
 from sceneweaver.assets import Asset, Library, Wish, categories
+from sceneweaver.geometry.polygons import rectangle
+from sceneweaver.geometry.se2 import SE2
 from sceneweaver.scene import InputError, Scene, SceneObject, Support, Surface
 from sceneweaver.scene.edits import AnyEdit, Remove, Replace, SetPose, SetSize, SetSupport, apply_all
 
@@ -171,10 +172,7 @@ def _stays(old: SceneObject, new: SceneObject, rider: SceneObject, placed: Mappi
 def _foot(obj: SceneObject, x: float, y: float, yaw: float):
     import shapely
 
-    d, w, _ = obj.size
-    c, s = math.cos(yaw), math.sin(yaw)
-    corners = ((-d / 2, -w / 2), (d / 2, -w / 2), (d / 2, w / 2), (-d / 2, w / 2))
-    return shapely.Polygon([(x + c * u - s * v, y + s * u + c * v) for u, v in corners])
+    return shapely.Polygon([SE2(x, y, yaw).world(u, v) for u, v in rectangle(*obj.size[:2])])
 
 
 def _like(old: SceneObject, new: SceneObject, rider: SceneObject) -> Surface | None:

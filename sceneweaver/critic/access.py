@@ -209,10 +209,7 @@ def _strip(body: Body, side: str, depth: float) -> Any:
 def _before(opening: Opening, depth: float) -> Any:
     import shapely
 
-    (x, y), (tx, ty), (nx, ny) = opening.wall.start, opening.wall.along, opening.wall.inward
-    a, b = opening.item.offset, opening.item.offset + opening.item.width
-    ends = ((a, 0.0), (b, 0.0), (b, depth), (a, depth))
-    shape = shapely.Polygon([(x + tx * s + nx * d, y + ty * s + ny * d) for s, d in ends])
+    shape = shapely.Polygon(opening.wall.strip(opening.item.offset, opening.item.width, 0.0, depth))
     shapely.prepare(shape)
     return shape
 

@@ -10,6 +10,7 @@ from sceneweaver.assets import categories
 from sceneweaver.assets.materials import color_named, palette
 from sceneweaver.assets.taxonomy import likeliness, members
 from sceneweaver.brief import Asked
+from sceneweaver.geometry.angles import cross
 from sceneweaver.knowledge.surfaces import lays, usual_arrangement
 from sceneweaver.scene import InputError
 from sceneweaver.verify.solids import Body
@@ -278,14 +279,9 @@ def _shell(kind: str, reason: str, points: float) -> Finding:
 
 def shape_of(survey: Survey) -> str:
     """The shape of the floor by its corners that turn inward and outward."""
-    points = survey.scene.room.outline
-    turns = []
-    for i, (x, y) in enumerate(points):
-        (ax, ay), (bx, by) = points[i - 1], points[(i + 1) % len(points)]
-        cross = (x - ax) * (by - y) - (y - ay) * (bx - x)
-        sine = cross / (math.hypot(x - ax, y - ay) * math.hypot(bx - x, by - y))
-        if abs(sine) > 0.03:
-            turns.append(sine)
+    walls = survey.placed.walls
+    sines = [cross(walls[wall.index - 1].along, wall.along) for wall in walls]
+    turns = [sine for sine in sines if abs(sine) > 0.03]
     inward = sum(t < 0 for t in turns)
     if inward == 0:
         return "rectangle" if len(turns) == 4 else "round" if len(turns) >= 7 else "polygon"

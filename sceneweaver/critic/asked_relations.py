@@ -7,6 +7,8 @@ import math
 from collections.abc import Iterator, Sequence
 
 from sceneweaver.brief import AskedRelation
+from sceneweaver.brief.wall_names import direction_of
+from sceneweaver.geometry.angles import dot
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Room
 from sceneweaver.verify.relations import judge_relation
 from sceneweaver.verify.solids import Body
@@ -16,8 +18,6 @@ from .survey import Survey
 
 MIDDLE = 0.2
 """How far from the middle of the room, as a share of the side of a square of its floor, "in the middle" reaches."""
-
-COMPASS = {"north": (0.0, 1.0), "south": (0.0, -1.0), "east": (1.0, 0.0), "west": (-1.0, 0.0)}
 
 
 def faults(survey: Survey) -> Iterator[Finding]:
@@ -165,25 +165,7 @@ def _middle(survey: Survey, subjects: Sequence[Body]) -> tuple[list[Body], str]:
 
 def walls_named(name: str, room: Room) -> list[int]:
     """The walls that "left", "right", "far", "near" (seen from the door), a compass point or a number name."""
-    points = room.outline
-    count = len(points)
     if name.isdigit():
-        return [int(name)] if int(name) < count else []
-    normals = []
-    for i in range(count):
-        (ax, ay), (bx, by) = points[i], points[(i + 1) % count]
-        length = math.hypot(bx - ax, by - ay)
-        normals.append((-(by - ay) / length, (bx - ax) / length))
-    nx, ny = normals[room.doors[0].wall if room.doors else 0]
-    out = COMPASS.get(name) or {
-        "far": (nx, ny),
-        "opposite": (nx, ny),
-        "back": (nx, ny),
-        "near": (-nx, -ny),
-        "front": (-nx, -ny),
-        "left": (-ny, nx),
-        "right": (ny, -nx),
-    }.get(name)
-    if out is None:
-        return list(range(count))
-    return [i for i, (wx, wy) in enumerate(normals) if -(wx * out[0] + wy * out[1]) > 0.7]
+        return [int(name)] if int(name) < len(room.walls) else []
+    way = direction_of(name, room)
+    return [wall.index for wall in room.walls if way is None or dot(wall.outward, way) > 0.7]

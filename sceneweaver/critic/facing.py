@@ -6,6 +6,7 @@ import math
 from collections import defaultdict
 from collections.abc import Iterator
 
+from sceneweaver.geometry.angles import bearing, wrap_angle
 from sceneweaver.scene import CATALOGUE
 from sceneweaver.verify.solids import Body
 
@@ -163,7 +164,7 @@ def _behind(seat: Body, table: Body) -> bool:
 
 
 def _opposite(body: Body) -> float:
-    return round(math.remainder(body.yaw + math.pi, 2 * math.pi), 4)
+    return round(wrap_angle(body.yaw + math.pi), 4)
 
 
 def _lounge(survey: Survey) -> Iterator[Finding]:
@@ -229,7 +230,7 @@ def _another_faces(survey: Survey, seat: Body, tvs: list[Body]) -> bool:
 
 
 def _toward(body: Body, point: tuple[float, float]) -> float:
-    return round(math.atan2(point[1] - body.position[1], point[0] - body.position[0]), 4)
+    return round(bearing(body.position, point), 4)
 
 
 def _desk_screens(survey: Survey) -> Iterator[Finding]:
@@ -254,7 +255,7 @@ def _desk_screens(survey: Survey) -> Iterator[Finding]:
                     toward=viewer.id,
                 )
         elif base.item.category in kinds.DESKS - {"corner_desk"}:
-            angle = abs(math.degrees(math.remainder(screen.yaw - base.yaw, 2 * math.pi)))
+            angle = abs(math.degrees(wrap_angle(screen.yaw - base.yaw)))
             if angle > GRAVE:
                 yield _wrong(
                     [screen.id, base.id],
@@ -273,7 +274,7 @@ def _televisions(survey: Survey) -> Iterator[Finding]:
     for tv in survey.of_kind(kinds.TVS):
         base = survey.placed.by_id.get(tv.item.support.object) if tv.item.support else None
         if base is not None:
-            angle = abs(math.degrees(math.remainder(tv.yaw - base.yaw, 2 * math.pi)))
+            angle = abs(math.degrees(wrap_angle(tv.yaw - base.yaw)))
             if angle > SCREEN:
                 yield _wrong(
                     [tv.id, base.id],
@@ -429,7 +430,7 @@ def _walled_in(survey: Survey) -> Iterator[Finding]:
         turns = {q: _beyond(survey, own, body, q * math.pi / 2) for q in quarters}
         best = min(turns, key=lambda q: (round(turns[q], 3), q))
         if turns[best] < here - 0.3:
-            yaw = round(math.remainder(body.yaw + best * math.pi / 2, 2 * math.pi), 4)
+            yaw = round(wrap_angle(body.yaw + best * math.pi / 2), 4)
             yield _wrong([body.id], reason, f"turn {body.id} around", True, 2.0, yaw=yaw)
         else:
             yield finding(

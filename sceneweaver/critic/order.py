@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from typing import Any
 
 from sceneweaver.assets import categories
+from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.scene import CATALOGUE
 from sceneweaver.verify.solids import Body
 
 from . import kinds
 from .grade import Finding, finding
 from .needs import table_of
-from .survey import Survey, off_axis
+from .survey import QUARTER, Survey
 
 BACK_GAP = 0.15
 """Gap [m] between the back of a large thing and its wall that passes; curtains and skirting take some."""
@@ -123,7 +124,7 @@ def _axis_gap(survey: Survey, body: Body) -> float:
     if seat := kinds.upright_seat(body.item.category):
         table = table_of(survey, body)
         if table is not None and "round" not in table.item.category and seat:
-            best = min(best, abs(off_axis(body.yaw - table.yaw)))
+            best = min(best, abs(wrap_angle(body.yaw - table.yaw, QUARTER)))
     return best
 
 
@@ -173,9 +174,9 @@ def _crooked(survey: Survey) -> Iterator[Finding]:
 
 
 def _straight(survey: Survey, body: Body) -> float:
-    gaps = [off_axis(body.yaw - float(a)) for a in survey.wall_axes]
+    gaps = [wrap_angle(body.yaw - float(a), QUARTER) for a in survey.wall_axes]
     yaw = body.yaw - min(gaps, key=abs)
-    return round(math.remainder(yaw, 2 * math.pi), 4)
+    return round(wrap_angle(yaw), 4)
 
 
 # ---- heights ---------------------------------------------------------------------------------------------------------

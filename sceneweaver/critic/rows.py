@@ -8,12 +8,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from sceneweaver.geometry.angles import wrap_angle
+from sceneweaver.geometry.se2 import SE2
 from sceneweaver.verify.solids import Body
 
 from . import kinds
 from .grade import Finding, finding
 from .needs import seat_like, table_of
-from .survey import Survey
+from .survey import QUARTER, Survey
 
 ROW_GAP = (0.015, 0.12)
 """Offsets [m] between equals in a row that look like a mistake."""
@@ -73,12 +75,9 @@ def _uneven(bodies: list[Body], seats: bool) -> list[tuple[str, str, float]]:
     yaws = np.array([b.yaw for b in bodies])
     reach = 1.5 * max(max(b.size[:2]) for b in bodies) + 0.8
     found = []
-    for i, body in enumerate(bodies):
-        rest = centres - centres[i]
-        c, s = math.cos(body.yaw), math.sin(body.yaw)
-        ahead, aside = rest[:, 0] * c + rest[:, 1] * s, rest[:, 1] * c - rest[:, 0] * s
-        quarter = math.pi / 2
-        same = np.abs((yaws - body.yaw + quarter / 2) % quarter - quarter / 2) < math.radians(3)
+    for body in bodies:
+        ahead, aside = body.frame.to_local(centres).T
+        same = np.abs(wrap_angle(yaws - body.yaw, QUARTER)) < math.radians(3)
         if seats:
             same &= np.cos(yaws - body.yaw) > 0.9
         for along, across in ((aside, ahead), (ahead, aside))[: 1 if seats else 2]:
@@ -94,12 +93,11 @@ def _uneven(bodies: list[Body], seats: bool) -> list[tuple[str, str, float]]:
 
 def _scattered(survey: Survey) -> Iterator[Finding]:
     """Four or more equal tables of which many share no row with another."""
-    c, s = math.cos(survey.axis), math.sin(survey.axis)
     for kind in (kinds.DINING, kinds.DESKS):
         tables = [b for b in survey.of_kind(kind) if b.item.mount == "floor"]
         if len(tables) < FEWEST:
             continue
-        xy = np.array([b.centre for b in tables]) @ np.array([[c, -s], [s, c]])
+        xy = SE2(yaw=survey.axis).to_local([b.centre for b in tables])
         gaps = np.abs(xy[:, None, :] - xy[None, :, :])
         gaps[np.arange(len(tables)), np.arange(len(tables))] = np.inf
         alone = [b.id for b, least in zip(tables, gaps.min(axis=(1, 2)), strict=True) if least > IN_LINE]

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from sceneweaver.geometry.se2 import SE2
+
 from .grade import Finding, finding
 from .survey import Survey
 
@@ -52,8 +54,7 @@ class Floor:
     def world(self, row: float, column: float) -> tuple[float, float]:
         """The point [m] of a position in the grid."""
         u, v = self.origin[0] + column * self.cell, self.origin[1] + row * self.cell
-        c, s = math.cos(self.turn), math.sin(self.turn)
-        return c * u - s * v, s * u + c * v
+        return SE2(yaw=self.turn).world(u, v)
 
 
 def floor_of(survey: Survey) -> Floor:
@@ -68,10 +69,8 @@ def _measure(survey: Survey) -> Floor:
     import shapely
     from scipy.ndimage import distance_transform_edt
 
-    turn = survey.axis
-    c, s = math.cos(-turn), math.sin(-turn)
-    rotate = np.array([[c, s], [-s, c]])
-    outline = np.asarray(survey.scene.room.outline) @ rotate
+    frame = SE2(yaw=survey.axis)
+    outline = frame.to_local(survey.scene.room.outline)
     low, high = outline.min(axis=0), outline.max(axis=0)
     cell = max(0.06, math.sqrt(survey.area / CELLS))
     shape = np.maximum(1, np.ceil((high - low) / cell)).astype(int)
@@ -85,13 +84,13 @@ def _measure(survey: Survey) -> Floor:
     owners = {b.index for b in survey.standing}
     rows = [k for k in range(len(parts)) if int(parts.owner[k]) in owners]
     for k in rows:
-        _fill(taken, parts.xy[k] @ rotate, us, vs)
+        _fill(taken, frame.to_local(parts.xy[k]), us, vs)
     away = np.asarray(distance_transform_edt(~taken)) * cell if taken.any() else np.full(inside.shape, np.inf)
     used = away <= REACH
     for k, zone in enumerate(survey.placed.opening_zones.xy):
         if k < len(survey.placed.doors):
-            _fill(used, zone @ rotate, us, vs)
-    return Floor(cell, inside, taken & inside, used & inside, turn, (float(low[0]), float(low[1])))
+            _fill(used, frame.to_local(zone), us, vs)
+    return Floor(cell, inside, taken & inside, used & inside, frame.yaw, (float(low[0]), float(low[1])))
 
 
 def _fill(mask: NDArray[np.bool_], polygon: NDArray[np.float64], us: NDArray, vs: NDArray) -> None:

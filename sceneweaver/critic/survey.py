@@ -13,11 +13,13 @@ from numpy.typing import NDArray
 
 from sceneweaver.assets import categories, resolve
 from sceneweaver.brief import Brief
+from sceneweaver.geometry.angles import dot, wrap_angle
 from sceneweaver.geometry.polygons import union
+from sceneweaver.geometry.walls import Wall
 from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import CATALOGUE, Scene
 from sceneweaver.verify import Report
-from sceneweaver.verify.solids import Body, Placed, Wall
+from sceneweaver.verify.solids import Body, Placed
 
 from .program import Program
 
@@ -26,6 +28,9 @@ FLAT = 0.03
 
 SEAT_TIES = CATALOGUE.with_role("seat") | {"facing", "in_front_of"}
 """Relations that say to which table a seat belongs."""
+
+QUARTER = math.pi / 2
+"""Quarter turn [rad]: the axes of a room, a table or a row are the same after one."""
 
 Array = NDArray[np.float64]
 
@@ -75,7 +80,7 @@ class Survey:
     def axis(self) -> float:
         """Direction [rad] of the longest wall, modulo 90 degrees."""
         longest = max(self.placed.walls, key=lambda w: round(w.length, 6))
-        return math.atan2(longest.along[1], longest.along[0]) % (math.pi / 2)
+        return longest.yaw % QUARTER
 
     @cached_property
     def wall_axes(self) -> Array:
@@ -84,16 +89,15 @@ class Survey:
         for wall in self.placed.walls:
             if wall.length < 0.4:
                 continue
-            angle = math.atan2(wall.along[1], wall.along[0])
-            if all(abs(off_axis(angle - other)) > math.radians(1.0) for other in found):
-                found.append(angle % (math.pi / 2))
+            if all(abs(wrap_angle(wall.yaw - other, QUARTER)) > math.radians(1.0) for other in found):
+                found.append(wall.yaw % QUARTER)
         return np.array(found or [self.axis])
 
     @cached_property
     def wall_angles(self) -> Array:
         """Per object the least angle [rad] between its axes and a wall's; [n]."""
         yaws = np.array([b.yaw for b in self.bodies]).reshape(-1, 1)
-        return np.abs(off_axis_array(yaws - self.wall_axes)).min(axis=1) if len(self.bodies) else np.empty(0)
+        return np.abs(wrap_angle(yaws - self.wall_axes, QUARTER)).min(axis=1) if len(self.bodies) else np.empty(0)
 
     @cached_property
     def wall_gaps(self) -> Array:
@@ -143,7 +147,7 @@ class Survey:
         face = body.face("back")
         best = None
         for wall in self.placed.walls:
-            turned = -(face.normal[0] * wall.inward[0] + face.normal[1] * wall.inward[1])
+            turned = dot(face.normal, wall.outward)
             along, gap = wall.coordinates(face.centre)
             if turned < 0.7 or not -0.1 <= along <= wall.length + 0.1 or gap < -0.2:
                 continue
@@ -159,7 +163,7 @@ class Survey:
     def _ray(self, start: tuple[float, float], way: tuple[float, float]) -> float:
         best = math.inf
         for wall in self.placed.walls:
-            facing = -(way[0] * wall.inward[0] + way[1] * wall.inward[1])
+            facing = dot(way, wall.outward)
             if facing < 1e-6:
                 continue
             along, gap = wall.coordinates(start)
@@ -217,25 +221,10 @@ def in_known_words(scene: Scene) -> Scene:
     return scene.model_copy(update={"objects": tuple(objects)})
 
 
-def off_axis(angle: float) -> float:
-    """The angle [rad] brought into (-45, 45] degrees by quarter turns."""
-    quarter = math.pi / 2
-    return (angle + quarter / 2) % quarter - quarter / 2
-
-
-def off_axis_array(angle: Array) -> Array:
-    """`off_axis` for arrays."""
-    quarter = math.pi / 2
-    return (angle + quarter / 2) % quarter - quarter / 2
-
-
 def turn_to(body: Body, point: tuple[float, float]) -> float:
     """Angle [rad] in 0..pi between a body's front and the way from its centre to a point."""
-    dx, dy = point[0] - body.position[0], point[1] - body.position[1]
-    if math.hypot(dx, dy) < 1e-6:
-        return 0.0
-    fx, fy = body.front
-    return abs(math.atan2(fx * dy - fy * dx, fx * dx + fy * dy))
+    ahead, aside = body.local(point)
+    return 0.0 if math.hypot(ahead, aside) < 1e-6 else abs(math.atan2(aside, ahead))
 
 
 def _four(corners: tuple[tuple[float, float], ...]) -> list[tuple[float, float]]:

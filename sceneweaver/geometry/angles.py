@@ -28,3 +28,8 @@ def bearing(start: Any, end: Any) -> float:
 def dot(a: Any, b: Any) -> Any:
     """The inner product of the first two coordinates of two vectors."""
     return a[0] * b[0] + a[1] * b[1]
+
+
+def cross(a: Any, b: Any) -> Any:
+    """The outer product of the first two coordinates of two vectors: of unit vectors, the sine of the turn to b."""
+    return a[0] * b[1] - a[1] * b[0]

@@ -38,15 +38,15 @@ class SE2:
         """World points [..., 2] of points [..., 2] of the frame."""
         import numpy as np
 
-        points = np.asarray(points, dtype=float)
-        return np.stack(self.world(points[..., 0], points[..., 1]), axis=-1)
+        c, s = self.axis
+        return np.asarray(points, dtype=float) @ np.array(((c, s), (-s, c))) + (self.x, self.y)
 
     def to_local(self, points: Any) -> Any:
         """Points [..., 2] of the frame of world points [..., 2]."""
         import numpy as np
 
-        points = np.asarray(points, dtype=float)
-        return np.stack(self.local(points[..., 0], points[..., 1]), axis=-1)
+        c, s = self.axis
+        return (np.asarray(points, dtype=float) - (self.x, self.y)) @ np.array(((c, -s), (s, c)))
 
     def inverse(self) -> SE2:
         """The motion that undoes this one: the world as seen from the frame."""

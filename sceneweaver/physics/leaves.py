@@ -12,6 +12,7 @@ import math
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from sceneweaver.geometry.angles import cross
 from sceneweaver.geometry.polygons import rectangle, union
 from sceneweaver.geometry.se2 import SE2
 from sceneweaver.geometry.shell import WALL_THICKNESS
@@ -73,15 +74,10 @@ def wall_ends(room: Room, wall: int) -> tuple[float, float]:
     walls = room.walls
     one, following = walls[wall], walls[(wall + 1) % len(walls)]
     length, before = one.length, walls[wall - 1].length
-    first, last = _sine(walls[wall - 1], one), _sine(one, following)
+    first, last = cross(walls[wall - 1].along, one.along), cross(one.along, following.along)  # sines of the turns
     near = [d.offset + d.width > before - _NEAR for d in room.doors if walls[d.wall] is walls[wall - 1]]
     next_ = [d.offset < _NEAR for d in room.doors if d.wall == following.index]
     return -_over(first, any(near)), length + _over(last, any(next_))
-
-
-def _sine(before: Wall, after: Wall) -> float:
-    """Of the turn from a wall to the next; below 0 at a reflex corner."""
-    return before.along[0] * after.along[1] - before.along[1] * after.along[0]
 
 
 def _over(turn: float, doorway: bool) -> float:

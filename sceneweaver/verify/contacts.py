@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 
+from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene.catalogue import CATALOGUE
 from sceneweaver.verify.measure import TOLERANCE, Measurement, Measurements, at_least, at_most
-from sceneweaver.verify.solids import Body, Face, Placed, Point, Wall
+from sceneweaver.verify.solids import Body, Face, Placed, Point
 
 _WALL = CATALOGUE["against_wall"]
 

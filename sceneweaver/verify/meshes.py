@@ -16,10 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sceneweaver.assets.imports.guarded import read_meshes
+from sceneweaver.geometry.prisms import prism_vertices
 from sceneweaver.scene import SceneObject
 from sceneweaver.scene.errors import InputError
 from sceneweaver.verify import convex
-from sceneweaver.verify.solids import DEPTH, Array, extrude
+from sceneweaver.verify.solids import DEPTH, Array
 
 SUFFIXES = (".glb", ".obj", ".stl", ".ply")
 """File types looked for in a folder of meshes, in this order."""
@@ -136,7 +137,7 @@ def part_points(item: SceneObject, body: MeshBody | None) -> list[Array]:
     """Convex pieces of an object in its frame, as vertices [k, 3]: its parts, or the hull of a mesh without parts."""
     if body is not None and not item.parts:
         return [body.hull]
-    return [extrude(p.polygon, p.z) for p in item.solids]
+    return [prism_vertices(p.polygon, p.z) for p in item.solids]
 
 
 def _load(asset: str, path: Path) -> Any:

@@ -9,7 +9,7 @@ contains the true solid; `convex` has the exact one.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -17,7 +17,15 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from sceneweaver.scene import Door, Scene, SceneObject, Vec2, Window
+from sceneweaver.geometry.angles import heading
+from sceneweaver.geometry.hulls import convex_hull
+from sceneweaver.geometry.polygons import rectangle, signed_area
+from sceneweaver.geometry.prisms import prism_vertices
+from sceneweaver.geometry.rotations import matrix, tilt_of, yaw_of
+from sceneweaver.geometry.se2 import SE2
+from sceneweaver.geometry.shell import clear_zone, heights
+from sceneweaver.geometry.walls import Wall
+from sceneweaver.scene import Door, Scene, SceneObject, Window
 
 Array = NDArray[np.float64]
 Point = tuple[float, float]
@@ -35,21 +43,6 @@ class Face(NamedTuple):
     centre: Point
     normal: Point
     half: float
-
-
-class Wall(NamedTuple):
-    """Wall ``index`` from ``start`` along unit vector ``along``; ``inward`` is the unit normal into the room [m]."""
-
-    index: int
-    start: Point
-    along: Point
-    inward: Point
-    length: float
-
-    def coordinates(self, point: Point) -> Point:
-        """Return (distance along the wall, distance from the wall into the room) of ``point`` [m]."""
-        dx, dy = point[0] - self.start[0], point[1] - self.start[1]
-        return dx * self.along[0] + dy * self.along[1], dx * self.inward[0] + dy * self.inward[1]
 
 
 class Opening(NamedTuple):
@@ -83,15 +76,18 @@ class Body:
         return self.position[0], self.position[1]
 
     @cached_property
+    def frame(self) -> SE2:
+        """The object's frame in the plane."""
+        return SE2(self.position[0], self.position[1], self.yaw)
+
+    @property
     def front(self) -> Point:
         """Unit vector of the object's front in the plane."""
-        return math.cos(self.yaw), math.sin(self.yaw)
+        return self.frame.axis
 
     def local(self, point: Point) -> Point:
         """Return ``point`` in the object's frame: (metres ahead of, metres left of) its origin."""
-        fx, fy = self.front
-        dx, dy = point[0] - self.position[0], point[1] - self.position[1]
-        return dx * fx + dy * fy, dy * fx - dx * fy
+        return self.frame.local(*point)
 
     def face(self, side: str) -> Face:
         """Return the box face ``front``, ``back``, ``left`` or ``right``."""
@@ -161,21 +157,6 @@ class _Raw(NamedTuple):
     z: tuple[float, float]
 
 
-def extrude(polygon: Iterable[Vec2], z: tuple[float, float]) -> Array:
-    """Return the vertices [2 v, 3] of the prism of ``polygon`` and ``z``, in the same frame."""
-    flat = np.asarray(tuple(polygon), dtype=float)
-    low, high = (np.column_stack([flat, np.full(len(flat), float(h))]) for h in z)
-    return np.concatenate([low, high])
-
-
-def _shadow(points: Array) -> tuple[Point, ...]:
-    """Convex hull of the projection of ``points`` [n, 3] to the floor, without the closing vertex."""
-    import shapely
-
-    hull = shapely.convex_hull(shapely.multipoints(points[:, :2]))
-    return tuple(map(tuple, shapely.get_coordinates(hull)[:-1].tolist()))
-
-
 def _place(raw: Sequence[_Raw], names: tuple[str, ...] = ()) -> Prisms:
     """Turn prisms given in their bodies' frames into world prisms."""
     if not raw:
@@ -183,8 +164,8 @@ def _place(raw: Sequence[_Raw], names: tuple[str, ...] = ()) -> Prisms:
     polygons, poses, heights = [], [], []
     for body, polygon, (z0, z1) in raw:
         if body.tilted:
-            points = body.to_world(extrude(polygon, (z0, z1)))
-            polygons.append(_shadow(points))
+            points = body.to_world(prism_vertices(polygon, (z0, z1)))
+            polygons.append(_outline(points))
             poses.append((1.0, 0.0, 0.0, 0.0))
             heights.append((points[:, 2].min(), points[:, 2].max()))
         else:
@@ -199,80 +180,32 @@ def _place(raw: Sequence[_Raw], names: tuple[str, ...] = ()) -> Prisms:
     return Prisms(xy, np.array(heights, dtype=float), np.array([r.body.index for r in raw], dtype=np.intp), names)
 
 
-def _polygon_area(polygon: Sequence[Point]) -> float:
-    twice = 0.0
-    x0, y0 = polygon[-1]
-    for x1, y1 in polygon:
-        twice += x0 * y1 - x1 * y0
-        x0, y0 = x1, y1
-    return abs(twice) / 2
-
-
-def _rotation(quaternion: tuple[float, float, float, float]) -> tuple[Array, float, bool]:
-    """Return the rotation matrix, the heading and whether the xyzw quaternion tilts by more than `TILT`."""
-    norm = math.sqrt(sum(c * c for c in quaternion)) or 1.0
-    x, y, z, w = (c / norm for c in quaternion)
-    yaw = math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
-    if math.acos(max(-1.0, min(1.0, 1 - 2 * (x * x + y * y)))) > TILT:
-        return (
-            np.array(
-                [
-                    [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                    [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-                    [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-                ]
-            ),
-            yaw,
-            True,
-        )
-    c, s = math.cos(yaw), math.sin(yaw)
-    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]), yaw, False
-
-
-def _box(size: tuple[float, float, float]) -> tuple[Point, ...]:
-    d, w = size[0] / 2, size[1] / 2
-    return (-d, -w), (d, -w), (d, w), (-d, w)
+def _outline(points: Array) -> tuple[Point, ...]:
+    """Corners of the convex hull of ``points`` [n, 3] as seen from above."""
+    return tuple(map(tuple, convex_hull(points[:, :2]).tolist()))
 
 
 def _body(index: int, item: SceneObject) -> Body:
-    rotation, yaw, tilted = _rotation(item.pose.quaternion)
+    quaternion = item.pose.quaternion
+    tilted, yaw = tilt_of(quaternion) > TILT, yaw_of(quaternion)
+    rotation = matrix(quaternion) if tilted else _upright(yaw)
     position, size, solids = item.pose.position, item.size, item.solids
-    volume = sum(_polygon_area(p.polygon) * (p.z[1] - p.z[0]) for p in solids)
+    volume = sum(abs(signed_area(p.polygon)) * (p.z[1] - p.z[0]) for p in solids)
     if tilted:
         world = np.asarray(position)
-        heights = np.concatenate([extrude(p.polygon, p.z) @ rotation[2] + world[2] for p in solids])
+        heights = np.concatenate([prism_vertices(p.polygon, p.z) @ rotation[2] + world[2] for p in solids])
         z = (float(heights.min()), float(heights.max()))
-        corners = _shadow(extrude(_box(size), (0.0, size[2])) @ rotation.T + world)
+        corners = _outline(prism_vertices(rectangle(size[0], size[1]), (0.0, size[2])) @ rotation.T + world)
     else:
         z = (position[2] + min(p.z[0] for p in solids), position[2] + max(p.z[1] for p in solids))
-        c, s = math.cos(yaw), math.sin(yaw)
-        corners = tuple((position[0] + c * u - s * v, position[1] + s * u + c * v) for u, v in _box(size))
+        corners = tuple(item.pose.frame.world(u, v) for u, v in rectangle(size[0], size[1]))
     return Body(index, item, item.id, position, size, yaw, rotation, tilted, z, volume, corners)
 
 
-def _walls(outline: Sequence[Vec2]) -> tuple[Wall, ...]:
-    walls = []
-    for i, (x0, y0) in enumerate(outline):
-        x1, y1 = outline[(i + 1) % len(outline)]
-        length = math.hypot(x1 - x0, y1 - y0)
-        tx, ty = (x1 - x0) / length, (y1 - y0) / length
-        walls.append(Wall(i, (x0, y0), (tx, ty), (-ty, tx), length))
-    return tuple(walls)
-
-
-def _opening(item: Door | Window, walls: Sequence[Wall]) -> Opening:
-    """Clear space: as deep as wide before a door that swings in, 0.6 m before any other, 0.3 m before a window."""
-    wall = walls[item.wall]
-    if isinstance(item, Door):
-        depth = item.width if item.swing.startswith("in") else 0.6
-        z = (0.0, item.height)
-    else:
-        depth = 0.3
-        z = (item.sill, item.sill + item.height)
-    (x, y), (tx, ty), (nx, ny) = wall.start, wall.along, wall.inward
-    a, b = item.offset, item.offset + item.width
-    ends = ((a, 0.0), (b, 0.0), (b, depth), (a, depth))
-    return Opening(item, wall, tuple((x + tx * s + nx * d, y + ty * s + ny * d) for s, d in ends), z)
+def _upright(yaw: float) -> Array:
+    """The rotation by a yaw; the little by which an upright object tilts is none."""
+    c, s = heading(yaw)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
 
 @dataclass(frozen=True, eq=False)
@@ -288,13 +221,17 @@ class Placed:
     @classmethod
     def of(cls, scene: Scene) -> Placed:
         """Place every object of ``scene``."""
-        walls = _walls(scene.room.outline)
+        walls = scene.room.walls
+
+        def opening(item: Door | Window) -> Opening:
+            return Opening(item, walls[item.wall], clear_zone(item, walls), heights(item))
+
         return cls(
             scene=scene,
             bodies=tuple(_body(i, item) for i, item in enumerate(scene.objects)),
             walls=walls,
-            doors=tuple(_opening(d, walls) for d in scene.room.doors),
-            windows=tuple(_opening(w, walls) for w in scene.room.windows),
+            doors=tuple(opening(d) for d in scene.room.doors),
+            windows=tuple(opening(w) for w in scene.room.windows),
         )
 
     @cached_property

@@ -16,10 +16,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from sceneweaver.geometry.prisms import prism_vertices
 from sceneweaver.scene import Surface
 from sceneweaver.verify.contacts import wall_contacts
 from sceneweaver.verify.measure import Measurement, at_most, judge, length
-from sceneweaver.verify.solids import DEPTH, Body, Placed, extrude
+from sceneweaver.verify.solids import DEPTH, Body, Placed
 
 LEVEL = 2e-3
 """Height in metres by which a bottom may miss what it stands on."""
@@ -89,7 +90,9 @@ def rest(placed: Placed, body: Body, supporter: Body, surface: Surface) -> Rest:
     board = np.asarray(surface.polygon, dtype=float)
     if body.tilted or supporter.tilted:
         origin = np.asarray(supporter.position)
-        parts = [(body.to_world(extrude(p.polygon, p.z)) - origin) @ supporter.rotation for p in body.item.solids]
+        parts = [
+            (body.to_world(prism_vertices(p.polygon, p.z)) - origin) @ supporter.rotation for p in body.item.solids
+        ]
         heights = np.concatenate(parts)[:, 2]
         low, high = float(heights.min()) - surface.z, float(heights.max()) - surface.z
         feet = shapely.convex_hull(np.array([shapely.multipoints(p[:, :2]) for p in parts]))

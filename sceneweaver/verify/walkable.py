@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from sceneweaver.geometry.hulls import convex_hull
 from sceneweaver.scene import CATALOGUE, Relation
 from sceneweaver.verify.grid import Grid
 from sceneweaver.verify.solids import Array, Body, Placed
@@ -100,7 +101,7 @@ def _unreached(placed: Placed, grid: Grid, reached: np.ndarray) -> tuple[int, tu
         found = [_front(body)]
         if body.item.zones:
             rows = np.flatnonzero(placed.zones.owner == body.index)
-            found += [_hull(placed.zones.xy[row]) for row in rows]
+            found += [convex_hull(placed.zones.xy[row]) for row in rows]
         if body.id in tied or body.z[1] <= STEP:
             found += list(placed.parts.xy[placed.part_rows(body)])
         shapes += found
@@ -118,9 +119,3 @@ def _ends(relation: Relation) -> tuple[str, ...]:
 def _front(body: Body) -> Array:
     (x, y), (nx, ny), half = body.face("front")
     return np.array([(x + ny * half, y - nx * half), (x - ny * half, y + nx * half)])
-
-
-def _hull(polygon: Array) -> Array:
-    import shapely
-
-    return shapely.get_coordinates(shapely.convex_hull(shapely.multipoints(polygon)))
