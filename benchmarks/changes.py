@@ -8,6 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from benchmarks.starts import movable
+from sceneweaver.geometry.se2 import SE2
 from sceneweaver.scene import Add, Pose, Scene, SceneObject, SetPose, SetSize, apply
 from sceneweaver.verify import check
 
@@ -27,11 +28,12 @@ def _one(scene: Scene, rng: np.random.Generator) -> SceneObject:
 def _posed(scene: Scene, obj: SceneObject, dx: float, dy: float, turn: float) -> Scene:
     """An object moved with what stands on it."""
     x, y, _ = obj.pose.position
-    c, s = math.cos(turn), math.sin(turn)
+    frame = SE2(x + dx, y + dy, turn)
     for other in _stack(scene, obj.id):
         ox, oy, oz = other.pose.position
-        at = (x + dx + c * (ox - x) - s * (oy - y), y + dy + s * (ox - x) + c * (oy - y), oz)
-        scene = apply(scene, SetPose(id=other.id, pose=Pose.from_yaw(*at, other.pose.yaw + turn)))
+        scene = apply(
+            scene, SetPose(id=other.id, pose=Pose.from_yaw(*frame.world(ox - x, oy - y), oz, other.pose.yaw + turn))
+        )
     return scene
 
 

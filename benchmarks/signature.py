@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from benchmarks.starts import movable
+from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.scene import Scene
 
 AT_WALL = 0.15  # [m] from the middle of the back
@@ -51,7 +52,7 @@ def different(poses: np.ndarray) -> np.ndarray:
             first += 1
         near = kept[first : len(indices)]
         moved = np.linalg.norm(near[:, :, :3] - poses[i, :, :3], axis=-1) > APART_M
-        turned = np.abs((near[:, :, 3] - poses[i, :, 3] + math.pi) % (2 * math.pi) - math.pi) > APART_RAD
+        turned = np.abs(wrap_angle(near[:, :, 3] - poses[i, :, 3])) > APART_RAD
         if np.all(np.any(moved | turned, axis=1)):
             kept[len(indices)] = poses[i]
             indices.append(int(i))

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from benchmarks.rooms import witness
+from sceneweaver.geometry.se2 import absolute, relative
 from sceneweaver.scene import Pose, Scene
 
 STARTS = ("random", "sample", "noisy")
@@ -70,11 +71,5 @@ def carry(scene: Scene, poses: np.ndarray) -> np.ndarray:
         support = scene.objects[i].support
         assert support is not None
         below = index[support.object]
-        turn = poses[:, below, 3] - own[below, 3]
-        dx, dy, dz, dyaw = own[i] - own[below]
-        c, s = np.cos(turn), np.sin(turn)
-        poses[:, i, 0] = poses[:, below, 0] + c * dx - s * dy
-        poses[:, i, 1] = poses[:, below, 1] + s * dx + c * dy
-        poses[:, i, 2] = poses[:, below, 2] + dz
-        poses[:, i, 3] = poses[:, below, 3] + dyaw
+        poses[:, i] = absolute(relative(own[i], own[below]), poses[:, below])
     return poses

@@ -8,6 +8,9 @@ from benchmarks.rivals.base import Rival, register
 from benchmarks.rivals.boxes import Boxes, Pairs, axes, overlap_loss
 from benchmarks.rivals.pulls import ARM, Pull, Room, build
 from benchmarks.starts import carry, movable, random_poses
+from sceneweaver.geometry.angles import dot
+from sceneweaver.geometry.hulls import convex_hull
+from sceneweaver.geometry.walls import walls_of
 from sceneweaver.scene import CATALOGUE, Scene, Window
 
 STEPS = 300
@@ -62,15 +65,8 @@ class Model:
 
 def hull_planes(scene: Scene) -> list[tuple[np.ndarray, float]]:
     """Half planes (n, c) of the outline's convex hull: n . x >= c inside."""
-    import shapely
-
-    hull = shapely.Polygon(scene.room.outline).convex_hull
-    p = np.array(hull.exterior.coords[:-1])  # type: ignore[attr-defined]
-    if not shapely.is_ccw(hull.exterior):  # type: ignore[attr-defined]
-        p = p[::-1]
-    t = np.roll(p, -1, axis=0) - p
-    n = np.stack([-t[:, 1], t[:, 0]], -1) / np.linalg.norm(t, axis=1)[:, None]
-    return [(n[k], float(n[k] @ p[k])) for k in range(len(p))]
+    walls = walls_of(convex_hull(scene.room.outline))
+    return [(np.array(wall.inward), dot(wall.inward, wall.start)) for wall in walls]
 
 
 def _boxes(scene: Scene, floor: np.ndarray) -> tuple[Boxes, np.ndarray]:

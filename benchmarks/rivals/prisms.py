@@ -11,9 +11,10 @@ import numpy as np
 from benchmarks.rivals.pulls import Room
 from benchmarks.rooms import witness
 from benchmarks.starts import movable
-from sceneweaver.scene import CATALOGUE, Door, Scene, Window
+from sceneweaver.geometry.hulls import convex_hull
+from sceneweaver.geometry.shell import clearance, heights
+from sceneweaver.scene import CATALOGUE, Scene
 
-WINDOW_DEPTH, DOOR_DEPTH = 0.3, 0.6  # [m] clear space before a window, and before a door that does not open inwards
 BEHIND = 2.0  # [m] that obstacles at the hull of the room reach out of it, so that no way out leads there
 
 
@@ -64,7 +65,7 @@ def solids(scene: Scene) -> list[Prism]:
 def zones(scene: Scene) -> list[Prism]:
     """The hard zones of all objects."""
     return [
-        Prism(owner, i, place(hull(zone.polygon)), _lifted(zone.z, z))
+        Prism(owner, i, place(convex_hull(zone.polygon)), _lifted(zone.z, z))
         for i, (owner, place, z) in enumerate(_frames(scene))
         for zone in scene.objects[i].zones
         if zone.hard
@@ -75,13 +76,11 @@ def openings(scene: Scene) -> list[Prism]:
     """The clear space of doors and windows; in a wall of the hull it goes on behind the wall."""
     room = Room(scene)
     found = []
-    for opening in (*scene.room.doors, *scene.room.windows):
-        p, t, n = room.p[opening.wall], room.t[opening.wall], room.n[opening.wall]
-        behind = BEHIND if np.all((room.p - p) @ n > -1e-9) else 0.0
-        left, right = p + opening.offset * t, p + (opening.offset + opening.width) * t
-        front, back = _clear(opening) * n, -behind * n
-        z = (opening.sill, opening.sill + opening.height) if isinstance(opening, Window) else (0.0, opening.height)
-        found.append(Prism(-1, -1, np.array([left + back, right + back, right + front, left + front]), z))
+    for opening in scene.room.openings:
+        wall = scene.room.walls[opening.wall]
+        behind = BEHIND if np.all((room.p - wall.start) @ wall.inward > -1e-9) else 0.0
+        zone = wall.strip(opening.offset, opening.width, -behind, clearance(opening))
+        found.append(Prism(-1, -1, np.array(zone), heights(opening)))
     return found
 
 
@@ -97,7 +96,7 @@ def pockets(scene: Scene) -> list[Prism]:
     for piece in pieces:
         convex = piece.convex_hull.area - piece.area < 1e-9
         for part in [piece] if convex else shapely.constrained_delaunay_triangles(piece).geoms:
-            found.append(Prism(-1, -1, _thick(hull(part.exterior.coords[:-1]), edge), (0.0, scene.room.height)))
+            found.append(Prism(-1, -1, _thick(convex_hull(part.exterior.coords[:-1]), edge), (0.0, scene.room.height)))
     return found
 
 
@@ -110,15 +109,6 @@ def tied(scene: Scene) -> set[tuple[int, int]]:
         if CATALOGUE[r.type].ties_zones and isinstance(r.target, str) and r.target in index
     }
     return pairs | {(b, a) for a, b in pairs}
-
-
-def hull(points: Sequence[Sequence[float]] | np.ndarray) -> np.ndarray:
-    """Corners of the convex hull of points in the plane, counter-clockwise [V, 2]."""
-    import shapely
-
-    ring = shapely.MultiPoint(np.asarray(points, dtype=float)).convex_hull.exterior  # type: ignore[attr-defined]
-    corners = np.array(ring.coords[:-1])
-    return corners if ring.is_ccw else corners[::-1]
 
 
 def rectangle(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray, float] | None:
@@ -159,13 +149,6 @@ def _lifted(z: tuple[float, float], by: float) -> tuple[float, float]:
     return z[0] + by, z[1] + by
 
 
-def _clear(opening: Door | Window) -> float:
-    """Depth of the space that an opening needs [m]."""
-    if isinstance(opening, Window):
-        return WINDOW_DEPTH
-    return opening.width if opening.swing.startswith("in") else DOOR_DEPTH
-
-
 def _thick(corners: np.ndarray, edge) -> np.ndarray:
     """A pocket with its side on the hull's edge moved outwards, so that it is left towards the room only."""
     import shapely
@@ -174,5 +157,5 @@ def _thick(corners: np.ndarray, edge) -> np.ndarray:
     for p, q in zip(corners, after, strict=True):
         if shapely.distance(edge, shapely.Point((p + q) / 2)) < 1e-6:
             out = np.array([q[1] - p[1], p[0] - q[0]]) / np.linalg.norm(q - p)
-            return hull([*corners, p + BEHIND * out, q + BEHIND * out])
+            return convex_hull([*corners, p + BEHIND * out, q + BEHIND * out])
     return corners

@@ -12,6 +12,7 @@ from collections.abc import Callable
 import numpy as np
 
 from benchmarks.rivals.boxes import axes
+from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.scene import CATALOGUE, Relation, Scene
 
 Pull = Callable[[np.ndarray], np.ndarray]
@@ -19,11 +20,6 @@ ARM = 0.5
 SIDES = {"front": (0, 1.0), "left": (1, 1.0), "back": (0, -1.0), "right": (1, -1.0)}
 ANGLES = {"front": 0.0, "left": math.pi / 2, "back": math.pi, "right": -math.pi / 2}
 SLACK = 0.7  # share of an interval that is aimed at
-
-
-def wrap(angle: np.ndarray) -> np.ndarray:
-    """Angles in [-pi, pi)."""
-    return (angle + math.pi) % (2 * math.pi) - math.pi
 
 
 def beyond(value: np.ndarray, low: float | np.ndarray, high: float | np.ndarray) -> np.ndarray:
@@ -46,7 +42,7 @@ def _least(options: list[np.ndarray]) -> np.ndarray:
 
 def _turn(wanted: np.ndarray | float, yaw: np.ndarray, degrees: float) -> np.ndarray:
     limit = SLACK * math.radians(degrees)
-    return ARM * beyond(wrap(yaw - wanted), -limit, limit)
+    return ARM * beyond(wrap_angle(yaw - wanted), -limit, limit)
 
 
 class Room:

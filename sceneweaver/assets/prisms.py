@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sceneweaver.geometry.hulls import convex_hull
+from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.scene import Part
 
 from .body import Hull
@@ -75,13 +77,13 @@ def _lump(points: np.ndarray) -> _Lump:
     z = (float(points[:, 2].min()), float(points[:, 2].max()))
     plane = outline(points[:, :2])
     low, high = plane.min(axis=0), plane.max(axis=0)
-    return _Lump(plane, z, _area(plane), np.r_[low, z[0]], np.r_[high, z[1]])
+    return _Lump(plane, z, signed_area(plane), np.r_[low, z[0]], np.r_[high, z[1]])
 
 
 def _join(a: _Lump, b: _Lump) -> _Lump:
     plane = outline(np.concatenate([a.points, b.points]))
     low, high = np.minimum(a.low, b.low), np.maximum(a.high, b.high)
-    return _Lump(plane, (float(low[2]), float(high[2])), _area(plane), low, high)
+    return _Lump(plane, (float(low[2]), float(high[2])), signed_area(plane), low, high)
 
 
 def _costs(lumps: list[_Lump], clear: np.ndarray) -> np.ndarray:
@@ -102,27 +104,7 @@ def _costs(lumps: list[_Lump], clear: np.ndarray) -> np.ndarray:
 
 def outline(points: np.ndarray) -> np.ndarray:
     """The convex hull of points [N, 2], counter-clockwise, without collinear corners."""
-    # Rounded first: noise in x would put points of one upright edge in the wrong order.
-    ordered = [(float(x), float(y)) for x, y in np.unique(np.round(points, 9) + 0.0, axis=0)]
-
-    def half(sequence):
-        chain: list[tuple[float, float]] = []
-        for p in sequence:
-            while len(chain) >= 2 and (
-                (chain[-1][0] - chain[-2][0]) * (p[1] - chain[-2][1])
-                - (chain[-1][1] - chain[-2][1]) * (p[0] - chain[-2][0])
-                <= 1e-12
-            ):
-                chain.pop()
-            chain.append(p)
-        return chain[:-1]
-
-    return np.array(half(ordered) + half(reversed(ordered)))
-
-
-def _area(points: np.ndarray) -> float:
-    x, y = points[:, 0], points[:, 1]
-    return 0.5 * float(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))
+    return convex_hull(np.round(points, 9) + 0.0)  # without the noise of upright edges
 
 
 def _corners(points: np.ndarray) -> tuple[tuple[float, float], ...]:

@@ -44,10 +44,11 @@ def wxyz(quaternion: Sequence[float]) -> Quaternion:
     return w, x, y, z
 
 
-def xyzw(quaternion: Sequence[float]) -> Quaternion:
-    """A quaternion (w, x, y, z) with its real part last."""
-    w, x, y, z = quaternion
-    return x, y, z, w
+def xyzw(quaternions: Any) -> Any:
+    """Quaternions [..., 4] (w, x, y, z) with their real parts last, as an array."""
+    import numpy as np
+
+    return np.roll(np.asarray(quaternions, dtype=float), -1, axis=-1)
 
 
 def multiply(a: Sequence[float], b: Sequence[float]) -> Quaternion:
@@ -75,7 +76,7 @@ def matrix(quaternions: Any) -> Any:
     return _rotation(given.reshape(-1, 4)).as_matrix().reshape(*given.shape[:-1], 3, 3)
 
 
-def euler(angles: Sequence[float], axes: str = "XYZ") -> Any:
+def euler(angles: Any, axes: str = "XYZ") -> Any:
     """The matrix [3, 3] of turns [rad] one after the other about moving axes (capitals) or fixed ones."""
     from scipy.spatial.transform import Rotation
 
@@ -83,11 +84,15 @@ def euler(angles: Sequence[float], axes: str = "XYZ") -> Any:
 
 
 def transform(poses: Any, points: Any) -> Any:
-    """World points [..., 3] of points [..., 3] in the frames of poses [..., 7]: x, y, z and a quaternion."""
+    """World points [..., 3] of points [..., 3] in the frames of poses [..., 7]: x, y, z and a quaternion of any length.
+
+    What is not finite stays so, as the poses of a simulation that diverged.
+    """
     import numpy as np
 
-    poses = np.asarray(poses, dtype=float)
-    return np.einsum("...ij,...j->...i", matrix(poses[..., 3:]), points) + poses[..., :3]
+    axis, w = poses[..., 3:6], poses[..., 6:7]
+    turned = np.cross(axis, np.cross(axis, points) + w * points)
+    return points + 2 * turned / (poses[..., 3:] ** 2).sum(-1, keepdims=True) + poses[..., :3]
 
 
 def _rotation(quaternion: Any) -> Any:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sceneweaver.assets import Asset
+from sceneweaver.geometry.prisms import prism_vertices
 from sceneweaver.scene import Part, SceneObject
 
 MOST = 40
@@ -46,7 +47,7 @@ class Solid:
 def solids_of(thing: SceneObject, asset: Asset | None, scale: np.ndarray) -> list[Solid]:
     """The parts of an object; of an asset its hulls, ``scale`` [3] times as large, else the object's own prisms."""
     if asset is None or not any(hull.link == 0 for hull in asset.hulls):
-        return [_solid(_corners(part), 0) for part in thing.solids]
+        return [_solid(prism_vertices(part.polygon, part.z), 0) for part in thing.solids]
     merged = _of_asset(asset)
     if np.allclose(scale, 1.0, atol=1e-9):
         return merged
@@ -154,11 +155,6 @@ def _homes(points: np.ndarray, parts: Sequence[Part]) -> frozenset[int]:
         if max(beyond, part.z[0] - points[:, 2].min(), points[:, 2].max() - part.z[1]) <= _SLACK:
             found.append(k)
     return frozenset(found)
-
-
-def _corners(part: Part) -> np.ndarray:
-    plan = np.asarray(part.polygon, dtype=float)
-    return np.concatenate([np.column_stack([plan, np.full(len(plan), z)]) for z in part.z])
 
 
 def _solid(points: np.ndarray, link: int) -> Solid:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from sceneweaver.geometry.rotations import transform, xyzw
 from sceneweaver.scene import InputError, Pose, Scene
 
 from .model import STEP, Load, Model, build
@@ -98,8 +99,8 @@ def _run(model: Model, seconds: float) -> dict[str, Pose]:
             raise InputError(f"objects: the simulation diverged{near}; take objects apart that overlap deeply")
     poses = {}
     for object_id in model.free:
-        x, y, z, w, a, b, c = data.joint(object_id).qpos.tolist()
-        poses[object_id] = Pose(position=(x, y, z), quaternion=(a, b, c, w))
+        where = data.joint(object_id).qpos
+        poses[object_id] = Pose(position=where[:3].tolist(), quaternion=xyzw(where[3:]).tolist())
     return poses
 
 
@@ -112,15 +113,10 @@ def _shifts(scene: Scene, model: Model, poses: dict[str, Pose]) -> dict[str, flo
     found = {}
     for object_id in model.free:
         thing = scene.object(object_id)
-        up = np.array([0.0, 0.0, thing.size[2] / 2])
-        found[object_id] = float(np.linalg.norm(_at(poses[object_id], up) - _at(thing.pose, up)))
+        both = np.array([(*pose.position, *pose.quaternion) for pose in (poses[object_id], thing.pose)])
+        end, start = transform(both, np.array([0.0, 0.0, thing.size[2] / 2]))
+        found[object_id] = float(np.linalg.norm(end - start))
     return found
-
-
-def _at(pose: Pose, point: np.ndarray) -> np.ndarray:
-    """A point of the object's frame in the world's."""
-    axis, w = np.asarray(pose.quaternion[:3]), pose.quaternion[3]
-    return point + 2 * np.cross(axis, np.cross(axis, point) + w * point) + np.asarray(pose.position)
 
 
 __all__ = ["LITTLE", "Settled", "measures", "settle", "stability"]

@@ -16,6 +16,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from sceneweaver.geometry.rotations import transform
 from sceneweaver.scene import InputError
 
 from .model import STEP
@@ -209,14 +210,7 @@ def shifts(template: Template, start: np.ndarray, end: np.ndarray) -> np.ndarray
     count = len(template.free)
     up = np.zeros((count, 3))
     up[:, 2] = template.middle[:count]
-    return np.linalg.norm(_at(end[:, :count], up) - _at(start[:, :count], up), axis=-1)
-
-
-def _at(poses: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Points of the objects' frames in the world's; the rotation of a quaternion of any length but 0."""
-    axis, w = poses[..., 3:6], poses[..., 6:7]
-    turn = np.cross(axis, np.cross(axis, points) + w * points)
-    return points + 2 * turn / (poses[..., 3:] ** 2).sum(-1, keepdims=True) + poses[..., :3]
+    return np.linalg.norm(transform(end[:, :count], up) - transform(start[:, :count], up), axis=-1)
 
 
 def run_c(template: Template, start: np.ndarray, steps: int, threads: int = 1) -> SimulationResult:

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
+from sceneweaver.geometry.rotations import matrix, xyzw
 from sceneweaver.scene import InputError
 
 from .worlds import CHUNK, SimulationResult, Template, merged
@@ -187,23 +188,12 @@ def _place(template: Template, data: Any, placed: tuple[np.ndarray, np.ndarray])
     if not len(geoms):
         return
     bodies = model.geom_bodyid[geoms]
-    turn = _matrices(placed[1][:, bodies])
+    turn = matrix(xyzw(placed[1][:, bodies]))
     where, frames = data.geom_xpos.numpy(), data.geom_xmat.numpy()
     where[:, geoms] = placed[0][:, bodies] + (turn @ model.geom_pos[geoms][None, :, :, None])[..., 0]
-    frames[:, geoms] = turn @ _matrices(model.geom_quat[geoms])[None]
+    frames[:, geoms] = turn @ matrix(xyzw(model.geom_quat[geoms]))[None]
     data.geom_xpos.assign(where)
     data.geom_xmat.assign(frames)
-
-
-def _matrices(quats: np.ndarray) -> np.ndarray:
-    """[..., 3, 3] of unit quaternions w, x, y, z [..., 4]."""
-    w, x, y, z = np.moveaxis(np.asarray(quats, dtype=float), -1, 0)
-    rows = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ]
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
 def _trial(template: Template, start: np.ndarray, placed: Any) -> Room:

@@ -6,10 +6,12 @@ import math
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from sceneweaver.geometry.angles import wrap_angle
+from sceneweaver.geometry.rotations import tilt_of
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report, Violation
 
-from .upright import UPRIGHT, tilt
+from .upright import UPRIGHT
 
 
 @dataclass(frozen=True)
@@ -82,7 +84,7 @@ def moves_between(before: Scene, after: Scene) -> tuple[Move, ...]:
     for a, b in zip(before.objects, after.objects, strict=True):
         if a.pose != b.pose:
             (x, y, z), (u, v, w) = a.pose.position, b.pose.position
-            turn = math.degrees(math.remainder(b.pose.yaw - a.pose.yaw, 2 * math.pi))
+            turn = math.degrees(wrap_angle(b.pose.yaw - a.pose.yaw))
             moves.append(Move(a.id, math.hypot(u - x, v - y), w - z, turn))
     return tuple(moves)
 
@@ -90,10 +92,10 @@ def moves_between(before: Scene, after: Scene) -> tuple[Move, ...]:
 def notes_on(scene: Scene) -> tuple[str, ...]:
     """What a repair leaves as it is, because poses are x, y, z and yaw and nothing is added or taken away."""
     notes = [
-        f"{o.id} leans by {math.degrees(tilt(o.pose)):.1f} degrees and keeps that; a repair moves and turns, but does "
-        "not set upright"
+        f"{o.id} leans by {math.degrees(tilt_of(o.pose.quaternion)):.1f} degrees and keeps that; "
+        "a repair moves and turns, but does not set upright"
         for o in scene.objects
-        if tilt(o.pose) > UPRIGHT
+        if tilt_of(o.pose.quaternion) > UPRIGHT
     ]
     if scene.dropped:
         names = ", ".join(d.id for d in scene.dropped)

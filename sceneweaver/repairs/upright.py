@@ -10,17 +10,13 @@ import math
 
 import numpy as np
 
+from sceneweaver.geometry.angles import wrap_angle
+from sceneweaver.geometry.rotations import from_yaw, multiply, tilt_of
 from sceneweaver.scene import Part, Pose, Scene, SceneObject
 
 UPRIGHT = math.radians(0.5)  # tilt that the judge takes for none
 SAME = 1.0e-5  # [m] and [rad] by which a pose may differ and still count as unmoved; float32 loses about 1e-6
 LEVEL = 1.9e-3  # [m] of height above what it stands on or below what it hangs from; the judge allows 2 mm
-
-
-def tilt(pose: Pose) -> float:
-    """Angle [rad] between an object's own up and the world's."""
-    x, y, _, _ = pose.quaternion
-    return math.acos(max(-1.0, min(1.0, 1.0 - 2.0 * (x * x + y * y))))
 
 
 def engine_scene(scene: Scene, relations: bool) -> tuple[Scene, np.ndarray]:
@@ -41,7 +37,7 @@ def engine_scene(scene: Scene, relations: bool) -> tuple[Scene, np.ndarray]:
 
 def _upright(obj: SceneObject) -> tuple[SceneObject, float]:
     x, y, z = obj.pose.position
-    if tilt(obj.pose) <= UPRIGHT:
+    if tilt_of(obj.pose.quaternion) <= UPRIGHT:
         return obj.model_copy(update={"pose": Pose.from_yaw(x, y, z, obj.pose.yaw)}), 0.0
     from sceneweaver.layout.shapes import solids_of
 
@@ -95,16 +91,11 @@ def put_back(scene: Scene, lift: np.ndarray, poses: np.ndarray) -> Scene:
             u, v = x, y
         if abs(z - w) > (SAME if obj.mount == "wall" else LEVEL):
             w = float(z)
-        turn = math.remainder(yaw - obj.pose.yaw, 2 * math.pi)
-        after[i] = Pose(position=(u, v, w), quaternion=quaternion if abs(turn) <= SAME else _turned(quaternion, turn))
+        turn = wrap_angle(yaw - obj.pose.yaw)
+        after[i] = Pose(
+            position=(u, v, w), quaternion=multiply(from_yaw(turn), quaternion) if abs(turn) > SAME else quaternion
+        )
         return after[i]
 
     settled = {obj.id: settle(i) for i, obj in enumerate(scene.objects)}
     return scene.replace_poses({o.id: settled[o.id] for o in scene.objects if settled[o.id] != o.pose})
-
-
-def _turned(q: tuple[float, float, float, float], yaw: float) -> tuple[float, float, float, float]:
-    """A quaternion (x, y, z, w) followed by a turn about the world's z axis."""
-    x, y, z, w = q
-    c, s = math.cos(yaw / 2), math.sin(yaw / 2)
-    return (c * x - s * y, c * y + s * x, c * z + s * w, c * w - s * z)

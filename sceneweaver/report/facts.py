@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from sceneweaver.geometry.rotations import is_upright
 from sceneweaver.scene import Relation, Scene, SceneObject
 
 KINDS = {
@@ -90,14 +91,13 @@ def object_facts(scene: Scene, rows: list[RelationRow], faults: list[ViolationRo
 def _facts(thing: SceneObject, carries: list[str], told: list[dict[str, Any]], wrong: list[str]) -> dict[str, Any]:
     d, w, h = thing.size
     x, y, z = thing.pose.position
-    qx, qy, _, _ = thing.pose.quaternion
     return {
         "category": thing.category.replace("_", " "),
         "description": thing.description,
         "size": [d, w, h],
         "position": [x, y, z],
         "yaw": _degrees(thing.pose.yaw),
-        "tilted": math.hypot(qx, qy) > 1e-3,
+        "tilted": not is_upright(thing.pose.quaternion, 1e-3),
         "mount": {"floor": "on the floor", "wall": "on the wall", "ceiling": "on the ceiling"}.get(
             thing.mount, thing.mount
         ),

@@ -101,7 +101,7 @@ def test_a_quarter_turn_about_x_lies_on_its_side():
 
 def test_the_real_part_goes_to_the_front_and_back():
     assert rotations.wxyz((1.0, 2.0, 3.0, 4.0)) == (4.0, 1.0, 2.0, 3.0)
-    assert rotations.xyzw((4.0, 1.0, 2.0, 3.0)) == (1.0, 2.0, 3.0, 4.0)
+    assert rotations.xyzw([(4.0, 1.0, 2.0, 3.0)]).tolist() == [[1.0, 2.0, 3.0, 4.0]]
 
 
 @given(quaternions, quaternions)
@@ -129,6 +129,11 @@ def test_many_poses_at_once(turns, vector, place):
     for k, turn in enumerate(turns):
         np.testing.assert_allclose(found[k] - (*place, k), rotations.rotate(turn, vector), atol=1e-12)
     assert rotations.matrix(poses[..., 3:]).shape == (2, 2, 3, 3)
+    poses[..., 3:] *= 2.0
+    poses[1, 1, 4] = math.nan
+    again = rotations.transform(poses, np.array(vector)).reshape(4, 3)
+    np.testing.assert_allclose(again[:3], found[:3], atol=1e-12)
+    assert np.isnan(again[3]).all()
 
 
 def test_turns_about_moving_axes():

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 import sceneweaver as sw
-from sceneweaver.repairs.upright import engine_scene, put_back, tilt
+from sceneweaver.geometry.rotations import tilt_of
+from sceneweaver.repairs.upright import engine_scene, put_back
 from sceneweaver.scene import Pose
 from tests.layout.made import BED, CUP, PICTURE, relation, room, scene, table, thing, zoo
 
@@ -127,7 +128,7 @@ def test_a_tilt_is_kept_and_reported():
     done = repair(scene([lying, at(thing("b"), 2.1, 2.2)], []))
     assert done.valid and len(done.notes) == 1 and "lamp leans by 90.0 degrees" in done.notes[0]
     after = done.scene.object("lamp").pose
-    assert tilt(after) == pytest.approx(math.pi / 2)
+    assert tilt_of(after.quaternion) == pytest.approx(math.pi / 2)
     assert after.position[2] == pytest.approx(0.15, abs=1e-6), "its lowest edge on the floor"
 
 
@@ -143,7 +144,7 @@ def test_turns_go_on_top_of_a_tilt():
     model, lift = engine_scene(what, relations=True)
     poses = np.array([[*model.objects[0].pose.position, 0.4 + 0.5]])
     pose = put_back(what, lift, poses).objects[0].pose
-    assert pose.yaw == pytest.approx(0.9) and tilt(pose) == pytest.approx(math.radians(20.0))
+    assert pose.yaw == pytest.approx(0.9) and tilt_of(pose.quaternion) == pytest.approx(math.radians(20.0))
     assert pose.position == pytest.approx((2.0, 2.0, 0.0))
 
 

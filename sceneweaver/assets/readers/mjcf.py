@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from sceneweaver.geometry.rotations import euler, matrix, xyzw
 from sceneweaver.scene import InputError, read_bytes
 
 from ..imports.hints import Hints
@@ -104,20 +105,7 @@ def _numbers(text: str, count: int, name: str) -> list[float]:
 def _rotation(geom: ET.Element, degrees: bool, name: str) -> np.ndarray:
     """A geom's ``quat`` (wxyz) or ``euler`` (x, y, z, applied in this order about moving axes), as MJCF has them."""
     if geom.get("quat"):
-        w, x, y, z = _numbers(geom.get("quat", ""), 4, name)
-        n = (w * w + x * x + y * y + z * z) ** 0.5 or 1.0
-        w, x, y, z = w / n, x / n, y / n, z / n
-        return np.array(
-            [
-                [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-                [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-                [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-            ]
-        )
-    a, b, c = _numbers(geom.get("euler") or "0 0 0", 3, name)
-    if degrees:
-        a, b, c = np.radians([a, b, c])
-    rx = np.array([[1, 0, 0], [0, np.cos(a), -np.sin(a)], [0, np.sin(a), np.cos(a)]])
-    ry = np.array([[np.cos(b), 0, np.sin(b)], [0, 1, 0], [-np.sin(b), 0, np.cos(b)]])
-    rz = np.array([[np.cos(c), -np.sin(c), 0], [np.sin(c), np.cos(c), 0], [0, 0, 1]])
-    return rx @ ry @ rz
+        turn = xyzw(_numbers(geom.get("quat", ""), 4, name))
+        return matrix(turn) if turn.any() else np.eye(3)
+    angles = _numbers(geom.get("euler") or "0 0 0", 3, name)
+    return euler(np.radians(angles) if degrees else angles)

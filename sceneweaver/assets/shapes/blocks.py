@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from sceneweaver.geometry.prisms import ring_faces
+
 from .convex import Shape
 
 Interval = tuple[float, float]
@@ -73,15 +75,8 @@ def extrusion(polygon: np.ndarray, z: Interval, bevel: float = 0.0) -> Shape:
     cap = _triangles(rings[0][:, :2])
     faces = [cap[:, ::-1], cap + n * (len(rings) - 1)]
     for k in range(len(rings) - 1):
-        faces.append(band(k * n, (k + 1) * n, n))
+        faces.append(ring_faces(k * n, (k + 1) * n, n))
     return np.concatenate(rings), np.concatenate(faces).astype(np.int32)
-
-
-def band(low: int, high: int, n: int) -> np.ndarray:
-    """The faces between two closed rings of n vertices that start at ``low`` and ``high``."""
-    i = np.arange(n)
-    j = (i + 1) % n
-    return np.concatenate([np.c_[low + i, low + j, high + j], np.c_[low + i, high + j, high + i]]).astype(np.int32)
 
 
 def _inset(points: np.ndarray, distance: float) -> np.ndarray | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from sceneweaver.geometry import polygons
 from sceneweaver.geometry.hulls import hull_mesh
 
 Shape = tuple[np.ndarray, np.ndarray]  # vertices [V, 3], faces [F, 3]
@@ -42,23 +43,7 @@ def convex_pieces(polygon: np.ndarray) -> list[np.ndarray]:
     """A simple polygon [V, 2], counter-clockwise, as few convex polygons: triangles merged while they stay convex."""
     import shapely
 
-    shape = shapely.Polygon(polygon)
-    if shape.convex_hull.area - shape.area < 1e-10:
+    pieces = polygons.convex_pieces(polygon)
+    if len(pieces) == 1:
         return [np.asarray(polygon, dtype=np.float64)]
-    pieces = [p for p in shapely.constrained_delaunay_triangles(shape).geoms if p.area > 1e-12]
-    merged = True
-    while merged:
-        merged = False
-        for i in range(len(pieces)):
-            for j in range(i + 1, len(pieces)):
-                union = pieces[i].union(pieces[j])
-                if union.geom_type == "Polygon" and union.convex_hull.area - union.area < 1e-10:
-                    pieces[i] = union
-                    del pieces[j]
-                    merged = True
-                    break
-            if merged:
-                break
-    return [
-        shapely.get_coordinates(shapely.Polygon(shapely.get_exterior_ring(p)).normalize())[:-1][::-1] for p in pieces
-    ]
+    return [shapely.get_coordinates(shapely.Polygon(piece).normalize())[:-1][::-1] for piece in pieces]

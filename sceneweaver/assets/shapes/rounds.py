@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from .blocks import band
+from sceneweaver.geometry.prisms import ring_faces
+
 from .convex import Shape, hull
 
 
@@ -46,7 +47,7 @@ def lathe(profile: list[tuple[float, float]], segments: int = 24) -> Shape:
         i = np.arange(segments)
         j = (i + 1) % segments
         if n > 1 and m > 1:
-            faces.append(band(a, b, segments))
+            faces.append(ring_faces(a, b, segments))
         elif m > 1:
             faces.append(np.c_[np.full(segments, a), b + j, b + i])
         elif n > 1:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from .blocks import band
+from sceneweaver.geometry.prisms import ring_faces
+
 from .convex import Shape, hull
 
 
@@ -15,9 +16,9 @@ def sweep(path: np.ndarray, section: float | np.ndarray, segments: int = 10, clo
     """
     rings = _rings(np.asarray(path, dtype=np.float64), _section(section, segments), closed)
     n, k = rings.shape[:2]
-    faces = [band(i * k, (i + 1) * k, k) for i in range(n - 1)]
+    faces = [ring_faces(i * k, (i + 1) * k, k) for i in range(n - 1)]
     if closed:
-        faces.append(band((n - 1) * k, 0, k))
+        faces.append(ring_faces((n - 1) * k, 0, k))
     else:
         fan = np.arange(1, k - 1)
         faces.append(np.c_[np.zeros(k - 2, dtype=int), fan + 1, fan])

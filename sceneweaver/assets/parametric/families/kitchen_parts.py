@@ -9,7 +9,7 @@ import numpy as np
 
 from sceneweaver.assets import shapes
 from sceneweaver.assets.body import Material
-from sceneweaver.assets.shapes.blocks import band
+from sceneweaver.geometry.prisms import ring_faces
 
 from ..builder import Builder, Interval
 from ..joinery import carcass, door, drawer, handle
@@ -59,7 +59,7 @@ def _body(rings: Sequence[np.ndarray]):
     n = len(rings[0])
     fan = np.arange(1, n - 1)
     last = (len(rings) - 1) * n
-    faces = [band(i * n, (i + 1) * n, n) for i in range(len(rings) - 1)]
+    faces = [ring_faces(i * n, (i + 1) * n, n) for i in range(len(rings) - 1)]
     faces.append(np.c_[np.zeros(n - 2, dtype=int), fan + 1, fan])
     faces.append(np.c_[np.full(n - 2, last), last + fan, last + fan + 1])
     return np.concatenate(rings), np.concatenate(faces).astype(np.int32)

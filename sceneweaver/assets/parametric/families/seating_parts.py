@@ -6,9 +6,10 @@ import math
 
 import numpy as np
 
+from sceneweaver.geometry.prisms import ring_faces
+
 from ... import shapes
 from ...body import Material
-from ...shapes.blocks import band
 from ...shapes.convex import Shape
 from ..builder import Builder, Interval
 
@@ -23,7 +24,7 @@ def leg(b: Builder, foot: Point, head: Point, low: float, high: float, material:
     points = np.concatenate([np.asarray(foot) + low * circle, np.asarray(head) + high * circle])
     fan = np.arange(1, segments - 1)
     caps = np.concatenate([np.c_[0 * fan, fan + 1, fan], np.c_[0 * fan, fan, fan + 1] + segments])
-    b.add((points, np.concatenate([band(0, segments, segments), caps]).astype(np.int32)), material)
+    b.add((points, np.concatenate([ring_faces(0, segments, segments), caps]).astype(np.int32)), material)
 
 
 def square_leg(b: Builder, foot: Point, head: Point, low: float, high: float, material: Finish) -> None:
@@ -31,7 +32,7 @@ def square_leg(b: Builder, foot: Point, head: Point, low: float, high: float, ma
     circle = np.array([(-0.5, -0.5, 0), (0.5, -0.5, 0), (0.5, 0.5, 0), (-0.5, 0.5, 0)])
     points = np.concatenate([np.asarray(foot) + low * circle, np.asarray(head) + high * circle])
     caps = np.array([(0, 2, 1), (0, 3, 2), (4, 5, 6), (4, 6, 7)])
-    b.add((points, np.concatenate([band(0, 4, 4), caps]).astype(np.int32)), material)
+    b.add((points, np.concatenate([ring_faces(0, 4, 4), caps]).astype(np.int32)), material)
 
 
 def splayed(
@@ -191,7 +192,7 @@ def ring_shape(
     for a in (0, 30, 60, 90):
         s = math.radians(a)
         rings.append(np.c_[base + out * (corner - r * (1 - math.cos(s))), np.full(n, z[1] - r + r * math.sin(s))])
-    faces = [band(k * n, (k + 1) * n, n) for k in range(len(rings) - 1)]
+    faces = [ring_faces(k * n, (k + 1) * n, n) for k in range(len(rings) - 1)]
     fan = np.arange(1, n - 1)
     faces.append(np.c_[0 * fan, fan + 1, fan])
     faces.append(np.c_[0 * fan, fan, fan + 1] + (len(rings) - 1) * n)

@@ -6,8 +6,9 @@ import math
 
 import numpy as np
 
+from sceneweaver.geometry.prisms import ring_faces
+
 from ... import shapes
-from ...shapes.blocks import band
 from ..builder import Builder
 from ..joinery import legs
 from ..registry import draws
@@ -359,7 +360,7 @@ def pouf(b: Builder) -> None:
         share = bulge if 0.05 < z < 0.99 else bulge * 0 + 1
         rings.append(np.c_[r * share * np.cos(angle), r * share * np.sin(angle), np.full(count, z)])
     points = np.concatenate(rings) * np.array([d / 2, w / 2, h])
-    faces = [band(k * count, (k + 1) * count, count) for k in range(len(rings) - 1)]
+    faces = [ring_faces(k * count, (k + 1) * count, count) for k in range(len(rings) - 1)]
     fan = np.arange(1, count - 1)
     faces += [np.c_[0 * fan, fan + 1, fan], np.c_[0 * fan, fan, fan + 1] + (len(rings) - 1) * count]
     with b.solid("pouf"):
@@ -383,7 +384,7 @@ def bean_bag(b: Builder) -> None:
     height = t - 0.5 * t**1.5 * np.clip(np.cos(a), 0, 1) * np.sin(np.clip(t, 0, 1) * np.pi)
     x = radius * np.cos(a) - 0.55 * t**1.6
     grid = np.stack([x * d / 2, radius * np.sin(a) * w / 2, height * h], axis=-1)
-    faces = [band(k * m, (k + 1) * m, m) for k in range(n - 1)]
+    faces = [ring_faces(k * m, (k + 1) * m, m) for k in range(n - 1)]
     fan = np.arange(1, m - 1)
     faces += [np.c_[0 * fan, fan + 1, fan], np.c_[0 * fan, fan, fan + 1] + (n - 1) * m]
     hulls = [shapes.hull(grid[k : k + 4].reshape(-1, 3)) for k in (0, 3, 6, 9)]
