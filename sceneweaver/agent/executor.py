@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -9,13 +10,14 @@ from sceneweaver.brief import Brief
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.knowledge import RoomType
 from sceneweaver.layout import refine, refine_many
-from sceneweaver.scene import PRIORITIES, Dropped, Pose, Scene
+from sceneweaver.scene import Pose, Scene
 from sceneweaver.scene.edits import Remove, apply, apply_all
 from sceneweaver.tools.base import Proposal
 from sceneweaver.verify import Report, Violation, check
 
 from .coarse import coarse
 from .deadline import NEVER, Deadline
+from .relaxation import left_out, pruned, relaxed
 from .settings import Settings
 
 ENOUGH = 4
@@ -70,7 +72,8 @@ class Executor:
         draft, _ = apply_all(proposal.scene or scene, proposal.edits)
         notes, unmet = list(proposal.notes), list(proposal.unmet)
         if not proposal.fresh:
-            draft, report = _pruned(scene, draft, notes)
+            draft, report, said = pruned(scene, draft)
+            notes += said
             if report.valid:
                 return self._outcome(draft, notes, unmet, report)
         if not self.settings.physics:
@@ -82,21 +85,18 @@ class Executor:
         for round_ in range(ROUNDS):
             if not best.faults or self.deadline.passed:
                 break
-            before = len(unmet)
-            lighter = self._give_way(draft, best, notes, unmet)
+            lighter = relaxed(draft, best.faults, 1 + len(notes) // 2)  # the longer it takes, the more at once
             if lighter is None:
                 break
-            if len(unmet) > before and not patient:  # before anything that was asked for goes
+            if lighter.unmet and not patient:  # before anything that was asked for goes
                 patient = True
                 best = min(best, self._refined(draft, drafts, fresh, seed, 1), key=lambda o: o.key)
-                del unmet[before:]
                 continue
-            draft, drafts = lighter, _kept(drafts, lighter)
+            notes, unmet = [*notes, *lighter.notes], [*unmet, *lighter.unmet]
+            draft, drafts = lighter.scene, _kept(drafts, lighter.scene)
             # Patience pays once what is merely wished for has gone.
             best = min(best, self._refined(draft, drafts, fresh, seed, int(round_ >= ROUNDS // 2)), key=lambda o: o.key)
-        if (
-            not best.report.valid and not self.deadline.passed
-        ):  # without the rows, if there are any: they may be what stands in the way
+        if not best.report.valid and not self.deadline.passed:  # without the rows: they may be what stands in the way
             best = min(best, self._refined(draft, [], fresh, seed, 1), key=lambda o: o.key)
         return replace(best, notes=tuple(notes), unmet=tuple(unmet))
 
@@ -150,7 +150,8 @@ class Executor:
             if len(loose) == len(draft.objects):
                 return None
             if not loose:
-                draft, report = _pruned(scene, draft, notes)
+                draft, report, said = pruned(scene, draft)
+                notes += said
                 return self._outcome(draft, (), (), report) if report.valid else None
             pinned = _pinned(coarse(draft), {o.id: o.pose for o in draft.objects if o.id not in loose})
             self.attempts += s.attempts[0]
@@ -169,12 +170,12 @@ class Executor:
             if valid:
                 return self._steadiest(valid)
             report = check(_posed(draft, solution.best), walkable=False)
-            trouble = [id for v in report.violations if v.hard for id in v.objects]
-            extra = [id for id in draft.ids if id in loose - old and draft.object(id).intent.priority != "asked"]
+            trouble = Counter(name for v in report.violations if v.hard for name in v.objects)
+            extra = [o.id for o in draft.objects if o.id in loose - old and o.intent.priority != "asked"]
             if not extra or self.deadline.passed:
                 return None
-            gone = max(extra, key=lambda id: (trouble.count(id), draft.index(id)))
-            notes.append(f"{gone} was left out: the room has no place for it")
+            gone = max(extra, key=lambda name: (trouble[name], draft.index(name)))
+            notes.append(left_out(gone))
             draft = apply(draft, Remove(id=gone, cascade=True))
 
     def _free(self, draft: Scene, fresh: bool, seed: int, attempts: int) -> list[Scene]:
@@ -221,82 +222,6 @@ class Executor:
         scene = _pinned(draft, proposal.drafts[0]) if proposal.drafts else draft
         solution = refine(scene, candidates=1, seed=seed, optimizer="adam", steps=1, device=self.settings.device)
         return _posed(draft, solution.best)
-
-    def _give_way(self, draft: Scene, best: Outcome, notes: list[str], unmet: list[str]) -> Scene | None:
-        """A scene that asks for less: without the least needed object in trouble, or with a relation made soft."""
-        trouble: dict[str, int] = {}
-        for violation in best.report.violations:
-            if violation.hard:
-                for id in violation.objects:
-                    trouble[id] = trouble.get(id, 0) + 1
-        known = {o.id: o for o in draft.objects}
-        for priority in PRIORITIES[:2]:
-            pool = [id for id in trouble if id in known and known[id].intent.priority == priority]
-            if pool:
-                pool.sort(key=lambda i: (-trouble[i], -known[i].size[0] * known[i].size[1], i))
-                for id in pool[: 1 + len(notes) // 2]:  # the longer it takes, the more gives way at once
-                    if id in draft.ids:
-                        notes.append(f"{id} was left out: the room has no place for it")
-                        draft = apply(draft, Remove(id=id, cascade=True))
-                return draft
-        false = {(v.relation.type, v.objects) for v in best.report.violations if v.hard and v.relation is not None}
-        broken = [r for r in draft.relations if r.hard and (r.type, (r.subject, *r.targets)) in false]
-        for relation in sorted(broken, key=lambda r: r.asked):
-            if relation.asked:
-                unmet.append(
-                    f"{relation.subject} {relation.type} {relation.target or ''}".strip() + " cannot hold here"
-                )
-            return draft.model_copy(
-                update={
-                    "relations": tuple(
-                        r.model_copy(update={"hard": False}) if r is relation else r for r in draft.relations
-                    )
-                }
-            )
-        pool = [id for id in trouble if id in known]
-        if not pool:
-            return None
-        pool.sort(key=lambda i: (known[i].intent.rank, -trouble[i], i))
-        first = known[pool[0]]
-        # Of many of a kind several go at once: forty wardrobes are not tried forty times.
-        alike = sum(o.category == first.category for o in draft.objects)
-        twins = [o for o in map(known.__getitem__, pool) if o.category == first.category]
-        twins = [o for o in twins if o.intent.rank == first.intent.rank]
-        reason = "there is no place for it in this room"
-        for gone in twins[: 1 + alike // 6]:
-            if gone.id not in draft.ids:
-                continue
-            draft = apply(draft, Remove(id=gone.id, cascade=True))
-            if gone.intent.priority != "asked":
-                notes.append(f"{gone.id} was left out: {reason}")
-                continue
-            unmet.append(f"{gone.id}: {reason}")
-            dropped = (*draft.dropped, Dropped(id=gone.id, category=gone.category, reason=reason))
-            draft = draft.model_copy(update={"dropped": dropped})
-        return draft
-
-
-def _pruned(scene: Scene, draft: Scene, notes: list[str]) -> tuple[Scene, Report]:
-    """An edited scene without the new small things that are in the way of something, and its report."""
-    before = set(scene.ids)
-    report = check(draft)
-    for _ in range(3):
-        hard = [v for v in report.violations if v.hard and v.relation is None]
-        known = {o.id: o for o in draft.objects}
-        extra = {
-            id
-            for v in hard
-            for id in v.objects
-            if id in known and id not in before and known[id].mount == "surface" and known[id].intent.request is None
-        }
-        if not extra:
-            break
-        for id in sorted(extra):
-            if id in draft.ids:
-                draft = apply(draft, Remove(id=id, cascade=True))
-        notes.append(f"{len(extra)} small things did not fit and were left out")
-        report = check(draft)
-    return draft, report
 
 
 def _changed(scene: Scene, draft: Scene) -> set[str]:

@@ -105,7 +105,7 @@ def test_what_was_asked_for_is_dropped_at_last_and_reported():
     outcome = run(room_with(BED), Add(object=wanted("chest-0", "asked")))
     assert outcome.scene.ids == ("bed-0",)
     assert [d.id for d in outcome.scene.dropped] == ["chest-0"] and not outcome.report.valid
-    assert outcome.unmet == ("chest-0: there is no place for it in this room",)
+    assert outcome.unmet == ("chest-0: the room has no place for it",)
     assert outcome.key[:2] == (0, 1)
 
 

@@ -1,0 +1,106 @@
+"""What gives way where a scene asks for more than its room can hold."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from sceneweaver.scene import PRIORITIES, Dropped, Relation, Scene, SceneObject
+from sceneweaver.scene.edits import Remove, apply
+from sceneweaver.verify import Report, Violation, check
+
+REASON = "the room has no place for it"
+
+ALIKE = 6
+"""Of so many objects of one kind one more goes at once: forty wardrobes are not tried forty times."""
+
+PRUNINGS = 3
+"""Times that small things are taken out of a scene that then shows more that are in the way."""
+
+
+class Relaxed(NamedTuple):
+    """A scene that asks for less, and what is to be said of that; ``unmet`` is what had been asked for."""
+
+    scene: Scene
+    notes: tuple[str, ...] = ()
+    unmet: tuple[str, ...] = ()
+
+
+def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Relaxed | None:
+    """The scene without what is least wanted of all that its best layout has trouble with.
+
+    First go objects that are optional, then usual ones, ``at_once`` of them; then a relation of those that do not hold
+    becomes soft, one that nobody asked for if there is one; then go the other objects, by priority. None when the
+    faults are about nothing that could give way.
+    """
+    trouble = Counter(name for fault in faults for name in fault.objects)
+    pool = [o for o in scene.objects if o.id in trouble]
+    for priority in PRIORITIES[:2]:
+        least = [o for o in pool if o.intent.priority == priority]
+        if least:
+            least.sort(key=lambda o: (-trouble[o.id], -o.size[0] * o.size[1], o.id))
+            return _without(scene, least[:at_once])
+    false = {(fault.relation.type, fault.objects) for fault in faults if fault.relation is not None}
+    broken = [r for r in scene.relations if r.hard and (r.type, (r.subject, *r.targets)) in false]
+    if broken:
+        return _softened(scene, min(broken, key=lambda r: r.asked))
+    if not pool:
+        return None
+    first = min(pool, key=lambda o: (o.intent.rank, -trouble[o.id], o.id))
+    twins = [o for o in pool if o.category == first.category and o.intent.rank == first.intent.rank]
+    twins.sort(key=lambda o: (-trouble[o.id], o.id))
+    alike = sum(o.category == first.category for o in scene.objects)
+    return _without(scene, twins[: 1 + alike // ALIKE])
+
+
+def pruned(before: Scene, scene: Scene) -> tuple[Scene, Report, tuple[str, ...]]:
+    """An edited scene without the new small things that nobody asked for and that are in the way of something.
+
+    Returns:
+        The scene, its report, and what is to be said of it.
+    """
+    old, notes = set(before.ids), list[str]()
+    report = check(scene)
+    for _ in range(PRUNINGS):
+        named = {name for v in report.violations if v.hard and v.relation is None for name in v.objects}
+        extra = [
+            o.id for o in scene.objects if o.id in named - old and o.mount == "surface" and o.intent.request is None
+        ]
+        if not extra:
+            break
+        for name in sorted(extra):
+            if name in scene.ids:
+                scene = apply(scene, Remove(id=name, cascade=True))
+        notes.append(f"{len(extra)} small things did not fit and were left out")
+        report = check(scene)
+    return scene, report, tuple(notes)
+
+
+def left_out(name: str) -> str:
+    """What is said of an object that nobody asked for and that is given up."""
+    return f"{name} was left out: {REASON}"
+
+
+def _without(scene: Scene, gone: Sequence[SceneObject]) -> Relaxed:
+    """The scene without some objects, and what stands on them; those that were asked for are dropped."""
+    notes, unmet = list[str](), list[str]()
+    for obj in gone:
+        if obj.id not in scene.ids:  # it stood on one that went before it
+            continue
+        scene = apply(scene, Remove(id=obj.id, cascade=True))
+        if obj.intent.priority != "asked":
+            notes.append(left_out(obj.id))
+            continue
+        unmet.append(f"{obj.id}: {REASON}")
+        dropped = (*scene.dropped, Dropped(id=obj.id, category=obj.category, reason=REASON))
+        scene = scene.model_copy(update={"dropped": dropped})
+    return Relaxed(scene, tuple(notes), tuple(unmet))
+
+
+def _softened(scene: Scene, relation: Relation) -> Relaxed:
+    """The scene with one of its relations soft."""
+    soft = tuple(r.model_copy(update={"hard": False}) if r is relation else r for r in scene.relations)
+    said = " ".join((relation.subject, relation.type, " and ".join(relation.targets))).rstrip()
+    unmet = (f"{said} cannot hold here",) if relation.asked else ()
+    return Relaxed(scene.model_copy(update={"relations": soft}), unmet=unmet)

@@ -1,0 +1,83 @@
+"""What gives way, from what the judge says of one layout."""
+
+from __future__ import annotations
+
+from sceneweaver.agent.relaxation import REASON, relaxed
+from sceneweaver.scene import Intent, Pose, Priority, Relation, Room, Scene, SceneObject, Support, Surface
+from sceneweaver.verify import check
+
+TOP = Surface(name="top", polygon=((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)), z=0.5)
+
+
+def cube(name: str, priority: Priority | None = None, at: float = 2.0, **more) -> SceneObject:
+    """A box of 1 x 1 x 0.5 m at (at, 2) m that things can stand on."""
+    pose, intent = Pose.from_yaw(at, 2.0, 0.0, 0.0), Intent(priority=priority)
+    more = {"category": "chest", "surfaces": (TOP,), **more}
+    return SceneObject(id=name, size=(1.0, 1.0, 0.5), pose=pose, intent=intent, **more)
+
+
+def room(*objects: SceneObject, relations: tuple[Relation, ...] = ()) -> Scene:
+    return Scene(id="s", room=Room(outline=((0, 0), (9, 0), (9, 4), (0, 4))), objects=objects, relations=relations)
+
+
+def relax(scene: Scene, at_once: int = 1):
+    return relaxed(scene, [v for v in check(scene).violations if v.hard], at_once)
+
+
+def test_a_valid_scene_has_nothing_to_give_up():
+    assert relax(room(cube("a", "optional"))) is None
+
+
+def test_only_what_is_in_trouble_gives_way_and_what_stands_on_it_goes_along():
+    cup = SceneObject(
+        id="cup",
+        category="cup",
+        size=(0.1, 0.1, 0.1),
+        pose=Pose.from_yaw(2.4, 2.0, 0.5, 0.0),
+        mount="surface",
+        support=Support(object="b", surface="top"),
+    )
+    found = relax(room(cube("a", "needed", 2.1), cube("b", "usual", 2.9), cup, cube("c", "optional", 6.0)))
+    assert found is not None and found.scene.ids == ("a", "c")
+    assert found.notes == (f"b was left out: {REASON}",) and not found.unmet and not found.scene.dropped
+
+
+def test_what_is_in_most_trouble_goes_first_and_several_go_when_it_takes_long():
+    row = [cube(name, "usual", 2.0 + 0.6 * k) for k, name in enumerate("abcd")]
+    for at_once, left in ((1, ("a", "c", "d")), (2, ("a", "d")), (9, ())):
+        found = relax(room(*row), at_once)
+        assert found is not None and found.scene.ids == left and len(found.notes) == 4 - len(left)
+
+
+def test_a_relation_gives_way_before_what_is_needed_and_of_two_the_one_that_nobody_asked_for():
+    pair = (cube("a", "needed"), cube("b", "needed", 7.0))
+    asked, usual = (
+        Relation(type=t, subject="a", target="b", params={"max": 0.5}, asked=t == "near")
+        for t in ("near", "in_front_of")
+    )
+    first = relax(room(*pair, relations=(asked, usual)))
+    assert first is not None and [r.hard for r in first.scene.relations] == [True, False] and not first.unmet
+    second = relax(first.scene)
+    assert second is not None and not any(r.hard for r in second.scene.relations)
+    assert second.unmet == ("a near b cannot hold here",) and second.scene.ids == ("a", "b")
+    assert relax(second.scene) is None
+
+
+def test_relations_of_one_type_are_told_apart():
+    near = tuple(Relation(type="near", subject="a", target=t, params={"max": 0.5}) for t in ("b", "c"))
+    found = relax(room(cube("a", "needed"), cube("b", at=3.2), cube("c", at=7.0), relations=near))
+    assert found is not None and [r.hard for r in found.scene.relations] == [True, False]
+
+
+def test_at_last_what_was_asked_for_is_dropped_with_the_reason():
+    found = relax(room(cube("a", "asked"), cube("b", "asked", 2.5, category="desk")))
+    assert found is not None and found.scene.ids == ("b",)
+    (dropped,) = found.scene.dropped
+    assert (dropped.id, dropped.category, dropped.reason) == ("a", "chest", REASON)
+    assert found.unmet == (f"a: {REASON}",) and not found.notes
+
+
+def test_of_many_alike_several_go_at_once_but_none_that_is_wanted_more():
+    many = [cube(f"n{k}", "needed", 2.0 + 0.01 * k) for k in range(11)]
+    found = relax(room(cube("asked", "asked", 2.3), *many))
+    assert found is not None and len(found.scene.ids) == 12 - 3 and "asked" in found.scene.ids
