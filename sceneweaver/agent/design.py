@@ -176,8 +176,9 @@ def _resume(run: Run, folder: RunFolder) -> None:
     kept = folder.resume(run.brief, run.settings)
     if kept is not None:
         memory = kept[0]
-        spent = len(memory.steps) < run.settings.steps and memory.finished.endswith((" steps", " seconds", " attempts"))
-        run.memory = memory.model_copy(update={"finished": ""}) if spent else memory  # a larger budget goes on
+        if memory.spent and len(memory.steps) < run.settings.steps:  # a larger budget goes on
+            memory = memory.model_copy(update={"finished": "", "spent": False})
+        run.memory = memory
         run.best = Executor(run.room, run.brief, run.settings).judged(kept[1])
 
 

@@ -53,8 +53,12 @@ class Run:
             InputError: when not even a first scene can be made.
         """
         executor = Executor(self.room, self.brief, self.settings, self.deadline)
-        reason = self.memory.finished
-        while not reason and not (reason := self._done()):
+        reason, spent = self.memory.finished, self.memory.spent
+        while not reason:
+            reason = self._spent()
+            spent = bool(reason)
+            if reason or (reason := self._done()):
+                break
             started, executor.attempts = time.monotonic(), 0
             calls = self._calls()
             if not calls:
@@ -65,13 +69,13 @@ class Run:
                 self._take(outcomes, tried, calls[: len(tried)], time.monotonic() - started, executor.attempts)
         if self.best is None:
             raise InputError("prompt: " + (self.memory.steps[-1].note if self.memory.steps else "no tool can begin"))
-        self.memory = self.memory.model_copy(update={"finished": reason})
+        self.memory = self.memory.model_copy(update={"finished": reason, "spent": spent})
         if self.folder is not None:
             self.folder.state(self.folder.kept_scene(), self.memory, self.brief, self.settings)
         return self.best
 
-    def _done(self) -> str:
-        """Why to stop now; empty to go on."""
+    def _spent(self) -> str:
+        """The budget that is spent; empty when there is some left of each."""
         s, memory = self.settings, self.memory
         if self.best is not None and self.deadline.passed:
             return f"{s.seconds:g} seconds"
@@ -79,6 +83,11 @@ class Run:
             return f"{s.steps} steps"
         if memory.attempts >= s.work:
             return f"{s.work} attempts"
+        return ""
+
+    def _done(self) -> str:
+        """Why the scene is as good as it gets; empty to go on."""
+        s, memory = self.settings, self.memory
         if not s.reflect or s.one_shot:
             return ""
         if memory.stale >= s.patience:

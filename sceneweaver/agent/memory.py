@@ -57,6 +57,9 @@ class Memory(FrozenModel):
     unmet: tuple[str, ...] = ()
     plan: tuple[Call, ...] | None = Field(default=None, description="What is to be done, where that is decided once")
     finished: str = Field(default="", description="Why the run ended; empty while it goes on")
+    spent: bool = Field(
+        default=False, description="Whether it ended with a budget, so that it goes on with a larger one"
+    )
 
     def after(
         self, step: Step, losers: list[Call], notes: tuple[str, ...], unmet: tuple[str, ...], attempts: int = 0

@@ -11,6 +11,7 @@ import pytest
 
 from sceneweaver.agent import loop
 from sceneweaver.agent.deadline import Deadline
+from sceneweaver.agent.design import _resume
 from sceneweaver.agent.executor import Outcome
 from sceneweaver.agent.folder import RunFolder
 from sceneweaver.agent.loop import Run, empty_scene
@@ -192,6 +193,7 @@ def test_when_it_stops(go, settings, grades, steps, reason):
         {"init_prior": boxes[:1], "add_objects": boxes[1:]}, plans, settings=Settings(device="cpu", **settings)
     )
     assert len(run.memory.steps) == steps and run.memory.finished == reason
+    assert run.memory.spent is bool(settings.keys() & {"steps", "work"})
 
 
 def test_a_deadline_that_has_passed_leaves_the_first_scene(go):
@@ -248,6 +250,20 @@ def test_a_finished_run_is_not_taken_up_again(go, monkeypatch):
     kept = Outcome(scene, check(scene), Review(grades=dict.fromkeys(CRITERIA, 4.0)))
     run, best, planner, _ = go({}, [BEGIN], memory=Memory(finished="3 steps"), best=kept)
     assert best is kept and not planner.seen and run.memory.finished == "3 steps"
+
+
+@pytest.mark.parametrize(("limits", "goes_on"), [({"steps": 2}, True), ({"patience": 1}, False)])
+def test_a_larger_budget_goes_on_and_a_run_without_progress_does_not(go, tmp_path, limits, goes_on):
+    folder, settings = RunFolder(tmp_path), Settings(device="cpu", **limits)
+    assert folder.resume(BRIEF, settings) is None
+    answers = {"init_prior": [adds("a", 5)], "add_objects": [adds("b", 4, 1.0)]}
+    with folder.held():
+        before, _, _, _ = go(answers, [BEGIN, calls("add_objects")], folder=folder, settings=settings)
+    assert before.memory.spent is goes_on
+    larger = Run(BRIEF, ROOM, Settings(device="cpu", **{**limits, "steps": 9}), {}, Planner([]), folder=folder)
+    _resume(larger, RunFolder(tmp_path))
+    assert larger.memory.steps == before.memory.steps and larger.best is not None
+    assert bool(larger.memory.finished) is not goes_on and not larger.memory.spent
 
 
 def test_every_step_is_told_and_written(go, tmp_path):
