@@ -1,4 +1,4 @@
-"""Meaning is read from typed fields: nobody parses the judge's sentences, or steers by free attributes."""
+"""Meaning is read from typed fields: nobody takes sentences for people apart, or steers by free attributes."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDERS = ("sceneweaver", "kernels", "optimizers", "tools", "benchmarks")
+PROSE = ("detail", "finished", "reason")
+"""Fields that hold sentences: of a violation, of the end of a run, of a fault, a call or what was dropped."""
 LOOKS = {"color", "material", "style", "label"}
 """Attributes that say how a thing looks or what it is called; all that code may read of them by name."""
 
@@ -19,10 +21,10 @@ def sources() -> list[Path]:
 
 
 def is_prose(node: ast.expr) -> bool:
-    """Whether an expression is the sentence of a violation: ``x.detail``, ``x["detail"]`` or str() of them."""
+    """Whether an expression is such a field: ``x.detail``, ``x["detail"]`` or str() of them."""
     match node:
-        case ast.Attribute(attr="detail") | ast.Subscript(slice=ast.Constant(value="detail")):
-            return True
+        case ast.Attribute(attr=name) | ast.Subscript(slice=ast.Constant(value=name)):
+            return name in PROSE
         case ast.Call(func=ast.Name(id="str"), args=[inner]):
             return is_prose(inner)
     return False
@@ -65,6 +67,7 @@ def named_attributes(tree: ast.AST) -> Iterator[tuple[int, str]]:
         're.search("gap", v.detail)',
         'row["detail"].partition(": ")',
         'str(row["detail"]).startswith("a")',
+        'memory.finished.endswith(" steps")',
     ],
 )
 def test_the_rule_on_sentences_sees(code):
@@ -81,9 +84,9 @@ def test_the_rule_on_attributes_sees(code):
     assert [key for _, key in named_attributes(ast.parse(code))] == ["need"]
 
 
-def test_nobody_parses_what_the_judge_says():
+def test_nobody_parses_sentences():
     found = [f"{path.relative_to(ROOT)}:{line}" for path in sources() for line in parsed_prose(_tree(path))]
-    assert not found, "read the fields of Violation (relation, zone, measurement) instead"
+    assert not found, "read a typed field instead, as of Violation relation, zone and measurement"
 
 
 def test_attributes_say_how_things_look_and_no_more():
