@@ -28,8 +28,8 @@ from .result import Result
 from .settings import Settings
 from .settling import settled
 
-LEAST_RESERVE = 2.0
-"""Least time [s] that is kept for writing the results."""
+LEAST_RESERVE, WRITING, EXIT = 2.0, 2.5, 0.25
+"""Least time [s] that is kept for writing the results; what that and ending a process take, in times of starting up."""
 
 LONGEST = 100_000
 """Characters of a request that are read."""
@@ -106,21 +106,23 @@ def design(
     with folder.held():
         _resume(run, folder)
         end = end.before(run.memory.seconds)
-        run.deadline = end.before(reserve(settings.seconds or 0.0, time.monotonic() - began))
+        started = time.monotonic() - began
+        run.deadline = end.before(reserve(settings.seconds or 0.0, started))
+        end = end.before(EXIT * started)
         return deliver(_result(run, remarks, began), folder.path, run.library, device, pictures, formats, end)
 
 
 def reserve(limit: float, started: float) -> float:
     """Seconds of a time limit that are kept for writing the results.
 
-    To start up takes about as long as to write the results of a room in their quickest form, so it measures how fast
-    this machine is just now.
+    To write the results of a room in their quickest form takes about two and a half times as long as to start up, which
+    so measures how fast this machine is just now.
 
     Args:
         limit: the time limit [s].
         started: seconds that it took to start up and to read the request.
     """
-    return min(0.6 * limit, max(LEAST_RESERVE, 0.12 * limit, started))
+    return min(0.6 * limit, max(LEAST_RESERVE, 0.12 * limit, WRITING * started))
 
 
 def _result(run: Run, remarks: Sequence[str], began: float) -> Result:

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.scene import InputError, Part, Surface, Zone, read_bytes, sweep
-from sceneweaver.scene.files import temporary_folder
+from sceneweaver.scene.files import reason, temporary_folder
 from sceneweaver.scene.io import parse
 from sceneweaver.scene.messages import suggest
 
@@ -67,8 +67,7 @@ class Store:
         except OSError as error:
             if (final / "row.json").exists():  # another process was quicker
                 return False
-            reason = error.strerror or type(error).__name__
-            line = f"{self.root}: the store cannot be written ({reason}); choose another with --store"
+            line = f"{self.root}: the store cannot be written ({reason(error)}); choose another with --store"
             raise InputError(line) from error
         return True
 
@@ -80,7 +79,7 @@ class Store:
                 row = parse(read_bytes(path))
             except InputError:
                 continue  # being removed by another process, or not ours
-            if row.get("schema") == SCHEMA:
+            if isinstance(row, dict) and row.get("schema") == SCHEMA and isinstance(row.get("id"), str):
                 found.append(row)
         yield from sorted(found, key=lambda row: row["id"])
 
@@ -89,8 +88,12 @@ class Store:
         tail = asset_id.rpartition("-")[2]
         for path in self.root.glob(f"objects/{tail[:2]}/{tail}*/row.json") if len(tail) >= 8 else ():
             row = parse(read_bytes(path))
-            if row.get("id") == asset_id:
-                return _read(path.parent, row)
+            if isinstance(row, dict) and row.get("id") == asset_id:
+                try:
+                    return _read(path.parent, row)
+                except (KeyError, TypeError, AttributeError, IndexError) as error:
+                    why = f"damaged in the store ({reason(error)}); delete {path.parent} and import it anew"
+                    raise InputError(f"asset: '{asset_id}' is {why}") from error
         known = [row["id"] for row in self.rows()]
         raise InputError(f"asset: '{asset_id}' is not in the store {self.root}{suggest(asset_id, known)}")
 

@@ -117,11 +117,12 @@ def _page(path: Path) -> bytes:
         return report_html(ReportData(scene, load=load)).encode()
     scene = Scene.load(path)
     metrics = _metrics(path.parent / "metrics.json", path)
-    if metrics is None:
-        from sceneweaver.verify import check
+    if metrics is not None:
+        with contextlib.suppress(KeyError, TypeError, ValueError, AttributeError):  # damaged: judged anew
+            return report_html(ReportData(scene, metrics)).encode()
+    from sceneweaver.verify import check
 
-        metrics = check(scene).to_dict()
-    return report_html(ReportData(scene, metrics)).encode()
+    return report_html(ReportData(scene, check(scene).to_dict())).encode()
 
 
 def _metrics(path: Path, scene: Path) -> dict[str, Any] | None:

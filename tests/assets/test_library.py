@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 
 import numpy as np
@@ -97,3 +98,21 @@ def test_the_embedder_says_what_is_missing(tmp_path) -> None:
 def test_a_wished_size_is_a_length(size) -> None:
     with pytest.raises(InputError, match=r"size: a (depth|width|height) of"):
         OURS.find("rug", Wish(size=size))
+
+
+@pytest.mark.parametrize("spoil", [{"parts": 3}, {"links": [{}]}, {"size": None, "materials": None}])
+def test_a_damaged_row_of_the_store_is_one_line(tmp_path, spoil) -> None:
+    asset = make("stool", 3)
+    content = content_hash(asset)
+    name = f"test:stool-{content[:12]}"
+    store = Store(tmp_path)
+    store.add(replace(asset, id=name), content)
+    assert store.load(name).size == asset.size
+    (row,) = tmp_path.glob("objects/*/*/row.json")
+    row.write_text(json.dumps({**json.loads(row.read_text()), **spoil}))
+    with pytest.raises(InputError, match="damaged in the store"):
+        store.load(name)
+    row.write_text("[]")
+    assert list(store.rows()) == []
+    with pytest.raises(InputError, match="is not in the store"):
+        store.load(name)

@@ -144,3 +144,12 @@ def test_nothing_to_show(tmp_path: Path, name: str) -> None:
 def test_a_port_that_is_none() -> None:
     with pytest.raises(InputError, match="--port"):
         make_server(lambda: b"", None, 70000)
+
+
+@pytest.mark.parametrize("spoil", [{"violations": 3}, {"violations": [{}]}, {"scores": [], "seconds": "x"}])
+def test_damaged_metrics_are_measured_anew(tmp_path, spoil):
+    Scene.example("bedroom").save(tmp_path / "scene.json")
+    page, _ = show(tmp_path)
+    (tmp_path / "metrics.json").write_text(json.dumps({"schema": "sceneweaver.metrics/1", **spoil}))
+    again, _ = show(tmp_path)
+    assert len(again()) > 0.9 * len(page())
