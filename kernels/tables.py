@@ -1,10 +1,12 @@
-"""The compiled problem as the kernels see it: one struct of flat tables.
+"""The compiled problem and the candidates as the kernels see them: flat tables, each declared once.
 
-A batch may hold candidates of several problems, so every table is the concatenation of the problems' tables and
+A batch may hold candidates of several problems, so every table is the concatenation of the problems' tables, and
 ``*_start`` arrays give each problem's, object's or relation's range (CSR). Indices of objects and relations stored
-inside the tables are local to their problem. Lengths are metres, angles radians. Some vectors of three numbers are
-stored as four, which a thread reads in one piece.
+inside the tables are local to their problem. Some vectors of three numbers are stored as four, which a thread reads in
+one piece. ``sceneweaver.layout.pack`` fills the tables, ``sceneweaver.optimizers.batch`` makes the state.
 """
+
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import warp as wp
 
@@ -57,79 +59,112 @@ POLYGONS = wp.constant(32)  # where other things meet
 PULL = wp.constant(64)  # of the anchor
 
 
-@wp.struct
-class Tables:
-    """Every table of a batch of problems. Built by ``sceneweaver.layout.pack``."""
+class Table(NamedTuple):
+    """An array of a struct: its name, what each dimension counts, the type of an element, its unit, and its meaning."""
 
-    # problem [P] or [P + 1]
-    object_start: wp.array(dtype=wp.int32)
-    relation_start: wp.array(dtype=wp.int32)
-    fixture_start: wp.array(dtype=wp.int32)
-    plane_start: wp.array(dtype=wp.int32)
-    pair_start: wp.array(dtype=wp.int32)
-    room_height: wp.array(dtype=wp.float32)
-    room_box: wp.array(dtype=wp.vec4)  # xmin, ymin, xmax, ymax of the outline
-    grid: wp.array(dtype=wp.vec4)  # cells: lowest corner, edge, largest reach of an object
-    grid_count: wp.array(dtype=wp.vec2i)  # columns, rows
-    movable: wp.array(dtype=wp.int32)  # roots that are free to move
-    # object [O] or [O + 1]
-    object_size: wp.array(dtype=wp.vec3)
-    object_radius: wp.array(dtype=wp.vec2)  # reach of the solids, and of solids and hard zones, from the origin
-    object_z: wp.array(dtype=wp.vec2)  # lowest and highest point of the solids above the origin
-    object_free: wp.array(dtype=wp.int32)
-    object_clear: wp.array(dtype=wp.int32)  # 1: must keep openings clear (wall-mounted objects need not)
-    object_boxes: wp.array(dtype=wp.int32)  # 1: all its prisms are boxes
-    object_terms: wp.array(dtype=wp.int32)  # the kinds of terms that it may have
-    group_start: wp.array(dtype=wp.int32)  # a root, all that it carries, and the groups of what is placed by it
-    group: wp.array(dtype=wp.int32)
-    object_parent: wp.array(dtype=wp.int32)  # the movable root that places this one by a relation; -1: none
-    object_root: wp.array(dtype=wp.int32)  # the object that carries it along; its own index for a root
-    member_start: wp.array(dtype=wp.int32)  # a root and all that it carries, itself first; empty for the carried
-    member: wp.array(dtype=wp.int32)
-    parts: wp.array(dtype=wp.vec2i)  # [2 O] prisms that each object has from and to: solids, then zones
-    footprint_start: wp.array(dtype=wp.int32)
-    incidence_start: wp.array(dtype=wp.int32)  # relations that the object takes part in
-    incidence: wp.array(dtype=wp.int32)
-    incidence_role: wp.array(dtype=wp.int32)  # 0 subject, 1 first target, 2 second target
-    surface_start: wp.array(dtype=wp.int32)  # a root's support surfaces, supporters before what they carry
-    pair_flags: wp.array(dtype=wp.uint8)  # n x n per problem, from pair_start
-    # deck: a support surface with what stands on it, and a pool of layouts solved for it beforehand
-    surface_supporter: wp.array(dtype=wp.int32)
-    surface_height: wp.array(dtype=wp.float32)
-    surface_member_start: wp.array(dtype=wp.int32)
-    surface_member: wp.array(dtype=wp.int32)
-    pool_start: wp.array(dtype=wp.int32)
-    pool: wp.array(dtype=wp.vec4)  # entry by entry, poses in the supporter's frame above the surface
-    pool_size: wp.int32  # entries of every deck
-    # prism [M] or [M + 1]
-    footprint: wp.array(dtype=wp.int32)
-    prism_start: wp.array(dtype=wp.int32)  # range of vertices
-    prism_z: wp.array(dtype=wp.vec2)
-    prism_disc: wp.array(dtype=wp.vec4)  # bounding circle: centre, radius
-    prism_box: wp.array(dtype=wp.vec4)  # centre and half edges of the bounding box, see below
+    name: str
+    shape: tuple[str, ...]
+    dtype: Any
+    unit: str
+    meaning: str
+
+
+if TYPE_CHECKING:
+
+    class Arrays:
+        """What a type checker takes a struct of tables for."""
+
+        def __getattr__(self, name: str) -> Any: ...
+        def __setattr__(self, name: str, value: Any) -> None: ...
+
+
+def struct_of(name: str, doc: str, tables: tuple[Table, ...], **more: Any) -> Any:
+    """A Warp struct with an array for every table, and other fields with their types."""
+    fields = {table.name: wp.array(dtype=table.dtype, ndim=len(table.shape)) for table in tables} | more
+    return wp.struct(type(name, (), {"__annotations__": fields, "__doc__": doc, "__module__": __name__}))
+
+
+PROBLEM, OBJECT, RELATION = ("problem",), ("object",), ("relation",)
+SURFACE, PRISM, EDGE, FIXTURE, ROW = ("surface",), ("prism",), ("edge",), ("fixture",), ("row",)
+PROBLEM_1, OBJECT_1, RELATION_1 = ("problem + 1",), ("object + 1",), ("relation + 1",)
+
+TABLES = (
+    Table("object_start", PROBLEM_1, wp.int32, "", "range of a problem's objects"),
+    Table("relation_start", PROBLEM_1, wp.int32, "", "range of a problem's relations"),
+    Table("fixture_start", PROBLEM_1, wp.int32, "", "range of a problem's static prisms"),
+    Table("plane_start", PROBLEM_1, wp.int32, "", "range of a problem's half planes"),
+    Table("pair_start", PROBLEM, wp.int32, "", "where a problem's n x n pair flags begin"),
+    Table("room_height", PROBLEM, wp.float32, "m", "height of the ceiling"),
+    Table("room_box", PROBLEM, wp.vec4, "m", "xmin, ymin, xmax, ymax of the outline"),
+    Table("grid", PROBLEM, wp.vec4, "m", "cells: lowest corner, edge, largest reach of an object"),
+    Table("grid_count", PROBLEM, wp.vec2i, "", "cells: columns, rows"),
+    Table("movable", PROBLEM, wp.int32, "", "how many roots are free to move"),
+    Table("object_size", OBJECT, wp.vec3, "m", "depth along the front, width, height"),
+    Table("object_radius", OBJECT, wp.vec2, "m", "reach of the solids, and of solids and hard zones, from the origin"),
+    Table("object_z", OBJECT, wp.vec2, "m", "lowest and highest point of the solids above the origin"),
+    Table("object_free", OBJECT, wp.int32, "", "bits FREE_PLANE, FREE_YAW, FREE_Z"),
+    Table("object_clear", OBJECT, wp.int32, "", "1: must keep openings clear"),
+    Table("object_boxes", OBJECT, wp.int32, "", "1: all its prisms are boxes"),
+    Table("object_terms", OBJECT, wp.int32, "", "bits: the kinds of terms that it may have"),
+    Table("object_parent", OBJECT, wp.int32, "", "the movable root that places this one by a relation; -1: none"),
+    Table("object_root", OBJECT, wp.int32, "", "the object that carries it along; its own index for a root"),
+    Table("group_start", OBJECT_1, wp.int32, "", "range of an object's group"),
+    Table("group", ("group",), wp.int32, "", "a root, all that it carries, and the groups of what is placed by it"),
+    Table("member_start", OBJECT_1, wp.int32, "", "range of an object's members; empty for the carried"),
+    Table("member", ("member",), wp.int32, "", "a root and all that it carries, itself first"),
+    Table("parts", ("2 object",), wp.vec2i, "", "prisms that an object has from and to: solids, then zones"),
+    Table("footprint_start", OBJECT_1, wp.int32, "", "range of an object's footprint"),
+    Table("footprint", ("footprint",), wp.int32, "", "prisms that the footprint is made of"),
+    Table("incidence_start", OBJECT_1, wp.int32, "", "range of an object's incidences"),
+    Table("incidence", ("incidence",), wp.int32, "", "relations that the object takes part in"),
+    Table("incidence_role", ("incidence",), wp.int32, "", "0 subject, 1 first target, 2 second target"),
+    Table("surface_start", OBJECT_1, wp.int32, "", "range of a root's support surfaces that carry something"),
+    Table("pair_flags", ("pair",), wp.uint8, "", "bits PAIR_*"),
+    Table("surface_supporter", SURFACE, wp.int32, "", "the object it belongs to; supporters before what they carry"),
+    Table("surface_height", SURFACE, wp.float32, "m", "height above the supporter's origin"),
+    Table("surface_member_start", ("surface + 1",), wp.int32, "", "range of what stands on it"),
+    Table("surface_member", ("surface member",), wp.int32, "", "what stands on it"),
+    Table("pool_start", ("surface + 1",), wp.int32, "", "range of its pool"),
+    Table(
+        "pool",
+        ("pool",),
+        wp.vec4,
+        "m, rad",
+        "layouts solved beforehand: poses in the supporter's frame",
+    ),
+    Table("prism_start", ("prism + 1",), wp.int32, "", "range of a prism's vertices"),
+    Table("prism_z", PRISM, wp.vec2, "m", "lowest and highest point"),
+    Table("prism_disc", PRISM, wp.vec4, "m", "bounding circle: centre, radius"),
     # the first half edge is negative unless the prism is this box, the second if some of its faces are no way out
-    vertex: wp.array(dtype=wp.vec2)
-    edge: wp.array(dtype=wp.vec4)  # outward normal n and offset c of the edge that starts here: n . x <= c
-    edge_real: wp.array(dtype=wp.int32)  # 0: an edge inside the outside of the room, no way out
-    # static prism, half plane (n, c): n . x >= c inside
-    fixture: wp.array(dtype=wp.int32)
-    fixture_kind: wp.array(dtype=wp.int32)
-    plane: wp.array(dtype=wp.vec4)
-    # relation [R] or [R + 1], option, row
-    relation_object: wp.array(dtype=wp.vec3i)  # subject, first and second target; -1: none
-    relation_weight: wp.array(dtype=wp.float32)
-    relation_fault: wp.array(dtype=wp.int32)  # status when it does not hold: 0 soft, 1 mounting, 2 hard relation
-    relation_rigid: wp.array(dtype=wp.int32)  # 1: between objects carried along together
-    relation_kind: wp.array(dtype=wp.int32)  # FORMULAS, DISTANCES or RELATIONS
-    option_start: wp.array(dtype=wp.int32)
-    row_start: wp.array(dtype=wp.int32)
-    row_feature: wp.array(dtype=wp.int32)
-    row_frame: wp.array(dtype=wp.vec4)  # the feature's normal and point
-    row_aim: wp.array(dtype=wp.vec4)  # interval that the energy pulls into, offset, metres per unit of the feature
-    row_prism: wp.array(dtype=wp.int32)
-    row_hold: wp.array(dtype=wp.vec2)  # interval that counts as fulfilled
-    # rows of exact values of each option, from and to; their aim is the value and the one that all may share
-    snap_start: wp.array(dtype=wp.int32)
+    Table("prism_box", PRISM, wp.vec4, "m", "bounding box: centre, half edges, with signs"),
+    Table("vertex", EDGE, wp.vec2, "m", "vertices, counter-clockwise"),
+    Table("edge", EDGE, wp.vec4, "m", "outward normal n and offset c of the edge that starts here: n . x <= c"),
+    Table("edge_real", EDGE, wp.int32, "", "0: an edge inside the outside of the room, no way out"),
+    Table("fixture", FIXTURE, wp.int32, "", "prism of a static prism"),
+    Table("fixture_kind", FIXTURE, wp.int32, "", "FIXTURE_SOLID or FIXTURE_OPENING"),
+    Table("plane", ("plane",), wp.vec4, "m", "half plane (n, c): n . x >= c inside"),
+    Table("relation_object", RELATION, wp.vec3i, "", "subject, first and second target; -1: none"),
+    Table("relation_weight", RELATION, wp.float32, "", "weight in the energy"),
+    Table("relation_fault", RELATION, wp.int32, "", "status if it does not hold: 0 soft, 1 mounting, 2 hard relation"),
+    Table("relation_rigid", RELATION, wp.int32, "", "1: between objects carried along together"),
+    Table("relation_kind", RELATION, wp.int32, "", "FORMULAS, DISTANCES or RELATIONS"),
+    Table("option_start", RELATION_1, wp.int32, "", "range of a relation's options"),
+    Table("row_start", ("option + 1",), wp.int32, "", "range of an option's rows"),
+    Table("row_feature", ROW, wp.int32, "", "FEATURE_*"),
+    Table("row_frame", ROW, wp.vec4, "m", "the feature's normal and point"),
+    Table("row_aim", ROW, wp.vec4, "", "interval that the energy pulls into, offset, metres per unit of the feature"),
+    Table("row_prism", ROW, wp.int32, "", "static prism that a distance is measured to; -1: none"),
+    Table("row_hold", ROW, wp.vec2, "", "interval that counts as fulfilled"),
+    # rows of exact values stand behind all others; their aim is the value and the one that all may share
+    Table("snap_start", ("option + 1",), wp.int32, "", "range of an option's rows of exact values"),
+)
+# ``pool_size`` is the number of layouts in every surface's pool.
+if TYPE_CHECKING:
+
+    class Tables(Arrays):
+        """As below."""
+else:
+    Tables = struct_of("Tables", "Every table of a batch of problems, see TABLES.", TABLES, pool_size=wp.int32)
 
 
 TablesRef = wp.array(dtype=Tables)
@@ -142,22 +177,29 @@ def parts_of(t: TablesRef, o: wp.int32, kind: wp.int32):
     return item(t[0].parts, 2 * o + kind)
 
 
-@wp.struct
-class State:
-    """The candidates' layouts, [candidate, object] or [candidate, relation]."""
+OF_OBJECT = ("candidate", "object")
 
-    poses: wp.array2d(dtype=wp.vec4)  # x, y, z, yaw
-    turns: wp.array2d(dtype=wp.vec2)  # cos, sin of yaw
-    options: wp.array2d(dtype=wp.int32)  # chosen option of each relation, an index into row_start
-    anchors: wp.array2d(dtype=wp.vec4)  # where Weights.pull pulls to
-    rng: wp.array(dtype=wp.uint32)  # seed of each candidate's random streams
-    stream: wp.array2d(dtype=wp.uint32)  # [candidate, lane]: the search's streams; the last: the candidate's own
-    released: wp.array2d(dtype=wp.int32)  # 1: a root that anchored attempts may move, see `release`
-    mark: wp.array2d(dtype=wp.int32)  # the move that an object takes part in, see `View`
-    draft: wp.array2d(dtype=wp.vec4)  # surfaces laid out otherwise, see `View`
-    cell_head: wp.array2d(dtype=wp.int32)  # [candidate, cell]: first object of the cell; -1: none
-    cell_next: wp.array2d(dtype=wp.int32)  # next object of the same cell
-    cell_of: wp.array2d(dtype=wp.int32)
+STATE = (
+    Table("poses", OF_OBJECT, wp.vec4, "m, rad", "x, y, z, yaw"),
+    Table("turns", OF_OBJECT, wp.vec2, "", "(cos, sin) of the yaw"),
+    Table("options", ("candidate", "relation"), wp.int32, "", "chosen option of each relation, index into row_start"),
+    Table("anchors", OF_OBJECT, wp.vec4, "m, rad", "where Weights.pull pulls to"),
+    Table("rng", ("candidate",), wp.uint32, "", "seed of the candidate's random streams"),
+    Table("stream", ("candidate", "lane"), wp.uint32, "", "the search's streams; the last: the candidate's own"),
+    # Those that only a search fills; before, the second dimension is 1.
+    Table("released", ("candidate", "1"), wp.int32, "", "1: a root that anchored attempts may move, see `release`"),
+    Table("mark", OF_OBJECT, wp.int32, "", "the move that an object takes part in, see `View`"),
+    Table("draft", OF_OBJECT, wp.vec4, "m, rad", "surfaces laid out otherwise, see `View`"),
+    Table("cell_head", ("candidate", "1"), wp.int32, "", "first object of each cell; -1: none"),
+    Table("cell_next", ("candidate", "1"), wp.int32, "", "next object of the same cell"),
+    Table("cell_of", ("candidate", "1"), wp.int32, "", "the cell of each object"),
+)
+if TYPE_CHECKING:
+
+    class State(Arrays):
+        """As below."""
+else:
+    State = struct_of("State", "The candidates' layouts, see STATE.", STATE)
 
 
 @wp.struct

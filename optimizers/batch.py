@@ -9,24 +9,9 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.bookkeeping import set_turns
-from sceneweaver.kernels.tables import Margins, State, Tables, Weights
+from sceneweaver.kernels.tables import STATE, Margins, State, Tables, Weights
 from sceneweaver.kernels.verdict import judge_candidates, judge_objects, judge_relations
 from sceneweaver.kernels.warp_primitives import WARP_SIZE
-
-STATE = (
-    "poses",
-    "turns",
-    "options",
-    "anchors",
-    "rng",
-    "stream",
-    "released",
-    "mark",
-    "draft",
-    "cell_head",
-    "cell_next",
-    "cell_of",
-)
 
 
 @dataclass
@@ -57,8 +42,8 @@ class Batch:
     def part(self, first: int, last: int) -> Batch:
         """Candidates first to last as a batch that shares this one's memory."""
         state = State()
-        for name in STATE:
-            setattr(state, name, getattr(self.state, name)[first:last])
+        for table in STATE:
+            setattr(state, table.name, getattr(self.state, table.name)[first:last])
         return replace(self, problem=self.problem[first:last], state=state)
 
     def scratch(self) -> State:
@@ -85,19 +70,12 @@ def threads_per_candidate(device: str) -> int:
 
 def new_state(candidates: int, objects: int, relations: int, device: str) -> State:
     """A state of zeros."""
+    counts = {"candidate": candidates, "object": max(objects, 1), "relation": max(relations, 1)}
+    counts |= {"lane": threads_per_candidate(device) + 1, "1": 1}
     state = State()
-    shape, links = (candidates, max(objects, 1)), (candidates, max(relations, 1))
-    state.poses = wp.zeros(shape, dtype=wp.vec4, device=device)
-    state.turns = wp.zeros(shape, dtype=wp.vec2, device=device)
-    state.options = wp.zeros(links, dtype=wp.int32, device=device)
-    state.anchors = wp.zeros(shape, dtype=wp.vec4, device=device)
-    state.rng = wp.zeros(candidates, dtype=wp.uint32, device=device)
-    state.stream = wp.zeros((candidates, threads_per_candidate(device) + 1), dtype=wp.uint32, device=device)
-    state.released = wp.zeros((candidates, 1), dtype=wp.int32, device=device)  # for searches from given poses only
-    state.mark = wp.zeros(shape, dtype=wp.int32, device=device)
-    state.draft = wp.zeros(shape, dtype=wp.vec4, device=device)
-    for name in ("cell_head", "cell_next", "cell_of"):  # no cells: all pairs are looked at
-        setattr(state, name, wp.zeros((candidates, 1), dtype=wp.int32, device=device))
+    for table in STATE:
+        shape = tuple(counts[dimension] for dimension in table.shape)
+        setattr(state, table.name, wp.zeros(shape, dtype=table.dtype, device=device))
     return state
 
 

@@ -11,7 +11,7 @@ import warp as wp
 from sceneweaver.kernels import gradients, gradients_gpu
 from sceneweaver.kernels.descent import Schedule, UpdateRule
 from sceneweaver.kernels.step import add_up, choose, measure, take_best
-from sceneweaver.kernels.tables import State
+from sceneweaver.kernels.tables import STATE, State
 from sceneweaver.kernels.warp_primitives import WARP_SIZE
 
 from .base import Monitor, OptimizerResult
@@ -55,8 +55,8 @@ def per_object(batch: Batch, dtype: type, fill: float = 0.0) -> wp.array:
 def by_object(state: State) -> State:
     """The same layouts stored object by object, in which order warps read an object of neighbouring candidates."""
     found = State()
-    for name in State.vars:
-        setattr(found, name, getattr(state, name))
+    for table in STATE:
+        setattr(found, table.name, getattr(state, table.name))
     for name in ("poses", "turns", "options", "anchors"):
         rows = getattr(state, name)
         columns = wp.empty(rows.shape[::-1], dtype=rows.dtype, device=rows.device).transpose()

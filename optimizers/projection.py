@@ -11,9 +11,10 @@ from sceneweaver.kernels.bookkeeping import set_turns
 from sceneweaver.kernels.inequality import ROWS, Inequality, InequalitySystem
 from sceneweaver.kernels.linearise import linearise
 from sceneweaver.kernels.projection import Perturbation, choose_options, project, restore, start_try
+from sceneweaver.kernels.tables import STATE
 
 from .base import Monitor, OptimizerResult, Start, register
-from .batch import STATE, Batch, new_state
+from .batch import Batch, new_state
 from .search import run_search
 from .starts import draw_starts
 
@@ -218,7 +219,7 @@ def _search(batch: Batch, lost: np.ndarray, tries: int, monitor: Monitor) -> np.
 def _subset(batch: Batch, chosen: np.ndarray) -> Batch:
     """Some candidates of a batch, copied."""
     state = new_state(chosen.size, batch.objects, batch.relations, batch.device)
-    for name in STATE:
-        getattr(state, name).assign(getattr(batch.state, name).numpy()[chosen])
+    for table in STATE:
+        getattr(state, table.name).assign(getattr(batch.state, table.name).numpy()[chosen])
     problem = wp.array(batch.problem.numpy()[chosen], dtype=wp.int32, device=batch.device)
     return replace(batch, problem=problem, state=state)

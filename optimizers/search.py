@@ -15,10 +15,10 @@ from sceneweaver.kernels.proposals import draw, rate, take_gradients
 from sceneweaver.kernels.rounds import advance, start_rounds
 from sceneweaver.kernels.search import search
 from sceneweaver.kernels.starts import Plan, start_attempt
-from sceneweaver.kernels.tables import State
+from sceneweaver.kernels.tables import STATE, State
 
 from .base import Monitor, OptimizerResult, Start, register
-from .batch import STATE, Batch, launch_verdict, new_device_verdict, threads_per_candidate
+from .batch import Batch, launch_verdict, new_device_verdict, threads_per_candidate
 from .launches import repeat_while, repeatable
 from .starts import STARTS, launch_warps
 
@@ -96,8 +96,8 @@ def plan_for(effort: Effort, start: Start, attempts: int | None) -> Plan:
 def extend_state(batch: Batch) -> State:
     """The batch's state with what only a search keeps: the objects released so far, and cells where they pay."""
     state = State()
-    for name in STATE:
-        setattr(state, name, getattr(batch.state, name))
+    for table in STATE:
+        setattr(state, table.name, getattr(batch.state, table.name))
     state.released = wp.zeros_like(state.mark)
     if batch.objects > CROWD:
         state.cell_head = wp.zeros((batch.size, CELLS), dtype=wp.int32, device=batch.device)
