@@ -148,7 +148,7 @@ def whole(path: Place) -> Iterator[Path]:
             with open(temporary, "rb") as file:
                 os.fsync(file.fileno())
             os.replace(temporary, target)
-    except (FileNotFoundError, NotADirectoryError):
+    except FileNotFoundError:
         raise InputError(f"{name}: its folder does not exist; make it first") from None
     except (OSError, ValueError) as error:
         if isinstance(error, InputError):

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
+from sceneweaver import render
 from sceneweaver.agent.deadline import Deadline
 from sceneweaver.agent.deliver import deliver
 from sceneweaver.agent.memory import Call, Step
@@ -61,7 +62,10 @@ def test_scene_and_metrics_alone(result, tmp_path):
     assert done.seconds >= 2.0 and done.scene is result.scene
 
 
-def test_pictures_report_and_model(result, tmp_path):
+def test_pictures_report_and_model(result, tmp_path, monkeypatch):
+    draw = render.draw_rooms
+    small = {"width": 240, "height": 180}  # rays, not files, are what takes long
+    monkeypatch.setattr(render, "draw_rooms", lambda *given, device: draw(*given[:3], **small, device=device))
     kept = tmp_path / "steps" / "01"
     kept.mkdir(parents=True)
     result.scene.save(kept / "scene.json")
