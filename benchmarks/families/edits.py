@@ -13,8 +13,11 @@ from benchmarks.judging import Judge
 from benchmarks.results import Column, Plot, Result, Table
 from benchmarks.settings import Settings
 from benchmarks.timing import timed
+from sceneweaver.layout import refine
+from sceneweaver.scene import Scene
 
 STILL = 0.01  # [m] what counts as not moved
+STARTS = 1024  # random starts that look for another way, with the bystanders fixed
 
 MEASURES = (
     Column("edits", "edits", "count"),
@@ -22,6 +25,7 @@ MEASURES = (
     Column("solved", "solved", "share"),
     Column("exceptions", "exceptions", "count"),
     Column("calm", "others still", "share"),
+    Column("forced", "no other way", "count"),
     Column("typical", "median [mm]", "mm"),
     Column("worst", "most [mm]", "mm"),
     Column("seconds", "s a call", "number"),
@@ -36,6 +40,7 @@ DETAIL = (
     "solved",
     "furthest",
     "who",
+    "forced",
     "exceptions",
     "seconds",
 )
@@ -65,7 +70,9 @@ def run(settings: Settings, judge: Judge) -> Result:
     skipped = sum(row["object"] is None for row in detail.rows)
     result.notes.append(
         f"{settings.size(16, 4)} candidates a call. Valid: share of candidates. Solved: the best layout is valid. "
-        "Others still: share of edits for which no bystander moves more than 1 cm. Median and most: over edits, how "
+        "Others still: share of edits for which no bystander moves more than 1 cm. No other way: edits, among the "
+        f"others, for which {settings.size(STARTS, 4):,} random starts with all bystanders fixed find no valid layout "
+        "either. Median and most: over edits, how "
         f"far the bystander moves that moves furthest. Edits for which there was no free spot: {skipped}."
     )
     title = "Edits solved, and edits after which the others stood still"
@@ -89,6 +96,7 @@ def _one(settings: Settings, judge: Judge, result: Result, name: str, edit: str,
     moved = np.linalg.norm(solution.poses[best, bystanders, :3] - rooms.witness(scene)[bystanders, :3], axis=1)
     solved = bool(solution.status[best] == 0)
     who = int(moved.argmax()) if len(moved) else None
+    far = bool(moved.max(initial=0.0) > STILL)
     return row | {
         "object": edited,
         "bystanders": len(bystanders),
@@ -96,9 +104,19 @@ def _one(settings: Settings, judge: Judge, result: Result, name: str, edit: str,
         "solved": solved,
         "furthest": float(moved.max(initial=0.0)) if solved else None,
         "who": None if who is None or not solved else scene.objects[bystanders[who]].id,
+        "forced": solved and far and not _another_way(settings, scene, bystanders),
         "exceptions": found.exceptions,
         "seconds": seconds,
     }
+
+
+def _another_way(settings: Settings, scene: Scene, bystanders: list[int]) -> bool:
+    """Whether a search finds a valid layout with the bystanders where they are."""
+    still = {scene.objects[i].id for i in bystanders}
+    objects = tuple(o.model_copy(update={"fixed": True}) if o.id in still else o for o in scene.objects)
+    held = scene.model_copy(update={"objects": objects})
+    found = refine(held, candidates=settings.size(STARTS, 4), seed=settings.seed, init="random", device=settings.device)
+    return bool(np.any(found.status == 0))
 
 
 def _summary(key: dict[str, Any], rows: list[dict[str, Any]]) -> dict[str, Any]:
@@ -114,6 +132,7 @@ def _summary(key: dict[str, Any], rows: list[dict[str, Any]]) -> dict[str, Any]:
         "solved": mean("solved"),
         "exceptions": sum(r["exceptions"] for r in done),
         "calm": float(np.mean([f <= STILL for f in far])) if far else None,
+        "forced": sum(r["forced"] for r in done),
         "typical": float(np.median(far)) if far else None,
         "worst": max(far) if far else None,
         "seconds": mean("seconds"),
