@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from benchmarks.rivals.pulls import Room
 from benchmarks.rooms import witness
 from benchmarks.starts import movable
 from sceneweaver.geometry.hulls import convex_hull
+from sceneweaver.geometry.se2 import SE2
 from sceneweaver.geometry.shell import clearance, heights
 from sceneweaver.scene import CATALOGUE, Scene
 
@@ -121,28 +123,13 @@ def rectangle(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray, float] | Non
     return None if skew > 1e-6 else (corners.mean(axis=0), lengths / 2, math.atan2(along[1], along[0]))
 
 
-def _frames(scene: Scene) -> Iterator[tuple[int, _Place, float]]:
+def _frames(scene: Scene) -> Iterator[tuple[int, Callable[[ArrayLike], np.ndarray], float]]:
     """Of every object its owner, what puts its points into the owner's frame, and its height."""
     own, floor = witness(scene), movable(scene)
     for i, owner in enumerate(owners(scene)):
         base = own[floor[owner]] if owner >= 0 else np.zeros(4)
-        yield int(owner), _Place(own[i], base), float(own[i, 2])
-
-
-class _Place:
-    """Points of an object at ``pose`` in the frame of ``base``; both x, y, z, yaw."""
-
-    def __init__(self, pose: np.ndarray, base: np.ndarray) -> None:
-        self.turn = _rotation(pose[3] - base[3])
-        self.shift = _rotation(-base[3]) @ (pose[:2] - base[:2])
-
-    def __call__(self, points: Sequence[Sequence[float]] | np.ndarray) -> np.ndarray:
-        return np.asarray(points, dtype=float) @ self.turn.T + self.shift
-
-
-def _rotation(angle: float) -> np.ndarray:
-    c, s = math.cos(angle), math.sin(angle)
-    return np.array([[c, -s], [s, c]])
+        frame = SE2(base[0], base[1], base[3]).inverse() @ SE2(own[i, 0], own[i, 1], own[i, 3])
+        yield int(owner), frame.to_world, float(own[i, 2])
 
 
 def _lifted(z: tuple[float, float], by: float) -> tuple[float, float]:

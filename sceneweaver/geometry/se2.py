@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, field
 from typing import Any
 
 from .angles import wrap_angle
@@ -12,16 +11,19 @@ from .angles import wrap_angle
 
 @dataclass(frozen=True)
 class SE2:
-    """A frame at (x, y) [m], turned by ``yaw`` [rad]; as a motion it turns about the origin, then moves."""
+    """A frame at (x, y) [m], turned by ``yaw`` [rad]; as a motion it turns about the origin, then moves.
+
+    ``axis`` is the unit vector of the frame's +x in the world.
+    """
 
     x: float = 0.0
     y: float = 0.0
     yaw: float = 0.0
+    axis: tuple[float, float] = field(init=False, repr=False, compare=False)
 
-    @cached_property
-    def axis(self) -> tuple[float, float]:
-        """Unit vector of the frame's +x in the world."""
-        return math.cos(self.yaw), math.sin(self.yaw)
+    def __post_init__(self) -> None:
+        """Work out the axis once."""
+        object.__setattr__(self, "axis", (math.cos(self.yaw), math.sin(self.yaw)))
 
     def world(self, u: Any, v: Any) -> tuple[Any, Any]:
         """World coordinates of what is at (u, v) of the frame; floats, or arrays of one shape."""

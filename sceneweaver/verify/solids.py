@@ -17,11 +17,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from sceneweaver.geometry.angles import heading
 from sceneweaver.geometry.hulls import convex_hull
 from sceneweaver.geometry.polygons import rectangle, signed_area
 from sceneweaver.geometry.prisms import prism_vertices
-from sceneweaver.geometry.rotations import matrix, tilt_of, yaw_of
+from sceneweaver.geometry.rotations import matrix, tilt_of
 from sceneweaver.geometry.se2 import SE2
 from sceneweaver.geometry.shell import clear_zone, heights
 from sceneweaver.geometry.walls import Wall
@@ -69,16 +68,12 @@ class Body:
     z: tuple[float, float]
     volume: float
     corners: tuple[Point, ...]
+    frame: SE2
 
     @property
     def centre(self) -> Point:
         """The object's origin in the plane [m]."""
         return self.position[0], self.position[1]
-
-    @cached_property
-    def frame(self) -> SE2:
-        """The object's frame in the plane."""
-        return SE2(self.position[0], self.position[1], self.yaw)
 
     @property
     def front(self) -> Point:
@@ -187,8 +182,8 @@ def _outline(points: Array) -> tuple[Point, ...]:
 
 def _body(index: int, item: SceneObject) -> Body:
     quaternion = item.pose.quaternion
-    tilted, yaw = tilt_of(quaternion) > TILT, yaw_of(quaternion)
-    rotation = matrix(quaternion) if tilted else _upright(yaw)
+    tilted, frame = tilt_of(quaternion) > TILT, item.pose.frame
+    rotation = matrix(quaternion) if tilted else _upright(frame)
     position, size, solids = item.pose.position, item.size, item.solids
     volume = sum(abs(signed_area(p.polygon)) * (p.z[1] - p.z[0]) for p in solids)
     if tilted:
@@ -198,13 +193,13 @@ def _body(index: int, item: SceneObject) -> Body:
         corners = _outline(prism_vertices(rectangle(size[0], size[1]), (0.0, size[2])) @ rotation.T + world)
     else:
         z = (position[2] + min(p.z[0] for p in solids), position[2] + max(p.z[1] for p in solids))
-        corners = tuple(item.pose.frame.world(u, v) for u, v in rectangle(size[0], size[1]))
-    return Body(index, item, item.id, position, size, yaw, rotation, tilted, z, volume, corners)
+        corners = tuple(frame.world(u, v) for u, v in rectangle(size[0], size[1]))
+    return Body(index, item, item.id, position, size, frame.yaw, rotation, tilted, z, volume, corners, frame)
 
 
-def _upright(yaw: float) -> Array:
-    """The rotation by a yaw; the little by which an upright object tilts is none."""
-    c, s = heading(yaw)
+def _upright(frame: SE2) -> Array:
+    """The rotation about z only: the little by which an upright object tilts is none."""
+    c, s = frame.axis
     return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
 

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sceneweaver.geometry import rotations
@@ -84,6 +84,7 @@ def test_poses_seen_from_a_frame_and_back(poses, frame, height):
     np.testing.assert_allclose(wrap_angle(back[:, 3] - poses[:, 3]), 0, atol=1e-12)
 
 
+@settings(deadline=None)  # the first call loads scipy
 @given(radians)
 def test_a_yaw_as_a_quaternion_and_back(yaw):
     turn = rotations.from_yaw(yaw)
@@ -104,6 +105,7 @@ def test_the_real_part_goes_to_the_front_and_back():
     assert rotations.xyzw([(4.0, 1.0, 2.0, 3.0)]).tolist() == [[1.0, 2.0, 3.0, 4.0]]
 
 
+@settings(deadline=None)  # the first call loads scipy
 @given(quaternions, quaternions)
 def test_products_are_hamiltons(a, b):
     assert rotations.multiply(a, b) == pytest.approx(hamilton(a, b), abs=1e-12)
@@ -111,6 +113,7 @@ def test_products_are_hamiltons(a, b):
     assert rotations.multiply(a, rotations.inverse(a)) == pytest.approx(rotations.IDENTITY, abs=1e-12)
 
 
+@settings(deadline=None)  # the first call loads scipy
 @given(quaternions, axes)
 def test_vectors_turn_as_the_product_with_both_sides_of_a_quaternion(turn, vector):
     expected = hamilton(hamilton(turn, (*vector, 0.0)), rotations.inverse(turn))[:3]
@@ -122,6 +125,7 @@ def test_vectors_turn_as_the_product_with_both_sides_of_a_quaternion(turn, vecto
     assert math.cos(rotations.tilt_of(turn)) == pytest.approx(up[2], abs=1e-12)
 
 
+@settings(deadline=None)  # the first call loads scipy
 @given(st.lists(quaternions, min_size=4, max_size=4), axes, points)
 def test_many_poses_at_once(turns, vector, place):
     poses = np.array([(*place, k, *turn) for k, turn in enumerate(turns)]).reshape(2, 2, 7)

@@ -7,10 +7,11 @@ shows the front.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+
+from sceneweaver.geometry.angles import wrap_angle
 
 from ..imports.hints import Hints
 from .tables import number, read_json, rows_of
@@ -61,7 +62,7 @@ def _hints(file: Path, uid: str, row: dict[str, Any]) -> Hints:
         description=str(row.get("description", "")),
         up="y",
         front=front,
-        yaw=math.remainder(turn, 2 * math.pi),
+        yaw=wrap_angle(turn),
         size=(None, None, height),
         mass=number(row.get("mass")),
         mount=_mount(row),
