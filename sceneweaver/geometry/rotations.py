@@ -13,8 +13,6 @@ from typing import Any
 Quaternion = tuple[float, float, float, float]
 Vector = tuple[float, float, float]
 
-IDENTITY: Quaternion = (0.0, 0.0, 0.0, 1.0)
-
 
 def from_yaw(yaw: float) -> Quaternion:
     """The rotation by ``yaw`` [rad] about +z."""
