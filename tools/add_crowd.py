@@ -28,7 +28,7 @@ class AddCrowd:
     def propose(self, context: Context) -> Proposal:
         """Adds of things on the boards that are empty; their poses are free of collisions already."""
         inputs = context.inputs
-        around = Surroundings(context.scene, context.room)
+        around = Surroundings(context.scene, context.room_type)
         chosen = around.supports(inputs.get("supports") or [])
         named = inputs.get("theme")
         theme = crowd(str(named)) if named else None

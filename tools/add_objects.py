@@ -72,7 +72,7 @@ def _add(work: _Work, row: Mapping[str, Any], number: int) -> None:
     match = resolve(row["category"])
     if match.note and match.how != "spelling":
         work.notes.append(match.note)
-    item = item_for(context.room, match.category, draft, row.get("item"))
+    item = item_for(context.room_type, match.category, draft, row.get("item"))
     places = [row_of(p, f"{where}.place[{i}]") for i, p in enumerate(row.get("place", ()))]
     on = row.get("on")
     asked_on = [on] if isinstance(on, str) else list(on or ())
@@ -99,12 +99,12 @@ def _add(work: _Work, row: Mapping[str, Any], number: int) -> None:
         work.edits.append(Add(object=subject))
         given = bool(places)
         relations, failed = relations_of(
-            draft, places or rows_for(draft, context.room, item, subject), subject, count if given else 1
+            draft, places or rows_for(draft, context.room_type, item, subject), subject, count if given else 1
         )
         if given:
             work.unmet += failed
             if not relations:
-                relations, _ = relations_of(draft, rows_for(draft, context.room, item, subject), subject)
+                relations, _ = relations_of(draft, rows_for(draft, context.room_type, item, subject), subject)
         draft.relations += relations
         work.edits += [Relate(relation=r) for r in relations]
 

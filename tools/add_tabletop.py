@@ -41,7 +41,7 @@ class AddTabletop:
     def propose(self, context: Context) -> Proposal:
         """Adds, and soft relations between what belongs together; poses are free of collisions already."""
         inputs = context.inputs
-        around = Surroundings(context.scene, context.room)
+        around = Surroundings(context.scene, context.room_type)
         chosen = around.supports(inputs.get("supports") or [])
         asked = _asked(inputs.get("objects") or [])
         named = inputs.get("arrangement")

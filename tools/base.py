@@ -22,7 +22,7 @@ class Context:
     """
 
     brief: Brief
-    room: RoomType
+    room_type: RoomType
     scene: Scene
     library: Library
     seed: int

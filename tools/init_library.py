@@ -40,7 +40,7 @@ class InitLibrary:
 
 def _best(cards: Sequence[SceneCard], context: Context, folder: str | None) -> tuple[SceneCard, float]:
     """The card most like what is asked for, among equally good ones by seed."""
-    kind = context.room.name
+    kind = context.room_type.name
     own = [card for card in cards if card.room.replace(" ", "_") == kind]
     if not own:
         where = f"folder '{folder}'" if folder is not None else "the library"

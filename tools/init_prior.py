@@ -39,7 +39,7 @@ class InitPrior:
 
     def propose(self, context: Context) -> Proposal:
         """A new scene; ``inputs`` may hold ``style``, and ``roomier``, a factor on a floor that nobody fixed."""
-        room, brief, seed = context.room, context.brief, context.seed
+        room, brief, seed = context.room_type, context.brief, context.seed
         area, people, given, notes = floor_area(room, brief, seed)
         if not given:
             area = min(area * float(context.inputs.get("roomier", 1.0)), 1.5 * room.area[2])
@@ -72,7 +72,7 @@ def _scene(
     context: Context, space: Room, program: Program, style: str, people: int
 ) -> tuple[Scene, list[str], dict[str, str]]:
     """The scene of a program, what of the request cannot be said in it, and what was asked to stand in the middle."""
-    room, brief = context.room, context.brief
+    room, brief = context.room_type, context.brief
     asked, placed, unmet, middle = of_brief(brief, program.wanted, space)
     relations = _consistent(asked, of_items(program.wanted, space, placed))
     tall = {w.id: w.asset.size[2] for w in program.wanted}
@@ -97,7 +97,7 @@ def _scene(
 
 
 def _program(context: Context, space: Room, area: float, people: int, style: str) -> Program:
-    room, brief = context.room, context.brief
+    room, brief = context.room_type, context.brief
     wishes = demands(room, brief, area, people, len(space.windows), context.seed)
     pane = (space.windows[0].width, space.windows[0].height) if space.windows else None
     fill = FILL[brief.density]

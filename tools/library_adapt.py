@@ -37,7 +37,7 @@ def adapted(context: Context, scene: Scene, tool: str, name: str) -> tuple[Scene
     brief, notes, unmet = context.brief, list[str](), list[str]()
     scene = scene.model_copy(
         update={
-            "id": context.room.name,
+            "id": context.room_type.name,
             "prompt": brief.text,
             "dropped": (),
             "objects": tuple(_unasked(o) for o in scene.objects),
@@ -46,7 +46,7 @@ def adapted(context: Context, scene: Scene, tool: str, name: str) -> tuple[Scene
                 **scene.provenance,
                 "tool": tool,
                 "library": name,
-                "room": context.room.name,
+                "room": context.room_type.name,
                 "seed": context.seed,
             },
         }
@@ -170,7 +170,7 @@ def _found(context: Context, scene: Scene, asked: Asked, notes: list[str]) -> tu
         scene = _removed(scene, spare)
     least = asked.count[0] if asked.count else 1
     if not ids:
-        items = {i.id for i in context.room.items if matches(asked.category, i)}
+        items = {i.id for i in context.room_type.items if matches(asked.category, i)}
         others = [o.id for o in free if o.intent.program_item in items or _kin(o.category, asked.category)]
         for id in others[: max(least, 1)]:
             scene, new = _swapped(context, scene, id, asked, notes)

@@ -136,15 +136,15 @@ def _groups(category: str) -> set[str]:
     return found
 
 
-def demands(room: RoomType, brief: Brief, area: float, people: int, windows: int, seed: int) -> list[Demand]:
+def demands(room_type: RoomType, brief: Brief, area: float, people: int, windows: int, seed: int) -> list[Demand]:
     """What the room should hold: what was asked, then the room's items by need, without what must not be there."""
     rng = random.Random(seed)
     banned = {name for word in brief.without for name in (word, *members(word))}
     asked = {a.id: a for a in brief.objects}
-    shares = _shares(room, brief, area, people)
-    holders = {i.with_ for i in room.items if any(meant_by(a, i) for a in brief.objects)}
+    shares = _shares(room_type, brief, area, people)
+    holders = {i.with_ for i in room_type.items if any(meant_by(a, i) for a in brief.objects)}
     found: list[Demand] = []
-    for item in room.items:
+    for item in room_type.items:
         draw, pick, keep = rng.random(), rng.random(), rng.random()
         meant = [a for a in asked.values() if meant_by(a, item)]
         if meant:
@@ -161,7 +161,7 @@ def demands(room: RoomType, brief: Brief, area: float, people: int, windows: int
                         del asked[one.id]
             continue
         names = tuple(c for c in item.what if c not in banned)
-        if _hangs_at_windows(item) and _something_at_windows(room, brief):
+        if _hangs_at_windows(item) and _something_at_windows(room_type, brief):
             names = tuple(c for c in names if c not in FULL_LENGTH) or tuple({BLIND} - banned)
         if not names or (brief.only and item.need != "needed") or (brief.only and brief.objects):
             continue
@@ -178,7 +178,7 @@ def demands(room: RoomType, brief: Brief, area: float, people: int, windows: int
     return found
 
 
-def _shares(room: RoomType, brief: Brief, area: float, people: int) -> dict[str, dict[str, int]]:
+def _shares(room_type: RoomType, brief: Brief, area: float, people: int) -> dict[str, dict[str, int]]:
     """Where several items of the room stand for something asked for, how its number is spread over them.
 
     Each takes what it usually has, in the order of the room's file, and the last takes the rest: of eight bar stools
@@ -186,13 +186,13 @@ def _shares(room: RoomType, brief: Brief, area: float, people: int) -> dict[str,
     """
     found: dict[str, dict[str, int]] = {}
     for one in brief.objects:
-        items = [item for item in room.items if matches(one.category, item)]
+        items = [item for item in room_type.items if matches(one.category, item)]
         if one.count is None or len(items) < 2:
             continue
         left = _asked_demand(one, items[0], area, people, 0.5).count
         share = found[one.id] = {}
         for item in items:
-            hosts = room.item(item.with_).count.of(area, people, 0.5) if item.with_ else 1
+            hosts = room_type.item(item.with_).count.of(area, people, 0.5) if item.with_ else 1
             usual = item.count.of(area, people, 0.5) * max(1, hosts)
             share[item.id] = left if item is items[-1] else min(left, usual)
             left -= share[item.id]
@@ -224,12 +224,12 @@ def _hangs_at_windows(item: Item) -> bool:
     )
 
 
-def _something_at_windows(room: RoomType, brief: Brief) -> bool:
+def _something_at_windows(room_type: RoomType, brief: Brief) -> bool:
     """Whether furniture should stand under a window, where a curtain down to the floor would be in its way."""
     asked = {a.id for a in brief.objects}
     return any(r.type == "at_window" and r.subject in asked for r in brief.relations) or any(
         p.type == "at_window" and not _hangs_at_windows(item) and item.need != "optional"
-        for item in room.items
+        for item in room_type.items
         for p in item.place
     )
 
@@ -249,7 +249,7 @@ def _asked_demand(asked: Asked, item: Item | None, area: float, people: int, dra
 
 def build(
     wishes: Iterable[Demand],
-    room: RoomType,
+    room_type: RoomType,
     brief: Brief,
     library: Library,
     area: float,
@@ -267,7 +267,7 @@ def build(
     for what hangs before them.
     """
     program, by_item = Program(), {}
-    for number, demand in enumerate(sorted(wishes, key=_order(room))):
+    for number, demand in enumerate(sorted(wishes, key=_order(room_type))):
         item = demand.item
         parents: list[Wanted | None] = [None]
         total = demand.asked is not None and demand.asked.count is not None
@@ -317,12 +317,12 @@ def build(
     return program
 
 
-def _order(room: RoomType):
+def _order(room_type: RoomType):
     """By need, an item never before what it goes with or stands on; then as the room's file has them."""
-    at = {item.id: k for k, item in enumerate(room.items)}
+    at = {item.id: k for k, item in enumerate(room_type.items)}
 
     def rank(item: Item, own: int) -> int:
-        above = [room.item(name) for name in ((item.with_,) if item.with_ else ()) + item.on if name in at]
+        above = [room_type.item(name) for name in ((item.with_,) if item.with_ else ()) + item.on if name in at]
         return max([own, *(rank(a, RANK[a.need]) for a in above)])
 
     def key(demand: Demand) -> tuple[int, int]:

@@ -20,36 +20,36 @@ SMALLEST, LARGEST = 1.5, 60.0
 """Sides [m] of a room that are built at least and at most; what was asked is brought in between, with a note."""
 
 
-def floor_area(room: RoomType, brief: Brief, seed: int) -> tuple[float, int, bool, list[str]]:
+def floor_area(room_type: RoomType, brief: Brief, seed: int) -> tuple[float, int, bool, list[str]]:
     """Floor [m2], people, whether the request fixes the floor, and what was assumed."""
     rng, notes = random.Random(seed ^ 0xA2EA), []
-    people = brief.people if brief.people is not None else room.people
+    people = brief.people if brief.people is not None else room_type.people
     if brief.size is not None:
         return brief.size[0] * brief.size[1], people, True, notes
     if brief.area is not None:
         return brief.area, people, True, notes
-    area = room.area[1] * brief.scale * rng.uniform(0.96, 1.08)
-    if brief.people is not None and room.area_per_person:
-        area = max(area, room.area_per_person * people)
-    return min(max(area, 0.8 * room.area[0]), max(room.area[2], 1.0)), people, False, notes
+    area = room_type.area[1] * brief.scale * rng.uniform(0.96, 1.08)
+    if brief.people is not None and room_type.area_per_person:
+        area = max(area, room_type.area_per_person * people)
+    return min(max(area, 0.8 * room_type.area[0]), max(room_type.area[2], 1.0)), people, False, notes
 
 
-def shell(room: RoomType, brief: Brief, area: float, seed: int) -> tuple[Room, list[str]]:
+def shell(room_type: RoomType, brief: Brief, area: float, seed: int) -> tuple[Room, list[str]]:
     """A room of that floor area [m2]: the outline that was asked for, the door near a corner, windows opposite."""
     rng, notes = random.Random(seed ^ 0x5E11), []
-    width, depth = _sides(room, brief, area, rng, notes)
+    width, depth = _sides(room_type, brief, area, rng, notes)
     outline = _outline(brief.shape, width, depth)
-    height = brief.height or room.height
+    height = brief.height or room_type.height
     if not 2.0 <= height <= 8.0:
         notes.append(f"a ceiling of {height:g} m was brought to {min(max(height, 2.0), 8.0):g} m")
         height = min(max(height, 2.0), 8.0)
     walls = [wall.length for wall in walls_of(outline)]
-    count = brief.doors if brief.doors is not None else max(1, room.doors.count.least)
+    count = brief.doors if brief.doors is not None else max(1, room_type.doors.count.least)
     entry = 0
     doors, taken = [], set()
     for k in range(min(count, len(walls))):
         wall = entry if k == 0 else max((i for i in range(len(walls)) if i not in taken), key=lambda i: walls[i])
-        size = min(round(rng.uniform(*room.doors.width), 2), walls[wall] - 0.3)
+        size = min(round(rng.uniform(*room_type.doors.width), 2), walls[wall] - 0.3)
         if size < 0.6:
             notes.append(f"wall {wall} is too short for a door")
             continue
@@ -57,7 +57,7 @@ def shell(room: RoomType, brief: Brief, area: float, seed: int) -> tuple[Room, l
         play = walls[wall] - size
         offset = rng.uniform(0.12, 0.3) if play > 0.5 else play / 2
         near = rng.random() < 0.5
-        swing = room.doors.swing
+        swing = room_type.doors.swing
         if swing == "in-left" and not near:
             swing = "in-right"  # the leaf opens against the wall beside it
         doors.append(
@@ -66,13 +66,13 @@ def shell(room: RoomType, brief: Brief, area: float, seed: int) -> tuple[Room, l
                 wall=wall,
                 offset=round(offset if near else play - offset, 3),
                 width=size,
-                height=round(min(rng.uniform(*room.doors.height), height - 0.05), 2),
+                height=round(min(rng.uniform(*room_type.doors.height), height - 0.05), 2),
                 swing=swing,
             )
         )
-    bare = Room(type=room.name, outline=tuple(outline), height=height, doors=tuple(doors))
-    windows = _windows(room, brief, outline, walls, entry, height, rng, notes, _spoken_for(brief, bare))
-    return Room(type=room.name, outline=tuple(outline), height=height, doors=tuple(doors), windows=windows), notes
+    bare = Room(type=room_type.name, outline=tuple(outline), height=height, doors=tuple(doors))
+    windows = _windows(room_type, brief, outline, walls, entry, height, rng, notes, _spoken_for(brief, bare))
+    return Room(type=room_type.name, outline=tuple(outline), height=height, doors=tuple(doors), windows=windows), notes
 
 
 def _spoken_for(brief: Brief, room: Room) -> set[int]:
@@ -85,11 +85,11 @@ def _spoken_for(brief: Brief, room: Room) -> set[int]:
     return found
 
 
-def _sides(room: RoomType, brief: Brief, area: float, rng: random.Random, notes: list[str]) -> tuple[float, float]:
+def _sides(room_type: RoomType, brief: Brief, area: float, rng: random.Random, notes: list[str]) -> tuple[float, float]:
     if brief.size is not None:
         sides = list(brief.size)
     else:
-        aspect = rng.uniform(*room.aspect)
+        aspect = rng.uniform(*room_type.aspect)
         share = {"L": 0.80, "T": 0.76, "U": 0.80}.get(brief.shape or "", 1.0)
         depth = math.sqrt(area / share / aspect)
         sides = [depth * aspect, depth]
@@ -128,7 +128,7 @@ def _outline(shape: str | None, w: float, d: float) -> list[Point]:
 
 
 def _windows(
-    room: RoomType,
+    room_type: RoomType,
     brief: Brief,
     outline: list[Point],
     walls: list[float],
@@ -139,7 +139,7 @@ def _windows(
     taken: set[int],
 ) -> tuple[Window, ...]:
     """Windows in walls that look away from the door, then in those beside it, centred; ``taken`` walls come last."""
-    spec = room.windows
+    spec = room_type.windows
     count = brief.windows if brief.windows is not None else spec.count.of(0.0, 0, rng.random())
 
     sides = walls_of(outline)

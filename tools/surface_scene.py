@@ -52,9 +52,9 @@ class Seat:
 class Surroundings:
     """A scene, read once for many supports; what is added while they are filled is put into their fields."""
 
-    def __init__(self, scene: Scene, room: RoomType):
+    def __init__(self, scene: Scene, room_type: RoomType):
         self.scene = scene
-        self.items: Mapping[str, Item] = {item.id: item for item in room.items}
+        self.items: Mapping[str, Item] = {item.id: item for item in room_type.items}
         self.carried: set[tuple[str, str]] = {(o.support.object, o.support.surface) for o in scene.objects if o.support}
         self._ids = {*scene.ids, *(d.id for d in scene.room.doors), *(w.id for w in scene.room.windows)}
         self._next: dict[str, int] = {}

@@ -68,16 +68,16 @@ def usual_places() -> tuple[tuple[frozenset[str], tuple[Row, ...]], ...]:
     return tuple((frozenset(entry["what"]), tuple(row_of(r) for r in entry["place"])) for entry in data)
 
 
-def item_for(room: RoomType, category: str, draft: Draft, name: str | None = None) -> Item | None:
+def item_for(room_type: RoomType, category: str, draft: Draft, name: str | None = None) -> Item | None:
     """The item of a room that a category stands for: the named one, else one that is not there yet, else any."""
     if name is not None:
-        return next((item for item in room.items if item.id == name), None)
-    fits = [item for item in room.items if matches(category, item)]
+        return next((item for item in room_type.items if item.id == name), None)
+    fits = [item for item in room_type.items if matches(category, item)]
     there = {o.intent.program_item for o in draft.objects.values()}
     return next((item for item in fits if item.id not in there), fits[0] if fits else None)
 
 
-def rows_for(draft: Draft, room: RoomType, item: Item | None, subject: SceneObject) -> list[Row]:
+def rows_for(draft: Draft, room_type: RoomType, item: Item | None, subject: SceneObject) -> list[Row]:
     """Relations for an object of which nothing was said; those whose target is not there are left out."""
     if subject.mount == "surface":
         return []

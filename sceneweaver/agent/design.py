@@ -95,10 +95,10 @@ def design(
         **switches,
     )
     brief = read_brief(prompt[:LONGEST])
-    room, remarks = chosen_room(brief)
+    room_type, remarks = chosen_room(brief)
     folder = RunFolder(Path(out)) if out is not None else None
-    tools = {name: tool for name, tool in registered().items() if usable(name, tool, settings, room)}
-    run = Run(brief, room, settings, tools, RulesPlanner(), folder=folder, said=said)
+    tools = {name: tool for name, tool in registered().items() if usable(name, tool, settings, room_type)}
+    run = Run(brief, room_type, settings, tools, RulesPlanner(), folder=folder, said=said)
     end = NEVER if settings.seconds is None else Deadline(began + settings.seconds)
     if folder is None:
         run.deadline = end
@@ -132,7 +132,7 @@ def _result(run: Run, remarks: Sequence[str], began: float) -> Result:
     if settings.settle and run.deadline.passed:
         moved = ["things have not settled: time was up"]
     elif settings.settle:
-        best, moved = settled(best, Executor(run.room, brief, settings))
+        best, moved = settled(best, Executor(run.room_type, brief, settings))
     unmet = tuple(dict.fromkeys((*run.memory.unmet, *_unmet(best.review))))
     return Result(
         scene=best.scene,
@@ -148,16 +148,16 @@ def _result(run: Run, remarks: Sequence[str], began: float) -> Result:
     )
 
 
-def usable(name: str, tool: Registered, settings: Settings, room: RoomType) -> bool:
+def usable(name: str, tool: Registered, settings: Settings, room_type: RoomType) -> bool:
     """Whether a tool may be called: the settings name it or none, and its card is for such a room."""
-    return (settings.tools is None or name in settings.tools) and tool.card.suits(room.name)
+    return (settings.tools is None or name in settings.tools) and tool.card.suits(room_type.name)
 
 
 def chosen_room(brief: Brief) -> tuple[RoomType, tuple[str, ...]]:
     """The kind of room that a request means, and what was assumed where it does not say."""
     known = room_types()
-    if brief.room is not None and brief.room in known:
-        return known[brief.room], ()
+    if brief.room_type is not None and brief.room_type in known:
+        return known[brief.room_type], ()
     if brief.room_words:
         found = match_room(brief.room_words)
         if found is not None:
@@ -181,7 +181,7 @@ def _resume(run: Run, folder: RunFolder) -> None:
         if memory.spent and len(memory.steps) < run.settings.steps:  # a larger budget goes on
             memory = memory.model_copy(update={"finished": "", "spent": False})
         run.memory = memory
-        run.best = Executor(run.room, run.brief, run.settings).judged(kept[1])
+        run.best = Executor(run.room_type, run.brief, run.settings).judged(kept[1])
 
 
 def _unmet(review: Review) -> list[str]:

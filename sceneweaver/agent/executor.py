@@ -57,7 +57,7 @@ class Outcome:
 class Executor:
     """Refines and judges proposals for one request; ``attempts`` counts the layouts begun anew, for all candidates."""
 
-    room: RoomType
+    room_type: RoomType
     brief: Brief
     settings: Settings
     deadline: Deadline = NEVER
@@ -108,7 +108,9 @@ class Executor:
         self, scene: Scene, notes: Sequence[str], unmet: Sequence[str], report: Report | None = None
     ) -> Outcome:
         report = report or check(scene)
-        return Outcome(scene, report, review_scene(scene, report, self.room, self.brief), tuple(notes), tuple(unmet))
+        return Outcome(
+            scene, report, review_scene(scene, report, self.room_type, self.brief), tuple(notes), tuple(unmet)
+        )
 
     def _refined(
         self, draft: Scene, drafts: Sequence[Mapping[str, Pose]], fresh: bool, seed: int, patience: int

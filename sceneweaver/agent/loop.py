@@ -35,7 +35,7 @@ class Run:
     """One request on its way to a scene."""
 
     brief: Brief
-    room: RoomType
+    room_type: RoomType
     settings: Settings
     tools: Mapping[str, Registered]
     planner: Planner
@@ -52,7 +52,7 @@ class Run:
         Raises:
             InputError: when not even a first scene can be made.
         """
-        executor = Executor(self.room, self.brief, self.settings, self.deadline)
+        executor = Executor(self.room_type, self.brief, self.settings, self.deadline)
         reason, spent = self.memory.finished, self.memory.spent
         while not reason:
             reason = self._spent()
@@ -113,7 +113,7 @@ class Run:
     def _planned(self, settings: Settings) -> list[Call]:
         scene, review = (self.best.scene, self.best.review) if self.best else (None, None)
         cards = {name: tool.card for name, tool in self.tools.items()}
-        return self.planner.plan(Situation(self.brief, self.room, scene, review, self.memory, cards, settings))
+        return self.planner.plan(Situation(self.brief, self.room_type, scene, review, self.memory, cards, settings))
 
     def _whole_plan(self) -> tuple[Call, ...]:
         """What is to be done, by the first scene alone; of calls for all faults and for one of them, that for all."""
@@ -131,7 +131,7 @@ class Run:
             row: dict[str, Any] = {"tool": call.tool, "confidence": call.confidence, "reason": call.reason}
             began = time.monotonic()
             try:
-                scene = self.best.scene if self.best else empty_scene(self.brief, self.room)
+                scene = self.best.scene if self.best else empty_scene(self.brief, self.room_type)
                 proposal = self._propose(call, scene)
                 if self.best and not proposal.edits and not proposal.fresh and proposal.scene is None:
                     row["failed"] = "nothing to change" + (f": {proposal.unmet[0]}" if proposal.unmet else "")
@@ -148,7 +148,7 @@ class Run:
     def _propose(self, call: Call, scene: Scene) -> Proposal:
         tool = self.tools[call.tool].load()
         return tool.propose(
-            Context(self.brief, self.room, scene, self.library, call.seed, call.instruction, call.inputs)
+            Context(self.brief, self.room_type, scene, self.library, call.seed, call.instruction, call.inputs)
         )
 
     def _take(
@@ -190,8 +190,10 @@ class Run:
             self.said(step)
 
 
-def empty_scene(brief: Brief, room: RoomType) -> Scene:
+def empty_scene(brief: Brief, room_type: RoomType) -> Scene:
     """The scene before the first step; initialisers replace its room."""
-    side = max(2.0, round(room.area[1] ** 0.5, 2))
+    side = max(2.0, round(room_type.area[1] ** 0.5, 2))
     outline = ((0.0, 0.0), (side, 0.0), (side, side), (0.0, side))
-    return Scene(id=room.name, prompt=brief.text, room=Room(type=room.name, outline=outline, height=room.height))
+    return Scene(
+        id=room_type.name, prompt=brief.text, room=Room(type=room_type.name, outline=outline, height=room_type.height)
+    )

@@ -38,7 +38,7 @@ class Situation:
     """What a planner knows; ``scene`` and ``review`` are None before the first step."""
 
     brief: Brief
-    room: RoomType
+    room_type: RoomType
     scene: Scene | None
     review: Review | None
     memory: Memory

@@ -47,7 +47,7 @@ class Brief(FrozenModel):
     """A request, read. Nothing of it is lost: what was not understood stands under ``unread``."""
 
     text: str
-    room: str | None = Field(default=None, description="Kind of room, a name of the knowledge base")
+    room_type: str | None = Field(default=None, description="Kind of room, a name of the knowledge base")
     room_words: str = Field(default="", description="The words that named it")
     shape: Shape | None = None
     size: tuple[float, float] | None = Field(default=None, description="Floor [m], longer side first")

@@ -68,7 +68,7 @@ class Parser(Places):
             return
         if token.has("people_words", "whom") and self._people(token):
             return
-        if token.has("group") and not token.has("noun") and (self.out.room is not None or self._other_room()):
+        if token.has("group") and not token.has("noun") and (self.out.room_type is not None or self._other_room()):
             self._stranger_ends()
             self._group(token)
             return

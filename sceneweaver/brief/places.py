@@ -15,8 +15,8 @@ class Places(Things):
     def _room(self, token: Token) -> bool:
         name = token.get("room")
         noun = token.has("noun")
-        if self.out.room is not None:
-            other = name != self.out.room and not noun and not any(t.has("noun") for t in self._ahead(1))
+        if self.out.room_type is not None:
+            other = name != self.out.room_type and not noun and not any(t.has("noun") for t in self._ahead(1))
             if other:
                 self.out.notes.append(f"'{token.text}' is another room; only the {self.out.room_words} is made")
             return not noun
@@ -26,7 +26,7 @@ class Places(Things):
             return False
         self._stranger_ends()
         out = self.out
-        out.room, out.room_words = name, token.text
+        out.room_type, out.room_words = name, token.text
         spoken = token.text.replace("'s", "").split()
         known = vocabulary_words()["whom"]
         out.for_whom += [w for w in spoken if w in known]  # "bedroom for a teenager" may be one name
@@ -82,7 +82,7 @@ class Places(Things):
             return True
         relation = self.relation
         if place == "room":
-            if self.strangers and self.out.room is None and not self.out.room_words:
+            if self.strangers and self.out.room_type is None and not self.out.room_words:
                 self.out.room_words = " ".join([*self.strangers, token.text])
                 self.out.notes.append(f"'{self.out.room_words}' is no kind of room that is known")
             if relation is not None and relation.kind == "inside":

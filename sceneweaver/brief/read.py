@@ -38,7 +38,7 @@ def read_brief(text: str) -> Brief:
     foreign = sum(ord(c) > 0x24F and c.isalpha() for c in text)
     if foreign > 3 or not re.search(r"[a-zA-Z]", text):
         notes.append("only English is read; what else the request says was not understood")
-    elif reading.room is None and not reading.mentions and sum(len(u.split()) for u in reading.unread) >= 3:
+    elif reading.room_type is None and not reading.mentions and sum(len(u.split()) for u in reading.unread) >= 3:
         notes.append("nothing of it names a room or furniture; only English is read")
     brief = _brief(text, cleaned, reading, notes)
     if not notes and not brief.unread and brief == Brief(text=text):
@@ -67,7 +67,7 @@ def _brief(text: str, cleaned: Cleaned, reading: Reading, notes: list[str]) -> B
     style = reading.style
     return Brief(
         text=text,
-        room=reading.room,
+        room_type=reading.room_type,
         room_words=reading.room_words,
         shape=reading.shape,  # type: ignore[arg-type]
         size=cleaned.size,

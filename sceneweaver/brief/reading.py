@@ -118,7 +118,7 @@ class Reading:
     mentions: list[Mention] = field(default_factory=list)
     said: list[Said] = field(default_factory=list)
     without: list[str] = field(default_factory=list)
-    room: str | None = None
+    room_type: str | None = None
     room_words: str = ""
     room_scale: float = 1.0
     shape: str | None = None

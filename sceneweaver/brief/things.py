@@ -23,8 +23,8 @@ class Things(Relating):
                 ahead = self.tokens[self.at]
                 if ahead.has("room") or ahead.text == "room":
                     self.out.people = 1 if token.text == "single" else 2  # "a twin room"
-                    if ahead.text == "room" and self.out.room is None:
-                        self.out.room, self.out.room_words = "bedroom", f"{token.text} room"
+                    if ahead.text == "room" and self.out.room_type is None:
+                        self.out.room_type, self.out.room_words = "bedroom", f"{token.text} room"
                         self._note(f"'{token.text} room' was taken for a bedroom")
                     return True
                 if ahead.has("noun") and token.text != "single":

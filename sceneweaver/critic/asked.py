@@ -107,7 +107,7 @@ def _table_for(survey: Survey, category: str, count: int) -> str | None:
     for body in survey.bodies:
         rank = likeliness(category, body.item.category)
         name = survey.program.item_of.get(body.id)
-        item = survey.room.item(name) if name else None
+        item = survey.room_type.item(name) if name else None
         plan = usual_arrangement(item.top if item is not None else None, body.item.category)
         if rank is not None and not survey.carried.get(body.id) and lays(plan, category, count):
             found.append((rank, body.id))
@@ -248,19 +248,19 @@ def _unwanted(survey: Survey) -> Iterator[Finding]:
 
 def _room(survey: Survey) -> Iterator[Finding]:
     brief, room, area = survey.brief, survey.scene.room, survey.area
-    if brief.room is not None and brief.room != survey.room.name:
-        yield _shell("wrong_room", f"{kinds.a(survey.room.name)}; {kinds.a(brief.room)} was asked for", 3.0)
+    if brief.room_type is not None and brief.room_type != survey.room_type.name:
+        yield _shell("wrong_room", f"{kinds.a(survey.room_type.name)}; {kinds.a(brief.room_type)} was asked for", 3.0)
     want = brief.size[0] * brief.size[1] if brief.size is not None else brief.area
     if want is not None and abs(area - want) > AREA_SLACK * want:
         yield _shell("wrong_area", f"{area:.1f} m2 of floor, {want:.1f} m2 were asked for", 1.5)
     elif want is None and brief.scale != 1.0:
-        usual = survey.room.area[1]
+        usual = survey.room_type.area[1]
         if (brief.scale > 1.0 and area < usual) or (brief.scale < 1.0 and area > usual):
             word = "large" if brief.scale > 1.0 else "small"
             yield _shell("wrong_area", f"{area:.1f} m2 of floor for a {word} room; usual are {usual:.1f} m2", 1.0)
-    if brief.people is not None and survey.room.area_per_person is not None:
+    if brief.people is not None and survey.room_type.area_per_person is not None:
         each = area / max(1, brief.people)
-        if each < PER_PERSON * survey.room.area_per_person and want is None:
+        if each < PER_PERSON * survey.room_type.area_per_person and want is None:
             yield _shell("too_small", f"{each:.1f} m2 a person for {brief.people} people", 1.0)
     if brief.shape is not None and brief.shape != (shape := shape_of(survey)):
         yield _shell("wrong_shape", f"the floor is {shape}-shaped, '{brief.shape}' was asked for", 1.5)

@@ -51,15 +51,15 @@ def _expected(room: str, names: frozenset[str]) -> tuple[frozenset[str], frozens
     return own, frozenset(w for w in map(kinds.world, names) if w is not None)
 
 
-def expected(room: RoomType) -> tuple[frozenset[str], frozenset[str]]:
+def expected(room_type: RoomType) -> tuple[frozenset[str], frozenset[str]]:
     """Categories that a room lists with their kin, and the kinds of places that they come from."""
-    return _expected(room.name, frozenset(name for item in room.items for name in item.what))
+    return _expected(room_type.name, frozenset(name for item in room_type.items for name in item.what))
 
 
 def _foreign(survey: Survey) -> Iterator[Finding]:
-    own, worlds = expected(survey.room)
+    own, worlds = expected(survey.room_type)
     asked = {c for a in survey.brief.objects for c in kinds.kin(a.category)}
-    elsewhere = _elsewhere(survey.room.name)
+    elsewhere = _elsewhere(survey.room_type.name)
     for body in survey.bodies:
         category = body.item.category
         if category in own or category in asked or body.id in survey.program.item_of:
@@ -74,7 +74,7 @@ def _foreign(survey: Survey) -> Iterator[Finding]:
             "realism",
             "foreign_object",
             (body.id,),
-            f"{kinds.a(category)} is {why} {kinds.a(survey.room.name)}",
+            f"{kinds.a(category)} is {why} {kinds.a(survey.room_type.name)}",
             f"remove {body.id}",
             points=points,
             cap=lid,
@@ -148,7 +148,7 @@ def _dominant(survey: Survey) -> Iterator[Finding]:
         if share <= DOMINANT:
             continue
         mine = [b for b in furniture if b.item.category == category]
-        usual = [b for b in mine if survey.program.item_of.get(b.id) in survey.room.made_of]
+        usual = [b for b in mine if survey.program.item_of.get(b.id) in survey.room_type.made_of]
         meant = [b for b in mine if survey.program.asked_of.get(b.id) in asked]
         if 2 * max(len(usual), len(meant)) >= number:
             continue

@@ -123,7 +123,7 @@ def _supports(survey: Survey) -> Iterator[Finding]:
 def _call(survey: Survey, body: Body) -> tuple[str, str | None]:
     """The tool that fills a support, and the arrangement or theme that the room's item names."""
     name = survey.program.item_of.get(body.id)
-    item = survey.room.item(name) if name else None
+    item = survey.room_type.item(name) if name else None
     if item is not None and item.top is not None:
         return "add_tabletop", item.top
     if item is not None and item.fill is not None:
@@ -167,7 +167,7 @@ def _more(survey: Survey) -> list[dict[str, Any]]:
     """Furniture of the room type that is not on the floor yet, optional things last; a plant when all of it is."""
     have = set(survey.program.item_of.values())
     rank = {"needed": 0, "usual": 1, "optional": 2}
-    absent = [i for i in survey.room.items if i.id not in have and i.with_ is None and not i.on and _stands(i)]
+    absent = [i for i in survey.room_type.items if i.id not in have and i.with_ is None and not i.on and _stands(i)]
     absent.sort(key=lambda i: rank[i.need])
     if not absent:
         return [{"category": "potted_plant", "count": 1, "place": [{"type": "in_corner"}]}]
@@ -184,7 +184,7 @@ def _stands(item: Item) -> bool:
 def expected(survey: Survey) -> float:
     """How many objects such a room has: its items, and two small things on every support."""
     items = 0.0
-    for item in survey.room.items:
+    for item in survey.room_type.items:
         count = item.count.of(survey.area, survey.program.people, 0.3)
         if item.with_ is not None:
             count *= sum(name == item.with_ for name in survey.program.item_of.values())
@@ -236,22 +236,22 @@ def _touches(survey: Survey) -> Iterator[Finding]:
         wanted = set(groups.split())
         if there or any(kinds.groups_of(c) & wanted or (not wanted and c in kinds.WALL_ART) for c in said):
             continue
-        name = _listed(survey.room, wanted) or category
+        name = _listed(survey.room_type, wanted) or category
         yield finding(
             "completion",
             kind,
             (),
             reason,
             f"add {kinds.a(name)}",
-            points=points if _listed(survey.room, wanted) else points / 2,
+            points=points if _listed(survey.room_type, wanted) else points / 2,
             tool="add_objects",
             inputs={"objects": [{"category": name, "count": 1}]},
         )
 
 
-def _listed(room: RoomType, groups: set[str]) -> str | None:
+def _listed(room_type: RoomType, groups: set[str]) -> str | None:
     """The first category of some groups that a room lists; of none, of what hangs on walls."""
-    for item in room.items:
+    for item in room_type.items:
         for name in item.what:
             if kinds.groups_of(name) & groups or (not groups and name in kinds.EYE_LEVEL):
                 return name

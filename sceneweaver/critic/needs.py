@@ -64,7 +64,7 @@ def _missing(survey: Survey, need: Need) -> Finding:
         place = placing(survey, item, parent)
         calls.append({**call, **({"place": place} if place else {}), **({"on": on} if on else {})})
     reason = f"{have} of {need.least} {name}s" if have else f"there is no {name}"
-    reason += f"; {kinds.a(survey.room.name)} {'needs' if item.need == 'needed' else 'usually has'} {need.least}"
+    reason += f"; {kinds.a(survey.room_type.name)} {'needs' if item.need == 'needed' else 'usually has'} {need.least}"
     fix = f"add {need.missing} {name}{'s' if need.missing > 1 else ''}"
     share = need.missing / need.least
     inputs: Mapping[str, Any] = {"objects": calls}
@@ -164,9 +164,9 @@ def _goes_with_table(survey: Survey, seat: Body) -> bool:
     name = survey.program.item_of.get(seat.id)
     if name is None:
         return True
-    item = survey.room.item(name)
+    item = survey.room_type.item(name)
     others = {item.with_, *(p.to for p in item.place)}
-    return any(i.id in others and set(i.what) & kinds.SEATED_AT for i in survey.room.items)
+    return any(i.id in others and set(i.what) & kinds.SEATED_AT for i in survey.room_type.items)
 
 
 def _desks(survey: Survey, reported: set[str]) -> Iterator[Finding]:
@@ -177,7 +177,7 @@ def _desks(survey: Survey, reported: set[str]) -> Iterator[Finding]:
         if any(n.item.with_ == item and item is not None and n.item.id in reported for n in survey.program.needs):
             continue
         seat = "stool" if desk.item.category == "dressing_table" else "office_chair"
-        seat = next((i.what[0] for i in survey.room.items if any(kinds.upright_seat(c) for c in i.what)), seat)
+        seat = next((i.what[0] for i in survey.room_type.items if any(kinds.upright_seat(c) for c in i.what)), seat)
         yield finding(
             "functionality",
             "incomplete_group",
@@ -198,7 +198,7 @@ def _tables(survey: Survey, reported: set[str]) -> Iterator[Finding]:
         needs = [n for n in survey.program.needs if item is not None and n.item.with_ == item]
         if len(have) >= want or any(n.item.id in reported for n in needs):
             continue
-        seats = [i for i in survey.room.items if any(kinds.upright_seat(c) for c in i.what)]
+        seats = [i for i in survey.room_type.items if any(kinds.upright_seat(c) for c in i.what)]
         if seats and not any(i.with_ == item for i in seats):
             want = 1  # the room sets out its seats otherwise
             if have:
@@ -228,7 +228,7 @@ def _screens(survey: Survey) -> Iterator[Finding]:
     if any(kinds.upright_seat(b.item.category) or b.item.category == "bench" for b in survey.bodies):
         return
     seats = kinds.LOUNGE | kinds.BEDS | kinds.LONG_BEDS
-    if not any(set(item.what) & seats or any(map(kinds.upright_seat, item.what)) for item in survey.room.items):
+    if not any(set(item.what) & seats or any(map(kinds.upright_seat, item.what)) for item in survey.room_type.items):
         return  # such rooms are not made for sitting
     tvs = [b.id for b in survey.of_kind(kinds.TVS)]
     yield finding(

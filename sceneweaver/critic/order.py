@@ -88,7 +88,7 @@ def _belongs_to_wall(survey: Survey, body: Body) -> bool:
     name = survey.program.item_of.get(body.id)
     if name is None:
         return True
-    item = survey.room.item(name)
+    item = survey.room_type.item(name)
     if not item.place and item.row is None:
         return True
     if item.row == "grid":
@@ -204,7 +204,7 @@ def _heights(survey: Survey) -> Iterator[Finding]:
 
 def _usual_heights(survey: Survey, body: Body) -> tuple[float, float]:
     item = survey.program.item_of.get(body.id)
-    given = survey.room.item(item).bottom if item else None
+    given = survey.room_type.item(item).bottom if item else None
     row = categories().get(body.item.category)
     low, high = given or (row.bottom if row and row.bottom else (0.0, 10.0))
     if (meant := body.item.intent.mounting_height) is not None:

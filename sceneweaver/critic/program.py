@@ -49,12 +49,12 @@ class Program:
     people: int
 
     @classmethod
-    def of(cls, scene: Scene, room: RoomType, brief: Brief, area: float) -> Program:
+    def of(cls, scene: Scene, room_type: RoomType, brief: Brief, area: float) -> Program:
         """Match the objects of a scene; ``area`` is its floor [m2]."""
-        people = brief.people if brief.people is not None else room.people
+        people = brief.people if brief.people is not None else room_type.people
         asked_of = _match_asked(scene, brief)
         item_of: dict[str, str] = {}
-        known = {item.id for item in room.items}
+        known = {item.id for item in room_type.items}
         for o in scene.objects:
             if o.intent.program_item in known:
                 item_of[o.id] = o.intent.program_item
@@ -63,7 +63,7 @@ class Program:
         by_item: dict[str, list[str]] = defaultdict(list)
         for object_id, name in item_of.items():
             by_item[name].append(object_id)
-        for item in room.items:
+        for item in room_type.items:
             least = _least(item, by_item, area, people)
             for level in (2, 1):
                 for o in scene.objects:
@@ -76,13 +76,13 @@ class Program:
                         by_item[item.id].append(o.id)
         for o in scene.objects:  # more of an item than it counts is still of that item
             if o.id not in item_of:
-                fits = [i for i in room.items if serves(o.category, i.what)]
+                fits = [i for i in room_type.items if serves(o.category, i.what)]
                 if fits:
                     best = max(fits, key=lambda i: serves(o.category, i.what))
                     item_of[o.id] = best.id
                     by_item[best.id].append(o.id)
-        for item in room.items:
-            need = _need(item, room, brief, banned, by_item, area, people, len(scene.room.windows))
+        for item in room_type.items:
+            need = _need(item, room_type, brief, banned, by_item, area, people, len(scene.room.windows))
             if need is not None:
                 needs.append(need)
         return cls(item_of, asked_of, tuple(needs), people)
@@ -99,7 +99,7 @@ def _least(item: Item, by_item: dict[str, list[str]], area: float, people: int) 
 
 def _need(
     item: Item,
-    room: RoomType,
+    room_type: RoomType,
     brief: Brief,
     banned: set[str],
     by_item: dict[str, list[str]],
@@ -128,7 +128,7 @@ def _need(
         least = min(least, sum(limits))
     if brief.density == "sparse" and item.need != "needed":
         return None
-    del room
+    del room_type
     return Need(item, least, core, have, bool(meant)) if least > 0 else None
 
 

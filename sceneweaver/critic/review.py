@@ -34,7 +34,7 @@ MOST = 8
 """Faults of one kind that are listed one by one."""
 
 
-def review_scene(scene: Scene, report: Report, room: RoomType, brief: Brief) -> Review:
+def review_scene(scene: Scene, report: Report, room_type: RoomType, brief: Brief) -> Review:
     """Grade a scene as a critical visitor would, from its symbols alone: no picture and no model is needed.
 
     Args:
@@ -47,7 +47,7 @@ def review_scene(scene: Scene, report: Report, room: RoomType, brief: Brief) -> 
         Grades 0 to 10 for realism, functionality, layout, completion and alignment; every fault with numbers and,
         where one can mend it, a call of a tool; and what was measured.
     """
-    survey = Survey.of(scene, report, room, brief)
+    survey = Survey.of(scene, report, room_type, brief)
     if not scene.objects:
         found = [*_empty(survey), *asked.faults(survey)]
     else:

@@ -40,7 +40,7 @@ def _range(survey: Survey, body: Body) -> Iterator[Finding]:
     if row is None or row.size is None:
         return
     item = survey.program.item_of.get(body.id)
-    own = survey.room.item(item).size if item else (None, None, None)
+    own = survey.room_type.item(item).size if item else (None, None, None)
     asked = next((a for a in survey.brief.objects if a.id == survey.program.asked_of.get(body.id)), None)
     worst, words, target, odd = 1.0, "", list(body.size), False
     for k in range(3):
@@ -79,7 +79,7 @@ def _equals(survey: Survey) -> Iterator[Finding]:
     sets: dict[tuple[str, str], list[Body]] = defaultdict(list)
     for body in survey.bodies:
         item = survey.program.item_of.get(body.id)
-        if item is not None and survey.room.item(item).same and body.item.mount != "surface":
+        if item is not None and survey.room_type.item(item).same and body.item.mount != "surface":
             sets[item, body.item.category].append(body)
     for bodies in sets.values():
         if len(bodies) < 2:

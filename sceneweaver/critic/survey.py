@@ -41,20 +41,20 @@ class Survey:
 
     scene: Scene
     report: Report
-    room: RoomType
+    room_type: RoomType
     brief: Brief
     placed: Placed
 
     @classmethod
-    def of(cls, scene: Scene, report: Report, room: RoomType, brief: Brief) -> Survey:
+    def of(cls, scene: Scene, report: Report, room_type: RoomType, brief: Brief) -> Survey:
         """Read a scene; categories in a user's words are read as those of the taxonomy."""
         scene = in_known_words(scene)
-        return cls(scene, report, room, brief, Placed.of(scene))
+        return cls(scene, report, room_type, brief, Placed.of(scene))
 
     @cached_property
     def program(self) -> Program:
         """Which object stands for which item of the room and of the request."""
-        return Program.of(self.scene, self.room, self.brief, self.area)
+        return Program.of(self.scene, self.room_type, self.brief, self.area)
 
     @cached_property
     def area(self) -> float:

@@ -29,7 +29,7 @@ from sceneweaver.tools.registry import Registered
 from sceneweaver.verify import check
 
 ROOM = room_type("bedroom")
-BRIEF = Brief(text="a bedroom", room="bedroom")
+BRIEF = Brief(text="a bedroom", room_type="bedroom")
 
 
 @dataclass
@@ -160,7 +160,7 @@ def test_tools_see_the_scene_the_call_and_the_request(go):
     begun, context = tools["init_prior"].seen[0], tools["add_objects"].seen[0]
     assert begun.scene == empty_scene(BRIEF, ROOM)
     assert (context.scene.ids, context.seed, context.instruction) == (("a",), 77, "put a lamp")
-    assert context.inputs == {"objects": []} and context.brief is BRIEF and context.room is ROOM
+    assert context.inputs == {"objects": []} and context.brief is BRIEF and context.room_type is ROOM
     assert best.scene.ids == ("a", "b")
 
 

@@ -25,7 +25,7 @@ CARDS = {name: tool.card for name, tool in tools().items()}
 def _situation(faults=(), memory=None, scene=True, **settings):
     review = Review(grades=dict.fromkeys(CRITERIA, 8.0), faults=tuple(faults))
     return Situation(
-        Brief(text="a bedroom", room="bedroom"),
+        Brief(text="a bedroom", room_type="bedroom"),
         room_type("bedroom"),
         Scene.example("bedroom") if scene else None,
         review if scene else None,

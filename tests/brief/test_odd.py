@@ -61,7 +61,7 @@ def test_odd_is_read(text: str) -> None:
 
 def test_long_text_is_cut_and_noted() -> None:
     brief = read_brief("a bedroom with a desk and a chair. " * 3000)
-    assert brief.room == "bedroom"
+    assert brief.room_type == "bedroom"
     assert any("characters" in note for note in brief.notes)
 
 

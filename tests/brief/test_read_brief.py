@@ -11,23 +11,23 @@ from sceneweaver.knowledge import match_room
 
 FIELDS: list[tuple[str, dict[str, Any]]] = [
     ("12 ft by 10 ft bedroom", {"size": (3.6576, 3.048)}),
-    ("a 15' x 12' living room", {"size": (4.572, 3.6576), "room": "living_room"}),
+    ("a 15' x 12' living room", {"size": (4.572, 3.6576), "room_type": "living_room"}),
     ("a 5m x 4m x 2.7m bedroom", {"size": (5.0, 4.0), "height": 2.7}),
     ("bedroom measuring 5 m long and 4 m wide", {"size": (5.0, 4.0)}),
     ("a room 6 metres long by 4 metres wide", {"size": (6.0, 4.0)}),
     ("bedroom; ceiling 2.5 m; 4 x 3 m", {"size": (4.0, 3.0), "height": 2.5}),
-    ("a 200 sq ft studio", {"room": "studio_apartment", "area": 200 * 0.3048**2}),
+    ("a 200 sq ft studio", {"room_type": "studio_apartment", "area": 200 * 0.3048**2}),
     ("a spacious living room (around 30 square metres)", {"area": 30.0, "scale": 1.3, "notes": ()}),
     ("a bed 2.1 m by 1.6 m in the bedroom", {"size": None}),
     ("a desk (140 x 70 cm) and a chair", {"size": None, "notes": ()}),
     ("meeting room with room for 4", {"people": 4}),
     ("a meeting room with room for 10 people", {"people": 10}),
-    ("a dining room with a table for six", {"room": "dining_room", "people": 6}),
-    ("a dining room with a table that seats eight", {"room": "dining_room", "people": 8}),
-    ("a twin room", {"room": "bedroom", "people": 2}),
-    ("kids room for twins", {"room": "childrens_room", "for_whom": ("kids", "twins")}),
+    ("a dining room with a table for six", {"room_type": "dining_room", "people": 6}),
+    ("a dining room with a table that seats eight", {"room_type": "dining_room", "people": 8}),
+    ("a twin room", {"room_type": "bedroom", "people": 2}),
+    ("kids room for twins", {"room_type": "childrens_room", "for_whom": ("kids", "twins")}),
     ("a bedroom for a teenage girl", {"for_whom": ("teenage girl",)}),
-    ("a dining room", {"room": "dining_room", "unread": (), "notes": ()}),
+    ("a dining room", {"room_type": "dining_room", "unread": (), "notes": ()}),
     ("an office with no plants, two desks and a cabinet", {"without": ("plant_group",)}),
     ("a bedroom with a bed, a desk and no rug, curtains or plants", {"without": ("rug", "curtain", "plant_group")}),
     ("a living room without a TV, a rug or plants, but with a piano", {"without": ("tv", "rug", "plant_group")}),
@@ -38,11 +38,11 @@ FIELDS: list[tuple[str, dict[str, Any]]] = [
     ("a sofa and a bed, and nothing else", {"only": True}),
     ("living room with two large windows", {"windows": 2, "scale": 1.0}),
     ("a living room with a sofa. It should be red.", {"colors": ()}),
-    ("a room 3 m wide", {"room": None}),
-    ("BEDROOM WITH TWO WINDOWS", {"windows": 2, "room": "bedroom"}),
+    ("a room 3 m wide", {"room_type": None}),
+    ("BEDROOM WITH TWO WINDOWS", {"windows": 2, "room_type": "bedroom"}),
     ("living room in grey", {"colors": ("grey",)}),
     ("living room in gray", {"colors": ("gray",)}),
-    ("centre of the city bedroom with a colour TV", {"room": "bedroom"}),
+    ("centre of the city bedroom with a colour TV", {"room_type": "bedroom"}),
 ]
 
 COUNTS: list[tuple[str, dict[str, Any]]] = [
@@ -234,7 +234,7 @@ def test_unread(text: str, word: str) -> None:
 
 def test_a_whole_paragraph() -> None:
     brief = read_brief(LONG)
-    assert (brief.room, brief.size, brief.height, brief.style) == ("bedroom", (4.0, 3.5), 2.6, "scandinavian")
+    assert (brief.room_type, brief.size, brief.height, brief.style) == ("bedroom", (4.0, 3.5), 2.6, "scandinavian")
     assert (brief.for_whom, brief.without, brief.unread) == (("teenage girl",), ("tv",), ())
     assert {a.id for a in brief.objects} == {
         "single_bed",

@@ -60,7 +60,7 @@ FIELDS: list[tuple[str, dict[str, Any]]] = [
     ("a tiny bathroom", {"scale": 0.55}),
     ("a large kitchen", {"scale": 1.3}),
     ("office for four people", {"people": 4}),
-    ("a small office for two", {"people": 2, "scale": 0.75, "room": "office"}),
+    ("a small office for two", {"people": 2, "scale": 0.75, "room_type": "office"}),
     ("living room for a family of four", {"people": 4}),
     ("living room for a family of 5", {"people": 5}),
     ("twin room with a wardrobe", {"people": 2}),
@@ -84,7 +84,7 @@ FIELDS: list[tuple[str, dict[str, Any]]] = [
     ("bedroom with a bed and nothing else", {"only": True}),
     ("living room with no TV", {"without": ("tv",)}),
     ("bedroom without curtains", {"without": ("curtain",)}),
-    ("don't put plants in the living room", {"without": ("plant_group",), "room": "living_room"}),
+    ("don't put plants in the living room", {"without": ("plant_group",), "room_type": "living_room"}),
     ("a bedroom without curtains and rugs", {"without": ("curtain", "rug")}),
     ("a living room with a desk but not a sofa", {"without": ("sofa",)}),
     ("a sofa, no TV, and a desk", {"without": ("tv",)}),
@@ -183,7 +183,7 @@ LOOKS: list[tuple[str, str, dict[str, Any]]] = [
 
 @pytest.mark.parametrize("text", ROOMS)
 def test_room(text: str) -> None:
-    assert read_brief(text).room == ROOMS[text]
+    assert read_brief(text).room_type == ROOMS[text]
 
 
 @pytest.mark.parametrize(("text", "fields"), FIELDS, ids=[t for t, _ in FIELDS])

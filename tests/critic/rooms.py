@@ -32,14 +32,14 @@ class Case:
     """A scene, the kind of room and the request."""
 
     scene: Scene
-    room: RoomType
+    room_type: RoomType
     brief: Brief = field(default_factory=lambda: Brief(text=""))
 
     def report(self) -> Report:
         return check(self.scene)
 
     def review(self) -> Review:
-        return review_scene(self.scene, self.report(), self.room, self.brief)
+        return review_scene(self.scene, self.report(), self.room_type, self.brief)
 
     def but(self, *changes: Mapping[str, Any], brief: Brief | None = None) -> Case:
         """The case with objects moved (id, x, y, degrees, z), taken out (id, gone) or of another category."""

@@ -24,11 +24,13 @@ def asked(category: str, **more: Any) -> dict[str, Any]:
 
 
 def review(case: Case, **data: Any) -> Review:
-    return Case(case.scene, case.room, brief(**data)).review()
+    return Case(case.scene, case.room_type, brief(**data)).review()
 
 
 def test_what_was_asked_is_there() -> None:
-    found = review(rooms.living(), room="living_room", objects=[asked("sofa"), asked("coffee_table", count=(1, 1))])
+    found = review(
+        rooms.living(), room_type="living_room", objects=[asked("sofa"), asked("coffee_table", count=(1, 1))]
+    )
     assert found.grades["alignment"] == 10.0 and found.total > 9.0
 
 
@@ -50,7 +52,7 @@ def test_what_a_table_is_laid_with_is_asked_of_the_table() -> None:
         case.scene.model_copy(
             update={"objects": tuple(o for o in case.scene.objects if o.support is None), "relations": ()}
         ),
-        case.room,
+        case.room_type,
     )
     fault = only(review(bare, objects=[asked("monitor", count=(2, 2))]), "missing_asked", "alignment")[0]
     assert fault.tool == "add_tabletop" and fault.inputs["objects"] == [{"category": "monitor", "count": 2}]
@@ -180,7 +182,7 @@ def test_without_and_only() -> None:
         ({"windows": 1}, None),
         ({"doors": 1}, None),
         ({"windows": 3}, "wrong_windows"),
-        ({"room": "kitchen"}, "wrong_room"),
+        ({"room_type": "kitchen"}, "wrong_room"),
         ({"colors": ("magenta",)}, "wrong_colors"),
     ],
 )
@@ -205,7 +207,7 @@ def test_shapes(name: str) -> None:
     room = case.scene.room.model_validate({"outline": outlines[name], "type": "bedroom", "height": 2.6})
     scene = case.scene.model_copy(update={"room": room})
     for shape in outlines:
-        found = review(Case(scene, case.room), shape=shape)
+        found = review(Case(scene, case.room_type), shape=shape)
         assert bool(only(found, "wrong_shape", "alignment")) is (shape != name), shape
 
 

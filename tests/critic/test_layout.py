@@ -210,7 +210,7 @@ def test_crowded_and_one_sided() -> None:
     assert only(good.plus(*more).review(), "crowded")
     wide = rooms.room(12.0, 4.0)
     far = good.scene.model_copy(update={"room": wide})
-    review = Case(far, good.room).review()
+    review = Case(far, good.room_type).review()
     assert only(review, "one_sided") and only(review, "empty_area")
     assert review.grades["completion"] <= 5.0
 
@@ -231,7 +231,7 @@ def test_what_is_needed_should_be_reached() -> None:
             o.model_copy(update={"intent": Intent(priority=priority)}) if o.id == "wardrobe-0" else o
             for o in good.scene.objects
         )
-        case = Case(good.scene.model_copy(update={"objects": objects}), good.room).plus(*wall)
+        case = Case(good.scene.model_copy(update={"objects": objects}), good.room_type).plus(*wall)
         (fault,) = only(case.review(), "unreachable", "functionality")
         assert "wardrobe-0" in fault.reason and fault.tool == "update_layout"
         points.append(fault.points)
@@ -242,7 +242,7 @@ def test_broken_hard_relation() -> None:
     good = rooms.office()
     relation = Relation(type="near", subject="bookcase-0", target="low_bookcase-0", params={"max": 0.5})
     scene = good.scene.model_copy(update={"relations": (*good.scene.relations, relation)})
-    bad = Case(scene, good.room)
+    bad = Case(scene, good.room_type)
     falls(good, bad, "broken_relation", {"bookcase-0", "low_bookcase-0"})
 
 

@@ -96,7 +96,7 @@ def test_what_was_asked_for_is_not_foreign() -> None:
     asked = Brief.model_validate({"text": "", "objects": [{"id": "toilet", "noun": "toilet", "category": "toilet"}]})
     good = rooms.bedroom()
     scene = good.plus(put("toilet-0", 0.4, 0.3, 90)).scene
-    assert not only(Case(scene, good.room, asked).review(), "foreign_object", "realism")
+    assert not only(Case(scene, good.room_type, asked).review(), "foreign_object", "realism")
 
 
 @pytest.mark.parametrize("category", ["side_table", "floor_lamp", "suitcase", "armchair"])
@@ -157,14 +157,14 @@ def test_bare_walls_and_no_light() -> None:
 def test_half_empty_room_is_incomplete() -> None:
     good = rooms.living()
     far = good.scene.model_copy(update={"room": rooms.room(9.0, 6.0)})
-    review = Case(far, good.room).review()
+    review = Case(far, good.room_type).review()
     assert review.grades["completion"] <= 5.0 and only(review, "bare", "completion")
     assert review.measures["used_share"] < 0.5
 
 
 def test_sparse_requests_are_not_held_to_the_same() -> None:
     good = rooms.bedroom().but({"id": "picture-0", "gone": True}, {"id": "dresser-0", "gone": True})
-    sparse = Case(good.scene, good.room, Brief(text="", density="sparse"))
+    sparse = Case(good.scene, good.room_type, Brief(text="", density="sparse"))
     assert sparse.review().grades["completion"] > good.review().grades["completion"]
 
 
@@ -173,7 +173,7 @@ def test_sparse_requests_are_not_held_to_the_same() -> None:
 
 def test_empty_room() -> None:
     case = rooms.bedroom()
-    empty = Case(Scene(id="empty", room=case.scene.room), case.room)
+    empty = Case(Scene(id="empty", room=case.scene.room), case.room_type)
     review = empty.review()
     assert review.total < 4.0 and review.grades["functionality"] <= 1.0
     assert {f.inputs["objects"][0]["category"] for f in only(review, "missing_needed", "functionality")} >= {"bed"}
@@ -196,7 +196,7 @@ def test_order_of_objects_and_turns_of_the_room_change_nothing() -> None:
     case = rooms.living()
     base = case.review()
     back = case.scene.model_copy(update={"objects": case.scene.objects[::-1]})
-    assert Case(back, case.room).review().grades == base.grades
+    assert Case(back, case.room_type).review().grades == base.grades
     for degrees in (90, 37):
         c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
         outline = tuple((c * x - s * y + 3, s * x + c * y - 1) for x, y in case.scene.room.outline)
@@ -211,7 +211,7 @@ def test_order_of_objects_and_turns_of_the_room_change_nothing() -> None:
         }
         turned = case.scene.replace_poses(poses)
         turned = turned.model_copy(update={"room": turned.room.model_copy(update={"outline": outline})})
-        grade = Case(turned, case.room).review().grades
+        grade = Case(turned, case.room_type).review().grades
         assert grade == pytest.approx(base.grades, abs=0.15)
 
 
@@ -263,5 +263,5 @@ def test_tilted_things_and_round_rooms_are_read() -> None:
     outline = tuple((2.5 + 3.6 * math.cos(k * math.pi / 10), 2.1 + 3.6 * math.sin(k * math.pi / 10)) for k in range(20))
     scene = case.scene.replace_poses({o.id: tilted})
     room = scene.room.model_validate({"outline": outline, "height": 2.6})
-    review = Case(scene.model_copy(update={"room": room}), case.room).review()
+    review = Case(scene.model_copy(update={"room": room}), case.room_type).review()
     assert review.measures["floor_m2"] > 35.0 and not only(review, "crooked")

@@ -68,10 +68,10 @@ def _relation(place: Place) -> Relation:
     return Relation(type=place.type, subject="one", target=target, params=place.params, hard=not place.soft)
 
 
-def _pieces(room: RoomType, item: Item) -> int:
+def _pieces(room_type: RoomType, item: Item) -> int:
     """Objects that the item is at the room's usual size."""
-    own = item.count.of(room.area[1], room.people, 0.5)
-    return own * (_pieces(room, room.item(item.with_)) if item.with_ else 1)
+    own = item.count.of(room_type.area[1], room_type.people, 0.5)
+    return own * (_pieces(room_type, room_type.item(item.with_)) if item.with_ else 1)
 
 
 def test_there_are_many_and_each_file_is_named_as_its_room() -> None:

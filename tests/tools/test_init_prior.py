@@ -25,7 +25,7 @@ def prior(library: Library) -> Prior:
 
     def run(text: str, seed: int = 0, brief: Brief | None = None, room: str | None = None, **inputs: object):
         brief = brief or read_brief(text)
-        kind = room_type(room or brief.room or "living_room")
+        kind = room_type(room or brief.room_type or "living_room")
         start = Scene(id="empty", room={"outline": ((0, 0), (3, 0), (3, 3), (0, 3))})
         proposal = InitPrior().propose(Context(brief, kind, start, library, seed, inputs=inputs))
         assert proposal.scene is not None and proposal.fresh and not proposal.edits
@@ -42,9 +42,11 @@ def kinds(scene: Scene) -> Counter[str]:
     return Counter(o.category for o in scene.objects)
 
 
-def standing_for(scene: Scene, room: RoomType) -> Counter[str | None]:
+def standing_for(scene: Scene, room_type: RoomType) -> Counter[str | None]:
     """How many objects stand for each item of a kind of room."""
-    return Counter(o.intent.program_item for o in scene.objects if room.item(o.intent.program_item or "") is not None)
+    return Counter(
+        o.intent.program_item for o in scene.objects if room_type.item(o.intent.program_item or "") is not None
+    )
 
 
 @pytest.mark.parametrize("name", ["bedroom", "kitchen", "office", "bathroom", "cafe"])
