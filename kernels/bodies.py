@@ -4,7 +4,7 @@ import warp as wp
 
 from .array_access import item, item_strided
 from .geometry import plane_of, turn
-from .tables import FREE_PLANE, FREE_YAW, FREE_Z, State, TablesRef, View
+from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Problems, State, TablesRef, View
 
 wp.set_module_options({"enable_backward": False})
 
@@ -32,11 +32,12 @@ class Body:
 
 
 @wp.func
-def candidate_of(t: TablesRef, problem: wp.array(dtype=wp.int32), candidate: wp.int32):
-    """A candidate of a batch, of which ``problem`` [candidate] says whose layout it is."""
+def candidate_of(b: Problems, candidate: wp.int32):
+    """A candidate of a batch."""
+    t = b.tables
     c = Candidate()
     c.index = candidate
-    c.problem = problem[candidate]
+    c.problem = b.problem[candidate]
     c.first_object = item(t[0].object_start, c.problem)
     c.objects = item(t[0].object_start, c.problem + 1) - c.first_object
     return c

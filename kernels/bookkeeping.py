@@ -4,7 +4,7 @@ import warp as wp
 
 from .features import TURN
 from .geometry import plane_of, turn_back, wrap
-from .tables import State, TablesRef
+from .tables import Problems, State
 
 wp.set_module_options({"enable_backward": False})
 
@@ -12,8 +12,7 @@ wp.set_module_options({"enable_backward": False})
 @wp.kernel
 def keep_best(
     # Problem:
-    t: TablesRef,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     # State in:
     active: wp.array(dtype=wp.int32),
     s: State,
@@ -23,10 +22,11 @@ def keep_best(
     best_total_out: wp.array(dtype=wp.float32),
 ):
     """Copy an active candidate's layout when its energy is the lowest so far."""
+    t = b.tables
     candidate = wp.tid()
     if active[candidate] == 0 or not total[candidate] < best_total_out[candidate]:
         return
-    p = problem[candidate]
+    p = b.problem[candidate]
     best_total_out[candidate] = total[candidate]
     for obj in range(t[0].object_start[p + 1] - t[0].object_start[p]):
         best_out.poses[candidate, obj] = s.poses[candidate, obj]
@@ -91,8 +91,7 @@ def to_surface_frames(
 @wp.kernel
 def release(
     # Problem:
-    t: TablesRef,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     rounds: wp.int32,
     anchored_attempts: wp.int32,
     # State in:
@@ -107,10 +106,11 @@ def release(
 
     What was released before stays so: attempt by attempt the neighbours join that were in the way of the last one.
     """
+    t = b.tables
     candidate = wp.tid()
     if active[candidate] == 0 or clock[0] % rounds != 0:
         return
-    p = problem[candidate]
+    p = b.problem[candidate]
     o0 = t[0].object_start[p]
     all_of_them = clock[0] // rounds >= anchored_attempts - 1
     for obj in range(t[0].object_start[p + 1] - o0):
@@ -139,8 +139,7 @@ def advance_clock(
 @wp.kernel
 def retire(
     # Problem:
-    t: TablesRef,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     first_steps: wp.int32,
     close: wp.float32,
     # State in:
@@ -159,6 +158,7 @@ def retire(
     The valid ones leave, and after so many steps those that never came close to it (energy above ``close`` [m]): with
     their best layout, and counted in ``left_out[1]``.
     """
+    t = b.tables
     candidate = wp.tid()
     if active[candidate] == 0:
         return
@@ -167,7 +167,7 @@ def retire(
     elif clock[0] == first_steps and best_total[candidate] > close:
         active[candidate] = 0
         wp.atomic_add(left_out, 1, 1)
-        p = problem[candidate]
+        p = b.problem[candidate]
         for obj in range(t[0].object_start[p + 1] - t[0].object_start[p]):
             s.poses[candidate, obj] = best.poses[candidate, obj]
             s.turns[candidate, obj] = best.turns[candidate, obj]

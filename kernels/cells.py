@@ -7,7 +7,7 @@ looks into the cells within its own reach and the largest reach of any other. Ro
 import warp as wp
 
 from .array_access import item
-from .tables import State, TablesRef
+from .tables import Problems, State, TablesRef
 
 wp.set_module_options({"enable_backward": False})
 
@@ -74,14 +74,14 @@ def fill_cells(t: TablesRef, p: wp.int32, candidate: wp.int32, s: State):
 @wp.kernel
 def enter_cells(
     # Problem:
-    t: TablesRef,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     # State in:
     active: wp.array(dtype=wp.int32),
     # State in and out:
     s: State,
 ):
     """Build the lists of every active candidate anew."""
+    t = b.tables
     candidate = wp.tid()
     if active[candidate] == 1:
-        fill_cells(t, problem[candidate], candidate, s)
+        fill_cells(t, b.problem[candidate], candidate, s)

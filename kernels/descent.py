@@ -13,7 +13,7 @@ import warp as wp
 
 from .bodies import candidate_of
 from .step import freedom, keep_last, noise, place_members, scaled_gradient, stream, turning_arm
-from .tables import State, TablesRef
+from .tables import Problems, State
 from .warp_primitives import WARP_SIZE
 
 # Fast sines on a GPU are good to a few micrometres; the layout that is kept is measured again with exact ones.
@@ -116,9 +116,8 @@ def update_rule(rule: wp.Function, keeps_mean: bool) -> UpdateRule:
     @wp.kernel(name=f"step_of_{rule.key}")
     def step(
         # Problem:
-        t: TablesRef,
+        b: Problems,
         schedule: Schedule,
-        problem: wp.array(dtype=wp.int32),
         # State in:
         clock: wp.array(dtype=wp.int32),
         s: State,
@@ -143,13 +142,14 @@ def update_rule(rule: wp.Function, keeps_mean: bool) -> UpdateRule:
         lowest energy before that step; ``part`` and ``gradient`` are every object's share of the energy and its
         gradient at the poses of this step.
         """
+        t = b.tables
         group, obj, lane = wp.tid()
         candidate = group * WARP_SIZE + lane
-        if candidate >= problem.shape[0]:
+        if candidate >= b.problem.shape[0]:
             return
         if candidate == 0 and obj == 0:
             clock_out[0] = clock[0] + 1
-        c = candidate_of(t, problem, candidate)
+        c = candidate_of(b, candidate)
         o = c.first_object + obj
         if not keep_last(t, c, obj, share, lowest, next_poses, best_out, share_out, lowest_out):
             return

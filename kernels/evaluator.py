@@ -24,6 +24,7 @@ from .tables import (
     RELATIONS,
     Energy,
     Margins,
+    Problems,
     State,
     TablesRef,
     TermSlice,
@@ -115,10 +116,7 @@ object_energy = object_evaluator(EVERY_KIND)
 @wp.kernel
 def evaluate(
     # Problem:
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     # State in:
     s: State,
     # State out:
@@ -127,8 +125,11 @@ def evaluate(
     gradient_out: wp.array2d(dtype=wp.vec4),
 ):
     """Energy share, soft part of it and gradient of every object, [candidate, object]."""
+    t = b.tables
+    m = b.margins
+    w = b.weights
     candidate, obj = wp.tid()
-    c = candidate_of(t, problem, candidate)
+    c = candidate_of(b, candidate)
     energy = Energy()
     if obj < c.objects:
         view = View()

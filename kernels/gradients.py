@@ -15,12 +15,10 @@ from .step import AT_REST
 from .tables import (
     BOUNDS,
     Energy,
-    Margins,
+    Problems,
     State,
-    TablesRef,
     TermSlice,
     View,
-    Weights,
 )
 from .warp_primitives import WARP_SIZE
 
@@ -44,10 +42,7 @@ def gradient_kernel(module: str, name: str, kinds: int, registers: int | None = 
     @wp.kernel(name=name, module=wp.get_module(module), cuda_max_registers=registers)
     def gradients(
         # Problem:
-        t: TablesRef,
-        m: Margins,
-        w: Weights,
-        problem: wp.array(dtype=wp.int32),
+        b: Problems,
         # State in:
         s: State,
         lowest: wp.array(dtype=wp.float32),
@@ -60,11 +55,14 @@ def gradient_kernel(module: str, name: str, kinds: int, registers: int | None = 
         Candidates whose ``lowest`` energy is that of rest are left as they are.
         """
         inline_on_gpu()
+        t = b.tables
+        m = b.margins
+        w = b.weights
         group, obj, lane = wp.tid()
         candidate = group * WARP_SIZE + lane
-        if candidate >= problem.shape[0]:
+        if candidate >= b.problem.shape[0]:
             return
-        c = candidate_of(t, problem, candidate)
+        c = candidate_of(b, candidate)
         if obj >= c.objects or lowest[candidate] <= AT_REST:
             return
         if (item(t[0].object_terms, c.first_object + obj) & wanted) == 0:

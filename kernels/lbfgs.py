@@ -14,7 +14,7 @@ again (basin hopping, Wales & Doye 1997).
 import warp as wp
 
 from .step import AT_REST, freedom, noise, place_members, stream, total_of, turning_arm
-from .tables import State, TablesRef
+from .tables import Problems, State
 from .warp_primitives import WARP_SIZE
 
 wp.set_module_options({"enable_backward": False})
@@ -166,8 +166,7 @@ def start_line_search(h: History, line: Line, candidate: wp.int32, n: wp.int32):
 @wp.kernel
 def search_line(
     # Problem:
-    t: TablesRef,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     # State in:
     trial_share: wp.array2d(dtype=wp.float32),
     trial_gradient: wp.array2d(dtype=wp.vec4),
@@ -177,10 +176,11 @@ def search_line(
     clock: wp.array(dtype=wp.int32),
 ):
     """Accept or refuse each candidate's trial, and say where the next one goes."""
+    t = b.tables
     candidate = wp.tid()
     if candidate == 0:
         clock[0] = clock[0] + 1
-    p = problem[candidate]
+    p = b.problem[candidate]
     n = t[0].object_start[p + 1] - t[0].object_start[p]
     energy = line.energy[candidate]
     if energy <= AT_REST:
@@ -235,8 +235,7 @@ def search_line(
 @wp.kernel
 def make_trial(
     # Problem:
-    t: TablesRef,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     push: wp.float32,
     steps: wp.int32,
     # State in:
@@ -253,11 +252,12 @@ def make_trial(
 
     A push [m] (standard deviation, falling to zero over the steps) moves what has a share in the energy.
     """
+    t = b.tables
     group, obj, lane = wp.tid()
     candidate = group * WARP_SIZE + lane
-    if candidate >= problem.shape[0]:
+    if candidate >= b.problem.shape[0]:
         return
-    p = problem[candidate]
+    p = b.problem[candidate]
     o = t[0].object_start[p] + obj
     if o >= t[0].object_start[p + 1]:
         return

@@ -11,7 +11,7 @@ from .contacts import add_contact_rows, nearest_vertices, no_vertices
 from .features import feature
 from .geometry import FAR, perp, plane_of, turn, turn_back
 from .inequality import ROWS, SLACK, SURE, InequalitySystem, add_own_row, add_row, wanting
-from .tables import FREE_Z, PAIR_RIGID, Margins, State, TablesRef, View
+from .tables import FREE_Z, PAIR_RIGID, Margins, Problems, State, TablesRef, View
 from .terms_contacts import CONTACTS, FIXTURE, contact_of, meets_fixture, reach_of_pair
 from .terms_relations import relation_poses
 
@@ -211,10 +211,8 @@ def add_relation_rows(
 @wp.kernel
 def linearise(
     # Problem:
-    t: TablesRef,
-    m: Margins,
+    b: Problems,
     reach: wp.float32,
-    problem: wp.array(dtype=wp.int32),
     selected: wp.array(dtype=wp.int32),
     # State in:
     live: wp.array(dtype=wp.int32),
@@ -233,11 +231,13 @@ def linearise(
     ``keys`` and ``force`` [candidate, slot] are those of the step before. ``missed_out`` is by how much [m] an object's
     terms miss the verdict's limits, without those that nothing free to move can mend.
     """
+    t = b.tables
+    m = b.margins
     slot, obj = wp.tid()
     candidate = selected[slot]
     if live[candidate] == 0:
         return
-    c = candidate_of(t, problem, candidate)
+    c = candidate_of(b, candidate)
     if obj >= c.objects:
         return
     x = body_of(c, obj, s)

@@ -12,7 +12,7 @@ from .bodies import free_part
 from .geometry import FAR, plane_of, turn
 from .groups import set_pose
 from .inequality import ARM, ROWS, Inequality, mobility
-from .tables import State, TablesRef, View, Weights
+from .tables import Problems, State, TablesRef, View
 from .terms_relations import best_option, relation_poses
 
 wp.set_module_options({"enable_backward": False})
@@ -77,9 +77,8 @@ def movement(d: wp.vec4):
 @wp.kernel
 def start_try(
     # Problem:
-    t: TablesRef,
+    b: Problems,
     perturbation: Perturbation,
-    problem: wp.array(dtype=wp.int32),
     selected: wp.array(dtype=wp.int32),
     # State in:
     best: wp.array2d(dtype=wp.vec4),
@@ -93,9 +92,10 @@ def start_try(
     last_step_out: wp.array(dtype=wp.float32),
 ):
     """Put every root where a try begins: where the best layout has it, or off its anchor by chance."""
+    t = b.tables
     slot, obj = wp.tid()
     candidate = selected[slot]
-    p = problem[candidate]
+    p = b.problem[candidate]
     o0 = t[0].object_start[p]
     if obj == 0:
         live_out[candidate] = 1
@@ -124,17 +124,17 @@ def start_try(
 @wp.kernel
 def choose_options(
     # Problem:
-    t: TablesRef,
-    w: Weights,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     selected: wp.array(dtype=wp.int32),
     # State in and out:
     s: State,
 ):
     """Give every relation of the selected candidates the option that it is nearest to."""
+    t = b.tables
+    w = b.weights
     slot, rel = wp.tid()
     candidate = selected[slot]
-    p = problem[candidate]
+    p = b.problem[candidate]
     r = t[0].relation_start[p] + rel
     if r < t[0].relation_start[p + 1]:
         those = relation_poses(t, t[0].object_start[p], r, s, candidate, View())
@@ -190,9 +190,8 @@ def sweep(
 @wp.kernel
 def project(
     # Problem:
-    t: TablesRef,
+    b: Problems,
     sweeps: wp.int32,
-    problem: wp.array(dtype=wp.int32),
     selected: wp.array(dtype=wp.int32),
     # State in:
     count: wp.array2d(dtype=wp.int32),
@@ -216,10 +215,11 @@ def project(
     [candidate, object] each object's part of the lack or, where there is none, of the movement. ``d`` is scratch,
     ``last_step`` how far the last step went. A candidate that has settled at a feasible layout is no longer live.
     """
+    t = b.tables
     candidate = selected[wp.tid()]
     if live[candidate] == 0:
         return
-    p = problem[candidate]
+    p = b.problem[candidate]
     o0 = t[0].object_start[p]
     n = t[0].object_start[p + 1] - o0
     miss = float(0.0)
@@ -269,16 +269,16 @@ def project(
 @wp.kernel
 def restore(
     # Problem:
-    t: TablesRef,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     # State in:
     best: wp.array2d(dtype=wp.vec4),
     # State in and out:
     s: State,
 ):
     """Put every root where the best layout has it."""
+    t = b.tables
     candidate, obj = wp.tid()
-    p = problem[candidate]
+    p = b.problem[candidate]
     o0 = t[0].object_start[p]
     if obj < t[0].object_start[p + 1] - o0 and t[0].object_root[o0 + obj] == obj:
         place(t, o0, candidate, obj, best[candidate, obj], s)

@@ -26,7 +26,7 @@ from .jobs import (
 from .sample import QUARTER, propose, uniform
 from .starts import Plan
 from .state_machine import GRADIENT, MOVE, RETURN, SQUARE, STEP, STOP
-from .tables import Margins, State, TablesRef, TermSlice, View, Weights
+from .tables import Margins, Problems, State, TablesRef, TermSlice, View, Weights
 from .warp_primitives import (
     lane_id,
     shfl_float,
@@ -206,11 +206,8 @@ def find_gradient(t: TablesRef, m: Margins, w: Weights, c: Candidate, d: SearchS
 @wp.kernel(cuda_max_registers=128)  # more warps are worth the spills
 def draw(
     # Problem:
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
+    b: Problems,
     plan: Plan,
-    problem: wp.array(dtype=wp.int32),
     # State in:
     search_state: wp.array(dtype=SearchState),
     # State in and out:
@@ -222,12 +219,15 @@ def draw(
 ):
     """Draw the poses that are tried, [candidate, drawer]. ``busy_out`` is set to 0."""
     inline_on_gpu()
+    t = b.tables
+    m = b.margins
+    w = b.weights
     candidate, first = wp.tid()
     if candidate == 0 and first == 0:
         busy_out[0] = 0
     if search_state[candidate].job < MOVE or search_state[candidate].job == STOP:
         return
-    c = candidate_of(t, problem, candidate)
+    c = candidate_of(b, candidate)
     d = search_state[candidate]
     w = weights_at(w, d)
     by = wp.min(1 + plan.proposals, warp_size())
@@ -237,11 +237,8 @@ def draw(
 @wp.kernel(cuda_max_registers=128)
 def rate(
     # Problem:
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
+    b: Problems,
     plan: Plan,
-    problem: wp.array(dtype=wp.int32),
     # State in:
     search_state: wp.array(dtype=SearchState),
     s: State,
@@ -253,10 +250,13 @@ def rate(
 ):
     """Rate the proposals of every candidate's job. A warp a candidate."""
     inline_on_gpu()
+    t = b.tables
+    m = b.margins
+    w = b.weights
     candidate = wp.tid() // warp_size()
     if search_state[candidate].job == STOP or search_state[candidate].job == GRADIENT:
         return
-    c = candidate_of(t, problem, candidate)
+    c = candidate_of(b, candidate)
     d = search_state[candidate]
     w = weights_at(w, d)
     x = rate_proposals(t, m, w, plan, c, d, s, drawn, drafted, energy_out)
@@ -267,11 +267,8 @@ def rate(
 @wp.kernel
 def take_gradients(
     # Problem:
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
+    b: Problems,
     plan: Plan,
-    problem: wp.array(dtype=wp.int32),
     # State in:
     search_state: wp.array(dtype=SearchState),
     s: State,
@@ -280,10 +277,13 @@ def take_gradients(
 ):
     """Take the gradient where that is a candidate's job. A warp a candidate."""
     inline_on_gpu()
+    t = b.tables
+    m = b.margins
+    w = b.weights
     candidate = wp.tid() // warp_size()
     if search_state[candidate].job != GRADIENT:
         return
     d = search_state[candidate]
-    x = find_gradient(t, m, weights_at(w, d), candidate_of(t, problem, candidate), d, s)
+    x = find_gradient(t, m, weights_at(w, d), candidate_of(b, candidate), d, s)
     if lane_id() == 0:
         result_out[candidate] = x

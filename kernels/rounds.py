@@ -7,7 +7,7 @@ from .bodies import Candidate, candidate_of
 from .jobs import JobResult, SearchState
 from .starts import GIVEN, Plan
 from .state_machine import MOVING, STOP, SURVEY
-from .tables import Margins, State, TablesRef, Weights
+from .tables import Problems, State
 from .transitions import transition
 from .warp_primitives import warp_size
 
@@ -39,11 +39,8 @@ def finish_round(candidate: wp.int32, d: SearchState, s: State, total_out: wp.ar
 @wp.kernel
 def start_rounds(
     # Problem:
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
+    b: Problems,
     plan: Plan,
-    problem: wp.array(dtype=wp.int32),
     # State in:
     active: wp.array(dtype=wp.int32),
     clock: wp.array(dtype=wp.int32),
@@ -60,18 +57,15 @@ def start_rounds(
     d = SearchState()
     d.job = STOP
     if active[candidate] != 0:
-        d = initial_state(plan, candidate_of(t, problem, candidate), clock, s)
+        d = initial_state(plan, candidate_of(b, candidate), clock, s)
     search_state_out[candidate] = d
 
 
 @wp.kernel
 def advance(
     # Problem:
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
+    b: Problems,
     plan: Plan,
-    problem: wp.array(dtype=wp.int32),
     # State in:
     result: wp.array(dtype=JobResult),
     # State in and out:
@@ -83,11 +77,12 @@ def advance(
     busy_out: wp.array(dtype=wp.int32),
 ):
     """Apply the result of every candidate's job and choose its next. ``busy_out`` becomes 1 if any has one."""
+    t = b.tables
     candidate = wp.tid()
     d = search_state[candidate]
     if d.job == STOP:
         return
-    d = transition(t, plan, candidate_of(t, problem, candidate), result[candidate], s, energy, d)
+    d = transition(t, plan, candidate_of(b, candidate), result[candidate], s, energy, d)
     search_state[candidate] = d
     if d.job == STOP:
         finish_round(candidate, d, s, total_out)

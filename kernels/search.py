@@ -13,7 +13,7 @@ from .proposals import draw_proposals, find_gradient, rate_proposals
 from .rounds import finish_round, initial_state
 from .starts import Plan
 from .state_machine import GRADIENT, MOVE, STOP
-from .tables import Margins, State, TablesRef, Weights
+from .tables import Problems, State
 from .transitions import transition
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
@@ -22,11 +22,8 @@ wp.set_module_options({"enable_backward": False, "fast_math": True, "default_gri
 @wp.kernel
 def search(
     # Problem:
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
+    b: Problems,
     plan: Plan,
-    problem: wp.array(dtype=wp.int32),
     # State in:
     active: wp.array(dtype=wp.int32),
     clock: wp.array(dtype=wp.int32),
@@ -39,10 +36,13 @@ def search(
     total_out: wp.array(dtype=wp.float32),
 ):
     """Search each active candidate in place for one round, one after the other: for a CPU."""
+    t = b.tables
+    m = b.margins
+    w = b.weights
     candidate = wp.tid()
     if active[candidate] == 0:
         return
-    c = candidate_of(t, problem, candidate)
+    c = candidate_of(b, candidate)
     d = initial_state(plan, c, clock, s)
     weights = weights_at(w, d)
     while d.job != STOP:

@@ -21,6 +21,7 @@ from .tables import (
     FREE_YAW,
     FREE_Z,
     Margins,
+    Problems,
     State,
     TablesRef,
     TermSlice,
@@ -329,10 +330,7 @@ def snap_alike(t: TablesRef, m: Margins, w: Weights, c: Candidate, first: wp.int
 @wp.kernel
 def snap(
     # Problem:
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     order: wp.array2d(dtype=wp.int32),
     # State in:
     active: wp.array(dtype=wp.int32),
@@ -340,10 +338,13 @@ def snap(
     s: State,
 ):
     """Make active candidates exact. ``order`` [problem, object] lists parents first. A thread a candidate."""
+    t = b.tables
+    m = b.margins
+    w = b.weights
     candidate = wp.tid()
     if active[candidate] == 0:
         return
-    c = candidate_of(t, problem, candidate)
+    c = candidate_of(b, candidate)
     w.pull = 0.0
     for obj in range(c.objects):
         s.mark[candidate, obj] = 0

@@ -5,7 +5,7 @@ import warp as wp
 from .array_access import item, opaque_one
 from .groups import move_with_members, redraw_surfaces, set_pose
 from .sample import keep_inside, project_onto_relations, random_start, uniform
-from .tables import Margins, State, TablesRef, Weights
+from .tables import Problems, State, TablesRef
 from .warp_primitives import lane_id, syncwarp, warp_size
 
 # Fast sines on a GPU are good to a few micrometres; the judge gets exact ones (`set_turns`).
@@ -54,11 +54,8 @@ def depth_of(t: TablesRef, o0: wp.int32, obj: wp.int32):
 @wp.kernel
 def start_attempt(
     # Problem:
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
+    b: Problems,
     plan: Plan,
-    problem: wp.array(dtype=wp.int32),
     # State in:
     active: wp.array(dtype=wp.int32),
     clock: wp.array(dtype=wp.int32),
@@ -66,11 +63,14 @@ def start_attempt(
     s: State,
 ):
     """At the first round of an attempt, put every active candidate where the attempt begins. A warp a candidate."""
+    t = b.tables
+    m = b.margins
+    w = b.weights
     candidate = wp.tid() // warp_size()
     me = lane_id()
     if clock[0] % plan.rounds != 0 or active[candidate] == 0:
         return
-    p = problem[candidate]
+    p = b.problem[candidate]
     o0 = item(t[0].object_start, p)
     n = item(t[0].object_start, p + 1) - o0
     attempt = clock[0] // plan.rounds

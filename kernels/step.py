@@ -12,7 +12,7 @@ from .array_access import item, item_strided
 from .bodies import Candidate
 from .features import TURN
 from .geometry import perp, plane_of, wrap
-from .tables import FREE_PLANE, FREE_YAW, FREE_Z, State, TablesRef, View, Weights
+from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Problems, State, TablesRef, View
 from .terms_relations import best_option, relation_poses
 from .warp_primitives import WARP_SIZE
 
@@ -154,9 +154,7 @@ def keep_last(
 @wp.kernel
 def choose(
     # Problem:
-    t: TablesRef,
-    w: Weights,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     # State in:
     s: State,
     # State out:
@@ -164,11 +162,13 @@ def choose(
     other_out: wp.array2d(dtype=wp.int32),
 ):
     """Give every relation its best option at the present poses, in both buffers."""
+    t = b.tables
+    w = b.weights
     group, rel, lane = wp.tid()
     candidate = group * WARP_SIZE + lane
-    if candidate >= problem.shape[0]:
+    if candidate >= b.problem.shape[0]:
         return
-    p = problem[candidate]
+    p = b.problem[candidate]
     r = item(t[0].relation_start, p) + rel
     if r < item(t[0].relation_start, p + 1):
         those = relation_poses(t, item(t[0].object_start, p), r, s, candidate, View())
@@ -180,8 +180,7 @@ def choose(
 @wp.kernel
 def measure(
     # Problem:
-    t: TablesRef,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     # State in:
     poses: wp.array2d(dtype=wp.vec4),
     part: wp.array2d(dtype=wp.float32),
@@ -191,11 +190,12 @@ def measure(
     gradient_out: wp.array2d(dtype=wp.vec4),
 ):
     """Every root's share of its candidate's energy and its scaled gradient, [object, candidate]; else zero."""
+    t = b.tables
     group, obj, lane = wp.tid()
     candidate = group * WARP_SIZE + lane
-    if candidate >= problem.shape[0]:
+    if candidate >= b.problem.shape[0]:
         return
-    p = problem[candidate]
+    p = b.problem[candidate]
     o = item(t[0].object_start, p) + obj
     share = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
@@ -209,8 +209,7 @@ def measure(
 @wp.kernel
 def take_best(
     # Problem:
-    t: TablesRef,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     # State in:
     last: wp.array2d(dtype=wp.vec4),
     total: wp.array(dtype=wp.float32),
@@ -221,8 +220,9 @@ def take_best(
     turns_out: wp.array2d(dtype=wp.vec2),
 ):
     """Give every candidate the better one of its last poses, of the given energy, and the best before them."""
+    t = b.tables
     candidate, obj = wp.tid()
-    p = problem[candidate]
+    p = b.problem[candidate]
     if obj < item(t[0].object_start, p + 1) - item(t[0].object_start, p):
         pose = last[candidate, obj]
         if not total[candidate] < lowest[candidate] and lowest[candidate] < wp.inf:
@@ -234,14 +234,14 @@ def take_best(
 @wp.kernel
 def add_up(
     # Problem:
-    t: TablesRef,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     # State in:
     share: wp.array2d(dtype=wp.float32),
     # State out:
     total_out: wp.array(dtype=wp.float32),
 ):
     """Energy of every candidate."""
+    t = b.tables
     candidate = wp.tid()
-    p = problem[candidate]
+    p = b.problem[candidate]
     total_out[candidate] = total_of(share, candidate, item(t[0].object_start, p + 1) - item(t[0].object_start, p))

@@ -265,3 +265,13 @@ class Weights:
     relation: wp.float32
     pull: wp.float32
     knee: wp.float32  # [m] where the penalty turns from quadratic to linear
+
+
+@wp.struct
+class Problems:
+    """What every kernel takes first: the problems of a batch, and whose layout each candidate is."""
+
+    tables: TablesRef
+    margins: Margins
+    weights: Weights
+    problem: wp.array(dtype=wp.int32)  # [candidate]

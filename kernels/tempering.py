@@ -18,7 +18,7 @@ from .features import TURN
 from .geometry import plane_of, turn
 from .sample import QUARTER
 from .step import freedom, noise, place_members, stream, total_of, turning_arm
-from .tables import FREE_PLANE, FREE_YAW, State, TablesRef
+from .tables import FREE_PLANE, FREE_YAW, Problems, State, TablesRef
 from .warp_primitives import WARP_SIZE
 
 wp.set_module_options({"enable_backward": False})
@@ -93,8 +93,7 @@ def copy_replicas(
 @wp.kernel
 def accept(
     # Problem:
-    t: TablesRef,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     replicas: wp.int32,
     jumps: wp.float32,
     # State in:
@@ -110,8 +109,9 @@ def accept(
     total_out: wp.array(dtype=wp.float32),
 ):
     """Decide on every row's proposal, adapt its step size, and draw what it tries next: a share of ``jumps`` jump."""
+    t = b.tables
     row = wp.tid()
-    p = problem[row]
+    p = b.problem[row]
     n = t[0].object_start[p + 1] - t[0].object_start[p]
     kind = ladder.move[row]
     now = clock[0]
@@ -231,8 +231,7 @@ def jump(
 @wp.kernel
 def make_moves(
     # Problem:
-    t: TablesRef,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     replicas: wp.int32,
     # State in:
     clock: wp.array(dtype=wp.int32),
@@ -247,11 +246,12 @@ def make_moves(
     best_out: wp.array2d(dtype=wp.vec4),
 ):
     """Carry out what was decided on every row's proposal and lay out the next one."""
+    t = b.tables
     group, obj, lane = wp.tid()
     row = group * WARP_SIZE + lane
-    if row >= problem.shape[0]:
+    if row >= b.problem.shape[0]:
         return
-    p = problem[row]
+    p = b.problem[row]
     o0 = t[0].object_start[p]
     o = o0 + obj
     if o >= t[0].object_start[p + 1]:

@@ -9,7 +9,7 @@ from .array_access import item
 from .bodies import Body, Candidate, body_of, candidate_of, fixture_body
 from .features import feature
 from .geometry import overlap_in_z, plane_of, prisms_apart, turn
-from .tables import Margins, State, TablesRef, View
+from .tables import Margins, Problems, State, TablesRef, View
 from .terms_contacts import CONTACTS, FIXTURE, Contact, contact_of, meets_fixture, reach_of_pair
 from .terms_relations import relation_poses
 
@@ -90,9 +90,7 @@ def relation_holds(t: TablesRef, c: Candidate, r: wp.int32, s: State):
 @wp.kernel
 def judge_objects(
     # Problem:
-    t: TablesRef,
-    m: Margins,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     # State in:
     active: wp.array(dtype=wp.int32),
     s: State,
@@ -100,10 +98,12 @@ def judge_objects(
     fault_out: wp.array2d(dtype=wp.int8),
 ):
     """Fault of every object of the active candidates: 0, BROKEN or DIVERGED. A pair is charged to both."""
+    t = b.tables
+    m = b.margins
     candidate, obj = wp.tid()
     if active[candidate] == 0:
         return
-    c = candidate_of(t, problem, candidate)
+    c = candidate_of(b, candidate)
     if obj >= c.objects:
         fault_out[candidate, obj] = wp.int8(0)
         return
@@ -127,8 +127,7 @@ def judge_objects(
 @wp.kernel
 def judge_relations(
     # Problem:
-    t: TablesRef,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     # State in:
     active: wp.array(dtype=wp.int32),
     s: State,
@@ -136,10 +135,11 @@ def judge_relations(
     holds_out: wp.array2d(dtype=wp.bool),
 ):
     """Whether each relation of the active candidates holds under any of its options, [candidate, relation]."""
+    t = b.tables
     candidate, rel = wp.tid()
     if active[candidate] == 0:
         return
-    c = candidate_of(t, problem, candidate)
+    c = candidate_of(b, candidate)
     r = item(t[0].relation_start, c.problem) + rel
     holds = bool(True)
     if r < item(t[0].relation_start, c.problem + 1):
@@ -150,8 +150,7 @@ def judge_relations(
 @wp.kernel
 def judge_candidates(
     # Problem:
-    t: TablesRef,
-    problem: wp.array(dtype=wp.int32),
+    b: Problems,
     # State in:
     active: wp.array(dtype=wp.int32),
     fault: wp.array2d(dtype=wp.int8),
@@ -160,10 +159,11 @@ def judge_candidates(
     status_out: wp.array(dtype=wp.int8),
 ):
     """Status of every active candidate: 0 valid, 1 broken, 2 a hard relation is unmet, 3 diverged."""
+    t = b.tables
     candidate = wp.tid()
     if active[candidate] == 0:
         return
-    p = problem[candidate]
+    p = b.problem[candidate]
     status = int(VALID)
     r0 = item(t[0].relation_start, p)
     for r in range(r0, item(t[0].relation_start, p + 1)):

@@ -6,7 +6,7 @@ A coarse measure for choosing among valid layouts; the judge has its own, finer 
 import warp as wp
 
 from .geometry import FAR, plane_of, turn_back
-from .tables import FIXTURE_SOLID, SOLIDS, State, TablesRef, parts_of
+from .tables import FIXTURE_SOLID, SOLIDS, Problems, State, TablesRef, parts_of
 
 wp.set_module_options({"enable_backward": False})
 
@@ -52,9 +52,8 @@ def point_distance(t: TablesRef, a: wp.int32, x: wp.vec2):
 @wp.kernel
 def mark_floor(
     # Problem:
-    t: TablesRef,
+    b: Problems,
     floor: Floor,
-    problem: wp.array(dtype=wp.int32),
     selected: wp.array(dtype=wp.int32),
     # State in:
     s: State,
@@ -62,9 +61,10 @@ def mark_floor(
     grid_out: wp.array2d(dtype=wp.int32),
 ):
     """Mark the cells [slot, cell] where the robot cannot stand."""
+    t = b.tables
     slot, cell = wp.tid()
     candidate = selected[slot]
-    p = problem[candidate]
+    p = b.problem[candidate]
     x = floor.origin + floor.cell * wp.vec2(float(cell % floor.nx) + 0.5, float(cell // floor.nx) + 0.5)
     blocked = bool(False)
     for k in range(t[0].plane_start[p], t[0].plane_start[p + 1]):

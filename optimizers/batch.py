@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.bookkeeping import set_turns
-from sceneweaver.kernels.tables import STATE, Margins, State, Tables, Weights
+from sceneweaver.kernels.tables import STATE, Margins, Problems, State, Tables, Weights
 from sceneweaver.kernels.verdict import judge_candidates, judge_objects, judge_relations
 from sceneweaver.kernels.warp_primitives import WARP_SIZE
 
@@ -38,6 +38,14 @@ class Batch:
     def size(self) -> int:
         """Number of candidates B."""
         return self.problem.shape[0]
+
+    @property
+    def problems(self) -> Problems:
+        """What kernels take first."""
+        problems = Problems()
+        problems.tables, problems.problem = self.tables, self.problem
+        problems.margins, problems.weights = self.margins, self.weights
+        return problems
 
     def part(self, first: int, last: int) -> Batch:
         """Candidates first to last as a batch that shares this one's memory."""
@@ -131,21 +139,21 @@ def launch_verdict(batch: Batch, verdict: DeviceVerdict, active: wp.array) -> No
     wp.launch(
         judge_objects,
         (batch.size, batch.objects),
-        [batch.tables, batch.margins, batch.problem, active, state],
+        [batch.problems, active, state],
         [verdict.fault],
         device=device,
     )
     wp.launch(
         judge_relations,
         (batch.size, batch.relations),
-        [batch.tables, batch.problem, active, state],
+        [batch.problems, active, state],
         [verdict.holds],
         device=device,
     )
     wp.launch(
         judge_candidates,
         batch.size,
-        [batch.tables, batch.problem, active, verdict.fault, verdict.holds],
+        [batch.problems, active, verdict.fault, verdict.holds],
         [verdict.status],
         device=device,
     )

@@ -98,7 +98,7 @@ def descend(batch: Batch, rule: UpdateRule, schedule: Schedule, monitor: Monitor
             rule.kernel,
             threads(batch, batch.objects),
             [
-                *(batch.tables, schedule, batch.problem),
+                *(batch.problems, schedule),
                 *(clock[a], layout[a], share[b], lowest[a], part, each, mean, square, layout[b].poses),
             ],
             [layout[b].turns, best, share[a], lowest[b], clock[b]],
@@ -109,7 +109,7 @@ def descend(batch: Batch, rule: UpdateRule, schedule: Schedule, monitor: Monitor
     done = block.play(monitor, times, chosen + each * rest if rest else 0)
     a = (rest + 1) % 2 if done else 1  # the buffers of the last step
     total = wp.zeros(batch.size, dtype=wp.float32, device=device)
-    wp.launch(add_up, batch.size, [batch.tables, batch.problem, share[a]], [total], device=device)
+    wp.launch(add_up, batch.size, [batch.problems, share[a]], [total], device=device)
     return finish(batch, layout[a].poses, total, best, lowest[1 - a])
 
 
@@ -118,7 +118,7 @@ def finish(batch: Batch, last: wp.array, total: wp.array, best: wp.array, lowest
     wp.launch(
         take_best,
         (batch.size, batch.objects),
-        [batch.tables, batch.problem, last, total, best, lowest],
+        [batch.problems, last, total, best, lowest],
         [batch.state.poses, batch.state.turns],
         device=batch.device,
     )
@@ -128,7 +128,7 @@ def finish(batch: Batch, last: wp.array, total: wp.array, best: wp.array, lowest
 def add_choice(block: Launches, batch: Batch, state: State, options: Sequence[wp.array]) -> None:
     """Let every relation take its best option at the state's poses; ``options``: the two arrays to write it to."""
     if batch.relations:
-        inputs = [batch.tables, batch.weights, batch.problem, state]
+        inputs = [batch.problems, state]
         block.add(choose, threads(batch, batch.relations), inputs, options)
 
 
@@ -140,7 +140,7 @@ def add_gradients(
     Candidates whose ``lowest`` energy so far is that of rest are left out.
     """
     wanted = (gradients.WHOLE,) if batch.device == "cpu" else gradients_gpu.GROUPS
-    inputs = [batch.tables, batch.margins, batch.weights, batch.problem, state, lowest]
+    inputs = [batch.problems, state, lowest]
     for kinds, kernel in wanted:
         if kinds & batch.terms:
             block.add(kernel, threads(batch, batch.objects), inputs, [part, gradient], block=BLOCK)
@@ -151,7 +151,7 @@ def add_measure(block: Launches, batch: Batch, state: State, share: wp.array, gr
     restless = wp.full(batch.size, np.inf, dtype=wp.float32, device=batch.device)
     part, each = per_object(batch, wp.float32), per_object(batch, wp.vec4)
     add_gradients(block, batch, state, restless, part, each)
-    inputs = [batch.tables, batch.problem, state.poses, part, each]
+    inputs = [batch.problems, state.poses, part, each]
     block.add(measure, threads(batch, batch.objects), inputs, [share, gradient], block=BLOCK)
 
 
@@ -163,7 +163,7 @@ def energy_of(batch: Batch) -> wp.array:
     now = Launches(device)
     add_choice(now, batch, state, [state.options, state.options])
     add_measure(now, batch, state, share, gradient)
-    now.add(add_up, batch.size, [batch.tables, batch.problem, share], [total])
+    now.add(add_up, batch.size, [batch.problems, share], [total])
     now.play(Monitor(0))
     return total
 

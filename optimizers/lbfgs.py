@@ -60,7 +60,7 @@ def workspace(batch: Batch) -> Workspace:
 
 def one_step(block: Launches, batch: Batch, work: Workspace, push: float, steps: int) -> None:
     """Append one step: measure the trial, search_line on it, make the next."""
-    trial, problem = work.trial, [batch.tables, batch.problem]
+    trial, problem = work.trial, [batch.problems]
     add_choice(block, batch, trial, [trial.options, trial.options])
     add_measure(block, batch, trial, work.share, work.gradient)
     block.add(search_line, batch.size, [*problem, work.share, work.gradient, work.history, work.line, work.clock], [])

@@ -101,9 +101,7 @@ def run_projection(batch: Batch, start: Start, budget: int | None, monitor: Moni
         wp.copy(batch.state.anchors, batch.state.poses)
     work, tries = Workspace.of(batch), TRIES if budget is None else budget
     lost = _improve(batch, work, np.arange(batch.size), tries, max(MOST, batch.objects // 2), monitor)
-    wp.launch(
-        restore, (batch.size, batch.objects), [batch.tables, batch.problem, work.best, batch.state], device=batch.device
-    )
+    wp.launch(restore, (batch.size, batch.objects), [batch.problems, work.best, batch.state], device=batch.device)
     lack = work.lack.numpy()
     monitor.add(batch.size - lost.size, batch.size - lost.size, 0.0)
     if lost.size and not monitor.expired():
@@ -138,24 +136,22 @@ def _try(batch: Batch, work: Workspace, left: np.ndarray, attempt: int) -> None:
     """One try of the candidates ``left``: begin, choose options, then rows and projection in turn."""
     device, n = batch.device, left.size
     selected = wp.array(left.astype(np.int32), dtype=wp.int32, device=device)
-    problem = [batch.problem, selected]
     wp.launch(
         start_try,
         (n, batch.objects),
-        [batch.tables, _perturbation(attempt), *problem, work.best, work.fault, batch.state],
+        [batch.problems, _perturbation(attempt), selected, work.best, work.fault, batch.state],
         [work.shift, work.count, work.live, work.last_step],
         device=device,
     )
-    wp.launch(choose_options, (n, batch.relations), [batch.tables, batch.weights, *problem, batch.state], device=device)
+    wp.launch(choose_options, (n, batch.relations), [batch.problems, selected, batch.state], device=device)
     for _ in range(STEPS):
         wp.launch(
             linearise,
             (n, batch.objects),
             [
-                batch.tables,
-                batch.margins,
+                batch.problems,
                 REACH,
-                *problem,
+                selected,
                 work.live,
                 batch.state,
                 work.keys[0],
@@ -172,9 +168,9 @@ def _try(batch: Batch, work: Workspace, left: np.ndarray, attempt: int) -> None:
             project,
             n,
             [
-                batch.tables,
+                batch.problems,
                 SWEEPS,
-                *problem,
+                selected,
                 work.count,
                 work.rows,
                 work.missed,
@@ -206,7 +202,7 @@ def _search(batch: Batch, lost: np.ndarray, tries: int, monitor: Monitor) -> np.
         shift[..., 3] -= 2 * np.pi * np.round(shift[..., 3] / (2 * np.pi))
     work.best.assign(np.nan_to_num(shift, posinf=0.0, neginf=0.0))
     _improve(few, work, np.arange(few.size), tries, tries, monitor)
-    wp.launch(restore, (few.size, few.objects), [few.tables, few.problem, work.best, few.state], device=few.device)
+    wp.launch(restore, (few.size, few.objects), [few.problems, work.best, few.state], device=few.device)
     lack = work.lack.numpy()
     kept = np.where((lack == 0)[:, None, None], few.state.poses.numpy(), poses)
     whole = batch.state.poses.numpy()

@@ -115,7 +115,7 @@ class Rounds:
         """``in_one``: all jobs of a candidate in one launch (default: on a CPU)."""
         device, tried = batch.device, max(1 + plan.proposals, plan.tries, int(BACK_STEPS))
         self.batch, self.state, self.plan, self.active, self.clock = batch, state, plan, active, clock
-        self.common = [batch.tables, batch.margins, batch.weights, plan, batch.problem]
+        self.common = [batch.problems, plan]
         self.energy = wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.float32, device=device)
         self.total = wp.zeros(batch.size, dtype=wp.float32, device=device)
         # the poses that are tried, and whether they take surfaces laid out anew
@@ -131,7 +131,7 @@ class Rounds:
         batch, state = self.batch, self.state
         launch_warps(start_attempt, batch, [*self.common, self.active, self.clock], [state])
         if batch.objects > CROWD:
-            wp.launch(enter_cells, batch.size, [batch.tables, batch.problem, self.active], [state], device=batch.device)
+            wp.launch(enter_cells, batch.size, [batch.problems, self.active], [state], device=batch.device)
         if self.in_one:
             self._launch(
                 search, batch.size, [self.active, self.clock, state], [self.energy, *self.proposals, self.total]
@@ -186,7 +186,7 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
         solved = int(np.sum(status == 0))
         monitor.add(solved, solved, 0.0)
 
-    release_inputs = [batch.tables, batch.problem, plan.rounds, plan.anchored_attempts]
+    release_inputs = [batch.problems, plan.rounds, plan.anchored_attempts]
 
     def step() -> None:
         """One round of every active candidate, and the verdict on it."""
@@ -202,7 +202,7 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
         wp.launch(
             keep_best,
             batch.size,
-            [batch.tables, batch.problem, active, batch.state, rounds.total],
+            [batch.problems, active, batch.state, rounds.total],
             [best, best_total],
             device=device,
         )
@@ -212,7 +212,7 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
         wp.launch(
             retire,
             batch.size,
-            [batch.tables, batch.problem, plan.first_steps, CLOSE, clock, verdict.status, best, best_total],
+            [batch.problems, plan.first_steps, CLOSE, clock, verdict.status, best, best_total],
             [active, batch.state, left],
             device=device,
         )
@@ -240,7 +240,7 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
         wp.launch(
             keep_best,
             batch.size,
-            [batch.tables, batch.problem, active, best, best_total],
+            [batch.problems, active, best, best_total],
             [batch.state, again],
             device=device,
         )

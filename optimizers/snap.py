@@ -31,7 +31,7 @@ def snap_batch(batch: Batch, orders: np.ndarray) -> None:
         before, after, poses = new_device_verdict(part), new_device_verdict(part), wp.clone(part.state.poses)
         launch_verdict(part, before, wp.full(part.size, 1, dtype=wp.int32, device=device))
         active = wp.array((before.status.numpy() == 0).astype(np.int32), dtype=wp.int32, device=device)
-        inputs = [part.tables, part.margins, part.weights, part.problem, order, active]
+        inputs = [part.problems, order, active]
         wp.launch(snap, part.size, inputs, [part.state], device=device, block_dim=32)
         launch_verdict(part, after, active)
         shape = (part.size, part.objects)

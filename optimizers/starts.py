@@ -29,5 +29,5 @@ def draw_starts(batch: Batch, start: Start) -> None:
     plan.start, plan.steps, plan.rounds = STARTS[start], 1, 1
     everyone = wp.full(batch.size, 1, dtype=wp.int32, device=batch.device)
     clock = wp.zeros(1, dtype=wp.int32, device=batch.device)
-    inputs = [batch.tables, batch.margins, batch.weights, plan, batch.problem, everyone, clock]
+    inputs = [batch.problems, plan, everyone, clock]
     launch_warps(start_attempt, batch, inputs, [batch.state])

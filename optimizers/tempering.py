@@ -97,14 +97,13 @@ def temper(batch: Batch, start: Start, lead: int, steps: int, monitor: Monitor) 
     gradient, proposal_gradient, step = (per_object(rows, wp.vec4) for _ in range(3))
     clock = wp.zeros(batch.size, dtype=wp.int32, device=device)  # one for each candidate, all alike
     best = wp.zeros_like(batch.state.poses)
-    tables, problem = rows.tables, rows.problem
+    problems = rows.problems
 
     block = Launches(device, UNROLL)
     add_choice(block, rows, proposal, [proposal.options, proposal.options])
     add_measure(block, rows, proposal, share, proposal_gradient)
     inputs = [
-        tables,
-        problem,
+        problems,
         REPLICAS,
         JUMPS[start],
         clock,
@@ -117,7 +116,7 @@ def temper(batch: Batch, start: Start, lead: int, steps: int, monitor: Monitor) 
     ]
     block.add(accept, rows.size, inputs, [total])
     block.add(exchange, batch.size, [REPLICAS, state.rng, total, clock, ladder], [])
-    inputs = [tables, problem, REPLICAS, clock, ladder, proposal_gradient, state, proposal, gradient]
+    inputs = [problems, REPLICAS, clock, ladder, proposal_gradient, state, proposal, gradient]
     block.add(make_moves, threads(rows, rows.objects), inputs, [step, best])
     block.play(monitor, steps + 1)  # the first only measures the start
     nothing = wp.full(batch.size, np.inf, dtype=wp.float32, device=device)

@@ -46,7 +46,7 @@ def walkable_shares(batch: Batch, room: LayoutProblem, candidates: np.ndarray) -
     wp.launch(
         mark_floor,
         grid.shape,
-        [batch.tables, floor, batch.problem, selected, batch.state],
+        [batch.problems, floor, selected, batch.state],
         [grid],
         device=device,
     )

@@ -14,7 +14,7 @@ from sceneweaver.geometry.se2 import absolute, relative
 from sceneweaver.kernels.cells import CELLS, CROWD, fill_cells
 from sceneweaver.kernels.evaluator import evaluate
 from sceneweaver.kernels.step import choose
-from sceneweaver.kernels.tables import State, TablesRef
+from sceneweaver.kernels.tables import Problems, State
 from sceneweaver.layout.compile import CompiledScene, LayoutProblem, compile_scene
 from sceneweaver.layout.engine import make_batch
 from sceneweaver.layout.pack import weights as make_weights
@@ -91,23 +91,23 @@ def _set_cells(batch: Batch, cells: int) -> None:
 
 
 @wp.kernel(enable_backward=False)
-def _fill(t: TablesRef, problem: wp.array(dtype=wp.int32), s: State):
+def _fill(b: Problems, s: State):
     candidate = wp.tid()
-    fill_cells(t, problem[candidate], candidate, s)
+    fill_cells(b.tables, b.problem[candidate], candidate, s)
 
 
 def use_cells(batch: Batch) -> Batch:
     """Let a batch of a crowd look at pairs nearby only, as the search does."""
     assert batch.objects > CROWD
     _set_cells(batch, int(CELLS))
-    wp.launch(_fill, batch.size, [batch.tables, batch.problem, batch.state], device=batch.device)
+    wp.launch(_fill, batch.size, [batch.problems, batch.state], device=batch.device)
     return batch
 
 
 def best_options(batch: Batch) -> None:
     """Give every relation of every candidate its best option."""
     other = batch.scratch().options
-    inputs = [batch.tables, batch.weights, batch.problem, batch.state]
+    inputs = [batch.problems, batch.state]
     wp.launch(choose, threads(batch, batch.relations), inputs, [batch.state.options, other], device=batch.device)
 
 
@@ -117,7 +117,7 @@ def run_energy(batch: Batch) -> Energies:
     share = wp.full(shape, float("nan"), dtype=wp.float32, device=batch.device)
     soft = wp.full(shape, float("nan"), dtype=wp.float32, device=batch.device)
     gradient = wp.full(shape, wp.vec4(float("nan")), dtype=wp.vec4, device=batch.device)
-    inputs = [batch.tables, batch.margins, batch.weights, batch.problem, batch.state]
+    inputs = [batch.problems, batch.state]
     wp.launch(evaluate, (batch.size, batch.objects), inputs, [share, soft, gradient], device=batch.device)
     return Energies(*(a.numpy().astype(np.float64) for a in (share, soft, gradient)))
 

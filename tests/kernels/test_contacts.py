@@ -33,7 +33,7 @@ def gather(batch: Batch) -> list[Rows]:
     work.live.fill_(1)
     selected = wp.array(np.arange(batch.size, dtype=np.int32), dtype=wp.int32, device=batch.device)
     best_options(batch)
-    inputs = [batch.tables, batch.margins, REACH, batch.problem, selected, work.live, batch.state]
+    inputs = [batch.problems, REACH, selected, work.live, batch.state]
     inputs += [work.keys[0], work.force[0], work.count, work.system()]
     outputs = [work.force[1], work.missed]
     wp.launch(linearise, (batch.size, batch.objects), inputs, outputs, device=batch.device)

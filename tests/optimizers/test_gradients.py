@@ -25,7 +25,7 @@ def gradients(what: Batch, kernels: list, lowest: float = np.inf) -> tuple[np.nd
     """Shares and gradients, [object, candidate], that some kernels add up to, from -1 where none writes."""
     share, gradient = per_object(what, wp.float32, -1.0), per_object(what, wp.vec4, -1.0)
     rest = wp.full(what.size, lowest, dtype=wp.float32, device=what.device)
-    inputs = [what.tables, what.margins, what.weights, what.problem, by_object(what.state), rest, share, gradient]
+    inputs = [what.problems, by_object(what.state), rest, share, gradient]
     for kernel in kernels:
         wp.launch(kernel, threads(what, what.objects), inputs, device=what.device)
     return share.numpy(), gradient.numpy()

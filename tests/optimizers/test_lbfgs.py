@@ -80,7 +80,7 @@ def searching(device):
         share[0] = energy
         work.share.assign(share)
         work.gradient.assign(vector * slope)
-        inputs = [what.tables, what.problem, work.share, work.gradient, work.history, work.line, work.clock]
+        inputs = [what.problems, work.share, work.gradient, work.history, work.line, work.clock]
         wp.launch(search_line, 1, inputs, device=device)
         found = {
             name: getattr(work.line, name).numpy()[0] for name in ("energy", "step_length", "state", "tries", "slope")

@@ -147,7 +147,7 @@ def test_the_neighbourhood_of_a_violation_is_released_step_by_step() -> None:
 
     def release(clock: int) -> np.ndarray:
         inputs = [wp.array(a, device="cpu") for a in (np.int32([1, 1, 1]), np.int32([clock]), fault, holds)]
-        wp.launch(bookkeeping.release, 3, [what.tables, what.problem, 2, 3, *inputs], [released], device="cpu")
+        wp.launch(bookkeeping.release, 3, [what.problems, 2, 3, *inputs], [released], device="cpu")
         return released.numpy().copy()
 
     first = np.zeros((3, what.objects), dtype=np.int32)
@@ -176,7 +176,7 @@ def test_those_that_never_come_close_leave_with_their_best_layout() -> None:
         left.zero_()
         inputs = [wp.array(a, device="cpu") for a in (np.int32([clock]), status)]
         inputs += [best, wp.array(energies, device="cpu")]
-        tables = [what.tables, what.problem, 6, 0.1]
+        tables = [what.problems, 6, 0.1]
         wp.launch(bookkeeping.retire, 5, [*tables, *inputs], [active, what.state, left], device="cpu")
         return left.numpy().tolist()
 

@@ -110,8 +110,7 @@ def test_langevin_steps_keep_their_distribution(made, adjusted):
         ladder.move.fill_(LANGEVIN)
         clock.fill_(10**8 + k)
         inputs = [
-            rows.tables,
-            rows.problem,
+            rows.problems,
             REPLICAS,
             0.0,
             clock,
@@ -150,7 +149,7 @@ def test_a_jump_moves_one_object_or_its_group_as_one(device, group):
     gradient, other, step = (per_object(rows, wp.vec4) for _ in range(3))
     best = wp.zeros_like(what.state.poses)
     clock = wp.zeros(what.size, dtype=wp.int32, device=device)
-    inputs = [rows.tables, rows.problem, REPLICAS, clock, ladder, other, rows.state, proposal, gradient]
+    inputs = [rows.problems, REPLICAS, clock, ladder, other, rows.state, proposal, gradient]
     wp.launch(make_moves, threads(rows, rows.objects), inputs, [step, best], device=device)
     before, after = rows.state.poses.numpy(), proposal.poses.numpy()
     moved = set(np.flatnonzero(np.abs(after - before)[..., :2].max(axis=(0, 2)) > 1e-3).tolist())
@@ -172,7 +171,7 @@ def test_a_start_is_taken_as_it_is(made):
     vectors = [per_object(rows, wp.vec4) for _ in range(3)]
     clock = wp.zeros(what.size, dtype=wp.int32, device=what.device)
     total = wp.zeros(rows.size, dtype=wp.float32, device=what.device)
-    inputs = [rows.tables, rows.problem, REPLICAS, 0.5, clock, rows.state.rng, share, *vectors, ladder]
+    inputs = [rows.problems, REPLICAS, 0.5, clock, rows.state.rng, share, *vectors, ladder]
     wp.launch(accept, rows.size, inputs, [total], device=what.device)
     assert (ladder.accepted.numpy() == 1).all()
     np.testing.assert_allclose(ladder.energy.numpy(), 3.0 * rows.objects)
