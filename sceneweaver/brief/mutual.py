@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from copy import deepcopy
 
-from .reading import Mention, Reading, Said
+from .parser_state import Mention, ParsedRelation, ParsedRequest
 
 EACH_OTHER = "each other"
 """Target of a relation among its own subjects."""
@@ -21,14 +21,14 @@ def pairs(kind: str, subjects: list[Mention]) -> list[tuple[Mention, Mention]]:
     return list(zip(subjects, subjects[1:], strict=False))
 
 
-def split_mutual(reading: Reading) -> None:
+def split_mutual(parsed: ParsedRequest) -> None:
     """Turns "two desks" that face each other into a desk and a desk, and what belongs to them likewise."""
-    for said in list(reading.said):
+    for said in list(parsed.said):
         if said.target == EACH_OTHER and len(said.subjects) == 1:
-            _split(reading, said.subjects[0])
+            _split(parsed, said.subjects[0])
 
 
-def _split(reading: Reading, one: Mention, parts: int | None = None) -> list[Mention]:
+def _split(parsed: ParsedRequest, one: Mention, parts: int | None = None) -> list[Mention]:
     low, high = one.count or (2, 2)
     parts = parts or low
     if low != high or not 2 <= parts <= MOST or low % parts:
@@ -36,10 +36,10 @@ def _split(reading: Reading, one: Mention, parts: int | None = None) -> list[Men
     halves = [deepcopy(one) for _ in range(parts)]
     for half in halves:
         half.count = (low // parts, low // parts)
-    at = next(k for k, m in enumerate(reading.mentions) if m is one)
-    reading.mentions[at : at + 1] = halves
-    new: list[Said] = []
-    for said in reading.said:
+    at = next(k for k, m in enumerate(parsed.mentions) if m is one)
+    parsed.mentions[at : at + 1] = halves
+    new: list[ParsedRelation] = []
+    for said in parsed.said:
         if any(m is one for m in said.subjects):
             said.subjects = [h for m in said.subjects for h in (halves if m is one else [m])]
         if isinstance(said.target, tuple):
@@ -48,18 +48,18 @@ def _split(reading: Reading, one: Mention, parts: int | None = None) -> list[Men
         if said.target is not one:
             new.append(said)
             continue
-        new += _shared(reading, said, halves)
-    reading.said = new
+        new += _shared(parsed, said, halves)
+    parsed.said = new
     return halves
 
 
-def _shared(reading: Reading, said: Said, halves: list[Mention]) -> list[Said]:
+def _shared(parsed: ParsedRequest, said: ParsedRelation, halves: list[Mention]) -> list[ParsedRelation]:
     """What is said of both desks: a chair for each when the chairs can be shared out."""
     (subject, *others) = said.subjects
     count = subject.count
     if not others and count and count[0] == count[1] and count[0] >= len(halves) and count[0] % len(halves) == 0:
-        parts = _split(reading, subject, len(halves))
+        parts = _split(parsed, subject, len(halves))
         if parts:
-            return [Said(said.kind, [p], h, said.words) for p, h in zip(parts, halves, strict=True)]
+            return [ParsedRelation(said.kind, [p], h, said.words) for p, h in zip(parts, halves, strict=True)]
     said.target = halves[0]
     return [said]

@@ -5,14 +5,14 @@ from __future__ import annotations
 from sceneweaver.assets import categories
 
 from .lexer import Token
+from .parser_state import MODIFIERS, ParsedRequest, PendingModifiers, give_sides
 from .places import Places
-from .reading import MODIFIERS, Pending, Reading, give_sides
 
 
 class Parser(Places):
     """Reads tokens from left to right; make one, then call ``run``."""
 
-    def run(self) -> Reading:
+    def run(self) -> ParsedRequest:
         """The whole request."""
         while self.at < len(self.tokens):
             token = self.tokens[self.at]
@@ -100,7 +100,7 @@ class Parser(Places):
                 self.negated = False
             self._leftover()
             definite = token.text in ("the", "this", "that", "these", "those")
-            self.pending = Pending(definite=definite, any=True, article=article)
+            self.pending = PendingModifiers(definite=definite, any=True, article=article)
             return
         if token.has("each", "both"):
             self.pending.definite = self.pending.definite or token.has("each")

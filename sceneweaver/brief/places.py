@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from .lexer import Token
-from .reading import Pending, Said
+from .parser_state import ParsedRelation, PendingModifiers
 from .tables import groups
 from .tables import words as vocabulary_words
 from .things import Things
@@ -35,7 +35,7 @@ class Places(Things):
                 out.room_scale = float(word.get("room_scale"))
             self._room_shape(word)
             self._for_room(word)
-        self.pending, self.relation = Pending(), None
+        self.pending, self.relation = PendingModifiers(), None
         self.subjects, self.last = [], []
         return True
 
@@ -71,7 +71,7 @@ class Places(Things):
                 self.at += 2
         if token.has("whom") and token.text not in self.out.for_whom:
             self.out.for_whom.append(token.text)
-        self.pending = Pending()
+        self.pending = PendingModifiers()
         return True
 
     def _place(self, token: Token) -> bool:
@@ -92,7 +92,7 @@ class Places(Things):
                     self.out.room_scale = float(word.get("room_scale"))
                 self._room_shape(word)
                 self._for_room(word)
-            self.pending = Pending()
+            self.pending = PendingModifiers()
             return True
         kinds = {"corner": "corner", "middle": "middle", "floor": "floor", "ceiling": "ceiling"}
         kind = relation.kind if relation else ("inside" if place in kinds or place.startswith("wall:") else None)
@@ -107,7 +107,7 @@ class Places(Things):
             return True
         subjects, words = (relation.subjects, relation.words) if relation else (self.last[-1:], token.text)
         if kind == "between" and self.first_of_pair is not None:
-            self.out.said.append(Said("near", list(subjects), self.first_of_pair, words))
+            self.out.said.append(ParsedRelation("near", list(subjects), self.first_of_pair, words))
         self._relate(kind, place, subjects, words, token.text)
         return True
 
@@ -121,7 +121,7 @@ class Places(Things):
             self.out.openings[place] = self.pending.count[0]
         elif not self.pending.definite and self.pending.any:
             self.out.openings[place] = 1
-        self.pending = Pending()
+        self.pending = PendingModifiers()
         return True
 
     def _nothing(self) -> None:

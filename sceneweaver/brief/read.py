@@ -13,7 +13,7 @@ from .lexer import tokens
 from .model import Asked, AskedRelation, Brief
 from .mutual import EACH_OTHER, pairs, split_mutual
 from .parser import Parser
-from .reading import BESIDE, CATALOGUE, Mention, Reading, Said
+from .parser_state import BESIDE, CATALOGUE, Mention, ParsedRelation, ParsedRequest
 from .relating import family
 
 _BEDS = ("bed", "king_bed", "single_bed", "canopy_bed")
@@ -32,23 +32,23 @@ def read_brief(text: str) -> Brief:
         raise InputError('prompt: it is empty; say what room you want, such as "a bedroom with a desk"')
     cleaned = clean(text)
     notes = list(cleaned.notes)
-    reading = Parser(tokens(cleaned.text, notes, cleaned.sides), notes).run()
-    _sides(reading, cleaned)
+    parsed = Parser(tokens(cleaned.text, notes, cleaned.sides), notes).run()
+    _sides(parsed, cleaned)
     notes += [note for note in cleaned.notes if note not in notes]
     foreign = sum(ord(c) > 0x24F and c.isalpha() for c in text)
     if foreign > 3 or not re.search(r"[a-zA-Z]", text):
         notes.append("only English is read; what else the request says was not understood")
-    elif reading.room_type is None and not reading.mentions and sum(len(u.split()) for u in reading.unread) >= 3:
+    elif parsed.room_type is None and not parsed.mentions and sum(len(u.split()) for u in parsed.unread) >= 3:
         notes.append("nothing of it names a room or furniture; only English is read")
-    brief = _brief(text, cleaned, reading, notes)
+    brief = _brief(text, cleaned, parsed, notes)
     if not notes and not brief.unread and brief == Brief(text=text):
         return brief.model_copy(update={"notes": ("nothing of the request was understood",)})
     return brief
 
 
-def _sides(reading: Reading, cleaned: Cleaned) -> None:
+def _sides(parsed: ParsedRequest, cleaned: Cleaned) -> None:
     """The sides that are of no thing are those of the room; the first count."""
-    for sides in reading.sides:
+    for sides in parsed.sides:
         if cleaned.size is None:
             cleaned.size = (max(sides[:2]), min(sides[:2]))
             if len(sides) > 2 and cleaned.height is None:
@@ -58,44 +58,44 @@ def _sides(reading: Reading, cleaned: Cleaned) -> None:
     check(cleaned)
 
 
-def _brief(text: str, cleaned: Cleaned, reading: Reading, notes: list[str]) -> Brief:
-    split_mutual(reading)
-    mentions = _without_contradictions(reading, notes)
+def _brief(text: str, cleaned: Cleaned, parsed: ParsedRequest, notes: list[str]) -> Brief:
+    split_mutual(parsed)
+    mentions = _without_contradictions(parsed, notes)
     _named(mentions)
     ids = {id(m): m.id for m in mentions}
-    relations = [r for said in reading.said for r in _relations(said, ids, notes)]
-    style = reading.style
+    relations = [r for said in parsed.said for r in _relations(said, ids, notes)]
+    style = parsed.style
     return Brief(
         text=text,
-        room_type=reading.room_type,
-        room_words=reading.room_words,
-        shape=reading.shape,  # type: ignore[arg-type]
+        room_type=parsed.room_type,
+        room_words=parsed.room_words,
+        shape=parsed.shape,  # type: ignore[arg-type]
         size=cleaned.size,
         area=cleaned.area,
         height=cleaned.height,
-        scale=reading.room_scale,
-        people=reading.people,
-        for_whom=tuple(reading.for_whom),
+        scale=parsed.room_scale,
+        people=parsed.people,
+        for_whom=tuple(parsed.for_whom),
         style=style,
-        colors=tuple(dict.fromkeys(reading.colors)),
-        windows=reading.openings.get("window"),
-        doors=reading.openings.get("door"),
-        density=reading.density or "normal",  # type: ignore[arg-type]
+        colors=tuple(dict.fromkeys(parsed.colors)),
+        windows=parsed.openings.get("window"),
+        doors=parsed.openings.get("door"),
+        density=parsed.density or "normal",  # type: ignore[arg-type]
         objects=tuple(_asked(m, notes) for m in mentions),
         relations=tuple(_once(relations)),
-        without=tuple(dict.fromkeys(reading.without)),
-        only=reading.only,
-        unread=tuple(dict.fromkeys(word for word in reading.unread if word.strip())),
+        without=tuple(dict.fromkeys(parsed.without)),
+        only=parsed.only,
+        unread=tuple(dict.fromkeys(word for word in parsed.unread if word.strip())),
         notes=tuple(dict.fromkeys(notes)),
     )
 
 
-def _without_contradictions(reading: Reading, notes: list[str]) -> list[Mention]:
+def _without_contradictions(parsed: ParsedRequest, notes: list[str]) -> list[Mention]:
     """What is both wanted and not wanted stays out."""
     kept: list[Mention] = []
-    related = {id(m) for said in reading.said for m in said.subjects}
-    for k, one in enumerate(reading.mentions):
-        for two in reading.mentions[k + 1 :] if one.count and id(one) not in related else ():
+    related = {id(m) for said in parsed.said for m in said.subjects}
+    for k, one in enumerate(parsed.mentions):
+        for two in parsed.mentions[k + 1 :] if one.count and id(one) not in related else ():
             if (
                 one.category == two.category
                 and one.count
@@ -105,12 +105,12 @@ def _without_contradictions(reading: Reading, notes: list[str]) -> list[Mention]
                 and (one.color, one.material, one.scale) == (two.color, two.material, two.scale)
             ):
                 notes.append(f"{one.noun}: {one.count[0]} and {two.count[0]} were asked for; both are made")
-    for mention in reading.mentions:
-        if mention.category in reading.without:
+    for mention in parsed.mentions:
+        if mention.category in parsed.without:
             notes.append(f"{mention.noun} is both wanted and not wanted; it was left out")
             continue
         if mention.count == (0, 0):
-            reading.without.append(mention.category)
+            parsed.without.append(mention.category)
             continue
         kept.append(mention)
     return kept
@@ -150,7 +150,7 @@ def _asked(mention: Mention, notes: list[str]) -> Asked:
     )
 
 
-def _relations(said: Said, ids: dict[int, str], notes: list[str]) -> list[AskedRelation]:
+def _relations(said: ParsedRelation, ids: dict[int, str], notes: list[str]) -> list[AskedRelation]:
     """A spoken relation as relations of the catalogue, one for each kind of thing that it is about."""
     subjects = [m for m in said.subjects if id(m) in ids]
     if said.target == EACH_OTHER:
@@ -174,7 +174,7 @@ def _relations(said: Said, ids: dict[int, str], notes: list[str]) -> list[AskedR
     return out
 
 
-def _meaning(said: Said, subject: Mention, ids: dict[int, str]) -> tuple[str | None, Any, dict[str, Any]]:
+def _meaning(said: ParsedRelation, subject: Mention, ids: dict[int, str]) -> tuple[str | None, Any, dict[str, Any]]:
     """Type, target and parameters; type None when there is no such relation (target None: nothing to say)."""
     target = said.target
     if isinstance(target, str):

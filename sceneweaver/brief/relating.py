@@ -8,13 +8,13 @@ from sceneweaver.assets import categories
 
 from .lexer import Token
 from .mutual import EACH_OTHER
-from .reading import Mention, Open, Pending, Said, State
+from .parser_state import Mention, OpenRelation, ParsedRelation, ParserState, PendingModifiers
 
 LOST = "lost"
 """Kind of a relation whose subject was not understood."""
 
 
-class Relating(State):
+class Relating(ParserState):
     """Reads relations, "with", pronouns and the ends of phrases."""
 
     def _relation(self, token: Token) -> bool:
@@ -43,7 +43,7 @@ class Relating(State):
         if self.joined or (self.opening and self.last):  # ahead of its subject, or one more about the same
             subjects, rest, guessed = [], self.subjects or self.last[-1:], False
         self.first_of_pair, self.joined, self.opening = None, False, False
-        self.relation = Open(LOST if strange else kind, subjects, token.text, guessed, rest)
+        self.relation = OpenRelation(LOST if strange else kind, subjects, token.text, guessed, rest)
         if kind == "flank" and not token.text.endswith(("of", "flanking")):
             self._flanked()
         return True
@@ -67,7 +67,7 @@ class Relating(State):
     def _mutual(self, kind: str, words: str) -> None:
         subjects = list(self.last or self.subjects)
         if subjects:
-            self.out.said.append(Said(kind, subjects, EACH_OTHER, words))
+            self.out.said.append(ParsedRelation(kind, subjects, EACH_OTHER, words))
             self.closed = True
         self.relation, self.joined, self.opening = None, False, False
 
@@ -95,7 +95,7 @@ class Relating(State):
         if self.relation is not None and self.relation.guessed:
             subjects = _meant(kind, target, subjects)
         self.relation, self.first_of_pair = None, None
-        self.pending = Pending()
+        self.pending = PendingModifiers()
         spoken = words if not place or words.endswith(place) else f"{words} the {place.removeprefix('the ')}"
         if kind == LOST:
             self.out.unread.append(spoken)
@@ -110,7 +110,7 @@ class Relating(State):
             return
         if kind == "flank" and len(subjects) == 1 and subjects[0].count == (1, 1):
             subjects[0].count = (2, 2)  # "a nightstand on either side of the bed"
-        self.out.said.append(Said(kind, list(subjects), target, spoken))
+        self.out.said.append(ParsedRelation(kind, list(subjects), target, spoken))
         self.subjects, self.closed = list(subjects), True
 
     def _subject_follows(self) -> bool:

@@ -8,7 +8,7 @@ from sceneweaver.assets import categories
 from sceneweaver.assets.taxonomy import likeliness
 
 from .lexer import Token
-from .reading import SMALL, Mention, Pending, Said
+from .parser_state import SMALL, Mention, ParsedRelation, PendingModifiers
 from .relating import Relating
 from .tables import category_of, groups
 
@@ -49,7 +49,7 @@ class Things(Relating):
             self.negated = False
         definite = self.pending.definite
         self._leftover()
-        self.pending = Pending(count=count, any=True, definite=definite)
+        self.pending = PendingModifiers(count=count, any=True, definite=definite)
         if len(ahead) > 0 and ahead[0].text == "of" and [t.text for t in self._ahead(2)[1:]] in (["them"], ["these"]):
             self.out.unread.append(f"{token.text} of them")
         return True
@@ -81,20 +81,20 @@ class Things(Relating):
         if self.negated and self.pending.definite and any(t.has("relation") for t in self._ahead(1)):
             self.negated = False  # "don't put the bed near the door" wants a bed
             self._connect(self._known(token.text, category) or self._made(token.text, category))
-            self.pending, self.negated = Pending(), True
+            self.pending, self.negated = PendingModifiers(), True
             return
         if self.negated:
             self.negated_article = self.negated_article or (self.negated_nouns == 0 and self.pending.article)
             self.negated_nouns += 1
             words = groups()["without"].get(token.text)
             self.out.without += words or [name if categories()[name].size is None else category]
-            self.pending, self.joined = Pending(), False
+            self.pending, self.joined = PendingModifiers(), False
             return
         mention = self._implied(token.text, category) or self._known(token.text, category)
         if mention is None:
             mention = self._made(token.text, category)
         self._describe(mention)
-        self.pending, self.predicate, self.opening = Pending(), [], False
+        self.pending, self.predicate, self.opening = PendingModifiers(), [], False
         self._connect(mention)
 
     def _known(self, noun: str, category: str) -> Mention | None:
@@ -172,7 +172,7 @@ class Things(Relating):
         if self.before_used and not joined:  # "on the desk a lamp and a book": both; a new phrase is free of it
             self.before = []
         for kind, target, words in self.before:
-            self.out.said.append(Said(kind, [mention], target, words))
+            self.out.said.append(ParsedRelation(kind, [mention], target, words))
         self.before_used = bool(self.before)
         if self.owner is not None and self.owner is not mention:
             self._owned(self.owner, mention, joined)
@@ -193,9 +193,9 @@ class Things(Relating):
                 return
             owner = min(ranks, key=lambda pair: pair[0])[1]
         if small and known[owner.category].mount[0] == "floor":
-            self.out.said.append(Said("on", [mention], owner, f"{owner.noun} with {mention.noun}"))
+            self.out.said.append(ParsedRelation("on", [mention], owner, f"{owner.noun} with {mention.noun}"))
         elif not joined and known[mention.category].mount[0] == "floor" and known[owner.category].mount[0] == "floor":
-            self.out.said.append(Said("near", [mention], owner, f"{owner.noun} with {mention.noun}"))
+            self.out.said.append(ParsedRelation("near", [mention], owner, f"{owner.noun} with {mention.noun}"))
         many = owner.count
         if self._each and many is not None and mention.count is not None:
             mention.count = (mention.count[0] * many[0], mention.count[1] * many[1])
@@ -207,7 +207,7 @@ class Things(Relating):
         if negated:
             self.out.without += [category_of(name) for name in row["things"]]
             self.negated_nouns += 1
-            self.pending = Pending()
+            self.pending = PendingModifiers()
             return
         made = []
         least, most = self.pending.count or (1, 1)
@@ -221,12 +221,12 @@ class Things(Relating):
                 self.out.mentions.append(mention)
             made.append(mention)
         for mention in made[1:]:
-            self.out.said.append(Said("near", [mention], made[0], token.text))
+            self.out.said.append(ParsedRelation("near", [mention], made[0], token.text))
         names = ", ".join(m.noun for m in made)
         self.out.notes.append(f"'{token.text}' was taken for: {names}")
-        self.pending, self.joined, self.relation = Pending(), False, None
+        self.pending, self.joined, self.relation = PendingModifiers(), False, None
         for kind, target, words in self.before:
-            self.out.said.append(Said(kind, made[:1], target, words))
+            self.out.said.append(ParsedRelation(kind, made[:1], target, words))
         self.before, self.closed, self.opening = [], False, False
         self.subjects, self.last, self.party = made[:1], made[:1], made
 

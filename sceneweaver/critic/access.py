@@ -13,7 +13,7 @@ from .grade import Finding, finding
 from .needs import seat_like, table_of
 from .survey import FLAT, Survey
 
-LID = 5.0
+GRADE_CAP = 5.0
 """Highest grade of a layout in which something cannot be got at."""
 
 DEEP = 0.45
@@ -73,7 +73,7 @@ def _fronts(survey: Survey) -> Iterator[Finding]:
                     f"{worst.id} takes {total:.0%} of the {depth:.2f} m before {body.id}",
                     f"move {worst.id} away from the front of {body.id}",
                     points=1.2 + total,
-                    cap=LID,
+                    cap=GRADE_CAP,
                     tool="update_layout",
                     inputs={"ids": [worst.id]},
                 )
@@ -127,7 +127,7 @@ def _doors(survey: Survey) -> Iterator[Finding]:
                     f"{other.id} takes {share:.0%} of the {ENTRY:g} m behind {door.item.id}",
                     f"move {other.id} away from {door.item.id}",
                     points=0.6 + share,
-                    cap=LID if share > 0.5 else None,
+                    cap=GRADE_CAP if share > 0.5 else None,
                     tool="add_relation",
                     inputs={
                         "relations": [{"type": "away_from_door", "subject": other.id, "target": None, "hard": True}]

@@ -20,7 +20,7 @@ from .asked_relations import faults as relation_faults
 from .grade import Finding, finding
 from .survey import FLAT, Survey
 
-LID = 5.0
+GRADE_CAP = 5.0
 """Highest grade when something that was asked for is missing, or something unwanted is there."""
 
 AREA_SLACK = 0.12
@@ -81,7 +81,7 @@ def _objects(survey: Survey) -> Iterator[Finding]:
                 f"{len(bodies)} of {least} '{asked.noun}' that were asked for",
                 f"add {missing} {name}",
                 points=1.0 + 2.5 * missing / least,
-                cap=LID if len(bodies) * 2 < least else None,
+                cap=GRADE_CAP if len(bodies) * 2 < least else None,
                 tool="add_objects" if table is None else "add_tabletop",
                 inputs=inputs,
             )
@@ -219,7 +219,7 @@ def _unwanted(survey: Survey) -> Iterator[Finding]:
             f"{', '.join(there[:4])}: not wanted in this room",
             f"remove {', '.join(there)}",
             points=3.0,
-            cap=LID,
+            cap=GRADE_CAP,
             tool="remove_objects",
             inputs={"ids": there},
         )

@@ -14,7 +14,7 @@ from . import kinds
 from .grade import Finding, finding
 from .survey import Survey
 
-LID = 5.0
+GRADE_CAP = 5.0
 """Highest grade of a room with something from another kind of place in it."""
 
 DOMINANT = 0.4
@@ -101,7 +101,7 @@ def _strangeness(
         large = body.item.mount == "floor" or max(body.size) > 0.5
         if any(frozenset((world, other)) in kinds.NEIGHBOURS for other in worlds):
             return 0.6, None, "unusual in"
-        return (3.0, LID, "out of place in") if large else (1.0, None, "out of place in")
+        return (3.0, GRADE_CAP, "out of place in") if large else (1.0, None, "out of place in")
     row = categories().get(category)
     if row is None or category in kinds.HARMLESS or kinds.groups_of(category) & kinds.NEUTRAL_GROUPS:
         return None

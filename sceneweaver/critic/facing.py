@@ -15,7 +15,7 @@ from .grade import Finding, finding
 from .needs import table_of
 from .survey import Survey, turn_to
 
-LID = 5.0
+GRADE_CAP = 5.0
 """Highest grade of a layout in which something cannot be used as it stands."""
 
 SEAT, SCREEN, LOUNGE = 35.0, 45.0, 65.0
@@ -79,7 +79,7 @@ def _wrong(ids: list[str], reason: str, fix: str, grave: bool, points: float = 1
         reason,
         fix,
         points=points,
-        cap=LID if grave else None,
+        cap=GRADE_CAP if grave else None,
         tool="update_rotation",
         inputs={"ids": ids[:1], **inputs},
     )
@@ -114,7 +114,7 @@ def _chairs(survey: Survey) -> Iterator[Finding]:
                 f"{seat.id} is not at the front of {table.id}",
                 f"put {seat.id} in front of {table.id}",
                 points=1.5,
-                cap=LID,
+                cap=GRADE_CAP,
                 tool="add_relation",
                 inputs={
                     "relations": [{"type": "front_to_front", "subject": seat.id, "target": table.id, "hard": True}]
@@ -133,7 +133,7 @@ def _chairs(survey: Survey) -> Iterator[Finding]:
             reason,
             f"turn {', '.join(ids)} toward {table_id}",
             points=min(4.0, 1.2 * len(ids)),
-            cap=LID if worst > GRAVE else None,
+            cap=GRADE_CAP if worst > GRAVE else None,
             tool="update_rotation",
             inputs={"ids": ids, "toward": table_id},
         )
@@ -362,7 +362,7 @@ def _beds(survey: Survey) -> Iterator[Finding]:
             reason,
             f"put the head of {bed.id} against a wall",
             points=2.0,
-            cap=LID if gap > 0.5 else None,
+            cap=GRADE_CAP if gap > 0.5 else None,
             tool="add_relation",
             inputs={"relations": [{"type": "against_wall", "subject": bed.id, "target": None, "hard": True}]},
         )

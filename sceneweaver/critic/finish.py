@@ -14,7 +14,7 @@ from .needs import placing
 from .space import floor_of
 from .survey import Survey
 
-LID = 5.0
+GRADE_CAP = 5.0
 """Highest grade of a room that is half empty, or that has nothing on its furniture."""
 
 BARE = 0.5
@@ -85,7 +85,7 @@ def _supports(survey: Survey) -> Iterator[Finding]:
     empty = [b for b in bases if level[b.id] == 0.0]
     poor = [b for b in bases if 0.0 < level[b.id] < 0.5]
     share = populated(survey)
-    lid = LID if share < 0.5 and len(bases) >= 2 else None
+    lid = GRADE_CAP if share < 0.5 and len(bases) >= 2 else None
     groups: dict[tuple[str, str | None], list[Body]] = {}
     for body in empty:
         groups.setdefault(_call(survey, body), []).append(body)
@@ -146,7 +146,7 @@ def _floor(survey: Survey) -> Iterator[Finding]:
             f"{1 - used:.0%} of the floor is more than 0.6 m from any furniture",
             "add furniture to the empty part of the room",
             points=1.0 + 6.0 * (bare - used),
-            cap=LID,
+            cap=GRADE_CAP,
             tool="add_objects",
             inputs={"objects": _more(survey)},
         )

@@ -14,7 +14,7 @@ from .grade import Finding, finding
 from .program import Need
 from .survey import Survey
 
-LID = 5.5
+GRADE_CAP = 5.5
 """Highest grade of a room in which something needed is missing."""
 
 PARENT_WIDE = 0.9
@@ -69,7 +69,7 @@ def _missing(survey: Survey, need: Need) -> Finding:
     share = need.missing / need.least
     inputs: Mapping[str, Any] = {"objects": calls}
     if item.need == "needed":
-        points, lid = 1.5 + 2.5 * share, LID if share > 0.5 else None
+        points, lid = 1.5 + 2.5 * share, GRADE_CAP if share > 0.5 else None
         others = not have and any(kinds.serves(b.item.category, item.what) for b in survey.bodies)
         if have >= need.core or others:
             points, lid = (0.4 + 1.6 * share), None  # too few for its size, or others do its work

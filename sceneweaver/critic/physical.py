@@ -11,7 +11,7 @@ from sceneweaver.verify.walkable import measure
 from .grade import Finding, finding
 from .survey import Survey
 
-LID = 5.0
+GRADE_CAP = 5.0
 """Highest grade of a layout whose faults hinder its use."""
 
 WALKABLE, REACHABLE = 0.9, 0.97
@@ -37,16 +37,18 @@ def _violation(survey: Survey, v: Violation) -> Iterator[Finding]:
         case "collision" | "out_of_bounds" | "unsupported":
             floating = v.kind == "unsupported"
             fix = "set it down on what carries it" if floating else f"lay out {' and '.join(ids)} again"
-            yield finding("layout", v.kind, ids, v.detail, fix, points=2.0, cap=LID, **again)
+            yield finding("layout", v.kind, ids, v.detail, fix, points=2.0, cap=GRADE_CAP, **again)
             points = 2.0 if floating else 1.0
-            yield finding("realism", v.kind, ids, v.detail, fix, points=points, cap=LID if floating else None, **again)
+            yield finding(
+                "realism", v.kind, ids, v.detail, fix, points=points, cap=GRADE_CAP if floating else None, **again
+            )
         case "blocked_zone" if len(ids) == 2 and _on_companion(survey, *ids):
             return
         case "blocked_zone" | "blocked_opening":
             fix = f"move {ids[-1]} out of the way" if ids else "clear the way"
             again["inputs"] = {"ids": [ids[-1]] if ids else []}
             points = min(2.0, 1.2 + 2.0 * v.amount)
-            yield finding("layout", v.kind, v.objects, v.detail, fix, points=points, cap=LID, **again)
+            yield finding("layout", v.kind, v.objects, v.detail, fix, points=points, cap=GRADE_CAP, **again)
         case "relation":
             fix = f"lay out {v.objects[0]} again so that it holds"
             yield finding("layout", "broken_relation", v.objects, v.detail, fix, points=1.0, **again)
@@ -91,7 +93,7 @@ def _ways(survey: Survey) -> Iterator[Finding]:
             f"{walk:.0%} of the free floor can be reached from the door",
             "lay out the room again with wider ways",
             points=0.5 + 8.0 * (WALKABLE - walk),
-            cap=LID if walk < 0.7 else None,
+            cap=GRADE_CAP if walk < 0.7 else None,
             **again,
         )
     if reach is not None and reach < 1.0:

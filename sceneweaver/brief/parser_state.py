@@ -72,7 +72,7 @@ class Mention:
 
 
 @dataclass
-class Said:
+class ParsedRelation:
     """A relation as it was said: mentions, and a mention, two of them, or a place as its target."""
 
     kind: str
@@ -82,7 +82,7 @@ class Said:
 
 
 @dataclass
-class Open:
+class OpenRelation:
     """A relation that waits for its target; ``rest`` is who it is about if nothing follows the target."""
 
     kind: str
@@ -93,7 +93,7 @@ class Open:
 
 
 @dataclass
-class Pending:
+class PendingModifiers:
     """What was read before the noun that it belongs to."""
 
     count: tuple[int, int] | None = None
@@ -112,11 +112,11 @@ class Pending:
 
 
 @dataclass
-class Reading:
+class ParsedRequest:
     """What a request says, before it is put into the form of a brief."""
 
     mentions: list[Mention] = field(default_factory=list)
-    said: list[Said] = field(default_factory=list)
+    said: list[ParsedRelation] = field(default_factory=list)
     without: list[str] = field(default_factory=list)
     room_type: str | None = None
     room_words: str = ""
@@ -145,17 +145,17 @@ def give_sides(mention: Mention, sides: tuple[float, ...]) -> None:
     mention.scale = 1.0
 
 
-class State:
+class ParserState:
     """Where the reader is, and what it has in hand."""
 
     def __init__(self, tokens: list[Token], notes: list[str]):
         self.tokens = tokens
-        self.out = Reading(notes=notes)
+        self.out = ParsedRequest(notes=notes)
         self.at = 0
-        self.pending = Pending()
+        self.pending = PendingModifiers()
         self.subjects: list[Mention] = []  # who a relation is about
         self.last: list[Mention] = []  # the noun phrase just read, for "it", "them" and lists
-        self.relation: Open | None = None
+        self.relation: OpenRelation | None = None
         self.before: list[tuple[str, Any, str]] = []  # relations said ahead of their subject
         self.before_used = False
         self.first_of_pair: Mention | None = None
@@ -187,7 +187,7 @@ class State:
         else:
             for token in self.pending.tokens:
                 self._for_room(token)
-        self.pending = Pending()
+        self.pending = PendingModifiers()
 
     def _for_room(self, token: Token) -> None:
         out = self.out
