@@ -101,6 +101,20 @@ def target_value(aim: wp.vec2, rng: wp.ref[wp.uint32]):
 
 
 @wp.func
+def shifted(pose: wp.vec4, d: wp.float32, g: wp.vec4, free: wp.int32):
+    """A pose shifted along a value's gradient g, as far as it is free to, by as much as changes the value by d."""
+    if (free & FREE_PLANE) == 0:
+        g[0] = 0.0
+        g[1] = 0.0
+    if (free & FREE_Z) == 0:
+        g[2] = 0.0
+    gg = g[0] * g[0] + g[1] * g[1] + g[2] * g[2]
+    if gg > 1.0e-8:
+        pose = pose + d / gg * wp.vec4(g[0], g[1], g[2], 0.0)
+    return pose
+
+
+@wp.func
 def project_option(
     t: TablesRef, option: wp.int32, x: RelationPoses, free: wp.int32, fresh: wp.bool, rng: wp.ref[wp.uint32]
 ):
@@ -125,14 +139,7 @@ def project_option(
                         x.pose_a = wp.vec4(x.pose_a[0], x.pose_a[1], x.pose_a[2], yaw)
                         x.qa = wp.vec2(wp.cos(yaw), wp.sin(yaw))
                 else:
-                    if (free & FREE_PLANE) == 0:
-                        g[0] = 0.0
-                        g[1] = 0.0
-                    if (free & FREE_Z) == 0:
-                        g[2] = 0.0
-                    gg = g[0] * g[0] + g[1] * g[1] + g[2] * g[2]
-                    if gg > 1.0e-8:
-                        x.pose_a = x.pose_a + d / gg * wp.vec4(g[0], g[1], g[2], 0.0)
+                    x.pose_a = shifted(x.pose_a, d, g, free)
     return x.pose_a
 
 

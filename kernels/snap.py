@@ -14,12 +14,10 @@ from .evaluator import EVERY_KIND
 from .features import TURN, RelationPoses, feature
 from .geometry import FAR, wrap
 from .groups import group_energy, group_evaluator, members_end, move_with_members, set_pose
-from .sample import QUARTER
+from .sample import QUARTER, shifted
 from .tables import (
     FEATURE_YAW,
-    FREE_PLANE,
     FREE_YAW,
-    FREE_Z,
     Margins,
     Problems,
     State,
@@ -68,14 +66,7 @@ def exact_pose(t: TablesRef, r: wp.int32, x: RelationPoses, free: wp.int32, knee
                 x.pose_a = wp.vec4(x.pose_a[0], x.pose_a[1], x.pose_a[2], yaw)
                 x.qa = wp.vec2(wp.cos(yaw), wp.sin(yaw))
         else:
-            if (free & FREE_PLANE) == 0:
-                g[0] = 0.0
-                g[1] = 0.0
-            if (free & FREE_Z) == 0:
-                g[2] = 0.0
-            gg = g[0] * g[0] + g[1] * g[1] + g[2] * g[2]
-            if gg > 1.0e-8:
-                x.pose_a = x.pose_a + d / gg * wp.vec4(g[0], g[1], g[2], 0.0)
+            x.pose_a = shifted(x.pose_a, d, g, free)
     return x.pose_a
 
 

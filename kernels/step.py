@@ -58,13 +58,13 @@ def scaled_gradient(
     candidate: wp.int32,
     arm: wp.float32,
     part: wp.array2d(dtype=wp.float32),
-    slope: wp.array2d(dtype=wp.vec4),
+    gradient: wp.array2d(dtype=wp.vec4),
     poses: wp.array2d(dtype=wp.vec4),
 ):
     """Share of a root (o: its global index) in its candidate's energy, and the gradient for its pose.
 
-    ``part`` and ``slope`` are those of every object, which a root has with all that it carries. Yaw is a length at the
-    arm.
+    ``part`` and ``gradient`` are those of every object, which a root has with all that it carries. Yaw is a length at
+    the arm.
     """
     at = plane_of(item_strided(poses, candidate, root))
     share = float(0.0)
@@ -72,7 +72,7 @@ def scaled_gradient(
     for k in range(item(t[0].member_start, o), item(t[0].member_start, o + 1)):
         i = item(t[0].member, k)
         share += item(part, i, candidate)
-        gi = item(slope, i, candidate)
+        gi = item(gradient, i, candidate)
         turned = perp(plane_of(item_strided(poses, candidate, i)) - at)
         g += wp.vec4(gi[0], gi[1], gi[2], gi[3] + gi[0] * turned[0] + gi[1] * turned[1])
     g = wp.cw_mul(g, freedom(t, o))
@@ -184,7 +184,7 @@ def measure(
     # State in:
     poses: wp.array2d(dtype=wp.vec4),
     part: wp.array2d(dtype=wp.float32),
-    slope: wp.array2d(dtype=wp.vec4),
+    gradient: wp.array2d(dtype=wp.vec4),
     # State out:
     share_out: wp.array2d(dtype=wp.float32),
     gradient_out: wp.array2d(dtype=wp.vec4),
@@ -201,7 +201,7 @@ def measure(
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
     if o < item(t[0].object_start, p + 1):
         if item(t[0].object_root, o) == obj:
-            share, g = scaled_gradient(t, o, obj, candidate, turning_arm(t, o), part, slope, poses)
+            share, g = scaled_gradient(t, o, obj, candidate, turning_arm(t, o), part, gradient, poses)
     share_out[obj, candidate] = share
     gradient_out[obj, candidate] = g
 
