@@ -8,10 +8,12 @@ from .array_access import item, item_strided
 from .bodies import Candidate, free_part
 from .evaluator import EVERY_KIND, object_evaluator
 from .features import TURN
-from .geometry import perp, plane_of, turn, wrap
+from .geometry import lowest_vertex, perp, plane_of, turn, turn_back, wrap
 from .tables import Energy, Margins, State, TablesRef, TermSlice, View, Weights
 
 wp.set_module_options({"enable_backward": False})
+
+FORMATION = wp.constant(6)  # objects beside its own members that make a root's group a formation
 
 
 @wp.func
@@ -41,6 +43,48 @@ def move_with_members(t: TablesRef, o0: wp.int32, s: State, candidate: wp.int32,
             at = plane_of(pose) + turn(q, plane_of(child) - plane_of(old))
             set_pose(s, candidate, i, wp.vec4(at[0], at[1], child[2] + pose[2] - old[2], child[3] + spin))
     set_pose(s, candidate, root, pose)
+
+
+@wp.func
+def is_formation(t: TablesRef, o: wp.int32):
+    """True when so many objects are placed by object o (global), and by one another, that they move as a whole only."""
+    return item(t[0].group_start, o + 1) - members_end(t, o) >= FORMATION
+
+
+@wp.func
+def way_inside(
+    t: TablesRef, p: wp.int32, candidate: wp.int32, root: wp.int32, after: wp.vec4, aim: wp.float32, s: State
+):
+    """How far a root's whole group has to go to be inside of the room's half planes, if the root is at a pose."""
+    o0 = item(t[0].object_start, p)
+    before = item_strided(s.poses, candidate, root)
+    spin = wp.vec2(wp.cos(after[3] - before[3]), wp.sin(after[3] - before[3]))
+    way = wp.vec2(0.0, 0.0)
+    for k in range(item(t[0].plane_start, p), item(t[0].plane_start, p + 1)):
+        plane = item(t[0].plane, k)
+        n = wp.vec2(plane[0], plane[1])
+        missing = float(0.0)
+        for g in range(item(t[0].group_start, o0 + root), item(t[0].group_start, o0 + root + 1)):
+            i = item(t[0].group, g)
+            if item(t[0].object_root, o0 + i) == i:
+                at = plane_of(after) + turn(spin, plane_of(item_strided(s.poses, candidate, i)) - plane_of(before))
+                depth = wp.dot(n, at + way) - plane[2]
+                if depth - item(t[0].object_radius, o0 + i)[0] < aim - missing:
+                    low = lowest_vertex(t, o0 + i, turn_back(turn(spin, item_strided(s.turns, candidate, i)), n))
+                    missing = wp.max(missing, aim - depth - low[2])
+        way = way + missing * n
+    return way
+
+
+@wp.func
+def move_inside(t: TablesRef, p: wp.int32, candidate: wp.int32, root: wp.int32, aim: wp.float32, s: State):
+    """Move a root with its whole group into the room's half planes."""
+    o0 = item(t[0].object_start, p)
+    way = way_inside(t, p, candidate, root, item_strided(s.poses, candidate, root), aim, s)
+    for g in range(item(t[0].group_start, o0 + root), item(t[0].group_start, o0 + root + 1)):
+        i = item(t[0].group, g)
+        pose = item_strided(s.poses, candidate, i)
+        set_pose(s, candidate, i, wp.vec4(pose[0] + way[0], pose[1] + way[1], pose[2], pose[3]))
 
 
 @wp.func

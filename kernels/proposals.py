@@ -11,7 +11,7 @@ from .array_access import inline_on_gpu, item
 from .bodies import Candidate, candidate_of
 from .features import TURN
 from .geometry import FAR, wrap
-from .groups import group_energy
+from .groups import group_energy, is_formation, way_inside
 from .jobs import (
     BACK_STEPS,
     SOLVED,
@@ -89,6 +89,10 @@ def draw_proposals(
                 near = 0.02 + d.scale * uniform(rng)
                 far = wp.where(d.anchored == 1, FAR_SHARE_ANCHORED, FAR_SHARE)
                 pose = propose(t, m, w, c.problem, d.obj, pose, s, candidate, near, far, plan.slide, rng)
+                o = c.first_object + d.obj
+                if d.last == item(t[0].group_start, o + 1) and is_formation(t, o):
+                    way = way_inside(t, c.problem, candidate, d.obj, pose, m.bounds_aim, s)
+                    pose = wp.vec4(pose[0] + way[0], pose[1] + way[1], pose[2], pose[3])
         elif d.job == STEP:
             pose = pose + wp.pow(SHORTER, float(k)) * d.step
         elif d.job == SQUARE and k == 0:

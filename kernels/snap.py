@@ -26,17 +26,17 @@ from .tables import (
     View,
     Weights,
 )
-from .terms_relations import ALL_RELATIONS, best_option, relation_energy, relation_poses
+from .terms_relations import ALL_RELATIONS, best_option, relation_poses
 
 wp.set_module_options({"enable_backward": False, "default_grid_stride": False})
 
-PASSES = wp.constant(3)
+PASSES = wp.constant(12)  # at most; they end when one moves nothing
 SHARES = wp.constant(4)  # of the way that are tried
 SQUARE = wp.constant(0.21)  # [rad] within which something is taken for square to a wall
+SETTLED = wp.constant(1.0e-4)  # [m, rad] movement of a pass that calls for another
 STILL = wp.constant(2.0e-6)  # [m, rad] a way that is not worth going
-NOTHING = wp.constant(1.0e-6)  # energy that counts as none
-FAILING = wp.constant(1.0e-5)  # energy from which on a soft relation is taken not to hold
-SLACK = wp.constant(0.02)  # by which the energy of soft relations that do not hold may rise
+SLIGHT = wp.constant(2.0e-5)  # energy of contacts that are less than a millimetre short of the clearance aimed at
+SLACK = wp.constant(0.1)  # [m] by which the penalty of a relation that does not hold may rise
 
 group_energy_without_relations = group_evaluator(EVERY_KIND & ~ALL_RELATIONS)
 
@@ -109,6 +109,20 @@ def is_still(way: wp.vec4):
 
 
 @wp.func
+def holds(t: TablesRef, r: wp.int32, x: RelationPoses):
+    """True when all rows of an option of relation r (global) lie in their intervals."""
+    for option in range(item(t[0].option_start, r), item(t[0].option_start, r + 1)):
+        found = bool(True)
+        for row in range(item(t[0].row_start, option), item(t[0].row_start, option + 1)):
+            value, _g = feature(t, row, 0, x)
+            hold = item(t[0].row_hold, row)
+            found = found and value >= hold[0] and value <= hold[1]
+        if found:
+            return True
+    return False
+
+
+@wp.func
 def allowed(
     t: TablesRef,
     w: Weights,
@@ -118,36 +132,23 @@ def allowed(
     view: View,
     s: State,
 ):
-    """True when no relation of the objects group[first:last] is worse off where a view sees them than where they are.
-
-    Soft ones that do not hold in either case may be a little worse off.
-    """
+    """True when all relations of the objects group[first:last] that hold still do where a view sees the objects, and
+    those that do not hold are hardly worse off."""
     r0 = item(t[0].relation_start, c.problem)
-    still = View()
-    still.best = 1
     for k in range(first, last):
-        obj = item(t[0].group, k)
-        for j in range(
-            item(t[0].incidence_start, c.first_object + obj), item(t[0].incidence_start, c.first_object + obj + 1)
-        ):
-            r = item(t[0].incidence, j)
-            if item(t[0].relation_rigid, r0 + r) == 0:
-                e = wp.vec2(0.0, 0.0)
-                for moved in range(0, 2, opaque_one()):
-                    if moved == 1:
-                        still.stamp = view.stamp
-                        still.before = view.before
-                        still.after = view.after
-                        still.spin = view.spin
-                    else:
-                        still.stamp = 0
-                    ei, _g = relation_energy(t, w, c, r, 0, s, still, ALL_RELATIONS)
-                    e[moved] = ei
-                rise = float(NOTHING)
-                if item(t[0].relation_fault, r0 + r) == 0 and e[0] > FAILING:
-                    rise = SLACK
-                if e[1] > e[0] + rise:
-                    return False
+        o = c.first_object + item(t[0].group, k)
+        for j in range(item(t[0].incidence_start, o), item(t[0].incidence_start, o + 1)):
+            r = r0 + item(t[0].incidence, j)
+            if item(t[0].relation_rigid, r) == 0:
+                after = relation_poses(t, c.first_object, r, s, c.index, view)
+                if not holds(t, r, after):
+                    before = relation_poses(t, c.first_object, r, s, c.index, View())
+                    if holds(t, r, before):
+                        return False
+                    _option, low, _g = best_option(t, r, 0, before, w.knee)
+                    _other, high, _h = best_option(t, r, 0, after, w.knee)
+                    if high > low + SLACK:
+                        return False
     return True
 
 
@@ -205,7 +206,7 @@ def try_way(
                     view.spin = wp.vec2(wp.cos(share * way[3]), wp.sin(share * way[3]))
                     limit = float(FAR)
                     if k > 0:
-                        limit = base + NOTHING
+                        limit = wp.max(base, SLIGHT)
                     part = TermSlice(0, 1, limit)
                     e = group_energy_without_relations(t, m, w, c, first, last, s, view, part).value
                     if k == 0:
@@ -315,7 +316,7 @@ def snap_alike(t: TablesRef, m: Margins, w: Weights, c: Candidate, first: wp.int
                 base = e
                 base_soft = soft
             else:
-                done = e - soft <= base - base_soft + NOTHING and soft <= base_soft + NOTHING
+                done = e - soft <= wp.max(base - base_soft, SLIGHT) and soft <= wp.max(base_soft, SLIGHT)
 
 
 @wp.kernel
@@ -340,14 +341,17 @@ def snap(
     for obj in range(c.objects):
         s.mark[candidate, obj] = 0
     stamp = int(0)
-    for _turn in range(0, PASSES, opaque_one()):
-        for k in range(0, c.objects, opaque_one()):
-            obj = order[c.problem, k]
-            if (
-                item(t[0].object_root, c.first_object + obj) == obj
-                and item(t[0].object_free, c.first_object + obj) != 0
-            ):
-                stamp = snap_one(t, m, w, c, obj, stamp, s)
+    due = int(0)  # the last pass that is called for
+    for turn in range(0, PASSES, opaque_one()):
+        if turn <= due:
+            for k in range(0, c.objects, opaque_one()):
+                obj = order[c.problem, k]
+                o = c.first_object + obj
+                if item(t[0].object_root, o) == obj and item(t[0].object_free, o) != 0:
+                    before = item(s.poses, candidate, obj)
+                    stamp = snap_one(t, m, w, c, obj, stamp, s)
+                    if wp.length(item(s.poses, candidate, obj) - before) > SETTLED:
+                        due = turn + 1
     r0 = item(t[0].relation_start, c.problem)
     for r in range(r0, item(t[0].relation_start, c.problem + 1)):
         target = item(t[0].relation_object, r)[1]

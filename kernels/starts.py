@@ -3,7 +3,7 @@
 import warp as wp
 
 from .array_access import item, opaque_one
-from .groups import move_with_members, redraw_surfaces, set_pose
+from .groups import is_formation, move_inside, move_with_members, redraw_surfaces, set_pose
 from .sample import keep_inside, project_onto_relations, random_start, uniform
 from .tables import Problems, State, TablesRef
 from .warp_primitives import lane_id, syncwarp, warp_size
@@ -11,7 +11,7 @@ from .warp_primitives import lane_id, syncwarp, warp_size
 # Fast sines on a GPU are good to a few micrometres; the judge gets exact ones (`set_turns`).
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
 
-DEPTHS = wp.constant(4)  # objects that others are placed by are drawn before those, down to this depth
+DEPTHS = wp.constant(16)  # objects that others are placed by are drawn before those, down to this depth
 
 # Where an attempt begins, ``Plan.start``.
 GIVEN = 0
@@ -95,6 +95,10 @@ def start_attempt(
                         pose = keep_inside(t, p, o0 + obj, pose, m.bounds_aim)
                     move_with_members(t, o0, s, candidate, obj, pose)
         syncwarp()
+    for obj in range(me, n, warp_size()):
+        if item(t[0].object_parent, o0 + obj) < 0 and is_formation(t, o0 + obj):
+            move_inside(t, p, candidate, obj, m.bounds_aim, s)
+    syncwarp()
     if t[0].pool_size > 0:
         for obj in range(me, n, warp_size()):
             if item(t[0].surface_start, o0 + obj + 1) > item(t[0].surface_start, o0 + obj):

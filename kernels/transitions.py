@@ -164,6 +164,9 @@ def choose_move(t: TablesRef, plan: Plan, c: Candidate, moves: wp.int32, chosen:
     if parent >= 0 and u < wp.where(d.anchored == 1, 0.1, 0.25):
         chosen = parent
         whole = True
+        if d.anchored == 0 and u < 0.125:  # all of a row, a run or a grid
+            while item(t[0].object_parent, c.first_object + chosen) >= 0:
+                chosen = item(t[0].object_parent, c.first_object + chosen)
     elif v < plan.whole:
         whole = True
     o = c.first_object + chosen

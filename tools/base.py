@@ -9,7 +9,7 @@ from typing import Any, Protocol
 from sceneweaver.assets import Library
 from sceneweaver.brief import Brief
 from sceneweaver.knowledge import RoomType
-from sceneweaver.scene import Pose, Scene
+from sceneweaver.scene import Relation, Scene
 from sceneweaver.scene.edits import AnyEdit
 
 
@@ -35,14 +35,14 @@ class Proposal:
     """What a tool answers.
 
     ``scene`` replaces the whole scene (initialisers only), then ``edits`` apply to it in order. Poses in edits are
-    proposals: the executor refines them. Each of ``drafts`` holds poses of some objects that stay as they are while
-    the rest is laid out around them; the best draft wins. ``notes`` say what was decided, ``unmet`` what could not be
+    proposals: the executor refines them. Each of ``variants`` holds relations that are added to the scene's; of the
+    layouts of all variants the best wins. ``notes`` say what was decided, ``unmet`` what could not be
     done and why. ``fresh`` asks for a layout from scratch instead of the least movement.
     """
 
     edits: tuple[AnyEdit, ...] = ()
     scene: Scene | None = None
-    drafts: tuple[Mapping[str, Pose], ...] = ()
+    variants: tuple[tuple[Relation, ...], ...] = ()
     fresh: bool = False
     notes: tuple[str, ...] = ()
     unmet: tuple[str, ...] = ()

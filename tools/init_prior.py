@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 
 from sceneweaver.assets import categories
 from sceneweaver.assets.taxonomy import likeliness
@@ -12,9 +13,9 @@ from sceneweaver.scene import InputError, Intent, Pose, Relation, Room, Scene, S
 
 from .base import Context, Proposal
 from .draft import walls_of
-from .prior_formation import formations, in_rows
 from .prior_program import BLIND, BY_RANK, LeftOut, Program, Wanted, build, demands
 from .prior_relations import of_brief, of_items
+from .prior_rows import in_rows, row_variants
 from .prior_shell import floor_area, shell
 
 FILL = {"sparse": 0.24, "normal": 0.33, "full": 0.40}
@@ -27,6 +28,9 @@ FULL = 0.5
 """Share of a support's surfaces from which on what was asked for stands elsewhere."""
 
 NOWHERE = 99
+
+WAY = 0.9
+"""Way [m] between a grid and what stands at the walls."""
 
 GROWTH, GROWTHS = 1.12, 10
 """Factor by which a floor that nobody fixed grows when what is needed does not fit, and how often."""
@@ -49,10 +53,10 @@ class InitPrior:
             space, remarks = shell(room, brief, area, seed)
             program = _program(context, space, area, people, style)
             _support_small_things(program, brief)
-            scene, unmet, middle = _scene(context, space, program, style, people)
-            drafts = formations(program.wanted, scene, seed)
+            scene, unmet = _scene(context, space, program, style, people)
+            variants = row_variants(program.wanted, space, _strip(program.wanted))
             crowded = program.footprint > FILL["full"] * area or program.wall > WALLED * walls_of(space)
-            astray = not drafts and in_rows(program.wanted)
+            astray = not variants and in_rows(program.wanted)
             attempt += 1
             if given or not (crowded or astray) or attempt == GROWTHS or area >= 1.5 * room.area[2]:
                 break
@@ -62,18 +66,13 @@ class InitPrior:
         if given and program.left_out:
             reasons = sorted({one.reason for one in program.left_out})
             notes.append("left out, as the floor asked for is full: " + ", ".join(reasons[:8]))
-        if middle:
-            centre = _centred(middle, scene)
-            drafts = [{**d, **{k: v for k, v in centre.items() if k not in d}} for d in drafts] or [centre]
-        return Proposal(scene=scene, drafts=tuple(drafts), fresh=True, notes=tuple(notes), unmet=tuple(unmet))
+        return Proposal(scene=scene, variants=tuple(variants), fresh=True, notes=tuple(notes), unmet=tuple(unmet))
 
 
-def _scene(
-    context: Context, space: Room, program: Program, style: str, people: int
-) -> tuple[Scene, list[str], dict[str, str]]:
-    """The scene of a program, what of the request cannot be said in it, and what was asked to stand in the middle."""
+def _scene(context: Context, space: Room, program: Program, style: str, people: int) -> tuple[Scene, list[str]]:
+    """The scene of a program, and what of the request cannot be said in it."""
     room, brief = context.room_type, context.brief
-    asked, placed, unmet, middle = of_brief(brief, program.wanted, space)
+    asked, placed, unmet = of_brief(brief, program.wanted, space)
     relations = _consistent(asked, of_items(program.wanted, space, placed))
     tall = {w.id: w.asset.size[2] for w in program.wanted}
     over = {r.subject: tall[r.target] for r in relations if r.type == "above" and r.target in tall}
@@ -93,7 +92,7 @@ def _scene(
             "finish": {"floor": room.floor, "walls": room.walls},
         },
     )
-    return scene, unmet, middle
+    return scene, unmet
 
 
 def _program(context: Context, space: Room, area: float, people: int, style: str) -> Program:
@@ -235,18 +234,6 @@ def _missing(brief: Brief, program: Program) -> list[str]:
     return out
 
 
-def _centred(middle: dict[str, str], scene: Scene) -> dict[str, Pose]:
-    """Poses in the middle of the floor, side by side where there are several."""
-    import shapely
-
-    spot = shapely.Polygon(scene.room.outline).representative_point()
-    centroid = shapely.Polygon(scene.room.outline).centroid
-    if shapely.Polygon(scene.room.outline).contains(centroid):
-        spot = centroid
-    poses, at = {}, 0.0
-    widths = [scene.object(id).size[1] for id in middle]
-    start = -sum(widths) / 2
-    for id, width in zip(middle, widths, strict=True):
-        poses[id] = Pose.from_yaw(spot.x, spot.y + start + at + width / 2, 0.0, 0.0)
-        at += width + 0.02
-    return poses
+def _strip(program: Sequence[Wanted]) -> float:
+    """Depth [m] along the walls that other things need, a way included."""
+    return max((w.asset.size[0] for w in program if w.wall > 0.0), default=0.0) + WAY

@@ -11,8 +11,8 @@ from sceneweaver.geometry.angles import cross, dot
 from sceneweaver.knowledge import Place
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Room
 
-from .prior_lines import lines_of
 from .prior_program import Wanted
+from .prior_rows import run_of
 from .prior_seats import seat_relations
 
 CONFLICTS: dict[str, frozenset[str]] = {
@@ -54,16 +54,14 @@ def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[s
                         type="near", subject=one.id, target=relation.target, params={"max": 0.3}, hard=relation.hard
                     )
                 )
-    return _cornered(_without_doubles([*found, *seat_relations(wanted), *_chained(wanted)]), room)
+    return _cornered(_without_doubles([*found, *seat_relations(wanted), *_beside(wanted)]), room)
 
 
-def _chained(wanted: Sequence[Wanted]) -> list[Relation]:
+def _beside(wanted: Sequence[Wanted]) -> list[Relation]:
     """The pieces of a run stand side by side, over the corner too; so they may reach into each other's free space."""
     return [
         Relation(type="side_by_side", subject=b.id, target=a.id, hard=False, weight=0.5)
-        for line in lines_of(wanted)
-        if line.flush
-        for a, b in itertools.pairwise(line.pieces)
+        for a, b in itertools.pairwise(run_of(wanted))
     ]
 
 
@@ -156,11 +154,11 @@ def _instance(one: Wanted, name: str | None, by_item: dict[str, list[Wanted]]) -
 
 def of_brief(
     brief: Brief, wanted: Sequence[Wanted], room: Room
-) -> tuple[list[Relation], dict[str, frozenset[str]], list[str], dict[str, str]]:
+) -> tuple[list[Relation], dict[str, frozenset[str]], list[str]]:
     """The relations that were asked for.
 
-    Returns the relations (hard), by id the types of a room's own relations that they replace, what could not be said
-    as relations, and the objects that were asked to stand in the middle of the room (id: what was written).
+    Returns the relations (hard), by id the types of a room's own relations that they replace, and what could not be
+    said as relations.
     """
     made: dict[str, list[Wanted]] = {}
     for one in wanted:
@@ -169,11 +167,10 @@ def of_brief(
     found: list[Relation] = []
     placed: dict[str, frozenset[str]] = {}
     unmet: list[str] = []
-    middle: dict[str, str] = {}
     for said in brief.relations:
         subjects = made.get(said.subject, [])
         if said.target == "middle":
-            middle.update({w.id: said.words for w in subjects if w.mount == "floor"})
+            found += _in_the_middle([w for w in subjects if w.mount == "floor"])
             placed.update({w.id: CONFLICTS["middle"] for w in subjects})
             continue
         for number, one in enumerate(subjects):
@@ -189,7 +186,14 @@ def of_brief(
                 continue
             found.append(relation)
             placed[one.id] = placed.get(one.id, frozenset()) | CONFLICTS.get(said.type, frozenset())
-    return _without_doubles(found), placed, unmet, middle
+    return _without_doubles(found), placed, unmet
+
+
+def _in_the_middle(wanted: Sequence[Wanted]) -> list[Relation]:
+    """What stands in the middle of the room: one thing right there, several around it."""
+    most = sum(max(w.asset.size[:2]) for w in wanted)
+    offset = 0.1 if len(wanted) == 1 else round(0.3 + most / 2, 2)
+    return [Relation(type="in_middle", subject=w.id, params={"offset": offset}, asked=True) for w in wanted]
 
 
 def _of_asked(

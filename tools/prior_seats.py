@@ -17,13 +17,8 @@ SQUARE = 1.12
 
 def seat_relations(wanted: Sequence[Wanted]) -> Iterator[Relation]:
     """The places of all seats that share a table, soft: where one is taken the seat may be anywhere at its table."""
-    tables: dict[str, tuple[Wanted, list[Wanted]]] = {}
-    in_rows = len([w for w in wanted if _in_grid(w)]) >= 3  # which have places of their own
-    for one in wanted:
-        if one.parent is not None and not (in_rows and _in_grid(one.parent)) and one.mount == "floor" and _seated(one):
-            tables.setdefault(one.parent.id, (one.parent, []))[1].append(one)
-    for table, seats in tables.values():
-        if len(seats) < 2:
+    for table, seats in _tables(wanted).values():
+        if len(seats) < 2 and not (table.item and table.item.row == "grid"):
             continue
         d, w, _ = table.asset.size
         round_ = "round" in table.category and max(d, w) < SQUARE * min(d, w)
@@ -36,8 +31,22 @@ def seat_relations(wanted: Sequence[Wanted]) -> Iterator[Relation]:
             yield Relation(type="seated_at", subject=seat.id, target=table.id, params=params, hard=False)
 
 
-def _in_grid(one: Wanted) -> bool:
-    return one.item is not None and one.item.row == "grid" and one.parent is None and one.support is None
+def seat_sides(table: Wanted, wanted: Sequence[Wanted]) -> dict[str, float]:
+    """The sides of a table where seats have their places, with the depth [m] of the deepest."""
+    _, seats = _tables(wanted).get(table.id, (table, []))
+    sides: dict[str, float] = {}
+    for seat, side, _, _ in _places(table, seats) if seats else ():
+        sides[side] = max(sides.get(side, 0.0), seat.asset.size[0])
+    return sides
+
+
+def _tables(wanted: Sequence[Wanted]) -> dict[str, tuple[Wanted, list[Wanted]]]:
+    """Tables with the seats that go with them, by id."""
+    tables: dict[str, tuple[Wanted, list[Wanted]]] = {}
+    for one in wanted:
+        if one.parent is not None and one.mount == "floor" and _seated(one):
+            tables.setdefault(one.parent.id, (one.parent, []))[1].append(one)
+    return tables
 
 
 def _seated(seat: Wanted) -> bool:

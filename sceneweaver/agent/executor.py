@@ -10,7 +10,7 @@ from sceneweaver.brief import Brief
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.knowledge import RoomType
 from sceneweaver.layout import refine, refine_many
-from sceneweaver.scene import Pose, Scene
+from sceneweaver.scene import Pose, Relation, Scene
 from sceneweaver.scene.edits import Remove, apply, apply_all
 from sceneweaver.tools.base import Proposal
 from sceneweaver.verify import Report, Violation, check
@@ -28,6 +28,10 @@ ROUNDS = 8
 
 STEADY = 3
 """Layouts that are tried in physics, of those that the critic likes best."""
+
+
+Variant = tuple[Relation, ...]
+"""Relations that are added to those of a scene."""
 
 
 @dataclass(frozen=True)
@@ -78,10 +82,10 @@ class Executor:
                 return self._outcome(draft, notes, unmet, report)
         if not self.settings.physics:
             return self._outcome(self._unrefined(draft, proposal, seed), notes, unmet)
-        fresh, drafts = proposal.fresh, [dict(poses) for poses in proposal.drafts]
+        fresh, variants = proposal.fresh, list(proposal.variants)
         if not fresh and (placed := self._in_place(scene, draft, seed, notes)) is not None:
             return replace(placed, notes=tuple(notes), unmet=tuple(unmet))
-        best, patient = self._refined(draft, drafts, fresh, seed, 0), False
+        best, patient = self._refined(draft, variants, fresh, seed, 0), False
         for round_ in range(ROUNDS):
             if not best.faults or self.deadline.passed:
                 break
@@ -90,12 +94,13 @@ class Executor:
                 break
             if lighter.unmet and not patient:  # before anything that was asked for goes
                 patient = True
-                best = min(best, self._refined(draft, drafts, fresh, seed, 1), key=lambda o: o.key)
+                best = min(best, self._refined(draft, variants, fresh, seed, 1), key=lambda o: o.key)
                 continue
             notes, unmet = [*notes, *lighter.notes], [*unmet, *lighter.unmet]
-            draft, drafts = lighter.scene, _kept(drafts, lighter.scene)
+            draft, variants = lighter.scene, _without(lighter.scene, variants)
             # Patience pays once what is merely wished for has gone.
-            best = min(best, self._refined(draft, drafts, fresh, seed, int(round_ >= ROUNDS // 2)), key=lambda o: o.key)
+            late = int(round_ >= ROUNDS // 2)
+            best = min(best, self._refined(draft, variants, fresh, seed, late), key=lambda o: o.key)
         if not best.report.valid and not self.deadline.passed:  # without the rows: they may be what stands in the way
             best = min(best, self._refined(draft, [], fresh, seed, 1), key=lambda o: o.key)
         return replace(best, notes=tuple(notes), unmet=tuple(unmet))
@@ -112,13 +117,13 @@ class Executor:
             scene, report, review_scene(scene, report, self.room_type, self.brief), tuple(notes), tuple(unmet)
         )
 
-    def _refined(
-        self, draft: Scene, drafts: Sequence[Mapping[str, Pose]], fresh: bool, seed: int, patience: int
-    ) -> Outcome:
-        """The best of the layouts of a scene, or of those around each set of poses that stays as it is."""
+    def _refined(self, draft: Scene, variants: Sequence[Variant], fresh: bool, seed: int, patience: int) -> Outcome:
+        """The best of the layouts of a scene, or of those of its variants."""
         attempts = self.settings.attempts[patience]
         self.attempts += attempts
-        layouts = self._around(draft, drafts, seed, attempts) if drafts else self._free(draft, fresh, seed, attempts)
+        layouts = (
+            self._of_variants(draft, variants, seed, attempts) if variants else self._free(draft, fresh, seed, attempts)
+        )
         return self._steadiest(self._ranked(layouts))
 
     def _ranked(self, layouts: Sequence[Scene]) -> list[Outcome]:
@@ -196,13 +201,13 @@ class Executor:
         layouts = solution.distinct(s.finalists if fresh else 2) or [solution.best]
         return [_posed(draft, layout) for layout in layouts]
 
-    def _around(self, draft: Scene, drafts: Sequence[Mapping[str, Pose]], seed: int, attempts: int) -> list[Scene]:
-        """Layouts around objects that stay where a draft has them; if none is valid, the one that comes nearest."""
+    def _of_variants(self, draft: Scene, variants: Sequence[Variant], seed: int, attempts: int) -> list[Scene]:
+        """Layouts of a scene with the relations of each variant; if none is valid, the one that comes nearest."""
         s = self.settings
-        scenes = [_pinned(coarse(draft), poses) for poses in drafts]
+        drafts = [_with(draft, variant) for variant in variants]
         solutions = refine_many(
-            scenes,
-            candidates=max(8, s.layouts // len(scenes)),
+            [coarse(draft) for draft in drafts],
+            candidates=max(6, s.layouts // (2 * len(drafts))),
             seed=seed,
             device=s.device,
             steps=attempts,
@@ -211,19 +216,19 @@ class Executor:
         )
         found = [
             _posed(draft, layout)
-            for solution in solutions
-            for layout in solution.distinct(max(2, s.finalists // len(scenes)))
+            for draft, solution in zip(drafts, solutions, strict=True)
+            for layout in solution.distinct(max(2, s.finalists // len(drafts)))
         ]
-        nearest = min(solutions, key=lambda solution: float(solution.energy.min()))
-        return found or [_posed(draft, nearest.best)]
+        nearest = min(range(len(drafts)), key=lambda k: float(solutions[k].energy.min()))
+        return found or [_posed(drafts[nearest], solutions[nearest].best)]
 
     def _unrefined(self, draft: Scene, proposal: Proposal, seed: int) -> Scene:
         """A layout as the relations draw it, without search: what a tool alone would give."""
         if not proposal.fresh:
             return draft
-        scene = _pinned(draft, proposal.drafts[0]) if proposal.drafts else draft
+        scene = _with(draft, proposal.variants[0]) if proposal.variants else draft
         solution = refine(scene, candidates=1, seed=seed, optimizer="adam", steps=1, device=self.settings.device)
-        return _posed(draft, solution.best)
+        return _posed(scene, solution.best)
 
 
 def _changed(scene: Scene, draft: Scene) -> set[str]:
@@ -242,9 +247,15 @@ def _changed(scene: Scene, draft: Scene) -> set[str]:
     }
 
 
-def _kept(drafts: Sequence[Mapping[str, Pose]], scene: Scene) -> list[dict[str, Pose]]:
+def _with(scene: Scene, variant: Variant) -> Scene:
+    """The scene with the relations of a variant."""
+    return scene.model_copy(update={"relations": (*scene.relations, *variant)})
+
+
+def _without(scene: Scene, variants: Sequence[Variant]) -> list[Variant]:
+    """The variants without the relations of what is not in a scene any more."""
     known = set(scene.ids)
-    return [{id: pose for id, pose in poses.items() if id in known} for poses in drafts]
+    return [tuple(r for r in variant if {r.subject, *r.targets} <= known) for variant in variants]
 
 
 def _pinned(scene: Scene, poses: Mapping[str, Pose]) -> Scene:

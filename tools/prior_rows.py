@@ -1,0 +1,132 @@
+"""Runs, lines and grids as relations: who is next to whom, on which side and how far away. The search finds the place.
+
+What does not always fit in one way is proposed in several *variants*: sets of relations of which one has to hold.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from sceneweaver.scene import Relation, Room
+
+from .prior_grid import grid_variants, in_grid
+from .prior_program import Wanted
+
+LOOSE = (0.12, 0.6)
+"""Least and largest gap [m] between the pieces of a line."""
+
+PLAY = 0.05
+"""Length [m] by which the gaps of a line may differ before they are made equal."""
+
+TIGHT: dict[str, Any] = {"gap": [0.0, 0.012], "offset": 0.012, "degrees": 1.0}
+"""How exactly the pieces of a run have to fit: what looks like one piece of furniture has no steps."""
+
+Variant = tuple[Relation, ...]
+
+
+def row_variants(program: Sequence[Wanted], room: Room, strip: float, most: int = 6) -> list[Variant]:
+    """Up to ``most`` ways to set out what stands in grids, lines and runs; empty when nothing does, or nothing fits.
+
+    ``strip`` [m] is the depth along the walls that a grid leaves to other things.
+    """
+    choices: list[list[Variant]] = []
+    if in_grid(program):
+        grids = grid_variants(program, room, strip)
+        if not grids:
+            return []
+        choices.append(grids)
+    run = run_of(program)
+    if len(run) > 1:
+        choices.append(list(_run_variants(run, room)))
+    choices += [list(_line_variants(line, room)) for line in lines_of(program)]
+    if not choices:
+        return []
+    count = min(most, max(map(len, choices)))
+    return [tuple(r for options in choices for r in options[k % len(options)]) for k in range(count)]
+
+
+def in_rows(program: Sequence[Wanted]) -> bool:
+    """Whether something of a program stands in grids, lines or runs."""
+    return in_grid(program) or len(run_of(program)) > 1 or bool(lines_of(program))
+
+
+def run_of(program: Sequence[Wanted]) -> list[Wanted]:
+    """The pieces of the run in order, if items make one."""
+    run = [w for w in program if w.item and w.item.row == "run" and w.mount == "floor"]
+    return sorted(run, key=lambda w: (w.item.run if w.item and w.item.run is not None else 0.5, w.number))
+
+
+def lines_of(program: Sequence[Wanted]) -> list[list[Wanted]]:
+    """The pieces of each line, of items that have two or more."""
+    by_item: dict[str, list[Wanted]] = {}
+    for one in program:
+        if one.item and one.item.row == "line" and one.mount == "floor" and one.parent is None:
+            by_item.setdefault(one.item.id, []).append(one)
+    return [pieces for pieces in by_item.values() if len(pieces) >= 2]
+
+
+def _run_variants(pieces: Sequence[Wanted], room: Room) -> Iterator[Variant]:
+    """A run that begins or ends in a corner of the room, goes around one about its middle, or stands in two parts;
+    of these what the walls are long enough for, else anywhere."""
+    widths = [one.asset.size[1] for one in pieces]
+    deep = max(one.asset.size[0] for one in pieces)
+    walls = _walls(room)
+    corners = [(a, b) for (a, convex), (b, _) in zip(walls, walls[1:] + walls[:1], strict=True) if convex]
+    count = len(pieces)
+    found: list[Variant] = []
+    if sum(widths) < max(length for length, _ in walls):
+        found += [_run(pieces, count - 1, corner=True), _run(pieces, 0, corner=True)]
+    for last in sorted(range(count - 1), key=lambda k: abs(sum(widths[: k + 1]) - sum(widths) / 2)):
+        head, tail = sum(widths[: last + 1]), deep + sum(widths[last + 1 :])
+        if any(head < a and tail < b for a, b in corners):
+            found.append(_run(pieces, last, corner=True))
+            break
+    yield from found or [_run(pieces, 0, corner=False)]
+    if count >= 4:
+        yield _run(pieces[: count // 2], 0, corner=False) + _run(pieces[count // 2 :], 0, corner=False)
+
+
+def _run(pieces: Sequence[Wanted], first: int, corner: bool) -> Variant:
+    """The relations of a run that starts from one of its pieces, in a corner or anywhere at a wall."""
+    leader = pieces[first].id
+    found = [Relation(type="against_wall", subject=leader, params={"gap": TIGHT["gap"], "degrees": TIGHT["degrees"]})]
+    if corner:
+        found.append(Relation(type="in_corner", subject=leader))
+    for a, b in itertools.pairwise(pieces[first:]):
+        found.append(Relation(type="run_on", subject=b.id, target=a.id, params={"side": "right", **TIGHT}))
+    for a, b in itertools.pairwise(reversed(pieces[: first + 1])):
+        found.append(Relation(type="run_on", subject=b.id, target=a.id, params={"side": "left", **TIGHT}))
+    return tuple(found)
+
+
+def _line_variants(pieces: Sequence[Wanted], room: Room) -> Iterator[Variant]:
+    """A line with as much space between its pieces as the longest wall has, with little, and in two parts."""
+    widths = [one.asset.size[1] for one in pieces]
+    longest = max(length for length, _ in _walls(room))
+    spare = (longest - sum(widths)) / (len(pieces) + 1)
+    roomy = min(LOOSE[1], max(LOOSE[0], spare))
+    yield from (_line(pieces, gap) for gap in dict.fromkeys((roomy, 0.5 * (roomy + LOOSE[0]), LOOSE[0])))
+    if len(pieces) >= 4:
+        half = len(pieces) // 2
+        yield _line(pieces[:half], LOOSE[0]) + _line(pieces[half:], LOOSE[0])
+
+
+def _line(pieces: Sequence[Wanted], gap: float) -> Variant:
+    span = [round(max(0.02, gap - PLAY), 3), round(gap + PLAY, 3)]
+    return tuple(
+        Relation(type="next_to", subject=b.id, target=a.id, params={"side": "right", "gap": span})
+        for a, b in itertools.pairwise(pieces)
+    )
+
+
+def _walls(room: Room) -> list[tuple[float, bool]]:
+    """The length [m] of each wall less its doors, and whether the room has a convex corner at its end."""
+    outline, found = room.outline, []
+    for i, (a, b) in enumerate(zip(outline, (*outline[1:], outline[0]), strict=True)):
+        c = outline[(i + 2) % len(outline)]
+        turn = (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
+        found.append((math.dist(a, b) - sum(d.width for d in room.doors if d.wall == i), turn > 0))
+    return found
