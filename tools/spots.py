@@ -91,7 +91,7 @@ def free_spot(
     return None
 
 
-def placed(carrier: SceneObject) -> bool:
+def has_place(carrier: SceneObject) -> bool:
     """Whether an object has a place in the room already; one at the very origin waits for the engine to give it one."""
     return carrier.pose.position[:2] != (0.0, 0.0) or carrier.pose.yaw != 0.0
 
@@ -109,9 +109,9 @@ def _taken(objects: Mapping[str, SceneObject], room: Room, carrier: SceneObject,
     shapes = []
     own = set(carried(objects, carrier.id))
     low, high = surface.z, surface.z + height
-    settled = placed(carrier)
+    settled = has_place(carrier)
     for o in objects.values():
-        if o.id == carrier.id or (o.id not in own and (not settled or not placed(o))):
+        if o.id == carrier.id or (o.id not in own and (not settled or not has_place(o))):
             continue
         x, y, z, yaw = local(carrier.pose, o.pose)
         for part in o.solids:

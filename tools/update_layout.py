@@ -35,6 +35,11 @@ class UpdateLayout:
         if "near" in inputs:
             more, said, against = _near(scene, ids, inputs["near"])
             edits, notes, unmet = [*edits, *more], [*notes, *said], [*unmet, *against]
+        if ids and not rows and "near" not in inputs:  # what is laid out by itself would leave its row
+            notes += [f"{id} stands in a row and stays there" for id in ids if id in _in_rows(scene)]
+            ids = [id for id in ids if id not in _in_rows(scene)]
+            if not ids:
+                return Proposal(edits=tuple(edits), notes=tuple(notes), unmet=tuple(unmet))
         if not ids:
             return Proposal(edits=tuple(edits), fresh=True, notes=tuple(notes), unmet=tuple(unmet))
         free: dict[str, Pose] = {}
@@ -56,6 +61,12 @@ class UpdateLayout:
 def _unplaced(obj: SceneObject) -> Pose:
     """The pose of what is new: at the origin, at its own height."""
     return Pose(position=(0.0, 0.0, obj.pose.position[2]))
+
+
+def _in_rows(scene: Scene) -> set[str]:
+    """What a row, a run or a grid hangs together by."""
+    formation = CATALOGUE.with_role("formation")
+    return {id for r in scene.relations if r.hard and r.type in formation for id in (r.subject, *r.targets)}
 
 
 def _with_kin(scene: Scene, ids: list[str]) -> list[str]:

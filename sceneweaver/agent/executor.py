@@ -13,6 +13,8 @@ from sceneweaver.layout import refine, refine_many
 from sceneweaver.scene import Pose, Relation, Scene
 from sceneweaver.scene.edits import Remove, apply, apply_all
 from sceneweaver.tools.base import Proposal
+from sceneweaver.tools.carry import carried
+from sceneweaver.tools.spots import has_place
 from sceneweaver.verify import Report, Violation, check
 
 from .coarse import coarse
@@ -160,7 +162,9 @@ class Executor:
                 draft, report, said = pruned(scene, draft)
                 notes += said
                 return self._outcome(draft, (), (), report) if report.valid else None
-            pinned = _pinned(coarse(draft), {o.id: o.pose for o in draft.objects if o.id not in loose})
+            known = {o.id: o for o in draft.objects}
+            moving = loose | {rider for id in loose for rider in carried(known, id)}
+            pinned = _pinned(coarse(draft), {o.id: o.pose for o in draft.objects if o.id not in moving})
             self.attempts += s.attempts[0]
             solution = refine(
                 pinned,
@@ -169,7 +173,7 @@ class Executor:
                 device=s.device,
                 steps=s.attempts[0],
                 time_limit=self.deadline.time_limit,
-                init="sample" if loose - old else "current",
+                init="sample" if any(not has_place(draft.object(id)) for id in loose) else "current",
                 snap=True,
             )
             layouts = [_posed(draft, layout) for layout in solution.distinct(ENOUGH)]

@@ -8,7 +8,7 @@ import pytest
 
 import sceneweaver as sw
 from sceneweaver.assets import categories, make
-from sceneweaver.scene import InputError, Pose, Scene, Support
+from sceneweaver.scene import InputError, Pose, Relation, Scene, Support
 from sceneweaver.scene.edits import SetPose, apply_all
 from sceneweaver.tools.carry import carried, follow, local, move, world
 
@@ -265,3 +265,14 @@ def test_what_stands_on_something_moves_with_it(lounge, call):
     for inputs in ({"ids": ["x"]}, {"near": "sofa-0"}, {"ids": ["sofa-0"], "near": "piano"}):
         with pytest.raises(InputError, match="tool update_layout: inputs"):
             call("update_layout", lounge, inputs)
+
+
+def test_what_stands_in_a_row_stays_there(call, lounge):
+    """A piece that is laid out by itself would leave its row; with a relation of its own it is asked to."""
+    row = Relation(type="next_to", subject="armchair-0", target="sideboard-0", params={"gap": [0.0, 9.0]})
+    scene = lounge.model_copy(update={"relations": (*lounge.relations, row)})
+    proposal = call("update_layout", scene, {"ids": ["armchair-0"]})
+    assert not proposal.edits and not proposal.fresh and "armchair-0 stands in a row" in proposal.notes[0]
+    both = call("update_layout", scene, {"ids": ["armchair-0", "coffee_table-0"]})
+    assert {e.id for e in both.edits} & {"armchair-0", "coffee_table-0"} == {"coffee_table-0"}
+    assert call("update_layout", scene, {"ids": ["armchair-0"], "near": "sofa-0"}).edits
