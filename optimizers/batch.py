@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 import warp as wp
@@ -14,7 +15,7 @@ from sceneweaver.kernels.verdict import judge_candidates, judge_objects, judge_r
 from sceneweaver.kernels.warp_primitives import WARP_SIZE
 
 
-@dataclass
+@dataclass(frozen=True)
 class Batch:
     """Candidates of one or several problems.
 
@@ -39,7 +40,7 @@ class Batch:
         """Number of candidates B."""
         return self.problem.shape[0]
 
-    @property
+    @cached_property  # every launch takes it
     def problems(self) -> Problems:
         """What kernels take first."""
         problems = Problems()

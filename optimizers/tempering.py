@@ -14,7 +14,7 @@ from sceneweaver.kernels.descent import ADAM
 from sceneweaver.kernels.tempering import FIRST, Ladder, accept, copy_replicas, exchange, make_moves
 
 from .base import Monitor, OptimizerResult, Start, register
-from .batch import Batch
+from .batch import Batch, new_state
 from .descent import (
     MEASURED,
     MEASURED_ON_GPU,
@@ -66,8 +66,11 @@ def ladder_of(candidates: int, hottest: float, device: str) -> Ladder:
 def replicate(batch: Batch, rung: wp.array) -> Batch:
     """A batch in which every candidate has REPLICAS neighbouring rows."""
     rows = batch.size * REPLICAS
-    many = replace(batch, problem=wp.zeros(rows, dtype=wp.int32, device=batch.device))
-    many.state = many.scratch()
+    many = replace(
+        batch,
+        problem=wp.zeros(rows, dtype=wp.int32, device=batch.device),
+        state=new_state(rows, batch.objects, batch.relations, batch.device),
+    )
     wp.launch(
         copy_replicas,
         (rows, batch.objects),

@@ -149,14 +149,14 @@ def solve(
             [pools[i] for i in members],
         )
         if start == "given":
-            batch.weights = weights(pull=PULL)
+            batch = replace(batch, weights=weights(pull=PULL))
         _load_worlds(batch, [job.world for job in group])
         batch.state.rng.assign(
             np.concatenate([streams(job.seed, job.first + np.arange(n)) for job, n in zip(group, sizes, strict=True)])
         )
         outcome = run(batch, optimizer, start, steps, monitor)
         if snap:
-            batch.weights = weights()
+            batch = replace(batch, weights=weights())
             snap_batch(batch, _orders([job.compiled.room for job in group], batch.objects))
         verdict = judge(batch)
         layouts = _layouts(batch, group)
@@ -397,7 +397,7 @@ def _mend_surfaces(job: Job, optimizer: str, device: str, deadline: float | None
             world[:, i, 2] = compiled.room.home[i, 2]
     if compiled.domains:
         batch = _domain_batch(compiled, world, job.seed, job.first, device)
-        batch.weights = weights(pull=PULL)
+        batch = replace(batch, weights=weights(pull=PULL))
         run(batch, how, "given", None, Monitor(batch.size, deadline))
         poses = batch.state.poses.numpy().reshape(len(compiled.domains), len(world), batch.objects, 4)
         for domain, solved in zip(compiled.domains, poses.astype(np.float64), strict=True):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
@@ -59,8 +59,7 @@ def batch_of(
 
     All pairs are looked at; ``use_cells`` makes it look at those nearby only.
     """
-    batch = make_batch(problems, np.asarray(which), device)
-    batch.weights = make_weights(**(weights or {}))
+    batch = replace(make_batch(problems, np.asarray(which), device), weights=make_weights(**(weights or {})))
     _set_cells(batch, 1)
     shape = (batch.size, max(batch.objects, 1), 4)
     load_poses(batch, _padded(layouts, shape))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import warp as wp
@@ -11,6 +13,7 @@ from sceneweaver.kernels.evaluator import EVERY_KIND, TERMS
 from sceneweaver.kernels.gradients import WHOLE
 from sceneweaver.kernels.gradients_gpu import GROUPS
 from sceneweaver.layout.compile import compile_scene
+from sceneweaver.layout.pack import weights
 from sceneweaver.optimizers import load_poses
 from sceneweaver.optimizers.batch import Batch
 from sceneweaver.optimizers.descent import by_object, per_object, threads
@@ -38,8 +41,7 @@ def needed(what: Batch) -> list:
 
 @pytest.mark.parametrize("name", ROOMS)
 def test_groups_add_up(device, name):
-    what = batch([name], 6, device)
-    what.weights.pull = 0.5
+    what = replace(batch([name], 6, device), weights=weights(pull=0.5))
     share, slope = gradients(what, needed(what))
     whole, gradient = gradients(what, [WHOLE.kernel])
     np.testing.assert_allclose(share, whole, atol=1e-5, rtol=1e-5)
