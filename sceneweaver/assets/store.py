@@ -91,7 +91,7 @@ class Store:
             if isinstance(row, dict) and row.get("id") == asset_id:
                 try:
                     return _read(path.parent, row)
-                except (KeyError, TypeError, AttributeError, IndexError) as error:
+                except (InputError, KeyError, TypeError, AttributeError, IndexError) as error:
                     why = f"damaged in the store ({reason(error)}); delete {path.parent} and import it anew"
                     raise InputError(f"asset: '{asset_id}' is {why}") from error
         known = [row["id"] for row in self.rows()]

@@ -583,7 +583,7 @@ def test_errors_are_one_line_and_leave_nothing_behind(tmp_path, monkeypatch) -> 
         (SCENE, "scene", "must end in .usda"),
         (bare, "folder.usda", "is a folder"),
         (bare, "nowhere/scene.usda", "does not exist"),
-        (bare, "file/scene.usdc", "does not exist"),
+        (bare, "file/scene.usdc", "cannot be written"),
     ]
     for scene, name, words in cases:
         with pytest.raises(InputError, match=words) as caught:

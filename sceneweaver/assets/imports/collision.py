@@ -49,7 +49,11 @@ def convex_parts(
         starts = np.cumsum([0] + [len(p) for p, *_ in rest])[:-1]
         triangles = np.concatenate([t + s for (_, t, _), s in zip(rest, starts, strict=True)])
         try:
-            found = _decomposed(points, triangles, cache, seconds)
+            # A mesh that is no manifold is remeshed first, which lets parts stand out of it by a few millimetres.
+            found = [
+                np.clip(part, points.min(axis=0), points.max(axis=0))
+                for part in _decomposed(points, triangles, cache, seconds)
+            ]
             hulls += _grown(found, points, triangles)
         except LimitedError as error:
             bodies = _merged([body for *_, body in rest], MAX_HULLS)
