@@ -44,6 +44,25 @@ def candidate_of(b: Problems, candidate: wp.int32):
 
 
 @wp.func
+def object_count(t: TablesRef, p: wp.int32):
+    """How many objects problem p has."""
+    return item(t[0].object_start, p + 1) - item(t[0].object_start, p)
+
+
+@wp.func
+def root_at(b: Problems, candidate: wp.int32, obj: wp.int32):
+    """Global index of a candidate's object if that is a root; -1: it is carried, or there is no such object."""
+    if candidate >= b.problem.shape[0]:
+        return -1
+    t = b.tables
+    p = b.problem[candidate]
+    o = item(t[0].object_start, p) + obj
+    if o >= item(t[0].object_start, p + 1):
+        return -1
+    return wp.where(item(t[0].object_root, o) == obj, o, -1)
+
+
+@wp.func
 def viewed_pose(s: State, candidate: wp.int32, i: wp.int32, view: View):
     """Pose and (cos, sin) of the yaw of object i where a view sees it."""
     pose = item_strided(s.poses, candidate, i)

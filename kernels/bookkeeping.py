@@ -2,11 +2,20 @@
 
 import warp as wp
 
+from .bodies import object_count
 from .features import TURN
 from .geometry import plane_of, turn_back, wrap
 from .tables import Problems, State
 
 wp.set_module_options({"enable_backward": False})
+
+
+@wp.func
+def copy_layout(b: Problems, candidate: wp.int32, source: State, target: State):
+    """Copy a candidate's poses from one state to another."""
+    for obj in range(object_count(b.tables, b.problem[candidate])):
+        target.poses[candidate, obj] = source.poses[candidate, obj]
+        target.turns[candidate, obj] = source.turns[candidate, obj]
 
 
 @wp.kernel
@@ -22,15 +31,11 @@ def keep_best(
     best_total_out: wp.array(dtype=wp.float32),
 ):
     """Copy an active candidate's layout when its energy is the lowest so far."""
-    t = b.tables
     candidate = wp.tid()
     if active[candidate] == 0 or not total[candidate] < best_total_out[candidate]:
         return
-    p = b.problem[candidate]
     best_total_out[candidate] = total[candidate]
-    for obj in range(t[0].object_start[p + 1] - t[0].object_start[p]):
-        best_out.poses[candidate, obj] = s.poses[candidate, obj]
-        best_out.turns[candidate, obj] = s.turns[candidate, obj]
+    copy_layout(b, candidate, s, best_out)
 
 
 @wp.kernel
@@ -158,7 +163,6 @@ def retire(
     The valid ones leave, and after so many steps those that never came close to it (energy above ``close`` [m]): with
     their best layout, and counted in ``left_out[1]``.
     """
-    t = b.tables
     candidate = wp.tid()
     if active[candidate] == 0:
         return
@@ -167,10 +171,7 @@ def retire(
     elif clock[0] == first_steps and best_total[candidate] > close:
         active[candidate] = 0
         wp.atomic_add(left_out, 1, 1)
-        p = b.problem[candidate]
-        for obj in range(t[0].object_start[p + 1] - t[0].object_start[p]):
-            s.poses[candidate, obj] = best.poses[candidate, obj]
-            s.turns[candidate, obj] = best.turns[candidate, obj]
+        copy_layout(b, candidate, best, s)
     else:
         wp.atomic_add(left_out, 0, 1)
 

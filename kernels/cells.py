@@ -7,6 +7,7 @@ looks into the cells within its own reach and the largest reach of any other. Ro
 import warp as wp
 
 from .array_access import item
+from .bodies import object_count
 from .tables import Problems, State, TablesRef
 
 wp.set_module_options({"enable_backward": False})
@@ -60,7 +61,7 @@ def change_cell(t: TablesRef, p: wp.int32, candidate: wp.int32, obj: wp.int32, s
 @wp.func
 def fill_cells(t: TablesRef, p: wp.int32, candidate: wp.int32, s: State):
     """Build a candidate's lists anew."""
-    n = item(t[0].object_start, p + 1) - item(t[0].object_start, p)
+    n = object_count(t, p)
     for obj in range(n):
         s.mark[candidate, obj] = 0
     if crowded(n, s):

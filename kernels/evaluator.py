@@ -125,16 +125,13 @@ def evaluate(
     gradient_out: wp.array2d(dtype=wp.vec4),
 ):
     """Energy share, soft part of it and gradient of every object, [candidate, object]."""
-    t = b.tables
-    m = b.margins
-    w = b.weights
     candidate, obj = wp.tid()
     c = candidate_of(b, candidate)
     energy = Energy()
     if obj < c.objects:
         view = View()
         view.crowd = 1
-        energy = object_energy(t, m, w, c, obj, s, view, TermSlice(0, 1, FAR))
+        energy = object_energy(b.tables, b.margins, b.weights, c, obj, s, view, TermSlice(0, 1, FAR))
     share_out[candidate, obj] = energy.share
     soft_out[candidate, obj] = energy.soft
     gradient_out[candidate, obj] = energy.gradient

@@ -55,9 +55,6 @@ def gradient_kernel(module: str, name: str, kinds: int, registers: int | None = 
         Candidates whose ``lowest`` energy is that of rest are left as they are.
         """
         inline_on_gpu()
-        t = b.tables
-        m = b.margins
-        w = b.weights
         group, obj, lane = wp.tid()
         candidate = group * WARP_SIZE + lane
         if candidate >= b.problem.shape[0]:
@@ -65,14 +62,14 @@ def gradient_kernel(module: str, name: str, kinds: int, registers: int | None = 
         c = candidate_of(b, candidate)
         if obj >= c.objects or lowest[candidate] <= AT_REST:
             return
-        if (item(t[0].object_terms, c.first_object + obj) & wanted) == 0:
+        if (item(b.tables[0].object_terms, c.first_object + obj) & wanted) == 0:
             return
         x = body_of(c, obj, s)
         e = Energy()
         if not wp.isfinite(x.pose):  # comparisons with NaN are false, so every term would pass it
             e.share = FAR
         else:
-            e = energy_of(t, m, w, c, x, s, View(), TermSlice(0, 1, FAR))
+            e = energy_of(b.tables, b.margins, b.weights, c, x, s, View(), TermSlice(0, 1, FAR))
         if sets != 0:
             share[obj, candidate] = e.share
             gradient[obj, candidate] = e.gradient

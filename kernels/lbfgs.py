@@ -13,6 +13,7 @@ again (basin hopping, Wales & Doye 1997).
 
 import warp as wp
 
+from .bodies import object_count, root_at
 from .step import AT_REST, freedom, noise, place_members, stream, total_of, turning_arm
 from .tables import Problems, State
 from .warp_primitives import WARP_SIZE
@@ -181,7 +182,7 @@ def search_line(
     if candidate == 0:
         clock[0] = clock[0] + 1
     p = b.problem[candidate]
-    n = t[0].object_start[p + 1] - t[0].object_start[p]
+    n = object_count(t, p)
     energy = line.energy[candidate]
     if energy <= AT_REST:
         line.state[candidate] = REFUSED
@@ -255,13 +256,8 @@ def make_trial(
     t = b.tables
     group, obj, lane = wp.tid()
     candidate = group * WARP_SIZE + lane
-    if candidate >= b.problem.shape[0]:
-        return
-    p = b.problem[candidate]
-    o = t[0].object_start[p] + obj
-    if o >= t[0].object_start[p + 1]:
-        return
-    if t[0].object_root[o] != obj:
+    o = root_at(b, candidate, obj)
+    if o < 0:
         return
     state = line.state[candidate]
     for k in range(t[0].member_start[o], t[0].member_start[o + 1]):

@@ -8,12 +8,12 @@ with the curvature of the constraints left out), and forces carry over. What no 
 
 import warp as wp
 
-from .bodies import free_part
+from .bodies import free_part, object_count, root_at
 from .geometry import FAR, plane_of, turn
 from .groups import set_pose
 from .inequality import ARM, ROWS, Inequality, mobility
-from .tables import Problems, State, TablesRef, View
-from .terms_relations import best_option, relation_poses
+from .tables import Problems, State, TablesRef
+from .terms_relations import nearest_option
 
 wp.set_module_options({"enable_backward": False})
 
@@ -54,7 +54,7 @@ def place(t: TablesRef, o0: wp.int32, candidate: wp.int32, root: wp.int32, d: wp
 @wp.func(inline=False)
 def draw_focus(t: TablesRef, p: wp.int32, candidate: wp.int32, fault: wp.array2d(dtype=wp.float32), u: wp.float32):
     """An object drawn by its weight in ``fault``: u in [0, 1) falls on it when the weights are laid end to end."""
-    n = t[0].object_start[p + 1] - t[0].object_start[p]
+    n = object_count(t, p)
     total = float(0.0)
     for obj in range(n):
         total += fault[candidate, obj]
@@ -130,15 +130,10 @@ def choose_options(
     s: State,
 ):
     """Give every relation of the selected candidates the option that it is nearest to."""
-    t = b.tables
-    w = b.weights
     slot, rel = wp.tid()
     candidate = selected[slot]
-    p = b.problem[candidate]
-    r = t[0].relation_start[p] + rel
-    if r < t[0].relation_start[p + 1]:
-        those = relation_poses(t, t[0].object_start[p], r, s, candidate, View())
-        option, _e, _g = best_option(t, r, 0, those, w.knee)
+    option = nearest_option(b, candidate, rel, s)
+    if option >= 0:
         s.options[candidate, rel] = option
 
 
@@ -221,7 +216,7 @@ def project(
         return
     p = b.problem[candidate]
     o0 = t[0].object_start[p]
-    n = t[0].object_start[p + 1] - o0
+    n = object_count(t, p)
     miss = float(0.0)
     far = float(0.0)
     for obj in range(n):
@@ -278,7 +273,6 @@ def restore(
     """Put every root where the best layout has it."""
     t = b.tables
     candidate, obj = wp.tid()
-    p = b.problem[candidate]
-    o0 = t[0].object_start[p]
-    if obj < t[0].object_start[p + 1] - o0 and t[0].object_root[o0 + obj] == obj:
-        place(t, o0, candidate, obj, best[candidate, obj], s)
+    o = root_at(b, candidate, obj)
+    if o >= 0:
+        place(t, o - obj, candidate, obj, best[candidate, obj], s)

@@ -223,9 +223,6 @@ def draw(
 ):
     """Draw the poses that are tried, [candidate, drawer]. ``busy_out`` is set to 0."""
     inline_on_gpu()
-    t = b.tables
-    m = b.margins
-    w = b.weights
     candidate, first = wp.tid()
     if candidate == 0 and first == 0:
         busy_out[0] = 0
@@ -233,9 +230,8 @@ def draw(
         return
     c = candidate_of(b, candidate)
     d = search_state[candidate]
-    w = weights_at(w, d)
     by = wp.min(1 + plan.proposals, warp_size())
-    draw_proposals(t, m, w, plan, c, d, first, by, s, drawn_out, drafted_out)
+    draw_proposals(b.tables, b.margins, weights_at(b.weights, d), plan, c, d, first, by, s, drawn_out, drafted_out)
 
 
 @wp.kernel(cuda_max_registers=128)
@@ -254,16 +250,13 @@ def rate(
 ):
     """Rate the proposals of every candidate's job. A warp a candidate."""
     inline_on_gpu()
-    t = b.tables
-    m = b.margins
-    w = b.weights
     candidate = wp.tid() // warp_size()
     if search_state[candidate].job == STOP or search_state[candidate].job == GRADIENT:
         return
     c = candidate_of(b, candidate)
     d = search_state[candidate]
-    w = weights_at(w, d)
-    x = rate_proposals(t, m, w, plan, c, d, s, drawn, drafted, energy_out)
+    w = weights_at(b.weights, d)
+    x = rate_proposals(b.tables, b.margins, w, plan, c, d, s, drawn, drafted, energy_out)
     if lane_id() == 0:
         result_out[candidate] = x
 
@@ -281,13 +274,10 @@ def take_gradients(
 ):
     """Take the gradient where that is a candidate's job. A warp a candidate."""
     inline_on_gpu()
-    t = b.tables
-    m = b.margins
-    w = b.weights
     candidate = wp.tid() // warp_size()
     if search_state[candidate].job != GRADIENT:
         return
     d = search_state[candidate]
-    x = find_gradient(t, m, weights_at(w, d), candidate_of(b, candidate), d, s)
+    x = find_gradient(b.tables, b.margins, weights_at(b.weights, d), candidate_of(b, candidate), d, s)
     if lane_id() == 0:
         result_out[candidate] = x

@@ -38,13 +38,12 @@ def search(
     """Search each active candidate in place for one round, one after the other: for a CPU."""
     t = b.tables
     m = b.margins
-    w = b.weights
     candidate = wp.tid()
     if active[candidate] == 0:
         return
     c = candidate_of(b, candidate)
     d = initial_state(plan, c, clock, s)
-    weights = weights_at(w, d)
+    weights = weights_at(b.weights, d)
     while d.job != STOP:
         if d.job >= MOVE:
             draw_proposals(t, m, weights, plan, c, d, 0, 1, s, drawn, drafted)

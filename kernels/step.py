@@ -9,11 +9,11 @@ in the cache. What is private to these optimisers is stored [object, candidate],
 import warp as wp
 
 from .array_access import item, item_strided
-from .bodies import Candidate
+from .bodies import Candidate, object_count, root_at
 from .features import TURN
 from .geometry import perp, plane_of, wrap
-from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Problems, State, TablesRef, View
-from .terms_relations import best_option, relation_poses
+from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Problems, State, TablesRef
+from .terms_relations import nearest_option
 from .warp_primitives import WARP_SIZE
 
 wp.set_module_options({"enable_backward": False})
@@ -162,17 +162,12 @@ def choose(
     other_out: wp.array2d(dtype=wp.int32),
 ):
     """Give every relation its best option at the present poses, in both buffers."""
-    t = b.tables
-    w = b.weights
     group, rel, lane = wp.tid()
     candidate = group * WARP_SIZE + lane
     if candidate >= b.problem.shape[0]:
         return
-    p = b.problem[candidate]
-    r = item(t[0].relation_start, p) + rel
-    if r < item(t[0].relation_start, p + 1):
-        those = relation_poses(t, item(t[0].object_start, p), r, s, candidate, View())
-        option, _e, _g = best_option(t, r, 0, those, w.knee)
+    option = nearest_option(b, candidate, rel, s)
+    if option >= 0:
         options_out[candidate, rel] = option
         other_out[candidate, rel] = option
 
@@ -195,13 +190,11 @@ def measure(
     candidate = group * WARP_SIZE + lane
     if candidate >= b.problem.shape[0]:
         return
-    p = b.problem[candidate]
-    o = item(t[0].object_start, p) + obj
     share = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    if o < item(t[0].object_start, p + 1):
-        if item(t[0].object_root, o) == obj:
-            share, g = scaled_gradient(t, o, obj, candidate, turning_arm(t, o), part, gradient, poses)
+    o = root_at(b, candidate, obj)
+    if o >= 0:
+        share, g = scaled_gradient(t, o, obj, candidate, turning_arm(t, o), part, gradient, poses)
     share_out[obj, candidate] = share
     gradient_out[obj, candidate] = g
 
@@ -220,10 +213,8 @@ def take_best(
     turns_out: wp.array2d(dtype=wp.vec2),
 ):
     """Give every candidate the better one of its last poses, of the given energy, and the best before them."""
-    t = b.tables
     candidate, obj = wp.tid()
-    p = b.problem[candidate]
-    if obj < item(t[0].object_start, p + 1) - item(t[0].object_start, p):
+    if obj < object_count(b.tables, b.problem[candidate]):
         pose = last[candidate, obj]
         if not total[candidate] < lowest[candidate] and lowest[candidate] < wp.inf:
             pose = best[candidate, obj]
@@ -241,7 +232,5 @@ def add_up(
     total_out: wp.array(dtype=wp.float32),
 ):
     """Energy of every candidate."""
-    t = b.tables
     candidate = wp.tid()
-    p = b.problem[candidate]
-    total_out[candidate] = total_of(share, candidate, item(t[0].object_start, p + 1) - item(t[0].object_start, p))
+    total_out[candidate] = total_of(share, candidate, object_count(b.tables, b.problem[candidate]))

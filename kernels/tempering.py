@@ -14,6 +14,7 @@ rungs then exchange their temperatures by the rule of replica exchange (Swendsen
 
 import warp as wp
 
+from .bodies import object_count, root_at
 from .features import TURN
 from .geometry import plane_of, turn
 from .sample import QUARTER
@@ -112,7 +113,7 @@ def accept(
     t = b.tables
     row = wp.tid()
     p = b.problem[row]
-    n = t[0].object_start[p + 1] - t[0].object_start[p]
+    n = object_count(t, p)
     kind = ladder.move[row]
     now = clock[0]
     draw = stream(rng[row], now, OF_ROW)
@@ -249,14 +250,8 @@ def make_moves(
     t = b.tables
     group, obj, lane = wp.tid()
     row = group * WARP_SIZE + lane
-    if row >= b.problem.shape[0]:
-        return
-    p = b.problem[row]
-    o0 = t[0].object_start[p]
-    o = o0 + obj
-    if o >= t[0].object_start[p + 1]:
-        return
-    if t[0].object_root[o] != obj:
+    o = root_at(b, row, obj)
+    if o < 0:
         return
     candidate = row // replicas
     for k in range(t[0].member_start[o], t[0].member_start[o + 1]):
@@ -277,7 +272,7 @@ def make_moves(
         d = wp.cw_mul(free, sigma * noise(stream(s.rng[row], clock[candidate], obj)) - step_size * gradient[obj, row])
         step_out[obj, row] = d
         d[3] = d[3] / turning_arm(t, o)
-    elif jumps_with(t, o0, move, obj):
+    elif jumps_with(t, o - obj, move, obj):
         seed = stream(s.rng[row], clock[candidate], OF_ROW + 2)
-        d = wp.cw_mul(free, jump(t, p, row, move % GROUP, obj, seed, s.poses))
+        d = wp.cw_mul(free, jump(t, b.problem[row], row, move % GROUP, obj, seed, s.poses))
     place_members(t, o, obj, row, row, d, s.poses, proposal.poses, proposal.turns)

@@ -13,6 +13,7 @@ from .tables import (
     RELATIONS,
     Energy,
     Margins,
+    Problems,
     State,
     TablesRef,
     TermSlice,
@@ -109,6 +110,19 @@ def best_option(t: TablesRef, r: wp.int32, role: wp.int32, x: RelationPoses, kne
     last = item(t[0].option_start, r + 1)
     best, low, g = best_option_of(t, first, last, role, x, knee, ALL_RELATIONS)
     return best, low, g
+
+
+@wp.func
+def nearest_option(b: Problems, candidate: wp.int32, rel: wp.int32, s: State):
+    """The option of a candidate's relation with the lowest penalty at the present poses; -1: no such relation."""
+    t = b.tables
+    p = b.problem[candidate]
+    r = item(t[0].relation_start, p) + rel
+    if r >= item(t[0].relation_start, p + 1):
+        return -1
+    x = relation_poses(t, item(t[0].object_start, p), r, s, candidate, View())
+    option, _e, _g = best_option(t, r, 0, x, b.weights.knee)
+    return option
 
 
 @wp.func

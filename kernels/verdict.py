@@ -6,7 +6,7 @@ Thresholds are tighter than the judge's by more than float32 loses in a room of 
 import warp as wp
 
 from .array_access import item
-from .bodies import Body, Candidate, body_of, candidate_of, fixture_body
+from .bodies import Body, Candidate, body_of, candidate_of, fixture_body, object_count
 from .features import feature
 from .geometry import overlap_in_z, plane_of, prisms_apart, turn
 from .tables import Margins, Problems, State, TablesRef, View
@@ -173,7 +173,7 @@ def judge_candidates(
                 status = UNMET
             if kind == BROKEN and status != DIVERGED:
                 status = BROKEN
-    for obj in range(item(t[0].object_start, p + 1) - item(t[0].object_start, p)):
+    for obj in range(object_count(t, p)):
         kind = int(fault[candidate, obj])
         if kind == DIVERGED:
             status = DIVERGED
