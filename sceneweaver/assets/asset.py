@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any, Literal
 
 from sceneweaver.scene import Part, Pose, SceneObject, Support, Surface, Zone
@@ -54,7 +55,7 @@ class Asset:
     attributes: dict[str, Any] = field(default_factory=dict)
     description: str = ""
 
-    @property
+    @cached_property
     def size(self) -> tuple[float, float, float]:
         """Depth along the front, width, height [m]."""
         low, high = self.mesh.bounds

@@ -6,7 +6,7 @@ import difflib
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 from .clean import metres
@@ -93,7 +93,7 @@ def _mended(raw: list[str], at: int, notes: list[str]) -> Token:
     """A word that is not known, or the one that it was probably meant to be."""
     word = raw[at]
     if len(word) >= SHORT and word.isascii():
-        near = difflib.get_close_matches(word, _single_words(), n=1, cutoff=0.82)
+        near = _nearest(word)
         if (
             near
             and near[0][0] == word[0]
@@ -121,6 +121,12 @@ def _slips(a: str, b: str) -> int:
             row.append(best)
         rows.append(row)
     return rows[-1][-1]
+
+
+@lru_cache(maxsize=4096)
+def _nearest(word: str) -> list[str]:
+    """The known word that is most like one, if any is; it is the slow part of a long text of unknown words."""
+    return difflib.get_close_matches(word, _single_words(), n=1, cutoff=0.82)
 
 
 @cache

@@ -142,14 +142,16 @@ def shortened(text: str, size: int, width: float) -> str:
     """The text with its middle left out so that it is at most ``width`` pixels wide."""
     if text_width(text, size) <= width:
         return text
-    keep = len(text)
-    while keep > 2:
-        keep -= 1
+    low, high, short = 1, len(text), text[:1] + "…"  # of the characters that are kept: what fits, and what does not
+    while high - low > 1:
+        keep = (low + high) // 2
         tail = min(keep // 3, 6)
-        short = text[: keep - tail].rstrip() + "…" + text[len(text) - tail :]
-        if text_width(short, size) <= width:
-            return short
-    return text[:1] + "…"
+        tried = text[: keep - tail].rstrip() + "…" + text[len(text) - tail :]
+        if text_width(tried, size) <= width:
+            low, short = keep, tried
+        else:
+            high = keep
+    return short
 
 
 def _forms(text: str, sizes: Sequence[int], tall: float) -> list[tuple[int, tuple[str, ...], bool]]:
