@@ -19,7 +19,7 @@ from .relating import family
 _BEDS = ("bed", "king_bed", "single_bed", "canopy_bed")
 
 MOST = 400
-"""Largest count of one thing that is taken seriously."""
+"""Most things of a request that are taken seriously, of one kind and together."""
 
 
 def read_brief(text: str) -> Brief:
@@ -60,7 +60,7 @@ def _sides(parsed: ParsedRequest, cleaned: Cleaned) -> None:
 
 def _brief(text: str, cleaned: Cleaned, parsed: ParsedRequest, notes: list[str]) -> Brief:
     split_mutual(parsed)
-    mentions = _without_contradictions(parsed, notes)
+    mentions = _first(_without_contradictions(parsed, notes), parsed, notes)
     _named(mentions)
     ids = {id(m): m.id for m in mentions}
     relations = [r for said in parsed.said for r in _relations(said, ids, notes)]
@@ -113,6 +113,20 @@ def _without_contradictions(parsed: ParsedRequest, notes: list[str]) -> list[Men
             parsed.without.append(mention.category)
             continue
         kept.append(mention)
+    return kept
+
+
+def _first(mentions: list[Mention], parsed: ParsedRequest, notes: list[str]) -> list[Mention]:
+    """What comes first in a request, as long as that is `MOST` things; the rest counts as not understood."""
+    total, kept = 0, []
+    for mention in mentions:
+        total += min(mention.count[1], MOST) if mention.count else 1
+        if total <= MOST:
+            kept.append(mention)
+        else:
+            parsed.unread.append(mention.noun)
+    if len(kept) < len(mentions):
+        notes.append(f"{len(mentions) - len(kept)} more were left out: at most {MOST} things are made of a request")
     return kept
 
 

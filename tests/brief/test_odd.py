@@ -113,3 +113,11 @@ def test_what_was_assumed_is_noted(text: str, word: str) -> None:
 
 def test_politeness_is_not_listed() -> None:
     assert read_brief("Hello, could you please design me a nice bedroom? Thanks!").unread == ()
+
+
+def test_of_a_request_for_too_much_the_first_things_are_taken():
+    brief = read_brief("a library with 300 chairs, 200 tables, and a lamp")
+    assert [(a.noun, a.count) for a in brief.objects][0][1] == (300, 300)
+    assert all(a.category != "dining_table" and "table" not in a.noun for a in brief.objects)
+    assert any("table" in word for word in brief.unread)
+    assert any("at most 400 things" in note for note in brief.notes)
