@@ -13,6 +13,7 @@ import re
 import signal
 import sys
 import threading
+import time
 import traceback
 from collections.abc import Sequence
 from enum import StrEnum
@@ -21,6 +22,7 @@ from typing import Annotated
 
 import typer
 
+from .clock import process_began
 from .exit_codes import BAD_INPUT, INTERRUPTED, MISSING
 
 # The base of typer's usage errors, which lives in click or, with newer versions of typer, in typer itself.
@@ -246,6 +248,7 @@ def export(
 
 @app.command()
 def design(
+    context: typer.Context,
     prompt: Annotated[str, typer.Argument(metavar="PROMPT", help="The room, in words.", show_default=False)],
     out: Annotated[
         Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the results.", show_default=False)
@@ -288,6 +291,7 @@ def design(
         export=export,
         settle=settle,
         as_json=as_json,
+        began=context.obj,
     )
 
 
@@ -307,6 +311,7 @@ def view(
 
 @app.command()
 def demo(
+    context: typer.Context,
     out: Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the results.")] = Path("out/demo"),
     seed: Seed = 0,
     device: Device = "auto",
@@ -328,6 +333,7 @@ def demo(
         export="glb,usd,mjcf",
         settle=False,
         as_json=as_json,
+        began=context.obj,
     )
 
 
@@ -502,13 +508,18 @@ def assets_infinigen(
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run the command line and return its exit code; ``argv`` is without the program's name."""
+    """Run the command line and return its exit code; ``argv`` is without the program's name.
+
+    A time limit counts from the start of the process, or from this call where another program gives ``argv``.
+    """
+    began = process_began() if argv is None else time.monotonic()
     args = list(sys.argv[1:] if argv is None else argv)
     as_json = "--json" in args
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGTERM, _terminated)
     try:
-        code = typer.main.get_command(app).main(args=args or ["--help"], prog_name="sceneweaver", standalone_mode=False)
+        command = typer.main.get_command(app)
+        code = command.main(args=args or ["--help"], prog_name="sceneweaver", standalone_mode=False, obj=began)
         sys.stdout.flush()
         if code == INTERRUPTED:  # so some versions of typer report Ctrl-C
             raise KeyboardInterrupt

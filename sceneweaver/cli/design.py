@@ -10,7 +10,7 @@ import typer
 from sceneweaver.scene import InputError
 
 from .exit_codes import NOT_VALID
-from .output import headline, list_files, list_violations, no_chatter, print_json, process_began, relations_line
+from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line
 
 if TYPE_CHECKING:
     from sceneweaver.agent import Result
@@ -47,8 +47,12 @@ def run_design(
     export: str,
     settle: bool,
     as_json: bool,
+    began: float,
 ) -> int:
-    """Design a room into a folder; 0 when all that was asked for is so, 3 when not."""
+    """Design a room into a folder; 0 when all that was asked for is so, 3 when not.
+
+    The time limit counts from ``began``, a moment of ``time.monotonic()`` [s].
+    """
     if out.suffix in (".json", ".html", ".png", ".glb") or out.is_file():
         raise InputError(f"--out: {out} is no folder; give a folder")
     with no_chatter():
@@ -67,7 +71,7 @@ def run_design(
             export=export,
             settle=settle,
             said=None if as_json else _say,
-            began=process_began(),
+            began=began,
         )
     code = 0 if result.satisfied else NOT_VALID
     if as_json:

@@ -8,7 +8,6 @@ import json
 import os
 import sys
 import tempfile
-import time
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -124,15 +123,6 @@ def no_chatter() -> Iterator[None]:
             for line in said.read().decode(errors="replace").splitlines():
                 if line.strip() and not line.startswith(_GREETING):
                     typer.echo(line, err=True)
-
-
-def process_began() -> float:
-    """When this process began, by ``time.monotonic()`` [s]: a time limit counts what it took to start as well."""
-    try:
-        ticks = float(Path("/proc/self/stat").read_text().rpartition(")")[2].split()[19])
-        return time.monotonic() - max(0.0, time.clock_gettime(time.CLOCK_BOOTTIME) - ticks / os.sysconf("SC_CLK_TCK"))
-    except (OSError, ValueError, IndexError, AttributeError):  # no Linux
-        return time.monotonic()
 
 
 def print_json(data: dict[str, Any]) -> None:

@@ -164,3 +164,10 @@ def test_a_design_comes_with_files_for_simulators_and_settled(tmp_path, capsys):
     scene = Scene.load(tmp_path / "scene.json")
     free = [o for o in scene.objects if o.mount == "surface"]
     assert not free or any(abs(o.pose.position[2] - round(o.pose.position[2], 3)) > 1e-9 for o in free)
+
+
+def test_a_time_limit_counts_from_the_call_in_a_process_that_has_run_for_long(tmp_path, monkeypatch):
+    monkeypatch.setattr("sceneweaver.cli.app.process_began", lambda: -1e9)
+    arguments = ["design", "a guest toilet", "-o", str(tmp_path), "--no-pictures", "--candidates", "32", "--steps", "1"]
+    assert main([*arguments, "--export", "none", "--settle", "--json"]) in (0, 3)
+    assert json.loads((tmp_path / "metrics.json").read_text())["stability"]  # what is left out first when time is up
