@@ -218,7 +218,7 @@ def _object(
 
 def _asked(context: Context, draft: Draft, category: str) -> str | None:
     """What in the request an object of that category stands for, where the request has more than there are."""
-    for asked in context.brief.objects:
+    for asked in context.brief.entities:
         if asked.category != category:
             continue
         there = sum(o.intent.request == asked.id for o in draft.objects.values())

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 from sceneweaver.assets import Library
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import Relation, Scene
 from sceneweaver.scene.edits import AnyEdit
@@ -21,7 +21,7 @@ class Context:
     that is drawn; ``instruction`` is a sentence, ``inputs`` what the tool's card asks for.
     """
 
-    brief: Brief
+    brief: SceneGraph
     room_type: RoomType
     scene: Scene
     library: Library

@@ -6,7 +6,7 @@ import math
 import random
 from collections.abc import Sequence
 
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge.library import SceneCard, library_scenes, load_scene
 from sceneweaver.scene import InputError
 
@@ -52,10 +52,10 @@ def _best(cards: Sequence[SceneCard], context: Context, folder: str | None) -> t
     return card, score
 
 
-def likeness(card: SceneCard, brief: Brief) -> float:
+def likeness(card: SceneCard, brief: SceneGraph) -> float:
     """How near a library scene is to a request, 0 to 1: its objects first, then floor, shape, openings and style."""
     terms: list[tuple[float, float]] = [(0.5, 1.0)]
-    for asked in brief.objects:
+    for asked in brief.entities:
         least = asked.count[0] if asked.count else 1
         terms.append((1.0, min(1.0, card.categories.get(asked.category, 0) / max(1, least))))
     for category in brief.without:

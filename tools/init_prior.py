@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from sceneweaver.assets import categories
 from sceneweaver.assets.taxonomy import likeliness
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph, meanings
 from sceneweaver.knowledge.surfaces import lays, usual_arrangement
 from sceneweaver.scene import InputError, Intent, Pose, Relation, Room, Scene, SceneObject, Support
 
@@ -104,16 +104,16 @@ def _program(context: Context, space: Room, area: float, people: int, style: str
     return build(wishes, room, brief, context.library, area, walls, WALLED * walls, fill, context.seed, style, pane)
 
 
-def _support_small_things(program: Program, brief: Brief) -> None:
+def _support_small_things(program: Program, brief: SceneGraph) -> None:
     """Give what was asked to stand on something its support, and small things without one the likeliest."""
     by_asked: dict[str, list[Wanted]] = {}
     for one in program.wanted:
         if one.asked is not None:
             by_asked.setdefault(one.asked, []).append(one)
-    for said in brief.relations:
-        if said.type not in ("on_top", "inside"):
+    for said, meant in meanings(brief):
+        if meant.type not in ("on_top", "inside"):
             continue
-        targets = [w for w in by_asked.get(str(said.target), []) if w.asset.surfaces]
+        targets = [w for w in by_asked.get(str(meant.target), []) if w.asset.surfaces]
         for k, one in enumerate(by_asked.get(said.subject, [])):
             if targets and one not in targets:
                 one.support = targets[k % len(targets)]
@@ -220,13 +220,13 @@ def _consistent(asked: list[Relation], usual: list[Relation]) -> list[Relation]:
     ]
 
 
-def _missing(brief: Brief, program: Program) -> list[str]:
+def _missing(brief: SceneGraph, program: Program) -> list[str]:
     made: dict[str, int] = {}
     for one in (*program.wanted, *program.later):
         if one.asked is not None:
             made[one.asked] = made.get(one.asked, 0) + 1
     out = []
-    for asked in brief.objects:
+    for asked in brief.entities:
         least = asked.count[0] if asked.count else 1
         if made.get(asked.id, 0) < least:
             reasons = [one.reason for one in program.left_out if one.asked == asked.id]

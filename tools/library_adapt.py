@@ -8,7 +8,7 @@ from typing import Any
 
 from sceneweaver.assets import Wish, categories
 from sceneweaver.assets.taxonomy import members
-from sceneweaver.brief import Asked, Brief
+from sceneweaver.brief import Entity, SceneGraph, meanings
 from sceneweaver.geometry.walls import walls_of
 from sceneweaver.scene import InputError, Pose, Room, Scene, SceneObject
 from sceneweaver.scene.edits import AnyEdit, Remove, Rename, apply, apply_all
@@ -54,13 +54,13 @@ def adapted(context: Context, scene: Scene, tool: str, name: str) -> tuple[Scene
     scene = _floor(scene, brief, notes, unmet)
     scene = _without(scene, brief, notes)
     made: dict[str, list[str]] = {}
-    later: list[Asked] = []
-    for asked in brief.objects:
+    later: list[Entity] = []
+    for asked in brief.entities:
         scene, made[asked.id] = _found(context, scene, asked, notes)
         least = asked.count[0] if asked.count else 1
         if len(made[asked.id]) < least:
             later.append(asked)
-    if brief.only and brief.objects:
+    if brief.only and brief.entities:
         named = {id for ids in made.values() for id in ids}
         scene = _removed(scene, [o.id for o in scene.objects if o.id not in named and o.mount != "ceiling"])
     for asked in later:
@@ -82,7 +82,7 @@ def _with_intent(obj: SceneObject, **intent: str | None) -> SceneObject:
 # ---- the floor ------------------------------------------------------------------------------------------------------
 
 
-def _floor(scene: Scene, brief: Brief, notes: list[str], unmet: list[str]) -> Scene:
+def _floor(scene: Scene, brief: SceneGraph, notes: list[str], unmet: list[str]) -> Scene:
     """The scene with the floor and the height that were asked for; objects keep their place in proportion."""
     room = scene.room
     xs, ys = [p[0] for p in room.outline], [p[1] for p in room.outline]
@@ -144,7 +144,7 @@ def _openings(room: Room, outline: tuple[tuple[float, float], ...], height: floa
 # ---- objects --------------------------------------------------------------------------------------------------------
 
 
-def _without(scene: Scene, brief: Brief, notes: list[str]) -> Scene:
+def _without(scene: Scene, brief: SceneGraph, notes: list[str]) -> Scene:
     banned = {name for word in brief.without for name in (word, *members(word))}
     gone = [o.id for o in scene.objects if o.category in banned]
     if gone:
@@ -159,7 +159,7 @@ def _removed(scene: Scene, ids: list[str]) -> Scene:
     return scene
 
 
-def _found(context: Context, scene: Scene, asked: Asked, notes: list[str]) -> tuple[Scene, list[str]]:
+def _found(context: Context, scene: Scene, asked: Entity, notes: list[str]) -> tuple[Scene, list[str]]:
     """Objects of the scene that stand for something asked: those of its category, or others exchanged for it."""
     free = [o for o in scene.objects if o.intent.request is None]
     own = [o.id for o in free if o.category == asked.category]
@@ -192,7 +192,7 @@ def _kin(one: str, other: str) -> bool:
     )
 
 
-def _suits(obj: SceneObject, asked: Asked) -> bool:
+def _suits(obj: SceneObject, asked: Entity) -> bool:
     """Whether an object looks as was asked."""
     for key in ("color", "material", "style"):
         want = getattr(asked, key)
@@ -201,7 +201,7 @@ def _suits(obj: SceneObject, asked: Asked) -> bool:
     return all(want is None or abs(have - want) <= 0.06 * want for have, want in zip(obj.size, asked.size, strict=True))
 
 
-def _swapped(context: Context, scene: Scene, id: str, asked: Asked, notes: list[str]) -> tuple[Scene, str]:
+def _swapped(context: Context, scene: Scene, id: str, asked: Entity, notes: list[str]) -> tuple[Scene, str]:
     """The scene with another body in the place of one, and its id."""
     old = scene.object(id)
     size: list[float | None] = list(asked.size)
@@ -234,7 +234,7 @@ def _swapped(context: Context, scene: Scene, id: str, asked: Asked, notes: list[
 
 
 def _added(
-    context: Context, scene: Scene, asked: Asked, made: dict[str, list[str]], notes: list[str], unmet: list[str]
+    context: Context, scene: Scene, asked: Entity, made: dict[str, list[str]], notes: list[str], unmet: list[str]
 ) -> Scene:
     """The scene with what is missing of something asked."""
     least = asked.count[0] if asked.count else 1
@@ -244,9 +244,9 @@ def _added(
         row["size"] = list(asked.size)
     on = [
         id
-        for r in context.brief.relations
-        if r.subject == asked.id and r.type in ("on_top", "inside")
-        for id in made.get(str(r.target), [])
+        for said, meant in meanings(context.brief)
+        if said.subject == asked.id and meant.type in ("on_top", "inside")
+        for id in made.get(str(meant.target), [])
     ]
     if on:
         row["on"] = on
@@ -262,20 +262,20 @@ def _added(
 # ---- relations ------------------------------------------------------------------------------------------------------
 
 
-def _related(scene: Scene, brief: Brief, made: Mapping[str, list[str]], unmet: list[str]) -> Scene:
+def _related(scene: Scene, brief: SceneGraph, made: Mapping[str, list[str]], unmet: list[str]) -> Scene:
     """The scene with the relations that were asked for."""
     draft = Draft.of(scene)
-    for said in brief.relations:
-        if said.type in ("on_top", "inside", "on_floor") or said.target == "middle":
+    for said, meant in meanings(brief):
+        if meant.type in ("on_top", "inside", "on_floor") or meant.target == "middle":
             continue
-        names = [said.target] if isinstance(said.target, str) else list(said.target or ())
-        to = [_meant(name, made) for name in names if name != "corner"]
-        entry: dict[str, Any] = {"type": said.type, "params": dict(said.params)}
+        names = [meant.target] if isinstance(meant.target, str) else list(meant.target or ())
+        to = [_meant(name, made) for name in names]
+        entry: dict[str, Any] = {"type": meant.type, "params": dict(meant.params)}
         row = row_of({**entry, "to": to if len(to) > 1 else to[0]} if to else entry)
         subjects = made.get(said.subject, [])
         for id in subjects:
             relations, failed = relations_of(draft, [row], draft.objects[id], len(subjects))
-            unmet += [f"{said.words or said.type}: {reason}" for reason in failed]
+            unmet += [f"{said.words or meant.type}: {reason}" for reason in failed]
             for r in relations:
                 said_so = [(o.type, o.subject, o.target) for o in draft.relations]
                 if (key := (r.type, r.subject, r.target)) not in said_so:

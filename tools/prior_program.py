@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets import Asset, Library, Wish, categories
 from sceneweaver.assets.taxonomy import members, singular
-from sceneweaver.brief import Asked, Brief
+from sceneweaver.brief import Entity, SceneGraph, meanings
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.scene import PRIORITIES, InputError
 
@@ -95,7 +95,7 @@ class Demand:
     categories: tuple[str, ...]
     count: int
     rank: int
-    asked: Asked | None = None
+    asked: Entity | None = None
     least: int = 0
 
 
@@ -136,13 +136,13 @@ def _groups(category: str) -> set[str]:
     return found
 
 
-def demands(room_type: RoomType, brief: Brief, area: float, people: int, windows: int, seed: int) -> list[Demand]:
+def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, windows: int, seed: int) -> list[Demand]:
     """What the room should hold: what was asked, then the room's items by need, without what must not be there."""
     rng = random.Random(seed)
     banned = {name for word in brief.without for name in (word, *members(word))}
-    asked = {a.id: a for a in brief.objects}
+    asked = {a.id: a for a in brief.entities}
     shares = _shares(room_type, brief, area, people)
-    holders = {i.with_ for i in room_type.items if any(meant_by(a, i) for a in brief.objects)}
+    holders = {i.with_ for i in room_type.items if any(meant_by(a, i) for a in brief.entities)}
     found: list[Demand] = []
     for item in room_type.items:
         draw, pick, keep = rng.random(), rng.random(), rng.random()
@@ -163,7 +163,7 @@ def demands(room_type: RoomType, brief: Brief, area: float, people: int, windows
         names = tuple(c for c in item.what if c not in banned)
         if _hangs_at_windows(item) and _something_at_windows(room_type, brief):
             names = tuple(c for c in names if c not in FULL_LENGTH) or tuple({BLIND} - banned)
-        if not names or (brief.only and item.need != "needed") or (brief.only and brief.objects):
+        if not names or (brief.only and item.need != "needed") or (brief.only and brief.entities):
             continue
         if item.need == "optional" and item.id not in holders and keep < (0.75 if brief.density == "sparse" else 0.3):
             continue
@@ -178,14 +178,14 @@ def demands(room_type: RoomType, brief: Brief, area: float, people: int, windows
     return found
 
 
-def _shares(room_type: RoomType, brief: Brief, area: float, people: int) -> dict[str, dict[str, int]]:
+def _shares(room_type: RoomType, brief: SceneGraph, area: float, people: int) -> dict[str, dict[str, int]]:
     """Where several items of the room stand for something asked for, how its number is spread over them.
 
     Each takes what it usually has, in the order of the room's file, and the last takes the rest: of eight bar stools
     four stand at the counter and four at the tables.
     """
     found: dict[str, dict[str, int]] = {}
-    for one in brief.objects:
+    for one in brief.entities:
         items = [item for item in room_type.items if matches(one.category, item)]
         if one.count is None or len(items) < 2:
             continue
@@ -204,14 +204,14 @@ def matches(category: str, item: Item) -> bool:
     return category in item.what or any(category in members(name) for name in item.what)
 
 
-def meant_by(asked: Asked, item: Item) -> bool:
+def meant_by(asked: Entity, item: Item) -> bool:
     """Whether something asked for is what an item of the room stands for; a "table" is a conference table, too."""
     if matches(asked.category, item):
         return True
     return loose(asked) and any(name.endswith("_" + singular(asked.noun)) for name in item.what)
 
 
-def loose(asked: Asked) -> bool:
+def loose(asked: Entity) -> bool:
     """Whether a request used a general word ("chair"), which each kind of room has its own kind of."""
     return singular(asked.noun) in GENERAL and not asked.style and not any(asked.size)
 
@@ -224,17 +224,17 @@ def _hangs_at_windows(item: Item) -> bool:
     )
 
 
-def _something_at_windows(room_type: RoomType, brief: Brief) -> bool:
+def _something_at_windows(room_type: RoomType, brief: SceneGraph) -> bool:
     """Whether furniture should stand under a window, where a curtain down to the floor would be in its way."""
-    asked = {a.id for a in brief.objects}
-    return any(r.type == "at_window" and r.subject in asked for r in brief.relations) or any(
+    asked = {a.id for a in brief.entities}
+    return any(meant.type == "at_window" and said.subject in asked for said, meant in meanings(brief)) or any(
         p.type == "at_window" and not _hangs_at_windows(item) and item.need != "optional"
         for item in room_type.items
         for p in item.place
     )
 
 
-def _asked_demand(asked: Asked, item: Item | None, area: float, people: int, draw: float) -> Demand:
+def _asked_demand(asked: Entity, item: Item | None, area: float, people: int, draw: float) -> Demand:
     if asked.count is not None:
         low, high = asked.count
         usual = item.count.of(area, people, draw) if item else low
@@ -250,7 +250,7 @@ def _asked_demand(asked: Asked, item: Item | None, area: float, people: int, dra
 def build(
     wishes: Iterable[Demand],
     room_type: RoomType,
-    brief: Brief,
+    brief: SceneGraph,
     library: Library,
     area: float,
     space: float,
@@ -333,7 +333,7 @@ def _order(room_type: RoomType):
     return key
 
 
-def _wish(demand: Demand, brief: Brief, style: str | None, seed: int) -> Wish:
+def _wish(demand: Demand, brief: SceneGraph, style: str | None, seed: int) -> Wish:
     item, asked = demand.item, demand.asked
     size: list[float | None] = [None, None, None]
     rng = random.Random(seed)

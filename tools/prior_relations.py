@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Mapping, Sequence
 
-from sceneweaver.brief import AskedRelation, Brief
+from sceneweaver.brief import Meaning, SceneGraph, meaning
 from sceneweaver.brief.wall_names import direction_of
 from sceneweaver.geometry.angles import cross, dot
 from sceneweaver.knowledge import Place
@@ -153,7 +153,7 @@ def _instance(one: Wanted, name: str | None, by_item: dict[str, list[Wanted]]) -
 
 
 def of_brief(
-    brief: Brief, wanted: Sequence[Wanted], room: Room
+    brief: SceneGraph, wanted: Sequence[Wanted], room: Room
 ) -> tuple[list[Relation], dict[str, frozenset[str]], list[str]]:
     """The relations that were asked for.
 
@@ -169,15 +169,19 @@ def of_brief(
     unmet: list[str] = []
     for said in brief.relations:
         subjects = made.get(said.subject, [])
-        if said.target == "middle":
+        meant = meaning(said, brief)
+        if meant is None:
+            unmet.append(f"{said.words}: no relation can say it")
+            continue
+        if meant.target == "middle":
             found += _in_the_middle([w for w in subjects if w.mount == "floor"])
             placed.update({w.id: CONFLICTS["middle"] for w in subjects})
             continue
         for number, one in enumerate(subjects):
-            if said.type in ("on_top", "inside") and one.support is not None:
+            if meant.type in ("on_top", "inside") and one.support is not None:
                 continue  # true by its support
             try:
-                relation = _of_asked(said, one, number, len(subjects), made, room)
+                relation = _of_asked(meant, one, number, len(subjects), made, room)
             except InputError as error:
                 unmet.append(f"{said.words or said.type}: {error}")
                 continue
@@ -185,7 +189,7 @@ def of_brief(
                 unmet.append(f"{said.words or said.type}: there is nothing to relate {one.id} to")
                 continue
             found.append(relation)
-            placed[one.id] = placed.get(one.id, frozenset()) | CONFLICTS.get(said.type, frozenset())
+            placed[one.id] = placed.get(one.id, frozenset()) | CONFLICTS.get(meant.type, frozenset())
     return _without_doubles(found), placed, unmet
 
 
@@ -197,20 +201,20 @@ def _in_the_middle(wanted: Sequence[Wanted]) -> list[Relation]:
 
 
 def _of_asked(
-    said: AskedRelation, one: Wanted, number: int, count: int, made: dict[str, list[Wanted]], room: Room
+    meant: Meaning, one: Wanted, number: int, count: int, made: dict[str, list[Wanted]], room: Room
 ) -> Relation | None:
-    kind = CATALOGUE[said.type].target
-    params = dict(said.params)
+    kind = CATALOGUE[meant.type].target
+    params = dict(meant.params)
     target: str | tuple[str, str] | None = None
     if kind.startswith("wall"):
-        if isinstance(said.target, str) and ":" in said.target:
-            target = f"wall:{wall_named(said.target.split(':', 1)[1], room)}"
+        if isinstance(meant.target, str) and ":" in meant.target:
+            target = f"wall:{wall_named(meant.target.split(':', 1)[1], room)}"
     elif kind.startswith("window"):
         if not room.windows:
             return None
         target = room.windows[number % len(room.windows)].id
     elif kind == "objects":
-        names = said.target if isinstance(said.target, tuple) else ()
+        names = meant.target if isinstance(meant.target, tuple) else ()
         pool = [made.get(name, []) for name in names]
         if len(pool) == 1 and len(pool[0]) > 1:
             pair = pool[0][:2]
@@ -222,15 +226,15 @@ def _of_asked(
             return None
         target = (pair[0].id, pair[1].id)
     elif kind.startswith("object"):
-        others = [w for w in made.get(str(said.target), []) if w is not one]
+        others = [w for w in made.get(str(meant.target), []) if w is not one]
         if not others:
             return None
         target = others[number % len(others)].id
-    if said.type == "around":
+    if meant.type == "around":
         params["n"] = count
         if count < 2:
             return Relation(type="front_against", subject=one.id, target=target)
-    return Relation(type=said.type, subject=one.id, target=target, params=params)
+    return Relation(type=meant.type, subject=one.id, target=target, params=params)
 
 
 def wall_named(name: str, room: Room) -> int:

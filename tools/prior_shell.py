@@ -6,7 +6,7 @@ import contextlib
 import math
 import random
 
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph, meanings
 from sceneweaver.geometry.angles import dot
 from sceneweaver.geometry.walls import walls_of
 from sceneweaver.knowledge import RoomType
@@ -20,7 +20,7 @@ SMALLEST, LARGEST = 1.5, 60.0
 """Sides [m] of a room that are built at least and at most; what was asked is brought in between, with a note."""
 
 
-def floor_area(room_type: RoomType, brief: Brief, seed: int) -> tuple[float, int, bool, list[str]]:
+def floor_area(room_type: RoomType, brief: SceneGraph, seed: int) -> tuple[float, int, bool, list[str]]:
     """Floor [m2], people, whether the request fixes the floor, and what was assumed."""
     rng, notes = random.Random(seed ^ 0xA2EA), []
     people = brief.people if brief.people is not None else room_type.people
@@ -34,7 +34,7 @@ def floor_area(room_type: RoomType, brief: Brief, seed: int) -> tuple[float, int
     return min(max(area, 0.8 * room_type.area[0]), max(room_type.area[2], 1.0)), people, False, notes
 
 
-def shell(room_type: RoomType, brief: Brief, area: float, seed: int) -> tuple[Room, list[str]]:
+def shell(room_type: RoomType, brief: SceneGraph, area: float, seed: int) -> tuple[Room, list[str]]:
     """A room of that floor area [m2]: the outline that was asked for, the door near a corner, windows opposite."""
     rng, notes = random.Random(seed ^ 0x5E11), []
     width, depth = _sides(room_type, brief, area, rng, notes)
@@ -75,17 +75,19 @@ def shell(room_type: RoomType, brief: Brief, area: float, seed: int) -> tuple[Ro
     return Room(type=room_type.name, outline=tuple(outline), height=height, doors=tuple(doors), windows=windows), notes
 
 
-def _spoken_for(brief: Brief, room: Room) -> set[int]:
+def _spoken_for(brief: SceneGraph, room: Room) -> set[int]:
     """The walls that something was asked to stand against."""
     found: set[int] = set()
-    for said in brief.relations:
-        if said.type in CATALOGUE.with_role("wall") and str(said.target).startswith("wall:"):
+    for _, meant in meanings(brief):
+        if meant.type in CATALOGUE.with_role("wall") and str(meant.target).startswith("wall:"):
             with contextlib.suppress(InputError):  # said later, with the relation itself
-                found.add(wall_named(str(said.target).removeprefix("wall:"), room))
+                found.add(wall_named(str(meant.target).removeprefix("wall:"), room))
     return found
 
 
-def _sides(room_type: RoomType, brief: Brief, area: float, rng: random.Random, notes: list[str]) -> tuple[float, float]:
+def _sides(
+    room_type: RoomType, brief: SceneGraph, area: float, rng: random.Random, notes: list[str]
+) -> tuple[float, float]:
     if brief.size is not None:
         sides = list(brief.size)
     else:
@@ -129,7 +131,7 @@ def _outline(shape: str | None, w: float, d: float) -> list[Point]:
 
 def _windows(
     room_type: RoomType,
-    brief: Brief,
+    brief: SceneGraph,
     outline: list[Point],
     walls: list[float],
     entry: int,
@@ -150,7 +152,7 @@ def _windows(
         choice = [i for i in choice if i not in taken]
     windows: list[Window] = []
     used: dict[int, int] = {}
-    if brief.windows is None and any(r.type == "at_window" for r in brief.relations):
+    if brief.windows is None and any(meant.type == "at_window" for _, meant in meanings(brief)):
         count = max(count, 1)
     width = round(rng.uniform(*spec.width), 2)
     sill = round(min(rng.uniform(*spec.sill), height - 0.8), 2)

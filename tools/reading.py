@@ -15,16 +15,16 @@ def rows_of(instruction: str, draft: Draft) -> tuple[list[dict[str, Any]], list[
 
     What a sentence only relates to ("next to the sofa") and what is there already is not added again.
     """
-    from sceneweaver.brief import read_brief  # pyright: ignore[reportAttributeAccessIssue]
+    from sceneweaver.brief import meanings, read_request  # pyright: ignore[reportAttributeAccessIssue]
 
-    brief = read_brief(instruction)
-    targets = {t for r in brief.relations for t in _names(r.target)}
+    brief = read_request(instruction)
+    targets = {name for r in brief.relations for name in r.targets}
     subjects = {r.subject for r in brief.relations}
-    category = {a.id: a.category for a in brief.objects}
-    there = {a.id for a in brief.objects if a.id in targets and a.id not in subjects and draft.named(a.category)}
+    category = {a.id: a.category for a in brief.entities}
+    there = {a.id for a in brief.entities if a.id in targets and a.id not in subjects and draft.named(a.category)}
     rows: list[dict[str, Any]] = []
-    notes = [f"not understood: {word}" for word in brief.unread]
-    for asked in brief.objects:
+    notes = [f"not understood: {word.words}" for word in brief.unread]
+    for asked in brief.entities:
         if asked.id in there:
             continue
         row: dict[str, Any] = {"category": asked.category, "count": asked.count[0] if asked.count else 1}
@@ -35,16 +35,15 @@ def rows_of(instruction: str, draft: Draft) -> tuple[list[dict[str, Any]], list[
         if asked.words:
             row["words"] = " ".join(asked.words)
         places = []
-        for r in brief.relations:
-            if r.subject != asked.id:
+        for said, meant in meanings(brief):
+            if said.subject != asked.id:
                 continue
-            names = _names(r.target)
-            if "middle" in names:
-                notes.append(f"{r.words or 'in the middle'}: {asked.noun} goes where there is room")
+            if "middle" in said.targets:
+                notes.append(f"{said.words or 'in the middle'}: {asked.noun} goes where there is room")
                 continue
-            words = [n if n in HERE or n.startswith("wall:") else category.get(n, n) for n in names]
-            place: dict[str, Any] = {"type": r.type, **({"params": dict(r.params)} if r.params else {})}
-            if words and words != ["corner"]:
+            words = [n if n in HERE or n.startswith("wall:") else category.get(n, n) for n in _names(meant.target)]
+            place: dict[str, Any] = {"type": meant.type, **({"params": dict(meant.params)} if meant.params else {})}
+            if words:
                 place["to"] = words if len(words) > 1 else words[0]
             places.append(place)
         if places:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.assets import Asset, Library, Wish, categories
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.geometry.polygons import counter_clockwise
 from sceneweaver.knowledge.model import Range
 from sceneweaver.scene import Pose, SceneObject, Support
@@ -30,7 +30,7 @@ OPEN: Sizes = (None, None, None)
 class Shelf:
     """The bodies of one call, drawn once each."""
 
-    def __init__(self, library: Library, brief: Brief, seed: int):
+    def __init__(self, library: Library, brief: SceneGraph, seed: int):
         self._library = library
         self._style = brief.style
         self._seed = seed % 1000003

@@ -73,11 +73,11 @@ def row_of(text: str, settings: Settings, seed: int) -> dict[str, Any]:
     began = time.perf_counter()
     made = design(text, seed=seed, device=settings.device, candidates=settings.most)
     brief = made.brief
-    asked = len(brief.objects) + len(brief.relations) + len(brief.without)
+    asked = len(brief.entities) + len(brief.relations) + len(brief.exclusions)
     said = (brief.size, brief.area, brief.people, brief.shape, brief.height, brief.windows)
     asked += sum(value is not None for value in said)
     physical = [v for v in made.report.violations if v.hard and v.relation is None and v.kind != "dropped"]
-    reported = [*made.unmet, *(f"'{word}'" for word in brief.unread)]
+    reported = [*made.unmet, *(f"'{word.words}'" for word in brief.unread)]
     return {
         "request": text,
         "room": made.scene.room.type,

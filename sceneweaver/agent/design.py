@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.brief import Brief, read_brief
+from sceneweaver.brief import SceneGraph, read_request
 from sceneweaver.critic import Review
 from sceneweaver.export import formats_named
 from sceneweaver.knowledge import RoomType, match_room, room_types
@@ -94,7 +94,7 @@ def design(
         settle=settle,
         **switches,
     )
-    brief = read_brief(prompt[:LONGEST])
+    brief = read_request(prompt[:LONGEST])
     room_type, remarks = chosen_room(brief)
     folder = RunFolder(Path(out)) if out is not None else None
     tools = {name: tool for name, tool in registered().items() if usable(name, tool, settings, room_type)}
@@ -153,7 +153,7 @@ def usable(name: str, tool: Registered, settings: Settings, room_type: RoomType)
     return (settings.tools is None or name in settings.tools) and tool.card.suits(room_type.name)
 
 
-def chosen_room(brief: Brief) -> tuple[RoomType, tuple[str, ...]]:
+def chosen_room(brief: SceneGraph) -> tuple[RoomType, tuple[str, ...]]:
     """The kind of room that a request means, and what was assumed where it does not say."""
     known = room_types()
     if brief.room_type is not None and brief.room_type in known:
@@ -162,7 +162,7 @@ def chosen_room(brief: Brief) -> tuple[RoomType, tuple[str, ...]]:
         found = match_room(brief.room_words)
         if found is not None:
             return known[found[0]], ()
-    wanted = {a.category for a in brief.objects}
+    wanted = {a.category for a in brief.entities}
     scores = {
         name: sum(any(c in item.what for item in room.items if item.need != "optional") for c in wanted)
         for name, room in known.items()

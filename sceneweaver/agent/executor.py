@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.knowledge import RoomType
 from sceneweaver.layout import refine, refine_many
@@ -64,7 +64,7 @@ class Executor:
     """Refines and judges proposals for one request; ``attempts`` counts the layouts begun anew, for all candidates."""
 
     room_type: RoomType
-    brief: Brief
+    brief: SceneGraph
     settings: Settings
     deadline: Deadline = NEVER
     attempts: int = 0

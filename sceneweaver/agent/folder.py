@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Literal
 
 from pydantic import Field
 
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Review
 from sceneweaver.scene import InputError, Scene, locked, read_bytes, sweep, write_atomic
 from sceneweaver.scene.base import FrozenModel
@@ -73,7 +73,7 @@ class RunFolder:
                 sweep(folder)
             yield
 
-    def resume(self, brief: Brief, settings: Settings) -> tuple[Memory, Scene] | None:
+    def resume(self, brief: SceneGraph, settings: Settings) -> tuple[Memory, Scene] | None:
         """The memory and scene of the run that stopped here, if one of the same request did.
 
         Raises:
@@ -101,7 +101,7 @@ class RunFolder:
         report: Report,
         review: Review,
         memory: Memory,
-        brief: Brief,
+        brief: SceneGraph,
         settings: Settings,
     ) -> None:
         """Write what a step led to, and then the state that points to it."""
@@ -114,7 +114,7 @@ class RunFolder:
         _write(folder / "step.json", memory.steps[-1].model_dump(mode="json") if memory.steps else {})
         self.state(f"{name}/scene.json", memory, brief, settings)
 
-    def state(self, scene: str, memory: Memory, brief: Brief, settings: Settings) -> None:
+    def state(self, scene: str, memory: Memory, brief: SceneGraph, settings: Settings) -> None:
         """Write the state to go on from; ``scene`` is a path inside the folder."""
         state = State(
             schema="sceneweaver.run/1",

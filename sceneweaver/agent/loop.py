@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from sceneweaver.assets import Library
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import InputError, Room, Scene
 from sceneweaver.tools.base import Context, Proposal
@@ -34,7 +34,7 @@ Said = Callable[[Step], None]
 class Run:
     """One request on its way to a scene."""
 
-    brief: Brief
+    brief: SceneGraph
     room_type: RoomType
     settings: Settings
     tools: Mapping[str, Registered]
@@ -190,7 +190,7 @@ class Run:
             self.said(step)
 
 
-def empty_scene(brief: Brief, room_type: RoomType) -> Scene:
+def empty_scene(brief: SceneGraph, room_type: RoomType) -> Scene:
     """The scene before the first step; initialisers replace its room."""
     side = max(2.0, round(room_type.area[1] ** 0.5, 2))
     outline = ((0.0, 0.0), (side, 0.0), (side, side), (0.0, side))

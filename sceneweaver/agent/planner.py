@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Fault, Review
 from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import Scene
@@ -37,7 +37,7 @@ LEAST = 0.15
 class Situation:
     """What a planner knows; ``scene`` and ``review`` are None before the first step."""
 
-    brief: Brief
+    brief: SceneGraph
     room_type: RoomType
     scene: Scene | None
     review: Review | None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Review
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
@@ -20,7 +20,7 @@ class Result:
     scene: Scene
     report: Report
     review: Review
-    brief: Brief
+    brief: SceneGraph
     steps: tuple[Step, ...]
     notes: tuple[str, ...]
     unmet: tuple[str, ...]

@@ -1,8 +1,27 @@
-"""Plain English in, a typed request out; no model is needed."""
+"""Plain English in, a typed scene graph out; no model is needed."""
 
-from .model import Asked as Asked
-from .model import AskedRelation as AskedRelation
-from .model import Brief as Brief
-from .read import read_brief as read_brief
+from .meaning import Meaning as Meaning
+from .meaning import meaning as meaning
+from .meaning import meanings as meanings
+from .model import Attribute as Attribute
+from .model import Entity as Entity
+from .model import Exclusion as Exclusion
+from .model import SceneGraph as SceneGraph
+from .model import Span as Span
+from .model import StatedRelation as StatedRelation
+from .model import Unread as Unread
+from .read import read_request as read_request
 
-__all__ = ["Asked", "AskedRelation", "Brief", "read_brief"]
+__all__ = [
+    "Attribute",
+    "Entity",
+    "Exclusion",
+    "Meaning",
+    "SceneGraph",
+    "Span",
+    "StatedRelation",
+    "Unread",
+    "meaning",
+    "meanings",
+    "read_request",
+]

@@ -1,8 +1,13 @@
-"""What a request says, in terms that tools act on."""
+"""The scene graph of a request: what is to be there, what it is like, and how it stands to each other.
+
+One contract for whoever reads requests (the offline reader, a model) and whoever works from them (tools, critic,
+planner, report). Each item has an ``id`` and the ``span`` of the text that it came from, so that what became of it can
+be shown beside the words.
+"""
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 from pydantic import Field
 
@@ -10,13 +15,77 @@ from sceneweaver.scene.base import FrozenModel
 
 Shape = Literal["rectangle", "L", "T", "U", "round"]
 
+AttributeKind = Literal["color", "material", "finish", "style", "shape", "size", "part", "state", "other"]
 
-class Asked(FrozenModel):
+RelationType = Literal[
+    "next_to",
+    "near",
+    "far_from",
+    "side_by_side",
+    "left_of",
+    "right_of",
+    "in_front_of",
+    "behind",
+    "flanking",
+    "between",
+    "around",
+    "at",
+    "along",
+    "at_head",
+    "at_foot",
+    "centered_on",
+    "against",
+    "leaning_on",
+    "on",
+    "inside",
+    "hanging_from",
+    "above",
+    "below",
+    "facing",
+    "opposite",
+    "parallel",
+    "aligned",
+    "back_to_back",
+]
+"""What a request says of where something is.
+
+Sides are those of the target as seen by who looks at its front: right of a bed is the right-hand side of who
+stands at its foot. ``next_to`` is beside it with hardly a gap, ``near`` within a step, ``flanking`` at both sides of it.
+``at`` a table is sitting at it; ``along`` is its long side, ``at_head`` and ``at_foot`` are its ends. ``opposite`` is
+across the room or the table from it, ``facing`` turned to it. With the place ``corner`` or ``middle`` the type is
+``at``.
+"""
+
+PLACES = ("wall", "window", "door", "corner", "middle", "ceiling", "floor", "room")
+"""Targets that are parts of the room. ``wall:left`` (right, far, near, north ...) is as seen from the door, or by
+compass with y north."""
+
+
+class Span(NamedTuple):
+    """Characters [start, end) of the request."""
+
+    start: int
+    end: int
+
+
+class Attribute(FrozenModel):
+    """A word about something: a colour, a material, a shape ..."""
+
+    id: str = ""
+    kind: AttributeKind
+    value: str = Field(description="The word in the terms of the taxonomy, such as 'grey' for 'ash-coloured'")
+    words: str = Field(default="", description="As it was written")
+    count: tuple[int, int] | None = Field(default=None, description="Of how many of the things it is said; None: all")
+    span: Span | None = None
+
+
+class Entity(FrozenModel):
     """Objects of one kind that a request names."""
 
-    id: str = Field(description="Name in this brief; relations use it. The category, with a number when it recurs")
+    id: str = Field(description="Name in this graph; relations use it. The category, with a number when it recurs")
     noun: str = Field(description="As it was written")
-    category: str = Field(description="Category of the taxonomy")
+    category: str = Field(description="Category of the taxonomy, or of a generic body that bears the noun as its label")
+    generic: bool = Field(default=False, description="Whether no category fits and a labelled body stands for it")
     count: tuple[int, int] | None = Field(default=None, description="Least and most; None when nothing was said")
     color: str | None = None
     material: str | None = None
@@ -26,29 +95,56 @@ class Asked(FrozenModel):
     )
     scale: float = Field(default=1.0, description="1.2 for large, 0.8 for small, relative to the usual size")
     words: tuple[str, ...] = Field(default=(), description="Other words about it, for choosing an asset")
+    attributes: tuple[Attribute, ...] = Field(default=(), description="All that was said of what it is like, in order")
+    implied: bool = Field(default=False, description="Whether only a part of the room ('dining area') called for it")
+    span: Span | None = None
 
 
-class AskedRelation(FrozenModel):
+class StatedRelation(FrozenModel):
     """A relation that a request names.
 
-    ``target`` is the id of something asked for, ``wall``, ``wall:left`` (right, far, near, north ... as seen from the
-    door, or by compass with y north), ``window``, ``door``, ``corner``, ``middle`` (of the room), or None. ``surface``
-    targets stand for on_top and inside.
+    ``targets`` are ids of entities or `PLACES`; ``between`` two things has two. ``count`` is how many of the subjects
+    it is said of, with ``each`` for every single one of the targets (or sides): of six chairs two on each long side.
     """
 
-    type: str = Field(description="Type of the relation catalogue")
+    id: str = ""
+    type: RelationType
     subject: str
-    target: str | tuple[str, str] | None = None
-    params: dict[str, Any] = {}
+    targets: tuple[str, ...] = ()
+    count: tuple[int, int] | None = Field(default=None, description="Least and most of the subjects; None: all")
+    each: bool = False
+    side: Literal["long", "short", "left", "right"] | None = Field(
+        default=None, description="Which sides of the target"
+    )
+    params: dict[str, Any] = Field(default={}, description="Distances that were given: min, max [m]")
     words: str = Field(default="", description="As it was written")
+    implied: bool = Field(default=False, description="Whether it follows from 'with' or a part of the room alone")
+    span: Span | None = None
 
 
-class Brief(FrozenModel):
+class Exclusion(FrozenModel):
+    """What must not be there."""
+
+    id: str = ""
+    words: str
+    categories: tuple[str, ...] = Field(description="Categories, or groups of them")
+    span: Span | None = None
+
+
+class Unread(FrozenModel):
+    """Words that were not understood."""
+
+    words: str
+    span: Span | None = None
+
+
+class SceneGraph(FrozenModel):
     """A request, read. Nothing of it is lost: what was not understood stands under ``unread``."""
 
     text: str
     room_type: str | None = Field(default=None, description="Kind of room, a name of the knowledge base")
     room_words: str = Field(default="", description="The words that named it")
+    other_rooms: tuple[str, ...] = Field(default=(), description="Kinds of further rooms that the request names")
     shape: Shape | None = None
     size: tuple[float, float] | None = Field(default=None, description="Floor [m], longer side first")
     area: float | None = Field(default=None, description="Floor [m2]")
@@ -61,9 +157,18 @@ class Brief(FrozenModel):
     windows: int | None = None
     doors: int | None = None
     density: Literal["sparse", "normal", "full"] = "normal"
-    objects: tuple[Asked, ...] = ()
-    relations: tuple[AskedRelation, ...] = ()
-    without: tuple[str, ...] = Field(default=(), description="Categories or groups that must not be there")
+    entities: tuple[Entity, ...] = ()
+    relations: tuple[StatedRelation, ...] = ()
+    exclusions: tuple[Exclusion, ...] = ()
     only: bool = Field(default=False, description="Nothing but what is named: 'only', 'just', 'nothing else'")
-    unread: tuple[str, ...] = Field(default=(), description="Words that were not understood")
+    unread: tuple[Unread, ...] = ()
     notes: tuple[str, ...] = Field(default=(), description="What was assumed, corrected or contradicts itself")
+
+    @property
+    def without(self) -> tuple[str, ...]:
+        """Categories or groups that must not be there."""
+        return tuple(dict.fromkeys(c for e in self.exclusions for c in e.categories))
+
+    def entity(self, name: str) -> Entity | None:
+        """The entity of that id; None for a place."""
+        return next((e for e in self.entities if e.id == name), None)

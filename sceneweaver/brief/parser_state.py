@@ -11,33 +11,6 @@ from .lexer import Token
 
 MODIFIERS = ("color", "material", "finish", "styles", "scale", "shape", "moods", "dim", "density", "room_scale")
 
-CATALOGUE = {
-    "near": "near",
-    "beside": "near",
-    "by": "near",
-    "side_by_side": "side_by_side",
-    "in_front_of": "in_front_of",
-    "behind": "behind",
-    "left_of": "left_of",
-    "right_of": "right_of",
-    "between": "between",
-    "around": "around",
-    "against": "against_wall",
-    "on": "on_top",
-    "inside": "inside",
-    "above": "above",
-    "below": "near",
-    "facing": "facing",
-    "opposite": "facing",
-    "parallel": "parallel",
-    "aligned": "aligned",
-    "back_to_back": "back_to_back",
-    "flank": "leftright_to_leftright",
-    "at_table": "front_against",
-    "away": "away_from_door",
-}
-"""What a spoken relation between two things is in the relation catalogue."""
-
 SMALL = {
     "potted_plant": "small_plant",
     "floor_lamp": "table_lamp",
@@ -48,9 +21,6 @@ SMALL = {
     "tv": "tv_on_stand",
 }
 """What is meant when something that usually stands on the floor is put on something."""
-
-BESIDE = 0.6
-"""Distance [m] up to which things are next to each other."""
 
 
 @dataclass

@@ -1,28 +1,28 @@
-"""``read_brief``: a request in plain English as a typed brief."""
+"""``read_request``: a request in plain English as a typed brief."""
 
 from __future__ import annotations
 
 import re
-from typing import Any
 
 from sceneweaver.assets import categories
 from sceneweaver.scene import InputError
 
 from .clean import Cleaned, check, clean
 from .lexer import tokens
-from .model import Asked, AskedRelation, Brief
+from .meaning import meaning
+from .model import Entity, Exclusion, SceneGraph, StatedRelation, Unread
 from .mutual import EACH_OTHER, pairs, split_mutual
 from .parser import Parser
-from .parser_state import BESIDE, CATALOGUE, Mention, ParsedRelation, ParsedRequest
-from .relating import family
+from .parser_state import Mention, ParsedRelation, ParsedRequest
 
-_BEDS = ("bed", "king_bed", "single_bed", "canopy_bed")
+STATED = {"beside": "next_to", "by": "near", "flank": "flanking", "at_table": "at", "away": "far_from"}
+"""Kinds of the parser that the graph calls by another name."""
 
 MOST = 400
 """Most things of a request that are taken seriously, of one kind and together."""
 
 
-def read_brief(text: str) -> Brief:
+def read_request(text: str) -> SceneGraph:
     """What a request says. What is not understood is listed, what is assumed is noted; nothing is lost.
 
     Raises:
@@ -41,7 +41,7 @@ def read_brief(text: str) -> Brief:
     elif parsed.room_type is None and not parsed.mentions and sum(len(u.split()) for u in parsed.unread) >= 3:
         notes.append("nothing of it names a room or furniture; only English is read")
     brief = _brief(text, cleaned, parsed, notes)
-    if not notes and not brief.unread and brief == Brief(text=text):
+    if not notes and not brief.unread and brief == SceneGraph(text=text):
         return brief.model_copy(update={"notes": ("nothing of the request was understood",)})
     return brief
 
@@ -58,14 +58,15 @@ def _sides(parsed: ParsedRequest, cleaned: Cleaned) -> None:
     check(cleaned)
 
 
-def _brief(text: str, cleaned: Cleaned, parsed: ParsedRequest, notes: list[str]) -> Brief:
+def _brief(text: str, cleaned: Cleaned, parsed: ParsedRequest, notes: list[str]) -> SceneGraph:
     split_mutual(parsed)
     mentions = _first(_without_contradictions(parsed, notes), parsed, notes)
     _named(mentions)
     ids = {id(m): m.id for m in mentions}
     relations = [r for said in parsed.said for r in _relations(said, ids, notes)]
+    relations = [r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(_once(relations))]
     style = parsed.style
-    return Brief(
+    graph = SceneGraph(
         text=text,
         room_type=parsed.room_type,
         room_words=parsed.room_words,
@@ -81,13 +82,17 @@ def _brief(text: str, cleaned: Cleaned, parsed: ParsedRequest, notes: list[str])
         windows=parsed.openings.get("window"),
         doors=parsed.openings.get("door"),
         density=parsed.density or "normal",  # type: ignore[arg-type]
-        objects=tuple(_asked(m, notes) for m in mentions),
-        relations=tuple(_once(relations)),
-        without=tuple(dict.fromkeys(parsed.without)),
+        entities=tuple(_asked(m, notes) for m in mentions),
+        relations=tuple(relations),
+        exclusions=tuple(
+            Exclusion(id=f"exclusion-{k}", words=word, categories=(word,))
+            for k, word in enumerate(dict.fromkeys(parsed.without))
+        ),
         only=parsed.only,
-        unread=tuple(dict.fromkeys(word for word in parsed.unread if word.strip())),
-        notes=tuple(dict.fromkeys(notes)),
+        unread=tuple(Unread(words=word) for word in dict.fromkeys(parsed.unread) if word.strip()),
     )
+    notes += [f"'{r.words}' cannot be said as a relation" for r in relations if meaning(r, graph) is None]
+    return graph.model_copy(update={"notes": tuple(dict.fromkeys(notes))})
 
 
 def _without_contradictions(parsed: ParsedRequest, notes: list[str]) -> list[Mention]:
@@ -138,7 +143,7 @@ def _named(mentions: list[Mention]) -> None:
         mention.id = mention.category if n == 1 else f"{mention.category}-{n}"
 
 
-def _asked(mention: Mention, notes: list[str]) -> Asked:
+def _asked(mention: Mention, notes: list[str]) -> Entity:
     count = mention.count
     if count is not None and count[1] > MOST:
         notes.append(f"{count[1]} x {mention.noun} was brought to {MOST}")
@@ -150,7 +155,7 @@ def _asked(mention: Mention, notes: list[str]) -> Asked:
             notes.append(
                 f"a {mention.noun} {want:g} m {name} cannot be made; it is {bounds[0]:g} to {bounds[1]:g} m {name}"
             )
-    return Asked(
+    return Entity(
         id=mention.id,
         noun=mention.noun,
         category=mention.category,
@@ -164,94 +169,34 @@ def _asked(mention: Mention, notes: list[str]) -> Asked:
     )
 
 
-def _relations(said: ParsedRelation, ids: dict[int, str], notes: list[str]) -> list[AskedRelation]:
-    """A spoken relation as relations of the catalogue, one for each kind of thing that it is about."""
+def _relations(said: ParsedRelation, ids: dict[int, str], notes: list[str]) -> list[StatedRelation]:
+    """A spoken relation, one for each kind of thing that it is about."""
     subjects = [m for m in said.subjects if id(m) in ids]
+    kind = STATED.get(said.kind, said.kind)
     if said.target == EACH_OTHER:
         if len(subjects) < 2:
             noun = subjects[0].noun if subjects else "things"
             notes.append(f"'{said.words}' cannot be said of these {noun}; it was left out")
-        return [
-            AskedRelation(type=CATALOGUE[said.kind], subject=a.id, target=b.id, words=said.words)
-            for a, b in pairs(said.kind, subjects)
-        ]
-    out = []
-    for subject in subjects:
-        kind, target, params = _meaning(said, subject, ids)
-        if kind is None:
-            if target is not None:
-                notes.append(f"'{said.words}' cannot be said as a relation and was left out")
-            continue
-        if isinstance(target, str) and target == subject.id:
-            continue
-        out.append(AskedRelation(type=kind, subject=subject.id, target=target, params=params, words=said.words))
-    return out
+        both = [(a.id, (b.id,)) for a, b in pairs(said.kind, subjects)]
+    else:
+        targets = said.target if isinstance(said.target, tuple) else (said.target,)
+        names = tuple(t if isinstance(t, str) else ids.get(id(t), "") for t in targets)
+        kind = "at" if names in (("corner",), ("middle",)) else kind
+        both = [(subject.id, names) for subject in subjects if all(names) and names != (subject.id,)]
+    return [
+        StatedRelation(type=kind, subject=subject, targets=names, words=said.words)  # type: ignore[arg-type]
+        for subject, names in both
+    ]
 
 
-def _meaning(said: ParsedRelation, subject: Mention, ids: dict[int, str]) -> tuple[str | None, Any, dict[str, Any]]:
-    """Type, target and parameters; type None when there is no such relation (target None: nothing to say)."""
-    target = said.target
-    if isinstance(target, str):
-        return _at_place(said.kind, target, subject)
-    if isinstance(target, tuple):
-        pair = tuple(ids.get(id(m), "") for m in target)
-        return ("between", pair, {}) if all(pair) else (None, None, {})
-    name = ids.get(id(target))
-    if name is None:
-        return None, None, {}
-    kind = CATALOGUE.get(said.kind)
-    mount = categories()[subject.category].mount
-    support = categories()[target.category]
-    carries = support.mount[0] == "floor" or bool(support.holds)
-    if said.kind in ("on", "inside") and (mount[0] == "wall" or ("surface" not in mount and mount[0] != "floor")):
-        return "above", name, {}
-    if said.kind in ("on", "inside") and (not carries or (mount[0] == "floor" and "surface" not in mount)):
-        return "near", name, {"max": 0.3}
-    if said.kind in ("beside", "by") and subject.category == "nightstand" and target.category in _BEDS:
-        return "leftright_to_leftright", name, {}
-    if said.kind == "flank" and mount[0] != "floor":
-        return "near", name, {"max": BESIDE}
-    if said.kind in ("by", "at_table") and family(subject.category) == "seat" and family(target.category) == "table":
-        return "front_against", name, {}
-    if said.kind in ("beside", "by", "below"):
-        return "near", name, {"max": BESIDE if said.kind != "below" else 0.0}
-    if said.kind == "against":
-        return "near", name, {"max": 0.1}
-    if said.kind == "above" and mount[0] == "ceiling":
-        return "near", name, {"max": 0.3}
-    if said.kind == "away":
-        return None, name, {}
-    if said.kind == "around" and mount[0] == "floor":
-        return "front_against", name, {}
-    return kind, name, {}
-
-
-def _at_place(kind: str, place: str, subject: Mention) -> tuple[str | None, Any, dict[str, Any]]:
-    mount = categories()[subject.category].mount[0]
-    if place == "middle":
-        return "centered_on", "middle", {}
-    if place == "corner":
-        return ("in_corner", None, {}) if mount == "floor" else (None, None, {})
-    if place == "window" and kind in ("facing", "opposite"):
-        return None, place, {}
-    if place == "window":
-        return ("away_from_door", None, {}) if kind == "away" else ("at_window", "window", {})
-    if place == "door":
-        return ("away_from_door", None, {}) if kind in ("away", "opposite", "facing") else (None, place, {})
-    if place.startswith("wall"):
-        return ("against_wall", place if ":" in place else None, {}) if mount != "surface" else (None, None, {})
-    return None, None, {}
-
-
-def _once(relations: list[AskedRelation]) -> list[AskedRelation]:
+def _once(relations: list[StatedRelation]) -> list[StatedRelation]:
     """Each relation once; "a bed with nightstands" says no more where a word says how they stand to the bed."""
     seen, kept = set(), []
+    plain = {(r.subject, r.targets) for r in relations if " with " not in r.words}
     for r in relations:
-        if " with " in r.words and any(
-            o is not r and (o.subject, o.target) == (r.subject, r.target) and " with " not in o.words for o in relations
-        ):
+        if " with " in r.words and (r.subject, r.targets) in plain:
             continue
-        key = (r.type, r.subject, r.target)
+        key = (r.type, r.subject, r.targets)
         if key not in seen:
             seen.add(key)
             kept.append(r)

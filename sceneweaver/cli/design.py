@@ -86,7 +86,7 @@ def run_design(
     for text in result.notes:
         typer.echo(f"  note    {text}")
     if result.brief.unread:
-        typer.echo("  not understood: " + ", ".join(result.brief.unread))
+        typer.echo("  not understood: " + ", ".join(word.words for word in result.brief.unread))
     typer.echo(f"  {len(result.steps)} steps, {result.seconds:.1f} s; ended: {result.finished}")
     list_files([out / name for name in FILES if (out / name).exists()])
     return code
@@ -112,7 +112,7 @@ def _json(result: Result, out: Path, code: int) -> dict[str, Any]:
         "grades": result.review.grades,
         "unmet": list(result.unmet),
         "notes": list(result.notes),
-        "unread": list(result.brief.unread),
+        "unread": [word.words for word in result.brief.unread],
         "steps": [step.model_dump(mode="json") for step in result.steps],
         "seconds": round(result.seconds, 3),
         "finished": result.finished,

@@ -9,7 +9,7 @@ from typing import Any
 from sceneweaver.assets import categories
 from sceneweaver.assets.materials import color_named, palette
 from sceneweaver.assets.taxonomy import likeliness, members
-from sceneweaver.brief import Asked
+from sceneweaver.brief import Entity
 from sceneweaver.geometry.angles import cross
 from sceneweaver.knowledge.surfaces import lays, usual_arrangement
 from sceneweaver.scene import InputError
@@ -55,13 +55,13 @@ def faults(survey: Survey) -> Iterator[Finding]:
     yield from _style(survey)
 
 
-def mine(survey: Survey, asked: Asked) -> list[Body]:
+def mine(survey: Survey, asked: Entity) -> list[Body]:
     """The objects that stand for something asked."""
     return [b for b in survey.bodies if survey.program.asked_of.get(b.id) == asked.id]
 
 
 def _objects(survey: Survey) -> Iterator[Finding]:
-    for asked in survey.brief.objects:
+    for asked in survey.brief.entities:
         bodies = mine(survey, asked)
         least, most = asked.count or (1, 10**6)
         name = kinds.words(asked.category)
@@ -114,7 +114,7 @@ def _table_for(survey: Survey, category: str, count: int) -> str | None:
     return min(found)[1] if found else None
 
 
-def _beside(survey: Survey, asked: Asked) -> list[Body]:
+def _beside(survey: Survey, asked: Entity) -> list[Body]:
     """More of what was asked for, that stands for nothing else in the request."""
     names = {asked.category, *members(asked.category)}
     if len(mine(survey, asked)) < (asked.count or (1, 1))[1]:
@@ -122,7 +122,7 @@ def _beside(survey: Survey, asked: Asked) -> list[Body]:
     return [b for b in survey.bodies if b.item.category in names and b.id not in survey.program.asked_of]
 
 
-def _attributes(asked: Asked, bodies: Sequence[Body]) -> Iterator[Finding]:
+def _attributes(asked: Entity, bodies: Sequence[Body]) -> Iterator[Finding]:
     for key, points in (("color", 1.0), ("material", 0.8), ("style", 0.4)):
         want = getattr(asked, key)
         if want is None or not bodies:
@@ -165,7 +165,7 @@ def _color(words: str) -> str:
         return " ".join(words.lower().split())
 
 
-def _sizes(asked: Asked, bodies: Sequence[Body]) -> Iterator[Finding]:
+def _sizes(asked: Entity, bodies: Sequence[Body]) -> Iterator[Finding]:
     row = categories().get(asked.category)
     for body in bodies:
         target = list(body.size)
@@ -223,7 +223,7 @@ def _unwanted(survey: Survey) -> Iterator[Finding]:
             tool="remove_objects",
             inputs={"ids": there},
         )
-    if not survey.brief.only or not survey.brief.objects:
+    if not survey.brief.only or not survey.brief.entities:
         return
     extra = [
         b.id

@@ -6,7 +6,7 @@ import itertools
 import math
 from collections.abc import Iterator, Sequence
 
-from sceneweaver.brief import AskedRelation
+from sceneweaver.brief import Meaning, StatedRelation, meanings
 from sceneweaver.brief.wall_names import direction_of
 from sceneweaver.geometry.angles import dot
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Room
@@ -22,18 +22,17 @@ MIDDLE = 0.2
 
 def faults(survey: Survey) -> Iterator[Finding]:
     """Asked relations that do not hold; what is missing is said elsewhere."""
-    for said in survey.brief.relations:
+    for said, meant in meanings(survey.brief):
         subjects = _named(survey, said.subject)
         if not subjects:
             continue
-        wrong, why = _wrong(survey, said, subjects)
+        wrong, why = _wrong(survey, said, meant, subjects)
         if len(subjects) - len(wrong) >= _least(survey, said.subject):  # what came along may stand elsewhere
             wrong = [b for b in wrong if b.item.intent.request == said.subject]
         if wrong:
-            target = said.target if isinstance(said.target, str) else " and ".join(said.target or ())
-            words = said.words or f"{said.subject} {said.type} {target}".strip()
+            words = said.words or f"{said.subject} {said.type} {' and '.join(said.targets)}".strip()
             ids = [b.id for b in wrong]
-            rows = _rows(survey, said, wrong)
+            rows = _rows(survey, said, meant, wrong)
             yield finding(
                 "alignment",
                 "asked_relation",
@@ -48,38 +47,38 @@ def faults(survey: Survey) -> Iterator[Finding]:
 
 def _least(survey: Survey, asked: str) -> int:
     """How many of something were asked for."""
-    return next((a.count[0] if a.count else 1 for a in survey.brief.objects if a.id == asked), 1)
+    return next((a.count[0] if a.count else 1 for a in survey.brief.entities if a.id == asked), 1)
 
 
 def _named(survey: Survey, asked: str) -> list[Body]:
     return [b for b in survey.bodies if survey.program.asked_of.get(b.id) == asked]
 
 
-def _wrong(survey: Survey, said: AskedRelation, subjects: Sequence[Body]) -> tuple[list[Body], str]:
+def _wrong(survey: Survey, said: StatedRelation, meant: Meaning, subjects: Sequence[Body]) -> tuple[list[Body], str]:
     """The subjects for which it does not hold, and why for the first."""
-    if said.target == "middle":
+    if meant.target == "middle":
         return _middle(survey, subjects)
     wrong, why = [], ""
     for body in subjects:
-        options = list(_options(survey, said, body, len(subjects)))
+        options = list(_options(survey, said, meant, body, len(subjects)))
         judgements = []
         for relation in options:
             try:
-                judgements.append(judge_relation(_around(survey, said, relation), relation))
+                judgements.append(judge_relation(_around(survey, said, meant, relation), relation))
             except InputError as error:
                 why = why or str(error)
         if any(j.holds for j in judgements):
             continue
-        if not judgements and not options and said.target is not None and not _there(survey, said):
+        if not judgements and not options and meant.target is not None and not _there(survey, said):
             continue  # the target is missing, which is a fault of its own
         wrong.append(body)
         why = why or next((j.text for j in judgements), "there is nothing to relate it to")
     return wrong, why
 
 
-def _around(survey: Survey, said: AskedRelation, relation: Relation):
+def _around(survey: Survey, said: StatedRelation, meant: Meaning, relation: Relation):
     """The placed scene, in which the members of an asked group know of each other."""
-    if said.type != "around":
+    if meant.type != "around":
         return survey.placed
     kept = survey.__dict__.setdefault("_around", {})
     key = (said.subject, relation.target)
@@ -95,54 +94,53 @@ def _around(survey: Survey, said: AskedRelation, relation: Relation):
     return kept[key]
 
 
-def _there(survey: Survey, said: AskedRelation) -> bool:
-    names = (said.target,) if isinstance(said.target, str) else said.target or ()
-    asked = {a.id for a in survey.brief.objects}
-    return all(n not in asked or _named(survey, n) for n in names)
+def _there(survey: Survey, said: StatedRelation) -> bool:
+    asked = {a.id for a in survey.brief.entities}
+    return all(n not in asked or _named(survey, n) for n in said.targets)
 
 
-def _options(survey: Survey, said: AskedRelation, body: Body, count: int) -> Iterator[Relation]:
+def _options(survey: Survey, said: StatedRelation, meant: Meaning, body: Body, count: int) -> Iterator[Relation]:
     """The relations of which one should hold for a subject."""
-    spec = CATALOGUE.get(said.type)
+    spec = CATALOGUE.get(meant.type)
     if spec is None:
         return
-    params = dict(said.params)
+    params = dict(meant.params)
     kind = spec.target_kind
-    if said.type == "around" and "n" not in params:
+    if meant.type == "around" and "n" not in params:
         params["n"] = count
     targets: list[str | tuple[str, str] | None] = []
     if kind == "none":
         targets = [None]
     elif kind == "wall":
-        name = said.target.split(":", 1)[1] if isinstance(said.target, str) and ":" in said.target else None
+        name = meant.target.split(":", 1)[1] if isinstance(meant.target, str) and ":" in meant.target else None
         targets = [None] if name is None else [f"wall:{k}" for k in walls_named(name, survey.scene.room)]
     elif kind == "window":
         targets = [w.id for w in survey.scene.room.windows]
     elif kind == "door":
         targets = [None]
     elif kind == "objects":
-        pair = said.target if isinstance(said.target, tuple) else (str(said.target), str(said.target))
+        pair = meant.target if isinstance(meant.target, tuple) else (str(meant.target), str(meant.target))
         first, second = (_named(survey, name) for name in pair)
         pairs = ((a.id, b.id) for a in first for b in second if len({a.id, b.id, body.id}) == 3)
         targets = [*itertools.islice(pairs, 64)]
     else:
-        targets = [*(b.id for b in _named(survey, str(said.target)) if b is not body)]
+        targets = [*(b.id for b in _named(survey, str(meant.target)) if b is not body)]
     for target in targets:
         try:
-            if said.type == "around" and count < 2:
+            if meant.type == "around" and count < 2:
                 yield Relation(type="front_against", subject=body.id, target=target)
             else:
-                yield Relation(type=said.type, subject=body.id, target=target, params=params)
+                yield Relation(type=meant.type, subject=body.id, target=target, params=params)
         except InputError:
             continue
 
 
-def _rows(survey: Survey, said: AskedRelation, wrong: Sequence[Body]) -> list[dict]:
+def _rows(survey: Survey, said: StatedRelation, meant: Meaning, wrong: Sequence[Body]) -> list[dict]:
     rows = []
     for body in wrong:
         first = (
-            next(_options(survey, said, body, len(_named(survey, said.subject))), None)
-            if (said.target != "middle")
+            next(_options(survey, said, meant, body, len(_named(survey, said.subject))), None)
+            if (meant.target != "middle")
             else None
         )
         if first is not None:

@@ -58,13 +58,13 @@ def expected(room_type: RoomType) -> tuple[frozenset[str], frozenset[str]]:
 
 def _foreign(survey: Survey) -> Iterator[Finding]:
     own, worlds = expected(survey.room_type)
-    asked = {c for a in survey.brief.objects for c in kinds.kin(a.category)}
+    asked = {c for a in survey.brief.entities for c in kinds.kin(a.category)}
     elsewhere = _elsewhere(survey.room_type.name)
     for body in survey.bodies:
         category = body.item.category
         if category in own or category in asked or body.id in survey.program.item_of:
             continue
-        if body.item.intent.request in {a.id for a in survey.brief.objects}:
+        if body.item.intent.request in {a.id for a in survey.brief.entities}:
             continue
         strange = _strangeness(body, worlds, elsewhere)
         if strange is None:
@@ -141,7 +141,7 @@ def _dominant(survey: Survey) -> Iterator[Finding]:
     furniture = [b for b in survey.bodies if b.item.mount != "surface"]
     if len(furniture) < FEWEST:
         return
-    asked = {a.id: a for a in survey.brief.objects if a.count is not None}
+    asked = {a.id: a for a in survey.brief.entities if a.count is not None}
     count = Counter(b.item.category for b in furniture)
     for category, number in count.items():
         share = number / len(furniture)

@@ -80,10 +80,7 @@ def _away_from_walls(survey: Survey) -> Iterator[Finding]:
 def _belongs_to_wall(survey: Survey, body: Body) -> bool:
     """Whether nothing says that it stands elsewhere: the room's items, or the request."""
     asked = survey.program.asked_of.get(body.id)
-    if any(
-        r.subject == asked and r.type != "against_wall" and r.target in ("middle", "window", "corner")
-        for r in survey.brief.relations
-    ):
+    if any(r.subject == asked and {"middle", "window", "corner"} & set(r.targets) for r in survey.brief.relations):
         return False
     name = survey.program.item_of.get(body.id)
     if name is None:

@@ -6,7 +6,7 @@ from collections import defaultdict
 from dataclasses import dataclass
 
 from sceneweaver.assets.taxonomy import members
-from sceneweaver.brief import Asked, Brief
+from sceneweaver.brief import Entity, SceneGraph
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.scene import Scene, SceneObject
 
@@ -49,7 +49,7 @@ class Program:
     people: int
 
     @classmethod
-    def of(cls, scene: Scene, room_type: RoomType, brief: Brief, area: float) -> Program:
+    def of(cls, scene: Scene, room_type: RoomType, brief: SceneGraph, area: float) -> Program:
         """Match the objects of a scene; ``area`` is its floor [m2]."""
         people = brief.people if brief.people is not None else room_type.people
         asked_of = _match_asked(scene, brief)
@@ -100,7 +100,7 @@ def _least(item: Item, by_item: dict[str, list[str]], area: float, people: int) 
 def _need(
     item: Item,
     room_type: RoomType,
-    brief: Brief,
+    brief: SceneGraph,
     banned: set[str],
     by_item: dict[str, list[str]],
     area: float,
@@ -108,11 +108,11 @@ def _need(
     windows: int,
 ) -> Need | None:
     names = tuple(c for c in item.what if c not in banned)
-    meant = [a for a in brief.objects if serves(a.category, item.what)]
+    meant = [a for a in brief.entities if serves(a.category, item.what)]
     have = tuple(by_item.get(item.id, ()))
     if not names or (item.need == "optional" and not meant):
         return None
-    if not meant and brief.only and (item.need != "needed" or brief.objects):
+    if not meant and brief.only and (item.need != "needed" or brief.entities):
         return None
     least = item.count.of(area, people, 0.0)
     if item.count.per_area is not None or item.count.per_person is not None:
@@ -132,15 +132,15 @@ def _need(
     return Need(item, least, core, have, bool(meant)) if least > 0 else None
 
 
-def _match_asked(scene: Scene, brief: Brief) -> dict[str, str]:
+def _match_asked(scene: Scene, brief: SceneGraph) -> dict[str, str]:
     """Object id to id of the request: as the objects say, then by category up to the count that was asked."""
-    ids = {a.id: a for a in brief.objects}
+    ids = {a.id: a for a in brief.entities}
     found: dict[str, str] = {}
     for o in scene.objects:
         if o.intent.request in ids:
             found[o.id] = o.intent.request
     for level in (3, 2, 1):
-        for asked in brief.objects:
+        for asked in brief.entities:
             have = sum(1 for name in found.values() if name == asked.id)
             most = asked.count[1] if asked.count is not None else 10**6
             for o in scene.objects:
@@ -152,7 +152,7 @@ def _match_asked(scene: Scene, brief: Brief) -> dict[str, str]:
     return found
 
 
-def _fits(o: SceneObject, asked: Asked, level: int) -> bool:
+def _fits(o: SceneObject, asked: Entity, level: int) -> bool:
     """How an object may be what was asked: 3 category and colour, 2 category or a member of it, 1 its kin."""
     score = serves(o.category, (asked.category,))
     if level == 3:

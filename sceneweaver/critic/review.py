@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
@@ -34,7 +34,7 @@ MOST = 8
 """Faults of one kind that are listed one by one."""
 
 
-def review_scene(scene: Scene, report: Report, room_type: RoomType, brief: Brief) -> Review:
+def review_scene(scene: Scene, report: Report, room_type: RoomType, brief: SceneGraph) -> Review:
     """Grade a scene as a critical visitor would, from its symbols alone: no picture and no model is needed.
 
     Args:

@@ -41,7 +41,7 @@ def _range(survey: Survey, body: Body) -> Iterator[Finding]:
         return
     item = survey.program.item_of.get(body.id)
     own = survey.room_type.item(item).size if item else (None, None, None)
-    asked = next((a for a in survey.brief.objects if a.id == survey.program.asked_of.get(body.id)), None)
+    asked = next((a for a in survey.brief.entities if a.id == survey.program.asked_of.get(body.id)), None)
     worst, words, target, odd = 1.0, "", list(body.size), False
     for k in range(3):
         low, high = row.size.ranges[k]

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sceneweaver.assets import categories, resolve
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.geometry.angles import dot, wrap_angle
 from sceneweaver.geometry.polygons import union
 from sceneweaver.geometry.walls import Wall
@@ -42,11 +42,11 @@ class Survey:
     scene: Scene
     report: Report
     room_type: RoomType
-    brief: Brief
+    brief: SceneGraph
     placed: Placed
 
     @classmethod
-    def of(cls, scene: Scene, report: Report, room_type: RoomType, brief: Brief) -> Survey:
+    def of(cls, scene: Scene, report: Report, room_type: RoomType, brief: SceneGraph) -> Survey:
         """Read a scene; categories in a user's words are read as those of the taxonomy."""
         scene = in_known_words(scene)
         return cls(scene, report, room_type, brief, Placed.of(scene))

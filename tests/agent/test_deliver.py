@@ -14,7 +14,7 @@ from sceneweaver.agent.deliver import deliver
 from sceneweaver.agent.memory import Call, Step
 from sceneweaver.agent.result import Result
 from sceneweaver.assets import Library, make
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import CRITERIA, Review
 from sceneweaver.scene import InputError, Pose, Room, Scene, Support
 from sceneweaver.verify import check
@@ -36,7 +36,7 @@ def result() -> Result:
         scene=scene,
         report=report,
         review=Review(grades=dict.fromkeys(CRITERIA, 7.0)),
-        brief=Brief(text="a table with a book on it"),
+        brief=SceneGraph(text="a table with a book on it"),
         steps=(
             Step(number=1, call=Call(tool="init_prior", reason="there is no scene yet"), accepted=True),
             Step(number=2, call=Call(tool="add_crowd", instruction="fill the shelf"), accepted=False, note="full"),

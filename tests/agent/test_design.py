@@ -13,7 +13,7 @@ import pytest
 from sceneweaver.agent import Settings, design
 from sceneweaver.agent.executor import Executor
 from sceneweaver.agent.folder import RunFolder
-from sceneweaver.brief import read_brief
+from sceneweaver.brief import read_request
 from sceneweaver.knowledge import room_type
 from sceneweaver.scene import InputError, MissingDependencyError, Relation, Scene
 from sceneweaver.scene.edits import Relate
@@ -155,7 +155,7 @@ def test_a_contradiction_gives_way_and_is_reported():
     toilet = next(o.id for o in scene.objects if "toilet" in o.category and o.mount == "floor")
     vanity = next(o.id for o in scene.objects if "vanity" in o.category)
     room = room_type("bathroom")
-    executor = Executor(room, read_brief(ASKED), Settings(candidates=32))
+    executor = Executor(room, read_request(ASKED), Settings(candidates=32))
     edits = tuple(Relate(relation=Relation(type=t, subject=toilet, target=vanity)) for t in ("left_of", "right_of"))
     outcome = executor.run(scene, Proposal(edits=edits), 0)
     assert outcome.report.valid

@@ -10,7 +10,7 @@ import pytest
 from sceneweaver.agent.deadline import Deadline
 from sceneweaver.agent.executor import Executor, Outcome
 from sceneweaver.agent.settings import Settings
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import CRITERIA, Review
 from sceneweaver.knowledge import room_type
 from sceneweaver.scene import (
@@ -60,7 +60,7 @@ BED = box("bed-0", (2.0, 1.6, 0.5), 1.1, 2.1)
 
 
 def run(before: Scene, /, *edits: Any, settings: Settings = QUICK, seed: int = 0, **more: Any) -> Outcome:
-    executor = Executor(room_type("bedroom"), Brief(text="a bedroom"), settings)
+    executor = Executor(room_type("bedroom"), SceneGraph(text="a bedroom"), settings)
     return executor.run(before, Proposal(edits=edits, **more), seed)
 
 
@@ -231,7 +231,7 @@ def test_soft_relations_that_fail_cost_and_are_no_faults():
 def test_a_deadline_that_has_passed_ends_the_search_with_what_there_is():
     chests = [wanted(f"chest-{k}", "asked") for k in range(30)]
     settings = QUICK.model_copy(update={"attempts": (20, 60)})
-    executor = Executor(room_type("bedroom"), Brief(text="a bedroom"), settings, Deadline(0.0))
+    executor = Executor(room_type("bedroom"), SceneGraph(text="a bedroom"), settings, Deadline(0.0))
     before = room_with(BED, *chests)
     outcome = executor.run(before, Proposal(scene=before, fresh=True), 0)
     assert outcome.scene.ids == before.ids and not outcome.report.valid and not outcome.unmet

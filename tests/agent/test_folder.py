@@ -12,10 +12,10 @@ import pytest
 from sceneweaver.agent import Settings
 from sceneweaver.agent.folder import RunFolder
 from sceneweaver.agent.memory import Memory, Step
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.scene import InputError, Scene
 
-BRIEF = Brief(text="a room")
+BRIEF = SceneGraph(text="a room")
 
 
 @pytest.fixture

@@ -18,7 +18,7 @@ from sceneweaver.agent.loop import Run, empty_scene
 from sceneweaver.agent.memory import Call, Memory
 from sceneweaver.agent.planner import Situation
 from sceneweaver.agent.settings import Settings
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import CRITERIA, Fault, Review
 from sceneweaver.knowledge import room_type
 from sceneweaver.scene import InputError, Pose, Scene, SceneObject
@@ -29,7 +29,7 @@ from sceneweaver.tools.registry import Registered
 from sceneweaver.verify import check
 
 ROOM = room_type("bedroom")
-BRIEF = Brief(text="a bedroom", room_type="bedroom")
+BRIEF = SceneGraph(text="a bedroom", room_type="bedroom")
 
 
 @dataclass

@@ -13,7 +13,7 @@ from sceneweaver.agent.design import usable
 from sceneweaver.agent.memory import Call, Memory, Step
 from sceneweaver.agent.planner import RulesPlanner, Situation
 from sceneweaver.agent.settings import Settings
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import CRITERIA, Fault, Review
 from sceneweaver.knowledge import room_type
 from sceneweaver.scene import InputError, Scene
@@ -25,7 +25,7 @@ CARDS = {name: tool.card for name, tool in tools().items()}
 def _situation(faults=(), memory=None, scene=True, **settings):
     review = Review(grades=dict.fromkeys(CRITERIA, 8.0), faults=tuple(faults))
     return Situation(
-        Brief(text="a bedroom", room_type="bedroom"),
+        SceneGraph(text="a bedroom", room_type="bedroom"),
         room_type("bedroom"),
         Scene.example("bedroom") if scene else None,
         review if scene else None,

@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sceneweaver.assets import categories
-from sceneweaver.brief import Brief, read_brief
+from sceneweaver.brief import SceneGraph, read_request
 from sceneweaver.scene import InputError
 
 PLACES = {"window", "door", "corner", "middle", "wall"}
@@ -31,38 +31,37 @@ HOSTILE = {
 }
 
 
-def consistent(brief: Brief) -> None:
+def consistent(brief: SceneGraph) -> None:
     """Names are unique, relations are about what is there, and counts make sense."""
-    ids = [a.id for a in brief.objects]
+    ids = [a.id for a in brief.entities]
     assert len(ids) == len(set(ids))
-    assert all(categories()[a.category].size is not None for a in brief.objects)
-    assert all(a.count is None or 0 <= a.count[0] <= a.count[1] for a in brief.objects)
+    assert all(categories()[a.category].size is not None for a in brief.entities)
+    assert all(a.count is None or 0 <= a.count[0] <= a.count[1] for a in brief.entities)
     for relation in brief.relations:
         assert relation.subject in ids
-        targets = relation.target if isinstance(relation.target, tuple) else (relation.target,)
-        for target in targets:
-            assert target is None or target in ids or target.split(":")[0] in PLACES
+        for target in relation.targets:
+            assert target in ids or target.split(":")[0] in PLACES
             assert target != relation.subject
 
 
 @pytest.mark.parametrize("text", ["", " ", "\n", "\t \r\n", "\u00a0"])
 def test_nothing_is_an_error_of_one_line(text: str) -> None:
     with pytest.raises(InputError) as caught:
-        read_brief(text)
+        read_request(text)
     assert "\n" not in str(caught.value)
     assert str(caught.value).startswith("prompt:")
 
 
 @pytest.mark.parametrize("text", HOSTILE.values(), ids=HOSTILE)
 def test_hostile_text_is_read_and_said_so(text: str) -> None:
-    brief = read_brief(text)
+    brief = read_request(text)
     consistent(brief)
     assert brief.notes or brief.unread
 
 
 @pytest.mark.parametrize("unit", ["bed ", "a bed with ", "next to ", "no ", "x", "🙂", "9", ","])
 def test_a_hundred_kilobytes(unit: str) -> None:
-    brief = read_brief(unit * (100_000 // len(unit)))
+    brief = read_request(unit * (100_000 // len(unit)))
     consistent(brief)
     assert any("characters" in note for note in brief.notes)
 
@@ -77,7 +76,7 @@ red oak large 2 m 1.2 x 3 wide long bedroom office dining area reading for peopl
 @given(st.text(min_size=1, max_size=60).filter(lambda text: any(c.isalpha() for c in text)))
 @settings(max_examples=150, deadline=None, derandomize=True)
 def test_any_text_is_read(text: str) -> None:
-    consistent(read_brief(text))
+    consistent(read_request(text))
 
 
 @given(st.lists(st.sampled_from(WORDS), min_size=1, max_size=30).map(" ".join))
@@ -85,13 +84,13 @@ def test_any_text_is_read(text: str) -> None:
 def test_any_words_are_read_and_always_alike(text: str) -> None:
     if not any(c.isalnum() for c in text):
         return
-    brief = read_brief(text)
+    brief = read_request(text)
     consistent(brief)
-    assert read_brief(text) == brief
+    assert read_request(text) == brief
 
 
 @given(st.lists(st.sampled_from(WORDS), min_size=1, max_size=20).map(" ".join))
 @settings(max_examples=80, deadline=None, derandomize=True)
 def test_case_says_nothing(text: str) -> None:
-    low, high = read_brief(text), read_brief(text.upper())
+    low, high = read_request(text), read_request(text.upper())
     assert low.model_dump(exclude={"text"}) == high.model_dump(exclude={"text"})

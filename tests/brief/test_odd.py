@@ -6,7 +6,7 @@ import random
 
 import pytest
 
-from sceneweaver.brief import read_brief
+from sceneweaver.brief import read_request
 from sceneweaver.scene import InputError
 
 ODD = [
@@ -51,16 +51,16 @@ ODD = [
 @pytest.mark.parametrize("text", ["", " ", "\n\t  "])
 def test_empty_is_an_error(text: str) -> None:
     with pytest.raises(InputError, match="^prompt: it is empty"):
-        read_brief(text)
+        read_request(text)
 
 
 @pytest.mark.parametrize("text", ODD)
 def test_odd_is_read(text: str) -> None:
-    assert read_brief(text).text == text
+    assert read_request(text).text == text
 
 
 def test_long_text_is_cut_and_noted() -> None:
-    brief = read_brief("a bedroom with a desk and a chair. " * 3000)
+    brief = read_request("a bedroom with a desk and a chair. " * 3000)
     assert brief.room_type == "bedroom"
     assert any("characters" in note for note in brief.notes)
 
@@ -71,11 +71,11 @@ def test_any_words_in_any_order() -> None:
     words = (line + "bedroom 3 m x large for without them in front of kids reading corner").split()
     for _ in range(300):
         text = " ".join(rng.choices(words, k=rng.randint(1, 25)))
-        brief = read_brief(text)
-        ids = [a.id for a in brief.objects]
+        brief = read_request(text)
+        ids = [a.id for a in brief.entities]
         assert len(ids) == len(set(ids)), text
         assert all(r.subject in ids for r in brief.relations), text
-        assert read_brief(text) == brief, text
+        assert read_request(text) == brief, text
 
 
 @pytest.mark.parametrize(
@@ -88,7 +88,7 @@ def test_any_words_in_any_order() -> None:
     ],
 )
 def test_unknown_words_are_listed(text: str, word: str) -> None:
-    assert word in " ".join(read_brief(text).unread)
+    assert word in " ".join(word.words for word in read_request(text).unread)
 
 
 @pytest.mark.parametrize(
@@ -108,16 +108,16 @@ def test_unknown_words_are_listed(text: str, word: str) -> None:
     ],
 )
 def test_what_was_assumed_is_noted(text: str, word: str) -> None:
-    assert word in " ".join(read_brief(text).notes)
+    assert word in " ".join(read_request(text).notes)
 
 
 def test_politeness_is_not_listed() -> None:
-    assert read_brief("Hello, could you please design me a nice bedroom? Thanks!").unread == ()
+    assert read_request("Hello, could you please design me a nice bedroom? Thanks!").unread == ()
 
 
 def test_of_a_request_for_too_much_the_first_things_are_taken():
-    brief = read_brief("a library with 300 chairs, 200 tables, and a lamp")
-    assert [(a.noun, a.count) for a in brief.objects][0][1] == (300, 300)
-    assert all(a.category != "dining_table" and "table" not in a.noun for a in brief.objects)
-    assert any("table" in word for word in brief.unread)
+    brief = read_request("a library with 300 chairs, 200 tables, and a lamp")
+    assert [(a.noun, a.count) for a in brief.entities][0][1] == (300, 300)
+    assert all(a.category != "dining_table" and "table" not in a.noun for a in brief.entities)
+    assert any("table" in word.words for word in brief.unread)
     assert any("at most 400 things" in note for note in brief.notes)

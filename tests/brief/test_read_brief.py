@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from sceneweaver.brief import Brief, read_brief
+from sceneweaver.brief import SceneGraph, meanings, read_request
 from sceneweaver.knowledge import match_room
 
 FIELDS: list[tuple[str, dict[str, Any]]] = [
@@ -108,12 +108,12 @@ RELATIONS: list[tuple[str, set[tuple[str, str, Any]]]] = [
     ("a clock on the wall above the desk", {("against_wall", "wall_clock", None), ("above", "wall_clock", "desk")}),
     (
         "a table in the middle of the room with four chairs around it",
-        {("centered_on", "dining_table", "middle"), ("front_against", "chair", "dining_table")},
+        {("in_middle", "dining_table", "middle"), ("front_against", "chair", "dining_table")},
     ),
     ("a rug under the table", {("near", "rug", "dining_table")}),
     (
         "a rug in the middle of the room, and some posters on the wall above the desk",
-        {("centered_on", "rug", "middle"), ("against_wall", "poster", None), ("above", "poster", "desk")},
+        {("in_middle", "rug", "middle"), ("against_wall", "poster", None), ("above", "poster", "desk")},
     ),
     (
         "a bed with a nightstand next to it, a white desk by the window",
@@ -196,7 +196,7 @@ on the wall above the desk. No TV."""
 
 @pytest.mark.parametrize(("text", "fields"), FIELDS, ids=[t for t, _ in FIELDS])
 def test_fields(text: str, fields: dict[str, Any]) -> None:
-    brief = read_brief(text)
+    brief = read_request(text)
     for name, value in fields.items():
         found = getattr(brief, name)
         assert found == (pytest.approx(value) if name in ("size", "area", "height") and value else value), name
@@ -204,39 +204,39 @@ def test_fields(text: str, fields: dict[str, Any]) -> None:
 
 @pytest.mark.parametrize(("text", "counts"), COUNTS, ids=[t for t, _ in COUNTS])
 def test_counts(text: str, counts: dict[str, Any]) -> None:
-    assert {a.id: a.count for a in read_brief(text).objects} == counts
+    assert {a.id: a.count for a in read_request(text).entities} == counts
 
 
-def said(brief: Brief) -> set[tuple[str, str, Any]]:
-    return {(r.type, r.subject, r.target) for r in brief.relations}
+def said(brief: SceneGraph) -> set[tuple[str, str, Any]]:
+    return {(meant.type, r.subject, meant.target) for r, meant in meanings(brief)}
 
 
 @pytest.mark.parametrize(("text", "expected"), RELATIONS, ids=[t for t, _ in RELATIONS])
 def test_relations(text: str, expected: set[tuple[str, str, Any]]) -> None:
-    assert said(read_brief(text)) == expected
+    assert said(read_request(text)) == expected
 
 
 @pytest.mark.parametrize(("text", "object_id", "looks"), LOOKS, ids=[t for t, _, _ in LOOKS])
 def test_looks(text: str, object_id: str, looks: dict[str, Any]) -> None:
-    (asked,) = (a for a in read_brief(text).objects if a.id == object_id)
+    (asked,) = (a for a in read_request(text).entities if a.id == object_id)
     assert {name: getattr(asked, name) for name in looks} == looks
 
 
 @pytest.mark.parametrize(("text", "word"), NOTED)
 def test_noted(text: str, word: str) -> None:
-    assert word in " ".join(read_brief(text).notes)
+    assert word in " ".join(read_request(text).notes)
 
 
 @pytest.mark.parametrize(("text", "word"), UNREAD)
 def test_unread(text: str, word: str) -> None:
-    assert word in " ".join(read_brief(text).unread)
+    assert word in " ".join(word.words for word in read_request(text).unread)
 
 
 def test_a_whole_paragraph() -> None:
-    brief = read_brief(LONG)
+    brief = read_request(LONG)
     assert (brief.room_type, brief.size, brief.height, brief.style) == ("bedroom", (4.0, 3.5), 2.6, "scandinavian")
     assert (brief.for_whom, brief.without, brief.unread) == (("teenage girl",), ("tv",), ())
-    assert {a.id for a in brief.objects} == {
+    assert {a.id for a in brief.entities} == {
         "single_bed",
         "nightstand",
         "desk",
@@ -251,7 +251,7 @@ def test_a_whole_paragraph() -> None:
         ("at_window", "desk", "window"),
         ("in_front_of", "office_chair", "desk"),
         ("facing", "wardrobe", "single_bed"),
-        ("centered_on", "rug", "middle"),
+        ("in_middle", "rug", "middle"),
         ("against_wall", "poster", None),
         ("above", "poster", "desk"),
     }

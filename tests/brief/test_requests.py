@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from sceneweaver.brief import Brief, read_brief
+from sceneweaver.brief import SceneGraph, meanings, read_request
 
 ROOMS = {
     "bedroom": "bedroom",
@@ -90,7 +90,7 @@ FIELDS: list[tuple[str, dict[str, Any]]] = [
     ("a sofa, no TV, and a desk", {"without": ("tv",)}),
     ("no TV or computer", {"without": ("tv", "computer")}),
     ("don't put the bed near the door", {"without": (), "doors": None}),
-    ("bedroom in blue with white furniture", {"objects": (), "colors": ("blue", "white")}),
+    ("bedroom in blue with white furniture", {"entities": (), "colors": ("blue", "white")}),
 ]
 
 COUNTS: list[tuple[str, dict[str, tuple[int, int] | None]]] = [
@@ -153,7 +153,7 @@ RELATIONS: list[tuple[str, set[tuple[str, str, Any]]]] = [
     ("a sofa facing the TV", {("facing", "sofa", "tv")}),
     ("a sofa opposite the fireplace", {("facing", "sofa", "fireplace")}),
     ("a bed away from the door", {("away_from_door", "bed", None)}),
-    ("a round table in the middle of the room", {("centered_on", "round_dining_table", "middle")}),
+    ("a round table in the middle of the room", {("in_middle", "round_dining_table", "middle")}),
     (
         "a desk by the window and a chair in front of it",
         {("at_window", "desk", "window"), ("in_front_of", "chair", "desk")},
@@ -183,36 +183,36 @@ LOOKS: list[tuple[str, str, dict[str, Any]]] = [
 
 @pytest.mark.parametrize("text", ROOMS)
 def test_room(text: str) -> None:
-    assert read_brief(text).room_type == ROOMS[text]
+    assert read_request(text).room_type == ROOMS[text]
 
 
 @pytest.mark.parametrize(("text", "fields"), FIELDS, ids=[t for t, _ in FIELDS])
 def test_fields(text: str, fields: dict[str, Any]) -> None:
-    brief = read_brief(text)
+    brief = read_request(text)
     for name, value in fields.items():
         assert getattr(brief, name) == value, name
 
 
 @pytest.mark.parametrize(("text", "counts"), COUNTS, ids=[t for t, _ in COUNTS])
 def test_counts(text: str, counts: dict[str, Any]) -> None:
-    assert {a.id: a.count for a in read_brief(text).objects} == counts
+    assert {a.id: a.count for a in read_request(text).entities} == counts
 
 
 @pytest.mark.parametrize(("text", "said"), RELATIONS, ids=[t for t, _ in RELATIONS])
 def test_relations(text: str, said: set) -> None:
-    brief = read_brief(text)
-    assert {(r.type, r.subject, r.target) for r in brief.relations} == said
+    brief = read_request(text)
+    assert {(meant.type, r.subject, meant.target) for r, meant in meanings(brief)} == said
     assert _consistent(brief)
 
 
 @pytest.mark.parametrize(("text", "object_id", "looks"), LOOKS, ids=[t for t, _, _ in LOOKS])
 def test_looks(text: str, object_id: str, looks: dict[str, Any]) -> None:
-    (asked,) = (a for a in read_brief(text).objects if a.id == object_id)
+    (asked,) = (a for a in read_request(text).entities if a.id == object_id)
     assert {name: getattr(asked, name) for name in looks} == looks
 
 
-def _consistent(brief: Brief) -> bool:
+def _consistent(brief: SceneGraph) -> bool:
     """Whether every relation names things that are asked for, or places."""
-    known = {a.id for a in brief.objects} | {"window", "door", "middle", "corner", "wall"}
-    names = [n for r in brief.relations for n in (r.target if isinstance(r.target, tuple) else (r.target,)) if n]
+    known = {a.id for a in brief.entities} | {"window", "door", "middle", "corner", "wall"}
+    names = [n for r in brief.relations for n in r.targets]
     return all(n in known or n.startswith("wall:") for n in names) and {r.subject for r in brief.relations} <= known

@@ -9,7 +9,7 @@ from functools import cache
 from typing import Any
 
 from sceneweaver.assets import Asset, Request, make
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import Door, Pose, Relation, Room, Scene, SceneObject, Support, Window
@@ -33,7 +33,7 @@ class Case:
 
     scene: Scene
     room_type: RoomType
-    brief: Brief = field(default_factory=lambda: Brief(text=""))
+    brief: SceneGraph = field(default_factory=lambda: SceneGraph(text=""))
 
     def report(self) -> Report:
         return check(self.scene)
@@ -41,7 +41,7 @@ class Case:
     def review(self) -> Review:
         return review_scene(self.scene, self.report(), self.room_type, self.brief)
 
-    def but(self, *changes: Mapping[str, Any], brief: Brief | None = None) -> Case:
+    def but(self, *changes: Mapping[str, Any], brief: SceneGraph | None = None) -> Case:
         """The case with objects moved (id, x, y, degrees, z), taken out (id, gone) or of another category."""
         objects = {o.id: o for o in self.scene.objects}
         for change in changes:

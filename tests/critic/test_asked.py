@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from sceneweaver.assets import categories
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Fault, Review
 from sceneweaver.scene import CATALOGUE, Intent
 from tests.critic import rooms
@@ -15,11 +15,11 @@ from tests.critic.rooms import Case, put
 from tests.critic.test_layout import only
 
 
-def brief(**data: Any) -> Brief:
-    return Brief.model_validate({"text": "", **data})
+def brief(**data: Any) -> SceneGraph:
+    return SceneGraph.model_validate({"text": "", **data})
 
 
-def asked(category: str, **more: Any) -> dict[str, Any]:
+def entity(category: str, **more: Any) -> dict[str, Any]:
     return {"id": category, "noun": category.replace("_", " "), "category": category, **more}
 
 
@@ -29,18 +29,18 @@ def review(case: Case, **data: Any) -> Review:
 
 def test_what_was_asked_is_there() -> None:
     found = review(
-        rooms.living(), room_type="living_room", objects=[asked("sofa"), asked("coffee_table", count=(1, 1))]
+        rooms.living(), room_type="living_room", entities=[entity("sofa"), entity("coffee_table", count=(1, 1))]
     )
     assert found.grades["alignment"] == 10.0 and found.total > 9.0
 
 
 def test_missing_and_too_many() -> None:
     case = rooms.office()
-    few = review(case, objects=[asked("desk", count=(3, 3)), asked("upright_piano")])
+    few = review(case, entities=[entity("desk", count=(3, 3)), entity("upright_piano")])
     faults = {f.inputs["objects"][0]["category"]: f for f in only(few, "missing_asked", "alignment")}
     assert faults["desk"].inputs["objects"][0]["count"] == 1 and "upright_piano" in faults
     assert few.grades["alignment"] <= 5.0
-    one = review(case, objects=[asked("desk", count=(1, 1))])
+    one = review(case, entities=[entity("desk", count=(1, 1))])
     fault = only(one, "too_many", "alignment")[0]
     assert fault.tool == "remove_objects" and fault.inputs["ids"] in (["desk-0"], ["desk-1"])
     assert 7.0 < one.grades["alignment"] < 10.0
@@ -54,11 +54,11 @@ def test_what_a_table_is_laid_with_is_asked_of_the_table() -> None:
         ),
         case.room_type,
     )
-    fault = only(review(bare, objects=[asked("monitor", count=(2, 2))]), "missing_asked", "alignment")[0]
+    fault = only(review(bare, entities=[entity("monitor", count=(2, 2))]), "missing_asked", "alignment")[0]
     assert fault.tool == "add_tabletop" and fault.inputs["objects"] == [{"category": "monitor", "count": 2}]
     (desk,) = fault.inputs["supports"]
     assert bare.scene.object(desk).category == "desk"
-    many = only(review(bare, objects=[asked("monitor", count=(9, 9))]), "missing_asked", "alignment")[0]
+    many = only(review(bare, entities=[entity("monitor", count=(9, 9))]), "missing_asked", "alignment")[0]
     assert many.tool == "add_objects", "too many for one"
 
 
@@ -66,43 +66,42 @@ def test_attributes_and_sizes() -> None:
     case = rooms.living()
     color = case.scene.object("sofa-0").attributes["color"]
     other = "red" if color != "red" else "blue"
-    assert not only(review(case, objects=[asked("sofa", color=color)]), "wrong_color", "alignment")
-    assert only(review(case, objects=[asked("sofa", color=other)]), "wrong_color", "alignment")[0].objects == (
+    assert not only(review(case, entities=[entity("sofa", color=color)]), "wrong_color", "alignment")
+    assert only(review(case, entities=[entity("sofa", color=other)]), "wrong_color", "alignment")[0].objects == (
         "sofa-0",
     )
-    assert not only(review(case, objects=[asked("sofa", size=(None, 2.0, None))]), "wrong_asked_size", "alignment")
-    wide = only(review(case, objects=[asked("sofa", size=(None, 2.6, None))]), "wrong_asked_size", "alignment")[0]
+    assert not only(review(case, entities=[entity("sofa", size=(None, 2.0, None))]), "wrong_asked_size", "alignment")
+    wide = only(review(case, entities=[entity("sofa", size=(None, 2.6, None))]), "wrong_asked_size", "alignment")[0]
     assert wide.inputs["sizes"]["sofa-0"][1] == 2.6
     small = case.but({"id": "coffee_table-0", "update": {"size": (0.5, 0.85, 0.42)}})
-    assert only(review(small, objects=[asked("coffee_table", scale=1.3)]), "wrong_asked_size", "alignment")
-    assert not only(review(small, objects=[asked("coffee_table", scale=0.8)]), "wrong_asked_size", "alignment")
+    assert only(review(small, entities=[entity("coffee_table", scale=1.3)]), "wrong_asked_size", "alignment")
+    assert not only(review(small, entities=[entity("coffee_table", scale=0.8)]), "wrong_asked_size", "alignment")
 
 
 @pytest.mark.parametrize(
     ("relation", "holds"),
     [
-        ({"type": "against_wall", "subject": "sofa", "target": "wall"}, True),
-        ({"type": "against_wall", "subject": "sofa", "target": "wall:east"}, True),
-        ({"type": "against_wall", "subject": "sofa", "target": "wall:right"}, True),
-        ({"type": "against_wall", "subject": "sofa", "target": "wall:west"}, False),
-        ({"type": "against_wall", "subject": "sofa", "target": "wall:far"}, False),
-        ({"type": "facing", "subject": "sofa", "target": "tv_on_stand"}, True),
-        ({"type": "facing", "subject": "armchair", "target": "sofa"}, False),
-        ({"type": "on_top", "subject": "tv_on_stand", "target": "tv_stand"}, True),
-        ({"type": "on_top", "subject": "vase", "target": "tv_stand"}, False),
-        ({"type": "near", "subject": "coffee_table", "target": "middle"}, True),
-        ({"type": "near", "subject": "bookcase", "target": "middle"}, False),
-        ({"type": "in_corner", "subject": "snake_plant", "target": "corner"}, True),
-        ({"type": "at_window", "subject": "armchair", "target": "window"}, False),
-        ({"type": "between", "subject": "coffee_table", "target": ("sofa", "tv_stand")}, True),
-        ({"type": "between", "subject": "snake_plant", "target": ("sofa", "tv_stand")}, False),
+        ({"type": "against", "subject": "sofa", "targets": ("wall",)}, True),
+        ({"type": "against", "subject": "sofa", "targets": ("wall:east",)}, True),
+        ({"type": "against", "subject": "sofa", "targets": ("wall:right",)}, True),
+        ({"type": "against", "subject": "sofa", "targets": ("wall:west",)}, False),
+        ({"type": "against", "subject": "sofa", "targets": ("wall:far",)}, False),
+        ({"type": "facing", "subject": "sofa", "targets": ("tv_on_stand",)}, True),
+        ({"type": "facing", "subject": "armchair", "targets": ("sofa",)}, False),
+        ({"type": "on", "subject": "tv_on_stand", "targets": ("tv_stand",)}, True),
+        ({"type": "on", "subject": "vase", "targets": ("tv_stand",)}, False),
+        ({"type": "at", "subject": "coffee_table", "targets": ("middle",)}, True),
+        ({"type": "at", "subject": "bookcase", "targets": ("middle",)}, False),
+        ({"type": "at", "subject": "snake_plant", "targets": ("corner",)}, True),
+        ({"type": "near", "subject": "armchair", "targets": ("window",)}, False),
+        ({"type": "between", "subject": "coffee_table", "targets": ("sofa", "tv_stand")}, True),
+        ({"type": "between", "subject": "snake_plant", "targets": ("sofa", "tv_stand")}, False),
     ],
 )
 def test_asked_relations(relation: dict[str, Any], holds: bool) -> None:
-    names = {relation["subject"], *(t for t in [relation["target"]] if t in categories())}
-    names |= set(relation["target"]) if isinstance(relation["target"], tuple) else set()
+    names = {relation["subject"], *(t for t in relation["targets"] if t in categories())}
     names |= {"coffee_table"} if "vase" in names else set()
-    found = review(rooms.living(), objects=[asked(n) for n in sorted(names)], relations=[relation])
+    found = review(rooms.living(), entities=[entity(n) for n in sorted(names)], relations=[relation])
     faults = only(found, "asked_relation", "alignment")
     assert (not faults) is holds, faults
     if faults:
@@ -113,27 +112,27 @@ def test_what_came_along_may_stand_elsewhere() -> None:
     """A plant on the tv stand and one on the table: who asked for one to three on the stand has one there."""
     case = rooms.living()
     table, stand = case.scene.object("coffee_table-0"), case.scene.object("tv_stand-0")
-    said = {"type": "on_top", "subject": "succulent", "target": "tv_stand"}
-    objects = [asked("tv_stand"), asked("succulent", count=(1, 3))]
+    said = {"type": "on", "subject": "succulent", "targets": ("tv_stand",)}
+    objects = [entity("tv_stand"), entity("succulent", count=(1, 3))]
     elsewhere = rooms.on(table, "succulent-8")
     both = case.plus(rooms.on(stand, "succulent-9"), elsewhere)
-    assert not only(review(both, objects=objects, relations=[said]), "asked_relation", "alignment")
+    assert not only(review(both, entities=objects, relations=[said]), "asked_relation", "alignment")
     meant = elsewhere.model_copy(update={"intent": Intent(request="succulent")})
     wrong = case.plus(rooms.on(stand, "succulent-9"), meant)
-    (fault,) = only(review(wrong, objects=objects, relations=[said]), "asked_relation", "alignment")
+    (fault,) = only(review(wrong, entities=objects, relations=[said]), "asked_relation", "alignment")
     assert "succulent-8" in fault.reason and "succulent-9" not in fault.reason
     alone = case.plus(elsewhere)
-    assert only(review(alone, objects=objects, relations=[said]), "asked_relation", "alignment")
+    assert only(review(alone, entities=objects, relations=[said]), "asked_relation", "alignment")
 
 
 def test_around() -> None:
     case = rooms.restaurant(1, 1)
-    said = {"type": "around", "subject": "dining_chair", "target": "dining_table", "params": {"spread": 45}}
-    objects = [asked("dining_chair", count=(4, 4)), asked("dining_table")]
-    good = review(case, objects=objects, relations=[said])
+    said = {"type": "around", "subject": "dining_chair", "targets": ("dining_table",)}
+    objects = [entity("dining_chair", count=(4, 4)), entity("dining_table")]
+    good = review(case, entities=objects, relations=[said])
     assert not only(good, "asked_relation", "alignment")
     moved = case.but({"id": "dining_chair-0", "x": 3.4, "y": 4.0})
-    assert only(review(moved, objects=objects, relations=[said]), "asked_relation", "alignment")
+    assert only(review(moved, entities=objects, relations=[said]), "asked_relation", "alignment")
 
 
 @pytest.mark.parametrize(
@@ -153,16 +152,16 @@ def test_around() -> None:
 )
 def test_words_for_looks(given: dict[str, str], want: dict[str, str], fits: bool) -> None:
     case = rooms.living().but({"id": "sofa-0", "update": {"attributes": given}})
-    found = review(case, objects=[asked("sofa", **want)])
+    found = review(case, entities=[entity("sofa", **want)])
     assert any(f.kind.startswith("wrong_") for f in found.faults if f.criterion == "alignment") is not fits
 
 
 def test_without_and_only() -> None:
     case = rooms.bedroom()
-    banned = review(case, without=["rug", "plant_group"])
+    banned = review(case, exclusions=[{"words": "plants and rugs", "categories": ["rug", "plant_group"]}])
     fault = only(banned, "unwanted", "alignment")[0]
     assert set(fault.objects) == {"rug-0", "snake_plant-0"} and banned.grades["alignment"] <= 5.0
-    just = review(case, objects=[asked("bed"), asked("wardrobe")], only=True)
+    just = review(case, entities=[entity("bed"), entity("wardrobe")], only=True)
     extra = only(just, "not_only", "alignment")[0]
     assert "dresser-0" in extra.inputs["ids"] and "bed-0" not in extra.inputs["ids"]
     assert not only(just, "missing_usual", "completion") and not only(just, "empty_support", "completion")

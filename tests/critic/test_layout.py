@@ -7,7 +7,7 @@ import math
 import pytest
 
 from sceneweaver.assets import make
-from sceneweaver.brief import read_brief
+from sceneweaver.brief import read_request
 from sceneweaver.critic import Fault, Review, review_scene
 from sceneweaver.knowledge import room_type
 from sceneweaver.scene import Intent, Pose, Relation, Room, Scene
@@ -129,7 +129,7 @@ def test_a_shower_that_opens_to_the_wall(yaw: float, walled: bool) -> None:
     corner = Pose.from_yaw(body.size[0] / 2 + 0.01, body.size[1] / 2 + 0.01, 0.0, yaw)
     room = Room(type="bathroom", outline=((0, 0), (3, 0), (3, 2.6), (0, 2.6)), height=2.5)
     scene = Scene(id="b", room=room, objects=(body.object("shower-0", pose=corner),))
-    review = review_scene(scene, check(scene), room_type("bathroom"), read_brief("a bathroom"))
+    review = review_scene(scene, check(scene), room_type("bathroom"), read_request("a bathroom"))
     found = [f for f in only(review, "wrong_orientation") if f.objects == ("shower-0",)]
     assert bool(found) is walled
     assert all(f.tool == "update_rotation" and f.inputs["ids"] == ["shower-0"] for f in found)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.critic.grade import finding, grades, squash
 from sceneweaver.scene import Intent, Scene
 from tests.critic import rooms
@@ -93,7 +93,9 @@ def test_toilet_in_a_bedroom() -> None:
 
 
 def test_what_was_asked_for_is_not_foreign() -> None:
-    asked = Brief.model_validate({"text": "", "objects": [{"id": "toilet", "noun": "toilet", "category": "toilet"}]})
+    asked = SceneGraph.model_validate(
+        {"text": "", "entities": [{"id": "toilet", "noun": "toilet", "category": "toilet"}]}
+    )
     good = rooms.bedroom()
     scene = good.plus(put("toilet-0", 0.4, 0.3, 90)).scene
     assert not only(Case(scene, good.room_type, asked).review(), "foreign_object", "realism")
@@ -164,7 +166,7 @@ def test_half_empty_room_is_incomplete() -> None:
 
 def test_sparse_requests_are_not_held_to_the_same() -> None:
     good = rooms.bedroom().but({"id": "picture-0", "gone": True}, {"id": "dresser-0", "gone": True})
-    sparse = Case(good.scene, good.room_type, Brief(text="", density="sparse"))
+    sparse = Case(good.scene, good.room_type, SceneGraph(text="", density="sparse"))
     assert sparse.review().grades["completion"] > good.review().grades["completion"]
 
 

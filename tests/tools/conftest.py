@@ -9,7 +9,7 @@ import pytest
 
 from sceneweaver.assets import Library, make
 from sceneweaver.assets.sources.parametric import ParametricSource
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge import room_type
 from sceneweaver.scene import Door, Pose, Relation, Room, Scene, Support, Window
 from sceneweaver.tools.base import Context, Proposal
@@ -36,9 +36,11 @@ def call(library: Library) -> Call:
         room: str = "living_room",
         seed: int = 0,
         instruction: str = "",
-        brief: Brief | None = None,
+        brief: SceneGraph | None = None,
     ) -> Proposal:
-        context = Context(brief or Brief(text=""), room_type(room), scene, library, seed, instruction, inputs or {})
+        context = Context(
+            brief or SceneGraph(text=""), room_type(room), scene, library, seed, instruction, inputs or {}
+        )
         return tool(name).load().propose(context)
 
     return run

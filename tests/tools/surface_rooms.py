@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from sceneweaver.assets import Library, make
-from sceneweaver.brief import Brief
+from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge import room_types
 from sceneweaver.scene import Pose, Relation, Room, Scene, SceneObject
 from sceneweaver.scene.edits import apply_all
@@ -47,7 +47,7 @@ def laid(category: str, chairs: int = 4) -> Scene:
 def answer(tool: Tool, scene: Scene, inputs: Mapping[str, Any] | None = None, seed: int = 1) -> Proposal:
     """What a tool proposes for a scene."""
     kind = next(iter(room_types().values()))
-    return tool.propose(Context(Brief(text=""), kind, scene, LIBRARY, seed, inputs=inputs or {}))
+    return tool.propose(Context(SceneGraph(text=""), kind, scene, LIBRARY, seed, inputs=inputs or {}))
 
 
 def after(scene: Scene, proposal: Proposal) -> Scene:

@@ -6,7 +6,7 @@ import pytest
 
 import sceneweaver as sw
 from sceneweaver.assets import make
-from sceneweaver.brief import Asked, AskedRelation, Brief
+from sceneweaver.brief import Entity, SceneGraph, StatedRelation, Unread
 from sceneweaver.scene import InputError, Pose, Room, Scene
 from sceneweaver.scene.edits import Add, Relate, apply_all
 
@@ -130,7 +130,7 @@ def test_seed_decides(lounge, call):
 
 
 def test_the_request_and_the_room_leave_their_marks(lounge, call):
-    brief = Brief(text="x", objects=(Asked(id="plant", noun="plants", category="palm", count=(1, 1)),))
+    brief = SceneGraph(text="x", entities=(Entity(id="plant", noun="plants", category="palm", count=(1, 1)),))
     new = added(
         call(
             "add_objects",
@@ -186,7 +186,7 @@ def test_an_empty_room_of_every_kind_takes_its_own_items(call):
 
 def test_a_sentence_is_read(lounge, call):
     reader = pytest.importorskip("sceneweaver.brief")
-    if not hasattr(reader, "read_brief"):
+    if not hasattr(reader, "read_request"):
         pytest.skip("the reader of requests is not there")
     proposal = call("add_objects", lounge, instruction="add two plants and a floor lamp next to the sofa")
     new = sorted(o.category for o in added(proposal))
@@ -195,28 +195,28 @@ def test_a_sentence_is_read(lounge, call):
 
 
 def test_a_read_sentence_becomes_inputs(lounge, call, monkeypatch):
-    brief = Brief(
+    brief = SceneGraph(
         text="x",
-        objects=(
-            Asked(id="book", noun="books", category="book", count=(2, 2), color="red"),
-            Asked(id="shelf", noun="large bookcase", category="bookcase", words=("tall",)),
-            Asked(id="sofa", noun="the sofa", category="sofa"),
+        entities=(
+            Entity(id="book", noun="books", category="book", count=(2, 2), color="red"),
+            Entity(id="shelf", noun="large bookcase", category="bookcase", words=("tall",)),
+            Entity(id="sofa", noun="the sofa", category="sofa"),
         ),
         relations=(
-            AskedRelation(type="on_top", subject="book", target="shelf"),
-            AskedRelation(type="near", subject="shelf", target="sofa", params={"max": 0.8}),
-            AskedRelation(type="in_corner", subject="shelf", target="corner"),
+            StatedRelation(type="on", subject="book", targets=("shelf",)),
+            StatedRelation(type="near", subject="shelf", targets=("sofa",), params={"max": 0.8}),
+            StatedRelation(type="at", subject="shelf", targets=("corner",)),
         ),
-        unread=("flummox",),
+        unread=(Unread(words="flummox"),),
     )
-    monkeypatch.setattr("sceneweaver.brief.read_brief", lambda text: brief, raising=False)
+    monkeypatch.setattr("sceneweaver.brief.read_request", lambda text: brief, raising=False)
     proposal = call("add_objects", lounge, instruction="add ...")
     assert sorted(o.category for o in added(proposal)) == ["book", "book", "bookcase"]
     shelf = next(o for o in added(proposal) if o.category == "bookcase")
     assert {(r.type, r.target) for r in related(proposal, shelf.id)} == {("near", "sofa-0"), ("in_corner", None)}
     assert all(o.support.object == shelf.id for o in added(proposal) if o.category == "book")
     assert shelf.intent.priority == "asked" and any("flummox" in note for note in proposal.notes)
-    monkeypatch.setattr("sceneweaver.brief.read_brief", lambda text: Brief(text=text), raising=False)
+    monkeypatch.setattr("sceneweaver.brief.read_request", lambda text: SceneGraph(text=text), raising=False)
     with pytest.raises(InputError, match="names nothing to add"):
         call("add_objects", lounge, instruction="hello")
 

@@ -9,7 +9,7 @@ import pytest
 import shapely
 
 from sceneweaver.assets import Library, categories
-from sceneweaver.brief import Brief, read_brief
+from sceneweaver.brief import SceneGraph, read_request
 from sceneweaver.knowledge import RoomType, room_type, room_types
 from sceneweaver.scene import Scene
 from sceneweaver.tools.add_objects import AT_WINDOWS
@@ -23,8 +23,8 @@ Prior = Callable[..., tuple[Scene, Proposal]]
 def prior(library: Library) -> Prior:
     """The first scene for a request, and the proposal that it comes in."""
 
-    def run(text: str, seed: int = 0, brief: Brief | None = None, room: str | None = None, **inputs: object):
-        brief = brief or read_brief(text)
+    def run(text: str, seed: int = 0, brief: SceneGraph | None = None, room: str | None = None, **inputs: object):
+        brief = brief or read_request(text)
         kind = room_type(room or brief.room_type or "living_room")
         start = Scene(id="empty", room={"outline": ((0, 0), (3, 0), (3, 3), (0, 3))})
         proposal = InitPrior().propose(Context(brief, kind, start, library, seed, inputs=inputs))
@@ -79,10 +79,10 @@ def test_objects_say_what_they_are_there_for(prior, name):
 
 
 def test_what_is_asked_for_is_there_as_often_and_marked(prior):
-    brief = read_brief("a living room with two armchairs, a piano and three floor lamps")
+    brief = read_request("a living room with two armchairs, a piano and three floor lamps")
     scene, proposal = prior("", brief=brief)
     asked = Counter(o.intent.request for o in scene.objects if o.intent.priority == "asked")
-    counts = {a.id: (a.count or (1, 1))[0] for a in brief.objects}
+    counts = {a.id: (a.count or (1, 1))[0] for a in brief.entities}
     assert sorted(counts.values()) == [1, 2, 3] and asked == counts and not proposal.unmet
     assert all((o.intent.request is None) is (o.intent.priority != "asked") for o in scene.objects)
 

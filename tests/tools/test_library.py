@@ -7,7 +7,7 @@ import json
 import pytest
 
 import sceneweaver as sw
-from sceneweaver.brief import Asked, AskedRelation, Brief
+from sceneweaver.brief import Entity, Exclusion, SceneGraph, StatedRelation
 from sceneweaver.knowledge.library import collect, library_scenes, load_scene, own_folder
 from sceneweaver.scene import InputError, Intent, Scene
 
@@ -43,26 +43,26 @@ def test_cards(folder, lounge):
 
 
 def test_as_it_is(call, folder, lounge):
-    scene, proposal = begun(call, folder, Brief(text="a living room"))
+    scene, proposal = begun(call, folder, SceneGraph(text="a living room"))
     assert scene.ids == lounge.ids and scene.prompt == "a living room" and "lounge" in proposal.notes[0]
     assert sw.check(scene).valid == sw.check(lounge).valid
 
 
 def test_objects_are_swapped_added_and_removed(call, folder):
-    brief = Brief(
+    brief = SceneGraph(
         text="x",
-        objects=(
-            Asked(id="sofa", noun="sofa", category="sectional_sofa"),
-            Asked(id="armchair", noun="two armchairs", category="armchair", count=(2, 2)),
-            Asked(id="lamp", noun="floor lamp", category="floor_lamp", count=(1, 1)),
-            Asked(id="book", noun="book", category="book", count=(1, 1)),
-            Asked(id="table", noun="coffee table", category="coffee_table"),
+        entities=(
+            Entity(id="sofa", noun="sofa", category="sectional_sofa"),
+            Entity(id="armchair", noun="two armchairs", category="armchair", count=(2, 2)),
+            Entity(id="lamp", noun="floor lamp", category="floor_lamp", count=(1, 1)),
+            Entity(id="book", noun="book", category="book", count=(1, 1)),
+            Entity(id="table", noun="coffee table", category="coffee_table"),
         ),
         relations=(
-            AskedRelation(type="near", subject="lamp", target="sofa", params={"max": 0.5}),
-            AskedRelation(type="on_top", subject="book", target="table"),
+            StatedRelation(type="near", subject="lamp", targets=("sofa",), params={"max": 0.5}),
+            StatedRelation(type="on", subject="book", targets=("table",)),
         ),
-        without=("sideboard",),
+        exclusions=(Exclusion(words="sideboard", categories=("sideboard",)),),
     )
     # The lounge was made by hand; items tell what may be swapped for what.
     lounge = load_scene("lounge", folder)
@@ -83,7 +83,7 @@ def test_objects_are_swapped_added_and_removed(call, folder):
 
 
 def test_a_bed_of_another_kind_takes_the_place_of_the_bed(call, folder):
-    brief = Brief(text="x", objects=(Asked(id="bed", noun="single bed", category="single_bed", count=(2, 2)),))
+    brief = SceneGraph(text="x", entities=(Entity(id="bed", noun="single bed", category="single_bed", count=(2, 2)),))
     proposal = call(
         "init_library", Scene.example("bedroom"), {"folder": str(folder), "name": "second"}, brief=brief, room="bedroom"
     )
@@ -92,18 +92,18 @@ def test_a_bed_of_another_kind_takes_the_place_of_the_bed(call, folder):
 
 
 def test_the_floor_is_made_as_asked(call, folder, lounge):
-    scene, proposal = begun(call, folder, Brief(text="x", size=(9.0, 6.0), height=3.2))
+    scene, proposal = begun(call, folder, SceneGraph(text="x", size=(9.0, 6.0), height=3.2))
     assert scene.room.outline == ((0, 0), (9, 0), (9, 6), (0, 6)) and scene.room.height == 3.2
     assert scene.object("sofa-0").pose.position[0] == pytest.approx(4.5)
     vase, table = scene.object("vase-0").pose, scene.object("coffee_table-0").pose
     assert vase.position[0] - table.position[0] == pytest.approx(0.2, abs=1e-6)
     assert scene.room.doors[0].width == lounge.room.doors[0].width
-    scene, proposal = begun(call, folder, Brief(text="x", shape="L"))
+    scene, proposal = begun(call, folder, SceneGraph(text="x", shape="L"))
     assert any("L shape" in line for line in proposal.unmet)
 
 
 def test_only_what_is_named(call, folder):
-    brief = Brief(text="x", objects=(Asked(id="sofa", noun="sofa", category="sofa"),), only=True)
+    brief = SceneGraph(text="x", entities=(Entity(id="sofa", noun="sofa", category="sofa"),), only=True)
     scene, _ = begun(call, folder, brief)
     assert scene.ids == ("sofa-0",) and scene.object("sofa-0").intent.request == "sofa"
 
@@ -111,7 +111,7 @@ def test_only_what_is_named(call, folder):
 def test_the_best_match_is_taken(call, folder, lounge):
     small = lounge.model_copy(update={"objects": lounge.objects[:1], "relations": ()})
     small.save(folder / "bare.json")
-    brief = Brief(text="x", objects=(Asked(id="a", noun="armchair", category="armchair"),))
+    brief = SceneGraph(text="x", entities=(Entity(id="a", noun="armchair", category="armchair"),))
     assert begun(call, folder, brief)[0].provenance["library"] == "lounge"
     assert begun(call, folder, brief, name="bare")[0].provenance["library"] == "bare"
     with pytest.raises(InputError, match="holds no gym"):

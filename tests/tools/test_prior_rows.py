@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.brief import read_brief
+from sceneweaver.brief import read_request
 from sceneweaver.knowledge import room_type
 from sceneweaver.scene import CATALOGUE, Scene
 from sceneweaver.tools.base import Context
@@ -16,7 +16,7 @@ def propose(library):
     """What the prior proposes for a request."""
 
     def run(words: str):
-        brief = read_brief(words)
+        brief = read_request(words)
         empty = Scene(id="empty", room={"outline": ((0, 0), (3, 0), (3, 3), (0, 3))})
         return InitPrior().propose(Context(brief, room_type(brief.room_type or ""), empty, library, 1))
 
