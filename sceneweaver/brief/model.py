@@ -50,7 +50,7 @@ RelationType = Literal[
 """What a request says of where something is.
 
 Sides are those of the target as seen by who looks at its front: right of a bed is the right-hand side of who
-stands at its foot. ``next_to`` is beside it with hardly a gap, ``near`` within a step, ``flanking`` at both sides of it.
+stands at its foot. ``next_to`` is beside it with hardly a gap, ``near`` within a step, ``flanking`` beside both sides.
 ``at`` a table is sitting at it; ``along`` is its long side, ``at_head`` and ``at_foot`` are its ends. ``opposite`` is
 across the room or the table from it, ``facing`` turned to it. With the place ``corner`` or ``middle`` the type is
 ``at``.
