@@ -2,20 +2,14 @@
 
 import warp as wp
 
-from .bodies import object_count
+from .bodies import candidate_of, object_count
 from .features import TURN
 from .geometry import plane_of, turn_back, wrap
+from .plan import Plan, SearchRun
 from .tables import Problems, State
+from .verdict import VALID, DeviceVerdict
 
 wp.set_module_options({"enable_backward": False})
-
-
-@wp.func
-def copy_layout(b: Problems, candidate: wp.int32, source: State, target: State):
-    """Copy a candidate's poses from one state to another."""
-    for obj in range(object_count(b.tables, b.problem[candidate])):
-        target.poses[candidate, obj] = source.poses[candidate, obj]
-        target.turns[candidate, obj] = source.turns[candidate, obj]
 
 
 @wp.kernel
@@ -23,19 +17,37 @@ def keep_best(
     # Problem:
     b: Problems,
     # State in:
-    active: wp.array(dtype=wp.int32),
     s: State,
-    total: wp.array(dtype=wp.float32),
-    # State out:
-    best_out: State,
-    best_total_out: wp.array(dtype=wp.float32),
+    # State in and out:
+    run: SearchRun,
 ):
-    """Copy an active candidate's layout when its energy is the lowest so far."""
+    """Keep an active candidate's poses when its energy is the lowest so far."""
     candidate = wp.tid()
-    if active[candidate] == 0 or not total[candidate] < best_total_out[candidate]:
+    if run.active[candidate] == 0 or not run.total[candidate] < run.best_total[candidate]:
         return
-    best_total_out[candidate] = total[candidate]
-    copy_layout(b, candidate, s, best_out)
+    run.best_total[candidate] = run.total[candidate]
+    for obj in range(object_count(b.tables, b.problem[candidate])):
+        run.best[candidate, obj] = s.poses[candidate, obj]
+
+
+@wp.kernel
+def take_best_found(
+    # Problem:
+    b: Problems,
+    # State in:
+    run: SearchRun,
+    verdict: DeviceVerdict,
+    # State in and out:
+    s: State,
+):
+    """Put candidates that are not valid back to the lowest energy that they had."""
+    candidate, obj = wp.tid()
+    if int(verdict.status[candidate]) == VALID or not run.best_total[candidate] < wp.inf:
+        return
+    if obj < object_count(b.tables, b.problem[candidate]):
+        pose = run.best[candidate, obj]
+        s.poses[candidate, obj] = pose
+        s.turns[candidate, obj] = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
 
 
 @wp.kernel
@@ -97,15 +109,12 @@ def to_surface_frames(
 def release(
     # Problem:
     b: Problems,
-    rounds: wp.int32,
-    anchored_attempts: wp.int32,
+    plan: Plan,
     # State in:
-    active: wp.array(dtype=wp.int32),
-    clock: wp.array(dtype=wp.int32),
-    fault: wp.array2d(dtype=wp.int8),
-    holds: wp.array2d(dtype=wp.bool),
-    # State out:
-    released_out: wp.array2d(dtype=wp.int32),
+    run: SearchRun,
+    verdict: DeviceVerdict,
+    # State in and out:
+    s: State,
 ):
     """At the start of an attempt, let the roots move whose bodies the last verdict finds at fault; all in the last one.
 
@@ -113,77 +122,65 @@ def release(
     """
     t = b.tables
     candidate = wp.tid()
-    if active[candidate] == 0 or clock[0] % rounds != 0:
+    if run.active[candidate] == 0 or run.clock[0] % plan.rounds != 0:
         return
-    p = b.problem[candidate]
-    o0 = t[0].object_start[p]
-    all_of_them = clock[0] // rounds >= anchored_attempts - 1
-    for obj in range(t[0].object_start[p + 1] - o0):
-        if all_of_them or int(fault[candidate, obj]) != 0:
-            released_out[candidate, t[0].object_root[o0 + obj]] = 1
-    r0 = t[0].relation_start[p]
-    for r in range(r0, t[0].relation_start[p + 1]):
-        if t[0].relation_fault[r] != 0 and not holds[candidate, r - r0]:
+    c = candidate_of(b, candidate)
+    all_of_them = run.clock[0] // plan.rounds >= plan.anchored_attempts - 1
+    for obj in range(c.objects):
+        if all_of_them or int(verdict.fault[candidate, obj]) != VALID:
+            s.released[candidate, t[0].object_root[c.first_object + obj]] = 1
+    r0 = t[0].relation_start[c.problem]
+    for r in range(r0, t[0].relation_start[c.problem + 1]):
+        if t[0].relation_fault[r] != 0 and not verdict.holds[candidate, r - r0]:
             parties = t[0].relation_object[r]
             for k in range(3):
                 if parties[k] >= 0:
-                    released_out[candidate, t[0].object_root[o0 + parties[k]]] = 1
+                    s.released[candidate, t[0].object_root[c.first_object + parties[k]]] = 1
 
 
 @wp.kernel
 def advance_clock(
-    # State out:
-    clock_out: wp.array(dtype=wp.int32),
-    left_out: wp.array(dtype=wp.int32),
+    # State in and out:
+    run: SearchRun,
 ):
-    """Another step; nobody counted yet who is left. One thread."""
-    clock_out[0] = clock_out[0] + 1
-    left_out[0] = 0
+    """Another round is done; nobody counted yet who is left. One thread."""
+    run.clock[0] = run.clock[0] + 1
+    run.left[0] = 0
 
 
 @wp.kernel
 def retire(
     # Problem:
-    b: Problems,
-    first_steps: wp.int32,
+    plan: Plan,
     close: wp.float32,
     # State in:
-    clock: wp.array(dtype=wp.int32),
-    status: wp.array(dtype=wp.int8),
-    best: State,
-    best_total: wp.array(dtype=wp.float32),
+    verdict: DeviceVerdict,
     # State in and out:
-    active: wp.array(dtype=wp.int32),
-    s: State,
-    # State out:
-    left_out: wp.array(dtype=wp.int32),
+    run: SearchRun,
 ):
-    """Take candidates out of the search, and count those that go on in ``left_out[0]``.
+    """Take candidates out of the search, and count those that go on in ``left[0]``.
 
-    The valid ones leave, and after so many steps those that never came close to it (energy above ``close`` [m]): with
-    their best layout, and counted in ``left_out[1]``.
+    The valid ones leave, and after the first attempts those that never came close to it (energy above ``close`` [m]),
+    which are counted in ``left[1]``.
     """
     candidate = wp.tid()
-    if active[candidate] == 0:
+    if run.active[candidate] == 0:
         return
-    if int(status[candidate]) == 0:
-        active[candidate] = 0
-    elif clock[0] == first_steps and best_total[candidate] > close:
-        active[candidate] = 0
-        wp.atomic_add(left_out, 1, 1)
-        copy_layout(b, candidate, best, s)
+    if int(verdict.status[candidate]) == VALID:
+        run.active[candidate] = 0
+    elif run.clock[0] == plan.first_steps and run.best_total[candidate] > close:
+        run.active[candidate] = 0
+        wp.atomic_add(run.left, 1, 1)
     else:
-        wp.atomic_add(left_out, 0, 1)
+        wp.atomic_add(run.left, 0, 1)
 
 
 @wp.kernel
 def check_continue(
-    # State in:
-    clock: wp.array(dtype=wp.int32),
-    left: wp.array(dtype=wp.int32),
-    steps: wp.int32,
-    # State out:
-    more_out: wp.array(dtype=wp.int32),
+    # Problem:
+    plan: Plan,
+    # State in and out:
+    run: SearchRun,
 ):
-    """Whether another step is due. One thread."""
-    more_out[0] = wp.where(left[0] > 0 and clock[0] < steps, 1, 0)
+    """Whether another round is due. One thread."""
+    run.more[0] = wp.where(run.left[0] > 0 and run.clock[0] < plan.steps, 1, 0)

@@ -8,6 +8,7 @@ import warp as wp
 
 from .array_access import item
 from .bodies import object_count
+from .plan import SearchRun
 from .tables import Problems, State, TablesRef
 
 wp.set_module_options({"enable_backward": False})
@@ -77,12 +78,12 @@ def enter_cells(
     # Problem:
     b: Problems,
     # State in:
-    active: wp.array(dtype=wp.int32),
+    run: SearchRun,
     # State in and out:
     s: State,
 ):
     """Build the lists of every active candidate anew."""
     t = b.tables
     candidate = wp.tid()
-    if active[candidate] == 1:
+    if run.active[candidate] == 1:
         fill_cells(t, b.problem[candidate], candidate, s)

@@ -9,9 +9,9 @@ import warp as wp
 from .array_access import item
 from .bodies import Candidate
 from .groups import members_end
-from .starts import Plan
+from .plan import Plan
 from .state_machine import MOVE, RATE, RETURN, SQUARE, STEP, SURVEY
-from .tables import TablesRef, Weights
+from .tables import Problems, TablesRef
 
 wp.set_module_options({"enable_backward": False})
 
@@ -62,12 +62,29 @@ class JobResult:
     draft: wp.int32
 
 
+@wp.struct
+class Proposals:
+    """The poses that are tried, [candidate, proposal], and whether they take surfaces laid out anew."""
+
+    poses: wp.array2d(dtype=wp.vec4)
+    drafts: wp.array2d(dtype=wp.int32)
+
+
+@wp.struct
+class Jobs:
+    """The job of every candidate, where all do theirs side by side."""
+
+    state: wp.array(dtype=SearchState)  # [candidate]
+    result: wp.array(dtype=JobResult)  # [candidate]
+    busy: wp.array(dtype=wp.int32)  # [1]: 1 while any has one
+
+
 @wp.func
-def weights_at(w: Weights, d: SearchState):
-    """The weights of an attempt: something pulls back in those only that are anchored."""
+def problems_at(b: Problems, d: SearchState):
+    """The problems with the weights of an attempt: something pulls back in those only that are anchored."""
     if d.anchored == 0:
-        w.pull = 0.0
-    return w
+        b.weights.pull = 0.0
+    return b
 
 
 @wp.func

@@ -16,17 +16,19 @@ from .jobs import (
     BACK_STEPS,
     SOLVED,
     JobResult,
+    Jobs,
+    Proposals,
     SearchState,
     object_of,
+    problems_at,
     proposal_count,
     rates_only,
     single_body,
-    weights_at,
 )
+from .plan import Plan
 from .sample import QUARTER, propose, uniform
-from .starts import Plan
 from .state_machine import GRADIENT, MOVE, RETURN, SQUARE, STEP, STOP
-from .tables import Margins, Problems, State, TablesRef, TermSlice, View, Weights
+from .tables import Problems, State, TablesRef, TermSlice, View
 from .warp_primitives import (
     lane_id,
     shfl_float,
@@ -59,19 +61,11 @@ def off_square(t: TablesRef, p: wp.int32, pose: wp.vec4):
 
 @wp.func
 def draw_proposals(
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
-    plan: Plan,
-    c: Candidate,
-    d: SearchState,
-    first: wp.int32,
-    by: wp.int32,
-    s: State,
-    drawn: wp.array2d(dtype=wp.vec4),
-    drafted: wp.array2d(dtype=wp.int32),
+    b: Problems, plan: Plan, c: Candidate, d: SearchState, first: wp.int32, by: wp.int32, s: State, proposals: Proposals
 ):
     """Draw the pose of every ``by``-th proposal from ``first``, and whether it takes the draft."""
+    t = b.tables
+    m = b.margins
     candidate = c.index
     old = item(s.poses, candidate, d.obj)
     rng = wp.rand_init(d.seed, first)
@@ -88,7 +82,7 @@ def draw_proposals(
             if anew:
                 near = 0.02 + d.scale * uniform(rng)
                 far = wp.where(d.anchored == 1, FAR_SHARE_ANCHORED, FAR_SHARE)
-                pose = propose(t, m, w, c.problem, d.obj, pose, s, candidate, near, far, plan.slide, rng)
+                pose = propose(t, m, b.weights, c.problem, d.obj, pose, s, candidate, near, far, plan.slide, rng)
                 o = c.first_object + d.obj
                 if d.last == item(t[0].group_start, o + 1) and is_formation(t, o):
                     way = way_inside(t, c.problem, candidate, d.obj, pose, m.bounds_aim, s)
@@ -101,26 +95,16 @@ def draw_proposals(
             back = item(s.anchors, candidate, d.obj) - pose
             back[3] = wrap(back[3], TURN)
             pose = pose + (1.0 - float(k) / float(BACK_STEPS)) * back
-        drawn[candidate, k] = pose
-        drafted[candidate, k] = draft
+        proposals.poses[candidate, k] = pose
+        proposals.drafts[candidate, k] = draft
     if d.job == MOVE:
         s.stream[candidate, first] = rng
 
 
 @wp.func
-def rate_proposals(
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
-    plan: Plan,
-    c: Candidate,
-    d: SearchState,
-    s: State,
-    drawn: wp.array2d(dtype=wp.vec4),
-    drafted: wp.array2d(dtype=wp.int32),
-    energy: wp.array2d(dtype=wp.float32),
-):
+def rate_proposals(b: Problems, plan: Plan, c: Candidate, d: SearchState, s: State, proposals: Proposals):
     """Rate all proposals of a job, each by a subwarp. Every lane gets the result. The code has no gradients."""
+    t = b.tables
     candidate = c.index
     o0 = c.first_object
     me = lane_id()
@@ -144,9 +128,9 @@ def rate_proposals(
             first, last = single_body(t, o0 + who)
         else:
             view.stamp = d.stamp
-            view.draft = item(drafted, candidate, k)
+            view.draft = item(proposals.drafts, candidate, k)
             view.before = old
-            view.after = item(drawn, candidate, k)
+            view.after = item(proposals.poses, candidate, k)
             view.spin = wp.vec2(wp.cos(view.after[3] - old[3]), wp.sin(view.after[3] - old[3]))
             if (d.job == MOVE and k > 0) or d.job == STEP:
                 part.limit = wp.min(x.least, x.base + d.threshold)
@@ -155,7 +139,7 @@ def rate_proposals(
         soft = float(0.0)
         rating = float(0.0)
         if last > first:
-            energy_of_group = group_energy(t, m, w, c, first, last, s, view, part)
+            energy_of_group = group_energy(t, b.margins, b.weights, c, first, last, s, view, part)
             e = subwarp_sum(energy_of_group.value, subwarp)
             share = subwarp_sum(energy_of_group.share, subwarp)
             soft = subwarp_sum(energy_of_group.soft, subwarp)
@@ -167,7 +151,7 @@ def rate_proposals(
             if me % subwarp == 0:
                 x.share += share
                 x.soft += soft
-                energy[candidate, who] = rating
+                s.rating[candidate, who] = rating
         elif d.job == MOVE and k == 0:
             x.base = e
         elif d.job == RETURN:
@@ -194,13 +178,13 @@ def rate_proposals(
 
 
 @wp.func
-def find_gradient(t: TablesRef, m: Margins, w: Weights, c: Candidate, d: SearchState, s: State):
+def find_gradient(b: Problems, c: Candidate, d: SearchState, s: State):
     """The result of a job that takes a gradient; all lanes share its terms, and each gets the result."""
-    first, last = single_body(t, c.first_object + d.obj)
+    first, last = single_body(b.tables, c.first_object + d.obj)
     view = View()
     view.best = 1
     view.crowd = 1
-    e = group_energy(t, m, w, c, first, last, s, view, TermSlice(lane_id(), warp_size(), FAR))
+    e = group_energy(b.tables, b.margins, b.weights, c, first, last, s, view, TermSlice(lane_id(), warp_size(), FAR))
     x = JobResult()
     x.base = warp_sum(e.value)
     x.gradient = subwarp_sum_vec4(e.gradient, warp_size())
@@ -212,26 +196,21 @@ def draw(
     # Problem:
     b: Problems,
     plan: Plan,
-    # State in:
-    search_state: wp.array(dtype=SearchState),
     # State in and out:
     s: State,
-    # State out:
-    drawn_out: wp.array2d(dtype=wp.vec4),
-    drafted_out: wp.array2d(dtype=wp.int32),
-    busy_out: wp.array(dtype=wp.int32),
+    proposals: Proposals,
+    jobs: Jobs,
 ):
-    """Draw the poses that are tried, [candidate, drawer]. ``busy_out`` is set to 0."""
+    """Draw the poses that are tried, [candidate, drawer], and set ``busy`` to 0."""
     inline_on_gpu()
     candidate, first = wp.tid()
     if candidate == 0 and first == 0:
-        busy_out[0] = 0
-    if search_state[candidate].job < MOVE or search_state[candidate].job == STOP:
+        jobs.busy[0] = 0
+    if jobs.state[candidate].job < MOVE or jobs.state[candidate].job == STOP:
         return
-    c = candidate_of(b, candidate)
-    d = search_state[candidate]
+    d = jobs.state[candidate]
     by = wp.min(1 + plan.proposals, warp_size())
-    draw_proposals(b.tables, b.margins, weights_at(b.weights, d), plan, c, d, first, by, s, drawn_out, drafted_out)
+    draw_proposals(problems_at(b, d), plan, candidate_of(b, candidate), d, first, by, s, proposals)
 
 
 @wp.kernel(cuda_max_registers=128)
@@ -240,44 +219,37 @@ def rate(
     b: Problems,
     plan: Plan,
     # State in:
-    search_state: wp.array(dtype=SearchState),
+    proposals: Proposals,
+    # State in and out:
     s: State,
-    drawn: wp.array2d(dtype=wp.vec4),
-    drafted: wp.array2d(dtype=wp.int32),
-    # State out:
-    energy_out: wp.array2d(dtype=wp.float32),
-    result_out: wp.array(dtype=JobResult),
+    jobs: Jobs,
 ):
     """Rate the proposals of every candidate's job. A warp a candidate."""
     inline_on_gpu()
     candidate = wp.tid() // warp_size()
-    if search_state[candidate].job == STOP or search_state[candidate].job == GRADIENT:
+    if jobs.state[candidate].job == STOP or jobs.state[candidate].job == GRADIENT:
         return
-    c = candidate_of(b, candidate)
-    d = search_state[candidate]
-    w = weights_at(b.weights, d)
-    x = rate_proposals(b.tables, b.margins, w, plan, c, d, s, drawn, drafted, energy_out)
+    d = jobs.state[candidate]
+    x = rate_proposals(problems_at(b, d), plan, candidate_of(b, candidate), d, s, proposals)
     if lane_id() == 0:
-        result_out[candidate] = x
+        jobs.result[candidate] = x
 
 
 @wp.kernel
 def take_gradients(
     # Problem:
     b: Problems,
-    plan: Plan,
     # State in:
-    search_state: wp.array(dtype=SearchState),
     s: State,
-    # State out:
-    result_out: wp.array(dtype=JobResult),
+    # State in and out:
+    jobs: Jobs,
 ):
     """Take the gradient where that is a candidate's job. A warp a candidate."""
     inline_on_gpu()
     candidate = wp.tid() // warp_size()
-    if search_state[candidate].job != GRADIENT:
+    if jobs.state[candidate].job != GRADIENT:
         return
-    d = search_state[candidate]
-    x = find_gradient(b.tables, b.margins, weights_at(b.weights, d), candidate_of(b, candidate), d, s)
+    d = jobs.state[candidate]
+    x = find_gradient(problems_at(b, d), candidate_of(b, candidate), d, s)
     if lane_id() == 0:
-        result_out[candidate] = x
+        jobs.result[candidate] = x

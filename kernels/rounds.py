@@ -4,8 +4,8 @@ import warp as wp
 
 from .array_access import item
 from .bodies import Candidate, candidate_of
-from .jobs import JobResult, SearchState
-from .starts import GIVEN, Plan
+from .jobs import Jobs, SearchState
+from .plan import GIVEN, Plan, SearchRun
 from .state_machine import MOVING, STOP, SURVEY
 from .tables import Problems, State
 from .transitions import transition
@@ -15,24 +15,24 @@ wp.set_module_options({"enable_backward": False, "fast_math": True, "default_gri
 
 
 @wp.func
-def initial_state(plan: Plan, c: Candidate, clock: wp.array(dtype=wp.int32), s: State):
+def initial_state(plan: Plan, c: Candidate, run: SearchRun, s: State):
     """The state at the start of a round."""
     for obj in range(c.objects):
         s.mark[c.index, obj] = 0
     d = SearchState()
     d.job = SURVEY
     d.phase = MOVING
-    d.round = clock[0] % plan.rounds
-    d.anchored = wp.where(plan.start == GIVEN and clock[0] // plan.rounds < plan.anchored_attempts, 1, 0)
+    d.round = run.clock[0] % plan.rounds
+    d.anchored = wp.where(plan.start == GIVEN and run.clock[0] // plan.rounds < plan.anchored_attempts, 1, 0)
     d.cursor = -1
     d.rng = item(s.stream, c.index, warp_size())
     return d
 
 
 @wp.func
-def finish_round(candidate: wp.int32, d: SearchState, s: State, total_out: wp.array(dtype=wp.float32)):
+def finish_round(candidate: wp.int32, d: SearchState, s: State, run: SearchRun):
     """The end of a round."""
-    total_out[candidate] = d.total
+    run.total[candidate] = d.total
     s.stream[candidate, warp_size()] = d.rng
 
 
@@ -42,23 +42,20 @@ def start_rounds(
     b: Problems,
     plan: Plan,
     # State in:
-    active: wp.array(dtype=wp.int32),
-    clock: wp.array(dtype=wp.int32),
+    run: SearchRun,
     # State in and out:
     s: State,
-    # State out:
-    search_state_out: wp.array(dtype=SearchState),
-    busy_out: wp.array(dtype=wp.int32),
+    jobs: Jobs,
 ):
     """Start a round of every active candidate; the others have nothing to do."""
     candidate = wp.tid()
     if candidate == 0:
-        busy_out[0] = 1
+        jobs.busy[0] = 1
     d = SearchState()
     d.job = STOP
-    if active[candidate] != 0:
-        d = initial_state(plan, candidate_of(b, candidate), clock, s)
-    search_state_out[candidate] = d
+    if run.active[candidate] != 0:
+        d = initial_state(plan, candidate_of(b, candidate), run, s)
+    jobs.state[candidate] = d
 
 
 @wp.kernel
@@ -66,25 +63,19 @@ def advance(
     # Problem:
     b: Problems,
     plan: Plan,
-    # State in:
-    result: wp.array(dtype=JobResult),
     # State in and out:
     s: State,
-    energy: wp.array2d(dtype=wp.float32),
-    search_state: wp.array(dtype=SearchState),
-    # State out:
-    total_out: wp.array(dtype=wp.float32),
-    busy_out: wp.array(dtype=wp.int32),
+    jobs: Jobs,
+    run: SearchRun,
 ):
-    """Apply the result of every candidate's job and choose its next. ``busy_out`` becomes 1 if any has one."""
-    t = b.tables
+    """Apply the result of every candidate's job and choose its next. ``busy`` becomes 1 if any has one."""
     candidate = wp.tid()
-    d = search_state[candidate]
+    d = jobs.state[candidate]
     if d.job == STOP:
         return
-    d = transition(t, plan, candidate_of(b, candidate), result[candidate], s, energy, d)
-    search_state[candidate] = d
+    d = transition(b.tables, plan, candidate_of(b, candidate), jobs.result[candidate], s, d)
+    jobs.state[candidate] = d
     if d.job == STOP:
-        finish_round(candidate, d, s, total_out)
+        finish_round(candidate, d, s, run)
     else:
-        busy_out[0] = 1
+        jobs.busy[0] = 1

@@ -4,6 +4,7 @@ import warp as wp
 
 from .array_access import item, opaque_one
 from .groups import is_formation, move_inside, move_with_members, redraw_surfaces, set_pose
+from .plan import ANYWHERE, GIVEN, Plan, SearchRun
 from .sample import keep_inside, project_onto_relations, random_start, uniform
 from .tables import Problems, State, TablesRef
 from .warp_primitives import lane_id, syncwarp, warp_size
@@ -12,32 +13,6 @@ from .warp_primitives import lane_id, syncwarp, warp_size
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
 
 DEPTHS = wp.constant(16)  # objects that others are placed by are drawn before those, down to this depth
-
-# Where an attempt begins, ``Plan.start``.
-GIVEN = 0
-ANYWHERE = 1
-RELATIONS = 2
-
-
-@wp.struct
-class Plan:
-    """How a search goes about it, in work units. A run is attempts of so many rounds; the clock counts rounds."""
-
-    steps: wp.int32  # rounds of all attempts
-    first_steps: wp.int32  # rounds after which candidates leave that never came close to valid
-    rounds: wp.int32  # rounds of one attempt
-    start: wp.int32  # GIVEN, ANYWHERE or RELATIONS; later attempts draw from the relations
-    anchored_attempts: wp.int32  # with GIVEN: attempts that begin there and keep what is in order where it is
-    moves: wp.int32  # in a round, for each movable object
-    proposals: wp.int32
-    slide: wp.float32  # share of proposals that are slid flush with something
-    whole: wp.float32  # share of moves that take along what the object places
-    rates: wp.int32  # 1: what such a move took along is rated at once, else at the next survey
-    polish: wp.int32  # gradient sweeps at the end of a round
-    tries: wp.int32  # step lengths of one gradient step
-    soft_moves: wp.int32  # moves for each movable object spent on soft relations once the hard ones hold
-    temperature: wp.float32  # [m] temperature at the start of an attempt
-    anchored_temperature: wp.float32
 
 
 @wp.func
@@ -57,8 +32,7 @@ def start_attempt(
     b: Problems,
     plan: Plan,
     # State in:
-    active: wp.array(dtype=wp.int32),
-    clock: wp.array(dtype=wp.int32),
+    run: SearchRun,
     # State in and out:
     s: State,
 ):
@@ -68,12 +42,12 @@ def start_attempt(
     w = b.weights
     candidate = wp.tid() // warp_size()
     me = lane_id()
-    if clock[0] % plan.rounds != 0 or active[candidate] == 0:
+    if run.clock[0] % plan.rounds != 0 or run.active[candidate] == 0:
         return
     p = b.problem[candidate]
     o0 = item(t[0].object_start, p)
     n = item(t[0].object_start, p + 1) - o0
-    attempt = clock[0] // plan.rounds
+    attempt = run.clock[0] // plan.rounds
     if attempt == 0:
         s.stream[candidate, me] = wp.rand_init(int(s.rng[candidate]), me)
         if me == 0:

@@ -188,6 +188,7 @@ STATE = (
     Table("stream", ("candidate", "lane"), wp.uint32, "", "the search's streams; the last: the candidate's own"),
     # Those that only a search fills; before, the second dimension is 1.
     Table("released", ("candidate", "1"), wp.int32, "", "1: a root that anchored attempts may move, see `release`"),
+    Table("rating", ("candidate", "1"), wp.float32, "m", "what was last found to be at fault with an object"),
     Table("mark", OF_OBJECT, wp.int32, "", "the move that an object takes part in, see `View`"),
     Table("draft", OF_OBJECT, wp.vec4, "m, rad", "surfaces laid out otherwise, see `View`"),
     Table("cell_head", ("candidate", "1"), wp.int32, "", "first object of each cell; -1: none"),

@@ -14,8 +14,8 @@ from .features import TURN
 from .geometry import FAR, wrap
 from .groups import members_end, redraw_surfaces, set_pose
 from .jobs import SOLVED, JobResult, SearchState, single_body
+from .plan import Plan
 from .proposals import off_square
-from .starts import Plan
 from .state_machine import (
     GRADIENT,
     GROUP_MOVED,
@@ -50,16 +50,16 @@ LONGEST_STEP = wp.constant(0.3)  # [m] along a gradient
 
 
 @wp.func
-def pick_object(n: wp.int32, candidate: wp.int32, energy: wp.array2d(dtype=wp.float32), u: wp.float32):
+def pick_object(c: Candidate, s: State, u: wp.float32):
     """The object on which a share u of all energies falls, laid end to end; -1 when there is none."""
     total = float(0.0)
     step = opaque_one()
-    for i in range(0, n, step):
-        total += item(energy, candidate, i)
+    for i in range(0, c.objects, step):
+        total += item(s.rating, c.index, i)
     left = u * total
     obj = int(-1)
-    for i in range(0, n, step):
-        e = item(energy, candidate, i)
+    for i in range(0, c.objects, step):
+        e = item(s.rating, c.index, i)
         if e > 0.0 and left >= 0.0:
             obj = i
             left -= e
@@ -77,11 +77,11 @@ def may_move(t: TablesRef, c: Candidate, d: SearchState, s: State):
 
 
 @wp.func
-def next_object(t: TablesRef, c: Candidate, energy: wp.array2d(dtype=wp.float32), obj: wp.int32, faulty: wp.bool):
+def next_object(t: TablesRef, c: Candidate, s: State, obj: wp.int32, faulty: wp.bool):
     """The next free object after this one, of those with energy if only faulty ones count; ``c.objects`` at the end."""
     obj += 1
     while obj < c.objects and (
-        item(t[0].object_free, c.first_object + obj) == 0 or (faulty and item(energy, c.index, obj) <= SOLVED)
+        item(t[0].object_free, c.first_object + obj) == 0 or (faulty and item(s.rating, c.index, obj) <= SOLVED)
     ):
         obj += 1
     return obj
@@ -112,15 +112,7 @@ def apply_move(t: TablesRef, c: Candidate, x: JobResult, d: SearchState, s: Stat
 
 
 @wp.func
-def apply_result(
-    t: TablesRef,
-    plan: Plan,
-    c: Candidate,
-    x: JobResult,
-    s: State,
-    energy: wp.array2d(dtype=wp.float32),
-    d: SearchState,
-):
+def apply_result(t: TablesRef, plan: Plan, c: Candidate, x: JobResult, s: State, d: SearchState):
     """Take in the result of the job that was done: the state after it, and whether something has moved."""
     movable = movable_of(t, c)
     moved = bool(False)
@@ -139,7 +131,7 @@ def apply_result(
     elif d.job == MOVE:
         moved = x.least < x.base + d.threshold
         if moved:
-            energy[c.index, d.obj] = x.rating
+            s.rating[c.index, d.obj] = x.rating
     elif d.job == STEP:
         moved = x.least < d.base
     elif d.job == SQUARE:
@@ -191,16 +183,7 @@ def choose_move(t: TablesRef, plan: Plan, c: Candidate, moves: wp.int32, chosen:
 
 
 @wp.func
-def moving_event(
-    t: TablesRef,
-    plan: Plan,
-    c: Candidate,
-    done: wp.int32,
-    moved: wp.bool,
-    s: State,
-    energy: wp.array2d(dtype=wp.float32),
-    d: SearchState,
-):
+def moving_event(t: TablesRef, plan: Plan, c: Candidate, done: wp.int32, moved: wp.bool, s: State, d: SearchState):
     """What comes next while objects move: the state, and the event."""
     movable = movable_of(t, c)
     moves = wp.max(plan.moves * movable, LEAST_MOVES)
@@ -214,7 +197,7 @@ def moving_event(
             event = MOVES_SPENT
         else:
             rng = d.rng
-            chosen = pick_object(c.objects, c.index, energy, wp.randf(rng))
+            chosen = pick_object(c, s, wp.randf(rng))
             d.rng = rng
             if chosen >= 0:
                 event = OBJECT_CHOSEN
@@ -225,15 +208,7 @@ def moving_event(
 
 
 @wp.func
-def polishing_event(
-    t: TablesRef,
-    plan: Plan,
-    c: Candidate,
-    done: wp.int32,
-    g: wp.vec4,
-    energy: wp.array2d(dtype=wp.float32),
-    d: SearchState,
-):
+def polishing_event(t: TablesRef, plan: Plan, c: Candidate, done: wp.int32, g: wp.vec4, s: State, d: SearchState):
     """What comes next while objects take gradient steps, g is the gradient last found: the state, and the event."""
     arm = 0.3 * item(t[0].object_radius, c.first_object + d.obj)[0] + 0.05
     scaled = wp.vec4(g[0], g[1], g[2], g[3] / (arm * arm))
@@ -250,7 +225,7 @@ def polishing_event(
         d.step = -size * scaled
     elif d.sweep < plan.polish:
         event = OBJECT_CHOSEN
-        d.cursor = next_object(t, c, energy, d.cursor, True)
+        d.cursor = next_object(t, c, s, d.cursor, True)
         if d.cursor < c.objects:
             d.obj = d.cursor
         else:
@@ -263,13 +238,13 @@ def polishing_event(
 
 
 @wp.func
-def finishing_event(t: TablesRef, c: Candidate, s: State, energy: wp.array2d(dtype=wp.float32), d: SearchState):
+def finishing_event(t: TablesRef, c: Candidate, s: State, d: SearchState):
     """What comes next while objects go back or square up: the state, and the event."""
     walled = item(t[0].plane_start, c.problem + 1) > item(t[0].plane_start, c.problem)
     event = int(NOTHING_LEFT)
     passes = wp.where(d.anchored == 1, 1, 0)  # what goes back may clear the way for another
     while event == NOTHING_LEFT and d.finishing_passes <= passes:
-        d.cursor = next_object(t, c, energy, d.cursor, False)
+        d.cursor = next_object(t, c, s, d.cursor, False)
         if d.cursor >= c.objects:
             d.cursor = -1
             d.finishing_passes += 1
@@ -311,27 +286,19 @@ def mark_movers(t: TablesRef, c: Candidate, s: State, d: SearchState):
 
 
 @wp.func
-def transition(
-    t: TablesRef,
-    plan: Plan,
-    c: Candidate,
-    x: JobResult,
-    s: State,
-    energy: wp.array2d(dtype=wp.float32),
-    d: SearchState,
-):
+def transition(t: TablesRef, plan: Plan, c: Candidate, x: JobResult, s: State, d: SearchState):
     """Apply a job's result and choose the next job: the state after it."""
     done = int(d.job)
-    d, moved = apply_result(t, plan, c, x, s, energy, d)
+    d, moved = apply_result(t, plan, c, x, s, d)
     d.job = NO_JOB
     while d.job == NO_JOB:
         event = int(NOTHING_LEFT)
         if d.phase == MOVING:
-            d, event = moving_event(t, plan, c, done, moved, s, energy, d)
+            d, event = moving_event(t, plan, c, done, moved, s, d)
         elif d.phase == POLISHING:
-            d, event = polishing_event(t, plan, c, done, x.gradient, energy, d)
+            d, event = polishing_event(t, plan, c, done, x.gradient, s, d)
         else:
-            d, event = finishing_event(t, c, s, energy, d)
+            d, event = finishing_event(t, c, s, d)
         d.job = next_job(d.phase, event)
         d.phase = next_phase(d.phase, event)
         if d.job == NO_JOB:  # a phase begins

@@ -21,6 +21,15 @@ UNMET = wp.constant(2)  # a hard relation is false
 DIVERGED = wp.constant(3)
 
 
+@wp.struct
+class DeviceVerdict:
+    """Where the verdict on a batch is written, on its device."""
+
+    status: wp.array(dtype=wp.int8)  # [candidate]: VALID, BROKEN, UNMET or DIVERGED
+    fault: wp.array2d(dtype=wp.int8)  # [candidate, object]: VALID, BROKEN or DIVERGED
+    holds: wp.array2d(dtype=wp.bool)  # [candidate, relation]: whether it holds under any of its options
+
+
 @wp.func(inline=False)
 def contact_holds(t: TablesRef, x: Contact, a: Body, b: Body, least: wp.float32):
     """True when no two prisms of a contact come closer than it has to hold (negative: may sink in so far)."""
@@ -95,9 +104,9 @@ def judge_objects(
     active: wp.array(dtype=wp.int32),
     s: State,
     # State out:
-    fault_out: wp.array2d(dtype=wp.int8),
+    verdict_out: DeviceVerdict,
 ):
-    """Fault of every object of the active candidates: 0, BROKEN or DIVERGED. A pair is charged to both."""
+    """Fault of every object of the active candidates. A pair is charged to both."""
     t = b.tables
     m = b.margins
     candidate, obj = wp.tid()
@@ -105,11 +114,11 @@ def judge_objects(
         return
     c = candidate_of(b, candidate)
     if obj >= c.objects:
-        fault_out[candidate, obj] = wp.int8(0)
+        verdict_out.fault[candidate, obj] = wp.int8(VALID)
         return
     x = body_of(c, obj, s)
     if not wp.isfinite(x.pose):
-        fault_out[candidate, obj] = wp.int8(DIVERGED)
+        verdict_out.fault[candidate, obj] = wp.int8(DIVERGED)
         return
     ok = room_holds(t, m, c.problem, x)
     row = item(t[0].pair_start, c.problem) + obj * c.objects
@@ -121,7 +130,7 @@ def judge_objects(
             far = reach_of_pair(t, x.index, other.index)
             if wp.dot(v, v) < far * far:
                 ok = contacts_hold(t, m, flags, x, other)
-    fault_out[candidate, obj] = wp.int8(wp.where(ok, VALID, BROKEN))
+    verdict_out.fault[candidate, obj] = wp.int8(wp.where(ok, VALID, BROKEN))
 
 
 @wp.kernel
@@ -132,9 +141,9 @@ def judge_relations(
     active: wp.array(dtype=wp.int32),
     s: State,
     # State out:
-    holds_out: wp.array2d(dtype=wp.bool),
+    verdict_out: DeviceVerdict,
 ):
-    """Whether each relation of the active candidates holds under any of its options, [candidate, relation]."""
+    """Whether each relation of the active candidates holds."""
     t = b.tables
     candidate, rel = wp.tid()
     if active[candidate] == 0:
@@ -144,7 +153,7 @@ def judge_relations(
     holds = bool(True)
     if r < item(t[0].relation_start, c.problem + 1):
         holds = relation_holds(t, c, r, s)
-    holds_out[candidate, rel] = holds
+    verdict_out.holds[candidate, rel] = holds
 
 
 @wp.kernel
@@ -153,12 +162,10 @@ def judge_candidates(
     b: Problems,
     # State in:
     active: wp.array(dtype=wp.int32),
-    fault: wp.array2d(dtype=wp.int8),
-    holds: wp.array2d(dtype=wp.bool),
-    # State out:
-    status_out: wp.array(dtype=wp.int8),
+    # State in and out:
+    verdict: DeviceVerdict,
 ):
-    """Status of every active candidate: 0 valid, 1 broken, 2 a hard relation is unmet, 3 diverged."""
+    """Status of every active candidate, by its objects and relations."""
     t = b.tables
     candidate = wp.tid()
     if active[candidate] == 0:
@@ -167,16 +174,16 @@ def judge_candidates(
     status = int(VALID)
     r0 = item(t[0].relation_start, p)
     for r in range(r0, item(t[0].relation_start, p + 1)):
-        if not holds[candidate, r - r0]:
+        if not verdict.holds[candidate, r - r0]:
             kind = item(t[0].relation_fault, r)
             if kind == UNMET and status == VALID:
                 status = UNMET
             if kind == BROKEN and status != DIVERGED:
                 status = BROKEN
     for obj in range(object_count(t, p)):
-        kind = int(fault[candidate, obj])
+        kind = int(verdict.fault[candidate, obj])
         if kind == DIVERGED:
             status = DIVERGED
         elif kind == BROKEN and status != DIVERGED:
             status = BROKEN
-    status_out[candidate] = wp.int8(status)
+    verdict.status[candidate] = wp.int8(status)

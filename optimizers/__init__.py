@@ -6,8 +6,6 @@ from .base import Optimizer as Optimizer
 from .base import OptimizerResult as OptimizerResult
 from .base import register as register
 from .batch import Batch as Batch
-from .batch import Verdict as Verdict
-from .batch import judge as judge
 from .batch import load_poses as load_poses
 from .batch import new_state as new_state
 from .batch import streams as streams
@@ -17,6 +15,8 @@ from .run import run as run
 from .search import run_search as run_search
 from .tempering import run_tempering as run_tempering
 from .update_rules import Descent as Descent
+from .verdict import Verdict as Verdict
+from .verdict import judge as judge
 
 __all__ = [
     "OPTIMIZERS",

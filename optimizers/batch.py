@@ -1,4 +1,4 @@
-"""A batch of candidates on one device: the state that optimisers move and the verdict on it."""
+"""A batch of candidates on one device: the state that optimisers move."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ import warp as wp
 
 from sceneweaver.kernels.bookkeeping import set_turns
 from sceneweaver.kernels.tables import STATE, Margins, Problems, State, Tables, Weights
-from sceneweaver.kernels.verdict import judge_candidates, judge_objects, judge_relations
 from sceneweaver.kernels.warp_primitives import WARP_SIZE
 
 
@@ -60,15 +59,6 @@ class Batch:
         return new_state(self.size, self.objects, self.relations, self.device)
 
 
-@dataclass
-class Verdict:
-    """Status [B] int8, fault of every object [B, N] int8, relations fulfilled [B, R] bool."""
-
-    status: np.ndarray
-    fault: np.ndarray
-    holds: np.ndarray
-
-
 Progress = Callable[[int, int, int, float], None]
 
 
@@ -114,54 +104,3 @@ def load_poses(batch: Batch, poses: np.ndarray) -> None:
     batch.state.poses.assign(padded)
     batch.state.anchors.assign(padded)
     wp.launch(set_turns, batch.state.poses.shape, [batch.state.poses], [batch.state.turns], device=batch.device)
-
-
-@dataclass
-class DeviceVerdict:
-    """Where the verdict on a batch is written, on its device: status [B], fault [B, N], holds [B, R]."""
-
-    status: wp.array
-    fault: wp.array
-    holds: wp.array
-
-
-def new_device_verdict(batch: Batch) -> DeviceVerdict:
-    """Room for a verdict on a batch."""
-    return DeviceVerdict(
-        wp.zeros(batch.size, dtype=wp.int8, device=batch.device),
-        wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.int8, device=batch.device),
-        wp.zeros((batch.size, max(batch.relations, 1)), dtype=wp.bool, device=batch.device),
-    )
-
-
-def launch_verdict(batch: Batch, verdict: DeviceVerdict, active: wp.array) -> None:
-    """Launch the verdict on the active candidates; what the verdict holds on the others stays."""
-    device, state = batch.device, batch.state
-    wp.launch(
-        judge_objects,
-        (batch.size, batch.objects),
-        [batch.problems, active, state],
-        [verdict.fault],
-        device=device,
-    )
-    wp.launch(
-        judge_relations,
-        (batch.size, batch.relations),
-        [batch.problems, active, state],
-        [verdict.holds],
-        device=device,
-    )
-    wp.launch(
-        judge_candidates,
-        batch.size,
-        [batch.problems, active, verdict.fault, verdict.holds],
-        [verdict.status],
-        device=device,
-    )
-
-
-def judge(batch: Batch) -> Verdict:
-    """Verdict on every candidate."""
-    verdict = new_device_verdict(batch)
-    launch_verdict(batch, verdict, wp.full(batch.size, 1, dtype=wp.int32, device=batch.device))
-    return Verdict(verdict.status.numpy(), verdict.fault.numpy(), verdict.holds.numpy())

@@ -15,8 +15,9 @@ from sceneweaver.kernels.tables import STATE, State
 from sceneweaver.kernels.warp_primitives import WARP_SIZE
 
 from .base import Monitor, OptimizerResult
-from .batch import Batch, judge
+from .batch import Batch
 from .launches import Launches
+from .verdict import judge
 
 BLOCK = 64  # threads: the fastest of 32, 64, 128 and 256 on an H200
 # Modules of the kernels that are launched here.
@@ -127,9 +128,7 @@ def finish(batch: Batch, last: wp.array, total: wp.array, best: wp.array, lowest
 
 def add_choice(block: Launches, batch: Batch, state: State, options: Sequence[wp.array]) -> None:
     """Let every relation take its best option at the state's poses; ``options``: the two arrays to write it to."""
-    if batch.relations:
-        inputs = [batch.problems, state]
-        block.add(choose, threads(batch, batch.relations), inputs, options)
+    block.add(choose, threads(batch, batch.relations), [batch.problems, state], options)
 
 
 def add_gradients(

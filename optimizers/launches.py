@@ -22,17 +22,27 @@ class Launches:
         """``unroll``: how often a graph holds the block; also how many blocks pass between two looks at the time."""
         self.device = device
         self.unroll = unroll
-        self._commands: list[Any] = []
+        self._commands: list[Callable[[], None]] = []
         self._keep: list[Any] = []  # the commands hold addresses only
 
     def add(self, kernel: Any, dim: Any, inputs: Sequence[Any], outputs: Sequence[Any], block: int = 256) -> None:
         """Append a launch in blocks of ``block`` threads. Nothing runs yet."""
         command = wp.launch(kernel, dim, [*inputs], [*outputs], device=self.device, record_cmd=True, block_dim=block)
-        self._commands.append(command)
-        self._keep.append((inputs, outputs))
+        if command is not None:  # a launch of no threads is none
+            self._commands.append(command.launch)
+            self._keep.append((inputs, outputs))
+
+    def add_loop(self, condition: wp.array, body: Launches) -> None:
+        """Append another block, to be run as long as ``condition[0]``, which its kernels write, is not zero."""
+        self._commands.append(partial(wp.capture_while, condition, body.run))
 
     def __len__(self) -> int:
         return len(self._commands)
+
+    def run(self) -> None:
+        """Run the block once."""
+        for command in self._commands:
+            command()
 
     def play(self, monitor: Monitor, times: int = 1, rest: int = 0) -> bool:
         """Run the block ``times`` times, then its first ``rest`` launches; False when time ran out before the end."""
@@ -53,9 +63,9 @@ class Launches:
             wp.synchronize_device(self.device)  # to let go of a graph that runs would hold up other devices' threads
         return True
 
-    def _run(self, commands: Sequence[Any]) -> None:
+    def _run(self, commands: Sequence[Callable[[], None]]) -> None:
         for command in commands:
-            command.launch()
+            command()
 
     def _graph(self) -> Any:
         with wp.ScopedCapture(device=self.device, force_module_load=False) as capture:  # recording loaded the modules
@@ -68,20 +78,20 @@ class Launches:
         return monitor.expired()
 
 
-def repeat_while(device: str, more: wp.array, block: Callable[[], None]) -> None:
-    """Launch a block on a GPU as long as ``more[0]``, which its kernels write, is not zero; the GPU itself decides."""
+def repeat_while(device: str, more: wp.array, block: Launches) -> None:
+    """Run a block on a GPU as long as ``more[0]``, which its kernels write, is not zero; the GPU itself decides."""
     with wp.ScopedCapture(device=device) as capture:
-        wp.capture_while(more, block)
+        wp.capture_while(more, block.run)
     assert capture.graph is not None
     wp.capture_launch(capture.graph)
     wp.synchronize_device(device)  # to let go of a graph that runs would hold up the other devices' threads
 
 
-def repeatable(device: str, block: Callable[[], None]) -> Callable[[], None]:
-    """The launches of a block, ready to be made again and again: on a GPU they are recorded once, as a graph."""
+def repeatable(device: str, block: Launches) -> Callable[[], None]:
+    """A block ready to be run again and again: on a GPU it is recorded once, as a graph."""
     if device == "cpu":
-        return block
+        return block.run
     with wp.ScopedCapture(device=device) as capture:
-        block()
+        block.run()
     assert capture.graph is not None
     return partial(wp.capture_launch, capture.graph)

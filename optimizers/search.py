@@ -3,24 +3,32 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 import warp as wp
 
-from sceneweaver.kernels.bookkeeping import advance_clock, check_continue, keep_best, release, retire, set_turns
+from sceneweaver.kernels.bookkeeping import (
+    advance_clock,
+    check_continue,
+    keep_best,
+    release,
+    retire,
+    set_turns,
+    take_best_found,
+)
 from sceneweaver.kernels.cells import CELLS, CROWD, enter_cells
-from sceneweaver.kernels.jobs import BACK_STEPS, JobResult, SearchState
+from sceneweaver.kernels.jobs import BACK_STEPS, JobResult, Jobs, Proposals, SearchState
+from sceneweaver.kernels.plan import Plan, SearchRun
 from sceneweaver.kernels.proposals import draw, rate, take_gradients
 from sceneweaver.kernels.rounds import advance, start_rounds
 from sceneweaver.kernels.search import search
-from sceneweaver.kernels.starts import Plan, start_attempt
 from sceneweaver.kernels.tables import STATE, State
 
 from .base import Monitor, OptimizerResult, Start, register
-from .batch import Batch, launch_verdict, new_device_verdict, threads_per_candidate
-from .launches import repeat_while, repeatable
-from .starts import STARTS, launch_warps
+from .batch import Batch, threads_per_candidate
+from .launches import Launches, repeat_while, repeatable
+from .starts import STARTS, add_start, new_run
+from .verdict import add_verdict, new_device_verdict, write_verdict
 
 CLOSE = 0.1  # [m] energy below which further attempts are worth their time
 SOFT_MOVES = 2
@@ -94,11 +102,14 @@ def plan_for(effort: Effort, start: Start, attempts: int | None) -> Plan:
 
 
 def extend_state(batch: Batch) -> State:
-    """The batch's state with what only a search keeps: the objects released so far, and cells where they pay."""
+    """The batch's state with what only a search keeps: ratings, what was released, and cells where they pay."""
     state = State()
     for table in STATE:
         setattr(state, table.name, getattr(batch.state, table.name))
-    state.released = wp.zeros_like(state.mark)
+    state.released, state.rating = (
+        wp.zeros_like(state.mark),
+        wp.zeros(state.mark.shape, dtype=wp.float32, device=batch.device),
+    )
     if batch.objects > CROWD:
         state.cell_head = wp.zeros((batch.size, CELLS), dtype=wp.int32, device=batch.device)
         state.cell_next = wp.zeros((batch.size, batch.objects), dtype=wp.int32, device=batch.device)
@@ -110,55 +121,39 @@ class Rounds:
     """One round of every active candidate: in one launch, or in three for every job, for as long as anyone has one."""
 
     def __init__(
-        self, batch: Batch, state: State, plan: Plan, active: wp.array, clock: wp.array, in_one: bool | None = None
+        self, batch: Batch, state: State, plan: Plan, run: SearchRun, block: Launches, in_one: bool | None = None
     ) -> None:
-        """``in_one``: all jobs of a candidate in one launch (default: on a CPU)."""
-        device, tried = batch.device, max(1 + plan.proposals, plan.tries, int(BACK_STEPS))
-        self.batch, self.state, self.plan, self.active, self.clock = batch, state, plan, active, clock
-        self.common = [batch.problems, plan]
-        self.energy = wp.zeros((batch.size, max(batch.objects, 1)), dtype=wp.float32, device=device)
-        self.total = wp.zeros(batch.size, dtype=wp.float32, device=device)
-        # the poses that are tried, and whether they take surfaces laid out anew
-        self.proposals = [wp.zeros((batch.size, tried), dtype=dtype, device=device) for dtype in (wp.vec4, wp.int32)]
-        self.in_one = device == "cpu" if in_one is None else in_one
-        if not self.in_one:
-            self.search_state = wp.zeros(batch.size, dtype=SearchState, device=device)  # pyright: ignore[reportArgumentType]
-            self.result = wp.zeros(batch.size, dtype=JobResult, device=device)  # pyright: ignore[reportArgumentType]
-            self.busy = wp.zeros(1, dtype=wp.int32, device=device)
-
-    def launch(self) -> None:
-        """Start the attempt where one is due, then search."""
-        batch, state = self.batch, self.state
-        launch_warps(start_attempt, batch, [*self.common, self.active, self.clock], [state])
+        """Append a round to a block. ``in_one``: all jobs of a candidate in one launch (default: on a CPU)."""
+        tried = (batch.size, max(1 + plan.proposals, plan.tries, int(BACK_STEPS)))
+        self.batch, self.state, self.plan = batch, state, plan
+        self.proposals = Proposals()
+        self.proposals.poses = wp.zeros(tried, dtype=wp.vec4, device=batch.device)
+        self.proposals.drafts = wp.zeros(tried, dtype=wp.int32, device=batch.device)
+        add_start(block, batch, state, plan, run)
         if batch.objects > CROWD:
-            wp.launch(enter_cells, batch.size, [batch.problems, self.active], [state], device=batch.device)
-        if self.in_one:
-            self._launch(
-                search, batch.size, [self.active, self.clock, state], [self.energy, *self.proposals, self.total]
-            )
-        else:
-            self._launch(start_rounds, batch.size, [self.active, self.clock, state], [self.search_state, self.busy])
-            wp.capture_while(self.busy, self._job)
+            block.add(enter_cells, batch.size, [batch.problems, run], [state])
+        common = [batch.problems, plan]
+        if in_one or (in_one is None and batch.device == "cpu"):
+            block.add(search, batch.size, common, [state, self.proposals, run])
+            return
+        jobs = Jobs()
+        jobs.state = wp.zeros(batch.size, dtype=SearchState, device=batch.device)  # pyright: ignore[reportArgumentType]
+        jobs.result = wp.zeros(batch.size, dtype=JobResult, device=batch.device)  # pyright: ignore[reportArgumentType]
+        jobs.busy = wp.zeros(1, dtype=wp.int32, device=batch.device)
+        block.add(start_rounds, batch.size, [*common, run], [state, jobs])
+        block.add_loop(jobs.busy, self._one_job(jobs, run))
 
-    def _job(self) -> None:
+    def _one_job(self, jobs: Jobs, run: SearchRun) -> Launches:
         """The next job of every candidate."""
-        size, seen = self.batch.size, [self.search_state, self.state]
-        lanes = threads_per_candidate(self.batch.device)
+        batch, state, common = self.batch, self.state, [self.batch.problems, self.plan]
+        block, lanes = Launches(batch.device), threads_per_candidate(batch.device)
         drawers = min(1 + self.plan.proposals, lanes)
-        self._launch(draw, (size, drawers), seen, [*self.proposals, self.busy], 128)
-        self._launch(rate, size * lanes, [*seen, *self.proposals], [self.energy, self.result], 64)
+        block.add(draw, (batch.size, drawers), common, [state, self.proposals, jobs], 128)
+        block.add(rate, batch.size * lanes, [*common, self.proposals], [state, jobs], 64)
         if self.plan.polish:
-            self._launch(take_gradients, size * lanes, seen, [self.result], 64)
-        self._launch(
-            advance,
-            size,
-            [self.result, self.state],
-            [self.energy, self.search_state, self.total, self.busy],
-            64,
-        )
-
-    def _launch(self, kernel: Any, dim: Any, inputs: list, outputs: list, block: int = 256) -> None:
-        wp.launch(kernel, dim, [*self.common, *inputs], outputs, device=self.batch.device, block_dim=block)
+            block.add(take_gradients, batch.size * lanes, [batch.problems, state], [jobs], 64)
+        block.add(advance, batch.size, common, [state, jobs, run], 64)
+        return block
 
 
 @register("search", modules=("starts", "cells", "search"), on_gpu=("starts", "cells", "rounds", "proposals"))
@@ -172,80 +167,46 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
     """
     device = batch.device
     plan = plan_for(effort_for(device, start, batch.objects), start, budget)
-    state, best, verdict = extend_state(batch), batch.scratch(), new_device_verdict(batch)
-    best_total = wp.full(batch.size, float("inf"), dtype=wp.float32, device=device)
-    active = wp.full(batch.size, 1, dtype=wp.int32, device=device)
-    clock, left, more = (wp.zeros(n, dtype=wp.int32, device=device) for n in (1, 2, 1))
-    rounds = Rounds(batch, state, plan, active, clock)
+    state, run, verdict = extend_state(batch), new_run(batch), new_device_verdict(batch)
+    block, common = Launches(device), [batch.problems]
     solved = 0
     if start == "given":  # what is in order already is left alone
-        launch_verdict(batch, verdict, active)
+        write_verdict(batch, verdict, run.active)
         status = verdict.status.numpy()
-        active.assign((status != 0).astype(np.int32))
-        best_total.assign(np.where(status == 0, 0.0, np.inf).astype(np.float32))
+        run.active.assign((status != 0).astype(np.int32))
+        run.best_total.assign(np.where(status == 0, 0.0, np.inf).astype(np.float32))
         solved = int(np.sum(status == 0))
         monitor.add(solved, solved, 0.0)
-
-    release_inputs = [batch.problems, plan.rounds, plan.anchored_attempts]
-
-    def step() -> None:
-        """One round of every active candidate, and the verdict on it."""
-        if start == "given":
-            wp.launch(
-                release,
-                batch.size,
-                [*release_inputs, active, clock, verdict.fault, verdict.holds],
-                [state.released],
-                device=device,
-            )
-        rounds.launch()
-        wp.launch(
-            keep_best,
-            batch.size,
-            [batch.problems, active, batch.state, rounds.total],
-            [best, best_total],
-            device=device,
-        )
-        wp.launch(set_turns, state.poses.shape, [state.poses], [state.turns], device=device)
-        launch_verdict(batch, verdict, active)
-        wp.launch(advance_clock, 1, [], [clock, left], device=device)
-        wp.launch(
-            retire,
-            batch.size,
-            [batch.problems, plan.first_steps, CLOSE, clock, verdict.status, best, best_total],
-            [active, batch.state, left],
-            device=device,
-        )
-        wp.launch(check_continue, 1, [clock, left, plan.steps], [more], device=device)
+        block.add(release, batch.size, [*common, plan, run, verdict], [state])
+    Rounds(batch, state, plan, run, block)
+    block.add(keep_best, batch.size, [*common, state], [run])
+    block.add(set_turns, state.poses.shape, [state.poses], [state.turns])
+    add_verdict(block, batch, verdict, run.active)
+    block.add(advance_clock, 1, [], [run])
+    block.add(retire, batch.size, [plan, CLOSE, verdict], [run])
 
     if solved < batch.size and not monitor.expired():
         if device == "cpu" or monitor.watched:
-            advance = repeatable(device, step)
+            one_round = repeatable(device, block)
             for _ in range(plan.steps):
-                advance()
-                done = batch.size - int(left.numpy().sum())
+                one_round()
+                left = run.left.numpy()
+                done = batch.size - int(left.sum())
                 if done > solved:
                     monitor.add(done - solved, done - solved, 0.0)
                     solved = done
-                if left.numpy()[0] == 0 or monitor.expired():
+                if left[0] == 0 or monitor.expired():
                     break
         else:
-            more.fill_(1)
-            repeat_while(device, more, step)
-            done = batch.size - int(left.numpy().sum())
+            block.add(check_continue, 1, [plan], [run])
+            run.more.fill_(1)
+            repeat_while(device, run.more, block)
+            done = batch.size - int(run.left.numpy().sum())
             monitor.add(done - solved, done - solved, 0.0)
             solved = done
-    if solved < batch.size:  # the others get the best layout that they had
-        again = wp.full(batch.size, float("inf"), dtype=wp.float32, device=device)
-        wp.launch(
-            keep_best,
-            batch.size,
-            [batch.problems, active, best, best_total],
-            [batch.state, again],
-            device=device,
-        )
-    energies = best_total.numpy()
+    energies = run.best_total.numpy()
     if solved < batch.size:
-        unsolved = (active.numpy() != 0) | (verdict.status.numpy() != 0)
+        wp.launch(take_best_found, state.poses.shape, [*common, run, verdict], [batch.state], device=device)
+        unsolved = (run.active.numpy() != 0) | (verdict.status.numpy() != 0)
         monitor.add(batch.size - solved, 0, float(energies[unsolved].min()))
     return OptimizerResult(energies)

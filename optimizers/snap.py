@@ -9,8 +9,9 @@ import warp as wp
 
 from sceneweaver.kernels.snap import keep_valid, snap
 
-from .batch import Batch, launch_verdict, new_device_verdict
+from .batch import Batch
 from .run import cpu_threads, pieces
+from .verdict import new_device_verdict, write_verdict
 
 MODULES = ("snap", "verdict")
 
@@ -29,11 +30,11 @@ def snap_batch(batch: Batch, orders: np.ndarray) -> None:
     def work(part: Batch) -> None:
         device = part.device
         before, after, poses = new_device_verdict(part), new_device_verdict(part), wp.clone(part.state.poses)
-        launch_verdict(part, before, wp.full(part.size, 1, dtype=wp.int32, device=device))
+        write_verdict(part, before, wp.full(part.size, 1, dtype=wp.int32, device=device))
         active = wp.array((before.status.numpy() == 0).astype(np.int32), dtype=wp.int32, device=device)
         inputs = [part.problems, order, active]
         wp.launch(snap, part.size, inputs, [part.state], device=device, block_dim=32)
-        launch_verdict(part, after, active)
+        write_verdict(part, after, active)
         shape = (part.size, part.objects)
         wp.launch(keep_valid, shape, [poses, active, after.status], [part.state], device=device)
 

@@ -2,23 +2,36 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import warp as wp
 
-from sceneweaver.kernels.starts import Plan, start_attempt
+from sceneweaver.kernels.plan import Plan, SearchRun
+from sceneweaver.kernels.starts import start_attempt
+from sceneweaver.kernels.tables import State
 
 from .base import Start
 from .batch import Batch, threads_per_candidate
+from .launches import Launches
 
 STARTS = {"given": 0, "random": 1, "sample": 2}
 BLOCK = 32  # threads of a block on a GPU: one warp, so that a block ends with its candidate
 
 
-def launch_warps(kernel: Any, batch: Batch, inputs: list, outputs: list) -> None:
-    """Launch a kernel whose lanes work together on a candidate."""
+def new_run(batch: Batch) -> SearchRun:
+    """A run before its first round, all candidates active."""
+    run, device, count = SearchRun(), batch.device, batch.size
+    for name, length in (("clock", 1), ("left", 2), ("more", 1)):
+        setattr(run, name, wp.zeros(length, dtype=wp.int32, device=device))
+    run.active = wp.full(count, 1, dtype=wp.int32, device=device)
+    run.total = wp.zeros(count, dtype=wp.float32, device=device)
+    run.best = wp.empty_like(batch.state.poses)
+    run.best_total = wp.full(count, float("inf"), dtype=wp.float32, device=device)
+    return run
+
+
+def add_start(block: Launches, batch: Batch, state: State, plan: Plan, run: SearchRun) -> None:
+    """Append the start of an attempt, where one is due."""
     dim = batch.size * threads_per_candidate(batch.device)
-    wp.launch(kernel, dim, inputs, outputs, device=batch.device, block_dim=BLOCK)
+    block.add(start_attempt, dim, [batch.problems, plan, run], [state], block=BLOCK)
 
 
 def draw_starts(batch: Batch, start: Start) -> None:
@@ -27,7 +40,6 @@ def draw_starts(batch: Batch, start: Start) -> None:
         return
     plan = Plan()
     plan.start, plan.steps, plan.rounds = STARTS[start], 1, 1
-    everyone = wp.full(batch.size, 1, dtype=wp.int32, device=batch.device)
-    clock = wp.zeros(1, dtype=wp.int32, device=batch.device)
-    inputs = [batch.problems, plan, everyone, clock]
-    launch_warps(start_attempt, batch, inputs, [batch.state])
+    block = Launches(batch.device)
+    add_start(block, batch, batch.state, plan, new_run(batch))
+    block.run()

@@ -18,8 +18,9 @@ from sceneweaver.kernels.tables import Problems, State
 from sceneweaver.layout.compile import CompiledScene, LayoutProblem, compile_scene
 from sceneweaver.layout.engine import make_batch
 from sceneweaver.layout.pack import weights as make_weights
-from sceneweaver.optimizers.batch import Batch, Verdict, judge, load_poses
+from sceneweaver.optimizers.batch import Batch, load_poses
 from sceneweaver.optimizers.descent import threads
+from sceneweaver.optimizers.verdict import Verdict, judge
 from sceneweaver.scene import Scene
 
 ZOO = Path(__file__).parents[1] / "zoo"

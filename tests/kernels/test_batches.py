@@ -7,7 +7,8 @@ import pytest
 
 from sceneweaver.layout.compile import LayoutProblem, compile_scene
 from sceneweaver.optimizers import Monitor, run
-from sceneweaver.optimizers.batch import Batch, judge
+from sceneweaver.optimizers.batch import Batch
+from sceneweaver.optimizers.verdict import judge
 from tests.kernels.harness import (
     any_options,
     batch_of,

@@ -11,8 +11,9 @@ import warp as wp
 from sceneweaver.kernels.inequality import CONTENT, ROWS, SLACK
 from sceneweaver.kernels.linearise import linearise
 from sceneweaver.layout.compile import LayoutProblem
-from sceneweaver.optimizers.batch import Batch, judge
+from sceneweaver.optimizers.batch import Batch
 from sceneweaver.optimizers.projection import REACH, Workspace
+from sceneweaver.optimizers.verdict import judge
 from tests.kernels.harness import as_float32, batch_of, best_options, noisy, zoo
 
 MARGIN = 1e-4  # [m] by which the rows may be stricter than the verdict

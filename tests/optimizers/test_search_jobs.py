@@ -8,12 +8,15 @@ import warp as wp
 
 import sceneweaver as sw
 from sceneweaver.kernels import bookkeeping
-from sceneweaver.kernels.starts import Plan
+from sceneweaver.kernels.plan import Plan
+from sceneweaver.kernels.verdict import DeviceVerdict
 from sceneweaver.layout.engine import _load_worlds, _surfaces_hold
 from sceneweaver.optimizers import load_poses, search, streams
 from sceneweaver.optimizers.base import Start
 from sceneweaver.optimizers.batch import Batch
+from sceneweaver.optimizers.launches import Launches
 from sceneweaver.optimizers.search import CPU, GPU, GPU_ANCHORED, GPU_CROWD, Effort, effort_for, plan_for
+from sceneweaver.optimizers.starts import new_run
 from tests.kernels.harness import ZOO, best_options, run_energy, zoo
 from tests.optimizers.batches import batch
 
@@ -22,16 +25,14 @@ ROUNDS = 2
 
 def run(what: Batch, plan: Plan, in_one: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Poses, energies by object and totals after some rounds."""
-    open_ = wp.full(what.size, 1, dtype=wp.int32, device=what.device)
-    open_.assign(np.arange(what.size) % 5 != 4)  # some are done already
-    clock = wp.zeros(1, dtype=wp.int32, device=what.device)
-    state = search.extend_state(what)
+    state, progress, block = search.extend_state(what), new_run(what), Launches(what.device)
+    progress.active.assign(np.arange(what.size) % 5 != 4)  # some are done already
     state.released.fill_(1)
-    rounds = search.Rounds(what, state, plan, open_, clock, in_one)
+    search.Rounds(what, state, plan, progress, block, in_one)
     for k in range(ROUNDS):
-        clock.fill_(k)
-        rounds.launch()
-    return what.state.poses.numpy(), rounds.energy.numpy(), rounds.total.numpy()
+        progress.clock.fill_(k)
+        block.run()
+    return what.state.poses.numpy(), state.rating.numpy(), progress.total.numpy()
 
 
 @pytest.mark.parametrize(
@@ -137,7 +138,9 @@ def test_what_stands_on_surfaces_is_judged_in_their_frames() -> None:
 def test_the_neighbourhood_of_a_violation_is_released_step_by_step() -> None:
     room = zoo("bedroom-small").room
     what = batch(["bedroom-small"], 3, "cpu")
-    released = wp.zeros((3, what.objects), dtype=wp.int32, device="cpu")
+    state, progress, verdict = search.extend_state(what), new_run(what), DeviceVerdict()
+    plan = Plan()
+    plan.rounds, plan.anchored_attempts = 2, 3
     fault = np.zeros((3, what.objects), dtype=np.int8)
     fault[:2, room.size - 1] = 1  # something that is carried
     holds = np.ones((3, what.relations), dtype=bool)
@@ -146,9 +149,10 @@ def test_the_neighbourhood_of_a_violation_is_released_step_by_step() -> None:
     holds[1, pair], holds[2, soft] = False, False
 
     def release(clock: int) -> np.ndarray:
-        inputs = [wp.array(a, device="cpu") for a in (np.int32([1, 1, 1]), np.int32([clock]), fault, holds)]
-        wp.launch(bookkeeping.release, 3, [what.problems, 2, 3, *inputs], [released], device="cpu")
-        return released.numpy().copy()
+        progress.clock.fill_(clock)
+        verdict.fault, verdict.holds = (wp.array(a, device="cpu") for a in (fault, holds))
+        wp.launch(bookkeeping.release, 3, [what.problems, plan, progress, verdict], [state], device="cpu")
+        return state.released.numpy().copy()
 
     first = np.zeros((3, what.objects), dtype=np.int32)
     first[:2, room.roots[room.size - 1]] = 1
@@ -165,25 +169,27 @@ def test_the_neighbourhood_of_a_violation_is_released_step_by_step() -> None:
 
 def test_those_that_never_come_close_leave_with_their_best_layout() -> None:
     what = batch(["bedroom-small"], 5, "cpu", 0.3)
-    best = what.scratch()
-    best.poses.fill_(wp.vec4(1.0, 2.0, 0.0, 0.5))
+    progress, verdict, plan = new_run(what), DeviceVerdict(), Plan()
+    plan.first_steps = 6
+    progress.best.fill_(wp.vec4(1.0, 2.0, 0.0, 0.5))
+    progress.best_total.assign([0.0, 0.05, 0.3, 0.3, 0.3])
+    progress.active.assign([1, 1, 1, 0, 1])
+    verdict.status = wp.array(np.int8([0, 1, 2, 0, 1]), device="cpu")
     before = what.state.poses.numpy().copy()
-    status = np.int8([0, 1, 2, 1, 1])
-    energies, active = np.float32([0.0, 0.05, 0.3, 0.3, 0.3]), wp.array(np.int32([1, 1, 1, 0, 1]), device="cpu")
-    left = wp.zeros(2, dtype=wp.int32, device="cpu")
 
     def retire(clock: int) -> list[int]:
-        left.zero_()
-        inputs = [wp.array(a, device="cpu") for a in (np.int32([clock]), status)]
-        inputs += [best, wp.array(energies, device="cpu")]
-        tables = [what.problems, 6, 0.1]
-        wp.launch(bookkeeping.retire, 5, [*tables, *inputs], [active, what.state, left], device="cpu")
-        return left.numpy().tolist()
+        progress.left.zero_()
+        progress.clock.fill_(clock)
+        wp.launch(bookkeeping.retire, 5, [plan, 0.1, verdict], [progress], device="cpu")
+        return progress.left.numpy().tolist()
 
     assert retire(5) == [3, 0]
-    np.testing.assert_array_equal(what.state.poses.numpy(), before)
     assert retire(6) == [1, 2]
-    np.testing.assert_array_equal(active.numpy(), [0, 1, 0, 0, 0])
-    gone = what.state.poses.numpy()
-    np.testing.assert_array_equal(gone[[0, 1, 3]], before[[0, 1, 3]])
-    assert np.all(gone[[2, 4]] == best.poses.numpy()[[2, 4]])
+    np.testing.assert_array_equal(progress.active.numpy(), [0, 1, 0, 0, 0])
+    np.testing.assert_array_equal(what.state.poses.numpy(), before)
+    inputs = [what.problems, progress, verdict]
+    wp.launch(bookkeeping.take_best_found, before.shape[:2], inputs, [what.state], device="cpu")
+    after, objects = what.state.poses.numpy(), zoo("bedroom-small").room.size
+    np.testing.assert_array_equal(after[[0, 3]], before[[0, 3]])
+    assert np.all(after[[1, 2, 4], :objects] == progress.best.numpy()[[1, 2, 4], :objects])
+    np.testing.assert_allclose(what.state.turns.numpy()[1, 0], [np.cos(0.5), np.sin(0.5)], rtol=1e-6)
