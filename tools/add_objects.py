@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from sceneweaver.assets import Asset, Wish, categories, resolve
-from sceneweaver.assets.taxonomy import likeliness
+from sceneweaver.assets import Asset, Wish, resolve
+from sceneweaver.assets.taxonomy import category_named, likeliness
 from sceneweaver.knowledge import Item
 from sceneweaver.scene import InputError, Intent, Pose, SceneObject
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
@@ -69,7 +69,7 @@ def _add(work: _Work, row: Mapping[str, Any], number: int) -> None:
     """All objects of one entry."""
     context, draft = work.context, work.draft
     where = f"tool add_objects: inputs.objects[{number}]"
-    match = resolve(row["category"])
+    match = resolve(row["category"], "surface" if row.get("on") else row.get("mount"))
     if match.note and match.how != "spelling":
         work.notes.append(match.note)
     item = item_for(context.room_type, match.category, draft, row.get("item"))
@@ -112,7 +112,7 @@ def _add(work: _Work, row: Mapping[str, Any], number: int) -> None:
 def _mount(row: Mapping[str, Any], category: str, item: Item | None, on: Sequence[str]) -> str:
     if on:
         return "surface"
-    known = categories()[category].mount
+    known = category_named(category).mount
     wanted = row.get("mount") or (item.mount if item is not None else None)
     if wanted is None and item is not None and item.on and "surface" in known:
         return "surface"
@@ -140,20 +140,12 @@ def _bodies(
                 return [context.library.load(twin.asset)] * count
             except InputError:
                 pass  # the asset came from a source that is not there now; another one has to do
-    wish = _wish(context, row, item, seed)
-    if category == "object":
-        return [
-            _labelled(asset, row["category"]) for asset in context.library.choose(row["category"], count, wish, same)
-        ]
+    wish = replace(_wish(context, row, item, seed), mount=mount)
     if mount == "wall" and category in AT_WINDOWS and wish.size[1] is None:
         panes = [w.width for w in context.scene.room.windows]
         if panes:
             wish = replace(wish, size=(wish.size[0], max(panes) + 0.3, wish.size[2]))
     return context.library.choose(category, count, wish, same)
-
-
-def _labelled(asset: Asset, noun: str) -> Asset:
-    return replace(asset, attributes={**asset.attributes, "label": noun})
 
 
 def _wish(context: Context, row: Mapping[str, Any], item: Item | None, seed: int) -> Wish:
@@ -201,7 +193,7 @@ def _object(
     elif mount == "ceiling":
         pose = Pose(position=(0.0, 0.0, max(0.0, room_height - asset.size[2])))
     elif mount == "wall":
-        low, high = (item.bottom if item is not None else None) or categories()[asset.category].bottom or (1.2, 1.5)
+        low, high = (item.bottom if item is not None else None) or category_named(asset.category).bottom or (1.2, 1.5)
         most = max(0.0, room_height - asset.size[2] - 0.02)
         heights = round(min(low, max(0.0, most - 0.1)), 3), round(min(high, most), 3)
         pose = Pose(position=(0.0, 0.0, sum(heights) / 2))

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sceneweaver.assets import categories, resolve
+from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.knowledge.surfaces import (
     Arrangement,
     Slot,
@@ -95,8 +96,8 @@ def _asked(given: Any) -> list[Asked]:
         count = row.get("count", 1)
         if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST:
             raise InputError(f"objects[{k}].count: {count!r} is no whole number from 1 to {MOST}")
-        category = resolve(row["category"]).category
-        if "surface" not in categories()[category].mount and category != "object":
+        category = resolve(row["category"], "surface").category
+        if "surface" not in category_named(category, "surface").mount:
             raise InputError(f"objects[{k}].category: a {_words(category)} stands on no table; add it with add_objects")
         look = {key: str(row[key]) for key in ("color", "material", "style", "words") if row.get(key)}
         out += [Asked(category, look) for _ in range(count)]

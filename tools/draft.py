@@ -68,6 +68,8 @@ class Draft:
         if found:
             return found
         match = resolve(word)
+        if match.generic:
+            return self.of_category(match.category)
         if match.how not in KNOWN:
             return []
         found = self.of_category(match.category)

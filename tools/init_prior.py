@@ -5,8 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 
-from sceneweaver.assets import categories
-from sceneweaver.assets.taxonomy import likeliness
+from sceneweaver.assets.taxonomy import category_named, likeliness
 from sceneweaver.brief import SceneGraph, meanings
 from sceneweaver.knowledge.surfaces import lays, usual_arrangement
 from sceneweaver.scene import InputError, Intent, Pose, Relation, Room, Scene, SceneObject, Support
@@ -205,7 +204,7 @@ def _hang(one: Wanted, space: Room, over: float) -> tuple[float, float]:
         window = space.windows[one.number % len(space.windows)]
         top = min(window.sill + window.height + 0.04, space.height - 0.02) - one.asset.size[2]
         return round(top - 0.01, 3), round(top + 0.01, 3)
-    low, high = (one.item and one.item.bottom) or categories()[one.category].bottom or (1.2, 1.5)
+    low, high = (one.item and one.item.bottom) or category_named(one.category).bottom or (1.2, 1.5)
     if over:
         low, high = max(low, over + 0.08), max(high, over + 0.3)
     most = max(0.0, space.height - one.asset.size[2] - 0.02)

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from sceneweaver.assets import Wish, categories
-from sceneweaver.assets.taxonomy import members
+from sceneweaver.assets import Wish
+from sceneweaver.assets.taxonomy import category_named, members
 from sceneweaver.brief import Entity, SceneGraph, meanings
 from sceneweaver.geometry.walls import walls_of
 from sceneweaver.scene import InputError, Pose, Room, Scene, SceneObject
@@ -205,7 +205,7 @@ def _swapped(context: Context, scene: Scene, id: str, asked: Entity, notes: list
     """The scene with another body in the place of one, and its id."""
     old = scene.object(id)
     size: list[float | None] = list(asked.size)
-    category = categories()[asked.category]
+    category = category_named(asked.category)
     if category.size is not None and asked.category == old.category:
         size = [want if want is not None else have for want, have in zip(size, old.size, strict=True)]
     wish = Wish(

@@ -7,7 +7,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets import Asset, Library, Wish, categories
-from sceneweaver.assets.taxonomy import members, singular
+from sceneweaver.assets.plurals import singular
+from sceneweaver.assets.taxonomy import category_named, members
 from sceneweaver.brief import Entity, SceneGraph, meanings
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.scene import PRIORITIES, InputError
@@ -342,7 +343,7 @@ def _wish(demand: Demand, brief: SceneGraph, style: str | None, seed: int) -> Wi
     if asked is not None:
         size = [a if a is not None else s for a, s in zip(asked.size, size, strict=True)]
         if asked.scale != 1.0 and size == [None, None, None]:
-            ranges = categories()[asked.category].size
+            ranges = category_named(asked.category).size
             if ranges is not None:
                 at = min(1.0, max(0.0, 0.5 + 1.5 * (asked.scale - 1.0)))
                 # Rounded within the range: the pile of a rug is half a millimetre high.

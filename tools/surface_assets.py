@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from sceneweaver.assets import Asset, Library, Wish, categories
+from sceneweaver.assets import Asset, Library, Wish
+from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.brief import SceneGraph
 from sceneweaver.geometry.polygons import counter_clockwise
 from sceneweaver.knowledge.model import Range
@@ -49,7 +50,7 @@ class Shelf:
 
         None when the category's smallest is larger than the limit.
         """
-        known = categories()[category].size
+        known = category_named(category, "surface").size
         if known is None:
             return None
         wanted: list[float | None] = []
@@ -68,7 +69,13 @@ class Shelf:
         variant = dice.randrange(VARIANTS)
         key = (category, variant, tuple(wanted), tuple(sorted((look or {}).items())))
         if key not in self._made:
-            wish = Wish(size=(wanted[0], wanted[1], wanted[2]), style=self._style, seed=self._seed + variant, count=1)
+            wish = Wish(
+                size=(wanted[0], wanted[1], wanted[2]),
+                style=self._style,
+                mount="surface",
+                seed=self._seed + variant,
+                count=1,
+            )
             known_look = {k: v for k, v in (look or {}).items() if k in ("color", "material", "style", "words")}
             self._made[key] = self._library.choose(category, 1, replace(wish, **known_look))[0]
         return self._made[key]

@@ -8,6 +8,8 @@ from .body import Material as Material
 from .body import Mesh as Mesh
 from .category import Category as Category
 from .category import categories as categories
+from .drawable import Look as Look
+from .drawable import drawable as drawable
 from .parametric import Request as Request
 from .parametric import draws as draws
 from .parametric import make as make
@@ -26,6 +28,7 @@ __all__ = [
     "Hull",
     "Library",
     "Link",
+    "Look",
     "Match",
     "Material",
     "Mesh",
@@ -35,6 +38,7 @@ __all__ = [
     "Store",
     "Wish",
     "categories",
+    "drawable",
     "draws",
     "make",
     "resolve",

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from functools import cache
 from importlib import resources
-from typing import Annotated, Literal
+from importlib.resources.abc import Traversable
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
@@ -67,17 +68,22 @@ class Category(FrozenModel):
         return self.name.replace("_", " ")
 
 
+def read_yaml(file: Traversable) -> Any:
+    """YAML data of a file of the package, by the fast reader where there is one."""
+    import yaml
+
+    return yaml.load(file.read_text(encoding="utf-8"), Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+
+
 @cache
 def categories() -> dict[str, Category]:
     """All categories by name; a category inherits nothing, so that each entry can be read on its own."""
-    import yaml
-
     found: dict[str, Category] = {}
     folder = resources.files(__package__ or "").joinpath("categories")
     for file in sorted(folder.iterdir(), key=lambda f: f.name):
         if not file.name.endswith(".yaml"):
             continue
-        for name, row in (yaml.safe_load(file.read_text(encoding="utf-8")) or {}).items():
+        for name, row in (read_yaml(file) or {}).items():
             if name in found:
                 raise ValueError(f"{file.name}: {name} is there already")
             # YAML 1.1 reads the bare key "on" as true.

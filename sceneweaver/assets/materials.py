@@ -5,59 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cache
 from importlib import resources
+from typing import Any
 
 import numpy as np
 
 from sceneweaver.scene import InputError
 
 from .body import Material
+from .category import read_yaml
 
 STYLES = ("modern", "scandinavian", "industrial", "classic", "rustic")
-
-_COLORS = {
-    "white": "#f2f0ec",
-    "cream": "#ece2cf",
-    "beige": "#d5c7ae",
-    "tan": "#b88a5c",
-    "brown": "#7a5236",
-    "dark brown": "#402b20",
-    "black": "#222224",
-    "grey": "#8d9093",
-    "light grey": "#c9ccce",
-    "silver": "#c4c6c9",
-    "gold": "#c8a24f",
-    "red": "#b5382f",
-    "burgundy": "#6f2430",
-    "orange": "#e07f38",
-    "yellow": "#e6bd45",
-    "mustard": "#cf9f3f",
-    "green": "#58885a",
-    "dark green": "#2f5a3b",
-    "sage": "#9fb09a",
-    "teal": "#3f7d80",
-    "blue": "#4a78b0",
-    "light blue": "#a3c1da",
-    "navy": "#2c3e5c",
-    "purple": "#7a5a94",
-    "pink": "#d79aa6",
-}
-
-_ALIASES = {
-    "gray": "grey",
-    "light gray": "light grey",
-    "wood": "brown",
-    "wooden": "brown",
-    "navy blue": "navy",
-    "dark blue": "navy",
-    "violet": "purple",
-    "ivory": "cream",
-    "golden": "gold",
-    "rose": "pink",
-    "charcoal": "black",
-    "turquoise": "teal",
-    "olive": "sage",
-    "maroon": "burgundy",
-}
 
 
 @dataclass(frozen=True)
@@ -68,20 +25,20 @@ class Finish:
     family: str
     styles: tuple[str, ...]
     tints: bool
+    asked: bool
+    """Whether it is used only where a request names it."""
 
 
 @cache
 def palette() -> dict[str, Finish]:
     """All finishes by name, from ``materials.yaml``."""
-    import yaml
-
-    data = yaml.safe_load(resources.files(__package__ or "").joinpath("materials.yaml").read_text(encoding="utf-8"))
+    data = _materials()
     found = {}
     for name, row in data["materials"].items():
         row = dict(row)
-        family, styles = row.pop("family"), tuple(row.pop("styles", STYLES))
+        family, styles, asked = row.pop("family"), tuple(row.pop("styles", STYLES)), row.pop("asked", False)
         material = Material(name=name, color=rgb(row.pop("color")), **row)
-        found[name] = Finish(material, family, styles, family in data["tints"])
+        found[name] = Finish(material, family, styles, family in data["tints"], asked)
     return found
 
 
@@ -91,40 +48,111 @@ def finish(name: str) -> Finish:
 
 
 def expand(names: tuple[str, ...]) -> list[Finish]:
-    """Finishes of names, where "@wood" stands for all of that family."""
+    """Finishes of names, where "@wood" stands for all of that family but those that have to be asked for."""
     found: list[Finish] = []
     for name in names:
         if name.startswith("@"):
-            found += [f for f in palette().values() if f.family == name[1:]]
+            found += [f for f in palette().values() if f.family == name[1:] and not f.asked]
         else:
             found.append(finish(name))
     return found
 
 
+@cache
+def material_words() -> dict[str, tuple[str, ...]]:
+    """Every word for a material with the finishes that it means, the closest first."""
+    table: dict[str, tuple[str, ...]] = {name: (name,) for name in palette()}
+    for name, words in _materials()["words"].items():
+        if name.startswith("@"):
+            means = tuple(f.material.name for f in palette().values() if f.family == name[1:])
+        else:
+            means = tuple(name.split("/"))
+            means += tuple(n for n in palette() if n not in means and len(means) == 1 and name in n.split())
+        means = tuple(n for n in means if n in palette())
+        table.update(dict.fromkeys([*([] if name[0] == "@" or "/" in name else [name]), *words], means))
+    return table
+
+
+@cache
+def finishes_named(text: str) -> tuple[Finish, ...]:
+    """The finishes that some words mean, the closest first; none when they name no material."""
+    words = _plain(text)
+    table, worked = material_words(), set(_materials()["finishes"])
+    if words not in table:
+        words = " ".join(word for word in words.split() if word not in worked)
+    if words not in table and words.endswith("s"):
+        words = words[:-1]
+    return tuple(finish(name) for name in table.get(words, ()))
+
+
+@cache
+def alike(family: str) -> frozenset[str]:
+    """The families that may take the place of one: what is hard for what is hard, what is soft for what is soft."""
+    return frozenset(name for row in _materials()["alike"] if family in row["of"] for name in row["take"])
+
+
 def tinted(material: Material, color: str) -> Material:
     """The material in a named colour."""
-    return replace(material, name=f"{color} {material.name.rpartition(' ')[2]}", color=rgb(_COLORS[color]))
+    return replace(material, name=f"{color} {material.name.rpartition(' ')[2]}", color=shade(color))
 
 
 def color_named(text: str) -> str:
-    """The basic colour of a word ("gray" is "grey"); InputError when it is none."""
-    word = " ".join(text.lower().split())
-    word = _ALIASES.get(word, word)
-    if word not in _COLORS:
-        raise InputError(f"color: '{text}' is unknown; use one of {', '.join(_COLORS)}")
-    return word
+    """The basic colour of a word ("gray" and "charcoal" are "grey"); InputError when it is none."""
+    return _shade(text)[0]
+
+
+def shade(text: str) -> tuple[float, float, float]:
+    """sRGB in 0..1 of a colour's name; InputError when it is none."""
+    return _shade(text)[1]
+
+
+@cache
+def _shade(text: str) -> tuple[str, tuple[float, float, float]]:
+    data = _colors()
+    word = _plain(text).replace("gray", "grey").removesuffix(" colored").removesuffix(" coloured")
+    if word in data["basic"]:
+        return word, rgb(data["basic"][word])
+    if word in data["colors"]:
+        basic, value = data["colors"][word]
+        return basic, rgb(value)
+    if word in data["aliases"]:
+        return _shade(data["aliases"][word])
+    first, _, rest = word.partition(" ")
+    if first in data["shades"] and rest in (*data["basic"], *data["colors"], *data["aliases"]):
+        basic, value = _shade(rest)
+        by = data["shades"][first]
+        r, g, b = (v + (1 - v) * by if by > 0 else v * (1 + by) for v in value)
+        return basic, (r, g, b)
+    raise InputError(f"color: '{text}' is unknown; use one of {', '.join(data['basic'])}")
 
 
 def color_words() -> tuple[str, ...]:
     """Every word that `color_named` knows, but for those that name a material."""
-    return (*_COLORS, *(word for word in _ALIASES if word not in ("wood", "wooden")))
+    data = _colors()
+    grey = [word.replace("grey", "gray") for word in (*data["basic"], *data["colors"]) if "grey" in word]
+    return (*data["basic"], *data["colors"], *grey, *(w for w in data["aliases"] if w not in ("wood", "wooden")))
 
 
+@cache
 def color_name(color: tuple[float, float, float]) -> str:
     """The basic colour nearest to an sRGB colour, by distance in CIELAB."""
-    names = list(_COLORS)
-    table = _lab(np.array([rgb(_COLORS[name]) for name in names]))
+    data = _colors()["basic"]
+    names, table = list(data), _lab(np.array([rgb(value) for value in data.values()]))
     return names[int(np.argmin(np.linalg.norm(table - _lab(np.array([color])), axis=1)))]
+
+
+@cache
+def _materials() -> dict[str, Any]:
+    return read_yaml(resources.files(__package__ or "").joinpath("materials.yaml"))
+
+
+@cache
+def _colors() -> dict[str, Any]:
+    return read_yaml(resources.files(__package__ or "").joinpath("colors.yaml"))
+
+
+def _plain(text: str) -> str:
+    return " ".join(text.lower().replace("-", " ").replace("_", " ").split())
 
 
 def rgb(text: str) -> tuple[float, float, float]:

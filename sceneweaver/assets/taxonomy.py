@@ -1,57 +1,66 @@
-"""From the words of a user to a category: exact names, synonyms, plurals, spelling, and what is nearest."""
+"""From the words of a user to a category: names, synonyms, plurals, compounds, spelling; else a labelled body."""
 
 from __future__ import annotations
 
 import difflib
+import re
+from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cache
-from typing import Literal
+from functools import cache, lru_cache
+from importlib import resources
+from itertools import combinations
+from typing import Any, Literal
 
-from .category import Category, categories
+from .asset import Mount
+from .category import Category, categories, read_yaml
+from .looks import is_look
+from .plurals import singular
 
 How = Literal["exact", "synonym", "plural", "spelling", "head", "group", "generic"]
 
 GENERIC = "object"
-"""What stands in for a noun that nothing is known about: a labelled body of the asked size."""
+"""The parent of the bodies that stand for nouns which no category fits."""
 
-_IRREGULAR = {
-    "shelves": "shelf",
-    "bookshelves": "bookshelf",
-    "knives": "knife",
-    "loaves": "loaf",
-    "scarves": "scarf",
-    "leaves": "leaf",
-    "mice": "mouse",
-    "people": "person",
-    "children": "child",
-    "men": "man",
-    "feet": "foot",
-    "mattresses": "mattress",
-    "glasses": "glass",
-    "couches": "couch",
-    "benches": "bench",
-    "boxes": "box",
-    "dishes": "dish",
-    "brushes": "brush",
-    "buses": "bus",
-    "vases": "vase",
-    "cacti": "cactus",
-    "pouffes": "pouffe",
-    "bonsai": "bonsai",
-    "tomatoes": "tomato",
-    "potatoes": "potato",
-    "pianos": "piano",
-    "photos": "photo",
+_OF_MOUNT: dict[Mount, tuple[str, ...]] = {
+    "wall": ("generic_panel", "generic_fixture"),
+    "ceiling": ("generic_hanging",),
+    "floor": ("generic_furniture", "generic_machine", "generic_table", "generic_stand", "generic_rack", "generic_mat"),
+    "surface": (
+        "generic_item",
+        "generic_tool",
+        "generic_sheet",
+        "generic_device",
+        "generic_figure",
+        "generic_vessel",
+        "generic_soft",
+    ),
 }
 
 
 @dataclass(frozen=True)
 class Match:
-    """What a noun was taken for, and how; ``note`` is a sentence for the user unless the name was known."""
+    """What a noun was taken for, and how.
+
+    ``category`` is what the object is called in a scene: a category of the taxonomy or, where none fits, the noun
+    itself ("zebra_crossing"). ``body`` is the category that draws it, a ``generic_*`` one for such a noun.
+    ``modifiers`` are the words before the noun that are no part of its name: colours, materials, sizes, others.
+    ``note`` is a sentence for the user unless the name was known.
+    """
 
     category: str
     how: How
     note: str = ""
+    body: str = ""
+    modifiers: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        if not self.body:
+            object.__setattr__(self, "body", self.category)
+
+    @property
+    def generic(self) -> bool:
+        """Whether a labelled body of typical size stands for the noun."""
+        return self.how == "generic"
 
 
 @cache
@@ -63,10 +72,10 @@ def _words() -> dict[str, tuple[str, How]]:
         table[category.words] = (name, "exact")
     for name, category in known.items():
         for word in category.synonyms:
-            table.setdefault(word.lower(), (name, "synonym"))
+            table.setdefault(_plain(word), (name, "synonym"))
     for name, category in known.items():
         if category.plural:
-            table.setdefault(category.plural.lower(), (name, "plural"))
+            table.setdefault(_plain(category.plural), (name, "plural"))
     return table
 
 
@@ -107,13 +116,46 @@ def likeliness(thing: str, carrier: str) -> int | None:
     return len(known[thing].on) if thing in known[carrier].holds else None
 
 
-def resolve(noun: str) -> Match:
-    """The category that a noun means; never fails, but says how sure it is.
+@lru_cache(maxsize=4096)
+def category_named(name: str, mount: Mount | None = None) -> Category:
+    """What is known about the category of a scene's object, whatever it is: of a noun that no category fits, what is
+    known about the body that stands for it, under that noun."""
+    known = categories()
+    if name in known and known[name].size is not None:
+        return known[name]
+    match = resolve(name, mount)
+    found = known[match.body]
+    return found.model_copy(update={"name": match.category}) if match.generic else found
 
-    Tried in turn: the name, a synonym, a plural, a spelling near to one of them, the last word of a compound
-    ("gaming throne chair" is a chair), and at last a generic body that carries the noun as its label.
+
+@lru_cache(maxsize=4096)
+def resolve(noun: str, mount: Mount | None = None) -> Match:
+    """The category that a noun, or a noun with the words before it, means; never fails, but says how sure it is.
+
+    Tried in turn: the name, a synonym, a plural; what is in "a pair of"; the longest known end of a compound, with
+    those of the words before it that make it a narrower thing ("round wooden mirror" is a round mirror); a spelling
+    near to a known word; and at last a labelled body, whose kind and size the last word decides.
+
+    Args:
+        noun: lower or upper case, with blanks, hyphens or underscores, singular or plural, without article or number.
+        mount: what the request says holds it, which decides among the labelled bodies; None when nothing was said.
     """
-    asked = " ".join(noun.replace("_", " ").replace("-", " ").lower().split())
+    asked = _plain(noun)
+    return (
+        _known(noun, asked)
+        or _contents(noun, asked, mount)
+        or _compound(noun, asked)
+        or _misspelt(noun, asked)
+        or _closed(noun, asked)
+        or _labelled(noun, asked, mount)
+    )
+
+
+def _plain(text: str) -> str:
+    return " ".join(re.sub(r"[_\-]+", " ", text.lower()).split())
+
+
+def _known(noun: str, asked: str) -> Match | None:
     table = _words()
     for word, plural in ((asked, False), (singular(asked), True)):
         if word in table:
@@ -121,44 +163,122 @@ def resolve(noun: str) -> Match:
             if categories()[name].size is None:
                 return _of_group(noun, name)
             return Match(name, "plural" if plural and how == "exact" else how)
-    near = difflib.get_close_matches(singular(asked), table, n=1, cutoff=0.82) if len(asked) > 3 else []
-    if near:
-        name = table[near[0]][0]
-        if categories()[name].size is not None:
-            return Match(name, "spelling", f"'{noun}' was taken for '{near[0]}'")
+    return None
+
+
+def _compound(noun: str, asked: str) -> Match | None:
+    """The longest end that is known, narrowed by words before it."""
     words = asked.split()
     for start in range(1, len(words)):
-        for word in (" ".join(words[start:]), singular(" ".join(words[start:]))):
-            if word in table and categories()[table[word][0]].size is not None:
-                return Match(table[word][0], "head", f"'{noun}' is not known; a {word} stands for it")
-    if len(words) == 1:
-        for word in (asked, singular(asked)):
-            tails = [known for known in table if len(known) > 3 and word.endswith(known)]
-            if tails:
-                best = max(tails, key=len)
-                if categories()[table[best][0]].size is not None:
-                    return Match(table[best][0], "head", f"'{noun}' is not known; a {best} stands for it")
-    return Match(GENERIC, "generic", f"'{noun}' is not known; a plain labelled body stands for it")
+        before, end = words[:start], singular(" ".join(words[start:]))
+        narrow = next((c for c in _choices(before) if f"{' '.join(c)} {end}" in _words()), ())
+        found = _known(noun, f"{' '.join(narrow)} {end}".strip())
+        if found is None or found.how == "group":
+            continue
+        rest = [word for word in before if word not in narrow]
+        found, rest = _narrowed(found, rest)
+        strange = [word for word in rest if not is_look(word)]
+        if not strange or is_look(" ".join(rest)):
+            return Match(found.category, found.how, modifiers=tuple(rest))
+        if end in _lexicon()["not_heads"]:
+            return None
+        note = f"'{noun}' is not known; a {categories()[found.category].words} stands for it"
+        return Match(found.category, "head", note, modifiers=tuple(rest))
+    return None
 
 
-def singular(words: str) -> str:
-    """The last word without its plural ending."""
-    head, _, last = words.rpartition(" ")
-    if last in _IRREGULAR:
-        last = _IRREGULAR[last]
-    elif last.endswith("ies") and len(last) > 4:
-        last = last[:-3] + "y"
-    elif last.endswith(("sses", "shes", "ches", "xes", "zes")):
-        last = last[:-2]
-    elif last.endswith("s") and not last.endswith(("ss", "us", "is")) and len(last) > 3:
-        last = last[:-1]
-    return f"{head} {last}".strip()
+def _narrowed(found: Match, rest: list[str]) -> tuple[Match, list[str]]:
+    """A category made narrower by words before it, under any of its names: a round wall mirror is a round mirror."""
+    table, category = _words(), categories()[found.category]
+    for words in _choices(rest):
+        for name in (category.words, *category.synonyms):
+            narrow = table.get(f"{' '.join(words)} {_plain(name)}")
+            if narrow is not None and categories()[narrow[0]].size is not None:
+                return Match(*narrow), [word for word in rest if word not in words]
+    return found, rest
+
+
+def _choices(words: list[str]) -> Iterator[tuple[str, ...]]:
+    """Words that may belong to the name, most of them first; at most six are looked at."""
+    words = words[-6:]
+    for count in range(min(3, len(words)), 0, -1):
+        yield from combinations(words, count)
+
+
+def _contents(noun: str, asked: str, mount: Mount | None) -> Match | None:
+    """ "A pair of X" is X, "a jar of X" a jar; both by their own words."""
+    head, of, rest = asked.partition(" of ")
+    if not of:
+        return None
+    collective = singular(head).split()[-1] in _lexicon()["collective"]
+    match = resolve(rest if collective else head, mount)
+    if match.generic and not collective:
+        return None
+    return Match(match.category, match.how, match.note, match.body, (*match.modifiers, *(() if collective else [rest])))
+
+
+def _misspelt(noun: str, asked: str) -> Match | None:
+    """A known word that differs by a slip: no other ending, and nothing that is a word of its own."""
+    from .plurals import slips
+
+    word, table = singular(asked), _words()
+    if len(word) <= 4 or word in _heads():
+        return None
+    for near in difflib.get_close_matches(word, table, n=3, cutoff=0.82):
+        if near[0] == word[0] and slips(word, near) <= (1 if len(word) < 8 else 2):
+            name = table[near][0]
+            if categories()[name].size is not None:
+                return Match(name, "spelling", f"'{noun}' was taken for '{near}'")
+    return None
+
+
+def _closed(noun: str, asked: str) -> Match | None:
+    """ "Sidetable" is a table: only for words of furniture."""
+    for word in (asked, singular(asked)):
+        for end in ("chair", "table", "desk", "lamp", "shelf", "cabinet", "sofa", "stool", "bench", "shelves"):
+            if " " not in word and word.endswith(end) and len(word) > len(end) + 2:
+                match = resolve(f"{word.removesuffix(end)} {end}")
+                if not match.generic:
+                    return Match(match.category, "head", match.note or f"'{noun}' was read as a {end}")
+    return None
+
+
+def _labelled(noun: str, asked: str, mount: Mount | None) -> Match:
+    """A body of typical size with the noun as its category."""
+    words = re.sub(r"[^a-z0-9 ]", "", asked.partition(" of ")[0]).split()
+    first = next((k for k, word in enumerate(words) if not is_look(word)), max(0, len(words) - 1))
+    label = singular(" ".join(words[first:]))
+    heads = _heads()
+    tails = [" ".join(label.split()[k:]) for k in range(len(label.split()))]
+    body = next((heads[tail] for tail in tails if tail in heads), _lexicon()["default"])
+    if mount is not None and body not in _OF_MOUNT[mount] and body != GENERIC:
+        body = _OF_MOUNT[mount][0]
+    name = label.replace(" ", "_") or GENERIC
+    if name in categories():  # a group's or a generic body's own name
+        name, body = GENERIC, body if label else GENERIC
+    note = f"'{noun}' is not known; a plain labelled body stands for it"
+    return Match(name, "generic", note, body, tuple(words[:first]))
+
+
+@cache
+def _lexicon() -> dict[str, Any]:
+    found = read_yaml(resources.files(__package__ or "").joinpath("nouns.yaml"))
+    return found | {"not_heads": frozenset(found["not_heads"]), "collective": frozenset(found["collective"])}
+
+
+@cache
+def _heads() -> dict[str, str]:
+    """The labelled body of each last word."""
+    table: dict[str, str] = {}
+    for body, words in _lexicon()["heads"].items():
+        for word in words:
+            table.setdefault(singular(word), body)
+            table.setdefault(word, body)
+    return table
 
 
 def _of_group(noun: str, group: str) -> Match:
     """A group's word ("seat") means its most usual member: the one that a group names first, by its own name."""
     names = members(group)
-    if not names:
-        return Match(GENERIC, "generic", f"'{noun}' is not known; a plain labelled body stands for it")
     usual = categories()[group].usual or names[0]
     return Match(usual, "group", f"'{noun}' may be many things; a {categories()[usual].words} stands for it")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from sceneweaver.assets import categories
+from sceneweaver.assets.taxonomy import category_named
 
 from .model import Entity, SceneGraph, StatedRelation
 from .relating import family
@@ -69,8 +69,8 @@ def meanings(graph: SceneGraph) -> list[tuple[StatedRelation, Meaning]]:
 
 
 def _of_things(said: StatedRelation, subject: Entity, target: Entity) -> Meaning | None:
-    mount = categories()[subject.category].mount
-    support = categories()[target.category]
+    mount = category_named(subject.category).mount
+    support = category_named(target.category)
     kind, carries = said.type, support.mount[0] == "floor" or bool(support.holds)
     found: tuple[str, dict[str, Any]] | None
     if kind in ("on", "inside") and (mount[0] == "wall" or ("surface" not in mount and mount[0] != "floor")):
@@ -100,7 +100,7 @@ def _of_things(said: StatedRelation, subject: Entity, target: Entity) -> Meaning
 
 def _of_place(said: StatedRelation, subject: Entity) -> Meaning | None:
     place, kind = said.targets[0], said.type
-    mount = categories()[subject.category].mount[0]
+    mount = category_named(subject.category).mount[0]
     if place == "middle":
         return Meaning("in_middle", "middle")
     if place == "corner":

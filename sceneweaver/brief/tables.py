@@ -186,8 +186,9 @@ def vocabulary() -> dict[str, dict[str, Any]]:
         put(phrase, "bound", value)
     for phrase in MATERIALS:
         put(phrase, "material", {"wooden": "wood"}.get(phrase, phrase))
-    for phrase in palette():
-        put(phrase, "finish", phrase)
+    for phrase, finish in palette().items():
+        if not finish.asked:
+            put(phrase, "finish", phrase)
     for phrase in color_words():
         put(phrase, "color", phrase)
     for phrase, name in room_words().items():

@@ -102,7 +102,8 @@ def _named(asset_id: str, store: Path | None, seed: int) -> Asset:
         match = resolve(asset_id)
         if match.note:
             typer.echo(f"sceneweaver: {match.note}", err=True)
-        asset_id = f"parametric:{match.category}?seed={seed}"
+        label = f"&label={match.category}" if match.generic else ""
+        asset_id = f"parametric:{match.body}?seed={seed}{label}"
     return Library([StoreSource(Store(store)), ParametricSource()]).load(asset_id)
 
 

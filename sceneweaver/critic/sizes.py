@@ -106,7 +106,7 @@ def _factor(a: Body, b: Body) -> float:
 def _carried(survey: Survey) -> Iterator[Finding]:
     """Something unknown on a table may have any size, but is not as large as the table."""
     for body in survey.bodies:
-        if body.item.support is None or body.item.category in categories() and body.item.category != "object":
+        if body.item.support is None or body.item.category in categories():
             continue
         base = survey.placed.by_id.get(body.item.support.object)
         if base is None or max(body.size[:2]) <= 0.9 * max(base.size[:2]) and body.size[2] < 1.2:

@@ -59,7 +59,7 @@ def test_size_decides_between_equals(both: Library) -> None:
 
 def test_an_unknown_noun_gets_a_labelled_body() -> None:
     found = OURS.find("flux capacitor")
-    assert found.match.how == "generic" and found.cards[0].category == "object"
+    assert found.match.how == "generic" and found.cards[0].category == "flux_capacitor"
 
 
 def test_embeddings_are_used_where_there_are_any() -> None:

@@ -8,7 +8,7 @@ import pytest
 
 from sceneweaver.assets.category import categories
 from sceneweaver.assets.parametric import makers
-from sceneweaver.assets.taxonomy import GENERIC, likeliness, members, resolve
+from sceneweaver.assets.taxonomy import GENERIC, category_named, likeliness, members, resolve
 
 
 def test_there_are_enough_categories() -> None:
@@ -61,8 +61,12 @@ def test_entries_are_complete(name: str) -> None:
         ("armoire", "wardrobe", "synonym"),
         ("bokcase", "bookcase", "spelling"),
         ("sofaa", "sofa", "spelling"),
-        ("gaming throne chair", "chair", "head"),
-        ("zebra", GENERIC, "generic"),
+        ("velvet throne chair", "chair", "head"),
+        ("gaming throne chair", "gaming_chair", "head"),
+        ("large round oak mirror", "round_mirror", "exact"),
+        ("a pair of brass candlesticks", "candlestick", "exact"),
+        ("zebra", "zebra", "generic"),
+        ("flux capacitors", "flux_capacitor", "generic"),
         ("", GENERIC, "generic"),
     ],
 )
@@ -91,3 +95,32 @@ def test_where_things_stand() -> None:
     assert 0 < (likeliness("monitor", "bookcase") or 0) < (likeliness("monitor", "sideboard") or 0)
     assert likeliness("monitor", "bathtub") is None and likeliness("zorb", "desk") is None
     assert (likeliness("book", "bed") or 0) >= len(categories()["book"].on), "only as the bed says that it holds some"
+
+
+@pytest.mark.parametrize(
+    ("noun", "mount", "body"),
+    [
+        ("centrifugal juice machine", None, "generic_machine"),
+        ("zorb plaque", "wall", "generic_panel"),
+        ("zorb", None, "generic_item"),
+        ("zorb", "floor", "generic_furniture"),
+        ("zorb", "ceiling", "generic_hanging"),
+        ("brass zorb totems", None, "generic_figure"),
+    ],
+)
+def test_the_last_word_and_what_holds_it_decide_a_labelled_body(noun: str, mount, body: str) -> None:
+    match = resolve(noun, mount)
+    assert match.generic and match.body == body and match.note
+    assert match.category == "_".join(noun.removeprefix("brass ").removesuffix("s").split())
+    known = category_named(match.category, mount)
+    assert known.name == match.category and known.size == categories()[body].size
+    assert mount is None or mount in known.mount
+
+
+def test_words_before_a_name_stay_with_it() -> None:
+    assert resolve("three-legged red lacquered wooden stool").modifiers == ("red", "lacquered")
+    assert resolve("vase of dried flowers").category == "vase"
+
+
+def test_a_real_word_is_no_slip() -> None:
+    assert resolve("boo").generic and resolve("banana chairs").category == "chair"

@@ -148,7 +148,7 @@ def test_size_colour_and_unknown_words(lounge, call):
     proposal = call("add_objects", lounge, {"objects": rows})
     shelf, thing = added(proposal)
     assert shelf.size[1:] == pytest.approx((1.0, 1.8), abs=0.01)
-    assert thing.category == "object" and any("flux capacitor" in note for note in proposal.notes)
+    assert thing.category == "flux_capacitor" and any("flux capacitor" in note for note in proposal.notes)
 
 
 @pytest.mark.parametrize(

@@ -119,7 +119,8 @@ def _category(hints: Hints) -> Category | None:
         return None
     from ..taxonomy import resolve
 
-    return categories().get(resolve(hints.category).category)
+    match = resolve(hints.category)
+    return None if match.generic else categories()[match.category]
 
 
 def _simplified(raw: RawMesh, hints: Hints, seconds: float) -> tuple[RawMesh, tuple[str, ...]]:

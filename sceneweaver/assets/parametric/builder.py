@@ -7,7 +7,8 @@ import zlib
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
+from urllib.parse import quote
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from .. import shapes
 from ..asset import Asset, Origin
 from ..body import Hull, Link, Material, Mesh
 from ..category import Category
-from ..materials import STYLES, color_name, color_named, expand, finish, tinted
+from ..materials import STYLES, Finish, alike, color_name, color_named, expand, finish, finishes_named, tinted
 from ..prisms import prisms_of
 from ..shapes.convex import Shape
 from ..zones import ZONE_HEIGHT, access_zones
@@ -42,12 +43,19 @@ class Size(NamedTuple):
 
 @dataclass(frozen=True)
 class Request:
-    """What a user asks of an asset; None leaves the choice to the seed."""
+    """What a user asks of an asset; None leaves the choice to the seed.
+
+    ``shape`` is a name of ``looks.yaml``, ``parts`` are counted ones (("drawers", 3), ...); a drawing that cannot show
+    them leaves them out. ``label`` is what a body that stands for an unknown noun is called.
+    """
 
     size: tuple[float | None, float | None, float | None] = (None, None, None)
     color: str | None = None
     material: str | None = None
     style: str | None = None
+    shape: str | None = None
+    parts: tuple[tuple[str, int], ...] = ()
+    label: str | None = None
 
     @property
     def suffix(self) -> str:
@@ -55,7 +63,10 @@ class Request:
         parts = []
         if any(v is not None for v in self.size):
             parts.append("size=" + ",".join("" if v is None else f"{v:g}" for v in self.size))
-        parts += [f"{k}={v}" for k in ("color", "material", "style") if (v := getattr(self, k)) is not None]
+        named = ("color", "material", "style", "shape", "label")
+        parts += [f"{k}={quote(v)}" for k in named if (v := getattr(self, k)) is not None]
+        if self.parts:
+            parts.append("parts=" + ",".join(f"{name}:{count}" for name, count in self.parts))
         return "".join(f"&{part}" for part in parts)
 
 
@@ -66,7 +77,7 @@ class Builder:
     they were. Every shape is at once a piece of the visual mesh and one or more convex collision parts.
     """
 
-    def __init__(self, category: Category, seed: int, request: Request | None = None):
+    def __init__(self, category: Category, seed: int, request: Request | None = None, *, any_material: bool = False):
         if category.size is None:
             raise InputError(f"category: '{category.name}' is a group of others; name one of them")
         self.category = category
@@ -88,7 +99,9 @@ class Builder:
         self._surfaces: list[Surface] = []
         self._zones: list[Zone] = []
         self._clear: list[tuple[Interval, Interval, Interval]] = []
-        self._words: list[str] = []
+        self._wanted = None if any_material else self.request.material
+        self._shown: dict[str, Any] = {}
+        self._main: str | None = None
 
     # Choices
 
@@ -129,39 +142,78 @@ class Builder:
     def material(self, role: str, *names: str) -> Material:
         """A finish for a role such as "top" or "legs": one of the names, "@wood" for any of a family.
 
-        The same role has the same finish all over. The first role that can do so takes the colour and the material
-        that the user asked for; a style prefers finishes that suit it.
+        The same role has the same finish all over. The first role that can do so takes the material that the user
+        asked for, also one that is not among its names where its families allow it, and the first that can takes the
+        colour; a style prefers finishes that suit it.
         """
         if role in self._roles:
             return self._roles[role]
         options = expand(names)
-        chosen = None
-        asked = self.request.material
-        taken = self._words
-        if asked and "material" not in taken:
-            like = [
-                f
-                for f in options
-                if asked.lower() in (f.material.name, f.family) or asked.lower() in f.material.name.split()
-            ]
-            if like:
-                options, chosen = like, None
-                taken.append("material")
-        if self.request.color and "color" not in taken:
-            color = color_named(self.request.color)
-            like = [f for f in options if color_name(f.material.color) == color]
-            dyes = [f for f in options if f.tints]
-            if like:
-                options = like
-                taken.append("color")
-            elif dyes:
-                chosen = tinted(self.pick(f"material {role}", dyes).material, color)
-                taken.append("color")
-        if chosen is None:
-            suits = [f for f in options if self.style in f.styles]
-            chosen = self.pick(f"material {role}", suits or options).material
-        self._roles[role] = chosen
-        return chosen
+        asked = self._asked_finishes(options)
+        options = asked or options
+        color = self.request.color if "color" not in self._shown else None
+        if self.lacks_material:  # "blue velvet": the colour waits for the velvet
+            color = None
+        chosen = self._colored(role, options, color) if color else None
+        if asked or (chosen is not None and self._main is None):
+            self._main = role
+        self._roles[role] = chosen or self._suiting(role, options)
+        return self._roles[role]
+
+    @property
+    def lacks_material(self) -> bool:
+        """Whether no role has had the asked material so far; at the end, draw again with ``any_material``."""
+        return self._wanted is not None and "material" not in self._shown
+
+    def _asked_finishes(self, options: list[Finish]) -> list[Finish]:
+        """The finishes among some, or in place of them, that are of the asked material; none when there are none."""
+        if not self._wanted or "material" in self._shown:
+            return []
+        wanted = finishes_named(self._wanted)
+        like = [f for f in wanted if f in options]
+        if not like:
+            families = frozenset().union(*(alike(f.family) for f in options))
+            like = [f for f in wanted if f.family in families]
+            like = [f for f in like if not f.asked] or like
+        if like:
+            self._shown["material"] = self._wanted
+        return like
+
+    def _colored(self, role: str, options: list[Finish], color: str) -> Material | None:
+        """A finish in the asked colour: one that has it, one that is dyed, or painted."""
+        basic = color_named(color)
+        like = [f for f in options if color_name(f.material.color) == basic]
+        dyes = [f for f in options if f.tints]
+        paints = [f for f in options if alike(f.family)]
+        self._shown["color"] = basic
+        if like and (color == basic or not dyes + paints):
+            return self._suiting(role, like)
+        if not dyes + paints:
+            del self._shown["color"]
+            return None
+        return tinted(self._suiting(role, dyes or paints), color)
+
+    def _suiting(self, role: str, options: list[Finish]) -> Material:
+        """One of some finishes, rather one that suits the style."""
+        return self.pick(f"material {role}", [f for f in options if self.style in f.styles] or options).material
+
+    # What else is asked
+
+    def shape(self, *known: str) -> str | None:
+        """The asked shape where it is one of these; None when none of them was asked for."""
+        if self.request.shape not in known:
+            return None
+        self._shown["shape"] = self.request.shape
+        return self.request.shape
+
+    def count(self, name: str, usual: int, low: int, high: int) -> int:
+        """How many of a counted part: as many as were asked for within the limits, else the usual number."""
+        asked = dict(self.request.parts).get(name)
+        if asked is None:
+            return usual
+        made = min(max(asked, low), high)
+        self._shown[name] = made
+        return made
 
     # Where and to what
 
@@ -398,15 +450,17 @@ class Builder:
         zones = [Zone(name=z.name, polygon=_shifted(z.polygon, shift), z=z.z, hard=z.hard) for z in self._zones]
         named = {z.name for z in zones}
         zones += access_zones(self.category, size, named)
-        main = next(iter(self._roles.values()), None)
-        attributes: dict = {"style": self.style}
+        main = self._roles[self._main] if self._main else next(iter(self._roles.values()), None)
+        name = self.request.label or self.category.name
+        attributes: dict[str, Any] = {"style": self.style}
         if main is not None:
             attributes |= {"color": color_name(main.color), "material": main.name}
+        attributes |= {key: value for key, value in self._shown.items() if key != "material"}
         parts = prisms_of(hulls, self._groups, clear)
         surfaces = tuple(_on_parts(s, parts) for s in surfaces)
         return Asset(
             id=f"parametric:{self.category.name}?seed={self._seed}{self.request.suffix}",
-            category=self.category.name,
+            category=name,
             mesh=mesh,
             hulls=hulls,
             parts=parts,
@@ -419,7 +473,7 @@ class Builder:
             sides=self.category.sides,
             links=tuple(Link(k.name, k.joint, k.axis, _vec(np.array(k.anchor) - shift), k.limits) for k in self._links),
             attributes=attributes,
-            description=f"{main.name} {self.category.words}" if main is not None else self.category.words,
+            description=f"{main.name} {name.replace('_', ' ')}" if main is not None else name.replace("_", " "),
         )
 
     def _mass(self, size: tuple[float, ...]) -> float:

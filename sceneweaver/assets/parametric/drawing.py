@@ -27,6 +27,8 @@ def makers() -> dict[str, Maker]:
 def make(category: str, seed: int = 0, request: Request | None = None) -> Asset:
     """Draw one asset; equal arguments give equal assets.
 
+    What a request asks in vain (a material that the category is never of) is left out.
+
     Raises:
         InputError: for a category that is not drawn, or a request outside the category's range.
     """
@@ -35,4 +37,7 @@ def make(category: str, seed: int = 0, request: Request | None = None) -> Asset:
         raise InputError(f"category: '{category}' is unknown{suggest(category, known)}")
     builder = Builder(categories()[category], seed, request)
     known[category](builder)
+    if builder.lacks_material:  # its colour waited for it
+        builder = Builder(categories()[category], seed, request, any_material=True)
+        known[category](builder)
     return builder.finish()

@@ -9,7 +9,7 @@ from typing import Any, Protocol
 
 from sceneweaver.scene import InputError
 
-from ..asset import Asset
+from ..asset import Asset, Mount
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,8 @@ class Wish:
     """What is looked for; None and empty leave it open.
 
     ``size`` is the wanted (depth, width, height) [m]; ``words`` are style words, any colour or material among them;
-    ``licences`` are the only ones allowed, None allows all.
+    ``shape`` is a name of ``looks.yaml``, ``parts`` are counted ones (("drawers", 3), ...), ``mount`` is what holds a
+    thing that no category fits; ``licences`` are the only ones allowed, None allows all.
 
     Raises:
         InputError: for a size that is no length above 0.
@@ -68,6 +69,9 @@ class Wish:
     color: str | None = None
     material: str | None = None
     style: str | None = None
+    shape: str | None = None
+    parts: tuple[tuple[str, int], ...] = ()
+    mount: Mount | None = None
     words: str = ""
     seed: int = 0
     count: int = 8

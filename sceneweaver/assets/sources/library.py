@@ -12,7 +12,8 @@ import numpy as np
 from sceneweaver.scene import InputError
 
 from ..asset import Asset
-from ..materials import STYLES, color_named
+from ..looks import read_words
+from ..materials import color_named
 from ..taxonomy import Match, resolve
 from .base import Card, Source, Wish
 from .parametric import ParametricSource
@@ -43,7 +44,7 @@ class Library:
     def find(self, noun: str, wish: Wish | None = None) -> Found:
         """The assets that suit a noun ("desk chair") and a wish, best first."""
         wish = _read(wish or Wish())
-        match = resolve(noun)
+        match = resolve(noun, wish.mount)
         scored: list[tuple[float, int, Card]] = []
         for source in self.sources:
             for card in source.find(match.category, wish):
@@ -86,7 +87,7 @@ class Library:
                 terms.append(math.exp(-abs(math.log(have / want)) / 0.32))
         text = card.text
         if wish.color:
-            terms.append(1.0 if wish.color in str(card.attributes.get("color", "")) else 0.3)
+            terms.append(1.0 if color_named(wish.color) in str(card.attributes.get("color", "")) else 0.3)
         for word in (wish.material, wish.style):
             if word:
                 terms.append(1.0 if word.lower() in text else 0.5)
@@ -97,19 +98,16 @@ class Library:
 
 
 def _read(wish: Wish) -> Wish:
-    """The wish with the colour and the style that its words name."""
-    words = wish.words.lower().split()
-    color, style = wish.color and color_named(wish.color), wish.style
-    for size in (2, 1):
-        for k in range(len(words) - size + 1):
-            if color is None:
-                try:
-                    color = color_named(" ".join(words[k : k + size]))
-                except InputError:
-                    continue
-    if style is None:
-        style = next((word for word in words if word in STYLES), None)
-    return replace(wish, color=color, style=style)
+    """The wish with what its words say of a look, where it says nothing of that itself."""
+    read = read_words(wish.words)
+    return replace(
+        wish,
+        color=wish.color or read.color,
+        material=wish.material or read.material,
+        style=wish.style or read.style,
+        shape=wish.shape or read.shape,
+        parts=wish.parts or read.parts,
+    )
 
 
 def embedder(model: str) -> Embed:

@@ -11,7 +11,8 @@ from sceneweaver.scene import InputError
 from ..asset import Asset
 from ..category import categories
 from ..materials import STYLES
-from ..parametric import Request, make, makers
+from ..parametric import Request, make
+from ..taxonomy import Match, resolve
 from .base import Card, Wish
 
 PREFIX = "parametric:"
@@ -24,13 +25,12 @@ class ParametricSource:
 
     def find(self, category: str, wish: Wish) -> Iterator[Card]:
         """``wish.count`` variants of the category in the wanted size and look, as far as its ranges allow."""
-        if category not in makers():
-            return
+        match = resolve(category, wish.mount)
+        request = self._request(match, wish)
         for k in range(wish.count):
-            asset = _draw(category, wish.seed + k, self._request(category, wish))
-            yield Card(
-                asset.id, category, asset.size, self.name, asset.origin.licence, asset.attributes, asset.description
-            )
+            made = _draw(match.body, wish.seed + k, request)
+            licence = made.origin.licence
+            yield Card(made.id, made.category, made.size, self.name, licence, made.attributes, made.description)
 
     def owns(self, asset_id: str) -> bool:
         """Ids look like ``parametric:desk?seed=3&color=white``."""
@@ -40,27 +40,28 @@ class ParametricSource:
         """Draw the asset of an id again."""
         category, _, query = asset_id.removeprefix(PREFIX).partition("?")
         given = dict(parse_qsl(query, keep_blank_values=True))
+        words = {k: given.pop(k) for k in ("color", "material", "style", "shape", "label") if k in given}
         try:
             seed = int(given.pop("seed", "0"))
-            size = _size(given.pop("size", ",,"))
-            request = Request(size=size, **{k: given.pop(k) for k in ("color", "material", "style") if k in given})
-        except (TypeError, ValueError) as error:
+            size, parts = _size(given.pop("size", ",,")), _parts(given.pop("parts", ""))
+        except ValueError as error:
             raise InputError(f"asset: '{asset_id}' is no parametric id; write parametric:CATEGORY?seed=N") from error
         if given or seed < 0:
             raise InputError(f"asset: '{asset_id}' is no parametric id; write parametric:CATEGORY?seed=N")
-        return _draw(category, seed, request)
+        return _draw(category, seed, Request(size=size, parts=parts, **words))
 
     @staticmethod
-    def _request(category: str, wish: Wish) -> Request:
+    def _request(match: Match, wish: Wish) -> Request:
         """The wish within what the category can be: sizes are brought into its ranges."""
-        sizes = categories()[category].size
+        sizes = categories()[match.body].size
         assert sizes is not None
         size = tuple(
             None if want is None else min(max(want, low), high)
             for want, (low, high) in zip(wish.size, sizes.ranges, strict=True)
         )
         style = wish.style if wish.style in STYLES else None
-        return Request(size, wish.color, wish.material, style)  # pyright: ignore[reportArgumentType]
+        label = match.category if match.generic else None
+        return Request(size, wish.color, wish.material, style, wish.shape, wish.parts, label)  # pyright: ignore[reportArgumentType]
 
 
 @lru_cache(maxsize=1024)
@@ -71,3 +72,8 @@ def _draw(category: str, seed: int, request: Request) -> Asset:
 def _size(text: str) -> tuple[float | None, float | None, float | None]:
     a, b, c = (float(v) if v else None for v in text.split(","))
     return a, b, c
+
+
+def _parts(text: str) -> tuple[tuple[str, int], ...]:
+    rows = [row.partition(":") for row in text.split(",") if row]
+    return tuple((name, int(count)) for name, _, count in rows)

@@ -1,0 +1,164 @@
+"""Words about what a thing looks like: colour, material, style, shape, size, counted parts."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache, lru_cache
+from importlib import resources
+from typing import Any, Literal
+
+from sceneweaver.scene import InputError
+
+from .category import Category, read_yaml
+from .materials import color_named, color_words, finishes_named, material_words
+
+Kind = Literal["color", "material", "style", "shape", "size"]
+
+NUMBERS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8, "nine": 9, "ten": 10}
+NUMBERS |= {"single": 1, "double": 2, "dual": 2, "triple": 3, "multi": 3}
+
+LONGEST = 4
+"""Words of the longest phrase."""
+
+
+@dataclass(frozen=True)
+class Words:
+    """Words about a look, read: the first of each kind, extents as shares of the usual range, the words left over.
+
+    ``extents`` has "depth", "width", "height", "long" and "short" (side in plan), 0 the least and 1 the most.
+    ``said`` has for each kind, or each counted part, the words that said it.
+    """
+
+    color: str | None = None
+    material: str | None = None
+    style: str | None = None
+    shape: str | None = None
+    extents: tuple[tuple[str, float], ...] = ()
+    parts: tuple[tuple[str, int], ...] = ()
+    said: tuple[tuple[str, str], ...] = ()
+    left: tuple[str, ...] = ()
+
+
+@cache
+def vocabulary() -> dict[str, dict[Kind, Any]]:
+    """Every phrase about a look with what it says; some say several things ("gold", "natural")."""
+    data = _data()
+    table: dict[str, dict[Kind, Any]] = {}
+
+    def put(phrase: str, kind: Kind, value: Any) -> None:
+        table.setdefault(phrase.replace("_", " "), {}).setdefault(kind, value)
+
+    for word in color_words():
+        put(word, "color", word)
+    for word in material_words():
+        put(word, "material", word)
+    for name, words in data["shapes"].items():
+        for word in words:
+            put(word, "shape", name)
+    for name, words in data["styles"].items():
+        for word in words:
+            put(word, "style", name)
+    for word, extents in data["sizes"].items():
+        put(word, "size", tuple(extents.items()))
+    return table
+
+
+@lru_cache(maxsize=4096)
+def is_look(phrase: str) -> bool:
+    """Whether all words of a phrase are about a look."""
+    return not read_words(phrase).left
+
+
+def read_words(phrase: str | Sequence[str]) -> Words:
+    """What a phrase says about a look, the longest known words first."""
+    text = phrase if isinstance(phrase, str) else " ".join(phrase)
+    words = re.sub(r"[_\-]+", " ", text.lower()).replace(",", " ").split()
+    found: dict[str, Any] = {}
+    parts: dict[str, int] = {}
+    extents: dict[str, float] = {}
+    said: dict[str, str] = {}
+    left: list[str] = []
+    at = 0
+    while at < len(words):
+        used = _counted(words, at, parts, said) or _phrase(words, at, found, extents, said)
+        if not used:
+            left.append(words[at])
+        at += used or 1
+    left = [word for word in left if word not in ("with", "and", "in", "a", "an", "of", "the", "sized", "size", "made")]
+    return Words(
+        **found,
+        extents=tuple(extents.items()),
+        parts=tuple(parts.items()),
+        said=tuple(said.items()),
+        left=tuple(left),
+    )
+
+
+def extents_of(category: Category, words: Words) -> tuple[float | None, float | None, float | None]:
+    """Depth, width and height [m] that words mean for a category; None where they say nothing."""
+    size: list[float | None] = [None, None, None]
+    if category.size is None:
+        return None, None, None
+    ranges = category.size.ranges
+    long = 0 if ranges[0][1] > ranges[1][1] else 1
+    axes = {"depth": 0, "width": 1, "height": 2, "long": long, "short": 1 - long}
+    for name, share in words.extents:
+        low, high = ranges[axes[name]]
+        size[axes[name]] = round(min(high, max(low, low + share * (high - low))), 3)
+    return size[0], size[1], size[2]
+
+
+def _phrase(words: list[str], at: int, found: dict[str, Any], extents: dict[str, float], said: dict[str, str]) -> int:
+    """Words from one place on that are about a look; how many were used."""
+    table = vocabulary()
+    for length in range(min(LONGEST, len(words) - at), 0, -1):
+        phrase = " ".join(words[at : at + length])
+        kinds = table.get(phrase)
+        if kinds is None:
+            kinds = _composed(phrase, length)
+        if kinds is None:
+            continue
+        for kind, value in kinds.items():
+            if kind == "size":
+                for name, share in value:
+                    extents.setdefault(name, share)
+                said.setdefault("size", phrase)
+            elif kind not in found:
+                found[kind] = value
+                said[kind] = phrase
+        return length
+    return 1 if words[at] in _data()["idle"] else 0
+
+
+@lru_cache(maxsize=4096)
+def _composed(phrase: str, length: int) -> dict[Kind, Any] | None:
+    """A shade of a colour ("light sage") or a worked material ("brushed brass") that the tables do not list."""
+    if length == 1:
+        return None
+    if finishes_named(phrase):
+        return {"material": phrase}
+    try:
+        color_named(phrase)
+    except InputError:
+        return None
+    return {"color": phrase}
+
+
+def _counted(words: list[str], at: int, parts: dict[str, int], said: dict[str, str]) -> int:
+    """ "Three drawer", "2 seater": how many words were used."""
+    if at + 1 >= len(words):
+        return 0
+    count = int(words[at]) if words[at].isdigit() and len(words[at]) < 3 else NUMBERS.get(words[at])
+    name = next((name for name, units in _data()["parts"].items() if words[at + 1] in units), None)
+    if count is None or name is None:
+        return 0
+    parts.setdefault(name, count)
+    said.setdefault(name, f"{words[at]} {words[at + 1]}")
+    return 2
+
+
+@cache
+def _data() -> dict[str, Any]:
+    return read_yaml(resources.files(__package__ or "").joinpath("looks.yaml"))

@@ -1,0 +1,62 @@
+"""What drawings make of the words about a thing, and what they say they cannot show."""
+
+from __future__ import annotations
+
+import pytest
+
+from sceneweaver.assets import Library, Wish, categories, drawable
+from sceneweaver.assets.materials import color_name, color_named, color_words, finishes_named, material_words, shade
+from sceneweaver.assets.sources import ParametricSource
+from sceneweaver.scene import InputError
+
+OURS = Library([ParametricSource()])
+
+
+def test_words_set_what_is_drawn() -> None:
+    look = drawable("sofa", "large charcoal velvet")
+    assert (look.color, look.material, look.unmet) == ("charcoal", "velvet", ())
+    usual = categories()["sofa"].size
+    assert usual is not None and look.size == tuple(high for _, high in usual.ranges)
+    wish = Wish(look.size, look.color, look.material, seed=5)
+    made = OURS.choose("sofa", wish=wish)[0]
+    assert made.attributes["color"] == "grey" and made.attributes["material"].endswith("velvet")
+
+
+def test_what_cannot_be_drawn_is_said() -> None:
+    look = drawable("potted_plant", "velvet haunted")
+    assert set(look.unmet) == {"velvet", "haunted"} and look.material is None
+
+
+@pytest.mark.parametrize(
+    ("category", "words", "narrower"),
+    [("wall_mirror", "round", "round_mirror"), ("bed", "king size", "king_bed"), ("desk", "plain", "desk")],
+)
+def test_a_word_makes_a_thing_narrower(category: str, words: str, narrower: str) -> None:
+    look = drawable(category, words)
+    assert look.category == narrower and look.unmet == ()
+
+
+@pytest.mark.parametrize("category", ["desk", "bookcase", "coffee_table", "chair", "wardrobe"])
+@pytest.mark.parametrize("material", ["marble", "walnut", "bamboo", "brass", "concrete", "wicker", "teak"])
+def test_hard_things_take_any_hard_material(category: str, material: str) -> None:
+    for seed in range(3):
+        made = OURS.choose(category, wish=Wish(material=material, seed=seed))[0]
+        assert material in made.attributes["material"].split(), made.attributes
+
+
+def test_every_word_for_a_colour_or_a_material_means_one() -> None:
+    for word in color_words():
+        assert len(shade(word)) == 3 and color_named(color_named(word)) == color_named(word)
+    for word in material_words():
+        assert finishes_named(word), word
+    assert color_named("dove-gray") == "light grey" and color_named("dark sage") == "sage"
+    assert color_name(shade("red")) == "red"
+    with pytest.raises(InputError, match="color: 'dark octarine' is unknown"):
+        color_named("dark octarine")
+
+
+def test_a_labelled_body_takes_looks_and_loads_by_its_id() -> None:
+    made = OURS.choose("zorb tower", wish=Wish(color="teal", mount="floor", seed=3))[0]
+    assert made.category == "zorb_tower" and made.mount == "floor" and made.attributes["color"] == "teal"
+    again = OURS.load(made.id)
+    assert again.category == made.category and again.size == made.size
