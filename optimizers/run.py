@@ -12,6 +12,7 @@ from .base import OPTIMIZERS, Monitor, OptimizerResult, Start
 from .batch import Batch
 
 PIECE = 32  # candidates that one CPU thread takes at a time: small enough to share work, large enough to pay a launch
+PIECE_PAIRS = 2**17  # pairs of objects in those candidates: no launch should go on for seconds when time is up
 
 
 def cpu_threads() -> int:
@@ -23,7 +24,7 @@ def pieces(batch: Batch) -> list[Batch]:
     """The batch in the pieces that CPU threads take, on a GPU as it is."""
     if batch.device != "cpu":
         return [batch]
-    piece = max(1, min(PIECE, -(-batch.size // cpu_threads())))
+    piece = max(1, min(PIECE, -(-batch.size // cpu_threads()), PIECE_PAIRS // max(1, batch.objects**2)))
     return [batch.part(i, min(i + piece, batch.size)) for i in range(0, batch.size, piece)]
 
 
@@ -41,5 +42,9 @@ def run(batch: Batch, optimizer: str, start: Start, budget: int | None, monitor:
         return solve(parts[0], start, budget, monitor)
     outcomes = [solve(parts[0], start, budget, monitor)]  # the first alone: it compiles what is not compiled yet
     with ThreadPoolExecutor(cpu_threads()) as pool:
-        outcomes += pool.map(lambda part: solve(part, start, budget, monitor), parts[1:])
+        try:
+            outcomes += pool.map(lambda part: solve(part, start, budget, monitor), parts[1:])
+        except BaseException:
+            monitor.timed_out = True  # the other threads end as well, when they look at it next
+            raise
     return OptimizerResult(np.concatenate([o.energy for o in outcomes]))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,7 +13,7 @@ from typing import TYPE_CHECKING
 from sceneweaver.assets import Library
 from sceneweaver.scene import Scene, whole
 
-from .deadline import NEVER, Deadline
+from .deadline import NEVER, Deadline, TimeUp
 from .result import Result
 
 if TYPE_CHECKING:
@@ -27,9 +28,8 @@ AMPLE = 60.0
 SIZES = ((320, 240), (640, 480), (1280, 960))
 """Pixels of the views, the smaller ones for when time is short."""
 
-PER_SIZE, REPORT, PICTURES = 4.0, 1.0, 1.5
-"""How much longer each size takes than the one before, the report than the pictures before it, and the smallest
-pictures with their report than all files before them."""
+PER_SIZE, REPORT = 4.0, 1.0
+"""How much longer each size takes than the one before, and the report than the pictures in it."""
 
 VIEWS = ("top", "top_annotated", "corner")
 
@@ -45,72 +45,118 @@ def deliver(
 ) -> Result:
     """Write everything; the result with the seconds that it took.
 
-    When time runs short the pictures are smaller, and what there is no time for is left out and noted. The scene and
-    its metrics are always written.
+    When time runs short the pictures, which come first, are small, and what there is no time for is left out and noted.
+    The scene and its metrics are always written.
     """
     began = time.monotonic()
     load = cache(library.load)
     result.scene.save(folder / "scene.json")
     result.report.save(folder / "metrics.json")
-    from sceneweaver.export import export_scene
-
-    missed = []
-    for name in formats:
-        if deadline.left < LEAST:
-            missed.append(name)
-        else:
-            export_scene(result.scene, folder, (name,), load)
-    if pictures and deadline.left < max(LEAST, PICTURES * (time.monotonic() - began)):
-        pictures = False
+    album = _Album(result.scene, load, _drawing_device(device), deadline) if pictures else None
+    if album is not None and not album.smallest():
+        album = None
+    missed = _exported(result.scene, folder, formats, load, deadline.before(album.page if album else 0.0))
+    if album is not None:
+        album.enlarge()
+        album.save(folder / "views")
+        result = replace(result, notes=(*result.notes, *album.notes))
+    elif pictures:
         missed.append("pictures")
     if missed:
-        result = replace(result, notes=(*result.notes, f"time was up before these were written: {', '.join(missed)}"))
-    drawn = {}
-    if pictures:
-        drawn, note = _drawn(result.scene, load, _drawing_device(device), deadline)
-        result = replace(result, notes=(*result.notes, *note))
-        (folder / "views").mkdir(exist_ok=True)
-        for name, picture in drawn.items():
-            with whole(folder / "views" / f"{name}.png") as path:
-                picture.save(path, "PNG")
+        note = f"time was up before these were written: {', '.join(missed)}"
+        result = replace(result, notes=(*result.notes, note), undone=(*result.undone, *missed))
     spent = time.monotonic() - began
     seconds = {**result.report.seconds, "files": round(spent, 3)}
     seconds["total"] = round(float(seconds.get("total", 0.0)) + spent, 3)
     result = replace(result, report=replace(result.report, seconds=seconds), seconds=result.seconds + spent)
     result.report.save(folder / "metrics.json")
-    if pictures:
-        _report(result, folder, load, drawn)
+    if album is not None:
+        _report(result, folder, load, album.views, deadline.before(album.page))
     return result
 
 
-def _drawn(scene: Scene, load: Callable, device: str, deadline: Deadline) -> tuple[dict[str, Image], tuple[str, ...]]:
-    """The views as large as there is time for, and what to note of it.
+def _exported(scene: Scene, folder: Path, formats: Sequence[str], load: Callable, deadline: Deadline) -> list[str]:
+    """Write the files for other tools; those that there was no time for."""
+    from sceneweaver.export import export_scene
 
-    A small one, which has to be drawn anyway when time is short, tells how long the larger ones would take here.
-    """
-    from sceneweaver.render import draw_rooms
+    missed = []
+    for name in formats:
+        try:
+            if deadline.left < LEAST:
+                raise TimeUp
+            with deadline.enforced():
+                export_scene(scene, folder, (name,), load)
+        except TimeUp:
+            missed.append(name)
+    return missed
 
-    if deadline.left > AMPLE:
-        return draw_rooms(scene, load, VIEWS, device=device), ()
-    drawn = {}
-    for width, height in SIZES:
+
+@dataclass
+class _Album:
+    """The views of a scene, as large as there is time for; ``took`` says how many seconds the last ones took."""
+
+    scene: Scene
+    load: Callable
+    device: str
+    deadline: Deadline
+    views: dict[str, Image] = field(default_factory=dict)
+    size: tuple[int, int] = SIZES[-1]
+    took: float = LEAST
+    notes: tuple[str, ...] = ()
+
+    @property
+    def page(self) -> float:
+        """About how many seconds the report takes."""
+        return REPORT * self.took
+
+    def smallest(self) -> bool:
+        """Draw small views first when time is short; False when there is no time even for them."""
+        if self.deadline.left > AMPLE:
+            return True
+        return self.deadline.left >= LEAST and self._draw(SIZES[0])
+
+    def enlarge(self) -> None:
+        """Draw the larger views that there is time for: the smaller ones told how long they take here."""
+        if not self.views:
+            self._draw(SIZES[-1])
+            return
+        for size in SIZES[1:]:
+            if (PER_SIZE + REPORT) * self.took + LEAST > self.deadline.left or not self._draw(size):
+                self.notes = (f"time was short, so the pictures have {self.size[0]} x {self.size[1]} pixels",)
+                break
+
+    def save(self, folder: Path) -> None:
+        """Write a PNG for each view."""
+        folder.mkdir(exist_ok=True)
+        for name, picture in self.views.items():
+            with whole(folder / f"{name}.png") as path:
+                picture.save(path, "PNG")
+
+    def _draw(self, size: tuple[int, int]) -> bool:
+        from sceneweaver.render import draw_rooms
+
         started = time.monotonic()
-        drawn = draw_rooms(scene, load, VIEWS, width, height, device=device)
-        if (width, height) == SIZES[-1]:
-            return drawn, ()
-        if (PER_SIZE + REPORT) * (time.monotonic() - started) + LEAST > deadline.left:
-            return drawn, (f"time was short, so the pictures have {width} x {height} pixels",)
-    return drawn, ()
+        try:
+            with self.deadline.before(0.0 if not self.views else self.page).enforced():
+                self.views = draw_rooms(self.scene, self.load, VIEWS, *size, device=self.device)
+        except TimeUp:
+            return False
+        self.size, self.took = size, time.monotonic() - started
+        return True
 
 
-def _report(result: Result, folder: Path, load: Callable, drawn: dict) -> None:
+def _report(result: Result, folder: Path, load: Callable, drawn: dict, deadline: Deadline) -> None:
+    """Write the page; steps that there is no time to draw have no picture on it."""
     from sceneweaver.render import draw_top
     from sceneweaver.report import ReportData, StepRow, write_report
 
     rows = []
     for step in result.steps:
         kept = folder / "steps" / f"{step.number:02d}" / "scene.json"
-        picture = draw_top(Scene.load(kept)) if kept.exists() and step.accepted else None
+        picture = None
+        if kept.exists() and step.accepted and not deadline.passed:
+            with suppress(TimeUp), deadline.enforced():
+                picture = draw_top(Scene.load(kept))
         rows.append(
             StepRow(
                 number=step.number,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
@@ -17,7 +18,7 @@ from sceneweaver.tools.registry import Registered
 from sceneweaver.tools.registry import tools as registered
 from sceneweaver.verify import Report
 
-from .deadline import NEVER, Deadline
+from .deadline import Deadline, Stop, TimeUp
 from .deliver import deliver
 from .executor import Executor
 from .folder import RunFolder
@@ -53,6 +54,7 @@ def design(
     settle: bool = False,
     said: Callable[[Step], None] | None = None,
     began: float | None = None,
+    stop: Stop | None = None,
     **switches: Any,
 ) -> Result:
     """Design a room from a request in words.
@@ -73,6 +75,7 @@ def design(
             to measure the stability of the scene.
         said: called with each step as it ends.
         began: when the time began to run, by ``time.monotonic()``; None: now.
+        stop: asks it to end before, with what is best then.
         switches: other fields of `Settings`, such as ``reflect=False``.
 
     Raises:
@@ -99,17 +102,18 @@ def design(
     folder = RunFolder(Path(out)) if out is not None else None
     tools = {name: tool for name, tool in registered().items() if usable(name, tool, settings, room_type)}
     run = Run(brief, room_type, settings, tools, RulesPlanner(), folder=folder, said=said)
-    end = NEVER if settings.seconds is None else Deadline(began + settings.seconds)
+    limit = Deadline(began + (settings.seconds or math.inf), stop=stop or Stop())
     if folder is None:
-        run.deadline = end
+        run.deadline = limit
         return _result(run, remarks, began)
     with folder.held():
         _resume(run, folder)
-        end = end.before(run.memory.seconds)
         started = time.monotonic() - began
-        run.deadline = end.before(reserve(settings.seconds or 0.0, started))
-        end = end.before(EXIT * started)
-        return deliver(_result(run, remarks, began), folder.path, run.library, device, pictures, formats, end)
+        limit.stop.allowance = max(LEAST_RESERVE, WRITING * started)
+        kept = reserve(settings.seconds, started) if settings.seconds else limit.stop.allowance
+        run.deadline = replace(limit, end=limit.end - run.memory.seconds).before(kept)
+        result = _result(run, remarks, began)
+        return deliver(result, folder.path, run.library, device, pictures, formats, limit.before(EXIT * started))
 
 
 def reserve(limit: float, started: float) -> float:
@@ -128,22 +132,26 @@ def reserve(limit: float, started: float) -> float:
 def _result(run: Run, remarks: Sequence[str], began: float) -> Result:
     brief, settings = run.brief, run.settings
     best = run.go()
-    moved: list[str] = []
-    if settings.settle and run.deadline.passed:
-        moved = ["things have not settled: time was up"]
-    elif settings.settle:
-        best, moved = settled(best, Executor(run.room_type, brief, settings))
-    unmet = tuple(dict.fromkeys((*run.memory.unmet, *_unmet(best.review))))
+    said = [f"the work was cut off: {run.cut_off}"] if run.cut_off else []
+    if settings.settle:
+        try:
+            with run.deadline.enforced():
+                best, moved = settled(best, Executor(run.room_type, brief, settings))
+            said += moved
+        except TimeUp:
+            said.append("things have not settled: time was up")
+    unmet = tuple(dict.fromkeys((*run.memory.unmet, *run.unmet, *_unmet(best.review))))
     return Result(
         scene=best.scene,
         report=_complete(best.report, best.review, settings, run, began),
         review=best.review,
         brief=brief,
         steps=run.memory.steps,
-        notes=tuple(dict.fromkeys((*brief.notes, *remarks, *run.memory.notes, *moved))),
+        notes=tuple(dict.fromkeys((*brief.notes, *remarks, *run.memory.notes, *run.notes, *said))),
         unmet=unmet,
         seconds=time.monotonic() - began,
         finished=run.memory.finished,
+        undone=(f"what would have come after {run.cut_off}",) if run.cut_off and run.deadline.stop.reason else (),
         out=run.folder.path if run.folder else None,
     )
 
@@ -200,6 +208,7 @@ def _complete(report: Report, review: Review, settings: Settings, run: Run, bega
         seed=settings.seed,
         device=settings.device,
         candidates=settings.layouts,
+        cut_off=run.cut_off or None,
         seconds={"total": round(time.monotonic() - began, 3), **steps},
         versions={**report.versions, "warp-lang": version("warp-lang")},
     )

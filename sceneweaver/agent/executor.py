@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import time
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from sceneweaver.brief import SceneGraph
@@ -27,6 +28,9 @@ ENOUGH = 4
 
 ROUNDS = 8
 """Times that something gives way before a layout that cannot be valid is taken as it is."""
+
+AGAIN = 0.5
+"""Share of the time of the last search without which no other begins before the deadline."""
 
 STEADY = 3
 """Layouts that are tried in physics, of those that the critic likes best."""
@@ -61,13 +65,18 @@ class Outcome:
 
 @dataclass
 class Executor:
-    """Refines and judges proposals for one request; ``attempts`` counts the layouts begun anew, for all candidates."""
+    """Refines and judges proposals for one request.
+
+    ``attempts`` counts the layouts begun anew, for all candidates. ``found`` is told of every layout of a new room that
+    is better than those before it: it is what there is when time is up before `run` ends.
+    """
 
     room_type: RoomType
     brief: SceneGraph
     settings: Settings
     deadline: Deadline = NEVER
     attempts: int = 0
+    found: Callable[[Outcome], None] | None = None
 
     def run(self, scene: Scene, proposal: Proposal, seed: int) -> Outcome:
         """The best scene that follows from a proposal.
@@ -84,27 +93,40 @@ class Executor:
                 return self._outcome(draft, notes, unmet, report)
         if not self.settings.physics:
             return self._outcome(self._unrefined(draft, proposal, seed), notes, unmet)
-        fresh, variants = proposal.fresh, list(proposal.variants)
+        fresh, variants, took = proposal.fresh, list(proposal.variants), 0.0
         if not fresh and (placed := self._in_place(scene, draft, seed, notes)) is not None:
             return replace(placed, notes=tuple(notes), unmet=tuple(unmet))
-        best, patient = self._refined(draft, variants, fresh, seed, 0), False
+
+        def refined(patience: int, best: Outcome | None = None) -> Outcome:
+            """The best layout of the draft, or the one that there is where that is better."""
+            nonlocal took
+            began = time.monotonic()
+            new = self._refined(draft, variants, fresh, seed, patience)
+            took = time.monotonic() - began
+            if best is not None and best.key <= new.key:
+                return best
+            if fresh and self.found is not None:
+                self.found(replace(new, notes=tuple(notes), unmet=tuple(unmet)))
+            return new
+
+        best, patient = refined(0), False
         for round_ in range(ROUNDS):
-            if not best.faults or self.deadline.passed:
+            if not best.faults or self.deadline.left < AGAIN * took:
                 break
             lighter = relaxed(draft, best.faults, 1 + len(notes) // 2)  # the longer it takes, the more at once
             if lighter is None:
                 break
             if lighter.unmet and not patient:  # before anything that was asked for goes
                 patient = True
-                best = min(best, self._refined(draft, variants, fresh, seed, 1), key=lambda o: o.key)
+                best = refined(1, best)
                 continue
             notes, unmet = [*notes, *lighter.notes], [*unmet, *lighter.unmet]
             draft, variants = lighter.scene, _without(lighter.scene, variants)
             # Patience pays once what is merely wished for has gone.
-            late = int(round_ >= ROUNDS // 2)
-            best = min(best, self._refined(draft, variants, fresh, seed, late), key=lambda o: o.key)
-        if not best.report.valid and not self.deadline.passed:  # without the rows: they may be what stands in the way
-            best = min(best, self._refined(draft, [], fresh, seed, 1), key=lambda o: o.key)
+            best = refined(int(round_ >= ROUNDS // 2), best)
+        if not best.report.valid and self.deadline.left > AGAIN * took:
+            variants = []  # without the rows: they may be what stands in the way
+            best = refined(1, best)
         return replace(best, notes=tuple(notes), unmet=tuple(unmet))
 
     def judged(self, scene: Scene, report: Report | None = None) -> Outcome:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, ClassVar, Literal
 
@@ -20,9 +21,12 @@ from sceneweaver.verify import Report
 from .memory import Memory
 from .settings import Settings
 
-STATE = "state.json"
+STATE, SCENE = "state.json", "scene.json"
 MAX_STATE = 16 * 2**20
 """Most bytes of a state file that are read; a run of a hundred steps writes about one million."""
+
+UNDONE = "it goes on, or it was killed"
+"""What the metrics of a scene say of its run as long as that has not ended."""
 
 RELEVANT = (
     "seed",
@@ -47,7 +51,10 @@ class State(FrozenModel):
     prompt: str
     brief: dict[str, Any] = Field(default={}, description="How the request was read; for readers of the file")
     settings: Settings
-    scene: str = Field(pattern=r"^steps/\d+/scene\.json$", description="Path of the scene, inside the folder")
+    scene: str = Field(
+        pattern=r"^(steps/\d+/)?scene\.json$",
+        description="Path of the scene, inside the folder; of one that no step led to the run does not go on",
+    )
     memory: Memory
 
 
@@ -68,7 +75,7 @@ class RunFolder:
             (self.path / "steps").mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise InputError(f"--out: {self.path} cannot be written ({error.strerror}); choose another place") from None
-        with locked(self.path / "scene.json", f"--out: {self.path}"):
+        with locked(self.path / SCENE, f"--out: {self.path}"):
             for folder in (self.path, self.path / "views", *self.path.glob("steps/*")):
                 sweep(folder)
             yield
@@ -92,7 +99,8 @@ class RunFolder:
                     f"--out: {self.path} holds a run with {name} {getattr(kept.settings, name)!r}, not "
                     f"{getattr(settings, name)!r}; choose another place"
                 )
-        return (kept.memory, Scene.load(self.path / kept.scene)) if kept.memory.steps else None
+        led_to = kept.memory.steps and kept.scene != SCENE
+        return (kept.memory, Scene.load(self.path / kept.scene)) if led_to else None
 
     def step(
         self,
@@ -114,6 +122,11 @@ class RunFolder:
         _write(folder / "step.json", memory.steps[-1].model_dump(mode="json") if memory.steps else {})
         self.state(f"{name}/scene.json", memory, brief, settings)
 
+    def keep(self, scene: Scene, report: Report) -> None:
+        """Write the best valid scene so far as the scene of the folder: it is there however the run ends."""
+        scene.save(self.path / SCENE)
+        replace(report, cut_off=report.cut_off or UNDONE).save(self.path / "metrics.json")
+
     def state(self, scene: str, memory: Memory, brief: SceneGraph, settings: Settings) -> None:
         """Write the state to go on from; ``scene`` is a path inside the folder."""
         state = State(
@@ -127,9 +140,9 @@ class RunFolder:
         _write(self.path / STATE, state.model_dump(mode="json"))
 
     def kept_scene(self) -> str:
-        """The path, inside the folder, of the scene that the state points to; empty when there is none."""
+        """The path, inside the folder, of the scene that the state points to; without a state the folder's own."""
         kept = self._state()
-        return kept.scene if kept else ""
+        return kept.scene if kept else SCENE
 
     def _state(self) -> State | None:
         """The state that is there, if any; InputError names the file, the field and the fix."""

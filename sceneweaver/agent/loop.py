@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from sceneweaver.assets import Library
@@ -12,13 +12,16 @@ from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import InputError, Room, Scene
 from sceneweaver.tools.base import Context, Proposal
+from sceneweaver.tools.prior_shell import floor_area, shell
 from sceneweaver.tools.registry import Registered
+from sceneweaver.verify import check
 
-from .deadline import NEVER, Deadline
+from .deadline import NEVER, Deadline, TimeUp
 from .executor import Executor, Outcome
 from .folder import RunFolder
 from .memory import Call, Memory, Step
 from .planner import LISTS, Planner, Situation
+from .relaxation import cleared
 from .settings import Settings
 
 BLIND_PLAN = ("init_prior", "add_tabletop", "add_crowd", "update_layout")
@@ -27,12 +30,21 @@ BLIND_PLAN = ("init_prior", "add_tabletop", "add_crowd", "update_layout")
 WHOLE_PLAN = 8
 """Calls of a plan that is made once, at most."""
 
+GRACE, LEAST_GRACE = 0.25, 1.0
+"""How much of the time kept for the files, and how many seconds at least, a step has to end in good order."""
+
+NOTHING_YET = "time was up before anything was placed"
+
 Said = Callable[[Step], None]
 
 
 @dataclass
 class Run:
-    """One request on its way to a scene."""
+    """One request on its way to a scene.
+
+    ``memory`` and ``best`` are what the steps led to. What the end of the run adds is apart from them, so that a run
+    which goes on in its folder does not see it: ``notes``, ``unmet``, and what cut it off, ``cut_off``.
+    """
 
     brief: SceneGraph
     room_type: RoomType
@@ -45,14 +57,26 @@ class Run:
     said: Said | None = None
     memory: Memory = Memory()
     best: Outcome | None = None
+    first: Outcome | None = None
+    notes: tuple[str, ...] = ()
+    unmet: tuple[str, ...] = ()
+    cut_off: str = ""
 
     def go(self) -> Outcome:
         """Take steps until the scene is good, nothing more can be mended, or the budget is spent.
 
+        Returns:
+            The best scene, without what is wrong in its layout. When time is up before the first step ends, that is the
+            best layout so far or, before there is one, the empty room; the step does not count, and a run that goes on
+            in the folder takes it again.
+
         Raises:
             InputError: when not even a first scene can be made.
         """
-        executor = Executor(self.room_type, self.brief, self.settings, self.deadline)
+        executor = Executor(self.room_type, self.brief, self.settings, self.deadline, found=self._offer)
+        if self.best is None and self.folder is not None:
+            bare = bare_scene(self.brief, self.room_type, self.settings.seed)
+            self.folder.keep(bare, check(bare))
         reason, spent = self.memory.finished, self.memory.spent
         while not reason:
             reason = self._spent()
@@ -67,18 +91,48 @@ class Run:
             outcomes, tried = self._tried(executor, calls)
             if tried:  # else time ran out before the first
                 self._take(outcomes, tried, calls[: len(tried)], time.monotonic() - started, executor.attempts)
-        if self.best is None:
+            elif self.best is None:
+                reason, spent = self._cut(), True
+        best = self.best
+        if best is None and self.cut_off:
+            best = self.first
+            if best is None:
+                bare = executor.judged(bare_scene(self.brief, self.room_type, self.settings.seed))
+                best = replace(bare, unmet=(NOTHING_YET,))
+            self.notes, self.unmet = best.notes, best.unmet
+        if best is None:
             raise InputError("prompt: " + (self.memory.steps[-1].note if self.memory.steps else "no tool can begin"))
         self.memory = self.memory.model_copy(update={"finished": reason, "spent": spent})
         if self.folder is not None:
             self.folder.state(self.folder.kept_scene(), self.memory, self.brief, self.settings)
-        return self.best
+        if best.faults and self.settings.physics:
+            lighter, report = cleared(best.scene, best.report)
+            self.notes, self.unmet = (*self.notes, *lighter.notes), (*self.unmet, *lighter.unmet)
+            best = executor.judged(lighter.scene, report)
+        return best
+
+    def _offer(self, outcome: Outcome) -> None:
+        """Keep a layout of the first step, in case that time is up before it ends."""
+        if self.best is None and (self.first is None or outcome.key < self.first.key):
+            self.first = outcome
+            self._keep(outcome)
+
+    def _keep(self, outcome: Outcome) -> None:
+        """Write a scene to the folder, without what is wrong in its layout."""
+        if self.folder is not None:
+            lighter, report = cleared(outcome.scene, outcome.report)
+            self.folder.keep(lighter.scene, report)
+
+    def _cut(self) -> str:
+        """Note that time is up, and say why."""
+        self.cut_off = self.deadline.stop.reason or f"{self.settings.seconds:g} seconds"
+        return self.cut_off
 
     def _spent(self) -> str:
         """The budget that is spent; empty when there is some left of each."""
         s, memory = self.settings, self.memory
         if self.best is not None and self.deadline.passed:
-            return f"{s.seconds:g} seconds"
+            return self._cut()
         if len(memory.steps) >= s.steps:
             return f"{s.steps} steps"
         if memory.attempts >= s.work:
@@ -122,7 +176,7 @@ class Run:
         return tuple(c for c, done in zip(calls, before, strict=True) if c.tool not in LISTS or c.tool not in done)
 
     def _tried(self, executor: Executor, calls: list[Call]) -> tuple[dict[int, Outcome], list[dict[str, Any]]]:
-        """What each call leads to; one that fails says why and leaves the others alone."""
+        """What each call leads to; one that fails says why and leaves the others alone, and time may be up in one."""
         outcomes: dict[int, Outcome] = {}
         tried: list[dict[str, Any]] = []
         for k, call in enumerate(calls):
@@ -131,16 +185,19 @@ class Run:
             row: dict[str, Any] = {"tool": call.tool, "confidence": call.confidence, "reason": call.reason}
             began = time.monotonic()
             try:
-                scene = self.best.scene if self.best else empty_scene(self.brief, self.room_type)
-                proposal = self._propose(call, scene)
-                if self.best and not proposal.edits and not proposal.fresh and proposal.scene is None:
-                    row["failed"] = "nothing to change" + (f": {proposal.unmet[0]}" if proposal.unmet else "")
-                else:
-                    outcomes[k] = executor.run(scene, proposal, call.seed)
-                    row["grades"] = {**outcomes[k].review.grades, "total": round(outcomes[k].review.total, 3)}
-                    row["violations"] = int(outcomes[k].key[0])
+                with self.deadline.enforced(max(LEAST_GRACE, GRACE * self.deadline.margin)):
+                    scene = self.best.scene if self.best else empty_scene(self.brief, self.room_type)
+                    proposal = self._propose(call, scene)
+                    if self.best and not proposal.edits and not proposal.fresh and proposal.scene is None:
+                        row["failed"] = "nothing to change" + (f": {proposal.unmet[0]}" if proposal.unmet else "")
+                    else:
+                        outcomes[k] = executor.run(scene, proposal, call.seed)
+                        row["grades"] = {**outcomes[k].review.grades, "total": round(outcomes[k].review.total, 3)}
+                        row["violations"] = int(outcomes[k].key[0])
             except InputError as error:
                 row["failed"] = str(error)
+            except TimeUp:
+                break
             row["seconds"] = round(time.monotonic() - began, 3)
             tried.append(row)
         return outcomes, tried
@@ -186,8 +243,15 @@ class Run:
             self.folder.step(
                 step.number, current.scene, current.report, current.review, self.memory, self.brief, self.settings
             )
+            self._keep(current)
         if self.said is not None:
             self.said(step)
+
+
+def bare_scene(brief: SceneGraph, room_type: RoomType, seed: int) -> Scene:
+    """The room that a request describes, with nothing in it."""
+    area = floor_area(room_type, brief, seed)[0]
+    return empty_scene(brief, room_type).model_copy(update={"room": shell(room_type, brief, area, seed)[0]})
 
 
 def empty_scene(brief: SceneGraph, room_type: RoomType) -> Scene:

@@ -77,6 +77,39 @@ def pruned(before: Scene, scene: Scene) -> tuple[Scene, Report, tuple[str, ...]]
     return scene, report, tuple(notes)
 
 
+def cleared(scene: Scene, report: Report) -> tuple[Relaxed, Report]:
+    """A scene in the layout that it has, without what is wrong in it: nothing is searched for.
+
+    Relations that do not hold become soft, and of what stands in each other's way the least wanted goes.
+
+    Args:
+        scene: any scene.
+        report: the judge's report of it.
+
+    Returns:
+        The scene with what is to be said of it, and its report.
+    """
+    notes, unmet = list[str](), list[str]()
+    while faults := [v for v in report.violations if v.hard and v.kind != "dropped"]:
+        known = {o.id: o for o in scene.objects}
+        failing = {v.relation.index for v in faults if v.relation is not None}
+        steps = [_softened(scene, relation) for k, relation in enumerate(scene.relations) if k in failing]
+        gone, clashes = [], [known.keys() & set(v.objects) for v in faults if v.relation is None]
+        while clashes := [names for names in clashes if names]:
+            trouble = Counter(name for names in clashes for name in names)
+            gone.append(min(trouble, key=lambda name: (known[name].intent.rank, -trouble[name], name)))
+            clashes = [names for names in clashes if gone[-1] not in names]
+        if not steps and not gone:
+            break
+        soft = [r.model_copy(update={"hard": r.hard and k not in failing}) for k, r in enumerate(scene.relations)]
+        steps.append(_without(scene.model_copy(update={"relations": tuple(soft)}), [known[name] for name in gone]))
+        for step in steps:
+            notes, unmet = [*notes, *step.notes], [*unmet, *step.unmet]
+        scene = steps[-1].scene
+        report = check(scene)
+    return Relaxed(scene, tuple(notes), tuple(unmet)), report
+
+
 def left_out(name: str) -> str:
     """What is said of an object that nobody asked for and that is given up."""
     return f"{name} was left out: {REASON}"

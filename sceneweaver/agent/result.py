@@ -15,7 +15,11 @@ from .memory import Step
 
 @dataclass(frozen=True)
 class Result:
-    """What a design led to; ``unmet`` lists what was asked for and is not so, ``notes`` what was assumed."""
+    """What a design led to.
+
+    ``unmet`` lists what was asked for and is not so, ``notes`` what was assumed, ``undone`` the files that there was no
+    time for, and what a signal cut off.
+    """
 
     scene: Scene
     report: Report
@@ -26,9 +30,10 @@ class Result:
     unmet: tuple[str, ...]
     seconds: float
     finished: str
+    undone: tuple[str, ...] = ()
     out: Path | None = None
 
     @property
     def satisfied(self) -> bool:
-        """Whether the scene is valid and all that was asked for is so."""
-        return self.report.valid and not self.unmet
+        """Whether the scene is valid and all that was asked for is so, files included."""
+        return self.report.valid and not self.unmet and not self.undone

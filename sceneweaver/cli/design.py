@@ -11,6 +11,7 @@ from sceneweaver.scene import InputError
 
 from .exit_codes import NOT_VALID
 from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line
+from .stopping import stoppable
 
 if TYPE_CHECKING:
     from sceneweaver.agent import Result
@@ -55,7 +56,7 @@ def run_design(
     """
     if out.suffix in (".json", ".html", ".png", ".glb") or out.is_file():
         raise InputError(f"--out: {out} is no folder; give a folder")
-    with no_chatter():
+    with no_chatter(), stoppable() as stop:
         from sceneweaver.agent import design
 
         result = design(
@@ -72,6 +73,7 @@ def run_design(
             settle=settle,
             said=None if as_json else _say,
             began=began,
+            stop=stop,
         )
     code = 0 if result.satisfied else NOT_VALID
     if as_json:
@@ -83,6 +85,8 @@ def run_design(
     list_violations(report)
     for text in result.unmet:
         typer.secho(f"  unmet   {text}", fg="yellow")
+    for text in result.undone:
+        typer.secho(f"  undone  {text}", fg="yellow")
     for text in result.notes:
         typer.echo(f"  note    {text}")
     if result.brief.unread:
@@ -111,6 +115,7 @@ def _json(result: Result, out: Path, code: int) -> dict[str, Any]:
         "objects": result.report.placed,
         "grades": result.review.grades,
         "unmet": list(result.unmet),
+        "undone": list(result.undone),
         "notes": list(result.notes),
         "unread": [word.words for word in result.brief.unread],
         "steps": [step.model_dump(mode="json") for step in result.steps],

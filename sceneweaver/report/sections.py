@@ -149,8 +149,8 @@ def measures(metrics: Mapping[str, Any]) -> str:
         if key in (metrics.get("stability") or {}):
             rows.append((name, number(metrics["stability"][key], 4)))
     rows += [
-        (key.capitalize(), str(metrics[key]))
-        for key in ("candidates", "seed", "device")
+        (key.capitalize().replace("_", " "), str(metrics[key]))
+        for key in ("candidates", "seed", "device", "cut_off")
         if metrics.get(key) is not None
     ]
     more: list[tuple[str, str]] = []

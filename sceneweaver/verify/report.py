@@ -122,8 +122,8 @@ class Report:
     ``blocked_zones`` (object, zone, other object) triples; ``blocked_openings`` (opening, object) pairs. The shares are
     explained in `walkable.Access`; None when they were not measured. ``stability`` and ``scores`` belong to the physics
     and the critics, ``seed``, ``device`` and ``candidates`` to the run that made the scene: fill them in with
-    ``dataclasses.replace``. ``seconds`` is wall time, in all and by step. ``warnings`` say where meshes or measures
-    had to be done without.
+    ``dataclasses.replace``. So does ``cut_off``, what ended that run before it was done (None: nothing did).
+    ``seconds`` is wall time, in all and by step. ``warnings`` say where meshes or measures had to be done without.
     """
 
     valid: bool
@@ -145,6 +145,7 @@ class Report:
     seed: int | None = None
     device: str | None = None
     candidates: int | None = None
+    cut_off: str | None = None
     versions: Mapping[str, str] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
 

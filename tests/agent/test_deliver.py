@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import time
 from pathlib import Path
 
 import pytest
@@ -116,6 +117,35 @@ def test_when_time_is_up_the_scene_and_its_metrics_are_written_and_the_rest_is_n
     done = deliver(result, tmp_path, Library(), "cpu", True, ("glb", "usd"), Deadline(0.0))
     assert files(tmp_path) == {"scene.json", "metrics.json"}
     assert done.notes[-1] == "time was up before these were written: glb, usd, pictures"
+
+
+def test_a_file_that_takes_too_long_is_left_out_and_the_pictures_are_there(result, tmp_path, monkeypatch):
+    def endless(scene: Scene, folder: Path, names: tuple[str, ...], load: object) -> None:
+        if names == ("usd",):
+            while True:
+                time.sleep(0.01)
+        (folder / "scene.glb").touch()
+
+    monkeypatch.setattr("sceneweaver.export.export_scene", endless)
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *_, **__: {"top": Image.new("RGB", (4, 4))})
+    end = time.monotonic() + 2.5
+    done = deliver(result, tmp_path, Library(), "cpu", True, ("glb", "usd", "mjcf"), Deadline(end))
+    assert time.monotonic() < end + 1.0
+    assert files(tmp_path) == {"scene.json", "metrics.json", "scene.glb", "report.html", "views/top.png"}
+    assert done.undone == ("usd", "mjcf") and not done.satisfied
+    assert done.notes[-1] == "time was up before these were written: usd, mjcf"
+
+
+def test_pictures_that_take_too_long_are_left_out(result, tmp_path, monkeypatch):
+    def endless(*_: object, **__: object) -> None:
+        while True:
+            time.sleep(0.01)
+
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", endless)
+    end = time.monotonic() + 1.0
+    done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(end))
+    assert time.monotonic() < end + 1.0 and done.undone == ("pictures",)
+    assert files(tmp_path) == {"scene.json", "metrics.json"}
 
 
 @pytest.mark.parametrize(("left", "size"), [(1.5, (320, 240)), (59.0, (1280, 960))])

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import threading
+import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -10,11 +12,11 @@ from typing import Any
 import pytest
 
 from sceneweaver.agent import loop
-from sceneweaver.agent.deadline import Deadline
+from sceneweaver.agent.deadline import Deadline, Stop
 from sceneweaver.agent.design import _resume
 from sceneweaver.agent.executor import Outcome
 from sceneweaver.agent.folder import RunFolder
-from sceneweaver.agent.loop import Run, empty_scene
+from sceneweaver.agent.loop import NOTHING_YET, Run, empty_scene
 from sceneweaver.agent.memory import Call, Memory
 from sceneweaver.agent.planner import Situation
 from sceneweaver.agent.settings import Settings
@@ -26,7 +28,7 @@ from sceneweaver.scene.edits import Add
 from sceneweaver.tools.base import Context, Proposal
 from sceneweaver.tools.card import own_card
 from sceneweaver.tools.registry import Registered
-from sceneweaver.verify import check
+from sceneweaver.verify import Report, check
 
 ROOM = room_type("bedroom")
 BRIEF = SceneGraph(text="a bedroom", room_type="bedroom")
@@ -37,12 +39,14 @@ class Tool:
     """Adds a box whose category says which grade the critic is to give."""
 
     name: str
-    answers: list[Proposal | Exception] = field(default_factory=list)
+    answers: list[Proposal | Exception | Callable[[], Proposal]] = field(default_factory=list)
     seen: list[Context] = field(default_factory=list)
 
     def propose(self, context: Context) -> Proposal:
         self.seen.append(context)
         answer = self.answers.pop(0)
+        if callable(answer):
+            answer = answer()
         if isinstance(answer, Exception):
             raise answer
         return answer
@@ -64,8 +68,11 @@ class Planner:
 class Executor:
     """Applies the first edit of a proposal; the grade of the outcome stands in what it adds."""
 
-    def __init__(self, *_: Any) -> None:
-        self.attempts = 0
+    def __init__(self, *_: Any, found: Callable[[Outcome], None]) -> None:
+        self.attempts, self.found = 0, found
+
+    def judged(self, scene: Scene, report: Report | None = None) -> Outcome:
+        return Outcome(scene, report or check(scene), Review(grades=dict.fromkeys(CRITERIA, 0.0)))
 
     def run(self, scene: Scene, proposal: Proposal, seed: int) -> Outcome:
         self.attempts += 5
@@ -77,7 +84,17 @@ class Executor:
         grade = float(edit.object.category)
         faults = (Fault(criterion="layout", kind="k", reason="r", tool="add_objects"),) * (grade < 9.9)
         review = Review(grades=dict.fromkeys(CRITERIA, grade), faults=faults)
-        return Outcome(after, check(after), review, proposal.notes, proposal.unmet)
+        made = Outcome(after, check(after), review, proposal.notes, proposal.unmet)
+        self.found(made)
+        if "endless" in proposal.notes:
+            for_ever()
+        return made
+
+
+def for_ever() -> None:
+    """What asks no deadline."""
+    while True:
+        time.sleep(0.01)
 
 
 def adds(object_id: str, grade: float, at: float = 2.0, **said: Any) -> Proposal:
@@ -196,16 +213,80 @@ def test_when_it_stops(go, settings, grades, steps, reason):
     assert run.memory.spent is bool(settings.keys() & {"steps", "work"})
 
 
-def test_a_deadline_that_has_passed_leaves_the_first_scene(go):
+def late(proposal: Proposal) -> Callable[[], Proposal]:
+    """An answer for which the deadline of `SOON` is over, but not the grace after it."""
+
+    def answer() -> Proposal:
+        time.sleep(0.3)
+        return proposal
+
+    return answer
+
+
+def soon(**more: Any) -> dict[str, Any]:
+    """A deadline that comes in a fifth of a second."""
+    return {"settings": Settings(device="cpu", seconds=3.0, **more), "deadline": Deadline(time.monotonic() + 0.2)}
+
+
+def test_a_step_that_ends_soon_after_the_deadline_counts(go):
     boxes = [adds(f"b{k}", 5 + k, 0.5 + 0.5 * k) for k in range(2)]
-    settings = Settings(device="cpu", seconds=3.0, side_by_side=2)
     plans = [calls("init_prior", "add_objects"), calls("add_objects")]
-    run, best, _, _ = go(
-        {"init_prior": boxes[:1], "add_objects": boxes[1:]}, plans, settings=settings, deadline=Deadline(0.0)
-    )
-    assert best.scene.ids == ("b0",) and run.memory.finished == "3 seconds"
+    run, best, _, _ = go({"init_prior": [late(boxes[0])], "add_objects": boxes[1:]}, plans, **soon(side_by_side=2))
+    assert best.scene.ids == ("b0",) and run.memory.finished == run.cut_off == "3 seconds"
     assert len(run.memory.steps) == 1 and len(run.memory.steps[0].tried) == 1
     assert not run.memory.failed  # what there was no time for is not held against its tool
+
+
+def test_when_the_first_tool_takes_too_long_there_is_the_empty_room_that_was_asked_for(go, tmp_path):
+    folder, began = RunFolder(tmp_path), time.monotonic()
+    with folder.held():
+        run, best, _, _ = go({"init_prior": [for_ever]}, [BEGIN], folder=folder, **soon())
+    assert time.monotonic() - began < 3.0
+    assert not best.scene.objects and best.scene.room.doors and best.report.valid
+    assert run.unmet == (NOTHING_YET,) and run.memory.spent and run.cut_off == "3 seconds"
+    assert Scene.load(tmp_path / "scene.json").room == best.scene.room
+    assert json.loads((tmp_path / "metrics.json").read_text("utf-8"))["cut_off"]
+    assert folder.resume(BRIEF, run.settings) is None  # the step does not count: a larger limit begins anew
+
+
+def test_when_the_first_step_takes_too_long_there_is_its_best_layout_so_far(go, tmp_path):
+    folder = RunFolder(tmp_path)
+    colliding = adds("a", 5, notes=("endless",), unmet=("a sofa",))
+    with folder.held():
+        run, best, _, _ = go({"init_prior": [colliding]}, [BEGIN], folder=folder, **soon())
+    assert best.scene.ids == ("a",) and run.unmet == ("a sofa",) and not run.memory.steps
+    assert Scene.load(tmp_path / "scene.json") == best.scene
+
+
+def test_a_later_step_that_takes_too_long_leaves_what_there_was(go, tmp_path):
+    folder = RunFolder(tmp_path)
+    answers = {"init_prior": [adds("a", 5)], "add_objects": [adds("b", 9, 1.0, notes=("endless",))]}
+    with folder.held():
+        run, best, _, _ = go(answers, [BEGIN, calls("add_objects")], folder=folder, **soon())
+    assert best.scene.ids == ("a",) and len(run.memory.steps) == 1 and run.cut_off == "3 seconds"
+    kept = folder.resume(BRIEF, run.settings)
+    assert kept is not None and kept[1] == best.scene and kept[0].spent
+
+
+def test_a_stop_ends_it_as_a_deadline_does(go):
+    stop = Stop(allowance=0.0)
+    ask = threading.Timer(0.2, stop.request, ("SIGTERM",))
+    ask.start()
+    answers = {"init_prior": [adds("a", 5)], "add_objects": [for_ever]}
+    run, best, _, _ = go(answers, [BEGIN, calls("add_objects")], deadline=Deadline(stop=stop))
+    ask.join()
+    assert best.scene.ids == ("a",) and run.cut_off == run.memory.finished == "SIGTERM" and run.memory.spent
+
+
+def test_what_is_wrong_in_the_last_layout_is_taken_out(go, tmp_path):
+    folder, settings = RunFolder(tmp_path), Settings(device="cpu", reflect=False)
+    answers = {"init_prior": [adds("a", 5)], "add_tabletop": [adds("b", 9)]}  # in one place
+    with folder.held():
+        run, best, _, _ = go(answers, [], folder=folder, settings=settings)
+    assert len(best.scene.objects) == 1 and best.report.valid and not run.cut_off
+    assert run.notes == (f"{'a' if best.scene.ids == ('b',) else 'b'} was left out: the room has no place for it",)
+    assert Scene.load(tmp_path / "scene.json") == best.scene
+    assert len(run.best.scene.objects) == 2  # what a run that goes on begins with is as it was
 
 
 def test_without_a_first_scene_it_says_why(go):

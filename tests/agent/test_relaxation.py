@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from sceneweaver.agent.relaxation import REASON, relaxed
+from dataclasses import replace
+
+from sceneweaver.agent.relaxation import REASON, cleared, relaxed
 from sceneweaver.scene import Intent, Pose, Priority, Relation, Room, Scene, SceneObject, Support, Surface
-from sceneweaver.verify import check
+from sceneweaver.verify import Report, check
 
 TOP = Surface(name="top", polygon=((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)), z=0.5)
 
@@ -81,3 +83,39 @@ def test_of_many_alike_several_go_at_once_but_none_that_is_wanted_more():
     many = [cube(f"n{k}", "needed", 2.0 + 0.01 * k) for k in range(11)]
     found = relax(room(cube("asked", "asked", 2.3), *many))
     assert found is not None and len(found.scene.ids) == 12 - 3 and "asked" in found.scene.ids
+
+
+def test_what_is_wrong_is_taken_out_of_a_layout_as_it_stands():
+    far = Relation(type="near", subject="a", target="d", params={"max": 0.5}, asked=True)
+    chests = [cube("b", "optional", 2.6), cube("c", "asked", 3.2), cube("d", "needed", 7.0), cube("out", "asked", 9.0)]
+    scene = room(cube("a", "needed"), *chests, relations=(far,))
+    lighter, report = cleared(scene, check(scene))
+    assert lighter.scene.ids == ("a", "c", "d")  # b was in the way of both, and c alone of nothing
+    assert [v.kind for v in report.violations if v.hard] == ["dropped"] and report == check_again(lighter.scene, report)
+    assert {o.id: o.pose for o in lighter.scene.objects} == {o.id: o.pose for o in scene.objects if o.id in "acd"}
+    assert [d.id for d in lighter.scene.dropped] == ["out"] and not lighter.scene.relations[0].hard
+    assert lighter.unmet == ("a near d cannot hold here", f"out: {REASON}")
+    assert lighter.notes == (f"b was left out: {REASON}",)
+
+
+def check_again(scene: Scene, report: Report) -> Report:
+    return replace(check(scene), seconds=report.seconds)
+
+
+def test_the_least_wanted_goes_even_where_several_of_it_go():
+    scene = room(cube("bed", "asked"), *(cube(f"p{k}", "optional", 1.2 + 0.8 * k) for k in range(3)))
+    lighter, _ = cleared(scene, check(scene))
+    assert "bed" in lighter.scene.ids and not lighter.unmet
+
+
+def test_a_valid_layout_is_left_as_it_is():
+    scene = room(cube("a", "optional"))
+    report = check(scene)
+    lighter, after = cleared(scene, report)
+    assert lighter.scene is scene and after is report and not lighter.notes
+
+
+def test_a_heap_of_alike_things_keeps_one():
+    scene = room(*(cube(f"n{k:02}", "asked", 2.0 + 0.01 * k) for k in range(40)))
+    lighter, report = cleared(scene, check(scene))
+    assert len(lighter.scene.ids) == 1 and len(lighter.scene.dropped) == 39 and not report.collisions

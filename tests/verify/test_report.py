@@ -87,6 +87,7 @@ PROPERTIES = {
     "seed": {"type": ["integer", "null"]},
     "device": {"type": ["string", "null"]},
     "candidates": {"type": ["integer", "null"]},
+    "cut_off": {"type": ["string", "null"]},
     "versions": {"type": "object", "additionalProperties": {"type": "string"}},
 }
 METRICS = {
