@@ -28,9 +28,9 @@ class Audit:
         return sum(not o.valid for o in self.opinions)
 
     @property
-    def agreed(self) -> float | None:
-        """Share of those judged that the judge calls valid."""
-        return 1 - self.exceptions / len(self.opinions) if self.opinions else None
+    def agreed(self) -> list[int]:
+        """Indices of the candidates that the judge calls valid as well."""
+        return [int(i) for i, o in zip(self.judged, self.opinions, strict=True) if o.valid]
 
     @property
     def soft(self) -> float | None:

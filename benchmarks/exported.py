@@ -1,7 +1,4 @@
-"""What an exported scene does in plain MuJoCo, in a process that knows nothing else of it.
-
-``python -m benchmarks.exported FILE ...`` measures given scenes.
-"""
+"""What an exported scene does in plain MuJoCo, in a process that knows nothing else of it."""
 
 from __future__ import annotations
 
@@ -84,28 +81,3 @@ def joined(name: str, rows: Sequence[dict[str, Any]]) -> dict[str, Any]:
     keys = [c.key for c in COLUMNS[1:]]
     means = {key: (max if key in _WORST else fmean)(row[key] for row in rows) for key in keys}
     return {"room": name, **means, **_shares(far), "mean": 1e3 * fmean(far or [0.0])}
-
-
-def main(files: Sequence[str]) -> int:
-    """Print a line for each scene file, and one for each room type."""
-    rows = []
-    print(" ".join(f"{c.label:>10}" for c in COLUMNS))
-    for file in files:
-        scene = Scene.load(file)
-        rows.append({"room": scene.room.type, **measure(scene)})
-        _print(Path(file).stem, rows[-1])
-    for kind in sorted({row["room"] for row in rows}):
-        _print(kind, joined(kind, [row for row in rows if row["room"] == kind]))
-    if rows:
-        _print("all", joined("all", rows))
-    return 0
-
-
-def _print(name: str, row: dict[str, Any]) -> None:
-    numbers = " ".join(f"{row[c.key]:>10.4g}" for c in COLUMNS[1:])
-    moved = {object_id: round(v, 3) for object_id, v in row.get("moved", {}).items() if v > 0.01}
-    print(f"{name[:16]:>16} {numbers}", *(moved or row.get("problems", ())), flush=True)
-
-
-if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
 from sceneweaver.physics.batch import model_of, poses_of
-from sceneweaver.physics.worlds import Solver, Template
+from sceneweaver.physics.worlds import Template
 from sceneweaver.scene import Scene
 
 REQUEST = "Design me a bedroom for a teenager with a desk, a bookshelf and things on every surface"
@@ -32,24 +30,9 @@ class Case:
     middle: np.ndarray
     poses: np.ndarray
 
-    def template(self, shapes: str, solver: Solver) -> Template:
+    def template(self, shapes: str) -> Template:
         """The compiled model."""
-        return Template.of(self.xml[shapes], {}, self.free, self.fixed, self.middle, solver)
-
-    def save(self, path: Path) -> None:
-        """Write an .npz file."""
-        path.parent.mkdir(parents=True, exist_ok=True)
-        texts = {"name": self.name, "free": list(self.free), "fixed": list(self.fixed), "xml": self.xml}
-        np.savez_compressed(path, texts=json.dumps(texts), middle=self.middle, poses=self.poses)
-
-    @classmethod
-    def load(cls, path: Path) -> Case:
-        """Read what ``save`` wrote."""
-        with np.load(path, allow_pickle=False) as data:
-            texts = json.loads(str(data["texts"]))
-            return cls(
-                texts["name"], texts["xml"], tuple(texts["free"]), tuple(texts["fixed"]), data["middle"], data["poses"]
-            )
+        return Template.of(self.xml[shapes], {}, self.free, self.fixed, self.middle)
 
 
 def case_of(scene: Scene, poses: np.ndarray, seed: int = 0) -> Case:

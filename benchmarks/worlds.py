@@ -1,39 +1,18 @@
-"""Many layouts of a room let loose at once, beside MuJoCo C on one core: how fast, and do they agree?
-
-``python -m benchmarks.worlds make FILE.npz`` writes a case: models and initial poses. ``python -m benchmarks.worlds run
-FILE.npz --device cuda --out DIR`` measures it; that needs numpy, mujoco, mujoco-warp, pydantic and pyyaml only.
-"""
+"""Many layouts of a room let loose at once, beside MuJoCo C on one core: how fast, and do they agree?"""
 
 from __future__ import annotations
 
-import argparse
-import json
-import sys
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from benchmarks.layouts import Case, designed, small
+from benchmarks.layouts import Case
 from benchmarks.results import Column, Result
 from sceneweaver.physics.batch import run
 from sceneweaver.physics.settle import LITTLE
-from sceneweaver.physics.worlds import PRODUCT, SimulationResult, Solver, Template, merged, run_c, shifts, steps_of
-
-ROWS: tuple[tuple[str, str, Solver], ...] = (
-    ("box", "product", PRODUCT),
-    ("hull", "product", PRODUCT),
-    ("box", "sweep and prune", Solver(broadphase="sap")),
-    ("hull", "sweep and prune", Solver(broadphase="sap")),
-    ("box", "conjugate gradients", Solver(method="cg")),
-    ("hull", "conjugate gradients", Solver(method="cg")),
-)
-"""(shapes, name of the solver's settings, settings): those of ``settle``, and others to see what they would bring."""
-
-USUAL = (0, 1)
+from sceneweaver.physics.worlds import SimulationResult, Template, merged, run_c, shifts, steps_of
 
 GOALS = {"box": 40.0, "hull": 20.0}
 AGREEMENT = 0.98
@@ -41,7 +20,6 @@ AGREEMENT = 0.98
 
 COLUMNS = (
     Column("shapes", "bodies"),
-    Column("solver", "solver"),
     Column("backend", "by"),
     Column("worlds", "worlds", "count"),
     Column("bodies", "free", "count"),
@@ -74,10 +52,8 @@ def measure(
     seconds: float = 3.0,
     threads: int = 1,
     budget: float = 40.0,
-    backend: str | None = None,
-    rows: Sequence[int] = USUAL,
 ) -> Iterator[dict[str, Any]]:
-    """Rows of results, one for each of ``ROWS``.
+    """Rows of results, one for each of ``GOALS``.
 
     Args:
         case: Models and poses.
@@ -87,26 +63,20 @@ def measure(
         seconds: Simulated time.
         threads: Of MuJoCo C.
         budget: See ``sample``.
-        backend: As in ``settle_many``.
-        rows: Numbers of the rows wanted.
     """
     steps, start = steps_of(seconds), case.poses
     some = np.sort(np.random.default_rng(0).permutation(len(start))[:sample])
-    product = case.template("hull", PRODUCT)
-    truth = None
-    for number in rows:
-        shapes, name, solver = ROWS[number]
-        template = case.template(shapes, solver)
+    hulls = case.template("hull")
+    truth = shifts(hulls, start[some], run_c(hulls, start[some], steps, threads).poses)
+    for shapes, goal in GOALS.items():
+        template = case.template(shapes)
         began = time.perf_counter()
-        run(template, start, min(steps, 60), device, backend, threads)  # type: ignore[arg-type]
+        run(template, start, min(steps, 60), device, None, threads)
         first = time.perf_counter() - began
         began = time.perf_counter()
-        batch, kind, _ = run(template, start, steps, device, backend, threads)  # type: ignore[arg-type]
+        batch, kind, _ = run(template, start, steps, device, None, threads)
         call = time.perf_counter() - began
         alone, core, timed = _alone(template, start[some], steps, threads, budget)
-        if shapes == "hull" or truth is None:
-            one = alone if shapes == "hull" else run_c(product, start[some], steps, threads)
-            truth = shifts(product, start[some], one.poses)
         moved = shifts(template, start, batch.poses)
         theirs = shifts(template, start[some], alone.poses)
         sound = ~(batch.overflow | batch.diverged)[some]
@@ -114,7 +84,6 @@ def measure(
         c, agreed = theirs > LITTLE, _agreed(ours, theirs > LITTLE)
         yield {
             "shapes": shapes,
-            "solver": name,
             "backend": kind,
             "worlds": len(start),
             "bodies": len(case.free),
@@ -125,7 +94,7 @@ def measure(
             "core": 1e3 * core,
             "timed": timed,
             "speedup": core * len(start) / batch.seconds,
-            "goal": GOALS[shapes],
+            "goal": goal,
             "sample": len(some),
             "agree": agreed,
             "agree_product": _agreed(ours, truth > LITTLE),
@@ -140,8 +109,6 @@ def measure(
             "overflow": int(batch.overflow.sum()),
             "diverged": int(batch.diverged.sum()),
             "c_diverged": int(alone.diverged.sum()),
-            "unfinished": _count(batch.unfinished),
-            "inexact": _count(batch.inexact),
             "first": first,
             "call": call,
             "problem": batch.problem,
@@ -166,10 +133,6 @@ def _agreed(one: np.ndarray, two: np.ndarray) -> float:
     return float((one == two).mean()) if one.size else 1.0
 
 
-def _count(mask: np.ndarray | None) -> int:
-    return 0 if mask is None else int(mask.sum())
-
-
 def tabulate(rows: Iterator[dict[str, Any]] | Sequence[dict[str, Any]]) -> Result:
     """The rows of ``measure`` as a result of the family ``physics``."""
     result = Result(
@@ -181,7 +144,7 @@ def tabulate(rows: Iterator[dict[str, Any]] | Sequence[dict[str, Any]]) -> Resul
         "the same against convex hulls by MuJoCo C, which is what settle runs. On a CPU both sides are MuJoCo C, one "
         "of them on all cores.",
     )
-    table = result.add("worlds", "Boxes and convex hulls", COLUMNS, keys=2)
+    table = result.add("worlds", "Boxes and convex hulls", COLUMNS)
     for row in rows:
         table.rows.append(row)
         if row["agree"] < AGREEMENT:
@@ -193,44 +156,3 @@ def tabulate(rows: Iterator[dict[str, Any]] | Sequence[dict[str, Any]]) -> Resul
         "to and from the device; call: with bringing the model there, too; first call: before anything is compiled."
     )
     return result
-
-
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Make or measure a case."""
-    from benchmarks.machine import facts
-    from benchmarks.settings import Settings, cores
-
-    p = argparse.ArgumentParser(prog="python -m benchmarks.worlds", description=__doc__)
-    p.add_argument("action", choices=("make", "run"))
-    p.add_argument("file", type=Path)
-    p.add_argument("--device", default="cpu")
-    p.add_argument("--backend", choices=("c", "warp"))
-    p.add_argument("--worlds", type=int, default=1024)
-    p.add_argument("--sample", type=int, default=64)
-    p.add_argument("--seconds", type=float, default=3.0)
-    p.add_argument("--budget", type=float, default=40.0, help="seconds of MuJoCo C on one core, for each row")
-    p.add_argument("--rows", default="0,1", help=f"some of {[f'{k}: {r[0]}, {r[1]}' for k, r in enumerate(ROWS)]}")
-    p.add_argument("--small", action="store_true", help="make: a desk instead of a designed room")
-    p.add_argument("--out", type=Path, default=Path("."))
-    o = p.parse_args(arguments)
-    if o.action == "make":
-        case = small(o.worlds) if o.small else designed(o.worlds, o.device)
-        case.save(o.file)
-        print(f"{o.file}: {len(case.poses)} layouts of {len(case.free)} free and {len(case.fixed)} fixed objects")
-        return 0
-    case = Case.load(o.file)
-    case = replace(case, poses=case.poses[: o.worlds])
-    began, machine = time.perf_counter(), facts(Settings(device=o.device))
-    found = []
-    o.out.mkdir(parents=True, exist_ok=True)
-    rows = [int(k) for k in o.rows.split(",")]
-    for row in measure(case, o.device, o.sample, o.seconds, cores(), o.budget, o.backend, rows):
-        found.append(row)
-        print(json.dumps(row), flush=True)
-        result = replace(tabulate(found), machine=machine, seconds=time.perf_counter() - began)
-        result.save(o.out)
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -9,12 +9,12 @@ import numpy as np
 
 from benchmarks import rooms
 from benchmarks.audit import audit
-from benchmarks.boxes import ten_boxes
 from benchmarks.judging import Judge
 from benchmarks.machine import resolve
 from benchmarks.results import Column, Plot, Result
 from benchmarks.settings import Settings
 from benchmarks.starts import start
+from benchmarks.tenbox import ten_boxes
 from benchmarks.timing import timed
 from sceneweaver.layout import refine
 from sceneweaver.layout.compile import compile_scene

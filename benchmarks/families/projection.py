@@ -122,7 +122,7 @@ def _ours(
     solution, seconds = timed(scene, settings, **options)
     found = audit(solution, judge, result, f"{name} {what} projection", settings.out)
     moved = np.full(count, math.nan)
-    good = [int(i) for i, o in zip(found.judged, found.opinions, strict=True) if o.valid]
+    good = found.agreed
     moved[good] = movement(scene, before[good], solution.poses[good].astype(np.float64))
     row = {
         "room": name,

@@ -94,7 +94,7 @@ def _ours(result: Result, settings: Settings, judge: Judge, name: str, kind: str
     warm(begin, settings, init if isinstance(init, str) else init[:2])
     solution, seconds = timed(begin, settings, candidates=count, seed=settings.seed, init=init)
     found = audit(solution, judge, result, f"{name} {kind} seed {settings.seed}", settings.out)
-    agreed = [i for i, o in zip(found.judged, found.opinions, strict=True) if o.valid]
+    agreed = found.agreed
     distinct, different = count_distinct(scene, solution.poses[agreed])
     return {
         "room": name,

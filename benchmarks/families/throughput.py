@@ -75,7 +75,7 @@ def _ours(result: Result, settings: Settings, judge: Judge, name: str) -> dict[s
     rows = []
     for (solution, seconds), seed in zip(runs, seeds, strict=True):
         found = audit(solution, judge, result, f"{name} sample seed {seed}", settings.out)
-        good = [i for i, o in zip(found.judged, found.opinions, strict=True) if o.valid]
+        good = found.agreed
         distinct, _ = count_distinct(scene, solution.poses[good])
         row = {"room": name, "system": OURS, "candidates": count, "seconds": seconds}
         row |= {"claimed": len(found.valid) / count, "judged": len(found.judged), "exceptions": found.exceptions}

@@ -61,7 +61,7 @@ def _one(settings: Settings, judge: Judge, result: Result, seed: int) -> dict[st
         "walls": walls,
         "candidates": len(solution.status),
         "claimed": len(found.valid) / len(solution.status),
-        "valid": sum(o.valid for o in found.opinions) / len(solution.status),
+        "valid": len(found.agreed) / len(solution.status),
         "judged": len(found.judged),
         "exceptions": found.exceptions,
         "seconds": seconds,

@@ -25,7 +25,7 @@ from sceneweaver.scene import InputError, MissingDependencyError, Pose, Scene
 from .boxes import boxed
 from .model import COVERING, Load, Model, build, things_of
 from .settle import LITTLE, Settled, measures
-from .worlds import PRODUCT, SimulationResult, Solver, Template, run_c, shifts, steps_of
+from .worlds import SimulationResult, Template, run_c, shifts, steps_of
 
 Shapes = Literal["hull", "box"]
 Backend = Literal["c", "warp"]
@@ -96,7 +96,6 @@ def settle_many(
     seconds: float = 3.0,
     *,
     shapes: Shapes = "hull",
-    solver: Solver = PRODUCT,
     device: str = "auto",
     backend: Backend | None = None,
     threads: int | None = None,
@@ -110,7 +109,6 @@ def settle_many(
         load: From asset id to asset; None: the library of this user.
         seconds: How long.
         shapes: "hull": convex parts, as ``settle`` has them; "box": boxes of their volume (see ``boxed``).
-        solver: Settings of the solver; those of ``settle`` if nothing is said.
         device: "auto" (the first GPU, else the CPU), "cpu", "cuda" or "cuda:1" ...
         backend: "warp" or "c"; None: MuJoCo Warp on a GPU, MuJoCo C on a CPU.
         threads: Of MuJoCo C; None: as many as there are cores.
@@ -126,9 +124,7 @@ def settle_many(
     model = model_of(scene, load, shapes)
     heights = {o.id: o.size[2] / 2 for o in scene.objects}
     order = [*model.free, *model.fixed]
-    template = Template.of(
-        model.xml, model.files, model.free, model.fixed, [heights[object_id] for object_id in order], solver
-    )
+    template = Template.of(model.xml, model.files, model.free, model.fixed, [heights[name] for name in order])
     place = {o.id: k for k, o in enumerate(scene.objects)}
     at = np.array([place[object_id] for object_id in order], dtype=int)
     outcome, kind, device = run(template, poses[:, at], steps, device, backend, threads)

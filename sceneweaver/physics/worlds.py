@@ -12,7 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from copy import copy
 from dataclasses import dataclass, field
 from importlib import import_module
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
@@ -26,43 +26,6 @@ CHUNK = 50
 
 
 @dataclass(frozen=True)
-class Solver:
-    """Settings of the solver that may differ from a model's own; None leaves the model's.
-
-    MuJoCo Warp has all that our models ask for: elliptic cones, ``impratio``, the noslip pass, implicitfast and several
-    contacts of a pair of hulls. It works in single precision, and its tolerance is at least 1e-6 (MuJoCo C: 1e-8).
-    ``broadphase``, of MuJoCo Warp only: all pairs, or sweep and prune; None: what it takes itself.
-    """
-
-    noslip: int | None = None
-    cone: Literal["elliptic", "pyramidal"] | None = None
-    impratio: float | None = None
-    method: Literal["newton", "cg"] | None = None
-    iterations: int | None = None
-    tolerance: float | None = None
-    broadphase: Literal["nxn", "sap"] | None = None
-
-    def apply(self, model: Any) -> None:
-        """Write the settings into an MjModel."""
-        cones, methods = {"pyramidal": 0, "elliptic": 1}, {"cg": 1, "newton": 2}
-        values = {
-            "noslip_iterations": self.noslip,
-            "cone": None if self.cone is None else cones[self.cone],
-            "solver": None if self.method is None else methods[self.method],
-            "impratio": self.impratio,
-            "iterations": self.iterations,
-            "tolerance": self.tolerance,
-        }
-        for name, value in values.items():
-            if value is not None:
-                setattr(model.opt, name, value)
-
-
-PRODUCT = Solver()
-"""As ``build`` writes them; as ``settle`` and ``stability`` take them."""
-
-
-@dataclass(frozen=True)
 class Template:
     """What all worlds share.
 
@@ -70,14 +33,12 @@ class Template:
         model: the MjModel.
         free, fixed: ids of the bodies that may move and that may not; their order is that of ``poses``: free first.
         middle: [N] half the height of each object [m]: a shift is that of the middle of the box.
-        broadphase: as in ``Solver``.
     """
 
     model: Any
     free: tuple[str, ...]
     fixed: tuple[str, ...]
     middle: np.ndarray
-    broadphase: Literal["nxn", "sap"] | None = None
 
     @classmethod
     def of(
@@ -86,14 +47,12 @@ class Template:
         files: dict[str, bytes],
         free: Sequence[str],
         fixed: Sequence[str],
-        middle: Sequence[float],
-        solver: Solver = PRODUCT,
+        middle: Sequence[float] | np.ndarray,
     ) -> Template:
         """Compile a model; ``middle`` [N] as in ``Template``, free ones first."""
         mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
         model = mujoco.MjModel.from_xml_string(xml, files)
-        solver.apply(model)
-        return cls(model, tuple(free), tuple(fixed), np.asarray(middle, dtype=float), solver.broadphase)
+        return cls(model, tuple(free), tuple(fixed), np.asarray(middle, dtype=float))
 
     @property
     def address(self) -> np.ndarray:
@@ -151,8 +110,6 @@ class SimulationResult:
         seconds: time of stepping, with the copies to and from the device.
         grown: how often there was too little room and the run began again with more.
         room: what there was room for: contacts of all worlds, rows of a world.
-        unfinished: [B] the solver came to its last iteration in some step.
-        inexact: [B] some depth of two hulls is less exact than asked for.
         problem: what to say of an overflow.
     """
 
@@ -164,8 +121,6 @@ class SimulationResult:
     seconds: float
     grown: int = 0
     room: dict[str, int] = field(default_factory=dict)
-    unfinished: np.ndarray | None = None
-    inexact: np.ndarray | None = None
     problem: str | None = None
 
 
@@ -173,10 +128,6 @@ def merged(parts: Sequence[SimulationResult]) -> SimulationResult:
     """One outcome of worlds that were stepped one part after the other."""
     if len(parts) == 1:
         return parts[0]
-
-    def joined(name: str) -> np.ndarray | None:
-        masks = [getattr(p, name) for p in parts]
-        return None if any(m is None for m in masks) else np.concatenate(masks)
 
     problems = [p.problem for p in parts if p.problem]
     return SimulationResult(
@@ -188,8 +139,6 @@ def merged(parts: Sequence[SimulationResult]) -> SimulationResult:
         sum(p.seconds for p in parts),
         sum(p.grown for p in parts),
         parts[-1].room,
-        joined("unfinished"),
-        joined("inexact"),
         problems[0] if problems else None,
     )
 
@@ -274,6 +223,3 @@ def _some(
         bad = warned(kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
         found.append((np.array(data.qpos), full, bad or not np.isfinite(data.qpos).all(), contacts, rows))
     return found
-
-
-__all__ = ["CHUNK", "SimulationResult", "PRODUCT", "Solver", "Template", "merged", "run_c", "shifts", "steps_of"]

@@ -105,10 +105,6 @@ def launch(
         batched = None if placed is None else {"body_pos": worlds, "body_quat": worlds}
         model = mjw.put_model(template.model, batch_sizes=batched)
         model.opt.warn_overflow = 0  # it would print; we report
-        if template.broadphase is not None:
-            kinds = mjw.BroadphaseType
-            sweep = kinds.SAP_TILE if template.model.ngeom < 1000 else kinds.SAP_SEGMENTED
-            model.opt.broadphase = kinds.NXN if template.broadphase == "nxn" else sweep
         if placed is not None:
             model.body_pos.assign(placed[0].astype(np.float32))
             model.body_quat.assign(placed[1].astype(np.float32))
@@ -141,8 +137,6 @@ def launch(
         grown=grown,
         room={"contacts": room.contacts, "touching": room.touching, "rows": room.rows}
         | {"contacts_most": int(peak[0]), "near_most": int(peak[1])},
-        unfinished=(bits & kinds["iterations"]) != 0,
-        inexact=(bits & kinds["pair"]) != 0,
         problem=problem,
     )
 
@@ -236,8 +230,6 @@ def _kinds() -> dict[str, int]:
         "contacts": int(kinds.BROADPHASE | kinds.NARROWPHASE),
         "touching": int(kinds.CCD),
         "rows": int(kinds.NEFC | kinds.NJMAX_NNZ),
-        "pair": int(kinds.EPA_HORIZON),  # a pair of hulls too complex for its buffer: its depth is less exact
-        "iterations": int(kinds.ITERATIONS),
     }
 
 
@@ -247,6 +239,3 @@ def _problem(overflow: np.ndarray, room: Room, peak: np.ndarray) -> str:
         f"of those: room for {room.contacts} contacts in all ({room.touching} pairs of hulls) and {room.rows} rows a "
         f"world, needed at least {max(int(peak[0]), int(peak[1]))} and {int(peak[2])}; use fewer candidates or objects"
     )
-
-
-__all__ = ["GROWTHS", "LAUNCH", "Room", "launch", "run_warp"]

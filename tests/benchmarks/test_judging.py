@@ -75,7 +75,7 @@ def test_audit_reports_what_only_the_engine_calls_valid(solution, tmp_path):
     status = np.array([0, 0, 1, 1], dtype=np.int8)
     result = Result("x", "X", "")
     found = audit(replace(solution, poses=poses, status=status), Judge(1), result, "a room seed 0", tmp_path)
-    assert found.exceptions == 1 and found.agreed == 0.5
+    assert found.exceptions == 1 and found.agreed == [0]
     assert len(result.failures) == 1 and result.failures[0].startswith("a room seed 0, candidate 1: status valid, but ")
     kept = Scene.load(tmp_path / "contradictions" / "a-room-seed-0-1.json")
     assert not opinion(kept).valid

@@ -13,7 +13,7 @@ from sceneweaver.assets import make
 from sceneweaver.physics import batch, settle, stability
 from sceneweaver.physics.batch import model_of, poses_of, settle_many, settle_scenes, stability_many
 from sceneweaver.physics.boxes import boxed
-from sceneweaver.physics.worlds import PRODUCT, SimulationResult, Solver, Template, merged, run_c, shifts
+from sceneweaver.physics.worlds import SimulationResult, Template, merged, run_c, shifts
 from sceneweaver.scene import InputError, Pose, Room, Scene, SceneObject, Support
 
 ROOM = Room(outline=((0, 0), (5, 0), (5, 5), (0, 5)))
@@ -161,22 +161,6 @@ def test_boxes_of_boxes_are_the_model_itself() -> None:
     assert Xml.canonicalize(boxed(model).xml) == Xml.canonicalize(model.xml)
 
 
-def test_settings_of_the_solver_reach_the_model() -> None:
-    model = model_of(_scene(_box("b", 1, 1, 0)))
-    solver = Solver(noslip=2, cone="pyramidal", impratio=3.0, method="cg", iterations=7, tolerance=1e-5)
-    of = Template.of(model.xml, {}, model.free, model.fixed, [0.2], solver).model.opt
-    assert (of.noslip_iterations, of.cone, of.impratio, of.solver, of.iterations, of.tolerance) == (
-        2,
-        0,
-        3.0,
-        1,
-        7,
-        1e-5,
-    )
-    plain = Template.of(model.xml, {}, model.free, model.fixed, [0.2], PRODUCT).model.opt
-    assert plain.cone == 1 and plain.impratio == 10 and plain.solver == 2
-
-
 def test_what_goes_astray_is_marked() -> None:
     model = model_of(_scene(_box("b", 1, 1, 0)))
     template = Template.of(model.xml, {}, model.free, model.fixed, [0.2])
@@ -210,7 +194,7 @@ def test_parts_of_a_run_are_one() -> None:
     two = replace(one, overflow=np.zeros(2, bool), constraints=9, problem=None, grown=0)
     both = merged([two, one])
     assert both.poses.shape == (4, 1, 7) and both.overflow.tolist() == [False, False, True, False]
-    assert (both.constraints, both.seconds, both.grown, both.problem, both.inexact) == (9, 2.0, 1, "p", None)
+    assert (both.constraints, both.seconds, both.grown, both.problem) == (9, 2.0, 1, "p")
 
 
 def test_scenes_with_nothing_that_may_move() -> None:
