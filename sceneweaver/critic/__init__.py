@@ -1,8 +1,10 @@
 """Grades for a scene, with reasons and with what would mend it."""
 
 from .model import CRITERIA as CRITERIA
+from .model import Alignment as Alignment
 from .model import Fault as Fault
+from .model import ItemOutcome as ItemOutcome
 from .model import Review as Review
 from .review import review_scene as review_scene
 
-__all__ = ["CRITERIA", "Fault", "Review", "review_scene"]
+__all__ = ["CRITERIA", "Alignment", "Fault", "ItemOutcome", "Review", "review_scene"]

@@ -1,169 +1,285 @@
-"""Whether the relations that a request names hold."""
+"""What became of the relations that a request states."""
 
 from __future__ import annotations
 
 import itertools
 import math
 from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
-from sceneweaver.brief import Meaning, StatedRelation, meanings
-from sceneweaver.brief.wall_names import direction_of
-from sceneweaver.geometry.angles import dot
-from sceneweaver.scene import CATALOGUE, InputError, Relation, Room
-from sceneweaver.verify.relations import judge_relation
+from sceneweaver.brief import StatedRelation
+from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body
 
-from .grade import Finding, finding
+from . import group_measures, pair_measures, place_measures
+from .asked_calls import adding, relating
 from .survey import Survey
+from .verdict import Asked, Verdict, counted, decide, met, not_understood, unmet, weight_of
 
-MIDDLE = 0.2
-"""How far from the middle of the room, as a share of the side of a square of its floor, "in the middle" reaches."""
+GROUPS = ("flanking", "around")
+"""Relations of several subjects at once."""
 
-
-def faults(survey: Survey) -> Iterator[Finding]:
-    """Asked relations that do not hold; what is missing is said elsewhere."""
-    for said, meant in meanings(survey.brief):
-        subjects = _named(survey, said.subject)
-        if not subjects:
-            continue
-        wrong, why = _wrong(survey, said, meant, subjects)
-        if len(subjects) - len(wrong) >= _least(survey, said.subject):  # what came along may stand elsewhere
-            wrong = [b for b in wrong if b.item.intent.request == said.subject]
-        if wrong:
-            words = said.words or f"{said.subject} {said.type} {' and '.join(said.targets)}".strip()
-            ids = [b.id for b in wrong]
-            rows = _rows(survey, said, meant, wrong)
-            yield finding(
-                "alignment",
-                "asked_relation",
-                ids,
-                f"'{words}' does not hold for {', '.join(ids[:4])}: {why}",
-                f"put {', '.join(ids[:4])} as asked",
-                points=0.6 + 1.4 * len(wrong) / len(subjects),
-                tool="add_relation" if rows else "update_layout",
-                inputs={"relations": rows} if rows else {"ids": ids},
-            )
+MOST_PAIRS = 64
+"""Pairs of targets that something may be between, at most."""
 
 
-def _least(survey: Survey, asked: str) -> int:
-    """How many of something were asked for."""
-    return next((a.count[0] if a.count else 1 for a in survey.brief.entities if a.id == asked), 1)
+class Ruling(NamedTuple):
+    """Whether a relation holds, the subjects that are wrong, and the measurement that tells most."""
+
+    holds: bool
+    wrong: tuple[Body, ...] = ()
+    worst: Measurement | None = None
+    share: float = 1.0
 
 
-def _named(survey: Survey, asked: str) -> list[Body]:
-    return [b for b in survey.bodies if survey.program.asked_of.get(b.id) == asked]
+def outcomes(survey: Survey) -> Iterator[Asked]:
+    """Each stated relation, measured."""
+    for k, said in enumerate(survey.brief.relations):
+        yield _outcome(survey, said, said.id or f"relation-{k}")
 
 
-def _wrong(survey: Survey, said: StatedRelation, meant: Meaning, subjects: Sequence[Body]) -> tuple[list[Body], str]:
-    """The subjects for which it does not hold, and why for the first."""
-    if meant.target == "middle":
-        return _middle(survey, subjects)
-    wrong, why = [], ""
-    for body in subjects:
-        options = list(_options(survey, said, meant, body, len(subjects)))
-        judgements = []
-        for relation in options:
-            try:
-                judgements.append(judge_relation(_around(survey, said, meant, relation), relation))
-            except InputError as error:
-                why = why or str(error)
-        if any(j.holds for j in judgements):
-            continue
-        if not judgements and not options and meant.target is not None and not _there(survey, said):
-            continue  # the target is missing, which is a fault of its own
-        wrong.append(body)
-        why = why or next((j.text for j in judgements), "there is nothing to relate it to")
-    return wrong, why
+def words_of(said: StatedRelation) -> str:
+    """A relation as it was written, or as its type has it."""
+    return said.words or f"{said.subject} {said.type} {' and '.join(said.targets)}".replace("_", " ").strip()
 
 
-def _around(survey: Survey, said: StatedRelation, meant: Meaning, relation: Relation):
-    """The placed scene, in which the members of an asked group know of each other."""
-    if meant.type != "around":
-        return survey.placed
-    kept = survey.__dict__.setdefault("_around", {})
-    key = (said.subject, relation.target)
-    if key not in kept:
-        from sceneweaver.verify.solids import Placed
-
-        group = [
-            Relation(type="around", subject=b.id, target=relation.target, params=relation.params)
-            for b in _named(survey, said.subject)
-        ]
-        others = tuple(r for r in survey.scene.relations if r.type != "around")
-        kept[key] = Placed.of(survey.scene.model_copy(update={"relations": (*others, *group)}))
-    return kept[key]
-
-
-def _there(survey: Survey, said: StatedRelation) -> bool:
-    asked = {a.id for a in survey.brief.entities}
-    return all(n not in asked or _named(survey, n) for n in said.targets)
-
-
-def _options(survey: Survey, said: StatedRelation, meant: Meaning, body: Body, count: int) -> Iterator[Relation]:
-    """The relations of which one should hold for a subject."""
-    spec = CATALOGUE.get(meant.type)
-    if spec is None:
-        return
-    params = dict(meant.params)
-    kind = spec.target_kind
-    if meant.type == "around" and "n" not in params:
-        params["n"] = count
-    targets: list[str | tuple[str, str] | None] = []
-    if kind == "none":
-        targets = [None]
-    elif kind == "wall":
-        name = meant.target.split(":", 1)[1] if isinstance(meant.target, str) and ":" in meant.target else None
-        targets = [None] if name is None else [f"wall:{k}" for k in walls_named(name, survey.scene.room)]
-    elif kind == "window":
-        targets = [w.id for w in survey.scene.room.windows]
-    elif kind == "door":
-        targets = [None]
-    elif kind == "objects":
-        pair = meant.target if isinstance(meant.target, tuple) else (str(meant.target), str(meant.target))
-        first, second = (_named(survey, name) for name in pair)
-        pairs = ((a.id, b.id) for a in first for b in second if len({a.id, b.id, body.id}) == 3)
-        targets = [*itertools.islice(pairs, 64)]
-    else:
-        targets = [*(b.id for b in _named(survey, str(meant.target)) if b is not body)]
-    for target in targets:
-        try:
-            if meant.type == "around" and count < 2:
-                yield Relation(type="front_against", subject=body.id, target=target)
-            else:
-                yield Relation(type=meant.type, subject=body.id, target=target, params=params)
-        except InputError:
-            continue
-
-
-def _rows(survey: Survey, said: StatedRelation, meant: Meaning, wrong: Sequence[Body]) -> list[dict]:
-    rows = []
-    for body in wrong:
-        first = (
-            next(_options(survey, said, meant, body, len(_named(survey, said.subject))), None)
-            if (meant.target != "middle")
-            else None
+def _outcome(survey: Survey, said: StatedRelation, item: str) -> Asked:
+    subjects = survey.standing_for(said.subject)
+    named = {name: survey.standing_for(name) for name in said.targets if survey.brief.entity(name) is not None}
+    ids = list(dict.fromkeys(b.id for b in (*subjects, *itertools.chain(*named.values()))))
+    words = words_of(said)
+    missing = [n for n, found in ((said.subject, subjects), *named.items()) if not found]
+    if missing:
+        noun = next((e.noun for e in survey.brief.entities if e.id == missing[0]), missing[0])
+        asked = survey.brief.entity(missing[0])
+        tool, inputs = adding(survey, asked, 1) if asked is not None else (None, None)
+        reason = f"'{words}' does not hold: there is no '{noun}'"
+        return unmet(
+            "relation", item, ids, reason, fault="asked_relation", suggestion=f"add '{noun}'", tool=tool, inputs=inputs
         )
-        if first is not None:
-            target = list(first.target) if isinstance(first.target, tuple) else first.target
-            row = {"type": first.type, "subject": body.id, "target": target, "hard": True}
-            rows.append({**row, "params": dict(first.params)} if first.params else row)
-    return rows
+    absent = [p for p in said.targets if p in ("window", "door") and not place_measures.segments(survey, p)]
+    if absent:
+        reason = f"'{words}' does not hold: the room has no {absent[0]}"
+        return unmet("relation", item, ids, reason, fault="asked_relation", suggestion=f"add a {absent[0]}")
+    ruling = _ruling(survey, said, subjects)
+    if ruling is None:
+        return not_understood("relation", item, ids, f"'{words}' is nothing that can be measured here")
+    if ruling.holds:
+        tail = f": {ruling.worst}".rstrip() if ruling.worst is not None and ruling.worst.unit else ""
+        return met("relation", item, ids, f"'{words}' holds{tail}", ruling.worst, assumed=said.implied)
+    wrong = [b.id for b in ruling.wrong or subjects]
+    shown = ", ".join(wrong[:4])
+    why = str(ruling.worst).strip() if ruling.worst is not None else "there is nothing to relate it to"
+    tool, inputs = relating(survey, said, ruling.wrong or subjects)
+    return unmet(
+        "relation",
+        item,
+        ids,
+        f"'{words}' does not hold for {shown}: {why}",
+        ruling.worst,
+        fault="asked_relation",
+        wrong=wrong,
+        share=ruling.share,
+        suggestion=f"put {shown} as asked",
+        tool=tool,
+        inputs=inputs,
+    )
 
 
-def _middle(survey: Survey, subjects: Sequence[Body]) -> tuple[list[Body], str]:
-    """Whether a group as a whole is in the middle of the floor."""
-    centroid = survey.placed.floor.centroid
-    x = sum(b.position[0] for b in subjects) / len(subjects)
-    y = sum(b.position[1] for b in subjects) / len(subjects)
-    away = math.hypot(x - float(centroid.x), y - float(centroid.y))
-    if away <= max(0.3, MIDDLE * math.sqrt(survey.area)):
-        return [], ""
-    return list(subjects), f"{away:.2f} m from the middle of the room"
+def _ruling(survey: Survey, said: StatedRelation, subjects: Sequence[Body]) -> Ruling | None:
+    """Whether it holds; None when nothing of it can be measured."""
+    if "middle" in said.targets:
+        m = group_measures.of_middle(survey, subjects)
+        return Ruling(m.ok(), (), m)
+    if said.type in GROUPS:
+        return _of_group(survey, said, subjects)
+    table = _table(survey, said, subjects)
+    if table is None:
+        return None
+    if said.each:
+        return _of_each(survey, said, subjects, table)
+    verdicts = [_any_of_each(rows) for rows in table]
+    return _counted(survey, said, subjects, verdicts)
 
 
-def walls_named(name: str, room: Room) -> list[int]:
-    """The walls that "left", "right", "far", "near" (seen from the door), a compass point or a number name."""
-    if name.isdigit():
-        return [int(name)] if int(name) < len(room.walls) else []
-    way = direction_of(name, room)
-    return [wall.index for wall in room.walls if way is None or dot(wall.outward, way) > 0.7]
+def _table(
+    survey: Survey, said: StatedRelation, subjects: Sequence[Body]
+) -> list[dict[str, dict[str, Verdict]]] | None:
+    """For each subject, by target of the relation and by instance of it, whether it holds."""
+    found = []
+    for body in subjects:
+        if said.type == "between":
+            verdicts = _between(survey, said, body)
+            if verdicts is None:
+                return None
+            found.append({"between": verdicts})
+            continue
+        rows = {}
+        for name in said.targets:
+            verdicts = _verdicts(survey, said, body, name)
+            if verdicts is None:
+                return None
+            rows[name] = verdicts
+        found.append(rows)
+    return found if said.targets else None
+
+
+def _verdicts(survey: Survey, said: StatedRelation, body: Body, name: str) -> dict[str, Verdict] | None:
+    """Whether it holds of a subject for every instance of a target; None when it says nothing of such a target."""
+    kind, params = said.type, dict(said.params)
+    if survey.brief.entity(name) is not None:
+        rule = pair_measures.PAIRS.get(kind)
+        if rule is None:
+            return None
+        found = {}
+        for other in survey.standing_for(name):
+            if other is body:
+                continue
+            ways = rule(survey, body, other, params)
+            if said.side is None:
+                found[other.id] = decide(ways)
+                continue
+            for side in pair_measures.sides_named(other, said.side):
+                at_side = pair_measures.beyond(survey, body, other, side)[:2]
+                found[f"{other.id} {side}"] = decide([(*way, *at_side) for way in ways])
+        return found
+    if name == "corner":
+        return {
+            f"corner {c[1].index}": decide([place_measures.of_corner(survey, body, c)])
+            for c in place_measures.corners(survey)
+        }
+    if name in ("ceiling", "floor"):
+        measure = place_measures.of_ceiling(survey, body) if name == "ceiling" else place_measures.of_floor(body)
+        return {name: decide([measure])}
+    if name == "room":
+        return {name: Verdict(True)}
+    found = {}
+    for segment in place_measures.segments(survey, name):
+        ways = place_measures.of_segment(survey, body, kind, segment, params)
+        if ways is None:
+            return None
+        found[segment.id] = decide(ways)
+    return found
+
+
+def _between(survey: Survey, said: StatedRelation, body: Body) -> dict[str, Verdict] | None:
+    """Whether a subject is between things, for every choice of them."""
+    pools = []
+    for name in said.targets:
+        if survey.brief.entity(name) is not None:
+            pools.append(
+                [(b.id, group_measures.outline(survey, b)) for b in survey.standing_for(name) if b is not body]
+            )
+        else:
+            pools.append([(s.id, s.line) for s in place_measures.segments(survey, name)])
+    if len(pools) == 1:
+        pools *= 2
+    if len(pools) < 2:
+        return None
+    found = {}
+    for chosen in itertools.islice(itertools.product(*pools), MOST_PAIRS):
+        names = [name for name, _ in chosen]
+        if len(set(names)) == len(names):
+            shapes = [shape for _, shape in chosen]
+            found[" ".join(names)] = decide([group_measures.of_between(survey, body, shapes)])
+    return found
+
+
+def _any_of_each(rows: dict[str, dict[str, Verdict]]) -> Verdict:
+    """It has to hold for some instance of every target."""
+    best = []
+    for verdicts in rows.values():
+        if not verdicts:
+            return Verdict(False)
+        best.append(next((v for v in verdicts.values() if v.holds), None) or _nearest(list(verdicts.values())))
+    return next((v for v in best if not v.holds), best[0])
+
+
+def _nearest(verdicts: Sequence[Verdict]) -> Verdict:
+    return min(verdicts, key=lambda v: weight_of(v.worst) if v.worst is not None else math.inf)
+
+
+def _counted(survey: Survey, said: StatedRelation, subjects: Sequence[Body], verdicts: Sequence[Verdict]) -> Ruling:
+    """Whether it holds of as many subjects as it is said of: all of them, where it does not say."""
+    good = [b for b, v in zip(subjects, verdicts, strict=True) if v.holds]
+    bad = [b for b in subjects if b not in good]
+    if said.count is not None:
+        least, most = said.count
+        enough = counted("objects of which it holds", len(good), least, most if said.side else math.inf)
+        if enough.ok():
+            return Ruling(True, (), _first(verdicts, True) or enough)
+        wrong = bad[: max(1, least - len(good))] if len(good) < least else good[most:]
+        return Ruling(False, tuple(wrong), _first(verdicts, False) or enough, abs(len(good) - least) / max(1, least))
+    if len(good) >= survey.least(said.subject):  # what came along may stand elsewhere
+        bad = [b for b in bad if b.item.intent.request == said.subject]
+    if not bad:
+        return Ruling(True, (), _first(verdicts, True))
+    return Ruling(False, tuple(bad), _first(verdicts, False), len(bad) / len(subjects))
+
+
+def _first(verdicts: Sequence[Verdict], holds: bool) -> Measurement | None:
+    return next((v.worst for v in verdicts if v.holds is holds and v.worst is not None), None)
+
+
+def _of_each(
+    survey: Survey, said: StatedRelation, subjects: Sequence[Body], table: list[dict[str, dict[str, Verdict]]]
+) -> Ruling:
+    """Whether every instance of the target (or side of it) has as many subjects as it should."""
+    least, most = said.count or (1, 10**6)
+    names = dict.fromkeys(name for rows in table for verdicts in rows.values() for name in verdicts)
+    have = {
+        n: [b for b, rows in zip(subjects, table, strict=True) if any(n in v and v[n].holds for v in rows.values())]
+        for n in names
+    }
+    short = {name: found for name, found in have.items() if not least <= len(found) <= most}
+    if not have:
+        return Ruling(False, tuple(subjects))
+    if not short:
+        return Ruling(True, (), counted("objects at each", min(map(len, have.values())), least, _end(most)))
+    name, found = min(short.items(), key=lambda row: len(row[1]))
+    busy = {b.id for bodies in have.values() for b in bodies}
+    wrong = [b for b in subjects if b.id not in busy] or (found[most:] if len(found) > most else list(subjects))
+    return Ruling(
+        False, tuple(wrong), counted(f"objects at {name}", len(found), least, _end(most)), len(short) / len(have)
+    )
+
+
+def _end(most: int) -> float:
+    return math.inf if most >= 10**6 else most
+
+
+def _of_group(survey: Survey, said: StatedRelation, subjects: Sequence[Body]) -> Ruling | None:
+    """Flanking and around: the subjects of each target together."""
+    targets: list[group_measures.Target] = []
+    for name in said.targets:
+        if survey.brief.entity(name) is not None:
+            targets += [b for b in survey.standing_for(name) if b not in subjects or len(subjects) > 1]
+        elif said.type == "flanking" and name in ("window", "door"):
+            targets += place_measures.segments(survey, name)
+        else:
+            return None
+    least, most = said.count or (1, 10**6)
+    if said.count is None and not said.each:
+        least = max(1, min(len(subjects), survey.least(said.subject)))
+    rule = group_measures.of_flanking if said.type == "flanking" else group_measures.of_around
+    parts = group_measures.shared_out(survey, subjects, targets, said.type)
+    rulings = []
+    for target, part in zip(targets, parts, strict=True):
+        verdict = rule(survey, part, target)
+        enough = counted("objects beside it", len(part), least, _end(most) if said.each else math.inf)
+        rulings.append(verdict if not verdict.holds or enough.ok() else Verdict(False, enough))
+    if not rulings:
+        return Ruling(False, tuple(subjects))
+    used = {b.id for part in parts for b in part}
+    stray = [b for b in subjects if b.id not in used]
+    if said.each:
+        good = all(v.holds for v in rulings)
+    elif len(targets) == 1 or said.count is not None:
+        good = any(v.holds for v in rulings)
+    else:  # several targets share the subjects
+        good = all(rule(survey, part, t).holds for t, part in zip(targets, parts, strict=True) if part)
+        good = good and len(used) >= least
+    if good:
+        return Ruling(True, (), _first(rulings, True))
+    wrong = tuple(stray or subjects)
+    return Ruling(False, wrong, _first(rulings, False), len(wrong) / len(subjects))

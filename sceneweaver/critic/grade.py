@@ -27,12 +27,9 @@ LIMITS = {
     "blocked_zone": 5.0,
     "blocked_opening": 5.0,
     "missing_needed": 8.0,
-    "missing_asked": 9.0,
-    "unwanted": 7.0,
     "foreign_object": 7.0,
     "wrong_orientation": 6.0,
     "wrong_size": 6.0,
-    "asked_relation": 6.0,
     "missing_usual": 4.0,
     "empty_support": 4.0,
     "bare": 6.0,
@@ -92,11 +89,13 @@ def _grade(found: Sequence[Finding]) -> float:
 
 
 def _lost(found: Sequence[Finding]) -> float:
-    """Points lost: those of one kind add up to the limit of the kind."""
+    """Points lost: those of one kind add up to its limit, but all that was asked for counts in full."""
     kinds: dict[str, float] = defaultdict(float)
     for f in found:
-        kinds[f.fault.kind] += f.fault.points
-    return sum(min(points, LIMITS.get(kind, KIND_LIMIT)) for kind, points in kinds.items())
+        if f.fault.criterion != "alignment":
+            kinds[f.fault.kind] += f.fault.points
+    asked = sum(f.fault.points for f in found if f.fault.criterion == "alignment")
+    return asked + sum(min(points, LIMITS.get(kind, KIND_LIMIT)) for kind, points in kinds.items())
 
 
 def squash(lost: float) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import Any, Literal
 
 from pydantic import Field
@@ -9,6 +10,50 @@ from pydantic import Field
 from sceneweaver.scene.base import FrozenModel
 
 CRITERIA = ("realism", "functionality", "layout", "completion", "alignment")
+
+ItemKind = Literal["entity", "attribute", "relation", "exclusion", "room", "unread"]
+
+Status = Literal["met", "assumed", "not_understood", "unmet"]
+"""What became of an item: measured and so; so, by an assumption that the request does not state; not measured, as the
+words or what they mean for a scene are not known; measured and not so."""
+
+STATUSES: tuple[Status, ...] = ("met", "assumed", "not_understood", "unmet")
+"""All of them, the best first."""
+
+
+class ItemOutcome(FrozenModel):
+    """What became of one item of a request."""
+
+    item: str = Field(description="Id of the item in the scene graph; of a room fact 'room.' and the field's name")
+    kind: ItemKind
+    status: Status
+    objects: tuple[str, ...] = Field(default=(), description="Ids of the objects that it is about")
+    quantity: str = Field(default="", description="What was measured; empty where there is no number")
+    measured: float | None = None
+    allowed: tuple[float | None, float | None] | None = Field(
+        default=None, description="Interval in which it should lie; null: open"
+    )
+    unit: str = Field(default="", description="m, m2, deg; empty for counts and shares")
+    reason: str = Field(description="One sentence")
+
+
+class Alignment(FrozenModel):
+    """What became of every item of a request, in the order of the scene graph."""
+
+    items: tuple[ItemOutcome, ...] = ()
+
+    def of(self, item: str) -> ItemOutcome:
+        """The outcome of an item; KeyError when there is none."""
+        for outcome in self.items:
+            if outcome.item == item:
+                return outcome
+        raise KeyError(item)
+
+    @property
+    def summary(self) -> dict[str, int]:
+        """How many items there are, in all and by status."""
+        found = Counter(outcome.status for outcome in self.items)
+        return {"total": len(self.items), **{s: found[s] for s in ("met", "unmet", "assumed", "not_understood")}}
 
 
 class Fault(FrozenModel):
@@ -34,6 +79,7 @@ class Review(FrozenModel):
     grades: dict[str, float]
     faults: tuple[Fault, ...] = ()
     measures: dict[str, float] = Field(default={}, description="What was measured: shares, counts, metres")
+    alignment: Alignment = Field(default=Alignment(), description="What became of each item of the request")
 
     @property
     def total(self) -> float:

@@ -26,12 +26,11 @@ CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (
     rows.faults,
     space.faults,
     finish.faults,
-    asked.faults,
 )
-"""All checks; each reads the survey and gives what it finds."""
+"""All checks but those of the request; each reads the survey and gives what it finds."""
 
-MOST = 8
-"""Faults of one kind that are listed one by one."""
+MOST, MOST_ASKED = 8, 64
+"""Faults of one kind that are listed one by one; of what was asked for."""
 
 
 def review_scene(scene: Scene, report: Report, room_type: RoomType, brief: SceneGraph) -> Review:
@@ -45,27 +44,27 @@ def review_scene(scene: Scene, report: Report, room_type: RoomType, brief: Scene
 
     Returns:
         Grades 0 to 10 for realism, functionality, layout, completion and alignment; every fault with numbers and,
-        where one can mend it, a call of a tool; and what was measured.
+        where one can mend it, a call of a tool; what was measured; and what became of each item of the request.
     """
     survey = Survey.of(scene, report, room_type, brief)
-    if not scene.objects:
-        found = [*_empty(survey), *asked.faults(survey)]
-    else:
-        found = [f for check in CHECKS for f in check(survey)]
+    items = asked.measured(survey)
+    found = [*(f for check in CHECKS for f in check(survey))] if scene.objects else [*_empty(survey)]
+    found += asked.findings(items)
     ranked = sorted(found, key=lambda f: (f.cap is None, -f.fault.points))
     faults = _short([f.fault for f in ranked])
-    return Review(grades=grades(found), faults=faults, measures=_measures(survey))
+    return Review(grades=grades(found), faults=faults, measures=_measures(survey), alignment=asked.alignment(items))
 
 
 def _short(faults: Sequence[Fault]) -> tuple[Fault, ...]:
-    """The faults, of those of one kind the first `MOST` singly and the rest in one."""
+    """The faults, of those of one kind the first `MOST` (or `MOST_ASKED`) singly and the rest in one."""
     kept: list[Fault] = []
     rest: dict[tuple[str, str], list[Fault]] = {}
     count: Counter[tuple[str, str]] = Counter()
     for fault in faults:
         key = (fault.criterion, fault.kind)
         count[key] += 1
-        if count[key] < MOST or (count[key] == MOST and sum((f.criterion, f.kind) == key for f in faults) == MOST):
+        most = MOST_ASKED if fault.criterion == "alignment" else MOST
+        if count[key] < most or (count[key] == most and sum((f.criterion, f.kind) == key for f in faults) == most):
             kept.append(fault)
         else:
             rest.setdefault(key, []).append(fault)

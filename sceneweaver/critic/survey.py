@@ -56,6 +56,23 @@ class Survey:
         """Which object stands for which item of the room and of the request."""
         return Program.of(self.scene, self.room_type, self.brief, self.area)
 
+    def standing_for(self, asked: str) -> list[Body]:
+        """The objects that stand for something asked, by its id."""
+        return self._standing_for.get(asked, [])
+
+    @cached_property
+    def _standing_for(self) -> dict[str, list[Body]]:
+        found: dict[str, list[Body]] = {}
+        for body in self.bodies:
+            if (name := self.program.asked_of.get(body.id)) is not None:
+                found.setdefault(name, []).append(body)
+        return found
+
+    def least(self, asked: str) -> int:
+        """How many of something were asked for, at least."""
+        entity = self.brief.entity(asked)
+        return entity.count[0] if entity is not None and entity.count else 1
+
     @cached_property
     def area(self) -> float:
         """Floor [m2]."""
@@ -124,6 +141,24 @@ class Survey:
         for i, parts in enumerate(rows):
             out[i] = parts[0] if len(parts) == 1 else union(parts)
         return out
+
+    @cached_property
+    def outlines(self) -> tuple[Array, ...]:
+        """The corners of the convex hull of each footprint [n, 2] [m]."""
+        import shapely
+
+        return tuple(shapely.get_coordinates(hull)[:-1] for hull in shapely.convex_hull(self.footprints))
+
+    @cached_property
+    def diagonal(self) -> float:
+        """Diagonal [m] of the bounds of the floor."""
+        x0, y0, x1, y1 = self.placed.floor.bounds
+        return math.hypot(x1 - x0, y1 - y0)
+
+    @cached_property
+    def gaps(self) -> dict[tuple[int, int], float]:
+        """Distances [m] between objects that were measured before, by their two indices in order."""
+        return {}
 
     @cached_property
     def tree(self) -> Any:

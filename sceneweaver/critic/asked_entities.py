@@ -1,0 +1,131 @@
+"""What became of the things that a request names, and of what it does not want."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sceneweaver.assets.taxonomy import members
+from sceneweaver.brief import Entity
+from sceneweaver.verify.solids import Body
+
+from . import asked_attributes, kinds
+from .asked_calls import adding
+from .survey import FLAT, Survey
+from .verdict import Asked, counted, met, unmet
+
+GRADE_CAP = 5.0
+"""Highest grade when something that was asked for is missing, or something unwanted is there."""
+
+MANY = 10**6
+
+SPARE = 2.0
+"""Points for things of which there are too many."""
+
+
+def outcomes(survey: Survey) -> Iterator[Asked]:
+    """Each entity with its attributes, then each exclusion."""
+    for asked in survey.brief.entities:
+        bodies = survey.standing_for(asked.id)
+        yield _entity(survey, asked, bodies)
+        yield from asked_attributes.outcomes(asked, bodies)
+    yield from _exclusions(survey)
+    if survey.brief.only and survey.brief.entities:
+        yield _only(survey)
+
+
+def _entity(survey: Survey, asked: Entity, bodies: list[Body]) -> Asked:
+    least, most = asked.count or (1, MANY)
+    ids = [b.id for b in bodies]
+    if len(bodies) < least:
+        missing = least - len(bodies)
+        tool, inputs = adding(survey, asked, missing)
+        return unmet(
+            "entity",
+            asked.id,
+            ids,
+            f"{len(bodies)} of {least} '{asked.noun}' that were asked for",
+            counted("objects", len(bodies), least, most if most < MANY else float("inf")),
+            fault="missing_asked",
+            share=missing / least,
+            suggestion=f"add {missing} {kinds.words(asked.category)}",
+            cap=GRADE_CAP if len(bodies) * 2 < least else None,
+            tool=tool,
+            inputs=inputs,
+        )
+    spare = [b.id for b in (*bodies[most:], *_beside(survey, asked, bodies))] if asked.count is not None else []
+    have = counted(
+        "objects", len(bodies) + len(spare) - len(bodies[most:]), least, most if most < MANY else float("inf")
+    )
+    if spare:
+        return unmet(
+            "entity",
+            asked.id,
+            [*ids, *(s for s in spare if s not in ids)],
+            f"{most + len(spare)} '{asked.noun}', {most} were asked for",
+            have,
+            fault="too_many",
+            wrong=spare,
+            share=len(spare) / max(1, most),
+            weight=SPARE,
+            suggestion=f"remove {', '.join(spare)}",
+            tool="remove_objects",
+            inputs={"ids": spare},
+        )
+    made = (
+        f"a {kinds.words(asked.category)} stands for '{asked.noun}'"
+        if asked.generic
+        else f"'{asked.noun}': {', '.join(ids[:6])}"
+    )
+    return met("entity", asked.id, ids, made, have, assumed=asked.implied or asked.generic)
+
+
+def _beside(survey: Survey, asked: Entity, bodies: list[Body]) -> list[Body]:
+    """More of what was asked for, that stands for nothing else in the request."""
+    if len(bodies) < (asked.count or (1, 1))[1]:
+        return []
+    names = {asked.category, *members(asked.category)}
+    return [b for b in survey.bodies if b.item.category in names and b.id not in survey.program.asked_of]
+
+
+def _exclusions(survey: Survey) -> Iterator[Asked]:
+    for k, excluded in enumerate(survey.brief.exclusions):
+        item = excluded.id or f"exclusion-{k}"
+        banned = {name for word in excluded.categories for name in (word, *members(word))}
+        there = [b.id for b in survey.bodies if b.item.category in banned]
+        if not there:
+            yield met("exclusion", item, (), f"no {kinds.words(excluded.words)}", counted("objects", 0, 0, 0))
+            continue
+        yield unmet(
+            "exclusion",
+            item,
+            there,
+            f"{', '.join(there[:4])}: not wanted in this room",
+            counted("objects", len(there), 0, 0),
+            fault="unwanted",
+            suggestion=f"remove {', '.join(there)}",
+            cap=GRADE_CAP,
+            tool="remove_objects",
+            inputs={"ids": there},
+        )
+
+
+def _only(survey: Survey) -> Asked:
+    """Nothing but what is named: what lies flat or stands on other things aside."""
+    asked_of = survey.program.asked_of
+    extra = [b.id for b in survey.bodies if b.id not in asked_of and b.item.mount != "surface" and b.size[2] > FLAT]
+    number = counted("objects", len(extra), 0, 0)
+    if not extra:
+        return met("room", "room.only", (), "nothing but what was asked for", number)
+    return unmet(
+        "room",
+        "room.only",
+        extra,
+        f"{len(extra)} pieces of furniture beside what was asked for alone",
+        number,
+        fault="not_only",
+        share=len(extra) / 5,
+        weight=4.0,
+        suggestion=f"remove {', '.join(extra)}",
+        tool="remove_objects",
+        inputs={"ids": extra},
+    )

@@ -1,0 +1,160 @@
+"""What became of what a request says of the room itself, of its style and of its colours."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+
+from sceneweaver.geometry.angles import cross
+from sceneweaver.verify.measure import Measurement
+
+from . import kinds
+from .survey import Survey
+from .verdict import Asked, counted, met, not_understood, unmet
+
+AREA_SLACK = 0.12
+"""Share by which a floor may differ from what was asked."""
+
+PER_PERSON = 0.7
+"""Share of the room type's floor a person that is enough."""
+
+BEGIN = "start again with a room as asked"
+
+
+def outcomes(survey: Survey) -> Iterator[Asked]:
+    """Each fact about the room that the request states, and the words that were not understood."""
+    brief, room, area = survey.brief, survey.scene.room, survey.area
+    if brief.room_type is not None:
+        is_, want = kinds.a(survey.room_type.name), kinds.a(brief.room_type)
+        holds = brief.room_type == survey.room_type.name
+        yield _fact("room_type", holds, f"{is_}; {want} was asked for", None, "wrong_room", 3.0)
+    if brief.other_rooms:
+        named = ", ".join(name.replace("_", " ") for name in brief.other_rooms)
+        yield met("room", "room.other_rooms", (), f"one room is made; the request names {named} as well", assumed=True)
+    yield from _areas(survey)
+    if brief.shape is not None:
+        shape = shape_of(survey)
+        yield _fact(
+            "shape",
+            shape == brief.shape,
+            f"the floor is {shape}-shaped, '{brief.shape}' was asked for",
+            None,
+            "wrong_shape",
+            1.5,
+        )
+    if brief.height is not None:
+        high = Measurement("height", room.height, brief.height - 0.05, brief.height + 0.05)
+        reason = f"the ceiling is {room.height:.2f} m high, {brief.height:.2f} m was asked for"
+        yield _fact("height", high.ok(1e-9), reason, high, "wrong_height", 1.0)
+    if brief.people is not None and survey.room_type.area_per_person is not None and not _asked_area(survey):
+        each = Measurement(
+            "floor a person", area / max(1, brief.people), PER_PERSON * survey.room_type.area_per_person, math.inf, "m2"
+        )
+        yield _fact(
+            "people", each.ok(), f"{each.value:.1f} m2 a person for {brief.people} people", each, "too_small", 1.0
+        )
+    for name, asked, have in (("door", brief.doors, room.doors), ("window", brief.windows, room.windows)):
+        if asked is not None:
+            number = counted(f"{name}s", len(have), asked, asked)
+            reason = f"{len(have)} {name}s, {asked} were asked for"
+            yield _fact(f"{name}s", number.ok(), reason, number, f"wrong_{name}s", 1.0)
+    yield from _style(survey)
+    for k, unread in enumerate(brief.unread):
+        yield not_understood("unread", f"unread-{k}", (), f"'{unread.words}' was not understood")
+
+
+def _fact(
+    name: str,
+    holds: bool,
+    reason: str,
+    m: Measurement | None,
+    fault: str,
+    points: float,
+    objects: Iterable[str] = (),
+    suggestion: str = BEGIN,
+    share: float = 1.0,
+) -> Asked:
+    ids = tuple(objects)
+    if holds:
+        return met("room", f"room.{name}", ids, f"{name.replace('_', ' ')} as asked", m)
+    return unmet("room", f"room.{name}", ids, reason, m, fault=fault, weight=points, suggestion=suggestion, share=share)
+
+
+def _asked_area(survey: Survey) -> float | None:
+    brief = survey.brief
+    return brief.size[0] * brief.size[1] if brief.size is not None else brief.area
+
+
+def _areas(survey: Survey) -> Iterator[Asked]:
+    brief, area, want = survey.brief, survey.area, _asked_area(survey)
+    if want is not None:
+        m = Measurement("floor", area, want * (1.0 - AREA_SLACK), want * (1.0 + AREA_SLACK), "m2")
+        yield _fact(
+            "area" if brief.size is None else "size",
+            m.ok(1e-9),
+            f"{area:.1f} m2 of floor, {want:.1f} m2 were asked for",
+            m,
+            "wrong_area",
+            1.5,
+        )
+    elif brief.scale != 1.0:
+        usual = survey.room_type.area[1]
+        low, high = (usual, math.inf) if brief.scale > 1.0 else (-math.inf, usual)
+        m = Measurement("floor", area, low, high, "m2", 1e-9)
+        word = "large" if brief.scale > 1.0 else "small"
+        yield _fact(
+            "scale", m.ok(), f"{area:.1f} m2 of floor for a {word} room; usual are {usual:.1f} m2", m, "wrong_area", 1.0
+        )
+
+
+def shape_of(survey: Survey) -> str:
+    """The shape of the floor by its corners that turn inward and outward."""
+    walls = survey.placed.walls
+    sines = [cross(walls[wall.index - 1].along, wall.along) for wall in walls]
+    turns = [sine for sine in sines if abs(sine) > 0.03]
+    inward = sum(t < 0 for t in turns)
+    if inward == 0:
+        return "rectangle" if len(turns) == 4 else "round" if len(turns) >= 7 else "polygon"
+    if inward == 1:
+        return "L"
+    if inward == 2:
+        signs = [t < 0 for t in turns]
+        between = [i for i, s in enumerate(signs) if s]
+        gap = min(between[1] - between[0], len(signs) - between[1] + between[0])
+        return "U" if gap == 1 else "T"
+    return "polygon"
+
+
+def _style(survey: Survey) -> Iterator[Asked]:
+    brief = survey.brief
+    furniture = [b for b in survey.bodies if b.item.mount == "floor"]
+    if brief.style is not None:
+        told = [b for b in furniture if "style" in b.item.attributes]
+        other = [b for b in told if b.item.attributes["style"] != brief.style]
+        share = counted("pieces of the style", len(told) - len(other), math.ceil(len(told) / 2))
+        reason = f"{len(told) - len(other)} of {len(told)} pieces are {brief.style}"
+        yield _fact(
+            "style",
+            share.ok(),
+            reason,
+            share,
+            "wrong_style",
+            1.2,
+            [b.id for b in other[:8]],
+            f"choose {brief.style} furniture",
+            len(other) / max(1, len(told)),
+        )
+    if brief.colors:
+        told = [b for b in furniture if "color" in b.item.attributes]
+        wanted = {c.lower().replace("gray", "grey") for c in brief.colors}
+        so = [b.id for b in told if str(b.item.attributes["color"]).lower() in wanted]
+        yield _fact(
+            "colors",
+            bool(so) or not told,
+            f"nothing is {' or '.join(brief.colors)}",
+            counted("pieces of the colours", len(so), min(1, len(told))),
+            "wrong_colors",
+            1.0,
+            so,
+            f"choose furniture in {' and '.join(brief.colors)}",
+        )

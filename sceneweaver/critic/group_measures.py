@@ -1,0 +1,123 @@
+"""Relations of several things at once: flanking, around, between, in the middle of the room."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from sceneweaver.verify.measure import TOLERANCE, Measurement, Measurements, at_least, at_most
+from sceneweaver.verify.solids import Body
+
+from .pair_measures import gap, spans
+from .place_measures import Segment
+from .survey import Survey
+from .verdict import Verdict, counted, decide
+
+BESIDE = 1.0
+"""Gap [m] up to which something belongs to a group that flanks a thing or stands around it."""
+
+UNEVEN = 60.0
+"""Angle [deg] by which the largest step around a thing may be more than that of even ones: at a long table the steps
+over its ends are larger than those along its sides."""
+
+HULL = 0.25
+"""How far [m] the region between two things reaches beyond the hull of both."""
+
+ALONG = (0.1, 0.9)
+"""Part of the way between two things in which something is between them."""
+
+MIDDLE, LEAST_MIDDLE = 0.2, 0.3
+"""How far from the middle of the room "in the middle" reaches: a share of the side of a square of its floor, and at
+least so many metres."""
+
+Target = Body | Segment
+
+
+def outline(survey: Survey, body: Body) -> Any:
+    """The hull of a footprint as a shapely geometry."""
+    import shapely
+
+    return shapely.convex_hull(survey.footprints[body.index])
+
+
+def of_middle(survey: Survey, subjects: Sequence[Body]) -> Measurement:
+    """A group as a whole in the middle of the floor."""
+    centroid = survey.placed.floor.centroid
+    x, y = np.mean([b.centre for b in subjects], axis=0)
+    away = math.hypot(float(x - centroid.x), float(y - centroid.y))
+    return at_most("off the middle of the room", away, max(LEAST_MIDDLE, MIDDLE * math.sqrt(survey.area)))
+
+
+def of_between(survey: Survey, body: Body, shapes: Sequence[Any]) -> Measurements:
+    """For the most part within the hull of some things, and of two on the middle of the way from one to the other."""
+    import shapely
+
+    footprint = survey.footprints[body.index]
+    hull = shapely.buffer(shapely.convex_hull(shapely.geometrycollections(list(shapes))), HULL)
+    share = float(shapely.area(shapely.intersection(footprint, hull)) / max(1e-9, shapely.area(footprint)))
+    inside = at_least("share of it between them", share, 0.5, "")
+    if len(shapes) != 2:
+        return (inside,)
+    (ax, ay), (bx, by) = (shapely.get_coordinates(shapely.centroid(s))[0] for s in shapes)
+    length = (bx - ax) ** 2 + (by - ay) ** 2
+    x, y = body.centre
+    part = ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / max(1e-9, length)
+    return (inside, Measurement("part of the way between them", float(part), *ALONG, "", 1e-6))
+
+
+def shared_out(survey: Survey, subjects: Sequence[Body], targets: Sequence[Target], kind: str) -> list[list[Body]]:
+    """For each target the subjects beside it; of what stands around things each belongs to the nearest one."""
+    gaps = [[_gap(survey, s, t) for t in targets] for s in subjects]
+    parts: list[list[Body]] = [[] for _ in targets]
+    for body, row in zip(subjects, gaps, strict=True):
+        for k, distance in enumerate(row):
+            if distance <= BESIDE + TOLERANCE and (kind == "flanking" or k == int(np.argmin(row))):
+                parts[k].append(body)
+    return parts
+
+
+def _gap(survey: Survey, body: Body, target: Target) -> float:
+    if isinstance(target, Body):
+        return math.inf if body is target else gap(survey, body, target)
+    import shapely
+
+    return float(shapely.distance(survey.footprints[body.index], target.line))
+
+
+def of_flanking(survey: Survey, subjects: Sequence[Body], target: Target) -> Verdict:
+    """On both of two opposite sides of a thing, each past that side."""
+    ways = []
+    for axis in (1, 0) if isinstance(target, Body) else (0,):
+        sides = []
+        for body in subjects:
+            middle, half = _across(survey, body, target, axis)
+            sides.append(0 if abs(middle) < half - TOLERANCE else 1 if middle > 0 else -1)
+        fewer = min(sides.count(1), sides.count(-1))
+        ways.append(
+            (counted("objects on the emptier side", fewer, 1), counted("objects on no side", sides.count(0), 0, 0))
+        )
+    return decide(ways)
+
+
+def _across(survey: Survey, body: Body, target: Target, axis: int) -> tuple[float, float]:
+    """Where the middle of a subject is along an axis of a target, and half the extent of that [m]."""
+    if isinstance(target, Body):
+        low, high = spans(survey, body, target)[axis]
+        return (low + high) / 2, target.size[axis] / 2
+    u, _ = target.wall.coordinates(survey.outlines[body.index].T)
+    return (float(u.min()) + float(u.max())) / 2 - (target.start + target.end) / 2, (target.end - target.start) / 2
+
+
+def of_around(survey: Survey, subjects: Sequence[Body], target: Target) -> Verdict:
+    """All about a thing, with steps that are even but for those over the ends of a long one."""
+    if not subjects:
+        return Verdict(False)
+    if len(subjects) == 1 or not isinstance(target, Body):
+        return Verdict(True)
+    (x, y), n = target.centre, len(subjects)
+    bearings = np.sort([math.degrees(math.atan2(b.centre[1] - y, b.centre[0] - x)) for b in subjects])
+    step = float(np.diff(bearings, append=bearings[0] + 360.0).max())
+    return decide([(at_most("largest step around it", step, 360.0 / n + UNEVEN, "deg", slack=1e-6),)])
