@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 import signal
+import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from types import FrameType
@@ -17,8 +18,8 @@ SHORTEST = 0.05
 SEARCH = 0.75
 """Share of the time left that a search gets."""
 
-AGAIN = 1.0
-"""Seconds after which `TimeUp` is raised once more: in a callback from C the first may be lost."""
+AGAIN = 0.5
+"""Seconds after which the clock is looked at once more: `TimeUp` may be lost in a callback from C."""
 
 
 class TimeUp(BaseException):
@@ -84,21 +85,23 @@ class Deadline:
         return replace(self, margin=self.margin + seconds)
 
     @contextmanager
-    def enforced(self, grace: float = 0.0) -> Iterator[None]:
+    def enforced(self, grace: Callable[[], float] = float) -> Iterator[None]:
         """Raise `TimeUp` in the block once time is up, wherever it is just then.
 
-        The block must leave nothing half done that matters. What asks the deadline itself has ``grace`` seconds more
-        to end in good order, but none when a stop is asked for. Threads other than the main one, and processes that
-        use the alarm clock for something else, are left alone.
+        The block must leave nothing half done that matters. What asks the deadline itself has some seconds of
+        ``grace`` more to end in good order, none unless given, and none when a stop is asked for. Threads other than
+        the main one, and processes that use the alarm clock for something else, are left alone.
         """
         if not _alarm_is_free():
             yield
             return
 
         def expire(number: int, frame: FrameType | None) -> None:
-            left = self.moment + (0.0 if self.stop.reason else grace) - time.monotonic()
+            left = self.moment + (0.0 if self.stop.reason else grace()) - time.monotonic()
+            if _unwinding():
+                return
             if left > 0 or _finalising(frame):
-                signal.setitimer(signal.ITIMER_REAL, max(left, 0.01), AGAIN)
+                signal.setitimer(signal.ITIMER_REAL, min(max(left, 0.01), AGAIN), AGAIN)
             elif self.stop.enforcing:
                 raise TimeUp
 
@@ -127,6 +130,14 @@ def _alarm_is_free() -> bool:
         and signal.getsignal(signal.SIGALRM) is signal.SIG_DFL
         and signal.getitimer(signal.ITIMER_REAL) == (0.0, 0.0)
     )
+
+
+def _unwinding() -> bool:
+    """Whether a `TimeUp` is on its way already: what waits for threads on that way must not be interrupted."""
+    error = sys.exc_info()[1]
+    while error is not None and not isinstance(error, TimeUp):
+        error = error.__context__
+    return error is not None
 
 
 def _finalising(frame: FrameType | None) -> bool:

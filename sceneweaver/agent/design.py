@@ -32,6 +32,9 @@ from .settling import settled
 LEAST_RESERVE, WRITING, EXIT = 2.0, 2.5, 0.25
 """Least time [s] that is kept for writing the results; what that and ending a process take, in times of starting up."""
 
+MOST_RESERVE = 0.4
+"""Share of a time limit that is kept for writing the results at most."""
+
 LONGEST = 100_000
 """Characters of a request that are read."""
 
@@ -126,7 +129,7 @@ def reserve(limit: float, started: float) -> float:
         limit: the time limit [s].
         started: seconds that it took to start up and to read the request.
     """
-    return min(0.6 * limit, max(LEAST_RESERVE, 0.12 * limit, WRITING * started))
+    return min(MOST_RESERVE * limit, max(LEAST_RESERVE, 0.12 * limit, WRITING * started))
 
 
 def _result(run: Run, remarks: Sequence[str], began: float) -> Result:

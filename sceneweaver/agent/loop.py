@@ -30,8 +30,9 @@ BLIND_PLAN = ("init_prior", "add_tabletop", "add_crowd", "update_layout")
 WHOLE_PLAN = 8
 """Calls of a plan that is made once, at most."""
 
-GRACE, LEAST_GRACE = 0.25, 1.0
-"""How much of the time kept for the files, and how many seconds at least, a step has to end in good order."""
+GRACE, FIRST_GRACE, LEAST_GRACE = 0.2, 0.6, 1.0
+"""How much of the time kept for the files a step has to end in good order, how much as long as there is no layout, and
+how many seconds at least."""
 
 NOTHING_YET = "time was up before anything was placed"
 
@@ -123,6 +124,11 @@ class Run:
             lighter, report = cleared(outcome.scene, outcome.report)
             self.folder.keep(lighter.scene, report)
 
+    def _grace(self) -> float:
+        """Seconds after the deadline that a step has to end."""
+        nothing = self.best is None and self.first is None
+        return max(LEAST_GRACE, (FIRST_GRACE if nothing else GRACE) * self.deadline.margin)
+
     def _cut(self) -> str:
         """Note that time is up, and say why."""
         self.cut_off = self.deadline.stop.reason or f"{self.settings.seconds:g} seconds"
@@ -185,7 +191,7 @@ class Run:
             row: dict[str, Any] = {"tool": call.tool, "confidence": call.confidence, "reason": call.reason}
             began = time.monotonic()
             try:
-                with self.deadline.enforced(max(LEAST_GRACE, GRACE * self.deadline.margin)):
+                with self.deadline.enforced(self._grace):
                     scene = self.best.scene if self.best else empty_scene(self.brief, self.room_type)
                     proposal = self._propose(call, scene)
                     if self.best and not proposal.edits and not proposal.fresh and proposal.scene is None:

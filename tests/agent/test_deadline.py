@@ -5,10 +5,11 @@ from __future__ import annotations
 import signal
 import threading
 import time
+from contextlib import suppress
 
 import pytest
 
-from sceneweaver.agent.deadline import NEVER, SHORTEST, Deadline, Stop, TimeUp
+from sceneweaver.agent.deadline import AGAIN, NEVER, SHORTEST, Deadline, Stop, TimeUp
 
 
 def forever() -> None:
@@ -51,14 +52,14 @@ def test_what_ends_in_time_is_left_alone():
 
 def test_grace_is_for_deadlines_and_not_for_stops():
     end = soon(0.1)
-    with end.enforced(grace=5.0):
+    with end.enforced(lambda: 5.0):
         time.sleep(0.2)
     assert end.passed
     stop = Stop(allowance=0.0)
     ask = threading.Timer(0.1, stop.request, ("SIGINT",))
     ask.start()
     began = time.monotonic()
-    with pytest.raises(TimeUp), Deadline(stop=stop).enforced(grace=5.0):
+    with pytest.raises(TimeUp), Deadline(stop=stop).enforced(lambda: 5.0):
         forever()
     ask.join()
     assert time.monotonic() - began < 1.0 and stop.reason == "SIGINT"
@@ -86,6 +87,30 @@ def test_it_is_not_raised_in_a_finaliser_where_it_would_be_lost():
     with pytest.raises(TimeUp), soon().enforced():
         use()
     assert 0.3 <= time.monotonic() - began < 1.0
+
+
+def test_what_cleans_up_after_it_is_not_interrupted():
+    done = []
+    with pytest.raises(TimeUp), soon().enforced():
+        try:
+            forever()
+        finally:
+            until = time.monotonic() + 2 * AGAIN
+            while time.monotonic() < until:
+                try:
+                    time.sleep(0.01)
+                    raise OSError
+                except OSError:
+                    time.sleep(0.01)
+            done.append(1)
+    assert done
+
+
+def test_one_that_was_lost_comes_again():
+    with pytest.raises(TimeUp), soon().enforced():
+        with suppress(TimeUp):
+            forever()
+        forever()
 
 
 def test_the_clock_of_others_is_left_alone():
