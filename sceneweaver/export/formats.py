@@ -6,12 +6,11 @@ import os
 import shutil
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 
+from sceneweaver.assets.placed import Load, loader
 from sceneweaver.scene import InputError, Scene
 
-from .bodies import Load
 from .folder import fill, move, staged
 from .glb import write_glb
 from .mjcf import mjcf
@@ -119,7 +118,7 @@ def export_scene(
     except OSError as error:
         reason = error.strerror or type(error).__name__
         raise InputError(f"folder: {target} cannot be made ({reason}); choose another place") from None
-    load = _shared(load)
+    load = loader(load)
     done: dict[str, Path] = {}
     try:
         for one in wanted:
@@ -142,16 +141,8 @@ def export_file(scene: Scene, path: str | os.PathLike[str], load: Load | None = 
     one = format_of(target)
     if not target.parent.is_dir():
         raise InputError(f"out: {target.parent} is no folder; make it first")
-    one.write(scene, target, _shared(load))
+    one.write(scene, target, loader(load))
     return target
-
-
-def _shared(load: Load | None) -> Load:
-    if load is None:
-        from sceneweaver.assets import Library
-
-        load = Library().load
-    return cache(load)
 
 
 __all__ = ["FORMATS", "USUAL", "Format", "export_file", "export_scene", "format_of", "formats_named"]

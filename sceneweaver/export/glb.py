@@ -19,9 +19,10 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.assets import Material, Mesh
+from sceneweaver.assets.placed import Load
 from sceneweaver.scene import Room, Scene, write_atomic
 
-from .bodies import Body, Load, Missing, bodies_of
+from .bodies import Body, Missing, bodies_of
 from .models import with_mesh
 from .room import floor_mesh, wall_mesh
 

@@ -13,8 +13,9 @@ from xml.etree import ElementTree as Xml
 import numpy as np
 
 from sceneweaver.assets import Material
+from sceneweaver.assets.placed import Load
 from sceneweaver.physics import Model, build
-from sceneweaver.physics.model import Load, Thing
+from sceneweaver.physics.model import Thing
 from sceneweaver.scene import Scene
 
 from .folder import write_folder

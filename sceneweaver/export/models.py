@@ -7,9 +7,10 @@ import re
 from dataclasses import dataclass
 
 from sceneweaver.assets import Asset, Mesh
+from sceneweaver.assets.placed import Load, loader
 from sceneweaver.scene import InputError
 
-from .bodies import Body, Load
+from .bodies import Body
 
 
 @dataclass(frozen=True)
@@ -41,11 +42,7 @@ def model_of(body: Body) -> ModelFile:
 
 def with_mesh(load: Load | None) -> Load:
     """The loader, which refuses assets without a single triangle; None: that of this user's library."""
-    if load is None:
-        from sceneweaver.assets import Library
-
-        load = Library().load
-    given = load
+    given = loader(load)
 
     def checked(object_id: str) -> Asset:
         asset = given(object_id)

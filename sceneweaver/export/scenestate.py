@@ -23,11 +23,12 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.assets import Material
+from sceneweaver.assets.placed import Load
 from sceneweaver.geometry.rotations import matrix, multiply
 from sceneweaver.geometry.shell import FLOOR_THICKNESS, WALL_THICKNESS, heights
 from sceneweaver.scene import Door, InputError, Room, Scene, SceneObject, Window
 
-from .bodies import Body, Load, Missing, bodies_of
+from .bodies import Body, Missing, bodies_of
 from .folder import fill, move, staged
 from .glb import model_bytes
 from .models import model_of, with_mesh

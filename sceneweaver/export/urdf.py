@@ -24,11 +24,12 @@ from xml.etree import ElementTree as Xml
 import numpy as np
 
 from sceneweaver.assets import Asset, Link, Material
+from sceneweaver.assets.placed import Load
 from sceneweaver.physics.hulls import Solid
 from sceneweaver.physics.model import Thing, joint_of, things_of
 from sceneweaver.scene import InputError, Room, Scene, SceneObject
 
-from .bodies import Body, Load, bodies_of
+from .bodies import Body, bodies_of
 from .folder import write_folder
 from .inertia import Inertia, inertia_of, triangles
 from .models import model_name, with_mesh

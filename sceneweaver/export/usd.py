@@ -16,13 +16,13 @@ where the model for MuJoCo is made, so that both behave alike.
 from __future__ import annotations
 
 import os
-from functools import cache
 from typing import Any
 
+from sceneweaver.assets.placed import Load, loader
 from sceneweaver.physics.model import COVERING, Thing, things_of
 from sceneweaver.scene import InputError, Scene, whole
 
-from .bodies import Body, Load, bodies_of
+from .bodies import Body, bodies_of
 from .usd_bodies import Solids, filter_pair
 from .usd_layer import Names, attribute, prim, usd
 from .usd_looks import Looks
@@ -57,11 +57,7 @@ def write_usd(scene: Scene, path: str | os.PathLike[str], load: Load | None = No
 
 def usd_layer(scene: Scene, load: Load | None = None) -> Any:
     """The scene as a ``pxr.Sdf.Layer`` in memory; ``Usd.Stage.Open`` takes it. For the arguments see ``write_usd``."""
-    if load is None:
-        from sceneweaver.assets import Library
-
-        load = Library().load
-    load = cache(load)
+    load = loader(load)
     things, bodies = things_of(scene, load), bodies_of(scene, load)
     layer = usd().Sdf.Layer.CreateAnonymous(".usda")
     with usd().Sdf.ChangeBlock():

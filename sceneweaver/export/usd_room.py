@@ -7,13 +7,13 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from sceneweaver.assets import Material, Mesh
+from sceneweaver.assets.placed import parts_mesh
 from sceneweaver.geometry.rotations import Quaternion, from_yaw
 from sceneweaver.geometry.shell import PANE_THICKNESS, WALL_THICKNESS, heights, wall_pieces
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.physics.leaves import Leaf, leaves, wall_ends
 from sceneweaver.scene import Part, Room
 
-from .bodies import prisms
 from .room import floor_mesh, wall_mesh
 from .usd_bodies import Hinge, Solids, filter_pair, join, rigid, weld
 from .usd_layer import Names, Prim, apply, attribute, label, place, prim, rotation
@@ -139,7 +139,7 @@ def _boxes(boxes: Sequence[tuple[np.ndarray, np.ndarray]], material: Material) -
     for center, half in boxes:
         (x0, y0, z0), (x1, y1, z1) = (center - half).tolist(), (center + half).tolist()
         parts.append(Part.model_construct(polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=(z0, z1)))
-    return prisms(parts, material)
+    return parts_mesh(parts, material)
 
 
 __all__ = ["add_room", "wall_boxes", "wall_pose"]

@@ -20,10 +20,11 @@ from xml.etree import ElementTree as Xml
 
 import numpy as np
 
+from sceneweaver.assets.placed import Load, loader
 from sceneweaver.scene import InputError, MissingDependencyError, Pose, Scene
 
 from .boxes import boxed
-from .model import COVERING, Load, Model, build, things_of
+from .model import COVERING, Model, build, things_of
 from .settle import LITTLE, Settled, measures
 from .worlds import SimulationResult, Template, run_c, shifts, steps_of
 
@@ -200,13 +201,7 @@ def run(
 
 def model_of(scene: Scene, load: Load | None = None, shapes: Shapes = "hull") -> Model:
     """The model that all layouts of a scene share: rugs and mats touch nothing that stands on the floor, anywhere."""
-    from functools import cache
-
-    if load is None:
-        from sceneweaver.assets import Library
-
-        load = Library().load
-    load = cache(load)
+    load = loader(load)
     model = build(scene, load)
     root = Xml.fromstring(model.xml)
     contact = root.find("contact")

@@ -20,20 +20,17 @@ from functools import cache
 from importlib import resources
 from typing import Any
 from xml.etree import ElementTree as Xml
-from zipfile import BadZipFile
 
 import numpy as np
 
 from sceneweaver.assets import Asset, Link, categories
+from sceneweaver.assets.placed import Load, loader, scaled_asset
 from sceneweaver.geometry.rotations import from_yaw, wxyz
 from sceneweaver.geometry.shell import PANE_THICKNESS, WALL_THICKNESS, wall_pieces
-from sceneweaver.scene import InputError, Room, Scene, SceneObject, Window
+from sceneweaver.scene import Room, Scene, SceneObject, Window
 
 from .hulls import Solid, solids_of
 from .leaves import Leaf, leaves, wall_ends
-
-Load = Callable[[str], Asset]
-"""From the id of an asset to the asset; ``Library().load`` is one."""
 
 COVERING = 0.03
 """Things on the floor that are at most this thick [m] lie under what stands over them: rugs and mats."""
@@ -47,7 +44,6 @@ MEMORY = "1G"
 _STOP = "0.008 1"  # ends of doors and drawers: as stiff as the time step allows, as many weigh little
 _UNSET = "0.5 0.5 0.5 1"  # MuJoCo's own default, which is the only one that leaves a geom the colour of its material
 _DENSITY = 150.0  # [kg/m3] of an object's parts, when neither an asset nor its category says what it weighs
-_SAME_SIZE = 1e-5  # [m] by which an object may differ from its asset and not count as scaled
 
 
 @dataclass(frozen=True)
@@ -156,34 +152,18 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) ->
 
 def things_of(scene: Scene, load: Load | None = None) -> list[Thing]:
     """All objects, in their order; each asset is loaded once."""
-    if load is None:
-        from sceneweaver.assets import Library
-
-        load = Library().load
-    load, bodies = cache(load), {}
+    load, bodies = loader(load), {}
     return [_thing(k, o, load, bodies) for k, o in enumerate(scene.objects)]
 
 
 def _thing(index: int, thing: SceneObject, load: Load, bodies: dict[str, tuple[Solid, ...]]) -> Thing:
-    asset, scale, key = None, np.ones(3), f"parts:{thing.id}"
-    if thing.asset is not None:
-        try:
-            asset = load(thing.asset)
-        except InputError as error:
-            raise InputError(f"objects[{index}].asset: {str(error).removeprefix('asset: ')}") from None
-        except (EOFError, KeyError, OSError, ValueError, BadZipFile) as error:  # its files are gone or broken
-            what = f"'{thing.asset}' cannot be read ({type(error).__name__}: {error})"
-            raise InputError(f"objects[{index}].asset: {what}; import it again") from None
-        scale = np.asarray(thing.size) / np.maximum(np.asarray(asset.size), 1e-9)
-        if np.max(np.abs(scale - 1) * np.asarray(thing.size)) < _SAME_SIZE:
-            scale = np.ones(3)
-        key = thing.asset + ("" if (scale == 1).all() else f"*{_v(scale)}")
+    asset, scale = scaled_asset(index, thing, load)
+    key = f"parts:{thing.id}" if thing.asset is None else thing.asset + ("" if scale == (1, 1, 1) else f"*{_v(scale)}")
     if key not in bodies:
-        bodies[key] = tuple(solids_of(thing, asset, scale))
+        bodies[key] = tuple(solids_of(thing, asset, np.asarray(scale)))
     solids = bodies[key]
     mass, friction = _weight(thing, asset, float(np.prod(scale)), sum(s.volume for s in solids))
-    x, y, z = (float(f) for f in scale)
-    return Thing(thing, asset, key, (x, y, z), solids, mass, friction, not is_fixture(thing))
+    return Thing(thing, asset, key, scale, solids, mass, friction, not is_fixture(thing))
 
 
 def is_fixture(thing: SceneObject) -> bool:

@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from sceneweaver.assets.placed import Load
 from sceneweaver.geometry.rotations import transform, xyzw
 from sceneweaver.scene import InputError, Pose, Scene
 
-from .model import STEP, Load, Model, build
+from .model import STEP, Model, build
 
 LITTLE = 0.01
 """A settled pose is taken over when the object moved at most this far [m]; farther is a fault."""

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from sceneweaver.assets.placed import Load
 from sceneweaver.critic import Review
-from sceneweaver.export.bodies import Load
 from sceneweaver.scene import Scene
 
 if TYPE_CHECKING:

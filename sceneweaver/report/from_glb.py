@@ -14,7 +14,7 @@ import numpy as np
 from sceneweaver.assets import Asset, Material, Mesh
 from sceneweaver.assets.asset import Origin
 from sceneweaver.assets.imports.guarded import MAX_BYTES, read_meshes
-from sceneweaver.export.bodies import Load
+from sceneweaver.assets.placed import Load
 from sceneweaver.scene import InputError, MissingDependencyError, Pose, Room, Scene, SceneObject, read_bytes
 
 _GREY = Material("grey", (0.75, 0.74, 0.72))

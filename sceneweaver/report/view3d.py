@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.assets import Material, Mesh
-from sceneweaver.export.bodies import Load, bodies_of
+from sceneweaver.assets.placed import Load
+from sceneweaver.export.bodies import bodies_of
 from sceneweaver.export.glb import room_meshes
 from sceneweaver.geometry.angles import heading
 from sceneweaver.geometry.walls import wall_behind
