@@ -82,6 +82,3 @@ def move(places: Mapping[Path, Path]) -> None:
             with contextlib.suppress(OSError, ValueError):
                 path.rmdir() if path.is_dir() else path.unlink()
         raise
-
-
-__all__ = ["fill", "move", "staged", "write_folder"]

@@ -143,6 +143,3 @@ def export_file(scene: Scene, path: str | os.PathLike[str], load: Load | None = 
         raise InputError(f"out: {target.parent} is no folder; make it first")
     one.write(scene, target, loader(load))
     return target
-
-
-__all__ = ["FORMATS", "USUAL", "Format", "export_file", "export_scene", "format_of", "formats_named"]

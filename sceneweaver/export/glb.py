@@ -271,6 +271,3 @@ class _File:
 
 def _srgb(value: float) -> float:
     return 12.92 * value if value <= 0.0031308 else 1.055 * value ** (1 / 2.4) - 0.055
-
-
-__all__ = ["glb_bytes", "linear", "model_bytes", "room_meshes", "write_glb"]

@@ -62,6 +62,3 @@ def triangles(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     counter-clockwise."""
     faces = hull_faces(points)
     return points[np.unique(faces)].mean(axis=0), points[faces]
-
-
-__all__ = ["Inertia", "inertia_of", "triangles"]

@@ -16,6 +16,7 @@ from sceneweaver.assets import Material
 from sceneweaver.assets.placed import Load
 from sceneweaver.physics import Model, build
 from sceneweaver.physics.model import Thing
+from sceneweaver.physics.xml import child
 from sceneweaver.scene import Scene
 
 from .folder import write_folder
@@ -64,7 +65,7 @@ class _Wardrobe:
             self._made[thing.key, link] = self._add(assets, thing, link)
         for name, material in self._made[thing.key, link]:
             look = self._material(assets, material)
-            Xml.SubElement(body, "geom", {"class": "visual"}, mesh=name, material=look)
+            child(body, "geom", {"class": "visual"}, mesh=name, material=look)
 
     def _add(self, assets: Xml.Element, thing: Thing, link: int) -> list[tuple[str, Material]]:
         """One mesh for each material of a link."""
@@ -78,7 +79,7 @@ class _Wardrobe:
             points = mesh.vertices[used] * np.asarray(thing.scale)
             self.files[f"{name}.obj"] = _obj(points, packed.reshape(-1, 3))
             # Sheets and open pieces enclose no volume; as shells they have a frame all the same.
-            Xml.SubElement(assets, "mesh", name=name, file=f"{name}.obj", inertia="shell")
+            child(assets, "mesh", name=name, file=f"{name}.obj", inertia="shell")
             found.append((name, mesh.materials[int(number)]))
         return found
 
@@ -86,7 +87,7 @@ class _Wardrobe:
         if material not in self._materials:
             name = f"{material.name} {len(self._materials)}"
             color = " ".join(f"{c:.4g}" for c in (*material.color, material.opacity))
-            Xml.SubElement(
+            child(
                 assets,
                 "material",
                 name=name,
@@ -105,6 +106,3 @@ def _obj(points: np.ndarray, faces: np.ndarray) -> bytes:
     lines = [f"v {x:.6g} {y:.6g} {z:.6g}" for x, y, z in points.tolist()]
     lines += [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
     return ("\n".join(lines) + "\n").encode()
-
-
-__all__ = ["mjcf", "write_mjcf"]

@@ -51,6 +51,3 @@ def with_mesh(load: Load | None) -> Load:
         return asset
 
     return checked
-
-
-__all__ = ["ModelFile", "model_name", "model_of", "with_mesh"]

@@ -50,6 +50,3 @@ def _mesh(body, material: Material) -> Mesh:
     faces = np.asarray(raw.tri_verts, dtype=np.int32)
     zeros = np.zeros(len(faces), dtype=np.int32)
     return Mesh(np.asarray(raw.vert_properties, dtype=float)[:, :3], faces, zeros, zeros, (material,))
-
-
-__all__ = ["FLOOR", "WALL", "floor_mesh", "wall_mesh"]

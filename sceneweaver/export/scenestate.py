@@ -145,11 +145,7 @@ def _box(thing: SceneObject) -> dict[str, list[float]]:
     """The object's box in the scene: centre, full lengths, and its front, left and up axes, one after the other."""
     turn = matrix(thing.pose.quaternion)
     centre = np.asarray(thing.pose.position) + turn[:, 2] * thing.size[2] / 2
-    return {
-        "centroid": centre.tolist(),
-        "axesLengths": list(thing.size),
-        "normalizedAxes": turn.T.reshape(-1).tolist(),
-    }
+    return {"centroid": centre.tolist(), "axesLengths": list(thing.size), "normalizedAxes": turn.T.reshape(-1).tolist()}
 
 
 def _arch(name: str, room: Room) -> dict[str, Any]:
@@ -208,6 +204,3 @@ def _model_files(bodies: Sequence[Body]) -> dict[str, bytes]:
 
 def _hex(material: Material) -> str:
     return "#" + "".join(f"{round(c * 255):02x}" for c in material.color)
-
-
-__all__ = ["SOURCE", "scenestate", "write_scenestate"]

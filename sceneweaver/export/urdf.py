@@ -17,16 +17,16 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from xml.etree import ElementTree as Xml
 
 import numpy as np
 
-from sceneweaver.assets import Asset, Link, Material
+from sceneweaver.assets import Asset, Link
 from sceneweaver.assets.placed import Load
 from sceneweaver.physics.hulls import Solid
 from sceneweaver.physics.model import Thing, joint_of, things_of
+from sceneweaver.physics.xml import child, text
 from sceneweaver.scene import InputError, Room, Scene, SceneObject
 
 from .bodies import Body, bodies_of
@@ -73,19 +73,19 @@ def urdf(piece: Asset | SceneObject, load: Load | None = None) -> tuple[str, dic
     volume = sum(solid.volume for group in groups for solid in group)
     title = model_name(body.key, thing.object.category)
     robot = Xml.Element("robot", name=title)
-    hints = Xml.SubElement(Xml.SubElement(robot, "mujoco"), "compiler")
+    hints = child(child(robot, "mujoco"), "compiler")
     hints.attrib.update(strippath="false", discardvisual="false", fusestatic="false", balanceinertia="false")
     looks = _Looks(robot, body)
     meshes: dict[str, bytes] = {}
     for k, name in enumerate(names):
         masses = [thing.mass * solid.volume / volume for solid in groups[k]]
-        element = Xml.SubElement(robot, "link", name=name)
+        element = child(robot, "link", name=name)
         inertia = inertia_of(groups[k], masses)
         _inertial(element, inertia, anchors[k])
         meshes |= looks.visuals(element, name, k, anchors[k])
         meshes |= _collisions(element, name, groups[k], anchors[k])
-        contact = Xml.SubElement(element, "contact")
-        Xml.SubElement(contact, "lateral_friction", value=_n(thing.friction))
+        contact = child(element, "contact")
+        child(contact, "lateral_friction", value=thing.friction)
         if k:
             _joint(robot, name, links[k - 1], thing.scale, anchors[k], inertia.mass)
     meshes[_MATERIALS] = looks.library()
@@ -143,30 +143,30 @@ def _groups(thing: Thing, body: Body, count: int) -> list[list[Solid]]:
 
 
 def _inertial(element: Xml.Element, inertia: Inertia, anchor: np.ndarray) -> None:
-    made = Xml.SubElement(element, "inertial")
-    Xml.SubElement(made, "origin", xyz=_v(inertia.centre - anchor), rpy="0 0 0")
-    Xml.SubElement(made, "mass", value=_n(inertia.mass))
+    made = child(element, "inertial")
+    child(made, "origin", xyz=inertia.centre - anchor, rpy="0 0 0")
+    child(made, "mass", value=inertia.mass)
     t = inertia.tensor
     entries = {"ixx": t[0, 0], "ixy": t[0, 1], "ixz": t[0, 2], "iyy": t[1, 1], "iyz": t[1, 2], "izz": t[2, 2]}
-    Xml.SubElement(made, "inertia", {name: f"{float(value):.12g}" for name, value in entries.items()})
+    child(made, "inertia", {name: f"{float(value):.12g}" for name, value in entries.items()})
 
 
 def _collisions(element: Xml.Element, name: str, solids: Sequence[Solid], anchor: np.ndarray) -> dict[str, bytes]:
     """The collision parts of a link; returns the meshes that they need."""
     files: dict[str, bytes] = {}
     for k, solid in enumerate(solids):
-        made = Xml.SubElement(element, "collision")
+        made = child(element, "collision")
         if solid.box is not None:
             centre, half = solid.box
-            Xml.SubElement(made, "origin", xyz=_v(centre - anchor), rpy="0 0 0")
-            Xml.SubElement(Xml.SubElement(made, "geometry"), "box", size=_v(2 * np.asarray(half)))
+            child(made, "origin", xyz=centre - anchor, rpy="0 0 0")
+            child(child(made, "geometry"), "box", size=2 * np.asarray(half))
             continue
         file = f"{name}-part-{k}.obj"
         corners = triangles(solid.points)[1].reshape(-1, 3)
         points, faces = np.unique(corners, axis=0, return_inverse=True)
         files[file] = _obj(points - anchor, faces.reshape(-1, 3))
-        Xml.SubElement(made, "origin", xyz="0 0 0", rpy="0 0 0")
-        Xml.SubElement(Xml.SubElement(made, "geometry"), "mesh", filename=f"meshes/{file}")
+        child(made, "origin", xyz="0 0 0", rpy="0 0 0")
+        child(child(made, "geometry"), "mesh", filename=f"meshes/{file}")
     return files
 
 
@@ -176,21 +176,13 @@ def _joint(
     """From the base to a door or drawer."""
     axis, (low, high), hold = joint_of(link, scale, mass)
     kind = "prismatic" if link.joint == "slide" else "revolute"
-    made = Xml.SubElement(robot, "joint", name=f"{name}_joint", type=kind)
-    Xml.SubElement(made, "parent", link=BASE)
-    Xml.SubElement(made, "child", link=name)
-    Xml.SubElement(made, "origin", xyz=_v(anchor), rpy="0 0 0")
-    Xml.SubElement(made, "axis", xyz=_v(axis))
-    Xml.SubElement(
-        made, "limit", lower=_n(low), upper=_n(high), effort=_n(_EFFORT[link.joint]), velocity=_n(_SPEED[link.joint])
-    )
-    Xml.SubElement(made, "dynamics", damping=_n(hold), friction=_n(hold))
-
-
-@dataclass(frozen=True)
-class _Look:
-    name: str
-    material: Material
+    made = child(robot, "joint", name=f"{name}_joint", type=kind)
+    child(made, "parent", link=BASE)
+    child(made, "child", link=name)
+    child(made, "origin", xyz=anchor, rpy="0 0 0")
+    child(made, "axis", xyz=axis)
+    child(made, "limit", lower=low, upper=high, effort=_EFFORT[link.joint], velocity=_SPEED[link.joint])
+    child(made, "dynamics", damping=hold, friction=hold)
 
 
 class _Looks:
@@ -200,43 +192,42 @@ class _Looks:
         self._body = body
         used = np.unique(body.mesh.face_material).tolist()
         names = _names([body.mesh.materials[k].name for k in used])
-        self._looks = {k: _Look(name, body.mesh.materials[k]) for k, name in zip(used, names, strict=True)}
-        for look in self._looks.values():
-            color = (*look.material.color, look.material.opacity)
-            Xml.SubElement(Xml.SubElement(robot, "material", name=look.name), "color", rgba=_v(color))
+        self._looks = {k: (name, body.mesh.materials[k]) for k, name in zip(used, names, strict=True)}
+        for look, material in self._looks.values():
+            color = text((*material.color, material.opacity))
+            child(child(robot, "material", name=look), "color", rgba=color)
 
     def visuals(self, element: Xml.Element, name: str, link: int, anchor: np.ndarray) -> dict[str, bytes]:
         """Add the visual meshes of a link; returns their files."""
         mesh, files = self._body.mesh, {}
-        for k, look in self._looks.items():
+        for k, (look, _) in self._looks.items():
             faces = mesh.faces[(mesh.face_link == link) & (mesh.face_material == k)]
             if not len(faces):
                 continue
             kept, packed = np.unique(faces, return_inverse=True)
             points = mesh.vertices[kept] * np.asarray(self._body.scale) - anchor
-            file = f"{name}-{look.name}.obj"
-            files[file] = _obj(points, packed.reshape(-1, 3), look.name)
-            made = Xml.SubElement(element, "visual")
-            Xml.SubElement(made, "origin", xyz="0 0 0", rpy="0 0 0")
-            Xml.SubElement(Xml.SubElement(made, "geometry"), "mesh", filename=f"meshes/{file}")
-            Xml.SubElement(made, "material", name=look.name)
+            file = f"{name}-{look}.obj"
+            files[file] = _obj(points, packed.reshape(-1, 3), look)
+            made = child(element, "visual")
+            child(made, "origin", xyz="0 0 0", rpy="0 0 0")
+            child(child(made, "geometry"), "mesh", filename=f"meshes/{file}")
+            child(made, "material", name=look)
         return files
 
     def library(self) -> bytes:
         """The material library that the visual meshes name."""
         lines = []
-        for look in self._looks.values():
-            m = look.material
-            rgb = _v(m.color)
-            shine = _v(np.asarray(m.color) * min(1.0, m.emission))
-            lines += [f"newmtl {look.name}", f"Kd {rgb}", f"Ke {shine}", f"d {_n(m.opacity)}"]
-            lines += [f"Pr {_n(m.roughness)}", f"Pm {_n(m.metallic)}", "illum 2", ""]
+        for name, m in self._looks.values():
+            rgb = text(m.color)
+            shine = text(np.asarray(m.color) * min(1.0, m.emission))
+            lines += [f"newmtl {name}", f"Kd {rgb}", f"Ke {shine}", f"d {text(m.opacity)}"]
+            lines += [f"Pr {text(m.roughness)}", f"Pm {text(m.metallic)}", "illum 2", ""]
         return "\n".join(lines).encode()
 
 
 def _obj(points: np.ndarray, faces: np.ndarray, material: str | None = None) -> bytes:
     lines = [] if material is None else [f"mtllib {_MATERIALS}", f"usemtl {material}"]
-    lines[1:1] = [f"v {_v(point)}" for point in points.tolist()]
+    lines[1:1] = [f"v {text(point)}" for point in points.tolist()]
     lines += [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
     return ("\n".join(lines) + "\n").encode()
 
@@ -245,14 +236,3 @@ def _ours(names: set[str]) -> bool:
     """Whether a folder with these names is an export, and so may be replaced."""
     rest = names - {"meshes"}
     return not names or (len(rest) == 1 and rest.pop().endswith(".urdf"))
-
-
-def _n(value: float) -> str:
-    return f"{float(value):.9g}"
-
-
-def _v(values) -> str:
-    return " ".join(_n(value) for value in values)
-
-
-__all__ = ["BASE", "urdf", "write_urdf"]

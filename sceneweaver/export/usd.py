@@ -123,6 +123,3 @@ def _save(layer: Any, name: str) -> None:
                 raise OSError("the disk may be full")
     except InputError as error:
         raise InputError(f"path: {error}") from None
-
-
-__all__ = ["SUFFIXES", "usd_layer", "write_usd"]

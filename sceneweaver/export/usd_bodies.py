@@ -104,6 +104,3 @@ def _turn(number: int, axis: np.ndarray) -> tuple[float, float, float, float]:
         full = np.array([*np.eye(3)[(number + 1) % 3], 0.0])
     x, y, z, w = full / np.linalg.norm(full)
     return float(x), float(y), float(z), float(w)
-
-
-__all__ = ["Hinge", "Solids", "filter_pair", "join", "rigid", "weld"]

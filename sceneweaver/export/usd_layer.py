@@ -139,21 +139,3 @@ def label(target: Prim, category: str) -> None:
     attribute(target, "semantics:labels:class", "TokenArray", [category])
     attribute(target, "semantic:Semantics:params:semanticType", "String", "class")
     attribute(target, "semantic:Semantics:params:semanticData", "String", category)
-
-
-__all__ = [
-    "Names",
-    "Prim",
-    "apply",
-    "attribute",
-    "attributes",
-    "integers",
-    "label",
-    "place",
-    "prim",
-    "relate",
-    "rotation",
-    "triple",
-    "usd",
-    "vectors",
-]

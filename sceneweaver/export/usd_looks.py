@@ -56,6 +56,3 @@ def _surface(parent: Prim, name: str, material: Material) -> Any:
     output = attribute(made, "outputs:surface", "Token", None)
     output.connectionPathList.explicitItems.append(surface.path)
     return made.path
-
-
-__all__ = ["Looks"]

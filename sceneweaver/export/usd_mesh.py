@@ -121,6 +121,3 @@ def _shape(made: Prim, points: np.ndarray, faces: np.ndarray) -> None:
     attribute(made, "faceVertexIndices", "IntArray", integers(faces.reshape(-1)))
     attribute(made, "extent", "Float3Array", vectors(np.stack([points.min(axis=0), points.max(axis=0)])))
     attribute(made, "subdivisionScheme", "Token", "none", uniform=True)
-
-
-__all__ = ["box_collider", "collider", "corner_normals", "render_mesh"]

@@ -11,7 +11,7 @@ import numpy as np
 
 from sceneweaver.assets import Link
 from sceneweaver.physics.hulls import Solid
-from sceneweaver.physics.model import Thing
+from sceneweaver.physics.model import Thing, joint_of
 
 from .bodies import Body
 from .usd_bodies import Hinge, Solids, filter_pair, join, rigid, weld
@@ -116,13 +116,8 @@ def _articulated(made: Prim, links: Sequence[Link], thing: Thing, body: Body, pr
 
 def _hinge(link: Link, thing: Thing, mass: float) -> Hinge:
     """The joint of a link, in the size of the object; damped as much as in the model for MuJoCo."""
-    scale = np.asarray(thing.scale)
-    slides = link.joint == "slide"
-    axis = np.asarray(link.axis) * (scale if slides else 1.0)
-    stretch = float(np.linalg.norm(axis)) if slides else 1.0
-    limits = (link.limits[0] * stretch, link.limits[1] * stretch)
-    damping = max(1.0, 2.0 * mass) if slides else max(0.2, 0.5 * mass)
-    return Hinge(link.joint, axis.tolist(), (np.asarray(link.anchor) * scale).tolist(), limits, damping)
+    axis, limits, damping = joint_of(link, thing.scale, mass)
+    return Hinge(link.joint, axis.tolist(), (np.asarray(link.anchor) * thing.scale).tolist(), limits, damping)
 
 
 def _facts(thing: Thing) -> dict[str, Any]:
@@ -143,6 +138,3 @@ def _unscaled(solid: Solid, scale: tuple[float, float, float]) -> Solid:
     by = np.asarray(scale)
     box = None if solid.box is None else (solid.box[0] / by, solid.box[1] / by)
     return Solid(solid.points / by, solid.volume / float(np.prod(by)), solid.link, box)
-
-
-__all__ = ["GEOMETRY", "Prototypes", "add_object"]

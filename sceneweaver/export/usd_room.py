@@ -128,8 +128,7 @@ def _door(parent: Prim, name: str, leaf: Leaf, looks: Looks) -> Solids:
         box_collider(scope, f"part_{number}", center, half, looks, _LEAF_FRICTION)
     joints = prim(made, "joints", "Scope")
     weld(joints, "world", made, frame)
-    hold = 0.05 * leaf.mass if leaf.joint == "hinge" else 0.3 * leaf.mass
-    join(joints, "leaf", frame, panel, Hinge(leaf.joint, leaf.axis, (0.0, 0.0, 0.0), leaf.limits, hold))
+    join(joints, "leaf", frame, panel, Hinge(leaf.joint, leaf.axis, (0.0, 0.0, 0.0), leaf.limits, leaf.hold))
     return Solids((panel.path,))
 
 
@@ -140,6 +139,3 @@ def _boxes(boxes: Sequence[tuple[np.ndarray, np.ndarray]], material: Material) -
         (x0, y0, z0), (x1, y1, z1) = (center - half).tolist(), (center + half).tolist()
         parts.append(Part.model_construct(polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=(z0, z1)))
     return parts_mesh(parts, material)
-
-
-__all__ = ["add_room", "wall_boxes", "wall_pose"]

@@ -10,14 +10,4 @@ from .settle import Settled as Settled
 from .settle import settle as settle
 from .settle import stability as stability
 
-__all__ = [
-    "Many",
-    "Model",
-    "Settled",
-    "build",
-    "settle",
-    "settle_many",
-    "settle_scenes",
-    "stability",
-    "stability_many",
-]
+__all__ = ["Many", "Model", "Settled", "build", "settle", "settle_many", "settle_scenes", "stability", "stability_many"]

@@ -302,6 +302,3 @@ def _driver() -> bool:
     except OSError:
         return False
     return True
-
-
-__all__ = ["Many", "model_of", "poses_of", "settle_many", "settle_scenes", "stability_many"]

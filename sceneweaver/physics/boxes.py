@@ -8,6 +8,7 @@ from xml.etree import ElementTree as Xml
 import numpy as np
 
 from .model import Model
+from .xml import text
 
 FEW = 8
 """Boxes of a body that are left as they are."""
@@ -107,11 +108,4 @@ def _joined(boxes: list[tuple[np.ndarray, np.ndarray, float]]) -> list[tuple[np.
 
 def _box(low: np.ndarray, high: np.ndarray, mass: float, rest: dict[str, str]) -> Xml.Element:
     pos, half = (low + high) / 2, np.maximum((high - low) / 2, 5e-5)
-
-    def text(values: np.ndarray) -> str:
-        return " ".join(f"{float(v):.9g}" for v in values)
-
-    return Xml.Element("geom", {"type": "box", "pos": text(pos), "size": text(half), "mass": f"{mass:.9g}", **rest})
-
-
-__all__ = ["boxed"]
+    return Xml.Element("geom", {"type": "box", "pos": text(pos), "size": text(half), "mass": text(mass), **rest})

@@ -174,6 +174,3 @@ def _solid(points: np.ndarray, link: int) -> Solid:
     kept = points[hull.vertices]
     volume = float(hull.volume)
     return Solid(kept, volume, link, box if volume > bounds * (1 - 1e-3) else None)
-
-
-__all__ = ["FEW", "MOST", "SMALL", "Solid", "reduce", "solids_of"]

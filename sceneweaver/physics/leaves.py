@@ -55,6 +55,11 @@ class Leaf:
     boxes: tuple[Box, ...]
 
     @property
+    def hold(self) -> float:
+        """Friction and damping [N m] or [N] that keep it where it is, about 1 and 6; a pull at the handle is more."""
+        return (0.05 if self.joint == "hinge" else 0.3) * self.mass
+
+    @property
     def stuck(self) -> bool:
         """Whether a wall is in its way from the start, as in an acute corner; it can as good as not be opened."""
         return self.limits[1] <= _STEP
@@ -197,6 +202,3 @@ def _walls(room: Room) -> Any:
         doorway = strip(room.walls[door.wall], door.offset, door.offset + door.width)
         slabs[door.wall] = slabs[door.wall].difference(doorway)
     return union(slabs)
-
-
-__all__ = ["THICK", "Leaf", "leaves", "wall_ends"]

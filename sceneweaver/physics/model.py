@@ -31,6 +31,7 @@ from sceneweaver.scene import Room, Scene, SceneObject, Window
 
 from .hulls import Solid, solids_of
 from .leaves import Leaf, leaves, wall_ends
+from .xml import child, text
 
 COVERING = 0.03
 """Things on the floor that are at most this thick [m] lie under what stands over them: rugs and mats."""
@@ -90,29 +91,22 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) ->
     """
     things = things_of(scene, load)
     root = Xml.Element("mujoco", model=scene.id)
-    Xml.SubElement(root, "compiler", angle="radian", meshdir="meshes", boundinertia="1e-7")
+    child(root, "compiler", angle="radian", meshdir="meshes", boundinertia="1e-7")
     # No noslip pass: its cost grows with the square of the contacts, and over 3 s nothing creeps without it.
-    Xml.SubElement(
-        root,
-        "option",
-        timestep=_n(STEP),
-        integrator="implicitfast",
-        cone="elliptic",
-        impratio="10",
-    )
+    child(root, "option", timestep=STEP, integrator="implicitfast", cone="elliptic", impratio="10")
     # Contacts and their constraints live here; the default is too small for a hundred pieces of many parts each.
-    Xml.SubElement(root, "size", memory=MEMORY)
-    Xml.SubElement(root, "statistic", center=_v(_middle(scene.room)), extent=_n(_reach(scene.room)))
-    look = Xml.SubElement(root, "visual")
-    Xml.SubElement(look, "headlight", ambient="0.42 0.42 0.44", diffuse="0.3 0.3 0.3", specular="0 0 0")
-    Xml.SubElement(look, "quality", shadowsize="4096")
-    default = Xml.SubElement(root, "default")
-    Xml.SubElement(default, "geom", group="3", rgba="0.7 0.7 0.72 1")
-    seen = Xml.SubElement(default, "default", {"class": "visual"})
-    Xml.SubElement(seen, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0", rgba=_UNSET)
-    assets = Xml.SubElement(root, "asset")
+    child(root, "size", memory=MEMORY)
+    child(root, "statistic", center=_middle(scene.room), extent=_reach(scene.room))
+    look = child(root, "visual")
+    child(look, "headlight", ambient="0.42 0.42 0.44", diffuse="0.3 0.3 0.3", specular="0 0 0")
+    child(look, "quality", shadowsize="4096")
+    default = child(root, "default")
+    child(default, "geom", group="3", rgba="0.7 0.7 0.72 1")
+    seen = child(default, "default", {"class": "visual"})
+    child(seen, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0", rgba=_UNSET)
+    assets = child(root, "asset")
     if dress is not None:
-        Xml.SubElement(
+        child(
             assets,
             "texture",
             type="skybox",
@@ -122,18 +116,18 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) ->
             width="64",
             height="384",
         )
-    world = Xml.SubElement(root, "worldbody")
-    Xml.SubElement(
+    world = child(root, "worldbody")
+    child(
         world,
         "light",
         directional="true",
-        pos=_v((*_middle(scene.room)[:2], 2 * scene.room.height)),
+        pos=(*_middle(scene.room)[:2], 2 * scene.room.height),
         dir="-0.35 0.25 -1",
         diffuse="0.55 0.53 0.5",
         specular="0.1 0.1 0.1",
     )
     _shell(world, scene.room)
-    contact = Xml.SubElement(root, "contact")
+    contact = child(root, "contact")
     made: set[str] = set()
     for thing in things:
         _body(world, assets, contact, thing, made, dress)
@@ -142,7 +136,7 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) ->
         _leaf(world, leaf)
         if leaf.stuck:
             for k in range(len(scene.room.outline)):
-                Xml.SubElement(contact, "exclude", body1=leaf.name, body2=f"room:wall:{k}")
+                child(contact, "exclude", body1=leaf.name, body2=f"room:wall:{k}")
     _coverings(contact, things, doors)
     Xml.indent(root, " ")
     free = tuple(t.object.id for t in things if t.free)
@@ -158,7 +152,8 @@ def things_of(scene: Scene, load: Load | None = None) -> list[Thing]:
 
 def _thing(index: int, thing: SceneObject, load: Load, bodies: dict[str, tuple[Solid, ...]]) -> Thing:
     asset, scale = scaled_asset(index, thing, load)
-    key = f"parts:{thing.id}" if thing.asset is None else thing.asset + ("" if scale == (1, 1, 1) else f"*{_v(scale)}")
+    size = "" if scale == (1, 1, 1) else f"*{text(scale)}"
+    key = f"parts:{thing.id}" if thing.asset is None else f"{thing.asset}{size}"
     if key not in bodies:
         bodies[key] = tuple(solids_of(thing, asset, np.asarray(scale)))
     solids = bodies[key]
@@ -193,20 +188,20 @@ def _weight(thing: SceneObject, asset: Asset | None, scale: float, volume: float
 def _shell(world: Xml.Element, room: Room) -> None:
     """The floor, and each wall as boxes around its openings; windows have a pane, doorways are open."""
     middle = _middle(room)
-    Xml.SubElement(
+    child(
         world,
         "geom",
         name="room:floor",
         type="plane",
-        pos=_v((*middle[:2], 0)),
-        size=_v((_reach(room),) * 2 + (0.1,)),
+        pos=(*middle[:2], 0),
+        size=(_reach(room),) * 2 + (0.1,),
         group="0",
         rgba="0.74 0.62 0.48 1",
         friction="0.8",
     )
     for wall in room.walls:
-        frame = Xml.SubElement(
-            world, "body", name=f"room:wall:{wall.index}", pos=_v((*wall.start, 0)), quat=_yaw(wall.yaw)
+        frame = child(
+            world, "body", name=f"room:wall:{wall.index}", pos=(*wall.start, 0), quat=wxyz(from_yaw(wall.yaw))
         )
         ends = wall_ends(room, wall.index)
         for span, z, opening in wall_pieces(wall.length, room.openings_of(wall.index), room.height, ends):
@@ -219,39 +214,35 @@ def _shell(world: Xml.Element, room: Room) -> None:
 def _slab(frame: Xml.Element, x0: float, x1: float, z0: float, z1: float, thick: float, rgba: str = "") -> None:
     size = ((x1 - x0) / 2, thick / 2, (z1 - z0) / 2)
     pos = ((x0 + x1) / 2, -thick / 2, (z0 + z1) / 2)
-    Xml.SubElement(frame, "geom", type="box", pos=_v(pos), size=_v(size), group="0", rgba=rgba or "0.92 0.91 0.88 1")
+    child(frame, "geom", type="box", pos=pos, size=size, group="0", rgba=rgba or "0.92 0.91 0.88 1")
 
 
 def _leaf(world: Xml.Element, leaf: Leaf) -> None:
     """The leaf of a door: friction keeps it where it is; a robot's pull at the handle is more."""
-    frame = Xml.SubElement(world, "body", name=leaf.name, pos=_v(leaf.position), quat=_yaw(leaf.yaw))
-    hold = 0.05 * leaf.mass if leaf.joint == "hinge" else 0.3 * leaf.mass  # [N m] or [N]: about 1 and 6
-    Xml.SubElement(
-        frame,
-        "joint",
-        name=leaf.name,
-        type=leaf.joint,
-        axis=_v(leaf.axis),
-        limited="true",
-        range=_v(leaf.limits),
-        damping=_n(hold),
-        frictionloss=_n(hold),
-        armature="0.001",
-        solreflimit=_STOP,
-    )
+    frame = child(world, "body", name=leaf.name, pos=leaf.position, quat=wxyz(from_yaw(leaf.yaw)))
+    _joint(frame, leaf.name, leaf.joint, leaf.axis, leaf.limits, leaf.hold)
     volumes = [float(np.prod(half)) for _, half in leaf.boxes]
     for (centre, half), volume in zip(leaf.boxes, volumes, strict=True):
-        Xml.SubElement(
+        child(
             frame,
             "geom",
             type="box",
-            pos=_v(centre),
-            size=_v(half),
+            pos=centre,
+            size=half,
             group="0",
             rgba="0.82 0.74 0.62 1",
-            mass=_n(leaf.mass * volume / sum(volumes)),
+            mass=leaf.mass * volume / sum(volumes),
             friction="0.5",
         )
+
+
+def _joint(
+    frame: Xml.Element, name: str, kind: str, axis: Any, limits: tuple[float, float], hold: float, **more: Any
+) -> None:
+    """A joint that friction and a damper, both ``hold`` [N m] or [N], keep where it is."""
+    held = {"damping": hold, "frictionloss": hold, "armature": "0.001", "solreflimit": _STOP}
+    place = {"axis": axis, **more, "limited": "true", "range": limits}
+    child(frame, "joint", {"name": name, "type": kind, **place, **held})
 
 
 def joint_of(
@@ -275,9 +266,9 @@ def _body(
 ) -> None:
     object_id = thing.object.id
     pose = thing.object.pose
-    top = Xml.SubElement(world, "body", name=object_id, pos=_v(pose.position), quat=_v(wxyz(pose.quaternion)))
+    top = child(world, "body", name=object_id, pos=pose.position, quat=wxyz(pose.quaternion))
     if thing.free:
-        Xml.SubElement(top, "freejoint", name=object_id)
+        child(top, "freejoint", name=object_id)
     links = thing.asset.links if thing.asset is not None else ()
     frames = [top]
     total = sum(s.volume for s in thing.solids)
@@ -285,26 +276,14 @@ def _body(
         if not any(s.link == number for s in thing.solids):
             frames.append(top)  # it has no parts, so it does not move
             continue
-        frame = Xml.SubElement(top, "body", name=f"{object_id}/{link.name}")
+        frame = child(top, "body", name=f"{object_id}/{link.name}")
         mine = sum(s.volume for s in thing.solids if s.link == number) / total * thing.mass
         axis, limits, hold = joint_of(link, thing.scale, mine)
-        Xml.SubElement(
-            frame,
-            "joint",
-            name=f"{object_id}/{link.name}",
-            type=link.joint,
-            axis=_v(axis),
-            pos=_v(np.asarray(link.anchor) * np.asarray(thing.scale)),
-            limited="true",
-            range=_v(limits),
-            damping=_n(hold),
-            frictionloss=_n(hold),
-            armature="0.001",
-            solreflimit=_STOP,
-        )
+        anchor = np.asarray(link.anchor) * np.asarray(thing.scale)
+        _joint(frame, f"{object_id}/{link.name}", link.joint, axis, limits, hold, pos=anchor)
         frames.append(frame)
         if not thing.free:  # a body that is part of the world is not left out as a parent is
-            Xml.SubElement(contact, "exclude", body1=object_id, body2=f"{object_id}/{link.name}")
+            child(contact, "exclude", body1=object_id, body2=f"{object_id}/{link.name}")
     for k, solid in enumerate(thing.solids):
         _geom(assets, frames[solid.link], thing, k, solid, total, made)
     if dress is not None:
@@ -315,17 +294,17 @@ def _body(
 def _geom(
     assets: Xml.Element, frame: Xml.Element, thing: Thing, k: int, solid: Solid, total: float, made: set[str]
 ) -> None:
-    share: dict[str, Any] = {"mass": _n(max(thing.mass * solid.volume / total, 1e-7)), "friction": _n(thing.friction)}
+    share: dict[str, Any] = {"mass": max(thing.mass * solid.volume / total, 1e-7), "friction": thing.friction}
     if thing.asset is None:
         share["group"] = "0"  # nothing else of it is to be seen
     if solid.box is not None:
-        Xml.SubElement(frame, "geom", {"type": "box", "pos": _v(solid.box[0]), "size": _v(solid.box[1]), **share})
+        child(frame, "geom", {"type": "box", "pos": solid.box[0], "size": solid.box[1], **share})
         return
     name = f"{thing.key}/{k}"
     if name not in made:
         made.add(name)
-        Xml.SubElement(assets, "mesh", name=name, inertia="convex", vertex=_v(solid.points.reshape(-1)))
-    Xml.SubElement(frame, "geom", {"type": "mesh", "mesh": name, **share})
+        child(assets, "mesh", name=name, inertia="convex", vertex=solid.points.reshape(-1))
+    child(frame, "geom", {"type": "mesh", "mesh": name, **share})
 
 
 def _coverings(contact: Xml.Element, things: list[Thing], doors: list[Leaf]) -> None:
@@ -333,18 +312,18 @@ def _coverings(contact: Xml.Element, things: list[Thing], doors: list[Leaf]) -> 
     flat = [t for t in things if t.object.mount == "floor" and t.object.size[2] <= COVERING]
     for cover in flat:
         for leaf in doors:
-            Xml.SubElement(contact, "exclude", body1=cover.object.id, body2=leaf.name)
+            child(contact, "exclude", body1=cover.object.id, body2=leaf.name)
         for other in things:
             if other is cover or other.object.mount != "floor":
                 continue
             (ax, ay, _), (bx, by, _) = cover.object.pose.position, other.object.pose.position
             reach = math.hypot(*cover.object.size[:2]) / 2 + math.hypot(*other.object.size[:2]) / 2
             if math.hypot(ax - bx, ay - by) < reach and (other not in flat or other.object.id > cover.object.id):
-                Xml.SubElement(contact, "exclude", body1=cover.object.id, body2=other.object.id)
+                child(contact, "exclude", body1=cover.object.id, body2=other.object.id)
                 for k, link in enumerate(other.asset.links if other.asset else (), 1):
                     if any(s.link == k for s in other.solids):
                         name = f"{other.object.id}/{link.name}"
-                        Xml.SubElement(contact, "exclude", body1=cover.object.id, body2=name)
+                        child(contact, "exclude", body1=cover.object.id, body2=name)
 
 
 def _middle(room: Room) -> tuple[float, float, float]:
@@ -354,18 +333,3 @@ def _middle(room: Room) -> tuple[float, float, float]:
 
 def _reach(room: Room) -> float:
     return float(np.linalg.norm(np.max(room.outline, axis=0) - np.min(room.outline, axis=0)))
-
-
-def _yaw(angle: float) -> str:
-    return _v(wxyz(from_yaw(angle)))
-
-
-def _n(value: float) -> str:
-    return f"{float(value):.9g}"
-
-
-def _v(values) -> str:
-    return " ".join(_n(value) for value in values)
-
-
-__all__ = ["COVERING", "Dress", "Load", "Model", "STEP", "Thing", "build", "is_fixture", "joint_of", "things_of"]

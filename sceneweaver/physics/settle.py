@@ -118,6 +118,3 @@ def _shifts(scene: Scene, model: Model, poses: dict[str, Pose]) -> dict[str, flo
         end, start = transform(both, np.array([0.0, 0.0, thing.size[2] / 2]))
         found[object_id] = float(np.linalg.norm(end - start))
     return found
-
-
-__all__ = ["LITTLE", "Settled", "measures", "settle", "stability"]

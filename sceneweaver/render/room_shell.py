@@ -110,6 +110,3 @@ def _covered(room: Room) -> np.ndarray:
     if not isinstance(whole, shapely.Polygon):
         return outline
     return np.asarray(shapely.orient_polygons(whole).exterior.coords)[:-1]
-
-
-__all__ = ["STUB", "Shell", "build_shell"]

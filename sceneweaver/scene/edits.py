@@ -419,28 +419,3 @@ def _renamed(scene: Scene, edit: Rename) -> Scene:
             r = r.model_copy(update={"subject": new(r.subject), "target": target})
         relations.append(r)
     return scene.model_copy(update={"objects": tuple(objects), "relations": tuple(relations)})
-
-
-__all__ = [
-    "EDITS",
-    "Add",
-    "AnyEdit",
-    "Edit",
-    "Geometry",
-    "Relate",
-    "Remove",
-    "Rename",
-    "Replace",
-    "SetAttributes",
-    "SetIntent",
-    "SetPose",
-    "SetSize",
-    "SetSupport",
-    "Unrelate",
-    "apply",
-    "apply_all",
-    "edit_from_json",
-    "edit_to_json",
-    "edits_from_json",
-    "invert",
-]
