@@ -6,14 +6,14 @@ import random
 from collections.abc import Sequence
 
 from sceneweaver.assets.taxonomy import category_named, likeliness
-from sceneweaver.brief import SceneGraph, meanings
+from sceneweaver.brief import SceneGraph, carrier_of
 from sceneweaver.knowledge.surfaces import lays, usual_arrangement
 from sceneweaver.scene import InputError, Intent, Pose, Relation, Room, Scene, SceneObject, Support
 
 from .base import Context, Proposal
 from .draft import walls_of
 from .prior_program import BLIND, BY_RANK, LeftOut, Program, Wanted, build, demands
-from .prior_relations import of_brief, of_items
+from .prior_relations import of_brief, of_items, thing_of
 from .prior_rows import in_rows, row_variants
 from .prior_shell import floor_area, shell
 
@@ -109,13 +109,15 @@ def _support_small_things(program: Program, brief: SceneGraph) -> None:
     for one in program.wanted:
         if one.asked is not None:
             by_asked.setdefault(one.asked, []).append(one)
-    for said, meant in meanings(brief):
-        if meant.type not in ("on_top", "inside"):
+    things = {name: [thing_of(one) for one in several] for name, several in by_asked.items()}
+    for said in brief.relations:
+        if said.type not in ("on", "inside"):
             continue
-        targets = [w for w in by_asked.get(str(meant.target), []) if w.asset.surfaces]
         for k, one in enumerate(by_asked.get(said.subject, [])):
-            if targets and one not in targets:
-                one.support = targets[k % len(targets)]
+            carrier = carrier_of(said, things, k)
+            target = next((w for w in program.wanted if carrier is not None and w.id == carrier.id), None)
+            if target is not None and target is not one and target.asset.surfaces and one.support is None:
+                one.support = target
     load: dict[str, float] = {}  # share of the surfaces of a support that is taken
     for one in program.wanted:
         if one.mount != "surface" or one.support is not None:
@@ -214,9 +216,7 @@ def _hang(one: Wanted, space: Room, over: float) -> tuple[float, float]:
 def _consistent(asked: list[Relation], usual: list[Relation]) -> list[Relation]:
     """What was asked, then of the room's own relations those that do not say the same of the same objects again."""
     said = {(r.type, r.subject, r.target) for r in asked}
-    return [r.model_copy(update={"asked": True}) for r in asked] + [
-        r for r in usual if (r.type, r.subject, r.target) not in said
-    ]
+    return asked + [r for r in usual if (r.type, r.subject, r.target) not in said]
 
 
 def _missing(brief: SceneGraph, program: Program) -> list[str]:

@@ -8,7 +8,7 @@ from typing import Any
 
 from sceneweaver.assets import Wish
 from sceneweaver.assets.taxonomy import category_named, members
-from sceneweaver.brief import Entity, SceneGraph, meanings
+from sceneweaver.brief import Entity, SceneGraph, Thing, grounded
 from sceneweaver.geometry.walls import walls_of
 from sceneweaver.scene import InputError, Pose, Room, Scene, SceneObject
 from sceneweaver.scene.edits import AnyEdit, Remove, Rename, apply, apply_all
@@ -18,8 +18,7 @@ from .base import Context
 from .carry import move
 from .draft import Draft, groups_of
 from .prior_program import matches
-from .reading import HERE
-from .relating import relations_of, row_of
+from .prior_relations import in_room
 from .update_size import exchanged
 
 CORNERS = {"rectangle": 4, "L": 6, "T": 8, "U": 8, "round": 12}
@@ -244,9 +243,10 @@ def _added(
         row["size"] = list(asked.size)
     on = [
         id
-        for said, meant in meanings(context.brief)
-        if said.subject == asked.id and meant.type in ("on_top", "inside")
-        for id in made.get(str(meant.target), [])
+        for said in context.brief.relations
+        if said.subject == asked.id and said.type in ("on", "inside")
+        for target in said.targets
+        for id in made.get(target, [])
     ]
     if on:
         row["on"] = on
@@ -265,29 +265,24 @@ def _added(
 def _related(scene: Scene, brief: SceneGraph, made: Mapping[str, list[str]], unmet: list[str]) -> Scene:
     """The scene with the relations that were asked for."""
     draft = Draft.of(scene)
-    for said, meant in meanings(brief):
-        if meant.type in ("on_top", "inside", "on_floor") or meant.target == "middle":
+    things = {name: [_thing(draft.objects[id]) for id in ids if id in draft.objects] for name, ids in made.items()}
+    rows, unsaid = grounded(brief, things)
+    unmet += [f"{said.words or said.type}: no relation can say it here" for said in unsaid if not said.implied]
+    number: dict[tuple[str, str], int] = {}
+    for row in rows:
+        k = number[row.said, row.type] = number.get((row.said, row.type), -1) + 1
+        try:
+            relation = in_room(row, scene.room, k)
+        except InputError as error:
+            unmet.append(f"{row.said}: {error}")
             continue
-        names = [meant.target] if isinstance(meant.target, str) else list(meant.target or ())
-        to = [_meant(name, made) for name in names]
-        entry: dict[str, Any] = {"type": meant.type, "params": dict(meant.params)}
-        row = row_of({**entry, "to": to if len(to) > 1 else to[0]} if to else entry)
-        subjects = made.get(said.subject, [])
-        for id in subjects:
-            relations, failed = relations_of(draft, [row], draft.objects[id], len(subjects))
-            unmet += [f"{said.words or meant.type}: {reason}" for reason in failed]
-            for r in relations:
-                said_so = [(o.type, o.subject, o.target) for o in draft.relations]
-                if (key := (r.type, r.subject, r.target)) not in said_so:
-                    said_so.append(key)
-                    draft.relations.append(r)
-                at = said_so.index(key)
-                draft.relations[at] = draft.relations[at].model_copy(update={"asked": True})
+        if relation is None:
+            unmet.append(f"{row.said}: there is nothing to relate {row.subject} to")
+            continue
+        same = [r for r in draft.relations if (r.type, r.subject, r.target) == (row.type, row.subject, relation.target)]
+        draft.relations = [*(r for r in draft.relations if r not in same), relation]
     return scene.model_copy(update={"relations": tuple(draft.relations)})
 
 
-def _meant(name: str, made: Mapping[str, list[str]]) -> str:
-    """What a target of the request is in the scene: a part of the room, or the first object that stands for it."""
-    if name in HERE or name.startswith("wall:"):
-        return name
-    return next(iter(made.get(name, [])), name)
+def _thing(obj: SceneObject) -> Thing:
+    return Thing(obj.id, obj.category, obj.size, obj.mount, obj.support.object if obj.support is not None else None)

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from sceneweaver.assets import Asset, Library, Wish, categories
 from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import category_named, members
-from sceneweaver.brief import Entity, SceneGraph, meanings
+from sceneweaver.brief import Entity, SceneGraph
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.scene import PRIORITIES, InputError
 
@@ -228,7 +228,7 @@ def _hangs_at_windows(item: Item) -> bool:
 def _something_at_windows(room_type: RoomType, brief: SceneGraph) -> bool:
     """Whether furniture should stand under a window, where a curtain down to the floor would be in its way."""
     asked = {a.id for a in brief.entities}
-    return any(meant.type == "at_window" and said.subject in asked for said, meant in meanings(brief)) or any(
+    return any("window" in said.targets and said.subject in asked for said in brief.relations) or any(
         p.type == "at_window" and not _hangs_at_windows(item) and item.need != "optional"
         for item in room_type.items
         for p in item.place

@@ -5,7 +5,8 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Mapping, Sequence
 
-from sceneweaver.brief import Meaning, SceneGraph, meaning
+from sceneweaver.brief import Grounded, SceneGraph, StatedRelation, Thing, grounded
+from sceneweaver.brief.model import PLACES
 from sceneweaver.brief.wall_names import direction_of
 from sceneweaver.geometry.angles import cross, dot
 from sceneweaver.knowledge import Place
@@ -15,15 +16,27 @@ from .prior_program import Wanted
 from .prior_rows import run_of
 from .prior_seats import seat_relations
 
+_EDGE = frozenset(("against_wall", "side_against_wall", "in_corner", "at_window"))
+_PLACED = frozenset(("near", "between", "centered_on", "facing", "front_to_front", "front_against", "around"))
+
 CONFLICTS: dict[str, frozenset[str]] = {
     "against_wall": frozenset(("against_wall", "in_corner", "at_window")),
-    "side_against_wall": frozenset(("against_wall", "in_corner", "at_window")),
-    "in_corner": frozenset(("at_window", "centered_on")),
+    "in_corner": frozenset(("at_window", "centered_on", "near")),
     "at_window": frozenset(("in_corner", "centered_on")),
     "between": frozenset(("in_corner", "at_window", "near")),
-    "middle": frozenset(("against_wall", "side_against_wall", "in_corner", "at_window", "near", "centered_on")),
+    "in_middle": _EDGE | {"near", "centered_on"},
+    "over": _EDGE | {"near", "centered_on"},
+    "near_window": frozenset(("in_corner", "at_window", "away_from_door")),
+    "near_door": frozenset(("in_corner", "at_window", "away_from_door")),
+    "facing": frozenset(("facing",)),
 }
 """What a room's own relations of a thing give way to: the type that was asked for, and the types that it replaces."""
+
+TOGETHER = (CATALOGUE.with_role("placing") | CATALOGUE.with_role("turning") | {"distance"}) - _EDGE
+"""Types that say where a thing is by another; asked for one, it is not bound to a third thing."""
+
+BEHIND_IT = frozenset(("behind", "around"))
+"""Types whose target stands free of the walls."""
 
 CEILING = 0.15
 """Height [m] that is left free above what hangs over something."""
@@ -160,81 +173,82 @@ def of_brief(
     Returns the relations (hard), by id the types of a room's own relations that they replace, and what could not be
     said as relations.
     """
-    made: dict[str, list[Wanted]] = {}
+    made: dict[str, list[Thing]] = {}
     for one in wanted:
         if one.asked is not None:
-            made.setdefault(one.asked, []).append(one)
+            made.setdefault(one.asked, []).append(thing_of(one))
+    rows, unsaid = grounded(brief, made)
     found: list[Relation] = []
     placed: dict[str, frozenset[str]] = {}
-    unmet: list[str] = []
-    for said in brief.relations:
-        subjects = made.get(said.subject, [])
-        meant = meaning(said, brief)
-        if meant is None:
-            unmet.append(f"{said.words}: no relation can say it")
+    unmet = [f"{_said(said)}: {_lack(said, made)}" for said in unsaid if not said.implied]
+    number: dict[tuple[str, str], int] = {}
+    for row in rows:
+        k = number[row.said, row.type] = number.get((row.said, row.type), -1) + 1
+        try:
+            relation = in_room(row, room, k)
+        except InputError as error:
+            unmet.append(f"{row.said}: {error}")
             continue
-        if meant.target == "middle":
-            found += _in_the_middle([w for w in subjects if w.mount == "floor"])
-            placed.update({w.id: CONFLICTS["middle"] for w in subjects})
+        if relation is None:
+            unmet.append(f"{row.said}: there is nothing to relate {row.subject} to")
             continue
-        for number, one in enumerate(subjects):
-            if meant.type in ("on_top", "inside") and one.support is not None:
-                continue  # true by its support
-            try:
-                relation = _of_asked(meant, one, number, len(subjects), made, room)
-            except InputError as error:
-                unmet.append(f"{said.words or said.type}: {error}")
-                continue
-            if relation is None:
-                unmet.append(f"{said.words or said.type}: there is nothing to relate {one.id} to")
-                continue
-            found.append(relation)
-            placed[one.id] = placed.get(one.id, frozenset()) | CONFLICTS.get(meant.type, frozenset())
+        found.append(relation)
+        if not row.hard:
+            continue
+        replaced = CONFLICTS.get(relation.type, frozenset())
+        if relation.type in TOGETHER:
+            replaced |= TOGETHER
+        placed[row.subject] = placed.get(row.subject, frozenset()) | replaced
+        if relation.type in BEHIND_IT:
+            for target in relation.targets:
+                placed[target] = placed.get(target, frozenset()) | _EDGE
     return _without_doubles(found), placed, unmet
 
 
-def _in_the_middle(wanted: Sequence[Wanted]) -> list[Relation]:
-    """What stands in the middle of the room: one thing right there, several around it."""
-    most = sum(max(w.asset.size[:2]) for w in wanted)
-    offset = 0.1 if len(wanted) == 1 else round(0.3 + most / 2, 2)
-    return [Relation(type="in_middle", subject=w.id, params={"offset": offset}, asked=True) for w in wanted]
+def thing_of(one: Wanted) -> Thing:
+    """An object to be, as the relations of a request know it."""
+    return Thing(one.id, one.category, one.asset.size, one.mount, one.support.id if one.support is not None else None)
 
 
-def _of_asked(
-    meant: Meaning, one: Wanted, number: int, count: int, made: dict[str, list[Wanted]], room: Room
-) -> Relation | None:
-    kind = CATALOGUE[meant.type].target
-    params = dict(meant.params)
-    target: str | tuple[str, str] | None = None
-    if kind.startswith("wall"):
-        if isinstance(meant.target, str) and ":" in meant.target:
-            target = f"wall:{wall_named(meant.target.split(':', 1)[1], room)}"
-    elif kind.startswith("window"):
+def in_room(row: Grounded, room: Room, number: int) -> Relation | None:
+    """A grounded relation with the walls and openings of a room; None where the room has no such thing.
+
+    Raises:
+        InputError: for a wall that the room has not.
+    """
+    target, kind = row.target, CATALOGUE[row.type].target_kind
+    if kind == "wall" and isinstance(target, str):
+        target = f"wall:{wall_named(target.split(':', 1)[1], room)}"
+    elif kind == "window":
         if not room.windows:
             return None
-        target = room.windows[number % len(room.windows)].id
-    elif kind == "objects":
-        names = meant.target if isinstance(meant.target, tuple) else ()
-        pool = [made.get(name, []) for name in names]
-        if len(pool) == 1 and len(pool[0]) > 1:
-            pair = pool[0][:2]
-        elif len(pool) == 2 and all(pool):
-            pair = [pool[0][0], pool[1][-1]]
-        else:
+        target = room.windows[number % len(room.windows)].id if row.type == "at_window" else None
+    elif kind == "door":
+        if not room.doors:
             return None
-        if pair[0] is pair[1]:
-            return None
-        target = (pair[0].id, pair[1].id)
-    elif kind.startswith("object"):
-        others = [w for w in made.get(str(meant.target), []) if w is not one]
-        if not others:
-            return None
-        target = others[number % len(others)].id
-    if meant.type == "around":
-        params["n"] = count
-        if count < 2:
-            return Relation(type="front_against", subject=one.id, target=target)
-    return Relation(type=meant.type, subject=one.id, target=target, params=params)
+        target = None
+    return Relation(
+        type=row.type,
+        subject=row.subject,
+        target=target,
+        params=row.params,
+        hard=row.hard,
+        weight=1.0 if row.hard else 0.5,
+        asked=True,
+        request=row.said,
+    )
+
+
+def _said(said: StatedRelation) -> str:
+    return f"{said.id} '{said.words}'" if said.words else said.id or said.type
+
+
+def _lack(said: StatedRelation, made: Mapping[str, Sequence[Thing]]) -> str:
+    """Why a stated relation has no objects to hold between."""
+    for name in (said.subject, *said.targets):
+        if name.partition(":")[0] not in PLACES and not made.get(name):
+            return f"there is no {name.replace('_', ' ')} in the room"
+    return "no relation can say it"
 
 
 def wall_named(name: str, room: Room) -> int:

@@ -6,11 +6,11 @@ import contextlib
 import math
 import random
 
-from sceneweaver.brief import SceneGraph, meanings
+from sceneweaver.brief import SceneGraph
 from sceneweaver.geometry.angles import dot
 from sceneweaver.geometry.walls import walls_of
 from sceneweaver.knowledge import RoomType
-from sceneweaver.scene import CATALOGUE, Door, InputError, Room, Window
+from sceneweaver.scene import Door, InputError, Room, Window
 
 from .prior_relations import wall_named
 
@@ -78,10 +78,9 @@ def shell(room_type: RoomType, brief: SceneGraph, area: float, seed: int) -> tup
 def _spoken_for(brief: SceneGraph, room: Room) -> set[int]:
     """The walls that something was asked to stand against."""
     found: set[int] = set()
-    for _, meant in meanings(brief):
-        if meant.type in CATALOGUE.with_role("wall") and str(meant.target).startswith("wall:"):
-            with contextlib.suppress(InputError):  # said later, with the relation itself
-                found.add(wall_named(str(meant.target).removeprefix("wall:"), room))
+    for name in (target for said in brief.relations for target in said.targets if target.startswith("wall:")):
+        with contextlib.suppress(InputError):  # said later, with the relation itself
+            found.add(wall_named(name.removeprefix("wall:"), room))
     return found
 
 
@@ -152,7 +151,7 @@ def _windows(
         choice = [i for i in choice if i not in taken]
     windows: list[Window] = []
     used: dict[int, int] = {}
-    if brief.windows is None and any(meant.type == "at_window" for _, meant in meanings(brief)):
+    if brief.windows is None and any("window" in said.targets for said in brief.relations):
         count = max(count, 1)
     width = round(rng.uniform(*spec.width), 2)
     sill = round(min(rng.uniform(*spec.sill), height - 0.8), 2)

@@ -1,5 +1,8 @@
 """Plain English in, a typed scene graph out; no model is needed."""
 
+from .grounding import Grounded as Grounded
+from .grounding import carrier_of as carrier_of
+from .grounding import grounded as grounded
 from .meaning import Meaning as Meaning
 from .meaning import meaning as meaning
 from .meaning import meanings as meanings
@@ -10,17 +13,22 @@ from .model import SceneGraph as SceneGraph
 from .model import Span as Span
 from .model import StatedRelation as StatedRelation
 from .model import Unread as Unread
+from .pairs import Thing as Thing
 from .read import read_request as read_request
 
 __all__ = [
     "Attribute",
     "Entity",
     "Exclusion",
+    "Grounded",
     "Meaning",
     "SceneGraph",
     "Span",
     "StatedRelation",
+    "Thing",
     "Unread",
+    "carrier_of",
+    "grounded",
     "meaning",
     "meanings",
     "read_request",

@@ -16,7 +16,7 @@ import numpy as np
 from sceneweaver.geometry.polygons import tidy
 from sceneweaver.geometry.se2 import relative
 from sceneweaver.kernels import tables as k
-from sceneweaver.scene import CATALOGUE, Relation, Scene, SceneObject
+from sceneweaver.scene import CATALOGUE, Relation, Room, Scene, SceneObject
 
 from .region import Region, enclosure, room_region
 from .rows import INF, CompiledRelation, Frame, compile_relation, mounting, spread_before
@@ -179,9 +179,9 @@ def _compile(
     home: np.ndarray,
     region: Region,
     relations: Sequence[tuple[int, Relation]],
-    windows,
-    in_room: bool,
+    room: Room | None,
 ) -> LayoutProblem:
+    in_room = room is not None
     index = {o.id: i for i, o in enumerate(objects)}
     solids = [solids_of(o) for o in objects]
     footprints = [footprint_of(s) for s in solids]
@@ -191,7 +191,8 @@ def _compile(
         if rel.type == "around" and isinstance(rel.target, str):
             around.setdefault(rel.target, []).append(rel)
     tied = Counter((rel.type, rel.target) for _, rel in relations if isinstance(rel.target, str))
-    frame = Frame(objects, index, region, footprints, windows, around, tied)
+    openings = (room.windows, room.doors) if room is not None else ((), ())
+    frame = Frame(objects, index, region, footprints, *openings, around, tied)
     compiled = [compile_relation(frame, rel) for _, rel in relations]
     riders: dict[int, int] = {}
     for i, (_, rel) in enumerate(relations):
@@ -274,11 +275,9 @@ def compile_scene(scene: Scene) -> CompiledScene:
             (j, r) for j, r in enumerate(scene.relations) if r.subject in ids and _targets(r) and _targets(r) <= ids
         ]
         objects = [scene.objects[i] for i in members]
-        problem = _compile(objects, local, region, relations, (), in_room=False)
+        problem = _compile(objects, local, region, relations, None)
         domains.append(Domain(SupportSurface(supporter, z, members), problem))
-    room = _compile(
-        scene.objects, home, room_region(scene.room), list(enumerate(scene.relations)), scene.room.windows, in_room=True
-    )
+    room = _compile(scene.objects, home, room_region(scene.room), list(enumerate(scene.relations)), scene.room)
     room.faulty = faulty
     room.surfaces = [d.surface for d in domains]
     return CompiledScene(scene, room, domains)

@@ -19,7 +19,7 @@ from sceneweaver.geometry.angles import dot
 from sceneweaver.geometry.polygons import tidy
 from sceneweaver.geometry.walls import Wall, walls_of
 from sceneweaver.kernels import tables as k
-from sceneweaver.scene import CATALOGUE, Relation, RelationSpec, SceneObject, Window
+from sceneweaver.scene import CATALOGUE, Door, Relation, RelationSpec, SceneObject, Window
 
 from .region import Region
 from .shapes import Points
@@ -105,6 +105,7 @@ class Frame:
     region: Region
     footprints: list[list[Points]]
     windows: Sequence[Window] = ()
+    doors: Sequence[Door] = ()
     around: dict[str, list[Relation]] = field(default_factory=dict)  # target id -> the relations of its children
     tied: dict[tuple[str, str], int] = field(default_factory=dict)  # how many relations of a type have a target
 
@@ -318,7 +319,7 @@ def _beyond(side: str) -> Callable[[Frame, Relation, Callable], list[list[Row]]]
         across = half * value("band")
         return [
             [
-                line((0.0, 0.0), n, reach, 0.0, value("max")),
+                line((0.0, 0.0), n, reach, value("min"), value("max")),
                 line((0.0, 0.0), (-n[1], n[0]), 0.0, -across, across, -TIGHT),
             ]
         ]
@@ -332,6 +333,17 @@ def _centered(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     return [
         [line((0.0, 0.0), n, 0.0, -limit, limit).snapped(spec, "lateral"), *middle] for n in ((0.0, 1.0), (1.0, 0.0))
     ]
+
+
+def _over(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    """The centre of a over the box of b; a ceiling lamp, a rug and what is alone on it right over the middle."""
+    a, b, inset = frame.object(rel.subject), frame.object(_one(rel)), value("inset")
+    alone = a.mount == "ceiling" or a.size[2] < FLAT or (b.size[2] < FLAT and frame.tied.get((rel.type, b.id), 1) == 1)
+    rows = []
+    for half, n in zip(b.size, ((1.0, 0.0), (0.0, 1.0)), strict=False):
+        reach = max(half / 2 - inset, 0.0)
+        rows.append(line((0.0, 0.0), n, 0.0, -reach, reach))
+    return [[*rows, *(_middle(rel) if alone else ())]]
 
 
 def _corner(frame: Frame, rel: Relation, value) -> list[list[Row]]:
@@ -518,6 +530,18 @@ def _away_from_door(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     return [[_distance(value("min"), INF, doors[d].polygon) for d in wanted]]
 
 
+def _near_opening(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    """The distance from the line that a door or window takes in its wall."""
+    openings = frame.windows if rel.type == "near_window" else frame.doors
+    options = []
+    for opening in openings:
+        if rel.target in (None, opening.id):
+            wall = frame.region.walls[opening.wall]
+            ends = np.array([wall.point(opening.offset), wall.point(opening.offset + opening.width)])
+            options.append([_distance(value("min"), value("max"), ends)])
+    return options
+
+
 def _stacked(above: bool) -> Callable[[Frame, Relation, Callable], list[list[Row]]]:
     def build(frame: Frame, rel: Relation, value) -> list[list[Row]]:
         a, b = frame.object(rel.subject), frame.object(_one(rel))
@@ -582,6 +606,9 @@ BUILDERS: dict[str, Builder] = {
     "next_to": _next,
     "run_on": _run,
     "in_middle": _in_middle,
+    "over": _over,
+    "near_window": _near_opening,
+    "near_door": _near_opening,
 }
 
 

@@ -64,8 +64,9 @@ class SceneFile(FrozenModel):
                 if obj[key] is None or obj[key] == {}:
                     del obj[key]
         for relation in data["relations"]:
-            if not relation["asked"]:
-                del relation["asked"]
+            for key in ("asked", "request"):
+                if not relation[key]:
+                    del relation[key]
         return data
 
     def dumps(self) -> str:

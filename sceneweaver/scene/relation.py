@@ -34,6 +34,9 @@ class Relation(FrozenModel):
     hard: Flag = Field(default=True, description="Whether the scene is invalid when the relation does not hold")
     weight: Weight = Field(default=1.0, description="Weight among soft relations")
     asked: Flag = Field(default=False, description="Whether the request says it; what it does not say gives way first")
+    request: Name | None = Field(
+        default=None, description="Id of the stated relation of the request that it stands for; null: of none"
+    )
 
     @field_validator("type")
     @classmethod

@@ -146,6 +146,27 @@ def _away_from_door(case: Case) -> Judgement:
     return fails(f"the room has no {target}") if target is not None and not apart else judge([apart], "", ROUNDING)
 
 
+def _near_opening(case: Case) -> Judgement:
+    """Footprint ``min`` to ``max`` from the line that a window or door takes in its wall; any without a target."""
+    import shapely
+
+    target, foot = case.relation.target, case.placed.footprint(case.subject)
+    openings = case.placed.windows if case.relation.type == "near_window" else case.placed.doors
+
+    def measurements(opening: Opening) -> Measurements:
+        item, wall = opening.item, opening.wall
+        ends = [
+            (wall.start[0] + u * wall.along[0], wall.start[1] + u * wall.along[1])
+            for u in (item.offset, item.offset + item.width)
+        ]
+        away = float(shapely.distance(foot, shapely.linestrings(ends)).min())
+        name = f"distance to {item.id}"
+        return (Measurement(name, away, case.number("min"), case.number("max"), "m", TOLERANCE),)
+
+    chosen = (o for o in openings if target is None or o.item.id == target)
+    return judge(map(measurements, chosen), f"the room has no {target or case.spec.target_kind}")
+
+
 # ---- faces of two objects --------------------------------------------------------------------------------------------
 
 
@@ -252,7 +273,7 @@ def _beside(case: Case) -> Judgement:
     return judge(
         [
             [
-                Measurement("distance beyond its face", beyond, 0.0, case.number("max"), "m", TOLERANCE),
+                Measurement("distance beyond its face", beyond, case.number("min"), case.number("max"), "m", TOLERANCE),
                 at_most("aside", aside, case.number("band") / 2 * 2 * face.half),
             ]
         ],
@@ -265,6 +286,18 @@ def _centered_on(case: Case) -> Judgement:
     """The smaller offset of the subject's centre in the target's frame."""
     off = min(map(abs, case.other.local(case.subject.centre)))
     return judge([[at_most("off centre by", off, case.number("offset"), slack=TOLERANCE)]], "")
+
+
+def _centre_over(case: Case) -> Judgement:
+    """Subject's centre inside the target's box, seen from above, ``inset`` from its edges."""
+    offsets = case.other.local(case.subject.centre)
+    sides = zip(("along its front", "along its width"), offsets, case.other.size, strict=False)
+    inset = case.number("inset")
+    return judge(
+        [[at_most(f"off {name}", abs(off), max(size / 2 - inset, 0.0), slack=TOLERANCE) for name, off, size in sides]],
+        "",
+        ROUNDING,
+    )
 
 
 def _between(case: Case) -> Judgement:
@@ -376,6 +409,9 @@ JUDGES: dict[str, Judge] = {
     "next_to": next_to,
     "run_on": run_on,
     "in_middle": in_middle,
+    "over": _centre_over,
+    "near_window": _near_opening,
+    "near_door": _near_opening,
 }
 """The judge of every relation type."""
 

@@ -105,7 +105,7 @@ PARAMS: dict[str, Json] = {
     "parallel": {"degrees": 8.0},
     "left_of": {"max": 0.9},
     "right_of": {"band": 0.5},
-    "in_front_of": {"max": 0.9},
+    "in_front_of": {"max": 0.9, "min": 0.2},
     "behind": {"band": 0.5},
     "centered_on": {"offset": 0.03},
     "in_corner": {"to_corner": 0.6},
@@ -119,6 +119,9 @@ PARAMS: dict[str, Json] = {
     "next_to": {"side": "back", "gap": [0.2, 0.9]},
     "run_on": {"side": "left", "gap": [0.0, 0.4], "offset": 0.3},
     "in_middle": {"offset": 1.5},
+    "over": {"inset": 0.1},
+    "near_window": {"min": 0.2, "max": 3.0},
+    "near_door": {"min": 0.2, "max": 3.0},
 }
 """Numbers other than the defaults, for the types that take any."""
 
@@ -136,7 +139,9 @@ def related(kind: str, **params) -> Scene:
         target, second = None, ("c", "wall:3")
     elif kind == "at_window":
         target, second = "window", ("c", "pane")
-    elif kind == "away_from_door":
+    elif kind == "near_window":
+        target, second = None, ("c", "pane")
+    elif kind in ("away_from_door", "near_door"):
         target, second = None, ("c", "gate")
     elif kind == "between":
         target, second = ("b", "c"), ("b", ("c", "a"))

@@ -75,6 +75,8 @@ SHELF = thing(
 BOOK = thing("book", (0.2, 0.15, 0.25), mount="surface", support=Support(object="shelf", surface="middle"))
 CHAIRS = [thing(f"chair{i}", (0.45, 0.45, 0.7)) for i in range(4)]
 
+LAMP = thing("lamp", (0.4, 0.4, 0.5), mount="ceiling")
+
 ONE_OF_EACH: dict[str, Scene] = {
     "against_wall": scene([BED, BOX], [relation("against_wall", "bed"), relation("against_wall", "box", "wall:3")]),
     "side_against_wall": scene([BED, BOX], [relation("side_against_wall", "bed")]),
@@ -117,4 +119,7 @@ ONE_OF_EACH: dict[str, Scene] = {
     "next_to": scene([OTHER, BOX], [relation("next_to", "box", "other", side="back", gap=[0.3, 0.4])]),
     "run_on": scene([OTHER, BOX], [relation("run_on", "box", "other"), relation("against_wall", "box")]),
     "in_middle": scene([OTHER, BOX], [relation("in_middle", "box", offset=0.1)]),
+    "over": scene([table(), LAMP], [relation("over", "lamp", "table", inset=0.2)]),
+    "near_window": scene([OTHER, BOX], [relation("near_window", "box", "window", min=0.4, max=0.8)]),
+    "near_door": scene([OTHER, BOX], [relation("near_door", "box", min=0.3, max=0.9)]),
 }

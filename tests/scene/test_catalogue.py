@@ -46,10 +46,10 @@ TABLE = {
     "facing": ("object", F, (), 15, None, None, {}, False),
     "aligned": ("object", (), (), 3, None, None, {}, False),
     "parallel": ("object", (), (), 3, None, None, {}, False),
-    "left_of": ("object", (), ("left",), None, None, None, {"max": 1.5, "band": 1.5}, False),
-    "right_of": ("object", (), ("right",), None, None, None, {"max": 1.5, "band": 1.5}, False),
-    "in_front_of": ("object", (), ("front",), None, None, None, {"max": 1.5, "band": 1.5}, False),
-    "behind": ("object", (), ("back",), None, None, None, {"max": 1.5, "band": 1.5}, False),
+    "left_of": ("object", (), ("left",), None, None, None, {"max": 1.5, "min": 0, "band": 1.5}, False),
+    "right_of": ("object", (), ("right",), None, None, None, {"max": 1.5, "min": 0, "band": 1.5}, False),
+    "in_front_of": ("object", (), ("front",), None, None, None, {"max": 1.5, "min": 0, "band": 1.5}, False),
+    "behind": ("object", (), ("back",), None, None, None, {"max": 1.5, "min": 0, "band": 1.5}, False),
     "centered_on": ("object", (), (), None, None, None, {"offset": 0.10}, False),
     "in_corner": ("none", (), (), None, None, None, {"to_corner": 0.25, "to_wall": 0.15}, False),
     "at_window": ("window", (), (), None, None, 0.5, {"max": 1.0}, False),
@@ -72,6 +72,9 @@ TABLE = {
     ),
     "run_on": ("object", (), LR, 3, (0, 0.03), None, {"side": "right", "offset": 0.05}, True),
     "in_middle": ("none", (), (), None, None, None, {"offset": 0.5}, False),
+    "over": ("object", (), (), None, None, None, {"inset": 0}, False),
+    "near_window": ("window?", (), (), None, None, None, {"min": 0, "max": 1.2}, False),
+    "near_door": ("door?", (), (), None, None, None, {"min": 0, "max": 1.2}, False),
 }
 
 

@@ -58,6 +58,7 @@ def test_beside_a_face_params():
     target, subject = box("t", (1.0, 1.0, 0.7), 4.0, 4.0), box("s", (0.3, 0.3, 0.3), 4.9, 6.0)
     assert not holds([target, subject], relation("left_of", "s", "t"))
     assert holds([target, subject], relation("left_of", "s", "t", max=1.6, band=1.9))
+    assert not holds([target, subject], relation("left_of", "s", "t", min=1.502, max=1.6, band=1.9))
 
 
 @pytest.mark.parametrize(
@@ -263,6 +264,41 @@ def test_at_window(target):
     s = box("s", (0.5, 1.0, 0.7), 7.6, 2.6, 180.0)
     assert holds([s], relation("at_window", "s", target), windows=WINDOWS) is (target == "window-0")
     assert not holds([s], relation("at_window", "s", "window-0", max=0.1), windows=WINDOWS)
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "inset", "expected"),
+    [
+        (4.6, 4.3, 0.0, True),
+        (4.99, 4.49, 0.0, True),
+        (5.01, 4.0, 0.0, False),
+        (4.0, 4.51, 0.0, False),
+        (4.89, 4.39, 0.1, True),
+        (4.92, 4.0, 0.1, False),
+        (4.0, 3.58, 0.1, False),
+        (4.0, 4.0, 0.9, True),
+    ],
+)
+def test_over(x, y, inset, expected):
+    rug = box("t", (2.0, 1.0, 0.01), 4.0, 4.0)
+    assert holds([rug, box("s", (0.3, 0.3, 0.3), x, y, z=1.0)], relation("over", "s", "t", inset=inset)) is expected
+
+
+@pytest.mark.parametrize(("x", "low", "high", "expected"), [
+    (7.5, 0.0, 0.3, True),
+    (7.5, 0.31, 0.6, False),
+    (7.5, 0.0, 0.29, False),
+    (6.0, 1.5, 4.0, True),
+])  # fmt: skip
+def test_near_an_opening(x, low, high, expected):
+    """A box whose right side is 0.3 m, or 1.8 m, from the wall of a window and of a door, right before both."""
+    thing, params = box("s", (0.4, 0.4, 0.7), x, 2.6), {"min": low, "max": high}
+    window = {**WINDOWS[0], "id": "window-0"}
+    door = {"id": "door-0", "wall": window["wall"], "offset": window["offset"], "width": 0.9, "height": 2.0}
+    for kind, openings in (("near_window", {"windows": [window]}), ("near_door", {"doors": [door]})):
+        for target in (None, f"{kind[5:]}-0"):
+            assert holds([thing], relation(kind, "s", target, **params), **openings) is expected, kind
+        assert not holds([thing], relation(kind, "s", None, **params))
 
 
 WALLS = [box("s", (0.4, 1.0, 1.0), 0.2 + gap, 4.0) for gap in (0.0, 0.0705, 0.072)]
