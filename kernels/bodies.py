@@ -3,7 +3,7 @@
 import warp as wp
 
 from .array_access import item, item_strided
-from .geometry import plane_of, turn
+from .geometry import plane_of, prism_at, turn
 from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Problems, State, TablesRef, View
 
 wp.set_module_options({"enable_backward": False})
@@ -29,6 +29,21 @@ class Body:
     index: wp.int32  # global index of the object or of the fixture
     pose: wp.vec4  # x, y, z [m], yaw [rad]
     turn: wp.vec2  # (cos, sin) of the yaw
+
+
+@wp.struct
+class Layout:
+    """A candidate's layout as a view sees it."""
+
+    candidate: Candidate
+    state: State
+    view: View
+
+
+@wp.func
+def layout_of(c: Candidate, s: State):
+    """A candidate's layout as it stands."""
+    return Layout(c, s, View())
 
 
 @wp.func
@@ -63,56 +78,49 @@ def root_at(b: Problems, candidate: wp.int32, obj: wp.int32):
 
 
 @wp.func
-def viewed_pose(s: State, candidate: wp.int32, i: wp.int32, view: View):
-    """Pose and (cos, sin) of the yaw of object i where a view sees it."""
-    pose = item_strided(s.poses, candidate, i)
-    q = item_strided(s.turns, candidate, i)
+def viewed_body(layout: Layout, i: wp.int32):
+    """Object i where the view sees it."""
+    view = layout.view
+    candidate = layout.candidate.index
+    pose = item_strided(layout.state.poses, candidate, i)
+    q = item_strided(layout.state.turns, candidate, i)
     if view.stamp != 0:
-        mark = item(s.mark, candidate, i)
+        mark = item(layout.state.mark, candidate, i)
         if wp.abs(mark) == view.stamp:
             rise = float(0.0)
             if mark < 0:
                 rise = view.after[2] - view.before[2]
                 if view.draft == 1:
-                    pose = item(s.draft, candidate, i)
+                    pose = item(layout.state.draft, candidate, i)
                     q = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
             at = plane_of(view.after) + turn(view.spin, plane_of(pose) - plane_of(view.before))
             pose = wp.vec4(at[0], at[1], pose[2] + rise, pose[3] + view.after[3] - view.before[3])
             q = turn(view.spin, q)
-    return pose, q
-
-
-@wp.func
-def viewed_body(c: Candidate, obj: wp.int32, s: State, view: View):
-    """An object where a view sees it."""
-    body = Body()
-    body.obj = obj
-    body.index = c.first_object + obj
-    pose, q = viewed_pose(s, c.index, obj, view)
-    body.pose = pose
-    body.turn = q
-    return body
+    return Body(i, layout.candidate.first_object + i, pose, q)
 
 
 @wp.func
 def body_of(c: Candidate, obj: wp.int32, s: State):
     """An object where it stands."""
-    body = Body()
-    body.obj = obj
-    body.index = c.first_object + obj
-    body.pose = item_strided(s.poses, c.index, obj)
-    body.turn = item_strided(s.turns, c.index, obj)
-    return body
+    return Body(obj, c.first_object + obj, item_strided(s.poses, c.index, obj), item_strided(s.turns, c.index, obj))
 
 
 @wp.func
 def fixture_body(k: wp.int32):
     """Fixture k (global), which stands where its prism says."""
-    body = Body()
-    body.obj = -1
-    body.index = k
-    body.turn = EAST
-    return body
+    return Body(-1, k, wp.vec4(0.0, 0.0, 0.0, 0.0), EAST)
+
+
+@wp.func
+def posed(x: Body, pose: wp.vec4):
+    """An object at another pose."""
+    return Body(x.obj, x.index, pose, wp.vec2(wp.cos(pose[3]), wp.sin(pose[3])))
+
+
+@wp.func
+def prism_of(t: TablesRef, prism: wp.int32, x: Body):
+    """A prism (global index) of an object or of a fixture where that is."""
+    return prism_at(t, prism, plane_of(x.pose), x.turn)
 
 
 @wp.func

@@ -7,10 +7,10 @@ shortest. Given the face, the clearance of each vertex is smooth in both poses, 
 
 import warp as wp
 
-from .bodies import Body, Candidate
-from .geometry import FAR, discs_apart, overlap_in_z, parting_face, perp, plane_of, turn, turn_back
-from .inequality import ROWS, SURE, InequalitySystem, add_row, wanting
-from .tables import State, TablesRef
+from .bodies import Body, Candidate, prism_of
+from .geometry import FAR, discs_apart, overlap_in_z, parting_face, perp, turn, turn_back
+from .inequality import ROWS, SURE, InequalitySystem, Jacobian, RowCount, add_row, wanting
+from .tables import Problems, State, TablesRef
 from .terms_contacts import Contact
 
 wp.set_module_options({"enable_backward": False})
@@ -52,52 +52,36 @@ def nearest_vertices(t: TablesRef, prism: wp.int32, m: wp.vec2, offset: wp.float
 
 @wp.func(inline=False)
 def add_contact_rows(
-    t: TablesRef,
-    c: Candidate,
-    a: Body,
-    b: Body,
-    contact: Contact,
-    least: wp.float32,
-    reach: wp.float32,
-    count: wp.int32,
-    s: State,
-    system: InequalitySystem,
+    b: Problems, c: Candidate, x: Body, other: Body, contact: Contact, n: RowCount, s: State, system: InequalitySystem
 ):
-    """Rows that keep the prisms of a contact of two bodies apart.
+    """Rows that keep the prisms of a contact of two bodies apart, added to those so far.
 
-    Each pair of prisms gets the two vertices nearest to the parting face, so that a face may rest on a face. Returns
-    the number of rows so far, and by how much [m] the pairs miss the verdict's limit in all, without those that cannot
-    move.
+    Each pair of prisms gets the two vertices nearest to the parting face, so that a face may rest on a face.
     """
-    count = int(count)
-    pa = plane_of(a.pose)
-    pb = plane_of(b.pose)
-    missed = float(0.0)
+    t = b.tables
+    reach = system.reach
     for i in range(contact.first[0], contact.first[1]):
         for j in range(contact.second[0], contact.second[1]):
-            near = overlap_in_z(a.pose[2], t[0].prism_z[i], b.pose[2], t[0].prism_z[j], least)
-            if near and not discs_apart(t, i, pa, a.turn, j, pb, b.turn, reach):
-                parting = parting_face(t, i, pa, a.turn, j, pb, b.turn, reach)
+            first = prism_of(t, i, x)
+            second = prism_of(t, j, other)
+            zi = t[0].prism_z[i]
+            near = overlap_in_z(x.pose[2], zi, other.pose[2], t[0].prism_z[j], b.margins.least_overlap_z)
+            if near and not discs_apart(t, first, second, reach):
+                parting = parting_face(t, first, second, reach)
                 if parting.face >= 0:
-                    # the face's owner, the other prism, and the direction from a to b
-                    owner = pa
-                    turned = a.turn
-                    other = j
-                    at = pb
-                    q = b.turn
+                    owner = first  # of the face
+                    facing = second
                     if not parting.of_first:
-                        owner = pb
-                        turned = b.turn
-                        other = i
-                        at = pa
-                        q = a.turn
+                        owner = second
+                        facing = first
                     plane = t[0].edge[parting.face]
-                    n = turn(turned, wp.vec2(plane[0], plane[1]))
-                    offset = wp.dot(n, at - owner) - plane[2]
-                    nearest = nearest_vertices(t, other, turn_back(q, n), offset, no_vertices())
-                    out = n
+                    normal = turn(owner.turn, wp.vec2(plane[0], plane[1]))
+                    offset = wp.dot(normal, facing.at - owner.at) - plane[2]
+                    way = turn_back(facing.turn, normal)
+                    nearest = nearest_vertices(t, facing.index, way, offset, no_vertices())
+                    out = normal  # from the first to the second
                     if not parting.of_first:
-                        out = -n
+                        out = -normal
                     mobile = int(0)
                     for k in range(2):
                         v = wp.where(k == 0, nearest.lowest, nearest.second)
@@ -106,25 +90,19 @@ def add_contact_rows(
                             room = ROWS
                             if d > contact.hold:
                                 room = ROWS - SPARE
-                            if count >= room:
+                            if n.count >= room:
                                 mobile = 1
                             else:
-                                point = at + turn(q, t[0].vertex[v])
-                                added = add_row(
-                                    t,
-                                    c,
-                                    a.obj * ROWS + count,
-                                    wp.vec3i(a.obj, b.obj, -1),
-                                    wp.vec4(-out[0], -out[1], 0.0, -wp.dot(out, perp(point - pa))),
-                                    wp.vec4(out[0], out[1], 0.0, wp.dot(out, perp(point - pb))),
-                                    wp.vec4(0.0, 0.0, 0.0, 0.0),
-                                    wanting(d, contact.hold),
-                                    parting.face * 32768 + v,
-                                    s,
-                                    system,
-                                )
-                                count += added
+                                point = facing.at + turn(facing.turn, t[0].vertex[v])
+                                g = Jacobian()
+                                g[0] = wp.vec4(-out[0], -out[1], 0.0, -wp.dot(out, perp(point - first.at)))
+                                g[1] = wp.vec4(out[0], out[1], 0.0, wp.dot(out, perp(point - second.at)))
+                                who = wp.vec3i(x.obj, other.obj, -1)
+                                want = wanting(d, contact.hold)
+                                key = parting.face * 32768 + v
+                                added = add_row(t, c, x.obj * ROWS + n.count, who, g, want, key, s, system)
+                                n.count += added
                                 mobile += added
                     if mobile > 0:
-                        missed += wp.max(contact.hold + SURE - parting.clearance, 0.0)
-    return count, missed
+                        n.missed += wp.max(contact.hold + SURE - parting.clearance, 0.0)
+    return n

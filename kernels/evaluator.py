@@ -12,25 +12,9 @@ from typing import NamedTuple
 
 import warp as wp
 
-from .bodies import Body, Candidate, candidate_of, viewed_body
+from .bodies import Body, Layout, candidate_of, layout_of, viewed_body
 from .geometry import FAR
-from .tables import (
-    BOUNDS,
-    BOXES,
-    DISTANCES,
-    FORMULAS,
-    POLYGONS,
-    PULL,
-    RELATIONS,
-    Energy,
-    Margins,
-    Problems,
-    State,
-    TablesRef,
-    TermSlice,
-    View,
-    Weights,
-)
+from .tables import BOUNDS, BOXES, DISTANCES, FORMULAS, POLYGONS, PULL, RELATIONS, Energy, Problems, State, TermSlice
 from .terms_bounds import add_bounds, add_pull
 from .terms_contacts import add_contacts
 from .terms_relations import add_relations
@@ -62,9 +46,9 @@ EVERY_KIND = reduce(or_, (term.kind for term in TERMS))
 def evaluator(kinds: int) -> wp.Function:
     """A function that adds up all terms of some kinds (bits) of an object.
 
-    Its arguments are the tables, margins and weights, the candidate ``c``, the object ``x`` where the view sees it, the
-    state, the view, and which of the terms the thread takes; it returns an `Energy`. A term's function gets the kinds
-    that are wanted of it and the total so far as well.
+    Its arguments are the problems, the layout, the object ``x`` where the view sees it, and which of the terms the
+    thread takes; it returns an `Energy`. A term's function gets the kinds that are wanted of it and the total so far as
+    well.
     """
     chosen: dict[wp.Function, int] = {}
     for term in TERMS:
@@ -77,7 +61,7 @@ def evaluator(kinds: int) -> wp.Function:
 
 
 @wp.func
-def no_energy(t: TablesRef, m: Margins, w: Weights, c: Candidate, x: Body, s: State, view: View, part: TermSlice):
+def no_energy(b: Problems, layout: Layout, x: Body, part: TermSlice):
     """The energy of no terms."""
     return Energy()
 
@@ -86,25 +70,23 @@ def _then(before: wp.Function, add: wp.Function, kinds: int) -> wp.Function:
     """The energy of some terms and those that a function adds."""
 
     @wp.func(name=f"{before.key}_{add.key}_{kinds}")
-    def energy(t: TablesRef, m: Margins, w: Weights, c: Candidate, x: Body, s: State, view: View, part: TermSlice):
-        return add(t, m, w, c, x, s, view, part, kinds, before(t, m, w, c, x, s, view, part))
+    def energy(b: Problems, layout: Layout, x: Body, part: TermSlice):
+        return add(b, layout, x, part, kinds, before(b, layout, x, part))
 
     return energy
 
 
 @cache
 def object_evaluator(kinds: int) -> wp.Function:
-    """`evaluator` for an object by its number (local), where the view sees it."""
+    """`evaluator` for an object by its number (local)."""
     energy_of = evaluator(kinds)
 
     @wp.func(name=f"object_energy_{kinds}")
-    def energy(
-        t: TablesRef, m: Margins, w: Weights, c: Candidate, obj: wp.int32, s: State, view: View, part: TermSlice
-    ):
-        x = viewed_body(c, obj, s, view)
+    def energy(b: Problems, layout: Layout, obj: wp.int32, part: TermSlice):
+        x = viewed_body(layout, obj)
         if not wp.isfinite(x.pose):  # comparisons with NaN are false, so every term would pass it
             return Energy(FAR, FAR, 0.0, wp.vec4(0.0, 0.0, 0.0, 0.0))
-        return energy_of(t, m, w, c, x, s, view, part)
+        return energy_of(b, layout, x, part)
 
     return energy
 
@@ -129,9 +111,9 @@ def evaluate(
     c = candidate_of(b, candidate)
     energy = Energy()
     if obj < c.objects:
-        view = View()
-        view.crowd = 1
-        energy = object_energy(b.tables, b.margins, b.weights, c, obj, s, view, TermSlice(0, 1, FAR))
+        layout = layout_of(c, s)
+        layout.view.crowd = 1
+        energy = object_energy(b, layout, obj, TermSlice(0, 1, FAR))
     share_out[candidate, obj] = energy.share
     soft_out[candidate, obj] = energy.soft
     gradient_out[candidate, obj] = energy.gradient

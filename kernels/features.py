@@ -8,6 +8,7 @@ gradient returned is that of the value with respect to the pose (x, y, z, yaw) o
 import warp as wp
 
 from .array_access import item
+from .bodies import Body, prism_of
 from .geometry import FAR, box_distance, distance, perp, plane_of, turn, turn_back, wrap
 from .tables import (
     FEATURE_ASIDE,
@@ -33,16 +34,12 @@ TINY = wp.constant(1.0e-8)  # [m2] keeps angles about a coinciding centre finite
 
 
 @wp.struct
-class RelationPoses:
-    """The objects of a relation: global indices of the first two (-1: none) and the poses of all three."""
+class Relation:
+    """The objects of a relation: its subject, and the first and the second target (index -1: none)."""
 
-    a: wp.int32
-    b: wp.int32
-    pose_a: wp.vec4
-    qa: wp.vec2  # (cos, sin) of the yaw
-    pose_b: wp.vec4
-    qb: wp.vec2
-    pose_c: wp.vec4
+    a: Body
+    b: Body
+    c: Body
 
 
 @wp.func
@@ -66,11 +63,11 @@ def offset_of(t: TablesRef, row: wp.int32):
 
 
 @wp.func
-def lever(role: wp.int32, n: wp.vec2, x: wp.vec2, pa: wp.vec2, pb: wp.vec2):
-    """Gradient of a length along n measured from b to the witness x of a."""
+def lever(role: wp.int32, n: wp.vec2, point: wp.vec2, x: Relation):
+    """Gradient of a length along n measured from b to the witness point of a."""
     if role == 0:
-        return wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(x - pa)))
-    return wp.vec4(-n[0], -n[1], 0.0, -wp.dot(n, perp(x - pb)))
+        return wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(point - plane_of(x.a.pose))))
+    return wp.vec4(-n[0], -n[1], 0.0, -wp.dot(n, perp(point - plane_of(x.b.pose))))
 
 
 @wp.func
@@ -80,87 +77,58 @@ def angle_slope(v: wp.vec2):
 
 
 @wp.func
-def footprint_distance(
-    t: TablesRef,
-    a: wp.int32,
-    pa: wp.vec2,
-    qa: wp.vec2,
-    b: wp.int32,
-    pb: wp.vec2,
-    qb: wp.vec2,
-    prism: wp.int32,
-    boxes: wp.bool,
-):
-    """Distance of a's footprint to that of object b, or to one static prism when prism >= 0; indices are global.
-
-    ``boxes``: all of them are known to be boxes.
-    """
+def distance_feature(t: TablesRef, row: wp.int32, role: wp.int32, x: Relation, boxes: wp.bool):
+    """Distance of a's footprint to b's or to the row's prism. ``boxes``: all of them are known to be boxes."""
     best = float(FAR)
     best_n = wp.vec2(1.0, 0.0)
-    best_x = pa
+    best_point = plane_of(x.a.pose)
+    prism = item(t[0].row_prism, row)
     first = int(0)
     last = int(1)
     if prism < 0:
-        first = item(t[0].footprint_start, b)
-        last = item(t[0].footprint_start, b + 1)
-    for i in range(item(t[0].footprint_start, a), item(t[0].footprint_start, a + 1)):
-        mine = item(t[0].footprint, i)
+        first = item(t[0].footprint_start, x.b.index)
+        last = item(t[0].footprint_start, x.b.index + 1)
+    for i in range(item(t[0].footprint_start, x.a.index), item(t[0].footprint_start, x.a.index + 1)):
+        mine = prism_of(t, item(t[0].footprint, i), x.a)
         for j in range(first, last):
-            other = prism
+            k = prism
             if prism < 0:
-                other = item(t[0].footprint, j)
+                k = item(t[0].footprint, j)
+            other = prism_of(t, k, x.b)
             s = float(0.0)
             n = wp.vec2(1.0, 0.0)
-            x = pa
+            point = mine.at
             if boxes:
-                s, n, x = box_distance(item(t[0].prism_box, mine), pa, qa, item(t[0].prism_box, other), pb, qb)
+                s, n, point = box_distance(mine, other)
             else:
-                s, n, x = distance(t, mine, pa, qa, other, pb, qb)
+                s, n, point = distance(t, mine, other)
             if s < best:
                 best = s
                 best_n = n
-                best_x = x
-    return best, best_n, best_x
+                best_point = point
+    return best, lever(role, -best_n, best_point, x)
 
 
 @wp.func
-def distance_feature(
-    t: TablesRef,
-    row: wp.int32,
-    role: wp.int32,
-    a: wp.int32,
-    pa: wp.vec2,
-    qa: wp.vec2,
-    b: wp.int32,
-    pb: wp.vec2,
-    qb: wp.vec2,
-    boxes: wp.bool,
-):
-    """Distance of a's footprint to b's or to the row's prism."""
-    s, n, x = footprint_distance(t, a, pa, qa, b, pb, qb, item(t[0].row_prism, row), boxes)
-    return s, lever(role, -n, x, pa, pb)
-
-
-@wp.func
-def line_feature(t: TablesRef, row: wp.int32, role: wp.int32, pa: wp.vec2, qa: wp.vec2, pb: wp.vec2, qb: wp.vec2):
+def line_feature(t: TablesRef, row: wp.int32, role: wp.int32, x: Relation):
     """Coordinate of a point of a along a direction fixed to b."""
-    n = turn(qb, normal_of(t, row))
-    x = pa + turn(qa, point_of(t, row))
-    return wp.dot(n, x - pb) - offset_of(t, row), lever(role, n, x, pa, pb)
+    n = turn(x.b.turn, normal_of(t, row))
+    point = plane_of(x.a.pose) + turn(x.a.turn, point_of(t, row))
+    return wp.dot(n, point - plane_of(x.b.pose)) - offset_of(t, row), lever(role, n, point, x)
 
 
 @wp.func
-def yaw_feature(t: TablesRef, row: wp.int32, role: wp.int32, yaw_a: wp.float32, yaw_b: wp.float32):
+def yaw_feature(t: TablesRef, row: wp.int32, role: wp.int32, x: Relation):
     """Difference of yaw modulo the row's period."""
-    value = wrap(yaw_a - yaw_b - offset_of(t, row), normal_of(t, row)[0])
+    value = wrap(x.a.pose[3] - x.b.pose[3] - offset_of(t, row), normal_of(t, row)[0])
     return value, wp.vec4(0.0, 0.0, 0.0, wp.where(role == 0, 1.0, -1.0))
 
 
 @wp.func
-def bearing_feature(role: wp.int32, pa: wp.vec2, qa: wp.vec2, pb: wp.vec2):
-    """Direction of b's centre viewed_pose from a's front."""
-    v = pb - pa
-    w = turn_back(qa, v)
+def bearing_feature(role: wp.int32, x: Relation):
+    """Direction of b's centre seen from a's front."""
+    v = plane_of(x.b.pose) - plane_of(x.a.pose)
+    w = turn_back(x.a.turn, v)
     g = angle_slope(v)
     grad = wp.vec4(g[0], g[1], 0.0, 0.0)
     if role == 0:
@@ -178,20 +146,20 @@ def half_extent(size: wp.vec3, n: wp.vec2, q: wp.vec2):
 
 
 @wp.func
-def extent_feature(t: TablesRef, row: wp.int32, a: wp.int32, pa: wp.vec2, qa: wp.vec2):
+def extent_feature(t: TablesRef, row: wp.int32, a: Body):
     """Lowest point of a's box along a direction of the room."""
     n = normal_of(t, row)
-    reach, slope = half_extent(item(t[0].object_size, a), n, qa)
-    return wp.dot(n, pa) - offset_of(t, row) - reach, wp.vec4(n[0], n[1], 0.0, -slope)
+    reach, slope = half_extent(item(t[0].object_size, a.index), n, a.turn)
+    return wp.dot(n, plane_of(a.pose)) - offset_of(t, row) - reach, wp.vec4(n[0], n[1], 0.0, -slope)
 
 
 @wp.func
-def window_feature(t: TablesRef, row: wp.int32, a: wp.int32, pa: wp.vec2, qa: wp.vec2):
+def window_feature(t: TablesRef, row: wp.int32, a: Body):
     """How much of the overlap along the wall is missing: of the shorter of a's box and the window (half width
     the point's x) the share the point's y must lie beside the other."""
     n = normal_of(t, row)
-    reach, slope = half_extent(item(t[0].object_size, a), n, qa)
-    u = wp.dot(n, pa) - offset_of(t, row)
+    reach, slope = half_extent(item(t[0].object_size, a.index), n, a.turn)
+    u = wp.dot(n, plane_of(a.pose)) - offset_of(t, row)
     half = point_of(t, row)[0]
     share = 2.0 * point_of(t, row)[1]
     value = wp.abs(u) - (reach + half - share * wp.min(reach, half))
@@ -201,10 +169,10 @@ def window_feature(t: TablesRef, row: wp.int32, a: wp.int32, pa: wp.vec2, qa: wp
 
 
 @wp.func
-def between_feature(role: wp.int32, pa: wp.vec2, pb: wp.vec2, pc: wp.vec2):
+def between_feature(role: wp.int32, x: Relation):
     """a's place along the line from b to c: 0 at b, 1 at c."""
-    d = pc - pb
-    u = pa - pb
+    d = plane_of(x.c.pose) - plane_of(x.b.pose)
+    u = plane_of(x.a.pose) - plane_of(x.b.pose)
     dd = wp.dot(d, d) + TINY
     value = wp.dot(u, d) / dd
     g = d / dd
@@ -216,10 +184,10 @@ def between_feature(role: wp.int32, pa: wp.vec2, pb: wp.vec2, pc: wp.vec2):
 
 
 @wp.func
-def aside_feature(role: wp.int32, pa: wp.vec2, pb: wp.vec2, pc: wp.vec2):
+def aside_feature(role: wp.int32, x: Relation):
     """a's signed distance from the line through b and c."""
-    d = pc - pb
-    u = pa - pb
+    d = plane_of(x.c.pose) - plane_of(x.b.pose)
+    u = plane_of(x.a.pose) - plane_of(x.b.pose)
     r = wp.sqrt(wp.dot(d, d) + TINY)
     value = (d[0] * u[1] - d[1] * u[0]) / r
     by_u = perp(d) / r
@@ -233,10 +201,10 @@ def aside_feature(role: wp.int32, pa: wp.vec2, pb: wp.vec2, pc: wp.vec2):
 
 
 @wp.func
-def spread_feature(t: TablesRef, row: wp.int32, role: wp.int32, pa: wp.vec2, pb: wp.vec2, pc: wp.vec2):
+def spread_feature(t: TablesRef, row: wp.int32, role: wp.int32, x: Relation):
     """Angle about b from c to a."""
-    u = pa - pb
-    w = pc - pb
+    u = plane_of(x.a.pose) - plane_of(x.b.pose)
+    w = plane_of(x.c.pose) - plane_of(x.b.pose)
     value = wrap(wp.atan2(u[1], u[0] + 1.0e-12) - wp.atan2(w[1], w[0] + 1.0e-12) - offset_of(t, row), TURN)
     by_u = angle_slope(u)
     by_w = angle_slope(w)
@@ -273,58 +241,53 @@ def user_feature(kind: wp.int32, role: wp.int32, a: wp.vec4, b: wp.vec4, size_a:
 
 
 @wp.func(inline=False)
-def other_feature(t: TablesRef, row: wp.int32, role: wp.int32, x: RelationPoses):
+def other_feature(t: TablesRef, row: wp.int32, role: wp.int32, x: Relation):
     """`feature` for all but plain kinds of rows."""
     kind = item(t[0].row_feature, row)
-    pa = plane_of(x.pose_a)
-    pb = plane_of(x.pose_b)
-    pc = plane_of(x.pose_c)
     value = float(0.0)
     grad = wp.vec4(0.0, 0.0, 0.0, 0.0)
     if kind == FEATURE_BEARING:
-        value, grad = bearing_feature(role, pa, x.qa, pb)
+        value, grad = bearing_feature(role, x)
     elif kind == FEATURE_DISTANCE:
-        value, grad = distance_feature(t, row, role, x.a, pa, x.qa, x.b, pb, x.qb, False)
+        value, grad = distance_feature(t, row, role, x, False)
     elif kind == FEATURE_BETWEEN:
-        value, grad = between_feature(role, pa, pb, pc)
+        value, grad = between_feature(role, x)
     elif kind == FEATURE_ASIDE:
-        value, grad = aside_feature(role, pa, pb, pc)
+        value, grad = aside_feature(role, x)
     elif kind == FEATURE_SPREAD:
-        value, grad = spread_feature(t, row, role, pa, pb, pc)
+        value, grad = spread_feature(t, row, role, x)
     elif kind >= FEATURE_USER:
         u = point_of(t, row)
         v = normal_of(t, row)
         size_b = wp.vec3(0.0, 0.0, 0.0)
-        if x.b >= 0:
-            size_b = item(t[0].object_size, x.b)
-        value, grad = user_feature(
-            kind, role, x.pose_a, x.pose_b, item(t[0].object_size, x.a), size_b, wp.vec4(u[0], u[1], v[0], v[1])
-        )
+        if x.b.index >= 0:
+            size_b = item(t[0].object_size, x.b.index)
+        p = wp.vec4(u[0], u[1], v[0], v[1])
+        value, grad = user_feature(kind, role, x.a.pose, x.b.pose, item(t[0].object_size, x.a.index), size_b, p)
     if role == 2 and kind != FEATURE_BETWEEN and kind != FEATURE_ASIDE and kind != FEATURE_SPREAD:
         grad = wp.vec4(0.0, 0.0, 0.0, 0.0)  # those do not look at the second target
     return value, grad
 
 
 @wp.func
-def plain_feature(t: TablesRef, row: wp.int32, role: wp.int32, x: RelationPoses, distances: wp.bool):
+def plain_feature(t: TablesRef, row: wp.int32, role: wp.int32, x: Relation, distances: wp.bool):
     """`feature` for plain rows and, where asked for, for distances of boxes."""
     kind = item(t[0].row_feature, row)
-    pa = plane_of(x.pose_a)
     value = float(0.0)
     grad = wp.vec4(0.0, 0.0, 0.0, 0.0)
     if kind == FEATURE_LINE:
-        value, grad = line_feature(t, row, role, pa, x.qa, plane_of(x.pose_b), x.qb)
+        value, grad = line_feature(t, row, role, x)
     elif kind == FEATURE_YAW:
-        value, grad = yaw_feature(t, row, role, x.pose_a[3], x.pose_b[3])
+        value, grad = yaw_feature(t, row, role, x)
     elif kind == FEATURE_EXTENT:
-        value, grad = extent_feature(t, row, x.a, pa, x.qa)
+        value, grad = extent_feature(t, row, x.a)
     elif kind == FEATURE_WINDOW:
-        value, grad = window_feature(t, row, x.a, pa, x.qa)
+        value, grad = window_feature(t, row, x.a)
     elif kind == FEATURE_HEIGHT:
-        value = x.pose_a[2] - x.pose_b[2] - offset_of(t, row)
+        value = x.a.pose[2] - x.b.pose[2] - offset_of(t, row)
         grad = wp.vec4(0.0, 0.0, wp.where(role == 0, 1.0, -1.0), 0.0)
     elif distances and kind == FEATURE_DISTANCE:
-        value, grad = distance_feature(t, row, role, x.a, pa, x.qa, x.b, plane_of(x.pose_b), x.qb, True)
+        value, grad = distance_feature(t, row, role, x, True)
     else:  # FEATURE_CONSTANT
         value = offset_of(t, row)
     if role == 2:  # they do not look at the second target
@@ -333,7 +296,7 @@ def plain_feature(t: TablesRef, row: wp.int32, role: wp.int32, x: RelationPoses,
 
 
 @wp.func
-def feature(t: TablesRef, row: wp.int32, role: wp.int32, x: RelationPoses):
+def feature(t: TablesRef, row: wp.int32, role: wp.int32, x: Relation):
     """Value of a row's feature and its gradient for the pose of the object in one role."""
     value = float(0.0)
     grad = wp.vec4(0.0, 0.0, 0.0, 0.0)

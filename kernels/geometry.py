@@ -56,14 +56,28 @@ def overlap_in_z(za: wp.float32, a: wp.vec2, zb: wp.float32, b: wp.vec2, least: 
     return wp.min(za + a[1], zb + b[1]) - wp.max(za + a[0], zb + b[0]) > least
 
 
+@wp.struct
+class Prism:
+    """A prism of the tables somewhere in the room."""
+
+    index: wp.int32
+    box: wp.vec4  # as in ``Tables.prism_box``
+    at: wp.vec2
+    turn: wp.vec2  # (cos, sin) of the yaw
+
+
 @wp.func
-def discs_apart(
-    t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
-):
-    """True when the bounding circles of prisms a and b are further apart than the margin."""
-    da = item(t[0].prism_disc, a)
-    db = item(t[0].prism_disc, b)
-    v = pb + turn(qb, wp.vec2(db[0], db[1])) - pa - turn(qa, wp.vec2(da[0], da[1]))
+def prism_at(t: TablesRef, prism: wp.int32, at: wp.vec2, q: wp.vec2):
+    """A prism (global index) whose body's origin is at a point and turned by q."""
+    return Prism(prism, item(t[0].prism_box, prism), at, q)
+
+
+@wp.func
+def discs_apart(t: TablesRef, a: Prism, b: Prism, margin: wp.float32):
+    """True when the bounding circles of two prisms are further apart than the margin."""
+    da = item(t[0].prism_disc, a.index)
+    db = item(t[0].prism_disc, b.index)
+    v = b.at + turn(b.turn, wp.vec2(db[0], db[1])) - a.at - turn(a.turn, wp.vec2(da[0], da[1]))
     reach = da[2] + db[2] + margin
     return wp.dot(v, v) > reach * reach
 
@@ -109,35 +123,33 @@ def lowest_vertex(t: TablesRef, o: wp.int32, m: wp.vec2):
 
 
 @wp.func
-def box_separation(
-    box_a: wp.vec4, pa: wp.vec2, qa: wp.vec2, box_b: wp.vec4, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
-):
+def box_separation(a: Prism, b: Prism, margin: wp.float32):
     """`separation` of two boxes (``Tables.prism_box``), without loops; for what they bound, a least value."""
-    d = pb - pa + turn(qb, wp.vec2(box_b[0], box_b[1])) - turn(qa, wp.vec2(box_a[0], box_a[1]))
-    u = turn_back(qa, d)
-    v = turn_back(qb, d)
-    ha = wp.vec2(wp.abs(box_a[2]), wp.abs(box_a[3]))
-    hb = wp.vec2(wp.abs(box_b[2]), wp.abs(box_b[3]))
-    c = wp.abs(wp.dot(qa, qb))
-    s = wp.abs(qa[0] * qb[1] - qa[1] * qb[0])
+    d = b.at - a.at + turn(b.turn, wp.vec2(b.box[0], b.box[1])) - turn(a.turn, wp.vec2(a.box[0], a.box[1]))
+    u = turn_back(a.turn, d)
+    v = turn_back(b.turn, d)
+    ha = wp.vec2(wp.abs(a.box[2]), wp.abs(a.box[3]))
+    hb = wp.vec2(wp.abs(b.box[2]), wp.abs(b.box[3]))
+    c = wp.abs(wp.dot(a.turn, b.turn))
+    s = wp.abs(a.turn[0] * b.turn[1] - a.turn[1] * b.turn[0])
     a0 = wp.abs(u[0]) - ha[0] - c * hb[0] - s * hb[1]
     a1 = wp.abs(u[1]) - ha[1] - s * hb[0] - c * hb[1]
     b0 = wp.abs(v[0]) - hb[0] - c * ha[0] - s * ha[1]
     b1 = wp.abs(v[1]) - hb[1] - s * ha[0] - c * ha[1]
     best = wp.max(wp.max(a0, a1), wp.max(b0, b1))
     n = wp.vec2(1.0, 0.0)
-    x = pa
+    x = a.at
     if best <= margin:
         if wp.max(a0, a1) >= wp.max(b0, b1):
-            n = sign_of(u[0]) * qa
+            n = sign_of(u[0]) * a.turn
             if a1 > a0:
-                n = sign_of(u[1]) * perp(qa)
-            x = pb + turn(qb, deepest(box_b, turn_back(qb, n)))
+                n = sign_of(u[1]) * perp(a.turn)
+            x = b.at + turn(b.turn, deepest(b.box, turn_back(b.turn, n)))
         else:
-            n = sign_of(v[0]) * qb
+            n = sign_of(v[0]) * b.turn
             if b1 > b0:
-                n = sign_of(v[1]) * perp(qb)
-            x = pa + turn(qa, deepest(box_a, -turn_back(qa, n)))
+                n = sign_of(v[1]) * perp(b.turn)
+            x = a.at + turn(a.turn, deepest(a.box, -turn_back(a.turn, n)))
     return best, n, x
 
 
@@ -164,9 +176,7 @@ class PartingFace:
 
 
 @wp.func(inline=False)
-def parting_face(
-    t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
-):
+def parting_face(t: TablesRef, a: Prism, b: Prism, margin: wp.float32):
     """The separating axis of two convex polygons among the face normals of both.
 
     Stops at the first axis that parts them by more than the margin (the clearance is then just some number above it).
@@ -178,11 +188,11 @@ def parting_face(
     shut = PartingFace()
     shut.clearance = -FAR
     shut.face = -1
-    a0 = item(t[0].prism_start, a)
-    a1 = item(t[0].prism_start, a + 1)
-    b0 = item(t[0].prism_start, b)
-    b1 = item(t[0].prism_start, b + 1)
-    ab = pb - pa
+    a0 = item(t[0].prism_start, a.index)
+    a1 = item(t[0].prism_start, a.index + 1)
+    b0 = item(t[0].prism_start, b.index)
+    b1 = item(t[0].prism_start, b.index + 1)
+    ab = b.at - a.at
     for k in range(a0, a1 + b1 - b0):
         # a's faces against b's vertices, then b's faces against a's
         here = PartingFace()
@@ -190,15 +200,15 @@ def parting_face(
         here.face = k
         v0 = b0
         v1 = b1
-        q = qa
-        other = qb
+        q = a.turn
+        other = b.turn
         towards = ab
         if k >= a1:
             here.face = b0 + k - a1
             v0 = a0
             v1 = a1
-            q = qb
-            other = qa
+            q = b.turn
+            other = a.turn
             towards = -ab
         plane = item(t[0].edge, here.face)
         n = turn(q, wp.vec2(plane[0], plane[1]))
@@ -232,22 +242,20 @@ def parting_face(
 
 
 @wp.func(inline=False)
-def separation(
-    t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
-):
+def separation(t: TablesRef, a: Prism, b: Prism, margin: wp.float32):
     """Separating-axis distance of two convex polygons; negative is depth. Stops as `parting_face` does."""
-    found = parting_face(t, a, pa, qa, b, pb, qb, margin)
+    found = parting_face(t, a, b, margin)
     n = wp.vec2(1.0, 0.0)
-    x = pa
+    x = a.at
     if found.face >= 0:
         plane = item(t[0].edge, found.face)
         rest = item(t[0].vertex, found.vertex)
         if found.of_first:
-            n = turn(qa, wp.vec2(plane[0], plane[1]))
-            x = pb + turn(qb, rest)
+            n = turn(a.turn, wp.vec2(plane[0], plane[1]))
+            x = b.at + turn(b.turn, rest)
         else:
-            n = -turn(qb, wp.vec2(plane[0], plane[1]))
-            x = pa + turn(qa, rest)
+            n = -turn(b.turn, wp.vec2(plane[0], plane[1]))
+            x = a.at + turn(a.turn, rest)
     return found.clearance, n, x
 
 
@@ -280,9 +288,7 @@ def box_face(t: TablesRef, box: wp.vec4, at: wp.vec2, spin: wp.vec2, other: wp.i
 
 
 @wp.func(inline=False)
-def convex_separation(
-    t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2, margin: wp.float32
-):
+def convex_separation(t: TablesRef, a: Prism, b: Prism, margin: wp.float32):
     """`separation` where every face is a way out."""
     best = float(-FAR)
     best_n = wp.vec2(1.0, 0.0)  # in the frame of the face's owner
@@ -291,29 +297,26 @@ def convex_separation(
     for which in range(0, 2, step):
         mine = wp.where(which == 0, a, b)
         other = wp.where(which == 0, b, a)
-        q = wp.where(which == 0, qa, qb)
-        q_other = wp.where(which == 0, qb, qa)
-        towards = turn_back(q, wp.where(which == 0, pb - pa, pa - pb))
-        spin = wp.vec2(wp.dot(q, q_other), q[0] * q_other[1] - q[1] * q_other[0])
-        face = item(t[0].prism_start, mine)
-        last = item(t[0].prism_start, mine + 1)
-        box = item(t[0].prism_box, mine)
-        if box[2] > 0.0:  # its faces all at once
-            s, n = box_face(t, box, towards, spin, other)
+        q = mine.turn
+        towards = turn_back(q, other.at - mine.at)
+        spin = wp.vec2(wp.dot(q, other.turn), q[0] * other.turn[1] - q[1] * other.turn[0])
+        face = item(t[0].prism_start, mine.index)
+        last = item(t[0].prism_start, mine.index + 1)
+        if mine.box[2] > 0.0:  # its faces all at once
+            s, n = box_face(t, mine.box, towards, spin, other.index)
             if s > best:
                 best = s
                 best_n = n
                 owner = which
             face = last
-        box = item(t[0].prism_box, other)
         while face < last and best <= margin:
             plane = item(t[0].edge, face)
             n = wp.vec2(plane[0], plane[1])
             m = turn_back(spin, n)
-            low = wp.dot(m, deepest(box, m))
-            if box[2] < 0.0:
+            low = wp.dot(m, deepest(other.box, m))
+            if other.box[2] < 0.0:
                 low = FAR
-                for v in range(item(t[0].prism_start, other), item(t[0].prism_start, other + 1), step):
+                for v in range(item(t[0].prism_start, other.index), item(t[0].prism_start, other.index + 1), step):
                     low = wp.min(low, wp.dot(m, item(t[0].vertex, v)))
             s = low + wp.dot(n, towards) - plane[2]
             if s > best:
@@ -322,56 +325,43 @@ def convex_separation(
                 owner = which
             face += 1
         if best > margin:
-            return best, best_n, pa
+            return best, best_n, a.at
     # the witness: the vertex of the other prism that is nearest to the face
-    n = turn(wp.where(owner == 0, qa, qb), best_n)
+    n = turn(wp.where(owner == 0, a.turn, b.turn), best_n)
     other = wp.where(owner == 0, b, a)
-    q = wp.where(owner == 0, qb, qa)
-    m = turn_back(q, n)
-    box = item(t[0].prism_box, other)
-    x = deepest(box, m)
-    if box[2] < 0.0:
-        rest = lowest_of_polygon(t, other, m)
+    m = turn_back(other.turn, n)
+    x = deepest(other.box, m)
+    if other.box[2] < 0.0:
+        rest = lowest_of_polygon(t, other.index, m)
         x = wp.vec2(rest[0], rest[1])
-    if owner == 0:
-        return best, n, pb + turn(q, x)
-    return best, -n, pa + turn(q, x)
+    if owner != 0:
+        n = -n
+    return best, n, other.at + turn(other.turn, x)
 
 
 @wp.func
-def prisms_apart(
-    t: TablesRef,
-    a: wp.int32,
-    box_a: wp.vec4,
-    pa: wp.vec2,
-    qa: wp.vec2,
-    b: wp.int32,
-    box_b: wp.vec4,
-    pb: wp.vec2,
-    qb: wp.vec2,
-    margin: wp.float32,
-):
+def prisms_apart(t: TablesRef, a: Prism, b: Prism, margin: wp.float32):
     """`separation` the quick way: boxes without loops, others only where their bounding boxes meet."""
-    s, n, x = box_separation(box_a, pa, qa, box_b, pb, qb, margin)
-    if s <= margin and (box_a[3] < 0.0 or box_b[3] < 0.0):
-        s, n, x = separation(t, a, pa, qa, b, pb, qb, margin)
-    elif s <= margin and (box_a[2] < 0.0 or box_b[2] < 0.0):
-        s, n, x = convex_separation(t, a, pa, qa, b, pb, qb, margin)
+    s, n, x = box_separation(a, b, margin)
+    if s <= margin and (a.box[3] < 0.0 or b.box[3] < 0.0):
+        s, n, x = separation(t, a, b, margin)
+    elif s <= margin and (a.box[2] < 0.0 or b.box[2] < 0.0):
+        s, n, x = convex_separation(t, a, b, margin)
     return s, n, x
 
 
 @wp.func(inline=False)
-def closest_to_edges(t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2):
+def closest_to_edges(t: TablesRef, a: Prism, b: Prism):
     """Smallest distance of b's vertices to a, outside of it: (distance, vector from a to b, witness point)."""
     best = float(FAR)
     best_v = wp.vec2(1.0, 0.0)
-    best_x = pa
-    a0 = item(t[0].prism_start, a)
-    a1 = item(t[0].prism_start, a + 1)
+    best_x = a.at
+    a0 = item(t[0].prism_start, a.index)
+    a1 = item(t[0].prism_start, a.index + 1)
     step = opaque_one()
-    box = item(t[0].prism_box, a)
-    for v in range(item(t[0].prism_start, b), item(t[0].prism_start, b + 1), step):
-        x = turn_back(qa, pb + turn(qb, item(t[0].vertex, v)) - pa)
+    box = a.box
+    for v in range(item(t[0].prism_start, b.index), item(t[0].prism_start, b.index + 1), step):
+        x = turn_back(a.turn, b.at + turn(b.turn, item(t[0].vertex, v)) - a.at)
         if box[2] > 0.0:
             r = x - wp.vec2(box[0], box[1])
             r = r - wp.vec2(wp.clamp(r[0], -box[2], box[2]), wp.clamp(r[1], -box[3], box[3]))
@@ -393,21 +383,21 @@ def closest_to_edges(t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.
                 best = d
                 best_v = w
                 best_x = x
-    return wp.sqrt(best + 1.0e-14), turn(qa, best_v), pa + turn(qa, best_x)
+    return wp.sqrt(best + 1.0e-14), turn(a.turn, best_v), a.at + turn(a.turn, best_x)
 
 
 @wp.func
-def box_distance(box_a: wp.vec4, pa: wp.vec2, qa: wp.vec2, box_b: wp.vec4, pb: wp.vec2, qb: wp.vec2):
+def box_distance(a: Prism, b: Prism):
     """`distance` of two boxes (``Tables.prism_box``): from a corner of one to the other, unless they overlap."""
-    s, n, x = box_separation(box_a, pa, qa, box_b, pb, qb, FAR)
+    s, n, x = box_separation(a, b, FAR)
     if s > 0.0:
-        ca = pa + turn(qa, wp.vec2(box_a[0], box_a[1]))
-        cb = pb + turn(qb, wp.vec2(box_b[0], box_b[1]))
-        ha = wp.vec2(box_a[2], box_a[3])
-        hb = wp.vec2(box_b[2], box_b[3])
-        u = turn_back(qa, cb - ca)  # b's centre as a sees it, and a's as b does
-        v = turn_back(qb, ca - cb)
-        spin = wp.vec2(wp.dot(qa, qb), qa[0] * qb[1] - qa[1] * qb[0])  # b's axes as a sees them
+        ca = a.at + turn(a.turn, wp.vec2(a.box[0], a.box[1]))
+        cb = b.at + turn(b.turn, wp.vec2(b.box[0], b.box[1]))
+        ha = wp.vec2(a.box[2], a.box[3])
+        hb = wp.vec2(b.box[2], b.box[3])
+        u = turn_back(a.turn, cb - ca)  # b's centre as a sees it, and a's as b does
+        v = turn_back(b.turn, ca - cb)
+        spin = wp.vec2(wp.dot(a.turn, b.turn), a.turn[0] * b.turn[1] - a.turn[1] * b.turn[0])  # b's axes as a sees them
         best = float(FAR)
         corner = wp.vec2(0.0, 0.0)
         mine = bool(True)
@@ -428,34 +418,32 @@ def box_distance(box_a: wp.vec4, pa: wp.vec2, qa: wp.vec2, box_b: wp.vec4, pb: w
         s = wp.sqrt(best + 1.0e-14)
         if mine:
             gap = corner - wp.vec2(wp.clamp(corner[0], -ha[0], ha[0]), wp.clamp(corner[1], -ha[1], ha[1]))
-            n = turn(qa, gap) / s
-            x = ca + turn(qa, corner)
+            n = turn(a.turn, gap) / s
+            x = ca + turn(a.turn, corner)
         else:
             gap = corner - wp.vec2(wp.clamp(corner[0], -hb[0], hb[0]), wp.clamp(corner[1], -hb[1], hb[1]))
-            n = -turn(qb, gap) / s
-            x = cb + turn(qb, corner)
+            n = -turn(b.turn, gap) / s
+            x = cb + turn(b.turn, corner)
     return s, n, x
 
 
 @wp.func
-def distance(t: TablesRef, a: wp.int32, pa: wp.vec2, qa: wp.vec2, b: wp.int32, pb: wp.vec2, qb: wp.vec2):
+def distance(t: TablesRef, a: Prism, b: Prism):
     """Euclidean distance of two convex polygons; where they overlap, minus their separating-axis depth.
 
     Polygon b may be a single vertex.
     """
-    box_a = item(t[0].prism_box, a)
-    box_b = item(t[0].prism_box, b)
-    if box_a[2] > 0.0 and box_b[2] > 0.0:
-        s_box, n_box, x_box = box_distance(box_a, pa, qa, box_b, pb, qb)
+    if a.box[2] > 0.0 and b.box[2] > 0.0:
+        s_box, n_box, x_box = box_distance(a, b)
         return s_box, n_box, x_box
-    s, n, x = convex_separation(t, a, pa, qa, b, pb, qb, FAR)
+    s, n, x = convex_separation(t, a, b, FAR)
     if s > 0.0:
-        d0, v0, x0 = closest_to_edges(t, a, pa, qa, b, pb, qb)
+        d0, v0, x0 = closest_to_edges(t, a, b)
         s = d0
         n = v0 / d0
         x = x0
-        if item(t[0].prism_start, b + 1) - item(t[0].prism_start, b) > 1:
-            d1, v1, x1 = closest_to_edges(t, b, pb, qb, a, pa, qa)
+        if item(t[0].prism_start, b.index + 1) - item(t[0].prism_start, b.index) > 1:
+            d1, v1, x1 = closest_to_edges(t, b, a)
             if d1 < d0:
                 s = d1
                 n = -v1 / d1

@@ -8,18 +8,11 @@ from typing import Any, NamedTuple
 import warp as wp
 
 from .array_access import inline_on_gpu, item
-from .bodies import body_of, candidate_of
+from .bodies import body_of, candidate_of, layout_of
 from .evaluator import EVERY_KIND, evaluator
 from .geometry import FAR
 from .step import AT_REST
-from .tables import (
-    BOUNDS,
-    Energy,
-    Problems,
-    State,
-    TermSlice,
-    View,
-)
+from .tables import BOUNDS, Energy, Problems, State, TermSlice
 from .warp_primitives import WARP_SIZE
 
 # Fast sines on a GPU are good to a few micrometres; the layout that is kept is measured again with exact ones.
@@ -69,7 +62,7 @@ def gradient_kernel(module: str, name: str, kinds: int, registers: int | None = 
         if not wp.isfinite(x.pose):  # comparisons with NaN are false, so every term would pass it
             e.share = FAR
         else:
-            e = energy_of(b.tables, b.margins, b.weights, c, x, s, View(), TermSlice(0, 1, FAR))
+            e = energy_of(b, layout_of(c, s), x, TermSlice(0, 1, FAR))
         if sets != 0:
             share[obj, candidate] = e.share
             gradient[obj, candidate] = e.gradient

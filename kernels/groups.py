@@ -5,11 +5,11 @@ from functools import cache
 import warp as wp
 
 from .array_access import item, item_strided
-from .bodies import Candidate, free_part
+from .bodies import Layout, free_part
 from .evaluator import EVERY_KIND, object_evaluator
 from .features import TURN
 from .geometry import lowest_vertex, perp, plane_of, turn, turn_back, wrap
-from .tables import Energy, Margins, State, TablesRef, TermSlice, View, Weights
+from .tables import Energy, Problems, State, TablesRef, TermSlice
 
 wp.set_module_options({"enable_backward": False})
 
@@ -123,30 +123,22 @@ def group_evaluator(kinds: int) -> wp.Function:
     object_energy = object_evaluator(kinds)
 
     @wp.func(name=f"group_energy_{kinds}")
-    def energy(
-        t: TablesRef,
-        m: Margins,
-        w: Weights,
-        c: Candidate,
-        first: wp.int32,
-        last: wp.int32,
-        s: State,
-        view: View,
-        part: TermSlice,
-    ):
+    def energy(b: Problems, layout: Layout, first: wp.int32, last: wp.int32, part: TermSlice):
+        t = b.tables
+        c = layout.candidate
         root = item(t[0].group, first)
-        at = plane_of(item_strided(s.poses, c.index, root))
+        at = plane_of(item_strided(layout.state.poses, c.index, root))
         total = Energy()
         for k in range(first, last):
             if total.value > part.limit:
                 break
             i = item(t[0].group, k)
             rest = TermSlice(part.first, part.step, part.limit - total.value)
-            e = object_energy(t, m, w, c, i, s, view, rest)
+            e = object_energy(b, layout, i, rest)
             total.value += e.value
             total.share += e.share
             total.soft += e.soft
-            arm = perp(plane_of(item_strided(s.poses, c.index, i)) - at)
+            arm = perp(plane_of(item_strided(layout.state.poses, c.index, i)) - at)
             g = e.gradient
             total.gradient += wp.vec4(g[0], g[1], g[2], g[3] + g[0] * arm[0] + g[1] * arm[1])
         total.gradient = free_part(t, c.first_object + root, total.gradient)

@@ -19,25 +19,51 @@ CONTENT = wp.constant(1.0e-4)  # [m] beyond the verdict's limit, from which on a
 SURE = wp.constant(3.0e-5)  # [m] beyond the verdict's limit, for rounding
 
 
+Jacobian = wp.types.matrix(shape=(3, 4), dtype=wp.float32)
+"""A gradient (x, y, z, yaw) for each of up to three bodies."""
+
+
 @wp.struct
 class Inequality:
-    """One inequality first . d[body 0] + second . d[body 1] + third . d[body 2] >= goal; body -1: none."""
+    """One inequality: the sum over its bodies of jacobian[k] . d[body[k]] is at least the goal; body -1: none."""
 
     body: wp.vec3i
-    first: wp.vec4
-    second: wp.vec4
-    third: wp.vec4
+    jacobian: Jacobian
     goal: wp.float32
     inverse: wp.float32  # of J W^-1 J^T, where W holds the weights of the squared movement
 
 
 @wp.struct
 class InequalitySystem:
-    """The inequalities of all candidates; slots of an object's rows begin at ROWS times its index."""
+    """The inequalities of all candidates, and the step that solves them.
 
+    Slots of an object's rows begin at ROWS times its index. Keys tell a row again in the next step, so that it begins
+    with the force that it had.
+    """
+
+    reach: wp.float32  # [m] clearance below which something gets a row
     rows: wp.array2d(dtype=Inequality)  # [candidate, slot]
-    keys: wp.array2d(dtype=wp.int32)  # [candidate, slot]: by which a row is known again in the next step
+    keys: wp.array2d(dtype=wp.int32)  # [candidate, slot]
+    force: wp.array2d(dtype=wp.float32)  # [candidate, slot]
+    last_keys: wp.array2d(dtype=wp.int32)  # the same of the step before
+    last_force: wp.array2d(dtype=wp.float32)
+    count: wp.array2d(dtype=wp.int32)  # [candidate, object]: rows
+    missed: wp.array2d(dtype=wp.float32)  # [candidate, object]: by how much [m] its terms miss the verdict's limits
     shift: wp.array2d(dtype=wp.vec4)  # [candidate, object]: how far each root is from its anchor
+    scratch: wp.array2d(dtype=wp.vec4)  # [candidate, object]
+    last_step: wp.array(dtype=wp.float32)  # [candidate]: how far [m] the last step went
+    live: wp.array(dtype=wp.int32)  # [candidate]: 1 until it has settled
+
+
+@wp.struct
+class RowCount:
+    """Rows that an object has so far, and by how much [m] its terms miss the verdict's limits in all.
+
+    What nothing free to move can mend does not count as missed.
+    """
+
+    count: wp.int32
+    missed: wp.float32
 
 
 @wp.func
@@ -62,9 +88,7 @@ def add_row(
     c: Candidate,
     slot: wp.int32,
     who: wp.vec3i,
-    ga: wp.vec4,
-    gb: wp.vec4,
-    gc: wp.vec4,
+    g: Jacobian,
     missing: wp.float32,
     key: wp.int32,
     s: State,
@@ -74,40 +98,27 @@ def add_row(
 
     Returns 1, or 0 when nothing that is free to move can change it.
     """
-    row = Inequality()
-    a = t[0].object_root[c.first_object + who[0]]
-    row.body = wp.vec3i(a, -1, -1)
-    row.first = on_root(t, c, who[0], ga, s)
-    row.goal = missing
-    if who[1] >= 0:
-        b = t[0].object_root[c.first_object + who[1]]
-        g = on_root(t, c, who[1], gb, s)
-        if b == a:
-            row.first += g
-        else:
-            row.body[1] = b
-            row.second = g
-    if who[2] >= 0:
-        third = t[0].object_root[c.first_object + who[2]]
-        h = on_root(t, c, who[2], gc, s)
-        if third == a:
-            row.first += h
-        elif third == row.body[1]:
-            row.second += h
-        else:
-            row.body[2] = third
-            row.third = h
-    size = wp.dot(row.first, mobility(row.first)) + wp.dot(row.second, mobility(row.second))
-    size += wp.dot(row.third, mobility(row.third))
+    jacobian = Jacobian()
+    body = wp.vec3i(-1, -1, -1)
+    for k in range(3):
+        if who[k] >= 0:
+            root = t[0].object_root[c.first_object + who[k]]
+            place = int(k)
+            if body[0] == root:
+                place = 0
+            elif body[1] == root:
+                place = 1
+            body[place] = root
+            jacobian[place] = jacobian[place] + on_root(t, c, who[k], g[k], s)
+    size = float(0.0)
+    goal = missing
+    for k in range(3):
+        size += wp.dot(jacobian[k], mobility(jacobian[k]))
+        if body[k] >= 0:
+            goal += wp.dot(jacobian[k], system.shift[c.index, body[k]])
     if size < 1.0e-8:
         return int(0)
-    row.inverse = 1.0 / size
-    row.goal += wp.dot(row.first, system.shift[c.index, a])
-    if row.body[1] >= 0:
-        row.goal += wp.dot(row.second, system.shift[c.index, row.body[1]])
-    if row.body[2] >= 0:
-        row.goal += wp.dot(row.third, system.shift[c.index, row.body[2]])
-    system.rows[c.index, slot] = row
+    system.rows[c.index, slot] = Inequality(body, jacobian, goal, 1.0 / size)
     system.keys[c.index, slot] = key
     return int(1)
 
@@ -125,8 +136,9 @@ def add_own_row(
     system: InequalitySystem,
 ):
     """`add_row` of one object alone."""
-    none = wp.vec4(0.0, 0.0, 0.0, 0.0)
-    return add_row(t, c, slot, wp.vec3i(obj, -1, -1), g, none, none, missing, key, s, system)
+    jacobian = Jacobian()
+    jacobian[0] = g
+    return add_row(t, c, slot, wp.vec3i(obj, -1, -1), jacobian, missing, key, s, system)
 
 
 @wp.func

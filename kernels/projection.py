@@ -8,10 +8,10 @@ with the curvature of the constraints left out), and forces carry over. What no 
 
 import warp as wp
 
-from .bodies import free_part, object_count, root_at
+from .bodies import candidate_of, free_part, object_count, root_at
 from .geometry import FAR, plane_of, turn
 from .groups import set_pose
-from .inequality import ARM, ROWS, Inequality, mobility
+from .inequality import ARM, ROWS, Inequality, InequalitySystem, mobility
 from .tables import Problems, State, TablesRef
 from .terms_relations import nearest_option
 
@@ -33,6 +33,16 @@ class Perturbation:
     spread: wp.float32
 
 
+@wp.struct
+class NearestLayout:
+    """The best layout so far of each candidate: that which misses least, then that which moved least."""
+
+    shift: wp.array2d(dtype=wp.vec4)  # [candidate, object]: how far each root is from its anchor
+    lack: wp.array(dtype=wp.float32)  # [candidate]: what it misses [m]
+    moved: wp.array(dtype=wp.float32)  # [candidate]: its squared movement
+    fault: wp.array2d(dtype=wp.float32)  # [candidate, object]: part of the lack or, if there is none, of the movement
+
+
 @wp.func(inline=False)
 def place(t: TablesRef, o0: wp.int32, candidate: wp.int32, root: wp.int32, d: wp.vec4, s: State):
     """Put a root, with all that it carries, at its anchor moved by d."""
@@ -52,9 +62,8 @@ def place(t: TablesRef, o0: wp.int32, candidate: wp.int32, root: wp.int32, d: wp
 
 
 @wp.func(inline=False)
-def draw_focus(t: TablesRef, p: wp.int32, candidate: wp.int32, fault: wp.array2d(dtype=wp.float32), u: wp.float32):
-    """An object drawn by its weight in ``fault``: u in [0, 1) falls on it when the weights are laid end to end."""
-    n = object_count(t, p)
+def draw_focus(n: wp.int32, candidate: wp.int32, fault: wp.array2d(dtype=wp.float32), u: wp.float32):
+    """One of n objects drawn by its weight in ``fault``: u in [0, 1) falls on it when these are laid end to end."""
     total = float(0.0)
     for obj in range(n):
         total += fault[candidate, obj]
@@ -81,43 +90,35 @@ def start_try(
     perturbation: Perturbation,
     selected: wp.array(dtype=wp.int32),
     # State in:
-    best: wp.array2d(dtype=wp.vec4),
-    fault: wp.array2d(dtype=wp.float32),
+    best: NearestLayout,
     # State in and out:
     s: State,
-    # State out:
-    shift_out: wp.array2d(dtype=wp.vec4),
-    count_out: wp.array2d(dtype=wp.int32),
-    live_out: wp.array(dtype=wp.int32),
-    last_step_out: wp.array(dtype=wp.float32),
+    system: InequalitySystem,
 ):
     """Put every root where a try begins: where the best layout has it, or off its anchor by chance."""
     t = b.tables
     slot, obj = wp.tid()
     candidate = selected[slot]
-    p = b.problem[candidate]
-    o0 = t[0].object_start[p]
     if obj == 0:
-        live_out[candidate] = 1
-        last_step_out[candidate] = FAR
-    if obj >= t[0].object_start[p + 1] - o0:
+        system.live[candidate] = 1
+        system.last_step[candidate] = FAR
+    system.count[candidate, obj] = 0
+    o = root_at(b, candidate, obj)
+    if o < 0:
         return
-    count_out[candidate, obj] = 0
-    o = o0 + obj
-    if t[0].object_root[o] != obj:
-        return
-    d = best[candidate, obj]
+    o0 = o - obj
+    d = best.shift[candidate, obj]
     if perturbation.attempt > 0:
         draw = wp.rand_init(int(s.rng[candidate]), perturbation.attempt)
-        focus = draw_focus(t, p, candidate, fault, wp.randf(draw))
-        far = plane_of(s.anchors[candidate, focus]) + plane_of(best[candidate, t[0].object_root[o0 + focus]])
+        focus = draw_focus(object_count(t, b.problem[candidate]), candidate, best.fault, wp.randf(draw))
+        far = plane_of(s.anchors[candidate, focus]) + plane_of(best.shift[candidate, t[0].object_root[o0 + focus]])
         far -= plane_of(s.anchors[candidate, obj]) + plane_of(d)
         rng = wp.rand_init(int(s.rng[candidate]) + 7919 * perturbation.attempt, obj)
         close = wp.dot(far, far) < perturbation.radius * perturbation.radius
         if close and (obj == t[0].object_root[o0 + focus] or wp.randf(rng) < perturbation.share):
             d = perturbation.spread * wp.vec4(wp.randn(rng), wp.randn(rng), 0.5 * wp.randn(rng), wp.randn(rng))
     d = free_part(t, o, d)
-    shift_out[candidate, obj] = d
+    system.shift[candidate, obj] = d
     place(t, o0, candidate, obj, d, s)
 
 
@@ -140,45 +141,33 @@ def choose_options(
 @wp.func
 def apply_force(d: wp.array2d(dtype=wp.vec4), candidate: wp.int32, row: Inequality, force: wp.float32):
     """Move what a row is about by a change of its force."""
-    d[candidate, row.body[0]] = d[candidate, row.body[0]] + force * mobility(row.first)
-    if row.body[1] >= 0:
-        d[candidate, row.body[1]] = d[candidate, row.body[1]] + force * mobility(row.second)
-    if row.body[2] >= 0:
-        d[candidate, row.body[2]] = d[candidate, row.body[2]] + force * mobility(row.third)
+    for k in range(3):
+        if row.body[k] >= 0:
+            d[candidate, row.body[k]] = d[candidate, row.body[k]] + force * mobility(row.jacobian[k])
 
 
 @wp.func(inline=False)
-def sweep(
-    t: TablesRef,
-    candidate: wp.int32,
-    n: wp.int32,
-    backward: wp.int32,
-    count: wp.array2d(dtype=wp.int32),
-    rows: wp.array2d(dtype=Inequality),
-    force: wp.array2d(dtype=wp.float32),
-    d: wp.array2d(dtype=wp.vec4),
-):
+def sweep(candidate: wp.int32, n: wp.int32, backward: wp.int32, system: InequalitySystem):
     """Set the force of every row anew, one after the other; returns the largest violation [m] met on the way."""
     worst = float(0.0)
     for i in range(n):
         obj = i
         if backward == 1:
             obj = n - 1 - i
-        for k in range(count[candidate, obj]):
+        for k in range(system.count[candidate, obj]):
             slot = obj * ROWS + k
-            row = rows[candidate, slot]
-            value = wp.dot(row.first, d[candidate, row.body[0]])
-            if row.body[1] >= 0:
-                value += wp.dot(row.second, d[candidate, row.body[1]])
-            if row.body[2] >= 0:
-                value += wp.dot(row.third, d[candidate, row.body[2]])
-            old = force[candidate, slot]
+            row = system.rows[candidate, slot]
+            value = float(0.0)
+            for body in range(3):
+                if row.body[body] >= 0:
+                    value += wp.dot(row.jacobian[body], system.scratch[candidate, row.body[body]])
+            old = system.force[candidate, slot]
             missing = row.goal - value
             if old > 0.0 or missing > 0.0:
                 new = wp.max(old + (missing - SOFT * old) * row.inverse, 0.0)
                 worst = wp.max(worst, wp.abs(new - old) / row.inverse)
-                force[candidate, slot] = new
-                apply_force(d, candidate, row, new - old)
+                system.force[candidate, slot] = new
+                apply_force(system.scratch, candidate, row, new - old)
     return worst
 
 
@@ -188,77 +177,63 @@ def project(
     b: Problems,
     sweeps: wp.int32,
     selected: wp.array(dtype=wp.int32),
-    # State in:
-    count: wp.array2d(dtype=wp.int32),
-    rows: wp.array2d(dtype=Inequality),
-    missed: wp.array2d(dtype=wp.float32),
     # State in and out:
     s: State,
-    shift: wp.array2d(dtype=wp.vec4),
-    force: wp.array2d(dtype=wp.float32),
-    d: wp.array2d(dtype=wp.vec4),
-    best: wp.array2d(dtype=wp.vec4),
-    lack: wp.array(dtype=wp.float32),
-    moved: wp.array(dtype=wp.float32),
-    fault: wp.array2d(dtype=wp.float32),
-    last_step: wp.array(dtype=wp.float32),
-    live: wp.array(dtype=wp.int32),
+    system: InequalitySystem,
+    best: NearestLayout,
 ):
     """Keep a layout that is the best so far, and go on to the least movement that satisfies its rows.
 
-    Of the best layout so far ``lack`` [candidate] is what it misses [m], ``moved`` its squared movement, and ``fault``
-    [candidate, object] each object's part of the lack or, where there is none, of the movement. ``d`` is scratch,
-    ``last_step`` how far the last step went. A candidate that has settled at a feasible layout is no longer live.
+    A candidate that has settled at a feasible layout is no longer live.
     """
     t = b.tables
     candidate = selected[wp.tid()]
-    if live[candidate] == 0:
+    if system.live[candidate] == 0:
         return
-    p = b.problem[candidate]
-    o0 = t[0].object_start[p]
-    n = object_count(t, p)
+    c = candidate_of(b, candidate)
+    n = c.objects
+    o0 = c.first_object
     miss = float(0.0)
     far = float(0.0)
     for obj in range(n):
-        miss += missed[candidate, obj]
+        miss += system.missed[candidate, obj]
         if t[0].object_root[o0 + obj] == obj:
-            far += movement(shift[candidate, obj])
-    if miss < lack[candidate] or (miss == lack[candidate] and far < moved[candidate]):
-        lack[candidate] = miss
-        moved[candidate] = far
+            far += movement(system.shift[candidate, obj])
+    if miss < best.lack[candidate] or (miss == best.lack[candidate] and far < best.moved[candidate]):
+        best.lack[candidate] = miss
+        best.moved[candidate] = far
         for obj in range(n):
-            best[candidate, obj] = shift[candidate, obj]
-            fault[candidate, obj] = missed[candidate, obj]
+            best.shift[candidate, obj] = system.shift[candidate, obj]
+            best.fault[candidate, obj] = system.missed[candidate, obj]
             if miss == 0.0:
-                fault[candidate, obj] = movement(shift[candidate, obj])
-    if miss == 0.0 and (last_step[candidate] < STILL or far == 0.0):
-        live[candidate] = 0
+                best.fault[candidate, obj] = movement(system.shift[candidate, obj])
+    if miss == 0.0 and (system.last_step[candidate] < STILL or far == 0.0):
+        system.live[candidate] = 0
         return
     for obj in range(n):
-        d[candidate, obj] = wp.vec4(0.0, 0.0, 0.0, 0.0)
+        system.scratch[candidate, obj] = wp.vec4(0.0, 0.0, 0.0, 0.0)
     for obj in range(n):
-        for k in range(count[candidate, obj]):
-            f = force[candidate, obj * ROWS + k]
+        for k in range(system.count[candidate, obj]):
+            f = system.force[candidate, obj * ROWS + k]
             if f > 0.0:
-                apply_force(d, candidate, rows[candidate, obj * ROWS + k], f)
+                apply_force(system.scratch, candidate, system.rows[candidate, obj * ROWS + k], f)
     for i in range(sweeps):
-        worst = sweep(t, candidate, n, i & 1, count, rows, force, d)
-        if worst < 1.0e-5:
+        if sweep(candidate, n, i & 1, system) < 1.0e-5:
             break
     furthest = float(0.0)
     for obj in range(n):
         if t[0].object_root[o0 + obj] == obj and t[0].object_free[o0 + obj] != 0:
-            old = shift[candidate, obj]
-            step = d[candidate, obj] - old
+            old = system.shift[candidate, obj]
+            new = system.scratch[candidate, obj]
+            step = new - old
             length = wp.sqrt(movement(step))
             if length > 0.0:
-                new = d[candidate, obj]
                 if length > STEP:
                     new = old + wp.max(STEP / length, FRACTION) * step
-                shift[candidate, obj] = new
+                system.shift[candidate, obj] = new
                 place(t, o0, candidate, obj, new, s)
             furthest = wp.max(furthest, length)
-    last_step[candidate] = furthest
+    system.last_step[candidate] = furthest
 
 
 @wp.kernel
@@ -266,13 +241,12 @@ def restore(
     # Problem:
     b: Problems,
     # State in:
-    best: wp.array2d(dtype=wp.vec4),
+    best: NearestLayout,
     # State in and out:
     s: State,
 ):
     """Put every root where the best layout has it."""
-    t = b.tables
     candidate, obj = wp.tid()
     o = root_at(b, candidate, obj)
     if o >= 0:
-        place(t, o - obj, candidate, obj, best[candidate, obj], s)
+        place(b.tables, o - obj, candidate, obj, best.shift[candidate, obj], s)

@@ -8,7 +8,7 @@ code of each fits the instruction cache and all warps are at the same place of i
 import warp as wp
 
 from .array_access import inline_on_gpu, item
-from .bodies import Candidate, candidate_of
+from .bodies import Candidate, candidate_of, layout_of
 from .features import TURN
 from .geometry import FAR, wrap
 from .groups import group_energy, is_formation, way_inside
@@ -82,7 +82,7 @@ def draw_proposals(
             if anew:
                 near = 0.02 + d.scale * uniform(rng)
                 far = wp.where(d.anchored == 1, FAR_SHARE_ANCHORED, FAR_SHARE)
-                pose = propose(t, m, b.weights, c.problem, d.obj, pose, s, candidate, near, far, plan.slide, rng)
+                pose = propose(b, c, d.obj, s, near, far, plan.slide, rng)
                 o = c.first_object + d.obj
                 if d.last == item(t[0].group_start, o + 1) and is_formation(t, o):
                     way = way_inside(t, c.problem, candidate, d.obj, pose, m.bounds_aim, s)
@@ -111,6 +111,7 @@ def rate_proposals(b: Problems, plan: Plan, c: Candidate, d: SearchState, s: Sta
     count = proposal_count(d, c, plan)
     subwarp = subwarp_size(count)
     old = item(s.poses, candidate, d.obj)
+    layout = layout_of(c, s)
     x = JobResult()
     x.least = FAR
     x.base = FAR
@@ -139,7 +140,8 @@ def rate_proposals(b: Problems, plan: Plan, c: Candidate, d: SearchState, s: Sta
         soft = float(0.0)
         rating = float(0.0)
         if last > first:
-            energy_of_group = group_energy(t, b.margins, b.weights, c, first, last, s, view, part)
+            layout.view = view
+            energy_of_group = group_energy(b, layout, first, last, part)
             e = subwarp_sum(energy_of_group.value, subwarp)
             share = subwarp_sum(energy_of_group.share, subwarp)
             soft = subwarp_sum(energy_of_group.soft, subwarp)
@@ -181,10 +183,10 @@ def rate_proposals(b: Problems, plan: Plan, c: Candidate, d: SearchState, s: Sta
 def find_gradient(b: Problems, c: Candidate, d: SearchState, s: State):
     """The result of a job that takes a gradient; all lanes share its terms, and each gets the result."""
     first, last = single_body(b.tables, c.first_object + d.obj)
-    view = View()
-    view.best = 1
-    view.crowd = 1
-    e = group_energy(b.tables, b.margins, b.weights, c, first, last, s, view, TermSlice(lane_id(), warp_size(), FAR))
+    layout = layout_of(c, s)
+    layout.view.best = 1
+    layout.view.crowd = 1
+    e = group_energy(b, layout, first, last, TermSlice(lane_id(), warp_size(), FAR))
     x = JobResult()
     x.base = warp_sum(e.value)
     x.gradient = subwarp_sum_vec4(e.gradient, warp_size())

@@ -6,10 +6,13 @@ orthogonal, so that one sweep fulfils them. The same code serves every relation,
 written but the state of the random stream, which the caller holds: many poses of a candidate may be drawn at once.
 """
 
+from typing import Any
+
 import warp as wp
 
 from .array_access import item, opaque_one
-from .features import TURN, RelationPoses, feature
+from .bodies import Body, Candidate, layout_of, posed
+from .features import TURN, Relation, feature
 from .geometry import lowest_vertex, perp, plane_of, turn_back
 from .penalties import outside
 from .tables import (
@@ -19,13 +22,11 @@ from .tables import (
     FREE_PLANE,
     FREE_YAW,
     FREE_Z,
-    Margins,
+    Problems,
     State,
     TablesRef,
-    View,
-    Weights,
 )
-from .terms_relations import best_option, relation_poses
+from .terms_relations import best_option, relation_of
 
 wp.set_module_options({"enable_backward": False})
 
@@ -33,22 +34,24 @@ QUARTER = wp.constant(1.5707963267948966)
 REACH = wp.constant(0.6)  # [m] how far beyond the closed end of a half-open interval a target is drawn
 
 
-@wp.func
-def uniform(rng: wp.ref[wp.uint32]):
-    """A uniform number in [0, 1)."""
-    r = wp.uint32(rng)
-    u = wp.randf(r)
-    rng = r
-    return u
+def _from_stream(name: str, number: Any) -> wp.Function:
+    """A function that draws a number and moves the caller's stream on."""
+
+    @wp.func(name=name)
+    def draw(rng: wp.ref[wp.uint32]):
+        stream = wp.uint32(rng)
+        x = number(stream)
+        rng = stream
+        return x
+
+    return draw
 
 
-@wp.func
-def normal(rng: wp.ref[wp.uint32]):
-    """A standard normal number."""
-    r = wp.uint32(rng)
-    u = wp.randn(r)
-    rng = r
-    return u
+uniform = _from_stream("uniform", wp.randf)
+"""A uniform number in [0, 1)."""
+
+normal = _from_stream("normal", wp.randn)
+"""A standard normal number."""
 
 
 @wp.func
@@ -115,9 +118,13 @@ def shifted(pose: wp.vec4, d: wp.float32, g: wp.vec4, free: wp.int32):
 
 
 @wp.func
-def project_option(
-    t: TablesRef, option: wp.int32, x: RelationPoses, free: wp.int32, fresh: wp.bool, rng: wp.ref[wp.uint32]
-):
+def turned(x: Body, angle: wp.float32):
+    """An object turned by an angle."""
+    return posed(x, wp.vec4(x.pose[0], x.pose[1], x.pose[2], x.pose[3] + angle))
+
+
+@wp.func
+def project_option(t: TablesRef, option: wp.int32, x: Relation, free: wp.int32, fresh: wp.bool, rng: wp.ref[wp.uint32]):
     """The subject's pose moved into the rows of one option, row by row.
 
     A fresh draw takes a new value for every row; otherwise only rows outside their interval move it.
@@ -135,30 +142,20 @@ def project_option(
                     if free & FREE_YAW:
                         if kind == FEATURE_YAW and uniform(rng) < 0.7:
                             d = wp.clamp(0.0, aim[0], aim[1]) - value  # people set furniture square
-                        yaw = x.pose_a[3] + d * g[3]
-                        x.pose_a = wp.vec4(x.pose_a[0], x.pose_a[1], x.pose_a[2], yaw)
-                        x.qa = wp.vec2(wp.cos(yaw), wp.sin(yaw))
+                        x.a = turned(x.a, d * g[3])
                 else:
-                    x.pose_a = shifted(x.pose_a, d, g, free)
-    return x.pose_a
+                    x.a.pose = shifted(x.a.pose, d, g, free)
+    return x.a.pose
 
 
 @wp.func
 def project_onto_relations(
-    t: TablesRef,
-    w: Weights,
-    p: wp.int32,
-    obj: wp.int32,
-    pose: wp.vec4,
-    s: State,
-    candidate: wp.int32,
-    fresh: wp.bool,
-    rng: wp.ref[wp.uint32],
+    b: Problems, c: Candidate, obj: wp.int32, pose: wp.vec4, s: State, fresh: wp.bool, rng: wp.ref[wp.uint32]
 ):
     """A pose projected onto the object's own relations; a fresh draw starts from one of them at random."""
-    o0 = item(t[0].object_start, p)
-    o = o0 + obj
-    r0 = item(t[0].relation_start, p)
+    t = b.tables
+    o = c.first_object + obj
+    r0 = item(t[0].relation_start, c.problem)
     first = item(t[0].incidence_start, o)
     count = item(t[0].incidence_start, o + 1) - first
     free = item(t[0].object_free, o)
@@ -183,15 +180,14 @@ def project_onto_relations(
                 if sweep > 0:
                     draw = item(t[0].relation_fault, r) != 0 or uniform(rng) < 0.7
                 if draw:
-                    x = relation_poses(t, o0, r, s, candidate, View())
-                    x.pose_a = pose
-                    x.qa = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
+                    x = relation_of(t, layout_of(c, s), r)
+                    x.a = posed(x.a, pose)
                     option = item(t[0].option_start, r)
                     low = float(1.0)
                     if sweep == 0:
                         option += pick(rng, item(t[0].option_start, r + 1) - option)
                     else:
-                        best, e, _g = best_option(t, r, 0, x, w.knee)
+                        best, e = best_option(b, r, x)
                         option = best
                         low = e
                     if low > 0.0:
@@ -218,29 +214,20 @@ def keep_inside(t: TablesRef, p: wp.int32, o: wp.int32, pose: wp.vec4, aim: wp.f
 
 
 @wp.func
-def slide(
-    t: TablesRef,
-    p: wp.int32,
-    obj: wp.int32,
-    pose: wp.vec4,
-    s: State,
-    candidate: wp.int32,
-    gap: wp.float32,
-    rng: wp.ref[wp.uint32],
-):
+def slide(t: TablesRef, c: Candidate, obj: wp.int32, pose: wp.vec4, s: State, gap: wp.float32, rng: wp.ref[wp.uint32]):
     """A pose slid along the object's own left axis until its box is flush with another's, or with a wall."""
-    o0 = item(t[0].object_start, p)
+    o0 = c.first_object
     o = o0 + obj
     if (item(t[0].object_free, o) & FREE_PLANE) == 0:
         return pose
     axis = wp.vec2(-wp.sin(pose[3]), wp.cos(pose[3]))
     half = 0.5 * item(t[0].object_size, o)[1]
     side = wp.where(uniform(rng) < 0.5, 1.0, -1.0)
-    n = item(t[0].object_start, p + 1) - o0
+    n = c.objects
     step = float(0.0)
     if uniform(rng) < 0.3 or n < 2:
         found = float(1.0e6)
-        for k in range(item(t[0].plane_start, p), item(t[0].plane_start, p + 1)):
+        for k in range(item(t[0].plane_start, c.problem), item(t[0].plane_start, c.problem + 1)):
             plane = item(t[0].plane, k)
             along = side * (plane[0] * axis[0] + plane[1] * axis[1])
             if along < -0.5:
@@ -254,10 +241,10 @@ def slide(
         for _try in range(3):
             j = pick(rng, n)
             if item(t[0].object_root, o0 + j) != obj:
-                v = plane_of(item(s.poses, candidate, j)) - plane_of(pose)
+                v = plane_of(item(s.poses, c.index, j)) - plane_of(pose)
                 if wp.dot(v, v) < near:
                     near = wp.dot(v, v)
-                    qj = item(s.turns, candidate, j)
+                    qj = item(s.turns, c.index, j)
                     size = item(t[0].object_size, o0 + j)
                     reach = 0.5 * (wp.abs(wp.dot(axis, qj)) * size[0] + wp.abs(wp.dot(axis, perp(qj))) * size[1])
                     step = wp.dot(axis, v) + side * (half + reach + gap)
@@ -266,14 +253,10 @@ def slide(
 
 @wp.func
 def propose(
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
-    p: wp.int32,
+    b: Problems,
+    c: Candidate,
     obj: wp.int32,
-    pose: wp.vec4,
     s: State,
-    candidate: wp.int32,
     scale: wp.float32,
     far: wp.float32,
     flush: wp.float32,
@@ -283,14 +266,16 @@ def propose(
 
     With probability ``flush`` it is then slid along something.
     """
-    o = item(t[0].object_start, p) + obj
+    t = b.tables
+    o = c.first_object + obj
+    pose = item(s.poses, c.index, obj)
     fresh = uniform(rng) < far
     if fresh:
-        pose = random_start(t, p, o, pose, rng)
+        pose = random_start(t, c.problem, o, pose, rng)
     else:
         pose = jitter(item(t[0].object_free, o), pose, scale, rng)
-    pose = project_onto_relations(t, w, p, obj, pose, s, candidate, fresh, rng)
-    pose = keep_inside(t, p, o, pose, m.bounds_aim)
+    pose = project_onto_relations(b, c, obj, pose, s, fresh, rng)
+    pose = keep_inside(t, c.problem, o, pose, b.margins.bounds_aim)
     if uniform(rng) < flush:
-        pose = slide(t, p, obj, pose, s, candidate, m.collision_aim + 0.001, rng)
+        pose = slide(t, c, obj, pose, s, b.margins.collision_aim + 0.001, rng)
     return pose

@@ -9,24 +9,15 @@ quarter of it, the first that costs nothing. What shares a target is brought the
 import warp as wp
 
 from .array_access import item, opaque_one
-from .bodies import Candidate, candidate_of, viewed_pose
+from .bodies import Candidate, Layout, candidate_of, layout_of, posed, viewed_body
 from .evaluator import EVERY_KIND
-from .features import TURN, RelationPoses, feature
+from .features import TURN, Relation, feature
 from .geometry import FAR, wrap
 from .groups import group_energy, group_evaluator, members_end, move_with_members, set_pose
-from .sample import QUARTER, shifted
-from .tables import (
-    FEATURE_YAW,
-    FREE_YAW,
-    Margins,
-    Problems,
-    State,
-    TablesRef,
-    TermSlice,
-    View,
-    Weights,
-)
-from .terms_relations import ALL_RELATIONS, best_option, relation_poses
+from .sample import QUARTER, shifted, turned
+from .tables import FEATURE_YAW, FREE_YAW, Problems, State, TablesRef, TermSlice, View
+from .terms_relations import ALL_RELATIONS, best_option, relation_of
+from .verdict import relation_holds
 
 wp.set_module_options({"enable_backward": False, "default_grid_stride": False})
 
@@ -42,13 +33,14 @@ group_energy_without_relations = group_evaluator(EVERY_KIND & ~ALL_RELATIONS)
 
 
 @wp.func
-def exact_pose(t: TablesRef, r: wp.int32, x: RelationPoses, free: wp.int32, knee: wp.float32, share: wp.float32):
+def exact_pose(b: Problems, r: wp.int32, x: Relation, free: wp.int32, share: wp.float32):
     """The subject's pose with the quantities of relation r (global) exact, one after the other.
 
     It ends at the first quantity that is too far off. Quantities that are shared come to lie between the value that
     all may take (share 0) and the exact one (share 1); a negative share leaves them as they are.
     """
-    option, _e, _g = best_option(t, r, 0, x, knee)
+    t = b.tables
+    option, _e = best_option(b, r, x)
     for row in range(item(t[0].snap_start, option), item(t[0].snap_start, option + 1)):
         value, g = feature(t, row, 0, x)
         within = item(t[0].row_hold, row)
@@ -62,12 +54,10 @@ def exact_pose(t: TablesRef, r: wp.int32, x: RelationPoses, free: wp.int32, knee
         kind = item(t[0].row_feature, row)
         if kind == FEATURE_YAW:
             if free & FREE_YAW:
-                yaw = x.pose_a[3] + d * g[3]
-                x.pose_a = wp.vec4(x.pose_a[0], x.pose_a[1], x.pose_a[2], yaw)
-                x.qa = wp.vec2(wp.cos(yaw), wp.sin(yaw))
+                x.a = turned(x.a, d * g[3])
         else:
-            x.pose_a = shifted(x.pose_a, d, g, free)
-    return x.pose_a
+            x.a.pose = shifted(x.a.pose, d, g, free)
+    return x.a.pose
 
 
 @wp.func
@@ -109,73 +99,46 @@ def is_still(way: wp.vec4):
 
 
 @wp.func
-def holds(t: TablesRef, r: wp.int32, x: RelationPoses):
-    """True when all rows of an option of relation r (global) lie in their intervals."""
-    for option in range(item(t[0].option_start, r), item(t[0].option_start, r + 1)):
-        found = bool(True)
-        for row in range(item(t[0].row_start, option), item(t[0].row_start, option + 1)):
-            value, _g = feature(t, row, 0, x)
-            hold = item(t[0].row_hold, row)
-            found = found and value >= hold[0] and value <= hold[1]
-        if found:
-            return True
-    return False
-
-
-@wp.func
-def allowed(
-    t: TablesRef,
-    w: Weights,
-    c: Candidate,
-    first: wp.int32,
-    last: wp.int32,
-    view: View,
-    s: State,
-):
-    """True when all relations of the objects group[first:last] that hold still do where a view sees the objects, and
+def allowed(b: Problems, layout: Layout, first: wp.int32, last: wp.int32):
+    """True when all relations of the objects group[first:last] that hold still do where the view sees the objects, and
     those that do not hold are hardly worse off."""
+    t = b.tables
+    c = layout.candidate
+    stays = layout_of(c, layout.state)
     r0 = item(t[0].relation_start, c.problem)
     for k in range(first, last):
         o = c.first_object + item(t[0].group, k)
         for j in range(item(t[0].incidence_start, o), item(t[0].incidence_start, o + 1)):
             r = r0 + item(t[0].incidence, j)
             if item(t[0].relation_rigid, r) == 0:
-                after = relation_poses(t, c.first_object, r, s, c.index, view)
-                if not holds(t, r, after):
-                    before = relation_poses(t, c.first_object, r, s, c.index, View())
-                    if holds(t, r, before):
+                after = relation_of(t, layout, r)
+                if not relation_holds(t, r, after):
+                    before = relation_of(t, stays, r)
+                    if relation_holds(t, r, before):
                         return False
-                    _option, low, _g = best_option(t, r, 0, before, w.knee)
-                    _other, high, _h = best_option(t, r, 0, after, w.knee)
+                    _option, low = best_option(b, r, before)
+                    _other, high = best_option(b, r, after)
                     if high > low + SLACK:
                         return False
     return True
 
 
 @wp.func
-def go(t: TablesRef, c: Candidate, first: wp.int32, last: wp.int32, view: View, s: State):
-    """Move the objects group[first:last] to where a view sees them."""
+def move_to_view(t: TablesRef, layout: Layout, first: wp.int32, last: wp.int32, s: State):
+    """Move the objects group[first:last] to where the view sees them."""
     for k in range(first, last):
         i = item(t[0].group, k)
-        pose, _q = viewed_pose(s, c.index, i, view)
-        set_pose(s, c.index, i, pose)
+        set_pose(s, layout.candidate.index, i, viewed_body(layout, i).pose)
 
 
 @wp.func
-def try_way(
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
-    c: Candidate,
-    obj: wp.int32,
-    way: wp.vec4,
-    stamp: wp.int32,
-    s: State,
-):
+def try_way(b: Problems, c: Candidate, obj: wp.int32, way: wp.vec4, stamp: wp.int32, s: State):
     """Move an object along a way, as far as costs nothing: with all that it places, else with what it carries.
 
     Returns the last stamp that marks were set to.
     """
+    t = b.tables
+    layout = layout_of(c, s)
     first = item(t[0].group_start, c.first_object + obj)
     alone = members_end(t, c.first_object + obj)
     last = item(t[0].group_start, c.first_object + obj + 1)
@@ -207,13 +170,13 @@ def try_way(
                     limit = float(FAR)
                     if k > 0:
                         limit = wp.max(base, SLIGHT)
-                    part = TermSlice(0, 1, limit)
-                    e = group_energy_without_relations(t, m, w, c, first, last, s, view, part).value
+                    layout.view = view
+                    e = group_energy_without_relations(b, layout, first, last, TermSlice(0, 1, limit)).value
                     if k == 0:
                         base = e
                     elif e <= limit:
-                        if allowed(t, w, c, first, last, view, s):
-                            go(t, c, first, last, view, s)
+                        if allowed(b, layout, first, last):
+                            move_to_view(t, layout, first, last, s)
                             moved = True
     return mark
 
@@ -227,17 +190,10 @@ def is_placed(t: TablesRef, o0: wp.int32, r: wp.int32):
 
 
 @wp.func
-def snap_one(
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
-    c: Candidate,
-    obj: wp.int32,
-    stamp: wp.int32,
-    s: State,
-):
+def snap_one(b: Problems, c: Candidate, obj: wp.int32, stamp: wp.int32, s: State):
     """Square an object to the room, then to its relations: those to objects first, those to the room have the last
     word. Returns the last stamp that marks were set to."""
+    t = b.tables
     o = c.first_object + obj
     r0 = item(t[0].relation_start, c.problem)
     free = item(t[0].object_free, o)
@@ -255,37 +211,43 @@ def snap_one(
             r = r0 + item(t[0].incidence, at)
             in_room = item(t[0].relation_object, r)[1] < 0
             if item(t[0].incidence_role, at) == 0 and item(t[0].relation_rigid, r) == 0 and in_room == (k >= count):
-                x = relation_poses(t, c.first_object, r, s, c.index, View())
-                goal = exact_pose(t, r, x, free, w.knee, -1.0)
+                goal = exact_pose(b, r, relation_of(t, layout_of(c, s), r), free, -1.0)
         way = way_to(pose, goal)
         if not is_still(way):
-            mark = try_way(t, m, w, c, obj, way, mark, s)
+            mark = try_way(b, c, obj, way, mark, s)
     return mark
 
 
 @wp.func
-def energy_at(t: TablesRef, m: Margins, w: Weights, c: Candidate, target: wp.int32, first: wp.int32, s: State):
+def shares_with(t: TablesRef, c: Candidate, r: wp.int32, target: wp.int32):
+    """True when the subject of relation r (global) is free to move and shares a value with others at the target."""
+    return item(t[0].relation_object, r)[1] == target and shares_value(t, r) and is_placed(t, c.first_object, r)
+
+
+@wp.func
+def energy_at(b: Problems, c: Candidate, target: wp.int32, first: wp.int32, s: State):
     """Energy of all that shares a value at a target, from relation ``first`` (global) on, soft terms apart."""
+    t = b.tables
     e = float(0.0)
     soft = float(0.0)
+    layout = layout_of(c, s)
+    layout.view.best = 1
     for r in range(first, item(t[0].relation_start, c.problem + 1)):
-        if item(t[0].relation_object, r)[1] == target and shares_value(t, r) and is_placed(t, c.first_object, r):
+        if shares_with(t, c, r, target):
             o = c.first_object + item(t[0].relation_object, r)[0]
-            view = View()
-            view.best = 1
-            first_member = item(t[0].group_start, o)
-            mine = group_energy(t, m, w, c, first_member, members_end(t, o), s, view, TermSlice(0, 1, FAR))
+            mine = group_energy(b, layout, item(t[0].group_start, o), members_end(t, o), TermSlice(0, 1, FAR))
             e += mine.value
             soft += mine.soft
     return e, soft
 
 
 @wp.func
-def snap_alike(t: TablesRef, m: Margins, w: Weights, c: Candidate, first: wp.int32, s: State):
+def snap_alike(b: Problems, c: Candidate, first: wp.int32, s: State):
     """Give all that shares a value at a target the same one, as near to the exact one as costs nothing.
 
     ``first`` (global) is the first of the relations that share it.
     """
+    t = b.tables
     target = item(t[0].relation_object, first)[1]
     last = item(t[0].relation_start, c.problem + 1)
     base = float(0.0)
@@ -294,24 +256,19 @@ def snap_alike(t: TablesRef, m: Margins, w: Weights, c: Candidate, first: wp.int
     for k in range(0, SHARES + 3, opaque_one()):  # where they are, all shares down to none, and back
         if not done:
             for r in range(first, last):
-                if (
-                    item(t[0].relation_object, r)[1] == target
-                    and shares_value(t, r)
-                    and is_placed(t, c.first_object, r)
-                ):
+                if shares_with(t, c, r, target):
                     obj = item(t[0].relation_object, r)[0]
                     if k == 0:
                         s.draft[c.index, obj] = item(s.poses, c.index, obj)
                     else:
                         pose = item(s.draft, c.index, obj)
                         if k < SHARES + 2:
-                            x = relation_poses(t, c.first_object, r, s, c.index, View())
-                            x.pose_a = pose
-                            x.qa = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))
+                            x = relation_of(t, layout_of(c, s), r)
+                            x.a = posed(x.a, pose)
                             share = 1.0 - float(k - 1) / float(SHARES)
-                            pose = exact_pose(t, r, x, item(t[0].object_free, c.first_object + obj), w.knee, share)
+                            pose = exact_pose(b, r, x, item(t[0].object_free, c.first_object + obj), share)
                         move_with_members(t, c.first_object, s, c.index, obj, pose)
-            e, soft = energy_at(t, m, w, c, target, first, s)
+            e, soft = energy_at(b, c, target, first, s)
             if k == 0:
                 base = e
                 base_soft = soft
@@ -331,13 +288,12 @@ def snap(
 ):
     """Make active candidates exact. ``order`` [problem, object] lists parents first. A thread a candidate."""
     t = b.tables
-    m = b.margins
-    w = b.weights
     candidate = wp.tid()
     if active[candidate] == 0:
         return
     c = candidate_of(b, candidate)
-    w.pull = 0.0
+    still = b
+    still.weights.pull = 0.0
     for obj in range(c.objects):
         s.mark[candidate, obj] = 0
     stamp = int(0)
@@ -349,23 +305,18 @@ def snap(
                 o = c.first_object + obj
                 if item(t[0].object_root, o) == obj and item(t[0].object_free, o) != 0:
                     before = item(s.poses, candidate, obj)
-                    stamp = snap_one(t, m, w, c, obj, stamp, s)
+                    stamp = snap_one(still, c, obj, stamp, s)
                     if wp.length(item(s.poses, candidate, obj) - before) > SETTLED:
                         due = turn + 1
     r0 = item(t[0].relation_start, c.problem)
     for r in range(r0, item(t[0].relation_start, c.problem + 1)):
         target = item(t[0].relation_object, r)[1]
-        if target >= 0 and shares_value(t, r) and is_placed(t, c.first_object, r):
-            first = bool(True)
-            for k in range(r0, r):
-                if (
-                    item(t[0].relation_object, k)[1] == target
-                    and shares_value(t, k)
-                    and is_placed(t, c.first_object, k)
-                ):
-                    first = False
-            if first:
-                snap_alike(t, m, w, c, r, s)
+        first = target >= 0 and shares_with(t, c, r, target)
+        for k in range(r0, r):
+            if first and shares_with(t, c, k, target):
+                first = False
+        if first:
+            snap_alike(still, c, r, s)
 
 
 @wp.kernel

@@ -3,6 +3,7 @@
 import warp as wp
 
 from .array_access import item, opaque_one
+from .bodies import candidate_of
 from .groups import is_formation, move_inside, move_with_members, redraw_surfaces, set_pose
 from .plan import ANYWHERE, GIVEN, Plan, SearchRun
 from .sample import keep_inside, project_onto_relations, random_start, uniform
@@ -39,14 +40,14 @@ def start_attempt(
     """At the first round of an attempt, put every active candidate where the attempt begins. A warp a candidate."""
     t = b.tables
     m = b.margins
-    w = b.weights
     candidate = wp.tid() // warp_size()
     me = lane_id()
     if run.clock[0] % plan.rounds != 0 or run.active[candidate] == 0:
         return
-    p = b.problem[candidate]
-    o0 = item(t[0].object_start, p)
-    n = item(t[0].object_start, p + 1) - o0
+    c = candidate_of(b, candidate)
+    p = c.problem
+    o0 = c.first_object
+    n = c.objects
     attempt = run.clock[0] // plan.rounds
     if attempt == 0:
         s.stream[candidate, me] = wp.rand_init(int(s.rng[candidate]), me)
@@ -65,7 +66,7 @@ def start_attempt(
                 if depth_of(t, o0, obj) == depth:
                     pose = random_start(t, p, o0 + obj, item(s.poses, candidate, obj), rng)
                     if plan.start != ANYWHERE or attempt > 0:
-                        pose = project_onto_relations(t, w, p, obj, pose, s, candidate, True, rng)
+                        pose = project_onto_relations(b, c, obj, pose, s, True, rng)
                         pose = keep_inside(t, p, o0 + obj, pose, m.bounds_aim)
                     move_with_members(t, o0, s, candidate, obj, pose)
         syncwarp()

@@ -7,7 +7,7 @@ has is said in one place, `contact_of`, for the energy, the verdict and the ineq
 import warp as wp
 
 from .array_access import item, item_strided
-from .bodies import Body, Candidate, body_of, fixture_body
+from .bodies import Body, Layout, body_of, fixture_body, prism_of
 from .cells import cell_at, crowded
 from .geometry import box_separation, overlap_in_z, perp, plane_of, prisms_apart
 from .penalties import penalty
@@ -23,12 +23,9 @@ from .tables import (
     SOLIDS,
     ZONES,
     Energy,
-    Margins,
-    State,
+    Problems,
     TablesRef,
     TermSlice,
-    View,
-    Weights,
     parts_of,
 )
 
@@ -49,21 +46,23 @@ class Contact:
 
 
 @wp.func
-def contact_of(t: TablesRef, m: Margins, flag: wp.int32, a: wp.int32, b: wp.int32):
-    """The contact that one flag (a bit of CONTACTS) means for object a and object or fixture b (global indices)."""
-    # solids against solids, a's zones against b's solids, a's solids against b's zones or against a fixture
+def contact_of(b: Problems, flag: wp.int32, first: wp.int32, second: wp.int32):
+    """The contact that one flag (a bit of CONTACTS) means for an object and another or a fixture (global indices)."""
+    # solids against solids, zones of the first against solids, its solids against zones or against a fixture
+    t = b.tables
+    m = b.margins
     x = Contact()
-    x.first = parts_of(t, a, wp.where(flag == PAIR_ZONE_OF_FIRST, ZONES, SOLIDS))
+    x.first = parts_of(t, first, wp.where(flag == PAIR_ZONE_OF_FIRST, ZONES, SOLIDS))
     x.aim = m.zone_aim
     x.hold = m.zone_hold
     if flag == FIXTURE:
-        prism = item(t[0].fixture, b)
+        prism = item(t[0].fixture, second)
         x.second = wp.vec2i(prism, prism + 1)
-        if item(t[0].fixture_kind, b) == FIXTURE_SOLID:
+        if item(t[0].fixture_kind, second) == FIXTURE_SOLID:
             x.aim = m.bounds_aim
             x.hold = m.bounds_hold
     else:
-        x.second = parts_of(t, b, wp.where(flag == PAIR_ZONE_OF_SECOND, ZONES, SOLIDS))
+        x.second = parts_of(t, second, wp.where(flag == PAIR_ZONE_OF_SECOND, ZONES, SOLIDS))
         if flag == PAIR_COLLIDE:
             x.aim = m.collision_aim
             x.hold = m.collision_hold
@@ -71,12 +70,13 @@ def contact_of(t: TablesRef, m: Margins, flag: wp.int32, a: wp.int32, b: wp.int3
 
 
 @wp.func
-def weight_of(t: TablesRef, w: Weights, flag: wp.int32, b: wp.int32):
-    """The weight of a contact in the energy; b is its second body (global index)."""
+def weight_of(b: Problems, flag: wp.int32, second: wp.int32):
+    """The weight of a contact in the energy, with its second body (global index)."""
+    w = b.weights
     weight = w.zone
     if flag == FIXTURE:
         weight = w.opening
-        if item(t[0].fixture_kind, b) == FIXTURE_SOLID:
+        if item(b.tables[0].fixture_kind, second) == FIXTURE_SOLID:
             weight = w.bounds
     elif flag == PAIR_COLLIDE:
         weight = w.collision
@@ -101,37 +101,28 @@ def meets_fixture(t: TablesRef, o: wp.int32, k: wp.int32):
 
 
 @wp.func
-def clearance_penalty(
-    t: TablesRef,
-    contact: Contact,
-    a: Body,
-    b: Body,
-    least: wp.float32,
-    knee: wp.float32,
-    kinds: wp.int32,
-):
-    """Penalty of a contact's prisms for being closer than it aims at, with the gradient for a's pose."""
-    pa = plane_of(a.pose)
-    pb = plane_of(b.pose)
+def clearance_penalty(b: Problems, contact: Contact, x: Body, other: Body, kinds: wp.int32):
+    """Penalty of a contact's prisms for being closer than it aims at, with the gradient for the first body's pose."""
+    t = b.tables
+    at = plane_of(x.pose)
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
     for i in range(contact.first[0], contact.first[1]):
-        za = item(t[0].prism_z, i)
-        box_a = item(t[0].prism_box, i)
+        mine = prism_of(t, i, x)
+        z = item(t[0].prism_z, i)
         for j in range(contact.second[0], contact.second[1]):
-            zb = item(t[0].prism_z, j)
-            box_b = item(t[0].prism_box, j)
-            if overlap_in_z(a.pose[2], za, b.pose[2], zb, least):
+            theirs = prism_of(t, j, other)
+            if overlap_in_z(x.pose[2], z, other.pose[2], item(t[0].prism_z, j), b.margins.least_overlap_z):
                 s = float(0.0)
                 n = wp.vec2(1.0, 0.0)
-                x = pa
+                point = at
                 if (kinds & POLYGONS) == 0:
-                    s, n, x = box_separation(box_a, pa, a.turn, box_b, pb, b.turn, contact.aim)
+                    s, n, point = box_separation(mine, theirs, contact.aim)
                 else:
-                    s, n, x = prisms_apart(t, i, box_a, pa, a.turn, j, box_b, pb, b.turn, contact.aim)
-                de, dv = penalty(contact.aim - s, knee)
+                    s, n, point = prisms_apart(t, mine, theirs, contact.aim)
+                de, dv = penalty(contact.aim - s, b.weights.knee)
                 e += de
-                g += dv * wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(x - pa)))
+                g += dv * wp.vec4(n[0], n[1], 0.0, wp.dot(n, perp(point - at)))
     return e, g
 
 
@@ -150,8 +141,8 @@ def first_bit(bits: wp.int32) -> wp.int32:
 
 
 @wp.func
-def contact_energy(t: TablesRef, m: Margins, w: Weights, a: Body, flags: wp.int32, b: Body, kinds: wp.int32):
-    """Penalties of all contacts of object a with object or fixture b, with the gradient for a.
+def contact_energy(b: Problems, x: Body, flags: wp.int32, other: Body, kinds: wp.int32):
+    """Penalties of all contacts of an object with another or a fixture, with the gradient for the first.
 
     ``flags`` are those of the pair, or ``FIXTURE``.
     """
@@ -161,48 +152,40 @@ def contact_energy(t: TablesRef, m: Margins, w: Weights, a: Body, flags: wp.int3
     while left != 0:
         flag = left & -left
         left = left - flag
-        contact = contact_of(t, m, flag, a.index, b.index)
-        weight = weight_of(t, w, flag, b.index)
-        ek, gk = clearance_penalty(t, contact, a, b, m.least_overlap_z, w.knee, kinds)
+        contact = contact_of(b, flag, x.index, other.index)
+        weight = weight_of(b, flag, other.index)
+        ek, gk = clearance_penalty(b, contact, x, other, kinds)
         e += weight * ek
         g += weight * gk
     return e, g
 
 
 @wp.func
-def may_meet(
-    t: TablesRef,
-    m: Margins,
-    c: Candidate,
-    x: Body,
-    heights: wp.vec2,
-    row: wp.int32,
-    j: wp.int32,
-    s: State,
-    view: View,
-    kinds: wp.int32,
-):
+def may_meet(b: Problems, layout: Layout, x: Body, heights: wp.vec2, row: wp.int32, j: wp.int32, kinds: wp.int32):
     """True when an object between two heights may have a contact with object j; ``row``: its row of pair flags."""
+    t = b.tables
+    c = layout.candidate
     flags = int(item(t[0].pair_flags, row + j))
     kind = wp.where((flags & PAIR_POLYGON) != 0, POLYGONS, BOXES)
     if (kinds & BOXES) == 0 and kind == BOXES:
         return False
     # all that is needed is read at once, so that it is waited for once
-    other = item_strided(s.poses, c.index, j)
-    far = reach_of_pair(t, x.index, c.first_object + j) + m.collision_aim
+    other = item_strided(layout.state.poses, c.index, j)
+    far = reach_of_pair(t, x.index, c.first_object + j) + b.margins.collision_aim
     v = plane_of(other) - plane_of(x.pose)
     if flags == 0 or (flags & PAIR_RIGID) != 0 or (kinds & kind) == 0 or wp.dot(v, v) >= far * far:
         return False
-    if view.stamp != 0 and wp.abs(item(s.mark, c.index, j)) == view.stamp:
+    if layout.view.stamp != 0 and wp.abs(item(layout.state.mark, c.index, j)) == layout.view.stamp:
         return False
     return (flags & ~PAIR_POLYGON) != PAIR_COLLIDE or overlap_in_z(
-        0.0, heights, other[2], item(t[0].object_z, c.first_object + j), m.least_overlap_z
+        0.0, heights, other[2], item(t[0].object_z, c.first_object + j), b.margins.least_overlap_z
     )
 
 
 @wp.func
-def may_meet_fixture(t: TablesRef, m: Margins, x: Body, k: wp.int32, kinds: wp.int32):
+def may_meet_fixture(b: Problems, x: Body, k: wp.int32, kinds: wp.int32):
     """True when an object may have a contact with fixture k (global)."""
+    t = b.tables
     prism = item(t[0].fixture, k)
     disc = item(t[0].prism_disc, prism)
     if (kinds & (BOXES | POLYGONS)) != (BOXES | POLYGONS):
@@ -211,31 +194,22 @@ def may_meet_fixture(t: TablesRef, m: Margins, x: Body, k: wp.int32, kinds: wp.i
         if (kinds & wp.where(boxes, BOXES, POLYGONS)) == 0:
             return False
     to = wp.vec2(disc[0], disc[1]) - plane_of(x.pose)
-    far = disc[2] + item(t[0].object_radius, x.index)[0] + m.bounds_aim
+    far = disc[2] + item(t[0].object_radius, x.index)[0] + b.margins.bounds_aim
     return wp.dot(to, to) < far * far and meets_fixture(t, x.index, k)
 
 
 @wp.func
-def add_contacts(
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
-    c: Candidate,
-    x: Body,
-    s: State,
-    view: View,
-    part: TermSlice,
-    kinds: wp.int32,
-    total: Energy,
-):
+def add_contacts(b: Problems, layout: Layout, x: Body, part: TermSlice, kinds: wp.int32, total: Energy):
     """The penalties of an object's contacts with fixtures and other objects; arguments as for `evaluator.evaluator`."""
+    t = b.tables
+    c = layout.candidate
     n = c.objects
     at = plane_of(x.pose)
     row = item(t[0].pair_start, c.problem) + x.obj * n
     z = item(t[0].object_z, x.index)
     heights = wp.vec2(x.pose[2] + z[0], x.pose[2] + z[1])
-    cells = view.crowd != 0 and crowded(n, s)
-    reach = item(t[0].object_radius, x.index)[1] + item(t[0].grid, c.problem)[3] + m.collision_aim
+    cells = layout.view.crowd != 0 and crowded(n, layout.state)
+    reach = item(t[0].object_radius, x.index)[1] + item(t[0].grid, c.problem)[3] + b.margins.collision_aim
     left, low = cell_at(t, c.problem, at[0] - reach, at[1] - reach)
     right, high = cell_at(t, c.problem, at[0] + reach, at[1] + reach)
     column = int(left)
@@ -249,7 +223,7 @@ def add_contacts(
     listed = fixtures + n
     if cells:
         listed = fixtures
-        head = item(s.cell_head, c.index, line * columns + column)
+        head = item(layout.state.cell_head, c.index, line * columns + column)
     j = int(part.first)
     more = bool(True)
     while more and total.value <= part.limit:
@@ -261,9 +235,9 @@ def add_contacts(
         while bit != (1 << 30) and j < listed:
             close = bool(False)
             if j < fixtures:
-                close = may_meet_fixture(t, m, x, f0 + j, kinds)
+                close = may_meet_fixture(b, x, f0 + j, kinds)
             else:
-                close = may_meet(t, m, c, x, heights, row, j - fixtures, s, view, kinds)
+                close = may_meet(b, layout, x, heights, row, j - fixtures, kinds)
             if close:
                 bits = bits | bit
             bit = bit << 1
@@ -273,19 +247,19 @@ def add_contacts(
             while bits == 0 and found < 0 and line <= high:
                 if head >= 0:
                     if deal == part.first:
-                        if may_meet(t, m, c, x, heights, row, head, s, view, kinds):
+                        if may_meet(b, layout, x, heights, row, head, kinds):
                             found = head
                     deal += 1
                     if deal == part.step:
                         deal = 0
-                    head = item(s.cell_next, c.index, head)
+                    head = item(layout.state.cell_next, c.index, head)
                 while head < 0 and line <= high:
                     column += 1
                     if column > right:
                         column = int(left)
                         line += 1
                     if line <= high:
-                        head = item(s.cell_head, c.index, line * columns + column)
+                        head = item(layout.state.cell_head, c.index, line * columns + column)
             more = line <= high or found >= 0
             if found >= 0:
                 bits = 1
@@ -298,8 +272,8 @@ def add_contacts(
             other = fixture_body(f0 + fixtures + k)
             if k >= 0:
                 flags = int(item(t[0].pair_flags, row + k))
-                other = body_of(c, k, s)
-            e, g = contact_energy(t, m, w, x, flags, other, kinds)
+                other = body_of(c, k, layout.state)
+            e, g = contact_energy(b, x, flags, other, kinds)
             total.value += e
             total.share += wp.where(k >= 0, 0.5, 1.0) * e
             total.gradient += g

@@ -3,23 +3,11 @@
 import warp as wp
 
 from .array_access import item, item_strided
-from .bodies import Body, Candidate, viewed_pose
-from .features import RelationPoses, feature, plain_feature
+from .bodies import Body, Layout, candidate_of, fixture_body, layout_of, viewed_body
+from .features import Relation, feature, plain_feature
 from .geometry import FAR
 from .penalties import outside, penalty
-from .tables import (
-    DISTANCES,
-    FORMULAS,
-    RELATIONS,
-    Energy,
-    Margins,
-    Problems,
-    State,
-    TablesRef,
-    TermSlice,
-    View,
-    Weights,
-)
+from .tables import DISTANCES, FORMULAS, RELATIONS, Energy, Problems, State, TablesRef, TermSlice
 
 wp.set_module_options({"enable_backward": False})
 
@@ -27,38 +15,21 @@ ALL_RELATIONS = wp.constant(FORMULAS | DISTANCES | RELATIONS)
 
 
 @wp.func
-def relation_poses(t: TablesRef, o0: wp.int32, r: wp.int32, s: State, candidate: wp.int32, view: View):
-    """The objects of relation r (global) where a view sees them; o0: the problem's first object."""
+def relation_of(t: TablesRef, layout: Layout, r: wp.int32):
+    """The objects of relation r (global) where the view sees them."""
     ids = item(t[0].relation_object, r)
-    x = RelationPoses()
-    x.a = o0 + ids[0]
-    x.b = -1
-    x.qb = wp.vec2(1.0, 0.0)
-    pose, q = viewed_pose(s, candidate, ids[0], view)
-    x.pose_a = pose
-    x.qa = q
+    x = Relation(viewed_body(layout, ids[0]), fixture_body(-1), fixture_body(-1))
     if ids[1] >= 0:
-        x.b = o0 + ids[1]
-        pose_b, qb = viewed_pose(s, candidate, ids[1], view)
-        x.pose_b = pose_b
-        x.qb = qb
+        x.b = viewed_body(layout, ids[1])
     if ids[2] >= 0:
-        pose_c, _qc = viewed_pose(s, candidate, ids[2], view)
-        x.pose_c = pose_c
+        x.c = viewed_body(layout, ids[2])
     return x
 
 
 @wp.func
-def option_energy(
-    t: TablesRef,
-    option: wp.int32,
-    role: wp.int32,
-    x: RelationPoses,
-    knee: wp.float32,
-    limit: wp.float32,
-    kinds: wp.int32,
-):
+def option_energy(b: Problems, option: wp.int32, role: wp.int32, x: Relation, limit: wp.float32, kinds: wp.int32):
     """Penalty of one option's rows, with the gradient for the object in the given role; stops above the limit."""
+    t = b.tables
     e = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
     for row in range(item(t[0].row_start, option), item(t[0].row_start, option + 1)):
@@ -72,28 +43,20 @@ def option_energy(
             value, slope = feature(t, row, role, x)
         aim = item(t[0].row_aim, row)
         off, sign = outside(value, wp.vec2(aim[0], aim[1]))
-        de, dv = penalty(off * aim[3], knee)
+        de, dv = penalty(off * aim[3], b.weights.knee)
         e += de
         g += dv * sign * aim[3] * slope
     return e, g
 
 
 @wp.func
-def best_option_of(
-    t: TablesRef,
-    first: wp.int32,
-    last: wp.int32,
-    role: wp.int32,
-    x: RelationPoses,
-    knee: wp.float32,
-    kinds: wp.int32,
-):
+def best_option_of(b: Problems, first: wp.int32, last: wp.int32, role: wp.int32, x: Relation, kinds: wp.int32):
     """Of the options first:last the one with the lowest penalty, that penalty and its gradient."""
     best = int(first)
     low = float(FAR)
     low_g = wp.vec4(0.0, 0.0, 0.0, 0.0)
     for option in range(first, last):
-        e, g = option_energy(t, option, role, x, knee, low, kinds)
+        e, g = option_energy(b, option, role, x, low, kinds)
         if e < low:
             low = e
             low_g = g
@@ -104,66 +67,47 @@ def best_option_of(
 
 
 @wp.func
-def best_option(t: TablesRef, r: wp.int32, role: wp.int32, x: RelationPoses, knee: wp.float32):
-    """The option of relation r (global) with the lowest penalty, that penalty and its gradient."""
-    first = item(t[0].option_start, r)
-    last = item(t[0].option_start, r + 1)
-    best, low, g = best_option_of(t, first, last, role, x, knee, ALL_RELATIONS)
-    return best, low, g
+def best_option(b: Problems, r: wp.int32, x: Relation):
+    """The option of relation r (global) with the lowest penalty, and that penalty."""
+    first = item(b.tables[0].option_start, r)
+    best, low, _g = best_option_of(b, first, item(b.tables[0].option_start, r + 1), 0, x, ALL_RELATIONS)
+    return best, low
 
 
 @wp.func
 def nearest_option(b: Problems, candidate: wp.int32, rel: wp.int32, s: State):
     """The option of a candidate's relation with the lowest penalty at the present poses; -1: no such relation."""
     t = b.tables
-    p = b.problem[candidate]
-    r = item(t[0].relation_start, p) + rel
-    if r >= item(t[0].relation_start, p + 1):
+    c = candidate_of(b, candidate)
+    r = item(t[0].relation_start, c.problem) + rel
+    if r >= item(t[0].relation_start, c.problem + 1):
         return -1
-    x = relation_poses(t, item(t[0].object_start, p), r, s, candidate, View())
-    option, _e, _g = best_option(t, r, 0, x, b.weights.knee)
+    option, _e = best_option(b, r, relation_of(t, layout_of(c, s), r))
     return option
 
 
 @wp.func
-def relation_energy(
-    t: TablesRef,
-    w: Weights,
-    c: Candidate,
-    rel: wp.int32,
-    role: wp.int32,
-    s: State,
-    view: View,
-    kinds: wp.int32,
-):
+def relation_energy(b: Problems, layout: Layout, rel: wp.int32, role: wp.int32, kinds: wp.int32):
     """Penalty of relation ``rel`` (local), with the gradient for the object in the given role."""
+    t = b.tables
+    c = layout.candidate
     r = item(t[0].relation_start, c.problem) + rel
-    x = relation_poses(t, c.first_object, r, s, c.index, view)
+    x = relation_of(t, layout, r)
     first = item(t[0].option_start, r)
     last = item(t[0].option_start, r + 1)
-    if view.best == 0:
-        first = item_strided(s.options, c.index, rel)
+    if layout.view.best == 0:
+        first = item_strided(layout.state.options, c.index, rel)
         last = first + 1
-    _best, low, low_g = best_option_of(t, first, last, role, x, w.knee, kinds)
-    weight = w.relation * item(t[0].relation_weight, r)
+    _best, low, low_g = best_option_of(b, first, last, role, x, kinds)
+    weight = b.weights.relation * item(t[0].relation_weight, r)
     return weight * low, weight * low_g
 
 
 @wp.func
-def add_relations(
-    t: TablesRef,
-    m: Margins,
-    w: Weights,
-    c: Candidate,
-    x: Body,
-    s: State,
-    view: View,
-    part: TermSlice,
-    kinds: wp.int32,
-    total: Energy,
-):
+def add_relations(b: Problems, layout: Layout, x: Body, part: TermSlice, kinds: wp.int32, total: Energy):
     """The penalties of the relations that an object takes part in; arguments as for `evaluator.evaluator`."""
-    r0 = item(t[0].relation_start, c.problem)
+    t = b.tables
+    r0 = item(t[0].relation_start, layout.candidate.problem)
     first_incidence = item(t[0].incidence_start, x.index) + part.first
     for k in range(first_incidence, item(t[0].incidence_start, x.index + 1), part.step):
         rel = item(t[0].incidence, k)
@@ -173,7 +117,7 @@ def add_relations(
             wanted = wanted and (kinds & item(t[0].relation_kind, r)) != 0
         if wanted:
             role = item(t[0].incidence_role, k)
-            e, g = relation_energy(t, w, c, rel, role, s, view, kinds)
+            e, g = relation_energy(b, layout, rel, role, kinds)
             total.value += e
             total.gradient += g
             if role == 0:

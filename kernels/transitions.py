@@ -8,7 +8,7 @@ relations choose their best option. What event leads to what is in `state_machin
 import warp as wp
 
 from .array_access import item, opaque_one
-from .bodies import Candidate, viewed_pose
+from .bodies import Candidate, layout_of, viewed_body
 from .cells import change_cell, crowded
 from .features import TURN
 from .geometry import FAR, wrap
@@ -96,6 +96,7 @@ def movable_of(t: TablesRef, c: Candidate):
 @wp.func
 def apply_move(t: TablesRef, c: Candidate, x: JobResult, d: SearchState, s: State):
     """Put the objects of a move where its best proposal has them."""
+    layout = layout_of(c, s)
     view = View()
     view.stamp = d.stamp
     view.draft = x.draft
@@ -103,10 +104,10 @@ def apply_move(t: TablesRef, c: Candidate, x: JobResult, d: SearchState, s: Stat
     view.after = x.pose
     turned = view.after[3] - view.before[3]
     view.spin = wp.vec2(wp.cos(turned), wp.sin(turned))
+    layout.view = view
     for k in range(d.first, d.last):
         obj = item(t[0].group, k)
-        pose, _q = viewed_pose(s, c.index, obj, view)
-        set_pose(s, c.index, obj, pose)
+        set_pose(s, c.index, obj, viewed_body(layout, obj).pose)
         if crowded(c.objects, s):
             change_cell(t, c.problem, c.index, obj, s)
 

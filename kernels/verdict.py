@@ -6,12 +6,12 @@ Thresholds are tighter than the judge's by more than float32 loses in a room of 
 import warp as wp
 
 from .array_access import item
-from .bodies import Body, Candidate, body_of, candidate_of, fixture_body, object_count
-from .features import feature
+from .bodies import Body, body_of, candidate_of, fixture_body, layout_of, object_count, prism_of
+from .features import Relation, feature
 from .geometry import overlap_in_z, plane_of, prisms_apart, turn
-from .tables import Margins, Problems, State, TablesRef, View
+from .tables import Problems, State, TablesRef
 from .terms_contacts import CONTACTS, FIXTURE, Contact, contact_of, meets_fixture, reach_of_pair
-from .terms_relations import relation_poses
+from .terms_relations import relation_of
 
 wp.set_module_options({"enable_backward": False})
 
@@ -31,36 +31,37 @@ class DeviceVerdict:
 
 
 @wp.func(inline=False)
-def contact_holds(t: TablesRef, x: Contact, a: Body, b: Body, least: wp.float32):
+def contact_holds(b: Problems, contact: Contact, x: Body, other: Body):
     """True when no two prisms of a contact come closer than it has to hold (negative: may sink in so far)."""
-    pa = plane_of(a.pose)
-    pb = plane_of(b.pose)
-    for i in range(x.first[0], x.first[1]):
-        box_a = item(t[0].prism_box, i)
-        for j in range(x.second[0], x.second[1]):
-            if overlap_in_z(a.pose[2], item(t[0].prism_z, i), b.pose[2], item(t[0].prism_z, j), least):
-                box_b = item(t[0].prism_box, j)
-                s, _n, _x = prisms_apart(t, i, box_a, pa, a.turn, j, box_b, pb, b.turn, x.hold)
-                if s < x.hold:
+    t = b.tables
+    for i in range(contact.first[0], contact.first[1]):
+        mine = prism_of(t, i, x)
+        z = item(t[0].prism_z, i)
+        for j in range(contact.second[0], contact.second[1]):
+            if overlap_in_z(x.pose[2], z, other.pose[2], item(t[0].prism_z, j), b.margins.least_overlap_z):
+                s, _n, _x = prisms_apart(t, mine, prism_of(t, j, other), contact.hold)
+                if s < contact.hold:
                     return False
     return True
 
 
 @wp.func
-def contacts_hold(t: TablesRef, m: Margins, flags: wp.int32, a: Body, b: Body):
+def contacts_hold(b: Problems, flags: wp.int32, x: Body, other: Body):
     """True when every contact holds that the flags of a pair, or ``FIXTURE``, mean for two bodies."""
     left = flags & CONTACTS
     while left != 0:
         flag = left & -left
         left = left - flag
-        if not contact_holds(t, contact_of(t, m, flag, a.index, b.index), a, b, m.least_overlap_z):
+        if not contact_holds(b, contact_of(b, flag, x.index, other.index), x, other):
             return False
     return True
 
 
 @wp.func(inline=False)
-def room_holds(t: TablesRef, m: Margins, p: wp.int32, x: Body):
+def room_holds(b: Problems, p: wp.int32, x: Body):
     """True when an object is inside the room and clear of doors and windows."""
+    t = b.tables
+    m = b.margins
     at = plane_of(x.pose)
     o = x.index
     for k in range(item(t[0].plane_start, p), item(t[0].plane_start, p + 1)):
@@ -73,7 +74,7 @@ def room_holds(t: TablesRef, m: Margins, p: wp.int32, x: Body):
                     return False
     for k in range(item(t[0].fixture_start, p), item(t[0].fixture_start, p + 1)):
         if meets_fixture(t, o, k):
-            if not contacts_hold(t, m, FIXTURE, x, fixture_body(k)):
+            if not contacts_hold(b, FIXTURE, x, fixture_body(k)):
                 return False
     if x.pose[2] + item(t[0].object_z, o)[1] > item(t[0].room_height, p) - m.bounds_hold:
         return False
@@ -81,9 +82,8 @@ def room_holds(t: TablesRef, m: Margins, p: wp.int32, x: Body):
 
 
 @wp.func(inline=False)
-def relation_holds(t: TablesRef, c: Candidate, r: wp.int32, s: State):
-    """True when every row of one of relation r's options (global) lies in its interval."""
-    x = relation_poses(t, c.first_object, r, s, c.index, View())
+def relation_holds(t: TablesRef, r: wp.int32, x: Relation):
+    """True when every row of one of the options of relation r (global) lies in its interval."""
     for option in range(item(t[0].option_start, r), item(t[0].option_start, r + 1)):
         holds = bool(True)
         for row in range(item(t[0].row_start, option), item(t[0].row_start, option + 1)):
@@ -108,7 +108,6 @@ def judge_objects(
 ):
     """Fault of every object of the active candidates. A pair is charged to both."""
     t = b.tables
-    m = b.margins
     candidate, obj = wp.tid()
     if active[candidate] == 0:
         return
@@ -120,7 +119,7 @@ def judge_objects(
     if not wp.isfinite(x.pose):
         verdict_out.fault[candidate, obj] = wp.int8(DIVERGED)
         return
-    ok = room_holds(t, m, c.problem, x)
+    ok = room_holds(b, c.problem, x)
     row = item(t[0].pair_start, c.problem) + obj * c.objects
     for j in range(c.objects):
         flags = int(item(t[0].pair_flags, row + j))
@@ -129,7 +128,7 @@ def judge_objects(
             v = plane_of(other.pose) - plane_of(x.pose)
             far = reach_of_pair(t, x.index, other.index)
             if wp.dot(v, v) < far * far:
-                ok = contacts_hold(t, m, flags, x, other)
+                ok = contacts_hold(b, flags, x, other)
     verdict_out.fault[candidate, obj] = wp.int8(wp.where(ok, VALID, BROKEN))
 
 
@@ -152,7 +151,7 @@ def judge_relations(
     r = item(t[0].relation_start, c.problem) + rel
     holds = bool(True)
     if r < item(t[0].relation_start, c.problem + 1):
-        holds = relation_holds(t, c, r, s)
+        holds = relation_holds(t, r, relation_of(t, layout_of(c, s), r))
     verdict_out.holds[candidate, rel] = holds
 
 

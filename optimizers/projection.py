@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import warp as wp
@@ -10,7 +10,7 @@ import warp as wp
 from sceneweaver.kernels.bookkeeping import set_turns
 from sceneweaver.kernels.inequality import ROWS, Inequality, InequalitySystem
 from sceneweaver.kernels.linearise import linearise
-from sceneweaver.kernels.projection import Perturbation, choose_options, project, restore, start_try
+from sceneweaver.kernels.projection import NearestLayout, Perturbation, choose_options, project, restore, start_try
 from sceneweaver.kernels.tables import STATE
 
 from .base import Monitor, OptimizerResult, Start, register
@@ -29,57 +29,24 @@ PERTURBATIONS = ((1.2, 0.4, 0.1), (1.2, 0.4, 0.2), (1.2, 0.4, 0.3), (2.4, 0.3, 0
 MEMORY = 2**30  # [bytes] of rows at once
 
 
-@dataclass
-class Workspace:
-    """Arrays of a projection beside the batch's state; see ``kernels.projection.project`` for what they hold."""
-
-    shift: wp.array
-    best: wp.array
-    scratch: wp.array
-    count: wp.array
-    missed: wp.array
-    fault: wp.array
-    rows: wp.array
-    keys: list[wp.array]  # of the step before and of this one, as are the forces
-    force: list[wp.array]
-    lack: wp.array
-    moved: wp.array
-    last_step: wp.array
-    live: wp.array
-
-    def system(self) -> InequalitySystem:
-        """Where the rows of this step go."""
-        system = InequalitySystem()
-        system.rows, system.keys, system.shift = self.rows, self.keys[1], self.shift
-        return system
-
-    @classmethod
-    def of(cls, batch: Batch) -> Workspace:
-        """Arrays for a batch; nothing found yet, all roots at their anchors."""
-        device, shape = batch.device, (batch.size, max(batch.objects, 1))
-        slots = (shape[0], shape[1] * int(ROWS))
-
-        def vectors() -> wp.array:
-            return wp.zeros(shape, dtype=wp.vec4, device=device)
-
-        def numbers(value: float = float("inf")) -> wp.array:
-            return wp.full(batch.size, value, dtype=wp.float32, device=device)
-
-        return cls(
-            shift=vectors(),
-            best=vectors(),
-            scratch=vectors(),
-            count=wp.zeros(shape, dtype=wp.int32, device=device),
-            missed=wp.zeros(shape, dtype=wp.float32, device=device),
-            fault=wp.zeros(shape, dtype=wp.float32, device=device),
-            rows=wp.zeros(slots, dtype=Inequality, device=device),  # pyright: ignore[reportArgumentType]
-            keys=[wp.zeros(slots, dtype=wp.int32, device=device) for _ in range(2)],
-            force=[wp.zeros(slots, dtype=wp.float32, device=device) for _ in range(2)],
-            lack=numbers(),
-            moved=numbers(),
-            last_step=numbers(),
-            live=wp.zeros(batch.size, dtype=wp.int32, device=device),
-        )
+def new_system(batch: Batch) -> tuple[InequalitySystem, NearestLayout]:
+    """Arrays for a batch: no rows, nothing found yet, all roots at their anchors."""
+    system, best, device, shape = InequalitySystem(), NearestLayout(), batch.device, (batch.size, max(batch.objects, 1))
+    slots = (shape[0], shape[1] * int(ROWS))
+    system.reach = REACH
+    system.rows = wp.zeros(slots, dtype=Inequality, device=device)  # pyright: ignore[reportArgumentType]
+    for name in ("keys", "last_keys"):
+        setattr(system, name, wp.zeros(slots, dtype=wp.int32, device=device))
+    for name in ("force", "last_force"):
+        setattr(system, name, wp.zeros(slots, dtype=wp.float32, device=device))
+    system.count = wp.zeros(shape, dtype=wp.int32, device=device)
+    system.missed, best.fault = (wp.zeros(shape, dtype=wp.float32, device=device) for _ in range(2))
+    system.shift, system.scratch, best.shift = (wp.zeros(shape, dtype=wp.vec4, device=device) for _ in range(3))
+    system.live = wp.zeros(batch.size, dtype=wp.int32, device=device)
+    system.last_step, best.lack, best.moved = (
+        wp.full(batch.size, float("inf"), dtype=wp.float32, device=device) for _ in range(3)
+    )
+    return system, best
 
 
 @register("projection", modules=("linearise", "projection", "starts", "search"))
@@ -99,10 +66,10 @@ def run_projection(batch: Batch, start: Start, budget: int | None, monitor: Moni
     if start != "given":
         draw_starts(batch, start)
         wp.copy(batch.state.anchors, batch.state.poses)
-    work, tries = Workspace.of(batch), TRIES if budget is None else budget
-    lost = _improve(batch, work, np.arange(batch.size), tries, max(MOST, batch.objects // 2), monitor)
-    wp.launch(restore, (batch.size, batch.objects), [batch.problems, work.best, batch.state], device=batch.device)
-    lack = work.lack.numpy()
+    (system, best), tries = new_system(batch), TRIES if budget is None else budget
+    lost = _improve(batch, system, best, np.arange(batch.size), tries, max(MOST, batch.objects // 2), monitor)
+    wp.launch(restore, (batch.size, batch.objects), [batch.problems, best, batch.state], device=batch.device)
+    lack = best.lack.numpy()
     monitor.add(batch.size - lost.size, batch.size - lost.size, 0.0)
     if lost.size and not monitor.expired():
         lack[lost] = _search(batch, lost, tries, monitor)
@@ -111,18 +78,26 @@ def run_projection(batch: Batch, start: Start, budget: int | None, monitor: Moni
     return OptimizerResult(lack)
 
 
-def _improve(batch: Batch, work: Workspace, left: np.ndarray, tries: int, most: int, monitor: Monitor) -> np.ndarray:
+def _improve(
+    batch: Batch,
+    system: InequalitySystem,
+    best: NearestLayout,
+    left: np.ndarray,
+    tries: int,
+    most: int,
+    monitor: Monitor,
+) -> np.ndarray:
     """Give candidates ``left`` so many tries from the first feasible one on; returns those that are not feasible."""
     feasible = np.zeros(batch.size, dtype=np.int32)  # tries since, the first one included
     everyone = left
     for attempt in range(most):
         if not left.size or monitor.expired():
             break
-        _try(batch, work, left, attempt)
-        lack, moved = work.lack.numpy(), work.moved.numpy()
+        _try(batch, system, best, left, attempt)
+        lack, moved = best.lack.numpy(), best.moved.numpy()
         feasible[left] += lack[left] == 0
         left = left[(lack[left] > 0) | ((feasible[left] < tries) & (moved[left] > 0))]
-    return everyone[work.lack.numpy()[everyone] > 0]
+    return everyone[best.lack.numpy()[everyone] > 0]
 
 
 def _perturbation(attempt: int) -> Perturbation:
@@ -132,61 +107,18 @@ def _perturbation(attempt: int) -> Perturbation:
     return perturbation
 
 
-def _try(batch: Batch, work: Workspace, left: np.ndarray, attempt: int) -> None:
+def _try(batch: Batch, system: InequalitySystem, best: NearestLayout, left: np.ndarray, attempt: int) -> None:
     """One try of the candidates ``left``: begin, choose options, then rows and projection in turn."""
-    device, n = batch.device, left.size
+    device, n, state = batch.device, left.size, batch.state
     selected = wp.array(left.astype(np.int32), dtype=wp.int32, device=device)
-    wp.launch(
-        start_try,
-        (n, batch.objects),
-        [batch.problems, _perturbation(attempt), selected, work.best, work.fault, batch.state],
-        [work.shift, work.count, work.live, work.last_step],
-        device=device,
-    )
-    wp.launch(choose_options, (n, batch.relations), [batch.problems, selected, batch.state], device=device)
+    inputs = [batch.problems, _perturbation(attempt), selected, best]
+    wp.launch(start_try, (n, batch.objects), inputs, [state, system], device=device)
+    wp.launch(choose_options, (n, batch.relations), [batch.problems, selected], [state], device=device)
     for _ in range(STEPS):
-        wp.launch(
-            linearise,
-            (n, batch.objects),
-            [
-                batch.problems,
-                REACH,
-                selected,
-                work.live,
-                batch.state,
-                work.keys[0],
-                work.force[0],
-                work.count,
-                work.system(),
-            ],
-            [work.force[1], work.missed],
-            device=device,
-        )
-        work.keys.reverse()
-        work.force.reverse()
-        wp.launch(
-            project,
-            n,
-            [
-                batch.problems,
-                SWEEPS,
-                selected,
-                work.count,
-                work.rows,
-                work.missed,
-                batch.state,
-                work.shift,
-                work.force[0],
-                work.scratch,
-                work.best,
-                work.lack,
-                work.moved,
-                work.fault,
-                work.last_step,
-                work.live,
-            ],
-            device=device,
-        )
+        system.keys, system.last_keys = system.last_keys, system.keys
+        system.force, system.last_force = system.last_force, system.force
+        wp.launch(linearise, (n, batch.objects), [batch.problems, selected, state], [system], device=device)
+        wp.launch(project, n, [batch.problems, SWEEPS, selected], [state, system, best], device=device)
 
 
 def _search(batch: Batch, lost: np.ndarray, tries: int, monitor: Monitor) -> np.ndarray:
@@ -196,14 +128,14 @@ def _search(batch: Batch, lost: np.ndarray, tries: int, monitor: Monitor) -> np.
     found = run_search(few, "given", None, inner).energy
     monitor.timed_out |= inner.timed_out
     poses = few.state.poses.numpy().copy()  # on a CPU it is the state itself
-    work = Workspace.of(few)
+    system, best = new_system(few)
     with np.errstate(invalid="ignore"):  # poses that are no numbers stay what they are
         shift = poses - few.state.anchors.numpy()
         shift[..., 3] -= 2 * np.pi * np.round(shift[..., 3] / (2 * np.pi))
-    work.best.assign(np.nan_to_num(shift, posinf=0.0, neginf=0.0))
-    _improve(few, work, np.arange(few.size), tries, tries, monitor)
-    wp.launch(restore, (few.size, few.objects), [few.problems, work.best, few.state], device=few.device)
-    lack = work.lack.numpy()
+    best.shift.assign(np.nan_to_num(shift, posinf=0.0, neginf=0.0))
+    _improve(few, system, best, np.arange(few.size), tries, tries, monitor)
+    wp.launch(restore, (few.size, few.objects), [few.problems, best, few.state], device=few.device)
+    lack = best.lack.numpy()
     kept = np.where((lack == 0)[:, None, None], few.state.poses.numpy(), poses)
     whole = batch.state.poses.numpy()
     whole[lost] = kept

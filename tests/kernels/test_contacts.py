@@ -12,7 +12,7 @@ from sceneweaver.kernels.inequality import CONTENT, ROWS, SLACK
 from sceneweaver.kernels.linearise import linearise
 from sceneweaver.layout.compile import LayoutProblem
 from sceneweaver.optimizers.batch import Batch
-from sceneweaver.optimizers.projection import REACH, Workspace
+from sceneweaver.optimizers.projection import new_system
 from sceneweaver.optimizers.verdict import judge
 from tests.kernels.harness import as_float32, batch_of, best_options, noisy, zoo
 
@@ -30,15 +30,13 @@ class Rows:
 
 def gather(batch: Batch) -> list[Rows]:
     """Rows of every candidate at its poses, which count as its anchors."""
-    work = Workspace.of(batch)
-    work.live.fill_(1)
+    system, _best = new_system(batch)
+    system.live.fill_(1)
     selected = wp.array(np.arange(batch.size, dtype=np.int32), dtype=wp.int32, device=batch.device)
     best_options(batch)
-    inputs = [batch.problems, REACH, selected, work.live, batch.state]
-    inputs += [work.keys[0], work.force[0], work.count, work.system()]
-    outputs = [work.force[1], work.missed]
-    wp.launch(linearise, (batch.size, batch.objects), inputs, outputs, device=batch.device)
-    rows, keys, count, missed = (a.numpy() for a in (work.rows, work.keys[1], work.count, work.missed))
+    inputs = [batch.problems, selected, batch.state]
+    wp.launch(linearise, (batch.size, batch.objects), inputs, [system], device=batch.device)
+    rows, keys, count, missed = (a.numpy() for a in (system.rows, system.keys, system.count, system.missed))
     found = []
     for c in range(batch.size):
         one = Rows({}, {}, missed[c].astype(np.float64))
@@ -46,7 +44,7 @@ def gather(batch: Batch) -> list[Rows]:
             for slot in range(obj * int(ROWS), obj * int(ROWS) + count[c, obj]):
                 row, key = rows[c, slot], (obj, int(keys[c, slot]))
                 g = np.zeros((batch.objects, 4))
-                for body, part in zip(row["body"], (row["first"], row["second"], row["third"]), strict=True):
+                for body, part in zip(row["body"], row["jacobian"], strict=True):
                     if body >= 0:
                         g[body] += part
                 one.gradient[key], one.want[key] = g, float(row["goal"])
