@@ -14,6 +14,7 @@ from sceneweaver.assets import Library
 from sceneweaver.scene import Scene, whole
 
 from .deadline import NEVER, Deadline, TimeUp
+from .request_file import NAME, RequestFile
 from .result import Result
 
 if TYPE_CHECKING:
@@ -46,12 +47,13 @@ def deliver(
     """Write everything; the result with the seconds that it took.
 
     When time runs short the pictures, which come first, are small, and what there is no time for is left out and noted.
-    The scene and its metrics are always written.
+    The scene, its metrics and what became of the request are always written.
     """
     began = time.monotonic()
     load = cache(library.load)
     result.scene.save(folder / "scene.json")
     result.report.save(folder / "metrics.json")
+    RequestFile.of(result.brief, result.review).save(folder / NAME)
     album = _Album(result.scene, load, _drawing_device(device), deadline) if pictures else None
     if album is not None and not album.smallest():
         album = None

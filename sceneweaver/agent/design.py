@@ -208,6 +208,7 @@ def _complete(report: Report, review: Review, settings: Settings, run: Run, bega
     return replace(
         report,
         scores=scores,
+        alignment=review.alignment.summary,
         seed=settings.seed,
         device=settings.device,
         candidates=settings.layouts,

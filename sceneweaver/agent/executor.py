@@ -21,7 +21,7 @@ from sceneweaver.verify import Report, Violation, check
 from .coarse import coarse
 from .deadline import NEVER, Deadline
 from .relaxation import left_out, pruned, relaxed
-from .settings import Settings
+from .settings import ASKED, Settings
 
 ENOUGH = 4
 """Valid layouts that are compared when a few things are added to a scene."""
@@ -57,10 +57,12 @@ class Outcome:
 
     @property
     def key(self) -> tuple[float, ...]:
-        """Smaller is better: what is wrong, what was given up, soft relations that fail, then the critic's grades."""
+        """Smaller is better: what is wrong, what was given up; then soft relations that fail, what is not as asked, and
+        the critic's grades."""
         soft = self.report.relations.soft
         missing = (soft.total - soft.satisfied) / max(1, soft.total)
-        return len(self.faults), len(self.scene.dropped), round(4.0 * missing - self.review.total, 6)
+        worth = self.review.total - ASKED * self.review.unmet
+        return len(self.faults), len(self.scene.dropped), round(4.0 * missing - worth, 6)
 
 
 @dataclass

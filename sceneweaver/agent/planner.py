@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from sceneweaver.brief import SceneGraph
-from sceneweaver.critic import Fault, Review
+from sceneweaver.critic import CRITERIA, Fault, Review
 from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import Scene
 from sceneweaver.tools.card import ToolCard
 
 from .memory import Call, Memory
-from .settings import Settings
+from .settings import ASKED, Settings
 
 LISTS = {
     "add_objects": "objects",
@@ -73,7 +73,7 @@ class RulesPlanner:
                 continue
             trust = card.confidence * memory.confidence.get(tool, 1.0)
             for chosen in _bundles(tool, faults):
-                points = sum(f.points for f in chosen)
+                points, gain = sum(f.points for f in chosen), sum(_worth(f) for f in chosen)
                 call = Call(
                     tool=tool,
                     instruction=" ".join(f.suggestion for f in chosen[:4] if f.suggestion),
@@ -82,7 +82,7 @@ class RulesPlanner:
                     confidence=round(min(1.0, trust), 4),
                     reason=f"{points:.1f} points: " + "; ".join(f.reason for f in chosen[:3]),
                 )
-                worth = points * trust
+                worth = gain * trust
                 if call.signature in memory.failed or worth < LEAST:
                     continue
                 if call.signature not in calls or worth > calls[call.signature].confidence:
@@ -141,11 +141,18 @@ def _by_tool(faults: Sequence[Fault]) -> dict[str, list[Fault]]:
     return found
 
 
+def _worth(fault: Fault) -> float:
+    """Points of a fault, those of what was asked for as much more as they weigh more."""
+    return fault.points * (1.0 + len(CRITERIA) * ASKED if fault.criterion == "alignment" else 1.0)
+
+
 def _bundles(tool: str, faults: list[Fault]) -> list[list[Fault]]:
-    """All of a tool's faults in one call where that is possible, and the gravest alone."""
+    """All of a tool's faults in one call where that is possible, those of what was asked for, and the gravest alone."""
     if tool not in LISTS or len(faults) == 1:
         return [[fault] for fault in faults]
-    return [faults, [max(faults, key=lambda f: f.points)]]
+    asked = [fault for fault in faults if fault.criterion == "alignment"]
+    found = [faults, asked] if 1 < len(asked) < len(faults) else [faults]
+    return [*found, [max(faults, key=_worth)]]
 
 
 def _merged(tool: str, faults: Sequence[Fault]) -> dict[str, Any]:

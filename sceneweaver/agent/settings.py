@@ -6,6 +6,10 @@ from pydantic import Field
 
 from sceneweaver.scene.base import FrozenModel
 
+ASKED = 1.0
+"""What a point of what is not as asked weighs beside its grade, in points of the mean of all grades; of that a point of
+any fault takes a fifth at most, so what was asked for comes first."""
+
 
 class Settings(FrozenModel):
     """Budgets and switches of a run; equal settings and seed give equal scenes unless a time limit cuts them off.

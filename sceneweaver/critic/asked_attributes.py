@@ -8,7 +8,8 @@ from typing import Any, NamedTuple
 
 from sceneweaver.assets import categories
 from sceneweaver.assets.category import Category
-from sceneweaver.assets.materials import STYLES, color_named, palette
+from sceneweaver.assets.looks import Words, read_words
+from sceneweaver.assets.materials import STYLES, color_named, finishes_named
 from sceneweaver.brief import Attribute, Entity
 from sceneweaver.scene import InputError
 from sceneweaver.verify.measure import Measurement
@@ -21,30 +22,8 @@ from .verdict import Asked, counted, met, not_understood, unmet
 SIZE_SLACK = 0.15
 """Share by which a size may differ from what was asked."""
 
-FAMILIES = {
-    "wooden": "wood",
-    "timber": "wood",
-    "metallic": "metal",
-    "steel": "metal",
-    "iron": "metal",
-    "cloth": "fabric",
-    "upholstered": "fabric",
-    "textile": "fabric",
-}
-"""Words for materials that mean a whole family of them."""
-
-SIZES: dict[str, tuple[str, int]] = {
-    **dict.fromkeys(("large", "big", "huge", "spacious", "oversized", "giant", "massive"), ("plan", 1)),
-    **dict.fromkeys(("small", "little", "tiny", "compact", "mini", "miniature", "petite"), ("plan", -1)),
-    **dict.fromkeys(("tall", "high", "floor-to-ceiling", "full-length"), ("height", 1)),
-    **dict.fromkeys(("low", "short", "low-profile"), ("height", -1)),
-    **dict.fromkeys(("wide", "broad"), ("width", 1)),
-    **dict.fromkeys(("narrow", "slim", "slender", "thin"), ("short", -1)),
-    **dict.fromkeys(("long", "elongated"), ("long", 1)),
-    **dict.fromkeys(("deep",), ("depth", 1)),
-    **dict.fromkeys(("shallow",), ("depth", -1)),
-}
-"""Words for sizes: which extent, and whether it is more (1) or less (-1) than the middle of what is usual."""
+MEDIUM = 1.33
+"""Factor about the middle of what is usual within which a size is medium."""
 
 SEPARATE = ("color", "material", "style")
 """Fields of an entity that say what attributes say as well."""
@@ -119,42 +98,31 @@ def _outcome(asked: Entity, attribute: Attribute, item: str, bodies: Sequence[Bo
 
 def _test(attribute: Attribute, asked: Entity) -> _Test | None:
     """How to tell; None where nothing can."""
-    value = attribute.value.lower()
+    words = read_words(attribute.value)
     match attribute.kind:
-        case "color" | "material" | "finish":
-            key = "material" if attribute.kind == "finish" else attribute.kind
-            return _Test(lambda b: _of_key(b, key, value))
-        case "style":
-            return _Test(lambda b: _of_key(b, "style", value)) if value in STYLES else None
-        case "shape":
-            return _Test(lambda b: _of_shape(b, value))
-        case "size" if value in SIZES:
-            return _Test(lambda b: _of_size(b, asked, value), lambda b: _extent(b, asked, value))
-        case "part" | "size" | "other" | "state":
-            return _Test(lambda b: _of_words(b, value))
+        case "color":
+            return _Test(lambda b: _of_color(b, attribute.value))
+        case "material" | "finish":
+            return _Test(lambda b: _of_material(b, attribute.value))
+        case "style" if words.style in STYLES:
+            return _Test(lambda b: _of_style(b, words.style or ""))
+        case "shape" if words.shape:
+            return _Test(lambda b: _of_shape(b, words.shape or ""))
+        case "size" if words.extents:
+            return _Test(lambda b: _of_size(b, asked, words), lambda b: _extent(b, asked, words))
+        case _ if words.parts:
+            return _Test(lambda b: _of_parts(b, dict(words.parts)))
+        case "part" | "size" | "other" | "state" | "shape":
+            return _Test(lambda b: _of_name(b, attribute.value))
     return None
 
 
-def _of_key(body: Body, key: str, want: str) -> Answer | None:
-    if key not in body.item.attributes:
+def _of_color(body: Body, want: str) -> Answer | None:
+    given = body.item.attributes.get("color")
+    if given is None:
         return None
-    return alike(body, key, want), str(body.item.attributes[key])
-
-
-def alike(body: Body, key: str, want: str) -> bool:
-    """Whether an attribute says what was asked, in its own words or by the name of a shade or a family."""
-    given = str(body.item.attributes.get(key, "")).lower()
-    if key == "color":
-        wanted, given = _color(want), _color(given)
-        return wanted == given or wanted in given.split() or given in wanted.split()
-    if want.lower() in given.split():
-        return True
-    wanted = FAMILIES.get(want.lower(), want.lower())
-    if key == "material":
-        finish = palette().get(str(body.item.attributes.get("material", "")))
-        if finish is not None and wanted in (finish.family, FAMILIES.get(finish.family)):
-            return True
-    return wanted == given or wanted in given.split() or (" " in wanted and wanted in given)
+    wanted, is_ = _color(want), _color(str(given))
+    return wanted == is_ or wanted in is_.split() or is_ in wanted.split(), str(given)
 
 
 def _color(words: str) -> str:
@@ -165,38 +133,70 @@ def _color(words: str) -> str:
         return " ".join(words.lower().split())
 
 
+def _of_material(body: Body, want: str) -> Answer | None:
+    """By the words themselves, or by the finishes that they name: a dyed velvet is a velvet, oak is wood."""
+    given = body.item.attributes.get("material")
+    if given is None:
+        return None
+    is_, wanted = str(given).lower(), want.lower()
+    named = {_undyed(f.material.name) for f in finishes_named(wanted)}
+    families = {f.family for f in finishes_named(is_)}
+    plain = wanted == is_ or wanted in is_.split() or (" " in wanted and wanted in is_)
+    return plain or _undyed(is_) in named or wanted in families, str(given)
+
+
+def _undyed(finish: str) -> str:
+    return finish.rpartition(" ")[2]
+
+
+def _of_style(body: Body, want: str) -> Answer | None:
+    given = body.item.attributes.get("style")
+    return None if given is None else (given == want, str(given))
+
+
 def _of_shape(body: Body, want: str) -> Answer | None:
-    """Its own word for its shape, else its outline from above; of what hangs on a wall only its name tells."""
-    want = want.replace("-", "_").replace(" ", "_").removesuffix("_shaped")
+    """Its own word for its shape, else its outline from above."""
     given = body.item.attributes.get("shape")
     is_ = str(given) if given is not None else plan_shape(body)
-    if want in ("rectangular", "oblong") and is_ == "square" and given is None:
-        return True, is_
-    return is_.removesuffix("_shaped") == want, is_
+    return is_ == want or (want == "rectangular" and is_ == "square" and given is None), is_
 
 
-def _of_words(body: Body, want: str) -> Answer | None:
-    """What the asset itself says of such a word: a count of a part by name, a word of its description."""
-    number, _, noun = want.partition(" ")
-    for name, value in body.item.attributes.items():
-        if noun and number.isdigit() and name.rstrip("s") == noun.rstrip("s") and isinstance(value, int):
-            return value == int(number), f"with {value} {name}"
-    text = " ".join((body.item.category.replace("_", " "), body.item.description or "")).lower().split()
-    return (True, want) if want and all(word in text for word in want.split()) else None
+def _of_parts(body: Body, want: dict[str, int]) -> Answer | None:
+    """Counts of its drawers, seats ... where the asset says them."""
+    given = {name: body.item.attributes.get(name) for name in want}
+    if None in given.values():
+        return None
+    return given == want, "with " + " and ".join(f"{value} {name}" for name, value in given.items())
+
+
+def _of_name(body: Body, want: str) -> Answer | None:
+    """Whether its category, a name of that, or its description has the words; nothing is known where they have not."""
+    row = categories().get(body.item.category)
+    names = (body.item.category, body.item.description or "", *(row.synonyms if row is not None else ()))
+    text = {word for name in names for word in name.lower().replace("_", " ").replace("-", " ").split()}
+    wanted = {word for word in want.lower().replace("-", " ").split() if word not in ("size", "sized")}
+    return (True, want) if wanted and wanted <= text else None
 
 
 # ---- sizes -----------------------------------------------------------------------------------------------------------
 
 
-def _extent(body: Body, asked: Entity, word: str) -> Measurement | None:
+def _extent(body: Body, asked: Entity, words: Words) -> Measurement | None:
     """An extent of an object as a share of the middle of what is usual for its category."""
     row = categories().get(asked.category)
     if row is None or row.size is None:
         return None
-    axis, sign = SIZES[word]
-    ratio = _usual_share(body, row, axis)
-    low, high = (1.0, math.inf) if sign > 0 else (-math.inf, 1.0)
-    return Measurement(f"{'area' if axis == 'plan' else axis} by the usual one", ratio, low, high, "", 1e-6)
+    axis, share = _axis(words)
+    low, high = (1.0, math.inf) if share > 0.5 else (0.0, 1.0) if share < 0.5 else (1.0 / MEDIUM, MEDIUM)
+    return Measurement(
+        f"{'area' if axis == 'plan' else axis} by the usual one", _usual_share(body, row, axis), low, high, "", 1e-6
+    )
+
+
+def _axis(words: Words) -> tuple[str, float]:
+    """The extent that words are about, and where in its usual range they put it; both sides together are the area."""
+    extents = dict(words.extents)
+    return ("plan", extents["depth"]) if {"depth", "width"} <= set(extents) else words.extents[0]
 
 
 def _usual_share(body: Body, row: Category, axis: str) -> float:
@@ -211,17 +211,18 @@ def _usual_share(body: Body, row: Category, axis: str) -> float:
     return body.size[k] / middles[k]
 
 
-def _of_size(body: Body, asked: Entity, word: str) -> Answer | None:
-    m = _extent(body, asked, word)
+def _of_size(body: Body, asked: Entity, words: Words) -> Answer | None:
+    m = _extent(body, asked, words)
     return None if m is None else (m.ok(), f"{m.value:.2f} of the usual {m.quantity.split()[0]}")
 
 
 def _resized(attribute: Attribute, asked: Entity, body: Body, number: Measurement) -> tuple[str | None, Any]:
     """Scale it so that the extent is as far beyond the usual as the request's scale says."""
-    axis, sign = SIZES.get(attribute.value.lower(), ("", 0))
-    if not axis or number.value <= 0.0:
+    words = read_words(attribute.value)
+    if not words.extents or number.value <= 0.0:
         return None, None
-    scale = asked.scale if asked.scale != 1.0 else 1.15 if sign > 0 else 0.87
+    axis, share = _axis(words)
+    scale = asked.scale if asked.scale != 1.0 else 1.15 if share > 0.5 else 0.87 if share < 0.5 else 1.0
     size = list(body.size)
     if axis == "plan":
         factor = math.sqrt(scale / number.value)

@@ -82,6 +82,11 @@ class Review(FrozenModel):
     alignment: Alignment = Field(default=Alignment(), description="What became of each item of the request")
 
     @property
+    def unmet(self) -> float:
+        """Points of what is not as asked; the grade for alignment tells less and less of them the more there are."""
+        return sum(fault.points for fault in self.faults if fault.criterion == "alignment")
+
+    @property
     def total(self) -> float:
         """Mean of the grades."""
         return sum(self.grades.values()) / max(1, len(self.grades))

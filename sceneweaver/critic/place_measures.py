@@ -11,6 +11,7 @@ import math
 from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
+from sceneweaver.assets import categories
 from sceneweaver.brief.wall_names import direction_of
 from sceneweaver.geometry.angles import cross, dot, wrap_angle
 from sceneweaver.geometry.walls import Wall
@@ -177,6 +178,10 @@ def _close(most: float, least: float = 0.0) -> Rule:
 
 
 def _hung(survey: Survey, body: Body, segment: Segment, params: dict[str, Any]) -> Alternatives:
+    """Hanging there; what never hangs stands against it: the wardrobe "on the left wall"."""
+    row = categories().get(body.item.category)
+    if body.item.mount != "wall" and row is not None and "wall" not in row.mount:
+        return _close(AT_WALL)(survey, body, segment, params)
     return [
         (
             at_most("gap", _gap(survey, body, segment), HUNG, slack=TOLERANCE),

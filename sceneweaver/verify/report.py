@@ -121,7 +121,9 @@ class Report:
     every hard relation holds. Counts: ``collisions`` pairs of objects; ``out_of_bounds`` and ``unsupported`` objects;
     ``blocked_zones`` (object, zone, other object) triples; ``blocked_openings`` (opening, object) pairs. The shares are
     explained in `walkable.Access`; None when they were not measured. ``stability`` and ``scores`` belong to the physics
-    and the critics, ``seed``, ``device`` and ``candidates`` to the run that made the scene: fill them in with
+    and the critics, as does ``alignment``: how many items a request has (total), and how many are met, unmet, assumed
+    and not_understood;
+    ``seed``, ``device`` and ``candidates`` to the run that made the scene: fill them in with
     ``dataclasses.replace``. So does ``cut_off``, what ended that run before it was done (None: nothing did).
     ``seconds`` is wall time, in all and by step. ``warnings`` say where meshes or measures had to be done without.
     """
@@ -140,6 +142,7 @@ class Report:
     reachable_share: float | None = None
     stability: Mapping[str, Any] | None = None
     scores: Mapping[str, Any] | None = None
+    alignment: Mapping[str, int] | None = None
     violations: tuple[Violation, ...] = ()
     seconds: Mapping[str, float] = field(default_factory=dict)
     seed: int | None = None

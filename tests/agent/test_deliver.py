@@ -13,10 +13,11 @@ from sceneweaver import render
 from sceneweaver.agent.deadline import Deadline
 from sceneweaver.agent.deliver import deliver
 from sceneweaver.agent.memory import Call, Step
+from sceneweaver.agent.request_file import RequestFile
 from sceneweaver.agent.result import Result
 from sceneweaver.assets import Library, make
 from sceneweaver.brief import SceneGraph
-from sceneweaver.critic import CRITERIA, Review
+from sceneweaver.critic import CRITERIA, Alignment, ItemOutcome, Review
 from sceneweaver.scene import InputError, Pose, Room, Scene, Support
 from sceneweaver.verify import check
 
@@ -36,7 +37,10 @@ def result() -> Result:
     return Result(
         scene=scene,
         report=report,
-        review=Review(grades=dict.fromkeys(CRITERIA, 7.0)),
+        review=Review(
+            grades=dict.fromkeys(CRITERIA, 7.0),
+            alignment=Alignment(items=(ItemOutcome(item="lamp", kind="entity", status="unmet", reason="no lamp"),)),
+        ),
         brief=SceneGraph(text="a table with a book on it"),
         steps=(
             Step(number=1, call=Call(tool="init_prior", reason="there is no scene yet"), accepted=True),
@@ -55,12 +59,21 @@ def files(folder: Path) -> set[str]:
 
 def test_scene_and_metrics_alone(result, tmp_path):
     done = deliver(result, tmp_path, Library(), "cpu", False, ())
-    assert files(tmp_path) == {"scene.json", "metrics.json"}
+    assert files(tmp_path) == {"scene.json", "metrics.json", "request.json"}
     assert Scene.load(tmp_path / "scene.json") == result.scene
     metrics = json.loads((tmp_path / "metrics.json").read_text("utf-8"))
     assert metrics == json.loads(done.report.to_json())
     assert metrics["seconds"]["total"] >= metrics["seconds"]["files"] >= 0
     assert done.seconds >= 2.0 and done.scene is result.scene
+    kept = RequestFile.load(tmp_path / "request.json")
+    assert kept.graph == result.brief and kept.outcomes == result.review.alignment.items
+    assert kept.summary == {"total": 1, "met": 0, "unmet": 1, "assumed": 0, "not_understood": 0}
+
+
+def test_a_damaged_request_file_is_one_line(tmp_path):
+    (tmp_path / "request.json").write_text('{"schema": "sceneweaver.request/2"}')
+    with pytest.raises(InputError, match="schema"):
+        RequestFile.load(tmp_path / "request.json")
 
 
 def test_pictures_report_and_model(result, tmp_path, monkeypatch):
@@ -71,7 +84,7 @@ def test_pictures_report_and_model(result, tmp_path, monkeypatch):
     kept.mkdir(parents=True)
     result.scene.save(kept / "scene.json")
     deliver(result, tmp_path, Library(), "cpu", True, ("glb",))
-    expected = {"scene.json", "metrics.json", "scene.glb", "report.html", "steps/01/scene.json"}
+    expected = {"scene.json", "metrics.json", "request.json", "scene.glb", "report.html", "steps/01/scene.json"}
     assert files(tmp_path) == expected | {f"views/{name}" for name in PICTURES}
     for name in PICTURES:
         assert (tmp_path / "views" / name).read_bytes().startswith(b"\x89PNG")
@@ -99,7 +112,13 @@ def test_what_was_there_stays_when_a_picture_or_the_report_fails(result, tmp_pat
     with pytest.raises(InputError, match="top.png: cannot be written .disk full."):
         deliver(result, tmp_path, Library(), "cpu", True, ())
     assert (tmp_path / "views/top.png").read_bytes() == b"old"
-    assert files(tmp_path) == {"scene.json", "metrics.json", "views/top.png", "report.html"}  # nothing half written
+    assert files(tmp_path) == {
+        "scene.json",
+        "metrics.json",
+        "request.json",
+        "views/top.png",
+        "report.html",
+    }  # nothing half written
 
     def broken(path: Path, data: object) -> None:
         path.write_text("<html>")
@@ -110,12 +129,12 @@ def test_what_was_there_stays_when_a_picture_or_the_report_fails(result, tmp_pat
     with pytest.raises(InputError, match="no page"):
         deliver(result, tmp_path, Library(), "cpu", True, ())
     assert (tmp_path / "report.html").read_bytes() == b"old"
-    assert files(tmp_path) == {"scene.json", "metrics.json", "views/top.png", "report.html"}
+    assert files(tmp_path) == {"scene.json", "metrics.json", "request.json", "views/top.png", "report.html"}
 
 
 def test_when_time_is_up_the_scene_and_its_metrics_are_written_and_the_rest_is_noted(result, tmp_path):
     done = deliver(result, tmp_path, Library(), "cpu", True, ("glb", "usd"), Deadline(0.0))
-    assert files(tmp_path) == {"scene.json", "metrics.json"}
+    assert files(tmp_path) == {"scene.json", "metrics.json", "request.json"}
     assert done.notes[-1] == "time was up before these were written: glb, usd, pictures"
 
 
@@ -131,7 +150,14 @@ def test_a_file_that_takes_too_long_is_left_out_and_the_pictures_are_there(resul
     end = time.monotonic() + 2.5
     done = deliver(result, tmp_path, Library(), "cpu", True, ("glb", "usd", "mjcf"), Deadline(end))
     assert time.monotonic() < end + 1.0
-    assert files(tmp_path) == {"scene.json", "metrics.json", "scene.glb", "report.html", "views/top.png"}
+    assert files(tmp_path) == {
+        "scene.json",
+        "metrics.json",
+        "request.json",
+        "scene.glb",
+        "report.html",
+        "views/top.png",
+    }
     assert done.undone == ("usd", "mjcf") and not done.satisfied
     assert done.notes[-1] == "time was up before these were written: usd, mjcf"
 
@@ -145,7 +171,7 @@ def test_pictures_that_take_too_long_are_left_out(result, tmp_path, monkeypatch)
     end = time.monotonic() + 1.0
     done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(end))
     assert time.monotonic() < end + 1.0 and done.undone == ("pictures",)
-    assert files(tmp_path) == {"scene.json", "metrics.json"}
+    assert files(tmp_path) == {"scene.json", "metrics.json", "request.json"}
 
 
 @pytest.mark.parametrize(("left", "size"), [(1.5, (320, 240)), (59.0, (1280, 960))])

@@ -11,7 +11,7 @@ from sceneweaver.agent.deadline import Deadline
 from sceneweaver.agent.executor import Executor, Outcome
 from sceneweaver.agent.settings import Settings
 from sceneweaver.brief import SceneGraph
-from sceneweaver.critic import CRITERIA, Review
+from sceneweaver.critic import CRITERIA, Fault, Review
 from sceneweaver.knowledge import room_type
 from sceneweaver.scene import (
     Add,
@@ -204,6 +204,13 @@ def test_without_physics_nothing_is_searched():
 
 def judged(scene: Scene, grade: float) -> Outcome:
     return Outcome(scene, check(scene), Review(grades=dict.fromkeys(CRITERIA, grade)))
+
+
+def test_what_is_not_as_asked_weighs_more_than_the_grades():
+    asked = Fault(criterion="alignment", kind="asked_relation", reason="not so", points=2.0)
+    fine, poor = judged(room_with(BED), 8), judged(room_with(BED), 9)
+    poor = replace(poor, review=poor.review.model_copy(update={"faults": (asked,)}))
+    assert fine.key < poor.key
 
 
 def test_faults_weigh_more_than_what_was_dropped_and_that_more_than_grades():

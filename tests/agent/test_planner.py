@@ -59,6 +59,23 @@ def test_the_gravest_faults_come_first_and_those_of_a_tool_together():
     assert 0 < calls[0].confidence <= 1 and "2.5 points" in calls[0].reason
 
 
+def test_what_was_asked_for_comes_before_polish_and_in_a_call_of_its_own():
+    polish = [_fault("add_objects", 3.0, objects=[{"category": "plant"}]), _fault("update_rotation", 4.0, ids=["a"])]
+    asked = [
+        Fault(criterion="alignment", kind="k", reason=f"{p} points", tool=tool, inputs=inputs, points=p)
+        for tool, p, inputs in (
+            ("add_objects", 1.0, {"objects": [{"category": "lamp"}]}),
+            ("add_objects", 1.2, {"objects": [{"category": "desk"}]}),
+            ("add_relation", 1.0, {"relations": [{"type": "near", "subject": "a", "target": "b"}]}),
+        )
+    ]
+    calls = RulesPlanner().plan(_situation([*polish, *asked], side_by_side=8))
+    order = [(c.tool, len(c.inputs.get("objects", ()))) for c in calls]
+    assert order[:2] == [("add_objects", 3), ("add_objects", 2)]
+    assert order.index(("add_relation", 0)) < order.index(("update_rotation", 0))
+    assert "5.2 points" in calls[0].reason
+
+
 def test_what_was_asked_for_stays_in_the_call_for_several_tables():
     faults = [
         _fault("add_tabletop", 1.0, supports=["nightstand-0"]),

@@ -204,7 +204,8 @@ def test_between() -> None:
         ("against", "wall:right", sofa, False),
         ("along", "wall", box("sofa-0", SOFA, 3.0, 4.4, 0), False),
         ("on", "wall", box("sofa-0", (0.05, 1.0, 0.5), 0.03, 2.5, z=1.2, mount="wall"), True),
-        ("on", "wall", sofa, False),
+        ("on", "wall", sofa, True),  # what never hangs
+        ("on", "wall", box("sofa-0", SOFA, 3.0, 2.5), False),
         ("far_from", "wall", box("sofa-0", SOFA, 3.0, 2.5), True),
         ("facing", "wall:right", sofa, True),
         ("facing", "wall:far", sofa, False),
@@ -380,3 +381,10 @@ def test_each_unmet_item_lowers_the_grade() -> None:
         last = found.grades["alignment"]
         faults = [f for f in found.faults if f.criterion == "alignment"]
         assert len(faults) == k and all(f.tool for f in faults)
+
+
+def test_what_can_hang_has_to_when_it_is_to_be_on_a_wall() -> None:
+    said: dict[str, Any] = {"type": "on", "subject": "picture", "targets": ("wall",)}
+    size = (0.03, 1.0, 0.7)
+    assert holds(box("picture-0", size, 0.02, 2.5, z=1.4, mount="wall"), **said)
+    assert not holds(box("picture-0", size, 0.02, 2.5), **said), "it stands on the floor"

@@ -47,6 +47,7 @@ PROPERTIES = {
     "reachable_share": SHARE,
     "stability": {"type": ["object", "null"]},
     "scores": {"type": ["object", "null"]},
+    "alignment": {"type": ["object", "null"], "additionalProperties": COUNT},
     "violations": {
         "type": "array",
         "items": {

@@ -1,0 +1,51 @@
+"""``request.json``: how a request was read, and what became of each item of it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import ClassVar, Literal
+
+from pydantic import Field
+
+from sceneweaver.brief import SceneGraph
+from sceneweaver.critic import ItemOutcome, Review
+from sceneweaver.scene import read_bytes, write_atomic
+from sceneweaver.scene.base import FrozenModel
+from sceneweaver.scene.io import parse
+
+NAME = "request.json"
+
+MAX_BYTES = 16 * 2**20
+"""Most bytes of a file that are read."""
+
+
+class RequestFile(FrozenModel):
+    """The scene graph of a request with the outcome of each item, in the order of the graph."""
+
+    _noun: ClassVar[str] = "request"
+
+    schema_: Literal["sceneweaver.request/1"] = Field(alias="schema")
+    graph: SceneGraph
+    summary: dict[str, int] = Field(description="How many items there are (total), and how many of each status")
+    outcomes: tuple[ItemOutcome, ...]
+
+    @classmethod
+    def of(cls, graph: SceneGraph, review: Review) -> RequestFile:
+        """The file of a request and a review of the scene."""
+        found = review.alignment
+        return cls(schema="sceneweaver.request/1", graph=graph, summary=found.summary, outcomes=found.items)
+
+    @classmethod
+    def load(cls, path: Path) -> RequestFile:
+        """Read a file.
+
+        Raises:
+            InputError: when it cannot be read or is no such file.
+        """
+        return cls.model_validate(parse(read_bytes(path, max_bytes=MAX_BYTES)))
+
+    def save(self, path: Path) -> None:
+        """Write it under a temporary name beside the path and rename it."""
+        data = self.model_dump(mode="json", by_alias=True)
+        write_atomic(path, json.dumps(data, indent=1, ensure_ascii=False) + "\n")
