@@ -6,12 +6,13 @@ import numpy as np
 
 from benchmarks.rivals.base import Rival, register
 from benchmarks.rivals.boxes import Boxes, Pairs, axes, overlap_loss
+from benchmarks.rivals.prisms import tied
 from benchmarks.rivals.pulls import ARM, Pull, Room, build
 from benchmarks.starts import carry, movable, random_poses
 from sceneweaver.geometry.angles import dot
 from sceneweaver.geometry.hulls import convex_hull
 from sceneweaver.geometry.walls import walls_of
-from sceneweaver.scene import CATALOGUE, Scene, Window
+from sceneweaver.scene import Scene, Window
 
 STEPS = 300
 RUNS = 3  # the first and two restarts
@@ -81,26 +82,16 @@ def _boxes(scene: Scene, floor: np.ndarray) -> tuple[Boxes, np.ndarray]:
     rows += _fixed(scene) + _openings(scene) + _pockets(scene)
     owner, *rest = (np.array(column) for column in zip(*rows, strict=True))
     boxes = Boxes(owner, *(np.asarray(c, dtype=float) for c in rest))
-    tied = _tied(scene, floor)
+    exempt, item = tied(scene), [*floor, -1]  # the item of an owner; the room, -1, has none
     pairs = [
         (i, j)
         for j in range(len(rows))
         for i in range(min(j, bodies))
         if owner[i] != owner[j]
-        and not (j in zones and (owner[i], owner[j]) in tied)
+        and not (j in zones and (item[owner[i]], item[owner[j]]) in exempt)
         and min(boxes.z[i, 1], boxes.z[j, 1]) > max(boxes.z[i, 0], boxes.z[j, 0])
     ]
     return boxes, np.array(pairs, dtype=int).reshape(-1, 2)
-
-
-def _tied(scene: Scene, floor: np.ndarray) -> set[tuple[int, int]]:
-    """Pairs that may stand in each other's zones."""
-    index = {scene.objects[i].id: k for k, i in enumerate(floor)}
-    tied = set()
-    for r in scene.relations:
-        if CATALOGUE[r.type].ties_zones and isinstance(r.target, str) and r.subject in index and r.target in index:
-            tied |= {(index[r.subject], index[r.target]), (index[r.target], index[r.subject])}
-    return tied
 
 
 def _between(low: np.ndarray, high: np.ndarray) -> tuple[tuple[float, float], tuple[float, float]]:

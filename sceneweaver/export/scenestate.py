@@ -31,7 +31,7 @@ from sceneweaver.scene import Door, InputError, Room, Scene, SceneObject, Window
 from .bodies import Body, Missing, bodies_of
 from .folder import fill, move, staged
 from .glb import model_bytes
-from .models import model_of, with_mesh
+from .models import model_name, with_mesh
 from .room import FLOOR, WALL
 
 SOURCE = "sceneweaver"
@@ -105,7 +105,7 @@ def _object(scene: Scene, index: int, body: Body) -> dict[str, Any]:
     parent = thing.support.object if thing.support is not None else None
     entry: dict[str, Any] = {
         "id": thing.id,
-        "modelId": f"{SOURCE}.{model_of(body).name}",
+        "modelId": f"{SOURCE}.{_name(body)}",
         "index": index,
         "parentId": parent or "",
         "parentIndex": -1 if parent is None else scene.index(parent),
@@ -193,13 +193,18 @@ def _hole(opening: Door | Window) -> dict[str, Any]:
 def _model_files(bodies: Sequence[Body]) -> dict[str, bytes]:
     """GLB and facts of each model, by path beside the JSON file."""
     files: dict[str, bytes] = {}
-    for model in {b.key: model_of(b) for b in bodies}.values():
-        facts = {"category": model.category, "description": model.description, "materials": list(model.materials)}
+    for body in {b.key: b for b in bodies}.values():  # bodies with an equal key have the same mesh
+        name, thing = _name(body), body.object
+        materials = list(dict.fromkeys(body.mesh.materials[int(k)].name for k in body.mesh.face_material))
+        facts = {"category": thing.category, "description": thing.description or "", "materials": materials}
         data = {"annotations": facts, "up": [0, 1, 0], "front": [0, 0, 1], "unit": 1.0}
-        stem = f"models/{model.name}"
-        files[f"{stem}/{model.name}.glb"] = model_bytes(model.mesh, model.name)
-        files[f"{stem}/data.json"] = (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode()
+        files[f"models/{name}/{name}.glb"] = model_bytes(body.mesh, name)
+        files[f"models/{name}/data.json"] = (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode()
     return files
+
+
+def _name(body: Body) -> str:
+    return model_name(body.key, body.object.category)
 
 
 def _hex(material: Material) -> str:

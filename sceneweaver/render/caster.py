@@ -30,6 +30,16 @@ class Instance:
     transform: np.ndarray
 
 
+_SPECK = Mesh(
+    np.array([[0, 0, -1e6], [1e-3, 0, -1e6], [0, 1e-3, -1e6]]),
+    np.array([[0, 1, 2]]),
+    np.zeros(1, int),
+    np.zeros(1, int),
+    (Material("none", (0, 0, 0)),),
+)
+"""Far below everything: stands for nothing where there must be a mesh."""
+
+
 @dataclass(frozen=True)
 class Lighting:
     """Sun and sky, in linear light; ``sun`` points toward it, ``reach`` is how far occlusion is looked for [m].
@@ -225,6 +235,8 @@ def _solid(instances: list[Instance], lighting: Lighting):
     """The world of all instances, and what must live as long as it is drawn."""
     looks, numbers = [], []
     points, local, faces, normals, look_of, grain = [], [], [], [], [], []
+    if not any(len(instance.mesh.faces) for instance in instances):
+        instances = [Instance(_SPECK, np.eye(4))]
     for number, instance in enumerate(instances):
         mesh, matrix = instance.mesh, _transform(instance, number)
         if not len(mesh.faces):
@@ -240,10 +252,6 @@ def _solid(instances: list[Instance], lighting: Lighting):
         grain.append(axis)
         looks += [_look(material) for material in mesh.materials]
         numbers.append(np.full(len(mesh.faces), number))
-    if not faces:  # a speck far below, so that there is a mesh at all
-        points, local = [np.array([[0, 0, -1e6], [1e-3, 0, -1e6], [0, 1e-3, -1e6]])], [np.zeros((3, 3))]
-        faces, normals, look_of = [np.array([[0, 1, 2]])], [np.zeros((3, 3))], [np.zeros(1, dtype=int)]
-        grain, numbers, looks = [np.zeros(1, dtype=int)], [np.zeros(1)], [_look(Material("none", (0, 0, 0)))]
     flat = wp.array(np.concatenate(faces).reshape(-1), dtype=int)
     mesh = wp.Mesh(points=wp.array(np.concatenate(points), dtype=wp.vec3), indices=flat)
     solid = raycast.Solid()
@@ -255,15 +263,7 @@ def _solid(instances: list[Instance], lighting: Lighting):
     solid.face_grain = wp.array(np.concatenate(grain), dtype=int)
     solid.faces = flat
     solid.local = wp.array(np.concatenate(local), dtype=wp.vec3)
-    shutters = lighting.shutters
-    if shutters is None:
-        shutters = Mesh(
-            np.array([[0, 0, -1e6], [1e-3, 0, -1e6], [0, 1e-3, -1e6]]),
-            np.array([[0, 1, 2]]),
-            np.zeros(1, int),
-            np.zeros(1, int),
-            (),
-        )
+    shutters = lighting.shutters or _SPECK
     behind = wp.Mesh(
         points=wp.array(shutters.vertices, dtype=wp.vec3), indices=wp.array(shutters.faces.reshape(-1), dtype=int)
     )

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 import zlib
+from importlib import resources
 from typing import TYPE_CHECKING
 
+import yaml
 from PIL import ImageColor
 
 if TYPE_CHECKING:
@@ -27,94 +29,11 @@ ZONE: Rgb = (186, 140, 84)
 ALARM: Rgb = (208, 52, 48)
 GOOD: Rgb = (58, 128, 84)
 
-_FAMILIES: dict[str, tuple[Rgb, str]] = {
-    "bed": ((188, 201, 217), "bed mattress crib cot bunk daybed futon pillow blanket headboard"),
-    "seat": ((224, 188, 160), "chair stool bench seat recliner highchair chaise"),
-    "sofa": ((186, 199, 173), "sofa couch loveseat armchair ottoman pouf beanbag sectional settee"),
-    "table": ((229, 206, 168), "table desk counter island workbench bar lectern podium"),
-    "storage": (
-        (207, 192, 175),
-        "wardrobe closet dresser nightstand cabinet sideboard bookcase bookshelf shelf shelves rack drawer drawers "
-        "chest cupboard stand locker console credenza hutch trolley cart safe box bin basket",
-    ),
-    "plant": ((164, 190, 146), "plant tree flower flowers cactus fern planter bush"),
-    "light": ((243, 223, 160), "lamp light chandelier pendant sconce candle lantern"),
-    "screen": (
-        (163, 174, 186),
-        "tv television monitor laptop computer screen printer speaker phone projector keyboard",
-    ),
-    "ware": (
-        (227, 233, 235),
-        "toilet sink basin bathtub bath shower bidet washer washing dryer fridge refrigerator"
-        " freezer stove oven dishwasher microwave hob cooker machine mug cup plate bowl",
-    ),
-    "decor": (
-        (219, 180, 172),
-        "vase picture painting mirror clock frame art sculpture statue poster photo curtain book"
-        " books stack globe candleholder",
-    ),
-    "rug": ((226, 216, 222), "rug carpet mat doormat"),
-    "sport": ((168, 190, 190), "treadmill bike bicycle dumbbell dumbbells weights rower elliptical punching gym"),
-}
-_OTHERS: tuple[Rgb, ...] = (
-    (200, 190, 212),
-    (190, 207, 205),
-    (222, 198, 188),
-    (206, 208, 180),
-    (192, 200, 216),
-    (218, 196, 206),
-)
-_FAMILY_OF = {word: family for family, (_, words) in _FAMILIES.items() for word in words.split()}
-
-_MATERIALS: dict[str, Rgb] = {
-    "oak": (222, 192, 148),
-    "ash": (228, 208, 174),
-    "birch": (236, 218, 184),
-    "beech": (230, 200, 162),
-    "pine": (234, 206, 156),
-    "maple": (232, 208, 172),
-    "teak": (200, 158, 112),
-    "walnut": (166, 128, 98),
-    "mahogany": (158, 104, 84),
-    "cherry": (188, 126, 98),
-    "wood": (220, 190, 150),
-    "wooden": (220, 190, 150),
-    "bamboo": (226, 210, 160),
-    "rattan": (222, 196, 150),
-    "wicker": (218, 192, 148),
-    "cork": (210, 172, 128),
-    "metal": (178, 184, 190),
-    "steel": (182, 189, 196),
-    "chrome": (200, 206, 211),
-    "iron": (122, 124, 128),
-    "aluminium": (196, 202, 207),
-    "brass": (216, 188, 112),
-    "copper": (206, 148, 116),
-    "gold": (222, 194, 116),
-    "glass": (206, 226, 232),
-    "mirror": (210, 226, 233),
-    "marble": (234, 232, 228),
-    "stone": (204, 200, 192),
-    "granite": (170, 168, 166),
-    "concrete": (196, 194, 190),
-    "ceramic": (232, 230, 224),
-    "porcelain": (238, 240, 240),
-    "terracotta": (208, 142, 112),
-    "leather": (176, 128, 98),
-    "linen": (228, 220, 202),
-    "cotton": (232, 226, 214),
-    "wool": (222, 212, 198),
-    "jute": (212, 190, 148),
-    "charcoal": (98, 98, 102),
-    "cream": (243, 234, 212),
-    "sage": (178, 194, 164),
-    "mustard": (220, 184, 98),
-    "rose": (220, 176, 176),
-    "sand": (226, 208, 176),
-    "blush": (230, 198, 192),
-    "denim": (124, 148, 178),
-    "natural": (226, 206, 170),
-    "off-white": (240, 236, 226),
+_WORDS = yaml.safe_load(resources.files(__package__ or "").joinpath("palette.yaml").read_text(encoding="utf-8"))
+_OTHERS: list[Rgb] = [tuple(color) for color in _WORDS["others"]]
+_MATERIALS: dict[str, Rgb] = {name: tuple(color) for name, color in _WORDS["materials"].items()}
+_FAMILIES: dict[str, Rgb] = {
+    word: tuple(family["color"]) for family in _WORDS["families"].values() for word in family["words"].split()
 }
 
 
@@ -132,9 +51,8 @@ def category_color(category: str) -> Rgb:
     words = words_of(category)
     number = zlib.crc32(" ".join(words).encode())
     for word in reversed(words):
-        family = _FAMILY_OF.get(word) or _FAMILY_OF.get(word.removesuffix("s"))
-        if family is not None:
-            base = _FAMILIES[family][0]
+        base = _FAMILIES.get(word) or _FAMILIES.get(word.removesuffix("s"))
+        if base is not None:
             break
     else:
         base = _OTHERS[number % len(_OTHERS)]

@@ -29,6 +29,7 @@ from sceneweaver.verify.measure import (
     at_most,
     fails,
     judge,
+    judge_all,
 )
 from sceneweaver.verify.solids import Body, Face, Opening, Placed
 from sceneweaver.verify.support import bottom, rest
@@ -143,7 +144,9 @@ def _away_from_door(case: Case) -> Judgement:
         for door, zone in zip(case.placed.doors, case.placed.opening_zones.polygons, strict=False)
         if target is None or door.item.id == target
     ]
-    return fails(f"the room has no {target}") if target is not None and not apart else judge([apart], "", ROUNDING)
+    return (
+        fails(f"the room has no {target}") if target is not None and not apart else judge_all(*apart, rounding=ROUNDING)
+    )
 
 
 def _near_opening(case: Case) -> Judgement:
@@ -240,20 +243,20 @@ def _apart(case: Case) -> Judgement:
     """Distance between the footprints."""
     least = case.number("min") if "min" in case.spec.params else 0.0
     apart = case.placed.distance(case.subject, case.other)
-    return judge([[Measurement("distance", apart, least, case.number("max"), "m", TOLERANCE)]], "")
+    return judge_all(Measurement("distance", apart, least, case.number("max"), "m", TOLERANCE))
 
 
 def _facing(case: Case) -> Judgement:
     """Target's centre near the direction of the front; coinciding centres face nothing (90 degrees)."""
     (ax, ay), (bx, by) = case.subject.centre, case.other.centre
     off = turn(case.subject.front, (bx - ax, by - ay)) if (ax, ay) != (bx, by) else 90.0
-    return judge([[at_most("turned away by", off, case.number("degrees"), "deg")]], "")
+    return judge_all(at_most("turned away by", off, case.number("degrees"), "deg"))
 
 
 def _yaws(case: Case, modulo: float) -> Judgement:
     off = math.degrees(case.subject.yaw - case.other.yaw)
     off = abs((off + modulo / 2) % modulo - modulo / 2)
-    return judge([[at_most("turned", off, case.number("degrees"), "deg")]], "")
+    return judge_all(at_most("turned", off, case.number("degrees"), "deg"))
 
 
 def _aligned(case: Case) -> Judgement:
@@ -270,22 +273,17 @@ def _beside(case: Case) -> Judgement:
     dx, dy = case.subject.position[0] - face.centre[0], case.subject.position[1] - face.centre[1]
     beyond = dx * face.normal[0] + dy * face.normal[1]
     aside = abs(dy * face.normal[0] - dx * face.normal[1])
-    return judge(
-        [
-            [
-                Measurement("distance beyond its face", beyond, case.number("min"), case.number("max"), "m", TOLERANCE),
-                at_most("aside", aside, case.number("band") / 2 * 2 * face.half),
-            ]
-        ],
-        "",
-        ROUNDING,
+    return judge_all(
+        Measurement("distance beyond its face", beyond, case.number("min"), case.number("max"), "m", TOLERANCE),
+        at_most("aside", aside, case.number("band") / 2 * 2 * face.half),
+        rounding=ROUNDING,
     )
 
 
 def _centered_on(case: Case) -> Judgement:
     """The smaller offset of the subject's centre in the target's frame."""
     off = min(map(abs, case.other.local(case.subject.centre)))
-    return judge([[at_most("off centre by", off, case.number("offset"), slack=TOLERANCE)]], "")
+    return judge_all(at_most("off centre by", off, case.number("offset"), slack=TOLERANCE))
 
 
 def _centre_over(case: Case) -> Judgement:
@@ -309,15 +307,10 @@ def _between(case: Case) -> Judgement:
         return fails("the two targets stand in one place")
     px, py = case.subject.position[0] - a[0], case.subject.position[1] - a[1]
     low, high = case.spec.value(case.relation, "along")
-    return judge(
-        [
-            [
-                Measurement("along the line", (px * dx + py * dy) / size, low * size, high * size),
-                at_most("aside", abs(px * dy - py * dx) / size, case.number("aside")),
-            ]
-        ],
-        "",
-        ROUNDING,
+    return judge_all(
+        Measurement("along the line", (px * dx + py * dy) / size, low * size, high * size),
+        at_most("aside", abs(px * dy - py * dx) / size, case.number("aside")),
+        rounding=ROUNDING,
     )
 
 
@@ -327,7 +320,7 @@ def _between(case: Case) -> Judgement:
 def _on_floor(case: Case) -> Judgement:
     z = bottom(case.subject)
     name = "height above the floor" if z >= 0 else "depth below the floor"
-    return judge([[at_most(name, abs(z), case.number("height"))]], "", ROUNDING)
+    return judge_all(at_most(name, abs(z), case.number("height")), rounding=ROUNDING)
 
 
 def _on_surface(case: Case) -> Judgement:
@@ -359,21 +352,16 @@ def _over(case: Case) -> Judgement:
     aside = abs(other.local(subject.centre)[1])
     above = case.relation.type == "above"
     clear = bottom(subject) - other.z[1] if above else bottom(other) - subject.z[1]
-    return judge(
-        [
-            [
-                at_least("clearance", clear, 0.0, slack=TOLERANCE),
-                at_most("aside", aside, case.number("lateral") * other.size[1], slack=TOLERANCE),
-            ]
-        ],
-        "",
-        ROUNDING,
+    return judge_all(
+        at_least("clearance", clear, 0.0, slack=TOLERANCE),
+        at_most("aside", aside, case.number("lateral") * other.size[1], slack=TOLERANCE),
+        rounding=ROUNDING,
     )
 
 
 def _same_height(case: Case) -> Judgement:
     off = abs(bottom(case.subject) - bottom(case.other))
-    return judge([[at_most("difference of height", off, case.number("tolerance"), slack=TOLERANCE)]], "", ROUNDING)
+    return judge_all(at_most("difference of height", off, case.number("tolerance"), slack=TOLERANCE), rounding=ROUNDING)
 
 
 JUDGES: dict[str, Judge] = {
