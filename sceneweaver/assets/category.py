@@ -46,6 +46,9 @@ class Category(FrozenModel):
     name: str
     parent: str | None = Field(default=None, description="The wider category that it belongs to")
     synonyms: tuple[str, ...] = Field(default=(), description="Other words for the same thing")
+    like: tuple[str, ...] = Field(
+        default=(), description="Other things of about its size and form: its body stands for them, under their names"
+    )
     plural: str | None = Field(default=None, description="Plural where it is not regular")
     usual: str | None = Field(
         default=None, description="Of a group: the member that is meant when nothing else is said"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from importlib import resources
 from itertools import combinations
@@ -14,9 +14,9 @@ from typing import Any, Literal
 from .asset import Mount
 from .category import Category, categories, read_yaml
 from .looks import is_look
-from .plurals import singular
+from .plurals import singular, slips
 
-How = Literal["exact", "synonym", "plural", "spelling", "head", "group", "generic"]
+How = Literal["exact", "synonym", "plural", "spelling", "like", "head", "group", "generic"]
 
 GENERIC = "object"
 """The parent of the bodies that stand for nouns which no category fits."""
@@ -37,12 +37,17 @@ _OF_MOUNT: dict[Mount, tuple[str, ...]] = {
 }
 
 
+_ADJECTIVE = re.compile(r"..(ed|ing|ful|ous|able|ible|ish|less|ive|ical|esque)$")
+"""How words end that describe a thing rather than name its kind."""
+
+
 @dataclass(frozen=True)
 class Match:
     """What a noun was taken for, and how.
 
     ``category`` is what the object is called in a scene: a category of the taxonomy or, where none fits, the noun
-    itself ("zebra_crossing"). ``body`` is the category that draws it, a ``generic_*`` one for such a noun.
+    itself ("zebra_crossing"). ``body`` is the category that draws it, a ``generic_*`` one for such a noun. ``label`` is
+    what people call the thing: "altar_table" of one that is treated and drawn as a dining table.
     ``modifiers`` are the words before the noun that are no part of its name: colours, materials, sizes, others.
     ``note`` is a sentence for the user unless the name was known.
     """
@@ -51,11 +56,12 @@ class Match:
     how: How
     note: str = ""
     body: str = ""
+    label: str = ""
     modifiers: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        if not self.body:
-            object.__setattr__(self, "body", self.category)
+        object.__setattr__(self, "body", self.body or self.category)
+        object.__setattr__(self, "label", self.label or self.category)
 
     @property
     def generic(self) -> bool:
@@ -74,8 +80,13 @@ def _words() -> dict[str, tuple[str, How]]:
         for word in category.synonyms:
             table.setdefault(_plain(word), (name, "synonym"))
     for name, category in known.items():
+        for word in category.like:
+            table.setdefault(_plain(word), (name, "like"))
+    for name, category in known.items():
         if category.plural:
             table.setdefault(_plain(category.plural), (name, "plural"))
+    for word, (name, how) in list(table.items()):
+        table.setdefault(singular(word), (name, how if how == "like" else "synonym"))
     return table
 
 
@@ -162,6 +173,9 @@ def _known(noun: str, asked: str) -> Match | None:
             name, how = table[word]
             if categories()[name].size is None:
                 return _of_group(noun, name)
+            if how == "like":
+                note = f"there is no {word}; the body of a {categories()[name].words} stands for it"
+                return Match(name, how, note, label=singular(word).replace(" ", "_"))
             return Match(name, "plural" if plural and how == "exact" else how)
     return None
 
@@ -179,11 +193,12 @@ def _compound(noun: str, asked: str) -> Match | None:
         found, rest = _narrowed(found, rest)
         strange = [word for word in rest if not is_look(word)]
         if not strange or is_look(" ".join(rest)):
-            return Match(found.category, found.how, modifiers=tuple(rest))
+            return replace(found, modifiers=tuple(rest))
         if end in _lexicon()["not_heads"]:
             return None
         note = f"'{noun}' is not known; a {categories()[found.category].words} stands for it"
-        return Match(found.category, "head", note, modifiers=tuple(rest))
+        label, modifiers = _label(f"{' '.join(before)} {end}")
+        return Match(found.category, "head", note, label=label, modifiers=modifiers)
     return None
 
 
@@ -212,24 +227,30 @@ def _contents(noun: str, asked: str, mount: Mount | None) -> Match | None:
         return None
     collective = singular(head).split()[-1] in _lexicon()["collective"]
     match = resolve(rest if collective else head, mount)
-    if match.generic and not collective:
-        return None
-    return Match(match.category, match.how, match.note, match.body, (*match.modifiers, *(() if collective else [rest])))
+    if collective:
+        return match
+    return None if match.generic else replace(match, label=_label(asked)[0], modifiers=(*match.modifiers, rest))
 
 
 def _misspelt(noun: str, asked: str) -> Match | None:
-    """A known word that differs by a slip: no other ending, and nothing that is a word of its own."""
-    from .plurals import slips
-
-    word, table = singular(asked), _words()
-    if len(word) <= 4 or word in _heads():
+    """A known name of which one word has a slip; what is a word of some name is no slip of another."""
+    words = singular(asked).split()
+    strange = [word for word in words if word not in _single_words() and not is_look(word)]
+    if len(strange) != 1 or len(strange[0]) < 5:
         return None
-    for near in difflib.get_close_matches(word, table, n=3, cutoff=0.82):
-        if near[0] == word[0] and slips(word, near) <= (1 if len(word) < 8 else 2):
-            name = table[near][0]
-            if categories()[name].size is not None:
-                return Match(name, "spelling", f"'{noun}' was taken for '{near}'")
+    (word,) = strange
+    for near in difflib.get_close_matches(word, _single_words(), n=3, cutoff=0.8):
+        if near[0] == word[0] and slips(word, near) <= (1 if len(word) < 9 else 2):
+            found = _known(noun, " ".join(near if w == word else w for w in words))
+            if found is not None and found.how != "group":
+                return Match(found.category, "spelling", f"'{noun}' was taken for '{near}'")
     return None
+
+
+@cache
+def _single_words() -> list[str]:
+    """Every word of a name, and what says the kind of a labelled body."""
+    return sorted({word for phrase in (*_words(), *_heads()) for word in phrase.split()})
 
 
 def _closed(noun: str, asked: str) -> Match | None:
@@ -245,19 +266,24 @@ def _closed(noun: str, asked: str) -> Match | None:
 
 def _labelled(noun: str, asked: str, mount: Mount | None) -> Match:
     """A body of typical size with the noun as its category."""
-    words = re.sub(r"[^a-z0-9 ]", "", asked.partition(" of ")[0]).split()
-    first = next((k for k, word in enumerate(words) if not is_look(word)), max(0, len(words) - 1))
-    label = singular(" ".join(words[first:]))
-    heads = _heads()
-    tails = [" ".join(label.split()[k:]) for k in range(len(label.split()))]
+    name, modifiers = _label(asked)
+    heads, words = _heads(), _label(asked.partition(" of ")[0])[0].split("_")
+    tails = [" ".join(words[k:]) for k in range(len(words))]
     body = next((heads[tail] for tail in tails if tail in heads), _lexicon()["default"])
     if mount is not None and body not in _OF_MOUNT[mount] and body != GENERIC:
         body = _OF_MOUNT[mount][0]
-    name = label.replace(" ", "_") or GENERIC
-    if name in categories():  # a group's or a generic body's own name
-        name, body = GENERIC, body if label else GENERIC
+    if not name or name in categories():  # a group's or a generic body's own name
+        name, body = GENERIC, body if name else GENERIC
     note = f"'{noun}' is not known; a plain labelled body stands for it"
-    return Match(name, "generic", note, body, tuple(words[:first]))
+    return Match(name, "generic", note, body, modifiers=modifiers)
+
+
+def _label(asked: str) -> tuple[str, tuple[str, ...]]:
+    """A noun as the name of a category, without the words before it that describe it, and those words."""
+    words = re.sub(r"[^a-z0-9 ]", "", asked).split()
+    noun = (k for k, word in enumerate(words) if not is_look(word) and not _ADJECTIVE.search(word))
+    first = min(next(noun, len(words)), max(0, len(words) - 1))
+    return singular(" ".join(words[first:])).replace(" ", "_"), tuple(words[:first])
 
 
 @cache

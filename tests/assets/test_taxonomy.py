@@ -22,7 +22,7 @@ def test_there_are_enough_categories() -> None:
 def test_every_word_means_one_thing() -> None:
     owners = defaultdict(list)
     for name, category in categories().items():
-        for word in (category.words, *category.synonyms):
+        for word in (category.words, *category.synonyms, *category.like):
             owners[word.lower()].append(name)
     assert {word: names for word, names in owners.items() if len(names) > 1} == {}
 
