@@ -11,9 +11,10 @@ from typing import Any, NamedTuple
 
 import warp as wp
 
-from .bodies import candidate_of
-from .step import freedom, keep_last, noise, place_members, scaled_gradient, stream, turning_arm
-from .tables import Problems, State
+from .array_access import item
+from .bodies import Candidate, candidate_of
+from .step import AT_REST, Gradients, freedom, noise, place_members, scaled_gradient, stream, total_of, turning_arm
+from .tables import Problems, TablesRef
 from .warp_primitives import WARP_SIZE
 
 # Fast sines on a GPU are good to a few micrometres; the layout that is kept is measured again with exact ones.
@@ -34,6 +35,27 @@ class Schedule:
     rate_end: wp.float32
     noise: wp.float32  # [m] standard deviation at the start; Langevin: temperature [m], in units of the energy
     quiet: wp.float32  # share of the run after which there is no noise
+
+
+@wp.struct
+class StepBuffer:
+    """What a step leaves to the next; two of these take turns."""
+
+    poses: wp.array2d(dtype=wp.vec4)
+    turns: wp.array2d(dtype=wp.vec2)
+    share: wp.array2d(dtype=wp.float32)  # [object, candidate]: of the roots, at these poses
+    lowest: wp.array(dtype=wp.float32)  # [candidate]: lowest energy before these poses
+    clock: wp.array(dtype=wp.int32)  # [1]: the step
+
+
+@wp.struct
+class DescentMemory:
+    """What a descent keeps from step to step."""
+
+    mean: wp.array2d(dtype=wp.vec4)  # [object, candidate]: running averages of the rule's own
+    square: wp.array2d(dtype=wp.vec4)
+    best: wp.array2d(dtype=wp.vec4)  # [candidate, object]: poses of the lowest energy so far
+    rng: wp.array(dtype=wp.uint32)  # [candidate]
 
 
 @wp.struct
@@ -102,6 +124,33 @@ def langevin(x: Update):
     return x
 
 
+@wp.func
+def keep_last(t: TablesRef, c: Candidate, obj: wp.int32, now: StepBuffer, other: StepBuffer, memory: DescentMemory):
+    """Keep the poses of the step before if they were the best; True: this thread has a root.
+
+    Candidates at rest have no thread with a root: they are left as they are.
+    """
+    candidate = c.index
+    o = c.first_object + obj
+    if obj >= c.objects:
+        return False
+    low = now.lowest[candidate]
+    if low <= AT_REST:
+        other.lowest[candidate] = low
+        return False
+    total = total_of(other.share, candidate, c.objects)
+    if obj == 0:
+        other.lowest[candidate] = wp.where(total < low, total, low)
+    if item(t[0].object_root, o) != obj:
+        now.share[obj, candidate] = 0.0
+        return False
+    if total < low:
+        for k in range(item(t[0].member_start, o), item(t[0].member_start, o + 1)):
+            i = item(t[0].member, k)
+            memory.best[candidate, i] = other.poses[candidate, i]
+    return True
+
+
 class UpdateRule(NamedTuple):
     """The kernel of one step by a rule, and whether it keeps a mean of gradients in ``mean``."""
 
@@ -119,28 +168,16 @@ def update_rule(rule: wp.Function, keeps_mean: bool) -> UpdateRule:
         b: Problems,
         schedule: Schedule,
         # State in:
-        clock: wp.array(dtype=wp.int32),
-        s: State,
-        share: wp.array2d(dtype=wp.float32),
-        lowest: wp.array(dtype=wp.float32),
-        part: wp.array2d(dtype=wp.float32),
-        gradient: wp.array2d(dtype=wp.vec4),
+        each: Gradients,
         # State in and out:
-        mean: wp.array2d(dtype=wp.vec4),
-        square: wp.array2d(dtype=wp.vec4),
-        next_poses: wp.array2d(dtype=wp.vec4),
-        # State out:
-        next_turns_out: wp.array2d(dtype=wp.vec2),
-        best_out: wp.array2d(dtype=wp.vec4),
-        share_out: wp.array2d(dtype=wp.float32),
-        lowest_out: wp.array(dtype=wp.float32),
-        clock_out: wp.array(dtype=wp.int32),
+        memory: DescentMemory,
+        now: StepBuffer,
+        other: StepBuffer,
     ):
         """Move every root one step by the rule; what it carries follows.
 
-        ``share`` and, before they are overwritten, ``next_poses`` are those of the step before; ``lowest`` is the
-        lowest energy before that step; ``part`` and ``gradient`` are every object's share of the energy and its
-        gradient at the poses of this step.
+        ``each`` are every object's share of the energy and its gradient at the poses of this step, ``now``. The other
+        buffer holds the step before, and then the next.
         """
         t = b.tables
         group, obj, lane = wp.tid()
@@ -148,32 +185,32 @@ def update_rule(rule: wp.Function, keeps_mean: bool) -> UpdateRule:
         if candidate >= b.problem.shape[0]:
             return
         if candidate == 0 and obj == 0:
-            clock_out[0] = clock[0] + 1
+            other.clock[0] = now.clock[0] + 1
         c = candidate_of(b, candidate)
         o = c.first_object + obj
-        if not keep_last(t, c, obj, share, lowest, next_poses, best_out, share_out, lowest_out):
+        if not keep_last(t, c, obj, now, other, memory):
             return
         arm = turning_arm(t, o)
-        portion, g = scaled_gradient(t, o, obj, candidate, arm, part, gradient, s.poses)
-        share_out[obj, candidate] = portion
+        share, g = scaled_gradient(t, o, obj, candidate, arm, each, now.poses)
+        now.share[obj, candidate] = share
         x = Update()
-        x.step = clock[0]
+        x.step = now.clock[0]
         life = float(x.step) / float(schedule.steps)
         x.rate = rate_at(schedule, life)
         x.noise = noise_at(schedule, life)
         x.gradient = g
         if with_mean != 0:
-            x.mean = mean[obj, candidate]
-        x.square = square[obj, candidate]
+            x.mean = memory.mean[obj, candidate]
+        x.square = memory.square[obj, candidate]
         if x.noise > 0.0:
-            x.random = noise(stream(s.rng[candidate], x.step, obj))
+            x.random = noise(stream(memory.rng[candidate], x.step, obj))
         x = rule(x)
         if with_mean != 0:
-            mean[obj, candidate] = x.mean
-        square[obj, candidate] = x.square
+            memory.mean[obj, candidate] = x.mean
+        memory.square[obj, candidate] = x.square
         d = wp.cw_mul(x.displacement, freedom(t, o))
         d[3] = d[3] / arm
-        place_members(t, o, obj, candidate, candidate, d, s.poses, next_poses, next_turns_out)
+        place_members(t, o, obj, candidate, d, now.poses, other.poses, other.turns)
 
     return UpdateRule(step, keeps_mean)
 

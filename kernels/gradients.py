@@ -11,7 +11,7 @@ from .array_access import inline_on_gpu, item
 from .bodies import body_of, candidate_of, layout_of
 from .evaluator import EVERY_KIND, evaluator
 from .geometry import FAR
-from .step import AT_REST
+from .step import AT_REST, Gradients
 from .tables import BOUNDS, Energy, Problems, State, TermSlice
 from .warp_primitives import WARP_SIZE
 
@@ -40,8 +40,7 @@ def gradient_kernel(module: str, name: str, kinds: int, registers: int | None = 
         s: State,
         lowest: wp.array(dtype=wp.float32),
         # State in and out:
-        share: wp.array2d(dtype=wp.float32),
-        gradient: wp.array2d(dtype=wp.vec4),
+        each: Gradients,
     ):
         """Add some kinds of terms to every object's share and gradient, [object, candidate].
 
@@ -64,11 +63,11 @@ def gradient_kernel(module: str, name: str, kinds: int, registers: int | None = 
         else:
             e = energy_of(b, layout_of(c, s), x, TermSlice(0, 1, FAR))
         if sets != 0:
-            share[obj, candidate] = e.share
-            gradient[obj, candidate] = e.gradient
+            each.share[obj, candidate] = e.share
+            each.gradient[obj, candidate] = e.gradient
         elif e.value > 0.0:
-            share[obj, candidate] = item(share, obj, candidate) + e.share
-            gradient[obj, candidate] = item(gradient, obj, candidate) + e.gradient
+            each.share[obj, candidate] = item(each.share, obj, candidate) + e.share
+            each.gradient[obj, candidate] = item(each.gradient, obj, candidate) + e.gradient
 
     return GradientKernel(kinds, gradients)
 

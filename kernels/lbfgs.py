@@ -14,7 +14,7 @@ again (basin hopping, Wales & Doye 1997).
 import warp as wp
 
 from .bodies import object_count, root_at
-from .step import AT_REST, freedom, noise, place_members, stream, total_of, turning_arm
+from .step import AT_REST, Gradients, freedom, noise, place_members, stream, total_of, turning_arm
 from .tables import Problems, State
 from .warp_primitives import WARP_SIZE
 
@@ -52,6 +52,8 @@ class History:
 class Line:
     """The line search of each candidate, [candidate]; directions and gradients [object, candidate]."""
 
+    clock: wp.array(dtype=wp.int32)  # [1]
+    best: wp.array2d(dtype=wp.vec4)  # [candidate, object]: poses of the lowest minimum
     energy: wp.array(dtype=wp.float32)  # of the layout; infinite: take any trial
     lowest: wp.array(dtype=wp.float32)  # of the minima found before
     step_length: wp.array(dtype=wp.float32)  # share of the direction that the trial takes
@@ -169,18 +171,16 @@ def search_line(
     # Problem:
     b: Problems,
     # State in:
-    trial_share: wp.array2d(dtype=wp.float32),
-    trial_gradient: wp.array2d(dtype=wp.vec4),
+    measured: Gradients,
     # State in and out:
     h: History,
     line: Line,
-    clock: wp.array(dtype=wp.int32),
 ):
     """Accept or refuse each candidate's trial, and say where the next one goes."""
     t = b.tables
     candidate = wp.tid()
     if candidate == 0:
-        clock[0] = clock[0] + 1
+        line.clock[0] = line.clock[0] + 1
     p = b.problem[candidate]
     n = object_count(t, p)
     energy = line.energy[candidate]
@@ -188,7 +188,7 @@ def search_line(
         line.state[candidate] = REFUSED
         line.step_length[candidate] = 0.0
         return
-    total = total_of(trial_share, candidate, n)
+    total = total_of(measured.share, candidate, n)
     step_length = line.step_length[candidate]
     slope = line.slope[candidate]
     state = int(REFUSED)
@@ -199,10 +199,10 @@ def search_line(
             h.count[candidate] = 0
             line.idle[candidate] = 0
         else:
-            store_pair(h, line, trial_gradient, candidate, n)
+            store_pair(h, line, measured.gradient, candidate, n)
             line.idle[candidate] = wp.where(energy - total < LITTLE * energy, line.idle[candidate] + 1, 0)
         for obj in range(n):
-            line.gradient[obj, candidate] = trial_gradient[obj, candidate]
+            line.gradient[obj, candidate] = measured.gradient[obj, candidate]
         line.energy[candidate] = total
         state = int(ACCEPTED)
         anew = True
@@ -240,13 +240,10 @@ def make_trial(
     push: wp.float32,
     steps: wp.int32,
     # State in:
-    clock: wp.array(dtype=wp.int32),
-    rng: wp.array(dtype=wp.uint32),
-    share: wp.array2d(dtype=wp.float32),
-    line: Line,
+    measured: Gradients,
     # State in and out:
-    poses: wp.array2d(dtype=wp.vec4),
-    best: wp.array2d(dtype=wp.vec4),
+    line: Line,
+    s: State,
     trial: State,
 ):
     """Carry out what was decided and lay out the next trial: along the direction, or pushed out of a minimum.
@@ -263,17 +260,17 @@ def make_trial(
     for k in range(t[0].member_start[o], t[0].member_start[o + 1]):
         i = t[0].member[k]
         if state == ACCEPTED:
-            poses[candidate, i] = trial.poses[candidate, i]
+            s.poses[candidate, i] = trial.poses[candidate, i]
         elif state == STUCK_BEST:
-            best[candidate, i] = poses[candidate, i]
+            line.best[candidate, i] = s.poses[candidate, i]
         elif state == STUCK:
-            poses[candidate, i] = best[candidate, i]
+            s.poses[candidate, i] = line.best[candidate, i]
     d = line.step_length[candidate] * line.direction[obj, candidate]
     if state == STUCK or state == STUCK_BEST:
-        step = clock[0]
+        step = line.clock[0]
         sigma = push * wp.max(0.0, 1.0 - float(step) / float(steps))
-        if share[obj, candidate] <= AT_REST:
+        if measured.share[obj, candidate] <= AT_REST:
             sigma = 0.0
-        d = sigma * wp.cw_mul(noise(stream(rng[candidate], step, obj)), freedom(t, o))
+        d = sigma * wp.cw_mul(noise(stream(s.rng[candidate], step, obj)), freedom(t, o))
     d[3] = d[3] / turning_arm(t, o)
-    place_members(t, o, obj, candidate, candidate, d, poses, trial.poses, trial.turns)
+    place_members(t, o, obj, candidate, d, s.poses, trial.poses, trial.turns)

@@ -9,7 +9,7 @@ in the cache. What is private to these optimisers is stored [object, candidate],
 import warp as wp
 
 from .array_access import item, item_strided
-from .bodies import Candidate, object_count, root_at
+from .bodies import object_count, root_at
 from .features import TURN
 from .geometry import perp, plane_of, wrap
 from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Problems, State, TablesRef
@@ -19,6 +19,14 @@ from .warp_primitives import WARP_SIZE
 wp.set_module_options({"enable_backward": False})
 
 AT_REST = wp.constant(1.0e-9)  # energy at which nothing is left to improve
+
+
+@wp.struct
+class Gradients:
+    """Shares of the energy and their gradients, [object, candidate]."""
+
+    share: wp.array2d(dtype=wp.float32)
+    gradient: wp.array2d(dtype=wp.vec4)
 
 
 @wp.func
@@ -57,22 +65,20 @@ def scaled_gradient(
     root: wp.int32,
     candidate: wp.int32,
     arm: wp.float32,
-    part: wp.array2d(dtype=wp.float32),
-    gradient: wp.array2d(dtype=wp.vec4),
+    each: Gradients,
     poses: wp.array2d(dtype=wp.vec4),
 ):
     """Share of a root (o: its global index) in its candidate's energy, and the gradient for its pose.
 
-    ``part`` and ``gradient`` are those of every object, which a root has with all that it carries. Yaw is a length at
-    the arm.
+    ``each`` are those of every object, which a root has with all that it carries. Yaw is a length at the arm.
     """
     at = plane_of(item_strided(poses, candidate, root))
     share = float(0.0)
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
     for k in range(item(t[0].member_start, o), item(t[0].member_start, o + 1)):
         i = item(t[0].member, k)
-        share += item(part, i, candidate)
-        gi = item(gradient, i, candidate)
+        share += item(each.share, i, candidate)
+        gi = item(each.gradient, i, candidate)
         turned = perp(plane_of(item_strided(poses, candidate, i)) - at)
         g += wp.vec4(gi[0], gi[1], gi[2], gi[3] + gi[0] * turned[0] + gi[1] * turned[1])
     g = wp.cw_mul(g, freedom(t, o))
@@ -85,25 +91,24 @@ def place_members(
     t: TablesRef,
     o: wp.int32,
     root: wp.int32,
-    from_candidate: wp.int32,
-    to_candidate: wp.int32,
+    candidate: wp.int32,
     d: wp.vec4,
     poses: wp.array2d(dtype=wp.vec4),
     next_poses: wp.array2d(dtype=wp.vec4),
     next_turns: wp.array2d(dtype=wp.vec2),
 ):
     """Write the poses of a root (o: its global index) and of all that it carries, moved by d (x, y, z, yaw)."""
-    old = poses[from_candidate, root]
+    old = poses[candidate, root]
     pose = old + d
     spin = wp.vec2(wp.cos(d[3]), wp.sin(d[3]))
     for k in range(item(t[0].member_start, o), item(t[0].member_start, o + 1)):
         i = item(t[0].member, k)
-        child = poses[from_candidate, i]
+        child = poses[candidate, i]
         arm = plane_of(child) - plane_of(old)
         at = plane_of(pose) + spin[0] * arm + spin[1] * perp(arm)
         yaw = wrap(child[3] + d[3], TURN)
-        next_poses[to_candidate, i] = wp.vec4(at[0], at[1], child[2] + d[2], yaw)
-        next_turns[to_candidate, i] = wp.vec2(wp.cos(yaw), wp.sin(yaw))
+        next_poses[candidate, i] = wp.vec4(at[0], at[1], child[2] + d[2], yaw)
+        next_turns[candidate, i] = wp.vec2(wp.cos(yaw), wp.sin(yaw))
 
 
 @wp.func
@@ -113,42 +118,6 @@ def total_of(share: wp.array2d(dtype=wp.float32), candidate: wp.int32, n: wp.int
     for obj in range(n):
         total += item(share, obj, candidate)
     return total
-
-
-@wp.func
-def keep_last(
-    t: TablesRef,
-    c: Candidate,
-    obj: wp.int32,
-    share: wp.array2d(dtype=wp.float32),
-    lowest: wp.array(dtype=wp.float32),
-    last: wp.array2d(dtype=wp.vec4),
-    best_out: wp.array2d(dtype=wp.vec4),
-    share_out: wp.array2d(dtype=wp.float32),
-    lowest_out: wp.array(dtype=wp.float32),
-):
-    """Keep the poses of the step before, whose shares are given, if they were the best; True: this thread has a root.
-
-    Candidates at rest have no thread with a root: they are left as they are.
-    """
-    candidate = c.index
-    o = c.first_object + obj
-    if obj >= c.objects:
-        return False
-    low = lowest[candidate]
-    if low <= AT_REST:
-        lowest_out[candidate] = low
-        return False
-    total = total_of(share, candidate, c.objects)
-    if obj == 0:
-        lowest_out[candidate] = wp.where(total < low, total, low)
-    if item(t[0].object_root, o) != obj:
-        share_out[obj, candidate] = 0.0
-        return False
-    if total < low:
-        for k in range(item(t[0].member_start, o), item(t[0].member_start, o + 1)):
-            best_out[candidate, item(t[0].member, k)] = last[candidate, item(t[0].member, k)]
-    return True
 
 
 @wp.kernel
@@ -177,15 +146,12 @@ def measure(
     # Problem:
     b: Problems,
     # State in:
-    poses: wp.array2d(dtype=wp.vec4),
-    part: wp.array2d(dtype=wp.float32),
-    gradient: wp.array2d(dtype=wp.vec4),
+    s: State,
+    each: Gradients,
     # State out:
-    share_out: wp.array2d(dtype=wp.float32),
-    gradient_out: wp.array2d(dtype=wp.vec4),
+    roots_out: Gradients,
 ):
-    """Every root's share of its candidate's energy and its scaled gradient, [object, candidate]; else zero."""
-    t = b.tables
+    """Every root's share of its candidate's energy and its scaled gradient, from those of each object; else zero."""
     group, obj, lane = wp.tid()
     candidate = group * WARP_SIZE + lane
     if candidate >= b.problem.shape[0]:
@@ -194,9 +160,9 @@ def measure(
     g = wp.vec4(0.0, 0.0, 0.0, 0.0)
     o = root_at(b, candidate, obj)
     if o >= 0:
-        share, g = scaled_gradient(t, o, obj, candidate, turning_arm(t, o), part, gradient, poses)
-    share_out[obj, candidate] = share
-    gradient_out[obj, candidate] = g
+        share, g = scaled_gradient(b.tables, o, obj, candidate, turning_arm(b.tables, o), each, s.poses)
+    roots_out.share[obj, candidate] = share
+    roots_out.gradient[obj, candidate] = g
 
 
 @wp.kernel

@@ -18,7 +18,7 @@ from .bodies import object_count, root_at
 from .features import TURN
 from .geometry import plane_of, turn
 from .sample import QUARTER
-from .step import freedom, noise, place_members, stream, total_of, turning_arm
+from .step import Gradients, freedom, noise, place_members, stream, total_of, turning_arm
 from .tables import FREE_PLANE, FREE_YAW, Problems, State, TablesRef
 from .warp_primitives import WARP_SIZE
 
@@ -48,6 +48,11 @@ class Ladder:
     accepted: wp.array(dtype=wp.int32)  # [row]: 1 when the proposal was accepted
     better: wp.array(dtype=wp.int32)  # [row]: 1 when the proposal is the candidate's best so far
     lowest: wp.array(dtype=wp.float32)  # [candidate]
+    best: wp.array2d(dtype=wp.vec4)  # [candidate, object]: poses of that energy
+    clock: wp.array(dtype=wp.int32)  # [candidate]: all alike
+    total: wp.array(dtype=wp.float32)  # [row]: energy of the proposal
+    gradient: wp.array2d(dtype=wp.vec4)  # [object, row]: where the row is
+    step: wp.array2d(dtype=wp.vec4)  # [object, row]: to the proposal
 
 
 @wp.func
@@ -98,16 +103,10 @@ def accept(
     replicas: wp.int32,
     jumps: wp.float32,
     # State in:
-    clock: wp.array(dtype=wp.int32),
-    rng: wp.array(dtype=wp.uint32),
-    share: wp.array2d(dtype=wp.float32),
-    gradient: wp.array2d(dtype=wp.vec4),
-    proposal_gradient: wp.array2d(dtype=wp.vec4),
-    step: wp.array2d(dtype=wp.vec4),
+    s: State,
+    measured: Gradients,
     # State in and out:
     ladder: Ladder,
-    # State out:
-    total_out: wp.array(dtype=wp.float32),
 ):
     """Decide on every row's proposal, adapt its step size, and draw what it tries next: a share of ``jumps`` jump."""
     t = b.tables
@@ -115,10 +114,10 @@ def accept(
     p = b.problem[row]
     n = object_count(t, p)
     kind = ladder.move[row]
-    now = clock[0]
-    draw = stream(rng[row], now, OF_ROW)
-    total = total_of(share, row, n)
-    total_out[row] = total
+    now = ladder.clock[0]
+    draw = stream(s.rng[row], now, OF_ROW)
+    total = total_of(measured.share, row, n)
+    ladder.total[row] = total
     rung = ladder.rung[row]
     temperature = ladder.temperature[rung]
     at = (row // replicas) * replicas + rung
@@ -126,9 +125,9 @@ def accept(
     odds = (ladder.energy[row] - total) / temperature
     if kind == LANGEVIN:
         for obj in range(n):
-            odds += langevin_odds(
-                step[obj, row], gradient[obj, row], proposal_gradient[obj, row], step_size, temperature
-            )
+            before = ladder.gradient[obj, row]
+            after = measured.gradient[obj, row]
+            odds += langevin_odds(ladder.step[obj, row], before, after, step_size, temperature)
         chance = float(0.0)  # stays zero when the odds are no number
         if odds > -50.0:
             chance = wp.exp(wp.min(odds, 0.0))
@@ -153,28 +152,26 @@ def exchange(
     # Problem:
     replicas: wp.int32,
     # State in:
-    rng: wp.array(dtype=wp.uint32),
-    total: wp.array(dtype=wp.float32),
+    s: State,
     # State in and out:
-    clock: wp.array(dtype=wp.int32),
     ladder: Ladder,
 ):
     """Let neighbouring rungs of each candidate exchange replicas, even pairs and odd pairs in turn; note the best."""
     candidate = wp.tid()
     first = candidate * replicas
-    now = clock[candidate]
-    clock[candidate] = now + 1
+    now = ladder.clock[candidate]
+    ladder.clock[candidate] = now + 1
     low = ladder.lowest[candidate]
     best = int(-1)
     for row in range(first, first + replicas):
         ladder.better[row] = 0
-        if total[row] < low:
-            low = total[row]
+        if ladder.total[row] < low:
+            low = ladder.total[row]
             best = row
     if best >= 0:
         ladder.better[best] = 1
         ladder.lowest[candidate] = low
-    draw = stream(rng[first], now, OF_ROW + 1)
+    draw = stream(s.rng[first], now, OF_ROW + 1)
     for cold in range(now % 2, replicas - 1, 2):
         a = int(first)
         b = int(first)
@@ -235,16 +232,11 @@ def make_moves(
     b: Problems,
     replicas: wp.int32,
     # State in:
-    clock: wp.array(dtype=wp.int32),
-    ladder: Ladder,
-    proposal_gradient: wp.array2d(dtype=wp.vec4),
+    measured: Gradients,
     # State in and out:
+    ladder: Ladder,
     s: State,
     proposal: State,
-    gradient: wp.array2d(dtype=wp.vec4),
-    # State out:
-    step_out: wp.array2d(dtype=wp.vec4),
-    best_out: wp.array2d(dtype=wp.vec4),
 ):
     """Carry out what was decided on every row's proposal and lay out the next one."""
     t = b.tables
@@ -257,11 +249,11 @@ def make_moves(
     for k in range(t[0].member_start[o], t[0].member_start[o + 1]):
         i = t[0].member[k]
         if ladder.better[row] == 1:
-            best_out[candidate, i] = proposal.poses[row, i]
+            ladder.best[candidate, i] = proposal.poses[row, i]
         if ladder.accepted[row] == 1:
             s.poses[row, i] = proposal.poses[row, i]
     if ladder.accepted[row] == 1:
-        gradient[obj, row] = proposal_gradient[obj, row]
+        ladder.gradient[obj, row] = measured.gradient[obj, row]
     free = freedom(t, o)
     move = ladder.move[row]
     d = wp.vec4(0.0, 0.0, 0.0, 0.0)
@@ -269,10 +261,11 @@ def make_moves(
         rung = ladder.rung[row]
         step_size = ladder.step_size[candidate * replicas + rung]
         sigma = wp.sqrt(2.0 * step_size * ladder.temperature[rung])
-        d = wp.cw_mul(free, sigma * noise(stream(s.rng[row], clock[candidate], obj)) - step_size * gradient[obj, row])
-        step_out[obj, row] = d
+        random = noise(stream(s.rng[row], ladder.clock[candidate], obj))
+        d = wp.cw_mul(free, sigma * random - step_size * ladder.gradient[obj, row])
+        ladder.step[obj, row] = d
         d[3] = d[3] / turning_arm(t, o)
     elif jumps_with(t, o - obj, move, obj):
-        seed = stream(s.rng[row], clock[candidate], OF_ROW + 2)
+        seed = stream(s.rng[row], ladder.clock[candidate], OF_ROW + 2)
         d = wp.cw_mul(free, jump(t, b.problem[row], row, move % GROUP, obj, seed, s.poses))
-    place_members(t, o, obj, row, row, d, s.poses, proposal.poses, proposal.turns)
+    place_members(t, o, obj, row, d, s.poses, proposal.poses, proposal.turns)

@@ -9,8 +9,8 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels import gradients, gradients_gpu
-from sceneweaver.kernels.descent import Schedule, UpdateRule
-from sceneweaver.kernels.step import add_up, choose, measure, take_best
+from sceneweaver.kernels.descent import DescentMemory, Schedule, StepBuffer, UpdateRule
+from sceneweaver.kernels.step import Gradients, add_up, choose, measure, take_best
 from sceneweaver.kernels.tables import STATE, State
 from sceneweaver.kernels.warp_primitives import WARP_SIZE
 
@@ -66,6 +66,13 @@ def by_object(state: State) -> State:
     return found
 
 
+def new_gradients(batch: Batch, fill: float = 0.0) -> Gradients:
+    """Room for shares and gradients of a batch."""
+    found = Gradients()
+    found.share, found.gradient = per_object(batch, wp.float32, fill), per_object(batch, wp.vec4, fill)
+    return found
+
+
 def descend(batch: Batch, rule: UpdateRule, schedule: Schedule, monitor: Monitor) -> wp.array:
     """Take all of a schedule's steps in place; every candidate ends at the lowest energy that it passed.
 
@@ -78,40 +85,34 @@ def descend(batch: Batch, rule: UpdateRule, schedule: Schedule, monitor: Monitor
     Returns:
         The candidates' energies [B] float32, on the device.
     """
-    device, state = batch.device, by_object(batch.state)
-    other = by_object(batch.state)  # time may run out before the first step
-    mean = per_object(batch, wp.vec4) if rule.keeps_mean else wp.zeros((1, 1), dtype=wp.vec4, device=device)
-    square = per_object(batch, wp.vec4)
-    best = per_object(batch, wp.vec4).transpose()
-    share = [per_object(batch, wp.float32, np.inf) for _ in range(2)]
-    lowest = [wp.full(batch.size, np.inf, dtype=wp.float32, device=device) for _ in range(2)]
-    clock = [wp.zeros(1, dtype=wp.int32, device=device) for _ in range(2)]
-    layout = [state, other]
+    device, layouts = batch.device, [by_object(batch.state) for _ in range(2)]  # time may run out at once
+    memory = DescentMemory()
+    memory.mean = per_object(batch, wp.vec4) if rule.keeps_mean else wp.zeros((1, 1), dtype=wp.vec4, device=device)
+    memory.square, memory.best = per_object(batch, wp.vec4), per_object(batch, wp.vec4).transpose()
+    memory.rng = batch.state.rng
+    buffers = [StepBuffer(), StepBuffer()]
+    for buffer, state in zip(buffers, layouts, strict=True):
+        buffer.poses, buffer.turns = state.poses, state.turns
+        buffer.share = per_object(batch, wp.float32, np.inf)
+        buffer.lowest = wp.full(batch.size, np.inf, dtype=wp.float32, device=device)
+        buffer.clock = wp.zeros(1, dtype=wp.int32, device=device)
 
     block = Launches(device)
-    add_choice(block, batch, state, [state.options, other.options])
+    add_choice(block, batch, layouts[0], [state.options for state in layouts])
     chosen = len(block)  # launches before the steps: none without relations
-    part, each = per_object(batch, wp.float32), per_object(batch, wp.vec4)
+    each = new_gradients(batch)
     for k in range(REASSIGN):
-        a, b = k % 2, (k + 1) % 2
-        add_gradients(block, batch, layout[a], lowest[a], part, each)
-        block.add(
-            rule.kernel,
-            threads(batch, batch.objects),
-            [
-                *(batch.problems, schedule),
-                *(clock[a], layout[a], share[b], lowest[a], part, each, mean, square, layout[b].poses),
-            ],
-            [layout[b].turns, best, share[a], lowest[b], clock[b]],
-            block=BLOCK,
-        )
-    each = (len(block) - chosen) // REASSIGN
+        now, other = buffers[k % 2], buffers[(k + 1) % 2]
+        add_gradients(block, batch, layouts[k % 2], now.lowest, each)
+        inputs = [batch.problems, schedule, each]
+        block.add(rule.kernel, threads(batch, batch.objects), inputs, [memory, now, other], block=BLOCK)
+    per_step = (len(block) - chosen) // REASSIGN
     times, rest = divmod(schedule.steps + 1, REASSIGN)  # the last step is there to measure where the one before led
-    done = block.play(monitor, times, chosen + each * rest if rest else 0)
+    done = block.play(monitor, times, chosen + per_step * rest if rest else 0)
     a = (rest + 1) % 2 if done else 1  # the buffers of the last step
     total = wp.zeros(batch.size, dtype=wp.float32, device=device)
-    wp.launch(add_up, batch.size, [batch.problems, share[a]], [total], device=device)
-    return finish(batch, layout[a].poses, total, best, lowest[1 - a])
+    wp.launch(add_up, batch.size, [batch.problems, buffers[a].share], [total], device=device)
+    return finish(batch, buffers[a].poses, total, memory.best, buffers[1 - a].lowest)
 
 
 def finish(batch: Batch, last: wp.array, total: wp.array, best: wp.array, lowest: wp.array) -> wp.array:
@@ -131,39 +132,33 @@ def add_choice(block: Launches, batch: Batch, state: State, options: Sequence[wp
     block.add(choose, threads(batch, batch.relations), [batch.problems, state], options)
 
 
-def add_gradients(
-    block: Launches, batch: Batch, state: State, lowest: wp.array, part: wp.array, gradient: wp.array
-) -> None:
-    """Measure every object's share of the energy and its gradient, [object, candidate], at the state's poses.
+def add_gradients(block: Launches, batch: Batch, state: State, lowest: wp.array, each: Gradients) -> None:
+    """Measure every object's share of the energy and its gradient at the state's poses.
 
     Candidates whose ``lowest`` energy so far is that of rest are left out.
     """
     wanted = (gradients.WHOLE,) if batch.device == "cpu" else gradients_gpu.GROUPS
-    inputs = [batch.problems, state, lowest]
     for kinds, kernel in wanted:
         if kinds & batch.terms:
-            block.add(kernel, threads(batch, batch.objects), inputs, [part, gradient], block=BLOCK)
+            block.add(kernel, threads(batch, batch.objects), [batch.problems, state, lowest], [each], block=BLOCK)
 
 
-def add_measure(block: Launches, batch: Batch, state: State, share: wp.array, gradient: wp.array) -> None:
-    """Measure every root's share of the energy and its scaled gradient, [object, candidate], at the state's poses."""
+def add_measure(block: Launches, batch: Batch, state: State, roots: Gradients) -> None:
+    """Measure every root's share of the energy and its scaled gradient at the state's poses."""
     restless = wp.full(batch.size, np.inf, dtype=wp.float32, device=batch.device)
-    part, each = per_object(batch, wp.float32), per_object(batch, wp.vec4)
-    add_gradients(block, batch, state, restless, part, each)
-    inputs = [batch.problems, state.poses, part, each]
-    block.add(measure, threads(batch, batch.objects), inputs, [share, gradient], block=BLOCK)
+    each = new_gradients(batch)
+    add_gradients(block, batch, state, restless, each)
+    block.add(measure, threads(batch, batch.objects), [batch.problems, state, each], [roots], block=BLOCK)
 
 
 def energy_of(batch: Batch) -> wp.array:
     """Choose every relation's best option in place; energies [B] float32 of the batch's poses, on the device."""
-    state, device = batch.state, batch.device
-    share, gradient = per_object(batch, wp.float32), per_object(batch, wp.vec4)
-    total = wp.zeros(batch.size, dtype=wp.float32, device=device)
-    now = Launches(device)
-    add_choice(now, batch, state, [state.options, state.options])
-    add_measure(now, batch, state, share, gradient)
-    now.add(add_up, batch.size, [batch.problems, share], [total])
-    now.play(Monitor(0))
+    roots, block = new_gradients(batch), Launches(batch.device)
+    total = wp.zeros(batch.size, dtype=wp.float32, device=batch.device)
+    add_choice(block, batch, batch.state, [batch.state.options, batch.state.options])
+    add_measure(block, batch, batch.state, roots)
+    block.add(add_up, batch.size, [batch.problems, roots.share], [total])
+    block.run()
     return total
 
 

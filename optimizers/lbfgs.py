@@ -8,11 +8,22 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.lbfgs import SLOTS, History, Line, make_trial, search_line
+from sceneweaver.kernels.step import Gradients
 from sceneweaver.kernels.tables import State
 
 from .base import Monitor, OptimizerResult, Start, register
 from .batch import Batch
-from .descent import MEASURED, MEASURED_ON_GPU, add_choice, add_measure, finish, outcome, per_object, threads
+from .descent import (
+    MEASURED,
+    MEASURED_ON_GPU,
+    add_choice,
+    add_measure,
+    finish,
+    new_gradients,
+    outcome,
+    per_object,
+    threads,
+)
 from .launches import Launches
 from .starts import draw_starts
 
@@ -26,12 +37,9 @@ class Workspace:
     """What L-BFGS keeps beside the batch; ``trial`` is the layout that is measured next."""
 
     trial: State
-    best: wp.array
-    share: wp.array
-    gradient: wp.array
+    measured: Gradients
     history: History
     line: Line
-    clock: wp.array
 
 
 def workspace(batch: Batch) -> Workspace:
@@ -53,26 +61,18 @@ def workspace(batch: Batch) -> Workspace:
     for name in ("tries", "idle", "state"):
         setattr(line, name, wp.zeros(batch.size, dtype=wp.int32, device=device))
     line.gradient, line.direction = per_object(batch, wp.vec4), per_object(batch, wp.vec4)
-    share, gradient = per_object(batch, wp.float32), per_object(batch, wp.vec4)
-    clock = wp.zeros(1, dtype=wp.int32, device=device)
-    return Workspace(trial, wp.zeros_like(trial.poses), share, gradient, history, line, clock)
+    line.clock, line.best = wp.zeros(1, dtype=wp.int32, device=device), wp.zeros_like(trial.poses)
+    return Workspace(trial, new_gradients(batch), history, line)
 
 
 def one_step(block: Launches, batch: Batch, work: Workspace, push: float, steps: int) -> None:
-    """Append one step: measure the trial, search_line on it, make the next."""
-    trial, problem = work.trial, [batch.problems]
+    """Append one step: measure the trial, decide on it, make the next."""
+    trial, measured = work.trial, work.measured
     add_choice(block, batch, trial, [trial.options, trial.options])
-    add_measure(block, batch, trial, work.share, work.gradient)
-    block.add(search_line, batch.size, [*problem, work.share, work.gradient, work.history, work.line, work.clock], [])
-    block.add(
-        make_trial,
-        threads(batch, batch.objects),
-        [
-            *(*problem, push, steps, work.clock, batch.state.rng, work.share, work.line),
-            *(batch.state.poses, work.best, trial),
-        ],
-        [],
-    )
+    add_measure(block, batch, trial, measured)
+    block.add(search_line, batch.size, [batch.problems, measured], [work.history, work.line])
+    inputs = [batch.problems, push, steps, measured]
+    block.add(make_trial, threads(batch, batch.objects), inputs, [work.line, batch.state, trial])
 
 
 @register("lbfgs", modules=(*MEASURED, "lbfgs"), on_gpu=(*MEASURED_ON_GPU, "lbfgs"))
@@ -83,5 +83,5 @@ def run_lbfgs(batch: Batch, start: Start, budget: int | None, monitor: Monitor) 
     work, block = workspace(batch), Launches(batch.device, UNROLL)
     one_step(block, batch, work, PUSH[start], steps)
     block.play(monitor, steps + 1)  # the first only measures the start
-    total = finish(batch, batch.state.poses, work.line.energy, work.best, work.line.lowest)
+    total = finish(batch, batch.state.poses, work.line.energy, work.line.best, work.line.lowest)
     return outcome(batch, total, monitor)

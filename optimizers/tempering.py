@@ -23,8 +23,8 @@ from .descent import (
     add_measure,
     descend,
     finish,
+    new_gradients,
     outcome,
-    per_object,
     threads,
 )
 from .launches import Launches
@@ -49,17 +49,20 @@ def parts(steps: int) -> tuple[int, int, int]:
     return lead, steps - lead - polish, polish
 
 
-def ladder_of(candidates: int, hottest: float, device: str) -> Ladder:
-    """A ladder for so many candidates, temperatures in equal ratios, before anything was tried."""
-    ladder, rows = Ladder(), candidates * REPLICAS
+def ladder_of(batch: Batch, hottest: float) -> Ladder:
+    """A ladder for a batch, temperatures in equal ratios, before anything was tried."""
+    ladder, rows, objects, device = Ladder(), batch.size * REPLICAS, max(batch.objects, 1), batch.device
     ladder.temperature = wp.array(np.geomspace(COLDEST, hottest, REPLICAS), dtype=wp.float32, device=device)
-    ladder.rung = wp.zeros(rows, dtype=wp.int32, device=device)
     ladder.step_size = wp.full(rows, STEP_SIZE, dtype=wp.float32, device=device)
-    ladder.energy = wp.full(rows, np.inf, dtype=wp.float32, device=device)
+    ladder.energy, ladder.total = (wp.full(rows, np.inf, dtype=wp.float32, device=device) for _ in range(2))
     ladder.move = wp.full(rows, int(FIRST), dtype=wp.int32, device=device)
-    for name in ("accepted", "better"):
+    for name in ("rung", "accepted", "better"):
         setattr(ladder, name, wp.zeros(rows, dtype=wp.int32, device=device))
-    ladder.lowest = wp.full(candidates, np.inf, dtype=wp.float32, device=device)
+    for name in ("gradient", "step"):
+        setattr(ladder, name, wp.zeros((objects, rows), dtype=wp.vec4, device=device))
+    ladder.lowest = wp.full(batch.size, np.inf, dtype=wp.float32, device=device)
+    ladder.best = wp.zeros_like(batch.state.poses)
+    ladder.clock = wp.zeros(batch.size, dtype=wp.int32, device=device)
     return ladder
 
 
@@ -86,8 +89,7 @@ def temper(batch: Batch, start: Start, lead: int, steps: int, monitor: Monitor) 
 
     ``lead`` steps of descent come before the ``steps`` of tempering.
     """
-    device = batch.device
-    ladder = ladder_of(batch.size, HOTTEST[start], device)
+    ladder = ladder_of(batch, HOTTEST[start])
     rows = replicate(batch, ladder.rung)
     draw_starts(rows, start)
     if lead:
@@ -96,34 +98,16 @@ def temper(batch: Batch, start: Start, lead: int, steps: int, monitor: Monitor) 
     proposal.anchors = state.anchors
     wp.copy(proposal.poses, state.poses)
     wp.copy(proposal.turns, state.turns)
-    share, total = per_object(rows, wp.float32), wp.zeros(rows.size, dtype=wp.float32, device=device)
-    gradient, proposal_gradient, step = (per_object(rows, wp.vec4) for _ in range(3))
-    clock = wp.zeros(batch.size, dtype=wp.int32, device=device)  # one for each candidate, all alike
-    best = wp.zeros_like(batch.state.poses)
-    problems = rows.problems
-
-    block = Launches(device, UNROLL)
+    measured, problems, block = new_gradients(rows), rows.problems, Launches(batch.device, UNROLL)
     add_choice(block, rows, proposal, [proposal.options, proposal.options])
-    add_measure(block, rows, proposal, share, proposal_gradient)
-    inputs = [
-        problems,
-        REPLICAS,
-        JUMPS[start],
-        clock,
-        state.rng,
-        share,
-        gradient,
-        proposal_gradient,
-        step,
-        ladder,
-    ]
-    block.add(accept, rows.size, inputs, [total])
-    block.add(exchange, batch.size, [REPLICAS, state.rng, total, clock, ladder], [])
-    inputs = [problems, REPLICAS, clock, ladder, proposal_gradient, state, proposal, gradient]
-    block.add(make_moves, threads(rows, rows.objects), inputs, [step, best])
+    add_measure(block, rows, proposal, measured)
+    block.add(accept, rows.size, [problems, REPLICAS, JUMPS[start], state, measured], [ladder])
+    block.add(exchange, batch.size, [REPLICAS, state], [ladder])
+    inputs = [problems, REPLICAS, measured]
+    block.add(make_moves, threads(rows, rows.objects), inputs, [ladder, state, proposal])
     block.play(monitor, steps + 1)  # the first only measures the start
-    nothing = wp.full(batch.size, np.inf, dtype=wp.float32, device=device)
-    finish(batch, batch.state.poses, nothing, best, ladder.lowest)
+    nothing = wp.full(batch.size, np.inf, dtype=wp.float32, device=batch.device)
+    finish(batch, batch.state.poses, nothing, ladder.best, ladder.lowest)
 
 
 @register("tempering", modules=(*MEASURED, "tempering", "descent"), on_gpu=(*MEASURED_ON_GPU, "tempering", "descent"))

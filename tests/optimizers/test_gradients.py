@@ -16,7 +16,7 @@ from sceneweaver.layout.compile import compile_scene
 from sceneweaver.layout.pack import weights
 from sceneweaver.optimizers import load_poses
 from sceneweaver.optimizers.batch import Batch
-from sceneweaver.optimizers.descent import by_object, per_object, threads
+from sceneweaver.optimizers.descent import by_object, new_gradients, threads
 from tests.kernels.harness import ROOMS, batch_of, best_options
 from tests.layout.made import relation, scene, thing
 from tests.optimizers.batches import batch
@@ -26,12 +26,12 @@ ROUND, HALL = "dining-round", "living-dining-L"  # round tables; a room whose ou
 
 def gradients(what: Batch, kernels: list, lowest: float = np.inf) -> tuple[np.ndarray, np.ndarray]:
     """Shares and gradients, [object, candidate], that some kernels add up to, from -1 where none writes."""
-    share, gradient = per_object(what, wp.float32, -1.0), per_object(what, wp.vec4, -1.0)
+    each = new_gradients(what, -1.0)
     rest = wp.full(what.size, lowest, dtype=wp.float32, device=what.device)
-    inputs = [what.problems, by_object(what.state), rest, share, gradient]
+    inputs = [what.problems, by_object(what.state), rest]
     for kernel in kernels:
-        wp.launch(kernel, threads(what, what.objects), inputs, device=what.device)
-    return share.numpy(), gradient.numpy()
+        wp.launch(kernel, threads(what, what.objects), inputs, [each], device=what.device)
+    return each.share.numpy(), each.gradient.numpy()
 
 
 def needed(what: Batch) -> list:

@@ -78,10 +78,9 @@ def searching(device):
         """What is decided when the trial has this energy and this slope along x."""
         share = np.zeros((OBJECTS, 1), dtype=np.float32)
         share[0] = energy
-        work.share.assign(share)
-        work.gradient.assign(vector * slope)
-        inputs = [what.problems, work.share, work.gradient, work.history, work.line, work.clock]
-        wp.launch(search_line, 1, inputs, device=device)
+        work.measured.share.assign(share)
+        work.measured.gradient.assign(vector * slope)
+        wp.launch(search_line, 1, [what.problems, work.measured], [work.history, work.line], device=device)
         found = {
             name: getattr(work.line, name).numpy()[0] for name in ("energy", "step_length", "state", "tries", "slope")
         }

@@ -7,7 +7,7 @@ import pytest
 import warp as wp
 
 from sceneweaver.kernels.tempering import FIRST, GROUP, LANGEVIN, accept, exchange, make_moves
-from sceneweaver.optimizers.descent import per_object, threads
+from sceneweaver.optimizers.descent import new_gradients, threads
 from sceneweaver.optimizers.tempering import REPLICAS, ladder_of, parts, replicate
 from tests.kernels.harness import batch_of, zoo
 from tests.optimizers.batches import batch
@@ -21,7 +21,7 @@ def made(device):
     problem, count = zoo(ROOM).room, 8192
     what = batch_of([problem], [0] * count, np.repeat(problem.home[None], count, axis=0), device)
     what.state.rng.assign(np.random.default_rng(0).integers(2**32, size=count, dtype=np.uint32))
-    ladder = ladder_of(count, 0.2, device)
+    ladder = ladder_of(what, 0.2)
     return what, replicate(what, ladder.rung), ladder
 
 
@@ -46,12 +46,11 @@ def test_exchanges_keep_the_distribution_of_every_rung(made):
     temperature = ladder.temperature.numpy()
     energy = np.random.default_rng(1).exponential(np.tile(temperature, what.size)).astype(np.float32)
     ladder.energy.assign(energy)
-    total = wp.array(energy, dtype=wp.float32, device=what.device)
-    clock = wp.zeros(what.size, dtype=wp.int32, device=what.device)
+    ladder.total.assign(energy)
     went = np.zeros(REPLICAS - 1)
     before = ladder.rung.numpy().copy()
     for _ in range(6):
-        wp.launch(exchange, what.size, [REPLICAS, rows.state.rng, total, clock, ladder], device=what.device)
+        wp.launch(exchange, what.size, [REPLICAS, rows.state], [ladder], device=what.device)
         after = ladder.rung.numpy().copy()
         for k in range(REPLICAS - 1):
             went[k] += np.mean((before == k) & (after == k + 1)) * REPLICAS
@@ -60,17 +59,16 @@ def test_exchanges_keep_the_distribution_of_every_rung(made):
         np.testing.assert_allclose(found.mean(axis=0), temperature, rtol=0.06)
         np.testing.assert_allclose(np.median(found, axis=0), temperature * np.log(2), rtol=0.08)
     assert (went / 3 > 0.1).all() and (went / 3 < 0.9).all()
-    assert (clock.numpy() == 6).all()
+    assert (ladder.clock.numpy() == 6).all()
 
 
 def test_the_best_of_all_replicas_is_noted(made):
     what, rows, ladder = made
     energy = np.random.default_rng(2).uniform(1.0, 2.0, rows.size).astype(np.float32)
     ladder.energy.assign(energy)
-    total = wp.array(energy, dtype=wp.float32, device=what.device)
-    clock = wp.zeros(what.size, dtype=wp.int32, device=what.device)
+    ladder.total.assign(energy)
     for again in (1, 0):  # the second time nothing is better than what is known
-        wp.launch(exchange, what.size, [REPLICAS, rows.state.rng, total, clock, ladder], device=what.device)
+        wp.launch(exchange, what.size, [REPLICAS, rows.state], [ladder], device=what.device)
         better = ladder.better.numpy().reshape(-1, REPLICAS)
         assert (better.sum(axis=1) == again).all()
     np.testing.assert_array_equal(ladder.lowest.numpy(), energy.reshape(-1, REPLICAS).min(axis=1))
@@ -88,10 +86,7 @@ def test_langevin_steps_keep_their_distribution(made, adjusted):
     x = rng.normal(size=(rows.size, coordinates)) * np.sqrt(temperature / stiffness)
     ladder.energy.assign(0.5 * stiffness * np.sum(x**2, axis=1))
     ladder.step_size.fill_(step_size)
-    clock = wp.full(what.size, 10**8, dtype=wp.int32, device=device)  # the step_size hardly adapts any more
-    total = wp.zeros(rows.size, dtype=wp.float32, device=device)
-    share = per_object(rows, wp.float32)
-    gradient, proposal_gradient, step = (per_object(rows, wp.vec4) for _ in range(3))
+    measured = new_gradients(rows)
 
     def vectors(values: np.ndarray) -> np.ndarray:
         full = np.zeros((rows.objects, rows.size, 4), dtype=np.float32)
@@ -104,23 +99,13 @@ def test_langevin_steps_keep_their_distribution(made, adjusted):
         y = x + d
         shares = np.zeros((rows.objects, rows.size), dtype=np.float32)
         shares[0] = 0.5 * stiffness * np.sum(y**2, axis=1)
-        share.assign(shares)
-        for array, values in ((gradient, stiffness * x), (proposal_gradient, stiffness * y), (step, d)):
-            array.assign(vectors(values))
+        measured.share.assign(shares)
+        measured.gradient.assign(vectors(stiffness * y))
+        ladder.gradient.assign(vectors(stiffness * x))
+        ladder.step.assign(vectors(d))
         ladder.move.fill_(LANGEVIN)
-        clock.fill_(10**8 + k)
-        inputs = [
-            rows.problems,
-            REPLICAS,
-            0.0,
-            clock,
-            rows.state.rng,
-            share,
-            gradient,
-            proposal_gradient,
-            step,
-        ]
-        wp.launch(accept, rows.size, [*inputs, ladder], [total], device=device)
+        ladder.clock.fill_(10**8 + k)  # the step size hardly adapts any more
+        wp.launch(accept, rows.size, [rows.problems, REPLICAS, 0.0, rows.state, measured], [ladder], device=device)
         yes = ladder.accepted.numpy() == 1
         accepted += yes
         x = np.where(yes[:, None], y, x) if adjusted else y
@@ -137,7 +122,7 @@ def test_langevin_steps_keep_their_distribution(made, adjusted):
 def test_a_jump_moves_one_object_or_its_group_as_one(device, group):
     problem = zoo(ROOM).room
     what = batch([ROOM], 32, device, 0.05)
-    ladder = ladder_of(what.size, 0.2, device)
+    ladder = ladder_of(what, 0.2)
     rows = replicate(what, ladder.rung)
     tables = rows.keep
     start, members = tables.group_start.numpy(), tables.group.numpy()
@@ -146,11 +131,8 @@ def test_a_jump_moves_one_object_or_its_group_as_one(device, group):
     carried = {i for i in range(problem.size) if problem.roots[i] == root}
     ladder.move.fill_(root + (int(GROUP) if group else 0))
     proposal = rows.scratch()
-    gradient, other, step = (per_object(rows, wp.vec4) for _ in range(3))
-    best = wp.zeros_like(what.state.poses)
-    clock = wp.zeros(what.size, dtype=wp.int32, device=device)
-    inputs = [rows.problems, REPLICAS, clock, ladder, other, rows.state, proposal, gradient]
-    wp.launch(make_moves, threads(rows, rows.objects), inputs, [step, best], device=device)
+    inputs = [rows.problems, REPLICAS, new_gradients(rows)]
+    wp.launch(make_moves, threads(rows, rows.objects), inputs, [ladder, rows.state, proposal], device=device)
     before, after = rows.state.poses.numpy(), proposal.poses.numpy()
     moved = set(np.flatnonzero(np.abs(after - before)[..., :2].max(axis=(0, 2)) > 1e-3).tolist())
     assert len(together) > 1 and moved == (together if group else carried)
@@ -167,12 +149,9 @@ def test_a_jump_moves_one_object_or_its_group_as_one(device, group):
 def test_a_start_is_taken_as_it_is(made):
     what, rows, ladder = made
     assert (ladder.move.numpy() == FIRST).all()
-    share = per_object(rows, wp.float32, 3.0)
-    vectors = [per_object(rows, wp.vec4) for _ in range(3)]
-    clock = wp.zeros(what.size, dtype=wp.int32, device=what.device)
-    total = wp.zeros(rows.size, dtype=wp.float32, device=what.device)
-    inputs = [rows.problems, REPLICAS, 0.5, clock, rows.state.rng, share, *vectors, ladder]
-    wp.launch(accept, rows.size, inputs, [total], device=what.device)
+    measured = new_gradients(rows)
+    measured.share.fill_(3.0)
+    wp.launch(accept, rows.size, [rows.problems, REPLICAS, 0.5, rows.state, measured], [ladder], device=what.device)
     assert (ladder.accepted.numpy() == 1).all()
     np.testing.assert_allclose(ladder.energy.numpy(), 3.0 * rows.objects)
     moves = ladder.move.numpy()
