@@ -19,11 +19,11 @@ import os
 from typing import Any
 
 from sceneweaver.assets.placed import Load, loader
-from sceneweaver.physics.model import COVERING, Thing, things_of
+from sceneweaver.physics.model import Thing, coverings, things_of
 from sceneweaver.scene import InputError, Scene, whole
 
 from .bodies import Body, bodies_of
-from .usd_bodies import Solids, filter_pair
+from .usd_bodies import filter_pair
 from .usd_layer import Names, attribute, prim, usd
 from .usd_looks import Looks
 from .usd_objects import Prototypes, add_object
@@ -84,30 +84,9 @@ def _fill(layer: Any, scene: Scene, things: list[Thing], bodies: list[Body]) -> 
         add_object(objects, names(thing.object.id), thing, body, prototypes)
         for thing, body in zip(things, bodies, strict=True)
     ]
-    _coverings(things, solids, doors, layer)
-
-
-def _coverings(things: list[Thing], solids: list[Solids], doors: list[Solids], layer: Any) -> None:
-    """Rugs and mats take part in no contact with what stands or swings over them: they share that layer."""
-    floor = [(t, s) for t, s in zip(things, solids, strict=True) if t.object.mount == "floor"]
-    flat = [(t, s) for t, s in floor if t.object.size[2] <= COVERING]
-    ids = {t.object.id for t, _ in flat}
-    for cover, mine in flat:
-        for leaf in doors:
-            filter_pair(mine, leaf, layer)
-        for other, its in floor:
-            if other is cover or (other.object.id in ids and other.object.id < cover.object.id):
-                continue
-            if _near(cover, other):
-                filter_pair(mine, its, layer)
-
-
-def _near(one: Thing, two: Thing) -> bool:
-    """Whether the circles around two footprints meet."""
-    (ax, ay, _), (bx, by, _) = one.object.pose.position, two.object.pose.position
-    (ad, aw, _), (bd, bw, _) = one.object.size, two.object.size
-    reach = (ad * ad + aw * aw) ** 0.5 / 2 + (bd * bd + bw * bw) ** 0.5 / 2
-    return ((ax - bx) ** 2 + (ay - by) ** 2) ** 0.5 < reach
+    for cover, above in coverings(things):  # they share the layer of what stands or swings over them
+        for other in (*doors, *(solids[k] for k in above)):
+            filter_pair(solids[cover], other, layer)
 
 
 def _save(layer: Any, name: str) -> None:

@@ -14,7 +14,7 @@ construction.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib import resources
@@ -137,7 +137,7 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) ->
         if leaf.stuck:
             for k in range(len(scene.room.outline)):
                 child(contact, "exclude", body1=leaf.name, body2=f"room:wall:{k}")
-    _coverings(contact, things, doors)
+    _exclude_coverings(contact, things, doors)
     Xml.indent(root, " ")
     free = tuple(t.object.id for t in things if t.free)
     fixed = tuple(t.object.id for t in things if not t.free)
@@ -307,23 +307,33 @@ def _geom(
     child(frame, "geom", {"type": "mesh", "mesh": name, **share})
 
 
-def _coverings(contact: Xml.Element, things: list[Thing], doors: list[Leaf]) -> None:
+def coverings(things: Sequence[Thing]) -> list[tuple[int, list[int]]]:
+    """Numbers of rugs and mats, each with those of the things on the floor that are near enough to stand over it.
+
+    Of two coverings one has the other, so that no pair is there twice.
+    """
+    floor = [k for k, t in enumerate(things) if t.object.mount == "floor"]
+    flat = [k for k in floor if things[k].object.size[2] <= COVERING]
+
+    def over(cover: SceneObject, k: int) -> bool:
+        other = things[k].object
+        reach = math.hypot(*cover.size[:2]) / 2 + math.hypot(*other.size[:2]) / 2
+        near = math.dist(cover.pose.position[:2], other.pose.position[:2]) < reach
+        return near and other is not cover and (k not in flat or other.id > cover.id)
+
+    return [(i, [k for k in floor if over(things[i].object, k)]) for i in flat]
+
+
+def _exclude_coverings(contact: Xml.Element, things: list[Thing], doors: list[Leaf]) -> None:
     """Rugs and mats take part in no contact with what stands on the floor over them, nor with the doors' leaves."""
-    flat = [t for t in things if t.object.mount == "floor" and t.object.size[2] <= COVERING]
-    for cover in flat:
-        for leaf in doors:
-            child(contact, "exclude", body1=cover.object.id, body2=leaf.name)
-        for other in things:
-            if other is cover or other.object.mount != "floor":
-                continue
-            (ax, ay, _), (bx, by, _) = cover.object.pose.position, other.object.pose.position
-            reach = math.hypot(*cover.object.size[:2]) / 2 + math.hypot(*other.object.size[:2]) / 2
-            if math.hypot(ax - bx, ay - by) < reach and (other not in flat or other.object.id > cover.object.id):
-                child(contact, "exclude", body1=cover.object.id, body2=other.object.id)
-                for k, link in enumerate(other.asset.links if other.asset else (), 1):
-                    if any(s.link == k for s in other.solids):
-                        name = f"{other.object.id}/{link.name}"
-                        child(contact, "exclude", body1=cover.object.id, body2=name)
+    for cover, above in coverings(things):
+        names = [leaf.name for leaf in doors]
+        for other in (things[k] for k in above):
+            links = enumerate(other.asset.links if other.asset else (), 1)
+            moving = [link.name for k, link in links if any(s.link == k for s in other.solids)]
+            names += [other.object.id, *(f"{other.object.id}/{name}" for name in moving)]
+        for name in names:
+            child(contact, "exclude", body1=things[cover].object.id, body2=name)
 
 
 def _middle(room: Room) -> tuple[float, float, float]:
