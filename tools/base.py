@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
@@ -18,7 +18,8 @@ class Context:
     """What a tool may look at.
 
     ``scene`` is the scene so far (for an initialiser an empty one, whose room may be replaced); ``seed`` decides all
-    that is drawn; ``instruction`` is a sentence, ``inputs`` what the tool's card asks for.
+    that is drawn; ``instruction`` is a sentence, ``inputs`` what the tool's card asks for. ``hurried`` says whether
+    much of the time is over: what could be drawn once more is then left as it is.
     """
 
     brief: SceneGraph
@@ -28,6 +29,7 @@ class Context:
     seed: int
     instruction: str = ""
     inputs: Mapping[str, Any] = field(default_factory=dict)
+    hurried: Callable[[], bool] = bool
 
 
 @dataclass(frozen=True)

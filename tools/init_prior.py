@@ -57,7 +57,8 @@ class InitPrior:
             crowded = program.footprint > FILL["full"] * area or program.wall > WALLED * walls_of(space)
             astray = not variants and in_rows(program.wanted)
             attempt += 1
-            if given or not (crowded or astray) or attempt == GROWTHS or area >= 1.5 * room.area[2]:
+            large = attempt == GROWTHS or area >= 1.5 * room.area[2]
+            if given or not (crowded or astray) or large or context.hurried():
                 break
             area *= GROWTH
         notes += remarks + program.notes

@@ -23,6 +23,7 @@ def rows_of(instruction: str, draft: Draft) -> tuple[list[dict[str, Any]], list[
     category = {a.id: a.category for a in brief.entities}
     there = {a.id for a in brief.entities if a.id in targets and a.id not in subjects and draft.named(a.category)}
     rows: list[dict[str, Any]] = []
+    relations = meanings(brief)
     notes = [f"not understood: {word.words}" for word in brief.unread]
     for asked in brief.entities:
         if asked.id in there:
@@ -35,7 +36,7 @@ def rows_of(instruction: str, draft: Draft) -> tuple[list[dict[str, Any]], list[
         if asked.words:
             row["words"] = " ".join(asked.words)
         places = []
-        for said, meant in meanings(brief):
+        for said, meant in relations:
             if said.subject != asked.id:
                 continue
             if "middle" in said.targets:

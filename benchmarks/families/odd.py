@@ -142,6 +142,9 @@ def _error(done: subprocess.CompletedProcess[str], out: Path) -> str:
         Scene.load(out / "scene.json")
     except (OSError, ValueError, InputError) as error:
         return f"exit {done.returncode}: {error}"
+    broken = [text for text in stated.get("undone", ()) if "unexpected" in text]
+    if broken:
+        return f"exit {done.returncode}: {broken[0]}"
     missing = [name for name in stated["files"] if not Path(name).stat().st_size]
     left = [path.name for path in out.rglob(".sceneweaver-*")]
     return f"empty or left behind: {missing + left}" if missing or left else ""

@@ -11,9 +11,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sceneweaver.assets import Library
-from sceneweaver.scene import Scene, whole
+from sceneweaver.scene import Scene, SceneWeaverError, whole
 
 from .deadline import NEVER, Deadline, TimeUp
+from .faults import fault
 from .request_file import NAME, RequestFile
 from .result import Result
 
@@ -29,8 +30,9 @@ AMPLE = 60.0
 SIZES = ((320, 240), (640, 480), (1280, 960))
 """Pixels of the views, the smaller ones for when time is short."""
 
-PER_SIZE, REPORT = 4.0, 1.0
-"""How much longer each size takes than the one before, and the report than the pictures in it."""
+PER_SIZE, REPORT, PAGE = 4.0, 1.0, 0.35
+"""How much longer each size takes than the one before, and the report than the pictures in it; and the share of the
+time for both that is kept for the report."""
 
 VIEWS = ("top", "top_annotated", "corner")
 
@@ -55,33 +57,38 @@ def deliver(
     result.report.save(folder / "metrics.json")
     RequestFile.of(result.brief, result.review).save(folder / NAME)
     album = _Album(result.scene, load, _drawing_device(device), deadline) if pictures else None
-    if album is not None and not album.smallest():
-        album = None
-    missed = _exported(result.scene, folder, formats, load, deadline.before(album.page if album else 0.0))
+    if album is not None:
+        album.smallest()
+    missed, broken = _exported(result.scene, folder, formats, load, deadline.before(album.page if album else 0.0))
     if album is not None:
         album.enlarge()
         album.save(folder / "views")
+        missed += [] if album.views or album.broken else ["pictures"]
+        broken += album.broken
         result = replace(result, notes=(*result.notes, *album.notes))
-    elif pictures:
-        missed.append("pictures")
+        if deadline.passed:
+            missed.append("report")
+    undone = (*result.undone, *missed, *broken)
     if missed:
-        note = f"time was up before these were written: {', '.join(missed)}"
-        result = replace(result, notes=(*result.notes, note), undone=(*result.undone, *missed))
+        broken = [f"time was up before these were written: {', '.join(missed)}", *broken]
+    result = replace(result, notes=(*result.notes, *broken), undone=undone)
     spent = time.monotonic() - began
     seconds = {**result.report.seconds, "files": round(spent, 3)}
     seconds["total"] = round(float(seconds.get("total", 0.0)) + spent, 3)
     result = replace(result, report=replace(result.report, seconds=seconds), seconds=result.seconds + spent)
     result.report.save(folder / "metrics.json")
-    if album is not None:
+    if album is not None and "report" not in missed:
         _report(result, folder, load, album.views, deadline.before(album.page))
     return result
 
 
-def _exported(scene: Scene, folder: Path, formats: Sequence[str], load: Callable, deadline: Deadline) -> list[str]:
-    """Write the files for other tools; those that there was no time for."""
+def _exported(
+    scene: Scene, folder: Path, formats: Sequence[str], load: Callable, deadline: Deadline
+) -> tuple[list[str], list[str]]:
+    """Write the files for other tools; those that there was no time for, and what broke down."""
     from sceneweaver.export import export_scene
 
-    missed = []
+    missed, broken = list[str](), list[str]()
     for name in formats:
         try:
             if deadline.left < LEAST:
@@ -90,7 +97,11 @@ def _exported(scene: Scene, folder: Path, formats: Sequence[str], load: Callable
                 export_scene(scene, folder, (name,), load)
         except TimeUp:
             missed.append(name)
-    return missed
+        except SceneWeaverError:
+            raise
+        except Exception as error:
+            broken.append(fault(name, error))
+    return missed, broken
 
 
 @dataclass
@@ -105,42 +116,49 @@ class _Album:
     size: tuple[int, int] = SIZES[-1]
     took: float = LEAST
     notes: tuple[str, ...] = ()
+    broken: tuple[str, ...] = ()
 
     @property
     def page(self) -> float:
         """About how many seconds the report takes."""
-        return REPORT * self.took
+        return max(LEAST, REPORT * self.took)
 
-    def smallest(self) -> bool:
-        """Draw small views first when time is short; False when there is no time even for them."""
-        if self.deadline.left > AMPLE:
-            return True
-        return self.deadline.left >= LEAST and self._draw(SIZES[0])
+    def smallest(self) -> None:
+        """Draw small views first when time is short, if there is time for them and the report."""
+        if LEAST <= self.deadline.left <= AMPLE:
+            self._draw(SIZES[0], PAGE * self.deadline.left)
 
     def enlarge(self) -> None:
         """Draw the larger views that there is time for: the smaller ones told how long they take here."""
-        if not self.views:
-            self._draw(SIZES[-1])
-            return
-        for size in SIZES[1:]:
-            if (PER_SIZE + REPORT) * self.took + LEAST > self.deadline.left or not self._draw(size):
+        if self.deadline.left > AMPLE:
+            self._draw(SIZES[-1], self.page)
+        for size in SIZES[SIZES.index(self.size) + 1 :] if self.views else ():
+            short = (PER_SIZE + REPORT) * self.took + LEAST > self.deadline.left
+            if short or not self._draw(size, self.page):
                 self.notes = (f"time was short, so the pictures have {self.size[0]} x {self.size[1]} pixels",)
                 break
 
     def save(self, folder: Path) -> None:
         """Write a PNG for each view."""
-        folder.mkdir(exist_ok=True)
+        if self.views:
+            folder.mkdir(exist_ok=True)
         for name, picture in self.views.items():
             with whole(folder / f"{name}.png") as path:
                 picture.save(path, "PNG")
 
-    def _draw(self, size: tuple[int, int]) -> bool:
+    def _draw(self, size: tuple[int, int], kept: float) -> bool:
+        """Draw the views, with so many seconds kept for what comes after; whether they are there."""
         from sceneweaver.render import draw_rooms
 
         started = time.monotonic()
         try:
-            with self.deadline.before(0.0 if not self.views else self.page).enforced():
+            with self.deadline.before(kept).enforced():
                 self.views = draw_rooms(self.scene, self.load, VIEWS, *size, device=self.device)
+        except SceneWeaverError:
+            raise
+        except Exception as error:
+            self.broken = (fault("pictures", error),)
+            return False
         except TimeUp:
             return False
         self.size, self.took = size, time.monotonic() - started

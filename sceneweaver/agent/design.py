@@ -135,6 +135,7 @@ def reserve(limit: float, started: float) -> float:
 def _result(run: Run, remarks: Sequence[str], began: float) -> Result:
     brief, settings = run.brief, run.settings
     best = run.go()
+    stopped = run.deadline.stop.reason
     said = [f"the work was cut off: {run.cut_off}"] if run.cut_off else []
     if settings.settle:
         try:
@@ -154,7 +155,7 @@ def _result(run: Run, remarks: Sequence[str], began: float) -> Result:
         unmet=unmet,
         seconds=time.monotonic() - began,
         finished=run.memory.finished,
-        undone=(f"what would have come after {run.cut_off}",) if run.cut_off and run.deadline.stop.reason else (),
+        undone=run.undone + ((f"what would have come after {stopped}",) if run.cut_off and stopped else ()),
         out=run.folder.path if run.folder else None,
     )
 

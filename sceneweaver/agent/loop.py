@@ -9,8 +9,9 @@ from typing import Any
 
 from sceneweaver.assets import Library
 from sceneweaver.brief import SceneGraph
+from sceneweaver.critic import CRITERIA, Review
 from sceneweaver.knowledge import RoomType
-from sceneweaver.scene import InputError, Room, Scene
+from sceneweaver.scene import InputError, Room, Scene, SceneWeaverError
 from sceneweaver.tools.base import Context, Proposal
 from sceneweaver.tools.prior_shell import floor_area, shell
 from sceneweaver.tools.registry import Registered
@@ -18,6 +19,7 @@ from sceneweaver.verify import check
 
 from .deadline import NEVER, Deadline, TimeUp
 from .executor import Executor, Outcome
+from .faults import fault
 from .folder import RunFolder
 from .memory import Call, Memory, Step
 from .planner import LISTS, Planner, Situation
@@ -34,6 +36,12 @@ GRACE, FIRST_GRACE, LEAST_GRACE = 0.2, 0.6, 1.0
 """How much of the time kept for the files a step has to end in good order, how much as long as there is no layout, and
 how many seconds at least."""
 
+REVIEW = 0.5
+"""How much of the time kept for the files has passed when a last review has to be done."""
+
+HURRY = 0.5
+"""Share of the time left when a tool begins after which it has to hurry."""
+
 NOTHING_YET = "time was up before anything was placed"
 
 Said = Callable[[Step], None]
@@ -44,7 +52,8 @@ class Run:
     """One request on its way to a scene.
 
     ``memory`` and ``best`` are what the steps led to. What the end of the run adds is apart from them, so that a run
-    which goes on in its folder does not see it: ``notes``, ``unmet``, and what cut it off, ``cut_off``.
+    which goes on in its folder does not see it: ``notes``, ``unmet``, what cut it off (``cut_off``), and the tools that
+    broke down (``undone``).
     """
 
     brief: SceneGraph
@@ -61,6 +70,7 @@ class Run:
     first: Outcome | None = None
     notes: tuple[str, ...] = ()
     unmet: tuple[str, ...] = ()
+    undone: tuple[str, ...] = ()
     cut_off: str = ""
 
     def go(self) -> Outcome:
@@ -95,11 +105,12 @@ class Run:
             elif self.best is None:
                 reason, spent = self._cut(), True
         best = self.best
-        if best is None and self.cut_off:
+        if best is None and (self.cut_off or self.undone):
             best = self.first
             if best is None:
-                bare = executor.judged(bare_scene(self.brief, self.room_type, self.settings.seed))
-                best = replace(bare, unmet=(NOTHING_YET,))
+                bare = bare_scene(self.brief, self.room_type, self.settings.seed)
+                first = Outcome(bare, check(bare), Review(grades=dict.fromkeys(CRITERIA, 0.0)))
+                best = replace(self._judged(executor, first), unmet=(NOTHING_YET,) if self.cut_off else ())
             self.notes, self.unmet = best.notes, best.unmet
         if best is None:
             raise InputError("prompt: " + (self.memory.steps[-1].note if self.memory.steps else "no tool can begin"))
@@ -109,8 +120,16 @@ class Run:
         if best.faults and self.settings.physics:
             lighter, report = cleared(best.scene, best.report)
             self.notes, self.unmet = (*self.notes, *lighter.notes), (*self.unmet, *lighter.unmet)
-            best = executor.judged(lighter.scene, report)
+            best = self._judged(executor, replace(best, scene=lighter.scene, report=report))
         return best
+
+    def _judged(self, executor: Executor, outcome: Outcome) -> Outcome:
+        """A last outcome with a review of its own, if there is time for one."""
+        try:
+            with self.deadline.before(-REVIEW * self.deadline.margin).enforced():
+                return executor.judged(outcome.scene, outcome.report)
+        except TimeUp:
+            return outcome
 
     def _offer(self, outcome: Outcome) -> None:
         """Keep a layout of the first step, in case that time is up before it ends."""
@@ -202,16 +221,25 @@ class Run:
                         row["violations"] = int(outcomes[k].key[0])
             except InputError as error:
                 row["failed"] = str(error)
+            except SceneWeaverError:
+                raise
             except TimeUp:
                 break
+            except Exception as error:
+                row["failed"] = fault(call.tool, error)
+                self.undone = (*self.undone, row["failed"])
             row["seconds"] = round(time.monotonic() - began, 3)
             tried.append(row)
         return outcomes, tried
 
     def _propose(self, call: Call, scene: Scene) -> Proposal:
-        tool = self.tools[call.tool].load()
+        tool, left = self.tools[call.tool].load(), self.deadline.left
+
+        def hurried() -> bool:
+            return self.deadline.left < HURRY * left
+
         return tool.propose(
-            Context(self.brief, self.room_type, scene, self.library, call.seed, call.instruction, call.inputs)
+            Context(self.brief, self.room_type, scene, self.library, call.seed, call.instruction, call.inputs, hurried)
         )
 
     def _take(

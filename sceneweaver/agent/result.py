@@ -18,7 +18,7 @@ class Result:
     """What a design led to.
 
     ``unmet`` lists what was asked for and is not so, ``notes`` what was assumed, ``undone`` the files that there was no
-    time for, and what a signal cut off.
+    time for, what a signal cut off, and parts of the program that broke down.
     """
 
     scene: Scene

@@ -32,15 +32,21 @@ def meanings(graph: SceneGraph) -> list[tuple[StatedRelation, Meaning]]:
     things = {entity.id: _things(entity) for entity in graph.entities}
     owner = {thing.id: name for name, several in things.items() for thing in several}
     rows, _ = grounded(graph, things)
+    by_said: dict[str, list[Grounded]] = {}
+    for row in rows:
+        if row.hard and row.subject in owner:
+            by_said.setdefault(row.said, []).append(row)
     found: list[tuple[StatedRelation, Meaning]] = []
+    seen: dict[str, list[tuple[StatedRelation, Meaning]]] = {}
     for said, numbered in zip(graph.relations, named(graph), strict=True):
         held = _held(said, graph, things) if said.type in ("on", "inside") else None
-        own = [row for row in rows if row.said == numbered.id and row.hard and row.subject in owner]
+        own, before = by_said.get(numbered.id, []), seen.setdefault(said.subject, [])
         subjects = {row.subject for row in own}
         every = [row for row in own if sum(other.type == row.type for other in own) >= len(subjects)]
         every = [row for row in every if owner[row.subject] == said.subject]
         for meant in [held] if held is not None else [_of_row(row, owner) for row in every]:
-            if (said, meant) not in found:
+            if (said, meant) not in before:
+                before.append((said, meant))
                 found.append((said, meant))
     return found
 

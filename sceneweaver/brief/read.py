@@ -9,7 +9,7 @@ from sceneweaver.scene import InputError
 
 from .clean import Cleaned, check, clean
 from .lexer import tokens
-from .meaning import meaning
+from .meaning import meanings
 from .model import Entity, Exclusion, SceneGraph, StatedRelation, Unread
 from .mutual import EACH_OTHER, pairs, split_mutual
 from .parser import Parser
@@ -91,7 +91,8 @@ def _brief(text: str, cleaned: Cleaned, parsed: ParsedRequest, notes: list[str])
         only=parsed.only,
         unread=tuple(Unread(words=word) for word in dict.fromkeys(parsed.unread) if word.strip()),
     )
-    notes += [f"'{r.words}' cannot be said as a relation" for r in relations if meaning(r, graph) is None]
+    sayable = {id(r) for r, _ in meanings(graph)}
+    notes += [f"'{r.words}' cannot be said as a relation" for r in relations if id(r) not in sayable]
     return graph.model_copy(update={"notes": tuple(dict.fromkeys(notes))})
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from sceneweaver.assets.taxonomy import likeliness
-from sceneweaver.brief import Entity, Meaning, StatedRelation, meaning, meanings
+from sceneweaver.brief import Entity, Meaning, StatedRelation
 from sceneweaver.knowledge.surfaces import lays, usual_arrangement
 from sceneweaver.scene import CATALOGUE, InputError, Relation
 from sceneweaver.verify.solids import Body
@@ -52,7 +52,7 @@ def _places(survey: Survey, asked: Entity) -> tuple[list[dict[str, Any]], list[s
     """The relations that the request wants of a thing, as ``add_objects`` takes them, and what is to carry it."""
     places: list[dict[str, Any]] = []
     carriers: list[str] = []
-    for said, meant in meanings(survey.brief):
+    for said, meant in survey.meanings:
         spec = CATALOGUE.get(meant.type)
         if said.subject != asked.id or spec is None or meant.type == "around":
             continue
@@ -76,7 +76,7 @@ def _places(survey: Survey, asked: Entity) -> tuple[list[dict[str, Any]], list[s
 
 def relating(survey: Survey, said: StatedRelation, wrong: Sequence[Body]) -> Call:
     """State a relation that the engine can make true; where it is stated and not so, lay the things out anew."""
-    meant = meaning(said, survey.brief)
+    meant = next((meant for other, meant in survey.meanings if other is said), None)
     rows = []
     for body in wrong:
         first = None if meant is None else next(_relations(survey, said, meant, body), None)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sceneweaver.assets import categories, resolve
-from sceneweaver.brief import SceneGraph
+from sceneweaver.brief import Meaning, SceneGraph, StatedRelation, meanings
 from sceneweaver.geometry.angles import dot, wrap_angle
 from sceneweaver.geometry.polygons import union
 from sceneweaver.geometry.walls import Wall
@@ -55,6 +55,11 @@ class Survey:
     def program(self) -> Program:
         """Which object stands for which item of the room and of the request."""
         return Program.of(self.scene, self.room_type, self.brief, self.area)
+
+    @cached_property
+    def meanings(self) -> list[tuple[StatedRelation, Meaning]]:
+        """The relations that the request states with what they mean in those of the catalogue."""
+        return meanings(self.brief)
 
     def standing_for(self, asked: str) -> list[Body]:
         """The objects that stand for something asked, by its id."""

@@ -135,7 +135,7 @@ def test_what_was_there_stays_when_a_picture_or_the_report_fails(result, tmp_pat
 def test_when_time_is_up_the_scene_and_its_metrics_are_written_and_the_rest_is_noted(result, tmp_path):
     done = deliver(result, tmp_path, Library(), "cpu", True, ("glb", "usd"), Deadline(0.0))
     assert files(tmp_path) == {"scene.json", "metrics.json", "request.json"}
-    assert done.notes[-1] == "time was up before these were written: glb, usd, pictures"
+    assert done.notes[-1] == "time was up before these were written: glb, usd, pictures, report"
 
 
 def test_a_file_that_takes_too_long_is_left_out_and_the_pictures_are_there(result, tmp_path, monkeypatch):
@@ -171,7 +171,23 @@ def test_pictures_that_take_too_long_are_left_out(result, tmp_path, monkeypatch)
     end = time.monotonic() + 1.0
     done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(end))
     assert time.monotonic() < end + 1.0 and done.undone == ("pictures",)
-    assert files(tmp_path) == {"scene.json", "metrics.json", "request.json"}
+    assert files(tmp_path) == {"scene.json", "metrics.json", "request.json", "report.html"}
+
+
+@pytest.mark.filterwarnings("ignore:.*unexpected:RuntimeWarning")
+@pytest.mark.parametrize("part", ["sceneweaver.export.export_scene", "sceneweaver.render.draw_rooms"])
+def test_what_breaks_down_costs_only_itself(result, tmp_path, monkeypatch, part):
+    def broken(*_: object, **__: object) -> None:
+        raise ZeroDivisionError("no size")
+
+    monkeypatch.setattr("sceneweaver.export.export_scene", lambda *_: None)
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *_, **__: {"top": Image.new("RGB", (4, 4))})
+    monkeypatch.setattr(part, broken)
+    done = deliver(result, tmp_path, Library(), "cpu", True, ("glb",))
+    assert {"scene.json", "metrics.json", "report.html"} <= files(tmp_path)
+    name = "glb" if "export" in part else "pictures"
+    assert len(done.undone) == 1 and not done.satisfied and done.undone[0] in done.notes
+    assert done.undone[0].startswith(f"{name}: unexpected ZeroDivisionError: no size (test_deliver.py:")
 
 
 @pytest.mark.parametrize(("left", "size"), [(1.5, (320, 240)), (59.0, (1280, 960))])

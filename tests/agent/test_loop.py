@@ -374,3 +374,18 @@ def test_the_empty_scene_is_a_square_of_the_usual_size():
     width = scene.room.outline[2][0]
     assert width**2 == pytest.approx(ROOM.area[1], rel=0.01) and scene.room.height == ROOM.height
     assert scene.prompt == "a bedroom" and not scene.objects
+
+
+def test_a_tool_that_breaks_down_costs_its_step_alone(go):
+    answers = {"init_prior": [adds("a", 5)], "add_objects": [ZeroDivisionError("no size"), adds("b", 6, 1.0)]}
+    plans = [BEGIN, calls("add_objects"), calls("add_objects", again=1)]
+    with pytest.warns(RuntimeWarning, match="add_objects: unexpected ZeroDivisionError: no size"):
+        run, best, _, _ = go(answers, plans)
+    assert best.scene.ids == ("a", "b") and [s.accepted for s in run.memory.steps] == [True, False, True]
+    assert len(run.undone) == 1 and run.memory.failed
+
+
+def test_when_the_first_tool_breaks_down_there_is_the_empty_room(go):
+    with pytest.warns(RuntimeWarning, match="unexpected"):
+        run, best, _, _ = go({"init_prior": [KeyError("x")]}, [BEGIN])
+    assert not best.scene.objects and best.report.valid and run.undone and not run.cut_off

@@ -50,6 +50,7 @@ def test_a_run_that_ended_well(out):
         (-9, "", "", "exit -9"),
         (0, "Traceback (most recent call last):\nx", None, "exit 0: x"),
         (0, "", "valid", "no JSON on stdout"),
+        (3, "", '{"undone": ["glb: unexpected KeyError: 1"], "files": []}', "exit 3: glb: unexpected KeyError"),
         (2, "one\ntwo", '{"error": "x"}', "refused in several lines"),
     ],
 )
