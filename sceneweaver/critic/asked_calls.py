@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Sequence
 from typing import Any
 
 from sceneweaver.assets.taxonomy import likeliness
-from sceneweaver.brief import Entity, Meaning, StatedRelation
+from sceneweaver.brief import Entity, Grounded, StatedRelation
+from sceneweaver.geometry.angles import bearing
 from sceneweaver.knowledge.surfaces import lays, usual_arrangement
-from sceneweaver.scene import CATALOGUE, InputError, Relation
+from sceneweaver.scene import CATALOGUE
 from sceneweaver.verify.solids import Body
 
-from .pair_measures import plan_gap
-from .place_measures import walls_named
+from .place_measures import segments
 from .survey import Survey
 
 Call = tuple[str | None, dict[str, Any] | None]
@@ -74,59 +74,57 @@ def _places(survey: Survey, asked: Entity) -> tuple[list[dict[str, Any]], list[s
     return places, list(dict.fromkeys(carriers))
 
 
-def relating(survey: Survey, said: StatedRelation, wrong: Sequence[Body]) -> Call:
+def relating(survey: Survey, said: StatedRelation, item: str, wrong: Sequence[Body]) -> Call:
     """State a relation that the engine can make true; where it is stated and not so, lay the things out anew."""
-    meant = next((meant for other, meant in survey.meanings if other is said), None)
+    ids = [b.id for b in wrong]
+    if said.type == "facing":
+        return _turning(survey, said, wrong)
     rows = []
-    for body in wrong:
-        first = None if meant is None else next(_relations(survey, said, meant, body), None)
-        if first is not None:
-            target = list(first.target) if isinstance(first.target, tuple) else first.target
-            row = {"type": first.type, "subject": body.id, "target": target, "hard": True}
-            rows.append({**row, "params": dict(first.params)} if first.params else row)
+    for row in survey.grounded.get(item, ()):
+        if row.type in CATALOGUE and {row.subject, row.target} & set(ids):
+            found, target = _target(survey, row)
+            if found:
+                stated = {"type": row.type, "subject": row.subject, "target": target, "hard": row.hard}
+                rows.append({**stated, "params": dict(row.params)} if row.params else stated)
     if rows and not all(_stated(survey, row) for row in rows):
         return "add_relation", {"relations": rows}
-    return "update_layout", {"ids": [b.id for b in wrong]}
+    return "update_layout", {"ids": ids}
+
+
+def _turning(survey: Survey, said: StatedRelation, wrong: Sequence[Body]) -> Call:
+    """Turn things to what they should face."""
+    target = next((b for b in survey.standing_for(said.targets[0]) if b not in wrong), None)
+    if target is not None:
+        return "update_rotation", {"ids": [b.id for b in wrong], "toward": target.id}
+    parts = segments(survey, said.targets[0])
+    if not parts:
+        return "update_layout", {"ids": [b.id for b in wrong]}
+    nearest = min(parts, key=lambda s: math.dist(s.middle, wrong[0].centre))
+    return "update_rotation", {"ids": [wrong[0].id], "yaw": round(bearing(wrong[0].centre, nearest.middle), 4)}
+
+
+def _target(survey: Survey, row: Grounded) -> tuple[bool, str | list[str] | None]:
+    """Whether the room has what a grounded relation is to, and its id: of walls, windows and doors the nearest one."""
+    kind, target = CATALOGUE[row.type].target_kind, row.target
+    if kind in ("none", "object"):
+        return True, target if isinstance(target, str) else None
+    if kind == "objects":
+        return isinstance(target, tuple), list(target) if isinstance(target, tuple) else None
+    if target is None:
+        return True, None
+    parts = segments(survey, target if isinstance(target, str) and target.startswith("wall") else kind)
+    if not parts:
+        return False, None
+    here = survey.placed.by_id[row.subject].centre
+    return True, min(parts, key=lambda s: math.dist(s.middle, here)).id
 
 
 def _stated(survey: Survey, row: dict[str, Any]) -> bool:
     target = row["target"]
     wanted = (row["type"], row["subject"], tuple(target) if isinstance(target, list) else target)
     return any(
-        (r.type, r.subject, r.target) == wanted and r.hard and dict(r.params) == row.get("params", {})
+        (r.type, r.subject, r.target) == wanted
+        and (r.hard or not row["hard"])
+        and dict(r.params) == row.get("params", {})
         for r in survey.scene.relations
     )
-
-
-def _relations(survey: Survey, said: StatedRelation, meant: Meaning, body: Body) -> Iterator[Relation]:
-    """The relations of the catalogue of which one should hold for a subject, those to what is nearest first."""
-    spec = CATALOGUE.get(meant.type)
-    if spec is None:
-        return
-    count, params, kind = len(survey.standing_for(said.subject)), dict(meant.params), spec.target_kind
-    if meant.type == "around" and "n" not in params:
-        params["n"] = count
-    targets: list[str | tuple[str, str] | None] = []
-    if kind in ("none", "door"):
-        targets = [None]
-    elif kind == "wall":
-        name = meant.target.partition(":")[2] if isinstance(meant.target, str) else ""
-        targets = [f"wall:{k}" for k in walls_named(name, survey.scene.room)] if name else [None]
-    elif kind == "window":
-        targets = [w.id for w in survey.scene.room.windows]
-    elif kind == "objects":
-        pair = meant.target if isinstance(meant.target, tuple) else (str(meant.target), str(meant.target))
-        first, second = (survey.standing_for(name) for name in pair)
-        pairs = ((a.id, b.id) for a in first for b in second if len({a.id, b.id, body.id}) == 3)
-        targets = [*itertools.islice(pairs, 64)]
-    else:
-        others = [b for b in survey.standing_for(str(meant.target)) if b is not body]
-        targets = [b.id for b in sorted(others, key=lambda b: plan_gap(survey, body, b))]
-    for target in targets:
-        try:
-            if meant.type == "around" and count < 2:
-                yield Relation(type="front_against", subject=body.id, target=target)
-            else:
-                yield Relation(type=meant.type, subject=body.id, target=target, params=params)
-        except InputError:
-            continue

@@ -70,7 +70,7 @@ def _outcome(survey: Survey, said: StatedRelation, item: str) -> Asked:
     wrong = [b.id for b in ruling.wrong or subjects]
     shown = ", ".join(wrong[:4])
     why = str(ruling.worst).strip() if ruling.worst is not None else "there is nothing to relate it to"
-    tool, inputs = relating(survey, said, ruling.wrong or subjects)
+    tool, inputs = relating(survey, said, item, ruling.wrong or subjects)
     return unmet(
         "relation",
         item,

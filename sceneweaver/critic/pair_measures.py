@@ -19,13 +19,13 @@ from sceneweaver.verify.solids import Body
 from . import kinds
 from .survey import Survey, turn_to
 
-NEXT, NEAR, CLOSE = 0.5, 1.5, 0.1
-"""Gap [m] up to which things are next to each other, near each other, and touch as good as."""
+NEXT, NEAR, CLOSE, HANGING = 0.5, 1.5, 0.1, 0.3
+"""Gap [m] up to which things are next to each other, near each other, touch as good as, and hang from each other."""
 
 ACROSS = (1.5, 4.0)
 """Gap [m] of what is opposite."""
 
-FAR = 4.0
+FAR = 2.5
 """Gap [m] from which things are far apart in any room; in a small one half its diagonal is far."""
 
 BAND = 1.25
@@ -33,6 +33,12 @@ BAND = 1.25
 
 FACING, ABREAST = 15.0, 10.0
 """Angles [deg] up to which something faces a thing, and is parallel to it."""
+
+BEFORE = 45.0
+"""Angle [deg] from the direction of a front up to which something is before it."""
+
+RAY = 100.0
+"""Length [m] of a ray: more than any room has."""
 
 SEATED = 35.0
 """Angle [deg] between a seat's front and the way to what one sits at."""
@@ -258,7 +264,7 @@ def hanging_from(survey: Survey, s: Body, t: Body, params: dict[str, Any]) -> Al
     """Carried by it, or touching it and no higher."""
     if carried_by(survey, s, t):
         return [(at_least("carried by it", 1.0, 1.0, ""),)]
-    return [(*_within(survey, s, t, CLOSE, params), at_most("top over its top", s.z[1] - t.z[1], 0.05))]
+    return [(*_within(survey, s, t, HANGING, params), at_most("top over its top", s.z[1] - t.z[1], 0.05))]
 
 
 def _lateral(survey: Survey, s: Body, t: Body) -> Measurements:
@@ -302,29 +308,41 @@ def centered_on(survey: Survey, s: Body, t: Body, params: dict[str, Any]) -> Alt
 
 
 def facing(survey: Survey, s: Body, t: Body, params: dict[str, Any]) -> Alternatives:
-    """Its front meets the target, or points at its middle within 15 degrees."""
-    return [(_faces(survey, s, t),)]
-
-
-def _faces(survey: Survey, s: Body, t: Body) -> Measurement:
+    """Its front meets the target, or points at its middle within 15 degrees; of a desk who sits at it may face it."""
     import shapely
 
-    (x, y), (fx, fy) = s.centre, s.front
-    ray = shapely.linestrings([(x, y), (x + 50.0 * fx, y + 50.0 * fy)])
-    if s.centre == t.centre:
+    hull = shapely.convex_hull(survey.footprints[t.index])
+    return [(turned_to(s, hull, t.centre, way),) for way in ways_of(s)]
+
+
+def ways_of(body: Body) -> tuple[float, ...]:
+    """The directions that a thing faces, as signs of its front: a desk does so as it stands and as it is sat at."""
+    return (1.0, -1.0) if body.item.category in kinds.DESKS else (1.0,)
+
+
+def turned_to(body: Body, shape: Any, middle: tuple[float, float], way: float = 1.0) -> Measurement:
+    """How far a front (or with ``way`` -1 a back) is turned from a shape in plan: not at all where a ray meets it."""
+    import shapely
+
+    (x, y), (fx, fy) = body.centre, body.front
+    if body.centre == middle:
         off = 90.0
-    elif shapely.intersects(ray, shapely.convex_hull(survey.footprints[t.index])):
+    elif shapely.intersects(shapely.linestrings([(x, y), (x + RAY * way * fx, y + RAY * way * fy)]), shape):
         off = 0.0
     else:
-        off = math.degrees(turn_to(s, t.centre))
+        off = math.degrees(turn_to(body, middle))
+        off = off if way > 0 else 180.0 - off
     return at_most("turned away by", off, FACING, "deg", slack=1e-6)
 
 
 def opposite(survey: Survey, s: Body, t: Body, params: dict[str, Any]) -> Alternatives:
-    """Across from it before its front, or both turned to each other."""
+    """Across the room, one of them before the front of the other, or both turned to each other."""
     apart = Measurement("gap", gap(survey, s, t), *ACROSS, "m", TOLERANCE)
-    ahead = at_most("off the direction of its front", math.degrees(turn_to(t, s.centre)), 45.0, "deg", slack=1e-6)
-    return [(apart, ahead), (_faces(survey, s, t), _faces(survey, t, s))]
+    ahead = [
+        at_most("off the direction of a front", math.degrees(turn_to(a, b.centre)), BEFORE, "deg", slack=1e-6)
+        for a, b in ((t, s), (s, t))
+    ]
+    return [*((apart, m) for m in ahead), (*facing(survey, s, t, params)[0], *facing(survey, t, s, params)[0])]
 
 
 def _turned(s: Body, t: Body, modulo: float) -> Measurement:

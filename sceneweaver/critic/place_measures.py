@@ -19,8 +19,8 @@ from sceneweaver.scene import Room
 from sceneweaver.verify.measure import TOLERANCE, Measurement, Measurements, at_least, at_most
 from sceneweaver.verify.solids import Body
 
-from .pair_measures import ABREAST, FACING, NEAR, NEXT, OFF_MIDDLE, OVER, Alternatives
-from .survey import Survey, turn_to
+from .pair_measures import ABREAST, FACING, NEAR, NEXT, OFF_MIDDLE, OVER, Alternatives, turned_to, ways_of
+from .survey import Survey
 
 AT_WALL = 0.3
 """Gap [m] up to which something is against a wall."""
@@ -37,8 +37,8 @@ CORNER = 0.5
 AWAY = 1.0
 """Gap [m] from which something is away from a wall, a window or a door."""
 
-ACROSS = 1.5
-"""Gap [m] from which something is across the room from a window or a door."""
+ACROSS, ACROSS_ANGLE = 1.5, 60.0
+"""Gap [m] from which something is across the room from a window or a door, and most angle [deg] from the way in."""
 
 OBLONG = 1.2
 """Quotient of two sides from which one of them is the long one."""
@@ -151,19 +151,13 @@ def _centred(survey: Survey, body: Body, segment: Segment) -> Measurement:
     return at_most("off centre", abs(low + high) / 2, OFF_MIDDLE, slack=TOLERANCE)
 
 
-def _faces(survey: Survey, body: Body, segment: Segment, front: bool = True) -> Measurement:
-    """Whether a ray from its front meets the segment; else the angle to its middle."""
-    import shapely
-
-    (x, y), (fx, fy) = body.centre, body.front
-    ray = shapely.linestrings([(x, y), (x + 50.0 * fx, y + 50.0 * fy)])
-    turned = math.degrees(math.acos(max(-1.0, min(1.0, dot(body.front, segment.wall.outward)))))
-    off = math.degrees(turn_to(body, segment.middle))
+def _faces(body: Body, segment: Segment) -> Alternatives:
+    """Turned to a window or door, or square to a wall; of a desk who sits at it may be."""
     if segment.id.startswith("wall:"):
-        off = turned
-    elif shapely.intersects(ray, segment.line):
-        off = 0.0
-    return at_most("turned away by", off, FACING, "deg", slack=1e-6)
+        turned = math.degrees(math.acos(max(-1.0, min(1.0, dot(body.front, segment.wall.outward)))))
+        offs = (turned if way > 0 else 180.0 - turned for way in ways_of(body))
+        return [(at_most("turned away by", off, FACING, "deg", slack=1e-6),) for off in offs]
+    return [(turned_to(body, segment.line, segment.middle, way),) for way in ways_of(body)]
 
 
 Rule = Callable[[Survey, Body, Segment, dict[str, Any]], Alternatives]
@@ -191,7 +185,7 @@ def _hung(survey: Survey, body: Body, segment: Segment, params: dict[str, Any]) 
 
 
 def _facing(survey: Survey, body: Body, segment: Segment, params: dict[str, Any]) -> Alternatives:
-    return [(_faces(survey, body, segment),)]
+    return _faces(body, segment)
 
 
 def _parallel(survey: Survey, body: Body, segment: Segment, params: dict[str, Any]) -> Alternatives:
@@ -256,8 +250,8 @@ def _opposite(survey: Survey, body: Body, segment: Segment, params: dict[str, An
     off = abs(math.degrees(math.atan2(cross(segment.wall.inward, way), dot(segment.wall.inward, way))))
     apart = at_least("gap", _gap(survey, body, segment), float(params.get("min", ACROSS)), slack=TOLERANCE)
     return [
-        (apart, at_most("off the way across the room", off, 45.0, "deg", slack=1e-6)),
-        (_faces(survey, body, segment),),
+        (apart, at_most("off the way across the room", off, ACROSS_ANGLE, "deg", slack=1e-6)),
+        *_faces(body, segment),
     ]
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sceneweaver.assets import categories, resolve
-from sceneweaver.brief import Meaning, SceneGraph, StatedRelation, meanings
+from sceneweaver.brief import Grounded, Meaning, SceneGraph, StatedRelation, Thing, grounded, meanings
 from sceneweaver.geometry.angles import dot, wrap_angle
 from sceneweaver.geometry.polygons import union
 from sceneweaver.geometry.walls import Wall
@@ -71,6 +71,21 @@ class Survey:
         for body in self.bodies:
             if (name := self.program.asked_of.get(body.id)) is not None:
                 found.setdefault(name, []).append(body)
+        return found
+
+    @cached_property
+    def grounded(self) -> dict[str, list[Grounded]]:
+        """By stated relation, what it means in the catalogue between the objects that are there."""
+        things = {
+            asked.id: [
+                Thing(b.id, b.item.category, b.size, b.item.mount, b.item.support and b.item.support.object)
+                for b in self.standing_for(asked.id)
+            ]
+            for asked in self.brief.entities
+        }
+        found: dict[str, list[Grounded]] = {}
+        for row in grounded(self.brief, things)[0]:
+            found.setdefault(row.said, []).append(row)
         return found
 
     def least(self, asked: str) -> int:

@@ -50,7 +50,8 @@ def stool(x: float, y: float, yaw: float = 0.0, k: int = 0) -> SceneObject:
         ("near", 5.2, 4.5, False),
         ("against", 2.0, 3.5, True),
         ("against", 2.0, 3.7, False),
-        ("far_from", 5.8, 4.8, False),
+        ("far_from", 5.8, 4.8, True),
+        ("far_from", 5.0, 2.5, False),
         ("right_of", 1.5, 3.6, True),
         ("left_of", 1.5, 3.6, False),
         ("left_of", 1.5, 1.4, True),
@@ -78,9 +79,11 @@ def test_beside_a_bed(kind: str, x: float, y: float, yes: bool) -> None:
 
 
 def test_far_from_is_half_of_a_small_room() -> None:
-    said: dict[str, Any] = {"type": "far_from", "subject": "floor_lamp", "targets": ("sofa",)}
-    assert holds(sofa, lamp(5.8, 2.5), **said) and not holds(sofa, lamp(4.5, 2.5), **said)
-    assert holds(sofa, lamp(2.5, 2.5), **said, params={"min": 1.2})
+    closet = ROOM.model_copy(update={"outline": ((0, 0), (2.5, 0), (2.5, 2), (0, 2)), "doors": (), "windows": ()})
+    said: dict[str, Any] = {"type": "far_from", "subject": "floor_lamp", "targets": ("stool",)}
+    pair = stool(0.3, 1.0), lamp(2.3, 1.0)
+    assert holds(*pair, room=closet, **said) and not holds(*pair, **said)
+    assert holds(*pair, **said, params={"min": 1.2})
 
 
 def test_a_distance_that_was_given_counts() -> None:
@@ -101,6 +104,8 @@ def test_a_distance_that_was_given_counts() -> None:
     [
         ("facing", box("sofa-0", SOFA, 0.5, 2.5, 0), True),
         ("facing", box("sofa-0", SOFA, 0.5, 2.5, 40), False),
+        ("facing", box("desk-0", SOFA, 0.5, 2.5, 180), True),  # who sits at it does
+        ("facing", box("desk-0", SOFA, 0.5, 2.5, 90), False),
         ("facing", box("sofa-0", SOFA, 0.5, 3.3, 0), True),  # its front meets the table though its middle is aside
         ("opposite", box("sofa-0", SOFA, 5.55, 2.5, 180), True),
         ("opposite", box("sofa-0", SOFA, 5.55, 0.6, 90), False),
@@ -113,7 +118,7 @@ def test_a_distance_that_was_given_counts() -> None:
     ],
 )
 def test_directions(kind: str, subject: SceneObject, yes: bool) -> None:
-    assert holds(table, subject, type=kind, subject="sofa", targets=("dining_table",)) is yes
+    assert holds(table, subject, type=kind, subject=subject.category, targets=("dining_table",)) is yes
 
 
 def test_two_of_a_kind_that_face_each_other() -> None:
