@@ -105,14 +105,22 @@ class Deadline:
             elif self.stop.enforcing:
                 raise TimeUp
 
+        report_lost = sys.unraisablehook
+
+        def stay_quiet(lost: sys.UnraisableHookArgs) -> None:
+            """Say nothing of a `TimeUp` that a callback has lost: it comes again."""
+            if lost.exc_type is not TimeUp:
+                report_lost(lost)
+
         def disarm() -> None:
             self.stop.enforcing = False
+            sys.unraisablehook = report_lost
             signal.setitimer(signal.ITIMER_REAL, 0.0)
             signal.signal(signal.SIGALRM, signal.SIG_DFL)
 
         try:
             signal.signal(signal.SIGALRM, expire)
-            self.stop.enforcing = True
+            self.stop.enforcing, sys.unraisablehook = True, stay_quiet
             if not math.isinf(self.moment):
                 signal.setitimer(signal.ITIMER_REAL, max(1e-3, self.left), AGAIN)
             try:

@@ -34,7 +34,8 @@ PER_SIZE, REPORT, PAGE = 4.0, 1.0, 0.35
 """How much longer each size takes than the one before, and the report than the pictures in it; and the share of the
 time for both that is kept for the report."""
 
-VIEWS = ("top", "top_annotated", "corner")
+VIEWS = (("top", "top_annotated"), ("corner",))
+"""The views of a room, those together that are drawn from one picture."""
 
 
 def deliver(
@@ -63,7 +64,7 @@ def deliver(
     if album is not None:
         album.enlarge()
         album.save(folder / "views")
-        missed += [] if album.views or album.broken else ["pictures"]
+        missed += ["pictures"] if album.short or not (album.views or album.broken) else []
         broken += album.broken
         result = replace(result, notes=(*result.notes, *album.notes))
         if deadline.passed:
@@ -106,7 +107,10 @@ def _exported(
 
 @dataclass
 class _Album:
-    """The views of a scene, as large as there is time for; ``took`` says how many seconds the last ones took."""
+    """The views of a scene, as large as there is time for.
+
+    ``took`` says how many seconds the last ones took, ``short`` that there was no time for all of the smallest.
+    """
 
     scene: Scene
     load: Callable
@@ -115,6 +119,7 @@ class _Album:
     views: dict[str, Image] = field(default_factory=dict)
     size: tuple[int, int] = SIZES[-1]
     took: float = LEAST
+    short: bool = False
     notes: tuple[str, ...] = ()
     broken: tuple[str, ...] = ()
 
@@ -132,7 +137,7 @@ class _Album:
         """Draw the larger views that there is time for: the smaller ones told how long they take here."""
         if self.deadline.left > AMPLE:
             self._draw(SIZES[-1], self.page)
-        for size in SIZES[SIZES.index(self.size) + 1 :] if self.views else ():
+        for size in SIZES[SIZES.index(self.size) + 1 :] if self.views and not self.short else ():
             short = (PER_SIZE + REPORT) * self.took + LEAST > self.deadline.left
             if short or not self._draw(size, self.page):
                 self.notes = (f"time was short, so the pictures have {self.size[0]} x {self.size[1]} pixels",)
@@ -150,18 +155,21 @@ class _Album:
         """Draw the views, with so many seconds kept for what comes after; whether they are there."""
         from sceneweaver.render import draw_rooms
 
-        started = time.monotonic()
+        started, drawn = time.monotonic(), {}
         try:
             with self.deadline.before(kept).enforced():
-                self.views = draw_rooms(self.scene, self.load, VIEWS, *size, device=self.device)
+                for views in VIEWS:
+                    drawn |= draw_rooms(self.scene, self.load, views, *size, device=self.device)
         except SceneWeaverError:
             raise
         except Exception as error:
             self.broken = (fault("pictures", error),)
             return False
         except TimeUp:
+            if not self.views:  # some small ones are better than none
+                self.views, self.size, self.took, self.short = drawn, size, time.monotonic() - started, True
             return False
-        self.size, self.took = size, time.monotonic() - started
+        self.views, self.size, self.took = drawn, size, time.monotonic() - started
         return True
 
 

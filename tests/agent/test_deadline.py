@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import signal
+import sys
 import threading
 import time
+import weakref
 from contextlib import suppress
 
 import pytest
@@ -104,6 +106,20 @@ def test_what_cleans_up_after_it_is_not_interrupted():
                     time.sleep(0.01)
             done.append(1)
     assert done
+
+
+def test_one_that_a_callback_lost_comes_again_and_nothing_is_said_of_it(capsys):
+    class Thing:
+        pass
+
+    thing = Thing()
+    watched = weakref.ref(thing, lambda _: time.sleep(0.3))
+    before = sys.unraisablehook
+    with pytest.raises(TimeUp), soon().enforced():
+        del thing
+        assert watched() is None
+        forever()
+    assert sys.unraisablehook is before and "TimeUp" not in capsys.readouterr().err
 
 
 def test_one_that_was_lost_comes_again():

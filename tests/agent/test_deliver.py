@@ -174,6 +174,20 @@ def test_pictures_that_take_too_long_are_left_out(result, tmp_path, monkeypatch)
     assert files(tmp_path) == {"scene.json", "metrics.json", "request.json", "report.html"}
 
 
+def test_the_pictures_that_there_was_time_for_are_kept_and_the_report_shows_them(result, tmp_path, monkeypatch):
+    def drawn(scene: Scene, load: object, views: tuple[str, ...], *_: object, **__: object) -> dict[str, Image.Image]:
+        while "corner" in views:
+            time.sleep(0.01)
+        return {view: Image.new("RGB", (4, 4)) for view in views}
+
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", drawn)
+    end = time.monotonic() + 2.0
+    done = deliver(result, tmp_path, Library(), "cpu", True, ("usd",), Deadline(end))
+    assert time.monotonic() < end + 1.0 and done.undone == ("usd", "pictures")
+    assert {"report.html", "views/top.png", "views/top_annotated.png"} <= files(tmp_path)
+    assert "views/corner.png" not in files(tmp_path)
+
+
 @pytest.mark.filterwarnings("ignore:.*unexpected:RuntimeWarning")
 @pytest.mark.parametrize("part", ["sceneweaver.export.export_scene", "sceneweaver.render.draw_rooms"])
 def test_what_breaks_down_costs_only_itself(result, tmp_path, monkeypatch, part):
@@ -197,8 +211,8 @@ def test_pictures_are_as_large_as_there_is_time_for(result, tmp_path, monkeypatc
     monkeypatch.setattr("sceneweaver.agent.deliver.time.monotonic", lambda: clock[0])
 
     def drawn(scene, load, views, width=1280, height=960, device=""):
-        clock[0] += 0.1 * width * height / (320 * 240) * 3
-        return {"top": Image.new("RGB", (width, height))}
+        clock[0] += 0.1 * width * height / (320 * 240) * len(views)
+        return {view: Image.new("RGB", (width, height)) for view in views}
 
     monkeypatch.setattr("sceneweaver.render.draw_rooms", drawn)
     done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(100.0 + left))
