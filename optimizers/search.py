@@ -185,7 +185,7 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
     block.add(advance_clock, 1, [], [run])
     block.add(retire, batch.size, [plan, CLOSE, verdict], [run])
 
-    if solved < batch.size and not monitor.expired():
+    if solved < batch.size and (monitor.done == 0 or not monitor.expired()):  # late or not, one layout comes out of it
         if device == "cpu" or monitor.watched:
             one_round = repeatable(device, block)
             for _ in range(plan.steps):
