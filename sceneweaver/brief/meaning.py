@@ -64,6 +64,11 @@ def meaning(said: StatedRelation, graph: SceneGraph) -> Meaning | None:
     return next((meant for other, meant in meanings(graph) if other is said), None)
 
 
+def unsaid(graph: SceneGraph) -> list[StatedRelation]:
+    """The stated relations that nothing in the catalogue says."""
+    return grounded(graph, {entity.id: _things(entity) for entity in graph.entities})[1]
+
+
 def _things(entity: Entity) -> list[Thing]:
     category = category_named(entity.category)
     ranges = category.size.ranges if category.size is not None else ((0.5, 0.5),) * 3
@@ -84,4 +89,4 @@ def _held(said: StatedRelation, graph: SceneGraph, things: dict[str, list[Thing]
     return Meaning("on_top" if said.type == "on" else "inside", target.id)
 
 
-__all__ = ["Meaning", "meaning", "meanings"]
+__all__ = ["Meaning", "meaning", "meanings", "unsaid"]

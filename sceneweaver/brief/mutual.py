@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from copy import deepcopy
+from copy import copy
 
-from .parser_state import Mention, ParsedRelation, ParsedRequest
-
-EACH_OTHER = "each other"
-"""Target of a relation among its own subjects."""
+from .parsed import Mention, Parsed, Said
 
 MOST = 6
 """Things of one kind that are told apart, so that each can be related to the next."""
@@ -21,45 +18,41 @@ def pairs(kind: str, subjects: list[Mention]) -> list[tuple[Mention, Mention]]:
     return list(zip(subjects, subjects[1:], strict=False))
 
 
-def split_mutual(parsed: ParsedRequest) -> None:
+def split_mutual(parsed: Parsed) -> None:
     """Turns "two desks" that face each other into a desk and a desk, and what belongs to them likewise."""
     for said in list(parsed.said):
-        if said.target == EACH_OTHER and len(said.subjects) == 1:
+        if said.targets == ("each other",) and len(said.subjects) == 1:
             _split(parsed, said.subjects[0])
 
 
-def _split(parsed: ParsedRequest, one: Mention, parts: int | None = None) -> list[Mention]:
+def _split(parsed: Parsed, one: Mention, parts: int | None = None) -> list[Mention]:
     low, high = one.count or (2, 2)
     parts = parts or low
-    if low != high or not 2 <= parts <= MOST or low % parts:
+    if low != high or not 2 <= parts <= MOST or low % parts or not any(m is one for m in parsed.mentions):
         return []
-    halves = [deepcopy(one) for _ in range(parts)]
+    halves = [copy(one) for _ in range(parts)]
     for half in halves:
         half.count = (low // parts, low // parts)
-    at = next(k for k, m in enumerate(parsed.mentions) if m is one)
-    parsed.mentions[at : at + 1] = halves
-    new: list[ParsedRelation] = []
-    for said in parsed.said:
-        if any(m is one for m in said.subjects):
-            said.subjects = [h for m in said.subjects for h in (halves if m is one else [m])]
-        if isinstance(said.target, tuple):
-            first, second = said.target
-            said.target = (halves[0] if first is one else first, halves[-1] if second is one else second)
-        if said.target is not one:
-            new.append(said)
-            continue
-        new += _shared(parsed, said, halves)
-    parsed.said = new
+        half.attributes, half.words, half.size = list(one.attributes), list(one.words), list(one.size)
+    shared = [s for s in parsed.said if len(s.targets) == 1 and s.targets[0] is one]
+    parsed.replace(one, halves)
+    for said in shared:
+        _share(parsed, said, halves)
     return halves
 
 
-def _shared(parsed: ParsedRequest, said: ParsedRelation, halves: list[Mention]) -> list[ParsedRelation]:
+def _share(parsed: Parsed, said: Said, halves: list[Mention]) -> None:
     """What is said of both desks: a chair for each when the chairs can be shared out."""
     (subject, *others) = said.subjects
     count = subject.count
-    if not others and count and count[0] == count[1] and count[0] >= len(halves) and count[0] % len(halves) == 0:
-        parts = _split(parsed, subject, len(halves))
-        if parts:
-            return [ParsedRelation(said.kind, [p], h, said.words) for p, h in zip(parts, halves, strict=True)]
-    said.target = halves[0]
-    return [said]
+    if others or not count or count[0] != count[1] or count[0] < len(halves) or count[0] % len(halves):
+        return
+    parts = _split(parsed, subject, len(halves))
+    if not parts:
+        return
+    at = next((k for k, s in enumerate(parsed.said) if s is said), None)
+    if at is not None:
+        parsed.said[at : at + 1] = [
+            Said(said.type, [p], (h,), said.words, None, said.each, said.side, said.implied, said.span)
+            for p, h in zip(parts, halves, strict=True)
+        ]

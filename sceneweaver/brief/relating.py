@@ -1,215 +1,309 @@
-"""Relations, as they are said: who is related to what."""
+"""Relations as they are said: who, where, and what is meant where it is not said."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from sceneweaver.assets import categories
+from sceneweaver.assets.taxonomy import category_named, likeliness
 
-from .lexer import Token
-from .mutual import EACH_OTHER
-from .parser_state import Mention, OpenRelation, ParsedRelation, ParserState, PendingModifiers
+from .chunks import Chunk, NounPhrase
+from .model import Span
+from .parsed import Mention, Said
+from .state import ReaderState
+from .things import SMALL
+from .vocabulary import Place, family, mounts, words
 
-LOST = "lost"
-"""Kind of a relation whose subject was not understood."""
 
+class Relating(ReaderState):
+    """Relations as they are said: who, where, and what is meant where it is not said."""
 
-class Relating(ParserState):
-    """Reads relations, "with", pronouns and the ends of phrases."""
+    def support(self, kind: str, thing: Mention, carrier: Mention) -> str:
+        """Whether what something holds stands on or in it."""
+        inside = words("relations")["insides"]
+        if any(carrier.noun.endswith(word) or carrier.category.endswith(word) for word in inside):
+            return "inside"
+        on = words("relations")["tops"]
+        if kind == "inside" and any(carrier.noun.endswith(word) for word in on):
+            return "on"
+        return kind
 
-    def _relation(self, token: Token) -> bool:
-        kind = str(token.get("relation"))
-        if token.has("place") and kind in ("left_of", "right_of") and not self._noun_follows(3):
-            return False
-        if kind in ("by", "inside", "on") and token.has("stop") and not self._target_follows():
-            return False
-        if self.negated and any(t.has("room") and not t.has("noun") for t in self._ahead(2)):
-            self.negated = False  # "no plants in the living room"
-            return True
-        if self.negated:
-            self._where_it_must_not_be()
-            return True
-        strange = self._strange_subject()
-        self._stranger_ends()
-        self._leftover()
-        self.predicate = []
-        if kind.startswith("each_other:"):
-            self._mutual(kind.removeprefix("each_other:"), token.text)
-            return True
-        subjects, guessed, rest = list(self.subjects), False, []
-        if self.last and not self._verb_before():
-            # "A bed and a desk by the window": the desk; "... are by the window": both; "on" is said of all.
-            subjects, guessed = list(self.last), True
-        if self.joined or (self.opening and self.last):  # ahead of its subject, or one more about the same
-            subjects, rest, guessed = [], self.subjects or self.last[-1:], False
-        self.first_of_pair, self.joined, self.opening = None, False, False
-        self.relation = OpenRelation(LOST if strange else kind, subjects, token.text, guessed, rest)
-        if kind == "flank" and not token.text.endswith(("of", "flanking")):
-            self._flanked()
-        return True
-
-    def _where_it_must_not_be(self) -> None:
-        self._leftover()
-        start = self.at - 1
-        while self.at < len(self.tokens) and self.tokens[self.at].has("det"):
-            self.at += 1
-        self.at = min(self.at + 1, len(self.tokens))
-        words = " ".join(t.text for t in self.tokens[start : self.at])
-        self.out.unread.append(f"not {words}")
-        self._note(f"'not {words}' cannot be said as a relation and was left out")
-        self.negated = False
-
-    def _strange_subject(self) -> bool:
-        """Whether the noun before a relation was not understood: ", a zorb next to"."""
-        start = self.at - 2 - len(self.strangers)
-        return bool(self.strangers) and start >= 0 and self.tokens[start].has("det", "and", "break", "number", "amount")
-
-    def _mutual(self, kind: str, words: str) -> None:
-        subjects = list(self.last or self.subjects)
-        if subjects:
-            self.out.said.append(ParsedRelation(kind, subjects, EACH_OTHER, words))
-            self.closed = True
-        self.relation, self.joined, self.opening = None, False, False
-
-    def _flanked(self) -> None:
-        """ "A bed with a nightstand on either side": of what it came with, or of what was named before."""
-        assert self.relation is not None
-        subjects = self.relation.subjects[-1:]
-        others = [m for m in self.out.mentions if m not in subjects]
-        if self.owner is not None and self.owner not in subjects:
-            others = [self.owner]
-        if subjects and others:
-            self._relate("flank", others[-1], subjects, self.relation.words)
-        else:
-            self._open_ends()
-
-    def _target_follows(self) -> bool:
-        return any(t.has("noun", "place", "pron", "room") for t in self._ahead(5) if not t.has("break"))
-
-    def _verb_before(self) -> bool:
-        return any(t.has("verb") and not t.has("relation") for t in self.tokens[max(0, self.at - 3) : self.at - 1])
-
-    def _relate(self, kind: str, target: Any, subjects: list[Mention], words: str, place: str = "") -> None:
-        """Ends a relation at its target; ``place`` is how a place was called."""
-        rest = self.relation.rest if self.relation is not None else []
-        if self.relation is not None and self.relation.guessed:
-            subjects = _meant(kind, target, subjects)
-        self.relation, self.first_of_pair = None, None
-        self.pending = PendingModifiers()
-        spoken = words if not place or words.endswith(place) else f"{words} the {place.removeprefix('the ')}"
-        if kind == LOST:
-            self.out.unread.append(spoken)
+    def _relate(
+        self,
+        place: Place,
+        subjects: list[Mention],
+        targets: tuple[Any, ...],
+        chunk: Chunk | None,
+        count: tuple[int, int] | None = None,
+        span: Span | None = None,
+        implied: bool = False,
+    ) -> None:
+        """A relation between things, or of things and a place of the room."""
+        subjects = [s for s in subjects if not any(s is t for t in targets)]
+        if not subjects or not targets or any(t is None for t in targets):
             return
-        aims = target if isinstance(target, tuple) else (target,)
-        subjects = [s for s in subjects if all(s is not aim for aim in aims)]
-        if not subjects and rest and not self._subject_follows():
-            subjects = [s for s in rest if s is not target]
-        if not subjects:
-            self.before.append((kind, target, spoken))
-            self.before_used = False
+        spoken = place.words or (chunk.text if chunk else "")
+        span = span or (self.source.span(chunk.start, chunk.end) if chunk is not None else None)
+        kind, side, each = place.type, place.side, place.each
+        target = targets[0]
+        if isinstance(target, str):
+            self._at_place(kind, subjects, target, spoken, count, span, implied)
             return
-        if kind == "flank" and len(subjects) == 1 and subjects[0].count == (1, 1):
-            subjects[0].count = (2, 2)  # "a nightstand on either side of the bed"
-        self.out.said.append(ParsedRelation(kind, list(subjects), target, spoken))
-        self.subjects, self.closed = list(subjects), True
-
-    def _subject_follows(self) -> bool:
-        """Whether a noun comes after "next to the bed", to which this belongs."""
-        ahead = self._ahead(4)
-        while ahead and (ahead[0].text == "," or ahead[0].has("verb")):
-            ahead = ahead[1:]
-        return bool(ahead) and (ahead[0].has("det", "number", "amount", "color", "material", "scale", "noun", "group"))
-
-    def _pronoun(self) -> bool:
-        assert self.relation is not None
-        kind, subjects, words = self.relation.kind, self.relation.subjects, self.relation.words
-        others = [m for m in self.out.mentions if m not in subjects]
-        if not others:
-            return False
-        target = self.owner if self.owner is not None and self.owner not in subjects else others[-1]
-        self._relate(kind, target, subjects, words)
-        return True
-
-    def _with(self) -> None:
-        self.owner = self.last[-1] if self.last and self.out.mentions and not self.negated else None
-        self.negated = False
-        if self._each and self.subjects:  # "two nightstands beside the bed, each with a lamp"
-            self.owner = self.subjects[-1]
-        if not self.last:
-            self._leftover()
-        self.joined, self.closed = False, False
-        self._open_ends()
-
-    @property
-    def _each(self) -> bool:
-        return any(t.has("each") for t in self.tokens[max(0, self.at - 6) : self.at])
-
-    def _open_ends(self) -> None:
-        """A relation without a target is noted, unless its word has other uses."""
-        if self.relation is not None and not (
-            self.relation.kind in ("by", "inside", "on", LOST) or self.relation.words in ("around", "over", "under")
-        ):
-            self._note(f"'{self.relation.words}': it is not clear of what; it was left out")
-        self.relation = None
-
-    def _before_ends(self) -> None:
-        """A relation said ahead of a subject that never came."""
-        if self.before and not self.before_used:
-            for _, _, words in self.before:
-                self._note(f"'{words}': it is not clear what is meant to be there; it was left out")
-        self.before, self.before_used = [], False
-
-    def _break(self, text: str) -> None:
         if (
-            text == ","
-            and self.pending.any
-            and self.pending.tokens
-            and not any(t.has("det", "number", "amount", "and", "verb") for t in self._ahead(1))
+            kind == "flanking"
+            and len(subjects) == 1
+            and subjects[0].count == (1, 1)
+            and spoken != "flanking"
+            and count is None
+            and not spoken.startswith("flank")
         ):
-            return  # "a large, comfortable sofa"
-        self._leftover()
-        if self.relation is not None and self.first_of_pair is None:
-            self._open_ends()
-        if text == ",":
-            if self.before_used:
-                self.before, self.before_used = [], False
-            if self.closed:
-                self.owner = None  # "a bed with a lamp beside it, a desk": the desk is not the bed's
-            self.joined = True
+            subjects[0].count = (2, 2)  # "a nightstand on either side of the bed"
+        if kind == "occupying":
+            kind = "on"
+        if kind == "covering":
+            kind = "on"
+        if kind == "on" and "rug" in target.category and all("floor" in mounts(s.category) for s in subjects):
+            kind = "on"
+        if kind in ("on", "inside"):
+            for subject in subjects:
+                if subject.category in SMALL and "rug" not in target.category:
+                    subject.category = SMALL[subject.category]
+        if kind == "above" and spoken.startswith("hang"):
+            for subject in subjects:
+                subject.category = words("nouns")["hung"]["ceiling"].get(subject.category, subject.category)
+        if kind == "centered_on":
+            surface = all("surface" in mounts(s.category) for s in subjects)
+            if surface or "rug" in target.category:
+                self._say("on", subjects, (target,), spoken, count, False, None, span, implied)
+        self._say(kind, subjects, targets, spoken, count, each, side, span, implied)
+
+    def _say(
+        self,
+        kind: str,
+        subjects: list[Mention],
+        targets: tuple[Any, ...],
+        spoken: str,
+        count: Any,
+        each: bool,
+        side: str | None,
+        span: Span | None,
+        implied: bool,
+    ) -> None:
+        self.out.said.append(Said(kind, list(subjects), targets, spoken, count, each, side, implied, span))
+        if not implied:
+            self.last_subjects, self.head_related = list(subjects), True
+
+    def _at_place(
+        self, kind: str, subjects: list[Mention], place: str, spoken: str, count: Any, span: Span | None, implied: bool
+    ) -> None:
+        wall_hung = all(mounts(s.category)[0] == "wall" for s in subjects)
+        if place == "room":
+            if kind in ("centered_on", "at_center"):
+                kind, place = "at", "middle"
+            elif kind in ("opposite",):
+                for target in self._near(subjects):
+                    self._say("opposite", subjects, (target,), spoken, count, False, None, span, implied)
+                return
+            else:
+                return
+        if place == "floor":
+            if kind in ("centered_on", "at_center"):
+                kind, place = "at", "middle"
+            else:
+                return
+        if place == "wall:opposite":
+            others = self._main(subjects)
+            if others:
+                self._say(
+                    "opposite", subjects, (others[-1],), f"{spoken} the opposite wall", count, False, None, span, True
+                )
+            place = "wall" if others else "wall:far"
+        if place.startswith("wall"):
+            if kind in ("inside", "at", "occupying", "along", "covering", "centered_on", "around", "flanking"):
+                kind = "along" if kind == "along" else "against"
+            elif kind == "on" and not wall_hung and all(mounts(s.category)[0] == "floor" for s in subjects):
+                kind = "against"
+        for subject in subjects if place in ("ceiling", "wall") or place.startswith("wall:") else ():
+            hung = words("nouns")["hung"]["ceiling" if place == "ceiling" else "wall" if kind != "against" else "none"]
+            subject.category = hung.get(subject.category, subject.category)
+        if place == "ceiling":
+            kind = (
+                "hanging_from"
+                if kind
+                in ("on", "from", "inside", "hanging_from", "at", "near", "against", "above", "below", "centered_on")
+                else kind
+            )
+        if place in ("corner", "middle"):
+            kind = "at" if kind not in ("facing", "far_from") else kind
+        if place in ("window", "door") and kind in ("inside", "on", "occupying"):
+            kind = "at"
+        if kind == "far_from" and place not in ("door", "window"):
+            self.out.note(f"'away from the {place}' cannot be said as a relation and was left out")
             return
-        self.negated, self.joined, self.owner, self.predicate = False, False, None, []
-        self.relation, self.first_of_pair = None, None
-        if text in "()":
+        if place in ("corner", "middle") and kind == "far_from":
             return
-        self._before_ends()
-        self.subjects, self.opening, self.closed = [], True, True
+        self._say(
+            kind,
+            subjects,
+            (place,),
+            f"{spoken} the {place.split(':')[0]}" if not spoken.endswith(place) else spoken,
+            count,
+            False,
+            None,
+            span,
+            implied,
+        )
 
+    def _apart(self, found: list[Mention], subjects: list[Mention]) -> bool:
+        """Whether things on the floor would be beside what hangs from the ceiling or on a wall."""
+        return all(mounts(s.category)[0] == "floor" for s in subjects) and all(
+            mounts(m.category)[0] in ("ceiling", "wall", "surface") and "rug" not in m.category for m in found
+        )
 
-def _meant(kind: str, target: Any, listed: list[Mention]) -> list[Mention]:
-    """Who of a list a relation after it is about: the last, or all that belong together."""
-    known = categories()
-    if kind in ("on", "inside") and isinstance(target, Mention):
-        small = []
-        for mention in reversed(listed):
-            if "surface" not in known[mention.category].mount:
-                break
-            small.insert(0, mention)
-        return small or listed[-1:]
-    if kind == "flank" and len(listed) == 2:
-        return listed
-    groups = {_family(m) for m in listed[-2:]}
-    if len(listed) == 2 and groups in ({"seat", "table"}, {"seat"}):
-        return listed  # "two armchairs and a side table by the window"
-    return listed[-1:]
+    def _main(self, without: list[Mention]) -> list[Mention]:
+        """The first thing on the floor that the request names: what "across the room" is across from."""
+        found = [
+            m for m in self.out.mentions[:12] if mounts(m.category)[0] == "floor" and not any(m is w for w in without)
+        ]
+        return found[:1] or self._near(without)
 
+    def _near(self, without: list[Mention], apart: bool = False) -> list[Mention]:
+        """The thing that a word without a target is said of: whose "with" it is, the subject, what was named before."""
+        frame = self.frames[-1] if self.frames else None
+        choices: list[list[Mention]] = []
+        if frame is not None and frame.kind in ("with", "verb"):
+            choices.append(frame.owner)
+        for other in reversed(self.frames[:-1]):
+            if other.kind in ("with", "verb"):
+                choices.append(other.owner)
+        choices += [
+            self.subject,
+            self.previous,
+            *([m] for m in reversed(self.first_items[:-1])),
+            *reversed(self.refs.topics[-2:]),
+        ]
+        if frame is not None and frame.fronted:
+            choices.insert(0, [t for _, targets, _ in frame.fronted for t in targets if isinstance(t, Mention)])
+        for group in choices:
+            found = [m for m in group if not any(m is w for w in without)]
+            if found and not (apart and self._apart(found, without)):
+                return found
+        if apart:
+            return self._near(without)
+        recent = [m for m in reversed(self.out.mentions[-6:]) if not any(m is w for w in without)]
+        return recent[:1]
 
-def _family(mention: Mention) -> str:
-    return family(mention.category)
+    def _implicit(self, place: Place, subjects: list[Mention] | None, chunk: Chunk) -> None:
+        """A word of place without a target: "a rug in front", "to its left", "overhead"."""
+        if subjects is None:
+            frame_items = [m for f in self.frames[-1:] for m in f.items]
+            if not frame_items and (self.refs.topics or self.out.mentions):
+                targets = self._main([]) if place.type == "opposite" else self._near([])
+                if "room" in place.words and place.type == "opposite" and not self.out.mentions:
+                    return
+                self.fronted.append((place, tuple(targets[-1:]), chunk))
+                return
+            subjects = frame_items
+        if not subjects:
+            return
+        floor = place.type in ("near", "next_to", "opposite", "left_of", "right_of", "behind", "in_front_of")
+        near = self._main(subjects) if place.type == "opposite" else self._near(subjects, apart=floor)
+        if place.type == "inside" and not near:
+            return
+        if place.type in ("left_of", "right_of") and not near:
+            self._at_place("against", subjects, f"wall:{place.type.split('_')[0]}", place.words, None, None, False)
+            return
+        if not near:
+            self.out.note(f"'{chunk.text}': it is not clear of what; it was left out")
+            return
+        if place.type == "centered_on" and not any("surface" in mounts(s.category) for s in subjects):
+            self._at_place("at", subjects, "middle", place.words, None, self.source.span(chunk.start, chunk.end), False)
+            return
+        target = near[-1] if len(near) == 1 or place.type not in ("above", "below") else near[0]
+        if place.type == "on" and not place.words.startswith("in"):
+            target = self.refs.carrier(near, subjects) or target
+        self._relate(place, subjects, (target,), chunk, count=self.subset)
 
+    def _mutual(self, place: Place, chunk: Chunk) -> None:
+        """ "Two desks side by side", "a sofa and a bench facing each other"."""
+        subjects = list(self.head)
+        if self.subject_open and not self.frames and len(self.subject) > 1 or self.glue == "verb" and self.subject:
+            subjects = list(self.subject)
+        elif self.frames and len(self.frames[-1].items) > 1 and len(self.head) == 1 and not self.head[0].many:
+            subjects = self.frames[-1].items[-2:] if place.type != "left_to_right" else list(self.frames[-1].items)
+        span = self.source.span(chunk.start, chunk.end)
+        if not subjects:
+            return
+        if place.type == "left_to_right":
+            for one, two in zip(subjects, subjects[1:], strict=False):
+                self._say("right_of", [two], (one,), chunk.text, None, False, None, span, False)
+            return
+        self._say(place.type, subjects, ("each other",), chunk.text, None, False, None, span, False)
 
-def family(category: str) -> str:
-    """Seats, tables, or the group of the taxonomy that a category is in."""
-    known, name = categories(), category
-    while (parent := known[name].parent) is not None and parent in known and parent != "furniture":
-        name = parent
-    return {"chair_group": "seat", "seating": "seat", "table_group": "table"}.get(name, name)
+    def _meant(self, place: Place, listed: list[Mention]) -> list[Mention]:
+        """Who of a list a relation after it is about: the last, or all that belong together."""
+        kind = place.type
+        if kind in ("on", "inside"):
+            small: list[Mention] = []
+            for mention in reversed(listed):
+                if "surface" not in mounts(mention.category) or mention.implied:
+                    break
+                small.insert(0, mention)
+            related = {id(m) for s in self.out.said for m in s.subjects}
+            small = [m for m in small if id(m) not in related or m is listed[-1]]
+            return small or listed[-1:]
+        if kind == "flanking" and len(listed) == 2:
+            return listed
+        related = {id(m) for s in self.out.said for m in s.subjects}
+        if len(listed) == 2 and id(listed[0]) not in related:
+            groups = {family(m.category) for m in listed}
+            if groups in ({"seat", "table"}, {"seat"}):
+                return listed  # "two armchairs and a side table by the window"
+        return listed[-1:]
+
+    def _owned(self, frame: Any, mentions: list[Mention], phrase: NounPhrase) -> None:
+        """ "A desk with a lamp": what is small stands on what it came with, the rest is near it."""
+        if not frame.owner:
+            return
+        owner = frame.owner[-1]
+        for mention in mentions:
+            if mention is owner:
+                continue
+            small = mounts(mention.category)[0] == "surface" or (mention.generic and family(owner.category) == "table")
+            carriers = [m for m in (self.party if owner in self.party else []) if m is not mention]
+            if small and carriers:
+                ranks = [
+                    (r, k, m)
+                    for k, m in enumerate(carriers)
+                    if (r := likeliness(mention.category, m.category)) is not None
+                ]
+                if not ranks:
+                    continue
+                owner = min(ranks)[2]
+            kind = "near"
+            if (
+                small
+                and mounts(owner.category)[0] in ("floor", "wall")
+                or small
+                and category_named(owner.category).holds
+            ):
+                kind = self.support("on", mention, owner)
+            elif mounts(mention.category)[0] != "floor" or mounts(owner.category)[0] != "floor":
+                if mounts(mention.category)[0] == "wall":
+                    kind = "above"
+                else:
+                    continue
+            elif family(mention.category) == "seat" and family(owner.category) == "table":
+                kind = "at"
+            elif mention.category == "nightstand":
+                kind = "flanking" if mention.count == (2, 2) else "next_to"
+            self._say(
+                kind,
+                [mention],
+                (owner,),
+                f"{owner.noun} with {mention.noun}",
+                None,
+                frame.each,
+                None,
+                self.source.span(phrase.start, phrase.end),
+                True,
+            )

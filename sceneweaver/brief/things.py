@@ -1,239 +1,214 @@
-"""Noun phrases: things, how many and of what kind, and parts of a room that stand for several things."""
+"""From a noun phrase to what it names: a category, how many, and what each word before the noun says."""
 
 from __future__ import annotations
 
-from typing import Any
+from functools import lru_cache
 
-from sceneweaver.assets import categories
-from sceneweaver.assets.taxonomy import likeliness
+from sceneweaver.assets import Match, resolve
+from sceneweaver.assets.taxonomy import category_named
 
-from .lexer import Token
-from .parser_state import SMALL, Mention, ParsedRelation, PendingModifiers
-from .relating import Relating
-from .tables import category_of, groups
+from .chunks import NounPhrase
+from .model import Attribute, AttributeKind
+from .parsed import Mention, Parsed
+from .source import Source
+from .tokens import Token
+from .vocabulary import category_of, plural, vocabulary, words
+
+SMALL = {
+    "potted_plant": "small_plant",
+    "floor_lamp": "table_lamp",
+    "palm": "small_plant",
+    "standing_mirror": "round_mirror",
+    "floor_vase": "vase",
+    "globe": "desk_globe",
+    "tv": "tv_on_stand",
+}
+"""What is meant when something that usually stands on the floor is put on something."""
+
+MANY = (2, 6)
+"""Least and most of a bare plural."""
+
+_KINDS: tuple[tuple[str, AttributeKind], ...] = (
+    ("color", "color"),
+    ("material", "material"),
+    ("finish", "finish"),
+    ("scale", "size"),
+    ("dim", "size"),
+    ("shape", "shape"),
+    ("styles", "style"),
+)
+_STATES = ("open", "closed", "folded", "rolled", "rolled up", "empty", "full", "lit", "upside down", "stacked")
+_SIZES = (
+    "low",
+    "high",
+    "low profile",
+    "narrow",
+    "king size",
+    "queen size",
+    "queen",
+    "king",
+    "full size",
+    "twin",
+    "double",
+    "single",
+)
 
 
-class Things(Relating):
-    """Reads nouns."""
+def name_of(phrase: NounPhrase) -> str:
+    """The noun with the words before it that may belong to its name."""
+    before = []
+    for token in reversed(phrase.qualities):
+        named = token.has("noun", "room", "place", "whom", "region", "containers", "abstract", "parts", "collective")
+        if token.has("color", "styles", "scale", "moods", "adverbs") and not (named and token.has("noun")):
+            break
+        if token.has("material", "shape", "adjective", "finish") and not token.has("noun"):
+            break
+        if not named and token.kinds:
+            break
+        before.insert(0, token.text)
+    return " ".join([*before[-3:], phrase.text])
 
-    def _counted(self, token: Token) -> bool:
-        if token.has("amount"):
-            count = token.get("amount")
-            if token.text in ("twin", "double", "single") and self.at < len(self.tokens):
-                ahead = self.tokens[self.at]
-                if ahead.has("room") or ahead.text == "room":
-                    self.out.people = 1 if token.text == "single" else 2  # "a twin room"
-                    if ahead.text == "room" and self.out.room_type is None:
-                        self.out.room_type, self.out.room_words = "bedroom", f"{token.text} room"
-                        self._note(f"'{token.text} room' was taken for a bedroom")
-                    return True
-                if ahead.has("noun") and token.text != "single":
-                    self.pending.tokens.append(token)
-                    return True
-        else:
-            n = int(token.get("number"))
-            bound, high = self.pending.bound, 400
-            count = {
-                "least": (n, max(n, min(high, n + 4))),
-                "above": (n + 1, n + 5),
-                "most": (min(1, n), n),
-                "below": (min(1, n), max(0, n - 1)),
-                None: (n, n),
-            }[bound]
-        before = self.tokens[self.at - 2].text if self.at >= 2 else ""
-        ahead = self._ahead(1)
-        if before == "for" and (not ahead or ahead[0].has("break", "with", "relation", "and")):
-            self.out.people = count[1]  # "an office for two"
-            return True
-        if self.negated and self._negation_over():
-            self.negated = False
-        definite = self.pending.definite
-        self._leftover()
-        self.pending = PendingModifiers(count=count, any=True, definite=definite)
-        if len(ahead) > 0 and ahead[0].text == "of" and [t.text for t in self._ahead(2)[1:]] in (["them"], ["these"]):
-            self.out.unread.append(f"{token.text} of them")
-        return True
 
-    def _negation_over(self) -> bool:
-        """Whether a new phrase begins: "no TV, a desk" wants a desk, "without a TV or a desk" does not."""
-        before = self.tokens[self.at - 2]
-        return (
-            self.negated_nouns > 0
-            and not self.negated_article
-            and before.text != "or"
-            and before.has("break", "and", "verb")
+@lru_cache(maxsize=4096)
+def match_of(noun: str, of: str = "") -> Match:
+    """The category of a noun, tried whole, then without the words before it."""
+    table = vocabulary()
+    whole = f"{noun} of {of}" if of else noun
+    parts = noun.split()
+    for name in (whole, *(" ".join(parts[k:]) for k in range(len(parts)))):
+        found = table.get(name, {}).get("noun")
+        if found is not None:
+            return Match(category_of(found), "exact")
+    return resolve(noun)
+
+
+def new_mention(phrase: NounPhrase, source: Source) -> Mention:
+    """What a noun phrase names, as something that was not named before."""
+    noun = name_of(phrase)
+    of = phrase.of.text if phrase.of is not None and phrase.of.what != "pronoun" else ""
+    match = match_of(noun, of)
+    if of:
+        noun = f"{noun} of {of}"
+    mention = Mention(noun, match.category, phrase.count, generic=match.how == "generic", plural=phrase.plural)
+    mention.span = source.span(phrase.start, phrase.end)
+    if mention.count is None:
+        several = (
+            phrase.plural
+            and phrase.text not in words("nouns")["paired"]
+            and plural(_single(phrase.text)) == phrase.text
         )
+        if several:
+            mention.count = MANY
+        elif phrase.determiner and phrase.determiner not in ("the", "its", "their", "any", "these", "those"):
+            mention.count = (1, 1)
+    first, _, rest = noun.partition(" ")
+    if rest and first in ("dual", "twin", "double") and phrase.plural and match_of(rest).category == match.category:
+        mention.count = (2, 2)
+    describe(mention, phrase, source)
+    return mention
 
-    def _is_noun(self, token: Token) -> bool:
-        ahead = self.tokens[self.at] if self.at < len(self.tokens) else None
-        if token.has("color", "material") and ahead is not None and ahead.has("noun"):
-            self.pending.tokens.append(token)
-            return False
-        return not (token.has("stop", "verb") and self.pending.empty and self.relation is None and not self.joined)
 
-    def _noun(self, token: Token) -> None:
-        name = token.get("noun")
-        category = category_of(name)
-        if name in ("furniture", "object"):  # "white furniture" is about the whole room
-            self._leftover()
-            self.negated = False
-            return
-        if self.negated and self.pending.definite and any(t.has("relation") for t in self._ahead(1)):
-            self.negated = False  # "don't put the bed near the door" wants a bed
-            self._connect(self._known(token.text, category) or self._made(token.text, category))
-            self.pending, self.negated = PendingModifiers(), True
-            return
-        if self.negated:
-            self.negated_article = self.negated_article or (self.negated_nouns == 0 and self.pending.article)
-            self.negated_nouns += 1
-            words = groups()["without"].get(token.text)
-            self.out.without += words or [name if categories()[name].size is None else category]
-            self.pending, self.joined = PendingModifiers(), False
-            return
-        mention = self._implied(token.text, category) or self._known(token.text, category)
-        if mention is None:
-            mention = self._made(token.text, category)
-        self._describe(mention)
-        self.pending, self.predicate, self.opening = PendingModifiers(), [], False
-        self._connect(mention)
+def note_on(mention: Mention, parsed: Parsed) -> None:
+    """Says what a noun was taken for, unless its name was known."""
+    match = match_of(mention.noun)
+    if match.note and match.how in ("generic", "group", "head", "spelling"):
+        parsed.note(match.note)
 
-    def _known(self, noun: str, category: str) -> Mention | None:
-        """What was named before and is meant again; None when it is another one."""
-        pending = self.pending
-        if not pending.definite and (self.relation is None or pending.count is not None):
-            return None
-        colors = {t.get("color") for t in pending.tokens if t.has("color")}
-        materials = {t.get("material") for t in pending.tokens if t.has("material")}
-        if not pending.definite and (colors or materials):
-            return None
-        taken = self.relation.subjects if self.relation is not None and not pending.definite else []
 
-        def same(m: Mention) -> bool:
-            return (
-                m not in taken
-                and (pending.count is None or m.count is None or pending.count == m.count)
-                and (not colors or m.color in colors or m.color is None)
-                and (not materials or m.material in materials or m.material is None)
-            )
-
-        fitting = [m for m in reversed(self.out.mentions) if same(m)]
-        exact = [m for m in fitting if m.category == category]
-        if not exact and pending.definite:  # "the table" after "a round coffee table"
-            exact = [m for m in fitting if singular(m.noun).endswith(singular(noun))]
-        clear = [m for m in exact if (m.color in colors if colors else True)]
-        found = next(iter(clear or exact), None)
-        if found is not None and found.count is None:
-            found.count = pending.count
-        return found
-
-    def _implied(self, noun: str, category: str) -> Mention | None:
-        """What a "dining area" called for, when the request now says what it is to be."""
-        head = singular(noun).split()[-1]
-        for mention in (m for m in reversed(self.out.mentions) if m.implied):
-            if mention.category == category or singular(mention.noun).split()[-1] == head:
-                if singular(noun) != head:
-                    mention.noun, mention.category = noun, category
-                if self.pending.count is not None:
-                    mention.count = self.pending.count
-                mention.implied = False
-                return mention
-        return None
-
-    def _made(self, noun: str, category: str) -> Mention:
-        count = self.pending.count
-        if count is None and self.pending.any and not self.pending.definite:
-            count = (1, 1)
-        mention = Mention(noun, category, count)
-        self.out.mentions.append(mention)
-        return mention
-
-    def _connect(self, mention: Mention) -> None:
-        """A noun ends a relation as its target, or begins a new phrase."""
-        joined, self.joined = self.joined, False
-        if self.relation is not None:
-            kind, subjects, words = self.relation.kind, self.relation.subjects, self.relation.words
-            if kind == "between" and self.first_of_pair is None:
-                self.first_of_pair = mention
-                if mention.count is not None and mention.count[0] >= 2:
-                    self._relate(kind, (mention, mention), subjects, words)
-                return
-            target: Any = (self.first_of_pair, mention) if kind == "between" else mention
-            every = self.at >= 2 and self.tokens[self.at - 2].has("each") and mention.count is not None
-            self._relate(kind, target, subjects, words)
-            said = self.out.said[-1] if self.out.said else None
-            for subject in said.subjects if said is not None and said.target is mention else ():
-                if every and mention.count is not None:  # "four chairs around each table"
-                    low, high = subject.count or (1, 1)
-                    subject.count = (low * mention.count[0], high * mention.count[1])
-                if kind in ("on", "inside"):
-                    subject.category = SMALL.get(subject.category, subject.category)
-            self.last = [mention]
-            return
-        if self.before_used and not joined:  # "on the desk a lamp and a book": both; a new phrase is free of it
-            self.before = []
-        for kind, target, words in self.before:
-            self.out.said.append(ParsedRelation(kind, [mention], target, words))
-        self.before_used = bool(self.before)
-        if self.owner is not None and self.owner is not mention:
-            self._owned(self.owner, mention, joined)
-        if joined and self.last and not self.closed and not any(mention is m for m in self.last):
-            self.subjects = [*self.subjects, mention]
-            self.last = [*self.last, mention]
-        else:
-            self.subjects, self.last = [mention], [mention]
-        self.closed = False
-
-    def _owned(self, owner: Mention, mention: Mention, joined: bool) -> None:
-        """ "A desk with a lamp": what is small stands on what it came with, the rest is near it."""
-        known = categories()
-        small = known[mention.category].mount[0] == "surface"
-        if small and owner in self.party:  # of a reading corner's things books stand in the bookcase
-            ranks = [(r, m) for m in self.party if (r := likeliness(mention.category, m.category)) is not None]
-            if not ranks:
-                return
-            owner = min(ranks, key=lambda pair: pair[0])[1]
-        if small and known[owner.category].mount[0] == "floor":
-            self.out.said.append(ParsedRelation("on", [mention], owner, f"{owner.noun} with {mention.noun}"))
-        elif not joined and known[mention.category].mount[0] == "floor" and known[owner.category].mount[0] == "floor":
-            self.out.said.append(ParsedRelation("near", [mention], owner, f"{owner.noun} with {mention.noun}"))
-        many = owner.count
-        if self._each and many is not None and mention.count is not None:
-            mention.count = (mention.count[0] * many[0], mention.count[1] * many[1])
-
-    def _group(self, token: Token) -> None:
-        """A part of the room ("reading corner") stands for its things."""
-        row = groups()["groups"][token.get("group")]
-        negated, self.negated = self.negated, False
-        if negated:
-            self.out.without += [category_of(name) for name in row["things"]]
-            self.negated_nouns += 1
-            self.pending = PendingModifiers()
-            return
-        made = []
-        least, most = self.pending.count or (1, 1)
-        for name, (low, high) in row["things"].items():
-            category = category_of(name)
-            mention = next((m for m in self.out.mentions if m.category == category and not m.implied), None)
-            if mention is not None and mention.count is not None and mention.count[1] > high:
-                continue  # a library of bookcases has one for its reading corner
-            if mention is None:
-                mention = Mention(name.replace("_", " "), category, (low * least, high * most), implied=True)
-                self.out.mentions.append(mention)
-            made.append(mention)
-        for mention in made[1:]:
-            self.out.said.append(ParsedRelation("near", [mention], made[0], token.text))
-        names = ", ".join(m.noun for m in made)
-        self.out.notes.append(f"'{token.text}' was taken for: {names}")
-        self.pending, self.joined, self.relation = PendingModifiers(), False, None
-        for kind, target, words in self.before:
-            self.out.said.append(ParsedRelation(kind, made[:1], target, words))
-        self.before, self.closed, self.opening = [], False, False
-        self.subjects, self.last, self.party = made[:1], made[:1], made
+def _single(noun: str) -> str:
+    for ending, plain in (
+        ("shelves", "shelf"),
+        ("ies", "y"),
+        ("xes", "x"),
+        ("ches", "ch"),
+        ("shes", "sh"),
+        ("sses", "ss"),
+        ("s", ""),
+    ):
+        if noun.endswith(ending):
+            return noun[: len(noun) - len(ending)] + plain
+    return noun
 
 
 def singular(noun: str) -> str:
     """A noun without the ending of its plural; good enough for comparing nouns with each other."""
-    for ending, plain in (("shelves", "shelf"), ("ies", "y"), ("ches", "ch"), ("shes", "sh"), ("ss", "ss"), ("s", "")):
-        if noun.endswith(ending):
-            return noun[: len(noun) - len(ending)] + plain
-    return noun
+    if noun.endswith("ss"):
+        return noun
+    return _single(noun)
+
+
+def describe(mention: Mention, phrase: NounPhrase, source: Source) -> None:
+    """What stood before a noun, or was said to be so of it."""
+    named = mention.noun.split()
+    for token in phrase.qualities:
+        if token.text in named and not token.has("material", "color", "shape"):
+            continue
+        _quality(mention, token, source)
+    for token in vocabulary_parts(phrase, source):
+        _quality(mention, token, source, known=True)
+    if phrase.length is not None:
+        axis = next((t.get("dim") for t in phrase.qualities if t.has("dim")), None)
+        if axis is not None:
+            mention.size[int(axis)] = phrase.length
+            mention.scale = 1.0
+    if phrase.sides is not None:
+        give_sides(mention, phrase.sides)
+
+
+def vocabulary_parts(phrase: NounPhrase, source: Source) -> list[Token]:
+    """Words of quality inside a name, such as the shape of a "round dining table"."""
+    table, found = vocabulary(), []
+    for word in phrase.text.split()[:-1]:
+        kinds = {
+            k: v for k, v in table.get(word, {}).items() if k in ("color", "shape", "material", "adjective", "scale")
+        }
+        if kinds:
+            found.append(Token(word, phrase.start, phrase.end, kinds))
+    return found
+
+
+def _quality(mention: Mention, token: Token, source: Source, known: bool = False) -> None:
+    kind: AttributeKind = "other"
+    for name, of_kind in _KINDS:
+        if token.has(name):
+            kind = of_kind
+            break
+    if token.has("noun") and kind == "other" and not token.has("adjective"):
+        return
+    value = str(token.get("color") or token.get("material") or token.text)
+    if kind == "shape" or (kind in ("size", "style")):
+        value = token.text
+    if token.text in _STATES:
+        kind = "state"
+    elif token.text in _SIZES and kind == "other":
+        kind = "size"
+    elif token.has("adverbs", "density") and kind == "other" and not token.has("adjective", "moods"):
+        return
+    value = {"wooden": "wood", "woolen": "wool", "metallic": "metal"}.get(value, value)
+    span = source.span(token.start, token.end)
+    mention.attributes.append(Attribute(kind=kind, value=value, words=token.text, span=span))
+    if known:
+        return
+    if token.has("color"):
+        mention.color = token.get("color")
+    elif token.has("material"):
+        mention.material = value
+    elif token.has("finish"):
+        mention.words.append(token.text)
+    elif token.has("scale"):
+        mention.scale = float(token.get("scale"))
+    elif token.has("styles"):
+        mention.style = token.get("styles")
+    elif not token.has("moods", "dim", "density"):
+        mention.words.append(token.text)
+
+
+def give_sides(mention: Mention, sides: tuple[float, ...]) -> None:
+    """Two sides [m] and perhaps a height; the longer side lies as it does in the usual thing of that kind."""
+    usual = category_named(mention.category).size
+    long, short = max(sides[:2]), min(sides[:2])
+    deep = usual is not None and sum(usual.depth) > sum(usual.width)
+    mention.size[0:2] = (long, short) if deep else (short, long)
+    if len(sides) > 2:
+        mention.size[2] = sides[2]
+    mention.scale = 1.0

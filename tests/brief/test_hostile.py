@@ -6,11 +6,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sceneweaver.assets import categories
+from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.brief import SceneGraph, read_request
 from sceneweaver.scene import InputError
 
-PLACES = {"window", "door", "corner", "middle", "wall"}
+PLACES = {"window", "door", "corner", "middle", "wall", "ceiling", "floor", "room"}
 
 HOSTILE = {
     "punctuation": "?!.,;:()[]{}<>/\\|~`'\"",
@@ -35,7 +35,7 @@ def consistent(brief: SceneGraph) -> None:
     """Names are unique, relations are about what is there, and counts make sense."""
     ids = [a.id for a in brief.entities]
     assert len(ids) == len(set(ids))
-    assert all(categories()[a.category].size is not None for a in brief.entities)
+    assert all(category_named(a.category).size is not None for a in brief.entities)
     assert all(a.count is None or 0 <= a.count[0] <= a.count[1] for a in brief.entities)
     for relation in brief.relations:
         assert relation.subject in ids

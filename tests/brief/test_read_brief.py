@@ -69,7 +69,8 @@ COUNTS: list[tuple[str, dict[str, Any]]] = [
     ("a restaurant with 10 tables, 4 chairs at each table", {"dining_table": (10, 10), "chair": (40, 40)}),
     ("two sofas facing each other", {"sofa": (1, 1), "sofa-2": (1, 1)}),
     ("classroom with 24 desks in 4 rows, a teacher's desk", {"desk": (24, 24), "teacher_desk": (1, 1)}),
-    ("bookshelf full of books", {"bookcase": None, "book": None}),
+    ("bookshelf full of books", {"bookcase": None, "book": (2, 6)}),
+    ("a table and six chairs, two of them at the window", {"dining_table": (1, 1), "chair": (2, 2), "chair-2": (4, 4)}),
     ("no rug, put a plant in the corner", {"potted_plant": (1, 1)}),
 ]
 
@@ -146,7 +147,7 @@ RELATIONS: list[tuple[str, set[tuple[str, str, Any]]]] = [
     ("a desk by the window and next to the wardrobe", {("at_window", "desk", "window"), ("near", "desk", "wardrobe")}),
     ("A bed and a wardrobe. Next to the bed stands a lamp.", {("near", "table_lamp", "bed")}),
     ("a chair at the desk", {("front_against", "chair", "desk")}),
-    ("bookshelf full of books", {("on_top", "book", "bookcase")}),
+    ("bookshelf full of books", {("inside", "book", "bookcase")}),
     ("a shelf with books and a vase on it", {("on_top", "book", "wall_shelf"), ("on_top", "vase", "wall_shelf")}),
     (
         "sink under the window; fridge next to the oven",
@@ -178,18 +179,13 @@ NOTED: list[tuple[str, str]] = [
     ("a twin room", "bedroom"),
     ("a kitchen with three chairs. There are two chairs in the kitchen.", "3 and 2"),
     ("open-plan office with 8 workstations", "workstations"),
-    ("a crib away from the window", "away from the window"),
     ("a 4 x 5 m bedroom, 6 x 7 m", "other sides"),
     ("9 desks side by side", "side by side"),
     ("a 99999999999999 m2 room", "no number"),
 ]
 
 UNREAD: list[tuple[str, str]] = [
-    ("a bed with 2 gizmos and a blanket on it", "gizmos"),
-    ("a fluffy rug", "fluffy"),
-    ("a garage with gizmos hanging above the workbench", "gizmos"),
     ("24 desks in 4 rows", "rows"),
-    ("a table and six chairs, two of them at the window", "two of them"),
     ("don't put the bed near the door", "not near the door"),
 ]
 

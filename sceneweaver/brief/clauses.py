@@ -1,0 +1,410 @@
+"""Chunks into mentions and relations: who is placed where, clause by clause."""
+
+from __future__ import annotations
+
+from sceneweaver.assets.taxonomy import category_named
+
+from .chunks import Chunk, NounPhrase
+from .exclusions import Exclusions
+from .parsed import Mention, Said
+from .state import Frame, Waiting
+from .things import describe, give_sides
+from .tokens import Token
+from .vocabulary import Place, Verb, frame, mounts, shows
+
+
+class Clauses(Exclusions):
+    """Chunks into mentions and relations: who is placed where, clause by clause."""
+
+    def _purpose(self, chunk: Chunk) -> None:
+        if self.waiting is not None:
+            self._open_ends()
+        if self.glue == "verb":
+            self.glue = ""
+
+    def _adjective(self, chunk: Chunk) -> None:
+        """Words of quality alone: of what "is" so, of what stands before them, or of the room."""
+        phrase: NounPhrase = chunk.value
+        who = self.predicate or (self.head if self.glue == "" and not self.waiting else [])
+        if phrase.sides is not None:
+            sides, phrase.sides = phrase.sides, None
+            last = (self.head or self.subject)[-1:]
+            if last and not self.waiting and _furniture(last[0], sides):
+                give_sides(last[0], sides)
+            else:
+                self.out.sides.append(sides)
+        if phrase.length is not None and (self.head or self.subject):
+            axis = next((t.get("dim") for t in phrase.qualities if t.has("dim")), None)
+            if axis is not None:
+                last_one = (self.head or self.subject)[-1]
+                last_one.size[int(axis)], last_one.scale = phrase.length, 1.0
+        if who:
+            for mention in who:
+                describe(
+                    mention, NounPhrase("thing", "", phrase.start, phrase.end, qualities=phrase.qualities), self.source
+                )
+        else:
+            for token in phrase.qualities:
+                self._quality_of_room(token, room=not self.out.mentions or self.after_be)
+
+    def _word(self, chunk: Chunk) -> None:
+        token: Token = chunk.value
+        if (
+            token.text in ("seats", "sleeps", "accommodates")
+            and self.at < len(self.chunks)
+            and self.chunks[self.at].kind == "noun"
+        ):
+            phrase = self.chunks[self.at].value
+            if phrase.what == "number":
+                self.out.people = (phrase.count or (1, 1))[1]
+                self.at += 1
+                return
+        if not token.kinds and token.text.isalpha() and not token.text.endswith("ly"):
+            self._unread(token.text, chunk.start, chunk.end)
+
+    def run(self) -> None:
+        """All chunks."""
+        self._sentence()
+        while self.at < len(self.chunks):
+            chunk = self.chunks[self.at]
+            self.at += 1
+            if chunk.kind not in ("while", "verb"):
+                self.relative = False
+            getattr(self, f"_{chunk.kind}")(chunk)
+        self._sentence()
+
+    def _sentence(self) -> None:
+        self._open_ends()
+        self._on_the_same()
+        inverted = [t for f in self.frames[:1] for _, ts, _ in f.fronted for t in ts if isinstance(t, Mention)]
+        topic = (inverted if self.inverted else []) or self.subject or self.first_items[:1]
+        if topic and topic not in self.refs.topics[-1:]:
+            self.refs.topics.append(list(topic))
+        self.begin()
+
+    def _on_the_same(self) -> None:
+        """ "On the desk, a lamp is beside a book, and a mug ...": small things of the sentence stand there as well."""
+        surface, self.surface = self.surface, None
+        started, self.started = self.started, len(self.out.mentions)
+        if surface is None:
+            return
+        held = {
+            id(m)
+            for s in self.out.said
+            for m in s.subjects
+            if s.type in ("on", "inside") or isinstance(s.targets[0], str)
+        }
+        for mention in self.out.mentions[started:]:
+            if id(mention) not in held and mention is not surface and "surface" in mounts(mention.category):
+                self.out.said.append(
+                    Said("on", [mention], (surface,), self.surface_words, implied=True, span=mention.span)
+                )
+
+    def _stop(self, chunk: Chunk) -> None:
+        self._sentence()
+
+    def _bracket(self, chunk: Chunk) -> None:
+        self.glue = "bracket"
+
+    def _comma(self, chunk: Chunk) -> None:
+        if self.waiting is not None and self.waiting.first is None:
+            self._open_ends()
+        self.manner, self.each = "", False
+        self.glue = "comma"
+        self.predicate = []
+
+    def _and(self, chunk: Chunk) -> None:
+        self.glue = "comma and" if self.glue == "comma" else "or" if chunk.text == "or" else "and"
+
+    def _while(self, chunk: Chunk) -> None:
+        if chunk.text == "but":
+            self.negated = ""
+            self.glue = "comma"
+            return
+        if chunk.text in ("that", "which", "whose", "who"):
+            self.relative = bool(self.head)
+            return
+        if self.subject:
+            self.refs.topics.append(list(self.subject))
+        self._open_ends()
+        bottom = [f for f in self.frames[:1] if f.kind == "list"]
+        self.frames, self.fronted, self.waiting = bottom, [], None
+        self.subject, self.subject_open, self.glue, self.negated, self.manner = [], True, "while", "", ""
+
+    def _open_ends(self) -> None:
+        """A word of place without a target is said of what is near, or is noted."""
+        waiting, self.waiting = self.waiting, None
+        if waiting is None or waiting.lost or waiting.first is not None:
+            return
+        if waiting.place.words not in (
+            "in",
+            "on",
+            "at",
+            "by",
+            "over",
+            "under",
+            "around",
+            "from",
+            "before",
+            "about",
+            "to",
+            "up to",
+            "all",
+            "next",
+            "across",
+        ):
+            self.out.note(f"'{waiting.place.words}': it is not clear of what; it was left out")
+
+    def _with(self, chunk: Chunk) -> None:
+        self.negated = ""
+        if self.waiting is not None:
+            self._open_ends()
+        owner = self.head if self.glue in ("", "and") else (self.subject or self.first_items)[-1:]
+        if self.each and self.subject:
+            owner = self.subject
+        if not owner or self.lost:
+            owner = [] if not self.previous else owner
+        if self.glue == "start" and not self.out.mentions:
+            owner = []
+        if not owner and self.glue in ("comma", "comma and", "while") and self.refs.topics and self.out.mentions:
+            owner = []
+        if owner:
+            self.frames.append(Frame("with", list(owner), words=chunk.text, each=self.each))
+            if chunk.text in ("full of", "filled with"):
+                self.frames[-1] = Frame("verb", list(owner), "inside", "after", chunk.text)
+        elif not self.frames:
+            self.frames.append(Frame("list"))
+        self.glue, self.subject_open = "open", self.subject_open
+        self.manner = ""
+
+    def _verb(self, chunk: Chunk) -> None:
+        verb: Verb = chunk.value
+        if self.relative and self.head:
+            self.relative = False
+            if verb.lemma == "be":
+                return
+            verb = Verb(verb.lemma, "ing" if not chunk.passive else "ed")
+        finite = verb.form in ("s", "base") or (verb.form == "ed" and chunk.passive and self.after_be)
+        after_be, self.after_be = self.after_be, False
+        if self.negated and verb.form in ("base", "s") and self.glue != "":
+            self.negated = ""
+        if verb.lemma == "be" and verb.form in ("s", "base"):
+            self.after_be = True
+            self._finite(chunk)
+            if self.negated:
+                self.negated = ""
+            self.predicate = list(self.subject)
+            return
+        voices = frame(verb)
+        if verb.form in ("s", "base") and not (chunk.passive):
+            self._finite(chunk)
+        owner = (
+            self.subject
+            if (finite or after_be)
+            else self.head
+            if self.glue not in ("comma", "comma and")
+            else (self.subject if self.done else self.head or self.subject)
+        )
+        if (
+            verb.lemma in ("hang", "suspend", "lean", "prop", "mount", "center", "centre", "hook")
+            and voices is not None
+            and not chunk.passive
+        ):
+            self.manner = {"suspend": "hang", "prop": "lean", "centre": "center", "hook": "mount"}.get(
+                verb.lemma, verb.lemma
+            )
+            if self.manner == "center" and self._place_or_nothing(chunk, owner):
+                self.manner = ""
+            self.glue = "verb" if finite else ""
+            self.placing = owner
+            return
+        if voices is None or (chunk.passive and "by" not in voices) or (not chunk.passive and "active" not in voices):
+            if shows(verb.lemma) and verb.form != "ed":
+                self._shows(chunk, owner)
+            elif verb.form == "ed" and verb.lemma == "pair":
+                self._open(Frame("with", owner, words=chunk.text), after_be)
+            self.glue = "verb" if finite or after_be else ""
+            self.placing = owner
+            return
+        if verb.form == "ed" and not chunk.passive:
+            self.glue, self.placing = ("verb" if after_be else ""), owner
+            return
+        if shows(verb.lemma) and not owner:
+            self._shows(chunk, owner)
+            return
+        kind, placed = voices["by"] if chunk.passive else voices["active"]
+        self._framed(chunk, kind, placed, owner, finite or after_be)
+
+    def _place_or_nothing(self, chunk: Chunk, owner: list[Mention]) -> bool:
+        """ "A rug centered": in the middle of the room, or of what small things stand on, when nothing more is said."""
+        after = self._chunk(self.at)
+        if after is not None and after.kind in ("place", "adjective", "word"):
+            return False
+        if after is not None and after.kind == "noun":
+            return True
+        if owner:
+            self._implicit(Place("centered_on", words=chunk.text), list(owner), chunk)
+        return True
+
+    def _framed(self, chunk: Chunk, kind: str, placed: str, owner: list[Mention], finite: bool) -> None:
+        if kind == "centering":
+            if not chunk.passive and self._noun_next() and not owner:  # "the room centers on a table"
+                self._open(Frame("list", words="centered"), finite)
+                self.frames[-1].type = "centered"
+            elif chunk.passive and not owner:
+                self._open(Frame("list"), finite)
+            self.glue = "open" if self._noun_next() else ""
+            return
+        if not owner and not self.lost and not self.fronted and kind != "occupying":
+            self._open(Frame("list"), finite)
+            self.glue = "open"
+            return
+        if placed == "before":
+            words = Place(kind, words=chunk.text)
+            if finite:
+                self.frames = [f for f in self.frames[:1] if f.kind == "list"]
+            self.waiting = Waiting(words, list(owner), chunk, self.subset, lost=self.lost and not owner)
+            self.subset = None
+            self.glue = "object"
+            return
+        self._open(Frame("verb", list(owner), kind, placed, chunk.text, finite=finite, each=self.each), finite)
+        self.glue = "open"
+
+    def _shows(self, chunk: Chunk, owner: list[Mention]) -> None:
+        self._open(Frame("with", list(owner), words=chunk.text) if owner else Frame("list", words=chunk.text), True)
+        self.glue = "open"
+
+    def _open(self, frame: Frame, finite: bool) -> None:
+        if finite:
+            self.frames = [f for f in self.frames[:1] if f.kind == "list" and f.owner == frame.owner]
+        self.frames.append(frame)
+
+    def _finite(self, chunk: Chunk) -> None:
+        """A finite verb ends the search for its subject; one in the singular has the last thing of a list for it."""
+        self.done = True
+        verb: Verb = chunk.value
+        if self.glue in ("and", "comma", "comma and") and self.subject and not self.subject_open:
+            self.frames = [f for f in self.frames[:1] if f.kind == "list"]
+            self.head = list(self.subject)
+        elif self.subject_open and self.subject:
+            if verb.form == "s" and chunk.text not in ("are", "were") and len(self.subject) > 1 and not self.fronted:
+                related = {id(m) for s in self.out.said for m in s.subjects}
+                if any(id(m) in related for m in self.subject[:-1]):
+                    self.subject = self.subject[-1:]
+            self.frames = []
+            self.head = list(self.subject)
+        elif self.fronted and not self.subject:
+            self.frames = [Frame("fronted", fronted=self.fronted, finite=True)]
+            self.fronted = []
+            self.glue = "open"
+            self.subject_open = False
+            self.inverted = True
+            return
+        elif self.frames and self.frames[-1].items and not self.subject:
+            self.subject, self.head = self.frames[-1].items[-1:], self.frames[-1].items[-1:]
+        self.subject_open = False
+        self.glue = "verb"
+        self.placing = list(self.subject)
+
+    def _noun(self, chunk: Chunk) -> None:
+        phrase: NounPhrase = chunk.value
+        self.after_be = False
+        if self.negated and self._excluded(phrase, chunk):
+            return
+        getattr(self, f"_np_{phrase.what}")(phrase, chunk)
+
+    def _place(self, chunk: Chunk) -> None:
+        place: Place = chunk.value
+        after_be, self.after_be = self.after_be, False
+        if self.negated:
+            self._nowhere(chunk)
+            return
+        if self.waiting is not None:
+            self._open_ends()
+        if chunk.mutual:
+            self._mutual(place, chunk)
+            return
+        glue, self.glue = self.glue, ""
+        subjects = self._subjects_of(place, glue, chunk, after_be)
+        if self._noun_next() and not (chunk.passive or (chunk.bare and not self._target_next())):
+            lost = self.lost and not subjects
+            self.waiting = Waiting(self._mannered(place), subjects, chunk, self.subset, lost=lost)
+            self.subset = None
+            self.glue = "object"
+            return
+        self._implicit(self._mannered(place), subjects, chunk)
+        self.subset = None
+
+    def _subjects_of(self, place: Place, glue: str, chunk: Chunk, after_be: bool) -> list[Mention] | None:
+        """Who a word of place is about; None: who comes after it."""
+        if glue in ("start", "while") or (glue in ("comma", "and", "comma and") and self._fronts(self.at - 1)):
+            self.lost = self.lost and glue == ""
+            self.frames = (
+                [f for f in self.frames[:1] if f.kind == "list"] if glue != "and" or self.done else self.frames
+            )
+            if self.subject and glue != "start":
+                self.previous = list(self.subject)
+                self.refs.topics.append(list(self.subject))
+                self.subject, self.subject_open, self.done = [], True, False
+            return None
+        if glue == "verb":
+            return list(self.subject)
+        if glue in ("comma", "comma and") and not self.frames and self.subject:
+            return list(self.subject) if self.done else list(self.head)
+        if glue == "and" and self.last_subjects:
+            return list(self.last_subjects)
+        if glue == "open" and self.frames and not self.frames[-1].items:
+            return None
+        if not self.head:
+            return list(self.subject) if self.subject else ([] if self.lost else None)
+        head = list(self.head)
+        if self.joined != "and":
+            return head
+        if self.subject_open and not self.frames and len(self.subject) > 1 and self.head == self.subject[-1:]:
+            head = self._meant(place, self.subject)
+        elif self.frames and len(self.frames[-1].items) > 1 and self.head == self.frames[-1].items[-1:]:
+            head = self._meant(place, self.frames[-1].items)
+        return head
+
+    def _nowhere(self, chunk: Chunk) -> None:
+        """Where something must not be cannot be said as a relation."""
+        after = self.chunks[self.at] if self.at < len(self.chunks) else None
+        if self.negated == "where" or self.negated == "first":
+            said = chunk.text
+            end = chunk.end
+            if after is not None and after.kind == "noun" and after.value.what != "room":
+                said, end = f"{chunk.text} {self.source.text[after.start : after.end]}", after.end
+                self.at += 1
+            elif after is not None and after.kind == "noun":
+                self.negated = ""
+                return
+            self._unread(f"not {said}", chunk.start, end)
+            self.out.note(f"'not {said}' cannot be said as a relation and was left out")
+            self.negated = ""
+            return
+        self.negated = (
+            "" if not (after is not None and after.kind == "noun" and after.value.what == "room") else self.negated
+        )
+        if self.negated:
+            self.negated = ""
+            return
+        self._place(chunk)
+
+    def _mannered(self, place: Place) -> Place:
+        """ "Leaning against", "hanging on", "centered under": what the verb adds to a word of place."""
+        manner, self.manner = self.manner, ""
+        if manner == "lean" and place.type in ("against", "on", "next_to", "near"):
+            return Place(
+                "leaning_on" if place.type in ("against", "on") else place.type, words=f"leaning {place.words}"
+            )
+        if manner == "center" and place.type in ("on", "inside", "centered_on"):
+            return Place("centered_on", words=f"centered {place.words}")
+        if manner == "hang" and place.type in ("above", "on", "inside", "against"):
+            return Place(place.type, words=f"hanging {place.words}")
+        return place
+
+
+def _furniture(mention: Mention, sides: tuple[float, ...]) -> bool:
+    """Whether sides [m] may be those of a thing."""
+    size = category_named(mention.category).size
+    return size is not None and max(sides[:2]) <= 2 * max(size.depth[1], size.width[1])

@@ -1,0 +1,227 @@
+"""What was read of a request as a scene graph: ids, relations one by one, what contradicts itself."""
+
+from __future__ import annotations
+
+from sceneweaver.assets.taxonomy import category_named
+
+from .meaning import unsaid
+from .model import Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
+from .mutual import pairs, split_mutual
+from .parsed import Mention, Parsed, Said
+from .source import Source
+from .vocabulary import mounts
+
+MOST = 400
+"""Most things of a request that are taken seriously, of one kind and together."""
+
+_SIDES = ("left_of", "right_of", "next_to", "in_front_of", "behind", "near", "flanking", "around")
+
+
+def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
+    """The graph of a request; notes say what was left out."""
+    notes = parsed.notes
+    split_mutual(parsed)
+    mentions = _first(_without_contradictions(parsed), parsed)
+    _named(mentions)
+    _shared_support(parsed, mentions)
+    ids = {id(m): m.id for m in mentions}
+    relations = [r for said in parsed.said for r in _relations(said, ids, notes)]
+    relations = [r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(_once(relations))]
+    exclusions = {(words, names): span for words, names, span in reversed(parsed.without)}
+    graph = SceneGraph(
+        text=text,
+        room_type=parsed.room_type,
+        room_words=parsed.room_words,
+        other_rooms=tuple(parsed.other_rooms),
+        shape=parsed.shape,  # type: ignore[arg-type]
+        size=source.size,
+        area=source.area,
+        height=source.height,
+        scale=parsed.room_scale,
+        people=parsed.people,
+        for_whom=tuple(dict.fromkeys(parsed.for_whom)),
+        style=parsed.style,
+        colors=tuple(dict.fromkeys(parsed.colors)),
+        windows=parsed.openings.get("window"),
+        doors=parsed.openings.get("door"),
+        density=parsed.density or "normal",  # type: ignore[arg-type]
+        entities=tuple(_entity(m, notes) for m in mentions),
+        relations=tuple(relations),
+        exclusions=tuple(
+            Exclusion(id=f"exclusion-{k}", words=words, categories=names, span=span)
+            for k, ((words, names), span) in enumerate(reversed(exclusions.items()))
+        ),
+        only=parsed.only,
+        unread=tuple(
+            Unread(words=left.words, span=source.span(left.start, left.end) if left.end > left.start else None)
+            for left in {left.words: left for left in reversed(parsed.unread) if left.words.strip()}.values()
+        )[::-1],
+    )
+    notes += [f"'{said.words}' cannot be said as a relation" for said in unsaid(graph)]
+    return graph.model_copy(update={"notes": tuple(dict.fromkeys(notes))})
+
+
+def _without_contradictions(parsed: Parsed) -> list[Mention]:
+    """What is both wanted and not wanted stays out."""
+    related = {id(m) for said in parsed.said for m in said.subjects}
+    excluded = {name for _, names, _ in parsed.without for name in names}
+    first: dict[str, Mention] = {}
+    kept: list[Mention] = []
+    for mention in parsed.mentions:
+        other = first.setdefault(mention.category, mention)
+        if (
+            other is not mention
+            and id(mention) not in related
+            and id(other) not in related
+            and other.count
+            and mention.count
+        ):
+            plain = (other.color, other.material, other.scale) == (mention.color, mention.material, mention.scale)
+            if other.count != mention.count and plain and other.noun.rstrip("s") == mention.noun.rstrip("s"):
+                parsed.note(f"{other.noun}: {other.count[0]} and {mention.count[0]} were asked for; both are made")
+        if mention.category in excluded:
+            parsed.note(f"{mention.noun} is both wanted and not wanted; it was left out")
+        elif mention.count == (0, 0):
+            parsed.without.append((mention.noun, (mention.category,), mention.span))
+        else:
+            kept.append(mention)
+    return kept
+
+
+def _first(mentions: list[Mention], parsed: Parsed) -> list[Mention]:
+    """What comes first in a request, as long as that is `MOST` things; the rest counts as not understood."""
+    from .parsed import Left
+
+    total, kept = 0, []
+    for mention in mentions:
+        total += min(mention.count[1], MOST) if mention.count else 1
+        if total <= MOST:
+            kept.append(mention)
+        else:
+            parsed.unread.append(Left(mention.noun))
+    if len(kept) < len(mentions):
+        parsed.note(f"{len(mentions) - len(kept)} more were left out: at most {MOST} things are made of a request")
+    return kept
+
+
+def _named(mentions: list[Mention]) -> None:
+    used: dict[str, int] = {}
+    for mention in mentions:
+        n = used.get(mention.category, 0) + 1
+        used[mention.category] = n
+        mention.id = mention.category if n == 1 else f"{mention.category}-{n}"
+
+
+def _shared_support(parsed: Parsed, mentions: list[Mention]) -> None:
+    """What is beside something that stands on a table stands on the table as well, when it is small."""
+    carried: dict[int, Mention] = {}
+    for said in parsed.said:
+        if said.type in ("on", "inside") and isinstance(said.targets[0], Mention):
+            for subject in said.subjects:
+                carried.setdefault(id(subject), said.targets[0])
+    placed = {
+        id(m)
+        for said in parsed.said
+        if isinstance(said.targets[0], str) and said.targets[0] != "each other"
+        for m in said.subjects
+    }
+
+    def small(mention: Mention) -> bool:
+        return "surface" in mounts(mention.category) and id(mention) not in carried and id(mention) not in placed
+
+    for _ in range(2):
+        for said in [s for s in parsed.said if s.type in _SIDES and isinstance(s.targets[0], Mention)]:
+            target = said.targets[0]
+            assert isinstance(target, Mention)
+            for one, two in [(s, target) for s in said.subjects] + [(target, s) for s in said.subjects]:
+                carrier = carried.get(id(two))
+                if carrier is not None and carrier is not one and small(one) and small_enough(two):
+                    carried[id(one)] = carrier
+                    parsed.said.append(Said("on", [one], (carrier,), said.words, implied=True, span=said.span))
+
+
+def small_enough(mention: Mention) -> bool:
+    """Whether something stands on other things rather than on the floor."""
+    return "surface" in mounts(mention.category)
+
+
+def _entity(mention: Mention, notes: list[str]) -> Entity:
+    count = mention.count
+    if count is not None and count[1] > MOST:
+        notes.append(f"{count[1]} x {mention.noun} was brought to {MOST}")
+        count = (min(count[0], MOST), MOST)
+    d, w, h = mention.size
+    found = category_named(mention.category).size
+    for want, bounds, name in zip(mention.size, found.ranges if found else (), ("deep", "wide", "high"), strict=False):
+        if want is not None and not bounds[0] - 1e-6 <= want <= bounds[1] + 1e-6:
+            notes.append(
+                f"a {mention.noun} {want:g} m {name} cannot be made; it is {bounds[0]:g} to {bounds[1]:g} m {name}"
+            )
+    seen: dict[tuple[str, str], Attribute] = {}
+    for attribute in mention.attributes:
+        seen.setdefault((attribute.kind, attribute.words), attribute)
+    return Entity(
+        id=mention.id,
+        noun=mention.noun,
+        category=mention.category,
+        generic=mention.generic,
+        count=count,
+        color=mention.color,
+        material=mention.material,
+        style=mention.style,
+        size=(d, w, h),
+        scale=mention.scale,
+        words=tuple(dict.fromkeys(mention.words)),
+        attributes=tuple(a.model_copy(update={"id": f"{mention.id}/{k}"}) for k, a in enumerate(seen.values())),
+        implied=mention.implied,
+        span=mention.span,
+    )
+
+
+def _relations(said: Said, ids: dict[int, str], notes: list[str]) -> list[StatedRelation]:
+    """A spoken relation, one for each kind of thing that it is about."""
+    subjects = [m for m in said.subjects if id(m) in ids]
+    if said.targets == ("each other",):
+        if len(subjects) < 2:
+            noun = subjects[0].noun if subjects else "things"
+            notes.append(f"'{said.words}' cannot be said of these {noun}; it was left out")
+        both = [(a.id, (b.id,)) for a, b in pairs(said.type, subjects)]
+    else:
+        names = tuple(t if isinstance(t, str) else ids.get(id(t), "") for t in said.targets)
+        both = [(subject.id, names) for subject in subjects if all(names) and subject.id not in names]
+    return [
+        StatedRelation(
+            type=said.type,  # type: ignore[arg-type]
+            subject=subject,
+            targets=names,
+            words=said.words,
+            count=said.count,
+            each=said.each,
+            side=said.side,  # type: ignore[arg-type]
+            implied=said.implied,
+            span=said.span,
+        )
+        for subject, names in both
+    ]
+
+
+def _once(relations: list[StatedRelation]) -> list[StatedRelation]:
+    """Each relation once; "a bed with nightstands" says no more where a word says how they stand to the bed."""
+    seen, kept = set(), []
+    plain = {(r.subject, r.targets) for r in relations if not r.implied}
+    placed = {r.subject for r in relations if not r.implied}
+    carried = {r.subject for r in relations if not r.implied and r.type in ("on", "inside")}
+    for r in relations:
+        if r.implied and (r.subject, r.targets) in plain:
+            continue
+        if (
+            r.implied
+            and " with " in r.words
+            and (r.subject in carried or (r.subject in placed and r.type in ("near", "above")))
+        ):
+            continue
+        key = (r.type, r.subject, r.targets, r.side)
+        if key not in seen:
+            seen.add(key)
+            kept.append(r)
+    return kept

@@ -1,0 +1,122 @@
+"""What is read of a request, before it has the form of a graph."""
+
+from __future__ import annotations
+
+from copy import copy
+from dataclasses import dataclass, field
+
+from .model import Attribute, Span
+
+
+@dataclass(eq=False)
+class Mention:
+    """Objects of one kind that the request names."""
+
+    noun: str
+    category: str
+    count: tuple[int, int] | None = None
+    generic: bool = False
+    color: str | None = None
+    material: str | None = None
+    style: str | None = None
+    size: list[float | None] = field(default_factory=lambda: [None, None, None])
+    scale: float = 1.0
+    words: list[str] = field(default_factory=list)
+    attributes: list[Attribute] = field(default_factory=list)
+    plural: bool = False
+    implied: bool = False
+    span: Span | None = None
+    id: str = ""
+
+    @property
+    def many(self) -> bool:
+        """Whether it is said of more than one."""
+        return self.plural or (self.count is not None and self.count[1] > 1)
+
+
+Target = Mention | str
+"""Something that was named, or a place of the room."""
+
+
+@dataclass(eq=False)
+class Said:
+    """A relation as it was said."""
+
+    type: str
+    subjects: list[Mention]
+    targets: tuple[Target, ...]
+    words: str
+    count: tuple[int, int] | None = None
+    each: bool = False
+    side: str | None = None
+    implied: bool = False
+    span: Span | None = None
+
+
+@dataclass
+class Left:
+    """Words that were not understood."""
+
+    words: str
+    start: int = 0
+    end: int = 0
+
+
+@dataclass
+class Parsed:
+    """What a request says."""
+
+    mentions: list[Mention] = field(default_factory=list)
+    said: list[Said] = field(default_factory=list)
+    without: list[tuple[str, tuple[str, ...], Span | None]] = field(default_factory=list)
+    room_type: str | None = None
+    room_words: str = ""
+    other_rooms: list[str] = field(default_factory=list)
+    room_scale: float = 1.0
+    shape: str | None = None
+    style: str | None = None
+    colors: list[str] = field(default_factory=list)
+    density: str | None = None
+    people: int | None = None
+    for_whom: list[str] = field(default_factory=list)
+    openings: dict[str, int] = field(default_factory=dict)
+    only: bool = False
+    sides: list[tuple[float, ...]] = field(default_factory=list)
+    unread: list[Left] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+
+    def note(self, text: str) -> None:
+        """Says something to the user, once."""
+        if text not in self.notes:
+            self.notes.append(text)
+
+    def split(self, whole: Mention, count: int) -> tuple[Mention, Mention]:
+        """So many of a mention, and the rest of it, as two mentions; what was said of it holds for both."""
+        low, high = whole.count or (2, 2)
+        first, rest = copy(whole), copy(whole)
+        for part in (first, rest):
+            part.attributes, part.words, part.size = list(whole.attributes), list(whole.words), list(whole.size)
+        first.count = (count, count)
+        rest.count = (max(1, low - count), max(1, high - count))
+        self.replace(whole, [first, rest])
+        return first, rest
+
+    def replace(self, whole: Mention, parts: list[Mention]) -> None:
+        """Parts take the place of a mention; a pair that flanks something stands on its two sides."""
+        at = next(k for k, m in enumerate(self.mentions) if m is whole)
+        self.mentions[at : at + 1] = parts
+        found: list[Said] = []
+        for said in self.said:
+            if any(m is whole for m in said.subjects):
+                if said.type == "flanking" and len(parts) == 2 and len(said.subjects) == 1:
+                    for part, side in zip(parts, ("left_of", "right_of"), strict=True):
+                        found.append(Said(side, [part], said.targets, said.words, implied=said.implied, span=said.span))
+                    continue
+                said.subjects = [p for m in said.subjects for p in (parts if m is whole else [m])]
+            if any(t is whole for t in said.targets):
+                if len(said.targets) == 2:
+                    said.targets = (parts[0], parts[-1])
+                else:
+                    said.targets = tuple(parts[0] if t is whole else t for t in said.targets)
+            found.append(said)
+        self.said = found

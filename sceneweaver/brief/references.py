@@ -1,0 +1,135 @@
+"""What words refer to: "the table", "it", "them", "the other", "its top"."""
+
+from __future__ import annotations
+
+from sceneweaver.assets.taxonomy import category_named
+
+from .chunks import NounPhrase
+from .parsed import Mention, Parsed
+from .things import match_of, name_of, singular
+from .vocabulary import family, words
+
+_REACH = 60
+"""Mentions that are looked through for what a word refers to."""
+
+
+class References:
+    """The mentions so far, and which of them a word means."""
+
+    def __init__(self, parsed: Parsed):
+        self.parsed = parsed
+        self.topics: list[list[Mention]] = []  # what the sentences were about, the last one last
+        self.rest: Mention | None = None  # what "the other" is
+        self.parted: Mention | None = None  # what "one" is
+
+    def _recent(self) -> list[Mention]:
+        return self.parsed.mentions[: -_REACH - 1 : -1]
+
+    def known(self, phrase: NounPhrase, target: bool, without: list[Mention]) -> Mention | None:
+        """What was named before and is meant again; None when it is another one."""
+        if not phrase.definite and not (target and (phrase.count in (None, (1, 1)))):
+            return None
+        if phrase.determiner in ("another",):
+            return None
+        noun, qualities = (
+            name_of(phrase),
+            {t.text for t in phrase.qualities if t.has("color", "material", "scale", "shape", "styles")},
+        )
+        category = match_of(noun).category
+
+        def same(m: Mention) -> bool:
+            described = {a.words for a in m.attributes}
+            fits = (
+                not qualities or qualities <= described or (phrase.definite and not described & _opposed(qualities, m))
+            )
+            if not phrase.definite and qualities and not qualities <= described:
+                return False
+            counted = (
+                phrase.count is None or m.count is None or phrase.count == m.count or phrase.count[1] <= m.count[1]
+            )
+            return fits and counted and not any(m is w for w in without)
+
+        fitting = [m for m in self._recent() if same(m)]
+        if not phrase.definite:  # "a lamp on a nightstand" after "two nightstands"
+            return next(
+                (m for m in fitting if (m.category == category and singular(m.noun).endswith(singular(phrase.text)))),
+                None,
+            )
+        texts = singular(phrase.text), singular(noun)
+        exact = [m for m in fitting if singular(m.noun) == texts[1]]
+        exact = exact or [m for m in fitting if singular(m.noun).split(" of ")[0].endswith(texts)]
+        exact = exact or [m for m in fitting if m.category == category and not m.generic]
+        exact = exact or [
+            m for m in fitting if texts[0] in singular(m.noun).split() or singular(m.noun) == texts[0].split()[-1]
+        ]
+        exact = exact or [m for m in fitting if m.category in _kinds(texts[0])]
+        clear = [m for m in exact if qualities and qualities <= {a.words for a in m.attributes}]
+        return next(iter(clear or exact), None)
+
+    def pronoun(self, phrase: NounPhrase, near: list[Mention], without: list[Mention]) -> list[Mention]:
+        """Who "it", "them", "both" are; ``near`` is what stands closest in the sentence."""
+        several = phrase.text in ("them", "they", "these", "those", "themselves") or phrase.value in ("both", "each")
+        for group in (near, *reversed(self.topics[-3:]), *([m] for m in self._recent()[:8])):
+            group = [m for m in group if not any(m is w for w in without)]
+            if not group:
+                continue
+            if several and len(group) == 1 and not group[0].many:
+                continue
+            if not several and phrase.text == "it" and len(group) == 1 and group[0].many:
+                continue
+            return group if several else group[-1:] if len(group) > 1 and phrase.text != "which" else group
+        if several:  # "a shelf next to a desk, a sofa facing them"
+            two = [m for m in self._recent()[:4] if not any(m is w for w in without)][:2]
+            return two[::-1] or near
+        return []
+
+    def several(self, near: list[Mention]) -> Mention | None:
+        """The last group of several, of which "one" may be said."""
+        for mention in [*reversed(near), *self._recent()[:10]]:
+            if mention.many:
+                return mention
+        return None
+
+    def part(self, near: list[Mention], count: int = 1) -> Mention | None:
+        """ "One of them": it is parted from the last group, and "the other" is what is left."""
+        group = self.several(near)
+        if group is None or group.count is None or not count < group.count[1] <= 40 or group.count[0] <= count:
+            return group
+        self.parted, self.rest = self.parsed.split(group, count)
+        for topic in self.topics:
+            topic[:] = [p for m in topic for p in ([self.parted, self.rest] if m is group else [m])]
+        return self.parted
+
+    def carrier(self, near: list[Mention], without: list[Mention], kind: str = "top", word: str = "") -> Mention | None:
+        """Whose top, shelf or side is meant where nobody is named."""
+        choices = [*reversed(near), *(m for t in reversed(self.topics[-3:]) for m in t), *self._recent()[:20]]
+        choices = [m for m in choices if not any(m is w for w in without)]
+        for noun in words("nouns")["carriers"].get(word, ()):
+            for mention in choices:
+                if noun in singular(mention.noun) or noun in mention.category.split("_"):
+                    return mention
+        for mention in choices:
+            if kind == "top" and family(mention.category) in ("table", "storage"):
+                return mention
+        for mention in choices:
+            found = category_named(mention.category)
+            if (
+                kind != "top"
+                or family(mention.category) in ("table", "storage")
+                or found.holds
+                or "floor" in found.mount
+            ):
+                return mention
+        return None
+
+
+def _kinds(noun: str) -> frozenset[str]:
+    return frozenset(words("nouns")["kinds"].get(noun, ()))
+
+
+def _opposed(qualities: set[str], mention: Mention) -> set[str]:
+    """Words said of a mention that a phrase with other words cannot mean."""
+    colors = {a.words for a in mention.attributes if a.kind in ("color", "material")}
+    return (
+        colors if colors and not colors & qualities and any(a.kind in ("color",) for a in mention.attributes) else set()
+    )

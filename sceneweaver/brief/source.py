@@ -1,0 +1,172 @@
+"""The text of a request in lower case with the place of each character in the original, and its measures."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from dataclasses import dataclass, field
+
+from .model import Span
+
+LONGEST = 20_000
+"""Characters that are read; a longer request is cut there, with a note."""
+
+FOOT, INCH = 0.3048, 0.0254
+SQUARE_FOOT = FOOT**2
+
+_NUMBER = r"(\d{1,9}(?:[.,]\d{1,6})?)"
+_LENGTH = r"(meters?|metres?|m|cm|centimet(?:er|re)s?|feet|foot|ft|')"
+_BY = r"\s*(?:x|×|by|\*)\s*"
+_AXIS = r"\s*(?:long|wide|deep|broad|in\s+length|in\s+width)"
+_SQUARE = re.compile(
+    _NUMBER + r"\s*-?\s*(m2|m²|sqm|sq\.?\s*m(?:et(?:er|re)s?)?|square[\s-]?met(?:er|re)s?|square[\s-]?m|"
+    r"sq\.?\s*ft\.?|sqft|square[\s-]?f(?:ee|oo)t|ft2|ft²)(?![a-z])"
+)
+_SIDES = re.compile(
+    rf"{_NUMBER}\s*{_LENGTH}?(?:{_AXIS})?{_BY}{_NUMBER}\s*{_LENGTH}?(?:{_AXIS})?(?:{_BY}{_NUMBER}\s*{_LENGTH}?)?(?![\w])"
+)
+_LONG_WIDE = re.compile(rf"{_NUMBER}\s*{_LENGTH}{_AXIS}\s*(?:and|,)\s*{_NUMBER}\s*{_LENGTH}{_AXIS}(?![a-z])")
+_CEILING = re.compile(
+    rf"(?:{_NUMBER}\s*-?\s*{_LENGTH}\s*-?\s*(?:high|tall)?\s*-?\s*ceilings?"
+    rf"|ceilings?\s*(?:height)?\s*(?:of|is|at|:)?\s*{_NUMBER}\s*{_LENGTH}(?:\s*high)?"
+    rf"|(?:room\s+)?height\s*(?:of|is|:)?\s*{_NUMBER}\s*{_LENGTH})(?![a-z])"
+)
+_DIGITS = dict(
+    zip(
+        ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"],
+        range(1, 13),
+        strict=True,
+    )
+)
+_SPELT = re.compile(
+    r"\b(" + "|".join(_DIGITS) + r")\b(?=\s*-?\s*(?:by|x|square|sq|m|met(?:er|re)s?|feet|foot|ft|cm)\b)"
+)
+_FAR = re.compile(_NUMBER + r"\s*(?:km|kilomet(?:er|re)s?|miles?)\b")
+_BARE = re.compile(r"(?<![\w.])" + _NUMBER + _BY + _NUMBER + r"(?![\w.]|\s*(?:cm|mm|in)\b)")
+_ENDLESS = re.compile(r"\d{10,}")
+_TAG = re.compile(r"<[^<>]{0,200}>")
+_PLAIN = {"‘": "'", "’": "'", "“": '"', "”": '"', "–": "-", "—": ",", "…": ".", "\u00a0": " ", "²": "2"}
+
+
+@dataclass
+class Source:
+    """Characters to read, with the index of each in the request; measures are blanked out of them.
+
+    ``sides`` are [m] by the place where they stood; ``size``, ``area`` [m2] and ``height`` [m] are the room's.
+    """
+
+    text: str
+    origin: list[int]
+    size: tuple[float, float] | None = None
+    area: float | None = None
+    height: float | None = None
+    sides: dict[int, tuple[float, ...]] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+
+    def span(self, start: int, end: int) -> Span:
+        """Where characters [start, end) stand in the request."""
+        last = min(end, len(self.origin)) - 1
+        return Span(self.origin[start], self.origin[max(last, start)] + 1)
+
+    def blank(self, pattern: re.Pattern[str], read: object) -> None:
+        """Measures of a pattern are taken out when ``read`` understands them; the length stays the same."""
+
+        def replace(m: re.Match[str]) -> str:
+            filler = read(m)  # type: ignore[operator]
+            return m[0] if filler is None else filler[: len(m[0])].ljust(len(m[0]))
+
+        self.text = pattern.sub(replace, self.text)
+
+
+def read_source(text: str) -> Source:
+    """Lower case, without control characters and markup, and without measures."""
+    notes: list[str] = []
+    if len(text) > LONGEST:
+        notes.append(f"only the first {LONGEST} of {len(text)} characters were read")
+        text = text[:LONGEST]
+    letters: list[str] = []
+    origin: list[int] = []
+    for index, letter in enumerate(text):
+        for plain in unicodedata.normalize("NFKC", _PLAIN.get(letter, letter)).lower():
+            letters.append(plain if plain.isprintable() or plain in "\n\t" else " ")
+            origin.append(index)
+    found = Source("".join(letters).replace("§", " "), origin, notes=notes)
+    found.blank(_TAG, lambda m: " ")
+    found.blank(_ENDLESS, lambda m: _endless(m, found))
+    found.blank(re.compile(r"(?<=[^\n]{60})\s*\n(?=[a-z])"), lambda m: " ")  # a long line that was wrapped
+    found.text = re.sub(r"[\n;:!?•*|]|(?<=\s)-(?=\s)", ".", found.text)
+    found.blank(_SPELT, lambda m: str(_DIGITS[m[1]]))
+    found.blank(_FAR, lambda m: _too_far(m, found))
+    found.blank(_CEILING, lambda m: _ceiling(m, found))
+    found.blank(_SQUARE, lambda m: _square(m, found))
+    found.blank(_LONG_WIDE, lambda m: _sides(m, found))
+    found.blank(_SIDES, lambda m: _sides(m, found))
+    if not found.sides:
+        found.blank(_BARE, lambda m: _bare(m, found))
+    return found
+
+
+def metres(number: str, unit: str | None) -> float:
+    """A length in metres."""
+    value = float(number.replace(",", "."))
+    if unit and unit.startswith(("cm", "centi")):
+        return value / 100
+    if unit and unit.startswith("in"):
+        return value * INCH
+    if unit and (unit.startswith("f") or unit == "'"):
+        return value * FOOT
+    return value
+
+
+def _ceiling(m: re.Match[str], found: Source) -> str:
+    groups = [g for g in m.groups() if g]
+    found.height = metres(groups[0], groups[1])
+    return " ,"
+
+
+def _square(m: re.Match[str], found: Source) -> str:
+    found.area = float(m[1].replace(",", ".")) * (SQUARE_FOOT if "f" in m[2] else 1.0)
+    return " "
+
+
+def _sides(m: re.Match[str], found: Source) -> str | None:
+    groups = [*m.groups(), None, None][:6]
+    unit = groups[5] or groups[3] or groups[1]
+    if unit is None:  # two bare numbers are sides only when a room may have them
+        return None
+    values = [metres(n, u or unit) for n, u in zip(groups[::2], groups[1::2], strict=True) if n]
+    found.sides[m.start()] = tuple(round(v, 4) for v in values)
+    return "§"
+
+
+def _endless(m: re.Match[str], found: Source) -> str:
+    found.notes.append(f"'{m[0][:10]}...' is no number that a room has; it was left out")
+    return " "
+
+
+def _too_far(m: re.Match[str], found: Source) -> str:
+    found.notes.append(f"'{m[0]}' is no measure of a room; it was left open")
+    return " "
+
+
+def _bare(m: re.Match[str], found: Source) -> str | None:
+    """Sides without a unit are metres when a room may have them."""
+    a, b = metres(m[1], None), metres(m[2], None)
+    if not (min(a, b) >= 1.5 and max(a, b) <= 40):
+        return None
+    found.size = (max(a, b), min(a, b))
+    found.notes.append(f"'{m[0].strip()}' was read as metres")
+    return " "
+
+
+def check_measures(found: Source) -> None:
+    """Measures that no room has are left out, with a note."""
+    if found.size is not None and (min(found.size) < 0.8 or max(found.size) > 100):
+        found.notes.append(f"a room of {found.size[0]:g} x {found.size[1]:g} m cannot be made; its size was left open")
+        found.size = None
+    if found.area is not None and not 1.0 <= found.area <= 3000:
+        found.notes.append(f"a floor of {found.area:g} m2 cannot be made; its size was left open")
+        found.area = None
+    if found.height is not None and not 1.8 <= found.height <= 12:
+        found.notes.append(f"a ceiling at {found.height:g} m cannot be made; its height was left open")
+        found.height = None

@@ -1,0 +1,154 @@
+"""Where the reader of clauses is, and what it has in hand."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from .chunks import Chunk
+from .model import Span
+from .parsed import Left, Mention, Parsed
+from .references import References
+from .source import Source
+from .vocabulary import Place
+
+
+@dataclass
+class Frame:
+    """An open list: what is named in it is there ("list"), comes with its owner, or is placed by a verb.
+
+    ``placed`` says whether its items are placed relative to the owner ("after") or the owner to them ("before").
+    """
+
+    kind: str
+    owner: list[Mention] = field(default_factory=list)
+    type: str = ""
+    placed: str = "after"
+    words: str = ""
+    items: list[Mention] = field(default_factory=list)
+    finite: bool = False
+    each: bool = False
+    fronted: list[tuple[Place, tuple[Any, ...], Chunk]] = field(default_factory=list)
+
+
+@dataclass
+class Waiting:
+    """A word of place that waits for its target; without subjects these come after it."""
+
+    place: Place
+    subjects: list[Mention] | None
+    chunk: Chunk
+    count: tuple[int, int] | None = None
+    first: Mention | None = None
+    lost: bool = False
+
+    def _replace_place(self, place: Place) -> Waiting:
+        return replace(self, place=place)
+
+
+class ReaderState:
+    """Where the reader of clauses is, and what it has in hand."""
+
+    def __init__(self, chunks: list[Chunk], source: Source, parsed: Parsed):
+        self.chunks, self.source, self.out = chunks, source, parsed
+        self.refs = References(parsed)
+        self.at = 0
+        self.party: list[Mention] = []  # the things of the part of the room that was named last
+        self.first_items: list[Mention] = []  # what was named first in the clauses of the sentence
+        self.surface: Mention | None = None  # what the small things of the sentence stand on
+        self.surface_words, self.started = "", 0
+        self.last_subjects: list[Mention] = []
+        self.begin()
+
+    def begin(self) -> None:
+        """A sentence begins: nothing is open."""
+        self.subject: list[Mention] = []  # who the clause is about
+        self.head: list[Mention] = []  # what a word of place is said of
+        self.previous: list[Mention] = []  # the item before, or who the clause before was about
+        self.first_items = []
+        self.frames: list[Frame] = []  # open lists, the outermost one first
+        self.fronted: list[tuple[Place, tuple[Any, ...], Chunk]] = []  # said ahead of who it is about
+        self.waiting: Waiting | None = None
+        self.glue = "start"  # what binds the next phrase: start, comma, and, or, while, open, object, verb, or nothing
+        self.joined = ""  # what bound the last item to the one before
+        self.manner = ""  # what the verb adds to a word of place: hang, lean, center, mount
+        self.negated = ""  # whether what follows must not be there: first, list, article, where
+        self.subset: tuple[int, int] | None = None  # of how many of the subjects the next relation is said
+        self.last_target: tuple[Waiting, tuple[Any, ...]] | None = None
+        self.predicate: list[Mention] = []  # what "is red" is about
+        self.subject_open = True  # whether the subject goes on, as no verb came
+        self.done = False  # whether the clause had its verb
+        self.lost = False  # whether the subject is no object, so that nothing is said of it
+        self.each = self.inverted = self.after_be = self.relative = self.head_related = False
+
+    def _chunk(self, k: int) -> Chunk | None:
+        return self.chunks[k] if 0 <= k < len(self.chunks) else None
+
+    def _noun_next(self, offset: int = 0) -> bool:
+        chunk = self._chunk(self.at + offset)
+        return chunk is not None and chunk.kind == "noun"
+
+    def _target_next(self) -> bool:
+        """Whether the noun after "opposite", "beside" and the like is what they are said of, and no subject."""
+        after = self._chunk(self.at + 1)
+        chunk = self.chunks[self.at]
+        if after is not None and after.kind == "verb" and after.value.form in ("s", "base") and self.out.mentions:
+            return bool(chunk.value.definite or chunk.value.what in ("pronoun", "place"))
+        return True
+
+    def _verb_follows(self, k: int) -> bool:
+        """Whether the noun phrase before chunk k is the subject of a finite verb."""
+        nouns = 0
+        for index, chunk in enumerate(self.chunks[k : k + 14], start=k):
+            if chunk.kind == "verb":
+                if chunk.value.form in ("s", "base") and not chunk.passive:
+                    return True
+                nouns = 0
+            elif chunk.kind in ("stop", "comma", "while"):
+                return False
+            elif chunk.kind == "and":
+                after = self._chunk(index + 1)
+                if after is None or after.kind != "noun" or nouns > 0:
+                    return False
+            elif chunk.kind == "with":
+                nouns = -1
+            elif chunk.kind == "noun":
+                nouns += 1
+        return False
+
+    def _clause_at(self, k: int) -> bool:
+        chunk = self._chunk(k)
+        return chunk is not None and chunk.kind == "noun" and self._verb_follows(k + 1)
+
+    def _placed_next(self, k: int) -> bool:
+        """Whether words of place or a participle follow at once, so that something is no mere item of a list."""
+        chunk = self._chunk(k)
+        return chunk is not None and (
+            chunk.kind == "place" or (chunk.kind == "verb" and (chunk.passive or chunk.value.form in ("ed", "ing")))
+        )
+
+    def _fronts(self, k: int) -> bool:
+        """Whether the words of place from chunk k on come before who they are about: "and on the wall hangs ..."."""
+        seen = 0
+        for chunk in self.chunks[k : k + 8]:
+            if chunk.kind == "noun":
+                seen += 1
+                if seen == 2:
+                    return True
+            elif chunk.kind == "verb":
+                return seen == 1 and chunk.value.form in ("s", "base")
+            elif chunk.kind == "comma" and seen == 1:
+                return self.done and self._clause_at(k + 3)
+            elif chunk.kind not in ("place", "adjective", "word"):
+                return False
+            elif chunk.kind == "place" and seen == 1 and chunk is not self.chunks[k]:
+                seen = 0
+        return False
+
+    def _unread(self, text: str, start: int, end: int) -> None:
+        self.out.unread.append(Left(" ".join(text.split()), start, end))
+
+    def chunk_span(self) -> Span | None:
+        """Where the chunk in hand stands."""
+        chunk = self.chunks[max(0, min(self.at, len(self.chunks)) - 1)]
+        return self.source.span(chunk.start, chunk.end)

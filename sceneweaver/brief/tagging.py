@@ -1,0 +1,94 @@
+"""What a token is at its place: a verb, or a part of a noun phrase."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .chunks import CLOSED, QUALITIES, Chunk, Kind
+from .tokens import Token
+from .vocabulary import Verb, frame
+
+
+class Tagger:
+    """Tokens and where the reader of them is."""
+
+    def __init__(self, tokens: list[Token]):
+        self.tokens = tokens
+        self.at = 0
+        self.out: list[Chunk] = []
+        self.noun_before = False  # whether the last chunk was a noun phrase
+
+    def _token(self, offset: int = 0) -> Token | None:
+        k = self.at + offset
+        return self.tokens[k] if 0 <= k < len(self.tokens) else None
+
+    def _add(self, kind: Kind, count: int = 1, value: Any = None, **more: Any) -> Chunk:
+        first, last = self.tokens[self.at], self.tokens[min(self.at + count, len(self.tokens)) - 1]
+        text = " ".join(t.text for t in self.tokens[self.at : self.at + count])
+        chunk = Chunk(kind, text, first.start, last.end, value, **more)
+        self.out.append(chunk)
+        self.at += count
+        if kind != "word":
+            self.noun_before = kind == "noun"
+        return chunk
+
+    def _participle_next(self, token: Token, after: Token | None) -> bool:
+        """Whether a participle stands without a noun before it, as after a comma or "is"."""
+        last = self.out[-1].kind if self.out else "stop"
+        if token.get("verb").form not in ("ed", "ing") or last not in (
+            "verb",
+            "comma",
+            "and",
+            "word",
+            "while",
+            "place",
+        ):
+            return False
+        if after is None or after.has(*CLOSED):
+            return True
+        return token.get("verb").form == "ing" and after.has("number", "amount") and last != "place"
+
+    def _is_verb(self, k: int, seen_noun: bool) -> bool:
+        """Whether a token that can be a verb is one: after a noun, and not followed by the noun that it would name."""
+        token = self.tokens[k]
+        verb = token.get("verb")
+        if not isinstance(verb, Verb):
+            return False
+        after = self.tokens[k + 1] if k + 1 < len(self.tokens) else None
+        closed = (
+            after is None
+            or after.has(*CLOSED)
+            or after.has("number", "amount", "adverbs", "partial")
+            or (after.has("stop") and not after.has("noun", *QUALITIES))
+        )
+        other = token.has("noun", "abstract", "collective", "region", "parts", *QUALITIES)
+        if verb.form == "s":
+            return not other or (seen_noun and (closed or not token.has("noun")))
+        if verb.form == "base":
+            return (
+                (
+                    not other
+                    or token.text
+                    in ("stand", "rest", "face", "display", "frame", "support", "house", "line", "open", "set")
+                )
+                and seen_noun
+                and closed
+                and not (
+                    token.text == "set" and (after is None or after.has("break", "and", "with") or (after.has("verb")))
+                )
+            )
+        if verb.form == "ed":
+            if (
+                token.text in ("set", "built", "fit")
+                and after is not None
+                and (after.has("verb") or after.has("break", "and", "with"))
+            ):
+                return False
+            if token.has("noun") and not closed:
+                return False
+            return seen_noun
+        if token.has("noun") and not (closed and seen_noun):  # "a painting"
+            return False
+        if not seen_noun:
+            return False
+        return closed or frame(verb) is not None

@@ -1,0 +1,197 @@
+"""A request as tokens: the longest known phrase at each place with everything that it can mean, and where it stood."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from .source import Source, metres
+from .spelling import mended
+from .vocabulary import LONGEST, NUMBERS, Verb, vocabulary
+
+_WORD = re.compile(r"§|\d+(?:[.,]\d+)?|[a-z][a-z'&/]*|[^\W\d_]+|[.,()&\"{}\[\]<>\\/=]")
+_UNIT = re.compile(r"^(meters?|metres?|m|cm|centimeters?|centimetres?|ft|feet|foot|inch(?:es)?|in)$")
+_ADJECTIVE = re.compile(
+    r".{3,}(?:ed|ish|ful|less|ous|ive|able|ible|ic|ical|ent|ant|ary|style|shaped|inspired|themed|like|colored|coloured|sized)$"
+)
+_SINGULAR = ("a", "an", "one", "single", "this", "each", "every", "another", "1")
+
+
+@dataclass
+class Token:
+    """One phrase at characters [start, end) of the source; ``kinds`` maps what it can be to its value."""
+
+    text: str
+    start: int
+    end: int
+    kinds: dict[str, Any] = field(default_factory=dict)
+
+    def has(self, *kinds: str) -> bool:
+        """Whether it can be one of these."""
+        return any(kind in self.kinds for kind in kinds)
+
+    def get(self, kind: str) -> Any:
+        """What it means as one of a kind; None when it cannot be that."""
+        return self.kinds.get(kind)
+
+
+@dataclass
+class _Raw:
+    text: str
+    start: int
+    end: int
+    glued: bool = False  # whether a hyphen joins it to the next
+
+
+def tokens(source: Source, notes: list[str]) -> list[Token]:
+    """The tokens of a source; corrected spellings are noted."""
+    raw = _raw(source.text)
+    found: list[Token] = []
+    at = 0
+    while at < len(raw):
+        word = raw[at]
+        if word.text == "§":
+            found.append(Token("sides", word.start, word.end, {"sides": source.sides.get(word.start, (1.0, 1.0))}))
+            at += 1
+        elif word.text in ".,()":
+            found.append(Token(word.text, word.start, word.end, {"break": word.text}))
+            at += 1
+        elif not word.text[0].isalnum() and word.text != "&":
+            at += 1
+        else:
+            token, at = _number(raw, at) if word.text[0].isdigit() else _phrase(raw, at, notes)
+            found.append(token)
+    return list(_tens(_cut(found)))
+
+
+def _raw(text: str) -> list[_Raw]:
+    found = [_Raw(m[0], m.start(), m.end()) for m in _WORD.finditer(text)]
+    for one, two in zip(found, found[1:], strict=False):
+        between = text[one.end : two.start]
+        one.glued = between in ("-", "_") and one.text[0].isalnum() and two.text[0].isalnum()
+    return found
+
+
+def _joined(raw: list[_Raw], start: int, end: int) -> str:
+    return " ".join(word.text for word in raw[start:end])
+
+
+def _number(raw: list[_Raw], at: int) -> tuple[Token, int]:
+    """A number: a count, a range of counts, or a length with its unit."""
+    word = raw[at]
+    after = [w.text for w in raw[at + 1 : at + 3]]
+    low_high = None
+    if word.text.isdigit() and len(word.text) < 6:
+        if len(after) == 2 and after[0] in ("to", "or") and after[1].isdigit():
+            low_high = at + 2
+        elif word.glued and after[0].isdigit():
+            low_high = at + 1
+    if low_high is not None:
+        low, high = sorted((int(word.text), int(raw[low_high].text[:5])))
+        kinds: dict[str, Any] = {"amount": (low, high)}
+        return Token(f"{word.text} to {raw[low_high].text}", word.start, raw[low_high].end, kinds), low_high + 1
+    place = after[:1] == ["in"] and after[1:] and after[1] in ("the", "a", "an", "each", "every", "total")
+    if after and _UNIT.match(after[0]) and not place:
+        length = metres(word.text, after[0])
+        return Token(f"{word.text} {after[0]}", word.start, raw[at + 1].end, {"length": length}), at + 2
+    if word.glued:  # "4-burner stove"
+        return _compound(raw, at, [])
+    kinds = {"number": int(word.text)} if word.text.isdigit() and len(word.text) < 6 else {}
+    return Token(word.text, word.start, word.end, kinds), at + 1
+
+
+def _phrase(raw: list[_Raw], at: int, notes: list[str]) -> tuple[Token, int]:
+    """The longest known phrase, which ends in the middle of a compound with hyphens only where a number does."""
+    table = vocabulary()
+    for length in range(min(LONGEST, len(raw) - at), 0, -1):
+        end = at + length
+        phrase = _joined(raw, at, end)
+        if phrase not in table or (length > 1 and "place_adverb" in table[phrase] and _noun_begins(raw, end - 1)):
+            continue
+        if raw[end - 1].glued and not (length == 1 and phrase in NUMBERS and _tens_follow(raw, end)):
+            continue
+        return Token(phrase, raw[at].start, raw[end - 1].end, dict(table[phrase])), end
+    if raw[at].glued:
+        return _compound(raw, at, notes)
+    known = mended(raw[at].text, notes)
+    if known is None and at + 1 < len(raw) and raw[at].text == "":
+        known = None
+    kinds = dict(table[known]) if known else {}
+    return Token(known or raw[at].text, raw[at].start, raw[at].end, kinds), at + 1
+
+
+def _noun_begins(raw: list[_Raw], at: int) -> bool:
+    """Whether a longer noun begins with a word: "on the side table" is no "on the side"."""
+    table = vocabulary()
+    for end in range(at + 2, min(at + 4, len(raw)) + 1):
+        if table.get(_joined(raw, at, end), {}).keys() & {"noun", "place"}:
+            return True
+    return False
+
+
+def _tens_follow(raw: list[_Raw], end: int) -> bool:
+    return end < len(raw) and raw[end].text in NUMBERS
+
+
+def _compound(raw: list[_Raw], at: int, notes: list[str]) -> tuple[Token, int]:
+    """Words with hyphens that are no known phrase together: said of the noun after them, or a noun of two words."""
+    end = at
+    while end < len(raw) - 1 and raw[end].glued and end - at < 6:
+        end += 1
+    end += 1
+    table, phrase = vocabulary(), _joined(raw, at, end)
+    if phrase in table:
+        kinds = dict(table[phrase])
+    elif table.get(raw[end - 1].text, {}).get("noun") and len(raw[at].text) > 1 and _noun_ends(raw, end):
+        kinds = {"noun": table[raw[end - 1].text]["noun"]}
+    else:
+        kinds = {"adjective": phrase}
+    return Token(phrase, raw[at].start, raw[end - 1].end, kinds), end
+
+
+def _noun_ends(raw: list[_Raw], end: int) -> bool:
+    """Whether no noun follows, so that a compound is one itself: "a side-table by the window"."""
+    after = vocabulary().get(raw[end].text, {}) if end < len(raw) and raw[end].text.isalpha() else {"break": 1}
+    return any(kind in after for kind in ("break", "preposition", "and", "with", "verb", "while", "place_adverb"))
+
+
+def looks_adjective(word: str) -> bool:
+    """Whether a word that is not known has the ending of an adjective."""
+    return bool(_ADJECTIVE.match(word))
+
+
+def _cut(found: list[Token]) -> Iterator[Token]:
+    """ "A tall plant stands": after a singular article no plural follows, so that its end is a verb."""
+    table = vocabulary()
+    for index, token in enumerate(found):
+        head, _, last = token.text.rpartition(" ")
+        verb = table.get(last, {}).get("verb")
+        if head in table and "noun" in table[head] and isinstance(verb, Verb) and token.has("plural"):
+            before = [t.text for t in found[max(0, index - 6) : index]]
+            while before and not (before[-1] in _SINGULAR or before[-1] in (".", ",", "and", "with", "the")):
+                before.pop()
+            if before and before[-1] in _SINGULAR:
+                yield Token(head, token.start, token.end - len(last) - 1, dict(table[head]))
+                yield Token(last, token.end - len(last), token.end, dict(table[last]))
+                continue
+        yield token
+
+
+def _tens(found: Iterator[Token]) -> Iterator[Token]:
+    """ "twenty five" is 25, "two hundred" 200."""
+    last: Token | None = None
+    for token in found:
+        one, two = last.get("number") if last else None, token.get("number")
+        if last is not None and isinstance(one, int) and isinstance(two, int) and {last.text, token.text} <= {*NUMBERS}:
+            value = one + two if one >= 20 and one % 10 == 0 and 0 < two < 10 else None
+            value = 100 * one if two == 100 and 0 < one < 10 else value
+            if value is not None:
+                last = Token(f"{last.text} {token.text}", last.start, token.end, {"number": value})
+                continue
+        if last is not None:
+            yield last
+        last = token
+    if last is not None:
+        yield last

@@ -1,0 +1,207 @@
+"""What English words can be in a request: the files of ``lexicon``, nouns of the taxonomy, colours, kinds of rooms."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from importlib import resources
+from itertools import product
+from typing import Any
+
+from sceneweaver.assets import categories, resolve
+from sceneweaver.assets.materials import color_words, palette
+from sceneweaver.assets.taxonomy import category_named, phrases
+from sceneweaver.knowledge.load import read_yaml, room_words
+
+LONGEST = 8
+"""Words of the longest phrase."""
+
+_SMALL = (
+    "zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen seventeen "
+    "eighteen nineteen twenty"
+)
+NUMBERS = {word: n for n, word in enumerate(_SMALL.split())} | {
+    "thirty": 30,
+    "forty": 40,
+    "fifty": 50,
+    "sixty": 60,
+    "hundred": 100,
+    "dual": 2,
+}
+
+
+_KINDS = {"places": "place", "dims": "dim", "materials": "material", "bounds": "bound", "adjectives": "adjective"}
+"""Kinds whose section of ``words.yaml`` has another name."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """How a word says where something is: a type of relation, and which sides of its target."""
+
+    type: str
+    side: str | None = None
+    each: bool = False
+    words: str = ""
+
+    @property
+    def both_ends(self) -> bool:
+        """Whether it speaks of more than one side, so that something is said of each."""
+        return self.each
+
+
+@dataclass(frozen=True)
+class Verb:
+    """A form of a verb: ``form`` is base, s, ed or ing; ``lemma`` its dictionary form."""
+
+    lemma: str
+    form: str
+
+
+@cache
+def words(file: str = "words") -> dict[str, Any]:
+    """A file of the lexicon."""
+    path = resources.files(__package__ or "").joinpath("lexicon", f"{file}.yaml")
+    return read_yaml(path.read_text(encoding="utf-8"))
+
+
+@cache
+def vocabulary() -> dict[str, dict[str, Any]]:
+    """Every phrase that is known: phrase -> kind -> value."""
+    table: dict[str, dict[str, Any]] = {}
+
+    def put(phrase: Any, kind: str, value: Any) -> None:
+        table.setdefault(" ".join(str(phrase).lower().replace("-", " ").split()), {}).setdefault(kind, value)
+
+    data, nouns, relations = words(), words("nouns"), words("relations")
+    for section, listed in data.items():
+        if section == "amounts":
+            continue
+        kind = _KINDS.get(section, section)
+        for value, group in listed.items() if isinstance(listed, dict) else [(None, listed)]:
+            for phrase in group:
+                put(phrase, kind, phrase if value is None else value)
+    for region, listed in nouns["regions"].items():
+        for phrase in listed:
+            put(phrase, "region", region)
+    for section in ("parts", "abstract", "containers"):
+        for phrase in nouns[section]:
+            put(phrase, section, phrase)
+    for phrase, count in nouns["collectives"].items():
+        put(phrase, "collective", count)
+    for name, row in words("groups")["groups"].items():
+        for phrase in row["words"]:
+            put(phrase, "group", name)
+    for phrase, value in NUMBERS.items():
+        put(phrase, "number", value)
+    for phrase, value in data["amounts"].items():
+        put(phrase, "amount", tuple(value))
+    for section, kind in (("prepositions", "preposition"), ("adverbs", "place_adverb"), ("mutual", "mutual")):
+        for name, patterns in relations[section].items():
+            for phrase in expand(patterns):
+                put(phrase, kind, _place(name, phrase))
+    for phrase in relations["bare"]:
+        put(phrase, "bare", True)
+    for form, verb in _verbs(relations).items():
+        put(form, "verb", verb)
+    for phrase, finish in palette().items():
+        if not finish.asked:
+            put(phrase, "finish", phrase)
+    for phrase in color_words():
+        put(phrase, "color", phrase)
+    for phrase, name in room_words().items():
+        put(phrase, "room", name)
+    for phrase, name in phrases().items():
+        put(phrase, "noun", name)
+        if phrase.endswith("s") and phrase in nouns["paired"]:
+            continue
+        put(plural(phrase), "noun", name)
+        put(plural(phrase), "plural", True)
+    return table
+
+
+def _place(name: str, phrase: str) -> Place:
+    kind, _, side = name.partition(":")
+    sides = phrase.split()
+    each = bool({"each", "every", "either", "both"} & set(sides)) or (kind in ("flanking",))
+    return Place(kind, side or None, each, phrase)
+
+
+def expand(patterns: str | list[str]) -> list[str]:
+    """The phrases that patterns stand for: "a|b c?" is a c, b c, a and b."""
+    found = []
+    for pattern in patterns.split(",") if isinstance(patterns, str) else patterns:
+        parts = [
+            [*part.removesuffix("?").split("|"), *([""] if part.endswith("?") else [])] for part in pattern.split()
+        ]
+        found += [" ".join(word for word in chosen if word) for chosen in product(*parts)]
+    return found
+
+
+def _verbs(relations: dict[str, Any]) -> dict[str, Verb]:
+    data, table = relations["verbs"], {}
+    known = {*data["posture"], *data["show"], *data["frames"]}
+    for lemma in sorted(known):
+        verb, _, rest = lemma.partition(" ")
+        s, ed, ing, *others = relations["irregular"].get(verb) or _regular(verb)
+        forms = {"base": verb, "s": s, "ed": ed, "ing": ing}
+        for form, word in [*forms.items(), *(("s", word) for word in others)]:
+            table.setdefault(f"{word} {rest}".strip(), Verb(lemma, form))
+    return table
+
+
+def _regular(verb: str) -> tuple[str, str, str]:
+    if verb.endswith("e"):
+        return verb + "s", verb + "d", verb[:-1] + "ing"
+    if verb.endswith("y") and verb[-2] not in "aeiou":
+        return verb[:-1] + "ies", verb[:-1] + "ied", verb + "ing"
+    short = len(verb) > 2 and verb[-1] in "tpnmgb" and verb[-2] in "aeiou" and verb[-3] not in "aeiou"
+    stem = verb + verb[-1] if short and len(verb) < 5 else verb
+    return verb + ("es" if verb.endswith(("s", "x", "ch", "sh")) else "s"), stem + "ed", stem + "ing"
+
+
+def frame(verb: Verb) -> dict[str, Any] | None:
+    """What a verb says of where things are: voice -> (type, which of the two is placed)."""
+    return words("relations")["verbs"]["frames"].get(verb.lemma)
+
+
+@cache
+def shows(lemma: str) -> bool:
+    """Whether what follows the verb is there as well."""
+    return lemma in words("relations")["verbs"]["show"]
+
+
+def plural(phrase: str) -> str:
+    """The plural of a noun."""
+    if phrase.endswith(("s", "x", "ch", "sh", "z")):
+        return phrase + "es"
+    if phrase.endswith("y") and phrase[-2:-1] not in "aeiou":
+        return phrase[:-1] + "ies"
+    if phrase.endswith("shelf"):
+        return phrase[:-1] + "ves"
+    if phrase.endswith("knife"):
+        return phrase[:-2] + "ves"
+    if phrase.endswith("man") and not phrase.endswith("human"):
+        return phrase[:-3] + "men"
+    return phrase + "s"
+
+
+@cache
+def category_of(name: str) -> str:
+    """A category with a body: for a group its usual member."""
+    found = categories().get(name)
+    return name if found is not None and found.size is not None else resolve(name.replace("_", " ")).category
+
+
+@cache
+def family(category: str) -> str:
+    """Seats, tables, or the group of the taxonomy that a category is in."""
+    known, name = categories(), category_named(category).name
+    while name in known and (parent := known[name].parent) is not None and parent in known and parent != "furniture":
+        name = parent
+    return {"chair_group": "seat", "seating": "seat", "table_group": "table"}.get(name, name)
+
+
+@cache
+def mounts(category: str) -> tuple[str, ...]:
+    """Where a category goes: floor, wall, ceiling, surface, the usual one first."""
+    return category_named(category).mount

@@ -1,0 +1,153 @@
+"""Each turn of speech that the reader knows, in sentences of our own: nouns, clauses, references, and their spans."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+
+from sceneweaver.brief import SceneGraph, read_request
+from sceneweaver.brief.spelling import mended
+
+
+def counts(graph: SceneGraph) -> dict[str, tuple[int, int] | None]:
+    return {e.id: e.count for e in graph.entities}
+
+
+def said(graph: SceneGraph) -> set[tuple[str, ...]]:
+    return {(r.subject, r.type, *r.targets) for r in graph.relations}
+
+
+COUNTS = [
+    ("a studio with dual monitors on a desk", "monitor", (2, 2)),
+    ("a set of four stools around a bar table", "bar_stool", None),
+    ("a trio of vases on the sideboard", "vase", (3, 3)),
+    ("a shelf with a stack of three books", "book", (3, 3)),
+    ("a pair of headphones on the desk", "headphones", (1, 1)),
+    ("a desk with notebooks", "notebook", (2, 6)),
+    ("a plant in each corner of the room", "potted_plant", (4, 4)),
+    ("both armchairs face the sofa", "armchair", (2, 2)),
+    ("a kitchen with a table, four chairs and one stool", "stool", (1, 1)),
+    ("three benches stand along the wall", "bench", (3, 3)),
+]
+
+RELATIONS = [
+    ("On the desk sits a laptop.", ("laptop", "on", "desk")),
+    ("On the desk sit a laptop, a mug and a book.", ("book", "on", "desk")),
+    ("The sideboard holds a vase and a clock.", ("vase", "on", "sideboard")),
+    ("A bookcase displaying three trophies", ("trophy", "inside", "bookcase")),
+    ("A basket filled with apples", ("apple", "inside", "basket")),
+    ("A sofa flanked by two floor lamps", ("floor_lamp", "flanking", "sofa")),
+    ("Two floor lamps flank the sofa.", ("floor_lamp", "flanking", "sofa")),
+    ("A table surrounded by six chairs", ("chair", "around", "dining_table")),
+    ("A dresser topped with a mirror and a vase", ("vase", "on", "dresser")),
+    ("An armchair faces the fireplace.", ("armchair", "facing", "fireplace")),
+    ("A bench occupies the corner.", ("bench", "at", "corner")),
+    ("A bookcase lines the back wall.", ("bookcase", "along", "wall:far")),
+    ("A desk with a lamp on top and a rug underneath", ("rug", "below", "desk")),
+    ("A bed stands against the wall. Beside it, a bench.", ("bench", "next_to", "bed")),
+    ("A bed, with a bench at its foot", ("bench", "at_foot", "bed")),
+    ("A sofa faces the TV. To its left stands a plant.", ("potted_plant", "left_of", "sofa")),
+    ("A table with four chairs, two on each long side", ("chair", "along", "dining_table")),
+    ("A desk stands by the door. Its top carries a globe.", ("desk_globe", "on", "desk")),
+    ("A vanity is under the window. A candle rests on the countertop.", ("candle", "on", "vanity")),
+    ("A bed, a desk and a sofa facing them", ("sofa", "facing", "bed")),
+    ("A rug in the center of the room", ("rug", "at", "middle")),
+    ("A table with a vase in the center", ("vase", "centered_on", "dining_table")),
+    ("A wardrobe stands against the opposite wall of a bedroom with a bed.", ("wardrobe", "against", "wall:far")),
+    ("A bed is by the door. Across the room stands a wardrobe.", ("wardrobe", "opposite", "bed")),
+    ("A lamp hangs from the ceiling above a table.", ("pendant", "above", "dining_table")),
+    ("A mirror leans against the wall.", ("wall_mirror", "leaning_on", "wall")),
+    ("A desk holds a monitor with a keyboard in front of it.", ("keyboard", "in_front_of", "monitor")),
+    ("A desk holds a monitor with a keyboard in front of it.", ("keyboard", "on", "desk")),
+    ("A stool that stands beside the piano", ("stool", "next_to", "upright_piano")),
+]
+
+
+@pytest.mark.parametrize(("text", "name", "count"), COUNTS, ids=[t for t, _, _ in COUNTS])
+def test_counts(text: str, name: str, count: tuple[int, int] | None) -> None:
+    found = counts(read_request(text))
+    assert (found[name] if count is not None else sum(c[0] for c in found.values() if c and c[0] > 1)) == (count or 4)
+
+
+@pytest.mark.parametrize(("text", "relation"), RELATIONS, ids=[f"{t} {r[0]}" for t, r in RELATIONS])
+def test_relations(text: str, relation: tuple[str, ...]) -> None:
+    assert relation in said(read_request(text))
+
+
+def test_one_and_the_other_are_two_entities() -> None:
+    graph = read_request("Two armchairs: one stands by the window, the other next to the door.")
+    assert counts(graph) == {"armchair": (1, 1), "armchair-2": (1, 1)}
+    assert {("armchair", "near", "window"), ("armchair-2", "next_to", "door")} <= said(graph)
+
+
+def test_sides_have_counts_of_their_own() -> None:
+    graph = read_request("A long table with eight chairs, four on each long side")
+    (row,) = (r for r in graph.relations if r.type == "along")
+    assert (row.count, row.each, row.side) == ((4, 4), True, "long")
+    assert counts(graph)["chair"] == (8, 8)
+
+
+def test_several_rooms() -> None:
+    graph = read_request("A living room with a sofa, and a kitchen with a stove")
+    assert (graph.room_type, graph.other_rooms) == ("living_room", ("kitchen",))
+
+
+def test_what_must_not_be_there() -> None:
+    graph = read_request("A study with a desk but no chair, and without curtains")
+    assert {"chair_group", "curtain"} & set(graph.without) and "desk" in counts(graph)
+    assert all(e.span is not None for e in graph.exclusions)
+
+
+def test_spans_are_those_of_the_request() -> None:
+    text = "A Bedroom — with a tall OAK wardrobe  next to the  window"
+    graph = read_request(text)
+    (wardrobe,) = graph.entities
+    assert wardrobe.span is not None
+    assert text[slice(*wardrobe.span)] == "a tall OAK wardrobe"
+    assert {text[slice(*a.span)] for a in wardrobe.attributes if a.span} == {"tall", "OAK"}
+    (relation,) = graph.relations
+    assert relation.span is not None
+    assert text[slice(*relation.span)] == "next to"
+
+
+def test_parts_are_said_of_what_has_them() -> None:
+    graph = read_request("a bed with a tufted headboard and a dresser with six drawers")
+    assert set(counts(graph)) == {"bed", "dresser"}
+    parts = {e.id: [a.value for a in e.attributes if a.kind == "part"] for e in graph.entities}
+    assert "headboard" in parts["bed"] and "drawers" in parts["dresser"]
+
+
+def test_matching_things_look_alike() -> None:
+    graph = read_request("a white oak desk with a matching chair")
+    chair = graph.entity("chair")
+    assert chair is not None and (chair.color, chair.material) == (graph.entities[0].color, graph.entities[0].material)
+
+
+@pytest.mark.parametrize(
+    "word", ["dressed", "cartoon", "carton", "plaster", "pulses", "printed", "benched", "cabinetry"]
+)
+def test_real_words_stay(word: str) -> None:
+    assert mended(word, []) is None
+
+
+@pytest.mark.parametrize(
+    ("word", "meant"), [("wardrope", "wardrobe"), ("matress", "mattress"), ("nighstand", "nightstand")]
+)
+def test_slips_are_mended(word: str, meant: str) -> None:
+    notes: list[str] = []
+    assert mended(word, notes) == meant
+    assert notes
+
+
+def test_time_grows_with_the_text_only() -> None:
+    sentence = "A desk stands by the window with a lamp on it, and a zebrine chair faces it. "
+    read_request(sentence)
+
+    def seconds(times: int) -> float:
+        start = time.perf_counter()
+        read_request(sentence * times)
+        return time.perf_counter() - start
+
+    short = min(seconds(10) for _ in range(3))
+    assert min(seconds(80) for _ in range(2)) < 40 * short
