@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sceneweaver.assets import Library
+from sceneweaver.critic import phrases
 from sceneweaver.scene import Scene, SceneWeaverError, whole
 
 from .deadline import NEVER, Deadline, TimeUp
@@ -208,6 +209,8 @@ def _report(result: Result, folder: Path, load: Callable, drawn: dict, deadline:
         warnings=result.report.warnings,
         load=load,
         title=result.brief.text[:120],
+        request=result.brief.text,
+        phrases=phrases(result.brief, result.review.alignment),
     )
     with whole(folder / "report.html") as path:
         write_report(path, data)

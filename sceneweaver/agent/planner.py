@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from sceneweaver.brief import SceneGraph
-from sceneweaver.critic import CRITERIA, Fault, Review
+from sceneweaver.critic import Fault, Review
 from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import Scene
 from sceneweaver.tools.card import ToolCard
 
 from .memory import Call, Memory
-from .settings import ASKED, Settings
+from .settings import Settings
 
 LISTS = {
     "add_objects": "objects",
@@ -28,6 +28,9 @@ LISTS = {
 
 LAST_BEGINNING, ROOMIER = 4, 0.15
 """Ways to begin at most, and how much more floor each further draw has."""
+
+FIRST = 6.0
+"""How much more a point of what is not as asked counts than one of any other fault."""
 
 LEAST = 0.15
 """Points [of ten] that a call should be worth."""
@@ -142,8 +145,8 @@ def _by_tool(faults: Sequence[Fault]) -> dict[str, list[Fault]]:
 
 
 def _worth(fault: Fault) -> float:
-    """Points of a fault, those of what was asked for as much more as they weigh more."""
-    return fault.points * (1.0 + len(CRITERIA) * ASKED if fault.criterion == "alignment" else 1.0)
+    """Points of a fault, by which calls are ranked."""
+    return fault.points * (FIRST if fault.criterion == "alignment" else 1.0)
 
 
 def _bundles(tool: str, faults: list[Fault]) -> list[list[Fault]]:

@@ -6,7 +6,7 @@ from pydantic import Field
 
 from sceneweaver.scene.base import FrozenModel
 
-ASKED = 1.0
+ASKED = 0.5
 """What a point of what is not as asked weighs beside its grade, in points of the mean of all grades; of that a point of
 any fault takes a fifth at most, so what was asked for comes first."""
 

@@ -1,10 +1,13 @@
 """Grades for a scene, with reasons and with what would mend it."""
 
 from .model import CRITERIA as CRITERIA
+from .model import STATUSES as STATUSES
 from .model import Alignment as Alignment
 from .model import Fault as Fault
 from .model import ItemOutcome as ItemOutcome
 from .model import Review as Review
+from .phrases import Phrase as Phrase
+from .phrases import phrases as phrases
 from .review import review_scene as review_scene
 
-__all__ = ["CRITERIA", "Alignment", "Fault", "ItemOutcome", "Review", "review_scene"]
+__all__ = ["CRITERIA", "STATUSES", "Alignment", "Fault", "ItemOutcome", "Phrase", "Review", "phrases", "review_scene"]

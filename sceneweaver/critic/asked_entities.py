@@ -44,7 +44,7 @@ def _entity(survey: Survey, asked: Entity, bodies: list[Body]) -> Asked:
             asked.id,
             ids,
             f"{len(bodies)} of {least} '{asked.noun}' that were asked for",
-            counted("objects", len(bodies), least, most if most < MANY else float("inf")),
+            counted("number", len(bodies), least, most if most < MANY else float("inf")),
             fault="missing_asked",
             share=missing / least,
             suggestion=f"add {missing} {kinds.words(asked.category)}",
@@ -93,14 +93,14 @@ def _exclusions(survey: Survey) -> Iterator[Asked]:
         banned = {name for word in excluded.categories for name in (word, *members(word))}
         there = [b.id for b in survey.bodies if b.item.category in banned]
         if not there:
-            yield met("exclusion", item, (), f"no {kinds.words(excluded.words)}", counted("objects", 0, 0, 0))
+            yield met("exclusion", item, (), f"no {kinds.words(excluded.words)}", counted("number", 0, 0, 0))
             continue
         yield unmet(
             "exclusion",
             item,
             there,
             f"{', '.join(there[:4])}: not wanted in this room",
-            counted("objects", len(there), 0, 0),
+            counted("number", len(there), 0, 0),
             fault="unwanted",
             suggestion=f"remove {', '.join(there)}",
             cap=GRADE_CAP,
@@ -113,7 +113,7 @@ def _only(survey: Survey) -> Asked:
     """Nothing but what is named: what lies flat or stands on other things aside."""
     asked_of = survey.program.asked_of
     extra = [b.id for b in survey.bodies if b.id not in asked_of and b.item.mount != "surface" and b.size[2] > FLAT]
-    number = counted("objects", len(extra), 0, 0)
+    number = counted("number", len(extra), 0, 0)
     if not extra:
         return met("room", "room.only", (), "nothing but what was asked for", number)
     return unmet(

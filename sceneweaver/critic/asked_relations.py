@@ -14,7 +14,7 @@ from sceneweaver.verify.solids import Body
 from . import group_measures, pair_measures, place_measures
 from .asked_calls import adding, relating
 from .survey import Survey
-from .verdict import Asked, Verdict, counted, decide, met, not_understood, unmet, weight_of
+from .verdict import Asked, Verdict, counted, decide, met, not_understood, text_of, unmet, weight_of
 
 GROUPS = ("flanking", "around")
 """Relations of several subjects at once."""
@@ -65,11 +65,11 @@ def _outcome(survey: Survey, said: StatedRelation, item: str) -> Asked:
     if ruling is None:
         return not_understood("relation", item, ids, f"'{words}' is nothing that can be measured here")
     if ruling.holds:
-        tail = f": {ruling.worst}".rstrip() if ruling.worst is not None and ruling.worst.unit else ""
+        tail = f": {text_of(ruling.worst)}" if ruling.worst is not None and ruling.worst.unit else ""
         return met("relation", item, ids, f"'{words}' holds{tail}", ruling.worst, assumed=said.implied)
     wrong = [b.id for b in ruling.wrong or subjects]
     shown = ", ".join(wrong[:4])
-    why = str(ruling.worst).strip() if ruling.worst is not None else "there is nothing to relate it to"
+    why = text_of(ruling.worst) if ruling.worst is not None else "there is nothing to relate it to"
     tool, inputs = relating(survey, said, item, ruling.wrong or subjects)
     return unmet(
         "relation",

@@ -44,6 +44,11 @@ def weight_of(m: Measurement) -> float:
     return m.excess if m.unit == "m" else ARM * (math.radians(m.excess) if m.unit == "deg" else m.excess)
 
 
+def text_of(m: Measurement) -> str:
+    """A measurement in words: what fails as the judge says it, the rest to the centimetre."""
+    return str(m if not m.ok() else m._replace(value=round(m.value, 2))).replace(" ,", ",").strip()
+
+
 @dataclass(frozen=True)
 class Asked:
     """An item of the request: what became of it, and the fault that it is where it is unmet."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from sceneweaver.assets.placed import Load
-from sceneweaver.critic import Review
+from sceneweaver.critic import Phrase, Review
 from sceneweaver.scene import Scene
 
 if TYPE_CHECKING:
@@ -39,6 +39,7 @@ class ReportData:
     ``metrics`` has the form of metrics.json; an empty one means that the scene was not checked. ``pictures`` are by
     name, of which ``top``, ``top_annotated`` and ``corner`` have captions of their own. ``load`` brings assets by id,
     None is the library of this user; objects whose asset is missing are shown as their parts, with a warning.
+    ``request`` is the text that ``phrases`` tell of.
     """
 
     scene: Scene
@@ -51,3 +52,5 @@ class ReportData:
     warnings: tuple[str, ...] = ()
     load: Load | None = None
     title: str = ""
+    request: str = ""
+    phrases: tuple[Phrase, ...] = ()

@@ -11,7 +11,7 @@ from importlib import resources
 
 from sceneweaver.scene import write_atomic
 
-from . import sections
+from . import request, sections
 from .data import ReportData
 from .facts import faults_of, relation_rows
 from .html import esc, json_block, picture_url
@@ -26,6 +26,7 @@ _SCRIPTS = (
     "marks.js",
     "orbit.js",
     "panel.js",
+    "request.js",
     "main.js",
 )
 _BUTTONS = (
@@ -59,6 +60,7 @@ def report_html(data: ReportData) -> str:
     body = "".join(
         [
             sections.header(data, valid),
+            request.section(data),
             _view(data),
             sections.scores(data.review, data.metrics),
             sections.findings(data, faults),
@@ -73,7 +75,7 @@ def report_html(data: ReportData) -> str:
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         '<meta name="color-scheme" content="light dark"><meta name="generator" content="sceneweaver">'
         f"<title>{esc(data.title or data.scene.id)}</title><style>{_style()}</style></head><body><main>{body}</main>"
-        f"{json_block('scene-data', packed.data)}"
+        f"{json_block('scene-data', {**packed.data, 'request': request.items(data)})}"
         f'<script type="text/plain" id="scene-meshes">{packed.meshes}</script>'
         f"<script>{script}</script></body></html>\n"
     )

@@ -54,8 +54,11 @@ def header(data: ReportData, valid: bool | None) -> str:
     prompt = f'<p class="prompt">{esc(scene.prompt)}</p>' if scene.prompt and scene.prompt != title else ""
     rows = "".join(f"<li><b>{esc(value)}</b> <span>{esc(name)}</span></li>" for value, name in facts)
     kind = scene.room.type.replace("_", " ")
+    head = f'<p class="eyebrow">{esc(kind)}</p><h1>{esc(title)}</h1>{prompt}'
+    if data.phrases:  # the request comes next, with its phrases
+        head = f"<h1>{esc(kind.capitalize())}</h1>"
     return (
-        f'<header class="top"><div><p class="eyebrow">{esc(kind)}</p><h1>{esc(title)}</h1>{prompt}</div>'
+        f'<header class="top"><div>{head}</div>'
         f'<p class="badge {badge[0]}">{badge[1]}</p><ul class="facts">{rows}</ul></header>'
     )
 

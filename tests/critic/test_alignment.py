@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from sceneweaver.critic import Alignment
+from sceneweaver.critic import Alignment, phrases
 from sceneweaver.scene import SceneObject
 from tests.critic import rooms
 from tests.critic.measuring import (
@@ -393,3 +393,20 @@ def test_what_can_hang_has_to_when_it_is_to_be_on_a_wall() -> None:
     size = (0.03, 1.0, 0.7)
     assert holds(box("picture-0", size, 0.02, 2.5, z=1.4, mount="wall"), **said)
     assert not holds(box("picture-0", size, 0.02, 2.5), **said), "it stands on the floor"
+
+
+def test_phrases_are_cut_out_of_the_text_by_their_spans() -> None:
+    text = "A bedroom with a red bed by the wall"
+    brief = graph((bed,), {"type": "against", "subject": "bed", "targets": ("wall",), "span": (21, 36)}, text=text)
+    data = brief.model_dump()
+    data |= {"room_type": "bedroom", "room_words": "bedroom"}
+    data["entities"][0].update(span=(17, 24), color="red")
+    data["entities"][0]["attributes"] = [{"id": "look", "kind": "color", "value": "red", "span": (99, 120)}]
+    brief = brief.model_validate(data)
+    found = {p.outcome.item: (p.words, p.span) for p in phrases(brief, aligned((bed,), brief))}
+    assert found == {
+        "bed": ("red bed", (17, 24)),
+        "look": ("red bed", None),  # the span is none of this text
+        "relation-0": ("bed by the wall", (21, 36)),
+        "room.room_type": ("bedroom", (2, 9)),
+    }

@@ -8,8 +8,9 @@ from typing import Any
 from PIL import Image
 
 from sceneweaver.assets import Asset, make
-from sceneweaver.critic import Review
-from sceneweaver.critic.model import Fault
+from sceneweaver.brief import Span
+from sceneweaver.critic import ItemOutcome, Phrase, Review
+from sceneweaver.critic.model import Fault, ItemKind, Status
 from sceneweaver.report import ReportData, StepRow
 from sceneweaver.scene import Door, Dropped, Pose, Relation, Room, Scene, Support, Window
 
@@ -57,6 +58,28 @@ def load(object_id: str) -> Asset:
     return found[object_id]
 
 
+def asked(text: str) -> tuple[str, tuple[Phrase, ...]]:
+    """A request and what became of it: one phrase of each status, some over others, one that stands nowhere."""
+    request = f"A desk with a red mug, two lamps near the armchair and {text}."
+
+    def phrase(words: str, kind: ItemKind, status: Status, objects: tuple[str, ...] = (), **more: Any) -> Phrase:
+        start = request.find(words)
+        span = Span(start, start + len(words)) if start >= 0 else None
+        outcome = ItemOutcome(item=words, kind=kind, status=status, objects=objects, **{"reason": text, **more})
+        return Phrase(words, span, outcome)
+
+    far = {"quantity": "gap", "measured": 1.82, "allowed": (0.0, 1.5), "unit": "m"}
+    return request, (
+        phrase("A desk", "entity", "met", ("desk-0",)),
+        phrase("a red mug", "entity", "met", ("mug-0",)),
+        phrase("red", "attribute", "unmet", ("mug-0",), reason="mug-0 is white"),
+        phrase("two lamps", "entity", "assumed", ("lamp-0", "lamp-1")),
+        phrase("two lamps near the armchair", "relation", "unmet", ("lamp-0", "lamp-1", "armchair-0"), **far),
+        phrase(text, "unread", "not_understood"),
+        phrase("window in the room", "room", "met", ("nobody",)),
+    )
+
+
 def full(text: str = "words") -> ReportData:
     """A report with something in every section; ``text`` stands wherever free text can."""
     from sceneweaver.verify import check
@@ -84,4 +107,5 @@ def full(text: str = "words") -> ReportData:
         (text,),
         load,
         text,
+        *asked(text),
     )

@@ -82,6 +82,61 @@ def test_the_list_selects_and_links_lead_on(page: Browser) -> None:
     assert page.js("document.getElementById('object-panel').hidden")
 
 
+SHOWN = "[...document.querySelectorAll('.object-row.shown .object-id')].map(e => e.textContent)"
+
+
+def _phrase(page: Browser, words: str) -> tuple[float, float]:
+    """The middle of a phrase in the window, in CSS pixels."""
+    x, y = page.js(
+        f"(() => {{ const mark = [...document.querySelectorAll('.phrase')].find(e => e.innerText.includes('{words}'));"
+        "mark.scrollIntoView({block: 'center'}); const b = mark.getClientRects()[0];"
+        "return [b.left + b.width / 2, b.top + b.height / 2]; })()"
+    )
+    return x, y
+
+
+def test_a_click_on_a_phrase_shows_its_objects(page: Browser) -> None:
+    page.click(*_phrase(page, "near the armchair"))
+    page.wait(f"{SHOWN}.length === 3")
+    assert set(page.js(SHOWN)) == {"lamp-0", "lamp-1", "armchair-0"}
+    page.wait("[...document.querySelectorAll('.label.chosen')].filter(l => !l.hidden).length > 0")
+    detail = "document.getElementById('request-detail').innerText"
+    assert "gap 1.82 m, allowed 0 to 1.5 m" in page.js(detail)
+    assert page.js("document.getElementById('announce').textContent") == "lamp-0, lamp-1, armchair-0 shown"
+    page.key("Escape")
+    page.wait(f"{SHOWN}.length === 0 && {detail} === ''")
+
+
+def test_the_outline_of_what_a_phrase_names_is_drawn(page: Browser, tmp_path: Path) -> None:
+    around = "document.getElementById('room').scrollIntoView()"
+    page.js(around)
+    page.wait("Number(document.getElementById('stage').dataset.frames) >= 8")
+    before = _shot(page, tmp_path / "before.png")
+    page.js("[...document.querySelectorAll('.phrase')].find(e => e.innerText.includes('A desk')).click()")
+    page.js(around)
+    page.wait(f"{SHOWN}.length === 1")
+    page.wait("[...document.querySelectorAll('.label.chosen')].some(l => l.textContent === 'desk-0' && !l.hidden)")
+    after = _shot(page, tmp_path / "after.png")
+    blue = [int(((p[..., 2] > 200) & (p[..., 0] < 110)).sum()) for p in (before, after)]
+    assert blue[1] > blue[0] + 50, "the accent colour of the outline"
+    page.js("[...document.querySelectorAll('.phrase')].find(e => e.innerText.includes('A desk')).click()")
+    page.wait(f"{SHOWN}.length === 0")
+
+
+def test_a_phrase_can_be_reached_and_pressed_by_keys(page: Browser) -> None:
+    page.js("document.querySelector('.phrase.met').focus()")
+    assert "met: words" in page.js("document.getElementById('request-detail').innerText")
+    page.key("Enter")
+    page.wait(f"{SHOWN}.length === 1 && {SHOWN}[0] === 'desk-0'")
+    assert page.js("document.querySelector('.phrase.met').getAttribute('aria-pressed')") == "true"
+    page.js("[...document.querySelectorAll('.object-row')].find(r => r.textContent.startsWith('mug-0')).click()")
+    assert (
+        page.js(f"{SHOWN}.join()") == "mug-0"
+        and page.js("document.querySelectorAll('#request [aria-pressed=true]').length") == 0
+    )
+    page.js("document.querySelector('.panel-close').click()")
+
+
 def test_buttons_and_keys_move_the_camera(page: Browser) -> None:
     assert page.js("sceneView.orbit.pitch") < 1
     page.js("document.getElementById('button-top').click()")
@@ -112,7 +167,7 @@ def test_hostile_text_does_not_run(tmp_path: Path) -> None:
         browser.open((tmp_path / "report.html").as_uri())
         browser.wait("document.getElementById('stage').className === 'stage running'")
         assert [line for line in browser.logs if not line.startswith("request: file:")] == []
-        assert HOSTILE in browser.js("document.querySelector('header').textContent")
+        assert HOSTILE in browser.js("document.getElementById('request').textContent")
         assert browser.js("document.documentElement.scrollWidth <= innerWidth"), "nothing sticks out"
 
 

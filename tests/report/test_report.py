@@ -17,10 +17,11 @@ import pytest
 from sceneweaver.report import ReportData, report_html, write_report
 from sceneweaver.report.facts import faults_of, relation_rows
 from sceneweaver.report.openings import opening_meshes
+from sceneweaver.report.request import section
 from sceneweaver.report.view3d import pack
 from sceneweaver.scene import InputError, Pose, Relation, SceneObject
 from sceneweaver.verify import check
-from tests.report.scenes import HOSTILE, asset, full, furnished, load
+from tests.report.scenes import HOSTILE, asked, asset, full, furnished, load
 
 
 class Page(HTMLParser):
@@ -150,6 +151,45 @@ def test_relations_and_whether_they_hold() -> None:
     for violation in metrics["violations"]:  # as files had it before violations named their relations
         violation.pop("relation", None)
     assert all(row.held is None for row in relation_rows(scene, metrics))
+
+
+def test_each_phrase_bears_what_became_of_it(page) -> None:
+    _, parsed = page
+    marks = [a for t, a in parsed.tags if t == "span" and "phrase" in (a.get("class") or "").split()]
+    assert [(a["class"], a["data-items"]) for a in marks] == [
+        ("phrase met", "0"),
+        ("phrase met", "1"),
+        ("phrase unmet", "2 1"),  # the worst first
+        ("phrase met", "1"),
+        ("phrase unmet", "4 3"),
+        ("phrase unmet", "4"),
+        ("phrase not_understood", "5"),
+    ]
+    assert all(a["role"] == "button" and a["tabindex"] == "0" for a in marks)
+    assert marks[2]["title"] == "unmet: mug-0 is white\nmet: words"
+    assert marks[4]["title"] == "unmet: words (gap 1.82 m, allowed 0 m to 1.5 m)\nassumed: words".replace("0 m", "0")
+    rows = [a["data-items"] for t, a in parsed.tags if t == "button" and "data-items" in a]
+    assert rows == ["2", "4", "5", "6"], "what is not met, and what stands nowhere"
+    data = json.loads(next(code for attrs, code in parsed.scripts if attrs.get("id") == "scene-data"))
+    assert [item["objects"] for item in data["request"]][-3:] == [["lamp-0", "lamp-1", "armchair-0"], [], []]
+
+
+def test_the_words_of_the_request_stay_as_they_were() -> None:
+    request, phrases = asked("<b>x</b> & so on")
+    whole = Page(section(ReportData(furnished(), request=request, phrases=phrases)))
+    start = whole.text.index("A  desk") if "A  desk" in whole.text else 0
+    plain = re.sub(r" \((?:met|unmet|assumed|not understood)\)|[\u2713\u2717\u2248?]", "", "".join(whole.words))
+    assert request in plain[start:] and not whole.stack
+
+
+def test_an_old_graph_without_spans_is_a_list_under_the_text() -> None:
+    request, phrases = asked("words")
+    old = tuple(replace(phrase, span=None) for phrase in phrases)
+    parsed = Page(report_html(replace(full(), request=request, phrases=old)))
+    assert not [a for t, a in parsed.tags if "phrase" in (a.get("class") or "").split()]
+    assert [a["data-items"] for t, a in parsed.tags if t == "button" and "data-items" in a] == list("0123456")
+    assert request in parsed.text
+    assert 'id="request"' not in report_html(replace(full(), phrases=()))
 
 
 def test_steps_show_what_changed(page) -> None:

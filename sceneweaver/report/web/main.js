@@ -1,13 +1,16 @@
+const data = JSON.parse(byId("scene-data").textContent);
+let showObjects = () => {};
+const request = new RequestText(data.request, (ids) => showObjects(ids));
+
 // Starts the view. When anything fails, the picture that is already on the page stays, with a line that says why.
 async function start() {
   const stage = byId("stage");
   const canvas = byId("view");
-  const data = JSON.parse(byId("scene-data").textContent);
   if (typeof DecompressionStream === "undefined") throw new Error("this browser is too old to unpack the scene");
   const buffer = await unpack(byId("scene-meshes").textContent.trim());
   const renderer = new Renderer(canvas, data, buffer);
   const orbit = new Orbit(data.room, data.yaw);
-  const state = { selected: null, hover: null, boxes: false, labels: false, hideWalls: false };
+  const state = { shown: new Set(), hover: null, boxes: false, labels: false, hideWalls: false };
   const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   let dirty = true; // the picture changed, so light is gathered anew
   let marked = true; // only what lies over it did
@@ -24,12 +27,22 @@ async function start() {
     dirty = true;
     ask();
   };
-  const select = (id) => {
-    state.selected = id;
+  const show = (ids, details, words) => {
+    state.shown = new Set(ids);
     marked = true;
-    panel.show(id);
-    byId("announce").textContent = id === null ? "Nothing selected" : `${id} selected`;
+    panel.show(details);
+    panel.mark(state.shown);
+    byId("announce").textContent = ids.length ? `${ids.join(", ")} ${words}` : "Nothing selected";
     ask();
+  };
+  const select = (id) => {
+    request.release();
+    show(id === null ? [] : [id], id, "selected");
+  };
+  // Several objects at once, without the details of one.
+  showObjects = (ids) => {
+    show(ids, null, "shown");
+    if (ids.length) byId("room").scrollIntoView({ block: "nearest", behavior: still ? "auto" : "smooth" });
   };
   const panel = new Panel(data, select);
   const labels = new Labels(data, select);
@@ -66,13 +79,13 @@ async function start() {
     if (moving) renderer.gathered = 0;
     dirty = false;
     const more = renderer.draw(orbit, {
-      still: !moving, boxes: state.boxes, selected: state.selected, hover: state.hover,
+      still: !moving, boxes: state.boxes, shown: state.shown, hover: state.hover,
       frames: slow > 3 ? 32 : FRAMES,
     });
     if (moving || marked) {
       const view = orbit.matrix(canvas.width / canvas.height);
       const cut = new Set(renderer.items.filter((i) => i.kind === "object" && i.cut < NEVER_CUT).map((i) => i.id));
-      labels.draw(view, canvas.clientWidth, canvas.clientHeight, state.labels, state.selected, (id) => !cut.has(id));
+      labels.draw(view, canvas.clientWidth, canvas.clientHeight, state.labels, state.shown, (id) => !cut.has(id));
       marked = false;
     }
     stage.dataset.frames = String(renderer.gathered);

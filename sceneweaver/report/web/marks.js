@@ -1,8 +1,8 @@
-// What is drawn over the room: boxes, the outline of the selected object, and the picture of ids that clicks ask.
+// What is drawn over the room: boxes, the outlines of the selected objects, and the picture of ids that clicks ask.
 const ACCENT = [0.16, 0.5, 1.0];
 
 Object.assign(Renderer.prototype, {
-  drawBoxes(view, selected) {
+  drawBoxes(view, shown) {
     const gl = this.gl;
     const program = this.use("lines", { view, cut: NEVER_CUT });
     gl.enable(gl.DEPTH_TEST);
@@ -10,7 +10,7 @@ Object.assign(Renderer.prototype, {
     for (const item of this.items) {
       if (item.kind !== "object") continue;
       const box = this.data.objects[item.id].box;
-      const color = item.id === selected ? [...ACCENT, 1] : [0.93, 0.42, 0.16, 1];
+      const color = shown.has(item.id) ? [...ACCENT, 1] : [0.93, 0.42, 0.16, 1];
       this.set(program, "flatColor", color);
       this.set(program, "low", box.low);
       this.set(program, "high", box.high);
@@ -19,7 +19,7 @@ Object.assign(Renderer.prototype, {
     }
   },
 
-  drawOutline(view, selected) {
+  drawOutline(view, shown) {
     const gl = this.gl;
     const [width, height] = [this.canvas.width, this.canvas.height];
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.mask.frame);
@@ -30,7 +30,7 @@ Object.assign(Renderer.prototype, {
     gl.disable(gl.BLEND);
     const program = this.use("flat", { view, flatColor: [1, 1, 1, 1] });
     for (const item of this.items) {
-      if (item.kind !== "object" || item.id !== selected) continue;
+      if (item.kind !== "object" || !shown.has(item.id)) continue;
       // A picture on a wall that is cut away is still outlined.
       this.drawItem(program, { ...item, cut: NEVER_CUT }, 0, item.mesh.count);
     }

@@ -43,13 +43,7 @@ class Panel {
   show(id) {
     for (const [other, button] of this.rows) {
       button.setAttribute("aria-pressed", String(other === id));
-      if (other === id) {
-        const list = byId("object-list"); // scrolls the list, not the page
-        const top = button.offsetTop - list.offsetTop;
-        if (top < list.scrollTop || top + button.offsetHeight > list.scrollTop + list.clientHeight) {
-          list.scrollTop = top - list.clientHeight / 2;
-        }
-      }
+      if (other === id) this.reveal(button);
     }
     const panel = byId("object-panel");
     panel.replaceChildren();
@@ -95,6 +89,25 @@ class Panel {
     }
   }
 
+  // The rows of some objects, the first of them in sight.
+  mark(ids) {
+    let first = true;
+    for (const [id, button] of this.rows) {
+      const lit = ids.has(id);
+      button.classList.toggle("shown", lit);
+      if (lit && first) this.reveal(button);
+      first = first && !lit;
+    }
+  }
+
+  reveal(button) {
+    const list = byId("object-list"); // scrolls the list, not the page
+    const top = button.offsetTop - list.offsetTop;
+    if (top < list.scrollTop || top + button.offsetHeight > list.scrollTop + list.clientHeight) {
+      list.scrollTop = top - list.clientHeight / 2;
+    }
+  }
+
   rules(panel, title, relations) {
     if (!relations.length) return;
     const list = element("ul", "panel-relations");
@@ -124,16 +137,16 @@ class Labels {
     });
   }
 
-  draw(view, width, height, all, selected, shown) {
+  draw(view, width, height, all, chosen, shown) {
     const seen = [];
     for (const label of this.marks) {
-      const wanted = (all && shown(label.id)) || label.id === selected;
+      const wanted = (all && shown(label.id)) || chosen.has(label.id);
       const [x, y, , w] = transform(view, label.place);
       const inside = wanted && w > 0 && Math.abs(x) < w && Math.abs(y) < w;
       if (!inside) label.mark.hidden = true;
       else seen.push({ ...label, x: ((x / w) * 0.5 + 0.5) * width, y: (0.5 - (y / w) * 0.5) * height, w });
     }
-    seen.sort((a, b) => (b.id === selected) - (a.id === selected) || a.w - b.w);
+    seen.sort((a, b) => chosen.has(b.id) - chosen.has(a.id) || a.w - b.w);
     const taken = [];
     for (const label of seen) {
       label.mark.hidden = false;
@@ -143,7 +156,7 @@ class Labels {
       if (!clear) continue;
       taken.push({ x: label.x, y: label.y, half });
       label.mark.style.transform = `translate(-50%, -100%) translate(${label.x.toFixed(1)}px, ${label.y.toFixed(1)}px)`;
-      label.mark.classList.toggle("chosen", label.id === selected);
+      label.mark.classList.toggle("chosen", chosen.has(label.id));
     }
   }
 }

@@ -225,8 +225,8 @@ class Renderer {
       gl.viewport(0, 0, width, height);
       this.surfaces(view, camera.eye(), false, options.hover);
     }
-    if (options.boxes) this.drawBoxes(view, options.selected);
-    if (options.selected !== null) this.drawOutline(view, options.selected);
+    if (options.boxes) this.drawBoxes(view, options.shown);
+    if (options.shown.size) this.drawOutline(view, options.shown);
     return gather && this.gathered < options.frames;
   }
 

@@ -1,0 +1,63 @@
+"""Where in the text of a request its items stand, with what became of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sceneweaver.brief import SceneGraph, Span
+
+from .model import Alignment, ItemOutcome
+
+
+@dataclass(frozen=True)
+class Phrase:
+    """The words of one item; ``span`` is None where nobody noted where they stand."""
+
+    words: str
+    span: Span | None
+    outcome: ItemOutcome
+
+
+def phrases(graph: SceneGraph, found: Alignment) -> tuple[Phrase, ...]:
+    """The words of every item that has an outcome, in the order of the outcomes."""
+    words = _words(graph)
+    rows = []
+    for outcome in found.items:
+        said, span = words.get(outcome.item, ("", None))
+        if outcome.kind == "room" and span is None:
+            said, span = _of_room(graph, outcome.item)
+        if span is not None and not 0 <= span.start < span.end <= len(graph.text):
+            span = None
+        rows.append(Phrase(graph.text[span.start : span.end] if span is not None else said, span, outcome))
+    return tuple(rows)
+
+
+def _words(graph: SceneGraph) -> dict[str, tuple[str, Span | None]]:
+    """Words and span by id of item; the names of items without an id are those of their outcomes."""
+    found: dict[str, tuple[str, Span | None]] = {}
+    for entity in graph.entities:
+        found[entity.id] = entity.noun, entity.span
+        for key in ("color", "material", "style", "size", "metres"):
+            found[f"{entity.id}.{key}"] = f"{getattr(entity, key, None) or key} {entity.noun}", None
+        for attribute in entity.attributes:
+            found[attribute.id] = f"{attribute.words or attribute.value} {entity.noun}", attribute.span
+    for k, said in enumerate(graph.relations):
+        words = f"{said.subject} {said.words or said.type} {' and '.join(said.targets)}".replace("_", " ")
+        found[said.id or f"relation-{k}"] = words, said.span
+    for k, excluded in enumerate(graph.exclusions):
+        found[excluded.id or f"exclusion-{k}"] = f"no {excluded.words}".replace("_", " "), excluded.span
+    for k, unread in enumerate(graph.unread):
+        found[f"unread-{k}"] = unread.words, unread.span
+    return found
+
+
+def _of_room(graph: SceneGraph, item: str) -> tuple[str, Span | None]:
+    """Facts about the room have no span of their own: the kind of room stands where its words do."""
+    name = item.partition(".")[2]
+    if name == "room_type" and graph.room_words:
+        start = graph.text.lower().find(graph.room_words.lower())
+        return graph.room_words, Span(start, start + len(graph.room_words)) if start >= 0 else None
+    return name.replace("_", " "), None
+
+
+__all__ = ["Phrase", "phrases"]
