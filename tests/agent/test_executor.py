@@ -208,7 +208,7 @@ def judged(scene: Scene, grade: float) -> Outcome:
 
 def test_what_is_not_as_asked_weighs_more_than_the_grades():
     asked = Fault(criterion="alignment", kind="asked_relation", reason="not so", points=2.0)
-    fine, poor = judged(room_with(BED), 8), judged(room_with(BED), 9)
+    fine, poor = judged(room_with(BED), 8.5), judged(room_with(BED), 9)
     poor = replace(poor, review=poor.review.model_copy(update={"faults": (asked,)}))
     assert fine.key < poor.key
 
