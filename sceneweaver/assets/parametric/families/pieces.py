@@ -6,6 +6,7 @@ lie in. See ``_SHAPES`` for the numbers of each. Before a line may stand
 
 - ``?0.5``: only in that share of the seeds,
 - ``*4 0 .2 0``: so many copies, each moved on by these shares,
+- ``~``: the line goes on with the one before it,
 - ``+name``: the bodies from here on are one prism of the engine of that name; without any, all are one.
 """
 
@@ -169,7 +170,7 @@ def draw(b: Builder, row: dict[str, Any]) -> None:
     sheet = _Sheet(b)
     looks = {key: b.material(key, *value.split(", ")) for key, value in row.items() if len(key) == 1}
     group: str | None = None if "+" in row["draw"] else "all"
-    for number, line in enumerate(row["draw"].strip().splitlines()):
+    for number, line in enumerate(row["draw"].strip().replace("\n~", "").splitlines()):
         words = line.split()
         if words[0][0] == "+":
             group = words[0][1:]
