@@ -194,7 +194,7 @@ def _compound(noun: str, asked: str) -> Match | None:
         strange = [word for word in rest if not is_look(word)]
         if not strange or is_look(" ".join(rest)):
             return replace(found, modifiers=tuple(rest))
-        if end in _lexicon()["not_heads"]:
+        if found.how == "like" or end in _lexicon()["not_heads"]:
             return None
         note = f"'{noun}' is not known; a {categories()[found.category].words} stands for it"
         label, modifiers = _label(f"{' '.join(before)} {end}")
@@ -208,7 +208,7 @@ def _narrowed(found: Match, rest: list[str]) -> tuple[Match, list[str]]:
     for words in _choices(rest):
         for name in (category.words, *category.synonyms):
             narrow = table.get(f"{' '.join(words)} {_plain(name)}")
-            if narrow is not None and categories()[narrow[0]].size is not None:
+            if narrow is not None and narrow[0] != found.category and categories()[narrow[0]].size is not None:
                 return Match(*narrow), [word for word in rest if word not in words]
     return found, rest
 
@@ -221,15 +221,22 @@ def _choices(words: list[str]) -> Iterator[tuple[str, ...]]:
 
 
 def _contents(noun: str, asked: str, mount: Mount | None) -> Match | None:
-    """ "A pair of X" is X, "a jar of X" a jar; both by their own words."""
-    head, of, rest = asked.partition(" of ")
-    if not of:
+    """ "A pair of X" is X, "a jar of X" a jar, "a bed with X" a bed; each by its own words."""
+    head, link, rest = asked.partition(" with ") if " with " in asked else asked.partition(" of ")
+    if not link:
         return None
+    if link == " with ":
+        match = resolve(head, mount)
+        return replace(match, modifiers=(*match.modifiers, *rest.split()))
     collective = singular(head).split()[-1] in _lexicon()["collective"]
     match = resolve(rest if collective else head, mount)
     if collective:
         return match
-    return None if match.generic else replace(match, label=_label(asked)[0], modifiers=(*match.modifiers, rest))
+    return (
+        None
+        if match.generic
+        else replace(match, label=f"{_label(head)[0]}_of_{_label(rest)[0]}", modifiers=(*match.modifiers, rest))
+    )
 
 
 def _misspelt(noun: str, asked: str) -> Match | None:
@@ -239,12 +246,21 @@ def _misspelt(noun: str, asked: str) -> Match | None:
     if len(strange) != 1 or len(strange[0]) < 5:
         return None
     (word,) = strange
+    if word in near_words():
+        return None
     for near in difflib.get_close_matches(word, _single_words(), n=3, cutoff=0.8):
         if near[0] == word[0] and slips(word, near) <= (1 if len(word) < 9 else 2):
             found = _known(noun, " ".join(near if w == word else w for w in words))
             if found is not None and found.how != "group":
                 return Match(found.category, "spelling", f"'{noun}' was taken for '{near}'")
     return None
+
+
+@cache
+def near_words() -> frozenset[str]:
+    """Words of English, singular, that a slip would turn into the name of a thing: "dressed" is no dresser."""
+    lines = resources.files(__package__ or "").joinpath("near_words.txt").read_text(encoding="utf-8").splitlines()
+    return frozenset(word for line in lines if not line.startswith("#") for word in line.split())
 
 
 @cache
