@@ -208,8 +208,12 @@ def _narrowed(found: Match, rest: list[str]) -> tuple[Match, list[str]]:
     for words in _choices(rest):
         for name in (category.words, *category.synonyms):
             narrow = table.get(f"{' '.join(words)} {_plain(name)}")
-            if narrow is not None and narrow[0] != found.category and categories()[narrow[0]].size is not None:
+            if narrow is None or categories()[narrow[0]].size is None:
+                continue
+            if narrow[0] != found.category:
                 return Match(*narrow), [word for word in rest if word not in words]
+            if not is_look(" ".join(words)):  # a "three-legged stool" is a stool
+                return found, [word for word in rest if word not in words]
     return found, rest
 
 
