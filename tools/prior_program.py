@@ -45,7 +45,12 @@ RANK = {priority: rank for rank, priority in enumerate(BY_RANK)}
 
 @dataclass
 class Wanted:
-    """One object to be; ``parent`` is the instance that it goes with, ``support`` the one that it stands on."""
+    """One object to be.
+
+    ``parent`` is the instance that it goes with, ``support`` the one that it stands on (``inside``: on a board in it;
+    ``share``: where, as depth and side),
+    ``held`` what holds it where the request has it otherwise than usual, ``wish`` what its body was chosen by.
+    """
 
     item: Item | None
     category: str
@@ -56,12 +61,18 @@ class Wanted:
     support: Wanted | None = None
     asked: str | None = None
     id: str = ""
+    inside: bool = False
+    share: tuple[float, float] | None = None
+    held: str | None = None
+    wish: Wish | None = None
 
     @property
     def mount(self) -> str:
         """What holds it."""
         if self.support is not None:
             return "surface"
+        if self.held is not None:
+            return self.held
         return (self.item and self.item.mount) or self.asset.mount
 
     @property
@@ -110,11 +121,9 @@ class LeftOut:
 
 @dataclass
 class Program:
-    """All objects to be, in order of need, parents before what goes with them; ``left_out`` says what did not fit,
-    ``later`` what its table is to be laid with."""
+    """All objects to be, in order of need, parents before what goes with them; ``left_out`` says what did not fit."""
 
     wanted: list[Wanted] = field(default_factory=list)
-    later: list[Wanted] = field(default_factory=list)
     left_out: list[LeftOut] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
 
@@ -241,7 +250,8 @@ def _asked_demand(asked: Entity, item: Item | None, area: float, people: int, dr
         usual = item.count.of(area, people, draw) if item else low
         count = max(low, min(high, usual))
     else:
-        count = item.count.of(area, people, draw) if item else 1
+        plural = singular(asked.noun.lower()) != asked.noun.lower()
+        count = item.count.of(area, people, draw) if item and plural else 1
     names = (asked.category,)
     if item is not None and asked.category not in item.what and loose(asked):
         names = item.what
@@ -304,6 +314,7 @@ def build(
                 parent,
                 support,
                 demand.asked.id if demand.asked else None,
+                wish=wish,
             )
             must = demand.rank <= 1 and (k < demand.least * (1 if total else len(parents)))
             most = (area, wall, fill) if not must else (area, space * CRAMMED[1], CRAMMED[0])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 
 from sceneweaver.brief import Grounded, SceneGraph, StatedRelation, Thing, grounded
 from sceneweaver.brief.model import PLACES
@@ -165,19 +166,38 @@ def _instance(one: Wanted, name: str | None, by_item: dict[str, list[Wanted]]) -
     return pool[one.number % len(pool)] if pool else None
 
 
-def of_brief(
-    brief: SceneGraph, wanted: Sequence[Wanted], room: Room
-) -> tuple[list[Relation], dict[str, frozenset[str]], list[str]]:
-    """The relations that were asked for.
+def rows_of(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Grounded]:
+    """What the request states of the objects to be."""
+    return grounded(brief, _made(wanted))[0]
 
-    Returns the relations (hard), by id the types of a room's own relations that they replace, and what could not be
-    said as relations.
-    """
+
+def _made(wanted: Sequence[Wanted]) -> dict[str, list[Thing]]:
+    """The objects that stand for each entity of the request."""
     made: dict[str, list[Thing]] = {}
     for one in wanted:
         if one.asked is not None:
             made.setdefault(one.asked, []).append(thing_of(one))
+    return made
+
+
+def of_brief(
+    brief: SceneGraph, wanted: Sequence[Wanted], room: Room, failed: Sequence[Grounded] = ()
+) -> tuple[list[Relation], dict[str, frozenset[str]], list[str]]:
+    """The relations that were asked for.
+
+    Args:
+        brief: the request.
+        wanted: the objects to be.
+        room: the empty room.
+        failed: what was stated of small things and found no place; it stays wished for.
+
+    Returns:
+        The relations (hard), by id the types of a room's own relations that they replace, and what could not be said
+        as relations.
+    """
+    made = _made(wanted)
     rows, unsaid = grounded(brief, made)
+    rows = [replace(row, hard=False) if row in failed else row for row in rows]
     found: list[Relation] = []
     placed: dict[str, frozenset[str]] = {}
     unmet = [f"{_said(said)}: {_lack(said, made)}" for said in unsaid if not said.implied]

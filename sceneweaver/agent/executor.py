@@ -21,6 +21,7 @@ from sceneweaver.verify import Report, Violation, check
 from .coarse import coarse
 from .deadline import NEVER, Deadline
 from .relaxation import left_out, pruned, relaxed
+from .riders import searched, with_riders
 from .settings import ASKED, Settings
 
 ENOUGH = 4
@@ -217,7 +218,7 @@ class Executor:
         """Layouts of a whole scene, valid ones if there are any."""
         s = self.settings
         solution = refine(
-            coarse(draft),
+            searched(draft) if fresh else coarse(draft),
             candidates=s.layouts if fresh else max(16, s.layouts // 4),
             seed=seed,
             init="sample" if fresh else "current",
@@ -234,7 +235,7 @@ class Executor:
         s = self.settings
         drafts = [_with(draft, variant) for variant in variants]
         solutions = refine_many(
-            [coarse(draft) for draft in drafts],
+            [searched(draft) for draft in drafts],
             candidates=max(6, s.layouts // (2 * len(drafts))),
             seed=seed,
             device=s.device,
@@ -293,4 +294,4 @@ def _pinned(scene: Scene, poses: Mapping[str, Pose]) -> Scene:
 
 def _posed(draft: Scene, layout: Scene) -> Scene:
     """The draft with the poses of a layout of it."""
-    return draft.replace_poses({o.id: o.pose for o in layout.objects})
+    return with_riders(draft, layout)

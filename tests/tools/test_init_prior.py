@@ -14,7 +14,8 @@ from sceneweaver.knowledge import RoomType, room_type, room_types
 from sceneweaver.scene import Scene
 from sceneweaver.tools.add_objects import AT_WINDOWS
 from sceneweaver.tools.base import Context, Proposal
-from sceneweaver.tools.init_prior import FULL, InitPrior
+from sceneweaver.tools.init_prior import InitPrior
+from sceneweaver.tools.prior_supports import FULL
 
 Prior = Callable[..., tuple[Scene, Proposal]]
 
