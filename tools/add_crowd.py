@@ -12,6 +12,7 @@ from sceneweaver.scene.edits import Add, AnyEdit
 from sceneweaver.scene.messages import show
 
 from .base import Context, Proposal
+from .prior_program import named_kinds
 from .surface_assets import Shelf, placed
 from .surface_rows import Row
 from .surface_scene import Surroundings
@@ -37,18 +38,19 @@ class AddCrowd:
         if every:
             chosen = [o for o in chosen if o.mount != "surface" and _shelf_like(around, o, theme)]
         shelf = Shelf(context.library, context.brief, context.seed)
+        named_already = named_kinds(context.brief)
         edits: list[AnyEdit] = []
         notes: list[str] = []
         unmet: list[str] = []
         for support in chosen:
             dice = random.Random(f"{context.seed}/{support.id}/crowd")
-            plan = theme or _theme(around, support)
+            plan = _unnamed(theme or _theme(around, support), named_already)
             boards = [s for s in support.surfaces if (support.id, s.name) not in around.carried]
             if every and _dressed(around, support):
                 boards = [s for s in boards if s.headroom is not None]
             count = 0
             for board in boards:
-                added = _fill(around, shelf, support, board, plan, dice, density)
+                added = _fill(around, shelf, support, board, plan, dice, density, named_already)
                 edits += added
                 count += len(added)
             if count:
@@ -61,6 +63,12 @@ class AddCrowd:
         return Proposal(edits=tuple(edits), notes=tuple(notes), unmet=tuple(unmet))
 
 
+def _unnamed(plan: Crowd, named: frozenset[str]) -> Crowd:
+    """A theme without the kinds of things that the request names: of these there are as many as it asks for."""
+    units = [unit.model_copy(update={"what": tuple(c for c in unit.what if c not in named)}) for unit in plan.units]
+    return plan.model_copy(update={"units": tuple(unit for unit in units if unit.what)}) if named else plan
+
+
 def _fill(
     around: Surroundings,
     shelf: Shelf,
@@ -69,13 +77,14 @@ def _fill(
     plan: Crowd,
     dice: random.Random,
     density: float,
+    named: frozenset[str],
 ) -> list[AnyEdit]:
     turned = _seen_from_behind(support, board)
     frame = around.frame(support, turned)
     field = around.field(support, board, frame)
     height = support.pose.position[2] + board.z
     if plan.top and board.headroom is None and board.z >= max(s.z for s in support.surfaces) - 1e-6:
-        plan = crowd(plan.top)
+        plan = _unnamed(crowd(plan.top), named)
     row = Row(field, plan, shelf, dice, height, density)
     held = Support(object=support.id, surface=board.name)
     return [

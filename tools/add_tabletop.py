@@ -22,6 +22,7 @@ from sceneweaver.scene import InputError, SceneObject
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
 
 from .base import Context, Proposal
+from .prior_program import named_kinds
 from .surface_assets import Shelf
 from .surface_layout import Asked, Layer
 from .surface_places import surfaces_of
@@ -58,7 +59,8 @@ class AddTabletop:
         notes: list[str] = []
         unmet: list[str] = []
         open_asked = asked
-        plans = [plan or plan_of(around, support) for support in chosen]
+        named_already = named_kinds(context.brief) - {a.category for a in asked}
+        plans = [_unnamed(plan or plan_of(around, support), named_already) for support in chosen]
         for k, support in enumerate(chosen):
             dice = random.Random(f"{context.seed}/{support.id}/{zlib.crc32(b'tabletop')}")
             layer = Layer(around, shelf, support, plans[k], dice)
@@ -75,6 +77,12 @@ class AddTabletop:
         where = ", ".join(o.id for o in chosen[:3])
         unmet += [f"{_words(a.category)}: there is no room on {where}" for a in open_asked]
         return Proposal(edits=tuple(edits), notes=tuple(notes), unmet=tuple(unmet))
+
+
+def _unnamed(plan: Arrangement, named: frozenset[str]) -> Arrangement:
+    """An arrangement without the kinds of things that the request names: of these there are as many as it asks for."""
+    slots = [slot.model_copy(update={"what": tuple(c for c in slot.what if c not in named)}) for slot in plan.slots]
+    return plan.model_copy(update={"slots": tuple(slot for slot in slots if slot.what)}) if named else plan
 
 
 def _share(asked: Sequence[Asked], plans: Sequence[Arrangement]) -> list[Asked]:

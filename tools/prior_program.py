@@ -10,7 +10,9 @@ from sceneweaver.assets import Asset, Library, Wish, categories
 from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import category_named, members
 from sceneweaver.brief import Entity, SceneGraph
+from sceneweaver.brief.pairs import groups_of
 from sceneweaver.knowledge import Item, RoomType
+from sceneweaver.knowledge.kin import kin
 from sceneweaver.scene import PRIORITIES, InputError
 
 from .draft import CRAMMED
@@ -33,6 +35,9 @@ GENERAL = (
     "sofa",
 )
 """Words of a request that leave the kind to the room."""
+
+MANY = (5, 10)
+"""Things that a request names from which on nothing optional, and nothing usual, is added."""
 
 SMALL, SPARE = 0.3, 0.05
 """What takes at most this floor [m2] may take this share of the floor beyond what furniture fills."""
@@ -81,7 +86,7 @@ class Wanted:
         d, w, h = self.asset.size
         if self.mount != "floor" or h < 0.02:
             return 0.0
-        seat = self.parent is not None and "seating" in _groups(self.category)
+        seat = self.parent is not None and "seating" in groups_of(self.category)
         return d * w * (0.5 if seat else 1.0)
 
     @property
@@ -138,31 +143,28 @@ class Program:
         return sum(w.wall for w in self.wanted)
 
 
-def _groups(category: str) -> set[str]:
-    found, known = set(), categories()
-    while category in known and known[category].parent:
-        category = known[category].parent or ""
-        found.add(category)
-    return found
-
-
 def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, windows: int, seed: int) -> list[Demand]:
-    """What the room should hold: what was asked, then the room's items by need, without what must not be there."""
+    """What the room should hold: what was asked, then the room's items by need, without what must not be there.
+
+    Of a kind that was named there is what was named: it takes the place of the room's own, of which none is added.
+    """
     rng = random.Random(seed)
-    banned = {name for word in brief.without for name in (word, *members(word))}
+    banned = {name for word in brief.without for name in (word, *members(word))} | named_kinds(brief)
     asked = {a.id: a for a in brief.entities}
     shares = _shares(room_type, brief, area, people)
-    holders = {i.with_ for i in room_type.items if any(meant_by(a, i) for a in brief.entities)}
+    roles = _roles(room_type, brief)
+    holders = {i.with_ for i in room_type.items if any(i.id in items for items in roles.values())}
+    skipped: set[str] = set()
     found: list[Demand] = []
     for item in room_type.items:
         draw, pick, keep = rng.random(), rng.random(), rng.random()
-        meant = [a for a in asked.values() if meant_by(a, item)]
+        meant = [a for a in asked.values() if item.id in roles[a.id]]
         if meant:
             for one in meant:
                 share = shares.get(one.id)
                 if share is None:
                     del asked[one.id]
-                    found.append(_asked_demand(one, item, area, people, draw))
+                    found.append(_asked_demand(one, item, area, people, draw, brief))
                 elif item.id in share:
                     many = share.pop(item.id)
                     if many:
@@ -171,20 +173,54 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
                         del asked[one.id]
             continue
         names = tuple(c for c in item.what if c not in banned)
+        if not names and item.with_:
+            skipped.add(item.with_)
         if _hangs_at_windows(item) and _something_at_windows(room_type, brief):
             names = tuple(c for c in names if c not in FULL_LENGTH) or tuple({BLIND} - banned)
         if not names or (brief.only and item.need != "needed") or (brief.only and brief.entities):
             continue
-        if item.need == "optional" and item.id not in holders and keep < (0.75 if brief.density == "sparse" else 0.3):
-            continue
-        if item.need != "needed" and brief.density == "sparse" and keep < 0.4:
+        if item.id not in holders and not _usual_enough(item, brief, keep):
             continue
         count = windows if _hangs_at_windows(item) else item.count.of(area, people, draw)
         start = int(pick * len(names)) if item.need != "needed" or len(names) > 1 else 0
         names = names[start:] + names[:start]
         if count > 0:
             found.append(Demand(item, names, count, RANK[item.need], least=min(count, item.count.least)))
-    found += [_asked_demand(one, None, area, people, rng.random()) for one in asked.values()]
+    # A table whose seats were named for another place is not set out without any.
+    found = [d for d in found if d.asked or d.item is None or d.item.id not in skipped or d.item.need == "needed"]
+    found += [_asked_demand(one, None, area, people, rng.random(), brief) for one in asked.values()]
+    return found
+
+
+def named_kinds(brief: SceneGraph) -> frozenset[str]:
+    """The categories of all kinds that a request names: of these there is what it asks for, and no more."""
+    return frozenset(c for one in brief.entities for c in kin(one.category, one.noun))
+
+
+def _usual_enough(item: Item, brief: SceneGraph, keep: float) -> bool:
+    """Whether something that nobody asked for is added; the more a request says, the less."""
+    if item.need == "needed":
+        return True
+    said = len(brief.entities)
+    sparse = brief.density == "sparse"
+    if item.need == "optional":
+        return said < MANY[0] and keep >= (0.75 if sparse else 0.3)
+    return said < MANY[1] and not (sparse and keep < 0.4)
+
+
+def _roles(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...]]:
+    """For each thing asked for the items of the room that it stands for: of its category, of a general word, or, where
+    there is none of these and nothing else has it, of its kind: a daybed takes the place of the bed."""
+    found = {one.id: tuple(item.id for item in room_type.items if meant_by(one, item, brief)) for one in brief.entities}
+    taken = {name for items in found.values() for name in items}
+    for one in brief.entities:
+        if found[one.id]:
+            continue
+        own = kin(one.category)
+        free = [item.id for item in room_type.items if item.id not in taken and own & set(item.what)]
+        if free:
+            found[one.id] = (free[0],)
+            taken.add(free[0])
     return found
 
 
@@ -199,7 +235,7 @@ def _shares(room_type: RoomType, brief: SceneGraph, area: float, people: int) ->
         items = [item for item in room_type.items if matches(one.category, item)]
         if one.count is None or len(items) < 2:
             continue
-        left = _asked_demand(one, items[0], area, people, 0.5).count
+        left = _asked_demand(one, items[0], area, people, 0.5, brief).count
         share = found[one.id] = {}
         for item in items:
             hosts = room_type.item(item.with_).count.of(area, people, 0.5) if item.with_ else 1
@@ -214,15 +250,29 @@ def matches(category: str, item: Item) -> bool:
     return category in item.what or any(category in members(name) for name in item.what)
 
 
-def meant_by(asked: Entity, item: Item) -> bool:
+def meant_by(asked: Entity, item: Item, brief: SceneGraph) -> bool:
     """Whether something asked for is what an item of the room stands for; a "table" is a conference table, too."""
     if matches(asked.category, item):
         return True
-    return loose(asked) and any(name.endswith("_" + singular(asked.noun)) for name in item.what)
+    if not loose(asked, brief) or not any(name.endswith("_" + singular(asked.noun)) for name in item.what):
+        return False
+    return bool(kin(asked.category) & set(item.what)) or not _sat_at(asked, brief)
 
 
-def loose(asked: Entity) -> bool:
-    """Whether a request used a general word ("chair"), which each kind of room has its own kind of."""
+def _sat_at(asked: Entity, brief: SceneGraph) -> bool:
+    """Whether chairs are said to be at something: then "table" means one to sit at."""
+    seats = {e.id for e in brief.entities if "chair_group" in groups_of(e.category) or e.category in ("stool", "bench")}
+    return any(r.subject in seats and asked.id in r.targets for r in brief.relations)
+
+
+def loose(asked: Entity, brief: SceneGraph) -> bool:
+    """Whether a request used a general word ("chair"), which each kind of room has its own kind of.
+
+    What it puts on something is small: a lamp on a sideboard is no floor lamp.
+    """
+    carried = any(r.subject == asked.id and r.type in ("on", "inside") and r.targets for r in brief.relations)
+    if carried and "surface" in category_named(asked.category).mount:
+        return False
     return singular(asked.noun) in GENERAL and not asked.style and not any(asked.size)
 
 
@@ -244,7 +294,7 @@ def _something_at_windows(room_type: RoomType, brief: SceneGraph) -> bool:
     )
 
 
-def _asked_demand(asked: Entity, item: Item | None, area: float, people: int, draw: float) -> Demand:
+def _asked_demand(asked: Entity, item: Item | None, area: float, people: int, draw: float, brief: SceneGraph) -> Demand:
     if asked.count is not None:
         low, high = asked.count
         usual = item.count.of(area, people, draw) if item else low
@@ -253,7 +303,7 @@ def _asked_demand(asked: Entity, item: Item | None, area: float, people: int, dr
         plural = singular(asked.noun.lower()) != asked.noun.lower()
         count = item.count.of(area, people, draw) if item and plural else 1
     names = (asked.category,)
-    if item is not None and asked.category not in item.what and loose(asked):
+    if item is not None and asked.category not in item.what and loose(asked, brief):
         names = item.what
     return Demand(item, names, count, 0, asked, count)
 
