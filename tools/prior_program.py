@@ -214,9 +214,13 @@ def _roles(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...]]
     found = {one.id: tuple(item.id for item in room_type.items if meant_by(one, item, brief)) for one in brief.entities}
     taken = {name for items in found.values() for name in items}
     for one in brief.entities:
+        own = kin(one.category)
+        needed = [i.id for i in room_type.items if i.need == "needed" and i.id not in taken and set(i.what) <= own]
+        if needed:
+            found[one.id] = (needed[0],)
+            taken.add(needed[0])
         if found[one.id]:
             continue
-        own = kin(one.category)
         free = [item.id for item in room_type.items if item.id not in taken and own & set(item.what)]
         if free:
             found[one.id] = (free[0],)

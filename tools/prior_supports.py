@@ -198,8 +198,8 @@ class Places:
 def laid(program: Program, rows: Sequence[Grounded], library: Library, brief: SceneGraph, seed: int) -> Places:
     """Lay out all that stands on something, supports before what they carry.
 
-    A support that is too small for it is exchanged for a larger one of its kind, unless its size was asked for. What
-    still has no room goes out of the program.
+    A support that is too small for it is exchanged for a larger one of its kind, and what still finds no room for the
+    smallest of its kind, unless their size was asked for. What has no room then goes out of the program.
     """
     shelf = Shelf(library, brief, seed)
     places = Places()
@@ -216,9 +216,7 @@ def laid(program: Program, rows: Sequence[Grounded], library: Library, brief: Sc
                 continue
             found, lost = _on_one(support, riders, rows, shelf, places)
             for share in GROWN if support.support is None and support.asked not in sized else ():
-                if not lost:
-                    break
-                larger = _larger(support, share, library)
+                larger = _larger(support, share, library) if lost else None
                 if larger is not None:
                     before, support.asset = support.asset, larger
                     again, missing = _on_one(support, riders, rows, shelf, places)
@@ -226,6 +224,9 @@ def laid(program: Program, rows: Sequence[Grounded], library: Library, brief: Sc
                         found, lost = again, missing
                     else:
                         support.asset = before
+            for one in [w for w in lost if w.asked not in sized]:
+                one.asset = _smallest(one, library) or one.asset
+                found, lost = _on_one(support, riders, rows, shelf, places)
             _stand(support, found, places)
             _check(found, rows, places)
             _drop(program, lost, support)
@@ -292,6 +293,18 @@ def _larger(support: Wanted, share: float, library: Library) -> Asset | None:
     )
     try:
         return library.choose(support.category, 1, replace(support.wish, size=(*size, support.wish.size[2])))[0]
+    except InputError:
+        return None
+
+
+def _smallest(one: Wanted, library: Library) -> Asset | None:
+    """The smallest body of the same kind; None where there is none."""
+    known = category_named(one.category).size
+    if known is None or one.wish is None:
+        return None
+    (depth, _), (width, _), (height, _) = known.ranges
+    try:
+        return library.choose(one.category, 1, replace(one.wish, size=(depth, width, height)))[0]
     except InputError:
         return None
 

@@ -194,11 +194,16 @@ class StatedLayer:
         for goal in self._goals(ground, spots):
             if all(ground.free(s.shape, s.yaw, (s.at + goal)[None])[0] for s in spots):
                 return goal
-        xs = np.arange(ground.low[0], ground.high[0] + STEP, STEP)
-        ys = np.arange(ground.low[1], ground.high[1] + STEP, STEP)
-        grid = np.stack(np.meshgrid(xs, ys, indexing="ij"), axis=-1).reshape(-1, 2)
         low, high = _bounds(spots)
-        grid = grid - 0.5 * (low + high)  # the cluster's own middle on each point
+        first, last = ground.low - low + 1e-6, ground.high - high - 1e-6
+        if (last < first).any():
+            return None
+        step = STEP if self._end == ENDS[0] else STEP / 2
+        if self._end == ENDS[2]:  # from the other end
+            xs, ys = (np.arange(b, a - step, -step) for a, b in zip(first, last, strict=True))
+        else:
+            xs, ys = (np.arange(a, b + step, step) for a, b in zip(first, last, strict=True))
+        grid = np.stack(np.meshgrid(xs, ys, indexing="ij"), axis=-1).reshape(-1, 2)
         for spot in spots:
             grid = grid[ground.free(spot.shape, spot.yaw, grid + spot.at)]
             if not len(grid):
@@ -229,6 +234,8 @@ class StatedLayer:
         span = np.maximum(ground.high - ground.low, 1e-6)
         middle = grid + 0.5 * (low + high)
         share = (middle - ground.low) / span
+        if self._end != ENDS[0]:  # close together, from one end and the back
+            return 2.0 * np.abs(share[:, 1] - self._end) + share[:, 0]
         tall = max(s.rider.asset.size[2] for s in spots) > TALL
         cost = 0.5 * np.abs(share[:, 0] - (0.2 if tall and span[0] > 0.4 else 0.5)) + 0.25 * np.abs(
             share[:, 1] - self._end
@@ -238,7 +245,7 @@ class StatedLayer:
             goal = ground.inside(spot.shape, spot.yaw, spot.rider.share or (0.5, 0.0)) - spot.at
             cost = cost + 5.0 * np.hypot(*(grid - goal).T)
         stands = self._stands[surface.name]
-        if stands and not wanted and self._end == ENDS[0]:
+        if stands and not wanted:
             away = np.min(np.hypot(*(middle[None] - np.array(stands)[:, None]).transpose(2, 0, 1)), axis=0)
             cost = cost - 2.0 * np.minimum(away, MOST_ALIKE)
         return cost

@@ -1,0 +1,163 @@
+"""What a request puts on furniture: on the right thing, in the stated order, with room for all of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from sceneweaver.assets import Library
+from sceneweaver.brief import Entity, SceneGraph, StatedRelation
+from sceneweaver.knowledge import room_type
+from sceneweaver.knowledge.kin import families, kin
+from sceneweaver.scene import Scene
+from sceneweaver.tools.base import Context, Proposal
+from sceneweaver.tools.init_prior import InitPrior
+from sceneweaver.verify import check
+
+Design = Callable[..., Proposal]
+
+
+def entity(name: str, category: str = "", count: int = 1) -> Entity:
+    return Entity(id=name, noun=name.replace("_", " "), category=category or name, count=(count, count))
+
+
+def said(kind: Any, subject: str, *targets: str, **more: Any) -> StatedRelation:
+    return StatedRelation(id=f"{subject}-{kind}", type=kind, subject=subject, targets=targets, words=kind, **more)
+
+
+@pytest.fixture(scope="module")
+def design(library: Library) -> Design:
+    """The first scene of a room that holds only what is named."""
+
+    def run(kind: str, entities: list[Entity], relations: list[StatedRelation], **more: Any) -> Proposal:
+        more.setdefault("only", True)
+        graph = SceneGraph(text="", entities=tuple(entities), relations=tuple(relations), **more)
+        start = Scene(id="empty", room={"outline": ((0, 0), (3, 0), (3, 3), (0, 3))})
+        return InitPrior().propose(Context(graph, room_type(kind), start, library, 0))
+
+    return run
+
+
+def scene_of(proposal: Proposal) -> Scene:
+    assert proposal.scene is not None
+    return proposal.scene
+
+
+def astray(scene: Scene) -> list[str]:
+    """What the judge says of small things where they are before any search: collisions, no support, relations."""
+    small = {o.id for o in scene.objects if o.mount == "surface"}
+    kinds = ("collision", "unsupported", "relation")
+    violations = check(scene, walkable=False).violations
+    return [v.detail for v in violations if v.hard and v.kind in kinds and small & set(v.objects)]
+
+
+def test_things_stand_as_stated(design):
+    things = [entity("desk"), entity("monitor"), entity("keyboard"), entity("mouse"), entity("mug")]
+    relations = [
+        said("on", "monitor", "desk"),
+        said("in_front_of", "keyboard", "monitor"),
+        said("right_of", "mouse", "keyboard"),
+        said("left_of", "mug", "keyboard"),
+    ]
+    proposal = design("office", things, relations)
+    scene = scene_of(proposal)
+    at = {o.category: o.pose.position for o in scene.objects}
+    assert not proposal.unmet and all(o.support.object == "desk-0" for o in scene.objects if o.id != "desk-0")
+    assert at["keyboard"][0] > at["monitor"][0]  # +x is the desk's front, where its user is
+    assert at["mug"][1] < at["keyboard"][1] < at["mouse"][1]  # the right of who looks at it
+    stated = [r for r in scene.relations if r.asked]
+    assert len(stated) == 3 and all(r.hard and r.request for r in stated)
+    assert not astray(scene)
+
+
+def test_inside_is_on_boards_and_on_is_on_top(design):
+    things = [entity("low_bookcase"), entity("book", count=3), entity("vase")]
+    proposal = design("study", things, [said("inside", "book", "low_bookcase"), said("on", "vase", "low_bookcase")])
+    scene = scene_of(proposal)
+    shelf = scene.object("low_bookcase-0")
+    boards = {s.name: s.headroom for s in shelf.surfaces}
+    books = [o for o in scene.objects if o.category == "book"]
+    assert len(books) == 3 and all(boards[o.support.surface] is not None for o in books)
+    assert len({o.support.surface for o in books}) > 1  # spread over the boards
+    assert boards[scene.object("vase-0").support.surface] is None
+
+
+def test_stacks(design):
+    things = [entity("desk"), entity("serving_tray"), entity("apple", count=2)]
+    scene = scene_of(design("study", things, [said("on", "serving_tray", "desk"), said("on", "apple", "serving_tray")]))
+    assert {o.support.object for o in scene.objects if o.category == "apple"} == {"serving_tray-0"}
+    assert not astray(scene)
+
+
+def test_what_has_no_surface_gets_a_flat_top(design):
+    scene = scene_of(design("study", [entity("chair"), entity("book")], [said("on", "book", "chair")]))
+    assert scene.object(scene.object("book-0").support.object).intent.request == "chair"
+    assert not astray(scene)
+
+
+def test_a_support_grows_with_what_it_carries(design):
+    sizes = []
+    for count in (1, 14):
+        table = [entity("dining_table"), entity("laptop", count=count)]
+        proposal = design("dining_room", table, [said("on", "laptop", "dining_table")])
+        assert not proposal.unmet and not astray(scene_of(proposal))
+        sizes.append(scene_of(proposal).object("dining_table-0").size)
+    assert sizes[0][1] < sizes[1][1]
+
+
+def test_what_has_no_room_is_said(design):
+    proposal = design("study", [entity("stool"), entity("laptop", count=11)], [said("on", "laptop", "stool")])
+    assert any(line.startswith("laptop: ") for line in proposal.unmet)
+
+
+def test_the_middle_of_a_table(design):
+    scene = scene_of(
+        design("dining_room", [entity("dining_table"), entity("bowl")], [said("centered_on", "bowl", "dining_table")])
+    )
+    x, y, _ = scene.object("bowl-0").pose.position
+    assert abs(x) < 0.1 and abs(y) < 0.1
+
+
+def test_a_ball_before_a_chest_is_on_the_floor(design):
+    scene = scene_of(
+        design("childrens_room", [entity("toy_chest"), entity("ball")], [said("in_front_of", "ball", "toy_chest")])
+    )
+    assert scene.object("ball-0").mount == "floor"
+
+
+@pytest.mark.parametrize(
+    ("named", "noun", "default", "same"),
+    [
+        ("loveseat", "loveseat", "sofa", True),
+        ("armchair", "armchair", "sofa", False),
+        ("armchair", "armchair", "office_chair", False),
+        ("chair", "chair", "conference_chair", True),
+        ("dining_table", "table", "coffee_table", True),
+        ("dining_table", "dining table", "coffee_table", False),
+        ("bookcase", "bookshelf", "low_bookcase", True),
+        ("book", "book", "standing_books", True),
+    ],
+)
+def test_kinds(named, noun, default, same):
+    assert (default in kin(named, noun)) is same
+    assert named in kin(named, noun) and families()[0]
+
+
+def test_nothing_is_added_of_a_kind_that_was_named(design):
+    things = [entity("loveseat"), entity("office_chair"), entity("bookcase")]
+    scene = scene_of(design("living_room", things, [], only=False))
+    for thing in things:
+        own = kin(thing.category, thing.noun)
+        assert [o.category for o in scene.objects if o.category in own] == [thing.category]
+    sofa = next(o for o in scene.objects if o.category == "loveseat")
+    assert sofa.intent.program_item == "sofa"  # it takes the place of the room's own
+
+
+def test_the_more_is_said_the_less_is_added(design):
+    few = scene_of(design("living_room", [entity("sofa")], [], only=False))
+    names = ("sofa", "armchair", "coffee_table", "tv_stand", "tv", "rug", "floor_lamp", "bookcase", "ottoman", "bench")
+    many = scene_of(design("living_room", [entity(name) for name in names], [], only=False))
+    extra = [sum(o.intent.priority != "asked" for o in scene.objects) for scene in (few, many)]
+    assert extra[1] < extra[0]
