@@ -49,7 +49,7 @@ class Chunker(NounPhrases):
         elif (
             token.text in ("seats", "sleeps", "seating", "sleeping")
             and after is not None
-            and after.has("number", "amount")
+            and self._people_seated(after)
         ):
             self._add("word", value=token)
         elif token.has("and") and not token.has("noun"):
@@ -66,7 +66,15 @@ class Chunker(NounPhrases):
             and token.text.endswith(("ing", "ed"))
             and (after is None or after.has(*CLOSED))
         ):
-            self._add("verb", value=Verb("be", token.text[-2:].replace("ng", "ing")))  # a verb that is not known
+            self._add("verb", value=Verb("act", "ing" if token.text.endswith("ing") else "ed"))
+        elif (
+            not token.kinds
+            and self.noun_before
+            and token.text.endswith("s")
+            and after is not None
+            and after.has(*CLOSED)
+        ):
+            self._add("verb", value=Verb("act", "s"))  # a verb that is not known
         elif self._noun_phrase():
             pass
         elif token.has("verb"):
@@ -179,3 +187,8 @@ class Chunker(NounPhrases):
                 self._add("verb", 2, value=verb, passive=True)
                 return
         self._add("verb", value=verb)
+
+    def _people_seated(self, after: Token) -> bool:
+        """Whether "seats eight" says for how many people, and not which chairs."""
+        third = self._token(2)
+        return after.has("number", "amount") and not (third is not None and (third.has(*OPEN) or not third.kinds))

@@ -133,6 +133,8 @@ def nominal(token: Token) -> bool:
         "containers",
     ):
         return True
+    if set(token.kinds) == {"verb"} and token.kinds["verb"].form == "base":  # "the stand"
+        return True
     return not token.kinds and not looks_adjective(token.text) and not token.text.endswith("ly")
 
 

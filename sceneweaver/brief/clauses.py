@@ -6,11 +6,13 @@ from sceneweaver.assets.taxonomy import category_named
 
 from .chunks import Chunk, NounPhrase
 from .exclusions import Exclusions
-from .parsed import Mention, Said
+from .parsed import Mention
 from .state import Frame, Waiting
 from .things import describe, give_sides
 from .tokens import Token
-from .vocabulary import Place, Verb, frame, mounts, shows
+from .vocabulary import Place, Verb, frame, shows
+
+_TURNED = ("transform", "convert", "turn", "set up")
 
 
 class Clauses(Exclusions):
@@ -25,6 +27,8 @@ class Clauses(Exclusions):
     def _adjective(self, chunk: Chunk) -> None:
         """Words of quality alone: of what "is" so, of what stands before them, or of the room."""
         phrase: NounPhrase = chunk.value
+        if self.glue == "open" and self.frames and self.frames[-1].owner and not self.frames[-1].items:
+            self.head, self.glue = self.frames.pop().owner, ""  # "covered in red felt"
         who = self.predicate or (self.head if self.glue == "" and not self.waiting else [])
         if phrase.sides is not None:
             sides, phrase.sides = phrase.sides, None
@@ -78,27 +82,12 @@ class Clauses(Exclusions):
         self._on_the_same()
         inverted = [t for f in self.frames[:1] for _, ts, _ in f.fronted for t in ts if isinstance(t, Mention)]
         topic = (inverted if self.inverted else []) or self.subject or self.first_items[:1]
+        if not topic and self.lost:
+            topic = self.out.mentions[self.begun :][:1]
+        self.begun = len(self.out.mentions)
         if topic and topic not in self.refs.topics[-1:]:
             self.refs.topics.append(list(topic))
         self.begin()
-
-    def _on_the_same(self) -> None:
-        """ "On the desk, a lamp is beside a book, and a mug ...": small things of the sentence stand there as well."""
-        surface, self.surface = self.surface, None
-        started, self.started = self.started, len(self.out.mentions)
-        if surface is None:
-            return
-        held = {
-            id(m)
-            for s in self.out.said
-            for m in s.subjects
-            if s.type in ("on", "inside") or isinstance(s.targets[0], str)
-        }
-        for mention in self.out.mentions[started:]:
-            if id(mention) not in held and mention is not surface and "surface" in mounts(mention.category):
-                self.out.said.append(
-                    Said("on", [mention], (surface,), self.surface_words, implied=True, span=mention.span)
-                )
 
     def _stop(self, chunk: Chunk) -> None:
         self._sentence()
@@ -195,6 +184,26 @@ class Clauses(Exclusions):
                 self.negated = ""
             self.predicate = list(self.subject)
             return
+        if chunk.passive and verb.lemma in ("be",):
+            return
+        if verb.form == "ed" and self._noun_next() and self.head and frame(verb) is not None and not chunk.passive:
+            verb = Verb(verb.lemma, "s")  # "three cabinets lined the walls"
+            finite = self.glue == ""
+        if verb.lemma in ("center", "centre", "anchor", "focus") and not self.subject and not self.frames:
+            after = self._chunk(self.at)
+            if (
+                after is not None
+                and after.kind == "place"
+                and after.value.type in ("around", "on", "centered_on", "near", "above")
+            ):
+                self.at += 1  # "a room centered around a desk"
+            if self._noun_next():
+                self.frames.append(Frame("list", type="centered" if verb.lemma != "anchor" else "", words=chunk.text))
+                self.glue, self.lost = "open", False
+                return
+        together = self.glue.startswith(("and", "comma")) and self.frames and self.frames[-1].kind == "verb"
+        if together and not finite and not self.frames[-1].finite and self.glue == "and":
+            self.head = list(self.frames.pop().owner)  # "holding a vase and flanked by chairs"
         voices = frame(verb)
         if verb.form in ("s", "base") and not (chunk.passive):
             self._finite(chunk)
@@ -205,6 +214,8 @@ class Clauses(Exclusions):
             if self.glue not in ("comma", "comma and")
             else (self.subject if self.done else self.head or self.subject)
         )
+        if verb.lemma == "drape" and not chunk.passive:
+            self.manner = "drape"
         if (
             verb.lemma in ("hang", "suspend", "lean", "prop", "mount", "center", "centre", "hook")
             and voices is not None
@@ -247,6 +258,14 @@ class Clauses(Exclusions):
         return True
 
     def _framed(self, chunk: Chunk, kind: str, placed: str, owner: list[Mention], finite: bool) -> None:
+        if kind == "centering" and owner and not chunk.passive:
+            after = self._chunk(self.at)
+            if after is not None and after.kind == "noun" and after.value.definite:  # "a rug anchors the space"
+                self.at += 1
+                if after.value.what in ("abstract", "room", "place"):
+                    self._at_place("at", owner, "middle", chunk.text, None, self.chunk_span(), True)
+            self.glue = ""
+            return
         if kind == "centering":
             if not chunk.passive and self._noun_next() and not owner:  # "the room centers on a table"
                 self._open(Frame("list", words="centered"), finite)
@@ -271,6 +290,7 @@ class Clauses(Exclusions):
         self.glue = "open"
 
     def _shows(self, chunk: Chunk, owner: list[Mention]) -> None:
+        owner = [m for m in owner if not m.implied]
         self._open(Frame("with", list(owner), words=chunk.text) if owner else Frame("list", words=chunk.text), True)
         self.glue = "open"
 
@@ -321,12 +341,22 @@ class Clauses(Exclusions):
             return
         if self.waiting is not None:
             self._open_ends()
+        before = self._chunk(self.at - 2)
+        turned = before is not None and before.kind == "verb" and before.value.lemma in _TURNED
+        if turned and place.type in ("inside", "through", "on") and self._noun_next():
+            self.at += 1  # "transformed into a studio"
+            return
+        if place.type == "centered_on" and not (self.subject or self.head or self.out.mentions) and self._noun_next():
+            self.frames.append(Frame("list", type="centered", words=chunk.text))  # "a bedroom centered on a bed"
+            self.glue, self.lost = "open", False
+            return
         if chunk.mutual:
             self._mutual(place, chunk)
             return
         glue, self.glue = self.glue, ""
         subjects = self._subjects_of(place, glue, chunk, after_be)
-        if self._noun_next() and not (chunk.passive or (chunk.bare and not self._target_next())):
+        fronts = chunk.bare and subjects is None and not self._target_next()
+        if self._noun_next() and not (chunk.passive or fronts):
             lost = self.lost and not subjects
             self.waiting = Waiting(self._mannered(place), subjects, chunk, self.subset, lost=lost)
             self.subset = None
@@ -358,6 +388,14 @@ class Clauses(Exclusions):
         if not self.head:
             return list(self.subject) if self.subject else ([] if self.lost else None)
         head = list(self.head)
+        frame = self.frames[-1] if self.frames else None
+        if (
+            frame is not None
+            and frame.kind == "verb"
+            and frame.type in ("on", "inside")
+            and place.type in ("opposite", "along")
+        ):
+            return list(frame.owner)  # "a console supports a TV across from the sofa"
         if self.joined != "and":
             return head
         if self.subject_open and not self.frames and len(self.subject) > 1 and self.head == self.subject[-1:]:
@@ -399,6 +437,8 @@ class Clauses(Exclusions):
             )
         if manner == "center" and place.type in ("on", "inside", "centered_on"):
             return Place("centered_on", words=f"centered {place.words}")
+        if manner == "drape" and place.type in ("above", "through"):
+            return Place("on", words=f"draped {place.words}")
         if manner == "hang" and place.type in ("above", "on", "inside", "against"):
             return Place(place.type, words=f"hanging {place.words}")
         return place

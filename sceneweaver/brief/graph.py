@@ -9,7 +9,7 @@ from .model import Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unr
 from .mutual import pairs, split_mutual
 from .parsed import Mention, Parsed, Said
 from .source import Source
-from .vocabulary import mounts
+from .vocabulary import mounts, words
 
 MOST = 400
 """Most things of a request that are taken seriously, of one kind and together."""
@@ -24,6 +24,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     mentions = _first(_without_contradictions(parsed), parsed)
     _named(mentions)
     _shared_support(parsed, mentions)
+    _by_attribute(parsed, mentions)
     ids = {id(m): m.id for m in mentions}
     relations = [r for said in parsed.said for r in _relations(said, ids, notes)]
     relations = [r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(_once(relations))]
@@ -138,6 +139,29 @@ def _shared_support(parsed: Parsed, mentions: list[Mention]) -> None:
                 if carrier is not None and carrier is not one and small(one) and small_enough(two):
                     carried[id(one)] = carrier
                     parsed.said.append(Said("on", [one], (carrier,), said.words, implied=True, span=said.span))
+
+
+def _by_attribute(parsed: Parsed, mentions: list[Mention]) -> None:
+    """ "Wall-mounted", "bedside" and the like say where something is, too."""
+    rules = words("nouns")["said_of_place"]
+    beds = [m for m in mentions if m.category.endswith("bed") and m.noun != "flower bed"]
+    related = {id(m) for s in parsed.said for m in s.subjects if not s.implied}
+    for mention in mentions:
+        spoken = [a.words for a in mention.attributes] + [
+            word for word in rules if f"{mention.noun} ".startswith(f"{word} ")
+        ]
+        for phrase in dict.fromkeys(spoken):
+            kind, target = rules.get(phrase, (None, None))
+            there: Mention | str | None = beds[0] if target == "bed" and beds else None if target == "bed" else target
+            if (
+                kind is None
+                or there is None
+                or there is mention
+                or (target in ("bed", "corner") and id(mention) in related)
+            ):
+                continue
+            kind = "flanking" if target == "bed" and mention.count == (2, 2) else kind
+            parsed.said.append(Said(kind, [mention], (there,), phrase, implied=True, span=mention.span))
 
 
 def small_enough(mention: Mention) -> bool:

@@ -8,7 +8,7 @@ from .chunks import Chunk, NounPhrase
 from .parsed import Mention, Said
 from .relating import Relating
 from .state import Frame, Waiting
-from .vocabulary import Place, family
+from .vocabulary import Place, family, mounts
 
 
 class Items(Relating):
@@ -60,7 +60,7 @@ class Items(Relating):
         for place, targets, at in fronted:
             self._relate(place, mentions, targets, at)
             if place.type in ("on", "inside") and isinstance(targets[0], Mention):
-                self.surface, self.surface_words = targets[0], place.words
+                self._stands_on(targets[0], place.words)
         if fronted:
             self.frames.append(Frame("fronted", fronted=fronted, items=list(mentions)))
 
@@ -72,7 +72,7 @@ class Items(Relating):
         self.last_target = None
         if glue in ("comma", "comma and", "bracket") and self.frames:
             base = self.frames[0]
-            if len(self.frames) > 1:
+            if len(self.frames) > 1 and not self._goes_on(mentions, phrase):
                 self.frames = self.frames[:1]
             elif (
                 base.kind in ("with", "verb")
@@ -107,12 +107,30 @@ class Items(Relating):
         self.head, self.first_items = list(mentions), [*self.first_items, *mentions]
         self.head_related = False
 
+    def _goes_on(self, mentions: list[Mention], phrase: NounPhrase) -> bool:
+        """Whether a comma does not end an inner list: small things after small things that something holds."""
+        inner = self.frames[-1]
+        small = all(mounts(m.category)[0] == "surface" for m in mentions) and not self._placed_next(self.at)
+        if inner.kind == "verb" and inner.type in ("on", "inside") and self.frames[0].kind == "list":
+            return small and bool(inner.items)
+        first = inner.items[:1]
+        return bool(
+            inner.kind == "with"
+            and small
+            and phrase.count
+            and first
+            and first[0].count
+            and first[0].noun in inner.numbered
+        )
+
     def _item(self, mentions: list[Mention], phrase: NounPhrase) -> None:
         """What is named in an open list."""
         frame = self.frames[-1]
         if frame.items:
             self.previous = list(frame.items[-1:])
         frame.items += mentions
+        if phrase.count is not None:
+            frame.numbered += [m.noun for m in mentions]
         self.head, self.glue, self.head_related = list(mentions), "", False
         if frame.kind == "list":
             self.first_items = [*self.first_items, *mentions]
@@ -124,7 +142,7 @@ class Items(Relating):
             for place, targets, at in frame.fronted:
                 self._relate(place, mentions, targets, at)
                 if place.type in ("on", "inside") and isinstance(targets[0], Mention):
-                    self.surface, self.surface_words = targets[0], place.words
+                    self._stands_on(targets[0], place.words)
             self.subject = [*self.subject, *mentions]
         elif frame.kind == "with":
             self._owned(frame, mentions, phrase)
@@ -148,7 +166,8 @@ class Items(Relating):
             return
         if kind == "beside":
             seat = all(family(m.category) == "seat" for m in mentions) and family(frame.owner[0].category) == "table"
-            kind = "at" if seat else "next_to"
+            night = len(mentions) == 1 and mentions[0].category == "nightstand" and mentions[0].count == (2, 2)
+            kind = "at" if seat else "flanking" if night else "next_to"
         elif kind in ("on", "inside"):
             kind = self.support(kind, mentions[0], frame.owner[0])
         place = Place(kind, words=frame.words, each=frame.each or kind == "flanking")
@@ -175,9 +194,14 @@ class Items(Relating):
         elif waiting.subjects is None:
             self.head = []
         self.glue = ""
-        if waiting.subjects is None and waiting.lost:
-            self.head = list(mentions)
+        if waiting.lost and not waiting.subjects:  # "light falls on a bench": the sentence is about the bench
+            self.head, self.lost = list(mentions), False
             self.subject = self.subject or list(mentions)
+            if self.lit and new:
+                self._say(
+                    "near", mentions, ("window",), "through the window", None, False, None, self.chunk_span(), True
+                )
+            self.lit = False
         self.last_target = (waiting, targets) if waiting.place.type not in ("between",) else None
 
     def _bound(self, waiting: Waiting, targets: tuple[Any, ...], each: bool = False) -> None:
@@ -229,3 +253,27 @@ class Items(Relating):
                 self.subject, self.fronted = [], []
         self.lost = True
         self.glue = ""
+
+    def _stands_on(self, surface: Mention, words: str) -> None:
+        """The small things that come after it in the sentence stand there."""
+        if self.surface is not surface:
+            self._on_the_same(last=True)
+        self.surface, self.surface_words = surface, words
+
+    def _on_the_same(self, last: bool = False) -> None:
+        """ "On the desk, a lamp is beside a book, and a mug ...": small things of the sentence stand there as well."""
+        surface, self.surface = self.surface, None
+        started, self.started = self.started, len(self.out.mentions)
+        if surface is None:
+            return
+        held = {
+            id(m)
+            for s in self.out.said
+            for m in s.subjects
+            if s.type in ("on", "inside") or isinstance(s.targets[0], str)
+        }
+        for mention in self.out.mentions[started : -1 if last else None]:
+            if id(mention) not in held and mention is not surface and "surface" in mounts(mention.category):
+                self.out.said.append(
+                    Said("on", [mention], (surface,), self.surface_words, implied=True, span=mention.span)
+                )

@@ -9,6 +9,8 @@ from .tagging import Tagger
 from .tokens import Token
 from .vocabulary import words
 
+_ONE = ("a", "an", "one", "the", "this", "each", "every", "another")
+
 
 class NounPhrases(Tagger):
     """Finds noun phrases."""
@@ -102,18 +104,20 @@ class NounPhrases(Tagger):
             if after is not None and after.has("dim") and not seen:
                 phrase.length = token.get("length")
                 return False
-            return True
+            return seen or not self._nominal_ahead(k + 1)
         if token.has("number", "amount"):
             return not (token.has("adjective", "scale", "noun") and not seen)
         if token.has("preposition", "place_adverb") and not token.has("noun", *QUALITIES, "region", "place"):
+            before_noun = phrase.determiner and not run and after is not None and " " not in token.text
+            return not (before_noun and after.has("noun", "place", "region"))  # "the opposite corner"
+        strange = not token.kinds and token.text.endswith("s") and not token.text.endswith("ss")
+        follows = after is not None and after.has("det", "number", "preposition", "adverbs")
+        if strange and seen and phrase.determiner in _ONE and follows:  # a verb that is not known
             return True
         if token.has("preposition", "place_adverb") and seen:
             return not (token.has("noun") and not token.has("bare"))
         if token.has("preposition") and not seen and not token.has("noun", "region", "place"):
-            return not (
-                after is not None
-                and (after.has("noun", "room", "group", "place", "region", *QUALITIES) or not after.kinds)
-            )
+            return not (after is not None and (after.has(*OPEN) or not after.kinds))
         if token.has("verb") and self._is_verb(k, seen or bool(run and run[-1].has("noun"))):
             return True
         if token.has("place") and seen and not token.has("noun", "region"):
@@ -238,7 +242,7 @@ class NounPhrases(Tagger):
                 return "room", head.get("room")
         if head.has("parts"):
             return "part", head.text
-        if head.has("noun"):
+        if head.has("noun") and not (head.has("abstract") and not phrase.determiner and phrase.count is None):
             return "thing", head.get("noun")
         if head.has("people_words", "whom"):
             return "people", head.text

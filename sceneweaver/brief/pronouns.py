@@ -5,6 +5,7 @@ from __future__ import annotations
 from .chunks import Chunk, NounPhrase
 from .parsed import Mention
 from .thing_phrases import ThingPhrases
+from .vocabulary import mounts
 
 
 class Pronouns(ThingPhrases):
@@ -68,6 +69,15 @@ class Pronouns(ThingPhrases):
                 self.subject = [group]
                 self.subject_open, self.frames = True, [f for f in self.frames[:1] if f.kind == "list"]
             return
+        if (
+            self.waiting is not None
+            and phrase.text == "it"
+            and self.previous
+            and self.waiting.place.type in ("next_to", "left_of", "right_of", "near", "in_front_of", "behind")
+        ):
+            small = [*without, self.previous[-1]]
+            if without and all(mounts(m.category)[0] == "surface" for m in small) and self.previous[-1] not in without:
+                near = self.previous[-1:]  # a lamp beside "it" is beside the laptop, not beside the desk
         found_all = self.refs.pronoun(phrase, near if self.waiting is not None else self.subject, without)
         if self.waiting is not None:
             if found_all:

@@ -29,8 +29,9 @@ class References:
         """What was named before and is meant again; None when it is another one."""
         if not phrase.definite and not (target and (phrase.count in (None, (1, 1)))):
             return None
-        if phrase.determiner in ("another",):
-            return None
+        if phrase.determiner == "another":
+            kin = [m for m in self._recent() if m.many and singular(m.noun).endswith(singular(phrase.text))]
+            return kin[0] if kin and target else None
         noun, qualities = (
             name_of(phrase),
             {t.text for t in phrase.qualities if t.has("color", "material", "scale", "shape", "styles")},
@@ -63,6 +64,10 @@ class References:
             m for m in fitting if texts[0] in singular(m.noun).split() or singular(m.noun) == texts[0].split()[-1]
         ]
         exact = exact or [m for m in fitting if m.category in _kinds(texts[0])]
+        ranks = words("nouns")["usual"].get(texts[1], ())
+        exact = sorted(
+            exact, key=lambda m: next((k for k, names in enumerate(ranks) if m.category in names), len(ranks))
+        )
         clear = [m for m in exact if qualities and qualities <= {a.words for a in m.attributes}]
         return next(iter(clear or exact), None)
 
@@ -106,7 +111,9 @@ class References:
         choices = [m for m in choices if not any(m is w for w in without)]
         for noun in words("nouns")["carriers"].get(word, ()):
             for mention in choices:
-                if noun in singular(mention.noun) or noun in mention.category.split("_"):
+                if singular(mention.noun).split(" of ")[0].endswith(noun) or f"_{mention.category}".endswith(
+                    f"_{noun}"
+                ):
                     return mention
         for mention in choices:
             if kind == "top" and family(mention.category) in ("table", "storage"):

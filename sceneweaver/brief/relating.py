@@ -13,6 +13,9 @@ from .state import ReaderState
 from .things import SMALL
 from .vocabulary import Place, family, mounts, words
 
+_TIES = ("next_to", "near", "facing", "at", "in_front_of", "behind", "on", "inside", "around", "flanking")
+"""Relations to what a thing belongs to."""
+
 
 class Relating(ReaderState):
     """Relations as they are said: who, where, and what is meant where it is not said."""
@@ -57,8 +60,18 @@ class Relating(ReaderState):
             and not spoken.startswith("flank")
         ):
             subjects[0].count = (2, 2)  # "a nightstand on either side of the bed"
+        if kind == "through":
+            return
+        if (
+            kind in ("at_head", "at_foot")
+            and spoken.startswith("on")
+            and all(mounts(s.category)[0] == "surface" for s in subjects)
+        ):
+            kind = "on"
         if kind == "occupying":
             kind = "on"
+        if kind == "above" and all(mounts(s.category)[0] == "floor" for s in subjects):
+            kind = "near"  # a floor lamp that arches over a sofa
         if kind == "covering":
             kind = "on"
         if kind == "on" and "rug" in target.category and all("floor" in mounts(s.category) for s in subjects):
@@ -96,6 +109,8 @@ class Relating(ReaderState):
         self, kind: str, subjects: list[Mention], place: str, spoken: str, count: Any, span: Span | None, implied: bool
     ) -> None:
         wall_hung = all(mounts(s.category)[0] == "wall" for s in subjects)
+        if kind == "through":
+            return
         if place == "room":
             if kind in ("centered_on", "at_center"):
                 kind, place = "at", "middle"
@@ -125,6 +140,8 @@ class Relating(ReaderState):
         for subject in subjects if place in ("ceiling", "wall") or place.startswith("wall:") else ():
             hung = words("nouns")["hung"]["ceiling" if place == "ceiling" else "wall" if kind != "against" else "none"]
             subject.category = hung.get(subject.category, subject.category)
+        if kind == "against" and not implied:
+            subjects = [*subjects, *self._beside(subjects)]
         if place == "ceiling":
             kind = (
                 "hanging_from"
@@ -153,11 +170,47 @@ class Relating(ReaderState):
             implied,
         )
 
+    def _beside(self, subjects: list[Mention]) -> list[Mention]:
+        """ "A shelf next to a desk against the wall": what stands beside something at a wall stands there as well."""
+        last = self.out.said[-1] if self.out.said else None
+        if last is None or last.type not in ("next_to", "flanking", "side_by_side") or last.implied:
+            return []
+        pair = [*last.subjects, *(t for t in last.targets if isinstance(t, Mention))]
+        if not all(any(s is m for m in pair) for s in subjects):
+            return []
+        return [m for m in pair if not any(m is s for s in subjects) and mounts(m.category)[0] == "floor"]
+
     def _apart(self, found: list[Mention], subjects: list[Mention]) -> bool:
         """Whether things on the floor would be beside what hangs from the ceiling or on a wall."""
         return all(mounts(s.category)[0] == "floor" for s in subjects) and all(
             mounts(m.category)[0] in ("ceiling", "wall", "surface") and "rug" not in m.category for m in found
         )
+
+    def _root(self, thing: Mention) -> Mention:
+        """What carries a thing in the end: the table that the tray stands on."""
+        for said in reversed(self.out.said):
+            target = said.targets[0]
+            carried = (
+                said.type in ("on", "inside") and isinstance(target, Mention) and any(s is thing for s in said.subjects)
+            )
+            if carried and isinstance(target, Mention) and target is not thing:
+                thing = target
+        return thing
+
+    def _anchor(self, thing: Mention, kind: str, subjects: list[Mention]) -> Mention:
+        """What something belongs to: nearby a chair that faces a desk is nearby the desk."""
+        if kind in ("left_of", "right_of") and not (
+            family(thing.category) == "seat" and "floor" in mounts(subjects[0].category)[:1]
+        ):
+            return thing
+        for said in reversed(self.out.said):
+            target = said.targets[0]
+            if not isinstance(target, Mention) or said.type not in _TIES or any(target is s for s in subjects):
+                continue
+            stands = mounts(target.category)[0] == "floor" and "rug" not in target.category
+            if stands and any(s is thing for s in said.subjects):
+                return target
+        return thing
 
     def _main(self, without: list[Mention]) -> list[Mention]:
         """The first thing on the floor that the request names: what "across the room" is across from."""
@@ -197,7 +250,9 @@ class Relating(ReaderState):
         if subjects is None:
             frame_items = [m for f in self.frames[-1:] for m in f.items]
             if not frame_items and (self.refs.topics or self.out.mentions):
-                targets = self._main([]) if place.type == "opposite" else self._near([])
+                targets = self._main([]) if place.type == "opposite" and "room" in place.words else self._near([])
+                if targets and place.type in ("below", "near", "next_to", "opposite", "around"):
+                    targets = [self._root(targets[-1])]
                 if "room" in place.words and place.type == "opposite" and not self.out.mentions:
                     return
                 self.fronted.append((place, tuple(targets[-1:]), chunk))
@@ -212,12 +267,22 @@ class Relating(ReaderState):
         if place.type in ("left_of", "right_of") and not near:
             self._at_place("against", subjects, f"wall:{place.type.split('_')[0]}", place.words, None, None, False)
             return
-        if not near:
+        small = all("surface" in mounts(s.category) for s in subjects)
+        if place.type == "centered_on" and small and self.surface is not None:
+            near = [self.surface]
+        if not near and place.type != "centered_on":
             self.out.note(f"'{chunk.text}': it is not clear of what; it was left out")
             return
-        if place.type == "centered_on" and not any("surface" in mounts(s.category) for s in subjects):
+        if (
+            place.type == "centered_on"
+            and not near
+            or place.type == "centered_on"
+            and not any("surface" in mounts(s.category) for s in subjects)
+        ):
             self._at_place("at", subjects, "middle", place.words, None, self.source.span(chunk.start, chunk.end), False)
             return
+        if place.type in ("near", "above", "left_of", "right_of"):
+            near = [self._anchor(near[-1], place.type, subjects)]
         target = near[-1] if len(near) == 1 or place.type not in ("above", "below") else near[0]
         if place.type == "on" and not place.words.startswith("in"):
             target = self.refs.carrier(near, subjects) or target
@@ -238,6 +303,7 @@ class Relating(ReaderState):
                 self._say("right_of", [two], (one,), chunk.text, None, False, None, span, False)
             return
         self._say(place.type, subjects, ("each other",), chunk.text, None, False, None, span, False)
+        self.head = subjects
 
     def _meant(self, place: Place, listed: list[Mention]) -> list[Mention]:
         """Who of a list a relation after it is about: the last, or all that belong together."""
@@ -251,7 +317,7 @@ class Relating(ReaderState):
             related = {id(m) for s in self.out.said for m in s.subjects}
             small = [m for m in small if id(m) not in related or m is listed[-1]]
             return small or listed[-1:]
-        if kind == "flanking" and len(listed) == 2:
+        if kind in ("flanking", "along", "around") and len(listed) == 2:
             return listed
         related = {id(m) for s in self.out.said for m in s.subjects}
         if len(listed) == 2 and id(listed[0]) not in related:
@@ -266,7 +332,7 @@ class Relating(ReaderState):
             return
         owner = frame.owner[-1]
         for mention in mentions:
-            if mention is owner:
+            if mention is owner or (owner in self.party and mention in self.party):
                 continue
             small = mounts(mention.category)[0] == "surface" or (mention.generic and family(owner.category) == "table")
             carriers = [m for m in (self.party if owner in self.party else []) if m is not mention]

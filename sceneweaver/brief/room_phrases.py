@@ -20,12 +20,15 @@ class RoomPhrases(Items):
             self.out.room_type, self.out.room_words = room_words()[phrase.text], phrase.text
             self._for_room(phrase)
         row = words("groups")["groups"][phrase.value]
-        if self.waiting is not None and phrase.definite:
+        if phrase.definite:
             serving = {category_of(name) for name in row["things"]}
             kin = {family(c) for c in serving} & {"seat", "bed_group"}
             there = [m for m in self.out.mentions if m.category in serving or family(m.category) in kin]
-            if there:
+            if there and self.waiting is not None:
                 self._named(there[:1], phrase, chunk, False)
+                return
+            if there:
+                self.glue = ""
                 return
         made = []
         least, most = phrase.count or (1, 1)
@@ -149,6 +152,7 @@ class RoomPhrases(Items):
                     subject.count = (4, 4)
         if waiting.place.type == "between" and waiting.first is not None and waiting.subjects:
             self._relate(Place("near", words=waiting.place.words), waiting.subjects, (waiting.first,), waiting.chunk)
+        self.lit = self.lit or (waiting.place.type == "through" and place == "window" and self.lost)
         self._bound(waiting, (place,))
         self.glue = ""
         self.last_target = None
@@ -195,6 +199,9 @@ class RoomPhrases(Items):
         waiting, self.waiting = self.waiting, None
         if waiting is not None:
             self.glue = ""
+            return
+        if self.glue == "open" and self.frames and self.frames[-1].owner:  # "casting light over the bench"
+            self.head, self.glue = self.frames.pop().owner, ""
             return
         self._nobody()
 

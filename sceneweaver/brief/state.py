@@ -28,6 +28,8 @@ class Frame:
     items: list[Mention] = field(default_factory=list)
     finite: bool = False
     each: bool = False
+    numbered: list[str] = field(default_factory=list)
+    """Nouns of items that have a number."""
     fronted: list[tuple[Place, tuple[Any, ...], Chunk]] = field(default_factory=list)
 
 
@@ -56,7 +58,7 @@ class ReaderState:
         self.party: list[Mention] = []  # the things of the part of the room that was named last
         self.first_items: list[Mention] = []  # what was named first in the clauses of the sentence
         self.surface: Mention | None = None  # what the small things of the sentence stand on
-        self.surface_words, self.started = "", 0
+        self.surface_words, self.started, self.begun = "", 0, 0
         self.last_subjects: list[Mention] = []
         self.begin()
 
@@ -79,6 +81,7 @@ class ReaderState:
         self.subject_open = True  # whether the subject goes on, as no verb came
         self.done = False  # whether the clause had its verb
         self.lost = False  # whether the subject is no object, so that nothing is said of it
+        self.lit = False  # whether light came through a window
         self.each = self.inverted = self.after_be = self.relative = self.head_related = False
 
     def _chunk(self, k: int) -> Chunk | None:
@@ -91,6 +94,8 @@ class ReaderState:
     def _target_next(self) -> bool:
         """Whether the noun after "opposite", "beside" and the like is what they are said of, and no subject."""
         after = self._chunk(self.at + 1)
+        if self.at >= len(self.chunks):
+            return True
         chunk = self.chunks[self.at]
         if after is not None and after.kind == "verb" and after.value.form in ("s", "base") and self.out.mentions:
             return bool(chunk.value.definite or chunk.value.what in ("pronoun", "place"))

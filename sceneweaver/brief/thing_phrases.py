@@ -166,7 +166,12 @@ class ThingPhrases(RoomPhrases):
             owner is None
             and region == "corner"
             and phrase.determiner not in ("its", "their")
-            and (not subjects or any(mounts(s.category)[0] == "floor" for s in subjects))
+            and (
+                waiting.place.words in ("in", "inside", "into", "near", "fill", "fills")
+                or waiting.place.type == "occupying"
+                or not subjects
+                or any(mounts(s.category)[0] == "floor" for s in subjects)
+            )
         ):
             owner = "room"
         if owner is None and region == "center":
@@ -191,6 +196,12 @@ class ThingPhrases(RoomPhrases):
             self._nobody()
             return
         if isinstance(owner, str):
+            if any(t.text == "opposite" for t in phrase.qualities) and subjects:
+                others = self._main(subjects)
+                if others:
+                    self._say(
+                        "opposite", subjects, (others[-1],), phrase.text, None, False, None, self.chunk_span(), True
+                    )
             place = {"corner": "corner", "center": "middle"}.get(region, "room")
             if owner in ("wall", "window", "door", "ceiling") or owner.startswith("wall:"):
                 place = owner
@@ -250,6 +261,13 @@ class ThingPhrases(RoomPhrases):
         owners = self.frames[-1].owner if self.frames and self.frames[-1].kind in ("with", "verb") else []
         owners = owners or (self.head if self.glue in ("open", "", "and") else [])
         waiting, self.waiting = self.waiting, None
+        if waiting is not None and phrase.definite and waiting.subjects:  # "a pillow against the headboard"
+            near = [m for m in reversed(self.out.mentions[-20:]) if any(a.value == phrase.text for a in m.attributes)]
+            near = [m for m in near if m not in waiting.subjects] or self._near(waiting.subjects)
+            if near:
+                self._bound(waiting, (near[0],))
+            self.glue = ""
+            return
         if waiting is not None and waiting.subjects:
             owners = waiting.subjects
         span = self.source.span(phrase.start, phrase.end)

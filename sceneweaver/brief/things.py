@@ -92,11 +92,8 @@ def new_mention(phrase: NounPhrase, source: Source) -> Mention:
     mention = Mention(noun, match.category, phrase.count, generic=match.how == "generic", plural=phrase.plural)
     mention.span = source.span(phrase.start, phrase.end)
     if mention.count is None:
-        several = (
-            phrase.plural
-            and phrase.text not in words("nouns")["paired"]
-            and plural(_single(phrase.text)) == phrase.text
-        )
+        head = phrase.text.split(" of ")[0]
+        several = phrase.plural and head not in words("nouns")["paired"] and plural(_single(head)) == head
         if several:
             mention.count = MANY
         elif phrase.determiner and phrase.determiner not in ("the", "its", "their", "any", "these", "those"):
@@ -168,7 +165,7 @@ def vocabulary_parts(phrase: NounPhrase, source: Source) -> list[Token]:
 
 
 def _quality(mention: Mention, token: Token, source: Source, known: bool = False) -> None:
-    kind: AttributeKind = "other"
+    kind: AttributeKind = "size" if token.has("length") else "other"
     for name, of_kind in _KINDS:
         if token.has(name):
             kind = of_kind

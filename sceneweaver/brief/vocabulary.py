@@ -143,7 +143,7 @@ def _verbs(relations: dict[str, Any]) -> dict[str, Verb]:
     for lemma in sorted(known):
         verb, _, rest = lemma.partition(" ")
         s, ed, ing, *others = relations["irregular"].get(verb) or _regular(verb)
-        forms = {"base": verb, "s": s, "ed": ed, "ing": ing}
+        forms = {"s": s, "ed": ed, "ing": ing, "base": verb}
         for form, word in [*forms.items(), *(("s", word) for word in others)]:
             table.setdefault(f"{word} {rest}".strip(), Verb(lemma, form))
     return table
