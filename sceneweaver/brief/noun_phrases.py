@@ -108,8 +108,8 @@ class NounPhrases(Tagger):
         if token.has("number", "amount"):
             return not (token.has("adjective", "scale", "noun") and not seen)
         if token.has("preposition", "place_adverb") and not token.has("noun", *QUALITIES, "region", "place"):
-            before_noun = phrase.determiner and not run and after is not None and " " not in token.text
-            return not (before_noun and after.has("noun", "place", "region"))  # "the opposite corner"
+            first = bool(phrase.determiner) and not run and " " not in token.text
+            return not (first and after is not None and after.has("noun", "place", "region"))  # "the opposite corner"
         strange = not token.kinds and token.text.endswith("s") and not token.text.endswith("ss")
         follows = after is not None and after.has("det", "number", "preposition", "adverbs")
         if strange and seen and phrase.determiner in _ONE and follows:  # a verb that is not known
