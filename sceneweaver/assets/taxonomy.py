@@ -143,9 +143,9 @@ def category_named(name: str, mount: Mount | None = None) -> Category:
 def resolve(noun: str, mount: Mount | None = None) -> Match:
     """The category that a noun, or a noun with the words before it, means; never fails, but says how sure it is.
 
-    Tried in turn: the name, a synonym, a plural; what is in "a pair of"; the longest known end of a compound, with
-    those of the words before it that make it a narrower thing ("round wooden mirror" is a round mirror); a spelling
-    near to a known word; and at last a labelled body, whose kind and size the last word decides.
+    Tried in turn: the name, a synonym, a plural; what is in "a pair of"; a spelling near to a known name; the longest
+    known end of a compound, with those of the words before it that make it a narrower thing ("round wooden mirror" is
+    a round mirror); and at last a labelled body, whose kind and size the last word decides.
 
     Args:
         noun: lower or upper case, with blanks, hyphens or underscores, singular or plural, without article or number.
@@ -155,8 +155,8 @@ def resolve(noun: str, mount: Mount | None = None) -> Match:
     return (
         _known(noun, asked)
         or _contents(noun, asked, mount)
-        or _compound(noun, asked)
         or _misspelt(noun, asked)
+        or _compound(noun, asked)
         or _closed(noun, asked)
         or _labelled(noun, asked, mount)
     )
@@ -254,9 +254,10 @@ def _misspelt(noun: str, asked: str) -> Match | None:
         return None
     for near in difflib.get_close_matches(word, _single_words(), n=3, cutoff=0.8):
         if near[0] == word[0] and slips(word, near) <= (1 if len(word) < 9 else 2):
-            found = _known(noun, " ".join(near if w == word else w for w in words))
+            meant = " ".join(near if w == word else w for w in words)
+            found = _known(noun, meant)
             if found is not None and found.how != "group":
-                return Match(found.category, "spelling", f"'{noun}' was taken for '{near}'")
+                return Match(found.category, "spelling", f"'{noun}' was taken for '{meant}'")
     return None
 
 

@@ -52,10 +52,14 @@ def separation(a: Array, b: Array, real: Sequence[bool] | None = None, parted: f
 
 
 def distance(a: Array, b: Array) -> Array:
-    """Euclidean distance of polygons [K, V, 2] (b may be points [K, 1, 2]); minus the depth where they overlap."""
+    """Euclidean distance of polygons [K, V, 2]; minus the depth where they overlap.
+
+    b may be points [K, 1, 2] or segments [K, 2, 2].
+    """
     import shapely
 
-    other = shapely.points(b[:, 0]) if b.shape[1] == 1 else shapely.polygons(b)
+    shapes = {1: lambda: shapely.points(b[:, 0]), 2: lambda: shapely.linestrings(b)}
+    other = shapes.get(b.shape[1], lambda: shapely.polygons(b))()
     apart = shapely.distance(shapely.polygons(a), other)
     return np.where(apart > 0.0, apart, separation(a, b))
 
