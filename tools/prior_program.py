@@ -6,7 +6,7 @@ import random
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
-from sceneweaver.assets import Asset, Library, Wish, categories
+from sceneweaver.assets import Asset, Library, Look, Wish, categories, drawable
 from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import category_named, members
 from sceneweaver.brief import Entity, SceneGraph
@@ -403,9 +403,12 @@ def _wish(demand: Demand, brief: SceneGraph, style: str | None, seed: int) -> Wi
     item, asked = demand.item, demand.asked
     size: list[float | None] = [None, None, None]
     rng = random.Random(seed)
+    look = drawable(demand.categories[0], " ".join(a.words for a in asked.attributes)) if asked else Look("")
     if item is not None:
         size = [None if r is None else round(rng.uniform(*r), 3) for r in item.size]
     if asked is not None:
+        if any(said is not None for said in look.size):
+            size = list(look.size)
         size = [a if a is not None else s for a, s in zip(asked.size, size, strict=True)]
         if asked.scale != 1.0 and size == [None, None, None]:
             ranges = category_named(asked.category).size
@@ -416,7 +419,9 @@ def _wish(demand: Demand, brief: SceneGraph, style: str | None, seed: int) -> Wi
     return Wish(
         size=(size[0], size[1], size[2]),
         color=(asked and asked.color) or (item and item.color) or None,
-        material=asked.material if asked else None,
+        material=look.material or (asked.material if asked else None),
+        shape=look.shape,
+        parts=look.parts,
         style=(asked and asked.style) or style,
         words=" ".join(asked.words) if asked else "",
         seed=seed,

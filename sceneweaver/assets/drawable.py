@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 
-from .looks import extents_of, read_words
-from .materials import STYLES, color_named, finishes_named
+from .looks import extents_of, read_words, shows
+from .materials import STYLES, finishes_named
 from .taxonomy import category_named, resolve
 
 
@@ -48,24 +48,15 @@ def drawable(category: str, words: str) -> Look:
     unmet = list(read.left)
     wish = Wish(size, read.color, read.material, style, shape=read.shape, parts=read.parts, count=1)
     (card,) = ParametricSource().find(category, wish)
-    shown = card.attributes
-    wanted = {_kind(f.material.name) for f in finishes_named(read.material)} if read.material else set()
-    holds = {
-        "color": read.color is None or shown.get("color") == color_named(read.color),
-        "material": read.material is None or _kind(str(shown.get("material"))) in wanted,
-        "style": True,
-        "size": True,
-        "shape": read.shape is None or shown.get("shape") == read.shape,
-    }
-    holds |= {name: shown.get(name) == count for name, count in read.parts}
+    holds = {"style": True, "size": True} | shows(card.attributes, read)
     met = [*narrowed, *(said[kind] for kind in said if holds[kind])]
     unmet += [said[kind] for kind in said if not holds[kind]]
     return Look(
         category=category,
-        color=read.color if holds["color"] else None,
-        material=read.material if holds["material"] else None,
+        color=read.color if holds.get("color") else None,
+        material=read.material if holds.get("material") else None,
         style=style,
-        shape=read.shape if holds["shape"] else None,
+        shape=read.shape if holds.get("shape") else None,
         size=size,
         parts=tuple((name, count) for name, count in read.parts if holds[name]),
         met=tuple(dict.fromkeys(met)),
@@ -74,15 +65,14 @@ def drawable(category: str, words: str) -> Look:
 
 
 def _narrower(category: str, words: str) -> tuple[str, str, tuple[str, ...]]:
-    """The category that the words make of one, the words that are left, and those that were used."""
+    """The category that the words make of one, the words that are left, and those that were used.
+
+    A colour or material is left although it is part of the name: a metal shelf has to be of metal.
+    """
     match = resolve(f"{words} {category.replace('_', ' ')}")
-    if match.generic or match.category == category:
+    if match.generic or match.how == "like" or match.category == category:
         return category, words, ()
-    rest = " ".join(match.modifiers)
-    used = tuple(word for word in words.lower().replace("-", " ").split() if word not in match.modifiers)
-    return match.category, rest, used
-
-
-def _kind(finish: str) -> str:
-    """What is left of a finish's name when it is dyed: "velvet" of "green velvet"."""
-    return finish.rpartition(" ")[2]
+    plain = words.lower().replace("-", " ").replace("_", " ").split()
+    used = tuple(word for word in plain if word not in match.modifiers)
+    kept = [word for word in used if finishes_named(word)]
+    return match.category, " ".join([*kept, *match.modifiers]), used

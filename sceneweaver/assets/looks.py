@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from importlib import resources
@@ -19,6 +20,9 @@ Kind = Literal["color", "material", "style", "shape", "size"]
 NUMBERS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8, "nine": 9, "ten": 10}
 NUMBERS |= {"single": 1, "double": 2, "dual": 2, "triple": 3, "multi": 3}
 
+SCREEN = 16 / math.hypot(16, 9)
+"""Width of a screen as a share of its diagonal."""
+
 LONGEST = 4
 """Words of the longest phrase."""
 
@@ -28,7 +32,7 @@ class Words:
     """Words about a look, read: the first of each kind, extents as shares of the usual range, the words left over.
 
     ``extents`` has "depth", "width", "height", "long" and "short" (side in plan), 0 the least and 1 the most.
-    ``said`` has for each kind, or each counted part, the words that said it.
+    ``inches`` is the diagonal of a screen. ``said`` has for each kind, or each counted part, the words that said it.
     """
 
     color: str | None = None
@@ -37,6 +41,7 @@ class Words:
     shape: str | None = None
     extents: tuple[tuple[str, float], ...] = ()
     parts: tuple[tuple[str, int], ...] = ()
+    inches: float | None = None
     said: tuple[tuple[str, str], ...] = ()
     left: tuple[str, ...] = ()
 
@@ -83,6 +88,8 @@ def read_words(phrase: str | Sequence[str]) -> Words:
     at = 0
     while at < len(words):
         used = _counted(words, at, parts, said) or _phrase(words, at, found, extents, said)
+        if not used and words[at].isdigit() and words[at + 1 : at + 2] in (["inch"], ["inches"]):
+            found["inches"], said["size"], used = float(words[at]), " ".join(words[at : at + 2]), 2
         if not used:
             left.append(words[at])
         at += used or 1
@@ -104,10 +111,31 @@ def extents_of(category: Category, words: Words) -> tuple[float | None, float | 
     ranges = category.size.ranges
     long = 0 if ranges[0][1] > ranges[1][1] else 1
     axes = {"depth": 0, "width": 1, "height": 2, "long": long, "short": 1 - long}
+    if words.inches is not None and category.parent == "electronics":
+        low, high = ranges[1]
+        size[1] = min(high, max(low, round(words.inches * 0.0254 * SCREEN, 3)))
     for name, share in words.extents:
         low, high = ranges[axes[name]]
-        size[axes[name]] = round(min(high, max(low, low + share * (high - low))), 3)
+        size[axes[name]] = min(high, max(low, round(low + share * (high - low), 3)))
     return size[0], size[1], size[2]
+
+
+def shows(attributes: Mapping[str, Any], words: Words) -> dict[str, bool]:
+    """For each kind of look, and each counted part, that words ask for: whether an asset's attributes show it."""
+    found: dict[str, bool] = {}
+    if words.color:
+        found["color"] = attributes.get("color") == color_named(words.color)
+    if words.material:
+        wanted = {_undyed(f.material.name) for f in finishes_named(words.material)}
+        found["material"] = _undyed(str(attributes.get("material"))) in wanted
+    if words.shape:
+        found["shape"] = attributes.get("shape") == words.shape
+    return found | {name: attributes.get(name) == count for name, count in words.parts}
+
+
+def _undyed(finish: str) -> str:
+    """What is left of a finish's name when it is dyed: "velvet" of "green velvet"."""
+    return finish.rpartition(" ")[2]
 
 
 def _phrase(words: list[str], at: int, found: dict[str, Any], extents: dict[str, float], said: dict[str, str]) -> int:

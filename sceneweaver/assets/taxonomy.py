@@ -162,6 +162,14 @@ def resolve(noun: str, mount: Mount | None = None) -> Match:
     )
 
 
+@lru_cache(maxsize=4096)
+def narrower(category: str, words: str) -> str:
+    """The category that words about a thing make of it ("king size" of a bed), else the category itself."""
+    if category not in categories():
+        return category
+    return _narrowed(Match(category, "exact"), _plain(words).split())[0].category
+
+
 def _plain(text: str) -> str:
     return " ".join(re.sub(r"[_\-]+", " ", text.lower()).split())
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 from sceneweaver.assets import Match, resolve
-from sceneweaver.assets.taxonomy import category_named
+from sceneweaver.assets.taxonomy import category_named, narrower
 
 from .chunks import NounPhrase
 from .model import Attribute, AttributeKind
@@ -102,6 +102,7 @@ def new_mention(phrase: NounPhrase, source: Source) -> Mention:
     if rest and first in ("dual", "twin", "double") and phrase.plural and match_of(rest).category == match.category:
         mention.count = (2, 2)
     describe(mention, phrase, source)
+    mention.category = narrower(mention.category, " ".join(a.words for a in mention.attributes))
     return mention
 
 

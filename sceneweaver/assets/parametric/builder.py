@@ -86,7 +86,7 @@ class Builder:
         self.style = self.request.style or self.pick("style", STYLES)
         if self.style not in STYLES:
             raise InputError(f"style: '{self.style}' is unknown; use one of {', '.join(STYLES)}")
-        self.size = Size(*(self._extent(k) for k in range(3)))
+        self.size = self._even(Size(*(self._extent(k) for k in range(3))))
         self._frame = np.eye(4)
         self._link = 0
         self._group: str | None = None
@@ -136,6 +136,26 @@ class Builder:
         if not low - 1e-6 <= asked <= high + 1e-6:
             raise InputError(f"size: {self.category.words} has a {name} of {low:g} to {high:g} m, not {asked:g} m")
         return float(asked)
+
+    def _even(self, size: Size) -> Size:
+        """The size with two equal sides where a round or square thing was asked for, as near as its ranges allow.
+
+        They are those in plan, or of what hangs on a wall those of its front.
+        """
+        axes = self._outline_axes
+        if self.request.shape not in ("round", "square") or any(self.request.size[k] is not None for k in axes):
+            return size
+        assert self.category.size is not None
+        (a0, a1), (b0, b1) = (self.category.size.ranges[k] for k in axes)
+        side = min(max(size[axes[0]], b0), a1) if max(a0, b0) <= min(a1, b1) else min(a1, b1)
+        if side < 0.5 * max(a0, b0):  # a square pipe would be another thing
+            return size
+        return Size(*(side if k in axes else size[k] for k in range(3)))
+
+    @property
+    def _outline_axes(self) -> tuple[int, int]:
+        """The axes of the outline that a shape is said of."""
+        return (1, 2) if self.category.mount[0] == "wall" else (0, 1)
 
     # Materials
 
@@ -457,6 +477,8 @@ class Builder:
             attributes |= {"color": color_name(main.color), "material": main.name}
         attributes |= {key: value for key, value in self._shown.items() if key != "material"}
         parts = prisms_of(hulls, self._groups, clear)
+        if self.request.shape and outline_shape(hulls, self._outline_axes) == self.request.shape:
+            attributes["shape"] = self.request.shape
         surfaces = tuple(_on_parts(s, parts) for s in surfaces)
         return Asset(
             id=f"parametric:{self.category.name}?seed={self._seed}{self.request.suffix}",
@@ -483,6 +505,21 @@ class Builder:
         share = (math.prod(size) - least) / max(1e-12, most - least)
         low, high = self.category.mass
         return round(low + (high - low) * min(1.0, max(0.0, share)), 3)
+
+
+def outline_shape(hulls: Sequence[Hull], axes: tuple[int, int] = (0, 1)) -> str | None:
+    """Round, oval, square or rectangular: what the outline of some bodies is, along two axes; None: something else."""
+    import shapely
+
+    outline = shapely.MultiPoint(np.concatenate([h.vertices[:, list(axes)] for h in hulls])).convex_hull
+    ring = shapely.get_coordinates(outline.minimum_rotated_rectangle)
+    a, b = sorted(np.linalg.norm(ring[k + 1] - ring[k]) for k in (0, 1))
+    fill, even = outline.area / max(a * b, 1e-12), b < 1.12 * a
+    if fill > 0.9:
+        return "square" if even else "rectangular"
+    if 0.74 < fill < 0.87:
+        return "round" if even else "oval"
+    return None
 
 
 THICK = 0.003

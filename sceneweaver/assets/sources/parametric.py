@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import lru_cache
 from urllib.parse import parse_qsl
 
@@ -10,6 +11,7 @@ from sceneweaver.scene import InputError
 
 from ..asset import Asset
 from ..category import categories
+from ..looks import Words, shows
 from ..materials import STYLES
 from ..parametric import Request, make
 from ..taxonomy import Match, resolve
@@ -28,7 +30,7 @@ class ParametricSource:
         match = resolve(category, wish.mount)
         request = self._request(match, wish)
         for k in range(wish.count):
-            made = _draw(match.body, wish.seed + k, request)
+            made = _shown(match.body, wish.seed + k, request)
             licence = made.origin.licence
             yield Card(made.id, made.category, made.size, self.name, licence, made.attributes, made.description)
 
@@ -62,6 +64,26 @@ class ParametricSource:
         style = wish.style if wish.style in STYLES else None
         label = match.category if match.generic else None
         return Request(size, wish.color, wish.material, style, wish.shape, wish.parts, label)  # pyright: ignore[reportArgumentType]
+
+
+TRIES = 12
+"""Seeds that are drawn to find one that shows all that was asked: not every variant has every part."""
+
+
+def _shown(category: str, seed: int, request: Request) -> Asset:
+    """A body that shows the asked look, of another seed where this one's cannot; the first when none can."""
+    words = Words(color=request.color, material=request.material, shape=request.shape, parts=request.parts)
+    if words == Words() or (category, replace(request, size=(None, None, None), style=None)) in _VAIN:
+        return _draw(category, seed, request)
+    drawn = (_draw(category, seed + 7919 * k, request) for k in range(TRIES))
+    found = next((made for made in drawn if all(shows(made.attributes, words).values())), None)
+    if found is None:
+        _VAIN.add((category, replace(request, size=(None, None, None), style=None)))
+    return found or _draw(category, seed, request)
+
+
+_VAIN: set[tuple[str, Request]] = set()
+"""What was asked in vain, so as not to try again."""
 
 
 @lru_cache(maxsize=1024)
