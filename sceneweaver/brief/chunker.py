@@ -137,6 +137,14 @@ class Chunker(NounPhrases):
     def _purpose(self, token: Token) -> bool:
         """ "for players to rest", "to illuminate the layout": what something is for; people are read."""
         after = self._token(1)
+        verb = after.get("verb") if after is not None else None
+        voices = frame(verb) if isinstance(verb, Verb) and verb.form == "base" else None
+        if (
+            token.text == "to" and isinstance(verb, Verb) and voices is not None and "active" in voices
+        ):  # "open to reveal two toys"
+            self._add("word", value=token)
+            self._add("verb", value=Verb(verb.lemma, "ing"))
+            return True
         if (
             token.text == "to"
             and after is not None
@@ -176,6 +184,9 @@ class Chunker(NounPhrases):
         after = self._token(1)
         if verb.form == "ed" and after is not None and after.text in ("by", "with", "of", "in", "on", "to", "around"):
             voices = frame(verb)
+            if voices is not None and "with" in voices and after.text == "with":
+                self._add("verb", 2, value=verb, passive=True)
+                return
             if (
                 voices is not None
                 and "by" in voices

@@ -10,7 +10,7 @@ from .parsed import Mention
 from .state import Frame, Waiting
 from .things import describe, give_sides
 from .tokens import Token
-from .vocabulary import Place, Verb, frame, shows
+from .vocabulary import Place, Verb, frame, mounts, shows
 
 _TURNED = ("transform", "convert", "turn", "set up")
 
@@ -72,7 +72,7 @@ class Clauses(Exclusions):
         while self.at < len(self.chunks):
             chunk = self.chunks[self.at]
             self.at += 1
-            if chunk.kind not in ("while", "verb"):
+            if chunk.kind not in ("while", "verb", "word"):
                 self.relative = False
             getattr(self, f"_{chunk.kind}")(chunk)
         self._sentence()
@@ -110,6 +110,10 @@ class Clauses(Exclusions):
             self.negated = ""
             self.glue = "comma"
             return
+        if chunk.text == "where" and (self.head or self.subject):
+            place = (self.head or self.subject)[-1]
+            if mounts(place.category)[0] == "floor":
+                self._stands_on(place, chunk.text)
         if chunk.text in ("that", "which", "whose", "who"):
             self.relative = bool(self.head)
             return
@@ -229,7 +233,11 @@ class Clauses(Exclusions):
             self.glue = "verb" if finite else ""
             self.placing = owner
             return
-        if voices is None or (chunk.passive and "by" not in voices) or (not chunk.passive and "active" not in voices):
+        if (
+            voices is None
+            or (chunk.passive and not {"by", "with"} & voices.keys())
+            or (not chunk.passive and "active" not in voices)
+        ):
             if shows(verb.lemma) and verb.form != "ed":
                 self._shows(chunk, owner)
             elif verb.form == "ed" and verb.lemma == "pair":
@@ -243,7 +251,7 @@ class Clauses(Exclusions):
         if shows(verb.lemma) and not owner:
             self._shows(chunk, owner)
             return
-        kind, placed = voices["by"] if chunk.passive else voices["active"]
+        kind, placed = (voices.get("by") or voices["with"]) if chunk.passive else voices["active"]
         self._framed(chunk, kind, placed, owner, finite or after_be)
 
     def _place_or_nothing(self, chunk: Chunk, owner: list[Mention]) -> bool:
@@ -439,8 +447,8 @@ class Clauses(Exclusions):
             return Place("centered_on", words=f"centered {place.words}")
         if manner == "drape" and place.type in ("above", "through"):
             return Place("on", words=f"draped {place.words}")
-        if manner == "hang" and place.type in ("above", "on", "inside", "against"):
-            return Place(place.type, words=f"hanging {place.words}")
+        if manner in ("hang", "mount") and place.type in ("above", "on", "inside", "against"):
+            return Place(place.type, words=f"{'hanging' if manner == 'hang' else 'mounted'} {place.words}")
         return place
 
 

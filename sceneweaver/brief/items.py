@@ -28,6 +28,8 @@ class Items(Relating):
             self._item(mentions, phrase)
             return
         if self.inverted and self.frames and self.frames[0].kind == "fronted" and not self._verb_follows(self.at):
+            if glue.startswith("comma"):
+                self.frames = self.frames[:1]
             self._item(mentions, phrase)
             return
         clause = glue in ("start", "while", "comma", "comma and", "and") and (
@@ -111,9 +113,12 @@ class Items(Relating):
         """Whether a comma does not end an inner list: small things after small things that something holds."""
         inner = self.frames[-1]
         small = all(mounts(m.category)[0] == "surface" for m in mentions) and not self._placed_next(self.at)
-        if inner.kind == "verb" and inner.type in ("on", "inside") and self.frames[0].kind == "list":
+        held = inner.kind == "verb" and inner.type in ("on", "inside")
+        if held and self.frames[0].kind == "list":
             return small and bool(inner.items)
         first = inner.items[:1]
+        if held and self.frames[0].kind == "with" and phrase.count and small:
+            return bool(first and first[0].noun in inner.numbered)
         return bool(
             inner.kind == "with"
             and small
@@ -182,6 +187,8 @@ class Items(Relating):
             self.glue = "open"
             return
         self.waiting = None
+        if self.each and new and waiting.subjects:
+            self._for_each(waiting.subjects, mentions)
         targets: tuple[Any, ...] = tuple(mentions)
         if waiting.place.type == "between":
             targets = (waiting.first, mentions[0]) if waiting.first is not None else (mentions[0], mentions[-1])
@@ -216,8 +223,8 @@ class Items(Relating):
             target = targets[0]
             if isinstance(target, Mention):
                 for subject in waiting.subjects:
-                    if subject.count is not None and target.count is not None and waiting.count is None:
-                        n = target.count
+                    n = target.count
+                    if subject.count is not None and n is not None and waiting.count is None and subject.count != n:
                         subject.count = (subject.count[0] * n[0], subject.count[1] * n[1])
         if len(targets) > 1 and place.type != "between":
             for target in targets:

@@ -209,7 +209,7 @@ class NounPhrases(Tagger):
             else:
                 del self.out[length:]
         phrase.text = head.text
-        if phrase.paired and phrase.count is not None and head.text in _paired():  # "a pair of scissors"
+        if phrase.paired and phrase.count is not None and head.text.split()[-1] in _paired():  # "a pair of scissors"
             phrase.count = (phrase.count[0] // 2, phrase.count[1] // 2)
         self.at = start
         self._phrase_chunk(start, end, _collected(phrase, head))

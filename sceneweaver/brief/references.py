@@ -59,12 +59,14 @@ class References:
         texts = singular(phrase.text), singular(noun)
         exact = [m for m in fitting if singular(m.noun) == texts[1]]
         exact = exact or [m for m in fitting if singular(m.noun).split(" of ")[0].endswith(texts)]
+        last = texts[0].split()[-1]
         exact = exact or [m for m in fitting if m.category == category and not m.generic]
+        exact = exact or [m for m in fitting if singular(m.noun).split(" of ")[0].endswith(last) and " " in texts[0]]
         exact = exact or [
             m for m in fitting if texts[0] in singular(m.noun).split() or singular(m.noun) == texts[0].split()[-1]
         ]
         exact = exact or [m for m in fitting if m.category in _kinds(texts[0])]
-        ranks = words("nouns")["usual"].get(texts[1], ())
+        ranks = words("nouns")["usual"].get(last, ()) if texts[0] == texts[1] or last == texts[1] else ()
         exact = sorted(
             exact, key=lambda m: next((k for k, names in enumerate(ranks) if m.category in names), len(ranks))
         )
@@ -111,9 +113,7 @@ class References:
         choices = [m for m in choices if not any(m is w for w in without)]
         for noun in words("nouns")["carriers"].get(word, ()):
             for mention in choices:
-                if singular(mention.noun).split(" of ")[0].endswith(noun) or f"_{mention.category}".endswith(
-                    f"_{noun}"
-                ):
+                if singular(mention.noun).split(" of ")[0].endswith(noun):
                     return mention
         for mention in choices:
             if kind == "top" and family(mention.category) in ("table", "storage"):

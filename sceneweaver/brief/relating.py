@@ -17,6 +17,11 @@ _TIES = ("next_to", "near", "facing", "at", "in_front_of", "behind", "on", "insi
 """Relations to what a thing belongs to."""
 
 
+def _flat(thing: Mention) -> bool:
+    """Whether things stand on it that stand on the floor."""
+    return "rug" in thing.category or thing.category.endswith("mat")
+
+
 class Relating(ReaderState):
     """Relations as they are said: who, where, and what is meant where it is not said."""
 
@@ -70,7 +75,7 @@ class Relating(ReaderState):
             kind = "on"
         if kind == "occupying":
             kind = "on"
-        if kind == "above" and all(mounts(s.category)[0] == "floor" for s in subjects):
+        if kind == "above" and all(mounts(s.category)[0] == "floor" and "lamp" in s.noun for s in subjects):
             kind = "near"  # a floor lamp that arches over a sofa
         if kind == "covering":
             kind = "on"
@@ -83,10 +88,22 @@ class Relating(ReaderState):
         if kind == "above" and spoken.startswith("hang"):
             for subject in subjects:
                 subject.category = words("nouns")["hung"]["ceiling"].get(subject.category, subject.category)
+        if kind == "on" and "rug" in target.category:
+            subjects = list(dict.fromkeys(self._root(s) if s.category != target.category else s for s in subjects))
         if kind == "centered_on":
             surface = all("surface" in mounts(s.category) for s in subjects)
             if surface or "rug" in target.category:
                 self._say("on", subjects, (target,), spoken, count, False, None, span, implied)
+        one = subjects[0]
+        if (
+            kind == "along"
+            and "each" in spoken.split()
+            and count is None
+            and len(subjects) == 1
+            and one.count is not None
+        ):
+            count, one.count = one.count, (2 * one.count[0], 2 * one.count[1])  # "two chairs on each long side"
+        each = each and (count is not None or kind not in ("flanking", "along"))
         self._say(kind, subjects, targets, spoken, count, each, side, span, implied)
 
     def _say(
@@ -193,7 +210,14 @@ class Relating(ReaderState):
             carried = (
                 said.type in ("on", "inside") and isinstance(target, Mention) and any(s is thing for s in said.subjects)
             )
-            if carried and isinstance(target, Mention) and target is not thing:
+            beside = said.type in ("next_to", "below", "near") and (
+                _flat(thing) or mounts(thing.category)[0] == "surface"
+            )
+            if (
+                isinstance(target, Mention)
+                and target is not thing
+                and (carried or (beside and any(s is thing for s in said.subjects)))
+            ):
                 thing = target
         return thing
 
@@ -251,6 +275,8 @@ class Relating(ReaderState):
             frame_items = [m for f in self.frames[-1:] for m in f.items]
             if not frame_items and (self.refs.topics or self.out.mentions):
                 targets = self._main([]) if place.type == "opposite" and "room" in place.words else self._near([])
+                if place.type == "centered_on" and self.surface is not None:
+                    targets = [self.surface]
                 if targets and place.type in ("below", "near", "next_to", "opposite", "around"):
                     targets = [self._root(targets[-1])]
                 if "room" in place.words and place.type == "opposite" and not self.out.mentions:
@@ -281,10 +307,13 @@ class Relating(ReaderState):
         ):
             self._at_place("at", subjects, "middle", place.words, None, self.source.span(chunk.start, chunk.end), False)
             return
-        if place.type in ("near", "above", "left_of", "right_of"):
+        seated = place.type == "in_front_of" and all(family(s.category) == "seat" for s in subjects)
+        seated = seated and bool(near) and family(near[-1].category) not in ("table", "storage", "seat", "bed_group")
+        if near and (seated or place.type in ("near", "above", "left_of", "right_of")):
             near = [self._anchor(near[-1], place.type, subjects)]
         target = near[-1] if len(near) == 1 or place.type not in ("above", "below") else near[0]
-        if place.type == "on" and not place.words.startswith("in"):
+        owned = any(f.kind in ("with", "verb") and target in f.owner for f in self.frames)
+        if place.type == "on" and not owned:
             target = self.refs.carrier(near, subjects) or target
         self._relate(place, subjects, (target,), chunk, count=self.subset)
 

@@ -22,8 +22,10 @@ class RoomPhrases(Items):
         row = words("groups")["groups"][phrase.value]
         if phrase.definite:
             serving = {category_of(name) for name in row["things"]}
-            kin = {family(c) for c in serving} & {"seat", "bed_group"}
+            kin = {family(c) for c in serving} & {"seat", "bed_group", "table"}
             there = [m for m in self.out.mentions if m.category in serving or family(m.category) in kin]
+            first = family(category_of(next(iter(row["things"]))))
+            there.sort(key=lambda m: family(m.category) != first)
             if there and self.waiting is not None:
                 self._named(there[:1], phrase, chunk, False)
                 return

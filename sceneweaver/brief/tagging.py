@@ -87,7 +87,7 @@ class Tagger:
             if token.has("noun") and not closed:
                 return False
             return seen_noun
-        if token.has("noun") and not (closed and seen_noun):  # "a painting"
+        if token.has("abstract") or (token.has("noun") and not (closed and seen_noun)):  # "a painting"
             return False
         if not seen_noun:
             return False

@@ -23,6 +23,12 @@ class ThingPhrases(RoomPhrases):
             return
         waiting = self.waiting
         target = waiting is not None and self.glue != "start"
+        if waiting is None and phrase.determiner in ("each", "every"):  # "each bowl next to a spoon"
+            group = self.refs.known(phrase, True, [])
+            if group is not None and group.many:
+                self._named([group], phrase, chunk, False)
+                self.each = True
+                return
         if (
             waiting is not None
             and waiting.subjects
@@ -183,12 +189,20 @@ class ThingPhrases(RoomPhrases):
                     for s in subjects
                 )
             near = self._near(subjects) if subjects else (self.refs.topics[-1] if self.refs.topics else [])
-            if (small or phrase.determiner in ("its", "their")) and near:
+            root = self._root(near[-1]) if near else None
+            if small and self.surface is not None and phrase.determiner not in ("its", "their"):
+                owner = self.surface
+            elif small and root is not None and root is not near[-1] and root not in subjects:
+                owner = root
+            elif (small or phrase.determiner in ("its", "their")) and near:
                 owner = self.refs.carrier(near, subjects) or near[-1]
             else:
                 owner = "room"
         if owner is None:
             near = self._near(subjects)
+            if phrase.determiner == "its" and near and near[-1].many:
+                pronoun = NounPhrase("pronoun", "it", phrase.start, phrase.end, value="pron")
+                near = self.refs.pronoun(pronoun, [], [*subjects, *near]) or near
             owner = self.refs.carrier(near, subjects, "top" if region == "top" else region, phrase.text) or (
                 near[-1] if near else None
             )
@@ -217,7 +231,16 @@ class ThingPhrases(RoomPhrases):
             )
         else:
             kind = waiting.place.type
-            if region == "center":
+            if region == "center" and kind in (
+                "inside",
+                "on",
+                "at",
+                "near",
+                "centered_on",
+                "occupying",
+                "along",
+                "covering",
+            ):
                 kind = "centered_on"
             elif region == "inside":
                 kind = "inside"
@@ -260,6 +283,11 @@ class ThingPhrases(RoomPhrases):
         """What a thing has is said of it: "with three drawers", "a tufted headboard"."""
         owners = self.frames[-1].owner if self.frames and self.frames[-1].kind in ("with", "verb") else []
         owners = owners or (self.head if self.glue in ("open", "", "and") else [])
+        opening = phrase.text.split()[-1].rstrip("s")
+        if self.waiting is not None and opening in ("door", "window"):
+            phrase.what, phrase.value = "place", opening
+            self._np_place(phrase, chunk)
+            return
         waiting, self.waiting = self.waiting, None
         if waiting is not None and phrase.definite and waiting.subjects:  # "a pillow against the headboard"
             near = [m for m in reversed(self.out.mentions[-20:]) if any(a.value == phrase.text for a in m.attributes)]

@@ -93,7 +93,7 @@ def new_mention(phrase: NounPhrase, source: Source) -> Mention:
     mention.span = source.span(phrase.start, phrase.end)
     if mention.count is None:
         head = phrase.text.split(" of ")[0]
-        several = phrase.plural and head not in words("nouns")["paired"] and plural(_single(head)) == head
+        several = phrase.plural and head.split()[-1] not in words("nouns")["paired"] and plural(_single(head)) == head
         if several:
             mention.count = MANY
         elif phrase.determiner and phrase.determiner not in ("the", "its", "their", "any", "these", "those"):

@@ -126,7 +126,7 @@ def _noun_begins(raw: list[_Raw], at: int) -> bool:
     """Whether a longer noun begins with a word: "on the side table" is no "on the side"."""
     table = vocabulary()
     for end in range(at + 2, min(at + 4, len(raw)) + 1):
-        if table.get(_joined(raw, at, end), {}).keys() & {"noun", "place"}:
+        if table.get(_joined(raw, at, end), {}).keys() & {"noun", "place", "region"}:
             return True
     return False
 
@@ -167,6 +167,12 @@ def _cut(found: list[Token]) -> Iterator[Token]:
     table = vocabulary()
     for index, token in enumerate(found):
         head, _, last = token.text.rpartition(" ")
+        after = found[index + 1] if index + 1 < len(found) else None
+        longer = f"{last} {after.text}" if after is not None else ""
+        if head in table and longer in table and "noun" in table[longer] and token.has("noun") and after is not None:
+            found[index + 1] = Token(longer, token.end - len(last), after.end, dict(table[longer]))
+            yield Token(head, token.start, token.end - len(last) - 1, dict(table[head]))  # "glass pendant lights"
+            continue
         verb = table.get(last, {}).get("verb")
         if head in table and "noun" in table[head] and isinstance(verb, Verb) and token.has("plural"):
             before = [t.text for t in found[max(0, index - 6) : index]]
