@@ -22,8 +22,14 @@ from .verdict import Asked, counted, met, not_understood, unmet
 SIZE_SLACK = 0.15
 """Share by which a size may differ from what was asked."""
 
+OBLONG = 1.4
+"""Quotient of two sides from which something is long."""
+
 MEDIUM = 1.33
 """Factor about the middle of what is usual within which a size is medium."""
+
+EXTENTS = {"plan": "area", "long": "length", "short": "breadth"}
+"""Names of extents that are none of the three of a size."""
 
 SEPARATE = ("color", "material", "style")
 """Fields of an entity that say what attributes say as well."""
@@ -187,9 +193,12 @@ def _extent(body: Body, asked: Entity, words: Words) -> Measurement | None:
     if row is None or row.size is None:
         return None
     axis, share = _axis(words)
+    sides = sorted(body.size[:2])
+    if axis == "long" and sides[1] < OBLONG * sides[0]:  # however large it is
+        return Measurement("length by its breadth", sides[1] / sides[0], OBLONG, math.inf, "", 1e-6)
     low, high = (1.0, math.inf) if share > 0.5 else (0.0, 1.0) if share < 0.5 else (1.0 / MEDIUM, MEDIUM)
     return Measurement(
-        f"{'area' if axis == 'plan' else axis} by the usual one", _usual_share(body, row, axis), low, high, "", 1e-6
+        f"{EXTENTS.get(axis, axis)} by the usual one", _usual_share(body, row, axis), low, high, "", 1e-6
     )
 
 
@@ -213,7 +222,11 @@ def _usual_share(body: Body, row: Category, axis: str) -> float:
 
 def _of_size(body: Body, asked: Entity, words: Words) -> Answer | None:
     m = _extent(body, asked, words)
-    return None if m is None else (m.ok(), f"{m.value:.2f} of the usual {m.quantity.split()[0]}")
+    if m is None:
+        return None
+    if m.low == OBLONG:
+        return m.ok(), f"{m.value:.2f} times as long as it is broad"
+    return m.ok(), f"{m.value:.2f} of the usual {m.quantity.split()[0]}"
 
 
 def _resized(attribute: Attribute, asked: Entity, body: Body, number: Measurement) -> tuple[str | None, Any]:
@@ -222,7 +235,10 @@ def _resized(attribute: Attribute, asked: Entity, body: Body, number: Measuremen
     if not words.extents or number.value <= 0.0:
         return None, None
     axis, share = _axis(words)
-    scale = asked.scale if asked.scale != 1.0 else 1.15 if share > 0.5 else 0.87 if share < 0.5 else 1.0
+    if number.low == OBLONG:
+        scale = 1.05 * OBLONG
+    else:
+        scale = asked.scale if asked.scale != 1.0 else 1.15 if share > 0.5 else 0.87 if share < 0.5 else 1.0
     size = list(body.size)
     if axis == "plan":
         factor = math.sqrt(scale / number.value)

@@ -13,6 +13,7 @@ from sceneweaver.knowledge.surfaces import lays, usual_arrangement
 from sceneweaver.scene import CATALOGUE
 from sceneweaver.verify.solids import Body
 
+from . import kinds
 from .place_measures import segments
 from .survey import Survey
 
@@ -94,6 +95,10 @@ def relating(survey: Survey, said: StatedRelation, item: str, wrong: Sequence[Bo
 def _turning(survey: Survey, said: StatedRelation, wrong: Sequence[Body]) -> Call:
     """Turn things to what they should face."""
     target = next((b for b in survey.standing_for(said.targets[0]) if b not in wrong), None)
+    if target is not None and target.item.category in kinds.TVS:  # it has to look back
+        pairs = [(a.id, b.id) for one in wrong for a, b in ((one, target), (target, one))]
+        rows = [{"type": "facing", "subject": a, "target": b, "hard": True} for a, b in pairs]
+        return "add_relation", {"relations": rows}
     if target is not None:
         return "update_rotation", {"ids": [b.id for b in wrong], "toward": target.id}
     parts = segments(survey, said.targets[0])

@@ -80,10 +80,10 @@ def _entity(survey: Survey, asked: Entity, bodies: list[Body]) -> Asked:
 
 
 def _beside(survey: Survey, asked: Entity, bodies: list[Body]) -> list[Body]:
-    """More of what was asked for, that stands for nothing else in the request."""
+    """More of what was asked for, or of what takes its role, that stands for nothing else in the request."""
     if len(bodies) < (asked.count or (1, 1))[1]:
         return []
-    names = {asked.category, *members(asked.category)}
+    names = {*kinds.same_role(asked.category), *members(asked.category)}
     return [b for b in survey.bodies if b.item.category in names and b.id not in survey.program.asked_of]
 
 

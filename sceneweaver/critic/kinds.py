@@ -123,6 +123,25 @@ _KIN: tuple[frozenset[str], ...] = (
     _set("monitor laptop"),
 )
 
+_ROLES: tuple[frozenset[str], ...] = (
+    SOFAS,
+    TVS,
+    _set("desk standing_desk computer_desk corner_desk secretary_desk"),
+    _set("dining_table round_dining_table oval_table"),
+    _set("coffee_table round_coffee_table nesting_tables"),
+    _set("bed single_bed king_bed canopy_bed murphy_bed bunk_bed loft_bed daybed"),
+    _set("bookcase low_bookcase cube_shelf ladder_shelf library_shelf corner_shelf"),
+    _set("fridge side_by_side_fridge"),
+    _set("bathtub freestanding_bathtub"),
+    _set("pedestal_sink vanity double_vanity wall_basin"),
+    _set("toilet wall_toilet"),
+    _set("rug round_rug runner_rug"),
+    _set("ceiling_light pendant chandelier track_light ceiling_fan"),
+    _set("floor_lamp tripod_lamp arc_lamp"),
+    TALL_PLANTS - {"floor_vase"},
+)
+"""Things of which any takes the role of any other: beside one that was named, another is one too many."""
+
 WORLDS: dict[str, frozenset[str]] = {
     "bathroom": _set("shower_stool bathroom_shelf medicine_cabinet toilet_brush plunger bath_mat"),
     "kitchen": _set(
@@ -183,6 +202,12 @@ def groups_of(category: str) -> frozenset[str]:
 def kin(category: str) -> frozenset[str]:
     """The categories that may stand in for one another with this one, itself included."""
     return frozenset((category,)).union(*(k for k in _KIN if category in k))
+
+
+@cache
+def same_role(category: str) -> frozenset[str]:
+    """The categories that are one more of what a person names by this one, itself included."""
+    return frozenset((category,)).union(*(role for role in _ROLES if category in role))
 
 
 @cache

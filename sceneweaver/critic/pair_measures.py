@@ -308,11 +308,19 @@ def centered_on(survey: Survey, s: Body, t: Body, params: dict[str, Any]) -> Alt
 
 
 def facing(survey: Survey, s: Body, t: Body, params: dict[str, Any]) -> Alternatives:
-    """Its front meets the target, or points at its middle within 15 degrees; of a desk who sits at it may face it."""
+    """Its front meets the target, or points at its middle within 15 degrees; of a desk who sits at it may face it.
+
+    A screen has to look back, or nobody sees what is on it.
+    """
+    seen = (_faces(survey, t, s, 1.0),) if t.item.category in kinds.TVS and s.item.category in kinds.LOUNGE else ()
+    return [(_faces(survey, s, t, way), *seen) for way in ways_of(s)]
+
+
+def _faces(survey: Survey, s: Body, t: Body, way: float) -> Measurement:
     import shapely
 
-    hull = shapely.convex_hull(survey.footprints[t.index])
-    return [(turned_to(s, hull, t.centre, way),) for way in ways_of(s)]
+    m = turned_to(s, shapely.convex_hull(survey.footprints[t.index]), t.centre, way)
+    return m._replace(quantity=f"{s.id} turned away by")
 
 
 def ways_of(body: Body) -> tuple[float, ...]:

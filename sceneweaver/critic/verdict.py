@@ -46,7 +46,8 @@ def weight_of(m: Measurement) -> float:
 
 def text_of(m: Measurement) -> str:
     """A measurement in words: what fails as the judge says it, the rest to the centimetre."""
-    return str(m if not m.ok() else m._replace(value=round(m.value, 2))).replace(" ,", ",").strip()
+    value = round(m.value, 2) if m.ok() else m.value
+    return str(m._replace(value=value, low=round(m.low, 3), high=round(m.high, 3))).replace(" ,", ",").strip()
 
 
 @dataclass(frozen=True)

@@ -121,6 +121,12 @@ def test_directions(kind: str, subject: SceneObject, yes: bool) -> None:
     assert holds(table, subject, type=kind, subject=subject.category, targets=("dining_table",)) is yes
 
 
+def test_a_screen_that_is_faced_looks_back() -> None:
+    said: dict[str, Any] = {"type": "facing", "subject": "sofa", "targets": ("tv",)}
+    for yaw, yes in ((180, True), (150, False), (90, False)):
+        assert holds(sofa, box("tv-0", (0.1, 1.2, 0.7), 4.0, 2.5, yaw, z=0.6), **said) is yes, yaw
+
+
 def test_two_of_a_kind_that_face_each_other() -> None:
     a, b = box("armchair-0", CHAIR, 2.0, 2.5, 0), box("armchair-1", CHAIR, 3.2, 2.5, 180)
     said: dict[str, Any] = {"type": "opposite", "subject": "armchair", "targets": ("armchair",)}
@@ -316,6 +322,7 @@ def test_what_was_only_implied_is_assumed_and_the_unknown_is_said() -> None:
         ({"kind": "shape", "value": "round"}, {"shape": "round"}, "met"),
         ({"kind": "size", "value": "large"}, {}, "unmet"),
         ({"kind": "size", "value": "small"}, {}, "met"),
+        ({"kind": "size", "value": "long"}, {}, "unmet"),
         ({"kind": "part", "value": "3 drawers"}, {"drawers": 3}, "met"),
         ({"kind": "part", "value": "3 drawers"}, {"drawers": 2}, "unmet"),
         ({"kind": "part", "value": "3 drawers"}, {}, "not_understood"),

@@ -46,6 +46,15 @@ def test_missing_and_too_many() -> None:
     assert 7.0 < one.grades["alignment"] < 10.0
 
 
+def test_another_that_takes_the_same_role_is_one_too_many() -> None:
+    case = rooms.living().plus(put("loveseat-0", 1.2, 3.6, -90, size=(0.9, 1.5, 0.8)))
+    fault = only(review(case, entities=[entity("sofa", count=(1, 1))]), "too_many", "alignment")[0]
+    assert fault.inputs["ids"] == ["loveseat-0"]
+    both = [entity("sofa", count=(1, 1)), entity("loveseat", count=(1, 1))]
+    assert not only(review(case, entities=both), "too_many", "alignment")
+    assert not only(review(case, entities=[entity("sofa")]), "too_many", "alignment"), "no number was given"
+
+
 def test_what_a_table_is_laid_with_is_asked_of_the_table() -> None:
     case = rooms.office()
     bare = Case(
