@@ -49,10 +49,18 @@ def review_scene(scene: Scene, report: Report, room_type: RoomType, brief: Scene
     survey = Survey.of(scene, report, room_type, brief)
     items = asked.measured(survey)
     found = [*(f for check in CHECKS for f in check(survey))] if scene.objects else [*_empty(survey)]
-    found += asked.findings(items)
+    found = [f for f in found if not _turned_as_asked(survey, f)] + asked.findings(items)
     ranked = sorted(found, key=lambda f: (f.cap is None, -f.fault.points))
     faults = _short([f.fault for f in ranked])
     return Review(grades=grades(found), faults=faults, measures=_measures(survey), alignment=asked.alignment(items))
+
+
+def _turned_as_asked(survey: Survey, found: Finding) -> bool:
+    """Whether a fault is about what the request wants to face something of its choice."""
+    if found.fault.kind != "wrong_orientation":
+        return False
+    facing = (said.subject for said in survey.brief.relations if said.type == "facing")
+    return any(b.id in found.fault.objects for name in facing for b in survey.standing_for(name))
 
 
 def _short(faults: Sequence[Fault]) -> tuple[Fault, ...]:

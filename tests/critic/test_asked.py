@@ -134,6 +134,13 @@ def test_what_came_along_may_stand_elsewhere() -> None:
     assert only(review(alone, entities=objects, relations=[said]), "asked_relation", "alignment")
 
 
+def test_what_is_asked_to_face_something_need_not_face_the_usual() -> None:
+    case = rooms.living().but({"id": "sofa-0", "yaw": 0})
+    said = {"type": "facing", "subject": "sofa", "targets": ("wall:right",)}
+    assert only(case.review(), "wrong_orientation")
+    assert not only(review(case, entities=[entity("sofa")], relations=[said]), "wrong_orientation")
+
+
 def test_around() -> None:
     case = rooms.restaurant(1, 1)
     said = {"type": "around", "subject": "dining_chair", "targets": ("dining_table",)}
