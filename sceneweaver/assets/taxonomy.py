@@ -260,8 +260,9 @@ def _misspelt(noun: str, asked: str) -> Match | None:
     (word,) = strange
     if word in near_words():
         return None
-    for near in difflib.get_close_matches(word, _single_words(), n=3, cutoff=0.8):
-        if near[0] == word[0] and slips(word, near) <= (1 if len(word) < 9 else 2):
+    alike = [known for known in _single_words() if known[0] == word[0] and abs(len(known) - len(word)) <= 2]
+    for near in difflib.get_close_matches(word, alike, n=3, cutoff=0.8):
+        if slips(word, near) <= (1 if len(word) < 9 else 2):
             meant = " ".join(near if w == word else w for w in words)
             found = _known(noun, meant)
             if found is not None and found.how != "group":
