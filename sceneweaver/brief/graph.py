@@ -58,7 +58,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
             for left in {left.words: left for left in reversed(parsed.unread) if left.words.strip()}.values()
         )[::-1],
     )
-    notes += [f"'{said.words}' cannot be said as a relation" for said in unsaid(graph)]
+    notes += [f"'{said.words}' cannot be said as a relation" for said in unsaid(graph) if not said.implied]
     return graph.model_copy(update={"notes": tuple(dict.fromkeys(notes))})
 
 

@@ -80,6 +80,8 @@ class NounPhrases(Tagger):
         token = self.tokens[k]
         after = self.tokens[k + 1] if k + 1 < len(self.tokens) else None
         seen = any(nominal(t) and not t.has("material", "color") for t in run) or (bool(run) and nominal(run[-1]))
+        if token.text in ("to", "for"):
+            return True
         if token.has("break"):
             if token.text != "," or seen or not run or after is None:
                 return True

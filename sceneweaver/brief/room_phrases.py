@@ -10,6 +10,23 @@ from .parsed import Mention
 from .tokens import Token
 from .vocabulary import Place, category_of, family, words
 
+_ROOMS = (
+    "nook",
+    "space",
+    "retreat",
+    "area",
+    "zone",
+    "hub",
+    "haven",
+    "oasis",
+    "setup",
+    "quarters",
+    "setting",
+    "spot",
+    "scene",
+)
+"""Words for a room of some kind."""
+
 
 class RoomPhrases(Items):
     """Phrases about the room: its kind, its places and openings, who it is for, parts that stand for things."""
@@ -205,6 +222,8 @@ class RoomPhrases(Items):
         if self.glue == "open" and self.frames and self.frames[-1].owner:  # "casting light over the bench"
             self.head, self.glue = self.frames.pop().owner, ""
             return
+        start = self.glue == "start" and not self.out.mentions
         self._nobody()
+        self.lost = self.lost and not (start and phrase.text in _ROOMS)
 
     _np_collective = _np_abstract

@@ -8,6 +8,9 @@ from .chunks import CLOSED, QUALITIES, Chunk, Kind
 from .tokens import Token
 from .vocabulary import Verb, frame
 
+_BASES = ("stand", "rest", "face", "display", "frame", "support", "house", "line", "open")
+"""Verbs in the plural that look like nouns."""
+
 
 class Tagger:
     """Tokens and where the reader of them is."""
@@ -65,18 +68,10 @@ class Tagger:
         if verb.form == "s":
             return not other or (seen_noun and (closed or not token.has("noun")))
         if verb.form == "base":
-            return (
-                (
-                    not other
-                    or token.text
-                    in ("stand", "rest", "face", "display", "frame", "support", "house", "line", "open", "set")
-                )
-                and seen_noun
-                and closed
-                and not (
-                    token.text == "set" and (after is None or after.has("break", "and", "with") or (after.has("verb")))
-                )
+            several = (
+                k > 0 and self.tokens[k - 1].has("plural") and after is not None and after.has("det", "preposition")
             )
+            return seen_noun and closed and (not other or several or token.text in _BASES)
         if verb.form == "ed":
             if (
                 token.text in ("set", "built", "fit")

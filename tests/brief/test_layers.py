@@ -61,6 +61,18 @@ RELATIONS = [
     ("A desk holds a monitor with a keyboard in front of it.", ("keyboard", "in_front_of", "monitor")),
     ("A desk holds a monitor with a keyboard in front of it.", ("keyboard", "on", "desk")),
     ("A stool that stands beside the piano", ("stool", "next_to", "upright_piano")),
+    ("A bookcase next to a desk against the wall", ("bookcase", "against", "wall")),
+    ("A bench faces a bookcase set against the left wall.", ("bookcase", "against", "wall:left")),
+    ("A wall-mounted cabinet above a toilet", ("wall_cabinet", "on", "wall")),
+    ("A bedroom centered on a bed flanked by two lamps", ("bed", "at", "middle")),
+    ("Three wardrobes lined the left wall.", ("wardrobe", "along", "wall:left")),
+    ("An office chair faces a desk, and a floor lamp stands nearby.", ("floor_lamp", "near", "desk")),
+    ("On the table, a bowl stands beside a mug, and a candle is by the mug.", ("candle", "on", "dining_table")),
+    ("A toy chest sits open to reveal two balls.", ("ball", "inside", "toy_chest")),
+    ("A desk with a laptop on it and a lamp beside it", ("table_lamp", "next_to", "laptop")),
+    ("A cutting board with a knife on top lies on a table.", ("knife", "on", "cutting_board")),
+    ("Light falls through the window onto a bench, and beside it stands a plant.", ("bench", "near", "window")),
+    ("Four bean bags form a circle on a rug.", ("bean_bag", "on", "rug")),
 ]
 
 
