@@ -14,7 +14,11 @@ from typing import Any, Literal
 from .asset import Mount
 from .category import Category, categories, read_yaml
 from .looks import is_look
+from .materials import finishes_named
 from .plurals import singular, slips
+
+_NO_KIND = frozenset(("high", "open", "plush", "little", "old"))
+"""Words that say how a thing is and, before a noun, name another: a chair that is high is no high chair."""
 
 How = Literal["exact", "synonym", "plural", "spelling", "like", "head", "group", "generic"]
 
@@ -46,8 +50,8 @@ class Match:
     """What a noun was taken for, and how.
 
     ``category`` is what the object is called in a scene: a category of the taxonomy or, where none fits, the noun
-    itself ("zebra_crossing"). ``body`` is the category that draws it, a ``generic_*`` one for such a noun. ``label`` is
-    what people call the thing: "altar_table" of one that is treated and drawn as a dining table.
+    itself ("zebra_crossing"). ``body`` is the category that draws it: a ``generic_*`` one for such a noun, or one whose
+    body may stand for it.
     ``modifiers`` are the words before the noun that are no part of its name: colours, materials, sizes, others.
     ``note`` is a sentence for the user unless the name was known.
     """
@@ -56,12 +60,10 @@ class Match:
     how: How
     note: str = ""
     body: str = ""
-    label: str = ""
     modifiers: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "body", self.body or self.category)
-        object.__setattr__(self, "label", self.label or self.category)
 
     @property
     def generic(self) -> bool:
@@ -92,8 +94,9 @@ def _words() -> dict[str, tuple[str, How]]:
 
 @cache
 def phrases() -> dict[str, str]:
-    """Every known word or phrase, lower case, with the category or group that it names."""
-    return {word: name for word, (name, _) in _words().items()}
+    """Every known word or phrase, lower case, with the category or group that it names; of a thing that another's body
+    stands for, its own name."""
+    return {word: singular(word).replace(" ", "_") if how == "like" else name for word, (name, how) in _words().items()}
 
 
 @cache
@@ -118,13 +121,11 @@ def likeliness(thing: str, carrier: str) -> int | None:
 
     What is said of a desk goes for a standing desk, too: a compound is of the kind of its last words.
     """
-    known = categories()
-    if thing not in known or carrier not in known:
-        return None
-    for rank, kind in enumerate(known[thing].on):
-        if carrier == kind or carrier.endswith(f"_{kind}"):
+    known, one, other = categories(), category_named(thing), category_named(carrier)
+    for rank, kind in enumerate(one.on):
+        if carrier == kind or carrier.endswith(f"_{kind}") or (carrier not in known and other.name == kind):
             return rank
-    return len(known[thing].on) if thing in known[carrier].holds else None
+    return len(one.on) if thing in other.holds else None
 
 
 @lru_cache(maxsize=4096)
@@ -136,7 +137,7 @@ def category_named(name: str, mount: Mount | None = None) -> Category:
         return known[name]
     match = resolve(name, mount)
     found = known[match.body]
-    return found.model_copy(update={"name": match.category}) if match.generic else found
+    return found if match.body == match.category else found.model_copy(update={"name": match.category})
 
 
 @lru_cache(maxsize=4096)
@@ -163,11 +164,22 @@ def resolve(noun: str, mount: Mount | None = None) -> Match:
 
 
 @lru_cache(maxsize=4096)
-def narrower(category: str, words: str) -> str:
-    """The category that words about a thing make of it ("king size" of a bed), else the category itself."""
-    if category not in categories():
+def narrower(category: str, words: str, noun: str = "") -> str:
+    """The category that words about a thing make of it ("king size" of a bed), else the category itself.
+
+    They stand before its name or the noun that was said, not before other names of it: a movable kitchen island is no
+    "movable counter". A colour, a material or "high" makes nothing else of a thing.
+    """
+    table, known = _words(), categories()
+    if category not in known:
         return category
-    return _narrowed(Match(category, "exact"), _plain(words).split())[0].category
+    plain = [word for word in _plain(words).split() if word not in _NO_KIND and not finishes_named(word)]
+    for chosen in _choices(plain):
+        for name in (known[category].words, singular(_plain(noun))):
+            narrow = table.get(f"{' '.join(chosen)} {name}")
+            if narrow is not None and narrow[1] != "like" and known[narrow[0]].size is not None:
+                return narrow[0]
+    return category
 
 
 def _plain(text: str) -> str:
@@ -183,7 +195,7 @@ def _known(noun: str, asked: str) -> Match | None:
                 return _of_group(noun, name)
             if how == "like":
                 note = f"there is no {word}; the body of a {categories()[name].words} stands for it"
-                return Match(name, how, note, label=singular(word).replace(" ", "_"))
+                return Match(singular(word).replace(" ", "_"), how, note, name)
             return Match(name, "plural" if plural and how == "exact" else how)
     return None
 
@@ -205,18 +217,19 @@ def _compound(noun: str, asked: str) -> Match | None:
         if found.how == "like" or end in _lexicon()["not_heads"]:
             return None
         note = f"'{noun}' is not known; a {categories()[found.category].words} stands for it"
-        label, modifiers = _label(f"{' '.join(before)} {end}")
-        return Match(found.category, "head", note, label=label, modifiers=modifiers)
+        return Match(found.category, "head", note, modifiers=tuple(rest))
     return None
 
 
 def _narrowed(found: Match, rest: list[str]) -> tuple[Match, list[str]]:
     """A category made narrower by words before it, under any of its names: a round wall mirror is a round mirror."""
+    if found.how == "like":
+        return found, rest
     table, category = _words(), categories()[found.category]
     for words in _choices(rest):
         for name in (category.words, *category.synonyms):
             narrow = table.get(f"{' '.join(words)} {_plain(name)}")
-            if narrow is None or categories()[narrow[0]].size is None:
+            if narrow is None or narrow[1] == "like" or categories()[narrow[0]].size is None:
                 continue
             if narrow[0] != found.category:
                 return Match(*narrow), [word for word in rest if word not in words]
@@ -242,13 +255,11 @@ def _contents(noun: str, asked: str, mount: Mount | None) -> Match | None:
         return replace(match, modifiers=(*match.modifiers, *rest.split()))
     collective = singular(head).split()[-1] in _lexicon()["collective"]
     match = resolve(rest if collective else head, mount)
+    if not collective and categories()[match.body].parent == "sanitary":  # a tub of clay
+        match, collective = resolve(rest, mount), True
     if collective:
         return match
-    return (
-        None
-        if match.generic
-        else replace(match, label=f"{_label(head)[0]}_of_{_label(rest)[0]}", modifiers=(*match.modifiers, rest))
-    )
+    return None if match.generic else replace(match, modifiers=(*match.modifiers, rest))
 
 
 def _misspelt(noun: str, asked: str) -> Match | None:

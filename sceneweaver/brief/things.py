@@ -102,7 +102,7 @@ def new_mention(phrase: NounPhrase, source: Source) -> Mention:
     if rest and first in ("dual", "twin", "double") and phrase.plural and match_of(rest).category == match.category:
         mention.count = (2, 2)
     describe(mention, phrase, source)
-    mention.category = narrower(mention.category, " ".join(a.words for a in mention.attributes))
+    mention.category = narrower(mention.category, " ".join(a.words for a in mention.attributes), mention.noun)
     return mention
 
 

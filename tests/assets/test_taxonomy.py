@@ -8,7 +8,7 @@ import pytest
 
 from sceneweaver.assets.category import categories
 from sceneweaver.assets.parametric import makers
-from sceneweaver.assets.taxonomy import GENERIC, category_named, likeliness, members, resolve
+from sceneweaver.assets.taxonomy import GENERIC, category_named, likeliness, members, narrower, phrases, resolve
 
 
 def test_there_are_enough_categories() -> None:
@@ -67,7 +67,7 @@ def test_entries_are_complete(name: str) -> None:
         ("a pair of brass candlesticks", "candlestick", "exact"),
         ("zebra", "zebra", "generic"),
         ("flux capacitors", "flux_capacitor", "generic"),
-        ("large brass sextants", "compass", "like"),
+        ("large brass sextants", "sextant", "like"),
         ("", GENERIC, "generic"),
     ],
 )
@@ -88,13 +88,15 @@ def test_every_word_of_the_taxonomy_resolves_to_its_owner() -> None:
             continue
         for word in (category.words, *category.synonyms):
             assert resolve(word).category == name, word
+        for word in category.like:
+            assert resolve(word).body == name, word
 
 
 def test_where_things_stand() -> None:
     """The likelier, the lower; what is said of a kind goes for its compounds."""
     assert likeliness("monitor", "desk") == likeliness("monitor", "standing_desk") == 0
     assert 0 < (likeliness("monitor", "bookcase") or 0) < (likeliness("monitor", "sideboard") or 0)
-    assert likeliness("monitor", "bathtub") is None and likeliness("zorb", "desk") is None
+    assert likeliness("monitor", "bathtub") is None and likeliness("zorb", "bathtub") is None
     assert (likeliness("book", "bed") or 0) >= len(categories()["book"].on), "only as the bed says that it holds some"
 
 
@@ -118,12 +120,28 @@ def test_the_last_word_and_what_holds_it_decide_a_labelled_body(noun: str, mount
     assert mount is None or mount in known.mount
 
 
-def test_what_a_thing_is_called() -> None:
-    """A label is the noun of what another body stands for, without the words that describe it."""
-    for noun, label in (("sextants", "sextant"), ("harvest moon table", "harvest_moon_table"), ("zebra", "zebra")):
-        assert resolve(noun).label == label
-    assert resolve("bowl of zorbs").label == "bowl_of_zorb" and resolve("bunk bed with a zorb").category == "bunk_bed"
-    assert resolve("couch").label == "sofa", "a synonym says the same"
+def test_another_body_stands_for_a_thing_under_its_own_name() -> None:
+    match = resolve("brass sextants")
+    assert (match.category, match.body, match.modifiers) == ("sextant", "compass", ("brass",))
+    known = category_named("sextant")
+    assert known.name == "sextant" and known.size == categories()["compass"].size
+    assert phrases()["sextant"] == "sextant" and likeliness("sextant", "desk") == 0
+    assert resolve("bunk bed with a zorb").category == "bunk_bed" and resolve("couch").category == "sofa"
+
+
+@pytest.mark.parametrize(
+    ("category", "words", "noun", "narrow"),
+    [
+        ("bed", "king size velvet", "bed", "king_bed"),
+        ("wall_mirror", "large round", "mirror", "round_mirror"),
+        ("sofa", "grey l-shaped", "couch", "sectional_sofa"),
+        ("chair", "high", "chair", "chair"),
+        ("table_lamp", "crystal", "table lamp", "table_lamp"),
+        ("zorb", "round", "zorb", "zorb"),
+    ],
+)
+def test_words_make_a_thing_narrower(category: str, words: str, noun: str, narrow: str) -> None:
+    assert narrower(category, words, noun) == narrow
 
 
 def test_words_before_a_name_stay_with_it() -> None:

@@ -62,7 +62,7 @@ class ParametricSource:
             for want, (low, high) in zip(wish.size, sizes.ranges, strict=True)
         )
         style = wish.style if wish.style in STYLES else None
-        label = match.category if match.generic else None
+        label = match.category if match.body != match.category else None
         return Request(size, wish.color, wish.material, style, wish.shape, wish.parts, label)  # pyright: ignore[reportArgumentType]
 
 
