@@ -117,6 +117,11 @@ class Items(Relating):
         if held and self.frames[0].kind == "list":
             return small and bool(inner.items)
         first = inner.items[:1]
+        carrier = (
+            inner.kind == "with" and bool(inner.owner) and family(inner.owner[-1].category) in ("table", "storage")
+        )
+        if carrier and self.frames[0].kind in ("list", "fronted"):
+            return small and bool(first) and mounts(first[0].category)[0] == "surface"
         if held and self.frames[0].kind == "with" and phrase.count and small:
             return bool(first and first[0].noun in inner.numbered)
         return bool(

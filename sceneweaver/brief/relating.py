@@ -288,6 +288,9 @@ class Relating(ReaderState):
             return
         floor = place.type in ("near", "next_to", "opposite", "left_of", "right_of", "behind", "in_front_of")
         near = self._main(subjects) if place.type == "opposite" else self._near(subjects, apart=floor)
+        if "its" in place.words.split() and near and near[-1].many:
+            it = NounPhrase("pronoun", "it", chunk.start, chunk.end, value="pron")
+            near = self.refs.pronoun(it, [], [*subjects, *near]) or near
         if place.type == "inside" and not near:
             return
         if place.type in ("left_of", "right_of") and not near:

@@ -135,6 +135,8 @@ class ReaderState:
     def _fronts(self, k: int) -> bool:
         """Whether the words of place from chunk k on come before who they are about: "and on the wall hangs ..."."""
         seen = 0
+        if self.chunks[k].passive:  # "to its left a counter"
+            return self._noun_next()
         for chunk in self.chunks[k : k + 8]:
             if chunk.kind == "noun":
                 seen += 1

@@ -13,6 +13,10 @@ MOST_NEW = 400
 """Mentions that are made at most."""
 
 
+_FLOORS = ("basement", "attic", "loft", "cellar", "rooftop", "upstairs", "downstairs")
+"""Words before the name of a room."""
+
+
 class ThingPhrases(RoomPhrases):
     """Phrases about things and their parts."""
 
@@ -51,6 +55,11 @@ class ThingPhrases(RoomPhrases):
                 if several is not None and several.many:
                     found = self.refs.part([several])
         new = found is None
+        of_room = any((t.has("room") and not t.has("noun")) or t.text in _FLOORS for t in phrase.qualities)
+        if new and of_room and phrase.value is None and self.glue == "start" and not self.out.mentions:
+            self._np_abstract(phrase, chunk)  # "a basement cinema"
+            self.lost = False
+            return
         mention = found if found is not None else self._new(phrase)
         if mention is None:
             self._lost_noun(phrase, chunk)
