@@ -9,7 +9,7 @@ from typing import Any, Protocol
 from sceneweaver.assets import Library
 from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge import RoomType
-from sceneweaver.scene import Relation, Scene
+from sceneweaver.scene import Relation, Room, Scene
 from sceneweaver.scene.edits import AnyEdit
 
 
@@ -38,13 +38,17 @@ class Proposal:
 
     ``scene`` replaces the whole scene (initialisers only), then ``edits`` apply to it in order. Poses in edits are
     proposals: the executor refines them. Each of ``variants`` holds relations that are added to the scene's; of the
-    layouts of all variants the best wins. ``notes`` say what was decided, ``unmet`` what could not be
-    done and why. ``fresh`` asks for a layout from scratch instead of the least movement.
+    layouts of all variants the best wins. ``rooms`` are others for the same things, with as many walls, doors and
+    windows: where the scene's own does not do, the best is taken; ``larger`` ones are for what was asked for and has
+    no place. ``notes`` say what was decided, ``unmet`` what could not be done and why. ``fresh`` asks for a layout from
+    scratch instead of the least movement.
     """
 
     edits: tuple[AnyEdit, ...] = ()
     scene: Scene | None = None
     variants: tuple[tuple[Relation, ...], ...] = ()
+    rooms: tuple[Room, ...] = ()
+    larger: tuple[Room, ...] = ()
     fresh: bool = False
     notes: tuple[str, ...] = ()
     unmet: tuple[str, ...] = ()

@@ -6,13 +6,14 @@ import random
 from collections.abc import Sequence
 
 from sceneweaver.assets.taxonomy import category_named
-from sceneweaver.brief import SceneGraph
-from sceneweaver.scene import Intent, Pose, Relation, Room, Scene, SceneObject
+from sceneweaver.brief import Grounded, SceneGraph
+from sceneweaver.scene import CATALOGUE, Intent, Pose, Relation, Room, Scene, SceneObject
 
 from .base import Context, Proposal
 from .draft import walls_of
 from .prior_program import BLIND, BY_RANK, Program, Wanted, build, demands
 from .prior_relations import of_brief, of_items, rows_of
+from .prior_rooms import larger_rooms, may_hold, other_rooms
 from .prior_rows import in_rows, row_variants
 from .prior_shell import floor_area, shell
 from .prior_supports import Places, laid, supported
@@ -25,6 +26,19 @@ WALLED = 0.62
 
 WAY = 0.9
 """Way [m] between a grid and what stands at the walls."""
+
+DRAWN, ROOMS = 12, 5
+"""Other rooms that are drawn, and of those that may hold everything how many are laid out beside the first."""
+
+PLACING = CATALOGUE.with_role("placing") | {
+    "distance",
+    "near_door",
+    "near_window",
+    "at_window",
+    "in_corner",
+    "in_middle",
+}
+"""Types of relations that, asked for, take a thing out of the row that it usually stands in."""
 
 GROWTH, GROWTHS = 1.12, 10
 """Factor by which a floor that nobody fixed grows when what is needed does not fit, and how often."""
@@ -47,30 +61,73 @@ class InitPrior:
             space, remarks = shell(room, brief, area, seed)
             program = _program(context, space, area, people, style)
             supported(program, brief)
-            scene, unmet = _scene(context, space, program, style, people)
-            variants = row_variants(program.wanted, space, _strip(program.wanted))
+            rows = rows_of(brief, program.wanted)
+            places = laid(program, rows, context.library, brief, seed)
+            loose = _free_of_rows(program.wanted, rows)
+            variants = row_variants(loose, space, _strip(program.wanted))
             crowded = program.footprint > FILL["full"] * area or program.wall > WALLED * walls_of(space)
-            astray = not variants and in_rows(program.wanted)
+            astray = not variants and in_rows(loose)
             attempt += 1
             large = attempt == GROWTHS or area >= 1.5 * room.area[2]
             if given or not (crowded or astray) or large or context.hurried():
                 break
             area *= GROWTH
+        scene, unmet = _scene(context, space, program, places, rows, style, people)
+        fixed = given or brief.shape == "round"
+        rooms, larger = [], []
+        if not variants and not context.hurried():
+            rooms = [
+                r
+                for r in other_rooms(room, brief, space, area, seed, fixed, DRAWN)
+                if may_hold(r, program.wanted, rows)
+            ]
+            larger = [] if given else larger_rooms(room, brief, space, area, seed)
         notes += remarks + program.notes
         unmet += _missing(brief, program)
         if given and program.left_out:
             reasons = sorted({one.reason for one in program.left_out})
             notes.append("left out, as the floor asked for is full: " + ", ".join(reasons[:8]))
-        return Proposal(scene=scene, variants=tuple(variants), fresh=True, notes=tuple(notes), unmet=tuple(unmet))
+        return Proposal(
+            scene=scene,
+            variants=tuple(variants),
+            rooms=tuple(rooms[:ROOMS]),
+            larger=tuple(larger),
+            fresh=True,
+            notes=tuple(notes),
+            unmet=tuple(unmet),
+        )
 
 
-def _scene(context: Context, space: Room, program: Program, style: str, people: int) -> tuple[Scene, list[str]]:
-    """The scene of a program, and what of the request cannot be said in it."""
+def _free_of_rows(wanted: Sequence[Wanted], rows: Sequence[Grounded]) -> list[Wanted]:
+    """What may stand in a run, a line or a grid: what the request gives no other place."""
+    placed = {row.subject for row in rows if row.hard and row.type in PLACING}
+    return [one for one in wanted if one.id not in placed]
+
+
+def _at_walls(wanted: Sequence[Wanted], rows: Sequence[Grounded]) -> list[Relation]:
+    """Pieces of a run that stand elsewhere do so at a wall, too, where the request does not keep them off it."""
+    off = {row.subject for row in rows if row.type in ("in_middle", "over", "behind", "around")}
+    free = {one.id for one in _free_of_rows(wanted, rows)}
+    return [
+        Relation(type="against_wall", subject=one.id)
+        for one in wanted
+        if one.item is not None and one.item.row == "run" and one.mount == "floor" and one.id not in free | off
+    ]
+
+
+def _scene(
+    context: Context,
+    space: Room,
+    program: Program,
+    places: Places,
+    rows: Sequence[Grounded],
+    style: str,
+    people: int,
+) -> tuple[Scene, list[str]]:
+    """The scene of a program in a room, and what of the request cannot be said in it."""
     room, brief = context.room_type, context.brief
-    rows = rows_of(brief, program.wanted)
-    places = laid(program, rows, context.library, brief, context.seed)
     asked, placed, unmet = of_brief(brief, program.wanted, space, places.failed)
-    relations = _consistent(asked, of_items(program.wanted, space, placed))
+    relations = _consistent(asked, [*of_items(program.wanted, space, placed), *_at_walls(program.wanted, rows)])
     tall = {w.id: w.asset.size[2] for w in program.wanted}
     over = {r.subject: tall[r.target] for r in relations if r.type == "above" and r.target in tall}
     before = {r.subject for r in relations if r.type == "at_window"}

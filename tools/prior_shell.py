@@ -16,6 +16,12 @@ from .prior_relations import wall_named
 
 Point = tuple[float, float]
 
+FROM_CORNER = ((0.12, 0.3), (0.65, 1.0), (9.0, 9.0))
+"""Distances [m] of a door from the corner by how a shell varies: close to it, a place beside it, in the middle."""
+
+ASPECTS = ((1.0, 1.2), (1.3, 1.6), (1.8, 2.2))
+"""Proportions of rooms, by how a shell varies."""
+
 SMALLEST, LARGEST = 1.5, 60.0
 """Sides [m] of a room that are built at least and at most; what was asked is brought in between, with a note."""
 
@@ -34,10 +40,22 @@ def floor_area(room_type: RoomType, brief: SceneGraph, seed: int) -> tuple[float
     return min(max(area, 0.8 * room_type.area[0]), max(room_type.area[2], 1.0)), people, False, notes
 
 
-def shell(room_type: RoomType, brief: SceneGraph, area: float, seed: int) -> tuple[Room, list[str]]:
-    """A room of that floor area [m2]: the outline that was asked for, the door near a corner, windows opposite."""
-    rng, notes = random.Random(seed ^ 0x5E11), []
-    width, depth = _sides(room_type, brief, area, rng, notes)
+def shell(
+    room_type: RoomType, brief: SceneGraph, area: float, seed: int, vary: int = 0, like: Room | None = None
+) -> tuple[Room, list[str]]:
+    """A room of that floor area [m2]: the outline that was asked for, the door near a corner, windows opposite.
+
+    Args:
+        room_type: the kind of room.
+        brief: the request.
+        area: of the floor [m2].
+        seed: decides what is drawn.
+        vary: 0 for the usual openings; other numbers put doors further from the corner or in the middle, and windows
+            into other walls.
+        like: a room whose windows are as many, and as large.
+    """
+    rng, notes = random.Random((seed + 7919 * vary) ^ 0x5E11), []
+    width, depth = _sides(room_type, brief, area, rng, notes, ASPECTS[vary % len(ASPECTS)] if vary else None)
     outline = _outline(brief.shape, width, depth)
     height = brief.height or room_type.height
     if not 2.0 <= height <= 8.0:
@@ -55,7 +73,8 @@ def shell(room_type: RoomType, brief: SceneGraph, area: float, seed: int) -> tup
             continue
         taken.add(wall)
         play = walls[wall] - size
-        offset = rng.uniform(0.12, 0.3) if play > 0.5 else play / 2
+        offset = rng.uniform(*FROM_CORNER[vary % len(FROM_CORNER)])
+        offset = offset if play > 2 * offset else play / 2
         near = rng.random() < 0.5
         swing = room_type.doors.swing
         if swing == "in-left" and not near:
@@ -71,7 +90,8 @@ def shell(room_type: RoomType, brief: SceneGraph, area: float, seed: int) -> tup
             )
         )
     bare = Room(type=room_type.name, outline=tuple(outline), height=height, doors=tuple(doors))
-    windows = _windows(room_type, brief, outline, walls, entry, height, rng, notes, _spoken_for(brief, bare))
+    taken_walls = _spoken_for(brief, bare)
+    windows = _windows(room_type, brief, outline, walls, entry, height, rng, notes, taken_walls, vary, like)
     return Room(type=room_type.name, outline=tuple(outline), height=height, doors=tuple(doors), windows=windows), notes
 
 
@@ -85,12 +105,17 @@ def _spoken_for(brief: SceneGraph, room: Room) -> set[int]:
 
 
 def _sides(
-    room_type: RoomType, brief: SceneGraph, area: float, rng: random.Random, notes: list[str]
+    room_type: RoomType,
+    brief: SceneGraph,
+    area: float,
+    rng: random.Random,
+    notes: list[str],
+    aspects: tuple[float, float] | None,
 ) -> tuple[float, float]:
     if brief.size is not None:
         sides = list(brief.size)
     else:
-        aspect = rng.uniform(*room_type.aspect)
+        aspect = rng.uniform(*(aspects or room_type.aspect))
         share = {"L": 0.80, "T": 0.76, "U": 0.80}.get(brief.shape or "", 1.0)
         depth = math.sqrt(area / share / aspect)
         sides = [depth * aspect, depth]
@@ -138,6 +163,8 @@ def _windows(
     rng: random.Random,
     notes: list[str],
     taken: set[int],
+    vary: int,
+    like: Room | None,
 ) -> tuple[Window, ...]:
     """Windows in walls that look away from the door, then in those beside it, centred; ``taken`` walls come last."""
     spec = room_type.windows
@@ -149,6 +176,8 @@ def _windows(
     choice = sorted(free, key=lambda i: (i in taken, round(facing[i]), -walls[i]))
     if any(i not in taken for i in choice):
         choice = [i for i in choice if i not in taken]
+    turned = (vary // len(FROM_CORNER)) % max(1, len(choice))
+    choice = choice[turned:] + choice[:turned]
     windows: list[Window] = []
     used: dict[int, int] = {}
     if brief.windows is None and any("window" in said.targets for said in brief.relations):
@@ -156,6 +185,9 @@ def _windows(
     width = round(rng.uniform(*spec.width), 2)
     sill = round(min(rng.uniform(*spec.sill), height - 0.8), 2)
     tall = round(min(rng.uniform(*spec.height), height - 0.15 - sill), 2)
+    if like is not None and like.windows:
+        count, one = len(like.windows), like.windows[0]
+        width, sill, tall = one.width, min(one.sill, height - 0.8), min(one.height, height - 0.15 - one.sill)
     plan: dict[int, int] = {}
     for k in range(count):
         fits = [i for i in choice if (plan.get(i, 0) + 1) * (width + 0.5) <= walls[i]]

@@ -204,6 +204,10 @@ def laid(program: Program, rows: Sequence[Grounded], library: Library, brief: Sc
     shelf = Shelf(library, brief, seed)
     places = Places()
     sized = {entity.id for entity in brief.entities if any(entity.size)}
+    for support in sorted(program.wanted, key=_depth, reverse=True):
+        riders = [w for w in program.wanted if w.support is support]
+        if support.support is not None and riders:  # a tray is as large as its cups need it before it is put down
+            _fitted(support, riders, rows, shelf, Places(), library, sized)
     done: set[str] = set()
     while True:
         ready = [w for w in program.wanted if w.id not in done and (w.support is None or w.support.id in done)]
@@ -214,29 +218,47 @@ def laid(program: Program, rows: Sequence[Grounded], library: Library, brief: Sc
             riders = [w for w in program.wanted if w.support is support]
             if not riders:
                 continue
-            found, lost = _on_one(support, riders, rows, shelf, places)
-            for share in GROWN if support.support is None and support.asked not in sized else ():
-                larger = _larger(support, share, library) if lost else None
-                if larger is not None:
-                    before, support.asset = support.asset, larger
-                    again, missing = _on_one(support, riders, rows, shelf, places)
-                    if len(missing) < len(lost):
-                        found, lost = again, missing
-                    else:
-                        support.asset = before
-            for one in [w for w in lost if w.asked not in sized]:
-                one.asset = _smallest(one, library) or one.asset
-                found, lost = _on_one(support, riders, rows, shelf, places)
+            found, lost = _fitted(support, riders, rows, shelf, places, library, sized)
             _stand(support, found, places)
             _check(found, rows, places)
             _drop(program, lost, support)
     return places
 
 
+def _depth(one: Wanted) -> int:
+    return 0 if one.support is None else 1 + _depth(one.support)
+
+
+def _fitted(
+    support: Wanted,
+    riders: Sequence[Wanted],
+    rows: Sequence[Grounded],
+    shelf: Shelf,
+    places: Places,
+    library: Library,
+    sized: set[str],
+) -> tuple[list[Laid], list[Wanted]]:
+    """Where things stand on a support, and those without room; for these it grows, and they shrink."""
+    found, lost = _on_one(support, riders, rows, shelf, places)
+    for share in GROWN if support.id not in places.objects and support.asked not in sized else ():
+        larger = _larger(support, share, library) if lost else None
+        if larger is not None:
+            before, support.asset = support.asset, larger
+            again, missing = _on_one(support, riders, rows, shelf, places)
+            if len(missing) < len(lost):
+                found, lost = again, missing
+            else:
+                support.asset = before
+    for one in [w for w in lost if w.asked not in sized]:
+        one.asset = _smallest(one, library) or one.asset
+        found, lost = _on_one(support, riders, rows, shelf, places)
+    return found, lost
+
+
 def _on_one(
     support: Wanted, riders: Sequence[Wanted], rows: Sequence[Grounded], shelf: Shelf, places: Places
 ) -> tuple[list[Laid], list[Wanted]]:
-    obj = places.objects.get(support.id) or support.asset.object(support.id)
+    obj = places.objects.get(support.id) or support.asset.object(support.id, mount="floor")
     top = None if obj.surfaces else _top(obj)
     if top is not None:
         places.tops[support.id] = top

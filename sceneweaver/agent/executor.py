@@ -11,7 +11,7 @@ from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.knowledge import RoomType
 from sceneweaver.layout import refine, refine_many
-from sceneweaver.scene import Pose, Relation, Scene
+from sceneweaver.scene import Pose, Relation, Room, Scene
 from sceneweaver.scene.edits import Remove, apply, apply_all
 from sceneweaver.tools.base import Proposal
 from sceneweaver.tools.carry import carried
@@ -113,15 +113,20 @@ class Executor:
             return new
 
         best, patient = refined(0), False
+        if proposal.rooms and best.faults:
+            draft, best = self._roomed(draft, proposal.rooms, best, seed, 0)
         for round_ in range(ROUNDS):
             if not best.faults or self.deadline.left < AGAIN * took:
                 break
-            lighter = relaxed(draft, best.faults, 1 + len(notes) // 2)  # the longer it takes, the more at once
+            at_once = 1 + max(len(notes) // 2, round_ // 2)  # the longer it takes, the more
+            lighter = relaxed(draft, best.faults, at_once)
             if lighter is None:
                 break
             if lighter.unmet and not patient:  # before anything that was asked for goes
                 patient = True
                 best = refined(1, best)
+                if best.faults and proposal.larger:
+                    draft, best = self._roomed(draft, proposal.larger, best, seed, 0)
                 continue
             notes, unmet = [*notes, *lighter.notes], [*unmet, *lighter.unmet]
             draft, variants = lighter.scene, _without(lighter.scene, variants)
@@ -131,6 +136,31 @@ class Executor:
             variants = []  # without the rows: they may be what stands in the way
             best = refined(1, best)
         return replace(best, notes=tuple(notes), unmet=tuple(unmet))
+
+    def _roomed(
+        self, draft: Scene, rooms: Sequence[Room], best: Outcome, seed: int, patience: int
+    ) -> tuple[Scene, Outcome]:
+        """A draft in that of some rooms where its layout is best, with that layout; unchanged where none is better."""
+        s, attempts = self.settings, self.settings.attempts[patience]
+        self.attempts += attempts
+        drafts = [draft.model_copy(update={"room": room}) for room in rooms]
+        solutions = refine_many(
+            [searched(d) for d in drafts],
+            candidates=max(8, s.layouts // len(drafts)),
+            seed=seed,
+            device=s.device,
+            steps=attempts,
+            time_limit=self.deadline.time_limit,
+            snap=True,
+        )
+        for moved, solution in zip(drafts, solutions, strict=True):
+            layouts = solution.distinct(2) or [solution.best]
+            found = self._steadiest(self._ranked([_posed(moved, layout) for layout in layouts]))
+            if found.key < best.key:
+                draft, best = moved, found
+            if self.deadline.passed:
+                break
+        return draft, best
 
     def judged(self, scene: Scene, report: Report | None = None) -> Outcome:
         """A scene as it is."""

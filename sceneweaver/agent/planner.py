@@ -7,11 +7,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from sceneweaver.assets import resolve
 from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Fault, Review
 from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import Scene
 from sceneweaver.tools.card import ToolCard
+from sceneweaver.tools.prior_program import named_kinds
 
 from .memory import Call, Memory
 from .settings import Settings
@@ -70,7 +72,7 @@ class RulesPlanner:
             return _beginnings(situation)
         settings, memory = situation.settings, situation.memory
         calls: dict[str, Call] = {}
-        for tool, faults in _by_tool(_sorted_out(situation.review.faults)).items():
+        for tool, faults in _by_tool(_sorted_out(_wanted(situation))).items():
             card = situation.cards.get(tool)
             if card is None:
                 continue
@@ -120,6 +122,19 @@ def _beginnings(situation: Situation) -> list[Call]:
     again = [c for c in others if c.tool == first.tool]
     rest = [c for c in others if c.tool != first.tool]
     return [first, *again[:1], *rest, *again[1:]][: settings.side_by_side]
+
+
+def _wanted(situation: Situation) -> list[Fault]:
+    """The faults, without those that would add what is of a kind that the request names, beside what it asks for."""
+    named, kept = named_kinds(situation.brief), []
+    for fault in situation.review.faults if situation.review is not None else ():
+        if fault.tool == "add_objects" and fault.criterion != "alignment":
+            rows = [row for row in fault.inputs.get("objects", ()) if resolve(row["category"]).category not in named]
+            if not rows or situation.brief.only:
+                continue
+            fault = fault.model_copy(update={"inputs": {**fault.inputs, "objects": rows}})
+        kept.append(fault)
+    return kept
 
 
 def _sorted_out(faults: Sequence[Fault]) -> list[Fault]:

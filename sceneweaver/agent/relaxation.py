@@ -30,9 +30,10 @@ class Relaxed(NamedTuple):
 def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Relaxed | None:
     """The scene without what is least wanted of all that its best layout has trouble with.
 
-    First go objects that are optional, then usual ones, ``at_once`` of them; then a relation of those that do not hold
-    becomes soft, one that nobody asked for if there is one; then go the other objects, by priority. None when the
-    faults are about nothing that could give way.
+    First go objects that are optional, then usual ones, ``at_once`` of them; then relations that do not hold become
+    soft, those that nobody asked for, one or with ``at_once`` above 1 all; then goes what a room of the kind needs and
+    no asked relation names; then relations that were asked for become soft. Then go the other objects, by priority.
+    None when the faults are about nothing that could give way.
     """
     trouble = Counter(name for fault in faults for name in fault.objects)
     pool = [o for o in scene.objects if o.id in trouble]
@@ -43,8 +44,15 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
             return _without(scene, least[:at_once])
     false = {(fault.relation.type, fault.objects) for fault in faults if fault.relation is not None}
     broken = [r for r in scene.relations if r.hard and (r.type, (r.subject, *r.targets)) in false]
+    unasked = [r for r in broken if not r.asked]
+    if unasked:
+        return _softened(scene, unasked[:1] if at_once == 1 else unasked)
+    named = {name for r in scene.relations if r.asked for name in (r.subject, *r.targets)}
+    needed = [o for o in pool if o.intent.priority == "needed" and o.id not in named]
+    if needed and broken:
+        return _without(scene, [max(needed, key=lambda o: (trouble[o.id], o.size[0] * o.size[1], o.id))])
     if broken:
-        return _softened(scene, min(broken, key=lambda r: r.asked))
+        return _softened(scene, broken[:1] if at_once == 1 else broken)
     if not pool:
         return None
     first = min(pool, key=lambda o: (o.intent.rank, -trouble[o.id], o.id))
@@ -93,7 +101,7 @@ def cleared(scene: Scene, report: Report) -> tuple[Relaxed, Report]:
     while faults := [v for v in report.violations if v.hard and v.kind != "dropped"]:
         known = {o.id: o for o in scene.objects}
         failing = {v.relation.index for v in faults if v.relation is not None}
-        steps = [_softened(scene, relation) for k, relation in enumerate(scene.relations) if k in failing]
+        steps = [_softened(scene, [relation]) for k, relation in enumerate(scene.relations) if k in failing]
         gone, clashes = [], [known.keys() & set(v.objects) for v in faults if v.relation is None]
         while clashes := [names for names in clashes if names]:
             trouble = Counter(name for names in clashes for name in names)
@@ -131,9 +139,14 @@ def _without(scene: Scene, gone: Sequence[SceneObject]) -> Relaxed:
     return Relaxed(scene, tuple(notes), tuple(unmet))
 
 
-def _softened(scene: Scene, relation: Relation) -> Relaxed:
-    """The scene with one of its relations soft."""
-    soft = tuple(r.model_copy(update={"hard": False}) if r is relation else r for r in scene.relations)
-    said = " ".join((relation.subject, relation.type, " and ".join(relation.targets))).rstrip()
-    unmet = (f"{said} cannot hold here",) if relation.asked else ()
-    return Relaxed(scene.model_copy(update={"relations": soft}), unmet=unmet)
+def _softened(scene: Scene, relations: Sequence[Relation]) -> Relaxed:
+    """The scene with some of its relations soft."""
+    soft = tuple(
+        r.model_copy(update={"hard": False}) if any(r is one for one in relations) else r for r in scene.relations
+    )
+    unmet = []
+    for one in relations:
+        said = " ".join((one.subject, one.type, " and ".join(one.targets))).rstrip()
+        said = f"{one.request}: {said}" if one.request is not None else said
+        unmet += [f"{said} cannot hold here"] if one.asked else []
+    return Relaxed(scene.model_copy(update={"relations": soft}), unmet=tuple(unmet))

@@ -164,7 +164,7 @@ def _loose(kind: str, a: Thing, b: Thing, n: int) -> Iterator[Row]:
         if n < 2:
             yield Row("front_against", gap)
         else:
-            yield Row("around", {"n": n, "spread": round(EVENLY * 360 / n, 1), **gap})
+            yield Row("around", {"n": n, "spread": round(min(EVENLY * 360 / n, 58.0), 1), **gap})
     elif kind == "at" and a.is_seat:
         yield Row("front_against", {"gap": [-0.25, 0.1]} if b.is_table else {})
     elif kind == "at":
@@ -234,7 +234,7 @@ def of_place(said: StatedRelation, a: Thing, count: int) -> Iterator[tuple[str, 
     """Type, target and parameters of the relations to a part of the room; ``count`` things are said to be there."""
     place, kind = said.targets[0], kind_of(said)
     if place == "middle":
-        offset = 0.1 if count == 1 else round(0.3 + count * a.half, 2)
+        offset = 0.2 if count == 1 else round(0.3 + count * a.half, 2)
         if a.mount in ("floor", "ceiling"):
             yield "in_middle", None, {"offset": offset}
     elif place == "corner":
