@@ -244,6 +244,12 @@ def _of_each(
     )
 
 
+def _together(survey: Survey, said: StatedRelation) -> list[Body]:
+    """The subjects of all relations that flank the same: a sofa and a table flank a rug, each on one side."""
+    same = (o for o in survey.brief.relations if o.type == said.type and o.targets == said.targets)
+    return [b for name in dict.fromkeys(o.subject for o in same) for b in survey.standing_for(name)]
+
+
 def _end(most: int) -> float:
     return math.inf if most >= 10**6 else most
 
@@ -258,6 +264,8 @@ def _of_group(survey: Survey, said: StatedRelation, subjects: Sequence[Body]) ->
             targets += place_measures.segments(survey, name)
         else:
             return None
+    if said.type == "flanking" and not said.each:
+        subjects = _together(survey, said)
     least, most = said.count or (1, 10**6)
     if said.count is None and not said.each:
         least = max(1, min(len(subjects), survey.least(said.subject)))

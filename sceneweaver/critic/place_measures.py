@@ -25,8 +25,8 @@ from .survey import Survey
 AT_WALL = 0.3
 """Gap [m] up to which something is against a wall."""
 
-HUNG = 0.07
-"""Gap [m] up to which something hangs on a wall."""
+HUNG, OFF_FLOOR = 0.07, 0.05
+"""Gap [m] up to which something hangs on a wall, and its least height above the floor."""
 
 IN_CORNER = 0.6
 """Gap [m] to both walls of a corner up to which something is in it."""
@@ -179,7 +179,7 @@ def _hung(survey: Survey, body: Body, segment: Segment, params: dict[str, Any]) 
     return [
         (
             at_most("gap", _gap(survey, body, segment), HUNG, slack=TOLERANCE),
-            at_least("height above the floor", body.z[0], 0.1, slack=TOLERANCE),
+            at_least("height above the floor", body.z[0], OFF_FLOOR, slack=TOLERANCE),
         )
     ]
 

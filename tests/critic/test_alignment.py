@@ -184,6 +184,15 @@ def test_flanking_needs_both_sides() -> None:
     assert not holds(lamp(2.8, 4.7), lamp(4.4, 4.7, k=1), **window)
 
 
+def test_two_different_things_flank_together() -> None:
+    names = ("floor_lamp", "stool")
+    said = [{"id": f"beside-{n}", "type": "flanking", "subject": n, "targets": ("bed",)} for n in names]
+    for x, y, status in ((1.2, 1.4, "met"), (1.8, 3.6, "unmet")):
+        things = (bed, lamp(1.2, 3.6), stool(x, y))
+        found = aligned(things, graph(things, *said))
+        assert {o.status for o in found.items if o.kind == "relation"} == {status}
+
+
 def test_around_is_all_about() -> None:
     said: dict[str, Any] = {"type": "around", "subject": "stool", "targets": ("dining_table",)}
     places = [(2.3, 1.9), (2.3, 3.1), (3.7, 1.9), (3.7, 3.1), (3.0, 1.2), (3.0, 3.8)]
