@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 from sceneweaver.brief import SceneGraph, Span
@@ -55,8 +56,8 @@ def _of_room(graph: SceneGraph, item: str) -> tuple[str, Span | None]:
     """Facts about the room have no span of their own: the kind of room stands where its words do."""
     name = item.partition(".")[2]
     if name == "room_type" and graph.room_words:
-        start = graph.text.lower().find(graph.room_words.lower())
-        return graph.room_words, Span(start, start + len(graph.room_words)) if start >= 0 else None
+        found = re.search(rf"\b{re.escape(graph.room_words)}\b", graph.text, re.IGNORECASE)
+        return graph.room_words, Span(*found.span()) if found else None
     return name.replace("_", " "), None
 
 

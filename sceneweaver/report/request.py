@@ -33,7 +33,8 @@ def items(data: ReportData) -> list[dict[str, Any]]:
 def said(outcome: ItemOutcome) -> str:
     """An outcome as a sentence, with what was measured and what is allowed."""
     text = f"{NAMES[outcome.status]}: {outcome.reason}"
-    return text if outcome.measured is None else f"{text} ({_numbers(outcome)})"
+    told = outcome.quantity and f"{outcome.quantity} " in outcome.reason  # the sentence has the numbers
+    return text if outcome.measured is None or told else f"{text} ({_numbers(outcome)})"
 
 
 def section(data: ReportData) -> str:
@@ -79,11 +80,13 @@ def _marked(text: str, phrases: Sequence[Phrase]) -> str:
     for start, end in itertools.pairwise(cuts):
         over = [k for k, span in spans.items() if span.start <= start and end <= span.end]
         pieces.append((tuple(sorted(over, key=lambda k: _rank(phrases[k]))), text[start:end]))
-    return "".join(_piece(list(over), "".join(t for _, t in run), phrases) for over, run in _runs(pieces))
-
-
-def _runs(pieces: Sequence[tuple[tuple[int, ...], str]]) -> Any:
-    return itertools.groupby(pieces, key=lambda piece: piece[0])
+    found, before = [], ""
+    for over, run in itertools.groupby(pieces, key=lambda piece: piece[0]):
+        piece = "".join(words for _, words in run)
+        status = phrases[over[0]].outcome.status if over and piece.strip() else ""
+        found.append(_piece(over, piece, phrases, joined=bool(status) and status == before))
+        before = status
+    return "".join(found)
 
 
 def _rank(phrase: Phrase) -> tuple[int, int]:
@@ -92,13 +95,14 @@ def _rank(phrase: Phrase) -> tuple[int, int]:
     return -STATUSES.index(phrase.outcome.status), phrase.span.end - phrase.span.start
 
 
-def _piece(over: list[int], text: str, phrases: Sequence[Phrase]) -> str:
+def _piece(over: Sequence[int], text: str, phrases: Sequence[Phrase], joined: bool) -> str:
+    """One piece; ``joined`` to one of the same status right before it, it looks like one with that."""
     if not over or not text.strip():
         return esc(text)
     status = phrases[over[0]].outcome.status
     title = "\n".join(said(phrases[k].outcome) for k in over)
     return (
-        f'<span class="phrase {status}" role="button" tabindex="0" aria-pressed="false" '
+        f'<span class="phrase {status}{" joined" if joined else ""}" role="button" tabindex="0" aria-pressed="false" '
         f'data-items="{" ".join(map(str, over))}" title="{esc(title)}">'
         f'<span class="sign" aria-hidden="true">{SYMBOLS[status]}</span>{esc(text)}'
         f'<span class="quiet"> ({NAMES[status]})</span></span>'

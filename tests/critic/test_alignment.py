@@ -412,7 +412,7 @@ def test_what_can_hang_has_to_when_it_is_to_be_on_a_wall() -> None:
 
 
 def test_phrases_are_cut_out_of_the_text_by_their_spans() -> None:
-    text = "A bedroom with a red bed by the wall"
+    text = "A bedroom with a red bed by the wall"  # "bed" of the room's name is part of other words
     brief = graph((bed,), {"type": "against", "subject": "bed", "targets": ("wall",), "span": (21, 36)}, text=text)
     data = brief.model_dump()
     data |= {"room_type": "bedroom", "room_words": "bedroom"}

@@ -162,12 +162,12 @@ def test_each_phrase_bears_what_became_of_it(page) -> None:
         ("phrase unmet", "2 1"),  # the worst first
         ("phrase met", "1"),
         ("phrase unmet", "4 3"),
-        ("phrase unmet", "4"),
+        ("phrase unmet joined", "4"),
         ("phrase not_understood", "5"),
     ]
     assert all(a["role"] == "button" and a["tabindex"] == "0" for a in marks)
     assert marks[2]["title"] == "unmet: mug-0 is white\nmet: words"
-    assert marks[4]["title"] == "unmet: words (gap 1.82 m, allowed 0 m to 1.5 m)\nassumed: words".replace("0 m", "0")
+    assert marks[4]["title"] == "unmet: words (gap 1.82 m, allowed 0 to 1.5 m)\nassumed: words"
     rows = [a["data-items"] for t, a in parsed.tags if t == "button" and "data-items" in a]
     assert rows == ["2", "4", "5", "6"], "what is not met, and what stands nowhere"
     data = json.loads(next(code for attrs, code in parsed.scripts if attrs.get("id") == "scene-data"))
@@ -177,9 +177,8 @@ def test_each_phrase_bears_what_became_of_it(page) -> None:
 def test_the_words_of_the_request_stay_as_they_were() -> None:
     request, phrases = asked("<b>x</b> & so on")
     whole = Page(section(ReportData(furnished(), request=request, phrases=phrases)))
-    start = whole.text.index("A  desk") if "A  desk" in whole.text else 0
     plain = re.sub(r" \((?:met|unmet|assumed|not understood)\)|[\u2713\u2717\u2248?]", "", "".join(whole.words))
-    assert request in plain[start:] and not whole.stack
+    assert request in plain and not whole.stack
 
 
 def test_an_old_graph_without_spans_is_a_list_under_the_text() -> None:
