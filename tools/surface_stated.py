@@ -45,6 +45,9 @@ STEP = 0.025
 MOST_ALIKE = 0.3
 """Distance [m] beyond which it does not matter how far apart things stand."""
 
+BOARDS = 3
+"""Boards from which on a piece of furniture is a shelf: what is on it may be on any."""
+
 TALL = 0.22
 """Height [m] from which on things stand at the back."""
 
@@ -152,6 +155,9 @@ class StatedLayer:
         tall = max(r.asset.size[2] for r in group)
         fits = [s for s in self._support.surfaces if s.headroom is None or s.headroom > tall + 0.002]
         middle = 0.5 * self._support.size[2]
+        if not inside and sum(s.headroom is not None for s in self._support.surfaces) < BOARDS:
+            upper = [s for s in fits if s.z >= middle - 0.01]  # on a table is on its top, not on the shelf under it
+            fits = upper or fits
 
         def order(s: Surface) -> tuple[Any, ...]:
             ground = self._field(s)

@@ -254,9 +254,9 @@ def _at_window(kind: str, a: Thing) -> Iterator[tuple[str, str | None, dict[str,
     elif kind == "opposite" or (kind == "facing" and a.is_seat):
         yield "near_window", "window", {"min": ACROSS[0], "max": ACROSS[1]}
     elif kind == "near":
-        yield "near_window", "window", {"min": 0.25 if a.mount == "floor" else 0.0, "max": 0.9}
+        yield "near_window", "window", {"min": 0.3 if a.mount == "floor" else 0.0, "max": 0.9}
     elif kind in ("next_to", "left_of", "right_of", "flanking", "side_by_side"):
-        yield "near_window", "window", {"min": 0.0, "max": REACH + 0.1}
+        yield "near_window", "window", {"min": 0.22 if a.mount == "floor" else 0.0, "max": REACH + 0.15}
     elif a.mount != "ceiling":
         yield "at_window", "window", {"max": 0.35} if a.mount == "floor" else {}
 

@@ -45,6 +45,13 @@ def scene_of(proposal: Proposal) -> Scene:
     return proposal.scene
 
 
+def holder(scene: Scene, name: str) -> tuple[str, str]:
+    """What a thing stands on, and which of its surfaces."""
+    support = scene.object(name).support
+    assert support is not None
+    return support.object, support.surface
+
+
 def astray(scene: Scene) -> list[str]:
     """What the judge says of small things where they are before any search: collisions, no support, relations."""
     small = {o.id for o in scene.objects if o.mount == "surface"}
@@ -64,7 +71,7 @@ def test_things_stand_as_stated(design):
     proposal = design("office", things, relations)
     scene = scene_of(proposal)
     at = {o.category: o.pose.position for o in scene.objects}
-    assert not proposal.unmet and all(o.support.object == "desk-0" for o in scene.objects if o.id != "desk-0")
+    assert not proposal.unmet and all(holder(scene, o.id)[0] == "desk-0" for o in scene.objects if o.id != "desk-0")
     assert at["keyboard"][0] > at["monitor"][0]  # +x is the desk's front, where its user is
     assert at["mug"][1] < at["keyboard"][1] < at["mouse"][1]  # the right of who looks at it
     stated = [r for r in scene.relations if r.asked]
@@ -78,22 +85,29 @@ def test_inside_is_on_boards_and_on_is_on_top(design):
     scene = scene_of(proposal)
     shelf = scene.object("low_bookcase-0")
     boards = {s.name: s.headroom for s in shelf.surfaces}
-    books = [o for o in scene.objects if o.category == "book"]
-    assert len(books) == 3 and all(boards[o.support.surface] is not None for o in books)
-    assert len({o.support.surface for o in books}) > 1  # spread over the boards
-    assert boards[scene.object("vase-0").support.surface] is None
+    books = [holder(scene, o.id)[1] for o in scene.objects if o.category == "book"]
+    assert len(books) == 3 and all(boards[name] is not None for name in books)
+    assert len(set(books)) > 1  # spread over the boards
+    assert boards[holder(scene, "vase-0")[1]] is None
+
+
+def test_on_a_table_is_not_on_the_shelf_under_it(design):
+    things = [entity("nightstand"), entity("magazine", count=2)]
+    scene = scene_of(design("bedroom", things, [said("on", "magazine", "nightstand")]))
+    tops = {s.name for s in scene.object("nightstand-0").surfaces if s.headroom is None}
+    assert {holder(scene, f"magazine-{k}")[1] for k in range(2)} <= tops
 
 
 def test_stacks(design):
     things = [entity("desk"), entity("serving_tray"), entity("apple", count=2)]
     scene = scene_of(design("study", things, [said("on", "serving_tray", "desk"), said("on", "apple", "serving_tray")]))
-    assert {o.support.object for o in scene.objects if o.category == "apple"} == {"serving_tray-0"}
+    assert {holder(scene, f"apple-{k}")[0] for k in range(2)} == {"serving_tray-0"}
     assert not astray(scene)
 
 
 def test_what_has_no_surface_gets_a_flat_top(design):
     scene = scene_of(design("study", [entity("chair"), entity("book")], [said("on", "book", "chair")]))
-    assert scene.object(scene.object("book-0").support.object).intent.request == "chair"
+    assert scene.object(holder(scene, "book-0")[0]).intent.request == "chair"
     assert not astray(scene)
 
 
