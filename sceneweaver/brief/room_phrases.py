@@ -169,6 +169,18 @@ class RoomPhrases(Items):
             for subject in waiting.subjects:
                 if subject.count == (1, 1):
                     subject.count = (4, 4)
+        if (
+            waiting.place.type == "between"
+            and waiting.first is None
+            and waiting.subjects
+            and place in ("window", "door")
+        ):
+            after = self._chunk(self.at)
+            if after is not None and after.kind == "and" and self._noun_next(1):  # "between the window and the door"
+                self._bound(waiting._replace_place(Place("near", words=waiting.place.words)), (place,))
+                self.waiting = waiting._replace_place(Place("near", words=waiting.place.words))
+                self.glue, self.at = "open", self.at + 1
+                return
         if waiting.place.type == "between" and waiting.first is not None and waiting.subjects:
             self._relate(Place("near", words=waiting.place.words), waiting.subjects, (waiting.first,), waiting.chunk)
         self.lit = self.lit or (waiting.place.type == "through" and place == "window" and self.lost)

@@ -72,6 +72,10 @@ RELATIONS = [
     ("A desk with a laptop on it and a lamp beside it", ("table_lamp", "next_to", "laptop")),
     ("A cutting board with a knife on top lies on a table.", ("knife", "on", "cutting_board")),
     ("Light falls through the window onto a bench, and beside it stands a plant.", ("bench", "near", "window")),
+    ("A tapestry is fixed to the wall above a trunk.", ("tapestry", "on", "wall")),
+    ("A desk in the far left corner of the room", ("desk", "at", "corner")),
+    ("A wardrobe stands between the window and the door.", ("wardrobe", "near", "door")),
+    ("There's a bed in the middle, and at its foot a chest.", ("chest", "at_foot", "bed")),
     ("Four bean bags form a circle on a rug.", ("bean_bag", "on", "rug")),
 ]
 
