@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from .chunks import Chunk, NounPhrase
 from .parsed import Mention
-from .thing_phrases import ThingPhrases
+from .region_phrases import RegionPhrases
 from .vocabulary import mounts
 
 
-class Pronouns(ThingPhrases):
+class Pronouns(RegionPhrases):
     """Phrases that refer to what was named: it, them, one, the other, each, two of them."""
 
     def _np_number(self, phrase: NounPhrase, chunk: Chunk) -> None:

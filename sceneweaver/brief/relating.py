@@ -8,21 +8,13 @@ from sceneweaver.assets.taxonomy import category_named, likeliness
 
 from .chunks import Chunk, NounPhrase
 from .model import Span
+from .nearness import Nearness
 from .parsed import Mention, Said
-from .state import ReaderState
 from .things import SMALL
 from .vocabulary import Place, family, mounts, words
 
-_TIES = ("next_to", "near", "facing", "at", "in_front_of", "behind", "on", "inside", "around", "flanking")
-"""Relations to what a thing belongs to."""
 
-
-def _flat(thing: Mention) -> bool:
-    """Whether things stand on it that stand on the floor."""
-    return "rug" in thing.category or thing.category.endswith("mat")
-
-
-class Relating(ReaderState):
+class Relating(Nearness):
     """Relations as they are said: who, where, and what is meant where it is not said."""
 
     def support(self, kind: str, thing: Mention, carrier: Mention) -> str:
@@ -187,88 +179,6 @@ class Relating(ReaderState):
             implied,
         )
 
-    def _beside(self, subjects: list[Mention]) -> list[Mention]:
-        """ "A shelf next to a desk against the wall": what stands beside something at a wall stands there as well."""
-        last = self.out.said[-1] if self.out.said else None
-        if last is None or last.type not in ("next_to", "flanking", "side_by_side") or last.implied:
-            return []
-        pair = [*last.subjects, *(t for t in last.targets if isinstance(t, Mention))]
-        if not all(any(s is m for m in pair) for s in subjects):
-            return []
-        return [m for m in pair if not any(m is s for s in subjects) and mounts(m.category)[0] == "floor"]
-
-    def _apart(self, found: list[Mention], subjects: list[Mention]) -> bool:
-        """Whether things on the floor would be beside what hangs from the ceiling or on a wall."""
-        return all(mounts(s.category)[0] == "floor" for s in subjects) and all(
-            mounts(m.category)[0] in ("ceiling", "wall", "surface") and "rug" not in m.category for m in found
-        )
-
-    def _root(self, thing: Mention) -> Mention:
-        """What carries a thing in the end: the table that the tray stands on."""
-        for said in reversed(self.out.said):
-            target = said.targets[0]
-            carried = (
-                said.type in ("on", "inside") and isinstance(target, Mention) and any(s is thing for s in said.subjects)
-            )
-            beside = said.type in ("next_to", "below", "near") and (
-                _flat(thing) or mounts(thing.category)[0] == "surface"
-            )
-            if (
-                isinstance(target, Mention)
-                and target is not thing
-                and (carried or (beside and any(s is thing for s in said.subjects)))
-            ):
-                thing = target
-        return thing
-
-    def _anchor(self, thing: Mention, kind: str, subjects: list[Mention]) -> Mention:
-        """What something belongs to: nearby a chair that faces a desk is nearby the desk."""
-        if kind in ("left_of", "right_of") and not (
-            family(thing.category) == "seat" and "floor" in mounts(subjects[0].category)[:1]
-        ):
-            return thing
-        for said in reversed(self.out.said):
-            target = said.targets[0]
-            if not isinstance(target, Mention) or said.type not in _TIES or any(target is s for s in subjects):
-                continue
-            stands = mounts(target.category)[0] == "floor" and "rug" not in target.category
-            if stands and any(s is thing for s in said.subjects):
-                return target
-        return thing
-
-    def _main(self, without: list[Mention]) -> list[Mention]:
-        """The first thing on the floor that the request names: what "across the room" is across from."""
-        found = [
-            m for m in self.out.mentions[:12] if mounts(m.category)[0] == "floor" and not any(m is w for w in without)
-        ]
-        return found[:1] or self._near(without)
-
-    def _near(self, without: list[Mention], apart: bool = False) -> list[Mention]:
-        """The thing that a word without a target is said of: whose "with" it is, the subject, what was named before."""
-        frame = self.frames[-1] if self.frames else None
-        choices: list[list[Mention]] = []
-        if frame is not None and frame.kind in ("with", "verb"):
-            choices.append(frame.owner)
-        for other in reversed(self.frames[:-1]):
-            if other.kind in ("with", "verb"):
-                choices.append(other.owner)
-        choices += [
-            self.subject,
-            self.previous,
-            *([m] for m in reversed(self.first_items[:-1])),
-            *reversed(self.refs.topics[-2:]),
-        ]
-        if frame is not None and frame.fronted:
-            choices.insert(0, [t for _, targets, _ in frame.fronted for t in targets if isinstance(t, Mention)])
-        for group in choices:
-            found = [m for m in group if not any(m is w for w in without)]
-            if found and not (apart and self._apart(found, without)):
-                return found
-        if apart:
-            return self._near(without)
-        recent = [m for m in reversed(self.out.mentions[-6:]) if not any(m is w for w in without)]
-        return recent[:1]
-
     def _implicit(self, place: Place, subjects: list[Mention] | None, chunk: Chunk) -> None:
         """A word of place without a target: "a rug in front", "to its left", "overhead"."""
         if subjects is None:
@@ -336,27 +246,6 @@ class Relating(ReaderState):
             return
         self._say(place.type, subjects, ("each other",), chunk.text, None, False, None, span, False)
         self.head = subjects
-
-    def _meant(self, place: Place, listed: list[Mention]) -> list[Mention]:
-        """Who of a list a relation after it is about: the last, or all that belong together."""
-        kind = place.type
-        if kind in ("on", "inside"):
-            small: list[Mention] = []
-            for mention in reversed(listed):
-                if "surface" not in mounts(mention.category) or mention.implied:
-                    break
-                small.insert(0, mention)
-            related = {id(m) for s in self.out.said for m in s.subjects}
-            small = [m for m in small if id(m) not in related or m is listed[-1]]
-            return small or listed[-1:]
-        if kind in ("flanking", "along", "around") and len(listed) == 2:
-            return listed
-        related = {id(m) for s in self.out.said for m in s.subjects}
-        if len(listed) == 2 and id(listed[0]) not in related:
-            groups = {family(m.category) for m in listed}
-            if groups in ({"seat", "table"}, {"seat"}):
-                return listed  # "two armchairs and a side table by the window"
-        return listed[-1:]
 
     def _owned(self, frame: Any, mentions: list[Mention], phrase: NounPhrase) -> None:
         """ "A desk with a lamp": what is small stands on what it came with, the rest is near it."""
