@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 
-from .looks import extents_of, read_words, shows
-from .materials import STYLES, finishes_named
+from .looks import extents_of, is_look, read_words, shows
+from .materials import STYLES
 from .taxonomy import category_named, resolve
 
 
@@ -65,14 +65,14 @@ def drawable(category: str, words: str) -> Look:
 
 
 def _narrower(category: str, words: str) -> tuple[str, str, tuple[str, ...]]:
-    """The category that the words make of one, the words that are left, and those that were used.
+    """The category that the words make of one, the words that are left, and those that are part of its name.
 
-    A colour or material is left although it is part of the name: a metal shelf has to be of metal.
+    What is said of a look is left although it is part of the name: a metal shelf has to be of metal.
     """
     match = resolve(f"{words} {category.replace('_', ' ')}")
-    if match.generic or match.how == "like" or match.category == category:
+    if match.generic or match.how == "like":
         return category, words, ()
     plain = words.lower().replace("-", " ").replace("_", " ").split()
     used = tuple(word for word in plain if word not in match.modifiers)
-    kept = [word for word in used if finishes_named(word)]
+    kept = [word for word in used if is_look(word)]
     return match.category, " ".join([*kept, *match.modifiers]), used

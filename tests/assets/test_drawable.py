@@ -55,6 +55,34 @@ def test_every_word_for_a_colour_or_a_material_means_one() -> None:
         color_named("dark octarine")
 
 
+@pytest.mark.parametrize(
+    ("category", "words", "part"),
+    [("wardrobe", "three-door white", ("doors", 3)), ("filing_cabinet", "four drawer", ("drawers", 4))],
+)
+def test_counted_parts_are_drawn(category: str, words: str, part: tuple[str, int]) -> None:
+    look = drawable(category, words)
+    assert look.parts == (part,) and look.unmet == ()
+    made = OURS.choose(category, wish=Wish(color=look.color, parts=look.parts, seed=4))[0]
+    joint = "hinge" if part[0] == "doors" else "slide"
+    assert sum(link.joint == joint for link in made.links) == part[1]
+    assert drawable("pouf", "nine drawer").unmet == ("nine drawer",)
+
+
+@pytest.mark.parametrize(
+    ("category", "shape"), [("side_table", "square"), ("coffee_table", "square"), ("rug", "square")]
+)
+def test_a_shape_is_drawn(category: str, shape: str) -> None:
+    look = drawable(category, shape)
+    assert look.shape == shape and look.unmet == ()
+    made = OURS.choose(category, wish=Wish(shape=look.shape, seed=9))[0]
+    assert made.attributes["shape"] == shape and made.size[0] == pytest.approx(made.size[1], rel=0.12)
+
+
+def test_a_name_may_say_what_was_asked() -> None:
+    assert drawable("sofa", "three seater").unmet == ()
+    assert drawable("tv", "65 inch").size[1] == pytest.approx(1.439, abs=0.001)
+
+
 def test_a_labelled_body_takes_looks_and_loads_by_its_id() -> None:
     made = OURS.choose("zorb tower", wish=Wish(color="teal", mount="floor", seed=3))[0]
     assert made.category == "zorb_tower" and made.mount == "floor" and made.attributes["color"] == "teal"

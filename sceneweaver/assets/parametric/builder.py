@@ -217,24 +217,6 @@ class Builder:
         """One of some finishes, rather one that suits the style."""
         return self.pick(f"material {role}", [f for f in options if self.style in f.styles] or options).material
 
-    # What else is asked
-
-    def shape(self, *known: str) -> str | None:
-        """The asked shape where it is one of these; None when none of them was asked for."""
-        if self.request.shape not in known:
-            return None
-        self._shown["shape"] = self.request.shape
-        return self.request.shape
-
-    def count(self, name: str, usual: int, low: int, high: int) -> int:
-        """How many of a counted part: as many as were asked for within the limits, else the usual number."""
-        asked = dict(self.request.parts).get(name)
-        if asked is None:
-            return usual
-        made = min(max(asked, low), high)
-        self._shown[name] = made
-        return made
-
     # Where and to what
 
     @contextmanager
@@ -476,6 +458,7 @@ class Builder:
         if main is not None:
             attributes |= {"color": color_name(main.color), "material": main.name}
         attributes |= {key: value for key, value in self._shown.items() if key != "material"}
+        attributes |= self._counted()
         parts = prisms_of(hulls, self._groups, clear)
         if self.request.shape and outline_shape(hulls, self._outline_axes) == self.request.shape:
             attributes["shape"] = self.request.shape
@@ -497,6 +480,12 @@ class Builder:
             attributes=attributes,
             description=f"{main.name} {name.replace('_', ' ')}" if main is not None else name.replace("_", " "),
         )
+
+    def _counted(self) -> dict[str, int]:
+        """How many there are of the parts that were asked for, as far as they can be told from what was drawn."""
+        joints = [link.joint for link in self._links]
+        there = {"drawers": joints.count("slide"), "doors": joints.count("hinge"), "shelves": len(self._surfaces)}
+        return {name: there[name] for name, _ in self.request.parts if there.get(name)}
 
     def _mass(self, size: tuple[float, ...]) -> float:
         """Between the category's least and largest mass by where the box's volume lies in its range."""

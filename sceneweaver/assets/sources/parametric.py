@@ -66,8 +66,12 @@ class ParametricSource:
         return Request(size, wish.color, wish.material, style, wish.shape, wish.parts, label)  # pyright: ignore[reportArgumentType]
 
 
-TRIES = 12
+TRIES, TRIES_FOR_COUNTS = 8, 24
 """Seeds that are drawn to find one that shows all that was asked: not every variant has every part."""
+
+
+VARIED = ("material", "shape")
+"""What variants of a category differ in, besides counts of parts that it has."""
 
 
 def _shown(category: str, seed: int, request: Request) -> Asset:
@@ -75,11 +79,17 @@ def _shown(category: str, seed: int, request: Request) -> Asset:
     words = Words(color=request.color, material=request.material, shape=request.shape, parts=request.parts)
     if words == Words() or (category, replace(request, size=(None, None, None), style=None)) in _VAIN:
         return _draw(category, seed, request)
-    drawn = (_draw(category, seed + 7919 * k, request) for k in range(TRIES))
-    found = next((made for made in drawn if all(shows(made.attributes, words).values())), None)
+    first = _draw(category, seed, request)
+    missing = [kind for kind, shown in shows(first.attributes, words).items() if not shown]
+    if not missing:
+        return first
+    tries = TRIES if set(missing) & set(VARIED) else TRIES_FOR_COUNTS
+    drawn = (_draw(category, seed + 7919 * k, request) for k in range(1, tries))
+    hopeless = any(kind not in (*VARIED, *first.attributes) for kind in missing)
+    found = None if hopeless else next((m for m in drawn if all(shows(m.attributes, words).values())), None)
     if found is None:
         _VAIN.add((category, replace(request, size=(None, None, None), style=None)))
-    return found or _draw(category, seed, request)
+    return found or first
 
 
 _VAIN: set[tuple[str, Request]] = set()
