@@ -25,6 +25,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     _named(mentions)
     _shared_support(parsed, mentions)
     _by_attribute(parsed, mentions)
+    _pairs_of_flanks(parsed)
     ids = {id(m): m.id for m in mentions}
     relations = [r for said in parsed.said for r in _relations(said, ids, notes)]
     relations = [r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(_once(relations))]
@@ -162,6 +163,14 @@ def _by_attribute(parsed: Parsed, mentions: list[Mention]) -> None:
                 continue
             kind = "flanking" if target == "bed" and mention.count == (2, 2) else kind
             parsed.said.append(Said(kind, [mention], (there,), phrase, implied=True, span=mention.span))
+
+
+def _pairs_of_flanks(parsed: Parsed) -> None:
+    """ "Bookcases on either side of the fireplace" without a number are two: one a side."""
+    for said in parsed.said:
+        for mention in said.subjects if said.type == "flanking" and len(said.subjects) == 1 else ():
+            if mention.count is None or mention.count[0] == 2 < mention.count[1]:
+                mention.count = (2, 2)
 
 
 def small_enough(mention: Mention) -> bool:

@@ -80,6 +80,8 @@ class Pronouns(RegionPhrases):
                 near = self.previous[-1:]  # a lamp beside "it" is beside the laptop, not beside the desk
         found_all = self.refs.pronoun(phrase, near if self.waiting is not None else self.subject, without)
         if self.waiting is not None:
+            if not found_all and phrase.text == "it" and len(without) > 1:
+                found_all = without[:1]  # "a fireplace and bookshelves on either side of it"
             if found_all:
                 self._target(found_all, phrase, chunk, False)
             else:

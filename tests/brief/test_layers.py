@@ -167,3 +167,8 @@ def test_time_grows_with_the_text_only() -> None:
 
     short = min(seconds(10) for _ in range(3))
     assert min(seconds(80) for _ in range(2)) < 40 * short
+
+
+def test_what_flanks_a_thing_without_a_number_is_a_pair() -> None:
+    graph = read_request("a study with a fireplace and tall bookshelves on either side of it")
+    assert {e.category: e.count for e in graph.entities}["bookcase"] == (2, 2)
