@@ -18,7 +18,6 @@ from .prior_rows import run_of
 from .prior_seats import seat_relations
 
 _EDGE = frozenset(("against_wall", "side_against_wall", "in_corner", "at_window"))
-_PLACED = frozenset(("near", "between", "centered_on", "facing", "front_to_front", "front_against", "around"))
 
 CONFLICTS: dict[str, frozenset[str]] = {
     "against_wall": frozenset(("against_wall", "in_corner", "at_window")),

@@ -15,8 +15,9 @@ from sceneweaver.scene import InputError, SceneObject, Support, Surface
 from .prior_program import LeftOut, Program, Wanted
 from .prior_relations import thing_of
 from .surface_assets import Shelf, placed
+from .surface_clusters import EXACT, Rider, holds
 from .surface_scene import Frame
-from .surface_stated import EXACT, Laid, Rider, StatedLayer, holds
+from .surface_stated import Laid, StatedLayer
 
 FULL = 0.5
 """Share of a support's surfaces from which on what was asked for stands elsewhere."""
