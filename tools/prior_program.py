@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets import Asset, Library, Look, Wish, categories, drawable
 from sceneweaver.assets.plurals import singular
-from sceneweaver.assets.taxonomy import category_named, members
+from sceneweaver.assets.taxonomy import category_named, members, narrower
 from sceneweaver.brief import Entity, SceneGraph
 from sceneweaver.brief.pairs import groups_of
 from sceneweaver.knowledge import Item, RoomType
@@ -41,6 +41,9 @@ MANY = (5, 10)
 
 SMALL, SPARE = 0.3, 0.05
 """What takes at most this floor [m2] may take this share of the floor beyond what furniture fills."""
+
+HUNG = 0.75
+"""Height of furniture hung on a wall, as a share of the least usual: its top is where it usually is."""
 
 BY_RANK = PRIORITIES[::-1]
 """Priorities by rank, what is most wanted first."""
@@ -308,7 +311,8 @@ def _asked_demand(asked: Entity, item: Item | None, area: float, people: int, dr
         count = item.count.of(area, people, draw) if item and plural else 1
     names = (asked.category,)
     if item is not None and asked.category not in item.what and loose(asked, brief):
-        names = item.what
+        words = " ".join(a.words for a in asked.attributes)
+        names = tuple(narrower(name, words) for name in item.what)
     return Demand(item, names, count, 0, asked, count)
 
 
@@ -342,7 +346,7 @@ def build(
                 if demand.asked is None:
                     continue
                 parents = [None]
-        wish = _wish(demand, brief, style, seed + 101 * number)
+        wish, held = _wish(demand, brief, style, seed + 101 * number)
         if item is not None and _hangs_at_windows(item) and pane and wish.size[1] is None:
             high = 0.5 * pane[1] if demand.categories[0] == BLIND else wish.size[2]  # drawn up half the way
             wish = replace(wish, size=(wish.size[0], pane[0] + 0.3, high))
@@ -368,6 +372,7 @@ def build(
                 parent,
                 support,
                 demand.asked.id if demand.asked else None,
+                held=held,
                 wish=wish,
             )
             must = demand.rank <= 1 and (k < demand.least * (1 if total else len(parents)))
@@ -399,7 +404,8 @@ def _order(room_type: RoomType):
     return key
 
 
-def _wish(demand: Demand, brief: SceneGraph, style: str | None, seed: int) -> Wish:
+def _wish(demand: Demand, brief: SceneGraph, style: str | None, seed: int) -> tuple[Wish, str | None]:
+    """What a body is chosen by, and what holds it where the words say so."""
     item, asked = demand.item, demand.asked
     size: list[float | None] = [None, None, None]
     rng = random.Random(seed)
@@ -409,6 +415,10 @@ def _wish(demand: Demand, brief: SceneGraph, style: str | None, seed: int) -> Wi
     if asked is not None:
         if any(said is not None for said in look.size):
             size = list(look.size)
+        if hung_furniture(demand.categories[0], look.mount) and size[2] is None:
+            usual = category_named(demand.categories[0]).size
+            assert usual is not None
+            size[2] = round(usual.height[0] * HUNG, 3)
         size = [a if a is not None else s for a, s in zip(asked.size, size, strict=True)]
         if asked.scale != 1.0 and size == [None, None, None]:
             ranges = category_named(asked.category).size
@@ -416,17 +426,24 @@ def _wish(demand: Demand, brief: SceneGraph, style: str | None, seed: int) -> Wi
                 at = min(1.0, max(0.0, 0.5 + 1.5 * (asked.scale - 1.0)))
                 # Rounded within the range: the pile of a rug is half a millimetre high.
                 size = [min(max(round(lo + at * (hi - lo), 3), lo), hi) for lo, hi in ranges.ranges]
-    return Wish(
+    wish = Wish(
         size=(size[0], size[1], size[2]),
         color=(asked and asked.color) or (item and item.color) or None,
         material=look.material or (asked.material if asked else None),
         shape=look.shape,
         parts=look.parts,
+        beyond=any(said is not None for said in look.size) or look.mount is not None,
         style=(asked and asked.style) or style,
         words=" ".join(asked.words) if asked else "",
         seed=seed,
         count=1,
     )
+    return wish, look.mount
+
+
+def hung_furniture(category: str, mount: str | None) -> bool:
+    """Whether a thing that usually stands on the floor is hung on the wall."""
+    return mount == "wall" and category_named(category).mount[0] == "floor"
 
 
 def _bodies(demand: Demand, pieces: int, wish: Wish, library: Library) -> list[Asset]:

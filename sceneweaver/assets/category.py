@@ -17,6 +17,10 @@ Range = Annotated[tuple[float, float], Field(description="Least and largest usua
 Side = Literal["front", "back", "left", "right", "top"]
 
 
+REACH = (0.72, 1.35)
+"""Factors of the least and the largest usual extent within which words may put a thing."""
+
+
 class Sizes(FrozenModel):
     """Usual sizes [m]: depth along the front, width, height."""
 
@@ -28,6 +32,12 @@ class Sizes(FrozenModel):
     def ranges(self) -> tuple[Range, Range, Range]:
         """The three ranges in the order of an object's ``size``."""
         return self.depth, self.width, self.height
+
+    @property
+    def reach(self) -> tuple[Range, Range, Range]:
+        """The ranges with what words may ask beyond them: a low table is lower than tables are."""
+        d, w, h = ((low * REACH[0], high * REACH[1]) for low, high in self.ranges)
+        return d, w, h
 
     @model_validator(mode="after")
     def _check(self) -> Sizes:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 
+from .asset import Mount
 from .looks import extents_of, is_look, read_words, shows
 from .materials import STYLES
 from .taxonomy import category_named, resolve
@@ -26,6 +27,7 @@ class Look:
     shape: str | None = None
     size: tuple[float | None, float | None, float | None] = (None, None, None)
     parts: tuple[tuple[str, int], ...] = ()
+    mount: Mount | None = None
     met: tuple[str, ...] = ()
     unmet: tuple[str, ...] = ()
 
@@ -46,9 +48,10 @@ def drawable(category: str, words: str) -> Look:
     said = dict(read.said)
     style = read.style if read.style in STYLES else None
     unmet = list(read.left)
-    wish = Wish(size, read.color, read.material, style, shape=read.shape, parts=read.parts, count=1)
+    wish = Wish(size, read.color, read.material, style, shape=read.shape, parts=read.parts, count=1, beyond=True)
     (card,) = ParametricSource().find(category, wish)
-    holds = {"style": True, "size": True} | shows(card.attributes, read)
+    mount = read.mount if read.mount in known.mount else None
+    holds = {"style": True, "size": True, "mount": mount is not None} | shows(card.attributes, read)
     met = [*narrowed, *(said[kind] for kind in said if holds[kind])]
     unmet += [said[kind] for kind in said if not holds[kind]]
     return Look(
@@ -59,6 +62,7 @@ def drawable(category: str, words: str) -> Look:
         shape=read.shape if holds.get("shape") else None,
         size=size,
         parts=tuple((name, count) for name, count in read.parts if holds[name]),
+        mount=mount,
         met=tuple(dict.fromkeys(met)),
         unmet=tuple(dict.fromkeys(w for w in unmet if w not in met)),
     )

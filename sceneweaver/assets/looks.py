@@ -12,16 +12,20 @@ from typing import Any, Literal
 
 from sceneweaver.scene import InputError
 
-from .category import Category, read_yaml
+from .asset import Mount
+from .category import REACH, Category, read_yaml
 from .materials import color_named, color_words, finishes_named, material_words
 
-Kind = Literal["color", "material", "style", "shape", "size"]
+Kind = Literal["color", "material", "style", "shape", "size", "mount"]
 
 NUMBERS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8, "nine": 9, "ten": 10}
 NUMBERS |= {"single": 1, "double": 2, "dual": 2, "triple": 3, "multi": 3}
 
 SCREEN = 16 / math.hypot(16, 9)
 """Width of a screen as a share of its diagonal."""
+
+TALL, CEILING = 1.9, 2.3
+"""Height [m] up to which words make things taller than usual, and of what reaches from floor to ceiling."""
 
 LONGEST = 4
 """Words of the longest phrase."""
@@ -39,6 +43,7 @@ class Words:
     material: str | None = None
     style: str | None = None
     shape: str | None = None
+    mount: Mount | None = None
     extents: tuple[tuple[str, float], ...] = ()
     parts: tuple[tuple[str, int], ...] = ()
     inches: float | None = None
@@ -65,6 +70,9 @@ def vocabulary() -> dict[str, dict[Kind, Any]]:
     for name, words in data["styles"].items():
         for word in words:
             put(word, "style", name)
+    for name, words in data["mounts"].items():
+        for word in words:
+            put(word, "mount", name)
     for word, extents in data["sizes"].items():
         put(word, "size", tuple(extents.items()))
     return table
@@ -115,9 +123,26 @@ def extents_of(category: Category, words: Words) -> tuple[float | None, float | 
         low, high = ranges[1]
         size[1] = min(high, max(low, round(words.inches * 0.0254 * SCREEN, 3)))
     for name, share in words.extents:
-        low, high = ranges[axes[name]]
-        size[axes[name]] = min(high, max(low, round(low + share * (high - low), 3)))
+        size[axes[name]] = _extent(ranges[axes[name]], share, axes[name] == 2)
+    if words.shape in ("round", "square") and category.mount[0] != "wall" and None not in size[:2]:
+        (a0, a1), (b0, b1) = category.size.reach[:2]
+        side = min(size[:2]) if dict(words.extents).get("depth", 0.5) < 0.5 else max(size[:2])  # pyright: ignore
+        size[:2] = [min(max(side, a0, b0), a1, b1)] * 2
     return size[0], size[1], size[2]
+
+
+def _extent(usual: tuple[float, float], share: float, upright: bool) -> float:
+    """An extent [m] by where in its usual range it is; from 0 to -1 and from 1 to 2 it goes to the ends of the reach.
+
+    What is taller than usual is at most `TALL`: a tall bookcase is high enough as it is.
+    """
+    low, high = usual
+    if share < 0.0:
+        return round(low * (1.0 - (1.0 - REACH[0]) * -share), 3)
+    if share > 1.0:
+        beyond = high * (1.0 + (REACH[1] - 1.0) * (share - 1.0))
+        return round(max(high, min(beyond, TALL if share <= 2.0 else CEILING)) if upright else beyond, 3)
+    return min(high, max(low, round(low + share * (high - low), 3)))
 
 
 def shows(attributes: Mapping[str, Any], words: Words) -> dict[str, bool]:

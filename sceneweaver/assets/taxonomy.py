@@ -231,6 +231,8 @@ def _narrowed(found: Match, rest: list[str]) -> tuple[Match, list[str]]:
             narrow = table.get(f"{' '.join(words)} {_plain(name)}")
             if narrow is None or narrow[1] == "like" or categories()[narrow[0]].size is None:
                 continue
+            if name != category.words and finishes_named(" ".join(words)):  # what it is made of says no more than that
+                continue
             if narrow[0] != found.category:
                 return Match(*narrow), [word for word in rest if word not in words]
             if not is_look(" ".join(words)):  # a "three-legged stool" is a stool

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sceneweaver.assets.taxonomy import category_named
+from sceneweaver.assets.taxonomy import category_named, narrower
 
 from .meaning import unsaid
 from .model import Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
@@ -22,6 +22,8 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     notes = parsed.notes
     split_mutual(parsed)
     mentions = _first(_without_contradictions(parsed), parsed)
+    for mention in mentions:
+        _narrowed(mention)
     _named(mentions)
     _shared_support(parsed, mentions)
     _by_attribute(parsed, mentions)
@@ -104,6 +106,13 @@ def _first(mentions: list[Mention], parsed: Parsed) -> list[Mention]:
     if len(kept) < len(mentions):
         parsed.note(f"{len(mentions) - len(kept)} more were left out: at most {MOST} things are made of a request")
     return kept
+
+
+def _narrowed(mention: Mention) -> None:
+    """All that is said of a thing, in its name, before it or later, decides its kind: a corner bookcase."""
+    if not mention.generic:
+        spoken = [*mention.noun.split()[:-1], *(a.words for a in mention.attributes)]
+        mention.category = narrower(mention.category, " ".join(spoken))
 
 
 def _named(mentions: list[Mention]) -> None:

@@ -52,6 +52,8 @@ def _range(survey: Survey, body: Body) -> Iterator[Finding]:
             wish = asked.size[k]
             low, high = (min(low, wish), max(high, wish)) if wish is not None else (low, high)
             low, high = low * min(1.0, asked.scale), high * max(1.0, asked.scale)
+            if any(a.kind in ("size", "other") for a in asked.attributes):
+                low, high = min(low, row.size.reach[k][0]), max(high, row.size.reach[k][1])
         size = body.size[k]
         if max(size, high) <= THIN:
             continue

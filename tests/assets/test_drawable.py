@@ -88,3 +88,40 @@ def test_a_labelled_body_takes_looks_and_loads_by_its_id() -> None:
     assert made.category == "zorb_tower" and made.mount == "floor" and made.attributes["color"] == "teal"
     again = OURS.load(made.id)
     assert again.category == made.category and again.size == made.size
+
+
+@pytest.mark.parametrize(
+    ("category", "words", "axis", "low", "high"),
+    [
+        ("side_table", "narrow", 0, 0.25, 0.36),
+        ("coffee_table", "low", 2, 0.2, 0.36),
+        ("sideboard", "tall", 2, 1.0, 1.3),
+        ("bookcase", "floor to ceiling", 2, 2.25, 2.35),
+        ("bookcase", "tall", 2, 2.05, 2.15),
+        ("school_desk", "child sized", 2, 0.4, 0.6),
+    ],
+)
+def test_words_go_beyond_the_usual_size(category: str, words: str, axis: int, low: float, high: float) -> None:
+    look = drawable(category, words)
+    made = OURS.choose(category, wish=Wish(look.size, beyond=True, seed=4))[0]
+    assert low <= made.size[axis] <= high and OURS.load(made.id).size == made.size
+    usual = categories()[category].size
+    assert usual is not None
+    plain = OURS.choose(category, wish=Wish(look.size, seed=4))[0]
+    assert usual.ranges[axis][0] - 1e-6 <= plain.size[axis] <= usual.ranges[axis][1] + 1e-6
+
+
+def test_a_small_square_rug_is_square_and_what_cannot_be_so_low_is_made() -> None:
+    look = drawable("rug", "small square")
+    assert look.size[0] == look.size[1]
+    assert OURS.choose("computer_desk", wish=Wish((None, None, 0.55), beyond=True))[0].size[2] > 0.5
+
+
+def test_words_say_what_holds_a_thing_where_that_may_be() -> None:
+    assert drawable("vanity", "floating oak").mount == "wall"
+    unheld = drawable("sofa", "wall mounted")
+    assert unheld.mount is None and unheld.unmet == ("wall mounted",)
+
+
+def test_a_material_alone_makes_no_other_thing_of_a_basket() -> None:
+    assert drawable("basket", "wicker").category == "basket"

@@ -197,3 +197,20 @@ def test_every_body_is_of_its_category(prior):
         assert usual is not None
         assert all(low * 0.98 <= s <= high * 1.02 for s, (low, high) in zip(o.size, usual.ranges, strict=True)), o.id
         assert o.asset is not None and o.attributes.get("color")
+
+
+def test_words_about_a_thing_are_so_of_the_object(prior):
+    text = "A bedroom with a floating walnut nightstand and a corner bookshelf. There is a narrow side table."
+    scene, _ = prior(text)
+    (stand,) = (o for o in scene.objects if o.category == "nightstand")
+    assert stand.mount == "wall" and stand.attributes["material"] == "walnut" and stand.intent.mounting_height[0] > 0
+    assert stand.intent.mounting_height[1] + stand.size[2] < 0.8
+    assert [o.category for o in scene.objects if o.intent.request and "shelf" in o.category] == ["corner_shelf"]
+    usual = categories()["side_table"].size
+    assert usual is not None and next(o for o in scene.objects if o.category == "side_table").size[0] < usual.depth[0]
+
+
+def test_a_table_of_a_shape_is_of_that_shape_though_the_room_has_its_own(prior):
+    scene, _ = prior("A dining room with a round oak table and four chairs.", room="dining_room")
+    tables = [o.category for o in scene.objects if "dining_table" in o.category]
+    assert tables == ["round_dining_table"]

@@ -133,7 +133,8 @@ class Builder:
         asked = self.request.size[axis]
         if asked is None:
             return low if low == high else round(self.uniform(f"size {name}", low, high), 3)
-        if not low - 1e-6 <= asked <= high + 1e-6:
+        least, most = self.category.size.reach[axis]
+        if not least - 1e-6 <= asked <= most + 1e-6:
             raise InputError(f"size: {self.category.words} has a {name} of {low:g} to {high:g} m, not {asked:g} m")
         return float(asked)
 

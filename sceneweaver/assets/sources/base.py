@@ -57,7 +57,8 @@ class Source(Protocol):
 class Wish:
     """What is looked for; None and empty leave it open.
 
-    ``size`` is the wanted (depth, width, height) [m]; ``words`` are style words, any colour or material among them;
+    ``size`` is the wanted (depth, width, height) [m], which goes ``beyond`` what is usual where words ask for it;
+    ``words`` are style words, any colour or material among them;
     ``shape`` is a name of ``looks.yaml``, ``parts`` are counted ones (("drawers", 3), ...), ``mount`` is what holds a
     thing that no category fits; ``licences`` are the only ones allowed, None allows all.
 
@@ -76,6 +77,7 @@ class Wish:
     seed: int = 0
     count: int = 8
     licences: frozenset[str] | None = None
+    beyond: bool = False
 
     def __post_init__(self) -> None:
         for name, want in zip(("depth", "width", "height"), self.size, strict=True):

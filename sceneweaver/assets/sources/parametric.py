@@ -28,9 +28,17 @@ class ParametricSource:
     def find(self, category: str, wish: Wish) -> Iterator[Card]:
         """``wish.count`` variants of the category in the wanted size and look, as far as its ranges allow."""
         match = resolve(category, wish.mount)
+        from shapely import GEOSException
+
         request = self._request(match, wish)
         for k in range(wish.count):
-            made = _shown(match.body, wish.seed + k, request)
+            try:
+                made = _shown(match.body, wish.seed + k, request)
+            except (ValueError, GEOSException):
+                if not wish.beyond:
+                    raise
+                # A drawing with a part that cannot be so low or small is made as far as is usual.
+                made = _shown(match.body, wish.seed + k, self._request(match, replace(wish, beyond=False)))
             licence = made.origin.licence
             yield Card(made.id, made.category, made.size, self.name, licence, made.attributes, made.description)
 
@@ -59,7 +67,7 @@ class ParametricSource:
         assert sizes is not None
         size = tuple(
             None if want is None else min(max(want, low), high)
-            for want, (low, high) in zip(wish.size, sizes.ranges, strict=True)
+            for want, (low, high) in zip(wish.size, sizes.reach if wish.beyond else sizes.ranges, strict=True)
         )
         style = wish.style if wish.style in STYLES else None
         label = match.category if match.body != match.category else None
