@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from sceneweaver.assets import Asset, Wish, resolve
+from sceneweaver.assets import Asset, Wish, drawable, resolve
 from sceneweaver.assets.taxonomy import category_named, likeliness
 from sceneweaver.knowledge import Item
 from sceneweaver.scene import InputError, Intent, Pose, SceneObject
@@ -153,6 +153,9 @@ def _wish(context: Context, row: Mapping[str, Any], item: Item | None, seed: int
     size: list[float | None] = [None, None, None]
     if item is not None:
         size = [None if r is None else round(rng.uniform(*r), 3) for r in item.size]
+    said = drawable(resolve(row["category"]).category, row["words"]).size if row.get("words") else (None, None, None)
+    if any(extent is not None for extent in said):
+        size = list(said)
     for k, given in enumerate(row.get("size", ())):
         size[k] = given if given is not None else size[k]
     style = row.get("style") or context.brief.style or context.scene.provenance.get("style")
@@ -164,6 +167,7 @@ def _wish(context: Context, row: Mapping[str, Any], item: Item | None, seed: int
         words=row.get("words", ""),
         seed=seed % 2**31,
         count=1,
+        beyond=any(extent is not None for extent in said),
     )
 
 

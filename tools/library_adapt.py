@@ -239,6 +239,8 @@ def _added(
     least = asked.count[0] if asked.count else 1
     row: dict[str, Any] = {"category": asked.category, "count": least - len(made[asked.id]), "asked": asked.id}
     row.update({k: v for k in ("color", "material", "style") if (v := getattr(asked, k)) is not None})
+    if asked.attributes:
+        row["words"] = " ".join(a.words for a in asked.attributes)
     if asked.size != (None, None, None):
         row["size"] = list(asked.size)
     on = [

@@ -231,3 +231,9 @@ def test_usual_places_name_what_exists():
         for row in rows:
             to = row["to"]
             assert all(word in known or word == "window" for word in ([to] if isinstance(to, str) else to or []))
+
+
+def test_words_of_a_call_set_size_and_material(lounge, call):
+    proposal = call("add_objects", lounge, {"objects": [{"category": "side table", "words": "narrow walnut"}]}, seed=3)
+    (table,) = added(proposal)
+    assert table.size[0] < 0.36 and table.attributes["material"] == "walnut"
