@@ -83,7 +83,7 @@ class InitPrior:
             ]
             larger = [] if given else larger_rooms(room, brief, space, area, seed)
         notes += remarks + program.notes
-        unmet += _missing(brief, program)
+        unmet += [*places.unmet, *_missing(brief, program)]
         if given and program.left_out:
             reasons = sorted({one.reason for one in program.left_out})
             notes.append("left out, as the floor asked for is full: " + ", ".join(reasons[:8]))

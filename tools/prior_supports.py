@@ -25,6 +25,9 @@ FULL = 0.5
 NOWHERE = 99
 """Rank of a support on which such things never stand."""
 
+TALLEST = 1.2
+"""Height [m] from which on a small thing that nothing carries does not stand on the floor instead."""
+
 GROWN = (0.5, 1.0)
 """Shares of the way to the largest of its kind by which a support grows when what is to stand on it has no room."""
 
@@ -82,7 +85,7 @@ def supported(program: Program, brief: SceneGraph) -> None:
             taken = one.asset.size[0] * one.asset.size[1] / max(_ground(one.support), 1e-6)
             load[one.support.id] = load.get(one.support.id, 0.0) + taken
             _share_supports(pairs)
-        elif one.asked is not None and one.asset.size[2] < 1.2:
+        elif one.asked is not None and one.asset.size[2] < TALLEST:
             one.held = "floor"
     for said in brief.relations:
         if said.type in SHARES:
@@ -189,11 +192,13 @@ def _fits_on(support: Asset, thing: Asset) -> bool:
 
 @dataclass
 class Places:
-    """Where small things stand: their objects by id, the tops that others got, and rows that do not hold."""
+    """Where small things stand: their objects by id, the tops that others got, rows that do not hold, and what has no
+    room where it was asked for."""
 
     objects: dict[str, SceneObject] = field(default_factory=dict)
     tops: dict[str, Surface] = field(default_factory=dict)
     failed: list[Grounded] = field(default_factory=list)
+    unmet: list[str] = field(default_factory=list)
 
 
 def laid(program: Program, rows: Sequence[Grounded], library: Library, brief: SceneGraph, seed: int) -> Places:
@@ -222,7 +227,7 @@ def laid(program: Program, rows: Sequence[Grounded], library: Library, brief: Sc
             found, lost = _fitted(support, riders, rows, shelf, places, library, sized)
             _stand(support, found, places)
             _check(found, rows, places)
-            _drop(program, lost, support)
+            _put_aside(program, lost, support, places)
     return places
 
 
@@ -295,9 +300,13 @@ def _check(found: Sequence[Laid], rows: Sequence[Grounded], places: Places) -> N
                 places.failed.append(row)
 
 
-def _drop(program: Program, lost: Sequence[Wanted], support: Wanted) -> None:
-    """Take out what has no room, with what stands on it."""
-    gone = list(lost)
+def _put_aside(program: Program, lost: Sequence[Wanted], support: Wanted, places: Places) -> None:
+    """What has no room: if it was asked for it stands on the floor beside its support, else it goes with all on it."""
+    gone = [one for one in lost if one.asked is None or one.asset.size[2] >= TALLEST]
+    for one in lost:
+        if one not in gone:
+            one.support, one.held = None, "floor"
+            places.unmet.append(f"{one.id}: there is no room for it on {support.id}; it stands beside it")
     while more := [w for w in program.wanted if w.support in gone and w not in gone]:
         gone += more
     program.wanted = [w for w in program.wanted if w not in gone]

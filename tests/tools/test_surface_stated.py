@@ -122,8 +122,13 @@ def test_a_support_grows_with_what_it_carries(design):
 
 
 def test_what_has_no_room_is_said(design):
-    proposal = design("study", [entity("stool"), entity("laptop", count=11)], [said("on", "laptop", "stool")])
-    assert any(line.startswith("laptop: ") for line in proposal.unmet)
+    proposal = design("study", [entity("stool"), entity("laptop", count=3)], [said("on", "laptop", "stool")])
+    scene = scene_of(proposal)
+    beside = [o.id for o in scene.objects if o.category == "laptop" and o.mount == "floor"]
+    assert sum(o.category == "laptop" for o in scene.objects) == 3 and beside
+    assert all(any(line.startswith(f"{name}: ") for line in proposal.unmet) for name in beside)
+    near = {r.subject for r in scene.relations if r.asked and r.type == "near"}
+    assert near == set(beside)
 
 
 def test_the_middle_of_a_table(design):
