@@ -35,6 +35,7 @@ class ItemOutcome(FrozenModel):
     )
     unit: str = Field(default="", description="m, m2, deg; empty for counts and shares")
     reason: str = Field(description="One sentence")
+    told: bool = Field(default=False, description="Whether the sentence has the numbers")
 
 
 class Alignment(FrozenModel):

@@ -130,4 +130,5 @@ def _outcome(kind: ItemKind, item: str, status: Any, objects: Iterable[str], rea
         allowed=(low, high),
         unit=m.unit,
         reason=reason,
+        told=f"{m.quantity} " in reason or kind == "entity",
     )

@@ -33,8 +33,7 @@ def items(data: ReportData) -> list[dict[str, Any]]:
 def said(outcome: ItemOutcome) -> str:
     """An outcome as a sentence, with what was measured and what is allowed."""
     text = f"{NAMES[outcome.status]}: {outcome.reason}"
-    told = outcome.kind != "attribute"  # the sentences of the others have the numbers
-    return text if outcome.measured is None or told else f"{text} ({_numbers(outcome)})"
+    return text if outcome.measured is None or outcome.told else f"{text} ({_numbers(outcome)})"
 
 
 def section(data: ReportData) -> str:
