@@ -242,7 +242,8 @@ class NounPhrases(Tagger):
                 or (before is not None and before.has("preposition") and before.text not in ("in", "inside", "within"))
             ):
                 return "room", head.get("room")
-        if head.has("parts"):
+        opening_sentence = before is None or before.text == "."
+        if head.has("parts") and not (opening_sentence and head.has("noun")):
             return "part", head.text
         if head.has("noun") and not (head.has("abstract") and not phrase.determiner and phrase.count is None):
             return "thing", head.get("noun")

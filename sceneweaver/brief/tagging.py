@@ -51,6 +51,14 @@ class Tagger:
             return True
         return token.get("verb").form == "ing" and after.has("number", "amount") and last != "place"
 
+    def _of_several(self, k: int) -> bool:
+        """Whether several things, or where they are, stand just before: "shelves at the wall hold folded towels"."""
+        before = self.tokens[k - 1] if k > 0 else None
+        if before is None or not before.has("plural", "place"):
+            return False
+        start = next((i for i in range(k - 1, -1, -1) if self.tokens[i].has("break")), -1)
+        return any(token.has("plural") for token in self.tokens[start + 1 : k])
+
     def _is_verb(self, k: int, seen_noun: bool) -> bool:
         """Whether a token that can be a verb is one: after a noun, and not followed by the noun that it would name."""
         token = self.tokens[k]
@@ -71,7 +79,9 @@ class Tagger:
             several = (
                 k > 0 and self.tokens[k - 1].has("plural") and after is not None and after.has("det", "preposition")
             )
-            return seen_noun and closed and (not other or several or token.text in _BASES)
+            return seen_noun and (
+                (closed and (not other or several or token.text in _BASES)) or (not other and self._of_several(k))
+            )
         if verb.form == "ed":
             if (
                 token.text in ("set", "built", "fit")

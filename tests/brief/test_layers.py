@@ -172,3 +172,10 @@ def test_time_grows_with_the_text_only() -> None:
 def test_what_flanks_a_thing_without_a_number_is_a_pair() -> None:
     graph = read_request("a study with a fireplace and tall bookshelves on either side of it")
     assert {e.category: e.count for e in graph.entities}["bookcase"] == (2, 2)
+
+
+def test_several_things_hold_in_the_base_form() -> None:
+    graph = read_request("A study. Open shelves against the far wall hold folded towels and six vases.")
+    assert {e.category: e.count for e in graph.entities}["vase"] == (6, 6)
+    assert {(r.type, r.targets) for r in graph.relations} >= {("against", ("wall:far",))}
+    assert not graph.unread
