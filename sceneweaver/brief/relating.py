@@ -65,13 +65,9 @@ class Relating(Nearness):
             and all(mounts(s.category)[0] == "surface" for s in subjects)
         ):
             kind = "on"
-        if kind == "occupying":
-            kind = "on"
         if kind == "above" and all(mounts(s.category)[0] == "floor" and "lamp" in s.noun for s in subjects):
             kind = "near"  # a floor lamp that arches over a sofa
-        if kind == "covering":
-            kind = "on"
-        if kind == "on" and "rug" in target.category and all("floor" in mounts(s.category) for s in subjects):
+        if kind in ("occupying", "covering"):
             kind = "on"
         if kind in ("on", "inside"):
             for subject in subjects:

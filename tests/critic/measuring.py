@@ -10,8 +10,8 @@ from sceneweaver.critic import Alignment, ItemOutcome
 from sceneweaver.critic.asked import alignment, measured
 from sceneweaver.critic.survey import Survey
 from sceneweaver.scene import Door, Intent, Part, Pose, Room, Scene, SceneObject, Support, Surface, Window
-from sceneweaver.verify import Report
 from tests.critic.rooms import BEDROOM
+from tests.reports import empty_report
 
 ROOM = Room(
     type="bedroom",
@@ -93,21 +93,8 @@ def graph(objects: tuple[SceneObject, ...], *relations: dict[str, Any], **data: 
 
 def survey(objects: tuple[SceneObject, ...], brief: SceneGraph, room: Room = ROOM) -> Survey:
     """The scene as the checks see it; nobody judged it."""
-    counts = dict.fromkeys(
-        (
-            "requested",
-            "placed",
-            "dropped",
-            "collisions",
-            "out_of_bounds",
-            "unsupported",
-            "blocked_zones",
-            "blocked_openings",
-        ),
-        0,
-    )
     scene = Scene(id="made", room=room, objects=objects)
-    return Survey.of(scene, Report(valid=True, **counts), BEDROOM, brief)
+    return Survey.of(scene, empty_report(), BEDROOM, brief)
 
 
 def aligned(objects: tuple[SceneObject, ...], brief: SceneGraph, room: Room = ROOM) -> Alignment:

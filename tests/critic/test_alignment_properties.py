@@ -19,8 +19,8 @@ from sceneweaver.critic.place_measures import CORNER
 from sceneweaver.critic.survey import Survey
 from sceneweaver.knowledge import room_types
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Scene
-from sceneweaver.verify import Report
 from sceneweaver.verify.relations import judge_relation
+from tests.reports import empty_report
 from tests.verify.agreement import disturb, zoo
 from tests.verify.test_properties import moved
 
@@ -63,22 +63,9 @@ def request(data: dict[str, Any], seed: int) -> SceneGraph:
 
 
 def survey(data: dict[str, Any], brief: SceneGraph) -> Survey:
-    counts = dict.fromkeys(
-        (
-            "requested",
-            "placed",
-            "dropped",
-            "collisions",
-            "out_of_bounds",
-            "unsupported",
-            "blocked_zones",
-            "blocked_openings",
-        ),
-        0,
-    )
     objects = [{**o, "intent": {"request": o["id"]}} for o in data["objects"]]
     scene = Scene.model_validate({**data, "objects": objects, "relations": []})
-    return Survey.of(scene, Report(valid=True, **counts), next(iter(room_types().values())), brief)
+    return Survey.of(scene, empty_report(), next(iter(room_types().values())), brief)
 
 
 def outcomes(data: dict[str, Any], brief: SceneGraph) -> list[tuple[str, float | None, tuple[float | None, ...]]]:

@@ -10,6 +10,7 @@ import pytest
 
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report, Violation, check
+from tests.reports import COUNTS
 from tests.verify.agreement import zoo
 from tests.verify.build import box, judge, rectangle, relation, scene
 
@@ -229,19 +230,7 @@ def test_save(tmp_path, wrong):
 
 def test_a_failed_save_leaves_nothing_behind(tmp_path):
     report = Report(
-        **dict.fromkeys(
-            (
-                "requested",
-                "placed",
-                "dropped",
-                "collisions",
-                "out_of_bounds",
-                "unsupported",
-                "blocked_zones",
-                "blocked_openings",
-            ),
-            0,
-        ),
+        **dict.fromkeys(COUNTS, 0),
         valid=True,
         walkable_share=float("nan"),
     )
