@@ -8,6 +8,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from sceneweaver.knowledge.design_rules import design_rules
+
 from .model import CRITERIA, Fault
 
 FULL = 10.0
@@ -95,7 +97,13 @@ def _lost(found: Sequence[Finding]) -> float:
         if f.fault.criterion != "alignment":
             kinds[f.fault.kind] += f.fault.points
     asked = sum(f.fault.points for f in found if f.fault.criterion == "alignment")
-    return asked + sum(min(points, LIMITS.get(kind, KIND_LIMIT)) for kind, points in kinds.items())
+    return asked + sum(min(points, _most(kind)) for kind, points in kinds.items())
+
+
+def _most(kind: str) -> float:
+    """Most points that faults of one kind take together."""
+    rule = design_rules().get(kind)
+    return rule.most if rule is not None else LIMITS.get(kind, KIND_LIMIT)
 
 
 def squash(lost: float) -> float:

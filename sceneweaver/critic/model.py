@@ -71,6 +71,11 @@ class Fault(FrozenModel):
     tool: str | None = None
     inputs: dict[str, Any] = {}
     points: float = 1.0
+    rule: str | None = Field(default=None, description="Id of the design rule that it breaks, if it is one")
+    measured: float | None = None
+    allowed: tuple[float | None, float | None] | None = Field(
+        default=None, description="Interval in which the measured value should lie; null: open"
+    )
 
 
 class Review(FrozenModel):

@@ -1,0 +1,58 @@
+"""One breach of a design rule as a finding, with the points of the rule."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from sceneweaver.knowledge.design_rules import design_rules
+
+from ..grade import Finding
+from ..model import Fault
+
+Call = tuple[str, dict[str, Any]]
+"""A call that mends it: name of the tool and its inputs."""
+
+Interval = tuple[float | None, float | None]
+
+
+def breach(
+    rule_id: str,
+    objects: Iterable[str],
+    reason: str,
+    *,
+    measured: float | None = None,
+    allowed: Interval | None = None,
+    weight: float = 1.0,
+    suggestion: str = "",
+    call: Call | None = None,
+) -> Finding:
+    """A finding for one breach of a rule.
+
+    Args:
+        rule_id: id in ``design_rules.yaml``; KeyError when there is none.
+        objects: ids of the objects that it is about; none for the room as a whole.
+        reason: one sentence with what was measured.
+        measured: the value, in the unit of the rule.
+        allowed: the interval in which it should lie; None at an end: open.
+        weight: share of the rule's points, for what is not all of a breach, or more than one.
+        suggestion: one sentence that says what would mend it.
+        call: a tool and its inputs that do mend it; None where no tool can.
+    """
+    rule = design_rules()[rule_id]
+    tool, inputs = call or (None, {})
+    return Finding(
+        Fault(
+            criterion=rule.criterion,
+            kind=rule.id,
+            rule=rule.id,
+            objects=tuple(objects),
+            reason=reason,
+            suggestion=suggestion,
+            measured=None if measured is None else round(measured, 4),
+            allowed=allowed,
+            tool=tool,
+            inputs=inputs,
+            points=round(weight * rule.points, 3),
+        )
+    )

@@ -1,0 +1,46 @@
+"""The design rules as data, the table of them in the docs, and how a breach becomes a fault."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sceneweaver.critic.design.breach import breach
+from sceneweaver.critic.grade import grades
+from sceneweaver.knowledge.design_rules import DesignRule, design_rules, limit
+
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "design_rules.md"
+
+
+def row(rule: DesignRule) -> str:
+    """The line of a rule in the table of the docs."""
+    numbers = ", ".join(f"{name} {value:g}" for name, value in rule.limits.items())
+    rooms = ", ".join(sorted(name.replace("_", " ") for name in rule.rooms)) or "all"
+    return f"| `{rule.id}` | {rule.statement} | {rule.criterion} | {numbers} | {rooms} |"
+
+
+def test_the_docs_have_every_rule_with_its_numbers() -> None:
+    lines = [line for line in PAGE.read_text("utf-8").splitlines() if line.startswith("| `")]
+    wanted = [row(rule) for rule in design_rules().values()]
+    assert lines == wanted, "the table of docs/design_rules.md should be:\n" + "\n".join(wanted)
+
+
+def test_rules_are_plain_sentences_with_a_limit_to_what_they_cost() -> None:
+    for rule in design_rules().values():
+        assert rule.statement.endswith(".") and rule.most >= rule.points, rule.id
+
+
+def test_a_limit_is_read_by_name() -> None:
+    assert limit("door_frame", "gap") == design_rules()["door_frame"].limits["gap"]
+    with pytest.raises(KeyError):
+        limit("door_frame", "colour")
+
+
+def test_a_breach_names_its_rule_and_costs_no_more_than_all_of_it_may() -> None:
+    rule = design_rules()["door_frame"]
+    found = [breach(rule.id, (f"bed-{k}",), "it is near", measured=0.1, allowed=(0.3, None)) for k in range(20)]
+    assert found[0].fault.rule == rule.id and found[0].fault.criterion == rule.criterion
+    assert (found[0].fault.measured, found[0].fault.allowed) == (0.1, (0.3, None))
+    one, all_of_them = (10.0 - grades(some)[rule.criterion] for some in (found[:1], found))
+    assert (one, all_of_them) == pytest.approx((rule.points, rule.most))
