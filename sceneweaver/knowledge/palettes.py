@@ -1,0 +1,139 @@
+"""Palettes: what the walls, the floor and the furniture of a room are made of, chosen once for a room."""
+
+from __future__ import annotations
+
+import colorsys
+import random
+from collections.abc import Mapping, Sequence
+from functools import cache
+from importlib import resources
+from types import MappingProxyType
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from sceneweaver.assets.materials import color_named, shade
+from sceneweaver.scene.base import FrozenModel
+
+from .load import read_yaml
+
+FloorMaterial = Literal["wood", "tile", "carpet", "concrete", "stone"]
+AccentKind = Literal["plain", "paint", "paper", "panelling"]
+
+FALLBACK = "home"
+"""Group of the rooms that stand in none."""
+
+PALE = 0.72
+"""Lightness (HLS) from which on a colour that a request names is painted on the walls; darker ones are accents."""
+
+HUES = 3
+"""Colours of textiles in a room at most."""
+
+_METALS = {"gold": "brass", "brass": "brass", "copper": "copper", "bronze": "bronze", "silver": "chrome"}
+
+
+class Palette(FrozenModel):
+    """The colours and materials of a room: names from ``assets/colors.yaml`` and ``assets/materials.yaml``."""
+
+    name: str
+    groups: tuple[str, ...] = Field(alias="for", description="Groups of rooms that it is for")
+    styles: tuple[str, ...]
+    walls: str = Field(description="Colour of the walls")
+    accent: str = Field(description="Colour of the accent wall")
+    floors: Mapping[FloorMaterial, str] = Field(description="Tone of the floor by its material: a wood, or a colour")
+    woods: Annotated[tuple[str, ...], Field(min_length=1, max_length=2)]
+    paints: Annotated[tuple[str, ...], Field(min_length=1, max_length=2)]
+    metals: Annotated[tuple[str, ...], Field(min_length=1, max_length=2)]
+    textiles: Annotated[tuple[str, ...], Field(min_length=1, max_length=HUES)]
+
+
+@cache
+def palettes() -> Mapping[str, Palette]:
+    """All palettes by name."""
+    rows = _data()["palettes"]
+    return MappingProxyType({name: Palette(name=name, **row) for name, row in rows.items()})
+
+
+@cache
+def groups_of(room: str) -> tuple[str, ...]:
+    """The groups of a kind of room, for which there are palettes."""
+    return tuple(name for name, rooms in _data()["kinds"].items() if room in rooms) or (FALLBACK,)
+
+
+def palette_for(room: str, style: str | None = None, colors: Sequence[str] = (), seed: int = 0) -> Palette:
+    """The palette of a room.
+
+    Args:
+        room: the kind of room.
+        style: its style; palettes of another one are used only where there is none of it.
+        colors: colours that the request names for the room. They win: the palette that comes nearest is taken, pale
+            ones are painted on the walls, others on the accent wall, and textiles have all of them.
+        seed: draws among the palettes that suit.
+    """
+    known = palettes().values()
+    groups = set(groups_of(room))
+    fitting = [p for p in known if groups & set(p.groups)] or list(known)
+    fitting = [p for p in fitting if style in p.styles] or fitting
+    named = [_METALS.get(c, c) for c in colors if c in _METALS or _is_color(c)]
+    metals = [c for c in named if c in _METALS.values()]
+    wanted = [c for c in named if c not in metals]
+    if wanted:
+        basics = {color_named(c) for c in wanted}
+        most = max(len(basics & _basics(p)) for p in fitting)
+        fitting = [p for p in fitting if len(basics & _basics(p)) == most]
+    chosen = random.Random(f"palette {room} {seed}").choice(fitting)
+    return _with(chosen, wanted, metals)
+
+
+def accent_for(room: str, seed: int) -> AccentKind:
+    """How the accent wall of a room is done; "plain" where there is none."""
+    shares = _data()["accents"].get(groups_of(room)[0]) or {"plain": 1}
+    return _drawn(shares, f"accent {room} {seed}")
+
+
+def floor_for(room: str, usual: FloorMaterial, seed: int) -> FloorMaterial:
+    """What the floor of a room is of; ``usual`` where nothing else is known of such rooms."""
+    return _drawn(_data()["floors"].get(room) or {usual: 1}, f"floor {room} {seed}")
+
+
+def _with(palette: Palette, colors: Sequence[str], metals: Sequence[str]) -> Palette:
+    """The palette with colours and metals that were named."""
+    update: dict[str, object] = {}
+    pale = [c for c in colors if colorsys.rgb_to_hls(*shade(c))[1] >= PALE]
+    strong = [c for c in colors if c not in pale]
+    if pale:
+        update["walls"] = pale[0]
+    if strong:
+        update["accent"] = strong[0]
+    if colors:
+        own = [t for t in palette.textiles if color_named(t) not in {color_named(c) for c in colors}]
+        update["textiles"] = tuple([*dict.fromkeys(colors), *own][: max(HUES, len(colors))])
+    if metals:
+        update["metals"] = tuple(dict.fromkeys(metals))[:2]
+    return palette.model_copy(update=update)
+
+
+def _basics(palette: Palette) -> set[str]:
+    """The basic colours of a palette."""
+    own = (palette.walls, palette.accent, *palette.textiles)
+    return {color_named(c) for c in own} | {color_named(p.removesuffix(" paint")) for p in palette.paints}
+
+
+def _is_color(name: str) -> bool:
+    try:
+        return bool(color_named(name))
+    except ValueError:
+        return False
+
+
+def _drawn(shares: Mapping, seed: str):
+    names = list(shares)
+    return random.Random(seed).choices(names, [shares[name] for name in names])[0]
+
+
+@cache
+def _data() -> Mapping:
+    return read_yaml(resources.files(__package__ or "").joinpath("palettes.yaml").read_text(encoding="utf-8"))
+
+
+__all__ = ["Palette", "accent_for", "floor_for", "groups_of", "palette_for", "palettes"]
