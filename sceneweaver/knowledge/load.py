@@ -1,4 +1,4 @@
-"""The kinds of rooms, read once from ``rooms/*.yaml``."""
+"""The kinds of rooms and the templates of groups, read once from ``rooms/*.yaml`` and ``groups/*.yaml``."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from typing import Any
 from sceneweaver.scene import InputError
 from sceneweaver.scene.messages import suggest
 
+from .groups import GroupTemplate, expanded
 from .model import RoomType
 
 
@@ -28,15 +29,22 @@ def read_yaml(text: str) -> Any:
 
 
 @cache
+def group_templates() -> Mapping[str, GroupTemplate]:
+    """All templates of groups by name."""
+    return MappingProxyType({data["name"]: GroupTemplate(**data) for data in _files("groups")})
+
+
+@cache
 def room_types() -> Mapping[str, RoomType]:
-    """All kinds of rooms by name."""
-    found: dict[str, RoomType] = {}
-    folder = resources.files(__package__ or "").joinpath("rooms")
-    for file in sorted(folder.iterdir(), key=lambda f: f.name):
-        if file.name.endswith(".yaml"):
-            data = read_yaml(file.read_text(encoding="utf-8"))
-            found[data["name"]] = RoomType(**data)
-    return MappingProxyType(found)
+    """All kinds of rooms by name, their groups expanded into plain items."""
+    templates = group_templates()
+    return MappingProxyType({data["name"]: RoomType(**expanded(data, templates)) for data in _files("rooms")})
+
+
+def _files(folder: str) -> list[dict[str, Any]]:
+    """The data of all YAML files of a folder beside this module, by name."""
+    files = sorted(resources.files(__package__ or "").joinpath(folder).iterdir(), key=lambda f: f.name)
+    return [read_yaml(f.read_text(encoding="utf-8")) for f in files if f.name.endswith(".yaml")]
 
 
 def room_type(name: str) -> RoomType:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, field_validator, model_validator
@@ -115,11 +116,28 @@ class Item(FrozenModel):
     on: tuple[str, ...] = Field(default=(), description="Items on whose surfaces it stands")
     top: str | None = Field(default=None, description="Arrangement on its top: a file in arrangements/")
     fill: str | None = Field(default=None, description="Theme that fills its shelves or top: a file in crowds/")
+    group: str | None = Field(default=None, description="The group of a template in groups/ that it belongs to")
 
     @field_validator("what", mode="before")
     @classmethod
     def _one(cls, value: Any) -> Any:
         return (value,) if isinstance(value, str) else value
+
+
+def check_items(items: Sequence[Item]) -> None:
+    """Raise ValueError where items of one room or group share an id, or name what is not there."""
+    ids = [item.id for item in items]
+    for twice in {i for i in ids if ids.count(i) > 1}:
+        raise ValueError(f"two items are called {twice}")
+    known: set[str] = set()
+    for item in items:
+        for name in (item.with_, *item.on):
+            if name is not None and name not in known:
+                raise ValueError(f"{item.id}: {name} is no item before it")
+        for place in item.place:
+            if place.to is not None and place.to not in (*PLACES, *ids):
+                raise ValueError(f"{item.id}: {place.type} names {place.to}, which is no item")
+        known.add(item.id)
 
 
 class Opening(FrozenModel):
@@ -155,18 +173,7 @@ class RoomType(FrozenModel):
 
     @model_validator(mode="after")
     def _check(self) -> RoomType:
-        ids = [item.id for item in self.items]
-        for twice in {i for i in ids if ids.count(i) > 1}:
-            raise ValueError(f"two items are called {twice}")
-        known: set[str] = set()
-        for item in self.items:
-            for name in (item.with_, *item.on):
-                if name is not None and name not in known:
-                    raise ValueError(f"{item.id}: {name} is no item before it")
-            for place in item.place:
-                if place.to is not None and place.to not in (*PLACES, *ids):
-                    raise ValueError(f"{item.id}: {place.type} names {place.to}, which is no item")
-            known.add(item.id)
+        check_items(self.items)
         return self
 
     def item(self, item_id: str) -> Item:

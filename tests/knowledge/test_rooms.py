@@ -83,9 +83,10 @@ def test_there_are_many_and_each_file_is_named_as_its_room() -> None:
 
 
 def test_lines_are_at_most_120_characters() -> None:
-    folder = resources.files("sceneweaver.knowledge").joinpath("rooms")
+    folders = (resources.files("sceneweaver.knowledge").joinpath(name) for name in ("rooms", "groups"))
     long = [
         f"{f.name}:{n}"
+        for folder in folders
         for f in folder.iterdir()
         for n, line in enumerate(f.read_text(encoding="utf-8").splitlines(), 1)
         if len(line) > 120
