@@ -19,7 +19,7 @@ STYLES = ("modern", "scandinavian", "industrial", "classic", "rustic")
 
 @dataclass(frozen=True)
 class Finish:
-    """A material of the palette with what a choice among materials needs to know."""
+    """A material with what a choice among materials needs to know."""
 
     material: Material
     family: str
@@ -30,7 +30,7 @@ class Finish:
 
 
 @cache
-def palette() -> dict[str, Finish]:
+def finishes() -> dict[str, Finish]:
     """All finishes by name, from ``materials.yaml``."""
     data = _materials()
     found = {}
@@ -44,7 +44,7 @@ def palette() -> dict[str, Finish]:
 
 def finish(name: str) -> Finish:
     """A finish by name; KeyError when there is none."""
-    return palette()[name]
+    return finishes()[name]
 
 
 def expand(names: tuple[str, ...]) -> list[Finish]:
@@ -52,7 +52,7 @@ def expand(names: tuple[str, ...]) -> list[Finish]:
     found: list[Finish] = []
     for name in names:
         if name.startswith("@"):
-            found += [f for f in palette().values() if f.family == name[1:] and not f.asked]
+            found += [f for f in finishes().values() if f.family == name[1:] and not f.asked]
         else:
             found.append(finish(name))
     return found
@@ -61,14 +61,14 @@ def expand(names: tuple[str, ...]) -> list[Finish]:
 @cache
 def material_words() -> dict[str, tuple[str, ...]]:
     """Every word for a material with the finishes that it means, the closest first."""
-    table: dict[str, tuple[str, ...]] = {name: (name,) for name in palette()}
+    table: dict[str, tuple[str, ...]] = {name: (name,) for name in finishes()}
     for name, words in _materials()["words"].items():
         if name.startswith("@"):
-            means = tuple(f.material.name for f in palette().values() if f.family == name[1:])
+            means = tuple(f.material.name for f in finishes().values() if f.family == name[1:])
         else:
             means = tuple(name.split("/"))
-            means += tuple(n for n in palette() if n not in means and len(means) == 1 and name in n.split())
-        means = tuple(n for n in means if n in palette())
+            means += tuple(n for n in finishes() if n not in means and len(means) == 1 and name in n.split())
+        means = tuple(n for n in means if n in finishes())
         table.update(dict.fromkeys([*([] if name[0] == "@" or "/" in name else [name]), *words], means))
     return table
 
@@ -139,6 +139,18 @@ def color_name(color: tuple[float, float, float]) -> str:
     data = _colors()["basic"]
     names, table = list(data), _lab(np.array([rgb(value) for value in data.values()]))
     return names[int(np.argmin(np.linalg.norm(table - _lab(np.array([color])), axis=1)))]
+
+
+@cache
+def hue(color: str) -> str | None:
+    """The hue of a basic colour, all its shades alike ("navy" is blue); None for a neutral one."""
+    return next((name for name, shades in _colors()["hues"].items() if color in shades), None)
+
+
+@cache
+def own_look() -> frozenset[str]:
+    """The categories whose colours are their own in any room."""
+    return frozenset(_materials()["own_look"])
 
 
 @cache

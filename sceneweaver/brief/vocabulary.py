@@ -9,7 +9,7 @@ from itertools import product
 from typing import Any
 
 from sceneweaver.assets import categories, resolve
-from sceneweaver.assets.materials import color_words, palette
+from sceneweaver.assets.materials import color_words, finishes
 from sceneweaver.assets.taxonomy import category_named, phrases
 from sceneweaver.knowledge.load import read_yaml, room_words
 
@@ -103,7 +103,7 @@ def vocabulary() -> dict[str, dict[str, Any]]:
         put(phrase, "bare", True)
     for form, verb in _verbs(relations).items():
         put(form, "verb", verb)
-    for phrase, finish in palette().items():
+    for phrase, finish in finishes().items():
         if not finish.asked:
             put(phrase, "finish", phrase)
     for phrase in color_words():

@@ -58,6 +58,7 @@ from .objects import SceneObject as SceneObject
 from .objects import Support as Support
 from .objects import Surface as Surface
 from .objects import Zone as Zone
+from .palette import Palette as Palette
 from .relation import Relation as Relation
 from .relation import wall_number as wall_number
 from .room import Door as Door
@@ -79,6 +80,7 @@ __all__ = [
     "MAX_BYTES",
     "MissingDependencyError",
     "PRIORITIES",
+    "Palette",
     "ParamSpec",
     "Part",
     "Pose",

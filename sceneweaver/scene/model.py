@@ -21,6 +21,7 @@ from .io import SceneFile
 from .messages import quote, suggest
 from .migrate import SCHEMA
 from .objects import Dropped, Pose, SceneObject
+from .palette import Palette
 from .references import check_references
 from .relation import Relation
 from .room import Room
@@ -38,6 +39,7 @@ class Scene(SceneFile):
     room: Room
     objects: Annotated[tuple[SceneObject, ...], Field(fail_fast=True, max_length=MAX_OBJECTS)] = ()
     relations: Annotated[tuple[Relation, ...], Field(fail_fast=True, max_length=MAX_RELATIONS)] = ()
+    palette: Palette | None = Field(default=None, description="The look that its things follow; null: each its own")
     provenance: JsonDict = Field(default_factory=dict, description="Free data: where the scene comes from")
     dropped: Annotated[tuple[Dropped, ...], Field(fail_fast=True)] = Field(
         default=(), description="What was asked for and could not be placed; anything here makes the scene invalid"

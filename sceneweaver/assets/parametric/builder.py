@@ -20,6 +20,7 @@ from ..body import Hull, Link, Material, Mesh
 from ..category import Category
 from ..materials import STYLES, Finish, alike, color_name, color_named, expand, finish, finishes_named, tinted
 from ..prisms import prisms_of
+from ..scheme import scheme_for
 from ..shapes.convex import Shape
 from ..zones import ZONE_HEIGHT, access_zones
 
@@ -46,7 +47,8 @@ class Request:
     """What a user asks of an asset; None leaves the choice to the seed.
 
     ``shape`` is a name of ``looks.yaml``, ``parts`` are counted ones (("drawers", 3), ...); a drawing that cannot show
-    them leaves them out. ``label`` is what a body that stands for an unknown noun is called.
+    them leaves them out. ``label`` is what a body that stands for an unknown noun is called. ``palette`` is the code of
+    the room's, which all that is not asked otherwise follows.
     """
 
     size: tuple[float | None, float | None, float | None] = (None, None, None)
@@ -56,6 +58,7 @@ class Request:
     shape: str | None = None
     parts: tuple[tuple[str, int], ...] = ()
     label: str | None = None
+    palette: str | None = None
 
     @property
     def suffix(self) -> str:
@@ -67,6 +70,8 @@ class Request:
         parts += [f"{k}={quote(v)}" for k in named if (v := getattr(self, k)) is not None]
         if self.parts:
             parts.append("parts=" + ",".join(f"{name}:{count}" for name, count in self.parts))
+        if self.palette is not None:
+            parts.append("palette=" + quote(self.palette, safe="/,"))
         return "".join(f"&{part}" for part in parts)
 
 
@@ -83,6 +88,7 @@ class Builder:
         self.category = category
         self.request = request or Request()
         self._seed = seed
+        self._scheme = scheme_for(category.name, self.request.palette)
         self.style = self.request.style or self.pick("style", STYLES)
         if self.style not in STYLES:
             raise InputError(f"style: '{self.style}' is unknown; use one of {', '.join(STYLES)}")
@@ -178,7 +184,7 @@ class Builder:
         chosen = self._colored(role, options, color) if color else None
         if asked or (chosen is not None and self._main is None):
             self._main = role
-        self._roles[role] = chosen or self._suiting(role, options)
+        self._roles[role] = chosen or (self._suiting(role, options) if asked else self._usual(role, options))
         return self._roles[role]
 
     @property
@@ -217,6 +223,14 @@ class Builder:
     def _suiting(self, role: str, options: list[Finish]) -> Material:
         """One of some finishes, rather one that suits the style."""
         return self.pick(f"material {role}", [f for f in options if self.style in f.styles] or options).material
+
+    def _usual(self, role: str, options: list[Finish]) -> Material:
+        """A finish of which nothing was asked: of the room's palette, furniture has the same all over the room."""
+        if self._scheme is None:
+            return self._suiting(role, options)
+        large = self.category.mount[0] != "surface"
+        looks = self._scheme.replaced(options, large)
+        return looks[int(self._scheme.share(role) * len(looks))] if large else self.pick(f"material {role}", looks)
 
     # Where and to what
 
@@ -285,12 +299,15 @@ class Builder:
         An empty list adds no collision part: only for what lies inside other parts.
         """
         vertices, faces = shape
-        look = finish(material).material if isinstance(material, str) else material
+        look = self._finish(material) if isinstance(material, str) else material
         index = self._materials.setdefault(look, len(self._materials))
         self._pieces.append((self._place(vertices), faces, index, self._link))
         for points, triangles in [shape] if hulls is None else hulls:
             self._hulls.append(Hull(self._place(points), triangles, self._link))
             self._groups.append(self._group)
+
+    def _finish(self, name: str) -> Material:
+        return finish(name).material if self._scheme is None else self._scheme.alone(name)
 
     def box(self, x: Interval, y: Interval, z: Interval, material: Material | str, bevel: float = 0.003) -> None:
         """A box between two ends on each axis, its edges cut by ``bevel``."""

@@ -60,7 +60,8 @@ class Wish:
     ``size`` is the wanted (depth, width, height) [m], which goes ``beyond`` what is usual where words ask for it;
     ``words`` are style words, any colour or material among them;
     ``shape`` is a name of ``looks.yaml``, ``parts`` are counted ones (("drawers", 3), ...), ``mount`` is what holds a
-    thing that no category fits; ``licences`` are the only ones allowed, None allows all.
+    thing that no category fits; ``palette`` is the code of the room's palette, for sources that make things to order;
+    ``licences`` are the only ones allowed, None allows all.
 
     Raises:
         InputError: for a size that is no length above 0.
@@ -78,6 +79,7 @@ class Wish:
     count: int = 8
     licences: frozenset[str] | None = None
     beyond: bool = False
+    palette: str | None = None
 
     def __post_init__(self) -> None:
         for name, want in zip(("depth", "width", "height"), self.size, strict=True):

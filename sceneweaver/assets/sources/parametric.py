@@ -50,7 +50,7 @@ class ParametricSource:
         """Draw the asset of an id again."""
         category, _, query = asset_id.removeprefix(PREFIX).partition("?")
         given = dict(parse_qsl(query, keep_blank_values=True))
-        words = {k: given.pop(k) for k in ("color", "material", "style", "shape", "label") if k in given}
+        words = {k: given.pop(k) for k in ("color", "material", "style", "shape", "label", "palette") if k in given}
         try:
             seed = int(given.pop("seed", "0"))
             size, parts = _size(given.pop("size", ",,")), _parts(given.pop("parts", ""))
@@ -71,7 +71,7 @@ class ParametricSource:
         )
         style = wish.style if wish.style in STYLES else None
         label = match.category if match.body != match.category else None
-        return Request(size, wish.color, wish.material, style, wish.shape, wish.parts, label)  # pyright: ignore[reportArgumentType]
+        return Request(size, wish.color, wish.material, style, wish.shape, wish.parts, label, wish.palette)  # pyright: ignore[reportArgumentType]
 
 
 TRIES, TRIES_FOR_COUNTS = 8, 24
