@@ -17,9 +17,11 @@ import numpy as np
 
 from sceneweaver.geometry.angles import dot
 from sceneweaver.geometry.polygons import tidy
+from sceneweaver.geometry.spread import even_places
 from sceneweaver.geometry.walls import Wall, walls_of
 from sceneweaver.kernels import tables as k
 from sceneweaver.scene import CATALOGUE, Door, Relation, RelationSpec, SceneObject, Window
+from sceneweaver.scene.catalogue import sides_named
 
 from .region import Region
 from .shapes import Points
@@ -216,10 +218,11 @@ def _at_walls(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     wanted = int(rel.target.split(":")[1]) if isinstance(rel.target, str) else None
     gap, spec = value("gap"), CATALOGUE[rel.type]
     options = []
+    sides = [side for side in spec.subject_sides if "side" not in spec.params or value("side") in ("any", side)]
     for i, wall in enumerate(frame.region.walls):
         if wanted is not None and i != wanted:
             continue
-        for side in spec.subject_sides:
+        for side in sides:
             # the judge knows no lower limit but its 1 mm; objects stay inside the room anyway
             rows = _wall_rows(a, side, wall, (0.0, gap[1]), value("degrees"), value("overlap"), spec)
             if rows:
@@ -278,10 +281,11 @@ def _near(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     return [[_distance(0.0, value("max")), *middle]]
 
 
-def _middle(rel: Relation) -> list[Row]:
-    """Exact rows of what belongs right over or under the middle of its target, turned as it is or by quarters."""
+def _middle(rel: Relation, at: Vector = (0.0, 0.0)) -> list[Row]:
+    """Exact rows of what belongs right over or under a place of its target, turned as it is or by quarters."""
     spec = CATALOGUE[rel.type]
-    lines = [_open_line((0.0, 0.0), n, 0.0).snapped(spec, "lateral") for n in ((1.0, 0.0), (0.0, 1.0))]
+    axes = ((1.0, 0.0), (0.0, 1.0))
+    lines = [_open_line((0.0, 0.0), n, off).snapped(spec, "lateral") for n, off in zip(axes, at, strict=True)]
     return [*lines, _open_yaw(0.0, math.pi / 2).snapped(spec, "degrees", DEGREE)]
 
 
@@ -336,14 +340,19 @@ def _centered(frame: Frame, rel: Relation, value) -> list[list[Row]]:
 
 
 def _over(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    """The centre of a over the box of b; a ceiling lamp, a rug and what is alone on it right over the middle."""
-    a, b, inset = frame.object(rel.subject), frame.object(_one(rel)), value("inset")
+    """The centre of a over the box of b, or near its place there; a ceiling lamp, a rug and what is alone on it right
+    over that place, the middle."""
+    a, b, inset, offset = frame.object(rel.subject), frame.object(_one(rel)), value("inset"), value("offset")
     alone = a.mount == "ceiling" or a.size[2] < FLAT or (b.size[2] < FLAT and frame.tied.get((rel.type, b.id), 1) == 1)
+    at = (value("forward") * b.size[0], value("left") * b.size[1])
     rows = []
-    for half, n in zip(b.size, ((1.0, 0.0), (0.0, 1.0)), strict=False):
-        reach = max(half / 2 - inset, 0.0)
-        rows.append(line((0.0, 0.0), n, 0.0, -reach, reach))
-    return [[*rows, *(_middle(rel) if alone else ())]]
+    for middle, size, n in zip(at, b.size, ((1.0, 0.0), (0.0, 1.0)), strict=False):
+        reach = max(size / 2 - inset, 0.0)
+        low, high = -reach, reach
+        if offset is not None:
+            low, high = max(low, middle - offset), min(high, middle + offset)
+        rows.append(line((0.0, 0.0), n, 0.0, low, high) if low <= high else NEVER)
+    return [[*rows, *(_middle(rel, at) if alone else ())]]
 
 
 def _corner(frame: Frame, rel: Relation, value) -> list[list[Row]]:
@@ -465,6 +474,48 @@ def _in_middle(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     return [
         [line((0.0, 0.0), (1.0, 0.0), x, -offset, offset), line((0.0, 0.0), (0.0, 1.0), y, -offset, offset)],
     ]
+
+
+def _on_grid(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    """The k-th of the even places, along the first wall and across."""
+    places, spec, offset = (
+        even_places([w.start for w in frame.region.walls], value("n")),
+        CATALOGUE[rel.type],
+        value("offset"),
+    )
+    if value("k") >= len(places):
+        return []
+    wall = frame.region.walls[0]
+    return [
+        [
+            line((0.0, 0.0), n, dot(n, places[value("k")]), -offset, offset).snapped(spec, "lateral")
+            for n in (wall.along, wall.inward)
+        ]
+    ]
+
+
+def _across(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    """The front before one side of b, in the middle of a part of it; the gap anywhere in its interval."""
+    a, b, spec, offset = frame.object(rel.subject), frame.object(_one(rel)), CATALOGUE[rel.type], value("offset")
+    point, _, _ = _face(a, "front")
+    options = []
+    for side in sides_named(value("side"), b.size):
+        normal = SIDES[side]
+        _, reach, half = _face(b, side)
+        place = ((value("k") + 0.5) / value("n") - 0.5) * 2 * half
+        options.append(
+            [
+                yaw(_bearing(normal) + math.pi, value("degrees")).snapped(spec, "degrees", DEGREE),
+                line(point, (-normal[1], normal[0]), place, -offset, offset).snapped(spec, "lateral"),
+                line(point, normal, reach, *value("gap")),
+            ]
+        )
+    return options
+
+
+def _facing_door(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    walls = [frame.region.walls[door.wall] for door in frame.doors if rel.target in (None, door.id)]
+    return [[yaw(_bearing(wall.outward), value("degrees"))] for wall in walls]
 
 
 def _around(frame: Frame, rel: Relation, value) -> list[list[Row]]:
@@ -609,6 +660,9 @@ BUILDERS: dict[str, Builder] = {
     "over": _over,
     "near_window": _near_opening,
     "near_door": _near_opening,
+    "across_from": _across,
+    "facing_door": _facing_door,
+    "on_grid": _on_grid,
 }
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
@@ -40,6 +40,14 @@ ROLES: Mapping[str, str] = MappingProxyType(
 
 Side = Literal["front", "back", "left", "right"]
 Gap = tuple[float, float]
+
+
+def sides_named(word: str, size: Sequence[float]) -> tuple[str, ...]:
+    """The sides of a box of some size (depth, width, ...) that a word names: a side, ``ends`` for the two short ones,
+    ``any``."""
+    if word == "ends":
+        return ("left", "right") if size[1] >= size[0] else ("front", "back")
+    return SIDES if word == "any" else (word,)
 
 
 class HasParams(Protocol):

@@ -1,9 +1,11 @@
-"""Judges of what stands in rows, runs and even places: one function a relation type."""
+"""Judges of what stands in rows, runs and even places, or across from others: one function a relation type."""
 
 from __future__ import annotations
 
 import math
 
+from sceneweaver.geometry.spread import even_places
+from sceneweaver.scene.catalogue import sides_named
 from sceneweaver.verify.case import Case
 from sceneweaver.verify.contacts import turn
 from sceneweaver.verify.measure import TOLERANCE, Judgement, Measurement, Measurements, at_most, judge
@@ -14,19 +16,13 @@ OPPOSITE = {"front": "back", "back": "front", "left": "right", "right": "left"}
 
 def seated_at(case: Case) -> Judgement:
     """Front against one side of the target, in the middle of the k-th of n equal parts of that side."""
-    face = case.other.face(str(case.spec.value(case.relation, "side")))
-    front = case.subject.face("front")
-    (nx, ny), across = face.normal, (-face.normal[1], face.normal[0])
-    count = case.number("n")
-    width = 2 * face.half / count
-    place = -face.half + (case.number("k") + 0.5) * width
-    low, high = case.spec.gap_range(case.relation, case.subject.size[0])
-    measured = (
-        at_most("turned", turn(front.normal, (-nx, -ny)), case.number("degrees"), "deg"),
-        Measurement("gap", _along(face.centre, front.centre, face.normal), low, high, "m", TOLERANCE),
-        at_most("off its place", abs(_along(face.centre, front.centre, across) - place), *_offset(case)),
-    )
-    return judge([measured], "")
+    return judge([_before(case, str(case.spec.value(case.relation, "side")))], "")
+
+
+def across_from(case: Case) -> Judgement:
+    """Front before one side of the target, across a gap, in the middle of the k-th of n equal parts of that side."""
+    sides = sides_named(str(case.spec.value(case.relation, "side")), case.other.size)
+    return judge([_before(case, side) for side in sides], "")
 
 
 def next_to(case: Case) -> Judgement:
@@ -54,6 +50,17 @@ def run_on(case: Case) -> Judgement:
     return judge([_straight(case, side), around], "")
 
 
+def on_grid(case: Case) -> Judgement:
+    """Centre near the k-th of n places that are spread evenly over the floor, along its first wall and across."""
+    places = even_places(case.placed.scene.room.outline, int(case.number("n")))
+    if case.number("k") >= len(places):
+        return judge([], f"there are {len(places)} places")
+    wall, place = case.placed.walls[0], places[int(case.number("k"))]
+    offs = (("off its place along the wall", wall.along), ("off its place across", wall.inward))
+    centre = case.subject.centre
+    return judge([[at_most(name, abs(_along(place, centre, way)), *_offset(case)) for name, way in offs]], "")
+
+
 def in_middle(case: Case) -> Judgement:
     """Centre near the middle of the floor along x and y."""
     import shapely
@@ -65,6 +72,19 @@ def in_middle(case: Case) -> Judgement:
     x, y = case.subject.centre
     offs = (("off the middle along x", x - middle.x), ("off the middle along y", y - middle.y))
     return judge([[at_most(name, abs(off), *_offset(case)) for name, off in offs]], "")
+
+
+def _before(case: Case, side: str) -> Measurements:
+    """Measurements of a front before a part of one side of the target."""
+    face, front = case.other.face(side), case.subject.face("front")
+    (nx, ny), across = face.normal, (-face.normal[1], face.normal[0])
+    place = -face.half + (case.number("k") + 0.5) * 2 * face.half / case.number("n")
+    low, high = case.spec.gap_range(case.relation, case.subject.size[0])
+    return (
+        at_most("turned", turn(front.normal, (-nx, -ny)), case.number("degrees"), "deg"),
+        Measurement("gap", _along(face.centre, front.centre, face.normal), low, high, "m", TOLERANCE),
+        at_most("off its place", abs(_along(face.centre, front.centre, across) - place), *_offset(case)),
+    )
 
 
 def _straight(case: Case, side: str) -> Measurements:

@@ -17,7 +17,7 @@ from sceneweaver.scene.catalogue import CATALOGUE
 from sceneweaver.scene.errors import InputError
 from sceneweaver.verify.case import Case
 from sceneweaver.verify.contacts import face_measurements, turn, wall_contacts
-from sceneweaver.verify.formations import in_middle, next_to, run_on, seated_at
+from sceneweaver.verify.formations import across_from, in_middle, next_to, on_grid, run_on, seated_at
 from sceneweaver.verify.measure import (
     HOLDS,
     ROUNDING,
@@ -82,7 +82,9 @@ def _against_wall(case: Case) -> Judgement:
     target = case.relation.target
     index = int(target[5:]) if isinstance(target, str) and target.startswith("wall:") else None
     most = case.spec.value(case.relation, "gap")[1]
-    sides, degrees, overlap = case.spec.subject_sides, case.number("degrees"), case.number("overlap")
+    degrees, overlap = case.number("degrees"), case.number("overlap")
+    word = case.spec.value(case.relation, "side") if "side" in case.spec.params else "any"
+    sides = [side for side in case.spec.subject_sides if word in ("any", side)]
     contacts = wall_contacts(case.placed, case.subject, sides, index, most, degrees, overlap)
     return judge(contacts, f"the room has no {target or 'wall'}", _whole(overlap))
 
@@ -168,6 +170,17 @@ def _near_opening(case: Case) -> Judgement:
 
     chosen = (o for o in openings if target is None or o.item.id == target)
     return judge(map(measurements, chosen), f"the room has no {target or case.spec.target_kind}")
+
+
+def _facing_door(case: Case) -> Judgement:
+    """Front toward the wall of the door; of any without a target."""
+    target, front, most = case.relation.target, case.subject.front, case.number("degrees")
+    offs = (
+        [at_most(f"turned from {door.item.id}", turn(front, door.wall.outward), most, "deg")]
+        for door in case.placed.doors
+        if target is None or door.item.id == target
+    )
+    return judge(offs, f"the room has no {target or 'door'}")
 
 
 # ---- faces of two objects --------------------------------------------------------------------------------------------
@@ -287,15 +300,17 @@ def _centered_on(case: Case) -> Judgement:
 
 
 def _centre_over(case: Case) -> Judgement:
-    """Subject's centre inside the target's box, seen from above, ``inset`` from its edges."""
-    offsets = case.other.local(case.subject.centre)
-    sides = zip(("along its front", "along its width"), offsets, case.other.size, strict=False)
-    inset = case.number("inset")
-    return judge(
-        [[at_most(f"off {name}", abs(off), max(size / 2 - inset, 0.0), slack=TOLERANCE) for name, off, size in sides]],
-        "",
-        ROUNDING,
-    )
+    """Subject's centre inside the target's box, seen from above, ``inset`` from its edges; with ``offset`` as close to
+    its place there."""
+    local = case.other.local(case.subject.centre)
+    inset, offset = case.number("inset"), case.spec.value(case.relation, "offset")
+    names, shares = ("along its front", "along its width"), (case.number("forward"), case.number("left"))
+    measured = []
+    for name, off, size, share in zip(names, local, case.other.size, shares, strict=False):
+        measured.append(at_most(f"off {name}", abs(off), max(size / 2 - inset, 0.0), slack=TOLERANCE))
+        if offset is not None:
+            measured.append(at_most(f"off its place {name}", abs(off - share * size), offset, slack=TOLERANCE))
+    return judge([measured], "", ROUNDING)
 
 
 def _between(case: Case) -> Judgement:
@@ -400,6 +415,9 @@ JUDGES: dict[str, Judge] = {
     "over": _centre_over,
     "near_window": _near_opening,
     "near_door": _near_opening,
+    "across_from": across_from,
+    "facing_door": _facing_door,
+    "on_grid": on_grid,
 }
 """The judge of every relation type."""
 

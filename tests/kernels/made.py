@@ -93,7 +93,7 @@ def cup(id: str, carrier: str, surface: str, x: float, y: float, z: float) -> Js
 
 PARAMS: dict[str, Json] = {
     "against_wall": {"gap": [0.02, 0.2], "overlap": 0.6},
-    "side_against_wall": {"degrees": 12.0},
+    "side_against_wall": {"degrees": 12.0, "side": "front"},
     "front_against": {"gap": [0.3, 0.5]},
     "front_to_front": {"gap": [0.3, 0.5], "overlap": 0.8},
     "leftright_to_leftright": {"gap": [0.1, 0.4]},
@@ -122,6 +122,9 @@ PARAMS: dict[str, Json] = {
     "over": {"inset": 0.1},
     "near_window": {"min": 0.2, "max": 3.0},
     "near_door": {"min": 0.2, "max": 3.0},
+    "across_from": {"side": "left", "k": 1, "n": 2, "gap": [0.1, 1.4], "offset": 0.5},
+    "facing_door": {"degrees": 70.0},
+    "on_grid": {"k": 1, "n": 4, "offset": 1.2},
 }
 """Numbers other than the defaults, for the types that take any."""
 
@@ -133,7 +136,7 @@ def related(kind: str, **params) -> Scene:
     objects = [chair("a", 1.0, 2.5), table("b", 1.6, 4.0), sofa("c", 3.0, 3.2, yaw=40.0)]
     target: Any = "b"
     second: tuple[str, Any] = ("c", "b")
-    if kind in ("on_floor", "in_corner", "in_middle"):
+    if kind in ("on_floor", "in_corner", "in_middle", "on_grid"):
         target, second = None, ("c", None)
     elif kind in ("against_wall", "side_against_wall"):
         target, second = None, ("c", "wall:3")
@@ -141,7 +144,7 @@ def related(kind: str, **params) -> Scene:
         target, second = "window", ("c", "pane")
     elif kind == "near_window":
         target, second = None, ("c", "pane")
-    elif kind in ("away_from_door", "near_door"):
+    elif kind in ("away_from_door", "near_door", "facing_door"):
         target, second = None, ("c", "gate")
     elif kind == "between":
         target, second = ("b", "c"), ("b", ("c", "a"))

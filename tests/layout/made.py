@@ -122,4 +122,9 @@ ONE_OF_EACH: dict[str, Scene] = {
     "over": scene([table(), LAMP], [relation("over", "lamp", "table", inset=0.2)]),
     "near_window": scene([OTHER, BOX], [relation("near_window", "box", "window", min=0.4, max=0.8)]),
     "near_door": scene([OTHER, BOX], [relation("near_door", "box", min=0.3, max=0.9)]),
+    "across_from": scene(
+        [table(size=(0.8, 1.6, 0.75)), BOX], [relation("across_from", "box", "table", side="ends", gap=[0.4, 0.6])]
+    ),
+    "facing_door": scene([OTHER, BOX], [relation("facing_door", "box", degrees=20)]),
+    "on_grid": scene([OTHER, LAMP], [relation("on_grid", "lamp", k=1, n=2)]),
 }

@@ -32,7 +32,7 @@ ALL, LRF, LR, B, F = (
 # type: target, subject's sides, target's sides, degrees, gap, overlap, other numbers, exempt from zones
 TABLE = {
     "against_wall": ("wall?", B, (), 5, (0, 0.07), 0.9, {}, False),
-    "side_against_wall": ("wall?", LRF, (), 5, (0, 0.05), 0.9, {}, False),
+    "side_against_wall": ("wall?", LRF, (), 5, (0, 0.05), 0.9, {"side": "any"}, False),
     "front_against": ("object", F, ALL, 15, "tucked", 0.5, {}, True),
     "front_to_front": ("object", F, F, 15, "tucked", 0.5, {}, True),
     "leftright_to_leftright": ("object", LR, LR, 10, (0, 0.05), 0.5, {}, True),
@@ -72,9 +72,12 @@ TABLE = {
     ),
     "run_on": ("object", (), LR, 3, (0, 0.03), None, {"side": "right", "offset": 0.05}, True),
     "in_middle": ("none", (), (), None, None, None, {"offset": 0.5}, False),
-    "over": ("object", (), (), None, None, None, {"inset": 0}, False),
+    "over": ("object", (), (), None, None, None, {"inset": 0, "forward": 0, "left": 0, "offset": None}, False),
     "near_window": ("window?", (), (), None, None, None, {"min": 0, "max": 1.2}, False),
     "near_door": ("door?", (), (), None, None, None, {"min": 0, "max": 1.2}, False),
+    "across_from": ("object", F, ALL, 5, (0.3, 3), None, {"side": "any", "k": 0, "n": 1, "offset": 0.15}, False),
+    "facing_door": ("door?", F, (), 50, None, None, {}, False),
+    "on_grid": ("none", (), (), None, None, None, {"k": 0, "n": 1, "offset": 0.3}, False),
 }
 
 

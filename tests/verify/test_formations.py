@@ -61,6 +61,47 @@ def test_seated_at(params, ahead, left, turned, expected, yaw):
 @pytest.mark.parametrize(
     ("params", "ahead", "left", "turned", "expected"),
     [
+        ({"gap": [0.4, 0.9]}, 1.2, 0.0, 180.0, True),  # the target is 0.6 m deep, the subject 0.6 m: a gap of 0.6 m
+        ({"gap": [0.4, 0.9]}, 0.9, 0.0, 180.0, False),
+        ({"gap": [0.4, 0.9]}, 1.2, 0.0, 0.0, False),  # its back to the target
+        ({"gap": [0.4, 0.9], "side": "back"}, 1.2, 0.0, 180.0, False),
+        ({"gap": [0.4, 0.9], "side": "ends"}, 1.2, 0.0, 180.0, False),
+        ({"gap": [0.4, 0.9], "side": "ends"}, 0.0, 1.4, -90.0, True),
+        ({"gap": [0.4, 0.9]}, 1.2, 0.1508, 180.0, True),
+        ({"gap": [0.4, 0.9]}, 1.2, 0.1515, 180.0, False),
+        ({"gap": [0.4, 0.9], "k": 1, "n": 2}, 1.2, 0.25, 180.0, True),
+        ({"gap": [0.4, 0.9], "k": 0, "n": 2}, 1.2, 0.25, 180.0, False),
+    ],
+)
+def test_across_from(params, ahead, left, turned, expected, yaw):
+    target = box("t", (0.6, 1.0, 0.7), 4.0, 4.0, yaw)
+    subject = box("s", (0.6, 0.6, 0.7), *beside(target, ahead, left), yaw + turned)
+    assert holds([target, subject], relation("across_from", "s", "t", **params)) is expected
+
+
+@pytest.mark.parametrize(
+    ("k", "n", "x", "y", "expected"),
+    [
+        (0, 1, 4.0, 3.0, True),
+        (1, 2, 6.0, 3.0, True),
+        (0, 2, 6.0, 3.0, False),
+        (5, 6, 6.67, 4.5, True),
+        (5, 6, 6.9, 4.5, True),
+        (5, 6, 7.1, 4.5, False),
+        (6, 6, 6.67, 4.5, False),
+    ],
+)
+def test_on_grid(k, n, x, y, expected):
+    outline = [[0, 0], [8, 0], [8, 6], [0, 6]]
+    assert (
+        holds([box("s", (0.3, 0.3, 0.3), x, y)], relation("on_grid", "s", None, k=k, n=n), outline=outline) is expected
+    )
+
+
+@pytest.mark.parametrize("yaw", YAWS)
+@pytest.mark.parametrize(
+    ("params", "ahead", "left", "turned", "expected"),
+    [
         ({}, 0.0, 0.9, 0.0, True),  # the target is 1 m wide, the subject 0.6 m: a gap of 0.1 m
         ({}, 0.0, -0.9, 0.0, False),
         ({"side": "right"}, 0.0, -0.9, 0.0, True),

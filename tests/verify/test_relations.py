@@ -284,6 +284,29 @@ def test_over(x, y, inset, expected):
     assert holds([rug, box("s", (0.3, 0.3, 0.3), x, y, z=1.0)], relation("over", "s", "t", inset=inset)) is expected
 
 
+def test_over_a_place():
+    """The second of two lamps over a table: a quarter of its width to the left of its middle."""
+    params = {"left": 0.25, "offset": 0.1}
+    for turned, (dx, dy) in ((0.0, (0.0, 0.5)), (90.0, (-0.5, 0.0))):
+        table = box("t", (1.0, 2.0, 0.7), 4.0, 4.0, turned)
+        for aside, expected in ((0.0, True), (0.09, True), (0.12, False)):
+            lamp = box("s", (0.3, 0.3, 0.3), 4.0 + dx + aside, 4.0 + dy, z=2.0)
+            assert holds([table, lamp], relation("over", "s", "t", **params)) is expected
+        assert not holds([table, box("s", (0.3, 0.3, 0.3), 4.0, 4.0, z=2.0)], relation("over", "s", "t", **params))
+
+
+@pytest.mark.parametrize(("turned", "degrees", "expected"), [(0.0, 50, True), (49.0, 50, True), (51.0, 50, False)])
+def test_facing_a_door(turned, degrees, expected):
+    """Wall 1 is at the side that things look to at a yaw of 0."""
+    door = {"id": "door-0", "wall": 1, "offset": 1.0, "width": 0.9, "height": 2.0}
+    other = {**door, "id": "door-1", "wall": 3}
+    thing = box("s", (0.4, 0.4, 0.7), 3.0, 2.6, turned)
+    assert holds([thing], relation("facing_door", "s", None, degrees=degrees), doors=[door]) is expected
+    assert holds([thing], relation("facing_door", "s", "door-0", degrees=degrees), doors=[other, door]) is expected
+    assert not holds([thing], relation("facing_door", "s", "door-1", degrees=degrees), doors=[other, door])
+    assert not holds([thing], relation("facing_door", "s", None, degrees=degrees))
+
+
 @pytest.mark.parametrize(("x", "low", "high", "expected"), [
     (7.5, 0.0, 0.3, True),
     (7.5, 0.31, 0.6, False),
