@@ -13,6 +13,7 @@ from sceneweaver.brief import SceneGraph, read_request
 from sceneweaver.critic import Review
 from sceneweaver.export import formats_named
 from sceneweaver.knowledge import RoomType, match_room, room_types
+from sceneweaver.knowledge.likely import likeliest_room
 from sceneweaver.scene import InputError, MissingDependencyError
 from sceneweaver.tools.registry import Registered
 from sceneweaver.tools.registry import tools as registered
@@ -174,14 +175,7 @@ def chosen_room(brief: SceneGraph) -> tuple[RoomType, tuple[str, ...]]:
         found = match_room(brief.room_words)
         if found is not None:
             return known[found[0]], ()
-    wanted = {a.category for a in brief.entities}
-    scores = {
-        name: sum(any(c in item.what for item in room.items if item.need != "optional") for c in wanted)
-        for name, room in known.items()
-    }
-    best = max(sorted(scores), key=lambda n: (scores[n], n == LIKELY))
-    if not scores[best]:
-        best = LIKELY if LIKELY in known else next(iter(known))
+    best = (likeliest_room((e.category for e in brief.entities), brief.text) or known[LIKELY]).name
     said = f"'{brief.room_words}' is no kind of room that is known" if brief.room_words else "no kind of room was named"
     return known[best], (f"{said}; made as a {best.replace('_', ' ')}",)
 

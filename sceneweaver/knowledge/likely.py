@@ -1,0 +1,105 @@
+"""Which kind of room is meant where a request names none: from its things, and from words of rooms beside them."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Mapping
+from functools import cache
+from importlib import resources
+from typing import NamedTuple
+
+from sceneweaver.assets import categories
+from sceneweaver.assets.taxonomy import members
+
+from .load import read_yaml, room_types, room_words
+from .model import RoomType
+
+CHANCE = {"needed": 0.9, "usual": 0.6, "optional": 0.25}
+"""Chance that a request for a room names a thing of it, by how much the room needs it."""
+
+SIGN, STRANGE = 0.8, 0.03
+"""The same for a sign of a room, and for what is no thing of it."""
+
+PRIOR = 0.3
+"""Prior of a kind of room that the data does not list."""
+
+NAMED, BESIDE = 40.0, 6.0
+"""How much likelier a kind of room is whose name stands in the text, on its own and before another noun."""
+
+
+class _Data(NamedTuple):
+    prior: Mapping[str, float]
+    signs: Mapping[str, frozenset[str]]
+
+
+@cache
+def _data() -> _Data:
+    text = resources.files(__package__ or "").joinpath("likely_rooms.yaml").read_text(encoding="utf-8")
+    data = read_yaml(text)
+    if unknown := sorted({*data["prior"], *data["signs"]} - set(room_types())):
+        raise ValueError(f"likely_rooms.yaml: {', '.join(unknown)} are no rooms")
+    if unknown := sorted({name for names in data["signs"].values() for name in names} - set(categories())):
+        raise ValueError(f"likely_rooms.yaml: {', '.join(unknown)} are no categories")
+    return _Data(data["prior"], {room: frozenset(names) for room, names in data["signs"].items()})
+
+
+@cache
+def _chances(room: str) -> Mapping[str, float]:
+    """The chance of each category that belongs to a kind of room."""
+    found: dict[str, float] = dict.fromkeys(_data().signs.get(room, ()), SIGN)
+    for item in room_types()[room].items:
+        for name in item.what:
+            for category in (name, *members(name)):
+                found[category] = max(found.get(category, 0.0), CHANCE[item.need])
+    return found
+
+
+def likeliest_room(named: Iterable[str], text: str = "") -> RoomType | None:
+    """The kind of room that a request means by the things that it names.
+
+    A naive Bayes classifier: prior times the chance of each category named, each counted once; what is part of no kind
+    of room tells nothing. A room's name in the text ("a breakfast dining room", "kitchen table") makes it likelier.
+
+    Args:
+        named: categories that the request asks for.
+        text: its words.
+
+    Returns:
+        The likeliest kind of room; None when nothing tells one from another.
+    """
+    known = room_types()
+    told = sorted(c for c in set(named) if any(c in _chances(room) for room in known))
+    words = _words_of_rooms(text)
+    if not told and not words:
+        return None
+
+    def score(room: str) -> float:
+        chances = _chances(room)
+        found = sum(math.log(chances.get(c, STRANGE)) for c in told)
+        return found + math.log(_data().prior.get(room, PRIOR)) + math.log(words.get(room, 1.0))
+
+    return known[max(sorted(known), key=score)]
+
+
+def _words_of_rooms(text: str) -> Mapping[str, float]:
+    """By kind of room how much likelier its name in the text makes it; a name within a longer one does not count."""
+    low, found = text.lower(), dict[str, float]()
+    taken: list[tuple[int, int]] = []
+    for phrase in sorted(room_words(), key=len, reverse=True):
+        for match in re.finditer(rf"\b{re.escape(phrase)}\b(?P<noun>\s+[a-z-]+)?", low):
+            start, end = match.start(), match.start() + len(phrase)
+            if any(start < b and a < end for a, b in taken):
+                continue
+            taken.append((start, end))
+            beside = match["noun"] is not None and _is_thing(match["noun"])
+            room = room_words()[phrase]
+            found[room] = max(found.get(room, 1.0), BESIDE if beside else NAMED)
+    return found
+
+
+def _is_thing(noun: str) -> bool:
+    """Whether a noun is one of furniture: a "kitchen table" may stand elsewhere."""
+    from sceneweaver.assets import resolve
+
+    return resolve(noun.strip()).how != "generic"

@@ -1,0 +1,44 @@
+"""Which kind of room a request means that names none."""
+
+from __future__ import annotations
+
+import pytest
+
+from sceneweaver.agent.design import chosen_room
+from sceneweaver.brief import read_request
+from sceneweaver.knowledge import room_types
+from sceneweaver.knowledge.likely import likeliest_room
+
+MEANT = [
+    ("an island with four bar stools, a stove and a microwave on a shelf", "kitchen"),
+    ("a round table with five chairs under a chandelier", "dining_room"),
+    ("a toilet beside the door and a bathtub in the corner", "bathroom"),
+    ("a sofa that faces a TV on a TV stand, with a coffee table between them", "living_room"),
+    ("a desk with two monitors below the window and an office chair", "study"),
+    ("a king-size bed with a bench at its foot", "bedroom"),
+    ("a play tent next to a toy chest, and a rocking horse", "childrens_room"),
+    ("a workbench with a tool cabinet beside it", "workshop"),
+]
+
+
+@pytest.mark.parametrize(("text", "room"), MEANT)
+def test_things_tell_the_room(text: str, room: str) -> None:
+    found, said = chosen_room(read_request(text))
+    assert found.name == room
+    assert said == (f"no kind of room was named; made as a {room.replace('_', ' ')}",)
+
+
+def test_the_order_of_the_things_does_not_matter() -> None:
+    names = ["desk", "office_chair", "monitor", "sofa"]
+    assert likeliest_room(names) == likeliest_room(names[::-1])
+
+
+def test_a_room_in_the_text_tells_more_than_a_thing() -> None:
+    assert likeliest_room(["cafe_table"], "a sunny breakfast dining room") == room_types()["dining_room"]
+    assert likeliest_room(["bookcase"], "the music room upstairs") == room_types()["music_room"]
+
+
+def test_nothing_told() -> None:
+    assert likeliest_room([]) is None
+    assert likeliest_room(["no_such_category"], "something nice") is None
+    assert chosen_room(read_request("something nice"))[0].name == "living_room"
