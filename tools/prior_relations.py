@@ -120,6 +120,8 @@ def _of_place(one: Wanted, place: Place, by_item: dict[str, list[Wanted]], room:
         place = place.model_copy(update={"type": "side_against_wall"})
     kind = CATALOGUE[place.type].target
     params = dict(place.params)
+    if params.get("door_walls") == "avoided" and not _free_wall(room, one.asset.size[1]):
+        del params["door_walls"]
     target: str | None = None
     if one.support is not None and place.type in CATALOGUE.with_role("edge"):
         return None
@@ -149,6 +151,12 @@ def _of_place(one: Wanted, place: Place, by_item: dict[str, list[Wanted]], room:
     return Relation(
         type=place.type, subject=one.id, target=target, params=params, hard=not place.soft, weight=place.weight
     )
+
+
+def _free_wall(room: Room, width: float) -> bool:
+    """Whether a wall without a door is wide enough [m] for something with its back to it."""
+    doors = {door.wall for door in room.doors}
+    return any(wall.length > width and wall.index not in doors for wall in room.walls)
 
 
 def _instance(one: Wanted, name: str | None, by_item: dict[str, list[Wanted]]) -> Wanted | None:

@@ -217,10 +217,13 @@ def _at_walls(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     a = frame.object(rel.subject)
     wanted = int(rel.target.split(":")[1]) if isinstance(rel.target, str) else None
     gap, spec = value("gap"), CATALOGUE[rel.type]
+    avoided = set()
+    if "door_walls" in spec.params and value("door_walls") == "avoided":
+        avoided = {door.wall for door in frame.doors}
     options = []
     sides = [side for side in spec.subject_sides if "side" not in spec.params or value("side") in ("any", side)]
     for i, wall in enumerate(frame.region.walls):
-        if wanted is not None and i != wanted:
+        if (wanted is not None and i != wanted) or i in avoided:
             continue
         for side in sides:
             # the judge knows no lower limit but its 1 mm; objects stay inside the room anyway
@@ -233,11 +236,14 @@ def _at_walls(frame: Frame, rel: Relation, value) -> list[list[Row]]:
 def _at_sides(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     a, b = frame.object(rel.subject), frame.object(_one(rel))
     gap, spec = value("gap"), CATALOGUE[rel.type]
+    offset = value("offset") if "offset" in spec.params else None
     options = []
     for side_a in spec.subject_sides:
         for side_b in spec.target_sides:
             _, reach, half = _face(b, side_b)
             rows = _facing_rows(a, side_a, SIDES[side_b], reach, 0.0, half, gap, value("degrees"), value("overlap"))
+            if offset is not None:
+                rows[2] = line(rows[2].point, rows[2].normal, 0.0, -offset, offset)
             options.append(_exact_faces(frame, rel, rows) + _backs(a, side_a, b, side_b, spec))
     return options
 
@@ -316,27 +322,31 @@ def _parallel(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     return [[yaw(0.0, value("degrees"), math.pi).snapped(CATALOGUE[rel.type], "degrees", DEGREE)]]
 
 
-def _beyond(side: str) -> Callable[[Frame, Relation, Callable], list[list[Row]]]:
-    def build(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+def _beyond(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    """The centre of a beyond a side of b that the catalogue names, in a band about the middle of it."""
+    options = []
+    for side in CATALOGUE[rel.type].target_sides:
         _, reach, half = _face(frame.object(_one(rel)), side)
-        n = SIDES[side]
-        across = half * value("band")
-        return [
+        n, across = SIDES[side], half * value("band")
+        options.append(
             [
                 line((0.0, 0.0), n, reach, value("min"), value("max")),
                 line((0.0, 0.0), (-n[1], n[0]), 0.0, -across, across, -TIGHT),
             ]
-        ]
-
-    return build
+        )
+    return options
 
 
 def _centered(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    limit, spec, a = value("offset"), CATALOGUE[rel.type], frame.object(rel.subject)
-    middle = _middle(rel) if a.mount == "ceiling" or a.size[2] < FLAT else []
-    return [
-        [line((0.0, 0.0), n, 0.0, -limit, limit).snapped(spec, "lateral"), *middle] for n in ((0.0, 1.0), (1.0, 0.0))
-    ]
+    limit, spec, a, ahead = value("offset"), CATALOGUE[rel.type], frame.object(rel.subject), value("ahead")
+    flat = a.mount == "ceiling" or a.size[2] < FLAT
+    across, along = (line((0.0, 0.0), n, 0.0, -limit, limit).snapped(spec, "lateral") for n in ((0.0, 1.0), (1.0, 0.0)))
+    if value("axis") == "either" and ahead is None:
+        return [[row, *(_middle(rel) if flat else ())] for row in (across, along)]
+    turned = [_open_yaw(0.0, math.pi / 2).snapped(spec, "degrees", DEGREE)] if flat else []
+    if ahead is not None:
+        return [[across, line((0.0, 0.0), (1.0, 0.0), 0.0, *ahead), *turned]]
+    return [[across, *([along] if value("axis") == "both" else ()), *turned]]
 
 
 def _over(frame: Frame, rel: Relation, value) -> list[list[Row]]:
@@ -640,10 +650,11 @@ BUILDERS: dict[str, Builder] = {
     "facing": _bearing_row,
     "aligned": _aligned,
     "parallel": _parallel,
-    "left_of": _beyond("left"),
-    "right_of": _beyond("right"),
-    "in_front_of": _beyond("front"),
-    "behind": _beyond("back"),
+    "left_of": _beyond,
+    "right_of": _beyond,
+    "in_front_of": _beyond,
+    "behind": _beyond,
+    "beside": _beyond,
     "centered_on": _centered,
     "in_corner": _corner,
     "at_window": _at_window,

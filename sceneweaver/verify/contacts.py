@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene.catalogue import CATALOGUE
 from sceneweaver.verify.measure import TOLERANCE, Measurement, Measurements, at_least, at_most
-from sceneweaver.verify.solids import Body, Face, Placed, Point
+from sceneweaver.verify.solids import Body, Face, Point
 
 _WALL = CATALOGUE["against_wall"]
 
@@ -48,17 +48,15 @@ def wall_measurements(face: Face, wall: Wall, most: float, degrees: float, overl
 
 
 def wall_contacts(
-    placed: Placed,
+    walls: Iterable[Wall],
     body: Body,
     sides: Iterable[str],
-    wall: int | None,
     most: float = _WALL.value(None, "gap")[1],
     degrees: float = _WALL.value(None, "degrees"),
     overlap: float = _WALL.value(None, "overlap"),
 ) -> Iterator[Measurements]:
-    """Yield what is measured of each of ``sides`` against wall ``wall``, or every wall; defaults are against_wall's."""
+    """Yield what is measured of each of ``sides`` against each of the walls; defaults are against_wall's."""
     faces = [body.face(side) for side in sides]
-    for other in placed.walls:
-        if wall is None or other.index == wall:
-            for face in faces:
-                yield wall_measurements(face, other, most, degrees, overlap)
+    for wall in walls:
+        for face in faces:
+            yield wall_measurements(face, wall, most, degrees, overlap)

@@ -82,10 +82,19 @@ def _against_wall(case: Case) -> Judgement:
     target = case.relation.target
     index = int(target[5:]) if isinstance(target, str) and target.startswith("wall:") else None
     most = case.spec.value(case.relation, "gap")[1]
+<<<<<<< HEAD
     degrees, overlap = case.number("degrees"), case.number("overlap")
     word = case.spec.value(case.relation, "side") if "side" in case.spec.params else "any"
     sides = [side for side in case.spec.subject_sides if word in ("any", side)]
     contacts = wall_contacts(case.placed, case.subject, sides, index, most, degrees, overlap)
+=======
+    sides, degrees, overlap = case.spec.subject_sides, case.number("degrees"), case.number("overlap")
+    walls = [wall for wall in case.placed.walls if index is None or wall.index == index]
+    if "door_walls" in case.spec.params and case.spec.value(case.relation, "door_walls") == "avoided":
+        with_doors = {door.wall.index for door in case.placed.doors}
+        walls = [wall for wall in walls if wall.index not in with_doors]
+    contacts = wall_contacts(walls, case.subject, sides, most, degrees, overlap)
+>>>>>>> 58f3e6d (Relations of axes: beside, centered_on along an axis and ahead, front_to_front about the middle, walls without doors)
     return judge(contacts, f"the room has no {target or 'wall'}", _whole(overlap))
 
 
@@ -193,7 +202,15 @@ def _faces(case: Case) -> Judgement:
     degrees, overlap = case.number("degrees"), case.number("overlap")
     theirs = [other.face(side) for side in spec.target_sides]
     faces = (subject.face(side) for side in spec.subject_sides)
-    pairs = (face_measurements(f, g, gap, degrees, overlap) for f in faces for g in theirs)
+    offset = spec.value(case.relation, "offset") if "offset" in spec.params else None
+
+    def measured(face: Face, theirs: Face) -> Measurements:
+        across = (-theirs.normal[1], theirs.normal[0])
+        aside = sum((p - q) * n for p, q, n in zip(face.centre, theirs.centre, across, strict=True))
+        centred = () if offset is None else (at_most("off its middle", abs(aside), offset, slack=TOLERANCE),)
+        return (*face_measurements(face, theirs, gap, degrees, overlap), *centred)
+
+    pairs = (measured(f, g) for f in faces for g in theirs)
     return judge(pairs, "it has no such face", _whole(overlap))
 
 
@@ -282,21 +299,30 @@ def _parallel(case: Case) -> Judgement:
 
 def _beside(case: Case) -> Judgement:
     """Subject's centre beyond a face of the target, in a band ``band`` times as wide as that face."""
-    face = case.other.face(case.spec.target_sides[0])
-    dx, dy = case.subject.position[0] - face.centre[0], case.subject.position[1] - face.centre[1]
-    beyond = dx * face.normal[0] + dy * face.normal[1]
-    aside = abs(dy * face.normal[0] - dx * face.normal[1])
-    return judge_all(
-        Measurement("distance beyond its face", beyond, case.number("min"), case.number("max"), "m", TOLERANCE),
-        at_most("aside", aside, case.number("band") / 2 * 2 * face.half),
-        rounding=ROUNDING,
-    )
+
+    def measured(face: Face) -> Measurements:
+        dx, dy = case.subject.position[0] - face.centre[0], case.subject.position[1] - face.centre[1]
+        beyond = dx * face.normal[0] + dy * face.normal[1]
+        aside = abs(dy * face.normal[0] - dx * face.normal[1])
+        return (
+            Measurement("distance beyond its face", beyond, case.number("min"), case.number("max"), "m", TOLERANCE),
+            at_most("aside", aside, case.number("band") / 2 * 2 * face.half),
+        )
+
+    return judge((measured(case.other.face(side)) for side in case.spec.target_sides), "", ROUNDING)
 
 
 def _centered_on(case: Case) -> Judgement:
-    """The smaller offset of the subject's centre in the target's frame."""
-    off = min(map(abs, case.other.local(case.subject.centre)))
-    return judge_all(at_most("off centre by", off, case.number("offset"), slack=TOLERANCE))
+    """Offsets of the subject's centre in the target's frame: the smaller one, that along its width, or both."""
+    forward, aside = case.other.local(case.subject.centre)
+    axis, ahead = (case.spec.value(case.relation, name) for name in ("axis", "ahead"))
+    offs = {"either": [min(abs(forward), abs(aside))], "width": [abs(aside)], "both": [abs(aside), abs(forward)]}
+    counted = offs["width" if ahead is not None else axis]
+    measured = [at_most("off centre by", off, case.number("offset"), slack=TOLERANCE) for off in counted]
+    if ahead is not None:
+        least, most = ahead
+        measured.append(Measurement("ahead of its centre", forward, least, most, "m", TOLERANCE))
+    return judge_all(*measured)
 
 
 def _centre_over(case: Case) -> Judgement:
@@ -400,6 +426,7 @@ JUDGES: dict[str, Judge] = {
     "right_of": _beside,
     "in_front_of": _beside,
     "behind": _beside,
+    "beside": _beside,
     "centered_on": _centered_on,
     "in_corner": _in_corner,
     "at_window": _at_window,

@@ -134,7 +134,7 @@ def _mounting(placed: Placed, body: Body) -> Unsupported | None:
             worst = _height("height below the ceiling", gap)
             return Unsupported(body.index, f"hangs {length(gap)} {where} the ceiling", worst)
     elif mount == "wall":
-        hung = judge(wall_contacts(placed, body, ("back",), None), "the room has no wall")
+        hung = judge(wall_contacts(placed.walls, body, ("back",)), "the room has no wall")
         if not hung.holds:
             return Unsupported(body.index, f"does not hang on a wall: {hung.text}", hung.worst)
     elif body.item.support is None:

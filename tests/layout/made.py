@@ -77,6 +77,15 @@ CHAIRS = [thing(f"chair{i}", (0.45, 0.45, 0.7)) for i in range(4)]
 
 LAMP = thing("lamp", (0.4, 0.4, 0.5), mount="ceiling")
 
+PARAMS: dict[str, Scene] = {
+    "both axes": scene([OTHER, LAMP], [relation("centered_on", "lamp", "other", axis="both", offset=0.05)]),
+    "width": scene([OTHER, LAMP], [relation("centered_on", "lamp", "other", axis="width", offset=0.03)]),
+    "ahead": scene([BED, LAMP], [relation("centered_on", "lamp", "bed", ahead=[0.5, 0.6])]),
+    "a faced middle": scene([OTHER, BOX], [relation("front_to_front", "box", "other", gap=[0.9, 1.4], offset=0.05)]),
+    "no door's wall": scene([BED, BOX], [relation("against_wall", i, door_walls="avoided") for i in ("bed", "box")]),
+}
+"""Relations with parameters that make other rows of them."""
+
 ONE_OF_EACH: dict[str, Scene] = {
     "against_wall": scene([BED, BOX], [relation("against_wall", "bed"), relation("against_wall", "box", "wall:3")]),
     "side_against_wall": scene([BED, BOX], [relation("side_against_wall", "bed")]),
@@ -97,6 +106,7 @@ ONE_OF_EACH: dict[str, Scene] = {
     "right_of": scene([OTHER, BOX], [relation("right_of", "box", "other")]),
     "in_front_of": scene([OTHER, BOX], [relation("in_front_of", "box", "other")]),
     "behind": scene([OTHER, BOX], [relation("behind", "box", "other")]),
+    "beside": scene([OTHER, BOX], [relation("beside", "box", "other", min=0.4, max=0.6)]),
     "centered_on": scene([OTHER, BOX], [relation("centered_on", "box", "other")]),
     "in_corner": scene([OTHER, BOX], [relation("in_corner", "box")]),
     "at_window": scene([OTHER, BOX], [relation("at_window", "other", "window")]),

@@ -5,17 +5,17 @@ import pytest
 
 import sceneweaver as sw
 from sceneweaver.scene import CATALOGUE
-from tests.layout.made import ONE_OF_EACH
+from tests.layout.made import ONE_OF_EACH, PARAMS
 
 
 def test_each_type_has_a_scene():
     assert set(ONE_OF_EACH) == {name for name in CATALOGUE if "made_by_test" not in name}
 
 
-@pytest.mark.parametrize("name", ONE_OF_EACH)
+@pytest.mark.parametrize("name", [*ONE_OF_EACH, *PARAMS])
 @pytest.mark.parametrize("init", ["random", "sample"])
 def test_relation_is_reached_and_the_judge_agrees(name, init):
-    scene = ONE_OF_EACH[name]
+    scene = (ONE_OF_EACH | PARAMS)[name]
     solution = sw.refine(scene, candidates=16, seed=3, init=init, device="cpu")
     assert np.mean(solution.status == 0) >= 0.9
     for i in range(solution.candidates):
@@ -30,7 +30,7 @@ def test_relation_is_reached_and_the_judge_agrees(name, init):
 def test_relations_reported_match_the_judge_on_loose_layouts():
     """The engine's list of relations that hold never claims one that the judge denies."""
     claimed = 0
-    for scene in ONE_OF_EACH.values():
+    for scene in (*ONE_OF_EACH.values(), *PARAMS.values()):
         start = np.random.default_rng(0).uniform((0.5, 0.5, 0, -3), (4.5, 3.5, 0, 3), (8, len(scene.objects), 4))
         start[..., 2] = [o.pose.position[2] for o in scene.objects]
         solution = sw.refine(scene, init=start, optimizer="adam", steps=2, seed=1, device="cpu")

@@ -62,6 +62,68 @@ def test_beside_a_face_params():
 
 
 @pytest.mark.parametrize(
+    ("ahead", "left", "expected"),
+    [
+        (0.0, 1.2, True),
+        (0.0, -1.2, True),
+        (0.7, 1.2, True),
+        (0.8, 1.2, False),
+        (0.0, 0.99, False),
+        (0.0, -1.41, False),
+        (1.2, 0.0, False),
+    ],
+)
+def test_beside(ahead, left, expected):
+    """The target's sides are 0.7 m from its middle and 1.0 m wide."""
+    target = box("t", (1.0, 1.4, 0.7), 4.0, 4.0, 30.0)
+    subject = box("s", (0.3, 0.3, 0.3), *beside(target, ahead, left), 77.0)
+    assert holds([target, subject], relation("beside", "s", "t", min=0.3, max=0.7)) is expected
+
+
+@pytest.mark.parametrize(
+    ("ahead", "left", "params", "expected"),
+    [
+        (0.9, 0.05, {}, True),
+        (0.9, 0.2, {}, False),
+        (0.9, 0.05, {"axis": "width"}, True),
+        (0.05, 0.9, {"axis": "width"}, False),
+        (0.9, 0.05, {"axis": "both"}, False),
+        (0.05, 0.09, {"axis": "both"}, True),
+        (0.9, 0.05, {"ahead": [0.8, 1.0]}, True),
+        (0.7, 0.05, {"ahead": [0.8, 1.0]}, False),
+        (-0.9, 0.05, {"ahead": [0.8, 1.0]}, False),
+        (0.9, 0.2, {"ahead": [0.8, 1.0]}, False),
+    ],
+)
+def test_centered_on_axes(ahead, left, params, expected):
+    target = box("t", (2.0, 1.4, 0.7), 4.0, 4.0, 30.0)
+    subject = box("s", (0.3, 0.3, 0.3), *beside(target, ahead, left), 77.0)
+    assert holds([target, subject], relation("centered_on", "s", "t", **params)) is expected
+
+
+@pytest.mark.parametrize(("left", "offset", "expected"), [
+    (0.3, None, True),
+    (0.3, 0.1, False),
+    (0.09, 0.1, True),
+    (-0.11, 0.1, False),
+])  # fmt: skip
+def test_front_to_front_about_its_middle(left, offset, expected):
+    target = box("t", (0.8, 2.0, 0.7), 4.0, 4.0, 30.0)
+    subject = box("s", (0.4, 1.0, 0.4), *beside(target, 1.0, left), 210.0)
+    params = {"gap": [0.3, 0.5]} | ({} if offset is None else {"offset": offset})
+    assert holds([target, subject], relation("front_to_front", "s", "t", **params)) is expected
+
+
+@pytest.mark.parametrize(("wall", "expected"), [(1, False), (3, True)])
+def test_against_a_wall_without_a_door(wall, expected):
+    """The box stands at wall 3."""
+    thing = box("s", (0.4, 1.0, 1.0), 0.2, 4.0)
+    doors = [{"id": "door-0", "wall": 4 - wall, "offset": 1.0, "width": 0.9, "height": 2.0}]
+    assert holds([thing], relation("against_wall", "s"), doors=doors)
+    assert holds([thing], relation("against_wall", "s", door_walls="avoided"), doors=doors) is expected
+
+
+@pytest.mark.parametrize(
     ("along", "aside", "expected"),
     [
         (2.0, 0.0, True),
