@@ -12,6 +12,7 @@ from benchmarks.settings import Settings
 from . import (
     ablations,
     cold,
+    critic,
     design,
     edits,
     large,
@@ -45,6 +46,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "tight": tight.run,
         "projection": projection.run,
         "design": design.run,
+        "critic": critic.run,
         "ablations": ablations.run,
         "requests": requests.run,
         "odd": odd.run,

@@ -26,6 +26,7 @@ TABLES = {
     "tight": {"tight": 2},
     "projection": {"bodies": 1, "scenes": 2},
     "design": {"rooms": 1, "seeds": 1},
+    "critic": {"grades": 5, "scenes": 3},
     "ablations": {"parts": 4, "tools": 4},
     "requests": {"requests": 1, "reported": 0},
     "odd": {"odd": 3},
