@@ -82,19 +82,14 @@ def _against_wall(case: Case) -> Judgement:
     target = case.relation.target
     index = int(target[5:]) if isinstance(target, str) and target.startswith("wall:") else None
     most = case.spec.value(case.relation, "gap")[1]
-<<<<<<< HEAD
     degrees, overlap = case.number("degrees"), case.number("overlap")
     word = case.spec.value(case.relation, "side") if "side" in case.spec.params else "any"
     sides = [side for side in case.spec.subject_sides if word in ("any", side)]
-    contacts = wall_contacts(case.placed, case.subject, sides, index, most, degrees, overlap)
-=======
-    sides, degrees, overlap = case.spec.subject_sides, case.number("degrees"), case.number("overlap")
     walls = [wall for wall in case.placed.walls if index is None or wall.index == index]
     if "door_walls" in case.spec.params and case.spec.value(case.relation, "door_walls") == "avoided":
         with_doors = {door.wall.index for door in case.placed.doors}
         walls = [wall for wall in walls if wall.index not in with_doors]
     contacts = wall_contacts(walls, case.subject, sides, most, degrees, overlap)
->>>>>>> 58f3e6d (Relations of axes: beside, centered_on along an axis and ahead, front_to_front about the middle, walls without doors)
     return judge(contacts, f"the room has no {target or 'wall'}", _whole(overlap))
 
 

@@ -31,13 +31,8 @@ ALL, LRF, LR, B, F = (
 
 # type: target, subject's sides, target's sides, degrees, gap, overlap, other numbers, exempt from zones
 TABLE = {
-<<<<<<< HEAD
-    "against_wall": ("wall?", B, (), 5, (0, 0.07), 0.9, {}, False),
-    "side_against_wall": ("wall?", LRF, (), 5, (0, 0.05), 0.9, {"side": "any"}, False),
-=======
     "against_wall": ("wall?", B, (), 5, (0, 0.07), 0.9, {"door_walls": "allowed"}, False),
-    "side_against_wall": ("wall?", LRF, (), 5, (0, 0.05), 0.9, {}, False),
->>>>>>> 58f3e6d (Relations of axes: beside, centered_on along an axis and ahead, front_to_front about the middle, walls without doors)
+    "side_against_wall": ("wall?", LRF, (), 5, (0, 0.05), 0.9, {"side": "any"}, False),
     "front_against": ("object", F, ALL, 15, "tucked", 0.5, {}, True),
     "front_to_front": ("object", F, F, 15, "tucked", 0.5, {"offset": None}, True),
     "leftright_to_leftright": ("object", LR, LR, 10, (0, 0.05), 0.5, {}, True),
@@ -80,13 +75,10 @@ TABLE = {
     "over": ("object", (), (), None, None, None, {"inset": 0, "forward": 0, "left": 0, "offset": None}, False),
     "near_window": ("window?", (), (), None, None, None, {"min": 0, "max": 1.2}, False),
     "near_door": ("door?", (), (), None, None, None, {"min": 0, "max": 1.2}, False),
-<<<<<<< HEAD
     "across_from": ("object", F, ALL, 5, (0.3, 3), None, {"side": "any", "k": 0, "n": 1, "offset": 0.15}, False),
     "facing_door": ("door?", F, (), 50, None, None, {}, False),
     "on_grid": ("none", (), (), None, None, None, {"k": 0, "n": 1, "offset": 0.3}, False),
-=======
     "beside": ("object", (), LR, None, None, None, {"max": 1.5, "min": 0, "band": 1.5}, True),
->>>>>>> 58f3e6d (Relations of axes: beside, centered_on along an axis and ahead, front_to_front about the middle, walls without doors)
 }
 
 
