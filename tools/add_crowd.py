@@ -37,7 +37,7 @@ class AddCrowd:
         every = not inputs.get("supports")
         if every:
             chosen = [o for o in chosen if o.mount != "surface" and _shelf_like(around, o, theme)]
-        shelf = Shelf(context.library, context.brief, context.seed)
+        shelf = Shelf(context.library, context.scene.palette, context.seed, context.brief.style)
         named_already = named_kinds(context.brief)
         edits: list[AnyEdit] = []
         notes: list[str] = []

@@ -158,12 +158,14 @@ def _wish(context: Context, row: Mapping[str, Any], item: Item | None, seed: int
         size = list(said)
     for k, given in enumerate(row.get("size", ())):
         size[k] = given if given is not None else size[k]
-    style = row.get("style") or context.brief.style or context.scene.provenance.get("style")
+    palette = context.scene.palette
+    style = row.get("style") or context.brief.style or (palette.style if palette is not None else None)
     return Wish(
         size=(size[0], size[1], size[2]),
         color=row.get("color") or (item.color if item is not None else None),
         material=row.get("material"),
-        style=style if isinstance(style, str) else None,
+        style=style,
+        palette=palette.code if palette is not None else None,
         words=row.get("words", ""),
         seed=seed % 2**31,
         count=1,

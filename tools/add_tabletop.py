@@ -54,7 +54,7 @@ class AddTabletop:
             why = "there is no table, desk or other support that lacks things"
             lacking = [f"{a.category}: {why}" for a in asked] or ([] if inputs.get("supports") else [why])
             return Proposal(unmet=tuple(lacking))
-        shelf = Shelf(context.library, context.brief, context.seed)
+        shelf = Shelf(context.library, context.scene.palette, context.seed, context.brief.style)
         edits: list[AnyEdit] = []
         notes: list[str] = []
         unmet: list[str] = []

@@ -7,7 +7,9 @@ from collections.abc import Sequence
 
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.brief import Grounded, SceneGraph
-from sceneweaver.scene import CATALOGUE, Intent, Pose, Relation, Room, Scene, SceneObject
+from sceneweaver.knowledge.palettes import palette_for
+from sceneweaver.scene import CATALOGUE, Intent, Palette, Pose, Relation, Room, Scene, SceneObject
+from sceneweaver.scene.palette import MOST_COLORS
 
 from .base import Context, Proposal
 from .draft import walls_of
@@ -56,13 +58,14 @@ class InitPrior:
         if not given:
             area = min(area * float(context.inputs.get("roomier", 1.0)), 1.5 * room.area[2])
         style = brief.style or str(context.inputs.get("style") or "") or random.Random(seed ^ 0x57).choice(room.styles)
+        palette = room_palette(room.name, style, brief.colors, seed)
         attempt = 0
         while True:
             space, remarks = shell(room, brief, area, seed)
-            program = _program(context, space, area, people, style)
+            program = _program(context, space, area, people, palette)
             supported(program, brief)
             rows = rows_of(brief, program.wanted)
-            places = laid(program, rows, context.library, brief, seed)
+            places = laid(program, rows, context.library, brief, palette, seed)
             loose = _free_of_rows(program.wanted, rows)
             variants = row_variants(loose, space, _strip(program.wanted))
             crowded = program.footprint > FILL["full"] * area or program.wall > WALLED * walls_of(space)
@@ -72,7 +75,7 @@ class InitPrior:
             if given or not (crowded or astray) or large or context.hurried():
                 break
             area *= GROWTH
-        scene, unmet = _scene(context, space, program, places, rows, style, people)
+        scene, unmet = _scene(context, space, program, places, rows, palette, people)
         fixed = given or brief.shape == "round"
         rooms, larger = [], []
         if not variants and not context.hurried():
@@ -98,6 +101,20 @@ class InitPrior:
         )
 
 
+def room_palette(room: str, style: str, colors: Sequence[str], seed: int) -> Palette:
+    """The palette of a kind of room in a style, with the colours that a request names, as a scene keeps it."""
+    found = palette_for(room, style, colors, seed)
+    return Palette(
+        name=found.name,
+        style=style,
+        woods=found.woods,
+        paints=found.paints,
+        metals=found.metals,
+        textiles=found.textiles[:MOST_COLORS],
+        seed=seed,
+    )
+
+
 def _free_of_rows(wanted: Sequence[Wanted], rows: Sequence[Grounded]) -> list[Wanted]:
     """What may stand in a run, a line or a grid: what the request gives no other place."""
     placed = {row.subject for row in rows if row.hard and row.type in PLACING}
@@ -121,7 +138,7 @@ def _scene(
     program: Program,
     places: Places,
     rows: Sequence[Grounded],
-    style: str,
+    palette: Palette,
     people: int,
 ) -> tuple[Scene, list[str]]:
     """The scene of a program in a room, and what of the request cannot be said in it."""
@@ -137,11 +154,12 @@ def _scene(
         room=space,
         objects=tuple(_object(w, space, over.get(w.id, 0.0), w.id not in before, places) for w in program.wanted),
         relations=tuple(relations),
+        palette=palette,
         provenance={
             "tool": InitPrior.name,
             "room": room.name,
             "seed": context.seed,
-            "style": style,
+            "style": palette.style,
             "people": people,
             "finish": {"floor": room.floor, "walls": room.walls},
         },
@@ -149,13 +167,13 @@ def _scene(
     return scene, unmet
 
 
-def _program(context: Context, space: Room, area: float, people: int, style: str) -> Program:
+def _program(context: Context, space: Room, area: float, people: int, palette: Palette) -> Program:
     room, brief = context.room_type, context.brief
     wishes = demands(room, brief, area, people, len(space.windows), context.seed)
     pane = (space.windows[0].width, space.windows[0].height) if space.windows else None
     fill = FILL[brief.density]
     walls = walls_of(space)
-    return build(wishes, room, brief, context.library, area, walls, WALLED * walls, fill, context.seed, style, pane)
+    return build(wishes, room, brief, context.library, area, walls, WALLED * walls, fill, context.seed, palette, pane)
 
 
 def _object(one: Wanted, space: Room, over: float, clear: bool, places: Places) -> SceneObject:

@@ -212,6 +212,7 @@ def _swapped(context: Context, scene: Scene, id: str, asked: Entity, notes: list
         color=asked.color,
         material=asked.material,
         style=asked.style or context.brief.style,
+        palette=scene.palette.code if scene.palette is not None else None,
         words=" ".join(asked.words),
         seed=context.seed % 2**31,
         count=4,

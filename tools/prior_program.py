@@ -13,7 +13,7 @@ from sceneweaver.brief import Entity, SceneGraph
 from sceneweaver.brief.pairs import groups_of
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.knowledge.kin import kin
-from sceneweaver.scene import PRIORITIES, InputError
+from sceneweaver.scene import PRIORITIES, InputError, Palette
 
 from .draft import CRAMMED
 
@@ -326,14 +326,14 @@ def build(
     wall: float,
     fill: float,
     seed: int,
-    style: str | None,
+    palette: Palette,
     pane: tuple[float, float] | None = None,
 ) -> Program:
     """Choose bodies for all demands, as long as the floor [m2] and the walls [m] have room for them.
 
     ``space`` is the length of all walls; the usual ends where ``wall`` of it or ``fill`` of the floor is taken,
     what is asked for or needed where not even `CRAMMED` would do. ``pane`` is the width and height [m] of the windows,
-    for what hangs before them.
+    for what hangs before them; ``palette`` is the room's.
     """
     program, by_item = Program(), {}
     for number, demand in enumerate(sorted(wishes, key=_order(room_type))):
@@ -346,7 +346,7 @@ def build(
                 if demand.asked is None:
                     continue
                 parents = [None]
-        wish, held = _wish(demand, brief, style, seed + 101 * number)
+        wish, held = _wish(demand, palette, seed + 101 * number)
         if item is not None and _hangs_at_windows(item) and pane and wish.size[1] is None:
             high = 0.5 * pane[1] if demand.categories[0] == BLIND else wish.size[2]  # drawn up half the way
             wish = replace(wish, size=(wish.size[0], pane[0] + 0.3, high))
@@ -404,7 +404,7 @@ def _order(room_type: RoomType):
     return key
 
 
-def _wish(demand: Demand, brief: SceneGraph, style: str | None, seed: int) -> tuple[Wish, str | None]:
+def _wish(demand: Demand, palette: Palette, seed: int) -> tuple[Wish, str | None]:
     """What a body is chosen by, and what holds it where the words say so."""
     item, asked = demand.item, demand.asked
     size: list[float | None] = [None, None, None]
@@ -433,7 +433,8 @@ def _wish(demand: Demand, brief: SceneGraph, style: str | None, seed: int) -> tu
         shape=look.shape,
         parts=look.parts,
         beyond=any(said is not None for said in look.size) or look.mount is not None,
-        style=(asked and asked.style) or style,
+        style=(asked and asked.style) or palette.style,
+        palette=palette.code,
         words=" ".join(asked.words) if asked else "",
         seed=seed,
         count=1,

@@ -10,7 +10,7 @@ from sceneweaver.assets.taxonomy import category_named, likeliness
 from sceneweaver.brief import Grounded, SceneGraph, carrier_of
 from sceneweaver.brief.pairs import groups_of
 from sceneweaver.knowledge.surfaces import usual_arrangement
-from sceneweaver.scene import InputError, SceneObject, Support, Surface
+from sceneweaver.scene import InputError, Palette, SceneObject, Support, Surface
 
 from .prior_program import LeftOut, Program, Wanted
 from .prior_relations import thing_of
@@ -201,13 +201,15 @@ class Places:
     unmet: list[str] = field(default_factory=list)
 
 
-def laid(program: Program, rows: Sequence[Grounded], library: Library, brief: SceneGraph, seed: int) -> Places:
+def laid(
+    program: Program, rows: Sequence[Grounded], library: Library, brief: SceneGraph, palette: Palette, seed: int
+) -> Places:
     """Lay out all that stands on something, supports before what they carry.
 
     A support that is too small for it is exchanged for a larger one of its kind, and what still finds no room for the
     smallest of its kind, unless their size was asked for. What has no room then goes out of the program.
     """
-    shelf = Shelf(library, brief, seed)
+    shelf = Shelf(library, palette, seed)
     places = Places()
     sized = {entity.id for entity in brief.entities if any(entity.size)}
     for support in sorted(program.wanted, key=_depth, reverse=True):

@@ -10,10 +10,9 @@ import numpy as np
 
 from sceneweaver.assets import Asset, Library, Wish
 from sceneweaver.assets.taxonomy import category_named
-from sceneweaver.brief import SceneGraph
 from sceneweaver.geometry.polygons import counter_clockwise
 from sceneweaver.knowledge.model import Range
-from sceneweaver.scene import Pose, SceneObject, Support
+from sceneweaver.scene import Palette, Pose, SceneObject, Support
 
 from .surface_geometry import Prism, Shape
 from .surface_scene import Frame
@@ -31,9 +30,11 @@ OPEN: Sizes = (None, None, None)
 class Shelf:
     """The bodies of one call, drawn once each."""
 
-    def __init__(self, library: Library, brief: SceneGraph, seed: int):
+    def __init__(self, library: Library, palette: Palette | None, seed: int, style: str | None = None):
+        """``style`` is for a room without a palette."""
         self._library = library
-        self._style = brief.style
+        self._style = palette.style if palette is not None else style
+        self._palette = palette.code if palette is not None else None
         self._seed = seed % 1000003
         self._made: dict[Any, Asset] = {}
         self._shapes: dict[str, Shape] = {}
@@ -72,6 +73,7 @@ class Shelf:
             wish = Wish(
                 size=(wanted[0], wanted[1], wanted[2]),
                 style=self._style,
+                palette=self._palette,
                 mount="surface",
                 seed=self._seed + variant,
                 count=1,

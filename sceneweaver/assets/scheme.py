@@ -57,7 +57,7 @@ class Scheme:
             return self._metal(one, options) if choice else one.material
         if one.family == "pigment":
             return one.material if self._has(one.material) else finish("sand pigment").material
-        if one.family == "fabric" and choice:
+        if one.family == "fabric" and any(hue(color_name(o.material.color)) for o in options):
             n = LARGE_CLOTH[k % len(LARGE_CLOTH)] if large else k
             return tinted(one.material, self.textiles[n % len(self.textiles)])
         if one.family == "paint" and choice and large:

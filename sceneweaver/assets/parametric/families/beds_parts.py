@@ -86,7 +86,7 @@ def head_pillows(
 ) -> None:
     """Pillows side by side at the head, propped up a little, with a smaller one in front in some."""
     sheet, cover = b.material("sheet", *SHEETS), b.material("blanket", *BLANKETS)
-    case = b.material("pillows", "white fabric", sheet.name) if b.chance("white pillows", 0.6) else sheet
+    case = b.material("pillows", "white fabric") if b.chance("white pillows", 0.4) else sheet
     w = y[1] - y[0]
     wide = min(0.78 if count == 2 else 0.66, (w - 0.06) / count - 0.03)
     middle = (y[0] + y[1]) / 2

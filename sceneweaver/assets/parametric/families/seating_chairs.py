@@ -199,7 +199,7 @@ def chair(b: Builder) -> None:
                 )
     elif kind == "bentwood":
         wood = b.material("frame", *_WOODS)
-        weave = b.material("seat", "rattan", "wicker", wood.name)
+        weave = wood if b.chance("wooden seat", 0.33) else b.material("seat", "rattan", "wicker")
         r = min(d, w) * 0.46
         with b.solid("seat"):
             b.lathe(

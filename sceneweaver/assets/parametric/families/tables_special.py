@@ -259,8 +259,8 @@ def plant_stand(b: Builder) -> None:
                 segments=24,
             )
         return
-    plain = top.name in ("black steel", "brass", "white paint")
-    metal = top if plain else b.material("legs", "black steel", "brass", top.name)
+    plain = top.name in ("black steel", "brass", "white paint") or b.chance("plain", 0.33)
+    metal = top if plain else b.material("legs", "black steel", "brass")
     count = 3 if kind != "two tiers" else 4
     for k in range(count):
         a = math.pi / count + k * 2 * math.pi / count
