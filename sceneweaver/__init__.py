@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from sceneweaver.explain import refine_many as refine_many
     from sceneweaver.extend import define_relation as define_relation
     from sceneweaver.extend import undefine_relation as undefine_relation
+    from sceneweaver.layout import QualityTerm as QualityTerm
     from sceneweaver.layout import Solution as Solution
     from sceneweaver.render import draw_top as draw_top
     from sceneweaver.repairs import Repair as Repair
@@ -38,6 +39,7 @@ __all__ = [
     "InputError",
     "MissingDependencyError",
     "Pose",
+    "QualityTerm",
     "Relation",
     "Repair",
     "Report",
@@ -65,6 +67,7 @@ _HOME = {
     "InputError": "scene",
     "MissingDependencyError": "scene",
     "Pose": "scene",
+    "QualityTerm": "layout",
     "Relation": "scene",
     "Repair": "repairs",
     "Report": "verify",

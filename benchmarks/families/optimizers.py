@@ -17,8 +17,8 @@ from benchmarks.starts import start
 from benchmarks.tenbox import ten_boxes
 from benchmarks.timing import timed
 from sceneweaver.layout import refine
+from sceneweaver.layout.batch import make_batch
 from sceneweaver.layout.compile import compile_scene
-from sceneweaver.layout.engine import make_batch
 from sceneweaver.optimizers import Monitor, load_poses, streams
 from sceneweaver.optimizers import run as run_optimizer
 from sceneweaver.optimizers.tempering import LEAD, POLISH, REPLICAS, parts

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from sceneweaver.layout import Progress, Solution, engine
+from sceneweaver.layout import Progress, QualityTerm, Solution, engine
 from sceneweaver.scene import Scene
 
 from .report import explain as find_reason
@@ -29,6 +29,7 @@ def refine(
     progress: Progress | None = None,
     explain: bool = True,
     snap: bool = False,
+    quality: Sequence[QualityTerm] = (),
 ) -> Solution:
     """Refine many candidate layouts of a scene at once.
 
@@ -47,6 +48,7 @@ def refine(
         explain: when nothing is valid, find out why (``solution.explanation``); takes up to 10 s.
         snap: bring valid layouts to the exact values of their relations at the end: square to the room, flush with
             walls and neighbours, centred, chairs pushed in, as far as nothing is in the way.
+        quality: terms of design quality that all valid candidates are rated by (``solution.quality``) and ranked.
 
     Raises:
         InputError: an argument is out of range. MissingDependencyError: the device is not there.
@@ -63,6 +65,7 @@ def refine(
         steps=steps,
         progress=progress,
         snap=snap,
+        quality=quality,
     )
     return _explained(solution, began, time_limit) if explain else solution
 
@@ -80,10 +83,12 @@ def refine_many(
     progress: Progress | None = None,
     explain: bool = False,
     snap: bool = False,
+    quality: Sequence[Sequence[QualityTerm]] | None = None,
 ) -> list[Solution]:
     """Refine many scenes in shared launches; each gets what ``refine`` would give it alone.
 
-    Arguments and errors as for ``refine``; ``time_limit`` is for all scenes together, and ``init`` is a name.
+    Arguments and errors as for ``refine``; ``time_limit`` is for all scenes together, ``init`` is a name, and
+    ``quality`` has the terms of each scene.
     """
     began = time.monotonic()
     solutions = engine.refine_many(
@@ -97,6 +102,7 @@ def refine_many(
         steps=steps,
         progress=progress,
         snap=snap,
+        quality=quality,
     )
     return [_explained(solution, began, time_limit) for solution in solutions] if explain else solutions
 

@@ -14,7 +14,7 @@ from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.se2 import absolute, relative
 from sceneweaver.kernels import load
 from sceneweaver.kernels.bookkeeping import broadcast_poses, set_turns, to_surface_frames
-from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, judge, load_poses, new_state, run, streams
+from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, judge, load_poses, run, streams
 from sceneweaver.optimizers.batch import Progress
 from sceneweaver.optimizers.search import effort_for
 from sceneweaver.optimizers.snap import MODULES as SNAP_MODULES
@@ -22,10 +22,13 @@ from sceneweaver.optimizers.snap import snap_batch
 from sceneweaver.scene import InputError, Scene
 
 from .access import walkable_shares
+from .batch import make_batch
 from .compile import CompiledScene, LayoutProblem, compile_scene
 from .devices import WALKED, pick_devices, solve_on
 from .job import Job
-from .pack import margins, pack, weights
+from .pack import weights
+from .quality import QualityTerm, check_terms
+from .rate import rated
 from .solution import Solution, best_of
 
 INITS = ("sample", "random", "current")
@@ -49,6 +52,7 @@ def refine(
     steps: int | None = None,
     progress: Progress | None = None,
     snap: bool = False,
+    quality: Sequence[QualityTerm] = (),
 ) -> Solution:
     """Refine many candidate layouts of a scene at once.
 
@@ -58,12 +62,14 @@ def refine(
     given = _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps)
     where = pick_devices(device)
     compiled = compile_scene(scene)
+    check_terms(scene, quality)
     world = _all_at(compiled.room.home, candidates) if given is None else given
     start = init if isinstance(init, str) and init != "current" else "given"
     job = Job(compiled, world, start, seed, keep=start == "given" and given is None)
     monitor = Monitor(len(world), None if time_limit is None else began + time_limit, progress)
     jobs = _prepared([job], where, optimizer, monitor)
-    return solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))[0]
+    found = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))
+    return _rated(found, [compiled], [quality], began)[0]
 
 
 def refine_many(
@@ -78,23 +84,43 @@ def refine_many(
     steps: int | None = None,
     progress: Progress | None = None,
     snap: bool = False,
+    quality: Sequence[Sequence[QualityTerm]] | None = None,
 ) -> list[Solution]:
     """Refine many scenes in shared launches; each gets what ``refine`` would give it alone.
 
-    Arguments and errors as for ``refine``; ``time_limit`` is for all scenes together, and ``init`` is a name.
+    Arguments and errors as for ``refine``; ``time_limit`` is for all scenes together, ``init`` is a name, and
+    ``quality`` has the terms of each scene.
     """
     began = time.monotonic()
     where = pick_devices(device)
+    terms = [()] * len(scenes) if quality is None else quality
+    if len(terms) != len(scenes):
+        raise InputError(f"quality: terms of {len(terms)} scenes, but there are {len(scenes)}")
     jobs = []
-    for scene in scenes:
+    for scene, wanted in zip(scenes, terms, strict=True):
         _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps)
+        check_terms(scene, wanted)
         compiled = compile_scene(scene)
         world = _all_at(compiled.room.home, candidates)
         current = init == "current"
         jobs.append(Job(compiled, world, "given" if current else init, seed, keep=current))
     monitor = Monitor(candidates * len(jobs), None if time_limit is None else began + time_limit, progress)
     jobs = _prepared(jobs, where, optimizer, monitor)
-    return solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))
+    found = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))
+    return _rated(found, [job.compiled for job in jobs], terms, began)
+
+
+def _rated(
+    found: Sequence[Solution],
+    compiled: Sequence[CompiledScene],
+    terms: Sequence[Sequence[QualityTerm]],
+    began: float,
+) -> list[Solution]:
+    """The solutions of some scenes, rated where there are terms for that."""
+    return [
+        replace(rated(solution, room, wanted), elapsed=time.monotonic() - began) if wanted else solution
+        for solution, room, wanted in zip(found, compiled, terms, strict=True)
+    ]
 
 
 def _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps) -> np.ndarray | None:
@@ -277,23 +303,6 @@ def _load_worlds(batch: Batch, worlds: Sequence[np.ndarray]) -> None:
         device=batch.device,
     )
     wp.launch(set_turns, state.poses.shape, [state.poses], [state.turns], device=batch.device)
-
-
-def make_batch(problems: Sequence[LayoutProblem], which: np.ndarray, device: str, pools=None) -> Batch:
-    """A batch with one candidate for every entry of ``which`` (the index of its problem)."""
-    packed = pack(problems, device, pools)
-    return Batch(
-        packed.tables,
-        packed.keep,
-        margins(),
-        weights(),
-        wp.array(which.astype(np.int32), dtype=wp.int32, device=device),
-        new_state(len(which), packed.objects, packed.relations, device),
-        packed.objects,
-        packed.relations,
-        packed.terms,
-        device,
-    )
 
 
 def _layouts(batch: Batch, jobs: Sequence[Job]) -> list[np.ndarray]:

@@ -11,6 +11,9 @@ from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.scene import Pose, Scene
 
 WALKABLE = 0.9  # share of the free floor that a room should let one walk to
+ALL_SOFT = 16.0  # points of quality that all soft relations weigh together
+AT_WALL = 0.15  # [m] from a wall at which something stands there
+LARGE = 0.35  # [m2] of plan from which on a piece makes a layout another one
 
 
 def rank(
@@ -26,6 +29,12 @@ def rank(
     Where movement counts (an edit of a scene that is there already), it comes before anything but the status.
     """
     return np.lexsort(_keys(scene, status, relations, energy, walkable, moved)[::-1])
+
+
+def missing_points(scene: Scene, relations: np.ndarray) -> np.ndarray:
+    """Points [B] that soft relations take off which do not hold: `ALL_SOFT` when none does."""
+    weights = np.array([0.0 if r.hard else r.weight for r in scene.relations])
+    return ALL_SOFT * (~relations @ weights) / max(float(weights.sum()), 1e-9)
 
 
 def best_of(
@@ -91,6 +100,8 @@ class Solution:
         moved: [B], how far objects were moved in all [m], where ``init="current"`` asked for little; None otherwise.
             An object that was in order before counts as 5 m more when it moves at all.
         elapsed: seconds from call to return.
+        quality: [B] float32, minus the points that the terms of design quality take off (0 at best), NaN where a
+            candidate is not valid; None where there are no such terms.
         timed_out: True when the time limit cut the run off.
         explanation: what stands in the way when nothing is valid; None otherwise.
     """
@@ -107,6 +118,7 @@ class Solution:
     elapsed: float
     timed_out: bool = False
     explanation: str | None = None
+    quality: np.ndarray | None = None
 
     @property
     def candidates(self) -> int:
@@ -115,8 +127,21 @@ class Solution:
 
     @cached_property
     def order(self) -> np.ndarray:
-        """Candidates, best first: by status, then blocked floor, then soft relations missing, then energy."""
-        return rank(self.source, self.status, self.relations, self.energy, self.walkable, self.moved)
+        """Candidates, best first: by status, then blocked floor, then soft relations missing, then energy.
+
+        With terms of quality these come before the energy, in one sum with the soft relations.
+        """
+        if self.quality is None:
+            return rank(self.source, self.status, self.relations, self.energy, self.walkable, self.moved)
+        keys = _keys(self.source, self.status, self.relations, self.energy, self.walkable, self.moved)
+        worth = np.where(np.isnan(self.quality), -np.inf, self.quality)
+        keys[-2] = np.round(missing_points(self.source, self.relations) - worth, 4)
+        return np.lexsort(keys[::-1])
+
+    @property
+    def ranked(self) -> np.ndarray:
+        """The valid candidates, best first."""
+        return self.order[self.status[self.order] == 0]
 
     def scene(self, candidate: int) -> Scene:
         """The scene in one candidate's layout. Fixed objects keep their exact poses."""
@@ -132,14 +157,42 @@ class Solution:
         return self.scene(int(self.order[0]))
 
     def distinct(self, k: int) -> list[Scene]:
-        """Up to k valid layouts, best first, that differ: some object is 0.5 m or 45 degrees away."""
+        """Up to k valid layouts, best first, that differ: some object is 0.5 m or 45 degrees away.
+
+        With terms of quality the best of each `signature` come first, and what differs less only fills up.
+        """
         chosen: list[int] = []
-        for i in self.order:
-            if self.status[i] != 0 or len(chosen) == k:
+        if self.quality is not None:
+            _, first = np.unique(signatures(self.source, self.poses[self.ranked]), axis=0, return_index=True)
+            chosen = [int(i) for i in self.ranked[np.sort(first)[:k]]]
+        for i in self.ranked:
+            if len(chosen) == k:
                 break
             if all(_differ(self.poses[i], self.poses[j]) for j in chosen):
                 chosen.append(int(i))
         return [self.scene(i) for i in chosen]
+
+
+def signatures(scene: Scene, poses: np.ndarray) -> np.ndarray:
+    """What makes layouts [B, N, 4] really different: integers [B, 2 F] for the F large pieces that may move.
+
+    For each its wall (-1: none) and its eighth of a turn.
+    """
+    large = [
+        i
+        for i, o in enumerate(scene.objects)
+        if o.mount == "floor" and not o.fixed and o.size[0] * o.size[1] >= LARGE and o.size[2] > 0.05
+    ]
+    xy, yaw = poses[:, large, :2].astype(float), poses[:, large, 3].astype(float)
+    depth = np.array([scene.objects[i].size[0] for i in large])
+    back = xy - 0.5 * depth[:, None] * np.stack([np.cos(yaw), np.sin(yaw)], axis=-1)
+    start = np.array(scene.room.outline)
+    along = np.roll(start, -1, axis=0) - start
+    share = np.clip(((back[..., None, :] - start) * along).sum(-1) / (along * along).sum(-1), 0.0, 1.0)
+    gap = np.linalg.norm(back[..., None, :] - (start + share[..., None] * along), axis=-1)
+    wall = np.where(gap.min(axis=-1) <= AT_WALL, gap.argmin(axis=-1), -1)
+    eighth = np.round(yaw / (np.pi / 4)).astype(int) % 8
+    return np.concatenate([wall, eighth], axis=-1)
 
 
 def _differ(a: np.ndarray, b: np.ndarray) -> bool:

@@ -15,8 +15,8 @@ from sceneweaver.kernels.cells import CELLS, CROWD, fill_cells
 from sceneweaver.kernels.evaluator import evaluate
 from sceneweaver.kernels.step import choose
 from sceneweaver.kernels.tables import Problems, State
+from sceneweaver.layout.batch import make_batch
 from sceneweaver.layout.compile import CompiledScene, LayoutProblem, compile_scene
-from sceneweaver.layout.engine import make_batch
 from sceneweaver.layout.pack import weights as make_weights
 from sceneweaver.optimizers.batch import Batch, load_poses
 from sceneweaver.optimizers.descent import threads

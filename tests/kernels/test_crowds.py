@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sceneweaver.layout.engine import make_batch
+from sceneweaver.layout.batch import make_batch
 from sceneweaver.optimizers import Monitor, judge, load_poses, run
 from sceneweaver.optimizers.batch import Batch
 from tests.kernels.harness import (

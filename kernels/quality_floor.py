@@ -1,0 +1,174 @@
+"""Measures of `quality` that need the free floor as a grid: ways, empty squares, what is far from everything.
+
+They cost about as much as all others together a hundred times, so they are for the best candidates only.
+"""
+
+import warp as wp
+
+from .array_access import item
+from .geometry import FAR, plane_of, turn_back
+from .quality import ON_FLOOR, Terms, gap_to_point, member_of
+from .tables import FIXTURE_SOLID, SOLIDS, Problems, State, parts_of
+from .walk import Floor, point_distance
+
+wp.set_module_options({"enable_backward": False})
+
+WAY = ON_FLOOR  # [m] width of the widest way from the doors to a
+EMPTY = ON_FLOOR + 1  # [m] side of the largest free square along the room's axes
+REMOTE = ON_FLOOR + 2  # [m] from the free floor that is furthest off to the nearest of the members
+
+LEVELS = wp.constant(16)  # of clearance
+LEVEL = wp.constant(0.04)  # [m]
+
+
+@wp.func
+def cell_middle(floor: Floor, cell: wp.int32):
+    """The middle of a cell."""
+    return floor.origin + floor.cell * wp.vec2(float(cell % floor.nx) + 0.5, float(cell // floor.nx) + 0.5)
+
+
+@wp.kernel
+def measure_clearance(
+    # Problem:
+    b: Problems,
+    floor: Floor,
+    selected: wp.array(dtype=wp.int32),
+    # State in:
+    s: State,
+    # State out:
+    level_out: wp.array2d(dtype=wp.int32),
+):
+    """Clearance of the cells [slot, cell] in levels: 0 where nobody can stand, ``LEVELS`` where it is more."""
+    t = b.tables
+    slot, cell = wp.tid()
+    candidate = selected[slot]
+    p = b.problem[candidate]
+    x = cell_middle(floor, cell)
+    most = float(LEVELS) * LEVEL
+    free = most
+    for k in range(item(t[0].plane_start, p), item(t[0].plane_start, p + 1)):
+        plane = item(t[0].plane, k)
+        free = wp.min(free, plane[0] * x[0] + plane[1] * x[1] - plane[2])
+    for k in range(item(t[0].fixture_start, p), item(t[0].fixture_start, p + 1)):
+        if free > 0.0 and item(t[0].fixture_kind, k) == FIXTURE_SOLID:
+            free = wp.min(free, point_distance(t, item(t[0].fixture, k), x))
+    o0 = item(t[0].object_start, p)
+    for obj in range(item(t[0].object_start, p + 1) - o0):
+        if free > 0.0:
+            pose = s.poses[candidate, obj]
+            v = x - plane_of(pose)
+            reach = item(t[0].object_radius, o0 + obj)[0] + free
+            if wp.dot(v, v) < reach * reach:
+                local = turn_back(s.turns[candidate, obj], v)
+                solids = parts_of(t, o0 + obj, SOLIDS)
+                for a in range(solids[0], solids[1]):
+                    z = item(t[0].prism_z, a)
+                    if pose[2] + z[0] < floor.high and pose[2] + z[1] > floor.low:
+                        free = wp.min(free, point_distance(t, a, local))
+    level_out[slot, cell] = wp.clamp(int(wp.floor(free / LEVEL)), 0, LEVELS)
+
+
+@wp.kernel
+def widest_ways(
+    # Problem:
+    floor: Floor,
+    doors: wp.array(dtype=wp.vec2),
+    # State in:
+    level: wp.array2d(dtype=wp.int32),
+    # State in and out:
+    link: wp.array2d(dtype=wp.int32),
+    head: wp.array2d(dtype=wp.int32),
+    # State out:
+    way_out: wp.array2d(dtype=wp.int32),
+):
+    """The least level on the best way from a door to each cell [slot, cell]; 0: there is none.
+
+    Dijkstra's algorithm with the least level of a way in place of its length, and a list of cells for each level.
+    ``doors`` are points a step inside of them.
+    """
+    slot = wp.tid()
+    cells = floor.nx * floor.ny
+    for cell in range(cells):
+        way_out[slot, cell] = 0
+    for k in range(LEVELS + 1):
+        head[slot, k] = -1
+    for d in range(doors.shape[0]):
+        near = float(FAR)
+        seed = int(-1)
+        for cell in range(cells):
+            if level[slot, cell] > 0:
+                far = wp.length(cell_middle(floor, cell) - doors[d])
+                if far < near:
+                    near = far
+                    seed = cell
+        if seed >= 0:
+            if way_out[slot, seed] == 0:
+                way_out[slot, seed] = level[slot, seed]
+                link[slot, seed] = head[slot, level[slot, seed]]
+                head[slot, level[slot, seed]] = seed
+    for k in range(LEVELS):
+        now = LEVELS - k
+        while head[slot, now] >= 0:
+            cell = head[slot, now]
+            head[slot, now] = link[slot, cell]
+            x = cell % floor.nx
+            y = cell // floor.nx
+            for side in range(4):
+                nx = x + wp.where(side == 0, 1, wp.where(side == 1, -1, 0))
+                ny = y + wp.where(side == 2, 1, wp.where(side == 3, -1, 0))
+                if nx >= 0 and nx < floor.nx and ny >= 0 and ny < floor.ny:
+                    to = ny * floor.nx + nx
+                    if way_out[slot, to] == 0 and level[slot, to] > 0:
+                        width = wp.min(now, level[slot, to])
+                        way_out[slot, to] = width
+                        link[slot, to] = head[slot, width]
+                        head[slot, width] = to
+
+
+@wp.kernel
+def measure_floor(
+    # Problem:
+    b: Problems,
+    terms: Terms,
+    floor: Floor,
+    rows: wp.array(dtype=wp.int32),
+    selected: wp.array(dtype=wp.int32),
+    # State in:
+    s: State,
+    level: wp.array2d(dtype=wp.int32),
+    way: wp.array2d(dtype=wp.int32),
+    # State in and out:
+    square: wp.array2d(dtype=wp.int32),
+    # State out:
+    value_out: wp.array2d(dtype=wp.float32),
+):
+    """The measures [slot, row] of the rows on the floor."""
+    slot, number = wp.tid()
+    row = rows[number]
+    kind = item(terms.kind, row)
+    candidate = selected[slot]
+    first = item(terms.member_start, row)
+    last = item(terms.member_start, row + 1)
+    best = float(0.0)
+    for cell in range(floor.nx * floor.ny):
+        if kind == EMPTY:
+            side = int(0)
+            if level[slot, cell] > 0:
+                side = 1
+                if cell % floor.nx > 0 and cell >= floor.nx:
+                    before = wp.min(square[slot, cell - 1], square[slot, cell - floor.nx])
+                    side += wp.min(before, square[slot, cell - floor.nx - 1])
+            square[slot, cell] = side
+            best = wp.max(best, float(side) * floor.cell)
+        elif kind == WAY:
+            radius = float(way[slot, cell]) * LEVEL
+            if radius > 0.5 * best:
+                target = member_of(b, terms, s, candidate, first)
+                if gap_to_point(target, cell_middle(floor, cell)) <= radius + floor.cell:
+                    best = 2.0 * radius
+        elif level[slot, cell] > 0:
+            near = float(FAR)
+            for k in range(first, last):
+                near = wp.min(near, gap_to_point(member_of(b, terms, s, candidate, k), cell_middle(floor, cell)))
+            best = wp.max(best, near)
+    value_out[slot, row] = best
