@@ -19,6 +19,7 @@ from .prior_rooms import larger_rooms, may_hold, other_rooms
 from .prior_rows import in_rows, row_variants
 from .prior_shell import floor_area, shell
 from .prior_supports import Places, laid, supported
+from .prior_tables import lengthened
 
 FILL = {"sparse": 0.24, "normal": 0.33, "full": 0.40}
 """Share of the floor under furniture up to which more is put in."""
@@ -65,6 +66,8 @@ class InitPrior:
             program = _program(context, space, area, people, palette)
             supported(program, brief)
             rows = rows_of(brief, program.wanted)
+            if lengthened(program, rows, context.library, brief):
+                rows = rows_of(brief, program.wanted)
             places = laid(program, rows, context.library, brief, palette, seed)
             loose = _free_of_rows(program.wanted, rows)
             variants = row_variants(loose, space, _strip(program.wanted))

@@ -20,7 +20,7 @@ from sceneweaver.verify import Report, Violation, check
 
 from .coarse import coarse
 from .deadline import NEVER, Deadline
-from .relaxation import left_out, pruned, relaxed
+from .relaxation import eased, left_out, pruned, relaxed
 from .riders import searched, with_riders
 from .settings import ASKED, Settings
 
@@ -131,7 +131,7 @@ class Executor:
             notes, unmet = [*notes, *lighter.notes], [*unmet, *lighter.unmet]
             draft, variants = lighter.scene, _without(lighter.scene, variants)
             # Patience pays once what is merely wished for has gone.
-            best = refined(int(round_ >= ROUNDS // 2), best)
+            best = refined(int(round_ >= ROUNDS // 2), self.judged(eased(best.scene, draft)))
         if not best.report.valid and self.deadline.left > AGAIN * took:
             variants = []  # without the rows: they may be what stands in the way
             best = refined(1, best)

@@ -32,8 +32,9 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
 
     First go objects that are optional, then usual ones, ``at_once`` of them; then relations that do not hold become
     soft, those that nobody asked for, one or with ``at_once`` above 1 all; then goes what a room of the kind needs and
-    no asked relation names; then relations that were asked for become soft. Then go the other objects, by priority.
-    None when the faults are about nothing that could give way.
+    no asked relation names; then relations that were asked for become soft. Then go the other objects, by priority; of
+    one that was asked for all relations become soft before it goes. None when the faults are about nothing that could
+    give way.
     """
     trouble = Counter(name for fault in faults for name in fault.objects)
     pool = [o for o in scene.objects if o.id in trouble]
@@ -56,10 +57,26 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
     if not pool:
         return None
     first = min(pool, key=lambda o: (o.intent.rank, -trouble[o.id], o.id))
+    ties = [r for r in scene.relations if r.hard and first.id in (r.subject, *r.targets)]
+    if first.intent.priority == "asked" and ties:
+        return _softened(scene, ties)
     twins = [o for o in pool if o.category == first.category and o.intent.rank == first.intent.rank]
     twins.sort(key=lambda o: (-trouble[o.id], o.id))
     alike = sum(o.category == first.category for o in scene.objects)
     return _without(scene, twins[: 1 + alike // ALIKE])
+
+
+def eased(layout: Scene, scene: Scene) -> Scene:
+    """A layout of a scene that asked for more, as a layout of the scene that is left of it."""
+    left = set(scene.ids)
+    soft = {(r.type, r.subject, r.targets) for r in scene.relations if not r.hard}
+    relations = tuple(
+        r.model_copy(update={"hard": r.hard and (r.type, r.subject, r.targets) not in soft})
+        for r in layout.relations
+        if {r.subject, *r.targets} <= left
+    )
+    objects = tuple(o for o in layout.objects if o.id in left)
+    return layout.model_copy(update={"objects": objects, "relations": relations, "dropped": scene.dropped})
 
 
 def pruned(before: Scene, scene: Scene) -> tuple[Scene, Report, tuple[str, ...]]:

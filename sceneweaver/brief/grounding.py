@@ -166,6 +166,8 @@ def _paired(
 ) -> list[_Pair]:
     """Subjects with their targets: each target in turn, each side of it in turn."""
     wanted = _sides_of(said, group[0])
+    if said.type == "flanking" and len(everything) > len(wanted) and everything[0].is_seat and group[0].is_table:
+        wanted = _sides_of(said.model_copy(update={"type": "along"}), group[0])  # more chairs than a table has ends
     if said.each and said.count is not None:
         many = said.count[0] * len(group if not wanted else [(t, s) for t in group for s in wanted])
         subjects = list(everything)[:many]
@@ -205,7 +207,7 @@ def _sides_of(said: StatedRelation, target: Thing) -> list[str]:
         return long
     if said.side == "short" or (said.type in ("at_head", "at_foot") and target.is_table):
         return short
-    if said.type == "flanking":
+    if said.type == "flanking" or (said.type == "around" and target.mount == "wall"):
         return ["left", "right"]
     return [VIEWED[SIDED[said.type]]] if said.type in SIDED else []
 

@@ -42,6 +42,12 @@ EVENLY = 0.65
 TURNED = 10.0
 """Most angle [degrees] by which something that faces another is turned away from it."""
 
+SEATED = ("at", "around", "next_to", "flanking")
+"""Stated relations that pull a seat up to the side of a table that they name."""
+
+THICKER = 0.15
+"""How much further [m] the middle of a thing on a wall may be from the wall than that of one beside it."""
+
 DIRECT = ("parallel", "aligned", "back_to_back")
 """Stated relations that are called so in the catalogue, too."""
 
@@ -124,13 +130,13 @@ def of_pair(kind: str, a: Thing, b: Thing, side: str | None, k: int, n: int) -> 
             yield from (row._replace(swapped=True) for row in _above(b, a))
         else:
             yield Row("over")
-    elif kind == "along" or (side is not None and a.is_seat and b.is_table and kind in ("at", "around", "next_to")):
+    elif kind == "along" or (side is not None and a.is_seat and b.is_table and kind in SEATED):
         yield from _along(a, b, side or "front", k, n)
     elif kind == "flanking" or kind in ("left_of", "right_of", "in_front_of", "behind"):
         yield from _sided(kind, a, b, side or "left")
     elif kind in ("at_foot", "at_head"):
         yield from _at_end(kind, a, b, side, k, n)
-    elif side is not None and kind in ("next_to", "near", "at"):
+    elif side is not None and kind in ("next_to", "near", "at", "around"):
         yield from _sided("flanking", a, b, side)
     else:
         yield from _loose(kind, a, b, n)
@@ -202,6 +208,8 @@ def _sided(kind: str, a: Thing, b: Thing, side: str) -> Iterator[Row]:
     face = b.size[0] if lateral else b.size[1]
     room = BAND * face / 2 - a.half  # what is left beside it when all of it is within the band
     aside = max(room, 0.1 * face)
+    if a.mount == b.mount == "wall":  # one may be thicker than the other
+        aside = max(aside, THICKER)
     reach = SMALL if small else REACH if kind == "flanking" else BEYOND if lateral else AHEAD
     params: dict[str, Any] = {"max": round(a.half + reach, 3), "band": round(2 * aside / face, 3)}
     if a.is_flat or a.mount != b.mount:

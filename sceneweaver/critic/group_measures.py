@@ -112,11 +112,14 @@ def _across(survey: Survey, body: Body, target: Target, axis: int) -> tuple[floa
 
 
 def of_around(survey: Survey, subjects: Sequence[Body], target: Target) -> Verdict:
-    """All about a thing, with steps that are even but for those over the ends of a long one."""
+    """All about a thing, with steps that are even but for those over the ends of a long one; about what hangs on a wall
+    to both sides of it."""
     if not subjects:
         return Verdict(False)
     if len(subjects) == 1 or not isinstance(target, Body):
         return Verdict(True)
+    if target.item.mount == "wall":
+        return of_flanking(survey, subjects, target)
     (x, y), n = target.centre, len(subjects)
     bearings = np.sort([math.degrees(math.atan2(b.centre[1] - y, b.centre[0] - x)) for b in subjects])
     step = float(np.diff(bearings, append=bearings[0] + 360.0).max())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from sceneweaver.agent.relaxation import REASON, cleared, relaxed
+from sceneweaver.agent.relaxation import REASON, cleared, eased, relaxed
 from sceneweaver.scene import Intent, Pose, Priority, Relation, Room, Scene, SceneObject, Support, Surface
 from sceneweaver.verify import Report, check
 
@@ -77,6 +77,25 @@ def test_at_last_what_was_asked_for_is_dropped_with_the_reason():
     (dropped,) = found.scene.dropped
     assert (dropped.id, dropped.category, dropped.reason) == ("a", "chest", REASON)
     assert found.unmet == (f"a: {REASON}",) and not found.notes
+
+
+def test_before_what_was_asked_for_goes_all_its_relations_become_soft():
+    tie = Relation(type="near", subject="a", target="b", params={"max": 0.5})
+    found = relax(room(cube("a", "asked"), cube("b", "asked", 2.5), relations=(tie,)))
+    assert found is not None and found.scene.ids == ("a", "b") and not found.scene.relations[0].hard
+    then = relax(found.scene)
+    assert then is not None and len(then.scene.ids) == 1
+
+
+def test_a_layout_of_a_scene_that_asked_for_more_is_one_of_what_is_left():
+    ties = tuple(Relation(type="near", subject="a", target=t, params={"max": 0.5}) for t in ("b", "c"))
+    before = room(cube("a", "asked"), cube("b", "usual", 2.5), cube("c", "usual", 7.0), relations=ties)
+    after = relax(before)
+    assert after is not None and after.scene.ids == ("a", "c")
+    soft = after.scene.model_copy(update={"relations": (ties[1].model_copy(update={"hard": False}),)})
+    left = eased(before.replace_poses({"c": Pose.from_yaw(8.0, 2.0, 0.0, 0.0)}), soft)
+    assert left.ids == ("a", "c") and left.object("c").pose.position[0] == 8.0
+    assert [r.hard for r in left.relations] == [False] and check(left).valid
 
 
 def test_of_many_alike_several_go_at_once_but_none_that_is_wanted_more():
