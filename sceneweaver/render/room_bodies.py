@@ -25,10 +25,14 @@ def instances_of(scene: Scene, load: Load | None = None) -> list[Instance]:
 
 
 def hidden_with(scene: Scene, cut: Collection[int]) -> set[str]:
-    """Ids of the objects that hang on walls that are cut away, and of all that stands on those objects."""
+    """Ids of the objects that hang on walls that are cut away or from the ceiling, and of all that stands on those.
+
+    Pictures from above have no ceiling: what hangs from it would float before the furniture.
+    """
     walls = scene.room.walls
     hung = [o for o in scene.objects if o.mount == "wall"]
     gone = {o.id for o in hung if wall_behind(walls, o.pose.position, o.pose.frame.axis) in cut}
+    gone |= {o.id for o in scene.objects if o.mount == "ceiling"}
     grown = True
     while grown:
         more = {o.id for o in scene.objects if o.support is not None and o.support.object in gone} - gone

@@ -96,7 +96,8 @@ def _corner(
     pixel = 2 * distance * float(np.linalg.norm(camera.up)) / height
     shell = build_shell(scene.room, finishes_of(scene), cut, pixel=pixel)
     shown = [one for one, thing in zip(things, scene.objects, strict=True) if thing.id not in gone]
-    lighting = corner_light(scene.room, way, cut, shown)
+    lamps = [one for one, thing in zip(things, scene.objects, strict=True) if thing.mount == "ceiling"]
+    lighting = corner_light(scene.room, way, cut, [*shown, *lamps])
     eye = np.eye(4)
     solids = [Instance(mesh, eye) for mesh in (shell.floor, *shell.walls, _ground()) if mesh is not None]
     drawn = cast([*shown, *solids], camera, width, height, lighting=lighting, quality=quality, device=device)
@@ -111,7 +112,8 @@ def _top(
     middle = (low + high) / 2
     span = height / _plan(scene, width, height).scale
     shell = build_shell(scene.room, finishes, top=_CUT, pixel=span / height)
-    shown = [one for one, thing in zip(things, scene.objects, strict=True) if thing.mount != "ceiling"]
+    gone = hidden_with(scene, ())
+    shown = [one for one, thing in zip(things, scene.objects, strict=True) if thing.id not in gone]
     camera = Camera.orthographic((*middle, scene.room.height + 5.0), (*middle, 0.0), span, width / height)
     lighting = top_light(scene.room, shown)
     eye = np.eye(4)

@@ -47,6 +47,15 @@ def test_pictures_have_the_size_asked_for_and_show_something(view: str) -> None:
     assert pixels.std() > 12 and 90 < pixels.mean() < 245
 
 
+def test_what_hangs_from_the_ceiling_hides_nothing() -> None:
+    scene = furnished()
+    assert hidden_with(scene, ()) == {"lamp"}
+    bare = scene.model_copy(update={"objects": tuple(o for o in scene.objects if o.id != "lamp")})
+    for view in ("corner", "top"):
+        with_lamp, without = (np.asarray(draw_room(s, load, view, 64, 48, QUICK), dtype=float) for s in (scene, bare))
+        assert np.abs(with_lamp - without).mean() < 2.0  # the noise of the light
+
+
 def test_views_of_one_call_are_those_of_single_calls() -> None:
     scene = furnished()
     both = draw_rooms(scene, load, ("top", "corner"), 64, 48, QUICK)
@@ -93,8 +102,8 @@ def test_walls_before_the_room_are_stubs_and_the_others_stand() -> None:
 
 def test_what_hangs_on_a_cut_wall_goes_with_it_and_what_stands_on_that() -> None:
     scene = furnished()
-    assert hidden_with(scene, {3}) == {"back"} and hidden_with(scene, {0}) == {"side"}
-    assert hidden_with(scene, {1, 2}) == set()
+    assert hidden_with(scene, {3}) == {"back", "lamp"} and hidden_with(scene, {0}) == {"side", "lamp"}
+    assert hidden_with(scene, {1, 2}) == {"lamp"}
 
 
 def test_the_camera_looks_at_fronts() -> None:
