@@ -15,7 +15,7 @@ from .base import Context, Proposal
 from .draft import walls_of
 from .prior_program import BLIND, BY_RANK, Program, Wanted, build, demands
 from .prior_relations import of_brief, of_items, rows_of
-from .prior_rooms import larger_rooms, may_hold, other_rooms
+from .prior_rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
 from .prior_rows import in_rows, row_variants
 from .prior_shell import floor_area, shell
 from .prior_supports import Places, laid, supported
@@ -29,6 +29,9 @@ WALLED = 0.62
 
 WAY = 0.9
 """Way [m] between a grid and what stands at the walls."""
+
+SHELLS = 4
+"""Shells that are drawn before the floor grows, where the walls of one are too short for what stands at them."""
 
 DRAWN, ROOMS = 12, 5
 """Other rooms that are drawn, and of those that may hold everything how many are laid out beside the first."""
@@ -60,10 +63,13 @@ class InitPrior:
             area = min(area * float(context.inputs.get("roomier", 1.0)), 1.5 * room.area[2])
         style = brief.style or str(context.inputs.get("style") or "") or random.Random(seed ^ 0x57).choice(room.styles)
         palette = room_palette(room.name, style, brief.colors, seed)
-        attempt = 0
+        attempt = drawn = 0
         while True:
-            space, remarks = shell(room, brief, area, seed)
+            space, remarks = shell(room, brief, area, seed, drawn)
             program = _program(context, space, area, people, palette)
+            if drawn < SHELLS and not walls_hold(space, program.wanted) and not context.hurried():
+                drawn += 1
+                continue
             supported(program, brief)
             rows = rows_of(brief, program.wanted)
             if lengthened(program, rows, context.library, brief):
@@ -77,7 +83,7 @@ class InitPrior:
             large = attempt == GROWTHS or area >= 1.5 * room.area[2]
             if given or not (crowded or astray) or large or context.hurried():
                 break
-            area *= GROWTH
+            area, drawn = area * GROWTH, 0
         scene, unmet = _scene(context, space, program, places, rows, palette, people)
         fixed = given or brief.shape == "round"
         rooms, larger = [], []
@@ -85,9 +91,10 @@ class InitPrior:
             rooms = [
                 r
                 for r in other_rooms(room, brief, space, area, seed, fixed, DRAWN)
-                if may_hold(r, program.wanted, rows)
+                if may_hold(r, program.wanted, rows) and same_walls(r, space, scene.relations)
             ]
             larger = [] if given else larger_rooms(room, brief, space, area, seed)
+            larger = [r for r in larger if same_walls(r, space, scene.relations)]
         notes += remarks + program.notes
         unmet += [*places.unmet, *_missing(brief, program)]
         if given and program.left_out:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterable, Sequence
 
 from sceneweaver.brief import Grounded, SceneGraph
+from sceneweaver.geometry.angles import cross
 from sceneweaver.knowledge import RoomType
-from sceneweaver.scene import Room
+from sceneweaver.scene import Relation, Room
 
 from .prior_program import Wanted
-from .prior_relations import free_corners
+from .prior_relations import free_corners, wall_named
 from .prior_shell import shell
 
 TRIED = 24
@@ -23,6 +25,14 @@ LARGER = (1.5, 1.9, 2.4)
 
 BESIDE_DOOR = 0.05
 """Length [m] of wall beside a door that something between it and the corner needs beyond its own width."""
+
+CORNER = 0.3
+"""Length [m] of wall that what stands at the next wall takes at a convex corner, on average."""
+
+SEEN = ("near", "right", "far", "left")
+"""Walls by where they are as seen from the door."""
+
+Span = tuple[float, float]
 
 
 def other_rooms(
@@ -76,6 +86,58 @@ def may_hold(room: Room, wanted: Sequence[Wanted], rows: Sequence[Grounded]) -> 
             if least + min(size[row.subject][:2]) + min(size[row.target][:2]) > longest:
                 return False
     return True
+
+
+def same_walls(room: Room, base: Room, relations: Iterable[Relation]) -> bool:
+    """Whether the walls that relations name by number are the same ones in another room, as seen from the door."""
+    named = {r.target for r in relations if isinstance(r.target, str) and r.target.startswith("wall:")}
+    return not named or all(wall_named(side, room) == wall_named(side, base) for side in SEEN)
+
+
+def walls_hold(room: Room, wanted: Sequence[Wanted]) -> bool:
+    """Whether the walls are long enough, between doors and for tall things windows too, for all that stands at them.
+
+    What is tall goes first, then the widest, each into the shortest stretch that holds it.
+    """
+    sill = min((w.sill for w in room.windows), default=math.inf)
+    whole, free = _stretches(room)
+    for one in sorted(wanted, key=lambda w: (w.asset.size[2] <= sill, -w.wall)):
+        if not one.wall:
+            continue
+        tall = one.asset.size[2] > sill
+        fits = [k for k in (free if tall else whole) if (free if tall else whole)[k] >= one.wall]
+        if not fits:
+            return False
+        best = min(fits, key=lambda k: (free if tall else whole)[k])
+        if tall:
+            free[best] -= one.wall
+        whole[best[:2]] -= one.wall
+    return True
+
+
+def _stretches(room: Room) -> tuple[dict[tuple[int, ...], float], dict[tuple[int, ...], float]]:
+    """Lengths [m] of wall between doors and corners, by wall and number, and those of their parts between windows."""
+    walls, whole, free = room.walls, dict[tuple[int, ...], float](), dict[tuple[int, ...], float]()
+    for wall in walls:
+        before, after = walls[wall.index - 1], walls[(wall.index + 1) % len(walls)]
+        low = CORNER if cross(before.along, wall.along) > 0 else 0.0
+        high = wall.length - (CORNER if cross(wall.along, after.along) > 0 else 0.0)
+        doors = sorted((d.offset, d.offset + d.width) for d in room.doors if d.wall == wall.index)
+        panes = sorted((w.offset, w.offset + w.width) for w in room.windows if w.wall == wall.index)
+        for k, (a, b) in enumerate(_between(low, high, doors)):
+            whole[wall.index, k] = b - a
+            free |= {(wall.index, k, j): d - c for j, (c, d) in enumerate(_between(a, b, panes))}
+    return whole, free
+
+
+def _between(low: float, high: float, gaps: Sequence[Span]) -> list[Span]:
+    """What is left of an interval without some others, in order."""
+    found: list[Span] = []
+    for start, end in [*gaps, (high, high)]:
+        if min(start, high) > low:
+            found.append((low, min(start, high)))
+        low = max(low, end)
+    return found
 
 
 def _between_door_and_corner(room: Room, width: float) -> bool:

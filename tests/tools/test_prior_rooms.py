@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+from typing import Any
+
 import pytest
 import shapely
 
 from sceneweaver.assets import make
 from sceneweaver.brief import Grounded, SceneGraph
 from sceneweaver.knowledge import room_type
-from sceneweaver.scene import Door, Room
+from sceneweaver.scene import Door, Relation, Room, Window
 from sceneweaver.tools.prior_program import Wanted
-from sceneweaver.tools.prior_rooms import larger_rooms, may_hold, other_rooms
+from sceneweaver.tools.prior_rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
 from sceneweaver.tools.prior_shell import shell
 
 KIND = room_type("living_room")
@@ -21,15 +24,16 @@ def area(room: Room) -> float:
 
 
 @pytest.mark.parametrize("shape", [None, "L"])
-def test_other_rooms_have_the_same_walls_and_openings(shape):
+def test_other_rooms_have_the_same_openings(shape):
     brief = SceneGraph(text="", shape=shape)
     base = shell(KIND, brief, 24.0, 3)[0]
     rooms = other_rooms(KIND, brief, base, 24.0, 3, False, 6)
     assert len({room.outline for room in rooms}) == len(rooms) == 6
     assert len({(room.doors[0].offset, room.windows[0].wall) for room in rooms}) > 2
     for room in (*rooms, *larger_rooms(KIND, brief, base, 24.0, 3)):
-        assert len(room.outline) == len(base.outline) and len(room.doors) == len(base.doors)
+        assert len(room.doors) == len(base.doors) and room.height == base.height
         assert [(w.id, w.width, w.sill) for w in room.windows] == [(w.id, w.width, w.sill) for w in base.windows]
+        assert shape is None or len(room.outline) == 6
 
 
 def test_a_size_that_was_given_stays():
@@ -43,6 +47,32 @@ def test_larger_rooms_are_larger():
     brief = SceneGraph(text="")
     base = shell(KIND, brief, 20.0, 0)[0]
     assert all(area(room) > 1.3 * area(base) for room in larger_rooms(KIND, brief, base, 20.0, 0))
+
+
+def test_walls_that_a_relation_names_are_the_same_in_other_rooms():
+    base = room(6, 4)
+    turned = base.model_copy(update={"doors": (base.doors[0].model_copy(update={"wall": 1}),)})
+    far = Relation(type="against_wall", subject="sofa-0", target="wall:2")
+    assert same_walls(turned, base, [Relation(type="against_wall", subject="sofa-0")])
+    assert same_walls(room(5, 5), base, [far]) and not same_walls(turned, base, [far])
+
+
+def test_what_stands_at_walls_needs_walls_between_doors_and_tall_things_between_windows():
+    sofas = [placed(2.2, 0.8), placed(2.2, 0.8)]
+    assert walls_hold(room(3, 3), sofas)
+    assert not walls_hold(room(2.4, 2.4), sofas)
+    window = Window(id="window-0", wall=2, offset=0.8, width=1.4, sill=0.9, height=1.2)
+    lit = [window.model_copy(update={"id": f"window-{k}", "wall": k}) for k in (1, 2, 3)]
+    dark = room(3, 3)
+    bright = dark.model_copy(update={"windows": tuple(lit)})
+    wardrobe = [placed(1.9, 2.1)]
+    assert walls_hold(dark, wardrobe) and not walls_hold(bright, wardrobe)
+    assert walls_hold(bright, sofas)
+
+
+def placed(width: float, height: float) -> Any:
+    """Something of that width and height [m] that stands against a wall."""
+    return SimpleNamespace(wall=width, asset=SimpleNamespace(size=(0.6, width, height)))
 
 
 def wanted(category: str) -> Wanted:
