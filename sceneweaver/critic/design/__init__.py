@@ -6,9 +6,17 @@ from collections.abc import Callable, Iterator
 
 from ..grade import Finding
 from ..survey import Survey
-from . import bed
+from . import axes, bed, fill, focus, rugs, seating, walls
 
-CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (bed.faults,)
+CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (
+    axes.faults,
+    focus.faults,
+    seating.faults,
+    rugs.faults,
+    bed.faults,
+    walls.faults,
+    fill.faults,
+)
 """All of them."""
 
 
