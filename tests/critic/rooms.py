@@ -218,7 +218,7 @@ DINING = kind(
             "count": 4,
             "place": ["front_against table"],
         },
-        {"id": "lamp", "what": "ceiling_light", "need": "usual"},
+        {"id": "lamp", "what": "pendant", "need": "usual", "with": "table"},
         {"id": "picture", "what": "picture", "need": "usual"},
         {"id": "plant", "what": "snake_plant", "need": "usual"},
     ],
@@ -229,10 +229,10 @@ DINING = kind(
 @cache
 def bedroom() -> Case:
     """A bedroom of 3.6 x 4 m: the bed's head at the wall x = 0, the wardrobe opposite."""
-    bed = put("bed-0", 1.08, 2.2, 0, size=(2.05, 1.65, 0.95))
+    bed = put("bed-0", 1.08, 2.25, 0, size=(2.05, 1.65, 0.95))
     half = 1.65 / 2
     stands = [
-        put(f"nightstand-{k}", 0.24, 2.2 + s * (half + 0.24), 0, size=(0.4, 0.45, 0.5)) for k, s in enumerate((1, -1))
+        put(f"nightstand-{k}", 0.24, 2.25 + s * (half + 0.24), 0, size=(0.4, 0.45, 0.5)) for k, s in enumerate((1, -1))
     ]
     wardrobe = put("wardrobe-0", 3.28, 2.6, 180, size=(0.6, 1.6, 2.1))
     dresser = put("dresser-0", 2.6, 0.25, 90, size=(0.45, 1.1, 0.8))
@@ -243,8 +243,8 @@ def bedroom() -> Case:
         wardrobe,
         dresser,
         plant,
-        put("rug-0", 2.3, 2.2, 90),
-        put("picture-0", 0.02, 2.2, 0, 1.3, size=(0.03, 0.8, 0.6)),
+        put("rug-0", 2.3, 2.25, 90),
+        put("picture-0", 0.02, 2.25, 0, 1.3, size=(0.03, 0.8, 0.6)),
         put("ceiling_light-0", 1.8, 2.0),
         on(stands[0], "book-0"),
         on(stands[1], "alarm_clock-0"),
@@ -331,7 +331,13 @@ def restaurant(rows: int = 2, columns: int = 3) -> Case:
     for k in range(rows * columns):
         x, y = 1.8 + 2.4 * (k % columns), 2.6 + 2.6 * (k // columns)
         table = put(f"dining_table-{k}", x, y, 0, size=(0.8, 1.4, 0.75))
-        objects += [table, on(table, f"vase-{k}"), on(table, f"plate-{k}", left=0.3), on(table, f"mug-{k}", left=-0.3)]
+        objects += [
+            table,
+            on(table, f"vase-{k}"),
+            on(table, f"salt_and_pepper-{k}", left=0.3),
+            on(table, f"candle-{k}", left=-0.3),
+            put(f"pendant-{k}", x, y, size=(0.4, 0.4, 1.1)),
+        ]
         for j, (side, row) in enumerate(((-1, -1), (-1, 1), (1, -1), (1, 1))):
             chair = put(
                 f"dining_chair-{4 * k + j}",
@@ -346,7 +352,6 @@ def restaurant(rows: int = 2, columns: int = 3) -> Case:
     objects += [
         put("snake_plant-0", width - 0.25, depth - 0.25, size=(0.3, 0.3, 0.8)),
         put("picture-0", 0.02, depth / 2, 0, 1.3, size=(0.03, 0.9, 0.7)),
-        put("ceiling_light-0", width / 2, depth / 2),
     ]
     return _case(room(width, depth, kind="restaurant"), objects, relations, DINING)
 
@@ -373,35 +378,36 @@ KITCHEN = kind(
 
 @cache
 def kitchen() -> Case:
-    """A kitchen of 4 x 3.6 m with one run at the wall y = 3.6, and a table for four."""
+    """A kitchen of 4 x 4 m with one run at the wall y = 4, and a table for four."""
     sizes = {
         "fridge": (0.62, 0.6, 1.8),
         "sink_cabinet": (0.62, 1.0, 1.2),
-        "stove": (0.61, 0.6, 0.93),
-        "kitchen_counter": (0.62, 1.4, 0.9),
+        "kitchen_counter": (0.62, 1.4, 0.87),
+        "stove": (0.61, 0.6, 0.87),
     }
-    objects, left = [], 0.1
+    objects, left = [], 0.05
     for name, size in sizes.items():
-        objects.append(put(f"{name}-0", left + size[1] / 2, 3.6 - size[0] / 2, -90, size=size))
+        objects.append(put(f"{name}-0", left + size[1] / 2, 4.0 - size[0] / 2, -90, size=size))
         left += size[1] + 0.005
-    stove, counter = objects[2:4]
+    sink, counter, stove = objects[1:4]
     hood = asset("range_hood")
-    objects.append(put("range_hood-0", stove.pose.position[0], 3.6 - hood.size[0] / 2, -90, 1.6))
-    table = put("dining_table-0", 2.0, 1.2, 90, size=(0.8, 1.4, 0.75))
+    objects.append(put("range_hood-0", stove.pose.position[0], 4.0 - hood.size[0] / 2, -90, 1.6))
+    table = put("dining_table-0", 2.0, 1.45, 90, size=(0.8, 1.4, 0.75))
     chairs = [
-        put(f"dining_chair-{k}", 2.0 + 0.33 * dx, 1.2 + 0.67 * dy, -90 * dy, size=(0.5, 0.45, 0.9))
+        put(f"dining_chair-{k}", 2.0 + 0.33 * dx, 1.45 + 0.67 * dy, -90 * dy, size=(0.5, 0.45, 0.9))
         for k, (dx, dy) in enumerate(((-1, -1), (1, -1), (-1, 1), (1, 1)))
     ]
     objects += [
         table,
         *chairs,
+        on(sink, "soap_dispenser-0"),
         on(counter, "toaster-0", left=0.3),
         on(counter, "kettle-0", left=-0.3),
         on(table, "fruit_bowl-0"),
         on(table, "mug-0", left=0.4),
-        put("ceiling_light-0", 2.0, 1.8),
+        put("ceiling_light-0", 2.0, 1.45),
         put("snake_plant-0", 3.8, 0.2, size=(0.3, 0.3, 0.8)),
         put("wall_clock-0", 0.03, 1.2, 0, 1.7),
     ]
     relations = [Relation(type="front_against", subject=c.id, target=table.id) for c in chairs]
-    return _case(room(4.0, 3.6, kind="kitchen"), objects, relations, KITCHEN)
+    return _case(room(4.0, 4.0, kind="kitchen"), objects, relations, KITCHEN)

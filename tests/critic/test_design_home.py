@@ -44,7 +44,7 @@ def nursery(x: float) -> Case:
 
 def laid(depth: float, width: float) -> Case:
     """A kitchen with a rug under its table."""
-    return rooms.kitchen().plus(put("rug-0", 2.0, 1.2, 90, size=(depth, width, 0.00045)))
+    return rooms.kitchen().plus(put("rug-0", 2.0, 1.45, 90, size=(depth, width, 0.00045)))
 
 
 def waiting(x: float, yaw: float) -> Case:
@@ -66,20 +66,20 @@ BREACHES: list[tuple[str, Callable[[], Case], Callable[[], Case], set[str]]] = [
     ("picture_on_bed_axis", PLAIN, lambda: PLAIN().but({"id": "picture-0", "y": 2.6}), {"picture-0", "bed-0"}),
     (
         "pendant_on_bed_axis",
-        lambda: PLAIN(put("pendant-0", 1.1, 2.2)),
+        lambda: PLAIN(put("pendant-0", 1.1, 2.25)),
         lambda: PLAIN(put("pendant-0", 1.1, 2.6)),
         {"pendant-0"},
     ),
     (
         "rug_on_bed_axis",
-        lambda: PLAIN(rug(1.4, 2.2, 0, 2.0, 2.7)),
+        lambda: PLAIN(rug(1.4, 2.25, 0, 2.0, 2.7)),
         lambda: PLAIN(rug(1.4, 2.5, 0, 2.0, 2.7)),
         {"rug-1"},
     ),
     (
         "rug_beyond_bed",
-        lambda: PLAIN(rug(1.4, 2.2, 0, 2.0, 2.7)),
-        lambda: PLAIN(rug(2.1, 2.2, 0, 1.2, 1.8)),
+        lambda: PLAIN(rug(1.4, 2.25, 0, 2.0, 2.7)),
+        lambda: PLAIN(rug(2.1, 2.25, 0, 1.2, 1.8)),
         {"rug-1", "bed-0"},
     ),
     ("pairs_mirrored", PLAIN, lambda: PLAIN().but({"id": "nightstand-0", "y": 3.5}), {"nightstand-0"}),

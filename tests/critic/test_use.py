@@ -17,7 +17,9 @@ from tests.critic.test_layout import falls, only
 def test_no_bed_in_a_bedroom() -> None:
     good = rooms.bedroom()
     bad = good.but({"id": "bed-0", "gone": True})
-    fault = falls(good, bad, "missing_needed", set(), criterion="functionality", least=4.0, also=("completion", "layout"))
+    fault = falls(
+        good, bad, "missing_needed", set(), criterion="functionality", least=4.0, also=("completion", "layout")
+    )
     assert bad.review().grades["functionality"] < 6.0
     assert fault.tool == "add_objects" and fault.inputs["objects"][0]["category"] == "bed"
     assert {"type": "against_wall"} in fault.inputs["objects"][0]["place"]

@@ -6,16 +6,50 @@ from collections.abc import Callable, Iterator
 
 from ..grade import Finding
 from ..survey import Survey
-from . import axes, bed, fill, focus, rugs, seating, walls
+from . import (
+    axes,
+    bath,
+    bed,
+    clearance,
+    complete,
+    doors,
+    fill,
+    focus,
+    gym,
+    kitchen,
+    light,
+    rugs,
+    seating,
+    style,
+    tables,
+    visitors,
+    walls,
+    ways,
+    weights,
+    workplaces,
+)
 
 CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (
     axes.faults,
+    rugs.faults,
     focus.faults,
     seating.faults,
-    rugs.faults,
-    bed.faults,
     walls.faults,
     fill.faults,
+    bed.faults,
+    doors.faults,
+    ways.faults,
+    clearance.faults,
+    light.faults,
+    visitors.faults,
+    workplaces.faults,
+    tables.faults,
+    gym.faults,
+    weights.faults,
+    kitchen.faults,
+    bath.faults,
+    style.faults,
+    complete.faults,
 )
 """All of them."""
 

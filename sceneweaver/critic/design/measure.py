@@ -1,0 +1,125 @@
+"""What the checks of the design rules measure: free depth before a side, who overlaps a strip, where doors are."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from sceneweaver.knowledge.design_rules import design_rules
+from sceneweaver.verify.solids import Body, Opening
+
+from .. import kinds
+from ..survey import FLAT, Survey
+
+HEAD = 1.9
+"""Height [m] above which things are not in the way."""
+
+LIGHT_SEATS = kinds.UPRIGHT_SEATS | frozenset(("pouf", "ottoman", "floor_cushion", "bean_bag", "step_stool"))
+"""Seats that are moved aside with one hand."""
+
+
+def named(text: str) -> frozenset[str]:
+    """The categories of a list in one text."""
+    return frozenset(text.split())
+
+
+def applies(survey: Survey, *rules: str) -> bool:
+    """Whether any of some rules is for this kind of room."""
+    return any(design_rules()[rule].applies(survey.room_type.name) for rule in rules)
+
+
+def movable(body: Body) -> bool:
+    """Whether it is a seat that whoever passes moves aside."""
+    return body.item.category in LIGHT_SEATS or kinds.upright_seat(body.item.category)
+
+
+def strip(body: Body, side: str, depth: float, width: float = 0.95) -> Any:
+    """The rectangle of some depth [m] before a side of a body in plan; ``width`` is a share of the side's."""
+    import shapely
+
+    (x, y), (nx, ny), half = body.face(side)
+    half *= width
+    a, b = (x - ny * half, y + nx * half), (x + ny * half, y - nx * half)
+    return shapely.Polygon([a, b, (b[0] + nx * depth, b[1] + ny * depth), (a[0] + nx * depth, a[1] + ny * depth)])
+
+
+def inside(
+    survey: Survey, area: Any, skip: Iterable[Body] = (), low: float = FLAT, high: float = HEAD
+) -> list[tuple[Body, float]]:
+    """Things on the floor that reach into an area between two heights [m], with the share of it that they take."""
+    skipped = {b.index for b in skip}
+    whole = max(1e-9, float(area.area))
+    found = []
+    for row in sorted(int(r) for r in survey.tree.query(area, predicate="intersects")):
+        other = survey.bodies[row]
+        if row in skipped or other.item.mount != "floor" or other.z[1] <= low or other.z[0] > high:
+            continue
+        share = float(survey.footprints[row].intersection(area).area) / whole
+        if share > 1e-3:
+            found.append((other, share))
+    return found
+
+
+def clear_depth(
+    survey: Survey, body: Body, side: str, most: float, passes: Callable[[Body], bool] = lambda _: False
+) -> tuple[float, Body | None]:
+    """Free depth [m] up to ``most`` before a side, and what ends it (None: a wall, or nothing does)."""
+    import shapely
+
+    area = strip(body, side, most, 0.85)
+    face = body.face(side)
+    best, who = min(most, survey.clear_ahead(body, side)), None
+    for other, _ in inside(survey, area, (body,)):
+        if passes(other):
+            continue
+        points = shapely.get_coordinates(survey.footprints[other.index].intersection(area))
+        near = float(((points - face.centre) @ face.normal).min()) if len(points) else math.inf
+        if near < best:
+            best, who = max(0.0, near), other
+    return best, who
+
+
+def outlook(body: Body, point: tuple[float, float]) -> float:
+    """Angle [deg] in 0..180 between a body's front and the way from its centre to a point."""
+    ahead, aside = body.local(point)
+    return abs(math.degrees(math.atan2(aside, ahead))) if math.hypot(ahead, aside) > 1e-6 else 0.0
+
+
+def middle(opening: Opening, depth: float = 0.0) -> tuple[float, float]:
+    """The point before the middle of a door or window at a depth [m]."""
+    return opening.wall.point(opening.item.offset + opening.item.width / 2, depth)
+
+
+def door_distance(survey: Survey, body: Body) -> float:
+    """Distance [m] from a body's centre to the nearest door; infinite without one."""
+    return min((math.dist(body.centre, middle(door)) for door in survey.placed.doors), default=math.inf)
+
+
+def floor_of_kind(survey: Survey, *wanted: Iterable[str]) -> list[Body]:
+    """The objects of some categories that stand on the floor."""
+    return [b for b in survey.of_kind(*wanted) if b.item.mount == "floor"]
+
+
+def asked_for(survey: Survey, body: Body) -> bool:
+    """Whether the request names it."""
+    return body.id in survey.program.asked_of or body.item.intent.priority == "asked"
+
+
+def names(bodies: Iterable[Body], most: int = 3) -> str:
+    """The ids of some objects in words, the first few."""
+    ids = [b.id for b in bodies]
+    return ", ".join(ids[:most]) + (f" and {len(ids) - most} more" if len(ids) > most else "")
+
+
+def overlap(a: tuple[float, float], b: tuple[float, float]) -> float:
+    """Length [m] that two intervals share; negative: the gap between them."""
+    return min(a[1], b[1]) - max(a[0], b[0])
+
+
+def along(opening_or_wall: Any, body: Body) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Interval [m] that a body takes along a wall, and that of its distance from it."""
+    wall = getattr(opening_or_wall, "wall", opening_or_wall)
+    spots = [wall.coordinates(c) for c in body.corners]
+    us, vs = [float(u) for u, _ in spots], [float(v) for _, v in spots]
+    return (min(us), max(us)), (min(vs), max(vs))

@@ -1,0 +1,201 @@
+"""Clear ways: from the door to windows and groups, and to what is used."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sceneweaver.geometry.se2 import SE2
+from sceneweaver.knowledge.design_rules import design_rules, limit
+from sceneweaver.verify.solids import Body
+
+from .. import kinds
+from ..grade import Finding
+from ..space import floor_of
+from ..survey import Survey
+from .breach import breach
+from .measure import applies, clear_depth, middle, named, names
+
+REACH = 0.4
+"""Distance [m] from a way beyond half its width at which what a way leads to is reached."""
+
+ACROSS = 1.3
+"""The same [m] for a window, across the furniture below it."""
+
+GRID = 0.05
+"""Width [m] that a way may lack, as the floor is measured on a grid."""
+
+NARROWER = (0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2)
+"""Widths [m] that are tried where the wanted one leads nowhere."""
+
+BODY = 0.5
+"""Width [m] that a person needs to get to a thing, in the way of light seats or not."""
+
+GOALS = (
+    kinds.BEDS
+    | kinds.SOFAS
+    | kinds.DESKS
+    | kinds.DINING
+    | named("wardrobe fridge stove toilet vanity double_vanity corner_shower shower bathtub freestanding_bathtub")
+)
+"""What a way should lead to."""
+
+BINS = named("laundry_hamper pedal_bin trash_can wastebasket recycling_bin")
+"""What things are thrown into."""
+
+WEDGED = 0.06
+"""Gap [m] on either side up to which something is wedged between others."""
+
+USED = named(
+    "laundry_hamper pedal_bin trash_can wastebasket recycling_bin low_bookcase bookcase pouf armchair loveseat"
+    " activity_table kids_table toy_chest toy_shelf cube_shelf scale wardrobe dresser desk filing_cabinet cabinet"
+    " water_cooler coat_rack wine_rack locker"
+)
+"""What people walk up to."""
+
+
+def faults(survey: Survey) -> Iterator[Finding]:
+    """Breaches of the rules for ways."""
+    if survey.placed.doors and survey.standing:
+        plan = Plan(survey)
+        yield from _ways(survey, plan)
+        yield from _unreached(survey, plan)
+
+
+# ---- ways ------------------------------------------------------------------------------------------------------------
+
+
+class Plan:
+    """The floor as a grid with the distance [m] of each cell from walls and furniture."""
+
+    def __init__(self, survey: Survey) -> None:
+        from scipy.ndimage import distance_transform_edt
+
+        floor = floor_of(survey)
+        self.cell = floor.cell
+        rows, columns = np.indices(floor.inside.shape) + 0.5
+        u, v = floor.origin[0] + columns * self.cell, floor.origin[1] + rows * self.cell
+        x, y = SE2(yaw=floor.turn).world(u, v)
+        self.xy = np.stack([x, y], axis=-1)
+        free = np.pad(floor.inside & ~floor.taken, 1)
+        self.clear: NDArray[np.float64] = np.asarray(distance_transform_edt(free))[1:-1, 1:-1] * self.cell
+        self.entries = [np.asarray(middle(door, 0.5)) for door in survey.placed.doors]
+        self._regions: dict[float, NDArray[np.float64]] = {}
+
+    def region(self, width: float) -> NDArray[np.float64]:
+        """Points [n, 2] that someone who needs a width [m] gets to from a door."""
+        from scipy.ndimage import label
+
+        if width not in self._regions:
+            regions, _ = label(self.clear >= width / 2, structure=np.ones((3, 3)))
+            entered = set()
+            for entry in self.entries:
+                near = (np.hypot(*(self.xy - entry).transpose(2, 0, 1)) < 0.7) & (regions > 0)
+                entered |= set(np.unique(regions[near]).tolist())
+            self._regions[width] = self.xy[np.isin(regions, list(entered))]
+        return self._regions[width]
+
+    def reached(self, width: float, shape: Any, within: float) -> bool:
+        """Whether a way of a width [m] comes within a distance [m], beyond half of it, of a shape."""
+        import shapely
+
+        points, far = self.region(width), within + width / 2
+        x0, y0, x1, y1 = shapely.bounds(shape)
+        low, high = np.array([x0, y0]) - far, np.array([x1, y1]) + far
+        near = points[((points >= low) & (points <= high)).all(axis=1)]
+        return len(near) > 0 and bool((shapely.distance(shapely.points(near), shape) <= far).any())
+
+
+def _ways(survey: Survey, plan: Plan) -> Iterator[Finding]:
+    import shapely
+
+    if not applies(survey, "way_to_group", "way_to_window"):
+        return
+    width = limit("way_to_group", "width")
+    groups: dict[float, list[Body]] = {}
+    for body in survey.of_kind(GOALS):
+        if body.item.mount == "floor" and not plan.reached(width - GRID, survey.boxes[body.index], REACH):
+            shape = survey.boxes[body.index]
+            groups.setdefault(_widest(plan, shape, REACH), []).append(body)
+    for wide, bodies in groups.items():
+        yield breach(
+            "way_to_group",
+            (b.id for b in bodies),
+            f"the way from the door to {names(bodies)} is {wide:g} m wide",
+            measured=wide,
+            allowed=(width, None),
+            weight=0.5 if wide >= 0.6 else 1.0,
+            suggestion=f"clear a way {width:g} m wide from the door to {names(bodies)}",
+        )
+    width, narrow = limit("way_to_window", "width"), {}
+    for window in survey.placed.windows:
+        shape = shapely.Polygon(window.wall.strip(window.item.offset, window.item.width, 0.0, 0.05))
+        if not plan.reached(width - GRID, shape, ACROSS):
+            narrow[window.item.id] = _widest(plan, shape, ACROSS)
+    if narrow:
+        wide = min(narrow.values())
+        yield breach(
+            "way_to_window",
+            narrow,
+            f"the way from the door to {', '.join(narrow)} is {wide:g} m wide",
+            measured=wide,
+            allowed=(width, None),
+            weight=0.5 if wide >= 0.6 else 1.0,
+        )
+
+
+def _widest(plan: Plan, shape: Any, within: float) -> float:
+    return next((w for w in NARROWER if plan.reached(w, shape, within)), 0.0)
+
+
+def _unreached(survey: Survey, plan: Plan) -> Iterator[Finding]:
+    import shapely
+
+    rule = design_rules()["reachable"]
+    if not rule.applies(survey.room_type.name):
+        return
+    for body in survey.of_kind(USED):
+        if body.item.mount != "floor":
+            continue
+        if body.item.category in BINS and (hidden := _hidden(survey, body)):
+            yield breach(
+                "reachable",
+                (body.id, *hidden),
+                f"{body.id} is {'under' if len(hidden) == 1 else 'wedged between'} {' and '.join(hidden)}",
+                suggestion=f"move {body.id} to where it can be reached",
+            )
+            continue
+        sides = survey.boxes[body.index]
+        if body.item.category in kinds.WALL_BACKED:
+            face = body.face("front")
+            x, y = face.centre
+            nx, ny = face.normal
+            half = 0.7 * face.half
+            sides = shapely.LineString([(x - ny * half, y + nx * half), (x + ny * half, y - nx * half)])
+        if not plan.reached(BODY, sides, rule.limits["gap"] - 0.1):
+            yield breach(
+                "reachable",
+                (body.id,),
+                f"nobody who needs {BODY:g} m gets to {body.id}",
+                suggestion=f"move {body.id} to where it can be reached",
+            )
+
+
+def _hidden(survey: Survey, body: Body) -> list[str]:
+    """The table above a bin, or what it is wedged between: another thing and a wall, or two things."""
+    import shapely
+
+    box = survey.boxes[body.index]
+    for other, _ in survey.near(body, 0.0):
+        if other.item.category in kinds.DINING and shapely.area(box & survey.boxes[other.index]) > 0.5 * box.area:
+            return [other.id]
+    found = []
+    for side in ("left", "right"):
+        gap, other = clear_depth(survey, body, side, 0.3)
+        if gap > WEDGED:
+            return []
+        found.append("the wall" if other is None else other.id)
+    return [] if found == ["the wall"] * 2 else found
