@@ -21,6 +21,10 @@ DENSITY = {"sparse": 0.25, "normal": 0.6, "full": 0.9}
 """How full shelves are when only the request speaks of it."""
 
 
+HIGH, REACHED = "boxes", 1.6
+"""Theme of tops above the height [m] that people reach every day."""
+
+
 class AddCrowd:
     """Fills shelves by theme."""
 
@@ -32,7 +36,7 @@ class AddCrowd:
         around = Surroundings(context.scene, context.room_type)
         chosen = around.supports(inputs.get("supports") or [])
         named = inputs.get("theme")
-        theme = crowd(str(named)) if named else None
+        theme = crowd(str(named), around.room) if named else None
         density = _density(inputs.get("density"), context)
         every = not inputs.get("supports")
         if every:
@@ -50,7 +54,7 @@ class AddCrowd:
                 boards = [s for s in boards if s.headroom is not None]
             count = 0
             for board in boards:
-                added = _fill(around, shelf, support, board, plan, dice, density, named_already)
+                added = _fill(around, shelf, support, board, plan, dice, density, named_already, context.clutter)
                 edits += added
                 count += len(added)
             if count:
@@ -78,14 +82,16 @@ def _fill(
     dice: random.Random,
     density: float,
     named: frozenset[str],
+    clutter: float,
 ) -> list[AnyEdit]:
     turned = _seen_from_behind(support, board)
     frame = around.frame(support, turned)
     field = around.field(support, board, frame)
     height = support.pose.position[2] + board.z
-    if plan.top and board.headroom is None and board.z >= max(s.z for s in support.surfaces) - 1e-6:
-        plan = _unnamed(crowd(plan.top), named)
-    row = Row(field, plan, shelf, dice, height, density)
+    if board.headroom is None and board.z >= max(s.z for s in support.surfaces) - 1e-6:
+        top = HIGH if height > REACHED else plan.top
+        plan = _unnamed(crowd(top, around.room), named) if top else plan
+    row = Row(field, plan, shelf, dice, height, density, clutter, around.may_add)
     held = Support(object=support.id, surface=board.name)
     return [
         Add(
@@ -123,7 +129,7 @@ def _shelf_like(around: Surroundings, obj: SceneObject, theme: Crowd | None) -> 
         return True
     if theme is not None and obj.category in theme.by_category:
         return True
-    return obj.category in crowd_of()
+    return obj.category in crowd_of(around.room)
 
 
 def _dressed(around: Surroundings, obj: SceneObject) -> bool:
@@ -131,16 +137,17 @@ def _dressed(around: Surroundings, obj: SceneObject) -> bool:
     item = around.item(obj)
     if item is not None and (item.top or item.fill):
         return bool(item.top)
-    return obj.category in arrangement_of()
+    return obj.category in arrangement_of(around.room)
 
 
 def _theme(around: Surroundings, obj: SceneObject) -> Crowd:
     """The theme of a support: its item's, its category's, what the category holds, or things for storage."""
     item = around.item(obj)
     if item is not None and item.fill:
-        return crowd(item.fill)
-    if obj.category in crowd_of():
-        return crowds()[crowd_of()[obj.category]]
+        return crowd(item.fill, around.room)
+    usual = crowd_of(around.room).get(obj.category)
+    if usual is not None:
+        return crowd(usual, around.room)
     known = categories().get(obj.category)
     held = [c for c in (known.holds if known else ()) if c in categories() and categories()[c].size]
     if not held:

@@ -47,7 +47,7 @@ class AddTabletop:
         chosen = around.supports(inputs.get("supports") or [])
         asked = _asked(inputs.get("objects") or [])
         named = inputs.get("arrangement")
-        plan = arrangement(str(named)) if named else None
+        plan = arrangement(str(named), around.room) if named else None
         if not inputs.get("supports"):
             chosen = [o for o in chosen if _bare(around, o) and _worth(around, o, plan, named is not None)]
         if not chosen:
@@ -63,7 +63,7 @@ class AddTabletop:
         plans = [_unnamed(plan or plan_of(around, support), named_already) for support in chosen]
         for k, support in enumerate(chosen):
             dice = random.Random(f"{context.seed}/{support.id}/{zlib.crc32(b'tabletop')}")
-            layer = Layer(around, shelf, support, plans[k], dice)
+            layer = Layer(around, shelf, support, plans[k], dice, context.clutter)
             share = _share(open_asked, plans[k:])
             done = layer.run(share)
             open_asked = [*done.unplaced, *(a for a in open_asked if not any(a is s for s in share))]
@@ -121,20 +121,20 @@ def _worth(around: Surroundings, obj: SceneObject, plan: Arrangement | None, nam
     """Whether a support is one to dress when none was named: its item or its category says so."""
     if named and plan is not None:
         item = around.item(obj)
-        return obj.category in plan.by_category or (item is not None and item.top == plan.name)
+        return obj.category in plan.by_category or (item is not None and item.top in (plan.name, *plan.instead))
     item = around.item(obj)
     if item is not None and item.top:
         return True
-    if item is not None and item.fill and arrangement_of().get(obj.category) is None:
+    if item is not None and item.fill and arrangement_of(around.room).get(obj.category) is None:
         return False
-    return obj.mount != "surface" and obj.category in arrangement_of()
+    return obj.mount != "surface" and obj.category in arrangement_of(around.room)
 
 
 def plan_of(around: Surroundings, obj: SceneObject) -> Arrangement:
     """The arrangement of a support: its item's, its category's, what the category holds, or the generic one."""
     item = around.item(obj)
-    plan = usual_arrangement(item.top if item is not None else None, obj.category)
-    if plan is not None:
+    plan = usual_arrangement(item.top if item is not None else None, obj.category, around.room)
+    if plan is not None and any(around.may_add(name) for slot in plan.slots for name in slot.what):
         return plan
     known = categories().get(obj.category)
     held = [c for c in (known.holds if known else ()) if c in categories() and categories()[c].size]

@@ -12,6 +12,9 @@ from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import Relation, Room, Scene
 from sceneweaver.scene.edits import AnyEdit
 
+CLUTTER = 0.4
+"""How lived-in a room is when nobody says: from 0, a show room, to 1."""
+
 
 @dataclass(frozen=True)
 class Context:
@@ -19,7 +22,8 @@ class Context:
 
     ``scene`` is the scene so far (for an initialiser an empty one, whose room may be replaced); ``seed`` decides all
     that is drawn; ``instruction`` is a sentence, ``inputs`` what the tool's card asks for. ``hurried`` says whether
-    much of the time is over: what could be drawn once more is then left as it is.
+    much of the time is over: what could be drawn once more is then left as it is. ``clutter`` in 0..1 is how lived-in
+    the room should look.
     """
 
     brief: SceneGraph
@@ -30,6 +34,7 @@ class Context:
     instruction: str = ""
     inputs: Mapping[str, Any] = field(default_factory=dict)
     hurried: Callable[[], bool] = bool
+    clutter: float = CLUTTER
 
 
 @dataclass(frozen=True)

@@ -27,6 +27,14 @@ Sizes = tuple[Range | None, Range | None, Range | None]
 OPEN: Sizes = (None, None, None)
 
 
+VARIED = ("book", "standing_books", "book_stack", "magazine", "plush_toy", "picture_frame", "cushion", "laptop")
+"""What people have many different ones of."""
+
+
+def _variants(category: str) -> int:
+    return 3 * VARIANTS if category in VARIED else VARIANTS
+
+
 class Shelf:
     """The bodies of one call, drawn once each."""
 
@@ -35,7 +43,7 @@ class Shelf:
         self._library = library
         self._style = palette.style if palette is not None else style
         self._palette = palette.code if palette is not None else None
-        self._seed = seed % 1000003
+        self._room_seed = palette.seed if palette is not None else seed
         self._made: dict[Any, Asset] = {}
         self._shapes: dict[str, Shape] = {}
 
@@ -67,7 +75,7 @@ class Shelf:
             # what only has to fit is as large as it may be; a size that was given is drawn from its range
             value = most if size[k] is None else low + (high - low) * dice.random()
             wanted.append(max(usual[0], min(most, int(value / STEP + 1e-6) * STEP)))
-        variant = dice.randrange(VARIANTS)
+        variant = dice.randrange(_variants(category))
         key = (category, variant, tuple(wanted), tuple(sorted((look or {}).items())))
         if key not in self._made:
             wish = Wish(
@@ -75,12 +83,16 @@ class Shelf:
                 style=self._style,
                 palette=self._palette,
                 mount="surface",
-                seed=self._seed + variant,
+                seed=self._room_seed % 1000003 + variant,
                 count=1,
             )
             known_look = {k: v for k, v in (look or {}).items() if k in ("color", "material", "style", "words")}
             self._made[key] = self._library.choose(category, 1, replace(wish, **known_look))[0]
         return self._made[key]
+
+    def shared(self, name: str) -> random.Random:
+        """A stream of its own for something that is the same wherever it is in the room."""
+        return random.Random(f"{self._room_seed}/{name}")
 
     def shape(self, asset: Asset) -> Shape:
         """What an asset covers where it stands; nothing goes under what juts out."""

@@ -16,10 +16,14 @@ from sceneweaver.geometry.se2 import SE2
 from sceneweaver.knowledge.surfaces import Arrangement, Slot
 from sceneweaver.scene import Relation, SceneObject, Support, Surface
 
+from .base import CLUTTER
 from .surface_assets import OPEN, Shelf, placed
 from .surface_geometry import EDGE, GAP, Array, Field
 from .surface_places import Spread, seat_places, surfaces_of
 from .surface_scene import Frame, Seat, Surroundings
+
+SHIFT = 0.12
+"""How far [m] a thing beside a plate may move to where there is room."""
 
 FLAT = 0.02
 """Height [m] up to which a thing without a surface, such as a mouse pad, carries others on its top."""
@@ -60,10 +64,16 @@ class Layer:
     """Lays out one support; make one, then call ``run``."""
 
     def __init__(
-        self, around: Surroundings, shelf: Shelf, support: SceneObject, arrangement: Arrangement, dice: random.Random
+        self,
+        around: Surroundings,
+        shelf: Shelf,
+        support: SceneObject,
+        arrangement: Arrangement,
+        dice: random.Random,
+        clutter: float = CLUTTER,
     ):
         self._around, self._shelf, self._support = around, shelf, support
-        self._plan, self._dice = arrangement, dice
+        self._plan, self._dice, self._clutter = arrangement, dice, clutter
         self._seats = around.seats(support)
         each = any(slot.each for slot in arrangement.slots)
         back = arrangement.user == "back"
@@ -71,7 +81,8 @@ class Layer:
             back = float(np.mean([s.place[0] for s in self._seats])) < -0.2 * support.size[0]
         self._frame: Frame = around.frame(support, back)
         self._turn = math.pi if back else 0.0
-        self._mirror = dice.random() < 0.5
+        outer = around.outer_side(support)
+        self._mirror = dice.random() < 0.5 if outer == 0 else outer < 0
         self._surfaces = surfaces_of(support, back, arrangement.top)
         self._fields: dict[str, Field] = {}
         self._cover: dict[str, float] = {}
@@ -84,7 +95,7 @@ class Layer:
         rest = list(asked)
         for slot in sorted(self._plan.slots, key=lambda s: s.need == "optional"):
             one = next((a for a in rest if a.category in slot.what), None)
-            if one is None and self._dice.random() > slot.chance:
+            if one is None and (slot.clutter > self._clutter or not self._chosen(slot)):
                 continue
             if slot.by is not None and one is None and not any(s.slot == slot.by for s in self._standing):
                 continue
@@ -107,6 +118,14 @@ class Layer:
             if not self._anywhere(one):
                 self.done.unplaced.append(one)
         return self.done
+
+    def _chosen(self, slot: Slot) -> bool:
+        """Whether chance has a slot there; one that varies by seat is decided at each."""
+        return slot.vary or self._chances(slot).random() <= slot.chance
+
+    def _chances(self, slot: Slot) -> random.Random:
+        """What decides about a slot: for a paired one the same on all such furniture of the room."""
+        return self._shelf.shared(f"{self._plan.name}/{slot.id}") if slot.paired else self._dice
 
     def _twins(self, slot: Slot, category: str, rest: list[Asked]) -> None:
         """More of the same that was asked for stands beside the first: two screens."""
@@ -141,14 +160,15 @@ class Layer:
         ground = self._field(surface, base)
         low, high = self._span(surface)
         limit = (float(max(high - low)), float(max(high - low)), ground.headroom - 0.01)
-        spread = Spread(slot, self._dice, self._mirror and not slot.fixed)
-        names = (one.category,) if one else spread.kinds()
+        chances = self._chances(slot)
+        spread = Spread(slot, chances, self._mirror and not slot.fixed, self._clutter)
+        names = (one.category,) if one else tuple(n for n in spread.kinds() if self._around.may_add(n))
         like = next((s.asset for s in self._standing if s.slot == slot.like), None) if one is None else None
-        if like is not None and like.size[2] <= limit[2]:
+        if like is not None and like.size[2] <= limit[2] and self._around.may_add(like.category):
             return not self._full(surface, like) and self._place(slot, like, surface, base, ground, spread)
         for name in names:
             for size in (slot.size, ((0.0, 0.0), (0.0, 0.0), slot.size[2])):  # as it should be, then the smallest
-                asset = self._shelf.draw(name, self._dice, size, limit, one.look if one else None)
+                asset = self._shelf.draw(name, chances, size, limit, one.look if one else None)
                 if asset is None:
                     break
                 if one is None and slot.need != "needed" and not slot.on and self._full(surface, asset):
@@ -185,21 +205,35 @@ class Layer:
             seats = self._imagined(surface) if slot.by is None or self._standing else []
         else:
             seats = self._seats
-        names = (one.category,) if one else slot.what
+        names = (one.category,) if one else tuple(n for n in slot.what if self._around.may_add(n))
+        if slot.vary and one is None:
+            return any([self._for_some(slot, ground, surface, seat, names) for seat in seats])
         for name in names:
-            limit, look = (1.0, 1.0, ground.headroom), one.look if one else None
-            asset = self._shelf.draw(name, self._dice, slot.size, limit, look)
-            if asset is None:
-                continue
-            places = self._for_all(slot, asset, ground, seats)
-            if slot.by is not None and not all(p is not None for p in places):
-                continue  # beside every plate, or beside none
-            if all(p is not None for p in places) or name == names[-1]:
+            for size in (slot.size, ((0.0, 0.0), (0.0, 0.0), slot.size[2])):  # as it should be, then the smallest
+                asset = self._shelf.draw(name, self._dice, size, (1.0, 1.0, ground.headroom), one.look if one else None)
+                if asset is None:
+                    break
+                places = self._for_all(slot, asset, ground, seats)
+                last = name == names[-1] and size != slot.size and (one is not None or slot.need == "needed")
+                if not last and any(p is None for p in places):
+                    continue  # before every chair, or before none
                 for seat, place in zip(seats, places, strict=True):
                     if place is not None:
-                        anchor = self._before(slot, seat)
-                        self._stand(slot, asset, surface, place[0], place[1], seat=seat, anchor=anchor)
-                return any(p is not None for p in places)
+                        self._stand(slot, asset, surface, *place, seat=seat, anchor=self._before(slot, seat))
+                if any(p is not None for p in places):
+                    return True
+        return False
+
+    def _for_some(self, slot: Slot, ground: Field, surface: Surface, seat: Seat, names: Sequence[str]) -> bool:
+        """One of several things before a seat, or none, as chance has it there."""
+        if not names or self._dice.random() > slot.chance:
+            return False
+        for name in self._dice.sample(names, len(names)):
+            asset = self._shelf.draw(name, self._dice, slot.size, (1.0, 1.0, ground.headroom))
+            place = self._for_all(slot, asset, ground, [seat])[0] if asset is not None else None
+            if asset is not None and place is not None:
+                self._stand(slot, asset, surface, *place, seat=seat, anchor=self._before(slot, seat))
+                return True
         return False
 
     def _for_all(
@@ -209,7 +243,7 @@ class Layer:
         shape, before = self._shelf.shape(asset), len(ground.taken)
         places: list[tuple[Array, float] | None] = []
         for seat in seats:
-            spread = Spread(slot, self._dice, False)
+            spread = Spread(slot, self._dice, False, self._clutter)
             found = None
             anchor = self._before(slot, seat)
             if slot.by is None:
@@ -217,7 +251,7 @@ class Layer:
             elif anchor is not None:
                 yaw = anchor.yaw + spread.stray
                 for goal in spread.beside(shape, yaw, anchor, self._shelf.shape(anchor.asset)):
-                    at = ground.find(shape, yaw, goal, 0.06)
+                    at = ground.find(shape, yaw, goal, SHIFT)
                     if at is not None:
                         found = (at, yaw)
                         break

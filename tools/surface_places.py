@@ -14,6 +14,7 @@ from sceneweaver.geometry.se2 import SE2
 from sceneweaver.knowledge.surfaces import Slot
 from sceneweaver.scene import SceneObject, Surface
 
+from .base import CLUTTER
 from .surface_geometry import Array, Field, Shape, turned
 from .surface_scene import Seat
 
@@ -22,6 +23,10 @@ SEAT_EDGE = 0.02
 
 STRAIGHT = math.radians(25)
 """Angle within which a setting is laid along the edge, although its chair stands askew."""
+
+
+ROUND = 40.0
+"""Yaw [degrees] from which on a thing that strays so far is a round one."""
 
 
 class Placed(Protocol):
@@ -66,13 +71,15 @@ def surfaces_of(obj: SceneObject, back: bool, top: bool = False) -> dict[str, Su
 class Spread:
     """What chance decides about one slot, drawn once: kind, yaw, and how far it strays."""
 
-    def __init__(self, slot: Slot, dice: random.Random, mirror: bool):
+    def __init__(self, slot: Slot, dice: random.Random, mirror: bool, clutter: float = CLUTTER):
+        """``clutter`` in 0..1 scales how far things stray, but for round ones, which have no side to align."""
+        astray = min(2.0, clutter / CLUTTER)
         self._slot = slot
         sign = -1.0 if mirror else 1.0
         self._first = dice.random()
-        self.stray = math.radians(slot.loose) * dice.uniform(-1, 1)
+        self.stray = math.radians(slot.loose) * dice.uniform(-1, 1) * (astray if slot.loose < ROUND else 1.0)
         self.yaw = sign * math.radians(slot.turn) + self.stray
-        self.drift = np.array([dice.uniform(-1, 1), dice.uniform(-1, 1)]) * slot.drift
+        self.drift = np.array([dice.uniform(-1, 1), dice.uniform(-1, 1)]) * slot.drift * astray
         at = slot.at or (0.5, 0.0)
         self.share = (at[0], sign * at[1])
         self._sign = sign

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,8 +12,10 @@ import numpy as np
 from sceneweaver.assets import Asset
 from sceneweaver.knowledge.surfaces import Crowd, Unit
 
+from .base import CLUTTER
 from .surface_assets import Shelf
 from .surface_geometry import Array, Field
+from .surface_places import ROUND
 
 CLEAR = 0.012
 """Free height [m] above things on a board."""
@@ -47,8 +49,20 @@ class Put:
 class Row:
     """One board of a shelf. ``height`` is that of the board above the floor [m]."""
 
-    def __init__(self, field: Field, theme: Crowd, shelf: Shelf, dice: random.Random, height: float, density: float):
+    def __init__(
+        self,
+        field: Field,
+        theme: Crowd,
+        shelf: Shelf,
+        dice: random.Random,
+        height: float,
+        density: float,
+        clutter: float = CLUTTER,
+        may_add: Callable[[str], bool] = lambda category: True,
+    ):
+        """``may_add`` says whether the room has one more of a thing; ``clutter`` in 0..1 is how far things stray."""
         self._field, self._theme, self._shelf, self._dice = field, theme, shelf, dice
+        self._astray, self._may_add = min(2.0, clutter / CLUTTER), may_add
         self._level = "low" if height < 0.6 else "high" if height > 1.6 else "middle"
         self._density = density
         self._width = float(field.high[1] - field.low[1])
@@ -109,7 +123,8 @@ class Row:
         """Things of one unit, at most ``room`` metres wide and ``number`` many; None when not even one fits."""
         unit = self._theme.units[choice]
         repeat = min(self._dice.randint(*unit.repeat), number)
-        names = sorted(unit.what, key=lambda n: (self._seen.get(n, 0), self._dice.random()))
+        allowed = [n for n in unit.what if self._may_add(n)]
+        names = sorted(allowed, key=lambda n: (self._seen.get(n, 0), self._dice.random()))
         quarter = abs(math.sin(math.radians(unit.turn))) > 0.7
         for name in names:
             width, depth = room, self._depth - 0.004
@@ -124,7 +139,8 @@ class Row:
             assets, yaws, total = [], [], 0.0
             for k in range(max(1, repeat)):
                 body = asset if unit.same or k == 0 else self._shelf.draw(name, self._dice, unit.size, limit) or asset
-                yaw = math.radians(unit.turn) + math.radians(unit.loose) * self._dice.uniform(-1, 1)
+                astray = unit.loose * (self._astray if unit.loose < ROUND else 1.0)
+                yaw = math.radians(unit.turn) + math.radians(astray) * self._dice.uniform(-1, 1)
                 low, high = self._shelf.shape(body).extent(yaw)
                 broad = float(high[1] - low[1])
                 if body.size[2] > self._high or float(high[0] - low[0]) > self._depth or total + broad > room:

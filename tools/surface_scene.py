@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -18,6 +19,7 @@ from sceneweaver.geometry.rotations import is_upright
 from sceneweaver.geometry.se2 import SE2
 from sceneweaver.geometry.shell import WINDOW_CLEARANCE, heights
 from sceneweaver.knowledge import Item, RoomType
+from sceneweaver.knowledge.small_things import most_of
 from sceneweaver.scene import CATALOGUE, Door, InputError, Scene, SceneObject, Surface
 from sceneweaver.scene.messages import suggest
 
@@ -25,6 +27,9 @@ from .surface_geometry import Array, Field, Prism
 
 TIES = CATALOGUE.with_role("seat")
 """Relations by which a chair belongs to a table."""
+
+BESIDE = ("leftright_to_leftright", "beside", "next_to", "left_of", "right_of", "side_by_side")
+"""Relations by which a thing stands at the side of another."""
 
 CEILING = 0.05
 """Free height [m] left under the ceiling."""
@@ -58,6 +63,13 @@ class Surroundings:
         self.carried: set[tuple[str, str]] = {(o.support.object, o.support.surface) for o in scene.objects if o.support}
         self._ids = {*scene.ids, *(d.id for d in scene.room.doors), *(w.id for w in scene.room.windows)}
         self._next: dict[str, int] = {}
+        self.room = room_type.name
+        self._count = Counter(o.category for o in scene.objects)
+
+    def may_add(self, category: str) -> bool:
+        """Whether such a room has one more of a thing, as far as nobody asks for it."""
+        most = most_of(category, self.room)
+        return most is None or self._count[category] < most
 
     def item(self, obj: SceneObject) -> Item | None:
         """The item of the kind of room that an object stands for, if any."""
@@ -82,7 +94,8 @@ class Surroundings:
         return [known[id] for id in dict.fromkeys(ids)]
 
     def new_id(self, category: str) -> str:
-        """An id that nothing in the scene has, such as mug-0; it counts as taken from then on."""
+        """An id that nothing in the scene has, such as mug-0; it and its thing count as there from then on."""
+        self._count[category] += 1
         k = self._next.get(category, 0)
         while f"{category}-{k}" in self._ids:
             k += 1
@@ -129,6 +142,19 @@ class Surroundings:
             place = frame.to_local(np.array([c.pose.position[:2]]))[0]
             out.append(Seat(c.id, place, np.array(heading(yaw))))
         return sorted(out, key=lambda s: math.atan2(s.place[1], s.place[0]))
+
+    def outer_side(self, obj: SceneObject) -> int:
+        """The side of an object, 1 for its user's right, that is away from the larger thing that it stands beside.
+
+        Those at either side of a bed are laid out as mirror images. 0 for what stands beside nothing.
+        """
+        sizes = {o.id: o for o in self.scene.objects}
+        for r in self.scene.relations:
+            other = sizes.get(r.targets[0]) if r.subject == obj.id and len(r.targets) == 1 else None
+            if r.type in BESIDE and other is not None and math.prod(other.size[:2]) > math.prod(obj.size[:2]):
+                y = float(self.frame(obj).to_local(np.array([other.pose.position[:2]]))[0][1])
+                return -1 if y > 0 else 1
+        return 0
 
     def _looks(self, chair: SceneObject, obj: SceneObject) -> bool:
         yaw = chair.pose.yaw - obj.pose.yaw

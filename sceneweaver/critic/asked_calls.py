@@ -43,7 +43,7 @@ def _table_for(survey: Survey, category: str, count: int) -> str | None:
         rank = likeliness(category, body.item.category)
         name = survey.program.item_of.get(body.id)
         item = survey.room_type.item(name) if name else None
-        plan = usual_arrangement(item.top if item is not None else None, body.item.category)
+        plan = usual_arrangement(item.top if item is not None else None, body.item.category, survey.room_type.name)
         if rank is not None and not survey.carried.get(body.id) and lays(plan, category, count):
             found.append((rank, body.id))
     return min(found)[1] if found else None

@@ -34,7 +34,9 @@ class _Kinds(FrozenModel):
     what: tuple[str, ...] = Field(description="Categories that serve, the best first")
     size: tuple[Range | None, Range | None, Range | None] = (None, None, None)
     turn: float = Field(default=0.0, description="Yaw [degrees] from facing the user")
-    loose: float = Field(default=0.0, description="Most the yaw strays [degrees]; 0 where a person would align it")
+    loose: float = Field(
+        default=0.0, description="Most the yaw strays [degrees] in a room as usual; 0 where a person would align it"
+    )
 
     @field_validator("what", mode="before")
     @classmethod
@@ -60,7 +62,8 @@ class Slot(_Kinds):
 
     ``at`` is (depth, side): 0 at the back edge to 1 at the front edge, -1 at the user's left end to 1 at the right,
     the thing itself staying inside. With ``by`` it stands at that side of another slot's thing, ``gap`` metres off,
-    with ``on`` upon it. ``each: seat`` repeats it before every chair, facing it.
+    with ``on`` upon it. ``each: seat`` repeats it before every chair, facing it. A slot with a ``count`` is as many,
+    side by side, with ids of their own: jar, jar-2, jar-3.
     """
 
     id: str
@@ -74,6 +77,11 @@ class Slot(_Kinds):
     each: Literal["seat"] | None = None
     only: tuple[str, ...] = Field(default=(), description="Only when the thing of ``by`` is one of these")
     like: str | None = Field(default=None, description="Slot whose thing it equals, if that is there")
+    count: int = Field(default=1, ge=1, le=6, description="How many stand side by side")
+    alike: bool = Field(default=True, description="Whether those of a count are equal")
+    paired: bool = Field(default=False, description="Whether it is the same on all such furniture of a room")
+    vary: bool = Field(default=False, description="With ``each``: whether kind and chance are drawn anew for each seat")
+    clutter: float = Field(default=0.0, ge=0, le=1, description="Clutter from which on it is there")
     surface: Level = "main"
     fixed: bool = Field(default=False, description="Whether left and right keep when the arrangement is mirrored")
     drift: float = Field(default=0.015, description="How far the place strays [m]")
@@ -102,7 +110,14 @@ class Arrangement(FrozenModel):
     user: Literal["front", "back"] = Field(default="front", description="Side of the furniture its user is at")
     top: bool = Field(default=False, description="Whether it goes on the highest surface, not the one to work at")
     most: float = Field(default=0.5, description="Largest share of the surface to cover, for what is not needed")
+    rooms: tuple[str, ...] = Field(default=(), description="Kinds of rooms that it is for; none: all others")
+    instead: tuple[str, ...] = Field(default=(), description="Others whose place it takes in its rooms")
     slots: tuple[Slot, ...]
+
+    @field_validator("slots")
+    @classmethod
+    def _counted(cls, value: tuple[Slot, ...]) -> tuple[Slot, ...]:
+        return tuple(one for slot in value for one in _each_of(slot))
 
     @model_validator(mode="after")
     def _order(self) -> Arrangement:
@@ -115,6 +130,15 @@ class Arrangement(FrozenModel):
                 raise ValueError(f"two slots are called {slot.id}")
             known.add(slot.id)
         return self
+
+
+def _each_of(slot: Slot) -> list[Slot]:
+    """A slot with a count as slots of one thing each, every further one beside the one before it."""
+    found = [slot.model_copy(update={"count": 1})]
+    for k in range(2, slot.count + 1):
+        beside = {"id": f"{slot.id}-{k}", "at": None, "by": found[-1].id, "side": "beside", "on": None, "count": 1}
+        found.append(slot.model_copy(update={**beside, "like": slot.id if slot.alike else None, "relate": None}))
+    return found
 
 
 class Unit(_Kinds):
@@ -145,6 +169,8 @@ class Crowd(FrozenModel):
     share: Range = Field(default=(0.35, 0.9), description="Share of the width that is filled, at density 0 and 1")
     setback: float = Field(default=0.02, description="From the front edge [m]")
     top: str | None = Field(default=None, description="Another theme for the open top of a piece with shelves")
+    rooms: tuple[str, ...] = Field(default=(), description="Kinds of rooms that it is for; none: all others")
+    instead: tuple[str, ...] = Field(default=(), description="Others whose place it takes in its rooms")
     units: tuple[Unit, ...]
 
 
@@ -176,30 +202,45 @@ def crowds() -> Mapping[str, Crowd]:
     return _read("crowds", Crowd)
 
 
-def arrangement(name: str) -> Arrangement:
-    """The arrangement of that name; InputError when there is none."""
-    if name not in arrangements():
-        raise InputError(f"arrangement: '{name}' is unknown{suggest(name, arrangements())}")
-    return arrangements()[name]
+def arrangement(name: str, room: str | None = None) -> Arrangement:
+    """The arrangement of that name, or what takes its place in a kind of room; InputError when there is none."""
+    return _named("arrangement", arrangements(), name, room)
 
 
-def crowd(name: str) -> Crowd:
-    """The theme of that name; InputError when there is none."""
-    if name not in crowds():
-        raise InputError(f"theme: '{name}' is unknown{suggest(name, crowds())}")
-    return crowds()[name]
+def crowd(name: str, room: str | None = None) -> Crowd:
+    """The theme of that name, or what takes its place in a kind of room; InputError when there is none."""
+    return _named("theme", crowds(), name, room)
+
+
+def _named(kind: str, plans: Mapping[str, Read], name: str, room: str | None) -> Read:
+    if name not in plans:
+        raise InputError(f"{kind}: '{name}' is unknown{suggest(name, plans)}")
+    return next((one for one in plans.values() if room in one.rooms and name in one.instead), plans[name])
 
 
 @cache
-def arrangement_of() -> Mapping[str, str]:
-    """The usual arrangement of each category of furniture that has one."""
-    return MappingProxyType({c: name for name, one in arrangements().items() for c in one.by_category})
+def arrangement_of(room: str | None = None) -> Mapping[str, str]:
+    """The usual arrangement, in a kind of room, of each category of furniture that has one."""
+    return _usual(arrangements(), room)
 
 
-def usual_arrangement(top: str | None, category: str) -> Arrangement | None:
-    """What a piece of furniture is laid with: as its item of the room says (``top``), else as its category."""
-    name = top or arrangement_of().get(category)
-    return arrangement(name) if name else None
+@cache
+def crowd_of(room: str | None = None) -> Mapping[str, str]:
+    """The usual theme, in a kind of room, of each category of furniture that has one."""
+    return _usual(crowds(), room)
+
+
+def _usual(plans: Mapping[str, Arrangement] | Mapping[str, Crowd], room: str | None) -> Mapping[str, str]:
+    """By category the plan for any room, or where there is one that for this kind."""
+    anywhere = {c: name for name, one in plans.items() if not one.rooms for c in one.by_category}
+    here = {c: name for name, one in plans.items() if room in one.rooms for c in one.by_category}
+    return MappingProxyType(anywhere | here)
+
+
+def usual_arrangement(top: str | None, category: str, room: str | None = None) -> Arrangement | None:
+    """What a piece of furniture is laid with: as its item of the room says (``top``), else as its category there."""
+    name = top or arrangement_of(room).get(category)
+    return arrangement(name, room) if name else None
 
 
 def lays(plan: Arrangement | None, category: str, count: int = 1) -> bool:
@@ -207,9 +248,3 @@ def lays(plan: Arrangement | None, category: str, count: int = 1) -> bool:
     return (
         plan is not None and count <= BESIDE and any(category in slot.what and slot.each is None for slot in plan.slots)
     )
-
-
-@cache
-def crowd_of() -> Mapping[str, str]:
-    """The usual theme of each category of furniture that has one."""
-    return MappingProxyType({c: name for name, one in crowds().items() for c in one.by_category})

@@ -15,6 +15,9 @@ from sceneweaver.tools.base import Context, Proposal, Tool
 from sceneweaver.verify import check
 
 LIBRARY = Library()
+KIND = "studio_apartment"
+"""The kind of room in which most small things may be."""
+
 BAD = ("collision", "unsupported", "out_of_bounds", "blocked_zone", "blocked_opening")
 
 
@@ -46,7 +49,7 @@ def laid(category: str, chairs: int = 4) -> Scene:
 
 def answer(tool: Tool, scene: Scene, inputs: Mapping[str, Any] | None = None, seed: int = 1) -> Proposal:
     """What a tool proposes for a scene."""
-    kind = next(iter(room_types().values()))
+    kind = room_types()[KIND]
     return tool.propose(Context(SceneGraph(text=""), kind, scene, LIBRARY, seed, inputs=inputs or {}))
 
 

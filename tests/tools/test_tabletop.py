@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from sceneweaver.assets import categories
+from sceneweaver.knowledge import room_types
 from sceneweaver.knowledge.surfaces import arrangement_of, arrangements, crowd_of
 from sceneweaver.scene import InputError, Pose, Scene, SceneObject, Window
 from sceneweaver.tools.add_tabletop import AddTabletop
@@ -38,8 +39,12 @@ def local(obj: SceneObject, frame: SceneObject) -> tuple[float, float]:
 def test_data() -> None:
     assert set(NAMES.split()) <= set(arrangements())
     assert set(arrangement_of()) | set(crowd_of()) <= set(categories())
-    twice = [c for a in arrangements().values() for c in a.by_category]
-    assert len(twice) == len(set(twice))
+    for kind in (None, *room_types()):
+        meant = [a for a in arrangements().values() if kind in a.rooms or (kind is None and not a.rooms)]
+        twice = [c for a in meant for c in a.by_category]
+        assert len(twice) == len(set(twice)), kind
+        replaced = [name for a in meant for name in a.instead]
+        assert len(replaced) == len(set(replaced)) and set(replaced) <= set(arrangements()), kind
 
 
 @pytest.mark.parametrize("category", sorted(arrangement_of()))
