@@ -7,12 +7,14 @@ from collections.abc import Sequence
 
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.brief import Grounded, SceneGraph
+from sceneweaver.knowledge.palettes import Palette as RoomPalette
 from sceneweaver.knowledge.palettes import palette_for
 from sceneweaver.scene import CATALOGUE, Intent, Palette, Pose, Relation, Room, Scene, SceneObject
 from sceneweaver.scene.palette import MOST_COLORS
 
 from .base import Context, Proposal
 from .draft import walls_of
+from .prior_finish import finished
 from .prior_program import BLIND, BY_RANK, Program, Wanted, build, demands
 from .prior_relations import of_brief, of_items, rows_of
 from .prior_rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
@@ -62,7 +64,8 @@ class InitPrior:
         if not given:
             area = min(area * float(context.inputs.get("roomier", 1.0)), 1.5 * room.area[2])
         style = brief.style or str(context.inputs.get("style") or "") or random.Random(seed ^ 0x57).choice(room.styles)
-        palette = room_palette(room.name, style, brief.colors, seed)
+        look = palette_for(room.name, style, brief.colors, seed)
+        palette = kept(look, style, seed)
         attempt = drawn = 0
         while True:
             space, remarks = shell(room, brief, area, seed, drawn)
@@ -84,6 +87,7 @@ class InitPrior:
             if given or not (crowded or astray) or large or context.hurried():
                 break
             area, drawn = area * GROWTH, 0
+        space = finished(space, room, look, seed)
         scene, unmet = _scene(context, space, program, places, rows, palette, people)
         fixed = given or brief.shape == "round"
         rooms, larger = [], []
@@ -103,24 +107,23 @@ class InitPrior:
         return Proposal(
             scene=scene,
             variants=tuple(variants),
-            rooms=tuple(rooms[:ROOMS]),
-            larger=tuple(larger),
+            rooms=tuple(finished(r, room, look, seed) for r in rooms[:ROOMS]),
+            larger=tuple(finished(r, room, look, seed) for r in larger),
             fresh=True,
             notes=tuple(notes),
             unmet=tuple(unmet),
         )
 
 
-def room_palette(room: str, style: str, colors: Sequence[str], seed: int) -> Palette:
-    """The palette of a kind of room in a style, with the colours that a request names, as a scene keeps it."""
-    found = palette_for(room, style, colors, seed)
+def kept(look: RoomPalette, style: str, seed: int) -> Palette:
+    """A palette in a style as a scene keeps it."""
     return Palette(
-        name=found.name,
+        name=look.name,
         style=style,
-        woods=found.woods,
-        paints=found.paints,
-        metals=found.metals,
-        textiles=found.textiles[:MOST_COLORS],
+        woods=look.woods,
+        paints=look.paints,
+        metals=look.metals,
+        textiles=look.textiles[:MOST_COLORS],
         seed=seed,
     )
 
@@ -171,7 +174,6 @@ def _scene(
             "seed": context.seed,
             "style": palette.style,
             "people": people,
-            "finish": {"floor": room.floor, "walls": room.walls},
         },
     )
     return scene, unmet

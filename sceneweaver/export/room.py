@@ -7,11 +7,9 @@ import math
 import numpy as np
 
 from sceneweaver.assets import Material, Mesh
+from sceneweaver.assets.room_looks import room_looks, wall_look
 from sceneweaver.geometry.shell import FLOOR_THICKNESS, WALL_THICKNESS, heights, wall_plan
 from sceneweaver.scene import Room
-
-WALL = Material("wall paint", (0.925, 0.912, 0.885), roughness=0.95)
-FLOOR = Material("floor", (0.74, 0.62, 0.48), roughness=0.7, texture="wood")
 
 
 def floor_mesh(room: Room) -> Mesh:
@@ -24,7 +22,7 @@ def floor_mesh(room: Room) -> Mesh:
     for plan in plans[1:]:
         section = section + CrossSection([np.asarray(plan)], FillRule.Positive)
     slab = Manifold.extrude(section, FLOOR_THICKNESS).translate((0.0, 0.0, -FLOOR_THICKNESS))
-    return _mesh(slab, FLOOR)
+    return _mesh(slab, room_looks(room).floor)
 
 
 def wall_mesh(room: Room, wall: int) -> Mesh:
@@ -41,7 +39,7 @@ def wall_mesh(room: Room, wall: int) -> Mesh:
         hole = Manifold.cube((opening.width, 4 * WALL_THICKNESS, high - low))
         hole = hole.translate((opening.offset, -3 * WALL_THICKNESS, low))
         body = body - hole.rotate((0.0, 0.0, turn)).translate((*walls[wall].start, 0.0))
-    return _mesh(body, WALL)
+    return _mesh(body, wall_look(room, wall))
 
 
 def _mesh(body, material: Material) -> Mesh:

@@ -24,6 +24,7 @@ import numpy as np
 
 from sceneweaver.assets import Material
 from sceneweaver.assets.placed import Load
+from sceneweaver.assets.room_looks import room_looks, wall_look
 from sceneweaver.geometry.rotations import matrix, multiply
 from sceneweaver.geometry.shell import FLOOR_THICKNESS, WALL_THICKNESS, heights
 from sceneweaver.scene import Door, InputError, Room, Scene, SceneObject, Window
@@ -32,7 +33,6 @@ from .bodies import Body, Missing, bodies_of
 from .folder import fill, move, staged
 from .glb import model_bytes
 from .models import model_name, with_mesh
-from .room import FLOOR, WALL
 
 SOURCE = "sceneweaver"
 """The asset source: what stands before the dot of a model id."""
@@ -150,11 +150,13 @@ def _box(thing: SceneObject) -> dict[str, list[float]]:
 
 def _arch(name: str, room: Room) -> dict[str, Any]:
     elements: list[dict[str, Any]] = []
+    looks = room_looks(room)
     for kind, z, depth in (("Floor", 0.0, FLOOR_THICKNESS), ("Ceiling", room.height, FLOOR_THICKNESS)):
         made = {"id": f"room|{kind.lower()}", "type": kind, "roomId": "room", "depth": depth}
-        look = [{"name": "surface", "diffuse": _hex(FLOOR if kind == "Floor" else WALL)}]
+        look = [{"name": "surface", "diffuse": _hex(looks.floor if kind == "Floor" else looks.wall)}]
         elements.append(made | {"points": [[x, y, z] for x, y in room.outline], "materials": look})
     for wall in room.walls:
+        paint = _hex(wall_look(room, wall.index))
         elements.append(
             {
                 "id": f"room|wall|{wall.index}",
@@ -164,7 +166,7 @@ def _arch(name: str, room: Room) -> dict[str, Any]:
                 "depth": WALL_THICKNESS,
                 "points": [[*wall.start, 0.0], [*wall.end, 0.0]],
                 "holes": [_hole(o) for o in room.openings_of(wall.index)],
-                "materials": [{"name": side, "diffuse": _hex(WALL)} for side in ("inside", "outside")],
+                "materials": [{"name": side, "diffuse": paint} for side in ("inside", "outside")],
             }
         )
     return {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -15,27 +16,25 @@ from .room_blocks import Builder
 
 _JOINT_DEPTH = 0.004
 _SIDE = Material("slab side", (0.70, 0.68, 0.65), roughness=0.9)
-_WOOD = (
-    (0.745, 0.575, 0.405),
-    (0.715, 0.545, 0.380),
-    (0.765, 0.600, 0.432),
-    (0.690, 0.525, 0.365),
-    (0.735, 0.560, 0.388),
-    (0.755, 0.590, 0.420),
-)
-_TILE = ((0.795, 0.775, 0.745), (0.775, 0.757, 0.728), (0.810, 0.790, 0.760))
-_STONE = ((0.70, 0.685, 0.655), (0.675, 0.66, 0.63), (0.725, 0.71, 0.68), (0.69, 0.672, 0.64))
-
-_TONES = {"wood": _WOOD, "tile": _TILE, "stone": _STONE}
-_JOINTS = {"wood": (0.40, 0.29, 0.19), "tile": (0.60, 0.58, 0.55), "stone": (0.46, 0.44, 0.41)}
+_SHADES = {
+    "wood": (1.01, 0.97, 1.045, 0.93, 0.99, 1.03),
+    "tile": (1.0, 0.978, 1.018),
+    "stone": (1.0, 0.965, 1.03, 0.985),
+}
+"""How much lighter or darker single planks, tiles and slabs are."""
+_JOINTS = {"wood": 0.52, "tile": 0.77, "stone": 0.65}
+"""Joints, as shares of the tone."""
 _GAPS = {"wood": 0.0024, "tile": 0.004, "stone": 0.004}
 
 
-def floor_mesh(kind: str, plan: np.ndarray, under: np.ndarray, seed: int = 0, pixel: float = 0.0) -> Mesh:
+def floor_mesh(
+    kind: str, look: Material, plan: np.ndarray, under: np.ndarray, seed: int = 0, pixel: float = 0.0
+) -> Mesh:
     """The floor with its top at z = 0.
 
     Args:
-        kind: One of ``room_finish.FLOORS``.
+        kind: One of ``room_looks.FLOORS``.
+        look: Its material; planks, tiles and slabs are a little lighter or darker, each.
         plan: What is covered [N, 2], a simple polygon [m].
         under: The outer outline of slab and walls [M, 2].
         seed: Which tones the planks or tiles get.
@@ -46,28 +45,29 @@ def floor_mesh(kind: str, plan: np.ndarray, under: np.ndarray, seed: int = 0, pi
     gap, joint = _GAPS.get(kind, 0.0), _SIDE
     if gap:
         wide = max(gap, min(1.1 * pixel, 0.02))
-        tone = (1 - gap / wide) * np.asarray(_TONES[kind][0]) + gap / wide * np.asarray(_JOINTS[kind])
-        gap, joint = wide, Material("joint", (float(tone[0]), float(tone[1]), float(tone[2])), roughness=0.9)
+        share = 1 - (1 - _JOINTS[kind]) * gap / wide
+        gap, joint = wide, replace(_times(look, share), name="joint", roughness=0.9)
     _sheet(builder, under, -_JOINT_DEPTH, -FLOOR_THICKNESS, joint, _SIDE)
     rng = np.random.default_rng(seed)
-    if kind == "wood":
-        tones = [Material(f"plank {k}", c, roughness=0.48, texture="wood") for k, c in enumerate(_WOOD)]
-        _laid(builder, plan, _planks(plan, rng, gap), tones, rng)
-    elif kind == "tile":
-        tones = [Material(f"tile {k}", c, roughness=0.32) for k, c in enumerate(_TILE)]
-        _laid(builder, plan, _grid(plan, 0.45, 0.45, gap), tones, rng)
-    elif kind == "stone":
-        tones = [Material(f"slab {k}", c, roughness=0.4, texture="stone") for k, c in enumerate(_STONE)]
-        _laid(builder, plan, _grid(plan, 0.9, 0.6, gap, shift=0.5), tones, rng)
+    if kind in _SHADES:
+        tones = [replace(_times(look, share), name=f"{look.name} {k}") for k, share in enumerate(_SHADES[kind])]
+        cells = {
+            "wood": lambda: _planks(plan, rng, gap),
+            "tile": lambda: _grid(plan, 0.45, 0.45, gap),
+            "stone": lambda: _grid(plan, 0.9, 0.6, gap, shift=0.5),
+        }[kind]()
+        _laid(builder, plan, cells, tones, rng)
     else:
-        look = {
-            "carpet": Material("carpet", (0.565, 0.575, 0.59), roughness=0.98, texture="fabric"),
-            "concrete": Material("concrete", (0.69, 0.685, 0.67), roughness=0.6, texture="stone"),
-        }[kind]
         _flat(builder, [plan], look)
     mesh = builder.mesh()
     assert mesh is not None
     return mesh
+
+
+def _times(look: Material, share: float) -> Material:
+    """The material lighter (above 1) or darker."""
+    r, g, b = (min(0.97, c * share) for c in look.color)
+    return replace(look, color=(r, g, b))
 
 
 def _sheet(builder: Builder, plan: np.ndarray, top: float, bottom: float, lid: Material, side: Material) -> None:

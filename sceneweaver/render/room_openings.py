@@ -90,5 +90,6 @@ def add_window(builder: Builder, wall: Wall, window: Window, look: Finishes) -> 
     builder.prism(
         wall_block(wall, (start + bar, end - bar), (middle, middle + 0.004)), (low + bar, high - bar), look.glass
     )
-    builder.prism(wall_block(wall, (start - 0.04, end + 0.04), (-0.07, deep[0])), (low - 0.028, low), look.trim)
+    if low > 0.1:  # one down to the floor has no board
+        builder.prism(wall_block(wall, (start - 0.04, end + 0.04), (-0.07, deep[0])), (low - 0.028, low), look.trim)
     builder.prism(wall_block(wall, (start, end), (deep[1] + 0.01, deep[1] + 0.012)), (low, high), look.daylight)

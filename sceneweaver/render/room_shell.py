@@ -18,6 +18,7 @@ from .room_blocks import Builder, wall_block
 from .room_finish import Finishes
 from .room_floor import floor_mesh
 from .room_openings import add_door, add_window
+from .room_walls import add_wall_finish
 
 STUB = 0.05
 """Height [m] at which a wall between camera and room is cut."""
@@ -55,11 +56,12 @@ def build_shell(
         else:
             _wall(builder, room, wall, high, look)
             builder.top = high - 0.002  # where all is cut, frames do not end in the plane of the wall's cut
+            add_wall_finish(builder, room, wall, look, high, pixel)
             _fittings(builder, room, wall, look)
         meshes.append(builder.mesh())
     outer = np.array(outer_outline(walls))
     seed = zlib.crc32(repr(room.outline).encode())
-    floor = floor_mesh(look.floor, _covered(room), outer, seed, pixel)
+    floor = floor_mesh(look.looks.floor_kind, look.looks.floor, _covered(room), outer, seed, pixel)
     return Shell(floor, tuple(meshes), outer)
 
 
@@ -76,7 +78,8 @@ def _wall(builder: Builder, room: Room, wall: Wall, height: float, look: Finishe
         corners = ((outer_a, -WALL_THICKNESS), (outer_b, -WALL_THICKNESS), (b, 0.0), (a, 0.0))
         plan = np.array([wall.point(*corner) for corner in corners])
         # The outer face, which is the plan's first side, has a paint of its own.
-        builder.prism(plan, z, look.wall, look.cut if z[1] >= height - 1e-6 else look.wall, first=look.outside)
+        paint = look.wall(wall.index)
+        builder.prism(plan, z, paint, look.cut if z[1] >= height - 1e-6 else paint, first=look.outside)
 
 
 def _fittings(builder: Builder, room: Room, wall: Wall, look: Finishes) -> None:
@@ -87,6 +90,9 @@ def _fittings(builder: Builder, room: Room, wall: Wall, look: Finishes) -> None:
     for window in windows:
         add_window(builder, wall, window, look)
     depth, height = _SKIRTING
+    tiled = look.tiled(wall.index)
+    if tiled is not None and tiled[0] < height:
+        return
     at = 0.0
     gaps = [(d.offset - 0.03, d.offset + d.width + 0.03) for d in doors]
     gaps += [(w.offset, w.offset + w.width) for w in windows if w.sill < height]

@@ -44,6 +44,10 @@ from .files import read_bytes as read_bytes
 from .files import sweep as sweep
 from .files import whole as whole
 from .files import write_atomic as write_atomic
+from .finish import FloorFinish as FloorFinish
+from .finish import RoomFinish as RoomFinish
+from .finish import WallAccent as WallAccent
+from .finish import WallTiles as WallTiles
 from .intent import PRIORITIES as PRIORITIES
 from .intent import Intent as Intent
 from .intent import Priority as Priority
@@ -74,6 +78,7 @@ __all__ = [
     "EDITS",
     "EXAMPLES",
     "Edit",
+    "FloorFinish",
     "Geometry",
     "InputError",
     "Intent",
@@ -93,6 +98,7 @@ __all__ = [
     "Rename",
     "Replace",
     "Room",
+    "RoomFinish",
     "SCHEMA",
     "SIDES",
     "Scene",
@@ -107,6 +113,8 @@ __all__ = [
     "Surface",
     "TUCKED",
     "Unrelate",
+    "WallAccent",
+    "WallTiles",
     "Window",
     "Zone",
     "apply",

@@ -57,6 +57,8 @@ class SceneFile(FrozenModel):
     def to_json(self) -> dict[str, Any]:
         """The scene as plain JSON data; what says nothing in objects, their intents and relations is left out."""
         data = self.model_dump(mode="json", by_alias=True)
+        if data["room"]["finish"] is None:
+            del data["room"]["finish"]
         for obj in data["objects"]:
             intent = obj["intent"].items()
             obj["intent"] = {key: value for key, value in intent if value is not None and value is not False}

@@ -6,7 +6,8 @@ A migration turns the data of one version into that of the next; a chain of them
     def _from_1(data: dict[str, Any]) -> dict[str, Any]: ...   # gives data of sceneweaver.scene/2
 
 ``intent`` came to version 1 as an optional field of objects. Before that its fields were attributes with other names;
-objects without an intent get theirs from those. ``asked`` of relations was a list [type, subject] in the provenance.
+objects without an intent get theirs from those. ``asked`` of relations was a list [type, subject] in the provenance,
+and ``finish`` of the room was {floor, walls} there.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from typing import Any
 from sceneweaver.geometry.rotations import from_yaw
 
 from .errors import InputError
+from .finish import RoomFinish
 from .intent import Intent
 from .messages import quote, show
 
@@ -113,7 +115,26 @@ def _with_meaning(data: dict[str, Any]) -> dict[str, Any]:
     if isinstance(relations, list | tuple) and isinstance(asked, list) and all(isinstance(a, list) for a in asked):
         data = {**data, "relations": [_with_asked(r, asked) for r in relations]}
         data["provenance"] = {key: value for key, value in data["provenance"].items() if key != "asked"}
-    return data
+    return _with_finish(data)
+
+
+def _with_finish(data: dict[str, Any]) -> dict[str, Any]:
+    """The data with the names of floor and paint that stood in the provenance as the finish of the room."""
+    room, provenance = data.get("room"), data.get("provenance")
+    if not isinstance(room, dict) or not isinstance(provenance, dict):
+        return data
+    said = provenance.get("finish")
+    if not isinstance(said, dict) or said.keys() - {"floor", "walls"} or "finish" in room:
+        return data
+    finish: dict[str, Any] = {"walls": said.get("walls")} if said.get("walls") else {}
+    if said.get("floor"):
+        finish["floor"] = {"material": said["floor"]}
+    try:
+        RoomFinish.model_validate(finish)
+    except InputError:
+        return data  # somebody else's data of that name: it stays
+    kept = {key: value for key, value in provenance.items() if key != "finish"}
+    return {**data, "room": {**room, "finish": finish}, "provenance": kept}
 
 
 def _with_asked(relation: Any, asked: list[list[Any]]) -> Any:

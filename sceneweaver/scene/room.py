@@ -11,6 +11,7 @@ from sceneweaver.geometry.walls import Wall, walls_of
 
 from .base import FrozenModel
 from .fields import Id, Index, Length, Name, Offset, Outline
+from .finish import RoomFinish
 from .messages import FieldError
 
 FIT_TOLERANCE = 1e-6
@@ -49,6 +50,7 @@ class Room(FrozenModel):
     height: Length = Field(default=2.7, description="Height of the ceiling above the floor [m]")
     doors: Annotated[tuple[Door, ...], Field(fail_fast=True)] = ()
     windows: Annotated[tuple[Window, ...], Field(fail_fast=True)] = ()
+    finish: RoomFinish | None = Field(default=None, description="Of walls and floor; null: by the kind of room")
 
     @property
     def walls(self) -> tuple[Wall, ...]:
@@ -66,8 +68,12 @@ class Room(FrozenModel):
 
     @model_validator(mode="after")
     def _check(self) -> Self:
-        """Doors and windows lie in a wall that exists, within its length and height."""
+        """Doors, windows and finishes are in a wall that exists, openings within its length and height."""
         walls = self.walls
+        for part, wall in self.finish.named_walls if self.finish is not None else ():
+            if wall >= len(walls):
+                known = f"the outline has walls 0 to {len(walls) - 1}"
+                raise FieldError(("finish", part, "walls"), f": there is no wall {wall}; {known}")
         for key, openings in (("doors", self.doors), ("windows", self.windows)):
             for i, opening in enumerate(openings):
                 if opening.wall >= len(walls):

@@ -5,15 +5,17 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sceneweaver.assets import make
+from sceneweaver.assets import Material, make
 from sceneweaver.render import Quality, draw_room, draw_rooms
+from sceneweaver.render.room_blocks import Builder
 from sceneweaver.render.room_bodies import hidden_with, instances_of
 from sceneweaver.render.room_camera import corner_camera, corner_directions, cut_walls, opposite
 from sceneweaver.render.room_finish import FLOORS, finishes_of
 from sceneweaver.render.room_floor import floor_mesh
 from sceneweaver.render.room_light import corner_light, lamps_of
 from sceneweaver.render.room_shell import STUB, build_shell
-from sceneweaver.scene import Door, InputError, Pose, Room, Scene, Window
+from sceneweaver.render.room_walls import add_wall_finish
+from sceneweaver.scene import Door, InputError, Pose, Room, RoomFinish, Scene, Window
 from tests.render.scenes import ZOO, box, everything, room_of
 
 QUICK = Quality(rays=1, shades=1, radius=1)
@@ -126,7 +128,7 @@ def test_doors_stand_ajar_from_the_hinge_that_their_swing_names(swing, hinge: fl
 @pytest.mark.parametrize("kind", FLOORS)
 def test_floors_cover_their_plan_and_no_more(kind: str) -> None:
     plan = np.array(L_ROOM)
-    mesh = floor_mesh(kind, plan, plan)
+    mesh = floor_mesh(kind, Material("floor", (0.5, 0.5, 0.5)), plan, plan)
     corners = mesh.vertices[mesh.faces]
     lid = np.abs(corners[:, :, 2]).max(axis=1) < 1e-9
     a, b, c = (corners[lid, k, :2] for k in range(3))
@@ -136,27 +138,66 @@ def test_floors_cover_their_plan_and_no_more(kind: str) -> None:
     assert mesh.bounds[1, 2] == pytest.approx(0.0, abs=1e-9)
 
 
+def finished(scene: Scene, **finish) -> Scene:
+    return scene.model_copy(update={"room": scene.room.model_copy(update={"finish": RoomFinish(**finish)})})
+
+
 def test_finishes_come_from_the_scene_else_from_the_room() -> None:
     scene = furnished()
-    assert finishes_of(scene).floor == "wood"
+    assert finishes_of(scene).looks.floor_kind == "wood"
     bath = scene.model_copy(update={"room": scene.room.model_copy(update={"type": "small_bathroom"})})
-    assert finishes_of(bath).floor == "tile"
-    said = scene.model_copy(update={"provenance": {"finish": {"floor": "stone", "walls": "sage"}}})
-    look = finishes_of(said)
-    assert look.floor == "stone" and look.wall.color[1] > max(look.wall.color[0], look.wall.color[2])
+    assert finishes_of(bath).looks.floor_kind == "tile"
+    look = finishes_of(finished(scene, walls="sage", floor={"material": "stone", "tone": "sand"}))
+    assert look.looks.floor_kind == "stone" and look.looks.floor.color[0] > look.looks.floor.color[2]
+    paint = look.wall(0).color
+    assert paint[1] > max(paint[0], paint[2])
+
+
+def test_an_accent_wall_is_painted_and_the_others_are_not() -> None:
+    scene = finished(furnished(), walls="white", accent={"kind": "paint", "color": "navy", "walls": [2]})
+    shell = build_shell(scene.room, finishes_of(scene))
+    names = [{m.name for m in mesh.materials} for mesh in shell.walls if mesh is not None]
+    assert ["navy wall" in found for found in names] == [k == 2 for k in range(len(names))]
+
+
+@pytest.mark.parametrize(
+    ("finish", "thick"),
+    [
+        ({"accent": {"kind": "paper", "color": "sage", "walls": [1]}}, 0.002),
+        ({"accent": {"kind": "panelling", "color": "sage", "walls": [1]}}, 0.02),
+        ({"tiles": {"color": "white", "low": 0.2, "high": 2.0, "walls": [1]}}, 0.004),
+    ],
+)
+def test_what_is_on_a_wall_is_thin_and_leaves_its_openings_free(finish, thick: float) -> None:
+    room = furnished().room.model_copy(update={"windows": (), "doors": ()})
+    window = Window(id="w", wall=1, offset=0.5, width=1.0, sill=0.5, height=1.0)
+    room = room.model_copy(update={"windows": (window,), "finish": RoomFinish(**finish)})
+    builder, plain = Builder(), Builder()
+    look = finishes_of(Scene(id="s", room=room))
+    add_wall_finish(builder, room, room.walls[1], look, room.height)
+    add_wall_finish(plain, room, room.walls[0], look, room.height)
+    mesh = builder.mesh()
+    assert mesh is not None and plain.mesh() is None
+    along, deep = room.walls[1].coordinates(mesh.vertices[:, :2].T)
+    assert deep.min() >= -1e-6 and deep.max() <= thick
+    assert along.min() > -1e-6 and along.max() < room.walls[1].length + 1e-6
+    corners = np.stack([along, mesh.vertices[:, 2]], axis=1)[mesh.faces]
+    middle = corners.mean(axis=1)
+    inside = (abs(middle[:, 0] - 1.0) < 0.48) & (abs(middle[:, 1] - 1.0) < 0.48)
+    assert not inside.any()
 
 
 @pytest.mark.parametrize(
     ("finish", "message"),
     [
-        ({"floor": "lava"}, r"provenance\.finish\.floor: 'lava' is unknown; use one of wood"),
-        ({"walls": "octarine"}, r"provenance\.finish\.walls: 'octarine' is unknown"),
+        ({"walls": "octarine"}, r"room\.finish\.walls: 'octarine' is unknown"),
+        ({"floor": {"tone": "octarine"}}, r"room\.finish\.floor\.tone: 'octarine' is unknown"),
+        ({"tiles": {"color": "octarine", "high": 1.0}}, r"room\.finish\.tiles\.color: 'octarine' is unknown"),
     ],
 )
-def test_unknown_finishes_are_refused(finish: dict[str, str], message: str) -> None:
-    scene = furnished().model_copy(update={"provenance": {"finish": finish}})
+def test_unknown_finishes_are_refused(finish, message: str) -> None:
     with pytest.raises(InputError, match=message):
-        finishes_of(scene)
+        finishes_of(finished(furnished(), **finish))
 
 
 def test_unknown_views_sizes_and_assets_are_refused() -> None:

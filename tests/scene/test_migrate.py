@@ -7,7 +7,7 @@ import math
 
 import pytest
 
-from sceneweaver.scene import SCHEMA, InputError, Scene, migration
+from sceneweaver.scene import SCHEMA, FloorFinish, InputError, RoomFinish, Scene, migration
 from sceneweaver.scene import migrate as module
 from sceneweaver.scene.migrate import _migrations, migrate
 
@@ -114,3 +114,20 @@ def test_a_migration_that_stumbles_gives_one_line(small, monkeypatch):
 def test_only_older_versions_without_migration_take_one(schema):
     with pytest.raises(InputError, match="has a migration already|is no version before"):
         migration(schema)
+
+
+def test_finishes_of_old_files_move_from_the_provenance_to_the_room(small):
+    small["provenance"] = {"seed": 7, "finish": {"floor": "stone", "walls": "sage"}}
+    before = copy.deepcopy(small)
+    scene = Scene.from_json(small)
+    assert small == before and scene.provenance == {"seed": 7}
+    assert scene.room.finish == RoomFinish(walls="sage", floor=FloorFinish(material="stone"))
+    again = scene.to_json()
+    assert migrate(again) is again and Scene.from_json(again) == scene
+
+
+def test_a_finish_of_somebody_else_stays_in_the_provenance(small):
+    for foreign in ({"floor": "lava"}, {"gloss": 3}, "matte", {"walls": 3}):
+        small["provenance"] = {"finish": foreign}
+        scene = Scene.from_json(small)
+        assert scene.room.finish is None and scene.provenance == {"finish": foreign}

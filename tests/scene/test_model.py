@@ -408,3 +408,12 @@ def test_a_scene_has_ten_thousand_objects_at_most(small):
         Scene.from_json(small)
     small["objects"] = many[:-1]
     assert len(Scene.from_json(small).objects) == 10_000
+
+
+def test_finishes_are_on_walls_that_exist(small):
+    small["room"]["finish"] = {"accent": {"color": "sage", "walls": [9]}}
+    with pytest.raises(InputError, match=r"room\.finish\.accent\.walls: there is no wall 9; the outline has"):
+        Scene.from_json(small)
+    small["room"]["finish"] = {"tiles": {"color": "white", "low": 1.0, "high": 0.5}}
+    with pytest.raises(InputError, match=r"tiles\.high is 0\.5, not above low"):
+        Scene.from_json(small)

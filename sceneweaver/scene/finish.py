@@ -1,0 +1,58 @@
+"""What floor and walls of a room are finished with; colours and woods by the names of the asset library."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from .base import FrozenModel
+from .fields import Index, Length, Name, Offset
+from .messages import FieldError
+
+FloorMaterial = Literal["wood", "tile", "carpet", "concrete", "stone"]
+
+
+class FloorFinish(FrozenModel):
+    """What a floor is of."""
+
+    material: FloorMaterial = Field(default="wood", description="What it is laid of")
+    tone: Name | None = Field(default=None, description="A finish of wood, else a colour; null: the usual one")
+
+
+class WallAccent(FrozenModel):
+    """Walls that are done otherwise than the others: another paint, striped paper, or panels up to some height."""
+
+    kind: Literal["paint", "paper", "panelling"] = "paint"
+    color: Name = Field(description="Its colour")
+    walls: Annotated[tuple[Index, ...], Field(min_length=1)] = Field(description="Numbers of the walls")
+
+
+class WallTiles(FrozenModel):
+    """A band of tiles on walls."""
+
+    color: Name = Field(description="Colour of the tiles")
+    low: Offset = Field(default=0.0, description="Height at which it begins [m]")
+    high: Length = Field(description="Height at which it ends [m]")
+    walls: tuple[Index, ...] | None = Field(default=None, description="Numbers of the walls; null: all")
+
+    @model_validator(mode="after")
+    def _check(self) -> Self:
+        if self.high <= self.low:
+            raise FieldError(("high",), f"is {self.high:.6g}, not above low ({self.low:.6g}); make it higher")
+        return self
+
+
+class RoomFinish(FrozenModel):
+    """Paint, paper, panels and tiles of the walls, and the floor."""
+
+    walls: Name = Field(default="white", description="Colour of the walls")
+    floor: FloorFinish = FloorFinish()
+    accent: WallAccent | None = None
+    tiles: WallTiles | None = None
+
+    @property
+    def named_walls(self) -> tuple[tuple[str, int], ...]:
+        """The walls that its parts name: part and number."""
+        parts = (("accent", self.accent), ("tiles", self.tiles))
+        return tuple((name, wall) for name, part in parts if part is not None for wall in part.walls or ())

@@ -1,0 +1,45 @@
+"""Walls and floor of a room that is drawn: by the palette of the room, with a tiled band where there is water."""
+
+from __future__ import annotations
+
+from sceneweaver.geometry.angles import dot
+from sceneweaver.knowledge import RoomType
+from sceneweaver.knowledge.palettes import Palette, accent_for, floor_for
+from sceneweaver.scene import Room, RoomFinish, WallAccent, WallTiles
+from sceneweaver.scene.finish import FloorFinish
+
+TILED = {"bathroom": (0.0, 2.1), "guest_toilet": (0.0, 1.2), "kitchen": (0.9, 1.5), "laundry_room": (0.9, 1.5)}
+"""Heights [m] between which the walls of a kind of room are tiled."""
+
+
+def finished(room: Room, room_type: RoomType, palette: Palette, seed: int) -> Room:
+    """The room with the paint, accent wall, tiles and floor of its palette."""
+    floor = floor_for(room_type.name, room_type.floor, seed)
+    tiles = TILED.get(room_type.name)
+    kind = accent_for(room_type.name, seed)
+    wall = accent_wall(room)
+    accent = None
+    if kind != "plain" and tiles is None and wall is not None:
+        accent = WallAccent(kind=kind, color=palette.accent, walls=(wall,))
+    finish = RoomFinish(
+        walls=palette.walls,
+        floor=FloorFinish(material=floor, tone=palette.floors.get(floor)),
+        accent=accent,
+        tiles=None if tiles is None else WallTiles(color=tile_color(palette), low=tiles[0], high=tiles[1]),
+    )
+    return room.model_copy(update={"finish": finish})
+
+
+def tile_color(palette: Palette) -> str:
+    """Colour of tiles on walls: white, but the accent where the walls are white themselves."""
+    return "white" if palette.walls != "white" else palette.accent
+
+
+def accent_wall(room: Room) -> int | None:
+    """The wall that an accent is on: the longest without door and window, one across from the door before others."""
+    ahead = room.walls[room.doors[0].wall].inward if room.doors else (0.0, 1.0)
+    bare = [wall for wall in room.walls if not room.openings_of(wall.index)]
+    if not bare:
+        return None
+    best = max(bare, key=lambda wall: (wall.length > 2.0, -dot(wall.inward, ahead) > 0.5, wall.length))
+    return best.index if best.length > 1.5 else None
