@@ -16,6 +16,8 @@ from sceneweaver.scene.edits import Add, AnyEdit, Relate
 from .base import Context, Proposal
 from .card import checked
 from .draft import Draft, groups_of
+from .prior_lights import OVER, TABLE, hanging_height
+from .prior_program import free_zones
 from .relating import relations_of, row_of
 from .spots import fits_on, spot_on
 from .usual import item_for, rows_for
@@ -145,7 +147,19 @@ def _bodies(
         panes = [w.width for w in context.scene.room.windows]
         if panes:
             wish = replace(wish, size=(wish.size[0], max(panes) + 0.3, wish.size[2]))
+    if mount == "ceiling" and wish.size[2] is None:
+        drop = hanging_height(category, context.scene.room.height, _under(draft, row, item))
+        wish = replace(wish, size=(*wish.size[:2], drop)) if drop is not None else wish
     return context.library.choose(category, count, wish, same)
+
+
+def _under(draft: Draft, row: Mapping[str, Any], item: Item | None) -> float | None:
+    """The height [m] of the table that a lamp hangs over; None for no table."""
+    places = [row_of(r) for r in row.get("place", ())]
+    rows = places or [{"type": p.type, "to": p.to} for p in (item.place if item is not None else ())]
+    words = [r["to"] for r in rows if r["type"] in OVER and isinstance(r["to"], str)]
+    named = [draft.objects[id] for word in words for id in draft.named(word)]
+    return next((o.size[2] for o in named if o.size[2] >= TABLE and "table_group" in groups_of(o.category)), None)
 
 
 def _wish(context: Context, row: Mapping[str, Any], item: Item | None, seed: int) -> Wish:
@@ -211,7 +225,7 @@ def _object(
         keep_clear=mount == "wall" and asset.category not in AT_WINDOWS,
     )
     obj = asset.object(id, pose=pose, mount=mount, support=support)  # type: ignore[arg-type]
-    return obj.model_copy(update={"intent": intent})
+    return obj.model_copy(update={"intent": intent, "zones": free_zones(item, obj)})
 
 
 def _asked(context: Context, draft: Draft, category: str) -> str | None:

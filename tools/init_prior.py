@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
+from dataclasses import replace
 
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.brief import Grounded, SceneGraph
@@ -15,7 +16,8 @@ from sceneweaver.scene.palette import MOST_COLORS
 from .base import Context, Proposal
 from .draft import walls_of
 from .prior_finish import finished
-from .prior_program import BLIND, BY_RANK, Program, Wanted, build, demands
+from .prior_lights import lamp_count
+from .prior_program import BLIND, BY_RANK, Program, Wanted, build, demands, free_zones
 from .prior_relations import of_brief, of_items, rows_of
 from .prior_rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
 from .prior_rows import in_rows, row_variants
@@ -181,11 +183,16 @@ def _scene(
 
 def _program(context: Context, space: Room, area: float, people: int, palette: Palette) -> Program:
     room, brief = context.room_type, context.brief
-    wishes = demands(room, brief, area, people, len(space.windows), context.seed)
+    wishes = [
+        replace(wish, count=lamp_count(wish.item, space.outline, wish.count)) if wish.asked is None else wish
+        for wish in demands(room, brief, area, people, len(space.windows), context.seed)
+    ]
     pane = (space.windows[0].width, space.windows[0].height) if space.windows else None
     fill = FILL[brief.density]
     walls = walls_of(space)
-    return build(wishes, room, brief, context.library, area, walls, WALLED * walls, fill, context.seed, palette, pane)
+    return build(
+        wishes, room, brief, context.library, area, walls, WALLED * walls, fill, context.seed, palette, pane, space.height
+    )
 
 
 def _object(one: Wanted, space: Room, over: float, clear: bool, places: Places) -> SceneObject:
@@ -200,8 +207,9 @@ def _object(one: Wanted, space: Room, over: float, clear: bool, places: Places) 
         keep_clear=one.mount == "wall" and clear,
     )
     obj = places.objects.get(one.id) or one.asset.object(one.id, pose=pose, mount=one.mount)  # type: ignore[arg-type]
+    zones = free_zones(one.item, obj)
     top = (places.tops[one.id],) if one.id in places.tops and not obj.surfaces else obj.surfaces
-    return obj.model_copy(update={"intent": intent, "surfaces": top})
+    return obj.model_copy(update={"intent": intent, "surfaces": top, "zones": zones})
 
 
 def _hang(one: Wanted, space: Room, over: float) -> tuple[float, float]:

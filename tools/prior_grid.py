@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -15,6 +16,12 @@ PULL = 0.135
 
 WAYS = (1.0, 0.8, 0.6)
 """Widths [m] of the ways between rows that are tried; between neighbours in a row it is half of that."""
+
+CLUSTERS = (6, 4, 2)
+"""Most pieces of a cluster, as they are tried."""
+
+TOUCHING = {"gap": (0.0, 0.02)}
+"""Gap [m] between the pieces of a cluster."""
 
 LEAST = 3
 """Groups that make a grid."""
@@ -47,19 +54,71 @@ class Group:
         return self.box[3] - self.box[1]
 
 
-def _stands(one: Wanted) -> bool:
-    return one.item is not None and one.item.row == "grid" and one.parent is None and one.support is None
+def _stands(one: Wanted, row: str = "grid") -> bool:
+    return one.item is not None and one.item.row == row and one.parent is None and one.support is None
 
 
 def in_grid(program: Sequence[Wanted]) -> bool:
-    """Whether enough of a program stands in rows for there to be a grid."""
-    return sum(map(_stands, program)) >= LEAST
+    """Whether enough of a program stands in rows for there to be a grid, or in clusters."""
+    return sum(map(_stands, program)) >= LEAST or sum(_stands(w, "cluster") for w in program) >= 2
 
 
 def grid_variants(program: Sequence[Wanted], room: Room, strip: float) -> list[tuple[Relation, ...]]:
     """The relations of grids of different shape, the roomiest first, that the floor less a strip [m] at the walls has
-    space for: rows across the room and along it, of one kind of group each or of several."""
+    space for: rows across the room and along it, of one kind of group each or of several.
+
+    What stands in clusters is one group a cluster; other clusters are tried where the first do not fit.
+    """
     groups = [_group(w, program) for w in program if _stands(w)]
+    clustered = [w for w in program if _stands(w, "cluster")]
+    if len(clustered) < 2:
+        return _grids(groups, room, strip)
+    found: list[tuple[Relation, ...]] = []
+    for most in CLUSTERS:
+        clusters = _clusters(clustered, most)
+        inner = tuple(relation for cluster in clusters for relation in _back_to_back(cluster))
+        every = groups + [_cluster_group(cluster, program) for cluster in clusters]
+        found += [(*inner, *outer) for outer in _grids(every, room, strip)]
+        if len(clustered) <= 2:
+            break
+    return found
+
+
+def _clusters(anchors: Sequence[Wanted], most: int) -> list[list[Wanted]]:
+    """The anchors in clusters of at most so many, nearly equal and of an even number where that can be."""
+    pairs = math.ceil(len(anchors) / 2)
+    parts = math.ceil(pairs / (most // 2))
+    found, at = [], 0
+    for k in range(parts):
+        size = 2 * ((pairs + k) // parts)
+        found.append(list(anchors[at : at + size]))
+        at += size
+    return [cluster for cluster in found if cluster]
+
+
+def _back_to_back(cluster: Sequence[Wanted]) -> list[Relation]:
+    """Pairs with their backs together, pair beside pair."""
+    found = []
+    for k, one in enumerate(cluster):
+        if k % 2:
+            params = {**TOUCHING, "overlap": 0.98}
+            found.append(Relation(type="back_to_back", subject=one.id, target=cluster[k - 1].id, params=params))
+        elif k:
+            params = {"side": "left", **TOUCHING, "offset": 0.02}
+            found.append(Relation(type="next_to", subject=one.id, target=cluster[k - 2].id, params=params))
+    return found
+
+
+def _cluster_group(cluster: Sequence[Wanted], program: Sequence[Wanted]) -> Group:
+    """The cluster as a group about its first piece."""
+    x0, y0, x1, y1 = _group(cluster[0], program).box
+    d, w, _ = cluster[0].asset.size
+    if len(cluster) > 1:
+        x0 = -d - x1
+    return Group(cluster[0], (x0, y0, x1, y1 + w * ((len(cluster) - 1) // 2)))
+
+
+def _grids(groups: Sequence[Group], room: Room, strip: float) -> list[tuple[Relation, ...]]:
     xs, ys = [p[0] for p in room.outline], [p[1] for p in room.outline]
     length, depth = max(xs) - min(xs), max(ys) - min(ys)
     found: list[tuple[Relation, ...]] = []
@@ -69,7 +128,7 @@ def grid_variants(program: Sequence[Wanted], room: Room, strip: float) -> list[t
                 for long, deep in ((length, depth), (depth, length)):
                     rows = _rows(groups, long - 2 * margin, way, mixed)
                     relations = _relations(rows, long - 2 * margin, deep - 2 * margin, way) if rows else None
-                    if relations and relations not in found:
+                    if relations is not None and relations not in found:
                         found.append(relations)
         if found:
             break

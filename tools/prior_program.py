@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets import Asset, Library, Look, Wish, categories, drawable
 from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import category_named, members, narrower
+from sceneweaver.assets.zones import cleared, hung_at
 from sceneweaver.brief import Entity, SceneGraph
 from sceneweaver.brief.pairs import groups_of
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.knowledge.kin import kin
-from sceneweaver.scene import PRIORITIES, InputError, Palette
+from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
 from .draft import CRAMMED
+from .prior_lights import OVER, TABLE, hanging_height
 
 FULL_LENGTH, BLIND = ("curtain", "sheer_curtain"), "window_blind"
 
@@ -328,12 +330,14 @@ def build(
     seed: int,
     palette: Palette,
     pane: tuple[float, float] | None = None,
+    ceiling: float = 2.6,
 ) -> Program:
     """Choose bodies for all demands, as long as the floor [m2] and the walls [m] have room for them.
 
     ``space`` is the length of all walls; the usual ends where ``wall`` of it or ``fill`` of the floor is taken,
     what is asked for or needed where not even `CRAMMED` would do. ``pane`` is the width and height [m] of the windows,
-    for what hangs before them; ``palette`` is the room's.
+    for what hangs before them, ``ceiling`` the height [m] of the room, for lamps that hang down; ``palette`` is the
+    room's.
     """
     program, by_item = Program(), {}
     for number, demand in enumerate(sorted(wishes, key=_order(room_type))):
@@ -341,7 +345,7 @@ def build(
         parents: list[Wanted | None] = [None]
         total = demand.asked is not None and demand.asked.count is not None
         if item is not None and item.with_ is not None:
-            parents = [w for w in by_item.get(item.with_, ())]
+            parents = [w for w in by_item.get(item.with_, ()) if not item.when or w.category in item.when]
             if not parents:
                 if demand.asked is None:
                     continue
@@ -350,6 +354,9 @@ def build(
         if item is not None and _hangs_at_windows(item) and pane and wish.size[1] is None:
             high = 0.5 * pane[1] if demand.categories[0] == BLIND else wish.size[2]  # drawn up half the way
             wish = replace(wish, size=(wish.size[0], pane[0] + 0.3, high))
+        if demand.categories and wish.size[2] is None and held is None:
+            drop = hanging_height(demand.categories[0], ceiling, _hung_over(item, by_item))
+            wish = replace(wish, size=(*wish.size[:2], drop)) if drop is not None else wish
         pieces = demand.count if total else demand.count * len(parents)
         if not pieces:
             continue
@@ -386,6 +393,23 @@ def build(
             by_item.setdefault(item.id, []).extend(made)
     _name(program.wanted)
     return program
+
+
+def _hung_over(item: Item | None, by_item: Mapping[str, Sequence[Wanted]]) -> float | None:
+    """The height [m] of the furniture that lamps of an item hang over; None where that is no table."""
+    for place in item.place if item is not None else ():
+        under = by_item.get(place.to or "", ()) if place.type in OVER else ()
+        if under and under[0].asset.size[2] >= TABLE and "table_group" in groups_of(under[0].category):
+            return under[0].asset.size[2]
+    return None
+
+
+def free_zones(item: Item | None, obj: SceneObject) -> tuple[Zone, ...]:
+    """The zones of an object with what its item keeps free before it here."""
+    if item is None or not item.clear:
+        return obj.zones
+    low = (item.bottom[0] if item.bottom else hung_at(category_named(obj.category))) if obj.mount == "wall" else 0.0
+    return cleared(obj.zones, item.clear, obj.size, low)
 
 
 def _order(room_type: RoomType):

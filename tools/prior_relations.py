@@ -13,6 +13,7 @@ from sceneweaver.geometry.angles import cross, dot
 from sceneweaver.knowledge import Place
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Room
 
+from .prior_lights import place_along
 from .prior_program import Wanted
 from .prior_rows import run_of
 from .prior_seats import seat_relations
@@ -24,15 +25,15 @@ CONFLICTS: dict[str, frozenset[str]] = {
     "in_corner": frozenset(("at_window", "centered_on", "near")),
     "at_window": frozenset(("in_corner", "centered_on")),
     "between": frozenset(("in_corner", "at_window", "near")),
-    "in_middle": _EDGE | {"near", "centered_on"},
-    "over": _EDGE | {"near", "centered_on"},
-    "near_window": frozenset(("in_corner", "at_window", "away_from_door")),
-    "near_door": frozenset(("in_corner", "at_window", "away_from_door")),
+    "in_middle": _EDGE | {"near", "centered_on", "over", "on_grid"},
+    "over": _EDGE | {"near", "centered_on", "on_grid"},
+    "near_window": frozenset(("in_corner", "at_window", "away_from_door", "on_grid")),
+    "near_door": frozenset(("in_corner", "at_window", "away_from_door", "on_grid")),
     "facing": frozenset(("facing",)),
 }
 """What a room's own relations of a thing give way to: the type that was asked for, and the types that it replaces."""
 
-TOGETHER = (CATALOGUE.with_role("placing") | CATALOGUE.with_role("turning") | {"distance"}) - _EDGE
+TOGETHER = (CATALOGUE.with_role("placing") | CATALOGUE.with_role("turning") | {"distance", "on_grid"}) - _EDGE
 """Types that say where a thing is by another; asked for one, it is not bound to a third thing."""
 
 BEHIND_IT = frozenset(("behind", "around"))
@@ -123,6 +124,7 @@ def _of_place(one: Wanted, place: Place, by_item: dict[str, list[Wanted]], room:
     if params.get("door_walls") == "avoided" and not _free_wall(room, one.asset.size[1]):
         del params["door_walls"]
     target: str | None = None
+    other: Wanted | None = None
     if one.support is not None and place.type in CATALOGUE.with_role("edge"):
         return None
     if kind.startswith("window"):
@@ -144,6 +146,13 @@ def _of_place(one: Wanted, place: Place, by_item: dict[str, list[Wanted]], room:
         target = other.id
         if place.type == "above" and other.asset.size[2] + one.asset.size[2] + CEILING > room.height:
             return None
+    if place.type == "over" and one.item is not None and other is not None and one.mount == "ceiling":
+        lamps = [w for w in by_item[one.item.id] if w.parent is one.parent]
+        params |= place_along(other.asset.size, lamps.index(one), len(lamps))
+    if place.type == "on_grid" and one.item is not None:
+        if one.mount != "ceiling":
+            return None
+        params |= {"k": by_item[one.item.id].index(one), "n": len(by_item[one.item.id])}
     if place.type == "around" and "n" not in params:
         params["n"] = sum(w.parent is one.parent for w in by_item[one.item.id]) if one.item else 1
         if params["n"] < 2:

@@ -56,16 +56,20 @@ def in_rows(program: Sequence[Wanted]) -> bool:
 def run_of(program: Sequence[Wanted]) -> list[Wanted]:
     """The pieces of the run in order, if items make one."""
     run = [w for w in program if w.item and w.item.row == "run" and w.mount == "floor"]
-    return sorted(run, key=lambda w: (w.item.run if w.item and w.item.run is not None else 0.5, w.number))
+    return sorted(run, key=_order)
 
 
 def lines_of(program: Sequence[Wanted]) -> list[list[Wanted]]:
-    """The pieces of each line, of items that have two or more."""
-    by_item: dict[str, list[Wanted]] = {}
+    """The pieces in order of each line of two or more: those of an item, or of all items that name it."""
+    lines: dict[str, list[Wanted]] = {}
     for one in program:
-        if one.item and one.item.row == "line" and one.mount == "floor" and one.parent is None:
-            by_item.setdefault(one.item.id, []).append(one)
-    return [pieces for pieces in by_item.values() if len(pieces) >= 2]
+        if one.item and one.item.row == "line" and one.mount in ("floor", "wall") and one.parent is None:
+            lines.setdefault(one.item.line or one.item.id, []).append(one)
+    return [sorted(pieces, key=_order) for pieces in lines.values() if len(pieces) >= 2]
+
+
+def _order(one: Wanted) -> tuple[float, int]:
+    return (one.item.run if one.item and one.item.run is not None else 0.5), one.number
 
 
 def _run_variants(pieces: Sequence[Wanted], room: Room) -> Iterator[Variant]:
@@ -103,7 +107,14 @@ def _run(pieces: Sequence[Wanted], first: int, corner: bool) -> Variant:
 
 
 def _line_variants(pieces: Sequence[Wanted], room: Room) -> Iterator[Variant]:
-    """A line with as much space between its pieces as the longest wall has, with little, and in two parts."""
+    """A line with as much space between its pieces as the longest wall has, with little, and in two parts; where its
+    items say the gaps, with those, whole or in two parts."""
+    if any(one.item and one.item.gap for one in pieces):
+        yield _line(pieces, LOOSE[0])
+        if len(pieces) >= 4:
+            half = len(pieces) // 2
+            yield _line(pieces[:half], LOOSE[0]) + _line(pieces[half:], LOOSE[0])
+        return
     widths = [one.asset.size[1] for one in pieces]
     longest = max(length for length, _ in _walls(room))
     spare = (longest - sum(widths)) / (len(pieces) + 1)
@@ -115,11 +126,12 @@ def _line_variants(pieces: Sequence[Wanted], room: Room) -> Iterator[Variant]:
 
 
 def _line(pieces: Sequence[Wanted], gap: float) -> Variant:
-    span = [round(max(0.02, gap - PLAY), 3), round(gap + PLAY, 3)]
-    return tuple(
-        Relation(type="next_to", subject=b.id, target=a.id, params={"side": "right", "gap": span})
-        for a, b in itertools.pairwise(pieces)
-    )
+    usual = (round(max(0.02, gap - PLAY), 3), round(gap + PLAY, 3))
+    found = []
+    for a, b in itertools.pairwise(pieces):
+        span = list((b.item and b.item.gap) or usual)
+        found.append(Relation(type="next_to", subject=b.id, target=a.id, params={"side": "right", "gap": span}))
+    return tuple(found)
 
 
 def _walls(room: Room) -> list[tuple[float, bool]]:

@@ -113,7 +113,7 @@ _KIN: tuple[frozenset[str], ...] = (
     _set("rug round_rug runner_rug"),
     _set("curtain sheer_curtain window_blind"),
     _set("picture poster photo_frames tapestry"),
-    _set("wall_mirror round_mirror standing_mirror medicine_cabinet"),
+    _set("wall_mirror round_mirror gym_mirror standing_mirror medicine_cabinet"),
     _set("whiteboard blackboard mobile_whiteboard projector_screen"),
     _set("ceiling_light pendant chandelier track_light ceiling_fan"),
     _set("floor_lamp tripod_lamp arc_lamp"),

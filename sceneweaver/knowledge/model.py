@@ -11,6 +11,7 @@ from sceneweaver.scene import CATALOGUE
 from sceneweaver.scene.base import FrozenModel
 
 Need = Literal["needed", "usual", "optional"]
+Side = Literal["front", "back", "left", "right", "top"]
 Range = tuple[float, float]
 
 PLACES = ("wall", "window", "door", "wall:far")
@@ -97,6 +98,7 @@ class Item(FrozenModel):
     need: Need = "usual"
     count: Count = Count()
     with_: str | None = Field(default=None, alias="with")
+    when: tuple[str, ...] = Field(default=(), description="Categories of what it goes with that it is for; none: all")
     same: bool = Field(default=True, description="Whether all are equal, like dining chairs")
     size: tuple[Range | None, Range | None, Range | None] = Field(
         default=(None, None, None), description="Sizes [m] here, where they differ from the category's"
@@ -107,12 +109,19 @@ class Item(FrozenModel):
     )
     color: str | None = None
     place: tuple[Place, ...] = ()
-    row: Literal["grid", "line", "run"] | None = Field(
+    row: Literal["grid", "cluster", "line", "run"] | None = Field(
         default=None,
-        description="How several are set out: in a grid, along a wall at even distances, or flush side by side along "
-        "a wall together with all other items that say run, as in a kitchen",
+        description="How several are set out: in a grid, back to back in clusters on a grid, in a line at even "
+        "distances, or flush side by side along a wall together with all other items that say run, as in a kitchen",
     )
-    run: float | None = Field(default=None, description="Place in the run: small numbers first; equal ones by number")
+    run: float | None = Field(
+        default=None, description="Place in the run or line: small numbers first; equal ones by number"
+    )
+    line: str | None = Field(default=None, description="Name of the line that it shares with the items that say so")
+    gap: Range | None = Field(default=None, description="Distance [m] in a line to the one before it")
+    clear: dict[Side, float] = Field(
+        default={}, description="Depth [m] to keep free before these sides here, where it is not the category's"
+    )
     on: tuple[str, ...] = Field(default=(), description="Items on whose surfaces it stands")
     top: str | None = Field(default=None, description="Arrangement on its top: a file in arrangements/")
     fill: str | None = Field(default=None, description="Theme that fills its shelves or top: a file in crowds/")

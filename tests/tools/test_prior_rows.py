@@ -44,10 +44,32 @@ def test_variants_hang_together(words, propose):
 
 def test_a_grid_is_one_chain(propose):
     proposal = propose("a restaurant for 40 people")
-    tables = {o.id for o in proposal.scene.objects if o.intent.program_item in ("table4", "table2")}
+    tables = {o.id for o in proposal.scene.objects if o.intent.program_item in ("four_table", "two_table")}
     for variant in proposal.variants:
         placed = {r.subject for r in variant if r.type == "next_to"} & tables
         assert len(tables - placed) == 1, "all but the first table have a neighbour"
+
+
+def test_desks_stand_back_to_back_in_clusters(propose):
+    proposal = propose("an office for 6 people")
+    desks = [o.id for o in proposal.scene.objects if o.intent.program_item == "desk"]
+    assert len(desks) == 6 and proposal.variants
+    for variant in proposal.variants:
+        backs = [r for r in variant if r.type == "back_to_back"]
+        assert len(backs) == 3 and {i for r in backs for i in (r.subject, *r.targets)} == set(desks)
+        beside = {r.subject for r in variant if r.type == "next_to"} & set(desks)
+        assert len(beside) == 2, "of three pairs two stand beside or before another"
+
+
+def test_a_line_of_several_items_stands_in_their_order(propose):
+    proposal = propose("an office for 6 people")
+    item = {o.id: o.intent.program_item for o in proposal.scene.objects}
+    order = ["bookcase", "cabinet", "printer_table"]
+    whole = [r for r in proposal.variants[0] if item[r.subject] in order]
+    assert len(whole) == sum(name in order for name in item.values()) - 1
+    for r in whole:
+        assert order.index(item[r.target]) <= order.index(item[r.subject])
+        assert r.params["side"] == "right" and r.params["gap"] == (0.0, 0.03)
 
 
 def test_seats_share_the_sides_of_a_table(propose):

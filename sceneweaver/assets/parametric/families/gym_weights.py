@@ -120,6 +120,7 @@ def squat_rack(b: Builder) -> None:
                 "black plastic",
             )
         _barbell(b, x1 + 0.06, z, w, _bumper(b, b.whole("plates each side", 1, 3)), 0.225)
+    b.zone("inside", (x0, d / 2), (-cage / 2, cage / 2))
 
 
 @gear("smith_machine")

@@ -117,6 +117,19 @@ def wall_mirror(b: Builder) -> None:
         b.box((x[0], x[1] - 0.006), (-w / 2 + bar, w / 2 - bar), (bar, h - bar), "mirror", bevel=0.0)
 
 
+@draws("gym_mirror")
+def gym_mirror(b: Builder) -> None:
+    """Panels of mirror side by side, without a frame, held by rails at the foot and the head."""
+    d, w, h = b.size
+    count = max(2, round(w / 1.0))
+    with b.solid("mirror"):
+        for k in range(count):
+            y = -w / 2 + k * w / count
+            b.box((-d / 2, d / 2 - 0.004), (y + 0.003, y + w / count - 0.003), (0.012, h - 0.012), "mirror", bevel=0.0)
+        for z in (0.0, h - 0.02):
+            b.box((-d / 2, d / 2), (-w / 2, w / 2), (z, z + 0.02), "brushed steel", bevel=0.0)
+
+
 def _arch(b: Builder, w: float, h: float, d: float, wood, bar: float) -> None:
     bar = min(bar, 0.025)
     for cut, x1, look in ((0.0, d / 2 - 0.003, wood), (bar, d / 2, "mirror")):
