@@ -191,7 +191,18 @@ def _program(context: Context, space: Room, area: float, people: int, palette: P
     fill = FILL[brief.density]
     walls = walls_of(space)
     return build(
-        wishes, room, brief, context.library, area, walls, WALLED * walls, fill, context.seed, palette, pane, space.height
+        wishes,
+        room,
+        brief,
+        context.library,
+        area,
+        walls,
+        WALLED * walls,
+        fill,
+        context.seed,
+        palette,
+        pane,
+        space.height,
     )
 
 

@@ -1,4 +1,4 @@
-"""The lighting plan: one lamp over each table or cluster, the others on a grid that covers the ceiling, none in the way."""
+"""The lighting plan: one lamp over each table, the others on a grid that covers the ceiling, and none in the way."""
 
 from __future__ import annotations
 
