@@ -17,7 +17,7 @@ from .base import Context, Proposal
 from .card import checked
 from .draft import Draft, groups_of
 from .prior_lights import OVER, TABLE, hanging_height
-from .prior_program import free_zones
+from .prior_program import free_zones, suite_of
 from .relating import relations_of, row_of
 from .spots import fits_on, spot_on
 from .usual import item_for, rows_for
@@ -184,6 +184,7 @@ def _wish(context: Context, row: Mapping[str, Any], item: Item | None, seed: int
         seed=seed % 2**31,
         count=1,
         beyond=any(extent is not None for extent in said),
+        suite=suite_of(item, palette.seed) if palette is not None else None,
     )
 
 

@@ -16,11 +16,13 @@ from sceneweaver.scene.palette import MOST_COLORS
 from .base import Context, Proposal
 from .draft import walls_of
 from .prior_finish import finished
+from .prior_fit import POOR, fitted
 from .prior_lights import lamp_count
 from .prior_program import BLIND, BY_RANK, Program, Wanted, build, demands, free_zones
 from .prior_relations import of_brief, of_items, rows_of
 from .prior_rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
 from .prior_rows import in_rows, row_variants
+from .prior_run import has_place
 from .prior_shell import floor_area, shell
 from .prior_supports import Places, laid, supported
 from .prior_tables import lengthened
@@ -72,7 +74,10 @@ class InitPrior:
         while True:
             space, remarks = shell(room, brief, area, seed, drawn)
             program = _program(context, space, area, people, palette)
-            if drawn < SHELLS and not walls_hold(space, program.wanted) and not context.hurried():
+            loose = _free_of_rows(program.wanted, rows_of(brief, program.wanted))
+            corners, cost = fitted(program, loose, space, context.library)
+            suits = cost < POOR and walls_hold(space, program.wanted)
+            if drawn < SHELLS and not suits and not context.hurried():
                 drawn += 1
                 continue
             supported(program, brief)
@@ -81,7 +86,7 @@ class InitPrior:
                 rows = rows_of(brief, program.wanted)
             places = laid(program, rows, context.library, brief, palette, seed)
             loose = _free_of_rows(program.wanted, rows)
-            variants = row_variants(loose, space, _strip(program.wanted))
+            variants = row_variants(loose, space, _strip(program.wanted), corners)
             crowded = program.footprint > FILL["full"] * area or program.wall > WALLED * walls_of(space)
             astray = not variants and in_rows(loose)
             attempt += 1
@@ -132,8 +137,8 @@ def kept(look: RoomPalette, style: str, seed: int) -> Palette:
 
 def _free_of_rows(wanted: Sequence[Wanted], rows: Sequence[Grounded]) -> list[Wanted]:
     """What may stand in a run, a line or a grid: what the request gives no other place."""
-    placed = {row.subject for row in rows if row.hard and row.type in PLACING}
-    return [one for one in wanted if one.id not in placed]
+    placed = {(row.subject, row.type) for row in rows if row.hard and row.type in PLACING}
+    return [one for one in wanted if not any(i == one.id and not has_place(one, type) for i, type in placed)]
 
 
 def _at_walls(wanted: Sequence[Wanted], rows: Sequence[Grounded]) -> list[Relation]:

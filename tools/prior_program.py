@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import zlib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -43,6 +44,9 @@ MANY = (5, 10)
 
 SMALL, SPARE = 0.3, 0.05
 """What takes at most this floor [m2] may take this share of the floor beyond what furniture fills."""
+
+RUN = 0.6
+"""Share of the floor under the units of a run that counts as taken: no ways lead around and between them."""
 
 HUNG = 0.75
 """Height of furniture hung on a wall, as a share of the least usual: its top is where it usually is."""
@@ -87,12 +91,14 @@ class Wanted:
 
     @property
     def footprint(self) -> float:
-        """Floor [m2] under it; half of it for a seat, as it goes partly under its table, and nothing for a rug."""
+        """Floor [m2] under it; less of it for a unit of a run, half for a seat, as it goes partly under its table, and
+        nothing for a rug."""
         d, w, h = self.asset.size
         if self.mount != "floor" or h < 0.02:
             return 0.0
         seat = self.parent is not None and "seating" in groups_of(self.category)
-        return d * w * (0.5 if seat else 1.0)
+        run = self.item is not None and self.item.row == "run"
+        return d * w * (0.5 if seat else RUN if run else 1.0)
 
     @property
     def mounted_from_behind(self) -> bool:
@@ -428,6 +434,11 @@ def _order(room_type: RoomType):
     return key
 
 
+def suite_of(item: Item | None, seed: int) -> int | None:
+    """The number of the suite that an item of a room belongs to, if any; ``seed`` is the room's."""
+    return None if item is None or item.suite is None else zlib.crc32(f"{seed}/{item.suite}".encode())
+
+
 def _wish(demand: Demand, palette: Palette, seed: int) -> tuple[Wish, str | None]:
     """What a body is chosen by, and what holds it where the words say so."""
     item, asked = demand.item, demand.asked
@@ -462,6 +473,7 @@ def _wish(demand: Demand, palette: Palette, seed: int) -> tuple[Wish, str | None
         words=" ".join(asked.words) if asked else "",
         seed=seed,
         count=1,
+        suite=suite_of(item, palette.seed),
     )
     return wish, look.mount
 

@@ -15,7 +15,7 @@ from sceneweaver.scene import CATALOGUE, InputError, Relation, Room
 
 from .prior_lights import place_along
 from .prior_program import Wanted
-from .prior_rows import run_of
+from .prior_run import has_place, run_of
 from .prior_seats import seat_relations
 
 _EDGE = frozenset(("against_wall", "side_against_wall", "in_corner", "at_window"))
@@ -76,6 +76,7 @@ def _beside(wanted: Sequence[Wanted]) -> list[Relation]:
     return [
         Relation(type="side_by_side", subject=b.id, target=a.id, hard=False, weight=0.5)
         for a, b in itertools.pairwise(run_of(wanted))
+        if not has_place(a, "in_corner") and not has_place(b, "in_corner")
     ]
 
 

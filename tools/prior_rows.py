@@ -8,12 +8,12 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 from sceneweaver.scene import Relation, Room
 
 from .prior_grid import grid_variants, in_grid
 from .prior_program import Wanted
+from .prior_run import TIGHT, Variant, run_of
 
 LOOSE = (0.12, 0.6)
 """Least and largest gap [m] between the pieces of a line."""
@@ -21,16 +21,14 @@ LOOSE = (0.12, 0.6)
 PLAY = 0.05
 """Length [m] by which the gaps of a line may differ before they are made equal."""
 
-TIGHT: dict[str, Any] = {"gap": [0.0, 0.012], "offset": 0.012, "degrees": 1.0}
-"""How exactly the pieces of a run have to fit: what looks like one piece of furniture has no steps."""
 
-Variant = tuple[Relation, ...]
-
-
-def row_variants(program: Sequence[Wanted], room: Room, strip: float, most: int = 6) -> list[Variant]:
+def row_variants(
+    program: Sequence[Wanted], room: Room, strip: float, corners: Sequence[Variant] = (), most: int = 6
+) -> list[Variant]:
     """Up to ``most`` ways to set out what stands in grids, lines and runs; empty when nothing does, or nothing fits.
 
-    ``strip`` [m] is the depth along the walls that a grid leaves to other things.
+    ``strip`` [m] is the depth along the walls that a grid leaves to other things, ``corners`` are the ways that a run
+    with a corner unit may go.
     """
     choices: list[list[Variant]] = []
     if in_grid(program):
@@ -39,7 +37,9 @@ def row_variants(program: Sequence[Wanted], room: Room, strip: float, most: int 
             return []
         choices.append(grids)
     run = run_of(program)
-    if len(run) > 1:
+    if corners:
+        choices.append(list(corners))
+    elif len(run) > 1:
         choices.append(list(_run_variants(run, room)))
     choices += [list(_line_variants(line, room)) for line in lines_of(program)]
     if not choices:
@@ -51,12 +51,6 @@ def row_variants(program: Sequence[Wanted], room: Room, strip: float, most: int 
 def in_rows(program: Sequence[Wanted]) -> bool:
     """Whether something of a program stands in grids, lines or runs."""
     return in_grid(program) or len(run_of(program)) > 1 or bool(lines_of(program))
-
-
-def run_of(program: Sequence[Wanted]) -> list[Wanted]:
-    """The pieces of the run in order, if items make one."""
-    run = [w for w in program if w.item and w.item.row == "run" and w.mount == "floor"]
-    return sorted(run, key=_order)
 
 
 def lines_of(program: Sequence[Wanted]) -> list[list[Wanted]]:

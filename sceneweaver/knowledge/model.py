@@ -107,6 +107,10 @@ class Item(FrozenModel):
     mount: Literal["floor", "wall", "ceiling", "surface"] | None = Field(
         default=None, description="What holds it, where it differs from the category's usual"
     )
+    spans: float | None = Field(
+        default=None, gt=0, description="Width as a share of that of what it goes with, such as a mirror over a basin"
+    )
+    suite: str | None = Field(default=None, description="All items of one suite match in finishes, fronts and handles")
     color: str | None = None
     place: tuple[Place, ...] = ()
     row: Literal["grid", "cluster", "line", "run"] | None = Field(

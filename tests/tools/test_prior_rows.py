@@ -26,7 +26,7 @@ def propose(library):
 @pytest.mark.parametrize("words", ["a restaurant for 40 people", "a kitchen", "a gym", "a classroom for 24 children"])
 def test_variants_hang_together(words, propose):
     proposal = propose(words)
-    known = set(proposal.scene.ids)
+    known = {*proposal.scene.ids, *(f"wall:{wall.index}" for wall in proposal.scene.room.walls)}
     assert proposal.variants
     for variant in proposal.variants:
         assert all({r.subject, *r.targets} <= known and r.hard for r in variant)

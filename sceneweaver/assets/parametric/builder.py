@@ -48,7 +48,8 @@ class Request:
 
     ``shape`` is a name of ``looks.yaml``, ``parts`` are counted ones (("drawers", 3), ...); a drawing that cannot show
     them leaves them out. ``label`` is what a body that stands for an unknown noun is called. ``palette`` is the code of
-    the room's, which all that is not asked otherwise follows.
+    the room's, which all that is not asked otherwise follows. Pieces of one ``suite`` (any number) match, of whatever
+    category: fronts, handles and worktops of a kitchen.
     """
 
     size: tuple[float | None, float | None, float | None] = (None, None, None)
@@ -59,6 +60,7 @@ class Request:
     parts: tuple[tuple[str, int], ...] = ()
     label: str | None = None
     palette: str | None = None
+    suite: int | None = None
 
     @property
     def suffix(self) -> str:
@@ -72,6 +74,8 @@ class Request:
             parts.append("parts=" + ",".join(f"{name}:{count}" for name, count in self.parts))
         if self.palette is not None:
             parts.append("palette=" + quote(self.palette, safe="/,"))
+        if self.suite is not None:
+            parts.append(f"suite={self.suite}")
         return "".join(f"&{part}" for part in parts)
 
 
@@ -111,14 +115,16 @@ class Builder:
 
     # Choices
 
-    def _rng(self, name: str) -> np.random.Generator:
-        return np.random.Generator(
-            np.random.PCG64([zlib.crc32(self.category.name.encode()), self._seed, zlib.crc32(name.encode())])
-        )
+    def _rng(self, name: str, matched: bool = False) -> np.random.Generator:
+        """``matched``: drawn alike by all pieces of a suite, where this is one of a suite."""
+        key = [zlib.crc32(self.category.name.encode()), self._seed]
+        if matched and self.request.suite is not None:
+            key = [zlib.crc32(b"suite"), self.request.suite]
+        return np.random.Generator(np.random.PCG64([*key, zlib.crc32(name.encode())]))
 
-    def pick(self, name: str, options: Sequence[T]) -> T:
-        """One of the options."""
-        return options[int(self._rng(name).integers(len(options)))]
+    def pick(self, name: str, options: Sequence[T], matched: bool = False) -> T:
+        """One of the options; ``matched``: the same for all pieces of a suite."""
+        return options[int(self._rng(name, matched).integers(len(options)))]
 
     def uniform(self, name: str, low: float, high: float) -> float:
         """A number between two others."""
@@ -128,9 +134,14 @@ class Builder:
         """A whole number from ``low`` to ``high``, both included."""
         return int(self._rng(name).integers(low, high + 1))
 
-    def chance(self, name: str, share: float) -> bool:
-        """True in that share of the seeds."""
-        return bool(self._rng(name).uniform() < share)
+    def chance(self, name: str, share: float, matched: bool = False) -> bool:
+        """True in that share of the seeds; ``matched``: the same for all pieces of a suite."""
+        return bool(self._rng(name, matched).uniform() < share)
+
+    @property
+    def in_suite(self) -> bool:
+        """Whether it is one of several pieces that match."""
+        return self.request.suite is not None
 
     def _extent(self, axis: int) -> float:
         assert self.category.size is not None
@@ -222,7 +233,7 @@ class Builder:
 
     def _suiting(self, role: str, options: list[Finish]) -> Material:
         """One of some finishes, rather one that suits the style."""
-        return self.pick(f"material {role}", [f for f in options if self.style in f.styles] or options).material
+        return self.pick(f"material {role}", [f for f in options if self.style in f.styles] or options, True).material
 
     def _usual(self, role: str, options: list[Finish]) -> Material:
         """A finish of which nothing was asked: of the room's palette, furniture has the same all over the room."""

@@ -61,7 +61,7 @@ class Wish:
     ``words`` are style words, any colour or material among them;
     ``shape`` is a name of ``looks.yaml``, ``parts`` are counted ones (("drawers", 3), ...), ``mount`` is what holds a
     thing that no category fits; ``palette`` is the code of the room's palette, for sources that make things to order;
-    ``licences`` are the only ones allowed, None allows all.
+    ``licences`` are the only ones allowed, None allows all. What is chosen for one ``suite`` (any number) matches.
 
     Raises:
         InputError: for a size that is no length above 0.
@@ -80,6 +80,7 @@ class Wish:
     licences: frozenset[str] | None = None
     beyond: bool = False
     palette: str | None = None
+    suite: int | None = None
 
     def __post_init__(self) -> None:
         for name, want in zip(("depth", "width", "height"), self.size, strict=True):

@@ -54,11 +54,12 @@ class ParametricSource:
         try:
             seed = int(given.pop("seed", "0"))
             size, parts = _size(given.pop("size", ",,")), _parts(given.pop("parts", ""))
+            suite = int(given.pop("suite")) if "suite" in given else None
         except ValueError as error:
             raise InputError(f"asset: '{asset_id}' is no parametric id; write parametric:CATEGORY?seed=N") from error
-        if given or seed < 0:
+        if given or seed < 0 or (suite or 0) < 0:
             raise InputError(f"asset: '{asset_id}' is no parametric id; write parametric:CATEGORY?seed=N")
-        return _draw(category, seed, Request(size=size, parts=parts, **words))
+        return _draw(category, seed, Request(size=size, parts=parts, suite=suite, **words))
 
     @staticmethod
     def _request(match: Match, wish: Wish) -> Request:
@@ -71,7 +72,9 @@ class ParametricSource:
         )
         style = wish.style if wish.style in STYLES else None
         label = match.category if match.body != match.category else None
-        return Request(size, wish.color, wish.material, style, wish.shape, wish.parts, label, wish.palette)  # pyright: ignore[reportArgumentType]
+        return Request(  # pyright: ignore[reportArgumentType]
+            size, wish.color, wish.material, style, wish.shape, wish.parts, label, wish.palette, wish.suite
+        )
 
 
 TRIES, TRIES_FOR_COUNTS = 8, 24

@@ -5,9 +5,7 @@ from __future__ import annotations
 from ..builder import Builder
 from ..joinery import carcass, door
 from ..registry import draws
-from .kitchen_parts import basin, cabinet, castors, fronts, tap, worktop
-
-_TOPS = ("oak", "walnut", "marble", "dark marble", "granite", "concrete", "beech")
+from .kitchen_parts import WORKTOPS, basin, cabinet, castors, fronts, tap, worktop, worktop_of
 
 
 def _looks(b: Builder) -> tuple:
@@ -27,13 +25,14 @@ def _looks(b: Builder) -> tuple:
         "pine",
         "grey paint",
     )
-    body = b.material("body", "white paint", "light grey paint")
+    # The sides that are seen at the end of a run are faced like its fronts.
+    body = leaf if b.in_suite else b.material("body", "white paint", "light grey paint")
     pull = b.material("pulls", "black steel", "brass", "steel", "bronze")
-    return body, leaf, pull, b.pick("pull style", ["bar", "bar", "knob", "cup"])
+    return body, leaf, pull, b.pick("pull style", ["bar", "bar", "knob", "cup"], matched=True)
 
 
 def _shaker(b: Builder) -> bool:
-    return b.style in ("classic", "rustic", "scandinavian") and b.chance("shaker", 0.75)
+    return b.style in ("classic", "rustic", "scandinavian") and b.chance("shaker", 0.75, matched=True)
 
 
 @draws("kitchen_cabinet", "kitchen_counter")
@@ -41,8 +40,7 @@ def base(b: Builder) -> None:
     """Base units on a plinth under one worktop."""
     d, w, h = b.size
     looks = _looks(b)
-    top = b.material("top", *_TOPS)
-    t = b.pick("top thickness", [0.02, 0.03, 0.04])
+    top, t = worktop_of(b)
     x, y = (-d / 2, d / 2 - 0.027), (-w / 2, w / 2)
     shaker = _shaker(b)
     count = max(1, round(w / 0.62)) if w > 1.0 else 1
@@ -65,9 +63,9 @@ def corner_cabinet(b: Builder) -> None:
     """Two wings around an inner corner with a folding door in each; the corner of the room is at -x, +y."""
     d, w, h = b.size
     body, leaf, pull, style = looks = _looks(b)
-    top = b.material("top", *_TOPS)
-    t, deep = 0.04, 0.58
-    del looks, body
+    top, t = worktop_of(b)
+    deep = 0.572  # like base units of 0.62 m, whose fronts and worktop it goes on with
+    del looks
     inner = [
         (-d / 2, -w / 2),
         (-d / 2 + deep, -w / 2),
@@ -76,7 +74,7 @@ def corner_cabinet(b: Builder) -> None:
         (d / 2, w / 2),
         (-d / 2, w / 2),
     ]
-    o = 0.03
+    o = 0.044
     over = [
         (-d / 2, -w / 2),
         (-d / 2 + deep + o, -w / 2),
@@ -85,7 +83,7 @@ def corner_cabinet(b: Builder) -> None:
         (d / 2, w / 2),
         (-d / 2, w / 2),
     ]
-    shell = b.material("body", "white paint", "light grey paint")
+    shell = body
     xa, yb = -d / 2 + deep, w / 2 - deep
     with b.solid("wing"):
         b.box((-d / 2 + 0.02, xa - 0.06), (-w / 2 + 0.002, w / 2), (0.0, 0.1), "black plastic", bevel=0)
@@ -123,13 +121,17 @@ def wall_cabinet(b: Builder) -> None:
     d, w, h = b.size
     looks = _looks(b)
     x, y = (-d / 2, d / 2 - 0.025), (-w / 2, w / 2)
-    glass = b.chance("glass", 0.3)
+    glass = b.chance("glass", 0.3, matched=True)
+    units = max(1, round(w / 0.75))
+    step = w / units
     with b.solid("body"):
-        cabinet(b, "unit", x, y, (0.0, h), "doors" if w > 0.55 else "door", looks, _shaker(b), glass)
         count = 2 if h < 0.72 else 3
-        for k in range(1, count):
-            z = k * h / count
-            b.box((x[0] + 0.006, x[1] - 0.05), (y[0] + 0.018, y[1] - 0.018), (z - 0.009, z + 0.009), looks[0], bevel=0)
+        for k in range(units):
+            span = (y[0] + k * step, y[0] + (k + 1) * step)
+            cabinet(b, f"unit-{k}", x, span, (0.0, h), "doors" if step > 0.55 else "door", looks, _shaker(b), glass)
+            for j in range(1, count):
+                z = j * h / count
+                b.box((x[0] + 0.006, x[1] - 0.05), (span[0] + 0.018, span[1] - 0.018), (z - 0.009, z + 0.009), looks[0])
         if b.style in ("classic", "rustic"):
             b.box((x[0], x[1] + 0.01), y, (h - 0.0005, h + 0.03), looks[1], bevel=0.01)
     b.fit()
@@ -160,11 +162,10 @@ def sink_cabinet(b: Builder) -> None:
     """A base unit with one or two basins let into its worktop, and a mixer behind them."""
     d, w, total = b.size
     looks = _looks(b)
-    top = b.material("top", *_TOPS)
+    top, t = worktop_of(b)
     steel = b.material("sink", "brushed steel", "steel", "white ceramic", "granite")
     metal = b.material("tap", "chrome", "black steel", "brass", "brushed steel")
     h = min(0.92, max(0.87, total - 0.34))
-    t = 0.038
     x, y = (-d / 2, d / 2 - 0.027), (-w / 2, w / 2)
     shaker = _shaker(b)
     drain = w > 1.05
@@ -238,7 +239,7 @@ def kitchen_island(b: Builder) -> None:
     """A block of units with a broad top that overhangs at the back for stools."""
     d, w, h = b.size
     looks = _looks(b)
-    top = b.material("top", *_TOPS)
+    top = b.material("top", *WORKTOPS)
     t = b.pick("top thickness", [0.03, 0.04, 0.06])
     y = (-w / 2 + 0.03, w / 2 - 0.03)
     deep = min(0.62, d - 0.27)

@@ -12,9 +12,7 @@ from sceneweaver.assets.body import Material
 from ..builder import Builder, Interval
 from ..joinery import carcass, door, handle
 from ..registry import draws
-from .kitchen_parts import Finish, burners, feet, knob, oven_door
-
-_COATS = ("white paint", "brushed steel", "black paint", "steel", "cream paint", "red paint", "sage paint")
+from .kitchen_parts import Finish, burners, coat_of, feet, knob, oven_door, worktop_of
 
 
 def _leaf(
@@ -50,7 +48,7 @@ def _leaf(
 def fridge(b: Builder) -> None:
     """A cabinet with two doors, the freezer below or above, upright handles and a small badge."""
     d, w, h = b.size
-    coat = b.material("body", *_COATS)
+    coat = coat_of(b, "cream paint", "red paint", "sage paint")
     pull = b.material("handles", "chrome", "brushed steel", "black steel")
     side: Finish = "grey plastic" if coat.metallic else coat
     retro = coat.name in ("cream paint", "red paint", "sage paint")
@@ -146,11 +144,9 @@ def freezer(b: Builder) -> None:
 def stove(b: Builder) -> None:
     """A cooktop over a panel of knobs, an oven door with window and bar, and a drawer below."""
     d, w, h = b.size
-    coat = b.material(
-        "body", "brushed steel", "white paint", "black paint", "steel", "cream paint", "navy paint", "red paint"
-    )
+    coat = coat_of(b, "cream paint", "navy paint", "red paint")
     pull = b.material("handles", "chrome", "brushed steel", "brass")
-    gas = b.chance("gas", 0.55)
+    gas = h > 0.915  # a plate of glass is flush with worktops of 0.9 m, iron grates stand over them
     x, y = (-d / 2, d / 2 - 0.065), (-w / 2, w / 2)
     top = h - 0.035 if gas else h
     face = x[1] + 0.04
@@ -262,53 +258,36 @@ def hob(b: Builder) -> None:
 
 @draws("range_hood")
 def range_hood(b: Builder) -> None:
-    """A chimney over a pyramid, a thin box or a slanted glass, with filters, lights and buttons."""
+    """A chimney over a pyramid or a thin box, with filters, lights and buttons."""
     d, w, h = b.size
-    steel = b.material("body", "brushed steel", "black steel", "steel", "white steel", "copper")
-    kind = b.pick("kind", ["pyramid", "box", "slant"])
+    steel = coat_of(b)
+    kind = b.pick("kind", ["pyramid", "box"])
     x, y = (-d / 2, d / 2), (-w / 2, w / 2)
     cw, cd = 0.14, 0.26
     rim = 0.055
     with b.solid("canopy"):
-        if kind == "slant":
-            foot = 0.16
+        b.box(x, y, (0.0, rim), steel, bevel=0.003)
+        top = rim
+        if kind == "pyramid":
+            top = rim + 0.2 + 0.12 * (h - 0.7)
             b.hull(
-                [(x[0], s * w / 2, z) for s in (-1, 1) for z in (0.0, 0.5 * h)]
-                + [(x[0] + foot, s * w / 2, 0.0) for s in (-1, 1)]
-                + [(x[1] - 0.04, s * w / 2, 0.5 * h) for s in (-1, 1)],
+                [(px, s * (w / 2 - 0.01), rim - 0.001) for px in (x[0], x[1] - 0.01) for s in (-1, 1)]
+                + [(px, s * cw, top) for px in (x[0], x[0] + cd) for s in (-1, 1)],
                 steel,
             )
-            lean = math.atan2(x[1] - 0.04 - x[0] - foot, 0.5 * h)
-            with b.frame(x[0] + foot, 0.0, 0.0, pitch=lean):
-                long = 0.5 * h / math.cos(lean)
-                b.box(
-                    (0.006, 0.016), (-w / 2 + 0.004, w / 2 - 0.004), (0.012, long - 0.004), "black glass", bevel=0.002
-                )
-                b.box((0.015, 0.0185), (-0.07, 0.07), (0.05, 0.07), "lamp glow", bevel=0)
-            top = 0.5 * h
-        else:
-            b.box(x, y, (0.0, rim), steel, bevel=0.003)
-            top = rim
-            if kind == "pyramid":
-                top = rim + 0.2 + 0.12 * (h - 0.7)
-                b.hull(
-                    [(px, s * (w / 2 - 0.01), rim - 0.001) for px in (x[0], x[1] - 0.01) for s in (-1, 1)]
-                    + [(px, s * cw, top) for px in (x[0], x[0] + cd) for s in (-1, 1)],
-                    steel,
-                )
-            for s in (-1, 1):
-                b.box(
-                    (x[0] + 0.06, x[1] - 0.12),
-                    (s * w / 4 - w / 5, s * w / 4 + w / 5),
-                    (-0.0035, 0.002),
-                    "aluminium",
-                    bevel=0,
-                )
-                with b.frame(x[1] - 0.07, s * w * 0.3):
-                    b.frustum(0.03, 0.03, (-0.004, 0.002), "lamp glow", segments=16)
-            for k in range(5):
-                at = (k - 2) * 0.03
-                b.box((x[1] - 0.001, x[1] + 0.002), (at - 0.009, at + 0.009), (0.02, 0.034), "black plastic", bevel=0)
+        for s in (-1, 1):
+            b.box(
+                (x[0] + 0.06, x[1] - 0.12),
+                (s * w / 4 - w / 5, s * w / 4 + w / 5),
+                (-0.0035, 0.002),
+                "aluminium",
+                bevel=0,
+            )
+            with b.frame(x[1] - 0.07, s * w * 0.3):
+                b.frustum(0.03, 0.03, (-0.004, 0.002), "lamp glow", segments=16)
+        for k in range(5):
+            at = (k - 2) * 0.03
+            b.box((x[1] - 0.001, x[1] + 0.002), (at - 0.009, at + 0.009), (0.02, 0.034), "black plastic", bevel=0)
     with b.solid("chimney"):
         b.box((x[0], x[0] + cd), (-cw, cw), (top - 0.001, top + 0.5 * (h - top)), steel, bevel=0.001)
         b.box((x[0], x[0] + cd - 0.004), (-cw + 0.004, cw - 0.004), (top, h), steel, bevel=0.001)
@@ -327,18 +306,17 @@ def range_hood(b: Builder) -> None:
 
 @draws("dishwasher")
 def dishwasher(b: Builder) -> None:
-    """A cabinet whose front falls open, with a panel of buttons and a grip."""
-    d, w, h = b.size
-    coat = b.material("body", "white paint", "brushed steel", "black paint", "steel")
-    x, y = (-d / 2, d / 2 - 0.07), (-w / 2, w / 2)
-    face = x[1] + 0.045
+    """A cabinet whose front falls open, with a panel of buttons and a grip, under a worktop or a lid of its own."""
+    d, w, total = b.size
+    coat = coat_of(b)
+    lid, t = worktop_of(b) if b.in_suite else (coat if coat.name == "black paint" else "white paint", 0.03)
+    h = total - t + 0.03  # the front ends 33 mm under this
+    x, y = (-d / 2, d / 2 - 0.0525), (-w / 2, w / 2)
+    face = x[1] + 0.025
     with b.solid("body"):
-        feet(b, x, y, 0.03)
-        b.box((x[0] + 0.02, x[1] - 0.03), (y[0] + 0.01, y[1] - 0.01), (0.02, 0.1), "black plastic", bevel=0)
-        b.box(x, y, (0.09, h - 0.03), "white paint" if not coat.metallic else "grey plastic", bevel=0.002)
-        b.box(
-            (x[0], face + 0.005), y, (h - 0.03, h), "white paint" if coat.name != "black paint" else coat, bevel=0.006
-        )
+        b.box((x[0] + 0.02, x[1] - 0.05), (y[0] + 0.002, y[1] - 0.002), (0.0, 0.1), "black plastic", bevel=0)
+        b.box(x, y, (0.1, h - 0.03), "white paint" if not coat.metallic else "grey plastic", bevel=0.002)
+        b.box((x[0], d / 2 - 0.004), y, (total - t, total), lid, bevel=0.003)
         ys = (y[0] + 0.002, y[1] - 0.002)
         with b.hinge("door", (face, 0.0, 0.11), axis=(0.0, 1.0, 0.0), limits=(0.0, 1.5)):
             b.box((x[1] + 0.0005, face), ys, (0.11, h - 0.145), coat, bevel=0.004)
@@ -359,7 +337,7 @@ def dishwasher(b: Builder) -> None:
                 at = -0.06 - k * 0.032
                 b.box((f - 0.002, f + 0.003), (at - 0.008, at + 0.008), (h - 0.092, h - 0.078), "grey plastic", bevel=0)
             b.box((f - 0.002, f + 0.002), (y[1] - 0.075, y[1] - 0.035), (h - 0.092, h - 0.078), "chrome", bevel=0)
-    b.surface("top", (x[0] + 0.02, face - 0.01), (y[0] + 0.02, y[1] - 0.02), h)
+    b.surface("top", (x[0] + 0.01, face - 0.01), (y[0] + 0.01, y[1] - 0.01), total)
     b.fit()
 
 

@@ -16,6 +16,21 @@ from ..joinery import carcass, door, drawer, handle
 
 Finish = Material | str
 
+WORKTOPS = ("oak", "walnut", "marble", "dark marble", "granite", "concrete", "beech")
+
+COATS = ("brushed steel", "white paint", "black paint", "steel")
+"""Finishes of the appliances of a kitchen, which match in a suite."""
+
+
+def worktop_of(b: Builder) -> tuple[Material, float]:
+    """Finish and thickness [m] of a worktop, the same for all pieces of a suite."""
+    return b.material("top", *WORKTOPS), b.pick("top thickness", [0.02, 0.03, 0.04], matched=True)
+
+
+def coat_of(b: Builder, *more: str) -> Material:
+    """Finish of an appliance, the same for all appliances of a suite; what is in none may have one of ``more``."""
+    return b.material("body", *([b.pick("coat", COATS, matched=True)] if b.in_suite else (*COATS, *more)))
+
 
 def oval(rx: float, ry: float, z: float, x: float = 0.0, y: float = 0.0, power: float = 2.0, n: int = 32) -> np.ndarray:
     """A ring [n, 3]: an ellipse, or with a higher power a box with round corners."""
