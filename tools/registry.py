@@ -28,6 +28,7 @@ OWN: Mapping[str, str] = {
     "add_objects": "AddObjects",
     "add_tabletop": "AddTabletop",
     "add_crowd": "AddCrowd",
+    "add_wall_objects": "AddWallObjects",
     "remove_objects": "RemoveObjects",
     "add_relation": "AddRelation",
     "update_rotation": "UpdateRotation",

@@ -26,7 +26,7 @@ from .planner import LISTS, Planner, Situation
 from .relaxation import cleared
 from .settings import Settings
 
-BLIND_PLAN = ("init_prior", "add_tabletop", "add_crowd", "update_layout")
+BLIND_PLAN = ("init_prior", "add_tabletop", "add_crowd", "add_wall_objects", "update_layout")
 """What is done, in this order, when there is no reflection: the tools that need not be told where to act."""
 
 WHOLE_PLAN = 8

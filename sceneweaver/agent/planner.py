@@ -23,6 +23,7 @@ LISTS = {
     "add_relation": "relations",
     "add_tabletop": "supports",
     "add_crowd": "supports",
+    "add_wall_objects": "walls",
     "remove_objects": "ids",
     "update_layout": "ids",
 }
@@ -180,7 +181,7 @@ def _merged(tool: str, faults: Sequence[Fault]) -> dict[str, Any]:
     items: list[Any] = []
     for fault in faults:
         listed = fault.inputs.get(key, [])
-        if not listed and tool in ("add_tabletop", "add_crowd", "update_layout"):
+        if not listed and tool in ("add_tabletop", "add_crowd", "add_wall_objects", "update_layout"):
             return {key: []}  # an empty list stands for all
         items += [item for item in listed if item not in items]
     things = [] if key == "objects" else [row for fault in faults for row in fault.inputs.get("objects", ())]

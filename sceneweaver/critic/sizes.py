@@ -77,10 +77,12 @@ def _range(survey: Survey, body: Body) -> Iterator[Finding]:
 
 
 def _equals(survey: Survey) -> Iterator[Finding]:
-    """Instances of an item that should be equal, around or beside the same thing."""
+    """Instances of an item that should be equal, around or beside the same thing; pictures differ."""
     sets: dict[tuple[str, str], list[Body]] = defaultdict(list)
     for body in survey.bodies:
         item = survey.program.item_of.get(body.id)
+        if body.item.mount == "wall" and body.item.category in kinds.EYE_LEVEL:
+            continue
         if item is not None and survey.room_type.item(item).same and body.item.mount != "surface":
             sets[item, body.item.category].append(body)
     for bodies in sets.values():

@@ -265,6 +265,9 @@ def acts(case: Case, fault: Fault) -> None:
         case "add_tabletop" | "add_crowd":
             assert set(calls) <= {"supports", "arrangement", "theme"} and calls["supports"]
             assert set(calls["supports"]) <= ids
+        case "add_wall_objects":
+            assert set(calls) == {"walls"}
+            assert all(0 <= wall < len(case.scene.room.walls) for wall in calls["walls"])
         case "remove_objects" | "update_layout":
             assert set(calls) == {"ids"} and set(calls["ids"]) <= ids
         case "update_rotation":

@@ -13,6 +13,7 @@ FOLDER = Path(sceneweaver.tools.__file__).parent
 FILES = sorted(p for p in FOLDER.glob("*.py") if p.name != "__init__.py")
 
 MAY_POSE = {
+    "add_wall_objects": "free rectangles of walls: searched in Python so far",
     "carry": "what stands on something goes where it goes",
     "library_adapt": "a room of the library is mirrored and stretched with its poses",
     "spots": "small things on surfaces: searched in Python so far",

@@ -101,6 +101,7 @@ def _bare(survey: Survey) -> Iterator[Finding]:
                 measured=share,
                 allowed=(limit("wall_covered", "share"), None),
                 suggestion=f"hang something on wall {wall.index}, or put tall furniture before it",
+                call=("add_wall_objects", {"walls": []}),
             )
 
 

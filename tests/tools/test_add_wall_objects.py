@@ -1,0 +1,121 @@
+"""Bare walls: what is hung over furniture and on free stretches, where, and what keeps it away."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from sceneweaver.assets import Library, categories, make
+from sceneweaver.brief import read_request
+from sceneweaver.knowledge import room_type, room_types
+from sceneweaver.knowledge.wall_things import most_on_walls, wall_things
+from sceneweaver.scene import Door, InputError, Pose, Room, Scene, Window
+from sceneweaver.scene.edits import apply_all
+from sceneweaver.tools.add_wall_objects import BARE, OVER, AddWallObjects
+from sceneweaver.tools.base import Context
+from sceneweaver.tools.wall_plan import CORNER, FRAME, extent, free_runs
+from sceneweaver.verify import check
+
+LIBRARY = Library()
+DOOR = Door(id="door-0", wall=0, offset=0.2, width=0.9, height=2.0)
+WINDOW = Window(id="window-0", wall=1, offset=1.2, width=1.4, sill=0.9, height=1.2)
+SQUARE = ((0.0, 0.0), (5.0, 0.0), (5.0, 4.0), (0.0, 4.0))
+L_SHAPE = ((0.0, 0.0), (6.0, 0.0), (6.0, 3.0), (3.0, 3.0), (3.0, 5.5), (0.0, 5.5))
+
+
+def scene(*objects, outline=SQUARE, kind="living_room") -> Scene:
+    return Scene(id="s", room=Room(type=kind, outline=outline, doors=(DOOR,), windows=(WINDOW,)), objects=objects)
+
+
+def sofa(x: float = 2.5):
+    """A sofa with its back at the wall y = 4."""
+    made = make("sofa", seed=1)
+    return made.object("sofa-0", pose=Pose.from_yaw(x, 4.0 - made.size[0] / 2 - 0.01, 0.0, -math.pi / 2))
+
+
+def hung(before: Scene, text: str = "a living room", seed: int = 3, **inputs):
+    kind = room_type(before.room.type)
+    proposal = AddWallObjects().propose(Context(read_request(text), kind, before, LIBRARY, seed, "", inputs))
+    return apply_all(before, proposal.edits)[0], proposal
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("outline", [SQUARE, L_SHAPE])
+def test_nothing_is_bare_and_all_is_valid(seed, outline):
+    before = scene(outline=outline)
+    after, _ = hung(before, seed=seed)
+    assert check(after).valid
+    new = after.objects
+    for wall in after.room.walls:
+        assert not free_runs(after.room, new, wall, BARE + 2 * CORNER)
+        for obj in new:
+            along, deep = extent(obj, wall)
+            if (
+                deep[0] < 0.01
+                and obj.pose.frame.axis[0] * wall.inward[0] + obj.pose.frame.axis[1] * wall.inward[1] > 0.9
+            ):
+                assert along[0] > CORNER - 0.1 and along[1] < wall.length - CORNER + 0.1
+                for opening in after.room.openings_of(wall.index):
+                    apart = max(opening.offset - along[1], along[0] - opening.offset - opening.width)
+                    assert apart > FRAME - 0.1
+        assert all(o.mount == "wall" and o.intent.priority == "optional" for o in new)
+
+
+def test_art_over_a_sofa_is_on_its_axis_and_two_thirds_as_wide():
+    base = sofa()
+    after, _ = hung(scene(base), walls=[2])
+    over = [o for o in after.objects if o.id != "sofa-0"]
+    assert len(over) == 1 and check(after).valid
+    art = over[0]
+    assert art.pose.position[0] == pytest.approx(base.pose.position[0], abs=0.01)
+    assert 0.3 * base.size[1] < art.size[1] <= OVER * base.size[1] + 0.01
+    assert art.pose.position[2] > base.size[2] + 0.1
+    assert {r.type for r in after.relations if r.subject == art.id} == {"against_wall", "above"}
+
+
+def test_the_middle_of_art_is_at_the_height_of_the_eyes():
+    after, _ = hung(scene(), seed=5)
+    art = [o for o in after.objects if o.category in ("picture", "poster", "photo_frames", "tapestry")]
+    assert art
+    for obj in art:
+        assert 1.45 <= obj.pose.position[2] + obj.size[2] / 2 <= 1.75
+
+
+def test_what_hangs_there_and_tall_furniture_are_left_alone():
+    shelf = make("bookcase", seed=1)
+    tall = shelf.object("bookcase-0", pose=Pose.from_yaw(1.0, 4.0 - shelf.size[0] / 2 - 0.01, 0.0, -math.pi / 2))
+    once, _ = hung(scene(tall))
+    again, proposal = hung(once, seed=9)
+    assert again == once and proposal.unmet
+    assert check(once).valid
+
+
+def test_what_a_request_names_or_forbids_is_not_added():
+    for seed in range(4):
+        after, _ = hung(scene(), "a living room with a picture on the wall", seed=seed)
+        assert "picture" not in {o.category for o in after.objects}
+        after, _ = hung(scene(), "a living room without mirrors", seed=seed)
+        assert not {"round_mirror", "wall_mirror"} & {o.category for o in after.objects}
+
+
+def test_only_the_walls_that_are_named():
+    after, _ = hung(scene(), walls=[3])
+    assert after.objects and all(o.pose.position[0] < 0.3 for o in after.objects)
+    with pytest.raises(InputError, match=r"inputs\.walls: there is no wall 7; use 0 to 3"):
+        hung(scene(), walls=[7])
+
+
+@pytest.mark.parametrize("name", sorted(room_types()))
+def test_each_kind_of_room_has_things_for_its_walls(name):
+    things = wall_things(name)
+    assert things and all(share > 0 for share in things.values())
+    assert all("wall" in categories()[category].mount for category in things)
+
+
+def test_there_is_one_clock():
+    room = ((0.0, 0.0), (9.0, 0.0), (9.0, 8.0), (0.0, 8.0))
+    for seed in range(3):
+        after, _ = hung(scene(outline=room, kind="waiting_room"), "a waiting room", seed=seed)
+        counts = [sum(o.category == name for o in after.objects) for name in ("wall_clock", "notice_board")]
+        assert max(counts) <= 1 == most_on_walls("wall_clock")

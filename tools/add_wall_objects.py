@@ -1,0 +1,211 @@
+"""Hang something on walls that the furniture left bare: art over furniture, and in the middle of free stretches."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from sceneweaver.assets import Asset, Wish
+from sceneweaver.assets.taxonomy import category_named, members
+from sceneweaver.geometry.walls import Wall
+from sceneweaver.knowledge.wall_things import most_on_walls, wall_things
+from sceneweaver.scene import InputError, Intent, Pose, Relation, SceneObject
+from sceneweaver.scene.edits import Add, AnyEdit, Relate
+
+from .base import Context, Proposal
+from .card import checked
+from .draft import Draft
+from .prior_program import named_kinds
+from .wall_plan import CLOSE, TALL, Rectangle, Span, extent, free_runs, obstacles
+
+BARE = 1.5
+"""Length [m] of bare wall on which something is hung."""
+
+EACH = 1.9
+"""Length [m] of wall for each thing."""
+
+SHARE, OVER = 0.5, 2 / 3
+"""Width of a thing, as a share of its stretch of wall and of the furniture under it."""
+
+MIDDLE = 1.5
+"""Height [m] of the middle of what is looked at."""
+
+ABOVE = (0.15, 0.3)
+"""Gap [m] between furniture and what hangs over it."""
+
+ART = frozenset(("picture", "poster", "photo_frames", "tapestry", "round_mirror"))
+"""What hangs with its middle at the height of the eyes; other things have heights of their own."""
+
+BASES = 0.7
+"""Width [m] from which low furniture has something over its middle."""
+
+SHIFTS = (0.0, 0.1, -0.1, 0.2, -0.2, 0.35, -0.35)
+"""Where along the wall a place is looked for [m], from the middle."""
+
+LIFTS = (0.0, 0.12, 0.25, 0.4)
+"""By how much [m] things hang higher where something is in the way."""
+
+
+@dataclass
+class _Work:
+    """One call while it is carried out."""
+
+    context: Context
+    draft: Draft
+    rng: random.Random
+    edits: list[AnyEdit] = field(default_factory=list)
+
+    @property
+    def objects(self) -> list[SceneObject]:
+        return list(self.draft.objects.values())
+
+
+class AddWallObjects:
+    """Covers bare walls; each thing gets an exact place."""
+
+    name = "add_wall_objects"
+
+    def propose(self, context: Context) -> Proposal:
+        """Things for the walls of ``inputs["walls"]``; without any for all walls."""
+        inputs = checked(self.name, context.inputs or {})
+        draft = Draft.of(context.scene)
+        walls = draft.room.walls
+        chosen = list(inputs.get("walls") or range(len(walls)))
+        for k in chosen:
+            if k >= len(walls):
+                raise InputError(f"tool {self.name}: inputs.walls: there is no wall {k}; use 0 to {len(walls) - 1}")
+        work = _Work(context, draft, random.Random(f"walls {context.seed}"))
+        least = float(inputs.get("bare", BARE))
+        for k in sorted(set(chosen), key=lambda k: (-walls[k].length, k)):
+            for run in free_runs(draft.room, work.objects, walls[k], least):
+                _fill(work, walls[k], run)
+        unmet = () if work.edits else ("no wall has a free place for anything",)
+        return Proposal(edits=tuple(work.edits), unmet=unmet)
+
+
+def _fill(work: _Work, wall: Wall, run: Span) -> None:
+    """One free stretch: something over each piece of low furniture, else at even distances."""
+    bases = [base for base in _bases(work, wall) if run[0] <= _middle(base, wall) <= run[1]]
+    for base in bases:
+        along, _ = extent(base, wall)
+        middle = _middle(base, wall)
+        room = 2 * min(middle - run[0], run[1] - middle)
+        width = min(OVER * (along[1] - along[0]), room)
+        if width >= 0.3:
+            _hang(work, wall, middle, width, base)
+    if bases:
+        return
+    length = run[1] - run[0]
+    count = max(1, round(length / EACH))
+    kind = None
+    for k in range(count):
+        middle = run[0] + (k + 0.5) * length / count
+        kind = _hang(work, wall, middle, SHARE * length / count, None, kind) or kind
+
+
+def _bases(work: _Work, wall: Wall) -> Iterator[SceneObject]:
+    """Low furniture at a wall, wide enough for something to hang over it."""
+    for obj in work.objects:
+        along, deep = extent(obj, wall)
+        low = obj.mount == "floor" and 0.3 < obj.size[2] < TALL
+        turned = abs(obj.pose.frame.axis[0] * wall.along[0] + obj.pose.frame.axis[1] * wall.along[1]) < 0.1
+        if low and turned and deep[0] <= CLOSE and along[1] - along[0] >= BASES:
+            yield obj
+
+
+def _middle(obj: SceneObject, wall: Wall) -> float:
+    (start, end), _ = extent(obj, wall)
+    return (start + end) / 2
+
+
+def _hang(
+    work: _Work, wall: Wall, middle: float, width: float, base: SceneObject | None, kind: str | None = None
+) -> str | None:
+    """Hang one thing of about that width [m] at a place along a wall; the category, or None where nothing fits."""
+    names = _candidates(work, art=base is not None)
+    for name in ([kind] if kind in names else []) + [n for n in names if n != kind]:
+        for share in (1.0, 0.7):
+            asset = _body(work, name, width * share)
+            if asset is None:
+                continue
+            found = _place(work, wall, middle, asset, base)
+            if found is not None:
+                _add(work, wall, asset, found, base)
+                return name
+    return None
+
+
+def _candidates(work: _Work, art: bool) -> list[str]:
+    """What may hang here, in the order in which it is tried."""
+    brief, there = work.context.brief, Counter(o.category for o in work.objects)
+    banned = {n for word in brief.without for n in (word, *members(word))} | named_kinds(brief)
+    shares = {
+        name: share
+        for name, share in wall_things(work.context.room_type.name).items()
+        if name not in banned and there[name] < (most_on_walls(name) or 99) and (not art or name in ART)
+    }
+    return sorted(shares, key=lambda name: -(work.rng.random() ** (1.0 / shares[name])))[:3]
+
+
+def _body(work: _Work, category: str, width: float) -> Asset | None:
+    """A body of about that width [m], in the look of the room."""
+    usual = category_named(category).size
+    assert usual is not None
+    low, high = usual.width
+    context, palette = work.context, work.context.scene.palette
+    wish = Wish(
+        size=(None, round(min(max(width, low), high), 3), None),
+        style=palette.style if palette is not None else context.brief.style,
+        palette=palette.code if palette is not None else None,
+        seed=work.rng.randrange(2**31),
+        count=1,
+        mount="wall",
+    )
+    try:
+        asset = context.library.choose(category, 1, wish, False)[0]
+    except InputError:
+        return None
+    return asset if asset.size[1] <= 1.6 * width else None
+
+
+def _place(
+    work: _Work, wall: Wall, middle: float, asset: Asset, base: SceneObject | None
+) -> tuple[float, float] | None:
+    """Where along the wall its middle is and how high its bottom [m], free of all that is there."""
+    depth, width, height = asset.size
+    taken = obstacles(work.draft.room, work.objects, wall, depth)
+    bottom = MIDDLE - height / 2
+    if asset.category not in ART:
+        low, high = category_named(asset.category).bottom or (1.2, 1.5)
+        bottom = (low + high) / 2
+    if base is not None:
+        bottom = max(bottom, base.pose.position[2] + base.size[2] + ABOVE[0])
+    for lift in LIFTS:
+        z = bottom + lift
+        if z + height > work.draft.room.height - 0.1:
+            return None
+        for shift in SHIFTS if base is None else SHIFTS[:1]:
+            along = (middle + shift - width / 2, middle + shift + width / 2)
+            if along[0] < 0.02 or along[1] > wall.length - 0.02:
+                continue
+            if not any(Rectangle(along, (z, z + height)).meets(other) for other in taken):
+                return middle + shift, round(z, 3)
+    return None
+
+
+def _add(work: _Work, wall: Wall, asset: Asset, place: tuple[float, float], base: SceneObject | None) -> None:
+    along, bottom = place
+    x, y = wall.point(along, asset.size[0] / 2 + 0.001)
+    axis = Pose.from_yaw(x, y, bottom, wall.yaw + math.pi / 2)
+    made = asset.object(work.draft.fresh(asset.category), pose=axis, mount="wall")
+    intent = Intent(priority="optional", mounting_height=(max(0.0, bottom - 0.01), bottom + 0.01), keep_clear=True)
+    made = made.model_copy(update={"intent": intent})
+    relations = [Relation(type="against_wall", subject=made.id, target=f"wall:{wall.index}")]
+    if base is not None:
+        relations.append(Relation(type="above", subject=made.id, target=base.id, hard=False))
+    work.draft.objects[made.id] = made
+    work.draft.relations += relations
+    work.edits += [Add(object=made), *(Relate(relation=r) for r in relations)]
