@@ -214,7 +214,7 @@ def _object(
     elif mount == "ceiling":
         pose = Pose(position=(0.0, 0.0, max(0.0, room_height - asset.size[2])))
     elif mount == "wall":
-        low, high = (item.bottom if item is not None else None) or category_named(asset.category).bottom or (1.2, 1.5)
+        low, high = (item.hung(asset.size[2]) if item else None) or category_named(asset.category).bottom or (1.2, 1.5)
         most = max(0.0, room_height - asset.size[2] - 0.02)
         heights = round(min(low, max(0.0, most - 0.1)), 3), round(min(high, most), 3)
         pose = Pose(position=(0.0, 0.0, sum(heights) / 2))

@@ -234,9 +234,10 @@ def _hang(one: Wanted, space: Room, over: float) -> tuple[float, float]:
         window = space.windows[one.number % len(space.windows)]
         top = min(window.sill + window.height + 0.04, space.height - 0.02) - one.asset.size[2]
         return round(top - 0.01, 3), round(top + 0.01, 3)
-    low, high = (one.item and one.item.bottom) or category_named(one.category).bottom or (1.2, 1.5)
+    own = one.item.hung(one.asset.size[2]) if one.item else None
+    low, high = own or category_named(one.category).bottom or (1.2, 1.5)
     if over:
-        low, high = max(low, over + 0.08), max(high, over + 0.3)
+        low, high = max(low, over + 0.08), max(high, over + (0.12 if own else 0.3))
     most = max(0.0, space.height - one.asset.size[2] - 0.02)
     return round(min(low, max(0.0, most - 0.1)), 3), round(min(high, most), 3)
 

@@ -363,6 +363,8 @@ def build(
         if demand.categories and wish.size[2] is None and held is None:
             drop = hanging_height(demand.categories[0], ceiling, _hung_over(item, by_item))
             wish = replace(wish, size=(*wish.size[:2], drop)) if drop is not None else wish
+        if item is not None and parents[0] is not None:
+            wish = replace(wish, size=_around(item, parents[0].asset.size, wish, seed + 101 * number))
         pieces = demand.count if total else demand.count * len(parents)
         if not pieces:
             continue
@@ -416,6 +418,18 @@ def free_zones(item: Item | None, obj: SceneObject) -> tuple[Zone, ...]:
         return obj.zones
     low = (item.bottom[0] if item.bottom else hung_at(category_named(obj.category))) if obj.mount == "wall" else 0.0
     return cleared(obj.zones, item.clear, obj.size, low)
+
+
+def _around(
+    item: Item, parent: Sequence[float], wish: Wish, seed: int
+) -> tuple[float | None, float | None, float | None]:
+    """The size [m] of a wish, where it is not given as far as the item reaches beyond what it goes with."""
+    rng = random.Random(seed ^ 0xBE)
+    depth, width = (
+        own if own is not None or more is None else round(side + 2 * rng.uniform(*more), 3)
+        for own, side, more in zip(wish.size, parent, item.beyond, strict=False)
+    )
+    return depth, width, wish.size[2]
 
 
 def _order(room_type: RoomType):

@@ -201,7 +201,7 @@ def _heights(survey: Survey) -> Iterator[Finding]:
 
 def _usual_heights(survey: Survey, body: Body) -> tuple[float, float]:
     item = survey.program.item_of.get(body.id)
-    given = survey.room_type.item(item).bottom if item else None
+    given = survey.room_type.item(item).hung(body.size[2]) if item else None
     row = categories().get(body.item.category)
     low, high = given or (row.bottom if row and row.bottom else (0.0, 10.0))
     if (meant := body.item.intent.mounting_height) is not None:

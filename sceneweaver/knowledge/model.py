@@ -103,7 +103,13 @@ class Item(FrozenModel):
     size: tuple[Range | None, Range | None, Range | None] = Field(
         default=(None, None, None), description="Sizes [m] here, where they differ from the category's"
     )
+    beyond: tuple[Range | None, Range | None] = Field(
+        default=(None, None),
+        description="How far [m] it reaches beyond either side of what it goes with, along that thing's depth and width: "
+        "a rug under a table; sets its size",
+    )
     bottom: Range | None = Field(default=None, description="Height [m] of the bottom, for what hangs on a wall")
+    middle: Range | None = Field(default=None, description="Height [m] of the middle instead, as for art and screens")
     mount: Literal["floor", "wall", "ceiling", "surface"] | None = Field(
         default=None, description="What holds it, where it differs from the category's usual"
     )
@@ -135,6 +141,12 @@ class Item(FrozenModel):
     @classmethod
     def _one(cls, value: Any) -> Any:
         return (value,) if isinstance(value, str) else value
+
+    def hung(self, height: float) -> Range | None:
+        """Heights [m] between which the bottom hangs of what is so high; None where the category's are meant."""
+        if self.middle is None:
+            return self.bottom
+        return self.middle[0] - 0.5 * height, self.middle[1] - 0.5 * height
 
 
 def check_items(items: Sequence[Item]) -> None:

@@ -302,7 +302,10 @@ def _apart(frame: Frame, rel: Relation, value) -> list[list[Row]]:
 
 def _bearing_row(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     aim, hold = _angle(value("degrees"))
-    return [[Row(k.FEATURE_BEARING, aim, hold, scale=LEVER), *_opposite(rel, math.pi)]]
+    turned, aside = _opposite(rel, math.pi)
+    if (offset := value("offset")) is not None:
+        aside = line((0.0, 0.0), (0.0, 1.0), 0.0, -offset, offset).snapped(CATALOGUE[rel.type], "lateral")
+    return [[Row(k.FEATURE_BEARING, aim, hold, scale=LEVER), turned, aside]]
 
 
 def _opposite(rel: Relation, turned: float) -> list[Row]:

@@ -275,7 +275,11 @@ def _facing(case: Case) -> Judgement:
     """Target's centre near the direction of the front; coinciding centres face nothing (90 degrees)."""
     (ax, ay), (bx, by) = case.subject.centre, case.other.centre
     off = turn(case.subject.front, (bx - ax, by - ay)) if (ax, ay) != (bx, by) else 90.0
-    return judge_all(at_most("turned away by", off, case.number("degrees"), "deg"))
+    measured = [at_most("turned away by", off, case.number("degrees"), "deg")]
+    if (offset := case.spec.value(case.relation, "offset")) is not None:
+        aside = abs(case.other.local(case.subject.centre)[1])
+        measured.append(at_most("off its axis", aside, offset, slack=TOLERANCE))
+    return judge_all(*measured)
 
 
 def _yaws(case: Case, modulo: float) -> Judgement:

@@ -43,7 +43,7 @@ TABLE = {
     "inside": ("object", (), (), None, None, None, {"height": 0.002}, False),
     "near": ("object", (), (), None, None, None, {"max": 1.0}, False),
     "distance": ("object", (), (), None, None, None, {"min": None, "max": None}, False),
-    "facing": ("object", F, (), 15, None, None, {}, False),
+    "facing": ("object", F, (), 15, None, None, {"offset": None}, False),
     "aligned": ("object", (), (), 3, None, None, {}, False),
     "parallel": ("object", (), (), 3, None, None, {}, False),
     "left_of": ("object", (), ("left",), None, None, None, {"max": 1.5, "min": 0, "band": 1.5}, False),

@@ -114,6 +114,19 @@ def test_front_to_front_about_its_middle(left, offset, expected):
     assert holds([target, subject], relation("front_to_front", "s", "t", **params)) is expected
 
 
+@pytest.mark.parametrize(("left", "offset", "expected"), [
+    (0.3, None, True),
+    (0.3, 0.1, False),
+    (0.09, 0.1, True),
+    (-0.11, 0.1, False),
+])  # fmt: skip
+def test_facing_on_the_axis(left, offset, expected):
+    target = box("t", (0.8, 2.0, 0.7), 4.0, 4.0, 30.0)
+    subject = box("s", (0.4, 1.0, 0.4), *beside(target, 3.0, left), 210.0)
+    params = {} if offset is None else {"offset": offset}
+    assert holds([target, subject], relation("facing", "s", "t", **params)) is expected
+
+
 @pytest.mark.parametrize(("wall", "expected"), [(1, False), (3, True)])
 def test_against_a_wall_without_a_door(wall, expected):
     """The box stands at wall 3."""
