@@ -105,8 +105,8 @@ class Item(FrozenModel):
     )
     beyond: tuple[Range | None, Range | None] = Field(
         default=(None, None),
-        description="How far [m] it reaches beyond either side of what it goes with, along that thing's depth and width: "
-        "a rug under a table; sets its size",
+        description="How far [m] it reaches beyond either side of what it goes with, along the depth and the width of "
+        "that: a rug under a table; sets its size",
     )
     bottom: Range | None = Field(default=None, description="Height [m] of the bottom, for what hangs on a wall")
     middle: Range | None = Field(default=None, description="Height [m] of the middle instead, as for art and screens")
