@@ -6,7 +6,6 @@ import math
 from collections import defaultdict
 from collections.abc import Iterator
 from itertools import combinations
-from typing import TYPE_CHECKING
 
 from sceneweaver.critic import kinds
 from sceneweaver.critic.design.axes import CORNERED, FLANKING
@@ -18,8 +17,7 @@ from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.layout import QualityTerm
 from sceneweaver.scene import SceneObject
 
-if TYPE_CHECKING:
-    from .choice import Rules
+from .choice_rules import Rules
 
 LOOKING = kinds.LOUNGE - {"bean_bag"}
 """Seats with a direction to look in."""
