@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from ..grade import Finding
 from ..survey import Survey
 from . import (
+    apart,
     axes,
     bath,
     bed,
@@ -20,6 +21,7 @@ from . import (
     light,
     rugs,
     seating,
+    small,
     style,
     tables,
     visitors,
@@ -40,6 +42,7 @@ CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (
     doors.faults,
     ways.faults,
     clearance.faults,
+    apart.faults,
     light.faults,
     visitors.faults,
     workplaces.faults,
@@ -48,6 +51,7 @@ CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (
     weights.faults,
     kitchen.faults,
     bath.faults,
+    small.faults,
     style.faults,
     complete.faults,
 )

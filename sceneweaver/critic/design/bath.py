@@ -155,6 +155,7 @@ def _paper(survey: Survey) -> Iterator[Finding]:
                 f"{papers[0].id} is {abs(aside):.2f} m beside {toilet.id} and {beyond:+.2f} m ahead of its bowl",
                 measured=abs(aside),
                 allowed=(0.0, limits["axis"]),
+                weight=1.0 if abs(aside) > limits["axis"] else 0.4,
                 suggestion=f"hang it beside {toilet.id}, 0.2 to 0.3 m ahead of the bowl",
             )
 
@@ -167,9 +168,9 @@ def _mats(survey: Survey) -> Iterator[Finding]:
     served: set[int] = set()
     lost = []
     for mat in mats:
-        at = [b for b in exits if _at_exit(b, mat, limits)]
+        at = [b for b in exits if _at_exit(survey, b, mat, limits)]
         served |= {b.index for b in at}
-        if not at and not any(_at_exit(b, mat, limits) for b in floor_of_kind(survey, BASINS)):
+        if not at and not any(_at_exit(survey, b, mat, limits) for b in floor_of_kind(survey, BASINS)):
             lost.append(mat)
     bare = [b for b in exits if b.index not in served]
     if lost or (bare and not mats):
@@ -185,20 +186,17 @@ def _mats(survey: Survey) -> Iterator[Finding]:
         )
 
 
-def _at_exit(body: Body, mat: Body, limits: dict[str, float]) -> bool:
-    """Whether a mat lies before an open side of something, and before the middle of that side."""
+def _at_exit(survey: Survey, body: Body, mat: Body, limits: dict[str, float]) -> bool:
+    """Whether a mat lies at an open side of something, and before the middle of that side."""
+    if survey.placed.distance(body, mat) > limits["gap"]:
+        return False
     ahead, aside = body.local(mat.centre)
-    sides = [(ahead - body.size[0] / 2, aside, body.size[1])]
+    d, w = body.size[0] / 2, body.size[1] / 2
+    slack = limits["offset"] - 0.2
+    before = ahead > d - 0.1 and abs(aside) <= w + slack
     if body.item.category == "corner_shower":
-        sides.append((-aside - body.size[1] / 2, ahead, body.size[0]))  # the corner is at the back on the left
-        sides.append((math.hypot(*body.local(mat.centre)) - max(body.size[:2]) / 2, 0.0, 1.0))
-    if body.item.category == "freestanding_bathtub":
-        sides.append((-ahead - body.size[0] / 2, aside, body.size[1]))
-    half = max(mat.size[:2]) / 2
-    return any(
-        -0.1 <= gap <= half + limits["gap"] and abs(off) <= wide / 2 + limits["offset"] - 0.2
-        for gap, off, wide in sides
-    )
+        return before or (aside < 0.1 - w and abs(ahead) <= d + slack)  # its corner is at the back on the left
+    return before or (body.item.category == "freestanding_bathtub" and ahead < 0.1 - d and abs(aside) <= w + slack)
 
 
 def _flush(survey: Survey) -> Iterator[Finding]:

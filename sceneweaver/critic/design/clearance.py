@@ -11,7 +11,7 @@ from sceneweaver.verify.solids import Body
 from .. import kinds
 from ..grade import Finding
 from ..needs import seat_like, table_of
-from ..survey import FLAT, Survey
+from ..survey import Survey
 from .breach import breach
 from .measure import along, applies, clear_depth, floor_of_kind, inside, movable, named, names, overlap, strip
 
@@ -24,30 +24,23 @@ OPENED = named(
 )
 """What is opened or used by someone who stands before it."""
 
-BROWSED = named("bookcase display_cabinet library_shelf wine_rack pantry_shelf metal_shelf")
-"""What someone takes things from: half of the depth is enough."""
+BROWSED = named("bookcase low_bookcase display_cabinet library_shelf wine_rack pantry_shelf metal_shelf")
+"""What someone takes things from, for which less depth is enough."""
 
 BOARDS = frozenset(("whiteboard", "blackboard", "notice_board"))
+
+BINS = named("wastebasket trash_can pedal_bin recycling_bin")
 
 SCREENS = frozenset(("tv", "projector_screen"))
 
 TAKEN = 0.08
 """Share of the room before a thing that may be taken."""
 
-LOW = 0.35
-"""Height [m] over the lower edge of a board or screen up to which something below it covers none of it."""
-
-OFF_WALL = 0.3
-"""Gap [m] to a wall below which a table that people sit around is pushed against it."""
-
 BELOW_WINDOWS = kinds.SEE_THROUGH | kinds.WINDOW_WEAR | kinds.BEDS | kinds.LONG_BEDS
 """What may stand or hang before a window."""
 
 DARK = 0.2
 """Share of a window from which what covers it takes its light."""
-
-APART = kinds.SEATED_AT | frozenset(("activity_table", "kids_table", "standing_mirror"))
-"""What stands apart from all that is none of its group."""
 
 
 def faults(survey: Survey) -> Iterator[Finding]:
@@ -57,8 +50,6 @@ def faults(survey: Survey) -> Iterator[Finding]:
     yield from _before_use(survey)
     yield from _below(survey)
     yield from _windows(survey)
-    yield from _tables_at_walls(survey)
-    yield from _apart(survey)
 
 
 def _behind_seats(survey: Survey) -> Iterator[Finding]:
@@ -108,17 +99,33 @@ def _behind_counters(survey: Survey) -> Iterator[Finding]:
 
 def _before_use(survey: Survey) -> Iterator[Finding]:
     clear = limit("before_use", "clear")
-    for body in floor_of_kind(survey, OPENED, BROWSED):
-        depth = clear if body.item.category in OPENED else clear / 2
-        area = strip(body, "front", depth, 0.9)
-        taken = [(b, s) for b, s in inside(survey, area, (body,)) if not movable(b) and not _carried(survey, b, body)]
+    shelf = limit("before_use", "shelf")
+    for body in floor_of_kind(survey, BROWSED):
+        free, other = clear_depth(survey, body, "front", shelf, movable)
+        if free < shelf - 0.05 and other is not None and frozenset((other.id, body.id)) not in survey.pairs:
+            yield breach(
+                "before_use",
+                (body.id, other.id),
+                f"{free:.2f} m before {body.id} to {other.id}",
+                measured=free,
+                allowed=(shelf, None),
+                weight=0.8,
+                suggestion=f"leave {shelf:g} m before {body.id}",
+            )
+    for body in floor_of_kind(survey, OPENED):
+        area = strip(body, "front", clear, 0.9)
+        taken = [
+            (b, s)
+            for b, s in inside(survey, area, (body,))
+            if not movable(b) and frozenset((b.id, body.id)) not in survey.pairs
+        ]
         total = sum(s for _, s in taken)
         if total > 2 * TAKEN:
             worst = max(taken, key=lambda t: (t[1], t[0].id))[0]
             yield breach(
                 "before_use",
                 (body.id, *(b.id for b, _ in taken)),
-                f"{worst.id} takes {total:.0%} of the {depth:g} m before {body.id}",
+                f"{worst.id} takes {total:.0%} of the {clear:g} m before {body.id}",
                 measured=total,
                 allowed=(None, 2 * TAKEN),
                 weight=min(1.0, 0.4 + total),
@@ -126,12 +133,9 @@ def _before_use(survey: Survey) -> Iterator[Finding]:
             )
 
 
-def _carried(survey: Survey, body: Body, base: Body) -> bool:
-    return frozenset((body.id, base.id)) in survey.pairs
-
-
 def _below(survey: Survey) -> Iterator[Finding]:
     """What stands between a board or screen on a wall and those who write on it or look at it."""
+    most = TAKEN / 2  # nobody puts a bin there
     for rule, wanted in (("before_use", BOARDS), ("before_focus", SCREENS)):
         clear = limit(rule, "clear")
         for board in survey.of_kind(wanted):
@@ -141,7 +145,10 @@ def _below(survey: Survey) -> Iterator[Finding]:
             standing = [
                 (b, s)
                 for b, s in inside(survey, area, low=0.25)
-                if s > TAKEN and not movable(b) and not _holds(b, board) and not seat_like(b)
+                if s > (most if b.item.category in BINS else TAKEN)
+                and not movable(b)
+                and not _holds(b, board)
+                and not seat_like(b)
             ]
             if standing:
                 share = sum(s for _, s in standing)
@@ -186,60 +193,3 @@ def _windows(survey: Survey) -> Iterator[Finding]:
                 allowed=(None, window.z[0]),
                 suggestion=f"move {body.id} away from {window.item.id}",
             )
-
-
-def _tables_at_walls(survey: Survey) -> Iterator[Finding]:
-    if not applies(survey, "table_off_walls"):
-        return
-    least = limit("table_off_walls", "gap")
-    for table in floor_of_kind(survey, kinds.DINING):
-        gap = float(survey.wall_gaps[table.index])
-        round_ = "round" in table.item.category
-        seats = [b for b, _ in survey.near(table, 0.9) if seat_like(b) and table_of(survey, b) is table]
-        if gap >= least or len(seats) < (3 if round_ else 4):
-            continue
-        yield breach(
-            "table_off_walls",
-            (table.id,),
-            f"{table.id} for {len(seats)} stands {gap:.2f} m from a wall: its seats crowd the other sides",
-            measured=gap,
-            allowed=(least, None),
-            suggestion=f"move {table.id} at least {least:g} m off the walls",
-        )
-
-
-def _apart(survey: Survey) -> Iterator[Finding]:
-    """Tables of different groups that touch, seats of one at another, and things that are rammed together."""
-    if not applies(survey, "pieces_apart"):
-        return
-    least = limit("pieces_apart", "gap")
-    for body in floor_of_kind(survey, APART, ("laundry_hamper",)):
-        seats: list[tuple[float, Body]] = []
-        for other, gap in survey.near(body, 3 * least):
-            if other.item.mount != "floor" or other.z[1] <= FLAT or _one_group(survey, body, other):
-                continue
-            both = body.item.category in kinds.SEATED_AT and other.item.category in kinds.SEATED_AT
-            rammed = body.item.category in ("standing_mirror", "laundry_hamper") and "nightstand" in other.item.category
-            if kinds.upright_seat(other.item.category) and table_of(survey, other) not in (body, None):
-                seats.append((gap, other))
-            if (both and body.index < other.index) or (rammed and gap < least):
-                yield _close(body, [(gap, other)], least if rammed else 3 * least)
-        if seats and body.item.category in kinds.SEATED_AT:
-            yield _close(body, seats, 3 * least)
-
-
-def _close(body: Body, others: list[tuple[float, Body]], least: float) -> Finding:
-    gap = min(g for g, _ in others)
-    return breach(
-        "pieces_apart",
-        (body.id, *(b.id for _, b in others)),
-        f"{gap:.2f} m between {body.id} and {names(b for _, b in others)}, which is of another group",
-        measured=gap,
-        allowed=(round(least, 3), None),
-        suggestion=f"move {body.id} away from {names(b for _, b in others)}",
-    )
-
-
-def _one_group(survey: Survey, a: Body, b: Body) -> bool:
-    """Whether two things stand together on purpose: tied, or equal tables in a row."""
-    return a.item.category == b.item.category or frozenset((a.id, b.id)) in survey.pairs

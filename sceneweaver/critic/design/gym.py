@@ -30,6 +30,9 @@ STORES = named("dumbbell_rack weight_plate_rack kettlebell_rack metal_shelf stor
 
 MIRRORS = frozenset(("wall_mirror", "standing_mirror"))
 
+ASKEW = 15.0
+"""Angle [deg] to the walls from which a roller lies as it was left."""
+
 FAR = 9.0
 """Distance [m] up to which a window or screen is looked at."""
 
@@ -202,7 +205,11 @@ def _loose(survey: Survey) -> Iterator[Finding]:
     about = [
         b
         for b in loose
-        if not any(o in homes for o, _ in survey.near(b, reach)) and sum(o in loose for o, _ in survey.near(b, 0.3)) < 2
+        if (
+            not any(o in homes for o, _ in survey.near(b, reach))
+            and sum(o in loose for o, _ in survey.near(b, 0.3)) < 2
+        )
+        or (b.item.category == "foam_roller" and float(survey.wall_angles[b.index]) > math.radians(ASKEW))
     ]
     if len(about) >= 2:
         yield breach(

@@ -13,7 +13,7 @@ from sceneweaver.verify.solids import Body
 from ..grade import Finding
 from ..survey import Survey
 from .breach import breach
-from .measure import along, applies, floor_of_kind, inside, middle, named, names, overlap, strip
+from .measure import along, applies, floor_of_kind, inside, middle, named, names, overlap, strip, top_of
 
 FRONTS = named("kitchen_counter kitchen_cabinet sink_cabinet corner_cabinet")
 """Units with fronts and a worktop."""
@@ -44,22 +44,9 @@ def faults(survey: Survey) -> Iterator[Finding]:
     yield from _bin(survey)
 
 
-def worktop(body: Body) -> float:
-    """Height [m] of the largest level part of a unit: what stands on it, a tap, does not count."""
-    if body.item.surfaces:
-        return max(s.z for s in body.item.surfaces)
-    d, w, h = body.size
-    tops = []
-    for part in body.item.solids:
-        xs, ys = [p[0] for p in part.polygon], [p[1] for p in part.polygon]
-        if (max(xs) - min(xs)) * (max(ys) - min(ys)) > 0.6 * d * w:
-            tops.append(part.z[1])
-    return max(tops) if tops else h
-
-
 def _heights(units: list[Body]) -> Iterator[Finding]:
     step = limit("one_worktop_height", "step")
-    tops = {b.id: worktop(b) for b in units}
+    tops = {b.id: top_of(b) for b in units}
     counters = [tops[b.id] for b in units if b.item.category in FRONTS] or list(tops.values())
     usual = Counter(round(t, 2) for t in counters).most_common(1)[0][0]
     off = [b for b in units if abs(tops[b.id] - usual) > step + 0.005]
@@ -206,7 +193,7 @@ def _sink(survey: Survey) -> Iterator[Finding]:
     offset = design_rules()["sink_at_window"].limits["offset"]
     for sink in floor_of_kind(survey, SINKS):
         back = survey.back_wall(sink)
-        over = [w for w in survey.placed.windows if w.z[0] > worktop(sink) - 0.05 and _has_run(survey, w)]
+        over = [w for w in survey.placed.windows if w.z[0] > top_of(sink) - 0.05 and _has_run(survey, w)]
         if not over or back is None:
             continue
         away = min(math.dist(sink.centre, middle(w, sink.size[0] / 2)) for w in over)

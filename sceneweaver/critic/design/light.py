@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from sceneweaver.geometry.se2 import SE2
 from sceneweaver.knowledge.design_rules import design_rules, limit
 from sceneweaver.verify.solids import Body
 
@@ -29,6 +30,9 @@ PUBLIC = named(
     "office meeting_room restaurant cafe canteen bar classroom library waiting_room reception gym computer_lab"
 )
 """Rooms in which light from the ceiling is expected everywhere."""
+
+SPOTS = 300
+"""Points of the floor at which its light is looked at."""
 
 LONG = 2.2
 """Length [m] from which one lamp does not light a table."""
@@ -143,7 +147,7 @@ def _beds(survey: Survey) -> Iterator[Finding]:
 
 def _heights(survey: Survey, lamps: list[Body]) -> Iterator[Finding]:
     """Pendants low over ways, and those too high or low over their table."""
-    high = limit("pendant_clear", "height")
+    high, over_rest = limit("pendant_clear", "height"), limit("pendant_clear", "over_rest")
     low, top = limit("pendant_over_dining_table", "low"), limit("pendant_over_dining_table", "high")
     bases = [
         b
@@ -161,13 +165,13 @@ def _heights(survey: Survey, lamps: list[Body]) -> Iterator[Finding]:
             over = bottom - max(s.z for s in tables[0].item.surfaces) if tables[0].item.surfaces else bottom - 0.75
             if not low - 0.1 <= over <= top + 0.1:
                 wrong.append((over, lamp, tables[0]))
-        elif not under and bottom < high - 0.02:
+        elif bottom < (high - 0.02 if not under else over_rest if _rests(under) else 0.0):
             yield breach(
                 "pendant_clear",
                 (lamp.id,),
-                f"{lamp.id} hangs {bottom:.2f} m above a floor that people walk on",
+                f"{lamp.id} hangs {bottom:.2f} m above {under[0].id if under else 'a floor that people walk on'}",
                 measured=bottom,
-                allowed=(high, None),
+                allowed=(over_rest if under else high, None),
                 weight=min(1.5, 0.5 + (high - bottom) / 0.3),
                 suggestion=f"hang {lamp.id} over a table, or {high:g} m high",
             )
@@ -181,6 +185,11 @@ def _heights(survey: Survey, lamps: list[Body]) -> Iterator[Finding]:
             allowed=(low, top),
             suggestion=f"hang {names(b for _, b, _ in wrong)} 0.7 m over the table",
         )
+
+
+def _rests(under: list[Body]) -> bool:
+    """Whether some things are beds or sofas, from which people get up."""
+    return all(b.item.category in kinds.BEDS | kinds.LONG_BEDS | kinds.SOFAS for b in under)
 
 
 def _spread(survey: Survey, lamps: list[Body]) -> Iterator[Finding]:
@@ -214,9 +223,12 @@ def _spread(survey: Survey, lamps: list[Body]) -> Iterator[Finding]:
     if survey.room_type.name in PUBLIC and survey.area >= limits["area"]:
         floor = floor_of(survey)
         rows, columns = np.nonzero(floor.inside)
-        pick = slice(None, None, max(1, len(rows) // 400))
-        spots = np.array([floor.world(r + 0.5, c + 0.5) for r, c in zip(rows[pick], columns[pick], strict=True)])
-        away = np.hypot(*(spots[:, None, :] - np.array([b.centre for b in lamps])[None]).transpose(2, 0, 1)).min(axis=1)
+        pick = slice(None, None, max(1, len(rows) // SPOTS))
+        u = floor.origin[0] + (columns[pick] + 0.5) * floor.cell
+        v = floor.origin[1] + (rows[pick] + 0.5) * floor.cell
+        x, y = SE2(yaw=floor.turn).world(u, v)
+        centres = np.array([b.centre for b in lamps])
+        away = np.hypot(x[:, None] - centres[:, 0], y[:, None] - centres[:, 1]).min(axis=1)
         reach = math.sqrt(limits["area"] / 2)
         dark = float((away > reach).mean())
         if dark > DARK:

@@ -112,6 +112,19 @@ def names(bodies: Iterable[Body], most: int = 3) -> str:
     return ", ".join(ids[:most]) + (f" and {len(ids) - most} more" if len(ids) > most else "")
 
 
+def top_of(body: Body) -> float:
+    """Height [m] of the top of a table or unit over its lower end; a tap on it does not count."""
+    if body.item.surfaces:
+        return max(s.z for s in body.item.surfaces)
+    d, w, h = body.size
+    tops = []
+    for part in body.item.solids:
+        xs, ys = [p[0] for p in part.polygon], [p[1] for p in part.polygon]
+        if (max(xs) - min(xs)) * (max(ys) - min(ys)) > 0.6 * d * w:
+            tops.append(part.z[1])
+    return max(tops) if tops else h
+
+
 def overlap(a: tuple[float, float], b: tuple[float, float]) -> float:
     """Length [m] that two intervals share; negative: the gap between them."""
     return min(a[1], b[1]) - max(a[0], b[0])

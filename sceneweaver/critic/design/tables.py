@@ -18,7 +18,7 @@ from ..grade import Finding
 from ..needs import seat_like, table_of
 from ..survey import Survey
 from .breach import breach
-from .measure import applies, floor_of_kind, named, names
+from .measure import applies, floor_of_kind, named, names, top_of
 
 PLATES = frozenset(("plate", "place_setting"))
 
@@ -147,14 +147,14 @@ def seat_height(seat: Body) -> float | None:
 
 
 def _height(survey: Survey, table: Body, seats: list[Body]) -> Iterator[Finding]:
-    if not applies(survey, "seat_fits_table") or not table.item.surfaces:
+    if not applies(survey, "seat_fits_table"):
         return
     low, high = limit("seat_fits_table", "low"), limit("seat_fits_table", "high")
-    top = max(s.z for s in table.item.surfaces)
+    top = top_of(table)
     wrong = []
     for seat in seats:
-        height, most = seat_height(seat), high - (0.08 if seat.size[2] < CHILD else 0.0)
-        if height is not None and not low - 0.03 <= top - height <= most + 0.02:
+        height, less = seat_height(seat), 0.08 if seat.size[2] < CHILD else 0.0
+        if height is not None and not low - less - 0.03 <= top - height <= high - less + 0.02:
             wrong.append((top - height, seat))
     if wrong:
         rise = max(wrong, key=lambda w: (round(abs(w[0] - (low + high) / 2), 3), w[1].id))[0]

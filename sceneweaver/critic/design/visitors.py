@@ -29,6 +29,8 @@ VISITORS = kinds.LOUNGE | named(
 
 WAITING = kinds.LOUNGE | named("chair waiting_bench bench folding_chair")
 
+CHILD_SEATS = named("kids_chair stool pouf floor_cushion bean_bag")
+
 LOW_TABLES = kinds.COFFEE | {"side_table"}
 
 BESIDE = 0.9
@@ -53,6 +55,7 @@ def faults(survey: Survey) -> Iterator[Finding]:
         yield from _rows(survey, seats)
         yield from _knees(survey, seats)
         yield from _tables(survey, seats)
+        yield from _lost(survey, seats)
 
 
 def _sides(survey: Survey) -> Iterator[Finding]:
@@ -206,3 +209,26 @@ def _tables(survey: Survey, seats: list[Body]) -> Iterator[Finding]:
             allowed=(2.0, None),
             suggestion=f"put {table.id} before the seats",
         )
+
+
+def _lost(survey: Survey, seats: list[Body]) -> Iterator[Finding]:
+    """Racks far from the seats of those who read, and tables for children without a seat for them."""
+    reach = limit("piece_in_a_group", "seats")
+    for body in floor_of_kind(survey, ("magazine_rack", "newspaper_stand")):
+        if seats and not any(b in seats for b, _ in survey.near(body, reach)):
+            yield breach(
+                "piece_in_a_group",
+                (body.id,),
+                f"{body.id} stands more than {reach:g} m from all {len(seats)} seats",
+                allowed=(None, reach),
+                suggestion=f"put {body.id} beside the seats",
+            )
+    for table in floor_of_kind(survey, ("activity_table", "kids_table")):
+        if not any(b.item.category in CHILD_SEATS for b, _ in survey.near(table, reach)):
+            yield breach(
+                "piece_in_a_group",
+                (table.id,),
+                f"no child's seat is within {reach:g} m of {table.id}",
+                allowed=(None, reach),
+                suggestion=f"put a child's seat at {table.id}",
+            )

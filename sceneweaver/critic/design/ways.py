@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,13 +19,18 @@ from ..survey import Survey
 from .breach import breach
 from .measure import applies, clear_depth, middle, named, names
 
+Cells = NDArray[np.float64]
+
+ENTRY = 0.6
+"""Distance [m] around the middle of a door's inside within which a way begins."""
+
 REACH = 0.4
 """Distance [m] from a way beyond half its width at which what a way leads to is reached."""
 
 ACROSS = 1.3
 """The same [m] for a window, across the furniture below it."""
 
-GRID = 0.05
+GRID = 0.1
 """Width [m] that a way may lack, as the floor is measured on a grid."""
 
 NARROWER = (0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2)
@@ -45,6 +50,9 @@ GOALS = (
 
 BINS = named("laundry_hamper pedal_bin trash_can wastebasket recycling_bin")
 """What things are thrown into."""
+
+STEPPED_ON = 0.15
+"""Distance [m] beyond half of a person's width from which something on the floor is stepped on."""
 
 WEDGED = 0.06
 """Gap [m] on either side up to which something is wedged between others."""
@@ -69,56 +77,67 @@ def faults(survey: Survey) -> Iterator[Finding]:
 
 
 class Plan:
-    """The floor as a grid with the distance [m] of each cell from walls and furniture."""
+    """The floor as a grid with the distance [m] of each cell from walls and furniture, and from ways of a width."""
 
     def __init__(self, survey: Survey) -> None:
+        floor = floor_of(survey)
+        self.cell, self.origin, self.frame = floor.cell, np.asarray(floor.origin), SE2(yaw=floor.turn)
+        self.clear = self._distance(floor.inside & ~floor.taken)
+        self.entries = self._cells(np.array([middle(door, 0.5) for door in survey.placed.doors]))
+        self._away: dict[float, Cells] = {}
+
+    def _distance(self, cells: NDArray[np.bool_]) -> Cells:
+        """Distance [m] of each cell from the nearest one that is none of some cells, or beyond the grid."""
         from scipy.ndimage import distance_transform_edt
 
-        floor = floor_of(survey)
-        self.cell = floor.cell
-        rows, columns = np.indices(floor.inside.shape) + 0.5
-        u, v = floor.origin[0] + columns * self.cell, floor.origin[1] + rows * self.cell
-        x, y = SE2(yaw=floor.turn).world(u, v)
-        self.xy = np.stack([x, y], axis=-1)
-        free = np.pad(floor.inside & ~floor.taken, 1)
-        self.clear: NDArray[np.float64] = np.asarray(distance_transform_edt(free))[1:-1, 1:-1] * self.cell
-        self.entries = [np.asarray(middle(door, 0.5)) for door in survey.placed.doors]
-        self._regions: dict[float, NDArray[np.float64]] = {}
+        return np.asarray(distance_transform_edt(np.pad(cells, 1)))[1:-1, 1:-1] * self.cell
 
-    def region(self, width: float) -> NDArray[np.float64]:
-        """Points [n, 2] that someone who needs a width [m] gets to from a door."""
-        from scipy.ndimage import label
+    def _cells(self, points: NDArray[np.float64]) -> NDArray[np.intp]:
+        """Row and column [n, 2] of points [n, 2]; those beyond the grid at its edge."""
+        uv = (self.frame.to_local(points) - self.origin) / self.cell
+        return np.clip(uv[:, ::-1].astype(int), 0, np.array(self.clear.shape) - 1)
 
-        if width not in self._regions:
+    def away(self, width: float) -> Cells:
+        """Distance [m] of each cell from where someone who needs a width [m] gets to from a door."""
+        from scipy.ndimage import distance_transform_edt, label
+
+        if width not in self._away:
             regions, _ = label(self.clear >= width / 2, structure=np.ones((3, 3)))
-            entered = set()
-            for entry in self.entries:
-                near = (np.hypot(*(self.xy - entry).transpose(2, 0, 1)) < 0.7) & (regions > 0)
-                entered |= set(np.unique(regions[near]).tolist())
-            self._regions[width] = self.xy[np.isin(regions, list(entered))]
-        return self._regions[width]
+            near = int(ENTRY / self.cell)
+            entered: set[int] = set()
+            for row, column in self.entries:
+                box = regions[max(0, row - near) : row + near + 1, max(0, column - near) : column + near + 1]
+                entered |= set(np.unique(box).tolist())
+            reached = np.isin(regions, list(entered - {0}))
+            far = np.full(regions.shape, np.inf)
+            self._away[width] = np.asarray(distance_transform_edt(~reached)) * self.cell if reached.any() else far
+        return self._away[width]
 
-    def reached(self, width: float, shape: Any, within: float) -> bool:
-        """Whether a way of a width [m] comes within a distance [m], beyond half of it, of a shape."""
-        import shapely
+    def reached(self, width: float, outline: NDArray[np.float64], within: float) -> bool:
+        """Whether a way of a width [m] comes within a distance [m], beyond half of it, of an outline [n, 2]."""
+        rows, columns = self._cells(_dense(outline, self.cell)).T
+        return bool((self.away(width)[rows, columns] <= within + width / 2).any())
 
-        points, far = self.region(width), within + width / 2
-        x0, y0, x1, y1 = shapely.bounds(shape)
-        low, high = np.array([x0, y0]) - far, np.array([x1, y1]) + far
-        near = points[((points >= low) & (points <= high)).all(axis=1)]
-        return len(near) > 0 and bool((shapely.distance(shapely.points(near), shape) <= far).any())
+
+def _dense(outline: NDArray[np.float64], step: float) -> NDArray[np.float64]:
+    """Points [n, 2] along a closed outline at most two steps [m] apart."""
+    ends = np.roll(outline, -1, axis=0)
+    parts = [
+        a + (b - a) * np.arange(count)[:, None] / count
+        for a, b in zip(outline, ends, strict=True)
+        for count in (1 + int(math.dist(a, b) / (2 * step)),)
+    ]
+    return np.concatenate(parts)
 
 
 def _ways(survey: Survey, plan: Plan) -> Iterator[Finding]:
-    import shapely
-
     if not applies(survey, "way_to_group", "way_to_window"):
         return
     width = limit("way_to_group", "width")
     groups: dict[float, list[Body]] = {}
     for body in survey.of_kind(GOALS):
-        if body.item.mount == "floor" and not plan.reached(width - GRID, survey.boxes[body.index], REACH):
-            shape = survey.boxes[body.index]
+        shape = np.array(body.corners)
+        if body.item.mount == "floor" and not plan.reached(width - GRID, shape, REACH):
             groups.setdefault(_widest(plan, shape, REACH), []).append(body)
     for wide, bodies in groups.items():
         yield breach(
@@ -132,7 +151,7 @@ def _ways(survey: Survey, plan: Plan) -> Iterator[Finding]:
         )
     width, narrow = limit("way_to_window", "width"), {}
     for window in survey.placed.windows:
-        shape = shapely.Polygon(window.wall.strip(window.item.offset, window.item.width, 0.0, 0.05))
+        shape = np.array(window.wall.strip(window.item.offset, window.item.width, 0.0, 0.05))
         if not plan.reached(width - GRID, shape, ACROSS):
             narrow[window.item.id] = _widest(plan, shape, ACROSS)
     if narrow:
@@ -147,13 +166,11 @@ def _ways(survey: Survey, plan: Plan) -> Iterator[Finding]:
         )
 
 
-def _widest(plan: Plan, shape: Any, within: float) -> float:
+def _widest(plan: Plan, shape: NDArray[np.float64], within: float) -> float:
     return next((w for w in NARROWER if plan.reached(w, shape, within)), 0.0)
 
 
 def _unreached(survey: Survey, plan: Plan) -> Iterator[Finding]:
-    import shapely
-
     rule = design_rules()["reachable"]
     if not rule.applies(survey.room_type.name):
         return
@@ -168,14 +185,15 @@ def _unreached(survey: Survey, plan: Plan) -> Iterator[Finding]:
                 suggestion=f"move {body.id} to where it can be reached",
             )
             continue
-        sides = survey.boxes[body.index]
+        sides = np.array(body.corners)
         if body.item.category in kinds.WALL_BACKED:
             face = body.face("front")
             x, y = face.centre
             nx, ny = face.normal
             half = 0.7 * face.half
-            sides = shapely.LineString([(x - ny * half, y + nx * half), (x + ny * half, y - nx * half)])
-        if not plan.reached(BODY, sides, rule.limits["gap"] - 0.1):
+            sides = np.array([(x - ny * half, y + nx * half), (x + ny * half, y - nx * half)])
+        near = STEPPED_ON if body.item.category == "scale" else rule.limits["gap"] - 0.1
+        if not plan.reached(BODY, sides, near):
             yield breach(
                 "reachable",
                 (body.id,),

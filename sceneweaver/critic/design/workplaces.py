@@ -41,6 +41,7 @@ def faults(survey: Survey) -> Iterator[Finding]:
         yield from _desks(survey)
     if survey.room_type.name in ("meeting_room", "classroom", "lecture_hall"):
         yield from _meeting(survey)
+        yield from _stranded(survey)
     yield from _stands(survey)
     if applies(survey, "by_the_door"):
         yield from _by_the_door(survey)
@@ -127,6 +128,21 @@ def _meeting(survey: Survey) -> Iterator[Finding]:
                 allowed=(0.0, 0.0),
                 weight=min(2.0, 0.25 + 0.5 * len(backs)),
                 suggestion=f"leave the end of the table before {screen.id} free",
+            )
+
+
+def _stranded(survey: Survey) -> Iterator[Finding]:
+    """Filing cabinets that stand by themselves along a wall."""
+    gap = limit("piece_in_a_group", "gap")
+    for body in floor_of_kind(survey, ("filing_cabinet",)):
+        near = [b for b, _ in survey.near(body, gap) if kinds.groups_of(b.item.category) & {"storage", "table_group"}]
+        if not near:
+            yield breach(
+                "piece_in_a_group",
+                (body.id,),
+                f"{body.id} stands alone, nothing within {gap:g} m",
+                allowed=(None, gap),
+                suggestion=f"put {body.id} beside the other storage",
             )
 
 
