@@ -29,6 +29,7 @@ OWN: Mapping[str, str] = {
     "add_tabletop": "AddTabletop",
     "add_crowd": "AddCrowd",
     "add_wall_objects": "AddWallObjects",
+    "add_clutter": "AddClutter",
     "remove_objects": "RemoveObjects",
     "add_relation": "AddRelation",
     "update_rotation": "UpdateRotation",

@@ -181,19 +181,19 @@ class Layer:
         self, slot: Slot, asset: Asset, surface: Surface, base: Standing | None, ground: Field, spread: Spread
     ) -> bool:
         shape = self._shelf.shape(asset)
-        yaw = spread.yaw
         anchor = next((s for s in self._standing if s.slot == slot.by), None) if slot.by else None
-        if anchor is not None:
-            goals = spread.beside(shape, yaw, anchor, self._shelf.shape(anchor.asset))
-        elif base is not None:
-            goals = [ground.centre]
-        else:
-            goals = [ground.inside(shape, yaw, spread.share) + spread.drift]
-        for goal in goals:
-            at = ground.find(shape, yaw, goal, slot.reach if anchor is None else min(slot.reach, 0.1))
-            if at is not None:
-                self._stand(slot, asset, surface, at, yaw, base=base, anchor=anchor)
-                return True
+        for yaw in dict.fromkeys((spread.yaw, spread.yaw - spread.stray)):  # square where it is too tight to stray
+            if anchor is not None:
+                goals = spread.beside(shape, yaw, anchor, self._shelf.shape(anchor.asset))
+            elif base is not None:
+                goals = [ground.centre]
+            else:
+                goals = [ground.inside(shape, yaw, spread.share) + spread.drift]
+            for goal in goals:
+                at = ground.find(shape, yaw, goal, slot.reach if anchor is None else min(slot.reach, 0.1))
+                if at is not None:
+                    self._stand(slot, asset, surface, at, yaw, base=base, anchor=anchor)
+                    return True
         return False
 
     # before chairs

@@ -15,6 +15,7 @@ from sceneweaver.export import formats_named
 from sceneweaver.knowledge import RoomType, match_room, room_types
 from sceneweaver.knowledge.likely import likeliest_room
 from sceneweaver.scene import InputError, MissingDependencyError
+from sceneweaver.tools.base import CLUTTER
 from sceneweaver.tools.registry import Registered
 from sceneweaver.tools.registry import tools as registered
 from sceneweaver.verify import Report
@@ -23,6 +24,7 @@ from .deadline import Deadline, Stop, TimeUp
 from .deliver import deliver
 from .executor import Executor
 from .folder import RunFolder
+from .lived_in import lived_in
 from .loop import Run
 from .memory import Step
 from .planner import RulesPlanner
@@ -55,6 +57,7 @@ def design(
     time_limit: float | None = 120.0,
     pictures: bool = True,
     export: str | Iterable[str] = ("glb", "usd", "mjcf"),
+    clutter: float = CLUTTER,
     settle: bool = False,
     said: Callable[[Step], None] | None = None,
     began: float | None = None,
@@ -75,6 +78,7 @@ def design(
             None: as long as it takes.
         pictures: whether pictures and the report are drawn into ``out``.
         export: formats that are written into ``out``: glb, usd, mjcf, scenestate; "all" or "none".
+        clutter: how lived-in the room looks, from 0, a show room, to 1: things that lie about, askew, on the floor.
         settle: whether to prefer layouts that physics leaves alone, to keep the poses in which things come to rest, and
             to measure the stability of the scene.
         said: called with each step as it ends.
@@ -98,6 +102,7 @@ def design(
         candidates=candidates,
         device=device,
         seconds=time_limit,
+        clutter=clutter,
         settle=settle,
         **switches,
     )
@@ -138,6 +143,12 @@ def _result(run: Run, remarks: Sequence[str], began: float) -> Result:
     best = run.go()
     stopped = run.deadline.stop.reason
     said = [f"the work was cut off: {run.cut_off}"] if run.cut_off else []
+    if not run.cut_off:
+        try:
+            with run.deadline.enforced():
+                best = lived_in(best, Executor(run.room_type, brief, settings), run.context(best.scene, settings.seed))
+        except TimeUp:
+            said.append("the room is tidier than usual: time was up")
     if settings.settle:
         try:
             with run.deadline.enforced():

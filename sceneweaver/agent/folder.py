@@ -37,6 +37,7 @@ RELEVANT = (
     "physics",
     "one_shot",
     "settle",
+    "clutter",
     "tools",
 )
 """Settings that must be the same for a run to go on; budgets may grow."""

@@ -239,8 +239,12 @@ class Run:
             return self.deadline.left < HURRY * left
 
         return tool.propose(
-            Context(self.brief, self.room_type, scene, self.library, call.seed, call.instruction, call.inputs, hurried)
+            replace(self.context(scene, call.seed), instruction=call.instruction, inputs=call.inputs, hurried=hurried)
         )
+
+    def context(self, scene: Scene, seed: int) -> Context:
+        """What a tool may look at."""
+        return Context(self.brief, self.room_type, scene, self.library, seed, clutter=self.settings.clutter)
 
     def _take(
         self, outcomes: dict[int, Outcome], tried: list[dict[str, Any]], calls: list[Call], spent: float, attempts: int

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pydantic import Field
 
 from sceneweaver.scene.base import FrozenModel
+from sceneweaver.tools.base import CLUTTER
 
 ASKED = 0.5
 """What a point of what is not as asked weighs beside its grade, in points of the mean of all grades; of that a point of
@@ -35,6 +36,9 @@ class Settings(FrozenModel):
     work: int = Field(default=240, ge=1, description="Attempts at a layout after which no step begins")
     grade: float = Field(default=9.7, description="Mean grade at which to stop")
     patience: int = Field(default=2, ge=1, description="Steps without progress after which to stop")
+    clutter: float = Field(
+        default=CLUTTER, ge=0, le=1, description="How lived-in the room looks, from 0, a show room, to 1"
+    )
     settle: bool = Field(default=False, description="Prefer what physics leaves alone, and keep its settled poses")
     reflect: bool = True
     physics: bool = True

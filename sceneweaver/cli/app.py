@@ -270,6 +270,12 @@ def design(
     export: Annotated[
         str, typer.Option(metavar="FORMATS", help="Files for other tools: glb, usd, mjcf, scenestate, all or none.")
     ] = "glb,usd,mjcf",
+    clutter: Annotated[
+        float | None,
+        typer.Option(
+            min=0.0, max=1.0, help="How lived-in the room looks: 0 a show room, 0.4 as usual.", show_default=False
+        ),
+    ] = None,
     settle: Annotated[
         bool, typer.Option("--settle/--no-settle", help="Prefer layouts that physics leaves alone; let things settle.")
     ] = False,
@@ -289,6 +295,7 @@ def design(
         time_limit=time_limit,
         pictures=pictures,
         export=export,
+        clutter=clutter,
         settle=settle,
         as_json=as_json,
         began=context.obj,

@@ -46,6 +46,7 @@ def run_design(
     time_limit: float | None,
     pictures: bool,
     export: str,
+    clutter: float | None = None,
     settle: bool,
     as_json: bool,
     began: float,
@@ -74,6 +75,7 @@ def run_design(
             said=None if as_json else _say,
             began=began,
             stop=stop,
+            **({} if clutter is None else {"clutter": clutter}),
         )
     code = 0 if result.satisfied else NOT_VALID
     if as_json:

@@ -8,6 +8,7 @@ from functools import cache
 
 from sceneweaver.assets import categories
 from sceneweaver.knowledge import RoomType
+from sceneweaver.knowledge.lived_in import left_about
 from sceneweaver.verify.solids import Body
 
 from . import kinds
@@ -63,6 +64,8 @@ def _foreign(survey: Survey) -> Iterator[Finding]:
     for body in survey.bodies:
         category = body.item.category
         if category in own or category in asked or body.id in survey.program.item_of:
+            continue
+        if left_about(category, survey.room_type.name):
             continue
         if body.item.intent.request in {a.id for a in survey.brief.entities}:
             continue

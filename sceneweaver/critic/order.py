@@ -8,6 +8,7 @@ from typing import Any
 
 from sceneweaver.assets import categories
 from sceneweaver.geometry.angles import wrap_angle
+from sceneweaver.knowledge.lived_in import left_about
 from sceneweaver.scene import CATALOGUE
 from sceneweaver.verify.solids import Body
 
@@ -134,6 +135,8 @@ def _crooked(survey: Survey) -> Iterator[Finding]:
         d, w, _ = body.size
         round_ = abs(d - w) < 0.03 * max(d, w) and (row is None or not row.sides)
         if round_ or "round" in body.item.category or body.item.category in kinds.TALL_PLANTS:
+            continue
+        if left_about(body.item.category, survey.room_type.name):
             continue
         angle = _axis_gap(survey, body)
         if kinds.upright_seat(body.item.category):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cache
 from importlib import resources
 from types import MappingProxyType
@@ -25,14 +25,19 @@ def most_of(category: str, room: str) -> int | None:
     return _most().get(category) if belongs(category, room) else 0
 
 
+def rooms_named(names: Iterable[str]) -> frozenset[str]:
+    """The kinds of rooms of some groups of ``small_things.yaml`` and kinds of rooms."""
+    groups = _data()["groups"]
+    return frozenset(room for name in names for room in groups.get(name, (name,)))
+
+
 @cache
 def _rooms_of() -> Mapping[str, frozenset[str]]:
-    data = _data()
     found: dict[str, frozenset[str]] = {}
-    for row in data["belongs"]:
-        rooms = {room for name in row["rooms"] for room in data["groups"].get(name, (name,))}
+    for row in _data()["belongs"]:
+        rooms = rooms_named(row["rooms"])
         for category in row["what"]:
-            found[_known(category)] = frozenset(rooms) | found.get(category, frozenset())
+            found[_known(category)] = rooms | found.get(category, frozenset())
     return MappingProxyType(found)
 
 
