@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import warp as wp
 
 from .array_access import item, item_strided
-from .geometry import FAR, Prism, box_distance, box_separation, plane_of, turn, turn_back, wrap
+from .geometry import FAR, Prism, box_distance, box_separation, perp, plane_of, turn, turn_back, wrap
 from .tables import FIXTURE_SOLID, SOLIDS, Problems, State, Table, TablesRef, parts_of, struct_of
 
 wp.set_module_options({"enable_backward": False})
@@ -21,17 +21,20 @@ LATERAL = 0  # [m] how far b's middle is aside of a's
 AHEAD = 1  # [m] how far b's middle is ahead of a's
 GAP = 2  # [m] between the boxes of a and b; negative: they overlap
 NEAREST = 3  # [m] the least gap between a and one of the others
-BEARING = 4  # [rad] from a's front, turned by p0, to b's middle; 0 to pi
+BEARING = 4  # [rad] from a's front, turned by p0, to the middle of the other it is least off; 0 to pi
 TURNED = 5  # [rad] b's yaw less a's and p0, wrapped to a period of p1; 0 to p1 / 2
 MIRRORED = 6  # [m] between b and where a's mirror image at the axis of c is
 BACKING = 7  # [m] a's back ahead of b
-CLEAR = 8  # [m] free ahead of a's front, p0 wide (0: a's width), between heights p1 and p2; other members do not count
+CLEAR = 8  # [m] free before a side of a (`side_of`), p0 wide (0: as it), from height p1 to p2; others do not count
 OVERLAP = 9  # [m] of b's width that a stands before, where it is nearer than p0
 SCREENED = 10  # [m] of the line between a and b at height p0 that solids take up; other members do not count
-COVERED = 11  # share of wall a that has something nearer than p0; other members (openings) are no part of the wall
+BARE = (
+    11  # [m] of wall a in stretches longer than p2 with nothing nearer than p0, be it hung or p1 high, nor an opening
+)
 ON_FLOOR = 16  # and above: those of `quality_floor`
 
 BINS = wp.constant(32)  # of a wall
+HUNG = wp.constant(0.3)  # [m] above the floor from which on something hangs
 
 TERMS = (
     Table("kind", ("row",), wp.int32, "", "the measure"),
@@ -101,6 +104,21 @@ def has_member(terms: Terms, first: wp.int32, last: wp.int32, obj: wp.int32):
 def in_frame(x: Member, p: wp.vec2):
     """A point as a member sees it: ahead, aside."""
     return turn_back(x.turn, p - x.at)
+
+
+@wp.func
+def side_of(x: Member, side: wp.int32):
+    """A member with another side for its front: 0 front, 1 left, 2 back, 3 right."""
+    y = x
+    if side == 1:
+        y.turn = perp(x.turn)
+    if side == 2:
+        y.turn = -x.turn
+    if side == 3:
+        y.turn = -perp(x.turn)
+    if side == 1 or side == 3:
+        y.half = wp.vec2(x.half[1], x.half[0])
+    return y
 
 
 @wp.func
@@ -275,41 +293,36 @@ def bins_within(low: wp.float32, high: wp.float32, half: wp.float32):
 
 
 @wp.func
-def count_bits(bits: wp.uint32):
-    """How many bits are set."""
-    n = int(0)
-    for k in range(BINS):
-        n += int((bits >> wp.uint32(k)) & wp.uint32(1))
-    return n
-
-
-@wp.func
-def covered_share(
-    b: Problems, terms: Terms, s: State, candidate: wp.int32, wall: Member, members: wp.vec2i, depth: wp.float32
-):
-    """Share of a wall, openings left out, that has an object's box nearer than ``depth``; 1 where no wall is left."""
+def bare_length(b: Problems, terms: Terms, s: State, candidate: wp.int32, wall: Member, members: wp.vec2i, p: wp.vec4):
+    """Length of a wall in stretches longer than p2 with neither an opening nor a high or hung object nearer than p0."""
     t = b.tables
     problem = b.problem[candidate]
-    whole = bins_within(-wall.half[1], wall.half[1], wall.half[1])
+    covered = wp.uint32(0)
     for k in range(members[0] + 1, members[1]):
         box = box_in_frame(wall, member_of(b, terms, s, candidate, k))
-        whole = whole & ~bins_within(box[2], box[3], wall.half[1])
-    covered = wp.uint32(0)
+        covered = covered | bins_within(box[2], box[3], wall.half[1])
     for obj in range(item(t[0].object_start, problem + 1) - terms.first):
         pose = item_strided(s.poses, candidate, obj)
         size = item(t[0].object_size, terms.first + obj)
-        if size[2] > 0.05 and (pose[2] < 1.0 or pose[2] + size[2] < wall.z[1] - 0.1):  # no rug, not at the ceiling
+        hung = pose[2] > HUNG and pose[2] + size[2] < wall.z[1] - 0.05
+        if hung or (size[2] >= p[1] and pose[2] <= HUNG):
             other = Member()
             other.at = plane_of(pose)
             other.turn = item_strided(s.turns, candidate, obj)
             other.half = wp.vec2(0.5 * size[0], 0.5 * size[1])
             box = box_in_frame(wall, other)
-            if box[0] < depth and box[1] > 0.0:
+            if box[0] < p[0] and box[1] > 0.0:
                 covered = covered | bins_within(box[2], box[3], wall.half[1])
-    length = count_bits(whole)
-    if length == 0:
-        return 1.0
-    return float(count_bits(covered & whole)) / float(length)
+    step = 2.0 * wall.half[1] / float(BINS)
+    total = float(0.0)
+    run = float(0.0)
+    for k in range(BINS):
+        if ((covered >> wp.uint32(k)) & wp.uint32(1)) == wp.uint32(1):
+            total += wp.where(run > p[2], run, 0.0)
+            run = float(0.0)
+        else:
+            run += step
+    return total + wp.where(run > p[2], run, 0.0)
 
 
 @wp.func
@@ -327,9 +340,15 @@ def measured(b: Problems, terms: Terms, s: State, candidate: wp.int32, row: wp.i
             best = wp.min(best, gap_of(a, member_of(b, terms, s, candidate, k)))
         return best
     if kind == CLEAR:
-        return free_ahead(b, terms, s, candidate, a, members, p)
-    if kind == COVERED:
-        return covered_share(b, terms, s, candidate, a, members, p[0])
+        return free_ahead(b, terms, s, candidate, side_of(a, int(p[3])), members, p)
+    if kind == BEARING:
+        best = float(FAR)
+        for k in range(first + 1, last):
+            w = in_frame(a, member_of(b, terms, s, candidate, k).at)
+            best = wp.min(best, wp.abs(wrap(wp.atan2(w[1], w[0]) - p[0], 2.0 * wp.pi)))
+        return best
+    if kind == BARE:
+        return bare_length(b, terms, s, candidate, a, members, p)
     o = member_of(b, terms, s, candidate, first + 1)
     v = in_frame(a, o.at)
     if kind == LATERAL:
@@ -338,8 +357,6 @@ def measured(b: Problems, terms: Terms, s: State, candidate: wp.int32, row: wp.i
         return v[0]
     if kind == GAP:
         return gap_of(a, o)
-    if kind == BEARING:
-        return wp.abs(wrap(wp.atan2(v[1], v[0]) - p[0], 2.0 * wp.pi))
     if kind == TURNED:
         return wp.abs(wrap(yaw_between(a.turn, o.turn) - p[0], p[1]))
     if kind == BACKING:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from sceneweaver.extend import undefine_relation as undefine_relation
     from sceneweaver.layout import QualityTerm as QualityTerm
     from sceneweaver.layout import Solution as Solution
+    from sceneweaver.layout import improve as improve
     from sceneweaver.render import draw_top as draw_top
     from sceneweaver.repairs import Repair as Repair
     from sceneweaver.repairs import repair as repair
@@ -55,6 +56,7 @@ __all__ = [
     "define_relation",
     "design",
     "draw_top",
+    "improve",
     "refine",
     "refine_many",
     "repair",
@@ -82,6 +84,7 @@ _HOME = {
     "define_relation": "extend",
     "design": "agent",
     "draw_top": "render",
+    "improve": "layout",
     "refine": "explain",
     "refine_many": "explain",
     "repair": "repairs",

@@ -43,7 +43,7 @@ def free_runs(room: Room, objects: Iterable[SceneObject], wall: Wall, least: flo
         along, deep = extent(obj, wall)
         hung = obj.mount == "wall" and wall_behind(room.walls, obj.pose.position, obj.pose.frame.axis) == wall.index
         tall = obj.mount == "floor" and obj.size[2] >= TALL
-        if (hung or tall) and deep[0] <= CLOSE and along[1] > 0.0 and along[0] < wall.length:
+        if (hung or tall) and deep[0] <= CLOSE and deep[1] > 0.0 and along[1] > 0.0 and along[0] < wall.length:
             taken.append((*along, HUNG if hung else BESIDE))
     runs: list[Span] = []
     at, gap = 0.0, CORNER

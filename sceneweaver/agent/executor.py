@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.knowledge import RoomType
-from sceneweaver.layout import refine, refine_many
+from sceneweaver.layout import QualityTerm, Solution, improve, refine, refine_many
 from sceneweaver.scene import Pose, Relation, Room, Scene
 from sceneweaver.scene.edits import Remove, apply, apply_all
 from sceneweaver.tools.base import Proposal
@@ -18,6 +18,7 @@ from sceneweaver.tools.carry import carried
 from sceneweaver.tools.spots import has_place
 from sceneweaver.verify import Report, Violation, check
 
+from .choice import choice_terms
 from .coarse import coarse
 from .deadline import NEVER, Deadline
 from .relaxation import eased, left_out, pruned, relaxed
@@ -32,6 +33,9 @@ ROUNDS = 8
 
 AGAIN = 0.5
 """Share of the time of the last search without which no other begins before the deadline."""
+
+IMPROVED = 2
+"""Of several rooms or variants, how many are taken further: those with the best layouts."""
 
 STEADY = 3
 """Layouts that are tried in physics, of those that the critic likes best."""
@@ -144,15 +148,19 @@ class Executor:
         s, attempts = self.settings, self.settings.attempts[patience]
         self.attempts += attempts
         drafts = [draft.model_copy(update={"room": room}) for room in rooms]
+        plain = [searched(d) for d in drafts]
+        terms = [self._terms(d) for d in plain]
         solutions = refine_many(
-            [searched(d) for d in drafts],
+            plain,
             candidates=max(8, s.layouts // len(drafts)),
             seed=seed,
             device=s.device,
             steps=attempts,
             time_limit=self.deadline.time_limit,
             snap=True,
+            quality=terms,
         )
+        solutions = self._improved(solutions, terms)
         for moved, solution in zip(drafts, solutions, strict=True):
             layouts = solution.distinct(2) or [solution.best]
             found = self._steadiest(self._ranked([_posed(moved, layout) for layout in layouts]))
@@ -161,6 +169,33 @@ class Executor:
             if self.deadline.passed:
                 break
         return draft, best
+
+    def _terms(self, scene: Scene) -> list[QualityTerm]:
+        """What the layouts of a scene are chosen by before the critic sees any."""
+        return choice_terms(scene, self.room_type) if self.settings.choice else []
+
+    def _improved(self, solutions: Sequence[Solution], terms: Sequence[Sequence[QualityTerm]]) -> list[Solution]:
+        """The solutions; those with the best layouts of all are taken further."""
+        s, found = self.settings, list(solutions)
+        worth = {
+            k: float(solution.quality[solution.ranked[0]])
+            for k, solution in enumerate(found)
+            if solution.quality is not None and len(solution.ranked)
+        }
+        best = sorted(worth, key=lambda k: -round(worth[k], 4))[:IMPROVED]
+        for k in best if s.generations else ():
+            if self.deadline.passed:
+                break
+            found[k] = improve(
+                found[k],
+                terms[k],
+                candidates=max(1, s.children // len(best)),
+                generations=s.generations,
+                steps=s.attempts[0],
+                time_limit=self.deadline.time_limit,
+                snap=True,
+            )
+        return found
 
     def judged(self, scene: Scene, report: Report | None = None) -> Outcome:
         """A scene as it is."""
@@ -221,6 +256,7 @@ class Executor:
             moving = loose | {rider for id in loose for rider in carried(known, id)}
             pinned = _pinned(coarse(draft), {o.id: o.pose for o in draft.objects if o.id not in moving})
             self.attempts += s.attempts[0]
+            drawn = any(not has_place(draft.object(id)) for id in loose)
             solution = refine(
                 pinned,
                 candidates=max(16, s.layouts // 2),
@@ -228,8 +264,9 @@ class Executor:
                 device=s.device,
                 steps=s.attempts[0],
                 time_limit=self.deadline.time_limit,
-                init="sample" if any(not has_place(draft.object(id)) for id in loose) else "current",
+                init="sample" if drawn else "current",
                 snap=True,
+                quality=self._terms(pinned) if drawn else (),
             )
             layouts = [_posed(draft, layout) for layout in solution.distinct(ENOUGH)]
             valid = [o for o in self._ranked(layouts) if o.report.valid]
@@ -247,8 +284,10 @@ class Executor:
     def _free(self, draft: Scene, fresh: bool, seed: int, attempts: int) -> list[Scene]:
         """Layouts of a whole scene, valid ones if there are any."""
         s = self.settings
+        plain = searched(draft) if fresh else coarse(draft)
+        terms = self._terms(plain) if fresh else []
         solution = refine(
-            searched(draft) if fresh else coarse(draft),
+            plain,
             candidates=s.layouts if fresh else max(16, s.layouts // 4),
             seed=seed,
             init="sample" if fresh else "current",
@@ -256,7 +295,10 @@ class Executor:
             steps=attempts,
             time_limit=self.deadline.time_limit,
             snap=True,
+            quality=terms,
         )
+        if fresh:
+            solution = self._improved([solution], [terms])[0]
         layouts = solution.distinct(s.finalists if fresh else 2) or [solution.best]
         return [_posed(draft, layout) for layout in layouts]
 
@@ -264,15 +306,19 @@ class Executor:
         """Layouts of a scene with the relations of each variant; if none is valid, the one that comes nearest."""
         s = self.settings
         drafts = [_with(draft, variant) for variant in variants]
+        plain = [searched(d) for d in drafts]
+        terms = [self._terms(d) for d in plain]
         solutions = refine_many(
-            [searched(draft) for draft in drafts],
+            plain,
             candidates=max(6, s.layouts // (2 * len(drafts))),
             seed=seed,
             device=s.device,
             steps=attempts,
             time_limit=self.deadline.time_limit,
             snap=True,
+            quality=terms,
         )
+        solutions = self._improved(solutions, terms)
         found = [
             _posed(draft, layout)
             for draft, solution in zip(drafts, solutions, strict=True)

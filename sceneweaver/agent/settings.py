@@ -16,9 +16,9 @@ class Settings(FrozenModel):
     """Budgets and switches of a run; equal settings and seed give equal scenes unless a time limit cuts them off.
 
     ``tools`` names the only tools to use (None: all that their cards allow). The others are for ablations. Without
-    ``reflect`` the plan is fixed beforehand and nothing is taken back; with ``one_shot`` the critic is heard once,
-    after the first step, and what it asks for is done without looking again; without ``physics`` layouts are drawn
-    from the relations and not optimised.
+    ``choice`` the critic sees layouts that the engine ranks by relations alone. Without ``reflect`` the plan is fixed
+    beforehand and nothing is taken back; with ``one_shot`` the critic is heard once, after the first step, and what it
+    asks for is done without looking again; without ``physics`` layouts are drawn from the relations and not optimised.
     """
 
     seed: int = Field(default=0, ge=0, le=2**32 - 1)
@@ -28,6 +28,9 @@ class Settings(FrozenModel):
         default=None, ge=1, description="Layouts that are refined for each call; None: by the kind of device"
     )
     finalists: int = Field(default=10, ge=1, description="Layouts of these that the critic compares")
+    generations: int = Field(
+        default=4, ge=0, description="Times that the best layouts of a room are recombined to better ones"
+    )
     device: str = "auto"
     seconds: float | None = Field(default=120.0, gt=0, description="Time limit [s]; None: none")
     attempts: tuple[int, int] = Field(
@@ -40,6 +43,7 @@ class Settings(FrozenModel):
         default=CLUTTER, ge=0, le=1, description="How lived-in the room looks, from 0, a show room, to 1"
     )
     settle: bool = Field(default=False, description="Prefer what physics leaves alone, and keep its settled poses")
+    choice: bool = True
     reflect: bool = True
     physics: bool = True
     one_shot: bool = False
@@ -52,4 +56,9 @@ class Settings(FrozenModel):
             return self.candidates
         from sceneweaver.layout.devices import pick_devices
 
-        return 64 if pick_devices(self.device)[0] == "cpu" else 2048
+        return 64 if pick_devices(self.device)[0] == "cpu" else 4096
+
+    @property
+    def children(self) -> int:
+        """Layouts of a generation."""
+        return max(1, self.layouts // 2)

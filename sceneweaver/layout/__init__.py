@@ -4,8 +4,9 @@ from sceneweaver.optimizers.batch import Progress as Progress
 
 from .engine import refine as refine
 from .engine import refine_many as refine_many
+from .improve import improve as improve
 from .quality import QualityTerm as QualityTerm
 from .rate import rate as rate
 from .solution import Solution as Solution
 
-__all__ = ["Progress", "QualityTerm", "Solution", "rate", "refine", "refine_many"]
+__all__ = ["Progress", "QualityTerm", "Solution", "improve", "rate", "refine", "refine_many"]

@@ -10,12 +10,12 @@ import warp as wp
 from sceneweaver.optimizers import Batch, new_state
 
 from .compile import LayoutProblem
-from .pack import margins, pack, weights
+from .pack import Packed, margins, pack, weights
 
 
 def make_batch(problems: Sequence[LayoutProblem], which: np.ndarray, device: str, pools=None) -> Batch:
     """A batch with one candidate for every entry of ``which`` (the index of its problem)."""
-    packed = pack(problems, device, pools)
+    packed = _packed(problems, device, pools)
     return Batch(
         packed.tables,
         packed.keep,
@@ -28,3 +28,13 @@ def make_batch(problems: Sequence[LayoutProblem], which: np.ndarray, device: str
         packed.terms,
         device,
     )
+
+
+def _packed(problems: Sequence[LayoutProblem], device: str, pools) -> Packed:
+    """The tables of some problems; those of one alone without pools are kept with it, to be made once."""
+    if len(problems) > 1 or any(pools or ()):
+        return pack(problems, device, pools)
+    kept = problems[0].packed
+    if device not in kept:
+        kept[device] = pack(problems, device, None)
+    return kept[device]

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -38,7 +39,7 @@ class LayoutProblem:
 
     ``home`` holds the scene's poses [object, 4] (x, y, z, yaw) in the problem's frame; ``relations`` the scene's
     relations first (``relation_ids`` names them), then what the engine adds: riders (conditions that belong to a
-    relation before them) and the mountings of wall objects.
+    relation before them) and the mountings of wall objects. ``packed`` keeps its tables by device, see `make_batch`.
     """
 
     ids: list[str]
@@ -59,6 +60,7 @@ class LayoutProblem:
     riders: dict[int, int]
     faulty: bool = False
     surfaces: list[SupportSurface] = field(default_factory=list)
+    packed: dict[str, Any] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     @property
     def size(self) -> int:

@@ -28,7 +28,7 @@ from .devices import WALKED, pick_devices, solve_on
 from .job import Job
 from .pack import weights
 from .quality import QualityTerm, check_terms
-from .rate import rated
+from .rate import rated, walked
 from .solution import Solution, best_of
 
 INITS = ("sample", "random", "current")
@@ -53,23 +53,26 @@ def refine(
     progress: Progress | None = None,
     snap: bool = False,
     quality: Sequence[QualityTerm] = (),
+    compiled: CompiledScene | None = None,
+    walk: bool = True,
 ) -> Solution:
     """Refine many candidate layouts of a scene at once.
 
     Arguments and errors as for `sceneweaver.refine`, which this does the work of; no explanation is looked for.
+    ``compiled`` is the scene, if that has been compiled before; without ``walk`` walkable floor is not measured.
     """
     began = time.monotonic()
     given = _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps)
     where = pick_devices(device)
-    compiled = compile_scene(scene)
+    compiled = compiled or compile_scene(scene)
     check_terms(scene, quality)
     world = _all_at(compiled.room.home, candidates) if given is None else given
     start = init if isinstance(init, str) and init != "current" else "given"
-    job = Job(compiled, world, start, seed, keep=start == "given" and given is None)
+    job = Job(compiled, world, start, seed, keep=start == "given" and given is None, walk=not quality)
     monitor = Monitor(len(world), None if time_limit is None else began + time_limit, progress)
     jobs = _prepared([job], where, optimizer, monitor)
     found = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))
-    return _rated(found, [compiled], [quality], began)[0]
+    return _rated(found, [compiled], [quality], began, walk)[0]
 
 
 def refine_many(
@@ -103,7 +106,7 @@ def refine_many(
         compiled = compile_scene(scene)
         world = _all_at(compiled.room.home, candidates)
         current = init == "current"
-        jobs.append(Job(compiled, world, "given" if current else init, seed, keep=current))
+        jobs.append(Job(compiled, world, "given" if current else init, seed, keep=current, walk=not wanted))
     monitor = Monitor(candidates * len(jobs), None if time_limit is None else began + time_limit, progress)
     jobs = _prepared(jobs, where, optimizer, monitor)
     found = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))
@@ -115,12 +118,17 @@ def _rated(
     compiled: Sequence[CompiledScene],
     terms: Sequence[Sequence[QualityTerm]],
     began: float,
+    walk: bool = True,
 ) -> list[Solution]:
     """The solutions of some scenes, rated where there are terms for that."""
-    return [
-        replace(rated(solution, room, wanted), elapsed=time.monotonic() - began) if wanted else solution
-        for solution, room, wanted in zip(found, compiled, terms, strict=True)
-    ]
+    solutions = []
+    for solution, room, wanted in zip(found, compiled, terms, strict=True):
+        if wanted:
+            solution = rated(solution, room, wanted)
+            solution = walked(solution, room) if walk else solution
+            solution = replace(solution, elapsed=time.monotonic() - began)
+        solutions.append(solution)
+    return solutions
 
 
 def _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps) -> np.ndarray | None:
@@ -197,9 +205,10 @@ def solve(
                 holds[:, relation] &= verdict.holds[rows, rider]
             energy = outcome.energy[rows].astype(np.float32)
             moved = _movement(job.world, final, _in_order(batch, first, job)) if job.keep else None
-            order = best_of(WALKED, scene, status, holds, energy, moved)
             walkable = np.full(n, np.nan, dtype=np.float32)
-            walkable[order] = walkable_shares(batch, room, first + order)
+            if job.walk:
+                order = best_of(WALKED, scene, status, holds, energy, moved)
+                walkable[order] = walkable_shares(batch, room, first + order)
             solutions[i] = Solution(
                 source=scene,
                 poses=final,

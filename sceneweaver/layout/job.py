@@ -22,6 +22,7 @@ class Job:
     start: str
     seed: int
     keep: bool = False  # prefer the layout that moves least
+    walk: bool = True  # measure the walkable floor of the best few
     first: int = 0
     into: np.ndarray | None = None
     pools: list[np.ndarray] | None = None

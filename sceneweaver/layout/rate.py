@@ -73,21 +73,25 @@ def measures(
 
 
 def rated(solution: Solution, compiled: CompiledScene, terms: Sequence[QualityTerm]) -> Solution:
-    """A solution whose valid candidates are rated; the best of them are measured for walkable floor as well."""
+    """A solution whose valid candidates are rated."""
     scene, valid = solution.source, np.flatnonzero(solution.status == 0)
     quality = np.full(solution.candidates, np.nan, dtype=np.float32)
-    if not len(valid):
-        return replace(solution, quality=quality)
-    room, device = compiled.room, solution.device
     lost = missing_points(scene, solution.relations)
-    for part in np.array_split(valid, range(AT_ONCE, len(valid), AT_ONCE)):
-        batch = _loaded(room, solution.poses[part], device)
-        quality[part] = -_points(batch, room, scene, terms, ON_FLOOR, lost[part])[0]
-    best = valid[np.argsort(lost[valid] - quality[valid], kind="stable")[: 4 * WALKED]]
+    for part in np.array_split(valid, range(AT_ONCE, len(valid), AT_ONCE)) if len(valid) else ():
+        batch = _loaded(compiled.room, solution.poses[part], solution.device)
+        quality[part] = -_points(batch, compiled.room, scene, terms, ON_FLOOR, lost[part])[0]
+    return replace(solution, quality=quality)
+
+
+def walked(solution: Solution, compiled: CompiledScene) -> Solution:
+    """A rated solution whose best candidates are measured for walkable floor."""
     walkable = np.full(solution.candidates, np.nan, dtype=np.float32)
-    load(device, "walk")
-    walkable[best] = walkable_shares(_loaded(room, solution.poses[best], device), room, np.arange(len(best)))
-    return replace(solution, quality=quality, walkable=walkable)
+    best = replace(solution, walkable=walkable).ranked[: 2 * WALKED]
+    if len(best):
+        load(solution.device, "walk")
+        batch = _loaded(compiled.room, solution.poses[best], solution.device)
+        walkable[best] = walkable_shares(batch, compiled.room, np.arange(len(best)))
+    return replace(solution, walkable=walkable)
 
 
 def _loaded(room: LayoutProblem, poses: np.ndarray, device: str) -> Batch:

@@ -163,8 +163,7 @@ class Solution:
         """
         chosen: list[int] = []
         if self.quality is not None:
-            _, first = np.unique(signatures(self.source, self.poses[self.ranked]), axis=0, return_index=True)
-            chosen = [int(i) for i in self.ranked[np.sort(first)[:k]]]
+            chosen = [int(i) for i in best_of_each_signature(self, k)[:k]]
         for i in self.ranked:
             if len(chosen) == k:
                 break
@@ -193,6 +192,15 @@ def signatures(scene: Scene, poses: np.ndarray) -> np.ndarray:
     wall = np.where(gap.min(axis=-1) <= AT_WALL, gap.argmin(axis=-1), -1)
     eighth = np.round(yaw / (np.pi / 4)).astype(int) % 8
     return np.concatenate([wall, eighth], axis=-1)
+
+
+def best_of_each_signature(solution: Solution, k: int) -> np.ndarray:
+    """Valid candidates, the best of each signature first; where these are fewer than k, others as good as they come."""
+    ranked = solution.ranked
+    _, first = np.unique(signatures(solution.source, solution.poses[ranked]), axis=0, return_index=True)
+    first.sort()
+    others = np.setdiff1d(np.arange(len(ranked)), first)
+    return ranked[np.concatenate([first, others])[:k]]
 
 
 def _differ(a: np.ndarray, b: np.ndarray) -> bool:

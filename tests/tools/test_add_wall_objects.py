@@ -8,6 +8,7 @@ import pytest
 
 from sceneweaver.assets import Library, categories, make
 from sceneweaver.brief import read_request
+from sceneweaver.geometry.angles import dot
 from sceneweaver.knowledge import room_type, room_types
 from sceneweaver.knowledge.wall_things import most_on_walls, wall_things
 from sceneweaver.scene import Door, InputError, Pose, Room, Scene, Window
@@ -51,10 +52,7 @@ def test_nothing_is_bare_and_all_is_valid(seed, outline):
         assert not free_runs(after.room, new, wall, BARE + 2 * CORNER)
         for obj in new:
             along, deep = extent(obj, wall)
-            if (
-                deep[0] < 0.01
-                and obj.pose.frame.axis[0] * wall.inward[0] + obj.pose.frame.axis[1] * wall.inward[1] > 0.9
-            ):
+            if abs(deep[0]) < 0.01 and dot(obj.pose.frame.axis, wall.inward) > 0.9:
                 assert along[0] > CORNER - 0.1 and along[1] < wall.length - CORNER + 0.1
                 for opening in after.room.openings_of(wall.index):
                     apart = max(opening.offset - along[1], along[0] - opening.offset - opening.width)

@@ -1,0 +1,122 @@
+"""Which of many valid layouts is good: the design rules as terms that the engine rates all candidates by.
+
+A term is about the objects of a scene before their poses are known, so what belongs together is read from relations and
+categories. What a relation of the room demands anyway may be among the terms: then it takes nothing off.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from sceneweaver.critic import kinds
+from sceneweaver.critic.design.clearance import BELOW_WINDOWS, BOARDS, BROWSED, OPENED
+from sceneweaver.critic.design.fill import GYMS, HOMELIKE
+from sceneweaver.critic.design.walls import CLOSE, PLAIN, TALL
+from sceneweaver.critic.groups import COUNTERS
+from sceneweaver.geometry.shell import heights
+from sceneweaver.knowledge import RoomType
+from sceneweaver.knowledge.design_rules import limit
+from sceneweaver.layout import QualityTerm
+from sceneweaver.scene import Scene
+
+from . import choice_groups
+from .choice_rules import Rules
+
+GOALS = kinds.BEDS | kinds.LONG_BEDS | kinds.SOFAS | kinds.DESKS | kinds.DINING
+"""What a way should lead to, and other large pieces after them."""
+
+MOST_GOALS = 6
+"""Ways that are measured: to the largest pieces."""
+
+CELL = 0.1
+"""What the width of a way is uncertain by [m]."""
+
+
+def choice_terms(scene: Scene, room_type: RoomType) -> list[QualityTerm]:
+    """The terms of design quality for a scene in a kind of room, whatever its poses are.
+
+    Args:
+        scene: what is to be laid out; members of the terms are its objects, doors, windows and walls.
+        room_type: the kind of room, which says what rules there are.
+    """
+    rules = Rules(scene, room_type.name)
+    return [*choice_groups.terms(rules), *_doors(rules), *_use(rules), *_ways(rules), *_walls(rules), *_fill(rules)]
+
+
+def _doors(rules: Rules) -> Iterator[QualityTerm]:
+    """Furniture beside door frames; beds and desks as seen from the door."""
+    gap, touching = limit("door_frame", "gap"), limit("door_frame", "touching")
+    for door in rules.scene.room.doors:
+        for o in rules.standing:
+            if o.id not in rules.movable:
+                yield from rules.term("door_frame", "gap", o.id, door.id, low=gap, span=gap - touching)
+        for bed in rules.of_kind(kinds.BEDS):
+            yield from rules.term("bed_off_door_wall", "backing", bed.id, door.id, low=0.4, span=0.1)
+            yield from rules.term("bed_off_door_wall", "bearing", bed.id, door.id, high=1.6, span=1.0, share=0.5)
+        for desk in rules.of_kind(("reception_desk", "host_stand")):
+            most = math.radians(limit("desk_looks_at_door", "angle"))
+            yield from rules.term("desk_looks_at_door", "bearing", desk.id, door.id, high=most, span=0.5)
+
+
+def _use(rules: Rules) -> Iterator[QualityTerm]:
+    """Room before what is used and behind who sits and serves; nothing high before windows."""
+    clear, light = limit("before_use", "clear"), rules.movable
+    for depth, wanted in ((clear, OPENED), (clear / 2, BROWSED)):
+        for o in rules.of_kind(wanted):
+            if o.mount == "floor":
+                yield from rules.term("before_use", "clear", o.id, *light, low=depth, span=depth)
+    for board in rules.of_kind(BOARDS):
+        seats = [o.id for o in rules.of_kind(kinds.SEATED_AT)] if board.mount == "wall" else []
+        yield from rules.term("before_use", "clear", board.id, *light, *seats, low=clear, span=clear)
+    for counter in rules.of_kind(COUNTERS):
+        depth = limit("behind_counter", "clear")
+        yield from rules.term("behind_counter", "clear", counter.id, *light, low=depth, span=0.5, side=2)
+    behind = limit("behind_seats", "clear")
+    for seat in rules.standing:
+        if kinds.upright_seat(seat.category) and seat.category != "stool":
+            tables = [o.id for o in rules.tied(seat, kinds.SEATED_AT)]
+            if tables:
+                others = [o for o in light if o != seat.id] + tables
+                yield from rules.term("behind_seats", "clear", seat.id, *others, low=behind, span=behind, side=2)
+    most, depth = limit("low_below_windows", "above_sill"), limit("before_use", "window")
+    for window in rules.scene.room.windows:
+        for o in rules.standing:
+            if o.size[2] > heights(window)[0] + most and o.category not in BELOW_WINDOWS and o.id not in light:
+                yield from rules.term("low_below_windows", "overlap", o.id, window.id, high=0.15, span=0.2, depth=depth)
+
+
+def _ways(rules: Rules) -> Iterator[QualityTerm]:
+    """Ways from the doors to windows and to the largest pieces."""
+    if not rules.scene.room.doors:
+        return
+    for window in rules.scene.room.windows[:2]:
+        yield from _way(rules, "way_to_window", window.id)
+    goals = sorted(rules.standing, key=lambda o: o.category not in GOALS)[:MOST_GOALS]
+    for o in goals:
+        if o.id not in rules.movable:
+            yield from _way(rules, "way_to_group", o.id)
+
+
+def _way(rules: Rules, rule: str, name: str) -> Iterator[QualityTerm]:
+    yield from rules.term(rule, "way", name, low=limit(rule, "width") - CELL, span=0.3)
+
+
+def _walls(rules: Rules) -> Iterator[QualityTerm]:
+    """Walls with nothing on them."""
+    room = rules.scene.room
+    most = limit("wall_covered", "length") * (2.0 if rules.room in PLAIN else 1.0)
+    for k, wall in enumerate(room.walls):
+        if wall.length >= most:
+            openings = [o.id for o in room.openings_of(k)]
+            yield from rules.term(
+                "wall_covered", "bare", f"wall:{k}", *openings, high=most, span=most, depth=CLOSE, tall=TALL, run=most
+            )
+
+
+def _fill(rules: Rules) -> Iterator[QualityTerm]:
+    """Empty floor."""
+    side = limit("no_empty_floor", "side" if rules.room in HOMELIKE else "gym" if rules.room in GYMS else "public")
+    if rules.standing:
+        yield from rules.term("no_empty_floor", "empty", high=side, span=0.3, share=0.7)
+        yield from rules.term("no_empty_floor", "empty", high=side, span=side)

@@ -1,0 +1,117 @@
+"""Better layouts out of good ones: groups of valid layouts recombined, mended and rated, generation by generation."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from sceneweaver.scene import InputError
+
+from . import engine
+from .compile import LayoutProblem, compile_scene
+from .quality import QualityTerm
+from .rate import walked
+from .solution import Solution, best_of_each_signature
+
+PARENTS = 16
+"""Layouts that children come from: the best of each signature first."""
+
+LEAD = 4.0
+"""Mean rank among the parents that a child's first parent is drawn with."""
+
+SLIDE = 0.3
+"""Standard deviation [m] of the way that a group slides along its back."""
+
+
+def improve(
+    solution: Solution,
+    quality: Sequence[QualityTerm],
+    *,
+    candidates: int = 64,
+    generations: int = 4,
+    steps: int | None = None,
+    time_limit: float | None = None,
+    snap: bool = False,
+) -> Solution:
+    """A solution with more candidates, made out of its best.
+
+    A child is a good layout of which one or a few groups (a bed with its nightstands) stand as in another layout, or
+    slid along their back. What then overlaps is mended by the search from there, which costs a small part of a layout
+    drawn anew. Each generation draws from all before it.
+
+    Args:
+        solution: what to begin with; without a valid candidate nothing is done.
+        quality: the terms that it was rated by.
+        candidates: children of a generation.
+        generations: how often.
+        steps, time_limit, snap: as for `refine`; the time is for all generations together.
+
+    Raises:
+        InputError: the solution was not rated, or keeps to given poses (``init="current"``).
+    """
+    if solution.quality is None or solution.moved is not None:
+        raise InputError('improve: takes a solution that was refined with quality terms, not with init="current"')
+    began = time.monotonic()
+    compiled = compile_scene(solution.source)
+    room = compiled.room
+    groups = [group for group, parent in zip(room.groups, room.parents, strict=True) if group and parent < 0]
+    groups = [group for group in groups if room.free[group[0]]]
+    # Walkable floor is measured at the end: candidates for which it is known would else be the only parents.
+    solution = replace(solution, walkable=np.full(solution.candidates, np.nan, dtype=np.float32))
+    rng = np.random.default_rng([solution.seed, candidates])
+    for generation in range(generations if groups else 0):
+        left = None if time_limit is None else time_limit - (time.monotonic() - began)
+        if not len(solution.ranked) or (left is not None and left <= 0):
+            break
+        children = engine.refine(
+            solution.source,
+            init=_children(solution, room, groups, candidates, rng),
+            seed=(solution.seed + generation + 1) % 2**32,
+            device=solution.device,
+            steps=steps,
+            time_limit=left,
+            snap=snap,
+            quality=quality,
+            compiled=compiled,
+            walk=False,
+        )
+        solution = _together(solution, children)
+    solution = walked(solution, compiled)
+    return replace(solution, elapsed=solution.elapsed + time.monotonic() - began)
+
+
+def _children(
+    solution: Solution, room: LayoutProblem, groups: Sequence[Sequence[int]], count: int, rng: np.random.Generator
+) -> np.ndarray:
+    """Poses [count, N, 4] to mend."""
+    parents = best_of_each_signature(solution, PARENTS)
+    ranks = np.minimum(rng.exponential(LEAD, count).astype(int), len(parents) - 1)
+    children = solution.poses[parents[ranks]].astype(np.float64)
+    for child in children:
+        changed = rng.permutation(len(groups))[: max(1, rng.poisson(1.0))]
+        for group in (list(groups[k]) for k in changed):
+            how = rng.integers(3)
+            if how == 0:
+                child[group] = solution.poses[rng.choice(parents), group]
+            elif how == 1:  # of any candidate: a group may stand well where others do not
+                child[group] = solution.poses[rng.integers(solution.candidates), group]
+            else:
+                yaw = child[group[0], 3]
+                child[group, :2] += SLIDE * rng.normal() * np.array([-np.sin(yaw), np.cos(yaw)])
+    return np.where(np.isfinite(children), children, room.home)
+
+
+def _together(first: Solution, second: Solution) -> Solution:
+    """One solution with the candidates of two."""
+
+    def join(name: str) -> np.ndarray:
+        return np.concatenate([getattr(first, name), getattr(second, name)])
+
+    return replace(
+        first,
+        **{name: join(name) for name in ("poses", "status", "relations", "energy", "walkable", "quality")},
+        timed_out=first.timed_out or second.timed_out,
+    )

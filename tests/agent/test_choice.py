@@ -1,0 +1,126 @@
+"""Terms of design quality made of a scene and the design rules: they agree with what the critic says."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sceneweaver.agent.choice import choice_terms
+from sceneweaver.agent.executor import Executor
+from sceneweaver.agent.settings import Settings
+from sceneweaver.brief import SceneGraph
+from sceneweaver.critic import review_scene
+from sceneweaver.knowledge import room_type
+from sceneweaver.knowledge.design_rules import design_rules
+from sceneweaver.knowledge.library import library_scenes, load_scene
+from sceneweaver.layout import rate
+from sceneweaver.layout.rate import measures
+from sceneweaver.scene import Door, Pose, Relation, Room, Scene, SceneObject, Window
+from sceneweaver.tools.base import Proposal
+from sceneweaver.verify import check
+
+ROOM = Room(
+    type="bedroom",
+    outline=((0, 0), (5, 0), (5, 4), (0, 4)),
+    doors=(Door(id="door", wall=0, offset=0.3, width=0.9, height=2.1),),
+    windows=(Window(id="window", wall=2, offset=1.5, width=1.4, sill=0.9, height=1.2),),
+)
+
+
+def thing(
+    name: str, size: tuple[float, float, float], x: float, y: float, yaw: float = 0.0, **more: Any
+) -> SceneObject:
+    return SceneObject(
+        id=name, category=more.pop("category", name.split("-")[0]), size=size, pose=Pose.from_yaw(x, y, 0, yaw), **more
+    )
+
+
+BED = thing("bed-0", (2.0, 1.6, 0.5), 3.0, 2.99, -np.pi / 2)
+WARDROBE = thing("wardrobe-0", (0.6, 1.2, 2.0), 4.69, 1.2, np.pi)
+AT_DOOR = thing("bed-0", (2.0, 1.6, 0.5), 3.0, 1.01, np.pi / 2)
+"""With its head at the wall of the door."""
+
+BLOCKS = (thing("dresser-0", (2.0, 1.7, 0.9), 1.05, 2.2), thing("dresser-1", (1.0, 1.0, 0.9), 3.3, 1.2))
+"""They fill the floor."""
+
+CASES = {
+    "bed_off_door_wall": ((AT_DOOR, WARDROBE), (BED, WARDROBE)),
+    "door_frame": (
+        (BED, thing("dresser-0", (0.4, 1.0, 0.8), 1.8, 0.21, np.pi / 2)),
+        (BED, thing("dresser-0", (0.4, 1.0, 0.8), 4.0, 0.21, np.pi / 2)),
+    ),
+    "low_below_windows": (
+        (AT_DOOR, thing("dresser-0", (0.6, 1.2, 1.1), 2.8, 3.69, -np.pi / 2)),
+        (AT_DOOR, thing("dresser-0", (0.6, 1.2, 1.1), 4.3, 3.69, -np.pi / 2)),
+    ),
+    "before_use": (
+        (BED, WARDROBE, thing("dresser-0", (0.5, 1.2, 0.9), 3.9, 1.2, np.pi)),
+        (BED, WARDROBE, thing("dresser-0", (0.5, 1.2, 0.9), 0.26, 2.6, 0.0)),
+    ),
+    "no_empty_floor": ((WARDROBE,), (BED, WARDROBE, *BLOCKS)),
+}
+"""Objects that break a rule, and some that keep it."""
+
+
+def points(scene: Scene, rule: str) -> float:
+    """What the terms of a rule take off a scene as it is."""
+    terms = [t for t in choice_terms(scene, room_type(scene.room.type)) if t.rule == rule]
+    poses = np.array([[(*o.pose.position, o.pose.yaw) for o in scene.objects]])
+    return -float(rate(scene, poses, terms)[0]) if terms else 0.0
+
+
+@pytest.mark.parametrize("rule", CASES)
+def test_terms_take_points_off_where_the_critic_does(rule):
+    for objects, kept in zip(CASES[rule], (False, True), strict=True):
+        scene = Scene(id="s", room=ROOM, objects=objects)
+        review = review_scene(scene, check(scene), room_type("bedroom"), SceneGraph(text="a bedroom"))
+        assert (rule in {f.rule for f in review.faults}) is not kept
+        if kept:
+            assert points(scene, rule) <= 0.2 * design_rules()[rule].points
+        else:
+            assert points(scene, rule) >= 0.4 * design_rules()[rule].points
+
+
+def test_points_are_those_of_the_rules():
+    scene = Scene(id="s", room=ROOM, objects=(BED, WARDROBE))
+    for term in choice_terms(scene, room_type("bedroom")):
+        rule = design_rules()[term.rule]
+        assert 0 < term.weight <= rule.points and term.most == rule.most and rule.applies("bedroom")
+
+
+def test_what_belongs_to_a_sofa_is_read_from_relations():
+    """Of two coffee tables each is wanted on the axis of its own sofa."""
+    objects = [thing(f"{kind}-{k}", size, 1.0 + k, 2.0) for k in (0, 1) for kind, size in SET.items()]
+    ties = [Relation(type="front_to_front", subject=f"coffee_table-{k}", target=f"sofa-{k}") for k in (0, 1)]
+    room = ROOM.model_copy(update={"type": "living_room"})
+    scene = Scene(id="s", room=room, objects=objects, relations=ties)
+    terms = [t for t in choice_terms(scene, room_type("living_room")) if t.rule == "table_on_sofa_axis"]
+    assert {t.objects for t in terms} == {("sofa-0", "coffee_table-0"), ("sofa-1", "coffee_table-1")}
+
+
+SET = {"sofa": (0.9, 2.0, 0.8), "coffee_table": (0.6, 1.1, 0.4)}
+
+
+def test_every_room_of_the_library_has_terms_that_can_be_measured():
+    for name in [card.name for card in library_scenes()][::4]:
+        scene = load_scene(name)
+        terms = choice_terms(scene, room_type(scene.room.type))
+        poses = np.array([[(*o.pose.position, o.pose.yaw) for o in scene.objects]])
+        values, rows = measures(scene, poses, terms)
+        assert len(rows) == len(terms) > 3, name
+        assert np.isfinite(values).all(), name
+
+
+def test_the_executor_prefers_good_layouts():
+    """With choice no bed has its head at the door's wall, though relations allow it."""
+    relations = [Relation(type="against_wall", subject=o.id) for o in (BED, WARDROBE)]
+    draft = Scene(id="s", room=ROOM, objects=(BED, WARDROBE), relations=relations)
+    lost = {}
+    for choice in (True, False):
+        settings = Settings(device="cpu", candidates=24, finalists=1, choice=choice, generations=2)
+        executor = Executor(room_type("bedroom"), SceneGraph(text="a bedroom"), settings)
+        found = [executor.run(draft, Proposal(scene=draft, fresh=True), seed).scene for seed in range(3)]
+        lost[choice] = sum(points(scene, rule) for scene in found for rule in ("bed_off_door_wall", "door_frame"))
+    assert lost[True] == 0.0 < lost[False]
