@@ -57,7 +57,8 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument("--quick", action="store_true", help="small sizes, to see that everything works")
     p.add_argument("--seed", type=int, default=0, help="first seed (default: 0)")
     p.add_argument("--most", type=int, help="at most so many candidates a call")
-    p.add_argument("--jobs", type=int, default=cores(), help="processes of the judge (default: one for each core)")
+    p.add_argument("--count", type=int, help="designs of a family that makes many of one kind")
+    p.add_argument("--jobs", type=int, default=cores(), help="processes (default: one for each core)")
     p.add_argument("--rivals", metavar="A,B", help=f"some of {', '.join(map(repr, RIVALS))}, or none (default: all)")
     p.add_argument("--out", type=Path, default=OUT, help="folder for results (default: out/benchmarks)")
     p.add_argument("--commit", help="commit to note in a tree without git")
@@ -75,7 +76,7 @@ def _rivals(text: str | None) -> tuple[str, ...] | None:
 
 
 def _settings(options: argparse.Namespace) -> Settings:
-    for name in ("most", "jobs"):
+    for name in ("most", "count", "jobs"):
         value = getattr(options, name)
         if value is not None and value < 1:
             raise ValueError(f"--{name}: {value} is not at least 1")
@@ -88,6 +89,7 @@ def _settings(options: argparse.Namespace) -> Settings:
         everything=options.all,
         seed=options.seed,
         most=options.most,
+        count=options.count,
         jobs=options.jobs,
         rivals=_rivals(options.rivals),
         out=options.out,

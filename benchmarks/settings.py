@@ -27,7 +27,8 @@ class Settings:
         everything: the families that use a few rooms use all of them.
         seed: first seed; runs with other seeds count up from it.
         most: at most so many candidates a call; None: as many as the family says.
-        jobs: processes of the judge.
+        count: designs of a family that makes many of one kind; None: as many as the family says.
+        jobs: processes of the judge, and of designs that are made side by side.
         rivals: names of rivals to run; None: all that are there.
         out: folder for results and for layouts that contradict the judge.
         commit: commit to note when there is no git checkout; None: ask git.
@@ -39,6 +40,7 @@ class Settings:
     everything: bool = False
     seed: int = 0
     most: int | None = None
+    count: int | None = None
     jobs: int = 1
     rivals: tuple[str, ...] | None = None
     out: Path = OUT

@@ -28,6 +28,7 @@ from . import (
     stability,
     throughput,
     tight,
+    variety,
 )
 
 Family = Callable[[Settings, Judge], Result]
@@ -48,6 +49,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "design": design.run,
         "critic": critic.run,
         "ablations": ablations.run,
+        "variety": variety.run,
         "requests": requests.run,
         "odd": odd.run,
         "physics": physics.run,

@@ -28,6 +28,7 @@ TABLES = {
     "design": {"rooms": 1, "seeds": 1},
     "critic": {"grades": 5, "scenes": 3},
     "ablations": {"parts": 4, "tools": 4},
+    "variety": {"rooms": 2, "variety": 11},
     "requests": {"requests": 1, "reported": 0},
     "odd": {"odd": 3},
     "physics": {"worlds": 2},
