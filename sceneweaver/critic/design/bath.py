@@ -142,7 +142,7 @@ def _towels(survey: Survey) -> Iterator[Finding]:
 def _paper(survey: Survey) -> Iterator[Finding]:
     limits = design_rules()["paper_in_reach"].limits
     for toilet in survey.of_kind(("toilet", "wall_toilet")):
-        papers = survey.of_kind(("toilet_paper_holder",))
+        papers = survey.of_kind(("toilet_paper_holder", "toilet_paper_stand"))
         if not papers:
             continue
         spots = [toilet.local(p.centre) for p in papers]

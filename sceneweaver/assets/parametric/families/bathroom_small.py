@@ -144,6 +144,27 @@ def medicine_cabinet(b: Builder) -> None:
     b.fit()
 
 
+@draws("toilet_paper_stand")
+def toilet_paper_stand(b: Builder) -> None:
+    """A rod on a round foot with an arm that holds a roll, and a spare one on the foot."""
+    d, w, h = b.size
+    metal = b.material("rod", *_METALS)
+    r = min(d, w) / 2
+    with b.solid("stand"):
+        b.frustum(r, r - 0.004, (0.0, 0.014), metal, segments=28, bevel=0.002)
+        b.bar((0.0, -r + 0.03, 0.01), (0.0, -r + 0.03, h), 0.008, metal, 12)
+        b.bar((0.0, -r + 0.03, h - 0.008), (0.0, r - 0.012, h - 0.008), 0.007, metal, 10)
+        with b.frame(0.0, 0.012, h - 0.028, roll=math.pi / 2):
+            b.frustum(0.05, 0.05, (-0.045, 0.045), "paper", segments=24)
+            b.frustum(0.02, 0.02, (-0.0455, 0.0455), "cardboard", segments=16)
+        b.box((0.0455, 0.047), (-0.03, 0.055), (h - 0.16, h - 0.03), "paper", bevel=0)
+    with b.solid("spare"):
+        for k in range(2):
+            with b.frame(0.0, 0.025, 0.0145 + 0.092 * k):
+                b.frustum(0.048, 0.048, (0.0, 0.09), "paper", segments=24)
+    b.fit()
+
+
 @draws("toilet_paper_holder")
 def toilet_paper_holder(b: Builder) -> None:
     """A bent bar, or one with a flap, and a roll with a hanging leaf."""
@@ -277,21 +298,21 @@ def bath_mat(b: Builder) -> None:
 def laundry_hamper(b: Builder) -> None:
     """A woven box with a lid, bands of weave and grips, on four feet."""
     d, w, h = b.size
-    weave = b.material("body", "wicker", "rattan", "white paint", "grey fabric", "beige fabric")
-    band: Finish = {"wicker": "rattan", "rattan": "wicker"}.get(weave.name, "rattan")
-    n = 12
+    weave = b.material("body", "wicker", "rattan")
+    band: Finish = {"wicker": "rattan", "rattan": "wicker"}.get(weave.name, "wicker")
+    n = 22
     top = h - 0.035
     with b.solid("hamper"):
         x, y = d / 2, w / 2
         for k in range(n):
             z0, z1 = 0.02 + k * (top - 0.02) / n, 0.02 + (k + 1) * (top - 0.02) / n
             f = 0.86 + 0.12 * (k + 0.5) / n
-            o = 0.0 if k % 2 else 0.004
+            o = 0.0 if k % 2 else 0.006
             xs, ys = x * f - o, y * f - o
             loft(
                 b,
                 [rounded((-xs, xs), (-ys, ys), 0.03, z0), rounded((-xs, xs), (-ys, ys), 0.03, z1)],
-                weave if k not in (n - 3,) else band,
+                band if k % 2 or k == n - 3 else weave,
             )
         for sx in (-1, 1):
             for sy in (-1, 1):

@@ -82,8 +82,9 @@ def bathtub(b: Builder) -> None:
 
 @draws("freestanding_bathtub")
 def freestanding_bathtub(b: Builder) -> None:
-    """An egg-shaped shell on a plinth, or one with a rolled rim on four feet."""
-    d, w, h = b.size
+    """An egg-shaped shell on a plinth, or one with a rolled rim on four feet; a filler on the floor at its back."""
+    d, w, total = b.size
+    h = total - 0.28
     white = b.material("tub", "white ceramic", "white ceramic", "cream ceramic", "black paint", "blue ceramic")
     feet = b.style in ("classic", "rustic") or b.chance("feet", 0.2)
     n = 40
@@ -127,6 +128,27 @@ def freestanding_bathtub(b: Builder) -> None:
         if not feet:
             with b.frame(0.0, 0.0, low + 0.079):
                 b.frustum(0.05, 0.05, (0.0, 0.002), "chrome", segments=18)
+    # Beside the oval there is room for a filler in a corner of the box; it pours over the rim.
+    end = b.pick("end", [-1, 1])
+    x, y = -d / 2 + 0.035, end * (w / 2 - 0.09)
+    with b.solid("tap"), b.frame(x, y, 0.0, yaw=math.atan2(-end * 0.2, 0.16)):
+        filler = b.material("tap", "chrome", "brass", "brushed steel", "black steel")
+        b.frustum(0.033, 0.033, (0.0, 0.012), filler, segments=18)
+        b.tube(
+            [
+                (0, 0, 0.01),
+                (0, 0, total - 0.06),
+                (0.025, 0, total - 0.02),
+                (0.07, 0, total - 0.013),
+                (0.2, 0, total - 0.013),
+            ],
+            0.013,
+            filler,
+            12,
+        )
+        b.bar((0.19, 0.0, total - 0.06), (0.19, 0.0, total - 0.012), 0.012, filler, 12)
+        b.bar((-0.03, 0.0, h + 0.08), (0.03, 0.0, h + 0.08), 0.02, filler, 12)
+        b.bar((0.0, 0.0, h + 0.08), (0.0, end * 0.06, h + 0.09), 0.006, filler, 8)
     b.fit()
 
 
@@ -307,8 +329,8 @@ def corner_shower(b: Builder) -> None:
             b.bar((px + 0.028 * c, py - 0.028 * c, 0.97), (px + 0.028 * c, py - 0.028 * c, 1.23), 0.008, metal, 8)
     with b.solid("column"):
         b.hull(
-            [(-d / 2 + dx, w / 2 - dy, z) for dx, dy in ((0.0, 0.2), (0.2, 0.0), (0.0, 0.0)) for z in (0.09, h)],
-            b.material("panel", "white plastic", "grey plastic"),
+            [(-d / 2 + dx, w / 2 - dy, z) for dx, dy in ((0.0, 0.1), (0.1, 0.0), (0.0, 0.0)) for z in (0.72, h - 0.1)],
+            b.material("panel", "white plastic"),
         )
-    _column(b, -d / 2 + 0.101, w / 2 - 0.101, h - 0.02, metal, yaw=-math.pi / 4)
+    _column(b, -d / 2 + 0.051, w / 2 - 0.051, h - 0.02, metal, yaw=-math.pi / 4)
     b.fit()
