@@ -21,7 +21,7 @@ from .prior_lights import lamp_count
 from .prior_program import BLIND, BY_RANK, Program, Wanted, build, demands, free_zones
 from .prior_relations import of_brief, of_items, rows_of
 from .prior_rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
-from .prior_rows import in_rows, row_variants
+from .prior_rows import in_rows, lines_of, row_variants
 from .prior_run import has_place
 from .prior_shell import floor_area, shell
 from .prior_supports import Places, laid, supported
@@ -51,6 +51,9 @@ PLACING = CATALOGUE.with_role("placing") | {
     "in_middle",
 }
 """Types of relations that, asked for, take a thing out of the row that it usually stands in."""
+
+LED = CATALOGUE.with_role("placing") | {"at_window", "near_door"}
+"""Types of relations that of a line only the first piece has."""
 
 GROWTH, GROWTHS = 1.12, 10
 """Factor by which a floor that nobody fixed grows when what is needed does not fit, and how often."""
@@ -164,6 +167,9 @@ def _scene(
     """The scene of a program in a room, and what of the request cannot be said in it."""
     room, brief = context.room_type, context.brief
     asked, placed, unmet = of_brief(brief, program.wanted, space, places.failed)
+    for line in lines_of(_free_of_rows(program.wanted, rows)):
+        for one in line[1:]:  # its place is in the line; the first of it says where the line is
+            placed[one.id] = placed.get(one.id, frozenset()) | LED
     relations = _consistent(asked, [*of_items(program.wanted, space, placed), *_at_walls(program.wanted, rows)])
     tall = {w.id: w.asset.size[2] for w in program.wanted}
     over = {r.subject: tall[r.target] for r in relations if r.type == "above" and r.target in tall}

@@ -150,6 +150,9 @@ def _of_place(one: Wanted, place: Place, by_item: dict[str, list[Wanted]], room:
     if place.type == "over" and one.item is not None and other is not None and one.mount == "ceiling":
         lamps = [w for w in by_item[one.item.id] if w.parent is one.parent]
         params |= place_along(other.asset.size, lamps.index(one), len(lamps))
+    if place.type == "across_from" and one.item is not None and one.parent is not None and "n" not in params:
+        beside = [w for w in by_item[one.item.id] if w.parent is one.parent]
+        params |= {"k": beside.index(one), "n": len(beside)}
     if place.type == "on_grid" and one.item is not None:
         if one.mount != "ceiling":
             return None

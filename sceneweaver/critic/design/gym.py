@@ -28,7 +28,7 @@ LOOSE = named("medicine_ball exercise_ball foam_roller kettlebell dumbbell")
 
 STORES = named("dumbbell_rack weight_plate_rack kettlebell_rack metal_shelf storage_cart toy_shelf cube_shelf")
 
-MIRRORS = frozenset(("wall_mirror", "standing_mirror"))
+MIRRORS = frozenset(("wall_mirror", "standing_mirror", "gym_mirror"))
 
 ASKEW = 15.0
 """Angle [deg] to the walls from which a roller lies as it was left."""

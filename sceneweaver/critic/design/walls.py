@@ -126,7 +126,7 @@ def _art(survey: Survey) -> Iterator[Finding]:
                 allowed=(corner, None),
                 suggestion=f"hang {body.id} further from the corner",
             )
-        if base is not None and body.item.category not in ("wall_mirror", "round_mirror"):
+        if base is not None and body.item.category not in ("wall_mirror", "round_mirror", "gym_mirror"):
             yield from _width(survey, body, base)
         yield from _height(body, base)
 
