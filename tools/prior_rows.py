@@ -57,10 +57,10 @@ def lines_of(program: Sequence[Wanted]) -> list[list[Wanted]]:
     """The pieces in order of each line of two or more: those of an item, or of all items that name it."""
     lines: dict[str, list[Wanted]] = {}
     for one in program:
-        if one.item and one.item.row == "line" and one.mount in ("floor", "wall"):
-            if one.parent is None or one.item.line:
-                name = one.item.line or one.item.id
-                lines.setdefault(f"{name} {one.parent.id}" if one.parent else name, []).append(one)
+        item = one.item
+        if item and item.row == "line" and one.mount in ("floor", "wall") and (item.line or one.parent is None):
+            name = item.line or item.id
+            lines.setdefault(f"{name} {one.parent.id}" if one.parent else name, []).append(one)
     return [sorted(pieces, key=_order) for pieces in lines.values() if len(pieces) >= 2]
 
 

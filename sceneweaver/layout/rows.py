@@ -34,6 +34,7 @@ TIGHT = 2.0e-4  # where the judge has no tolerance
 TIGHT_ANGLE = math.radians(0.02)
 
 LOW = 0.2  # [m] what is lower than its target by more is not pushed under it as a seat is
+LOOSE = 0.5  # [m] a relation that leaves more aside means no one place
 HUNG = 1.0  # [m] beyond the heights where a thing should hang, from where it is brought to their middle
 FLAT = 0.02  # [m] height of what lies on the floor like a rug
 
@@ -516,10 +517,11 @@ def _across(frame: Frame, rel: Relation, value) -> list[list[Row]]:
         normal = SIDES[side]
         _, reach, half = _face(b, side)
         place = ((value("k") + 0.5) / value("n") - 0.5) * 2 * half
+        lateral = line(point, (-normal[1], normal[0]), place, -offset, offset)
         options.append(
             [
                 yaw(_bearing(normal) + math.pi, value("degrees")).snapped(spec, "degrees", DEGREE),
-                line(point, (-normal[1], normal[0]), place, -offset, offset).snapped(spec, "lateral"),
+                lateral.snapped(spec, "lateral") if offset <= LOOSE else lateral,
                 line(point, normal, reach, *value("gap")),
             ]
         )
