@@ -16,6 +16,9 @@ from .room_shell import STUB
 PITCH = math.radians(37.0)
 _FOV = 0.42
 
+HIDDEN = 0.03
+"""Share of the floor behind a wall from which on it is cut away."""
+
 
 def corner_directions(scene: Scene) -> list[np.ndarray]:
     """Unit vectors [2] from the room to the four corners of its box, the best one first."""
@@ -33,8 +36,27 @@ def opposite(ways: list[np.ndarray]) -> np.ndarray:
 
 
 def cut_walls(scene: Scene, way: np.ndarray) -> set[int]:
-    """Walls whose outer face is turned to a camera in the direction ``way``: they hide the room."""
-    return {wall.index for wall in scene.room.walls if float(np.dot(wall.outward, way)) > 0.12}
+    """Walls that hide the room from a camera in the direction ``way``: whose outer face is turned to it, and those of a
+    notch behind which more of the floor lies."""
+    turned = {wall.index for wall in scene.room.walls if float(np.dot(wall.outward, way)) > 0.12}
+    return turned | _before_the_floor(scene, way, turned)
+
+
+def _before_the_floor(scene: Scene, way: np.ndarray, cut: set[int]) -> set[int]:
+    """Standing walls behind which, for a camera in a direction, more than `HIDDEN` of the floor lies."""
+    import shapely
+
+    floor = shapely.Polygon(scene.room.outline)
+    strip = -way * scene.room.height / math.tan(PITCH)  # what a wall hides, seen from far away
+    found = set()
+    for wall in scene.room.walls:
+        if wall.index in cut:
+            continue
+        ends = np.array([wall.point(0.0), wall.point(wall.length)])
+        hidden = shapely.MultiPoint(np.concatenate([ends, ends + strip])).convex_hull
+        if shapely.intersection(hidden, floor).area > HIDDEN * floor.area:
+            found.add(wall.index)
+    return found
 
 
 def corner_camera(scene: Scene, way: np.ndarray, cut: set[int], aspect: float) -> Camera:

@@ -102,6 +102,15 @@ def test_walls_before_the_room_are_stubs_and_the_others_stand() -> None:
         assert wall.bounds[1, 2] == pytest.approx(STUB if k in cut else scene.room.height)
 
 
+def test_no_wall_of_a_notch_stands_before_the_floor_behind_it() -> None:
+    scene = Scene(id="s", room=Room(outline=L_ROOM))
+    for way in corner_directions(scene):
+        turned = {w.index for w in scene.room.walls if float(np.dot(w.outward, way)) > 0.12}
+        more = cut_walls(scene, way) - turned
+        assert more <= {2, 3}  # those of the notch; from some corners they hide nothing
+    assert any(len(cut_walls(scene, way)) > 3 for way in corner_directions(scene))
+
+
 def test_what_hangs_on_a_cut_wall_goes_with_it_and_what_stands_on_that() -> None:
     scene = furnished()
     assert hidden_with(scene, {3}) == {"back", "lamp"} and hidden_with(scene, {0}) == {"side", "lamp"}
