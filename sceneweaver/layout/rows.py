@@ -239,13 +239,16 @@ def _at_sides(frame: Frame, rel: Relation, value) -> list[list[Row]]:
     gap, spec = value("gap"), CATALOGUE[rel.type]
     offset = value("offset") if "offset" in spec.params else None
     options = []
+    backs = value("backs") if "backs" in spec.params else None
     for side_a in spec.subject_sides:
         for side_b in spec.target_sides:
+            if backs is not None and {side_a, side_b} != {"left", "right"}:
+                continue
             _, reach, half = _face(b, side_b)
             rows = _facing_rows(a, side_a, SIDES[side_b], reach, 0.0, half, gap, value("degrees"), value("overlap"))
             if offset is not None:
                 rows[2] = line(rows[2].point, rows[2].normal, 0.0, -offset, offset)
-            options.append(_exact_faces(frame, rel, rows) + _backs(a, side_a, b, side_b, spec))
+            options.append(_exact_faces(frame, rel, rows) + _backs(a, side_a, b, side_b, spec, backs))
     return options
 
 
@@ -264,11 +267,15 @@ def _exact_faces(frame: Frame, rel: Relation, rows: list[Row]) -> list[Row]:
     return [angle, gap, lateral]
 
 
-def _backs(a: SceneObject, side_a: str, b: SceneObject, side_b: str, spec: RelationSpec) -> list[Row]:
-    """The back of a in line with that of b, where both look the same way."""
+def _backs(
+    a: SceneObject, side_a: str, b: SceneObject, side_b: str, spec: RelationSpec, most: float | None
+) -> list[Row]:
+    """The back of a in line with that of b, where both look the same way; at most so far off, where that is said."""
     if {side_a, side_b} != {"left", "right"}:
         return []
-    return [_open_line((-a.size[0] / 2, 0.0), (1.0, 0.0), -b.size[0] / 2).snapped(spec, "backs")]
+    back, ahead, level = (-a.size[0] / 2, 0.0), (1.0, 0.0), -b.size[0] / 2
+    row = _open_line(back, ahead, level) if most is None else line(back, ahead, level, -most, most)
+    return [row.snapped(spec, "backs")]
 
 
 def _one(rel: Relation) -> str:

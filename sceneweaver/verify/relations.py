@@ -203,8 +203,15 @@ def _faces(case: Case) -> Judgement:
         across = (-theirs.normal[1], theirs.normal[0])
         aside = sum((p - q) * n for p, q, n in zip(face.centre, theirs.centre, across, strict=True))
         centred = () if offset is None else (at_most("off its middle", abs(aside), offset, slack=TOLERANCE),)
-        return (*face_measurements(face, theirs, gap, degrees, overlap), *centred)
+        return (*face_measurements(face, theirs, gap, degrees, overlap), *centred, *in_line)
 
+    in_line: Measurements = ()
+    if "backs" in spec.params and (most := spec.value(case.relation, "backs")) is not None:
+        ahead = other.local(subject.face("back").centre)[0] + other.size[0] / 2
+        in_line = (
+            at_most("turned from the other", turn(subject.front, other.front), degrees, "deg"),
+            at_most("back out of line", abs(ahead), most, slack=TOLERANCE),
+        )
     pairs = (measured(f, g) for f in faces for g in theirs)
     return judge(pairs, "it has no such face", _whole(overlap))
 

@@ -83,6 +83,7 @@ PARAMS: dict[str, Scene] = {
     "ahead": scene([BED, LAMP], [relation("centered_on", "lamp", "bed", ahead=[0.5, 0.6])]),
     "a faced middle": scene([OTHER, BOX], [relation("front_to_front", "box", "other", gap=[0.9, 1.4], offset=0.05)]),
     "on its axis": scene([OTHER, BOX], [relation("facing", "box", "other", degrees=5, offset=0.05)]),
+    "backs in line": scene([BED, BOX], [relation("leftright_to_leftright", "box", "bed", gap=[0.0, 0.2], backs=0.05)]),
     "no door's wall": scene([BED, BOX], [relation("against_wall", i, door_walls="avoided") for i in ("bed", "box")]),
 }
 """Relations with parameters that make other rows of them."""

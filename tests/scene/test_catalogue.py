@@ -35,7 +35,7 @@ TABLE = {
     "side_against_wall": ("wall?", LRF, (), 5, (0, 0.05), 0.9, {"side": "any"}, False),
     "front_against": ("object", F, ALL, 15, "tucked", 0.5, {}, True),
     "front_to_front": ("object", F, F, 15, "tucked", 0.5, {"offset": None}, True),
-    "leftright_to_leftright": ("object", LR, LR, 10, (0, 0.05), 0.5, {}, True),
+    "leftright_to_leftright": ("object", LR, LR, 10, (0, 0.05), 0.5, {"backs": None}, True),
     "side_by_side": ("object", LRF, LRF, 10, (0, 0.05), 0.5, {}, True),
     "back_to_back": ("object", B, B, 10, (0, 0.05), 0.5, {}, True),
     "on_floor": ("none", (), (), None, None, None, {"height": 0.002}, False),

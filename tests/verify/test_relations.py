@@ -127,6 +127,22 @@ def test_facing_on_the_axis(left, offset, expected):
     assert holds([target, subject], relation("facing", "s", "t", **params)) is expected
 
 
+@pytest.mark.parametrize(("ahead", "turned", "backs", "expected"), [
+    (0.3, 0.0, None, True),
+    (0.3, 0.0, 0.05, False),
+    (-0.56, 0.0, 0.05, False),
+    (-0.46, 0.0, 0.05, True),
+    (-0.46, 180.0, None, True),
+    (-0.46, 180.0, 0.05, False),
+])  # fmt: skip
+def test_side_by_side_with_the_backs_in_line(ahead, turned, backs, expected):
+    """The target's back is 0.7 m behind its middle, the subject's 0.2 m."""
+    target = box("t", (1.4, 1.0, 0.7), 4.0, 4.0, 30.0)
+    subject = box("s", (0.4, 0.6, 0.4), *beside(target, ahead, 0.82), 30.0 + turned)
+    params = {} if backs is None else {"backs": backs}
+    assert holds([target, subject], relation("leftright_to_leftright", "s", "t", **params)) is expected
+
+
 @pytest.mark.parametrize(("wall", "expected"), [(1, False), (3, True)])
 def test_against_a_wall_without_a_door(wall, expected):
     """The box stands at wall 3."""
