@@ -48,7 +48,10 @@ TVS = _set("tv tv_on_stand projector_screen")
 DESK_SCREENS = _set("monitor laptop keyboard")
 """What stands on a desk and faces whoever sits at it."""
 
-BEDS = _set("bed single_bed king_bed canopy_bed toddler_bed hospital_bed murphy_bed")
+BEDS = _set(
+    "bed single_bed king_bed canopy_bed platform_bed upholstered_bed storage_bed metal_bed toddler_bed hospital_bed"
+    " murphy_bed"
+)
 """Beds whose back is the head, which goes against a wall."""
 
 LONG_BEDS = _set("bunk_bed loft_bed daybed crib")
@@ -93,7 +96,7 @@ _KIN: tuple[frozenset[str], ...] = (
     _set("side_table nightstand"),
     SOFAS,
     _set("armchair recliner egg_chair rocking_chair loveseat chaise_longue"),
-    _set("bed single_bed king_bed canopy_bed murphy_bed bunk_bed loft_bed daybed toddler_bed"),
+    BEDS - {"hospital_bed"} | _set("bunk_bed loft_bed daybed"),
     _set("toddler_bed crib single_bed"),
     _set("chair dining_chair office_chair gaming_chair conference_chair folding_chair school_chair"),
     _set("stool bar_stool"),
@@ -129,7 +132,7 @@ _ROLES: tuple[frozenset[str], ...] = (
     _set("desk standing_desk computer_desk corner_desk secretary_desk"),
     _set("dining_table round_dining_table oval_table"),
     _set("coffee_table round_coffee_table nesting_tables"),
-    _set("bed single_bed king_bed canopy_bed murphy_bed bunk_bed loft_bed daybed"),
+    BEDS - {"hospital_bed", "toddler_bed"} | _set("bunk_bed loft_bed daybed"),
     _set("bookcase low_bookcase cube_shelf ladder_shelf library_shelf corner_shelf"),
     _set("fridge side_by_side_fridge"),
     _set("bathtub freestanding_bathtub"),
@@ -164,7 +167,7 @@ WORLDS: dict[str, frozenset[str]] = {
         "display_case turnstile kiosk vending_machine beer_tap salad_bar buffet_table ice_machine host_stand stanchion"
         " menu_board cash_register coffee_station bar_counter mailboxes book_return_cart card_catalog"
     ),
-    "sleeping": _set("bed single_bed king_bed bunk_bed loft_bed canopy_bed crib toddler_bed"),
+    "sleeping": BEDS - {"hospital_bed", "murphy_bed"} | _set("bunk_bed loft_bed crib"),
 }
 """Things that belong to one kind of place and are odd anywhere else."""
 

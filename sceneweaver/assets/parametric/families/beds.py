@@ -42,16 +42,30 @@ def _frame(b: Builder, x, y, top: float, wood, style: str) -> None:
                     b.box((middle - 0.07, middle + 0.07), pull, (top - 0.1, top - 0.075), "black steel", bevel=0.001)
 
 
-@draws("bed", "king_bed", "single_bed")
+_METALS = ("black steel", "iron", "brass", "white steel")
+_BUILT = {
+    "platform_bed": ("plinth", ("panel", "slats")),
+    "storage_bed": ("drawers", ("panel", "rails")),
+    "metal_bed": ("legs", ("rails", "slats")),
+}
+"""Frame and head boards of beds that are known by how they are built."""
+
+
+@draws("bed", "king_bed", "single_bed", "platform_bed", "upholstered_bed", "storage_bed", "metal_bed")
 def bed(b: Builder) -> None:
     """A head board of six kinds, a frame on legs, plinth or drawers, mattress, pillows, blanket, sometimes a foot."""
     d, w, h = b.size
-    single = b.category.name == "single_bed"
-    padded = b.chance("upholstered", 0.25 if single else 0.5)
+    name = b.category.name
+    single = name == "single_bed"
+    padded = name == "upholstered_bed" or (name not in _BUILT and b.chance("upholstered", 0.25 if single else 0.5))
     if padded:
         cover = b.material("cover", *_COVERS)
         wood, style = cover, b.pick("padded frame", ["upholstered", "upholstered", "legs"])
         board = b.pick("padded board", ["channels", "tufted", "arch"])
+    elif name in _BUILT:
+        wood = cover = b.material("frame", *(_METALS if name == "metal_bed" else _WOODS))
+        style, boards = _BUILT[name]
+        board = b.pick("board", list(boards))
     else:
         wood = cover = b.material("frame", *_WOODS)
         style = b.pick("frame", ["legs", "plinth", "drawers", "legs"])
@@ -70,7 +84,7 @@ def bed(b: Builder) -> None:
             b.cushion(body, y, (0.13, rail), cover, radius=0.03)
     else:
         _frame(b, body, y, rail, beam, style)
-    foot = not padded and b.chance("foot board", 0.4)
+    foot = not padded and name != "platform_bed" and b.chance("foot board", 0.4)
     if foot:
         with b.solid("foot board"):
             rise = rail + 0.28 if single else rail + 0.2
