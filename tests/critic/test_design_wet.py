@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from sceneweaver.scene import Part, SceneObject
+from sceneweaver.scene.finish import RoomFinish, WallTiles
 from tests.critic.breaches import box, broken, hung, room, top
 
 Boxes = list[SceneObject]
@@ -67,7 +68,7 @@ def toilet(x: float, y: float) -> Boxes:
 
 
 MAT, STOOL, HAMPER = (0.5, 0.7, 0.01), (0.35, 0.35, 0.45), (0.4, 0.5, 0.6)
-RAIL = hung("towel_rail-0", (0.1, 0.6, 0.4), 0.06, 1.6, 0, 1.0)
+RAIL = hung("towel_rail-0", (0.1, 0.6, 0.4), 0.06, 1.6, 0, 0.8)
 
 BREACHES: list[tuple[str, str, Boxes, Boxes, set[str]]] = [
     ("one_worktop_height", "kitchen", run(), run(dish=0.83), {"dishwasher-0"}),
@@ -175,3 +176,5 @@ def test_a_bath_without_window_or_tiles_is_not_complete() -> None:
     plain = room(3.0, 2.6, window=None)
     assert not broken("complete_for_its_kind", "bathroom", bath(True), BATH)
     assert broken("complete_for_its_kind", "bathroom", bath(True), plain) == {""}
+    tiled = plain.model_copy(update={"finish": RoomFinish(tiles=WallTiles(color="white", high=2.0))})
+    assert not broken("complete_for_its_kind", "bathroom", bath(True), tiled)

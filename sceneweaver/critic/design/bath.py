@@ -28,8 +28,8 @@ TAPS = frozenset(("bath_tap", "faucet", "tap"))
 BOWL = 0.25
 """Length [m] of a toilet's bowl ahead of its middle: who sits there reaches from there."""
 
-IN_CORNER = 0.35
-"""Distance [m] from a wall up to which a shower or bath stands against it."""
+HANGING = 0.25
+"""Length [m] that a towel hangs below its rail."""
 
 
 def faults(survey: Survey) -> Iterator[Finding]:
@@ -129,7 +129,8 @@ def _towels(survey: Survey) -> Iterator[Finding]:
     for rail in survey.of_kind(("towel_rail", "towel_radiator")):
         if rail.item.mount != "wall":
             continue
-        below = [b for b, s in inside(survey, strip(rail, "front", 0.15, 0.9), (rail,), low=0.3) if s > 0.15]
+        area = strip(rail, "front", 0.15, 0.9)
+        below = [b for b, s in inside(survey, area, (rail,)) if s > 0.15 and b.z[1] > rail.z[0] - HANGING]
         if below:
             yield breach(
                 "before_use",
@@ -188,7 +189,8 @@ def _mats(survey: Survey) -> Iterator[Finding]:
 
 def _at_exit(survey: Survey, body: Body, mat: Body, limits: dict[str, float]) -> bool:
     """Whether a mat lies at an open side of something, and before the middle of that side."""
-    if survey.placed.distance(body, mat) > limits["gap"]:
+    reach = "basin" if body.item.category in BASINS else "corner" if body.item.category == "corner_shower" else "gap"
+    if survey.placed.distance(body, mat) > limits[reach]:
         return False
     ahead, aside = body.local(mat.centre)
     d, w = body.size[0] / 2, body.size[1] / 2

@@ -36,7 +36,7 @@ SCREENS = frozenset(("tv", "projector_screen"))
 TAKEN = 0.08
 """Share of the room before a thing that may be taken."""
 
-BELOW_WINDOWS = kinds.SEE_THROUGH | kinds.WINDOW_WEAR | kinds.BEDS | kinds.LONG_BEDS
+BELOW_WINDOWS = kinds.SEE_THROUGH | kinds.WINDOW_WEAR | kinds.BEDS | kinds.LONG_BEDS | kinds.WORLDS["gym"]
 """What may stand or hang before a window."""
 
 DARK = 0.2

@@ -42,5 +42,6 @@ def faults(survey: Survey) -> Iterator[Finding]:
 
 
 def tiled(survey: Survey) -> bool:
-    """Whether the walls are said to be tiled."""
-    return "tile" in str(survey.scene.provenance.get("finish", "")).partition("walls")[2]
+    """Whether walls of the room have tiles."""
+    finish = survey.scene.room.finish
+    return finish is not None and finish.tiles is not None

@@ -34,6 +34,8 @@ PUBLIC = named(
 SPOTS = 300
 """Points of the floor at which its light is looked at."""
 
+EATEN_AT = frozenset(("dining_table", "round_dining_table", "oval_table", "cafe_table"))
+
 LONG = 2.2
 """Length [m] from which one lamp does not light a table."""
 
@@ -160,7 +162,7 @@ def _heights(survey: Survey, lamps: list[Body]) -> Iterator[Finding]:
             continue
         bottom = lamp.z[0]
         under = [b for b in bases if _above(b, lamp, 0.1)]
-        tables = [b for b in under if b.item.category in kinds.DINING - {"conference_table"}]
+        tables = [b for b in under if b.item.category in EATEN_AT]
         if tables and bottom < 2.6:
             over = bottom - max(s.z for s in tables[0].item.surfaces) if tables[0].item.surfaces else bottom - 0.75
             if not low - 0.1 <= over <= top + 0.1:

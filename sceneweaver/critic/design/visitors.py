@@ -198,8 +198,8 @@ def _tables(survey: Survey, seats: list[Body]) -> Iterator[Finding]:
     reach = limit("coffee_table_distance", "reach")
     for table in floor_of_kind(survey, kinds.COFFEE):
         near = [b for b, gap in survey.near(table, reach) if b in seats and math.degrees(turn_to(b, table.centre)) < 75]
-        if len(near) >= 2 or len(seats) < 2:
-            continue
+        if len(near) >= 2 or len(seats) < 2 or any("bench" in b.item.category for b in near):
+            continue  # a bench is for several
         gap = min((g for b, g in survey.near(table, 5.0) if b in seats), default=math.inf)
         yield breach(
             "coffee_table_distance",

@@ -213,7 +213,7 @@ def _hidden(survey: Survey, body: Body) -> list[str]:
     found = []
     for side in ("left", "right"):
         gap, other = clear_depth(survey, body, side, 0.3)
-        if gap > WEDGED:
-            return []
+        if gap > WEDGED or (other is not None and other.item.category in kinds.SEATED_AT):
+            return []  # a bin under a desk stands well
         found.append("the wall" if other is None else other.id)
-    return [] if found == ["the wall"] * 2 else found
+    return [] if found[0] == found[1] else found
