@@ -93,9 +93,11 @@ def toilet(b: Builder) -> None:
             china,
             True,
         )
-        with b.frame(x0 + deep / 2, 0.0, top):
-            b.frustum(0.026, 0.024, (-0.001, 0.012), "chrome", segments=20, bevel=0.002)
-            b.add(shapes.box((-0.02, 0.02), (-0.0008, 0.0008), (0.009, 0.0123)), "black steel", [])
+    with b.solid("button"), b.frame(x0 + deep / 2, 0.0, top):
+        b.frustum(0.026, 0.024, (-0.001, 0.012), "chrome", segments=20, bevel=0.002)
+        b.add(shapes.box((-0.02, 0.02), (-0.0008, 0.0008), (0.009, 0.0123)), "black steel", [])
+    for name, ys in (("top-right", (-w / 2 + 0.03, -0.03)), ("top-left", (0.03, w / 2 - 0.03))):
+        b.surface(name, (x0 + 0.02, x0 + deep - 0.02), ys, top)
     b.fit()
 
 
@@ -393,8 +395,11 @@ def vanity(b: Builder) -> None:
     edges.append(y[1] - 0.01)
     xs = (-d / 2 + 0.02, d / 2 - 0.014)
     names = ("top-right", "top-left") if count == 1 else ("top-right", "top-middle", "top-left")
-    for k, name in enumerate(names):
-        ys = (edges[2 * k], edges[2 * k + 1])
-        if ys[1] - ys[0] > 0.08:
-            b.surface(name, xs, ys, h)
+    wide = [(name, (edges[2 * k], edges[2 * k + 1])) for k, name in enumerate(names)]
+    wide = [(name, ys) for name, ys in wide if ys[1] - ys[0] > 0.08]
+    if not wide and not on:  # a narrow one has its soap beside the tap
+        xs = (-d / 2 + 0.016, hx[0] - 0.012)
+        wide = [("top-right", (y[0] + 0.01, mids[0] - 0.05)), ("top-left", (mids[0] + 0.05, y[1] - 0.01))]
+    for name, ys in wide:
+        b.surface(name, xs, ys, h)
     b.fit()

@@ -410,7 +410,7 @@ def gym_bench(b: Builder) -> None:
     step = d / count
     for k in range(count):
         x = -d / 2 + k * step
-        b.box((x + 0.006, x + step - 0.006), (-w / 2, w / 2), (h - 0.03, h), wood, 0.005)
+        b.box((x + 0.001, x + step - 0.001), (-w / 2, w / 2), (h - 0.03, h), wood, 0.001)
     n = 2 if w < 1.5 else 3
     for k in range(n):
         y = -w / 2 + 0.15 + k * (w - 0.3) / (n - 1)
@@ -418,6 +418,7 @@ def gym_bench(b: Builder) -> None:
             b.box((x - 0.02, x + 0.02), (y - 0.02, y + 0.02), (0, h - 0.03), metal, 0.003)
         b.box((-d / 2 + 0.04, d / 2 - 0.04), (y - 0.02, y + 0.02), (h - 0.07, h - 0.03), metal, 0.003)
     b.box((-0.015, 0.015), (-w / 2 + 0.15, w / 2 - 0.15), (h - 0.065, h - 0.035), metal, 0.003)
+    b.surface("top", (-d / 2 + 0.015, d / 2 - 0.015), (-w / 2 + 0.01, w / 2 - 0.01), h)
 
 
 @gear("punching_bag", square=True)

@@ -228,9 +228,11 @@ def sink_cabinet(b: Builder) -> None:
             )
     tap(b, -d / 2 + 0.065, middle, h, metal, total - h, 0.2, square=b.chance("square tap", 0.35))
     edge = (bowls[0][0] - 0.025, bowls[-1][1] + 0.025)
-    for name, ys in (("top-right", (y[0] + 0.01, edge[0])), ("top-left", (edge[1], y[1] - 0.01))):
-        if ys[1] - ys[0] > 0.12:
-            b.surface(name, (-d / 2 + 0.01, d / 2 - 0.014), ys, h)
+    sides = (("top-right", (y[0] + 0.01, edge[0])), ("top-left", (edge[1], y[1] - 0.01)))
+    behind = (("top-right", (y[0] + 0.01, middle - 0.05)), ("top-left", (middle + 0.05, y[1] - 0.01)))
+    wide = [(name, ys) for name, ys in sides if ys[1] - ys[0] > 0.11]
+    for name, ys in wide or behind:  # a narrow one has its soap beside the tap
+        b.surface(name, (-d / 2 + 0.01, d / 2 - 0.014) if wide else (-d / 2 + 0.01, hx[0] - 0.02), ys, h)
     b.fit()
 
 
