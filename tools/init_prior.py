@@ -27,8 +27,8 @@ from .prior_shell import floor_area, shell
 from .prior_supports import Places, laid, supported
 from .prior_tables import lengthened
 
-FILL = {"sparse": 0.24, "normal": 0.33, "full": 0.40}
-"""Share of the floor under furniture up to which more is put in."""
+FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
+"""Share of what a kind of room usually has under furniture up to which more is put in."""
 
 WALLED = 0.62
 """Share of the walls, less doors, that furniture may take."""
@@ -90,7 +90,7 @@ class InitPrior:
             places = laid(program, rows, context.library, brief, palette, seed)
             loose = _free_of_rows(program.wanted, rows)
             variants = row_variants(loose, space, _strip(program.wanted), corners)
-            crowded = program.footprint > FILL["full"] * area or program.wall > WALLED * walls_of(space)
+            crowded = program.footprint > FILL["full"] * room.fill * area or program.wall > WALLED * walls_of(space)
             astray = not variants and in_rows(loose)
             attempt += 1
             large = attempt == GROWTHS or area >= 1.5 * room.area[2]
@@ -199,7 +199,7 @@ def _program(context: Context, space: Room, area: float, people: int, palette: P
         for wish in demands(room, brief, area, people, len(space.windows), context.seed)
     ]
     pane = (space.windows[0].width, space.windows[0].height) if space.windows else None
-    fill = FILL[brief.density]
+    fill = FILL[brief.density] * room.fill
     walls = walls_of(space)
     return build(
         wishes,

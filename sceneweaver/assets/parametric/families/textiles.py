@@ -42,7 +42,7 @@ def _rectangle(x: Interval, y: Interval) -> list[tuple[float, float]]:
 
 
 def _woven(b: Builder, d: float, w: float, h: float, fringe: float) -> None:
-    """A rectangular rug with a pattern; x runs along d, its fringes lie at the ends of y."""
+    """A rectangular rug with a pattern; stripes run along y, the long side, and the fringes lie at its ends."""
     field = b.material("field", *_CLOTHS)
     second = b.material("second", "white fabric", "navy fabric", "beige fabric", "rust fabric", "charcoal fabric")
     if second.name == field.name:
@@ -84,9 +84,9 @@ def _woven(b: Builder, d: float, w: float, h: float, fringe: float) -> None:
         elif pattern == "stripes":
             count = b.whole("stripes", 5, 11)
             for k in range(count):
-                c = y[0] + (k + 0.5) * (y[1] - y[0]) / count
-                half = (y[1] - y[0]) / count * (0.25 if k % 2 else 0.12)
-                _inlay(b, _rectangle(x, (c - half, c + half)), h, 1, second if k % 2 else third)
+                c = x[0] + (k + 0.5) * d / count
+                half = d / count * (0.25 if k % 2 else 0.12)
+                _inlay(b, _rectangle((c - half, c + half), y), h, 1, second if k % 2 else third)
         elif pattern in ("diamonds", "checks"):
             n = max(2, round(d / 0.32))
             m = max(3, round((y[1] - y[0]) / 0.32))
@@ -107,12 +107,12 @@ def _woven(b: Builder, d: float, w: float, h: float, fringe: float) -> None:
                             second,
                         )
         elif pattern == "zigzag":
-            rows, teeth = max(3, round((y[1] - y[0]) / 0.35)), max(4, round(d / 0.2))
-            t = np.linspace(x[0] + 0.013, x[1] - 0.013, 2 * teeth + 1)
+            rows, teeth = max(3, round(d / 0.35)), max(4, round((y[1] - y[0]) / 0.2))
+            t = np.linspace(y[0] + 0.013, y[1] - 0.013, 2 * teeth + 1)
             tooth = np.where(np.arange(2 * teeth + 1) % 2 == 0, -0.03, 0.03)
             for k in range(rows):
-                c = y[0] + (k + 0.5) * (y[1] - y[0]) / rows
-                band = np.concatenate([np.c_[t, c + tooth - 0.035], np.c_[t[::-1], c + tooth[::-1] + 0.035]])
+                c = x[0] + (k + 0.5) * d / rows
+                band = np.concatenate([np.c_[c + tooth + 0.035, t], np.c_[c + tooth[::-1] - 0.035, t[::-1]]])
                 _inlay(b, band, h, 1, second if k % 2 else third)
         else:
             a = np.linspace(0, np.pi, 13)
