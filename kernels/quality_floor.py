@@ -7,18 +7,19 @@ import warp as wp
 
 from .array_access import item
 from .geometry import FAR, plane_of, turn_back
-from .quality import ON_FLOOR, Terms, gap_to_point, member_of
+from .quality import ON_FLOOR, Member, Terms, gap_to_point, member_of, side_of
 from .tables import FIXTURE_SOLID, SOLIDS, Problems, State, parts_of
 from .walk import Floor, point_distance
 
 wp.set_module_options({"enable_backward": False})
 
-WAY = ON_FLOOR  # [m] width of the widest way from the doors to a
+WAY = ON_FLOOR  # [m] width of the widest way from the doors to where p0 is left to a, or to its side p1 (-1: any)
 EMPTY = ON_FLOOR + 1  # [m] side of the largest free square along the room's axes
 REMOTE = ON_FLOOR + 2  # [m] from the free floor that is furthest off to the nearest of the members
 
 LEVELS = wp.constant(16)  # of clearance
 LEVEL = wp.constant(0.04)  # [m]
+ENTRY = wp.constant(0.6)  # [m] around a step inside of a door within which ways begin
 
 
 @wp.func
@@ -84,7 +85,7 @@ def widest_ways(
     """The least level on the best way from a door to each cell [slot, cell]; 0: there is none.
 
     Dijkstra's algorithm with the least level of a way in place of its length, and a list of cells for each level.
-    ``doors`` are points a step inside of them.
+    ``doors`` are points a step inside of them; ways begin in squares around these.
     """
     slot = wp.tid()
     cells = floor.nx * floor.ny
@@ -93,19 +94,19 @@ def widest_ways(
     for k in range(LEVELS + 1):
         head[slot, k] = -1
     for d in range(doors.shape[0]):
-        near = float(FAR)
-        seed = int(-1)
+        near = float(FAR)  # where nobody can stand there, the nearest cell where someone can
         for cell in range(cells):
             if level[slot, cell] > 0:
-                far = wp.length(cell_middle(floor, cell) - doors[d])
-                if far < near:
-                    near = far
-                    seed = cell
-        if seed >= 0:
-            if way_out[slot, seed] == 0:
-                way_out[slot, seed] = level[slot, seed]
-                link[slot, seed] = head[slot, level[slot, seed]]
-                head[slot, level[slot, seed]] = seed
+                v = cell_middle(floor, cell) - doors[d]
+                near = wp.min(near, wp.max(wp.abs(v[0]), wp.abs(v[1])))
+        for cell in range(cells):
+            now = level[slot, cell]
+            v = cell_middle(floor, cell) - doors[d]
+            inside = wp.max(wp.abs(v[0]), wp.abs(v[1])) <= wp.max(near, ENTRY)
+            if inside and now > 0 and way_out[slot, cell] == 0:
+                way_out[slot, cell] = now
+                link[slot, cell] = head[slot, now]
+                head[slot, now] = cell
     for k in range(LEVELS):
         now = LEVELS - k
         while head[slot, now] >= 0:
@@ -149,6 +150,14 @@ def measure_floor(
     candidate = selected[slot]
     first = item(terms.member_start, row)
     last = item(terms.member_start, row + 1)
+    p = item(terms.params, row)
+    target = Member()
+    if kind == WAY:
+        target = member_of(b, terms, s, candidate, first)
+        if p[1] >= 0.0:  # the face of that side, a little narrower
+            target = side_of(target, int(p[1]))
+            target.at = target.at + target.half[0] * target.turn
+            target.half = wp.vec2(0.0, 0.7 * target.half[1])
     best = float(0.0)
     for cell in range(floor.nx * floor.ny):
         if kind == EMPTY:
@@ -163,8 +172,7 @@ def measure_floor(
         elif kind == WAY:
             radius = float(way[slot, cell]) * LEVEL
             if radius > 0.5 * best:
-                target = member_of(b, terms, s, candidate, first)
-                if gap_to_point(target, cell_middle(floor, cell)) <= radius + floor.cell:
+                if gap_to_point(target, cell_middle(floor, cell)) <= radius + p[0]:
                     best = 2.0 * radius
         elif level[slot, cell] > 0:
             near = float(FAR)

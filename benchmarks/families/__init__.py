@@ -11,6 +11,7 @@ from benchmarks.settings import Settings
 
 from . import (
     ablations,
+    choice,
     cold,
     critic,
     design,
@@ -48,6 +49,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "projection": projection.run,
         "design": design.run,
         "critic": critic.run,
+        "choice": choice.run,
         "ablations": ablations.run,
         "variety": variety.run,
         "requests": requests.run,

@@ -16,6 +16,7 @@ IMPLEMENTERS = ("add_tabletop", "add_crowd")
 
 PARTS: dict[str, dict[str, Any]] = {
     "full": {},
+    "without choice": {"choice": False},
     "without reflection": {"reflect": False},
     "without physical optimisation": {"physics": False},
     "one-shot plan": {"one_shot": True},

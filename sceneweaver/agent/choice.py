@@ -13,6 +13,7 @@ from sceneweaver.critic import kinds
 from sceneweaver.critic.design.clearance import BELOW_WINDOWS, BOARDS, BROWSED, OPENED
 from sceneweaver.critic.design.fill import GYMS, HOMELIKE
 from sceneweaver.critic.design.walls import CLOSE, PLAIN, TALL
+from sceneweaver.critic.design.ways import ACROSS, BODY, GOALS, GRID, REACH, USED
 from sceneweaver.critic.groups import COUNTERS
 from sceneweaver.geometry.shell import heights
 from sceneweaver.knowledge import RoomType
@@ -23,14 +24,8 @@ from sceneweaver.scene import Scene
 from . import choice_groups
 from .choice_rules import Rules
 
-GOALS = kinds.BEDS | kinds.LONG_BEDS | kinds.SOFAS | kinds.DESKS | kinds.DINING
-"""What a way should lead to, and other large pieces after them."""
-
-MOST_GOALS = 6
+MOST_GOALS, MOST_REACHED = 8, 24
 """Ways that are measured: to the largest pieces."""
-
-CELL = 0.1
-"""What the width of a way is uncertain by [m]."""
 
 
 def choice_terms(scene: Scene, room_type: RoomType) -> list[QualityTerm]:
@@ -87,30 +82,41 @@ def _use(rules: Rules) -> Iterator[QualityTerm]:
 
 
 def _ways(rules: Rules) -> Iterator[QualityTerm]:
-    """Ways from the doors to windows and to the largest pieces."""
+    """Ways from the doors to windows, to the largest pieces, and to the front of all that stands on the floor."""
     if not rules.scene.room.doors:
         return
-    for window in rules.scene.room.windows[:2]:
-        yield from _way(rules, "way_to_window", window.id)
-    goals = sorted(rules.standing, key=lambda o: o.category not in GOALS)[:MOST_GOALS]
-    for o in goals:
+    width = limit("way_to_window", "width") - GRID
+    for window in rules.scene.room.windows:
+        yield from rules.term("way_to_window", "way", window.id, low=width, span=0.3, reach=ACROSS)
+    width = limit("way_to_group", "width") - GRID
+    for o in [o for o in rules.standing if o.category in GOALS][:MOST_GOALS]:
+        yield from rules.term("way_to_group", "way", o.id, low=width, span=0.3, reach=REACH)
+    near = limit("reachable", "gap") - 0.1
+    for o in rules.standing[:MOST_REACHED]:
+        if o.category in USED:
+            side = 0 if o.category in kinds.WALL_BACKED else -1
+            yield from rules.term("reachable", "way", o.id, low=BODY, span=0.2, reach=near, side=side)
         if o.id not in rules.movable:
-            yield from _way(rules, "way_to_group", o.id)
-
-
-def _way(rules: Rules, rule: str, name: str) -> Iterator[QualityTerm]:
-    yield from rules.term(rule, "way", name, low=limit(rule, "width") - CELL, span=0.3)
+            # From where a robot can stand it reaches so far; to what has seats, over any side.
+            params = {"reach": 0.35, "side": -1.0 if o.category in kinds.SEATED_AT else 0.0}
+            yield QualityTerm("way", (o.id,), 0.4, span=0.4, weight=0.8, params=params, rule="unreachable", most=3.0)
 
 
 def _walls(rules: Rules) -> Iterator[QualityTerm]:
     """Walls with nothing on them."""
     room = rules.scene.room
-    most = limit("wall_covered", "length") * (2.0 if rules.room in PLAIN else 1.0)
+    run = limit("wall_covered", "length") * (2.0 if rules.room in PLAIN else 1.0)
     for k, wall in enumerate(room.walls):
-        if wall.length >= most:
+        if wall.length >= run:
             openings = [o.id for o in room.openings_of(k)]
+            most = min(2.0 * run, (1.0 - limit("wall_covered", "share")) * wall.length)
             yield from rules.term(
-                "wall_covered", "bare", f"wall:{k}", *openings, high=most, span=most, depth=CLOSE, tall=TALL, run=most
+                *("wall_covered", "bare", f"wall:{k}", *openings),
+                high=0.8 * most,
+                span=0.2 * most,
+                depth=CLOSE,
+                tall=TALL,
+                run=run,
             )
 
 
@@ -118,5 +124,5 @@ def _fill(rules: Rules) -> Iterator[QualityTerm]:
     """Empty floor."""
     side = limit("no_empty_floor", "side" if rules.room in HOMELIKE else "gym" if rules.room in GYMS else "public")
     if rules.standing:
-        yield from rules.term("no_empty_floor", "empty", high=side, span=0.3, share=0.7)
+        yield from rules.term("no_empty_floor", "empty", high=side, span=0.15)
         yield from rules.term("no_empty_floor", "empty", high=side, span=side)

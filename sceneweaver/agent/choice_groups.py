@@ -11,8 +11,9 @@ from sceneweaver.critic import kinds
 from sceneweaver.critic.design.axes import CORNERED, FLANKING
 from sceneweaver.critic.design.focus import HOME
 from sceneweaver.critic.design.gym import CARDIO, MATS
+from sceneweaver.critic.design.seating import ARMCHAIRS, FOOTRESTS, LOW_TABLES
 from sceneweaver.critic.design.workplaces import BLOCKS
-from sceneweaver.critic.groups import ANCHORS, FOCI, HUNG, RUGS, SEATS
+from sceneweaver.critic.groups import ALL_BEDS, ANCHORS, FOCI, HUNG, REACH, RUGS, SEATS
 from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.layout import QualityTerm
 from sceneweaver.scene import SceneObject
@@ -104,15 +105,33 @@ def _seats(rules: Rules) -> Iterator[QualityTerm]:
                 yield from rules.term("armchair_in_group", "gap", seat.id, table.id, high=reach, span=0.5)
                 if seat.category in LOOKING:
                     yield from rules.term("armchair_in_group", "bearing", seat.id, table.id, high=angle, span=0.5)
-            near = [o.id for o in rules.of_kind(SEATS, kinds.COFFEE, kinds.SEATED_AT) if o is not seat]
-            if near:
-                most = limit("seat_in_a_group", "reach")
-                yield from rules.term("seat_in_a_group", "nearest", seat.id, *near, high=most, span=0.5)
+    yield from _alone(rules)
     for focus in foci:
         stand = [o.id for o in rules.tied(focus, kinds.WALL_BACKED)]
         clear = limit("before_focus", "clear")
         others = [*stand, *rules.movable]
         yield from rules.term("before_focus", "clear", focus.id, *others, low=clear, span=clear, high=1e5)
+
+
+def _alone(rules: Rules) -> Iterator[QualityTerm]:
+    """Footrests before no seat, sofas and benches without a table, side tables off the arms of their seats."""
+    reach, ahead = limit("seat_in_a_group", "reach"), limit("table_beside_seat", "ahead")
+    served = rules.of_kind(kinds.COFFEE, ALL_BEDS, kinds.LOUNGE, ("dressing_table", "vanity"))
+    tables = rules.of_kind(LOW_TABLES, kinds.SEATED_AT - {"desk"})
+    for wanted, near in ((FOOTRESTS, served), (ANCHORS, tables)):
+        for o in rules.of_kind(wanted):
+            others = [other.id for other in near if other.id != o.id]
+            if o.mount == "floor" and others:
+                yield from rules.term("seat_in_a_group", "nearest", o.id, *others, high=reach, span=0.3)
+    if rules.room in HOME:  # an armchair of its own stays out of the group that it would not fit
+        group = rules.of_kind(kinds.SOFAS, kinds.COFFEE)
+        for o in rules.of_kind(ARMCHAIRS):
+            if group and not rules.tied(o, kinds.COFFEE):
+                others = [other.id for other in group]
+                yield from rules.term("armchair_in_group", "nearest", o.id, *others, low=REACH, span=0.3)
+    for table in rules.of_kind(("side_table",)):
+        for seat in rules.tied(table, kinds.LOUNGE)[:1]:
+            yield from rules.term("table_beside_seat", "ahead", seat.id, table.id, low=-ahead, high=ahead, span=0.2)
 
 
 def _bed(rules: Rules, bed: SceneObject) -> Iterator[QualityTerm]:
@@ -141,6 +160,8 @@ def _lamps(rules: Rules) -> Iterator[QualityTerm]:
     most = limit("lamp_over_table", "offset")
     for lamp in rules.of_kind(LAMPS):
         for table in rules.tied(lamp, kinds.SEATED_AT, kinds.COFFEE)[:1]:
+            if len(rules.tied(table, LAMPS)) > 1:
+                continue  # a row of lamps has its middle elsewhere
             for kind, low in (("lateral", None), ("ahead", -most)):
                 yield from rules.term(
                     "lamp_over_table", kind, table.id, lamp.id, low=low, high=most, span=0.5, share=0.5

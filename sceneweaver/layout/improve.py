@@ -87,7 +87,8 @@ def _children(
     solution: Solution, room: LayoutProblem, groups: Sequence[Sequence[int]], count: int, rng: np.random.Generator
 ) -> np.ndarray:
     """Poses [count, N, 4] to mend."""
-    parents = best_of_each_signature(solution, PARENTS)
+    parents = best_of_each_signature(solution)
+    parents = np.concatenate([parents, solution.ranked[~np.isin(solution.ranked, parents)]])[:PARENTS]
     ranks = np.minimum(rng.exponential(LEAD, count).astype(int), len(parents) - 1)
     children = solution.poses[parents[ranks]].astype(np.float64)
     for child in children:

@@ -45,7 +45,7 @@ KINDS: Mapping[str, Kind] = {
     "overlap": Kind(q.OVERLAP, 2, 2, {"depth": 1.0}),
     "screened": Kind(q.SCREENED, 2, None, {"height": 1.1}),
     "bare": Kind(q.BARE, 1, None, {"depth": 0.35, "tall": 1.2, "run": 1.5}),
-    "way": Kind(f.WAY, 1, 1),
+    "way": Kind(f.WAY, 1, 1, {"reach": 0.1, "side": -1.0}),
     "empty": Kind(f.EMPTY, 0, 0),
     "remote": Kind(f.REMOTE, 1, None),
 }

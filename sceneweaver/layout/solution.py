@@ -159,17 +159,21 @@ class Solution:
     def distinct(self, k: int) -> list[Scene]:
         """Up to k valid layouts, best first, that differ: some object is 0.5 m or 45 degrees away.
 
-        With terms of quality the best of each `signature` come first, and what differs less only fills up.
+        With terms of quality the best of each of `signatures` come first, and what differs less only fills up.
         """
+        return [self.scene(i) for i in self.best_candidates(k)]
+
+    def best_candidates(self, k: int) -> list[int]:
+        """The candidates of `distinct`."""
         chosen: list[int] = []
         if self.quality is not None:
-            chosen = [int(i) for i in best_of_each_signature(self, k)[:k]]
+            chosen = [int(i) for i in best_of_each_signature(self)[:k]]
         for i in self.ranked:
             if len(chosen) == k:
                 break
             if all(_differ(self.poses[i], self.poses[j]) for j in chosen):
                 chosen.append(int(i))
-        return [self.scene(i) for i in chosen]
+        return chosen
 
 
 def signatures(scene: Scene, poses: np.ndarray) -> np.ndarray:
@@ -194,13 +198,11 @@ def signatures(scene: Scene, poses: np.ndarray) -> np.ndarray:
     return np.concatenate([wall, eighth], axis=-1)
 
 
-def best_of_each_signature(solution: Solution, k: int) -> np.ndarray:
-    """Valid candidates, the best of each signature first; where these are fewer than k, others as good as they come."""
+def best_of_each_signature(solution: Solution) -> np.ndarray:
+    """The best valid candidate of each signature, best first."""
     ranked = solution.ranked
     _, first = np.unique(signatures(solution.source, solution.poses[ranked]), axis=0, return_index=True)
-    first.sort()
-    others = np.setdiff1d(np.arange(len(ranked)), first)
-    return ranked[np.concatenate([first, others])[:k]]
+    return ranked[np.sort(first)]
 
 
 def _differ(a: np.ndarray, b: np.ndarray) -> bool:

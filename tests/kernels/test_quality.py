@@ -11,7 +11,7 @@ import shapely
 
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.walls import walls_of
-from sceneweaver.kernels.quality_floor import LEVEL, LEVELS
+from sceneweaver.kernels.quality_floor import ENTRY, LEVEL, LEVELS
 from sceneweaver.layout.compile import compile_scene
 from sceneweaver.layout.quality import KINDS, QualityTerm
 from sceneweaver.layout.rate import CELL, HIGH, LOW, STEP, measures
@@ -189,15 +189,16 @@ class Twin:
                     free = np.minimum(free, shapely.distance(points, polygon))
         return middles, np.clip(np.floor(free / LEVEL), 0, int(LEVELS)).astype(int)
 
-    def way(self, a):
+    def way(self, a, reach=0.1, side=-1):
         middles, level = self.grid()
         best = np.zeros_like(level)
         queue = []
         for door in self.scene.room.doors:
             at, inward, _ = self.frame(door.id)
-            far = np.linalg.norm(middles - (at + STEP * inward), axis=-1) + 1e9 * (level == 0)
-            seed = np.unravel_index(np.argmin(far), level.shape)
-            queue.append((-level[seed], seed))
+            far = np.abs(middles - (at + STEP * inward)).max(axis=-1)
+            begin = (far <= max(float(ENTRY), far[level > 0].min(initial=0.0))) & (level > 0)
+            queue += [(-level[cell], cell) for cell in zip(*map(list, np.nonzero(begin)), strict=True)]
+        heapq.heapify(queue)
         while queue:
             width, cell = heapq.heappop(queue)
             if best[cell]:
@@ -207,7 +208,14 @@ class Twin:
                 to = cell[0] + dx, cell[1] + dy
                 if 0 <= to[0] < level.shape[0] and 0 <= to[1] < level.shape[1] and level[to] and not best[to]:
                     heapq.heappush(queue, (max(width, -level[to]), to))
-        near = shapely.distance(shapely.points(middles), self.box(a)) <= best * LEVEL + CELL
+        target = self.box(a)
+        if side >= 0:
+            at, front, half = self.frame(a)
+            left = np.array([-front[1], front[0]])
+            way, (depth, aside) = (front, left, -front, -left)[side], half if side % 2 == 0 else half[::-1]
+            across = 0.7 * aside * np.array([-way[1], way[0]])
+            target = shapely.LineString([at + depth * way - across, at + depth * way + across])
+        near = shapely.distance(shapely.points(middles), target) <= best * LEVEL + reach
         return 2 * LEVEL * float((best * (near & (best > 0))).max())
 
     def empty(self):
@@ -250,6 +258,7 @@ def some_terms(scene: Scene, kind: str, rng: np.random.Generator, count: int) ->
             "high": rng.uniform(0.5, 2.0),
             "side": int(rng.integers(4)),
         },
+        "way": lambda: {"reach": rng.uniform(0.1, 0.5), "side": int(rng.integers(-1, 4))},
         "overlap": lambda: {"depth": rng.uniform(0.2, 1.5)},
         "screened": lambda: {"height": rng.uniform(0.3, 1.5)},
         "bare": lambda: {"depth": rng.uniform(0.2, 0.6), "tall": rng.uniform(0.5, 1.5), "run": rng.uniform(0.3, 1.0)},
