@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks import rooms
 from benchmarks.designs import PAPER
 from benchmarks.drafts import Draft, draft
 from benchmarks.judging import Judge
@@ -66,7 +65,7 @@ def run(settings: Settings, judge: Judge) -> Result:
         "wall, the 0.5 m cell or the eighth of a turn of some piece. "
         f"The row {IMPROVED}: {DRAWN} candidates, and {GENERATIONS} generations of {CHILDREN} recombined ones.",
     )
-    names = rooms.chosen(settings, tuple(PAPER)[:1] if settings.quick else tuple(PAPER))
+    names = [name for name in settings.rooms if name in PAPER] or list(PAPER)[: 1 if settings.quick else None]
     curve, agreement = [], []
     for name in names:
         made = draft(name, settings.seed)
@@ -137,7 +136,7 @@ def _curve(name: str, made: Draft, settings: Settings) -> tuple[Solution, list[d
     )
     spent = time.process_time() - began
     critic = Critic(made, solution)
-    counts = [n for n in COUNTS if n <= most]
+    counts = [n for n in COUNTS if n <= most] or [most]
     return solution, [_row(name, n, _first(solution, n), critic, spent * n / most) for n in counts]
 
 
