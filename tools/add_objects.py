@@ -10,6 +10,7 @@ from typing import Any
 from sceneweaver.assets import Asset, Wish, drawable, resolve
 from sceneweaver.assets.taxonomy import category_named, likeliness
 from sceneweaver.knowledge import Item
+from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.scene import InputError, Intent, Pose, SceneObject
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
 
@@ -146,7 +147,9 @@ def _bodies(
     if mount == "wall" and category in AT_WINDOWS and wish.size[1] is None:
         panes = [w.width for w in context.scene.room.windows]
         if panes:
-            wish = replace(wish, size=(wish.size[0], max(panes) + 0.3, wish.size[2]))
+            wish = replace(
+                wish, size=(wish.size[0], max(panes) + 2 * limit("curtain_width", "beyond") + 0.04, wish.size[2])
+            )
     if mount == "ceiling" and wish.size[2] is None:
         drop = hanging_height(category, context.scene.room.height, _under(draft, row, item))
         wish = replace(wish, size=(*wish.size[:2], drop)) if drop is not None else wish

@@ -14,6 +14,7 @@ from sceneweaver.assets.zones import cleared, hung_at
 from sceneweaver.brief import Entity, SceneGraph
 from sceneweaver.brief.pairs import groups_of
 from sceneweaver.knowledge import Item, RoomType
+from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.knowledge.kin import kin
 from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
@@ -359,7 +360,7 @@ def build(
         wish, held = _wish(demand, palette, seed + 101 * number)
         if item is not None and _hangs_at_windows(item) and pane and wish.size[1] is None:
             high = 0.5 * pane[1] if demand.categories[0] == BLIND else wish.size[2]  # drawn up half the way
-            wish = replace(wish, size=(wish.size[0], pane[0] + 0.3, high))
+            wish = replace(wish, size=(wish.size[0], pane[0] + 2 * limit("curtain_width", "beyond") + 0.04, high))
         if demand.categories and wish.size[2] is None and held is None:
             drop = hanging_height(demand.categories[0], ceiling, _hung_over(item, by_item))
             wish = replace(wish, size=(*wish.size[:2], drop)) if drop is not None else wish

@@ -26,6 +26,13 @@ _CLOTHS = (
 )
 
 
+OFF_WALL = 0.09
+"""Distance [m] of a curtain's cloth from the wall: a sill stands 0.07 m out of it."""
+
+FOLD = 0.065
+"""Width [m] of a fold of a curtain that is drawn open."""
+
+
 def _inlay(b: Builder, polygon, h: float, level: int, material: Material | str) -> None:
     """A flat region of another colour; regions of a higher level (0 to 5) lie over lower ones."""
     top = _ground(h)
@@ -200,7 +207,7 @@ def doormat(b: Builder) -> None:
 
 def _pleats(b: Builder, y: Interval, z: Interval, depth: float, material: Material | str) -> None:
     """A hanging panel in soft folds between two ends."""
-    count = max(4, round((y[1] - y[0]) / 0.085))
+    count = max(4, round((y[1] - y[0]) / FOLD))
     n = count * 6 + 1
     t = np.linspace(0, 1, n)
     levels = np.array([0.0, 0.25, 0.42, 0.6, 0.85, 1.0])
@@ -216,10 +223,11 @@ def _pleats(b: Builder, y: Interval, z: Interval, depth: float, material: Materi
 
 
 def _hang(b: Builder, cloth: Material) -> None:
+    """Two panels drawn open: they hang beside the glass, and clear of a sill or radiator before the wall."""
     d, w, h = b.size
     metal = b.material("rod", "black steel", "brass", "oak", "brushed steel", "walnut")
     rod = h - 0.03
-    thick = min(d, 0.11)
+    thick = min(d - OFF_WALL, 0.08)
     front = d / 2 - thick / 2
     with b.solid("rod"), b.frame(front):
         b.bar((0, -w / 2 + 0.03, rod), (0, w / 2 - 0.03, rod), 0.012, metal, 12)
@@ -228,13 +236,13 @@ def _hang(b: Builder, cloth: Material) -> None:
             y = s * (w / 2 - 0.09)
             b.box((-front - d / 2, 0.0), (y - 0.006, y + 0.006), (rod - 0.008, rod + 0.008), metal, bevel=0.001)
             b.box((-front - d / 2, -front - d / 2 + 0.006), (y - 0.015, y + 0.015), (rod - 0.03, rod + 0.03), metal)
-    share = b.uniform("drawn", 0.24, 0.46)
     edge = w / 2 - 0.055
+    wide = min(max(0.26, b.uniform("drawn", 0.15, 0.2) * w), 0.9 * edge)
     for name, s in (("left", 1), ("right", -1)):
-        y = sorted((s * edge, s * (edge - share * w)))
+        y = sorted((s * edge, s * (edge - wide)))
         with b.solid(name), b.frame(front):
             _pleats(b, (y[0], y[1]), (0.0, rod - 0.012), thick, cloth)
-            count = max(4, round((y[1] - y[0]) / 0.085))
+            count = max(4, round((y[1] - y[0]) / FOLD))
             for k in range(count):
                 c = y[0] + (k + 0.5) * (y[1] - y[0]) / count
                 b.box((-0.017, 0.017), (c - 0.0025, c + 0.0025), (rod - 0.022, rod + 0.017), metal, bevel=0.001)
@@ -244,6 +252,7 @@ def _hang(b: Builder, cloth: Material) -> None:
 def curtain(b: Builder) -> None:
     """Two panels in folds on a rod with round ends, rings and brackets."""
     _hang(b, b.material("cloth", *_CLOTHS))
+    b.fit()
 
 
 @draws("sheer_curtain")
@@ -276,14 +285,15 @@ def cushion(b: Builder) -> None:
 
 
 def _pillow(d: float, w: float, h: float, part: Interval = (-0.5, 0.5), swell: float = 0.0):
-    """A pillow with drawn-in sides and pointed corners, or the slice of it between two shares of its width."""
+    """A plump pillow with rounded corners, or the slice of it between two shares of its width."""
     n = 13
     u = np.sin(np.linspace(-np.pi / 2, np.pi / 2, n))
     v = u if part == (-0.5, 0.5) else np.linspace(2 * part[0], 2 * part[1], 5)
     uu, vv = np.meshgrid(u, v, indexing="ij")
-    x = d / 2 * uu * (1 - 0.08 * (1 - vv**2))
-    y = w / 2 * vv * (1 - 0.08 * (1 - uu**2))
-    rise = np.clip((1 - uu**2) * (1 - vv**2), 0, 1) ** 0.42
+    # Its edges bulge a little in their middles, and its middle is flat: filled to the corners.
+    x = d / 2 * uu * (1 - 0.07 * vv**4)
+    y = w / 2 * vv * (1 - 0.07 * uu**4)
+    rise = np.clip((1 - uu**4) * (1 - vv**4), 0, 1) ** 0.5
     z = np.maximum((h / 2 - swell) * rise, 0.003) + swell
     grid = np.stack([x, y, z], axis=-1)
     faces = shapes.sheet(grid, 0.001)[1]
