@@ -28,6 +28,14 @@ class Call(FrozenModel):
 
         return f"{self.tool} {json.dumps(self.inputs, sort_keys=True)}"
 
+    @classmethod
+    def of(cls, signature: str) -> Call:
+        """A call with a signature."""
+        import json
+
+        tool, _, inputs = signature.partition(" ")
+        return cls(tool=tool, inputs=json.loads(inputs))
+
 
 class Step(FrozenModel):
     """What one step did. ``tried`` holds every call of it with what it reached or why it failed."""

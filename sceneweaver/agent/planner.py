@@ -35,6 +35,9 @@ LAST_BEGINNING, ROOMIER = 4, 0.15
 FIRST = 6.0
 """How much more a point of what is not as asked counts than one of any other fault."""
 
+ANEW = 1
+"""Times that a whole room is laid out anew, once nothing cheaper is left to mend."""
+
 LEAST = 0.15
 """Points [of ten] that a call should be worth."""
 
@@ -94,6 +97,7 @@ class RulesPlanner:
                 if call.signature not in calls or worth > calls[call.signature].confidence:
                     calls[call.signature] = call.model_copy(update={"confidence": round(worth, 4)})
         ranked = sorted(calls.values(), key=lambda c: (-c.confidence, c.tool, c.signature))
+        ranked = [c for c in ranked if not _anew(c)] or [c for c in ranked if _times_anew(memory) < ANEW][:1]
         return [c.model_copy(update={"confidence": min(1.0, c.confidence)}) for c in ranked[: settings.side_by_side]]
 
 
@@ -123,6 +127,17 @@ def _beginnings(situation: Situation) -> list[Call]:
     again = [c for c in others if c.tool == first.tool]
     rest = [c for c in others if c.tool != first.tool]
     return [first, *again[:1], *rest, *again[1:]][: settings.side_by_side]
+
+
+def _anew(call: Call) -> bool:
+    """Whether a call lays out the whole room anew, which takes as long as its first layout."""
+    return call.tool == "update_layout" and not call.inputs.get("ids")
+
+
+def _times_anew(memory: Memory) -> int:
+    """How often the whole room was laid out anew."""
+    known = [*(Call.of(name) for name in memory.failed), *(step.call for step in memory.steps if step.accepted)]
+    return sum(call is not None and _anew(call) for call in known)
 
 
 def _wanted(situation: Situation) -> list[Fault]:

@@ -137,3 +137,17 @@ def test_a_tool_is_used_in_the_rooms_of_its_card_alone():
     shop, bedroom = room_type("shop"), room_type("bedroom")
     assert [usable("add_crowd", only_shops, Settings(), room) for room in (shop, bedroom)] == [True, False]
     assert not usable("add_crowd", crowd, Settings(tools=("add_objects",)), shop)
+
+
+def test_a_room_is_laid_out_anew_once_and_when_nothing_cheaper_is_left():
+    anew, cheap = _fault("update_layout", 3.0), _fault("update_rotation", 0.5, ids=["chair-0"])
+    some = _fault("update_layout", 1.0, ids=["desk-0"])
+    assert [c.tool for c in RulesPlanner().plan(_situation([anew, cheap]))] == ["update_rotation"]
+    (call,) = RulesPlanner().plan(_situation([anew]))
+    assert call.tool == "update_layout" and not call.inputs.get("ids")
+    done = Memory(steps=(Step(number=1, call=call, accepted=True),))
+    failed = Memory(failed=(call.model_copy(update={"inputs": {"ids": []}}).signature,))
+    for memory in (done, failed):
+        assert RulesPlanner().plan(_situation([_fault("update_layout", 3.0, near="desk-0")], memory)) == []
+        assert RulesPlanner().plan(_situation([some], memory))
+    assert Call.of(call.signature).signature == call.signature
