@@ -276,3 +276,15 @@ def test_a_bench_inside_a_rack_is_where_it_is_used() -> None:
 def test_rules_of_one_kind_of_room_do_not_bind_another() -> None:
     assert not broken("desk_clusters", "study", [box(f"desk-{k}", DESK, 2 + 2 * k, 3) for k in range(4)], HALL)
     assert not broken("machines_in_rows", "living_room", cardio(*ROW[:2], (7.0, 3.0, 180)), HALL)
+
+
+def test_what_stands_far_from_the_door_or_looks_away_from_it_is_tied_to_it() -> None:
+    from sceneweaver.critic.design import faults
+    from tests.critic.breaches import survey
+
+    things = [box("host_stand-0", (0.5, 0.6, 1.1), 8.0, 7.0, -90), box("coat_rack-0", BIN, 8.5, 7.5)]
+    found = {f.fault.rule: f.fault for f in faults(survey("restaurant", things, HALL))}
+    for rule, types in (("desk_looks_at_door", {"facing_door", "near_door"}), ("by_the_door", {"near_door"})):
+        rows = found[rule].inputs["relations"]
+        assert found[rule].tool == "add_relation" and {row["type"] for row in rows} == types
+        assert {(row["subject"], row["target"]) for row in rows} == {(found[rule].objects[0], "door-0")}

@@ -130,7 +130,11 @@ def _towels(survey: Survey) -> Iterator[Finding]:
         if rail.item.mount != "wall":
             continue
         area = strip(rail, "front", 0.15, 0.9)
-        below = [b for b, s in inside(survey, area, (rail,)) if s > 0.15 and b.z[1] > rail.z[0] - HANGING]
+        below = [
+            b
+            for b, s in inside(survey, area, (rail,))
+            if s > 0.15 and b.z[1] > rail.z[0] - HANGING and b.item.category not in BATHS
+        ]
         if below:
             yield breach(
                 "before_use",

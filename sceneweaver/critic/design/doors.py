@@ -9,15 +9,19 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.knowledge.design_rules import limit
-from sceneweaver.verify.solids import Opening
+from sceneweaver.verify.solids import Body, Opening
 
 from ..grade import Finding
 from ..survey import FLAT, Survey
-from .breach import breach
+from .breach import Call, breach
 from .measure import along, movable
 
 AT_FRAME = 0.5
 """Distance [m] from the wall of a door within which things are beside its frame."""
+
+
+SLACK = 0.05
+"""Gap [m] that may lack beside a frame."""
 
 
 def faults(survey: Survey) -> Iterator[Finding]:
@@ -33,7 +37,7 @@ def _frames(survey: Survey) -> Iterator[Finding]:
         for body in survey.standing:
             (u0, u1), (v0, v1) = along(door, body)
             beside = max(u0 - opening[1], opening[0] - u1)
-            if v0 > AT_FRAME or v1 < 0 or not -0.05 < beside < gap - 0.01 or movable(body):
+            if v0 > AT_FRAME or v1 < 0 or not -0.05 < beside < gap - SLACK or movable(body):
                 continue
             yield breach(
                 "door_frame",
@@ -43,6 +47,7 @@ def _frames(survey: Survey) -> Iterator[Finding]:
                 allowed=(gap, None),
                 weight=1.0 if beside < touching else 0.5,
                 suggestion=f"move {body.id} at least {gap:g} m from the frame",
+                call=_off(body, door, gap),
             )
 
 
@@ -70,7 +75,14 @@ def _swings(survey: Survey) -> Iterator[Finding]:
                     measured=gap,
                     allowed=(least, None),
                     suggestion=f"move {body.id} away from {door.item.id}",
+                    call=_off(body, door, 2 * least),
                 )
+
+
+def _off(body: Body, door: Opening, gap: float) -> Call:
+    """The call that keeps something a gap [m] off the space before a door, as far as there is room."""
+    row = {"type": "away_from_door", "subject": body.id, "target": door.item.id, "params": {"min": gap}, "hard": False}
+    return "add_relation", {"relations": [row]}
 
 
 def swing(door: Opening) -> Any:

@@ -38,7 +38,7 @@ CROWN = kinds.TALL_PLANTS | {"monstera", "fiddle_leaf_fig"}
 
 BINS = frozenset(("pedal_bin", "trash_can", "wastebasket"))
 
-TABLETOP = 0.5
+TABLETOP = 0.58
 """Share of a small table that its settings may take."""
 
 

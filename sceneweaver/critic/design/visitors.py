@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Iterator
+from typing import Any
 
 from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.verify.solids import Body
@@ -116,6 +117,7 @@ def _looks_at_door(survey: Survey) -> Iterator[Finding]:
                 measured=away,
                 allowed=(None, distance),
                 suggestion=f"put {desk.id} beside the door",
+                call=("add_relation", {"relations": _welcoming(desk, doors[0].item.id, distance)}),
             )
         elif turned > angle:
             yield breach(
@@ -125,7 +127,15 @@ def _looks_at_door(survey: Survey) -> Iterator[Finding]:
                 measured=turned,
                 allowed=(None, angle),
                 suggestion=f"turn {desk.id} to the door",
+                call=("add_relation", {"relations": _welcoming(desk, doors[0].item.id, distance)}),
             )
+
+
+def _welcoming(desk: Body, door: str, distance: float) -> list[dict[str, Any]]:
+    """The relations of something that looks at a door, and where it greets guests stands near it [m]."""
+    near = {"type": "near_door", "subject": desk.id, "target": door, "params": {"max": distance - 1.0}, "hard": False}
+    facing = {"type": "facing_door", "subject": desk.id, "target": door, "hard": False}
+    return [facing] if desk.item.category == "reception_desk" else [facing, near]
 
 
 # ---- waiting ---------------------------------------------------------------------------------------------------------

@@ -210,10 +210,12 @@ def _hidden(survey: Survey, body: Body) -> list[str]:
     for other, _ in survey.near(body, 0.0):
         if other.item.category in kinds.DINING and shapely.area(box & survey.boxes[other.index]) > 0.5 * box.area:
             return [other.id]
+    if body.item.category != "laundry_hamper":
+        return []  # a bin stands well between others
     found = []
     for side in ("left", "right"):
-        gap, other = clear_depth(survey, body, side, 0.3)
-        if gap > WEDGED or (other is not None and other.item.category in kinds.SEATED_AT):
-            return []  # a bin under a desk stands well
+        gap, other = clear_depth(survey, body, side, 0.3, lambda b: b.z[1] < 0.6 * body.z[1])
+        if gap > WEDGED:
+            return []
         found.append("the wall" if other is None else other.id)
     return [] if found[0] == found[1] else found

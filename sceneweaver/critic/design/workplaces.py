@@ -15,7 +15,7 @@ from ..grade import Finding
 from ..needs import seat_like, table_of
 from ..survey import Survey
 from .breach import breach
-from .measure import applies, door_distance, floor_of_kind, named, names, outlook
+from .measure import applies, door_distance, floor_of_kind, middle, named, names, outlook
 
 BLOCKS = named("locker filing_cabinet cabinet tall_cabinet metal_shelf library_shelf")
 """Storage of which several stand in one block."""
@@ -186,7 +186,14 @@ def _by_the_door(survey: Survey) -> Iterator[Finding]:
                 measured=away,
                 allowed=(None, most),
                 suggestion=f"put {body.id} near the door",
+                call=("add_relation", {"relations": [_near_door(survey, body, most)]}),
             )
+
+
+def _near_door(survey: Survey, body: Body, most: float) -> dict[str, Any]:
+    doors = survey.placed.doors
+    door = min(doors, key=lambda d: (round(math.dist(body.centre, middle(d)), 3), d.item.id)).item.id
+    return {"type": "near_door", "subject": body.id, "target": door, "params": {"max": most - 0.5}, "hard": False}
 
 
 def _bins(survey: Survey) -> Iterator[Finding]:
