@@ -33,7 +33,7 @@ def rug(x: float, y: float, yaw: float, depth: float, width: float) -> rooms.Sce
 
 
 def curtain(x: float, width: float = 1.9) -> rooms.SceneObject:
-    return put("curtain-0", x, 3.94, -90, 0.05, size=(0.1, width, 2.3), mount="wall")
+    return put("curtain-0", x, 3.9, -90, 0.05, size=(0.18, width, 2.3), mount="wall")
 
 
 def nursery(x: float) -> Case:
