@@ -11,7 +11,7 @@ from sceneweaver.brief.model import PLACES
 from sceneweaver.brief.wall_names import direction_of
 from sceneweaver.geometry.angles import cross, dot
 from sceneweaver.knowledge import Place
-from sceneweaver.scene import CATALOGUE, InputError, Relation, Room
+from sceneweaver.scene import CATALOGUE, InputError, Relation, Room, Window
 
 from .prior_lights import place_along
 from .prior_program import Wanted
@@ -41,6 +41,9 @@ BEHIND_IT = frozenset(("behind", "around"))
 
 CEILING = 0.15
 """Height [m] that is left free above what hangs over something."""
+
+CENTRED = 0.03
+"""Most distance [m] of a curtain from the middle of its window."""
 
 SYMMETRIC = CATALOGUE.with_role("symmetric")
 
@@ -132,9 +135,9 @@ def _of_place(one: Wanted, place: Place, by_item: dict[str, list[Wanted]], room:
         if not room.windows:
             return None
         target = room.windows[one.number % len(room.windows)].id
-        width = room.windows[one.number % len(room.windows)].width
-        if one.mount == "wall" and "overlap" not in params:  # a curtain hangs before the middle of its window
-            params["overlap"] = max(0.1, round(0.95 * min(1.0, width / one.asset.size[1]), 2))
+        if one.mount == "wall":
+            window = room.windows[one.number % len(room.windows)]
+            params.setdefault("offset", round(CENTRED + _squeezed(window, room, one.asset.size[1]), 3))
     elif kind.startswith("door"):
         if not room.doors:
             return None
@@ -170,6 +173,12 @@ def _free_wall(room: Room, width: float) -> bool:
     """Whether a wall without a door is wide enough [m] for something with its back to it."""
     doors = {door.wall for door in room.doors}
     return any(wall.length > width and wall.index not in doors for wall in room.walls)
+
+
+def _squeezed(window: Window, room: Room, width: float) -> float:
+    """How far [m] something of a width has to hang off the middle of a window, as its wall ends beside it."""
+    middle = window.offset + window.width / 2
+    return max(0.0, width / 2 - min(middle, room.walls[window.wall].length - middle))
 
 
 def _instance(one: Wanted, name: str | None, by_item: dict[str, list[Wanted]]) -> Wanted | None:

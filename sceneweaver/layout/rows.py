@@ -400,12 +400,12 @@ def _at_window(frame: Frame, rel: Relation, value) -> list[list[Row]]:
         wall = frame.region.walls[window.wall]
         middle = dot(wall.along, wall.start) + window.offset + window.width / 2
         aim, hold = _span(-INF, value("max"), -TIGHT)
+        hung, offset = frame.object(rel.subject).mount == "wall", value("offset")
         centre = []
-        if frame.object(rel.subject).mount == "wall":
-            centre = [
-                _open_yaw(_bearing(wall.inward)).snapped(CATALOGUE[rel.type], "degrees", DEGREE),
-                _open_line((0.0, 0.0), wall.along, middle).snapped(CATALOGUE[rel.type], "lateral"),
-            ]
+        if hung:
+            centre = [_open_yaw(_bearing(wall.inward)).snapped(CATALOGUE[rel.type], "degrees", DEGREE)]
+        aside = line((0.0, 0.0), wall.along, middle, -offset, offset)
+        centre.append(aside.snapped(CATALOGUE[rel.type], "lateral") if hung or offset <= LOOSE else aside)
         options.append(
             [
                 Row(

@@ -121,8 +121,8 @@ def _in_corner(case: Case) -> Judgement:
 
 
 def _at_window(case: Case) -> Judgement:
-    """Box before the window along its wall, and near that wall; any window without a target."""
-    most, overlap = case.number("max"), case.number("overlap")
+    """Box before the window along its wall, about its middle, and near that wall; any window without a target."""
+    most, overlap, offset = case.number("max"), case.number("overlap"), case.number("offset")
     target = case.relation.target
 
     def measurements(window: Opening) -> Measurements:
@@ -132,6 +132,12 @@ def _at_window(case: Case) -> Judgement:
         shared = min(high, start + width) - max(low, start)
         return (
             at_least(f"before {window.item.id}", shared, overlap * min(high - low, width)),
+            at_most(
+                f"off the middle of {window.item.id}",
+                abs((low + high) / 2 - start - width / 2),
+                offset,
+                slack=TOLERANCE,
+            ),
             at_most("distance to its wall", min(g for _, g in spots), most),
         )
 

@@ -109,7 +109,7 @@ PARAMS: dict[str, Json] = {
     "behind": {"band": 0.5},
     "centered_on": {"offset": 0.03},
     "in_corner": {"to_corner": 0.6},
-    "at_window": {"overlap": 0.9},
+    "at_window": {"overlap": 0.9, "offset": 0.1},
     "between": {"along": [0.4, 0.7], "aside": 0.2},
     "away_from_door": {"min": 1.7},
     "above": {"lateral": 0.2},

@@ -111,7 +111,9 @@ ONE_OF_EACH: dict[str, Scene] = {
     "beside": scene([OTHER, BOX], [relation("beside", "box", "other", min=0.4, max=0.6)]),
     "centered_on": scene([OTHER, BOX], [relation("centered_on", "box", "other")]),
     "in_corner": scene([OTHER, BOX], [relation("in_corner", "box")]),
-    "at_window": scene([OTHER, BOX], [relation("at_window", "other", "window")]),
+    "at_window": scene(
+        [OTHER, BOX], [relation("at_window", "other", "window"), relation("at_window", "box", "window", offset=0.03)]
+    ),
     "between": scene([BED, OTHER, BOX], [relation("between", "box", ("bed", "other"))]),
     "around": scene(
         [table(size=(1.0, 1.0, 0.75)), *CHAIRS], [relation("around", c.id, "table") for c in CHAIRS], room=room(6, 5)

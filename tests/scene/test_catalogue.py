@@ -52,7 +52,7 @@ TABLE = {
     "behind": ("object", (), ("back",), None, None, None, {"max": 1.5, "min": 0, "band": 1.5}, False),
     "centered_on": ("object", (), (), None, None, None, {"offset": 0.10, "axis": "either", "ahead": None}, False),
     "in_corner": ("none", (), (), None, None, None, {"to_corner": 0.25, "to_wall": 0.15}, False),
-    "at_window": ("window", (), (), None, None, 0.5, {"max": 1.0}, False),
+    "at_window": ("window", (), (), None, None, 0.5, {"max": 1.0, "offset": 100.0}, False),
     "between": ("objects", (), (), None, None, None, {"along": (0.2, 0.8), "aside": 0.5}, False),
     "around": ("object", F, ALL, 15, "tucked", 0.5, {"n": None, "spread": 25}, True),
     "away_from_door": ("door?", (), (), None, None, None, {"min": 1.0}, False),

@@ -358,6 +358,16 @@ def test_at_window(target):
 
 
 @pytest.mark.parametrize(
+    ("off", "expected"), [(0.0, True), (0.029, True), (-0.029, True), (0.035, False), (-0.2, False)]
+)
+def test_before_the_middle_of_a_window(off, expected):
+    window = {"id": "window-0", "wall": 0, "offset": 2.0, "width": 1.4, "sill": 0.9, "height": 1.2}
+    curtain = box("c", (0.1, 1.8, 2.2), 2.7 + off, 0.06, 90.0)
+    assert holds([curtain], relation("at_window", "c", "window-0", offset=0.03), windows=[window]) is expected
+    assert holds([curtain], relation("at_window", "c", "window-0"), windows=[window])
+
+
+@pytest.mark.parametrize(
     ("x", "y", "inset", "expected"),
     [
         (4.6, 4.3, 0.0, True),
