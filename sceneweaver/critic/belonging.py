@@ -8,6 +8,7 @@ from functools import cache
 
 from sceneweaver.assets import categories
 from sceneweaver.knowledge import RoomType
+from sceneweaver.knowledge.complete import expected_of
 from sceneweaver.knowledge.lived_in import left_about
 from sceneweaver.verify.solids import Body
 
@@ -54,7 +55,8 @@ def _expected(room: str, names: frozenset[str]) -> tuple[frozenset[str], frozens
 
 def expected(room_type: RoomType) -> tuple[frozenset[str], frozenset[str]]:
     """Categories that a room lists with their kin, and the kinds of places that they come from."""
-    return _expected(room_type.name, frozenset(name for item in room_type.items for name in item.what))
+    looked_for = frozenset().union(*(row.what for row in expected_of(room_type.name)))
+    return _expected(room_type.name, frozenset(name for item in room_type.items for name in item.what) | looked_for)
 
 
 def _foreign(survey: Survey) -> Iterator[Finding]:
@@ -111,6 +113,8 @@ def _strangeness(
     if world is not None:
         return None
     if body.item.mount == "surface":
+        return None
+    if "gym" in worlds and "sport" in kinds.groups_of(category):
         return None
     if kinds.groups_of(category) & {"sport", "tool_group"}:
         return 1.2, None, "unusual in"

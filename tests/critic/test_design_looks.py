@@ -146,3 +146,18 @@ def test_what_a_request_names_is_neither_foreign_nor_spare() -> None:
 
 def test_what_makes_a_room_complete_is_known_by_room() -> None:
     assert {row.why for row in expected_of("gym")} >= {"lockers"} and not expected_of("storage_room")
+
+
+def test_what_people_look_for_in_a_room_is_not_foreign_to_it() -> None:
+    from sceneweaver.critic import belonging
+    from tests.critic.breaches import survey
+
+    def foreign(kind: str, *things: SceneObject) -> set[str]:
+        found = [f.fault for f in belonging.faults(survey(kind, things)) if f.fault.kind == "foreign_object"]
+        return {name for fault in found for name in fault.objects}
+
+    ball, treadmill = box("medicine_ball-0", (0.3, 0.3, 0.3), 2, 2), box("treadmill-0", (1.8, 0.8, 1.4), 4, 2)
+    trolley = box("serving_trolley-0", (0.5, 0.8, 0.9), 3, 4)
+    assert foreign("living_room", ball) == {"medicine_ball-0"}
+    assert foreign("storage_room", trolley) == {"serving_trolley-0"} and not foreign("restaurant", trolley)
+    assert "treadmill-0" in foreign("bedroom", treadmill)
