@@ -18,7 +18,7 @@ from sceneweaver.scene.edits import Add, AnyEdit, Relate
 from .base import Context, Proposal
 from .card import checked
 from .draft import Draft
-from .prior_program import named_kinds
+from .prior_program import MANY, named_kinds
 from .wall_plan import CLOSE, TALL, Rectangle, Span, extent, free_runs, obstacles
 
 BARE = 1.5
@@ -71,6 +71,8 @@ class AddWallObjects:
     def propose(self, context: Context) -> Proposal:
         """Things for the walls of ``inputs["walls"]``; without any for all walls."""
         inputs = checked(self.name, context.inputs or {})
+        if len(context.brief.entities) >= MANY[1]:
+            return Proposal(unmet=("the request names enough",))
         draft = Draft.of(context.scene)
         walls = draft.room.walls
         chosen = list(inputs.get("walls") or range(len(walls)))

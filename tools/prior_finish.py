@@ -5,11 +5,20 @@ from __future__ import annotations
 from sceneweaver.geometry.angles import dot
 from sceneweaver.knowledge import RoomType
 from sceneweaver.knowledge.palettes import Palette, accent_for, floor_for
-from sceneweaver.scene import Room, RoomFinish, WallAccent, WallTiles
+from sceneweaver.scene import Room, RoomFinish, Scene, WallAccent, WallTiles
 from sceneweaver.scene.finish import FloorFinish
+
+from .draft import groups_of
 
 TILED = {"bathroom": (0.0, 2.1), "guest_toilet": (0.0, 1.2), "kitchen": (0.9, 1.5), "laundry_room": (0.9, 1.5)}
 """Heights [m] between which the walls of a kind of room are tiled."""
+
+
+MAIN = frozenset(("bed_group", "sofa", "sectional_sofa", "loveseat", "desk"))
+"""Groups and categories of what a room is built around."""
+
+AT_WALL = 0.3
+"""Distance [m] of the back of a piece from its wall at most."""
 
 
 def finished(room: Room, room_type: RoomType, palette: Palette, seed: int) -> Room:
@@ -28,6 +37,27 @@ def finished(room: Room, room_type: RoomType, palette: Palette, seed: int) -> Ro
         tiles=None if tiles is None else WallTiles(color=tile_color(palette), low=tiles[0], high=tiles[1]),
     )
     return room.model_copy(update={"finish": finish})
+
+
+def accented(scene: Scene) -> Scene:
+    """The scene with its accent on the wall behind its main piece: the largest bed, sofa or desk with its back at one.
+
+    Without such a piece, or an accent, it stays as it is.
+    """
+    room, finish = scene.room, scene.room.finish
+    if finish is None or finish.accent is None:
+        return scene
+    main = [o for o in scene.objects if o.mount == "floor" and groups_of(o.category) & MAIN]
+    for piece in sorted(main, key=lambda o: (-o.size[0] * o.size[1], o.id)):
+        back = piece.pose.frame.world(-piece.size[0] / 2, 0.0)
+        for wall in room.walls:
+            along, deep = wall.coordinates(back)
+            facing = dot(piece.pose.frame.axis, wall.inward) > 0.9
+            if facing and abs(deep) < AT_WALL and 0.0 < along < wall.length:
+                accent = finish.accent.model_copy(update={"walls": (wall.index,)})
+                finish = finish.model_copy(update={"accent": accent})
+                return scene.model_copy(update={"room": room.model_copy(update={"finish": finish})})
+    return scene
 
 
 def tile_color(palette: Palette) -> str:

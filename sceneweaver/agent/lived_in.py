@@ -1,4 +1,4 @@
-"""A last touch: what may carry small things does, and a finished room gets traces of life, as far as it stays valid."""
+"""A last touch: walls and what may carry small things are not bare, and a finished room gets traces of life."""
 
 from __future__ import annotations
 
@@ -9,12 +9,14 @@ from sceneweaver.scene.edits import Add, AnyEdit, Relate, SetPose, apply_all
 from sceneweaver.tools.add_clutter import AddClutter
 from sceneweaver.tools.add_crowd import AddCrowd
 from sceneweaver.tools.add_tabletop import AddTabletop
+from sceneweaver.tools.add_wall_objects import AddWallObjects
 from sceneweaver.tools.base import Context, Tool
+from sceneweaver.tools.prior_finish import accented
 from sceneweaver.verify import check
 
 from .executor import Executor, Outcome
 
-TOUCHES: tuple[tuple[Tool, ...], ...] = ((AddTabletop(), AddCrowd()), (AddClutter(),))
+TOUCHES: tuple[tuple[Tool, ...], ...] = ((AddWallObjects(),), (AddTabletop(), AddCrowd()), (AddClutter(),))
 """Tools of the last touches, those of a touch together; each touch is kept or not."""
 
 ROUNDS = 4
@@ -28,14 +30,16 @@ DONE = "clutter"
 
 
 def lived_in(outcome: Outcome, executor: Executor, context: Context) -> Outcome:
-    """The outcome with small things on all that was left bare, chairs a little askew and things on the floor."""
+    """The outcome with things on bare walls and on all that was left bare, chairs askew and things on the floor; the
+    accent wall is that behind the main piece."""
     brief = context.brief
     if not outcome.report.valid or DONE in outcome.scene.provenance or brief.only or brief.density == "sparse":
         return outcome
     for tools in TOUCHES:
         outcome = _touched(outcome, executor, context, tools)
     provenance = {**outcome.scene.provenance, DONE: context.clutter}
-    return replace(outcome, scene=outcome.scene.model_copy(update={"provenance": provenance}))
+    scene = accented(outcome.scene)
+    return replace(outcome, scene=scene.model_copy(update={"provenance": provenance}))
 
 
 def _touched(outcome: Outcome, executor: Executor, context: Context, tools: Sequence[Tool]) -> Outcome:
