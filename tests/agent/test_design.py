@@ -166,7 +166,13 @@ def test_ablations_leave_parts_out():
     alone = design(ASKED, tools=("init_prior",), **QUICK)
     assert {s.call.tool for s in alone.steps if s.call} == {"init_prior"}
     blind = design(ASKED, reflect=False, **QUICK)
-    assert [s.call.tool for s in blind.steps if s.call] == ["init_prior", "add_tabletop", "add_crowd", "update_layout"]
+    assert [s.call.tool for s in blind.steps if s.call] == [
+        "init_prior",
+        "add_tabletop",
+        "add_crowd",
+        "add_wall_objects",
+        "update_layout",
+    ]
     assert all(s.accepted or "failed" in s.tried[0] for s in blind.steps)
 
 

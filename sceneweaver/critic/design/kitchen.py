@@ -72,7 +72,7 @@ def _finishes(survey: Survey, units: list[Body]) -> Iterator[Finding]:
         look = body.item.attributes.get("material") or body.item.attributes.get("color")
         if body.item.category in FRONTS and look:
             fronts.setdefault(str(look), []).append(body)
-    if len(fronts) > 1:
+    if len(fronts) > limit("one_worktop_finish", "finishes"):
         most = max(fronts, key=lambda k: (len(fronts[k]), k))
         other = [b for k, bodies in fronts.items() if k != most for b in bodies]
         yield breach(
@@ -80,7 +80,7 @@ def _finishes(survey: Survey, units: list[Body]) -> Iterator[Finding]:
             (b.id for b in other),
             f"the run has {len(fronts)} finishes of fronts: {', '.join(sorted(fronts))}",
             measured=float(len(fronts)),
-            allowed=(1.0, 1.0),
+            allowed=(1.0, limit("one_worktop_finish", "finishes")),
             weight=0.4 + 0.3 * len(fronts),
             suggestion=f"give all units of the run one finish, such as {most}",
         )
