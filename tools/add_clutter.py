@@ -111,7 +111,7 @@ class _Floor:
                 wall = room.walls[door.wall]
                 x, y = wall.strip(door.offset + door.width / 2, 0.0, 0.0, 0.0)[0]
                 nx, ny = wall.inward
-                yield Pose.from_yaw(x, y, 0.0, math.atan2(ny, nx)), (0.1, door.width + 0.1), ("left", "right")
+                yield world(Pose(), x, y, 0.0, math.atan2(ny, nx)), (0.1, door.width + 0.1), ("left", "right")
         for o in self._context.scene.objects:
             if o.mount == "floor" and {o.category, *groups_of(o.category)} & set(trace.beside):
                 for _ in range(1 + trace.count // 3):

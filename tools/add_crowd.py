@@ -91,7 +91,7 @@ def _fill(
     if board.headroom is None and board.z >= max(s.z for s in support.surfaces) - 1e-6:
         top = HIGH if height > REACHED else plan.top
         plan = _unnamed(crowd(top, around.room), named) if top else plan
-    row = Row(field, plan, shelf, dice, height, density, clutter, around.may_add)
+    row = Row(field, plan, shelf, dice, height, density, clutter, around.may_add, around.there)
     held = Support(object=support.id, surface=board.name)
     return [
         Add(

@@ -125,7 +125,7 @@ def _worth(around: Surroundings, obj: SceneObject, plan: Arrangement | None, nam
     item = around.item(obj)
     if item is not None and item.top:
         return True
-    if item is not None and item.fill and arrangement_of(around.room).get(obj.category) is None:
+    if item is not None and item.fill and (len(obj.surfaces) == 1 or obj.category not in arrangement_of(around.room)):
         return False
     return obj.mount != "surface" and obj.category in arrangement_of(around.room)
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 
@@ -59,10 +60,12 @@ class Row:
         density: float,
         clutter: float = CLUTTER,
         may_add: Callable[[str], bool] = lambda category: True,
+        there: Mapping[str, int] = MappingProxyType({}),
     ):
-        """``may_add`` says whether the room has one more of a thing; ``clutter`` in 0..1 is how far things stray."""
+        """``may_add`` says whether the room has one more of a thing, ``there`` how many it has: rare ones come first;
+        ``clutter`` in 0..1 is how far things stray."""
         self._field, self._theme, self._shelf, self._dice = field, theme, shelf, dice
-        self._astray, self._may_add = min(2.0, clutter / CLUTTER), may_add
+        self._astray, self._may_add, self._there = min(2.0, clutter / CLUTTER), may_add, there
         self._level = "low" if height < 0.6 else "high" if height > 1.6 else "middle"
         self._density = density
         self._width = float(field.high[1] - field.low[1])
@@ -116,7 +119,9 @@ class Row:
             fits = unit.level in (None, self._level) and self._used.get(k, 0) < unit.most
             if unit.end:  # only beside a row
                 fits = fits and any(self._theme.units[i].fill and n for i, n in self._used.items())
-            weights.append(unit.weight * (0.45 if k == last and not unit.fill else 1.0) if fits else 0.0)
+            often = 0 if unit.fill else min(self._there.get(name, 0) for name in unit.what)
+            repeated = 0.45 if k == last and not unit.fill else 1.0
+            weights.append(unit.weight * repeated / (1.0 + 0.3 * often) if fits else 0.0)
         return self._dice.choices(range(len(weights)), weights)[0] if sum(weights) > 0 else None
 
     def _group(self, choice: int, wanted: float, room: float, number: int) -> Group | None:

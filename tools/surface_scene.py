@@ -64,12 +64,12 @@ class Surroundings:
         self._ids = {*scene.ids, *(d.id for d in scene.room.doors), *(w.id for w in scene.room.windows)}
         self._next: dict[str, int] = {}
         self.room = room_type.name
-        self._count = Counter(o.category for o in scene.objects)
+        self.there = Counter(o.category for o in scene.objects)
 
     def may_add(self, category: str) -> bool:
         """Whether such a room has one more of a thing, as far as nobody asks for it."""
         most = most_of(category, self.room)
-        return most is None or self._count[category] < most
+        return most is None or self.there[category] < most
 
     def item(self, obj: SceneObject) -> Item | None:
         """The item of the kind of room that an object stands for, if any."""
@@ -95,7 +95,7 @@ class Surroundings:
 
     def new_id(self, category: str) -> str:
         """An id that nothing in the scene has, such as mug-0; it and its thing count as there from then on."""
-        self._count[category] += 1
+        self.there[category] += 1
         k = self._next.get(category, 0)
         while f"{category}-{k}" in self._ids:
             k += 1
