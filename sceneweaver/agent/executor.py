@@ -34,6 +34,9 @@ ROUNDS = 8
 AGAIN = 0.5
 """Share of the time of the last search without which no other begins before the deadline."""
 
+MANY = 1024
+"""Layouts from which on all rooms that a tool proposes are compared, even where the first has a valid layout."""
+
 IMPROVED = 2
 """Of several rooms or variants, how many are taken further: those with the best layouts."""
 
@@ -117,7 +120,8 @@ class Executor:
             return new
 
         best, patient = refined(0), False
-        if proposal.rooms and best.faults:
+        many = self.settings.choice and self.settings.layouts >= MANY
+        if proposal.rooms and (best.faults or many):
             draft, best = self._roomed(draft, proposal.rooms, best, seed, 0)
         for round_ in range(ROUNDS):
             if not best.faults or self.deadline.left < AGAIN * took:

@@ -22,6 +22,9 @@ PARENTS = 16
 LEAD = 4.0
 """Mean rank among the parents that a child's first parent is drawn with."""
 
+MORE = 0.4
+"""Groups of a child that are changed besides the one that always is, on average."""
+
 SLIDE = 0.3
 """Standard deviation [m] of the way that a group slides along its back."""
 
@@ -91,17 +94,19 @@ def _children(
     parents = np.concatenate([parents, solution.ranked[~np.isin(solution.ranked, parents)]])[:PARENTS]
     ranks = np.minimum(rng.exponential(LEAD, count).astype(int), len(parents) - 1)
     children = solution.poses[parents[ranks]].astype(np.float64)
-    for child in children:
-        changed = rng.permutation(len(groups))[: max(1, rng.poisson(1.0))]
-        for group in (list(groups[k]) for k in changed):
-            how = rng.integers(3)
-            if how == 0:
-                child[group] = solution.poses[rng.choice(parents), group]
-            elif how == 1:  # of any candidate: a group may stand well where others do not
-                child[group] = solution.poses[rng.integers(solution.candidates), group]
-            else:
-                yaw = child[group[0], 3]
-                child[group, :2] += SLIDE * rng.normal() * np.array([-np.sin(yaw), np.cos(yaw)])
+    always = rng.integers(len(groups), size=count)  # of each child one group, now and then more
+    for number, members in enumerate(groups):
+        group = np.array(members)
+        changed = (always == number) | (rng.random(count) < MORE / len(groups))
+        # As in another parent; as in any candidate, since a group may stand well where others do not; or aside.
+        how, step = rng.integers(3, size=count), SLIDE * rng.normal(size=(count, 1, 1))
+        for move, donors in ((0, rng.choice(parents, size=count)), (1, rng.integers(solution.candidates, size=count))):
+            rows = np.flatnonzero(changed & (how == move))
+            children[rows[:, None], group] = solution.poses[donors[rows][:, None], group]
+        rows = np.flatnonzero(changed & (how == 2))
+        yaw = children[rows, group[0], 3]
+        aside = np.stack([-np.sin(yaw), np.cos(yaw)], axis=-1)
+        children[rows[:, None], group, :2] += step[rows] * aside[:, None]
     return np.where(np.isfinite(children), children, room.home)
 
 

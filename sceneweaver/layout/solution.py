@@ -165,14 +165,14 @@ class Solution:
 
     def best_candidates(self, k: int) -> list[int]:
         """The candidates of `distinct`."""
-        chosen: list[int] = []
-        if self.quality is not None:
-            chosen = [int(i) for i in best_of_each_signature(self)[:k]]
-        for i in self.ranked:
-            if len(chosen) == k:
-                break
-            if all(_differ(self.poses[i], self.poses[j]) for j in chosen):
-                chosen.append(int(i))
+        first = [] if self.quality is None else best_of_each_signature(self)[:k]
+        chosen = [int(i) for i in first]
+        left = self.ranked
+        for i in chosen:
+            left = left[_differ(self.poses[left], self.poses[i])]
+        while len(left) and len(chosen) < k:
+            chosen.append(int(left[0]))
+            left = left[_differ(self.poses[left], self.poses[left[0]])]
         return chosen
 
 
@@ -205,8 +205,8 @@ def best_of_each_signature(solution: Solution) -> np.ndarray:
     return ranked[np.sort(first)]
 
 
-def _differ(a: np.ndarray, b: np.ndarray) -> bool:
-    """True when some object stands 0.5 m or is turned 45 degrees apart."""
-    moved = np.linalg.norm(a[:, :3] - b[:, :3], axis=1) >= 0.5
-    turned = np.abs(wrap_angle(a[:, 3] - b[:, 3])) >= np.pi / 4
-    return bool(np.any(moved | turned))
+def _differ(layouts: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """In which layouts [K, N, 4] some object stands 0.5 m or is turned 45 degrees apart from another layout: [K]."""
+    moved = np.linalg.norm(layouts[..., :3] - other[:, :3], axis=-1) >= 0.5
+    turned = np.abs(wrap_angle(layouts[..., 3] - other[:, 3])) >= np.pi / 4
+    return np.any(moved | turned, axis=-1)

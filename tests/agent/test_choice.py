@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from sceneweaver.agent import executor
 from sceneweaver.agent.choice import choice_terms
 from sceneweaver.agent.executor import Executor
 from sceneweaver.agent.settings import Settings
@@ -122,7 +123,21 @@ def test_the_executor_prefers_good_layouts():
     lost = {}
     for choice in (True, False):
         settings = Settings(device="cpu", candidates=24, finalists=1, choice=choice, generations=2)
-        executor = Executor(room_type("bedroom"), SceneGraph(text="a bedroom"), settings)
-        found = [executor.run(draft, Proposal(scene=draft, fresh=True), seed).scene for seed in range(3)]
+        runner = Executor(room_type("bedroom"), SceneGraph(text="a bedroom"), settings)
+        found = [runner.run(draft, Proposal(scene=draft, fresh=True), seed).scene for seed in range(3)]
         lost[choice] = sum(points(scene, rule) for scene in found for rule in ("bed_off_door_wall", "door_frame"))
     assert lost[True] == 0.0 < lost[False]
+
+
+def test_with_many_layouts_all_rooms_are_compared(monkeypatch):
+    """A small room suits a bed and a wardrobe better than a hall; with few layouts the first valid room stays."""
+    hall = ROOM.model_copy(update={"outline": ((0, 0), (7, 0), (7, 6), (0, 6))})
+    small = Room(type="bedroom", outline=((0, 0), (3.4, 0), (3.4, 3.2), (0, 3.2)), doors=ROOM.doors)
+    relations = [Relation(type="against_wall", subject=o.id) for o in (BED, WARDROBE)]
+    draft = Scene(id="s", room=hall, objects=(BED, WARDROBE), relations=relations)
+    settings = Settings(device="cpu", candidates=16, generations=1)
+    runner = Executor(room_type("bedroom"), SceneGraph(text="a bedroom"), settings)
+    proposal = Proposal(scene=draft, fresh=True, rooms=(small,))
+    assert runner.run(draft, proposal, 1).scene.room == hall
+    monkeypatch.setattr(executor, "MANY", 16)
+    assert runner.run(draft, proposal, 1).scene.room == small
