@@ -363,7 +363,7 @@ def _with(scene: Scene, variant: Variant) -> Scene:
 
 def _without(scene: Scene, variants: Sequence[Variant]) -> list[Variant]:
     """The variants without the relations of what is not in a scene any more."""
-    known = set(scene.ids)
+    known = {*scene.ids, *(f"wall:{wall.index}" for wall in scene.room.walls)}
     return [tuple(r for r in variant if {r.subject, *r.targets} <= known) for variant in variants]
 
 

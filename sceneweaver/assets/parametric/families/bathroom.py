@@ -12,7 +12,7 @@ from ..builder import Builder
 from ..registry import draws
 from .kitchen_parts import Finish, cabinet, egg, fronts, loft, oval, rounded, tap, vessel, worktop
 
-_WHITE = ("white ceramic", "white ceramic", "white ceramic", "cream ceramic")
+_WHITE = ("white ceramic",)
 
 
 def _bowl(b: Builder, x: float, long: float, w: float, h: float, china: Finish, lid: Finish, hung: bool) -> None:
@@ -107,7 +107,7 @@ def wall_toilet(b: Builder) -> None:
     d, w, h = b.size
     china = b.material("bowl", *_WHITE)
     with b.solid("bowl"):
-        _bowl(b, -d / 2, d, w, h, china, "white plastic" if b.chance("white seat", 0.85) else "black plastic", True)
+        _bowl(b, -d / 2, d, w, h, china, "white plastic", True)
     b.fit()
 
 
@@ -272,7 +272,7 @@ def vanity(b: Builder) -> None:
         "light oak",
         "grey paint",
     )
-    shell = b.material("body", "white paint") if leaf.name.endswith("paint") else leaf
+    shell = leaf
     top = b.material("top", "marble", "white ceramic", "dark marble", "oak", "granite")
     pull = b.material("pulls", "chrome", "black steel", "brass")
     metal = b.material("tap", "chrome", "black steel", "brass", "brushed steel")

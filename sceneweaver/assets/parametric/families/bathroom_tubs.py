@@ -43,7 +43,7 @@ def _mixer(b: Builder, y: float, z: float, metal: Finish) -> None:
 def bathtub(b: Builder) -> None:
     """A hollow tub behind a panelled apron, with rim, drain, overflow and a mixer on its end."""
     d, w, total = b.size
-    white = b.material("tub", "white ceramic", "white ceramic", "cream ceramic")
+    white = b.material("tub", "white ceramic")
     metal = b.material("tap", "chrome", "brass", "brushed steel", "black steel")
     apron = b.material("apron", "white paint", "white ceramic", "oak", "sage paint", "marble", "grey paint")
     h = total - 0.118
@@ -85,7 +85,7 @@ def freestanding_bathtub(b: Builder) -> None:
     """An egg-shaped shell on a plinth, or one with a rolled rim on four feet; a filler on the floor at its back."""
     d, w, total = b.size
     h = total - 0.28
-    white = b.material("tub", "white ceramic", "white ceramic", "cream ceramic", "black paint", "blue ceramic")
+    white = b.material("tub", "white ceramic")
     feet = b.style in ("classic", "rustic") or b.chance("feet", 0.2)
     n = 40
     low = 0.13 if feet else 0.0
