@@ -18,6 +18,12 @@ from .prior_run import TIGHT, Variant, run_of
 LOOSE = (0.12, 0.6)
 """Least and largest gap [m] between the pieces of a line."""
 
+IN_LINE = 0.03
+"""Distance [m] by which the pieces of a line with given gaps may be out of line."""
+
+PART = 0.7
+"""Share of the longest wall from which on a line with given gaps may stand in two parts."""
+
 PLAY = 0.05
 """Length [m] by which the gaps of a line may differ before they are made equal."""
 
@@ -107,12 +113,13 @@ def _line_variants(pieces: Sequence[Wanted], room: Room) -> Iterator[Variant]:
     items say the gaps, with those, whole or in two parts."""
     if any(one.item and one.item.gap for one in pieces):
         yield _line(pieces, LOOSE[0])
-        if len(pieces) >= 4:
+        length = sum(one.asset.size[1] + (one.item.gap[0] if one.item and one.item.gap else 0.0) for one in pieces)
+        if len(pieces) >= 4 and length > PART * max(wall for wall, _ in _walls(room)):
             half = len(pieces) // 2
             yield _line(pieces[:half], LOOSE[0]) + _line(pieces[half:], LOOSE[0])
         return
     widths = [one.asset.size[1] for one in pieces]
-    longest = max(length for length, _ in _walls(room))
+    longest = max(wall for wall, _ in _walls(room))
     spare = (longest - sum(widths)) / (len(pieces) + 1)
     roomy = min(LOOSE[1], max(LOOSE[0], spare))
     yield from (_line(pieces, gap) for gap in dict.fromkeys((roomy, 0.5 * (roomy + LOOSE[0]), LOOSE[0])))
@@ -125,8 +132,9 @@ def _line(pieces: Sequence[Wanted], gap: float) -> Variant:
     usual = (round(max(0.02, gap - PLAY), 3), round(gap + PLAY, 3))
     found = []
     for a, b in itertools.pairwise(pieces):
-        span = list((b.item and b.item.gap) or usual)
-        found.append(Relation(type="next_to", subject=b.id, target=a.id, params={"side": "right", "gap": span}))
+        said = b.item.gap if b.item else None
+        params = {"side": "right", "gap": said, "offset": IN_LINE} if said else {"side": "right", "gap": usual}
+        found.append(Relation(type="next_to", subject=b.id, target=a.id, params=params))
     return tuple(found)
 
 
