@@ -150,7 +150,12 @@ def _of_place(one: Wanted, place: Place, by_item: dict[str, list[Wanted]], room:
         target = other.id
         if place.type == "above" and other.asset.size[2] + one.asset.size[2] + CEILING > room.height:
             return None
-    if place.type == "over" and one.item is not None and other is not None and one.mount == "ceiling":
+    if place.type == "over" and other is not None and one.mount == "ceiling" and _in_cluster(other):
+        pair = by_item[place.to or ""][2 * one.number : 2 * one.number + 2]
+        if not pair:
+            return None
+        target, params = pair[0].id, {**params, "forward": -0.5 * (len(pair) - 1), "offset": 0.1}
+    elif place.type == "over" and one.item is not None and other is not None and one.mount == "ceiling":
         lamps = [w for w in by_item[one.item.id] if w.parent is one.parent]
         params |= place_along(other.asset.size, lamps.index(one), len(lamps))
     if place.type == "across_from" and one.item is not None and one.parent is not None and "n" not in params:
@@ -167,6 +172,11 @@ def _of_place(one: Wanted, place: Place, by_item: dict[str, list[Wanted]], room:
     return Relation(
         type=place.type, subject=one.id, target=target, params=params, hard=not place.soft, weight=place.weight
     )
+
+
+def _in_cluster(one: Wanted) -> bool:
+    """Whether a thing stands back to back with the next of its item."""
+    return one.item is not None and one.item.row == "cluster"
 
 
 def _free_wall(room: Room, width: float) -> bool:

@@ -18,7 +18,7 @@ from .prior_run import TIGHT, Variant, run_of
 LOOSE = (0.12, 0.6)
 """Least and largest gap [m] between the pieces of a line."""
 
-IN_LINE = 0.03
+IN_LINE = 0.02
 """Distance [m] by which the pieces of a line with given gaps may be out of line."""
 
 PART = 0.7

@@ -536,8 +536,21 @@ def _across(frame: Frame, rel: Relation, value) -> list[list[Row]]:
 
 
 def _facing_door(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    walls = [frame.region.walls[door.wall] for door in frame.doors if rel.target in (None, door.id)]
-    return [[yaw(_bearing(wall.outward), value("degrees"))] for wall in walls]
+    options, most = [], value("aside")
+    for door in frame.doors:
+        if rel.target not in (None, door.id):
+            continue
+        wall = frame.region.walls[door.wall]
+        rows = [yaw(_bearing(wall.outward), value("degrees"))]
+        if most is not None:
+            middle = wall.point(door.offset + door.width / 2)
+            rows.append(line((0.0, 0.0), wall.along, dot(wall.along, middle), -most, most))
+        options.append(rows)
+    return options
+
+
+def _off_walls(frame: Frame, rel: Relation, value) -> list[list[Row]]:
+    return [[_distance(value("min"), INF, np.array([wall.start, wall.end])) for wall in frame.region.walls]]
 
 
 def _around(frame: Frame, rel: Relation, value) -> list[list[Row]]:
@@ -685,6 +698,7 @@ BUILDERS: dict[str, Builder] = {
     "near_door": _near_opening,
     "across_from": _across,
     "facing_door": _facing_door,
+    "off_walls": _off_walls,
     "on_grid": _on_grid,
 }
 

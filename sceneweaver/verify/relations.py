@@ -183,14 +183,37 @@ def _near_opening(case: Case) -> Judgement:
 
 
 def _facing_door(case: Case) -> Judgement:
-    """Front toward the wall of the door; of any without a target."""
-    target, front, most = case.relation.target, case.subject.front, case.number("degrees")
-    offs = (
-        [at_most(f"turned from {door.item.id}", turn(front, door.wall.outward), most, "deg")]
-        for door in case.placed.doors
-        if target is None or door.item.id == target
-    )
-    return judge(offs, f"the room has no {target or 'door'}")
+    """Front toward the wall of the door, and near its axis where ``aside`` says so; of any door without a target."""
+    target, aside = case.relation.target, case.spec.value(case.relation, "aside")
+
+    def measurements(door: Opening) -> Measurements:
+        name = door.item.id
+        off = turn(case.subject.front, door.wall.outward)
+        angle = at_most(f"turned from {name}", off, case.number("degrees"), "deg")
+        if aside is None:
+            return (angle,)
+        along = door.wall.coordinates(case.subject.centre)[0] - (door.item.offset + door.item.width / 2)
+        return (angle, at_most(f"beside {name}", abs(along), aside, slack=TOLERANCE))
+
+    chosen = (door for door in case.placed.doors if target is None or door.item.id == target)
+    return judge(map(measurements, chosen), f"the room has no {target or 'door'}")
+
+
+def _off_walls(case: Case) -> Judgement:
+    """Footprint at least ``min`` from the line of every wall."""
+    import shapely
+
+    foot = case.placed.footprint(case.subject)
+    apart = [
+        at_least(
+            f"distance to wall {wall.index}",
+            float(shapely.distance(foot, shapely.linestrings([wall.start, wall.end])).min()),
+            case.number("min"),
+            slack=TOLERANCE,
+        )
+        for wall in case.placed.walls
+    ]
+    return judge_all(*apart, rounding=ROUNDING)
 
 
 # ---- faces of two objects --------------------------------------------------------------------------------------------
@@ -456,6 +479,7 @@ JUDGES: dict[str, Judge] = {
     "near_door": _near_opening,
     "across_from": across_from,
     "facing_door": _facing_door,
+    "off_walls": _off_walls,
     "on_grid": on_grid,
 }
 """The judge of every relation type."""

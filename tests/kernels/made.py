@@ -123,7 +123,8 @@ PARAMS: dict[str, Json] = {
     "near_window": {"min": 0.2, "max": 3.0},
     "near_door": {"min": 0.2, "max": 3.0},
     "across_from": {"side": "left", "k": 1, "n": 2, "gap": [0.1, 1.4], "offset": 0.5},
-    "facing_door": {"degrees": 70.0},
+    "facing_door": {"degrees": 70.0, "aside": 0.7},
+    "off_walls": {"min": 1.6},
     "on_grid": {"k": 1, "n": 4, "offset": 1.2},
 }
 """Numbers other than the defaults, for the types that take any."""
@@ -136,7 +137,7 @@ def related(kind: str, **params) -> Scene:
     objects = [chair("a", 1.0, 2.5), table("b", 1.6, 4.0), sofa("c", 3.0, 3.2, yaw=40.0)]
     target: Any = "b"
     second: tuple[str, Any] = ("c", "b")
-    if kind in ("on_floor", "in_corner", "in_middle", "on_grid"):
+    if kind in ("on_floor", "in_corner", "in_middle", "on_grid", "off_walls"):
         target, second = None, ("c", None)
     elif kind in ("against_wall", "side_against_wall"):
         target, second = None, ("c", "wall:3")

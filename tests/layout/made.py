@@ -139,6 +139,7 @@ ONE_OF_EACH: dict[str, Scene] = {
     "across_from": scene(
         [table(size=(0.8, 1.6, 0.75)), BOX], [relation("across_from", "box", "table", side="ends", gap=[0.4, 0.6])]
     ),
-    "facing_door": scene([OTHER, BOX], [relation("facing_door", "box", degrees=20)]),
+    "facing_door": scene([OTHER, BOX], [relation("facing_door", "box", degrees=20, aside=0.6)]),
+    "off_walls": scene([OTHER, BOX], [relation("off_walls", "box", min=0.8)]),
     "on_grid": scene([OTHER, LAMP], [relation("on_grid", "lamp", k=1, n=2)]),
 }

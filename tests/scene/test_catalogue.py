@@ -76,7 +76,8 @@ TABLE = {
     "near_window": ("window?", (), (), None, None, None, {"min": 0, "max": 1.2}, False),
     "near_door": ("door?", (), (), None, None, None, {"min": 0, "max": 1.2}, False),
     "across_from": ("object", F, ALL, 5, (0.3, 3), None, {"side": "any", "k": 0, "n": 1, "offset": 0.15}, True),
-    "facing_door": ("door?", F, (), 50, None, None, {}, False),
+    "facing_door": ("door?", F, (), 50, None, None, {"aside": None}, False),
+    "off_walls": ("none", (), (), None, None, None, {"min": 0.9}, False),
     "on_grid": ("none", (), (), None, None, None, {"k": 0, "n": 1, "offset": 0.3}, False),
     "beside": ("object", (), LR, None, None, None, {"max": 1.5, "min": 0, "band": 1.5}, True),
 }

@@ -396,6 +396,19 @@ def test_over_a_place():
         assert not holds([table, box("s", (0.3, 0.3, 0.3), 4.0, 4.0, z=2.0)], relation("over", "s", "t", **params))
 
 
+@pytest.mark.parametrize(("x", "least", "expected"), [(4.0, 0.9, True), (1.11, 0.9, True), (1.08, 0.9, False)])
+def test_off_walls(x, least, expected):
+    assert holds([box("s", (0.4, 0.4, 0.7), x, 2.6)], relation("off_walls", "s", None, min=least)) is expected
+
+
+def test_facing_a_door_near_its_axis():
+    """The middle of the door is 1.45 m along wall 1."""
+    door = {"id": "door-0", "wall": 1, "offset": 1.0, "width": 0.9, "height": 2.0}
+    for y, expected in ((1.45, True), (2.4, True), (2.5, False)):
+        thing = box("s", (0.4, 0.4, 0.7), 3.0, y)
+        assert holds([thing], relation("facing_door", "s", None, aside=1.0), doors=[door]) is expected
+
+
 @pytest.mark.parametrize(("turned", "degrees", "expected"), [(0.0, 50, True), (49.0, 50, True), (51.0, 50, False)])
 def test_facing_a_door(turned, degrees, expected):
     """Wall 1 is at the side that things look to at a yaw of 0."""
