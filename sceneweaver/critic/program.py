@@ -64,7 +64,7 @@ class Program:
         for object_id, name in item_of.items():
             by_item[name].append(object_id)
         for item in room_type.items:
-            least = _least(item, by_item, area, people)
+            least = _least(item, by_item, scene, area, people)
             for level in (2, 1):
                 for o in scene.objects:
                     if (
@@ -82,7 +82,15 @@ class Program:
                     item_of[o.id] = best.id
                     by_item[best.id].append(o.id)
         for item in room_type.items:
-            need = _need(item, room_type, brief, banned, by_item, area, people, len(scene.room.windows))
+            need = _need(
+                item,
+                room_type,
+                brief,
+                banned,
+                by_item,
+                area,
+                people,
+            )
             if need is not None:
                 needs.append(need)
         return cls(item_of, asked_of, tuple(needs), people)
@@ -92,9 +100,15 @@ def _mounted_as(o: SceneObject, item: Item) -> bool:
     return item.mount is None or o.mount == item.mount
 
 
-def _least(item: Item, by_item: dict[str, list[str]], area: float, people: int) -> int:
+def _hosts(item: Item, by_item: dict[str, list[str]], scene: Scene) -> int:
+    """How many there are of what an item goes with, of the categories that it is for."""
+    ids = by_item.get(item.with_ or "", ())
+    return sum(not item.when or scene.object(object_id).category in item.when for object_id in ids)
+
+
+def _least(item: Item, by_item: dict[str, list[str]], scene: Scene, area: float, people: int) -> int:
     least = item.count.of(area, people, 0.0)
-    return least if item.with_ is None else least * len(by_item.get(item.with_, ()))
+    return least if item.with_ is None else least * _hosts(item, by_item, scene)
 
 
 def _need(
@@ -103,9 +117,9 @@ def _need(
     brief: SceneGraph,
     banned: set[str],
     by_item: dict[str, list[str]],
+    scene: Scene,
     area: float,
     people: int,
-    windows: int,
 ) -> Need | None:
     names = tuple(c for c in item.what if c not in banned)
     meant = [a for a in brief.entities if serves(a.category, item.what)]
@@ -119,9 +133,9 @@ def _need(
         least = max(item.count.least, int(SLACK * least))
     core = min(least, max(1, item.count.least))
     if item.with_ is not None:
-        least *= len(by_item.get(item.with_, ()))
-        core *= len(by_item.get(item.with_, ()))
-    if "at_window" in {p.type for p in item.place if not p.soft} and not windows:
+        hosts = _hosts(item, by_item, scene)
+        least, core = least * hosts, core * hosts
+    if "at_window" in {p.type for p in item.place if not p.soft} and not scene.room.windows:
         least = 0
     limits = [a.count[1] for a in meant if a.count is not None]
     if limits:
