@@ -82,15 +82,7 @@ class Program:
                     item_of[o.id] = best.id
                     by_item[best.id].append(o.id)
         for item in room_type.items:
-            need = _need(
-                item,
-                room_type,
-                brief,
-                banned,
-                by_item,
-                area,
-                people,
-            )
+            need = _need(item, room_type, brief, banned, by_item, scene, area, people)
             if need is not None:
                 needs.append(need)
         return cls(item_of, asked_of, tuple(needs), people)
