@@ -288,3 +288,12 @@ def test_what_stands_far_from_the_door_or_looks_away_from_it_is_tied_to_it() -> 
         rows = found[rule].inputs["relations"]
         assert found[rule].tool == "add_relation" and {row["type"] for row in rows} == types
         assert {(row["subject"], row["target"]) for row in rows} == {(found[rule].objects[0], "door-0")}
+
+
+def test_shelves_in_aisles_and_books_without_number_are_no_fault() -> None:
+    aisles = [box(f"metal_shelf-{k}", (0.5, 1.2, 1.8), 3.0, 2.0 + 1.6 * k, 90) for k in range(3)]
+    assert not broken("row_contiguous", "library", aisles, HALL)
+    shelf = top(box("bookcase-0", (0.4, 1.0, 1.8), 4.0, 0.25, 90))
+    few = [on(shelf, f"standing_books-{k}") for k in range(4)]
+    assert broken("not_cloned", "study", [shelf, *few], HALL) >= {"standing_books-0"}
+    assert not broken("not_cloned", "library", [shelf, *(on(shelf, f"standing_books-{k}") for k in range(40))], HALL)

@@ -112,7 +112,7 @@ BREACHES: list[tuple[str, str, Any, Any, set[str]]] = [
         {"projector_screen-0", "cabinet-0"},
     ),
     ("low_below_windows", "office", window_side(0.8), window_side(1.0), {"cabinet-0", "window-0"}),
-    ("table_off_walls", "kitchen", seated(3.0, 2.5), [*seated(0.85, 2.5)], {"dining_table-0"}),
+    ("table_off_walls", "kitchen", seated(3.0, 2.5), seated(3.0, 0.6), {"dining_table-0"}),
     (
         "pieces_apart",
         "childrens_room",
@@ -206,3 +206,9 @@ def test_what_is_measured_and_allowed_stands_in_the_fault() -> None:
 
     found = [f.fault for f in faults(survey("restaurant", bar(0.6))) if f.fault.rule == "behind_counter"]
     assert len(found) == 1 and found[0].measured == pytest.approx(0.3, abs=0.01) and found[0].allowed == (0.9, None)
+
+
+def test_a_table_may_have_its_short_end_at_a_wall_where_nobody_sits_at_an_end() -> None:
+    assert not broken("table_off_walls", "kitchen", seated(0.85, 2.5))
+    end = box("dining_chair-4", CHAIR, 1.85, 2.5, 180)
+    assert broken("table_off_walls", "kitchen", [*seated(0.85, 2.5), end]) == {"dining_table-0"}

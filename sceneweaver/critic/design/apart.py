@@ -43,7 +43,11 @@ def _tables_at_walls(survey: Survey) -> Iterator[Finding]:
         gap = float(survey.wall_gaps[table.index])
         round_ = "round" in table.item.category
         seats = [b for b, _ in survey.near(table, 0.9) if seat_like(b) and table_of(survey, b) is table]
-        if gap >= least or len(seats) < (3 if round_ else 4):
+        if (
+            gap >= least
+            or len(seats) < (3 if round_ else 4)
+            or (not round_ and _end_at_wall(survey, table, seats, least))
+        ):
             continue
         yield breach(
             "table_off_walls",
@@ -53,6 +57,16 @@ def _tables_at_walls(survey: Survey) -> Iterator[Finding]:
             allowed=(least, None),
             suggestion=f"move {table.id} at least {least:g} m off the walls",
         )
+
+
+def _end_at_wall(survey: Survey, table: Body, seats: list[Body], least: float) -> bool:
+    """Whether only a short end of a table is at a wall, and its seats are at the long sides alone."""
+    ends = ("front", "back") if table.size[0] > table.size[1] else ("left", "right")
+    sides = tuple(s for s in ("front", "back", "left", "right") if s not in ends)
+    if any(survey.clear_ahead(table, s) < least for s in sides):
+        return False
+    along_x, half = ends[0] == "front", max(table.size[:2]) / 2
+    return not any(abs(table.local(b.centre)[0 if along_x else 1]) > half - 0.15 for b in seats)
 
 
 def _apart(survey: Survey) -> Iterator[Finding]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterator
 
 from sceneweaver.knowledge.design_rules import design_rules, limit
@@ -29,6 +29,9 @@ UNIQUE = named("picture poster photo_frames tapestry")
 
 OWN = {"laptop": 4, "standing_books": 3}
 """How many of some things look the same before it is seen."""
+
+MANY = 24
+"""Things of a kind from which nobody looks for those that are alike, as the books of a library."""
 
 BOTTLES = named("shampoo_bottle lotion_bottle perfume")
 
@@ -140,6 +143,7 @@ def _clones(survey: Survey) -> Iterator[Finding]:
         return
     limits = design_rules()["not_cloned"].limits
     sets: dict[tuple[str, str], list[Body]] = defaultdict(list)
+    count = Counter(b.item.category for b in survey.bodies)
     for body in survey.bodies:
         if body.item.category in UNIQUE | BOTTLES | OWN.keys() and not asked_for(survey, body):
             look = (body.item.asset or "").split("&size")[0] or str(body.item.attributes.get("material"))
@@ -148,7 +152,7 @@ def _clones(survey: Survey) -> Iterator[Finding]:
     copies = [
         b
         for (c, _), bodies in sets.items()
-        if c not in UNIQUE and len(bodies) >= OWN.get(c, limits["count"])
+        if c not in UNIQUE and len(bodies) >= OWN.get(c, limits["count"]) and count[c] < MANY
         for b in bodies
     ]
     for bodies, least in ((pictures, 2), (copies, 3)):

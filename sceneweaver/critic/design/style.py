@@ -150,11 +150,13 @@ def _small(survey: Survey) -> Iterator[Finding]:
     suits = _palette_hues(palette) if palette is not None else None
     off = [b for b in small if not _follows(b, str(style), suits)]
     if len(off) > share * len(small):
-        styles = Counter(str(b.item.attributes["style"]) for b in off).most_common(3)
+        read = "style" if suits is None else "color"
+        styles = Counter(str(b.item.attributes.get(read)) for b in off).most_common(3)
+        wanted = style if suits is None else f"of the colours of {palette.name if palette else ''}"
         yield breach(
             "small_things_in_style",
             (b.id for b in off),
-            f"{len(off)} of {len(small)} small things are not {style} but {', '.join(s for s, _ in styles)}",
+            f"{len(off)} of {len(small)} small things are not {wanted} but {', '.join(s for s, _ in styles)}",
             measured=len(off) / len(small),
             allowed=(None, share),
             weight=8.0 * (len(off) / len(small) - share) / (1 - share),

@@ -80,14 +80,15 @@ def _weights(survey: Survey) -> Iterator[Finding]:
     mirrors = survey.of_kind(MIRRORS)
     if mirrors:
         wide = sum(b.size[1] for b in mirrors)
-        if wide < limits["width"]:
+        least = limits["width"] if survey.room_type.name == "gym" else limits["home"]
+        if wide < least:
             yield breach(
                 "weights_at_mirror",
                 (b.id for b in mirrors),
-                f"{names(mirrors)} is {wide:.2f} m wide for a whole gym",
+                f"{names(mirrors)} is {wide:.2f} m wide for a whole room",
                 measured=wide,
-                allowed=(limits["width"], None),
-                suggestion=f"hang mirrors at least {limits['width']:g} m wide behind the weights",
+                allowed=(least, None),
+                suggestion=f"hang mirrors at least {least:g} m wide behind the weights",
             )
 
 

@@ -27,6 +27,9 @@ STANDS = named("flip_chart mobile_whiteboard")
 
 BINS = frozenset(("wastebasket", "trash_can"))
 
+AT_WALL = 0.3
+"""Distance [m] from the wall behind it up to which storage stands along it."""
+
 LONG = 1.25
 """Length over depth from which a table has ends."""
 
@@ -54,7 +57,8 @@ def _blocks(survey: Survey) -> Iterator[Finding]:
     gap = limit("row_contiguous", "gap")
     sets: dict[tuple[Any, ...], list[Body]] = defaultdict(list)
     for body in floor_of_kind(survey, BLOCKS):
-        if body.size[2] > 0.7:
+        back = survey.back_wall(body)
+        if body.size[2] > 0.7 and back is not None and back[1] < AT_WALL:  # others stand in aisles
             sets[body.item.category, *(round(s, 2) for s in body.size)].append(body)
     for (category, *_), bodies in sets.items():
         if len(bodies) < (2 if category == "locker" else 3):
