@@ -11,8 +11,9 @@ from dataclasses import dataclass, field
 from sceneweaver.assets import Asset, Wish
 from sceneweaver.assets.taxonomy import category_named, members
 from sceneweaver.geometry.walls import Wall
+from sceneweaver.knowledge.palettes import groups_of
 from sceneweaver.knowledge.wall_things import most_on_walls, wall_things
-from sceneweaver.scene import InputError, Intent, Pose, Relation, SceneObject
+from sceneweaver.scene import InputError, Intent, Pose, Relation, SceneObject, Window
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
 
 from .base import Context, Proposal
@@ -21,8 +22,14 @@ from .draft import Draft
 from .prior_program import MANY, named_kinds
 from .wall_plan import CLOSE, TALL, Rectangle, Span, extent, free_runs, obstacles
 
-BARE = 1.5
+BARE = 1.2
 """Length [m] of bare wall on which something is hung."""
+
+RADIATORS, HEATED = 0.7, frozenset(("home", "child", "work", "care"))
+"""Share of rooms that have radiators below their windows, and the groups of rooms that do."""
+
+ABOVE_FLOOR, BELOW_SILL, NARROWER = 0.12, 0.12, 0.2
+"""Gaps [m] between a radiator and the floor, the sill and the ends of its window, both ends together."""
 
 EACH = 1.9
 """Length [m] of wall for each thing."""
@@ -82,6 +89,8 @@ class AddWallObjects:
         work = _Work(context, draft, random.Random(f"walls {context.seed}"))
         least = float(inputs.get("bare", BARE))
         for k in sorted(set(chosen), key=lambda k: (-walls[k].length, k)):
+            if not inputs.get("walls"):
+                _heat(work, walls[k])
             for run in free_runs(draft.room, work.objects, walls[k], least):
                 _fill(work, walls[k], run)
         unmet = () if work.edits else ("no wall has a free place for anything",)
@@ -106,6 +115,33 @@ def _fill(work: _Work, wall: Wall, run: Span) -> None:
     for k in range(count):
         middle = run[0] + (k + 0.5) * length / count
         kind = _hang(work, wall, middle, SHARE * length / count, None, kind) or kind
+
+
+def _heat(work: _Work, wall: Wall) -> None:
+    """A radiator below each window of a wall that has room for one, in rooms that have any."""
+    room, name = work.draft.room, work.context.room_type.name
+    if random.Random(f"radiators {work.context.seed}").random() > RADIATORS or groups_of(name)[0] not in HEATED:
+        return
+    for window in room.windows:
+        tall = window.sill - ABOVE_FLOOR - BELOW_SILL
+        if window.wall != wall.index or tall < category_named("radiator").size.height[0]:  # type: ignore[union-attr]
+            continue
+        if any(o.category == "radiator" and _within(o, window, wall) for o in work.objects):
+            continue
+        asset = _body(work, "radiator", window.width - NARROWER, min(tall, 0.6))
+        if asset is None or asset.size[2] > tall:
+            continue
+        middle = window.offset + window.width / 2
+        along = (middle - asset.size[1] / 2, middle + asset.size[1] / 2)
+        taken = obstacles(room, work.objects, wall, asset.size[0])
+        place = Rectangle(along, (ABOVE_FLOOR, ABOVE_FLOOR + asset.size[2]))
+        if not any(place.meets(other) for other in taken):
+            _add(work, wall, asset, (middle, ABOVE_FLOOR), None)
+
+
+def _within(obj: SceneObject, window: Window, wall: Wall) -> bool:
+    """Whether the middle of a thing is before a window, as seen along its wall."""
+    return obj.mount == "wall" and window.offset < _middle(obj, wall) < window.offset + window.width
 
 
 def _bases(work: _Work, wall: Wall) -> Iterator[SceneObject]:
@@ -152,14 +188,14 @@ def _candidates(work: _Work, art: bool) -> list[str]:
     return sorted(shares, key=lambda name: -(work.rng.random() ** (1.0 / shares[name])))[:3]
 
 
-def _body(work: _Work, category: str, width: float) -> Asset | None:
+def _body(work: _Work, category: str, width: float, height: float | None = None) -> Asset | None:
     """A body of about that width [m], in the look of the room."""
     usual = category_named(category).size
     assert usual is not None
     low, high = usual.width
     context, palette = work.context, work.context.scene.palette
     wish = Wish(
-        size=(None, round(min(max(width, low), high), 3), None),
+        size=(None, round(min(max(width, low), high), 3), height),
         style=palette.style if palette is not None else context.brief.style,
         palette=palette.code if palette is not None else None,
         seed=work.rng.randrange(2**31),

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
+from sceneweaver.geometry.polygons import rectangle
 from sceneweaver.geometry.shell import clear_zone, heights
 from sceneweaver.geometry.walls import Wall, wall_behind
 from sceneweaver.scene import Room, SceneObject
@@ -71,15 +72,23 @@ def obstacles(room: Room, objects: Iterable[SceneObject], wall: Wall, depth: flo
             corners = [wall.coordinates(corner) for corner in clear_zone(opening, room.walls)]
             found += _before(corners, (0.0, heights(opening)[1]), depth)
     for obj in objects:
-        along, deep = extent(obj, wall)
         z = obj.pose.position[2]
-        if deep[0] < depth + MARGIN / 2 and deep[1] > 0.0:
-            found.append(Rectangle(along, (z, z + obj.size[2])))
+        for polygon, low, high in _parts(obj):
+            corners = [wall.coordinates(obj.pose.frame.world(*corner)) for corner in polygon]
+            found += _before(corners, (z + low, z + high), depth + MARGIN / 2)
         for zone in obj.zones or ():
             if zone.hard:
                 corners = [wall.coordinates(obj.pose.frame.world(*corner)) for corner in zone.polygon]
                 found += _before(corners, (z + zone.z[0], z + zone.z[1]), depth)
     return found
+
+
+def _parts(obj: SceneObject) -> Iterator[tuple[Sequence[Sequence[float]], float, float]]:
+    """The outlines of a thing's parts in its frame, with their heights [m]: of its box where it has none."""
+    for part in obj.parts or ():
+        yield part.polygon, part.z[0], part.z[1]
+    if not obj.parts:
+        yield rectangle(obj.size[0], obj.size[1]), 0.0, obj.size[2]
 
 
 def _before(corners: list[Span], high: Span, depth: float) -> Iterator[Rectangle]:

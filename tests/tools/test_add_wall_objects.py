@@ -47,7 +47,7 @@ def test_nothing_is_bare_and_all_is_valid(seed, outline):
     before = scene(outline=outline)
     after, _ = hung(before, seed=seed)
     assert check(after).valid
-    new = after.objects
+    new = [o for o in after.objects if o.category != "radiator"]
     for wall in after.room.walls:
         assert not free_runs(after.room, new, wall, BARE + 2 * CORNER)
         for obj in new:
@@ -117,3 +117,25 @@ def test_there_is_one_clock():
         after, _ = hung(scene(outline=room, kind="waiting_room"), "a waiting room", seed=seed)
         counts = [sum(o.category == name for o in after.objects) for name in ("wall_clock", "notice_board")]
         assert max(counts) <= 1 == most_on_walls("wall_clock")
+
+
+def test_radiators_are_below_windows_and_clear_of_curtains():
+    curtain = make("curtain", seed=2)
+    drawn = curtain.object("curtain-0", pose=Pose.from_yaw(5.0 - curtain.size[0] / 2, 1.9, 0.05, math.pi), mount="wall")
+    warm = 0
+    for seed in range(8):
+        for objects in ((), (drawn,)):
+            after, _ = hung(scene(*objects), seed=seed)
+            assert check(after).valid
+            for obj in after.objects:
+                if obj.category == "radiator":
+                    warm += not objects
+                    assert obj.pose.position[1] == pytest.approx(WINDOW.offset + WINDOW.width / 2, abs=0.01)
+                    assert obj.size[1] < WINDOW.width and obj.pose.position[2] + obj.size[2] < WINDOW.sill
+    assert 3 <= warm <= 8
+
+
+def test_kinds_of_rooms_without_radiators_have_none():
+    for seed in range(6):
+        after, _ = hung(scene(kind="workshop"), "a workshop", seed=seed)
+        assert "radiator" not in {o.category for o in after.objects}
