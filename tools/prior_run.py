@@ -18,6 +18,9 @@ from .prior_program import Wanted
 FRAME = 0.3
 """Wall [m] that stays free between a run and a door."""
 
+REACH = 0.75
+"""Distance [m] of a door from a corner up to which its leaf swings before what stands at the other wall there."""
+
 SIDE_OF_WINDOW = 0.08
 """Wall [m] between a window and a hung cabinet."""
 
@@ -194,9 +197,15 @@ def drawn_widths(one: Wanted) -> tuple[float, float]:
 
 
 def _free(room: Room, wall: int, forward: bool) -> float:
-    """Length [m] of a wall from its start, or backward from its end, up to a door or the next wall."""
-    length = room.walls[wall].length
+    """Length [m] of a wall from its start, or backward from its end, up to a door, the leaf of one or the next wall."""
+    walls = room.walls
+    length = walls[wall].length
     ends = [d.offset if forward else length - d.offset - d.width for d in room.doors if d.wall == wall]
+    after = walls[(wall + (1 if forward else -1)) % len(walls)]
+    for door in room.doors:
+        beside = door.offset if forward else after.length - door.offset - door.width
+        if door.wall == after.index and beside < REACH and door.swing.startswith("in"):
+            ends.append(length - door.width)
     return min([length - 0.01, *(end - FRAME for end in ends)])
 
 

@@ -101,3 +101,9 @@ def test_every_way_has_the_widths_that_were_drawn(propose):
         proposal = propose("a kitchen", seed)
         placed = [frozenset(r.subject for r in variant) for variant in proposal.variants]
         assert placed and len(set(placed)) == 1
+
+
+def test_a_sink_that_is_named_is_no_counter(propose):
+    scene = propose("a kitchen with a sink under the window and a fridge in the corner").scene
+    asked = [o.category for o in scene.objects if o.intent.request is not None]
+    assert "sink_cabinet" in asked and "kitchen_counter" not in asked
