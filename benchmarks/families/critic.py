@@ -6,8 +6,8 @@ from collections import Counter
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.stats import spearmanr
 
+from benchmarks.critic_fit import agreement, chosen, counted, left_out
 from benchmarks.judging import Judge
 from benchmarks.results import Column, Result
 from benchmarks.settings import Settings
@@ -23,6 +23,15 @@ GRADES = (
     Column("spearman", "rank correlation", "number"),
     Column("error", "mean error", "number"),
 )
+
+LEFT_OUT = (
+    Column("criterion", "criterion"),
+    Column("spearman", "rank correlation", "number"),
+    Column("error", "mean error", "number"),
+)
+
+FEWEST = 10
+"""Scenes from which on the fit is tried on each of them."""
 
 KINDS = (
     Column("kind", "kind"),
@@ -68,16 +77,20 @@ def run(settings: Settings, judge: Judge) -> Result:
 def tabulate(result: Result, found: Sequence[Comparison]) -> None:
     """The tables of a comparison: grades, kinds of faults, scenes, and each fault that only one side has."""
     grades = result.add("grades", "Grades", GRADES)
-    for criterion in (*GRADED, "mean"):
-        strict, critic = (np.array([_grade(g, criterion) for g in side]) for side in _sides(found))
-        rank = spearmanr(strict, critic)[0] if len(set(strict)) > 1 and len(set(critic)) > 1 else 0.0
-        error = float(np.abs(strict - critic).mean())
-        row = {"strict": float(strict.mean()), "critic": float(critic.mean())}
-        grades.rows.append({"criterion": criterion, **row, "spearman": float(rank), "error": error})
+    strict, ours = (np.array([[side[name] for name in GRADED] for side in sides]) for sides in _sides(found))
+    averages = [*zip(strict.mean(axis=0), ours.mean(axis=0), strict=True), (strict.mean(), ours.mean())]
+    for (name, rank, error), (theirs, mine) in zip(agreement(strict, ours), averages, strict=True):
+        row = {"strict": float(theirs), "critic": float(mine), "spearman": rank, "error": error}
+        grades.rows.append({"criterion": name, **row})
+    if len(found) > FEWEST:
+        data = counted(found)
+        apart = result.add("left_out", "Grades of scenes that the fit of the points had not seen", LEFT_OUT)
+        for name, rank, error in agreement(strict, left_out(data, chosen(data))):
+            apart.rows.append({"criterion": name, "spearman": rank, "error": error})
     _kinds(result, found)
     scenes = result.add("scenes", "Scenes", ROOMS)
     for c in found:
-        strict, critic = (_grade(g, "mean") for g in (c.graded.grades, c.review.grades))
+        strict, critic = (sum(g[name] for name in GRADED) / len(GRADED) for g in (c.graded.grades, c.review.grades))
         hits = sum(map(c.found, c.showable))
         row = {"labelled": len(c.showable), "found": hits, "beside": len(c.unlabelled)}
         scenes.rows.append({"scene": c.graded.name, **row, "strict": strict, "critic": critic})
@@ -96,10 +109,6 @@ def tabulate(result: Result, found: Sequence[Comparison]) -> None:
 
 def _sides(found: Sequence[Comparison]) -> tuple[list[dict[str, float]], list[dict[str, float]]]:
     return [c.graded.grades for c in found], [c.review.grades for c in found]
-
-
-def _grade(grades: dict[str, float], criterion: str) -> float:
-    return sum(grades[c] for c in GRADED) / len(GRADED) if criterion == "mean" else grades[criterion]
 
 
 def _kinds(result: Result, found: Sequence[Comparison]) -> None:

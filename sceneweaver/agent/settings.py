@@ -7,9 +7,9 @@ from pydantic import Field
 from sceneweaver.scene.base import FrozenModel
 from sceneweaver.tools.base import CLUTTER
 
-ASKED = 0.5
-"""What a point of what is not as asked weighs beside its grade, in points of the mean of all grades; of that a point of
-any fault takes a fifth at most, so what was asked for comes first."""
+ASKED = 4.0
+"""What a point of what is not as asked weighs beside its grade, in points of the mean of all grades: more than breaches
+of design rules can make up for, so what was asked for comes first."""
 
 
 class Settings(FrozenModel):
@@ -37,7 +37,7 @@ class Settings(FrozenModel):
         default=(2, 6), description="Times that a layout is begun anew when it fails, at first and at last"
     )
     work: int = Field(default=240, ge=1, description="Attempts at a layout after which no step begins")
-    grade: float = Field(default=9.7, description="Mean grade at which to stop")
+    grade: float = Field(default=7.4, description="Mean grade at which to stop; with no fault it is 7.8")
     patience: int = Field(default=2, ge=1, description="Steps without progress after which to stop")
     clutter: float = Field(
         default=CLUTTER, ge=0, le=1, description="How lived-in the room looks, from 0, a show room, to 1"

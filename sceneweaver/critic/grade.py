@@ -8,15 +8,15 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sceneweaver.knowledge.design_rules import design_rules
+from sceneweaver.knowledge.design_rules import design_points, design_rules
 
 from .model import CRITERIA, Fault
 
 FULL = 10.0
 
 LINEAR = 5.0
-"""Points up to which every point counts in full; what comes after counts less and less, so that grades never stop
-telling a bad scene from a worse one."""
+"""Points up to which every point of what was asked for counts in full; what comes after counts less and less, so that
+grades never stop telling a bad scene from a worse one."""
 
 KIND_LIMIT = 3.0
 """Most points that faults of one kind take together, where `LIMITS` says nothing else."""
@@ -32,7 +32,7 @@ LIMITS = {
     "foreign_object": 7.0,
     "wrong_orientation": 6.0,
     "wrong_size": 6.0,
-    "missing_usual": 4.0,
+    "missing_usual": 1.5,
     "empty_support": 4.0,
     "bare": 6.0,
     "unwalkable": 5.0,
@@ -73,31 +73,68 @@ def finding(
         tool=tool,
         inputs=inputs or {},
         points=round(points, 3),
+        lid=cap,
     )
     return Finding(fault, cap)
 
 
 def grades(found: Sequence[Finding]) -> dict[str, float]:
-    """The grade 0 to 10 of every criterion."""
-    return {criterion: _grade([f for f in found if f.fault.criterion == criterion]) for criterion in CRITERIA}
+    """The grade 0 to 10 of every criterion.
+
+    Strict eyes that see one thing wrong mark down the rest as well, and see what no rule tells: a breach of a design
+    rule takes a share of its points off the other criteria too, and every grade begins a little below the full one
+    (`DesignPoints`). What was asked for is graded by itself.
+    """
+    fitted, graded = design_points(), {}
+    by_criterion: dict[str, list[Finding]] = {criterion: [] for criterion in CRITERIA}
+    for f in found:
+        by_criterion[f.fault.criterion].append(f)
+    breaches = {c: _lost([f for f in rows if f.fault.rule is not None]) for c, rows in by_criterion.items()}
+    for criterion, rows in by_criterion.items():
+        if criterion == "alignment":
+            graded[criterion] = round(_lidded(squash(_whole(rows)), rows), 3)
+            continue
+        others = sum(lost for c, lost in breaches.items() if c != criterion)
+        felt = fitted.weights[criterion] * (breaches[criterion] + fitted.spill * others)
+        lost = fitted.baseline[criterion] + older_lost([f.fault for f in rows]) + felt
+        graded[criterion] = round(eased(lost), 3)
+    return graded
 
 
-def _grade(found: Sequence[Finding]) -> float:
-    grade = squash(_lost(found))
+def older_lost(faults: Iterable[Fault]) -> float:
+    """Points that faults of one criterion lose beside the design rules: their sum, or what the lowest lid says.
+
+    A lid of 5 halves the grade.
+    """
+    kinds: dict[str, float] = defaultdict(float)
+    most = 0.0
+    for fault in faults:
+        if fault.rule is None:
+            kinds[fault.kind] += fault.points
+            most = max(most, FULL * math.log(FULL / fault.lid) if fault.lid else 0.0)
+    total = sum(min(points, _most(kind)) for kind, points in kinds.items())
+    return max(total, most + SLOPE * total) if most else total
+
+
+def _lidded(grade: float, found: Sequence[Finding]) -> float:
+    """The grade of what was asked for under the lids of the findings, each a little lower for what is lost beside."""
     for lid in {f.cap for f in found if f.cap is not None}:
-        others = _lost([f for f in found if f.cap is None or f.cap > lid])
+        others = _whole([f for f in found if f.cap is None or f.cap > lid])
         grade = min(grade, max(0.5 * lid, lid - SLOPE * others))
-    return round(grade, 3)
+    return grade
+
+
+def _whole(found: Sequence[Finding]) -> float:
+    """Points lost to what was asked for: all of them count."""
+    return sum(f.fault.points for f in found)
 
 
 def _lost(found: Sequence[Finding]) -> float:
-    """Points lost: those of one kind add up to its limit, but all that was asked for counts in full."""
+    """Points lost: those of one kind add up to its limit."""
     kinds: dict[str, float] = defaultdict(float)
     for f in found:
-        if f.fault.criterion != "alignment":
-            kinds[f.fault.kind] += f.fault.points
-    asked = sum(f.fault.points for f in found if f.fault.criterion == "alignment")
-    return asked + sum(min(points, _most(kind)) for kind, points in kinds.items())
+        kinds[f.fault.kind] += f.fault.points
+    return sum(min(points, _most(kind)) for kind, points in kinds.items())
 
 
 def _most(kind: str) -> float:
@@ -106,8 +143,13 @@ def _most(kind: str) -> float:
     return rule.most if rule is not None else LIMITS.get(kind, KIND_LIMIT)
 
 
+def eased(lost: float) -> float:
+    """The grade after ``lost`` points: a point is a point at first, and less the lower the grade is already."""
+    return FULL * math.exp(-lost / FULL)
+
+
 def squash(lost: float) -> float:
-    """The grade after ``lost`` points: falls by a point each at first, never below 0, and never stands still."""
+    """The grade after ``lost`` points of what was asked for: falls by a point each up to `LINEAR`, never below 0."""
     if lost <= LINEAR:
         return FULL - lost
     rest = FULL - LINEAR

@@ -71,6 +71,7 @@ class Fault(FrozenModel):
     tool: str | None = None
     inputs: dict[str, Any] = {}
     points: float = 1.0
+    lid: float | None = Field(default=None, description="Highest share [tenths] of its grade that stays; null: all")
     rule: str | None = Field(default=None, description="Id of the design rule that it breaks, if it is one")
     measured: float | None = None
     allowed: tuple[float | None, float | None] | None = Field(

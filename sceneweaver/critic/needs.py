@@ -92,7 +92,7 @@ def _missing(survey: Survey, need: Need) -> Finding:
         need.have,
         reason,
         fix,
-        points=(0.5 if show else 0.7) * share + 0.2,
+        points=(0.25 if show else 0.35) * share + 0.1,
         tool="add_objects",
         inputs=dict(inputs),
     )

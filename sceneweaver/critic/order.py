@@ -14,6 +14,7 @@ from sceneweaver.verify.solids import Body
 
 from . import kinds
 from .grade import Finding, finding
+from .groups import groups_of
 from .needs import table_of
 from .survey import QUARTER, Survey
 
@@ -53,7 +54,7 @@ def _away_from_walls(survey: Survey) -> Iterator[Finding]:
             continue
         sofa = body.item.category in kinds.SOFAS
         most = SOFA_GAP if sofa else BACK_GAP
-        if sofa and survey.area > LOFTY:
+        if sofa and (survey.area > LOFTY or _in_a_ring(survey, body)):
             continue
         back = survey.back_wall(body)
         if back is not None and back[1] <= most and math.degrees(back[2]) <= 20:
@@ -76,6 +77,12 @@ def _away_from_walls(survey: Survey) -> Iterator[Finding]:
             tool="add_relation",
             inputs={"relations": [{"type": "against_wall", "subject": body.id, "target": None, "hard": True}]},
         )
+
+
+def _in_a_ring(survey: Survey, sofa: Body) -> bool:
+    """Whether a sofa stands around a table with a wider one, which makes the group and has the wall."""
+    groups = groups_of(survey).seatings
+    return any(g.table is not None and sofa in g.seats and sofa is not g.anchor for g in groups)
 
 
 def _belongs_to_wall(survey: Survey, body: Body) -> bool:

@@ -63,9 +63,9 @@ class Program:
         by_item: dict[str, list[str]] = defaultdict(list)
         for object_id, name in item_of.items():
             by_item[name].append(object_id)
-        for item in room_type.items:
-            least = _least(item, by_item, scene, area, people)
-            for level in (2, 1):
+        for level in (2, 1):  # what is named first, then what may stand in for it
+            for item in room_type.items:
+                least = _least(item, by_item, scene, area, people)
                 for o in scene.objects:
                     if (
                         o.id not in item_of

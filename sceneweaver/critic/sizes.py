@@ -20,6 +20,9 @@ ROOM = (1.3, 1.3, 1.5)
 WRONG = 1.8
 """Factor from which a size hinders belief and use."""
 
+DEEP = 0.3
+"""Depth [m] up to which what hangs before a window may be of any: folds and rods differ."""
+
 THIN = 0.03
 """Sizes [m] below which nobody sees a difference: the thickness of rugs and mats."""
 
@@ -55,7 +58,7 @@ def _range(survey: Survey, body: Body) -> Iterator[Finding]:
             if any(a.kind in ("size", "other") for a in asked.attributes):
                 low, high = min(low, row.size.reach[k][0]), max(high, row.size.reach[k][1])
         size = body.size[k]
-        if max(size, high) <= THIN:
+        if max(size, high) <= THIN or (k == 0 and body.item.category in kinds.WINDOW_WEAR and size < DEEP):
             continue
         factor = max(size / high, low / max(size, 1e-6))
         odd = odd or factor > ROOM[k]

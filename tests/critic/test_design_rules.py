@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
 
 from sceneweaver.critic.design.breach import breach
-from sceneweaver.critic.grade import grades
-from sceneweaver.knowledge.design_rules import DesignRule, design_rules, limit
+from sceneweaver.critic.grade import Finding, grades
+from sceneweaver.knowledge.design_rules import DesignRule, design_points, design_rules, drafted_rules, limit
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "design_rules.md"
 
@@ -42,5 +43,17 @@ def test_a_breach_names_its_rule_and_costs_no_more_than_all_of_it_may() -> None:
     found = [breach(rule.id, (f"bed-{k}",), "it is near", measured=0.1, allowed=(0.3, None)) for k in range(20)]
     assert found[0].fault.rule == rule.id and found[0].fault.criterion == rule.criterion
     assert (found[0].fault.measured, found[0].fault.allowed) == (0.1, (0.3, None))
-    one, all_of_them = (10.0 - grades(some)[rule.criterion] for some in (found[:1], found))
-    assert (one, all_of_them) == pytest.approx((rule.points, rule.most))
+    one, all_of_them = (_lost(found[:1], rule.criterion), _lost(found, rule.criterion))
+    assert all_of_them / one == pytest.approx(rule.most / rule.points, rel=0.02)
+
+
+def _lost(found: list[Finding], criterion: str) -> float:
+    """Points that findings take off a grade, beside what only eyes can tell."""
+    return 10.0 * math.log(grades([])[criterion] / grades(found)[criterion])
+
+
+def test_every_drafted_rule_has_fitted_points() -> None:
+    fitted = design_points()
+    assert set(fitted.points) <= set(drafted_rules())
+    for rule in design_rules().values():
+        assert rule.points > 0.0 or rule.drafted == 0.0, rule.id

@@ -16,7 +16,7 @@ from tests.critic import rooms
 from tests.critic.rooms import Case, put
 
 SMALL = 1.3
-"""Points that other criteria may lose by the same change."""
+"""Tenths of their grade that other criteria may lose by the same change."""
 
 
 def only(review: Review, kind: str, criterion: str = "layout") -> list[Fault]:
@@ -33,23 +33,24 @@ def falls(
     least: float = 0.4,
     also: tuple[str, ...] = (),
 ) -> Fault:
-    """The criterion falls, no other does by much, and a fault of the kind names the objects."""
+    """The criterion falls by tenths of its grade, no other does by much, and a fault of the kind names the objects."""
     before, after = good.review(), bad.review()
     assert not only(before, kind, criterion), before.faults
     found = only(after, kind, criterion)
     assert found, [(f.kind, f.reason) for f in after.faults]
     assert objects <= {object_id for f in found for object_id in f.objects}
-    assert after.grades[criterion] <= before.grades[criterion] - least
+    assert after.grades[criterion] <= before.grades[criterion] * (1.0 - least / 10.0)
     for name in after.grades:
         if name != criterion and name not in also:
-            assert after.grades[name] >= before.grades[name] - SMALL, name
+            assert after.grades[name] >= before.grades[name] * (1.0 - SMALL / 10.0), name
     return found[0]
 
 
 @pytest.mark.parametrize("case", [rooms.bedroom, rooms.living, rooms.office, rooms.restaurant, rooms.kitchen])
 def test_tidy_rooms_are_good(case) -> None:
     review = case().review()
-    assert min(review.grades.values()) >= 7.0, [(f.kind, f.reason) for f in review.faults]
+    assert min(review.grades.values()) >= 3.8, "no worse than what strict eyes grade on average: these rooms are bare"
+    assert not any(f.lid for f in review.faults), [(f.kind, f.reason) for f in review.faults]
     assert set(review.grades) == {"realism", "functionality", "layout", "completion", "alignment"}
 
 
@@ -74,7 +75,7 @@ def test_what_stands_on_a_nightstand_does_not_block_its_bed() -> None:
 def test_chair_with_its_back_to_the_desk() -> None:
     good = rooms.office()
     bad = good.but({"id": "office_chair-1", "yaw": -90})
-    fault = falls(good, bad, "wrong_orientation", {"office_chair-1", "desk-1"}, least=3.4)
+    fault = falls(good, bad, "wrong_orientation", {"office_chair-1", "desk-1"}, least=4.0)
     assert bad.review().grades["layout"] <= 5.0
     assert fault.tool == "update_rotation" and fault.inputs == {"ids": ["office_chair-1"], "toward": "desk-1"}
 
@@ -255,7 +256,9 @@ def test_tables_out_of_their_rows() -> None:
             x, y, _ = good.scene.object(object_id).pose.position
             changes.append({"id": object_id, "x": x + dx, "y": y + dy})
     bad = good.but(*changes)  # their lamps stay where they were
-    fault = falls(good, bad, "scattered", {"dining_table-3"}, least=0.3, also=("functionality", "realism"))
+    fault = falls(
+        good, bad, "scattered", {"dining_table-3"}, least=0.3, also=("functionality", "realism", "completion")
+    )
     assert fault.inputs == {"ids": []}
 
 

@@ -77,8 +77,9 @@ def _colours(survey: Survey) -> Iterator[Finding]:
         area = _area(body)
         whole += area
         dark += area if colour in DARK else 0.0
-        wood = _family(body) == "wood"
-        name = str(body.item.attributes.get("material")) if wood else _hue(colour)
+        family = _family(body)
+        wood = family == "wood"
+        name = str(body.item.attributes.get("material")) if wood else None if family == "metal" else _hue(colour)
         if name is not None and not asked_for(survey, body):
             (woods if wood else hues)[name] += area
             owners[name].append(body)
