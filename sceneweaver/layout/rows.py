@@ -17,6 +17,7 @@ import numpy as np
 
 from sceneweaver.geometry.angles import dot
 from sceneweaver.geometry.polygons import tidy
+from sceneweaver.geometry.shell import WALL_THICKNESS
 from sceneweaver.geometry.spread import even_places
 from sceneweaver.geometry.walls import Wall, walls_of
 from sceneweaver.kernels import tables as k
@@ -550,7 +551,9 @@ def _facing_door(frame: Frame, rel: Relation, value) -> list[list[Row]]:
 
 
 def _off_walls(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    return [[_distance(value("min"), INF, np.array([wall.start, wall.end])) for wall in frame.region.walls]]
+    """The distance from the body of every wall, which lies outside of the room."""
+    bodies = [np.array(wall.strip(0.0, wall.length, -WALL_THICKNESS, 0.0)) for wall in frame.region.walls]
+    return [[_distance(value("min"), INF, body) for body in bodies]]
 
 
 def _around(frame: Frame, rel: Relation, value) -> list[list[Row]]:
