@@ -97,7 +97,7 @@ class InitPrior:
             if given or not (crowded or astray) or large or context.hurried():
                 break
             area, drawn = area * GROWTH, 0
-        space = finished(space, room, look, seed)
+        space = finished(space, room, look, seed, brief.text)
         scene, unmet = _scene(context, space, program, places, rows, palette, people)
         fixed = given or brief.shape == "round"
         rooms, larger = [], []
@@ -117,8 +117,8 @@ class InitPrior:
         return Proposal(
             scene=scene,
             variants=tuple(variants),
-            rooms=tuple(finished(r, room, look, seed) for r in rooms[:ROOMS]),
-            larger=tuple(finished(r, room, look, seed) for r in larger),
+            rooms=tuple(finished(r, room, look, seed, brief.text) for r in rooms[:ROOMS]),
+            larger=tuple(finished(r, room, look, seed, brief.text) for r in larger),
             fresh=True,
             notes=tuple(notes),
             unmet=tuple(unmet),

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
+
+from sceneweaver.assets.materials import color_words
 from sceneweaver.geometry.angles import dot
 from sceneweaver.knowledge import RoomType
 from sceneweaver.knowledge.palettes import Palette, accent_for, floor_for
@@ -17,26 +21,44 @@ TILED = {"bathroom": (0.0, 2.1), "guest_toilet": (0.0, 1.2), "kitchen": (0.9, 1.
 MAIN = frozenset(("bed_group", "sofa", "sectional_sofa", "loveseat", "desk"))
 """Groups and categories of what a room is built around."""
 
+_WALLS = re.compile(r"(?P<color>[a-z]+(?: [a-z]+)?)(?:[- ]painted)? (?:walls\b|(?P<accent>accent|feature) wall\b)")
+
 AT_WALL = 0.3
 """Distance [m] of the back of a piece from its wall at most."""
 
 
-def finished(room: Room, room_type: RoomType, palette: Palette, seed: int) -> Room:
-    """The room with the paint, accent wall, tiles and floor of its palette."""
+def finished(room: Room, room_type: RoomType, palette: Palette, seed: int, text: str = "") -> Room:
+    """The room with the paint, accent wall, tiles and floor of its palette.
+
+    ``text`` is the request: "navy walls" and "a red accent wall" are painted so.
+    """
+    said = {which: color for color, which in _named(text)}
     floor = floor_for(room_type.name, room_type.floor, seed)
     tiles = TILED.get(room_type.name)
     kind = accent_for(room_type.name, seed)
     wall = accent_wall(room)
     accent = None
-    if kind != "plain" and tiles is None and wall is not None:
+    if said.get("accent") and wall is not None:
+        accent = WallAccent(kind="paint", color=said["accent"], walls=(wall,))
+    elif kind != "plain" and tiles is None and wall is not None and "walls" not in said:
         accent = WallAccent(kind=kind, color=palette.accent, walls=(wall,))
     finish = RoomFinish(
-        walls=palette.walls,
+        walls=said.get("walls", palette.walls),
         floor=FloorFinish(material=floor, tone=palette.floors.get(floor)),
         accent=accent,
         tiles=None if tiles is None else WallTiles(color=tile_color(palette), low=tiles[0], high=tiles[1]),
     )
     return room.model_copy(update={"finish": finish})
+
+
+def _named(text: str) -> Iterator[tuple[str, str]]:
+    """Colours that a text says of walls, with "walls" or "accent"."""
+    for match in _WALLS.finditer(text.lower()):
+        words = match["color"].split()
+        for color in (" ".join(words), words[-1]):
+            if color in color_words():
+                yield color, "accent" if match["accent"] else "walls"
+                break
 
 
 def accented(scene: Scene) -> Scene:

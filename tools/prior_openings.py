@@ -138,7 +138,8 @@ def windows_of(
                 widest = max(order, key=lambda i: walls[i].length)
                 placed[widest], width = 1, round(max(0.4, min(width, walls[widest].length - 0.6)), 2)
                 continue
-            notes.append(f"{count - k} of {count} windows do not fit in the walls")
+            if brief.windows is not None:
+                notes.append(f"{count - k} of {count} windows do not fit in the walls")
             break
         fresh = [i for i in fits if i not in placed]
         best = fits[0] if k == 0 or shared or not fresh else fresh[0]

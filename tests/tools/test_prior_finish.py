@@ -56,3 +56,21 @@ def test_the_accent_is_behind_the_bed():
     assert accented(free) == free
     plain = furnished(0.0, half + 0.02, 2.0, accent=False)
     assert accented(plain) == plain
+
+
+@pytest.mark.parametrize(
+    ("text", "walls", "accent"),
+    [
+        ("a bedroom with navy walls", "navy", None),
+        ("a bedroom with sage green walls and a black wall clock", "sage green", None),
+        ("a bedroom with white-painted walls and a red accent wall", "white", "red"),
+        ("a bedroom with brick walls", "", None),
+    ],
+)
+def test_colours_that_the_request_says_of_walls(text, walls, accent):
+    palette = palette_for("bedroom", "modern", (), 1)
+    for seed in range(8):
+        finish = finished(ROOM, room_type("bedroom"), palette, seed, text).finish
+        assert finish.walls == (walls or palette.walls)
+        assert not (walls and accent is None and finish.accent)
+        assert accent is None or finish.accent.color == accent
