@@ -63,7 +63,7 @@ def room_looks(room: Room) -> RoomLooks:
     if tone is not None:
         floor = replace(floor, name=f"{tone} floor", color=_floor_color(kind, tone))
     accent = finish.accent and _painted(finish.accent.color, "accent.color", 0.3)
-    tiles = finish.tiles and replace(_painted(finish.tiles.color, "tiles.color", 0.0), name="wall tile", roughness=0.25)
+    tiles = finish.tiles and replace(_painted(finish.tiles.color, "tiles.color", 0.3), name="wall tile", roughness=0.25)
     return RoomLooks(kind, floor, _painted(finish.walls, "walls", 0.5), accent, tiles)
 
 
