@@ -73,12 +73,13 @@ def run(settings: Settings, judge: Judge) -> Result:
         curve += [*rows, _improved(name, made, solution, settings)]
         agreement += _agreement(name, made, solution)
     result.add("curve", "Quality over candidates", CURVE, keys=2, detail=len(names) > 1).rows = curve
+    lacking = {r["room"] for r in curve if None in (r["grade"], r["before"])}
     means = [
         {"candidates": count, **{c.key: fmean(r[c.key] for r in found) for c in MEANS[1:-1]}, "rooms": len(found)}
         for count in dict.fromkeys(r["candidates"] for r in curve)
-        if (found := [r for r in curve if r["candidates"] == count and None not in (r["grade"], r["before"])])
+        if (found := [r for r in curve if r["candidates"] == count and r["room"] not in lacking])
     ]
-    result.add("means", "Means over rooms with a valid layout", MEANS).rows = means
+    result.add("means", "Means over rooms with valid layouts in every row", MEANS).rows = means
     result.add(
         "agreement", "Rank correlation of points lost with what the critic takes off", AGREEMENT
     ).rows = agreement
@@ -88,8 +89,8 @@ def run(settings: Settings, judge: Judge) -> Result:
         y = (key,) if key == "points" else ("grade", "before")
         result.plots.append(Plot(f"choice-{key}", title, "drawn", "candidates", y, log_x=True, page=True))
     result.notes.append(
-        "Rooms without a valid layout among so few candidates are left out of that row's means, so rows with fewer "
-        "rooms do not compare. Spearman's correlation over valid layouts drawn at random of all, soft relations that "
+        f"Without a valid layout in some row, and so left out of the means: {', '.join(sorted(lacking)) or 'none'}. "
+        "Spearman's correlation over valid layouts drawn at random of all, soft relations that "
         "fail included on both sides; 1: the same order. Spread: the standard deviation of the critic's grades there; "
         "where it is small there is little to agree on."
     )

@@ -24,7 +24,7 @@ from sceneweaver.scene import Scene
 from . import choice_groups
 from .choice_rules import Rules
 
-MOST_GOALS, MOST_REACHED = 8, 24
+MOST_GOALS, MOST_REACHED = 8, 32
 """Ways that are measured: to the largest pieces."""
 
 
@@ -36,7 +36,15 @@ def choice_terms(scene: Scene, room_type: RoomType) -> list[QualityTerm]:
         room_type: the kind of room, which says what rules there are.
     """
     rules = Rules(scene, room_type.name)
-    return [*choice_groups.terms(rules), *_doors(rules), *_use(rules), *_ways(rules), *_walls(rules), *_fill(rules)]
+    return [
+        *choice_groups.terms(rules),
+        *_doors(rules),
+        *_use(rules),
+        *_ways(rules),
+        *_walls(rules),
+        *_tables(rules),
+        *_fill(rules),
+    ]
 
 
 def _doors(rules: Rules) -> Iterator[QualityTerm]:
@@ -96,10 +104,11 @@ def _ways(rules: Rules) -> Iterator[QualityTerm]:
         if o.category in USED:
             side = 0 if o.category in kinds.WALL_BACKED else -1
             yield from rules.term("reachable", "way", o.id, low=BODY, span=0.2, reach=near, side=side)
-        if o.id not in rules.movable:
-            # From where a robot can stand it reaches so far; to what has seats, over any side.
-            params = {"reach": 0.35, "side": -1.0 if o.category in kinds.SEATED_AT else 0.0}
-            yield QualityTerm("way", (o.id,), 0.4, span=0.4, weight=0.8, params=params, rule="unreachable", most=3.0)
+        # From where a robot can stand it reaches so far; to seats and what has seats, over any side.
+        any_side = o.category in kinds.SEATED_AT or kinds.upright_seat(o.category)
+        params = {"reach": 0.35, "side": -1.0 if any_side else 0.0}
+        points = 1.2 if o.intent.priority in ("asked", "needed") else 0.4
+        yield QualityTerm("way", (o.id,), 0.4, span=0.4, weight=points, params=params, rule="unreachable", most=4.0)
 
 
 def _walls(rules: Rules) -> Iterator[QualityTerm]:
@@ -118,6 +127,16 @@ def _walls(rules: Rules) -> Iterator[QualityTerm]:
                 tall=TALL,
                 run=run,
             )
+
+
+def _tables(rules: Rules) -> Iterator[QualityTerm]:
+    """Tables that people sit around, off the walls."""
+    walls = [f"wall:{k}" for k in range(len(rules.scene.room.outline))]
+    least = limit("table_off_walls", "gap")
+    for table in rules.of_kind(kinds.DINING):
+        around = [o for o in rules.standing if kinds.upright_seat(o.category) and table in rules.tied(o, kinds.DINING)]
+        if table.mount == "floor" and len(around) >= (3 if "round" in table.category else 4):
+            yield from rules.term("table_off_walls", "nearest", table.id, *walls, low=least, span=least)
 
 
 def _fill(rules: Rules) -> Iterator[QualityTerm]:

@@ -30,13 +30,6 @@ class Rules:
         found = [o for o in self.scene.objects if o.mount == "floor" and o.size[2] > FLAT]
         return sorted(found, key=lambda o: -round(o.size[0] * o.size[1], 6))
 
-    @cached_property
-    def _kinds(self) -> dict[str, list[SceneObject]]:
-        found: dict[str, list[SceneObject]] = defaultdict(list)
-        for o in self.scene.objects:
-            found[o.category].append(o)
-        return found
-
     def of_kind(self, *categories: Iterable[str]) -> list[SceneObject]:
         """The objects of some categories, in the scene's order."""
         wanted = frozenset().union(*categories)

@@ -159,13 +159,13 @@ class Solution:
     def distinct(self, k: int) -> list[Scene]:
         """Up to k valid layouts, best first, that differ: some object is 0.5 m or 45 degrees away.
 
-        With terms of quality the best of each of `signatures` come first, and what differs less only fills up.
+        With terms of quality the best of each of `signatures` come first and make up half; the others differ in poses.
         """
         return [self.scene(i) for i in self.best_candidates(k)]
 
     def best_candidates(self, k: int) -> list[int]:
         """The candidates of `distinct`."""
-        first = [] if self.quality is None else best_of_each_signature(self)[:k]
+        first = [] if self.quality is None else best_of_each_signature(self)[: (k + 1) // 2]
         chosen = [int(i) for i in first]
         left = self.ranked
         for i in chosen:
