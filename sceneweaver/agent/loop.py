@@ -23,7 +23,7 @@ from .faults import fault
 from .folder import RunFolder
 from .memory import Call, Memory, Step
 from .planner import LISTS, Planner, Situation
-from .relaxation import cleared
+from .relaxation import REASON, cleared
 from .settings import Settings
 
 BLIND_PLAN = ("init_prior", "add_tabletop", "add_crowd", "add_wall_objects", "update_layout")
@@ -45,6 +45,9 @@ HURRY = 0.5
 NOTHING_YET = "time was up before anything was placed"
 
 Said = Callable[[Step], None]
+
+GOOD = 5.0
+"""Grade for layout and functionality from which on a first layout that lacks nothing is taken without another draw."""
 
 
 @dataclass
@@ -230,6 +233,8 @@ class Run:
                 self.undone = (*self.undone, row["failed"])
             row["seconds"] = round(time.monotonic() - began, 3)
             tried.append(row)
+            if self.best is None and k in outcomes and _complete(outcomes[k]):
+                break  # another draw of the room costs as much again
         return outcomes, tried
 
     def _propose(self, call: Call, scene: Scene) -> Proposal:
@@ -284,6 +289,15 @@ class Run:
             self._keep(current)
         if self.said is not None:
             self.said(step)
+
+
+def _complete(outcome: Outcome) -> bool:
+    """Whether a first layout is valid, has all that it was meant to have, and is well laid out."""
+    if min(outcome.review.grades[name] for name in ("layout", "functionality")) < GOOD:
+        return False
+    return outcome.report.valid and not (
+        outcome.unmet or outcome.scene.dropped or any(REASON in note for note in outcome.notes)
+    )
 
 
 def bare_scene(brief: SceneGraph, room_type: RoomType, seed: int) -> Scene:

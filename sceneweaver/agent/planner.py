@@ -30,7 +30,7 @@ LISTS = {
 """Tools whose calls for several faults are one call, and the input that holds what each of them asks for."""
 
 LAST_BEGINNING, ROOMIER = 4, 0.15
-"""Ways to begin at most, and how much more floor each further draw has."""
+"""Ways to begin at most, and how much more floor each draw after the second has."""
 
 FIRST = 6.0
 """How much more a point of what is not as asked counts than one of any other fault."""
@@ -118,8 +118,8 @@ def _beginnings(situation: Situation) -> list[Call]:
     ]
     fixed = situation.brief.size is not None or situation.brief.area is not None
     for k in range(len(calls), LAST_BEGINNING):
-        inputs = {} if fixed else {"roomier": round(1.0 + ROOMIER * (k - len(found) + 1), 2)}
-        reason = "another draw" if fixed else "another draw, with more floor"
+        inputs = {} if fixed else {"roomier": round(1.0 + ROOMIER * (k - len(found)), 2)}
+        reason = "another draw" if fixed or k == len(found) else "another draw, with more floor"
         calls.append(
             calls[0].model_copy(update={"seed": _seed(settings.seed, k, "init"), "inputs": inputs, "reason": reason})
         )

@@ -39,6 +39,9 @@ HEAD_GAP = 0.15
 BEYOND = 0.6
 """Share of a free space outside of the room from which on nobody can stand in it."""
 
+BESIDE = 70.0
+"""Angle [degrees] up to which a screen or keyboard that is square to its desk serves a chair that stands aside."""
+
 NOSE = 0.4
 """Distance [m] to a wall from which the front of a thing is usable."""
 
@@ -245,7 +248,7 @@ def _desk_screens(survey: Survey) -> Iterator[Finding]:
         viewer = min(seats, key=lambda b: (round(math.dist(b.centre, screen.centre), 4), b.id), default=None)
         if viewer is not None:
             angle = math.degrees(turn_to(screen, viewer.centre))
-            if angle > SCREEN:
+            if angle > SCREEN and not (angle < BESIDE and _square_to(screen, base)):
                 yield _wrong(
                     [screen.id, viewer.id],
                     f"{screen.id} is turned {angle:.0f} degrees away from {viewer.id}",
@@ -265,6 +268,11 @@ def _desk_screens(survey: Survey) -> Iterator[Finding]:
                     1.0,
                     yaw=round(base.yaw, 4),
                 )
+
+
+def _square_to(thing: Body, base: Body) -> bool:
+    """Whether a thing lies parallel to a side of what carries it, as a keyboard does however the chair stands."""
+    return abs(math.degrees(wrap_angle(thing.yaw - base.yaw, math.pi / 2))) < 10.0
 
 
 def _televisions(survey: Survey) -> Iterator[Finding]:
