@@ -66,15 +66,14 @@ class ParametricSource:
         """The wish within what the category can be: sizes are brought into its ranges."""
         sizes = categories()[match.body].size
         assert sizes is not None
-        size = tuple(
+        depth, width, height = (
             None if want is None else min(max(want, low), high)
             for want, (low, high) in zip(wish.size, sizes.reach if wish.beyond else sizes.ranges, strict=True)
         )
+        size = (depth, width, height)
         style = wish.style if wish.style in STYLES else None
         label = match.category if match.body != match.category else None
-        return Request(  # pyright: ignore[reportArgumentType]
-            size, wish.color, wish.material, style, wish.shape, wish.parts, label, wish.palette, wish.suite
-        )
+        return Request(size, wish.color, wish.material, style, wish.shape, wish.parts, label, wish.palette, wish.suite)
 
 
 TRIES, TRIES_FOR_COUNTS = 8, 24
