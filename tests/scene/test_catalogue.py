@@ -79,7 +79,7 @@ TABLE = {
     "facing_door": ("door?", F, (), 50, None, None, {"aside": None}, False),
     "off_walls": ("none", (), (), None, None, None, {"min": 0.9}, False),
     "on_grid": ("none", (), (), None, None, None, {"k": 0, "n": 1, "offset": 0.3}, False),
-    "beside": ("object", (), LR, None, None, None, {"max": 1.5, "min": 0, "band": 1.5}, True),
+    "beside": ("object", (), LR, None, None, None, {"max": 1.5, "min": 0, "band": 1.5}, False),
 }
 
 
