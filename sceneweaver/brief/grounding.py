@@ -22,6 +22,9 @@ SIDED = {"left_of": "left", "right_of": "right", "in_front_of": "front", "behind
 """Stated relations that name a side of their target."""
 
 
+LONG, END = 1.5, 0.8
+"""How many times longer than deep a table is that is sat at by its sides; how deep [m] it is for seats at its ends."""
+
 FURTHEST = 60.0
 """Most distance [m] where none is given."""
 
@@ -168,6 +171,8 @@ def _paired(
     wanted = _sides_of(said, group[0])
     if said.type == "flanking" and len(everything) > len(wanted) and everything[0].is_seat and group[0].is_table:
         wanted = _sides_of(said.model_copy(update={"type": "along"}), group[0])  # more chairs than a table has ends
+    if said.type == "around" and not said.each and len(everything) >= 4 and _is_long(everything[0], group[0]):
+        wanted = _all_sides(group[0], len(everything))
     if said.each and said.count is not None:
         many = said.count[0] * len(group if not wanted else [(t, s) for t in group for s in wanted])
         subjects = list(everything)[:many]
@@ -195,6 +200,19 @@ def _paired(
         k = spots[target.id, side] = spots.get((target.id, side), -1) + 1
         numbered.append(_Pair(subject, target, side, k))
     return [replace(pair, n=spots[pair.target.id, pair.side] + 1) for pair in numbered]
+
+
+def _is_long(subject: Thing, target: Thing) -> bool:
+    """Whether seats go around a table that is much longer than deep: even angles would leave its ends crowded."""
+    return subject.is_seat and target.is_table and max(target.size[:2]) > LONG * min(target.size[:2])
+
+
+def _all_sides(target: Thing, count: int) -> list[str]:
+    """The side of a long table for each of so many seats: one at each end from six on, the others along its sides."""
+    depth, width = target.size[:2]
+    long, short = (["front", "back"], ["left", "right"]) if width >= depth else (["left", "right"], ["front", "back"])
+    ends = short if count >= 6 and min(depth, width) >= END else []
+    return [long[k % 2] for k in range(count - len(ends))] + ends
 
 
 def _sides_of(said: StatedRelation, target: Thing) -> list[str]:

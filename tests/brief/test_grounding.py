@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import Any
 
 import pytest
@@ -13,6 +14,7 @@ SIZES = {
     "bed": (2.1, 1.6, 1.0),
     "nightstand": (0.4, 0.45, 0.55),
     "dining_table": (0.9, 1.8, 0.75),
+    "round_dining_table": (1.2, 1.2, 0.75),
     "chair": (0.5, 0.45, 0.9),
     "sofa": (0.9, 2.0, 0.8),
     "rug": (2.0, 3.0, 0.012),
@@ -104,8 +106,15 @@ def test_each_target_has_its_own():
 
 
 def test_all_of_several_are_meant_where_nothing_is_said():
-    found = pairs(said("around", "chair", "dining_table"), chair=6, dining_table=1)
-    assert found == [("around", f"chair-{k}", "dining_table-0") for k in range(6)]
+    found = pairs(said("around", "chair", "round_dining_table"), chair=6, round_dining_table=1)
+    assert found == [("around", f"chair-{k}", "round_dining_table-0") for k in range(6)]
+
+
+def test_around_a_long_table_each_side_has_its_seats():
+    rows, _ = grounded(graph(said("around", "chair", "dining_table")), things(chair=8, dining_table=1))
+    assert {row.type for row in rows} == {"seated_at"}
+    sides = Counter(row.params["side"] for row in rows)
+    assert len(sides) in (2, 4) and max(sides.values()) - min(sides.values()) <= 2 and sides.total() == 8
 
 
 @pytest.mark.parametrize(

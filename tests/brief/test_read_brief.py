@@ -115,7 +115,7 @@ RELATIONS: list[tuple[str, set[tuple[str, str, Any]]]] = [
     ("a clock on the wall above the desk", {("against_wall", "wall_clock", None), *over("wall_clock", "desk")}),
     (
         "a table in the middle of the room with four chairs around it",
-        {("in_middle", "dining_table", "middle"), ("around", "chair", "dining_table")},
+        {("in_middle", "dining_table", "middle"), ("seated_at", "chair", "dining_table")},
     ),
     ("a rug under the table", {("over", "rug", "dining_table")}),
     (

@@ -165,7 +165,7 @@ RELATIONS: list[tuple[str, set[tuple[str, str, Any]]]] = [
     ),
     ("two desks, each with a lamp", {("on_top", "table_lamp", "desk")}),
     ("a plant on the shelf", {("on_top", "small_plant", "wall_shelf")}),
-    ("six chairs around the dining table", {("around", "chair", "dining_table")}),
+    ("six chairs around the dining table", {("seated_at", "chair", "dining_table")}),
 ]
 
 LOOKS: list[tuple[str, str, dict[str, Any]]] = [
