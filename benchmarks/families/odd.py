@@ -21,8 +21,9 @@ import numpy as np
 
 from benchmarks.judging import Judge
 from benchmarks.odd_requests import KINDS, odd_requests
+from benchmarks.parallel import core_shares
 from benchmarks.results import Column, Result
-from benchmarks.settings import ROOT, Settings
+from benchmarks.settings import ROOT, Settings, cores
 from sceneweaver.scene import InputError, Scene
 
 EACH, QUICK = 15, 2
@@ -100,8 +101,7 @@ def run(settings: Settings, judge: Judge) -> Result:
 @contextmanager
 def _cores(jobs: int) -> Iterator[ThreadPoolExecutor]:
     """Threads that each have a few cores to themselves, for themselves and for the processes that they start."""
-    cores = sorted(os.sched_getaffinity(0))
-    shares = [cores[k : k + CORES_EACH] for k in range(0, len(cores), CORES_EACH)][: max(1, jobs)]
+    shares = core_shares(min(jobs, max(1, cores() // CORES_EACH)))
     left: queue.SimpleQueue[list[int]] = queue.SimpleQueue()
     for share in shares:
         left.put(share)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.judging import Judge
+from benchmarks.parallel import each
 from benchmarks.results import Column, Result
 from benchmarks.settings import Settings
 from sceneweaver.agent import design
@@ -46,7 +47,8 @@ def run(settings: Settings, judge: Judge) -> Result:
         "ones, by the judge.",
     )
     texts = requests()[:1] if settings.quick else requests()
-    tabulate(result, [row_of(text, settings, settings.seed + number) for number, text in enumerate(texts)])
+    calls = [(text, settings, settings.seed + number) for number, text in enumerate(texts)]
+    tabulate(result, each(row_of, calls, settings.jobs))
     return result
 
 

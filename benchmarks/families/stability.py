@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+from benchmarks import parallel
 from benchmarks.designs import PAPER, designed
 from benchmarks.exported import COLUMNS, SECONDS, joined, measure
 from benchmarks.judging import Judge
@@ -27,10 +30,9 @@ def run(settings: Settings, judge: Judge) -> Result:
     each = result.add("seeds", "Each seed", (COLUMNS[0], Column("seed", "seed", "count"), *COLUMNS[1:]), keys=2)
     each.detail = True
     names = list(PAPER)[:1] if settings.quick else list(PAPER)
+    seeds = range(settings.seed, settings.seed + (1 if settings.quick else 3))
+    each.rows += parallel.each(_row, [(name, settings, seed) for name in names for seed in seeds], settings.jobs)
     for name in names:
-        for seed in range(settings.seed, settings.seed + (1 if settings.quick else 3)):
-            scene = designed(name, settings, seed)[0].scene
-            each.rows.append({"room": name, "seed": seed, **measure(scene, 0.2 if settings.quick else SECONDS)})
         table.rows.append(joined(name, [row for row in each.rows if row["room"] == name]))
     every = joined("all", each.rows)
     table.rows.append(every)
@@ -41,3 +43,8 @@ def run(settings: Settings, judge: Judge) -> Result:
             f"{key}: {every[key]:.4g}, goal {most:g}" for key, most in GOALS.items() if every[key] > most
         ]
     return result
+
+
+def _row(name: str, settings: Settings, seed: int) -> dict[str, Any]:
+    scene = designed(name, settings, seed)[0].scene
+    return {"room": name, "seed": seed, **measure(scene, 0.2 if settings.quick else SECONDS)}

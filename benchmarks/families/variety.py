@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import multiprocessing
 from collections import Counter
 from collections.abc import Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 
 from benchmarks.judging import Judge
+from benchmarks.parallel import each
 from benchmarks.results import Column, Result
 from benchmarks.settings import Settings
 from benchmarks.shell_signature import layout_signature, openings, shell_signature
@@ -78,13 +77,7 @@ def run(settings: Settings, judge: Judge) -> Result:
     )
     count = settings.count or (QUICK if settings.quick else SEEDS)
     seeds = range(settings.seed, settings.seed + count)
-    if settings.jobs > 1 and count > 1:
-        context = multiprocessing.get_context("spawn")
-        with ProcessPoolExecutor(settings.jobs, mp_context=context) as pool:
-            jobs = [pool.submit(made, seed, settings.device, settings.most) for seed in seeds]
-            rooms = [job.result() for job in jobs]
-    else:
-        rooms = [made(seed, settings.device, settings.most) for seed in seeds]
+    rooms = each(made, [(seed, settings.device, settings.most) for seed in seeds], settings.jobs)
     tabulate(result, rooms)
     return result
 
