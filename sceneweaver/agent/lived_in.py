@@ -16,11 +16,12 @@ from sceneweaver.verify import check
 
 from .executor import Executor, Outcome
 
-TOUCHES: tuple[tuple[Tool, ...], ...] = ((AddWallObjects(),), (AddTabletop(), AddCrowd()), (AddClutter(),))
-"""Tools of the last touches, those of a touch together; each touch is kept or not."""
+TOUCHES: tuple[tuple[Tool, ...], ...] = ((AddWallObjects(), AddTabletop(), AddCrowd()), (AddClutter(),))
+"""Tools of the last touches, those of a touch together: a shelf that is hung is filled; each touch is kept or not."""
 
 ROUNDS = 4
-"""Times that edits which break a rule are taken back before the room stays as it is."""
+"""Times that edits which break a rule, or which the critic finds fault with, are taken back before the room stays as it
+is."""
 
 WORSE = 0.1
 """Points of the mean grade that a room may lose by a touch."""
@@ -57,9 +58,11 @@ def _touched(outcome: Outcome, executor: Executor, context: Context, tools: Sequ
         report = check(scene)
         if report.valid:
             after = replace(executor.judged(scene, report), notes=outcome.notes, unmet=outcome.unmet)
-            good = after.review.unmet <= outcome.review.unmet and after.review.total >= outcome.review.total - WORSE
-            return after if good else outcome
-        wrong = {name for v in report.violations if v.hard for name in v.objects}
+            if after.review.unmet <= outcome.review.unmet and after.review.total >= outcome.review.total - WORSE:
+                return after
+            wrong = {name for fault in after.review.faults for name in fault.objects}
+        else:
+            wrong = {name for v in report.violations if v.hard for name in v.objects}
         kept = _without(edits, wrong)
         edits = kept if len(kept) < len(edits) else []
     return outcome

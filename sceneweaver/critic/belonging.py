@@ -10,6 +10,7 @@ from sceneweaver.assets import categories
 from sceneweaver.knowledge import RoomType
 from sceneweaver.knowledge.complete import expected_of
 from sceneweaver.knowledge.lived_in import left_about
+from sceneweaver.knowledge.wall_things import wall_things
 from sceneweaver.verify.solids import Body
 
 from . import kinds
@@ -67,7 +68,7 @@ def _foreign(survey: Survey) -> Iterator[Finding]:
         category = body.item.category
         if category in own or category in asked or body.id in survey.program.item_of:
             continue
-        if left_about(category, survey.room_type.name):
+        if left_about(category, survey.room_type.name) or category in wall_things(survey.room_type.name):
             continue
         if body.item.intent.request in {a.id for a in survey.brief.entities}:
             continue

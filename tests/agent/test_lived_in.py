@@ -65,6 +65,24 @@ def test_a_show_room_has_nothing_on_its_floor_and_chairs_pushed_in():
     assert len(left) >= 2 and all(o.intent.priority == "optional" for o in left)
 
 
+def test_shelves_that_are_hung_are_filled(monkeypatch):
+    monkeypatch.setattr("sceneweaver.tools.add_wall_objects.wall_things", lambda room: {"wall_shelf": 1.0})
+    after = touched(bedroom(), 0.0)[1].scene
+    shelves = [o.id for o in after.objects if o.category == "wall_shelf"]
+    carrying = {o.support.object for o in after.objects if o.support is not None}
+    assert shelves and set(shelves) <= carrying
+
+
+def test_what_lowers_the_grade_is_taken_back_alone(monkeypatch):
+    """What is out of place in a bedroom goes; the other walls keep what was hung."""
+    things = {"picture": 1.0, "range_hood": 1.0}
+    monkeypatch.setattr("sceneweaver.tools.add_wall_objects.wall_things", lambda room: things)
+    before, after = touched(bedroom(), 0.0)
+    hung = {o.category for o in after.scene.objects if o.mount == "wall"}
+    assert hung == {"picture"}
+    assert after.review.total >= before.review.total
+
+
 @pytest.mark.parametrize("prompt", ["a minimalist bedroom", "a bedroom with only a bed and a desk"])
 def test_who_wants_little_gets_no_more(prompt):
     before, after = touched(bedroom(), 1.0, prompt)
