@@ -222,16 +222,21 @@ def _sided(kind: str, a: Thing, b: Thing, side: str) -> Iterator[Row]:
 def _along(a: Thing, b: Thing, side: str, k: int, n: int) -> Iterator[Row]:
     """At the ``k``-th of ``n`` places of a side."""
     if a.mount == "floor" and b.mount == "floor":
-        gap = list(PULLED) if a.is_seat else [0.0, 0.5]
-        yield Row("seated_at", {"side": side, "k": k, "n": n, "gap": gap, "offset": 0.12})
+        yield from _at_place(side, k, n, list(PULLED) if a.is_seat else [0.0, 0.5])
     else:
         yield from _sided("in_front_of", a, b, side)
+
+
+def _at_place(side: str, k: int, n: int, gap: list[float]) -> Iterator[Row]:
+    """Before the middle of a part of a side; what is against a thing may stand in the space that this keeps free."""
+    yield Row("seated_at", {"side": side, "k": k, "n": n, "gap": gap, "offset": 0.12})
+    yield Row("front_against", {"gap": gap}, hard=False)
 
 
 def _at_end(kind: str, a: Thing, b: Thing, side: str | None, k: int, n: int) -> Iterator[Row]:
     """At the foot of a bed, at the head of a table."""
     if a.is_seat and b.is_table and side is not None:
-        yield Row("seated_at", {"side": side, "k": k, "n": n, "gap": list(PULLED), "offset": 0.12})
+        yield from _at_place(side, k, n, list(PULLED))
         return
     yield from _sided("in_front_of" if kind == "at_foot" else "behind", a, b, "front" if kind == "at_foot" else "back")
     yield Row("near", {"max": REACH})

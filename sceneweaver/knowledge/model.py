@@ -191,8 +191,6 @@ class RoomType(FrozenModel):
     windows: Opening
     styles: tuple[str, ...] = ("modern", "scandinavian")
     floor: Literal["wood", "tile", "carpet", "concrete", "stone"] = "wood"
-    walls: str = Field(default="white", description="Colour of the walls")
-    walkway: float = Field(default=0.7, description="Usual width [m] of ways through it")
     fill: float = Field(default=0.33, gt=0, lt=1, description="Share of the floor that furniture takes as a rule")
     made_of: tuple[str, ...] = Field(default=(), description="Items that may be most of it: chairs in a restaurant")
     items: tuple[Item, ...]

@@ -85,7 +85,8 @@ def test_two_kinds_flank_from_different_sides():
 def test_counts_on_each_long_side():
     relation = said("along", "chair", "dining_table", side="long", count=(2, 2), each=True)
     rows, _ = grounded(graph(relation), things(chair=6, dining_table=1))
-    at = [(row.params["side"], row.params["k"], row.params["n"]) for row in rows]
+    placed = [row for row in rows if row.type == "seated_at"]
+    at = [(row.params["side"], row.params["k"], row.params["n"]) for row in placed]
     assert sorted(at) == [("back", 0, 2), ("back", 1, 2), ("front", 0, 2), ("front", 1, 2)]
 
 
@@ -112,8 +113,10 @@ def test_all_of_several_are_meant_where_nothing_is_said():
 
 def test_around_a_long_table_each_side_has_its_seats():
     rows, _ = grounded(graph(said("around", "chair", "dining_table")), things(chair=8, dining_table=1))
-    assert {row.type for row in rows} == {"seated_at"}
-    sides = Counter(row.params["side"] for row in rows)
+    placed, drawn_up = ([row for row in rows if row.type == name] for name in ("seated_at", "front_against"))
+    assert [row.subject for row in placed] == [row.subject for row in drawn_up]
+    assert len(rows) == 16 and not any(row.hard for row in drawn_up)
+    sides = Counter(row.params["side"] for row in placed)
     assert len(sides) in (2, 4) and max(sides.values()) - min(sides.values()) <= 2 and sides.total() == 8
 
 

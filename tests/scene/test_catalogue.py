@@ -59,7 +59,7 @@ TABLE = {
     "above": ("object", (), (), None, None, None, {"lateral": 0.5}, False),
     "below": ("object", (), (), None, None, None, {"lateral": 0.5}, False),
     "same_height": ("object", (), (), None, None, None, {"tolerance": 0.03}, False),
-    "seated_at": ("object", F, ALL, 15, "tucked", None, {"side": "front", "k": 0, "n": 1, "offset": 0.05}, True),
+    "seated_at": ("object", F, ALL, 15, "tucked", None, {"side": "front", "k": 0, "n": 1, "offset": 0.05}, False),
     "next_to": (
         "object",
         (),
@@ -70,12 +70,12 @@ TABLE = {
         {"side": "left", "offset": 0.05},
         False,
     ),
-    "run_on": ("object", (), LR, 3, (0, 0.03), None, {"side": "right", "offset": 0.05}, True),
+    "run_on": ("object", (), LR, 3, (0, 0.03), None, {"side": "right", "offset": 0.05}, False),
     "in_middle": ("none", (), (), None, None, None, {"offset": 0.5}, False),
     "over": ("object", (), (), None, None, None, {"inset": 0, "forward": 0, "left": 0, "offset": None}, False),
     "near_window": ("window?", (), (), None, None, None, {"min": 0, "max": 1.2}, False),
     "near_door": ("door?", (), (), None, None, None, {"min": 0, "max": 1.2}, False),
-    "across_from": ("object", F, ALL, 5, (0.3, 3), None, {"side": "any", "k": 0, "n": 1, "offset": 0.15}, True),
+    "across_from": ("object", F, ALL, 5, (0.3, 3), None, {"side": "any", "k": 0, "n": 1, "offset": 0.15}, False),
     "facing_door": ("door?", F, (), 50, None, None, {"aside": None}, False),
     "off_walls": ("none", (), (), None, None, None, {"min": 0.9}, False),
     "on_grid": ("none", (), (), None, None, None, {"k": 0, "n": 1, "offset": 0.3}, False),
@@ -100,6 +100,18 @@ def test_numbers_of_the_design(name):
     assert spec.target in TARGETS and {*spec.subject_sides, *spec.target_sides} <= {*SIDES}
     assert spec.description.endswith(".") and all(p.description for p in spec.params.values())
     assert all(p.unit in ("m", "deg", "") and p.name == key for key, p in spec.params.items())
+
+
+def test_zones_are_tied_by_the_types_of_the_contract_alone():
+    tying = {name for name, spec in CATALOGUE.items() if spec.ties_zones}
+    assert tying == {
+        "front_against",
+        "front_to_front",
+        "leftright_to_leftright",
+        "side_by_side",
+        "back_to_back",
+        "around",
+    }
 
 
 def test_defaults_pass_their_own_checks():

@@ -101,30 +101,17 @@ def test_centered_on_axes(ahead, left, params, expected):
     assert holds([target, subject], relation("centered_on", "s", "t", **params)) is expected
 
 
-@pytest.mark.parametrize(("left", "offset", "expected"), [
-    (0.3, None, True),
-    (0.3, 0.1, False),
-    (0.09, 0.1, True),
-    (-0.11, 0.1, False),
-])  # fmt: skip
-def test_front_to_front_about_its_middle(left, offset, expected):
+@pytest.mark.parametrize(
+    ("kind", "ahead", "params"), [("front_to_front", 1.0, {"gap": [0.3, 0.5]}), ("facing", 3.0, {})]
+)
+@pytest.mark.parametrize(
+    ("left", "offset", "expected"), [(0.3, None, True), (0.3, 0.1, False), (0.09, 0.1, True), (-0.11, 0.1, False)]
+)
+def test_on_the_axis_of_the_target(kind, ahead, params, left, offset, expected):
     target = box("t", (0.8, 2.0, 0.7), 4.0, 4.0, 30.0)
-    subject = box("s", (0.4, 1.0, 0.4), *beside(target, 1.0, left), 210.0)
-    params = {"gap": [0.3, 0.5]} | ({} if offset is None else {"offset": offset})
-    assert holds([target, subject], relation("front_to_front", "s", "t", **params)) is expected
-
-
-@pytest.mark.parametrize(("left", "offset", "expected"), [
-    (0.3, None, True),
-    (0.3, 0.1, False),
-    (0.09, 0.1, True),
-    (-0.11, 0.1, False),
-])  # fmt: skip
-def test_facing_on_the_axis(left, offset, expected):
-    target = box("t", (0.8, 2.0, 0.7), 4.0, 4.0, 30.0)
-    subject = box("s", (0.4, 1.0, 0.4), *beside(target, 3.0, left), 210.0)
-    params = {} if offset is None else {"offset": offset}
-    assert holds([target, subject], relation("facing", "s", "t", **params)) is expected
+    subject = box("s", (0.4, 1.0, 0.4), *beside(target, ahead, left), 210.0)
+    params = params | ({} if offset is None else {"offset": offset})
+    assert holds([target, subject], relation(kind, "s", "t", **params)) is expected
 
 
 @pytest.mark.parametrize(("ahead", "turned", "backs", "expected"), [
