@@ -19,6 +19,7 @@ from benchmarks.results import Result
 from benchmarks.rivals import RIVALS
 from benchmarks.rooms import ROOMS
 from benchmarks.settings import OUT, ROOT, Settings, cores
+from sceneweaver.knowledge import room_types
 from sceneweaver.scene import SceneWeaverError
 
 PAGE = ROOT / "docs" / "benchmarks.md"
@@ -52,6 +53,8 @@ def parser() -> argparse.ArgumentParser:
     )
     p.add_argument("families", nargs="*", metavar="FAMILY", help=f"some of {', '.join(FAMILIES)} (default: all)")
     p.add_argument("--rooms", default="", metavar="A,B", help="rooms of the zoo, with commas between them")
+    p.add_argument("--kinds", default="", metavar="A,B", help="kinds of rooms to design, with commas between them")
+    p.add_argument("--designs", nargs="+", type=Path, default=[], metavar="DIR", help="designs to read, not to make")
     p.add_argument("--all", action="store_true", help="all rooms of the zoo where a family takes only some")
     p.add_argument("--device", default="auto", help="auto, cpu, cuda, cuda:k or cuda:all (default: auto)")
     p.add_argument("--quick", action="store_true", help="small sizes, to see that everything works")
@@ -84,6 +87,8 @@ def _settings(options: argparse.Namespace) -> Settings:
         raise ValueError(f"--seed: {options.seed} is not from 0 to 2**31 - 1")
     return Settings(
         rooms=_names(options.rooms, ROOMS, "room"),
+        kinds=_names(options.kinds, tuple(room_types()), "kind of room"),
+        designs=tuple(options.designs),
         device=resolve(options.device),
         quick=options.quick,
         everything=options.all,

@@ -22,6 +22,8 @@ class Settings:
 
     Attributes:
         rooms: zoo rooms to use; empty: those of the family.
+        kinds: kinds of rooms to design; empty: those of the family.
+        designs: designs that were made before, for a family that reads such; empty: it makes new ones.
         device: as for ``sceneweaver.refine``.
         quick: small sizes, to see that everything works; the numbers mean little.
         everything: the families that use a few rooms use all of them.
@@ -35,6 +37,8 @@ class Settings:
     """
 
     rooms: tuple[str, ...] = ()
+    kinds: tuple[str, ...] = ()
+    designs: tuple[Path, ...] = ()
     device: str = "auto"
     quick: bool = False
     everything: bool = False
@@ -56,4 +60,5 @@ class Settings:
         data = asdict(self)
         for name in ("out", "commit"):
             del data[name]
+        data["designs"] = [str(path) for path in self.designs]
         return {k: list(v) if isinstance(v, tuple) else v for k, v in data.items()}

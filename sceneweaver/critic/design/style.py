@@ -135,25 +135,12 @@ def _like(a: str, b: str) -> bool:
 
 def _small(survey: Survey) -> Iterator[Finding]:
     """Small things of other styles than the room's, or of colours that its palette does not have."""
-    share = limit("small_things_in_style", "share")
-    palette = survey.scene.palette
-    style = palette.style if palette is not None else survey.scene.provenance.get("style")
-    if not style:
-        return
-    small = [
-        b
-        for b in survey.bodies
-        if b.item.mount == "surface" and b.item.category not in own_look() and not asked_for(survey, b)
-    ]
-    small = [b for b in small if b.item.attributes.get("style")]
-    if len(small) < FEWEST:
-        return
-    suits = _palette_hues(palette) if palette is not None else None
-    off = [b for b in small if not _follows(b, str(style), suits)]
-    if len(off) > share * len(small):
-        read = "style" if suits is None else "color"
+    share, palette = limit("small_things_in_style", "share"), survey.scene.palette
+    off, small = off_palette(survey)
+    if len(small) >= FEWEST and len(off) > share * len(small):
+        read = "style" if palette is None else "color"
         styles = Counter(str(b.item.attributes.get(read)) for b in off).most_common(3)
-        wanted = style if suits is None else f"of the colours of {palette.name if palette else ''}"
+        wanted = _style(survey) if palette is None else f"of the colours of {palette.name}"
         yield breach(
             "small_things_in_style",
             (b.id for b in off),
@@ -163,6 +150,31 @@ def _small(survey: Survey) -> Iterator[Finding]:
             weight=8.0 * (len(off) / len(small) - share) / (1 - share),
             suggestion="take small things of the room's style and palette",
         )
+
+
+def off_palette(survey: Survey) -> tuple[list[Body], list[Body]]:
+    """The small things that do not follow the room's palette or, where it has none, its style; and all that should.
+
+    What was asked for and what has a look of its own need not; in a room without style and palette nothing does.
+    """
+    palette, style = survey.scene.palette, _style(survey)
+    small = [
+        b
+        for b in survey.bodies
+        if b.item.mount == "surface"
+        and b.item.category not in own_look()
+        and b.item.attributes.get("style")
+        and not asked_for(survey, b)
+    ]
+    if not style:
+        return [], []
+    suits = _palette_hues(palette) if palette is not None else None
+    return [b for b in small if not _follows(b, style, suits)], small
+
+
+def _style(survey: Survey) -> str:
+    palette = survey.scene.palette
+    return str((palette.style if palette is not None else survey.scene.provenance.get("style")) or "")
 
 
 def _palette_hues(palette: Any) -> set[str | None]:

@@ -1,0 +1,1 @@
+"""Patterns that strict eyes counted over many rooms, measured."""
