@@ -11,7 +11,7 @@ from pathlib import Path
 
 from benchmarks import plots, report
 from benchmarks.console import console, print_result, say
-from benchmarks.families import FAMILIES
+from benchmarks.families import FAMILIES, ablations
 from benchmarks.judging import Judge
 from benchmarks.machine import facts, resolve
 from benchmarks.markdown import result_lines
@@ -54,6 +54,7 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument("families", nargs="*", metavar="FAMILY", help=f"some of {', '.join(FAMILIES)} (default: all)")
     p.add_argument("--rooms", default="", metavar="A,B", help="rooms of the zoo, with commas between them")
     p.add_argument("--kinds", default="", metavar="A,B", help="kinds of rooms to design, with commas between them")
+    p.add_argument("--variants", nargs="+", default=[], choices=ablations.VARIANTS, help="variants of the ablations")
     p.add_argument("--designs", nargs="+", type=Path, default=[], metavar="DIR", help="designs to read, not to make")
     p.add_argument("--all", action="store_true", help="all rooms of the zoo where a family takes only some")
     p.add_argument("--device", default="auto", help="auto, cpu, cuda, cuda:k or cuda:all (default: auto)")
@@ -88,6 +89,7 @@ def _settings(options: argparse.Namespace) -> Settings:
     return Settings(
         rooms=_names(options.rooms, ROOMS, "room"),
         kinds=_names(options.kinds, tuple(room_types()), "kind of room"),
+        variants=tuple(options.variants),
         designs=tuple(options.designs),
         device=resolve(options.device),
         quick=options.quick,

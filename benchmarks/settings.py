@@ -23,6 +23,7 @@ class Settings:
     Attributes:
         rooms: zoo rooms to use; empty: those of the family.
         kinds: kinds of rooms to design; empty: those of the family.
+        variants: variants of the agent to compare; empty: all of the family.
         designs: designs that were made before, for a family that reads such; empty: it makes new ones.
         device: as for ``sceneweaver.refine``.
         quick: small sizes, to see that everything works; the numbers mean little.
@@ -38,6 +39,7 @@ class Settings:
 
     rooms: tuple[str, ...] = ()
     kinds: tuple[str, ...] = ()
+    variants: tuple[str, ...] = ()
     designs: tuple[Path, ...] = ()
     device: str = "auto"
     quick: bool = False

@@ -65,7 +65,7 @@ def run(settings: Settings, judge: Judge) -> Result:
         "wall, the 0.5 m cell or the eighth of a turn of some piece. "
         f"The row {IMPROVED}: {DRAWN} candidates, and {GENERATIONS} generations of {CHILDREN} recombined ones.",
     )
-    names = [name for name in settings.rooms if name in PAPER] or list(PAPER)[: 1 if settings.quick else None]
+    names = settings.kinds or tuple(PAPER)[: 1 if settings.quick else None]
     curve, agreement = [], []
     for name in names:
         made = draft(name, settings.seed)

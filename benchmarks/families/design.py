@@ -43,13 +43,15 @@ def run(settings: Settings, judge: Judge) -> Result:
     means = result.add("rooms", "Means", COLUMNS)
     each = result.add("seeds", "Each seed", (COLUMNS[0], Column("seed", "seed", "count"), *COLUMNS[1:]), keys=2)
     each.detail = True
-    names = list(PAPER)[:1] if settings.quick else list(PAPER)
+    names = settings.kinds or tuple(PAPER)[: 1 if settings.quick else None]
     seeds = range(settings.seed, settings.seed + (1 if settings.quick else 3))
     each.rows += parallel.each(_row, [(name, settings, seed) for name in names for seed in seeds], settings.jobs)
     for name in names:
         rows = [row for row in each.rows if row["room"] == name]
-        keys = [c.key for c in COLUMNS if c.key != "room"]
-        means.rows.append({"room": name, **{key: fmean(row[key] for row in rows) for key in keys}})
+        keys = [c.key for c in COLUMNS if c.key not in ("room", "paper")]
+        means.rows.append(
+            {"room": name, "paper": PAPER.get(name), **{key: fmean(row[key] for row in rows) for key in keys}}
+        )
     result.failures += [f"{row['room']} {row['seed']}: {row['fault']}" for row in each.rows if row["fault"]]
     return result
 
@@ -63,7 +65,7 @@ def _row(name: str, settings: Settings, seed: int) -> dict[str, Any]:
         "room": name,
         "seed": seed,
         "objects": float(report.placed),
-        "paper": PAPER[name],
+        "paper": PAPER.get(name),
         "out": report.out_of_bounds,
         "colliding": report.collisions,
         "dropped": report.dropped,

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import multiprocessing
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 
 from benchmarks.design_files import design_files, read_scene
 from benchmarks.designs import PAPER
 from benchmarks.judging import Judge
-from benchmarks.own_process import Task, designed_apart
+from benchmarks.made import Task, made_side_by_side
+from benchmarks.parallel import each
 from benchmarks.patterns.room import Hits
 from benchmarks.patterns.sets import SET_PATTERNS, SetPattern
 from benchmarks.patterns.single import PATTERNS, Pattern, measured
@@ -55,19 +54,16 @@ def run(settings: Settings, judge: Judge) -> Result:
     else:
         kinds = settings.kinds or tuple(PAPER)[: 1 if settings.quick else None]
         seeds = range(settings.seed, settings.seed + (settings.count or (1 if settings.quick else SEEDS)))
-        made, failed = designed_apart([Task(kind, seed) for seed in seeds for kind in kinds], settings, LIMIT)
+        made = made_side_by_side([Task(kind, seed) for seed in seeds for kind in kinds], settings, LIMIT)
         scenes = {one.task.name: one.scene for one in made}
-        result.failures += failed
     tabulate(result, scenes, counted(scenes, settings.jobs))
     return result
 
 
 def counted(scenes: Mapping[str, Scene], jobs: int) -> dict[str, dict[str, Hits]]:
     """Every pattern in every room, by room and pattern."""
-    if jobs < 2 or len(scenes) < FEW:
-        return {name: measured(scene) for name, scene in scenes.items()}
-    with ProcessPoolExecutor(min(jobs, len(scenes)), mp_context=multiprocessing.get_context("spawn")) as pool:
-        return dict(zip(scenes, pool.map(measured, scenes.values()), strict=True))
+    few = len(scenes) < FEW
+    return dict(zip(scenes, each(measured, [(s,) for s in scenes.values()], 1 if few else jobs), strict=True))
 
 
 def tabulate(result: Result, scenes: Mapping[str, Scene], hits: Mapping[str, Mapping[str, Hits]]) -> None:

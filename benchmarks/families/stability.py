@@ -29,7 +29,7 @@ def run(settings: Settings, judge: Judge) -> Result:
     table = result.add("rooms", "By room", COLUMNS)
     each = result.add("seeds", "Each seed", (COLUMNS[0], Column("seed", "seed", "count"), *COLUMNS[1:]), keys=2)
     each.detail = True
-    names = list(PAPER)[:1] if settings.quick else list(PAPER)
+    names = settings.kinds or tuple(PAPER)[: 1 if settings.quick else None]
     seeds = range(settings.seed, settings.seed + (1 if settings.quick else 3))
     each.rows += parallel.each(_row, [(name, settings, seed) for name in names for seed in seeds], settings.jobs)
     for name in names:

@@ -176,7 +176,8 @@ class Executor:
 
     def _terms(self, scene: Scene) -> list[QualityTerm]:
         """What the layouts of a scene are chosen by before the critic sees any."""
-        return choice_terms(scene, self.room_type) if self.settings.choice else []
+        s = self.settings
+        return choice_terms(scene, self.room_type) if s.choice and s.rules else []
 
     def _improved(self, solutions: Sequence[Solution], terms: Sequence[Sequence[QualityTerm]]) -> list[Solution]:
         """The solutions; those with the best layouts of all are taken further."""
@@ -209,9 +210,8 @@ class Executor:
         self, scene: Scene, notes: Sequence[str], unmet: Sequence[str], report: Report | None = None
     ) -> Outcome:
         report = report or check(scene)
-        return Outcome(
-            scene, report, review_scene(scene, report, self.room_type, self.brief), tuple(notes), tuple(unmet)
-        )
+        review = review_scene(scene, report, self.room_type, self.brief, rules=self.settings.rules)
+        return Outcome(scene, report, review, tuple(notes), tuple(unmet))
 
     def _refined(self, draft: Scene, variants: Sequence[Variant], fresh: bool, seed: int, patience: int) -> Outcome:
         """The best of the layouts of a scene, or of those of its variants."""

@@ -16,7 +16,8 @@ class Settings(FrozenModel):
     """Budgets and switches of a run; equal settings and seed give equal scenes unless a time limit cuts them off.
 
     ``tools`` names the only tools to use (None: all that their cards allow). The others are for ablations. Without
-    ``choice`` the critic sees layouts that the engine ranks by relations alone. Without ``reflect`` the plan is fixed
+    ``choice`` the critic sees layouts that the engine ranks by relations alone. Without ``rules`` neither that choice
+    nor the critic that the agent hears knows the design rules. Without ``reflect`` the plan is fixed
     beforehand and nothing is taken back; with ``one_shot`` the critic is heard once, after the first step, and what it
     asks for is done without looking again; without ``physics`` layouts are drawn from the relations and not optimised.
     """
@@ -44,6 +45,7 @@ class Settings(FrozenModel):
     )
     settle: bool = Field(default=False, description="Prefer what physics leaves alone, and keep its settled poses")
     choice: bool = True
+    rules: bool = True
     reflect: bool = True
     physics: bool = True
     one_shot: bool = False

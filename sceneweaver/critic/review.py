@@ -34,7 +34,7 @@ MOST, MOST_ASKED = 8, 64
 """Faults of one kind that are listed one by one; of what was asked for."""
 
 
-def review_scene(scene: Scene, report: Report, room_type: RoomType, brief: SceneGraph) -> Review:
+def review_scene(scene: Scene, report: Report, room_type: RoomType, brief: SceneGraph, *, rules: bool = True) -> Review:
     """Grade a scene as a critical visitor would, from its symbols alone: no picture and no model is needed.
 
     Args:
@@ -42,6 +42,7 @@ def review_scene(scene: Scene, report: Report, room_type: RoomType, brief: Scene
         report: what ``sceneweaver.verify.check(scene)`` says about it.
         room: the kind of room that it should be.
         brief: the request, read.
+        rules: whether the design rules are checked, and not the older checks alone.
 
     Returns:
         Grades 0 to 10 for realism, functionality, layout, completion and alignment; every fault with numbers and,
@@ -49,7 +50,8 @@ def review_scene(scene: Scene, report: Report, room_type: RoomType, brief: Scene
     """
     survey = Survey.of(scene, report, room_type, brief)
     items = asked.measured(survey)
-    found = [*(f for check in CHECKS for f in check(survey))] if scene.objects else [*_empty(survey)]
+    checks = [check for check in CHECKS if rules or check is not design.faults]
+    found = [*(f for check in checks for f in check(survey))] if scene.objects else [*_empty(survey)]
     found = [f for f in found if not _turned_as_asked(survey, f)] + asked.findings(items)
     ranked = sorted(found, key=lambda f: (f.cap is None, -f.fault.points))
     faults = _short([f.fault for f in ranked])

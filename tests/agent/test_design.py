@@ -176,6 +176,12 @@ def test_ablations_leave_parts_out():
     assert all(s.accepted or "failed" in s.tried[0] for s in blind.steps)
 
 
+def test_without_rules_the_agent_hears_of_none():
+    unruled = design(ASKED, rules=False, **QUICK)
+    assert unruled.report.valid and not any(f.rule for f in unruled.review.faults)
+    assert any(f.rule for f in design(ASKED, steps=1, **QUICK).review.faults)
+
+
 def test_a_plan_made_once_is_carried_out_and_survives_a_restart(tmp_path):
     whole = design(ASKED, one_shot=True, **QUICK)
     tools = [s.call.tool for s in whole.steps if s.call]

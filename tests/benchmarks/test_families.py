@@ -29,7 +29,7 @@ TABLES = {
     "critic": {"grades": 5, "scenes": 3},
     "patterns": {"patterns": 29},
     "choice": {"curve": 2, "agreement": 0},
-    "ablations": {"parts": 5, "tools": 4},
+    "ablations": {"parts": 6, "tools": 4, "each": 9},
     "variety": {"rooms": 2, "variety": 11},
     "requests": {"requests": 1, "reported": 0},
     "odd": {"odd": 3},
