@@ -6,7 +6,6 @@ import math
 import os
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 import warp as wp
@@ -15,10 +14,13 @@ from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.scene import InputError, MissingDependencyError
 
 from . import raycast_kernels as raycast
+from . import raycast_world as world
+from . import smoothing_kernels as smoothing
 from .camera import Camera
+from .mesh_shading import prepared
 
-_CREASE = np.cos(np.radians(36.0))
 _TEXTURES = {name: k for k, name in enumerate(("plain", "wood", "fabric", "stone", "metal", "leaf"))}
+_SPACING = 2  # of the pixels for which light is cast where surfaces are plain
 _MAX_PIXELS = 64_000_000
 
 
@@ -72,8 +74,8 @@ class Lighting:
 class Quality:
     """Rays a pixel, shade rays a ray, and the radius [pixels] over which diffuse light is smoothed (0: not at all).
 
-    With ``sparing`` only pixels where something ends or changes get all rays, the rest one: much faster for pictures
-    of large plain surfaces.
+    With ``sparing`` only pixels where something ends or changes get all rays, the rest one, and of four on a plain
+    surface one gets light: much faster for pictures of large plain surfaces.
     """
 
     rays: int = 6
@@ -142,7 +144,7 @@ def cast(
         for key in ("eye", "forward", "right", "up"):
             setattr(lens, key, wp.vec3(*getattr(camera, key)))
         lens.flat = int(camera.flat)
-        light = raycast.Light()
+        light = world.Light()
         light.sun = wp.normalize(wp.vec3(*lighting.sun))  # pyright: ignore[reportCallIssue, reportArgumentType]
         light.beam = wp.normalize(wp.vec3(*lighting.beam))  # pyright: ignore[reportCallIssue, reportArgumentType]
         for key in ("sun_color", "sky", "ground", "beam_color", "lamp_color"):
@@ -150,71 +152,84 @@ def cast(
         for key in ("softness", "reach", "bounce", "beam_softness", "beam_floor"):
             setattr(light, key, getattr(lighting, key))
         light.lamps = len(lighting.lamps)
-        color, lit, shine, normal, out = (
+        background = wp.vec3(*lighting.background)
+        color, gloss, glint, shine, normal, ambient, sun, smooth_ambient, smooth_sun, out = (
             wp.empty(pixels, dtype=wp.vec3)  # pyright: ignore[reportArgumentType]
-            for _ in range(5)
+            for _ in range(10)
         )
         depth, objects = wp.empty(pixels, dtype=float), wp.empty(pixels, dtype=int)
-        sky = wp.vec3(*lighting.background)
-        period = 2 * quality.radius + 1
+        looks, surface = [color, gloss, glint, shine], [normal, depth, objects]
+        rays, shades, radius = quality.rays, quality.shades, quality.radius
 
-        one_core = wp.get_device(device).is_cpu
-
-        def draw(which: np.ndarray, rays: int, shades: int) -> None:
-            chosen = wp.array(which, dtype=int)
-
-            def band(start: int, count: int) -> None:
-                given = [solid, lens, light, sky, chosen, width, height, start, rays, shades, period]
-                wp.launch(raycast.cast, count, given, [color, lit, shine, normal, depth, objects], device=device)
-
-            _in_bands(band, len(which), one_core)
-
-        def develop(start: int, count: int) -> None:
-            wp.launch(
-                raycast.develop,
+        def launch(kernel, count: int, before: list, after: list, found: list) -> None:
+            """A kernel over ``count`` threads; the number of the first stands between ``before`` and ``after``."""
+            _in_bands(
+                lambda start, size: wp.launch(kernel, size, [*before, start, *after], found, device=device),
                 count,
-                [width, height, start, quality.radius, lighting.exposure, color, lit, shine, normal, depth, objects],
-                [out],
-                device=device,
+                wp.get_device(device).is_cpu,
             )
 
-        draw(np.arange(pixels), 1 if quality.sparing else quality.rays, quality.shades)
-        if quality.sparing and quality.rays > 1:
-            shape = (height, width)
-            edges = _changes(
-                objects.numpy().reshape(shape),
-                depth.numpy().reshape(shape),
-                *(a.numpy().reshape(*shape, 3) for a in (normal, color, shine)),
+        def illuminate(chosen: np.ndarray, apart: int, period: int, suns: int) -> None:
+            before = [solid, lens, light, wp.array(chosen, dtype=int), width, height]
+            launch(
+                raycast.illuminate, len(chosen), before, [apart, period, suns * shades, suns, *surface], [ambient, sun]
             )
-            # Edges have fewer neighbours to be smoothed with.
-            draw(np.flatnonzero(edges), quality.rays, quality.shades + 1)
-        _in_bands(develop, pixels, one_core)
-        rgb = (out.numpy().reshape(height, width, 3) * 255.0 + 0.5).astype(np.uint8)
+
+        launch(raycast.cast, pixels, [solid, lens, light, background, width, height], [], [*looks, *surface])
         seen = objects.numpy().reshape(height, width)
+        edges = np.ones((height, width), dtype=bool)
+        if quality.sparing:
+            edge = wp.empty(pixels, dtype=wp.uint8)  # pyright: ignore[reportArgumentType]
+            launch(smoothing.find_edges, pixels, [width, height], [color, shine, *surface], [edge])
+            edges = edge.numpy().reshape(height, width) > 0
+        sparse = quality.sparing and radius >= _SPACING
+        spacing = _SPACING if sparse else 1
+        share, dense = _shares(edges & (seen >= 0), seen >= 0, spacing)
+        if sparse:
+            # On plain surfaces one pixel of a block has rays for all of it.
+            illuminate(np.flatnonzero((share > 0) & ~edges), spacing, radius + 1, spacing)
+            illuminate(np.flatnonzero((share > 0) & edges), 1, 2 * radius + 1, spacing)
+        else:
+            illuminate(np.flatnonzero(share), 1, 2 * radius + 1, 1 if quality.sparing else rays)
+        blocks = [wp.array(a.reshape(-1), dtype=wp.uint8) for a in (share, dense)]
+        launch(
+            smoothing.develop,
+            pixels,
+            [width, height],
+            [radius + spacing - 1, spacing, lighting.exposure, *blocks, *looks, ambient, sun, *surface],
+            [smooth_ambient, smooth_sun, out],
+        )
+        if rays > 1:
+            chosen = wp.array(np.flatnonzero(edges), dtype=int)
+            launch(
+                raycast.refine,
+                len(chosen),
+                [solid, lens, light, background, chosen, width, height],
+                [rays, lighting.exposure, *looks, smooth_ambient, smooth_sun, *surface],
+                [out],
+            )
+        rgb = (out.numpy().reshape(height, width, 3) * 255.0 + 0.5).astype(np.uint8)
         distance = np.where(seen >= 0, depth.numpy().reshape(height, width), np.float32(np.inf))
         picture = Picture(rgb, seen, distance)
     del keep
     return picture
 
 
-def _changes(
-    objects: np.ndarray, depth: np.ndarray, normal: np.ndarray, color: np.ndarray, shine: np.ndarray
-) -> np.ndarray:
-    """Where one ray is not enough, bool [H, W]: pixels that differ from one of their eight neighbours."""
-    found = np.zeros(objects.shape, dtype=bool)
-    height, width = objects.shape
-    glow = np.minimum(shine.sum(axis=2), 3.0)
-    for dy, dx in ((0, 1), (1, 0), (1, 1), (1, -1)):
-        here = (slice(0, height - dy), slice(max(0, -dx), width - max(0, dx)))
-        there = (slice(dy, height), slice(max(0, dx), width + min(0, dx)))
-        unlike = objects[here] != objects[there]
-        unlike |= np.abs(depth[here] - depth[there]) > 0.02 * depth[here]
-        unlike |= np.einsum("ijk,ijk->ij", normal[here], normal[there]) < 0.96
-        unlike |= np.abs(color[here] - color[there]).max(axis=2) > 0.05
-        unlike |= np.abs(glow[here] - glow[there]) > 0.15
-        found[here] |= unlike
-        found[there] |= unlike
-    return found
+def _shares(edges: np.ndarray, seen: np.ndarray, spacing: int) -> tuple[np.ndarray, np.ndarray]:
+    """For how many pixels the light of each one stands, uint8 [H, W], and in which blocks several have some, uint8.
+
+    Args:
+        edges: Pixels that need light of their own [H, W].
+        seen: Pixels that show anything [H, W].
+        spacing: Side of a block; of the others the first pixel of each stands for all.
+    """
+    share = edges.astype(np.uint8)
+    first = share[::spacing, ::spacing]
+    pad = [(0, -n % spacing) for n in share.shape]
+    rows, columns = first.shape
+    own = np.pad(share, pad).reshape(rows, spacing, columns, spacing).sum(axis=(1, 3), dtype=np.uint8) - first
+    first[:] = np.where(seen[::spacing, ::spacing], spacing * spacing - own, 0)
+    return share, (own > 0).astype(np.uint8)
 
 
 def _in_bands(work, pixels: int, split: bool) -> None:
@@ -241,7 +256,7 @@ def _solid(instances: list[Instance], lighting: Lighting):
         mesh, matrix = instance.mesh, _transform(instance, number)
         if not len(mesh.faces):
             continue
-        corner, axis = _prepared(id(mesh), _Keep(mesh))
+        corner, axis = prepared(mesh)
         start = sum(len(p) for p in points)
         points.append(mesh.vertices @ matrix[:3, :3].T + matrix[:3, 3])
         local.append(mesh.vertices)
@@ -253,11 +268,11 @@ def _solid(instances: list[Instance], lighting: Lighting):
         looks += [_look(material) for material in mesh.materials]
         numbers.append(np.full(len(mesh.faces), number))
     flat = wp.array(np.concatenate(faces).reshape(-1), dtype=int)
-    mesh = wp.Mesh(points=wp.array(np.concatenate(points), dtype=wp.vec3), indices=flat)
-    solid = raycast.Solid()
+    mesh = wp.Mesh(points=wp.array(np.concatenate(points), dtype=wp.vec3), indices=flat, bvh_leaf_size=8)
+    solid = world.Solid()
     solid.mesh = mesh.id
     solid.normals = wp.array(np.concatenate(normals), dtype=wp.vec3)
-    solid.looks = wp.array(looks, dtype=raycast.Look)
+    solid.looks = wp.array(looks, dtype=world.Look)
     solid.face_look = wp.array(np.concatenate(look_of), dtype=int)
     solid.face_object = wp.array(np.concatenate(numbers), dtype=int)
     solid.face_grain = wp.array(np.concatenate(grain), dtype=int)
@@ -290,67 +305,10 @@ def _check_device(device: str) -> None:
 
 
 def _look(material: Material):
-    look = raycast.Look()
+    look = world.Look()
     color = np.asarray(material.color, dtype=np.float64)
     look.color = wp.vec3(*np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4))
     look.roughness, look.metallic = material.roughness, material.metallic
     look.opacity, look.emission = material.opacity, material.emission
     look.texture = _TEXTURES[material.texture]
     return look
-
-
-class _Keep:
-    """A mesh as a cache's argument: equal to all, as the id beside it tells meshes apart, and kept alive by it."""
-
-    def __init__(self, mesh: Mesh):
-        self.mesh = mesh
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Keep) and other.mesh is self.mesh
-
-    def __hash__(self) -> int:
-        return id(self.mesh)
-
-
-@lru_cache(maxsize=512)
-def _prepared(_: int, keep: _Keep) -> tuple[np.ndarray, np.ndarray]:
-    return corner_normals(keep.mesh), _grain(keep.mesh)
-
-
-def corner_normals(mesh: Mesh) -> np.ndarray:
-    """A unit normal for each triangle corner, [3 F, 3]: smooth over edges that bend by less than 36 degrees."""
-    v, f = mesh.vertices, mesh.faces
-    normal = np.cross(v[f[:, 1]] - v[f[:, 0]], v[f[:, 2]] - v[f[:, 0]])
-    unit = normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-18)
-    corner = f.reshape(-1)
-    owner = np.repeat(np.arange(len(f)), 3)
-    order = np.argsort(corner, kind="stable")
-    counts = np.bincount(corner, minlength=len(v))
-    starts = np.concatenate([[0], np.cumsum(counts)[:-1]])
-    # Every pair of triangles around a vertex.
-    size = counts[corner]
-    mine = np.repeat(np.arange(len(corner)), size)
-    step = np.arange(len(mine)) - np.repeat(np.cumsum(size) - size, size)
-    other = owner[order[starts[corner[mine]] + step]]
-    alike = np.einsum("ij,ij->i", unit[owner[mine]], unit[other]) > _CREASE
-    total = np.zeros((len(corner), 3))
-    for k in range(3):
-        total[:, k] = np.bincount(mine[alike], normal[other[alike], k], len(corner))
-    length = np.linalg.norm(total, axis=1, keepdims=True)
-    return np.where(length > 1e-18, total / np.maximum(length, 1e-18), unit[owner])
-
-
-def _grain(mesh: Mesh) -> np.ndarray:
-    """The axis along which a triangle's piece is longest, [F]: the way that wood grows in it."""
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
-
-    f = mesh.faces
-    edges = np.concatenate([f[:, :2], f[:, 1:]])
-    shape = (len(mesh.vertices),) * 2
-    graph = coo_matrix((np.ones(len(edges), dtype=np.int8), (edges[:, 0], edges[:, 1])), shape=shape)
-    count, label = connected_components(graph, directed=False)
-    low, high = np.full((count, 3), np.inf), np.full((count, 3), -np.inf)
-    np.minimum.at(low, label, mesh.vertices)
-    np.maximum.at(high, label, mesh.vertices)
-    return np.argmax(high - low, axis=1)[label[f[:, 0]]]

@@ -129,9 +129,14 @@ def _glowing(picture: Picture, things: int) -> np.ndarray:
     if not bright.any():
         return rgb
     radius = rgb.shape[0] / 75
-    mask = Image.fromarray((bright * np.uint8(255)).astype(np.uint8)).filter(ImageFilter.GaussianBlur(radius))
+    reach = int(4 * radius) + 1  # nothing shines farther
+    rows, columns = (np.flatnonzero(bright.any(axis=axis)) for axis in (1, 0))
+    part = tuple(slice(max(0, at[0] - reach), at[-1] + reach + 1) for at in (rows, columns))
+    mask = Image.fromarray(bright[part].astype(np.uint8) * 255).filter(ImageFilter.GaussianBlur(radius))
     shine = np.asarray(mask, dtype=np.float32)[..., None] / 255 * np.array([0.50, 0.40, 0.26], dtype=np.float32)
-    return (255.0 - (255.0 - rgb) * (1.0 - shine)).astype(np.uint8)
+    rgb = rgb.copy()
+    rgb[part] = (255.0 - (255.0 - rgb[part]) * (1.0 - shine)).astype(np.uint8)
+    return rgb
 
 
 def _faded(rgb: np.ndarray) -> np.ndarray:

@@ -12,8 +12,11 @@ import pytest
 import sceneweaver.kernels
 
 FOLDER = Path(sceneweaver.kernels.__file__).parent
-PICTURES = Path(sceneweaver.__file__).parent / "render" / "raycast_kernels.py"
-FILES = [*sorted(p for p in FOLDER.glob("*.py") if p.name != "__init__.py"), PICTURES]
+PICTURES = Path(sceneweaver.__file__).parent / "render"
+FILES = [
+    *sorted(p for p in FOLDER.glob("*.py") if p.name != "__init__.py"),
+    *(PICTURES / f"{name}.py" for name in ("raycast_kernels", "raycast_world", "smoothing_kernels")),
+]
 BLOCKS = ("Problem", "State in", "State in and out", "State out")
 
 

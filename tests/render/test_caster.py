@@ -9,7 +9,8 @@ from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.assets.shapes import box, frustum
 from sceneweaver.cli import main
 from sceneweaver.render.camera import Camera
-from sceneweaver.render.caster import Instance, Picture, Quality, cast, corner_normals
+from sceneweaver.render.caster import Instance, Picture, Quality, cast
+from sceneweaver.render.mesh_shading import corner_normals
 from sceneweaver.scene import InputError
 
 RED = Material("red", (0.9, 0.05, 0.05))
