@@ -18,7 +18,7 @@ from .base import Context, Proposal
 from .card import checked
 from .draft import Draft, groups_of
 from .prior_lights import OVER, TABLE, hanging_height
-from .prior_program import free_zones, suite_of
+from .prior_program import drop_at_window, free_zones, suite_of
 from .relating import relations_of, row_of
 from .spots import fits_on, spot_on
 from .usual import item_for, rows_for
@@ -145,11 +145,12 @@ def _bodies(
                 pass  # the asset came from a source that is not there now; another one has to do
     wish = replace(_wish(context, row, item, seed), mount=mount)
     if mount == "wall" and category in AT_WINDOWS and wish.size[1] is None:
-        panes = [w.width for w in context.scene.room.windows]
+        room = context.scene.room
+        panes = [w.width for w in room.windows]
         if panes:
-            wish = replace(
-                wish, size=(wish.size[0], max(panes) + 2 * limit("curtain_width", "beyond") + 0.04, wish.size[2])
-            )
+            tall, top = room.windows[0].height, max(w.sill + w.height for w in room.windows)
+            drop = wish.size[2] or drop_at_window(category, tall, top, room.height)
+            wish = replace(wish, size=(wish.size[0], max(panes) + 2 * limit("curtain_width", "beyond") + 0.04, drop))
     if mount == "ceiling" and wish.size[2] is None:
         drop = hanging_height(category, context.scene.room.height, _under(draft, row, item))
         wish = replace(wish, size=(*wish.size[:2], drop)) if drop is not None else wish

@@ -198,7 +198,8 @@ def _program(context: Context, space: Room, area: float, people: int, palette: P
         replace(wish, count=lamp_count(wish.item, space.outline, wish.count)) if wish.asked is None else wish
         for wish in demands(room, brief, area, people, len(space.windows), context.seed)
     ]
-    pane = (space.windows[0].width, space.windows[0].height) if space.windows else None
+    first = space.windows[0] if space.windows else None
+    pane = (first.width, first.height, first.sill + first.height) if first is not None else None
     fill = FILL[brief.density] * room.fill
     walls = walls_of(space)
     return build(

@@ -23,6 +23,9 @@ from .prior_lights import OVER, TABLE, hanging_height
 
 FULL_LENGTH, BLIND = ("curtain", "sheer_curtain"), "window_blind"
 
+ABOVE_PANE = 0.1
+"""Height [m] of a curtain beyond that of the top of its window: its rod hangs over the window."""
+
 GENERAL = (
     "table",
     "chair",
@@ -336,15 +339,15 @@ def build(
     fill: float,
     seed: int,
     palette: Palette,
-    pane: tuple[float, float] | None = None,
+    pane: tuple[float, float, float] | None = None,
     ceiling: float = 2.6,
 ) -> Program:
     """Choose bodies for all demands, as long as the floor [m2] and the walls [m] have room for them.
 
     ``space`` is the length of all walls; the usual ends where ``wall`` of it or ``fill`` of the floor is taken,
-    what is asked for or needed where not even `CRAMMED` would do. ``pane`` is the width and height [m] of the windows,
-    for what hangs before them, ``ceiling`` the height [m] of the room, for lamps that hang down; ``palette`` is the
-    room's.
+    what is asked for or needed where not even `CRAMMED` would do. ``pane`` is the width, height and top [m] of the
+    windows, for what hangs before them, ``ceiling`` the height [m] of the room, for lamps that hang down; ``palette``
+    is the room's.
     """
     program, by_item = Program(), {}
     for number, demand in enumerate(sorted(wishes, key=_order(room_type))):
@@ -359,7 +362,7 @@ def build(
                 parents = [None]
         wish, held = _wish(demand, palette, seed + 101 * number)
         if item is not None and _hangs_at_windows(item) and pane and wish.size[1] is None:
-            high = 0.5 * pane[1] if demand.categories[0] == BLIND else wish.size[2]  # drawn up half the way
+            high = wish.size[2] or drop_at_window(demand.categories[0], pane[1], pane[2], ceiling)
             wish = replace(wish, size=(wish.size[0], pane[0] + 2 * limit("curtain_width", "beyond") + 0.04, high))
         if demand.categories and wish.size[2] is None and held is None:
             drop = hanging_height(demand.categories[0], ceiling, _hung_over(item, by_item))
@@ -402,6 +405,19 @@ def build(
             by_item.setdefault(item.id, []).extend(made)
     _name(program.wanted)
     return program
+
+
+def drop_at_window(category: str, height: float, top: float, ceiling: float) -> float | None:
+    """Height [m] of what hangs before a window of a height with its top at ``top``.
+
+    A blind is drawn up half the way, the rod of a curtain down to the floor is above the window; None for others.
+    """
+    if category == BLIND:
+        return 0.5 * height
+    usual = category_named(category).size
+    if category not in FULL_LENGTH or usual is None:
+        return None
+    return round(min(max(min(top + ABOVE_PANE, ceiling - 0.05), usual.height[0]), usual.height[1]), 3)
 
 
 def _hung_over(item: Item | None, by_item: Mapping[str, Sequence[Wanted]]) -> float | None:

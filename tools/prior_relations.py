@@ -125,6 +125,8 @@ def _of_place(one: Wanted, place: Place, by_item: dict[str, list[Wanted]], room:
         place = place.model_copy(update={"type": "side_against_wall"})
     kind = CATALOGUE[place.type].target
     params = dict(place.params)
+    if place.type == "side_against_wall" and "side" not in params:
+        params |= _closed_side(one)
     if params.get("door_walls") == "avoided" and not _free_wall(room, one.asset.size[1]):
         del params["door_walls"]
     target: str | None = None
@@ -172,6 +174,12 @@ def _of_place(one: Wanted, place: Place, by_item: dict[str, list[Wanted]], room:
     return Relation(
         type=place.type, subject=one.id, target=target, params=params, hard=not place.soft, weight=place.weight
     )
+
+
+def _closed_side(one: Wanted) -> dict[str, str]:
+    """Which side of a thing that is entered from its left or right alone is at the wall: not that of a ladder."""
+    entered = {zone.name for zone in one.asset.zones if zone.hard} & {"left", "right"}
+    return {"side": "right" if entered == {"left"} else "left"} if len(entered) == 1 else {}
 
 
 def _in_cluster(one: Wanted) -> bool:

@@ -17,7 +17,7 @@ from .prior_shell import shell
 TRIED = 24
 """Shells that are drawn; of those in which all may be placed the first few are laid out."""
 
-SCALES = (1.0, 1.0, 1.12, 0.85, 1.25, 1.4, 1.12)
+SCALES = (1.0, 1.0, 1.06, 0.9, 1.12, 1.2, 1.06)
 """Factors on the floor of a room whose size is ours, taken in turn."""
 
 LARGER = (1.5, 1.9, 2.4)

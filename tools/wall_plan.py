@@ -19,6 +19,9 @@ CLOSE = 0.35
 CORNER, FRAME, HUNG, BESIDE = 0.3, 0.2, 0.2, 0.1
 """Wall [m] that stays free beside a corner, a door or window, what hangs there already, and tall furniture."""
 
+LEAF = 0.06
+"""Gap [m] between a thing on a wall and the leaf of a door that opens beside it."""
+
 MARGIN = 0.04
 """Gap [m] between things on a wall and what is before it."""
 
@@ -70,7 +73,7 @@ def obstacles(room: Room, objects: Iterable[SceneObject], wall: Wall, depth: flo
     for opening in room.openings:
         if opening.wall != wall.index:
             corners = [wall.coordinates(corner) for corner in clear_zone(opening, room.walls)]
-            found += _before(corners, (0.0, heights(opening)[1]), depth)
+            found += _before(corners, (0.0, heights(opening)[1]), depth + LEAF)
     for obj in objects:
         z = obj.pose.position[2]
         for polygon, low, high in _parts(obj):

@@ -21,7 +21,7 @@ from sceneweaver.verify import Report, Violation, check
 from .choice import choice_terms
 from .coarse import coarse
 from .deadline import NEVER, Deadline
-from .relaxation import eased, left_out, pruned, relaxed
+from .relaxation import eased, left_out, lightened, pruned, relaxed
 from .riders import searched, with_riders
 from .settings import ASKED, Settings
 
@@ -121,6 +121,13 @@ class Executor:
 
         best, patient = refined(0), False
         many = self.settings.choice and self.settings.layouts >= MANY
+        if proposal.rooms and best.faults and (lighter := lightened(draft, best.faults)) is not None:
+            # What is optional goes before the room is changed: a larger one would stay half empty without it.
+            notes += lighter.notes
+            draft, variants = lighter.scene, _without(lighter.scene, variants)
+            best = self.judged(eased(best.scene, draft))
+            if best.faults:
+                best = refined(0, best)
         if proposal.rooms and (best.faults or many):
             draft, best = self._roomed(draft, proposal.rooms, best, seed, 0)
         for round_ in range(ROUNDS):

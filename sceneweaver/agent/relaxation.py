@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from sceneweaver.scene import PRIORITIES, Dropped, Relation, Scene, SceneObject
+from sceneweaver.scene import CATALOGUE, PRIORITIES, Dropped, Relation, Scene, SceneObject
 from sceneweaver.scene.edits import Remove, apply
 from sceneweaver.verify import Report, Violation, check
 
@@ -14,6 +14,9 @@ REASON = "the room has no place for it"
 
 ALIKE = 6
 """Of so many objects of one kind one more goes at once: forty wardrobes are not tried forty times."""
+
+TIED = CATALOGUE.with_role("seat") | {"over", "centered_on", "leftright_to_leftright"}
+"""Types of hard relations whose subject is there for its target: a stool, lamp or rug of a desk goes with the desk."""
 
 PRUNINGS = 3
 """Times that small things are taken out of a scene that then shows more that are in the way."""
@@ -36,13 +39,12 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
     one that was asked for all relations become soft before it goes. None when the faults are about nothing that could
     give way.
     """
+    for priority in PRIORITIES[:2]:
+        lighter = lightened(scene, faults, priority, at_once)
+        if lighter is not None:
+            return lighter
     trouble = Counter(name for fault in faults for name in fault.objects)
     pool = [o for o in scene.objects if o.id in trouble]
-    for priority in PRIORITIES[:2]:
-        least = [o for o in pool if o.intent.priority == priority]
-        if least:
-            least.sort(key=lambda o: (-trouble[o.id], -o.size[0] * o.size[1], o.id))
-            return _without(scene, least[:at_once])
     false = {(fault.relation.type, fault.objects) for fault in faults if fault.relation is not None}
     broken = [r for r in scene.relations if r.hard and (r.type, (r.subject, *r.targets)) in false]
     unasked = [r for r in broken if not r.asked]
@@ -64,6 +66,16 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
     twins.sort(key=lambda o: (-trouble[o.id], o.id))
     alike = sum(o.category == first.category for o in scene.objects)
     return _without(scene, twins[: 1 + alike // ALIKE])
+
+
+def lightened(
+    scene: Scene, faults: Sequence[Violation], priority: str = PRIORITIES[0], at_once: int = 1
+) -> Relaxed | None:
+    """The scene without those ``at_once`` of a priority that its best layout has most trouble with; None for none."""
+    trouble = Counter(name for fault in faults for name in fault.objects)
+    least = [o for o in scene.objects if o.id in trouble and o.intent.priority == priority]
+    least.sort(key=lambda o: (-trouble[o.id], -o.size[0] * o.size[1], o.id))
+    return _without(scene, least[:at_once]) if least else None
 
 
 def eased(layout: Scene, scene: Scene) -> Scene:
@@ -141,11 +153,16 @@ def left_out(name: str) -> str:
 
 
 def _without(scene: Scene, gone: Sequence[SceneObject]) -> Relaxed:
-    """The scene without some objects, and what stands on them; those that were asked for are dropped."""
+    """The scene without some objects, what stands on them and what is there for them alone.
+
+    Those that were asked for are dropped.
+    """
     notes, unmet = list[str](), list[str]()
-    for obj in gone:
+    queue = list(gone)
+    for obj in queue:
         if obj.id not in scene.ids:  # it stood on one that went before it
             continue
+        queue += _there_for(scene, obj)
         scene = apply(scene, Remove(id=obj.id, cascade=True))
         if obj.intent.priority != "asked":
             notes.append(left_out(obj.id))
@@ -154,6 +171,12 @@ def _without(scene: Scene, gone: Sequence[SceneObject]) -> Relaxed:
         dropped = (*scene.dropped, Dropped(id=obj.id, category=obj.category, reason=REASON))
         scene = scene.model_copy(update={"dropped": dropped})
     return Relaxed(scene, tuple(notes), tuple(unmet))
+
+
+def _there_for(scene: Scene, obj: SceneObject) -> list[SceneObject]:
+    """What nobody asked for and has its place by an object: the stool at a desk, the lamp beside a chair."""
+    tied = {r.subject for r in scene.relations if r.hard and r.type in TIED and r.targets == (obj.id,)}
+    return [o for o in scene.objects if o.id in tied and o.intent.priority != "asked"]
 
 
 def _softened(scene: Scene, relations: Sequence[Relation]) -> Relaxed:

@@ -44,6 +44,18 @@ def test_only_what_is_in_trouble_gives_way_and_what_stands_on_it_goes_along():
     assert found.notes == (f"b was left out: {REASON}",) and not found.unmet and not found.scene.dropped
 
 
+def test_what_is_there_for_a_thing_goes_with_it_unless_it_was_asked_for():
+    objects = (cube("a", "needed", 2.1), cube("desk", "optional", 2.9), cube("stool", "usual", 6.0))
+    tied = Relation(type="front_to_front", subject="stool", target="desk")
+    near = Relation(type="near", subject="stool", target="desk")
+    kept = ("a", "stool")
+    for relation, priority, left in ((tied, "usual", ("a",)), (tied, "asked", kept), (near, "usual", kept)):
+        stool = objects[2].model_copy(update={"intent": Intent(priority=priority)})
+        scene = room(*objects[:2], stool, relations=(relation,))
+        found = relaxed(scene, [v for v in check(scene).violations if v.kind == "collision"])
+        assert found is not None and found.scene.ids == left
+
+
 def test_what_is_in_most_trouble_goes_first_and_several_go_when_it_takes_long():
     row = [cube(name, "usual", 2.0 + 0.6 * k) for k, name in enumerate("abcd")]
     for at_once, left in ((1, ("a", "c", "d")), (2, ("a", "d")), (9, ())):

@@ -32,8 +32,8 @@ def rug(x: float, y: float, yaw: float, depth: float, width: float) -> rooms.Sce
     return put("rug-1", x, y, yaw, size=(depth, width, 0.00045))
 
 
-def curtain(x: float, width: float = 1.9) -> rooms.SceneObject:
-    return put("curtain-0", x, 3.9, -90, 0.05, size=(0.18, width, 2.3), mount="wall")
+def curtain(x: float, width: float = 1.9, height: float = 2.3) -> rooms.SceneObject:
+    return put("curtain-0", x, 3.9, -90, 0.05, size=(0.18, width, height), mount="wall")
 
 
 def nursery(x: float) -> Case:
@@ -212,6 +212,7 @@ BREACHES: list[tuple[str, Callable[[], Case], Callable[[], Case], set[str]]] = [
         {"curtain-0"},
     ),
     ("curtain_width", lambda: PLAIN(curtain(1.7)), lambda: PLAIN(curtain(1.7, 1.4)), {"curtain-0"}),
+    ("curtain_width", lambda: PLAIN(curtain(1.7)), lambda: PLAIN(curtain(1.7, height=1.8)), {"curtain-0"}),
     (
         "no_empty_floor",
         lambda: rooms.office().plus(*BOXES),

@@ -214,3 +214,19 @@ def test_a_table_of_a_shape_is_of_that_shape_though_the_room_has_its_own(prior):
     scene, _ = prior("A dining room with a round oak table and four chairs.", room="dining_room")
     tables = [o.category for o in scene.objects if "dining_table" in o.category]
     assert tables == ["round_dining_table"]
+
+
+def test_the_rod_of_a_curtain_is_over_its_window(prior):
+    for seed in range(6):
+        scene = prior("a bedroom", seed=seed)[0]
+        tops = [w.sill + w.height for w in scene.room.windows]
+        for curtain in (o for o in scene.objects if o.category == "curtain"):
+            low, high = curtain.intent.mounting_height
+            assert max(tops) < low + curtain.size[2] and high + curtain.size[2] <= scene.room.height
+
+
+def test_the_side_of_a_bunk_bed_that_is_entered_is_not_at_the_wall(prior):
+    scene = prior("a children's room with a bunk bed")[0]
+    bed = next(o.id for o in scene.objects if o.category == "bunk_bed")
+    sides = [r.params.get("side") for r in scene.relations if r.type == "side_against_wall" and r.subject == bed]
+    assert sides == ["right"], "its ladder is at the left"

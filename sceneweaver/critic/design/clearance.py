@@ -18,6 +18,9 @@ from .measure import along, applies, clear_depth, floor_of_kind, inside, movable
 CRAMPED = 0.45
 """Depth [m] behind a seat below which nobody gets up from it; from there to the rule's depth it counts by half."""
 
+STEPPED_OVER = 0.2
+"""Height [m] up to which a thing behind a seat is pushed aside with a foot: toys, shoes."""
+
 OPENED = named(
     "wardrobe fridge side_by_side_fridge freezer stove oven_tower dishwasher washing_machine dryer linen_cabinet"
     " vending_machine photocopier"
@@ -63,7 +66,7 @@ def _behind_seats(survey: Survey) -> Iterator[Finding]:
         table = table_of(survey, seat)
         if table is None:
             continue
-        free, other = clear_depth(survey, seat, "back", clear, lambda b, t=table: b is t)
+        free, other = clear_depth(survey, seat, "back", clear, lambda b, t=table: b is t or b.z[1] < STEPPED_OVER)
         if free < clear - 0.15:
             tight[free < CRAMPED].append((free, seat, table, other))
     for cramped, rows in tight.items():

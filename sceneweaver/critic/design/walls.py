@@ -214,3 +214,14 @@ def _curtains(survey: Survey, opening: Opening) -> Iterator[Finding]:
             allowed=(least, None),
             suggestion=f"take a wider curtain for {window.id}",
         )
+    else:
+        top, pane = max(body.z[1] for body, *_ in spans), window.sill + window.height
+        if top < pane:
+            yield breach(
+                "curtain_width",
+                (*ids, window.id),
+                f"the rod of {ids[0]} hangs {pane - top:.2f} m below the top of {window.id}",
+                measured=top,
+                allowed=(pane, None),
+                suggestion=f"take a longer curtain for {window.id}",
+            )
