@@ -125,6 +125,27 @@ def test_small_things_follow_the_style_or_the_palette() -> None:
     assert "vase-6" in broken("small_things_in_style", "bedroom", mixed, palette=blue)
 
 
+@pytest.mark.parametrize(
+    ("material", "color", "textile", "metal", "follows"),
+    [
+        ("rust ceramic", "orange", "rust", "iron", True),  # the dye itself, though its basic colour has another name
+        ("orange ceramic", "orange", "rust", "iron", True),  # of its hue
+        ("teal ceramic", "teal", "rust", "iron", False),
+        ("charcoal ceramic", "navy", "charcoal", "iron", True),  # the nearest basic colour of a dye misleads
+        ("brass", "gold", "grey", "brass", True),
+        ("brass", "gold", "grey", "iron", False),
+        ("green glass", "dark green", "grey", "iron", True),  # what a bottle is made of
+    ],
+)
+def test_small_things_follow_dyes_and_metals_of_the_palette(material, color, textile, metal, follows) -> None:
+    look = Palette(
+        name="x", style="modern", woods=("oak",), paints=("white paint",), metals=(metal,), textiles=(textile,)
+    )
+    things = [on(LOW, f"vase-{k}", (0.05, 0.05, 0.2), style="modern", color=color, material=material) for k in range(7)]
+    found = broken("small_things_in_style", "bedroom", [LOW, *things], palette=look)
+    assert bool(found) != follows
+
+
 def test_what_does_not_belong_or_is_there_twice_can_be_removed() -> None:
     from sceneweaver.critic.design import faults
     from tests.critic.breaches import survey

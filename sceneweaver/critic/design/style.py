@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections import Counter, defaultdict
 from collections.abc import Iterator
-from typing import Any
 
-from sceneweaver.assets.materials import finishes, hue, own_look
+from sceneweaver.assets.materials import color_named, finishes, hue, own_look
 from sceneweaver.knowledge.design_rules import design_rules, limit
 from sceneweaver.scene import InputError
+from sceneweaver.scene.palette import Palette
 from sceneweaver.verify.solids import Body
 
 from .. import kinds
@@ -27,6 +27,9 @@ SAME_WOOD = 0.17
 DARK = frozenset(("black", "dark brown"))
 
 LAMPS = frozenset(("table_lamp", "desk_lamp"))
+
+UNDYED = frozenset(("bottle", "food"))
+"""Families of finishes that have the colours of what they are made of in any room."""
 
 FEWEST = 6
 """Small things from which their style is looked at."""
@@ -59,8 +62,9 @@ def _colour(body: Body) -> str | None:
 
 
 def _hue(colour: str) -> str | None:
+    """The hue of a colour by any name ("rust" is orange); None for a neutral or an unknown one."""
     try:
-        return hue(colour)
+        return hue(color_named(colour))
     except InputError:
         return None
 
@@ -168,8 +172,7 @@ def off_palette(survey: Survey) -> tuple[list[Body], list[Body]]:
     ]
     if not style:
         return [], []
-    suits = _palette_hues(palette) if palette is not None else None
-    return [b for b in small if not _follows(b, style, suits)], small
+    return [b for b in small if not _follows(b, palette, style)], small
 
 
 def _style(survey: Survey) -> str:
@@ -177,15 +180,18 @@ def _style(survey: Survey) -> str:
     return str((palette.style if palette is not None else survey.scene.provenance.get("style")) or "")
 
 
-def _palette_hues(palette: Any) -> set[str | None]:
-    names_ = [*palette.paints, *palette.textiles]
-    return {None, *(_hue(n.removesuffix(" paint")) for n in names_)}
-
-
-def _follows(body: Body, style: str, suits: set[str | None] | None) -> bool:
-    if suits is None:
+def _follows(body: Body, palette: Palette | None, style: str) -> bool:
+    if palette is None:
         return body.item.attributes["style"] == style
-    return _hue(_colour(body) or "") in suits
+    material = str(body.item.attributes.get("material"))
+    if material in _finishes(palette) or _family(body) in UNDYED:
+        return True
+    dyes = [*palette.textiles, *(paint.removesuffix(" paint") for paint in palette.paints)]
+    return material.rpartition(" ")[0] in dyes or _hue(_colour(body) or "") in {None, *map(_hue, dyes)}
+
+
+def _finishes(palette: Palette) -> tuple[str, ...]:
+    return (*palette.woods, *palette.paints, *palette.metals)
 
 
 def _pairs(survey: Survey) -> Iterator[Finding]:
