@@ -16,7 +16,7 @@ from benchmarks.patterns.views import hidden_keys, lights_hidden
 from sceneweaver.critic import kinds
 from sceneweaver.critic.design.gym import CARDIO, MIRRORS
 from sceneweaver.critic.design.light import HANGING
-from sceneweaver.critic.design.measure import floor_of_kind, named, top_of
+from sceneweaver.critic.design.measure import named, top_of
 from sceneweaver.critic.design.style import off_palette
 from sceneweaver.critic.design.walls import CURTAINS, covered
 from sceneweaver.critic.groups import ALL_BEDS, groups_of
@@ -177,7 +177,7 @@ def blocked(room: Room) -> Hits:
 
 
 def _kitchen(room: Room) -> bool:
-    return bool(floor_of_kind(room.survey, ("kitchen_counter", "kitchen_cabinet", "sink_cabinet")))
+    return bool(room.survey.on_floor(("kitchen_counter", "kitchen_cabinet", "sink_cabinet")))
 
 
 def stepped_worktop(room: Room) -> Hits:
@@ -188,8 +188,8 @@ def stepped_worktop(room: Room) -> Hits:
 def bare_dishwasher(room: Room) -> Hits:
     """Dishwashers that no worktop of the height of the others goes over."""
     survey = room.survey
-    washers = floor_of_kind(survey, ("dishwasher",))
-    counters = floor_of_kind(survey, ("kitchen_counter", "kitchen_cabinet", "sink_cabinet"))
+    washers = survey.on_floor(("dishwasher",))
+    counters = survey.on_floor(("kitchen_counter", "kitchen_cabinet", "sink_cabinet"))
     step = limit("one_worktop_height", "step") + 0.005
 
     def beside(washer: Body) -> Body | None:
@@ -210,7 +210,7 @@ def stove_in_corner(room: Room) -> Hits:
 def unlit(room: Room) -> Hits:
     """Rooms with tables or several desks of which some have no lamp over them."""
     survey = room.survey
-    desks = floor_of_kind(survey, kinds.DESKS - {"reception_desk", "dressing_table"})
+    desks = survey.on_floor(kinds.DESKS - {"reception_desk", "dressing_table"})
     tables = [g.table for g in groups_of(survey).tables if g.table.item.category in kinds.DINING]
     return _room(room.named("lamp_over_table")) if tables or len(desks) >= 3 else NONE
 
@@ -225,7 +225,7 @@ def machines_anyhow(room: Room) -> Hits:
     """Gyms whose cardio machines face several ways or stand out of their row."""
     if room.kind not in ("gym", "home_gym"):
         return NONE
-    cardio, ways = floor_of_kind(room.survey, CARDIO), []
+    cardio, ways = room.survey.on_floor(CARDIO), []
     for body in cardio:
         if not any(abs(wrap_angle(body.yaw - other)) < math.radians(10.0) for other in ways):
             ways.append(body.yaw)

@@ -9,7 +9,8 @@ from sceneweaver.assets import categories
 from sceneweaver.verify.solids import Body, Opening
 
 from . import kinds
-from .grade import Finding, finding
+from .design.measure import HEAD, along, overlap, strip
+from .grade import Finding, finding, moved, related
 from .needs import seat_like, table_of
 from .survey import FLAT, Survey
 
@@ -30,9 +31,6 @@ ENTRY = 0.9
 
 LIGHT = 0.6
 """Depth [m] before a window in which tall things take its light."""
-
-HEAD = 1.9
-"""Height [m] above which things are not in the way."""
 
 
 def faults(survey: Survey) -> Iterator[Finding]:
@@ -57,10 +55,10 @@ def _fronts(survey: Survey) -> Iterator[Finding]:
             depth = min(DEEP, row.clearance.get(side, 0.3))
             if body.item.category in kinds.LOUNGE:
                 depth = 0.2
-            strip = _strip(body, side, depth)
+            area = strip(body, side, depth)
             blockers = [
                 (share, other)
-                for other, share in _inside(survey, strip, body)
+                for other, share in _inside(survey, area, body)
                 if frozenset((body.id, other.id)) not in known and not _companion(survey, body, other)
             ]
             total = sum(share for share, _ in blockers)
@@ -74,8 +72,7 @@ def _fronts(survey: Survey) -> Iterator[Finding]:
                     f"move {worst.id} away from the front of {body.id}",
                     points=1.2 + total,
                     cap=GRADE_CAP,
-                    tool="update_layout",
-                    inputs={"ids": [worst.id]},
+                    call=moved(worst.id),
                 )
 
 
@@ -94,9 +91,9 @@ def _seats(survey: Survey) -> Iterator[Finding]:
         if not kinds.upright_seat(seat.item.category) or table_of(survey, seat) is None:
             continue
         table = table_of(survey, seat)
-        strip = _strip(seat, "back", RISE)
-        outside = 1.0 - float(strip.intersection(survey.placed.floor).area) / max(1e-9, float(strip.area))
-        taken = [(s, b) for b, s in _inside(survey, strip, seat) if b is not table and not seat_like(b)]
+        area = strip(seat, "back", RISE)
+        outside = 1.0 - float(area.intersection(survey.placed.floor).area) / max(1e-9, float(area.area))
+        taken = [(s, b) for b, s in _inside(survey, area, seat) if b is not table and not seat_like(b)]
         total = outside + sum(s for s, _ in taken)
         if total <= 0.6:
             continue
@@ -109,16 +106,14 @@ def _seats(survey: Survey) -> Iterator[Finding]:
             f"{what} leaves less than {RISE:g} m behind {seat.id}: {min(1.0, total):.0%} of it is taken",
             f"leave at least {RISE:g} m behind {seat.id}",
             points=0.8,
-            tool="update_layout",
-            inputs={"ids": [seat.id, *([table.id] if table else [])]},
+            call=moved(seat.id, *([table.id] if table else [])),
         )
 
 
 def _doors(survey: Survey) -> Iterator[Finding]:
     known = survey.violated.get("blocked_opening", set())
     for door in survey.placed.doors:
-        strip = _before(door, ENTRY)
-        for other, share in _inside(survey, strip, None):
+        for other, share in _inside(survey, _before(door, ENTRY), None):
             if share > 0.12 and frozenset((other.id, door.item.id)) not in known:
                 yield finding(
                     "layout",
@@ -128,30 +123,22 @@ def _doors(survey: Survey) -> Iterator[Finding]:
                     f"move {other.id} away from {door.item.id}",
                     points=0.6 + share,
                     cap=GRADE_CAP if share > 0.5 else None,
-                    tool="add_relation",
-                    inputs={
-                        "relations": [{"type": "away_from_door", "subject": other.id, "target": None, "hard": True}]
-                    },
+                    call=related("away_from_door", other.id),
                 )
 
 
 def _windows(survey: Survey) -> Iterator[Finding]:
     known = survey.violated.get("blocked_opening", set())
     for window in survey.placed.windows:
-        item = window.item
-        sill = window.z[0]
-        height = window.z[1] - window.z[0]
-        strip = _before(window, LIGHT)
-        for other, _ in _inside(survey, strip, None, head=10.0):
+        item, height = window.item, window.z[1] - window.z[0]
+        for other, _ in _inside(survey, _before(window, LIGHT), None, head=10.0):
             category = other.item.category
             if other.item.mount == "wall":
                 continue  # what hangs across a window is said below
             if category in kinds.SEE_THROUGH | kinds.WINDOW_WEAR or frozenset((other.id, item.id)) in known:
                 continue
-            spots = [window.wall.coordinates(c)[0] for c in other.corners]
-            wide = min(max(spots), item.offset + item.width) - max(min(spots), item.offset)
-            high = min(other.z[1], window.z[1]) - max(other.z[0], sill)
-            share = max(0.0, wide) / item.width * max(0.0, high) / height
+            wide = overlap(along(window, other)[0], (item.offset, item.offset + item.width))
+            share = max(0.0, wide) / item.width * max(0.0, overlap(other.z, window.z)) / height
             if share > 0.2:
                 yield finding(
                     "layout",
@@ -160,8 +147,7 @@ def _windows(survey: Survey) -> Iterator[Finding]:
                     f"{other.id}, {other.z[1]:.2f} m high, covers {share:.0%} of {item.id}",
                     f"move {other.id} away from {item.id}",
                     points=0.7 + share,
-                    tool="update_layout",
-                    inputs={"ids": [other.id]},
+                    call=moved(other.id),
                 )
 
 
@@ -174,13 +160,11 @@ def _hung(survey: Survey) -> Iterator[Finding]:
         for opening in survey.placed.openings:
             if frozenset((body.id, opening.item.id)) in known:
                 continue
-            spots = [opening.wall.coordinates(c) for c in body.corners]
-            if min(g for _, g in spots) > 0.25 or min(g for _, g in spots) < -0.2:
+            span, (near, _) = along(opening, body)
+            if not -0.2 <= near <= 0.25:
                 continue
-            along = [u for u, _ in spots]
-            low, high = opening.item.offset, opening.item.offset + opening.item.width
-            wide = min(max(along), high) - max(min(along), low)
-            tall = min(body.z[1], opening.z[1]) - max(body.z[0], opening.z[0])
+            wide = overlap(span, (opening.item.offset, opening.item.offset + opening.item.width))
+            tall = overlap(body.z, opening.z)
             if wide > 0.05 and tall > 0.05:
                 yield finding(
                     "layout",
@@ -189,38 +173,23 @@ def _hung(survey: Survey) -> Iterator[Finding]:
                     f"{body.id} hangs {wide:.2f} m across {opening.item.id}",
                     f"move {body.id} to a free wall",
                     points=1.2,
-                    tool="update_layout",
-                    inputs={"ids": [body.id]},
+                    call=moved(body.id),
                 )
-
-
-def _strip(body: Body, side: str, depth: float) -> Any:
-    """The rectangle of some depth [m] before a side of a body, in plan."""
-    import shapely
-
-    (x, y), (nx, ny), half = body.face(side)
-    half *= 0.95
-    a, b = (x - ny * half, y + nx * half), (x + ny * half, y - nx * half)
-    shape = shapely.Polygon([a, b, (b[0] + nx * depth, b[1] + ny * depth), (a[0] + nx * depth, a[1] + ny * depth)])
-    shapely.prepare(shape)
-    return shape
 
 
 def _before(opening: Opening, depth: float) -> Any:
     import shapely
 
-    shape = shapely.Polygon(opening.wall.strip(opening.item.offset, opening.item.width, 0.0, depth))
-    shapely.prepare(shape)
-    return shape
+    return shapely.Polygon(opening.wall.strip(opening.item.offset, opening.item.width, 0.0, depth))
 
 
-def _inside(survey: Survey, strip: Any, own: Body | None, head: float = HEAD) -> Iterator[tuple[Body, float]]:
-    """Things on the floor or low on a wall that reach into a strip, with the share of it that they take."""
-    area = max(1e-9, float(strip.area))
-    for row in sorted(int(r) for r in survey.tree.query(strip, predicate="intersects")):
+def _inside(survey: Survey, area: Any, own: Body | None, head: float = HEAD) -> Iterator[tuple[Body, float]]:
+    """Things on the floor or low on a wall that reach into an area, with the share of it that they take."""
+    whole = max(1e-9, float(area.area))
+    for row in sorted(int(r) for r in survey.tree.query(area, predicate="intersects")):
         other = survey.bodies[row]
         if other is own or other.item.mount in ("surface", "ceiling") or other.z[1] <= FLAT or other.z[0] > head:
             continue
-        share = float(survey.footprints[row].intersection(strip).area) / area
+        share = float(survey.footprints[row].intersection(area).area) / whole
         if share > 0.02:
             yield other, share

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from sceneweaver.assets import categories
 from sceneweaver.assets.category import Category
@@ -16,6 +16,7 @@ from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body
 
 from . import kinds
+from .grade import Call
 from .shape_measures import plan_shape
 from .verdict import Asked, counted, met, not_understood, unmet
 
@@ -86,7 +87,6 @@ def _outcome(asked: Entity, attribute: Attribute, item: str, bodies: Sequence[Bo
     body, is_ = wrong[0] if wrong else (good[0], words)
     names = ", ".join(b.id for b, _ in wrong)
     number = test.number(body) or counted("objects that are so", len(good), least, most)
-    tool, inputs = _resized(attribute, asked, body, number) if attribute.kind == "size" else (None, None)
     return unmet(
         "attribute",
         item,
@@ -97,8 +97,7 @@ def _outcome(asked: Entity, attribute: Attribute, item: str, bodies: Sequence[Bo
         wrong=[b.id for b, _ in wrong],
         share=len(wrong) / len(answers),
         suggestion=f"replace {names} by {words} {kinds.words(asked.category)}",
-        tool=tool,
-        inputs=inputs,
+        call=_resized(attribute, asked, body, number) if attribute.kind == "size" else None,
     )
 
 
@@ -229,11 +228,11 @@ def _of_size(body: Body, asked: Entity, words: Words) -> Answer | None:
     return m.ok(), f"{m.value:.2f} of the usual {m.quantity.split()[0]}"
 
 
-def _resized(attribute: Attribute, asked: Entity, body: Body, number: Measurement) -> tuple[str | None, Any]:
+def _resized(attribute: Attribute, asked: Entity, body: Body, number: Measurement) -> Call | None:
     """Scale it so that the extent is as far beyond the usual as the request's scale says."""
     words = read_words(attribute.value)
     if not words.extents or number.value <= 0.0:
-        return None, None
+        return None
     axis, share = _axis(words)
     if number.low == OBLONG:
         scale = 1.05 * OBLONG
@@ -275,8 +274,7 @@ def _measured_size(asked: Entity, bodies: Sequence[Body]) -> Asked:
         fault="wrong_asked_size",
         wrong=[body.id],
         suggestion=f"resize {body.id}",
-        tool="update_size",
-        inputs={"sizes": {body.id: target}},
+        call=("update_size", {"sizes": {body.id: target}}),
     )
 
 

@@ -14,11 +14,9 @@ from sceneweaver.scene import CATALOGUE
 from sceneweaver.verify.solids import Body
 
 from . import kinds
+from .grade import Call, moved
 from .place_measures import segments
 from .survey import Survey
-
-Call = tuple[str | None, dict[str, Any] | None]
-"""A tool and its inputs; None where none can help."""
 
 
 def adding(survey: Survey, asked: Entity, missing: int) -> Call:
@@ -89,7 +87,7 @@ def relating(survey: Survey, said: StatedRelation, item: str, wrong: Sequence[Bo
                 rows.append({**stated, "params": dict(row.params)} if row.params else stated)
     if rows and not all(_stated(survey, row) for row in rows):
         return "add_relation", {"relations": rows}
-    return "update_layout", {"ids": ids}
+    return moved(*ids)
 
 
 def _turning(survey: Survey, said: StatedRelation, wrong: Sequence[Body]) -> Call:
@@ -103,7 +101,7 @@ def _turning(survey: Survey, said: StatedRelation, wrong: Sequence[Body]) -> Cal
         return "update_rotation", {"ids": [b.id for b in wrong], "toward": target.id}
     parts = segments(survey, said.targets[0])
     if not parts:
-        return "update_layout", {"ids": [b.id for b in wrong]}
+        return moved(*(b.id for b in wrong))
     nearest = min(parts, key=lambda s: math.dist(s.middle, wrong[0].centre))
     return "update_rotation", {"ids": [wrong[0].id], "yaw": round(bearing(wrong[0].centre, nearest.middle), 4)}
 

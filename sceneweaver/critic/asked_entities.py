@@ -38,7 +38,6 @@ def _entity(survey: Survey, asked: Entity, bodies: list[Body]) -> Asked:
     ids = [b.id for b in bodies]
     if len(bodies) < least:
         missing = least - len(bodies)
-        tool, inputs = adding(survey, asked, missing)
         return unmet(
             "entity",
             asked.id,
@@ -49,8 +48,7 @@ def _entity(survey: Survey, asked: Entity, bodies: list[Body]) -> Asked:
             share=missing / least,
             suggestion=f"add {missing} {kinds.words(asked.category)}",
             cap=GRADE_CAP if len(bodies) * 2 < least else None,
-            tool=tool,
-            inputs=inputs,
+            call=adding(survey, asked, missing),
         )
     spare = [b.id for b in (*bodies[most:], *_beside(survey, asked, bodies))] if asked.count is not None else []
     have = counted(
@@ -68,8 +66,7 @@ def _entity(survey: Survey, asked: Entity, bodies: list[Body]) -> Asked:
             share=len(spare) / max(1, most),
             weight=SPARE,
             suggestion=f"remove {', '.join(spare)}",
-            tool="remove_objects",
-            inputs={"ids": spare},
+            call=("remove_objects", {"ids": spare}),
         )
     made = (
         f"a {kinds.words(asked.category)} stands for '{asked.noun}'"
@@ -104,8 +101,7 @@ def _exclusions(survey: Survey) -> Iterator[Asked]:
             fault="unwanted",
             suggestion=f"remove {', '.join(there)}",
             cap=GRADE_CAP,
-            tool="remove_objects",
-            inputs={"ids": there},
+            call=("remove_objects", {"ids": there}),
         )
 
 
@@ -126,6 +122,5 @@ def _only(survey: Survey) -> Asked:
         share=len(extra) / 5,
         weight=4.0,
         suggestion=f"remove {', '.join(extra)}",
-        tool="remove_objects",
-        inputs={"ids": extra},
+        call=("remove_objects", {"ids": extra}),
     )

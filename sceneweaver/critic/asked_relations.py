@@ -52,11 +52,9 @@ def _outcome(survey: Survey, said: StatedRelation, item: str) -> Asked:
     if missing:
         noun = next((e.noun for e in survey.brief.entities if e.id == missing[0]), missing[0])
         asked = survey.brief.entity(missing[0])
-        tool, inputs = adding(survey, asked, 1) if asked is not None else (None, None)
+        call = adding(survey, asked, 1) if asked is not None else None
         reason = f"'{words}' does not hold: there is no '{noun}'"
-        return unmet(
-            "relation", item, ids, reason, fault="asked_relation", suggestion=f"add '{noun}'", tool=tool, inputs=inputs
-        )
+        return unmet("relation", item, ids, reason, fault="asked_relation", suggestion=f"add '{noun}'", call=call)
     absent = [p for p in said.targets if p in ("window", "door") and not place_measures.segments(survey, p)]
     if absent:
         reason = f"'{words}' does not hold: the room has no {absent[0]}"
@@ -70,7 +68,6 @@ def _outcome(survey: Survey, said: StatedRelation, item: str) -> Asked:
     wrong = [b.id for b in ruling.wrong or subjects]
     shown = ", ".join(wrong[:4])
     why = text_of(ruling.worst) if ruling.worst is not None else "there is nothing to relate it to"
-    tool, inputs = relating(survey, said, item, ruling.wrong or subjects)
     return unmet(
         "relation",
         item,
@@ -81,8 +78,7 @@ def _outcome(survey: Survey, said: StatedRelation, item: str) -> Asked:
         wrong=wrong,
         share=ruling.share,
         suggestion=f"put {shown} as asked",
-        tool=tool,
-        inputs=inputs,
+        call=relating(survey, said, item, ruling.wrong or subjects),
     )
 
 

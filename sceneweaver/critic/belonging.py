@@ -84,8 +84,7 @@ def _foreign(survey: Survey) -> Iterator[Finding]:
             f"remove {body.id}",
             points=points,
             cap=lid,
-            tool="remove_objects",
-            inputs={"ids": [body.id]},
+            call=("remove_objects", {"ids": [body.id]}),
         )
 
 
@@ -140,8 +139,7 @@ def _lifeless(survey: Survey) -> Iterator[Finding]:
         f"{small} small things on {len(bases)} tables and shelves: nobody lives here",
         f"put things of every day on {', '.join(ids[:4])}",
         points=1.2 * (1 - small / len(bases)),
-        tool="add_crowd",
-        inputs={"supports": ids},
+        call=("add_crowd", {"supports": ids}),
     )
 
 
@@ -169,6 +167,5 @@ def _dominant(survey: Survey) -> Iterator[Finding]:
             f"{share:.0%} of the {len(furniture)} pieces of furniture are {kinds.words(category)}s",
             "remove some of them, or add other furniture",
             points=1.0 + 3.0 * (share - DOMINANT),
-            tool="remove_objects",
-            inputs={"ids": ids},
+            call=("remove_objects", {"ids": ids}),
         )

@@ -11,7 +11,7 @@ from sceneweaver.scene import CATALOGUE
 from sceneweaver.verify.solids import Body
 
 from . import kinds
-from .grade import Finding, finding
+from .grade import Finding, finding, moved, related
 from .needs import table_of
 from .survey import Survey, turn_to
 
@@ -83,8 +83,7 @@ def _wrong(ids: list[str], reason: str, fix: str, grave: bool, points: float = 1
         fix,
         points=points,
         cap=GRADE_CAP if grave else None,
-        tool="update_rotation",
-        inputs={"ids": ids[:1], **inputs},
+        call=("update_rotation", {"ids": ids[:1], **inputs}),
     )
 
 
@@ -118,10 +117,7 @@ def _chairs(survey: Survey) -> Iterator[Finding]:
                 f"put {seat.id} in front of {table.id}",
                 points=1.5,
                 cap=GRADE_CAP,
-                tool="add_relation",
-                inputs={
-                    "relations": [{"type": "front_to_front", "subject": seat.id, "target": table.id, "hard": True}]
-                },
+                call=related("front_to_front", seat.id, table.id),
             )
     for table_id, found in turned.items():
         worst = max(angle for _, angle in found)
@@ -137,8 +133,7 @@ def _chairs(survey: Survey) -> Iterator[Finding]:
             f"turn {', '.join(ids)} toward {table_id}",
             points=min(4.0, 1.2 * len(ids)),
             cap=GRADE_CAP if worst > GRAVE else None,
-            tool="update_rotation",
-            inputs={"ids": ids, "toward": table_id},
+            call=("update_rotation", {"ids": ids, "toward": table_id}),
         )
 
 
@@ -174,9 +169,7 @@ def _lounge(survey: Survey) -> Iterator[Finding]:
     centroid = survey.placed.floor.centroid
     middle = (float(centroid.x), float(centroid.y))
     tvs = survey.of_kind(kinds.TVS)
-    for seat in survey.of_kind(kinds.LOUNGE - {"bean_bag"}):
-        if seat.item.mount != "floor":
-            continue
+    for seat in survey.on_floor(kinds.LOUNGE - {"bean_bag"}):
         clear = survey.clear_ahead(seat)
         if clear < 0.8:
             yield _wrong(
@@ -331,8 +324,7 @@ def _televisions(survey: Survey) -> Iterator[Finding]:
                 f"{other.id} stands between {seat.id} and {tv.id}",
                 f"move {other.id} out of the way",
                 points=1.2,
-                tool="update_layout",
-                inputs={"ids": [other.id]},
+                call=moved(other.id),
             )
 
 
@@ -352,9 +344,7 @@ def _hides(survey: Survey, seat: Body, tv: Body) -> Body | None:
 
 
 def _beds(survey: Survey) -> Iterator[Finding]:
-    for bed in survey.of_kind(kinds.BEDS):
-        if bed.item.mount != "floor":
-            continue
+    for bed in survey.on_floor(kinds.BEDS):
         back = survey.back_wall(bed)
         gap = back[1] if back else math.inf
         if back is not None and gap <= HEAD_GAP and math.degrees(back[2]) < 12:
@@ -371,8 +361,7 @@ def _beds(survey: Survey) -> Iterator[Finding]:
             f"put the head of {bed.id} against a wall",
             points=2.0,
             cap=GRADE_CAP if gap > 0.5 else None,
-            tool="add_relation",
-            inputs={"relations": [{"type": "against_wall", "subject": bed.id, "target": None, "hard": True}]},
+            call=related("against_wall", bed.id),
         )
     for stand in survey.of_kind(("nightstand",)):
         bed = next((b for b, gap in survey.near(stand, 0.5) if b.item.category in kinds.BEDS), None)
@@ -384,8 +373,7 @@ def _beds(survey: Survey) -> Iterator[Finding]:
                 f"{stand.id} stands {bed.local(stand.centre)[0] + bed.size[0] / 2:.2f} m from the head of {bed.id}",
                 f"put {stand.id} at the head of {bed.id}",
                 points=1.0,
-                tool="add_relation",
-                inputs={"relations": [{"type": "against_wall", "subject": stand.id, "target": None, "hard": True}]},
+                call=related("against_wall", stand.id),
             )
     for bed in survey.of_kind(kinds.LONG_BEDS):
         gap = float(survey.wall_gaps[bed.index])
@@ -397,16 +385,13 @@ def _beds(survey: Survey) -> Iterator[Finding]:
                 f"{bed.id} is {gap:.2f} m from the nearest wall",
                 f"put {bed.id} against a wall",
                 points=1.2,
-                tool="add_relation",
-                inputs={"relations": [{"type": "against_wall", "subject": bed.id, "target": None, "hard": True}]},
+                call=related("against_wall", bed.id),
             )
 
 
 def _fronts(survey: Survey) -> Iterator[Finding]:
     """Storage and appliances whose front is at a wall."""
-    for body in survey.of_kind(kinds.WALL_BACKED, kinds.DESKS - {"reception_desk", "corner_desk"}):
-        if body.item.mount != "floor":
-            continue
+    for body in survey.on_floor(kinds.WALL_BACKED, kinds.DESKS - {"reception_desk", "corner_desk"}):
         clear = survey.clear_ahead(body)
         if clear < NOSE:
             yield _wrong(
@@ -448,8 +433,7 @@ def _walled_in(survey: Survey) -> Iterator[Finding]:
                 reason,
                 f"move {body.id} away from the wall",
                 points=1.5,
-                tool="update_layout",
-                inputs={"ids": [body.id]},
+                call=moved(body.id),
             )
 
 

@@ -103,8 +103,7 @@ def _supports(survey: Survey) -> Iterator[Finding]:
             f"put things on {', '.join(ids[:4])}",
             points=0.4 + 3.0 * len(ids) / len(bases),
             cap=lid,
-            tool=tool,
-            inputs=inputs,
+            call=(tool, inputs),
         )
     if poor:
         ids = [b.id for b in poor]
@@ -115,8 +114,7 @@ def _supports(survey: Survey) -> Iterator[Finding]:
             f"{level[ids[0]]:.0%} of the boards of {ids[0]} carry something",
             f"fill {', '.join(ids[:4])}",
             points=0.2 + 1.2 * len(ids) / len(bases),
-            tool="add_crowd",
-            inputs={"supports": ids},
+            call=("add_crowd", {"supports": ids}),
         )
 
 
@@ -147,8 +145,7 @@ def _floor(survey: Survey) -> Iterator[Finding]:
             "add furniture to the empty part of the room",
             points=1.0 + 6.0 * (bare - used),
             cap=GRADE_CAP,
-            tool="add_objects",
-            inputs={"objects": _more(survey)},
+            call=("add_objects", {"objects": _more(survey)}),
         )
     elif used < bare + 0.15:
         yield finding(
@@ -158,8 +155,7 @@ def _floor(survey: Survey) -> Iterator[Finding]:
             f"{1 - used:.0%} of the floor is more than 0.6 m from any furniture",
             "add furniture to the empty part of the room",
             points=6.0 * (bare + 0.15 - used),
-            tool="add_objects",
-            inputs={"objects": _more(survey)},
+            call=("add_objects", {"objects": _more(survey)}),
         )
 
 
@@ -205,8 +201,7 @@ def _numbers(survey: Survey) -> Iterator[Finding]:
             f"{have} objects; such a room has about {want:.0f}",
             "add furniture and small things",
             points=3.5 * (0.8 - have / want) + 0.2,
-            tool="add_objects",
-            inputs={"objects": _more(survey)},
+            call=("add_objects", {"objects": _more(survey)}),
         )
 
 
@@ -244,8 +239,7 @@ def _touches(survey: Survey) -> Iterator[Finding]:
             reason,
             f"add {kinds.a(name)}",
             points=points if _listed(survey.room_type, wanted) else points / 2,
-            tool="add_objects",
-            inputs={"objects": [{"category": name, "count": 1}]},
+            call=("add_objects", {"objects": [{"category": name, "count": 1}]}),
         )
 
 

@@ -43,6 +43,10 @@ SLOPE = 0.2
 """How much a point beside the capping faults lowers a capped grade."""
 
 
+Call = tuple[str, dict[str, Any]]
+"""A call that mends a fault: name of the tool and its inputs."""
+
+
 @dataclass(frozen=True)
 class Finding:
     """A fault, and the lid that it puts on the grade of its criterion (None: none)."""
@@ -60,10 +64,10 @@ def finding(
     *,
     points: float = 1.0,
     cap: float | None = None,
-    tool: str | None = None,
-    inputs: dict[str, Any] | None = None,
+    call: Call | None = None,
 ) -> Finding:
-    """A finding in one call; ``inputs`` are those of ``tool``."""
+    """A finding in one call."""
+    tool, inputs = call or (None, {})
     fault = Fault(
         criterion=criterion,
         kind=kind,
@@ -71,11 +75,21 @@ def finding(
         reason=reason,
         suggestion=suggestion,
         tool=tool,
-        inputs=inputs or {},
+        inputs=inputs,
         points=round(points, 3),
         lid=cap,
     )
     return Finding(fault, cap)
+
+
+def moved(*ids: str) -> Call:
+    """The call that lays some objects out anew; all without any."""
+    return "update_layout", {"ids": list(ids)}
+
+
+def related(kind: str, subject: str, target: str | None = None) -> Call:
+    """The call that adds a hard relation."""
+    return "add_relation", {"relations": [{"type": kind, "subject": subject, "target": target, "hard": True}]}
 
 
 def grades(found: Sequence[Finding]) -> dict[str, float]:

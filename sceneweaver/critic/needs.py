@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Any
 
 from sceneweaver.knowledge import Item
@@ -60,14 +60,14 @@ def _missing(survey: Survey, need: Need) -> Finding:
     on = [object_id for object_id, of in survey.program.item_of.items() if of in item.on]
     calls: list[dict[str, Any]] = []
     for parent, number in _lacking(survey, need):
-        call: dict[str, Any] = {"category": category, "count": number}
+        row: dict[str, Any] = {"category": category, "count": number}
         place = placing(survey, item, parent)
-        calls.append({**call, **({"place": place} if place else {}), **({"on": on} if on else {})})
+        calls.append({**row, **({"place": place} if place else {}), **({"on": on} if on else {})})
     reason = f"{have} of {need.least} {name}s" if have else f"there is no {name}"
     reason += f"; {kinds.a(survey.room_type.name)} {'needs' if item.need == 'needed' else 'usually has'} {need.least}"
     fix = f"add {need.missing} {name}{'s' if need.missing > 1 else ''}"
     share = need.missing / need.least
-    inputs: Mapping[str, Any] = {"objects": calls}
+    call = ("add_objects", {"objects": calls})
     if item.need == "needed":
         points, lid = 1.5 + 2.5 * share, GRADE_CAP if share > 0.5 else None
         others = not have and any(kinds.serves(b.item.category, item.what) for b in survey.bodies)
@@ -81,8 +81,7 @@ def _missing(survey: Survey, need: Need) -> Finding:
             fix,
             points=points,
             cap=lid,
-            tool="add_objects",
-            inputs=dict(inputs),
+            call=call,
         )
     show = bool(kinds.groups_of(category) & SHOW)
     criterion = "functionality" if item.with_ is not None and not show else "completion"
@@ -93,8 +92,7 @@ def _missing(survey: Survey, need: Need) -> Finding:
         reason,
         fix,
         points=(0.25 if show else 0.35) * share + 0.1,
-        tool="add_objects",
-        inputs=dict(inputs),
+        call=call,
     )
 
 
@@ -185,8 +183,10 @@ def _desks(survey: Survey, reported: set[str]) -> Iterator[Finding]:
             f"no chair within {PARENT_WIDE:g} m of {desk.id}",
             f"add a {kinds.words(seat)} in front of {desk.id}",
             points=1.5,
-            tool="add_objects",
-            inputs={"objects": [{"category": seat, "count": 1, "place": [{"type": "front_to_front", "to": desk.id}]}]},
+            call=(
+                "add_objects",
+                {"objects": [{"category": seat, "count": 1, "place": [{"type": "front_to_front", "to": desk.id}]}]},
+            ),
         )
 
 
@@ -212,12 +212,14 @@ def _tables(survey: Survey, reported: set[str]) -> Iterator[Finding]:
             f"{len(have)} seats within {PARENT_WIDE:g} m of {table.id}, which is {max(table.size[:2]):.1f} m long",
             f"add {missing} {kinds.words(category)} around {table.id}",
             points=0.6 + 1.4 * missing / want,
-            tool="add_objects",
-            inputs={
-                "objects": [
-                    {"category": category, "count": missing, "place": [{"type": "front_against", "to": table.id}]}
-                ]
-            },
+            call=(
+                "add_objects",
+                {
+                    "objects": [
+                        {"category": category, "count": missing, "place": [{"type": "front_against", "to": table.id}]}
+                    ]
+                },
+            ),
         )
 
 
@@ -238,6 +240,8 @@ def _screens(survey: Survey) -> Iterator[Finding]:
         f"no seat in the room for {tvs[0]}",
         f"add a sofa facing {tvs[0]}",
         points=1.2,
-        tool="add_objects",
-        inputs={"objects": [{"category": "sofa", "count": 1, "place": [{"type": "facing", "to": tvs[0]}]}]},
+        call=(
+            "add_objects",
+            {"objects": [{"category": "sofa", "count": 1, "place": [{"type": "facing", "to": tvs[0]}]}]},
+        ),
     )

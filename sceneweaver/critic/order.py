@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
 
 from sceneweaver.assets import categories
 from sceneweaver.geometry.angles import wrap_angle
@@ -13,7 +12,7 @@ from sceneweaver.scene import CATALOGUE
 from sceneweaver.verify.solids import Body
 
 from . import kinds
-from .grade import Finding, finding
+from .grade import Finding, finding, moved, related
 from .groups import groups_of
 from .needs import table_of
 from .survey import QUARTER, Survey
@@ -74,8 +73,7 @@ def _away_from_walls(survey: Survey) -> Iterator[Finding]:
             reason,
             f"put {body.id} with its back against a wall",
             points=1.0 if sofa else 1.5,
-            tool="add_relation",
-            inputs={"relations": [{"type": "against_wall", "subject": body.id, "target": None, "hard": True}]},
+            call=related("against_wall", body.id),
         )
 
 
@@ -163,8 +161,7 @@ def _crooked(survey: Survey) -> Iterator[Finding]:
                 f"{body.id} is turned {math.degrees(angle):.0f} degrees against the walls",
                 f"turn {body.id} parallel to a wall",
                 points=0.8 + min(1.2, 0.7 * body.size[0] * body.size[1]),
-                tool="update_rotation",
-                inputs={"ids": [body.id], "yaw": _straight(survey, body)},
+                call=("update_rotation", {"ids": [body.id], "yaw": _straight(survey, body)}),
             )
     for body_id, degrees in slight:
         body = survey.placed.by_id[body_id]
@@ -175,8 +172,7 @@ def _crooked(survey: Survey) -> Iterator[Finding]:
             f"{body_id} is {degrees:.1f} degrees off the direction of the walls",
             f"turn {body_id} parallel to a wall",
             points=0.2 + 0.06 * degrees,
-            tool="update_rotation",
-            inputs={"ids": [body_id], "yaw": _straight(survey, body)},
+            call=("update_rotation", {"ids": [body_id], "yaw": _straight(survey, body)}),
         )
 
 
@@ -197,7 +193,6 @@ def _heights(survey: Survey) -> Iterator[Finding]:
         bottom = body.z[0]
         if low - HEIGHT_SLACK <= bottom <= high + HEIGHT_SLACK or _over_furniture(survey, body):
             continue
-        again: dict[str, Any] = {"tool": "update_layout", "inputs": {"ids": [body.id]}}
         yield finding(
             "layout",
             "odd_height",
@@ -205,7 +200,7 @@ def _heights(survey: Survey) -> Iterator[Finding]:
             f"{body.id} hangs {bottom:.2f} m above the floor; usual are {low:.2f} to {high:.2f} m",
             f"hang {body.id} at {(low + high) / 2:.2f} m",
             points=0.8,
-            **again,
+            call=moved(body.id),
         )
 
 
@@ -244,7 +239,6 @@ def _off_centre(survey: Survey) -> Iterator[Finding]:
                     f"{tv.id} hangs {abs(aside):.2f} m beside the middle of {stand.id}",
                     f"hang {tv.id} over the middle of {stand.id}",
                     points=0.7,
-                    tool="add_relation",
-                    inputs={"relations": [{"type": "above", "subject": tv.id, "target": stand.id, "hard": True}]},
+                    call=related("above", tv.id, stand.id),
                 )
             break

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from sceneweaver.verify import Violation
 from sceneweaver.verify.walkable import measure
 
-from .grade import Finding, finding
+from .grade import Finding, finding, moved
 from .survey import Survey
 
 GRADE_CAP = 5.0
@@ -32,38 +31,37 @@ def faults(survey: Survey) -> Iterator[Finding]:
 
 def _violation(survey: Survey, v: Violation) -> Iterator[Finding]:
     ids = tuple(name for name in v.objects if name in survey.placed.by_id)
-    again: dict[str, Any] = {"tool": "update_layout", "inputs": {"ids": list(ids)}}
+    again = moved(*ids)
     match v.kind:
         case "collision" | "out_of_bounds" | "unsupported":
             floating = v.kind == "unsupported"
             fix = "set it down on what carries it" if floating else f"lay out {' and '.join(ids)} again"
-            yield finding("layout", v.kind, ids, v.detail, fix, points=2.0, cap=GRADE_CAP, **again)
+            yield finding("layout", v.kind, ids, v.detail, fix, points=2.0, cap=GRADE_CAP, call=again)
             points = 2.0 if floating else 1.0
             yield finding(
-                "realism", v.kind, ids, v.detail, fix, points=points, cap=GRADE_CAP if floating else None, **again
+                "realism", v.kind, ids, v.detail, fix, points=points, cap=GRADE_CAP if floating else None, call=again
             )
         case "blocked_zone" if len(ids) == 2 and _on_companion(survey, *ids):
             return
         case "blocked_zone" | "blocked_opening":
             fix = f"move {ids[-1]} out of the way" if ids else "clear the way"
-            again["inputs"] = {"ids": [ids[-1]] if ids else []}
             points = min(2.0, 1.2 + 2.0 * v.amount)
-            yield finding("layout", v.kind, v.objects, v.detail, fix, points=points, cap=GRADE_CAP, **again)
+            yield finding(
+                "layout", v.kind, v.objects, v.detail, fix, points=points, cap=GRADE_CAP, call=moved(*ids[-1:])
+            )
         case "relation":
             fix = f"lay out {v.objects[0]} again so that it holds"
-            yield finding("layout", "broken_relation", v.objects, v.detail, fix, points=1.0, **again)
+            yield finding("layout", "broken_relation", v.objects, v.detail, fix, points=1.0, call=again)
         case "soft_relation":
             yield finding(
-                "layout", "soft_relation", v.objects, v.detail, points=min(0.8, 0.5 * _weight(survey, v)), **again
+                "layout", "soft_relation", v.objects, v.detail, points=min(0.8, 0.5 * _weight(survey, v)), call=again
             )
         case "dropped":
             why = next((d.category for d in survey.scene.dropped if d.id == v.objects[0]), v.objects[0])
-            call = {"objects": [{"category": why, "count": 1}]}
             fix = f"make room for the {why} and add it again"
             for criterion in ("completion", "alignment"):
-                yield finding(
-                    criterion, "dropped", v.objects, v.detail, fix, points=1.5, tool="add_objects", inputs=call
-                )
+                call = ("add_objects", {"objects": [{"category": why, "count": 1}]})
+                yield finding(criterion, "dropped", v.objects, v.detail, fix, points=1.5, call=call)
 
 
 def _on_companion(survey: Survey, owner: str, other: str) -> bool:
@@ -84,7 +82,6 @@ def _weight(survey: Survey, v: Violation) -> float:
 def _ways(survey: Survey) -> Iterator[Finding]:
     report = survey.report
     walk, reach = report.walkable_share, report.reachable_share
-    again: dict[str, Any] = {"tool": "update_layout", "inputs": {"ids": []}}
     if walk is not None and walk < WALKABLE:
         yield finding(
             "layout",
@@ -94,7 +91,7 @@ def _ways(survey: Survey) -> Iterator[Finding]:
             "lay out the room again with wider ways",
             points=0.5 + 8.0 * (WALKABLE - walk),
             cap=GRADE_CAP if walk < 0.7 else None,
-            **again,
+            call=moved(),
         )
     if reach is not None and reach < 1.0:
         access = measure(survey.placed)
@@ -112,5 +109,5 @@ def _ways(survey: Survey) -> Iterator[Finding]:
                 "lay out the room again so that all furniture can be reached",
                 points=0.3 + 5.0 * max(0.0, REACHABLE - reach) + NEEDED * len(grave),
                 cap=5.5 if reach < 0.7 else None,
-                **again,
+                call=moved(),
             )

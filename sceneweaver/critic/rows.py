@@ -13,7 +13,7 @@ from sceneweaver.geometry.se2 import SE2
 from sceneweaver.verify.solids import Body
 
 from . import kinds
-from .grade import Finding, finding
+from .grade import Finding, finding, moved
 from .needs import seat_like, table_of
 from .survey import QUARTER, Survey
 
@@ -61,8 +61,7 @@ def _rows(survey: Survey) -> Iterator[Finding]:
                 f"{worst[0]} stands {100 * worst[2]:.0f} cm out of line with {worst[1]}",
                 f"line up the {kinds.words(category)}s",
                 points=min(1.5, (0.25 if table else 0.4) * len(uneven)),
-                tool="update_layout",
-                inputs={"ids": ids},
+                call=moved(*ids),
             )
 
 
@@ -94,7 +93,7 @@ def _uneven(bodies: list[Body], seats: bool) -> list[tuple[str, str, float]]:
 def _scattered(survey: Survey) -> Iterator[Finding]:
     """Four or more equal tables of which many share no row with another."""
     for kind in (kinds.DINING, kinds.DESKS):
-        tables = [b for b in survey.of_kind(kind) if b.item.mount == "floor"]
+        tables = survey.on_floor(kind)
         if len(tables) < FEWEST:
             continue
         xy = SE2(yaw=survey.axis).to_local([b.centre for b in tables])
@@ -110,14 +109,13 @@ def _scattered(survey: Survey) -> Iterator[Finding]:
                 f"{len(alone)} of {len(tables)} tables stand in no row with another",
                 "set the tables out in rows",
                 points=0.4 + 1.8 * share,
-                tool="update_layout",
-                inputs={"ids": []},
+                call=moved(),
             )
 
 
 def _run(survey: Survey) -> Iterator[Finding]:
     """Units of a kitchen that stand apart from all others."""
-    units = [b for b in survey.of_kind(UNITS) if b.item.mount == "floor"]
+    units = survey.on_floor(UNITS)
     if len(units) < 3:
         return
     alone = [b for b in units if not any(o in units for o, _ in survey.near(b, JOINT))]
@@ -135,6 +133,5 @@ def _run(survey: Survey) -> Iterator[Finding]:
         f"{len(alone)} of {len(units)} kitchen units stand apart from all others",
         f"put {', '.join(b.id for b in alone[:3])} beside the other units",
         points=0.4 + len(alone) / len(units),
-        tool="add_relation",
-        inputs={"relations": rows},
+        call=("add_relation", {"relations": rows}),
     )

@@ -74,8 +74,7 @@ def _range(survey: Survey, body: Body) -> Iterator[Finding]:
             f"give {body.id} the size {' x '.join(f'{t:.2f}' for t in target)} m",
             points=1.0 if worst < WRONG else min(3.0, 1.0 + worst),
             cap=5.0 if worst >= WRONG else None,
-            tool="update_size",
-            inputs={"sizes": {body.id: [round(t, 3) for t in target]}},
+            call=("update_size", {"sizes": {body.id: [round(t, 3) for t in target]}}),
         )
 
 
@@ -101,8 +100,7 @@ def _equals(survey: Survey) -> Iterator[Finding]:
                 f"{odd[0].id} differs from {middle.id} by a factor of {_factor(odd[0], middle):.1f}",
                 f"give them the size of {middle.id}",
                 points=0.6,
-                tool="update_size",
-                inputs={"sizes": {b.id: list(middle.size) for b in odd}},
+                call=("update_size", {"sizes": {b.id: list(middle.size) for b in odd}}),
             )
 
 
@@ -126,6 +124,5 @@ def _carried(survey: Survey) -> Iterator[Finding]:
             f"{body.id} measures {max(body.size):.2f} m and stands on {base.id} of {max(base.size[:2]):.2f} m",
             f"make {body.id} smaller",
             points=1.5,
-            tool="update_size",
-            inputs={"sizes": {body.id: [round(s * factor, 3) for s in body.size]}},
+            call=("update_size", {"sizes": {body.id: [round(s * factor, 3) for s in body.size]}}),
         )

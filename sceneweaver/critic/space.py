@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from sceneweaver.geometry.se2 import SE2
 
-from .grade import Finding, finding
+from .grade import Finding, finding, moved
 from .survey import Survey
 
 REACH = 0.6
@@ -163,8 +163,7 @@ def faults(survey: Survey) -> Iterator[Finding]:
             f"remove {', '.join(spare)}",
             points=0.5 + 12.0 * (covered - CROWDED),
             cap=5.0 if covered > CROWDED + 0.15 else None,
-            tool="remove_objects",
-            inputs={"ids": spare},
+            call=("remove_objects", {"ids": spare}),
         )
     cells, row, column, rows, columns = _idle(survey)
     idle = cells * floor.cell**2
@@ -180,8 +179,7 @@ def faults(survey: Survey) -> Iterator[Finding]:
             f"{share:.0%} of the floor",
             "spread the furniture over the room",
             points=0.4 + 5.0 * (share - EMPTY),
-            tool="update_layout",
-            inputs={"ids": []},
+            call=moved(),
         )
     least, way = _halves(floor)
     if least < ONE_SIDED and len(survey.standing) >= 4 and not sparse and survey.area > 8.0:
@@ -192,8 +190,7 @@ def faults(survey: Survey) -> Iterator[Finding]:
             f"the {way} half of the room has {least:.0%} of the furniture",
             "spread the furniture over the room",
             points=0.6 + 6.0 * (ONE_SIDED - least),
-            tool="update_layout",
-            inputs={"ids": []},
+            call=moved(),
         )
 
 

@@ -113,6 +113,10 @@ class Survey:
         wanted = frozenset().union(*kinds)
         return [b for b in self.bodies if b.item.category in wanted]
 
+    def on_floor(self, *kinds: Iterable[str]) -> list[Body]:
+        """The objects of some categories that stand on the floor."""
+        return [b for b in self.of_kind(*kinds) if b.item.mount == "floor"]
+
     @cached_property
     def axis(self) -> float:
         """Direction [rad] of the longest wall, modulo 90 degrees."""

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from sceneweaver.verify.measure import Measurement, Measurements
 
-from .grade import Finding, finding
+from .grade import Call, Finding, finding
 from .model import ItemKind, ItemOutcome
 
 ARM = 0.5
@@ -83,8 +83,7 @@ def unmet(
     weight: float | None = None,
     suggestion: str = "",
     cap: float | None = None,
-    tool: str | None = None,
-    inputs: dict[str, Any] | None = None,
+    call: Call | None = None,
 ) -> Asked:
     """An item that is not so.
 
@@ -94,7 +93,7 @@ def unmet(
         wrong: the objects that would have to change, where they are not all.
         share: how much of it is not so, over 0 and up to 1.
         weight: points where nothing of it is so; None: that of its kind.
-        suggestion, cap, tool, inputs: see `Fault` and `Finding`.
+        suggestion, cap, call: see `finding`.
     """
     points = (WEIGHTS[kind] if weight is None else weight) * (0.3 + 0.7 * min(1.0, share))
     found = finding(
@@ -105,8 +104,7 @@ def unmet(
         suggestion,
         points=points,
         cap=cap,
-        tool=tool,
-        inputs=inputs,
+        call=call,
     )
     return Asked(_outcome(kind, item, "unmet", objects, reason, m), found)
 

@@ -12,7 +12,7 @@ from ..grade import Finding
 from ..needs import seat_like, table_of
 from ..survey import FLAT, Survey
 from .breach import breach
-from .measure import applies, floor_of_kind, names
+from .measure import applies, names
 
 APART = kinds.SEATED_AT | frozenset(("activity_table", "kids_table", "standing_mirror"))
 """What stands apart from all that is none of its group."""
@@ -39,7 +39,7 @@ def faults(survey: Survey) -> Iterator[Finding]:
 
 def _tables_at_walls(survey: Survey) -> Iterator[Finding]:
     least = limit("table_off_walls", "gap")
-    for table in floor_of_kind(survey, kinds.DINING):
+    for table in survey.on_floor(kinds.DINING):
         gap = float(survey.wall_gaps[table.index])
         round_ = "round" in table.item.category
         seats = [b for b, _ in survey.near(table, 0.9) if seat_like(b) and table_of(survey, b) is table]
@@ -72,9 +72,7 @@ def _end_at_wall(survey: Survey, table: Body, seats: list[Body], least: float) -
 def _apart(survey: Survey) -> Iterator[Finding]:
     """Tables of different groups that touch, seats of one at another, and things that are rammed together."""
     least = limit("pieces_apart", "gap")
-    for body in survey.of_kind(APART, {one for one, _ in RAMMED}):
-        if body.item.mount != "floor":
-            continue
+    for body in survey.on_floor(APART, {one for one, _ in RAMMED}):
         seats: list[tuple[float, Body]] = []
         for other, gap in survey.near(body, 3 * least):
             if other.item.mount != "floor" or other.z[1] <= FLAT / 2 or _one_group(survey, body, other):

@@ -11,7 +11,7 @@ from sceneweaver.verify.solids import Body
 from ..grade import Finding
 from ..survey import Survey
 from .breach import breach
-from .measure import applies, floor_of_kind, inside, named, names, strip
+from .measure import applies, inside, named, names, strip
 
 BASINS = named("vanity double_vanity pedestal_sink wall_basin")
 
@@ -68,7 +68,7 @@ def _mirrors(survey: Survey) -> Iterator[Finding]:
                     "mirror_over_basin",
                     (unit.id, *(m.id for m in mirrors)),
                     f"no mirror hangs over a basin of {unit.id}: {'the nearest ' if mirrors else 'none '}{away}",
-                    measured=off if math.isfinite(off) else None,
+                    measured=off,
                     allowed=(0.0, offset),
                     suggestion=f"hang a mirror over each basin of {unit.id}",
                 )
@@ -84,7 +84,7 @@ def _slack(mirror: Body, place: float, unit: Body) -> float:
 def _taps(survey: Survey) -> Iterator[Finding]:
     """A bath that is one plain body, with no tap on it, beside it or over it."""
     reach = limit("tap_at_basin", "reach")
-    for bath in floor_of_kind(survey, BATHS):
+    for bath in survey.on_floor(BATHS):
         rim = max(p.z[1] for p in bath.item.solids)
         narrow = [
             p for p in bath.item.solids if p.z[1] > rim - 1e-6 and _area(p.polygon) < 0.3 * bath.size[0] * bath.size[1]
@@ -121,7 +121,7 @@ def _towels(survey: Survey) -> Iterator[Finding]:
             "towel_in_reach",
             (b.id for _, b in lacking),
             f"no towel within {reach:g} m of {names(b for _, b in lacking)}: {far}",
-            measured=gap if math.isfinite(gap) else None,
+            measured=gap,
             allowed=(None, reach),
             weight=0.5 + 0.5 * len(lacking),
             suggestion=f"hang a towel within {reach:g} m of {names(b for _, b in lacking)}",
@@ -168,14 +168,14 @@ def _paper(survey: Survey) -> Iterator[Finding]:
 def _mats(survey: Survey) -> Iterator[Finding]:
     """Mats that lie at no way out of bath, shower or basin, and ways out without a mat."""
     limits = design_rules()["mat_at_exit"].limits
-    mats = [b for b in survey.of_kind(("bath_mat",)) if b.item.mount == "floor"]
-    exits = floor_of_kind(survey, SHOWERS, BATHS)
+    mats = survey.on_floor(("bath_mat",))
+    exits = survey.on_floor(SHOWERS, BATHS)
     served: set[int] = set()
     lost = []
     for mat in mats:
         at = [b for b in exits if _at_exit(survey, b, mat, limits)]
         served |= {b.index for b in at}
-        if not at and not any(_at_exit(survey, b, mat, limits) for b in floor_of_kind(survey, BASINS)):
+        if not at and not any(_at_exit(survey, b, mat, limits) for b in survey.on_floor(BASINS)):
             lost.append(mat)
     bare = [b for b in exits if b.index not in served]
     if lost or (bare and not mats):
@@ -185,7 +185,6 @@ def _mats(survey: Survey) -> Iterator[Finding]:
             (*(b.id for b in lost), *(b.id for b in bare)),
             what,
             measured=float(len(lost) or len(bare)),
-            allowed=(0.0, 0.0),
             weight=0.6 + 0.4 * max(len(lost), 1),
             suggestion=f"lay a mat before {names(bare or exits)}",
         )
@@ -208,7 +207,7 @@ def _at_exit(survey: Survey, body: Body, mat: Body, limits: dict[str, float]) ->
 def _flush(survey: Survey) -> Iterator[Finding]:
     """Showers and baths that stand a slot off a wall that they are against."""
     limits = design_rules()["flush_with_walls"].limits
-    for body in floor_of_kind(survey, SHOWERS, ("bathtub",)):
+    for body in survey.on_floor(SHOWERS, ("bathtub",)):
         gaps = {s: survey.clear_ahead(body, s) for s in ("back", "left", "right")}
         slots = {s: g for s, g in gaps.items() if limits["low"] + 0.01 < g < limits["high"]}
         if slots:
@@ -225,8 +224,8 @@ def _flush(survey: Survey) -> Iterator[Finding]:
 
 def _stools(survey: Survey) -> Iterator[Finding]:
     most = limit("stool_at_shower", "gap")
-    wet = floor_of_kind(survey, SHOWERS)
-    for stool in floor_of_kind(survey, ("shower_stool",)):
+    wet = survey.on_floor(SHOWERS)
+    for stool in survey.on_floor(("shower_stool",)):
         gap = min((survey.placed.distance(stool, b) for b in wet), default=math.inf)
         if gap > most:
             far = f"{gap:.2f} m from the shower" if math.isfinite(gap) else "in a room without a shower"
@@ -234,7 +233,7 @@ def _stools(survey: Survey) -> Iterator[Finding]:
                 "stool_at_shower",
                 (stool.id,),
                 f"{stool.id} stands {far}",
-                measured=gap if math.isfinite(gap) else None,
+                measured=gap,
                 allowed=(None, most),
                 suggestion=f"put {stool.id} in or beside the shower",
             )

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
-from typing import Any
 
 from sceneweaver.knowledge.design_rules import design_rules
 
-from ..grade import Finding
+from ..grade import Call, Finding
 from ..model import Fault
-
-Call = tuple[str, dict[str, Any]]
-"""A call that mends it: name of the tool and its inputs."""
 
 Interval = tuple[float | None, float | None]
 
@@ -33,14 +30,19 @@ def breach(
         rule_id: id in ``design_rules.yaml``; KeyError when there is none.
         objects: ids of the objects that it is about; none for the room as a whole.
         reason: one sentence with what was measured.
-        measured: the value, in the unit of the rule.
-        allowed: the interval in which it should lie; None at an end: open.
+        measured: the value, in the unit of the rule; an infinite one is none.
+        allowed: the interval in which it should lie; None at an end: open. None: of what was counted there should be
+            nothing.
         weight: share of the rule's points, for what is not all of a breach, or more than one.
         suggestion: one sentence that says what would mend it.
         call: a tool and its inputs that do mend it; None where no tool can.
     """
     rule = design_rules()[rule_id]
     tool, inputs = call or (None, {})
+    if measured is not None and not math.isfinite(measured):
+        measured = None
+    if measured is not None and allowed is None:
+        allowed = (0.0, 0.0)
     return Finding(
         Fault(
             criterion=rule.criterion,

@@ -13,7 +13,7 @@ from ..grade import Finding
 from ..needs import seat_like, table_of
 from ..survey import Survey
 from .breach import breach
-from .measure import along, applies, clear_depth, floor_of_kind, inside, movable, named, names, overlap, strip
+from .measure import along, applies, clear_depth, inside, movable, named, names, overlap, strip
 
 CRAMPED = 0.45
 """Depth [m] behind a seat below which nobody gets up from it; from there to the rule's depth it counts by half."""
@@ -86,7 +86,7 @@ def _behind_seats(survey: Survey) -> Iterator[Finding]:
 
 def _behind_counters(survey: Survey) -> Iterator[Finding]:
     clear = limit("behind_counter", "clear")
-    for counter in floor_of_kind(survey, ("bar_counter", "reception_desk", "host_stand")):
+    for counter in survey.on_floor(("bar_counter", "reception_desk", "host_stand")):
         free, other = clear_depth(survey, counter, "back", clear, movable)
         if free < clear - 0.05:
             what = "the wall" if other is None else other.id
@@ -103,7 +103,7 @@ def _behind_counters(survey: Survey) -> Iterator[Finding]:
 def _before_use(survey: Survey) -> Iterator[Finding]:
     clear = limit("before_use", "clear")
     shelf = limit("before_use", "shelf")
-    for body in floor_of_kind(survey, BROWSED):
+    for body in survey.on_floor(BROWSED):
         free, other = clear_depth(survey, body, "front", shelf, movable)
         if free < shelf - 0.05 and other is not None and frozenset((other.id, body.id)) not in survey.pairs:
             yield breach(
@@ -115,7 +115,7 @@ def _before_use(survey: Survey) -> Iterator[Finding]:
                 weight=0.8,
                 suggestion=f"leave {shelf:g} m before {body.id}",
             )
-    for body in floor_of_kind(survey, OPENED):
+    for body in survey.on_floor(OPENED):
         area = strip(body, "front", clear, 0.9)
         taken = [
             (b, s)

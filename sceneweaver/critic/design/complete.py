@@ -35,7 +35,6 @@ def faults(survey: Survey) -> Iterator[Finding]:
             (),
             f"{len(missed)} of what such a room has is missed: no {', no '.join(missed)}",
             measured=float(len(missed)),
-            allowed=(0.0, 0.0),
             weight=min(4.0, 0.6 + 0.4 * len(missed)),
             suggestion=f"add {', '.join(missed)}",
         )

@@ -14,7 +14,7 @@ from .. import kinds
 from ..grade import Finding
 from ..survey import QUARTER, Survey
 from .breach import breach
-from .measure import applies, clear_depth, floor_of_kind, inside, middle, movable, named, names, outlook, strip
+from .measure import applies, clear_depth, inside, middle, movable, named, names, outlook, strip
 
 CARDIO = named("treadmill spin_bike exercise_bike elliptical rowing_machine stair_climber")
 
@@ -41,7 +41,7 @@ def faults(survey: Survey) -> Iterator[Finding]:
     """Breaches of the rules for gyms."""
     if not applies(survey, "machines_in_rows"):
         return
-    cardio = floor_of_kind(survey, CARDIO)
+    cardio = survey.on_floor(CARDIO)
     yield from _rows(survey, cardio)
     yield from _view(survey, cardio)
     yield from _behind(survey)
@@ -76,7 +76,6 @@ def _rows(survey: Survey, cardio: list[Body]) -> Iterator[Finding]:
                 f"{len(row)} of {len(bodies)} {words}s stand in one row"
                 + (f", they face {len(ways)} ways" if len(ways) > 1 else ""),
                 measured=float(len(out)),
-                allowed=(0.0, 0.0),
                 weight=0.5 + len(out) / len(bodies),
                 suggestion=f"set {names(out)} in the row of the other {words}s, facing the same way",
             )
@@ -115,7 +114,6 @@ def _view(survey: Survey, cardio: list[Body]) -> Iterator[Finding]:
             (b.id for b in blind),
             f"{len(blind)} of {len(cardio)} cardio machines look at no window, screen or mirror: {names(blind)}",
             measured=float(len(blind)),
-            allowed=(0.0, 0.0),
             weight=0.5 + len(blind) / len(cardio),
             suggestion=f"turn {names(blind)} to a window or a screen",
         )
@@ -139,7 +137,7 @@ def _sees(body: Body, spot: tuple[float, float], angle: float) -> bool:
 def _behind(survey: Survey) -> Iterator[Finding]:
     clear = limit("cardio_clear_behind", "clear")
     tight = []
-    for body in floor_of_kind(survey, ("treadmill",)):
+    for body in survey.on_floor(("treadmill",)):
         free, other = clear_depth(survey, body, "back", clear, movable)
         if free < clear - 0.1:
             tight.append((free, body, other))
@@ -158,18 +156,16 @@ def _behind(survey: Survey) -> Iterator[Finding]:
 
 def _mats(survey: Survey) -> Iterator[Finding]:
     """Mats that lie apart, turned, or in the way of a machine."""
-    mats = [b for b in survey.of_kind(MATS) if b.item.mount == "floor"]
+    mats = survey.on_floor(MATS)
     limits = design_rules()["mats_together"].limits
     if not mats:
         return
-    machines = {b.index for b in floor_of_kind(survey, MACHINES)}
+    machines = {b.index for b in survey.on_floor(MACHINES)}
     wrong: dict[Body, str] = {}
     for mat in mats:
         under = [b for b, _ in inside(survey, survey.boxes[mat.index], (mat,), low=0.1) if b.index in machines]
         use = [
-            b
-            for b in floor_of_kind(survey, ("cable_machine",))
-            if strip(b, "front", 0.5).intersects(survey.boxes[mat.index])
+            b for b in survey.on_floor(("cable_machine",)) if strip(b, "front", 0.5).intersects(survey.boxes[mat.index])
         ]
         near = [b for b, g in survey.near(mat, limits["gap"]) if b in mats]
         turned = abs(float(survey.wall_angles[mat.index])) > math.radians(limits["angle"])
@@ -189,7 +185,6 @@ def _mats(survey: Survey) -> Iterator[Finding]:
             (b.id for b in wrong),
             f"{first.id} {wrong[first]}" + (f"; so do {len(wrong) - 1} more" if len(wrong) > 1 else ""),
             measured=float(len(wrong)),
-            allowed=(0.0, 0.0),
             weight=0.6 + 0.3 * len(wrong),
             suggestion="lay the mats side by side, away from machines",
         )
@@ -197,11 +192,11 @@ def _mats(survey: Survey) -> Iterator[Finding]:
 
 def _loose(survey: Survey) -> Iterator[Finding]:
     """Balls and rollers that lie about singly."""
-    loose = [b for b in survey.of_kind(LOOSE) if b.item.mount == "floor"]
+    loose = survey.on_floor(LOOSE)
     if not loose or not applies(survey, "gym_things_stored"):
         return
     reach = limit("gym_things_stored", "reach")
-    homes = floor_of_kind(survey, STORES, MATS)
+    homes = survey.on_floor(STORES, MATS)
     about = [
         b
         for b in loose

@@ -13,7 +13,7 @@ from sceneweaver.verify.solids import Body
 from ..grade import Finding
 from ..survey import Survey
 from .breach import breach
-from .measure import along, applies, floor_of_kind, inside, middle, named, names, overlap, strip, top_of
+from .measure import along, applies, inside, middle, named, names, overlap, strip, top_of
 
 FRONTS = named("kitchen_counter kitchen_cabinet sink_cabinet corner_cabinet")
 """Units with fronts and a worktop."""
@@ -32,7 +32,7 @@ def faults(survey: Survey) -> Iterator[Finding]:
     """Breaches of the rules for kitchens."""
     if not applies(survey, "one_worktop_height", "work_triangle"):
         return
-    units = floor_of_kind(survey, UNDER)
+    units = survey.on_floor(UNDER)
     if len(units) < 3:
         return
     yield from _heights(units)
@@ -113,7 +113,7 @@ def _corner(survey: Survey) -> Iterator[Finding]:
     if not applies(survey, "no_stove_in_corner"):
         return
     gap = limit("no_stove_in_corner", "gap")
-    for stove in floor_of_kind(survey, HOBS | {"oven_tower", "dishwasher"}):
+    for stove in survey.on_floor(HOBS | {"oven_tower", "dishwasher"}):
         before = [
             b
             for b, s in inside(survey, strip(stove, "front", 0.6, 0.9), (stove,))
@@ -191,7 +191,7 @@ def _sink(survey: Survey) -> Iterator[Finding]:
     if not applies(survey, "sink_at_window"):
         return
     offset = design_rules()["sink_at_window"].limits["offset"]
-    for sink in floor_of_kind(survey, SINKS):
+    for sink in survey.on_floor(SINKS):
         back = survey.back_wall(sink)
         over = [w for w in survey.placed.windows if w.z[0] > top_of(sink) - 0.05 and _has_run(survey, w)]
         if not over or back is None:
@@ -210,7 +210,7 @@ def _sink(survey: Survey) -> Iterator[Finding]:
 
 def _has_run(survey: Survey, window) -> bool:
     u = (window.item.offset, window.item.offset + window.item.width)
-    rows = [along(window, b) for b in floor_of_kind(survey, UNDER)]
+    rows = [along(window, b) for b in survey.on_floor(UNDER)]
     return sum(max(0.0, overlap(u, a)) for a, v in rows if v[0] < 0.25) > 0.5 * window.item.width
 
 
@@ -218,7 +218,7 @@ def _bin(survey: Survey) -> Iterator[Finding]:
     if not applies(survey, "bin_at_sink"):
         return
     most = limit("bin_at_sink", "distance")
-    bins = floor_of_kind(survey, ("pedal_bin", "trash_can", "recycling_bin", "wastebasket"))
+    bins = survey.on_floor(("pedal_bin", "trash_can", "recycling_bin", "wastebasket"))
     work = survey.of_kind(SINKS, HOBS)
     for body in bins if work else ():
         gap = min(survey.placed.distance(body, b) for b in work)

@@ -17,7 +17,7 @@ from ..needs import seat_like, table_of
 from ..space import floor_of
 from ..survey import Survey
 from .breach import breach
-from .measure import applies, floor_of_kind, named, names
+from .measure import applies, named, names
 
 CEILING = named("pendant chandelier ceiling_light track_light ceiling_fan")
 
@@ -65,7 +65,7 @@ def _tables(survey: Survey, lamps: list[Body]) -> Iterator[Finding]:
     if survey.room_type.name == "office":
         return
     dark: list[Body] = []
-    tables = floor_of_kind(survey, kinds.DINING)
+    tables = survey.on_floor(kinds.DINING)
     over_some = {b.index for b in lamps if any(_above(t, b, 0.1) for t in tables)}
     for table in tables:
         if table.item.category in ("kids_table", "bar_table", "folding_table", "chess_table"):
@@ -100,7 +100,6 @@ def _tables(survey: Survey, lamps: list[Body]) -> Iterator[Finding]:
             (b.id for b in dark),
             f"no lamp hangs over {names(dark)}",
             measured=float(len(dark)),
-            allowed=(0.0, 0.0),
             weight=min(2.0, 0.6 + 0.2 * len(dark)),
             suggestion=f"hang a lamp over {names(dark)}",
         )
@@ -114,7 +113,7 @@ def _above(table: Body, lamp: Body, slack: float) -> bool:
 def _desks(survey: Survey, lamps: list[Body]) -> Iterator[Finding]:
     """Desks of a room with several: each within reach of a lamp at the ceiling."""
     reach = limit("lamp_over_table", "reach")
-    desks = floor_of_kind(survey, kinds.DESKS - {"reception_desk", "dressing_table"})
+    desks = survey.on_floor(kinds.DESKS - {"reception_desk", "dressing_table"})
     if len(desks) < 3:
         return
     dark = [d for d in desks if min((math.dist(b.centre, d.centre) for b in lamps), default=math.inf) > reach]
@@ -124,7 +123,6 @@ def _desks(survey: Survey, lamps: list[Body]) -> Iterator[Finding]:
             (b.id for b in dark),
             f"{len(dark)} of {len(desks)} desks have no ceiling light within {reach:g} m: {names(dark)}",
             measured=float(len(dark)),
-            allowed=(0.0, 0.0),
             weight=0.5 + len(dark) / len(desks),
             suggestion="hang the ceiling lights over all desks",
         )
@@ -132,7 +130,7 @@ def _desks(survey: Survey, lamps: list[Body]) -> Iterator[Finding]:
 
 def _beds(survey: Survey) -> Iterator[Finding]:
     reach = limit("lamp_at_bed_side", "reach")
-    for bed in floor_of_kind(survey, kinds.BEDS):
+    for bed in survey.on_floor(kinds.BEDS):
         lamps = [b for b, _ in survey.near(bed, reach) if b.item.category in STANDING | HANGING]
         sides = {bed.local(b.centre)[1] > 0 for b in lamps if bed.local(b.centre)[0] < 0.2}
         wanted = 2 if bed.size[1] >= SIDE_LIT else 1
@@ -213,7 +211,7 @@ def _spread(survey: Survey, lamps: list[Body]) -> Iterator[Finding]:
         centroid = survey.placed.floor.centroid
         off = math.dist(free[0].centre, (float(centroid.x), float(centroid.y)))
         group = kinds.BEDS | kinds.DINING | kinds.COFFEE
-        if off > limits["offset"] and not any(_above(b, free[0], 0.0) for b in floor_of_kind(survey, group)):
+        if off > limits["offset"] and not any(_above(b, free[0], 0.0) for b in survey.on_floor(group)):
             yield breach(
                 "ceiling_lights_spread",
                 (free[0].id,),

@@ -96,11 +96,6 @@ def door_distance(survey: Survey, body: Body) -> float:
     return min((math.dist(body.centre, middle(door)) for door in survey.placed.doors), default=math.inf)
 
 
-def floor_of_kind(survey: Survey, *wanted: Iterable[str]) -> list[Body]:
-    """The objects of some categories that stand on the floor."""
-    return [b for b in survey.of_kind(*wanted) if b.item.mount == "floor"]
-
-
 def asked_for(survey: Survey, body: Body) -> bool:
     """Whether the request names it."""
     return body.id in survey.program.asked_of or body.item.intent.priority == "asked"

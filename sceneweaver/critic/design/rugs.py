@@ -69,9 +69,7 @@ def _belonging(survey: Survey) -> Iterator[Finding]:
     """Rugs under nothing, rugs askew, and rugs that reach under what is none of their group."""
     most = limit("rug_in_a_group", "angle")
     groups = groups_of(survey)
-    for rug in survey.of_kind(RUGS - ALONE):
-        if rug.item.mount != "floor":
-            continue
+    for rug in survey.on_floor(RUGS - ALONE):
         under = [b for b in survey.standing if b is not rug and groups.overlap(rug, b) > UNDER]
         owners = [b for b in under if b.item.category in OWNERS]
         near = [b for b, _ in survey.near(rug, 0.4) if b.item.category in OWNERS | kinds.DESKS]

@@ -85,9 +85,7 @@ def _table(survey: Survey, group: Seating, table: Body) -> Iterator[Finding]:
 def _footrests(survey: Survey) -> Iterator[Finding]:
     """Poufs that stand before no seat and at no table."""
     reach = limit("seat_in_a_group", "reach")
-    for body in survey.of_kind(FOOTRESTS):
-        if body.item.mount != "floor":
-            continue
+    for body in survey.on_floor(FOOTRESTS):
         near = survey.near(body, reach)
         served = any(
             other.item.category in kinds.COFFEE
@@ -116,9 +114,7 @@ def _gone(survey: Survey, body: Body) -> Call | None:
 def _sofas(survey: Survey) -> Iterator[Finding]:
     """Sofas and benches with no table in reach; in a home they need one before them."""
     reach = limit("seat_in_a_group", "reach")
-    for body in survey.of_kind(kinds.SOFAS, ("waiting_bench",)):
-        if body.item.mount != "floor":
-            continue
+    for body in survey.on_floor(kinds.SOFAS, ("waiting_bench",)):
         if any(other.item.category in LOW_TABLES | kinds.SEATED_AT - {"desk"} for other, _ in survey.near(body, reach)):
             continue
         yield breach(
@@ -163,9 +159,7 @@ def _side_tables(survey: Survey) -> Iterator[Finding]:
 
 def _faces(survey: Survey) -> Iterator[Finding]:
     least = limit("faces_room", "clear")
-    for body in survey.of_kind(FACED):
-        if body.item.mount != "floor":
-            continue
+    for body in survey.on_floor(FACED):
         clear = survey.clear_ahead(body)
         if clear < least:
             yield breach(

@@ -16,7 +16,7 @@ from .. import kinds
 from ..grade import Finding
 from ..survey import Survey
 from .breach import breach
-from .measure import applies, asked_for, floor_of_kind, names
+from .measure import applies, asked_for, names
 
 SEEN = 0.04
 """Share of what is seen of furniture and cloth from which a colour counts."""
@@ -197,7 +197,7 @@ def _finishes(palette: Palette) -> tuple[str, ...]:
 def _pairs(survey: Survey) -> Iterator[Finding]:
     """Nightstands at one bed, and the lamps on them, that differ."""
     size = design_rules()["pairs_match"].limits["size"]
-    for bed in floor_of_kind(survey, kinds.BEDS):
+    for bed in survey.on_floor(kinds.BEDS):
         stands = [b for b, _ in survey.near(bed, 0.5) if b.item.category == "nightstand"][:2]
         if len(stands) < 2:
             continue

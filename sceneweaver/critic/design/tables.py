@@ -18,7 +18,7 @@ from ..grade import Finding
 from ..needs import seat_like, table_of
 from ..survey import Survey
 from .breach import breach
-from .measure import applies, floor_of_kind, named, names, top_of
+from .measure import applies, named, names, top_of
 
 PLATES = frozenset(("plate", "place_setting"))
 
@@ -44,7 +44,7 @@ CHILD = 0.62
 
 def faults(survey: Survey) -> Iterator[Finding]:
     """Breaches of the rules for tables."""
-    tables = floor_of_kind(survey, kinds.SEATED_AT, ("activity_table",))
+    tables = survey.on_floor(kinds.SEATED_AT, ("activity_table",))
     unlaid: dict[str, list[Body]] = defaultdict(list)
     for table in tables:
         seats = [b for b, _ in survey.near(table, 0.9) if seat_like(b) and table_of(survey, b) is table]
@@ -171,7 +171,7 @@ def _height(survey: Survey, table: Body, seats: list[Body]) -> Iterator[Finding]
 
 def _grid(survey: Survey) -> Iterator[Finding]:
     """Tables that share neither a row nor a column with another."""
-    tables = floor_of_kind(survey, kinds.DINING, ("booth_seat", "school_desk"))
+    tables = survey.on_floor(kinds.DINING, ("booth_seat", "school_desk"))
     if len(tables) < FEWEST:
         return
     offset = limit("tables_on_grid", "offset")

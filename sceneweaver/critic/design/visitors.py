@@ -14,7 +14,7 @@ from .. import kinds
 from ..grade import Finding
 from ..survey import Survey, turn_to
 from .breach import breach
-from .measure import along, applies, door_distance, floor_of_kind, middle, named, names, outlook, strip
+from .measure import along, applies, door_distance, middle, named, names, outlook, strip
 
 STAFFED = frozenset(("reception_desk", "bar_counter", "host_stand"))
 """What staff stand or sit behind, at its back."""
@@ -52,7 +52,7 @@ def faults(survey: Survey) -> Iterator[Finding]:
     yield from _sides(survey)
     yield from _looks_at_door(survey)
     if applies(survey, "seats_in_order"):
-        seats = floor_of_kind(survey, WAITING)
+        seats = survey.on_floor(WAITING)
         yield from _rows(survey, seats)
         yield from _knees(survey, seats)
         yield from _tables(survey, seats)
@@ -63,12 +63,12 @@ def _sides(survey: Survey) -> Iterator[Finding]:
     if not applies(survey, "staff_and_visitors_apart"):
         return
     depth = limit("staff_and_visitors_apart", "depth")
-    for desk in floor_of_kind(survey, STAFFED):
+    for desk in survey.on_floor(STAFFED):
         d, w, _ = desk.size
         if desk.item.category == "host_stand":
             continue  # guests pass on either side of it
         behind = []
-        for body in floor_of_kind(survey, VISITORS):
+        for body in survey.on_floor(VISITORS):
             ahead, aside = desk.local(body.centre)
             if -d / 2 - depth < ahead < (0.0 if abs(aside) < w / 2 else d / 2) and abs(aside) < w / 2 + BESIDE:
                 behind.append(body)
@@ -78,7 +78,6 @@ def _sides(survey: Survey) -> Iterator[Finding]:
                 (*(b.id for b in behind), desk.id),
                 f"{names(behind)} stands on the staff's side of {desk.id}",
                 measured=float(len(behind)),
-                allowed=(0.0, 0.0),
                 weight=min(2.0, 0.7 + 0.3 * len(behind)),
                 suggestion=f"move {names(behind)} to the visitors' side of {desk.id}",
             )
@@ -102,7 +101,7 @@ def _looks_at_door(survey: Survey) -> Iterator[Finding]:
     if not applies(survey, "desk_looks_at_door"):
         return
     angle, distance = limit("desk_looks_at_door", "angle"), limit("desk_looks_at_door", "distance")
-    for desk in floor_of_kind(survey, ("reception_desk", "host_stand", "menu_board")):
+    for desk in survey.on_floor(("reception_desk", "host_stand", "menu_board")):
         doors = survey.placed.doors
         if not doors:
             return
@@ -206,7 +205,7 @@ def _knees(survey: Survey, seats: list[Body]) -> Iterator[Finding]:
 def _tables(survey: Survey, seats: list[Body]) -> Iterator[Finding]:
     """Coffee tables with fewer than two seats in reach."""
     reach = limit("coffee_table_distance", "reach")
-    for table in floor_of_kind(survey, kinds.COFFEE):
+    for table in survey.on_floor(kinds.COFFEE):
         near = [b for b, gap in survey.near(table, reach) if b in seats and math.degrees(turn_to(b, table.centre)) < 75]
         if len(near) >= 2 or len(seats) < 2 or any("bench" in b.item.category for b in near):
             continue  # a bench is for several
@@ -224,7 +223,7 @@ def _tables(survey: Survey, seats: list[Body]) -> Iterator[Finding]:
 def _lost(survey: Survey, seats: list[Body]) -> Iterator[Finding]:
     """Racks far from the seats of those who read, and tables for children without a seat for them."""
     reach = limit("piece_in_a_group", "seats")
-    for body in floor_of_kind(survey, ("magazine_rack", "newspaper_stand")):
+    for body in survey.on_floor(("magazine_rack", "newspaper_stand")):
         if seats and not any(b in seats for b, _ in survey.near(body, reach)):
             yield breach(
                 "piece_in_a_group",
@@ -233,7 +232,7 @@ def _lost(survey: Survey, seats: list[Body]) -> Iterator[Finding]:
                 allowed=(None, reach),
                 suggestion=f"put {body.id} beside the seats",
             )
-    for table in floor_of_kind(survey, ("activity_table", "kids_table")):
+    for table in survey.on_floor(("activity_table", "kids_table")):
         if not any(b.item.category in CHILD_SEATS for b, _ in survey.near(table, reach)):
             yield breach(
                 "piece_in_a_group",

@@ -174,9 +174,7 @@ def _unreached(survey: Survey, plan: Plan) -> Iterator[Finding]:
     rule = design_rules()["reachable"]
     if not rule.applies(survey.room_type.name):
         return
-    for body in survey.of_kind(USED):
-        if body.item.mount != "floor":
-            continue
+    for body in survey.on_floor(USED):
         if body.item.category in BINS and (hidden := _hidden(survey, body)):
             yield breach(
                 "reachable",

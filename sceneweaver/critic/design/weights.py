@@ -13,7 +13,7 @@ from ..grade import Finding
 from ..survey import QUARTER, Survey
 from .breach import breach
 from .gym import MACHINES, MATS, MIRRORS, RACKS
-from .measure import applies, clear_depth, floor_of_kind, names
+from .measure import applies, clear_depth, names
 
 BAR = 0.8
 """Height [m] above which the ends of a bar are loaded."""
@@ -30,7 +30,7 @@ def faults(survey: Survey) -> Iterator[Finding]:
 def _racks(survey: Survey) -> Iterator[Finding]:
     """Bars that cannot be loaded, and things that stand inside a rack."""
     side = limit("rack_usable", "side")
-    for rack in floor_of_kind(survey, RACKS):
+    for rack in survey.on_floor(RACKS):
         within = [b for b, _ in survey.near(rack, 0.0) if b.item.mount == "floor" and _within(rack, b)]
         within = [b for b in within if b.item.category not in {"weight_bench", *MATS}]
         if within:
@@ -39,7 +39,6 @@ def _racks(survey: Survey) -> Iterator[Finding]:
                 (rack.id, *(b.id for b in within)),
                 f"{names(within)} stands inside {rack.id}",
                 measured=float(len(within)),
-                allowed=(0.0, 0.0),
                 suggestion=f"move {names(within)} out of {rack.id}",
             )
         ends = {s: clear_depth(survey, rack, s, side, lambda b: b.z[1] < BAR)[0] for s in ("left", "right")}
@@ -63,7 +62,7 @@ def _within(rack: Body, body: Body) -> bool:
 def _weights(survey: Survey) -> Iterator[Finding]:
     """Benches along several axes, and a gym without a wide mirror."""
     limits = design_rules()["weights_at_mirror"].limits
-    benches = floor_of_kind(survey, ("weight_bench",))
+    benches = survey.on_floor(("weight_bench",))
     if len(benches) > 1:
         off = [
             b for b in benches if abs(wrap_angle(b.yaw - benches[0].yaw, 2 * QUARTER)) > math.radians(limits["angle"])
@@ -74,7 +73,6 @@ def _weights(survey: Survey) -> Iterator[Finding]:
                 (b.id for b in benches),
                 f"{names(benches)} lie along several axes",
                 measured=float(len(off)),
-                allowed=(0.0, 0.0),
                 suggestion=f"turn {names(benches)} the same way, to the mirror",
             )
     mirrors = survey.of_kind(MIRRORS)
@@ -96,7 +94,7 @@ def _pinned(survey: Survey) -> Iterator[Finding]:
     """Machines that nearly touch each other, and benches that touch a wall."""
     least = limit("pieces_apart", "machine")
     close: list[tuple[float, str, str]] = []
-    machines = floor_of_kind(survey, MACHINES - RACKS)
+    machines = survey.on_floor(MACHINES - RACKS)
     for body in machines:
         gap = float(survey.wall_gaps[body.index])
         if body.item.category == "weight_bench" and gap < least / 3:

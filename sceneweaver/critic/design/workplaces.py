@@ -15,7 +15,7 @@ from ..grade import Finding
 from ..needs import seat_like, table_of
 from ..survey import Survey
 from .breach import breach
-from .measure import applies, door_distance, floor_of_kind, middle, named, names, outlook
+from .measure import applies, door_distance, middle, named, names, outlook
 
 BLOCKS = named("locker filing_cabinet cabinet tall_cabinet metal_shelf library_shelf")
 """Storage of which several stand in one block."""
@@ -56,7 +56,7 @@ def _blocks(survey: Survey) -> Iterator[Finding]:
     """Equal storage that stands apart along a wall, or each on a wall of its own."""
     gap = limit("row_contiguous", "gap")
     sets: dict[tuple[Any, ...], list[Body]] = defaultdict(list)
-    for body in floor_of_kind(survey, BLOCKS):
+    for body in survey.on_floor(BLOCKS):
         back = survey.back_wall(body)
         if body.size[2] > 0.7 and back is not None and back[1] < AT_WALL:  # others stand in aisles
             sets[body.item.category, *(round(s, 2) for s in body.size)].append(body)
@@ -81,7 +81,7 @@ def _blocks(survey: Survey) -> Iterator[Finding]:
 
 
 def _desks(survey: Survey) -> Iterator[Finding]:
-    desks = floor_of_kind(survey, kinds.DESKS - {"reception_desk", "dressing_table"})
+    desks = survey.on_floor(kinds.DESKS - {"reception_desk", "dressing_table"})
     if len(desks) < CLUSTER:
         return
     joined = limit("desk_clusters", "gap")
@@ -102,7 +102,7 @@ def _desks(survey: Survey) -> Iterator[Finding]:
 
 def _meeting(survey: Survey) -> Iterator[Finding]:
     screens = [b for b in survey.of_kind(SCREENS)]
-    tables = floor_of_kind(survey, kinds.DINING)
+    tables = survey.on_floor(kinds.DINING)
     if not screens or not tables:
         return
     table = max(tables, key=lambda b: (round(b.size[0] * b.size[1], 4), b.id))
@@ -129,7 +129,6 @@ def _meeting(survey: Survey) -> Iterator[Finding]:
                 (screen.id, *(s.id for s in backs)),
                 f"{len(backs)} of {len(seats)} seats have their backs to {screen.id}",
                 measured=float(len(backs)),
-                allowed=(0.0, 0.0),
                 weight=min(2.0, 0.25 + 0.5 * len(backs)),
                 suggestion=f"leave the end of the table before {screen.id} free",
             )
@@ -138,7 +137,7 @@ def _meeting(survey: Survey) -> Iterator[Finding]:
 def _stranded(survey: Survey) -> Iterator[Finding]:
     """Filing cabinets that stand by themselves along a wall."""
     gap = limit("piece_in_a_group", "gap")
-    for body in floor_of_kind(survey, ("filing_cabinet",)):
+    for body in survey.on_floor(("filing_cabinet",)):
         near = [b for b, _ in survey.near(body, gap) if kinds.groups_of(b.item.category) & {"storage", "table_group"}]
         if not near:
             yield breach(
@@ -155,8 +154,8 @@ def _stands(survey: Survey) -> Iterator[Finding]:
     if not applies(survey, "board_seen"):
         return
     angle = limit("board_seen", "angle")
-    tables = floor_of_kind(survey, kinds.DINING, kinds.DESKS)
-    for stand in floor_of_kind(survey, STANDS, ("menu_board",)):
+    tables = survey.on_floor(kinds.DINING, kinds.DESKS)
+    for stand in survey.on_floor(STANDS, ("menu_board",)):
         clear = survey.clear_ahead(stand)
         turned = 0.0
         if stand.item.category in STANDS and tables:
@@ -180,7 +179,7 @@ def _stands(survey: Survey) -> Iterator[Finding]:
 
 def _by_the_door(survey: Survey) -> Iterator[Finding]:
     most = limit("by_the_door", "distance")
-    for body in floor_of_kind(survey, ("coat_rack", "hall_stand", "umbrella_stand")):
+    for body in survey.on_floor(("coat_rack", "hall_stand", "umbrella_stand")):
         away = door_distance(survey, body)
         if most < away < math.inf:
             yield breach(
@@ -203,10 +202,10 @@ def _near_door(survey: Survey, body: Body, most: float) -> dict[str, Any]:
 def _bins(survey: Survey) -> Iterator[Finding]:
     """Bins of an office that stand at no desk."""
     most = limit("bin_at_desk", "gap")
-    desks = floor_of_kind(survey, kinds.DESKS)
+    desks = survey.on_floor(kinds.DESKS)
     if not desks:
         return
-    for body in floor_of_kind(survey, BINS):
+    for body in survey.on_floor(BINS):
         seats = [d for d, gap in survey.near(body, most) if d in desks and d.local(body.centre)[0] > -d.size[0] / 2]
         if not seats:
             gap = min(survey.placed.distance(body, d) for d in desks)
