@@ -113,8 +113,10 @@ def _asked(given: Any) -> list[Asked]:
 
 
 def _bare(around: Surroundings, obj: SceneObject) -> bool:
-    top = plan_of(around, obj).top
-    return (obj.id, surfaces_of(obj, False, top)["main"].name) not in around.carried
+    """Whether nothing is on the main surface but what the room's file puts there: a till, an espresso machine."""
+    main = surfaces_of(obj, False, plan_of(around, obj).top)["main"].name
+    carried = [o for o in around.scene.objects if o.support and (o.support.object, o.support.surface) == (obj.id, main)]
+    return all(o.intent.program_item is not None for o in carried)
 
 
 def _worth(around: Surroundings, obj: SceneObject, plan: Arrangement | None, named: bool) -> bool:

@@ -55,6 +55,10 @@ PLACING = CATALOGUE.with_role("placing") | {
 LED = CATALOGUE.with_role("placing") | {"at_window", "near_door"}
 """Types of relations that of a line only the first piece has."""
 
+LEAN, LEAST = 0.62, 0.75
+"""Share of what a kind of room usually has under furniture below which a floor that nobody fixed shrinks to what it
+holds, and the least share of the floor that is left."""
+
 GROWTH, GROWTHS = 1.12, 10
 """Factor by which a floor that nobody fixed grows when what is needed does not fit, and how often."""
 
@@ -68,15 +72,21 @@ class InitPrior:
         """A new scene; ``inputs`` may hold ``style``, and ``roomier``, a factor on a floor that nobody fixed."""
         room, brief, seed = context.room_type, context.brief, context.seed
         area, people, given, notes = floor_area(room, brief, seed)
+        roomier = float(context.inputs.get("roomier", 1.0))
         if not given:
-            area = min(area * float(context.inputs.get("roomier", 1.0)), 1.5 * room.area[2])
+            area = min(area * roomier, 1.5 * room.area[2])
         style = brief.style or str(context.inputs.get("style") or "") or random.Random(seed ^ 0x57).choice(room.styles)
         look = palette_for(room.name, style, brief.colors, seed)
         palette = kept(look, style, seed)
         attempt = drawn = 0
+        free = not given and brief.people is None and brief.scale == 1.0
         while True:
             space, remarks = shell(room, brief, area, seed, drawn)
             program = _program(context, space, area, people, palette)
+            needed = roomier * program.footprint / (LEAN * room.fill)
+            if free and needed < area:
+                area, free = max(needed, LEAST * area, 0.8 * room.area[0]), False
+                continue
             loose = _free_of_rows(program.wanted, rows_of(brief, program.wanted))
             corners, cost = fitted(program, loose, space, context.library)
             suits = cost < POOR and walls_hold(space, program.wanted)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from sceneweaver.assets.materials import STYLES, color_named, finish
@@ -24,6 +26,13 @@ def test_a_palette_names_what_exists(name):
         assert finish(tone).family == "wood" if material == "wood" else color_named(tone)
     assert set(palette.floors) == {"wood", "tile", "stone", "carpet", "concrete"}
     assert set(palette.styles) <= set(STYLES)
+
+
+@pytest.mark.parametrize("name", palettes())
+def test_furniture_stands_out_from_a_wooden_floor(name):
+    palette = palettes()[name]
+    floor = finish(palette.floors["wood"]).material.color
+    assert all(math.dist(floor, finish(wood).material.color) > 0.15 for wood in palette.woods)
 
 
 def test_what_the_file_says_of_rooms_is_of_rooms_that_exist():

@@ -162,6 +162,13 @@ def test_a_floor_that_nobody_fixed_grows_with_what_is_asked_for(prior):
     assert area(fixed) == pytest.approx(14.0, rel=0.02)
 
 
+def test_a_floor_that_nobody_fixed_shrinks_to_what_it_holds(prior):
+    plain, _ = prior("an office")
+    few, _ = prior("an office with two desks")
+    said, _ = prior("an office of 60 square metres with two desks")
+    assert area(few) < 0.9 * area(plain) and area(said) == pytest.approx(60.0, rel=0.02)
+
+
 def test_what_has_no_place_on_a_given_floor_is_said(prior):
     scene, proposal = prior("a bathroom of 5 square metres with six bathtubs")
     have = kinds(scene)["bathtub"]

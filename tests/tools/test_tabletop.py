@@ -7,10 +7,10 @@ import math
 import numpy as np
 import pytest
 
-from sceneweaver.assets import categories
+from sceneweaver.assets import categories, make
 from sceneweaver.knowledge import room_types
 from sceneweaver.knowledge.surfaces import arrangement_of, arrangements, crowd_of
-from sceneweaver.scene import InputError, Pose, Scene, SceneObject, Window
+from sceneweaver.scene import InputError, Intent, Pose, Scene, SceneObject, Support, Window
 from sceneweaver.tools.add_tabletop import AddTabletop
 from sceneweaver.tools.surface_geometry import Field, Prism, Shape
 
@@ -130,6 +130,21 @@ def test_ids_are_new_and_dressed_stays() -> None:
     assert not answer(TOOL, once).edits  # nothing lacks things
     twice = after(once, answer(TOOL, once, {"supports": ["desk-0"], "arrangement": "generic"}))
     assert len(set(twice.ids)) == len(twice.ids) and not faults(twice)
+
+
+def test_what_the_file_of_a_room_puts_on_a_table_does_not_keep_it_bare() -> None:
+    desk = standing("desk", at=(0.0, 0.0, 0.0))
+    main = desk.surfaces[0]
+    till = make("cash_register", 1).object(
+        "cash_register-0",
+        pose=Pose.from_yaw(0.0, 0.4, main.z, 0.0),
+        mount="surface",
+        support=Support(object="desk-0", surface=main.name),
+    )
+    own = till.model_copy(update={"intent": Intent(program_item="till")})
+    for thing, dressed in ((own, True), (till, False)):
+        scene = room([desk, thing])
+        assert bool(answer(TOOL, scene).edits) is dressed
 
 
 def test_under_a_wall_cabinet_and_before_a_window() -> None:
