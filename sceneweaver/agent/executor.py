@@ -119,7 +119,7 @@ class Executor:
                 self.found(replace(new, notes=tuple(notes), unmet=tuple(unmet)))
             return new
 
-        best, patient, lightened = refined(0), False, False
+        best, patient, before = refined(0), False, draft
         many = self.settings.choice and self.settings.layouts >= MANY
         if proposal.rooms and best.faults and (lighter := lightened(draft, best.faults)) is not None:
             # What is optional goes before the room is changed: a larger one would stay half empty without it.
@@ -144,13 +144,14 @@ class Executor:
                     draft, best = self._roomed(draft, proposal.larger, best, seed, 0)
                 continue
             notes, unmet = [*notes, *lighter.notes], [*unmet, *lighter.unmet]
-            draft, variants, lightened = lighter.scene, _without(lighter.scene, variants), True
+            draft, variants = lighter.scene, _without(lighter.scene, variants)
             # Patience pays once what is merely wished for has gone.
             best = refined(int(round_ >= ROUNDS // 2), self.judged(eased(best.scene, draft)))
         if not best.report.valid and self.deadline.left > AGAIN * took:
             variants = []  # without the rows: they may be what stands in the way
             best = refined(1, best)
-        if lightened and best.report.valid and not self.deadline.passed:
+        if draft.ids != before.ids and best.report.valid and not self.deadline.passed:
+            # The layout may be one that was valid when something had gone: those were not made exact.
             best = min(best, *self._ranked(self._free(best.scene, False, seed, 1)), key=lambda o: o.key)
         return replace(best, notes=tuple(notes), unmet=tuple(unmet))
 
