@@ -22,7 +22,7 @@ from .choice import choice_terms
 from .coarse import coarse
 from .deadline import NEVER, Deadline
 from .relaxation import eased, left_out, lightened, pruned, relaxed
-from .riders import searched, with_riders
+from .riders import at_rest, searched, with_riders
 from .settings import ASKED, Settings
 
 ENOUGH = 4
@@ -44,8 +44,16 @@ STEADY = 3
 """Layouts that are tried in physics, of those that the critic likes best."""
 
 
+GOOD = 5.0
+"""Grade for layout and functionality from which on a layout is good: where a first one lacks nothing it is taken
+without another draw."""
+
+
 Variant = tuple[Relation, ...]
 """Relations that are added to those of a scene."""
+
+Plain = Callable[[Scene], Scene]
+"""What makes a scene plainer for a search: with what is carried as objects of its own, or as parts of its carrier."""
 
 
 @dataclass(frozen=True)
@@ -62,6 +70,16 @@ class Outcome:
     def faults(self) -> tuple[Violation, ...]:
         """What is wrong with the layout; what could not be placed at all is not in it."""
         return tuple(v for v in self.report.violations if v.hard and v.kind != "dropped")
+
+    @property
+    def good(self) -> bool:
+        """Whether it is valid and well laid out."""
+        return self.report.valid and min(self.review.grades[name] for name in ("layout", "functionality")) >= GOOD
+
+    @property
+    def lacks_nothing(self) -> bool:
+        """Whether it is valid and has all that was asked for."""
+        return self.report.valid and not self.review.unmet
 
     @property
     def key(self) -> tuple[float, ...]:
@@ -88,30 +106,35 @@ class Executor:
     attempts: int = 0
     found: Callable[[Outcome], None] | None = None
 
-    def run(self, scene: Scene, proposal: Proposal, seed: int) -> Outcome:
+    def run(self, scene: Scene, proposal: Proposal, seed: int, rival: Outcome | None = None) -> Outcome:
         """The best scene that follows from a proposal.
+
+        ``rival`` is the best that there is without it. Where that lacks nothing, an edit that finds no valid layout is
+        left at that; where it is good besides, another draw of the room gets one more search. What more of them lead to
+        is seldom better.
 
         Raises:
             InputError: when an edit cannot be applied.
         """
         draft, _ = apply_all(proposal.scene or scene, proposal.edits)
-        notes, unmet = list(proposal.notes), list(proposal.unmet)
+        notes, unmet, plain = list(proposal.notes), list(proposal.unmet), searched
         if not proposal.fresh:
             draft, report, said = pruned(scene, draft)
             notes += said
             if report.valid:
                 return self._outcome(draft, notes, unmet, report)
+            plain = searched if at_rest(draft, report) else coarse
         if not self.settings.physics:
             return self._outcome(self._unrefined(draft, proposal, seed), notes, unmet)
         fresh, variants, took = proposal.fresh, list(proposal.variants), 0.0
-        if not fresh and (placed := self._in_place(scene, draft, seed, notes)) is not None:
+        if not fresh and (placed := self._in_place(scene, draft, seed, notes, plain)) is not None:
             return replace(placed, notes=tuple(notes), unmet=tuple(unmet))
 
         def refined(patience: int, best: Outcome | None = None) -> Outcome:
             """The best layout of the draft, or the one that there is where that is better."""
             nonlocal took
             began = time.monotonic()
-            new = self._refined(draft, variants, fresh, seed, patience)
+            new = self._refined(draft, variants, fresh, seed, patience, plain)
             took = time.monotonic() - began
             if best is not None and best.key <= new.key:
                 return best
@@ -120,17 +143,20 @@ class Executor:
             return new
 
         best, patient, before = refined(0), False, draft
+        another = proposal.scene is not None  # draw of the room
+        spare = bool(best.faults) and rival is not None and rival.lacks_nothing and (rival.good or not another)
+        rounds, rooms = (int(another), ()) if spare else (ROUNDS, proposal.rooms)
         many = self.settings.choice and self.settings.layouts >= MANY
-        if proposal.rooms and best.faults and (lighter := lightened(draft, best.faults)) is not None:
+        if rooms and best.faults and (lighter := lightened(draft, best.faults)) is not None:
             # What is optional goes before the room is changed: a larger one would stay half empty without it.
             notes += lighter.notes
             draft, variants = lighter.scene, _without(lighter.scene, variants)
             best = self.judged(eased(best.scene, draft))
             if best.faults:
                 best = refined(0, best)
-        if proposal.rooms and (best.faults or many):
-            draft, best = self._roomed(draft, proposal.rooms, best, seed, 0)
-        for round_ in range(ROUNDS):
+        if rooms and (best.faults or many):
+            draft, best = self._roomed(draft, rooms, best, seed, 0)
+        for round_ in range(rounds):
             if not best.faults or self.deadline.left < AGAIN * took:
                 break
             at_once = 1 + max(len(notes) // 2, round_ // 2)  # the longer it takes, the more
@@ -147,12 +173,12 @@ class Executor:
             draft, variants = lighter.scene, _without(lighter.scene, variants)
             # Patience pays once what is merely wished for has gone.
             best = refined(int(round_ >= ROUNDS // 2), self.judged(eased(best.scene, draft)))
-        if not best.report.valid and self.deadline.left > AGAIN * took:
+        if not best.report.valid and not spare and self.deadline.left > AGAIN * took:
             variants = []  # without the rows: they may be what stands in the way
             best = refined(1, best)
         if draft.ids != before.ids and best.report.valid and not self.deadline.passed:
             # The layout may be one that was valid when something had gone: those were not made exact.
-            best = min(best, *self._ranked(self._free(best.scene, False, seed, 1)), key=lambda o: o.key)
+            best = min(best, *self._ranked(self._free(best.scene, False, seed, 1, plain)), key=lambda o: o.key)
         return replace(best, notes=tuple(notes), unmet=tuple(unmet))
 
     def _roomed(
@@ -223,12 +249,16 @@ class Executor:
         review = review_scene(scene, report, self.room_type, self.brief, rules=self.settings.rules)
         return Outcome(scene, report, review, tuple(notes), tuple(unmet))
 
-    def _refined(self, draft: Scene, variants: Sequence[Variant], fresh: bool, seed: int, patience: int) -> Outcome:
+    def _refined(
+        self, draft: Scene, variants: Sequence[Variant], fresh: bool, seed: int, patience: int, plain: Plain
+    ) -> Outcome:
         """The best of the layouts of a scene, or of those of its variants."""
         attempts = self.settings.attempts[patience]
         self.attempts += attempts
         layouts = (
-            self._of_variants(draft, variants, seed, attempts) if variants else self._free(draft, fresh, seed, attempts)
+            self._of_variants(draft, variants, seed, attempts)
+            if variants
+            else self._free(draft, fresh, seed, attempts, plain)
         )
         return self._steadiest(self._ranked(layouts))
 
@@ -251,7 +281,7 @@ class Executor:
         moved = [sum(far > 0.01 for far in stability(o.scene)["moved"].values()) for o in leading]
         return leading[moved.index(min(moved))]
 
-    def _in_place(self, scene: Scene, draft: Scene, seed: int, notes: list[str]) -> Outcome | None:
+    def _in_place(self, scene: Scene, draft: Scene, seed: int, notes: list[str], plain: Plain) -> Outcome | None:
         """The best valid layout in which only what an edit added or changed moves.
 
         New things that nobody asked for and that find no place are given up, one after the other. None when what was
@@ -268,7 +298,7 @@ class Executor:
                 return self._outcome(draft, (), (), report) if report.valid else None
             known = {o.id: o for o in draft.objects}
             moving = loose | {rider for id in loose for rider in carried(known, id)}
-            pinned = _pinned(coarse(draft), {o.id: o.pose for o in draft.objects if o.id not in moving})
+            pinned = _pinned(plain(draft), {o.id: o.pose for o in draft.objects if o.id not in moving})
             self.attempts += s.attempts[0]
             drawn = any(not has_place(draft.object(id)) for id in loose)
             solution = refine(
@@ -295,13 +325,12 @@ class Executor:
             notes.append(left_out(gone))
             draft = apply(draft, Remove(id=gone, cascade=True))
 
-    def _free(self, draft: Scene, fresh: bool, seed: int, attempts: int) -> list[Scene]:
+    def _free(self, draft: Scene, fresh: bool, seed: int, attempts: int, plain: Plain) -> list[Scene]:
         """Layouts of a whole scene, valid ones if there are any."""
-        s = self.settings
-        plain = searched(draft) if fresh else coarse(draft)
-        terms = self._terms(plain) if fresh else []
+        s, simple = self.settings, plain(draft)
+        terms = self._terms(simple) if fresh else []
         solution = refine(
-            plain,
+            simple,
             candidates=s.layouts if fresh else max(16, s.layouts // 4),
             seed=seed,
             init="sample" if fresh else "current",

@@ -46,9 +46,6 @@ NOTHING_YET = "time was up before anything was placed"
 
 Said = Callable[[Step], None]
 
-GOOD = 5.0
-"""Grade for layout and functionality from which on a first layout that lacks nothing is taken without another draw."""
-
 
 @dataclass
 class Run:
@@ -219,7 +216,7 @@ class Run:
                     if self.best and not proposal.edits and not proposal.fresh and proposal.scene is None:
                         row["failed"] = "nothing to change" + (f": {proposal.unmet[0]}" if proposal.unmet else "")
                     else:
-                        outcomes[k] = executor.run(scene, proposal, call.seed)
+                        outcomes[k] = executor.run(scene, proposal, call.seed, self._rival(outcomes))
                         row["grades"] = {**outcomes[k].review.grades, "total": round(outcomes[k].review.total, 3)}
                         row["violations"] = int(outcomes[k].key[0])
             except InputError as error:
@@ -236,6 +233,18 @@ class Run:
             if self.best is None and k in outcomes and _complete(outcomes[k]):
                 break  # another draw of the room costs as much again
         return outcomes, tried
+
+    @property
+    def _free(self) -> bool:
+        """Whether what is done is kept without a comparison."""
+        return not self.settings.reflect or self.settings.one_shot
+
+    def _rival(self, outcomes: Mapping[int, Outcome]) -> Outcome | None:
+        """The best that there is already where the next call of a step begins; None where no scene is compared."""
+        if self._free:
+            return None
+        known = [*outcomes.values(), *([self.best] if self.best is not None else [])]
+        return min(known, key=lambda o: o.key, default=None)
 
     def _propose(self, call: Call, scene: Scene) -> Proposal:
         tool, left = self.tools[call.tool].load(), self.deadline.left
@@ -257,11 +266,13 @@ class Run:
         """Keep the best outcome if it beats what there is; else roll back and trust the tools less."""
         before = dict(self.best.review.grades) if self.best else {}
         winner = min(outcomes, key=lambda k: outcomes[k].key) if outcomes else None
-        free = not self.settings.reflect or self.settings.one_shot
+        free = self._free
         accepted = winner is not None and (self.best is None or free or outcomes[winner].key < self.best.key)
+        old = self.best
+        vain = [k for k in range(len(calls)) if k not in outcomes or (old and outcomes[k].key >= old.key)]
+        losers = [] if free else [calls[k] for k in vain]
         if accepted and winner is not None:
             self.best = outcomes[winner]
-        losers = [] if free else [c for k, c in enumerate(calls) if k not in outcomes or (not accepted)]
         current = self.best
         note = "" if accepted else next((row["failed"] for row in tried if "failed" in row), "no better than before")
         step = Step(
@@ -293,9 +304,7 @@ class Run:
 
 def _complete(outcome: Outcome) -> bool:
     """Whether a first layout is valid, has all that it was meant to have, and is well laid out."""
-    if min(outcome.review.grades[name] for name in ("layout", "functionality")) < GOOD:
-        return False
-    return outcome.report.valid and not (
+    return outcome.good and not (
         outcome.unmet or outcome.scene.dropped or any(REASON in note for note in outcome.notes)
     )
 

@@ -10,6 +10,7 @@ import numpy as np
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.scene import Part, Scene, SceneObject
 from sceneweaver.tools.carry import follow
+from sceneweaver.verify import Report
 
 from .coarse import coarse
 
@@ -36,6 +37,17 @@ def searched(scene: Scene) -> Scene:
         o.model_copy(update={"parts": (*o.solids, *extra[o.id])}) if o.id in extra else o for o in plain.objects
     )
     return plain.model_copy(update={"objects": objects})
+
+
+def at_rest(scene: Scene, report: Report) -> bool:
+    """Whether all that is carried may stay where it stands on its carrier: nothing is wrong among what stands on one,
+    and no relation that was asked for, or has to hold, is about it."""
+    known = {o.id: o for o in scene.objects}
+    carried = {o.id for o in scene.objects if o.support is not None}
+    if any((r.hard or r.asked) and carried & {r.subject, *r.targets} for r in scene.relations):
+        return False
+    wrong = [carried & set(v.objects) and known.keys() & set(v.objects) for v in report.violations if v.hard]
+    return not any(names and len({_root(known[name], known).id for name in names}) == 1 for names in wrong)
 
 
 def with_riders(scene: Scene, layout: Scene) -> Scene:

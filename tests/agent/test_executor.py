@@ -9,6 +9,7 @@ import pytest
 
 from sceneweaver.agent.deadline import Deadline
 from sceneweaver.agent.executor import Executor, Outcome
+from sceneweaver.agent.riders import at_rest
 from sceneweaver.agent.settings import Settings
 from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import CRITERIA, Fault, Review
@@ -26,10 +27,12 @@ from sceneweaver.scene import (
     Scene,
     SceneObject,
     SetPose,
+    SetSize,
     Support,
     Surface,
 )
 from sceneweaver.tools.base import Proposal
+from sceneweaver.tools.carry import local
 from sceneweaver.verify import Violation, check
 
 QUICK = Settings(device="cpu", candidates=16)
@@ -59,9 +62,17 @@ def room_with(*objects: SceneObject, relations: tuple[Relation, ...] = (), **mor
 BED = box("bed-0", (2.0, 1.6, 0.5), 1.1, 2.1)
 
 
-def run(before: Scene, /, *edits: Any, settings: Settings = QUICK, seed: int = 0, **more: Any) -> Outcome:
+def run(
+    before: Scene,
+    /,
+    *edits: Any,
+    settings: Settings = QUICK,
+    seed: int = 0,
+    rival: Outcome | None = None,
+    **more: Any,
+) -> Outcome:
     executor = Executor(room_type("bedroom"), SceneGraph(text="a bedroom"), settings)
-    return executor.run(before, Proposal(edits=edits, **more), seed)
+    return executor.run(before, Proposal(edits=edits, **more), seed, rival)
 
 
 def fresh(scene: Scene, **more: Any) -> Outcome:
@@ -123,6 +134,45 @@ def test_small_things_that_are_in_the_way_are_left_out_unless_they_were_asked_fo
     asked = cups[1].model_copy(update={"intent": Intent(priority="asked", request="cup")})
     outcome = run(scene, Add(object=asked))
     assert outcome.scene.ids == (*scene.ids, "cup-1") and outcome.report.valid and not outcome.notes
+
+
+def test_nothing_gives_way_for_an_edit_of_a_scene_that_lacks_nothing():
+    scene = room_with(BED, box("chest-0", (0.4, 0.9, 0.8), 2.7, 0.6, intent=Intent(priority="optional")))
+    larger = SetSize(id="bed-0", size=(2.8, 2.8, 0.5))
+    assert run(scene, larger).scene.ids == ("bed-0",)
+    executor = Executor(room_type("bedroom"), SceneGraph(text="a bedroom"), QUICK)
+    outcome = run(scene, larger, rival=executor.judged(scene))
+    assert outcome.scene.ids == scene.ids and outcome.faults and not outcome.notes
+
+
+def test_what_is_carried_goes_along_in_a_search_after_an_edit():
+    top = Surface(name="top", polygon=((-0.2, -0.4), (0.2, -0.4), (0.2, 0.4), (-0.2, 0.4)), z=0.8)
+    chest = box("chest-0", (0.4, 0.9, 0.8), 2.7, 0.6, surfaces=(top,))
+    on = Support(object="chest-0", surface="top")
+    vase = box("vase-0", (0.1, 0.1, 0.3), 2.8, 0.9, 0.8, support=on, mount="surface")
+    scene = room_with(BED, chest, vase)
+    new = Pose.from_yaw(1.9, 1.5, 0, 0)
+    edits = (SetPose(id="chest-0", pose=new), SetPose(id="vase-0", pose=Pose.from_yaw(2.0, 1.8, 0.8, 0)))
+    outcome = run(scene, *edits)
+    assert outcome.report.valid and outcome.scene.object("bed-0") == BED
+    moved, carried = outcome.scene.object("chest-0").pose, outcome.scene.object("vase-0").pose
+    assert moved != new and local(moved, carried) == pytest.approx((0.1, 0.3, 0.8, 0.0), abs=1e-6)
+
+
+@pytest.mark.parametrize("hard", (True, False))
+def test_what_is_carried_is_at_rest_unless_something_is_wrong_with_it(hard):
+    top = Surface(name="top", polygon=((-0.3, -0.5), (0.3, -0.5), (0.3, 0.5), (-0.3, 0.5)), z=0.75)
+    desk = box("desk-0", (0.6, 1.0, 0.75), 2.6, 0.6, surfaces=(top,))
+    on = Support(object="desk-0", surface="top")
+
+    def carrying(*ys: float) -> Scene:
+        cups = [box(f"cup-{k}", (0.1, 0.1, 0.1), 2.6, y, 0.75, support=on, mount="surface") for k, y in enumerate(ys)]
+        relation = Relation(type="next_to", subject="cup-0", target="desk-0", hard=hard)
+        return room_with(BED, desk, *cups, relations=(relation,))
+
+    apart, touching = carrying(0.3, 0.9), carrying(0.6, 0.63)
+    assert at_rest(apart, check(apart)) is not hard
+    assert not at_rest(touching, check(touching))
 
 
 def test_edits_that_cannot_be_applied_are_refused():

@@ -74,7 +74,7 @@ class Executor:
     def judged(self, scene: Scene, report: Report | None = None) -> Outcome:
         return Outcome(scene, report or check(scene), Review(grades=dict.fromkeys(CRITERIA, 0.0)))
 
-    def run(self, scene: Scene, proposal: Proposal, seed: int) -> Outcome:
+    def run(self, scene: Scene, proposal: Proposal, seed: int, rival: Outcome | None = None) -> Outcome:
         self.attempts += 5
         (edit,) = proposal.edits
         assert isinstance(edit, Add)
@@ -162,6 +162,36 @@ def test_of_calls_side_by_side_the_best_wins_and_the_others_are_not_blamed(go):
     assert [row.get("failed") for row in kept.tried] == [None, None, "supports: give ids"]
     assert run.memory.failed == (plan[2].signature,)
     assert run.memory.confidence["add_tabletop"] < 1 == run.memory.confidence["add_crowd"]
+
+
+def test_a_call_that_makes_nothing_better_is_blamed_where_another_of_its_step_does(go):
+    answers = {"init_prior": [adds("a", 5)], "add_objects": [adds("b", 4, 0.5)], "add_crowd": [adds("c", 7, 1.0)]}
+    plan = calls("add_objects", "add_crowd")
+    run, best, _, _ = go(answers, [BEGIN, plan])
+    assert best.scene.ids == ("a", "c") and run.memory.steps[1].accepted
+    assert run.memory.failed == (plan[0].signature,) and run.memory.confidence["add_objects"] < 1
+
+
+def test_a_call_is_told_what_it_has_to_beat(go, monkeypatch):
+    rivals: list[tuple[str, ...] | None] = []
+
+    class Watched(Executor):
+        def run(self, scene: Scene, proposal: Proposal, seed: int, rival: Outcome | None = None) -> Outcome:
+            rivals.append(None if rival is None else rival.scene.ids)
+            return super().run(scene, proposal, seed, rival)
+
+    monkeypatch.setattr(loop, "Executor", Watched)
+    answers = {
+        "init_prior": [adds("a", 5)],
+        "add_objects": [adds("b", 6, 0.5), adds("d", 6, 1.5)],
+        "add_crowd": [adds("c", 5.5, 1.0)],
+    }
+    plans = [BEGIN, calls("add_objects", "add_crowd"), calls("add_objects", n=2)]
+    go(dict(answers), plans)
+    assert rivals == [None, ("a",), ("a", "b"), ("a", "b")]
+    rivals.clear()
+    go(dict(answers), plans, settings=Settings(device="cpu", one_shot=True))
+    assert set(rivals) == {None}
 
 
 def test_a_call_that_changes_nothing_is_not_carried_out(go):
