@@ -6,10 +6,10 @@ They cost about as much as all others together a hundred times, so they are for 
 import warp as wp
 
 from .array_access import item
-from .geometry import FAR, plane_of, turn_back
+from .geometry import FAR
 from .quality import ON_FLOOR, Member, Terms, gap_to_point, member_of, side_of
-from .tables import FIXTURE_SOLID, SOLIDS, Problems, State, parts_of
-from .walk import Floor, point_distance
+from .tables import Problems, State
+from .walk import Floor, cell_middle, clearance
 
 wp.set_module_options({"enable_backward": False})
 
@@ -20,12 +20,6 @@ REMOTE = ON_FLOOR + 2  # [m] from the free floor that is furthest off to the nea
 LEVELS = wp.constant(16)  # of clearance
 LEVEL = wp.constant(0.04)  # [m]
 ENTRY = wp.constant(0.6)  # [m] around a step inside of a door within which ways begin
-
-
-@wp.func
-def cell_middle(floor: Floor, cell: wp.int32):
-    """The middle of a cell."""
-    return floor.origin + floor.cell * wp.vec2(float(cell % floor.nx) + 0.5, float(cell // floor.nx) + 0.5)
 
 
 @wp.kernel
@@ -40,32 +34,8 @@ def measure_clearance(
     level_out: wp.array2d(dtype=wp.int32),
 ):
     """Clearance of the cells [slot, cell] in levels: 0 where nobody can stand, ``LEVELS`` where it is more."""
-    t = b.tables
     slot, cell = wp.tid()
-    candidate = selected[slot]
-    p = b.problem[candidate]
-    x = cell_middle(floor, cell)
-    most = float(LEVELS) * LEVEL
-    free = most
-    for k in range(item(t[0].plane_start, p), item(t[0].plane_start, p + 1)):
-        plane = item(t[0].plane, k)
-        free = wp.min(free, plane[0] * x[0] + plane[1] * x[1] - plane[2])
-    for k in range(item(t[0].fixture_start, p), item(t[0].fixture_start, p + 1)):
-        if free > 0.0 and item(t[0].fixture_kind, k) == FIXTURE_SOLID:
-            free = wp.min(free, point_distance(t, item(t[0].fixture, k), x))
-    o0 = item(t[0].object_start, p)
-    for obj in range(item(t[0].object_start, p + 1) - o0):
-        if free > 0.0:
-            pose = s.poses[candidate, obj]
-            v = x - plane_of(pose)
-            reach = item(t[0].object_radius, o0 + obj)[0] + free
-            if wp.dot(v, v) < reach * reach:
-                local = turn_back(s.turns[candidate, obj], v)
-                solids = parts_of(t, o0 + obj, SOLIDS)
-                for a in range(solids[0], solids[1]):
-                    z = item(t[0].prism_z, a)
-                    if pose[2] + z[0] < floor.high and pose[2] + z[1] > floor.low:
-                        free = wp.min(free, point_distance(t, a, local))
+    free = clearance(b, s, floor, selected[slot], cell_middle(floor, cell), float(LEVELS) * LEVEL)
     level_out[slot, cell] = wp.clamp(int(wp.floor(free / LEVEL)), 0, LEVELS)
 
 

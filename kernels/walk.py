@@ -5,6 +5,7 @@ A coarse measure for choosing among valid layouts; the judge has its own, finer 
 
 import warp as wp
 
+from .array_access import item
 from .geometry import FAR, plane_of, turn_back
 from .tables import FIXTURE_SOLID, SOLIDS, Problems, State, TablesRef, parts_of
 
@@ -49,6 +50,40 @@ def point_distance(t: TablesRef, a: wp.int32, x: wp.vec2):
     return wp.where(inside, 0.0, best)
 
 
+@wp.func
+def cell_middle(floor: Floor, cell: wp.int32):
+    """The middle of a cell."""
+    return floor.origin + floor.cell * wp.vec2(float(cell % floor.nx) + 0.5, float(cell // floor.nx) + 0.5)
+
+
+@wp.func
+def clearance(b: Problems, s: State, floor: Floor, candidate: wp.int32, x: wp.vec2, most: wp.float32):
+    """Distance [m] from a point to the nearest solid or wall, ``most`` where it is more; at most 0 inside of one."""
+    t = b.tables
+    p = b.problem[candidate]
+    free = most
+    for k in range(item(t[0].plane_start, p), item(t[0].plane_start, p + 1)):
+        plane = item(t[0].plane, k)
+        free = wp.min(free, plane[0] * x[0] + plane[1] * x[1] - plane[2])
+    for k in range(item(t[0].fixture_start, p), item(t[0].fixture_start, p + 1)):
+        if free > 0.0 and item(t[0].fixture_kind, k) == FIXTURE_SOLID:
+            free = wp.min(free, point_distance(t, item(t[0].fixture, k), x))
+    o0 = item(t[0].object_start, p)
+    for obj in range(item(t[0].object_start, p + 1) - o0):
+        if free > 0.0:
+            pose = s.poses[candidate, obj]
+            v = x - plane_of(pose)
+            reach = item(t[0].object_radius, o0 + obj)[0] + free
+            if wp.dot(v, v) < reach * reach:
+                local = turn_back(s.turns[candidate, obj], v)
+                solids = parts_of(t, o0 + obj, SOLIDS)
+                for a in range(solids[0], solids[1]):
+                    z = item(t[0].prism_z, a)
+                    if pose[2] + z[0] < floor.high and pose[2] + z[1] > floor.low:
+                        free = wp.min(free, point_distance(t, a, local))
+    return free
+
+
 @wp.kernel
 def mark_floor(
     # Problem:
@@ -61,34 +96,9 @@ def mark_floor(
     grid_out: wp.array2d(dtype=wp.int32),
 ):
     """Mark the cells [slot, cell] where the robot cannot stand."""
-    t = b.tables
     slot, cell = wp.tid()
-    candidate = selected[slot]
-    p = b.problem[candidate]
-    x = floor.origin + floor.cell * wp.vec2(float(cell % floor.nx) + 0.5, float(cell // floor.nx) + 0.5)
-    blocked = bool(False)
-    for k in range(t[0].plane_start[p], t[0].plane_start[p + 1]):
-        plane = t[0].plane[k]
-        if plane[0] * x[0] + plane[1] * x[1] - plane[2] < floor.radius:
-            blocked = True
-    for k in range(t[0].fixture_start[p], t[0].fixture_start[p + 1]):
-        if not blocked and t[0].fixture_kind[k] == FIXTURE_SOLID:
-            blocked = point_distance(t, t[0].fixture[k], x) < floor.radius
-    o0 = t[0].object_start[p]
-    for obj in range(t[0].object_start[p + 1] - o0):
-        if not blocked:
-            pose = s.poses[candidate, obj]
-            v = x - plane_of(pose)
-            reach = t[0].object_radius[o0 + obj][0] + floor.radius
-            if wp.dot(v, v) < reach * reach:
-                local = turn_back(s.turns[candidate, obj], v)
-                solids = parts_of(t, o0 + obj, SOLIDS)
-                for a in range(solids[0], solids[1]):
-                    z = t[0].prism_z[a]
-                    if pose[2] + z[0] < floor.high and pose[2] + z[1] > floor.low:
-                        if point_distance(t, a, local) < floor.radius:
-                            blocked = True
-    grid_out[slot, cell] = wp.where(blocked, BLOCKED, FREE)
+    free = clearance(b, s, floor, selected[slot], cell_middle(floor, cell), floor.radius)
+    grid_out[slot, cell] = wp.where(free < floor.radius, BLOCKED, FREE)
 
 
 @wp.func
@@ -147,8 +157,7 @@ def walk(
         seed = int(-1)
         for cell in range(cells):
             if grid[slot, cell] != BLOCKED:
-                x = floor.origin + floor.cell * wp.vec2(float(cell % floor.nx) + 0.5, float(cell // floor.nx) + 0.5)
-                far = wp.length(x - doors[d])
+                far = wp.length(cell_middle(floor, cell) - doors[d])
                 if far < near:
                     near = far
                     seed = cell
