@@ -271,17 +271,7 @@ def _related(scene: Scene, brief: SceneGraph, made: Mapping[str, list[str]], unm
     things = {name: [_thing(draft.objects[id]) for id in ids if id in draft.objects] for name, ids in made.items()}
     rows, unsaid = grounded(brief, things)
     unmet += [f"{said.words or said.type}: no relation can say it here" for said in unsaid if not said.implied]
-    number: dict[tuple[str, str], int] = {}
-    for row in rows:
-        k = number[row.said, row.type] = number.get((row.said, row.type), -1) + 1
-        try:
-            relation = in_room(row, scene.room, k)
-        except InputError as error:
-            unmet.append(f"{row.said}: {error}")
-            continue
-        if relation is None:
-            unmet.append(f"{row.said}: there is nothing to relate {row.subject} to")
-            continue
+    for row, relation in in_room(rows, scene.room, unmet):
         same = [r for r in draft.relations if (r.type, r.subject, r.target) == (row.type, row.subject, relation.target)]
         draft.relations = [*(r for r in draft.relations if r not in same), relation]
     return scene.model_copy(update={"relations": tuple(draft.relations)})

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from sceneweaver.brief import Grounded, SceneGraph, StatedRelation, Thing, grounded
@@ -248,17 +248,7 @@ def of_brief(
     found: list[Relation] = []
     placed: dict[str, frozenset[str]] = {}
     unmet = [f"{_said(said)}: {_lack(said, made)}" for said in unsaid if not said.implied]
-    number: dict[tuple[str, str], int] = {}
-    for row in rows:
-        k = number[row.said, row.type] = number.get((row.said, row.type), -1) + 1
-        try:
-            relation = in_room(row, room, k)
-        except InputError as error:
-            unmet.append(f"{row.said}: {error}")
-            continue
-        if relation is None:
-            unmet.append(f"{row.said}: there is nothing to relate {row.subject} to")
-            continue
+    for row, relation in in_room(rows, room, unmet):
         found.append(relation)
         if not row.hard:
             continue
@@ -277,7 +267,23 @@ def thing_of(one: Wanted) -> Thing:
     return Thing(one.id, one.category, one.asset.size, one.mount, one.support.id if one.support is not None else None)
 
 
-def in_room(row: Grounded, room: Room, number: int) -> Relation | None:
+def in_room(rows: Iterable[Grounded], room: Room, unmet: list[str]) -> Iterator[tuple[Grounded, Relation]]:
+    """Grounded relations with the walls and openings of a room; of those that it has not ``unmet`` is told."""
+    number: dict[tuple[str, str], int] = {}
+    for row in rows:
+        k = number[row.said, row.type] = number.get((row.said, row.type), -1) + 1
+        try:
+            relation = _in_room(row, room, k)
+        except InputError as error:
+            unmet.append(f"{row.said}: {error}")
+            continue
+        if relation is None:
+            unmet.append(f"{row.said}: there is nothing to relate {row.subject} to")
+        else:
+            yield row, relation
+
+
+def _in_room(row: Grounded, room: Room, number: int) -> Relation | None:
     """A grounded relation with the walls and openings of a room; None where the room has no such thing.
 
     Raises:

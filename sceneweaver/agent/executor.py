@@ -188,19 +188,7 @@ class Executor:
         s, attempts = self.settings, self.settings.attempts[patience]
         self.attempts += attempts
         drafts = [draft.model_copy(update={"room": room}) for room in rooms]
-        plain = [searched(d) for d in drafts]
-        terms = [self._terms(d) for d in plain]
-        solutions = refine_many(
-            plain,
-            candidates=max(8, s.layouts // len(drafts)),
-            seed=seed,
-            device=s.device,
-            steps=attempts,
-            time_limit=self.deadline.time_limit,
-            snap=True,
-            quality=terms,
-        )
-        solutions = self._improved(solutions, terms)
+        solutions = self._solved(drafts, max(8, s.layouts // len(drafts)), seed, attempts)
         for moved, solution in zip(drafts, solutions, strict=True):
             layouts = solution.distinct(2) or [solution.best]
             found = self._steadiest(self._ranked([_posed(moved, layout) for layout in layouts]))
@@ -209,6 +197,22 @@ class Executor:
             if self.deadline.passed:
                 break
         return draft, best
+
+    def _solved(self, drafts: Sequence[Scene], candidates: int, seed: int, attempts: int) -> list[Solution]:
+        """So many layouts of each of some drafts, in one launch, and the best of all taken further."""
+        plain = [searched(d) for d in drafts]
+        terms = [self._terms(d) for d in plain]
+        solutions = refine_many(
+            plain,
+            candidates=candidates,
+            seed=seed,
+            device=self.settings.device,
+            steps=attempts,
+            time_limit=self.deadline.time_limit,
+            snap=True,
+            quality=terms,
+        )
+        return self._improved(solutions, terms)
 
     def _terms(self, scene: Scene) -> list[QualityTerm]:
         """What the layouts of a scene are chosen by before the critic sees any."""
@@ -349,19 +353,7 @@ class Executor:
         """Layouts of a scene with the relations of each variant; if none is valid, the one that comes nearest."""
         s = self.settings
         drafts = [_with(draft, variant) for variant in variants]
-        plain = [searched(d) for d in drafts]
-        terms = [self._terms(d) for d in plain]
-        solutions = refine_many(
-            plain,
-            candidates=max(6, s.layouts // (2 * len(drafts))),
-            seed=seed,
-            device=s.device,
-            steps=attempts,
-            time_limit=self.deadline.time_limit,
-            snap=True,
-            quality=terms,
-        )
-        solutions = self._improved(solutions, terms)
+        solutions = self._solved(drafts, max(6, s.layouts // (2 * len(drafts))), seed, attempts)
         found = [
             _posed(draft, layout)
             for draft, solution in zip(drafts, solutions, strict=True)

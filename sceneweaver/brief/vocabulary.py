@@ -43,11 +43,6 @@ class Place:
     each: bool = False
     words: str = ""
 
-    @property
-    def both_ends(self) -> bool:
-        """Whether it speaks of more than one side, so that something is said of each."""
-        return self.each
-
 
 @dataclass(frozen=True)
 class Verb:
