@@ -260,9 +260,14 @@ def _hang(one: Wanted, space: Room, over: float) -> tuple[float, float]:
 
 
 def _consistent(asked: list[Relation], usual: list[Relation]) -> list[Relation]:
-    """What was asked, then of the room's own relations those that do not say the same of the same objects again."""
+    """What was asked, then of the room's own relations those that do not say the same of the same objects again, nor
+    hang something where another thing was asked for: over the same basin."""
     said = {(r.type, r.subject, r.target) for r in asked}
-    return asked + [r for r in usual if (r.type, r.subject, r.target) not in said]
+    over = {r.target for r in asked if r.type == "above" and r.hard}
+    astray = {(r.subject, r.target) for r in usual if r.type == "above" and r.target in over}
+    return asked + [
+        r for r in usual if (r.type, r.subject, r.target) not in said and (r.subject, r.target) not in astray
+    ]
 
 
 def _missing(brief: SceneGraph, program: Program) -> list[str]:

@@ -164,7 +164,7 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
     Of a kind that was named there is what was named: it takes the place of the room's own, of which none is added.
     """
     rng = random.Random(seed)
-    banned = {name for word in brief.without for name in (word, *members(word))} | named_kinds(brief)
+    banned = {name for word in brief.without for name in (*kin(word), *members(word))} | named_kinds(brief)
     asked = {a.id: a for a in brief.entities}
     shares = _shares(room_type, brief, area, people)
     roles = _roles(room_type, brief)

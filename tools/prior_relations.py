@@ -13,6 +13,7 @@ from sceneweaver.geometry.angles import cross, dot
 from sceneweaver.knowledge import Place
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Room, Window
 
+from .prior_conflicts import reconciled
 from .prior_lights import place_along
 from .prior_program import Wanted
 from .prior_run import has_place, run_of
@@ -215,7 +216,7 @@ def _instance(one: Wanted, name: str | None, by_item: dict[str, list[Wanted]]) -
 
 def rows_of(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Grounded]:
     """What the request states of the objects to be."""
-    return grounded(brief, _made(wanted))[0]
+    return reconciled(grounded(brief, _made(wanted))[0], wanted)
 
 
 def _made(wanted: Sequence[Wanted]) -> dict[str, list[Thing]]:
@@ -244,7 +245,7 @@ def of_brief(
     """
     made = _made(wanted)
     rows, unsaid = grounded(brief, made)
-    rows = [replace(row, hard=False) if row in failed else row for row in rows]
+    rows = [replace(row, hard=False) if row in failed else row for row in reconciled(rows, wanted)]
     found: list[Relation] = []
     placed: dict[str, frozenset[str]] = {}
     unmet = [f"{_said(said)}: {_lack(said, made)}" for said in unsaid if not said.implied]

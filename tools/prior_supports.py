@@ -6,9 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets import Asset, Library
+from sceneweaver.assets.category import REACH
 from sceneweaver.assets.taxonomy import category_named, likeliness
-from sceneweaver.brief import Grounded, SceneGraph, carrier_of
+from sceneweaver.brief import Grounded, SceneGraph, StatedRelation, carrier_of
 from sceneweaver.brief.pairs import groups_of
+from sceneweaver.knowledge.model import Range
 from sceneweaver.knowledge.surfaces import usual_arrangement
 from sceneweaver.scene import InputError, Palette, SceneObject, Support, Surface
 
@@ -28,8 +30,22 @@ NOWHERE = 99
 TALLEST = 1.2
 """Height [m] from which on a small thing that nothing carries does not stand on the floor instead."""
 
-GROWN = (0.5, 1.0)
-"""Shares of the way to the largest of its kind by which a support grows when what is to stand on it has no room."""
+GROWN = (0.5, 1.0, 2.0)
+"""Shares of the way to the largest of its kind by which a support grows when what is to stand on it has no room; from 1
+to 2 it goes on to the largest that words may ask for."""
+
+SHRUNK = (0.0, -1.0)
+"""Where in the range of its kind what has no room is drawn anew: the least usual, then the least that there is."""
+
+PILED = 0.4
+"""Height, in lengths of its shorter side, up to which a thing has others of its kind on it that have no room beside it.
+"""
+
+EYES = 1.45
+"""Height [m] of a surface from which on it is the last to be taken for what is said to be on nothing."""
+
+FREE = 0.3
+"""Share of a top that must be free of what rises from it, for a thing to stand there."""
 
 ON_FLOOR = frozenset(("toy_group", "sport", "container"))
 """Groups of small things that may as well stand on the floor."""
@@ -80,7 +96,13 @@ def supported(program: Program, brief: SceneGraph) -> None:
         if one.mount != "surface" or one.support is not None:
             continue
         fits = [w for w in program.wanted if w is not one and w.support is None and _fits_on(w.asset, one.asset)]
-        if fits:
+        if (
+            one.asked is not None
+            and groups_of(one.category) & ON_FLOOR
+            and any(w.support is one for w in program.wanted)
+        ):
+            one.held = "floor"  # a bin that holds toys
+        elif fits:
             one.support = min(fits, key=lambda w: _unlikely(one, w, load.get(w.id, 0.0)))
             taken = one.asset.size[0] * one.asset.size[1] / max(_ground(one.support), 1e-6)
             load[one.support.id] = load.get(one.support.id, 0.0) + taken
@@ -110,11 +132,19 @@ def _held(brief: SceneGraph, by_asked: dict[str, list[Wanted]]) -> None:
                 one.held = "wall" if one.mount != "floor" or said.type in ("on", "hanging_from", "above") else one.held
             elif "ceiling" in may and place == "ceiling":
                 one.held = "ceiling"
+            elif one.mount == "surface" and (place == "floor" or said.type == "around" and _on_floor(said, by_asked)):
+                one.held = "floor"
             elif one.mount == "surface" and said.type in BESIDE:
-                targets = [w for name in said.targets for w in by_asked.get(name, [])]
-                floor = not targets or all(w.mount == "floor" and w.support is None for w in targets)
+                floor = not any(by_asked.get(name) for name in said.targets) or _on_floor(said, by_asked)
                 if floor and (groups_of(one.category) & ON_FLOOR or "floor" in may):
                     one.held = "floor"
+
+
+def _on_floor(said: StatedRelation, by_asked: dict[str, list[Wanted]]) -> bool:
+    """Whether all that a relation is told to stands on the floor, and none of it is a table."""
+    targets = [w for name in said.targets for w in by_asked.get(name, [])]
+    standing = all(w.mount == "floor" and w.support is None for w in targets)
+    return bool(targets) and standing and not any(thing_of(w).is_table for w in targets if said.type == "around")
 
 
 def _pairs(brief: SceneGraph, by_asked: dict[str, list[Wanted]]) -> list[tuple[Wanted, Wanted]]:
@@ -159,14 +189,18 @@ def _may_carry(target: Wanted, one: Wanted) -> bool:
     """Whether a thing may stand on another: what needs the floor does where it fits."""
     if "surface" in category_named(one.category).mount:
         return True
-    small = max(one.asset.size[:2]) <= max(target.asset.size[:2]) and one.asset.size[2] < 1.0
-    return small and one.asset.mount == "floor" and target.mount != "ceiling"
+    (short, long), (depth, width) = (sorted(w.asset.size[:2]) for w in (one, target))
+    small = long <= width and short <= REACH[1] * depth and one.asset.size[2] < 1.0
+    at_table = thing_of(one).is_seat and thing_of(target).is_table
+    return small and one.asset.mount == "floor" and target.mount != "ceiling" and not at_table
 
 
-def _unlikely(one: Wanted, support: Wanted, load: float) -> tuple[bool, int, float]:
-    """What speaks against a support: that it is full, that such things stand elsewhere, that others stand there."""
+def _unlikely(one: Wanted, support: Wanted, load: float) -> tuple[bool, bool, int, float]:
+    """What speaks against a support: that it is full, that it is sat on or out of reach, that such things stand
+    elsewhere, that others stand there."""
     rank = likeliness(one.category, support.category)
-    return load > FULL, NOWHERE if rank is None else rank, load
+    apart = rank is None and thing_of(support).is_seat or min(s.z for s in support.asset.surfaces) > EYES
+    return load > FULL, apart, NOWHERE if rank is None else rank, load
 
 
 def _ground(support: Wanted) -> float:
@@ -226,7 +260,11 @@ def laid(
             riders = [w for w in program.wanted if w.support is support]
             if not riders:
                 continue
+            usual = {w.id: w.asset for w in riders}
             found, lost = _fitted(support, riders, rows, shelf, places, library, sized)
+            lost = _not_stacked(lost, [w for w in riders if w not in lost])
+            for one in lost:
+                one.asset = usual[one.id]
             _stand(support, found, places)
             _check(found, rows, places)
             _put_aside(program, lost, support, places)
@@ -248,8 +286,16 @@ def _fitted(
 ) -> tuple[list[Laid], list[Wanted]]:
     """Where things stand on a support, and those without room; for these it grows, and they shrink."""
     found, lost = _on_one(support, riders, rows, shelf, places)
-    for share in GROWN if support.id not in places.objects and support.asked not in sized else ():
-        larger = _larger(support, share, library) if lost else None
+    grows = support.id not in places.objects and support.asked not in sized
+    for step in (*GROWN, *SHRUNK, GROWN[-1]):
+        if not lost:
+            break
+        if step in SHRUNK:
+            for one in [w for w in lost if w.asked not in sized]:
+                one.asset = _smaller(one, step, library) or one.asset
+                found, lost = _on_one(support, riders, rows, shelf, places)
+            continue
+        larger = _larger(support, step, library) if grows else None
         if larger is not None:
             before, support.asset = support.asset, larger
             again, missing = _on_one(support, riders, rows, shelf, places)
@@ -257,10 +303,24 @@ def _fitted(
                 found, lost = again, missing
             else:
                 support.asset = before
-    for one in [w for w in lost if w.asked not in sized]:
-        one.asset = _smallest(one, library) or one.asset
-        found, lost = _on_one(support, riders, rows, shelf, places)
     return found, lost
+
+
+def _not_stacked(lost: Sequence[Wanted], placed: Sequence[Wanted]) -> list[Wanted]:
+    """Put flat things without room on others of their kind, towels on towels, and return the rest."""
+    left = []
+    for one in lost:
+        piles = [w for w in placed if w.category == one.category and _is_flat(w.asset)]
+        if piles and _is_flat(one.asset):
+            below = piles[sum(w.support in piles for w in lost) % len(piles)]
+            one.support, one.inside, one.share = below, False, None
+        else:
+            left.append(one)
+    return left
+
+
+def _is_flat(asset: Asset) -> bool:
+    return asset.size[2] <= PILED * min(asset.size[:2])
 
 
 def _on_one(
@@ -320,31 +380,45 @@ def _larger(support: Wanted, share: float, library: Library) -> Asset | None:
     known = category_named(support.category).size
     if known is None or support.wish is None:
         return None
-    d, w, _ = support.asset.size
-    size = tuple(
-        round(max(have, have + share * (most - have)), 3)
-        for have, (_, most) in zip((d, w), known.ranges[:2], strict=True)
-    )
-    try:
-        return library.choose(support.category, 1, replace(support.wish, size=(*size, support.wish.size[2])))[0]
-    except InputError:
-        return None
+    size = [
+        max(have, _at_share(usual, most, share)) if share > 1.0 else max(have, have + share * (usual[1] - have))
+        for have, usual, most in zip(support.asset.size, known.ranges[:2], known.reach, strict=False)
+    ]
+    return _drawn_anew(support, (*size, support.wish.size[2]), share > 1.0, library)
 
 
-def _smallest(one: Wanted, library: Library) -> Asset | None:
-    """The smallest body of the same kind; None where there is none."""
+def _smaller(one: Wanted, share: float, library: Library) -> Asset | None:
+    """A small body of the same kind; None where there is none."""
     known = category_named(one.category).size
-    if known is None or one.wish is None:
+    if known is None:
         return None
-    (depth, _), (width, _), (height, _) = known.ranges
+    size = [_at_share(usual, reach, share) for usual, reach in zip(known.ranges, known.reach, strict=True)]
+    return _drawn_anew(one, size, share < 0.0, library)
+
+
+def _at_share(usual: Range, reach: Range, share: float) -> float:
+    """An extent [m] by where in its usual range it is; beyond 0 and 1 it goes on to the ends of the reach."""
+    if share < 0.0:
+        return usual[0] - share * (reach[0] - usual[0])
+    if share > 1.0:
+        return usual[1] + (share - 1.0) * (reach[1] - usual[1])
+    return usual[0] + share * (usual[1] - usual[0])
+
+
+def _drawn_anew(one: Wanted, size: Sequence[float | None], beyond: bool, library: Library) -> Asset | None:
+    """A body of another size [m], ``beyond`` what is usual; None where none can be drawn."""
+    if one.wish is None:
+        return None
+    depth, width, height = (None if side is None else round(side, 3) for side in size)
+    wish = replace(one.wish, size=(depth, width, height), beyond=beyond or one.wish.beyond)
     try:
-        return library.choose(one.category, 1, replace(one.wish, size=(depth, width, height)))[0]
+        return library.choose(one.category, 1, wish)[0]
     except InputError:
         return None
 
 
 def _top(obj: SceneObject) -> Surface | None:
-    """The flat top of what has no surface of its own: of its highest wide part."""
+    """The flat top of what has no surface of its own: of its highest wide part, with what rises from it."""
     import shapely
 
     best: tuple[float, Surface] | None = None
@@ -352,10 +426,11 @@ def _top(obj: SceneObject) -> Surface | None:
         ground = shapely.Polygon(part.polygon)
         above = [shapely.Polygon(p.polygon) for p in obj.solids if p.z[1] > part.z[1] + 0.005]
         free = ground.difference(shapely.union_all(above)) if above else ground
-        if free.geom_type != "Polygon" or free.is_empty or shapely.get_num_interior_rings(free):
+        if free.area < FREE * ground.area:
             continue
+        whole = free.geom_type == "Polygon" and not shapely.get_num_interior_rings(free)
         score = free.area + 0.02 * part.z[1]
         if best is None or score > best[0]:
-            ring = tuple((float(x), float(y)) for x, y in shapely.get_coordinates(free)[:-1])
+            ring = tuple((float(x), float(y)) for x, y in shapely.get_coordinates(free if whole else ground)[:-1])
             best = score, Surface(name="top", polygon=ring, z=part.z[1])
     return best[1] if best else None

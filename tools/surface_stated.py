@@ -32,6 +32,9 @@ ENDS = (0.5, 0.0, 1.0)
 STEP = 0.025
 """Grid [m] of places that are tried on a surface."""
 
+ALIKE = -5e-4
+"""Free space [m] kept to the edge of a small thing: one of the same size may lie on it."""
+
 MOST_ALIKE = 0.3
 """Distance [m] beyond which it does not matter how far apart things stand."""
 
@@ -145,6 +148,7 @@ class StatedLayer:
         if surface.name not in self._fields:
             ring = counter_clockwise(surface.polygon)
             edge = 0.012 if min(np.ptp(ring, axis=0)) > 0.3 else 0.003
+            edge = edge if self._support.mount != "surface" else ALIKE
             ground = Field(ring, math.inf if surface.headroom is None else surface.headroom, edge=edge)
             for part in self._support.solids:
                 if part.z[1] > surface.z + 1e-3:
@@ -171,6 +175,7 @@ class StatedLayer:
         else:
             xs, ys = (np.arange(a, b + step, step) for a, b in zip(first, last, strict=True))
         grid = np.stack(np.meshgrid(xs, ys, indexing="ij"), axis=-1).reshape(-1, 2)
+        grid = np.concatenate([grid, 0.5 * (first + last)[None]])  # where one fits that is as large as the surface
         for spot in spots:
             grid = grid[ground.free(spot.shape, spot.yaw, grid + spot.at)]
             if not len(grid):

@@ -31,6 +31,9 @@ ENOUGH = 4
 ROUNDS = 8
 """Times that something gives way before a layout that cannot be valid is taken as it is."""
 
+CLOSE = 4
+"""Faults up to which a layout is so near to a valid one that it pays to begin more often anew."""
+
 AGAIN = 0.5
 """Share of the time of the last search without which no other begins before the deadline."""
 
@@ -142,7 +145,7 @@ class Executor:
                 self.found(replace(new, notes=tuple(notes), unmet=tuple(unmet)))
             return new
 
-        best, patient, before = refined(0), False, draft
+        best, patient, larger, before = refined(0), False, False, draft
         another = proposal.scene is not None  # draw of the room
         spare = bool(best.faults) and rival is not None and rival.lacks_nothing and (rival.good or not another)
         rounds, rooms = (int(another), ()) if spare else (ROUNDS, proposal.rooms)
@@ -165,15 +168,19 @@ class Executor:
                 break
             if lighter.unmet and not patient:  # before anything that was asked for goes
                 patient = True
-                best = refined(1, best)
-                if best.faults and proposal.larger:
+                if proposal.larger:
                     draft, best = self._roomed(draft, proposal.larger, best, seed, 0)
+                if 0 < len(best.faults) <= CLOSE:
+                    best = refined(1, best)
+                continue
+            if len(lighter.scene.dropped) > len(draft.dropped) and proposal.larger and not larger:
+                larger = True
+                draft, best = self._roomed(draft, proposal.larger, best, seed, 0)
                 continue
             notes, unmet = [*notes, *lighter.notes], [*unmet, *lighter.unmet]
             draft, variants = lighter.scene, _without(lighter.scene, variants)
-            # Patience pays once what is merely wished for has gone.
-            best = refined(int(round_ >= ROUNDS // 2), self.judged(eased(best.scene, draft)))
-        if not best.report.valid and not spare and self.deadline.left > AGAIN * took:
+            best = refined(0, self.judged(eased(best.scene, draft)))
+        if best.faults and not spare and self.deadline.left > AGAIN * took:
             variants = []  # without the rows: they may be what stands in the way
             best = refined(1, best)
         if draft.ids != before.ids and best.report.valid and not self.deadline.passed:

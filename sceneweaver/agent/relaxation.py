@@ -18,6 +18,12 @@ ALIKE = 6
 TIED = CATALOGUE.with_role("seat") | {"over", "centered_on", "leftright_to_leftright"}
 """Types of hard relations whose subject is there for its target: a stool, lamp or rug of a desk goes with the desk."""
 
+FEW = 3
+"""Concessions at once from which on all relations that do not hold give way."""
+
+LIGHT = 0.02
+"""Weight of a relation of what has no place otherwise: it no longer draws it where it cannot be."""
+
 PRUNINGS = 3
 """Times that small things are taken out of a scene that then shows more that are in the way."""
 
@@ -35,9 +41,10 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
 
     First go objects that are optional, then usual ones, ``at_once`` of them; then relations that do not hold become
     soft, those that nobody asked for, one or with ``at_once`` above 1 all; then goes what a room of the kind needs and
-    no asked relation names; then relations that were asked for become soft. Then go the other objects, by priority; of
-    one that was asked for all relations become soft before it goes. None when the faults are about nothing that could
-    give way.
+    no asked relation names; then relations that were asked for become soft, with ``at_once`` above 1 one for each group
+    of objects, above `FEW` all. Then go the other objects, by priority; of one that was asked for all relations become
+    soft and so light that it may be anywhere, before it goes. None when the faults are about nothing that could give
+    way.
     """
     for priority in PRIORITIES[:2]:
         lighter = lightened(scene, faults, priority, at_once)
@@ -55,13 +62,13 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
     if needed and broken:
         return _without(scene, [max(needed, key=lambda o: (trouble[o.id], o.size[0] * o.size[1], o.id))])
     if broken:
-        return _softened(scene, broken[:1] if at_once == 1 else broken)
+        return _softened(scene, broken[:1] if at_once == 1 else broken if at_once > FEW else _apart(broken))
     if not pool:
         return None
     first = min(pool, key=lambda o: (o.intent.rank, -trouble[o.id], o.id))
-    ties = [r for r in scene.relations if r.hard and first.id in (r.subject, *r.targets)]
+    ties = [r for r in scene.relations if first.id in (r.subject, *r.targets) and (r.hard or r.weight > LIGHT)]
     if first.intent.priority == "asked" and ties:
-        return _softened(scene, ties)
+        return _softened(scene, ties, LIGHT)
     twins = [o for o in pool if o.category == first.category and o.intent.rank == first.intent.rank]
     twins.sort(key=lambda o: (-trouble[o.id], o.id))
     alike = sum(o.category == first.category for o in scene.objects)
@@ -179,13 +186,23 @@ def _there_for(scene: Scene, obj: SceneObject) -> list[SceneObject]:
     return [o for o in scene.objects if o.id in tied and o.intent.priority != "asked"]
 
 
-def _softened(scene: Scene, relations: Sequence[Relation]) -> Relaxed:
-    """The scene with some of its relations soft."""
-    soft = tuple(
-        r.model_copy(update={"hard": False}) if any(r is one for one in relations) else r for r in scene.relations
-    )
-    unmet = []
+def _apart(relations: Sequence[Relation]) -> list[Relation]:
+    """Some of the relations, no two of which are about the same object."""
+    found, seen = [], set[str]()
     for one in relations:
+        names = {one.subject, *one.targets}
+        if not names & seen:
+            found.append(one)
+        seen |= names
+    return found
+
+
+def _softened(scene: Scene, relations: Sequence[Relation], weight: float | None = None) -> Relaxed:
+    """The scene with some of its relations soft, and of a ``weight`` where one is given."""
+    update = {"hard": False} if weight is None else {"hard": False, "weight": weight}
+    soft = tuple(r.model_copy(update=update) if any(r is one for one in relations) else r for r in scene.relations)
+    unmet = []
+    for one in [r for r in relations if r.hard]:
         said = " ".join((one.subject, one.type, " and ".join(one.targets))).rstrip()
         said = f"{one.request}: {said}" if one.request is not None else said
         unmet += [f"{said} cannot hold here"] if one.asked else []

@@ -233,6 +233,7 @@ def _sides_of(said: StatedRelation, target: Thing) -> list[str]:
 def _rows(said: StatedRelation, pair: _Pair, known: Mapping[str, Thing]) -> Iterator[Grounded]:
     """The relations of one pair; what stands on different things is related through these."""
     subject, target = pair.subject, pair.target
+    meant = said.each and (subject.carrier is None) != (target.carrier is None)  # glasses in front of each chair
     if subject.carrier != target.carrier:
         subject, target = _root(subject, known), _root(target, known)
         if subject is target:
@@ -245,7 +246,7 @@ def _rows(said: StatedRelation, pair: _Pair, known: Mapping[str, Thing]) -> Iter
             row = row._replace(type="distance", params={"min": low, "max": high})
             if not low:
                 row = row._replace(type="near", params={"max": high})
-        yield Grounded(said.id, row.type, first.id, second.id, dict(row.params), row.hard)
+        yield Grounded(said.id, row.type, first.id, second.id, dict(row.params), row.hard and not meant)
 
 
 def _root(thing: Thing, known: Mapping[str, Thing]) -> Thing:

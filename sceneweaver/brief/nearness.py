@@ -9,6 +9,9 @@ from .vocabulary import Place, family, mounts
 _TIES = ("next_to", "near", "facing", "at", "in_front_of", "behind", "on", "inside", "around", "flanking")
 """Relations to what a thing belongs to."""
 
+SIDED = ("left_of", "right_of", "in_front_of", "behind")
+"""Relations to one side of a thing."""
+
 
 def _flat(thing: Mention) -> bool:
     """Whether things stand on it that stand on the floor."""
@@ -100,6 +103,23 @@ class Nearness(ReaderState):
         recent = [m for m in reversed(self.out.mentions[-6:]) if not any(m is w for w in without)]
         return recent[:1]
 
+    def _chained(self, near: list[Mention], subjects: list[Mention]) -> list[Mention]:
+        """Whose "its" is in a list: "a laptop at its center, a lamp to its left and a clock to its right" are about the
+        laptop."""
+        if not near or not all(mounts(s.category)[0] == "surface" for s in subjects):
+            return near
+        for said in reversed(self.out.said[-4:]):
+            target = said.targets[0]
+            if said.implied or not isinstance(target, Mention) or any(target is s for s in subjects):
+                continue
+            if said.type == "centered_on" and target is near[-1]:
+                return said.subjects[-1:]
+            if said.type in SIDED and any(s is near[-1] for s in said.subjects):
+                return [target]
+            if said.type != "on":
+                break
+        return near
+
     def _meant(self, place: Place, listed: list[Mention]) -> list[Mention]:
         """Who of a list a relation after it is about: the last, or all that belong together."""
         kind = place.type
@@ -115,6 +135,9 @@ class Nearness(ReaderState):
         if kind in ("flanking", "along", "around") and len(listed) == 2:
             return listed
         related = {id(m) for s in self.out.said for m in s.subjects}
+        pair = all(mounts(m.category)[0] == "surface" for m in listed[-2:])
+        if kind in SIDED and len(listed) > 1 and pair and not any(id(m) in related for m in listed[-2:]):
+            return listed[-2:]  # "a keyboard and a mouse in front"
         if len(listed) == 2 and id(listed[0]) not in related:
             groups = {family(m.category) for m in listed}
             if groups in ({"seat", "table"}, {"seat"}):

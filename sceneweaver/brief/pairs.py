@@ -21,6 +21,12 @@ FLAT = 0.03
 REACH, NEAR, ACROSS, FAR = 0.3, (0.3, 1.3), (1.5, 4.0), 2.5
 """Gaps [m]: most of what is next to another, of what is near it, of what is opposite; least of what is far away."""
 
+TOUCHING = 0.02
+"""Most gap [m], seen from above, of what is below or above a thing that leaves no room for its middle there."""
+
+SOLID = ("sanitary", "storage", "appliance")
+"""Groups of furniture that stands on the floor with all of its plan, or with its middle: a mat lies before it."""
+
 SMALL = 0.2
 """Most gap [m] between small things that are next to each other on a table."""
 
@@ -121,6 +127,8 @@ def of_pair(kind: str, a: Thing, b: Thing, side: str | None, k: int, n: int) -> 
     """
     if b.is_flat and not a.is_flat and kind in ("on", "at", "inside", "above"):
         yield Row("over", {"inset": round(min(0.1, 0.2 * min(b.size[:2])), 3)})
+    elif a.is_flat and kind == "below" and _is_solid(b):
+        yield Row("near", {"max": TOUCHING})
     elif a.is_flat and kind in ("below", "at"):
         yield Row("over")
     elif kind == "above":
@@ -140,6 +148,10 @@ def of_pair(kind: str, a: Thing, b: Thing, side: str | None, k: int, n: int) -> 
         yield from _sided("flanking", a, b, side)
     else:
         yield from _loose(kind, a, b, n)
+
+
+def _is_solid(thing: Thing) -> bool:
+    return thing.mount == "floor" and not groups_of(thing.category).isdisjoint(SOLID)
 
 
 def _loose(kind: str, a: Thing, b: Thing, n: int) -> Iterator[Row]:
@@ -183,6 +195,9 @@ def _loose(kind: str, a: Thing, b: Thing, n: int) -> Iterator[Row]:
 
 def _above(a: Thing, b: Thing) -> Iterator[Row]:
     """Over a thing: a lamp from the ceiling over its middle, a picture at the wall right behind it."""
+    if a.mount == "ceiling" and b.mount == "wall":  # there is a wall where its middle would be
+        yield Row("near", {"max": TOUCHING})
+        return
     if a.mount == "ceiling":
         yield Row("over", {"inset": round(0.25 * min(b.size[:2]), 3)})
         return

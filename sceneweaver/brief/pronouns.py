@@ -84,6 +84,12 @@ class Pronouns(RegionPhrases):
                 found_all = without[:1]  # "a fireplace and bookshelves on either side of it"
             if found_all:
                 self._target(found_all, phrase, chunk, False)
+            elif phrase.text == "it" and self._window_before():
+                waiting, self.waiting = self.waiting, None
+                self._at_place(
+                    waiting.place.type, without, "window", waiting.place.words, None, self.chunk_span(), False
+                )
+                self.glue = ""
             else:
                 self.waiting = None
             return
@@ -93,6 +99,15 @@ class Pronouns(RegionPhrases):
             topic = found_all
             self._subject(topic, self.glue)
             self.glue = ""
+
+    def _window_before(self) -> bool:
+        """Whether the sentence named a window: "light falls through a window onto a desk beneath it"."""
+        for chunk in reversed(self.chunks[: self.at - 1]):
+            if chunk.kind == "stop":
+                return False
+            if chunk.kind == "noun" and chunk.value.what == "place" and chunk.value.value == "window":
+                return True
+        return False
 
     def _one_more(self, near: list[Mention]) -> Mention | None:
         """ "Another stands to the right": one more of what was named last."""

@@ -39,7 +39,7 @@ class References:
         category = match_of(noun).category
 
         def same(m: Mention) -> bool:
-            described = {a.words for a in m.attributes}
+            described = _described(m)
             fits = (
                 not qualities or qualities <= described or (phrase.definite and not described & _opposed(qualities, m))
             )
@@ -70,7 +70,7 @@ class References:
         exact = sorted(
             exact, key=lambda m: next((k for k, names in enumerate(ranks) if m.category in names), len(ranks))
         )
-        clear = [m for m in exact if qualities and qualities <= {a.words for a in m.attributes}]
+        clear = [m for m in exact if qualities and qualities <= _described(m)]
         return next(iter(clear or exact), None)
 
     def pronoun(self, phrase: NounPhrase, near: list[Mention], without: list[Mention]) -> list[Mention]:
@@ -110,6 +110,9 @@ class References:
     def carrier(self, near: list[Mention], without: list[Mention], kind: str = "top", word: str = "") -> Mention | None:
         """Whose top, shelf or side is meant where nobody is named."""
         choices = [*reversed(near), *(m for t in reversed(self.topics[-3:]) for m in t), *self._recent()[:20]]
+        if word.endswith("top") and word != "top" and not near and self.parsed.said:
+            last = [t for t in self.parsed.said[-1].targets if isinstance(t, Mention) and family(t.category) == "table"]
+            choices = [*last, *choices]  # "a lamp hangs above the table. On the tabletop ..."
         choices = [m for m in choices if not any(m is w for w in without)]
         for noun in words("nouns")["carriers"].get(word, ()):
             for mention in choices:
@@ -128,6 +131,11 @@ class References:
             ):
                 return mention
         return None
+
+
+def _described(mention: Mention) -> set[str]:
+    """What was said of a mention, and each word of it: a glass topped table is the glass table."""
+    return {word for a in mention.attributes for word in (a.words, *a.words.split())}
 
 
 def _kinds(noun: str) -> frozenset[str]:

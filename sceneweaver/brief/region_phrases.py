@@ -8,6 +8,8 @@ from .parsed import Mention
 from .thing_phrases import ThingPhrases
 from .vocabulary import Place, family, mounts
 
+_TWO = ("two", "double", "dual")
+
 
 class RegionPhrases(ThingPhrases):
     """Parts of things: tops, middles, sides, shelves, headboards."""
@@ -59,7 +61,9 @@ class RegionPhrases(ThingPhrases):
             elif owner is not None and isinstance(owner, Mention):
                 self._named([owner], phrase, chunk, False)
             else:
-                found = self.refs.carrier([*self.subject, *self._near([])], [], "top", phrase.text)
+                own = self.subject[-1:] if phrase.determiner == "its" else []
+                own = [m for m in own if mounts(m.category)[0] == "floor"]
+                found = own[0] if own else self.refs.carrier([*self.subject, *self._near([])], [], "top", phrase.text)
                 if found is not None and phrase.definite:
                     self._named([found], phrase, chunk, False)
                 else:
@@ -202,6 +206,9 @@ class RegionPhrases(ThingPhrases):
                         )
                     )
         if not owners and not phrase.definite:
+            number, _, noun = phrase.text.partition(" ")
+            if number in _TWO and noun:  # "two sinks" that no cabinet has
+                phrase.count, phrase.text, phrase.plural = (2, 2), noun, True
             mention = self._new(phrase) if phrase.determiner or phrase.count else None
             if mention is not None:
                 self._named([mention], phrase, chunk, True)

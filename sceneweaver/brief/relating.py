@@ -8,7 +8,7 @@ from sceneweaver.assets.taxonomy import category_named, likeliness
 
 from .chunks import Chunk, NounPhrase
 from .model import Span
-from .nearness import Nearness
+from .nearness import SIDED, Nearness
 from .parsed import Mention, Said
 from .things import SMALL
 from .vocabulary import Place, family, mounts, words
@@ -128,6 +128,8 @@ class Relating(Nearness):
         if place == "floor":
             if kind in ("centered_on", "at_center"):
                 kind, place = "at", "middle"
+            elif kind == "on" and all(mounts(s.category)[0] == "surface" for s in subjects):
+                pass
             else:
                 return
         if place == "wall:opposite":
@@ -197,6 +199,8 @@ class Relating(Nearness):
         if "its" in place.words.split() and near and near[-1].many:
             it = NounPhrase("pronoun", "it", chunk.start, chunk.end, value="pron")
             near = self.refs.pronoun(it, [], [*subjects, *near]) or near
+        if "its" in place.words.split() and place.type in SIDED:
+            near = self._chained(near, subjects)
         if place.type == "inside" and not near:
             return
         if place.type in ("left_of", "right_of") and not near:

@@ -73,6 +73,9 @@ def name_of(phrase: NounPhrase) -> str:
 def match_of(noun: str, of: str = "") -> Match:
     """The category of a noun, tried whole, then without the words before it."""
     table = vocabulary()
+    head, _, last = noun.rpartition(" ")
+    if of and singular(last) == "tub":  # of what is sold in it, not to bathe in
+        noun = f"{head} jar".strip()
     whole = f"{noun} of {of}" if of else noun
     parts = noun.split()
     for name in (whole, *(" ".join(parts[k:]) for k in range(len(parts)))):

@@ -13,6 +13,12 @@ from .vocabulary import LONGEST, NUMBERS, Verb, vocabulary
 
 _WORD = re.compile(r"§|\d+(?:[.,]\d+)?|[a-z][a-z'&/]*|[^\W\d_]+|[.,()&\"{}\[\]<>\\/=]")
 _UNIT = re.compile(r"^(meters?|metres?|m|cm|centimeters?|centimetres?|ft|feet|foot|inch(?:es)?|in)$")
+_MEASURES = re.compile(
+    r"^(mm|milli(?:meter|metre)s?|lit(?:er|re)s?|l|ml|kg|(?:kilo)?grams?|lbs?|pounds?|oz|ounces?|gallons?|watts?|kw|"
+    r"volts?|megapixels?|gb|tb|k?hz|quarts?|piece)$"
+)
+"""What a number before it says of the thing that follows, rather than how many there are: "a 35 mm camera"."""
+
 _ADJECTIVE = re.compile(
     r".{3,}(?:ed|ish|ful|less|ous|ive|able|ible|ic|ical|ent|ant|ary|style|shaped|inspired|themed|like|colored|coloured|sized)$"
 )
@@ -96,6 +102,9 @@ def _number(raw: list[_Raw], at: int) -> tuple[Token, int]:
     if after and _UNIT.match(after[0]) and not place:
         length = metres(word.text, after[0])
         return Token(f"{word.text} {after[0]}", word.start, raw[at + 1].end, {"length": length}), at + 2
+    if after and _MEASURES.match(after[0]):
+        text = f"{word.text} {after[0]}"
+        return Token(text, word.start, raw[at + 1].end, {"adjective": text}), at + 2
     if word.glued:  # "4-burner stove"
         return _compound(raw, at, [])
     kinds = {"number": int(word.text)} if word.text.isdigit() and len(word.text) < 6 else {}
@@ -176,7 +185,7 @@ def _cut(found: list[Token]) -> Iterator[Token]:
         verb = table.get(last, {}).get("verb")
         if head in table and "noun" in table[head] and isinstance(verb, Verb) and token.has("plural"):
             before = [t.text for t in found[max(0, index - 6) : index]]
-            while before and not (before[-1] in _SINGULAR or before[-1] in (".", ",", "and", "with", "the")):
+            while before and not (before[-1] in _SINGULAR or before[-1] in (".", ",", "and", "with", "the", *NUMBERS)):
                 before.pop()
             if before and before[-1] in _SINGULAR:
                 yield Token(head, token.start, token.end - len(last) - 1, dict(table[head]))

@@ -150,3 +150,31 @@ def test_a_heap_of_alike_things_keeps_one():
     scene = room(*(cube(f"n{k:02}", "asked", 2.0 + 0.01 * k) for k in range(40)))
     lighter, report = cleared(scene, check(scene))
     assert len(lighter.scene.ids) == 1 and len(lighter.scene.dropped) == 39 and not report.collisions
+
+
+def test_what_was_asked_for_is_drawn_nowhere_by_its_relations_before_it_goes():
+    """Its hard relations become soft and all of them light; only then it goes."""
+    pair = (cube("a", "asked"), cube("b", "asked", 2.3))
+    ties = tuple(Relation(type="near", subject="a", target="b", params={"max": m}, asked=True) for m in (0.1, 0.2))
+    soft = Relation(type="facing", subject="a", target="b", hard=False)
+    scene = room(*pair, relations=(*ties, soft))
+    first = relax(scene)
+    assert first is not None and first.scene.ids == scene.ids and not first.scene.dropped
+    assert not any(r.hard for r in first.scene.relations)
+    assert all(r.weight < 0.1 for r in first.scene.relations if "a" in (r.subject, *r.targets))
+    assert len(first.unmet) == 2  # the soft one had been given up already
+    second = relax(first.scene)
+    assert second is not None and len(second.scene.dropped) == 1
+
+
+def test_of_relations_about_different_objects_one_each_gives_way_at_once():
+    cubes = [cube(name, "asked", at) for name, at in zip("abcd", (1.0, 3.0, 5.0, 8.0), strict=True)]
+    far = {"max": 0.1}
+    relations = (
+        Relation(type="near", subject="a", target="b", params=far, asked=True),
+        Relation(type="near", subject="b", target="a", params={"max": 0.2}, asked=True),
+        Relation(type="near", subject="c", target="d", params=far, asked=True),
+    )
+    for at_once, left in ((1, 2), (2, 1), (9, 0)):
+        found = relax(room(*cubes, relations=relations), at_once)
+        assert found is not None and sum(r.hard for r in found.scene.relations) == left

@@ -29,6 +29,10 @@ COUNTS = [
     ("both armchairs face the sofa", "armchair", (2, 2)),
     ("a kitchen with a table, four chairs and one stool", "stool", (1, 1)),
     ("three benches stand along the wall", "bench", (3, 3)),
+    ("a shelf holds two teddy bears and a ball", "teddy_bear", (2, 2)),
+    ("a desk with a 35 mm camera", "camera", (1, 1)),
+    ("a bathroom with two sinks and a mirror", "sink_cabinet", (2, 2)),
+    ("three tubs of paint on a shelf", "paint_jar", (3, 3)),
 ]
 
 RELATIONS = [
@@ -77,6 +81,24 @@ RELATIONS = [
     ("A wardrobe stands between the window and the door.", ("wardrobe", "near", "door")),
     ("There's a bed in the middle, and at its foot a chest.", ("chest", "at_foot", "bed")),
     ("Four bean bags form a circle on a rug.", ("bean_bag", "on", "rug")),
+    ("A desk with a monitor with a keyboard and a mouse in front", ("keyboard", "in_front_of", "monitor")),
+    ("A desk with a monitor with a keyboard and a mouse in front", ("mouse", "in_front_of", "monitor")),
+    ("A tablet lies on a desk, a lamp to the right of it, a book to its left.", ("book", "left_of", "tablet")),
+    ("A desk with a laptop at its center and a lamp to its left", ("table_lamp", "left_of", "laptop")),
+    (
+        "A room with a glass-topped round table and a wooden desk. The glass table holds a vase.",
+        ("vase", "on", "round_dining_table"),
+    ),
+    (
+        "A desk stands by the door. A lamp hangs above a dining table. On the tabletop lies a book.",
+        ("book", "on", "dining_table"),
+    ),
+    (
+        "A cabinet stands by the door. A bathtub fills a corner, its ledge decorated with candles.",
+        ("candle", "on", "bathtub"),
+    ),
+    ("Light falls through a tall window onto a desk placed beneath it.", ("desk", "below", "window")),
+    ("Three candles stand on the floor beside the bathtub.", ("candle", "on", "floor")),
 ]
 
 

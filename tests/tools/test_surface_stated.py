@@ -121,6 +121,41 @@ def test_a_support_grows_with_what_it_carries(design):
     assert sizes[0][1] < sizes[1][1]
 
 
+def test_a_support_grows_beyond_what_is_usual_before_anything_goes_to_the_floor(design):
+    proposal = design("living_room", [entity("bench"), entity("cushion", count=3)], [said("on", "cushion", "bench")])
+    scene = scene_of(proposal)
+    assert not proposal.unmet and not astray(scene)
+    assert {holder(scene, f"cushion-{k}")[0] for k in range(3)} == {"bench-0"}
+
+
+def test_flat_things_without_room_lie_on_others_of_their_kind(design):
+    towels = [entity("stool"), entity("folded_towel", count=4)]
+    proposal = design("bathroom", towels, [said("on", "folded_towel", "stool")])
+    scene = scene_of(proposal)
+    assert not proposal.unmet and not astray(scene)
+    holders = {holder(scene, f"folded_towel-{k}")[0] for k in range(4)}
+    assert "stool-0" in holders and holders <= {"stool-0", *(f"folded_towel-{k}" for k in range(4))}
+
+
+def test_a_top_with_something_rising_from_it_carries_what_is_put_on_it(design):
+    things = [entity("train_table"), entity("toy_train", count=2)]
+    scene = scene_of(design("childrens_room", things, [said("on", "toy_train", "train_table")]))
+    assert {holder(scene, f"toy_train-{k}")[0] for k in range(2)} == {"train_table-0"}
+    assert not astray(scene)
+
+
+def test_what_is_told_to_be_on_the_floor_is_there(design):
+    things = [entity("freestanding_bathtub"), entity("side_table"), entity("candle", count=3)]
+    for relation in (said("on", "candle", "floor"), said("around", "candle", "freestanding_bathtub")):
+        scene = scene_of(design("bathroom", things, [relation]))
+        assert {scene.object(f"candle-{k}").mount for k in range(3)} == {"floor"}
+
+
+def test_what_stands_on_nothing_that_is_named_is_not_put_on_a_seat(design):
+    scene = scene_of(design("bar", [entity("bar_counter"), entity("stool", count=2), entity("plate")], []))
+    assert holder(scene, "plate-0")[0] == "bar_counter-0"
+
+
 def test_what_has_no_room_is_said(design):
     proposal = design("study", [entity("stool"), entity("laptop", count=3)], [said("on", "laptop", "stool")])
     scene = scene_of(proposal)
