@@ -22,15 +22,13 @@ EDGES = ("against_wall", "in_corner", "at_window")
 def reconciled(rows: Sequence[Grounded], wanted: Sequence[Wanted]) -> list[Grounded]:
     """Relations that a request states, without those that exclude each other.
 
-    Seats around a table that have their sides told sit there. What is around a thing in a corner or at a wall is near
-    it, as it cannot be on all its sides. A sofa against a wall with a screen behind it stands as far off that wall as
-    the screen needs.
+    What is around a thing in a corner or at a wall is near it, as it cannot be on all its sides. A sofa against a wall
+    with a screen behind it stands as far off that wall as the screen needs.
 
     Args:
         rows: the grounded relations.
         wanted: the objects to be.
     """
-    sided = {(row.subject, row.target) for row in rows if row.type == "seated_at"}
     at_edge = {row.subject for row in rows if row.hard and row.type in EDGES}
     depth = {one.id: one.asset.size[0] for one in wanted if one.mount == "floor"}
     between: dict[str, float] = {}
@@ -39,8 +37,6 @@ def reconciled(rows: Sequence[Grounded], wanted: Sequence[Wanted]) -> list[Groun
             between[row.target] = max(between.get(row.target, 0.0), depth[row.subject])
     found = []
     for row in rows:
-        if row.type == "around" and (row.subject, row.target) in sided:
-            continue
         if row.type == "around" and row.target in at_edge:
             high = max(WITHIN, float((row.params.get("gap") or (0.0, 0.0))[1]))
             row = replace(row, type="near", params={"max": high})

@@ -7,12 +7,24 @@ from sceneweaver.assets.taxonomy import category_named
 from .chunks import Chunk, NounPhrase
 from .parsed import Mention
 from .state import Frame, Waiting
-from .things import describe, give_sides
+from .things import describe, give_sides, singular
 from .tokens import Token
 from .verbs import Verbs
 from .vocabulary import Place, mounts
 
 _TURNED = ("transform", "convert", "turn", "set up")
+
+SEATED = 4
+"""Chairs from which on those around a table are taken for dining chairs."""
+
+
+def _is_plain(noun: str) -> bool:
+    """Whether chairs are not called armchairs and the like, but for what covers them."""
+    return singular(noun).split()[-1] == "chair" and not _EASY.intersection(noun.split())
+
+
+_EASY = frozenset(("arm", "easy", "lounge", "reading", "accent", "club", "wing", "sofa", "papasan", "slipper"))
+"""Words for chairs to rest in."""
 
 
 class Clauses(Verbs):
@@ -76,6 +88,18 @@ class Clauses(Verbs):
                 self.relative = False
             getattr(self, f"_{chunk.kind}")(chunk)
         self._sentence()
+        self._seated()
+
+    def _seated(self) -> None:
+        """Chairs around a table to eat at are dining chairs, upholstered or not."""
+        for said in self.out.said:
+            target = said.targets[0]
+            if said.type not in ("around", "along", "at", "flanking") or not isinstance(target, Mention):
+                continue
+            for one in said.subjects:
+                many = one.count is not None and one.count[0] >= SEATED
+                if many and "dining" in target.category and one.category == "armchair" and _is_plain(one.noun):
+                    one.category = "dining_chair"
 
     def _sentence(self) -> None:
         self._open_ends()
@@ -151,6 +175,9 @@ class Clauses(Verbs):
         if chunk.mutual:
             self._mutual(place, chunk)
             return
+        after = self._chunk(self.at)
+        if chunk.text == "in" and after is not None and after.kind == "adjective" and self.head:
+            return  # "a pair of chairs in green and violet"
         glue, self.glue = self.glue, ""
         subjects = self._subjects_of(place, glue, chunk, after_be)
         fronts = chunk.bare and subjects is None and not self._target_next()

@@ -68,7 +68,10 @@ def grounded(graph: SceneGraph, things: Mapping[str, Sequence[Thing]]) -> tuple[
     sides: dict[str, int] = {}
     found: list[Grounded] = []
     unsaid: list[StatedRelation] = []
+    along = {(said.subject, said.targets) for said in graph.relations if said.type == "along"}
     for said in named(graph):
+        if said.type == "around" and (said.subject, said.targets) in along:
+            continue  # "surrounded by six chairs along its long sides": there, and nowhere else
         if said.type in ("on", "inside") and not _is_place(said):
             rows = list(_held(said, things, known))
         elif _is_place(said):

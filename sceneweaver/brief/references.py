@@ -110,7 +110,8 @@ class References:
     def carrier(self, near: list[Mention], without: list[Mention], kind: str = "top", word: str = "") -> Mention | None:
         """Whose top, shelf or side is meant where nobody is named."""
         choices = [*reversed(near), *(m for t in reversed(self.topics[-3:]) for m in t), *self._recent()[:20]]
-        if word.endswith("top") and word != "top" and not near and self.parsed.said:
+        held = bool(near) and family(near[-1].category) in ("table", "storage")
+        if word.endswith("top") and word != "top" and not held and self.parsed.said:
             last = [t for t in self.parsed.said[-1].targets if isinstance(t, Mention) and family(t.category) == "table"]
             choices = [*last, *choices]  # "a lamp hangs above the table. On the tabletop ..."
         choices = [m for m in choices if not any(m is w for w in without)]

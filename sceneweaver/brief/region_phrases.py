@@ -14,6 +14,12 @@ _TWO = ("two", "double", "dual")
 class RegionPhrases(ThingPhrases):
     """Parts of things: tops, middles, sides, shelves, headboards."""
 
+    def _np_thing(self, phrase: NounPhrase, chunk: Chunk) -> None:
+        if self._is_part(phrase):
+            self._np_part(phrase, chunk)
+        else:
+            super()._np_thing(phrase, chunk)
+
     def _whose(self, of: NounPhrase) -> Mention | None:
         """What a part is of."""
         without = (self.waiting.subjects or []) if self.waiting is not None else []

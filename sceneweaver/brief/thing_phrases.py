@@ -14,6 +14,12 @@ MOST_NEW = 400
 _FLOORS = ("basement", "attic", "loft", "cellar", "rooftop", "upstairs", "downstairs")
 """Words before the name of a room."""
 
+_BUILT_IN = ("integrated", "built in", "integral", "inset")
+"""Words for what is part of the thing that it comes with."""
+
+_IN_FRAMES = ("print", "photo", "photograph", "picture", "image", "portrait")
+"""What a frame shows."""
+
 
 class ThingPhrases(RoomPhrases):
     """Phrases about things and their parts."""
@@ -65,6 +71,15 @@ class ThingPhrases(RoomPhrases):
         if not new:
             self._again(mention, phrase)
         self._named([mention], phrase, chunk, new)
+
+    def _is_part(self, phrase: NounPhrase) -> bool:
+        """Whether what a thing is told to come with is a part of it: an integrated basin, the photo in a frame."""
+        owner = self.frames[-1].owner[-1:] if self.frames and self.frames[-1].kind == "with" else []
+        if not owner or self.waiting is not None or phrase.definite:
+            return False
+        built_in = any(t.text in _BUILT_IN for t in phrase.qualities)
+        framed = singular(owner[0].noun).endswith("frame") and singular(phrase.text) in _IN_FRAMES
+        return built_in or framed
 
     def _new(self, phrase: NounPhrase) -> Mention | None:
         implied = self._implied(phrase)

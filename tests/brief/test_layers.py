@@ -33,6 +33,7 @@ COUNTS = [
     ("a desk with a 35 mm camera", "camera", (1, 1)),
     ("a bathroom with two sinks and a mirror", "sink_cabinet", (2, 2)),
     ("three tubs of paint on a shelf", "paint_jar", (3, 3)),
+    ("a dining table surrounded by eight upholstered chairs", "dining_chair", (8, 8)),
 ]
 
 RELATIONS = [
@@ -154,6 +155,16 @@ def test_parts_are_said_of_what_has_them() -> None:
     assert set(counts(graph)) == {"bed", "dresser"}
     parts = {e.id: [a.value for a in e.attributes if a.kind == "part"] for e in graph.entities}
     assert "headboard" in parts["bed"] and "drawers" in parts["dresser"]
+    assert set(counts(read_request("a vanity with an integrated basin"))) == {"vanity"}
+    assert set(counts(read_request("a shelf with two photo frames with color prints"))) == {
+        "wall_shelf",
+        "photo_frames",
+    }
+
+
+def test_colors_of_a_thing_are_no_place() -> None:
+    graph = read_request("A board stands by the wall, beside two bean bags in lime green and violet.")
+    assert not any(r.subject == "bean_bag" for r in graph.relations)
 
 
 def test_matching_things_look_alike() -> None:

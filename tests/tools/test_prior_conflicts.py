@@ -34,7 +34,9 @@ def asked(scene: Scene, subject: str) -> list[Relation]:
 def test_seats_with_their_sides_told_are_not_spread_around_as_well(drawn):
     scene = drawn("a dining room with a long table surrounded by six chairs along its long sides, three per side")
     chairs = asked(scene, "dining_chair") or asked(scene, "chair")
-    assert {r.type for r in chairs if r.hard} == {"seated_at"} and len(chairs) == 6
+    seated = [r for r in chairs if r.type == "seated_at"]
+    assert len(seated) == 6 and not any(r.type == "around" for r in chairs)
+    assert {(r.params["side"], r.params["n"]) for r in seated} == {("front", 3), ("back", 3)}
 
 
 def test_what_is_around_a_thing_in_a_corner_is_near_it(drawn):
