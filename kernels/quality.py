@@ -6,6 +6,7 @@ off; rows of one rule take off so much together at most. Members are what they o
 between them, and by their true prisms where something is in the way. `quality_floor` has the measures that need a grid.
 """
 
+import math
 from typing import TYPE_CHECKING
 
 import warp as wp
@@ -26,14 +27,19 @@ TURNED = 5  # [rad] b's yaw less a's and p0, wrapped to a period of p1; 0 to p1 
 MIRRORED = 6  # [m] between b and where a's mirror image at the axis of c is
 BACKING = 7  # [m] a's back ahead of b
 CLEAR = 8  # [m] free before a side of a (`side_of`), p0 wide (0: as it), from height p1 to p2; others do not count
-OVERLAP = 9  # [m] of b's width that a stands before, where it is nearer than p0
+OVERLAP = 9  # [m] of the width of b's side p1, p2 wider at its ends, that a stands before, where it is nearer than p0
 SCREENED = 10  # [m] of the line between a and b at height p0 that solids take up; other members do not count
 BARE = (
     11  # [m] of wall a in stretches longer than p2 with nothing nearer than p0, be it hung or p1 high, nor an opening
 )
+UNEVEN = (
+    12  # pairs of the members that nearly stand in line, nearer than p0; p1 1: seats, which are compared aside only
+)
 ON_FLOOR = 16  # and above: those of `quality_floor`
 
 BINS = wp.constant(32)  # of a wall
+OUT_OF_LINE = wp.constant(wp.vec2(0.015, 0.12))  # [m] between equals of a row that look like a mistake
+SAME_WAY = wp.constant(math.radians(3.0))  # angle up to which equals are parallel
 HUNG = wp.constant(0.3)  # [m] above the floor from which on something hangs
 
 TERMS = (
@@ -326,6 +332,31 @@ def bare_length(b: Problems, terms: Terms, s: State, candidate: wp.int32, wall: 
 
 
 @wp.func
+def uneven_pairs(b: Problems, terms: Terms, s: State, candidate: wp.int32, members: wp.vec2i, p: wp.vec4):
+    """Members whose nearest equal along a row is a little out of line with them."""
+    total = float(0.0)
+    axes = wp.where(p[1] > 0.0, 1, 2)
+    for i in range(members[0], members[1]):
+        a = member_of(b, terms, s, candidate, i)
+        for axis in range(axes):
+            nearest = p[0]
+            off = float(0.0)
+            for k in range(members[0], members[1]):
+                o = member_of(b, terms, s, candidate, k)
+                v = in_frame(a, o.at)
+                along = wp.where(axis == 0, v[1], v[0])
+                across = wp.abs(wp.where(axis == 0, v[0], v[1]))
+                yaw = yaw_between(a.turn, o.turn)
+                parallel = wp.abs(wrap(yaw, 0.5 * wp.pi)) < SAME_WAY and (p[1] == 0.0 or wp.cos(yaw) > 0.9)
+                if parallel and along > 0.05 and along < nearest and across < 0.2:
+                    nearest = along
+                    off = across
+            if off > OUT_OF_LINE[0] and off < OUT_OF_LINE[1]:
+                total += 1.0
+    return total
+
+
+@wp.func
 def measured(b: Problems, terms: Terms, s: State, candidate: wp.int32, row: wp.int32):
     """The measure of a row."""
     kind = item(terms.kind, row)
@@ -349,6 +380,8 @@ def measured(b: Problems, terms: Terms, s: State, candidate: wp.int32, row: wp.i
         return best
     if kind == BARE:
         return bare_length(b, terms, s, candidate, a, members, p)
+    if kind == UNEVEN:
+        return uneven_pairs(b, terms, s, candidate, members, p)
     o = member_of(b, terms, s, candidate, first + 1)
     v = in_frame(a, o.at)
     if kind == LATERAL:
@@ -362,8 +395,10 @@ def measured(b: Problems, terms: Terms, s: State, candidate: wp.int32, row: wp.i
     if kind == BACKING:
         return in_frame(o, a.at - a.half[0] * a.turn)[0]
     if kind == OVERLAP:
-        box = box_in_frame(o, a)
-        width = wp.min(box[3], o.half[1]) - wp.max(box[2], -o.half[1])
+        face = side_of(o, int(p[1]))
+        box = box_in_frame(face, a)
+        half = face.half[1] + p[2]
+        width = wp.min(box[3], half) - wp.max(box[2], -half)
         return wp.where(box[0] < p[0] and box[1] > 0.0, wp.max(width, 0.0), 0.0)
     if kind == SCREENED:
         return screened_length(b, terms, s, candidate, members, a.at, o.at, p[0])

@@ -12,9 +12,11 @@ import numpy as np
 from benchmarks.designs import PAPER
 from benchmarks.drafts import Draft, draft
 from benchmarks.judging import Judge
+from benchmarks.parallel import each
 from benchmarks.results import Column, Plot, Result
 from benchmarks.settings import Settings
 from benchmarks.signature import signatures
+from sceneweaver.agent.executor import Outcome
 from sceneweaver.critic import Review
 from sceneweaver.layout import Solution, improve, refine
 from sceneweaver.layout.solution import missing_points
@@ -37,6 +39,8 @@ CURVE = (
     Column("functionality", "functionality", "number"),
     Column("grade", "grade", "number"),
     Column("before", "grade without choice", "number"),
+    Column("worth", "worth", "number"),
+    Column("worth_before", "worth without choice", "number"),
     Column("signatures", "signatures of ten", "count"),
     Column("seconds", "CPU seconds", "number"),
 )
@@ -47,6 +51,7 @@ AGREEMENT = (
     Column("layout", "layout", "number"),
     Column("functionality", "functionality", "number"),
     Column("both", "both", "number"),
+    Column("worth", "worth", "number"),
     Column("spread", "spread of grades", "number"),
 )
 IMPROVED = f"{DRAWN} + {GENERATIONS} x {CHILDREN}"
@@ -61,17 +66,16 @@ def run(settings: Settings, judge: Judge) -> Result:
         "The first draft of each kind of room, laid out by more and more candidates. Points lost: what the terms of "
         "design quality take off, for the best layout and as the mean of the ten that the critic sees (the best of "
         "each signature). Grade: the critic's mean of layout and functionality of the layout that it likes best among "
-        "them; without choice the ten come as the relations rank them. Signatures: how many of the ten differ in the "
-        "wall, the 0.5 m cell or the eighth of a turn of some piece. "
+        "them; without choice the ten come as the relations rank them. Worth: what the agent ranks by, the mean of all "
+        "grades less what soft relations that fail take off, of the best of the ten. Signatures: how many of the ten "
+        "differ in the wall, the 0.5 m cell or the eighth of a turn of some piece. "
         f"The row {IMPROVED}: {DRAWN} candidates, and {GENERATIONS} generations of {CHILDREN} recombined ones.",
     )
     names = settings.kinds or tuple(PAPER)[: 1 if settings.quick else None]
-    curve, agreement = [], []
-    for name in names:
-        made = draft(name, settings.seed)
-        solution, rows = _curve(name, made, settings)
-        curve += [*rows, _improved(name, made, solution, settings)]
-        agreement += _agreement(name, made, solution)
+    if min(settings.jobs, len(names)) > 1:  # kernels are compiled here, and not by every process
+        _of_room("bathroom", replace(settings, quick=True, most=FINALISTS))
+    columns = each(_of_room, [(name, settings) for name in names], settings.jobs)
+    curve, agreement = ([row for rows in column for row in rows] for column in zip(*columns, strict=True))
     result.add("curve", "Quality over candidates", CURVE, keys=2, detail=len(names) > 1).rows = curve
     lacking = {r["room"] for r in curve if None in (r["grade"], r["before"])}
     means = [
@@ -97,25 +101,34 @@ def run(settings: Settings, judge: Judge) -> Result:
     return result
 
 
+def _of_room(name: str, settings: Settings) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
+    """The rows of one kind of room: its curve, and how far terms and critic agree."""
+    made = draft(name, settings.seed)
+    solution, rows = _curve(name, made, settings)
+    return [*rows, _improved(name, made, solution, settings)], _agreement(name, made, solution)
+
+
 class Critic:
     """The critic's word on a solution's candidates, each asked for once."""
 
     def __init__(self, made: Draft, solution: Solution) -> None:
         """``solution`` is of the draft's plain scene."""
         self._made, self._solution = made, solution
-        self._kept: dict[int, Review | None] = {}
+        self._kept: dict[int, tuple[Review, float] | None] = {}
 
-    def review(self, candidate: int) -> Review | None:
-        """None where the judge finds fault with it."""
+    def review(self, candidate: int) -> tuple[Review, float] | None:
+        """The review and what the layout is worth to the agent; None where the judge finds fault with it."""
         if candidate not in self._kept:
-            report, review = self._made.judged(self._solution.scene(candidate))
-            self._kept[candidate] = review if report.valid else None
+            scene = self._solution.scene(candidate)
+            report, review = self._made.judged(scene)
+            worth = -Outcome(scene, report, review).key[-1]
+            self._kept[candidate] = (review, worth) if report.valid else None
         return self._kept[candidate]
 
-    def best(self, candidates: list[int]) -> Review | None:
-        """The best review among some."""
+    def best(self, candidates: list[int]) -> tuple[Review | None, float | None]:
+        """The best review among some, and the most that one of them is worth."""
         found = [r for i in candidates if (r := self.review(i)) is not None]
-        return max(found, key=_grade, default=None)
+        return max((review for review, _ in found), key=_grade, default=None), max((w for _, w in found), default=None)
 
 
 def _grade(review: Review) -> float:
@@ -155,7 +168,7 @@ def _row(name: str, count: int | str, solution: Solution, critic: Critic, second
         return row
     chosen = solution.best_candidates(FINALISTS)
     plain = replace(solution, quality=None).best_candidates(FINALISTS)
-    best, before = critic.best(chosen), critic.best(plain)
+    (best, row["worth"]), (before, row["worth_before"]) = critic.best(chosen), critic.best(plain)
     assert solution.quality is not None
     row |= {
         "points": -float(solution.quality[chosen[0]]),
@@ -189,12 +202,12 @@ def _agreement(name: str, made: Draft, solution: Solution) -> list[dict[str, Any
     rows = [(float(solution.quality[i] - lost[i]), r) for i in some if (r := critic.review(int(i))) is not None]
     if len(rows) < FEWEST:
         return []
-    worth = [w for w, _ in rows]
-    grades = {key: [r.grades[key] for _, r in rows] for key in ("layout", "functionality")}
-    grades["both"] = [_grade(r) for _, r in rows]
+    points = [p for p, _ in rows]
+    grades = {key: [r.grades[key] for _, (r, _) in rows] for key in ("layout", "functionality")}
+    grades |= {"both": [_grade(r) for _, (r, _) in rows], "worth": [worth for _, (_, worth) in rows]}
 
     def correlation(values: list[float]) -> float | None:
-        return float(np.asarray(spearmanr(worth, values)[0])) if np.ptp(values) > 0 and np.ptp(worth) > 0 else None
+        return float(np.asarray(spearmanr(points, values)[0])) if np.ptp(values) > 0 and np.ptp(points) > 0 else None
 
     found = {key: correlation(values) for key, values in grades.items()}
     return [{"room": name, "layouts": len(rows), **found, "spread": float(np.std(grades["both"]))}]

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from sceneweaver.critic import kinds
 from sceneweaver.critic.design.clearance import BELOW_WINDOWS, BOARDS, BROWSED, OPENED
 from sceneweaver.critic.design.fill import GYMS, HOMELIKE
+from sceneweaver.critic.design.visitors import BESIDE, STAFFED, VISITORS
 from sceneweaver.critic.design.walls import CLOSE, PLAIN, TALL
 from sceneweaver.critic.design.ways import ACROSS, BODY, GOALS, GRID, REACH, USED
 from sceneweaver.critic.groups import COUNTERS
@@ -21,11 +22,17 @@ from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.layout import QualityTerm
 from sceneweaver.scene import Scene
 
-from . import choice_groups
+from . import choice_groups, choice_order
 from .choice_rules import Rules
 
 MOST_GOALS, MOST_REACHED = 8, 32
 """Ways that are measured: to the largest pieces."""
+
+ONE = 0.7
+"""Share of the points of a rule that one of several costs where the critic names them together."""
+
+LEVEL = 0.14
+"""Width [m] that a way may lack more, as the terms' grid is coarser than the critic's."""
 
 
 def choice_terms(scene: Scene, room_type: RoomType) -> list[QualityTerm]:
@@ -38,6 +45,7 @@ def choice_terms(scene: Scene, room_type: RoomType) -> list[QualityTerm]:
     rules = Rules(scene, room_type.name)
     return [
         *choice_groups.terms(rules),
+        *choice_order.terms(rules),
         *_doors(rules),
         *_use(rules),
         *_ways(rules),
@@ -75,13 +83,21 @@ def _use(rules: Rules) -> Iterator[QualityTerm]:
     for counter in rules.of_kind(COUNTERS):
         depth = limit("behind_counter", "clear")
         yield from rules.term("behind_counter", "clear", counter.id, *light, low=depth, span=0.5, side=2)
-    behind = limit("behind_seats", "clear")
+    depth = limit("staff_and_visitors_apart", "depth")
+    for desk in rules.of_kind(STAFFED - {"host_stand"}):
+        for o in rules.of_kind(VISITORS):
+            if o.mount == "floor" and desk.mount == "floor":
+                far = {"depth": depth + desk.size[0] / 2, "side": 2.0, "beside": BESIDE}
+                half = min(o.size[:2]) / 2
+                rule = "staff_and_visitors_apart"
+                yield from rules.term(rule, "overlap", o.id, desk.id, high=half, span=0.1, share=ONE, **far)
+    behind = limit("behind_seats", "clear") - 0.15
     for seat in rules.standing:
         if kinds.upright_seat(seat.category) and seat.category != "stool":
             tables = [o.id for o in rules.tied(seat, kinds.SEATED_AT)]
             if tables:
                 others = [o for o in light if o != seat.id] + tables
-                yield from rules.term("behind_seats", "clear", seat.id, *others, low=behind, span=behind, side=2)
+                yield from rules.term("behind_seats", "clear", seat.id, *others, low=behind, span=0.3, side=2)
     most, depth = limit("low_below_windows", "above_sill"), limit("before_use", "window")
     for window in rules.scene.room.windows:
         for o in rules.standing:
@@ -93,22 +109,17 @@ def _ways(rules: Rules) -> Iterator[QualityTerm]:
     """Ways from the doors to windows, to the largest pieces, and to the front of all that stands on the floor."""
     if not rules.scene.room.doors:
         return
-    width = limit("way_to_window", "width") - GRID
+    width = limit("way_to_window", "width") - GRID - LEVEL
     for window in rules.scene.room.windows:
         yield from rules.term("way_to_window", "way", window.id, low=width, span=0.3, reach=ACROSS)
-    width = limit("way_to_group", "width") - GRID
+    width = limit("way_to_group", "width") - GRID - LEVEL
     for o in [o for o in rules.standing if o.category in GOALS][:MOST_GOALS]:
-        yield from rules.term("way_to_group", "way", o.id, low=width, span=0.3, reach=REACH)
+        yield from rules.term("way_to_group", "way", o.id, low=width, span=0.3, share=ONE, reach=REACH)
     near = limit("reachable", "gap") - 0.1
     for o in rules.standing[:MOST_REACHED]:
         if o.category in USED:
             side = 0 if o.category in kinds.WALL_BACKED else -1
-            yield from rules.term("reachable", "way", o.id, low=BODY, span=0.2, reach=near, side=side)
-        # From where a robot can stand it reaches so far; to seats and what has seats, over any side.
-        any_side = o.category in kinds.SEATED_AT or kinds.upright_seat(o.category)
-        params = {"reach": 0.35, "side": -1.0 if any_side else 0.0}
-        points = 1.2 if o.intent.priority in ("asked", "needed") else 0.4
-        yield QualityTerm("way", (o.id,), 0.4, span=0.4, weight=points, params=params, rule="unreachable", most=4.0)
+            yield from rules.term("reachable", "way", o.id, low=BODY - LEVEL, span=0.2, reach=near, side=side)
 
 
 def _walls(rules: Rules) -> Iterator[QualityTerm]:

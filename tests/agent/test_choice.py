@@ -87,7 +87,8 @@ def test_terms_take_points_off_where_the_critic_does(rule):
 def test_points_are_those_of_the_rules():
     scene = Scene(id="s", room=ROOM, objects=(BED, WARDROBE))
     for term in choice_terms(scene, room_type("bedroom")):
-        if term.rule == "unreachable":  # the judge's own, no rule of design
+        if term.rule not in design_rules():  # an older check
+            assert term.rule in ("unreachable", "crooked", "askew") and 0 < term.weight < term.most
             continue
         rule = design_rules()[term.rule]
         assert 0 < term.weight <= rule.points and term.most == rule.most and rule.applies("bedroom")
@@ -101,6 +102,45 @@ def test_what_belongs_to_a_sofa_is_read_from_relations():
     scene = Scene(id="s", room=room, objects=objects, relations=ties)
     terms = [t for t in choice_terms(scene, room_type("living_room")) if t.rule == "table_on_sofa_axis"]
     assert {t.objects for t in terms} == {("sofa-0", "coffee_table-0"), ("sofa-1", "coffee_table-1")}
+
+
+TABLE = thing("dining_table-0", (0.9, 2.4, 0.75), 2.5, 2.0)
+SEATS = [(1.9, 1.4, 0.0), (1.9, 2.6, 0.0), (3.1, 1.4, np.pi), (3.1, 2.6, np.pi)]
+DESK = thing("reception_desk-0", (0.7, 1.8, 1.1), 1.6, 2.0)
+
+OLDER = {
+    "crooked": ("bedroom", (WARDROBE,), (thing("wardrobe-0", (0.6, 1.2, 2.0), 4.6, 1.2, np.pi + 0.07),)),
+    "askew": ("bedroom", (WARDROBE,), (thing("wardrobe-0", (0.6, 1.2, 2.0), 4.4, 1.2, np.pi + 0.4),)),
+    "uneven_row": (
+        "restaurant",
+        tuple(thing(f"cafe_table-{k}", (0.7, 0.7, 0.75), 1.0 + 1.3 * k, 2.5) for k in range(3)),
+        tuple(thing(f"cafe_table-{k}", (0.7, 0.7, 0.75), 1.0 + 1.3 * k, 2.5 + 0.06 * (k == 1)) for k in range(3)),
+    ),
+    "staff_and_visitors_apart": (
+        "waiting_room",
+        (DESK, thing("armchair-0", (0.8, 0.8, 0.9), 3.5, 2.0, np.pi)),
+        (DESK, thing("armchair-0", (0.8, 0.8, 0.9), 0.5, 2.0)),
+    ),
+    "cramped_seat": (
+        "dining_room",
+        (TABLE, *(thing(f"dining_chair-{k}", (0.45, 0.45, 0.9), *SEATS[k]) for k in range(4))),
+        (TABLE, thing("dining_chair-0", (0.45, 0.45, 0.9), 1.9, 1.4), thing("dresser-0", (0.5, 1.0, 0.9), 1.4, 1.4)),
+    ),
+}
+"""Kinds of rooms, objects that keep an older check or a rule of staff, and some that break it."""
+
+
+@pytest.mark.parametrize("check_", OLDER)
+def test_terms_follow_the_older_checks(check_):
+    kind, kept, broken = OLDER[check_]
+    for objects, wrong in ((kept, False), (broken, True)):
+        seats = [o.id for o in objects if "chair-" in o.id] if TABLE in objects else []
+        ties = tuple(Relation(type="front_against", subject=name, target=TABLE.id) for name in seats)
+        scene = Scene(id="s", room=ROOM.model_copy(update={"type": kind}), objects=objects, relations=ties)
+        review = review_scene(scene, check(scene), room_type(kind), SceneGraph(text="a room"))
+        taken = sum(f.points for f in review.faults if f.kind == check_)
+        assert (taken > 0.0) is wrong
+        assert (points(scene, check_) > 0.05) is wrong
 
 
 SET = {"sofa": (0.9, 2.0, 0.8), "coffee_table": (0.6, 1.1, 0.4)}
