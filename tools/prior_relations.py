@@ -211,6 +211,9 @@ def _instance(one: Wanted, name: str | None, by_item: dict[str, list[Wanted]]) -
             return kin
     siblings = [w for w in others if w.parent is not None and w.parent is one.parent]
     pool = siblings or others
+    alike = len(by_item[one.item.id]) if one.item is not None and one.parent is None else 1
+    if 1 < alike < len(pool):  # few among many are spread: a bin for each cluster of desks
+        return pool[one.number * len(pool) // alike % len(pool)]
     return pool[one.number % len(pool)] if pool else None
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from sceneweaver.knowledge.complete import expected_of
-from sceneweaver.scene import Palette, SceneObject
+from sceneweaver.scene import Palette, Pose, SceneObject
 from tests.critic.breaches import box, broken, hung, on, top
 
 Boxes = list[SceneObject]
@@ -112,6 +112,19 @@ BREACHES: list[tuple[str, str, Boxes, Boxes, set[str]]] = [
 def test_a_room_keeps_the_rule_and_another_breaks_it(rule, kind, good, bad, objects) -> None:
     assert not broken(rule, kind, good)
     assert objects <= broken(rule, kind, bad)
+
+
+def test_a_shelf_along_the_far_side_of_a_desk_is_not_what_one_sits_at() -> None:
+    from sceneweaver.scene import Surface
+
+    desk, chair = seated(0.46)
+    rear = ((-0.35, -0.7), (-0.1, -0.7), (-0.1, 0.7), (-0.35, 0.7))
+    fore = ((-0.1, -0.7), (0.35, -0.7), (0.35, 0.7), (-0.1, 0.7))
+    surfaces = (Surface(name="shelf", polygon=rear, z=1.0), Surface(name="top", polygon=fore, z=0.72))
+    desk = desk.model_copy(update={"surfaces": surfaces})
+    assert not broken("seat_fits_table", "office", [desk, chair])
+    turned = desk.model_copy(update={"pose": Pose.from_yaw(3.0, 2.5, 0.0, 3.1415926)})
+    assert desk.id in broken("seat_fits_table", "office", [turned, chair])
 
 
 def test_small_things_follow_the_style_or_the_palette() -> None:

@@ -169,6 +169,13 @@ def test_a_floor_that_nobody_fixed_shrinks_to_what_it_holds(prior):
     assert area(few) < 0.9 * area(plain) and area(said) == pytest.approx(60.0, rel=0.02)
 
 
+def test_few_things_are_spread_over_the_many_that_they_are_for(prior):
+    office, _ = prior("an office")
+    desks = sorted(o.id for o in office.objects if o.category in ("desk", "computer_desk"))
+    bins = [r.target for r in office.relations if r.type == "beside" and r.subject.startswith("wastebasket")]
+    assert len(desks) == 6 and bins == [desks[0], desks[3]]
+
+
 def test_what_has_no_place_on_a_given_floor_is_said(prior):
     scene, proposal = prior("a bathroom of 5 square metres with six bathtubs")
     have = kinds(scene)["bathtub"]

@@ -28,6 +28,12 @@ POURED = named("pitcher carafe teapot")
 
 CUTLERY = frozenset(("cutlery_set", "place_setting"))
 
+SNACKS = frozenset(("cafe", "bakery", "break_room"))
+"""Rooms in which a plate on a table is that of one person: tables are not laid."""
+
+EDGE = 0.1
+"""Distance [m] from the edge of a table within which the top begins that one sits at."""
+
 FEWEST = 4
 """Tables from which a grid is expected."""
 
@@ -50,7 +56,7 @@ def faults(survey: Survey) -> Iterator[Finding]:
         seats = [b for b, _ in survey.near(table, 0.9) if seat_like(b) and table_of(survey, b) is table]
         if table.item.category in kinds.DINING | {"activity_table"}:
             yield from _even(survey, table, seats)
-            if wrong := _laid(survey, table, len(seats)):
+            if survey.room_type.name not in SNACKS and (wrong := _laid(survey, table, len(seats))):
                 unlaid[wrong].append(table)
         if table.item.category not in HIGH:
             yield from _height(survey, table, seats)
@@ -146,14 +152,23 @@ def seat_height(seat: Body) -> float | None:
     return max(tops) if tops else None
 
 
+def _top_at(table: Body, seat: Body) -> float:
+    """Height [m] of the top of a table at the side where a seat is: a shelf along its other side does not count."""
+    x, y = table.local(seat.centre)
+    axis = 0 if abs(x) * table.size[1] > abs(y) * table.size[0] else 1
+    sign = 1.0 if (x, y)[axis] > 0 else -1.0
+    edge = table.size[axis] / 2 - EDGE
+    tops = [s.z for s in table.item.surfaces if max(sign * p[axis] for p in s.polygon) > edge]
+    return max(tops) if tops else top_of(table)
+
+
 def _height(survey: Survey, table: Body, seats: list[Body]) -> Iterator[Finding]:
     if not applies(survey, "seat_fits_table"):
         return
     low, high = limit("seat_fits_table", "low"), limit("seat_fits_table", "high")
-    top = top_of(table)
     wrong = []
     for seat in seats:
-        height, less = seat_height(seat), 0.08 if seat.size[2] < CHILD else 0.0
+        height, less, top = seat_height(seat), 0.08 if seat.size[2] < CHILD else 0.0, _top_at(table, seat)
         if height is not None and not low - less - 0.03 <= top - height <= high - less + 0.02:
             wrong.append((top - height, seat))
     if wrong:
