@@ -34,6 +34,9 @@ GROWN = (0.5, 1.0, 2.0)
 """Shares of the way to the largest of its kind by which a support grows when what is to stand on it has no room; from 1
 to 2 it goes on to the largest that words may ask for."""
 
+OPEN, INSIDE = "open", "inside"
+"""The shape of a box or bin that things are put into, without its lid, and the surface that it then has."""
+
 SHRUNK = (0.0, -1.0)
 """Where in the range of its kind what has no room is drawn anew: the least usual, then the least that there is."""
 
@@ -285,6 +288,8 @@ def _fitted(
     sized: set[str],
 ) -> tuple[list[Laid], list[Wanted]]:
     """Where things stand on a support, and those without room; for these it grows, and they shrink."""
+    if any(one.inside for one in riders) and support.id not in places.objects:
+        _open(support, library)
     found, lost = _on_one(support, riders, rows, shelf, places)
     grows = support.id not in places.objects and support.asked not in sized
     for step in (*GROWN, *SHRUNK, GROWN[-1]):
@@ -304,6 +309,19 @@ def _fitted(
             else:
                 support.asset = before
     return found, lost
+
+
+def _open(support: Wanted, library: Library) -> None:
+    """Take the lid off a box or bin that things are put into, where there is such a body."""
+    has_inside = any(s.headroom is not None or s.name == INSIDE for s in support.asset.surfaces)
+    if has_inside or support.wish is None or support.wish.shape is not None:
+        return
+    wish, support.wish = support.wish, replace(support.wish, shape=OPEN)
+    opened = _drawn_anew(support, support.asset.size, True, library)
+    if opened is not None and any(s.name == INSIDE for s in opened.surfaces):
+        support.asset = opened
+    else:
+        support.wish = wish
 
 
 def _not_stacked(lost: Sequence[Wanted], placed: Sequence[Wanted]) -> list[Wanted]:

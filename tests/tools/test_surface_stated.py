@@ -137,6 +137,17 @@ def test_flat_things_without_room_lie_on_others_of_their_kind(design):
     assert "stool-0" in holders and holders <= {"stool-0", *(f"folded_towel-{k}" for k in range(4))}
 
 
+@pytest.mark.parametrize("box", ["storage_box", "toy_chest", "laundry_hamper", "trash_can"])
+def test_a_box_that_holds_things_is_open_and_they_are_within_it(design, box):
+    scene = scene_of(design("childrens_room", [entity(box), entity("ball", count=2)], [said("inside", "ball", box)]))
+    held = scene.object(f"{box}-0")
+    for k in range(2):
+        ball = scene.object(f"ball-{k}")
+        assert holder(scene, ball.id) == (held.id, "inside")
+        assert ball.pose.position[2] < held.pose.position[2] + 0.2 * held.size[2]
+    assert not astray(scene)
+
+
 def test_a_top_with_something_rising_from_it_carries_what_is_put_on_it(design):
     things = [entity("train_table"), entity("toy_train", count=2)]
     scene = scene_of(design("childrens_room", things, [said("on", "toy_train", "train_table")]))

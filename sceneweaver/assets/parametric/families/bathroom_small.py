@@ -10,6 +10,8 @@ from ..builder import Builder
 from ..joinery import carcass
 from ..registry import draws
 from .kitchen_parts import Finish, egg, loft, oval, rounded
+from .small_containers import open_box
+from .small_kit import OPEN
 
 _METALS = ("chrome", "black steel", "brass", "brushed steel")
 _TERRY = (
@@ -296,9 +298,13 @@ def bath_mat(b: Builder) -> None:
 
 @draws("laundry_hamper")
 def laundry_hamper(b: Builder) -> None:
-    """A woven box with a lid, bands of weave and grips, on four feet."""
+    """A woven box with a lid, bands of weave and grips, on four feet, or an open one."""
     d, w, h = b.size
     weave = b.material("body", "wicker", "rattan")
+    if b.request.shape == OPEN:
+        open_box(b, d, w, h, weave, 0.012, 0.03)
+        b.fit()
+        return
     band: Finish = {"wicker": "rattan", "rattan": "wicker"}.get(weave.name, "wicker")
     n = 22
     top = h - 0.035

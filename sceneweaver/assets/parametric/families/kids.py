@@ -6,6 +6,8 @@ import math
 
 from ..builder import Builder, span
 from .gym_kit import disc, face, gear, inlay, post, ring, side
+from .small_containers import open_box
+from .small_kit import OPEN
 
 _GAY = (
     "red plastic",
@@ -21,9 +23,12 @@ _WOOD = ("birch", "white paint", "light oak", "pine", "sage paint")
 
 @gear("toy_chest")
 def toy_chest(b: Builder) -> None:
-    """A wooden box with a lid, low feet, coloured stars and handles."""
+    """A wooden box with a lid, low feet, coloured stars and handles, or an open one."""
     d, w, h = b.size
     wood = b.material("wood", *_WOOD)
+    if b.request.shape == OPEN:
+        open_box(b, d, w, h, wood, 0.018, floor=0.02)
+        return
     x, y = d / 2 - 0.012, w / 2 - 0.01
     for sx in (-1, 1):
         for s in (-1, 1):

@@ -5,6 +5,8 @@ from __future__ import annotations
 from ..builder import Builder
 from ..registry import draws
 from .kitchen_parts import loft, oval, rounded, vessel
+from .small_containers import open_box
+from .small_kit import OPEN
 
 
 @draws("trash_can")
@@ -21,6 +23,10 @@ def trash_can(b: Builder) -> None:
         "black steel",
         "blue plastic",
     )
+    if b.request.shape == OPEN:
+        open_box(b, d, w, h, body, 0.006, 0.1 * d)
+        b.fit()
+        return
     square = b.chance("square", 0.4)
 
     def ring(share: float, z: float):

@@ -6,7 +6,7 @@ import numpy as np
 
 from ... import shapes
 from ..builder import Builder
-from .small_kit import Look, arch, band, decal, dome, ellipse, hoop, loft, orb, rect, slab, small, spot, target
+from .small_kit import OPEN, Look, arch, band, decal, dome, ellipse, hoop, loft, orb, rect, slab, small, spot, target
 
 CLOTHS = (
     "navy fabric",
@@ -50,13 +50,21 @@ def open_box(
     b.surface(name, (-x + e, x - e), (-y + e, y - e), floor)
 
 
-@small("storage_box")
+@small("storage_box", opened=True)
 def storage_box(b: Builder) -> None:
-    """A lidded box of card, cloth or plastic, with a grip and a label."""
-    d, w, h = b.size
+    """A box of card, cloth or plastic: lidded, with a grip and a label, or open."""
     look = b.material(
         "body", "grey fabric", "beige fabric", "white plastic", "navy fabric", "sage paint", "cardboard", "rose fabric"
     )
+    if b.request.shape == OPEN:
+        open_box(b, *b.size, look, 0.006)
+        return
+    with b.solid("all"):
+        _lidded(b, look)
+
+
+def _lidded(b: Builder, look: Look) -> None:
+    d, w, h = b.size
     cover = (
         b.material("lid", "grey fabric", "white plastic", "oak", "beige fabric") if b.chance("other lid", 0.4) else look
     )

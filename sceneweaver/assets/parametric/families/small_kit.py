@@ -15,6 +15,9 @@ from ..registry import Maker, draws
 
 Look = Material | str
 
+OPEN = "open"
+"""The shape asked of a box that things are put into: without a lid, with a surface inside."""
+
 PROUD = 0.0003
 """How far [m] prints, labels and buttons stand out of what they lie on: less than the rules for parts notice."""
 
