@@ -113,8 +113,8 @@ class Executor:
         """The best scene that follows from a proposal.
 
         ``rival`` is the best that there is without it. Where that lacks nothing, an edit that finds no valid layout is
-        left at that; where it is good besides, another draw of the room gets one more search. What more of them lead to
-        is seldom better.
+        left at that, and for another draw of the room things give way once, in other rooms only where the rival is not
+        good. What more searches lead to is seldom better.
 
         Raises:
             InputError: when an edit cannot be applied.
@@ -147,8 +147,9 @@ class Executor:
 
         best, patient, larger, before = refined(0), False, False, draft
         another = proposal.scene is not None  # draw of the room
-        spare = bool(best.faults) and rival is not None and rival.lacks_nothing and (rival.good or not another)
-        rounds, rooms = (int(another), ()) if spare else (ROUNDS, proposal.rooms)
+        spare = bool(best.faults) and rival is not None and rival.lacks_nothing
+        rounds = int(another) if spare else ROUNDS
+        rooms = () if rival is not None and spare and (rival.good or not another) else proposal.rooms
         many = self.settings.choice and self.settings.layouts >= MANY
         if rooms and best.faults and (lighter := lightened(draft, best.faults)) is not None:
             # What is optional goes before the room is changed: a larger one would stay half empty without it.

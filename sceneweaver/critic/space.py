@@ -101,9 +101,9 @@ def _fill(mask: NDArray[np.bool_], polygon: NDArray[np.float64], us: NDArray, vs
     if a >= b or c >= d:
         return
     u, v = us[a:b][None, :], vs[c:d][:, None]
-    ends = np.roll(polygon, -1, axis=0)
+    corners = polygon.tolist()
     within = np.ones((d - c, b - a), dtype=bool)
-    for (x0, y0), (x1, y1) in zip(polygon, ends, strict=True):
+    for (x0, y0), (x1, y1) in zip(corners, (*corners[1:], corners[0]), strict=True):
         within &= (x1 - x0) * (v - y0) - (y1 - y0) * (u - x0) >= -1e-9
     mask[c:d, a:b] |= within
 
@@ -112,8 +112,11 @@ def largest_rectangle(free: NDArray[np.bool_]) -> tuple[int, int, int, int, int]
     """The largest all-true rectangle: cells, first row, first column, rows, columns."""
     best = (0, 0, 0, 0, 0)
     heights = np.zeros(free.shape[1], dtype=int)
+    wider = np.append((free[1:] | ~free[:-1]).all(axis=1), False)
     for r in range(free.shape[0]):
         heights = np.where(free[r], heights + 1, 0)
+        if wider[r]:  # what ends here goes on in the next row
+            continue
         stack: list[tuple[int, int]] = []
         for k, h in enumerate([*heights.tolist(), 0]):
             start = k

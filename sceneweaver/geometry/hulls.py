@@ -41,8 +41,10 @@ def hull_faces(points: Array) -> NDArray[np.int32]:
     except QhullError as error:
         raise ValueError("the points lie in one plane or are fewer than four") from error
     faces = hull.simplices.astype(np.int32)
-    a, b, c = (np.asarray(points)[faces[:, k]] for k in range(3))
-    inward = np.einsum("ij,ij->i", np.cross(b - a, c - a), hull.equations[:, :3]) < 0
+    a, b, c = np.asarray(points)[faces.T]
+    u, v = (b - a).T, (c - a).T
+    cross = np.stack([u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]], axis=1)
+    inward = np.einsum("ij,ij->i", cross, hull.equations[:, :3]) < 0
     faces[inward] = faces[inward][:, ::-1]
     return faces
 

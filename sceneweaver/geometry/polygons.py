@@ -13,6 +13,8 @@ Points = Any  # [n, 2]
 
 def signed_area(points: Sequence[Sequence[float]] | Points) -> float:
     """Area [m2] of a polygon, positive when it runs counter-clockwise."""
+    listed = getattr(points, "tolist", None)
+    points = points if listed is None else listed()  # an array's numbers are slow one by one
     x0, y0 = points[0]
     total = 0.0
     for (ax, ay), (bx, by) in zip(points[1:], points[2:], strict=False):

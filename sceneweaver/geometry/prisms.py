@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -18,9 +20,18 @@ def prism_vertices(polygon: ArrayLike, z: tuple[float, float]) -> Array:
 def ring_faces(low: int, high: int, n: int) -> Faces:
     """The faces [2 n, 3] between two closed rings of n vertices that start at ``low`` and ``high``: outward when the
     rings run counter-clockwise and ``high`` is above; side by side first all lower triangles, then all upper ones."""
-    i = np.arange(n)
-    j = np.roll(i, -1)
-    return np.concatenate([np.c_[low + i, low + j, high + j], np.c_[low + i, high + j, high + i]]).astype(np.int32)
+    around, above = _ring(n)
+    return around + np.where(above, np.int32(high), np.int32(low))
+
+
+@cache
+def _ring(n: int) -> tuple[Faces, NDArray[np.bool_]]:
+    """The faces of `ring_faces` by their places in the rings, and which corners are in the upper one; not to change."""
+    i = np.arange(n, dtype=np.int32)
+    j = (i + 1) % n
+    around = np.concatenate([np.stack([i, j, j], axis=1), np.stack([i, j, i], axis=1)]).astype(np.int32)
+    above = np.repeat([[False, False, True], [False, True, True]], n, axis=0)
+    return around, above
 
 
 def prism_mesh(polygon: ArrayLike, z: tuple[float, float]) -> tuple[Array, Faces]:

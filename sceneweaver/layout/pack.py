@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import reduce
+from functools import lru_cache, reduce
 from operator import or_
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import warp as wp
@@ -102,23 +102,11 @@ class _Columns:
     def add_prism(self, prism: Prism) -> int:
         """Append a prism; its index."""
         v = np.asarray(prism.polygon, dtype=np.float64)
-        along = v[[*range(1, len(v)), 0]] - v
-        length = np.hypot(along[:, 0], along[:, 1])[:, None]
-        edge = np.zeros((len(v), 4))
-        edge[:, 0], edge[:, 1] = along[:, 1], -along[:, 0]
-        edge[:, :2] /= np.where(length > 0, length, 1.0)
-        if len(v) == 1:
-            edge[:, 0] = 1.0
-        edge[:, 2] = np.sum(edge[:, :2] * v, axis=1)
-        centre = 0.5 * (v.min(axis=0) + v.max(axis=0))
-        half = 0.5 * np.ptp(v, axis=0)
-        faces = prism.real or (True,) * len(v)
-        box = all(faces) and len(v) == 4 and bool(np.all(np.abs(np.abs(v - centre) - half) <= SQUARE))
-        half = np.maximum(half, SQUARE) * (1.0 if box else -1.0, 1.0 if all(faces) else -1.0)
-        self.add(prism_z=prism.z, prism_disc=(*centre, reach_of([v - centre]), 0.0), prism_box=(*centre, *half))
-        self.of["vertex"] += v.tolist()
-        self.of["edge"] += edge.tolist()
-        self.of["edge_real"] += [int(face) for face in faces]
+        rows = _plan_rows(v.tobytes(), prism.real)
+        self.add(prism_z=prism.z, prism_disc=rows.disc, prism_box=rows.box)
+        self.of["vertex"] += rows.vertices
+        self.of["edge"] += rows.edges
+        self.of["edge_real"] += rows.real
         self.end_range("prism", self.count("vertex"))
         return self.count("prism_z") - 1
 
@@ -139,6 +127,39 @@ class _Columns:
             values = values.reshape(-1, width) if width > 1 else values.reshape(-1)
             setattr(tables, table.name, wp.array(values, dtype=table.dtype, device=device))
         return tables
+
+
+class _PlanRows(NamedTuple):
+    """What the tables say of a prism's polygon. One polygon stands in many problems: its rows are kept, not to
+    change."""
+
+    disc: tuple[float, float, float, float]
+    box: tuple[float, float, float, float]
+    vertices: list[list[float]]
+    edges: list[list[float]]
+    real: list[int]
+
+
+@lru_cache(maxsize=4096)
+def _plan_rows(polygon: bytes, real: tuple[bool, ...] | None) -> _PlanRows:
+    """The rows of a polygon [V, 2] float64; ``real`` as in `Prism`."""
+    v = np.frombuffer(polygon).reshape(-1, 2)
+    along = v[[*range(1, len(v)), 0]] - v
+    length = np.hypot(along[:, 0], along[:, 1])[:, None]
+    edge = np.zeros((len(v), 4))
+    edge[:, 0], edge[:, 1] = along[:, 1], -along[:, 0]
+    edge[:, :2] /= np.where(length > 0, length, 1.0)
+    if len(v) == 1:
+        edge[:, 0] = 1.0
+    edge[:, 2] = np.sum(edge[:, :2] * v, axis=1)
+    centre = 0.5 * (v.min(axis=0) + v.max(axis=0))
+    half = 0.5 * np.ptp(v, axis=0)
+    faces = real or (True,) * len(v)
+    box = all(faces) and len(v) == 4 and bool(np.all(np.abs(np.abs(v - centre) - half) <= SQUARE))
+    half = np.maximum(half, SQUARE) * (1.0 if box else -1.0, 1.0 if all(faces) else -1.0)
+    (x, y), (a, b) = centre.tolist(), half.tolist()
+    disc = (x, y, reach_of([v - centre]), 0.0)
+    return _PlanRows(disc, (x, y, a, b), v.tolist(), edge.tolist(), [int(face) for face in faces])
 
 
 def _grid(problem: LayoutProblem) -> tuple[float, float, float, float, int, int]:

@@ -108,7 +108,7 @@ class Grid:
         rows = np.clip(self._row(y1), 0, self.shape[0]) - first
         shape = np.repeat(np.arange(len(corners)), rows)
         row = np.arange(len(shape)) - np.repeat(np.cumsum(rows) - rows, rows) + first[shape]
-        low, high = _interval(corners[shape], self._heights(row)[:, None], radius)
+        low, high = _interval(corners, shape, self._heights(row)[:, None], radius)
         start, stop = self._column(low + TIE), self._column(high - TIE)
         keep = start < stop
         return Spans(shape[keep], row[keep], start[keep], stop[keep])
@@ -130,19 +130,24 @@ def _padded(shapes: Sequence[Array]) -> Array:
     return np.stack([np.concatenate([s, np.repeat(s[-1:], most - len(s), axis=0)]) for s in shapes])
 
 
-def _interval(corners: Array, y: Array, radius: float) -> tuple[Array, Array]:
-    """Ends in x of widened convex shapes [k, v, 2] at heights ``y`` [k, 1]; low > high where a shape is not met [m]."""
+def _interval(shapes: Array, which: NDArray[np.intp], y: Array, radius: float) -> tuple[Array, Array]:
+    """Ends in x of widened convex shapes at heights ``y`` [k, 1]; low > high where a shape is not met [m].
+
+    ``shapes`` [n, v, 2] are their corners, ``which`` [k] says the shape of each height.
+    """
+    next_corners = np.roll(shapes, -1, axis=1)
+    edges = next_corners - shapes
+    sizes = np.hypot(edges[..., 0], edges[..., 1])
+    long_enough = sizes > 1e-12
+    normals = np.stack([edges[..., 1], -edges[..., 0]], axis=-1) / np.where(long_enough, sizes, 1.0)[..., None] * radius
+    corners, real = shapes[which], long_enough[which]
     half = np.sqrt(np.maximum(radius**2 - (y - corners[..., 1]) ** 2, 0.0))
     met = np.abs(y - corners[..., 1]) <= radius
     low = np.where(met, corners[..., 0] - half, np.inf).min(axis=1)
     high = np.where(met, corners[..., 0] + half, -np.inf).max(axis=1)
-    after = np.roll(corners, -1, axis=1)
-    edge = after - corners
-    size = np.hypot(edge[..., 0], edge[..., 1])
-    real = size > 1e-12
-    normal = np.stack([edge[..., 1], -edge[..., 0]], axis=-1) / np.where(real, size, 1.0)[..., None] * radius
-    for side in (normal, -normal):
-        (ax, ay), (bx, by) = np.moveaxis(corners + side, -1, 0), np.moveaxis(after + side, -1, 0)
+    for side in (normals, -normals):
+        starts, ends = (shapes + side)[which], (next_corners + side)[which]
+        ax, ay, bx, by = starts[..., 0], starts[..., 1], ends[..., 0], ends[..., 1]
         crosses = real & (ay != by) & (np.minimum(ay, by) <= y) & (y <= np.maximum(ay, by))
         x = ax + (y - ay) / np.where(crosses, by - ay, 1.0) * (bx - ax)
         low = np.minimum(low, np.where(crosses, x, np.inf).min(axis=1))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 
 from sceneweaver.geometry.prisms import ring_faces
@@ -9,10 +11,18 @@ from sceneweaver.geometry.prisms import ring_faces
 from .convex import Shape, hull
 
 
-def _ring(radius: float, z: float, segments: int) -> np.ndarray:
+@cache
+def _circle(segments: int) -> tuple[np.ndarray, np.ndarray]:
     # Half a step off the axes, so that flats, not vertices, lie on them: a round top then fits its box exactly.
     angle = (np.arange(segments) + 0.5) * (2 * np.pi / segments)
-    return np.c_[radius * np.cos(angle), radius * np.sin(angle), np.full(segments, z)]
+    return np.cos(angle), np.sin(angle)
+
+
+def _ring(radius: float, z: float, segments: int) -> np.ndarray:
+    ring = np.empty((segments, 3))
+    ring[:, 0], ring[:, 1] = (radius * part for part in _circle(segments))
+    ring[:, 2] = z
+    return ring
 
 
 def frustum(low: float, high: float, z: tuple[float, float], segments: int = 24, bevel: float = 0.0) -> Shape:
@@ -34,14 +44,14 @@ def lathe(profile: list[tuple[float, float]], segments: int = 24) -> Shape:
     """
     scale = 1.0 / np.cos(np.pi / segments)
     points = [(r * scale, z) for r, z in profile]
-    rings: list[np.ndarray] = []
-    starts: list[tuple[int, int]] = []  # first vertex and number of vertices of each ring
-    count = 0
-    for r, z in points:
-        ring = np.array([[0.0, 0.0, z]]) if r < 1e-9 else _ring(r, z, segments)
-        rings.append(ring)
-        starts.append((count, len(ring)))
-        count += len(ring)
+    rings = [np.array([[0.0, 0.0, z]]) if r < 1e-9 else _ring(r, z, segments) for r, z in points]
+    return np.concatenate(rings), _lathe_faces(tuple(len(ring) for ring in rings), segments).copy()
+
+
+@cache
+def _lathe_faces(sizes: tuple[int, ...], segments: int) -> np.ndarray:
+    """The faces of a lathed body by the number of vertices of each ring; not to change."""
+    starts = [(sum(sizes[:k]), size) for k, size in enumerate(sizes)]  # first vertex and number of vertices
     faces = []
     for (a, n), (b, m) in zip(starts[:-1], starts[1:], strict=True):
         i = np.arange(segments)
@@ -59,7 +69,7 @@ def lathe(profile: list[tuple[float, float]], segments: int = 24) -> Shape:
     if starts[-1][1] > 1:
         b = starts[-1][0]
         faces.append(np.c_[np.full(segments - 2, b), b + fan, b + fan + 1])
-    return np.concatenate(rings), np.concatenate(faces).astype(np.int32)
+    return np.concatenate(faces).astype(np.int32)
 
 
 def lathe_hulls(profile: list[tuple[float, float]], segments: int = 12) -> list[Shape]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 
 from sceneweaver.geometry.prisms import ring_faces
@@ -16,6 +18,12 @@ def sweep(path: np.ndarray, section: float | np.ndarray, segments: int = 10, clo
     """
     rings = _rings(np.asarray(path, dtype=np.float64), _section(section, segments), closed)
     n, k = rings.shape[:2]
+    return rings.reshape(-1, 3), _sweep_faces(n, k, closed).copy()
+
+
+@cache
+def _sweep_faces(n: int, k: int, closed: bool) -> np.ndarray:
+    """The faces of a sweep of k points along n; not to change."""
     faces = [ring_faces(i * k, (i + 1) * k, k) for i in range(n - 1)]
     if closed:
         faces.append(ring_faces((n - 1) * k, 0, k))
@@ -23,7 +31,7 @@ def sweep(path: np.ndarray, section: float | np.ndarray, segments: int = 10, clo
         fan = np.arange(1, k - 1)
         faces.append(np.c_[np.zeros(k - 2, dtype=int), fan + 1, fan])
         faces.append(np.c_[np.zeros(k - 2, dtype=int), fan, fan + 1] + (n - 1) * k)
-    return rings.reshape(-1, 3), np.concatenate(faces).astype(np.int32)
+    return np.concatenate(faces).astype(np.int32)
 
 
 def sweep_hulls(path: np.ndarray, section: float | np.ndarray, segments: int = 10, closed: bool = False) -> list[Shape]:
