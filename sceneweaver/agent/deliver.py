@@ -22,6 +22,12 @@ from .result import Result
 if TYPE_CHECKING:
     from PIL.Image import Image
 
+STEP_WIDTH = 880
+"""Pixels of the picture of a step, twice as wide as the report shows it."""
+
+PACKING = 4
+"""How hard pictures are packed, 0 to 9: harder takes twice the time for a few hundredths of the size."""
+
 LEAST = 0.5
 """Seconds without which no further file is begun."""
 
@@ -150,7 +156,7 @@ class _Album:
             folder.mkdir(exist_ok=True)
         for name, picture in self.views.items():
             with whole(folder / f"{name}.png") as path:
-                picture.save(path, "PNG")
+                picture.save(path, "PNG", compress_level=PACKING)
 
     def _draw(self, size: tuple[int, int], kept: float) -> bool:
         """Draw the views, with so many seconds kept for what comes after; whether they are there."""
@@ -185,7 +191,7 @@ def _report(result: Result, folder: Path, load: Callable, drawn: dict, deadline:
         picture = None
         if kept.exists() and step.accepted and not deadline.passed:
             with suppress(TimeUp), deadline.enforced():
-                picture = draw_top(Scene.load(kept))
+                picture = draw_top(Scene.load(kept), width=STEP_WIDTH)
         rows.append(
             StepRow(
                 number=step.number,

@@ -157,7 +157,7 @@ def cast(
             wp.empty(pixels, dtype=wp.vec3)  # pyright: ignore[reportArgumentType]
             for _ in range(10)
         )
-        depth, objects = wp.empty(pixels, dtype=float), wp.empty(pixels, dtype=int)
+        depth, objects, faces = (wp.empty(pixels, dtype=kind) for kind in (float, int, int))
         looks, surface = [color, gloss, glint, shine], [normal, depth, objects]
         rays, shades, radius = quality.rays, quality.shades, quality.radius
 
@@ -172,10 +172,14 @@ def cast(
         def illuminate(chosen: np.ndarray, apart: int, period: int, suns: int) -> None:
             before = [solid, lens, light, wp.array(chosen, dtype=int), width, height]
             launch(
-                raycast.illuminate, len(chosen), before, [apart, period, suns * shades, suns, *surface], [ambient, sun]
+                raycast.illuminate,
+                len(chosen),
+                before,
+                [apart, period, suns * shades, suns, *surface, faces],
+                [ambient, sun],
             )
 
-        launch(raycast.cast, pixels, [solid, lens, light, background, width, height], [], [*looks, *surface])
+        launch(raycast.cast, pixels, [solid, lens, light, background, width, height], [], [*looks, *surface, faces])
         seen = objects.numpy().reshape(height, width)
         edges = np.ones((height, width), dtype=bool)
         if quality.sparing:

@@ -52,16 +52,24 @@ class Ray:
 
 
 @wp.struct
+class Surface:
+    """What a ray meets first: its triangle, the distance [m], and the smooth normal."""
+
+    face: int
+    depth: float
+    normal: wp.vec3
+
+
+@wp.struct
 class Seen:
     """What a ray shows: ``color`` times all light, plus ``gloss`` times the ambient and ``glint`` times the sun's, plus
-    ``shine``, which needs no light; normal, distance [m] and instance of the first surface (-1: none)."""
+    ``shine``, which needs no light; the first surface, and the instance that it belongs to (-1: none)."""
 
     color: wp.vec3
     gloss: wp.vec3
     glint: wp.vec3
     shine: wp.vec3
-    normal: wp.vec3
-    depth: float
+    first: Surface
     instance: int
 
 
@@ -100,7 +108,7 @@ def seen_opacity(opacity: float, fresnel: float):
 def what_is_seen(solid: Solid, light: Light, background: wp.vec3, ray: Ray):
     """Colours of all surfaces that a ray meets, through panes, with mirrors, without the light that falls on them."""
     seen = Seen()
-    seen.depth = FAR
+    seen.first.depth = FAR
     seen.instance = -1
     at = ray.origin
     way = ray.direction
@@ -113,8 +121,9 @@ def what_is_seen(solid: Solid, light: Light, background: wp.vec3, ray: Ray):
         look = solid.looks[solid.face_look[hit.face]]
         n = shading_normal(solid, hit.face, hit.u, hit.v, way, hit.normal)
         if layer == 0:
-            seen.normal = n
-            seen.depth = hit.t
+            seen.first.face = hit.face
+            seen.first.depth = hit.t
+            seen.first.normal = n
             seen.instance = solid.face_object[hit.face]
         facing = wp.max(-wp.dot(n, way), 0.0)
         gloss = (1.0 - look.roughness) * (1.0 - look.roughness)
@@ -175,7 +184,7 @@ def sunlight(solid: Solid, light: Light, origin: wp.vec3, n: wp.vec3, flat: wp.v
 
 
 @wp.func
-def arriving_light(solid: Solid, light: Light, ray: Ray, stretch: int, shades: int, suns: int):
+def arriving_light(solid: Solid, light: Light, ray: Ray, first: Surface, stretch: int, shades: int, suns: int):
     """The light on what a ray shows, of all surfaces by how much of each is seen.
 
     ``stretch`` says which stretch of the even sequence is used, for ``shades`` rays to the surroundings and ``suns`` to
@@ -186,14 +195,19 @@ def arriving_light(solid: Solid, light: Light, ray: Ray, stretch: int, shades: i
     way = ray.direction
     through = float(1.0)
     cover = float(0.0)
-    for _layer in range(_LAYERS):
-        hit = wp.mesh_query_ray(solid.mesh, at, way, FAR)
-        if not hit.result:
-            break
-        look = solid.looks[solid.face_look[hit.face]]
-        point = at + way * hit.t
-        n = shading_normal(solid, hit.face, hit.u, hit.v, way, hit.normal)
-        flat = hit.normal
+    met = first
+    for layer in range(_LAYERS):
+        if layer > 0:
+            hit = wp.mesh_query_ray(solid.mesh, at, way, FAR)
+            if not hit.result:
+                break
+            met.face = hit.face
+            met.depth = hit.t
+            met.normal = shading_normal(solid, hit.face, hit.u, hit.v, way, hit.normal)
+        look = solid.looks[solid.face_look[met.face]]
+        n = met.normal
+        point = at + way * met.depth
+        flat = wp.mesh_eval_face_normal(solid.mesh, met.face)
         if wp.dot(flat, way) > 0.0:
             flat = -flat
         fresnel = 0.04 + 0.96 * wp.pow(1.0 - wp.max(-wp.dot(n, way), 0.0), 5.0)
@@ -251,6 +265,7 @@ def cast(
     normal_out: wp.array(dtype=wp.vec3),
     depth_out: wp.array(dtype=float),
     object_out: wp.array(dtype=int),
+    face_out: wp.array(dtype=int),
 ):
     """What is seen in the middle of each pixel."""
     pixel = start + wp.tid()
@@ -260,9 +275,10 @@ def cast(
     gloss_out[pixel] = seen.gloss
     glint_out[pixel] = seen.glint
     shine_out[pixel] = seen.shine
-    normal_out[pixel] = seen.normal
-    depth_out[pixel] = seen.depth
+    normal_out[pixel] = seen.first.normal
+    depth_out[pixel] = seen.first.depth
     object_out[pixel] = seen.instance
+    face_out[pixel] = seen.first.face
 
 
 @wp.kernel
@@ -283,6 +299,7 @@ def illuminate(
     normal: wp.array(dtype=wp.vec3),
     depth: wp.array(dtype=float),
     objects: wp.array(dtype=int),
+    faces: wp.array(dtype=int),
     # State out:
     ambient_out: wp.array(dtype=wp.vec3),
     sun_out: wp.array(dtype=wp.vec3),
@@ -298,6 +315,10 @@ def illuminate(
     # Rows are shifted against each other: else points in a column have nearly one direction, and shadows are streaky.
     stretch = (row % period) * period + (column + 2 * (row % period)) % period
     ray = camera_ray(lens, float(px) + 0.5, float(py) + 0.5, width, height)
+    first = Surface()
+    first.face = faces[pixel]
+    first.depth = depth[pixel]
+    first.normal = normal[pixel]
     if spacing == 1:
         e = even_point(stretch)
         other = camera_ray(lens, float(px) + e[0], float(py) + e[1], width, height)
@@ -306,7 +327,10 @@ def illuminate(
             n = shading_normal(solid, hit.face, hit.u, hit.v, other.direction, hit.normal)
             if likeness(normal[pixel], n, depth[pixel], hit.t) > 0.5:
                 ray = other
-    found = arriving_light(solid, light, ray, stretch, shades, suns)
+                first.face = hit.face
+                first.depth = hit.t
+                first.normal = n
+    found = arriving_light(solid, light, ray, first, stretch, shades, suns)
     ambient_out[pixel] = found.ambient
     sun_out[pixel] = found.sun
 
@@ -351,23 +375,24 @@ def refine(
         lit = Arriving()
         if seen.instance >= 0:
             weight = float(0.0)
-            for dy in range(-1, 2):
-                for dx in range(-1, 2):
-                    x, y = px + dx, py + dy
-                    if x >= 0 and x < width and y >= 0 and y < height:
-                        other = y * width + x
-                        if objects[other] == seen.instance:
-                            gx, gy = float(dx) + 0.5 - jx, float(dy) + 0.5 - jy
-                            near = wp.exp(-2.0 * (gx * gx + gy * gy))
-                            w = near * likeness(seen.normal, normal[other], seen.depth, depth[other])
-                            lit.ambient = lit.ambient + ambient[other] * w
-                            lit.sun = lit.sun + sun[other] * w
-                            weight = weight + w
+            # The four pixels whose middles are around the point.
+            left, top = px + int(wp.floor(jx - 0.5)), py + int(wp.floor(jy - 0.5))
+            for corner in range(4):
+                x, y = left + corner % 2, top + corner // 2
+                if x >= 0 and x < width and y >= 0 and y < height:
+                    other = y * width + x
+                    if objects[other] == seen.instance:
+                        gx, gy = float(px - x) + jx - 0.5, float(py - y) + jy - 0.5
+                        near = (1.0 - wp.abs(gx)) * (1.0 - wp.abs(gy))
+                        w = near * likeness(seen.first.normal, normal[other], seen.first.depth, depth[other])
+                        lit.ambient = lit.ambient + ambient[other] * w
+                        lit.sun = lit.sun + sun[other] * w
+                        weight = weight + w
             if weight > 0.01:
                 lit.ambient = lit.ambient / weight
                 lit.sun = lit.sun / weight
             else:
-                lit = arriving_light(solid, light, ray, s, 2, 1)
+                lit = arriving_light(solid, light, ray, seen.first, s, 2, 1)
         total = total + wp.cw_mul(seen.color, lit.ambient + lit.sun) + seen.shine
         total = total + wp.cw_mul(seen.gloss, lit.ambient) + wp.cw_mul(seen.glint, lit.sun)
     picture_out[pixel] = tone_mapped(total * (exposure / float(rays)))
