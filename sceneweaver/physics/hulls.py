@@ -123,7 +123,7 @@ def reduce(solids: Sequence[Solid], parts: Sequence[Part], most: int) -> list[So
 
 
 def _hull_volume(points: np.ndarray) -> float:
-    """Volume of the convex hull of points [N, 3]: quicker than a part of them, of which it decides whether it is made."""
+    """Volume of the hull of points [N, 3], which tells what to merge: quicker than to make the merged part."""
     import manifold3d
 
     volume = manifold3d.Manifold.hull_points(points).volume()

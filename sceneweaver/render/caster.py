@@ -169,13 +169,13 @@ def cast(
                 wp.get_device(device).is_cpu,
             )
 
-        def illuminate(chosen: np.ndarray, apart: int, period: int, suns: int) -> None:
+        def illuminate(chosen: np.ndarray, apart: int, period: int, around: int, suns: int) -> None:
             before = [solid, lens, light, wp.array(chosen, dtype=int), width, height]
             launch(
                 raycast.illuminate,
                 len(chosen),
                 before,
-                [apart, period, suns * shades, suns, *surface, faces],
+                [apart, period, around, suns, *surface, faces],
                 [ambient, sun],
             )
 
@@ -191,17 +191,26 @@ def cast(
         share, dense = _shares(edges & (seen >= 0), seen >= 0, spacing)
         if sparse:
             # On plain surfaces one pixel of a block has rays for all of it.
-            illuminate(np.flatnonzero((share > 0) & ~edges), spacing, radius + 1, spacing)
-            illuminate(np.flatnonzero((share > 0) & edges), 1, 2 * radius + 1, spacing)
+            illuminate(np.flatnonzero((share > 0) & ~edges), spacing, radius + 1, spacing * shades, spacing)
+            illuminate(np.flatnonzero((share > 0) & edges), 1, 2 * radius + 1, shades + 1, spacing)
         else:
-            illuminate(np.flatnonzero(share), 1, 2 * radius + 1, 1 if quality.sparing else rays)
+            often = 1 if quality.sparing else rays
+            illuminate(np.flatnonzero(share), 1, 2 * radius + 1, often * shades, often)
         blocks = [wp.array(a.reshape(-1), dtype=wp.uint8) for a in (share, dense)]
+        chosen = np.flatnonzero(share)
+        launch(
+            smoothing.smooth,
+            len(chosen),
+            [wp.array(chosen, dtype=int), width, height],
+            [radius + spacing - 1, spacing, *blocks, ambient, sun, *surface],
+            [smooth_ambient, smooth_sun],
+        )
         launch(
             smoothing.develop,
             pixels,
             [width, height],
-            [radius + spacing - 1, spacing, lighting.exposure, *blocks, *looks, ambient, sun, *surface],
-            [smooth_ambient, smooth_sun, out],
+            [spacing, lighting.exposure, blocks[0], *looks, *surface, smooth_ambient, smooth_sun],
+            [out],
         )
         if rays > 1:
             chosen = wp.array(np.flatnonzero(edges), dtype=int)

@@ -73,21 +73,17 @@ def find_edges(
 
 
 @wp.kernel
-def develop(
+def smooth(
     # Problem:
+    pixels: wp.array(dtype=int),
     width: int,
     height: int,
     start: int,
     radius: int,
     spacing: int,
-    exposure: float,
     # State in:
     share: wp.array(dtype=wp.uint8),
     dense: wp.array(dtype=wp.uint8),
-    color: wp.array(dtype=wp.vec3),
-    gloss: wp.array(dtype=wp.vec3),
-    glint: wp.array(dtype=wp.vec3),
-    shine: wp.array(dtype=wp.vec3),
     ambient: wp.array(dtype=wp.vec3),
     sun: wp.array(dtype=wp.vec3),
     normal: wp.array(dtype=wp.vec3),
@@ -96,48 +92,92 @@ def develop(
     # State out:
     ambient_out: wp.array(dtype=wp.vec3),
     sun_out: wp.array(dtype=wp.vec3),
-    picture_out: wp.array(dtype=wp.vec3),
 ):
-    """Smooth light among pixels of one object and one direction, and bring all to sRGB.
+    """The light of some pixels, smoothed among those of one object and one direction.
 
     ``share`` is for how many pixels the light of each one stands, 0 where none was cast. In blocks of ``spacing`` x
     ``spacing`` pixels that is the first pixel's alone, unless ``dense``, by block, says that others have some as well;
     a window then ends halfway between two blocks.
     """
-    pixel = start + wp.tid()
+    pixel = pixels[start + wp.tid()]
     px, py = pixel % width, pixel // width
     n = normal[pixel]
     far = depth[pixel]
     who = objects[pixel]
     around, direct = wp.vec3(0.0), wp.vec3(0.0)
     weight = float(0.0)
-    if who >= 0:
-        columns = (width + spacing - 1) // spacing
-        last_row, last_column = wp.min(height, py + radius + 1), wp.min(width, px + radius + 1)
-        for by in range(wp.max(py - radius, 0) // spacing, wp.min(py + radius, height - 1) // spacing + 1):
-            for bx in range(wp.max(px - radius, 0) // spacing, wp.min(px + radius, width - 1) // spacing + 1):
-                side = int(1)
-                if dense[by * columns + bx] != wp.uint8(0):
-                    side = spacing
-                for y in range(wp.max(by * spacing, py - radius), wp.min(by * spacing + side, last_row)):
-                    for x in range(wp.max(bx * spacing, px - radius), wp.min(bx * spacing + side, last_column)):
-                        k = y * width + x
-                        if share[k] != wp.uint8(0) and objects[k] == who:
-                            w = float(share[k]) * likeness(n, normal[k], far, depth[k])
-                            if k == pixel:
-                                w = w + 1.0e-4
-                            if spacing > 1:
-                                if wp.abs(x - px) == radius:
-                                    w = 0.5 * w
-                                if wp.abs(y - py) == radius:
-                                    w = 0.5 * w
-                            around = around + ambient[k] * w
-                            direct = direct + sun[k] * w
-                            weight = weight + w
+    columns = (width + spacing - 1) // spacing
+    last_row, last_column = wp.min(height, py + radius + 1), wp.min(width, px + radius + 1)
+    for by in range(wp.max(py - radius, 0) // spacing, wp.min(py + radius, height - 1) // spacing + 1):
+        for bx in range(wp.max(px - radius, 0) // spacing, wp.min(px + radius, width - 1) // spacing + 1):
+            side = int(1)
+            if dense[by * columns + bx] != wp.uint8(0):
+                side = spacing
+            for y in range(wp.max(by * spacing, py - radius), wp.min(by * spacing + side, last_row)):
+                for x in range(wp.max(bx * spacing, px - radius), wp.min(bx * spacing + side, last_column)):
+                    k = y * width + x
+                    if share[k] != wp.uint8(0) and objects[k] == who:
+                        w = float(share[k]) * likeness(n, normal[k], far, depth[k])
+                        if k == pixel:
+                            w = w + 1.0e-4
+                        if spacing > 1:
+                            if wp.abs(x - px) == radius:
+                                w = 0.5 * w
+                            if wp.abs(y - py) == radius:
+                                w = 0.5 * w
+                        around = around + ambient[k] * w
+                        direct = direct + sun[k] * w
+                        weight = weight + w
+    ambient_out[pixel] = around / weight
+    sun_out[pixel] = direct / weight
+
+
+@wp.kernel
+def develop(
+    # Problem:
+    width: int,
+    height: int,
+    start: int,
+    spacing: int,
+    exposure: float,
+    # State in:
+    share: wp.array(dtype=wp.uint8),
+    color: wp.array(dtype=wp.vec3),
+    gloss: wp.array(dtype=wp.vec3),
+    glint: wp.array(dtype=wp.vec3),
+    shine: wp.array(dtype=wp.vec3),
+    normal: wp.array(dtype=wp.vec3),
+    depth: wp.array(dtype=float),
+    objects: wp.array(dtype=int),
+    # State in and out:
+    ambient: wp.array(dtype=wp.vec3),
+    sun: wp.array(dtype=wp.vec3),
+    # State out:
+    picture_out: wp.array(dtype=wp.vec3),
+):
+    """Bring all pixels to sRGB; those without a ``share`` get the light of the first pixels of the blocks around."""
+    pixel = start + wp.tid()
+    px, py = pixel % width, pixel // width
+    around, direct = wp.vec3(0.0), wp.vec3(0.0)
+    if share[pixel] != wp.uint8(0):
+        around = around + ambient[pixel]
+        direct = direct + sun[pixel]
+    elif objects[pixel] >= 0:
+        weight = float(0.0)
+        left, top = px - px % spacing, py - py % spacing
+        for y in range(top, wp.min(height, py + spacing), spacing):
+            for x in range(left, wp.min(width, px + spacing), spacing):
+                k = y * width + x
+                if objects[k] == objects[pixel]:
+                    near = float((spacing - wp.abs(x - px)) * (spacing - wp.abs(y - py)))
+                    w = near * likeness(normal[pixel], normal[k], depth[pixel], depth[k]) + 1.0e-9
+                    around = around + ambient[k] * w
+                    direct = direct + sun[k] * w
+                    weight = weight + w
         around = around / wp.max(weight, 1.0e-9)
         direct = direct / wp.max(weight, 1.0e-9)
-    ambient_out[pixel] = around
-    sun_out[pixel] = direct
+        ambient[pixel] = around
+        sun[pixel] = direct
     linear = wp.cw_mul(color[pixel], around + direct) + shine[pixel]
     linear = linear + wp.cw_mul(gloss[pixel], around) + wp.cw_mul(glint[pixel], direct)
     picture_out[pixel] = tone_mapped(linear * exposure)

@@ -104,7 +104,7 @@ def test_what_was_there_stays_when_a_picture_or_the_report_fails(result, tmp_pat
     class Torn:
         """A picture that breaks off while it is written."""
 
-        def save(self, path: Path, kind: str) -> None:
+        def save(self, path: Path, *_: object, **__: object) -> None:
             path.write_bytes(b"half")
             raise OSError("disk full")
 
