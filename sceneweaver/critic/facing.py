@@ -108,7 +108,7 @@ def _chairs(survey: Survey) -> Iterator[Finding]:
         angle = 0.0 if _holds(survey, seat, table) else angle_to(survey, seat, table)
         if angle > SEAT and not _round_stool(seat):
             turned[table.id].append((seat.id, angle))
-        elif _behind(seat, table):
+        elif _behind(seat, table) and not _visits(survey, seat, table):
             yield finding(
                 "layout",
                 "wrong_side",
@@ -159,6 +159,12 @@ def _behind(seat: Body, table: Body) -> bool:
         return False
     ahead, aside = table.local(seat.centre)
     return ahead < 0.0 or abs(aside) > table.size[1] / 2 + 0.3
+
+
+def _visits(survey: Survey, seat: Body, table: Body) -> bool:
+    """Whether someone else has a seat at the front of a desk: a patient's or visitor's seat is at another side."""
+    others = [b for b, _ in survey.near(table, 0.6) if b is not seat and kinds.upright_seat(b.item.category)]
+    return any(table_of(survey, other) is table and not _behind(other, table) for other in others)
 
 
 def _opposite(body: Body) -> float:

@@ -104,6 +104,14 @@ def test_monitor_to_the_wall() -> None:
     falls(good, bad, "wrong_orientation", {"monitor-0", "office_chair-0"}, least=3.0)
 
 
+def test_a_visitor_sits_at_another_side_of_a_desk_than_who_works_there() -> None:
+    good = rooms.office().but({"id": "desk-1", "y": 3.0}, {"id": "office_chair-1", "y": 2.34})
+    visited = good.plus(put("chair-0", 2.85, 3.58, -90, size=(0.4, 0.45, 0.9)))
+    assert not only(visited.review(), "wrong_side")
+    alone = visited.but({"id": "office_chair-1", "gone": True})
+    assert [f.objects for f in only(alone.review(), "wrong_side")] == [("chair-0", "desk-1")]
+
+
 def test_bed_in_the_middle_of_the_room() -> None:
     good = rooms.bedroom()
     bad = good.but({"id": "bed-0", "x": 1.75})
