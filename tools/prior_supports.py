@@ -125,7 +125,7 @@ def supported(program: Program, brief: SceneGraph) -> None:
 def _held(brief: SceneGraph, by_asked: dict[str, list[Wanted]]) -> None:
     """What hangs or stands otherwise than usual: on the wall or from the ceiling as the request says; toys, balls and
     boxes beside furniture on the floor."""
-    for said in brief.relations:
+    for said in [*brief.relations, *_turned(brief.relations)]:
         for one in by_asked.get(said.subject, []):
             if one.support is not None:
                 continue
@@ -141,6 +141,16 @@ def _held(brief: SceneGraph, by_asked: dict[str, list[Wanted]]) -> None:
                 floor = not any(by_asked.get(name) for name in said.targets) or _on_floor(said, by_asked)
                 if floor and (groups_of(one.category) & ON_FLOOR or "floor" in may):
                     one.held = "floor"
+
+
+def _turned(relations: Sequence[StatedRelation]) -> list[StatedRelation]:
+    """What is told to be next to something, said of that: a basket beside which a palm stands."""
+    return [
+        said.model_copy(update={"subject": target, "targets": (said.subject,)})
+        for said in relations
+        for target in said.targets
+        if said.type in ("next_to", "near", "side_by_side")
+    ]
 
 
 def _on_floor(said: StatedRelation, by_asked: dict[str, list[Wanted]]) -> bool:

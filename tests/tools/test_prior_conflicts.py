@@ -45,6 +45,12 @@ def test_what_is_around_a_thing_in_a_corner_is_near_it(drawn):
     assert len(stools) == 3 and {r.type for r in stools} == {"near"}
 
 
+def test_what_is_next_to_a_thing_is_not_kept_across_the_room_from_it(drawn):
+    scene = drawn("a living room with a sofa and an armchair next to the sofa and opposite the sofa")
+    rows = {r.type: r.hard for r in asked(scene, "armchair")}
+    assert rows["near"] and not rows["distance"]
+
+
 def test_a_sofa_at_a_wall_leaves_room_for_the_screen_behind_it(drawn):
     scene = drawn("a living room with a sofa against the left wall and a room divider behind the sofa")
     wall = next(r for r in asked(scene, "sofa") if r.type == "against_wall")

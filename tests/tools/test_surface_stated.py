@@ -162,6 +162,12 @@ def test_what_is_told_to_be_on_the_floor_is_there(design):
         assert {scene.object(f"candle-{k}").mount for k in range(3)} == {"floor"}
 
 
+def test_a_basket_beside_which_something_stands_on_the_floor_is_there_as_well(design):
+    things = [entity("dining_table"), entity("palm"), entity("basket")]
+    scene = scene_of(design("dining_room", things, [said("next_to", "palm", "basket")]))
+    assert scene.object("basket-0").mount == "floor"
+
+
 def test_what_stands_on_nothing_that_is_named_is_not_put_on_a_seat(design):
     scene = scene_of(design("bar", [entity("bar_counter"), entity("stool", count=2), entity("plate")], []))
     assert holder(scene, "plate-0")[0] == "bar_counter-0"
