@@ -279,7 +279,7 @@ def laid(
             for one in lost:
                 one.asset = usual[one.id]
             _stand(support, found, places)
-            _check(found, rows, places)
+            places.failed += _astray(found, rows)
             _put_aside(program, lost, support, places)
     return places
 
@@ -303,7 +303,8 @@ def _fitted(
     found, lost = _on_one(support, riders, rows, shelf, places)
     grows = support.id not in places.objects and support.asked not in sized
     for step in (*GROWN, *SHRUNK, GROWN[-1]):
-        if not lost:
+        astray = _astray(found, rows)
+        if not lost and not astray:
             break
         if step in SHRUNK:
             for one in [w for w in lost if w.asked not in sized]:
@@ -314,7 +315,7 @@ def _fitted(
         if larger is not None:
             before, support.asset = support.asset, larger
             again, missing = _on_one(support, riders, rows, shelf, places)
-            if len(missing) < len(lost):
+            if (len(missing), len(_astray(again, rows))) < (len(lost), len(astray)):
                 found, lost = again, missing
             else:
                 support.asset = before
@@ -380,14 +381,17 @@ def _stand(support: Wanted, found: Sequence[Laid], places: Places) -> None:
         places.objects[one.rider.id] = placed(one.rider.asset, one.rider.id, frame, at, one.yaw, on)
 
 
-def _check(found: Sequence[Laid], rows: Sequence[Grounded], places: Places) -> None:
+def _astray(found: Sequence[Laid], rows: Sequence[Grounded]) -> list[Grounded]:
+    """The relations between things on one support that do not hold where these stand."""
     spots = {one.rider.id: one for one in found}
+    astray = []
     for row in rows:
         ids = {row.subject, *((row.target,) if isinstance(row.target, str) else row.target or ())}
         if ids <= set(spots) and len(ids) > 1:
             same = len({spots[i].surface.name for i in ids}) == 1
             if not same or row.type not in EXACT or not holds(row, spots):
-                places.failed.append(row)
+                astray.append(row)
+    return astray
 
 
 def _put_aside(program: Program, lost: Sequence[Wanted], support: Wanted, places: Places) -> None:

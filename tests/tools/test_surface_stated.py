@@ -128,6 +128,16 @@ def test_a_support_grows_beyond_what_is_usual_before_anything_goes_to_the_floor(
     assert {holder(scene, f"cushion-{k}")[0] for k in range(3)} == {"bench-0"}
 
 
+def test_a_desk_grows_where_what_is_told_of_the_things_on_it_would_not_hold(design):
+    things = [entity("side_table"), entity("monitor"), entity("keyboard"), entity("mouse")]
+    stated = [said("on", name, "side_table") for name in ("monitor", "keyboard", "mouse")]
+    stated += [said("in_front_of", "keyboard", "monitor"), said("right_of", "mouse", "keyboard")]
+    proposal = design("study", things, stated)
+    scene = scene_of(proposal)
+    assert not proposal.unmet and not astray(scene)
+    assert all(r.hard for r in scene.relations if r.asked and r.subject in ("keyboard-0", "mouse-0"))
+
+
 def test_flat_things_without_room_lie_on_others_of_their_kind(design):
     towels = [entity("stool"), entity("folded_towel", count=4)]
     proposal = design("bathroom", towels, [said("on", "folded_towel", "stool")])
