@@ -89,7 +89,8 @@ def _fill(
     field = around.field(support, board, frame)
     height = support.pose.position[2] + board.z
     if board.headroom is None and board.z >= max(s.z for s in support.surfaces) - 1e-6:
-        top = HIGH if height > REACHED else plan.top
+        high = height > REACHED and support.mount == "floor"  # boxes are too deep for a shelf on a wall
+        top = HIGH if high else plan.top
         plan = _unnamed(crowd(top, around.room), named) if top else plan
     row = Row(field, plan, shelf, dice, height, density, clutter, around.may_add, around.there)
     held = Support(object=support.id, surface=board.name)

@@ -8,7 +8,7 @@ import pytest
 
 from sceneweaver.assets import categories
 from sceneweaver.knowledge.surfaces import crowd_of, crowds
-from sceneweaver.scene import InputError, Relation
+from sceneweaver.scene import InputError, Pose, Relation
 from sceneweaver.tools.add_crowd import AddCrowd
 
 from .surface_rooms import after, answer, carrier, faults, room, standing
@@ -45,6 +45,13 @@ def test_books_on_every_board() -> None:
     for o in added:
         if o.category == "standing_books":
             assert abs(math.remainder(o.pose.yaw - shelf.pose.yaw, 2 * math.pi)) < 1e-6
+
+
+def test_a_shelf_that_hangs_high_is_filled_as_well() -> None:
+    hung = standing("wall_shelf").model_copy(update={"mount": "wall"})
+    x, y, _ = hung.pose.position
+    scene = room([hung.model_copy(update={"pose": Pose(position=(x, y, 1.5), quaternion=hung.pose.quaternion)})])
+    assert len(after(scene, answer(TOOL, scene, {"supports": [hung.id]})).objects) > 2
 
 
 def test_density() -> None:
