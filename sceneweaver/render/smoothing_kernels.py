@@ -176,6 +176,7 @@ def develop(
                     weight = weight + w
         around = around / wp.max(weight, 1.0e-9)
         direct = direct / wp.max(weight, 1.0e-9)
+    if share[pixel] == wp.uint8(0):
         ambient[pixel] = around
         sun[pixel] = direct
     linear = wp.cw_mul(color[pixel], around + direct) + shine[pixel]
