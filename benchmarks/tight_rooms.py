@@ -132,7 +132,7 @@ def _pieces(rng: np.random.Generator) -> dict[str, Piece]:
     return {p.id: p for p in pieces}
 
 
-def _empty(rng: np.random.Generator, width: float, depth: float, shares: np.ndarray) -> tuple[Layout, Json]:
+def _empty(width: float, depth: float, shares: np.ndarray) -> tuple[Layout, Json]:
     """An empty room and its data. ``shares`` say where door and window are."""
     walls = walls_of([(0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth)])
     door_wall, other = walls[int(4 * shares[0])], int(3 * shares[1])
@@ -261,7 +261,7 @@ def tight_room(seed: int) -> Scene:
     found, scale = None, 1.0
     while found is None:
         width, depth = (round(scale * math.sqrt(v), 2) for v in (area * aspect, area / aspect))
-        empty, room = _empty(rng, width, depth, shares)
+        empty, room = _empty(width, depth, shares)
         tries = (_fill(empty, pieces, rng) for _ in range(TRIES))
         found = next((layout for layout in tries if layout is not None), None)
         scale *= GROWTH

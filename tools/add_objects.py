@@ -102,12 +102,12 @@ def _add(work: _Work, row: Mapping[str, Any], number: int) -> None:
         work.edits.append(Add(object=subject))
         given = bool(places)
         relations, failed = relations_of(
-            draft, places or rows_for(draft, context.room_type, item, subject), subject, count if given else 1
+            draft, places or rows_for(draft, item, subject), subject, count if given else 1
         )
         if given:
             work.unmet += failed
             if not relations:
-                relations, _ = relations_of(draft, rows_for(draft, context.room_type, item, subject), subject)
+                relations, _ = relations_of(draft, rows_for(draft, item, subject), subject)
         draft.relations += relations
         work.edits += [Relate(relation=r) for r in relations]
 

@@ -215,7 +215,6 @@ def _program(context: Context, space: Room, area: float, people: int, palette: P
     return build(
         wishes,
         room,
-        brief,
         context.library,
         area,
         walls,

@@ -331,7 +331,6 @@ def _asked_demand(asked: Entity, item: Item | None, area: float, people: int, dr
 def build(
     wishes: Iterable[Demand],
     room_type: RoomType,
-    brief: SceneGraph,
     library: Library,
     area: float,
     space: float,

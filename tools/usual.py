@@ -77,7 +77,7 @@ def item_for(room_type: RoomType, category: str, draft: Draft, name: str | None 
     return next((item for item in fits if item.id not in there), fits[0] if fits else None)
 
 
-def rows_for(draft: Draft, room_type: RoomType, item: Item | None, subject: SceneObject) -> list[Row]:
+def rows_for(draft: Draft, item: Item | None, subject: SceneObject) -> list[Row]:
     """Relations for an object of which nothing was said; those whose target is not there are left out."""
     if subject.mount == "surface":
         return []

@@ -54,7 +54,7 @@ def hinges(scene: Scene, starts: np.ndarray) -> list[Hinge]:
         if a >= 0:
             found += _room_hinges(scene, room, rel, a, middle[:, a], half[:, a])
         if a >= 0 and b >= 0:
-            found += _object_hinges(scene, rel, a, b, middle, half)
+            found += _object_hinges(rel, a, b, middle, half)
     return found
 
 
@@ -95,9 +95,7 @@ def _room_hinges(
             yield Hinge(a, -1, along, *_limits(0.0, window.width, begin))
 
 
-def _object_hinges(
-    scene: Scene, rel: Relation, a: int, b: int, middle: np.ndarray, half: np.ndarray
-) -> Iterator[Hinge]:
+def _object_hinges(rel: Relation, a: int, b: int, middle: np.ndarray, half: np.ndarray) -> Iterator[Hinge]:
     """Next to the target on the side where the subject is, or within a distance of it."""
     spec = CATALOGUE[rel.type]
     d, reach = middle[:, a] - middle[:, b], half[:, a] + half[:, b]

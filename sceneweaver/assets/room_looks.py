@@ -61,7 +61,7 @@ def room_looks(room: Room) -> RoomLooks:
     kind, tone = finish.floor.material, finish.floor.tone
     floor = _FLOOR_LOOKS[kind]
     if tone is not None:
-        floor = replace(floor, name=f"{tone} floor", color=_floor_color(kind, tone))
+        floor = replace(floor, name=f"{tone} floor", color=_floor_color(tone))
     accent = finish.accent and _painted(finish.accent.color, "accent.color", 0.3)
     tiles = finish.tiles and replace(_painted(finish.tiles.color, "tiles.color", 0.3), name="wall tile", roughness=0.25)
     return RoomLooks(kind, floor, _painted(finish.walls, "walls", 0.5), accent, tiles)
@@ -85,7 +85,7 @@ def _floor_for(room_type: str) -> str:
     return next((_FLOOR_OF[word] for word in words if word in _FLOOR_OF), "wood")
 
 
-def _floor_color(kind: str, tone: str) -> tuple[float, float, float]:
+def _floor_color(tone: str) -> tuple[float, float, float]:
     wood = finishes().get(tone)
     if wood is not None and wood.family == "wood":
         return wood.material.color

@@ -155,7 +155,7 @@ def resolve(noun: str, mount: Mount | None = None) -> Match:
     asked = _plain(noun)
     return (
         _known(noun, asked)
-        or _contents(noun, asked, mount)
+        or _contents(asked, mount)
         or _misspelt(noun, asked)
         or _compound(noun, asked)
         or _closed(noun, asked)
@@ -247,7 +247,7 @@ def _choices(words: list[str]) -> Iterator[tuple[str, ...]]:
         yield from combinations(words, count)
 
 
-def _contents(noun: str, asked: str, mount: Mount | None) -> Match | None:
+def _contents(asked: str, mount: Mount | None) -> Match | None:
     """ "A pair of X" is X, "a jar of X" a jar, "a bed with X" a bed; each by its own words."""
     head, link, rest = asked.partition(" with ") if " with " in asked else asked.partition(" of ")
     if not link:

@@ -157,7 +157,7 @@ class Clauses(Verbs):
 
     def _place(self, chunk: Chunk) -> None:
         place: Place = chunk.value
-        after_be, self.after_be = self.after_be, False
+        self.after_be = False
         if self.negated:
             self._nowhere(chunk)
             return
@@ -179,7 +179,7 @@ class Clauses(Verbs):
         if chunk.text == "in" and after is not None and after.kind == "adjective" and self.head:
             return  # "a pair of chairs in green and violet"
         glue, self.glue = self.glue, ""
-        subjects = self._subjects_of(place, glue, chunk, after_be)
+        subjects = self._subjects_of(place, glue)
         fronts = chunk.bare and subjects is None and not self._target_next()
         if self._noun_next() and not (chunk.passive or fronts):
             lost = self.lost and not subjects
@@ -190,7 +190,7 @@ class Clauses(Verbs):
         self._implicit(self._mannered(place), subjects, chunk)
         self.subset = None
 
-    def _subjects_of(self, place: Place, glue: str, chunk: Chunk, after_be: bool) -> list[Mention] | None:
+    def _subjects_of(self, place: Place, glue: str) -> list[Mention] | None:
         """Who a word of place is about; None: who comes after it."""
         if glue in ("start", "while") or (glue in ("comma", "and", "comma and") and self._fronts(self.at - 1)):
             self.lost = self.lost and glue == ""

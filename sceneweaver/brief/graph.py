@@ -25,7 +25,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     for mention in mentions:
         _narrowed(mention)
     _named(mentions)
-    _shared_support(parsed, mentions)
+    _shared_support(parsed)
     _by_attribute(parsed, mentions)
     _pairs_of_flanks(parsed)
     ids = {id(m): m.id for m in mentions}
@@ -123,7 +123,7 @@ def _named(mentions: list[Mention]) -> None:
         mention.id = mention.category if n == 1 else f"{mention.category}-{n}"
 
 
-def _shared_support(parsed: Parsed, mentions: list[Mention]) -> None:
+def _shared_support(parsed: Parsed) -> None:
     """What is beside something that stands on a table stands on the table as well, when it is small."""
     carried: dict[int, Mention] = {}
     for said in parsed.said:

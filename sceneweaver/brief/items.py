@@ -17,7 +17,7 @@ class Items(Relating):
     def _named(self, mentions: list[Mention], phrase: NounPhrase, chunk: Chunk, new: bool) -> None:
         """Things that were named take their place: target, item of a list, or subject."""
         if self.waiting is not None:
-            self._target(mentions, phrase, chunk, new)
+            self._target(mentions, phrase, new)
             return
         glue, self.glue = self.glue, ""
         more = glue in ("and", "or", "comma and") and (not new or (self.done and not self.frames and glue == "and"))
@@ -157,7 +157,7 @@ class Items(Relating):
         elif frame.kind == "with":
             self._owned(frame, mentions, phrase)
         else:
-            self._placed(frame, mentions, phrase)
+            self._placed(frame, mentions)
         if frame.each or phrase.determiner == "each":
             self._for_each(frame.owner, mentions)
 
@@ -167,7 +167,7 @@ class Items(Relating):
             if many is not None and mention.count is not None:
                 mention.count = (mention.count[0] * many[0], mention.count[1] * many[1])
 
-    def _placed(self, frame: Frame, mentions: list[Mention], phrase: NounPhrase) -> None:
+    def _placed(self, frame: Frame, mentions: list[Mention]) -> None:
         kind = frame.type
         targets = tuple(frame.owner[-1:] if kind != "between" else frame.owner)
         if frame.owner and len(frame.owner) > 1 and kind in ("on", "inside"):
@@ -179,11 +179,11 @@ class Items(Relating):
             night = len(mentions) == 1 and mentions[0].category == "nightstand" and mentions[0].count == (2, 2)
             kind = "at" if seat else "flanking" if night else "next_to"
         elif kind in ("on", "inside"):
-            kind = self.support(kind, mentions[0], frame.owner[0])
+            kind = self.support(kind, frame.owner[0])
         place = Place(kind, words=frame.words, each=frame.each or kind == "flanking")
         self._relate(place, mentions, targets, None, span=self.chunk_span())
 
-    def _target(self, mentions: list[Mention], phrase: NounPhrase, chunk: Chunk, new: bool) -> None:
+    def _target(self, mentions: list[Mention], phrase: NounPhrase, new: bool) -> None:
         """A word of place gets its target."""
         waiting = self.waiting
         assert waiting is not None

@@ -56,7 +56,7 @@ class Pronouns(RegionPhrases):
                 self._unread(phrase.text, chunk.start, chunk.end)
                 return
             if self.waiting is not None:
-                self._target([found], phrase, chunk, False)
+                self._target([found], phrase, False)
             elif self.glue == "open":
                 self._named([found], phrase, chunk, False)
             else:
@@ -83,7 +83,7 @@ class Pronouns(RegionPhrases):
             if not found_all and phrase.text == "it" and len(without) > 1:
                 found_all = without[:1]  # "a fireplace and bookshelves on either side of it"
             if found_all:
-                self._target(found_all, phrase, chunk, False)
+                self._target(found_all, phrase, False)
             elif phrase.text == "it" and self._window_before():
                 waiting, self.waiting = self.waiting, None
                 self._at_place(

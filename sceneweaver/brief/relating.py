@@ -17,7 +17,7 @@ from .vocabulary import Place, family, mounts, words
 class Relating(Nearness):
     """Relations as they are said: who, where, and what is meant where it is not said."""
 
-    def support(self, kind: str, thing: Mention, carrier: Mention) -> str:
+    def support(self, kind: str, carrier: Mention) -> str:
         """Whether what something holds stands on or in it."""
         inside = words("relations")["insides"]
         if any(carrier.noun.endswith(word) or carrier.category.endswith(word) for word in inside):
@@ -273,7 +273,7 @@ class Relating(Nearness):
                 or small
                 and category_named(owner.category).holds
             ):
-                kind = self.support("on", mention, owner)
+                kind = self.support("on", owner)
             elif mounts(mention.category)[0] != "floor" or mounts(owner.category)[0] != "floor":
                 if mounts(mention.category)[0] == "wall":
                     kind = "above"

@@ -66,7 +66,7 @@ class ThingPhrases(RoomPhrases):
             return
         mention = found if found is not None else self._new(phrase)
         if mention is None:
-            self._lost_noun(phrase, chunk)
+            self._lost_noun()
             return
         if not new:
             self._again(mention, phrase)
@@ -140,7 +140,7 @@ class ThingPhrases(RoomPhrases):
         phrase.qualities = [t for t in phrase.qualities if t.text not in known]
         describe(mention, phrase, self.source)
 
-    def _lost_noun(self, phrase: NounPhrase, chunk: Chunk) -> None:
+    def _lost_noun(self) -> None:
         if self.waiting is not None:
             self._unread(self.waiting.chunk.text, self.waiting.chunk.start, self.waiting.chunk.end)
             self.waiting = None

@@ -145,7 +145,7 @@ def describe(mention: Mention, phrase: NounPhrase, source: Source) -> None:
         if token.text in named and not token.has("material", "color", "shape"):
             continue
         _quality(mention, token, source)
-    for token in vocabulary_parts(phrase, source):
+    for token in vocabulary_parts(phrase):
         _quality(mention, token, source, known=True)
     if phrase.length is not None:
         axis = next((t.get("dim") for t in phrase.qualities if t.has("dim")), None)
@@ -156,7 +156,7 @@ def describe(mention: Mention, phrase: NounPhrase, source: Source) -> None:
         give_sides(mention, phrase.sides)
 
 
-def vocabulary_parts(phrase: NounPhrase, source: Source) -> list[Token]:
+def vocabulary_parts(phrase: NounPhrase) -> list[Token]:
     """Words of quality inside a name, such as the shape of a "round dining table"."""
     table, found = vocabulary(), []
     for word in phrase.text.split()[:-1]:

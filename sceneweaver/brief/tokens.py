@@ -106,7 +106,7 @@ def _number(raw: list[_Raw], at: int) -> tuple[Token, int]:
         text = f"{word.text} {after[0]}"
         return Token(text, word.start, raw[at + 1].end, {"adjective": text}), at + 2
     if word.glued:  # "4-burner stove"
-        return _compound(raw, at, [])
+        return _compound(raw, at)
     kinds = {"number": int(word.text)} if word.text.isdigit() and len(word.text) < 6 else {}
     return Token(word.text, word.start, word.end, kinds), at + 1
 
@@ -123,7 +123,7 @@ def _phrase(raw: list[_Raw], at: int, notes: list[str]) -> tuple[Token, int]:
             continue
         return Token(phrase, raw[at].start, raw[end - 1].end, dict(table[phrase])), end
     if raw[at].glued:
-        return _compound(raw, at, notes)
+        return _compound(raw, at)
     known = mended(raw[at].text, notes)
     if known is None and at + 1 < len(raw) and raw[at].text == "":
         known = None
@@ -144,7 +144,7 @@ def _tens_follow(raw: list[_Raw], end: int) -> bool:
     return end < len(raw) and raw[end].text in NUMBERS
 
 
-def _compound(raw: list[_Raw], at: int, notes: list[str]) -> tuple[Token, int]:
+def _compound(raw: list[_Raw], at: int) -> tuple[Token, int]:
     """Words with hyphens that are no known phrase together: said of the noun after them, or a noun of two words."""
     end = at
     while end < len(raw) - 1 and raw[end].glued and end - at < 6:

@@ -85,6 +85,14 @@ def _seconds(value: float | None) -> float | None:
 
 
 Input = Annotated[Path, typer.Argument(metavar="IN", help="A scene.json.", show_default=False)]
+Out = Annotated[
+    Path,
+    typer.Option(
+        "--out", "-o", metavar="OUT", help="A folder, or a .json file for the scene alone.", show_default=False
+    ),
+]
+Png = Annotated[Path, typer.Option("--out", "-o", metavar="PNG", help="The picture.", show_default=False)]
+Picture = Annotated[bool, typer.Option("--picture/--no-picture", help="Draw the annotated top view.")]
 Candidates = Annotated[int, typer.Option(min=1, help="How many layouts are refined at once.")]
 Seed = Annotated[int, typer.Option(min=0, max=2**32 - 1, help="Equal seeds give equal results.")]
 Device = Annotated[str, typer.Option(callback=_device, metavar="auto|cpu|cuda[:k|:all]", help="Where to compute.")]
@@ -106,12 +114,7 @@ def _root(
 @app.command()
 def refine(
     source: Input,
-    out: Annotated[
-        Path,
-        typer.Option(
-            "--out", "-o", metavar="OUT", help="A folder, or a .json file for the scene alone.", show_default=False
-        ),
-    ],
+    out: Out,
     candidates: Candidates = 1024,
     seed: Seed = 0,
     init: Annotated[Init, typer.Option(help="Where the layouts start.")] = Init.SAMPLE,
@@ -119,7 +122,7 @@ def refine(
     optimizer: Annotated[Optimizer, typer.Option(help="How the layouts are improved.")] = Optimizer.SEARCH,
     time_limit: TimeLimit = None,
     as_json: Json = False,
-    picture: Annotated[bool, typer.Option("--picture/--no-picture", help="Draw the annotated top view.")] = True,
+    picture: Picture = True,
 ) -> int:
     """Find poses for the objects of a scene so that nothing collides and all relations hold."""
     from .refine import run_refine
@@ -141,12 +144,7 @@ def refine(
 @app.command()
 def repair(
     source: Input,
-    out: Annotated[
-        Path,
-        typer.Option(
-            "--out", "-o", metavar="OUT", help="A folder, or a .json file for the scene alone.", show_default=False
-        ),
-    ],
+    out: Out,
     relations: Annotated[
         bool, typer.Option("--relations/--no-relations", help="Make hard relations hold as well.")
     ] = True,
@@ -160,7 +158,7 @@ def repair(
     device: Device = "auto",
     time_limit: TimeLimit = None,
     as_json: Json = False,
-    picture: Annotated[bool, typer.Option("--picture/--no-picture", help="Draw the annotated top view.")] = True,
+    picture: Picture = True,
 ) -> int:
     """Move the objects of a broken scene as little as makes it valid."""
     from .repair import run_repair
@@ -209,7 +207,7 @@ def check(
 @app.command()
 def render(
     source: Input,
-    out: Annotated[Path, typer.Option("--out", "-o", metavar="PNG", help="The picture.", show_default=False)],
+    out: Png,
     plain: Annotated[bool, typer.Option("--plain", help="Without title, axes, labels and zones.")] = False,
     width: Annotated[int, typer.Option(min=200, max=8192, help="Width in pixels.")] = 1600,
     as_json: Json = False,
@@ -364,6 +362,7 @@ StorePath = Annotated[
         show_default=False,
     ),
 ]
+AssetId = Annotated[str, typer.Argument(metavar="ID|NOUN", help="An asset's id, or a word for it.", show_default=False)]
 Allow = Annotated[
     list[str] | None,
     typer.Option(
@@ -390,9 +389,7 @@ def assets_list(
 
 @assets.command("show")
 def assets_show(
-    asset_id: Annotated[
-        str, typer.Argument(metavar="ID|NOUN", help="An asset's id, or a word for it.", show_default=False)
-    ],
+    asset_id: AssetId,
     store: StorePath = None,
     seed: Seed = 0,
     picture: Annotated[Path | None, typer.Option(metavar="PNG", help="Draw it as well.", show_default=False)] = None,
@@ -406,9 +403,7 @@ def assets_show(
 
 @assets.command("urdf")
 def assets_urdf(
-    asset_id: Annotated[
-        str, typer.Argument(metavar="ID|NOUN", help="An asset's id, or a word for it.", show_default=False)
-    ],
+    asset_id: AssetId,
     out: Annotated[
         Path,
         typer.Option("--out", "-o", metavar="DIR", help="The folder; its parent must be there.", show_default=False),
@@ -425,7 +420,7 @@ def assets_urdf(
 
 @assets.command("sheet")
 def assets_sheet(
-    out: Annotated[Path, typer.Option("--out", "-o", metavar="PNG", help="The picture.", show_default=False)],
+    out: Png,
     names: Annotated[
         list[str] | None,
         typer.Argument(metavar="[CATEGORY|ID]...", help="What to draw (default: every category).", show_default=False),

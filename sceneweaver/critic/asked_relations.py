@@ -93,7 +93,7 @@ def _ruling(survey: Survey, said: StatedRelation, subjects: Sequence[Body]) -> R
     if table is None:
         return None
     if said.each:
-        return _of_each(survey, said, subjects, table)
+        return _of_each(said, subjects, table)
     verdicts = [_any_of_each(rows) for rows in table]
     return _counted(survey, said, subjects, verdicts)
 
@@ -217,9 +217,7 @@ def _first(verdicts: Sequence[Verdict], holds: bool) -> Measurement | None:
     return next((v.worst for v in verdicts if v.holds is holds and v.worst is not None), None)
 
 
-def _of_each(
-    survey: Survey, said: StatedRelation, subjects: Sequence[Body], table: list[dict[str, dict[str, Verdict]]]
-) -> Ruling:
+def _of_each(said: StatedRelation, subjects: Sequence[Body], table: list[dict[str, dict[str, Verdict]]]) -> Ruling:
     """Whether every instance of the target (or side of it) has as many subjects as it should."""
     least, most = said.count or (1, 10**6)
     names = dict.fromkeys(name for rows in table for verdicts in rows.values() for name in verdicts)

@@ -47,9 +47,8 @@ def measures(survey: Survey) -> dict[str, float]:
 
 
 @cache
-def _expected(room: str, names: frozenset[str]) -> tuple[frozenset[str], frozenset[str]]:
+def _expected(names: frozenset[str]) -> tuple[frozenset[str], frozenset[str]]:
     """Categories that a room lists with their kin, and the kinds of places that they come from."""
-    del room
     own = frozenset().union(*(kinds.kin(name) for name in names)) if names else frozenset()
     return own, frozenset(w for w in map(kinds.world, names) if w is not None)
 
@@ -57,7 +56,7 @@ def _expected(room: str, names: frozenset[str]) -> tuple[frozenset[str], frozens
 def expected(room_type: RoomType) -> tuple[frozenset[str], frozenset[str]]:
     """Categories that a room lists with their kin, and the kinds of places that they come from."""
     looked_for = frozenset().union(*(row.what for row in expected_of(room_type.name)))
-    return _expected(room_type.name, frozenset(name for item in room_type.items for name in item.what) | looked_for)
+    return _expected(frozenset(name for item in room_type.items for name in item.what) | looked_for)
 
 
 def _foreign(survey: Survey) -> Iterator[Finding]:

@@ -82,7 +82,7 @@ class Program:
                     item_of[o.id] = best.id
                     by_item[best.id].append(o.id)
         for item in room_type.items:
-            need = _need(item, room_type, brief, banned, by_item, scene, area, people)
+            need = _need(item, brief, banned, by_item, scene, area, people)
             if need is not None:
                 needs.append(need)
         return cls(item_of, asked_of, tuple(needs), people)
@@ -105,7 +105,6 @@ def _least(item: Item, by_item: dict[str, list[str]], scene: Scene, area: float,
 
 def _need(
     item: Item,
-    room_type: RoomType,
     brief: SceneGraph,
     banned: set[str],
     by_item: dict[str, list[str]],
@@ -134,7 +133,6 @@ def _need(
         least = min(least, sum(limits))
     if brief.density == "sparse" and item.need != "needed":
         return None
-    del room_type
     return Need(item, least, core, have, bool(meant)) if least > 0 else None
 
 

@@ -59,7 +59,7 @@ def _mirrors(survey: Survey) -> Iterator[Finding]:
         mirrors = [b for b, _ in survey.near(unit, 0.4) if b.item.category in MIRRORS and b.item.mount == "wall"]
         for place in basins(unit):
             off = min(
-                (max(0.0, abs(unit.local(m.centre)[1] - place) - _slack(m, place, unit)) for m in mirrors),
+                (max(0.0, abs(unit.local(m.centre)[1] - place) - _slack(m)) for m in mirrors),
                 default=math.inf,
             )
             if off > offset:
@@ -75,9 +75,8 @@ def _mirrors(survey: Survey) -> Iterator[Finding]:
                 break
 
 
-def _slack(mirror: Body, place: float, unit: Body) -> float:
+def _slack(mirror: Body) -> float:
     """How far [m] a wide mirror reaches beyond what a face needs."""
-    del place, unit
     return max(0.0, mirror.size[1] / 2 - 0.3)
 
 

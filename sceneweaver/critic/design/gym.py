@@ -42,14 +42,14 @@ def faults(survey: Survey) -> Iterator[Finding]:
     if not applies(survey, "machines_in_rows"):
         return
     cardio = survey.on_floor(CARDIO)
-    yield from _rows(survey, cardio)
+    yield from _rows(cardio)
     yield from _view(survey, cardio)
     yield from _behind(survey)
     yield from _mats(survey)
     yield from _loose(survey)
 
 
-def _rows(survey: Survey, cardio: list[Body]) -> Iterator[Finding]:
+def _rows(cardio: list[Body]) -> Iterator[Finding]:
     """Machines of a kind that face several ways, or of which one stands away from the row."""
     limits = design_rules()["machines_in_rows"].limits
     sets: dict[str, list[Body]] = defaultdict(list)

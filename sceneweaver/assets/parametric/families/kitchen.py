@@ -62,18 +62,9 @@ def base(b: Builder) -> None:
 def corner_cabinet(b: Builder) -> None:
     """Two wings around an inner corner with a folding door in each; the corner of the room is at -x, +y."""
     d, w, h = b.size
-    body, leaf, pull, style = looks = _looks(b)
+    body, leaf, pull, style = _looks(b)
     top, t = worktop_of(b)
     deep = 0.572  # like base units of 0.62 m, whose fronts and worktop it goes on with
-    del looks
-    inner = [
-        (-d / 2, -w / 2),
-        (-d / 2 + deep, -w / 2),
-        (-d / 2 + deep, w / 2 - deep),
-        (d / 2, w / 2 - deep),
-        (d / 2, w / 2),
-        (-d / 2, w / 2),
-    ]
     o = 0.044
     over = [
         (-d / 2, -w / 2),
@@ -97,7 +88,6 @@ def corner_cabinet(b: Builder) -> None:
         b.box((xa, d / 2), (yb, w / 2), (0.1, h - t), shell, bevel=0.001)
         b.box((xa + o, d / 2), (yb - o, w / 2), (h - t, h), top, bevel=0)
         b.box((xa + 0.024, d / 2 - 0.002), (yb - 0.0205, yb - 0.0005), (0.102, h - t - 0.002), leaf)
-    del inner
     b.surface(
         "top",
         (0, 1),
@@ -277,8 +267,7 @@ def kitchen_cart(b: Builder) -> None:
     t, p = 0.036, 0.04
     bar = 0.05
     x, y = (-d / 2 + 0.02, d / 2 - 0.045), (-w / 2 + 0.02, w / 2 - bar - 0.02)
-    for name, px in (("back", x[0]), ("front", x[1] - p)):
-        del name
+    for px in (x[0], x[1] - p):
         for py in (y[0], y[1] - p):
             b.box((px, px + p), (py, py + p), (0.075, h - t), frame)
     with b.solid("top"):
