@@ -6,8 +6,10 @@ anyway. What others reach under (tables, desks) or around (corner sofas) keeps a
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from sceneweaver.geometry.polygons import union
-from sceneweaver.scene import CATALOGUE, Part, Scene, SceneObject
+from sceneweaver.scene import CATALOGUE, Part, Relation, Scene, SceneObject
 
 HANGING = 0.09
 """Depth [m] that pictures and the like are given: none hangs before another within the tolerance of its wall."""
@@ -16,8 +18,16 @@ SOLID = 0.8
 """Share of its box that an object's plan must cover to be taken for the whole box."""
 
 
+DISTANCES = ("near", "distance")
+"""Types of relations with a most distance between footprints: larger ones are nearer than the true ones."""
+
+LEAST_MAX = 0.5
+"""Share of its most distance that such a relation keeps at least."""
+
+
 def coarse(scene: Scene) -> Scene:
-    """The same scene with at most a few boxes for each object; ids, poses and relations are as they were."""
+    """The same scene with at most a few boxes for each object; ids and poses are as they were, and relations except for
+    the most distance between footprints, which is less by as much as these grow."""
     carrying = {o.support.object for o in scene.objects if o.support is not None}
     seating = CATALOGUE.with_role("seat")
     seats = {r.subject for r in scene.relations if r.type in seating}
@@ -32,7 +42,30 @@ def coarse(scene: Scene) -> Scene:
             objects.append(o.model_copy(update={"parts": tuple(_box(part) for part in o.parts)}))
         else:
             objects.append(o.model_copy(update={"parts": _merged(o)}))
-    return scene.model_copy(update={"objects": tuple(objects)})
+    pairs = {true.id: (true, rough) for true, rough in zip(scene.objects, objects, strict=True)}
+    relations = tuple(_nearer(r, pairs) if r.type in DISTANCES else r for r in scene.relations)
+    return scene.model_copy(update={"objects": tuple(objects), "relations": relations})
+
+
+def _nearer(relation: Relation, pairs: Mapping[str, tuple[SceneObject, SceneObject]]) -> Relation:
+    """A relation that true footprints hold wherever the rough ones of its objects hold it."""
+    given = relation.params.get("max", CATALOGUE[relation.type].params["max"].default)
+    grown = sum(_growth(*pairs[name]) for name in (relation.subject, *relation.targets) if name in pairs)
+    if not isinstance(given, int | float) or grown <= 0.0:
+        return relation
+    least = relation.params.get("min")
+    most = max(given - grown, LEAST_MAX * given, least if isinstance(least, int | float) else 0.0)
+    return relation.model_copy(update={"params": {**relation.params, "max": most}})
+
+
+def _growth(true: SceneObject, rough: SceneObject) -> float:
+    """The largest distance [m] of a point of the rough footprint from the true one."""
+    import shapely
+
+    if true is rough:
+        return 0.0
+    plans = [union(shapely.Polygon(part.polygon) for part in o.solids) for o in (true, rough)]
+    return max(float(shapely.distance(plans[0], point)) for point in shapely.points(shapely.get_coordinates(plans[1])))
 
 
 def _hanging(obj: SceneObject) -> Part:

@@ -64,6 +64,7 @@ class RunFolder:
 
     def __init__(self, path: Path):
         self.path = path
+        self._dumped: tuple[Scene, str] | None = None
 
     @contextmanager
     def held(self) -> Iterator[None]:
@@ -117,7 +118,7 @@ class RunFolder:
         name = f"steps/{number:02d}"
         folder = self.path / name
         folder.mkdir(exist_ok=True)
-        scene.save(folder / "scene.json")
+        self._save(scene, folder / "scene.json")
         report.save(folder / "metrics.json")
         _write(folder / "review.json", review.model_dump(mode="json"))
         _write(folder / "step.json", memory.steps[-1].model_dump(mode="json") if memory.steps else {})
@@ -125,8 +126,14 @@ class RunFolder:
 
     def keep(self, scene: Scene, report: Report) -> None:
         """Write the best valid scene so far as the scene of the folder: it is there however the run ends."""
-        scene.save(self.path / SCENE)
+        self._save(scene, self.path / SCENE)
         replace(report, cut_off=report.cut_off or UNDONE).save(self.path / "metrics.json")
+
+    def _save(self, scene: Scene, path: Path) -> None:
+        """Write a scene. What a step leads to is most often what the folder keeps too: its text is made once."""
+        if self._dumped is None or self._dumped[0] is not scene:
+            self._dumped = (scene, scene.dumps())
+        write_atomic(path, self._dumped[1])
 
     def state(self, scene: str, memory: Memory, brief: SceneGraph, settings: Settings) -> None:
         """Write the state to go on from; ``scene`` is a path inside the folder."""
