@@ -263,7 +263,10 @@ def _plural_form(word: str) -> bool:
 def _collected(phrase: NounPhrase, head: Token) -> NounPhrase:
     """ "A pair of chairs" is two chairs, "a stack of two books" two books."""
     inner = phrase.of
-    if inner is None or not head.has("collective"):
+    counted_set = (
+        inner is not None and inner.count is not None and head.text.endswith(" set")
+    )  # "a tea set of six cups"
+    if inner is None or not (head.has("collective") or counted_set):
         return phrase
     paired = inner.text in _paired()
     counted = head.get("collective")

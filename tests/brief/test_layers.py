@@ -33,6 +33,7 @@ COUNTS = [
     ("a desk with a 35 mm camera", "camera", (1, 1)),
     ("a bathroom with two sinks and a mirror", "sink_cabinet", (2, 2)),
     ("three tubs of paint on a shelf", "paint_jar", (3, 3)),
+    ("a tray with a tea set of four cups", "cup_and_saucer", (4, 4)),
     ("a dining table surrounded by eight upholstered chairs", "dining_chair", (8, 8)),
 ]
 
