@@ -254,7 +254,7 @@ def bathroom_shelf(b: Builder) -> None:
 def bath_mat(b: Builder) -> None:
     """A tufted mat with a hem and rows of pile, or a slatted wooden one."""
     d, w, h = b.size
-    if b.chance("slats", 0.25):
+    if b.chance("slats", 0.25, matched=True):
         wood = b.material("mat", "bamboo", "oak", "walnut")
         with b.solid("mat"):
             n = int(w / 0.055)
@@ -266,7 +266,7 @@ def bath_mat(b: Builder) -> None:
                 b.box((-d / 2, d / 2), (y, y + step - 0.008), (h * 0.45, h), wood, bevel=0.002)
     else:
         cloth = b.material("mat", *_TERRY)
-        round_ends = b.chance("oval", 0.3)
+        round_ends = b.chance("oval", 0.3, matched=True)
         with b.solid("mat"):
             if round_ends:
                 loft(
