@@ -10,6 +10,7 @@ from typing import Any
 from sceneweaver.assets import Wish
 from sceneweaver.geometry.polygons import union
 from sceneweaver.geometry.rotations import is_upright
+from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.knowledge.lived_in import Trace, traces
 from sceneweaver.scene import InputError, Intent, Pose, Scene, SceneObject
 from sceneweaver.scene.edits import Add, AnyEdit
@@ -28,7 +29,7 @@ CLEARANCE, WALL_GAP = 0.02, 0.03
 """Free space [m] around what lies on the floor, and to the walls."""
 
 WAY = 0.9
-"""Depth [m] before a door that stays free."""
+"""Depth [m] before a door and beside its frame that stays free."""
 
 OUTWARD = {"front": (1, 0), "back": (-1, 0), "left": (0, 1), "right": (0, -1)}
 """Direction of the sides of furniture, in its frame."""
@@ -77,9 +78,9 @@ class _Floor:
         self._named = named_kinds(context.brief)
         room = context.scene.room
         self._inside: Any = shapely.Polygon(room.outline).buffer(-WALL_GAP)
-        shapes = [
-            shapely.Polygon(room.walls[d.wall].strip(d.offset, d.width, 0.0, max(WAY, d.width))) for d in room.doors
-        ]
+        gap = limit("door_frame", "gap")
+        strips = [(room.walls[d.wall], d.offset - gap, d.width + 2 * gap, max(WAY, d.width)) for d in room.doors]
+        shapes = [shapely.Polygon(wall.strip(start, width, 0.0, depth)) for wall, start, width, depth in strips]
         for o in context.scene.objects:
             low = [p.polygon for p in o.solids if o.pose.position[2] + p.z[0] < 0.6 and p.z[1] > 0.025]
             low += [z.polygon for z in o.zones if z.hard]

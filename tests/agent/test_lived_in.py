@@ -10,7 +10,8 @@ from sceneweaver.agent.settings import Settings
 from sceneweaver.assets import Library, make
 from sceneweaver.brief import read_request
 from sceneweaver.knowledge import room_types
-from sceneweaver.scene import InputError, Pose, Relation, Room, Scene
+from sceneweaver.knowledge.design_rules import limit
+from sceneweaver.scene import Door, InputError, Pose, Relation, Room, Scene
 from sceneweaver.tools.add_clutter import AddClutter
 from sceneweaver.tools.base import Context
 from sceneweaver.verify import check
@@ -94,6 +95,23 @@ def test_what_is_named_is_not_strewn_about():
     for seed in range(6):
         edits = AddClutter().propose(Context(brief, kind, bedroom(), LIBRARY, seed, clutter=1.0)).edits
         assert not [e for e in edits if e.op == "add" and e.object.category == "slippers"]
+
+
+def test_nothing_is_strewn_before_a_door_or_at_its_frame():
+    """A door half a metre beside the desk, where bags are put down."""
+    brief, kind, scene = read_request("a bedroom"), room_types()["bedroom"], bedroom()
+    desk, gap, strewn = scene.object("desk-0"), limit("door_frame", "gap"), 0
+    right = desk.pose.position[0] - desk.size[1] / 2 - 0.5  # of the frame, in the wall that runs from x = 5 to 0
+    door = Door(id="door-0", wall=2, offset=5.0 - right, width=0.9, height=2.0)
+    scene = scene.model_copy(update={"room": scene.room.model_copy(update={"doors": (door,)})})
+    for seed in range(16):
+        edits = AddClutter().propose(Context(brief, kind, scene, LIBRARY, seed, clutter=1.0)).edits
+        for thing in [e.object for e in edits if e.op == "add"]:
+            strewn += 1
+            x, y, _ = thing.pose.position
+            half = min(thing.size[:2]) / 2
+            assert y < 4.0 - 0.9 or not right - 0.9 - gap - half < x < right + gap + half, thing.id
+    assert strewn > 16
 
 
 def test_clutter_out_of_range_is_refused():
