@@ -178,6 +178,9 @@ class Executor:
                 larger = True
                 draft, best = self._roomed(draft, proposal.larger, best, seed, 0)
                 continue
+            if _worse(lighter.scene, rival):
+                spare = True
+                break
             notes, unmet = [*notes, *lighter.notes], [*unmet, *lighter.unmet]
             draft, variants = lighter.scene, _without(lighter.scene, variants)
             best = refined(0, self.judged(eased(best.scene, draft)))
@@ -377,6 +380,11 @@ class Executor:
         scene = _with(draft, proposal.variants[0]) if proposal.variants else draft
         solution = refine(scene, candidates=1, seed=seed, optimizer="adam", steps=1, device=self.settings.device)
         return _posed(scene, solution.best)
+
+
+def _worse(scene: Scene, rival: Outcome | None) -> bool:
+    """Whether no layout of a scene can beat what there is without it, as more that was asked for has gone from it."""
+    return rival is not None and not rival.faults and len(scene.dropped) > len(rival.scene.dropped)
 
 
 def _changed(scene: Scene, draft: Scene) -> set[str]:

@@ -11,7 +11,7 @@ from sceneweaver.agent.deadline import Deadline
 from sceneweaver.agent.executor import Executor, Outcome
 from sceneweaver.agent.riders import at_rest
 from sceneweaver.agent.settings import Settings
-from sceneweaver.brief import SceneGraph
+from sceneweaver.brief import Entity, SceneGraph
 from sceneweaver.critic import CRITERIA, Fault, Review
 from sceneweaver.knowledge import room_type
 from sceneweaver.scene import (
@@ -143,6 +143,19 @@ def test_nothing_gives_way_for_an_edit_of_a_scene_that_lacks_nothing():
     executor = Executor(room_type("bedroom"), SceneGraph(text="a bedroom"), QUICK)
     outcome = run(scene, larger, rival=executor.judged(scene))
     assert outcome.scene.ids == scene.ids and outcome.faults and not outcome.notes
+
+
+def test_an_edit_ends_where_more_that_was_asked_for_would_go_than_without_it():
+    asked = Intent(priority="asked")
+    bed = BED.model_copy(update={"intent": asked})
+    scene = room_with(bed, box("chest-0", (0.4, 0.9, 0.8), 2.7, 0.6, intent=asked))
+    larger = SetSize(id="bed-0", size=(2.8, 2.8, 0.5))
+    assert run(scene, larger).scene.dropped
+    piano = Entity(id="piano", noun="piano", category="upright_piano", count=(1, 1))
+    rival = Executor(room_type("bedroom"), SceneGraph(text="a piano", entities=(piano,)), QUICK).judged(scene)
+    outcome = run(scene, larger, rival=rival)
+    assert not rival.lacks_nothing
+    assert not outcome.scene.dropped and outcome.faults
 
 
 def test_what_is_carried_goes_along_in_a_search_after_an_edit():
