@@ -20,12 +20,12 @@ def convex_hull(points: ArrayLike) -> Array:
     import shapely
 
     hull: Any = shapely.convex_hull(shapely.multipoints(np.asarray(points, dtype=float)))
-    found = np.unique(shapely.get_coordinates(hull), axis=0)
+    found = shapely.get_coordinates(hull)
     if hull.geom_type != "Polygon":
-        return found
-    ring = counter_clockwise(shapely.get_coordinates(hull)[:-1])
-    first = int(np.flatnonzero((ring == found[0]).all(axis=1))[0])
-    return np.roll(ring, -first, axis=0)
+        return np.unique(found, axis=0)
+    ring = counter_clockwise(found[:-1])
+    first = int(np.lexsort((ring[:, 1], ring[:, 0]))[0])
+    return np.concatenate([ring[first:], ring[:first]])
 
 
 def hull_faces(points: Array) -> NDArray[np.int32]:

@@ -51,6 +51,12 @@ def _section(section: float | np.ndarray, segments: int) -> np.ndarray:
     return np.asarray(section, dtype=np.float64)
 
 
+def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """The cross product of two vectors: that of NumPy takes ten times as long for so few numbers."""
+    (x, y, z), (u, v, w) = a.tolist(), b.tolist()
+    return np.array([y * w - z * v, z * u - x * w, x * v - y * u])
+
+
 def _rings(path: np.ndarray, section: np.ndarray, closed: bool) -> np.ndarray:
     """The section at each point of the path, in the plane that halves the bend; [N, K, 3]."""
     after = np.roll(path, -1, axis=0) - path
@@ -67,10 +73,10 @@ def _rings(path: np.ndarray, section: np.ndarray, closed: bool) -> np.ndarray:
     for i in range(len(path)):
         if left is None:
             up = np.array([0.0, 0.0, 1.0]) if abs(along[i, 2]) < 0.9 else np.array([1.0, 0.0, 0.0])
-            left = np.cross(up, along[i])
+            left = _cross(up, along[i])
         left = left - along[i] * (left @ along[i])  # carried along with the least twist
         left /= np.linalg.norm(left)
-        up = np.cross(along[i], left)
+        up = _cross(along[i], left)
         # A bend makes the section longer across it (a mitre), so that straight stretches keep their width.
         bend = v[i] - u[i]
         size = np.linalg.norm(bend)
