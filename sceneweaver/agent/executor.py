@@ -47,11 +47,6 @@ STEADY = 3
 """Layouts that are tried in physics, of those that the critic likes best."""
 
 
-GOOD = 5.0
-"""Grade for layout and functionality from which on a layout is good: where a first one lacks nothing it is taken
-without another draw."""
-
-
 Variant = tuple[Relation, ...]
 """Relations that are added to those of a scene."""
 
@@ -73,11 +68,6 @@ class Outcome:
     def faults(self) -> tuple[Violation, ...]:
         """What is wrong with the layout; what could not be placed at all is not in it."""
         return tuple(v for v in self.report.violations if v.hard and v.kind != "dropped")
-
-    @property
-    def good(self) -> bool:
-        """Whether it is valid and well laid out."""
-        return self.report.valid and min(self.review.grades[name] for name in ("layout", "functionality")) >= GOOD
 
     @property
     def lacks_nothing(self) -> bool:
@@ -113,8 +103,8 @@ class Executor:
         """The best scene that follows from a proposal.
 
         ``rival`` is the best that there is without it. Where that lacks nothing, an edit that finds no valid layout is
-        left at that, and for another draw of the room things give way once, in other rooms only where the rival is not
-        good. What more searches lead to is seldom better.
+        left at that, and for another draw of the room things give way once, in no other rooms: what more searches lead
+        to is seldom better.
 
         Raises:
             InputError: when an edit cannot be applied.
@@ -148,8 +138,7 @@ class Executor:
         best, patient, larger, before = refined(0), False, False, draft
         another = proposal.scene is not None  # draw of the room
         spare = bool(best.faults) and rival is not None and rival.lacks_nothing
-        rounds = int(another) if spare else ROUNDS
-        rooms = () if rival is not None and spare and (rival.good or not another) else proposal.rooms
+        rounds, rooms = (int(another), ()) if spare else (ROUNDS, proposal.rooms)
         many = self.settings.choice and self.settings.layouts >= MANY
         if rooms and best.faults and (lighter := lightened(draft, best.faults)) is not None:
             # What is optional goes before the room is changed: a larger one would stay half empty without it.

@@ -46,6 +46,9 @@ NOTHING_YET = "time was up before anything was placed"
 
 Said = Callable[[Step], None]
 
+GOOD = 5.0
+"""Grade for layout and functionality from which on a first layout that lacks nothing is taken without another draw."""
+
 
 @dataclass
 class Run:
@@ -304,7 +307,9 @@ class Run:
 
 def _complete(outcome: Outcome) -> bool:
     """Whether a first layout is valid, has all that it was meant to have, and is well laid out."""
-    return outcome.good and not (
+    if min(outcome.review.grades[name] for name in ("layout", "functionality")) < GOOD:
+        return False
+    return outcome.report.valid and not (
         outcome.unmet or outcome.scene.dropped or any(REASON in note for note in outcome.notes)
     )
 
