@@ -20,7 +20,7 @@ OVER = frozenset(("over", "above", "centered_on"))
 """Relations of a lamp to what it hangs over."""
 
 NEAR_PLACE = 0.1
-"""Distance [m] from its place that is left to one of several lamps over a table."""
+"""Distance [m] from its place that is left to a lamp over a table."""
 
 
 def lamp_count(item: Item | None, outline: Sequence[tuple[float, float]], count: int) -> int:
@@ -41,8 +41,8 @@ def hanging_height(category: str, ceiling: float, below: float | None) -> float 
 
 
 def place_along(size: Sequence[float], at: int, count: int) -> dict[str, Any]:
-    """The parameters of ``over`` for one of several lamps over a thing of some size: even places along its longer
-    side."""
+    """The parameters of ``over`` for one of some lamps over a thing of some size: its middle, or even places along its
+    longer side."""
     if count < 2:
-        return {}
+        return {"offset": NEAR_PLACE}
     return {"left" if size[1] >= size[0] else "forward": round((at + 0.5) / count - 0.5, 4), "offset": NEAR_PLACE}

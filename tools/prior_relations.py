@@ -160,7 +160,7 @@ def _of_place(one: Wanted, place: Place, by_item: dict[str, list[Wanted]], room:
         target, params = pair[0].id, {**params, "forward": -0.5 * (len(pair) - 1), "offset": 0.1}
     elif place.type == "over" and one.item is not None and other is not None and one.mount == "ceiling":
         lamps = [w for w in by_item[one.item.id] if w.parent is one.parent]
-        params |= place_along(other.asset.size, lamps.index(one), len(lamps))
+        params = place_along(other.asset.size, lamps.index(one), len(lamps)) | params
     if place.type == "across_from" and one.item is not None and one.parent is not None and "n" not in params:
         beside = [w for w in by_item[one.item.id] if w.parent is one.parent]
         params |= {"k": beside.index(one), "n": len(beside)}

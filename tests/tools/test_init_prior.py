@@ -169,6 +169,12 @@ def test_a_floor_that_nobody_fixed_shrinks_to_what_it_holds(prior):
     assert area(few) < 0.9 * area(plain) and area(said) == pytest.approx(60.0, rel=0.02)
 
 
+def test_a_lamp_hangs_over_the_middle_of_its_table(prior):
+    cafe, _ = prior("a cafe")
+    over = [r for r in cafe.relations if r.type == "over" and r.subject.startswith("pendant")]
+    assert over and all(r.params["offset"] <= 0.1 for r in over)
+
+
 def test_few_things_are_spread_over_the_many_that_they_are_for(prior):
     office, _ = prior("an office")
     desks = sorted(o.id for o in office.objects if o.category in ("desk", "computer_desk"))

@@ -34,6 +34,9 @@ CHILD_SEATS = named("kids_chair stool pouf floor_cushion bean_bag")
 
 LOW_TABLES = kinds.COFFEE | {"side_table"}
 
+SIDEWAYS = 115.0
+"""Angle [degrees] to the door up to which a board with a menu is read by who comes in."""
+
 BESIDE = 0.9
 """Distance [m] beyond the ends of a counter up to which what is behind it is its staff's side."""
 
@@ -108,6 +111,7 @@ def _looks_at_door(survey: Survey) -> Iterator[Finding]:
         away = door_distance(survey, desk)
         turned = min(outlook(desk, middle(door)) for door in doors)
         host = desk.item.category != "reception_desk"
+        most = SIDEWAYS if desk.item.category == "menu_board" else angle
         if host and away > distance:
             yield breach(
                 "desk_looks_at_door",
@@ -118,13 +122,13 @@ def _looks_at_door(survey: Survey) -> Iterator[Finding]:
                 suggestion=f"put {desk.id} beside the door",
                 call=("add_relation", {"relations": _welcoming(desk, doors[0].item.id, distance)}),
             )
-        elif turned > angle:
+        elif turned > most:
             yield breach(
                 "desk_looks_at_door",
                 (desk.id,),
                 f"{desk.id} is turned {turned:.0f} degrees away from the door",
                 measured=turned,
-                allowed=(None, angle),
+                allowed=(None, most),
                 suggestion=f"turn {desk.id} to the door",
                 call=("add_relation", {"relations": _welcoming(desk, doors[0].item.id, distance)}),
             )
