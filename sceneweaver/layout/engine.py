@@ -13,7 +13,7 @@ import warp as wp
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.se2 import absolute, relative
 from sceneweaver.kernels import load
-from sceneweaver.kernels.bookkeeping import broadcast_poses, set_turns, to_surface_frames
+from sceneweaver.kernels.bookkeeping import broadcast_poses, set_turns
 from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, judge, load_poses, run, streams
 from sceneweaver.optimizers.batch import Progress
 from sceneweaver.optimizers.search import effort_for
@@ -26,18 +26,18 @@ from .batch import make_batch
 from .compile import CompiledScene, LayoutProblem, compile_scene
 from .devices import WALKED, pick_devices, solve_on
 from .job import Job
-from .pack import weights
+from .pack import PULL, weights
 from .quality import QualityTerm, check_terms
 from .rate import rated, walked
 from .solution import Solution, best_of
+from .surfaces import BROKEN, surfaces_hold
 
 INITS = ("sample", "random", "current")
-BROKEN, DIVERGED = 1, 3
+DIVERGED = 3
 POOL = 64  # layouts solved beforehand for every support surface
 POOL_SALT = 0x5EED
 DOMAIN_STRIDE = 2**24  # candidates of one surface, for the numbers of their random streams
 ROUNDING = 2.0e-6  # [m] and [rad] that a pose loses on the way into a surface's frame and back
-PULL = 0.02  # [1/m] towards given poses, small beside any violation
 
 
 def refine(
@@ -199,7 +199,7 @@ def solve(
             rows = slice(first, first + n)
             room, scene = job.compiled.room, job.compiled.scene
             status = verdict.status[rows].copy()
-            status[(status != DIVERGED) & (room.faulty | ~_surfaces_hold(job.compiled, batch, first, n))] = BROKEN
+            status[(status != DIVERGED) & (room.faulty | ~surfaces_hold(job.compiled, batch, first, n))] = BROKEN
             holds = verdict.holds[rows, : len(scene.relations)].copy()
             for rider, relation in room.riders.items():
                 holds[:, relation] &= verdict.holds[rows, rider]
@@ -383,27 +383,6 @@ def _domain_batch(compiled: CompiledScene, world: np.ndarray, seed: int, first: 
     numbers = which * DOMAIN_STRIDE + np.tile(first + np.arange(len(world)), len(compiled.domains))
     batch.state.rng.assign(streams(seed ^ ~POOL_SALT & 0xFFFFFFFF, numbers))
     return batch
-
-
-def _surfaces_hold(compiled: CompiledScene, batch: Batch, first: int, count: int) -> np.ndarray:
-    """Which of so many candidates of a batch, from the first on, have everything on its surface in order [count]."""
-    if not compiled.domains:
-        return np.ones(count, dtype=bool)
-    surfaces, device = [d.surface for d in compiled.domains], batch.device
-    onto = make_batch([d.problem for d in compiled.domains], np.repeat(np.arange(len(surfaces)), count), device)
-    start = np.cumsum([0, *(len(s.members) for s in surfaces)])
-    lists = ([s.supporter for s in surfaces], start, [m for s in surfaces for m in s.members])
-    tables = [wp.array(np.asarray(values, dtype=np.int32), device=device) for values in lists]
-    state = onto.state
-    wp.launch(
-        to_surface_frames,
-        state.poses.shape,
-        [first, count, *tables, batch.state.poses],
-        [state.poses],
-        device=device,
-    )
-    wp.launch(set_turns, state.poses.shape, [state.poses], [state.turns], device=device)
-    return np.all(judge(onto).status.reshape(len(surfaces), count) != BROKEN, axis=0)
 
 
 def _mend_surfaces(job: Job, optimizer: str, device: str, deadline: float | None) -> None:

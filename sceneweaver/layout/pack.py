@@ -38,6 +38,7 @@ WEIGHTS = {
     "pull": 0.0,
     "knee": 0.05,
 }
+PULL = 0.02  # [1/m] weight of the pull towards given poses, small beside any violation
 SQUARE = 1.0e-6  # [m] by which a rectangle may be off
 
 

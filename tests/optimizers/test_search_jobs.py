@@ -10,7 +10,8 @@ import sceneweaver as sw
 from sceneweaver.kernels import bookkeeping
 from sceneweaver.kernels.plan import Plan
 from sceneweaver.kernels.verdict import DeviceVerdict
-from sceneweaver.layout.engine import _load_worlds, _surfaces_hold
+from sceneweaver.layout.engine import _load_worlds
+from sceneweaver.layout.surfaces import surfaces_hold
 from sceneweaver.optimizers import load_poses, search, streams
 from sceneweaver.optimizers.base import Start
 from sceneweaver.optimizers.batch import Batch
@@ -118,7 +119,7 @@ def test_what_stands_on_surfaces_is_judged_in_their_frames() -> None:
     compiled = zoo("bedroom-small")
     what = batch(["bedroom-small"], 6, "cpu", 0.1)
     load_poses(what, np.repeat(compiled.room.home[None], 6, axis=0).astype(np.float32))
-    assert _surfaces_hold(compiled, what, 0, 6).all()
+    assert surfaces_hold(compiled, what, 0, 6).all()
     poses = what.state.poses.numpy()
     turn = 1.0  # of the whole room, after which all is where it was on its surface
     c, s = np.cos(turn), np.sin(turn)
@@ -132,7 +133,7 @@ def test_what_stands_on_surfaces_is_judged_in_their_frames() -> None:
         axis=-1,
     )
     poses[4, compiled.domains[-1].surface.members[0], 0] += 0.5
-    np.testing.assert_array_equal(_surfaces_hold(compiled, what, 1, 5), [True, True, True, False, True])
+    np.testing.assert_array_equal(surfaces_hold(compiled, what, 1, 5), [True, True, True, False, True])
 
 
 def test_the_neighbourhood_of_a_violation_is_released_step_by_step() -> None:
