@@ -13,8 +13,10 @@ if TYPE_CHECKING:
     from sceneweaver.explain import refine_many as refine_many
     from sceneweaver.extend import define_relation as define_relation
     from sceneweaver.extend import undefine_relation as undefine_relation
+    from sceneweaver.layout import Problem as Problem
     from sceneweaver.layout import QualityTerm as QualityTerm
     from sceneweaver.layout import Solution as Solution
+    from sceneweaver.layout import compile as compile
     from sceneweaver.layout import improve as improve
     from sceneweaver.render import draw_top as draw_top
     from sceneweaver.repairs import Repair as Repair
@@ -40,6 +42,7 @@ __all__ = [
     "InputError",
     "MissingDependencyError",
     "Pose",
+    "Problem",
     "QualityTerm",
     "Relation",
     "Repair",
@@ -53,6 +56,7 @@ __all__ = [
     "Violation",
     "__version__",
     "check",
+    "compile",
     "define_relation",
     "design",
     "draw_top",
@@ -69,6 +73,7 @@ _HOME = {
     "InputError": "scene",
     "MissingDependencyError": "scene",
     "Pose": "scene",
+    "Problem": "layout",
     "QualityTerm": "layout",
     "Relation": "scene",
     "Repair": "repairs",
@@ -81,6 +86,7 @@ _HOME = {
     "Solution": "layout",
     "Violation": "verify",
     "check": "verify",
+    "compile": "layout",
     "define_relation": "extend",
     "design": "agent",
     "draw_top": "render",

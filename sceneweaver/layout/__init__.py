@@ -5,8 +5,22 @@ from sceneweaver.optimizers.batch import Progress as Progress
 from .engine import refine as refine
 from .engine import refine_many as refine_many
 from .improve import improve as improve
+from .problem import Problem as Problem
+from .problem import Terms as Terms
+from .problem import compile as compile
 from .quality import QualityTerm as QualityTerm
 from .rate import rate as rate
 from .solution import Solution as Solution
 
-__all__ = ["Progress", "QualityTerm", "Solution", "improve", "rate", "refine", "refine_many"]
+__all__ = [
+    "Problem",
+    "Progress",
+    "QualityTerm",
+    "Solution",
+    "Terms",
+    "compile",
+    "improve",
+    "rate",
+    "refine",
+    "refine_many",
+]

@@ -211,10 +211,7 @@ class Problem:
 
         Where none is found, the least faulty one. What stands on something moves along.
         """
-        given, rows = self._read(poses, which)
-        batch = replace(self._movable(rows, given), weights=weights(pull=PULL))
-        run(batch, "projection", "given", None, Monitor(batch.size))
-        return handed_out(batch.state.poses, poses)
+        return handed_out(self.projected(*self._read(poses, which)), poses)
 
     def carry(self, poses: Array, which: Array | None = None) -> np.ndarray:
         """Poses [B, N, 4] with all that is carried put where the scene has it on its root; as NumPy, on the host."""
@@ -240,13 +237,19 @@ class Problem:
         return feasible_of(batch, self._surfaces_in_order(batch))
 
     def drawn(self, rng: wp.array, which: wp.array) -> wp.array:
-        """Layouts [B, N, 4] to start from, by a word of uint32 [B] for each."""
+        """Layouts [B, N] (vec4) to start from, by a word of uint32 [B] for each."""
         home = wp.array(self.home, dtype=wp.vec4, device=self.device)
         scene = which.numpy()
         batch = self._movable(which, wp.array(home.numpy()[scene], dtype=wp.vec4, device=self.device))
         wp.copy(batch.state.rng, rng)
         draw_starts(batch, "sample")
-        return handed_out(batch.state.poses, batch.state.poses)
+        return batch.state.poses
+
+    def projected(self, poses: wp.array, which: wp.array) -> wp.array:
+        """The feasible layouts [B, N] (vec4) nearest to poses."""
+        batch = replace(self._movable(which, poses), weights=weights(pull=PULL))
+        run(batch, "projection", "given", None, Monitor(batch.size))
+        return batch.state.poses
 
     def _movable(self, which: wp.array, poses: wp.array) -> Batch:
         """A batch of its own memory at some poses."""
@@ -328,7 +331,7 @@ def compile(scenes: Scene | Sequence[Scene], *, device: str = "auto") -> Problem
 
     Example:
         >>> import sceneweaver as sw
-        >>> problem = sw.compile(sw.Scene.load(sw.scene.EXAMPLES / "bedroom.json"), device="cpu")
+        >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
         >>> poses = problem.sample(0, 8)
         >>> problem.energy(poses).shape
         (8,)

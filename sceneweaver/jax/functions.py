@@ -1,0 +1,175 @@
+"""The functions: shapes are made [B, N, 4], the engine is called, derivatives are said in JAX's own terms."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from math import prod
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from sceneweaver.layout import Problem
+from sceneweaver.scene import InputError
+
+from .calls import energy_call, feasible_call, number_of, project_call, residuals_call, sample_call
+
+Array = Any
+
+
+def energy(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
+    """Energy [...] float32 [m] of layouts [..., N, 4]: `Problem.energy`, differentiable once, forwards and backwards.
+
+    Args:
+        problem: from `sceneweaver.compile`; static under ``jit``.
+        poses: x, y, z [m] and yaw [rad], float32.
+        which: the scene of each layout, whole numbers that broadcast against the leading dimensions; numbers out of
+            range count as the nearest. Left out, [B, N, 4] has equal parts, scene after scene.
+
+    Raises:
+        InputError: another shape or type of number, or no ``which`` where it takes one.
+
+    Example:
+        >>> import jax, sceneweaver as sw, sceneweaver.jax as swj
+        >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+        >>> poses = swj.sample(problem, jax.random.key(0), 8)
+        >>> jax.jit(jax.vmap(jax.grad(lambda x: swj.energy(problem, x))))(poses).shape == poses.shape
+        True
+    """
+    return _flat(_energy, problem, poses, which)
+
+
+def energy_and_grad(problem: Problem, poses: Array, which: Array | None = None) -> tuple[jax.Array, jax.Array]:
+    """Energies [...] and their gradients [..., N, 4] in one call; the gradient itself has no derivative."""
+    return _flat(_launch_energy, problem, poses, which)
+
+
+def residuals(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
+    """Residuals [..., M] [m]: `Problem.residuals`. ``jacfwd``, ``jacrev`` and least-squares solvers go through it.
+
+    The energy is the sum of their squares over 0.1 m. Errors as for `energy`.
+    """
+    return _flat(_residuals, problem, poses, which)
+
+
+def feasible(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
+    """Which layouts [...] bool the engine calls valid: `Problem.feasible`. Errors as for `energy`."""
+    return _flat(_launch_feasible, problem, poses, which)
+
+
+def project(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
+    """The feasible layouts [..., N, 4] nearest to poses: `Problem.project`. It has no derivative. Errors as above."""
+    return _flat(_launch_project, problem, poses, which)
+
+
+def sample(problem: Problem, key: Array, count: int) -> jax.Array:
+    """Draw layouts [S * count, N, 4] to start from, ``count`` of each scene: `Problem.sample`, by a key of JAX."""
+    scenes = len(problem.mask)
+    rng = jax.random.bits(key, (scenes * count,), "uint32")
+    return _launch_sample(problem, rng, jnp.repeat(jnp.arange(scenes, dtype=jnp.int32), count))
+
+
+def carry(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
+    """Poses [..., N, 4] with all that is carried put where the scene has it on its root; differentiable.
+
+    ``energy(problem, carry(problem, poses))`` is a function of the roots alone: those that ``free`` lets move.
+    """
+    return _flat(_carry, problem, poses, which)
+
+
+def free(problem: Problem, which: Array = 0) -> jax.Array:
+    """One for each coordinate [..., N, 4] that may change, else zero: what to multiply gradients with."""
+    return jnp.asarray(problem.free, dtype=jnp.float32)[which]
+
+
+def _flat(function: Callable, problem: Problem, poses: Array, which: Array | None) -> Any:
+    """Call a function of poses [B, N, 4] and which [B] with any leading dimensions."""
+    if not isinstance(problem, Problem):
+        raise InputError(f"problem: {type(problem).__name__} is no Problem; sceneweaver.compile makes one")
+    poses = jnp.asarray(poses)
+    if poses.ndim < 2 or poses.shape[-2:] != (problem.objects, 4):
+        raise InputError(f"poses: an array of shape {poses.shape}; poses are [..., {problem.objects}, 4]")
+    if poses.dtype != jnp.float32:
+        raise InputError(f"poses: numbers of type {poses.dtype}; poses are float32")
+    lead, scenes = poses.shape[:-2], len(problem.mask)
+    if which is None:
+        if scenes > 1 and (len(lead) != 1 or lead[0] % scenes):
+            raise InputError(f"which: left out, poses are [B, N, 4] with B a multiple of the {scenes} scenes")
+        which = np.repeat(np.arange(scenes, dtype=np.int32), prod(lead) // scenes).reshape(lead)
+    which = jnp.asarray(which)
+    if not jnp.issubdtype(which.dtype, jnp.integer):
+        raise InputError(f"which: numbers of type {which.dtype}; scenes are whole numbers")
+    try:
+        which = jnp.broadcast_to(jnp.clip(which.astype(jnp.int32), 0, scenes - 1), lead)
+    except ValueError:
+        raise InputError(f"which: an array of shape {which.shape}; there are {lead} layouts") from None
+    found = function(problem, poses.reshape(-1, *poses.shape[-2:]), which.reshape(-1))
+    return jax.tree.map(lambda values: values.reshape(*lead, *values.shape[1:]), found)
+
+
+_static = partial(jax.jit, static_argnums=0)  # without it each call from outside of jit would be compiled anew
+
+
+@_static
+def _launch_energy(problem: Problem, poses: jax.Array, which: jax.Array) -> tuple[jax.Array, jax.Array]:
+    dims = {"energy": poses.shape[:1], "gradient": poses.shape[:2]}
+    return tuple(energy_call(poses, which, number_of(problem), output_dims=dims))
+
+
+@_static
+def _launch_residuals(problem: Problem, poses: jax.Array, which: jax.Array) -> tuple[jax.Array, jax.Array]:
+    dims = {"residual": (len(poses), problem.items), "slope": (len(poses), problem.items, 3)}
+    return tuple(residuals_call(poses, which, number_of(problem), output_dims=dims))
+
+
+@_static
+def _launch_feasible(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Array:
+    return feasible_call(poses, which, number_of(problem), output_dims=poses.shape[:1])[0]
+
+
+@_static
+def _launch_project(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Array:
+    return project_call(poses, which, number_of(problem), output_dims=poses.shape[:2])[0]
+
+
+@_static
+def _launch_sample(problem: Problem, rng: jax.Array, which: jax.Array) -> jax.Array:
+    return sample_call(rng, which, number_of(problem), output_dims=(len(rng), problem.objects))[0]
+
+
+@partial(jax.custom_jvp, nondiff_argnums=(0,))
+def _energy(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Array:
+    return _launch_energy(problem, poses, which)[0]
+
+
+@_energy.defjvp
+def _energy_jvp(problem: Problem, primals: tuple, tangents: tuple) -> tuple[jax.Array, jax.Array]:
+    """The derivative along a tangent is linear in it, so JAX turns it round for ``grad`` itself."""
+    value, gradient = _launch_energy(problem, *primals)
+    return value, jnp.sum(gradient * tangents[0], axis=(1, 2))
+
+
+@partial(jax.custom_jvp, nondiff_argnums=(0,))
+def _residuals(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Array:
+    return _launch_residuals(problem, poses, which)[0]
+
+
+@_residuals.defjvp
+def _residuals_jvp(problem: Problem, primals: tuple, tangents: tuple) -> tuple[jax.Array, jax.Array]:
+    """Each item moves with its three objects at most."""
+    value, slope = _launch_residuals(problem, *primals)
+    objects = jnp.maximum(jnp.asarray(problem.item_objects)[primals[1]], 0)  # slopes of missing ones are zero
+    moved = jax.vmap(lambda tangent, rows: tangent[rows])(tangents[0], objects)
+    return value, jnp.sum(slope * moved, axis=(2, 3))
+
+
+def _carry(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Array:
+    roots, offset = jnp.asarray(problem.roots)[which], jnp.asarray(problem.offsets)[which]
+    base = jnp.take_along_axis(poses, roots[..., None], axis=1)
+    cos, sin = jnp.cos(base[..., 3]), jnp.sin(base[..., 3])
+    x = base[..., 0] + cos * offset[..., 0] - sin * offset[..., 1]
+    y = base[..., 1] + sin * offset[..., 0] + cos * offset[..., 1]
+    carried = jnp.stack([x, y, base[..., 2] + offset[..., 2], base[..., 3] + offset[..., 3]], axis=-1)
+    return jnp.where((roots != jnp.arange(problem.objects))[..., None], carried, poses)
