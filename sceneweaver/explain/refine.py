@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from sceneweaver.layout import Progress, QualityTerm, Solution, engine
+from sceneweaver.layout import Progress, QualityTerm, Solution, StepOptimizer, engine
 from sceneweaver.scene import Scene
 
 from .report import explain as find_reason
@@ -23,7 +23,7 @@ def refine(
     seed: int = 0,
     init: str | np.ndarray = "sample",
     device: str = "auto",
-    optimizer: str = "search",
+    optimizer: str | StepOptimizer = "search",
     time_limit: float | None = None,
     steps: int | None = None,
     progress: Progress | None = None,
@@ -40,7 +40,8 @@ def refine(
         init: "sample" draws starts from the relations, "random" anywhere, "current" begins with the scene's poses;
             an array [B, N, 4] of world poses (x, y, z, yaw) begins with those.
         device: "auto", "cpu", "cuda", "cuda:k" or "cuda:all", which splits the candidates over all GPUs.
-        optimizer: a name in ``sceneweaver.optimizers.OPTIMIZERS``.
+        optimizer: a name in ``sceneweaver.optimizers.OPTIMIZERS``, that of an entry point in the group
+            ``sceneweaver.optimizers``, or an object with ``init``, ``step`` and ``best``.
         time_limit: seconds after which to stop with what there is; the result says that it was cut off.
         steps: the optimiser's budget in its own work units (search: attempts, projection: tries of a candidate from
             the first feasible one on, the others: steps).
@@ -77,7 +78,7 @@ def refine_many(
     seed: int = 0,
     init: str = "sample",
     device: str = "auto",
-    optimizer: str = "search",
+    optimizer: str | StepOptimizer = "search",
     time_limit: float | None = None,
     steps: int | None = None,
     progress: Progress | None = None,

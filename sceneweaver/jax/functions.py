@@ -71,12 +71,13 @@ def sample(problem: Problem, key: Array, count: int) -> jax.Array:
     return _launch_sample(problem, rng, jnp.repeat(jnp.arange(scenes, dtype=jnp.int32), count))
 
 
-def carry(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
-    """Poses [..., N, 4] with all that is carried put where the scene has it on its root; differentiable.
+def carry(problem: Problem, poses: Array, which: Array | None = None, *, like: Array | None = None) -> jax.Array:
+    """Poses [..., N, 4] with all that is carried put on its root as it stands in ``like``; differentiable.
 
-    ``energy(problem, carry(problem, poses))`` is a function of the roots alone: those that ``free`` lets move.
+    ``like`` [..., N, 4] defaults to the scenes as given. ``energy(problem, carry(problem, poses))`` is a function of
+    the roots alone, and so of what ``free`` lets move.
     """
-    return _flat(_carry, problem, poses, which)
+    return _flat(_carry, problem, poses, which, *(() if like is None else (like,)))
 
 
 def free(problem: Problem, which: Array = 0) -> jax.Array:
@@ -84,8 +85,8 @@ def free(problem: Problem, which: Array = 0) -> jax.Array:
     return jnp.asarray(problem.free, dtype=jnp.float32)[which]
 
 
-def _flat(function: Callable, problem: Problem, poses: Array, which: Array | None) -> Any:
-    """Call a function of poses [B, N, 4] and which [B] with any leading dimensions."""
+def _flat(function: Callable, problem: Problem, poses: Array, which: Array | None, *more: Array) -> Any:
+    """Call a function of poses [B, N, 4], which [B] and ``more`` poses with any leading dimensions."""
     if not isinstance(problem, Problem):
         raise InputError(f"problem: {type(problem).__name__} is no Problem; sceneweaver.compile makes one")
     poses = jnp.asarray(poses)
@@ -105,7 +106,8 @@ def _flat(function: Callable, problem: Problem, poses: Array, which: Array | Non
         which = jnp.broadcast_to(jnp.clip(which.astype(jnp.int32), 0, scenes - 1), lead)
     except ValueError:
         raise InputError(f"which: an array of shape {which.shape}; there are {lead} layouts") from None
-    found = function(problem, poses.reshape(-1, *poses.shape[-2:]), which.reshape(-1))
+    flat = [jnp.broadcast_to(x, poses.shape).reshape(-1, *poses.shape[-2:]) for x in (poses, *more)]
+    found = function(problem, flat[0], which.reshape(-1), *flat[1:])
     return jax.tree.map(lambda values: values.reshape(*lead, *values.shape[1:]), found)
 
 
@@ -165,11 +167,13 @@ def _residuals_jvp(problem: Problem, primals: tuple, tangents: tuple) -> tuple[j
     return value, jnp.sum(slope * moved, axis=(2, 3))
 
 
-def _carry(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Array:
-    roots, offset = jnp.asarray(problem.roots)[which], jnp.asarray(problem.offsets)[which]
-    base = jnp.take_along_axis(poses, roots[..., None], axis=1)
-    cos, sin = jnp.cos(base[..., 3]), jnp.sin(base[..., 3])
-    x = base[..., 0] + cos * offset[..., 0] - sin * offset[..., 1]
-    y = base[..., 1] + sin * offset[..., 0] + cos * offset[..., 1]
-    carried = jnp.stack([x, y, base[..., 2] + offset[..., 2], base[..., 3] + offset[..., 3]], axis=-1)
+def _carry(problem: Problem, poses: jax.Array, which: jax.Array, like: jax.Array | None = None) -> jax.Array:
+    """`geometry.se2` says the same in NumPy: ``absolute(relative(like, its root), root)``."""
+    model, roots = jnp.asarray(problem.home)[which] if like is None else like, jnp.asarray(problem.roots)[which]
+    old, new = (jnp.take_along_axis(x, roots[..., None], axis=1) for x in (model, poses))
+    turn, d = new[..., 3] - old[..., 3], model - old
+    cos, sin = jnp.cos(turn), jnp.sin(turn)
+    x = new[..., 0] + cos * d[..., 0] - sin * d[..., 1]
+    y = new[..., 1] + sin * d[..., 0] + cos * d[..., 1]
+    carried = jnp.stack([x, y, new[..., 2] + d[..., 2], model[..., 3] + turn], axis=-1)
     return jnp.where((roots != jnp.arange(problem.objects))[..., None], carried, poses)

@@ -11,12 +11,14 @@ from .problem import compile as compile
 from .quality import QualityTerm as QualityTerm
 from .rate import rate as rate
 from .solution import Solution as Solution
+from .stepwise import StepOptimizer as StepOptimizer
 
 __all__ = [
     "Problem",
     "Progress",
     "QualityTerm",
     "Solution",
+    "StepOptimizer",
     "Terms",
     "compile",
     "improve",

@@ -27,9 +27,11 @@ from .compile import CompiledScene, LayoutProblem, compile_scene
 from .devices import WALKED, pick_devices, solve_on
 from .job import Job
 from .pack import PULL, weights
+from .problem import Problem
 from .quality import QualityTerm, check_terms
 from .rate import rated, walked
 from .solution import Solution, best_of
+from .stepwise import MODULES, StepOptimizer, find_optimizer, run_stepwise
 from .surfaces import BROKEN, surfaces_hold
 
 INITS = ("sample", "random", "current")
@@ -47,7 +49,7 @@ def refine(
     seed: int = 0,
     init: str | np.ndarray = "sample",
     device: str = "auto",
-    optimizer: str = "search",
+    optimizer: str | StepOptimizer = "search",
     time_limit: float | None = None,
     steps: int | None = None,
     progress: Progress | None = None,
@@ -82,7 +84,7 @@ def refine_many(
     seed: int = 0,
     init: str = "sample",
     device: str = "auto",
-    optimizer: str = "search",
+    optimizer: str | StepOptimizer = "search",
     time_limit: float | None = None,
     steps: int | None = None,
     progress: Progress | None = None,
@@ -138,8 +140,7 @@ def _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps
             raise InputError(f"{name}: {value!r} is not a whole number of at least 1")
     if not isinstance(seed, int | np.integer) or not 0 <= seed < 2**32:
         raise InputError(f"seed: {seed!r} is not a whole number from 0 to 2**32 - 1")
-    if optimizer not in OPTIMIZERS:
-        raise InputError(f'optimizer: "{optimizer}" is not one of {", ".join(sorted(OPTIMIZERS))}')
+    find_optimizer(optimizer)
     if time_limit is not None and not time_limit > 0:
         raise InputError(f"time_limit: {time_limit!r} is not a positive number of seconds")
     if isinstance(init, str):
@@ -156,7 +157,7 @@ def _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps
 
 def solve(
     jobs: Sequence[Job],
-    optimizer: str,
+    optimizer: str | StepOptimizer,
     steps: int | None,
     device: str,
     monitor: Monitor,
@@ -164,6 +165,7 @@ def solve(
     snap: bool = False,
 ) -> list[Solution]:
     """Solve jobs in shared launches, rooms of like size together."""
+    method = find_optimizer(optimizer)
     load(device, *_modules(jobs, optimizer, device), *(SNAP_MODULES if snap else ()))
     pools = _pools(jobs, device, monitor.deadline)
     buckets: dict[tuple[str, int], list[int]] = {}
@@ -188,7 +190,11 @@ def solve(
         batch.state.rng.assign(
             np.concatenate([streams(job.seed, job.first + np.arange(n)) for job, n in zip(group, sizes, strict=True)])
         )
-        outcome = run(batch, optimizer, start, steps, monitor)
+        if isinstance(method, StepOptimizer):
+            problem = Problem([j.compiled.scene for j in group], [j.compiled.room for j in group], device)
+            outcome = run_stepwise(method, problem, batch, start, group[0].seed, steps, monitor)
+        else:
+            outcome = run(batch, method, start, steps, monitor)
         if snap:
             batch = replace(batch, weights=weights())
             snap_batch(batch, _orders([job.compiled.room for job in group], batch.objects))
@@ -239,9 +245,11 @@ def _orders(problems: Sequence[LayoutProblem], objects: int) -> np.ndarray:
     return orders
 
 
-def _modules(jobs: Sequence[Job], optimizer: str, device: str) -> list[str]:
+def _modules(jobs: Sequence[Job], optimizer: str | StepOptimizer, device: str) -> list[str]:
     """The kernel modules that these jobs need."""
-    names = ["bookkeeping", "verdict", "walk", *OPTIMIZERS[optimizer].modules_on(device)]
+    method = find_optimizer(optimizer)
+    own = MODULES if isinstance(method, StepOptimizer) else OPTIMIZERS[method].modules_on(device)
+    names = ["bookkeeping", "verdict", "walk", *own]
     if any(job.compiled.domains or job.start != "given" for job in jobs):
         # What stands on surfaces is searched, whatever lays out the room, and so starts are drawn.
         names += OPTIMIZERS["search"].modules_on(device)
@@ -332,7 +340,9 @@ def _layouts(batch: Batch, jobs: Sequence[Job]) -> list[np.ndarray]:
     return layouts
 
 
-def _prepared(jobs: Sequence[Job], devices: Sequence[str], optimizer: str, monitor: Monitor) -> list[Job]:
+def _prepared(
+    jobs: Sequence[Job], devices: Sequence[str], optimizer: str | StepOptimizer, monitor: Monitor
+) -> list[Job]:
     """The jobs with their surfaces solved, when several devices would all solve them."""
     if len(devices) == 1:
         return list(jobs)
@@ -385,7 +395,7 @@ def _domain_batch(compiled: CompiledScene, world: np.ndarray, seed: int, first: 
     return batch
 
 
-def _mend_surfaces(job: Job, optimizer: str, device: str, deadline: float | None) -> None:
+def _mend_surfaces(job: Job, optimizer: str | StepOptimizer, device: str, deadline: float | None) -> None:
     """Put what the given poses have on a surface back on it, with as little change as that takes."""
     how = "projection" if optimizer == "projection" else "search"
     compiled, world = job.compiled, job.world.copy()

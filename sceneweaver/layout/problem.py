@@ -126,12 +126,6 @@ class Problem:
         return roots
 
     @cached_property
-    def offsets(self) -> np.ndarray:
-        """Pose of each object in the frame of its root, as the scenes have them, [S, N, 4] float32."""
-        home = self.home.astype(np.float64)
-        return relative(home, np.take_along_axis(home, self.roots[..., None], axis=1)).astype(np.float32)
-
-    @cached_property
     def item_objects(self) -> np.ndarray:
         """The objects of each item, [S, M, 3] int32; -1: none."""
         table, start = self._items.objects.numpy().reshape(-1, 3), self._items.start.numpy()
@@ -213,13 +207,22 @@ class Problem:
         """
         return handed_out(self.projected(*self._read(poses, which)), poses)
 
-    def carry(self, poses: Array, which: Array | None = None) -> np.ndarray:
-        """Poses [B, N, 4] with all that is carried put where the scene has it on its root; as NumPy, on the host."""
+    def carry(self, poses: Array, which: Array | None = None, *, like: Array | None = None) -> np.ndarray:
+        """Poses [B, N, 4] with all that is carried put on its root as it stands in the layouts ``like``.
+
+        ``like`` [B, N, 4] defaults to the scenes as given. NumPy, on the host; `sceneweaver.jax.carry` is its twin.
+        """
         given, rows = self._read(poses, which)
         layouts, scene = given.numpy().astype(np.float64), rows.numpy()
-        base = np.take_along_axis(layouts, self.roots[scene][..., None], axis=1)
-        carried = self.roots[scene] != np.arange(self.objects)
-        return np.where(carried[..., None], absolute(self.offsets[scene], base), layouts).astype(np.float32)
+        model = self.home[scene] if like is None else poses_from(like, self.objects, self.device).numpy()
+        roots = self.roots[scene][..., None]
+        offset = relative(model.astype(np.float64), np.take_along_axis(model, roots, axis=1).astype(np.float64))
+        moved = absolute(offset, np.take_along_axis(layouts, roots, axis=1))
+        return np.where(roots != np.arange(self.objects)[:, None], moved, layouts).astype(np.float32)
+
+    def scene_of(self, count: int, which: Array | None = None) -> np.ndarray:
+        """The scene [B] int32 of each of so many layouts, as ``which`` says or leaves to be said."""
+        return self._which_of(which, count).numpy()
 
     # What follows takes Warp arrays: poses [B, N] of vec4 and which [B] int32, on the problem's device.
 
