@@ -1,0 +1,46 @@
+"""Problems and poses to try the public face of the engine with."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+import sceneweaver as sw
+from sceneweaver.layout import Problem
+from tests.kernels.harness import ROOMS, ZOO, noisy, scattered
+from tests.kernels.harness import zoo as compiled
+
+FEW = ("bedroom-small", "dining-round", "living-dining-L")  # boxes; round tables; a room whose outside is no box
+
+
+def rooms(mark) -> list:
+    """All zoo rooms; those that take long bear the mark."""
+    return [name if name in FEW else pytest.param(name, marks=mark) for name in ROOMS]
+
+
+@cache
+def problem_of(*names: str) -> Problem:
+    """The problem of zoo rooms, on the CPU."""
+    scenes = [sw.Scene.load(ZOO / f"{name}.json") for name in names]
+    return sw.compile(scenes if len(names) > 1 else scenes[0], device="cpu")
+
+
+def poses_of(name: str, count: int, seed: int = 0) -> np.ndarray:
+    """Poses [B, N, 4] float32 of a zoo room: half of them scattered, half near the scene's own."""
+    problem, rng = compiled(name).room, np.random.default_rng(seed)
+    layouts = [scattered(problem, rng) if i % 2 else noisy(problem, rng, 0.1) for i in range(count)]
+    return np.stack(layouts).astype(np.float32)
+
+
+def differences(energy, poses: np.ndarray, coordinates: np.ndarray, step: float) -> np.ndarray:
+    """Central differences of an energy of poses [N, 4] by some coordinates [K, 2], in the steps that float32 takes."""
+    moved = np.repeat(poses[None], 2 * len(coordinates), axis=0)
+    rows = np.arange(len(coordinates))
+    moved[2 * rows, coordinates[:, 0], coordinates[:, 1]] += np.float32(step)
+    moved[2 * rows + 1, coordinates[:, 0], coordinates[:, 1]] -= np.float32(step)
+    ends = moved[:, coordinates[:, 0].repeat(2), coordinates[:, 1].repeat(2)].astype(np.float64)
+    along = ends[2 * rows, 2 * rows] - ends[2 * rows + 1, 2 * rows + 1]
+    values = np.asarray(energy(moved), dtype=np.float64)
+    return (values[2 * rows] - values[2 * rows + 1]) / along
