@@ -117,13 +117,15 @@ _static = partial(jax.jit, static_argnums=0)  # without it each call from outsid
 @_static
 def _launch_energy(problem: Problem, poses: jax.Array, which: jax.Array) -> tuple[jax.Array, jax.Array]:
     dims = {"energy": poses.shape[:1], "gradient": poses.shape[:2]}
-    return tuple(energy_call(poses, which, number_of(problem), output_dims=dims))
+    energies, gradients = energy_call(poses, which, number_of(problem), output_dims=dims)
+    return energies, gradients
 
 
 @_static
 def _launch_residuals(problem: Problem, poses: jax.Array, which: jax.Array) -> tuple[jax.Array, jax.Array]:
     dims = {"residual": (len(poses), problem.items), "slope": (len(poses), problem.items, 3)}
-    return tuple(residuals_call(poses, which, number_of(problem), output_dims=dims))
+    values, slopes = residuals_call(poses, which, number_of(problem), output_dims=dims)
+    return values, slopes
 
 
 @_static

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import warp as wp
@@ -49,7 +49,7 @@ def from_dlpack(name: str, values: Array) -> wp.array:
     """
     wp.init()
     try:
-        return wp.from_dlpack(values)
+        return cast(wp.array, wp.from_dlpack(values))
     except Exception as error:  # each library raises its own
         raise InputError(f"{name}: not an array that can be shared by DLPack: {str(error).splitlines()[0]}") from error
 

@@ -47,7 +47,7 @@ def batch_at(packed: Packed, which: wp.array, poses: wp.array) -> Batch:
     """Candidates of packed problems (``which`` [B]) at poses [B, N], which are read in place and never written."""
     state, device = State(), packed.device
     state.poses = poses
-    state.turns = wp.empty(poses.shape, dtype=wp.vec2, device=device)
+    state.turns = wp.zeros(poses.shape, dtype=wp.vec2, device=device)
     state.options = wp.zeros((poses.shape[0], max(packed.relations, 1)), dtype=wp.int32, device=device)
     wp.launch(set_turns, poses.shape, [poses], [state.turns], device=device)
     return Batch(

@@ -108,13 +108,14 @@ def metadata_of(layout: LayoutProblem) -> Metadata:
     """What stands where in the arrays of a layout's problem."""
     free, (lower, upper) = freedom_of(layout), bounds_of(layout)
     objects = tuple(
-        ObjectInfo(name, *(tuple(a[i].tolist()) for a in (layout.sizes, free, lower, upper)), int(layout.roots[i]))
-        for i, name in enumerate(layout.ids)
+        ObjectInfo(name, *map(tuple, row), root)  # pyright: ignore[reportCallIssue]
+        for name, *row, root in zip(
+            layout.ids, *(a.tolist() for a in (layout.sizes, free, lower, upper, layout.roots)), strict=True
+        )
     )
     named = [*layout.relation_ids, *([None] * (len(layout.relations) - len(layout.relation_ids)))]
     relations = tuple(
         RelationInfo(index, tuple(o for o in r.objects if o >= 0), r.fault != 0, float(r.weight))
         for index, r in zip(named, layout.relations, strict=True)
     )
-    box = tuple(float(v) for v in layout.region.box)
-    return Metadata(objects, relations, items_of(layout), box, float(layout.region.height))  # pyright: ignore[reportArgumentType]
+    return Metadata(objects, relations, items_of(layout), layout.region.box, float(layout.region.height))

@@ -213,7 +213,7 @@ class Problem:
         ``like`` [B, N, 4] defaults to the scenes as given. NumPy, on the host; `sceneweaver.jax.carry` is its twin.
         """
         given, rows = self._read(poses, which)
-        layouts, scene = given.numpy().astype(np.float64), rows.numpy()
+        layouts, scene = np.asarray(given.numpy(), dtype=np.float64), np.asarray(rows.numpy(), dtype=np.int32)
         model = self.home[scene] if like is None else poses_from(like, self.objects, self.device).numpy()
         roots = self.roots[scene][..., None]
         offset = relative(model.astype(np.float64), np.take_along_axis(model, roots, axis=1).astype(np.float64))
@@ -222,7 +222,7 @@ class Problem:
 
     def scene_of(self, count: int, which: Array | None = None) -> np.ndarray:
         """The scene [B] int32 of each of so many layouts, as ``which`` says or leaves to be said."""
-        return self._which_of(which, count).numpy()
+        return np.asarray(self._which_of(which, count).numpy(), dtype=np.int32)
 
     # What follows takes Warp arrays: poses [B, N] of vec4 and which [B] int32, on the problem's device.
 
@@ -241,9 +241,8 @@ class Problem:
 
     def drawn(self, rng: wp.array, which: wp.array) -> wp.array:
         """Layouts [B, N] (vec4) to start from, by a word of uint32 [B] for each."""
-        home = wp.array(self.home, dtype=wp.vec4, device=self.device)
-        scene = which.numpy()
-        batch = self._movable(which, wp.array(home.numpy()[scene], dtype=wp.vec4, device=self.device))
+        home = self.home[np.asarray(which.numpy(), dtype=np.int32)]
+        batch = self._movable(which, wp.array(home, dtype=wp.vec4, device=self.device))
         wp.copy(batch.state.rng, rng)
         draw_starts(batch, "sample")
         return batch.state.poses
@@ -256,7 +255,7 @@ class Problem:
 
     def _movable(self, which: wp.array, poses: wp.array) -> Batch:
         """A batch of its own memory at some poses."""
-        batch = make_batch(self._layouts, which.numpy(), self.device)
+        batch = make_batch(self._layouts, np.asarray(which.numpy()), self.device)
         for into in (batch.state.poses, batch.state.anchors):
             wp.copy(into, poses)
         wp.launch(set_turns, poses.shape, [poses], [batch.state.turns], device=self.device)
@@ -267,12 +266,12 @@ class Problem:
         laden = [s for s, compiled in enumerate(self._compiled) if compiled.domains or compiled.room.faulty]
         if not laden:
             return wp.full(batch.size, 1, dtype=wp.int32, device=self.device)
-        scene, good = batch.problem.numpy(), np.ones(batch.size, dtype=np.int32)
+        scene, good = np.asarray(batch.problem.numpy(), dtype=np.int32), np.ones(batch.size, dtype=np.int32)
         for s in laden:
             rows = np.flatnonzero(scene == s)
             if rows.size:
-                poses = batch.state.poses.numpy()[rows]
-                some = self._movable(batch.problem[: rows.size], wp.array(poses, dtype=wp.vec4, device=self.device))
+                poses = wp.array(batch.state.poses.numpy()[rows], dtype=wp.vec4, device=self.device)
+                some = self._movable(wp.full(rows.size, s, dtype=wp.int32, device=self.device), poses)
                 good[rows] = surfaces_hold(self._compiled[s], some, 0, rows.size) & ~self._compiled[s].room.faulty
         return wp.array(good, dtype=wp.int32, device=self.device)
 
@@ -285,7 +284,9 @@ class Problem:
         if which is None:
             if count not in self._which:
                 if count % len(self._layouts):
-                    text = f"which: {count} layouts are no equal parts of {len(self._layouts)} scenes; say whose each is"
+                    text = (
+                        f"which: {count} layouts are no equal parts of {len(self._layouts)} scenes; say whose each is"
+                    )
                     raise InputError(text)
                 rows = np.repeat(np.arange(len(self._layouts), dtype=np.int32), count // len(self._layouts))
                 self._which = {count: wp.array(rows, dtype=wp.int32, device=self.device)}

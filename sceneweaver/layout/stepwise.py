@@ -108,7 +108,7 @@ def run_stepwise(
         if monitor.expired():
             break
         state = optimizer.step(state)
-    scene, before = batch.problem.numpy(), given.numpy()
+    scene, before = np.asarray(batch.problem.numpy(), dtype=np.int32), np.asarray(given.numpy())
     after = poses_from(optimizer.best(state), problem.objects, problem.device).numpy()
     if len(after) != len(before):
         raise InputError(f"optimizer: best gave poses of {len(after)} layouts; there are {len(before)}")
