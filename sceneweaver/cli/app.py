@@ -38,23 +38,15 @@ app = typer.Typer(
 )
 
 
+OPTIMIZERS = ("search", "adam", "langevin", "lbfgs", "tempering", "projection")  # those that are built in
+
+
 class Init(StrEnum):
     """Where candidates start."""
 
     SAMPLE = "sample"
     RANDOM = "random"
     CURRENT = "current"
-
-
-class Optimizer(StrEnum):
-    """How candidates are improved."""
-
-    SEARCH = "search"
-    ADAM = "adam"
-    LANGEVIN = "langevin"
-    LBFGS = "lbfgs"
-    TEMPERING = "tempering"
-    PROJECTION = "projection"
 
 
 class Planner(StrEnum):
@@ -119,7 +111,12 @@ def refine(
     seed: Seed = 0,
     init: Annotated[Init, typer.Option(help="Where the layouts start.")] = Init.SAMPLE,
     device: Device = "auto",
-    optimizer: Annotated[Optimizer, typer.Option(help="How the layouts are improved.")] = Optimizer.SEARCH,
+    optimizer: Annotated[
+        str,
+        typer.Option(
+            metavar="NAME", help=f"How the layouts are improved: {', '.join(OPTIMIZERS)}, or one of a package."
+        ),
+    ] = "search",
     time_limit: TimeLimit = None,
     as_json: Json = False,
     picture: Picture = True,
@@ -134,7 +131,7 @@ def refine(
         seed=seed,
         init=init.value,
         device=device,
-        optimizer=optimizer.value,
+        optimizer=optimizer,
         time_limit=time_limit,
         as_json=as_json,
         picture=picture,

@@ -71,6 +71,9 @@ def run_refine(
     picture: bool,
 ) -> int:
     """Refine a scene file into a folder, or into a scene file when ``out`` ends in .json."""
+    from sceneweaver.layout import find_optimizer
+
+    find_optimizer(optimizer)
     result = _run(
         Scene.load(source),
         out,

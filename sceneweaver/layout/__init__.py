@@ -12,6 +12,7 @@ from .quality import QualityTerm as QualityTerm
 from .rate import rate as rate
 from .solution import Solution as Solution
 from .stepwise import StepOptimizer as StepOptimizer
+from .stepwise import find_optimizer as find_optimizer
 
 __all__ = [
     "Problem",
@@ -21,6 +22,7 @@ __all__ = [
     "StepOptimizer",
     "Terms",
     "compile",
+    "find_optimizer",
     "improve",
     "rate",
     "refine",
