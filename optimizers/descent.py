@@ -73,46 +73,54 @@ def new_gradients(batch: Batch, fill: float = 0.0) -> Gradients:
     return found
 
 
+class DescentRun:
+    """A descent under way, in stretches of `REASSIGN` steps; every candidate ends at the lowest energy it passed."""
+
+    def __init__(self, batch: Batch, rule: UpdateRule, schedule: Schedule) -> None:
+        """Begin at the batch's poses; ``rule`` says how a step is taken, ``schedule`` step sizes and their number."""
+        device, layouts = batch.device, [by_object(batch.state) for _ in range(2)]  # time may run out at once
+        self.batch, self.memory = batch, DescentMemory()
+        self.memory.mean = per_object(batch, wp.vec4) if rule.keeps_mean else wp.zeros((1, 1), wp.vec4, device=device)
+        self.memory.square, self.memory.best = per_object(batch, wp.vec4), per_object(batch, wp.vec4).transpose()
+        self.memory.rng = batch.state.rng
+        self.buffers = [StepBuffer(), StepBuffer()]
+        for buffer, state in zip(self.buffers, layouts, strict=True):
+            buffer.poses, buffer.turns = state.poses, state.turns
+            buffer.share = per_object(batch, wp.float32, np.inf)
+            buffer.lowest = wp.full(batch.size, np.inf, dtype=wp.float32, device=device)
+            buffer.clock = wp.zeros(1, dtype=wp.int32, device=device)
+        self.block = Launches(device)
+        add_choice(self.block, batch, layouts[0], [state.options for state in layouts])
+        self._chosen = len(self.block)  # launches before the steps: none without relations
+        each = new_gradients(batch)
+        for k in range(REASSIGN):
+            now, other = self.buffers[k % 2], self.buffers[(k + 1) % 2]
+            add_gradients(self.block, batch, layouts[k % 2], now.lowest, each)
+            inputs = [batch.problems, schedule, each]
+            outputs = [self.memory, now, other]
+            self.block.add(rule.kernel, threads(batch, batch.objects), inputs, outputs, block=BLOCK)
+        self._last = 1  # the buffer of the last step
+
+    def play(self, monitor: Monitor, steps: int) -> None:
+        """Take so many steps, or fewer when time runs out. After an incomplete stretch no more may follow."""
+        per_step = (len(self.block) - self._chosen) // REASSIGN
+        times, rest = divmod(steps, REASSIGN)
+        done = self.block.play(monitor, times, self._chosen + per_step * rest if rest else 0)
+        self._last = (rest + 1) % 2 if done else 1
+
+    def finish(self) -> wp.array:
+        """Give the batch each candidate's best poses so far; their energies [B] float32, on the device."""
+        batch, last, before = self.batch, self.buffers[self._last], self.buffers[1 - self._last]
+        total = wp.zeros(batch.size, dtype=wp.float32, device=batch.device)
+        wp.launch(add_up, batch.size, [batch.problems, last.share], [total], device=batch.device)
+        return finish(batch, last.poses, total, self.memory.best, before.lowest)
+
+
 def descend(batch: Batch, rule: UpdateRule, schedule: Schedule, monitor: Monitor) -> wp.array:
-    """Take all of a schedule's steps in place; every candidate ends at the lowest energy that it passed.
-
-    Args:
-        batch: the candidates, at the poses to start from.
-        rule: how a step is taken.
-        schedule: step sizes and the number of steps.
-        monitor: may stop the descent before its end.
-
-    Returns:
-        The candidates' energies [B] float32, on the device.
-    """
-    device, layouts = batch.device, [by_object(batch.state) for _ in range(2)]  # time may run out at once
-    memory = DescentMemory()
-    memory.mean = per_object(batch, wp.vec4) if rule.keeps_mean else wp.zeros((1, 1), dtype=wp.vec4, device=device)
-    memory.square, memory.best = per_object(batch, wp.vec4), per_object(batch, wp.vec4).transpose()
-    memory.rng = batch.state.rng
-    buffers = [StepBuffer(), StepBuffer()]
-    for buffer, state in zip(buffers, layouts, strict=True):
-        buffer.poses, buffer.turns = state.poses, state.turns
-        buffer.share = per_object(batch, wp.float32, np.inf)
-        buffer.lowest = wp.full(batch.size, np.inf, dtype=wp.float32, device=device)
-        buffer.clock = wp.zeros(1, dtype=wp.int32, device=device)
-
-    block = Launches(device)
-    add_choice(block, batch, layouts[0], [state.options for state in layouts])
-    chosen = len(block)  # launches before the steps: none without relations
-    each = new_gradients(batch)
-    for k in range(REASSIGN):
-        now, other = buffers[k % 2], buffers[(k + 1) % 2]
-        add_gradients(block, batch, layouts[k % 2], now.lowest, each)
-        inputs = [batch.problems, schedule, each]
-        block.add(rule.kernel, threads(batch, batch.objects), inputs, [memory, now, other], block=BLOCK)
-    per_step = (len(block) - chosen) // REASSIGN
-    times, rest = divmod(schedule.steps + 1, REASSIGN)  # the last step is there to measure where the one before led
-    done = block.play(monitor, times, chosen + per_step * rest if rest else 0)
-    a = (rest + 1) % 2 if done else 1  # the buffers of the last step
-    total = wp.zeros(batch.size, dtype=wp.float32, device=device)
-    wp.launch(add_up, batch.size, [batch.problems, buffers[a].share], [total], device=device)
-    return finish(batch, buffers[a].poses, total, memory.best, buffers[1 - a].lowest)
+    """Take all of a schedule's steps in place, unless time runs out; the candidates' energies [B] on the device."""
+    run = DescentRun(batch, rule, schedule)
+    run.play(monitor, schedule.steps + 1)  # the last step is there to measure where the one before led
+    return run.finish()
 
 
 def finish(batch: Batch, last: wp.array, total: wp.array, best: wp.array, lowest: wp.array) -> wp.array:

@@ -11,6 +11,7 @@ from .problem import compile as compile
 from .quality import QualityTerm as QualityTerm
 from .rate import rate as rate
 from .solution import Solution as Solution
+from .stepwise import StepDescent as StepDescent
 from .stepwise import StepOptimizer as StepOptimizer
 from .stepwise import find_optimizer as find_optimizer
 
@@ -19,6 +20,7 @@ __all__ = [
     "Progress",
     "QualityTerm",
     "Solution",
+    "StepDescent",
     "StepOptimizer",
     "Terms",
     "compile",

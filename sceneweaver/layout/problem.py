@@ -224,6 +224,10 @@ class Problem:
         """The scene [B] int32 of each of so many layouts, as ``which`` says or leaves to be said."""
         return np.asarray(self._which_of(which, count).numpy(), dtype=np.int32)
 
+    def batch(self, poses: Array, which: Array | None = None) -> Batch:
+        """Layouts at poses as the engine's own batch, with memory of its own: what `Optimizer`s move."""
+        return self._movable(*self._read(poses, which)[::-1])
+
     # What follows takes Warp arrays: poses [B, N] of vec4 and which [B] int32, on the problem's device.
 
     def measured(self, poses: wp.array, which: wp.array) -> tuple[wp.array, wp.array]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from importlib.metadata import entry_points
 from typing import Any, Protocol, runtime_checkable
 
@@ -9,7 +10,8 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.bookkeeping import set_turns
-from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, OptimizerResult
+from sceneweaver.optimizers import OPTIMIZERS, Batch, Descent, Monitor, OptimizerResult, streams
+from sceneweaver.optimizers.descent import REASSIGN, DescentRun
 from sceneweaver.optimizers.starts import draw_starts
 from sceneweaver.scene import InputError
 
@@ -48,6 +50,42 @@ class StepOptimizer(Protocol):
         Only coordinates in ``problem.free`` are taken from it; what is carried goes along with its root.
         """
         ...
+
+
+@dataclass(frozen=True)
+class StepDescent:
+    """A built-in update rule as a `StepOptimizer`: a step is 20 of the rule's own.
+
+    ``name`` is "adam" or "langevin", ``total`` the number of the rule's steps that its schedule spans. The same as
+    ``optimizer=name`` of `sceneweaver.refine` from drawn starts, to look into or to compare with.
+    """
+
+    name: str = "adam"
+    total: int = 399
+
+    @property
+    def steps(self) -> int:
+        """Steps of a run: the last measures where the one before led."""
+        return -(-(self.total + 1) // REASSIGN)
+
+    def init(self, problem: Problem, poses: Array, key: int) -> DescentRun:
+        """The descent before its first step."""
+        rule = OPTIMIZERS.get(self.name)
+        if not isinstance(rule, Descent):
+            raise InputError(f'optimizer: "{self.name}" is no update rule')
+        batch = problem.batch(poses)
+        batch.state.rng.assign(streams(key, np.arange(batch.size)))
+        return DescentRun(batch, rule.rule, rule.drawn.schedule(self.total))
+
+    def step(self, state: DescentRun) -> DescentRun:
+        """The same descent, 20 steps on."""
+        state.play(Monitor(state.batch.size), REASSIGN)
+        return state
+
+    def best(self, state: DescentRun) -> Array:
+        """Poses of the lowest energies so far."""
+        state.finish()
+        return wp.clone(state.batch.state.poses)
 
 
 def find_optimizer(optimizer: str | StepOptimizer) -> str | StepOptimizer:

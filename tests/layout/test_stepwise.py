@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import sceneweaver as sw
-from sceneweaver.layout import StepOptimizer, stepwise
+from sceneweaver.layout import StepDescent, StepOptimizer, stepwise
 from tests.layout.made import BOX, CUP, relation, scene, table, thing
 
 FIXED = thing("fixed", fixed=True, pose=sw.Pose(position=(4.0, 3.0, 0.0)))
@@ -62,6 +62,29 @@ def test_it_runs_through_refine():
     problem = sw.compile(PAIR, device="cpu")
     np.testing.assert_array_equal(problem.energy(solution.poses), solution.energy)
     np.testing.assert_array_equal(problem.feasible(solution.poses), solution.status == 0)
+
+
+@pytest.mark.parametrize("name", ["adam", "langevin"])
+def test_the_built_in_rules_step_as_well(name):
+    """To the bit what the engine's own run makes of roots; a step of the protocol is a stretch of the engine's."""
+    own = {"candidates": 40, "init": "sample", "seed": 4, "device": "cpu", "explain": False}
+    scenes = (PAIR, scene([table(), CUP, BOX], [relation("near", "box", "table", max=0.2)]))
+    for what in scenes:
+        wanted = sw.refine(what, optimizer=name, steps=99, **own)
+        found = sw.refine(what, optimizer=StepDescent(name, 99), **own)
+        roots = [i for i, obj in enumerate(what.objects) if obj.support is None]
+        np.testing.assert_array_equal(found.poses[:, roots], wanted.poses[:, roots])
+        np.testing.assert_allclose(found.poses[..., :3], wanted.poses[..., :3], atol=1e-5)
+        np.testing.assert_array_equal(found.status, wanted.status)
+    problem = sw.compile(PAIR, device="cpu")
+    state = StepDescent(name).init(problem, problem.sample(0, 4), 0)
+    lowest = []
+    for _ in range(4):
+        state = StepDescent(name).step(state)
+        lowest.append(problem.energy(StepDescent(name).best(state).numpy()))
+    assert (np.diff(lowest, axis=0) <= 1e-6).all()
+    with pytest.raises(sw.InputError, match='optimizer: "search" is no update rule'):
+        StepDescent("search").init(problem, problem.home, 0)
 
 
 def test_it_begins_where_it_is_told():
