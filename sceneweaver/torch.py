@@ -6,12 +6,11 @@ PyTorch is not installed along with sceneweaver: ``pip install torch``.
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
-import torch  # pyright: ignore[reportMissingImports]
-from torch.autograd.function import once_differentiable  # pyright: ignore[reportMissingImports]
-
 from sceneweaver.layout import Problem
+from sceneweaver.scene import MissingDependencyError
 
 __all__ = ["energy", "feasible", "free", "residuals"]
 
@@ -27,54 +26,71 @@ def energy(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Tens
         which: the scene [B] of each layout; left out, equal parts, scene after scene.
 
     Raises:
-        InputError: another shape, type of number or device.
+        InputError: another shape, type of number or device. MissingDependencyError: PyTorch is not installed.
     """
-    return _Energy.apply(poses, problem, which)
+    return _functions()[0].apply(poses, problem, which)
 
 
 def residuals(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Tensor:
     """Residuals [B, M] [m]: `Problem.residuals`, differentiable once by the poses. Errors as for `energy`."""
-    return _Residuals.apply(poses, problem, which)
+    return _functions()[1].apply(poses, problem, which)
 
 
 def feasible(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Tensor:
     """Which layouts [B] bool the engine calls valid: `Problem.feasible`. Errors as for `energy`."""
+    torch = _torch()
     return torch.from_dlpack(problem.feasible(poses.detach().contiguous(), which))
 
 
 def free(problem: Problem, device: Any = None) -> Tensor:
     """One for each coordinate [S, N, 4] that may change, else zero: what to multiply gradients with."""
+    torch = _torch()
     return torch.as_tensor(problem.free, dtype=torch.float32, device=device)
 
 
-class _Energy(torch.autograd.Function):
-    @staticmethod
-    def forward(ctx: Any, poses: Tensor, problem: Problem, which: Tensor | None) -> Tensor:
-        total, gradient = problem.energy_and_grad(poses.detach().contiguous(), which)
-        ctx.save_for_backward(torch.from_dlpack(gradient))
-        return torch.from_dlpack(total)
-
-    @staticmethod
-    @once_differentiable
-    def backward(ctx: Any, up: Tensor) -> tuple[Tensor, None, None]:  # pyright: ignore[reportIncompatibleMethodOverride]
-        (gradient,) = ctx.saved_tensors
-        return up[:, None, None] * gradient, None, None
+def _torch() -> Any:
+    try:
+        import torch
+    except ImportError:
+        raise MissingDependencyError("PyTorch is not installed; pip install torch") from None
+    return torch
 
 
-class _Residuals(torch.autograd.Function):
-    @staticmethod
-    def forward(ctx: Any, poses: Tensor, problem: Problem, which: Tensor | None) -> Tensor:
-        residual, slope = problem.residuals(poses.detach().contiguous(), which)
-        scene = torch.as_tensor(problem.scene_of(len(poses), which), dtype=torch.int64)
-        objects = torch.as_tensor(problem.item_objects, dtype=torch.int64)[scene].clamp(min=0)
-        ctx.save_for_backward(torch.from_dlpack(slope), objects.to(poses.device))
-        ctx.shape = poses.shape
-        return torch.from_dlpack(residual)
+@cache
+def _functions() -> tuple[Any, Any]:
+    """The autograd functions of energy and residuals."""
+    torch = _torch()
+    once_differentiable = torch.autograd.function.once_differentiable
 
-    @staticmethod
-    @once_differentiable
-    def backward(ctx: Any, up: Tensor) -> tuple[Tensor, None, None]:  # pyright: ignore[reportIncompatibleMethodOverride]
-        slope, objects = ctx.saved_tensors
-        pulled = (up[:, :, None, None] * slope).flatten(1, 2)
-        gradient = torch.zeros(ctx.shape, dtype=slope.dtype, device=slope.device)
-        return gradient.scatter_add(1, objects.flatten(1, 2)[..., None].expand_as(pulled), pulled), None, None
+    class Energy(torch.autograd.Function):
+        @staticmethod
+        def forward(ctx: Any, poses: Tensor, problem: Problem, which: Tensor | None) -> Tensor:
+            total, gradient = problem.energy_and_grad(poses.detach().contiguous(), which)
+            ctx.save_for_backward(torch.from_dlpack(gradient))
+            return torch.from_dlpack(total)
+
+        @staticmethod
+        @once_differentiable
+        def backward(ctx: Any, up: Tensor) -> tuple[Tensor, None, None]:
+            (gradient,) = ctx.saved_tensors
+            return up[:, None, None] * gradient, None, None
+
+    class Residuals(torch.autograd.Function):
+        @staticmethod
+        def forward(ctx: Any, poses: Tensor, problem: Problem, which: Tensor | None) -> Tensor:
+            residual, slope = problem.residuals(poses.detach().contiguous(), which)
+            scene = torch.as_tensor(problem.scene_of(len(poses), which), dtype=torch.int64)
+            objects = torch.as_tensor(problem.item_objects, dtype=torch.int64)[scene].clamp(min=0)
+            ctx.save_for_backward(torch.from_dlpack(slope), objects.to(poses.device))
+            ctx.shape = poses.shape
+            return torch.from_dlpack(residual)
+
+        @staticmethod
+        @once_differentiable
+        def backward(ctx: Any, up: Tensor) -> tuple[Tensor, None, None]:
+            slope, objects = ctx.saved_tensors
+            pulled = (up[:, :, None, None] * slope).flatten(1, 2)
+            gradient = torch.zeros(ctx.shape, dtype=slope.dtype, device=slope.device)
+            return gradient.scatter_add(1, objects.flatten(1, 2)[..., None].expand_as(pulled), pulled), None, None
+
+    return Energy, Residuals

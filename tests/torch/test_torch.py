@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import sceneweaver as sw
+import sceneweaver.torch as swt
 from tests.layout.research import poses_of, problem_of, rooms
 
 torch = pytest.importorskip("torch")
-swt = pytest.importorskip("sceneweaver.torch")
 
 
 @pytest.mark.parametrize("name", rooms(pytest.mark.slow))
