@@ -191,7 +191,8 @@ def solve(
             np.concatenate([streams(job.seed, job.first + np.arange(n)) for job, n in zip(group, sizes, strict=True)])
         )
         if isinstance(method, StepOptimizer):
-            problem = Problem([j.compiled.scene for j in group], [j.compiled.room for j in group], device)
+            compiled = [job.compiled for job in group]
+            problem = Problem([c.scene for c in compiled], [c.room for c in compiled], device, compiled)
             outcome = run_stepwise(method, problem, batch, start, group[0].seed, steps, monitor)
         else:
             outcome = run(batch, method, start, steps, monitor)

@@ -64,12 +64,21 @@ class Problem:
         home: [S, N, 4] float32, the poses of the scenes as given, at the heights that their mounts demand.
     """
 
-    def __init__(self, scenes: Sequence[Scene], layouts: Sequence[LayoutProblem], device: str, **more: Any) -> None:
-        """Use `compile`; ``layouts`` are the scenes' compiled problems. ``more``: `_compiled`, of whole rooms."""
+    def __init__(
+        self,
+        scenes: Sequence[Scene],
+        layouts: Sequence[LayoutProblem],
+        device: str,
+        compiled: Sequence[CompiledScene] = (),
+    ) -> None:
+        """Use `compile`. ``layouts`` are the scenes' rooms or surfaces, ``compiled`` the scenes with all surfaces.
+
+        Without ``compiled`` the verdict does not look at surfaces.
+        """
         self.scenes = tuple(scenes)
         self.device = device
         self._layouts = tuple(layouts)
-        self._compiled: tuple[CompiledScene, ...] = tuple(more.get("compiled", ()))
+        self._compiled = tuple(compiled)
         self._which: dict[int, wp.array] = {}
         self._packed: Packed = pack(self._layouts, device)
         self._items, self._item_count = items_on(self._layouts, device)
@@ -351,4 +360,4 @@ def compile(scenes: Scene | Sequence[Scene], *, device: str = "auto") -> Problem
     if len(where) > 1:
         raise InputError(f'device: "{device}" is several; a problem lives on one')
     compiled = [compile_scene(scene) for scene in given]
-    return Problem(given, [each.room for each in compiled], where[0], compiled=compiled)
+    return Problem(given, [each.room for each in compiled], where[0], compiled)
