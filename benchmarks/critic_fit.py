@@ -1,13 +1,14 @@
 """How much each design rule costs: points fitted to the grades of strict eyes, and tried on scenes that were left out.
 
 A grade is ``10 exp(-lost / 10)``. Lost points are a baseline for what only eyes can tell, those of the older checks,
-for each rule its points times its breaches up to a most, and a share of those of the other criteria's rules (`spill`),
-all of it times how much the criterion feels breaches. In ``-10 ln(grade / 10)`` that is linear in the points, so they
-come from a non-negative least squares problem that is held at the drafted points by a ridge, and the weights of the
-criteria from another, in turn. Rows are weighted by the grade, so that errors count as errors of grades. The
-baseline is a share of all that strict eyes took off: that of the faults that only eyes can tell, or a few times as
-much, as not all that they see is named. This, the strength of the ridge and the spill are those with the best mean rank
-correlation on scenes that were left out, as grades are there to tell better from worse.
+and for each rule its points times its breaches up to a most, times how much the criterion feels breaches of its own
+rules (`weights`) or of the others' (`others`): who sees one thing wrong marks down the rest. In ``-10 ln(grade / 10)``
+that is linear in the points, so they come from a non-negative least squares problem that is held at the drafted points
+by a ridge; how much each criterion feels comes from another, with two unknowns for a criterion, that is held at 1; both
+in turn. Rows are weighted by the grade, so that errors count as errors of grades. The baseline is a share of all that
+strict eyes took off: that of the faults that only eyes can tell, or a few times as much, as not all that they see is
+named. This and the strengths of the two ridges are those with the best mean rank correlation on scenes that were left
+out, as grades are there to tell better from worse.
 
     python -m benchmarks.critic_fit [--write]
 """
@@ -34,16 +35,17 @@ from sceneweaver.knowledge import design_rules as knowledge
 
 Array = NDArray[np.float64]
 
-RIDGES = (0.05, 0.1, 0.2, 0.5, 1.0)
-"""Strengths of the pull toward the drafted points, in squared points of a grade for a point that is twice the draft."""
+RIDGES = (0.05, 0.1, 0.2, 1.0)
+"""Strengths of the pull toward the drafted points, in squared points of a grade for a point that is twice the draft; weaker
+ones let a rule cost ten times its draft for a single scene."""
 
-SPILLS = (0.25, 0.5, 0.75)
-"""Shares of a breach that the other criteria lose."""
+HOLDS = (0.1, 0.3, 1.0)
+"""Strengths of the pull of what a criterion feels toward 1, in shares of what its breaches say."""
 
 UNNAMED = (1.0, 2.0, 3.0, 4.0)
 """How much eyes alone take off, in shares of the faults that they name."""
 
-LEAST = 0.5
+LEAST = 0.25
 """Share of its drafted points that a rule costs at least: no breach is free."""
 
 ROUNDS = 8
@@ -76,13 +78,12 @@ class Counted:
 
 @dataclass(frozen=True)
 class Fit:
-    """Points of each rule [rules], how much each criterion feels them [4] and its baseline [4], the spill, and the
-    common scale of the draft."""
+    """Points of each rule [rules], how much each criterion feels those of its own rules and of the others' [4, 2], its
+    baseline [4], and the common scale of the draft."""
 
     points: Array
-    weights: Array
+    felt: Array
     baseline: Array
-    spill: float
     scale: float
 
 
@@ -113,10 +114,10 @@ def counted(found: Sequence[Comparison]) -> Counted:
 
 
 class Options(NamedTuple):
-    """What is chosen by scenes that were left out: see `RIDGES`, `SPILLS`, `UNNAMED`."""
+    """What is chosen by scenes that were left out: see `RIDGES`, `HOLDS`, `UNNAMED`."""
 
     ridge: float
-    spill: float
+    hold: float
     unnamed: float
 
 
@@ -125,12 +126,11 @@ def fit(data: Counted, rows: NDArray[np.intp], options: Options) -> Fit:
     lost, weight = data.lost[rows], data.grades[rows] / FULL
     baseline = options.unnamed * data.eyes * lost.mean(axis=0)
     target = (lost - data.older[rows] - baseline) * weight
-    felt = [data.breaches[rows] * np.where(data.own == c, 1.0, options.spill) for c in range(len(GRADED))]
-    blocks = [block * weight[:, c, None] for c, block in enumerate(felt)]
-    weights = np.ones(len(GRADED))
+    blocks = [_split(data, rows, c) * weight[:, c, None, None] for c in range(len(GRADED))]
+    felt = np.ones((len(GRADED), 2))
     points, scale = data.drafted, 1.0
     for _ in range(ROUNDS):
-        matrix = np.vstack([w * block for w, block in zip(weights, blocks, strict=True)])
+        matrix = np.vstack([np.einsum("nrk,k->nr", block, w) for w, block in zip(felt, blocks, strict=True)])
         right = target.T.reshape(-1)
         scale = max(1e-3, float(nnls((matrix @ data.drafted)[:, None], right)[0][0]))
         draft = scale * data.drafted
@@ -138,19 +138,30 @@ def fit(data: Counted, rows: NDArray[np.intp], options: Options) -> Fit:
         # points = low + x with x >= 0, and held * (points / draft - 1) small
         system = np.vstack([matrix, np.diag(held / draft)])
         points = low + nnls(system, np.hstack([right, np.full(len(draft), held)]) - system @ low)[0]
-        weights = np.array([nnls((block @ points)[:, None], target[:, c])[0][0] for c, block in enumerate(blocks)])
-        weights /= weights.mean()
-    return Fit(points, weights, baseline, options.spill, scale)
+        felt = np.array([_felt(block, points, target[:, c], options.hold) for c, block in enumerate(blocks)])
+        felt /= felt.mean()
+    return Fit(points, felt, baseline, scale)
+
+
+def _split(data: Counted, rows: NDArray[np.intp], criterion: int) -> Array:
+    """Breaches [rows, rules, 2] of a criterion's own rules and of the others'."""
+    own = data.own == criterion
+    return data.breaches[rows][:, :, None] * np.stack([own, ~own], axis=1)
+
+
+def _felt(block: Array, points: Array, target: Array, hold: float) -> Array:
+    """How much a criterion feels the breaches of its own rules and of the others' [2], held at 1."""
+    lost = np.einsum("nrk,r->nk", block, points)
+    held = np.sqrt(hold) * np.linalg.norm(lost, axis=0)
+    return nnls(np.vstack([lost, np.diag(held)]), np.hstack([target, held]))[0]
 
 
 def predicted(data: Counted, rows: NDArray[np.intp], found: Fit) -> Array:
     """Grades [rows, 4] by a fit."""
     columns = []
     for c in range(len(GRADED)):
-        share = np.where(data.own == c, 1.0, found.spill)
-        breaches = (data.breaches[rows] * share) @ found.points
-        lost = found.baseline[c] + data.older[rows, c] + found.weights[c] * breaches
-        columns.append(FULL * np.exp(-lost / FULL))
+        breaches = np.einsum("nrk,r,k->n", _split(data, rows, c), found.points, found.felt[c])
+        columns.append(FULL * np.exp(-(found.baseline[c] + data.older[rows, c] + breaches) / FULL))
     return np.stack(columns, axis=1)
 
 
@@ -166,7 +177,7 @@ def chosen(data: Counted) -> Options:
     def ranks(options: Options) -> float:
         return sum(rank for _, rank, _ in agreement(data.grades, left_out(data, options)))
 
-    return max((Options(*row) for row in product(RIDGES, SPILLS, UNNAMED)), key=ranks)
+    return max((Options(*row) for row in product(RIDGES, HOLDS, UNNAMED)), key=ranks)
 
 
 def agreement(strict: Array, ours: Array) -> list[tuple[str, float, float]]:
@@ -184,11 +195,15 @@ def agreement(strict: Array, ours: Array) -> list[tuple[str, float, float]]:
 
 def text(data: Counted, found: Fit) -> str:
     """The file of fitted points."""
+
+    def row(name: str, values: Array) -> str:
+        return f"{name}: {{" + ", ".join(f"{c}: {v:.3f}" for c, v in zip(GRADED, values, strict=True)) + "}"
+
     lines = [
         "# What a breach of each design rule costs. Written by `python -m benchmarks.critic_fit --write`; not by hand.",
-        "baseline: {" + ", ".join(f"{c}: {b:.2f}" for c, b in zip(GRADED, found.baseline, strict=True)) + "}",
-        "weights: {" + ", ".join(f"{c}: {w:.3f}" for c, w in zip(GRADED, found.weights, strict=True)) + "}",
-        f"spill: {found.spill:g}",
+        row("baseline", found.baseline),
+        row("weights", found.felt[:, 0]),
+        row("others", found.felt[:, 1]),
         f"scale: {found.scale:.3f}",
         "points:",
         *(f"  {name}: {value:.2f}" for name, value in zip(data.rules, found.points, strict=True)),

@@ -24,7 +24,8 @@ from sceneweaver.verify.walkable import ARM, RADIUS
 
 from .choice_rules import Rules
 
-SHARE = 1.0 / (1.0 + 3.0 * design_points().spill)
+_FELT = design_points()
+SHARE = 4.0 / (sum(_FELT.weights.values()) + 3.0 * sum(_FELT.others.values()))
 """What a point off one criterion is worth beside one of a rule, which the other three feel as well."""
 
 MOST_REACHED = 32

@@ -96,7 +96,7 @@ def grades(found: Sequence[Finding]) -> dict[str, float]:
     """The grade 0 to 10 of every criterion.
 
     Strict eyes that see one thing wrong mark down the rest as well, and see what no rule tells: a breach of a design
-    rule takes a share of its points off the other criteria too, and every grade begins a little below the full one
+    rule takes points off the other criteria too, and every grade begins a little below the full one
     (`DesignPoints`). What was asked for is graded by itself.
     """
     fitted, graded = design_points(), {}
@@ -109,7 +109,7 @@ def grades(found: Sequence[Finding]) -> dict[str, float]:
             graded[criterion] = round(_lidded(squash(_whole(rows)), rows), 3)
             continue
         others = sum(lost for c, lost in breaches.items() if c != criterion)
-        felt = fitted.weights[criterion] * (breaches[criterion] + fitted.spill * others)
+        felt = fitted.weights[criterion] * breaches[criterion] + fitted.others[criterion] * others
         lost = fitted.baseline[criterion] + older_lost([f.fault for f in rows]) + felt
         graded[criterion] = round(eased(lost), 3)
     return graded

@@ -41,8 +41,10 @@ class DesignPoints(FrozenModel):
     """What the fit found: the points of each rule, and how grades follow from them."""
 
     baseline: dict[str, NonNegativeFloat] = Field(description="By criterion, points lost to what only eyes can tell")
-    weights: dict[str, NonNegativeFloat] = Field(description="By criterion, how much it feels breaches")
-    spill: NonNegativeFloat = Field(description="Share of a breach's points that every other criterion loses as well")
+    weights: dict[str, NonNegativeFloat] = Field(
+        description="By criterion, how much it feels breaches of its own rules"
+    )
+    others: dict[str, NonNegativeFloat] = Field(description="By criterion, how much it feels those of the other rules")
     scale: NonNegativeFloat = Field(description="By what drafted points are multiplied where a rule was not fitted")
     points: dict[str, NonNegativeFloat] = Field(description="What one breach of each rule takes off")
 

@@ -62,8 +62,8 @@ def test_items_that_intents_name_count() -> None:
 
 
 def test_desk_without_chair() -> None:
-    good = rooms.bedroom()
-    desk = put("desk-0", 1.0, 0.42, 90, size=(0.6, 1.2, 0.74))
+    good = rooms.bedroom().but({"id": "dresser-0", "gone": True})
+    desk = put("desk-0", 2.6, 0.32, 90, size=(0.6, 1.1, 0.74))
     fault = falls(
         good,
         good.plus(desk),
