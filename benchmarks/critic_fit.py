@@ -36,8 +36,8 @@ from sceneweaver.knowledge import design_rules as knowledge
 Array = NDArray[np.float64]
 
 RIDGES = (0.05, 0.1, 0.2, 1.0)
-"""Strengths of the pull toward the drafted points, in squared points of a grade for a point that is twice the draft; weaker
-ones let a rule cost ten times its draft for a single scene."""
+"""Strengths of the pull toward the drafted points, in squared points of a grade for a point that is twice the
+draft; weaker ones let a rule cost ten times its draft for a single scene."""
 
 HOLDS = (0.1, 0.3, 1.0)
 """Strengths of the pull of what a criterion feels toward 1, in shares of what its breaches say."""

@@ -16,46 +16,23 @@ from benchmarks.strict_eyes import GRADED, SCENES, Comparison, comparisons, labe
 QUICK = 3
 """Scenes to see that everything works."""
 
-GRADES = (
-    Column("criterion", "criterion"),
-    Column("strict", "strict eyes", "number"),
-    Column("critic", "critic", "number"),
-    Column("spearman", "rank correlation", "number"),
-    Column("error", "mean error", "number"),
-)
-
-LEFT_OUT = (
-    Column("criterion", "criterion"),
-    Column("spearman", "rank correlation", "number"),
-    Column("error", "mean error", "number"),
-)
+AGREEMENT = (Column("spearman", "rank correlation", "number"), Column("error", "mean error", "number"))
+SIDES = (Column("strict", "strict eyes", "number"), Column("critic", "critic", "number"))
+CRITERION = Column("criterion", "criterion")
+GRADES, LEFT_OUT = (CRITERION, *SIDES, *AGREEMENT), (CRITERION, *AGREEMENT)
 
 FEWEST = 10
 """Scenes from which on the fit is tried on each of them."""
 
-KINDS = (
-    Column("kind", "kind"),
+FOUND = (
     Column("labelled", "labelled", "count"),
     Column("found", "found", "count"),
     Column("beside", "critic alone", "count"),
 )
+SCENE, KIND = Column("scene", "scene"), Column("kind", "kind")
+KINDS, ROOMS = (KIND, *FOUND), (SCENE, *FOUND, *SIDES)
 
-ROOMS = (
-    Column("scene", "scene"),
-    Column("labelled", "labelled", "count"),
-    Column("found", "found", "count"),
-    Column("beside", "critic alone", "count"),
-    Column("strict", "strict eyes", "number"),
-    Column("critic", "critic", "number"),
-)
-
-FAULTS = (
-    Column("scene", "scene"),
-    Column("what", "what"),
-    Column("kind", "kind"),
-    Column("objects", "objects"),
-    Column("reason", "reason"),
-)
+FAULTS = (SCENE, Column("what", "what"), KIND, Column("objects", "objects"), Column("reason", "reason"))
 
 
 def run(settings: Settings, judge: Judge) -> Result:
