@@ -46,8 +46,9 @@ NOTHING_YET = "time was up before anything was placed"
 
 Said = Callable[[Step], None]
 
-GOOD = 5.0
-"""Grade for layout and functionality from which on a first layout that lacks nothing is taken without another draw."""
+GOOD = {"layout": 5.0, "functionality": 7.0}
+"""Grades from which on a first layout that lacks nothing is taken without another draw; what is needed and out of reach
+takes more off functionality than is left."""
 
 
 @dataclass
@@ -307,7 +308,7 @@ class Run:
 
 def _complete(outcome: Outcome) -> bool:
     """Whether a first layout is valid, has all that it was meant to have, and is well laid out."""
-    if min(outcome.review.grades[name] for name in ("layout", "functionality")) < GOOD:
+    if any(outcome.review.grades[name] < least for name, least in GOOD.items()):
         return False
     return outcome.report.valid and not (
         outcome.unmet or outcome.scene.dropped or any(REASON in note for note in outcome.notes)

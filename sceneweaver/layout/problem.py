@@ -285,7 +285,8 @@ class Problem:
             if rows.size:
                 poses = wp.array(batch.state.poses.numpy()[rows], dtype=wp.vec4, device=self.device)
                 some = self._movable(wp.full(rows.size, s, dtype=wp.int32, device=self.device), poses)
-                good[rows] = surfaces_hold(self._compiled[s], some, 0, rows.size) & ~self._compiled[s].room.faulty
+                held = surfaces_hold(self._compiled[s], some, 0, rows.size)
+                good[rows] = held & (not self._compiled[s].room.faulty)
         return wp.array(good, dtype=wp.int32, device=self.device)
 
     def _read(self, poses: Array, which: Array | None) -> tuple[wp.array, wp.array]:

@@ -194,6 +194,13 @@ def test_a_call_is_told_what_it_has_to_beat(go, monkeypatch):
     assert set(rivals) == {None}
 
 
+@pytest.mark.parametrize(("grade", "drawn"), [(loop.GOOD["functionality"], 1), (loop.GOOD["functionality"] - 0.1, 2)])
+def test_a_room_is_drawn_again_unless_the_first_is_good(go, grade, drawn):
+    answers = {"init_prior": [adds("a", grade), adds("b", grade)]}
+    run, *_ = go(answers, [calls("init_prior", "init_prior")])
+    assert len(run.memory.steps[0].tried) == drawn
+
+
 def test_a_call_that_changes_nothing_is_not_carried_out(go):
     answers = {"init_prior": [adds("a", 5)], "add_crowd": [Proposal(unmet=("the shelf is full",))]}
     run, best, _, _ = go(answers, [BEGIN, calls("add_crowd")])
