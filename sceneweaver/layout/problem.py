@@ -62,6 +62,8 @@ class Problem:
         free: [S, N, 4] bool, which coordinates an optimiser may change.
         lower, upper: [S, N, 4] float32, the box of the poses.
         home: [S, N, 4] float32, the poses of the scenes as given, at the heights that their mounts demand.
+        energy_calls: how often the energy was measured so far: with a gradient, as residuals or by terms as well.
+        evaluations: of how many layouts in all.
     """
 
     def __init__(
@@ -80,6 +82,7 @@ class Problem:
         self._layouts = tuple(layouts)
         self._compiled = tuple(compiled)
         self._which: dict[int, wp.array] = {}
+        self.energy_calls = self.evaluations = 0
         self._packed: Packed = pack(self._layouts, device)
         self._items, self._item_count = items_on(self._layouts, device)
 
@@ -196,7 +199,7 @@ class Problem:
 
     def terms(self, poses: Array, which: Array | None = None) -> Terms:
         """The energy by kinds of terms, and residual and signed violation of every relation, object and pair."""
-        batch = batch_at(self._packed, *self._read(poses, which)[::-1])
+        batch = self._measured_at(*self._read(poses, which))
         energy = {kind: handed_out(shares_of(batch, kind), poses) for kind in KINDS}
         residual, _ = residuals_of(batch, self._items, self.items)
         violation = violations_of(batch, self._items, self.items)
@@ -241,11 +244,11 @@ class Problem:
 
     def measured(self, poses: wp.array, which: wp.array) -> tuple[wp.array, wp.array]:
         """Energies [B] and gradients [B, N] (vec4)."""
-        return energy_of(batch_at(self._packed, which, poses))
+        return energy_of(self._measured_at(poses, which))
 
     def taken_apart(self, poses: wp.array, which: wp.array) -> tuple[wp.array, wp.array]:
         """Residuals [B, M] and their derivatives [B, M, 3] (vec4)."""
-        return residuals_of(batch_at(self._packed, which, poses), self._items, self.items)
+        return residuals_of(self._measured_at(poses, which), self._items, self.items)
 
     def judged(self, poses: wp.array, which: wp.array) -> wp.array:
         """Which layouts [B] are feasible."""
@@ -265,6 +268,12 @@ class Problem:
         batch = replace(self._movable(which, poses), weights=weights(pull=PULL))
         run(batch, "projection", "given", None, Monitor(batch.size))
         return batch.state.poses
+
+    def _measured_at(self, poses: wp.array, which: wp.array) -> Batch:
+        """Layouts whose energy is about to be measured; they are counted."""
+        self.energy_calls += 1
+        self.evaluations += poses.shape[0]
+        return batch_at(self._packed, which, poses)
 
     def _movable(self, which: wp.array, poses: wp.array) -> Batch:
         """A batch of its own memory at some poses."""

@@ -169,10 +169,10 @@ class Solution:
         chosen = [int(i) for i in first]
         left = self.ranked
         for i in chosen:
-            left = left[_differ(self.poses[left], self.poses[i])]
+            left = left[differ(self.poses[left], self.poses[i])]
         while len(left) and len(chosen) < k:
             chosen.append(int(left[0]))
-            left = left[_differ(self.poses[left], self.poses[left[0]])]
+            left = left[differ(self.poses[left], self.poses[left[0]])]
         return chosen
 
 
@@ -205,7 +205,7 @@ def best_of_each_signature(solution: Solution) -> np.ndarray:
     return ranked[np.sort(first)]
 
 
-def _differ(layouts: np.ndarray, other: np.ndarray) -> np.ndarray:
+def differ(layouts: np.ndarray, other: np.ndarray) -> np.ndarray:
     """In which layouts [K, N, 4] some object stands 0.5 m or is turned 45 degrees apart from another layout: [K]."""
     moved = np.linalg.norm(layouts[..., :3] - other[:, :3], axis=-1) >= 0.5
     turned = np.abs(wrap_angle(layouts[..., 3] - other[:, 3])) >= np.pi / 4

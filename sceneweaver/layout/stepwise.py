@@ -27,7 +27,9 @@ MODULES = ("starts", "step", "gradients", "residuals")  # kernels that such a ru
 class StepOptimizer(Protocol):
     """An optimiser of one's own. It sees a `Problem` and poses, and keeps what it likes in a state of its own.
 
-    An attribute ``steps`` says how many steps a run takes by default; without it a run takes 200.
+    An attribute ``steps`` says how many steps a run takes by default; without it, or where it is None, a run takes 200.
+    A method ``counts(state)`` may say how many energy calls and evaluations (layouts measured) the run has cost so far,
+    for `sceneweaver bench`; without it those that go through the problem are counted.
     """
 
     def init(self, problem: Problem, poses: Array, key: int) -> Any:
@@ -142,7 +144,7 @@ def run_stepwise(
     draw_starts(batch, start)
     given = wp.clone(batch.state.poses)
     state = optimizer.init(problem, handed_out(wp.clone(given), given), seed)
-    for _ in range(budget or getattr(optimizer, "steps", STEPS)):
+    for _ in range(budget or getattr(optimizer, "steps", None) or STEPS):
         if monitor.expired():
             break
         state = optimizer.step(state)

@@ -354,3 +354,15 @@ def test_a_room_without_objects():
     poses = problem.sample(0, 2)
     assert problem.energy(poses).tolist() == [0.0, 0.0] and problem.items == 0 and not problem.mask.any()
     assert problem.residuals(poses)[0].shape == (2, 0) and problem.feasible(poses).all()
+
+
+def test_energy_calls_and_measured_layouts_are_counted():
+    problem = sw.compile(scene([BOX, thing("other")], []), device="cpu")
+    poses = problem.sample(0, 5)
+    problem.feasible(poses)
+    assert (problem.energy_calls, problem.evaluations) == (0, 0)
+    problem.energy(poses)
+    problem.energy_and_grad(poses[:2])
+    problem.residuals(poses)
+    problem.terms(poses[:1])
+    assert (problem.energy_calls, problem.evaluations) == (4, 13)
