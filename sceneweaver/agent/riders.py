@@ -17,6 +17,9 @@ from .coarse import coarse
 LEVEL = 1e-3
 """Height [m] by which the bottom of what has its place may miss its surface."""
 
+BY_PLACE = frozenset({"out_of_bounds", "blocked_opening"})
+"""Kinds of violations that say where the carrier is, and nothing of what stands on it."""
+
 
 def searched(scene: Scene) -> Scene:
     """The coarse scene for a search, without what stands on something: its boxes are parts of what carries it in the
@@ -40,14 +43,18 @@ def searched(scene: Scene) -> Scene:
 
 
 def at_rest(scene: Scene, report: Report) -> bool:
-    """Whether all that is carried may stay where it stands on its carrier: nothing is wrong among what stands on one,
-    and no relation that was asked for, or has to hold, is about it."""
+    """Whether all that is carried may stay where it stands on its carrier: nothing is wrong between a carrier and what
+    stands on it, and no relation that was asked for, or has to hold, is about it. What is wrong between carriers tells
+    nothing: it is where they have no place yet."""
     known = {o.id: o for o in scene.objects}
     carried = {o.id for o in scene.objects if o.support is not None}
     if any((r.hard or r.asked) and carried & {r.subject, *r.targets} for r in scene.relations):
         return False
-    wrong = [carried & set(v.objects) and known.keys() & set(v.objects) for v in report.violations if v.hard]
-    return not any(names and len({_root(known[name], known).id for name in names}) == 1 for names in wrong)
+    for fault in report.violations:
+        names = known.keys() & set(fault.objects) if fault.hard and fault.kind not in BY_PLACE else set()
+        if carried & names and len({_root(known[name], known).id for name in names}) == 1:
+            return False
+    return True
 
 
 def with_riders(scene: Scene, layout: Scene) -> Scene:

@@ -188,6 +188,17 @@ def test_what_is_carried_is_at_rest_unless_something_is_wrong_with_it(hard):
     assert not at_rest(touching, check(touching))
 
 
+@pytest.mark.parametrize(("x", "y"), ((0.0, 0.0), (1.0, 1.1)), ids=("half outside", "in the bed"))
+def test_a_carrier_without_a_place_says_nothing_of_what_it_carries(x, y):
+    top = Surface(name="top", polygon=((-0.3, -0.5), (0.3, -0.5), (0.3, 0.5), (-0.3, 0.5)), z=0.3)
+    desk = box("desk-0", (0.6, 1.0, 0.3), x, y, surfaces=(top,))
+    on = Support(object="desk-0", surface="top")
+    scene = room_with(BED, desk, box("cup-0", (0.1, 0.1, 0.1), x - 0.2, y + 0.3, 0.3, support=on, mount="surface"))
+    report = check(scene)
+    assert any("cup-0" in v.objects for v in report.violations)
+    assert at_rest(scene, report)
+
+
 def test_edits_that_cannot_be_applied_are_refused():
     with pytest.raises(InputError, match="remove 'sofa-0'"):
         run(room_with(BED), Remove(id="sofa-0"))
