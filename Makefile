@@ -11,7 +11,7 @@ UV_VERSION := 0.13.8
 UV := .uv/bin/uv
 BIN := .venv/bin
 PYTEST := $(BIN)/python -m pytest
-CODE := sceneweaver kernels optimizers tools tests benchmarks notebooks
+CODE := sceneweaver kernels optimizers tools tests benchmarks notebooks docs
 
 # The environment is always .venv, made with the interpreter chosen here; uv never downloads one.
 export UV_PROJECT_ENVIRONMENT := .venv
@@ -23,7 +23,7 @@ READY := .venv/ready-$(shell cat uv.lock pyproject.toml | cksum | cut -d ' ' -f 
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help install demo test bench lint format build clean distclean
+.PHONY: help install demo test bench lint format docs build clean distclean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
@@ -49,6 +49,9 @@ lint: $(READY) ## Check style, floors and types
 format: $(READY) ## Mend what ruff can mend by itself
 	$(BIN)/ruff check --fix $(wildcard $(CODE))
 	$(BIN)/ruff format $(wildcard $(CODE))
+
+docs: $(READY) ## Build the documentation site into out/site
+	NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --strict --quiet
 
 build: $(READY) ## Build the wheel and the source archive into dist/
 	rm -rf dist

@@ -36,9 +36,23 @@ def define_relation(
         target: "object" or "none".
         scale: metres that a unit of the residual counts as.
         ties_zones: True exempts the two objects from each other's hard zones.
+        description: what the type means, for catalogues and messages.
 
     Raises:
         InputError: the name is taken, the residual does not compile, or its gradient is wrong.
+
+    Examples:
+        >>> import sceneweaver as sw, warp as wp
+        >>> @wp.func
+        ... def higher(a: wp.vec4, b: wp.vec4, size_a: wp.vec3, size_b: wp.vec3, p: wp.vec4):
+        ...     return b[2] + size_b[2] + p[0] - a[2]
+        >>> def holds(subject, target, params):
+        ...     top = target.pose.position[2] + target.size[2]
+        ...     return subject.pose.position[2] >= top + params["by"]
+        >>> sw.define_relation("higher", residual=higher, holds=holds, params={"by": 0.1})
+        >>> sw.Relation(type="higher", subject="picture", target="bed").hard
+        True
+        >>> sw.undefine_relation("higher")
     """
     defaults = dict(params or {})
     if len(defaults) > WIDTH:
@@ -65,6 +79,13 @@ def undefine_relation(name: str) -> None:
 
     Raises:
         InputError: it is built in or unknown.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> sw.undefine_relation("against_wall")
+        Traceback (most recent call last):
+            ...
+        sceneweaver.scene.errors.InputError: relation type "against_wall" is built in; ...
     """
     unregister_relation(name)
     del JUDGES[name]

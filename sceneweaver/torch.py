@@ -26,24 +26,60 @@ def energy(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Tens
         which: the scene [B] of each layout; left out, equal parts, scene after scene.
 
     Raises:
-        InputError: another shape, type of number or device. MissingDependencyError: PyTorch is not installed.
+        InputError: another shape, type of number or device.
+        MissingDependencyError: PyTorch is not installed.
+
+    Examples:
+        >>> import torch, sceneweaver as sw, sceneweaver.torch as swt
+        >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+        >>> x = torch.tensor(problem.sample(0, 2), requires_grad=True)
+        >>> swt.energy(problem, x).sum().backward()
+        >>> x.grad.shape == x.shape
+        True
     """
     return _functions()[0].apply(poses, problem, which)
 
 
 def residuals(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Tensor:
-    """Residuals [B, M] [m]: `Problem.residuals`, differentiable once by the poses. Errors as for `energy`."""
+    """Residuals [B, M] [m]: `Problem.residuals`, differentiable once by the poses. Errors as for `energy`.
+
+    Examples:
+        >>> import torch, sceneweaver as sw, sceneweaver.torch as swt
+        >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+        >>> x = torch.tensor(problem.sample(0, 2), requires_grad=True)
+        >>> r = swt.residuals(problem, x)
+        >>> torch.allclose((r * r).sum(-1) / 0.1, swt.energy(problem, x), rtol=1e-4)
+        True
+    """
     return _functions()[1].apply(poses, problem, which)
 
 
 def feasible(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Tensor:
-    """Which layouts [B] bool the engine calls valid: `Problem.feasible`. Errors as for `energy`."""
+    """Which layouts [B] bool the engine calls valid: `Problem.feasible`. Errors as for `energy`.
+
+    Examples:
+        >>> import torch, sceneweaver as sw, sceneweaver.torch as swt
+        >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+        >>> x = torch.tensor(problem.sample(0, 2), requires_grad=True)
+        >>> swt.feasible(problem, x).dtype
+        torch.bool
+    """
     torch = _torch()
     return torch.from_dlpack(problem.feasible(poses.detach().contiguous(), which))
 
 
 def free(problem: Problem, device: Any = None) -> Tensor:
-    """One for each coordinate [S, N, 4] that may change, else zero: what to multiply gradients with."""
+    """One for each coordinate [S, N, 4] that may change, else zero: what to multiply gradients with.
+
+    No device: the CPU.
+
+    Examples:
+        >>> import torch, sceneweaver as sw, sceneweaver.torch as swt
+        >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+        >>> x = torch.tensor(problem.sample(0, 2), requires_grad=True)
+        >>> swt.free(problem).shape == (1, problem.objects, 4)
+        True
+    """
     torch = _torch()
     return torch.as_tensor(problem.free, dtype=torch.float32, device=device)
 

@@ -89,6 +89,12 @@ def design(
     Raises:
         InputError: for a request that says nothing, arguments out of range, or a folder that cannot be used.
         MissingDependencyError: for a planner or device that is not there.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> result = sw.design("a store room with one shelf", seed=1, steps=1, candidates=8, device="cpu")
+        >>> result.report.valid, result.unmet
+        (True, ())
     """
     began = time.monotonic() if began is None else began
     if planner not in ("rules", "llm"):

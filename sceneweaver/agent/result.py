@@ -17,8 +17,24 @@ from .memory import Step
 class Result:
     """What a design led to.
 
-    ``unmet`` lists what was asked for and is not so, ``notes`` what was assumed, ``undone`` the files that there was no
-    time for, what a signal cut off, and parts of the program that broke down.
+    Attributes:
+        scene: the room.
+        report: the judge on it.
+        review: grades of the critic and what it finds fault with.
+        brief: the request as it was read.
+        steps: what the agent tried, in order.
+        notes: what was assumed.
+        unmet: what was asked for and is not so.
+        seconds: wall time.
+        finished: why the agent ended.
+        undone: files that there was no time for, what a signal cut off, and parts of the program that broke down.
+        out: the folder that was written; None: none.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> result = sw.design("a store room with one shelf", seed=1, steps=1, candidates=8, device="cpu")
+        >>> result.satisfied, sorted(result.review.grades)[:2]
+        (True, ['alignment', 'completion'])
     """
 
     scene: Scene

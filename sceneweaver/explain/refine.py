@@ -52,7 +52,16 @@ def refine(
         quality: terms of design quality that all valid candidates are rated by (``solution.quality``) and ranked.
 
     Raises:
-        InputError: an argument is out of range. MissingDependencyError: the device is not there.
+        InputError: an argument is out of range.
+        MissingDependencyError: the device is not there.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> solution = sw.refine(sw.Scene.example("bedroom"), candidates=8, device="cpu")
+        >>> solution.poses.shape, bool((solution.status == 0).any())
+        ((8, 16, 4), True)
+        >>> sw.check(solution.best).valid
+        True
     """
     began = time.monotonic()
     solution = engine.refine(
@@ -90,6 +99,12 @@ def refine_many(
 
     Arguments and errors as for ``refine``; ``time_limit`` is for all scenes together, ``init`` is a name, and
     ``quality`` has the terms of each scene.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> scenes = [sw.Scene.example("bedroom"), sw.Scene.example("study")]
+        >>> [s.poses.shape[0] for s in sw.refine_many(scenes, candidates=4, device="cpu")]
+        [4, 4]
     """
     began = time.monotonic()
     solutions = engine.refine_many(

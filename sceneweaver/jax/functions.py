@@ -31,7 +31,7 @@ def energy(problem: Problem, poses: Array, which: Array | None = None) -> jax.Ar
     Raises:
         InputError: another shape or type of number, or no ``which`` where it takes one.
 
-    Example:
+    Examples:
         >>> import jax, sceneweaver as sw, sceneweaver.jax as swj
         >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
         >>> poses = swj.sample(problem, jax.random.key(0), 8)
@@ -42,7 +42,18 @@ def energy(problem: Problem, poses: Array, which: Array | None = None) -> jax.Ar
 
 
 def energy_and_grad(problem: Problem, poses: Array, which: Array | None = None) -> tuple[jax.Array, jax.Array]:
-    """Energies [...] and their gradients [..., N, 4] in one call; the gradient itself has no derivative."""
+    """Energies [...] and their gradients [..., N, 4] in one call; the gradient itself has no derivative.
+
+    Arguments and errors as for `energy`: [m], and [m/m] by x, y, z, [m/rad] by yaw.
+
+    Examples:
+        >>> import jax, sceneweaver as sw, sceneweaver.jax as swj
+        >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+        >>> poses = swj.sample(problem, jax.random.key(0), 2)
+        >>> value, gradient = swj.energy_and_grad(problem, poses)
+        >>> value.shape, gradient.shape == poses.shape
+        ((2,), True)
+    """
     return _flat(_launch_energy, problem, poses, which)
 
 
@@ -50,22 +61,59 @@ def residuals(problem: Problem, poses: Array, which: Array | None = None) -> jax
     """Residuals [..., M] [m]: `Problem.residuals`. ``jacfwd``, ``jacrev`` and least-squares solvers go through it.
 
     The energy is the sum of their squares over 0.1 m. Errors as for `energy`.
+
+    Examples:
+        >>> import jax, sceneweaver as sw, sceneweaver.jax as swj
+        >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+        >>> poses = swj.sample(problem, jax.random.key(0), 2)
+        >>> r = swj.residuals(problem, poses)
+        >>> bool(jax.numpy.allclose((r * r).sum(-1) / 0.1, swj.energy(problem, poses), rtol=1e-4))
+        True
+        >>> jax.jacrev(lambda x: swj.residuals(problem, x))(poses[0]).shape == (problem.items, problem.objects, 4)
+        True
     """
     return _flat(_residuals, problem, poses, which)
 
 
 def feasible(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
-    """Which layouts [...] bool the engine calls valid: `Problem.feasible`. Errors as for `energy`."""
+    """Which layouts [...] bool the engine calls valid: `Problem.feasible`. Errors as for `energy`.
+
+    Examples:
+        >>> import jax, sceneweaver as sw, sceneweaver.jax as swj
+        >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+        >>> poses = swj.sample(problem, jax.random.key(0), 2)
+        >>> swj.feasible(problem, swj.project(problem, poses)).dtype.name
+        'bool'
+    """
     return _flat(_launch_feasible, problem, poses, which)
 
 
 def project(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
-    """The feasible layouts [..., N, 4] nearest to poses: `Problem.project`. It has no derivative. Errors as above."""
+    """The feasible layouts [..., N, 4] nearest to poses: `Problem.project`. It has no derivative. Errors as above.
+
+    Examples:
+        >>> import jax, sceneweaver as sw, sceneweaver.jax as swj
+        >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+        >>> poses = swj.sample(problem, jax.random.key(0), 2)
+        >>> near = swj.project(problem, poses)
+        >>> bool((swj.energy(problem, near) <= swj.energy(problem, poses)).all())
+        True
+    """
     return _flat(_launch_project, problem, poses, which)
 
 
 def sample(problem: Problem, key: Array, count: int) -> jax.Array:
-    """Draw layouts [S * count, N, 4] to start from, ``count`` of each scene: `Problem.sample`, by a key of JAX."""
+    """Draw layouts [S * count, N, 4] to start from, ``count`` of each scene: `Problem.sample`, by a key of JAX.
+
+    ``key`` is one of ``jax.random.key``. Poses are x, y, z [m] and yaw [rad], drawn from the relations, not solved.
+
+    Examples:
+        >>> import jax, sceneweaver as sw, sceneweaver.jax as swj
+        >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+        >>> poses = swj.sample(problem, jax.random.key(0), 2)
+        >>> poses.shape == (2, problem.objects, 4)
+        True
+    """
     scenes = len(problem.mask)
     rng = jax.random.bits(key, (scenes * count,), "uint32")
     return _launch_sample(problem, rng, jnp.repeat(jnp.arange(scenes, dtype=jnp.int32), count))
@@ -76,12 +124,31 @@ def carry(problem: Problem, poses: Array, which: Array | None = None, *, like: A
 
     ``like`` [..., N, 4] defaults to the scenes as given. ``energy(problem, carry(problem, poses))`` is a function of
     the roots alone, and so of what ``free`` lets move.
+
+    Arguments and errors as for `energy`.
+
+    Examples:
+        >>> import jax, sceneweaver as sw, sceneweaver.jax as swj
+        >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+        >>> poses = swj.sample(problem, jax.random.key(0), 2)
+        >>> lamp, table = (problem.scenes[0].index(name) for name in ("reading-lamp", "nightstand-left"))
+        >>> moved = swj.carry(problem, poses.at[:, table, 0].add(0.25), like=poses)
+        >>> bool(jax.numpy.allclose(moved[:, lamp, 0], poses[:, lamp, 0] + 0.25, atol=1e-5))
+        True
     """
     return _flat(_carry, problem, poses, which, *(() if like is None else (like,)))
 
 
 def free(problem: Problem, which: Array = 0) -> jax.Array:
-    """One for each coordinate [..., N, 4] that may change, else zero: what to multiply gradients with."""
+    """One for each coordinate [..., N, 4] that may change, else zero: what to multiply gradients with.
+
+    Examples:
+        >>> import jax, sceneweaver as sw, sceneweaver.jax as swj
+        >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+        >>> poses = swj.sample(problem, jax.random.key(0), 2)
+        >>> swj.free(problem).shape == poses.shape[1:]
+        True
+    """
     return jnp.asarray(problem.free, dtype=jnp.float32)[which]
 
 

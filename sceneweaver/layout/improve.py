@@ -54,6 +54,15 @@ def improve(
 
     Raises:
         InputError: the solution was not rated, or keeps to given poses (``init="current"``).
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> scene = sw.Scene.example("bedroom")
+        >>> near = sw.QualityTerm("gap", ("armchair", "floor-lamp"), high=0.3)
+        >>> first = sw.refine(scene, candidates=8, quality=[near], device="cpu")
+        >>> better = sw.improve(first, [near], candidates=4, generations=1)
+        >>> better.candidates > first.candidates, better.quality.shape == better.status.shape
+        (True, True)
     """
     if solution.quality is None or solution.moved is not None:
         raise InputError('improve: takes a solution that was refined with quality terms, not with init="current"')

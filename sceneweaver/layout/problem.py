@@ -64,6 +64,16 @@ class Problem:
         home: [S, N, 4] float32, the poses of the scenes as given, at the heights that their mounts demand.
         energy_calls: how often the energy was measured so far: with a gradient, as residuals or by terms as well.
         evaluations: of how many layouts in all.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> problem = sw.compile([sw.Scene.example("bedroom"), sw.Scene.example("study")], device="cpu")
+        >>> poses = problem.sample(0, 4)  # four layouts of each
+        >>> energy, gradient = problem.energy_and_grad(poses)
+        >>> energy.shape, gradient.shape == poses.shape == (8, problem.objects, 4)
+        ((8,), True)
+        >>> bool(problem.feasible(problem.home).all())  # the examples are in order
+        True
     """
 
     def __init__(
@@ -354,9 +364,10 @@ def compile(scenes: Scene | Sequence[Scene], *, device: str = "auto") -> Problem
         device: "auto", "cpu", "cuda" or "cuda:k".
 
     Raises:
-        InputError: no scenes, or a wrong device. MissingDependencyError: the device is not there.
+        InputError: no scenes, or a wrong device.
+        MissingDependencyError: the device is not there.
 
-    Example:
+    Examples:
         >>> import sceneweaver as sw
         >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
         >>> poses = problem.sample(0, 8)

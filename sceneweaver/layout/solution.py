@@ -104,6 +104,14 @@ class Solution:
             candidate is not valid; None where there are no such terms.
         timed_out: True when the time limit cut the run off.
         explanation: what stands in the way when nothing is valid; None otherwise.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> solution = sw.refine(sw.Scene.example("bedroom"), candidates=8, device="cpu")
+        >>> solution.candidates, len(solution.distinct(3)) <= 3
+        (8, True)
+        >>> solution.best == solution.scene(solution.order[0])
+        True
     """
 
     source: Scene

@@ -66,6 +66,15 @@ def draw_top(
         valid: What ``check`` decided, for the title; None: not checked (though with violations it is not valid).
 
     The picture depends on the scene alone, not on the order of its objects, and is the same on every run.
+
+    Raises:
+        InputError: a width out of range.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> picture = sw.draw_top(sw.Scene.example("bedroom"), width=400, annotated=False)
+        >>> picture.width, picture.mode
+        (400, 'RGB')
     """
     if not MIN_WIDTH <= width <= MAX_WIDTH:
         raise InputError(f"width: {width} is not between {MIN_WIDTH} and {MAX_WIDTH} pixels")

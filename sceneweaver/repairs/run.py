@@ -44,7 +44,15 @@ def repair(
         time_limit: seconds after which to stop with what there is.
 
     Raises:
-        InputError: an argument is out of range. MissingDependencyError: the device is not there.
+        InputError: an argument is out of range.
+        MissingDependencyError: the device is not there.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> scene = sw.Scene.example("bedroom")
+        >>> broken = scene.replace_poses({"plant": sw.Pose.from_yaw(9.0, 0.0, 0.0, 0.0)})
+        >>> sw.check(sw.repair(broken, device="cpu")).valid
+        True
     """
     return repair_report(
         scene, relations=relations, candidates=candidates, seed=seed, device=device, time_limit=time_limit
@@ -63,6 +71,14 @@ def repair_report(
     """Repair a scene as `repair` does, and say what was wrong, who moved and what is still unmet.
 
     Arguments and errors as for `repair`.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> scene = sw.Scene.example("bedroom")
+        >>> broken = scene.replace_poses({"plant": sw.Pose.from_yaw(9.0, 0.0, 0.0, 0.0)})
+        >>> repaired = sw.repair_report(broken, device="cpu")
+        >>> repaired.valid, "plant" in [move.id for move in repaired.moves]
+        (True, True)
     """
     began = time.monotonic()
     _check_arguments(candidates, seed, time_limit)

@@ -31,14 +31,30 @@ MAX_OBJECTS, MAX_RELATIONS = 10_000, 100_000
 
 
 class Scene(SceneFile):
-    """A whole scene. Immutable: edits return a new scene."""
+    """A whole scene. Immutable: edits return a new scene.
+
+    Lengths are in metres, angles in radians, z is up. Anything wrong is an `InputError` of one line.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> scene = sw.Scene.example("bedroom")
+        >>> scene.object("bed").category, len(scene.objects)
+        ('bed', 16)
+        >>> moved = scene.replace_poses({"bed": sw.Pose.from_yaw(2.0, 2.0, 0.0, 0.0)})
+        >>> moved.object("bed").pose.position, scene.loads(moved.dumps()) == moved
+        ((2.0, 2.0, 0.0), True)
+    """
 
     schema_: Literal["sceneweaver.scene/1"] = Field(default=SCHEMA, alias="schema")
     id: Name = Field(description="Name of the scene")
     prompt: Text = Field(default="", description="The request that it answers")
-    room: Room
-    objects: Annotated[tuple[SceneObject, ...], Field(fail_fast=True, max_length=MAX_OBJECTS)] = ()
-    relations: Annotated[tuple[Relation, ...], Field(fail_fast=True, max_length=MAX_RELATIONS)] = ()
+    room: Room = Field(description="Outline, doors, windows")
+    objects: Annotated[tuple[SceneObject, ...], Field(fail_fast=True, max_length=MAX_OBJECTS)] = Field(
+        default=(), description="What is in the room"
+    )
+    relations: Annotated[tuple[Relation, ...], Field(fail_fast=True, max_length=MAX_RELATIONS)] = Field(
+        default=(), description="What has to hold between its things"
+    )
     palette: Palette | None = Field(default=None, description="The look that its things follow; null: each its own")
     provenance: JsonDict = Field(default_factory=dict, description="Free data: where the scene comes from")
     dropped: Annotated[tuple[Dropped, ...], Field(fail_fast=True)] = Field(

@@ -18,7 +18,14 @@ from .messages import FieldError, show
 
 
 class Pose(FrozenModel):
-    """World position of an object's bottom centre and its rotation as an xyzw quaternion."""
+    """World position of an object's bottom centre and its rotation as an xyzw quaternion.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> pose = sw.Pose.from_yaw(1.0, 2.0, 0.0, yaw=0.5)
+        >>> pose.position, round(pose.yaw, 6)
+        ((1.0, 2.0, 0.0), 0.5)
+    """
 
     position: Vec3 = Field(default=(0.0, 0.0, 0.0), description="World position of the bottom centre [m]")
     quaternion: Quat = Field(default=(0.0, 0.0, 0.0, 1.0), description="Rotation as a unit quaternion x, y, z, w")
@@ -74,7 +81,17 @@ class Surface(FrozenModel):
 
 
 class SceneObject(FrozenModel):
-    """One object of a scene."""
+    """One object of a scene.
+
+    Its origin is the bottom centre of its box and its front is +x at yaw 0. ``size`` is depth, width, height [m];
+    polygons of parts, zones and surfaces are counter-clockwise in its own frame. Anything wrong is an `InputError`.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> desk = sw.SceneObject(id="desk", category="desk", size=(0.7, 1.4, 0.74))
+        >>> desk.mount, len(desk.solids)
+        ('floor', 1)
+    """
 
     _noun: ClassVar[str] = "object"
 
@@ -82,7 +99,10 @@ class SceneObject(FrozenModel):
     category: Name = Field(description="What it is, such as office chair; any words")
     description: Text | None = Field(default=None, description="What it looks like")
     size: tuple[Length, Length, Length] = Field(description="Depth along the front, width, height [m]")
-    pose: Pose = Pose.model_construct(position=(0.0, 0.0, 0.0), quaternion=(0.0, 0.0, 0.0, 1.0))
+    pose: Pose = Field(
+        default=Pose.model_construct(position=(0.0, 0.0, 0.0), quaternion=(0.0, 0.0, 0.0, 1.0)),
+        description="Where it is",
+    )
     mount: Literal["floor", "wall", "ceiling", "surface"] = Field(default="floor", description="What holds it")
     support: Support | None = Field(default=None, description="What it stands on; for mount surface, and only there")
     asset: Name | None = Field(default=None, description="Id of its mesh; null: shown as its parts")
@@ -130,8 +150,14 @@ class SceneObject(FrozenModel):
 
 
 class Dropped(FrozenModel):
-    """An object that was asked for and could not be placed."""
+    """An object that was asked for and could not be placed.
 
-    id: Id
-    category: Name
+    Examples:
+        >>> import sceneweaver as sw
+        >>> sw.Dropped(id="piano-0", category="piano", reason="it is wider than the room").reason
+        'it is wider than the room'
+    """
+
+    id: Id = Field(description="Id that it would have")
+    category: Name = Field(description="What it is")
     reason: Text = Field(description="Why it could not be placed")

@@ -22,7 +22,16 @@ def wall_number(target: str) -> int | None:
 
 
 class Relation(FrozenModel):
-    """A spatial relation between ``subject`` and ``target``; the catalogue says what each type means."""
+    """A spatial relation between ``subject`` and ``target``; the catalogue says what each type means.
+
+    ``params`` are lengths [m] and angles [degrees] of the type. An unknown type, param or target is an `InputError`.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> relation = sw.Relation(type="against_wall", subject="desk", target="wall:0")
+        >>> relation.hard, relation.targets
+        (True, ('wall:0',))
+    """
 
     type: Name = Field(description="Relation type, one of the catalogue")
     subject: Id = Field(description="Id of the object that the relation places")

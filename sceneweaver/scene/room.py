@@ -43,13 +43,25 @@ class Window(FrozenModel):
 
 
 class Room(FrozenModel):
-    """The room: a simple outline, counter-clockwise; wall i runs from corner i to corner i + 1."""
+    """The room: a simple outline, counter-clockwise; wall i runs from corner i to corner i + 1.
+
+    Corners are [x, y] in metres. An opening outside of its wall, or an outline that is not simple, is an `InputError`.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> door = {"id": "door", "wall": 0, "offset": 0.5, "width": 0.9, "height": 2.0}
+        >>> room = sw.Room(outline=[(0, 0), (4, 0), (4, 3), (0, 3)], doors=[door])
+        >>> [wall.length for wall in room.walls], room.height
+        ([4.0, 3.0, 4.0, 3.0], 2.7)
+    """
 
     type: Name = Field(default="room", description="Kind of room, such as bedroom")
     outline: Outline = Field(description="Corners [x, y] of the floor in counter-clockwise order [m]")
     height: Length = Field(default=2.7, description="Height of the ceiling above the floor [m]")
-    doors: Annotated[tuple[Door, ...], Field(fail_fast=True)] = ()
-    windows: Annotated[tuple[Window, ...], Field(fail_fast=True)] = ()
+    doors: Annotated[tuple[Door, ...], Field(fail_fast=True)] = Field(default=(), description="Doors in its walls")
+    windows: Annotated[tuple[Window, ...], Field(fail_fast=True)] = Field(
+        default=(), description="Windows in its walls"
+    )
     finish: RoomFinish | None = Field(default=None, description="Of walls and floor; null: by the kind of room")
 
     @property

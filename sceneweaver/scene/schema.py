@@ -89,8 +89,10 @@ def _relation(name: str) -> dict[str, Any]:
 
 
 def _tidy(node: Any) -> None:
-    """Drop the titles that pydantic makes up from names."""
+    """Drop the titles that pydantic makes up from names, and what docstrings say about Python."""
     if isinstance(node, dict):
+        if isinstance(node.get("description"), str):
+            node["description"] = node["description"].split("\n\n")[0]
         if isinstance(node.get("title"), str):
             del node["title"]
         for value in node.values():

@@ -55,6 +55,15 @@ class Violation:
         zone: name of the blocked zone among those of its owner; None for other kinds.
         measurement: what was measured, and the interval in which it should lie, the tolerance of the judge aside. Of
             several quantities that are off the worst; None where nothing can be measured.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> scene = sw.Scene.example("bedroom")
+        >>> bed = scene.object("bed").pose
+        >>> report = sw.check(scene.replace_poses({"wardrobe": bed}))
+        >>> violation = next(v for v in report.violations if v.kind == "collision")
+        >>> violation.objects, violation.hard, violation.amount > 0.1
+        (('bed', 'wardrobe'), True, True)
     """
 
     kind: Kind
@@ -126,6 +135,14 @@ class Report:
     ``seed``, ``device`` and ``candidates`` to the run that made the scene: fill them in with
     ``dataclasses.replace``. So does ``cut_off``, what ended that run before it was done (None: nothing did).
     ``seconds`` is wall time, in all and by step. ``warnings`` say where meshes or measures had to be done without.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> scene = sw.Scene.example("bedroom")
+        >>> outside = scene.replace_poses({"plant": sw.Pose.from_yaw(9.0, 0.0, 0.0, 0.0)})
+        >>> report = sw.check(outside)
+        >>> report.valid, report.out_of_bounds
+        (False, 1)
     """
 
     valid: bool

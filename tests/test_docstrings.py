@@ -1,0 +1,78 @@
+"""Every public name says what it is, with an example, and the examples run."""
+
+from __future__ import annotations
+
+import doctest
+import importlib
+import importlib.util
+import inspect
+
+import pytest
+
+MODULES = ("sceneweaver", "sceneweaver.jax", "sceneweaver.torch", "sceneweaver.problems", "sceneweaver.bench")
+NEEDS = {"sceneweaver.torch": ("torch",), "sceneweaver.bench": ("pyarrow", "matplotlib")}
+PLAIN = {"sceneweaver.__version__"}  # a text has no docstring of its own
+PUBLIC = [
+    f"{module}.{name}"
+    for module in MODULES
+    if importlib.util.find_spec(module)
+    for name in importlib.import_module(module).__all__
+    if f"{module}.{name}" not in PLAIN
+]
+
+
+def public(name: str):
+    """What a public name stands for."""
+    module, _, last = name.rpartition(".")
+    return getattr(importlib.import_module(module), last)
+
+
+def examples(name: str) -> list[doctest.DocTest]:
+    """The examples of a public name: of a class those of its methods as well."""
+    found = public(name)
+    if inspect.ismodule(found):
+        return []
+    return [test for test in doctest.DocTestFinder().find(found, name, globs={}) if test.examples]
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_every_public_name_has_a_docstring_with_an_example(name):
+    found = public(name)
+    text = inspect.getdoc(found) or ""
+    assert text, "no docstring"
+    if inspect.ismodule(found) or not (inspect.isclass(found) or callable(found)):
+        return
+    assert ">>> " in text and "\nExamples:\n" in text, "no example under the heading 'Examples:'"
+    assert "+SKIP" not in text
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_the_examples_of_a_public_name_run(name, tmp_path, monkeypatch):
+    for module in NEEDS.get(name.rpartition(".")[0], ()):
+        pytest.importorskip(module)
+    monkeypatch.chdir(tmp_path)
+    said: list[str] = []
+    runner = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS)
+    for test in examples(name):
+        test.globs["__name__"] = "__main__"
+        runner.run(test, out=said.append)
+    assert runner.failures == 0, "".join(said)
+
+
+def test_a_docstring_that_lists_arguments_lists_them_all():
+    wrong = []
+    for name in PUBLIC:
+        found = public(name)
+        text = inspect.getdoc(found) or ""
+        if not inspect.isfunction(found) or "\nArgs:\n" not in text:
+            continue
+        block = text.split("\nArgs:\n")[1].split("\n\n")[0]
+        listed = {
+            part.strip("* ")
+            for line in block.splitlines()
+            if line.startswith("    ") and not line.startswith("     ")
+            for part in line.split(":")[0].split(",")
+        }
+        if differ := listed ^ set(inspect.signature(found).parameters):
+            wrong.append(f"{name}: {sorted(differ)}")
+    assert wrong == []
