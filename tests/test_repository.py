@@ -47,6 +47,12 @@ def requirement_name(requirement: str) -> str:
     return re.sub(r"[-_.]+", "-", re.split(r"[\s\[<>=!~;]", requirement, maxsplit=1)[0]).lower()
 
 
+def group(name: str) -> list[str]:
+    """The requirements of a dependency group, with those of the groups that it includes."""
+    entries = PROJECT["dependency-groups"][name]
+    return [text for e in entries for text in ([e] if isinstance(e, str) else group(e["include-group"]))]
+
+
 def code_blocks(text: str, language: str) -> list[str]:
     """Content of the fenced blocks of one language."""
     return re.findall(rf"^```{language}\n(.*?)^```", text, re.DOTALL | re.MULTILINE)
@@ -61,7 +67,8 @@ def test_package_links_to_top_level_folder(name):
 
 
 def test_lock_file_covers_every_dependency():
-    wanted = PROJECT["project"]["dependencies"] + PROJECT["dependency-groups"]["dev"]
+    extras = [text for extra in PROJECT["project"]["optional-dependencies"].values() for text in extra]
+    wanted = PROJECT["project"]["dependencies"] + extras + group("dev")
     assert {requirement_name(requirement) for requirement in wanted} <= set(LOCKED)
     metadata = LOCKED["sceneweaver"]["metadata"]
     listed = {(entry["name"], entry.get("specifier", "")) for entry in metadata["requires-dist"]}
