@@ -10,7 +10,20 @@ from .functions import energy_and_grad as energy_and_grad
 from .functions import feasible as feasible
 from .functions import free as free
 from .functions import project as project
+from .functions import ravel as ravel
 from .functions import residuals as residuals
 from .functions import sample as sample
+from .functions import unravel as unravel
 
-__all__ = ["carry", "energy", "energy_and_grad", "feasible", "free", "project", "residuals", "sample"]
+__all__ = [
+    "carry",
+    "energy",
+    "energy_and_grad",
+    "feasible",
+    "free",
+    "project",
+    "ravel",
+    "residuals",
+    "sample",
+    "unravel",
+]

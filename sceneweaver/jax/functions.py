@@ -152,8 +152,28 @@ def free(problem: Problem, which: Array = 0) -> jax.Array:
     return jnp.asarray(problem.free, dtype=jnp.float32)[which]
 
 
-def _flat(function: Callable, problem: Problem, poses: Array, which: Array | None, *more: Array) -> Any:
-    """Call a function of poses [B, N, 4], which [B] and ``more`` poses with any leading dimensions."""
+def ravel(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
+    """The coordinates [..., D] of poses [..., N, 4] that may change (`free`), x before y before yaw of each object.
+
+    D is that of the scene with most; behind a smaller one's there are zeros. Errors as for `energy`.
+    """
+    return _flat(_ravel, problem, poses, which)
+
+
+def unravel(problem: Problem, vector: Array, like: Array, which: Array | None = None) -> jax.Array:
+    """Poses [..., N, 4] with the free coordinates ``vector`` [..., D] and all else as in ``like``; differentiable.
+
+    What is carried goes along with its root. ``energy(problem, unravel(problem, v, like))`` is a function of what may
+    change alone, as optimisers and samplers of vectors want it. Errors as for `energy`.
+    """
+    like = jnp.asarray(like)
+    return _flat(_unravel, problem, like, which, rows=jnp.broadcast_to(vector, (*like.shape[:-2], vector.shape[-1])))
+
+
+def _flat(
+    function: Callable, problem: Problem, poses: Array, which: Array | None, *more: Array, rows: Array | None = None
+) -> Any:
+    """Call a function of poses [B, N, 4], which [B], ``more`` poses and ``rows`` [B, D] with any leading dimensions."""
     if not isinstance(problem, Problem):
         raise InputError(f"problem: {type(problem).__name__} is no Problem; sceneweaver.compile makes one")
     poses = jnp.asarray(poses)
@@ -174,6 +194,7 @@ def _flat(function: Callable, problem: Problem, poses: Array, which: Array | Non
     except ValueError:
         raise InputError(f"which: an array of shape {which.shape}; there are {lead} layouts") from None
     flat = [jnp.broadcast_to(x, poses.shape).reshape(-1, *poses.shape[-2:]) for x in (poses, *more)]
+    flat += [] if rows is None else [rows.reshape(-1, rows.shape[-1])]
     found = function(problem, flat[0], which.reshape(-1), *flat[1:])
     return jax.tree.map(lambda values: values.reshape(*lead, *values.shape[1:]), found)
 
@@ -246,3 +267,23 @@ def _carry(problem: Problem, poses: jax.Array, which: jax.Array, like: jax.Array
     y = new[..., 1] + sin * d[..., 0] + cos * d[..., 1]
     carried = jnp.stack([x, y, new[..., 2] + d[..., 2], model[..., 3] + turn], axis=-1)
     return jnp.where((roots != jnp.arange(problem.objects))[..., None], carried, poses)
+
+
+def _free_index(problem: Problem) -> np.ndarray:
+    """Where the free coordinates [S, D] stand among all 4 N; 4 N behind a smaller scene's."""
+    rows = [np.flatnonzero(free) for free in problem.free]
+    index = np.full((len(rows), max(map(len, rows))), 4 * problem.objects, dtype=np.int32)
+    for row, found in zip(index, rows, strict=True):
+        row[: len(found)] = found
+    return index
+
+
+def _ravel(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Array:
+    index = jnp.asarray(_free_index(problem))[which]
+    return jax.vmap(lambda row, at: row.at[at].get(mode="fill", fill_value=0.0))(poses.reshape(len(poses), -1), index)
+
+
+def _unravel(problem: Problem, like: jax.Array, which: jax.Array, vector: jax.Array) -> jax.Array:
+    index = jnp.asarray(_free_index(problem))[which]
+    rows = jax.vmap(lambda row, at, v: row.at[at].set(v, mode="drop"))(like.reshape(len(like), -1), index, vector)
+    return _carry(problem, rows.reshape(like.shape), which, like)

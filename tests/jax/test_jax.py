@@ -179,3 +179,23 @@ def test_a_compiled_function_keeps_its_problem():
     poses = energy(sw.compile(scene([BOX], []), device="cpu"), jnp.zeros((1, 1, 4)))
     gc.collect()
     assert np.isfinite(poses).all()
+
+
+def test_vectors_of_what_may_change():
+    """Back and forth; what is fixed has no part, what is carried goes along, and scenes may differ in size."""
+    what = scene([table(), CUP, BOX], [])
+    problem = sw.compile([what, scene([BOX], [])], device="cpu")
+    poses = swj.sample(problem, jax.random.key(0), 2)
+    vector = swj.ravel(problem, poses)
+    assert vector.shape == (4, problem.free[0].sum()) and not vector[2:, problem.free[1].sum() :].any()
+    np.testing.assert_allclose(vector[1], poses[1][problem.free[0]])
+    mask = problem.mask[[0, 0, 1, 1]]
+    np.testing.assert_allclose(swj.unravel(problem, vector, poses)[mask], poses[mask], atol=1e-6)
+    moved = swj.unravel(problem, vector[0] + 0.5, poses[0], 0)
+    np.testing.assert_allclose(
+        moved,
+        problem.carry(jnp.where(problem.free[0], poses[0] + 0.5, poses[0])[None], [0], like=poses[:1])[0],
+        atol=1e-5,
+    )
+    slope = jax.grad(lambda v: swj.energy(problem, swj.unravel(problem, v, poses[0], 0), 0))(vector[0])
+    assert slope.shape == vector[0].shape and np.isfinite(slope).all()
