@@ -156,6 +156,12 @@ def ravel(problem: Problem, poses: Array, which: Array | None = None) -> jax.Arr
     """The coordinates [..., D] of poses [..., N, 4] that may change (`free`), x before y before yaw of each object.
 
     D is that of the scene with most; behind a smaller one's there are zeros. Errors as for `energy`.
+
+    Examples:
+        >>> import jax, sceneweaver as sw, sceneweaver.jax as swj
+        >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+        >>> swj.ravel(problem, swj.sample(problem, jax.random.key(0), 8)).shape == (8, problem.free.sum())
+        True
     """
     return _flat(_ravel, problem, poses, which)
 
@@ -165,6 +171,13 @@ def unravel(problem: Problem, vector: Array, like: Array, which: Array | None = 
 
     What is carried goes along with its root. ``energy(problem, unravel(problem, v, like))`` is a function of what may
     change alone, as optimisers and samplers of vectors want it. Errors as for `energy`.
+
+    Examples:
+        >>> import jax, sceneweaver as sw, sceneweaver.jax as swj
+        >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+        >>> poses = swj.sample(problem, jax.random.key(0), 8)
+        >>> swj.unravel(problem, 0 * swj.ravel(problem, poses), poses).shape == poses.shape
+        True
     """
     like = jnp.asarray(like)
     return _flat(_unravel, problem, like, which, rows=jnp.broadcast_to(vector, (*like.shape[:-2], vector.shape[-1])))
