@@ -9,6 +9,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from sceneweaver.agent import Result as Result
     from sceneweaver.agent import design as design
+    from sceneweaver.building import ObjectHandle as ObjectHandle
+    from sceneweaver.building import SceneBuilder as SceneBuilder
+    from sceneweaver.building import build as build
     from sceneweaver.explain import refine as refine
     from sceneweaver.explain import refine_many as refine_many
     from sceneweaver.extend import define_relation as define_relation
@@ -41,6 +44,7 @@ __all__ = [
     "Dropped",
     "InputError",
     "MissingDependencyError",
+    "ObjectHandle",
     "Pose",
     "Problem",
     "QualityTerm",
@@ -50,11 +54,13 @@ __all__ = [
     "Result",
     "Room",
     "Scene",
+    "SceneBuilder",
     "SceneObject",
     "SceneWeaverError",
     "Solution",
     "Violation",
     "__version__",
+    "build",
     "check",
     "compile",
     "define_relation",
@@ -72,6 +78,7 @@ _HOME = {
     "Dropped": "scene",
     "InputError": "scene",
     "MissingDependencyError": "scene",
+    "ObjectHandle": "building",
     "Pose": "scene",
     "Problem": "layout",
     "QualityTerm": "layout",
@@ -81,10 +88,12 @@ _HOME = {
     "Result": "agent",
     "Room": "scene",
     "Scene": "scene",
+    "SceneBuilder": "building",
     "SceneObject": "scene",
     "SceneWeaverError": "scene",
     "Solution": "layout",
     "Violation": "verify",
+    "build": "building",
     "check": "verify",
     "compile": "layout",
     "define_relation": "extend",

@@ -9,6 +9,7 @@ import numpy as np
 
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.scene import Pose, Scene
+from sceneweaver.scene.display import Shown
 
 WALKABLE = 0.9  # share of the free floor that a room should let one walk to
 ALL_SOFT = 16.0  # points of quality that all soft relations weigh together
@@ -86,7 +87,7 @@ def _keys(
 
 
 @dataclass(frozen=True)
-class Solution:
+class Solution(Shown):
     """Refined candidates of one scene.
 
     Attributes:

@@ -3,6 +3,7 @@
 from .data import ReportData as ReportData
 from .data import StepRow as StepRow
 from .page import report_html as report_html
+from .page import view_html as view_html
 from .page import write_report as write_report
 
-__all__ = ["ReportData", "StepRow", "report_html", "write_report"]
+__all__ = ["ReportData", "StepRow", "report_html", "view_html", "write_report"]

@@ -15,7 +15,7 @@ from . import request, sections
 from .data import ReportData
 from .facts import faults_of, relation_rows
 from .html import esc, json_block, picture_url
-from .view3d import pack
+from .view3d import Packed, pack
 
 _SCRIPTS = (
     "linear.js",
@@ -51,12 +51,6 @@ def report_html(data: ReportData) -> str:
     measured = tuple(str(w) for w in data.metrics.get("warnings") or ())
     data = replace(data, warnings=(*dict.fromkeys((*data.warnings, *measured, *packed.warnings)),))
     valid = data.metrics.get("valid") if isinstance(data.metrics.get("valid"), bool) else None
-    script = _script()
-    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
-    policy = (
-        f"default-src 'none'; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; img-src data:; "
-        "base-uri 'none'; form-action 'none'"
-    )
     body = "".join(
         [
             sections.header(data, valid),
@@ -69,12 +63,29 @@ def report_html(data: ReportData) -> str:
             sections.columns((sections.relations(rows), sections.measures(data.metrics))),
         ]
     )
+    return _document(data, packed, f"<main>{body}</main>")
+
+
+def view_html(data: ReportData) -> str:
+    """A page with the 3D view alone, as large as its window; it opens without a network as well."""
+    packed = pack(data.scene, relation_rows(data.scene, data.metrics), faults_of(data.metrics), data.load)
+    return _document(data, packed, f'<main class="view-alone">{_view(data)}</main>')
+
+
+def _document(data: ReportData, packed: Packed, body: str) -> str:
+    """The whole text around a body, with style, script, and what the view shows."""
+    script = _script()
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+    policy = (
+        f"default-src 'none'; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; img-src data:; "
+        "base-uri 'none'; form-action 'none'"
+    )
     return (
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         '<meta name="color-scheme" content="light dark"><meta name="generator" content="sceneweaver">'
-        f"<title>{esc(data.title or data.scene.id)}</title><style>{_style()}</style></head><body><main>{body}</main>"
+        f"<title>{esc(data.title or data.scene.id)}</title><style>{_style()}</style></head><body>{body}"
         f"{json_block('scene-data', {**packed.data, 'request': request.items(data)})}"
         f'<script type="text/plain" id="scene-meshes">{packed.meshes}</script>'
         f"<script>{script}</script></body></html>\n"

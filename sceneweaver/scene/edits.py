@@ -7,19 +7,21 @@ load, with an InputError of one line, and leaves the scene it was given as it is
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any, Literal, TypeVar, get_args
 
 from pydantic import Field
 
 from .base import FrozenModel
+from .content import SceneContent
 from .errors import InputError
 from .fields import Flag, Id, Index, JsonDict, Length, Name, Target
 from .intent import Intent
 from .messages import FieldError, describe, quote, show, suggest
-from .model import Scene
 from .objects import Part, Pose, SceneObject, Support, Surface, Zone
 from .references import check_references
 from .relation import Relation
+
+AnyScene = TypeVar("AnyScene", bound=SceneContent)
 
 
 class _Edit(FrozenModel):
@@ -171,7 +173,7 @@ def edit_to_json(edit: AnyEdit) -> dict[str, Any]:
     return edit.model_dump(mode="json", by_alias=True)
 
 
-def apply(scene: Scene, edit: AnyEdit) -> Scene:
+def apply(scene: AnyScene, edit: AnyEdit) -> AnyScene:
     """The scene after the edit.
 
     Raises:
@@ -194,7 +196,7 @@ def apply(scene: Scene, edit: AnyEdit) -> Scene:
     return after
 
 
-def apply_all(scene: Scene, edits: Iterable[AnyEdit]) -> tuple[Scene, list[AnyEdit]]:
+def apply_all(scene: AnyScene, edits: Iterable[AnyEdit]) -> tuple[AnyScene, list[AnyEdit]]:
     """The scene after all edits in order, and the edits that lead back from it.
 
     Raises:
@@ -211,7 +213,7 @@ def apply_all(scene: Scene, edits: Iterable[AnyEdit]) -> tuple[Scene, list[AnyEd
     return scene, back
 
 
-def invert(scene: Scene, edit: AnyEdit) -> list[AnyEdit]:
+def invert(scene: SceneContent, edit: AnyEdit) -> list[AnyEdit]:
     """The edits that take ``apply(scene, edit)`` back to ``scene``, exactly, the order of its lists included.
 
     Args:
@@ -256,7 +258,7 @@ def invert(scene: Scene, edit: AnyEdit) -> list[AnyEdit]:
             return [SetIntent(id=edit.id, intent=scene.object(edit.id).intent)]
 
 
-def _changed(scene: Scene, edit: AnyEdit) -> Scene:
+def _changed(scene: AnyScene, edit: AnyEdit) -> AnyScene:
     """The scene after an edit whose references are still to be checked."""
     match edit:
         case Add():
@@ -304,7 +306,7 @@ def _inserted(items: tuple[Any, ...], item: Any, index: int | None) -> tuple[Any
     return (*items[:index], item, *items[index:])
 
 
-def _with_object(scene: Scene, obj: SceneObject) -> Scene:
+def _with_object(scene: AnyScene, obj: SceneObject) -> AnyScene:
     at = scene.index(obj.id)
     return scene.model_copy(update={"objects": (*scene.objects[:at], obj, *scene.objects[at + 1 :])})
 
@@ -314,7 +316,7 @@ def _rebuilt(obj: SceneObject, **changes: Any) -> SceneObject:
     return SceneObject(**{**{name: getattr(obj, name) for name in SceneObject.model_fields}, **changes})
 
 
-def _carried(scene: Scene, object_id: str) -> dict[str, int]:
+def carried(scene: SceneContent, object_id: str) -> dict[str, int]:
     """What stands on an object, directly or on something that does, with how many steps up each is."""
     levels = {object_id: 0}
     grew = True
@@ -327,16 +329,16 @@ def _carried(scene: Scene, object_id: str) -> dict[str, int]:
     return levels
 
 
-def _removed(scene: Scene, edit: Remove) -> set[str]:
+def _removed(scene: SceneContent, edit: Remove) -> set[str]:
     scene.index(edit.id)
-    gone = _carried(scene, edit.id)
+    gone = carried(scene, edit.id)
     if len(gone) > 1 and not edit.cascade:
         on = ", ".join(quote(object_id) for object_id in list(gone)[1:4]) + (", ..." if len(gone) > 4 else "")
         raise InputError(f"{on} would stand on nothing; set cascade to true to remove all")
     return set(gone)
 
 
-def _restore(scene: Scene, gone: set[str]) -> list[AnyEdit]:
+def _restore(scene: SceneContent, gone: set[str]) -> list[AnyEdit]:
     """Edits that put objects and the relations that name them back where they were, carriers before what they carry."""
     order = sorted((scene.index(object_id) for object_id in gone), key=lambda i: (_depth(scene, i), i))
     there = {i for i, o in enumerate(scene.objects) if o.id not in gone}
@@ -350,14 +352,14 @@ def _restore(scene: Scene, gone: set[str]) -> list[AnyEdit]:
     return out
 
 
-def _depth(scene: Scene, index: int) -> int:
+def _depth(scene: SceneContent, index: int) -> int:
     depth, obj = 0, scene.objects[index]
     while obj.support:
         depth, obj = depth + 1, scene.object(obj.support.object)
     return depth
 
 
-def _find_relation(scene: Scene, edit: Unrelate) -> int:
+def _find_relation(scene: SceneContent, edit: Unrelate) -> int:
     key = (edit.type, edit.subject, edit.target)
     fits = [i for i, r in enumerate(scene.relations) if (r.type, r.subject, r.target) == key]
     if edit.index is None and fits:
@@ -399,7 +401,7 @@ def _attributes(obj: SceneObject, edit: SetAttributes) -> SceneObject:
     return obj.model_copy(update={"attributes": {**kept, **edit.set}})
 
 
-def _renamed(scene: Scene, edit: Rename) -> Scene:
+def _renamed(scene: AnyScene, edit: Rename) -> AnyScene:
     scene.index(edit.id)
 
     def new(object_id: str) -> str:

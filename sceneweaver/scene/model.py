@@ -1,109 +1,149 @@
-"""What a scene is: the typed form of ``scene.json`` (schema ``sceneweaver.scene/1``).
-
-Units are metres and radians, z is up, yaw is counter-clockwise about +z and the front of an object is +x at yaw 0.
-An object's origin is the bottom centre of its box; ``size`` is (depth along the front, width, height).
-Polygons of parts, zones and surfaces are in the object's frame, counter-clockwise.
-
-Making a model checks it and raises InputError with one line; models are frozen, edits return new ones. The
-dictionaries in them (``params``, ``attributes``, ``provenance``) are to be read only, too.
-"""
+"""The scene itself: its content, and its edits as methods."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Annotated, Any, Literal, Self
+import math
+from collections.abc import Iterable, Sequence
+from typing import Any
 
-from pydantic import Field, model_validator
+from sceneweaver.geometry.se2 import SE2
 
+from .content import SceneContent
+from .display import Shown
+from .edits import Add, AnyEdit, Relate, Remove, Rename, SetSize, Unrelate, apply, apply_all, carried
 from .errors import InputError
-from .fields import JsonDict, Name, Text
-from .io import SceneFile
-from .messages import quote, suggest
-from .migrate import SCHEMA
-from .objects import Dropped, Pose, SceneObject
-from .palette import Palette
-from .references import check_references
+from .messages import show
+from .objects import Pose, SceneObject
 from .relation import Relation
-from .room import Room
-
-MAX_OBJECTS, MAX_RELATIONS = 10_000, 100_000
-"""How many objects and relations one scene may have; with more, judging it would take minutes."""
 
 
-class Scene(SceneFile):
+class Scene(Shown, SceneContent):
     """A whole scene. Immutable: edits return a new scene.
 
-    Lengths are in metres, angles in radians, z is up. Anything wrong is an `InputError` of one line.
+    Its edits are methods. Each gives a new scene and raises InputError with one line where the edit is impossible; none
+    solves a pose, `sceneweaver.EditSession` does. Lengths are metres, turns degrees counter-clockwise.
 
     Examples:
         >>> import sceneweaver as sw
         >>> scene = sw.Scene.example("bedroom")
         >>> scene.object("bed").category, len(scene.objects)
         ('bed', 16)
-        >>> moved = scene.replace_poses({"bed": sw.Pose.from_yaw(2.0, 2.0, 0.0, 0.0)})
-        >>> moved.object("bed").pose.position, scene.loads(moved.dumps()) == moved
-        ((2.0, 2.0, 0.0), True)
+        >>> after = scene.move("chair", by=(0.1, 0.0)).resize("wardrobe", width=1.2).remove("armchair")
+        >>> after.object("wardrobe").size[1], len(after.objects), scene.loads(after.dumps()) == after
+        (1.2, 15, True)
     """
 
-    schema_: Literal["sceneweaver.scene/1"] = Field(default=SCHEMA, alias="schema")
-    id: Name = Field(description="Name of the scene")
-    prompt: Text = Field(default="", description="The request that it answers")
-    room: Room = Field(description="Outline, doors, windows")
-    objects: Annotated[tuple[SceneObject, ...], Field(fail_fast=True, max_length=MAX_OBJECTS)] = Field(
-        default=(), description="What is in the room"
-    )
-    relations: Annotated[tuple[Relation, ...], Field(fail_fast=True, max_length=MAX_RELATIONS)] = Field(
-        default=(), description="What has to hold between its things"
-    )
-    palette: Palette | None = Field(default=None, description="The look that its things follow; null: each its own")
-    provenance: JsonDict = Field(default_factory=dict, description="Free data: where the scene comes from")
-    dropped: Annotated[tuple[Dropped, ...], Field(fail_fast=True)] = Field(
-        default=(), description="What was asked for and could not be placed; anything here makes the scene invalid"
-    )
+    def edit(self, *edits: AnyEdit) -> Scene:
+        """The scene after some typed edits (`sceneweaver.scene.edits`), in order."""
+        return apply_all(self, edits)[0] if len(edits) != 1 else apply(self, edits[0])
 
-    @model_validator(mode="after")
-    def _check(self) -> Self:
-        check_references(self.room, self.objects, self.relations)
-        return self
+    def add(self, obj: SceneObject) -> Scene:
+        """The scene with one object more; `sceneweaver.build` makes objects of words."""
+        return apply(self, Add(object=obj))
 
-    @classmethod
-    def _prefix(cls, data: Any) -> str:
-        return ""
+    def remove(self, object_id: str, *, cascade: bool = False) -> Scene:
+        """The scene without an object and the relations that name it.
 
-    @property
-    def ids(self) -> tuple[str, ...]:
-        """The ids of the objects, in order."""
-        return tuple(self._lookup())
-
-    def index(self, object_id: str) -> int:
-        """The position of an object in ``objects``; InputError when there is none of that id."""
-        lookup = self._lookup()
-        if object_id not in lookup:
-            raise InputError(
-                f"{quote(object_id)} is no object of scene {quote(self.id)}{suggest(object_id, lookup, mark=chr(39))}"
-            )
-        return lookup[object_id]
-
-    def object(self, object_id: str) -> SceneObject:
-        """The object of that id; InputError when there is none."""
-        return self.objects[self.index(object_id)]
-
-    def replace_poses(self, poses: Mapping[str, Pose]) -> Scene:
-        """The scene with some objects elsewhere; quick, as nothing but the ids is checked again.
-
-        Raises:
-            InputError: for an id that is no object of the scene.
+        Refused where something stands on it, unless ``cascade`` says to take that out as well.
         """
-        objects = list(self.objects)
-        for object_id, pose in poses.items():
-            at = self.index(object_id)
-            objects[at] = objects[at].model_copy(update={"pose": pose})
-        return self.model_copy(update={"objects": tuple(objects)})
+        return apply(self, Remove(id=object_id, cascade=cascade))
 
-    def _lookup(self) -> dict[str, int]:
-        """Position by id, kept with the ``objects`` that it was made from, as copies of a model share what it keeps."""
-        kept = self.__dict__.get("_kept_lookup")
-        if kept is None or kept[0] is not self.objects:
-            kept = (self.objects, {o.id: i for i, o in enumerate(self.objects)})
-            object.__setattr__(self, "_kept_lookup", kept)
-        return kept[1]
+    def rename(self, object_id: str, new_id: str) -> Scene:
+        """The scene with another id for an object, in relations and supports too."""
+        return apply(self, Rename(id=object_id, new_id=new_id))
+
+    def move(
+        self,
+        object_id: str,
+        *,
+        to: Pose | Sequence[float] | None = None,
+        by: Sequence[float] | None = None,
+        turn: float = 0.0,
+    ) -> Scene:
+        """The scene with an object elsewhere, and with it all that stands on it.
+
+        Args:
+            object_id: what to move.
+            to: where its bottom centre goes: (x, y) or (x, y, z) [m], or a whole pose.
+            by: how far it goes instead: (dx, dy) or (dx, dy, dz) [m].
+            turn: how far it is turned [degrees].
+        """
+        here = self.object(object_id).pose
+        x, y, z = here.position
+        if to is not None and by is not None:
+            raise InputError(f'move "{object_id}": both to and by are given; give one of them')
+        if isinstance(to, Pose):
+            there, yaw = to.position, to.yaw
+        else:
+            step = _place("by", by, 0.0) if by is not None else (0.0, 0.0, 0.0)
+            there, yaw = _place("to", to, z) if to is not None else (x + step[0], y + step[1], z + step[2]), here.yaw
+        yaw += math.radians(_number("turn", turn))
+        before, after = here.frame, SE2(there[0], there[1], yaw)
+        poses = {}
+        for name in carried(self, object_id):
+            pose = self.object(name).pose
+            u, v, w = pose.position
+            position = (*after.world(*before.local(u, v)), w + there[2] - z)
+            poses[name] = Pose.from_yaw(*position, yaw + pose.yaw - here.yaw)
+        if isinstance(to, Pose) and not turn:
+            poses[object_id] = to
+        return self.replace_poses(poses)
+
+    def resize(
+        self, object_id: str, *, depth: float | None = None, width: float | None = None, height: float | None = None
+    ) -> Scene:
+        """The scene with another size [m] of an object; what is not given stays. What stands on it goes along."""
+        obj = self.object(object_id)
+        size = tuple(old if new is None else new for old, new in zip(obj.size, (depth, width, height), strict=True))
+        scene = apply(self, SetSize(id=object_id, size=size))  # pyright: ignore[reportArgumentType]
+        tops = {s.name: s.z for s in scene.object(object_id).surfaces}
+        for old in obj.surfaces:
+            lift = tops[old.name] - old.z
+            for other in self.objects:
+                if lift and other.support and (other.support.object, other.support.surface) == (object_id, old.name):
+                    scene = scene.move(other.id, by=(0.0, 0.0, lift))
+        return scene
+
+    def relate(
+        self,
+        subject: str,
+        type: str,  # noqa: A002 - the name of the field
+        target: str | tuple[str, str] | None = None,
+        *,
+        hard: bool = True,
+        weight: float = 1.0,
+        **params: Any,
+    ) -> Scene:
+        """The scene with one relation more: ``scene.relate("chair", "facing", "desk", degrees=10)``.
+
+        Args:
+            subject: the object that the relation places.
+            type: a name of the catalogue, `sceneweaver.scene.CATALOGUE`.
+            target: id of an object, of a door or window, "wall:k", two ids, or None, as the type asks.
+            hard: whether the scene is invalid where the relation does not hold.
+            weight: among soft relations.
+            params: numbers of the type, set for this relation.
+        """
+        given = {"type": type, "subject": subject, "target": target, "params": params, "hard": hard, "weight": weight}
+        return apply(self, Relate(relation=Relation(**given)))
+
+    def unrelate(self, subject: str, type: str, target: str | tuple[str, str] | None = None) -> Scene:  # noqa: A002
+        """The scene without the first relation of that type, subject and target."""
+        return apply(self, Unrelate(type=type, subject=subject, target=target))
+
+
+def _number(name: str, value: Any) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+        raise InputError(f"{name} is {show(value)}; give a finite number")
+    return float(value)
+
+
+def _place(name: str, values: Iterable[Any], height: float) -> tuple[float, float, float]:
+    """Three numbers out of two or three."""
+    try:
+        found = [float(v) for v in values]
+    except (TypeError, ValueError):
+        raise InputError(f"{name} is {show(values)}; give two or three numbers") from None
+    if len(found) not in (2, 3) or not all(math.isfinite(v) for v in found):
+        raise InputError(f"{name} is {show(values)}; give two or three finite numbers")
+    return found[0], found[1], found[2] if len(found) == 3 else height

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, Self
+from collections.abc import Sequence
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -10,12 +11,16 @@ from sceneweaver.geometry.shell import heights
 from sceneweaver.geometry.walls import Wall, walls_of
 
 from .base import FrozenModel
+from .errors import InputError
 from .fields import Id, Index, Length, Name, Offset, Outline
 from .finish import RoomFinish
-from .messages import FieldError
+from .messages import FieldError, show, suggest
 
 FIT_TOLERANCE = 1e-6
 """How far [m] an opening may stand over its wall's end or the ceiling: rounding, no more."""
+
+
+Swing = Literal["in-left", "in-right", "out", "slide"]
 
 
 class Door(FrozenModel):
@@ -26,7 +31,7 @@ class Door(FrozenModel):
     offset: Offset = Field(description="Distance from the wall's first corner to the opening [m]")
     width: Length = Field(description="Width along the wall [m]")
     height: Length = Field(description="Height from the floor [m]")
-    swing: Literal["in-left", "in-right", "out", "slide"] = Field(
+    swing: Swing = Field(
         default="in-left", description="How it opens; in-left and in-right need a square of its width free inside"
     )
 
@@ -42,6 +47,10 @@ class Window(FrozenModel):
     height: Length = Field(description="Height of the window itself [m]")
 
 
+COMPASS = {"south": (0.0, -1.0), "east": (1.0, 0.0), "north": (0.0, 1.0), "west": (-1.0, 0.0)}
+"""Names of walls, and which way out of the room they lie: north is +y, east +x."""
+
+
 class Room(FrozenModel):
     """The room: a simple outline, counter-clockwise; wall i runs from corner i to corner i + 1.
 
@@ -49,10 +58,9 @@ class Room(FrozenModel):
 
     Examples:
         >>> import sceneweaver as sw
-        >>> door = {"id": "door", "wall": 0, "offset": 0.5, "width": 0.9, "height": 2.0}
-        >>> room = sw.Room(outline=[(0, 0), (4, 0), (4, 3), (0, 3)], doors=[door])
-        >>> [wall.length for wall in room.walls], room.height
-        ([4.0, 3.0, 4.0, 3.0], 2.7)
+        >>> room = sw.Room.rectangle(4, 5, height=2.6, kind="bedroom").with_door("south", at=0.2).with_window("north")
+        >>> room.doors[0].offset, room.wall("north")
+        (0.62, 2)
     """
 
     type: Name = Field(default="room", description="Kind of room, such as bedroom")
@@ -63,6 +71,128 @@ class Room(FrozenModel):
         default=(), description="Windows in its walls"
     )
     finish: RoomFinish | None = Field(default=None, description="Of walls and floor; null: by the kind of room")
+
+    @classmethod
+    def rectangle(cls, width: float, depth: float, *, height: float = 2.7, kind: str = "room") -> Self:
+        """A rectangular room: ``width`` metres along x, ``depth`` along y, its first corner at the origin."""
+        return cls.polygon([(0, 0), (width, 0), (width, depth), (0, depth)], height=height, kind=kind)
+
+    @classmethod
+    def l_shape(
+        cls,
+        width: float,
+        depth: float,
+        *,
+        cut: tuple[float, float],
+        corner: Literal["south-west", "south-east", "north-east", "north-west"] = "north-east",
+        height: float = 2.7,
+        kind: str = "room",
+    ) -> Self:
+        """A rectangle without one of its corners.
+
+        Args:
+            width, depth: of the whole rectangle along x and y [m].
+            cut: width and depth [m] of what is missing.
+            corner: which one is missing; north is +y, east +x.
+            height: of the ceiling [m].
+            kind: of room, such as bedroom.
+        """
+        (a, b), (w, d) = cut, (width, depth)
+        if not (0 < a < w and 0 < b < d):
+            raise InputError(f"cut is {show(cut)}; it must be smaller than the room, {w:g} x {d:g} m, and above 0")
+        notches = {
+            "south-west": [(0, b), (a, b), (a, 0), (w, 0), (w, d), (0, d)],
+            "south-east": [(0, 0), (w - a, 0), (w - a, b), (w, b), (w, d), (0, d)],
+            "north-east": [(0, 0), (w, 0), (w, d - b), (w - a, d - b), (w - a, d), (0, d)],
+            "north-west": [(0, 0), (w, 0), (w, d), (a, d), (a, d - b), (0, d - b)],
+        }
+        if corner not in notches:
+            raise InputError(f"corner is {show(corner)}{suggest(corner, notches)}")
+        return cls.polygon(notches[corner], height=height, kind=kind)
+
+    @classmethod
+    def polygon(cls, outline: Sequence[Sequence[float]], *, height: float = 2.7, kind: str = "room") -> Self:
+        """A room of any simple outline: corners (x, y) [m], counter-clockwise."""
+        try:
+            corners = tuple((float(x), float(y)) for x, y in outline)
+        except (TypeError, ValueError):
+            raise InputError(f"outline is {show(outline)}; give corners (x, y)") from None
+        return cls(type=kind, outline=corners, height=height)
+
+    def with_door(
+        self,
+        wall: int | str = 0,
+        *,
+        at: float = 0.5,
+        width: float = 0.9,
+        height: float = 2.0,
+        swing: Swing = "in-left",
+        name: str | None = None,
+    ) -> Self:
+        """The room with one door more.
+
+        Args:
+            wall: its number, "wall:k", or a compass point, see `wall`.
+            at: where along the wall, 0 to 1: in its first corner, in the middle (0.5), in its second.
+            width, height: of the opening [m].
+            swing: how it opens; in-left and in-right need a square of its width free inside.
+            name: its id; None: door-0, door-1 ...
+        """
+        where = self._opening("door", wall, at, width, name)
+        return self._rebuilt(doors=(*self.doors, Door(**where, height=height, swing=swing)))
+
+    def with_window(
+        self,
+        wall: int | str = 0,
+        *,
+        at: float = 0.5,
+        width: float = 1.2,
+        height: float = 1.2,
+        sill: float = 0.9,
+        name: str | None = None,
+    ) -> Self:
+        """The room with one window more, its lower edge ``sill`` metres above the floor; else as `with_door`."""
+        where = self._opening("window", wall, at, width, name)
+        return self._rebuilt(windows=(*self.windows, Window(**where, sill=sill, height=height)))
+
+    def wall(self, name: int | str) -> int:
+        """The number of a wall by a name: a number, "wall:k", or north (+y), south, east (+x) or west.
+
+        Of several walls on one side the longest is meant.
+
+        Raises:
+            InputError: no such wall.
+        """
+        known = [*COMPASS, *(f"wall:{k}" for k in range(len(self.outline)))]
+        if isinstance(name, int) and not isinstance(name, bool) and 0 <= name < len(self.outline):
+            return name
+        if isinstance(name, str) and name.startswith("wall:") and name in known:
+            return known.index(name) - len(COMPASS)
+        if isinstance(name, str) and name in COMPASS:
+            x, y = COMPASS[name]
+            fitting = [w for w in self.walls if w.outward[0] * x + w.outward[1] * y > 0.7]
+            if fitting:
+                return max(fitting, key=lambda w: round(w.length, 6)).index
+        raise InputError(f"there is no wall {show(name)}{suggest(str(name), known, what='the walls are')}")
+
+    def _opening(self, noun: str, wall: int | str, at: float, width: float, name: str | None) -> dict[str, Any]:
+        """What doors and windows have in common."""
+        number = self.wall(wall)
+        if isinstance(at, bool) or not isinstance(at, int | float) or not 0 <= at <= 1:
+            raise InputError(f"{noun}: at is {show(at)}; give a share of the wall, 0 to 1")
+        if isinstance(width, bool) or not isinstance(width, int | float):
+            raise InputError(f"{noun}: width is {show(width)}; give metres")
+        free = self.walls[number].length - width
+        if free < -FIT_TOLERANCE:
+            raise InputError(f"{noun}: width is {width:g} m, but wall {number} is {width + free:.6g} m long")
+        taken = {o.id for o in self.openings}
+        numbered = (f"{noun}-{k}" for k in range(len(taken) + 1))
+        fresh = next(text for text in numbered if text not in taken) if name is None else name
+        return {"id": fresh, "wall": number, "offset": round(max(0.0, free * at), 6), "width": width}
+
+    def _rebuilt(self, **changes: Any) -> Self:
+        """The room with some fields changed, checked as a new one."""
+        return type(self)(**{**{name: getattr(self, name) for name in type(self).model_fields}, **changes})
 
     @property
     def walls(self) -> tuple[Wall, ...]:

@@ -9,6 +9,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
+from sceneweaver.scene.display import Displayed
 from sceneweaver.scene.files import write_atomic
 
 from .measure import Measurement
@@ -123,7 +124,7 @@ class RelationTally(_Items):
 
 
 @dataclass(frozen=True)
-class Report:
+class Report(Displayed):
     """The verdict on one scene.
 
     ``valid`` when nothing is dropped, collides, leaves the room, lacks support or blocks a hard zone or opening, and
