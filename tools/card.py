@@ -64,7 +64,7 @@ def read_card(text: str) -> ToolCard:
     import yaml
 
     try:
-        data = yaml.safe_load(text)
+        data = yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
     except yaml.YAMLError as error:
         raise InputError(f"card: not YAML: {' '.join(str(error).split())}") from None
     if not isinstance(data, Mapping):

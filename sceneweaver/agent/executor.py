@@ -6,11 +6,12 @@ import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Literal
 
 from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.knowledge import RoomType
-from sceneweaver.layout import QualityTerm, Solution, improve, refine, refine_many
+from sceneweaver.layout import QualityTerm, Solution, improve, joined, refine, refine_many
 from sceneweaver.scene import Pose, Relation, Room, Scene
 from sceneweaver.scene.edits import Remove, apply, apply_all
 from sceneweaver.tools.base import Proposal
@@ -36,6 +37,10 @@ CLOSE = 4
 
 AGAIN = 0.5
 """Share of the time of the last search without which no other begins before the deadline."""
+
+AT_FIRST, FEW = 32, 8
+"""Layouts of a new room that are drawn at first; valid ones among them below which the others are drawn as well, if
+there are any: where none is valid, as many again seldom bring one."""
 
 MANY = 1024
 """Layouts from which on all rooms that a tool proposes are compared, even where the first has a valid layout."""
@@ -305,17 +310,9 @@ class Executor:
             pinned = _pinned(plain(draft), {o.id: o.pose for o in draft.objects if o.id not in moving})
             self.attempts += s.attempts[0]
             drawn = any(not has_place(draft.object(id)) for id in loose)
-            solution = refine(
-                pinned,
-                candidates=max(16, s.layouts // 2),
-                seed=seed,
-                device=s.device,
-                steps=s.attempts[0],
-                time_limit=self.deadline.time_limit,
-                init="sample" if drawn else "current",
-                snap=True,
-                quality=self._terms(pinned) if drawn else (),
-            )
+            terms = self._terms(pinned) if drawn else ()
+            how = "sample" if drawn else "current"
+            solution = self._searched(pinned, terms, max(16, s.layouts // 2), seed, s.attempts[0], how)
             layouts = [_posed(draft, layout) for layout in solution.distinct(ENOUGH)]
             valid = [o for o in self._ranked(layouts) if o.report.valid]
             if valid:
@@ -332,22 +329,44 @@ class Executor:
     def _free(self, draft: Scene, fresh: bool, seed: int, attempts: int, plain: Plain) -> list[Scene]:
         """Layouts of a whole scene, valid ones if there are any."""
         s, simple = self.settings, plain(draft)
-        terms = self._terms(simple) if fresh else []
-        solution = refine(
-            simple,
-            candidates=s.layouts if fresh else max(16, s.layouts // 4),
+        if fresh:
+            terms = self._terms(simple)
+            solution = self._improved([self._drawn(simple, terms, seed, attempts)], [terms])[0]
+        else:
+            solution = self._searched(simple, (), max(16, s.layouts // 4), seed, attempts, "current")
+        layouts = solution.distinct(s.finalists if fresh else 2) or [solution.best]
+        return [_posed(draft, layout) for layout in layouts]
+
+    def _drawn(self, scene: Scene, terms: Sequence[QualityTerm], seed: int, attempts: int) -> Solution:
+        """Layouts of a whole scene drawn anew."""
+        count = self.settings.layouts
+        first = count if count >= MANY else min(count, AT_FIRST)
+        solution = self._searched(scene, terms, first, seed, attempts)
+        if first < count and 0 < len(solution.ranked) < FEW and not self.deadline.passed:
+            solution = joined(solution, self._searched(scene, terms, count - first, (seed + 1) % 2**32, attempts))
+        return solution
+
+    def _searched(
+        self,
+        scene: Scene,
+        terms: Sequence[QualityTerm],
+        candidates: int,
+        seed: int,
+        attempts: int,
+        init: Literal["sample", "current"] = "sample",
+    ) -> Solution:
+        """So many layouts of a scene."""
+        return refine(
+            scene,
+            candidates=candidates,
             seed=seed,
-            init="sample" if fresh else "current",
-            device=s.device,
+            init=init,
+            device=self.settings.device,
             steps=attempts,
             time_limit=self.deadline.time_limit,
             snap=True,
             quality=terms,
         )
-        if fresh:
-            solution = self._improved([solution], [terms])[0]
-        layouts = solution.distinct(s.finalists if fresh else 2) or [solution.best]
-        return [_posed(draft, layout) for layout in layouts]
 
     def _of_variants(self, draft: Scene, variants: Sequence[Variant], seed: int, attempts: int) -> list[Scene]:
         """Layouts of a scene with the relations of each variant; if none is valid, the one that comes nearest."""

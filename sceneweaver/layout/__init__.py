@@ -11,6 +11,7 @@ from .problem import compile as compile
 from .quality import QualityTerm as QualityTerm
 from .rate import rate as rate
 from .solution import Solution as Solution
+from .solution import joined as joined
 from .stepwise import StepDescent as StepDescent
 from .stepwise import StepOptimizer as StepOptimizer
 from .stepwise import find_optimizer as find_optimizer
@@ -26,6 +27,7 @@ __all__ = [
     "compile",
     "find_optimizer",
     "improve",
+    "joined",
     "rate",
     "refine",
     "refine_many",

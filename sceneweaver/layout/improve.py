@@ -14,7 +14,7 @@ from . import engine
 from .compile import LayoutProblem, compile_scene
 from .quality import QualityTerm
 from .rate import walked
-from .solution import Solution, best_of_each_signature
+from .solution import Solution, best_of_each_signature, joined
 
 PARENTS = 16
 """Layouts that children come from: the best of each signature first."""
@@ -90,9 +90,8 @@ def improve(
             compiled=compiled,
             walk=False,
         )
-        solution = _together(solution, children)
-    solution = walked(solution, compiled)
-    return replace(solution, elapsed=solution.elapsed + time.monotonic() - began)
+        solution = joined(solution, children)
+    return walked(solution, compiled)
 
 
 def _children(
@@ -117,16 +116,3 @@ def _children(
         aside = np.stack([-np.sin(yaw), np.cos(yaw)], axis=-1)
         children[rows[:, None], group, :2] += step[rows] * aside[:, None]
     return np.where(np.isfinite(children), children, room.home)
-
-
-def _together(first: Solution, second: Solution) -> Solution:
-    """One solution with the candidates of two."""
-
-    def join(name: str) -> np.ndarray:
-        return np.concatenate([getattr(first, name), getattr(second, name)])
-
-    return replace(
-        first,
-        **{name: join(name) for name in ("poses", "status", "relations", "energy", "walkable", "quality")},
-        timed_out=first.timed_out or second.timed_out,
-    )

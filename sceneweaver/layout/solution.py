@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -183,6 +183,21 @@ class Solution(Shown):
             chosen.append(int(left[0]))
             left = left[differ(self.poses[left], self.poses[left[0]])]
         return chosen
+
+
+def joined(first: Solution, second: Solution) -> Solution:
+    """One solution with the candidates of two of the same scene, both rated or neither; neither keeps to poses."""
+
+    def both(name: str) -> np.ndarray:
+        return np.concatenate([getattr(first, name), getattr(second, name)])
+
+    rated = () if first.quality is None else ("quality",)
+    return replace(
+        first,
+        **{name: both(name) for name in ("poses", "status", "relations", "energy", "walkable", *rated)},
+        elapsed=first.elapsed + second.elapsed,
+        timed_out=first.timed_out or second.timed_out,
+    )
 
 
 def signatures(scene: Scene, poses: np.ndarray) -> np.ndarray:

@@ -14,6 +14,7 @@ from sceneweaver.agent.settings import Settings
 from sceneweaver.brief import Entity, SceneGraph
 from sceneweaver.critic import CRITERIA, Fault, Review
 from sceneweaver.knowledge import room_type
+from sceneweaver.layout import Solution, refine
 from sceneweaver.scene import (
     Add,
     Dropped,
@@ -307,6 +308,29 @@ def test_soft_relations_that_fail_cost_and_are_no_faults():
     unstable = Violation("unstable", ("bed-0",), "bed-0 moves 20 cm in 3 s of physics", 0.2)
     fallen = replace(near, report=replace(near.report, violations=(unstable,)))
     assert fallen.faults == (unstable,) and fallen.key[0] == 1
+
+
+@pytest.mark.parametrize(
+    ("few", "size", "drawn"),
+    [
+        (8, (0.5, 0.5, 0.5), [32]),  # nearly all are valid
+        (33, (0.5, 0.5, 0.5), [32, 32]),  # never enough of them
+        (33, (4.0, 0.5, 0.5), [32]),  # too long for the room: none is, and none will be
+    ],
+)
+def test_the_second_half_of_the_layouts_is_drawn_where_few_of_the_first_are_valid(monkeypatch, few, size, drawn):
+    counts = []
+
+    def counted(scene: Scene, **given: Any) -> Solution:
+        counts.append(given["candidates"])
+        return refine(scene, **given)
+
+    monkeypatch.setattr("sceneweaver.agent.executor.refine", counted)
+    monkeypatch.setattr("sceneweaver.agent.executor.FEW", few)
+    executor = Executor(room_type("bedroom"), SceneGraph(text="a bedroom"), Settings(device="cpu", generations=0))
+    before = room_with(BED, wanted("chest-0", "asked", size))
+    executor._free(before, True, 0, 1, lambda scene: scene)
+    assert counts == drawn
 
 
 def test_a_deadline_that_has_passed_ends_the_search_with_what_there_is():

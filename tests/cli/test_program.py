@@ -16,6 +16,7 @@ import pytest
 
 import sceneweaver
 from sceneweaver.cli import main
+from sceneweaver.cli.app import COLLECT
 
 ROOT = Path(__file__).parents[2]
 EXAMPLE = Path(sceneweaver.__file__).parent / "scene" / "examples" / "bedroom.json"
@@ -44,6 +45,15 @@ def test_help_loads_nothing_heavy(tmp_path):
     )
     ended = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True)
     assert ended.stdout.splitlines()[-1] == "[]"
+
+
+@pytest.mark.parametrize(("arguments", "own"), [("", True), ("['--version']", False)])
+def test_the_garbage_collector_is_set_for_a_process_of_its_own_alone(arguments, own):
+    code = f"import gc; from sceneweaver.cli import main; main({arguments}); print(*gc.get_threshold())"
+    ended = subprocess.run(
+        [sys.executable, "-c", code, "--version"], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    assert (tuple(map(int, ended.stdout.splitlines()[-1].split())) == COLLECT) == own
 
 
 def test_version(capfd):

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+import sceneweaver as sw
+from sceneweaver.layout import QualityTerm, joined
 from sceneweaver.layout.solution import best_of, rank
 from tests.layout.made import relation, scene, thing
 
@@ -47,3 +49,13 @@ def test_what_ranks_first():
     assert rank(ROOM, **found).tolist() == [5, 4, 3, 2, 1, 0]
     assert rank(ROOM, **found, walkable=walkable).tolist() == [4, 3, 2, 1, 5, 0]
     assert rank(ROOM, **found, moved=np.array([0.0, 0.0, 1.0, 1.0, 1.0, 1.0]))[0] == 1
+
+
+@pytest.mark.parametrize("terms", [(), (QualityTerm("gap", ("a", "door"), low=4.5, span=4.0, weight=2.0),)])
+def test_two_solutions_as_one(terms):
+    first, second = (sw.refine(ROOM, candidates=4, seed=seed, quality=terms) for seed in (0, 1))
+    both = joined(first, second)
+    assert both.candidates == 8 and both.elapsed == pytest.approx(first.elapsed + second.elapsed)
+    np.testing.assert_array_equal(both.poses, np.concatenate([first.poses, second.poses]))
+    assert both.best in (first.best, second.best)
+    assert (both.quality is None) == (not terms)
