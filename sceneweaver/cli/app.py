@@ -510,6 +510,96 @@ def assets_infinigen(
     return run_infinigen(names or [], seeds=seeds, store=store, time_limit=time_limit, as_json=as_json)
 
 
+bench = typer.Typer(name="bench", help="Compare optimisers on many problems: curves, profiles, tables, plots.")
+app.add_typer(bench)
+
+Results = Annotated[
+    Path, typer.Argument(metavar="DIR", help="The folder of results, or a Parquet file.", show_default=False)
+]
+Goal = Annotated[
+    str, typer.Option(metavar="KIND:VALUE", help="What is to be reached: valid:SHARE, objective:TOLERANCE.")
+]
+Family = Annotated[str | None, typer.Option(help="Only problems of this family.", show_default=False)]
+
+
+@bench.command("run")
+def bench_run(
+    out: Annotated[
+        Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the results.", show_default=False)
+    ],
+    optimizers: Annotated[
+        str,
+        typer.Option(
+            metavar="A,B",
+            help="Names, package.module:Name, or label=either; package.module:NAMES for a mapping of them.",
+        ),
+    ] = ",".join(OPTIMIZERS),
+    problems: Annotated[str, typer.Option(metavar="A,B", help="Names, families, scene files, or all.")] = "all",
+    seeds: Annotated[int, typer.Option(min=1, help="How many seeds, from 0.")] = 3,
+    candidates: Annotated[int, typer.Option(min=1, help="Layouts that a method moves at once.")] = 64,
+    seconds: Annotated[float, typer.Option(callback=_seconds, help="Budget of a run.")] = 5.0,
+    evaluations: Annotated[
+        int | None, typer.Option(min=1, help="Budget of a run in layouts measured.", show_default=False)
+    ] = None,
+    clock: Annotated[str, typer.Option(metavar="wall|cpu", help="What seconds are.")] = "wall",
+    start: Annotated[str, typer.Option(metavar="sample|random|perturbed", help="Where layouts start.")] = "sample",
+    restarts: Annotated[
+        bool, typer.Option("--restarts/--no-restarts", help="Begin again where a method ends early.")
+    ] = True,
+    checkpoints: Annotated[int, typer.Option(min=1, help="Looks at a run.")] = 16,
+    limit: Annotated[float, typer.Option(callback=_seconds, help="Wall seconds after which a run is killed.")] = 300.0,
+    isolate: Annotated[
+        bool, typer.Option("--isolate/--no-isolate", help="Run in a process that may hang or crash.")
+    ] = True,
+    device: Device = "auto",
+    as_json: Json = False,
+) -> int:
+    """Run optimisers on problems. What is in the folder already is not run again; a failure is a row of the results."""
+    from .bench import run_bench
+
+    return run_bench(
+        optimizers,
+        problems,
+        out,
+        seeds=seeds,
+        candidates=candidates,
+        seconds=seconds,
+        evaluations=evaluations,
+        clock=clock,
+        start=start,
+        restarts=restarts,
+        checkpoints=checkpoints,
+        limit=limit,
+        isolate=isolate,
+        device=device,
+        as_json=as_json,
+    )
+
+
+@bench.command("compare")
+def bench_compare(source: Results, target: Goal = "valid:0.5", family: Family = None, as_json: Json = False) -> int:
+    """Print tables of results: quality next to time, by method and by family."""
+    from .bench import run_compare
+
+    return run_compare(source, target=target, family=family, as_json=as_json)
+
+
+@bench.command("plot")
+def bench_plot(
+    source: Results,
+    out: Annotated[
+        Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the pictures.", show_default=False)
+    ],
+    target: Goal = "valid:0.5",
+    form: Annotated[str, typer.Option("--format", metavar="png|svg", help="Of the pictures.")] = "png",
+    family: Family = None,
+) -> int:
+    """Draw anytime curves, performance profiles and data profiles."""
+    from .bench import run_plot
+
+    return run_plot(source, out, target=target, form=form, family=family)
+
+
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code; ``argv`` is without the program's name.
 

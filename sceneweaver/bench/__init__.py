@@ -1,0 +1,36 @@
+"""A harness: any optimiser over many problems, as anytime curves, profiles, tables and plots; `sceneweaver bench`.
+
+It needs the extra ``bench`` (pyarrow, matplotlib): ``pip install 'sceneweaver[bench]'``.
+"""
+
+from .curves import Target as Target
+from .methods import Method as Method
+from .plots import plot as plot
+from .profiles import Profile as Profile
+from .profiles import data_profile as data_profile
+from .profiles import performance_profile as performance_profile
+from .results import Run as Run
+from .results import read_about as read_about
+from .results import read_runs as read_runs
+from .runner import run as run
+from .settings import Settings as Settings
+from .tables import Line as Line
+from .tables import compare as compare
+from .tables import markdown as markdown
+
+__all__ = [
+    "Line",
+    "Method",
+    "Profile",
+    "Run",
+    "Settings",
+    "Target",
+    "compare",
+    "data_profile",
+    "markdown",
+    "performance_profile",
+    "plot",
+    "read_about",
+    "read_runs",
+    "run",
+]

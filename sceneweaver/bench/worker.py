@@ -1,0 +1,83 @@
+"""Runs in a process of their own, which may crash or hang without an end to the comparison."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from dataclasses import replace
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
+
+from .execute import Prepared, blank, execute
+from .methods import Method
+from .schema import Row
+from .settings import Settings
+from .tasks import Task
+
+SPAWN = get_context("spawn")  # a fork of a process that has used CUDA or JAX is of no use
+
+
+class Worker:
+    """A process that runs one method on one problem at a time; a new one takes its place where it had to end."""
+
+    def __init__(self) -> None:
+        self._process = None
+        self._end: Connection | None = None
+
+    def execute(self, method: Method, task: Task, seed: int, settings: Settings) -> Iterator[Row]:
+        """Rows as of `execute.execute`; the last one says so where the process was killed or crashed."""
+        row, limit = blank(method, task, seed, settings), time.monotonic() + settings.limit
+        end = self._send((method, task, seed, settings))
+        while True:
+            if not end.poll(max(limit - time.monotonic(), 0.0)):
+                self.close()
+                reason = f"killed after {settings.limit:g} s"
+                break
+            try:
+                found = end.recv()
+            except EOFError:
+                reason = f"the process ended by itself, exit code {self.close()}"
+                break
+            if found is None:
+                return
+            row = found
+            yield row
+        yield replace(row, checkpoint=row.checkpoint + 1, outcome="killed", reason=reason)
+
+    def _send(self, order: tuple[Method, Task, int, Settings]) -> Connection:
+        if self._process is None or self._end is None or not self._process.is_alive():
+            self.close()
+            self._end, theirs = SPAWN.Pipe()
+            self._process = SPAWN.Process(target=serve, args=(theirs,), daemon=True)
+            self._process.start()
+            theirs.close()
+        self._end.send(order)
+        return self._end
+
+    def close(self) -> int | None:
+        """End the process; its exit code."""
+        process, self._process = self._process, None
+        if self._end is not None:
+            self._end.close()
+            self._end = None
+        if process is None:
+            return None
+        process.join(1.0)
+        code = process.exitcode
+        if process.is_alive():
+            process.kill()
+            process.join()
+        return code
+
+
+def serve(end: Connection) -> None:
+    """Do what is asked for until nobody asks any more. A None follows the last row of a run."""
+    prepared = Prepared()
+    while True:
+        try:
+            method, task, seed, settings = end.recv()
+        except EOFError:
+            return
+        for row in execute(method, task, seed, settings, prepared):
+            end.send(row)
+        end.send(None)

@@ -1,0 +1,188 @@
+"""Runs: what is counted, what is looked at, how they end, and that a folder goes on where it was left."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+import sceneweaver as sw
+from sceneweaver.bench import Method, Settings, read_about, read_runs, run
+from sceneweaver.bench.schema import COLUMNS, Row
+from tests.bench import optimizers
+from tests.kernels.harness import ZOO
+from tests.layout.made import BOX, relation, scene, thing
+
+PAIR = scene([BOX, thing("other")], [relation("near", "box", "other", max=0.4)])
+SHORT = Settings(candidates=8, seconds=0.2, restarts=False)
+
+
+def one(tmp_path, optimizer, problem=PAIR, settings=SHORT, **others):
+    """The one run of a comparison."""
+    (found,) = read_runs(run([optimizer], [problem], tmp_path / "out", seeds=1, settings=settings, **others))
+    return found
+
+
+def test_a_run_is_rows_of_looks(tmp_path):
+    found = one(tmp_path, optimizers.Momentum(), settings=Settings(candidates=8, seconds=60.0, restarts=False))
+    assert set(found.columns) == set(COLUMNS) == set(Row.__annotations__)
+    assert found.last("outcome") == "ended" and found.last("steps") == 20 and found.last("rounds") == 1
+    assert list(found["checkpoint"]) == list(range(len(found["checkpoint"]))) and found["seconds"][0] == 0
+    assert (found.last("energy_calls"), found.last("evaluations")) == (20, 160)  # looks measure as well: not counted
+    assert (np.diff(found["seconds"]) > 0).all() and (np.diff(found["steps"]) > 0).all()
+    assert set(found["outcome"][:-1]) == {"running"}
+    assert found.last("objects") == 2 and found.last("variables") == 6 and found.last("candidates") == 8
+
+
+def test_the_last_row_is_what_refine_gives(tmp_path):
+    settings = Settings(candidates=8, seconds=60.0, restarts=False)
+    found = one(tmp_path, optimizers.Momentum(), settings=settings)
+    given = sw.compile(PAIR, device="cpu").sample(0, 8)
+    solution = sw.refine(PAIR, init=given, optimizer=optimizers.Momentum(), device="cpu", explain=False)
+    assert found.last("best_energy") == pytest.approx(solution.energy.min(), abs=1e-6)
+    assert found.last("median_energy") == pytest.approx(np.median(solution.energy), abs=1e-6)
+    assert found.last("valid") == (solution.status == 0).mean()
+
+
+def test_looks_are_not_in_the_time(tmp_path):
+    found = one(tmp_path, optimizers.Slow(), settings=Settings(candidates=2, seconds=60.0, restarts=False))
+    assert 0.06 <= found.last("wall_seconds") < 0.3 <= found.last("setup_seconds")
+
+
+def test_own_counts_are_taken(tmp_path):
+    found = one(tmp_path, optimizers.Counting(), settings=Settings(candidates=2, seconds=60.0, restarts=False))
+    assert (found.last("energy_calls"), found.last("evaluations")) == (140, 2000)
+
+
+def test_a_budget_ends_what_goes_on(tmp_path):
+    found = one(tmp_path, optimizers.Endless())
+    assert found.last("outcome") == "budget" and found.last("seconds") >= 0.2
+    few = Settings(candidates=8, seconds=60.0, evaluations=100)
+    found = one(tmp_path / "few", optimizers.Endless(), settings=few)
+    assert found.last("outcome") == "budget" and found.last("evaluations") == 104
+
+
+def test_what_ends_early_begins_again_and_keeps_the_best(tmp_path):
+    problem = ZOO / "bedroom-small.json"  # not to be solved by a few steps of descent
+    few = Settings(candidates=4, seconds=60.0, evaluations=4 * 100)
+    found = one(tmp_path, optimizers.Momentum(), str(problem), few)
+    assert found.last("rounds") == 5 and found.last("steps") == 100 and found.last("outcome") == "budget"
+    alone = Settings(candidates=4, seconds=60.0, restarts=False)
+    first = one(tmp_path / "alone", optimizers.Momentum(), str(problem), alone)
+    assert found.last("valid") >= first.last("valid") and found.last("best_energy") <= first.last("best_energy")
+    assert found.last("median_energy") < first.last("median_energy")
+
+
+def test_it_ends_when_all_are_valid(tmp_path):
+    room = sw.Scene.load(ZOO / "bedroom-small.json")
+    found = one(tmp_path, optimizers.Solved(), room, Settings(candidates=4, seconds=60.0))
+    assert found.last("outcome") == "ended" and found.last("rounds") == 1 and found.last("valid") == 1
+    assert found.last("distinct") == 1 and found.last("best_valid_energy") == found.last("best_energy")
+
+
+@pytest.mark.parametrize("clock", ["wall", "cpu"])
+def test_both_clocks_are_noted(tmp_path, clock):
+    found = one(tmp_path, optimizers.Momentum(), settings=Settings(candidates=2, seconds=30.0, clock=clock))
+    assert found.last("seconds") == found.last(f"{clock}_seconds") > 0
+    assert found.last("cpu_seconds") != found.last("wall_seconds")
+
+
+@pytest.mark.parametrize(
+    ("optimizer", "reason"),
+    [
+        (optimizers.Failing(), "ZeroDivisionError: one over nothing"),
+        (optimizers.Misshapen(), "ValueError: best gave an array of shape"),
+        (Method("gone", "tests.bench.nothing:Here"), "ModuleNotFoundError"),
+        (
+            Method("gone", "tests.bench.optimizers:Here"),
+            'InputError: optimizers: "tests.bench.optimizers" has no "Here"',
+        ),
+    ],
+)
+def test_a_failure_is_a_row(tmp_path, optimizer, reason):
+    path = run([optimizer, "adam"], [PAIR], tmp_path, seeds=1, settings=SHORT)
+    runs = {r.key[0]: r for r in read_runs(path)}
+    wrong = runs.pop(Method("", optimizer).name or next(iter(set(runs) - {"adam"})))
+    assert wrong.failed and wrong.last("outcome") == "failed" and wrong.last("reason").startswith(reason)
+    assert not runs["adam"].failed
+
+
+def test_a_process_that_hangs_or_crashes_is_a_row(tmp_path):
+    named = [f"{kind.lower()}=tests.bench.optimizers:{kind}" for kind in ("Hanging", "Crashing", "Momentum")]
+    settings = Settings(candidates=2, seconds=0.1, limit=15.0)
+    runs = {r.key[0]: r for r in read_runs(run(named, [PAIR], tmp_path, seeds=1, settings=settings, isolate=True))}
+    assert runs["hanging"].last("outcome") == runs["crashing"].last("outcome") == "killed"
+    assert runs["hanging"].last("reason") == "killed after 15 s"
+    assert runs["crashing"].last("reason") == "the process ended by itself, exit code 7"
+    assert runs["momentum"].last("outcome") in ("ended", "budget")
+
+
+def test_a_folder_goes_on_where_it_was_left(tmp_path):
+    made = []
+
+    def stop(done, total, row):
+        made.append((row.method, row.seed))
+        if len(made) == 2:
+            raise KeyboardInterrupt
+
+    names = ["adam", "langevin"]
+    with pytest.raises(KeyboardInterrupt):
+        run(names, [PAIR], tmp_path, seeds=2, settings=SHORT, progress=stop)
+    assert len(read_runs(tmp_path)) == 2 and not (tmp_path / "results.parquet").exists()
+    path = run(names, [PAIR], tmp_path, seeds=2, settings=SHORT, progress=stop)
+    assert made == [("adam", 0), ("adam", 1), ("langevin", 0), ("langevin", 1)]
+    before = {r.key: r.columns for r in read_runs(path)}
+    run([*names, optimizers.Momentum()], [PAIR], tmp_path, seeds=2, settings=SHORT, progress=stop)
+    assert made[4:] == [("Momentum", 0), ("Momentum", 1)]
+    after = {r.key: r.columns for r in read_runs(path)}
+    assert len(after) == 6
+    for key, columns in before.items():
+        for name in COLUMNS:
+            np.testing.assert_array_equal(after[key][name], columns[name])
+    with pytest.raises(sw.InputError, match="holds runs with another candidates"):
+        run(names, [PAIR], tmp_path, settings=Settings(candidates=9, seconds=0.2, restarts=False))
+
+
+def test_a_file_says_what_it_is_of(tmp_path):
+    path = run(["adam"], [PAIR], tmp_path, seeds=1, settings=SHORT)
+    about = read_about(path)
+    assert about["settings"] == json.loads((tmp_path / "settings.json").read_text()) == SHORT.to_dict()
+    assert {"python", "sceneweaver", "warp-lang", "numpy"} <= set(about["versions"])
+    assert not any("commit" in name for part in about.values() for name in part)
+
+
+@pytest.mark.parametrize("text", ["", "nonsense"])
+def test_what_is_no_results(tmp_path, text):
+    with pytest.raises(sw.InputError, match="no results"):
+        read_runs(tmp_path)
+    (tmp_path / "x.parquet").write_text(text)
+    with pytest.raises(sw.InputError, match="no Parquet file"):
+        read_runs(tmp_path / "x.parquet")
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [
+        ("candidates", 0),
+        ("candidates", 1.5),
+        ("seconds", 0.0),
+        ("seconds", float("nan")),
+        ("limit", float("inf")),
+        ("evaluations", 0),
+        ("clock", "sun"),
+        ("start", "anywhere"),
+        ("checkpoints", 0),
+    ],
+)
+def test_what_is_no_setting(field, value):
+    with pytest.raises(sw.InputError, match=f"{field}: "):
+        Settings(**{field: value})
+
+
+def test_results_need_pyarrow(tmp_path, monkeypatch):
+    monkeypatch.setitem(__import__("sys").modules, "pyarrow.parquet", None)
+    with pytest.raises(
+        sw.MissingDependencyError, match=r"pyarrow is not installed; pip install 'sceneweaver\[bench\]'"
+    ):
+        run(["adam"], [PAIR], tmp_path, settings=SHORT)
