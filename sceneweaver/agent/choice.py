@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from sceneweaver.critic import kinds
 from sceneweaver.critic.design.clearance import BELOW_WINDOWS, BOARDS, BROWSED, OPENED
-from sceneweaver.critic.design.fill import GYMS, HOMELIKE
+from sceneweaver.critic.design.fill import largest_allowed
 from sceneweaver.critic.design.visitors import BESIDE, STAFFED, VISITORS
 from sceneweaver.critic.design.walls import CLOSE, PLAIN, TALL
 from sceneweaver.critic.design.ways import ACROSS, BODY, GOALS, GRID, REACH, USED
@@ -152,7 +152,7 @@ def _tables(rules: Rules) -> Iterator[QualityTerm]:
 
 def _fill(rules: Rules) -> Iterator[QualityTerm]:
     """Empty floor."""
-    side = limit("no_empty_floor", "side" if rules.room in HOMELIKE else "gym" if rules.room in GYMS else "public")
+    side = largest_allowed(rules.room)
     if rules.standing:
         yield from rules.term("no_empty_floor", "empty", high=side, span=0.15)
         yield from rules.term("no_empty_floor", "empty", high=side, span=side)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from sceneweaver.knowledge import Item, RoomType
+from sceneweaver.knowledge.lived_in import left_about
 from sceneweaver.verify.solids import Body
 
 from . import kinds
@@ -54,6 +55,7 @@ def supports(survey: Survey) -> list[Body]:
         if b.item.surfaces
         and kinds.carries(b.item.category)
         and b.item.mount != "surface"
+        and not left_about(b.item.category, survey.room_type.name)
         and any(_low(b, s.z) for s in b.item.surfaces)
     ]
 

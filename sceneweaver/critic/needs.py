@@ -17,6 +17,9 @@ from .survey import Survey
 GRADE_CAP = 5.5
 """Highest grade of a room in which something needed is missing."""
 
+SPARE = 0.15
+"""Share of the usual items of a kind of room that one room may do without."""
+
 PARENT_WIDE = 0.9
 """Distance [m] within which a seat counts as being at a table."""
 
@@ -27,10 +30,12 @@ SHOW = frozenset(("decor", "lighting", "plant_group", "textile"))
 def faults(survey: Survey) -> Iterator[Finding]:
     """Missing furniture and incomplete groups."""
     reported: set[str] = set()
+    spared = _spared(survey)
     for need in survey.program.needs:
         if need.missing:
             reported.add(need.item.id)
-            yield _missing(survey, need)
+            if need.item.id not in spared:
+                yield _missing(survey, need)
     yield from _desks(survey, reported)
     yield from _tables(survey, reported)
     yield from _screens(survey)
@@ -52,6 +57,14 @@ def placing(survey: Survey, item: Item, parent: str | None = None) -> list[dict[
             row["soft"] = True
         found.append(row)
     return found
+
+
+def _spared(survey: Survey) -> set[str]:
+    """Ids of usual items that a room does without and nobody misses: a few of all that such rooms have."""
+    usual = [n for n in survey.program.needs if n.item.need == "usual" and not n.asked]
+    absent = [n.item.id for n in usual if not n.have]
+    few = {n.item.id for n in usual if n.have and 2 * n.missing <= n.least}
+    return few | set(absent if len(absent) <= SPARE * len(usual) else ())
 
 
 def _missing(survey: Survey, need: Need) -> Finding:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from sceneweaver.knowledge.lived_in import left_about
 from sceneweaver.verify import Violation
 from sceneweaver.verify.walkable import measure
 
@@ -15,6 +16,12 @@ GRADE_CAP = 5.0
 
 WALKABLE, REACHABLE = 0.9, 0.97
 """Shares of the free floor, and of the furniture, that a person should get to."""
+
+SLIGHT, SLIGHT_DEGREES = 0.3, 10.0
+"""How far what is merely wished for of a wall, door or window may be off [m] [degrees] before anyone sees it."""
+
+BESIDE = 0.1
+"""The same [m] of a place beside something."""
 
 NEEDED = 0.8
 """Points for each piece that the room needs, or that was asked for, which nobody gets to."""
@@ -52,6 +59,8 @@ def _violation(survey: Survey, v: Violation) -> Iterator[Finding]:
         case "relation":
             fix = f"lay out {v.objects[0]} again so that it holds"
             yield finding("layout", "broken_relation", v.objects, v.detail, fix, points=1.0, call=again)
+        case "soft_relation" if _slight(survey, v):
+            return
         case "soft_relation":
             yield finding(
                 "layout", "soft_relation", v.objects, v.detail, points=min(0.8, 0.5 * _weight(survey, v)), call=again
@@ -72,6 +81,20 @@ def _on_companion(survey: Survey, owner: str, other: str) -> bool:
             return True
         base = survey.placed.by_id[base.object].item.support if base.object in survey.placed.by_id else None
     return False
+
+
+def _lies_about(survey: Survey, name: str) -> bool:
+    return left_about(survey.scene.object(name).category, survey.room_type.name)
+
+
+def _slight(survey: Survey, v: Violation) -> bool:
+    """Whether a wish that nobody stated is missed by so little that it does not show."""
+    if v.relation is None or v.measurement is None or survey.scene.relations[v.relation.index].asked:
+        return False
+    if v.measurement.unit == "deg":
+        return v.amount <= SLIGHT_DEGREES
+    of_room = not any(name in survey.placed.by_id for name in v.objects[1:])
+    return v.measurement.unit == "m" and v.amount <= (SLIGHT if of_room else BESIDE)
 
 
 def _weight(survey: Survey, v: Violation) -> float:
@@ -95,7 +118,8 @@ def _ways(survey: Survey) -> Iterator[Finding]:
         )
     if reach is not None and reach < 1.0:
         access = measure(survey.placed)
-        missed = access.unreached if access is not None else ()
+        missed = [n for n in access.unreached if not _lies_about(survey, n)] if access is not None else []
+        reach = 1.0 - len(missed) / max(1, len([o for o in survey.scene.objects if o.mount == "floor"]))
         grave = [
             object_id for object_id in missed if survey.scene.object(object_id).intent.priority in ("asked", "needed")
         ]

@@ -17,8 +17,11 @@ from .grade import Finding, finding, moved
 from .needs import seat_like, table_of
 from .survey import QUARTER, Survey
 
-ROW_GAP = (0.015, 0.12)
-"""Offsets [m] between equals in a row that look like a mistake."""
+ROW_GAP = (0.03, 0.12)
+"""Offsets [m] between equals in a row that look like a mistake; less is not seen."""
+
+PUSHED_IN = 0.06
+"""Offset [m] between chairs at one table up to which they are as people leave them."""
 
 IN_LINE = 0.15
 """Offset [m] up to which two tables stand in one row."""
@@ -68,10 +71,13 @@ def _rows(survey: Survey) -> Iterator[Finding]:
 def _uneven(bodies: list[Body], seats: bool) -> list[tuple[str, str, float]]:
     """Pairs (id, id, offset [m]) of near neighbours that nearly stand in line.
 
-    ``seats`` at one table are compared side by side only: how far each is pushed in.
+    ``seats`` at one table are compared side by side only: how far each is pushed in. Things of different sizes are in
+    line where their fronts or their backs are.
     """
     centres = np.array([b.centre for b in bodies])
     yaws = np.array([b.yaw for b in bodies])
+    halves = np.array([b.size[:2] for b in bodies]) / 2
+    least = PUSHED_IN if seats else ROW_GAP[0]
     reach = 1.5 * max(max(b.size[:2]) for b in bodies) + 0.8
     found = []
     for body in bodies:
@@ -79,13 +85,15 @@ def _uneven(bodies: list[Body], seats: bool) -> list[tuple[str, str, float]]:
         same = np.abs(wrap_angle(yaws - body.yaw, QUARTER)) < math.radians(3)
         if seats:
             same &= np.cos(yaws - body.yaw) > 0.9
-        for along, across in ((aside, ahead), (ahead, aside))[: 1 if seats else 2]:
+        turned = np.abs(np.cos(yaws - body.yaw)) < 0.5
+        for k, (along, across) in enumerate(((aside, ahead), (ahead, aside))[: 1 if seats else 2]):
             mates = np.flatnonzero(same & (along > 0.05) & (along < reach) & (np.abs(across) < 0.2))
             if not len(mates):
                 continue
             j = int(mates[np.argmin(along[mates])])
-            off = abs(float(across[j]))
-            if ROW_GAP[0] < off < ROW_GAP[1]:
+            wider = float(halves[j, 1 - k if turned[j] else k]) - body.size[k] / 2
+            off = min(abs(float(across[j]) + edge * wider) for edge in (-1, 0, 1))  # a front, the middle or a back
+            if least < off < ROW_GAP[1]:
                 found.append((body.id, bodies[j].id, off))
     return found
 

@@ -6,16 +6,21 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sceneweaver.knowledge.design_rules import design_rules, limit
 
 from .. import kinds
 from ..finish import supports
 from ..grade import Finding
+from ..rows import UNITS
 from ..space import floor_of
 from ..survey import Survey
+from .bath import BASINS, BATHS, SHOWERS
 from .breach import breach
+from .clearance import OPENED
 from .focus import HOME
+from .measure import strip
 
 HOMELIKE = HOME | frozenset(
     ("bedroom", "childrens_room", "nursery", "teen_bedroom", "dining_room", "study", "bathroom", "kitchen")
@@ -29,8 +34,8 @@ SHELVES = frozenset(
     ("bookcase", "low_bookcase", "cube_shelf", "ladder_shelf", "display_cabinet", "library_shelf", "corner_shelf")
 ) | frozenset(("toy_shelf", "metal_shelf", "pantry_shelf", "tv_stand", "wall_shelf"))
 
-WAY = 0.35
-"""Distance [m] from the door's clear space to what is a way into the room."""
+STOOD_AT = OPENED | UNITS | BASINS | BATHS | SHOWERS
+"""What someone uses who stands before it."""
 
 
 def faults(survey: Survey) -> Iterator[Finding]:
@@ -42,12 +47,18 @@ def faults(survey: Survey) -> Iterator[Finding]:
         yield from _small(survey)
 
 
+def largest_allowed(room: str) -> float:
+    """Side [m] of the largest free square that is no fault in a kind of room."""
+    kind = "side" if room in HOMELIKE - {"kitchen"} else "gym" if room in GYMS else "public"
+    return limit("no_empty_floor", kind)
+
+
 def free_square(survey: Survey) -> tuple[float, tuple[float, float]]:
     """Side [m] of the largest square of floor, along the walls, with nothing on it; and its middle (x, y) [m]."""
     from scipy.ndimage import distance_transform_cdt
 
     floor = floor_of(survey)
-    free = np.pad(floor.inside & ~floor.taken, 1)
+    free = np.pad(floor.inside & ~floor.taken & ~_worked_on(survey), 1)
     if not free.any():
         return 0.0, (0.0, 0.0)
     distances: Any = distance_transform_cdt(free, metric="chessboard")
@@ -56,9 +67,23 @@ def free_square(survey: Survey) -> tuple[float, tuple[float, float]]:
     return 2 * int(steps.max()) * floor.cell, floor.world(row + 0.5, column + 0.5)
 
 
+def _worked_on(survey: Survey) -> NDArray[np.bool_]:
+    """The floor of a home on which one enters, or stands to use something: a mask like those of `Floor`."""
+    import shapely
+
+    depth = limit("no_empty_floor", "stand")
+    floor = floor_of(survey)
+    if survey.room_type.name not in HOMELIKE:
+        return np.zeros_like(floor.inside)
+    areas = [shapely.Polygon(zone) for zone in survey.placed.opening_zones.xy[: len(survey.placed.doors)]]
+    areas += [strip(body, "front", depth, 1.0) for body in survey.on_floor(STOOD_AT)]
+    rows, columns = np.indices(floor.inside.shape)
+    x, y = floor.world(rows + 0.5, columns + 0.5)
+    return np.asarray(shapely.contains_xy(shapely.union_all(areas), x, y))
+
+
 def _floor(survey: Survey) -> Iterator[Finding]:
-    name = survey.room_type.name
-    most = limit("no_empty_floor", "side" if name in HOMELIKE else "gym" if name in GYMS else "public")
+    most = largest_allowed(survey.room_type.name)
     side, (x, y) = free_square(survey)
     if side > most:
         yield breach(

@@ -74,6 +74,7 @@ def _tables(survey: Survey, lamps: list[Body]) -> Iterator[Finding]:
             continue
         near = [b for b in lamps if math.dist(b.centre, table.centre) < max(table.size[:2]) / 2 + 1.2]
         over = [b for b in near if _above(table, b, 0.1)]
+        over = [b for b in over if b.item.category in HANGING] or over  # others light the room
         if not over:
             dark.append(table)
             continue

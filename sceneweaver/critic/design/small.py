@@ -41,7 +41,7 @@ CROWN = kinds.TALL_PLANTS | {"monstera", "fiddle_leaf_fig"}
 
 BINS = frozenset(("pedal_bin", "trash_can", "wastebasket"))
 
-TABLETOP = 0.58
+TABLETOP = 0.65
 """Share of a small table that its settings may take."""
 
 
