@@ -111,6 +111,8 @@ _HOME = {
 def __getattr__(name: str) -> object:
     if name == "__version__":
         value: object = _version()
+    elif name == "problems":  # a module of its own, as `sceneweaver.jax` is
+        value = _import_module(f"{__name__}.problems")
     elif name in _HOME:
         value = getattr(_import_module(f"{__name__}.{_HOME[name]}"), name)
     else:

@@ -1,0 +1,169 @@
+"""A problem of the zoo: a scene at a bad start, and what is known of it."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from sceneweaver.scene import SCHEMA, InputError, Pose, Scene
+
+from .cards import card_of
+from .starts import draw
+
+if TYPE_CHECKING:
+    from sceneweaver.layout import Problem
+
+Json = dict[str, Any]
+
+
+@dataclass(frozen=True, eq=False)
+class ProblemCase:
+    """A problem, frozen or generated.
+
+    Attributes:
+        name: ``family/...``, unique in the zoo.
+        family: what kind of problem it is, see `families`.
+        version: counts up when the problem changes; results are comparable where version and hash are the same.
+        hash: SHA-256 of the problem's canonical bytes (`canonical`), as hexadecimal digits.
+        scene: the scene at a bad start: all that may move lies anywhere.
+        witness: a valid layout [N, 4] float32 (x, y, z [m], yaw [rad]); None where there is none.
+        certificate: a proof that no layout is valid, which `prove` checks; None where there is one.
+        facts: measured figures: ``tightness`` (share of the floor that footprints and hard zones take, the doors' own
+            floor left out), ``density`` (hard relations an object), and for surfaces ``surface_tightness``.
+        best_energy: the lowest energy [m] of a valid layout that is known; None where nothing was measured.
+        difficulty: for each optimiser that was tried its share of valid layouts, with the budget.
+        starts: names that `start` knows.
+
+    Examples:
+        >>> from sceneweaver import problems
+        >>> case = problems.load("packing/n005-t60")
+        >>> problem = case.compile("cpu")
+        >>> problem.feasible(case.start("random", 4, seed=0)).any(), problem.feasible(case.witness[None]).all()
+        (np.False_, np.True_)
+    """
+
+    name: str
+    family: str
+    version: int
+    hash: str
+    scene: Scene
+    witness: np.ndarray | None
+    certificate: Json | None
+    facts: Mapping[str, float]
+    best_energy: float | None = None
+    difficulty: Mapping[str, Any] = field(default_factory=dict)
+    _compiled: dict[str, Problem] = field(default_factory=dict, init=False, repr=False)
+
+    def __repr__(self) -> str:
+        kind = "feasible" if self.feasible else "infeasible"
+        return f"ProblemCase({self.name!r}, {len(self.scene.objects)} objects, {kind}, version {self.version})"
+
+    @property
+    def feasible(self) -> bool:
+        """Whether a valid layout is known."""
+        return self.witness is not None
+
+    @property
+    def starts(self) -> tuple[str, ...]:
+        """Names of the start distributions that `start` knows."""
+        return ("sample", "random", "perturbed") if self.feasible else ("sample", "random")
+
+    @property
+    def card(self) -> str:
+        """What there is to know of the problem, as Markdown."""
+        return card_of(self)
+
+    def compile(self, device: str = "auto") -> Problem:
+        """The problem on a device ("auto", "cpu", "cuda", "cuda:k"), compiled once.
+
+        Raises:
+            InputError: a wrong device. MissingDependencyError: the device is not there.
+        """
+        from sceneweaver.layout import compile as compile_problem
+
+        if device not in self._compiled:
+            self._compiled[device] = compile_problem(self.scene, device=device)
+        return self._compiled[device]
+
+    def start(self, name: str, count: int, seed: int = 0) -> np.ndarray:
+        """Draw layouts to start from.
+
+        Args:
+            name: "sample" (drawn from the relations by the engine), "random" (anywhere in the box around the room,
+                things anywhere on their surface) or "perturbed" (the witness with noise of 0.3 m and 15 degrees).
+            count: how many.
+            seed: from 0 to 2**32 - 1; equal seeds give equal layouts.
+
+        Returns:
+            Poses [count, N, 4] float32.
+
+        Raises:
+            InputError: another name, or one that this problem has not; a bad count or seed.
+        """
+        if name not in self.starts:
+            raise InputError(f"start: {name!r} is none of {', '.join(self.starts)} of {self.name}")
+        for what, value, least in (("count", count, 1), ("seed", seed, 0)):
+            if isinstance(value, bool) or not isinstance(value, int | np.integer) or not least <= value < 2**32:
+                raise InputError(f"{what}: {value!r} is not a whole number from {least} to 2**32 - 1")
+        if name == "sample":
+            return self.compile("cpu").sample(int(seed), int(count))
+        return draw(self.scene, self.witness if name == "perturbed" else None, int(count), int(seed))
+
+    def layout(self, poses: np.ndarray) -> Scene:
+        """The scene at poses [N, 4].
+
+        Raises:
+            InputError: ``poses`` has another shape.
+        """
+        return placed(self.scene, poses)
+
+
+def placed(scene: Scene, poses: np.ndarray) -> Scene:
+    """A scene at poses [N, 4] (x, y, z, yaw)."""
+    given = np.asarray(poses, dtype=np.float64)
+    if given.shape != (len(scene.objects), 4):
+        raise InputError(f"poses: shape {given.shape}; give one row x, y, z, yaw for each of {len(scene.objects)}")
+    return scene.replace_poses({o.id: Pose.from_yaw(*map(float, p)) for o, p in zip(scene.objects, given, strict=True)})
+
+
+def plain(case: ProblemCase) -> Json:
+    """The problem as plain JSON data: what its hash is of. What a scene leaves to its defaults is left out."""
+    return {
+        "name": case.name,
+        "family": case.family,
+        "version": case.version,
+        "scene": case.scene.model_dump(mode="json", by_alias=True, exclude_defaults=True),
+        "witness": None if case.witness is None else [[float(str(v)) for v in row] for row in case.witness],
+        "certificate": case.certificate,
+    }
+
+
+def canonical(case: ProblemCase) -> bytes:
+    """The bytes that a problem's hash is of: its JSON with sorted keys, without spaces, in UTF-8.
+
+    Examples:
+        >>> import hashlib
+        >>> from sceneweaver import problems
+        >>> case = problems.load("packing/n005-t60")
+        >>> hashlib.sha256(problems.canonical(case)).hexdigest() == case.hash
+        True
+    """
+    return json.dumps(plain(case), sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()
+
+
+def from_plain(data: Json, facts: Mapping[str, float], **known: Any) -> ProblemCase:
+    """A problem from its plain data, with its hash. Each call reads the scene anew."""
+    from dataclasses import replace
+
+    witness = None if data["witness"] is None else np.array(data["witness"], dtype=np.float32).reshape(-1, 4)
+    if witness is not None:
+        witness.flags.writeable = False
+    scene = Scene.from_json({"schema": SCHEMA, **data["scene"]})
+    rest = {key: data[key] for key in ("name", "family", "version", "certificate")}
+    case = ProblemCase(hash="", scene=scene, witness=witness, facts=facts, **rest, **known)
+    return replace(case, hash=hashlib.sha256(canonical(case)).hexdigest())

@@ -1,0 +1,244 @@
+"""Make problems with a known witness: furniture is put into the cells of a room that was cut up."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from sceneweaver.geometry.walls import walls_of
+from sceneweaver.scene import SCHEMA, InputError, Pose, Scene
+from sceneweaver.verify import check
+
+from . import cells
+from .case import ProblemCase, from_plain, placed
+from .cells import Box, NoFit, with_walls
+from .measures import facts_of, tightness_of
+from .planting import plant
+from .recipes import CRATE, RECIPES, Recipe, Unit
+from .starts import draw
+from .units import Draft
+
+MOST_OBJECTS = 1000
+TRIES = 60
+WITHIN = 0.01  # of the tightness that is asked for
+SILL = 0.95
+ALIKE = 6  # units that are put in order of size
+CORRIDOR = 0.7  # [m] left between what stands along two walls
+STRIP = 1.1  # [m] depth of the cells along them
+
+
+def generate(
+    family: str,
+    objects: int = 20,
+    tightness: float = 0.4,
+    seed: int = 0,
+    *,
+    density: float | None = None,
+    shape: str | None = None,
+    name: str | None = None,
+) -> ProblemCase:
+    """Make a problem of a family whose witness is known, as the room was built around it.
+
+    Args:
+        family: one of those with feasible problems, but for "bedrooms".
+        objects: how many, up to 1,000.
+        tightness: share of the floor that footprints and hard zones take, the doors' own floor left out. It is
+            reached to 0.01. For surfaces it is that of the things on their boards as well.
+        seed: from 0 to 2**32 - 1; equal arguments give equal problems.
+        density: hard relations an object, drawn among those that hold; by default what the family has.
+        shape: of the room ("rectangle", "L", "T", "U", "S"); by default one of the family's.
+        name: by default made of the family and the numbers.
+
+    Raises:
+        InputError: an unknown family or shape, numbers out of range, or no room found that is so tight.
+
+    Examples:
+        >>> from sceneweaver import problems
+        >>> case = problems.generate("packing", objects=6, tightness=0.5, seed=1)
+        >>> abs(case.facts["tightness"] - 0.5) < 0.01
+        True
+    """
+    recipe = _recipe(family, objects, tightness, seed, density, shape)
+    for attempt in range(TRIES):
+        rng = np.random.default_rng([seed, objects, attempt])
+        shape_now = shape or recipe.shapes[seed % len(recipe.shapes)]
+        try:
+            scene = _tight(recipe, objects, tightness, shape_now, [seed, objects, attempt])
+            scene = _related(scene, recipe, density, rng)
+        except NoFit:
+            continue
+        if recipe.turned:
+            scene = _turned(scene, float(rng.uniform(0.1, 1.4)))
+        if not check(scene, walkable=False).valid:
+            continue
+        witness = [[*o.pose.position, o.pose.yaw] for o in scene.objects]
+        facts = facts_of(scene)
+        title = name or f"{family}/n{objects:03d}-t{100 * tightness:02.0f}-s{seed}"
+        data = scattered(scene, seed).model_copy(update={"id": title.replace("/", "-")}).to_json()
+        rounded = np.array(witness).round(5).tolist()
+        return from_plain(
+            {"name": title, "family": family, "version": 1, "scene": data, "witness": rounded, "certificate": None},
+            facts,
+        )
+    raise InputError(f"tightness: no room of {objects} objects of {family} was found at {tightness}; try a lower one")
+
+
+def scattered(scene: Scene, seed: int) -> Scene:
+    """The scene at a bad start: what may move lies anywhere."""
+    return placed(scene, draw(scene, None, 1, seed)[0].astype(np.float64).round(4))
+
+
+def _recipe(family: str, objects: int, tightness: float, seed: int, density: float | None, shape: str | None) -> Recipe:
+    if family not in RECIPES:
+        raise InputError(f"family: {family!r} is none that can be generated; give one of {', '.join(RECIPES)}")
+    least = RECIPES[family].least
+    if isinstance(objects, bool) or not isinstance(objects, int) or not least <= objects <= MOST_OBJECTS:
+        raise InputError(f"objects: {objects!r} is not a whole number from {least} to {MOST_OBJECTS}")
+    if not 0.05 <= tightness <= 0.9:
+        raise InputError(f"tightness: {tightness!r} is not from 0.05 to 0.9")
+    if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**32:
+        raise InputError(f"seed: {seed!r} is not a whole number from 0 to 2**32 - 1")
+    if density is not None and not 0 <= density <= 10:
+        raise InputError(f"density: {density!r} is not from 0 to 10")
+    if shape is not None and (shape not in cells.SHAPES or RECIPES[family].corridor):
+        raise InputError(f"shape: {shape!r} is none that {family} can have; give one of {', '.join(cells.SHAPES)}")
+    return RECIPES[family]
+
+
+def _tight(recipe: Recipe, objects: int, tightness: float, shape: str, seed: list[int]) -> Scene:
+    """The room with its furniture at the wanted tightness: the same draw, with more or less air around all."""
+    side = math.sqrt(min(tightness, 0.9))
+    for _ in range(12):
+        if not 0.15 < side < 0.985:
+            raise NoFit("too tight")
+        scene = _furnished(recipe, objects, side, math.sqrt(tightness), shape, np.random.default_rng(seed))
+        found = tightness_of(scene)
+        if abs(found - tightness) < WITHIN / 2:
+            return scene
+        side *= math.sqrt(tightness / found)
+    raise NoFit("the tightness was not reached")
+
+
+def _units(recipe: Recipe, objects: int, rng: np.random.Generator) -> list[Unit]:
+    """Units with so many objects in all."""
+    kinds, shares = zip(*recipe.units, strict=True)
+    found: list[Unit] = []
+    left = objects
+    while left:
+        odds = np.array([s if kind.objects <= left else 0.0 for kind, s in zip(kinds, shares, strict=True)])
+        unit = kinds[rng.choice(len(kinds), p=odds / odds.sum())] if odds.any() else CRATE
+        found.append(unit)
+        left -= unit.objects
+    found = [found[k] for k in rng.permutation(len(found))]
+    # Small ones beside small ones: a cut between a small and a large one leaves a strip.
+    return [unit for k in range(0, len(found), ALIKE) for unit in sorted(found[k : k + ALIKE], key=lambda u: u.area)]
+
+
+def _furnished(
+    recipe: Recipe, objects: int, side: float, thing_side: float, shape: str, rng: np.random.Generator
+) -> Scene:
+    units = _units(recipe, objects, rng)
+    areas = [unit.area * float(rng.uniform(0.85, 1.2)) / side**2 for unit in units]
+    if recipe.corridor:
+        boxes, spaces = _corridor(areas, rng)
+    else:
+        door = cells.PORCH**2
+        boxes = cells.rectangles(shape, sum(areas) + door, float(rng.uniform(0.9, 1.4)))
+        spaces = cells.cut(boxes, areas, rng)
+    outline = cells.outline_of(boxes)
+    walls = walls_of(outline)
+    door = {"id": "door", "wall": 0, "offset": cells.DOOR_OFFSET, "width": cells.DOOR_WIDTH, "height": 2.05}
+    room: dict[str, Any] = {"type": "room", "outline": outline, "height": 2.8, "doors": [door], "windows": []}
+    draft = Draft(rng, side, thing_side)
+    if recipe.window:
+        wall = max(walls[1:], key=lambda w: w.length)
+        width = round(min(1.6, 0.5 * wall.length), 2)
+        offset = round((wall.length - width) / 2, 2)
+        room["windows"] = [
+            {"id": "window", "wall": wall.index, "offset": offset, "width": width, "sill": SILL, "height": 1.2}
+        ]
+        draft.sill = (_bounds(wall.strip(offset, width, 0.0, 0.3)), SILL)
+    for unit, space in zip(units, spaces, strict=True):
+        _fill(draft, recipe, unit, with_walls(space, walls))
+    for object_id in draft.at_wall:
+        draft.relate("against_wall", object_id)
+    for item, pose in zip(draft.objects, draft.poses, strict=True):
+        placed = Pose.from_yaw(*pose)
+        item["pose"] = {"position": list(placed.position), "quaternion": list(placed.quaternion)}
+    data = {"schema": SCHEMA, "id": "draft", "room": room, "objects": draft.objects, "relations": draft.relations}
+    return Scene.from_json(data)
+
+
+def _corridor(areas: list[float], rng: np.random.Generator) -> tuple[list[Box], list[Box]]:
+    """A narrow room and the cells along its walls."""
+    depth = 2 * STRIP + CORRIDOR
+    width = round((sum(areas) - STRIP * (depth - 2 * STRIP) + cells.PORCH * STRIP) / (2 * STRIP), 2)
+    if width < 3 * STRIP:
+        raise NoFit("too few for the walls of a room")
+    south: Box = (cells.PORCH, 0.0, width, STRIP)
+    north: Box = (0.0, depth - STRIP, width, depth)
+    share = (width - cells.PORCH) / (2 * width - cells.PORCH)
+    k = int(np.searchsorted(np.cumsum(areas), share * sum(areas)))
+    if not 0 < k < len(areas):
+        raise NoFit("one wall stays empty")
+    spaces = cells.split(south, areas[:k], rng) + cells.split(north, areas[k:], rng)
+    return [(0.0, 0.0, width, round(depth, 2))], spaces
+
+
+def _fill(draft: Draft, recipe: Recipe, unit: Unit, cell: cells.Cell) -> None:
+    """Put a unit into a cell, facing whichever way it fits."""
+    rng = draft.rng
+    wall = bool(cell.walls) and rng.random() < recipe.at_wall
+    if recipe.corridor and not cell.walls:
+        raise NoFit("a cell has no wall")
+    backs = [(k + 2) % 4 for k in cell.walls] if wall else []
+    if recipe.corridor:  # towards the middle of the room, not along it
+        backs = [f for f in backs if f % 2] or backs
+    tries = [(f, True) for f in rng.permutation(backs)]
+    if not recipe.corridor:
+        tries += [(f, False) for f in rng.permutation(4)]
+    rows = (draft.objects, draft.relations, draft.poses, draft.at_wall)
+    marks = [len(row) for row in rows]
+    for facing, to_wall in tries:
+        try:
+            unit.fill(draft, cell, int(facing), to_wall)
+            return
+        except NoFit:
+            for row, mark in zip(rows, marks, strict=True):
+                del row[mark:]
+    raise NoFit("a unit does not fit into its cell")
+
+
+def _related(scene: Scene, recipe: Recipe, density: float | None, rng: np.random.Generator) -> Scene:
+    wanted = recipe.density if density is None else density
+    count = math.ceil(wanted * len(scene.objects)) - len(scene.relations)
+    relations = scene.to_json()["relations"]
+    if count < 0 and density is not None:
+        relations = relations[:count]  # those to walls come last
+    if count > 0:
+        more = plant(scene, count, rng)
+        if len(more) < count:
+            raise NoFit("so many relations do not hold")
+        relations = relations + more
+    return Scene.from_json({**scene.to_json(), "relations": relations})
+
+
+def _turned(scene: Scene, angle: float) -> Scene:
+    """The whole scene turned about the origin."""
+    c, s = math.cos(angle), math.sin(angle)
+    data = scene.to_json()
+    data["room"]["outline"] = [[round(c * x - s * y, 4), round(s * x + c * y, 4)] for x, y in scene.room.outline]
+    for row, item in zip(data["objects"], scene.objects, strict=True):
+        x, y, z = item.pose.position
+        yaw = math.remainder(item.pose.yaw + angle, 2 * math.pi)
+        pose = Pose.from_yaw(round(c * x - s * y, 5), round(s * x + c * y, 5), z, yaw)
+        row["pose"] = {"position": list(pose.position), "quaternion": list(pose.quaternion)}
+    return Scene.from_json(data)
+
+
+def _bounds(corners: Any) -> Box:
+    points = np.array(corners)
+    (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
+    return float(x0), float(y0), float(x1), float(y1)

@@ -1,0 +1,135 @@
+"""The frozen problems: a manifest, a compressed file for each family, and what was measured."""
+
+from __future__ import annotations
+
+import gzip
+import json
+from collections.abc import Iterable, Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from sceneweaver.scene import InputError
+
+from .case import ProblemCase, from_plain, plain
+from .recipes import families
+
+Json = dict[str, Any]
+
+SCHEMA = "sceneweaver.problems/1"
+DATA = Path(__file__).parent / "data"
+
+
+@cache
+def manifest() -> Mapping[str, Json]:
+    """For each name: family, version, hash, objects, relations, feasible, facts; by family, then size, then name."""
+    data = json.loads((DATA / "manifest.json").read_text("utf-8"))
+    if data["schema"] != SCHEMA:
+        raise InputError(f"problems: the manifest is of {data['schema']}, not {SCHEMA}")
+    return data["problems"]
+
+
+def names(family: str | None = None, feasible: bool | None = None) -> tuple[str, ...]:
+    """Names of the frozen problems, by family, then size.
+
+    Args:
+        family: only those of a family.
+        feasible: only those with a valid layout, or only those without.
+
+    Raises:
+        InputError: an unknown family.
+
+    Examples:
+        >>> from sceneweaver import problems
+        >>> len(problems.names()) >= 60
+        True
+    """
+    if family is not None and family not in families():
+        raise InputError(f"family: {family!r} is none of {', '.join(families())}")
+    return tuple(
+        name
+        for name, row in manifest().items()
+        if family in (None, row["family"]) and feasible in (None, row["feasible"])
+    )
+
+
+@cache
+def measured() -> Mapping[str, Json]:
+    """For each name that was measured: best energy [m] and difficulty."""
+    path = DATA / "measured.json"
+    return json.loads(path.read_text("utf-8"))["problems"] if path.exists() else {}
+
+
+@cache
+def _family(name: str) -> Mapping[str, Json]:
+    with gzip.open(DATA / f"{name}.json.gz", "rt", encoding="utf-8") as file:
+        return {entry["name"]: entry for entry in json.load(file)}
+
+
+@cache
+def load(name: str) -> ProblemCase:
+    """A frozen problem; read once.
+
+    Raises:
+        InputError: there is none of this name, or its data have another hash than the manifest.
+
+    Examples:
+        >>> from sceneweaver import problems
+        >>> case = problems.load(problems.names("packing")[0])
+        >>> case.compile("cpu").feasible(case.witness[None]).tolist()
+        [True]
+    """
+    import difflib
+
+    row = manifest().get(name)
+    if row is None:
+        near = difflib.get_close_matches(str(name), manifest(), 1)
+        raise InputError(f"no problem {name!r}; " + (f"did you mean {near[0]}?" if near else "see problems.names()"))
+    known = measured().get(name, {})
+    known = known if known.get("hash") == row["hash"] else {}
+    case = from_plain(
+        _family(row["family"])[name],
+        row["facts"],
+        best_energy=known.get("best_energy"),
+        difficulty=known.get("difficulty", {}),
+    )
+    if case.hash != row["hash"]:
+        raise InputError(f"problem {name}: its data have hash {case.hash[:12]}, the manifest says {row['hash'][:12]}")
+    return case
+
+
+def freeze(cases: Iterable[ProblemCase], folder: Path = DATA) -> None:
+    """Write a zoo: the data of each family and the manifest. Measurements are left alone.
+
+    Raises:
+        InputError: two problems have one name.
+    """
+    rows = sorted(cases, key=lambda c: (c.family, len(c.scene.objects), c.name))
+    if len({c.name for c in rows}) != len(rows):
+        raise InputError("problems: two have one name")
+    folder.mkdir(parents=True, exist_ok=True)
+    for family in {c.family for c in rows}:
+        text = json.dumps([plain(c) for c in rows if c.family == family], separators=(",", ":"), ensure_ascii=False)
+        (folder / f"{family}.json.gz").write_bytes(gzip.compress(text.encode(), 9, mtime=0))
+    problems = {c.name: _row(c) for c in rows}
+    text = json.dumps({"schema": SCHEMA, "problems": problems}, indent=1, ensure_ascii=False)
+    (folder / "manifest.json").write_text(text + "\n", "utf-8")
+
+
+def record(results: Mapping[str, Json], folder: Path = DATA) -> None:
+    """Write what was measured: for each name hash, best energy and difficulty."""
+    rows = {name: results[name] for name in manifest() if name in results}
+    text = json.dumps({"schema": SCHEMA, "problems": rows}, indent=1, ensure_ascii=False)
+    (folder / "measured.json").write_text(text + "\n", "utf-8")
+
+
+def _row(case: ProblemCase) -> Json:
+    return {
+        "family": case.family,
+        "version": case.version,
+        "hash": case.hash,
+        "objects": len(case.scene.objects),
+        "relations": len(case.scene.relations),
+        "feasible": case.feasible,
+        "facts": dict(case.facts),
+    }
