@@ -8,6 +8,7 @@ wp.set_module_options({"enable_backward": False})
 GIVEN = 0
 ANYWHERE = 1
 RELATIONS = 2
+DRAWN = 3  # as it stands, which was drawn before; later attempts draw from the relations
 
 
 @wp.struct
@@ -17,7 +18,7 @@ class Plan:
     steps: wp.int32  # rounds of all attempts
     first_steps: wp.int32  # rounds after which candidates leave that never came close to valid
     rounds: wp.int32  # rounds of one attempt
-    start: wp.int32  # GIVEN, ANYWHERE or RELATIONS; later attempts draw from the relations
+    start: wp.int32  # GIVEN, ANYWHERE, RELATIONS or DRAWN; later attempts draw from the relations
     anchored_attempts: wp.int32  # with GIVEN: attempts that begin there and keep what is in order where it is
     moves: wp.int32  # in a round, for each movable object
     proposals: wp.int32

@@ -5,7 +5,7 @@ import warp as wp
 from .array_access import item, opaque_one
 from .bodies import candidate_of
 from .groups import is_formation, move_inside, move_with_members, redraw_surfaces, set_pose
-from .plan import ANYWHERE, GIVEN, Plan, SearchRun
+from .plan import ANYWHERE, DRAWN, GIVEN, Plan, SearchRun
 from .sample import keep_inside, project_onto_relations, random_start, uniform
 from .tables import Problems, State, TablesRef
 from .warp_primitives import lane_id, syncwarp, warp_size
@@ -81,4 +81,10 @@ def start_attempt(
                 for k in range(item(t[0].member_start, o0 + obj), item(t[0].member_start, o0 + obj + 1)):
                     i = item(t[0].member, k)
                     set_pose(s, candidate, i, item(s.poses, candidate, i))
+    if plan.start == DRAWN and attempt == 0:  # what was drawn just now has moved the streams on, and may be the same
+        syncwarp()
+        for obj in range(me, n, warp_size()):
+            pose = item(s.anchors, candidate, obj)
+            if wp.length_sq(pose - item(s.poses, candidate, obj)) > 0.0:
+                set_pose(s, candidate, obj, pose)
     s.stream[candidate, me] = rng

@@ -1,5 +1,10 @@
 """Batched search and optimisers over a compiled problem."""
 
+from . import lbfgs as lbfgs  # each enters itself
+from . import projection as projection
+from . import search as search
+from . import tempering as tempering
+from . import update_rules as update_rules
 from .base import OPTIMIZERS as OPTIMIZERS
 from .base import Monitor as Monitor
 from .base import Optimizer as Optimizer
@@ -9,19 +14,13 @@ from .batch import Batch as Batch
 from .batch import load_poses as load_poses
 from .batch import new_state as new_state
 from .batch import streams as streams
-from .lbfgs import run_lbfgs as run_lbfgs
-from .projection import run_projection as run_projection
 from .run import run as run
-from .search import run_search as run_search
-from .tempering import run_tempering as run_tempering
-from .update_rules import Descent as Descent
 from .verdict import Verdict as Verdict
 from .verdict import judge as judge
 
 __all__ = [
     "OPTIMIZERS",
     "Batch",
-    "Descent",
     "Monitor",
     "Optimizer",
     "OptimizerResult",
@@ -31,9 +30,5 @@ __all__ = [
     "new_state",
     "register",
     "run",
-    "run_lbfgs",
-    "run_projection",
-    "run_search",
-    "run_tempering",
     "streams",
 ]

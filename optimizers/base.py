@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from dataclasses import dataclass, field
-from typing import Protocol, TypeVar, cast, runtime_checkable
+from typing import NamedTuple, Protocol, TypeVar, cast, runtime_checkable
 
 import numpy as np
+import warp as wp
 
 from .batch import Batch
 
-Start = str  # "given": from the batch's poses; "random": anywhere; "sample": drawn from the relations
+Start = str
+"""Where an optimiser begins: "given": at the batch's poses, to move little; "random": anywhere; "sample": drawn from
+the relations; "drawn": at the batch's poses, as at ones that it had drawn itself."""
 
 
 @dataclass
@@ -54,6 +57,33 @@ class OptimizerResult:
     """What an optimiser leaves besides the poses in the batch: energy [B] float32 (lowest total found)."""
 
     energy: np.ndarray
+
+
+class Checkpoint(NamedTuple):
+    """What there is to see between two blocks of a run.
+
+    ``best()`` gives the best poses [B, N] (vec4) so far, to be read before the next block and never written; the run
+    goes on unharmed. ``energies`` are those measured of each candidate so far, see docs/engine.md.
+    """
+
+    best: Callable[[], wp.array]
+    energies: int
+
+
+Blocks = Generator[Checkpoint, None, OptimizerResult]
+"""A run in blocks that no host looks into; its end gives the batch the best poses, and the result."""
+
+
+_Result = TypeVar("_Result")
+
+
+def to_the_end(blocks: Generator[Checkpoint, None, _Result]) -> _Result:
+    """Go through what is left of a run."""
+    while True:
+        try:
+            next(blocks)
+        except StopIteration as end:
+            return end.value
 
 
 Solve = Callable[[Batch, Start, int | None, Monitor], OptimizerResult]
@@ -101,6 +131,27 @@ class FunctionOptimizer:
         return self.solve(batch, start, budget, monitor)
 
 
+@dataclass(frozen=True)
+class BlockOptimizer:
+    """An optimiser that runs in blocks, with the kernel modules that it launches.
+
+    ``blocks(batch, start, budget, monitor, whole)`` is its run; ``whole``: no checkpoints are wanted, and blocks may be
+    as long as they like.
+    """
+
+    blocks: Callable[[Batch, Start, int | None, Monitor, bool], Blocks]
+    modules: tuple[str, ...]
+    on_gpu: tuple[str, ...]
+
+    def modules_on(self, device: str) -> tuple[str, ...]:
+        """The modules that it launches on a device."""
+        return self.modules if device == "cpu" else self.on_gpu
+
+    def __call__(self, batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
+        """Move the batch's poses in place."""
+        return to_the_end(self.blocks(batch, start, budget, monitor, True))
+
+
 OPTIMIZERS: dict[str, Optimizer] = {}
 
 _Entered = TypeVar("_Entered", bound=Solve)
@@ -120,5 +171,20 @@ def register(
         whole = hasattr(solve, "modules_on")
         OPTIMIZERS[name] = cast(Optimizer, solve) if whole else FunctionOptimizer(solve, own, on_gpu or own)
         return solve
+
+    return enter
+
+
+RunInBlocks = Callable[[Batch, Start, int | None, Monitor, bool], Blocks]
+
+
+def register_blocks(
+    name: str, modules: tuple[str, ...], on_gpu: tuple[str, ...] | None = None
+) -> Callable[[RunInBlocks], RunInBlocks]:
+    """Enter an optimiser that runs in blocks; arguments as for `register`, see `BlockOptimizer`."""
+
+    def enter(blocks: RunInBlocks) -> RunInBlocks:
+        OPTIMIZERS[name] = BlockOptimizer(blocks, modules, on_gpu or modules)
+        return blocks
 
     return enter

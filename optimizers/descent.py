@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
 from dataclasses import asdict, dataclass
 
 import numpy as np
@@ -14,7 +14,7 @@ from sceneweaver.kernels.step import Gradients, add_up, choose, measure, take_be
 from sceneweaver.kernels.tables import STATE, State
 from sceneweaver.kernels.warp_primitives import WARP_SIZE
 
-from .base import Monitor, OptimizerResult
+from .base import Checkpoint, Monitor, OptimizerResult
 from .batch import Batch
 from .launches import Launches
 from .verdict import judge
@@ -108,6 +108,11 @@ class DescentRun:
         done = self.block.play(monitor, times, self._chosen + per_step * rest if rest else 0)
         self._last = (rest + 1) % 2 if done else 1
 
+    def best(self) -> wp.array:
+        """The batch's poses, which are each candidate's best so far."""
+        self.finish()
+        return self.batch.state.poses
+
     def finish(self) -> wp.array:
         """Give the batch each candidate's best poses so far; their energies [B] float32, on the device."""
         batch, last, before = self.batch, self.buffers[self._last], self.buffers[1 - self._last]
@@ -116,10 +121,19 @@ class DescentRun:
         return finish(batch, last.poses, total, self.memory.best, before.lowest)
 
 
-def descend(batch: Batch, rule: UpdateRule, schedule: Schedule, monitor: Monitor) -> wp.array:
-    """Take all of a schedule's steps in place, unless time runs out; the candidates' energies [B] on the device."""
-    run = DescentRun(batch, rule, schedule)
-    run.play(monitor, schedule.steps + 1)  # the last step is there to measure where the one before led
+def descend(
+    batch: Batch, rule: UpdateRule, schedule: Schedule, monitor: Monitor, whole: bool = True, energies: int = 0
+) -> Generator[Checkpoint, None, wp.array]:
+    """Take all of a schedule's steps in place, unless time runs out; the candidates' energies [B] on the device.
+
+    ``energies``: of each candidate that were measured before.
+    """
+    run, left = DescentRun(batch, rule, schedule), schedule.steps + 1  # the last step measures where the one before led
+    while left and not monitor.timed_out:
+        steps = left if whole else min(REASSIGN, left)
+        run.play(monitor, steps)
+        left, energies = left - steps, energies + steps
+        yield Checkpoint(run.best, energies)
     return run.finish()
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import Any
 
@@ -76,6 +76,16 @@ class Launches:
         if monitor.deadline is not None and self.device != "cpu":
             wp.synchronize_device(self.device)  # else all would be in the queue before the first is done
         return monitor.expired()
+
+
+def blocks_of(steps: int, size: int, whole: bool, block: Launches, monitor: Monitor) -> Iterator[int]:
+    """Run a block so many times, unless time runs out; how often so far, after every ``size`` times or at the end."""
+    done = 0
+    while done < steps and not monitor.timed_out:
+        times = steps - done if whole else min(size, steps - done)
+        block.play(monitor, times)
+        done += times
+        yield done
 
 
 def repeat_while(device: str, more: wp.array, block: Launches) -> None:

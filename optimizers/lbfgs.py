@@ -11,7 +11,7 @@ from sceneweaver.kernels.lbfgs import SLOTS, History, Line, make_trial, search_l
 from sceneweaver.kernels.step import Gradients
 from sceneweaver.kernels.tables import State
 
-from .base import Monitor, OptimizerResult, Start, register
+from .base import Blocks, Checkpoint, Monitor, Start, register_blocks
 from .batch import Batch
 from .descent import (
     MEASURED,
@@ -24,18 +24,19 @@ from .descent import (
     per_object,
     threads,
 )
-from .launches import Launches
+from .launches import Launches, blocks_of
 from .starts import draw_starts
 
 STEPS = 400
-PUSH = {"given": 0.3, "random": 0.9, "sample": 0.9}  # [m] out of a minimum, at the start of the run
+PUSH_GIVEN, PUSH = 0.3, 0.9  # [m] out of a minimum at the start of the run, from given poses and from drawn ones
 UNROLL = 20  # steps in one graph
 
 
 @dataclass
 class Workspace:
-    """What L-BFGS keeps beside the batch; ``trial`` is the layout that is measured next."""
+    """What L-BFGS keeps beside the batch: the layouts where it is, and ``trial``, those that are measured next."""
 
+    layout: State
     trial: State
     measured: Gradients
     history: History
@@ -45,10 +46,12 @@ class Workspace:
 def workspace(batch: Batch) -> Workspace:
     """A workspace before the first step: the first trial is the batch's poses."""
     shape, device = (int(SLOTS), max(batch.objects, 1), batch.size), batch.device
-    trial = batch.scratch()
+    layout, trial = batch.scratch(), batch.scratch()
+    layout.rng = batch.state.rng
     trial.anchors = batch.state.anchors
-    wp.copy(trial.poses, batch.state.poses)
-    wp.copy(trial.turns, batch.state.turns)
+    for state in (layout, trial):
+        wp.copy(state.poses, batch.state.poses)
+        wp.copy(state.turns, batch.state.turns)
     history, line = History(), Line()
     history.steps = wp.zeros(shape, dtype=wp.vec4, device=device)
     history.gradient_changes = wp.zeros(shape, dtype=wp.vec4, device=device)
@@ -62,7 +65,7 @@ def workspace(batch: Batch) -> Workspace:
         setattr(line, name, wp.zeros(batch.size, dtype=wp.int32, device=device))
     line.gradient, line.direction = per_object(batch, wp.vec4), per_object(batch, wp.vec4)
     line.clock, line.best = wp.zeros(1, dtype=wp.int32, device=device), wp.zeros_like(trial.poses)
-    return Workspace(trial, new_gradients(batch), history, line)
+    return Workspace(layout, trial, new_gradients(batch), history, line)
 
 
 def one_step(block: Launches, batch: Batch, work: Workspace, push: float, steps: int) -> None:
@@ -72,16 +75,24 @@ def one_step(block: Launches, batch: Batch, work: Workspace, push: float, steps:
     add_measure(block, batch, trial, measured)
     block.add(search_line, batch.size, [batch.problems, measured], [work.history, work.line])
     inputs = [batch.problems, push, steps, measured]
-    block.add(make_trial, threads(batch, batch.objects), inputs, [work.line, batch.state, trial])
+    block.add(make_trial, threads(batch, batch.objects), inputs, [work.line, work.layout, trial])
 
 
-@register("lbfgs", modules=(*MEASURED, "lbfgs"), on_gpu=(*MEASURED_ON_GPU, "lbfgs"))
-def run_lbfgs(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
+@register_blocks("lbfgs", (*MEASURED, "lbfgs"), (*MEASURED_ON_GPU, "lbfgs"))
+def lbfgs_blocks(batch: Batch, start: Start, budget: int | None, monitor: Monitor, whole: bool) -> Blocks:
     """Refine every candidate by ``budget`` steps (default 400), one energy each; it ends at the lowest it passed."""
     draw_starts(batch, start)
     steps = budget or STEPS
     work, block = workspace(batch), Launches(batch.device, UNROLL)
-    one_step(block, batch, work, PUSH[start], steps)
-    block.play(monitor, steps + 1)  # the first only measures the start
-    total = finish(batch, batch.state.poses, work.line.energy, work.line.best, work.line.lowest)
-    return outcome(batch, total, monitor)
+    one_step(block, batch, work, PUSH_GIVEN if start == "given" else PUSH, steps)
+
+    def energies_of_best() -> wp.array:
+        return finish(batch, work.layout.poses, work.line.energy, work.line.best, work.line.lowest)
+
+    def best() -> wp.array:
+        energies_of_best()
+        return batch.state.poses
+
+    for done in blocks_of(steps + 1, UNROLL, whole, block, monitor):  # the first step only measures the start
+        yield Checkpoint(best, done)
+    return outcome(batch, energies_of_best(), monitor)

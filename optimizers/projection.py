@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Generator
 from dataclasses import replace
+from functools import partial
+from typing import TypeVar
 
 import numpy as np
 import warp as wp
@@ -13,9 +16,9 @@ from sceneweaver.kernels.linearise import linearise
 from sceneweaver.kernels.projection import NearestLayout, Perturbation, choose_options, project, restore, start_try
 from sceneweaver.kernels.tables import STATE
 
-from .base import Monitor, OptimizerResult, Start, register
+from .base import Blocks, Checkpoint, Monitor, OptimizerResult, Start, register_blocks, to_the_end
 from .batch import Batch, new_state
-from .search import run_search
+from .search import search_blocks
 from .starts import draw_starts
 
 TRIES = 2  # of a candidate from the first feasible one on
@@ -27,6 +30,8 @@ REACH = 0.12  # [m] clearance below which a pair gets rows
 # Small ones choose another side for a pair, large ones begin from elsewhere in the room.
 PERTURBATIONS = ((1.2, 0.4, 0.1), (1.2, 0.4, 0.2), (1.2, 0.4, 0.3), (2.4, 0.3, 0.3), (1.2, 0.4, 0.5), (100.0, 0.3, 0.3))
 MEMORY = 2**30  # [bytes] of rows at once
+
+_Result = TypeVar("_Result")
 
 
 def new_system(batch: Batch) -> tuple[InequalitySystem, NearestLayout]:
@@ -49,8 +54,8 @@ def new_system(batch: Batch) -> tuple[InequalitySystem, NearestLayout]:
     return system, best
 
 
-@register("projection", modules=("linearise", "projection", "starts", "search"))
-def run_projection(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
+@register_blocks("projection", ("linearise", "projection", "starts", "search"))
+def projection_blocks(batch: Batch, start: Start, budget: int | None, monitor: Monitor, whole: bool) -> Blocks:
     """Move every candidate as little as makes it feasible; ``budget`` is the number of its tries (default 2).
 
     The movement is the sum over roots of dx^2 + dy^2 + dz^2 + (0.5 m/rad dyaw)^2, from where the start has them. A
@@ -61,18 +66,22 @@ def run_projection(batch: Batch, start: Start, budget: int | None, monitor: Moni
     """
     most = max(1, MEMORY // (max(batch.objects, 1) * int(ROWS) * 96))
     if batch.size > most:
-        parts = [batch.part(i, min(i + most, batch.size)) for i in range(0, batch.size, most)]
-        return OptimizerResult(np.concatenate([run_projection(part, start, budget, monitor).energy for part in parts]))
+        energy = np.zeros(batch.size, dtype=np.float32)
+        for rows in np.split(np.arange(batch.size), range(most, batch.size, most)):
+            part = projection_blocks(batch.part(rows[0], rows[-1] + 1), start, budget, monitor, whole)
+            energy[rows] = (yield from _for_whole(batch, rows, part)).energy
+        return OptimizerResult(energy)
     if start != "given":
         draw_starts(batch, start)
         wp.copy(batch.state.anchors, batch.state.poses)
     (system, best), tries = new_system(batch), TRIES if budget is None else budget
-    lost = _improve(batch, system, best, np.arange(batch.size), tries, max(MOST, batch.objects // 2), monitor)
-    wp.launch(restore, (batch.size, batch.objects), [batch.problems, best, batch.state], device=batch.device)
+    everyone, most = np.arange(batch.size), max(MOST, batch.objects // 2)
+    lost = yield from _improve(batch, system, best, everyone, tries, most, monitor)
+    _restored(batch, best)
     lack = best.lack.numpy()
     monitor.add(batch.size - lost.size, batch.size - lost.size, 0.0)
     if lost.size and not monitor.expired():
-        lack[lost] = _search(batch, lost, tries, monitor)
+        lack[lost] = yield from _search(batch, lost, tries, monitor, whole, most * STEPS)
     if lost.size:
         monitor.add(lost.size, int(np.sum(lack[lost] == 0)), float(lack[lost].min()))
     return OptimizerResult(lack)
@@ -86,7 +95,7 @@ def _improve(
     tries: int,
     most: int,
     monitor: Monitor,
-) -> np.ndarray:
+) -> Generator[Checkpoint, None, np.ndarray]:
     """Give candidates ``left`` so many tries from the first feasible one on; returns those that are not feasible."""
     feasible = np.zeros(batch.size, dtype=np.int32)  # tries since, the first one included
     everyone = left
@@ -94,10 +103,35 @@ def _improve(
         if not left.size or monitor.expired():
             break
         _try(batch, system, best, left, attempt)
+        yield Checkpoint(partial(_restored, batch, best), (attempt + 1) * STEPS)
         lack, moved = best.lack.numpy(), best.moved.numpy()
         feasible[left] += lack[left] == 0
         left = left[(lack[left] > 0) | ((feasible[left] < tries) & (moved[left] > 0))]
     return everyone[best.lack.numpy()[everyone] > 0]
+
+
+def _for_whole(
+    batch: Batch, rows: np.ndarray, blocks: Generator[Checkpoint, None, _Result], energies: int = 0
+) -> Generator[Checkpoint, None, _Result]:
+    """A run of some candidates with checkpoints of the whole batch; ``energies``: measured before it began."""
+
+    def best(part: Checkpoint) -> wp.array:
+        poses = batch.state.poses.numpy().copy()  # on a CPU it is the state itself
+        poses[rows] = part.best().numpy()
+        return wp.array(poses, dtype=wp.vec4, device=batch.device)
+
+    while True:
+        try:
+            part = next(blocks)
+        except StopIteration as end:
+            return end.value
+        yield Checkpoint(partial(best, part), energies + part.energies)
+
+
+def _restored(batch: Batch, best: NearestLayout) -> wp.array:
+    """The batch's poses, which are the nearest layouts found so far."""
+    wp.launch(restore, (batch.size, batch.objects), [batch.problems, best, batch.state], device=batch.device)
+    return batch.state.poses
 
 
 def _perturbation(attempt: int) -> Perturbation:
@@ -121,11 +155,13 @@ def _try(batch: Batch, system: InequalitySystem, best: NearestLayout, left: np.n
         wp.launch(project, n, [batch.problems, SWEEPS, selected], [state, system, best], device=device)
 
 
-def _search(batch: Batch, lost: np.ndarray, tries: int, monitor: Monitor) -> np.ndarray:
+def _search(
+    batch: Batch, lost: np.ndarray, tries: int, monitor: Monitor, whole: bool, energies: int
+) -> Generator[Checkpoint, None, np.ndarray]:
     """Search the candidates ``lost`` from where they are, and lead back what is found; returns what they lack [m]."""
     few = _subset(batch, lost)
     inner = Monitor(few.size, monitor.deadline)
-    found = run_search(few, "given", None, inner).energy
+    found = (yield from _for_whole(batch, lost, search_blocks(few, "given", None, inner, whole), energies)).energy
     monitor.timed_out |= inner.timed_out
     poses = few.state.poses.numpy().copy()  # on a CPU it is the state itself
     system, best = new_system(few)
@@ -133,14 +169,14 @@ def _search(batch: Batch, lost: np.ndarray, tries: int, monitor: Monitor) -> np.
         shift = poses - few.state.anchors.numpy()
         shift[..., 3] -= 2 * np.pi * np.round(shift[..., 3] / (2 * np.pi))
     best.shift.assign(np.nan_to_num(shift, posinf=0.0, neginf=0.0))
-    _improve(few, system, best, np.arange(few.size), tries, tries, monitor)
-    wp.launch(restore, (few.size, few.objects), [few.problems, best, few.state], device=few.device)
+    to_the_end(_improve(few, system, best, np.arange(few.size), tries, tries, monitor))
+    _restored(few, best)
     lack = best.lack.numpy()
     kept = np.where((lack == 0)[:, None, None], few.state.poses.numpy(), poses)
-    whole = batch.state.poses.numpy()
-    whole[lost] = kept
-    batch.state.poses.assign(whole)
-    wp.launch(set_turns, whole.shape[:2], [batch.state.poses], [batch.state.turns], device=batch.device)
+    everyone = batch.state.poses.numpy()
+    everyone[lost] = kept
+    batch.state.poses.assign(everyone)
+    wp.launch(set_turns, everyone.shape[:2], [batch.state.poses], [batch.state.turns], device=batch.device)
     return np.where(lack == 0, 0.0, found).astype(np.float32)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 import warp as wp
@@ -23,8 +24,9 @@ from sceneweaver.kernels.proposals import draw, rate, take_gradients
 from sceneweaver.kernels.rounds import advance, start_rounds
 from sceneweaver.kernels.search import search
 from sceneweaver.kernels.tables import STATE, State
+from sceneweaver.kernels.verdict import DeviceVerdict
 
-from .base import Monitor, OptimizerResult, Start, register
+from .base import Blocks, Checkpoint, Monitor, OptimizerResult, Start, register_blocks
 from .batch import Batch, threads_per_candidate
 from .launches import Launches, repeat_while, repeatable
 from .starts import STARTS, add_start, new_run
@@ -101,6 +103,23 @@ def plan_for(effort: Effort, start: Start, attempts: int | None) -> Plan:
     return plan
 
 
+def energies_of_round(plan: Plan) -> int:
+    """About how many energies a round costs a candidate.
+
+    Every movable object has ``moves``, each rates the pose that it has and some proposals, and a rating costs that
+    object's share of an energy; beside that a survey, the polish and the verdict.
+    """
+    return plan.moves * (1 + plan.proposals) + plan.polish * (1 + plan.tries) + 2
+
+
+def best_found(batch: Batch, run: SearchRun, verdict: DeviceVerdict) -> wp.array:
+    """The valid poses of each candidate, else those of the lowest energy so far [B, N], copied."""
+    found = batch.scratch()
+    wp.copy(found.poses, batch.state.poses)
+    wp.launch(take_best_found, found.poses.shape, [batch.problems, run, verdict], [found], device=batch.device)
+    return found.poses
+
+
 def extend_state(batch: Batch) -> State:
     """The batch's state with what only a search keeps: ratings, what was released, and cells where they pay."""
     state = State()
@@ -156,14 +175,15 @@ class Rounds:
         return block
 
 
-@register("search", modules=("starts", "cells", "search"), on_gpu=("starts", "cells", "rounds", "proposals"))
-def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
+@register_blocks("search", ("starts", "cells", "search"), ("starts", "cells", "rounds", "proposals"))
+def search_blocks(batch: Batch, start: Start, budget: int | None, monitor: Monitor, whole: bool) -> Blocks:
     """Search every candidate until it is valid; ``budget`` is the number of attempts (default 10, on a GPU, whose
     attempts are shorter, 40; three times as many for those that are close to valid by then).
 
     The first attempt begins as ``start`` says, later ones by drawing from the relations. A candidate that never gets
     valid ends at the lowest energy found. On a GPU the whole run is one graph: nothing comes back to the host until
-    all are valid or the attempts are used up, unless there is a deadline or progress to report.
+    all are valid or the attempts are used up, unless there is a deadline or progress to report, or checkpoints are
+    wanted (not ``whole``), which come after every round.
     """
     device = batch.device
     plan = plan_for(effort_for(device, start, batch.objects), start, budget)
@@ -186,15 +206,17 @@ def run_search(batch: Batch, start: Start, budget: int | None, monitor: Monitor)
     block.add(retire, batch.size, [plan, CLOSE, verdict], [run])
 
     if solved < batch.size and (monitor.done == 0 or not monitor.expired()):  # late or not, one layout comes out of it
-        if device == "cpu" or monitor.watched:
+        if device == "cpu" or monitor.watched or not whole:
             one_round = repeatable(device, block)
-            for _ in range(plan.steps):
+            best = partial(best_found, batch, run, verdict)
+            for rounds in range(1, plan.steps + 1):
                 one_round()
                 left = run.left.numpy()
                 done = batch.size - int(left.sum())
                 if done > solved:
                     monitor.add(done - solved, done - solved, 0.0)
                     solved = done
+                yield Checkpoint(best, rounds * energies_of_round(plan))
                 if left[0] == 0 or monitor.expired():
                     break
         else:

@@ -12,7 +12,7 @@ from .base import Start
 from .batch import Batch, threads_per_candidate
 from .launches import Launches
 
-STARTS = {"given": 0, "random": 1, "sample": 2}
+STARTS = {"given": 0, "random": 1, "sample": 2, "drawn": 3}
 BLOCK = 32  # threads of a block on a GPU: one warp, so that a block ends with its candidate
 
 
@@ -36,7 +36,7 @@ def add_start(block: Launches, batch: Batch, state: State, plan: Plan, run: Sear
 
 def draw_starts(batch: Batch, start: Start) -> None:
     """Draw the poses that an optimiser starts from, in place."""
-    if STARTS[start] == 0:
+    if start in ("given", "drawn"):
         return
     plan = Plan()
     plan.start, plan.steps, plan.rounds = STARTS[start], 1, 1

@@ -5,6 +5,7 @@ The first descent brings the replicas near minima, where small steps are accepte
 
 from __future__ import annotations
 
+from collections.abc import Generator
 from dataclasses import replace
 
 import numpy as np
@@ -13,7 +14,7 @@ import warp as wp
 from sceneweaver.kernels.descent import ADAM
 from sceneweaver.kernels.tempering import FIRST, Ladder, accept, copy_replicas, exchange, make_moves
 
-from .base import Monitor, OptimizerResult, Start, register
+from .base import Blocks, Checkpoint, Monitor, Start, register_blocks, to_the_end
 from .batch import Batch, new_state
 from .descent import (
     MEASURED,
@@ -27,14 +28,14 @@ from .descent import (
     outcome,
     threads,
 )
-from .launches import Launches
+from .launches import Launches, blocks_of
 from .starts import draw_starts
 
 STEPS = 1200
 REPLICAS = 3
 COLDEST = 0.005  # [m], in units of the energy
-HOTTEST = {"given": 0.03, "random": 0.2, "sample": 0.2}
-JUMPS = {"given": 0.2, "random": 0.7, "sample": 0.7}  # share of moves that are jumps
+HOTTEST_GIVEN, HOTTEST = 0.03, 0.2  # the same, from given poses and from drawn ones
+JUMPS_GIVEN, JUMPS = 0.2, 0.7  # share of moves that are jumps
 STEP_SIZE = 0.015  # [m] a Langevin step takes for a gradient of one, to begin with
 LEAD = 40  # steps of the descent at the beginning, at most a quarter of all
 POLISH = 0.25  # share of the steps for the descent at the end
@@ -84,16 +85,19 @@ def replicate(batch: Batch, rung: wp.array) -> Batch:
     return many
 
 
-def temper(batch: Batch, start: Start, lead: int, steps: int, monitor: Monitor) -> None:
-    """Run the replicas in place: every candidate ends at the best layout that one of its replicas passed.
+def temper(
+    batch: Batch, start: Start, lead: int, steps: int, monitor: Monitor, whole: bool
+) -> Generator[Checkpoint, None, int]:
+    """Run the replicas: every candidate ends at the best layout that one of them passed; energies measured of each.
 
     ``lead`` steps of descent come before the ``steps`` of tempering.
     """
-    ladder = ladder_of(batch, HOTTEST[start])
+    given = start == "given"
+    ladder = ladder_of(batch, HOTTEST_GIVEN if given else HOTTEST)
     rows = replicate(batch, ladder.rung)
     draw_starts(rows, start)
     if lead:
-        descend(rows, ADAM, FIRST_DESCENT.schedule(lead), monitor)
+        to_the_end(descend(rows, ADAM, FIRST_DESCENT.schedule(lead), monitor))
     state, proposal = rows.state, rows.scratch()
     proposal.anchors = state.anchors
     wp.copy(proposal.poses, state.poses)
@@ -101,21 +105,31 @@ def temper(batch: Batch, start: Start, lead: int, steps: int, monitor: Monitor) 
     measured, problems, block = new_gradients(rows), rows.problems, Launches(batch.device, UNROLL)
     add_choice(block, rows, proposal, [proposal.options, proposal.options])
     add_measure(block, rows, proposal, measured)
-    block.add(accept, rows.size, [problems, REPLICAS, JUMPS[start], state, measured], [ladder])
+    jumps = JUMPS_GIVEN if given else JUMPS
+    block.add(accept, rows.size, [problems, REPLICAS, jumps, state, measured], [ladder])
     block.add(exchange, batch.size, [REPLICAS, state], [ladder])
     inputs = [problems, REPLICAS, measured]
     block.add(make_moves, threads(rows, rows.objects), inputs, [ladder, state, proposal])
-    block.play(monitor, steps + 1)  # the first only measures the start
     nothing = wp.full(batch.size, np.inf, dtype=wp.float32, device=batch.device)
-    finish(batch, batch.state.poses, nothing, ladder.best, ladder.lowest)
+
+    def best() -> wp.array:
+        finish(batch, batch.state.poses, nothing, ladder.best, ladder.lowest)
+        return batch.state.poses
+
+    energies = REPLICAS * (lead + 2 if lead else 0)
+    for done in blocks_of(steps + 1, UNROLL, whole, block, monitor):  # the first step only measures the start
+        yield Checkpoint(best, energies + REPLICAS * done)
+    best()
+    return energies + REPLICAS * (steps + 1)
 
 
-@register("tempering", modules=(*MEASURED, "tempering", "descent"), on_gpu=(*MEASURED_ON_GPU, "tempering", "descent"))
-def run_tempering(batch: Batch, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
+@register_blocks("tempering", (*MEASURED, "tempering", "descent"), (*MEASURED_ON_GPU, "tempering", "descent"))
+def tempering_blocks(batch: Batch, start: Start, budget: int | None, monitor: Monitor, whole: bool) -> Blocks:
     """Refine every candidate by ``budget`` steps (default 1200); it ends at the lowest energy of any replica.
 
     A step measures REPLICAS energies of a candidate, one of the last descent a single one.
     """
     lead, steps, polish = parts(budget or STEPS)
-    temper(batch, start, lead, steps, monitor)
-    return outcome(batch, descend(batch, ADAM, LAST_DESCENT.schedule(polish), monitor), monitor)
+    energies = yield from temper(batch, start, lead, steps, monitor, whole)
+    total = yield from descend(batch, ADAM, LAST_DESCENT.schedule(polish), monitor, whole, energies)
+    return outcome(batch, total, monitor)

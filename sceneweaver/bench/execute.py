@@ -112,7 +112,8 @@ class _Course:
         steps, over = 0, False
         while not over:
             state = self._timed(lambda now=state: optimizer.step(now))
-            steps, over = steps + 1, steps + 1 == most
+            steps += 1
+            over = steps == most or (hasattr(optimizer, "done") and optimizer.done(state))
             if (own := getattr(optimizer, "counts", None)) is not None:
                 self.counted = [b + int(n) for b, n in zip(before, own(state), strict=True)]
             spent = self.seconds >= self.settings.seconds or self.counted[1] >= (self.settings.evaluations or np.inf)

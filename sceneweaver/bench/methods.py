@@ -8,7 +8,7 @@ from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
 
-from sceneweaver.layout import StepDescent, StepOptimizer, find_optimizer
+from sceneweaver.layout import StepOptimizer, find_optimizer, step_optimizer
 from sceneweaver.scene import InputError
 
 
@@ -22,9 +22,9 @@ class Method:
 
     Examples:
         >>> from sceneweaver import bench
-        >>> from sceneweaver.layout import StepDescent
-        >>> bench.Method("adam, short", StepDescent("adam", total=99)).make().steps
-        5
+        >>> from sceneweaver.layout import BuiltIn
+        >>> bench.Method("adam, short", BuiltIn("adam", budget=99)).make().budget
+        99
     """
 
     name: str
@@ -45,10 +45,8 @@ class Method:
                 raise InputError(f'optimizers: "{module}" has no "{attribute}"')
             found = found() if isinstance(found, type) or not hasattr(found, "step") else found
         else:
-            found = find_optimizer(self.source)
-        found = StepDescent(found) if isinstance(found, str) else find_optimizer(found)
-        assert not isinstance(found, str)
-        return found
+            found = self.source
+        return step_optimizer(found)
 
 
 def find_methods(optimizers: Sequence[str | StepOptimizer | Method]) -> list[Method]:

@@ -12,16 +12,17 @@ from .quality import QualityTerm as QualityTerm
 from .rate import rate as rate
 from .solution import Solution as Solution
 from .solution import joined as joined
-from .stepwise import StepDescent as StepDescent
+from .stepwise import BuiltIn as BuiltIn
 from .stepwise import StepOptimizer as StepOptimizer
 from .stepwise import find_optimizer as find_optimizer
+from .stepwise import step_optimizer as step_optimizer
 
 __all__ = [
+    "BuiltIn",
     "Problem",
     "Progress",
     "QualityTerm",
     "Solution",
-    "StepDescent",
     "StepOptimizer",
     "Terms",
     "compile",
@@ -31,4 +32,5 @@ __all__ = [
     "rate",
     "refine",
     "refine_many",
+    "step_optimizer",
 ]

@@ -31,7 +31,7 @@ from .problem import Problem
 from .quality import QualityTerm, check_terms
 from .rate import rated, walked
 from .solution import Solution, best_of
-from .stepwise import MODULES, StepOptimizer, find_optimizer, run_stepwise
+from .stepwise import StepOptimizer, find_optimizer, modules_of, run_stepwise
 from .surfaces import BROKEN, surfaces_hold
 
 INITS = ("sample", "random", "current")
@@ -192,7 +192,9 @@ def solve(
         )
         if isinstance(method, StepOptimizer):
             compiled = [job.compiled for job in group]
-            problem = Problem([c.scene for c in compiled], [c.room for c in compiled], device, compiled)
+            problem = Problem(
+                [c.scene for c in compiled], [c.room for c in compiled], device, compiled, [pools[i] for i in members]
+            )
             outcome = run_stepwise(method, problem, batch, start, group[0].seed, steps, monitor)
         else:
             outcome = run(batch, method, start, steps, monitor)
@@ -249,7 +251,7 @@ def _orders(problems: Sequence[LayoutProblem], objects: int) -> np.ndarray:
 def _modules(jobs: Sequence[Job], optimizer: str | StepOptimizer, device: str) -> list[str]:
     """The kernel modules that these jobs need."""
     method = find_optimizer(optimizer)
-    own = MODULES if isinstance(method, StepOptimizer) else OPTIMIZERS[method].modules_on(device)
+    own = modules_of(method, device) if isinstance(method, StepOptimizer) else OPTIMIZERS[method].modules_on(device)
     names = ["bookkeeping", "verdict", "walk", *own]
     if any(job.compiled.domains or job.start != "given" for job in jobs):
         # What stands on surfaces is searched, whatever lays out the room, and so starts are drawn.

@@ -82,15 +82,17 @@ class Problem:
         layouts: Sequence[LayoutProblem],
         device: str,
         compiled: Sequence[CompiledScene] = (),
+        pools: Sequence[Sequence[np.ndarray]] | None = None,
     ) -> None:
         """Use `compile`. ``layouts`` are the scenes' rooms or surfaces, ``compiled`` the scenes with all surfaces.
 
-        Without ``compiled`` the verdict does not look at surfaces.
+        Without ``compiled`` the verdict does not look at surfaces; ``pools`` are layouts of those to draw from.
         """
         self.scenes = tuple(scenes)
         self.device = device
         self._layouts = tuple(layouts)
         self._compiled = tuple(compiled)
+        self._pools = pools
         self._which: dict[int, wp.array] = {}
         self.energy_calls = self.evaluations = 0
         self._packed: Packed = pack(self._layouts, device)
@@ -248,7 +250,8 @@ class Problem:
 
     def batch(self, poses: Array, which: Array | None = None) -> Batch:
         """Layouts at poses as the engine's own batch, with memory of its own: what `Optimizer`s move."""
-        return self._movable(*self._read(poses, which)[::-1])
+        given, rows = self._read(poses, which)
+        return self._movable(rows, given, self._pools)
 
     # What follows takes Warp arrays: poses [B, N] of vec4 and which [B] int32, on the problem's device.
 
@@ -285,9 +288,9 @@ class Problem:
         self.evaluations += poses.shape[0]
         return batch_at(self._packed, which, poses)
 
-    def _movable(self, which: wp.array, poses: wp.array) -> Batch:
+    def _movable(self, which: wp.array, poses: wp.array, pools: Any = None) -> Batch:
         """A batch of its own memory at some poses."""
-        batch = make_batch(self._layouts, np.asarray(which.numpy()), self.device)
+        batch = make_batch(self._layouts, np.asarray(which.numpy()), self.device, pools)
         for into in (batch.state.poses, batch.state.anchors):
             wp.copy(into, poses)
         wp.launch(set_turns, poses.shape, [poses], [batch.state.turns], device=self.device)

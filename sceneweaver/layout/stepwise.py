@@ -2,25 +2,28 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
 from importlib.metadata import entry_points
-from typing import Any, Protocol, runtime_checkable
+from typing import Any, Protocol, cast, runtime_checkable
 
 import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.bookkeeping import set_turns
-from sceneweaver.optimizers import OPTIMIZERS, Batch, Descent, Monitor, OptimizerResult, streams
-from sceneweaver.optimizers.descent import REASSIGN, DescentRun
+from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, OptimizerResult, streams
+from sceneweaver.optimizers.base import BlockOptimizer, Checkpoint, RunInBlocks
+from sceneweaver.optimizers.descent import MEASURED, MEASURED_ON_GPU
+from sceneweaver.optimizers.run import cpu_threads, pieces
 from sceneweaver.optimizers.starts import draw_starts
 from sceneweaver.scene import InputError
 
 from .arrays import Array, handed_out, poses_from
+from .pack import PULL, weights
 from .problem import Problem
 
 GROUP = "sceneweaver.optimizers"  # of entry points
 STEPS = 200  # unless the optimiser says or is told how many
-MODULES = ("starts", "step", "gradients", "residuals")  # kernels that such a run is likely to need
 
 
 @runtime_checkable
@@ -54,40 +57,118 @@ class StepOptimizer(Protocol):
         ...
 
 
-@dataclass(frozen=True)
-class StepDescent:
-    """A built-in update rule as a `StepOptimizer`: a step is 20 of the rule's own.
+class BuiltInRun:
+    """A run of a built-in optimiser under way: on a CPU in pieces, which threads take on side by side."""
 
-    ``name`` is "adam" or "langevin", ``total`` the number of the rule's steps that its schedule spans. The same as
-    ``optimizer=name`` of `sceneweaver.refine` from drawn starts, to look into or to compare with.
+    def __init__(self, batch: Batch, blocks: RunInBlocks, start: str, budget: int | None) -> None:
+        """Begin at the batch's poses."""
+        self.batch, self.energies, self.done = batch, 0, not (batch.size and batch.objects)
+        self._parts = [] if self.done else pieces(batch)
+        self._runs = [blocks(part, start, budget, Monitor(part.size), False) for part in self._parts]
+        self._last: list[Checkpoint | None] = [None] * len(self._parts)
+        self._left = list(range(len(self._parts)))
+
+    def advance(self) -> None:
+        """Take every piece on to its next checkpoint, or to its end."""
+        with wp.ScopedDevice(self.batch.device):
+            if self.energies == 0:  # the first alone: it compiles what is not compiled yet
+                ended = [self._next(k) for k in self._left]
+            else:
+                with ThreadPoolExecutor(cpu_threads()) as pool:
+                    ended = list(pool.map(self._next, self._left))
+        self._left = [k for k, end in zip(self._left, ended, strict=True) if not end]
+        self.energies = max((last.energies for last in self._last if last is not None), default=1)
+        self.done = not self._left
+
+    def _next(self, k: int) -> bool:
+        """Whether piece k has come to its end, where the batch has its best poses."""
+        last = self._last[k]
+        try:
+            self._last[k] = next(self._runs[k])
+        except StopIteration:
+            poses = self._parts[k].state.poses
+            self._last[k] = Checkpoint(lambda: poses, last.energies if last else 0)
+            return True
+        return False
+
+    def best(self) -> wp.array:
+        """The best poses [B, N] (vec4) so far, in memory of their own."""
+        found, first = wp.clone(self.batch.state.poses), 0
+        for part, last in zip(self._parts, self._last, strict=True):
+            if last is not None:
+                wp.copy(cast(wp.array, found[first : first + part.size]), last.best())
+            first += part.size
+        return found
+
+
+@dataclass(frozen=True)
+class BuiltIn:
+    """A built-in optimiser as a `StepOptimizer`, to look into or to compare with; a step is what it does in one go.
+
+    That is 20 steps of "adam", "langevin" and "lbfgs", 10 of "tempering", one round of "search" and one try of
+    "projection". From the same poses, seed and budget it ends where ``optimizer=name`` of `sceneweaver.refine` does.
+
+    Attributes:
+        name: as in `sceneweaver.refine`.
+        budget: in work units of its own, as ``steps`` there; None: its default.
+        start: "drawn": the poses are a draw, from which it may go far; "given": it should move little.
     """
 
-    name: str = "adam"
-    total: int = 399
+    name: str
+    budget: int | None = None
+    start: str = "drawn"
+    steps: None = None  # until it is done
 
-    @property
-    def steps(self) -> int:
-        """Steps of a run: the last measures where the one before led."""
-        return -(-(self.total + 1) // REASSIGN)
-
-    def init(self, problem: Problem, poses: Array, key: int) -> DescentRun:
-        """The descent before its first step."""
-        rule = OPTIMIZERS.get(self.name)
-        if not isinstance(rule, Descent):
-            raise InputError(f'optimizer: "{self.name}" is no update rule')
+    def init(self, problem: Problem, poses: Array, key: int) -> BuiltInRun:
+        """The run before its first step."""
         batch = problem.batch(poses)
-        batch.state.rng.assign(streams(key, np.arange(batch.size)))
-        return DescentRun(batch, rule.rule, rule.drawn.schedule(self.total))
+        scene = np.asarray(batch.problem.numpy())
+        number = np.arange(batch.size) - np.searchsorted(scene, scene)  # of each candidate among those of its scene
+        batch.state.rng.assign(streams(key, number))
+        if self.start == "given":
+            batch = replace(batch, weights=weights(pull=PULL))
+        return BuiltInRun(batch, cast(BlockOptimizer, OPTIMIZERS[self.name]).blocks, self.start, self.budget)
 
-    def step(self, state: DescentRun) -> DescentRun:
-        """The same descent, 20 steps on."""
-        state.play(Monitor(state.batch.size), REASSIGN)
+    def step(self, state: BuiltInRun) -> BuiltInRun:
+        """The same run, one block on."""
+        state.advance()
         return state
 
-    def best(self, state: DescentRun) -> Array:
-        """Poses of the lowest energies so far."""
-        state.finish()
-        return wp.clone(state.batch.state.poses)
+    def best(self, state: BuiltInRun) -> Array:
+        """The best poses of each candidate so far; valid ones, where it found any."""
+        return state.best()
+
+    def done(self, state: BuiltInRun) -> bool:
+        """Whether nothing is left to do."""
+        return state.done
+
+    def counts(self, state: BuiltInRun) -> tuple[int, int]:
+        """Energies measured of each candidate so far, and of all."""
+        return state.energies, state.energies * state.batch.size
+
+    def modules_on(self, device: str) -> tuple[str, ...]:
+        """The kernel modules that it launches on a device."""
+        return OPTIMIZERS[self.name].modules_on(device)
+
+
+def step_optimizer(optimizer: str | StepOptimizer) -> StepOptimizer:
+    """Any optimiser as a `StepOptimizer`: a built-in name, the name of an entry point, or one of one's own.
+
+    Raises:
+        InputError: no such name, or not an optimiser.
+    """
+    found = find_optimizer(optimizer)
+    if not isinstance(found, str):
+        return found
+    if not isinstance(OPTIMIZERS[found], BlockOptimizer):
+        raise InputError(f'optimizer: "{found}" does not run in blocks')
+    return BuiltIn(found)
+
+
+def modules_of(optimizer: StepOptimizer, device: str) -> tuple[str, ...]:
+    """The modules of ``sceneweaver.kernels`` that a run is likely to need on a device."""
+    own = getattr(optimizer, "modules_on", lambda _: ())(device)
+    return (*own, "starts", *(MEASURED if device == "cpu" else MEASURED_ON_GPU), "residuals")
 
 
 def find_optimizer(optimizer: str | StepOptimizer) -> str | StepOptimizer:

@@ -11,7 +11,7 @@ import pytest
 import sceneweaver as sw
 from sceneweaver.bench.methods import find_methods
 from sceneweaver.bench.tasks import find_tasks
-from sceneweaver.layout import StepDescent, stepwise
+from sceneweaver.layout import BuiltIn, stepwise
 from tests.bench import optimizers
 from tests.kernels.harness import ZOO
 from tests.layout.made import BOX, CUP, relation, scene, table
@@ -26,7 +26,7 @@ def test_optimisers_go_by_many_names():
     found = find_methods(given)
     assert [method.name for method in found] == ["adam", "mine", "Endless", "a", "b", "Momentum"]
     made = [method.make() for method in found]
-    assert made[0] == StepDescent("adam") and made[5] is own
+    assert made[0] == BuiltIn("adam") and made[5] is own
     assert [type(each).__name__ for each in made[1:5]] == ["Momentum", "Endless", "Momentum", "Endless"]
 
 

@@ -87,6 +87,6 @@ def test_adam_of_optax_reaches_the_built_in_one():
     starts = problem.sample(0, 32)
     ours, theirs = (
         sw.refine(problem.scenes[0], init=starts, optimizer=optimizer, device="cpu", explain=False).energy.mean()
-        for optimizer in (sw.layout.StepDescent("adam"), made("optax"))
+        for optimizer in (sw.layout.BuiltIn("adam"), made("optax"))
     )
     assert theirs < 1.1 * ours + 0.01 < 0.5 * problem.energy(starts).mean()
