@@ -33,10 +33,10 @@ class UpdateRotation:
         """New poses for ``ids``; toward an object also a relation that keeps them so."""
         scene, inputs = context.scene, checked(self.name, context.inputs)
         ids = known_ids(scene, inputs["ids"], f"tool {self.name}: inputs.ids")
-        ways = [key for key in ("yaw", "degrees", "toward") if key in inputs]
+        ways = [key for key in ("yaw", "degrees", "toward", "square") if inputs.get(key, False) is not False]
         if len(ways) != 1:
             said = f"has {' and '.join(ways)}" if ways else "says no angle"
-            raise InputError(f"tool {self.name}: inputs {said}; give one of yaw, degrees and toward")
+            raise InputError(f"tool {self.name}: inputs {said}; give one of yaw, degrees, toward and square")
         toward = _toward(scene, inputs["toward"]) if "toward" in inputs else None
         poses: dict[str, Pose] = {}
         notes: list[str] = []
@@ -94,6 +94,8 @@ def _toward(scene: Scene, word: str) -> str:
 
 def _yaw(scene: Scene, obj: SceneObject, inputs: Mapping[str, Any], toward: str | None) -> float:
     """The new angle [rad] of the front."""
+    if inputs.get("square"):
+        return _square(scene, obj.pose.yaw)
     if toward is None:
         return float(inputs["yaw"]) if "yaw" in inputs else math.radians(inputs["degrees"])
     x, y, _ = obj.pose.position
@@ -101,6 +103,12 @@ def _yaw(scene: Scene, obj: SceneObject, inputs: Mapping[str, Any], toward: str 
     if math.hypot(tx - x, ty - y) < 1e-6:
         return obj.pose.yaw
     return bearing((x, y), (tx, ty))
+
+
+def _square(scene: Scene, yaw: float) -> float:
+    """The angle [rad] nearest to one at which something stands square to a wall."""
+    turns = (wrap_angle(wall.yaw - yaw, math.pi / 2) for wall in scene.room.walls)
+    return wrap_angle(yaw + min(turns, key=abs))
 
 
 def _point(scene: Scene, toward: str, at: tuple[float, float]) -> tuple[float, float]:

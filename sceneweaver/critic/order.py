@@ -135,6 +135,7 @@ def _crooked(survey: Survey) -> Iterator[Finding]:
     if len(survey.wall_axes) > 3:
         return  # a round room has no axes
     slight: list[tuple[str, float]] = []
+    grave: list[tuple[Body, float]] = []
     for body in survey.standing:
         row = categories().get(body.item.category)
         d, w, _ = body.size
@@ -154,17 +155,20 @@ def _crooked(survey: Survey) -> Iterator[Finding]:
             body.item.category in kinds.WALL_BACKED | kinds.BEDS | kinds.LONG_BEDS | kinds.SOFAS | kinds.DESKS
             or body.item.category in kinds.DINING
         ):
-            yield finding(
-                "layout",
-                "askew",
-                (body.id,),
-                f"{body.id} is turned {math.degrees(angle):.0f} degrees against the walls",
-                f"turn {body.id} parallel to a wall",
-                points=0.8 + min(1.2, 0.7 * body.size[0] * body.size[1]),
-                call=("update_rotation", {"ids": [body.id], "yaw": _straight(survey, body)}),
-            )
+            grave.append((body, math.degrees(angle)))
+    # one call for all: turned one by one they meet their neighbours that are askew as well
+    call = ("update_rotation", {"ids": [*(b.id for b, _ in grave), *(i for i, _ in slight)], "square": True})
+    for body, degrees in grave:
+        yield finding(
+            "layout",
+            "askew",
+            (body.id,),
+            f"{body.id} is turned {degrees:.0f} degrees against the walls",
+            f"turn {body.id} parallel to a wall",
+            points=0.8 + min(1.2, 0.7 * body.size[0] * body.size[1]),
+            call=call,
+        )
     for body_id, degrees in slight:
-        body = survey.placed.by_id[body_id]
         yield finding(
             "layout",
             "crooked",
@@ -172,14 +176,8 @@ def _crooked(survey: Survey) -> Iterator[Finding]:
             f"{body_id} is {degrees:.1f} degrees off the direction of the walls",
             f"turn {body_id} parallel to a wall",
             points=0.2 + 0.06 * degrees,
-            call=("update_rotation", {"ids": [body_id], "yaw": _straight(survey, body)}),
+            call=call,
         )
-
-
-def _straight(survey: Survey, body: Body) -> float:
-    gaps = [wrap_angle(body.yaw - float(a), QUARTER) for a in survey.wall_axes]
-    yaw = body.yaw - min(gaps, key=abs)
-    return round(wrap_angle(yaw), 4)
 
 
 # ---- heights ---------------------------------------------------------------------------------------------------------

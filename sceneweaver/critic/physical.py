@@ -17,10 +17,10 @@ GRADE_CAP = 5.0
 WALKABLE, REACHABLE = 0.9, 0.97
 """Shares of the free floor, and of the furniture, that a person should get to."""
 
-SLIGHT, SLIGHT_DEGREES = 0.3, 10.0
+SLIGHT, SLIGHT_DEGREES = 1.0, 30.0
 """How far what is merely wished for of a wall, door or window may be off [m] [degrees] before anyone sees it."""
 
-BESIDE = 0.1
+BESIDE = 0.6
 """The same [m] of a place beside something."""
 
 NEEDED = 0.8

@@ -165,7 +165,8 @@ def test_crooked(degrees: float, there: bool) -> None:
     found = only(bad.review(), "crooked")
     assert bool(found) is there
     if found:
-        assert found[0].objects == ("coffee_table-0",) and found[0].inputs["yaw"] == pytest.approx(0.0, abs=1e-6)
+        assert found[0].objects == ("coffee_table-0",)
+        assert found[0].inputs == {"ids": ["coffee_table-0"], "square": True}
 
 
 def test_uneven_row() -> None:

@@ -165,9 +165,18 @@ def test_a_table_turns_with_its_vase(lounge, call):
     assert not again.edits and "already" in again.notes[0]
 
 
+def test_square_to_the_walls_by_the_least_turn(lounge, call):
+    for degrees, square in ((4.0, 0.0), (-93.0, -90.0), (47.0, 90.0)):
+        made = after(lounge, call("update_rotation", lounge, {"ids": ["coffee_table-0"], "degrees": degrees}))
+        made = after(made, call("update_rotation", made, {"ids": ["coffee_table-0"], "square": True}))
+        turned = made.object("coffee_table-0").pose.yaw - math.radians(square)
+        assert math.remainder(turned, 2 * math.pi) == pytest.approx(0.0, abs=1e-6)
+
+
 def test_bad_turns(lounge, call):
     for inputs in (
         {"ids": ["sofa-0"]},
+        {"ids": ["sofa-0"], "square": False},
         {"ids": ["sofa-0"], "yaw": 1, "degrees": 2},
         {"ids": []},
         {"ids": ["sofa-0"], "toward": "the moon"},
