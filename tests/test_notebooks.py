@@ -1,0 +1,56 @@
+"""The notebooks run on small sizes, and what is stored of them is whole, small and says nothing about this machine."""
+
+from __future__ import annotations
+
+import base64
+import re
+
+import nbformat
+import pytest
+
+from tests.test_repository import ROOT
+
+pytest.importorskip("nbclient")
+from notebooks.store import NOTEBOOKS, executed, tidied  # noqa: E402
+
+LONG = {"02", "05", "07"}  # kernels of one's own, a comparison, a convex decomposition
+MACHINE = re.compile(r"(?<![\w.])/(?:home|root|Users|work|tmp)/\w|site-packages|0x[0-9a-f]{6,}")
+RUN = [pytest.param(path, marks=pytest.mark.slow if path.stem[:2] in LONG else (), id=path.stem) for path in NOTEBOOKS]
+STORED = [pytest.param(path, id=path.stem) for path in NOTEBOOKS]
+
+
+def outputs(book):
+    """Every output of a notebook."""
+    return [output for cell in book.cells if cell.cell_type == "code" for output in cell.outputs]
+
+
+@pytest.mark.parametrize("path", RUN)
+def test_it_runs(path):
+    book = tidied(executed(path, small=True))
+    said = [output.text for output in outputs(book) if output.output_type == "stream" and output.name == "stderr"]
+    assert said == []
+
+
+@pytest.mark.parametrize("path", STORED)
+def test_it_is_stored_with_outputs_of_one_run(path):
+    book = nbformat.read(path, as_version=4)
+    nbformat.validate(book)
+    code = [cell for cell in book.cells if cell.cell_type == "code"]
+    assert 8 <= len(book.cells) <= 32 and book.cells[0].source.startswith("# ")
+    assert [cell.execution_count for cell in code] == list(range(1, len(code) + 1))
+    assert [output for output in outputs(book) if output.output_type == "error" or output.get("name") == "stderr"] == []
+    pictures = [
+        base64.b64decode(output.data[kind])
+        for output in outputs(book)
+        for kind in ("image/png", "image/jpeg")
+        if kind in output.get("data", {})
+    ]
+    assert len(pictures) >= 2 and max(map(len, pictures)) <= 150_000
+    assert path.stat().st_size < 600_000
+    text = re.sub(r'"image/\w+": ".*?"', "", path.read_text())
+    assert MACHINE.findall(text) == []
+
+
+def test_all_are_listed_in_order():
+    text = (ROOT / "notebooks" / "README.md").read_text()
+    assert re.findall(r"\]\((\w+\.ipynb)\)", text) == [path.name for path in NOTEBOOKS]
