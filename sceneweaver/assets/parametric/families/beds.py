@@ -197,7 +197,7 @@ def canopy_bed(b: Builder) -> None:
 
 @draws("daybed")
 def daybed(b: Builder) -> None:
-    """A bed along the wall like a sofa: a back on the long side, two ends, bolsters and cushions."""
+    """A bed along the wall like a sofa: a back on the long side, two ends, cushions, a pillow at the left end."""
     d, w, h = b.size
     wood = b.material("frame", "white paint", "oak", "walnut", "black steel", "pine")
     metal = wood.name == "black steel"
@@ -254,9 +254,10 @@ def daybed(b: Builder) -> None:
             at = (k - 1) * wide
             with b.frame(x[0] + t + 0.15, at, top + 0.21, pitch=1.25):
                 pillow(b, 0.45, wide * 0.96, 0.15, accent if k != 1 else cover, lift=-0.05)
-    for s in (-1, 1):
-        with b.solid(f"bolster {s}"), b.frame(0.04, s * (w / 2 - t - 0.1), top + 0.085, pitch=1.5707963):
-            b.frustum(0.09, 0.09, (-d / 2 + 0.13, d / 2 - 0.1), accent, segments=20, bevel=0.025)
+    with b.solid("bolster"), b.frame(0.04, t + 0.1 - w / 2, top + 0.085, pitch=1.5707963):
+        b.frustum(0.09, 0.09, (-d / 2 + 0.13, d / 2 - 0.1), accent, segments=20, bevel=0.025)
+    with b.solid("pillow"), b.frame(0.04, w / 2 - t - 0.175, top - 0.01):
+        pillow(b, d - 0.3, 0.32, 0.14, cover)
     b.fit()
 
 
