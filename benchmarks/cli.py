@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from benchmarks import plots, report
+from benchmarks import plots, problems, report
 from benchmarks.console import console, print_result, say
 from benchmarks.families import FAMILIES, ablations
 from benchmarks.judging import Judge
@@ -30,6 +30,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run what was asked for; 1 when an answer was wrong or a family broke down, 2 on bad input."""
     words = list(sys.argv[1:] if arguments is None else arguments)
     try:
+        if words[:1] == ["problems"]:
+            return problems.main(words[1:])
         return _report(words[1:]) if words[:1] == ["report"] else _run(words)
     except (ValueError, SceneWeaverError) as error:
         console.print(f"benchmarks: {error}", style="bold red", markup=False)
@@ -49,7 +51,7 @@ def parser() -> argparse.ArgumentParser:
     p = argparse.ArgumentParser(
         prog="python -m benchmarks",
         description="Measure sceneweaver. Ends with 1 when an answer is wrong, never because it is slow.",
-        epilog="python -m benchmarks report --help: write the page of results.",
+        epilog="python -m benchmarks report --help: write the page of results; problems --help: the zoo of problems.",
     )
     p.add_argument("families", nargs="*", metavar="FAMILY", help=f"some of {', '.join(FAMILIES)} (default: all)")
     p.add_argument("--rooms", default="", metavar="A,B", help="rooms of the zoo, with commas between them")

@@ -600,6 +600,59 @@ def bench_plot(
     return run_plot(source, out, target=target, form=form, family=family)
 
 
+problems = typer.Typer(name="problems", help="The zoo of layout problems: witnesses, proofs, cards.")
+app.add_typer(problems)
+
+ProblemName = Annotated[str, typer.Argument(metavar="NAME", help="A problem, see `problems list`.", show_default=False)]
+
+
+@problems.command("list")
+def problems_list(
+    family: Annotated[str | None, typer.Option(help="Only of this family.", show_default=False)] = None,
+    feasible: Annotated[
+        bool | None, typer.Option("--feasible/--infeasible", help="Only with or without a layout.", show_default=False)
+    ] = None,
+    as_json: Json = False,
+) -> int:
+    """List the problems, by family and size."""
+    from .problems import run_list
+
+    return run_list(family=family, feasible=feasible, as_json=as_json)
+
+
+@problems.command("show")
+def problems_show(name: ProblemName, as_json: Json = False) -> int:
+    """Print a problem's card: sizes, figures, proof, how hard it is."""
+    from .problems import run_show
+
+    return run_show(name, as_json=as_json)
+
+
+@problems.command("export")
+def problems_export(
+    name: ProblemName,
+    out: Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the files.", show_default=False)],
+    as_json: Json = False,
+) -> int:
+    """Write a problem: its canonical bytes, its card, the scene at the bad start and in its witness."""
+    from .problems import run_export
+
+    return run_export(name, out, as_json=as_json)
+
+
+@problems.command("verify")
+def problems_verify(
+    name: Annotated[
+        str | None, typer.Argument(metavar="[NAME]", help="A problem (default: all).", show_default=False)
+    ] = None,
+    as_json: Json = False,
+) -> int:
+    """Check hash, witness or proof of one problem or of all; 3 when something is wrong."""
+    from .problems import run_verify
+
+    return run_verify(name, as_json=as_json)
+
+
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code; ``argv`` is without the program's name.
 

@@ -10,6 +10,7 @@ from .recipes import families
 FACTS = {
     "tightness": "share of the floor that is taken",
     "density": "hard relations an object",
+    "wishes": "soft relations an object",
     "wall_fill": "share of the walls that backs stand at",
     "surface_tightness": "share of the boards that is taken",
 }

@@ -34,8 +34,10 @@ class ProblemCase:
         witness: a valid layout [N, 4] float32 (x, y, z [m], yaw [rad]); None where there is none.
         certificate: a proof that no layout is valid, which `prove` checks; None where there is one.
         facts: measured figures: ``tightness`` (share of the floor that footprints and hard zones take, the doors' own
-            floor left out), ``density`` (hard relations an object), and for surfaces ``surface_tightness``.
+            floor left out), ``density`` (hard relations an object), ``wishes`` (soft ones), ``wall_fill`` (share of the
+            walls that backs stand at), ``surface_tightness``.
         best_energy: the lowest energy [m] of a valid layout that is known; None where nothing was measured.
+        best: a layout [N, 4] float32 of that energy; None where it is the witness's, or nothing was measured.
         difficulty: for each optimiser that was tried its share of valid layouts, with the budget.
         starts: names that `start` knows.
 
@@ -56,6 +58,7 @@ class ProblemCase:
     certificate: Json | None
     facts: Mapping[str, float]
     best_energy: float | None = None
+    best: np.ndarray | None = None
     difficulty: Mapping[str, Any] = field(default_factory=dict)
     _compiled: dict[str, Problem] = field(default_factory=dict, init=False, repr=False)
 

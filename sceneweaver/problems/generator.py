@@ -15,7 +15,7 @@ from . import cells
 from .case import ProblemCase, from_plain, placed
 from .cells import Box, NoFit, with_walls
 from .measures import facts_of, tightness_of
-from .planting import plant
+from .planting import plant, wish
 from .recipes import CRATE, RECIPES, Recipe, Unit
 from .starts import draw
 from .units import Draft
@@ -222,6 +222,7 @@ def _related(scene: Scene, recipe: Recipe, density: float | None, rng: np.random
         if len(more) < count:
             raise NoFit("so many relations do not hold")
         relations = relations + more
+    relations = relations + wish(scene, round(recipe.wishes * len(scene.objects)), rng)
     return Scene.from_json({**scene.to_json(), "relations": relations})
 
 

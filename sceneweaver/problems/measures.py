@@ -63,6 +63,8 @@ def facts_of(scene: Scene) -> dict[str, float]:
         "tightness": round(tightness_of(scene), 3),
         "density": round(len(hard) / max(len(scene.objects), 1), 2),
     }
+    if soft := len(scene.relations) - len(hard):
+        facts["wishes"] = round(soft / len(scene.objects), 2)
     backs = {r.subject for r in hard if r.type == "against_wall"}
     length = sum(w.length for w in scene.room.walls) - sum(d.width for d in scene.room.doors)
     if backs:

@@ -37,6 +37,21 @@ def plant(scene: Scene, count: int, rng: np.random.Generator) -> list[Json]:
     return found
 
 
+def wish(scene: Scene, count: int, rng: np.random.Generator) -> list[Json]:
+    """So many soft relations between floor objects, drawn blindly, each at most once."""
+    floor = [o.id for o in scene.objects if o.mount == "floor"]
+    kinds = (("near", {"max": 0.3}), ("facing", {}), ("aligned", {}), *((kind, {}) for kind in SIDES))
+    found: dict[tuple[str, str, str], Json] = {}
+    most = len(kinds) * len(floor) * (len(floor) - 1)
+    while len(found) < min(count, most):
+        kind, params = kinds[rng.integers(len(kinds))]
+        a, b = (floor[k] for k in rng.choice(len(floor), 2, replace=False))
+        weight = round(float(rng.uniform(0.5, 2.0)), 2)
+        relation = {"type": kind, "subject": a, "target": b, "params": params, "hard": False, "weight": weight}
+        found[kind, a, b] = relation
+    return list(found.values())
+
+
 def _candidates(scene: Scene) -> Iterator[tuple[Json, Json]]:
     """Relations with tight numbers, and the numbers to give them."""
     floor = [i for i, o in enumerate(scene.objects) if o.mount == "floor"]

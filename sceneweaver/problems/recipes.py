@@ -32,6 +32,7 @@ class Recipe:
         turned: whether the room is turned out of the axes.
         window: whether there is a window, before which nothing may be taller than its sill.
         density: hard relations an object, those of seats and walls included; 0: only those.
+        wishes: soft relations an object, drawn blindly, so that they contradict each other.
         least: the fewest objects.
     """
 
@@ -43,6 +44,7 @@ class Recipe:
     turned: bool = False
     window: bool = False
     density: float = 0.0
+    wishes: float = 0.0
     least: int = 2
 
 
@@ -68,6 +70,13 @@ RECIPES: dict[str, Recipe] = {
     "packing": Recipe(
         "Boxes and nothing else: no relations, tightness is all.",
         ((CRATE, 100),),
+    ),
+    "preferences": Recipe(
+        "Soft relations that contradict each other: layouts are found at once, the best one is the question.",
+        ((CRATE, 60), (CABINET, 40)),
+        at_wall=0.5,
+        wishes=1.5,
+        least=4,
     ),
     "relations": Recipe(
         "Boxes in a room that is not tight, tied by more and more relations.",

@@ -9,6 +9,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from sceneweaver.scene import InputError
 
 from .case import ProblemCase, from_plain, plain
@@ -55,7 +57,7 @@ def names(family: str | None = None, feasible: bool | None = None) -> tuple[str,
 
 @cache
 def measured() -> Mapping[str, Json]:
-    """For each name that was measured: best energy [m] and difficulty."""
+    """For each name that was measured: hash, best energy [m], its layout where it is not the witness, difficulty."""
     path = DATA / "measured.json"
     return json.loads(path.read_text("utf-8"))["problems"] if path.exists() else {}
 
@@ -91,6 +93,7 @@ def load(name: str) -> ProblemCase:
         _family(row["family"])[name],
         row["facts"],
         best_energy=known.get("best_energy"),
+        best=np.array(known["best"], dtype=np.float32) if "best" in known else None,
         difficulty=known.get("difficulty", {}),
     )
     if case.hash != row["hash"]:
@@ -117,9 +120,10 @@ def freeze(cases: Iterable[ProblemCase], folder: Path = DATA) -> None:
 
 
 def record(results: Mapping[str, Json], folder: Path = DATA) -> None:
-    """Write what was measured: for each name hash, best energy and difficulty."""
+    """Write what was measured, as `measured` gives it."""
     rows = {name: results[name] for name in manifest() if name in results}
-    text = json.dumps({"schema": SCHEMA, "problems": rows}, indent=1, ensure_ascii=False)
+    lines = ",\n".join(f" {json.dumps(name)}: {json.dumps(row, separators=(',', ':'))}" for name, row in rows.items())
+    text = f'{{"schema": {json.dumps(SCHEMA)}, "problems": {{\n{lines}\n}}}}'
     (folder / "measured.json").write_text(text + "\n", "utf-8")
 
 

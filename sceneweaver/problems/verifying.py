@@ -46,6 +46,11 @@ def verify(case: ProblemCase) -> None:
     poses = np.array(case.witness)[None]
     if not problem.feasible(poses)[0]:
         raise InputError(f"problem {case.name}: the engine finds the witness not feasible")
-    energy = float(problem.energy(poses)[0])
-    if case.best_energy is not None and case.best_energy > energy + ROUNDING:
-        raise InputError(f"problem {case.name}: the witness has {energy:.6f} m, less than the best known energy")
+    if case.best_energy is None:
+        return
+    if case.best_energy > float(problem.energy(poses)[0]) + ROUNDING:
+        raise InputError(f"problem {case.name}: the witness has less than the best known energy")
+    if case.best is not None:
+        energy = float(problem.energy(case.best[None])[0])
+        if abs(energy - case.best_energy) > ROUNDING or not check(case.layout(case.best), walkable=False).valid:
+            raise InputError(f"problem {case.name}: its best layout is not valid, or has {energy:.6f} m")

@@ -11,7 +11,7 @@ from sceneweaver.problems.recipes import RECIPES
 from sceneweaver.scene import InputError, Scene
 
 EASY = {"packing": (9, 0.6), "walls": (9, 0.5), "relations": (9, 0.3), "rooms": (12, 0.4), "bodies": (9, 0.5)}
-EASY |= {"groups": (12, 0.4), "surfaces": (16, 0.5), "halls": (60, 0.4)}
+EASY |= {"groups": (12, 0.4), "surfaces": (16, 0.5), "halls": (60, 0.4), "preferences": (9, 0.4)}
 
 
 @pytest.mark.parametrize("family", RECIPES)

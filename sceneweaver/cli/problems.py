@@ -1,0 +1,104 @@
+"""``sceneweaver problems``: the zoo of layout problems."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import typer
+
+from sceneweaver.scene import InputError, SceneWeaverError
+
+from .exit_codes import NOT_VALID
+from .output import list_files, no_chatter, print_json, staged
+
+if TYPE_CHECKING:
+    from sceneweaver.problems import ProblemCase
+
+
+def run_list(*, family: str | None, feasible: bool | None, as_json: bool) -> int:
+    """List the problems."""
+    from sceneweaver import problems
+    from sceneweaver.problems.store import manifest
+
+    rows = {name: manifest()[name] for name in problems.names(family, feasible)}
+    if as_json:
+        print_json({"families": problems.families(), "problems": [{"name": name, **row} for name, row in rows.items()]})
+        return 0
+    for name, row in rows.items():
+        kind = f"{row['facts']['tightness']:.2f} of the floor" if row["feasible"] else "no layout is valid"
+        typer.echo(f"{name:<32} {row['objects']:>4} objects {row['relations']:>4} relations  {kind}")
+    return 0
+
+
+def run_show(name: str, *, as_json: bool) -> int:
+    """Print a problem's card."""
+    from sceneweaver import problems
+
+    case = problems.load(name)
+    if as_json:
+        print_json(_facts(case))
+    else:
+        typer.echo(case.card.rstrip("\n"))
+    return 0
+
+
+def run_export(name: str, out: Path, *, as_json: bool) -> int:
+    """Write a problem's files."""
+    from sceneweaver import problems
+
+    case = problems.load(name)
+    names = ["problem.json", "card.md", "scene.json"] + (["witness.json"] if case.feasible else [])
+    if out.suffix == ".json":
+        raise InputError(f"--out: {out} is a file; give a folder")
+    with staged(out, names) as folder:
+        (folder / "problem.json").write_bytes(problems.canonical(case) + b"\n")
+        (folder / "card.md").write_text(case.card, "utf-8")
+        case.scene.save(folder / "scene.json")
+        if case.witness is not None:
+            case.layout(case.witness).save(folder / "witness.json")
+    files = [out / name for name in names]
+    if as_json:
+        print_json({**_facts(case), "files": [str(path) for path in files]})
+    else:
+        typer.echo(f"{case.name}  {case.hash[:16]}")
+        list_files(files)
+    return 0
+
+
+def run_verify(name: str | None, *, as_json: bool) -> int:
+    """Verify one problem, or all."""
+    from sceneweaver import problems
+
+    wrong: dict[str, str] = {}
+    chosen = problems.names() if name is None else (problems.load(name).name,)
+    for each in chosen:
+        try:
+            with no_chatter():
+                problems.verify(problems.load(each))
+        except SceneWeaverError as error:
+            wrong[each] = str(error)
+    if as_json:
+        print_json({"verified": len(chosen) - len(wrong), "wrong": wrong})
+    else:
+        typer.echo(f"{len(chosen) - len(wrong)} of {len(chosen)} problems are in order")
+        for text in wrong.values():
+            typer.echo(f"  {text}")
+    return NOT_VALID if wrong else 0
+
+
+def _facts(case: ProblemCase) -> dict[str, Any]:
+    return {
+        "name": case.name,
+        "family": case.family,
+        "version": case.version,
+        "hash": case.hash,
+        "objects": len(case.scene.objects),
+        "relations": len(case.scene.relations),
+        "feasible": case.feasible,
+        "facts": dict(case.facts),
+        "best_energy": case.best_energy,
+        "certificate": case.certificate,
+        "difficulty": dict(case.difficulty),
+        "starts": list(case.starts),
+    }
