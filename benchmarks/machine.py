@@ -11,7 +11,7 @@ from typing import Any
 
 from benchmarks.settings import ROOT, Settings, cores
 
-PACKAGES = ("sceneweaver", "warp-lang", "numpy", "shapely", "scipy", "torch", "drake")
+PACKAGES = ("sceneweaver", "warp-lang", "jax", "numpy", "shapely", "scipy", "torch", "drake")
 
 
 def resolve(device: str) -> str:

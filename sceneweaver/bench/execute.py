@@ -113,7 +113,7 @@ class _Course:
         while not over:
             state = self._timed(lambda now=state: optimizer.step(now))
             steps += 1
-            over = steps == most or (hasattr(optimizer, "done") and optimizer.done(state))
+            over = steps == most or bool(getattr(optimizer, "done", lambda _: False)(state))
             if (own := getattr(optimizer, "counts", None)) is not None:
                 self.counted = [b + int(n) for b, n in zip(before, own(state), strict=True)]
             spent = self.seconds >= self.settings.seconds or self.counted[1] >= (self.settings.evaluations or np.inf)

@@ -4,7 +4,11 @@ A call knows its problem by a number, as XLA carries numbers and arrays alone. W
 objects, so annotations are not postponed here.
 """
 
+from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
+from functools import cache
 from itertools import count
+from typing import Any
 from weakref import WeakValueDictionary
 
 import jax
@@ -17,11 +21,12 @@ SceneArray = wp.array(dtype=wp.int32)
 
 _NUMBERS = count()
 _PROBLEMS: WeakValueDictionary[int, Problem] = WeakValueDictionary()
+_KEPT: set[Problem] = set()
 
 jax.tree_util.register_static(Problem)
 
 
-def number_of(problem: Problem) -> int:
+def _number_of(problem: Problem) -> int:
     """The number that calls know a problem by."""
     number = getattr(problem, "_number", None)
     if number is None:
@@ -39,7 +44,7 @@ def _problem(number: int, poses: wp.array) -> Problem:
     return problem
 
 
-def _energy(
+def energy(
     poses: PoseArray,  # pyright: ignore[reportInvalidTypeForm]
     which: SceneArray,  # pyright: ignore[reportInvalidTypeForm]
     number: int,
@@ -51,7 +56,7 @@ def _energy(
         wp.copy(into, values)
 
 
-def _residuals(
+def residuals(
     poses: PoseArray,  # pyright: ignore[reportInvalidTypeForm]
     which: SceneArray,  # pyright: ignore[reportInvalidTypeForm]
     number: int,
@@ -63,40 +68,81 @@ def _residuals(
         wp.copy(into, values)
 
 
-def _feasible(
+def feasible(
     poses: PoseArray,  # pyright: ignore[reportInvalidTypeForm]
     which: SceneArray,  # pyright: ignore[reportInvalidTypeForm]
     number: int,
     feasible: wp.array(dtype=wp.bool),  # pyright: ignore[reportInvalidTypeForm]
 ) -> None:
     """Which layouts [B] are feasible."""
-    wp.copy(feasible, _problem(number, poses).judged(poses, which))
+    problem = _problem(number, poses)
+    with _aside(problem):
+        wp.copy(feasible, problem.judged(poses, which))
 
 
-def _sample(
+def sample(
     rng: wp.array(dtype=wp.uint32),  # pyright: ignore[reportInvalidTypeForm]
     which: SceneArray,  # pyright: ignore[reportInvalidTypeForm]
     number: int,
     poses: PoseArray,  # pyright: ignore[reportInvalidTypeForm]
 ) -> None:
     """Layouts [B, N] to start from."""
-    wp.copy(poses, _problem(number, rng).drawn(rng, which))
+    problem = _problem(number, rng)
+    with _aside(problem):
+        wp.copy(poses, problem.drawn(rng, which))
 
 
-def _project(
+def project(
     poses: PoseArray,  # pyright: ignore[reportInvalidTypeForm]
     which: SceneArray,  # pyright: ignore[reportInvalidTypeForm]
     number: int,
     nearest: PoseArray,  # pyright: ignore[reportInvalidTypeForm]
 ) -> None:
     """The feasible layouts [B, N] nearest to poses."""
-    wp.copy(nearest, _problem(number, poses).projected(poses, which))
+    problem = _problem(number, poses)
+    with _aside(problem):
+        wp.copy(nearest, problem.projected(poses, which))
 
 
-# They look at arrays from the host and take memory, so none is recorded as a part of a graph.
-PLAIN = {"graph_mode": wp.JaxCallableGraphMode.NONE, "vmap_method": "broadcast_all"}
-energy_call = wp.jax_callable(_energy, num_outputs=2, **PLAIN)
-residuals_call = wp.jax_callable(_residuals, num_outputs=2, **PLAIN)
-feasible_call = wp.jax_callable(_feasible, **PLAIN)
-sample_call = wp.jax_callable(_sample, **PLAIN)
-project_call = wp.jax_callable(_project, **PLAIN)
+_KINDS: dict[Callable, int] = {energy: 2, residuals: 2, feasible: 1, sample: 1, project: 1}
+CAPTURED = (energy, residuals)  # launches alone; the others look at arrays from the host
+CUDA_MODE = wp.JaxCallableGraphMode.WARP_STAGED_EX
+"""How captured calls run on a GPU: as a CUDA graph on buffers of its own, between a copy there and one back."""
+
+
+def call(function: Callable, problem: Problem, *arguments: Any, output_dims: Any) -> tuple:
+    """Call one of the functions above from JAX with the problem's number as its last input."""
+    on_gpu = problem.device != "cpu"
+    mode = CUDA_MODE if on_gpu and function in CAPTURED else wp.JaxCallableGraphMode.NONE
+    number = _number_of(problem)
+    if mode != wp.JaxCallableGraphMode.NONE:
+        _keep(problem)
+    return _callable(function, mode)(*arguments, number, output_dims=output_dims)
+
+
+@cache
+def _callable(function: Callable, mode: wp.JaxCallableGraphMode) -> Callable:
+    outputs = _KINDS[function]
+    return wp.jax_callable(function, num_outputs=outputs, graph_mode=mode, vmap_method="broadcast_all")
+
+
+def _keep(problem: Problem) -> None:
+    """Keep a problem for good, as graphs hold the addresses of its tables; load the kernels that are to be captured."""
+    if problem in _KEPT:
+        return
+    _KEPT.add(problem)
+    counts = problem.energy_calls, problem.evaluations
+    home, which = wp.array(problem.home[:1], dtype=wp.vec4, device=problem.device), [0]
+    problem.energy_and_grad(home, which)
+    problem.residuals(home, which)
+    problem.energy_calls, problem.evaluations = counts
+
+
+@cache
+def _stream(device: str) -> wp.Stream:
+    return wp.Stream(device)
+
+
+def _aside(problem: Problem) -> AbstractContextManager:
+    """On a GPU a stream of our own, in order with XLA's: what runs there may record graphs."""
+    return nullcontext() if problem.device == "cpu" else wp.ScopedStream(_stream(problem.device), True, True)

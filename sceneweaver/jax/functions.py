@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
+from functools import cache, partial
 from math import prod
 from typing import Any
 
 import jax
 import jax.numpy as jnp
 import numpy as np
+import warp as wp
 
 from sceneweaver.layout import Problem
 from sceneweaver.scene import InputError
 
-from .calls import energy_call, feasible_call, number_of, project_call, residuals_call, sample_call
+from . import calls
 
 Array = Any
 
@@ -115,7 +116,7 @@ def sample(problem: Problem, key: Array, count: int) -> jax.Array:
         True
     """
     scenes = len(problem.mask)
-    rng = jax.random.bits(key, (scenes * count,), "uint32")
+    rng = _placed(problem, jax.random.bits(key, (scenes * count,), "uint32"))
     return _launch_sample(problem, rng, jnp.repeat(jnp.arange(scenes, dtype=jnp.int32), count))
 
 
@@ -189,7 +190,7 @@ def _flat(
     """Call a function of poses [B, N, 4], which [B], ``more`` poses and ``rows`` [B, D] with any leading dimensions."""
     if not isinstance(problem, Problem):
         raise InputError(f"problem: {type(problem).__name__} is no Problem; sceneweaver.compile makes one")
-    poses = jnp.asarray(poses)
+    poses = _placed(problem, poses)
     if poses.ndim < 2 or poses.shape[-2:] != (problem.objects, 4):
         raise InputError(f"poses: an array of shape {poses.shape}; poses are [..., {problem.objects}, 4]")
     if poses.dtype != jnp.float32:
@@ -212,36 +213,48 @@ def _flat(
     return jax.tree.map(lambda values: values.reshape(*lead, *values.shape[1:]), found)
 
 
+@cache
+def _device_of(name: str) -> jax.Device:
+    return wp.device_to_jax(name)
+
+
+def _placed(problem: Problem, values: Array) -> jax.Array:
+    """Values on the problem's device, if they are not bound to one; what is traced goes where its function runs."""
+    if isinstance(values, jax.core.Tracer) or (isinstance(values, jax.Array) and values.committed):
+        return values
+    return jax.device_put(values, _device_of(problem.device))
+
+
 _static = partial(jax.jit, static_argnums=0)  # without it each call from outside of jit would be compiled anew
 
 
 @_static
 def _launch_energy(problem: Problem, poses: jax.Array, which: jax.Array) -> tuple[jax.Array, jax.Array]:
     dims = {"energy": poses.shape[:1], "gradient": poses.shape[:2]}
-    energies, gradients = energy_call(poses, which, number_of(problem), output_dims=dims)
+    energies, gradients = calls.call(calls.energy, problem, poses, which, output_dims=dims)
     return energies, gradients
 
 
 @_static
 def _launch_residuals(problem: Problem, poses: jax.Array, which: jax.Array) -> tuple[jax.Array, jax.Array]:
     dims = {"residual": (len(poses), problem.items), "slope": (len(poses), problem.items, 3)}
-    values, slopes = residuals_call(poses, which, number_of(problem), output_dims=dims)
+    values, slopes = calls.call(calls.residuals, problem, poses, which, output_dims=dims)
     return values, slopes
 
 
 @_static
 def _launch_feasible(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Array:
-    return feasible_call(poses, which, number_of(problem), output_dims=poses.shape[:1])[0]
+    return calls.call(calls.feasible, problem, poses, which, output_dims=poses.shape[:1])[0]
 
 
 @_static
 def _launch_project(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Array:
-    return project_call(poses, which, number_of(problem), output_dims=poses.shape[:2])[0]
+    return calls.call(calls.project, problem, poses, which, output_dims=poses.shape[:2])[0]
 
 
 @_static
 def _launch_sample(problem: Problem, rng: jax.Array, which: jax.Array) -> jax.Array:
-    return sample_call(rng, which, number_of(problem), output_dims=(len(rng), problem.objects))[0]
+    return calls.call(calls.sample, problem, rng, which, output_dims=(len(rng), problem.objects))[0]
 
 
 @partial(jax.custom_jvp, nondiff_argnums=(0,))

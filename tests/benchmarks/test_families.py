@@ -31,6 +31,7 @@ TABLES = {
     "choice": {"curve": 2, "agreement": 0},
     "ablations": {"parts": 6, "tools": 4, "each": 9},
     "variety": {"rooms": 2, "variety": 11},
+    "jax": {"calls": 1},
     "requests": {"requests": 1, "reported": 0},
     "odd": {"odd": 3},
     "physics": {"worlds": 2},

@@ -1,5 +1,6 @@
-"""These tests take a CPU for their problems, and so JAX has to, on a machine with a GPU as well."""
+"""JAX takes the device of the tests' problems: a CPU, on a machine with a GPU as well, unless they are told another."""
 
 import os
 
-os.environ["JAX_PLATFORMS"] = "cpu"
+if os.environ.get("SCENEWEAVER_TEST_DEVICE", "cpu") == "cpu":
+    os.environ["JAX_PLATFORMS"] = "cpu"

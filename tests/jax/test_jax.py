@@ -12,7 +12,7 @@ import pytest
 import sceneweaver as sw
 import sceneweaver.jax as swj
 from tests.layout.made import BOX, CUP, scene, table
-from tests.layout.research import check_differences, poses_of, problem_of, rooms
+from tests.layout.research import DEVICE, check_differences, poses_of, problem_of, rooms
 
 
 @pytest.mark.parametrize("name", rooms(pytest.mark.slow))
@@ -113,7 +113,7 @@ def test_starts_follow_the_key():
 
 
 def test_carry_is_the_numpy_one():
-    problem = sw.compile(scene([table(), CUP, BOX], []), device="cpu")
+    problem = sw.compile(scene([table(), CUP, BOX], []), device=DEVICE)
     poses = np.asarray(swj.sample(problem, jax.random.key(0), 4)) + np.float32(0.3)
     for like in (None, poses[::-1].copy()):
         np.testing.assert_allclose(swj.carry(problem, poses, like=like), problem.carry(poses, like=like), atol=1e-5)
@@ -176,7 +176,7 @@ def test_there_is_no_second_derivative():
 
 def test_a_compiled_function_keeps_its_problem():
     energy = jax.jit(swj.energy)
-    poses = energy(sw.compile(scene([BOX], []), device="cpu"), jnp.zeros((1, 1, 4)))
+    poses = energy(sw.compile(scene([BOX], []), device=DEVICE), jnp.zeros((1, 1, 4)))
     gc.collect()
     assert np.isfinite(poses).all()
 
@@ -184,7 +184,7 @@ def test_a_compiled_function_keeps_its_problem():
 def test_vectors_of_what_may_change():
     """Back and forth; what is fixed has no part, what is carried goes along, and scenes may differ in size."""
     what = scene([table(), CUP, BOX], [])
-    problem = sw.compile([what, scene([BOX], [])], device="cpu")
+    problem = sw.compile([what, scene([BOX], [])], device=DEVICE)
     poses = swj.sample(problem, jax.random.key(0), 2)
     vector = swj.ravel(problem, poses)
     assert vector.shape == (4, problem.free[0].sum()) and not vector[2:, problem.free[1].sum() :].any()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from functools import cache
 
 import numpy as np
@@ -12,6 +13,7 @@ from sceneweaver.layout import Problem
 from tests.kernels.harness import ROOMS, ZOO, noisy, scattered
 from tests.kernels.harness import zoo as compiled
 
+DEVICE = os.environ.get("SCENEWEAVER_TEST_DEVICE", "cpu")  # of problems that JAX and PyTorch look at: cpu or cuda:0
 KNEE = 0.05  # [m] of the penalties
 FEW = ("bedroom-small", "dining-round", "living-dining-L")  # boxes; round tables; a room whose outside is no box
 
@@ -23,9 +25,9 @@ def rooms(mark) -> list:
 
 @cache
 def problem_of(*names: str) -> Problem:
-    """The problem of zoo rooms, on the CPU."""
+    """The problem of zoo rooms."""
     scenes = [sw.Scene.load(ZOO / f"{name}.json") for name in names]
-    return sw.compile(scenes if len(names) > 1 else scenes[0], device="cpu")
+    return sw.compile(scenes if len(names) > 1 else scenes[0], device=DEVICE)
 
 
 def poses_of(name: str, count: int, seed: int = 0) -> np.ndarray:
