@@ -9,7 +9,8 @@ from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
-from benchmarks.settings import ROOT, Settings, cores
+from benchmarks.settings import ROOT, Settings
+from sceneweaver.scene.threads import cores
 
 PACKAGES = ("sceneweaver", "warp-lang", "jax", "numpy", "shapely", "scipy", "torch", "drake")
 

@@ -23,8 +23,9 @@ from benchmarks.judging import Judge
 from benchmarks.odd_requests import KINDS, odd_requests
 from benchmarks.parallel import core_shares
 from benchmarks.results import Column, Result
-from benchmarks.settings import ROOT, Settings, cores
+from benchmarks.settings import ROOT, Settings
 from sceneweaver.scene import InputError, Scene
+from sceneweaver.scene.threads import cores
 
 EACH, QUICK = 15, 2
 """Requests of each kind, and in all to see that everything works."""
@@ -129,7 +130,7 @@ def _error(done: subprocess.CompletedProcess[str], out: Path) -> str:
     said = done.stderr.strip()
     last = said.splitlines()[-1] if said else ""
     if done.returncode not in (0, 2, 3) or "Traceback" in said or "unexpected" in last:
-        return f"exit {done.returncode}: {last}"
+        return f"exit {done.returncode}: {last if done.returncode >= 0 else ' / '.join(said.splitlines()[:8])}"
     try:
         stated = json.loads(done.stdout)
     except ValueError:

@@ -12,11 +12,12 @@ from benchmarks.families.quality import OURS
 from benchmarks.judging import Judge
 from benchmarks.results import Column, Plot, Result
 from benchmarks.rivals import Rival, batch_size, present, solve
-from benchmarks.settings import Settings, cores
+from benchmarks.settings import Settings
 from benchmarks.signature import count_distinct
 from benchmarks.starts import blind, random_poses
 from benchmarks.timing import timed, warm
 from sceneweaver.scene import Scene
+from sceneweaver.scene.threads import cores
 
 USUAL = ("bedroom-small", "office-20", "restaurant-60")
 RUNS = 3

@@ -14,8 +14,9 @@ from sceneweaver.assets import Library
 from sceneweaver.critic import phrases
 from sceneweaver.scene import Scene, SceneWeaverError, whole
 
-from .deadline import NEVER, Deadline, TimeUp
+from .deadline import NEVER, Deadline
 from .faults import fault
+from .interrupt import TimeUp
 from .request_file import NAME, RequestFile
 from .result import Result
 

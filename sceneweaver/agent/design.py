@@ -20,10 +20,11 @@ from sceneweaver.tools.registry import Registered
 from sceneweaver.tools.registry import tools as registered
 from sceneweaver.verify import Report
 
-from .deadline import Deadline, Stop, TimeUp
+from .deadline import Deadline, Stop
 from .deliver import deliver
 from .executor import Executor
 from .folder import RunFolder
+from .interrupt import TimeUp
 from .lived_in import lived_in
 from .loop import Run
 from .memory import Step

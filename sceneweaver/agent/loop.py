@@ -12,15 +12,16 @@ from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import CRITERIA, Review
 from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import InputError, Room, Scene, SceneWeaverError
-from sceneweaver.tools.base import Context, Proposal
+from sceneweaver.tools.base import Context, Proposal, Tool
 from sceneweaver.tools.prior_shell import floor_area, shell
 from sceneweaver.tools.registry import Registered
 from sceneweaver.verify import check
 
-from .deadline import NEVER, Deadline, TimeUp
+from .deadline import NEVER, Deadline
 from .executor import Executor, Outcome
 from .faults import fault
 from .folder import RunFolder
+from .interrupt import TimeUp
 from .memory import Call, Memory, Step
 from .planner import LISTS, Planner, Situation
 from .relaxation import REASON, cleared
@@ -214,9 +215,10 @@ class Run:
             row: dict[str, Any] = {"tool": call.tool, "confidence": call.confidence, "reason": call.reason}
             began = time.monotonic()
             try:
-                with self.deadline.enforced(self._grace):
+                tool = self.tools[call.tool].load()
+                with self.deadline.enforced(self._grace, (type(tool).__module__.partition(".")[0],)):
                     scene = self.best.scene if self.best else empty_scene(self.brief, self.room_type)
-                    proposal = self._propose(call, scene)
+                    proposal = self._propose(tool, call, scene)
                     if self.best and not proposal.edits and not proposal.fresh and proposal.scene is None:
                         row["failed"] = "nothing to change" + (f": {proposal.unmet[0]}" if proposal.unmet else "")
                     else:
@@ -250,8 +252,8 @@ class Run:
         known = [*outcomes.values(), *([self.best] if self.best is not None else [])]
         return min(known, key=lambda o: o.key, default=None)
 
-    def _propose(self, call: Call, scene: Scene) -> Proposal:
-        tool, left = self.tools[call.tool].load(), self.deadline.left
+    def _propose(self, tool: Tool, call: Call, scene: Scene) -> Proposal:
+        left = self.deadline.left
 
         def hurried() -> bool:
             return self.deadline.left < HURRY * left

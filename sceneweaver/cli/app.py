@@ -6,6 +6,7 @@ Exit codes: 0 done and valid, 1 a fault of the program, 2 bad input, 3 not valid
 
 from __future__ import annotations
 
+import faulthandler
 import gc
 import json
 import math
@@ -665,6 +666,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     as_json = "--json" in args
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGTERM, _terminated)
+    if argv is None:  # what native code does wrong is said on stderr, also while that is kept from libraries
+        faulthandler.enable(os.dup(2))
     try:
         command = typer.main.get_command(app)
         code = command.main(args=args or ["--help"], prog_name="sceneweaver", standalone_mode=False, obj=began)

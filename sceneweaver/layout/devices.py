@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import numpy as np
 import warp as wp
 
 from sceneweaver.scene import InputError, MissingDependencyError
+from sceneweaver.scene.threads import map_threads
 
 from .job import Job
 from .solution import Solution, best_of
@@ -52,8 +52,7 @@ def solve_on(
     jobs = [replace(job, into=into) for job, into in zip(jobs, layouts, strict=True)]
     shares = [[_part(job, k, len(devices)) for job in jobs] for k in range(len(devices))]
     busy = [(share, device) for share, device in zip(shares, devices, strict=True) if any(len(j.world) for j in share)]
-    with ThreadPoolExecutor(len(busy)) as pool:
-        found = list(pool.map(lambda task: solve([j for j in task[0] if len(j.world)], task[1]), busy))
+    found = map_threads(lambda task: solve([j for j in task[0] if len(j.world)], task[1]), busy, len(busy))
     parts: list[list[Solution]] = [[] for _ in jobs]
     for (share, _), solutions in zip(busy, found, strict=True):
         owners = [i for i, job in enumerate(share) if len(job.world)]

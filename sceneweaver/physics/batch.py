@@ -22,6 +22,7 @@ import numpy as np
 
 from sceneweaver.assets.placed import Load, loader
 from sceneweaver.scene import InputError, MissingDependencyError, Pose, Scene
+from sceneweaver.scene.threads import cores
 
 from .boxes import boxed
 from .model import COVERING, Model, build, things_of
@@ -192,8 +193,7 @@ def run(
         none = np.zeros(len(start), dtype=bool)
         return SimulationResult(start.copy(), none, none.copy(), 0.0, 0, 0.0), kind, device
     if kind == "c":
-        cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-        return run_c(template, start, steps, min(threads or cores, len(start))), kind, device
+        return run_c(template, start, steps, min(threads or cores(), len(start))), kind, device
     from .worlds_warp import run_warp
 
     return run_warp(template, start, steps, device), kind, device

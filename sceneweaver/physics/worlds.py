@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from copy import copy
 from dataclasses import dataclass, field
 from importlib import import_module
@@ -18,6 +17,7 @@ import numpy as np
 
 from sceneweaver.geometry.rotations import transform
 from sceneweaver.scene import InputError
+from sceneweaver.scene.threads import map_threads
 
 from .model import STEP
 
@@ -171,11 +171,7 @@ def run_c(template: Template, start: np.ndarray, steps: int, threads: int = 1) -
     def run(part: np.ndarray) -> list[tuple[np.ndarray, bool, bool, int, int]]:
         return _some(template.model, part, qpos, placed, steps)
 
-    if len(parts) == 1:
-        found = run(parts[0])
-    else:
-        with ThreadPoolExecutor(len(parts)) as pool:  # steps are taken without the interpreter's lock
-            found = [row for rows in pool.map(run, parts) for row in rows]
+    found = [row for rows in map_threads(run, parts, len(parts)) for row in rows]
     end = np.array([row[0] for row in found]).reshape(len(start), -1)
     full = np.array([row[1] for row in found], dtype=bool)
     problem = None

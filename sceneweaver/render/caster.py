@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,6 +10,7 @@ import warp as wp
 
 from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.scene import InputError, MissingDependencyError
+from sceneweaver.scene.threads import cores, map_threads
 
 from . import raycast_kernels as raycast
 from . import raycast_world as world
@@ -247,7 +246,7 @@ def _shares(edges: np.ndarray, seen: np.ndarray, spacing: int) -> tuple[np.ndarr
 
 def _in_bands(work, pixels: int, split: bool) -> None:
     """All pixels at once on a GPU; on the CPU, where a kernel has one thread, in bands over Python threads."""
-    threads = os.cpu_count() or 1
+    threads = cores()
     if pixels == 0:
         return
     if not split or threads == 1 or pixels < 4096:
@@ -255,8 +254,7 @@ def _in_bands(work, pixels: int, split: bool) -> None:
         return
     work(0, 1)  # compiles and loads the kernel before there are threads
     cuts = np.linspace(0, pixels, 4 * threads + 1).astype(int)
-    with ThreadPoolExecutor(threads) as pool:
-        list(pool.map(lambda k: work(int(cuts[k]), int(cuts[k + 1] - cuts[k])), range(4 * threads)))
+    map_threads(lambda k: work(int(cuts[k]), int(cuts[k + 1] - cuts[k])), range(4 * threads), threads)
 
 
 def _solid(instances: list[Instance], lighting: Lighting):

@@ -11,7 +11,8 @@ from contextlib import suppress
 
 import pytest
 
-from sceneweaver.agent.deadline import AGAIN, NEVER, SHORTEST, Deadline, Stop, TimeUp
+from sceneweaver.agent.deadline import NEVER, SHORTEST, Deadline, Stop
+from sceneweaver.agent.interrupt import AGAIN, TimeUp
 
 
 def forever() -> None:

@@ -24,6 +24,12 @@ from sceneweaver.verify import check
 PICTURES = {"top.png", "top_annotated.png", "corner.png"}
 
 
+@pytest.fixture
+def ours(monkeypatch) -> None:
+    """What stands here for code of ours counts as such where time is up."""
+    monkeypatch.setitem(globals(), "__name__", "sceneweaver")
+
+
 @pytest.fixture(scope="module")
 def result() -> Result:
     table = make("coffee_table", seed=1).object("coffee_table-0", pose=Pose.from_yaw(1.5, 1.5, 0.0, 0.3))
@@ -138,6 +144,7 @@ def test_when_time_is_up_the_scene_and_its_metrics_are_written_and_the_rest_is_n
     assert done.notes[-1] == "time was up before these were written: glb, usd, pictures, report"
 
 
+@pytest.mark.usefixtures("ours")
 def test_a_file_that_takes_too_long_is_left_out_and_the_pictures_are_there(result, tmp_path, monkeypatch):
     def endless(scene: Scene, folder: Path, names: tuple[str, ...], load: object) -> None:
         if names == ("usd",):
@@ -162,6 +169,7 @@ def test_a_file_that_takes_too_long_is_left_out_and_the_pictures_are_there(resul
     assert done.notes[-1] == "time was up before these were written: usd, mjcf"
 
 
+@pytest.mark.usefixtures("ours")
 def test_pictures_that_take_too_long_are_left_out(result, tmp_path, monkeypatch):
     def endless(*_: object, **__: object) -> None:
         while True:
@@ -174,6 +182,7 @@ def test_pictures_that_take_too_long_are_left_out(result, tmp_path, monkeypatch)
     assert files(tmp_path) == {"scene.json", "metrics.json", "request.json", "report.html"}
 
 
+@pytest.mark.usefixtures("ours")
 def test_the_pictures_that_there_was_time_for_are_kept_and_the_report_shows_them(result, tmp_path, monkeypatch):
     def drawn(scene: Scene, load: object, views: tuple[str, ...], *_: object, **__: object) -> dict[str, Image.Image]:
         while "corner" in views:

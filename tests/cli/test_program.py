@@ -96,6 +96,21 @@ def test_bad_input_in_a_process_is_one_line(tmp_path):
     assert "rom" in ended.stderr and "room" in ended.stderr
 
 
+def test_a_crash_of_native_code_says_where_also_while_libraries_are_kept_quiet(tmp_path):
+    program = (
+        "import ctypes, sys\n"
+        "from sceneweaver.cli.app import app, main\n"
+        "from sceneweaver.cli.output import no_chatter\n"
+        "@app.command('crash')\n"
+        "def crash():\n"
+        "    with no_chatter():\n"
+        "        ctypes.string_at(0)\n"
+        "main()\n"
+    )
+    ended = subprocess.run([sys.executable, "-c", program, "crash"], cwd=tmp_path, capture_output=True, text=True)
+    assert ended.returncode == -signal.SIGSEGV and "in crash" in ended.stderr
+
+
 @pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
 def test_signals_leave_nothing_behind(tmp_path, number, code):
     program = (
