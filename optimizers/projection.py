@@ -87,6 +87,22 @@ def projection_blocks(batch: Batch, start: Start, budget: int | None, monitor: M
     return OptimizerResult(lack)
 
 
+def nearest_feasible(batch: Batch, tries: int) -> tuple[np.ndarray, np.ndarray]:
+    """Project every candidate of a batch, without a search where that fails.
+
+    Args:
+        batch: poses and anchors where the candidates begin; its poses are moved to the best layout found.
+        tries: of a candidate that is not feasible.
+
+    Returns:
+        What each candidate misses [B] of the verdict's limits [m], 0 where it is feasible, and its squared movement.
+    """
+    system, best = new_system(batch)
+    to_the_end(_improve(batch, system, best, np.arange(batch.size), 1, tries, Monitor(batch.size)))
+    _restored(batch, best)
+    return best.lack.numpy(), best.moved.numpy()
+
+
 def _improve(
     batch: Batch,
     system: InequalitySystem,

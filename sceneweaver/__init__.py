@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from sceneweaver.building import ObjectHandle as ObjectHandle
     from sceneweaver.building import SceneBuilder as SceneBuilder
     from sceneweaver.building import build as build
+    from sceneweaver.editing import EditResult as EditResult
+    from sceneweaver.editing import EditSession as EditSession
     from sceneweaver.explain import refine as refine
     from sceneweaver.explain import refine_many as refine_many
     from sceneweaver.extend import define_relation as define_relation
@@ -42,6 +44,8 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Dropped",
+    "EditResult",
+    "EditSession",
     "InputError",
     "MissingDependencyError",
     "ObjectHandle",
@@ -76,6 +80,8 @@ __all__ = [
 
 _HOME = {
     "Dropped": "scene",
+    "EditResult": "editing",
+    "EditSession": "editing",
     "InputError": "scene",
     "MissingDependencyError": "scene",
     "ObjectHandle": "building",

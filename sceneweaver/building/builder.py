@@ -67,6 +67,13 @@ class SceneBuilder:
         self._style, self._seed, self._library = style, seed, library or Library()
         self.notes: list[str] = []
 
+    @classmethod
+    def of(cls, scene: Scene, *, style: str | None = None, seed: int = 0) -> SceneBuilder:
+        """A builder that goes on with a scene."""
+        builder = cls(scene.room, style=style, seed=seed)
+        builder._scene = scene
+        return builder
+
     def __repr__(self) -> str:
         return f"SceneBuilder({len(self._scene.objects)} objects, {len(self._scene.relations)} relations)"
 

@@ -227,7 +227,7 @@ def _compile(
     )
 
 
-def _room_home(scene: Scene) -> tuple[np.ndarray, bool]:
+def poses_of(scene: Scene) -> tuple[np.ndarray, bool]:
     """Poses with the heights that mounting demands, and whether a fixed object contradicts its own."""
     home = _home(scene.objects)
     faulty = False
@@ -255,7 +255,7 @@ def _domain_region(supporter: SceneObject, name: str) -> tuple[Region, float]:
 
 def compile_scene(scene: Scene) -> CompiledScene:
     """Compile a validated scene."""
-    home, faulty = _room_home(scene)
+    home, faulty = poses_of(scene)
     index = {o.id: i for i, o in enumerate(scene.objects)}
     groups: dict[tuple[str, str], list[int]] = {}
     for i, obj in enumerate(scene.objects):

@@ -70,7 +70,7 @@ def refine(
     check_terms(scene, quality)
     world = _all_at(compiled.room.home, candidates) if given is None else given
     start = init if isinstance(init, str) and init != "current" else "given"
-    job = Job(compiled, world, start, seed, keep=start == "given" and given is None, walk=not quality)
+    job = Job(compiled, world, start, seed, keep=start == "given" and given is None, walk=walk and not quality)
     monitor = Monitor(len(world), None if time_limit is None else began + time_limit, progress)
     jobs = _prepared([job], where, optimizer, monitor)
     found = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))
@@ -176,7 +176,7 @@ def solve(
         group = [jobs[i] for i in members]
         if start == "given":
             for job in group:
-                _mend_surfaces(job, optimizer, device, monitor.deadline)
+                mend_surfaces(job, optimizer, device, monitor.deadline)
         sizes = [len(job.world) for job in group]
         batch = make_batch(
             [j.compiled.room for j in group],
@@ -398,7 +398,7 @@ def _domain_batch(compiled: CompiledScene, world: np.ndarray, seed: int, first: 
     return batch
 
 
-def _mend_surfaces(job: Job, optimizer: str | StepOptimizer, device: str, deadline: float | None) -> None:
+def mend_surfaces(job: Job, optimizer: str | StepOptimizer, device: str, deadline: float | None) -> None:
     """Put what the given poses have on a surface back on it, with as little change as that takes."""
     how = "projection" if optimizer == "projection" else "search"
     compiled, world = job.compiled, job.world.copy()

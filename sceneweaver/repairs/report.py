@@ -85,9 +85,10 @@ class Repair:
 
 
 def moves_between(before: Scene, after: Scene) -> tuple[Move, ...]:
-    """Who moved, of two scenes with the same objects."""
-    moves = []
-    for a, b in zip(before.objects, after.objects, strict=True):
+    """Who moved, of the objects that two scenes have in common."""
+    moves, known = [], {o.id: o for o in before.objects}
+    for b in after.objects:
+        a = known.get(b.id, b)
         if a.pose != b.pose:
             (x, y, z), (u, v, w) = a.pose.position, b.pose.position
             turn = math.degrees(wrap_angle(b.pose.yaw - a.pose.yaw))

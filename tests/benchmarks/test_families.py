@@ -23,6 +23,7 @@ TABLES = {
     "memory": {"candidates": 1, "objects": 2},
     "soundness": {"soundness": 2},
     "edits": {"edits": 5, "rooms": 1, "detail": 5},
+    "live": {"sizes": 2, "edits": 5, "rooms": 1, "detail": 5},
     "tight": {"tight": 2},
     "projection": {"bodies": 1, "scenes": 2},
     "design": {"rooms": 1, "seeds": 1},
