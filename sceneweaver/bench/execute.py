@@ -17,23 +17,22 @@ from .looks import Layouts, look, measure
 from .methods import Method
 from .schema import Row
 from .settings import Settings
+from .starts import Starts
 from .tasks import Task
-
-ROUND = 1_000_003  # between the seeds of a run's rounds
 
 
 @dataclass
 class Prepared:
-    """What runs of the same process share: the last problem, and optimisers that are warm on it."""
+    """What runs of the same process share: the last task, and optimisers that are warm on it."""
 
-    problems: dict[str, Problem] = field(default_factory=dict)
+    starts: dict[str, Starts] = field(default_factory=dict)
     optimizers: dict[str, tuple[StepOptimizer, float]] = field(default_factory=dict)
 
-    def problem(self, task: Task, device: str) -> Problem:
-        """The task's problem; those of other tasks are let go."""
-        if task.name not in self.problems:
-            self.problems, self.optimizers = {task.name: task.compile(device)}, {}
-        return self.problems[task.name]
+    def of(self, task: Task, settings: Settings) -> Starts:
+        """The task of that name with its starts, and with what it has compiled; others are let go."""
+        if task.name not in self.starts:
+            self.starts, self.optimizers = {task.name: Starts(task, settings)}, {}
+        return self.starts[task.name]
 
     def optimizer(self, method: Method, problem: Problem, given: np.ndarray, seed: int) -> tuple[StepOptimizer, float]:
         """The method's optimiser, after a first step that compiles what there is to compile; its wall time [s]."""
@@ -51,13 +50,14 @@ def execute(method: Method, task: Task, seed: int, settings: Settings, prepared:
     """The rows of a run, one for every look at it. Whatever goes wrong is the last row's reason."""
     row = blank(method, task, seed, settings)
     try:
-        problem = prepared.problem(task, settings.device)
+        starts = prepared.of(task, settings)
+        problem = starts.task.compile(settings.device)
         row = replace(row, objects=problem.objects, variables=int(problem.free.sum()))
-        given = _starts(task, settings, seed)
+        given, _ = starts.draw(seed)
         optimizer, setup = prepared.optimizer(method, problem, given, seed)
         row = replace(row, checkpoint=0, setup_seconds=setup, **measure(problem, given).columns())
         yield row
-        for seen in _Course(optimizer, problem, task, settings, row).rows():
+        for seen in _Course(optimizer, problem, starts, row).rows():
             row = seen
             yield row
     except Exception as error:  # an optimiser may raise anything
@@ -84,10 +84,10 @@ def blank(method: Method, task: Task, seed: int, settings: Settings) -> Row:
 class _Course:
     """The course of a run: rounds of an optimiser, the best of each candidate kept, until the budget is spent."""
 
-    def __init__(self, optimizer: StepOptimizer, problem: Problem, task: Task, settings: Settings, first: Row) -> None:
-        self.optimizer, self.problem, self.task, self.settings = optimizer, problem, task, settings
+    def __init__(self, optimizer: StepOptimizer, problem: Problem, starts: Starts, first: Row) -> None:
+        self.optimizer, self.problem, self.starts, self.settings = optimizer, problem, starts, starts.settings
         self.row, self.watch = first, Stopwatch(problem.device)
-        self.looks = iter(settings.looks)
+        self.looks = iter(self.settings.looks)
         self.due = next(self.looks)
         self.kept: Layouts | None = None
         self.counted = [0, 0]  # energy calls and evaluations in rounds that are over, or so far
@@ -104,16 +104,16 @@ class _Course:
             yield from self._round()
 
     def _round(self) -> Iterator[Row]:
-        optimizer, problem, most = self.optimizer, self.problem, getattr(self.optimizer, "steps", None)
-        seed = (self.row.seed + self.rounds * ROUND) % 2**32
-        given = _starts(self.task, self.settings, seed)
+        optimizer, problem = self.optimizer, self.problem
+        most, done = (getattr(optimizer, name, None) for name in ("steps", "done"))
+        given, seed = self.starts.draw(self.row.seed, self.rounds)
         poses, before = _on_device(problem, given), tuple(self.counted)
         state = self._timed(lambda: optimizer.init(problem, poses, seed))
         steps, over = 0, False
         while not over:
             state = self._timed(lambda now=state: optimizer.step(now))
             steps += 1
-            over = steps == most or bool(getattr(optimizer, "done", lambda _: False)(state))
+            over = steps == most or (done is not None and done(state))
             if (own := getattr(optimizer, "counts", None)) is not None:
                 self.counted = [b + int(n) for b, n in zip(before, own(state), strict=True)]
             spent = self.seconds >= self.settings.seconds or self.counted[1] >= (self.settings.evaluations or np.inf)
@@ -159,10 +159,6 @@ class _Course:
             outcome=outcome,
             **layouts.columns(),
         )
-
-
-def _starts(task: Task, settings: Settings, seed: int) -> np.ndarray:
-    return np.asarray(task.start(settings.start, settings.candidates, seed), dtype=np.float32)
 
 
 def _on_device(problem: Problem, poses: np.ndarray) -> Any:

@@ -11,6 +11,7 @@ from typing import Protocol
 
 import numpy as np
 
+from sceneweaver import problems
 from sceneweaver.layout import Problem
 from sceneweaver.layout import compile as compile_problem
 from sceneweaver.scene import InputError, Scene
@@ -34,6 +35,11 @@ class Task(Protocol):
     @property
     def hash(self) -> str:
         """SHA-256 of what it is."""
+        ...
+
+    @property
+    def scene(self) -> Scene:
+        """What is laid out; it is left as it is."""
         ...
 
     @property
@@ -66,11 +72,11 @@ class SceneTask:
 
     def compile(self, device: str = "auto") -> Problem:
         """The problem on a device."""
-        return compile_problem(self.scene, device=device)
+        return _compiled(self.scene.dumps(), device)
 
     def start(self, name: str, count: int, seed: int) -> np.ndarray:
         """Poses [count, N, 4]: "sample", drawn from the relations; "random", anywhere in the room; "perturbed"."""
-        problem = _on_host(self.scene.dumps())
+        problem = self.compile("cpu")
         if name == "sample":
             return problem.sample(seed, count)
         rng, home = np.random.default_rng(seed), np.repeat(problem.home, count, axis=0)
@@ -82,18 +88,20 @@ class SceneTask:
 
 
 @lru_cache(maxsize=4)
-def _on_host(text: str) -> Problem:
+def _compiled(text: str, device: str) -> Problem:
     """The problem of a scene's JSON."""
-    return compile_problem(Scene.loads(text), device="cpu")
+    return compile_problem(Scene.loads(text), device=device)
 
 
-def find_tasks(problems: Sequence[str | Scene | Task]) -> list[Task]:
-    """The problems that names, families ("tight", "tight/..."), scene files and scenes stand for.
+def find_tasks(given: Sequence[str | Scene | Task]) -> list[Task]:
+    """The problems that names of the zoo, its families, "all", scene files and scenes stand for.
+
+    "all" and families leave out what has no valid layout; the family "infeasible" is nothing else, and is taken whole.
 
     Raises:
         InputError: nothing goes by such a name.
     """
-    tasks = [task for given in problems for task in _found(given)]
+    tasks = [task for each in given for task in _found(each)]
     if not tasks:
         raise InputError("problems: give at least one")
     names = [task.name for task in tasks]
@@ -110,4 +118,9 @@ def _found(given: str | Scene | Task) -> list[Task]:
         return [given]
     if given.endswith(".json"):
         return [SceneTask(Scene.load(Path(given)), Path(given).stem)]
-    raise InputError(f'problems: there is no "{given}"')
+    if given in problems.names():
+        return [problems.load(given)]
+    if given != "all" and given not in problems.families():
+        raise InputError(f'problems: there is no "{given}"; give all, {", ".join(problems.families())} or a name')
+    family = None if given == "all" else given
+    return [problems.load(name) for name in problems.names(family, True) or problems.names(family)]

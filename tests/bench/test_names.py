@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import sceneweaver as sw
+from sceneweaver import problems
 from sceneweaver.bench.methods import find_methods
 from sceneweaver.bench.tasks import find_tasks
 from sceneweaver.layout import BuiltIn, stepwise
@@ -62,6 +63,14 @@ def test_scenes_are_problems():
     again = pickle.loads(pickle.dumps(own))
     assert again.hash == own.hash
     np.testing.assert_array_equal(again.start("sample", 3, 1), own.start("sample", 3, 1))
+
+
+def test_the_zoo_goes_by_names_and_families():
+    one, *family = find_tasks(["packing/n005-t60", "walls"])
+    assert one.name == "packing/n005-t60"
+    assert {task.family for task in family} == {"walls"} and len(family) == len(problems.names("walls"))
+    assert [task.name for task in find_tasks(["all"])] == list(problems.names(feasible=True))
+    assert [task.name for task in find_tasks(["infeasible"])] == list(problems.names("infeasible"))
 
 
 @pytest.mark.parametrize("name", ["sample", "random", "perturbed"])
