@@ -60,6 +60,12 @@ def methods(runs: Sequence[Run]) -> list[str]:
     return list(dict.fromkeys(run.key[0] for run in runs))
 
 
+def in_common(runs: Sequence[Run]) -> list[Run]:
+    """The runs on problems and seeds that every method was run on."""
+    names, ran = methods(runs), {run.key for run in runs}
+    return [run for run in runs if all((name, *run.key[1:]) in ran for name in names)]
+
+
 def best_found(runs: Sequence[Run]) -> dict[str, float]:
     """For each problem the lowest energy of a valid layout, known before or found by any run; inf: none."""
     found: dict[str, float] = {}

@@ -6,6 +6,7 @@ import hashlib
 import json
 import os
 import platform
+import shutil
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
@@ -92,12 +93,12 @@ class Folder:
 
     def close(self) -> Path:
         """Put all runs into one file."""
+        if not _files(self.path):
+            return self.path / RESULTS
         runs = sorted(read_runs(self.path), key=lambda run: (run.key[1], run.key[0], run.key[2]))
         rows = [dict(zip(COLUMNS, values, strict=True)) for run in runs for values in _rows_of(run)]
         self._write(self.path / RESULTS, rows)
-        for part in (self.path / PARTS).glob("*.parquet"):
-            part.unlink()
-        (self.path / PARTS).rmdir()
+        shutil.rmtree(self.path / PARTS)
         return self.path / RESULTS
 
     def _write(self, path: Path, rows: Sequence[dict[str, Any]]) -> None:

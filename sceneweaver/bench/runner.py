@@ -83,4 +83,5 @@ def run(
                 progress(done, len(order), rows[-1])
     finally:
         worker.close()
-    return folder.close()
+        path = folder.close()
+    return path

@@ -521,6 +521,7 @@ Goal = Annotated[
     str, typer.Option(metavar="KIND:VALUE", help="What is to be reached: valid:SHARE, objective:TOLERANCE.")
 ]
 Family = Annotated[str | None, typer.Option(help="Only problems of this family.", show_default=False)]
+Common = Annotated[bool, typer.Option("--common", help="Only problems and seeds that every method was run on.")]
 
 
 @bench.command("run")
@@ -578,11 +579,13 @@ def bench_run(
 
 
 @bench.command("compare")
-def bench_compare(source: Results, target: Goal = "valid:0.5", family: Family = None, as_json: Json = False) -> int:
+def bench_compare(
+    source: Results, target: Goal = "valid:0.5", family: Family = None, common: Common = False, as_json: Json = False
+) -> int:
     """Print tables of results: quality next to time, by method and by family."""
     from .bench import run_compare
 
-    return run_compare(source, target=target, family=family, as_json=as_json)
+    return run_compare(source, target=target, family=family, common=common, as_json=as_json)
 
 
 @bench.command("plot")
@@ -594,11 +597,12 @@ def bench_plot(
     target: Goal = "valid:0.5",
     form: Annotated[str, typer.Option("--format", metavar="png|svg", help="Of the pictures.")] = "png",
     family: Family = None,
+    common: Common = False,
 ) -> int:
     """Draw anytime curves, performance profiles and data profiles."""
     from .bench import run_plot
 
-    return run_plot(source, out, target=target, form=form, family=family)
+    return run_plot(source, out, target=target, form=form, family=family, common=common)
 
 
 problems = typer.Typer(name="problems", help="The zoo of layout problems: witnesses, proofs, cards.")

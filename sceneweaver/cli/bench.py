@@ -40,16 +40,16 @@ def run_bench(
     return _tables(out, None, as_json, [path])
 
 
-def run_compare(source: Path, *, target: str, family: str | None, as_json: bool) -> int:
+def run_compare(source: Path, *, target: str, family: str | None, common: bool, as_json: bool) -> int:
     """Print the tables of results."""
-    return _tables(source, target, as_json, [], family)
+    return _tables(source, target, as_json, [], family, common)
 
 
-def run_plot(source: Path, out: Path, *, target: str, form: str, family: str | None) -> int:
+def run_plot(source: Path, out: Path, *, target: str, form: str, family: str | None, common: bool) -> int:
     """Draw curves and profiles of results."""
     from sceneweaver.bench import Target, plot
 
-    list_files(plot(_runs(source, family), out, target=Target.parse(target), form=form))
+    list_files(plot(_runs(source, family, common), out, target=Target.parse(target), form=form))
     return 0
 
 
@@ -57,21 +57,31 @@ def _words(text: str) -> list[str]:
     return [word for word in text.replace(",", " ").split() if word]
 
 
-def _runs(source: Path, family: str | None) -> list[Any]:
+def _runs(source: Path, family: str | None, common: bool) -> list[Any]:
     from sceneweaver.bench import read_runs
+    from sceneweaver.bench.curves import in_common
     from sceneweaver.scene import InputError
 
-    runs = read_runs(source)
-    some = [run for run in runs if family is None or run.last("family") == family]
-    if not some:
+    runs = [run for run in read_runs(source) if family is None or run.last("family") == family]
+    if not runs:
         raise InputError(f'family: {source} has no runs of "{family}"')
+    some = in_common(runs) if common else runs
+    if not some:
+        raise InputError(f"{source}: no problem was run by all methods")
     return some
 
 
-def _tables(source: Path, target: str | None, as_json: bool, files: list[Path], family: str | None = None) -> int:
+def _tables(
+    source: Path,
+    target: str | None,
+    as_json: bool,
+    files: list[Path],
+    family: str | None = None,
+    common: bool = False,
+) -> int:
     from sceneweaver.bench import Target, compare, markdown, read_about
 
-    runs, aim = _runs(source, family), Target.parse(target or "valid:0.5")
+    runs, aim = _runs(source, family, common), Target.parse(target or "valid:0.5")
     if as_json:
         lines = [line.to_dict() for line in compare(runs, aim)]
         print_json({**read_about(source), "target": str(aim), "methods": lines, "files": [str(f) for f in files]})

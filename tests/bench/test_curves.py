@@ -7,7 +7,7 @@ import pytest
 
 import sceneweaver as sw
 from sceneweaver.bench import Run, Target, compare, data_profile, markdown, performance_profile, plot
-from sceneweaver.bench.curves import best_found, cost_to, gap_at, interval, left_at, value_at
+from sceneweaver.bench.curves import best_found, cost_to, gap_at, in_common, interval, left_at, value_at
 from sceneweaver.bench.schema import COLUMNS
 from sceneweaver.bench.tables import by_family, failures
 
@@ -56,6 +56,11 @@ def test_a_value_is_that_of_the_last_look():
     np.testing.assert_array_equal(gap_at(FAST, "seconds", at, BEST), [np.inf, np.inf, 1.5, 1.5, 0.5, 0.5])
     np.testing.assert_allclose(left_at(FAST, "seconds", at[[0, 2, 4]], BEST), [1, 1.5 / 10.5, 0.5 / 10.5])
     assert np.isnan(left_at(OTHER, "seconds", at, {"q": np.inf})).all()
+
+
+def test_what_methods_have_in_common():
+    alone = made("fast", "r", seconds=[0.0, 1.0], valid=[0, 1], best=[NAN, 2.0])
+    assert in_common([*RUNS, alone]) == RUNS and in_common([FAST, LATER]) == []
 
 
 def test_the_best_is_what_is_known_or_found():
