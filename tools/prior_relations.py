@@ -43,6 +43,9 @@ BEHIND_IT = frozenset(("behind", "around"))
 CEILING = 0.15
 """Height [m] that is left free above what hangs over something."""
 
+FRAME = 0.15
+"""Gap [m] that furniture keeps from the frame of a door."""
+
 CENTRED = 0.03
 """Most distance [m] of a curtain from the middle of its window."""
 
@@ -72,7 +75,9 @@ def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[s
                         type="near", subject=one.id, target=relation.target, params={"max": 0.3}, hard=relation.hard
                     )
                 )
-    return _cornered(_without_doubles([*found, *seat_relations(wanted), *_beside(wanted)]), room)
+    return _cornered(
+        _without_doubles([*found, *seat_relations(wanted), *_beside(wanted), *_off_doors(wanted, room)]), room
+    )
 
 
 def _beside(wanted: Sequence[Wanted]) -> list[Relation]:
@@ -81,6 +86,19 @@ def _beside(wanted: Sequence[Wanted]) -> list[Relation]:
         Relation(type="side_by_side", subject=b.id, target=a.id, hard=False, weight=0.5)
         for a, b in itertools.pairwise(run_of(wanted))
         if not has_place(a, "in_corner") and not has_place(b, "in_corner")
+    ]
+
+
+def _off_doors(wanted: Sequence[Wanted], room: Room) -> list[Relation]:
+    """What stands at walls keeps off the frames of doors where its item says nothing of doors."""
+    if not room.doors:
+        return []
+    said = {"near_door", "away_from_door", *CATALOGUE.with_role("seat")}
+    return [
+        Relation(type="away_from_door", subject=one.id, params={"min": FRAME}, hard=False, weight=0.5)
+        for one in wanted
+        if one.item is not None and one.mount == "floor" and one.support is None
+        if (types := {p.type for p in one.item.place}) & _EDGE and not types & said
     ]
 
 

@@ -25,6 +25,10 @@ LEAF = 0.06
 MARGIN = 0.04
 """Gap [m] between things on a wall and what is before it."""
 
+PASSED, AROUND, UNDER = (0.4, 0.12), 0.3, 1.8
+"""Width [m] of the least way between a wall and furniture, how much more it has to be beside a thing on that wall; how
+far before and after the furniture; and the height [m] from which such a thing does not narrow it."""
+
 Span = tuple[float, float]
 
 
@@ -79,6 +83,9 @@ def obstacles(room: Room, objects: Iterable[SceneObject], wall: Wall, depth: flo
         for polygon, low, high in _parts(obj):
             corners = [wall.coordinates(obj.pose.frame.world(*corner)) for corner in polygon]
             found += _before(corners, (z + low, z + high), depth + MARGIN / 2)
+            if obj.mount == "floor" and PASSED[0] <= min(v for _, v in corners):
+                near = _before(corners, (0.0, UNDER), sum(PASSED) + depth)
+                found += [Rectangle((r.along[0] - AROUND, r.along[1] + AROUND), r.high) for r in near]
         for zone in obj.zones or ():
             if zone.hard:
                 corners = [wall.coordinates(obj.pose.frame.world(*corner)) for corner in zone.polygon]

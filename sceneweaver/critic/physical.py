@@ -8,6 +8,7 @@ from sceneweaver.knowledge.lived_in import left_about
 from sceneweaver.verify import Violation
 from sceneweaver.verify.walkable import measure
 
+from . import kinds
 from .grade import Finding, finding, moved
 from .survey import Survey
 
@@ -83,8 +84,10 @@ def _on_companion(survey: Survey, owner: str, other: str) -> bool:
     return False
 
 
-def _lies_about(survey: Survey, name: str) -> bool:
-    return left_about(survey.scene.object(name).category, survey.room_type.name)
+def _needs_no_way(survey: Survey, name: str) -> bool:
+    """Whether it is one of the things that need no way: traces of life, and plants."""
+    category = survey.scene.object(name).category
+    return left_about(category, survey.room_type.name) or "plant_group" in kinds.groups_of(category)
 
 
 def _slight(survey: Survey, v: Violation) -> bool:
@@ -118,7 +121,7 @@ def _ways(survey: Survey) -> Iterator[Finding]:
         )
     if reach is not None and reach < 1.0:
         access = measure(survey.placed)
-        missed = [n for n in access.unreached if not _lies_about(survey, n)] if access is not None else []
+        missed = [n for n in access.unreached if not _needs_no_way(survey, n)] if access is not None else []
         reach = 1.0 - len(missed) / max(1, len([o for o in survey.scene.objects if o.mount == "floor"]))
         grave = [
             object_id for object_id in missed if survey.scene.object(object_id).intent.priority in ("asked", "needed")

@@ -139,3 +139,14 @@ def test_kinds_of_rooms_without_radiators_have_none():
     for seed in range(6):
         after, _ = hung(scene(kind="workshop"), "a workshop", seed=seed)
         assert "radiator" not in {o.category for o in after.objects}
+
+
+@pytest.mark.parametrize(("gap", "bare"), ((0.45, True), (0.75, False)))
+def test_a_narrow_way_along_a_wall_is_not_narrowed(gap, bare):
+    stands = sofa()
+    x, y, _ = stands.pose.position
+    stands = stands.model_copy(update={"pose": Pose.from_yaw(x, y - gap, 0.0, -math.pi / 2)})
+    after, _ = hung(scene(stands), walls=[2])
+    (start, end), _ = extent(stands, after.room.walls[2])
+    spans = [extent(o, after.room.walls[2])[0] for o in after.objects if o.mount == "wall" and o.pose.position[2] < 1.8]
+    assert any(a < end and start < b for a, b in spans) is not bare
