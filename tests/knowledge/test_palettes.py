@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from sceneweaver.assets.materials import STYLES, color_named, finish
+from sceneweaver.assets.materials import STYLES, color_named, finish, shade
 from sceneweaver.knowledge import room_types
 from sceneweaver.knowledge.palettes import FALLBACK, accent_for, floor_for, groups_of, palette_for, palettes
 from sceneweaver.scene import InputError
@@ -94,3 +94,12 @@ def test_a_palette_has_two_woods_at_most():
 
     with pytest.raises(InputError, match="woods"):
         Palette(**(row | {"woods": ("oak", "birch", "pine")}))
+
+
+@pytest.mark.parametrize("name", palettes())
+def test_floors_are_quiet(name):
+    """Terracotta tiles are the loudest floor that people live on; carpets are quieter."""
+    for material, tone in palettes()[name].floors.items():
+        if material != "wood":
+            colour = shade(tone)
+            assert max(colour) - min(colour) < (0.3 if material == "carpet" else 0.45), (material, tone)
