@@ -87,13 +87,15 @@ class InitPrior:
             if free and needed < area:
                 area, free = max(needed, LEAST * area, 0.8 * room.area[0]), False
                 continue
-            loose = _free_of_rows(program.wanted, rows_of(brief, program.wanted))
+            rows = rows_of(brief, program.wanted)
+            loose = _free_of_rows(program.wanted, rows)
             corners, cost = fitted(program, loose, space, context.library)
-            suits = cost < POOR and walls_hold(space, program.wanted)
+            suits = cost < POOR and walls_hold(space, program.wanted) and may_hold(space, program.wanted, rows)
             if drawn < SHELLS and not suits and not context.hurried():
                 drawn += 1
                 continue
             supported(program, brief)
+            program.wanted = _not_before_windows(program.wanted, rows_of(brief, program.wanted))
             rows = rows_of(brief, program.wanted)
             if lengthened(program, rows, context.library, brief):
                 rows = rows_of(brief, program.wanted)
@@ -117,8 +119,13 @@ class InitPrior:
                 for r in other_rooms(room, brief, space, area, seed, fixed, DRAWN)
                 if may_hold(r, program.wanted, rows) and same_walls(r, space, scene.relations)
             ]
-            larger = [] if given else larger_rooms(room, brief, space, area, seed)
-            larger = [r for r in larger if same_walls(r, space, scene.relations)]
+        if not given and not context.hurried():
+            said = [*scene.relations, *(r for variant in variants for r in variant)]
+            larger = [
+                r
+                for r in larger_rooms(room, brief, space, area, seed)
+                if may_hold(r, program.wanted, rows) and same_walls(r, space, said)
+            ]
         notes += remarks + program.notes
         unmet += [*places.unmet, *_missing(brief, program)]
         if given and program.left_out:
@@ -152,6 +159,18 @@ def _free_of_rows(wanted: Sequence[Wanted], rows: Sequence[Grounded]) -> list[Wa
     """What may stand in a run, a line or a grid: what the request gives no other place."""
     placed = {(row.subject, row.type) for row in rows if row.hard and row.type in PLACING}
     return [one for one in wanted if not any(i == one.id and not has_place(one, type) for i, type in placed)]
+
+
+def _not_before_windows(wanted: list[Wanted], rows: Sequence[Grounded]) -> list[Wanted]:
+    """What was wanted, without what nobody asked for that hangs over a thing which was asked for at a window."""
+    at_window = {row.subject for row in rows if row.type == "at_window" and row.hard}
+    before = {one.item.id for one in wanted if one.item is not None and one.id in at_window}
+
+    def hidden(one: Wanted) -> bool:
+        places = one.item.place if one.item is not None and one.asked is None and one.mount == "wall" else ()
+        return any(place.type == "above" and place.to in before for place in places)
+
+    return [one for one in wanted if not hidden(one)]
 
 
 def _at_walls(wanted: Sequence[Wanted], rows: Sequence[Grounded]) -> list[Relation]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 from sceneweaver.brief import Grounded, SceneGraph, StatedRelation, Thing, grounded
 from sceneweaver.brief.model import PLACES
@@ -59,6 +60,7 @@ def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[s
         if one.item is not None:
             by_item.setdefault(one.item.id, []).append(one)
     found: list[Relation] = []
+    centred: set[tuple[str, Any]] = set()  # items with what one of each hangs over the middle of
     for one in wanted:
         for place in one.item.place if one.item else ():
             if place.type in but.get(one.id, ()):
@@ -66,6 +68,10 @@ def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[s
             relation = _of_place(one, place, by_item, room)
             if relation is None:
                 continue
+            if one.item is not None and _centred(one, relation):
+                if (one.item.id, relation.target) in centred:
+                    continue
+                centred.add((one.item.id, relation.target))
             found.append(relation)
             if relation.type in ("front_against", "around") and one.parent is not None:
                 found.append(_squared(one, one.parent))
@@ -78,6 +84,12 @@ def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[s
     return _cornered(
         _without_doubles([*found, *seat_relations(wanted), *_beside(wanted), *_off_doors(wanted, room)]), room
     )
+
+
+def _centred(one: Wanted, relation: Relation) -> bool:
+    """Whether something on a wall has to hang so near the middle of its target that another like it cannot."""
+    lateral = relation.params.get("lateral")
+    return relation.type == "above" and one.mount == "wall" and lateral is not None and 2 * lateral < one.asset.size[1]
 
 
 def _beside(wanted: Sequence[Wanted]) -> list[Relation]:

@@ -40,6 +40,9 @@ OPEN, INSIDE = "open", "inside"
 SHRUNK = (0.0, -1.0)
 """Where in the range of its kind what has no room is drawn anew: the least usual, then the least that there is."""
 
+OVERHANG = 0.01
+"""How far [m] a flat thing may lie over the edge of another like it."""
+
 PILED = 0.4
 """Height, in lengths of its shorter side, up to which a thing has others of its kind on it that have no room beside it.
 """
@@ -358,6 +361,8 @@ def _on_one(
     obj = places.objects.get(support.id) or support.asset.object(support.id, mount="floor")
     top = None if obj.surfaces else _top(obj)
     if top is not None:
+        if all(one.category == support.category for one in riders):
+            top = _over_edge(top)
         places.tops[support.id] = top
         obj = obj.model_copy(update={"surfaces": (top,)})
     plan = usual_arrangement(support.item.top if support.item else None, support.category)
@@ -367,6 +372,15 @@ def _on_one(
     found, lost = layer.run([Rider(w.id, w.asset, w.inside, w.share) for w in riders], rows)
     names = {rider.id for rider in lost}
     return found, [w for w in riders if w.id in names]
+
+
+def _over_edge(top: Surface) -> Surface:
+    """The top of a pile of alike things, of which none lies exactly on the other."""
+    import shapely
+
+    grown = shapely.Polygon(top.polygon).buffer(OVERHANG, join_style="mitre")
+    ring = tuple((float(x), float(y)) for x, y in shapely.get_coordinates(grown)[:-1])
+    return top.model_copy(update={"polygon": ring})
 
 
 def _stand(support: Wanted, found: Sequence[Laid], places: Places) -> None:

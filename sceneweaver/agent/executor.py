@@ -45,6 +45,9 @@ there are any: where none is valid, as many again seldom bring one."""
 MANY = 1024
 """Layouts from which on all rooms that a tool proposes are compared, even where the first has a valid layout."""
 
+VARIED = 2
+"""Variants that are tried in each larger room."""
+
 IMPROVED = 2
 """Of several rooms or variants, how many are taken further: those with the best layouts."""
 
@@ -153,24 +156,30 @@ class Executor:
             if best.faults:
                 best = refined(0, best)
         if rooms and (best.faults or many):
-            draft, best = self._roomed(draft, rooms, best, seed, 0)
+            draft, best = self._roomed(draft, rooms, best, seed)
         for round_ in range(rounds):
+            if 0 < len(best.faults) <= CLOSE and not self.deadline.passed:
+                best = self._mended(best, seed, plain)
             if not best.faults or self.deadline.left < AGAIN * took:
                 break
             at_once = 1 + max(len(notes) // 2, round_ // 2)  # the longer it takes, the more
             lighter = relaxed(draft, best.faults, at_once)
             if lighter is None:
                 break
-            if lighter.unmet and not patient:  # before anything that was asked for goes
+            if (lighter.unmet or lighter.late) and not patient:  # before anything that was asked for goes
                 patient = True
                 if proposal.larger:
-                    draft, best = self._roomed(draft, proposal.larger, best, seed, 0)
+                    draft, best = self._roomed(draft, proposal.larger, best, seed, variants[:VARIED])
                 if 0 < len(best.faults) <= CLOSE:
                     best = refined(1, best)
+                if best.faults and variants:
+                    rows, variants = variants, []  # they may be what stands in the way
+                    best = refined(0, best)
+                    variants = rows if best.faults else []
                 continue
             if len(lighter.scene.dropped) > len(draft.dropped) and proposal.larger and not larger:
                 larger = True
-                draft, best = self._roomed(draft, proposal.larger, best, seed, 0)
+                draft, best = self._roomed(draft, proposal.larger, best, seed, variants[:VARIED])
                 continue
             if _worse(lighter.scene, rival):
                 spare = True
@@ -183,20 +192,26 @@ class Executor:
             best = refined(1, best)
         if draft.ids != before.ids and best.report.valid and not self.deadline.passed:
             # The layout may be one that was valid when something had gone: those were not made exact.
-            best = min(best, *self._ranked(self._free(best.scene, False, seed, 1, plain)), key=lambda o: o.key)
+            best = self._mended(best, seed, plain)
         return replace(best, notes=tuple(notes), unmet=tuple(unmet))
 
+    def _mended(self, best: Outcome, seed: int, plain: Plain) -> Outcome:
+        """A valid layout where what is wrong has moved, and the rest as little as may be; the same where none is."""
+        found = [o for o in self._ranked(self._free(best.scene, False, seed, 1, plain)) if not o.faults]
+        return min([best, *found], key=lambda o: o.key)
+
     def _roomed(
-        self, draft: Scene, rooms: Sequence[Room], best: Outcome, seed: int, patience: int
+        self, draft: Scene, rooms: Sequence[Room], best: Outcome, seed: int, variants: Sequence[Variant] = ()
     ) -> tuple[Scene, Outcome]:
         """A draft in that of some rooms where its layout is best, with that layout; unchanged where none is better."""
-        s, attempts = self.settings, self.settings.attempts[patience]
+        s, attempts = self.settings, self.settings.attempts[0]
         self.attempts += attempts
-        drafts = [draft.model_copy(update={"room": room}) for room in rooms]
+        cases = [(draft.model_copy(update={"room": room}), variant) for room in rooms for variant in variants or ((),)]
+        drafts = [_with(moved, variant) for moved, variant in cases]
         solutions = self._solved(drafts, max(8, s.layouts // len(drafts)), seed, attempts)
-        for moved, solution in zip(drafts, solutions, strict=True):
+        for (moved, _), varied, solution in zip(cases, drafts, solutions, strict=True):
             layouts = solution.distinct(2) or [solution.best]
-            found = self._steadiest(self._ranked([_posed(moved, layout) for layout in layouts]))
+            found = self._steadiest(self._ranked([_posed(varied, layout) for layout in layouts]))
             if found.key < best.key:
                 draft, best = moved, found
             if self.deadline.passed:

@@ -29,11 +29,15 @@ PRUNINGS = 3
 
 
 class Relaxed(NamedTuple):
-    """A scene that asks for less, and what is to be said of that; ``unmet`` is what had been asked for."""
+    """A scene that asks for less, and what is to be said of that; ``unmet`` is what had been asked for.
+
+    ``late``: it comes when larger rooms and more patience did not help.
+    """
 
     scene: Scene
     notes: tuple[str, ...] = ()
     unmet: tuple[str, ...] = ()
+    late: bool = False
 
 
 def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Relaxed | None:
@@ -41,7 +45,8 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
 
     First go objects that are optional, then usual ones, ``at_once`` of them; then relations that do not hold become
     soft, those that nobody asked for, one or with ``at_once`` above 1 all; then goes what a room of the kind needs and
-    no asked relation names; then relations that were asked for become soft, with ``at_once`` above 1 one for each group
+    no asked relation names; then what was asked for may be elsewhere than is usual, the smallest first or with
+    ``at_once`` above 1 all; then relations that were asked for become soft, with ``at_once`` above 1 one for each group
     of objects, above `FEW` all. Then go the other objects, by priority; of one that was asked for all relations become
     soft and so light that it may be anywhere, before it goes. None when the faults are about nothing that could give
     way.
@@ -61,6 +66,12 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
     needed = [o for o in pool if o.intent.priority == "needed" and o.id not in named]
     if needed and broken:
         return _without(scene, [max(needed, key=lambda o: (trouble[o.id], o.size[0] * o.size[1], o.id))])
+    usual = {o.id: [r for r in scene.relations if r.subject == o.id and r.hard and not r.asked] for o in pool}
+    bound = [o for o in pool if o.intent.priority == "asked" and usual[o.id]]
+    if bound:
+        bound.sort(key=lambda o: (o.size[0] * o.size[1], o.id))
+        freed = [r for o in (bound[:1] if at_once == 1 else bound) for r in usual[o.id]]
+        return _softened(scene, freed)._replace(late=True)
     if broken:
         return _softened(scene, broken[:1] if at_once == 1 else broken if at_once > FEW else _apart(broken))
     if not pool:

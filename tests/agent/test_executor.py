@@ -333,6 +333,28 @@ def test_the_second_half_of_the_layouts_is_drawn_where_few_of_the_first_are_vali
     assert counts == drawn
 
 
+def test_what_is_wrong_is_mended_before_anything_gives_way():
+    chest, shelf = box("chest-0", (0.5, 0.5, 0.5), 1.5, 2.0), box("shelf-0", (0.4, 0.4, 0.5), 0.3, 0.3)
+    executor = Executor(room_type("bedroom"), SceneGraph(text="a bedroom"), QUICK)
+    wrong = executor.judged(room_with(BED, chest, shelf))
+    mended = executor._mended(wrong, 0, lambda scene: scene)
+    assert wrong.faults and mended.report.valid
+    assert mended.scene.object("shelf-0").pose.position == pytest.approx(shelf.pose.position, abs=1e-3)
+    hopeless = executor.judged(room_with(BED, box("chest-0", (4.0, 4.0, 0.5), 1.5, 2.0)))
+    assert executor._mended(hopeless, 0, lambda scene: scene) is hopeless
+
+
+def test_rows_go_along_into_other_rooms():
+    """In a larger room both variants are tried; the draft that goes on has neither, as a search adds them itself."""
+    before = room_with(BED, box("desk-0", (0.6, 3.5, 0.7), 1.0, 1.0))
+    variants = [(Relation(type="against_wall", subject="desk-0", target=f"wall:{k}"),) for k in (0, 1)]
+    larger = Room(type="bedroom", outline=((0, 0), (5, 0), (5, 5), (0, 5)))
+    executor = Executor(room_type("bedroom"), SceneGraph(text="a bedroom"), QUICK)
+    draft, best = executor._roomed(before, [larger], executor.judged(before), 0, variants)
+    assert best.report.valid and draft.room == best.scene.room == larger
+    assert not draft.relations and len(best.scene.relations) == 1
+
+
 def test_a_deadline_that_has_passed_ends_the_search_with_what_there_is():
     chests = [wanted(f"chest-{k}", "asked") for k in range(30)]
     settings = QUICK.model_copy(update={"attempts": (20, 60)})

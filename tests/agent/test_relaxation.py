@@ -91,8 +91,21 @@ def test_at_last_what_was_asked_for_is_dropped_with_the_reason():
     assert found.unmet == (f"a: {REASON}",) and not found.notes
 
 
+def test_what_was_asked_for_leaves_its_usual_place_before_a_place_that_was_asked_for():
+    usual = [Relation(type="near", subject=a, target=b, params={"max": 5.0}) for a, b in ("ab", "ba")]
+    asked = Relation(type="near", subject="a", target="b", params={"max": 4.0}, asked=True)
+    small = cube("a", "asked").model_copy(update={"size": (0.9, 0.9, 1.0)})
+    before = room(small, cube("b", "asked", 2.5), relations=(*usual, asked))
+    found, both = relax(before), relax(before, 2)
+    assert found is not None and both is not None and found.late and both.late and not found.unmet
+    assert [r.hard for r in found.scene.relations] == [False, True, True]
+    assert [r.hard for r in both.scene.relations] == [False, False, True]
+    then = relax(both.scene)
+    assert then is not None and then.unmet and not then.late
+
+
 def test_before_what_was_asked_for_goes_all_its_relations_become_soft():
-    tie = Relation(type="near", subject="a", target="b", params={"max": 0.5})
+    tie = Relation(type="near", subject="a", target="b", params={"max": 0.5}, asked=True)
     found = relax(room(cube("a", "asked"), cube("b", "asked", 2.5), relations=(tie,)))
     assert found is not None and found.scene.ids == ("a", "b") and not found.scene.relations[0].hard
     then = relax(found.scene)

@@ -175,6 +175,32 @@ def test_a_lamp_hangs_over_the_middle_of_its_table(prior):
     assert over and all(r.params["offset"] <= 0.1 for r in over)
 
 
+def test_one_of_several_alike_hangs_over_the_middle_of_a_bed(prior):
+    scene, _ = prior("a bedroom with a bed and three paintings on the wall")
+    bed = next(o.id for o in scene.objects if "bed" in o.category)
+    over = [r for r in scene.relations if r.type == "above" and r.target == bed and not r.asked]
+    assert sum(o.intent.request is not None and o.mount == "wall" for o in scene.objects) == 3
+    assert len(over) == 1 and over[0].params["lateral"] < 0.1
+
+
+def test_nothing_hangs_over_what_was_asked_for_before_a_window(prior):
+    plain, window = (
+        prior(f"a living room with a sofa and a tv stand {where}")[0] for where in ("", "under the window")
+    )
+    assert any(o.category == "tv" and o.mount == "wall" for o in plain.objects)
+    assert not any(o.category == "tv" and o.mount == "wall" for o in window.objects)
+
+
+def test_a_pile_of_alike_things_may_lean_a_little_over_its_edge(prior):
+    scene, _ = prior("a living room with a basket filled with four rolled blankets")
+    carriers = [(o, scene.object(o.support.object)) for o in scene.objects if o.support is not None]
+    piles = [below for one, below in carriers if one.category == below.category]
+    assert piles
+    for below in piles:
+        body = shapely.union_all([shapely.Polygon(part.polygon) for part in below.solids])
+        assert shapely.Polygon(below.surfaces[0].polygon).contains(body.buffer(0.009))
+
+
 def test_few_things_are_spread_over_the_many_that_they_are_for(prior):
     office, _ = prior("an office")
     desks = sorted(o.id for o in office.objects if o.category in ("desk", "computer_desk"))
