@@ -14,6 +14,7 @@ from .schema import Row
 from .settings import Settings
 from .tasks import Task
 
+HARMLESS = ("ImportError", "ModuleNotFoundError", "InputError")
 SPAWN = get_context("spawn")  # a fork of a process that has used CUDA or JAX is of no use
 
 
@@ -39,6 +40,8 @@ class Worker:
                 reason = f"the process ended by itself, exit code {self.close()}"
                 break
             if found is None:
+                if row.outcome == "failed" and settings.device != "cpu" and not row.reason.startswith(HARMLESS):
+                    self.close()  # an error of CUDA stays with its process
                 return
             row = found
             yield row
