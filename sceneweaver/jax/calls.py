@@ -5,7 +5,6 @@ objects, so annotations are not postponed here.
 """
 
 from collections.abc import Callable
-from contextlib import AbstractContextManager, nullcontext
 from functools import cache
 from itertools import count
 from typing import Any
@@ -16,12 +15,13 @@ import warp as wp
 
 from sceneweaver.layout import Problem
 
+from .graphs import measure, own_stream
+
 PoseArray = wp.array2d(dtype=wp.vec4)
 SceneArray = wp.array(dtype=wp.int32)
 
 _NUMBERS = count()
 _PROBLEMS: WeakValueDictionary[int, Problem] = WeakValueDictionary()
-_KEPT: set[Problem] = set()
 
 jax.tree_util.register_static(Problem)
 
@@ -52,8 +52,8 @@ def energy(
     gradient: PoseArray,  # pyright: ignore[reportInvalidTypeForm]
 ) -> None:
     """Energies [B] and gradients [B, N]."""
-    for into, values in zip((energy, gradient), _problem(number, poses).measured(poses, which), strict=True):
-        wp.copy(into, values)
+    problem = _problem(number, poses)
+    measure(problem, problem.measured, (poses, which), (energy, gradient))
 
 
 def residuals(
@@ -64,8 +64,8 @@ def residuals(
     slope: wp.array3d(dtype=wp.vec4),  # pyright: ignore[reportInvalidTypeForm]
 ) -> None:
     """Residuals [B, M] and their derivatives [B, M, 3]."""
-    for into, values in zip((residual, slope), _problem(number, poses).taken_apart(poses, which), strict=True):
-        wp.copy(into, values)
+    problem = _problem(number, poses)
+    measure(problem, problem.taken_apart, (poses, which), (residual, slope))
 
 
 def feasible(
@@ -76,7 +76,7 @@ def feasible(
 ) -> None:
     """Which layouts [B] are feasible."""
     problem = _problem(number, poses)
-    with _aside(problem):
+    with own_stream(problem.device):
         wp.copy(feasible, problem.judged(poses, which))
 
 
@@ -88,7 +88,7 @@ def sample(
 ) -> None:
     """Layouts [B, N] to start from."""
     problem = _problem(number, rng)
-    with _aside(problem):
+    with own_stream(problem.device):
         wp.copy(poses, problem.drawn(rng, which))
 
 
@@ -100,49 +100,20 @@ def project(
 ) -> None:
     """The feasible layouts [B, N] nearest to poses."""
     problem = _problem(number, poses)
-    with _aside(problem):
+    with own_stream(problem.device):
         wp.copy(nearest, problem.projected(poses, which))
 
 
-_KINDS: dict[Callable, int] = {energy: 2, residuals: 2, feasible: 1, sample: 1, project: 1}
-CAPTURED = (energy, residuals)  # launches alone; the others look at arrays from the host
-CUDA_MODE = wp.JaxCallableGraphMode.WARP_STAGED_EX
-"""How captured calls run on a GPU: as a CUDA graph on buffers of its own, between a copy there and one back."""
+OUTPUTS: dict[Callable, int] = {energy: 2, residuals: 2, feasible: 1, sample: 1, project: 1}
 
 
 def call(function: Callable, problem: Problem, *arguments: Any, output_dims: Any) -> tuple:
     """Call one of the functions above from JAX with the problem's number as its last input."""
-    on_gpu = problem.device != "cpu"
-    mode = CUDA_MODE if on_gpu and function in CAPTURED else wp.JaxCallableGraphMode.NONE
-    number = _number_of(problem)
-    if mode != wp.JaxCallableGraphMode.NONE:
-        _keep(problem)
-    return _callable(function, mode)(*arguments, number, output_dims=output_dims)
+    return _callable(function)(*arguments, _number_of(problem), output_dims=output_dims)
 
 
 @cache
-def _callable(function: Callable, mode: wp.JaxCallableGraphMode) -> Callable:
-    outputs = _KINDS[function]
-    return wp.jax_callable(function, num_outputs=outputs, graph_mode=mode, vmap_method="broadcast_all")
-
-
-def _keep(problem: Problem) -> None:
-    """Keep a problem for good, as graphs hold the addresses of its tables; load the kernels that are to be captured."""
-    if problem in _KEPT:
-        return
-    _KEPT.add(problem)
-    counts = problem.energy_calls, problem.evaluations
-    home, which = wp.array(problem.home[:1], dtype=wp.vec4, device=problem.device), [0]
-    problem.energy_and_grad(home, which)
-    problem.residuals(home, which)
-    problem.energy_calls, problem.evaluations = counts
-
-
-@cache
-def _stream(device: str) -> wp.Stream:
-    return wp.Stream(device)
-
-
-def _aside(problem: Problem) -> AbstractContextManager:
-    """On a GPU a stream of our own, in order with XLA's: what runs there may record graphs."""
-    return nullcontext() if problem.device == "cpu" else wp.ScopedStream(_stream(problem.device), True, True)
+def _callable(function: Callable) -> Callable:
+    # XLA records no call in a graph of its own: some look at arrays from the host.
+    mode = wp.JaxCallableGraphMode.NONE
+    return wp.jax_callable(function, num_outputs=OUTPUTS[function], graph_mode=mode, vmap_method="broadcast_all")

@@ -11,6 +11,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import warp as wp
+from jax.core import Tracer
 
 from sceneweaver.layout import Problem
 from sceneweaver.scene import InputError
@@ -214,13 +215,13 @@ def _flat(
 
 
 @cache
-def _device_of(name: str) -> jax.Device:
+def _device_of(name: str) -> Any:
     return wp.device_to_jax(name)
 
 
 def _placed(problem: Problem, values: Array) -> jax.Array:
     """Values on the problem's device, if they are not bound to one; what is traced goes where its function runs."""
-    if isinstance(values, jax.core.Tracer) or (isinstance(values, jax.Array) and values.committed):
+    if isinstance(values, Tracer) or (isinstance(values, jax.Array) and values.committed):
         return values
     return jax.device_put(values, _device_of(problem.device))
 

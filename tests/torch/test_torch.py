@@ -7,7 +7,7 @@ import pytest
 
 import sceneweaver as sw
 import sceneweaver.torch as swt
-from tests.layout.research import DEVICE, poses_of, problem_of, rooms
+from tests.layout.research import DEVICE, check_differences, poses_of, problem_of, rooms
 
 torch = pytest.importorskip("torch")
 
@@ -21,6 +21,14 @@ def test_gradients_are_the_engines(name):
     np.testing.assert_allclose(found.detach().cpu(), energy, rtol=1e-6)
     found.sum().backward()
     np.testing.assert_allclose(x.grad.cpu(), gradient, rtol=1e-5, atol=1e-5)
+
+
+@pytest.mark.parametrize("name", rooms(pytest.mark.slow))
+def test_gradients_are_finite_differences(name):
+    problem, layout = problem_of(name), poses_of(name, 1, seed=3)[0]
+    x = torch.tensor(layout[None], device=DEVICE, requires_grad=True)
+    swt.energy(problem, x).sum().backward()
+    check_differences(lambda poses: problem.residuals(poses)[0], layout, x.grad[0].cpu().numpy(), count=20, least=0.3)
 
 
 @pytest.mark.parametrize("name", rooms(pytest.mark.slow))
