@@ -21,6 +21,7 @@ from sceneweaver.verify import check
 PAGE = ROOT / "docs" / "problems.md"
 RUNS = (("search", "random"), ("adam", "random"), ("projection", "perturbed"))
 LARGE = 150  # objects, from which on fewer layouts are tried
+SEEDS = 4  # of the search, where the witness has energy left
 LIMIT = 30.0  # [s] of a run
 BEGIN, END = "<!-- zoo: written by a command -->", "<!-- end -->"
 
@@ -37,9 +38,6 @@ def main(words: Sequence[str]) -> int:
     options = p.parse_args(words)
     if options.freeze:
         freeze(made())
-        for name in manifest.__wrapped__():
-            console.print(name, markup=False)
-        return 0  # what was loaded is stale now
     if options.measure is not None:
         known = {name: row for name, row in measured().items() if manifest().get(name, {}).get("hash") == row["hash"]}
         for name in options.measure or names():
@@ -64,13 +62,17 @@ def measure(case: ProblemCase, candidates: int, device: str) -> dict[str, Any]:
     difficulty: dict[str, Any] = {}
     best: tuple[float, np.ndarray] | None = None
     problem = case.compile(device)
+    tries: list[tuple[str, str, np.ndarray | None]]
     tries = [(optimizer, start, case.start(start, count, 0)) for optimizer, start in RUNS if start in case.starts]
     if case.witness is not None:
         best = (float(problem.energy(case.witness[None])[0]), np.array(case.witness))
         if best[0] > 0:  # there is something to gain, from the witness as well
-            near = np.repeat(case.witness[None], count, axis=0)
-            tries += [(optimizer, "", near) for optimizer in ("adam", "langevin", "tempering")]
+            tries += [("search", "", case.start("random", count, seed)) for seed in range(1, SEEDS)]
+            tries += [(optimizer, "", None) for optimizer in ("adam", "langevin", "search")]
     for optimizer, start, poses in tries:
+        if poses is None:  # from the best layout so far
+            assert best is not None
+            poses = np.repeat(best[1][None], count, axis=0)
         began = time.process_time()
         found = refine(case.scene, init=poses, candidates=count, optimizer=optimizer, device=device, time_limit=LIMIT)
         seconds = time.process_time() - began

@@ -17,6 +17,7 @@ Json = dict[str, Any]
 
 REACH = 3.0  # [m] between the middles of what is related
 NEAREST = 6  # neighbours that are looked at
+LIGHTEST, HEAVIEST = 0.03, 0.15  # weights of wishes: all together pull less at a thing than a hard relation
 SIDES = ("left_of", "right_of", "in_front_of", "behind")
 
 
@@ -46,7 +47,7 @@ def wish(scene: Scene, count: int, rng: np.random.Generator) -> list[Json]:
     while len(found) < min(count, most):
         kind, params = kinds[rng.integers(len(kinds))]
         a, b = (floor[k] for k in rng.choice(len(floor), 2, replace=False))
-        weight = round(float(rng.uniform(0.5, 2.0)), 2)
+        weight = round(float(rng.uniform(LIGHTEST, HEAVIEST)), 3)
         relation = {"type": kind, "subject": a, "target": b, "params": params, "hard": False, "weight": weight}
         found[kind, a, b] = relation
     return list(found.values())

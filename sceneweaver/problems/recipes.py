@@ -50,7 +50,7 @@ class Recipe:
 
 RECIPES: dict[str, Recipe] = {
     "bodies": Recipe(
-        "L-shaped and eight-cornered bodies with boxes in the notches: convex hulls overlap, bodies do not.",
+        "L-shaped and eight-cornered bodies, boxes in the notches: hulls overlap, bodies do not.",
         ((CORNER, 55), (ROUND, 25), (CRATE, 20)),
         at_wall=0.3,
     ),
@@ -108,8 +108,8 @@ RECIPES: dict[str, Recipe] = {
 }
 
 OTHERS = {
-    "bedrooms": "Furnished bedrooms that are tight to the last: backs to walls, zones, seats, things on furniture.",
-    "infeasible": "No layout is valid, and a certificate says why; one that claims a layout is wrong.",
+    "bedrooms": "Bedrooms that are tight to the last: backs to walls, zones, seats, things on furniture.",
+    "infeasible": "No layout is valid, and a certificate says why.",
 }
 
 

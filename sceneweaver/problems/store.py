@@ -117,6 +117,7 @@ def freeze(cases: Iterable[ProblemCase], folder: Path = DATA) -> None:
     problems = {c.name: _row(c) for c in rows}
     text = json.dumps({"schema": SCHEMA, "problems": problems}, indent=1, ensure_ascii=False)
     (folder / "manifest.json").write_text(text + "\n", "utf-8")
+    _forget()
 
 
 def record(results: Mapping[str, Json], folder: Path = DATA) -> None:
@@ -125,6 +126,13 @@ def record(results: Mapping[str, Json], folder: Path = DATA) -> None:
     lines = ",\n".join(f" {json.dumps(name)}: {json.dumps(row, separators=(',', ':'))}" for name, row in rows.items())
     text = f'{{"schema": {json.dumps(SCHEMA)}, "problems": {{\n{lines}\n}}}}'
     (folder / "measured.json").write_text(text + "\n", "utf-8")
+    _forget()
+
+
+def _forget() -> None:
+    """Read everything anew the next time."""
+    for kept in (manifest, measured, _family, load):
+        kept.cache_clear()
 
 
 def _row(case: ProblemCase) -> Json:
