@@ -72,7 +72,7 @@ RECIPES: dict[str, Recipe] = {
         ((CRATE, 100),),
     ),
     "preferences": Recipe(
-        "Soft relations that contradict each other: layouts are found at once, the best one is the question.",
+        "Soft relations that contradict each other: the question is which layout is best.",
         ((CRATE, 60), (CABINET, 40)),
         at_wall=0.5,
         wishes=1.5,
