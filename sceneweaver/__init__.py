@@ -12,12 +12,18 @@ if TYPE_CHECKING:
     from sceneweaver.building import ObjectHandle as ObjectHandle
     from sceneweaver.building import SceneBuilder as SceneBuilder
     from sceneweaver.building import build as build
+    from sceneweaver.critic import Fault as Fault
+    from sceneweaver.critic import define_check as define_check
+    from sceneweaver.critic import undefine_check as undefine_check
     from sceneweaver.editing import EditResult as EditResult
     from sceneweaver.editing import EditSession as EditSession
     from sceneweaver.explain import refine as refine
     from sceneweaver.explain import refine_many as refine_many
+    from sceneweaver.extend import check_gradient as check_gradient
     from sceneweaver.extend import define_relation as define_relation
+    from sceneweaver.extend import define_term as define_term
     from sceneweaver.extend import undefine_relation as undefine_relation
+    from sceneweaver.extend import undefine_term as undefine_term
     from sceneweaver.layout import Problem as Problem
     from sceneweaver.layout import QualityTerm as QualityTerm
     from sceneweaver.layout import Solution as Solution
@@ -46,6 +52,7 @@ __all__ = [
     "Dropped",
     "EditResult",
     "EditSession",
+    "Fault",
     "InputError",
     "MissingDependencyError",
     "ObjectHandle",
@@ -66,8 +73,11 @@ __all__ = [
     "__version__",
     "build",
     "check",
+    "check_gradient",
     "compile",
+    "define_check",
     "define_relation",
+    "define_term",
     "design",
     "draw_top",
     "improve",
@@ -75,13 +85,16 @@ __all__ = [
     "refine_many",
     "repair",
     "repair_report",
+    "undefine_check",
     "undefine_relation",
+    "undefine_term",
 ]
 
 _HOME = {
     "Dropped": "scene",
     "EditResult": "editing",
     "EditSession": "editing",
+    "Fault": "critic",
     "InputError": "scene",
     "MissingDependencyError": "scene",
     "ObjectHandle": "building",
@@ -101,8 +114,11 @@ _HOME = {
     "Violation": "verify",
     "build": "building",
     "check": "verify",
+    "check_gradient": "extend",
     "compile": "layout",
+    "define_check": "critic",
     "define_relation": "extend",
+    "define_term": "extend",
     "design": "agent",
     "draw_top": "render",
     "improve": "layout",
@@ -110,7 +126,9 @@ _HOME = {
     "refine_many": "explain",
     "repair": "repairs",
     "repair_report": "repairs",
+    "undefine_check": "critic",
     "undefine_relation": "extend",
+    "undefine_term": "extend",
 }
 
 

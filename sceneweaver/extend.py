@@ -1,11 +1,12 @@
-"""Relations of your own: one call enters them in the catalogue, the engine and the judge."""
+"""Relations and terms of your own: one call enters them in the catalogue, the engine and the judge."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from sceneweaver.layout.user import WIDTH, enter_relation, leave_relation
+from sceneweaver.layout.user import TERMS, WIDTH, enter_relation, enter_term, leave_relation, leave_term
+from sceneweaver.layout.user import check_gradient as check_gradient
 from sceneweaver.scene import InputError, ParamSpec, RelationSpec, SceneObject
 from sceneweaver.scene.catalogue import CATALOGUE, register_relation, unregister_relation
 from sceneweaver.verify.relations import JUDGES, register_judge
@@ -90,3 +91,69 @@ def undefine_relation(name: str) -> None:
     unregister_relation(name)
     del JUDGES[name]
     leave_relation(name)
+
+
+def define_term(
+    name: str,
+    *,
+    residual: Any,
+    subjects: Iterable[str],
+    targets: Iterable[str] | None = None,
+    params: Iterable[float] = (),
+    weight: float = 1.0,
+    scale: float = 1.0,
+) -> None:
+    """Add a term to the energy of every scene that is compiled from then on, on CPU and CUDA.
+
+    A term belongs to no relation: scenes, judge and critic know nothing of it. Among valid layouts it weighs as much as
+    a soft relation, and it makes none invalid.
+
+    Args:
+        name: any text; it takes the term back (`undefine_term`).
+        residual: a ``wp.func`` as for `define_relation`: what is above 0 costs.
+        subjects: categories of the objects a; the term is taken for each such object of a room.
+        targets: categories of the objects b: the term is taken for each pair. None: b is zero.
+        params: up to four numbers that reach the residual.
+        weight: how much it counts, 1 as much as a soft relation of weight 1.
+        scale: metres that a unit of the residual counts as.
+
+    Raises:
+        InputError: the name is taken, a number is out of range, the residual does not compile, or its gradient is
+            wrong.
+
+    Examples:
+        >>> import sceneweaver as sw, warp as wp
+        >>> @wp.func
+        ... def quiet(a: wp.vec4, b: wp.vec4, size_a: wp.vec3, size_b: wp.vec3, p: wp.vec4):
+        ...     return p[0] - wp.length(wp.vec2(a[0] - b[0], a[1] - b[1]))
+        >>> sw.define_term("quiet", residual=quiet, subjects=["bed"], targets=["speaker"], params=[2.0])
+        >>> sw.undefine_term("quiet")
+    """
+    numbers = tuple(params)
+    if name in TERMS:
+        raise InputError(f'term "{name}" is there already; choose another name')
+    if len(numbers) > WIDTH:
+        raise InputError(f'term "{name}": {len(numbers)} params; at most {WIDTH} reach a residual')
+    if isinstance(subjects, str) or isinstance(targets, str):
+        raise InputError(f'term "{name}": subjects and targets are lists of categories')
+    if not (weight > 0 and scale > 0):
+        raise InputError(f'term "{name}": weight {weight!r} and scale {scale!r} have to be positive numbers')
+    enter_term(name, residual, subjects, targets, numbers, weight, scale)
+
+
+def undefine_term(name: str) -> None:
+    """Take back a term.
+
+    Raises:
+        InputError: there is none of this name.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> sw.undefine_term("loud")
+        Traceback (most recent call last):
+            ...
+        sceneweaver.scene.errors.InputError: term "loud" is unknown
+    """
+    if name not in TERMS:
+        raise InputError(f'term "{name}" is unknown')
+    leave_term(name)

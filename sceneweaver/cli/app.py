@@ -26,6 +26,7 @@ import typer
 
 from .clock import process_began
 from .exit_codes import BAD_INPUT, INTERRUPTED, MISSING
+from .extensions import load_extensions
 
 # The base of typer's usage errors, which lives in click or, with newer versions of typer, in typer itself.
 _UsageError: type[Exception] = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "ClickException")
@@ -673,6 +674,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     if argv is None:  # what native code does wrong is said on stderr, also while that is kept from libraries
         faulthandler.enable(os.dup(2))
     try:
+        load_extensions()
         command = typer.main.get_command(app)
         code = command.main(args=args or ["--help"], prog_name="sceneweaver", standalone_mode=False, obj=began)
         sys.stdout.flush()

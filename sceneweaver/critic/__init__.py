@@ -6,8 +6,22 @@ from .model import Alignment as Alignment
 from .model import Fault as Fault
 from .model import ItemOutcome as ItemOutcome
 from .model import Review as Review
+from .own import define_check as define_check
+from .own import undefine_check as undefine_check
 from .phrases import Phrase as Phrase
 from .phrases import phrases as phrases
 from .review import review_scene as review_scene
 
-__all__ = ["CRITERIA", "STATUSES", "Alignment", "Fault", "ItemOutcome", "Phrase", "Review", "phrases", "review_scene"]
+__all__ = [
+    "CRITERIA",
+    "STATUSES",
+    "Alignment",
+    "Fault",
+    "ItemOutcome",
+    "Phrase",
+    "Review",
+    "define_check",
+    "phrases",
+    "review_scene",
+    "undefine_check",
+]

@@ -61,6 +61,11 @@ class Fault(FrozenModel):
     """Something that lowers a grade, and what would mend it.
 
     ``points`` is how much it takes off its criterion; ``tool`` and ``inputs`` are a call that a tool can act on.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> sw.Fault(criterion="layout", kind="crowded", objects=("bed",), reason="the bed is hemmed in").points
+        1.0
     """
 
     criterion: str

@@ -10,7 +10,7 @@ from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 
-from . import access, asked, belonging, design, facing, finish, needs, order, physical, rows, sizes, space
+from . import access, asked, belonging, design, facing, finish, needs, order, own, physical, rows, sizes, space
 from .grade import Finding, finding, grades
 from .model import Fault, Review
 from .survey import Survey
@@ -27,6 +27,7 @@ CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (
     space.faults,
     finish.faults,
     design.faults,
+    own.faults,
 )
 """All checks but those of the request; each reads the survey and gives what it finds."""
 

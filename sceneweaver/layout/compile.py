@@ -22,6 +22,7 @@ from sceneweaver.scene import CATALOGUE, Relation, Room, Scene, SceneObject
 from .region import Region, enclosure, room_region
 from .rows import INF, CompiledRelation, Frame, compile_relation, mounting, spread_before
 from .shapes import Prism, footprint_of, solids_of, zones_of
+from .user import compiled_terms
 
 
 @dataclass
@@ -39,7 +40,8 @@ class LayoutProblem:
 
     ``home`` holds the scene's poses [object, 4] (x, y, z, yaw) in the problem's frame; ``relations`` the scene's
     relations first (``relation_ids`` names them), then what the engine adds: riders (conditions that belong to a
-    relation before them) and the mountings of wall objects. ``packed`` keeps its tables by device, see `make_batch`.
+    relation before them), the mountings of wall objects, and terms of the user's own. ``packed`` keeps its tables by
+    device, see `make_batch`.
     """
 
     ids: list[str]
@@ -204,6 +206,7 @@ def _compile(
             compiled.append(extra)
     if in_room:
         compiled += [mounting(frame, i) for i, o in enumerate(objects) if o.mount == "wall"]
+        compiled += compiled_terms(frame)
     roots = _roots(objects, index) if in_room else np.arange(len(objects))
     free = np.array([_freedom(o, in_room and roots[i] != i) for i, o in enumerate(objects)], dtype=np.int32)
     groups, parents = _families([r for _, r in relations], index, roots, free)

@@ -15,8 +15,12 @@ import sceneweaver
 
 PUBLIC = [
     "Dropped",
+    "EditResult",
+    "EditSession",
+    "Fault",
     "InputError",
     "MissingDependencyError",
+    "ObjectHandle",
     "Pose",
     "Problem",
     "QualityTerm",
@@ -26,14 +30,19 @@ PUBLIC = [
     "Result",
     "Room",
     "Scene",
+    "SceneBuilder",
     "SceneObject",
     "SceneWeaverError",
     "Solution",
     "Violation",
     "__version__",
+    "build",
     "check",
+    "check_gradient",
     "compile",
+    "define_check",
     "define_relation",
+    "define_term",
     "design",
     "draw_top",
     "improve",
@@ -41,7 +50,9 @@ PUBLIC = [
     "refine_many",
     "repair",
     "repair_report",
+    "undefine_check",
     "undefine_relation",
+    "undefine_term",
 ]
 
 
