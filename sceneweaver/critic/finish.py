@@ -233,14 +233,17 @@ def _touches(survey: Survey) -> Iterator[Finding]:
         wanted = set(groups.split())
         if there or any(kinds.groups_of(c) & wanted or (not wanted and c in kinds.WALL_ART) for c in said):
             continue
-        name = _listed(survey.room_type, wanted) or category
+        listed = _listed(survey.room_type, wanted)
+        if listed is None and kind == "no_softness":
+            continue  # nobody misses it in a workshop
+        name = listed or category
         yield finding(
             "completion",
             kind,
             (),
             reason,
             f"add {kinds.a(name)}",
-            points=points if _listed(survey.room_type, wanted) else points / 2,
+            points=points if listed else points / 2,
             call=("add_objects", {"objects": [{"category": name, "count": 1}]}),
         )
 

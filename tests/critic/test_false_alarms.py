@@ -5,13 +5,17 @@ from __future__ import annotations
 import pytest
 
 from sceneweaver.critic.grade import Finding
+from sceneweaver.critic.kinds import groups_of
 from sceneweaver.critic.rows import faults as row_faults
+from sceneweaver.knowledge import room_type
 from sceneweaver.scene import Relation
 from tests.critic import breaches, rooms
 from tests.critic.breaches import box, broken, lamp
 from tests.critic.rooms import Case
 
-CHEST, CHAIR = (0.5, 1.0, 0.8), (0.5, 0.5, 0.9)
+CHAIR = (0.5, 0.5, 0.9)
+
+SOFT = {"textile", "plant_group"}
 
 
 def kinds(found: list[Finding] | tuple[Finding, ...]) -> list[str]:
@@ -74,3 +78,11 @@ def test_the_floor_before_a_wardrobe_is_no_empty_floor_of_a_home(kind, empty) ->
     assert (
         bool(broken("no_empty_floor", kind, [wardrobe, desk], breaches.room(2.5, 3.7, door=1.5, window=None))) is empty
     )
+
+
+@pytest.mark.parametrize(("kind", "missed"), (("workshop", False), ("living_room", True)))
+def test_a_workshop_needs_no_cloth_and_no_plant(kind, missed) -> None:
+    case = Case(rooms.office().scene, room_type(kind))
+    bare = case.but(*({"id": o.id, "gone": True} for o in case.scene.objects if SOFT & groups_of(o.category)))
+    said = {n for f in bare.review().faults for n in (f.kind, f.reason)}
+    assert any("no_softness" in s or "plant" in s or "textile" in s or "rug" in s for s in said) is missed

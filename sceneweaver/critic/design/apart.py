@@ -24,6 +24,7 @@ RAMMED = frozenset(
         ("laundry_hamper", "nightstand"),
         ("laundry_hamper", "pedal_bin"),
         ("scale", "toilet"),
+        ("reception_desk", "library_shelf"),
     )
 )
 """Things that are not used where they touch."""
