@@ -23,14 +23,18 @@ def card_of(case: Any) -> str:
     """
     scene = case.scene
     lines = [f"# {case.name}", "", families()[case.family], ""]
-    kinds = sorted({r.type for r in scene.relations})
+    relations = [
+        f"{len(some)} {word}: {', '.join(sorted({r.type for r in some}))}"
+        for word, hard in (("hard", True), ("soft", False))
+        if (some := [r for r in scene.relations if r.hard == hard])
+    ]
     carried = sum(o.support is not None for o in scene.objects)
     zones = sum(z.hard for o in scene.objects for z in o.zones)
     parts = sum(len(o.solids) for o in scene.objects)
     rows = {
         "objects": f"{len(scene.objects)}" + (f", {carried} of them on surfaces" if carried else ""),
         "bodies": f"{parts} convex prisms, {zones} hard zones",
-        "relations": f"{sum(r.hard for r in scene.relations)} hard" + (f": {', '.join(kinds)}" if kinds else ""),
+        "relations": "; ".join(relations) or "none",
         "room": f"{len(scene.room.outline)} walls, {len(scene.room.doors)} doors, {len(scene.room.windows)} windows",
         **{text: f"{case.facts[key]:g}" for key, text in FACTS.items() if key in case.facts},
         "starts": ", ".join(case.starts),

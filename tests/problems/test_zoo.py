@@ -113,6 +113,8 @@ def test_a_problem_is_compiled_once_for_a_device():
 def test_a_card_says_what_is_known(name):
     case = problems.load(name)
     assert case.card.startswith(f"# {name}\n") and case.hash[:16] in case.card
+    hard = sum(r.hard for r in case.scene.relations)
+    assert (f"| relations | {hard} hard: " in case.card) == (hard > 0)
     assert ("No layout is valid" in case.card) == (not case.feasible)
 
 
