@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -14,7 +16,14 @@ from sceneweaver.bench.tasks import SceneTask
 from tests.layout.made import BOX, CUP, relation, scene, table, thing
 
 ROOM = scene([table(), CUP, BOX, thing("other")], [relation("near", "box", "other", max=0.4)])
-DEVICE = "cpu"
+DEVICE = os.environ.get("SCENEWEAVER_TEST_DEVICE", "cpu")
+
+
+@pytest.fixture(autouse=True)
+def arrays_where_the_problem_is():
+    """JAX's arrays on the device of the problem: where there is a GPU, JAX would take that."""
+    with jax.default_device(jax.devices("cpu" if DEVICE == "cpu" else "cuda")[0]):
+        yield
 
 
 class Momentum:
