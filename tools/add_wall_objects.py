@@ -46,6 +46,9 @@ ABOVE = (0.15, 0.3)
 ART = frozenset(("picture", "poster", "photo_frames", "tapestry", "round_mirror"))
 """What hangs with its middle at the height of the eyes; other things have heights of their own."""
 
+BOARDS, READ, SEATS = frozenset(("notice_board", "whiteboard")), 1.0, frozenset(members("chair_group"))
+"""What people stand before, the depth [m] of floor that they need, and what they move aside for it."""
+
 BASES = 0.7
 """Width [m] from which low furniture has something over its middle."""
 
@@ -215,6 +218,8 @@ def _place(
     """Where along the wall its middle is and how high its bottom [m], free of all that is there."""
     depth, width, height = asset.size
     taken = obstacles(work.draft.room, work.objects, wall, depth)
+    if asset.category in BOARDS:
+        taken += _before_boards(work, wall)
     bottom = MIDDLE - height / 2
     if asset.category not in ART:
         low, high = category_named(asset.category).bottom or (1.2, 1.5)
@@ -232,6 +237,14 @@ def _place(
             if not any(Rectangle(along, (z, z + height)).meets(other) for other in taken):
                 return middle + shift, round(z, 3)
     return None
+
+
+def _before_boards(work: _Work, wall: Wall) -> Iterator[Rectangle]:
+    """The stretches of a wall before which furniture stands."""
+    for obj in work.objects:
+        along, deep = extent(obj, wall)
+        if obj.mount == "floor" and obj.category not in SEATS and deep[0] < READ and deep[1] > 0.0:
+            yield Rectangle(along, (0.0, work.draft.room.height))
 
 
 def _add(work: _Work, wall: Wall, asset: Asset, place: tuple[float, float], base: SceneObject | None) -> None:

@@ -150,3 +150,17 @@ def test_a_narrow_way_along_a_wall_is_not_narrowed(gap, bare):
     (start, end), _ = extent(stands, after.room.walls[2])
     spans = [extent(o, after.room.walls[2])[0] for o in after.objects if o.mount == "wall" and o.pose.position[2] < 1.8]
     assert any(a < end and start < b for a, b in spans) is not bare
+
+
+@pytest.mark.parametrize(("category", "hangs"), (("chair", True), ("low_bookcase", False)))
+def test_boards_hang_where_people_can_stand_before_them(category, hangs):
+    made = [make(category, seed=k) for k in range(6)]
+    row = [
+        asset.object(f"{category}-{k}", pose=Pose.from_yaw(0.5 + 0.8 * k, 3.5, 0.0, -math.pi / 2))
+        for k, asset in enumerate(made)
+    ]
+    boards = []
+    for seed in range(6):
+        after, _ = hung(scene(*row, kind="classroom"), seed=seed, walls=[2])
+        boards += [o for o in after.objects if o.category == "notice_board"]
+    assert bool(boards) is hangs
