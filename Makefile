@@ -51,7 +51,7 @@ format: $(READY) ## Mend what ruff can mend by itself
 	$(BIN)/ruff format $(wildcard $(CODE))
 
 docs: $(READY) ## Build the documentation site into out/site
-	NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --strict --quiet
+	NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --strict
 
 build: $(READY) ## Build the wheel and the source archive into dist/
 	rm -rf dist

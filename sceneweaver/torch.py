@@ -41,7 +41,7 @@ def energy(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Tens
 
 
 def residuals(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Tensor:
-    """Residuals [B, M] [m]: `Problem.residuals`, differentiable once by the poses. Errors as for `energy`.
+    """Residuals [B, M] in metres: `Problem.residuals`, differentiable once by the poses. Errors as for `energy`.
 
     Examples:
         >>> import torch, sceneweaver as sw, sceneweaver.torch as swt
