@@ -11,10 +11,10 @@ from typing import Any
 from sceneweaver.assets import Library
 from sceneweaver.assets.asset import Mount
 from sceneweaver.geometry.se2 import SE2
-from sceneweaver.scene import CATALOGUE, InputError, Pose, Room, Scene, SceneObject, Support
+from sceneweaver.scene import CATALOGUE, InputError, Pose, Room, Scene, SceneObject, Support, id_of, point_of
 
 from .furniture import Size, find_furniture, object_of, surface_for
-from .relating import id_of, relation_type, targets_of
+from .relating import relation_type, targets_of
 
 
 def build(room: Room, *, name: str = "scene", style: str | None = None, seed: int = 0) -> SceneBuilder:
@@ -154,7 +154,7 @@ class SceneBuilder:
                 top = surface_for(below, furniture.asset, inside is not None, surface)
                 support, pose = Support(object=below.id, surface=top.name), _upon(below, top)
                 if at is not None:
-                    pose = Pose(position=(float(at[0]), float(at[1]), pose.position[2]), quaternion=pose.quaternion)
+                    pose = Pose(position=point_of("at", at, pose.position[2]), quaternion=pose.quaternion)
             obj = object_of(furniture, name or self._fresh(furniture.asset.category), self._scene, pose, support)
             obj = obj.model_copy(update={"fixed": bool(fixed)})
         scene = self._scene.add(obj)
@@ -194,6 +194,8 @@ class SceneBuilder:
 
     def _find(self, what: str, size: Size, mount: Mount | None, carried: bool, seed: int | None) -> Any:
         chosen = self._seed if seed is None else seed
+        if isinstance(chosen, bool) or not isinstance(chosen, int) or chosen < 0:
+            raise InputError(f"seed is {chosen!r}; give a whole number of at least 0")
         return find_furniture(
             what, self._library, size=size, mount=mount, carried=carried, style=self._style, seed=chosen
         )
@@ -201,7 +203,7 @@ class SceneBuilder:
     def _begin(self, at: tuple[float, float] | None) -> Pose:
         """Where an object begins on the floor."""
         if at is not None:
-            return Pose(position=(at[0], at[1], 0.0))
+            return Pose(position=point_of("at", at, 0.0))
         import shapely
 
         floor = shapely.Polygon(self.room.outline)

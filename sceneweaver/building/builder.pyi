@@ -5,11 +5,11 @@ from typing import Any, Literal, TypeAlias
 
 from sceneweaver.assets import Library
 from sceneweaver.assets.asset import Mount
-from sceneweaver.scene import Room, Scene, SceneObject
+from sceneweaver.scene import Named, Room, Scene, SceneObject
 from sceneweaver.scene.room import Swing
 
 Wall: TypeAlias = int | str | bool
-Thing: TypeAlias = ObjectHandle | SceneObject | str
+Thing: TypeAlias = Named
 Things: TypeAlias = Thing | Sequence[Thing]
 Range: TypeAlias = tuple[float, float]
 

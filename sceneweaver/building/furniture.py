@@ -9,6 +9,7 @@ from sceneweaver.assets import Asset, Library, Wish, drawable, resolve
 from sceneweaver.assets.asset import Mount
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.scene import InputError, Intent, Pose, Scene, SceneObject, Support, Surface
+from sceneweaver.scene.messages import show
 
 HUNG = (1.2, 1.5)
 """Heights [m] of the bottom of what hangs on a wall, where its category says nothing."""
@@ -47,6 +48,9 @@ def find_furniture(
     """
     if not isinstance(what, str) or not what.strip():
         raise InputError("add: name what to add, such as desk or small round table")
+    for side, extent in zip(("depth", "width", "height"), size, strict=True):
+        if extent is not None and (isinstance(extent, bool) or not isinstance(extent, int | float)):
+            raise InputError(f"add: {side} is {show(extent)}; give metres")
     match = resolve(what, "surface" if carried else mount)
     usual = category_named(match.category).mount
     held: Mount = "surface" if carried else mount or usual[0]

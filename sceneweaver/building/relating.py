@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from sceneweaver.scene import CATALOGUE, InputError, Room
+from sceneweaver.scene import CATALOGUE, InputError, Room, id_of
 from sceneweaver.scene.messages import show, suggest
 
 SHORT = {"against": "against_wall"}
@@ -54,11 +54,3 @@ def targets_of(type: str, value: Any, room: Room) -> Iterator[str | tuple[str, s
         yield None if value == "wall" and spec.target_optional else f"wall:{room.wall(value)}"
     else:
         yield id_of(value)
-
-
-def id_of(value: Any) -> str:
-    """The id of an object: its handle, the object itself, or the id; InputError for anything else."""
-    found = getattr(value, "id", value)
-    if not isinstance(found, str):
-        raise InputError(f"{show(value)} is no object; give what add returned, or an id")
-    return found

@@ -39,6 +39,10 @@ class EditResult:
     freed: Freed
     seconds: float
 
+    def __repr__(self) -> str:
+        valid = "valid" if self.valid else f"{sum(v.hard for v in self.report.violations)} violations"
+        return f"EditResult({valid}, {len(self.moves)} moved, {1e3 * self.seconds:.0f} ms)"
+
     @property
     def valid(self) -> bool:
         """Whether the judge calls the scene valid."""

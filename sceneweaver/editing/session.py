@@ -8,10 +8,9 @@ from collections.abc import Callable, Collection
 from typing import Any
 
 from sceneweaver.building import SceneBuilder
-from sceneweaver.building.relating import id_of
 from sceneweaver.layout.live import LiveLayout
 from sceneweaver.repairs.report import moves_between
-from sceneweaver.scene import AnyEdit, InputError, Scene, SceneObject
+from sceneweaver.scene import AnyEdit, InputError, Named, Scene, SceneObject, id_of
 from sceneweaver.verify import Report, check
 
 from .result import EditResult
@@ -65,15 +64,17 @@ class EditSession:
         """The judge on the scene as it is now."""
         return self._report
 
-    def move(self, what: Any, *, to: Any = None, by: Any = None, turn: float = 0.0) -> EditResult:
+    def move(self, what: Named, *, to: Any = None, by: Any = None, turn: float = 0.0) -> EditResult:
         """Move or turn an object; arguments as for `Scene.move`."""
         name = id_of(what)
         return self._run(lambda scene: (scene.move(name, to=to, by=by, turn=turn), {name}))
 
-    def resize(self, what: Any, **size: float | None) -> EditResult:
-        """Resize an object: ``depth``, ``width`` and ``height`` [m]; what is not given stays."""
+    def resize(
+        self, what: Named, *, depth: float | None = None, width: float | None = None, height: float | None = None
+    ) -> EditResult:
+        """Resize an object [m]; what is not given stays."""
         name = id_of(what)
-        return self._run(lambda scene: (scene.resize(name, **size), {name}))
+        return self._run(lambda scene: (scene.resize(name, depth=depth, width=width, height=height), {name}))
 
     def add(self, what: str | SceneObject, **options: Any) -> EditResult:
         """Add furniture by words, or an object; arguments as for `SceneBuilder.add`. It is the last of the objects.
@@ -88,12 +89,12 @@ class EditSession:
 
         return self._run(changed)
 
-    def remove(self, what: Any, *, cascade: bool = False) -> EditResult:
+    def remove(self, what: Named, *, cascade: bool = False) -> EditResult:
         """Take an object out, and the relations that name it; with ``cascade`` what stands on it as well."""
         name = id_of(what)
         return self._run(lambda scene: (scene.remove(name, cascade=cascade), set()))
 
-    def relate(self, subject: Any, type: str, target: Any = True, **options: Any) -> EditResult:  # noqa: A002
+    def relate(self, subject: Named, type: str, target: Any = True, **options: Any) -> EditResult:  # noqa: A002
         """Add a relation; arguments as for `SceneBuilder.relate`."""
         name = id_of(subject)
 
@@ -104,10 +105,9 @@ class EditSession:
 
         return self._run(changed)
 
-    def unrelate(self, subject: Any, type: str, target: Any = None) -> EditResult:  # noqa: A002
+    def unrelate(self, subject: Named, type: str, target: Any = None) -> EditResult:  # noqa: A002
         """Take out a relation; arguments as for `Scene.unrelate`."""
-        name, of = id_of(subject), target if target is None or isinstance(target, tuple) else id_of(target)
-        return self._run(lambda scene: (scene.unrelate(name, type, of), set()))
+        return self._run(lambda scene: (scene.unrelate(subject, type, target), set()))
 
     def edit(self, *edits: AnyEdit) -> EditResult:
         """Apply typed edits (`sceneweaver.scene.edits`) as one."""
@@ -115,6 +115,8 @@ class EditSession:
 
     def update(self, scene: Scene, edited: Collection[str] = ()) -> EditResult:
         """Go on with a scene that was edited elsewhere; ``edited`` are the ids of what was changed in it."""
+        if not isinstance(scene, Scene):
+            raise InputError(f"update: {type(scene).__name__} is not a Scene")
         for name in edited:
             scene.index(name)
         return self._run(lambda _: (scene, set(edited)))

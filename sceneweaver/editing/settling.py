@@ -19,7 +19,6 @@ from sceneweaver.verify import Report, check
 from .result import Freed
 
 TRIES = 3  # of a projection with some objects free
-ANYWHERE = 32  # candidates that look for a place for what is new
 ALL = (16, 64)  # candidates with everything free, the second number where the first found nothing
 TURNED = math.radians(30.0)  # by which what was edited may be turned so that it fits where it was put
 SAME = 1.0e-5  # [m] and [rad] by which a pose may differ and still count as unmoved; float32 loses about 1e-6
@@ -91,7 +90,7 @@ def _attempts(
         if all(free & each for each in wrong if each):
             yield freed, partial(_projected, live, scene, freed, free, surfaces, seed)
         if freed == "edited" and new:
-            yield "anywhere", partial(_searched, live, scene, new, seed)
+            yield "anywhere", partial(_placed, live, scene, new, seed)
     for candidates in ALL:
         yield "all", partial(_refined, live, scene, candidates, seed)
 
@@ -104,12 +103,10 @@ def _projected(
     return None if poses is None else _judged(scene, poses, freed)
 
 
-def _searched(live: LiveLayout, scene: Scene, new: Collection[str], seed: int) -> Settled:
-    """A place for what is new, anywhere in the room, with all else held."""
-    held = tuple(o if o.id in new else o.model_copy(update={"fixed": True}) for o in scene.objects)
-    around = scene.model_copy(update={"objects": held})
-    solution = refine(around, candidates=ANYWHERE, seed=seed, device=live.device, walk=False)
-    return _judged(scene, solution.poses[solution.order[0]].astype(np.float64), "anywhere")
+def _placed(live: LiveLayout, scene: Scene, new: Collection[str], seed: int) -> Settled | None:
+    """The nearest layout with what is new anywhere in the room."""
+    poses = live.place(scene, new, seed=seed)
+    return None if poses is None else _judged(scene, poses, "anywhere")
 
 
 def _refined(live: LiveLayout, scene: Scene, candidates: int, seed: int) -> Settled:

@@ -8,7 +8,9 @@ from dataclasses import replace
 import numpy as np
 import warp as wp
 
+from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.rotations import is_upright
+from sceneweaver.geometry.se2 import absolute, relative
 from sceneweaver.kernels import load
 from sceneweaver.kernels.bookkeeping import set_turns
 from sceneweaver.optimizers import Batch, streams
@@ -23,6 +25,7 @@ from .job import Job
 
 MODULES = ("bookkeeping", "linearise", "projection", "verdict")
 CANDIDATES = 4  # the first begins at the given poses; the others differ from the second try on
+STARTS = 48  # places over the floor
 
 
 class LiveLayout:
@@ -35,14 +38,14 @@ class LiveLayout:
     def __init__(self, device: str = "auto") -> None:
         self.device = pick_devices(device)[0]
         self._compiled: CompiledScene | None = None
-        self._batch: Batch | None = None
+        self._batches: dict[int, Batch] = {}
         load(self.device, *MODULES)
 
     def compiled(self, scene: Scene) -> CompiledScene:
         """The scene compiled, or what is kept of the last one with new poses."""
         kept = self._compiled
         if kept is None or not _differ_in_poses_alone(kept.scene, scene):
-            self._batch = None
+            self._batches = {}
             kept = compile_scene(scene)
         else:
             home, faulty = poses_of(scene)
@@ -68,27 +71,66 @@ class LiveLayout:
             Poses [N, 4], or None where no feasible layout was found. The judge has the last word on them.
         """
         compiled = self.compiled(scene)
-        room = compiled.room
-        world = room.home[None]
+        world = compiled.room.home[None]
         if surfaces and compiled.domains:
             job = Job(compiled, world, "given", seed)
             mend_surfaces(job, "projection", self.device, None)
             world = job.world
-        batch = self._batch
-        if batch is None:
-            batch = self._batch = make_batch([room], np.zeros(CANDIDATES, dtype=np.int32), self.device)
-        indices = {compiled.scene.index(object_id) for object_id in free}
-        mask = np.isin(np.arange(room.size), sorted({int(room.roots[i]) for i in indices}))
+        poses, lack, moved = self._nearest(compiled, np.repeat(world, CANDIDATES, axis=0), free, tries, seed)
+        best = int(np.lexsort((moved, lack))[0])
+        return None if lack[best] > 0 else poses[best]
+
+    def place(self, scene: Scene, free: Collection[str], *, count: int = STARTS, seed: int = 0) -> np.ndarray | None:
+        """Feasible poses with some objects anywhere in the room, as near as possible to where they are.
+
+        Args:
+            scene: where things are.
+            free: ids of what may go anywhere, with all that stands on it; all else is held.
+            count: places to begin at, drawn over the floor, with the objects turned by quarters.
+            seed: of these places.
+
+        Returns:
+            Poses [N, 4], or None where no feasible layout was found, or where what is free stands on something.
+        """
+        compiled = self.compiled(scene)
+        room = compiled.room
+        roots = sorted({scene.index(name) for name in free})
+        if any(room.roots[i] != i for i in roots):
+            return None
+        rng = np.random.default_rng(seed)
+        x0, y0, x1, y1 = room.region.box
+        start = np.repeat(room.home[None], count, axis=0)
+        for i in roots:
+            members = np.flatnonzero(room.roots == i)
+            stack = relative(start[:, members], start[:, None, i])
+            there = start[:, i].copy()
+            there[:, :2] = rng.uniform((x0, y0), (x1, y1), (count, 2))
+            there[:, 3] += rng.integers(4, size=count) * (np.pi / 2)
+            start[:, members] = absolute(stack, there[:, None])
+        poses, lack, _ = self._nearest(compiled, start, free, 1, seed)
+        d = poses[:, roots] - room.home[roots]
+        far = np.linalg.norm(d[..., :3], axis=-1) + 0.5 * np.abs(wrap_angle(d[..., 3]))
+        best = int(np.lexsort((far.sum(axis=1), lack))[0])
+        return None if lack[best] > 0 else poses[best]
+
+    def _nearest(
+        self, compiled: CompiledScene, start: np.ndarray, free: Collection[str], tries: int, seed: int
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Layouts [B, N, 4] projected with some objects free: poses, what each misses [m], its squared movement."""
+        room, count = compiled.room, len(start)
+        if count not in self._batches:
+            self._batches[count] = make_batch([room], np.zeros(count, dtype=np.int32), self.device)
+        batch = self._batches[count]
+        roots = {int(room.roots[compiled.scene.index(name)]) for name in free}
+        mask = np.isin(np.arange(room.size), sorted(roots))
         batch.keep.object_free.assign(np.where(mask, room.free, 0).astype(np.int32))  # else the tables are kept
-        start = np.repeat(world, CANDIDATES, axis=0).astype(np.float32)
         for array in (batch.state.poses, batch.state.anchors):
-            array.assign(start)
+            array.assign(start.astype(np.float32))
         wp.launch(set_turns, start.shape[:2], [batch.state.poses], [batch.state.turns], device=self.device)
-        batch.state.rng.assign(streams(seed, np.arange(CANDIDATES)))
+        batch.state.rng.assign(streams(seed, np.arange(count)))
         lack, moved = nearest_feasible(batch, tries)
         batch.keep.object_free.assign(room.free.astype(np.int32))  # others share the tables
-        best = int(np.lexsort((moved, lack))[0])
-        return None if lack[best] > 0 else np.asarray(batch.state.poses.numpy()[best], dtype=np.float64)
+        return np.array(batch.state.poses.numpy(), dtype=np.float64), lack, moved
 
 
 def _differ_in_poses_alone(one: Scene, other: Scene) -> bool:

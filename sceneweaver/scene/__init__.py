@@ -54,7 +54,10 @@ from .intent import Priority as Priority
 from .io import EXAMPLES as EXAMPLES
 from .migrate import SCHEMA as SCHEMA
 from .migrate import migration as migration
+from .model import Named as Named
 from .model import Scene as Scene
+from .model import id_of as id_of
+from .model import point_of as point_of
 from .objects import Dropped as Dropped
 from .objects import Part as Part
 from .objects import Pose as Pose
@@ -84,6 +87,7 @@ __all__ = [
     "Intent",
     "MAX_BYTES",
     "MissingDependencyError",
+    "Named",
     "PRIORITIES",
     "Palette",
     "ParamSpec",
@@ -122,9 +126,11 @@ __all__ = [
     "edit_from_json",
     "edit_to_json",
     "edits_from_json",
+    "id_of",
     "invert",
     "locked",
     "migration",
+    "point_of",
     "read_bytes",
     "register_relation",
     "sweep",

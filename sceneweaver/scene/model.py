@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import Any, Protocol
 
 from sceneweaver.geometry.se2 import SE2
 
@@ -17,11 +17,33 @@ from .objects import Pose, SceneObject
 from .relation import Relation
 
 
+class HasId(Protocol):
+    """An object, or a handle of one."""
+
+    @property
+    def id(self) -> str:
+        """Its id."""
+        ...
+
+
+Named = str | HasId
+"""An object of a scene: its id, itself, or a handle of it."""
+
+
+def id_of(what: Any) -> str:
+    """The id of an object: of itself, of its handle, or the id as it is; InputError for anything else."""
+    found = getattr(what, "id", what)
+    if not isinstance(found, str):
+        raise InputError(f"{show(what)} is no object; give its id, or what add returned")
+    return found
+
+
 class Scene(Shown, SceneContent):
     """A whole scene. Immutable: edits return a new scene.
 
-    Its edits are methods. Each gives a new scene and raises InputError with one line where the edit is impossible; none
-    solves a pose, `sceneweaver.EditSession` does. Lengths are metres, turns degrees counter-clockwise.
+    Its edits are methods, and take ids, objects or handles. Each gives a new scene and raises InputError with one line
+    where the edit is impossible; none solves a pose, `sceneweaver.EditSession` does. Lengths are metres, turns degrees
+    counter-clockwise.
 
     Examples:
         >>> import sceneweaver as sw
@@ -33,6 +55,11 @@ class Scene(Shown, SceneContent):
         (1.2, 15, True)
     """
 
+    def __repr__(self) -> str:
+        return f"Scene({self.id!r}: {len(self.objects)} objects, {len(self.relations)} relations)"
+
+    __str__ = __repr__
+
     def edit(self, *edits: AnyEdit) -> Scene:
         """The scene after some typed edits (`sceneweaver.scene.edits`), in order."""
         return apply_all(self, edits)[0] if len(edits) != 1 else apply(self, edits[0])
@@ -41,20 +68,20 @@ class Scene(Shown, SceneContent):
         """The scene with one object more; `sceneweaver.build` makes objects of words."""
         return apply(self, Add(object=obj))
 
-    def remove(self, object_id: str, *, cascade: bool = False) -> Scene:
+    def remove(self, what: Named, *, cascade: bool = False) -> Scene:
         """The scene without an object and the relations that name it.
 
         Refused where something stands on it, unless ``cascade`` says to take that out as well.
         """
-        return apply(self, Remove(id=object_id, cascade=cascade))
+        return apply(self, Remove(id=id_of(what), cascade=cascade))
 
-    def rename(self, object_id: str, new_id: str) -> Scene:
+    def rename(self, what: Named, new_id: str) -> Scene:
         """The scene with another id for an object, in relations and supports too."""
-        return apply(self, Rename(id=object_id, new_id=new_id))
+        return apply(self, Rename(id=id_of(what), new_id=new_id))
 
     def move(
         self,
-        object_id: str,
+        what: Named,
         *,
         to: Pose | Sequence[float] | None = None,
         by: Sequence[float] | None = None,
@@ -63,11 +90,12 @@ class Scene(Shown, SceneContent):
         """The scene with an object elsewhere, and with it all that stands on it.
 
         Args:
-            object_id: what to move.
+            what: the object to move.
             to: where its bottom centre goes: (x, y) or (x, y, z) [m], or a whole pose.
             by: how far it goes instead: (dx, dy) or (dx, dy, dz) [m].
             turn: how far it is turned [degrees].
         """
+        object_id = id_of(what)
         here = self.object(object_id).pose
         x, y, z = here.position
         if to is not None and by is not None:
@@ -75,8 +103,8 @@ class Scene(Shown, SceneContent):
         if isinstance(to, Pose):
             there, yaw = to.position, to.yaw
         else:
-            step = _place("by", by, 0.0) if by is not None else (0.0, 0.0, 0.0)
-            there, yaw = _place("to", to, z) if to is not None else (x + step[0], y + step[1], z + step[2]), here.yaw
+            step = point_of("by", by, 0.0) if by is not None else (0.0, 0.0, 0.0)
+            there, yaw = point_of("to", to, z) if to is not None else (x + step[0], y + step[1], z + step[2]), here.yaw
         yaw += math.radians(_number("turn", turn))
         before, after = here.frame, SE2(there[0], there[1], yaw)
         poses = {}
@@ -90,9 +118,10 @@ class Scene(Shown, SceneContent):
         return self.replace_poses(poses)
 
     def resize(
-        self, object_id: str, *, depth: float | None = None, width: float | None = None, height: float | None = None
+        self, what: Named, *, depth: float | None = None, width: float | None = None, height: float | None = None
     ) -> Scene:
         """The scene with another size [m] of an object; what is not given stays. What stands on it goes along."""
+        object_id = id_of(what)
         obj = self.object(object_id)
         size = tuple(old if new is None else new for old, new in zip(obj.size, (depth, width, height), strict=True))
         scene = apply(self, SetSize(id=object_id, size=size))  # pyright: ignore[reportArgumentType]
@@ -106,9 +135,9 @@ class Scene(Shown, SceneContent):
 
     def relate(
         self,
-        subject: str,
+        subject: Named,
         type: str,  # noqa: A002 - the name of the field
-        target: str | tuple[str, str] | None = None,
+        target: Named | tuple[Named, Named] | None = None,
         *,
         hard: bool = True,
         weight: float = 1.0,
@@ -124,12 +153,20 @@ class Scene(Shown, SceneContent):
             weight: among soft relations.
             params: numbers of the type, set for this relation.
         """
-        given = {"type": type, "subject": subject, "target": target, "params": params, "hard": hard, "weight": weight}
+        named = {"type": type, "subject": id_of(subject), "target": _target(target)}
+        given = {**named, "params": params, "hard": hard, "weight": weight}
         return apply(self, Relate(relation=Relation(**given)))
 
-    def unrelate(self, subject: str, type: str, target: str | tuple[str, str] | None = None) -> Scene:  # noqa: A002
+    def unrelate(self, subject: Named, type: str, target: Named | tuple[Named, Named] | None = None) -> Scene:  # noqa: A002
         """The scene without the first relation of that type, subject and target."""
-        return apply(self, Unrelate(type=type, subject=subject, target=target))
+        return apply(self, Unrelate(type=type, subject=id_of(subject), target=_target(target)))
+
+
+def _target(target: Any) -> str | tuple[str, str] | None:
+    """A relation's target by ids."""
+    if isinstance(target, list | tuple) and len(target) == 2:
+        return id_of(target[0]), id_of(target[1])
+    return None if target is None else id_of(target)
 
 
 def _number(name: str, value: Any) -> float:
@@ -138,8 +175,8 @@ def _number(name: str, value: Any) -> float:
     return float(value)
 
 
-def _place(name: str, values: Iterable[Any], height: float) -> tuple[float, float, float]:
-    """Three numbers out of two or three."""
+def point_of(name: str, values: Iterable[Any], height: float) -> tuple[float, float, float]:
+    """Three finite numbers out of two or three; InputError, with ``name``, for anything else."""
     try:
         found = [float(v) for v in values]
     except (TypeError, ValueError):

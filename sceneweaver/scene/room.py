@@ -97,7 +97,12 @@ class Room(FrozenModel):
             height: of the ceiling [m].
             kind: of room, such as bedroom.
         """
-        (a, b), (w, d) = cut, (width, depth)
+        if not isinstance(cut, list | tuple) or len(cut) != 2:
+            raise InputError(f"cut is {show(cut)}; give width and depth of what is missing")
+        sides = (*cut, width, depth)
+        if any(isinstance(v, bool) or not isinstance(v, int | float) for v in sides):
+            raise InputError(f"width, depth and cut are {show(width)}, {show(depth)} and {show(cut)}; give metres")
+        a, b, w, d = sides
         if not (0 < a < w and 0 < b < d):
             raise InputError(f"cut is {show(cut)}; it must be smaller than the room, {w:g} x {d:g} m, and above 0")
         notches = {

@@ -126,6 +126,14 @@ def test_the_stub_has_what_the_code_has():
         assert named == list(inspect.signature(source).parameters)
 
 
+def test_edits_of_the_scene_take_handles(room):
+    desk, shelf = room.add("desk"), room.add("bookcase")
+    scene = room.scene().move(desk, by=(0.1, 0)).relate(shelf, "near", desk).relate("desk-0", "parallel", shelf.object)
+    assert [(r.subject, r.target) for r in scene.relations] == [("bookcase-0", "desk-0"), ("desk-0", "bookcase-0")]
+    assert scene.unrelate(shelf, "near", desk).remove(desk.object).ids == ("bookcase-0",)
+    assert repr(scene) == "Scene('scene': 2 objects, 2 relations)"
+
+
 def test_a_list_gives_several_relations(room):
     desk, shelf = room.add("desk"), room.add("bookcase")
     room.add("plant", near=[desk, shelf.id], facing=None, parallel=False)
@@ -139,7 +147,7 @@ WRONG = [
     (lambda r: r.add("lamp", on="desk-7"), "'desk-7' is no object"),
     (lambda r: r.add("desk", facing=True), "facing: say of what (object); True is no target"),
     (lambda r: r.add("desk", between="bed"), "between is"),
-    (lambda r: r.add("desk", near=3), "3 is no object; give what add returned, or an id"),
+    (lambda r: r.add("desk", near=3), "3 is no object; give its id, or what add returned"),
     (lambda r: r.add(" "), "add: name what to add"),
     (lambda r: r.add("books", on=r.add("rug")), 'add: "rug-0" has no top to stand on'),
     (lambda r: r.add("bed", inside=r.add("bookcase")), "fits on no surface"),
@@ -148,6 +156,9 @@ WRONG = [
     (lambda r: r.add_door("south", at=2), "door: at is 2; give a share of the wall, 0 to 1"),
     (lambda r: r.add_window("north", width="wide"), "window: width is"),
     (lambda r: r.relate("nobody", "near", "door-0"), "nobody"),
+    (lambda r: r.add("desk", at=(1,)), "at is"),
+    (lambda r: r.add("desk", width="wide"), "add: width is"),
+    (lambda r: r.add("desk", seed=-1), "seed is -1; give a whole number of at least 0"),
 ]
 
 

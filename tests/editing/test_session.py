@@ -45,6 +45,7 @@ def test_what_is_in_order_stays_where_it_was_put(session):
     chair = session.scene.object("chair").pose.position
     result = session.move("chair", by=(0.0, 0.05))
     assert (result.valid, result.freed, result.moves) == (True, "nothing", ())
+    assert repr(result).startswith("EditResult(valid, 0 moved, ")
     assert result.scene.object("chair").pose.position == pytest.approx((chair[0], chair[1] + 0.05, chair[2]))
 
 
@@ -137,6 +138,7 @@ def test_a_failing_edit_changes_nothing(session):
         lambda: session.add("desk", facing="nobody"),
         lambda: session.relate("chair", "nera", "bed"),
         lambda: session.update(given, ["nobody"]),
+        lambda: session.update("bedroom"),
         lambda: session.resize("chair", width=-1.0),
         lambda: session.move(3, by=(1, 0)),
     ):

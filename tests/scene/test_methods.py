@@ -78,6 +78,7 @@ WRONG = [
     (lambda s: s.move("desk", to="here"), "to is"),
     (lambda s: s.move("desk", to=(1, math.nan)), "to is"),
     (lambda s: s.move("desk", turn="left"), "turn is"),
+    (lambda s: s.move(None, by=(1, 0)), "null is no object; give its id"),
     (lambda s: s.resize("desk", width=0), "size[1]"),
     (lambda s: s.relate("desk", "nere", "armchair"), 'did you mean "near"?'),
     (lambda s: s.unrelate("desk", "near", "armchair"), "there is no such relation"),

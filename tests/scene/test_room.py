@@ -43,6 +43,8 @@ WRONG = [
     (lambda: Room.polygon("abc"), "outline is"),
     (lambda: Room.polygon([(0, 0), (0, 1), (1, 1)]), "runs clockwise"),
     (lambda: Room.l_shape(4, 5, cut=(4, 1)), "cut is"),
+    (lambda: Room.l_shape(4, 5, cut=1), "cut is 1; give width and depth of what is missing"),
+    (lambda: Room.l_shape("4", 5, cut=(1, 1)), "give metres"),
     (lambda: Room.l_shape(4, 5, cut=(1, 1), corner="north"), "corner is"),
     (lambda: Room.rectangle(4, 5).with_door("up"), 'there is no wall "up"'),
     (lambda: Room.rectangle(4, 5).with_door("wall:4"), "there is no wall"),
