@@ -60,7 +60,7 @@ def energy_and_grad(problem: Problem, poses: Array, which: Array | None = None) 
 
 
 def residuals(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
-    """Residuals [..., M] in metres: `Problem.residuals`. ``jacfwd``, ``jacrev`` and least-squares solvers go through it.
+    """Residuals [..., M] in metres: `Problem.residuals`; ``jacfwd``, ``jacrev`` and least-squares solvers take it.
 
     The energy is the sum of their squares over 0.1 m. Errors as for `energy`.
 
