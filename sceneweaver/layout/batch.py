@@ -38,3 +38,13 @@ def _packed(problems: Sequence[LayoutProblem], device: str, pools) -> Packed:
     if device not in kept:
         kept[device] = pack(problems, device, None)
     return kept[device]
+
+
+def stacked(worlds: Sequence[np.ndarray], objects: int) -> np.ndarray:
+    """Poses [B, N, 4] of scenes of different sizes, padded to ``objects`` of them."""
+    padded = np.zeros((sum(len(w) for w in worlds), objects, 4), dtype=np.float32)
+    first = 0
+    for world in worlds:
+        padded[first : first + len(world), : world.shape[1]] = world
+        first += len(world)
+    return padded

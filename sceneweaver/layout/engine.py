@@ -16,17 +16,17 @@ from sceneweaver.kernels import load
 from sceneweaver.kernels.bookkeeping import broadcast_poses, set_turns
 from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, judge, load_poses, run, streams
 from sceneweaver.optimizers.batch import Progress
-from sceneweaver.optimizers.search import effort_for
 from sceneweaver.optimizers.snap import MODULES as SNAP_MODULES
 from sceneweaver.optimizers.snap import snap_batch
 from sceneweaver.scene import InputError, Scene
 
 from .access import walkable_shares
-from .batch import make_batch
+from .batch import make_batch, stacked
 from .compile import CompiledScene, LayoutProblem, compile_scene
 from .devices import WALKED, pick_devices, solve_on
 from .job import Job
 from .pack import PULL, weights
+from .pools import POOL_SALT, surface_pools
 from .problem import Problem
 from .quality import QualityTerm, check_terms
 from .rate import rated, walked
@@ -36,8 +36,6 @@ from .surfaces import BROKEN, surfaces_hold
 
 INITS = ("sample", "random", "current")
 DIVERGED = 3
-POOL = 64  # layouts solved beforehand for every support surface
-POOL_SALT = 0x5EED
 DOMAIN_STRIDE = 2**24  # candidates of one surface, for the numbers of their random streams
 ROUNDING = 2.0e-6  # [m] and [rad] that a pose loses on the way into a surface's frame and back
 
@@ -167,7 +165,7 @@ def solve(
     """Solve jobs in shared launches, rooms of like size together."""
     method = find_optimizer(optimizer)
     load(device, *_modules(jobs, optimizer, device), *(SNAP_MODULES if snap else ()))
-    pools = _pools(jobs, device, monitor.deadline)
+    pools = surface_pools(jobs, device, monitor.deadline)
     buckets: dict[tuple[str, int], list[int]] = {}
     for i, job in enumerate(jobs):
         buckets.setdefault((job.start, int(math.log2(max(job.compiled.room.size, 1)))), []).append(i)
@@ -298,22 +296,14 @@ def _movement(before: np.ndarray, after: np.ndarray, in_order: np.ndarray) -> np
     return np.sum(moved + np.where(in_order, 5.0, 0.05) * (moved > 0.01), axis=-1)
 
 
-def _stack(worlds: Sequence[np.ndarray], objects: int) -> np.ndarray:
-    """Poses of scenes of different sizes, padded to one."""
-    padded = np.zeros((sum(len(w) for w in worlds), objects, 4), dtype=np.float32)
-    first = 0
-    for world in worlds:
-        padded[first : first + len(world), : world.shape[1]] = world
-        first += len(world)
-    return padded
-
-
 def _load_worlds(batch: Batch, worlds: Sequence[np.ndarray]) -> None:
     """Set the poses to begin with, those of one scene after the other. What is the same for all goes over once."""
     if any(world.strides[0] for world in worlds):
-        load_poses(batch, _stack(worlds, batch.objects))
+        load_poses(batch, stacked(worlds, batch.objects))
         return
-    homes = wp.array(_stack([world[:1] for world in worlds], max(batch.objects, 1)), dtype=wp.vec4, device=batch.device)
+    homes = wp.array(
+        stacked([world[:1] for world in worlds], max(batch.objects, 1)), dtype=wp.vec4, device=batch.device
+    )
     state = batch.state
     wp.launch(
         broadcast_poses,
@@ -350,31 +340,8 @@ def _prepared(
     if len(devices) == 1:
         return list(jobs)
     load(devices[0], *_modules(jobs, optimizer, devices[0]))
-    pools = _pools(jobs, devices[0], monitor.deadline)
+    pools = surface_pools(jobs, devices[0], monitor.deadline)
     return [replace(job, pools=mine) for job, mine in zip(jobs, pools, strict=True)]
-
-
-def _pools(jobs: Sequence[Job], device: str, deadline: float | None) -> list[list[np.ndarray]]:
-    """For every surface of every job, POOL layouts [POOL, members, 4] of its surface, all solved in shared launches."""
-    pools: list[list[np.ndarray]] = [[] if job.pools is None else job.pools for job in jobs]
-    open_jobs = [(j, job) for j, job in enumerate(jobs) if job.pools is None]
-    domains = [(j, k, d) for j, job in open_jobs for k, d in enumerate(job.compiled.domains)]
-    if not domains:
-        return pools
-    which = np.repeat(np.arange(len(domains)), POOL)
-    batch = make_batch([d.problem for _, _, d in domains], which, device)
-    load_poses(batch, _stack([np.repeat(d.problem.home[None], POOL, axis=0) for _, _, d in domains], batch.objects))
-    seeds = [streams(jobs[j].seed ^ POOL_SALT, k * POOL + np.arange(POOL)) for j, k, _ in domains]
-    batch.state.rng.assign(np.concatenate(seeds))
-    attempts = effort_for(device, "random", batch.objects).attempts  # some good layouts are enough
-    run(batch, "search", "random", attempts, Monitor(len(which), deadline))
-    status = judge(batch).status.reshape(-1, POOL)
-    poses = batch.state.poses.numpy().reshape(len(domains), POOL, batch.objects, 4)
-    for (j, _, domain), found, layouts in zip(domains, status, poses, strict=True):
-        good = np.flatnonzero(found == 0)
-        entries = np.resize(good, POOL) if good.size else np.arange(POOL)
-        pools[j].append(layouts[entries, : domain.problem.size])
-    return pools
 
 
 def _locals(compiled: CompiledScene, world: np.ndarray) -> list[np.ndarray]:
@@ -392,7 +359,7 @@ def _domain_batch(compiled: CompiledScene, world: np.ndarray, seed: int, first: 
     """Every surface of every candidate (numbered from ``first``) of one scene as a batch, surface by surface."""
     which = np.repeat(np.arange(len(compiled.domains)), len(world))
     batch = make_batch([d.problem for d in compiled.domains], which, device)
-    load_poses(batch, _stack(_locals(compiled, world), batch.objects))
+    load_poses(batch, stacked(_locals(compiled, world), batch.objects))
     numbers = which * DOMAIN_STRIDE + np.tile(first + np.arange(len(world)), len(compiled.domains))
     batch.state.rng.assign(streams(seed ^ ~POOL_SALT & 0xFFFFFFFF, numbers))
     return batch
