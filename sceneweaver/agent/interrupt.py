@@ -100,7 +100,7 @@ class Interrupt:
             return self._disarm()
         if safe is frame or (left < -PATIENCE and self._may_break(frame)):
             raise TimeUp
-        return self._watch(safe) if sys.gettrace() is None else _ring(POLL)
+        return self._watch(safe) if sys.gettrace() in (None, _no_trace) else _ring(POLL)
 
     def _innermost(self, frame: FrameType | None) -> FrameType | None:
         """The last frame from the block on up to which all are our own; None when the block does not run."""

@@ -14,7 +14,7 @@ def test_the_examples_run():
     names: dict = {}
     for number, block in enumerate(ours):
         exec(compile(block, f"<example {number} in research.md>", "exec"), names)
-    assert len(ours) == len(blocks) - 1 == 4
+    assert len(ours) == len(blocks) - 1 == 6
     assert names["jacobian"].shape == (names["problem"].items, names["problem"].objects, 4)
     assert names["solution"].poses.shape[0] == 64 and np.isfinite(names["slope"]).all()
     poses = names["poses"][:4]
