@@ -83,7 +83,8 @@ def _equals(survey: Survey) -> Iterator[Finding]:
     sets: dict[tuple[str, str], list[Body]] = defaultdict(list)
     for body in survey.bodies:
         item = survey.program.item_of.get(body.id)
-        if body.item.mount == "wall" and body.item.category in kinds.EYE_LEVEL:
+        hung_later = body.item.intent.program_item is None
+        if body.item.mount == "wall" and (hung_later or body.item.category in kinds.EYE_LEVEL):
             continue
         if item is not None and survey.room_type.item(item).same and body.item.mount != "surface":
             sets[item, body.item.category].append(body)
