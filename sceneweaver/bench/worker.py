@@ -8,13 +8,13 @@ from dataclasses import replace
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 
+from .clock import settle
 from .execute import Prepared, blank, execute
 from .methods import Method
 from .schema import Row
 from .settings import Settings
 from .tasks import Task
 
-HARMLESS = ("ImportError", "ModuleNotFoundError", "InputError")
 SPAWN = get_context("spawn")  # a fork of a process that has used CUDA or JAX is of no use
 
 
@@ -39,9 +39,9 @@ class Worker:
             except EOFError:
                 reason = f"the process ended by itself, exit code {self.close()}"
                 break
-            if found is None:
-                if row.outcome == "failed" and settings.device != "cpu" and not row.reason.startswith(HARMLESS):
-                    self.close()  # an error of CUDA stays with its process
+            if isinstance(found, bool):
+                if not found:
+                    self.close()
                 return
             row = found
             yield row
@@ -74,7 +74,7 @@ class Worker:
 
 
 def serve(end: Connection) -> None:
-    """Do what is asked for until nobody asks any more. A None follows the last row of a run."""
+    """Do what is asked for until nobody asks any more. Whether the device still works follows the last row of a run."""
     prepared = Prepared()
     while True:
         try:
@@ -83,4 +83,13 @@ def serve(end: Connection) -> None:
             return
         for row in execute(method, task, seed, settings, prepared):
             end.send(row)
-        end.send(None)
+        end.send(works(settings.device))
+
+
+def works(device: str) -> bool:
+    """Whether a device still works for this process: an error of CUDA stays for good."""
+    try:
+        settle(device)
+    except Exception:  # Warp and PyTorch raise their own
+        return False
+    return True
