@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, wait
 
 import numpy as np
 import warp as wp
@@ -12,6 +12,7 @@ from .base import OPTIMIZERS, Monitor, OptimizerResult, Start
 from .batch import Batch
 
 PIECE = 32  # candidates that one CPU thread takes at a time: small enough to share work, large enough to pay a launch
+TICK = 0.1  # [s] after which who waits for the threads looks up
 PIECE_PAIRS = 2**17  # pairs of objects in those candidates: no launch should go on for seconds when time is up
 
 
@@ -42,8 +43,12 @@ def run(batch: Batch, optimizer: str, start: Start, budget: int | None, monitor:
         return solve(parts[0], start, budget, monitor)
     outcomes = [solve(parts[0], start, budget, monitor)]  # the first alone: it compiles what is not compiled yet
     with ThreadPoolExecutor(cpu_threads()) as pool:
+        futures = [pool.submit(solve, part, start, budget, monitor) for part in parts[1:]]
         try:
-            outcomes += pool.map(lambda part: solve(part, start, budget, monitor), parts[1:])
+            for future in futures:
+                while not future.done():  # an interrupt can end the wait at each turn
+                    wait([future], TICK)
+                outcomes.append(future.result())
         except BaseException:
             monitor.timed_out = True  # the other threads end as well, when they look at it next
             raise

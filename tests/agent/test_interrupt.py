@@ -15,6 +15,7 @@ from types import ModuleType
 
 import pytest
 
+import sceneweaver as sw
 from sceneweaver.agent.interrupt import PATIENCE, Interrupt, TimeUp
 from sceneweaver.scene.threads import map_threads
 
@@ -246,3 +247,13 @@ def test_threads_return_in_order_and_pass_on_what_they_raise():
     assert map_threads(work, range(4), 4) == [0, 1, 2, 3]
     with pytest.raises(ZeroDivisionError):
         map_threads(lambda k: 1 // k, [1, 0, 1], 2)
+
+
+def test_a_search_over_several_threads_is_ended(capfd):
+    scene = sw.Scene.example("bedroom")
+    sw.refine(scene, candidates=2, device="cpu", explain=False)  # loads the kernels
+    capfd.readouterr()  # Warp's greeting
+    began = time.monotonic()
+    with pytest.raises(TimeUp), soon(0.5):
+        sw.refine(scene, candidates=2**16, init="random", device="cpu", explain=False)
+    assert time.monotonic() - began < 5.0
