@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import gzip
+
 import numpy as np
 
+from benchmarks.settings import ROOT
 from benchmarks.tight_rooms import tight_room
 from sceneweaver.problems import ProblemCase, generate, generate_infeasible
 from sceneweaver.problems.case import from_plain
 from sceneweaver.problems.generator import scattered
 from sceneweaver.problems.measures import facts_of
+from sceneweaver.scene import Scene
+
+DESIGNS = ROOT / "benchmarks" / "data" / "strict_eyes"
 
 # Objects, tightness, and for some a density or a shape. The seed is the place in the row: add at the end.
 FEASIBLE: dict[str, tuple[tuple, ...]] = {
@@ -38,11 +44,13 @@ INFEASIBLE = (
     ("angle", 30),
 )
 BEDROOMS = (5, 6, 7, 8, 9, 10)  # seeds
+ROOMS = ("bathroom", "bedroom", "childrens_room", "gym", "kitchen", "living_room", "meeting_room", "office")
+ROOMS += ("restaurant", "waiting_room")  # that the agent designed, kept for the critic
 
 
 def made() -> list[ProblemCase]:
     """Make every problem anew; the same code gives the same ones."""
-    found = [_bedroom(seed) for seed in BEDROOMS]
+    found = [_bedroom(seed) for seed in BEDROOMS] + [_design(kind) for kind in ROOMS]
     for family, rows in FEASIBLE.items():
         for seed, (objects, tightness, *more) in enumerate(rows):
             name = f"{family}/n{objects:03d}-t{round(100 * tightness):02d}"
@@ -59,8 +67,18 @@ def made() -> list[ProblemCase]:
 
 def _bedroom(seed: int) -> ProblemCase:
     scene = tight_room(seed)
+    return _found("bedrooms", f"seed{seed}", scene, seed)
+
+
+def _design(kind: str) -> ProblemCase:
+    scene = Scene.loads(gzip.decompress((DESIGNS / f"{kind}_1001.json.gz").read_bytes()))
+    return _found("designs", kind.replace("_", "-"), scene.model_copy(update={"provenance": {}}), 1001)
+
+
+def _found(family: str, title: str, scene: Scene, seed: int) -> ProblemCase:
+    """The problem of a scene that is valid as it is."""
     witness = np.array([(*o.pose.position, o.pose.yaw) for o in scene.objects]).round(5).tolist()
-    name = f"bedrooms/n{len(scene.objects):03d}-seed{seed}"
+    name = f"{family}/n{len(scene.objects):03d}-{title}"
     data = scattered(scene, seed).model_copy(update={"id": name.replace("/", "-")}).to_json()
-    plain = {"name": name, "family": "bedrooms", "version": 1, "scene": data, "certificate": None}
+    plain = {"name": name, "family": family, "version": 1, "scene": data, "certificate": None}
     return from_plain({**plain, "witness": witness}, facts_of(scene))

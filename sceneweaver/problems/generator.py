@@ -42,7 +42,7 @@ def generate(
     """Make a problem of a family whose witness is known, as the room was built around it.
 
     Args:
-        family: one of those with feasible problems, but for "bedrooms".
+        family: one of those with feasible problems, but for "bedrooms" and "designs".
         objects: how many, up to 1,000.
         tightness: share of the floor that footprints and hard zones take, the doors' own floor left out. It is
             reached to 0.01. For surfaces it is that of the things on their boards as well.

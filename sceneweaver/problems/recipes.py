@@ -109,6 +109,7 @@ RECIPES: dict[str, Recipe] = {
 
 OTHERS = {
     "bedrooms": "Bedrooms that are tight to the last: backs to walls, zones, seats, things on furniture.",
+    "designs": "Rooms that the agent designed: real furniture, lamps, small things on everything.",
     "infeasible": "No layout is valid, and a certificate says why.",
 }
 

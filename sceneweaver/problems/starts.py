@@ -16,9 +16,9 @@ NOISE_RAD = math.radians(15)
 def draw(scene: Scene, witness: np.ndarray | None, count: int, seed: int) -> np.ndarray:
     """Layouts [count, N, 4] float32, by a stream of its own for each seed.
 
-    Without a witness what stands on the floor is uniform in the box around the room, and what stands on a surface
-    uniform in the box around that; all turned anyhow. With one, it is the witness with noise, N(0, 0.3 m) and
-    N(0, 15 degrees), for all that stands on the floor; what stands on it goes along. What is fixed stays.
+    Without a witness all but what stands on a surface is uniform in the box around the room, at its own height, and
+    what stands on a surface uniform in the box around that; all turned anyhow. With one, it is the witness with noise,
+    N(0, 0.3 m) and N(0, 15 degrees), for all but what stands on a surface, which goes along. What is fixed stays.
     """
     rng = np.random.default_rng([seed, 0 if witness is None else 1])
     n = len(scene.objects)

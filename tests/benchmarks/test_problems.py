@@ -26,7 +26,7 @@ def test_the_frozen_problems_are_those_of_the_list():
 
 
 def test_every_family_has_rows():
-    assert {*FEASIBLE, "bedrooms", "infeasible"} == set(problems.families())
+    assert {*FEASIBLE, "bedrooms", "designs", "infeasible"} == set(problems.families())
 
 
 def test_every_problem_was_measured():
