@@ -126,6 +126,8 @@ def _shown(output, name: str, pictures: dict[str, bytes]) -> str:
             content = raw.encode() if ending == "svg" else base64.b64decode(raw)
             pictures[f"{name}.{ending}"] = content
             return f"![]({name}.{ending}){{ .output }}"
+    if "text/markdown" in data:
+        return f'<div class="output" markdown>\n\n{data["text/markdown"]}\n\n</div>'
     if "text/html" in data:
         return f'<div class="output">{data["text/html"]}</div>'
     return f'<pre class="output">{escape(data.get("text/plain", ""))}</pre>'
