@@ -119,8 +119,8 @@ def families() -> dict[str, str]:
 
     Examples:
         >>> from sceneweaver import problems
-        >>> sorted(problems.families())[:3]
-        ['bedrooms', 'bodies', 'groups']
+        >>> problems.families()["packing"]
+        'Boxes and nothing else: no relations, tightness is all.'
     """
     about = {name: recipe.about for name, recipe in RECIPES.items()} | OTHERS
     return {name: about[name] for name in sorted(about)}
