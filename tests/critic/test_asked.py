@@ -271,7 +271,7 @@ def acts(case: Case, fault: Fault) -> None:
         case "remove_objects" | "update_layout":
             assert set(calls) == {"ids"} and set(calls["ids"]) <= ids
         case "update_rotation":
-            assert set(calls["ids"]) <= ids and ("toward" in calls) != ("yaw" in calls)
+            assert set(calls["ids"]) <= ids and len({"toward", "yaw", "square"} & set(calls)) == 1
             assert calls.get("toward", next(iter(ids))) in ids
         case "update_size":
             assert set(calls["sizes"]) <= ids and all(len(s) == 3 and min(s) > 0 for s in calls["sizes"].values())
@@ -305,7 +305,10 @@ def test_doing_what_a_fault_says_helps(case: Case) -> None:
             for object_id in fault.inputs["ids"]:
                 o = case.scene.object(object_id)
                 yaw = fault.inputs.get("yaw")
-                if yaw is None:
+                if fault.inputs.get("square"):
+                    turns = [math.remainder(wall.yaw - o.pose.yaw, math.pi / 2) for wall in case.scene.room.walls]
+                    yaw = o.pose.yaw + min(turns, key=abs)
+                elif yaw is None:
                     to = case.scene.object(fault.inputs["toward"])
                     dx, dy = (b - a for a, b in zip(o.pose.position[:2], to.pose.position[:2], strict=True))
                     yaw = math.atan2(dy, dx)
