@@ -34,6 +34,8 @@ class Mesh:
     ``vertices`` float64 [V, 3] in metres; ``faces`` int32 [F, 3], counter-clockwise seen from outside;
     ``face_material`` int32 [F] into ``materials``; ``face_link`` int32 [F]: the link that carries the face, 0 is the
     body that stands still. Bodies overlap freely: the mesh is a set of closed pieces, not one surface.
+    ``uv`` float32 [F, 3, 2] are texture coordinates of the corners of each face in metres, u along the grain; None:
+    nobody has laid them out.
     """
 
     vertices: np.ndarray
@@ -41,6 +43,7 @@ class Mesh:
     face_material: np.ndarray
     face_link: np.ndarray
     materials: tuple[Material, ...]
+    uv: np.ndarray | None = None
 
     @property
     def bounds(self) -> np.ndarray:
