@@ -12,9 +12,10 @@ from sceneweaver.scene import InputError
 
 @dataclass(frozen=True)
 class Camera:
-    """A camera in the world: ``forward`` is a unit vector.
+    """A camera in the world: ``forward`` leads to the middle of the picture at distance 1 along the optical axis.
 
-    ``right`` and ``up`` span half the picture at distance 1; of a flat camera (no perspective), half of it in metres.
+    It is the axis itself, a unit vector, unless the lens is shifted. ``right`` and ``up`` span half the picture at that
+    distance; of a flat camera (no perspective), half of it in metres.
     """
 
     eye: tuple[float, float, float]
@@ -35,6 +36,65 @@ class Camera:
         half = math.tan(fov / 2)
         eye, forward, right, up = _tuples(eye, forward, right * half * aspect, up * half)
         return cls(eye, forward, right, up)
+
+    @classmethod
+    def level(cls, eye, yaw: float, fov: float, aspect: float = 1.0, shift: float = 0.0) -> Camera:
+        """A perspective camera that looks level, so that upright lines are upright in the picture.
+
+        Args:
+            eye: Where it is [3] in metres.
+            yaw: Direction of its optical axis [rad].
+            fov: The whole horizontal angle [rad].
+            aspect: Width over height.
+            shift: How far the lens is shifted, in half heights of the picture: above 0 it shows more of the ceiling.
+
+        Raises:
+            InputError: ``eye``, ``yaw`` or ``shift`` is not finite, or ``fov`` is not between 0 and pi.
+        """
+        _check_lens(fov, aspect)
+        eye = np.asarray(eye, dtype=float)
+        if eye.shape != (3,) or not np.isfinite([*eye, yaw, shift]).all():
+            raise InputError(f"camera: eye {eye.tolist()}, yaw {yaw} and shift {shift} are not all finite")
+        half = math.tan(fov / 2)
+        axis = np.array([math.cos(yaw), math.sin(yaw), 0.0])
+        right, up = np.array([axis[1], -axis[0], 0.0]) * half, np.array([0.0, 0.0, half / aspect])
+        eye, forward, right, up = _tuples(eye, axis + shift * up, right, up)
+        return cls(eye, forward, right, up)
+
+    def rays(self, width: int, height: int) -> np.ndarray:
+        """Unit vectors [height, width, 3] of the rays through the middles of the pixels."""
+        way = np.broadcast_to(np.asarray(self.forward), (height, width, 3))
+        way = way if self.flat else way + self._across(width, height)
+        return way / np.linalg.norm(way, axis=-1, keepdims=True)
+
+    def origins(self, width: int, height: int) -> np.ndarray:
+        """Where those rays begin, [height, width, 3] or [3] in metres."""
+        eye = np.asarray(self.eye)
+        return eye + self._across(width, height) if self.flat else eye
+
+    def project(self, points: np.ndarray) -> np.ndarray:
+        """Where points [N, 3] are in the picture, [N, 3]: to the right and up in -1..1, and depth along the axis [m].
+
+        Points behind a perspective camera have a negative depth.
+        """
+        axis, right, up = self.axis, np.asarray(self.right), np.asarray(self.up)
+        rel = np.asarray(points, dtype=float) - np.asarray(self.eye)
+        depth = rel @ axis
+        scale = np.ones_like(depth) if self.flat else np.where(np.abs(depth) < 1e-12, 1e-12, depth)
+        middle = np.zeros(3) if self.flat else np.asarray(self.forward)
+        u, v = (rel @ side / scale - middle @ side for side in (right / (right @ right), up / (up @ up)))
+        return np.stack([u, v, depth], axis=1)
+
+    def _across(self, width: int, height: int) -> np.ndarray:
+        x = 2 * (np.arange(width) + 0.5) / width - 1
+        y = 1 - 2 * (np.arange(height) + 0.5) / height
+        return x[None, :, None] * np.asarray(self.right) + y[:, None, None] * np.asarray(self.up)
+
+    @property
+    def axis(self) -> np.ndarray:
+        """Unit vector [3] along the optical axis."""
+        across = np.cross(self.up, self.right)
+        return across / np.linalg.norm(across)
 
     @classmethod
     def orthographic(cls, eye, target, height: float, aspect: float = 1.0) -> Camera:

@@ -8,13 +8,18 @@ import numpy as np
 
 from sceneweaver.geometry.angles import heading
 from sceneweaver.geometry.shell import FLOOR_THICKNESS, WALL_THICKNESS
-from sceneweaver.scene import Scene, SceneObject
+from sceneweaver.scene import Scene
 
 from .camera import Camera
+from .room_bodies import hidden_with
+from .room_probe import Probe, box_share, is_key, weight
 from .room_shell import STUB
 
 PITCH = math.radians(37.0)
 _FOV = 0.42
+
+_LOOK = (96, 72)  # pixels of the look that tells how much a camera shows
+_BEHIND = 0.1  # what a thing is worth from behind
 
 HIDDEN = 0.03
 """Share of the floor behind a wall from which on it is cut away."""
@@ -78,37 +83,33 @@ def _axes_of(scene: Scene) -> tuple[np.ndarray, np.ndarray]:
     return np.array([x, y]), np.array([-y, x])
 
 
-def _before_window(thing: SceneObject) -> bool:
-    return any(word in thing.category for word in ("curtain", "blind"))
-
-
 def _worth(scene: Scene, way: np.ndarray) -> float:
-    """How much a camera in a direction shows: fronts of objects, windows; tall things near it hide the rest."""
-    outline = np.asarray(scene.room.outline)
-    middle = (outline.min(axis=0) + outline.max(axis=0)) / 2
-    reach = max(float(np.abs((outline - middle) @ way).max()), 1e-6)
+    """How much a camera in a direction shows: objects by what is seen of them and from which side, and windows."""
     cut = cut_walls(scene, way)
-    floor = {o.id for o in scene.objects if o.mount == "floor"}
-    worth = 0.0
-    for thing in scene.objects:
-        depth, width, height = thing.size
-        if thing.mount == "ceiling" or height < 0.05:
+    camera = corner_camera(scene, way, cut, _LOOK[0] / _LOOK[1])
+    gone = hidden_with(scene, cut)
+    glimpse = Probe(scene, gone, cut, ceiling=False).look([camera], *_LOOK)[0]
+    pixels = glimpse.pixels(len(scene.objects))
+    worth, total = 0.0, 0.0
+    for thing, seen in zip(scene.objects, pixels, strict=True):
+        if thing.mount in ("ceiling", "surface") or thing.size[2] < 0.05:
             continue
-        front = thing.pose.frame.axis
-        near = float((np.asarray(thing.pose.position[:2]) - middle) @ way) / reach
-        face = width * height
-        if thing.mount == "wall":
-            # Pictures and mirrors are half of what a wall shows; curtains are large, and count by their windows.
-            face = 2.5 * min(face, 1.0) if not _before_window(thing) else 0.1 * face
-        worth += face * float(np.dot(front, way))
-        if height > 1.0 and near > 0:
-            worth -= 5.0 * max(width, depth) * (height - 0.8) * near
+        matters = weight(thing)
+        total += matters
+        # Of what is about as large as its box, 0.6 of it is seen where nothing is in the way.
+        shown = min(1.0, float(seen) / max(1.0, 0.6 * _LOOK[0] * _LOOK[1] * box_share(camera, thing)))
+        facing = float(np.dot(thing.pose.frame.axis, way))
+        side = _BEHIND + (1 - _BEHIND) * min(1.0, max(0.0, (facing + 0.8) / 0.9))
+        worth += matters * shown * side
+        if is_key(thing):  # one that is hidden or seen from behind is worse than two seen half
+            worth -= matters * (1 - shown * side) ** 2
+    worth /= max(total, 1e-9)
+    floor = {o.id for o in scene.objects if o.mount == "floor"}
     standing_there = {r.target for r in scene.relations if r.type == "at_window" and r.subject in floor}
     for window in scene.room.windows:
-        worth += 4.0 * (window.id in standing_there and window.wall not in cut)
-        worth += (0.6 if window.wall not in cut else 0.0) * window.width * window.height
-    for door in scene.room.doors:
-        worth += 0.2 * (door.wall not in cut)
+        if window.wall not in cut:
+            worth += 0.25 * (window.id in standing_there) + 0.02 * window.width * window.height
+    worth += 0.01 * sum(door.wall not in cut for door in scene.room.doors)
     # A deep L shows its inside from where no wall of the notch is in the way.
     standing = sum(wall.length for wall in scene.room.walls if wall.index not in cut)
-    return worth + 0.05 * standing
+    return worth + 0.002 * standing

@@ -15,7 +15,10 @@ FOLDER = Path(sceneweaver.kernels.__file__).parent
 PICTURES = Path(sceneweaver.__file__).parent / "render"
 FILES = [
     *sorted(p for p in FOLDER.glob("*.py") if p.name != "__init__.py"),
-    *(PICTURES / f"{name}.py" for name in ("raycast_kernels", "raycast_world", "smoothing_kernels")),
+    *(
+        PICTURES / f"{name}.py"
+        for name in ("first_hit_kernels", "raycast_kernels", "raycast_world", "smoothing_kernels")
+    ),
 ]
 BLOCKS = ("Problem", "State in", "State in and out", "State out")
 
