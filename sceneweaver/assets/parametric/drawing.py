@@ -11,9 +11,9 @@ from sceneweaver.scene.messages import suggest
 
 from ..asset import Asset
 from ..category import categories
+from ..drawing import MAKERS, Maker, Request, asset_of
 from . import families
-from .builder import Builder, Request
-from .registry import MAKERS, Maker
+from .builder import Builder
 
 
 @cache
@@ -40,4 +40,4 @@ def make(category: str, seed: int = 0, request: Request | None = None) -> Asset:
     if builder.lacks_material:  # its colour waited for it
         builder = Builder(categories()[category], seed, request, any_material=True)
         known[category](builder)
-    return builder.finish()
+    return asset_of(builder)

@@ -9,12 +9,18 @@ from .convex import containing_hull as containing_hull
 from .convex import convex_pieces as convex_pieces
 from .convex import hull as hull
 from .convex import hull_of as hull_of
+from .lofts import dome as dome
+from .lofts import ellipse as ellipse
+from .lofts import lofted as lofted
+from .lofts import rectangle as rectangle
 from .rounds import ball as ball
 from .rounds import frustum as frustum
 from .rounds import lathe as lathe
 from .rounds import lathe_hulls as lathe_hulls
 from .soft import cushion as cushion
+from .soft import pillow as pillow
 from .soft import sheet as sheet
+from .soft import sheet_uv as sheet_uv
 from .sweeps import sweep as sweep
 from .sweeps import sweep_hulls as sweep_hulls
 
@@ -24,13 +30,19 @@ __all__ = [
     "containing_hull",
     "convex_pieces",
     "cushion",
+    "dome",
+    "ellipse",
     "extrusion",
     "frustum",
     "hull",
     "hull_of",
     "lathe",
     "lathe_hulls",
+    "lofted",
+    "pillow",
+    "rectangle",
     "sheet",
+    "sheet_uv",
     "sweep",
     "sweep_hulls",
 ]

@@ -98,3 +98,39 @@ def sheet(grid: np.ndarray, thickness: float) -> Shape:
     k = n * m
     edge = np.concatenate([np.c_[rim, k + after, k + rim], np.c_[rim, after, k + after]])
     return np.concatenate([upper, lower]), np.concatenate([quads, quads[:, ::-1] + k, edge]).astype(np.int32)
+
+
+def sheet_uv(grid: np.ndarray) -> np.ndarray:
+    """Texture coordinates of the vertices of `sheet`, [2 N M, 2] in metres: lengths along both ways of the grid."""
+    grid = np.asarray(grid, dtype=np.float64)
+    lengths = []
+    for axis in (0, 1):
+        step = np.linalg.norm(np.diff(grid, axis=axis), axis=-1).mean(axis=1 - axis)
+        lengths.append(np.concatenate([[0.0], np.cumsum(step)]))
+    uv = np.stack(np.meshgrid(*lengths, indexing="ij"), axis=-1).reshape(-1, 2)
+    return np.concatenate([uv, uv])
+
+
+def pillow(depth: float, width: float, thick: float) -> Shape:
+    """A stuffed pillow with full corners that fills its box about the origin, its foot at z = 0.
+
+    Its seam runs around its middle; edges are drawn in a little between the corners.
+    """
+    n = 9
+    t = np.sin(np.linspace(-1, 1, n) * np.pi / 2)
+    u, v = np.meshgrid(t, t, indexing="ij")
+    x = depth / 2 * u * (1 - 0.04 * (1 - v**2))
+    y = width / 2 * v * (1 - 0.04 * (1 - u**2))
+    z = np.maximum(thick / 2 * np.clip((1 - u**4) * (1 - v**4), 0, 1) ** 0.5, 0.004)
+    top, low = (np.stack([x, y, thick / 2 + s * z], axis=-1) for s in (1, -1))
+    i, j = np.meshgrid(np.arange(n - 1), np.arange(n - 1), indexing="ij")
+    a = (i * n + j).ravel()
+    quads = np.concatenate([np.c_[a, a + n, a + n + 1], np.c_[a, a + n + 1, a + 1]])
+    rim = np.concatenate(
+        [np.arange(n), n - 1 + n * np.arange(1, n), (n - 1) * n + np.arange(n - 2, -1, -1), n * np.arange(n - 2, 0, -1)]
+    )
+    after = np.roll(rim, -1)
+    edge = np.concatenate([np.c_[rim, n * n + after, n * n + rim], np.c_[rim, after, n * n + after]])
+    points = np.concatenate([top.reshape(-1, 3), low.reshape(-1, 3)])
+    points[:, :2] *= np.array([depth, width]) / np.ptp(points[:, :2], axis=0)
+    return points, np.concatenate([quads, quads[:, ::-1] + n * n, edge]).astype(np.int32)

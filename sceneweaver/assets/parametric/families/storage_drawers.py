@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from ...drawing import Drawing
+from ...drawing.components import board_top, carcass, drawers
+from ...drawing.components import feet as nfeet
+from ...drawing.components import pulls as npulls
 from ..builder import Builder
 from ..joinery import door, handle
 from ..registry import draws
@@ -11,23 +15,23 @@ WOODS = ("oak", "walnut", "white paint", "light oak", "pine", "cherry", "sage pa
 
 
 @draws("dresser")
-def dresser(b: Builder) -> None:
+def dresser(d: Drawing) -> None:
     """Three or four rows of drawers, lower ones higher, under a top that stands over them."""
-    d, w, h = b.size
-    wood = b.material("body", *WOODS)
-    fronts = b.material("fronts", "white paint", "oak", "navy paint") if b.chance("two tone", 0.35) else wood
-    style, pull, reach = pulls(b, wood)
-    base = b.pick("base", ["plinth", "bracket", "tapered", "splayed"])
-    foot, over = (0.06 if base == "plinth" else 0.1 if base == "bracket" else 0.14), 0.01
-    x, y = (-d / 2, d / 2 - max(reach, over)), (-w / 2 + over, w / 2 - over)
-    with b.solid("body"):
-        feet(b, x, y, foot, wood, base)
-        inside = case(b, x, y, (foot, h - 0.022), wood)
-        top_board(b, x, y, (h - 0.022, h), wood, over)
-        rows = 3 if h < 0.85 else 4
-        columns = 1 if w < 1.0 else 2
-        head = columns if w < 0.8 else columns + 1
-        drawer_stack(b, *inside, [1.25] * (rows - 2) + [1.1, 0.8], [columns] * (rows - 1) + [head], fronts, pull, style)
+    wood = d.material("body", *WOODS)
+    fronts = d.material("fronts", "white paint", "oak", "navy paint") if d.chance("two tone", 0.35) else wood
+    style, pull, reach = npulls(d, wood)
+    base = d.pick("base", ["plinth", "bracket", "tapered", "splayed"])
+    foot = {"plinth": 0.06, "bracket": 0.1}.get(base, 0.14)
+    case = d.bounds.inset(front=max(reach, 0.01), y=0.01)
+    with d.part("body"):
+        nfeet(d, case.bottom(foot), wood, base)
+        room = carcass(d, case.inset(bottom=foot, top=0.022), wood)
+        board_top(d, case.top(0.022), wood, 0.01)
+        rows = 3 if case.height < 0.85 else 4
+        columns = 1 if case.width < 1.0 else 2
+        head = columns if case.width < 0.8 else columns + 1
+        weights = [1.25] * (rows - 2) + [1.1, 0.8]
+        drawers(d, room, weights, fronts, pull, style, [columns] * (rows - 1) + [head])
 
 
 @draws("tallboy")

@@ -1,0 +1,159 @@
+"""From a finished drawing to an asset: one mesh, hulls, prisms, surfaces, zones and links about one origin."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from sceneweaver.scene import Part, Surface, Zone
+
+from ..asset import Asset, Origin
+from ..body import Hull, Link, Material, Mesh
+from ..materials import color_name
+from ..prisms import prisms_of
+from ..zones import access_zones
+from .box import Interval
+from .drawing import Drawing
+from .layout import texture_coordinates
+from .tree import Piece, vec3
+
+Bounds = tuple[Interval, Interval, Interval]
+
+
+def asset_of(drawing: Drawing) -> Asset:
+    """All that was drawn, as an asset with its origin at the bottom centre of its box."""
+    drawn, category, request = drawing.drawn, drawing.category, drawing.request
+    mesh = _mesh(drawn.pieces)
+    low, high = mesh.bounds
+    shift = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
+    mesh.vertices[:] -= shift
+    hulls = tuple(Hull(h.vertices - shift, h.faces, h.link) for h in drawn.hulls)
+    surfaces = tuple(_moved(s, shift) for s in drawn.surfaces)
+    d, w, h = (float(v) for v in high - low)
+    x, y, z = vec3(shift)
+    free = [box.move(-x, -y, -z) for box in drawn.clear]
+    clear = [(box.x, box.y, box.z) for box in free] + [_above(s) for s in surfaces]
+    zones = [Zone(name=k.name, polygon=_shifted(k.polygon, shift), z=k.z, hard=k.hard) for k in drawn.zones]
+    zones += access_zones(category, (d, w, h), {k.name for k in zones})
+    main, name = drawing.main_material, request.label or category.name
+    attributes: dict[str, Any] = {"style": drawing.style}
+    if main is not None:
+        attributes |= {"color": color_name(main.color), "material": main.name}
+    attributes |= {key: value for key, value in drawing.shown.items() if key != "material"}
+    attributes |= _counted(drawing)
+    parts = prisms_of(hulls, drawn.groups, clear)
+    if request.shape and outline_shape(hulls, drawing.outline_axes) == request.shape:
+        attributes["shape"] = request.shape
+    words = name.replace("_", " ")
+    return Asset(
+        id=f"parametric:{category.name}?seed={drawing.seed}{request.suffix}",
+        category=name,
+        mesh=mesh,
+        hulls=hulls,
+        parts=parts,
+        mount=category.mount[0],
+        mass=_mass(drawing, (d, w, h)),
+        friction=category.friction,
+        origin=Origin(source="parametric", licence="Apache-2.0", attribution="sceneweaver"),
+        surfaces=tuple(_on_parts(s, parts) for s in surfaces),
+        zones=tuple(zones),
+        sides=category.sides,
+        links=tuple(Link(k.name, k.joint, k.axis, vec3(np.array(k.anchor) - shift), k.limits) for k in drawn.links),
+        attributes=attributes,
+        description=f"{main.name} {words}" if main is not None else words,
+    )
+
+
+def _mesh(pieces: Sequence[Piece]) -> Mesh:
+    numbers: dict[Material, int] = {}
+    material = [numbers.setdefault(piece.material, len(numbers)) for piece in pieces]
+    starts = np.cumsum([0] + [len(piece.vertices) for piece in pieces])
+    count = [len(piece.faces) for piece in pieces]
+    return Mesh(
+        vertices=np.concatenate([piece.placed for piece in pieces]),
+        faces=np.concatenate([p.faces + s for p, s in zip(pieces, starts[:-1], strict=True)]).astype(np.int32),
+        face_material=np.repeat(material, count).astype(np.int32),
+        face_link=np.repeat([piece.link for piece in pieces], count).astype(np.int32),
+        materials=tuple(numbers),
+        uv=texture_coordinates(pieces),
+    )
+
+
+def _counted(drawing: Drawing) -> dict[str, int]:
+    """How many there are of the parts that were asked for, as far as they can be told from what was drawn."""
+    joints = [link.joint for link in drawing.drawn.links]
+    there = {
+        "drawers": joints.count("slide"),
+        "doors": joints.count("hinge"),
+        "shelves": len(drawing.drawn.surfaces),
+    }
+    return {name: there[name] for name, _ in drawing.request.parts if there.get(name)}
+
+
+def _mass(drawing: Drawing, size: tuple[float, ...]) -> float:
+    """Between the category's least and largest mass by where the box's volume lies in its range."""
+    category = drawing.category
+    assert category.size is not None
+    least, most = (math.prod(r[k] for r in category.size.ranges) for k in (0, 1))
+    share = (math.prod(size) - least) / max(1e-12, most - least)
+    low, high = category.mass
+    return round(low + (high - low) * min(1.0, max(0.0, share)), 3)
+
+
+def outline_shape(hulls: Sequence[Hull], axes: tuple[int, int] = (0, 1)) -> str | None:
+    """Round, oval, square or rectangular: what the outline of some bodies is, along two axes; None: something else."""
+    import shapely
+
+    outline = shapely.MultiPoint(np.concatenate([h.vertices[:, list(axes)] for h in hulls])).convex_hull
+    ring = shapely.get_coordinates(outline.minimum_rotated_rectangle)
+    a, b = sorted(np.linalg.norm(ring[k + 1] - ring[k]) for k in (0, 1))
+    fill, even = outline.area / max(a * b, 1e-12), b < 1.12 * a
+    if fill > 0.9:
+        return "square" if even else "rectangular"
+    if 0.74 < fill < 0.87:
+        return "round" if even else "oval"
+    return None
+
+
+THICK = 0.003
+"""Height [m] by which a prism may stand above the surface that it carries, as it takes in a rim or a joint."""
+
+
+def _on_parts(surface: Surface, parts: Sequence[Part]) -> Surface:
+    """The surface as high as the prisms under it, so that what stands on it does not stand in them."""
+    import shapely
+
+    inner = shapely.Polygon(surface.polygon).buffer(-0.002)
+    tops = [
+        part.z[1]
+        for part in parts
+        if part.z[0] < surface.z < part.z[1] <= surface.z + THICK
+        and shapely.Polygon(part.polygon).intersection(inner).area > 1e-4
+    ]
+    if not tops:
+        return surface
+    room = None if surface.headroom is None else surface.headroom - (max(tops) - surface.z)
+    return surface.model_copy(update={"z": max(tops), "headroom": room})
+
+
+def _moved(surface: Surface, shift: np.ndarray) -> Surface:
+    return Surface(
+        name=surface.name,
+        polygon=_shifted(surface.polygon, shift),
+        z=round(surface.z - float(shift[2]), 6),
+        headroom=surface.headroom,
+    )
+
+
+def _shifted(polygon, shift: np.ndarray) -> tuple[tuple[float, float], ...]:
+    return tuple((round(x - float(shift[0]), 6), round(y - float(shift[1]), 6)) for x, y in polygon)
+
+
+def _above(surface: Surface) -> Bounds:
+    """The box over a surface that must stay free of prisms, a little smaller than the room itself."""
+    xs, ys = [p[0] for p in surface.polygon], [p[1] for p in surface.polygon]
+    top = surface.z + min(surface.headroom or 0.3, 0.3)
+    return (min(xs) + 1e-3, max(xs) - 1e-3), (min(ys) + 1e-3, max(ys) - 1e-3), (surface.z + 1e-3, top - 1e-3)

@@ -1,0 +1,55 @@
+"""What many pieces of furniture share, as functions of a drawing and the box to fill."""
+
+from .cases import board_top as board_top
+from .cases import carcass as carcass
+from .cases import cornice as cornice
+from .cases import shelves as shelves
+from .cases import slats as slats
+from .fittings import button as button
+from .fittings import knob as knob
+from .fittings import screen as screen
+from .fittings import tap as tap
+from .fronts import REACH as REACH
+from .fronts import door as door
+from .fronts import doors as doors
+from .fronts import drawer as drawer
+from .fronts import drawers as drawers
+from .fronts import handle as handle
+from .fronts import pulls as pulls
+from .soft import blanket as blanket
+from .soft import curtain as curtain
+from .soft import cushions as cushions
+from .soft import mattress as mattress
+from .soft import towel as towel
+from .supports import feet as feet
+from .supports import leg as leg
+from .supports import legs as legs
+from .supports import star_base as star_base
+
+__all__ = [
+    "REACH",
+    "blanket",
+    "board_top",
+    "button",
+    "carcass",
+    "cornice",
+    "curtain",
+    "cushions",
+    "door",
+    "doors",
+    "drawer",
+    "drawers",
+    "feet",
+    "handle",
+    "knob",
+    "leg",
+    "legs",
+    "mattress",
+    "pulls",
+    "screen",
+    "shelves",
+    "slats",
+    "star_base",
+    "tap",
+    "towel",
+]

@@ -1,0 +1,48 @@
+"""Small fittings: knobs, buttons, taps, screens."""
+
+from __future__ import annotations
+
+import math
+
+from ..box import Box
+from ..drawing import Drawing, Look
+
+
+def knob(
+    d: Drawing, face: Box, material: Look, radius: float = 0.02, reach: float = 0.02, mark: Look | None = None
+) -> None:
+    """A turned knob in the middle of a box's front, with a mark at its top where one is asked for."""
+    x, y, z = face.anchor("front")
+    with d.at(x, y, z, pitch=math.pi / 2):
+        profile = [(1.0, 0.0), (1.0, 0.3), (0.8, 0.4), (0.72, 1.0)]
+        d.revolve([(radius * r, reach * s) for r, s in profile], material, 16)
+    if mark:
+        d.print(Box.around((x + reach, y, z + 0.42 * radius), 0.0, 0.12 * radius, 0.45 * radius), mark)
+
+
+def button(d: Drawing, face: Box, material: Look, radius: float = 0.006, reach: float = 0.002) -> None:
+    """A round button in the middle of a box's front."""
+    x, y, z = face.anchor("front")
+    d.cylinder(Box.around((x + reach / 2, y, z), reach, 2 * radius, 2 * radius), material, "x", segments=12)
+
+
+def tap(
+    d: Drawing, material: Look, reach: float = 0.14, height: float = 0.2, radius: float = 0.012, lever: bool = True
+) -> None:
+    """A mixer tap that stands at the frame's origin: its spout bends forward (+x) by ``reach`` at ``height`` [m]."""
+    d.cylinder(Box.sized(3.4 * radius, 3.4 * radius, 0.012), material, segments=16)
+    d.cylinder(Box.sized(2.4 * radius, 2.4 * radius, 0.35 * height), material, segments=16)
+    bend = min(0.5 * reach, 0.4 * height)
+    steps = [k * math.pi / 8 for k in range(5)]
+    over = [(bend - bend * math.cos(a), 0.0, height - bend + bend * math.sin(a)) for a in steps]
+    drop = [(reach, 0.0, height - 0.25 * bend), (reach, 0.0, height - bend)]
+    flat = [(reach - 0.4 * bend, 0.0, height)] if reach - 0.4 * bend > bend + 1e-3 else []
+    d.sweep([(0.0, 0.0, 0.3 * height), *over, *flat, *drop], radius, material, segments=10)
+    if lever:
+        d.bar((0.0, 0.0, 0.25 * height), (0.3 * reach, 3.2 * radius, 0.36 * height), 0.5 * radius, material, segments=8)
+
+
+def screen(d: Drawing, face: Box, picture: Look = "screen", rim: float = 0.008) -> Box:
+    """A picture on the front of a box, inside a rim; returns its place."""
+    place = face.front(0.0).inset(y=rim, z=rim)
+    return d.print(place, picture)

@@ -1,0 +1,144 @@
+"""Fronts: handles, drawers with boxes, doors."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Literal
+
+from ...body import Material
+from ..box import Box
+from ..drawing import Drawing, Look
+
+REACH = {"bar": 0.025, "knob": 0.025, "cup": 0.022, "none": 0.0}
+"""How far a handle stands out of its front [m]."""
+
+FRONT = 0.018
+"""Thickness of a drawer's front [m]."""
+
+
+def pulls(d: Drawing, body: Material, *styles: str) -> tuple[str, Material, float]:
+    """A style of handle, a metal that shows on the body, and how far it stands out [m]."""
+    style = d.pick("pull style", styles or ("bar", "knob", "cup"))
+    dark = max(body.color) < 0.25
+    metals = ("brass", "brushed steel", "steel") if dark else ("black steel", "brass", "brushed steel")
+    return style, d.material("pulls", *metals), REACH[style]
+
+
+def handle(
+    d: Drawing, face: Box, material: Look, style: str = "bar", length: float = 0.12, upright: bool = False
+) -> None:
+    """A handle in the middle of a box's front: "bar", "knob", "cup" or "none". It stands out by `REACH`."""
+    x, y, z = face.anchor("front")
+    if style == "none":
+        return
+    if style == "knob":
+        with d.at(x, y, z, pitch=math.pi / 2):
+            d.revolve([(0.006, 0.0), (0.006, 0.012), (0.014, 0.018), (0.012, 0.025)], material, segments=12)
+    elif style == "cup":
+        d.box(Box.around((x + 0.011, y, z + 0.001), 0.022, 0.7 * length, 0.026), material, bevel=0.008)
+    else:
+        with d.at(x, y, z, roll=math.pi / 2 if upright else 0.0):
+            half = length / 2
+            d.bar((0.02, -half, 0.0), (0.02, half, 0.0), 0.005, material, segments=8)
+            with d.mirror("y"):
+                d.box(Box.around((0.009, 0.76 * half, 0.0), 0.018, 0.008, 0.008), material, bevel=0.0)
+
+
+def drawer(
+    d: Drawing,
+    name: str,
+    box: Box,
+    front: Look,
+    pull: Look,
+    style: str = "bar",
+    travel: float | None = None,
+    inside: Look = "birch",
+) -> Box:
+    """A drawer that slides: a front that ends at the box's front with a gap of 2 mm around it, and a box behind it.
+
+    The box behind has a bottom, two sides and a back, and stays 12 mm off the case at the sides. It comes out by
+    ``travel`` [m], unless told by three quarters of its depth. Returns the room inside.
+    """
+    own = box.inset(y=0.002, z=0.002)
+    with d.slide(name, limits=(0.0, round(0.75 * box.depth if travel is None else travel, 3))):
+        face = d.box(own.front(FRONT), front)
+        tray = own.inset(front=FRONT, back=0.01, y=0.012, bottom=0.012, top=min(0.03, 0.25 * box.height))
+        if min(tray.size) > 0.03:
+            d.box(tray.bottom(0.006), inside, bevel=0.0)
+            walls = tray.inset(bottom=0.006)
+            for side in (walls.left(0.012), walls.right(0.012), walls.inset(y=0.012).back(0.012)):
+                d.box(side, inside, bevel=0.0)
+        handle(d, face, pull, style, min(0.16, 0.4 * box.width))
+    return tray.inset(bottom=0.006, y=0.012, back=0.012)
+
+
+def drawers(
+    d: Drawing,
+    box: Box,
+    rows: int | Sequence[float],
+    front: Look,
+    pull: Look,
+    style: str = "bar",
+    columns: int | Sequence[int] = 1,
+    name: str = "drawer",
+) -> None:
+    """Rows of drawers from the bottom up with these weights, each row in so many columns."""
+    number = 0
+    levels = box.rows(rows)
+    counts = [columns] * len(levels) if isinstance(columns, int) else columns
+    for level, count in zip(levels, counts, strict=True):
+        for cell in level.columns(count):
+            drawer(d, f"{name}-{number}", cell, front, pull, style)
+            number += 1
+
+
+def door(
+    d: Drawing,
+    name: str,
+    box: Box,
+    leaf: Look,
+    pull: Look,
+    hung: Literal["left", "right"] = "left",
+    style: str = "bar",
+    panel: Look | None = None,
+) -> Box:
+    """A door leaf that fills a box, as thick as it is deep, hinged at its left (+y) or right; it opens outward.
+
+    With ``panel`` it is a frame of the leaf's finish around a thinner panel (glass, say).
+    """
+    own = box.inset(y=0.0015, z=0.0015)
+    limits = (0.0, 1.92) if hung == "left" else (-1.92, 0.0)
+    with d.hinge(name, own.anchor(f"front {hung} bottom"), limits=limits):
+        if panel is None:
+            d.box(own, leaf)
+        else:
+            rim = min(0.06, 0.2 * own.width)
+            for stile in (own.left(rim), own.right(rim)):
+                d.box(stile, leaf)
+            for rail in (own.bottom(rim), own.top(rim)):
+                d.box(rail.inset(y=rim), leaf)
+            d.box(own.inset(y=rim, z=rim).place(depth=0.006), panel, bevel=0.0)
+        reach = min(0.05, 0.15 * own.width)
+        long = min(0.2, 0.5 * own.height)
+        if style == "cup":  # it lies along the leaf's width, and stays on the leaf
+            long = min(long, 2 * (reach - 0.003) / 0.7)
+        y = own.y[0] + reach if hung == "left" else own.y[1] - reach
+        z = min(max(1.05, own.z[0] + 0.1), own.z[1] - long) if own.height > 1.2 else own.center[2]
+        handle(d, Box(own.x, (y, y), (z, z)), pull, style, long, upright=True)
+    return own
+
+
+def doors(
+    d: Drawing,
+    box: Box,
+    count: int,
+    leaf: Look,
+    pull: Look,
+    style: str = "bar",
+    panel: Look | None = None,
+    name: str = "door",
+) -> None:
+    """Doors side by side over a box, hung in pairs that meet in their middle; a single one is hung left."""
+    for k, cell in enumerate(box.columns(count)):
+        door(d, f"{name}-{k}", cell, leaf, pull, "right" if count > 1 and k % 2 == 0 else "left", style, panel)
