@@ -69,7 +69,7 @@ class Tree(Finishes):
     def __init__(self, category: Category, seed: int, request: Request | None = None, *, any_material: bool = False):
         super().__init__(category, seed, request, any_material=any_material)
         self.drawn = Drawn()
-        self.root = Part(category.name)
+        self.root = Part(category.name, bounds=self.bounds)
         self._inside = [self.root]
         self._frame = np.eye(4)
         self._link = 0
