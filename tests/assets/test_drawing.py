@@ -179,3 +179,21 @@ def test_what_is_no_drawing_is_refused() -> None:
         pass
     with pytest.raises(ValueError, match="a box needs room"):
         d.box(Box((0, 0), (0, 1), (0, 1)), "oak")
+
+
+def test_a_vessel_stays_open_and_castors_stand_in_their_corners() -> None:
+    d = drawing()
+    box = Box.sized(0.6, 1.0, 0.4)
+    outer = [c.oval(box.inset(x=0.05, y=0.05), 0.0, 4.0), c.oval(box, 0.4, 4.0)]
+    inner = [c.oval(box.inset(x=0.03, y=0.03), 0.4, 4.0), c.oval(box.inset(x=0.1, y=0.1), 0.03, 4.0)]
+    c.vessel(d, outer, inner, "white ceramic")
+    c.castors(d, box.bottom(-0.08).move(z=0.08))
+    asset = asset_of(d)
+    assert asset.size == pytest.approx((0.6, 1.0, 0.4), abs=1e-6)
+    within = np.array([0.0, 0.0, 0.2])
+    for hull in asset.hulls:  # the middle of the room inside lies in no part
+        corners = hull.vertices[hull.faces]
+        normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        assert np.einsum("ij,ij->i", within - corners[:, 0], normal).max() > 0
+    wall = volume_of(asset.mesh)
+    assert 0.02 < wall < 0.35 * 0.6 * 1.0 * 0.4

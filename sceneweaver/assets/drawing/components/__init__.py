@@ -21,22 +21,32 @@ from .soft import curtain as curtain
 from .soft import cushions as cushions
 from .soft import mattress as mattress
 from .soft import towel as towel
+from .supports import castors as castors
 from .supports import feet as feet
 from .supports import leg as leg
 from .supports import legs as legs
 from .supports import star_base as star_base
+from .vessels import CORNERS as CORNERS
+from .vessels import basin as basin
+from .vessels import drain as drain
+from .vessels import oval as oval
+from .vessels import vessel as vessel
 
 __all__ = [
+    "CORNERS",
     "REACH",
+    "basin",
     "blanket",
     "board_top",
     "button",
     "carcass",
+    "castors",
     "cornice",
     "curtain",
     "cushions",
     "door",
     "doors",
+    "drain",
     "drawer",
     "drawers",
     "feet",
@@ -45,6 +55,7 @@ __all__ = [
     "leg",
     "legs",
     "mattress",
+    "oval",
     "pulls",
     "screen",
     "shelves",
@@ -52,4 +63,5 @@ __all__ = [
     "star_base",
     "tap",
     "towel",
+    "vessel",
 ]

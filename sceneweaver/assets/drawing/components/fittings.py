@@ -27,10 +27,26 @@ def button(d: Drawing, face: Box, material: Look, radius: float = 0.006, reach: 
 
 
 def tap(
-    d: Drawing, material: Look, reach: float = 0.14, height: float = 0.2, radius: float = 0.012, lever: bool = True
+    d: Drawing,
+    material: Look,
+    reach: float = 0.14,
+    height: float = 0.2,
+    radius: float = 0.012,
+    lever: bool = True,
+    square: bool = False,
 ) -> None:
-    """A mixer tap that stands at the frame's origin: its spout bends forward (+x) by ``reach`` at ``height`` [m]."""
+    """A mixer tap that stands at the frame's origin: its spout bends forward (+x) by ``reach`` at ``height`` [m].
+
+    A ``square`` one is made of flat bars.
+    """
     d.cylinder(Box.sized(3.4 * radius, 3.4 * radius, 0.012), material, segments=16)
+    if lever:
+        d.bar((0.0, 0.0, 0.25 * height), (0.3 * reach, 3.2 * radius, 0.36 * height), 0.5 * radius, material, segments=8)
+    if square:
+        stem = d.box(Box.sized(2.2 * radius, 2.6 * radius, height), material)
+        spout = d.box(stem.top(1.6 * radius).to(x=(stem.x[0], reach)), material)
+        d.box(spout.front(2 * radius).bottom(-radius).inset(all=0.001, top=-0.002), material, bevel=0.0)
+        return
     d.cylinder(Box.sized(2.4 * radius, 2.4 * radius, 0.35 * height), material, segments=16)
     bend = min(0.5 * reach, 0.4 * height)
     steps = [k * math.pi / 8 for k in range(5)]
@@ -38,8 +54,6 @@ def tap(
     drop = [(reach, 0.0, height - 0.25 * bend), (reach, 0.0, height - bend)]
     flat = [(reach - 0.4 * bend, 0.0, height)] if reach - 0.4 * bend > bend + 1e-3 else []
     d.sweep([(0.0, 0.0, 0.3 * height), *over, *flat, *drop], radius, material, segments=10)
-    if lever:
-        d.bar((0.0, 0.0, 0.25 * height), (0.3 * reach, 3.2 * radius, 0.36 * height), 0.5 * radius, material, segments=8)
 
 
 def screen(d: Drawing, face: Box, picture: Look = "screen", rim: float = 0.008) -> Box:

@@ -1,4 +1,4 @@
-"""What furniture stands on: legs, feet, star bases."""
+"""What furniture stands on: legs, feet, castors, star bases."""
 
 from __future__ import annotations
 
@@ -89,6 +89,17 @@ def feet(d: Drawing, box: Box, material: Look, style: str = "plinth") -> Box:
             d.box(end.front(t).bottom(0.55 * high), material, bevel=0.002)
     else:
         legs(d, box.inset(x=0.03, y=0.03), material, style)
+    return box
+
+
+def castors(d: Drawing, box: Box, fork: Look = "steel", wheel: Look = "black plastic") -> Box:
+    """Four castors in the corners of a box, as high as it is: wheels along x in forks under plates."""
+    r = 0.4 * box.height
+    with d.corners(box, inset=r):
+        d.cylinder(Box.around((0.0, 0.0, r), 2 * r, 0.6 * r, 2 * r), wheel, "y", bevel=0.1 * r, segments=16)
+        d.cylinder(Box.around((0.0, 0.0, r), r, 0.7 * r, r), fork, "y", segments=10)
+        d.hull([(s * 0.35 * r, t * 0.45 * r, z) for s in (-1, 1) for t in (-1, 1) for z in (1.1 * r, 2.4 * r)], fork)
+        d.box(Box.sized(1.6 * r, 1.4 * r, 0.12 * r, (0.0, 0.0, 2.38 * r)), fork, bevel=0.0)
     return box
 
 

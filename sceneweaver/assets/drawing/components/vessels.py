@@ -1,0 +1,91 @@
+"""Hollow things that stay open: bowls, basins, tubs, baskets."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ... import shapes
+from ..box import Box, Vec3
+from ..drawing import Drawing, Look
+
+
+def oval(
+    box: Box, z: float, power: float = 2.0, back: float | None = None, middle: float | None = None, count: int = 32
+) -> np.ndarray:
+    """A level ring [count, 3] that fills the plan of a box: an ellipse, or what lies between it and a rectangle.
+
+    Args:
+        box: What it fills.
+        z: Its height [m].
+        power: Of the superellipse: 2 is an ellipse, 6 a box with round corners.
+        back: The power of its back half where that differs.
+        middle: Depth at which it is widest; the middle of the box unless told, as of an egg that is blunt behind.
+        count: Its points.
+    """
+    angle = np.arange(count) * (2 * np.pi / count)
+    c, s = np.cos(angle), np.sin(angle)
+    c[np.abs(c) < 1e-9] = 0.0
+    p = np.where(c >= 0, power, back or power)
+    x, y = box.center[0] if middle is None else middle, box.center[1]
+    u, v = np.sign(c) * np.abs(c) ** (2 / p), np.sign(s) * np.abs(s) ** (2 / p)
+    return np.c_[x + np.where(c >= 0, box.x[1] - x, x - box.x[0]) * u, y + box.width / 2 * v, np.full(count, z)]
+
+
+def vessel(
+    d: Drawing,
+    outer: Sequence[np.ndarray],
+    inner: Sequence[np.ndarray],
+    material: Look,
+    staves: int | Sequence[int] = 16,
+    split: tuple[int, int] | None = None,
+) -> None:
+    """A hollow body: rings [K, 3] up outside, then down inside. Its parts are a floor and staves, so it stays open.
+
+    Args:
+        d: The drawing.
+        outer: Rings from the bottom up.
+        inner: Rings from the rim down to the floor inside.
+        material: What it is of.
+        staves: How many parts its wall has, or the points of the rings where they end.
+        split: An outer and an inner ring where the staves of a bellied body are cut in two.
+    """
+    rings = [*outer, *inner]
+    n = len(rings[0])
+    ends = range(0, n + 1, max(1, n // staves)) if isinstance(staves, int) else staves
+    hulls = [shapes.hull(np.concatenate([outer[0], inner[-1]]))]
+    layers = [rings]
+    if split is not None:
+        low, high = split
+        layers = [[*outer[: low + 1], *inner[high:]], [*outer[low:], *inner[: high + 1]]]
+    for a, e in zip(ends[:-1], ends[1:], strict=True):
+        index = np.arange(a, e + 1) % n
+        hulls += [shapes.hull(np.concatenate([ring[index] for ring in layer])) for layer in layers]
+    d.add(shapes.lofted(rings), material, hulls)
+
+
+CORNERS = (0, 3, 4, 7, 8, 11, 12, 15, 16)
+"""Where the staves of a vessel of `shapes.rectangle` rings end: one for each corner and one for each side."""
+
+
+def drain(d: Drawing, at: Vec3, radius: float = 0.03) -> None:
+    """A drain with its strainer on a floor at a point."""
+    d.cylinder(Box.sized(2 * radius, 2 * radius, 0.003, at).inset(bottom=-0.001), "chrome", segments=16)
+    d.cylinder(Box.sized(1.2 * radius, 1.2 * radius, 0.0045, at), "black steel", segments=12)
+
+
+def basin(d: Drawing, box: Box, material: Look, radius: float = 0.03, lip: float = 0.015, wall: float = 0.005) -> Box:
+    """A basin let into a top: the box is the hole, and its rim lies 1.5 mm proud on the top around it; with a drain.
+
+    Returns the room inside.
+    """
+    floor, rim = box.inset(x=0.025, y=0.025), box.inset(x=-lip, y=-lip)
+    top, bottom = box.z[1], box.z[0]
+    outer = [(floor, bottom, 0.05), (box, top, radius), (rim, top, 0.02), (rim, top + 0.0015, 0.02)]
+    inner = [(box.inset(x=wall, y=wall), top + 0.0015, radius), (floor.inset(x=0.006, y=0.006), bottom + 0.008, 0.05)]
+    out, inside = ([shapes.rectangle(b.x, b.y, z, r) for b, z, r in rings] for rings in (outer, inner))
+    vessel(d, out, inside, material, CORNERS)
+    x, y, _ = box.center
+    drain(d, (x, y, bottom + 0.008))
+    return floor.inset(x=0.006, y=0.006, bottom=0.008)
