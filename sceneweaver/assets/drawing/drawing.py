@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Literal
 
 import numpy as np
@@ -29,6 +30,17 @@ class Drawing(Tree):
     return it, so that the next part is found from it.
     """
 
+    _collides = True
+
+    @contextmanager
+    def no_colliders(self) -> Iterator[None]:
+        """What is drawn inside adds no collision parts: only for what lies in other parts, as drinks and labels do."""
+        before, self._collides = self._collides, False
+        try:
+            yield
+        finally:
+            self._collides = before
+
     # Shapes
 
     def add(
@@ -45,6 +57,8 @@ class Drawing(Tree):
         """
         vertices, faces = shape
         self.drawn.pieces.append(Piece(vertices, faces, self._frame, self.named(material), self._link, uv))
+        if not self._collides:
+            return
         turn, shift = self._frame[:3, :3], self._frame[:3, 3]
         for points, triangles in [shape] if hulls is None else hulls:
             self.drawn.hulls.append(Hull(points @ turn.T + shift, triangles, self._link))
@@ -133,11 +147,29 @@ class Drawing(Tree):
         points, faces = shapes.lathe(list(profile), segments)
         scale = np.array([*stretch, 1.0])
         hulls: list[Shape] = []
-        if collides:
+        if collides and self._collides:
             top = max(range(len(profile)), key=lambda i: (profile[i][1], -i))
             rising = list(profile[: top + 1]) if hollow else list(profile)
             hulls = [(v * scale, f) for v, f in shapes.lathe_hulls(rising, segments)]
         self.add((points * scale, faces), material, hulls)
+
+    def turned(
+        self,
+        box: Box,
+        profile: Sequence[tuple[float, float]],
+        material: Look,
+        segments: int = 24,
+        hollow: bool = False,
+    ) -> Box:
+        """A profile of (radius, height) in shares of a box, turned about its middle; elliptic where it is not square.
+
+        (1, 0) lies on the box's sides at its bottom. It is solid or hollow as `revolve` says.
+        """
+        x, y, z = box.anchor("bottom")
+        with self.at(x, y, z):
+            shares = [(r, box.height * s) for r, s in profile]
+            self.revolve(shares, material, segments, hollow, (box.depth / 2, box.width / 2))
+        return box
 
     def extrude(self, polygon, span: Interval, material: Look, *, axis: Axis = "z", bevel: float = 0.0) -> None:
         """A simple polygon [V, 2], counter-clockwise, drawn along an axis.
@@ -187,8 +219,41 @@ class Drawing(Tree):
         """
         outer = list(rings[: len(rings) - hollow])
         pairs = [outer] if convex else [list(p) for p in zip(outer[:-1], outer[1:], strict=True)]
-        pairs = [p for p in pairs if len(p) > 2 or np.ptp(np.concatenate(p)[:, 2]) > 1e-6]
-        self.add(shapes.lofted(rings), material, [shapes.hull(np.concatenate(p)) for p in pairs])
+        solid = [np.concatenate(p) for p in pairs if len(p) > 2 or np.ptp(np.concatenate(p)[:, 2]) > 1e-6]
+        self.add(shapes.lofted(rings), material, [shapes.hull(p) for p in solid] if self._collides else [])
+
+    def sections(
+        self,
+        box: Box,
+        rows: Sequence[Sequence[float]],
+        material: Look,
+        radius: float | None = None,
+        convex: bool = False,
+        hollow: int = 0,
+    ) -> Box:
+        """A skin over level sections of a box, from bottom to top: a `loft` by shares.
+
+        Args:
+            box: What shares are of.
+            rows: Of each section depth, width and height, and if need be how far its middle lies from the box's along
+                x and y, all as shares of the box.
+            material: Its finish.
+            radius: Of the corners, as a share of the section's shorter side; None: sections are ellipses.
+            convex: As in `loft`; so is ``hollow``.
+            hollow: How many of the last sections run down again inside.
+        """
+        x, y, z = box.anchor("bottom")
+        rings = []
+        for depth, width, height, *shift in rows:
+            dx, dy = (*shift, 0.0, 0.0)[:2]
+            own = Box.sized(depth * box.depth, width * box.width, 0.0, (x + dx * box.depth, y + dy * box.width, 0.0))
+            level = z + height * box.height
+            if radius is None:
+                rings.append(shapes.ellipse(own.depth / 2, own.width / 2, level, 20, own.center[0], own.center[1]))
+            else:
+                rings.append(shapes.rectangle(own.x, own.y, level, radius * min(own.depth, own.width), 4))
+        self.loft(rings, material, convex, hollow)
+        return box
 
     def hull(self, points, material: Look) -> None:
         """The convex hull of points [N, 3]: tapered legs, wedges, gems."""

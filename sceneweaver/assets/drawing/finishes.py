@@ -29,13 +29,15 @@ class Finishes(Choices):
     def material(self, role: str, *names: str) -> Material:
         """A finish for a role such as "top" or "legs": one of the names, "@wood" for any of a family.
 
+        Names may come in one string, as "oak, walnut".
+
         The same role has the same finish all over. The first role that can do so takes the material that the user
         asked for, also one that is not among its names where its families allow it, and the first that can takes the
         colour; a style prefers finishes that suit it.
         """
         if role in self.roles:
             return self.roles[role]
-        options = expand(names)
+        options = expand(tuple(one for name in names for one in name.split(", ")))
         asked = self._asked_finishes(options)
         options = asked or options
         color = self.request.color if "color" not in self.shown else None

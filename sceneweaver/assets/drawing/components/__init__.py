@@ -5,6 +5,7 @@ from .cases import carcass as carcass
 from .cases import cornice as cornice
 from .cases import shelves as shelves
 from .cases import slats as slats
+from .fittings import band as band
 from .fittings import button as button
 from .fittings import knob as knob
 from .fittings import screen as screen
@@ -35,6 +36,7 @@ from .vessels import vessel as vessel
 __all__ = [
     "CORNERS",
     "REACH",
+    "band",
     "basin",
     "blanket",
     "board_top",

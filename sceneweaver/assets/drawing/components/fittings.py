@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from ..box import Box
-from ..drawing import Drawing, Look
+from ..drawing import PROUD, Drawing, Look
 
 
 def knob(
@@ -60,3 +60,9 @@ def screen(d: Drawing, face: Box, picture: Look = "screen", rim: float = 0.008) 
     """A picture on the front of a box, inside a rim; returns its place."""
     place = face.front(0.0).inset(y=rim, z=rim)
     return d.print(place, picture)
+
+
+def band(d: Drawing, box: Box, material: Look, ends: tuple[float, float] = (1.0, 1.0), proud: float = PROUD) -> None:
+    """A printed band or label around a round body that fills a box, as wide as `Drawing.cylinder` with these ends."""
+    with d.no_colliders():
+        d.cylinder(box.inset(x=-proud, y=-proud), material, ends=ends)
