@@ -7,15 +7,13 @@ from typing import Literal
 
 import numpy as np
 
-Texture = Literal["plain", "wood", "fabric", "stone", "metal", "leaf"]
-
 
 @dataclass(frozen=True)
 class Material:
     """A surface finish: sRGB base colour in 0..1, and the usual PBR numbers.
 
-    ``texture`` names a pattern that a renderer may draw by itself (grain, weave); ``emission`` is the share of the
-    base colour that shines by itself; ``opacity`` below 1 is see-through.
+    ``texture`` names a pattern of ``assets.textures`` or a folder of the user's ("plain": none); ``emission`` is the
+    share of the base colour that shines by itself; ``opacity`` below 1 is see-through.
     """
 
     name: str
@@ -24,7 +22,7 @@ class Material:
     metallic: float = 0.0
     opacity: float = 1.0
     emission: float = 0.0
-    texture: Texture = "plain"
+    texture: str = "plain"
 
 
 @dataclass(frozen=True)

@@ -21,15 +21,15 @@ _BY_WORD = {
 }
 _FLOOR_OF = {word: floor for floor, words in _BY_WORD.items() for word in words.split()}
 
-PAINT = Material("wall paint", (0.905, 0.89, 0.865), roughness=0.95)
+PAINT = Material("wall paint", (0.905, 0.89, 0.865), roughness=0.95, texture="plaster")
 """Walls of a room without a finish."""
 
 _FLOOR_LOOKS = {
-    "wood": Material("floorboard", (0.735, 0.565, 0.395), roughness=0.48, texture="wood"),
-    "tile": Material("floor tile", (0.795, 0.775, 0.745), roughness=0.32),
-    "stone": Material("floor slab", (0.70, 0.685, 0.655), roughness=0.4, texture="stone"),
-    "carpet": Material("carpet", (0.565, 0.575, 0.59), roughness=0.98, texture="fabric"),
-    "concrete": Material("concrete", (0.69, 0.685, 0.67), roughness=0.6, texture="stone"),
+    "wood": Material("floorboard", (0.735, 0.565, 0.395), roughness=0.48, texture="floorboards"),
+    "tile": Material("floor tile", (0.795, 0.775, 0.745), roughness=0.32, texture="square tiles"),
+    "stone": Material("floor slab", (0.70, 0.685, 0.655), roughness=0.4, texture="large tiles"),
+    "carpet": Material("carpet", (0.565, 0.575, 0.59), roughness=0.98, texture="loop carpet"),
+    "concrete": Material("concrete", (0.69, 0.685, 0.67), roughness=0.6, texture="concrete"),
 }
 
 
@@ -63,7 +63,9 @@ def room_looks(room: Room) -> RoomLooks:
     if tone is not None:
         floor = replace(floor, name=f"{tone} floor", color=_floor_color(tone))
     accent = finish.accent and _painted(finish.accent.color, "accent.color", 0.3)
-    tiles = finish.tiles and replace(_painted(finish.tiles.color, "tiles.color", 0.3), name="wall tile", roughness=0.25)
+    tiles = finish.tiles and replace(
+        _painted(finish.tiles.color, "tiles.color", 0.3), name="wall tile", roughness=0.25, texture="wall tiles"
+    )
     return RoomLooks(kind, floor, _painted(finish.walls, "walls", 0.5), accent, tiles)
 
 
@@ -100,7 +102,7 @@ def _painted(color: str, field: str, softer: float) -> Material:
     pale = max(light, 0.86) if light > 0.45 else 0.62
     light = min((1 - softer) * light + softer * pale, 0.935)
     r, g, b = colorsys.hls_to_rgb(h, light, (1 - 0.5 * softer) * s)
-    return Material(f"{color} wall", (round(r, 4), round(g, 4), round(b, 4)), roughness=0.95)
+    return Material(f"{color} wall", (round(r, 4), round(g, 4), round(b, 4)), roughness=0.95, texture="plaster")
 
 
 def _shade(color: str, field: str) -> tuple[float, float, float]:

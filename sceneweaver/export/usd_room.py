@@ -22,7 +22,7 @@ from .usd_mesh import box_collider, render_mesh
 
 _DEEP = 0.5  # [m] of the floor's collider: nothing falls through it in one step
 _GLASS = Material("window glass", (0.86, 0.93, 0.95), roughness=0.05, opacity=0.2)
-_LEAF = Material("door leaf", (0.82, 0.74, 0.62), roughness=0.6, texture="wood")
+_LEAF = Material("door leaf", (0.82, 0.74, 0.62), roughness=0.6, texture="oak")
 _HANDLE = Material("door handle", (0.62, 0.62, 0.63), roughness=0.35, metallic=1.0)
 _FRICTION, _LEAF_FRICTION = 0.8, 0.5
 

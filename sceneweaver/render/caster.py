@@ -9,6 +9,7 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.assets.body import Material, Mesh
+from sceneweaver.assets.textures import kind_of
 from sceneweaver.scene import InputError, MissingDependencyError
 from sceneweaver.scene.threads import cores, map_threads
 
@@ -321,5 +322,5 @@ def _look(material: Material):
     look.color = wp.vec3(*np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4))
     look.roughness, look.metallic = material.roughness, material.metallic
     look.opacity, look.emission = material.opacity, material.emission
-    look.texture = _TEXTURES[material.texture]
+    look.texture = _TEXTURES[kind_of(material.texture)]
     return look

@@ -18,7 +18,7 @@ class Finishes:
     outside: Material = Material("wall outside", (0.88, 0.87, 0.85), roughness=0.95)
     cut: Material = Material("wall cut", (0.83, 0.82, 0.80), roughness=0.9)
     trim: Material = Material("trim", (0.95, 0.945, 0.93), roughness=0.55)
-    leaf: Material = Material("door leaf", (0.73, 0.57, 0.41), roughness=0.5, texture="wood")
+    leaf: Material = Material("door leaf", (0.73, 0.57, 0.41), roughness=0.5, texture="oak")
     metal: Material = Material("door handle", (0.74, 0.74, 0.75), roughness=0.3, metallic=1.0)
     glass: Material = Material("pane", (0.82, 0.92, 0.97), roughness=0.06, opacity=0.12)
     daylight: Material = Material("daylight", (0.87, 0.94, 1.0), roughness=1.0, emission=0.62)

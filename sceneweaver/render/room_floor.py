@@ -24,6 +24,8 @@ _SHADES = {
 """How much lighter or darker single planks, tiles and slabs are."""
 _JOINTS = {"wood": 0.52, "tile": 0.77, "stone": 0.65}
 """Joints, as shares of the tone."""
+_SURFACES = {"wood": "oak", "tile": "glaze", "stone": "limestone"}
+"""The pattern of single planks, tiles and slabs."""
 _GAPS = {"wood": 0.0024, "tile": 0.004, "stone": 0.004}
 
 
@@ -46,11 +48,12 @@ def floor_mesh(
     if gap:
         wide = max(gap, min(1.1 * pixel, 0.02))
         share = 1 - (1 - _JOINTS[kind]) * gap / wide
-        gap, joint = wide, replace(_times(look, share), name="joint", roughness=0.9)
+        gap, joint = wide, replace(_times(look, share), name="joint", roughness=0.9, texture="plain")
     _sheet(builder, under, -_JOINT_DEPTH, -FLOOR_THICKNESS, joint, _SIDE)
     rng = np.random.default_rng(seed)
     if kind in _SHADES:
-        tones = [replace(_times(look, share), name=f"{look.name} {k}") for k, share in enumerate(_SHADES[kind])]
+        one = replace(look, texture=_SURFACES[kind])
+        tones = [replace(_times(one, share), name=f"{look.name} {k}") for k, share in enumerate(_SHADES[kind])]
         cells = {
             "wood": lambda: _planks(plan, rng, gap),
             "tile": lambda: _grid(plan, 0.45, 0.45, gap),

@@ -13,7 +13,7 @@ from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene import Room
 
 _FRAME = Material("window frame", (0.96, 0.955, 0.94), roughness=0.5)
-_LEAF = Material("door leaf", (0.80, 0.69, 0.55), roughness=0.55, texture="wood")
+_LEAF = Material("door leaf", (0.80, 0.69, 0.55), roughness=0.55, texture="oak")
 _HANDLE = Material("door handle", (0.72, 0.73, 0.74), roughness=0.3, metallic=1.0)
 _GLASS = Material("pane", (0.80, 0.90, 0.95), roughness=0.05, opacity=0.28)
 

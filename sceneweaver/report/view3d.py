@@ -16,6 +16,7 @@ import numpy as np
 
 from sceneweaver.assets import Material, Mesh
 from sceneweaver.assets.placed import Load
+from sceneweaver.assets.textures import kind_of
 from sceneweaver.export.bodies import bodies_of
 from sceneweaver.export.glb import room_meshes
 from sceneweaver.geometry.angles import heading
@@ -125,7 +126,7 @@ def _material(m: Material) -> dict[str, Any]:
         "metallic": m.metallic,
         "opacity": m.opacity,
         "emission": m.emission,
-        "texture": _TEXTURES[m.texture],
+        "texture": _TEXTURES[kind_of(m.texture)],
     }
 
 

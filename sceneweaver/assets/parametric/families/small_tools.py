@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ... import shapes
+from ...textures import kind_of
 from ..builder import Builder
 from .small_kit import arch, band, decal, hoop, loft, rect, slab, small, spot, spun, target
 
@@ -20,7 +21,7 @@ def hammer(b: Builder) -> None:
         (-0.12 * d, 0.46 * d),
         (-0.08 * w, 0.08 * w),
         (0.2 * h, 0.8 * h),
-        "beech" if grip.texture == "wood" else "steel",
+        "beech" if kind_of(grip.texture) == "wood" else "steel",
         radius=0.2 * h,
     )
     with b.frame(0.43 * d, 0, z, roll=-np.pi / 2):

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from ... import shapes
+from ...textures import kind_of
 from ..builder import Builder
 from ..registry import draws
 from .plants_parts import OVAL, Clumps, leaves, randoms, sectors
@@ -289,7 +290,7 @@ def window_blind(b: Builder) -> None:
         "blind", "white paint", "beige fabric", "oak", "grey fabric", "light grey paint", "walnut", "sage paint"
     )
     with b.solid("blind"):
-        if look.texture == "fabric":
+        if kind_of(look.texture) == "fabric":
             r = d / 2 - 0.003
             b.bar((0, -w / 2 + 0.012, h - d / 2), (0, w / 2 - 0.012, h - d / 2), r, look, 16)
             for sy in (-1, 1):
