@@ -17,6 +17,7 @@ class Finishes:
     plan: RoomFinish
     outside: Material = Material("wall outside", (0.88, 0.87, 0.85), roughness=0.95)
     cut: Material = Material("wall cut", (0.83, 0.82, 0.80), roughness=0.9)
+    ceiling: Material = Material("ceiling", (0.955, 0.952, 0.945), roughness=0.95)
     trim: Material = Material("trim", (0.95, 0.945, 0.93), roughness=0.55)
     leaf: Material = Material("door leaf", (0.73, 0.57, 0.41), roughness=0.5, texture="oak")
     metal: Material = Material("door handle", (0.74, 0.74, 0.75), roughness=0.3, metallic=1.0)

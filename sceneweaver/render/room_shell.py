@@ -52,20 +52,21 @@ def build_shell(
     for wall in walls:
         builder = Builder(high)
         if wall.index in cut:
-            _wall(builder, room, wall, STUB, look)
+            add_wall(builder, room, wall, STUB, look)
         else:
-            _wall(builder, room, wall, high, look)
+            add_wall(builder, room, wall, high, look)
             builder.top = high - 0.002  # where all is cut, frames do not end in the plane of the wall's cut
             add_wall_finish(builder, room, wall, look, high, pixel)
             _fittings(builder, room, wall, look)
         meshes.append(builder.mesh())
     outer = np.array(outer_outline(walls))
     seed = zlib.crc32(repr(room.outline).encode())
-    floor = floor_mesh(look.looks.floor_kind, look.looks.floor, _covered(room), outer, seed, pixel)
+    floor = floor_mesh(look.looks.floor_kind, look.looks.floor, covered(room), outer, seed, pixel)
     return Shell(floor, tuple(meshes), outer)
 
 
-def _wall(builder: Builder, room: Room, wall: Wall, height: float, look: Finishes) -> None:
+def add_wall(builder: Builder, room: Room, wall: Wall, height: float, look: Finishes) -> None:
+    """A wall up to a height [m], with its openings."""
     ends = [wall.coordinates(corner)[0] for corner in wall_plan(room.walls, wall.index)[1:3]]
     for (a, b), z, opening in wall_pieces(wall.length, room.openings_of(wall.index), height):
         if opening is not None:
@@ -102,7 +103,7 @@ def _fittings(builder: Builder, room: Room, wall: Wall, look: Finishes) -> None:
         at = max(at, b)
 
 
-def _covered(room: Room) -> np.ndarray:
+def covered(room: Room) -> np.ndarray:
     """The floor's plan: the outline, and the thresholds of doors."""
     import shapely
 

@@ -1,4 +1,4 @@
-"""Pictures of whole rooms: from above a corner, with the walls in the way cut off, and from straight above."""
+"""Pictures of whole rooms: at eye level, from above a corner with the walls in the way cut off, and from above."""
 
 from __future__ import annotations
 
@@ -15,17 +15,19 @@ from sceneweaver.scene.messages import suggest
 
 from .camera import Camera
 from .caster import Instance, Picture, Quality, cast
+from .eye_camera import EYE_VIEWS, eye_cameras
+from .interior import build_interior
 from .room_bodies import hidden_with, instances_of
 from .room_camera import corner_camera, corner_directions, cut_walls, opposite
 from .room_finish import finishes_of
-from .room_light import corner_light, top_light
+from .room_light import corner_light, inside_light, top_light
 from .room_notes import annotated
 from .room_shell import build_shell
 from .view import View
 
 _CUT = 1.5  # height [m] at which pictures from above cut the walls: through most windows
 
-ROOM_VIEWS = ("corner", "corner2", "top", "top_annotated")
+ROOM_VIEWS = (*EYE_VIEWS, "corner", "corner2", "top", "top_annotated")
 
 
 def draw_room(
@@ -42,7 +44,8 @@ def draw_room(
     Args:
         scene: The scene.
         load: Gives the asset of an id; None: ``Library().load``.
-        view: One of ``ROOM_VIEWS``: "corner" is the corner that shows most, "corner2" the one across.
+        view: One of ``ROOM_VIEWS``: "eye-door" at eye level from the door, "eye-corner" and "eye-corner2" from the two
+            corners that show most; "corner" from above the corner that shows most, "corner2" the one across.
         width: Width of the picture in pixels.
         height: Its height; pictures from above are as high as the room asks.
         quality: How carefully it is drawn.
@@ -73,8 +76,11 @@ def draw_rooms(
     quality = quality or Quality.normal()
     things = instances_of(scene, load)
     done: dict[str, Image.Image] = {}
+    cameras = eye_cameras(scene, width / height) if set(views) & set(EYE_VIEWS) else {}
     for view in views:
-        if view.startswith("corner"):
+        if view in cameras:
+            done[view] = _inside(scene, things, cameras[view], width, height, quality, device)
+        elif view.startswith("corner"):
             done[view] = _corner(scene, things, view == "corner2", width, height, quality, device)
         else:
             if "top" not in done:
@@ -82,6 +88,15 @@ def draw_rooms(
             if view == "top_annotated":
                 done[view] = annotated(done["top"], scene, _plan(scene, width, height))
     return {view: done[view] for view in views}
+
+
+def _inside(
+    scene: Scene, things: list[Instance], camera: Camera, width: int, height: int, quality: Quality | None, device: str
+) -> Image.Image:
+    room = [Instance(part.mesh, np.eye(4)) for part in build_interior(scene, finishes_of(scene), camera)]
+    lighting = inside_light(things)
+    drawn = cast([*things, *room], camera, width, height, lighting=lighting, quality=quality, device=device)
+    return Image.fromarray(_glowing(drawn, len(things)))
 
 
 def _corner(

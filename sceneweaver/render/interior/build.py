@@ -1,0 +1,87 @@
+"""The room around the furniture as it is seen at eye level: whole walls, ceiling, joinery, fittings, world outside."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+import numpy as np
+
+from sceneweaver.assets.body import Mesh
+from sceneweaver.geometry.shell import outer_outline
+from sceneweaver.scene import Scene
+
+from ..camera import Camera
+from ..room_blocks import Builder
+from ..room_finish import Finishes
+from ..room_floor import floor_mesh
+from ..room_shell import add_wall, covered
+from ..room_walls import add_wall_finish
+from .doors import REACH, add_door, is_in_doorway
+from .fittings import add_fittings, plan_fittings
+from .outside import outside_mesh
+from .trim import add_ceiling, add_skirting
+from .windows import add_window
+
+_PANELLED = re.compile(
+    r"\b(bedroom|living|dining|kitchen|bathroom|toilet|hall|hallway|study|nursery|hotel|library|attic|apartment)\b"
+)
+"""Words in kinds of rooms whose doors have panels and are painted."""
+
+
+@dataclass(frozen=True)
+class Element:
+    """A part of the room: its name, unique in the room ("floor", "wall:0", the id of a door ...), what it is, and its
+    mesh in the world's frame."""
+
+    name: str
+    category: str
+    mesh: Mesh
+
+
+def build_interior(scene: Scene, look: Finishes, camera: Camera | None = None) -> list[Element]:
+    """All parts of a room that are no objects of the scene.
+
+    Args:
+        scene: The scene.
+        look: What the room is made of.
+        camera: Who looks: a door in which the camera stands is open.
+    """
+    room = scene.room
+    found: list[Element] = []
+
+    def take(name: str, category: str, builder: Builder) -> None:
+        mesh = builder.mesh()
+        if mesh is not None:
+            found.append(Element(name, category, mesh))
+
+    outer = np.array(outer_outline(room.walls))
+    found.append(Element("floor", "floor", floor_mesh(look.looks.floor_kind, look.looks.floor, covered(room), outer)))
+    for wall in room.walls:
+        builder = Builder()
+        add_wall(builder, room, wall, room.height, look)
+        add_wall_finish(builder, room, wall, look, room.height)
+        take(f"wall:{wall.index}", "wall", builder)
+    builder = Builder()
+    add_ceiling(builder, room, look, scene.objects)
+    take("ceiling", "ceiling", builder)
+    builder = Builder()
+    add_skirting(builder, room, look, REACH)
+    take("skirting", "skirting", builder)
+    panelled = _PANELLED.search(room.type.lower().replace("-", " ").replace("_", " ")) is not None
+    for door in room.doors:
+        wall, builder = room.walls[door.wall], Builder()
+        is_open = camera is not None and is_in_doorway(wall, door, np.asarray(camera.eye))
+        add_door(builder, wall, door, look, panelled, is_open)
+        take(door.id, "door", builder)
+    for window in room.windows:
+        builder = Builder()
+        add_window(builder, room.walls[window.wall], window, look)
+        take(window.id, "window", builder)
+    fittings, builder = plan_fittings(scene), Builder()
+    add_fittings(builder, room.walls, fittings, look)
+    take("fittings", "fittings", builder)
+    world = outside_mesh(room)
+    if world is not None:
+        found.append(Element("outside", "outside", world))
+    return found

@@ -1,0 +1,101 @@
+"""Skirting boards along the walls, coving under the ceiling, the ceiling itself and the roses of its lamps."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from sceneweaver.assets.body import Material
+from sceneweaver.geometry.shell import WALL_THICKNESS, outer_outline
+from sceneweaver.geometry.walls import Wall
+from sceneweaver.scene import Room, SceneObject
+
+from ..room_blocks import Builder
+from ..room_finish import Finishes
+from .mouldings import Plane, disc, moulding, plate
+
+SKIRTING = ((0.0, 0.0), (0.014, 0.0), (0.014, 0.058), (0.0115, 0.067), (0.006, 0.0735), (0.005, 0.078), (0.0, 0.078))
+"""Profile of a skirting board (depth, height) [m], counter-clockwise."""
+
+_COVE = 0.065
+"""Height and depth [m] of coving."""
+
+_PLAIN_CEILINGS = re.compile(
+    r"\b(bathroom|toilet|kitchen|laundry|garage|workshop|storage|warehouse|gym|office|server)\b"
+)
+"""Words in kinds of rooms that have no coving."""
+
+_HANGING = ("pendant", "chandelier")
+
+
+def add_skirting(builder: Builder, room: Room, look: Finishes, reach: float) -> None:
+    """Boards along all walls but tiled ones, from door frame to door frame; ``reach`` [m] is how far these reach."""
+    for run in _runs(room, look, reach):
+        closed = len(run) > 2 and bool(np.allclose(run[0], run[-1]))
+        moulding(builder, Plane.floor(), run[:-1] if closed else run, SKIRTING, look.trim, closed)
+
+
+def _runs(room: Room, look: Finishes, reach: float) -> Iterator[np.ndarray]:
+    """The paths [N, 2] of skirting boards around the room, counter-clockwise."""
+    pieces: list[list[tuple[float, float]]] = []
+    for wall in room.walls:
+        for a, b in _free(room, wall, look, reach):
+            ends = [wall.point(a), wall.point(b)]
+            joins = a == 0.0 and pieces and np.allclose(pieces[-1][-1], ends[0])
+            if joins:
+                pieces[-1].append(ends[1])
+            else:
+                pieces.append(ends)
+    if len(pieces) > 1 and np.allclose(pieces[-1][-1], pieces[0][0]):
+        pieces[0] = pieces.pop()[:-1] + pieces[0]
+    for piece in pieces:
+        yield np.array(piece)
+
+
+def _free(room: Room, wall: Wall, look: Finishes, reach: float) -> Iterator[tuple[float, float]]:
+    """The stretches of a wall [m] that have a skirting board."""
+    tiled = look.tiled(wall.index)
+    if tiled is not None and tiled[0] < SKIRTING[-1][1]:
+        return
+    gaps = [(d.offset - reach, d.offset + d.width + reach) for d in room.doors if d.wall == wall.index]
+    gaps += [(w.offset, w.offset + w.width) for w in room.windows if w.wall == wall.index and w.sill < SKIRTING[-1][1]]
+    at = 0.0
+    for a, b in [*sorted(gaps), (wall.length, wall.length)]:
+        if a - at > 0.02:
+            yield at, a
+        at = max(at, b)
+
+
+def add_ceiling(builder: Builder, room: Room, look: Finishes, things: Iterable[SceneObject]) -> None:
+    """The ceiling over room and walls, with coving where the kind of room has it, and roses over hanging lamps."""
+    outer = np.array(outer_outline(room.walls))
+    _slab(builder, outer, (room.height, room.height + WALL_THICKNESS), look.ceiling)
+    if _PLAIN_CEILINGS.search(room.type.lower().replace("-", " ").replace("_", " ")) or room.height < 2.2:
+        return
+    moulding(builder, Plane.floor(), np.asarray(room.outline), _cove(room.height), look.ceiling, closed=True)
+    under = Plane(np.array([0.0, 0.0, room.height]), *(np.eye(3) * (1, 1, -1)))
+    for thing in things:
+        if thing.mount == "ceiling" and any(word in thing.category for word in _HANGING):
+            x, y, _ = thing.pose.position
+            for radius, thick in ((0.17, 0.008), (0.145, 0.016), (0.10, 0.024)):
+                plate(builder, under, disc((x, y), radius, 40), (-0.001, thick), look.ceiling, bevel=0.006)
+
+
+def _cove(height: float) -> np.ndarray:
+    """The profile of a hollow between wall and ceiling, with a fillet at each end."""
+    c, edge = _COVE, 0.006
+    angle = np.linspace(np.pi, np.pi / 2, 9)
+    hollow = np.stack([c + edge + c * np.cos(angle), -c - edge + c * np.sin(angle)], axis=1)
+    low, high = (0.0, -c - edge - 0.005), (c + edge + 0.005, 0.0)
+    profile = [(0.0, 0.0), low, (edge, low[1]), *hollow, (high[0], -edge), high]
+    return np.array(profile) + (0.0, height)
+
+
+def _slab(builder: Builder, plan: np.ndarray, z: tuple[float, float], material: Material) -> None:
+    import manifold3d
+
+    triangles = np.asarray(manifold3d.triangulate([plan]), dtype=np.int32)
+    for level, faces in zip(z, (triangles[:, ::-1], triangles), strict=True):
+        builder.add(np.column_stack([plan, np.full(len(plan), level)]), faces, material)
