@@ -21,6 +21,7 @@ from .soft import blanket as blanket
 from .soft import curtain as curtain
 from .soft import cushions as cushions
 from .soft import mattress as mattress
+from .soft import piping as piping
 from .soft import towel as towel
 from .supports import castors as castors
 from .supports import feet as feet
@@ -58,6 +59,7 @@ __all__ = [
     "legs",
     "mattress",
     "oval",
+    "piping",
     "pulls",
     "screen",
     "shelves",
