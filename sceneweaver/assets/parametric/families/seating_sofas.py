@@ -29,7 +29,7 @@ def contrasting(cover: Material) -> list[str]:
 def throw_pillow(d: Drawing, role: str, cover: Material, x: float, y: float, z: float, yaw: float = 0.25) -> None:
     """A square pillow that stands on a seat at height z and leans back against x."""
     cloth = d.material(role, *contrasting(cover))
-    with d.part(role), d.at(x, y, z + 0.21, yaw=yaw, pitch=1.2):
+    with d.at(x, y, z + 0.21, yaw=yaw, pitch=1.2):
         d.pillow(Box.around((0.0, 0.0, -0.01), 0.42, 0.42, 0.15), cloth)
 
 
