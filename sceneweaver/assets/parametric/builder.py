@@ -38,9 +38,10 @@ class Builder(Drawing):
     def extrude(self, polygon, span, material, bevel=0.0, *, axis="z"):
         super().extrude(polygon, span, material, axis=axis, bevel=bevel)
 
-    def ball(self, radii, center=None, material=None, segments=20):
+    def ball(self, radii, *more, **named):
         if isinstance(radii, Box):
-            return super().ball(radii, center if material is None else material, segments)
+            return super().ball(radii, *more, **named)
+        center, material, segments = (*more, *named.values(), 20)[:3]
         shape = shapes.ball(radii, center, segments)
         self.add(shape, material, None if segments <= 12 else [shapes.containing_hull(shape[0])])
 

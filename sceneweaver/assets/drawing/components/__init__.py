@@ -31,6 +31,7 @@ from .supports import star_base as star_base
 from .vessels import CORNERS as CORNERS
 from .vessels import basin as basin
 from .vessels import drain as drain
+from .vessels import open_box as open_box
 from .vessels import oval as oval
 from .vessels import vessel as vessel
 
@@ -58,6 +59,7 @@ __all__ = [
     "leg",
     "legs",
     "mattress",
+    "open_box",
     "oval",
     "piping",
     "pulls",

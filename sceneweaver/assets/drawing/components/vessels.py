@@ -89,3 +89,30 @@ def basin(d: Drawing, box: Box, material: Look, radius: float = 0.03, lip: float
     x, y, _ = box.center
     drain(d, (x, y, bottom + 0.008))
     return floor.inset(x=0.006, y=0.006, bottom=0.008)
+
+
+def open_box(
+    d: Drawing,
+    box: Box,
+    material: Look,
+    wall: float,
+    lean: float = 0.0,
+    floor: float = 0.01,
+    name: str | None = "inside",
+) -> Box:
+    """Four walls on a floor, each a part; narrower at its bottom by ``lean`` at each side. Its floor is a surface.
+
+    Returns the room inside.
+    """
+    low = box.inset(x=lean, y=lean)
+    with d.part("floor"):
+        d.box(low.bottom(floor), material, bevel=0.002)
+    for side in ("front", "back", "left", "right"):
+        with d.part(f"wall {side}"):
+            slabs = [getattr(b, side)(wall) for b in (low, box)]
+            ends = [[(x, y, b.z[k]) for x in b.x for y in b.y] for k, b in enumerate(slabs)]
+            d.hull([*ends[0], *ends[1]], material)
+    room = low.inset(x=wall + 0.004, y=wall + 0.004, bottom=floor)
+    if name:
+        d.surface(name, room.bottom(0.0))
+    return room

@@ -6,534 +6,371 @@ import math
 
 import numpy as np
 
-from ..builder import Builder
-from ..joinery import carcass
-from ..registry import draws
-from .kitchen_parts import Finish, egg, loft, oval, rounded
-from .small_containers import open_box
-from .small_kit import OPEN
+from ... import shapes
+from ...drawing import Box, Drawing, Look, Vec3, draws
+from ...drawing.components import carcass, open_box, oval
 
 _METALS = ("chrome", "black steel", "brass", "brushed steel")
-_TERRY = (
-    "white fabric",
-    "blue fabric",
-    "green fabric",
-    "rose fabric",
-    "grey fabric",
-    "mustard fabric",
-    "beige fabric",
-    "navy fabric",
-)
+_TERRY = [f"{tone} fabric" for tone in ("white", "blue", "green", "rose", "grey", "mustard", "beige", "navy")]
 
 
-def _towel(b: Builder, x: float, y: tuple, top: float, front: float, back: float, r: float, cloth: Finish) -> None:
-    """A towel over a bar at (x, top - r) with a woven band, its ends at two heights."""
-    b.box((x + r, x + r + 0.012), y, (front, top - r), cloth, bevel=0.004)
-    b.box((x - r - 0.012, x - r), y, (back, top - r), cloth, bevel=0.004)
-    ring = [
-        (x + (r + 0.012) * math.cos(t), top - r - 0.012 + (r + 0.012) * math.sin(t)) for t in np.linspace(0, math.pi, 9)
-    ]
-    b.hull([(px, py, pz) for px, pz in ring for py in y], cloth)
-    b.box(
-        (x + r + 0.0118, x + r + 0.0135),
-        y,
-        (front + 0.05, front + 0.075),
-        "white fabric" if "white" not in str(cloth) else "grey fabric",
-        bevel=0,
+def _hung_towel(d: Drawing, bar: Vec3, radius: float, width: float, front: float, back: float) -> None:
+    """A towel over a bar along y whose middle is at a point; it hangs down by ``front`` and ``back`` [m]."""
+    cloth = d.material("towel", *_TERRY)
+    thick = 0.008
+    r = radius + 0.6 * thick
+    over = np.linspace(math.pi, 0.0, 5)
+    section = np.array(
+        [(-r - 0.004, -back), (-r, -0.5 * back), *zip(r * np.cos(over), r * np.sin(over), strict=True)]
+        + [(r, -0.5 * front), (r + 0.006, -front + 0.08), (r + 0.006, -front + 0.05), (r + 0.007, -front)]
     )
+    across = np.linspace(-width / 2, width / 2, 13)
+    grid = np.empty((len(section), len(across), 3))
+    fold = 0.004 * np.sin(9 * np.pi * (across / width + 0.5)) * np.clip(-section[:, 1:] / front, 0, 1)
+    grid[..., 0] = bar[0] + section[:, :1] + np.where(section[:, :1] > 0, fold, -fold)
+    grid[..., 1] = bar[1] + across
+    grid[..., 2] = bar[2] + section[:, 1:]
+    d.sheet(grid, thick, cloth, (5, 1))
+    stripe = grid[-3:-1].copy()
+    stripe[..., 0] += 0.5 * thick
+    d.sheet(stripe, 0.002, "white fabric" if cloth.name != "white fabric" else "grey fabric")
 
 
-@draws("towel_rail")
-def towel_rail(b: Builder) -> None:
-    """One or two bars on two brackets with a hung towel."""
-    d, w, h = b.size
-    metal = b.material("bar", *_METALS)
-    cloth = b.material("towel", *_TERRY)
-    z = h - 0.025
-    x = d / 2 - 0.025
-    with b.solid("rail"):
-        b.bar((x, -w / 2, z), (x, w / 2, z), 0.009, metal)
-        for s in (-1, 1):
-            py = s * (w / 2 - 0.03)
-            b.bar((-d / 2, py, z), (x, py, z), 0.009, metal)
-            with b.frame(-d / 2, py, z, pitch=math.pi / 2):
-                b.frustum(0.025, 0.023, (0.0, 0.008), metal, segments=18)
-        at = b.uniform("at", -0.12, 0.12) * w
-        half = min(0.2, 0.3 * w)
-        _towel(b, x, (at - half, at + half), h, 0.0, 0.06, 0.012, cloth)
-    b.fit()
+def _rosette(d: Drawing, at: Vec3, radius: float, metal: Look, thick: float = 0.009) -> None:
+    """The round plate of a fitting on the wall; the point lies on the wall."""
+    with d.at(*at, pitch=math.pi / 2):
+        d.cylinder(Box.sized(2 * radius, 2 * radius, thick), metal, ends=(1.0, 0.92), segments=20)
 
 
-@draws("towel_radiator")
-def towel_radiator(b: Builder) -> None:
-    """Two uprights and many tubes in groups, on four brackets, with a valve; a towel on some."""
-    d, w, h = b.size
-    metal = b.material("body", "white steel", "white steel", "chrome", "black steel")
-    x = d / 2 - 0.035
-    r = 0.011
-    with b.solid("radiator"):
-        for s in (-1, 1):
-            b.box(
-                (x - 0.017, x + 0.013),
-                (s * (w / 2 - 0.015) - 0.015, s * (w / 2 - 0.015) + 0.015),
-                (0.06, h),
-                metal,
-                bevel=0.005,
-            )
-            for z in (0.2, h - 0.15):
-                b.bar((-d / 2, s * (w / 2 - 0.05), z), (x, s * (w / 2 - 0.05), z), 0.01, metal, 8)
-            with b.frame(x, s * (w / 2 - 0.015), 0.0):
-                b.frustum(0.012, 0.012, (0.0, 0.065), "chrome", segments=12)
-        with b.frame(x, w / 2 - 0.015, 0.03, roll=math.pi / 2):
-            b.frustum(0.022, 0.02, (-0.004, 0.055), "white plastic", segments=14)
-        n = int((h - 0.14) / 0.042)
-        gaps = {int(n * f) for f in ((0.33, 0.66) if h < 1.2 else (0.25, 0.5, 0.78))}
-        step = (h - 0.12) / n
-        for k in range(n):
-            if k in gaps or k - 1 in gaps:
-                continue
-            z = 0.1 + k * step
-            b.bar((x, -w / 2 + 0.02, z), (x, w / 2 - 0.02, z), r, metal, 8)
-        if b.chance("towel", 0.5):
-            g = sorted(gaps)[-1]
-            z = 0.1 + (g - 1) * step + r
-            _towel(b, x, (-w * 0.28, w * 0.3), z + 0.012, z - 0.42, z - 0.3, r, b.material("towel", *_TERRY))
-    b.fit()
+def _roll(d: Drawing, at: Vec3, radius: float, length: float) -> None:
+    """A paper roll with its core lying along y about a point."""
+    d.cylinder(Box.around(at, 2 * radius, length, 2 * radius), "paper", "y", segments=28)
+    d.cylinder(Box.around(at, 0.04, length + 0.001, 0.04), "cardboard", "y", segments=16)
 
 
-@draws("medicine_cabinet")
-def medicine_cabinet(b: Builder) -> None:
+@draws("towel_rail", whole=True)
+def towel_rail(d: Drawing) -> None:
+    """A bar on two brackets with a hung towel."""
+    metal = d.material("bar", *_METALS)
+    box = d.bounds
+    x, z = box.x[1] - 0.025, box.z[1] - 0.022
+    d.bar((x, box.y[0], z), (x, box.y[1], z), 0.009, metal)
+    with d.mirror("y"):
+        end = box.y[1] - 0.03
+        d.bar((box.x[0], end, z), (x, end, z), 0.009, metal)
+        _rosette(d, (box.x[0], end, z), 0.025, metal)
+    width = min(0.4, 0.6 * box.width)
+    _hung_towel(d, (x, d.uniform("at", -0.12, 0.12) * box.width, z), 0.009, width, z, z - 0.07)
+
+
+@draws("towel_radiator", whole=True)
+def towel_radiator(d: Drawing) -> None:
+    """Two uprights and tubes in groups, on brackets, with valves below; a towel on some."""
+    metal = d.material("body", "white steel", "white steel", "chrome", "black steel")
+    box = d.bounds
+    x = box.x[1] - 0.03
+    tubes = max(12, int((box.height - 0.14) / 0.042))
+    gaps = [int(tubes * share) for share in ((0.33, 0.66) if box.height < 1.2 else (0.25, 0.5, 0.78))]
+    levels = np.linspace(0.1, box.z[1] - 0.025, tubes)
+    for k, z in enumerate(levels):
+        if k not in gaps and k - 1 not in gaps:
+            d.cylinder(Box.around((x + 0.006, 0.0, z), 0.022, box.width - 0.03, 0.022), metal, "y", segments=10)
+    with d.mirror("y"):
+        y = box.y[1] - 0.016
+        d.cylinder(Box.sized(0.032, 0.032, box.height - 0.055, (x - 0.008, y, 0.055)), metal, bevel=0.004, segments=12)
+        for z in (0.2, box.z[1] - 0.15):
+            d.bar((box.x[0], y - 0.02, z), (x, y - 0.02, z), 0.01, metal, 8)
+            _rosette(d, (box.x[0], y - 0.02, z), 0.02, metal)
+        d.bar((x - 0.008, y, 0.03), (box.x[0], y, 0.03), 0.009, "chrome", 10)
+        d.cylinder(Box.sized(0.026, 0.026, 0.07, (x - 0.008, y, 0.0)), "chrome", segments=12)
+    d.cylinder(Box.around((x + 0.01, box.y[1] - 0.016, 0.03), 0.05, 0.028, 0.028), "white plastic", "x", segments=14)
+    if d.chance("towel", 0.5):
+        _hung_towel(d, (x + 0.006, 0.0, float(levels[gaps[-1] - 1])), 0.011, 0.6 * box.width, 0.42, 0.3)
+
+
+@draws("medicine_cabinet", whole=True)
+def medicine_cabinet(d: Drawing) -> None:
     """A shallow cupboard whose one, two or three doors are mirrors; boards inside, a lamp above some."""
-    d, w, h = b.size
-    shell = b.material("body", "white paint", "aluminium", "oak", "walnut", "light grey paint")
-    lamp = b.chance("lamp", 0.5)
-    top = h - 0.03 if lamp else h
-    x, y = (-d / 2, d / 2 - 0.03), (-w / 2, w / 2)
-    count = 1 if w < 0.55 else 2 if w < 0.78 else 3
-    step = w / count
-    with b.solid("cabinet"):
-        inside = carcass(b, x, y, (0.0, top), shell, board=0.014)
-        for k in (1, 2):
-            z = k * top / 3
-            b.box((x[0] + 0.006, x[1] - 0.01), inside[1], (z - 0.003, z + 0.003), "glass", bevel=0)
-        for k in range(count):
-            ys = (y[0] + k * step + 0.0015, y[0] + (k + 1) * step - 0.0015)
-            left = k == count - 1
-            at = ys[1] if left else ys[0]
-            with b.hinge(f"door-{k}", (x[1] + 0.018, at, 0.0), limits=(0.0, 1.7) if left else (-1.7, 0.0)):
-                b.box((x[1] + 0.0005, x[1] + 0.014), ys, (0.0015, top - 0.0015), shell, bevel=0.001)
-                f = 0.016 if shell.name in ("oak", "walnut") else 0.003
-                b.box((x[1] + 0.012, x[1] + 0.018), (ys[0] + f, ys[1] - f), (f, top - f), "mirror", bevel=0.0025)
-                side = ys[0] + 0.02 if left else ys[1] - 0.02
-                if f > 0.01:
-                    side = ys[0] + 0.008 if left else ys[1] - 0.008
-                b.box(
-                    (x[1] + 0.013, x[1] + 0.028),
-                    (side - 0.005, side + 0.005),
-                    (0.3 * top, 0.3 * top + 0.05),
-                    "chrome",
-                    bevel=0.002,
-                )
-        if lamp:
-            b.box((x[0], x[1] + 0.03), (y[0] + 0.03, y[1] - 0.03), (top, h), "chrome", bevel=0.004)
-            b.box(
-                (x[1] + 0.0, x[1] + 0.0305),
-                (y[0] + 0.05, y[1] - 0.05),
-                (top - 0.0005, top + 0.022),
-                "lamp glow",
-                bevel=0.002,
-            )
-    b.fit()
+    shell = d.material("body", "white paint", "aluminium", "oak", "walnut", "light grey paint")
+    box = d.bounds
+    lamp = d.chance("lamp", 0.5)
+    case = box.inset(top=0.03 if lamp else 0.0, front=0.03)
+    room = carcass(d, case, shell, board=0.014)
+    for level in room.rows(3)[1:]:
+        d.box(level.bottom(0.006).inset(front=0.01), "glass", bevel=0.0)
+    rim = 0.016 if shell.name in ("oak", "walnut") else 0.003
+    count = 1 if box.width < 0.55 else 2 if box.width < 0.78 else 3
+    for k, cell in enumerate(case.front(-0.018).columns(count)):
+        leaf = cell.inset(y=0.0015, z=0.0015)
+        left = k == count - 1
+        hung, free = ("left", "right") if left else ("right", "left")
+        limits = (0.0, 1.7) if left else (-1.7, 0.0)
+        with d.hinge(f"door-{k}", leaf.anchor(f"front {hung} bottom"), limits=limits):
+            d.box(leaf.inset(front=0.004), shell, bevel=0.001)
+            d.box(leaf.front(0.006).inset(y=rim, z=rim), "mirror", bevel=0.0025)
+            grip = leaf.inset(y=0.004).share(z=(0.3, 0.38)).place(width=0.01, at=free)
+            d.box(grip.to(x=(leaf.x[1] - 0.005, box.x[1] - 0.002)), "chrome", bevel=0.002)
+    if lamp:
+        light = box.top(0.03).inset(y=0.03)
+        d.box(light, "chrome", bevel=0.004)
+        d.box(light.inset(y=0.02, top=0.008, bottom=0.002).front(0.01).move(x=0.0006), "lamp glow", bevel=0.002)
 
 
-@draws("toilet_paper_stand")
-def toilet_paper_stand(b: Builder) -> None:
-    """A rod on a round foot with an arm that holds a roll, and a spare one on the foot."""
-    d, w, h = b.size
-    metal = b.material("rod", *_METALS)
-    r = min(d, w) / 2
-    with b.solid("stand"):
-        b.frustum(r, r - 0.004, (0.0, 0.014), metal, segments=28, bevel=0.002)
-        b.bar((0.0, -r + 0.03, 0.01), (0.0, -r + 0.03, h), 0.008, metal, 12)
-        b.bar((0.0, -r + 0.03, h - 0.008), (0.0, r - 0.012, h - 0.008), 0.007, metal, 10)
-        with b.frame(0.0, 0.012, h - 0.028, roll=math.pi / 2):
-            b.frustum(0.05, 0.05, (-0.045, 0.045), "paper", segments=24)
-            b.frustum(0.02, 0.02, (-0.0455, 0.0455), "cardboard", segments=16)
-        b.box((0.0455, 0.047), (-0.03, 0.055), (h - 0.16, h - 0.03), "paper", bevel=0)
-    with b.solid("spare"):
+@draws("toilet_paper_stand", even="round")
+def toilet_paper_stand(d: Drawing) -> None:
+    """A rod on a round foot with an arm that holds a roll, and spare ones on the foot."""
+    metal = d.material("rod", *_METALS)
+    box = d.even("round")
+    r, h = box.depth / 2, box.height
+    with d.part("stand"):
+        foot = d.cylinder(box.bottom(0.014), metal, bevel=0.003, segments=28)
+        d.bar((0.0, 0.03 - r, 0.01), (0.0, 0.03 - r, h - 0.008), 0.008, metal, 12)
+        d.ball(Box.around((0.0, 0.03 - r, h - 0.008), 0.016, 0.016, 0.016), metal, 10)
+        d.bar((0.0, 0.03 - r, h - 0.008), (0.0, r - 0.012, h - 0.008), 0.007, metal, 10)
+        _roll(d, (0.0, 0.012, h - 0.028), 0.05, 0.09)
+        d.box(Box((0.0475, 0.0495), (-0.03, 0.055), (h - 0.15, h - 0.03)), "paper", bevel=0.0)
+    with d.part("spare"):
         for k in range(2):
-            with b.frame(0.0, 0.025, 0.0145 + 0.092 * k):
-                b.frustum(0.048, 0.048, (0.0, 0.09), "paper", segments=24)
-    b.fit()
+            roll = Box.sized(0.096, 0.096, 0.09, (0.0, 0.025, foot.z[1] + 0.001 + 0.091 * k))
+            d.cylinder(roll, "paper", bevel=0.003, segments=24)
+            d.print(roll.top(0.0).inset(x=0.028, y=0.028), "cardboard")
+    d.fit(box.size)
 
 
-@draws("toilet_paper_holder")
-def toilet_paper_holder(b: Builder) -> None:
-    """A bent bar, or one with a flap, and a roll with a hanging leaf."""
-    d, w, h = b.size
-    metal = b.material("bar", *_METALS)
-    r = d / 2 - 0.008
-    z = h - 0.022 - 0.02
-    cx = d / 2 - r
-    with b.solid("holder"):
-        with b.frame(cx, 0.0, z - 0.012, roll=math.pi / 2):
-            b.frustum(r, r, (-0.05, 0.05), "paper", segments=28)
-            b.frustum(0.02, 0.02, (-0.0505, 0.0505), "cardboard", segments=16)
-        b.box((d / 2 - 0.0035, d / 2 - 0.002), (-0.05, 0.05), (0.0, z - 0.012), "paper", bevel=0)
-        with b.frame(-d / 2, -w / 2 + 0.02, h - 0.025, pitch=math.pi / 2):
-            b.frustum(0.02, 0.02, (0.0, 0.012), metal, segments=18, bevel=0.002)
-        b.tube(
-            [
-                (-d / 2 + 0.01, -w / 2 + 0.02, h - 0.025),
-                (cx, -w / 2 + 0.02, h - 0.025),
-                (cx, -w / 2 + 0.011, z - 0.012),
-                (cx, w / 2 - 0.006, z - 0.012),
-            ],
-            0.006,
-            metal,
-            8,
-        )
-        b.bar((cx, w / 2 - 0.006, z - 0.013), (cx, w / 2 - 0.006, z + 0.01), 0.006, metal, 8)
-        if b.chance("flap", 0.6):
-            b.hull(
-                [
-                    (px, py, pz)
-                    for px, pz in (
-                        (-d / 2, h - 0.012),
-                        (-d / 2, h),
-                        (cx, h),
-                        (d / 2 - 0.01, h - 0.02),
-                        (d / 2 - 0.01, h - 0.023),
-                        (cx, h - 0.004),
-                    )
-                    for py in (-0.052, 0.058)
-                ],
-                metal,
-            )
-    b.fit()
+@draws("toilet_paper_holder", whole=True)
+def toilet_paper_holder(d: Drawing) -> None:
+    """A bent bar, on some under a flap, and a roll with a hanging leaf."""
+    metal = d.material("bar", *_METALS)
+    box = d.bounds
+    h, r = box.height, box.depth / 2 - 0.008
+    x, y, z = box.x[1] - r, 0.02 - box.width / 2, h - 0.054
+    _roll(d, (x, 0.0, z), r, 0.1)
+    d.box(Box((box.x[1] - 0.003, box.x[1] - 0.001), (-0.05, 0.05), (0.0, z)), "paper", bevel=0.0)
+    _rosette(d, (box.x[0], y, h - 0.025), 0.021, metal, 0.012)
+    elbow = [(box.x[0], y, h - 0.025), (x, y, h - 0.025), (x, y - 0.009, z), (x, box.y[1] - 0.006, z)]
+    d.sweep(elbow, 0.006, metal, 10)
+    d.ball(Box.around((x, box.y[1] - 0.007, z), 0.02, 0.014, 0.02), metal, 12)
+    if d.chance("flap", 0.6):
+        drop = np.radians([90, 70, 50, 30])
+        curve = [(box.x[0], h - 0.004), *zip(x + r * np.cos(drop), z + 0.05 * np.sin(drop), strict=True)]
+        grid = np.array([[(px, py, pz) for py in (-0.055, 0.055)] for px, pz in curve])
+        d.sheet(grid, 0.003, metal, (len(curve) - 1, 1))
 
 
 @draws("bathroom_shelf")
-def bathroom_shelf(b: Builder) -> None:
+def bathroom_shelf(d: Drawing) -> None:
     """Two or three glass or wooden boards with rails, between wall strips."""
-    d, w, h = b.size
-    metal = b.material("metal", *_METALS)
-    board = b.material("board", "glass", "oak", "bamboo", "white paint", "frosted glass")
-    count = 2 if h < 0.42 else 3
-    t = 0.008 if "glass" in board.name else 0.015
-    rail = 0.045
-    zs = [0.02 + k * (h - 0.02 - t - rail) / (count - 1) for k in range(count)]
-    with b.solid("wall"):
-        for s in (-1, 1):
-            b.box(
-                (-d / 2, -d / 2 + 0.01),
-                (s * (w / 2 - 0.04) - 0.01, s * (w / 2 - 0.04) + 0.01),
-                (0.0, h),
-                metal,
-                bevel=0.002,
-            )
-    for k, z in enumerate(zs):
-        with b.solid(f"board {k}"):
-            b.box((-d / 2 + 0.0105, d / 2 - 0.012), (-w / 2, w / 2), (z, z + t), board, bevel=0.002)
-            for s in (-1, 1):
-                py = s * (w / 2 - 0.04)
-                b.box((-d / 2 + 0.01, d / 2 - 0.02), (py - 0.007, py + 0.007), (z - 0.012, z), metal, bevel=0)
-        with b.solid(f"rail {k}"):
-            zr = z + t + 0.03
-            b.bar((d / 2 - 0.006, -w / 2 + 0.004, zr), (d / 2 - 0.006, w / 2 - 0.004, zr), 0.004, metal, 8)
-            for s in (-1, 1):
-                b.bar(
-                    (d / 2 - 0.006, s * (w / 2 - 0.012), z), (d / 2 - 0.006, s * (w / 2 - 0.012), zr), 0.004, metal, 8
-                )
-        up = None if k == count - 1 else round(zs[k + 1] - 0.014 - z - t, 4)
-        b.surface(f"shelf-{k}", (-d / 2 + 0.014, d / 2 - 0.018), (-w / 2 + 0.01, w / 2 - 0.01), z + t, headroom=up)
-    b.fit()
+    metal = d.material("metal", *_METALS)
+    board = d.material("board", "glass", "oak", "bamboo", "white paint", "frosted glass")
+    box = d.bounds
+    thick = 0.008 if "glass" in board.name else 0.015
+    count = 2 if box.height < 0.42 else 3
+    edge = 0.04  # from the strips to the ends of the boards
+    with d.part("wall"), d.mirror("y"):
+        d.box(box.back(0.01).inset(left=edge - 0.01).left(0.02), metal, bevel=0.002)
+    levels = np.linspace(0.02, box.z[1] - thick - 0.045, count)
+    for k, z in enumerate(levels.tolist()):
+        shelf = box.inset(back=0.0105, front=0.012).to(z=(z, z + thick))
+        with d.part(f"board {k}"):
+            d.box(shelf, board, bevel=0.002)
+            with d.mirror("y"):
+                d.box(shelf.bottom(-0.012).inset(left=edge - 0.007, front=0.01).left(0.014), metal, bevel=0.0)
+        with d.part(f"rail {k}"):
+            x, y, rail = box.x[1] - 0.006, box.y[1] - 0.004, z + thick + 0.03
+            d.bar((x, -y, rail), (x, y, rail), 0.004, metal, 8)
+            with d.mirror("y"):
+                d.bar((x, y - 0.008, z), (x, y - 0.008, rail), 0.004, metal, 8)
+        above = None if k == count - 1 else round(float(levels[k + 1]) - 0.014 - z - thick, 4)
+        d.surface(f"shelf-{k}", shelf.inset(back=0.004, front=0.006, y=0.01), above)
+    d.fit()
 
 
-@draws("bath_mat")
-def bath_mat(b: Builder) -> None:
-    """A tufted mat with a hem and rows of pile, or a slatted wooden one."""
-    d, w, h = b.size
-    if b.chance("slats", 0.25, matched=True):
-        wood = b.material("mat", "bamboo", "oak", "walnut")
-        with b.solid("mat"):
-            n = int(w / 0.055)
-            step = w / n
-            for s in (-0.32, 0.32):
-                b.box((s * d - 0.02, s * d + 0.02), (-w / 2 + 0.01, w / 2 - 0.01), (0.0, h * 0.5), wood, bevel=0.001)
-            for k in range(n):
-                y = -w / 2 + k * step
-                b.box((-d / 2, d / 2), (y, y + step - 0.008), (h * 0.45, h), wood, bevel=0.002)
-    else:
-        cloth = b.material("mat", *_TERRY)
-        round_ends = b.chance("oval", 0.3, matched=True)
-        with b.solid("mat"):
-            if round_ends:
-                loft(
-                    b,
-                    [
-                        oval(d / 2 - 0.004, w / 2 - 0.004, 0.0),
-                        oval(d / 2, w / 2, h * 0.4),
-                        oval(d / 2 - 0.006, w / 2 - 0.006, h * 0.75),
-                    ],
-                    cloth,
-                    whole=True,
-                )
-                loft(
-                    b,
-                    [oval(d / 2 - 0.05, w / 2 - 0.05, h * 0.7), oval(d / 2 - 0.055, w / 2 - 0.055, h)],
-                    cloth,
-                    whole=True,
-                )
-            else:
-                x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-                loft(b, [rounded(x, y, 0.03, 0.0), rounded(x, y, 0.03, h * 0.5)], cloth, whole=True)
-                n = int((w - 0.06) / 0.03)
-                step = (w - 0.06) / n
-                for k in range(n):
-                    a = y[0] + 0.03 + k * step
-                    b.box((x[0] + 0.03, x[1] - 0.03), (a + 0.002, a + step - 0.002), (h * 0.45, h), cloth, bevel=0.005)
-    b.fit()
+@draws("bath_mat", whole=True)
+def bath_mat(d: Drawing) -> None:
+    """A tufted mat with a hem and rows of pile, square or oval, or a slatted wooden one."""
+    box = d.bounds
+    if d.chance("slats", 0.25, matched=True):
+        wood = d.material("mat", "bamboo", "oak", "walnut")
+        with d.mirror("x"):
+            d.box(box.share(x=(0.78, 0.87), z=(0.0, 0.5)).inset(y=0.01), wood, bevel=0.001)
+        for slat in box.share(z=(0.45, 1.0)).columns(int(box.width / 0.055), gap=0.008):
+            d.box(slat, wood, bevel=0.002)
+        return
+    cloth = d.material("mat", *_TERRY)
+    if d.chance("oval", 0.3, matched=True):
+        low = [(0.004, 0.0), (0.0, 0.4), (0.006, 0.75)]
+        for rings in (low, [(0.05, 0.7), (0.055, 1.0)]):
+            d.loft([oval(box.inset(x=e, y=e), s * box.height) for e, s in rings], cloth, convex=True)
+        return
+    d.slab(box.share(z=(0.0, 0.5)), cloth, 0.03, 0.003)
+    pile = box.inset(x=0.03, y=0.03).share(z=(0.45, 1.0))
+    for row in pile.columns(int(pile.width / 0.03), gap=0.002):
+        d.box(row, cloth, bevel=0.006)
+
+
+def _weave(base: Box, rim: Box, radius: float, depth: float = 0.007) -> shapes.convex.Shape:
+    """A woven body between two plans: strands that go over and under the stakes of its wall, grooves between them."""
+    strands = 2 * round((rim.depth + rim.width) / 0.052)
+    rows = max(4, round((rim.z[1] - base.z[0]) / 0.038))
+    # Each strand has a groove and two edges, near enough to it that the groove is seen as a crease.
+    at = (np.arange(strands)[:, None] + (0.0, 0.1, 0.9)).ravel() / strands
+    levels = [(k + v, k if v else None) for k in range(rows) for v in (0.0, 0.12, 0.88)] + [(rows, None)]
+
+    def plan(box: Box) -> np.ndarray:
+        """Points [N, 2] along a rectangle with round corners, by shares of its length."""
+        ring = shapes.rectangle(box.x, box.y, 0.0, radius, 8)[:, :2]
+        ring = np.concatenate([ring, ring[:1]])
+        run = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(ring, axis=0), axis=1))])
+        return np.stack([np.interp(at * run[-1], run, ring[:, k]) for k in (0, 1)], axis=1)
+
+    low, high = plan(base), plan(rim)
+    along = np.roll(low, -1, axis=0) - np.roll(low, 1, axis=0)
+    out = np.c_[along[:, 1], -along[:, 0]] / np.linalg.norm(along, axis=1, keepdims=True)
+    groove, strand = np.arange(len(at)) % 3 == 0, np.arange(len(at)) // 3
+    rings = []
+    for level, row in levels:
+        share = level / rows
+        over = np.where((strand + (row or 0)) % 2 == 0, 0.0, 0.45)
+        sunk = depth * np.where(groove | (row is None), 1.0, over)
+        plane = low + share * (high - low) - out * sunk[:, None]
+        rings.append(np.c_[plane, np.full(len(at), base.z[0] + share * (rim.z[1] - base.z[0]))])
+    return shapes.lofted(rings)
 
 
 @draws("laundry_hamper")
-def laundry_hamper(b: Builder) -> None:
-    """A woven box with a lid, bands of weave and grips, on four feet, or an open one."""
-    d, w, h = b.size
-    weave = b.material("body", "wicker", "rattan")
-    if b.request.shape == OPEN:
-        open_box(b, d, w, h, weave, 0.012, 0.03)
-        b.fit()
+def laundry_hamper(d: Drawing) -> None:
+    """A woven box with a lid, a liner that is folded over its rim, and grips; or an open one."""
+    weave = d.material("body", "wicker", "rattan")
+    box = d.bounds
+    if d.request.shape == "open":
+        open_box(d, box, weave, 0.012, 0.03)
+        d.fit()
         return
-    band: Finish = {"wicker": "rattan", "rattan": "wicker"}.get(weave.name, "wicker")
-    n = 22
-    top = h - 0.035
-    with b.solid("hamper"):
-        x, y = d / 2, w / 2
-        for k in range(n):
-            z0, z1 = 0.02 + k * (top - 0.02) / n, 0.02 + (k + 1) * (top - 0.02) / n
-            f = 0.86 + 0.12 * (k + 0.5) / n
-            o = 0.0 if k % 2 else 0.006
-            xs, ys = x * f - o, y * f - o
-            loft(
-                b,
-                [rounded((-xs, xs), (-ys, ys), 0.03, z0), rounded((-xs, xs), (-ys, ys), 0.03, z1)],
-                band if k % 2 or k == n - 3 else weave,
-            )
-        for sx in (-1, 1):
-            for sy in (-1, 1):
-                with b.frame(sx * (x * 0.86 - 0.04), sy * (y * 0.86 - 0.04)):
-                    b.frustum(0.014, 0.016, (0.0, 0.021), "oak", segments=10)
-        with b.hinge("lid", (-x, 0.0, h - 0.01), axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0)):  # clear of a wall
-            ins = 0.015
-            loft(
-                b,
-                [
-                    rounded((-x, x), (-y, y), 0.035, top + 0.001),
-                    rounded((-x, x), (-y, y), 0.035, h - 0.01),
-                    rounded((-x + ins, x - ins), (-y + ins, y - ins), 0.03, h),
-                ],
-                weave,
-                whole=True,
-            )
-            b.box((x - 0.03, x), (-0.035, 0.035), (top + 0.0005, h - 0.012), "brown leather", bevel=0)
-        for s in (-1, 1):
-            yy = y * 0.955
-            b.tube(
-                [
-                    (-0.07, s * yy, top - 0.14),
-                    (-0.05, s * (yy + 0.012), top - 0.1),
-                    (0.05, s * (yy + 0.012), top - 0.1),
-                    (0.07, s * yy, top - 0.14),
-                ],
+    rim_height = 0.035
+    body = box.inset(bottom=0.02, top=rim_height, x=0.008, y=0.008)
+    foot = body.inset(x=0.06 * box.depth, y=0.06 * box.width)
+    with d.part("hamper"):
+        ends = [shapes.rectangle(b.x, b.y, z, 0.03) for b, z in ((foot, body.z[0]), (body, body.z[1]))]
+        d.add(_weave(foot, body, 0.035), weave, [shapes.hull(np.concatenate(ends))])
+        with d.corners(foot, inset=0.03):
+            d.cylinder(Box.sized(0.03, 0.03, 0.022), "oak", ends=(0.85, 1.0), segments=10)
+        d.slab(body.top(0.055).inset(x=-0.002, y=-0.002), "white fabric", 0.037, 0.004)
+        d.slab(foot.to(z=(0.018, 0.034)).inset(x=-0.003, y=-0.003), weave, 0.038, 0.004)
+        lid = box.top(rim_height - 0.001)
+        with d.hinge("lid", lid.anchor("back top"), axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0)):
+            d.slab(lid.inset(top=0.008), weave, 0.04, 0.004)
+            d.slab(lid.top(0.014).inset(x=0.012, y=0.012), weave, 0.03, 0.006)
+            d.box(lid.front(0.004).move(x=0.002).place(width=0.06).bottom(0.022), "brown leather", bevel=0.001)
+        with d.mirror("y"):
+            y, z = body.y[1], body.z[1] - 0.1
+            d.arch(
+                (-0.07, y - 0.012, z),
+                (0.07, y - 0.012, z),
+                (0.0, 0.018, 0.03),
                 0.008,
-                band,
-                8,
+                "rattan" if weave.name == "wicker" else "wicker",
             )
-    b.fit()
+    d.fit()
 
 
-@draws("scale")
-def scale(b: Builder) -> None:
-    """A glass plate on feet with a display and steel contacts, or a padded one with a dial."""
-    d, w, h = b.size
-    look = b.material(
-        "plate", "black glass", "white plastic", "frosted glass", "grey plastic", "white plastic", "bamboo"
-    )
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    # Its user stands with the toes toward the display, at -x, and reads it from +x.
-    with b.solid("scale"):
-        for px in (x[0] + 0.04, x[1] - 0.04):
-            for py in (y[0] + 0.04, y[1] - 0.04):
-                with b.frame(px, py):
-                    b.frustum(0.02, 0.022, (0.0, 0.0085), "black plastic", segments=14)
-        b.box((x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), (0.008, h - 0.009), "grey plastic", bevel=0.002)
-        loft(
-            b,
-            [
-                rounded(x, y, 0.03, h - 0.009),
-                rounded(x, y, 0.03, h - 0.001),
-                rounded((x[0] + 0.002, x[1] - 0.002), (y[0] + 0.002, y[1] - 0.002), 0.03, h),
-            ],
-            look,
-            whole=True,
-        )
-        b.box((x[0] + 0.025, x[0] + 0.075), (-0.05, 0.05), (h - 0.002, h + 0.0008), "black glass", bevel=0)
-        for k in range(3):
-            a = -0.027 + k * 0.02
-            b.box((x[0] + 0.038, x[0] + 0.062), (a, a + 0.013), (h, h + 0.0012), "lamp glow", bevel=0)
-        for s in (-1, 1):
-            for px in (-0.02, 0.07):
-                b.box(
-                    (px - 0.025, px + 0.025),
-                    (s * w * 0.26 - 0.035, s * w * 0.26 + 0.035),
-                    (h - 0.002, h + 0.0008),
-                    "brushed steel",
-                    bevel=0,
-                )
-    b.fit()
+@draws("scale", whole=True)
+def scale(d: Drawing) -> None:
+    """A plate on feet with a display and steel contacts; its user stands with the toes toward the display, at -x."""
+    tones = ("black glass", "white plastic", "frosted glass", "grey plastic", "white plastic", "bamboo")
+    look = d.material("plate", *tones)
+    box = d.bounds
+    with d.corners(box, inset=0.04):
+        d.cylinder(Box.sized(0.044, 0.044, 0.0085), "black plastic", ends=(0.9, 1.0), segments=14)
+    plate = box.top(0.009)
+    d.box(box.inset(x=0.02, y=0.02, bottom=0.008, top=0.009), "grey plastic", bevel=0.002)
+    d.slab(plate, look, 0.03, 0.002)
+    window = d.print(plate.top(0.0).inset(back=0.025).back(0.05).place(width=0.1), "black glass")
+    for digit in window.inset(y=0.02, x=0.012).columns(3, gap=0.008):
+        d.print(digit, "lamp glow", 0.00045)
+    with d.mirror("y"):
+        for x in (-0.02, 0.07):
+            contact = Box.sized(0.05, 0.07, 0.0, (x, 0.26 * box.width, plate.z[1]))
+            d.print(contact, "brushed steel")
 
 
-@draws("shower_stool")
-def shower_stool(b: Builder) -> None:
+@draws("shower_stool", whole=True)
+def shower_stool(d: Drawing) -> None:
     """A slatted or holed seat on four splayed legs with rubber feet."""
-    d, w, h = b.size
-    wood = b.chance("wood", 0.5)
-    seat = (
-        b.material("seat", "bamboo", "oak", "walnut") if wood else b.material("seat", "white plastic", "grey plastic")
-    )
-    leg: Finish = seat if wood else b.material("legs", "aluminium", "chrome", "white steel")
-    top = h - 0.028
-    with b.solid("legs"):
-        for sx in (-1, 1):
-            for sy in (-1, 1):
-                foot, head = (sx * (d / 2 - 0.018), sy * (w / 2 - 0.018)), (sx * (d / 2 - 0.05), sy * (w / 2 - 0.06))
-                b.bar((*foot, 0.02), (*head, top), 0.013, leg, 12)
-                with b.frame(*foot):
-                    b.frustum(0.018, 0.015, (0.0, 0.03), "rubber", segments=12)
-        z = top - 0.11
-        for s in (-1, 1):
-            b.bar((s * (d / 2 - 0.042), -w / 2 + 0.055, z), (s * (d / 2 - 0.042), w / 2 - 0.055, z), 0.008, leg, 8)
-        b.bar((-d / 2 + 0.042, 0.0, z), (d / 2 - 0.042, 0.0, z), 0.008, leg, 8)
-        if wood:
-            n = 6
-            step = (d - 0.03) / n
-            for s in (-1, 1):
-                b.box(
-                    (-d / 2 + 0.02, d / 2 - 0.02),
-                    (s * (w / 2 - 0.06) - 0.015, s * (w / 2 - 0.06) + 0.015),
-                    (top - 0.02, top),
-                    seat,
-                )
-            for k in range(n):
-                a = -d / 2 + 0.015 + k * step
-                b.box((a + 0.003, a + step - 0.003), (-w / 2, w / 2), (top, h), seat, bevel=0.004)
-        else:
-            x, y = (-d / 2 + 0.015, d / 2 - 0.015), (-w / 2, w / 2)
-            loft(
-                b,
-                [
-                    rounded(x, y, 0.06, top - 0.005),
-                    rounded(x, y, 0.06, h - 0.006),
-                    rounded((x[0] + 0.008, x[1] - 0.008), (y[0] + 0.008, y[1] - 0.008), 0.055, h),
-                ],
-                seat,
-                whole=True,
-            )
-            for i in range(3):
-                for j in range(5):
-                    with b.frame((i - 1) * 0.06, (j - 2) * 0.06, h):
-                        b.frustum(0.008, 0.008, (-0.004, 0.0003), "black plastic", segments=10)
-    if not wood:
-        b.surface("top", (-d / 2 + 0.05, d / 2 - 0.05), (-w / 2 + 0.05, w / 2 - 0.05), h)
-    b.fit()
+    wood = d.chance("wood", 0.5)
+    tones = ("bamboo", "oak", "walnut") if wood else ("white plastic", "grey plastic")
+    look = d.material("seat", *tones)
+    frame: Look = look if wood else d.material("legs", "aluminium", "chrome", "white steel")
+    box = d.bounds
+    seat = box.top(0.028)
+    z, under = seat.z[0], seat.z[0] - 0.11
+    with d.corners(box, inset=0.018):
+        d.bar((0.0, 0.0, 0.02), (0.032, 0.042, z + 0.004), 0.013, frame, 12)
+        d.cylinder(Box.sized(0.036, 0.036, 0.03), "rubber", ends=(1.0, 0.85), segments=12)
+    x, y = box.x[1] - 0.042, box.y[1] - 0.053
+    with d.mirror("x"):
+        d.bar((x, -y, under), (x, y, under), 0.008, frame, 8)
+    d.bar((-x, 0.0, under), (x, 0.0, under), 0.008, frame, 8)
+    if wood:
+        with d.mirror("y"):
+            d.box(seat.bottom(-0.02).inset(x=0.02).place(width=0.03, at="left").move(y=-0.045), look)
+        for slat in seat.split("x", 6, gap=0.006):
+            d.box(slat, look, bevel=0.004)
+        return
+    d.slab(seat, look, 0.06, 0.008)
+    holes = seat.top(0.0).place(0.18, 0.3)
+    for column in holes.columns(5):
+        for hole in column.split("x", 3):
+            x, y, z = hole.center
+            with d.at(x, y, z):
+                d.add(shapes.frustum(0.008, 0.008, (-0.002, 0.0003), 10), "black plastic", [])
+    d.surface("top", seat.inset(x=0.05, y=0.05))
 
 
-@draws("grab_bar")
-def grab_bar(b: Builder) -> None:
+@draws("grab_bar", whole=True)
+def grab_bar(d: Drawing) -> None:
     """A thick bar bent to the wall at both ends, with round plates."""
-    d, w, h = b.size
-    metal = b.material("bar", "brushed steel", "chrome", "white steel", "black steel")
-    z, x = h / 2, d / 2 - 0.016
-    e = w / 2 - h / 2
-    with b.solid("bar"):
-        b.tube(
-            [
-                (-d / 2 + 0.004, -e, z),
-                (x - 0.025, -e, z),
-                (x - 0.007, -e + 0.008, z),
-                (x, -e + 0.03, z),
-                (x, e - 0.03, z),
-                (x - 0.007, e - 0.008, z),
-                (x - 0.025, e, z),
-                (-d / 2 + 0.004, e, z),
-            ],
-            0.016,
-            metal,
-            12,
-        )
-        for s in (-1, 1):
-            with b.frame(-d / 2, s * e, z, pitch=math.pi / 2):
-                b.frustum(h / 2, h / 2 - 0.006, (0.0, 0.009), metal, segments=24)
-    b.fit()
+    metal = d.material("bar", "brushed steel", "chrome", "white steel", "black steel")
+    box = d.bounds
+    x, z, end = box.x[1] - 0.016, box.center[2], box.y[1] - box.height / 2
+    bend = [(box.x[0], end, z), (x - 0.025, end, z), (x - 0.007, end - 0.008, z), (x, end - 0.03, z)]
+    d.sweep([*bend, *((px, -py, pz) for px, py, pz in reversed(bend))], 0.016, metal, 12)
+    with d.mirror("y"):
+        _rosette(d, (box.x[0], end, z), box.height / 2, metal)
 
 
-@draws("hand_dryer")
-def hand_dryer(b: Builder) -> None:
+@draws("hand_dryer", whole=True)
+def hand_dryer(d: Drawing) -> None:
     """A rounded case with a nozzle below, a sensor, a grille and a sign."""
-    d, w, h = b.size
-    coat = b.material("body", "white plastic", "brushed steel", "chrome", "black plastic", "white steel")
-    with b.solid("dryer"):
-        b.cushion((-d / 2, d / 2), (-w / 2, w / 2), (0.04, h), coat, radius=min(0.06, d * 0.4))
-        b.hull(
-            [
-                (px, py, z)
-                for px, py, z in [(x, s * 0.075, 0.06) for x in (-0.03, d / 2 - 0.02) for s in (-1, 1)]
-                + [(x, s * 0.055, 0.0) for x in (-0.005, d / 2 - 0.02) for s in (-1, 1)]
-            ],
-            "chrome",
-        )
-        b.hull(
-            [(px, s * 0.045, z) for px in (0.005, d / 2 - 0.03) for s in (-1, 1) for z in (-0.0015, 0.004)],
-            "black plastic",
-        )
-        f = d / 2
-        b.box((f - 0.02, f + 0.0008), (-0.045, 0.045), (0.55 * h, 0.55 * h + 0.05), "black glass", bevel=0)
-        b.box((f - 0.02, f + 0.0012), (-0.006, 0.006), (0.55 * h + 0.019, 0.55 * h + 0.031), "lamp glow", bevel=0)
-        for k in range(4):
-            z = 0.1 + k * 0.014
-            b.box((f - 0.02, f + 0.001), (-0.05, 0.05), (z + 0.03, z + 0.036), "grey plastic", bevel=0)
-    b.fit()
+    coat = d.material("body", "white plastic", "brushed steel", "chrome", "black plastic", "white steel")
+    box = d.bounds
+    case = d.cushion(box.inset(bottom=0.04), coat, radius=min(0.06, 0.4 * box.depth))
+    mouth = Box((0.0, box.x[1] - 0.03), (-0.06, 0.06), (0.0, 0.06))
+    ends = ((mouth, 0.0), (mouth.inset(x=-0.01, y=-0.02), 0.07))
+    d.loft([shapes.rectangle(b.x, b.y, z, 0.012) for b, z in ends], "chrome", convex=True)
+    d.print(mouth.bottom(0.0).inset(x=0.008, y=0.012), "black plastic")
+    face = case.front(0.0)
+    window = d.print(face.place(width=0.09, height=0.05), "black glass")
+    d.print(window.place(width=0.012, height=0.012), "lamp glow", 0.00045)
+    for line in face.bottom(0.05).move(z=0.05).place(width=0.1).rows(4, gap=0.008):
+        d.print(line, "grey plastic")
 
 
-@draws("paper_towel_dispenser")
-def paper_towel_dispenser(b: Builder) -> None:
+@draws("paper_towel_dispenser", whole=True)
+def paper_towel_dispenser(d: Drawing) -> None:
     """A case with a bowed front, a window, a lock, a slot below and a towel that hangs out."""
-    d, w, h = b.size
-    coat = b.material("body", "white plastic", "brushed steel", "black plastic", "grey plastic")
-    z0 = 0.06
-    with b.solid("dispenser"):
-        x = -d / 2
-
-        def ring(k: float, z: float):
-
-            return egg(d * k, 0.0001, w / 2, z, x, 0.0, 3.2, 8.0, 24)
-
-        loft(b, [ring(0.86, z0), ring(1.0, z0 + 0.06), ring(1.0, h - 0.03), ring(0.9, h)], coat, whole=True)
-        b.box((0.0, d / 2 - 0.022), (-0.085, 0.085), (z0 - 0.003, z0 + 0.01), "black plastic", bevel=0)
-        b.hull(
-            [(px + o, s * 0.075, z) for px, z in ((0.012, z0), (0.02, 0.0)) for o in (0.0, 0.002) for s in (-1, 1)],
-            "paper",
+    coat = d.material("body", "white plastic", "brushed steel", "black plastic", "grey plastic")
+    box = d.bounds
+    low, high, x = 0.06, box.z[1], box.x[1]
+    levels = ((0.14, low), (0.0, low + 0.06), (0.0, high - 0.03), (0.1, high))
+    rings = [oval(box.inset(front=e * box.depth), z, 3.2, 8.0, box.x[0] + 1e-4, 24) for e, z in levels]
+    d.loft(rings, coat, convex=True)
+    d.box(Box((0.0, x - 0.024), (-0.085, 0.085), (low - 0.003, low + 0.01)), "black plastic", bevel=0.0)
+    for near, hem in ((0.012, 0.0), (0.026, 0.015)):
+        fall = np.array(
+            [[(near + s * s * 0.012, y, low + s * (hem - low)) for y in (-0.075, 0.075)] for s in (0, 0.5, 1)]
         )
-        b.hull(
-            [(px + o, s * 0.075, z) for px, z in ((0.026, z0), (0.036, 0.015)) for o in (0.0, 0.002) for s in (-1, 1)],
-            "paper",
-        )
-        f = d / 2
-        b.box((f - 0.02, f + 0.0006), (-0.02, 0.02), (z0 + 0.08, h - 0.12), "black glass", bevel=0)
-        b.box(
-            (f - 0.02, f + 0.001), (-0.0185, 0.0185), (z0 + 0.0815, z0 + 0.08 + 0.6 * (h - 0.2 - z0)), "paper", bevel=0
-        )
-        with b.frame(f - 0.004, 0.0, h - 0.07, pitch=math.pi / 2):
-            b.frustum(0.012, 0.011, (0.0, 0.005), "chrome", segments=14)
-    b.fit()
+        d.sheet(fall, 0.002, "paper", (2, 1))
+    slot = d.box(Box((x - 0.02, x + 0.0005), (-0.02, 0.02), (low + 0.08, high - 0.12)), "black glass", bevel=0.0)
+    d.print(slot.front(0.0).share(z=(0.01, 0.65)).inset(y=0.0015), "paper")
+    with d.at(x - 0.003, 0.0, high - 0.07, pitch=math.pi / 2):
+        d.cylinder(Box.sized(0.024, 0.024, 0.006), "chrome", segments=14)
