@@ -61,7 +61,7 @@ def build_shell(
         meshes.append(builder.mesh())
     outer = np.array(outer_outline(walls))
     seed = zlib.crc32(repr(room.outline).encode())
-    floor = floor_mesh(look.looks.floor_kind, look.looks.floor, covered(room), outer, seed, pixel)
+    floor = floor_mesh(look.looks.floor_kind, look.looks.floor, _covered(room), outer, seed, pixel)
     return Shell(floor, tuple(meshes), outer)
 
 
@@ -103,7 +103,7 @@ def _fittings(builder: Builder, room: Room, wall: Wall, look: Finishes) -> None:
         at = max(at, b)
 
 
-def covered(room: Room) -> np.ndarray:
+def _covered(room: Room) -> np.ndarray:
     """The floor's plan: the outline, and the thresholds of doors."""
     import shapely
 

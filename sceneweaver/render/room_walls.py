@@ -37,7 +37,7 @@ def add_wall_finish(
     if kind == "paper" and accent is not None:
         _stripes(builder, room, wall, accent, height)
     elif kind == "panelling" and accent is not None:
-        _panels(builder, room, wall, accent, height)
+        add_panels(builder, room, wall, accent, height)
     if band is not None and look.looks.tiles is not None:
         _tiles(builder, room, wall, look.looks.tiles, (band[0], min(band[1], height)), pixel)
 
@@ -66,7 +66,8 @@ def _stripes(builder: Builder, room: Room, wall: Wall, paper: Material, height: 
             _slab(builder, wall, span, z, _PAPER, other)
 
 
-def _panels(builder: Builder, room: Room, wall: Wall, panel: Material, height: float) -> None:
+def add_panels(builder: Builder, room: Room, wall: Wall, panel: Material, height: float) -> None:
+    """Panelling up to `PANELS`, or a lower height [m]."""
     top = min(PANELS, height)
     for along, z in _solid(room, wall, (0.0, top)):
         _slab(builder, wall, along, z, 0.002, panel)

@@ -14,12 +14,10 @@ from sceneweaver.scene import Scene
 from ..camera import Camera
 from ..room_blocks import Builder
 from ..room_finish import Finishes
-from ..room_floor import floor_mesh
-from ..room_shell import add_wall, covered
-from ..room_walls import add_wall_finish
 from .doors import REACH, add_door, is_in_doorway
 from .fittings import add_fittings, plan_fittings
 from .outside import outside_mesh
+from .surfaces import add_wall_faces, floor_plane
 from .trim import add_ceiling, add_skirting
 from .windows import add_window
 
@@ -56,11 +54,10 @@ def build_interior(scene: Scene, look: Finishes, camera: Camera | None = None) -
             found.append(Element(name, category, mesh))
 
     outer = np.array(outer_outline(room.walls))
-    found.append(Element("floor", "floor", floor_mesh(look.looks.floor_kind, look.looks.floor, covered(room), outer)))
+    found.append(Element("floor", "floor", floor_plane(look.looks.floor, outer)))
     for wall in room.walls:
         builder = Builder()
-        add_wall(builder, room, wall, room.height, look)
-        add_wall_finish(builder, room, wall, look, room.height)
+        add_wall_faces(builder, room, wall, look)
         take(f"wall:{wall.index}", "wall", builder)
     builder = Builder()
     add_ceiling(builder, room, look, scene.objects)
