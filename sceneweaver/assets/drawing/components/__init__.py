@@ -5,11 +5,14 @@ from .cases import carcass as carcass
 from .cases import cornice as cornice
 from .cases import shelves as shelves
 from .cases import slats as slats
+from .cavities import cavity as cavity
+from .cavities import rack as rack
 from .fittings import band as band
 from .fittings import button as button
 from .fittings import knob as knob
 from .fittings import screen as screen
 from .fittings import tap as tap
+from .fronts import FRONT as FRONT
 from .fronts import REACH as REACH
 from .fronts import door as door
 from .fronts import doors as doors
@@ -28,6 +31,9 @@ from .supports import feet as feet
 from .supports import leg as leg
 from .supports import legs as legs
 from .supports import star_base as star_base
+from .units import Layout as Layout
+from .units import fronts as fronts
+from .units import unit as unit
 from .vessels import CORNERS as CORNERS
 from .vessels import basin as basin
 from .vessels import drain as drain
@@ -37,7 +43,9 @@ from .vessels import vessel as vessel
 
 __all__ = [
     "CORNERS",
+    "FRONT",
     "REACH",
+    "Layout",
     "band",
     "basin",
     "blanket",
@@ -45,6 +53,7 @@ __all__ = [
     "button",
     "carcass",
     "castors",
+    "cavity",
     "cornice",
     "curtain",
     "cushions",
@@ -54,6 +63,7 @@ __all__ = [
     "drawer",
     "drawers",
     "feet",
+    "fronts",
     "handle",
     "knob",
     "leg",
@@ -63,11 +73,13 @@ __all__ = [
     "oval",
     "piping",
     "pulls",
+    "rack",
     "screen",
     "shelves",
     "slats",
     "star_base",
     "tap",
     "towel",
+    "unit",
     "vessel",
 ]

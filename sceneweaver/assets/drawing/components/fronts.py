@@ -54,16 +54,18 @@ def drawer(
     style: str = "bar",
     travel: float | None = None,
     inside: Look = "birch",
+    overlay: float = 0.0,
 ) -> Box:
     """A drawer that slides: a front that ends at the box's front with a gap of 2 mm around it, and a box behind it.
 
-    The box behind has a bottom, two sides and a back, and stays 12 mm off the case at the sides. It comes out by
-    ``travel`` [m], unless told by three quarters of its depth. Returns the room inside.
+    The box behind has a bottom, two sides and a back, and stays 12 mm off the case at the sides, of which the front
+    covers ``overlay`` [m]. It comes out by ``travel`` [m], unless told by three quarters of its depth. Returns the
+    room inside.
     """
     own = box.inset(y=0.002, z=0.002)
     with d.slide(name, limits=(0.0, round(0.75 * box.depth if travel is None else travel, 3))):
         face = d.box(own.front(FRONT), front)
-        tray = own.inset(front=FRONT, back=0.01, y=0.012, bottom=0.012, top=min(0.03, 0.25 * box.height))
+        tray = own.inset(front=FRONT, back=0.01, y=0.012 + overlay, bottom=0.012, top=min(0.03, 0.25 * box.height))
         if min(tray.size) > 0.03:
             d.box(tray.bottom(0.006), inside, bevel=0.0)
             walls = tray.inset(bottom=0.006)
@@ -82,14 +84,15 @@ def drawers(
     style: str = "bar",
     columns: int | Sequence[int] = 1,
     name: str = "drawer",
+    overlay: float = 0.0,
 ) -> None:
-    """Rows of drawers from the bottom up with these weights, each row in so many columns."""
+    """Rows of drawers from the bottom up with these weights, each row in so many columns; ``overlay`` as for one."""
     number = 0
     levels = box.rows(rows)
     counts = [columns] * len(levels) if isinstance(columns, int) else columns
     for level, count in zip(levels, counts, strict=True):
         for cell in level.columns(count):
-            drawer(d, f"{name}-{number}", cell, front, pull, style)
+            drawer(d, f"{name}-{number}", cell, front, pull, style, overlay=overlay)
             number += 1
 
 
@@ -102,10 +105,12 @@ def door(
     hung: Literal["left", "right"] = "left",
     style: str = "bar",
     panel: Look | None = None,
+    grip: float = 0.5,
 ) -> Box:
     """A door leaf that fills a box, as thick as it is deep, hinged at its left (+y) or right; it opens outward.
 
-    With ``panel`` it is a frame of the leaf's finish around a thinner panel (glass, say).
+    With ``panel`` it is a frame of the leaf's finish around a thinner panel (glass, say). ``grip`` is the share of its
+    height at which its handle is, unless it is as high as a man's chest.
     """
     own = box.inset(y=0.0015, z=0.0015)
     limits = (0.0, 1.92) if hung == "left" else (-1.92, 0.0)
@@ -124,7 +129,9 @@ def door(
         if style == "cup":  # it lies along the leaf's width, and stays on the leaf
             long = min(long, 2 * (reach - 0.003) / 0.7)
         y = own.y[0] + reach if hung == "left" else own.y[1] - reach
-        z = min(max(1.05, own.z[0] + 0.1), own.z[1] - long) if own.height > 1.2 else own.center[2]
+        z = own.z[0] + max(0.6 * long, min(grip * own.height, own.height - 0.6 * long))
+        if own.height > 1.2:
+            z = min(max(1.05, own.z[0] + 0.1), own.z[1] - long)
         handle(d, Box(own.x, (y, y), (z, z)), pull, style, long, upright=True)
     return own
 
@@ -138,7 +145,9 @@ def doors(
     style: str = "bar",
     panel: Look | None = None,
     name: str = "door",
+    grip: float = 0.5,
 ) -> None:
     """Doors side by side over a box, hung in pairs that meet in their middle; a single one is hung left."""
     for k, cell in enumerate(box.columns(count)):
-        door(d, f"{name}-{k}", cell, leaf, pull, "right" if count > 1 and k % 2 == 0 else "left", style, panel)
+        hung = "right" if count > 1 and k % 2 == 0 else "left"
+        door(d, f"{name}-{k}", cell, leaf, pull, hung, style, panel, grip)

@@ -2,293 +2,191 @@
 
 from __future__ import annotations
 
-from ..builder import Builder
-from ..joinery import carcass, door
-from ..registry import draws
-from .kitchen_parts import WORKTOPS, basin, cabinet, castors, fronts, tap, worktop, worktop_of
-
-
-def _looks(b: Builder) -> tuple:
-    """Body, fronts, pulls and their style."""
-    leaf = b.material(
-        "fronts",
-        "white paint",
-        "oak",
-        "sage paint",
-        "navy paint",
-        "light grey paint",
-        "walnut",
-        "cream paint",
-        "black paint",
-        "teal paint",
-        "light oak",
-        "pine",
-        "grey paint",
-    )
-    # The sides that are seen at the end of a run are faced like its fronts.
-    body = leaf if b.in_suite else b.material("body", "white paint", "light grey paint")
-    pull = b.material("pulls", "black steel", "brass", "steel", "bronze")
-    return body, leaf, pull, b.pick("pull style", ["bar", "bar", "knob", "cup"], matched=True)
-
-
-def _shaker(b: Builder) -> bool:
-    return b.style in ("classic", "rustic", "scandinavian") and b.chance("shaker", 0.75, matched=True)
+from ...drawing import Box, Drawing, draws
+from ...drawing.components import Layout, basin, carcass, castors, door, fronts, tap, unit
+from .kitchen_common import PLINTH, SETBACK, WORKTOPS, finishes_of, plinth, worktop, worktop_of
 
 
 @draws("kitchen_cabinet", "kitchen_counter")
-def base(b: Builder) -> None:
+def base_units(d: Drawing) -> None:
     """Base units on a plinth under one worktop."""
-    d, w, h = b.size
-    looks = _looks(b)
-    top, t = worktop_of(b)
-    x, y = (-d / 2, d / 2 - 0.027), (-w / 2, w / 2)
-    shaker = _shaker(b)
-    count = max(1, round(w / 0.62)) if w > 1.0 else 1
-    step = w / count
-    with b.solid("body"):
-        b.box((x[0] + 0.02, x[1] - 0.07), (y[0] + 0.002, y[1] - 0.002), (0.0, 0.1), "black plastic", bevel=0)
-        for k in range(count):
-            layout = b.pick(
-                f"layout {k}", ["doors", "drawers", "mixed"] if step > 0.5 else ["door", "drawers", "mixed"]
-            )
-            span = (y[0] + k * step, y[0] + (k + 1) * step)
-            cabinet(b, f"unit-{k}", x, span, (0.1, h - t), layout, looks, shaker)
-        b.box((-d / 2, d / 2 - 0.004), y, (h - t, h), top)
-    b.surface("top", (-d / 2 + 0.01, d / 2 - 0.014), (y[0] + 0.01, y[1] - 0.01), h)
-    b.fit()
+    body, fittings = finishes_of(d)
+    top, thick = worktop_of(d)
+    case = d.bounds.inset(front=SETBACK, bottom=PLINTH, top=thick)
+    with d.part("body"):
+        d.box(d.bounds.top(thick), top)
+        plinth(d, d.bounds.inset(front=SETBACK).bottom(PLINTH))
+        for k, cell in enumerate(case.columns(max(1, round(case.width / 0.62)) if case.width > 1.0 else 1)):
+            closed = "doors" if cell.width > 0.5 else "door"
+            unit(d, f"unit-{k}", cell, d.pick(f"layout {k}", [closed, "drawers", "mixed"]), body, *fittings)
+    d.surface("top", d.bounds, inset=0.01)
 
 
 @draws("corner_cabinet")
-def corner_cabinet(b: Builder) -> None:
-    """Two wings around an inner corner with a folding door in each; the corner of the room is at -x, +y."""
-    d, w, h = b.size
-    body, leaf, pull, style = _looks(b)
-    top, t = worktop_of(b)
-    deep = 0.572  # like base units of 0.62 m, whose fronts and worktop it goes on with
-    o = 0.044
-    over = [
-        (-d / 2, -w / 2),
-        (-d / 2 + deep + o, -w / 2),
-        (-d / 2 + deep + o, w / 2 - deep - o),
-        (d / 2, w / 2 - deep - o),
-        (d / 2, w / 2),
-        (-d / 2, w / 2),
-    ]
-    shell = body
-    xa, yb = -d / 2 + deep, w / 2 - deep
-    with b.solid("wing"):
-        b.box((-d / 2 + 0.02, xa - 0.06), (-w / 2 + 0.002, w / 2), (0.0, 0.1), "black plastic", bevel=0)
-        b.box((-d / 2, xa), (-w / 2, w / 2), (0.1, h - t), shell, bevel=0.001)
-        b.box((-d / 2, xa + o), (-w / 2, w / 2), (h - t, h), top, bevel=0)
+def corner_cabinet(d: Drawing) -> None:
+    """Two wings around an inner corner with a door in one; the corner of the room is at -x, +y."""
+    body, (leaf, pull, style, panel) = finishes_of(d)
+    top, thick = worktop_of(d)
+    deep, over = 0.572, 0.048  # like base units of 0.62 m, whose fronts and worktop it goes on with
+    bounds, board = d.bounds, 0.018
+    wing = bounds.back(deep)
+    arm = bounds.inset(back=deep).left(deep)
+    with d.part("wing"):
+        d.box(wing.inset(front=-over).top(thick), top, bevel=0.0)
+        plinth(d, wing.bottom(PLINTH))
+        case = wing.inset(bottom=PLINTH, top=thick)
+        room = carcass(d, case, body)
+        d.box(room.inset(front=0.03).place(height=board), body, bevel=0.0)
         # Hung at the outer end, and short of the other wing's front by more than its thickness: so it clears that.
-        front = (xa + 0.0005, xa + 0.0205), (-w / 2, yb - 0.026), (0.1, h - t)
-        door(b, "front-door", *front, leaf, pull, "right", style, leaf if _shaker(b) else None)
-    with b.solid("arm"):
-        b.box((xa - 0.06, d / 2 - 0.002), (yb + 0.06, w / 2 - 0.02), (0.0, 0.1), "black plastic", bevel=0)
-        b.box((xa, d / 2), (yb, w / 2), (0.1, h - t), shell, bevel=0.001)
-        b.box((xa + o, d / 2), (yb - o, w / 2), (h - t, h), top, bevel=0)
-        b.box((xa + 0.024, d / 2 - 0.002), (yb - 0.0205, yb - 0.0005), (0.102, h - t - 0.002), leaf)
-    b.surface(
-        "top",
-        (0, 1),
-        (0, 1),
-        h,
-        polygon=[
-            (over[0][0] + 0.01, over[0][1] + 0.01),
-            (over[1][0] - 0.01, over[1][1] + 0.01),
-            (over[2][0] - 0.01, over[2][1] + 0.01),
-            (over[3][0] - 0.01, over[3][1] + 0.01),
-            (over[4][0] - 0.01, over[4][1] - 0.01),
-            (over[5][0] + 0.01, over[5][1] - 0.01),
-        ],
-    )
-    b.fit()
+        door(d, "front-door", case.inset(left=deep + 0.026).front(-0.02), leaf, pull, "right", style, panel, 0.8)
+    with d.part("arm"):
+        d.box(arm.inset(back=over, right=-over).top(thick), top, bevel=0.0)
+        d.box(arm.bottom(PLINTH).inset(right=0.06, left=0.02, front=0.002, back=-0.06), "black plastic", bevel=0.0)
+        case = arm.inset(bottom=PLINTH, top=thick)
+        for side in (case.bottom(board), case.top(board), case.left(0.006).inset(z=board)):
+            d.box(side, body, bevel=0.0)
+        d.box(case.front(board).inset(z=board), body, bevel=0.001)
+        d.box(case.inset(back=0.024, front=0.002, z=0.002).right(-0.02), leaf)
+    (x0, x1), (y0, y1) = bounds.inset(x=0.01, y=0.01).x, bounds.inset(x=0.01, y=0.01).y
+    inner = wing.x[1] + over - 0.01, arm.y[0] - over + 0.01
+    ring = [(x0, y0), (inner[0], y0), inner, (x1, inner[1]), (x1, y1), (x0, y1)]
+    d.surface("top", bounds, polygon=ring)
 
 
 @draws("wall_cabinet")
-def wall_cabinet(b: Builder) -> None:
-    """A hung cupboard with one or two doors, framed, flat or glazed, and boards behind glass."""
-    d, w, h = b.size
-    looks = _looks(b)
-    x, y = (-d / 2, d / 2 - 0.025), (-w / 2, w / 2)
-    glass = b.chance("glass", 0.3, matched=True)
-    units = max(1, round(w / 0.75))
-    step = w / units
-    with b.solid("body"):
-        count = 2 if h < 0.72 else 3
-        for k in range(units):
-            span = (y[0] + k * step, y[0] + (k + 1) * step)
-            cabinet(b, f"unit-{k}", x, span, (0.0, h), "doors" if step > 0.55 else "door", looks, _shaker(b), glass)
-            for j in range(1, count):
-                z = j * h / count
-                b.box((x[0] + 0.006, x[1] - 0.05), (span[0] + 0.018, span[1] - 0.018), (z - 0.009, z + 0.009), looks[0])
-        if b.style in ("classic", "rustic"):
-            b.box((x[0], x[1] + 0.01), y, (h - 0.0005, h + 0.03), looks[1], bevel=0.01)
-    b.fit()
+def wall_cabinet(d: Drawing) -> None:
+    """A hung cupboard with one or two doors, framed, flat or glazed, and boards behind them."""
+    body, fittings = finishes_of(d)
+    if d.chance("glass", 0.3, matched=True):
+        fittings = fittings._replace(panel="glass")
+    head = 0.03 if d.style in ("classic", "rustic") else 0.0
+    case = d.bounds.inset(front=0.025, top=head)
+    with d.part("body"):
+        for k, cell in enumerate(case.columns(max(1, round(case.width / 0.75)))):
+            layout = "doors" if cell.width > 0.55 else "door"
+            unit(d, f"unit-{k}", cell, layout, body, *fittings, boards=1 if cell.height < 0.72 else 2, grip=0.2)
+        if head:
+            d.box(d.bounds.inset(front=0.015).top(head), fittings.leaf, bevel=0.01)
+    d.fit()
 
 
 @draws("tall_cabinet")
-def tall_cabinet(b: Builder) -> None:
+def tall_cabinet(d: Drawing) -> None:
     """A tall cupboard with a door or a pair below and above."""
-    d, w, h = b.size
-    looks = _looks(b)
-    x, y = (-d / 2, d / 2 - 0.025), (-w / 2, w / 2)
-    shaker = _shaker(b)
-    split = b.uniform("split", 1.15, 1.45)
-    kind = "doors" if w > 0.62 else "door"
-    with b.solid("body"):
-        b.box((x[0] + 0.02, x[1] - 0.07), (y[0] + 0.002, y[1] - 0.002), (0.0, 0.1), "black plastic", bevel=0)
-        carcass(b, (x[0], x[1] - 0.021), y, (0.1, h), looks[0])
-        for k, z in enumerate((0.45, 0.8, split, split + 0.35)):
-            deep = x[1] - 0.021 if k == 2 else x[1] - 0.06
-            b.box((x[0] + 0.006, deep), (y[0] + 0.018, y[1] - 0.018), (z - 0.009, z + 0.009), looks[0], bevel=0)
-        fronts(b, "low", x[1] - 0.021, y, (0.1, split), kind, looks[1], looks[2], looks[3], shaker)
-        fronts(b, "high", x[1] - 0.021, y, (split, h), kind, looks[1], looks[2], looks[3], shaker)
-    b.fit()
+    body, fittings = finishes_of(d)
+    split = d.uniform("split", 1.15, 1.45)
+    case = d.bounds.inset(front=0.025, bottom=PLINTH)
+    layout = "doors" if case.width > 0.62 else "door"
+    with d.part("body"):
+        plinth(d, d.bounds.inset(front=0.025).bottom(PLINTH))
+        room = carcass(d, case.inset(front=0.019), body)
+        for z in (0.45, 0.8, split, split + 0.35):
+            d.box(room.inset(front=0.0 if z == split else 0.04).to(z=(z - 0.009, z + 0.009)), body, bevel=0.0)
+        for name, z in (("low", (PLINTH, split)), ("high", (split, case.z[1]))):
+            fronts(d, name, case.to(z=z), layout, *fittings, grip=0.8 if name == "low" else 0.2)
+    d.fit()
 
 
 @draws("sink_cabinet")
-def sink_cabinet(b: Builder) -> None:
+def sink_cabinet(d: Drawing) -> None:
     """A base unit with one or two basins let into its worktop, and a mixer behind them."""
-    d, w, total = b.size
-    looks = _looks(b)
-    top, t = worktop_of(b)
-    steel = b.material("sink", "brushed steel", "steel", "white ceramic", "granite")
-    metal = b.material("tap", "chrome", "black steel", "brass", "brushed steel")
-    h = min(0.92, max(0.87, total - 0.34))
-    x, y = (-d / 2, d / 2 - 0.027), (-w / 2, w / 2)
-    shaker = _shaker(b)
-    drain = w > 1.05
-    side = b.pick("side", [-1, 1]) if drain else 0
-    half = b.uniform("basin", 0.24, 0.29)
-    middle = side * (w / 2 - half - 0.1)
-    hx = (-d / 2 + 0.13, d / 2 - 0.085)
-    double = w > 1.2 and b.chance("double", 0.5)
-    if double:
-        bowls = [(middle - half - 0.04, middle - 0.008), (middle + 0.008, middle + half + 0.04)]
-    else:
-        bowls = [(middle - half, middle + half)]
-    with b.solid("body"):
-        b.box((x[0] + 0.02, x[1] - 0.07), (y[0] + 0.002, y[1] - 0.002), (0.0, 0.1), "black plastic", bevel=0)
-        xs, front = (x[0], x[1] - 0.021), x[1] - 0.021
-        for ys in ((y[0], y[0] + 0.018), (y[1] - 0.018, y[1])):
-            b.box(xs, ys, (0.1, h - t), looks[0], bevel=0.001)
-        inner = (y[0] + 0.018, y[1] - 0.018)
-        b.box(xs, inner, (0.1, 0.118), looks[0], bevel=0)
-        b.box((x[0], x[0] + 0.006), inner, (0.118, h - t), looks[0], bevel=0)
-        b.box((front - 0.018, front), inner, (h - t - 0.08, h - t), looks[0], bevel=0)
-        count = 1 if w < 1.05 else 2
-        for k in range(count):
-            span = (y[0] + k * w / count, y[0] + (k + 1) * w / count)
-            here = span[0] < middle < span[1]
-            fronts(
-                b,
-                f"unit-{k}",
-                front,
-                span,
-                (0.1, h - t),
-                "doors" if here or count == 1 else b.pick("beside", ["drawers", "mixed"]),
-                looks[1],
-                looks[2],
-                looks[3],
-                shaker,
-            )
-        worktop(
-            b,
-            (-d / 2, d / 2 - 0.004),
-            y,
-            (h - t, h),
-            top,
-            [(hx, ys) for ys in bowls] if not double else [(hx, (bowls[0][0], bowls[1][1]))],
-        )
-        for ys in bowls:
-            lip = 0.015 if not double else 0.007
-            basin(
-                b,
-                (hx[0] + 0.002, hx[1] - 0.002),
-                (ys[0] + 0.002, ys[1] - 0.002),
-                h,
-                b.pick("deep", [0.17, 0.2]),
-                steel,
-                lip,
-            )
+    body, fittings = finishes_of(d)
+    top, thick = worktop_of(d)
+    ceramic = d.material("sink", "brushed steel", "steel", "white ceramic", "granite")
+    metal = d.material("tap", "chrome", "black steel", "brass", "brushed steel")
+    bounds = d.bounds.to(z=(0.0, min(0.92, max(0.87, d.size.height - 0.34))))
+    wide, half = bounds.width, d.uniform("basin", 0.24, 0.29)
+    double = wide > 1.2 and d.chance("double", 0.5)
+    middle = d.pick("side", [-1, 1]) * (wide / 2 - half - 0.1) if wide > 1.05 else 0.0
+    hole = bounds.top(thick).inset(back=0.13, front=0.089)
+    hole = hole.to(y=(middle - half, middle + half)).inset(y=-0.04 if double else 0.0)
+    with d.part("body"):
+        plinth(d, bounds.inset(front=SETBACK).bottom(PLINTH))
+        case = bounds.inset(front=SETBACK + 0.019, bottom=PLINTH, top=thick)
+        room = case.inset(y=0.018, bottom=0.018)
+        for side in (case.left(0.018), case.right(0.018), case.inset(y=0.018).bottom(0.018), room.back(0.006)):
+            d.box(side, body, bevel=0.001)
+        d.box(room.top(0.08).front(0.018), body, bevel=0.0)
+        cells = case.inset(front=-0.019).columns(1 if wide < 1.05 else 2)
+        if len(cells) > 1:
+            d.box(room.to(y=(-0.009, 0.009)), body, bevel=0.0)
+        other: Layout = d.pick("beside", ["drawers", "mixed"])
+        for k, cell in enumerate(cells):
+            under = len(cells) == 1 or cell.y[0] < middle < cell.y[1]
+            fronts(d, f"unit-{k}", cell, "doors" if under else other, *fittings)
+        worktop(d, bounds.top(thick), top, hole)
+        depth = d.pick("deep", [0.17, 0.2])
+        for bowl in hole.columns(2, gap=0.016) if double else [hole]:
+            basin(d, bowl.inset(x=0.002, y=0.002).top(depth), ceramic, 0.007 if double else 0.015)
         if double:
-            b.box(
-                (hx[0] + 0.002, hx[1] - 0.002), (middle - 0.012, middle + 0.012), (h - 0.03, h + 0.0015), steel, bevel=0
-            )
-    tap(b, -d / 2 + 0.065, middle, h, metal, total - h, 0.2, square=b.chance("square tap", 0.35))
-    edge = (bowls[0][0] - 0.025, bowls[-1][1] + 0.025)
-    sides = (("top-right", (y[0] + 0.01, edge[0])), ("top-left", (edge[1], y[1] - 0.01)))
-    behind = (("top-right", (y[0] + 0.01, middle - 0.05)), ("top-left", (middle + 0.05, y[1] - 0.01)))
-    wide = [(name, ys) for name, ys in sides if ys[1] - ys[0] > 0.11]
-    for name, ys in wide or behind:  # a narrow one has its soap beside the tap
-        b.surface(name, (-d / 2 + 0.01, d / 2 - 0.014) if wide else (-d / 2 + 0.01, hx[0] - 0.02), ys, h)
-    b.fit()
+            d.box(hole.inset(x=0.002).place(width=0.024).top(0.03).inset(top=-0.0015), ceramic, bevel=0.0)
+    with d.part("tap"), d.at(bounds.x[0] + 0.065, middle, bounds.z[1]):
+        tap(d, metal, 0.2, d.size.height - bounds.height, square=d.chance("square tap", 0.35))
+    free = bounds.inset(back=0.01, front=0.014, y=0.01)
+    sides = [("top-right", (free.y[0], hole.y[0] - 0.025)), ("top-left", (hole.y[1] + 0.025, free.y[1]))]
+    wide_sides = [(name, free.to(y=y)) for name, y in sides if y[1] - y[0] > 0.11]
+    behind = free.to(x=(free.x[0], hole.x[0] - 0.02))  # a narrow one has its soap beside the tap
+    beside = [
+        ("top-right", behind.to(y=(free.y[0], middle - 0.05))),
+        ("top-left", behind.to(y=(middle + 0.05, free.y[1]))),
+    ]
+    for name, place in wide_sides or beside:
+        d.surface(name, place)
+    d.fit()
 
 
 @draws("kitchen_island")
-def kitchen_island(b: Builder) -> None:
+def kitchen_island(d: Drawing) -> None:
     """A block of units with a broad top that overhangs at the back for stools."""
-    d, w, h = b.size
-    looks = _looks(b)
-    top = b.material("top", *WORKTOPS)
-    t = b.pick("top thickness", [0.03, 0.04, 0.06])
-    y = (-w / 2 + 0.03, w / 2 - 0.03)
-    deep = min(0.62, d - 0.27)
-    x = (d / 2 - 0.027 - deep, d / 2 - 0.027)
-    shaker = _shaker(b)
-    count = max(2, round(w / 0.65))
-    step = (y[1] - y[0]) / count
-    with b.solid("body"):
-        b.box((x[0] + 0.03, x[1] - 0.07), (y[0] + 0.03, y[1] - 0.03), (0.0, 0.1), "black plastic", bevel=0)
-        for k in range(count):
-            layout = b.pick(f"layout {k}", ["doors", "drawers", "mixed"])
-            span = (y[0] + k * step, y[0] + (k + 1) * step)
-            cabinet(b, f"unit-{k}", x, span, (0.1, h - t), layout, looks, shaker)
+    body, fittings = finishes_of(d)
+    top, thick = d.material("top", *WORKTOPS), d.pick("top thickness", [0.03, 0.04, 0.06])
+    bounds = d.bounds
+    block = bounds.inset(front=SETBACK, y=0.03).front(min(0.62, bounds.depth - 0.27))
+    case = block.inset(bottom=PLINTH, top=thick)
+    cells = case.columns(max(2, round(case.width / 0.65)))
+    with d.part("body"):
+        plinth(d, block.bottom(PLINTH))
+        for k, cell in enumerate(cells):
+            unit(d, f"unit-{k}", cell, d.pick(f"layout {k}", ["doors", "drawers", "mixed"]), body, *fittings)
         # A dressed back: a panel with battens.
-        b.box((x[0] - 0.016, x[0]), y, (0.06, h - t), looks[1], bevel=0.001)
-        for k in range(count + 1):
-            at = min(max(y[0] + k * step, y[0] + 0.03), y[1] - 0.03)
-            b.box((x[0] - 0.024, x[0] - 0.0155), (at - 0.03, at + 0.03), (0.06, h - t), looks[1], bevel=0.001)
-    with b.solid("top"):
-        b.box((-d / 2, d / 2 - 0.004), (-w / 2, w / 2), (h - t, h), top, bevel=0.004)
-    b.clear((-d / 2, x[0] - 0.03), y, (0.0, h - t - 0.005))
-    b.surface("top", (-d / 2 + 0.015, d / 2 - 0.019), (-w / 2 + 0.015, w / 2 - 0.015), h)
-    b.fit()
+        panel = d.box(case.inset(bottom=-0.04).back(-0.016), fittings.leaf, bevel=0.001)
+        for k in range(len(cells) + 1):
+            at = min(max(case.y[0] + k * cells[0].width, case.y[0] + 0.03), case.y[1] - 0.03)
+            d.box(panel.to(y=(at - 0.03, at + 0.03)).back(-0.008), fittings.leaf, bevel=0.001)
+    with d.part("top"):
+        d.box(bounds.top(thick), top, bevel=0.004)
+    d.clear(Box((bounds.x[0], block.x[0] - 0.03), case.y, (0.0, case.z[1] - 0.005)))
+    d.surface("top", bounds, inset=0.015)
 
 
 @draws("kitchen_cart")
-def kitchen_cart(b: Builder) -> None:
-    """A butcher's block on four posts and castors with a drawer, two slatted shelves and a towel bar."""
-    d, w, h = b.size
-    wood = b.material("top", "beech", "oak", "bamboo", "birch", "walnut")
-    frame = b.material("frame", "white paint", "oak", "black steel", "birch", "sage paint")
-    metal = b.material("metal", "steel", "black steel")
-    t, p = 0.036, 0.04
-    bar = 0.05
-    x, y = (-d / 2 + 0.02, d / 2 - 0.045), (-w / 2 + 0.02, w / 2 - bar - 0.02)
-    for px in (x[0], x[1] - p):
-        for py in (y[0], y[1] - p):
-            b.box((px, px + p), (py, py + p), (0.075, h - t), frame)
-    with b.solid("top"):
-        b.box((-d / 2, d / 2 - 0.025), (-w / 2, w / 2 - bar), (h - t, h), wood, bevel=0.004)
-        inner = (y[0] + p, y[1] - p)
-        b.box((x[0] + 0.01, x[0] + 0.028), inner, (h - t - 0.15, h - t), frame, bevel=0)
-        for ys in ((y[0] + 0.01, y[0] + 0.028), (y[1] - 0.028, y[1] - 0.01)):
-            b.box((x[0] + p, x[1] - p), ys, (h - t - 0.15, h - t), frame, bevel=0)
-        b.box((x[0] + 0.03, x[1] - 0.02), inner, (h - t - 0.15, h - t - 0.14), frame, bevel=0)
-        fronts(b, "unit", x[1] - 0.021, inner, (h - t - 0.15, h - t), "drawer", frame, metal, "knob")
-        yb = w / 2 - 0.01
-        b.bar((x[0] + 0.03, yb, h - 0.08), (x[1] - 0.03, yb, h - 0.08), 0.009, metal, 8)
-        for px in (x[0] + 0.05, x[1] - 0.05):
-            b.bar((px, y[1] - 0.005, h - 0.08), (px, yb, h - 0.08), 0.006, metal, 8)
-    zs = (0.14, 0.14 + (h - t - 0.15 - 0.14) * 0.5)
-    for k, z in enumerate(zs):
-        with b.solid(f"shelf {k}"):
-            b.box((x[0] + 0.005, x[1] - 0.005), (y[0] + 0.004, y[1] - 0.004), (z - 0.02, z), wood, bevel=0.002)
-        up = (zs[1] - 0.02 if k == 0 else h - t - 0.15) - z - 0.01
-        b.surface(f"shelf-{k}", (x[0] + 0.045, x[1] - 0.045), (y[0] + 0.045, y[1] - 0.045), z, headroom=round(up, 3))
-    with b.solid("shelf 0"):
-        castors(b, (x[0] + p / 2, x[1] - p / 2), (y[0] + p / 2, y[1] - p / 2), 0.0755)
-    b.surface("top", (-d / 2 + 0.01, d / 2 - 0.035), (-w / 2 + 0.01, w / 2 - bar - 0.01), h)
-    b.fit()
+def kitchen_cart(d: Drawing) -> None:
+    """A butcher's block on four posts and castors with a drawer, two shelves and a towel bar."""
+    wood = d.material("top", "beech", "oak", "bamboo", "birch", "walnut")
+    frame = d.material("frame", "white paint", "oak", "black steel", "birch", "sage paint")
+    metal = d.material("metal", "steel", "black steel")
+    thick, post, box = 0.036, 0.04, d.bounds.inset(front=0.025, left=0.05)
+    rack = box.inset(back=0.02, front=0.02, y=0.02, top=thick)
+    with d.corners(rack):
+        d.box(Box((0.0, post), (0.0, post), (0.075, rack.z[1])), frame)
+    apron = rack.top(0.15)
+    with d.part("top"):
+        d.box(box.top(thick), wood, bevel=0.004)
+        d.box(apron.inset(y=post, back=0.01).back(0.018), frame, bevel=0.0)
+        for side in (apron.left(0.028), apron.right(0.028)):
+            d.box(side.place(width=0.018).inset(x=post), frame, bevel=0.0)
+        fronts(d, "unit", apron.inset(y=post - 0.018, back=0.03), "drawer", frame, metal, "knob")
+        bar = (d.bounds.y[1] - 0.01, apron.z[0] + 0.07)
+        ends = apron.x[0] + 0.03, apron.x[1] - 0.03
+        d.bar((ends[0], *bar), (ends[1], *bar), 0.009, metal, 8)
+        for x in (ends[0] + 0.02, ends[1] - 0.02):
+            d.bar((x, apron.y[1] - 0.005, bar[1]), (x, *bar), 0.006, metal, 8)
+    room = Box(rack.x, rack.y, (0.12, apron.z[0]))
+    for k, own in enumerate(room.rows(2)):
+        with d.part(f"shelf {k}"):
+            shelf = d.box(own.inset(x=0.005, y=0.004).bottom(0.02), wood, bevel=0.002)
+            if k == 0:
+                castors(d, Box(rack.x, rack.y, (0.0, 0.0755)).inset(x=-0.01, y=-0.01))
+        d.surface(f"shelf-{k}", shelf, round(own.height - 0.03, 3), inset=0.042)
+    d.surface("top", box, inset=0.01)
+    d.fit()
