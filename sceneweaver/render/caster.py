@@ -136,7 +136,7 @@ def cast(
         raise InputError("quality: at least 1 ray, 1 shade and a radius of 0")
     if not 0 < np.linalg.norm(lighting.sun) < np.inf:
         raise InputError(f"lighting.sun: {lighting.sun} is no direction")
-    _check_device(device)
+    check_device(device)
     pixels = width * height
     with wp.ScopedDevice(device):
         solid, keep = _solid(instances, lighting)
@@ -306,7 +306,8 @@ def _transform(instance: Instance, number: int) -> np.ndarray:
     return matrix
 
 
-def _check_device(device: str) -> None:
+def check_device(device: str) -> None:
+    """MissingDependencyError for a device that is not there."""
     wp.init()
     if (
         device != "cpu"

@@ -13,7 +13,8 @@ import sceneweaver.kernels
 ARCH = 90  # Hopper
 NAMES = [f"{sceneweaver.kernels.__name__}.{info.name}" for info in pkgutil.iter_modules(sceneweaver.kernels.__path__)]
 PICTURES = tuple(f"sceneweaver.render.{name}_kernels" for name in ("first_hit", "raycast", "smoothing"))
-MODULES = [importlib.import_module(name) for name in (*NAMES, *PICTURES)]
+TRACING = [f"sceneweaver.render.tracing.{name}_kernels" for name in ("cache", "develop", "filter", "view")]
+MODULES = [importlib.import_module(name) for name in (*NAMES, *PICTURES, *TRACING)]
 # Modules without kernels of their own are compiled with those that use them.
 WITH_KERNELS = [m for m in MODULES if wp.get_module(m.__name__).kernels]
 
@@ -21,7 +22,7 @@ WITH_KERNELS = [m for m in MODULES if wp.get_module(m.__name__).kernels]
 def test_modules_are_found():
     names = {m.__name__.rpartition(".")[2] for m in WITH_KERNELS}
     expected = {"bookkeeping", "descent", "evaluator", "gradients_gpu", "lbfgs", "search", "verdict"}
-    expected |= {"first_hit_kernels", "raycast_kernels", "smoothing_kernels"}
+    expected |= {"first_hit_kernels", "raycast_kernels", "smoothing_kernels", "cache_kernels", "view_kernels"}
     assert expected <= names
 
 

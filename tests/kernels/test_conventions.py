@@ -19,6 +19,7 @@ FILES = [
         PICTURES / f"{name}.py"
         for name in ("first_hit_kernels", "raycast_kernels", "raycast_world", "smoothing_kernels")
     ),
+    *sorted((PICTURES / "tracing").glob("*_kernels.py")),
 ]
 BLOCKS = ("Problem", "State in", "State in and out", "State out")
 
@@ -138,6 +139,7 @@ def test_kernels_are_found():
         "search.search",
         "descent.step",
         "raycast_kernels.cast",
+        "view_kernels.light_pixels",
     }
     assert expected <= {k.name for k in KERNELS}
     mover = next(f for f in FUNCTIONS if f.node.name == "move_with_members")

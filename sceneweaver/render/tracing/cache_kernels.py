@@ -1,0 +1,60 @@
+"""The light of the room's surfaces, sampled once for all views."""
+
+import warp as wp
+
+from .light_kernels import Lights, escaped_light, in_room, lamp_light, sun_light, window_light
+from .sampling_kernels import cosine_direction, even_point
+from .world_kernels import FAR, OFFSET, Cache, World, cell_of, diffuse_of, hit_solid, shade_of
+
+wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
+
+
+@wp.kernel
+def light_points(
+    # Problem:
+    world: World,
+    lights: Lights,
+    cache: Cache,
+    points: wp.array(dtype=wp.vec3),
+    normals: wp.array(dtype=wp.vec3),
+    shadow_rays: int,
+    bounce_rays: int,
+    start: int,
+    # State out:
+    direct_out: wp.array(dtype=wp.vec3),
+    hit_out: wp.array(dtype=int),
+    color_out: wp.array(dtype=wp.vec3),
+    inside_out: wp.array(dtype=float),
+):
+    """Direct light of points on surfaces, and which cells of the cache they see in which colour.
+
+    ``inside`` is the share of rays that end on the back of a surface: such a point lies in a body.
+    """
+    i = start + wp.tid()
+    p, n = points[i], normals[i]
+    direct = wp.vec3(0.0)
+    for k in range(shadow_rays):
+        e = even_point(i * shadow_rays + k)
+        e2 = even_point((i * shadow_rays + k) * 5 + 2)
+        sky = window_light(world, lights, p, n, n, e)
+        lamp = lamp_light(world, lights, p, n, n, e, e2)
+        direct = direct + sky.light + lamp.light + sun_light(world, lights, p, n, n, e)
+    direct = direct / float(shadow_rays)
+    inside = float(0.0)
+    for k in range(bounce_rays):
+        row = i * bounce_rays + k
+        way = cosine_direction(n, even_point(row))
+        hit = hit_solid(world, p + n * OFFSET, way, FAR)
+        hit_out[row] = -1
+        color_out[row] = wp.vec3(0.0)
+        if hit.face < 0:
+            direct = direct + escaped_light(lights, p, way) / float(bounce_rays)
+        else:
+            s = shade_of(world, hit, way, 0.2, 0)
+            inside += float(s.back) / float(bounce_rays)
+            at = p + way * hit.t
+            if in_room(lights, at) == 1:
+                hit_out[row] = cell_of(cache, at, s.flat)
+                color_out[row] = diffuse_of(s)
+    direct_out[i] = direct
+    inside_out[i] = inside

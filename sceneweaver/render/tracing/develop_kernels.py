@@ -1,0 +1,180 @@
+"""From smooth light to the picture: surfaces in the light of the pixels around them, exposed and tone mapped."""
+
+import warp as wp
+
+from ..raycast_kernels import Lens, camera_ray
+from .filter_kernels import alike
+from .light_kernels import Lights
+from .sampling_kernels import even_point
+from .view_kernels import pixel_width, what_is_seen
+from .world_kernels import Cache, World
+
+wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
+
+
+@wp.struct
+class Film:
+    """Exposure, the gains of the white balance, and rays for pixels at an edge and for all others."""
+
+    exposure: float
+    balance: wp.vec3
+    rays: int
+    plain_rays: int
+
+
+@wp.func
+def shoulder(x: float):
+    """Linear up to 0.55, then bent toward 1."""
+    knee = 0.55
+    if x <= knee:
+        return x
+    t = (x - knee) / (1.0 - knee)
+    return knee + (1.0 - knee) * (1.0 - wp.exp(-t))
+
+
+@wp.func
+def tone_mapped(color: wp.vec3):
+    """Linear colour to display values 0..1 in sRGB: bright colours are bent toward white, hues stay."""
+    c = wp.vec3(wp.max(color[0], 0.0), wp.max(color[1], 0.0), wp.max(color[2], 0.0))
+    peak = wp.max(c[0], wp.max(c[1], c[2]))
+    if peak > 1.0e-6:
+        low = shoulder(peak)
+        c = c * (low / peak)
+        # What is far over white loses its colour.
+        fade = 1.0 - 1.0 / (0.12 * wp.max(peak - low, 0.0) + 1.0)
+        c = c * (1.0 - fade) + wp.vec3(low) * fade
+    out = wp.vec3(0.0)
+    for k in range(3):
+        x = wp.clamp(c[k], 0.0, 1.0)
+        out[k] = wp.where(x <= 0.0031308, 12.92 * x, 1.055 * wp.pow(wp.max(x, 1.0e-6), 1.0 / 2.4) - 0.055)
+    return out
+
+
+@wp.kernel
+def find_edges(
+    # Problem:
+    width: int,
+    height: int,
+    eye: wp.vec3,
+    spread: float,
+    start: int,
+    # State in:
+    sun: wp.array(dtype=wp.vec3),
+    point: wp.array(dtype=wp.vec3),
+    normal: wp.array(dtype=wp.vec3),
+    key: wp.array(dtype=int),
+    # State out:
+    edge_out: wp.array(dtype=wp.uint8),
+):
+    """Marks places where a surface or a patch of sun ends."""
+    i = start + wp.tid()
+    x, y = i % width, i // width
+    p, n = point[i], normal[i]
+    slack = 0.002 + 1.5 * spread * wp.length(p - eye)
+    found = int(0)
+    for dy in range(-1, 2):
+        for dx in range(-1, 2):
+            u, v = x + dx, y + dy
+            if u >= 0 and v >= 0 and u < width and v < height and found == 0:
+                j = v * width + u
+                if key[j] != key[i]:
+                    found = 1
+                elif key[i] >= 0 and alike(p, n, key[i], point[j], normal[j], key[j], slack) < 0.3:
+                    found = 1
+    edge_out[i] = wp.uint8(found)
+
+
+@wp.kernel
+def develop(
+    # Problem:
+    world: World,
+    lights: Lights,
+    cache: Cache,
+    lens: Lens,
+    film: Film,
+    width: int,
+    height: int,
+    columns: int,
+    rows: int,
+    start: int,
+    # State in:
+    soft: wp.array(dtype=wp.vec4),
+    sun: wp.array(dtype=wp.vec3),
+    gloss: wp.array(dtype=wp.vec3),
+    toward: wp.array(dtype=wp.vec3),
+    point: wp.array(dtype=wp.vec3),
+    normal: wp.array(dtype=wp.vec3),
+    key: wp.array(dtype=int),
+    edge: wp.array(dtype=wp.uint8),
+    # State out:
+    rgb_out: wp.array(dtype=wp.vec3),
+    linear_out: wp.array(dtype=wp.vec3),
+    albedo_out: wp.array(dtype=wp.vec3),
+    normal_out: wp.array(dtype=wp.vec3),
+    depth_out: wp.array(dtype=float),
+    instance_out: wp.array(dtype=int),
+):
+    """The picture, and the first surface in the middle of each pixel."""
+    i = start + wp.tid()
+    px, py = i % width, i // width
+    size = pixel_width(lens, height)
+    scale_x, scale_y = float(columns) / float(width), float(rows) / float(height)
+    here = wp.min(int(float(py) * scale_y), rows - 1) * columns + wp.min(int(float(px) * scale_x), columns - 1)
+    rays = wp.where(edge[here] > wp.uint8(0), film.rays, film.plain_rays)
+    total = wp.vec3(0.0)
+    linear = wp.vec3(0.0)
+    for s in range(rays):
+        e = even_point(s)
+        if s == 0:
+            e = wp.vec2(0.5, 0.5)
+        jx, jy = float(px) + e[0], float(py) + e[1]
+        seen = what_is_seen(world, lights, cache, camera_ray(lens, jx, jy, width, height), size)
+        if s == 0:
+            albedo_out[i] = seen.first_color
+            normal_out[i] = seen.first_normal
+            depth_out[i] = seen.first_depth
+            instance_out[i] = seen.first_instance
+        color = seen.shine
+        if seen.instance >= 0:
+            mine = seen.instance + 65536 * (seen.path // 100 + 1)
+            gx, gy = jx * scale_x - 0.5, jy * scale_y - 0.5
+            left, top = int(wp.floor(gx)), int(wp.floor(gy))
+            fx, fy = gx - float(left), gy - float(top)
+            slack = 0.004 + 2.0 * (size[0] + size[1] * seen.depth) / scale_x
+            weight = float(0.0)
+            a = wp.vec4(0.0)
+            b = wp.vec3(0.0)
+            g = wp.vec3(0.0)
+            d = wp.vec3(0.0)
+            for corner in range(16):
+                # The four places around the point; when none is of its surface, the twelve around those.
+                cx, cy = corner % 2, (corner // 2) % 2
+                if corner >= 4:
+                    cx, cy = (corner - 4) % 4 - 1, (corner - 4) // 4 - 1
+                if corner < 4 or weight < 0.02:
+                    u, v = left + cx, top + cy
+                    if u >= 0 and v >= 0 and u < columns and v < rows:
+                        j = v * columns + u
+                        near = wp.max(1.0 - wp.abs(fx - float(cx)), 0.02) * wp.max(1.0 - wp.abs(fy - float(cy)), 0.02)
+                        w = near * (alike(seen.point, seen.normal, mine, point[j], normal[j], key[j], slack))
+                        if key[j] >= 0:
+                            w += 1.0e-5 * near
+                        a = a + soft[j] * w
+                        b = b + sun[j] * w
+                        g = g + gloss[j] * w
+                        d = d + toward[j] * w
+                        weight += w
+            weight = wp.max(weight, 1.0e-9)
+            lit = wp.vec3(a[0], a[1], a[2]) / weight
+            way = d / weight
+            # Bumps: a surface that is bent toward where the light comes from has more of it.
+            bent = (1.0 + 1.5 * wp.dot(seen.bump, way)) / wp.max(1.0 + 1.5 * wp.dot(seen.normal, way), 0.2)
+            lit = lit * wp.clamp(bent, 0.4, 1.6)
+            glare = wp.max(wp.dot(seen.bump, lights.sun), 0.0) / wp.max(wp.dot(seen.normal, lights.sun), 0.1)
+            lit = lit + b * (wp.clamp(glare, 0.3, 2.0) / weight)
+            color = color + wp.cw_mul(seen.color, lit) + wp.cw_mul(seen.gloss, g / weight)
+        linear = linear + color / float(rays)
+        shown = wp.cw_mul(color, film.balance) * film.exposure
+        total = total + tone_mapped(shown) / float(rays)
+    rgb_out[i] = total
+    linear_out[i] = linear

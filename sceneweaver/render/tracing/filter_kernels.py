@@ -1,0 +1,164 @@
+"""Smoothing of light over neighbouring pixels of one surface, as far as its noise asks for it.
+
+Edge-avoiding wavelets guided by variance, after Dammertz et al. (2010) and Schied et al. (SVGF, 2017), for one picture.
+"""
+
+import warp as wp
+
+from .sampling_kernels import PI
+from .world_kernels import luminance
+
+wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
+
+
+@wp.func
+def alike(p: wp.vec3, n: wp.vec3, key: int, q: wp.vec3, m: wp.vec3, other: int, slack: float):
+    """Whether two pixels show one surface: 0..1, by instance, normals and distance from the plane [``slack``, m]."""
+    if key != other:
+        return 0.0
+    away = wp.abs(wp.dot(q - p, n)) + wp.abs(wp.dot(q - p, m))
+    bend = wp.max(wp.dot(n, m), 0.0)
+    bend = bend * bend
+    bend = bend * bend
+    bend = bend * bend
+    return bend * bend * bend * wp.exp(-away / slack)
+
+
+@wp.kernel
+def spread_variance(
+    # Problem:
+    width: int,
+    height: int,
+    start: int,
+    # State in:
+    soft: wp.array(dtype=wp.vec4),
+    key: wp.array(dtype=int),
+    # State out:
+    soft_out: wp.array(dtype=wp.vec4),
+):
+    """The variance of each pixel as that of the pixels around it: few samples know little of their own."""
+    i = start + wp.tid()
+    x, y = i % width, i // width
+    total = float(0.0)
+    first = float(0.0)
+    second = float(0.0)
+    for dy in range(-2, 3):
+        for dx in range(-2, 3):
+            u, v = x + dx, y + dy
+            if u >= 0 and v >= 0 and u < width and v < height:
+                j = v * width + u
+                if key[j] == key[i]:
+                    c = soft[j]
+                    first += c[3]
+                    second += 1.0
+                    total += 1.0
+    c = soft[i]
+    soft_out[i] = wp.vec4(c[0], c[1], c[2], first / wp.max(second, 1.0))
+
+
+@wp.kernel
+def smooth(
+    # Problem:
+    width: int,
+    height: int,
+    step: int,
+    eye: wp.vec3,
+    spread: float,
+    start: int,
+    # State in:
+    soft: wp.array(dtype=wp.vec4),
+    gloss: wp.array(dtype=wp.vec3),
+    toward: wp.array(dtype=wp.vec3),
+    point: wp.array(dtype=wp.vec3),
+    normal: wp.array(dtype=wp.vec3),
+    key: wp.array(dtype=int),
+    # State out:
+    soft_out: wp.array(dtype=wp.vec4),
+    gloss_out: wp.array(dtype=wp.vec3),
+    toward_out: wp.array(dtype=wp.vec3),
+):
+    """One level: every pixel with 24 around it that are ``step`` pixels apart."""
+    i = start + wp.tid()
+    x, y = i % width, i // width
+    own = soft[i]
+    mine = key[i]
+    soft_out[i] = own
+    gloss_out[i] = gloss[i]
+    toward_out[i] = toward[i]
+    if mine >= 0:
+        p, n = point[i], normal[i]
+        slack = 0.002 + 0.6 * spread * wp.length(p - eye) * float(step)
+        bright = luminance(wp.vec3(own[0], own[1], own[2]))
+        noise = 3.0 * wp.sqrt(own[3]) + 0.01 * bright + 1.0e-4
+        shine = luminance(gloss[i])
+        total = float(0.0)
+        shares = float(0.0)
+        sum_soft = wp.vec3(0.0)
+        sum_noise = float(0.0)
+        sum_gloss = wp.vec3(0.0)
+        sum_toward = wp.vec3(0.0)
+        for dy in range(-2, 3):
+            for dx in range(-2, 3):
+                u, v = x + dx * step, y + dy * step
+                if u >= 0 and v >= 0 and u < width and v < height:
+                    j = v * width + u
+                    w = alike(p, n, mine, point[j], normal[j], key[j], slack)
+                    if w > 1.0e-4:
+                        w = w * wp.exp(-0.35 * float(dx * dx + dy * dy))
+                        c = soft[j]
+                        other = luminance(wp.vec3(c[0], c[1], c[2]))
+                        ws = w * wp.exp(-wp.abs(other - bright) / noise)
+                        sum_soft = sum_soft + wp.vec3(c[0], c[1], c[2]) * ws
+                        sum_toward = sum_toward + toward[j] * ws
+                        sum_noise += c[3] * ws * ws
+                        shares += ws
+                        g = gloss[j]
+                        wg = w / (1.0 + 2.0 * wp.abs(luminance(g) - shine) / (shine + 0.2))
+                        sum_gloss = sum_gloss + g * wg
+                        total += wg
+        lit = sum_soft / wp.max(shares, 1.0e-6)
+        soft_out[i] = wp.vec4(lit[0], lit[1], lit[2], sum_noise / wp.max(shares * shares, 1.0e-9))
+        toward_out[i] = sum_toward / wp.max(shares, 1.0e-6)
+        if step <= 4:
+            gloss_out[i] = sum_gloss / wp.max(total, 1.0e-6)
+
+
+@wp.kernel
+def smooth_sun(
+    # Problem:
+    width: int,
+    height: int,
+    eye: wp.vec3,
+    spread: float,
+    start: int,
+    # State in:
+    sun: wp.array(dtype=wp.vec3),
+    point: wp.array(dtype=wp.vec3),
+    normal: wp.array(dtype=wp.vec3),
+    key: wp.array(dtype=int),
+    # State out:
+    sun_out: wp.array(dtype=wp.vec3),
+):
+    """Sunlight with its noisy rims smoothed over two pixels."""
+    i = start + wp.tid()
+    x, y = i % width, i // width
+    sun_out[i] = sun[i]
+    if key[i] >= 0:
+        p, n = point[i], normal[i]
+        slack = 0.002 + 0.6 * spread * wp.length(p - eye)
+        total = float(0.0)
+        found = wp.vec3(0.0)
+        for dy in range(-2, 3):
+            for dx in range(-2, 3):
+                u, v = x + dx, y + dy
+                if u >= 0 and v >= 0 and u < width and v < height:
+                    j = v * width + u
+                    w = alike(p, n, key[i], point[j], normal[j], key[j], slack)
+                    w = w * wp.exp(-0.25 * float(dx * dx + dy * dy))
+                    found = found + sun[j] * w
+                    total += w
+        if total > 1.0e-6:
+            sun_out[i] = found / total
+
+
+__all__ = ["PI"]

@@ -1,0 +1,336 @@
+"""Light that arrives at a point: sun and sky through windows, lamps, and what other surfaces throw back."""
+
+import warp as wp
+
+from .sampling_kernels import (
+    PI,
+    cone_direction,
+    cosine_direction,
+    even_point,
+    rectangle_sample,
+    rectangle_weight,
+    spherical_rectangle,
+)
+from .world_kernels import (
+    FAR,
+    OFFSET,
+    Cache,
+    World,
+    cached_light,
+    diffuse_of,
+    hit_solid,
+    luminance,
+    shade_of,
+    transmitted,
+)
+
+wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
+
+_BEYOND = wp.constant(0.35)  # how far past a window light is looked for [m]: what is outside throws no shadows
+
+
+@wp.struct
+class Portal:
+    """A window: a corner, two edges [m], the normal into the room, and its area [m2]."""
+
+    corner: wp.vec3
+    ex: wp.vec3
+    ey: wp.vec3
+    normal: wp.vec3
+    area: float
+
+
+@wp.struct
+class Lamp:
+    """Emissive faces that belong together: middle and radius [m], flux, and where its faces are in the table."""
+
+    middle: wp.vec3
+    radius: float
+    flux: float
+    start: int
+    count: int
+    area: float
+
+
+@wp.struct
+class LampFace:
+    """A triangle that shines on its outer side: corners, normal, radiance, and the share of area up to it."""
+
+    a: wp.vec3
+    b: wp.vec3
+    c: wp.vec3
+    normal: wp.vec3
+    radiance: wp.vec3
+    share: float
+
+
+@wp.struct
+class Lights:
+    """Sun, sky, windows and lamps. With ``enclosed`` daylight comes by the portals alone, all else sees ``hall``.
+
+    ``low`` and ``high`` are the box of the room: what is hit outside of it lies in plain daylight.
+    """
+
+    enclosed: int
+    sun: wp.vec3
+    softness: float
+    sun_color: wp.vec3
+    zenith: wp.vec3
+    horizon: wp.vec3
+    ground: wp.vec3
+    hall: wp.vec3
+    view: float
+    low: wp.vec3
+    high: wp.vec3
+    portals: wp.array(dtype=Portal)
+    portal_count: int
+    lamps: wp.array(dtype=Lamp)
+    lamp_count: int
+    faces: wp.array(dtype=LampFace)
+
+
+@wp.struct
+class Arriving:
+    """Irradiance over pi, and the direction that it comes from (unit)."""
+
+    light: wp.vec3
+    way: wp.vec3
+
+
+@wp.func
+def sky_light(lights: Lights, way: wp.vec3):
+    """Radiance of the world outside that lights the room: a clear sky over a ground."""
+    up = way[2]
+    if up < 0.0:
+        return lights.ground
+    t = wp.sqrt(up)
+    sky = lights.horizon * (1.0 - t) + lights.zenith * t
+    near = wp.max(wp.dot(way, lights.sun), 0.0)
+    return sky + lights.sun_color * (0.02 * wp.pow(near, 24.0))
+
+
+@wp.func
+def in_portal(portal: Portal, origin: wp.vec3, way: wp.vec3):
+    """Distance [m] at which a ray leaves by a window, or -1."""
+    down = -wp.dot(way, portal.normal)
+    if down < 1.0e-4:
+        return -1.0
+    t = wp.dot(origin - portal.corner, portal.normal) / down
+    if t < 0.0:
+        return -1.0
+    p = origin + way * t - portal.corner
+    u, v = wp.dot(p, portal.ex), wp.dot(p, portal.ey)
+    if u < 0.0 or v < 0.0 or u > wp.dot(portal.ex, portal.ex) or v > wp.dot(portal.ey, portal.ey):
+        return -1.0
+    return t
+
+
+@wp.func
+def portal_distance(lights: Lights, origin: wp.vec3, way: wp.vec3):
+    """Distance [m] at which a ray leaves the room by some window, or -1."""
+    for k in range(lights.portal_count):
+        t = in_portal(lights.portals[k], origin, way)
+        if t >= 0.0:
+            return t
+    return -1.0
+
+
+@wp.func
+def escaped_light(lights: Lights, origin: wp.vec3, way: wp.vec3):
+    """Radiance of a ray that hits nothing, less what is sampled by way of the portals."""
+    if lights.enclosed == 0:
+        return sky_light(lights, way)
+    if portal_distance(lights, origin, way) >= 0.0:
+        return wp.vec3(0.0)
+    return lights.hall
+
+
+@wp.func
+def seen_outside(lights: Lights, origin: wp.vec3, way: wp.vec3):
+    """Radiance of a ray that hits nothing, as an eye sees it: through a window the world, else the hall."""
+    if lights.enclosed == 1 and portal_distance(lights, origin, way) < 0.0:
+        return lights.hall
+    return sky_light(lights, way)
+
+
+@wp.func
+def sun_light(world: World, lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3, e: wp.vec2):
+    """Irradiance over pi by the sun, by one ray toward its disc."""
+    none = wp.vec3(0.0)
+    if wp.dot(n, lights.sun) <= 0.0 or wp.dot(flat, lights.sun) <= 0.0:
+        return none
+    way = cone_direction(lights.sun, lights.softness, e)
+    cosine = wp.dot(n, way)
+    if cosine <= 0.0 or wp.dot(flat, way) <= 0.0:
+        return none
+    reach = float(FAR)
+    if lights.enclosed == 1:
+        out = portal_distance(lights, p, way)
+        if out < 0.0:
+            return none
+        reach = out + _BEYOND
+    return wp.cw_mul(lights.sun_color, transmitted(world, p + flat * OFFSET, way, reach)) * (cosine / PI)
+
+
+@wp.func
+def _portal_weight(portal: Portal, p: wp.vec3, n: wp.vec3):
+    """About how much light a window sends to a point."""
+    middle = portal.corner + (portal.ex + portal.ey) * 0.5
+    to = middle - p
+    d2 = wp.dot(to, to)
+    before = -wp.dot(to, portal.normal)
+    if before <= -1.0e-3:
+        return 0.0
+    size = portal.area
+    facing = wp.dot(to, n) / wp.sqrt(d2 + 1.0e-6)
+    return size * (before / wp.sqrt(d2 + 1.0e-6) + 0.15) * (wp.max(facing, 0.0) + 0.15) / (d2 + 0.3 * size)
+
+
+@wp.func
+def window_light(world: World, lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3, e: wp.vec2):
+    """Irradiance over pi by the sky through the windows, by one ray to one of them."""
+    none = Arriving()
+    total = float(0.0)
+    for k in range(lights.portal_count):
+        total += _portal_weight(lights.portals[k], p, n)
+    if total <= 0.0:
+        return none
+    left = e[0] * total
+    chosen = int(0)
+    share = float(0.0)
+    within = float(0.5)
+    for k in range(lights.portal_count):
+        w = _portal_weight(lights.portals[k], p, n)
+        if left >= 0.0 and w > 0.0:
+            chosen = k
+            share = w
+            within = wp.min(left / w, 0.999999)
+        left -= w
+        if left < 0.0:
+            break
+    portal = lights.portals[chosen]
+    if wp.dot(p - portal.corner, portal.normal) <= 1.0e-4:
+        return none
+    q = spherical_rectangle(portal.corner, portal.ex, portal.ey, p)
+    to = rectangle_sample(q, wp.vec2(within, e[1]))
+    distance = wp.length(to)
+    way = to / distance
+    cosine = wp.dot(n, way)
+    if cosine <= 0.0 or wp.dot(flat, way) <= 0.0:
+        return none
+    light = wp.cw_mul(sky_light(lights, way), transmitted(world, p + flat * OFFSET, way, distance + _BEYOND))
+    found = Arriving()
+    found.light = light * (cosine / PI * rectangle_weight(q, to) * total / share)
+    found.way = way
+    return found
+
+
+@wp.func
+def _lamp_weight(lamp: Lamp, p: wp.vec3):
+    to = lamp.middle - p
+    return lamp.flux / (wp.dot(to, to) + lamp.radius * lamp.radius + 0.01)
+
+
+@wp.func
+def lamp_light(world: World, lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3, e: wp.vec2, e2: wp.vec2):
+    """Irradiance over pi by the lamps, by one ray to a point of one of their faces."""
+    none = Arriving()
+    total = float(0.0)
+    for k in range(lights.lamp_count):
+        total += _lamp_weight(lights.lamps[k], p)
+    if total <= 0.0:
+        return none
+    left = e[0] * total
+    chosen = int(0)
+    share = float(1.0)
+    within = float(0.5)
+    for k in range(lights.lamp_count):
+        w = _lamp_weight(lights.lamps[k], p)
+        if left >= 0.0:
+            chosen = k
+            share = w
+            within = wp.min(left / w, 0.999999)
+        left -= w
+        if left < 0.0:
+            break
+    lamp = lights.lamps[chosen]
+    first = lamp.start
+    last = lamp.start + lamp.count - 1
+    while first < last:
+        middle = (first + last) // 2
+        if lights.faces[middle].share < within:
+            first = middle + 1
+        else:
+            last = middle
+    face = lights.faces[first]
+    r = wp.sqrt(e2[0])
+    point = face.a * (1.0 - r) + face.b * (r * (1.0 - e2[1])) + face.c * (r * e2[1])
+    to = point - p
+    d2 = wp.max(wp.dot(to, to), 1.0e-6)
+    distance = wp.sqrt(d2)
+    way = to / distance
+    cosine = wp.dot(n, way)
+    leaving = -wp.dot(face.normal, way)
+    if cosine <= 0.0 or leaving <= 0.0 or wp.dot(flat, way) <= 0.0:
+        return none
+    reach = distance - 3.0 * OFFSET
+    if reach <= 0.0:
+        return none
+    through = transmitted(world, p + flat * OFFSET, way, reach)
+    found = Arriving()
+    # Very near to a lamp one sample would outshine all others: its distance is not less than a few centimetres.
+    found.light = wp.cw_mul(face.radiance, through) * (
+        cosine * leaving * lamp.area * total / (PI * wp.max(d2, 0.002) * share)
+    )
+    found.way = way
+    return found
+
+
+@wp.func
+def in_room(lights: Lights, p: wp.vec3):
+    """Whether a point lies in the box of the room; everything does where light comes from all sides."""
+    if lights.enclosed == 0:
+        return 1
+    inside = (
+        p[0] > lights.low[0] and p[1] > lights.low[1] and p[2] > lights.low[2]
+        and p[0] < lights.high[0] and p[1] < lights.high[1] and p[2] < lights.high[2]
+    )  # fmt: skip
+    return wp.where(inside, 1, 0)
+
+
+@wp.func
+def outdoor_light(lights: Lights, n: wp.vec3):
+    """Irradiance over pi of what stands outside: sun and sky without shadows, or the little of a closed hall."""
+    up = 0.5 + 0.5 * n[2]
+    sky = (lights.zenith + lights.horizon) * (0.5 * up) + lights.ground * (1.0 - up)
+    return sky + lights.sun_color * (0.6 * wp.max(wp.dot(n, lights.sun), 0.0) / PI)
+
+
+@wp.func
+def bounced_light(
+    world: World, lights: Lights, cache: Cache, p: wp.vec3, n: wp.vec3, flat: wp.vec3, e: wp.vec2, k: int
+):
+    """Irradiance over pi by one ray about n with a density of cosine over pi, by the cached light where it ends."""
+    found = Arriving()
+    way = cosine_direction(n, e)
+    found.way = way
+    if wp.dot(flat, way) <= 1.0e-3:
+        return found
+    hit = hit_solid(world, p + flat * OFFSET, way, FAR)
+    if hit.face < 0:
+        found.light = escaped_light(lights, p, way)
+        return found
+    s = shade_of(world, hit, way, 0.05 + 0.2 * hit.t, 0)
+    at = p + way * hit.t
+    if in_room(lights, at) == 1:
+        found.light = wp.cw_mul(diffuse_of(s), cached_light(cache, at, s.flat, even_point(k * 7 + 3)))
+    return found
+
+
+@wp.func
+def clamped(c: wp.vec3, most: float):
+    """A colour no brighter than ``most``: single samples never outshine their surroundings."""
+    bright = luminance(c)
+    if bright > most:
+        return c * (most / bright)
+    return c

@@ -1,0 +1,166 @@
+"""What lights a room: sun and sky through its windows, and everything in it that shines."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from sceneweaver.assets.body import Mesh
+from sceneweaver.geometry.shell import WALL_THICKNESS
+from sceneweaver.scene import InputError, Room, Scene
+
+from ..caster import Instance
+
+Color = tuple[float, float, float]
+
+_SUN_HEIGHT = math.radians(36.0)
+_SUN_SLANT = 0.42  # sideways, so that bars and curtains draw lines that run into the room
+_LEAST_AREA = 1e-7  # of a triangle that shines [m2]
+
+
+@dataclass(frozen=True)
+class Portal:
+    """A rectangle that daylight comes in by: a corner and two edges at right angles [m], world frame.
+
+    ``inward`` is the unit normal into the room.
+    """
+
+    corner: Color
+    across: Color
+    up: Color
+    inward: Color
+
+
+@dataclass(frozen=True)
+class Lights:
+    """Radiance, relative to that of the sky's zenith, of everything that gives light; linear RGB.
+
+    Without ``portals`` and ``enclosed`` the whole sky lights what is drawn. With ``enclosed`` daylight comes by the
+    portals alone, and what is seen past the walls elsewhere is a ``hall``.
+
+    ``sun`` points toward the sun, ``softness`` is the tangent of its half angle, ``sun_color`` its irradiance at right
+    angles. ``view`` is how bright the world outside looks beside the light that it gives: photographers balance the
+    two. ``lamp_color`` is that of everything with an emission; ``lamp_flux`` what one of 0.12 m2 sends out.
+    ``room`` is the box [m] that the room fills, lower and upper corner; None: all that is drawn.
+    """
+
+    sun: Color = (0.5, -0.35, 0.79)
+    softness: float = 0.012
+    sun_color: Color = (6.0, 5.2, 4.1)
+    zenith: Color = (0.72, 0.86, 1.10)
+    horizon: Color = (1.05, 1.06, 1.06)
+    ground: Color = (0.34, 0.33, 0.29)
+    hall: Color = (0.16, 0.15, 0.13)
+    view: float = 1.0
+    lamp_color: Color = (1.0, 0.74, 0.48)
+    lamp_flux: float = 0.9
+    enclosed: bool = False
+    portals: tuple[Portal, ...] = ()
+    room: tuple[Color, Color] | None = None
+
+    def __post_init__(self) -> None:
+        if not 0 < float(np.linalg.norm(self.sun)) < math.inf:
+            raise InputError(f"lights.sun: {self.sun} is no direction")
+        for key in ("sun_color", "zenith", "horizon", "ground", "hall", "lamp_color"):
+            value = np.asarray(getattr(self, key), dtype=float)
+            if value.shape != (3,) or not np.isfinite(value).all() or (value < 0).any():
+                raise InputError(f"lights.{key}: {getattr(self, key)} is no colour of three numbers from 0 on")
+
+
+def interior_lights(scene: Scene) -> Lights:
+    """The light of a furnished room by day: its windows are portals, and the sun stands so that it enters by one.
+
+    It follows from the scene alone. A room without windows has its lamps.
+    """
+    room = scene.room
+    outline = np.asarray(room.outline, dtype=float)
+    low, high = outline.min(axis=0) - 2 * WALL_THICKNESS, outline.max(axis=0) + 2 * WALL_THICKNESS
+    x, y, height = _sun(room)
+    return Lights(
+        sun=(x, y, height),
+        enclosed=True,
+        portals=portals_of(room),
+        room=((float(low[0]), float(low[1]), -0.3), (float(high[0]), float(high[1]), room.height + 0.4)),
+        view=0.8,
+        lamp_flux=0.9 if room.windows else 1.6,
+    )
+
+
+def portals_of(room: Room) -> tuple[Portal, ...]:
+    """Each window as a rectangle in the middle of its wall's thickness."""
+    found = []
+    for window in room.windows:
+        wall = room.walls[window.wall]
+        x, y = wall.point(window.offset, -0.5 * WALL_THICKNESS)
+        across = (wall.along[0] * window.width, wall.along[1] * window.width, 0.0)
+        inward = (float(wall.inward[0]), float(wall.inward[1]), 0.0)
+        found.append(Portal((float(x), float(y), window.sill), across, (0.0, 0.0, window.height), inward))
+    return tuple(found)
+
+
+def _sun(room: Room) -> Color:
+    """Toward the sun: it shines in by the wall with the most glass, a little aslant."""
+    glass = {wall.index: 0.0 for wall in room.walls}
+    for window in room.windows:
+        glass[window.wall] += window.width * window.height
+    wall = room.walls[max(glass, key=lambda k: (round(glass[k], 6), -k))]
+    way = np.asarray(wall.outward) + _SUN_SLANT * np.asarray(wall.along)
+    way = way / np.linalg.norm(way) * math.cos(_SUN_HEIGHT)
+    return float(way[0]), float(way[1]), math.sin(_SUN_HEIGHT)
+
+
+@dataclass(frozen=True)
+class Emitters:
+    """Triangles that shine, lamp by lamp.
+
+    ``corners`` [N, 3, 3], ``radiance`` [N, 3] and ``share`` [N] of the area of its lamp up to and with each;
+    ``start`` [L + 1] is where the triangles of each lamp begin.
+    """
+
+    corners: np.ndarray
+    radiance: np.ndarray
+    share: np.ndarray
+    start: np.ndarray
+
+
+def emission_of(mesh: Mesh, area: np.ndarray, lights: Lights) -> np.ndarray:
+    """Radiance [M, 3] that each material of a mesh sends out, whose triangles have ``area`` [F] in the world.
+
+    A lamp sends out what its size says, however its shade is drawn: bulbs are bright, panels are pale. What shines
+    faintly is a screen.
+    """
+    radiance = np.zeros((len(mesh.materials), 3))
+    shining = np.array([m.emission for m in mesh.materials])
+    total = np.bincount(mesh.face_material, area, len(mesh.materials)) if len(mesh.faces) else np.zeros(len(shining))
+    lamp = float(total[shining >= 0.3].sum())
+    flux = lights.lamp_flux * math.sqrt(lamp / 0.12) if lamp > 0 else 0.0
+    for k, material in enumerate(mesh.materials):
+        if material.emission >= 0.3:
+            level = min(flux / (math.pi * max(lamp, 1e-4)), 60.0) * material.emission
+            radiance[k] = level * np.asarray(lights.lamp_color)
+        elif material.emission > 0:
+            radiance[k] = 1.2 * material.emission * np.asarray(material.color) ** 2.2
+    return radiance
+
+
+def emitters(groups: Sequence[tuple[np.ndarray, np.ndarray]]) -> Emitters:
+    """The table of emitters from corners [N, 3, 3] and radiance [N, 3] of each lamp's triangles."""
+    corners, radiance, share, start = [], [], [], [0]
+    for triangles, light in groups:
+        area = np.linalg.norm(np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]), axis=1)
+        kept = area / 2 > _LEAST_AREA
+        if not kept.any():
+            continue
+        corners.append(triangles[kept])
+        radiance.append(light[kept])
+        share.append(np.cumsum(area[kept]) / area[kept].sum())
+        start.append(start[-1] + int(kept.sum()))
+    if not corners:
+        return Emitters(np.zeros((0, 3, 3)), np.zeros((0, 3)), np.zeros(0), np.zeros(1, dtype=int))
+    return Emitters(np.concatenate(corners), np.concatenate(radiance), np.concatenate(share), np.asarray(start))
+
+
+__all__ = ["Emitters", "Instance", "Lights", "Portal", "emission_of", "emitters", "interior_lights", "portals_of"]
