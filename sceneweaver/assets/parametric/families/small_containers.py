@@ -6,7 +6,7 @@ import numpy as np
 
 from ... import shapes
 from ..builder import Builder
-from .small_kit import OPEN, Look, arch, band, decal, dome, ellipse, hoop, loft, orb, rect, slab, small, spot, target
+from .small_kit import OPEN, Look, arch, decal, dome, ellipse, loft, orb, rect, slab, small, spot
 
 CLOTHS = (
     "navy fabric",
@@ -756,45 +756,6 @@ def folded_clothes(b: Builder) -> None:
                     spot(b, 0.005, (-0.002, 0.002), "chalk pigment", 10)
 
 
-@small("jar", fit="round")
-def jar(b: Builder) -> None:
-    """A jar of jam or honey with a lid and a label."""
-    d, _, h = target(b)
-    r = d / 2
-    look = b.material("body", "glass")
-    inside = b.pick("inside", ["tomato", "grape", "cheese", "orange peel", "dark leaf", "amber glass", "chocolate"])
-    b.lathe([(0.92 * r, 0.0), (r, 0.05 * h), (r, 0.7 * h), (0.84 * r, 0.8 * h)], look, 24)
-    b.add(shapes.frustum(0.93 * r, 0.93 * r, (0.04 * h, 0.68 * h), 24), inside, [])
-    b.frustum(
-        0.92 * r,
-        0.92 * r,
-        (0.79 * h, h),
-        b.material("lid", "brass", "red plastic", "white steel", "black steel", "green plastic"),
-        24,
-        bevel=0.002,
-    )
-    band(b, r, r, (0.18 * h, 0.56 * h), "paper")
-    band(b, r + 0.0001, r + 0.0001, (0.3 * h, 0.42 * h), inside if inside != "amber glass" else "ochre pigment")
-
-
-@small("tin", fit="round")
-def tin(b: Builder) -> None:
-    """A round metal tin with a printed wall and an overlapping lid."""
-    d, _, h = target(b)
-    r = d / 2
-    look = b.material(
-        "body", "red paint", "navy paint", "green paint", "cream paint", "teal paint", "brass", "black paint"
-    )
-    trim = b.material("trim", "brass", "white paint", "steel")
-    b.frustum(0.97 * r, 0.97 * r, (0.0, 0.82 * h), look, 28, bevel=0.002)
-    b.frustum(r, r, (0.76 * h, 0.96 * h), look, 28, bevel=0.002)
-    b.frustum(0.9 * r, 0.85 * r, (0.955 * h, h), trim, 28)
-    for z in (0.06, 0.66):
-        band(b, 0.97 * r, 0.97 * r, (z * h, (z + 0.05) * h), trim, 28)
-    band(b, 0.97 * r, 0.97 * r, (0.26 * h, 0.52 * h), "cream paint" if look.name != "cream paint" else "sage paint", 28)
-    hoop(b, 0.97 * r, 0.955 * h, 0.002, trim, 20)
-
-
 @small("piggy_bank")
 def piggy_bank(b: Builder) -> None:
     """A round pig with a slot, ears, a snout and a curled tail."""
@@ -878,22 +839,6 @@ def lunch_box(b: Builder) -> None:
             cover,
             0.002,
         )
-
-
-@small("thermos", fit="round")
-def thermos(b: Builder) -> None:
-    """A slim flask with a cup for a cap and a loop."""
-    d, _, h = target(b)
-    r = d / 2
-    look = b.material(
-        "body", "brushed steel", "black steel", "teal paint", "red paint", "sage paint", "navy paint", "mint plastic"
-    )
-    top = b.material("cap", "brushed steel", "black plastic", "bamboo")
-    b.frustum(0.98 * r, 0.98 * r, (0.0, 0.03 * h), "black plastic", 26)
-    b.lathe([(0.96 * r, 0.03 * h), (r, 0.05 * h), (r, 0.72 * h), (0.8 * r, 0.79 * h)], look, 26)
-    b.frustum(0.8 * r, 0.72 * r, (0.79 * h, h), top, 24, bevel=0.003)
-    band(b, 0.795 * r, 0.765 * r, (0.81 * h, 0.83 * h), "black plastic", 24)
-    band(b, r, r, (0.3 * h, 0.32 * h), top, 26)
 
 
 @small("toolbox")

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from ... import shapes
+from ...drawing import Box
 from ..builder import Builder, Interval
-from .small_kit import Look, arch, band, decal, dome, ellipse, loft, lofted, orb, rect, slab, small, spot, target
-from .small_tableware import disc_plate
+from .small_kit import Look, arch, decal, dome, loft, lofted, orb, rect, slab, small, spot, target
+from .small_tableware import dish
 
 METALS = ("steel", "brushed steel", "black steel", "copper", "red paint", "blue paint", "iron")
 SHELLS = ("steel", "black plastic", "white plastic", "red plastic", "cream paint", "brushed steel", "mint plastic")
@@ -620,42 +621,6 @@ def air_fryer(b: Builder) -> None:
             decal(b, (0.0, 0.0063), (-0.03 + 0.024 * k, -0.018 + 0.024 * k), (0.02 * h, 0.06 * h), "lamp glow")
 
 
-@small("spice_jar", fit="round")
-def spice_jar(b: Builder) -> None:
-    """A small glass jar of spice with a lid and a label."""
-    d, _, h = target(b)
-    r = d / 2
-    look = b.material("body", "glass")
-    cap = b.material("lid", "bamboo", "black plastic", "steel", "cork")
-    spice = b.pick("spice", ["terracotta", "mustard fabric", "pale leaf", "black paint", "tomato", "bread crust"])
-    b.lathe([(0.92 * r, 0.0), (r, 0.04 * h), (r, 0.68 * h), (0.75 * r, 0.78 * h)], look, 20)
-    b.add(shapes.frustum(0.88 * r, 0.88 * r, (0.04 * h, 0.55 * h), 20), spice, [])
-    b.frustum(0.88 * r, 0.88 * r, (0.77 * h, h), cap, 20, bevel=0.002)
-    decal(b, (0.6 * r, 0.985 * r), (-0.2 * r, 0.2 * r), (0.2 * h, 0.5 * h), "paper")
-
-
-@small("storage_jar", fit="round")
-def storage_jar(b: Builder) -> None:
-    """A big jar of pasta, flour or beans, or a glazed canister, with a lid."""
-    d, _, h = target(b)
-    r = d / 2
-    glassy = b.chance("glass", 0.6)
-    look = (
-        b.material("body", "glass")
-        if glassy
-        else b.material("body", "white ceramic", "cream ceramic", "blue ceramic", "steel")
-    )
-    cap = b.material("lid", "bamboo", "oak", "steel", "cork", "black steel")
-    b.lathe([(0.93 * r, 0.0), (r, 0.03 * h), (r, 0.8 * h), (0.92 * r, 0.87 * h)], look, 24)
-    if glassy:
-        filling = b.pick("filling", ["bread crumb", "icing", "terracotta", "bread crust", "coffee", "lemon peel"])
-        b.add(shapes.frustum(0.93 * r, 0.93 * r, (0.03 * h, b.uniform("level", 0.4, 0.72) * h), 24), filling, [])
-    else:
-        band(b, r, r, (0.3 * h, 0.52 * h), b.material("label", "paper", "navy paint", "terracotta"))
-    b.frustum(0.97 * r, 0.97 * r, (0.87 * h, 0.93 * h), cap, 24, bevel=0.002)
-    b.lathe([(0.16 * r, 0.93 * h), (0.14 * r, 0.95 * h), (0.26 * r, 0.97 * h), (0.22 * r, h)], cap, 16)
-
-
 @small("paper_towel_roll", fit="round")
 def paper_towel_roll(b: Builder) -> None:
     """A roll of paper towels on an upright holder."""
@@ -694,7 +659,7 @@ def dish_rack(b: Builder) -> None:
         if k % 3 != 2:
             rr = r if k < 4 else 0.75 * r
             with b.frame(-0.01, y, 0.033 + rr, roll=np.pi / 2 - 0.08):
-                disc_plate(b, rr, 0.02, glaze)
+                dish(b, Box.sized(2 * rr, 2 * rr, 0.02), glaze)
     rm = min(0.04, 0.12 * w)
     for k, mug in enumerate(("red paint", "sage paint")):
         with b.frame((0.5 - k) * 0.45 * d, y1 - 0.09, 0.037):
@@ -715,32 +680,6 @@ def dish_rack(b: Builder) -> None:
                 b.material(f"cup {k}", "white ceramic"),
                 5,
             )
-
-
-@small("dish_soap")
-def dish_soap(b: Builder) -> None:
-    """A squeezed-waist bottle of washing-up liquid with a flip cap."""
-    d, w, h = b.size
-    look = b.material("body", "green plastic", "yellow plastic", "clear plastic", "blue plastic", "orange plastic")
-    cap = b.material("cap", "white plastic", "blue plastic", "red plastic")
-    loft(
-        b,
-        [
-            ellipse(sx * d / 2, sy * w / 2, z * h)
-            for sx, sy, z in (
-                (0.9, 0.92, 0.0),
-                (1.0, 1.0, 0.03),
-                (0.95, 0.86, 0.38),
-                (1.0, 0.96, 0.58),
-                (0.75, 0.6, 0.76),
-                (0.42, 0.26, 0.82),
-            )
-        ],
-        look,
-    )
-    b.frustum(0.2 * w, 0.18 * w, (0.81 * h, 0.92 * h), cap, 16, bevel=0.002)
-    b.frustum(0.1 * w, 0.06 * w, (0.92 * h, h), cap, 12)
-    loft_label(b, d, w, (0.12 * h, 0.34 * h))
 
 
 def loft_label(b: Builder, d: float, w: float, z: Interval, look: Look = "paper") -> None:

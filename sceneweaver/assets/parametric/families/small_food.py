@@ -6,7 +6,7 @@ import numpy as np
 
 from ... import shapes
 from ..builder import Builder
-from .small_kit import Look, band, decal, dome, ellipse, hoop, loft, lofted, orb, rect, slab, small, spot, target
+from .small_kit import Look, decal, ellipse, hoop, loft, lofted, orb, rect, slab, small, spot, target
 
 
 def apple_at(b: Builder, r: float, look: Look, at=(0.0, 0.0, 0.0), stem: bool = True) -> None:
@@ -421,64 +421,6 @@ def egg_carton(b: Builder) -> None:
             b.frustum(0.012, 0.005, (-0.002, 0.6 * (h - low)), look, 8)
 
 
-@small("can", fit="round")
-def can(b: Builder) -> None:
-    """A tin of food with a printed label, or a drink can."""
-    d, _, h = target(b)
-    r = d / 2
-    label = b.material(
-        "label", "red plastic", "green plastic", "yellow plastic", "blue plastic", "white plastic", "orange plastic"
-    )
-    fruit = b.pick("fruit", ["tomato", "carrot", "pale leaf", "lemon peel"])
-    b.lathe(
-        [
-            (0.96 * r, 0.0),
-            (r, 0.004),
-            (r, 0.008),
-            (0.97 * r, 0.012),
-            (0.97 * r, h - 0.012),
-            (r, h - 0.008),
-            (r, h - 0.002),
-            (0.97 * r, h),
-            (0.93 * r, h),
-            (0.92 * r, h - 0.004),
-            (0.0, h - 0.004),
-        ],
-        "steel",
-        24,
-        hollow=True,
-    )
-    b.frustum(0.985 * r, 0.985 * r, (0.06 * h, 0.94 * h), label, 24)
-    band(b, 0.985 * r, 0.985 * r, (0.62 * h, 0.8 * h), "paper")
-    band(b, 0.985 * r, 0.985 * r, (0.12 * h, 0.24 * h), fruit)
-    hoop(b, 0.2 * r, h - 0.003, 0.0015, "steel", 8)
-
-
-@small("juice_bottle", fit="round")
-def juice_bottle(b: Builder) -> None:
-    """A clear bottle of juice with a bright cap and label."""
-    d, _, h = target(b)
-    r = d / 2
-    look = b.material("body", "clear plastic", "glass")
-    juice = b.pick("juice", ["orange peel", "tomato", "lemon peel", "red apple", "green apple"])
-    cap = b.material("cap", "green plastic", "orange plastic", "white plastic", "red plastic")
-    prof = [
-        (0.88 * r, 0.0),
-        (r, 0.03 * h),
-        (r, 0.28 * h),
-        (0.86 * r, 0.4 * h),
-        (0.98 * r, 0.52 * h),
-        (0.9 * r, 0.65 * h),
-        (0.42 * r, 0.84 * h),
-        (0.38 * r, 0.9 * h),
-    ]
-    b.lathe(prof, look, 24)
-    b.add(shapes.lathe([(q * 0.96, max(z, 0.006)) for q, z in prof[:6]] + [(0.62 * r, 0.74 * h)], 24), juice, [])
-    b.frustum(0.48 * r, 0.46 * r, (0.89 * h, h), cap, 20, bevel=0.001)
-    band(b, r, r, (0.08 * h, 0.26 * h), "paper")
-    band(b, r + 0.0001, r + 0.0001, (0.11 * h, 0.15 * h), cap)
-
-
 @small("vegetable_basket")
 def vegetable_basket(b: Builder) -> None:
     """A basket of carrots, tomatoes, a lettuce, an aubergine and bread."""
@@ -626,26 +568,3 @@ def croissant(b: Builder) -> None:
             b.frustum(
                 lo * r, hi * r, (0.0, float(np.hypot(*way))), "bread crust" if k % 2 else "cake sponge", 12, bevel=0.003
             )
-
-
-@small("cookie_jar", fit="round")
-def cookie_jar(b: Builder) -> None:
-    """A fat glass jar of biscuits with a lid and a knob."""
-    d, _, h = target(b)
-    r = d / 2
-    look = b.material("body", "glass")
-    cap = b.material("lid", "oak", "steel", "red plastic", "walnut")
-    b.lathe([(0.7 * r, 0.0), (0.95 * r, 0.1 * h), (r, 0.35 * h), (0.92 * r, 0.6 * h), (0.68 * r, 0.76 * h)], look, 24)
-    for k in range(5):
-        for j in range(5):
-            a = j * 2 * np.pi / 5 + k
-            z = 0.05 * h + 0.12 * h * k
-            with b.frame(0.45 * r * np.cos(a), 0.45 * r * np.sin(a), z, pitch=0.2 * (-1) ** j):
-                b.add(
-                    shapes.frustum(0.3 * r, 0.26 * r, (0.0, 0.08 * h), 12, 0.003),
-                    "cake sponge" if (j + k) % 3 else "chocolate",
-                    [],
-                )
-    b.frustum(0.74 * r, 0.74 * r, (0.76 * h, 0.84 * h), cap, 24, bevel=0.003)
-    b.lathe([(0.72 * r, 0.84 * h), *dome(0.68 * r, 0.845 * h, 0.9 * h, 3, 0.1 * r)], cap, 24)
-    orb(b, (0.15 * r, 0.15 * r, 0.055 * h), (0, 0, 0.945 * h), cap)

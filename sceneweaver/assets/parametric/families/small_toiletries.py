@@ -6,7 +6,7 @@ import numpy as np
 
 from ... import shapes
 from ..builder import Builder
-from .small_kit import Look, band, decal, ellipse, loft, orb, rect, slab, small, spot, spun, target
+from .small_kit import Look, decal, ellipse, loft, orb, rect, slab, small, spot, spun, target
 
 GLAZES = ("white ceramic", "cream ceramic", "grey ceramic", "blue ceramic", "concrete", "marble", "amber glass")
 PASTELS = (
@@ -41,32 +41,6 @@ def pump(b: Builder, z: float, h: float, reach: float, look: Look) -> None:
         ],
         look,
     )
-
-
-@small("soap_dispenser", fit="round")
-def soap_dispenser(b: Builder) -> None:
-    """A bottle of liquid soap with a pump."""
-    d, _, h = target(b)
-    r = d / 2
-    look = b.material("body", *GLAZES)
-    head = b.material("pump", "steel", "brass", "black steel", "chrome")
-    top = 0.68 * h
-    if b.chance("square", 0.3):
-        loft(
-            b,
-            [
-                rect((-e, e), (-e, e), z, 0.25 * r)
-                for e, z in ((0.94 * r, 0.0), (r, 0.004), (r, 0.92 * top), (0.5 * r, top))
-            ],
-            look,
-            convex=True,
-        )
-        decal(b, (0.9 * r, r + 0.0003), (-0.5 * r, 0.5 * r), (0.3 * top, 0.65 * top), "paper")
-    else:
-        b.lathe([(0.92 * r, 0.0), (r, 0.006), (r, 0.8 * top), (0.8 * r, 0.93 * top), (0.42 * r, top)], look, 24)
-        band(b, r, r, (0.28 * top, 0.6 * top), b.pick("label", ["paper", "sand pigment", "white paint"]))
-        band(b, r + 0.0001, r + 0.0001, (0.4 * top, 0.45 * top), "ink pigment")
-    pump(b, top - 0.002, h, 0.96 * r, head)
 
 
 @small("soap_bar")
@@ -155,45 +129,6 @@ def toothpaste(b: Builder) -> None:
             mid = (1 - t) * 0.001 + t * r
             rings.append([(x, 0.55 * y * s, mid + zz) for s in (-1, 1) for zz in (0.0, 0.83 * z + 0.0002)])
         b.add(shapes.hull(np.concatenate(rings)), c, [])
-
-
-@small("shampoo_bottle")
-def shampoo_bottle(b: Builder) -> None:
-    """An oval bottle with a flip cap or standing on its cap, and a label."""
-    d, w, h = b.size
-    look = b.material("body", *PASTELS)
-    cap = b.material("cap", "white plastic", "black plastic", "grey plastic", "brass")
-    label = b.pick("label", ["paper", "navy paint", "sage paint", "yellow plastic"])
-    if b.chance("on cap", 0.35):
-        b.frustum(0.36 * d, 0.4 * d, (0.0, 0.14 * h), cap, 18)
-        cuts = ((0.5, 0.5, 0.13), (0.9, 0.92, 0.2), (1.0, 1.0, 0.5), (0.9, 1.0, 0.82), (0.3, 1.0, 1.0))
-    else:
-        cuts = ((0.9, 0.92, 0.0), (1.0, 1.0, 0.03), (1.0, 1.0, 0.66), (0.8, 0.72, 0.8), (0.5, 0.4, 0.84))
-        b.frustum(0.4 * d, 0.38 * d, (0.83 * h, h), cap, 18, bevel=0.002)
-        decal(b, (0.3 * d, 0.4 * d - 0.001), (-0.004, 0.004), (0.86 * h, 0.89 * h), "grey plastic")
-    loft(b, [ellipse(e * d / 2, f * w / 2, z * h) for e, f, z in cuts], look)
-    b.box((0.46 * d, 0.488 * d), (-0.13 * w, 0.13 * w), (0.24 * h, 0.6 * h), label, 0.001)
-    decal(
-        b,
-        (0.47 * d, 0.488 * d + 0.0003),
-        (-0.09 * w, 0.09 * w),
-        (0.48 * h, 0.52 * h),
-        "chalk pigment" if label != "paper" else "ink pigment",
-    )
-
-
-@small("lotion_bottle", fit="round")
-def lotion_bottle(b: Builder) -> None:
-    """A round bottle with a pump and a printed band."""
-    d, _, h = target(b)
-    r = d / 2
-    look = b.material("body", *PASTELS, "amber glass")
-    top = 0.7 * h
-    b.lathe([(0.93 * r, 0.0), (r, 0.005), (r, 0.86 * top), (0.6 * r, 0.96 * top), (0.42 * r, top)], look, 24)
-    band(b, r, r, (0.16 * top, 0.66 * top), b.pick("label", ["paper", "sand pigment", "blush pigment"]))
-    band(b, r + 0.0001, r + 0.0001, (0.48 * top, 0.53 * top), "ink pigment")
-    band(b, r + 0.0001, r + 0.0001, (0.22 * top, 0.24 * top), "ochre pigment")
-    pump(b, top - 0.002, h, 0.97 * r, b.material("pump", "white plastic", "black plastic", "steel"))
 
 
 @small("perfume")
@@ -586,27 +521,6 @@ def makeup_set(b: Builder) -> None:
                 )
 
 
-@small("cotton_jar", fit="round")
-def cotton_jar(b: Builder) -> None:
-    """A glass jar of cotton balls with a lid."""
-    d, _, h = target(b)
-    r = d / 2
-    b.material("body", "glass")
-    cap = b.material("lid", "bamboo", "chrome", "glass", "brass", "oak")
-    b.frustum(0.97 * r, r, (0.0, 0.76 * h), "glass", 26, bevel=0.003)
-    for k in range(26):
-        a, ring = 2.4 * k, k // 7
-        q = (0.62 if k % 7 else 0.0) * r
-        orb_r = 0.3 * r
-        b.add(
-            shapes.ball((orb_r, orb_r, orb_r), (q * np.cos(a), q * np.sin(a), orb_r + 0.006 + ring * 0.15 * h), 8),
-            "icing",
-            [],
-        )
-    b.frustum(1.0 * r, 0.98 * r, (0.76 * h, 0.86 * h), cap, 26, bevel=0.002)
-    b.lathe([(0.12 * r, 0.86 * h), (0.1 * r, 0.9 * h), (0.22 * r, 0.94 * h), (0.16 * r, h)], cap, 14)
-
-
 @small("razor")
 def razor(b: Builder) -> None:
     """A shaving stand with a razor, a brush and a bowl of soap."""
@@ -755,89 +669,6 @@ def first_aid_kit(b: Builder) -> None:
         n,
         "black plastic",
     )
-
-
-@small("medicine_bottle", fit="round")
-def medicine_bottle(b: Builder) -> None:
-    """A small bottle of pills with a white cap and a label."""
-    d, _, h = target(b)
-    r = d / 2
-    look = b.material("body", "amber glass", "white plastic", "green glass", "blue plastic")
-    b.lathe([(0.94 * r, 0.0), (r, 0.004), (r, 0.66 * h), (0.76 * r, 0.74 * h)], look, 24)
-    for k in range(10):
-        a = 2.4 * k
-        b.add(
-            shapes.ball(
-                (0.2 * r, 0.12 * r, 0.1 * r), (0.55 * r * np.cos(a), 0.55 * r * np.sin(a), 0.06 * h + 0.016 * h * k), 8
-            ),
-            ("white plastic", "red plastic")[k % 2],
-            [],
-        )
-    b.frustum(0.88 * r, 0.86 * r, (0.73 * h, h), "white plastic", 20, bevel=0.002)
-    for k in range(12):
-        with b.frame(yaw=k * np.pi / 6):
-            b.add(shapes.box((0.8 * r, 0.872 * r), (-0.03 * r, 0.03 * r), (0.76 * h, 0.95 * h)), "light grey paint", [])
-    band(b, r, r, (0.14 * h, 0.56 * h), "paper")
-    band(
-        b,
-        r + 0.0001,
-        r + 0.0001,
-        (0.42 * h, 0.5 * h),
-        b.pick("stripe", ["red plastic", "blue plastic", "green plastic"]),
-    )
-
-
-@small("detergent_bottle")
-def detergent_bottle(b: Builder) -> None:
-    """A big bottle with a handle, a measuring cap and a bright label."""
-    d, w, h = b.size
-    look = b.material(
-        "body", "blue plastic", "orange plastic", "white plastic", "green plastic", "lilac plastic", "red plastic"
-    )
-    cap = b.material("cap", "white plastic", "blue plastic", "yellow plastic")
-    top = 0.82 * h
-    x = (-d / 2, d / 2)
-    loft(
-        b,
-        [
-            rect((x[0] + e, x[1] - e), (-w / 2 + e, w / 2 - e), z, 0.35 * d)
-            for e, z in ((0.004, 0.0), (0.0, 0.006), (0.0, 0.5 * h))
-        ],
-        look,
-        convex=True,
-    )
-    loft(
-        b,
-        [
-            rect((x[0] + e, x[1] - e), (-w / 2 + f, w / 2 - g), z, 0.3 * d)
-            for e, f, g, z in (
-                (0.0, 0.0, 0.3 * w, 0.495 * h),
-                (0.1 * d, 0.06 * w, 0.36 * w, 0.68 * h),
-                (0.26 * d, 0.14 * w, 0.48 * w, top),
-            )
-        ],
-        look,
-    )
-    n = np.array([[-0.016, -0.011], [0.016, -0.011], [0.016, 0.011], [-0.016, 0.011]])
-    b.tube(
-        [(0, 0.06 * w, 0.75 * h), (0, 0.28 * w, 0.745 * h), (0, 0.42 * w, 0.66 * h), (0, 0.42 * w, 0.48 * h)], n, look
-    )
-    with b.frame(0, -0.17 * w, 0):
-        b.frustum(0.3 * d, 0.28 * d, (top - 0.004, h), cap, 20, bevel=0.003)
-    decal(
-        b,
-        (0.3 * d, d / 2 + 0.0003),
-        (-0.2 * w, 0.2 * w),
-        (0.1 * h, 0.42 * h),
-        "white plastic" if look.name != "white plastic" else "blue plastic",
-    )
-    with b.frame(d / 2, 0, 0.28 * h, pitch=np.pi / 2):
-        b.add(
-            shapes.frustum(0.16 * w, 0.16 * w, (-0.002, 0.0004), 20),
-            b.pick("sun", ["yellow plastic", "pink plastic", "green plastic"]),
-            [],
-        )
-    decal(b, (0.3 * d, d / 2 + 0.00045), (-0.19 * w, 0.19 * w), (0.25 * h, 0.3 * h), "navy paint")
 
 
 @small("sponge")
