@@ -168,6 +168,12 @@ class Box:
         x, y, z = point
         return x, y, z
 
+    def point(self, x: float = 0.5, y: float = 0.5, z: float = 0.5) -> Vec3:
+        """A point by shares of its extents: (0, 0, 0) is its back right bottom corner."""
+        at = (span[0] + s * (span[1] - span[0]) for span, s in zip((self.x, self.y, self.z), (x, y, z), strict=True))
+        px, py, pz = at
+        return px, py, pz
+
     def __or__(self, other: Box) -> Box:
         """The smallest box that holds both."""
         spans = zip((self.x, self.y, self.z), (other.x, other.y, other.z), strict=True)

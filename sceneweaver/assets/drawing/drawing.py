@@ -122,13 +122,20 @@ class Drawing(Tree):
         self.add(shape, material, [shapes.box(box.x, box.y, box.z, 0.5857 * r)])
         return box
 
-    def print(self, box: Box, material: Look, proud: float = PROUD) -> Box:
+    def print(self, box: Box, material: Look, proud: float = PROUD, oval: bool = False) -> Box:
         """A print, a label, a lit key: it stands ``proud`` metres out of what it lies on and has no collision part.
 
-        Give the place on the surface, flat in one axis: ``screen.front(0)``, ``cup.top(0).inset(x=0.01, y=0.01)``.
+        Give the place on the surface, flat in one axis: ``screen.front(0)``, ``cup.top(0).inset(x=0.01, y=0.01)``. It
+        is a rectangle or an ``oval``.
         """
         out = box.inset(-proud)
-        self.add(shapes.box(out.x, out.y, out.z), material, [])
+        if oval:
+            flat = min(range(3), key=lambda k: out.size[k])
+            axis: Axis = ("x", "y", "z")[flat]
+            with self.no_colliders():
+                self.cylinder(out, material, axis, segments=16)
+        else:
+            self.add(shapes.box(out.x, out.y, out.z), material, [])
         return box
 
     def revolve(
@@ -183,6 +190,21 @@ class Drawing(Tree):
         made += [shapes.extrusion(piece, span) for piece in pieces] if len(pieces) > 1 else []
         made = [(points[:, turn], faces) for points, faces in made]
         self.add(made[0], material, made[1:] or None)
+
+    def silhouette(self, box: Box, outline, material: Look, axis: Axis = "y", bevel: float = 0.0) -> Box:
+        """A polygon [V, 2] drawn through a box along an axis, its points shares of the box as seen from there.
+
+        They are (x, z) along y, (y, z) along x and (x, y) along z, either way round; it need not be convex.
+        """
+        spans = {"x": (box.y, box.z), "y": (box.x, box.z), "z": (box.x, box.y)}[axis]
+        low = np.array([span[0] for span in spans])
+        plan = low + np.asarray(outline, dtype=np.float64) * (np.array([span[1] for span in spans]) - low)
+        plan = plan[:, ::-1] if axis == "y" else plan  # `extrude` has (z, x) there
+        after = np.roll(plan, -1, axis=0)
+        if (plan[:, 0] * after[:, 1] - plan[:, 1] * after[:, 0]).sum() < 0:
+            plan = plan[::-1]
+        self.extrude(plan, {"x": box.x, "y": box.y, "z": box.z}[axis], material, axis=axis, bevel=bevel)
+        return box
 
     def sweep(
         self, path, section: float | np.ndarray, material: Look, segments: int = 10, closed: bool = False

@@ -31,6 +31,7 @@ from .supports import feet as feet
 from .supports import leg as leg
 from .supports import legs as legs
 from .supports import star_base as star_base
+from .supports import wheel as wheel
 from .units import Layout as Layout
 from .units import fronts as fronts
 from .units import unit as unit
@@ -82,4 +83,5 @@ __all__ = [
     "towel",
     "unit",
     "vessel",
+    "wheel",
 ]

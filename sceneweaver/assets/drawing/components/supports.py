@@ -92,6 +92,14 @@ def feet(d: Drawing, box: Box, material: Look, style: str = "plinth") -> Box:
     return box
 
 
+def wheel(d: Drawing, box: Box, tyre: Look = "rubber", hub: Look = "steel") -> Box:
+    """A wheel that turns about y and fills a box: a tyre, and a hub that shows on both sides."""
+    d.cylinder(box, tyre, "y", bevel=0.15 * min(box.width, box.height), segments=20)
+    with d.no_colliders():
+        d.cylinder(box.inset(x=0.22 * box.depth, z=0.22 * box.height, y=-0.0003), hub, "y", segments=14)
+    return box
+
+
 def castors(d: Drawing, box: Box, fork: Look = "steel", wheel: Look = "black plastic") -> Box:
     """Four castors in the corners of a box, as high as it is: wheels along x in forks under plates."""
     r = 0.4 * box.height
