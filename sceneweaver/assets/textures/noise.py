@@ -98,3 +98,31 @@ def spread(number: np.ndarray, seed: int) -> np.ndarray:
     """A random value in 0..1 for each whole number of an array."""
     _, index = np.unique(number, return_inverse=True)
     return np.random.default_rng(seed).random(int(index.max()) + 1)[index].reshape(number.shape)
+
+
+def strands(n: int, seed: int, wave: float, length: float, turn: float = 1.0) -> np.ndarray:
+    """Hair that lies along slowly turning ways: noise drawn out along them (line integral convolution), mean 0 and
+    standard deviation 1.
+
+    Args:
+        n: Side in pixels.
+        seed: Of the random numbers.
+        wave: How soon the direction turns, share of the side.
+        length: Of a strand, share of the side.
+        turn: How far it turns [rad], in standard deviations.
+    """
+    angle = turn * field(n, seed, wave, 2.5)
+    du, dv = np.cos(angle), np.sin(angle)
+    noise = field(n, seed + 1, 0.004, 1.0)
+    rows, columns = np.indices((n, n)).astype(float)
+    count = max(4, int(length * n / 3))
+    total = noise.copy()
+    for sign in (1.0, -1.0):
+        r, c = rows.copy(), columns.copy()
+        for _ in range(count):
+            at = np.mod(r, n).astype(int) % n, np.mod(c, n).astype(int) % n
+            r -= 1.5 * sign * dv[at]
+            c += 1.5 * sign * du[at]
+            total += noise[np.mod(r, n).astype(int) % n, np.mod(c, n).astype(int) % n]
+    total -= total.mean()
+    return total / total.std()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..noise import blurred, cells, field, grid, spread, step
+from ..noise import blurred, cells, field, grid, spread, strands
 from ..registry import pattern
 from ..relief import Relief
 
@@ -29,10 +29,8 @@ def _pile(n: int) -> Relief:
 @pattern("shaggy", (0.3, 0.3), kind="fabric")
 def _shaggy(n: int) -> Relief:
     """Long pile and fur: strands that lie in all directions."""
-    strand = field(n, 921, (0.09, 0.008), 1.3), field(n, 923, (0.008, 0.09), 1.3)
-    mix = step(-0.7, 0.7, field(n, 925, 0.10, 2.0))
-    hair = (strand[0] * mix + strand[1] * (1 - mix)) / np.sqrt(mix**2 + (1 - mix) ** 2)
-    return Relief(np.clip(1.0 + 0.20 * hair, 0.2, None), 2.2e-3 * blurred(hair, 0.002), np.ones((n, n)))
+    hair = blurred(0.75 * strands(n, 921, 0.16, 0.06, 1.6) + 0.5 * strands(n, 923, 0.10, 0.05, 1.6), 0.0012)
+    return Relief(np.clip(1.0 + 0.17 * hair, 0.25, None), 3e-4 * hair, np.ones((n, n)))
 
 
 @pattern("woven rug", (0.8, 0.8), kind="fabric")
@@ -60,9 +58,9 @@ def _sisal(n: int) -> Relief:
     ribs = 28
     across = np.mod(v * ribs, 1.0) - 0.5
     shift = 0.5 * (np.floor(v * ribs) % 2)
-    twist = np.mod(u * 20 + shift + 0.9 * across, 1.0) - 0.5
+    twist = np.mod(u * 20 + shift + 0.2 * across, 1.0) - 0.5
     cord = np.sqrt(np.clip(1.0 - (across / 0.5) ** 2, 0, 1)) * np.sqrt(np.clip(1.0 - (twist / 0.52) ** 2, 0, 1))
     straw = field(n, 941, (0.03, 0.005), 1.1)
-    tone = spread(np.floor(v * ribs) * 100 + np.floor(u * 20 + shift + 0.9 * across) % 20, 943) - 0.5
+    tone = spread(np.floor(v * ribs) * 100 + np.floor(u * 20 + shift + 0.2 * across) % 20, 943) - 0.5
     tint = (0.40 + 0.60 * cord) * (1.0 + 0.12 * straw + 0.22 * tone)
     return Relief(tint, 1.8e-3 * cord + 6e-5 * straw, np.ones((n, n)))

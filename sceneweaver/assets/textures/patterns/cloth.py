@@ -9,7 +9,9 @@ from ..registry import pattern
 from ..relief import Relief
 
 
-def woven(n: int, count: int, lift: np.ndarray, seed: int, uneven: float = 0.1, slub: float = 0.1) -> Relief:
+def woven(
+    n: int, count: int, lift: np.ndarray, seed: int, uneven: float = 0.1, slub: float = 0.1, raised: float = 1.2e-4
+) -> Relief:
     """Cloth of ``count`` warp and weft threads.
 
     Args:
@@ -19,9 +21,10 @@ def woven(n: int, count: int, lift: np.ndarray, seed: int, uneven: float = 0.1, 
         seed: Of the random numbers.
         uneven: How much threads differ in tone.
         slub: How much a thread differs along itself.
+        raised: Height of a thread above the gaps [m].
     """
     u, v = grid(n)
-    wobble = 0.10 / count * field(n, seed, 0.08)
+    wobble = 0.06 / count * field(n, seed, 0.08)
     x, y = (u + wobble) * count, (v + np.roll(wobble, n // 3, 0)) * count
     i, j = np.floor(x).astype(int) % count, np.floor(y).astype(int) % count
     fx, fy = x - np.floor(x) - 0.5, y - np.floor(y) - 0.5
@@ -45,8 +48,8 @@ def woven(n: int, count: int, lift: np.ndarray, seed: int, uneven: float = 0.1, 
         field(n, seed + 2, (0.06, 1 / count), 1.5),
     )
     fibre = field(n, seed + 3, 0.004, 1.0)
-    tint = (0.55 + 0.45 * height) * (1.0 + uneven * tone + slub * along + 0.05 * fibre)
-    return Relief(tint, 0.35 / count * height * 0.12 + 3e-6 * fibre, 1.0 - 0.05 * height)
+    tint = (0.60 + 0.40 * height) * (1.0 + uneven * tone + slub * along + 0.05 * fibre)
+    return Relief(tint, raised * height + 3e-6 * fibre, 1.0 - 0.05 * height)
 
 
 _PLAIN = np.array([[1, 0], [0, 1]], dtype=bool)
@@ -56,32 +59,32 @@ _TWILL = np.array([[(i + j) % 4 < 2 for i in range(4)] for j in range(4)], dtype
 @pattern("weave", (0.12, 0.12), kind="fabric")
 def _weave(n: int) -> Relief:
     """A sturdy plain weave, as of sofas: threads of 1.9 mm."""
-    return woven(n, 64, _PLAIN, 101, 0.10, 0.12)
+    return woven(n, 64, _PLAIN, 101, 0.06, 0.08, 2.2e-4)
 
 
 @pattern("linen", (0.12, 0.12), kind="fabric")
 def _linen(n: int) -> Relief:
     """Linen: uneven threads of 1.3 mm with slubs."""
-    return woven(n, 92, _PLAIN, 111, 0.16, 0.20)
+    return woven(n, 92, _PLAIN, 111, 0.09, 0.13, 1.2e-4)
 
 
 @pattern("cotton", (0.06, 0.06), kind="fabric", pixels=256)
 def _cotton(n: int) -> Relief:
     """Fine cotton, as of sheets."""
-    return woven(n, 64, _PLAIN, 121, 0.05, 0.06)
+    return woven(n, 64, _PLAIN, 121, 0.02, 0.03, 5e-5)
 
 
 @pattern("twill", (0.10, 0.10), kind="fabric")
 def _twill(n: int) -> Relief:
     """Twill with its diagonal."""
-    return woven(n, 64, _TWILL, 131, 0.08, 0.08)
+    return woven(n, 64, _TWILL, 131, 0.05, 0.05, 1.2e-4)
 
 
 @pattern("canvas", (0.12, 0.12), kind="fabric")
 def _canvas(n: int) -> Relief:
     """Coarse canvas of doubled threads."""
     basket = np.kron(_PLAIN, np.ones((2, 2), dtype=bool))
-    return woven(n, 96, basket, 141, 0.08, 0.10)
+    return woven(n, 96, basket, 141, 0.06, 0.07, 1.6e-4)
 
 
 @pattern("mesh", (0.06, 0.06), kind="fabric", pixels=256)

@@ -28,7 +28,7 @@ def _hammered(n: int) -> Relief:
     """Shallow dents of 12 mm side by side."""
     near = cells(n, 521, 16, jitter=0.8)
     dent = (near.first * 16) ** 2
-    return Relief(0.94 + 0.12 * dent, 5e-4 * dent, 1.0 + 0.1 * dent)
+    return Relief(0.94 + 0.12 * dent, 1.6e-3 * dent, 1.0 + 0.1 * dent)
 
 
 @pattern("cast", (0.2, 0.2), kind="metal", pixels=256)

@@ -53,7 +53,7 @@ def _cork(n: int) -> Relief:
     """Pressed granules, some dark."""
     near = cells(n, 631, 34)
     tone = spread(near.number, 633)
-    tint = 0.78 + 0.34 * tone - 0.5 * (tone < 0.10) + 0.06 * field(n, 635, 0.01, 1.0)
+    tint = 0.78 + 0.34 * tone - 0.30 * (tone < 0.10) + 0.06 * field(n, 635, 0.01, 1.0)
     seam = 1.0 - step(0.0, 0.006, near.border)
     return Relief(tint * (1.0 - 0.25 * seam), -1.5e-4 * seam, np.ones((n, n)))
 

@@ -74,8 +74,10 @@ def _leather(n: int) -> Relief:
     crease = 1.0 - step(0.0, 0.0042, small.border) * step(0.0, 0.005, large.border) * (0.96 + 0.01 * bend)
     pebble = np.clip(small.border / 0.008, 0.0, 1.0)
     wear, fine = field(n, 1107, 0.3, 1.7), field(n, 1109, 0.008, 1.0)
-    tint = (1.0 + 0.06 * wear + 0.02 * fine) * (1.0 - 0.24 * crease)
-    return Relief(tint, 1.1e-4 * pebble + 1e-4 * np.clip(large.border / 0.02, 0, 1), 1.0 + 0.22 * crease - 0.05 * wear)
+    tint = (1.0 + 0.06 * wear + 0.02 * fine) * (1.0 - 0.34 * crease)
+    return Relief(
+        tint, 2.2e-4 * pebble + 1.6e-4 * np.clip(large.border / 0.02, 0, 1), 1.0 + 0.22 * crease - 0.05 * wear
+    )
 
 
 @pattern("suede", (0.2, 0.2), kind="fabric", pixels=256)

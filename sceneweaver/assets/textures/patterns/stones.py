@@ -12,17 +12,18 @@ from ..relief import Relief
 
 def _veins(n: int, seed: int, wave: float, width: float) -> np.ndarray:
     """Thin bent lines of uneven strength, in 0..1."""
-    bend = 0.035 * field(n, seed, 0.30, 1.6), 0.035 * field(n, seed + 1, 0.30, 1.6)
+    bend = 0.05 * field(n, seed, 0.22, 1.3), 0.05 * field(n, seed + 1, 0.22, 1.3)
     level = warped(field(n, seed + 2, (wave, 0.6 * wave), 2.6), *bend)
     slope = np.hypot(np.gradient(level, axis=0), np.gradient(level, axis=1)) * n
-    line = np.exp(-((np.abs(level) / np.maximum(slope, 0.5) / width) ** 1.2))
-    return line * step(-0.6, 1.4, field(n, seed + 3, 0.25))
+    strength = step(-0.6, 1.4, field(n, seed + 3, 0.25))
+    line = np.exp(-np.abs(level) / np.maximum(slope, 0.8 * float(slope.mean())) / (width * (0.4 + 0.6 * strength)))
+    return line * (0.15 + 0.85 * strength)
 
 
 @pattern("marble", (1.2, 1.2), kind="stone")
 def _marble(n: int) -> Relief:
     """White marble with grey veins and clouds."""
-    veins = 0.55 * _veins(n, 201, 0.5, 0.006) + 0.35 * _veins(n, 211, 0.25, 0.003) + 0.25 * _veins(n, 217, 0.8, 0.03)
+    veins = 0.50 * _veins(n, 201, 0.7, 0.006) + 0.30 * _veins(n, 211, 0.35, 0.0035) + 0.22 * _veins(n, 217, 0.8, 0.035)
     cloud = 0.045 * field(n, 221, 0.3, 1.7)
     dark = np.clip(veins + cloud + 0.02, 0.0, 0.85)
     tint = 1.0 - dark[:, :, None] * np.array([0.56, 0.53, 0.48])
@@ -33,7 +34,7 @@ def _marble(n: int) -> Relief:
 def _dark_marble(n: int) -> Relief:
     """Dark marble with white veins."""
     veins = _veins(n, 231, 0.5, 0.005) + 0.6 * _veins(n, 241, 0.22, 0.0025)
-    tint = 1.0 + 0.10 * field(n, 251, 0.2, 1.6) + 3.2 * np.clip(veins, 0.0, 1.0)
+    tint = 1.0 + 0.10 * field(n, 251, 0.2, 1.6) + 1.7 * np.clip(veins, 0.0, 1.0)
     return Relief(tint, np.zeros((n, n)), 1.0 + 0.1 * veins)
 
 
@@ -206,7 +207,7 @@ def _brick(n: int) -> Relief:
     sand, cloud = field(n, 457, 0.005, 0.9), field(n, 458, 0.06, 1.5)
     shade = 1.0 + 0.42 * tone + 0.07 * cloud + 0.05 * sand
     clay = shade[:, :, None] * (1.0 + warm[:, :, None] * np.array([0.06, -0.14, -0.20]))
-    mortar = (1.55 + 0.10 * sand)[:, :, None] * np.array([0.92, 1.35, 1.65])
+    mortar = (1.55 + 0.10 * sand)[:, :, None] * np.array([0.80, 1.30, 1.75])
     tint = face[:, :, None] * clay + (1 - face)[:, :, None] * mortar
     height = face * (4e-3 + 3e-4 * cloud) + 2e-4 * sand
     return Relief(tint, height, 1.0 + 0.05 * sand, shade=0.25, reach=0.01)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..noise import field, grid, step
+from ..noise import field, grid, step, warped
 from ..registry import pattern
 from ..relief import Relief
 
@@ -19,7 +19,7 @@ def _plaster(n: int) -> Relief:
 @pattern("rough plaster", (1.0, 1.0))
 def _rough(n: int) -> Relief:
     """Lime plaster with the marks of the trowel."""
-    stroke = field(n, 811, (0.20, 0.06), 1.7) + field(n, 812, (0.06, 0.20), 1.7)
+    stroke = 1.4 * warped(field(n, 811, (0.20, 0.07), 1.7), 0.02 * field(n, 812, 0.3), 0.025 * field(n, 814, 0.3))
     sand = field(n, 813, 0.003, 0.9)
     return Relief(1.0 + 0.025 * stroke + 0.015 * sand, 3e-4 * stroke + 3e-5 * sand, 1.0 + 0.04 * stroke, shade=0.05)
 
@@ -52,7 +52,7 @@ def _damask(n: int) -> Relief:
     shape = np.zeros((n, n))
     for mu, mv in ((0.0, 0.0), (0.5, 0.5)):
         x, y = np.mod(u + mu, 1.0) - 0.5, np.mod(v + mv, 1.0) - 0.5
-        shape = np.maximum(shape, _ornament(np.abs(x) * 1.06, y * 1.42))
+        shape = np.maximum(shape, _ornament(np.abs(x) * 0.72, y * 1.0))
     fibre = field(n, 841, 0.004, 1.0)
     return Relief(1.0 - 0.17 * shape + 0.010 * fibre, 2e-5 * shape + 8e-6 * fibre, 1.0 - 0.35 * shape)
 
