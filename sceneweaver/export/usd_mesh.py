@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from sceneweaver.assets import Mesh
 from sceneweaver.geometry.hulls import hull_faces
 from sceneweaver.physics.hulls import Solid
 
+from .corners import corner_normals
 from .usd_layer import Prim, attribute, integers, prim, triple, vectors
 from .usd_looks import Looks
-
-_CREASE = math.radians(40)  # edges at most this sharp are shaded round
-_FINE = 10_000  # steps of a normal's coordinates: equal ones are stored once
 
 
 def render_mesh(parent: Prim, name: str, mesh: Mesh, looks: Looks, link: int | None = None) -> None:
@@ -69,49 +65,6 @@ def box_collider(parent: Prim, name: str, center: np.ndarray, half: np.ndarray, 
     order = ["xformOp:translate", "xformOp:scale"]
     attribute(made, "xformOpOrder", "TokenArray", order, uniform=True)
     looks.rub(made, friction)
-
-
-def corner_normals(points: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Unit normals [N, 3], and which of them each corner has [3 F], face by face.
-
-    Corners at one vertex share a normal where the edges between their faces are flat or rounded, so that a turned leg
-    is round and a box keeps its edges.
-    """
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
-
-    corners = points[faces]
-    before, after = corners[:, [2, 0, 1]] - corners, corners[:, [1, 2, 0]] - corners
-    flat = np.cross(after[:, 0], before[:, 0])
-    flat /= np.maximum(np.linalg.norm(flat, axis=1, keepdims=True), 1e-30)
-    lengths = np.linalg.norm(before, axis=2) * np.linalg.norm(after, axis=2)
-    angles = np.arccos(np.clip((before * after).sum(axis=2) / np.maximum(lengths, 1e-30), -1, 1))
-
-    # Edges as (low vertex, high vertex), with the corners at both ends; two faces meet where equal ones follow.
-    start, end = faces, faces[:, [1, 2, 0]]
-    number = np.arange(faces.size).reshape(-1, 3)
-    turned = start > end
-    low = np.where(turned, number[:, [1, 2, 0]], number).ravel()
-    high = np.where(turned, number, number[:, [1, 2, 0]]).ravel()
-    key = (np.minimum(start, end).astype(np.int64) * len(points) + np.maximum(start, end)).ravel()
-    order = np.argsort(key, kind="stable")
-    one, two = order[:-1], order[1:]
-    meet = (key[one] == key[two]) & ((flat[one // 3] * flat[two // 3]).sum(axis=1) > math.cos(_CREASE))
-    one, two = one[meet], two[meet]
-    rows, columns = np.concatenate([low[one], high[one]]), np.concatenate([low[two], high[two]])
-    graph = coo_matrix((np.ones(len(rows), dtype=np.int8), (rows, columns)), shape=(faces.size, faces.size))
-    count, group = connected_components(graph, directed=False)
-
-    weighted = (flat[:, None] * angles[:, :, None]).reshape(-1, 3)
-    total = np.stack([np.bincount(group, weighted[:, k], count) for k in range(3)], axis=1)
-    length = np.linalg.norm(total, axis=1)
-    total[length < 1e-12] = (0.0, 0.0, 1.0)  # faces without area: any will do
-    total /= np.linalg.norm(total, axis=1, keepdims=True)
-    steps = np.rint(total * _FINE).astype(np.int64) + _FINE
-    span = 2 * _FINE + 1
-    packed, which = np.unique((steps[:, 0] * span + steps[:, 1]) * span + steps[:, 2], return_inverse=True)
-    found = np.stack([packed // span**2, packed // span % span, packed % span], axis=1) - float(_FINE)
-    return found / np.linalg.norm(found, axis=1, keepdims=True), which.reshape(-1)[group]
 
 
 def _shape(made: Prim, points: np.ndarray, faces: np.ndarray) -> None:

@@ -3,9 +3,9 @@ with a mesh is an object, in a room around them."""
 
 from __future__ import annotations
 
-import json
 import os
-import struct
+from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +17,8 @@ from sceneweaver.assets.imports.guarded import MAX_BYTES, read_meshes
 from sceneweaver.assets.placed import Load
 from sceneweaver.scene import InputError, MissingDependencyError, Pose, Room, Scene, SceneObject, read_bytes
 
+from .own_glb import OwnFile
+
 _GREY = Material("grey", (0.75, 0.74, 0.72))
 _Z_UP = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], dtype=float)
 
@@ -27,39 +29,30 @@ def read_glb(path: str | os.PathLike[str]) -> tuple[Scene, Load]:
     Raises:
         InputError: when the file cannot be read or shows nothing.
     """
-    import trimesh
-
     name = Path(path)
     try:
-        document = _document(read_bytes(name, max_bytes=MAX_BYTES))
-        found: Any = read_meshes(name)
-        placed = [(str(node), *found.graph[node]) for node in found.graph.nodes_geometry]
+        data = read_bytes(name, max_bytes=MAX_BYTES)
+        found: Any = read_meshes(name)  # looks whether all that the document describes is in the file
+        own = OwnFile(data)
+        ours = own.document.get("asset", {}).get("generator") == "sceneweaver"
+        bodies = list(_own_bodies(own) if ours else _other_bodies(found))
     except (InputError, MissingDependencyError):
         raise
     except Exception as error:  # a broken file fails in many ways inside the reader
         raise InputError(f"{name}: is no GLB file that can be read ({type(error).__name__}); export it anew") from None
-    ours = document.get("asset", {}).get("generator") == "sceneweaver"
-    nodes = {str(row.get("name")): row for row in document.get("nodes", [])} if ours else {}
     objects: list[SceneObject] = []
     assets: dict[str, Asset] = {}
     corners: list[np.ndarray] = []
-    for node, matrix, geometry in placed:
-        shape = found.geometry[geometry]
-        if not isinstance(shape, trimesh.Trimesh) or not len(shape.faces):
-            continue
-        if ours and "category" not in nodes.get(node, {}).get("extras", {}):
-            continue  # floor and walls
-        world = trimesh.transform_points(shape.vertices, _Z_UP @ matrix)
-        if not np.isfinite(world).all():
-            raise InputError(f"{name}: node '{node}' has numbers that are not finite; export it anew")
-        corners += [world.min(axis=0), world.max(axis=0)]
+    for thing, mesh in bodies:
+        if not np.isfinite(mesh.vertices).all():
+            raise InputError(f"{name}: node '{thing.id}' has numbers that are not finite; export it anew")
+        corners += list(mesh.bounds + np.asarray(thing.pose.position))
         asset = f"{len(assets)}"
-        thing, local = _ours(nodes[node], shape) if ours else _others(node, world)
         objects.append(thing.model_copy(update={"asset": asset}))
-        assets[asset] = _asset(asset, thing.category, local, shape)
+        assets[asset] = _asset(asset, thing.category, mesh)
     if not objects:
         raise InputError(f"{name}: shows no mesh; export it anew")
-    scene = document["scenes"][0] if ours else {}
+    scene = own.document["scenes"][0] if ours else {}
     extras = scene.get("extras") or {}
     room = Room.model_validate(extras["room"]) if "room" in extras else _around(corners)
     return (
@@ -68,36 +61,51 @@ def read_glb(path: str | os.PathLike[str]) -> tuple[Scene, Load]:
     )
 
 
-def _document(data: bytes) -> dict[str, Any]:
-    """The JSON part of a GLB file."""
-    length = struct.unpack_from("<I", data, 12)[0]
-    return json.loads(data[20 : 20 + length])
+def _own_bodies(own: OwnFile) -> Iterator[tuple[SceneObject, Mesh]]:
+    """The objects of a file that we wrote, and their meshes in their frames."""
+    for node in own.document["nodes"]:
+        extras = node.get("extras", {})
+        if "category" not in extras:
+            continue  # floor and walls
+        mount = extras.get("mount", "floor")
+        thing = SceneObject(
+            id=node["name"],
+            category=extras["category"],
+            size=tuple(extras["size"]),
+            pose=Pose(position=tuple(node["translation"]), quaternion=tuple(node["rotation"])),
+            mount="floor" if mount == "surface" else mount,
+        )
+        mesh = own.mesh(node["mesh"])
+        yield thing, replace(mesh, vertices=mesh.vertices * np.asarray(node.get("scale", (1.0, 1.0, 1.0))))
 
 
-def _ours(node: dict[str, Any], shape: Any) -> tuple[SceneObject, np.ndarray]:
-    """An object of a file that we wrote, and its vertices in its frame."""
-    extras = node["extras"]
-    pose = Pose(position=tuple(node["translation"]), quaternion=tuple(node["rotation"]))
-    mount = extras.get("mount", "floor")
-    thing = SceneObject(
-        id=node["name"],
-        category=extras["category"],
-        size=tuple(extras["size"]),
-        pose=pose,
-        mount="floor" if mount == "surface" else mount,
-    )
-    return thing, np.asarray(shape.vertices) * np.asarray(node.get("scale", (1.0, 1.0, 1.0)))
+def _other_bodies(found: Any) -> Iterator[tuple[SceneObject, Mesh]]:
+    """The nodes of anybody's file as objects that are not turned, and their meshes in their frames."""
+    import trimesh
+
+    for node in found.graph.nodes_geometry:
+        matrix, geometry = found.graph[node]
+        shape = found.geometry[geometry]
+        if not isinstance(shape, trimesh.Trimesh) or not len(shape.faces):
+            continue
+        world = trimesh.transform_points(shape.vertices, _Z_UP @ matrix)
+        if not np.isfinite(world).all():
+            raise InputError(f"node '{node}' has numbers that are not finite; export it anew")
+        yield _others(str(node), world, shape)
 
 
-def _others(object_id: str, world: np.ndarray) -> tuple[SceneObject, np.ndarray]:
-    """A node of anybody's file as an object that is not turned, and its vertices in its frame."""
+def _others(object_id: str, world: np.ndarray, shape: Any) -> tuple[SceneObject, Mesh]:
     low, high = world.min(axis=0), world.max(axis=0)
     base = np.array([*(low + high)[:2] / 2, low[2]])
     x, y, z = base.tolist()
     d, w, h = np.maximum(high - low, 1e-3).tolist()
     clean = " ".join("".join(c if c.isprintable() else " " for c in object_id).split()) or "node"
     clean = clean.replace("wall:", "wall ")
-    return SceneObject(id=clean, category="mesh", size=(d, w, h), pose=Pose(position=(x, y, z))), world - base
+    faces = np.asarray(shape.faces, dtype=np.int32)
+    colors, kinds = _colors(shape, faces)
+    materials = tuple(Material(f"color {k}", (r, g, b)) for k, (r, g, b) in enumerate(colors)) or (_GREY,)
+    mesh = Mesh(world - base, faces, kinds, np.zeros_like(kinds), materials)
+    return SceneObject(id=clean, category="mesh", size=(d, w, h), pose=Pose(position=(x, y, z))), mesh
 
 
 def _around(corners: list[np.ndarray]) -> Room:
@@ -107,11 +115,7 @@ def _around(corners: list[np.ndarray]) -> Room:
     return Room(outline=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), height=max(0.5, z1))
 
 
-def _asset(object_id: str, category: str, vertices: np.ndarray, shape: Any) -> Asset:
-    faces = np.asarray(shape.faces, dtype=np.int32)
-    colors, kinds = _colors(shape, faces)
-    materials = tuple(Material(f"color {k}", (r, g, b)) for k, (r, g, b) in enumerate(colors)) or (_GREY,)
-    mesh = Mesh(np.asarray(vertices), faces, kinds, np.zeros_like(kinds), materials)
+def _asset(object_id: str, category: str, mesh: Mesh) -> Asset:
     return Asset(
         id=object_id,
         category=category,

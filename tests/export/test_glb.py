@@ -1,4 +1,4 @@
-"""scene.glb, read by trimesh and by hand: every object whole under its name, where the scene has it."""
+"""scene.glb, read by trimesh and by hand: every object whole under its name, where it is, in its materials."""
 
 from __future__ import annotations
 
@@ -13,6 +13,8 @@ import pytest
 import trimesh
 
 from sceneweaver.assets import Asset, Material, Mesh, make
+from sceneweaver.assets.textures import maps
+from sceneweaver.assets.textures.relief import to_linear
 from sceneweaver.export import glb_bytes, write_glb
 from sceneweaver.export.glb import linear
 from sceneweaver.export.room import floor_mesh, wall_mesh
@@ -89,7 +91,7 @@ def test_structure(made) -> None:
         document["buffers"] == [{"byteLength": len(binary)}] or len(binary) - document["buffers"][0]["byteLength"] < 4
     )
     sizes = {5126: ("<f4", 4), 5123: ("<u2", 2), 5125: ("<u4", 4)}
-    width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}
+    width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
     views = document["bufferViews"]
     assert all(v["byteOffset"] % 4 == 0 and v["byteOffset"] + v["byteLength"] <= len(binary) for v in views)
     values = []
@@ -100,8 +102,7 @@ def test_structure(made) -> None:
         data = np.frombuffer(binary, kind, accessor["count"] * width[accessor["type"]], view["byteOffset"])
         values.append(data.reshape(accessor["count"], -1))
         assert np.isfinite(data).all()
-    for mesh in document["meshes"]:
-        (primitive,) = mesh["primitives"]
+    for primitive in (p for mesh in document["meshes"] for p in mesh["primitives"]):
         position = document["accessors"][primitive["attributes"]["POSITION"]]
         points = values[primitive["attributes"]["POSITION"]]
         assert points.min(axis=0).tolist() == position["min"] and points.max(axis=0).tolist() == position["max"]
@@ -131,7 +132,7 @@ def test_names_and_extras(made) -> None:
 
 def test_trimesh_finds_each_object_where_it_is(made) -> None:
     scene, assets, data = made
-    loaded: Any = trimesh.load(io.BytesIO(data), file_type="glb")
+    loaded: Any = trimesh.load(io.BytesIO(data), file_type="glb", merge_primitives=True)
     assert set(scene.ids) <= set(loaded.graph.nodes_geometry)
     for thing in scene.objects:
         matrix, name = loaded.graph[thing.id]
@@ -147,35 +148,77 @@ def test_trimesh_finds_each_object_where_it_is(made) -> None:
         found = trimesh.transform_points(shape.vertices, Z_UP @ matrix)
         np.testing.assert_allclose(found.min(axis=0), expected.min(axis=0), atol=1e-4)
         np.testing.assert_allclose(found.max(axis=0), expected.max(axis=0), atol=1e-4)
+        shape.merge_vertices(merge_tex=True, merge_norm=True)
         assert shape.is_watertight and shape.volume > 0
 
 
-def test_materials(made) -> None:
-    scene, assets, data = made
-    document, binary = _split(data)
+def _values(document: dict[str, Any], binary: bytes, number: int, width: int) -> np.ndarray:
+    accessor = document["accessors"][number]
+    view = document["bufferViews"][accessor["bufferView"]]
+    kind = {5126: "<f4", 5123: "<u2", 5125: "<u4"}[accessor["componentType"]]
+    return np.frombuffer(binary, kind, accessor["count"] * width, view["byteOffset"]).reshape(-1, width)
+
+
+def _picture(document: dict[str, Any], binary: bytes, reference: dict[str, int]) -> np.ndarray:
     from PIL import Image
 
-    images = []
-    for image in document["images"]:
-        view = document["bufferViews"][image["bufferView"]]
-        images.append(
-            np.asarray(Image.open(io.BytesIO(binary[view["byteOffset"] : view["byteOffset"] + view["byteLength"]])))
-        )
+    image = document["images"][document["textures"][reference["index"]]["source"]]
+    view = document["bufferViews"][image["bufferView"]]
+    return np.asarray(Image.open(io.BytesIO(binary[view["byteOffset"] : view["byteOffset"] + view["byteLength"]])))
+
+
+def test_a_material_is_its_maps_times_its_numbers(made) -> None:
+    scene, assets, data = made
+    document, binary = _split(data)
     chair = next(n for n in document["nodes"] if n["name"] == "chair")
-    primitive = document["meshes"][chair["mesh"]]["primitives"][0]
-    palette = document["materials"][primitive["material"]]
     mesh = assets[scene.object("chair").asset or ""].mesh
-    wanted = {tuple(round(255 * c) for c in mesh.materials[k].color) for k in np.unique(mesh.face_material)}
-    accessor = document["accessors"][primitive["attributes"]["TEXCOORD_0"]]
-    view = document["bufferViews"][accessor["bufferView"]]
-    places = np.frombuffer(binary, "<f4", accessor["count"] * 2, view["byteOffset"]).reshape(-1, 2)
-    texture = document["textures"][palette["pbrMetallicRoughness"]["baseColorTexture"]["index"]]
-    picture = images[texture["source"]]
-    height, width = picture.shape[:2]
-    found = {tuple(int(c) for c in picture[int(v * height), int(u * width)]) for u, v in places}
-    assert found == wanted
+    primitives = document["meshes"][chair["mesh"]]["primitives"]
+    used = [mesh.materials[k] for k in np.unique(mesh.face_material)]
+    for primitive, wanted in zip(primitives, used, strict=True):
+        material = document["materials"][primitive["material"]]
+        assert material["name"] == wanted.name
+        surface = material["pbrMetallicRoughness"]
+        if maps(wanted.texture) is None:
+            continue
+        tint = to_linear(_picture(document, binary, surface["baseColorTexture"]) / 255.0).mean(axis=(0, 1))
+        assert surface["baseColorFactor"][:3] * tint == pytest.approx(linear(wanted.color), rel=0.06)
+        rough = surface.get("metallicRoughnessTexture")
+        share = 1.0 if rough is None else _picture(document, binary, rough)[..., 1].mean() / 255
+        assert surface["roughnessFactor"] * share == pytest.approx(wanted.roughness, rel=0.06)
+    images = [image["name"] for image in document["images"]]
+    assert len(set(images)) == len(images), "textures are shared"
     red = next(m for m in document["materials"] if m["name"] == "red clay")
-    assert red["pbrMetallicRoughness"]["baseColorFactor"][0] == pytest.approx(0.462, abs=0.01)
+    assert red["pbrMetallicRoughness"]["baseColorFactor"][0] == pytest.approx(0.462, rel=0.1)
+
+
+def test_maps_lie_at_their_real_size_with_a_frame_of_tangents() -> None:
+    """A wall of 5 m by 2.6 m with plaster of 0.6 m: the pattern repeats so often, u runs along the wall, v up."""
+    document, binary = _split(glb_bytes(Scene(id="s", room=ROOM)))
+    node = next(n for n in document["nodes"] if n["name"] == "room:wall:2")
+    (primitive,) = document["meshes"][node["mesh"]]["primitives"]
+    found = {
+        name: _values(document, binary, number, {"TEXCOORD_0": 2, "TANGENT": 4}.get(name, 3))
+        for name, number in primitive["attributes"].items()
+    }
+    size = maps(wall_mesh(ROOM, 2).materials[0].texture).size  # type: ignore[union-attr]
+    normal, tangent = found["NORMAL"], found["TANGENT"]
+    assert np.allclose(np.linalg.norm(normal, axis=1), 1, atol=1e-5)
+    assert np.allclose(np.linalg.norm(tangent[:, :3], axis=1), 1, atol=1e-5)
+    assert np.allclose((normal * tangent[:, :3]).sum(axis=1), 0, atol=1e-5)
+    upright = np.abs(normal[:, 2]) < 0.1
+    up = np.cross(normal, tangent[:, :3]) * tangent[:, 3:]
+    np.testing.assert_allclose(up[upright], np.tile((0, 0, 1), (upright.sum(), 1)), atol=1e-5)
+    inner = (normal @ np.array([0, -1, 0])) > 0.99
+    spread = np.ptp(found["TEXCOORD_0"][inner], axis=0) * size
+    np.testing.assert_allclose(spread, np.ptp(found["POSITION"][inner][:, [0, 2]], axis=0), rtol=1e-4)
+
+
+def test_without_textures_a_file_is_small_and_has_the_same_shapes(made) -> None:
+    scene, assets, data = made
+    plain, _ = _split(glb_bytes(scene, assets.__getitem__, textures=False))
+    document, _ = _split(data)
+    assert "images" not in plain and len(plain["meshes"]) == len(document["meshes"])
+    assert [m["name"] for m in plain["materials"]] == [m["name"] for m in document["materials"]]
 
 
 def test_one_material_keeps_its_numbers() -> None:
@@ -201,7 +244,9 @@ def test_another_size_than_the_asset_has() -> None:
     d, w, h = asset.size
     thing = asset.object("desk").model_copy(update={"size": (d, w * 1.5, h)})
     loaded: Any = trimesh.load(
-        io.BytesIO(glb_bytes(Scene(id="s", room=ROOM, objects=(thing,)), lambda _: asset)), file_type="glb"
+        io.BytesIO(glb_bytes(Scene(id="s", room=ROOM, objects=(thing,)), lambda _: asset)),
+        file_type="glb",
+        merge_primitives=True,
     )
     matrix, name = loaded.graph["desk"]
     points = trimesh.transform_points(loaded.geometry[name].vertices, Z_UP @ matrix)

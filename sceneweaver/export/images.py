@@ -1,0 +1,89 @@
+"""Maps as image files, small ones: JPEG for colours and normals, and nothing where a map says nothing."""
+
+from __future__ import annotations
+
+import io
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from sceneweaver.assets import Material
+from sceneweaver.assets.textures import Maps, maps
+
+_FLAT = 0.012  # mean slope below which a normal map cannot be seen
+_EVEN = 0.03  # share by which roughness has to differ to be worth a map
+
+
+@dataclass(frozen=True)
+class Images:
+    """Files of one texture: its tint (sRGB), its normals, and roughness (green) with metal (blue); None: not needed."""
+
+    color: bytes
+    normal: bytes | None
+    rough: bytes | None
+
+
+def images(texture: str, side: int = 1024) -> Images | None:
+    """The image files of a texture as JPEG, at most ``side`` pixels wide; None for a plain one.
+
+    Raises:
+        InputError: nobody knows the texture.
+    """
+    found = maps(texture)
+    return None if found is None else _files(_Same(found), side)
+
+
+class _Same:
+    """Maps as a cache's key: by identity."""
+
+    def __init__(self, found: Maps):
+        self.maps = found
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and other.maps is self.maps
+
+    def __hash__(self) -> int:
+        return id(self.maps)
+
+
+@lru_cache(maxsize=128)
+def _files(same: _Same, side: int) -> Images:
+    found = same.maps
+    slope = float(np.hypot(*(found.normal[..., k] / 127.5 - 1.0 for k in (0, 1))).mean())
+    uneven = float(found.roughness.std()) / max(float(found.roughness.mean()), 1.0)
+    rough = None
+    if uneven > _EVEN or found.metallic is not None:
+        metal = np.full_like(found.roughness, 255) if found.metallic is None else found.metallic
+        rough = jpeg(np.stack([np.full_like(metal, 255), found.roughness, metal], 2), side // 2, 80)
+    return Images(
+        jpeg(found.tint, side, 85),
+        jpeg(found.normal, side, 88) if slope > _FLAT else None,
+        rough,
+    )
+
+
+def jpeg(image: np.ndarray, side: int, quality: int) -> bytes:
+    """An image uint8 [H, W, 3] as JPEG without loss of colour resolution, at most ``side`` pixels wide and high."""
+    from PIL import Image
+
+    picture = Image.fromarray(np.ascontiguousarray(image))
+    if max(picture.size) > side:
+        picture = picture.resize((min(side, picture.width), min(side, picture.height)), Image.Resampling.BOX)
+    data = io.BytesIO()
+    picture.save(data, "JPEG", quality=quality, subsampling=0)
+    return data.getvalue()
+
+
+def tinted(material: Material, base: list[float]) -> tuple[list[float], float]:
+    """Linear colour and roughness with which the maps of a material are multiplied; both at most 1.
+
+    Args:
+        material: One with maps or without.
+        base: Its linear base colour.
+    """
+    found = maps(material.texture)
+    if found is None:
+        return base, material.roughness
+    color = [round(min(1.0, c * found.gain), 6) for c in base]
+    return color, round(min(1.0, material.roughness * found.rough_gain), 6)
