@@ -26,6 +26,7 @@ from .soft import cushions as cushions
 from .soft import mattress as mattress
 from .soft import piping as piping
 from .soft import towel as towel
+from .supports import beam as beam
 from .supports import castors as castors
 from .supports import feet as feet
 from .supports import leg as leg
@@ -49,6 +50,7 @@ __all__ = [
     "Layout",
     "band",
     "basin",
+    "beam",
     "blanket",
     "board_top",
     "button",

@@ -19,6 +19,12 @@ def leg(d: Drawing, foot: Vec3, head: Vec3, low: float, high: float, material: L
     d.loft([np.asarray(foot) + low * ring, np.asarray(head) + high * ring], material, convex=True)
 
 
+def beam(d: Drawing, start: Vec3, end: Vec3, material: Look, wide: float, deep: float | None = None) -> None:
+    """A straight bar of rectangular section between two points: ``wide`` across, ``deep`` (or as much) upward."""
+    half = np.array([[1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0]]) / 2
+    d.bar(start, end, half * (wide, wide if deep is None else deep), material)
+
+
 def legs(
     d: Drawing, box: Box, material: Look, style: str = "square", width: float = 0.045, splay: float | None = None
 ) -> Box:
