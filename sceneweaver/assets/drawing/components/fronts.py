@@ -10,7 +10,7 @@ from ...body import Material
 from ..box import Box
 from ..drawing import Drawing, Look
 
-REACH = {"bar": 0.025, "knob": 0.025, "cup": 0.022, "none": 0.0}
+REACH = {"bar": 0.025, "knob": 0.025, "cup": 0.022, "lip": 0.014, "none": 0.0}
 """How far a handle stands out of its front [m]."""
 
 FRONT = 0.018
@@ -28,7 +28,7 @@ def pulls(d: Drawing, body: Material, *styles: str) -> tuple[str, Material, floa
 def handle(
     d: Drawing, face: Box, material: Look, style: str = "bar", length: float = 0.12, upright: bool = False
 ) -> None:
-    """A handle in the middle of a box's front: "bar", "knob", "cup" or "none". It stands out by `REACH`."""
+    """A handle in the middle of a box's front: "bar", "knob", "cup" or "none"; or a "lip" along its top. It stands out by `REACH`."""
     x, y, z = face.anchor("front")
     if style == "none":
         return
@@ -37,6 +37,8 @@ def handle(
             d.revolve([(0.006, 0.0), (0.006, 0.012), (0.014, 0.018), (0.012, 0.025)], material, segments=12)
     elif style == "cup":
         d.box(Box.around((x + 0.011, y, z + 0.001), 0.022, 0.7 * length, 0.026), material, bevel=0.008)
+    elif style == "lip":
+        d.box(face.front(-REACH[style]).top(0.028).inset(y=0.03, top=0.012), material)
     else:
         with d.at(x, y, z, roll=math.pi / 2 if upright else 0.0):
             half = length / 2

@@ -8,7 +8,7 @@ import numpy as np
 
 from ... import shapes
 from ...drawing import Box, Drawing, Look, draws
-from ...drawing.components import beam, castors, door, drawer
+from ...drawing.components import band, beam, castors, door, drawer
 
 _LOUD = ("red paint", "blue paint", "yellow paint", "green paint", "black steel", "grey paint")
 
@@ -27,7 +27,7 @@ def tool_chest(d: Drawing) -> None:
     count = d.integer("drawers", 5, 7)
     front = case.inset(bottom=0.02, top=0.03, y=0.02, back=0.012)
     for k, cell in enumerate(front.rows([1.9, 1.9] + [1.0] * (count - 2))):
-        drawer(d, f"drawer-{k}", cell, paint, "aluminium", "bar", round(0.7 * box.depth, 3), "grey plastic")
+        drawer(d, f"drawer-{k}", cell, paint, "aluminium", "lip", round(0.7 * box.depth, 3), "grey plastic")
     y, z = box.y[1], case.z[1] - 0.09
     ends = (case.x[0] + 0.08, case.x[1] - 0.1)
     reach = [(x, yy, z) for x, yy in ((ends[0], y), (ends[0], y + 0.018), (ends[1], y + 0.018), (ends[1], y))]
@@ -160,7 +160,7 @@ def ladder(d: Drawing) -> None:
 
 @draws("tire_stack", whole=True, even="round")
 def tire_stack(d: Drawing) -> None:
-    """Tyres one upon another with ribs in their tread, and a rim in some."""
+    """Tyres one upon another, with slanting shoulders, and a rim in the uppermost of some."""
     box = d.even("round")
     r = box.depth / 2
     tyres = box.rows(max(2, round(box.height / 0.21)))
@@ -169,7 +169,7 @@ def tire_stack(d: Drawing) -> None:
     circle = 0.81 * r * np.c_[np.cos(angle), np.sin(angle), 0 * angle]
     # Its section as seen along the way around: the inner side lies to the left.
     shape = ((0.19, -0.5), (-0.12, -0.48), (-0.19, -0.32), (-0.19, 0.32), (-0.12, 0.48), (0.19, 0.5))
-    section = r * np.array([(x, z * t / r) for x, z in shape])
+    section = np.array([(r * x, t * z) for x, z in reversed(shape)])
     for tyre in tyres:
         d.sweep(circle + (0.0, 0.0, tyre.center[2]), section, "rubber", closed=True)
     if d.chance("rim", 0.5):
@@ -293,8 +293,9 @@ def fire_extinguisher(d: Drawing) -> None:
     d.sweep(
         [(0.0, 0.015, h - 0.065), (0.0, 0.8 * r, h - 0.08), (0.0, y, 0.8 * t), (0.0, y, 0.45 * t)], 0.009, "rubber", 8
     )
-    for look, low, high, proud in (("white plastic", 0.4, 0.68, 0.0003), (red, 0.55, 0.6, 0.0004)):
-        d.add(shapes.frustum(r + proud, r + proud, (low * t, high * t), 24), look, [])
+    tank = Box.sized(2 * r, 2 * r, t)
+    band(d, tank.share(z=(0.4, 0.68)), "white plastic", proud=0.0002)
+    band(d, tank.share(z=(0.55, 0.6)), red, proud=0.00035)
     d.box(Box((-r - 0.015, 0.01 - r), (-0.03, 0.03), (0.2 * t, 0.9 * t)), "black steel")
 
 
