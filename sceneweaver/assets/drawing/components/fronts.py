@@ -28,7 +28,7 @@ def pulls(d: Drawing, body: Material, *styles: str) -> tuple[str, Material, floa
 def handle(
     d: Drawing, face: Box, material: Look, style: str = "bar", length: float = 0.12, upright: bool = False
 ) -> None:
-    """A handle in the middle of a box's front: "bar", "knob", "cup" or "none"; or a "lip" along its top. It stands out by `REACH`."""
+    """A handle in the middle of a box's front: "bar", "knob", "cup", "none" or a "lip" along its top; see `REACH`."""
     x, y, z = face.anchor("front")
     if style == "none":
         return
