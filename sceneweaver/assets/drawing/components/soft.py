@@ -25,9 +25,20 @@ def mattress(d: Drawing, box: Box, material: Look, piping: Look | None = None, r
     return box
 
 
-def blanket(d: Drawing, box: Box, material: Look, corner: float = 0.05, swing: float = 0.0, phase: float = 0.0) -> Box:
-    """Cloth over something as large as the box: a flat top with round edges, and skirts whose hem swings in folds."""
-    shape = draped(box, corner, swing, phase)
+def blanket(
+    d: Drawing,
+    box: Box,
+    material: Look,
+    corner: float = 0.05,
+    swing: float = 0.0,
+    phase: float = 0.0,
+    top: float = 0.04,
+) -> Box:
+    """Cloth over something as large as the box: a flat top with edges of radius ``top``, and skirts.
+
+    Their hem swings out by ``swing`` in folds; ``corner`` is their radius in plan.
+    """
+    shape = draped(box, corner, swing, phase, top)
     d.add(shape, material, [shapes.containing_hull(shape[0])])
     return box
 

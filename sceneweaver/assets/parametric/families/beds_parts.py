@@ -1,193 +1,178 @@
-"""What beds share: bedding, head boards, slatted sides, ladders."""
+"""What beds share: bedding, head boards, barred sides, ladders."""
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
-from ... import shapes
-from ...body import Material
-from ..builder import Builder, Interval
-from .seating_parts import pillow, ring_shape
+from ...drawing import Box, Drawing, Look
+from ...drawing.box import Axis
+from ...drawing.components import blanket, cushions, mattress, slats
 
-Finish = Material | str
-
-SHEETS = ("white fabric", "beige fabric", "white fabric")
-BLANKETS = (
-    "blue fabric",
-    "navy fabric",
-    "green fabric",
-    "mustard fabric",
-    "rust fabric",
-    "rose fabric",
-    "grey fabric",
-    "charcoal fabric",
-    "red fabric",
+SHEETS = "white fabric, beige fabric, white fabric"
+BLANKETS = ", ".join(
+    f"{c} fabric" for c in ("blue", "navy", "green", "mustard", "rust", "rose", "grey", "charcoal", "red")
 )
+BOARDS = {
+    "panel": 0.045,
+    "channels": 0.09,
+    "tufted": 0.08,
+    "arch": 0.055,
+    "slats": 0.045,
+    "rails": 0.045,
+    "rods": 0.04,
+    "arched rods": 0.04,
+}
+"""How far the mattress stays off the wall for a head board of each style [m]."""
 
 
 def bedding(
-    b: Builder,
-    x: Interval,
-    y: Interval,
-    z: Interval,
-    group: str = "bed",
+    d: Drawing,
+    box: Box,
+    name: str = "bed",
     pillows: int = 2,
-    rail: float | None = None,
+    hem: float | None = None,
     surface: str | None = "top",
     overhang: float = 0.0,
     runner: bool = False,
-    thick: float = 0.15,
+    thick: float = 0.17,
 ) -> None:
-    """A mattress that fills the box, pillows at its head (-x), and a blanket with a folded edge over the rest.
+    """A mattress that fills a box, pillows at its head (-x), and a blanket turned down over the rest.
 
-    The blanket hangs down to ``rail`` at the sides and stands out there by ``overhang``.
+    The blanket hangs down to the height ``hem`` at the sides, in folds that stand out there by ``overhang`` [m].
     """
-    sheet = b.material("sheet", *SHEETS)
-    cover = b.material("blanket", *BLANKETS)
-    d = x[1] - x[0]
-    with b.solid(group):
-        b.cushion(x, y, z, sheet, radius=0.045)
-        start = x[0] + (0.62 if d > 1.7 else 0.42)
-        low = z[0] + 0.4 * (z[1] - z[0]) if rail is None else rail
-        top = z[1] + 0.032
-        swing = min(0.024, max(0.0, overhang - 0.008))
-        grow = overhang
-        ys = (y[0] - grow, y[1] + grow)
-        end = x[1] + (grow if grow else 0.004)
-        phase = b.uniform(f"{group} folds", 0, 6)
-        shape = ring_shape((start, end), ys, (low, top), 0.05, swing, phase)
-        b.add(shape, cover, [shapes.containing_hull(shape[0])])
-        fold = ring_shape(
-            (start + 0.004, start + 0.24),
-            (ys[0] + swing - 0.006, ys[1] - swing + 0.006),
-            (top - 0.16 if grow else low + 0.02, top + 0.014),
-            0.05,
-        )
-        with b.solid(f"{group} pillows"):
-            b.add(fold, sheet, [shapes.containing_hull(fold[0])])
-        finish = end - 0.07
-        if runner:
-            accent = b.material("runner", "@fabric")
-            band = ring_shape(
-                (end - 0.62, end - 0.2), (ys[0] + swing - 0.004, ys[1] - swing + 0.004), (top - 0.14, top + 0.01), 0.04
-            )
-            with b.solid(f"{group} runner"):
-                b.add(band, accent, [shapes.containing_hull(band[0])])
-            finish = end - 0.66
-        if surface:
-            b.surface(surface, (start + 0.27, finish), (ys[0] + 0.08, ys[1] - 0.08), top)
-    head_pillows(b, x[0], y, z[1], pillows, 0.46 if d > 1.7 else 0.32, thick, group)
+    sheet, cover = d.material("sheet", SHEETS), d.material("blanket", BLANKETS)
+    long = box.depth > 1.7
+    start, top = box.x[0] + (0.62 if long else 0.42), box.z[1] + 0.032
+    swing = max(0.0, overhang - 0.008)
+    low = box.z[0] + 0.4 * box.height if hem is None else hem
+    cloth = box.inset(y=-overhang).to(x=(start, box.x[1] + (overhang or 0.004)), z=(low, top))
+    flat = cloth.inset(y=swing - 0.006, bottom=cloth.height - 0.16 if overhang else 0.02)
+    end = cloth.x[1] - 0.07
+    with d.part(name):
+        mattress(d, box if overhang else box.inset(y=0.012), sheet, piping=sheet)
+        blanket(d, cloth, cover, 0.07, swing, d.uniform(f"{name} folds", 0, 6), 0.06)
+    if runner:
+        band = flat.inset(front=0.2, top=-0.01).front(0.42)
+        end = band.x[0] - 0.04
+        with d.part(f"{name} runner"):
+            blanket(d, band, d.material("runner", "@fabric"), 0.04)
+    if surface:
+        d.surface(surface, cloth.inset(y=0.08).to(x=(start + 0.27, end)))
+    white = d.chance("white pillows", 0.4)
+    case = d.material("pillows", "white fabric") if white else sheet
+    depth, wide = (0.46 if long else 0.32), min(0.78 if pillows == 2 else 0.66, (box.width - 0.06) / pillows - 0.03)
+    x, y, z = box.anchor("back top")
+    off = (pillows - 1) / 2 * (wide + 0.03)
+    with d.part(f"{name} pillows"):
+        blanket(d, flat.inset(top=-0.014).to(x=(start + 0.004, start + 0.24)), sheet, 0.05)
+        with d.along((x, y - off, z), (x, y + off, z), pillows):
+            with d.at(0.03 + depth / 2, z=0.01, pitch=0.12):
+                d.pillow(Box.sized(depth, wide, thick), case)
+            if thick > 0.145 and d.chance("double pillows", 0.6):
+                with d.at(0.2, z=0.2, pitch=0.85):
+                    d.pillow(Box.sized(0.9 * depth, 0.96 * wide, 0.9 * thick), cover)
 
 
-def head_pillows(
-    b: Builder, x: float, y: Interval, z: float, count: int, depth: float, thick: float, group: str = "bed"
+def barred(
+    d: Drawing,
+    box: Box,
+    wood: Look,
+    low: float,
+    post: float = 0.05,
+    rail: float = 0.06,
+    pitch: float = 0.12,
+    bar: float = 0.02,
+    fill: str = "slats",
+    axis: Axis = "y",
 ) -> None:
-    """Pillows side by side at the head, propped up a little, with a smaller one in front in some."""
-    sheet, cover = b.material("sheet", *SHEETS), b.material("blanket", *BLANKETS)
-    case = b.material("pillows", "white fabric") if b.chance("white pillows", 0.4) else sheet
-    w = y[1] - y[0]
-    wide = min(0.78 if count == 2 else 0.66, (w - 0.06) / count - 0.03)
-    middle = (y[0] + y[1]) / 2
-    double = b.chance("double pillows", 0.6) and thick > 0.145
-    with b.solid(f"{group} pillows"):
-        for k in range(count):
-            at = middle + (k - (count - 1) / 2) * (wide + 0.04)
-            with b.frame(x + 0.03 + depth / 2, at, z, pitch=0.12):
-                pillow(b, depth, wide, thick, case, lift=0.01)
-            if double:
-                with b.frame(x + 0.2, at, z + 0.19, pitch=0.85):
-                    pillow(b, depth * 0.9, wide * 0.96, thick * 0.9, cover, lift=0.0)
+    """A side of a bed along an axis: posts at both ends, rails at its top and at the height ``low``, and what fills it.
+
+    Args:
+        d: The drawing.
+        box: Its place, as thick as the posts.
+        wood: What it is of.
+        low: Where its lower rail begins [m].
+        post: Width of its posts; 0 for none.
+        rail: Height of its rails.
+        pitch: Between bars.
+        bar: Their size.
+        fill: "slats", "rods" (round ones), "rails" (two boards) or "panel".
+        axis: What it runs along.
+    """
+    ends, across = (("right", "left"), "x") if axis == "y" else (("back", "front"), "y")
+    for end in ends if post else ():
+        d.box(getattr(box, end)(post), wood, bevel=0.005)
+    thick = box.depth if axis == "y" else box.width
+    inner = box.inset(**{axis: post, across: 0.15 * thick}).inset(top=0.01).to(z=(low, box.z[1] - 0.01))
+    d.box(inner.top(rail), wood, bevel=0.006)
+    d.box(inner.bottom(rail), wood)
+    room = inner.inset(z=rail - 0.004)
+    if fill == "panel":
+        d.box(room.inset(**{across: 0.2 * thick}), wood)
+    elif fill == "rails":
+        for row in room.rows([1, 2, 1, 2, 1])[1::2]:
+            d.box(row.inset(**{across: 0.05 * thick}), wood)
+    else:
+        slats(d, room, wood, pitch, bar, axis, fill == "rods")
 
 
-def slats(
-    b: Builder,
-    x: Interval,
-    y: Interval,
-    z: Interval,
-    material: Finish,
-    pitch: float,
-    size: float = 0.016,
-    round_: bool = False,
-) -> None:
-    """Upright bars along the longer of x and y, about ``pitch`` apart, between two heights."""
-    along_x = x[1] - x[0] > y[1] - y[0]
-    a, c = x if along_x else y
-    middle = sum(y) / 2 if along_x else sum(x) / 2
-    count = max(1, round((c - a) / pitch) - 1)
-    half = size / 2
-    for k in range(count):
-        s = a + (c - a) * (k + 1) / (count + 1)
-        px, py = (s, middle) if along_x else (middle, s)
-        if round_:
-            b.bar((px, py, z[0]), (px, py, z[1]), half, material, segments=6)
-        else:
-            b.box((px - half, px + half), (py - half, py + half), z, material, bevel=0.002)
-
-
-def head_board(b: Builder, x: float, y: Interval, z: Interval, style: str, cover: Finish, wood: Finish) -> None:
-    """A head board 3 to 9 cm thick whose back lies at x: "panel", "channels", "tufted", "slats", "arch", "rails"."""
-    low, high = z
-    w = y[1] - y[0]
-    with b.solid("head board"):
+def head_board(d: Drawing, box: Box, low: float, style: str, cover: Look, wood: Look) -> None:
+    """A head board of one of the `BOARDS` over the back of a box, from the floor up; ``low``: where it is seen [m]."""
+    high = box.z[1]
+    seen = box.inset(bottom=low)
+    with d.part("head board"):
         if style == "panel":
-            b.box((x, x + 0.035), y, (0.0, high), wood, bevel=0.006)
-            b.box((x + 0.034, x + 0.045), (y[0] + 0.07, y[1] - 0.07), (low, high - 0.07), wood, bevel=0.004)
+            board = d.box(box.back(0.035), wood, bevel=0.006)
+            d.box(board.front(-0.01).inset(back=-0.002, y=0.07, bottom=low, top=0.07), wood, bevel=0.004)
         elif style == "channels":
-            b.box((x, x + 0.04), y, (0.0, high - 0.01), cover, bevel=0.01)
-            count = max(5, round(w / 0.17))
-            for k in range(count):
-                b.cushion(
-                    (x + 0.02, x + 0.095),
-                    (y[0] + k * w / count, y[0] + (k + 1) * w / count),
-                    (low, high),
-                    cover,
-                    radius=0.035,
-                )
+            d.box(box.back(0.04).inset(top=0.01), cover, bevel=0.01)
+            strips = seen.back(0.095).inset(back=0.02)
+            cushions(d, strips, max(5, round(box.width / 0.17)), cover, 0.035, 0.0, 0.0)
         elif style == "tufted":
-            b.cushion((x, x + 0.085), y, (0.0, high), cover, radius=0.035)
-            for i in range(2 if high - low < 0.55 else 3):
-                count = max(4, round(w / 0.22)) - i % 2
-                for k in range(count):
-                    at = y[0] + (k + (0.5 if not i % 2 else 1.0)) * w / (count + i % 2)
-                    b.ball((0.009, 0.014, 0.014), (x + 0.083, at, high - 0.1 - 0.14 * i), cover, segments=8)
+            board = d.cushion(box.back(0.085), cover, 0.035)
+            count, rows = max(4, round(box.width / 0.22)), 2 if seen.height < 0.55 else 3
+            for k in range(rows):
+                row = board.front(0.0).top(0.0).move(x=-0.002, z=-0.1 - 0.14 * k).inset(y=k % 2 * box.width / count / 2)
+                with d.grid(row, y=count - k % 2):
+                    d.ball(Box.around((0.0, 0.0, 0.0), 0.018, 0.028, 0.028), cover, segments=8)
         elif style == "arch":
-            count = 16
-            angle = np.linspace(0, math.pi, count)
-            spring = high - min(0.35, 0.45 * (high - low))
-            ring = np.c_[-np.cos(angle) * w / 2 + (y[0] + y[1]) / 2, spring + np.sin(angle) * (high - spring)]
-            ring = np.concatenate([ring, [(y[1], 0.0), (y[0], 0.0)]])
-            points = np.concatenate([np.c_[np.full(len(ring), px), ring] for px in (x, x + 0.05)])
-            b.hull(points, cover)
-            inner = (ring - (sum(y) / 2, low)) * (0.86, 0.8) + (sum(y) / 2, low + 0.04)
-            inner[:, 1] = np.maximum(inner[:, 1], low)
-            b.hull(np.concatenate([np.c_[np.full(len(inner), px), inner] for px in (x + 0.03, x + 0.062)]), cover)
+            angle = np.linspace(0, np.pi, 17)
+            rise = min(0.35, 0.45 * seen.height)
+            arch = np.c_[np.cos(angle) * box.width / 2, high - rise + np.sin(angle) * rise]
+            outline = np.r_[arch, [(box.y[0], 0.0), (box.y[1], 0.0)]]
+            pad = (arch - (0.0, low)) * (0.86, 0.8) + (0.0, low + 0.04)
+            pad = np.r_[pad, [(0.86 * box.y[0], low), (0.86 * box.y[1], low)]]
+            d.extrude(outline, (box.x[0], box.x[0] + 0.05), cover, axis="x", bevel=0.012)
+            d.extrude(pad, (box.x[0] + 0.03, box.x[0] + 0.062), cover, axis="x", bevel=0.01)
+        elif "rods" in style:
+            rods(d, box.back(0.04), wood, low, "arched" in style)
         else:
-            post = 0.05
-            for ys in ((y[0], y[0] + post), (y[1] - post, y[1])):
-                b.box((x, x + post), ys, (0.0, high), wood, bevel=0.005)
-            b.box((x + 0.006, x + 0.044), (y[0] + post, y[1] - post), (high - 0.11, high - 0.02), wood)
-            b.box((x + 0.01, x + 0.04), (y[0] + post, y[1] - post), (low - 0.08, low + 0.02), wood)
-            if style == "slats":
-                slats(
-                    b, (x + 0.015, x + 0.035), (y[0] + post, y[1] - post), (low + 0.02, high - 0.11), wood, 0.12, 0.02
-                )
-            else:
-                for k in range(2):
-                    at = low + 0.02 + (high - 0.13 - low) * (k + 1) / 3
-                    b.box((x + 0.012, x + 0.038), (y[0] + post, y[1] - post), (at - 0.045, at + 0.045), wood)
+            barred(d, box.back(0.05), wood, low - 0.08, rail=0.09, fill=style)
 
 
-def ladder(b: Builder, x: Interval, y: float, z: Interval, material: Finish, lean: float, rungs: int) -> None:
-    """A ladder with stiles at both ends of x, its head at y and its foot ``lean`` further out."""
-    for cx in x:
-        points = [
-            (cx + s, y + o + t, h) for s in (-0.016, 0.016) for t in (0, 0.05) for o, h in ((lean, z[0]), (0.0, z[1]))
-        ]
-        b.hull(points, material)
-    for k in range(rungs):
-        t = (k + 1) / (rungs + 1)
-        h = z[0] + t * (z[1] - z[0])
-        at = y + lean * (1 - t) + 0.025
-        b.box((x[0] + 0.014, x[1] - 0.014), (at - 0.03, at + 0.03), (h - 0.012, h + 0.012), material)
+def rods(d: Drawing, box: Box, metal: Look, low: float, arched: bool = True) -> None:
+    """A side of a bed of metal rods between two posts with finials; the top rail is an arch in some."""
+    y, post, rise = box.width / 2 - 0.02, box.depth / 2, 0.2 * (box.z[1] - low) if arched else 0.0
+    spring = box.z[1] - rise - (0.012 if arched else 0.05)
+    with d.at(box.center[0]):
+        with d.mirror("y"):
+            d.bar((0.0, y, 0.0), (0.0, y, spring + 0.01), 0.9 * post, metal)
+            d.ball(Box.around((0.0, y, spring + 0.02), 0.05, 0.04, 0.05), metal, segments=12)
+        d.bar((0.0, -y, low), (0.0, y, low), 0.012, metal, segments=8)
+        t = np.linspace(-1.0, 1.0, 9 if arched else 2)
+        d.sweep(np.c_[0 * t, t * y, spring + rise * (1 - t**2)], 0.012, metal, segments=8)
+        for s in np.linspace(-1.0, 1.0, 2 * round(y / 0.12) + 1)[1:-1].tolist():
+            top = spring + rise * (1 - s * s)
+            d.bar((0.0, s * y, low), (0.0, s * y, top), 0.006, metal, segments=6)
+
+
+def ladder(d: Drawing, box: Box, material: Look, rungs: int) -> None:
+    """A ladder that fills a box: stiles at both ends of x that lean from its left at the floor to its right."""
+    lean = box.width - 0.05
+    for x in (box.x[0], box.x[1]):
+        ends = [(box.z[0], box.y[1] - 0.05), (box.z[1], box.y[0])]
+        d.hull([(x + s, y + t, z) for s in (-0.016, 0.016) for t in (0, 0.05) for z, y in ends], material)
+    for step in np.linspace(0.0, 1.0, rungs + 2)[1:-1].tolist():
+        y = box.y[0] + lean * (1 - step) + 0.025
+        z = box.z[0] + step * box.height
+        d.box(Box.around((box.center[0], y, z), box.depth - 0.028, 0.06, 0.024), material)
