@@ -6,432 +6,455 @@ import math
 from collections.abc import Callable
 from typing import Literal
 
-from sceneweaver.assets import shapes
-from sceneweaver.assets.body import Material
+from ... import shapes
+from ...drawing import Box, Drawing, draws
+from ...drawing.box import Interval
+from ...drawing.components import CORNERS, carcass, cavity, door, drawer, handle, knob, rack, unit, vessel
+from ...drawing.drawing import Look
+from .bottles import bottle
+from .kitchen_common import (
+    PLINTH,
+    SETBACK,
+    bar_handle,
+    burners,
+    coat_of,
+    feet,
+    knobs,
+    oven_door,
+    plinth,
+    worktop_of,
+)
 
-from ..builder import Builder, Interval
-from ..joinery import carcass, door, handle
-from ..registry import draws
-from .kitchen_parts import Finish, burners, coat_of, feet, knob, oven_door, worktop_of
+LEAF = 0.06
+"""Thickness of the insulated door of a fridge [m]."""
+
+REACH = 0.043
+"""How far its handle stands out [m]."""
 
 
 def _leaf(
-    b: Builder,
+    d: Drawing,
     name: str,
-    x: Interval,
-    y: Interval,
-    z: Interval,
-    coat: Finish,
-    pull: Finish,
-    hung: str,
-    at: Interval,
+    leaf: Box,
+    coat: Look,
+    pull: Look,
+    hung: Literal["left", "right"],
+    grip: Interval,
     bevel: float = 0.006,
-    more: Callable[[], None] | None = None,
+    bins: int = 0,
+    more: Callable[[Box], None] | None = None,
 ) -> None:
-    """A thick door of an appliance with an upright bar handle between two heights, away from its hinge.
-
-    ``more`` draws what else is on it.
-    """
-    anchor = (x[1], y[1] if hung == "left" else y[0], z[0])
+    """A thick door with an upright handle between two heights, and bins inside; ``more`` draws what else it has."""
     limits = (0.0, 1.92) if hung == "left" else (-1.92, 0.0)
-    with b.hinge(name, anchor, limits=limits):
-        b.box(x, y, z, coat, bevel=bevel)
-        py = y[0] + 0.05 if hung == "left" else y[1] - 0.05
-        b.bar((x[1] + 0.032, py, at[0]), (x[1] + 0.032, py, at[1]), 0.011, pull, 10)
-        for pz in (at[0] + 0.03, at[1] - 0.03):
-            b.bar((x[1] - 0.001, py, pz), (x[1] + 0.032, py, pz), 0.008, pull, 8)
-        if more is not None:
-            more()
+    with d.hinge(name, leaf.anchor(f"front {hung} bottom"), limits=limits):
+        d.box(leaf, coat, bevel=bevel)
+        x, y = leaf.x[1], leaf.y[0] + 0.05 if hung == "left" else leaf.y[1] - 0.05
+        bar_handle(d, (x, y, grip[0]), (x, y, grip[1]), pull)
+        inside = leaf.inset(y=0.06, z=0.06).back(-0.09)
+        for place in inside.rows(bins) if bins else []:
+            floor = d.box(place.bottom(0.01), "white plastic", bevel=0.0)
+            d.box(floor.back(0.004).bottom(-0.07), "clear plastic", bevel=0.0)
+        if more:
+            more(leaf)
+
+
+def _cold_room(d: Drawing, box: Box, shelves: int, trays: int) -> None:
+    """A white lined room with boards of glass, over clear drawers that stand on its floor."""
+    room = cavity(d, box, "white plastic", 0.035).inset(front=0.1, y=0.004)
+    low = room.bottom(0.17 * trays)
+    for cell in low.rows(trays, gap=0.01) if trays else []:
+        d.box(cell.bottom(0.004), "clear plastic", bevel=0.0)
+        d.box(cell.front(0.005).inset(bottom=0.004), "clear plastic", bevel=0.0)
+    rows = room.inset(bottom=low.height if trays else 0.0).rows(shelves + 1)
+    for cell in rows if trays else rows[1:]:
+        d.box(cell.bottom(0.006), "glass", bevel=0.0)
+
+
+def _cold_case(d: Drawing, box: Box, coat: Look, radius: float) -> Box:
+    """The case of a fridge on its feet, with a dark base and a seal around its door; returns the room to line."""
+    feet(d, box.bottom(0.04))
+    case = box.inset(bottom=0.035)
+    d.box(case.inset(front=-0.004, back=0.1, y=0.02).to(z=(0.012, 0.034)), "black plastic", bevel=0.0)
+    room = cavity(d, case, coat, 0.012, radius)
+    for side in (room.left(0.012), room.right(0.012), room.top(0.012), room.bottom(0.012)):
+        d.box(side.front(-0.004), "rubber", bevel=0.0)
+    return room
 
 
 @draws("fridge")
-def fridge(b: Builder) -> None:
+def fridge(d: Drawing) -> None:
     """A cabinet with two doors, the freezer below or above, upright handles and a small badge."""
-    d, w, h = b.size
-    coat = coat_of(b, "cream paint", "red paint", "sage paint")
-    pull = b.material("handles", "chrome", "brushed steel", "black steel")
-    side: Finish = "grey plastic" if coat.metallic else coat
+    coat = coat_of(d, "cream paint", "red paint", "sage paint")
+    pull = d.material("handles", "chrome", "brushed steel", "black steel")
     retro = coat.name in ("cream paint", "red paint", "sage paint")
-    x, y = (-d / 2, d / 2 - 0.105), (-w / 2, w / 2)
-    hung = b.pick("hung", ["left", "right"])
-    low = b.chance("freezer below", 0.6) and not retro
-    split = h * (b.uniform("split low", 0.34, 0.4) if low else b.uniform("split high", 0.68, 0.74))
-    leaf = (x[1] + 0.004, x[1] + 0.062)
+    body = d.bounds.inset(front=LEAF + REACH + 0.004)
+    hung: Literal["left", "right"] = d.pick("hung", ["left", "right"])
+    low = d.chance("freezer below", 0.6) and not retro
+    height = body.height
+    split = height * (d.uniform("split low", 0.34, 0.4) if low else d.uniform("split high", 0.68, 0.74))
+    fronts = body.inset(y=0.001, top=0.002, bottom=0.06).front(-LEAF).move(x=0.004)
 
-    def badge() -> None:
-        b.box((leaf[1] - 0.002, leaf[1] + 0.0015), (-0.045, 0.045), (h - 0.13, h - 0.115), pull, bevel=0)
+    def badge(leaf: Box) -> None:
+        d.box(
+            leaf.front(-0.0015).place(width=0.09, height=0.015).to(z=(height - 0.13, height - 0.115)), pull, bevel=0.0
+        )
 
-    with b.solid("body"):
-        feet(b, (x[0], x[1]), y, 0.04)
-        b.box(x, y, (0.035, h), side, bevel=0.02 if retro else 0.004)
-        b.box((x[1] - 0.04, x[1] + 0.03), (y[0] + 0.02, y[1] - 0.02), (0.012, 0.05), "black plastic", bevel=0)
-        b.box((x[1] - 0.001, x[1] + 0.004), (y[0] + 0.012, y[1] - 0.012), (0.07, h - 0.015), "rubber", bevel=0)
-        bevel = 0.025 if retro else 0.006
-        for name, zs in (("lower", (0.06, split - 0.003)), ("upper", (split + 0.003, h - 0.002))):
-            long = min(0.55, 0.6 * (zs[1] - zs[0]))
-            at = (zs[1] - 0.06 - long, zs[1] - 0.06) if name == "lower" else (zs[0] + 0.06, zs[0] + 0.06 + long)
+    with d.part("body"):
+        room = _cold_case(d, body, "grey plastic" if coat.metallic else coat, 0.02 if retro else 0.004)
+        lower, upper = room.to(z=(room.z[0], split)), room.to(z=(split, room.z[1]))
+        _cold_room(d, lower, 1 if low else 3, 2 if low else 1)
+        _cold_room(d, upper, 3 if low else 1, 1 if low else 0)
+        for name, z in (("lower", (fronts.z[0], split - 0.003)), ("upper", (split + 0.003, fronts.z[1]))):
+            leaf = fronts.to(z=z)
+            long = min(0.55, 0.6 * leaf.height)
+            grip = leaf.inset(z=0.06).top(long) if name == "lower" else leaf.inset(z=0.06).bottom(long)
+            bins = 0 if leaf.height < 0.7 else 3
             more = badge if name == "upper" else None
-            _leaf(b, f"{name} door", leaf, (y[0] + 0.001, y[1] - 0.001), zs, coat, pull, hung, at, bevel, more)
-    b.fit()
+            _leaf(d, f"{name} door", leaf, coat, pull, hung, grip.z, 0.025 if retro else 0.006, bins, more)
+    d.fit()
 
 
 @draws("side_by_side_fridge")
-def side_by_side_fridge(b: Builder) -> None:
+def side_by_side_fridge(d: Drawing) -> None:
     """Two tall doors with handles in the middle, an ice dispenser in one, or drawers below."""
-    d, w, h = b.size
-    coat = b.material("body", "brushed steel", "black paint", "white paint", "steel")
-    pull = b.material("handles", "chrome", "brushed steel", "black steel")
-    x, y = (-d / 2, d / 2 - 0.115), (-w / 2, w / 2)
-    leaf = (x[1] + 0.004, x[1] + 0.072)
-    drawers = b.chance("drawers", 0.45)
-    low = 0.62 if drawers else 0.06
-    m = 0.0 if drawers else -0.04
+    coat = d.material("body", d.pick("coat", ["brushed steel", "black paint", "white paint", "steel"]))
+    pull = d.material("handles", "chrome", "brushed steel", "black steel")
+    with_drawers = d.chance("drawers", 0.45)
+    body = d.bounds.inset(front=LEAF + REACH + 0.004)
+    low, middle = (0.62, 0.0) if with_drawers else (0.06, -0.04)
+    fronts = body.inset(y=0.001).front(-LEAF).move(x=0.004)
+    upper = fronts.to(z=(low, fronts.z[1]))
 
-    def dispenser() -> None:
-        cy = y[0] + 0.24 if not drawers else y[0] + 0.2
-        f = leaf[1]
-        b.box((f - 0.003, f + 0.002), (cy - 0.085, cy + 0.085), (1.0, 1.32), "black glass", bevel=0)
-        b.box((f - 0.003, f + 0.004), (cy - 0.06, cy + 0.06), (1.02, 1.2), "grey plastic", bevel=0)
-        b.box((f, f + 0.012), (cy - 0.05, cy + 0.05), (1.02, 1.03), "brushed steel", bevel=0)
-        b.box((f, f + 0.014), (cy - 0.015, cy + 0.015), (1.13, 1.19), "black plastic", bevel=0.002)
-        b.box((f, f + 0.0028), (cy - 0.04, cy + 0.04), (1.25, 1.28), "screen", bevel=0)
+    def dispenser(leaf: Box) -> None:
+        y = leaf.y[0] + (0.2 if with_drawers else 0.24)
+        face = Box((leaf.x[1], leaf.x[1]), (y - 0.085, y + 0.085), (1.0, 1.32))
+        d.box(face.front(-0.002), "black glass", bevel=0.0)
+        niche = face.inset(y=0.025, bottom=0.02, top=0.12)
+        d.box(niche.front(-0.004), "grey plastic", bevel=0.0)
+        d.box(niche.bottom(0.01).front(-0.012), "brushed steel", bevel=0.0)
+        d.box(niche.top(0.06).place(width=0.03).front(-0.014), "black plastic", bevel=0.002)
+        d.print(face.front(-0.002).front(0.0).place(width=0.08).inset(top=0.04, bottom=0.25), "screen")
 
-    with b.solid("body"):
-        feet(b, x, y, 0.04)
-        b.box(x, y, (0.035, h), "grey plastic", bevel=0.004)
-        b.box((x[1] - 0.04, x[1] + 0.03), (y[0] + 0.02, y[1] - 0.02), (0.012, 0.05), "black plastic", bevel=0)
-        b.box((x[1] - 0.001, x[1] + 0.004), (y[0] + 0.012, y[1] - 0.012), (0.07, h - 0.015), "rubber", bevel=0)
-        at = (low + 0.12, h - 0.25) if drawers else (0.5, h - 0.35)
-        _leaf(b, "right door", leaf, (y[0] + 0.001, m - 0.003), (low, h), coat, pull, "right", at, more=dispenser)
-        _leaf(b, "left door", leaf, (m + 0.003, y[1] - 0.001), (low, h), coat, pull, "left", at)
-        if drawers:
-            for k, zs in enumerate(((0.06, 0.335), (0.341, 0.614))):
-                with b.slide(f"drawer-{k}", limits=(0.0, 0.4)):
-                    b.box(leaf, (y[0] + 0.001, y[1] - 0.001), zs, coat, bevel=0.006)
-                    z = zs[1] - 0.05
-                    b.bar((leaf[1] + 0.032, y[0] + 0.1, z), (leaf[1] + 0.032, y[1] - 0.1, z), 0.011, pull, 10)
-                    for py in (y[0] + 0.13, y[1] - 0.13):
-                        b.bar((leaf[1] - 0.001, py, z), (leaf[1] + 0.032, py, z), 0.008, pull, 8)
-    b.fit()
+    with d.part("body"):
+        room = _cold_case(d, body, "grey plastic", 0.004)
+        cells = (
+            room.to(z=(low, room.z[1])).to(y=(room.y[0], middle)),
+            room.to(z=(low, room.z[1])).to(y=(middle, room.y[1])),
+        )
+        grip = (low + 0.12, body.z[1] - 0.25) if with_drawers else (0.5, body.z[1] - 0.35)
+        sides: tuple[Literal["left", "right"], ...] = ("right", "left")
+        for side, cell in zip(sides, cells, strict=True):
+            _cold_room(d, cell, 3, 0 if with_drawers else 2)
+            own = upper.to(y=(upper.y[0], middle - 0.003) if side == "right" else (middle + 0.003, upper.y[1]))
+            _leaf(d, f"{side} door", own, coat, pull, side, grip, bins=3, more=dispenser if side == "right" else None)
+        if with_drawers:
+            d.box(room.to(z=(room.z[0], low)).back(0.3), "white plastic", bevel=0.0)
+            for k, front in enumerate(fronts.to(z=(0.06, low - 0.006)).rows(2, gap=0.006)):
+                with d.slide(f"drawer-{k}", limits=(0.0, 0.4)):
+                    d.box(front, coat, bevel=0.006)
+                    x, z = front.x[1], front.z[1] - 0.05
+                    bar_handle(d, (x, front.y[0] + 0.1, z), (x, front.y[1] - 0.1, z), pull)
+                    tray = front.inset(y=0.06, bottom=0.02, top=0.06).back(-0.25)
+                    d.box(tray.bottom(0.006), "clear plastic", bevel=0.0)
+                    for wall in (tray.left(0.005), tray.right(0.005), tray.back(0.005)):
+                        d.box(wall.inset(bottom=0.006), "clear plastic", bevel=0.0)
+    d.fit()
 
 
 @draws("freezer")
-def freezer(b: Builder) -> None:
-    """A chest with a padded lid hinged at its back, a lock, a grille and a lamp."""
-    d, w, h = b.size
-    coat = b.material("body", "white paint", "white paint", "light grey paint", "black paint")
-    x, y = (-d / 2, d / 2 - 0.03), (-w / 2, w / 2)
-    lid = h - 0.075
-    with b.solid("body"):
-        feet(b, x, y, 0.03)
-        b.box(x, (y[0] + 0.006, y[1] - 0.006), (0.025, lid), coat, bevel=0.012)
-        b.box((x[0] + 0.01, x[1] - 0.01), (y[0] + 0.015, y[1] - 0.015), (lid - 0.001, lid + 0.008), "rubber", bevel=0)
-        f = x[1]
+def freezer(d: Drawing) -> None:
+    """A chest with a padded lid hinged at its back, wire baskets inside, a lock, a grille and a lamp."""
+    coat = d.material("body", "white paint", "white paint", "light grey paint", "black paint")
+    bounds = d.bounds.inset(front=0.03)
+    lid = bounds.height - 0.075
+    chest = bounds.inset(y=0.006, bottom=0.025).to(z=(0.025, lid))
+    with d.part("body"):
+        feet(d, bounds.bottom(0.03))
+        wall, rim = chest.inset(x=0.06, y=0.06), chest.inset(x=0.004, y=0.004)
+        places = ((rim, 0.025, 0.02), (chest, 0.03, 0.02), (chest, lid, 0.02))
+        outer = [shapes.rectangle(own.x, own.y, z, r) for own, z, r in places]
+        inner = [shapes.rectangle(wall.x, wall.y, z, 0.03) for z in (lid, 0.09)]
+        vessel(d, outer, inner, coat, CORNERS)
+        rack(d, wall.inset(x=0.004, y=0.004, top=0.06).left(0.24), "white steel")
+        d.box(chest.inset(x=0.01, y=0.01).top(-0.008), "rubber", bevel=0.0)
+        face = chest.front(0.0)
         for k in range(5):
-            z = 0.08 + k * 0.022
-            b.box((f - 0.002, f + 0.003), (y[1] - 0.26, y[1] - 0.06), (z, z + 0.009), "grey plastic", bevel=0)
-        b.box((f - 0.002, f + 0.002), (y[0] + 0.06, y[0] + 0.2), (0.1, 0.16), "grey plastic", bevel=0)
-        knob(b, f + 0.002, y[0] + 0.1, 0.13, "black plastic", 0.013, 0.012)
-        b.box((f + 0.001, f + 0.003), (y[0] + 0.15, y[0] + 0.18), (0.125, 0.135), "lamp glow", bevel=0)
-        with b.hinge("lid", (x[0], 0.0, lid), axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0)):
-            b.box((x[0], d / 2 - 0.022), y, (lid + 0.0085, h), coat, bevel=0.016)
-            b.box((d / 2 - 0.0235, d / 2), (-0.1, 0.1), (lid + 0.02, lid + 0.045), "grey plastic", bevel=0.006)
-            b.box((d / 2 - 0.0225, d / 2 - 0.019), (-0.018, 0.018), (h - 0.028, h - 0.018), "chrome", bevel=0)
-    b.fit()
+            slat = face.left(0.2).move(y=-0.06).to(z=(0.08 + 0.022 * k, 0.089 + 0.022 * k))
+            d.box(slat.front(-0.003), "grey plastic", bevel=0.0)
+        panel = d.box(face.right(0.14).move(y=0.06).to(z=(0.1, 0.16)).front(-0.002), "grey plastic", bevel=0.0)
+        knob(d, panel.right(0.08), "black plastic", 0.013, 0.012)
+        d.print(panel.left(0.05).front(0.0).place(width=0.03, height=0.01), "lamp glow")
+        with d.hinge("lid", bounds.to(z=(lid, lid)).anchor("back"), axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0)):
+            cover = d.box(d.bounds.inset(front=0.022).to(z=(lid + 0.0085, bounds.z[1])), coat, bevel=0.016)
+            d.box(cover.bottom(0.03).move(z=0.012).front(-0.022).place(width=0.2), "grey plastic", bevel=0.006)
+            d.box(cover.front(-0.003).place(width=0.036, height=0.01).move(z=0.018), "chrome", bevel=0.0)
+    d.fit()
+
+
+def _oven(d: Drawing, box: Box, coat: Look) -> None:
+    """The dark room of an oven in its case, with two racks on ledges; its door is drawn before it."""
+    room = cavity(d, cavity(d, box, coat, 0.012, 0.002), "black paint", 0.028, 0.012)
+    for share in (0.3, 0.62):
+        rack(d, room.inset(front=0.02, top=(1 - share) * room.height))
 
 
 @draws("stove")
-def stove(b: Builder) -> None:
+def stove(d: Drawing) -> None:
     """A cooktop over a panel of knobs, an oven door with window and bar, and a drawer below."""
-    d, w, h = b.size
-    coat = coat_of(b, "cream paint", "navy paint", "red paint")
-    pull = b.material("handles", "chrome", "brushed steel", "brass")
-    gas = h > 0.915  # a plate of glass is flush with worktops of 0.9 m, iron grates stand over them
-    x, y = (-d / 2, d / 2 - 0.065), (-w / 2, w / 2)
-    top = h - 0.035 if gas else h
-    face = x[1] + 0.04
-    with b.solid("body"):
-        feet(b, x, y, 0.07, "black plastic", 0.02)
-        b.box((x[0] + 0.02, x[1] - 0.05), (y[0] + 0.01, y[1] - 0.01), (0.02, 0.075), "black plastic", bevel=0)
-        b.box(x, y, (0.07, top - 0.02), coat, bevel=0.002)
-        look: Finish = ("black paint" if b.chance("black top", 0.4) else "brushed steel") if gas else "black glass"
-        b.box((x[0], face + 0.01), y, (top - 0.022, top), look, bevel=0.004)
-        count = 4 if w < 0.72 else 6 if gas else 4
-        burners(b, (x[0] + 0.03, face - 0.02), (y[0] + 0.03, y[1] - 0.03), top, gas, count)
-        panel: Finish = "black glass" if b.chance("black panel", 0.4) else coat
-        b.box((x[1] + 0.0005, face), (y[0] + 0.002, y[1] - 0.002), (top - 0.125, top - 0.022), panel, bevel=0.003)
-        knobs = count + 2
-        for k in range(knobs):
-            s = (k + 0.5) / knobs
-            s = 0.42 * s / 0.5 if s < 0.5 else 1 - 0.42 * (1 - s) / 0.5
-            knob(b, face, y[0] + 0.03 + s * (w - 0.06), top - 0.074, pull if coat.metallic else "black plastic", 0.019)
-        b.box((face - 0.002, face + 0.0015), (-0.05, 0.05), (top - 0.09, top - 0.055), "screen", bevel=0)
-        two = w > 0.8 and b.chance("two ovens", 0.5)
-        edges = [y[0] + 0.002, y[1] - 0.002] if not two else [y[0] + 0.002, y[0] + 0.62 * w, y[1] - 0.002]
-        for k in range(len(edges) - 1):
-            ys = (edges[k], edges[k + 1] - (0.004 if k + 2 < len(edges) else 0.0))
-            oven_door(b, f"oven-{k}", (x[1] + 0.0005, face), ys, (0.235, top - 0.13), coat, pull)
-        with b.slide("drawer", limits=(0.0, 0.35)):
-            b.box((x[1] + 0.0005, face), (y[0] + 0.002, y[1] - 0.002), (0.075, 0.23), coat, bevel=0.003)
-            b.box((face - 0.001, face + 0.012), (-0.12, 0.12), (0.19, 0.205), pull, bevel=0.003)
+    coat = coat_of(d, "cream paint", "navy paint", "red paint")
+    pull = d.material("handles", "chrome", "brushed steel", "brass")
+    bounds = d.bounds
+    gas = bounds.height > 0.915  # a plate of glass is flush with worktops of 0.9 m, iron grates stand over them
+    steel_top = "black paint" if d.chance("black top", 0.4) else "brushed steel"
+    top = bounds.z[1] - (0.035 if gas else 0.0)
+    front = bounds.inset(front=0.025)
+    case = front.inset(front=0.04)
+    count = 6 if gas and bounds.width >= 0.72 else 4
+    with d.part("body"):
+        feet(d, case.bottom(0.07), 0.02)
+        plinth(d, case.bottom(0.068))
+        plate = d.box(
+            front.inset(front=-0.01).to(z=(top - 0.022, top)), steel_top if gas else "black glass", bevel=0.004
+        )
+        burners(d, plate.inset(x=0.03, y=0.03), gas, count)
+        controls = case.to(z=(top - 0.126, top - 0.022))
+        d.box(controls, coat, bevel=0.0)
+        dark = d.chance("black panel", 0.4)
+        panel = d.box(controls.inset(y=0.002).front(-0.04).inset(bottom=0.001), "black glass" if dark else coat)
+        for share in ((0.03, 0.42), (0.58, 0.97)):
+            knobs(d, panel.share(y=share), count // 2 + 1, pull if coat.metallic else "black plastic")
+        d.print(panel.front(0.0).place(width=0.1, height=0.035), "screen")
+        rooms = case.to(z=(0.235, controls.z[0]))
+        cells = rooms.columns([0.62, 0.38]) if bounds.width > 0.8 and d.chance("two ovens", 0.5) else [rooms]
+        for k, cell in enumerate(cells):
+            _oven(d, cell, coat)
+            oven_door(d, f"oven-{k}", cell.inset(y=0.002, bottom=0.002, top=0.002).front(-0.04), coat, pull)
+        below = case.to(z=(0.068, 0.235))
+        room = carcass(d, below, coat)
+        drawer(
+            d,
+            "drawer",
+            front.to(z=below.z).inset(back=room.x[0] - front.x[0]),
+            coat,
+            pull,
+            "bar",
+            0.35,
+            "grey plastic",
+            0.018,
+        )
     if not gas:
-        b.surface("hob", (x[0] + 0.02, x[1] - 0.01), (y[0] + 0.02, y[1] - 0.02), h)
-    b.fit()
+        d.surface("hob", case.to(z=bounds.z), inset=0.02)
+    d.fit()
 
 
 @draws("oven_tower")
-def oven_tower(b: Builder) -> None:
-    """A tall kitchen column with an oven at hand height, a small oven over it, a drawer below, a door above."""
-    d, w, h = b.size
-    leaf = b.material(
-        "fronts", "white paint", "oak", "light grey paint", "walnut", "sage paint", "navy paint", "black paint"
-    )
-    shell = b.material("body", "white paint", "light grey paint")
-    steel = b.material("oven", "brushed steel", "black paint", "steel")
-    pull = b.material("pulls", "black steel", "steel", "brass")
-    x, y = (-d / 2, d / 2 - 0.048), (-w / 2, w / 2)
-    front = (x[1] + 0.0005, x[1] + 0.0205)
-    with b.solid("body"):
-        b.box((x[0] + 0.02, x[1] - 0.06), (y[0] + 0.002, y[1] - 0.002), (0.0, 0.1), "black plastic", bevel=0)
-        inside = carcass(b, x, y, (0.1, h), shell)
-        niche = (0.70, 1.70)
-        for z in niche:
-            b.box((x[0] + 0.006, x[1]), inside[1], (z - 0.018, z), shell, bevel=0)
-        for k, zs in enumerate(((0.1, 0.4), (0.4, 0.69))):
-            with b.slide(f"drawer-{k}", limits=(0.0, 0.4)):
-                b.box(front, (y[0] + 0.0015, y[1] - 0.0015), (zs[0] + 0.0015, zs[1] - 0.0015), leaf)
-                handle(b, front[1], 0.0, zs[1] - 0.06, pull, "bar", 0.2)
-        for name, zs, oven in (("oven", (0.70, 1.295), True), ("small oven", (1.305, 1.68), False)):
-            ys = (y[0] + 0.019, y[1] - 0.019)
-            b.box((x[0] + 0.05, x[1]), ys, (zs[0], zs[1]), steel, bevel=0)
-            panel = zs[1] - 0.105
-            b.box((x[1] + 0.0005, front[1]), (y[0] + 0.003, y[1] - 0.003), (panel, zs[1]), "black glass", bevel=0.002)
-            b.box((front[1] - 0.001, front[1] + 0.0012), (-0.06, 0.06), (panel + 0.03, panel + 0.07), "screen", bevel=0)
-            for s in (-1, 1) if oven else (1,):
-                knob(b, front[1], s * w * 0.3, panel + 0.05, steel, 0.022, 0.02)
-            oven_door(b, name, front, (y[0] + 0.003, y[1] - 0.003), (zs[0] + 0.003, panel - 0.004), steel, "chrome")
-        door(b, "top door", front, y, (1.69, h), leaf, pull, b.pick("hung", ["left", "right"]), "bar")
-    b.fit()
+def oven_tower(d: Drawing) -> None:
+    """A tall kitchen column with an oven at hand height, a small oven over it, drawers below, a door above."""
+    names = ("white paint", "oak", "light grey paint", "walnut", "sage paint", "navy paint", "black paint")
+    leaf, shell = d.material("fronts", *names), d.material("body", "white paint", "light grey paint")
+    steel = d.material("oven", d.pick("oven coat", ["brushed steel", "black paint", "steel"]))
+    pull = d.material("pulls", "black steel", "steel", "brass")
+    bounds = d.bounds.inset(front=0.0275)
+    low, middle, high = 0.69, 1.3, 1.69
+    with d.part("body"):
+        plinth(d, bounds.bottom(PLINTH))
+        unit(d, "low", bounds.to(z=(PLINTH, low)), "drawers", shell, leaf, pull)
+        niche = carcass(d, bounds.inset(front=0.019).to(z=(low, high)), shell, board=0.01)
+        for name, z in (("oven", (niche.z[0], middle)), ("small oven", (middle + 0.004, niche.z[1]))):
+            cell = niche.to(z=z)
+            _oven(d, cell.inset(top=0.105), "grey plastic")
+            d.box(cell.top(0.105), "grey plastic", bevel=0.0)
+            face = cell.front(-0.019).inset(y=-0.008)
+            panel = d.box(face.top(0.1), "black glass", bevel=0.002)
+            d.print(panel.front(0.0).place(width=0.12, height=0.04), "screen")
+            for side in (panel.share(y=(0.1, 0.3)), panel.share(y=(0.7, 0.9))):
+                knob(d, side, steel, 0.022, 0.02)
+            oven_door(d, name, face.inset(top=0.103), steel, "chrome")
+        top = bounds.to(z=(high, bounds.z[1]))
+        unit(d, "top", top, "door", shell, leaf, pull, grip=0.2)
+    d.fit()
 
 
 @draws("hob")
-def hob(b: Builder) -> None:
-    """A glass or steel plate with four or five plates or burners, and its controls along the front."""
-    d, w, h = b.size
-    gas = h > 0.045
-    look = b.material("plate", "brushed steel", "black glass") if gas else b.material("plate", "black glass")
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    top = h - 0.035 if gas else h
-    count = 6 if w > 0.78 and gas else 4
-    with b.solid("hob"):
-        if gas:
-            b.box(x, y, (0.0, top), look, bevel=0.003)
-        else:
-            b.box((x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), (0.0, top - 0.006), "black plastic", bevel=0)
-            b.box(x, y, (top - 0.007, top), look, bevel=0.002)
-        burners(b, (x[0] + 0.02, x[1] - 0.08), (y[0] + 0.02, y[1] - 0.02), top, gas, count)
-        n = count + 1 if gas else 8
-        for k in range(n):
-            py = (k - (n - 1) / 2) * (0.065 if gas else 0.035)
+def hob(d: Drawing) -> None:
+    """A glass or steel plate with four or six places to cook, and its controls along the front."""
+    bounds = d.bounds
+    gas = bounds.height > 0.045
+    look = d.material("plate", d.pick("plate kind", ["brushed steel", "black glass"]) if gas else "black glass")
+    plate = bounds.inset(top=0.035 if gas else 0.0)
+    count = 6 if bounds.width > 0.78 and gas else 4
+    with d.part("hob"):
+        if not gas:
+            d.box(plate.inset(x=0.02, y=0.02, top=0.006), "black plastic", bevel=0.0)
+        d.box(plate if gas else plate.top(0.007), look, bevel=0.002)
+        burners(d, plate.inset(back=0.02, front=0.08, y=0.02), gas, count)
+        row = plate.top(0.0).front(0.09).place(width=(count + 1) * 0.065 if gas else 0.28)
+        for place in row.columns(count + 1 if gas else 8):
             if gas:
-                with b.frame(d / 2 - 0.045, py, top):
-                    b.frustum(
-                        0.019,
-                        0.016,
-                        (-0.001, 0.022),
-                        "chrome" if look.name == "black glass" else "black plastic",
-                        segments=14,
-                        bevel=0.002,
-                    )
+                knob_box = Box.sized(0.036, 0.036, 0.022, place.center)
+                dark = look.name == "black glass"
+                d.cylinder(knob_box, "chrome" if dark else "black plastic", ends=(1.0, 0.85), bevel=0.002, segments=14)
             else:
-                b.box(
-                    (d / 2 - 0.05, d / 2 - 0.045),
-                    (py - 0.008, py + 0.008),
-                    (top - 0.002, top + 0.0001),
-                    "white plastic",
-                    bevel=0,
-                )
+                d.print(place.place(0.005, 0.016), "white plastic")
     if not gas:
-        b.surface("hob", (x[0] + 0.02, x[1] - 0.08), (y[0] + 0.02, y[1] - 0.02), h)
-    b.fit()
+        d.surface("hob", plate.inset(back=0.02, front=0.08, y=0.02))
+    d.fit()
 
 
 @draws("range_hood")
-def range_hood(b: Builder) -> None:
-    """A chimney over a pyramid or a thin box, with filters, lights and buttons."""
-    d, w, h = b.size
-    steel = coat_of(b)
-    kind = b.pick("kind", ["pyramid", "box"])
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    cw, cd = 0.14, 0.26
-    rim = 0.055
-    with b.solid("canopy"):
-        b.box(x, y, (0.0, rim), steel, bevel=0.003)
-        top = rim
-        if kind == "pyramid":
-            top = rim + 0.2 + 0.12 * (h - 0.7)
-            b.hull(
-                [(px, s * (w / 2 - 0.01), rim - 0.001) for px in (x[0], x[1] - 0.01) for s in (-1, 1)]
-                + [(px, s * cw, top) for px in (x[0], x[0] + cd) for s in (-1, 1)],
-                steel,
-            )
-        for s in (-1, 1):
-            b.box(
-                (x[0] + 0.06, x[1] - 0.12),
-                (s * w / 4 - w / 5, s * w / 4 + w / 5),
-                (-0.0035, 0.002),
-                "aluminium",
-                bevel=0,
-            )
-            with b.frame(x[1] - 0.07, s * w * 0.3):
-                b.frustum(0.03, 0.03, (-0.004, 0.002), "lamp glow", segments=16)
-        for k in range(5):
-            at = (k - 2) * 0.03
-            b.box((x[1] - 0.001, x[1] + 0.002), (at - 0.009, at + 0.009), (0.02, 0.034), "black plastic", bevel=0)
-    with b.solid("chimney"):
-        b.box((x[0], x[0] + cd), (-cw, cw), (top - 0.001, top + 0.5 * (h - top)), steel, bevel=0.001)
-        b.box((x[0], x[0] + cd - 0.004), (-cw + 0.004, cw - 0.004), (top, h), steel, bevel=0.001)
-        for k in range(4):
-            z = h - 0.05 - 0.02 * k
-            for s in (-1, 1):
-                b.box(
-                    (x[0] + 0.06, x[0] + cd - 0.06),
-                    (s * (cw - 0.003) - 0.002, s * (cw - 0.003) + 0.002),
-                    (z, z + 0.008),
-                    "black plastic",
-                    bevel=0,
+def range_hood(d: Drawing) -> None:
+    """A chimney in two lengths over a pyramid or a thin box, with filters, lights and buttons."""
+    steel = coat_of(d)
+    pyramid = d.pick("kind", ["pyramid", "box"]) == "pyramid"
+    bounds = d.bounds
+    canopy = bounds.bottom(0.055)
+    shaft = bounds.place(0.26, 0.28, at="back").inset(bottom=canopy.height)
+    with d.part("canopy"):
+        for side in (canopy.left(0.012), canopy.right(0.012)):
+            d.box(side, steel, bevel=0.001)
+        d.box(canopy.inset(y=0.012).front(0.012), steel, bevel=0.001)
+        d.box(canopy.inset(y=0.012).back(0.012), steel, bevel=0.001)
+        d.box(canopy.inset(x=0.012, y=0.012).top(0.03), steel, bevel=0.0)
+        if pyramid:
+            shaft = shaft.inset(bottom=0.2 + 0.12 * (bounds.height - 0.7))
+            rim, neck = canopy.inset(front=0.01, y=0.01), shaft
+            low = [(x, y, canopy.z[1] - 0.001) for x in rim.x for y in rim.y]
+            d.hull(low + [(x, y, shaft.z[0]) for x in neck.x for y in neck.y], steel)
+        filters = canopy.inset(back=0.06, front=0.14, y=0.03, top=0.03).top(0.006)
+        for panel in filters.columns(2, gap=0.02):
+            d.box(panel, "aluminium", bevel=0.0)
+            with d.grid(panel.bottom(0.0), y=9):
+                d.box(Box.sized(panel.depth - 0.03, 0.005, 0.003, (0.0, 0.0, -0.003)), "grey plastic", bevel=0.0)
+        for share in (0.2, 0.8):
+            light = canopy.inset(x=0.03, top=0.03).front(0.07).share(y=(share, share)).anchor("top")
+            d.cylinder(Box.sized(0.06, 0.06, 0.008, (light[0], light[1], light[2] - 0.006)), "lamp glow", segments=16)
+        for place in canopy.place(width=0.15).columns(5):
+            d.print(place.front(0.0).place(width=0.016, height=0.012), "black plastic", 0.0004)
+    with d.part("chimney"):
+        lower, upper = shaft.rows(2)
+        d.box(lower.inset(bottom=-0.001), steel, bevel=0.001)
+        d.box(upper.inset(front=0.004, y=0.004), steel, bevel=0.001)
+        with d.mirror("y"):
+            for k in range(4):
+                slot = (
+                    upper.left(0.0)
+                    .inset(x=0.06)
+                    .move(y=-0.004)
+                    .to(z=(upper.z[1] - 0.06 - 0.02 * k, upper.z[1] - 0.052 - 0.02 * k))
                 )
-    b.fit()
+                d.print(slot, "black plastic")
+    d.fit()
 
 
 @draws("dishwasher")
-def dishwasher(b: Builder) -> None:
-    """A cabinet whose front falls open, with a panel of buttons and a grip, under a worktop or a lid of its own."""
-    d, w, total = b.size
-    coat = coat_of(b)
-    lid, t = worktop_of(b) if b.in_suite else (coat if coat.name == "black paint" else "white paint", 0.03)
-    h = total - t + 0.03  # the front ends 33 mm under this
-    x, y = (-d / 2, d / 2 - 0.0525), (-w / 2, w / 2)
-    face = x[1] + 0.025
-    with b.solid("body"):
-        b.box((x[0] + 0.02, x[1] - 0.05), (y[0] + 0.002, y[1] - 0.002), (0.0, 0.1), "black plastic", bevel=0)
-        b.box(x, y, (0.1, h - 0.03), "white paint" if not coat.metallic else "grey plastic", bevel=0.002)
-        b.box((x[0], d / 2 - 0.004), y, (total - t, total), lid, bevel=0.003)
-        ys = (y[0] + 0.002, y[1] - 0.002)
-        with b.hinge("door", (face, 0.0, 0.11), axis=(0.0, 1.0, 0.0), limits=(0.0, 1.5)):
-            b.box((x[1] + 0.0005, face), ys, (0.11, h - 0.145), coat, bevel=0.004)
-            b.box(
-                (x[1] + 0.0005, face),
-                ys,
-                (h - 0.142, h - 0.033),
-                "black plastic" if coat.metallic else coat,
-                bevel=0.004,
-            )
-            if b.chance("bar", 0.6):
-                handle(b, face, 0.0, h - 0.2, "chrome", "bar", 0.75 * w)
+def dishwasher(d: Drawing) -> None:
+    """A steel tub with two racks behind a front that falls open, under a worktop or a lid of its own."""
+    coat = coat_of(d)
+    own_lid = coat if coat.name == "black paint" else "white paint"
+    lid, thick = worktop_of(d) if d.in_suite else (own_lid, 0.03)
+    bounds = d.bounds
+    front = bounds.inset(front=SETBACK, bottom=PLINTH, top=thick)
+    case = front.inset(front=0.025)
+    with d.part("body"):
+        plinth(d, bounds.inset(front=SETBACK).bottom(PLINTH))
+        d.box(bounds.top(thick), lid)
+        tub = cavity(d, case, "grey plastic" if coat.metallic else "white paint", 0.012, 0.003)
+        room = cavity(d, tub, "steel", 0.02, 0.02)
+        for share in (0.5, 0.92):
+            tray = room.inset(front=0.01, x=0.01, y=0.01, top=share * room.height)
+            rack(d, tray, "grey plastic")
+            rack(d, tray.inset(top=-0.09), "grey plastic", pitch=1.0)
+        leaf = front.inset(y=0.002, bottom=0.01, top=0.003).front(0.025)
+        with d.hinge("door", leaf.anchor("front bottom"), axis=(0.0, 1.0, 0.0), limits=(0.0, 1.5)):
+            panel, low = leaf.top(0.11), leaf.inset(top=0.113)
+            d.box(low, coat, bevel=0.004)
+            d.box(panel, "black plastic" if coat.metallic else coat, bevel=0.004)
+            if d.chance("bar", 0.6):
+                handle(d, low.top(0.11), "chrome", "bar", 0.75 * low.width)
             else:
-                b.box((face - 0.001, face + 0.018), (-0.1, 0.1), (h - 0.165, h - 0.14), "grey plastic", bevel=0.006)
-            f = face
-            b.box((f - 0.002, f + 0.0015), (0.02, 0.1), (h - 0.1, h - 0.07), "screen", bevel=0)
-            for k in range(4):
-                at = -0.06 - k * 0.032
-                b.box((f - 0.002, f + 0.003), (at - 0.008, at + 0.008), (h - 0.092, h - 0.078), "grey plastic", bevel=0)
-            b.box((f - 0.002, f + 0.002), (y[1] - 0.075, y[1] - 0.035), (h - 0.092, h - 0.078), "chrome", bevel=0)
-    b.surface("top", (x[0] + 0.01, face - 0.01), (y[0] + 0.01, y[1] - 0.01), total)
-    b.fit()
+                d.box(low.top(0.02).front(-0.018).place(width=0.2), "grey plastic", bevel=0.006)
+            face = panel.front(0.0).place(height=0.03)
+            d.print(face.share(y=(0.54, 0.68)), "screen")
+            for button in face.share(y=(0.22, 0.44)).columns(4):
+                d.print(button.place(width=0.016, height=0.014), "grey plastic", 0.0004)
+            d.print(face.share(y=(0.86, 0.94)).place(height=0.014), "chrome", 0.0004)
+    d.surface("top", bounds.inset(front=SETBACK), inset=0.01)
+    d.fit()
 
 
 @draws("microwave")
-def microwave(b: Builder) -> None:
-    """A box with a door of dark glass hinged at its left, and a panel with a clock, buttons or knobs."""
-    d, w, h = b.size
-    coat = b.material("body", "brushed steel", "white plastic", "black plastic", "red plastic", "steel")
-    x, y = (-d / 2, d / 2 - 0.052), (-w / 2, w / 2)
-    face = x[1] + 0.022
-    # Seen from its front, the panel is to the viewer's right, which is +y.
-    cut = y[1] - 0.26 * w
-    with b.solid("body"):
-        feet(b, (x[0], x[1]), y, 0.012, r=0.014)
-        b.box(x, y, (0.01, h), coat, bevel=0.006)
+def microwave(d: Drawing) -> None:
+    """A box with a turntable behind a door with a window, and a panel with a clock, buttons or knobs."""
+    coat = d.material("body", "brushed steel", "white plastic", "black plastic", "red plastic", "steel")
+    bounds = d.bounds
+    case = bounds.inset(front=0.052, bottom=0.01)
+    with d.part("body"):
+        feet(d, case.bottom(0.012).move(z=-0.01), 0.014)
+        inside = cavity(d, case, coat, 0.006, 0.008)
+        # Seen from its front, the panel is to the viewer's right, which is +y.
+        wide = 0.26 * case.width
+        d.box(inside.left(wide - 0.006), "grey plastic", bevel=0.0)
+        room = cavity(d, inside.inset(left=wide - 0.006), "white plastic", 0.012, 0.012)
+        plate = room.inset(all=0.01).bottom(0.006)
+        d.cylinder(plate.place(min(plate.size[:2]), min(plate.size[:2])), "glass", segments=28)
         for k in range(6):
-            at = x[0] + 0.05 + k * 0.018
-            for s in (-1, 1):
-                b.box(
-                    (at, at + 0.008),
-                    (s * (w / 2 - 0.001) - 0.0012, s * (w / 2 - 0.001) + 0.0012),
-                    (h * 0.5, h * 0.8),
-                    "black plastic",
-                    bevel=0,
-                )
-        panel: Material | str = "black glass" if b.chance("dark panel", 0.6) else coat
-        b.box((x[1] - 0.002, face), (cut + 0.001, y[1] - 0.001), (0.012, h - 0.002), panel, bevel=0.003)
-        m = (cut + y[1]) / 2
-        b.box((face - 0.001, face + 0.001), (m - 0.038, m + 0.038), (h - 0.07, h - 0.04), "screen", bevel=0)
-        b.box((face, face + 0.0014), (m - 0.02, m + 0.02), (h - 0.06, h - 0.05), "lamp glow", bevel=0)
-        if b.chance("knobs", 0.4):
-            for z in (0.36 * h, 0.62 * h - 0.01):
-                knob(b, face, m, z, "chrome", 0.021, 0.02)
+            vent = (
+                case.right(0.0).share(z=(0.5, 0.8)).to(x=(case.x[0] + 0.05 + 0.018 * k, case.x[0] + 0.058 + 0.018 * k))
+            )
+            with d.mirror("y"):
+                d.print(vent, "black plastic")
+        front = case.inset(y=0.001, bottom=0.002, top=0.002).front(-0.022)
+        dark = d.chance("dark panel", 0.6)
+        panel = d.box(front.left(wide - 0.002), "black glass" if dark else coat)
+        clock = d.print(panel.front(0.0).top(0.07).inset(y=0.15 * wide, bottom=0.038, top=0.008), "screen")
+        d.print(clock.inset(y=0.25 * clock.width, z=0.006), "lamp glow", 0.00045)
+        if d.chance("knobs", 0.4):
+            for place in panel.inset(top=0.07).rows(2):
+                knob(d, place, "chrome", 0.021, 0.02, mark="black plastic")
         else:
-            for i in range(4):
-                for j in range(3):
-                    cy, cz = m + (j - 1) * 0.026, 0.06 + i * (h - 0.17) / 4
-                    b.box(
-                        (face - 0.001, face + 0.0018),
-                        (cy - 0.009, cy + 0.009),
-                        (cz - 0.007, cz + 0.007),
-                        "grey plastic",
-                        bevel=0,
-                    )
-            b.box((face - 0.001, face + 0.003), (m - 0.035, m + 0.035), (0.022, 0.042), "grey plastic", bevel=0)
-        with b.hinge("door", (face, y[0], 0.012), limits=(-1.92, 0.0)):
-            b.box((x[1] + 0.0005, face), (y[0] + 0.001, cut - 0.001), (0.012, h - 0.002), coat, bevel=0.003)
-            b.box((face - 0.002, face + 0.0012), (y[0] + 0.035, cut - 0.06), (0.045, h - 0.035), "black glass", bevel=0)
-            at = cut - 0.03
-            b.bar((face + 0.022, at, 0.05), (face + 0.022, at, h - 0.045), 0.0075, "chrome", 10)
-            for z in (0.065, h - 0.06):
-                b.bar((face - 0.001, at, z), (face + 0.022, at, z), 0.006, "chrome", 8)
-    b.surface("top", (x[0] + 0.015, x[1] - 0.015), (y[0] + 0.015, y[1] - 0.015), h)
-    b.fit()
+            keys = panel.inset(top=0.08, bottom=0.03).place(width=0.08).front(0.0)
+            for key in (cell for row in keys.rows(4) for cell in row.columns(3)):
+                d.print(key.inset(y=0.004, z=0.2 * key.height), "grey plastic", 0.0004)
+        leaf = front.inset(left=wide)
+        with d.hinge("door", leaf.anchor("front right bottom"), limits=(-1.92, 0.0)):
+            window = leaf.inset(right=0.035, left=0.06, bottom=0.035, top=0.035)
+            for part in (leaf.to(y=(leaf.y[0], window.y[0])), leaf.to(y=(window.y[1], leaf.y[1]))):
+                d.box(part, coat)
+            for z in ((leaf.z[0], window.z[0]), (window.z[1], leaf.z[1])):
+                d.box(leaf.to(y=window.y, z=z), coat)
+            d.box(window.place(depth=0.006), "smoked glass", bevel=0.0)
+            x, y = leaf.x[1], leaf.y[1] - 0.03
+            d.bar((x + 0.022, y, window.z[0]), (x + 0.022, y, window.z[1]), 0.0075, "chrome", 10)
+            for z in (window.z[0] + 0.015, window.z[1] - 0.015):
+                d.bar((x - 0.001, y, z), (x + 0.022, y, z), 0.006, "chrome", 8)
+    d.surface("top", case, inset=0.015)
+    d.fit()
 
 
 @draws("wine_cooler")
-def wine_cooler(b: Builder) -> None:
-    """A dark box with a glass door, in it wooden racks with rows of bottles under a lamp."""
-    d, w, h = b.size
-    coat = b.material("body", "black paint", "brushed steel", "black steel")
-    pull = b.material("handle", "chrome", "brushed steel", "black steel")
-    x, y = (-d / 2, d / 2 - 0.085), (-w / 2, w / 2)
-    leaf = (x[1] + 0.001, x[1] + 0.041)
-    t = 0.03
-    with b.solid("body"):
-        feet(b, x, y, 0.03)
-        b.box((x[0] + 0.02, x[1]), (y[0] + 0.01, y[1] - 0.01), (0.015, 0.08), "black plastic", bevel=0)
-        for ys in ((y[0], y[0] + t), (y[1] - t, y[1])):
-            b.box(x, ys, (0.075, h), coat, bevel=0.002)
-        inner = (y[0] + t, y[1] - t)
-        b.box(x, inner, (0.075, 0.105), coat, bevel=0)
-        b.box(x, inner, (h - t, h), coat, bevel=0)
-        b.box((x[0], x[0] + t), inner, (0.105, h - t), "black plastic", bevel=0)
-        b.box(
-            (x[1] - 0.05, x[1] - 0.03), (inner[0] + 0.03, inner[1] - 0.03), (h - t - 0.008, h - t), "lamp glow", bevel=0
-        )
-        rows = max(4, round((h - 0.2) / 0.15))
-        n = max(3, int((inner[1] - inner[0]) / 0.095))
-        step = (inner[1] - inner[0]) / n
-        caps = ("red plastic", "brass", "black plastic")
-        for k in range(rows):
-            z = 0.12 + k * (h - 0.17) / rows
-            b.box((x[0] + t, x[1] - 0.02), inner, (z, z + 0.008), "black plastic", bevel=0)
-            b.box((x[1] - 0.035, x[1] - 0.015), inner, (z - 0.002, z + 0.024), "beech", bevel=0.002)
-            for j in range(n):
-                if (k * n + j) % 7 == 5:
-                    continue
-                glass = "green glass" if (j + k) % 3 else "amber glass"
-                with b.frame(x[0] + 0.05, inner[0] + (j + 0.5) * step, z + 0.046, pitch=math.pi / 2):
-                    r = min(0.037, step / 2 - 0.002)
-                    bottle = shapes.lathe([(r, 0.0), (r, 0.2), (0.014, 0.25), (0.014, 0.302)], 10)
-                    b.add(bottle, glass, [shapes.hull(bottle[0])])
-                    b.add(shapes.frustum(0.0142, 0.0142, (0.265, 0.3022), 10), caps[k % 3], [])
-        hung: Literal["left", "right"] = "left" if b.chance("hung", 0.5) else "right"
-        door(b, "door", leaf, y, (0.08, h), coat, pull, hung, "bar", "glass")
-    b.fit()
+def wine_cooler(d: Drawing) -> None:
+    """A dark box with a glass door, in it racks of beech with rows of bottles under a lamp."""
+    coat = d.material("body", "black paint", "brushed steel", "black steel")
+    pull = d.material("handle", "chrome", "brushed steel", "black steel")
+    hung: Literal["left", "right"] = "left" if d.chance("hung", 0.5) else "right"
+    body = d.bounds.inset(front=0.07)
+    with d.part("body"):
+        feet(d, body.bottom(0.03))
+        case = body.inset(bottom=0.03)
+        d.box(case.bottom(0.05).inset(back=0.02, front=0.01, y=0.01), "black plastic", bevel=0.0)
+        room = cavity(d, cavity(d, case.inset(bottom=0.05), coat, 0.012, 0.004), "black plastic", 0.02)
+        d.print(room.top(0.0).inset(y=0.03).front(0.03), "lamp glow")
+        rows = room.inset(top=0.03).rows(max(4, round((room.height - 0.05) / 0.15)))
+        count = max(3, int(room.width / 0.095))
+        radius = min(0.037, room.width / count / 2 - 0.002)
+        for k, row in enumerate(rows):
+            rack(d, row.bottom(0.008).inset(front=0.035, back=0.01), "black steel", 0.04)
+            d.box(row.front(0.04).bottom(0.03).inset(front=0.015), "beech", bevel=0.002)
+            for j, place in enumerate(row.inset(back=0.02).columns(count)):
+                if (k * count + j) % 7 != 5:
+                    x, y, z = place.anchor("back bottom")
+                    with d.at(x, y, z + 0.009 + radius, pitch=math.pi / 2):
+                        glass = "green glass" if (j + k) % 3 else "amber glass"
+                        bottle(d, radius, 0.302, glass, ("red plastic", "brass", "black plastic")[k % 3])
+        door(d, "door", case.inset(bottom=0.05).front(-0.041).inset(back=0.001), coat, pull, hung, "bar", "glass")
+    d.fit()

@@ -2,166 +2,115 @@
 
 from __future__ import annotations
 
-from ..builder import Builder
-from ..registry import draws
-from .kitchen_parts import loft, oval, rounded, vessel
-from .small_containers import open_box
-from .small_kit import OPEN
+from ... import shapes
+from ...drawing import Box, Drawing, draws
+from ...drawing.components import CORNERS, open_box, oval, vessel
 
 
 @draws("trash_can")
-def trash_can(b: Builder) -> None:
+def trash_can(d: Drawing) -> None:
     """A tapered bucket with a bag turned over its rim, or a tall one with a swing lid."""
-    d, w, h = b.size
-    body = b.material(
-        "body",
-        "black plastic",
-        "brushed steel",
-        "white plastic",
-        "grey plastic",
-        "green plastic",
-        "black steel",
-        "blue plastic",
-    )
-    if b.request.shape == OPEN:
-        open_box(b, d, w, h, body, 0.006, 0.1 * d)
-        b.fit()
+    names = ("black plastic", "brushed steel", "white plastic", "grey plastic", "green plastic", "black steel")
+    body = d.material("body", *names, "blue plastic")
+    bounds = d.bounds
+    if d.request.shape == "open":
+        open_box(d, bounds, body, 0.006, 0.1 * bounds.depth)
+        d.fit()
         return
-    square = b.chance("square", 0.4)
+    square = d.chance("square", 0.4)
 
     def ring(share: float, z: float):
-        x, y = d / 2 * share, w / 2 * share
-        return rounded((-x, x), (-y, y), 0.25 * min(x, y), z) if square else oval(x, y, z)
+        own = bounds.inset(x=(1 - share) / 2 * bounds.depth, y=(1 - share) / 2 * bounds.width)
+        return shapes.rectangle(own.x, own.y, z, 0.25 * min(own.size[:2]) / 2) if square else oval(own, z)
 
-    lid = h > 0.5
-    cuts = 16 if square else 32
-    with b.solid("bin"):
-        if lid:
-            top = h - 0.17
-            loft(b, [ring(0.80, 0.0), ring(0.82, 0.012), ring(0.955, top)], body, whole=True)
-            loft(b, [ring(0.985, top), ring(1.0, top + 0.012), ring(1.0, top + 0.05)], "black plastic", whole=True)
-            loft(b, [ring(0.98, top + 0.05), ring(0.62, h - 0.008), ring(0.55, h)], body, whole=True)
+    h = bounds.height
+    with d.part("bin"):
+        if h > 0.5:
+            rim = h - 0.17
+            d.loft([ring(0.80, 0.0), ring(0.82, 0.012), ring(0.955, rim)], body, convex=True)
+            d.loft([ring(0.985, rim), ring(1.0, rim + 0.012), ring(1.0, rim + 0.05)], "black plastic", convex=True)
+            d.loft([ring(0.98, rim + 0.05), ring(0.62, h - 0.008), ring(0.55, h)], body, convex=True)
             # The flap, in a slope of the hood.
-            b.hull(
-                [
-                    (x, y, z)
-                    for x, z in (
-                        (d * 0.36, top + 0.065),
-                        (d * 0.30, top + 0.10),
-                        (d * 0.485, top + 0.05),
-                        (d * 0.335, h - 0.03),
-                    )
-                    for y in (-w * 0.2, w * 0.2)
-                ],
-                "grey plastic",
-            )
+            slope = ((0.36, rim + 0.065), (0.30, rim + 0.10), (0.485, rim + 0.05), (0.335, h - 0.03))
+            width = 0.2 * bounds.width
+            flap = [(share * bounds.depth, y, z) for share, z in slope for y in (-width, width)]
+            d.hull(flap, "grey plastic")
         else:
-            t = 0.006 / min(d, w) * 2
-            vessel(
-                b,
-                [ring(0.76, 0.0), ring(0.97, h - 0.02), ring(1.0, h - 0.018), ring(1.0, h)],
-                [ring(1.0 - 2.5 * t, h), ring(0.76 - t, 0.012)],
-                body,
-                cuts,
-            )
-            if b.chance("bag", 0.5):
-                # A liner folded down outside hides the rim.
-                loft(b, [ring(0.72, 0.35 * h), ring(0.79, 0.36 * h)], "white plastic", whole=True)
+            wall = 0.012 / min(bounds.size[:2])
+            outer = [ring(0.76, 0.0), ring(0.97, h - 0.02), ring(1.0, h - 0.018), ring(1.0, h)]
+            vessel(d, outer, [ring(1.0 - 2.5 * wall, h), ring(0.76 - wall, 0.012)], body, CORNERS if square else 16)
+            if d.chance("bag", 0.5):  # a liner folded down outside hides the rim
+                d.loft([ring(0.72, 0.35 * h), ring(0.79, 0.36 * h)], "white plastic", convex=True)
             else:
-                loft(b, [ring(0.70, 0.02), ring(0.76, 0.12 * h)], "paper", whole=True)
-    b.fit()
+                d.loft([ring(0.70, 0.02), ring(0.76, 0.12 * h)], "paper", convex=True)
+    d.fit()
 
 
 @draws("pedal_bin")
-def pedal_bin(b: Builder) -> None:
+def pedal_bin(d: Drawing) -> None:
     """A steel drum with a domed lid, a pedal in front and a dark foot."""
-    d, w, h = b.size
-    body = b.material(
-        "body", "brushed steel", "white steel", "black steel", "copper", "red paint", "sage paint", "cream paint"
-    )
-    dark = "black plastic"
-    out = 0.06
-    x, r = -out / 2, (d - out) / 2
-    square = b.chance("square", 0.3)
+    names = ("brushed steel", "white steel", "black steel", "copper", "red paint", "sage paint", "cream paint")
+    body, dark = d.material("body", *names), "black plastic"
+    drum = d.bounds.inset(front=0.06)
+    square = d.chance("square", 0.3)
+    h, rim = drum.height, drum.height - (0.055 if square else 0.09)
 
     def ring(share: float, z: float):
-        if square:
-            return rounded((x - r * share, x + r * share), (-w / 2 * share, w / 2 * share), 0.04, z)
-        return oval(r * share, w / 2 * share, z, x)
+        own = drum.inset(x=(1 - share) / 2 * drum.depth, y=(1 - share) / 2 * drum.width)
+        return shapes.rectangle(own.x, own.y, z, 0.04) if square else oval(own, z)
 
-    top = h - (0.055 if square else 0.09)
-    with b.solid("bin"):
-        loft(b, [ring(1.0, 0.0), ring(1.0, 0.045)], dark)
-        loft(b, [ring(0.985, 0.045), ring(0.985, top - 0.006)], body)
-        loft(b, [ring(1.0, top - 0.006), ring(1.0, top + 0.008)], dark)
-        back = h - 0.012 if square else top + 0.35 * (h - top)  # as high as the lid is upright: clear of a wall
-        with b.hinge("lid", (x - 0.985 * r, 0.0, back), axis=(0.0, 1.0, 0.0), limits=(-1.3, 0.0)):
-            if square:
-                rings = [ring(0.99, top + 0.0085), ring(0.985, h - 0.012), ring(0.94, h)]
-            else:
-                rings = [
-                    ring(s, top + 0.0085 + z * (h - top - 0.0085))
-                    for s, z in ((0.99, 0.0), (0.98, 0.25), (0.9, 0.6), (0.72, 0.86), (0.4, 1.0))
-                ]
-            loft(b, rings, body, whole=True)
-        b.hull(
-            [
-                (px, y, z)
-                for px, z in ((x + r - 0.03, 0.012), (x + r - 0.03, 0.03), (d / 2, 0.006), (d / 2, 0.018))
-                for y in (-0.035, 0.035)
-            ],
-            body if body.metallic else "chrome",
-        )
-        b.box((x - r - 0.001, x - r + 0.02), (-0.05, 0.05), (top - 0.06, top + 0.006), dark, bevel=0)
-    b.fit()
+    with d.part("bin"):
+        for share, z, look in (
+            (1.0, (0.0, 0.045), dark),
+            (0.985, (0.045, rim), body),
+            (1.0, (rim - 0.006, rim + 0.008), dark),
+        ):
+            d.loft([ring(share, z[0]), ring(share, z[1])], look)
+        back = h - 0.012 if square else rim + 0.35 * (h - rim)  # as high as the lid is upright: clear of a wall
+        hinge = (drum.x[0] + 0.0075 * drum.depth, 0.0, back)
+        with d.hinge("lid", hinge, axis=(0.0, 1.0, 0.0), limits=(-1.3, 0.0)):
+            dome = ((0.99, 0.0), (0.98, 0.25), (0.9, 0.6), (0.72, 0.86), (0.4, 1.0))
+            flat = ((0.99, 0.0), (0.985, 0.74), (0.94, 1.0))
+            low = rim + 0.0085
+            d.loft([ring(s, low + z * (h - low)) for s, z in (flat if square else dome)], body, convex=True)
+        pedal = Box((drum.x[1] - 0.03, d.bounds.x[1]), (-0.035, 0.035), (0.006, 0.03))
+        ends = ((pedal.x[0], 0.012), (pedal.x[0], 0.03), (pedal.x[1], 0.006), (pedal.x[1], 0.018))
+        d.hull([(x, y, z) for x, z in ends for y in pedal.y], body if body.metallic else "chrome")
+        d.box(drum.back(0.02).place(width=0.1).to(z=(rim - 0.06, rim + 0.006)), dark, bevel=0.0)
+    d.fit()
 
 
 @draws("recycling_bin")
-def recycling_bin(b: Builder) -> None:
+def recycling_bin(d: Drawing) -> None:
     """Two to four bins side by side in a frame, each with a lid and a label of its colour."""
-    d, w, h = b.size
-    body = b.material("body", "grey plastic", "black plastic", "white plastic", "brushed steel")
-    count = 2 if w < 0.82 else 3 if w < 1.05 else 4
-    step = w / count
-    lids = ["blue plastic", "yellow plastic", "green plastic", "red plastic"]
-    with b.solid("bin"):
-        for k in range(count):
-            y = (-w / 2 + k * step + 0.004, -w / 2 + (k + 1) * step - 0.004)
-            m = (y[0] + y[1]) / 2
-            color = lids[(k + b.whole("first", 0, 3)) % 4]
-            top = h - 0.06
-            low = [(px * d / 2 * 0.9, m + s * step * 0.43, 0.0) for px in (-1, 1) for s in (-1, 1)]
-            high = [(px * (d / 2 - 0.012), m + s * (step / 2 - 0.008), top) for px in (-1, 1) for s in (-1, 1)]
-            b.hull(low + high, body)
-            with b.hinge(f"lid-{k}", (-d / 2, m, h), axis=(0.0, 1.0, 0.0), limits=(-1.2, 0.0)):
-                b.hull(
-                    [(-d / 2, s, z) for s in y for z in (top + 0.001, h)]
-                    + [(d / 2, s, z) for s in y for z in (top + 0.001, top + 0.022)]
-                    + [(0.1 * d, s, h) for s in y],
-                    color,
-                )
-                b.box(
-                    (d / 2 - 0.001, d / 2 + 0.012), (m - 0.05, m + 0.05), (top + 0.003, top + 0.018), color, bevel=0.003
-                )
-            # A label on the sloping front.
-            f0, f1 = 0.55, 0.78
-            px = [d / 2 * 0.9 + (d / 2 - 0.012 - d / 2 * 0.9) * f for f in (f0, f1)]
-            b.hull(
-                [
-                    (p + o, m + s * step * 0.26, f * top)
-                    for p, f in zip(px, (f0, f1), strict=True)
-                    for o in (-0.004, 0.0015)
-                    for s in (-1, 1)
-                ],
-                color,
-            )
-            b.hull(
-                [
-                    (p + o, m + s * step * 0.12, f * top)
-                    for p, f in zip(px, (f0 + 0.06, f1 - 0.06), strict=True)
-                    for o in (-0.004, 0.003)
-                    for s in (-1, 1)
-                ],
-                "white plastic",
-            )
-    b.fit()
+    body = d.material("body", "grey plastic", "black plastic", "white plastic", "brushed steel")
+    bounds = d.bounds
+    count = 2 if bounds.width < 0.82 else 3 if bounds.width < 1.05 else 4
+    colors = ["blue plastic", "yellow plastic", "green plastic", "red plastic"]
+    first, rim = d.integer("first", 0, 3), bounds.height - 0.06
+    with d.part("bin"):
+        for k, cell in enumerate(bounds.columns(count, gap=0.008)):
+            color = colors[(k + first) % 4]
+            foot, head = cell.inset(x=0.05 * cell.depth, y=0.07 * cell.width), cell.inset(x=0.012, y=0.004)
+
+            def at(share: float, y: float, out: float, cell=cell, foot=foot, head=head) -> tuple[float, float, float]:
+                """A point on the sloping front: at a share of its height, y from its middle, and so far out of it."""
+                x = foot.x[1] + share * (head.x[1] - foot.x[1])
+                return x + out, cell.center[1] + y, share * rim
+
+            corners = [(x, y, 0.0) for x in foot.x for y in foot.y] + [(x, y, rim) for x in head.x for y in head.y]
+            d.hull(corners, body)
+            hinge = (cell.x[0], cell.center[1], bounds.z[1])
+            with d.hinge(f"lid-{k}", hinge, axis=(0.0, 1.0, 0.0), limits=(-1.2, 0.0)):
+                low, high = rim + 0.001, bounds.z[1]
+                profile = ((cell.x[0], low), (cell.x[0], high), (0.1 * cell.depth, high), (cell.x[1], low + 0.021))
+                d.hull([(x, y, z) for x, z in (*profile, (cell.x[1], low)) for y in cell.y], color)
+                grip = cell.front(-0.012).place(width=0.1).to(z=(low + 0.002, low + 0.017))
+                d.box(grip, color)
+            for width, shares, out, look in (
+                (0.26, (0.55, 0.78), 0.0015, color),
+                (0.12, (0.61, 0.72), 0.003, "white plastic"),
+            ):
+                sides = (-width * cell.width, width * cell.width)
+                d.hull([at(s, y, o) for s in shares for y in sides for o in (-0.004, out)], look)
+    d.fit()

@@ -91,8 +91,10 @@ def burners(d: Drawing, top: Box, gas: bool, count: int = 4) -> None:
                     cap = Box.sized(0.72 * radius, 0.72 * radius, 0.011, (0.0, 0.0, 0.011))
                     d.cylinder(cap, "black steel", ends=(1.0, 0.9), segments=16)
                     continue
-                for size in (1.0, 0.5):
-                    _printed_ring(d, size * radius)
+                with d.no_colliders():
+                    for k, size in enumerate((radius, radius - 0.003, 0.5 * radius, 0.5 * radius - 0.003)):
+                        ring = Box.sized(2 * size, 2 * size, 0.0011 + 0.0001 * k, (0.0, 0.0, -0.001))
+                        d.cylinder(ring, "black glass" if k % 2 else "grey plastic", segments=28)
         if gas:
             grate = column.inset(x=0.01, y=0.007).to(z=(top.z[1], top.z[1] + 0.035))
             for bar in (grate.left(0.01), grate.right(0.01)):
@@ -101,12 +103,6 @@ def burners(d: Drawing, top: Box, gas: bool, count: int = 4) -> None:
             ends = (upper.anchor("back bottom"), upper.anchor("front bottom"))
             with d.at(x=0.005), d.along(ends[0], (ends[1][0] - 0.01, *ends[1][1:]), 5):
                 d.box(Box.sized(0.01, upper.width, 0.011), "iron", bevel=0.0)
-
-
-def _printed_ring(d: Drawing, radius: float) -> None:
-    """A thin ring printed on glass at z = 0 of the frame."""
-    profile = [(radius, 0.0), (radius, 0.0003), (radius - 0.003, 0.0003), (radius - 0.003, 0.0)]
-    d.revolve(profile, "grey plastic", 32, hollow=True, collides=False)
 
 
 def oven_door(d: Drawing, name: str, leaf: Box, material: Look, pull: Look, handled: bool = True) -> None:
@@ -118,7 +114,7 @@ def oven_door(d: Drawing, name: str, leaf: Box, material: Look, pull: Look, hand
         between = leaf.inset(y=side)
         for part in (between.bottom(low), between.top(high)):
             d.box(part, material)
-        d.box(between.inset(bottom=low, top=high).place(depth=0.006), "glass", bevel=0.0)
+        d.box(between.inset(bottom=low, top=high).place(depth=0.006), "smoked glass", bevel=0.0)
         if handled:
             handle(d, leaf.top(0.5 * high), pull, "bar", 0.78 * leaf.width)
 
