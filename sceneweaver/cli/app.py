@@ -210,15 +210,39 @@ def check(
 @app.command()
 def render(
     source: Input,
-    out: Png,
-    plain: Annotated[bool, typer.Option("--plain", help="Without title, axes, labels and zones.")] = False,
+    out: Annotated[
+        Path, typer.Option("--out", "-o", metavar="OUT", help="A PNG; with --passes a folder.", show_default=False)
+    ],
+    plain: Annotated[bool, typer.Option("--plain", help="Of a plan: without title, axes, labels and zones.")] = False,
     width: Annotated[int, typer.Option(min=200, max=8192, help="Width in pixels.")] = 1600,
+    height: Annotated[
+        int | None, typer.Option(min=150, max=8192, help="Height in pixels (default: 3/4 of it).", show_default=False)
+    ] = None,
+    view: Annotated[
+        str, typer.Option(metavar="VIEW", help="plan, eye-door, eye-corner, eye-corner2, corner, corner2 or top.")
+    ] = "plan",
+    passes: Annotated[
+        str | None,
+        typer.Option(
+            metavar="PASSES",
+            help="Write data passes: some of rgb,depth,normal,position,instance,semantic,material.",
+            show_default=False,
+        ),
+    ] = None,
+    cameras: Annotated[
+        str, typer.Option(metavar="auto|FILE", help="Of passes: those at eye level, or a JSON file with cameras.")
+    ] = "auto",
+    kind: Annotated[str, typer.Option("--format", metavar="png|exr|npz", help="Of passes.")] = "png",
+    device: Device = "cpu",
     as_json: Json = False,
 ) -> int:
-    """Draw a scene from above."""
-    from .render import run_render
+    """Draw a scene: a plan, a picture of the room, or data passes for learning."""
+    from .render import run_passes, run_render
 
-    return run_render(source, out, plain=plain, width=width, as_json=as_json)
+    size = (width, height or round(0.75 * width))
+    if passes is not None:
+        return run_passes(source, out, passes, cameras, kind, size, device=device, as_json=as_json)
+    return run_render(source, out, view, size, plain=plain, device=device, as_json=as_json)
 
 
 @app.command()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from PIL import Image, ImageFilter
+from PIL import Image
 
 from sceneweaver.assets import Asset
 from sceneweaver.assets.body import Material, Mesh
@@ -14,13 +14,15 @@ from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.messages import suggest
 
 from .camera import Camera
-from .caster import Instance, Picture, Quality, cast
+from .caster import Instance, Quality, cast
 from .eye_camera import EYE_VIEWS, eye_cameras
+from .glow import glowing
 from .interior import build_interior
 from .room_bodies import hidden_with, instances_of
 from .room_camera import corner_camera, corner_directions, cut_walls, opposite
 from .room_finish import finishes_of
-from .room_light import corner_light, inside_light, top_light
+from .room_inside import draw_inside
+from .room_light import corner_light, top_light
 from .room_notes import annotated
 from .room_shell import build_shell
 from .view import View
@@ -79,7 +81,8 @@ def draw_rooms(
     cameras = eye_cameras(scene, width / height) if set(views) & set(EYE_VIEWS) else {}
     for view in views:
         if view in cameras:
-            done[view] = _inside(scene, things, cameras[view], width, height, quality, device)
+            room = build_interior(scene, finishes_of(scene), [cameras[view]])
+            done[view] = Image.fromarray(draw_inside(things, room, cameras[view], width, height, quality, device))
         elif view.startswith("corner"):
             done[view] = _corner(scene, things, view == "corner2", width, height, quality, device)
         else:
@@ -88,15 +91,6 @@ def draw_rooms(
             if view == "top_annotated":
                 done[view] = annotated(done["top"], scene, _plan(scene, width, height))
     return {view: done[view] for view in views}
-
-
-def _inside(
-    scene: Scene, things: list[Instance], camera: Camera, width: int, height: int, quality: Quality | None, device: str
-) -> Image.Image:
-    room = [Instance(part.mesh, np.eye(4)) for part in build_interior(scene, finishes_of(scene), camera)]
-    lighting = inside_light(things)
-    drawn = cast([*things, *room], camera, width, height, lighting=lighting, quality=quality, device=device)
-    return Image.fromarray(_glowing(drawn, len(things)))
 
 
 def _corner(
@@ -116,7 +110,7 @@ def _corner(
     eye = np.eye(4)
     solids = [Instance(mesh, eye) for mesh in (shell.floor, *shell.walls, _ground()) if mesh is not None]
     drawn = cast([*shown, *solids], camera, width, height, lighting=lighting, quality=quality, device=device)
-    return Image.fromarray(_faded(_glowing(drawn, len(shown))))
+    return Image.fromarray(_faded(glowing(drawn, len(shown))))
 
 
 def _top(
@@ -134,24 +128,7 @@ def _top(
     eye = np.eye(4)
     solids = [Instance(mesh, eye) for mesh in (shell.floor, *shell.walls, _ground()) if mesh is not None]
     drawn = cast([*shown, *solids], camera, width, height, lighting=lighting, quality=quality, device=device)
-    return Image.fromarray(_faded(_glowing(drawn, len(shown))))
-
-
-def _glowing(picture: Picture, things: int) -> np.ndarray:
-    """The picture [H, W, 3] with a soft warm shine around what is very bright of the first ``things`` instances."""
-    rgb = picture.rgb
-    bright = (picture.objects >= 0) & (picture.objects < things) & (rgb.min(axis=2) >= 250)
-    if not bright.any():
-        return rgb
-    radius = rgb.shape[0] / 75
-    reach = int(4 * radius) + 1  # nothing shines farther
-    rows, columns = (np.flatnonzero(bright.any(axis=axis)) for axis in (1, 0))
-    part = tuple(slice(max(0, at[0] - reach), at[-1] + reach + 1) for at in (rows, columns))
-    mask = Image.fromarray(bright[part].astype(np.uint8) * 255).filter(ImageFilter.GaussianBlur(radius))
-    shine = np.asarray(mask, dtype=np.float32)[..., None] / 255 * np.array([0.50, 0.40, 0.26], dtype=np.float32)
-    rgb = rgb.copy()
-    rgb[part] = (255.0 - (255.0 - rgb[part]) * (1.0 - shine)).astype(np.uint8)
-    return rgb
+    return Image.fromarray(_faded(glowing(drawn, len(shown))))
 
 
 def _faded(rgb: np.ndarray) -> np.ndarray:

@@ -67,6 +67,34 @@ def test_a_long_list_of_violations_is_cut_on_a_terminal_only(run, bedroom):
     assert len(run("check", bedroom, "--json").json["violations"]) > 20
 
 
+def test_render_writes_views_and_data_passes(run, bedroom, tmp_path):
+    ended = run("render", bedroom, "-o", tmp_path / "v.png", "--view", "eye-corner", "--width", "200")
+    assert (ended.code, ended.err) == (0, "")
+    with Image.open(tmp_path / "v.png") as image:
+        assert image.size == (200, 150)
+    (tmp_path / "cameras.json").write_text('[{"name": "mine", "eye": [1, 1, 1.5], "target": [2, 2, 1]}]')
+    options = ("--passes", "depth, instance", "--cameras", tmp_path / "cameras.json", "--width", "200")
+    ended = run("render", bedroom, "-o", tmp_path / "p", *options, "--json")
+    names = {"mine_depth.png", "mine_distance.png", "mine_instance.png", "cameras.json", "labels.json"}
+    assert ended.code == 0 and {path.rpartition("/")[2] for path in ended.json["files"]} == names
+    assert {path.name for path in (tmp_path / "p").iterdir()} == names
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (("--passes", "dept"), "passes: 'dept' is unknown"),
+        (("--passes", ""), "passes: none is named"),
+        (("--passes", "depth", "--cameras", "none.json"), "--cameras: none.json cannot be read"),
+        (("--passes", "depth", "--format", "tiff"), "format: 'tiff' is unknown"),
+        (("--view", "eye"), "view: 'eye' is unknown"),
+    ],
+)
+def test_what_render_cannot_do_is_one_line(run, bedroom, tmp_path, options, words):
+    ended = run("render", bedroom, "-o", tmp_path / "p.png", *options, "--width", "200")
+    assert ended.code == 2 and words in ended.err and ended.err.count("\n") == 1
+
+
 @pytest.mark.parametrize("options", [[], ["--plain"], ["--width", "400"]])
 def test_render_writes_a_picture(run, bedroom, tmp_path, options):
     ended = run("render", bedroom, "-o", tmp_path / "p.png", *options)

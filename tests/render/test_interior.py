@@ -95,7 +95,7 @@ def test_every_part_is_there_once_and_where_it_belongs() -> None:
 def test_an_open_door_has_no_leaf_and_a_corridor_behind_it() -> None:
     scene = living()
     camera = Camera.level((0.95, -0.3, 1.5), np.pi / 2, 1.2)
-    (door,) = (part for part in build_interior(scene, finishes_of(scene), camera) if part.name == "d")
+    (door,) = (part for part in build_interior(scene, finishes_of(scene), [camera]) if part.name == "d")
     mesh = door.mesh
     hits = Triangles(mesh.vertices, mesh.faces).first_hits([camera], 9, 9)
     assert hits.face[0, 4, 4] < 0  # free to look in

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -37,13 +38,13 @@ class Element:
     mesh: Mesh
 
 
-def build_interior(scene: Scene, look: Finishes, camera: Camera | None = None) -> list[Element]:
+def build_interior(scene: Scene, look: Finishes, cameras: Sequence[Camera] = ()) -> list[Element]:
     """All parts of a room that are no objects of the scene.
 
     Args:
         scene: The scene.
         look: What the room is made of.
-        camera: Who looks: a door in which the camera stands is open.
+        cameras: Who looks: a door in which one of them stands is open.
     """
     room = scene.room
     found: list[Element] = []
@@ -68,7 +69,7 @@ def build_interior(scene: Scene, look: Finishes, camera: Camera | None = None) -
     panelled = _PANELLED.search(room.type.lower().replace("-", " ").replace("_", " ")) is not None
     for door in room.doors:
         wall, builder = room.walls[door.wall], Builder()
-        is_open = camera is not None and is_in_doorway(wall, door, np.asarray(camera.eye))
+        is_open = any(is_in_doorway(wall, door, np.asarray(camera.eye)) for camera in cameras)
         add_door(builder, wall, door, look, panelled, is_open)
         take(door.id, "door", builder)
     for window in room.windows:

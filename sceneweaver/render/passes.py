@@ -1,0 +1,223 @@
+"""Data passes: what each pixel of a camera shows, as numbers to learn from.
+
+Depth, normals and ids are those of the first surface that the ray through the middle of a pixel meets, panes and
+mirrors included; nothing is smoothed over edges. Colour is drawn with light and is smooth over edges.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from sceneweaver.assets import Asset
+from sceneweaver.scene import InputError, Scene
+from sceneweaver.scene.messages import suggest
+
+from .caster import Instance, Quality
+from .eye_camera import eye_cameras
+from .first_hits import Triangles
+from .interior import Element, build_interior
+from .intrinsics import Shot
+from .mesh_shading import prepared
+from .room_bodies import instances_of
+from .room_finish import finishes_of
+from .room_inside import draw_inside
+from .semantics import UNLABELLED, class_named, class_names, class_of
+
+PASSES = ("rgb", "depth", "normal", "position", "instance", "semantic", "material")
+
+ARRAYS = {
+    "rgb": ("rgb",),
+    "depth": ("depth", "distance"),
+    "normal": ("normal_world", "normal_cam"),
+    "position": ("position",),
+    "instance": ("instance",),
+    "semantic": ("semantic",),
+    "material": ("material",),
+}
+"""The arrays of each pass."""
+
+_BATCH = 8_000_000  # rays that are cast together
+
+
+@dataclass(frozen=True)
+class Frame:
+    """What one camera saw: ``arrays`` by name, each [H, W] or [H, W, 3].
+
+    ``rgb`` uint8; ``depth`` float32, along the optical axis [m], and ``distance`` float32, from the optical centre [m],
+    both inf where nothing is; ``normal_world`` and ``normal_cam`` float32, unit vectors toward the camera, 0 where
+    nothing is, the latter with x to the right, y up, z backward; ``position`` float32 in the world [m], nan where
+    nothing is; ``instance``, ``semantic`` and ``material`` int32 ids of the tables of `Labels`, 0 where nothing is.
+    """
+
+    shot: Shot
+    arrays: dict[str, np.ndarray]
+
+
+@dataclass(frozen=True)
+class Labels:
+    """What the ids mean: rows of instances (id, name, category, semantic), of classes and of materials (id, name)."""
+
+    instances: tuple[dict[str, Any], ...]
+    semantics: tuple[dict[str, Any], ...]
+    materials: tuple[dict[str, Any], ...]
+
+
+class PassRenderer:
+    """A scene that is looked at by several cameras.
+
+    Examples:
+        >>> from sceneweaver.render.passes import PassRenderer, auto_shots
+        >>> import sceneweaver as sw
+        >>> scene = sw.Scene(id="empty", room=sw.Room.rectangle(4, 3))
+        >>> shots = auto_shots(scene, 64, 48)
+        >>> frame = next(PassRenderer(scene, shots).frames(["depth", "instance"]))
+        >>> frame.shot.name, frame.arrays["depth"].shape
+        ('eye-door', (48, 64))
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        shots: Sequence[Shot],
+        load: Callable[[str], Asset] | None = None,
+        quality: Quality | None = None,
+        device: str = "cpu",
+    ) -> None:
+        """Prepare it.
+
+        Args:
+            scene: The scene.
+            shots: The cameras; a door in which one of them stands is open.
+            load: Gives the asset of an id; None: ``Library().load``.
+            quality: Of the colours.
+            device: "cpu" or "cuda:0".
+
+        Raises:
+            InputError: an asset cannot be loaded, two cameras have one name, or one has no perspective.
+        """
+        _check(shots)
+        self.scene, self.shots, self.quality, self.device = scene, tuple(shots), quality, device
+        self._things = instances_of(scene, load)
+        self._room = build_interior(scene, finishes_of(scene), [shot.camera for shot in shots])
+        solids = [*self._things, *(Instance(part.mesh, np.eye(4)) for part in self._room)]
+        names = sorted({material.name for one in solids for material in one.mesh.materials})
+        numbers = {name: k + 1 for k, name in enumerate(names)}
+        self.labels = _labels(scene, self._room, names)
+        points, faces, normals, instance, material = [], [], [], [], []
+        start = 0
+        for number, one in enumerate(solids, 1):
+            turn, mesh = one.transform[:3, :3], one.mesh
+            points.append(mesh.vertices @ turn.T + one.transform[:3, 3])
+            faces.append(mesh.faces + start)
+            normals.append(prepared(mesh)[0] @ np.linalg.inv(turn))
+            instance.append(np.full(len(mesh.faces), number, dtype=np.int32))
+            material.append(np.array([numbers[m.name] for m in mesh.materials], dtype=np.int32)[mesh.face_material])
+            start += len(mesh.vertices)
+        self._points, self._faces = np.concatenate(points), np.concatenate(faces)
+        self._normals = np.concatenate(normals).reshape(-1, 3, 3)
+        self._instance, self._material = np.concatenate(instance), np.concatenate(material)
+        classes = [UNLABELLED, *(row["semantic"] for row in self.labels.instances)]
+        self._semantic = np.array(classes, dtype=np.int32)
+        self._triangles = Triangles(self._points, self._faces, device)
+
+    def frames(self, passes: Sequence[str] = PASSES) -> Iterator[Frame]:
+        """The frame of each camera in turn, with the arrays of some passes; rays of several cameras are cast together.
+
+        Raises:
+            InputError: a pass that is unknown.
+        """
+        for name in passes:
+            if name not in PASSES:
+                raise InputError(f"passes: '{name}' is unknown{suggest(name, PASSES)}; use some of {', '.join(PASSES)}")
+        if not passes:
+            raise InputError(f"passes: none is named; use some of {', '.join(PASSES)}")
+        wanted = {array for name in passes for array in ARRAYS[name]}
+        for batch in _batches(self.shots):
+            cameras, width, height = [shot.camera for shot in batch], batch[0].width, batch[0].height
+            hits = self._triangles.first_hits(cameras, width, height)
+            for shot, face, distance, bary in zip(batch, hits.face, hits.distance, hits.bary, strict=True):
+                arrays = self._arrays(shot, face, distance, bary, wanted)
+                if "rgb" in wanted:
+                    arrays["rgb"] = self._colours(shot)
+                yield Frame(shot, {name: arrays[name] for name in sum(ARRAYS.values(), ()) if name in wanted})
+
+    def _arrays(
+        self, shot: Shot, face: np.ndarray, distance: np.ndarray, bary: np.ndarray, wanted: set[str]
+    ) -> dict[str, np.ndarray]:
+        way = shot.camera.rays(shot.width, shot.height)
+        seen = face >= 0
+        found = {"distance": distance, "depth": (distance * (way @ shot.camera.axis)).astype(np.float32)}
+        found["instance"] = np.where(seen, self._instance[face], 0)
+        found["semantic"] = self._semantic[found["instance"]]
+        found["material"] = np.where(seen, self._material[face], 0)
+        if "position" in wanted:
+            where = np.asarray(shot.camera.eye) + way * np.where(seen, distance, np.nan)[..., None]
+            found["position"] = where.astype(np.float32)
+        if "normal_world" in wanted:
+            world = self._normal(face, bary, way) * seen[..., None]
+            found["normal_world"] = world.astype(np.float32)
+            found["normal_cam"] = (world @ shot.camera_to_world[:3, :3]).astype(np.float32)
+        return found
+
+    def _normal(self, face: np.ndarray, bary: np.ndarray, way: np.ndarray) -> np.ndarray:
+        """Smooth unit normals toward the camera; the flat one where the smooth one leans away from it."""
+        corners = self._points[self._faces[face]]
+        flat = np.cross(corners[..., 1, :] - corners[..., 0, :], corners[..., 2, :] - corners[..., 0, :])
+        flat = flat / np.maximum(np.linalg.norm(flat, axis=-1, keepdims=True), 1e-18)
+        away = (flat * way).sum(axis=-1, keepdims=True) > 0
+        shares = np.concatenate([bary, 1 - bary.sum(axis=-1, keepdims=True)], axis=-1)
+        smooth = (self._normals[face] * shares[..., None]).sum(axis=-2)
+        smooth = smooth / np.maximum(np.linalg.norm(smooth, axis=-1, keepdims=True), 1e-18)
+        flat, smooth = np.where(away, -flat, flat), np.where(away, -smooth, smooth)
+        return np.where((smooth * way).sum(axis=-1, keepdims=True) < 0, smooth, flat)
+
+    def _colours(self, shot: Shot) -> np.ndarray:
+        size = shot.width, shot.height
+        return draw_inside(self._things, self._room, shot.camera, *size, self.quality, self.device)
+
+
+def auto_shots(scene: Scene, width: int, height: int) -> list[Shot]:
+    """The cameras at eye level that a scene chooses by itself, see `eye_cameras`."""
+    return [Shot(name, camera, width, height) for name, camera in eye_cameras(scene, width / height).items()]
+
+
+def _check(shots: Sequence[Shot]) -> None:
+    if not shots:
+        raise InputError("cameras: there is none")
+    names = [shot.name for shot in shots]
+    for shot in shots:
+        if names.count(shot.name) > 1:
+            raise InputError(f"cameras: two have the name '{shot.name}'; give each its own")
+        if shot.camera.flat:
+            raise InputError(f"cameras: '{shot.name}' has no perspective; data passes need some")
+
+
+def _batches(shots: Sequence[Shot]) -> Iterator[list[Shot]]:
+    """Neighbouring shots of one size, as many as are cast together."""
+    batch: list[Shot] = []
+    for shot in shots:
+        size = (shot.width, shot.height)
+        full = (len(batch) + 1) * shot.width * shot.height > _BATCH
+        if batch and (full or size != (batch[0].width, batch[0].height)):
+            yield batch
+            batch = []
+        batch.append(shot)
+    yield batch
+
+
+def _labels(scene: Scene, room: Sequence[Element], materials: Sequence[str]) -> Labels:
+    rows: list[tuple[str, str, str, int]] = []
+    rows += [(thing.id, thing.category, "object", class_of(thing)) for thing in scene.objects]
+    rows += [(part.name, part.category, "room", class_named(part.category)) for part in room]
+    return Labels(
+        tuple(
+            {"id": k, "name": name, "category": category, "of": of, "semantic": number}
+            for k, (name, category, of, number) in enumerate(rows, 1)
+        ),
+        tuple({"id": k, "name": name} for k, name in enumerate(class_names(), 1)),
+        tuple({"id": k, "name": name} for k, name in enumerate(materials, 1)),
+    )
