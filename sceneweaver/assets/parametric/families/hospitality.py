@@ -4,399 +4,278 @@ from __future__ import annotations
 
 import math
 
-from ..builder import Builder
-from ..registry import draws
+from ...drawing import Box, Drawing, draws
+from ...drawing.components import button, drawer, knob
 
-_WOODS = ("oak", "walnut", "mahogany", "wenge", "cherry", "light oak", "ash grey wood", "pine")
+_WOODS = "oak, walnut, mahogany, wenge, cherry, light oak, ash grey wood, pine"
 
 
 @draws("bar_counter")
-def bar_counter(b: Builder) -> None:
-    """A front of panels or battens under a broad top, a foot rail on brackets, a lower worktop and shelves behind."""
-    d, w, h = b.size
-    wood = b.material("front", *_WOODS, "navy paint", "teal paint", "black paint", "white paint")
-    top = b.material("top", "walnut", "oak", "marble", "dark marble", "granite", "mahogany", "copper")
-    rail = b.material("rail", "brass", "steel", "black steel")
-    # Guests stand at +x, the keeper at -x.
-    y = (-w / 2, w / 2)
-    f = d / 2 - 0.16
-    back = -d / 2
-    t = 0.045
-    with b.solid("front"):
-        b.box((f - 0.03, f), (y[0] + 0.02, y[1] - 0.02), (0.0, h - t), wood, bevel=0.001)
-        b.box((f - 0.001, f + 0.012), (y[0] + 0.02, y[1] - 0.02), (0.0, 0.1), wood, bevel=0.002)
-        b.box((f - 0.001, f + 0.012), (y[0] + 0.02, y[1] - 0.02), (h - t - 0.08, h - t), wood, bevel=0.002)
-        if b.style in ("classic", "rustic"):
-            n = max(3, round(w / 0.55))
-            step = (w - 0.04) / n
-            for k in range(n + 1):
-                a = min(max(y[0] + 0.02 + k * step, y[0] + 0.055), y[1] - 0.055)
-                b.box((f - 0.001, f + 0.014), (a - 0.035, a + 0.035), (0.1, h - t - 0.08), wood, bevel=0.002)
-                if k < n:
-                    m = y[0] + 0.02 + (k + 0.5) * step
-                    b.box(
-                        (f - 0.001, f + 0.009),
-                        (m - step / 2 + 0.075, m + step / 2 - 0.075),
-                        (0.15, h - t - 0.13),
-                        wood,
-                        bevel=0.007,
-                    )
+def bar_counter(d: Drawing) -> None:
+    """A front of panels or battens under a broad top, a foot rail, a lower worktop and shelves behind; guests at +x."""
+    wood = d.material("front", _WOODS + ", navy paint, teal paint, black paint, white paint")
+    look = d.material("top", "walnut, oak, marble, dark marble, granite, mahogany, copper")
+    metal = d.material("rail", "brass, steel, black steel")
+    box, work = d.bounds, 0.88
+    top = box.top(0.045)
+    case = box.inset(front=0.16, y=0.02, top=0.045)
+    with d.part("front"):
+        panel = d.box(case.front(0.03), wood, 0.001)
+        face = panel.front(-0.012).inset(back=-0.001)
+        for rail in (face.bottom(0.1), face.top(0.08)):
+            d.box(rail, wood, 0.002)
+        between = face.inset(bottom=0.1, top=0.08)
+        if d.style in ("classic", "rustic"):
+            for cell in between.columns(max(3, round(box.width / 0.55))):
+                for stile in (cell.left(0.035), cell.right(0.035)):
+                    d.box(stile.inset(front=-0.002), wood, 0.002)
+                d.box(cell.inset(y=0.075, z=0.05, front=0.003), wood, 0.007)
         else:
-            n = round(w / 0.07)
-            step = (w - 0.04) / n
-            for k in range(n):
-                a = y[0] + 0.02 + (k + 0.5) * step
-                b.box((f - 0.001, f + 0.018), (a - 0.016, a + 0.016), (0.1, h - t - 0.08), wood, bevel=0)
-        zr, xr = 0.2, f + 0.1
-        b.bar((xr, y[0] + 0.06, zr), (xr, y[1] - 0.06, zr), 0.022, rail, 12)
-        for s in (-1, 1):
-            b.ball((0.03, 0.03, 0.03), (xr, s * (w / 2 - 0.055), zr), rail, 12)
-        for k in range(max(2, round(w / 0.8)) + 1):
-            a = y[0] + 0.14 + k * (w - 0.28) / max(2, round(w / 0.8))
-            b.tube([(f, a, zr - 0.04), (f + 0.05, a, zr - 0.05), (xr, a, zr - 0.015)], 0.011, rail, 8)
-    with b.solid("top"):
-        b.box((f - 0.22, d / 2), y, (h - t, h), top, bevel=0.006)
-    hw = 0.88
-    inner = (back + 0.03, f - 0.03)
-    with b.solid("worktop"):
-        b.box((back, f - 0.03), (y[0] + 0.02, y[1] - 0.02), (hw - 0.03, hw), "brushed steel", bevel=0.002)
-    for s, name in ((-1, "right"), (1, "left")):
-        with b.solid(name):
-            ys = (y[0] + 0.02, y[0] + 0.045) if s < 0 else (y[1] - 0.045, y[1] - 0.02)
-            b.box(inner, ys, (0.0, hw - 0.03), wood, bevel=0.001)
-            b.box((f - 0.2, f - 0.03), ys, (hw, h - t), wood, bevel=0.001)
-    for k, z in enumerate((0.12, 0.48)):
-        with b.solid(f"shelf {k}"):
-            b.box(inner, (y[0] + 0.045, y[1] - 0.045), (z - 0.022, z), wood, bevel=0.001)
-        up = (0.48 - 0.025 if k == 0 else hw - 0.035) - z
-        b.surface(
-            f"shelf-{k}", (inner[0] + 0.01, inner[1] - 0.01), (y[0] + 0.06, y[1] - 0.06), z, headroom=round(up, 3)
-        )
-    b.surface("worktop", (back + 0.01, f - 0.24), (y[0] + 0.06, y[1] - 0.06), hw)
-    b.surface("top", (f - 0.21, d / 2 - 0.01), (y[0] + 0.01, y[1] - 0.01), h)
-    b.fit()
+            for batten in between.columns(round(box.width / 0.07), gap=0.038):
+                d.box(batten.inset(front=-0.006), wood, 0.0)
+        x, y, z = panel.x[1] + 0.1, case.y[1] - 0.04, 0.2
+        d.bar((x, -y, z), (x, y, z), 0.022, metal, 12)
+        with d.mirror("y"):
+            d.ball(Box.around((x, y, z), 0.06, 0.06, 0.06), metal, 12)
+        with d.along((panel.x[1], 0.08 - y, z), (panel.x[1], y - 0.08, z), max(2, round(box.width / 0.8)) + 1):
+            d.sweep([(0.0, 0.0, -0.04), (0.05, 0.0, -0.05), (0.1, 0.0, -0.015)], 0.011, metal, 8)
+    with d.part("top"):
+        d.box(top.front(0.38), look, 0.006)
+    with d.part("worktop"):
+        counter = d.box(case.inset(front=0.03).to(z=(work - 0.03, work)), "brushed steel", 0.002)
+    room = case.inset(front=0.03, back=0.03).to(z=(0.0, work - 0.03))
+    for name, side in (("right", room.right(0.025)), ("left", room.left(0.025))):
+        with d.part(name):
+            d.box(side, wood, 0.001)
+            d.box(side.front(0.17).to(z=(work, top.z[0])), wood, 0.001)
+    for k, (z, end) in enumerate(((0.12, 0.455), (0.48, work - 0.035))):
+        with d.part(f"shelf {k}"):
+            shelf = d.box(room.inset(y=0.025).to(z=(z - 0.022, z)), wood, 0.001)
+        d.surface(f"shelf-{k}", shelf, round(end - z, 3), inset=0.012)
+    d.surface("worktop", counter.inset(back=0.01, front=0.21, y=0.04))
+    d.surface("top", top.front(0.37), inset=0.01)
+    d.fit()
 
 
 _CAKES = ("cake sponge", "chocolate", "pink icing", "icing", "bread crust", "lemon peel")
 
 
-def _pastry(b: Builder, x: float, y: float, z: float, k: int) -> None:
-    """A cake on a plate, or a tray of rolls: one part each."""
-    r = 0.095
-    look = _CAKES[k % 6]
-    with b.frame(x, y, z):
-        if k % 3 == 0:
-            b.frustum(r + 0.015, r + 0.02, (0.0, 0.008), "white ceramic", segments=20)
-            b.frustum(r, r * 0.97, (0.008, 0.06), look, segments=20)
-            b.frustum(r * 0.97, r * 0.9, (0.06, 0.072), _CAKES[(k + 2) % 6], segments=20)
-            b.ball((0.014, 0.014, 0.014), (0.0, 0.0, 0.083), "red apple", 8)
-        else:
-            b.box((-0.12, 0.12), (-0.1, 0.1), (0.0, 0.01), "white ceramic" if k % 2 else "beech", bevel=0.002)
-            for i in range(3):
-                for j in range(2):
-                    px, py = (i - 1) * 0.075, (j - 0.5) * 0.085
-                    if k % 3 == 1:
-                        b.ball((0.034, 0.04, 0.026), (px, py, 0.033), "bread crust", 10)
-                    else:
-                        b.frustum(0.023, 0.032, (0.01, 0.045), look, segments=10)
-                        b.frustum(0.034, 0.014, (0.045, 0.065), _CAKES[(k + i + j) % 6], segments=10)
-
-
-@draws("display_case")
-def display_case(b: Builder) -> None:
-    """A glass front that leans or stands over a panelled base; cakes on two lit boards; a top for a till."""
-    d, w, h = b.size
-    body = b.material("base", "oak", "white paint", "black paint", "walnut", "sage paint", "grey paint", "navy paint")
-    metal = b.material("frame", "brushed steel", "black steel", "brass")
-    low = 0.46
-    x, y = (-d / 2, d / 2 - 0.015), (-w / 2, w / 2)
-    lean = b.pick("lean", [0.0, 0.1, 0.16])
-    with b.solid("body"):
-        b.box((x[0] + 0.02, x[1] - 0.05), (y[0] + 0.03, y[1] - 0.03), (0.0, 0.09), "black plastic", bevel=0)
-        b.box(x, y, (0.08, low), body, bevel=0.002)
-        n = max(2, round(w / 0.4))
-        for k in range(n):
-            a, c = y[0] + 0.03 + k * (w - 0.06) / n, y[0] + 0.03 + (k + 1) * (w - 0.06) / n
-            b.box((x[1] - 0.001, x[1] + 0.008), (a + 0.02, c - 0.02), (0.13, low - 0.06), body, bevel=0.005)
-        b.box((x[0], x[1] + 0.015), y, (low, low + 0.03), metal, bevel=0.003)
-        xt = x[1] - lean
-        b.box((x[0], xt + 0.012), y, (h - 0.03, h), metal, bevel=0.003)
-        z0, z1 = low + 0.03, h - 0.03
-        b.hull(
-            [
-                (px + o, s * (w / 2 - 0.002), z)
-                for px, z in ((x[1], z0), (xt, z1))
-                for o in (-0.01, 0.0)
-                for s in (-1, 1)
-            ],
-            "glass",
+def _pastry(d: Drawing, number: int) -> None:
+    """A cake on a plate, or a tray of rolls or of small cakes, at the frame's origin."""
+    look = _CAKES[number % 6]
+    if number % 3 == 0:
+        levels = (
+            (0.23, 0.0, 0.008, "white ceramic"),
+            (0.19, 0.008, 0.06, look),
+            (0.184, 0.06, 0.072, _CAKES[(number + 2) % 6]),
         )
-        for s in (-1, 1):
-            b.hull(
-                [
-                    (px, s * (w / 2 - 0.003) + o, z)
-                    for px, z in ((x[0] + 0.02, z0), (x[0] + 0.02, z1), (x[1] - 0.011, z0), (xt - 0.011, z1))
-                    for o in (-0.003, 0.003)
-                ],
-                "glass",
-            )
-            b.box(
-                (x[0], x[0] + 0.02),
-                (s * (w / 2 - 0.012) - 0.012, s * (w / 2 - 0.012) + 0.012),
-                (z0, z1),
-                metal,
-                bevel=0,
-            )
-        for k, ys in enumerate(((y[0] + 0.024, 0.01), (-0.01, y[1] - 0.024))):
-            b.box((x[0] + 0.002 + 0.009 * k, x[0] + 0.008 + 0.009 * k), ys, (z0, z1), "glass", bevel=0)
-        zm = (z0 + z1) / 2 + 0.02
-        xm = x[1] - lean * (zm - z0) / (z1 - z0) - 0.07
-        b.box((x[0] + 0.025, xm), (y[0] + 0.01, y[1] - 0.01), (zm - 0.008, zm), "glass", bevel=0)
-        for z, xs in ((z1 - 0.014, xt - 0.03), (zm - 0.022, xm - 0.005)):
-            b.box((xs - 0.02, xs), (y[0] + 0.02, y[1] - 0.02), (z, z + 0.0135), "lamp glow", bevel=0)
-        n = int((w - 0.1) / 0.27)
-        for row, (z, xs) in enumerate(((z0, (x[0] + x[1]) / 2 + 0.04), (zm, (x[0] + xm) / 2))):
-            for k in range(n):
-                py = y[0] + 0.05 + (k + 0.5) * (w - 0.1) / n
-                _pastry(b, xs, py, z, k * 2 + row + b.whole("first", 0, 5))
-    b.surface("top", (x[0] + 0.02, xt - 0.01), (y[0] + 0.02, y[1] - 0.02), h)
-    b.fit()
-
-
-@draws("espresso_machine")
-def espresso_machine(b: Builder) -> None:
-    """Two or three groups with handles over a drip tray, steam wands, gauges, and cups on top."""
-    d, w, h = b.size
-    body = b.material("body", "brushed steel", "chrome", "red paint", "black paint", "white paint", "copper")
-    grip = b.material("handles", "black plastic", "walnut")
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    n = 2 if w < 0.8 else 3
-    rail = h - 0.03
-    top = rail - 0.045
-    with b.solid("machine"):
-        feet = [(px, py) for px in (x[0] + 0.06, x[1] - 0.1) for py in (y[0] + 0.06, y[1] - 0.06)]
-        for px, py in feet:
-            with b.frame(px, py):
-                b.frustum(0.022, 0.018, (0.0, 0.06), "chrome", segments=14)
-        b.box((x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), (0.055, 0.11), "brushed steel", bevel=0.004)
-        b.box((x[0] + 0.19, x[1] - 0.03), (y[0] + 0.035, y[1] - 0.035), (0.1095, 0.113), "black plastic", bevel=0)
-        for k in range(12):
-            a = y[0] + 0.05 + k * (w - 0.1) / 12
-            b.box((x[0] + 0.2, x[1] - 0.04), (a, a + 0.012), (0.112, 0.116), "chrome", bevel=0)
-        b.box((x[0] + 0.02, x[0] + 0.19), (y[0] + 0.03, y[1] - 0.03), (0.105, top - 0.05), body, bevel=0.004)
-        b.box((x[0], x[1] - 0.09), y, (top - 0.14, top), body, bevel=0.012)
-        for s in (-1, 1):
-            ys = (s * (w / 2 - 0.014) - 0.012, s * (w / 2 - 0.014) + 0.012)
-            b.hull(
-                [
-                    (px, py, z)
-                    for px, z in (
-                        (x[0] + 0.01, 0.06),
-                        (x[0] + 0.01, top - 0.05),
-                        (x[0] + 0.27, top - 0.05),
-                        (x[0] + 0.17, 0.06),
-                    )
-                    for py in ys
-                ],
-                body,
-            )
-        f = x[1] - 0.09
-        for k in range(n):
-            c = (k - (n - 1) / 2) * (w - 0.24) / max(1, n - 1) if n == 3 else (k - 0.5) * w * 0.42
-            gx = x[1] - 0.17
-            with b.frame(gx, c, 0.0):
-                b.frustum(0.036, 0.042, (top - 0.2, top - 0.135), "chrome", segments=18)
-                b.frustum(0.034, 0.034, (top - 0.228, top - 0.2), "chrome", segments=18)
-                b.box((-0.012, 0.012), (-0.018, 0.018), (top - 0.25, top - 0.226), "chrome", bevel=0.003)
-            b.bar((gx + 0.03, c, top - 0.213), (gx + 0.065, c, top - 0.216), 0.008, "chrome", 8)
-            b.bar((gx + 0.06, c, top - 0.215), (x[1], c, top - 0.235), 0.0145, grip, 10)
-            for j in range(4):
-                a = c - 0.036 + j * 0.024
-                b.box(
-                    (f - 0.01, f + 0.0025),
-                    (a - 0.008, a + 0.008),
-                    (top - 0.07, top - 0.052),
-                    "black plastic" if j else "lamp glow",
-                    bevel=0,
-                )
-        with b.frame(f - 0.002, 0.0 if n == 2 else (w - 0.24) / 4, top - 0.075, pitch=math.pi / 2):
-            b.frustum(0.026, 0.025, (0.0, 0.012), "chrome", segments=20)
-            b.frustum(0.021, 0.021, (0.01, 0.0125), "white plastic", segments=18)
-        for s in (-1, 1):
-            sy = s * (w / 2 - 0.045)
-            b.tube(
-                [
-                    (f - 0.01, sy, top - 0.11),
-                    (f + 0.03, sy, top - 0.12),
-                    (f + 0.045, sy - s * 0.01, top - 0.17),
-                    (f + 0.02, sy - s * 0.02, 0.15),
-                ],
-                0.006,
-                "chrome",
-                8,
-            )
-            knob_x = f - 0.002
-            with b.frame(knob_x, sy, top - 0.06, pitch=math.pi / 2):
-                b.frustum(0.02, 0.018, (0.0, 0.035), grip, segments=12, bevel=0.003)
-        r = 0.004
-        c0, c1 = (x[0] + 0.015, f - 0.015), (y[0] + 0.015, y[1] - 0.015)
-        for a, e in (
-            ((c0[0], c1[0]), (c0[1], c1[0])),
-            ((c0[1], c1[0]), (c0[1], c1[1])),
-            ((c0[1], c1[1]), (c0[0], c1[1])),
-            ((c0[0], c1[1]), (c0[0], c1[0])),
-        ):
-            b.bar((*a, rail), (*e, rail), r, "chrome", 6)
-            b.bar((*a, top - 0.01), (*a, rail), r, "chrome", 6)
-        k = 0
-        rows, cols = 3, int((w - 0.1) / 0.085)
-        for i in range(rows):
-            for j in range(cols):
-                k += 1
-                if k % 7 == 3:
-                    continue
-                with b.frame(c0[0] + 0.05 + i * 0.085, c1[0] + 0.055 + j * (w - 0.12) / cols, top):
-                    two = h - top > 0.07 and (i + j) % 3 == 0
-                    b.frustum(0.024, 0.036, (0.0, 0.05), "white ceramic", segments=12)
-                    if two:
-                        b.frustum(0.027, 0.036, (0.05, h - top), "white ceramic", segments=12)
-    b.fit()
-
-
-@draws("cash_register")
-def cash_register(b: Builder) -> None:
-    """A drawer under a body with keys or a touch screen, a printer and a display for the customer."""
-    d, w, h = b.size
-    body = b.material("body", "black plastic", "white plastic", "grey plastic")
-    x, y = (-d / 2, d / 2 - 0.012), (-w / 2, w / 2)
-    z = 0.1
-    with b.solid("register"):
-        b.box((x[0], x[1] - 0.02), y, (0.0, z), body, bevel=0.004)
-        with b.slide("drawer", limits=(0.0, 0.28)):
-            b.box((x[1] - 0.0195, x[1]), (y[0] + 0.006, y[1] - 0.006), (0.008, z - 0.008), body, bevel=0.003)
-            with b.frame(x[1] - 0.001, 0.0, 0.06, pitch=math.pi / 2):
-                b.frustum(0.013, 0.012, (0.0, 0.013), "chrome", segments=14)
-        touch = b.chance("touch", 0.55)
-        if touch:
-            with b.frame(-0.02, 0.0, z):
-                b.box((-0.1, 0.07), (-0.1, 0.1), (0.0, 0.02), body, bevel=0.005)
-                b.hull(
-                    [
-                        (px, py, pz)
-                        for px, pz in ((-0.08, 0.015), (-0.02, 0.015), (-0.06, 0.13), (-0.03, 0.13))
-                        for py in (-0.03, 0.03)
-                    ],
-                    body,
-                )
-            up = h - z
-            a = 0.42
-            with b.frame(0.0, 0.0, z + 0.035, pitch=-a):
-                long = (up - 0.035 - 0.02) / math.cos(a)
-                b.box((-0.03, 0.0), (-w * 0.42, w * 0.42), (0.0, long), body, bevel=0.006)
-                b.box((-0.002, 0.0015), (-w * 0.39, w * 0.39), (0.014, long - 0.014), "screen", bevel=0)
-                tints = (
-                    "blue plastic",
-                    "green plastic",
-                    "orange plastic",
-                    "yellow plastic",
-                    "grey plastic",
-                    "red plastic",
-                )
-                for i in range(3):
-                    for j in range(4):
-                        cy, cz = -w * 0.33 + j * w * 0.105, 0.035 + i * (long - 0.06) / 3
-                        b.box(
-                            (0.0, 0.002),
-                            (cy, cy + w * 0.09),
-                            (cz, cz + (long - 0.08) / 3),
-                            tints[(i * 4 + j) % 6],
-                            bevel=0,
-                        )
-                b.box((0.0, 0.002), (w * 0.12, w * 0.36), (0.035, long - 0.03), "white plastic", bevel=0)
+        for size, low, high, finish in levels:
+            d.cylinder(Box.sized(size, size, high - low, (0.0, 0.0, low)), finish, bevel=0.002, segments=20)
+        d.ball(Box.around((0.0, 0.0, 0.083), 0.028, 0.028, 0.028), "red apple", 8)
+        return
+    d.box(Box.sized(0.24, 0.2, 0.01), "white ceramic" if number % 2 else "beech", 0.002)
+    with d.grid(Box.sized(0.225, 0.17, 0.05, (0.0, 0.0, 0.01)), x=3, y=2):
+        if number % 3 == 1:
+            d.ball(Box.sized(0.068, 0.08, 0.05, (0.0, 0.0, -0.003)), "bread crust", 10)
         else:
-            b.hull(
+            d.cylinder(Box.sized(0.064, 0.064, 0.035), look, ends=(0.72, 1.0), segments=10)
+            d.cylinder(
+                Box.sized(0.068, 0.068, 0.02, (0.0, 0.0, 0.035)), _CAKES[(number + 1) % 6], ends=(1.0, 0.4), segments=10
+            )
+
+
+@draws("display_case", whole=True)
+def display_case(d: Drawing) -> None:
+    """A glass front that leans or stands over a panelled base; cakes on two lit boards; a top for a till."""
+    body = d.material("base", "oak, white paint, black paint, walnut, sage paint, grey paint, navy paint")
+    metal = d.material("frame", "brushed steel, black steel, brass")
+    box = d.bounds.inset(front=0.015)
+    lean = d.pick("lean", [0.0, 0.1, 0.16])
+    base, room = box.inset(bottom=0.08).to(z=(0.08, 0.46)), box.to(z=(0.49, box.z[1] - 0.03))
+    d.box(box.bottom(0.09).inset(back=0.02, front=0.05, y=0.03), "black plastic", 0.0)
+    d.box(base, body, 0.002)
+    for panel in (
+        base.front(-0.008)
+        .inset(back=-0.001, y=0.04, bottom=0.05, top=0.06)
+        .columns(max(2, round(box.width / 0.4)), 0.04)
+    ):
+        d.box(panel, body, 0.005)
+    d.box(base.top(-0.03).inset(front=-0.015), metal)
+    top = d.box(box.top(0.03).inset(front=lean - 0.012), metal)
+    (x, _), (y0, y1), (z0, z1) = room.x, room.y, room.z
+    low, high = room.x[1], room.x[1] - lean
+    d.hull(
+        [(px + o, y, z) for px, z in ((low, z0), (high, z1)) for o in (-0.01, 0.0) for y in (y0 + 0.002, y1 - 0.002)],
+        "glass",
+    )
+    ends = ((x + 0.02, z0), (x + 0.02, z1), (low - 0.011, z0), (high - 0.011, z1))
+    with d.mirror("y"):
+        d.hull([(px, y1 - 0.003 + o, z) for px, z in ends for o in (-0.003, 0.003)], "glass")
+        d.box(room.back(0.02).left(0.024), metal, 0.0)
+    for k, slider in enumerate(room.inset(y=0.012).columns(2, gap=-0.02)):
+        d.box(slider.back(0.006).move(x=0.002 + 0.009 * k), "glass", 0.0)
+    middle = room.center[2] + 0.02
+    reach = low - lean * (middle - z0) / room.height - 0.07
+    d.box(Box((x + 0.025, reach), (y0 + 0.01, y1 - 0.01), (middle - 0.008, middle)), "glass", 0.0)
+    for px, z in ((high - 0.03, z1 - 0.014), (reach - 0.005, middle - 0.022)):
+        d.box(Box((px - 0.02, px), (y0 + 0.02, y1 - 0.02), (z, z + 0.0135)), "lamp glow", 0.0)
+    first = d.integer("first", 0, 5)
+    for row, (z, px) in enumerate(((z0, room.center[0] + 0.04), (middle, (x + reach) / 2))):
+        for k, cell in enumerate(room.inset(y=0.05).columns(int((box.width - 0.1) / 0.27))):
+            with d.at(px, cell.center[1], z):
+                _pastry(d, 2 * k + row + first)
+    d.surface("top", top.inset(back=0.02, front=0.022, y=0.02))
+
+
+@draws("espresso_machine", whole=True)
+def espresso_machine(d: Drawing) -> None:
+    """Two or three groups with handles over a drip tray, steam wands, gauges, and cups on top."""
+    body = d.material("body", "brushed steel, chrome, red paint, black paint, white paint, copper")
+    grip = d.material("handles", "black plastic, walnut")
+    box = d.bounds
+    rail = box.z[1] - 0.03
+    top = rail - 0.045
+    with d.corners(box, inset=0.07):
+        d.cylinder(Box.sized(0.044, 0.044, 0.06), "chrome", ends=(1.0, 0.8), segments=14)
+    base = d.box(box.inset(x=0.02, y=0.02).to(z=(0.055, 0.11)), "brushed steel")
+    tray = d.print(base.top(0.0).inset(back=0.17, front=0.01, y=0.015), "black plastic")
+    for slat in tray.inset(x=0.01, y=0.01).columns(12, gap=0.04 * box.width):
+        d.box(slat.top(-0.006).inset(bottom=-0.002), "chrome", 0.0)
+    d.box(base.back(0.17).inset(y=0.01).to(z=(0.105, top - 0.05)), body)
+    head = d.box(box.inset(front=0.09).to(z=(top - 0.14, top)), body, 0.012)
+    back, face = box.x[0], head.front(0.0)
+    outline = ((back + 0.01, 0.06), (back + 0.01, top - 0.05), (back + 0.27, top - 0.05), (back + 0.17, 0.06))
+    with d.mirror("y"):
+        cheek = box.left(0.024).move(y=-0.002)
+        d.hull([(x, y, z) for x, z in outline for y in cheek.y], body)
+        x, y = face.x[1], box.y[1] - 0.045
+        wand = [
+            (x - 0.01, y, top - 0.11),
+            (x + 0.03, y, top - 0.12),
+            (x + 0.045, y - 0.01, top - 0.17),
+            (x + 0.02, y - 0.02, 0.15),
+        ]
+        d.sweep(wand, 0.006, "chrome", 8)
+        knob(d, Box.around((x, y, top - 0.06), 0.0, 0.0, 0.0), grip, 0.02, 0.035)
+    count = 2 if box.width < 0.8 else 3
+    groups = box.inset(y=0.12 if count == 3 else 0.08).columns(count)
+    for cell in groups:
+        x, y = box.x[1] - 0.17, cell.center[1]
+        for size, low, high in ((0.084, 0.2, 0.135), (0.068, 0.228, 0.2), (0.03, 0.25, 0.226)):
+            d.cylinder(Box.sized(size, size, low - high, (x, y, top - low)), "chrome", segments=18)
+        d.bar((x + 0.03, y, top - 0.213), (x + 0.065, y, top - 0.216), 0.008, "chrome", 8)
+        d.bar((x + 0.06, y, top - 0.215), (box.x[1], y, top - 0.235), 0.0145, grip, 10)
+        for k, key in enumerate(Box.around((face.x[1], y, top - 0.061), 0.0, 0.088, 0.018).columns(4, gap=0.008)):
+            d.box(key.front(-0.0025).inset(back=-0.004), "black plastic" if k else "lamp glow", 0.0)
+    gauge = Box.around(
+        (face.x[1], 0.0 if count == 2 else (groups[1].center[1] + groups[2].center[1]) / 2, top - 0.075), 0.0, 0.0, 0.0
+    )
+    button(d, gauge, "chrome", 0.026, 0.012)
+    button(d, gauge.move(x=0.012), "white plastic", 0.021, 0.0004)
+    fence = head.inset(x=0.015, y=0.015)
+    (x0, x1), (y0, y1) = fence.x, fence.y
+    for start, end in (((x0, y0), (x1, y0)), ((x1, y0), (x1, y1)), ((x1, y1), (x0, y1)), ((x0, y1), (x0, y0))):
+        d.bar((*start, rail), (*end, rail), 0.004, "chrome", 6)
+        d.bar((*start, top - 0.01), (*start, rail), 0.004, "chrome", 6)
+    columns = int((box.width - 0.1) / 0.085)
+    cups = [c for row in fence.inset(x=0.005, y=0.01).split("x", 3) for c in row.columns(columns)]
+    for k, cell in enumerate(cups, start=1):
+        if k % 7 != 3:
+            x, y, _ = cell.center
+            stacked = box.z[1] - top > 0.07 and (k + k // columns) % 3 == 0
+            for low, high in ((0.0, 0.05), (0.05, box.z[1] - top))[: 1 + stacked]:
+                d.cylinder(
+                    Box.sized(0.072, 0.072, high - low, (x, y, top + low)),
+                    "white ceramic",
+                    ends=(0.68, 1.0),
+                    segments=12,
+                )
+
+
+@draws("cash_register", whole=True)
+def cash_register(d: Drawing) -> None:
+    """A drawer under a body with a touch screen, or with keys, a printer and a display for the customer."""
+    body = d.material("body", "black plastic, white plastic, grey plastic")
+    box = d.bounds.inset(front=0.025)
+    z, w = 0.1, box.width
+    till = box.bottom(z)
+    case = till.inset(front=0.02)
+    for board in (case.top(0.008), case.bottom(0.006), case.left(0.006), case.right(0.006), case.back(0.01)):
+        d.box(board, body)
+    drawer(d, "drawer", till.inset(y=0.004, bottom=0.006, top=0.006), body, "chrome", "knob", 0.28, "grey plastic")
+    if d.chance("touch", 0.55):
+        with d.at(-0.02, 0.0, z):
+            d.box(Box((-0.1, 0.07), (-0.1, 0.1), (0.0, 0.02)), body, 0.005)
+            d.hull(
                 [
-                    (px, py, pz)
-                    for px, pz in (
-                        (x[0] + 0.01, z),
-                        (x[1] - 0.02, z),
-                        (x[1] - 0.02, z + 0.03),
-                        (x[0] + 0.12, z + 0.13),
-                        (x[0] + 0.01, z + 0.13),
-                    )
-                    for py in (y[0] + 0.01, y[1] - 0.01)
+                    (x, y, h)
+                    for x, h in ((-0.08, 0.015), (-0.02, 0.015), (-0.06, 0.13), (-0.03, 0.13))
+                    for y in (-0.03, 0.03)
                 ],
                 body,
             )
-            run = x[1] - 0.02 - x[0] - 0.12
-            tilt = math.atan2(0.1, run)
-            with b.frame(x[1] - 0.02, 0.0, z + 0.03, pitch=tilt):
-                size = math.hypot(run, 0.1)
-                for i in range(5):
-                    for j in range(7):
-                        look = "red plastic" if j == 6 and i == 0 else "grey plastic" if j < 4 else "white plastic"
-                        cx, cy = -0.03 - i * (size - 0.03) / 5, y[0] + 0.05 + j * (w - 0.1) / 6.4
-                        b.box((cx - 0.018, cx), (cy - 0.016, cy + 0.016), (-0.004, 0.008), look, bevel=0)
-            b.box((x[0] + 0.015, x[0] + 0.1), (y[0] + 0.03, y[0] + 0.13), (z + 0.125, z + 0.17), body, bevel=0.006)
-            b.box((x[0] + 0.045, x[0] + 0.048), (y[0] + 0.05, y[0] + 0.11), (z + 0.165, z + 0.215), "paper", bevel=0)
-            b.bar((x[0] + 0.05, 0.08, z + 0.12), (x[0] + 0.05, 0.08, h - 0.05), 0.012, body, 10)
-            b.box((x[0] + 0.02, x[0] + 0.06), (-0.03, 0.15), (h - 0.075, h), body, bevel=0.006)
-            b.box((x[0] + 0.058, x[0] + 0.0615), (-0.015, 0.135), (h - 0.062, h - 0.012), "screen", bevel=0)
-    b.fit()
+        lean = 0.42
+        with d.at(0.0, 0.0, z + 0.035, pitch=-lean):
+            long = (box.height - z - 0.055) / math.cos(lean)
+            face = d.box(Box((-0.03, 0.0), (-0.42 * w, 0.42 * w), (0.0, long)), body, 0.006).front(0.0)
+            shown = d.print(face.inset(y=0.03 * w, z=0.014), "screen")
+            tones = ("blue", "green", "orange", "yellow", "grey", "red")
+            for i, row in enumerate(shown.share(y=(0.05, 0.6)).inset(z=0.02).rows(3, gap=0.01)):
+                for j, key in enumerate(row.columns(4, gap=0.01)):
+                    d.print(key, f"{tones[(4 * i + j) % 6]} plastic", 0.00045)
+            d.print(shown.share(y=(0.65, 0.95)).inset(z=0.02), "white plastic", 0.00045)
+        return
+    back, front = box.x[0], box.x[1] - 0.02
+    outline = ((back + 0.01, z), (front, z), (front, z + 0.03), (back + 0.12, z + 0.13), (back + 0.01, z + 0.13))
+    d.hull([(x, y, h) for x, h in outline for y in till.inset(y=0.01).y], body)
+    run = front - back - 0.12
+    with d.at(front, 0.0, z + 0.03, pitch=math.atan2(0.1, run)):
+        keys = Box((-math.hypot(run, 0.1) + 0.02, -0.02), (0.04 - w / 2, w / 2 - 0.04), (-0.004, 0.008))
+        for i, row in enumerate(keys.split("x", 5, gap=0.008)):
+            for j, key in enumerate(row.columns(7, gap=0.008)):
+                tone = "red" if (i, j) == (4, 6) else "grey" if j < 4 else "white"
+                d.box(key, f"{tone} plastic", 0.0)
+    printer = d.box(Box((back + 0.015, back + 0.1), (0.03 - w / 2, 0.13 - w / 2), (z + 0.125, z + 0.17)), body, 0.006)
+    d.box(printer.inset(y=0.02).place(depth=0.003).top(-0.045).inset(bottom=-0.005), "paper", 0.0)
+    d.bar((back + 0.05, 0.08, z + 0.12), (back + 0.05, 0.08, box.z[1] - 0.05), 0.012, body)
+    pole = d.box(Box((back + 0.02, back + 0.06), (-0.03, 0.15), (box.z[1] - 0.075, box.z[1])), body, 0.006)
+    d.print(pole.front(0.0).inset(y=0.015, z=0.012), "screen")
 
 
 @draws("host_stand")
-def host_stand(b: Builder) -> None:
+def host_stand(d: Drawing) -> None:
     """A panelled stand with a sloped top and a ledge, open shelves on the host's side; guests come from +x."""
-    d, w, h = b.size
-    wood = b.material("body", *_WOODS, "black paint", "navy paint")
-    trim = b.material("trim", "brass", "black steel", "steel")
-    x, y = (-d / 2 + 0.03, d / 2 - 0.03), (-w / 2 + 0.025, w / 2 - 0.025)
-    low = h - 0.13
-    t = 0.022
-    with b.solid("foot"):
-        b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.06), wood, bevel=0.006)
-    with b.solid("front"):
-        b.box((x[1] - t, x[1]), y, (0.06, low), wood, bevel=0.001)
-        b.box((x[1] - 0.001, x[1] + 0.008), (y[0] + 0.06, y[1] - 0.06), (0.14, low - 0.08), wood, bevel=0.006)
-        b.box((x[1] + 0.006, x[1] + 0.01), (-0.07, 0.07), (low - 0.32, low - 0.18), trim, bevel=0.001)
-    for k, ys in enumerate(((y[0], y[0] + t), (y[1] - t, y[1]))):
-        with b.solid(f"side {k}"):
-            b.box((x[0], x[1] - t), ys, (0.06, low), wood, bevel=0.001)
-    with b.solid("shelf"):
-        zm = 0.52
-        b.box((x[0] + 0.01, x[1] - t), (y[0] + t, y[1] - t), (zm - t, zm), wood, bevel=0.001)
-    with b.solid("desk"):
-        b.box((x[0], x[1]), y, (low - t, low), wood, bevel=0.001)
-        # The slope rises toward the guests; a ledge keeps the book.
-        b.hull(
-            [
-                (px, py, z)
-                for px, z in ((-d / 2, low), (-d / 2, low + 0.03), (d / 2 - 0.06, h), (d / 2, h), (d / 2, low))
-                for py in (-w / 2, w / 2)
-            ],
-            wood,
+    wood = d.material("body", _WOODS + ", black paint, navy paint")
+    trim = d.material("trim", "brass, black steel, steel")
+    box, board, middle = d.bounds, 0.022, 0.52
+    low = box.z[1] - 0.13
+    case = box.inset(x=0.03, y=0.025).to(z=(0.06, low))
+    with d.part("foot"):
+        d.box(box.bottom(0.06), wood, 0.006)
+    with d.part("front"):
+        panel = d.box(case.front(board), wood, 0.001)
+        field = d.box(panel.front(-0.008).inset(back=-0.001, y=0.06, bottom=0.08, top=0.08), wood, 0.006)
+        d.box(field.front(-0.003).inset(back=-0.002).place(width=0.14).top(0.24).inset(top=0.1), trim, 0.001)
+    room = case.inset(front=board)
+    for name, side in (("right", room.right(board)), ("left", room.left(board))):
+        with d.part(name):
+            d.box(side, wood, 0.001)
+    inner = room.inset(y=board)
+    with d.part("shelf"):
+        d.box(inner.inset(back=0.01).to(z=(middle - board, middle)), wood, 0.001)
+    with d.part("desk"):
+        d.box(case.top(board), wood, 0.001)
+        (x0, x1), high = box.x, box.z[1]
+        slope = ((x0, low), (x0, low + 0.03), (x1 - 0.06, high), (x1, high), (x1, low))
+        d.hull([(x, y, z) for x, z in slope for y in box.y], wood)
+        with d.at(x0, 0.0, low + 0.03, pitch=-math.atan2(high - low - 0.03, box.depth - 0.06)):
+            d.box(Box((0.006, 0.022), (box.y[0] + 0.03, box.y[1] - 0.03), (-0.004, 0.016)), trim, 0.002)
+            with d.mirror("y"):
+                page = d.box(Box((0.06, 0.3), (0.001, 0.17), (-0.001, 0.004)), "paper", 0.0).top(0.0)
+                for line in page.inset(x=0.03, y=0.02).split("x", 6, gap=0.028):
+                    d.print(line, "grey plastic")
+    for k, (z, end) in enumerate(((0.06, middle - board), (middle, low - board))):
+        d.surface(
+            f"shelf-{k}", inner.inset(back=0.02, front=0.01, y=0.01).to(z=(z - 0.01, z)), round(end - z - 0.005, 3)
         )
-        a = math.atan2(h - low - 0.03, d - 0.06)
-        with b.frame(-d / 2, 0.0, low + 0.03, pitch=-a):
-            b.box((0.006, 0.022), (-w / 2 + 0.03, w / 2 - 0.03), (-0.004, 0.016), trim, bevel=0.002)
-            b.box((0.06, 0.30), (-0.17, 0.17), (-0.001, 0.004), "paper", bevel=0)
-            b.box((0.06, 0.30), (-0.0015, 0.0015), (0.003, 0.0045), "grey plastic", bevel=0)
-            for s in (-1, 1):
-                for k in range(6):
-                    b.box(
-                        (0.09 + 0.033 * k, 0.094 + 0.033 * k),
-                        (s * 0.085 - 0.06, s * 0.085 + 0.06),
-                        (0.0035, 0.0044),
-                        "grey plastic",
-                        bevel=0,
-                    )
-    for k, (z, up) in enumerate(((0.06, zm - t), (zm, low - t))):
-        b.surface(
-            f"shelf-{k}",
-            (x[0] + 0.02, x[1] - t - 0.01),
-            (y[0] + t + 0.01, y[1] - t - 0.01),
-            z,
-            headroom=round(up - z - 0.005, 3),
-        )
-    b.fit()
+    d.fit()

@@ -174,8 +174,8 @@ def wastebasket(d: Drawing) -> None:
     foot = (1 - d.uniform("foot", 0.7, 0.9)) * r
     outer = [(foot, 0.0), (0.05 * r, top - 0.012), (0.0, top - 0.01), (0.0, top)]
     inner = [(0.05 * r, top), (foot + 0.006, 0.008)]
-    rings = [[oval(box.inset(x=e, y=e), z) for e, z in side] for side in (outer, inner)]
-    vessel(d, *rings, look, 16)
+    shell, inside = ([oval(box.inset(x=e, y=e), z) for e, z in side] for side in (outer, inner))
+    vessel(d, shell, inside, look, 16)
     q = 0.27 * r
     heap = Box.sized(1.84 * r, 1.84 * r, top - 2 * q - 0.01, (0.0, 0.0, 0.01))
     fill = d.cylinder(heap, "paper", ends=((r - foot) / r, 0.98), segments=20)
