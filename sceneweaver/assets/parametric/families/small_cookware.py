@@ -93,34 +93,21 @@ def kettle(d: Drawing) -> None:
         d.turned(box, body, look, 28)
         cover = [(0.69, 0.86), (0.62, 0.885), (0.36, 0.92), (0.16, 0.925), (0.16, 0.95), (0.14, 0.985), (0.06, 1.0)]
         d.turned(box, cover, dark, 28)
+        tip = y + r + 0.32 * more
         spout = [(s * 0.26 * r, y + 0.5 * r, z * h) for s in (-1, 1) for z in (0.6, 0.86)]
-        d.hull(
-            [*spout, *((s * 0.07 * r, y + r + 0.32 * more, 0.855 * h) for s in (-1, 1)), (0, y + 0.8 * r, 0.7 * h)],
-            look,
-        )
+        spout += [(s * 0.07 * r, tip, 0.855 * h) for s in (-1, 1)]
+        d.hull([*spout, (0, y + 0.8 * r, 0.7 * h)], look)
         out = y - r - 0.3 * more
-        path = [
-            (0, y - 0.55 * r, 0.89 * h),
-            (0, y - r, 0.9 * h),
-            (0, out, 0.83 * h),
-            (0, out, 0.36 * h),
-            (0, y - 0.86 * r, 0.22 * h),
-        ]
-        d.sweep(path, shapes.rectangle((-0.011, 0.011), (-0.007, 0.007), 0.0, 0.003, 1)[:, :2], dark)
+        path = [(y - 0.55 * r, 0.89), (y - r, 0.9), (out, 0.83), (out, 0.36), (y - 0.86 * r, 0.22)]
+        section = shapes.rectangle((-0.011, 0.011), (-0.007, 0.007), 0.0, 0.003, 1)[:, :2]
+        d.sweep([(0, along, z * h) for along, z in path], section, dark)
         return
     body = [(0.9, 0.0), (1.0, 0.03), (0.98, 0.16), (0.9, 0.32), (0.72, 0.45), (0.42, 0.57)]
     d.turned(box, body, look, 28)
     d.turned(box, [(0.46, 0.57), (0.44, 0.59), (0.1, 0.62)], look)
     d.turned(box, [(0.06, 0.61), (0.15, 0.64), (0.15, 0.67), (0.06, 0.7)], dark, 14)
-    end = (0, y + r + 0.6 * more, 0.52 * h)
-    d.hull(
-        [(0.19 * r * math.cos(a), y + 0.8 * r, (0.24 * h) + 0.19 * r * math.sin(a)) for a in np.arange(8) * math.pi / 4]
-        + [
-            (0.1 * r * math.cos(a), end[1] + 0.08 * r * math.sin(a), end[2] - 0.06 * r * math.sin(a))
-            for a in np.arange(8) * math.pi / 4
-        ],
-        look,
-    )
+    low, high = shapes.ellipse(0.19 * r, 0.19 * r, 0.24 * h, 10), shapes.ellipse(0.09 * r, 0.09 * r, 0.52 * h, 10)
+    d.loft([low + (0, y + 0.84 * r, 0), high + (0, y + r + 0.6 * more, 0)], look, convex=True)
     bow = [(y + 0.82 * r * math.cos(t), 0.36 * h + 0.61 * h * math.sin(t)) for t in np.linspace(0, math.pi, 13)]
     d.sweep([(0, *p) for p in bow], 0.006, "steel", 8)
     d.sweep([(0, *p) for p in bow[4:9]], 0.012, dark, 10)
@@ -171,9 +158,8 @@ def filter_machine(d: Drawing, look: Look, dark: Look) -> None:
     filling(d, pot, glass, 0.02, 0.5, "coffee")
     d.turned(pot, [(0.66, 0.84), (0.66, 0.9), (0.56, 1.0)], dark)
     x, _, z = pot.anchor("bottom")
-    d.arch(
-        (x + 0.6 * r, 0, z + 0.92 * pot.height), (x + 0.92 * r, 0, z + 0.3 * pot.height), (0.55 * r, 0, 0), 0.007, dark
-    )
+    ends = ((x + 0.6 * r, 0, z + 0.92 * pot.height), (x + 0.92 * r, 0, z + 0.3 * pot.height))
+    d.arch(*ends, (0.55 * r, 0, 0), 0.007, dark)
     d.print(head.front(0.0).share(y=(0.36, 0.64), z=(0.4, 0.7)), "screen")
 
 
@@ -197,7 +183,8 @@ def espresso_machine(d: Drawing, look: Look, dark: Look) -> None:
     for face in (left, right):
         knob(d, face, "chrome", 0.016, 0.018)
     knob(d, middle, "chrome", 0.02, 0.005)
-    d.print(Box.around((head.x[1] + 0.005, 0.0, middle.center[2]), 0.0, 0.022, 0.022), "paper")
+    with d.no_colliders():
+        d.cylinder(Box.around((head.x[1] + 0.005, 0.0, middle.center[2]), 0.0006, 0.026, 0.026), "paper", "x")
 
 
 @draws("blender", whole=True, even="round")
@@ -234,7 +221,8 @@ def stand_mixer(d: Drawing) -> None:
         rows = ((0.45, 0.0), (0.75, 0.04), (0.95, 0.15), (1.0, 0.4), (0.93, 0.75), (0.75, 0.92), (0.5, 1.0))
         d.sections(head, [(s, s, z) for s, z in rows], look, convex=True)
     hub = middle - 0.19 * h
-    bowl = box.to(z=(0.035, 0.5 * h)).place(*2 * (min(0.92 * depth, 0.6 * width),)).move(y=-0.17 * width)
+    across = min(0.92 * depth, 0.6 * width)
+    bowl = box.to(z=(0.035, 0.5 * h)).place(across, across).move(y=-0.17 * width)
     open_vessel(d, bowl, [(0.5, 0.0), (0.5, 0.03), (0.8, 0.25), (1.0, 0.75), (1.0, 1.0)], "steel", floor=0.06)
     x, y, _ = bowl.center
     d.cylinder(Box.sized(0.08, 0.08, 0.05, (x, y, hub - 0.03)), "chrome", ends=(0.8, 1.0), segments=16)
@@ -336,11 +324,8 @@ def utensil_holder(d: Drawing) -> None:
                         loop = np.c_[0 * t, 0.028 * np.cos(t) * np.sin(t) ** 0.5, (head - 0.004) * np.sin(t)]
                         d.sweep(loop, 0.0014, look, 5)
             else:
-                d.ball(
-                    Box.sized(0.036 if kind == "ladle" else 0.014, 0.046, 0.86 * head, (0, 0, long - 0.88 * head)),
-                    look,
-                    12,
-                )
+                deep = 0.036 if kind == "ladle" else 0.014
+                d.ball(Box.sized(deep, 0.046, 0.86 * head, (0, 0, long - 0.88 * head)), look, 12)
 
 
 @draws("colander", whole=True)
@@ -371,20 +356,14 @@ def baking_tray(d: Drawing) -> None:
     levels = ((0.014, 0.0), (0.003, rim - 0.002), (0.0, rim), (0.004, rim), (0.016, 0.002))
     d.loft([shapes.rectangle(box.inset(x=e).x, box.inset(y=e).y, z, 0.02, 3) for e, z in levels], look, hollow=2)
     bun = d.chance("buns", 0.5)
-    for k, cell in enumerate(
-        c for row in box.inset(x=0.06 * box.depth, y=0.06 * box.width).split("x", 3) for c in row.columns(4)
-    ):
+    cells = [cell for row in box.inset(x=0.06 * box.depth, y=0.06 * box.width).split("x", 3) for cell in row.columns(4)]
+    for k, cell in enumerate(cells):
         own = cell.place(0.07, 0.07).inset(bottom=0.002)
         if bun:
             d.turned(own, [(0.85, 0.0), (1.0, 0.3), (0.9, 0.7), (0.6, 0.93), (0.3, 1.0)], "bread crust", 14)
         else:
-            d.cylinder(
-                own.inset(x=0.005, y=0.005),
-                "cake sponge" if k % 3 else "chocolate",
-                ends=(1.0, 0.87),
-                bevel=0.003,
-                segments=14,
-            )
+            biscuit = "cake sponge" if k % 3 else "chocolate"
+            d.cylinder(own.inset(x=0.005, y=0.005), biscuit, ends=(1.0, 0.87), bevel=0.003, segments=14)
 
 
 @draws("rice_cooker", whole=True, even="round")
@@ -437,9 +416,8 @@ def paper_towel_roll(d: Drawing) -> None:
     d.cylinder(roll.top(-0.002).place(0.33 * roll.depth, 0.33 * roll.width), "cardboard", segments=16)
     d.box(roll.inset(z=0.002, front=-0.001).front(0.05).share(y=(0.3, 0.72)), "paper", bevel=0.001)
     x, y, z = roll.anchor("top")
-    d.turned(
-        Box.sized(0.028, 0.028, box.z[1] - z, (x, y, z)), [(0.45, 0.0), (0.45, 0.4), (1.0, 0.65), (0.5, 1.0)], look, 14
-    )
+    finial = Box.sized(0.028, 0.028, box.z[1] - z, (x, y, z))
+    d.turned(finial, [(0.45, 0.0), (0.45, 0.4), (1.0, 0.65), (0.5, 1.0)], look, 14)
 
 
 @draws("dish_rack", whole=True)
@@ -502,17 +480,13 @@ def electric_grill(d: Drawing) -> None:
     d.sections(box.share(z=(0.5, 0.88)), rows, look, radius=0.12, convex=True)
     x, top = d.bounds.x[1] - 0.013, d.bounds.z[1] - 0.013
     with d.mirror("y"):
-        d.bar(
-            (box.x[1] - 0.06, 0.3 * box.width, 0.8 * box.height), (x, 0.3 * box.width, top), 0.009, "black plastic", 8
-        )
+        joint = (box.x[1] - 0.06, 0.3 * box.width, 0.8 * box.height)
+        d.bar(joint, (x, 0.3 * box.width, top), 0.009, "black plastic", 8)
     d.bar((x, -0.36 * box.width, top), (x, 0.36 * box.width, top), 0.013, "black plastic", 12)
     badge = d.print(low.front(0.0).place(width=0.06, height=0.4 * low.height), "grey plastic")
-    for light, look in zip(
-        badge.share((0, 1), (0.15, 0.85), (0.3, 0.7)).columns(2, gap=0.014),
-        ("red plastic", "green plastic"),
-        strict=True,
-    ):
-        d.print(light, look)
+    lights = badge.share((0, 1), (0.15, 0.85), (0.3, 0.7)).columns(2, gap=0.014)
+    d.print(lights[0], "red plastic", 0.0004)
+    d.print(lights[1], "green plastic", 0.0004)
 
 
 @draws("mixing_bowl", whole=True, even="round")
@@ -522,8 +496,7 @@ def mixing_bowl(d: Drawing) -> None:
     look = d.material("body", "steel, white ceramic, mint plastic, cream ceramic, glass, red plastic")
     dough = d.pick("dough", ["cake sponge", "icing", "chocolate"])
     bowl = box.share(z=(0.0, 0.82))
-    open_vessel(
-        d, bowl, [(0.5, 0.0), (0.55, 0.04), (0.82, 0.3), (0.96, 0.7), (1.0, 1.0)], look, 0.004, 0.08, dough, 0.5
-    )
+    shape = [(0.5, 0.0), (0.55, 0.04), (0.82, 0.3), (0.96, 0.7), (1.0, 1.0)]
+    open_vessel(d, bowl, shape, look, 0.004, 0.08, dough, 0.5)
     r, h = box.width / 2, box.height
     d.bar((-0.2 * r, 0.1 * r, 0.35 * h), (0.0, 0.88 * r, h - 0.008), 0.006, "beech", 8)
