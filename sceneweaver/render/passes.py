@@ -16,15 +16,14 @@ from sceneweaver.assets import Asset
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.messages import suggest
 
-from .caster import Instance, Quality
+from .caster import Quality
 from .eye_camera import eye_cameras
 from .first_hits import Triangles
-from .interior import Element, build_interior
+from .interior import Element
 from .intrinsics import Shot
 from .mesh_shading import prepared
 from .room_bodies import instances_of
-from .room_finish import finishes_of
-from .room_inside import draw_inside
+from .room_inside import Inside
 from .semantics import UNLABELLED, class_named, class_names, class_of
 
 PASSES = ("rgb", "depth", "normal", "position", "instance", "semantic", "material")
@@ -100,13 +99,12 @@ class PassRenderer:
             InputError: an asset cannot be loaded, two cameras have one name, or one has no perspective.
         """
         _check(shots)
-        self.scene, self.shots, self.quality, self.device = scene, tuple(shots), quality, device
-        self._things = instances_of(scene, load)
-        self._room = build_interior(scene, finishes_of(scene), [shot.camera for shot in shots])
-        solids = [*self._things, *(Instance(part.mesh, np.eye(4)) for part in self._room)]
+        self.shots, self.quality = tuple(shots), quality
+        self._inside = Inside(scene, instances_of(scene, load), [shot.camera for shot in shots], device)
+        solids = self._inside.instances
         names = sorted({material.name for one in solids for material in one.mesh.materials})
         numbers = {name: k + 1 for k, name in enumerate(names)}
-        self.labels = _labels(scene, self._room, names)
+        self.labels = _labels(scene, self._inside.parts, names)
         points, faces, normals, instance, material = [], [], [], [], []
         start = 0
         for number, one in enumerate(solids, 1):
@@ -142,7 +140,7 @@ class PassRenderer:
             for shot, face, distance, bary in zip(batch, hits.face, hits.distance, hits.bary, strict=True):
                 arrays = self._arrays(shot, face, distance, bary, wanted)
                 if "rgb" in wanted:
-                    arrays["rgb"] = self._colours(shot)
+                    arrays["rgb"] = self._inside.draw(shot.camera, width, height, self.quality)
                 yield Frame(shot, {name: arrays[name] for name in sum(ARRAYS.values(), ()) if name in wanted})
 
     def _arrays(
@@ -174,10 +172,6 @@ class PassRenderer:
         smooth = smooth / np.maximum(np.linalg.norm(smooth, axis=-1, keepdims=True), 1e-18)
         flat, smooth = np.where(away, -flat, flat), np.where(away, -smooth, smooth)
         return np.where((smooth * way).sum(axis=-1, keepdims=True) < 0, smooth, flat)
-
-    def _colours(self, shot: Shot) -> np.ndarray:
-        size = shot.width, shot.height
-        return draw_inside(self._things, self._room, shot.camera, *size, self.quality, self.device)
 
 
 def auto_shots(scene: Scene, width: int, height: int) -> list[Shot]:

@@ -1,4 +1,4 @@
-"""Pictures from inside a room: the light is cast on its objects and on the room around them."""
+"""Pictures from inside a room, with the light of the real world on its objects and on the room around them."""
 
 from __future__ import annotations
 
@@ -6,31 +6,54 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from sceneweaver.scene import Scene
+
 from .camera import Camera
-from .caster import Instance, Quality, cast
-from .glow import glowing
-from .interior import Element
-from .room_light import inside_light
+from .caster import Instance, Quality
+from .interior import Element, build_interior
+from .room_finish import finishes_of
+from .tracing import TraceQuality, Tracer, interior_lights
+
+_DRAFT, _FINE = 3, 10  # rays a pixel up to which, and from which on, a quality of the ray caster is a draft or fine
 
 
-def draw_inside(
-    things: Sequence[Instance],
-    room: Sequence[Element],
-    camera: Camera,
-    width: int,
-    height: int,
-    quality: Quality | None = None,
-    device: str = "cpu",
-) -> np.ndarray:
-    """A picture, uint8 [height, width, 3], of objects and of the parts of their room."""
-    parts = [Instance(part.mesh, np.eye(4)) for part in room]
-    drawn = cast(
-        [*things, *parts],
-        camera,
-        width,
-        height,
-        lighting=inside_light(things),
-        quality=quality or Quality.normal(),
-        device=device,
-    )
-    return glowing(drawn, len(things))
+class Inside:
+    """A furnished room, ready for any number of cameras in it.
+
+    Attributes:
+        parts: The room around the furniture.
+        instances: What is drawn: the objects of the scene in their order, then ``parts``.
+    """
+
+    def __init__(
+        self, scene: Scene, things: Sequence[Instance], cameras: Sequence[Camera], device: str = "cpu"
+    ) -> None:
+        """Build the room; a door in which one of the cameras stands is open."""
+        self.parts: list[Element] = build_interior(scene, finishes_of(scene), cameras)
+        self.instances = [*things, *(Instance(part.mesh, np.eye(4)) for part in self.parts)]
+        self._scene, self._device = scene, device
+        self._tracer: Tracer | None = None
+
+    def draw(
+        self,
+        camera: Camera,
+        width: int,
+        height: int,
+        quality: Quality | None = None,
+        deadline: float | None = None,
+    ) -> np.ndarray:
+        """What a camera sees, uint8 [height, width, 3].
+
+        Raises:
+            TimeoutError: the ``deadline``, a time of ``time.monotonic``, has passed.
+        """
+        if self._tracer is None:  # most of the light is shared by all cameras
+            self._tracer = Tracer(self.instances, interior_lights(self._scene), self._device)
+        return self._tracer.picture(camera, width, height, _traced(quality), deadline).rgb
+
+
+def _traced(quality: Quality | None) -> TraceQuality:
+    """The like of a quality of the ray caster."""
+    if quality is None or _DRAFT < quality.rays < _FINE:
+        return TraceQuality.normal()
+    return TraceQuality.draft() if quality.rays <= _DRAFT else TraceQuality.fine()

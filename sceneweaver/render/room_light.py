@@ -47,13 +47,6 @@ def corner_light(room: Room, way: np.ndarray, cut: set[int], things: Sequence[In
     )
 
 
-def inside_light(things: Sequence[Instance]) -> Lighting:
-    """The light of a picture from inside: the bright sky of the windows, and lamps."""
-    sky, ground, background = (0.9, 0.93, 1.0), (0.50, 0.48, 0.45), (0.85, 0.92, 1.0)
-    lamps = lamps_of(things)
-    return Lighting(sky=sky, ground=ground, background=background, reach=2.2, bounce=0.7, exposure=1.0, lamps=lamps)
-
-
 def top_light(room: Room, things: Sequence[Instance]) -> Lighting:
     """The light of a picture from straight above: the sun stands high, so that walls throw short shadows."""
     return Lighting(

@@ -17,11 +17,10 @@ from .camera import Camera
 from .caster import Instance, Quality, cast
 from .eye_camera import EYE_VIEWS, eye_cameras
 from .glow import glowing
-from .interior import build_interior
 from .room_bodies import hidden_with, instances_of
 from .room_camera import corner_camera, corner_directions, cut_walls, opposite
 from .room_finish import finishes_of
-from .room_inside import draw_inside
+from .room_inside import Inside
 from .room_light import corner_light, top_light
 from .room_notes import annotated
 from .room_shell import build_shell
@@ -79,10 +78,11 @@ def draw_rooms(
     things = instances_of(scene, load)
     done: dict[str, Image.Image] = {}
     cameras = eye_cameras(scene, width / height) if set(views) & set(EYE_VIEWS) else {}
+    inside: Inside | None = None
     for view in views:
         if view in cameras:
-            room = build_interior(scene, finishes_of(scene), [cameras[view]])
-            done[view] = Image.fromarray(draw_inside(things, room, cameras[view], width, height, quality, device))
+            inside = inside or Inside(scene, things, list(cameras.values()), device)
+            done[view] = Image.fromarray(inside.draw(cameras[view], width, height, quality))
         elif view.startswith("corner"):
             done[view] = _corner(scene, things, view == "corner2", width, height, quality, device)
         else:
