@@ -1,459 +1,316 @@
-"""Racks, benches and weights."""
+"""Racks, benches, weight machines and weights."""
 
 from __future__ import annotations
 
 import math
 
-import numpy as np
+from ...drawing import Box, Drawing, Look, draws
+from ...drawing.components import beam
+from .gym_parts import FRAMES, barbell, disc, dumbbell, plate, plates
 
-from ..builder import Builder, span
-from .gym_cardio import dumbbell_at, plate
-from .gym_kit import Look, disc, gear, inlay, post, ring, side
-
-_FRAMES = ("black steel", "white steel", "red paint", "grey paint", "yellow paint")
+TUBE = 0.07
+"""Width of the square tubes of racks [m]."""
 
 
-@gear("weight_bench")
-def weight_bench(b: Builder) -> None:
+@draws("weight_bench", whole=True)
+def weight_bench(d: Drawing) -> None:
     """A padded bench, its back rest raised at the rear, on a steel frame."""
-    d, w, h = b.size
-    frame = b.material("frame", *_FRAMES)
-    pad = b.material("pad", "black leather", "brown leather", "white leather")
-    x0, x1 = -d / 2, d / 2
-    for x, wide in ((x0 + 0.12, w / 2), (x1 - 0.06, w * 0.4)):
-        post(b, (x, -wide, 0.03), (x, wide, 0.03), frame, 0.06)
-        for s in (-1, 1):
-            b.box((x - 0.035, x + 0.035), span(s * wide, s * (wide - 0.05)), (0, 0.065), "rubber", 0.004)
-    post(b, (x0 + 0.12, 0, 0.05), (x1 - 0.06, 0, 0.05), frame, 0.06)
-    post(b, (x1 - 0.06, 0, 0.03), (x1 - 0.2, 0, 0.4), frame, 0.06)
-    sx = x1 - d * 0.3
-    b.cushion((sx, x1), (-w * 0.32, w * 0.32), (0.4, 0.47), pad, 0.025)
-    hinge = (sx - 0.02, 0.42)
-    long, rise = sx - 0.02 - x0, h - 0.45
+    (depth, w, h), x0, x1 = d.size, -d.size.depth / 2, d.size.depth / 2
+    frame, pad = d.material("frame", FRAMES), d.material("pad", "black leather, brown leather, white leather")
+    for x, reach in ((x0 + 0.12, w / 2), (x1 - 0.06, 0.4 * w)):
+        beam(d, (x, -reach, 0.03), (x, reach, 0.03), frame, 0.06)
+        with d.mirror("y"):
+            d.box(Box.sized(0.07, 0.05, 0.065, (x, reach - 0.025, 0.0)), "rubber", 0.004)
+    hinge = x1 - 0.3 * depth - 0.02
+    long, rise = hinge - x0, h - 0.45
     angle = math.asin(min(0.98, rise / (long + 0.05))) if rise > 0.03 else 0.0
     length = long / max(0.35, math.cos(angle))
-    with b.frame(hinge[0], 0, hinge[1], pitch=angle):
-        b.cushion((-length, -0.01), (-w * 0.3, w * 0.3), (-0.02, 0.05), pad, 0.025)
-        b.box((-length * 0.8, 0), (-0.03, 0.03), (-0.06, -0.01), frame, 0.004)
-    mid = (hinge[0] - length * 0.5 * math.cos(angle), hinge[1] - 0.04 + length * 0.5 * math.sin(angle))
-    post(b, (x0 + 0.25, 0, 0.05), (mid[0], 0, mid[1]), "steel", 0.045)
-    post(b, (sx - 0.15, 0, 0.05), (sx + 0.02, 0, 0.4), frame, 0.06)
+    d.cushion(Box((hinge + 0.02, x1), (-0.32 * w, 0.32 * w), (0.4, 0.47)), pad, 0.025)
+    with d.at(hinge, z=0.42, pitch=angle):
+        d.cushion(Box((-length, -0.01), (-0.3 * w, 0.3 * w), (-0.02, 0.05)), pad, 0.025)
+        d.box(Box((-0.8 * length, 0.0), (-0.03, 0.03), (-0.06, -0.01)), frame)
+    middle = (hinge - 0.5 * length * math.cos(angle), 0.38 + 0.5 * length * math.sin(angle))
+    tubes = [
+        ((x0 + 0.12, 0.05), (x1 - 0.06, 0.05), 0.06, frame),
+        ((x1 - 0.06, 0.03), (x1 - 0.2, 0.4), 0.06, frame),
+        ((hinge - 0.13, 0.05), (hinge + 0.04, 0.4), 0.06, frame),
+        ((x0 + 0.25, 0.05), middle, 0.045, "steel"),
+    ]
+    for (a, low), (b, high), wide, look in tubes:
+        beam(d, (a, 0.0, low), (b, 0.0, high), look, wide)
 
 
-def _upright_pair(b: Builder, x: float, w: float, h: float, frame: Look) -> None:
-    for s in (-1, 1):
-        b.box((x - 0.035, x + 0.035), (s * (w / 2 - 0.035) - 0.035, s * (w / 2 - 0.035) + 0.035), (0, h), frame, 0.004)
-        for k in range(12):
-            z = 0.25 + k * (h - 0.5) / 11
-            for e in (-1, 1):
-                inlay(
-                    b,
-                    (x + e * 0.0345 - 0.0008, x + e * 0.0345 + 0.0008),
-                    (s * (w / 2 - 0.035) - 0.009, s * (w / 2 - 0.035) + 0.009),
-                    (z - 0.009, z + 0.009),
-                    "black plastic",
-                )
+def _uprights(d: Drawing, x: float, gauge: float, frame: Look) -> None:
+    """Two square posts with holes front and back, and a beam between their heads."""
+    h = d.size.height
+    with d.mirror("y"):
+        post = d.box(Box.sized(TUBE, TUBE, h, (x, gauge / 2 - TUBE / 2, 0.0)), frame, 0.004)
+        for face in (post.front(0.0), post.back(0.0)):
+            for cell in face.inset(z=0.25).rows(12):
+                d.print(cell.place(width=0.02, height=0.02), "black plastic", oval=True)
+    d.box(Box.around((x, 0.0, h - 0.05), 0.06, gauge, 0.06), frame, 0.004)
 
 
-def _barbell(b: Builder, x: float, z: float, length: float, looks: list[Look], r: float = 0.2) -> None:
-    b.bar((x, -length / 2, z), (x, length / 2, z), 0.014, "steel", 10)
-    for s in (-1, 1):
-        inner = length * 0.33
-        b.bar((x, s * inner, z), (x, s * length / 2, z), 0.024, "chrome", 12)
-        y = inner + 0.03
-        for k, look in enumerate(looks):
-            t = 0.04
-            plate(b, (x, s * (y + t / 2), z), r * (1 - 0.17 * k), t, look)
-            y += t + 0.004
-
-
-def _bumper(b: Builder, count: int) -> list[Look]:
-    kind = b.pick(
-        "plates",
-        [
-            ("black plastic",) * 4,
-            ("red plastic", "blue plastic", "yellow plastic", "green plastic"),
-            ("rubber", "rubber", "grey plastic", "grey plastic"),
-        ],
-    )
-    return list(kind[:count])
-
-
-@gear("squat_rack")
-def squat_rack(b: Builder) -> None:
+@draws("squat_rack", whole=True)
+def squat_rack(d: Drawing) -> None:
     """A power cage of four uprights with cross beams, hooks and a loaded barbell."""
-    d, w, h = b.size
-    frame = b.material("frame", *_FRAMES)
-    x0, x1 = -d / 2 + 0.04, d / 2 - 0.3
-    cage = min(1.24, w * 0.6)
-    for x in (x0, x1):
-        with b.solid(f"uprights {x > 0}"):
-            _upright_pair(b, x, cage, h, frame)
-            b.box((x - 0.03, x + 0.03), (-cage / 2, cage / 2), (h - 0.08, h - 0.02), frame, 0.004)
-    with b.solid("back"):
-        b.box((x0 - 0.03, x0 + 0.03), (-cage / 2, cage / 2), (0.25, 0.31), frame, 0.004)
-    for s in (-1, 1):
-        with b.solid(f"foot {s}"):
-            y = s * (cage / 2 - 0.035)
-            b.box((-d / 2, d / 2), (y - 0.035, y + 0.035), (0, 0.07), frame, 0.004)
-            b.box((x0, x1), (y - 0.02, y + 0.02), (0.48, 0.54), "yellow plastic", 0.006)
-    with b.solid("top"):
-        for s in (-1, 1):
-            y = s * (cage / 2 - 0.035)
-            b.box((x0, x1), (y - 0.03, y + 0.03), (h - 0.08, h - 0.02), frame, 0.004)
-        b.bar((x1 - 0.1, -cage / 2 + 0.03, h - 0.05), (x1 - 0.1, cage / 2 - 0.03, h - 0.05), 0.016, "chrome", 10)
-    z = b.uniform("bar height", 1.25, 1.45)
-    with b.solid("barbell"):
-        for s in (-1, 1):
-            y = s * (cage / 2 - 0.035)
-            side(
-                b,
-                [
-                    (x1, z - 0.12),
-                    (x1 + 0.11, z - 0.04),
-                    (x1 + 0.11, z + 0.03),
-                    (x1 + 0.09, z + 0.03),
-                    (x1 + 0.09, z - 0.015),
-                    (x1, z - 0.015),
-                ],
-                (y - 0.03, y + 0.03),
-                "black plastic",
-            )
-        _barbell(b, x1 + 0.06, z, w, _bumper(b, b.whole("plates each side", 1, 3)), 0.225)
-    b.zone("inside", (x0, d / 2), (-cage / 2, cage / 2))
+    frame, box, h = d.material("frame", FRAMES), d.bounds, d.size.height
+    x0, x1 = box.x[0] + 0.04, box.x[1] - 0.3
+    cage = min(1.24, 0.6 * box.width)
+    for name, x in (("back", x0), ("front", x1)):
+        with d.part(name):
+            _uprights(d, x, cage, frame)
+    with d.part("back"):
+        d.box(Box.around((x0, 0.0, 0.28), 0.06, cage, 0.06), frame, 0.004)
+    y = cage / 2 - TUBE / 2
+    with d.mirror("y"):
+        with d.part("foot"):
+            d.box(Box(box.x, (y - 0.035, y + 0.035), (0.0, TUBE)), frame, 0.004)
+            d.box(Box((x0, x1), (y - 0.02, y + 0.02), (0.48, 0.54)), "yellow plastic", 0.006)
+        with d.part("top"):
+            d.box(Box((x0, x1), (y - 0.03, y + 0.03), (h - 0.08, h - 0.02)), frame, 0.004)
+    with d.part("front"):
+        d.bar((x1 - 0.1, -y, h - 0.05), (x1 - 0.1, y, h - 0.05), 0.016, "chrome")
+    z = d.uniform("bar height", 1.25, 1.45)
+    with d.part("barbell"):
+        hook = [(0, 0), (1, 0.53), (1, 1), (0.82, 1), (0.82, 0.7), (0, 0.7)]
+        with d.mirror("y"):
+            d.silhouette(Box((x1, x1 + 0.11), (y - 0.03, y + 0.03), (z - 0.12, z + 0.03)), hook, "black plastic")
+        barbell(d, x1 + 0.06, z, box.width, plates(d, d.integer("plates each side", 1, 3)), 0.225)
+    d.zone("inside", (x0, box.x[1]), (-cage / 2, cage / 2))
 
 
-@gear("smith_machine")
-def smith_machine(b: Builder) -> None:
+@draws("smith_machine", whole=True)
+def smith_machine(d: Drawing) -> None:
     """A frame with two guide rods on which a barbell runs up and down."""
-    d, w, h = b.size
-    frame = b.material("frame", *_FRAMES)
-    x = -d / 2 + 0.3
-    gauge = w * 0.56
-    with b.solid("frame"):
-        _upright_pair(b, x, gauge, h, frame)
-        b.box((x - 0.035, x + 0.035), (-gauge / 2, gauge / 2), (h - 0.09, h - 0.01), frame, 0.004)
-        b.box((x - 0.035, x + 0.035), (-gauge / 2, gauge / 2), (0, 0.07), frame, 0.004)
-    for s in (-1, 1):
-        y = s * (gauge / 2 - 0.04)
-        with b.solid(f"foot {s}"):
-            b.box((-d / 2, d / 2), (y - 0.04, y + 0.04), (0, 0.07), frame, 0.004)
-            post(b, (x, y, 0.7), (-d / 2 + 0.05, y, 0.05), frame, 0.05)
-        with b.solid("frame"):
-            b.bar((x + 0.1, y, 0.06), (x + 0.1, y, h - 0.04), 0.014, "chrome", 10)
-            for z in (0.12, h - 0.1):
-                b.box((x, x + 0.12), (y - 0.03, y + 0.03), (z - 0.03, z + 0.03), frame, 0.004)
-    with b.solid("bar"):
-        z = b.uniform("bar height", 1.0, 1.4)
-        for s in (-1, 1):
-            y = s * (gauge / 2 - 0.04)
-            b.box((x + 0.07, x + 0.19), (y - 0.03, y + 0.03), (z - 0.06, z + 0.06), "black plastic", 0.006)
-        _barbell(b, x + 0.16, z, w, _bumper(b, 2), 0.225)
+    frame, box, h = d.material("frame", FRAMES), d.bounds, d.size.height
+    x, gauge = box.x[0] + 0.3, 0.56 * box.width
+    y, z = gauge / 2 - 0.04, d.uniform("bar height", 1.0, 1.4)
+    with d.part("frame"):
+        _uprights(d, x, gauge, frame)
+        d.box(Box.sized(TUBE, gauge, TUBE, (x, 0.0, 0.0)), frame, 0.004)
+        with d.mirror("y"):
+            d.bar((x + 0.1, y, 0.06), (x + 0.1, y, h - 0.04), 0.014, "chrome")
+            for at in (0.12, h - 0.1):
+                d.box(Box.around((x + 0.06, y, at), 0.12, 0.06, 0.06), frame, 0.004)
+    with d.mirror("y"), d.part("foot"):
+        d.box(Box(box.x, (y - 0.04, y + 0.04), (0.0, TUBE)), frame, 0.004)
+        beam(d, (x, y, 0.7), (box.x[0] + 0.05, y, 0.05), frame, 0.05)
+    with d.part("bar"):
+        with d.mirror("y"):
+            d.box(Box.around((x + 0.13, y, z), 0.12, 0.06, 0.12), "black plastic", 0.006)
+        barbell(d, x + 0.16, z, box.width, plates(d, 2), 0.225)
 
 
-@gear("dumbbell_rack")
-def dumbbell_rack(b: Builder) -> None:
+@draws("dumbbell_rack", whole=True)
+def dumbbell_rack(d: Drawing) -> None:
     """Two or three sloping tiers full of dumbbells, larger ones below."""
-    d, w, h = b.size
-    frame = b.material("frame", *_FRAMES)
-    head = b.material("heads", "rubber", "black plastic", "iron", "grey plastic")
+    frame, box = d.material("frame", FRAMES), d.bounds
+    head = d.material("heads", "rubber, black plastic, iron, grey plastic")
+    depth, w, h = d.size
+    with d.mirror("y"):
+        side = d.box(box.left(0.06).bottom(0.06), frame, 0.004)
+        y = side.center[1]
+        beam(d, (depth / 2 - 0.16, y, 0.04), (-depth / 2 + 0.06, y, h - 0.04), frame, 0.06)
     tiers = 2 if h < 0.9 else 3
-    for s in (-1, 1):
-        y = s * (w / 2 - 0.03)
-        b.box((-d / 2, d / 2), (y - 0.03, y + 0.03), (0, 0.06), frame, 0.004)
-        post(b, (d / 2 - 0.16, y, 0.04), (-d / 2 + 0.06, y, h - 0.04), frame, 0.06)
-    for k in range(tiers):
-        share = k / max(1, tiers - 1)
-        z = 0.24 + share * (h - 0.42)
-        x = d / 2 - 0.2 + (z - 0.04) / (h - 0.08) * (-d + 0.22) + 0.13
-        size = 0.31 - 0.07 * share
-        with b.frame(x, 0, z, pitch=0.35):
-            for e in (-0.09, 0.09):
-                b.box((e - 0.03, e + 0.03), (-w / 2 + 0.03, w / 2 - 0.03), (-0.012, 0.012), frame, 0.003)
-            b.box((-0.14, -0.1), (-w / 2 + 0.03, w / 2 - 0.03), (-0.05, 0.012), frame, 0.003)
-            count = min(10, int((w - 0.14) / (size * 0.55)))
-            for i in range(count):
-                y = (i - (count - 1) / 2) * (w - 0.2) / max(1, count)
-                with b.frame(0, y, 0.012 + size * 0.2, yaw=math.pi / 2):
-                    dumbbell_at(b, np.zeros(3), size, head)
+    for share in (k / (tiers - 1) for k in range(tiers)):
+        z, size = 0.24 + share * (h - 0.42), 0.31 - 0.07 * share
+        x = depth / 2 - 0.07 - (z - 0.04) / (h - 0.08) * (depth - 0.22)
+        count = min(10, int((w - 0.14) / (size * 0.55)))
+        with d.at(x, z=z, pitch=0.35):
+            tray = Box((-0.14, 0.12), (-w / 2 + 0.03, w / 2 - 0.03), (-0.012, 0.012))
+            for rail in (tray.front(0.06), tray.inset(front=0.18).front(0.06), tray.back(0.04).inset(bottom=-0.038)):
+                d.box(rail, frame)
+            reach = (count - 1) / 2 * (w - 0.2) / count
+            at = 0.012 + 0.2 * size
+            with d.along((0.0, -reach, at), (0.0, reach, at), count), d.at(yaw=math.pi / 2):
+                dumbbell(d, size, head)
 
 
-@gear("weight_plate_rack")
-def weight_plate_rack(b: Builder) -> None:
+@draws("weight_plate_rack", whole=True)
+def weight_plate_rack(d: Drawing) -> None:
     """A tree with pegs on both sides, weight plates on them."""
-    d, w, h = b.size
-    frame = b.material("frame", *_FRAMES)
-    for x in (-d / 2 + 0.035, d / 2 - 0.035):
-        post(b, (x, -w * 0.4, 0.035), (x, w * 0.4, 0.035), frame, 0.07)
-    post(b, (-d / 2 + 0.035, 0, 0.05), (d / 2 - 0.035, 0, 0.05), frame, 0.07)
-    for x in (-0.09, 0.09):
-        post(b, (x, 0, 0.05), (x * 0.5, 0, h), frame, 0.06)
-    looks = _bumper(b, 4)
-    rows = 3
-    for k in range(rows):
-        z = 0.3 + k * (h - 0.42) / (rows - 1) if h > 0.8 else 0.25 + k * (h - 0.37) / (rows - 1)
-        r = min(0.22 - 0.035 * k, (h - 0.42) / (rows - 1) * 0.49)
-        for s in (-1, 1):
-            b.bar((0, 0, z), (0, s * w / 2, z), 0.022, "chrome", 12)
-            for i in range(b.whole(f"plates {k} {s}", 2, 3)):
-                plate(b, (0, s * (0.09 + 0.047 * i), z), r, 0.04, looks[k])
+    frame, (depth, w, h) = d.material("frame", FRAMES), d.size
+    reach = depth / 2 - TUBE / 2
+    beam(d, (-reach, 0.0, 0.05), (reach, 0.0, 0.05), frame, TUBE)
+    with d.mirror("x"):
+        beam(d, (reach, -0.4 * w, TUBE / 2), (reach, 0.4 * w, TUBE / 2), frame, TUBE)
+        beam(d, (0.09, 0.0, 0.05), (0.045, 0.0, h), frame, 0.06)
+    step = (h - 0.42) / 2
+    for k, look in enumerate(plates(d, 3)):
+        z, radius = 0.3 + k * step, min(0.22 - 0.035 * k, 0.49 * step)
+        with d.mirror("y"):
+            d.bar((0.0, 0.0, z), (0.0, w / 2, z), 0.022, "chrome", segments=12)
+            for i in range(d.integer(f"plates {k}", 2, 3)):
+                plate(d, (0.0, 0.09 + 0.047 * i, z), radius, 0.04, look)
 
 
-@gear("kettlebell_rack")
-def kettlebell_rack(b: Builder) -> None:
-    """Two or three shelves with kettlebells."""
-    d, w, h = b.size
-    frame = b.material("frame", *_FRAMES)
-    tiers = 2
-    for s in (-1, 1):
-        y = s * (w / 2 - 0.025)
-        side(b, [(-d / 2, 0), (d / 2, 0), (d / 2, 0.06), (-d / 2 + 0.16, h), (-d / 2, h)], (y - 0.02, y + 0.02), frame)
-    for k in range(tiers):
-        z = 0.14 + k * (h - 0.46)
-        deep = d - 0.1 - k * (d * 0.3)
-        x0, x1 = -d / 2 + 0.01, -d / 2 + deep
-        b.box((x0, x1), (-w / 2 + 0.04, w / 2 - 0.04), (z - 0.03, z), frame, 0.004)
-        b.box((x1 - 0.015, x1), (-w / 2 + 0.04, w / 2 - 0.04), (z - 0.03, z + 0.025), frame, 0.003)
-        r = (0.1, 0.075)[k]
-        count = int((w - 0.1) / (2.3 * r))
-        looks = ("rubber", "red plastic", "blue plastic", "yellow plastic", "green plastic", "orange plastic")
-        for i in range(count):
-            look = looks[i % 6] if b.chance("coloured", 0.4) else "iron"
-            _kettlebell(b, (x0 + x1) / 2, (i - (count - 1) / 2) * (w - 0.1) / count, z, r, look)
+def _kettlebell(d: Drawing, r: float, look: Look) -> None:
+    body = [(0.6, 0.0), (0.9, 0.35), (1.0, 0.85), (0.85, 1.4), (0.45, 1.75)]
+    d.revolve([(r * a, r * z) for a, z in body], look, 20)
+    d.arch((0.0, -0.55 * r, 1.5 * r), (0.0, 0.55 * r, 1.5 * r), (0.0, 0.0, 1.2 * r), 0.17 * r, "black steel", 10)
 
 
-def _kettlebell(b: Builder, x: float, y: float, z: float, r: float, look: Look) -> None:
-    with b.frame(x, y, z):
-        b.lathe([(r * 0.6, 0), (r * 0.9, r * 0.35), (r, r * 0.85), (r * 0.85, r * 1.4), (r * 0.45, r * 1.75)], look, 20)
-        b.tube(
-            [
-                (0, -r * 0.5, r * 1.5),
-                (0, -r * 0.72, r * 2.1),
-                (0, -r * 0.5, r * 2.6),
-                (0, r * 0.5, r * 2.6),
-                (0, r * 0.72, r * 2.1),
-                (0, r * 0.5, r * 1.5),
-            ],
-            r * 0.17,
-            "black steel",
-            10,
-        )
+@draws("kettlebell", whole=True)
+def kettlebell(d: Drawing) -> None:
+    """One kettlebell with a coloured band."""
+    look = d.material("bell", "iron, black steel, red plastic, blue plastic, green plastic, rubber")
+    _kettlebell(d, 0.1, look)
+    with d.no_colliders():
+        d.cylinder(Box.sized(0.1966, 0.1966, 0.014, (0.0, 0.0, 0.078)), "yellow plastic", segments=20)
 
 
-@gear("kettlebell")
-def kettlebell(b: Builder) -> None:
-    """One kettlebell."""
-    look = b.material("bell", "iron", "black steel", "red plastic", "blue plastic", "green plastic", "rubber")
-    _kettlebell(b, 0, 0, 0, 0.1, look)
-    b.add(_band(0.1), "yellow plastic", [])
+@draws("kettlebell_rack", whole=True)
+def kettlebell_rack(d: Drawing) -> None:
+    """Two shelves with kettlebells."""
+    frame, box, h = d.material("frame", FRAMES), d.bounds, d.size.height
+    colors = ("rubber", "red plastic", "blue plastic", "yellow plastic", "green plastic", "orange plastic")
+    colored = d.chance("coloured", 0.4)
+    with d.mirror("y"):
+        end = box.left(0.04)
+        d.silhouette(end, [(0, 0), (1, 0), (1, 0.06 / h), (0.16 / box.depth, 1), (0, 1)], frame)
+    for k, r in enumerate((0.1, 0.075)):
+        shelf = box.inset(y=0.04, back=0.01, front=0.1 + 0.3 * k * box.depth).bottom(0.03).move(z=0.11 + k * (h - 0.46))
+        d.box(shelf, frame)
+        d.box(shelf.front(0.015).inset(top=-0.025), frame)
+        for i, cell in enumerate(shelf.columns(int(shelf.width / (2.3 * r)))):
+            with d.at(*cell.anchor("top")):
+                _kettlebell(d, r, colors[i % 6] if colored else "iron")
 
 
-def _band(r: float):
-    from ... import shapes
-
-    return shapes.frustum(r * 0.983, r * 0.983, (r * 0.78, r * 0.92), 20)
-
-
-@gear("dumbbell")
-def dumbbell(b: Builder) -> None:
+@draws("dumbbell", whole=True)
+def one_dumbbell(d: Drawing) -> None:
     """One hexagonal or round dumbbell."""
-    d, w, h = b.size
-    look = b.material("heads", "rubber", "iron", "blue plastic", "grey plastic", "red plastic")
-    if b.chance("hexagonal", 0.6):
-        with b.frame(0, 0, w * 0.2):
-            dumbbell_at(b, np.zeros(3), w, look)
+    _, w, h = d.size
+    look = d.material("heads", "rubber, iron, blue plastic, grey plastic, red plastic")
+    if d.chance("hexagonal", 0.6):
+        with d.at(z=0.2 * w):
+            dumbbell(d, w, look)
         return
-    b.bar((0, -w * 0.25, h / 2), (0, w * 0.25, h / 2), 0.016, "chrome", 12)
-    for s in (-1, 1):
+    d.bar((0.0, -0.25 * w, h / 2), (0.0, 0.25 * w, h / 2), 0.016, "chrome", segments=12)
+    with d.mirror("y"):
         for k in range(3):
-            plate(b, (0, s * (w * 0.24 + w * 0.085 * k), h / 2), h / 2 * (1 - 0.12 * k), w * 0.08, look)
-        disc(b, (0, s * (w / 2 - 0.005), h / 2), 0.022, 0.01, "chrome", segments=12)
+            plate(d, (0.0, w * (0.24 + 0.085 * k), h / 2), h / 2 * (1 - 0.12 * k), 0.08 * w, look)
+        disc(d, (0.0, w / 2 - 0.005, h / 2), 0.022, 0.01, "chrome", sides=12)
 
 
-@gear("barbell")
-def barbell(b: Builder) -> None:
+@draws("barbell", whole=True)
+def one_barbell(d: Drawing) -> None:
     """A long bar with bumper plates, on the floor."""
-    d, w, h = b.size
-    _barbell(b, 0, h / 2, w, _bumper(b, b.whole("plates each side", 1, 3)), h / 2)
+    _, w, h = d.size
+    barbell(d, 0.0, h / 2, w, plates(d, d.integer("plates each side", 1, 3)), h / 2)
 
 
-@gear("cable_machine")
-def cable_machine(b: Builder) -> None:
+@draws("cable_machine", whole=True)
+def cable_machine(d: Drawing) -> None:
     """Two towers with weight stacks, a beam with pull-up grips, pulleys and handles."""
-    d, w, h = b.size
-    frame = b.material("frame", *_FRAMES)
-    for s in (-1, 1):
-        y = s * (w / 2 - 0.13)
-        with b.solid(f"tower {s}"):
-            b.box((-d / 2, d / 2), (y - 0.13, y + 0.13), (0, 0.07), frame, 0.008)
-            b.box((-d / 2 + 0.06, -d / 2 + 0.1), (y - 0.13, y + 0.13), (0.07, h - 0.1), "grey plastic", 0.004)
-            for e in (-0.1, 0.1):
-                b.bar((-0.1, y + e * 0.8, 0.07), (-0.1, y + e * 0.8, h - 0.1), 0.013, "chrome", 8)
-            top = 0.12
-            for _ in range(12):
-                b.box((-0.18, -0.02), (y - 0.11, y + 0.11), (top, top + 0.042), "iron", 0.003)
-                top += 0.045
-            b.box((-0.025, -0.015), (y - 0.012, y + 0.012), (0.4, 0.42), "yellow plastic", 0.002)
-            b.bar((-0.1, y, top), (-0.1, y, h - 0.08), 0.006, "black plastic", 6)
-            b.box((0.1, 0.16), (y - 0.03, y + 0.03), (0.07, h - 0.06), frame, 0.004)
-            z = b.uniform(f"carriage {s}", 0.5, h - 0.7)
-            b.box((0.06, 0.2), (y - 0.05, y + 0.05), (z - 0.09, z + 0.09), "black plastic", 0.008)
-            disc(b, (0.2, y, z), 0.055, 0.025, "grey plastic", segments=16)
-            b.bar((0.25, y, z - 0.02), (0.26, y, z - 0.2), 0.005, "black plastic", 6)
-            b.tube(
-                [(0.26, y, z - 0.2), (0.26, y - 0.06, z - 0.3), (0.26, y + 0.06, z - 0.3)],
-                0.008,
-                "rubber",
-                8,
-                closed=True,
-            )
-            b.box((-d / 2 + 0.05, d / 2 - 0.05), (y - 0.12, y + 0.12), (h - 0.12, h), frame, 0.008)
-    with b.solid("beam"):
-        b.box((0.08, 0.16), (-w / 2 + 0.1, w / 2 - 0.1), (h - 0.09, h - 0.01), frame, 0.004)
-        for s in (-1, 1):
-            b.tube(
-                [(0.12, s * 0.2, h - 0.06), (0.3, s * 0.25, h - 0.06), (0.34, s * 0.5, h - 0.1)], 0.016, "rubber", 10
-            )
+    frame, box, h = d.material("frame", FRAMES), d.bounds, d.size.height
+    z = d.uniform("carriage", 0.5, h - 0.7)
+    with d.mirror("y"):
+        with d.part("tower"):
+            tower = box.left(0.26)
+            d.box(tower.bottom(0.07), frame, 0.008)
+            d.box(tower.top(0.12).inset(x=0.05, y=0.01), frame, 0.008)
+            d.box(tower.inset(back=0.06, bottom=0.07, top=0.1).back(0.04), "grey plastic", 0.004)
+            with d.at(0.0, tower.center[1]):
+                with d.mirror("y"):
+                    d.bar((-0.1, 0.08, 0.07), (-0.1, 0.08, h - 0.1), 0.013, "chrome", segments=8)
+                stack = Box.sized(0.16, 0.22, 0.54, (-0.1, 0.0, 0.12))
+                for slab in stack.rows(12, gap=0.003):
+                    d.box(slab, "iron")
+                d.box(stack.front(-0.008).place(width=0.03, height=0.02), "yellow plastic")
+                d.bar((-0.1, 0.0, 0.66), (-0.1, 0.0, h - 0.08), 0.006, "black plastic", segments=6)
+                d.box(Box.sized(0.06, 0.06, h - 0.13, (0.13, 0.0, 0.07)), frame)
+                d.box(Box.around((0.13, 0.0, z), 0.14, 0.1, 0.18), "black plastic", 0.008)
+                disc(d, (0.2, 0.0, z), 0.055, 0.025, "grey plastic", sides=16)
+                d.bar((0.25, 0.0, z - 0.02), (0.26, 0.0, z - 0.2), 0.005, "black plastic", segments=6)
+                grip = [(0.26, 0.0, z - 0.2), (0.26, -0.06, z - 0.3), (0.26, 0.06, z - 0.3)]
+                d.sweep(grip, 0.008, "rubber", segments=8, closed=True)
+        with d.part("beam"):
+            d.sweep([(0.12, 0.2, h - 0.06), (0.3, 0.25, h - 0.06), (0.34, 0.5, h - 0.1)], 0.016, "rubber")
+    with d.part("beam"):
+        d.box(Box.around((0.12, 0.0, h - 0.05), 0.08, box.width - 0.2, 0.08), frame, 0.004)
 
 
-@gear("leg_press")
-def leg_press(b: Builder) -> None:
-    """A reclined seat facing a sled on inclined rails, plates on its pegs."""
-    d, w, h = b.size
-    frame = b.material("frame", *_FRAMES)
-    pad = b.material("pad", "black leather", "brown leather")
-    x0, x1 = -d / 2, d / 2
-    gauge = w * 0.3
-    for s in (-1, 1):
-        b.box((x0, x1), (s * gauge - 0.035, s * gauge + 0.035), (0, 0.07), frame, 0.004)
-        post(b, (x0 + 0.8, s * gauge, 0.15), (x1 - 0.06, s * gauge, h - 0.12), frame, 0.07)
-        post(b, (x1 - 0.06, s * gauge, 0.05), (x1 - 0.06, s * gauge, h - 0.1), frame, 0.07)
-        post(b, (x0 + 0.75, s * gauge, 0.05), (x0 + 0.8, s * gauge, 0.2), frame, 0.07)
-        b.bar((x0 + 0.78, s * gauge, 0.35), (x0 + 0.62, s * (gauge + 0.05), 0.52), 0.016, "rubber", 8)
-    for x in (x0 + 0.035, x1 - 0.06):
-        b.box((x - 0.03, x + 0.03), (-gauge, gauge), (0, 0.065), frame, 0.004)
-    b.box((x1 - 0.09, x1 - 0.03), (-gauge, gauge), (h - 0.16, h - 0.09), frame, 0.004)
-    post(b, (x0 + 0.15, 0, 0.05), (x0 + 0.35, 0, 0.45), frame, 0.07)
-    b.box((x0 + 0.12, x0 + 0.8), (-0.04, 0.04), (0.03, 0.1), frame, 0.004)
-    with b.frame(x0 + 0.68, 0, 0.2, pitch=0.85):
-        b.cushion((-0.85, 0), (-gauge * 0.9, gauge * 0.9), (0.0, 0.09), pad, 0.03)
-        b.box((-0.8, -0.05), (-0.15, 0.15), (-0.03, 0.01), frame, 0.004)
-    with b.frame(x0 + 0.62, 0, 0.16, pitch=-0.25):
-        b.cushion((0, 0.4), (-gauge * 0.85, gauge * 0.85), (0, 0.08), pad, 0.03)
-    b.box((x0 + 0.6, x0 + 0.95), (-0.05, 0.05), (0.05, 0.17), frame, 0.004)
-    # The sled rides a good half up the rails.
-    a, c = np.array([x0 + 0.8, 0.15]), np.array([x1 - 0.06, h - 0.12])
-    m = a + 0.62 * (c - a)
-    with b.frame(m[0], 0, m[1], pitch=-math.atan2(c[1] - a[1], c[0] - a[0])):
-        b.box((-0.1, 0.16), (-gauge - 0.06, gauge + 0.06), (0.02, 0.1), "black steel", 0.006)
-        b.box((-0.13, -0.09), (-gauge, gauge), (0.02, 0.5), "black plastic", 0.01)
-        for k in range(5):
-            inlay(
-                b, (-0.1303, -0.12), (-gauge * 0.8, gauge * 0.8), (0.12 + 0.07 * k, 0.13 + 0.07 * k), "yellow plastic"
-            )
-        looks = _bumper(b, 2)
-        for s in (-1, 1):
-            b.bar((0.04, s * gauge, 0.1), (0.04, s * w / 2, 0.1), 0.024, "chrome", 10)
-            for k in range(2):
-                plate(b, (0.04, s * (gauge + 0.1 + 0.05 * k), 0.1), 0.19, 0.042, looks[k])
+@draws("leg_press", whole=True)
+def leg_press(d: Drawing) -> None:
+    """A reclined seat that faces a large foot plate on a sled; it slides up inclined rails, discs on its pegs."""
+    frame, pad = d.material("frame", FRAMES), d.material("pad", "black leather, brown leather")
+    box, (_, w, h) = d.bounds, d.size
+    gauge, x0, x1 = 0.3 * w, box.x[0], box.x[1]
+    low, high = (x0 + 0.72, 0.2), (x1 - 0.06, h - 0.1)
+    with d.mirror("y"):
+        d.box(Box(box.x, (gauge - 0.03, gauge + 0.03), (0.0, 0.06)), frame)
+        d.bar((low[0], gauge, low[1]), (high[0], gauge, high[1]), 0.026, "chrome", segments=12)
+        beam(d, (high[0], gauge, 0.05), (high[0], gauge, h - 0.05), frame, 0.06)
+        beam(d, (low[0], gauge, 0.05), (low[0], gauge, low[1] + 0.03), frame, 0.06)
+        beam(d, (low[0] + 0.1, gauge, 0.05), (high[0], gauge, 0.6 * h), frame, 0.05)
+        d.bar((x0 + 0.6, gauge, 0.06), (x0 + 0.6, gauge + 0.04, 0.52), 0.014, frame, segments=8)
+        d.bar((x0 + 0.6, gauge + 0.04, 0.52), (x0 + 0.74, gauge + 0.04, 0.56), 0.019, "rubber", segments=8)
+    for x, z in ((x0 + 0.03, 0.03), (x1 - 0.06, 0.03), (high[0], h - 0.08)):
+        d.box(Box.around((x, 0.0, z), 0.06, 2 * gauge, 0.06), frame)
+    d.box(Box((x0 + 0.03, x0 + 0.95), (-0.04, 0.04), (0.02, 0.1)), frame)
+    beam(d, (x0 + 0.18, 0.0, 0.05), (x0 + 0.32, 0.0, 0.56), frame, 0.07)
+    d.box(Box((x0 + 0.6, x0 + 0.92), (-0.06, 0.06), (0.06, 0.2)), frame)
+    with d.at(x0 + 0.64, z=0.24, pitch=0.8):  # the back rest, with a head pad
+        rest = Box((-0.72, 0.0), (-0.8 * gauge, 0.8 * gauge), (0.0, 0.08))
+        d.cushion(rest, pad, 0.03)
+        d.box(rest.bottom(-0.03).inset(x=0.06, y=0.1), frame)
+        d.cushion(Box((-0.94, -0.74), (-0.16, 0.16), (0.0, 0.08)), pad, 0.03)
+        d.box(Box((-0.9, -0.6), (-0.03, 0.03), (-0.03, 0.005)), frame)
+    with d.at(x0 + 0.6, z=0.19, pitch=-0.22):
+        d.cushion(Box((0.0, 0.38), (-0.8 * gauge, 0.8 * gauge), (0.0, 0.08)), pad, 0.03)
+    share, angle = 0.55, math.atan2(high[1] - low[1], high[0] - low[0])
+    looks = plates(d, 2)
+    with d.at(low[0] + share * (high[0] - low[0]), z=low[1] + share * (high[1] - low[1]), pitch=-angle):
+        d.box(Box((-0.1, 0.18), (-gauge - 0.05, gauge + 0.05), (0.03, 0.09)), "black steel", 0.006)
+        foot = d.box(Box((-0.13, -0.1), (-1.1 * gauge, 1.1 * gauge), (0.03, 0.6)), "steel", 0.008)
+        for rib in foot.back(0.0).inset(y=0.05, z=0.05).rows(9):
+            d.print(rib.inset(z=0.014), "rubber")
+        with d.mirror("y"):
+            beam(d, (0.14, 0.8 * gauge, 0.07), (-0.1, 0.8 * gauge, 0.5), "black steel", 0.05)
+            d.bar((0.04, gauge, 0.12), (0.04, w / 2, 0.12), 0.024, "chrome")
+            for k, look in enumerate(looks):
+                plate(d, (0.04, gauge + 0.11 + 0.05 * k, 0.12), 0.21, 0.042, look)
 
 
-@gear("pull_up_bar")
-def pull_up_bar(b: Builder) -> None:
+@draws("pull_up_bar", whole=True)
+def pull_up_bar(d: Drawing) -> None:
     """A tower with a pull-up bar, dip handles and a back pad."""
-    d, w, h = b.size
-    frame = b.material("frame", *_FRAMES)
-    x = -d / 2 + 0.25
-    half = w * 0.36
-    for s in (-1, 1):
-        y = s * half
-        with b.solid(f"side {s}"):
-            b.box((-d / 2, d / 2), (s * (half + 0.06) - 0.03, s * (half + 0.06) + 0.03), (0, 0.06), frame, 0.004)
-            post(b, (x, s * (half + 0.06), 0.03), (x, s * half, h * 0.5), frame, 0.06)
-            post(b, (x, s * half, h * 0.5), (x, s * half, h - 0.02), frame, 0.055)
-        with b.solid("dips"):
-            b.box((x, d / 2 - 0.06), (y - 0.025, y + 0.025), (h * 0.5 - 0.03, h * 0.5 + 0.02), frame, 0.004)
-            b.cushion(
-                (x + 0.03, x + 0.33), (y - 0.06, y + 0.06), (h * 0.5 + 0.015, h * 0.5 + 0.06), "black leather", 0.02
-            )
-            b.bar((d / 2 - 0.1, y, h * 0.5), (d / 2 - 0.1, y, h * 0.5 + 0.16), 0.017, "rubber", 10)
-    with b.solid("dips"):
-        b.box((x - 0.03, x + 0.03), (-half, half), (h * 0.5 - 0.03, h * 0.5 + 0.03), frame, 0.004)
-        b.box((x - 0.02, x + 0.02), (-0.04, 0.04), (h * 0.5, h * 0.68), frame, 0.004)
-        b.cushion((x + 0.02, x + 0.08), (-0.14, 0.14), (h * 0.52, h * 0.68), "black leather", 0.025)
-    with b.solid("bar"):
-        y = w / 2
-        b.tube(
-            [
-                (x + 0.12, -y, h - 0.13),
-                (x + 0.08, -half * 1.05, h - 0.03),
-                (x, -half * 0.8, h - 0.02),
-                (x, half * 0.8, h - 0.02),
-                (x + 0.08, half * 1.05, h - 0.03),
-                (x + 0.12, y, h - 0.13),
-            ],
-            0.017,
-            "rubber",
-            10,
-        )
-    with b.solid("brace"):
-        b.box((-d / 2, -d / 2 + 0.06), (-half - 0.06, half + 0.06), (0, 0.06), frame, 0.004)
+    frame, box, h = d.material("frame", FRAMES), d.bounds, d.size.height
+    x, y, mid = box.x[0] + 0.25, 0.36 * box.width, h / 2
+    with d.mirror("y"):
+        with d.part("side"):
+            d.box(Box(box.x, (y + 0.03, y + 0.09), (0.0, 0.06)), frame)
+            beam(d, (x, y + 0.06, 0.03), (x, y, mid), frame, 0.06)
+            beam(d, (x, y, mid), (x, y, h - 0.02), frame, 0.055)
+        with d.part("dips"):
+            d.box(Box((x, box.x[1] - 0.06), (y - 0.025, y + 0.025), (mid - 0.03, mid + 0.02)), frame)
+            d.cushion(Box((x + 0.03, x + 0.33), (y - 0.06, y + 0.06), (mid + 0.015, mid + 0.06)), "black leather", 0.02)
+            d.bar((box.x[1] - 0.1, y, mid), (box.x[1] - 0.1, y, mid + 0.16), 0.017, "rubber")
+    with d.part("back"):
+        d.box(Box.around((x, 0.0, mid), 0.06, 2 * y, 0.06), frame)
+        d.box(Box.sized(0.04, 0.08, 0.18 * h, (x, 0.0, mid)), frame)
+        d.cushion(Box((x + 0.02, x + 0.08), (-0.14, 0.14), (0.52 * h, 0.68 * h)), "black leather", 0.025)
+    with d.part("bar"):
+        half = [(x + 0.12, -box.width / 2, h - 0.13), (x + 0.08, -1.05 * y, h - 0.03), (x, -0.8 * y, h - 0.02)]
+        d.sweep([*half, *((px, -py, z) for px, py, z in reversed(half))], 0.017, "rubber")
+    with d.part("brace"):
+        d.box(box.back(0.06).bottom(0.06).place(width=2 * y + 0.12), frame)
 
 
-@gear("gym_bench")
-def gym_bench(b: Builder) -> None:
+@draws("gym_bench", whole=True)
+def gym_bench(d: Drawing) -> None:
     """A locker room bench: slats on steel legs."""
-    d, w, h = b.size
-    wood = b.material("slats", "beech", "oak", "pine", "white plastic")
-    metal = b.material("legs", "steel", "black steel", "white steel", "grey paint")
-    count = 3 if d < 0.36 else 4
-    step = d / count
-    for k in range(count):
-        x = -d / 2 + k * step
-        b.box((x + 0.001, x + step - 0.001), (-w / 2, w / 2), (h - 0.03, h), wood, 0.001)
-    n = 2 if w < 1.5 else 3
-    for k in range(n):
-        y = -w / 2 + 0.15 + k * (w - 0.3) / (n - 1)
-        for x in (-d / 2 + 0.04, d / 2 - 0.04):
-            b.box((x - 0.02, x + 0.02), (y - 0.02, y + 0.02), (0, h - 0.03), metal, 0.003)
-        b.box((-d / 2 + 0.04, d / 2 - 0.04), (y - 0.02, y + 0.02), (h - 0.07, h - 0.03), metal, 0.003)
-    b.box((-0.015, 0.015), (-w / 2 + 0.15, w / 2 - 0.15), (h - 0.065, h - 0.035), metal, 0.003)
-    b.surface("top", (-d / 2 + 0.015, d / 2 - 0.015), (-w / 2 + 0.01, w / 2 - 0.01), h)
-
-
-@gear("punching_bag", square=True)
-def punching_bag(b: Builder) -> None:
-    """A bag on a weighted foot, or one that hangs from a stand."""
-    d, w, h = b.size
-    skin = b.material("skin", "red plastic", "black leather", "blue plastic", "brown leather")
-    r = min(d, w) / 2
-    b.lathe([(r, 0), (r, 0.02), (r * 0.93, 0.2), (r * 0.6, 0.3), (r * 0.3, 0.34)], "black plastic", 28)
-    b.frustum(0.05, 0.05, (0.33, 0.52), "steel", 16)
-    bag = min(0.19, r * 0.68)
-    z = 0.5
-    b.lathe([(bag * 0.85, z), (bag, z + 0.03), (bag, h - 0.05), (bag * 0.8, h)], skin, 28)
-    for share in (0.12, 0.85):
-        m = z + share * (h - z)
-        b.frustum(bag + 0.0004, bag + 0.0004, (m, m + 0.05), "white leather", 28)
-    _patch = bag * 0.6
-    b.frustum(bag * 0.4, bag * 0.4, (h - 0.01, h), "black leather", 16)
-
-
-@gear("heavy_bag", square=True)
-def heavy_bag(b: Builder) -> None:
-    """A long leather bag on four chains under the ceiling."""
-    d, w, h = b.size
-    skin = b.material("skin", "black leather", "brown leather", "red plastic")
-    r = min(d, w) / 2
-    top = h - 0.4
-    with b.solid("bag"):
-        b.lathe([(r * 0.9, 0), (r, 0.03), (r, top - 0.03), (r * 0.9, top)], skin, 28)
-        for share in (0.15, 0.8):
-            b.frustum(r + 0.0004, r + 0.0004, (share * top, share * top + 0.06), "white leather", 28)
-    with b.solid("chains"):
-        for k in range(4):
-            a = math.pi / 4 + k * math.pi / 2
-            b.bar((r * 0.85 * math.cos(a), r * 0.85 * math.sin(a), top - 0.01), (0, 0, h - 0.15), 0.006, "steel", 6)
-        b.bar((0, 0, h - 0.16), (0, 0, h - 0.02), 0.01, "steel", 8)
-        ring(b, (0, 0, h - 0.14), 0.025, 0.007, "steel", n=10, segments=6)
-        b.frustum(0.06, 0.06, (h - 0.02, h), "black steel", 20)
+    wood = d.material("slats", "beech, oak, pine, white plastic")
+    metal = d.material("legs", "steel, black steel, white steel, grey paint")
+    box, h = d.bounds, d.size.height
+    for slat in box.top(0.03).split("x", 3 if box.depth < 0.36 else 4, gap=0.002):
+        d.box(slat, wood, 0.001)
+    y = box.width / 2 - 0.15
+    with d.along((0.0, -y, 0.0), (0.0, y, 0.0), 2 if box.width < 1.5 else 3):
+        with d.mirror("x"):
+            d.box(Box.sized(0.04, 0.04, h - 0.03, (box.x[1] - 0.04, 0.0, 0.0)), metal)
+        d.box(Box.sized(box.depth - 0.08, 0.04, 0.04, (0.0, 0.0, h - 0.07)), metal)
+    d.box(Box.sized(0.03, 2 * y, 0.03, (0.0, 0.0, h - 0.065)), metal)
+    d.surface("top", box.inset(x=0.015, y=0.01))
