@@ -6,7 +6,8 @@ import math
 
 import numpy as np
 
-from ...drawing import Box, Drawing, draws
+from ...drawing import Box, Drawing, Look, draws
+from ...drawing.box import Axis
 from ...drawing.components import band
 
 _BRIGHT = "blue plastic, mint plastic, lilac plastic, pink plastic, green plastic, black plastic, grey plastic"
@@ -34,7 +35,9 @@ def exercise_mat(d: Drawing) -> None:
 @draws("exercise_ball", "medicine_ball", whole=True, even="cube")
 def exercise_ball(d: Drawing) -> None:
     """A big ball with grooves, or a heavy one of panels with seams."""
-    box, r = Box.sized(*[d.size.depth] * 3), d.size.depth / 2
+    r = d.size.depth / 2
+    box = Box.sized(2 * r, 2 * r, 2 * r)
+    seams: list[tuple[float, Axis, float, Look]]
     if d.category.name == "medicine_ball":
         look = d.material("ball", "brown leather, tan leather, black leather, red plastic, blue plastic")
         seams = [(0.0, axis, 0.003, "black leather") for axis in ("x", "y", "z")]

@@ -146,18 +146,16 @@ def weight_plate_rack(d: Drawing) -> None:
 
 
 def _kettlebell(d: Drawing, r: float, look: Look) -> None:
-    body = [(0.6, 0.0), (0.9, 0.35), (1.0, 0.85), (0.85, 1.4), (0.45, 1.75)]
-    d.revolve([(r * a, r * z) for a, z in body], look, 20)
+    body = [(0.6, 0.0), (0.84, 0.1), (0.97, 0.32), (1.0, 0.52), (0.93, 0.74), (0.75, 0.9), (0.5, 1.0)]
+    d.sections(Box.sized(2 * r, 2 * r, 1.75 * r), [(a, a, z) for a, z in body], look, convex=True)
     d.arch((0.0, -0.55 * r, 1.5 * r), (0.0, 0.55 * r, 1.5 * r), (0.0, 0.0, 1.2 * r), 0.17 * r, "black steel", 10)
 
 
 @draws("kettlebell", whole=True)
 def kettlebell(d: Drawing) -> None:
-    """One kettlebell with a coloured band."""
+    """One kettlebell."""
     look = d.material("bell", "iron, black steel, red plastic, blue plastic, green plastic, rubber")
     _kettlebell(d, 0.1, look)
-    with d.no_colliders():
-        d.cylinder(Box.sized(0.1966, 0.1966, 0.014, (0.0, 0.0, 0.078)), "yellow plastic", segments=20)
 
 
 @draws("kettlebell_rack", whole=True)
