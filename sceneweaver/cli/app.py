@@ -263,12 +263,15 @@ def export(
             show_default=False,
         ),
     ] = None,
+    textures: Annotated[
+        bool, typer.Option("--textures/--no-textures", help="Materials with their maps, or plain and small.")
+    ] = True,
     as_json: Json = False,
 ) -> int:
     """Write a scene for other tools: USD for Isaac Sim, MJCF for MuJoCo, GLB, SceneState."""
     from .export import run_export
 
-    return run_export(source, out, to=to, as_json=as_json)
+    return run_export(source, out, to=to, as_json=as_json, textures=textures)
 
 
 @app.command()

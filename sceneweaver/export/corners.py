@@ -12,7 +12,7 @@ from sceneweaver.assets.textures import maps, uv_of
 
 _CREASE = math.radians(40)  # edges at most this sharp are shaded round
 _FINE = 10_000  # steps of a normal's coordinates: equal ones are stored once
-_UV_STEP = 2e-5  # texture coordinates [m] this close are one
+_UV_STEP = 2e-5  # texture coordinates [repeats] this close are one
 
 
 @dataclass(frozen=True)
@@ -37,6 +37,15 @@ def texture_coordinates(mesh: Mesh) -> np.ndarray | None:
     if not any(sizes[int(k)] for k in np.unique(mesh.face_material)):
         return None
     return uv_of(mesh) / np.array([size or (1.0, 1.0) for size in sizes])[mesh.face_material][:, None, :]
+
+
+def indexed(uv: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Different coordinates [N, 2] of corners [F, 3, 2], and which of them each corner has [3 F]."""
+    steps = np.rint(uv.reshape(-1, 2) / _UV_STEP).astype(np.int64)
+    steps -= steps.min(axis=0)
+    key = steps @ np.array([int(steps[:, 1].max()) + 1, 1])
+    _, first, index = np.unique(key, return_index=True, return_inverse=True)
+    return uv.reshape(-1, 2)[first], index.reshape(-1)
 
 
 def surfaces(mesh: Mesh, plain: bool = False) -> list[Surface]:

@@ -20,38 +20,47 @@ from .usd import write_usd
 
 @dataclass(frozen=True)
 class Format:
-    """A format: the file that it makes in a folder, and who writes it."""
+    """A format: the file that it makes in a folder, and who writes it: (scene, path, load, with textures)."""
 
     name: str
     file: str
     what: str
-    write: Callable[[Scene, Path, Load], object]
+    write: Callable[[Scene, Path, Load, bool], object]
 
 
-def _write_mjcf(scene: Scene, path: Path, load: Load) -> None:
-    """``scene.xml`` with ``meshes/`` beside it, in a folder that holds other things as well; the text comes last."""
-    model = mjcf(scene, load)
+def _write_glb(scene: Scene, path: Path, load: Load, textures: bool) -> None:
+    write_glb(scene, path, load, textures=textures)
+
+
+def _write_usd(scene: Scene, path: Path, load: Load, textures: bool) -> None:
+    write_usd(scene, path, load, textures=textures)
+
+
+def _write_mjcf(scene: Scene, path: Path, load: Load, textures: bool) -> None:
+    """``scene.xml`` with ``meshes/`` and ``textures/`` beside it, in a folder that holds other things as well; the text
+    comes last."""
+    model = mjcf(scene, load, textures=textures)
     meshes = path.parent / "meshes"
     with staged(path, "path") as draft:
-        fill(draft, {**{f"meshes/{name}": data for name, data in model.files.items()}, path.name: model.xml.encode()})
-        move({draft / "meshes" / name: meshes / name for name in model.files} | {draft / path.name: path})
+        fill(draft, {**model.files, path.name: model.xml.encode()})
+        move({draft / name: path.parent / name for name in (*model.files, path.name)})
     for left in meshes.glob("*.obj") if meshes.is_dir() else ():
-        if left.name not in model.files:
+        if f"meshes/{left.name}" not in model.files:
             left.unlink()  # of an export that this one has replaced
 
 
 FORMATS: dict[str, Format] = {
     f.name: f
     for f in (
-        Format("glb", "scene.glb", "glTF 2.0 binary", write_glb),
-        Format("usd", "scene.usdc", "USD with physics, binary", write_usd),
-        Format("usda", "scene.usda", "USD with physics, as text", write_usd),
+        Format("glb", "scene.glb", "glTF 2.0 binary", _write_glb),
+        Format("usd", "scene.usdc", "USD with physics, binary", _write_usd),
+        Format("usda", "scene.usda", "USD with physics, as text", _write_usd),
         Format("mjcf", "scene.xml", "MuJoCo, with meshes/", _write_mjcf),
         Format(
             "scenestate",
             "scenestate.json",
             "SceneState, with models/",
-            lambda scene, path, load: write_scenestate(scene, path, load, models=True),
+            lambda scene, path, load, _: write_scenestate(scene, path, load, models=True),
         ),
     )
 }
@@ -93,7 +102,12 @@ def format_of(path: Path) -> Format:
 
 
 def export_scene(
-    scene: Scene, folder: str | os.PathLike[str], formats: Sequence[str] = USUAL, load: Load | None = None
+    scene: Scene,
+    folder: str | os.PathLike[str],
+    formats: Sequence[str] = USUAL,
+    load: Load | None = None,
+    *,
+    textures: bool = True,
 ) -> dict[str, Path]:
     """Write a scene in several formats into a folder, which is made where it is not there.
 
@@ -102,6 +116,7 @@ def export_scene(
         folder: Where the files go; ``FORMATS`` says under which names.
         formats: Names of formats.
         load: From asset id to asset; None: the library of this user. Each asset is loaded once for all formats.
+        textures: Whether materials have their maps; without, files are a fraction of the size.
 
     Returns:
         The path of each format's file.
@@ -122,7 +137,7 @@ def export_scene(
     done: dict[str, Path] = {}
     try:
         for one in wanted:
-            one.write(scene, target / one.file, load)
+            one.write(scene, target / one.file, load, textures)
             done[one.name] = target / one.file
     except BaseException:
         if fresh:
@@ -131,7 +146,7 @@ def export_scene(
     return done
 
 
-def export_file(scene: Scene, path: str | os.PathLike[str], load: Load | None = None) -> Path:
+def export_file(scene: Scene, path: str | os.PathLike[str], load: Load | None = None, *, textures: bool = True) -> Path:
     """Write a scene to one file, in the format that its suffix stands for; meshes of MJCF go to ``meshes/`` beside it.
 
     Raises:
@@ -141,5 +156,5 @@ def export_file(scene: Scene, path: str | os.PathLike[str], load: Load | None = 
     one = format_of(target)
     if not target.parent.is_dir():
         raise InputError(f"out: {target.parent} is no folder; make it first")
-    one.write(scene, target, loader(load))
+    one.write(scene, target, loader(load), textures)
     return target

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -17,11 +18,13 @@ _EVEN = 0.03  # share by which roughness has to differ to be worth a map
 
 @dataclass(frozen=True)
 class Images:
-    """Files of one texture: its tint (sRGB), its normals, and roughness (green) with metal (blue); None: not needed."""
+    """Files of one texture: its tint (sRGB), its normals, and roughness (green) with metal (blue); None: not needed.
+    ``metal`` says whether the last tells where metal is."""
 
     color: bytes
     normal: bytes | None
     rough: bytes | None
+    metal: bool
 
 
 def images(texture: str, side: int = 1024) -> Images | None:
@@ -60,18 +63,33 @@ def _files(same: _Same, side: int) -> Images:
         jpeg(found.tint, side, 85),
         jpeg(found.normal, side, 88) if slope > _FLAT else None,
         rough,
+        found.metallic is not None,
     )
+
+
+def file_stem(texture: str) -> str:
+    """The name of a texture as part of a file's name."""
+    return re.sub(r"[^A-Za-z0-9_.-]", "-", texture)
 
 
 def jpeg(image: np.ndarray, side: int, quality: int) -> bytes:
     """An image uint8 [H, W, 3] as JPEG without loss of colour resolution, at most ``side`` pixels wide and high."""
+    return _packed(image, side, "JPEG", quality=quality, subsampling=0)
+
+
+def png(image: np.ndarray, side: int) -> bytes:
+    """An image uint8 [H, W, 3] as PNG, at most ``side`` pixels wide and high."""
+    return _packed(image, side, "PNG")
+
+
+def _packed(image: np.ndarray, side: int, kind: str, **options: int) -> bytes:
     from PIL import Image
 
     picture = Image.fromarray(np.ascontiguousarray(image))
     if max(picture.size) > side:
         picture = picture.resize((min(side, picture.width), min(side, picture.height)), Image.Resampling.BOX)
     data = io.BytesIO()
-    picture.save(data, "JPEG", quality=quality, subsampling=0)
+    picture.save(data, kind, **options)
     return data.getvalue()
 
 

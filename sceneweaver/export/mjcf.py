@@ -1,4 +1,4 @@
-"""Scenes as an MJCF folder that plain MuJoCo loads from any place: ``scene.xml`` and ``meshes/``.
+"""Scenes as an MJCF folder that plain MuJoCo loads from any place: ``scene.xml``, ``meshes/`` and ``textures/``.
 
 Bodies have the names of their objects. Geoms of group 2 are what is seen, those of group 3 what collides.
 """
@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 import zlib
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from xml.etree import ElementTree as Xml
 
@@ -14,21 +15,33 @@ import numpy as np
 
 from sceneweaver.assets import Material
 from sceneweaver.assets.placed import Load
+from sceneweaver.assets.room_looks import room_looks, wall_look
+from sceneweaver.assets.textures import maps
+from sceneweaver.assets.textures.relief import to_srgb
 from sceneweaver.physics import Model, build
 from sceneweaver.physics.model import Thing
 from sceneweaver.physics.xml import child
-from sceneweaver.scene import Scene
+from sceneweaver.scene import Room, Scene
 
+from .corners import indexed, texture_coordinates
 from .folder import write_folder
+from .glb import linear
+from .images import file_stem, png, tinted
+
+_PIXELS = 256
+"""Side of the images: simulators show them small, and PNG is large."""
 
 
-def write_mjcf(scene: Scene, folder: str | os.PathLike[str], load: Load | None = None) -> Path:
+def write_mjcf(
+    scene: Scene, folder: str | os.PathLike[str], load: Load | None = None, *, textures: bool = True
+) -> Path:
     """Write the folder whole: under a temporary name beside it, then renamed; an older export there is replaced.
 
     Args:
         scene: The scene.
         folder: Where it goes; its parent must be there.
         load: From asset id to asset; None: the library of this user.
+        textures: Whether materials have their colour maps, as PNG.
 
     Returns:
         The path of ``scene.xml``.
@@ -37,23 +50,28 @@ def write_mjcf(scene: Scene, folder: str | os.PathLike[str], load: Load | None =
         InputError: an asset is missing, the place cannot be written, or holds something that is no MJCF export.
     """
     target = Path(folder)
-    model = mjcf(scene, load)
-    files = {"scene.xml": model.xml.encode(), **{f"meshes/{name}": data for name, data in model.files.items()}}
-    write_folder(target, files, lambda names: names <= {"scene.xml", "meshes"})
+    model = mjcf(scene, load, textures=textures)
+    files = {"scene.xml": model.xml.encode(), **model.files}
+    write_folder(target, files, lambda names: names <= {"scene.xml", "meshes", "textures"})
     return target / "scene.xml"
 
 
-def mjcf(scene: Scene, load: Load | None = None) -> Model:
-    """The scene as MJCF with what is seen: the text, and the files of ``meshes/`` by name."""
-    wardrobe = _Wardrobe()
+def mjcf(scene: Scene, load: Load | None = None, *, textures: bool = True) -> Model:
+    """The scene as MJCF with what is seen: the text, and the files that it names, by path relative to it."""
+    wardrobe = _Wardrobe(textures)
     model = build(scene, load, wardrobe)
-    return Model(model.xml, wardrobe.files, model.free, model.fixed)
+    root = Xml.fromstring(model.xml)
+    wardrobe.paper(root, scene.room)
+    Xml.indent(root, " ")
+    return Model(Xml.tostring(root, encoding="unicode") + "\n", wardrobe.files, model.free, model.fixed)
 
 
 class _Wardrobe:
     """Gives bodies their looks; meshes and materials are there once, however many use them."""
 
-    def __init__(self) -> None:
+    def __init__(self, textured: bool) -> None:
+        self._textured = textured
+        self._textures: set[str] = set()
         self.files: dict[str, bytes] = {}
         self._materials: dict[Material, str] = {}
         self._made: dict[tuple[str, int], list[tuple[str, Material]]] = {}
@@ -67,29 +85,52 @@ class _Wardrobe:
             look = self._material(assets, material)
             child(body, "geom", {"class": "visual"}, mesh=name, material=look)
 
+    def paper(self, root: Xml.Element, room: Room) -> None:
+        """Give floor and walls the looks of the room; the floor's image repeats at its real size."""
+        floor, assets = root.find(".//geom[@name='room:floor']"), root.find("asset")
+        assert floor is not None and assets is not None
+        look = room_looks(room).floor
+        found = maps(look.texture) if self._textured else None
+        if found is not None:
+            floor.attrib.pop("rgba")
+            u, v = found.size
+            repeat = {"texuniform": "true", "texrepeat": f"{1 / u:.6g} {1 / v:.6g}"}
+            floor.set("material", self._material(assets, look, repeat))
+        else:
+            floor.set("rgba", " ".join(f"{c:.4g}" for c in (*look.color, 1)))
+        for k in range(len(room.outline)):
+            for geom in root.iterfind(f".//body[@name='room:wall:{k}']/geom"):
+                if geom.get("rgba", "").endswith(" 1"):  # not a pane
+                    geom.set("rgba", " ".join(f"{c:.4g}" for c in (*wall_look(room, k).color, 1)))
+
     def _add(self, assets: Xml.Element, thing: Thing, link: int) -> list[tuple[str, Material]]:
         """One mesh for each material of a link."""
         assert thing.asset is not None
         mesh, found = thing.asset.mesh, []
+        uv = texture_coordinates(mesh) if self._textured else None
         stem = f"{thing.asset.category}-{zlib.crc32(thing.key.encode()):08x}-{link}"
         for number in np.unique(mesh.face_material[mesh.face_link == link]):
-            faces = mesh.faces[(mesh.face_link == link) & (mesh.face_material == number)]
-            used, packed = np.unique(faces, return_inverse=True)
+            chosen = (mesh.face_link == link) & (mesh.face_material == number)
+            material = mesh.materials[int(number)]
+            used, packed = np.unique(mesh.faces[chosen], return_inverse=True)
+            places = None if uv is None or maps(material.texture) is None else indexed(uv[chosen])
             name = f"{stem}-{number}"
             points = mesh.vertices[used] * np.asarray(thing.scale)
-            self.files[f"{name}.obj"] = _obj(points, packed.reshape(-1, 3))
+            self.files[f"meshes/{name}.obj"] = _obj(points, packed.reshape(-1, 3), places)
             # Sheets and open pieces enclose no volume; as shells they have a frame all the same.
             child(assets, "mesh", name=name, file=f"{name}.obj", inertia="shell")
-            found.append((name, mesh.materials[int(number)]))
+            found.append((name, material))
         return found
 
-    def _material(self, assets: Xml.Element, material: Material) -> str:
+    def _material(self, assets: Xml.Element, material: Material, more: Mapping[str, str] | None = None) -> str:
         if material not in self._materials:
             name = f"{material.name} {len(self._materials)}"
-            color = " ".join(f"{c:.4g}" for c in (*material.color, material.opacity))
+            tint, look = self._texture(assets, material)
+            color = " ".join(f"{c:.4g}" for c in (*tint, material.opacity))
             child(
                 assets,
                 "material",
+                {**look, **(more or {})},
                 name=name,
                 rgba=color,
                 roughness=f"{material.roughness:.4g}",
@@ -101,8 +142,27 @@ class _Wardrobe:
             self._materials[material] = name
         return self._materials[material]
 
+    def _texture(self, assets: Xml.Element, material: Material) -> tuple[Sequence[float], dict[str, str]]:
+        """The sRGB colour with which the image of a material is multiplied, and which image that is."""
+        found = maps(material.texture) if self._textured else None
+        if found is None:
+            return material.color, {}
+        name = file_stem(material.texture)
+        if name not in self._textures:
+            self._textures.add(name)
+            self.files[f"textures/{name}.png"] = png(found.tint, _PIXELS)
+            child(assets, "texture", name=name, type="2d", file=f"{name}.png")
+        color, _ = tinted(material, linear(material.color))
+        return to_srgb(np.array(color)).tolist(), {"texture": name}
 
-def _obj(points: np.ndarray, faces: np.ndarray) -> bytes:
+
+def _obj(points: np.ndarray, faces: np.ndarray, places: tuple[np.ndarray, np.ndarray] | None) -> bytes:
+    """Wavefront OBJ of triangles, with texture coordinates [N, 2] and which of them each corner has."""
     lines = [f"v {x:.6g} {y:.6g} {z:.6g}" for x, y, z in points.tolist()]
-    lines += [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
+    if places is None:
+        lines += [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
+        return ("\n".join(lines) + "\n").encode()
+    lines += [f"vt {u:.5g} {v:.5g}" for u, v in places[0].tolist()]
+    corners = zip((faces + 1).tolist(), (places[1].reshape(-1, 3) + 1).tolist(), strict=True)
+    lines += [f"f {a}/{i} {b}/{j} {c}/{k}" for (a, b, c), (i, j, k) in corners]
     return ("\n".join(lines) + "\n").encode()

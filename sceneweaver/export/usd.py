@@ -16,6 +16,7 @@ where the model for MuJoCo is made, so that both behave alike.
 from __future__ import annotations
 
 import os
+from pathlib import Path
 from typing import Any
 
 from sceneweaver.assets.placed import Load, loader
@@ -23,6 +24,7 @@ from sceneweaver.physics.model import Thing, coverings, things_of
 from sceneweaver.scene import InputError, Scene, whole
 
 from .bodies import Body, bodies_of
+from .folder import fill, move
 from .usd_bodies import filter_pair
 from .usd_layer import Names, attribute, prim, usd
 from .usd_looks import Looks
@@ -35,13 +37,14 @@ SUFFIXES = (".usda", ".usdc")
 _GRAVITY = 9.81  # [m/s2]
 
 
-def write_usd(scene: Scene, path: str | os.PathLike[str], load: Load | None = None) -> None:
-    """Write a scene as USD under a temporary name in the same folder, and rename it.
+def write_usd(scene: Scene, path: str | os.PathLike[str], load: Load | None = None, *, textures: bool = True) -> None:
+    """Write a scene as USD under a temporary name in the same folder, and rename it; images go to ``textures/`` there.
 
     Args:
         scene: The scene.
         path: The file; ``.usda`` is text, ``.usdc`` binary.
         load: From asset id to asset; None: the library of this user.
+        textures: Whether materials have their maps.
 
     Raises:
         InputError: an asset is missing, the suffix is another, or the place cannot be written.
@@ -52,20 +55,29 @@ def write_usd(scene: Scene, path: str | os.PathLike[str], load: Load | None = No
         raise InputError(f"path: {name} must end in .usda (text) or .usdc (binary)")
     if os.path.isdir(name):
         raise InputError(f"path: {name} is a folder; give a file name in it, such as scene{suffix}")
-    _save(usd_layer(scene, load), name)
+    layer, files = _layer(scene, load, textures)
+    _save(layer, name, files)
 
 
 def usd_layer(scene: Scene, load: Load | None = None) -> Any:
-    """The scene as a ``pxr.Sdf.Layer`` in memory; ``Usd.Stage.Open`` takes it. For the arguments see ``write_usd``."""
+    """The scene as a ``pxr.Sdf.Layer`` in memory, without maps; ``Usd.Stage.Open`` takes it.
+
+    For the arguments see ``write_usd``.
+    """
+    return _layer(scene, load, False)[0]
+
+
+def _layer(scene: Scene, load: Load | None, textures: bool) -> tuple[Any, dict[str, bytes]]:
+    """The layer, and the images that it names by path relative to it."""
     load = loader(load)
     things, bodies = things_of(scene, load), bodies_of(scene, load)
     layer = usd().Sdf.Layer.CreateAnonymous(".usda")
     with usd().Sdf.ChangeBlock():
-        _fill(layer, scene, things, bodies)
-    return layer
+        files = _fill(layer, scene, things, bodies, textures)
+    return layer, files
 
 
-def _fill(layer: Any, scene: Scene, things: list[Thing], bodies: list[Body]) -> None:
+def _fill(layer: Any, scene: Scene, things: list[Thing], bodies: list[Body], textures: bool) -> dict[str, bytes]:
     layer.defaultPrim = "World"
     layer.comment = "Made by sceneweaver"
     for key, value in (("upAxis", "Z"), ("metersPerUnit", 1.0), ("kilogramsPerUnit", 1.0)):
@@ -76,7 +88,7 @@ def _fill(layer: Any, scene: Scene, things: list[Thing], bodies: list[Body]) -> 
     attribute(physics, "physics:gravityDirection", "Vector3f", (0.0, 0.0, -1.0))
     attribute(physics, "physics:gravityMagnitude", "Float", _GRAVITY)
     world = prim(layer, "World", kind="assembly", displayName=scene.id)
-    looks = Looks(prim(world, "Looks", "Scope"), prim(world, "PhysicsMaterials", "Scope"))
+    looks = Looks(prim(world, "Looks", "Scope"), prim(world, "PhysicsMaterials", "Scope"), textures)
     prototypes = Prototypes(prim(world, "Prototypes", "Scope"), looks)
     doors = add_room(prim(world, "Room", kind="group"), scene.room, looks)
     objects, names = prim(world, "Objects", kind="group"), Names()
@@ -87,9 +99,10 @@ def _fill(layer: Any, scene: Scene, things: list[Thing], bodies: list[Body]) -> 
     for cover, above in coverings(things):  # they share the layer of what stands or swings over them
         for other in (*doors, *(solids[k] for k in above)):
             filter_pair(solids[cover], other, layer)
+    return looks.files
 
 
-def _save(layer: Any, name: str) -> None:
+def _save(layer: Any, name: str, files: dict[str, bytes]) -> None:
     try:
         with whole(name) as temporary:
             # Made here first: the system says better than USD why a place cannot be written.
@@ -100,5 +113,8 @@ def _save(layer: Any, name: str) -> None:
                 written = False
             if not written:
                 raise OSError("the disk may be full")
+            fill(temporary.parent, files)
+            home = Path(os.path.realpath(name)).parent
+            move({temporary.parent / path: home / path for path in files})
     except InputError as error:
         raise InputError(f"path: {error}") from None

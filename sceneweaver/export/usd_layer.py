@@ -124,6 +124,11 @@ def vectors(values: np.ndarray) -> Any:
     return usd().Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(values, dtype=np.float32))
 
 
+def pairs(values: np.ndarray) -> Any:
+    """Rows [N, 2] as an array of texture coordinates."""
+    return usd().Vt.Vec2fArray.FromNumpy(np.ascontiguousarray(values, dtype=np.float32))
+
+
 def integers(values: np.ndarray) -> Any:
     """Whole numbers [N]."""
     return usd().Vt.IntArray.FromNumpy(np.ascontiguousarray(values, dtype=np.int32))

@@ -8,8 +8,8 @@ from sceneweaver.assets import Mesh
 from sceneweaver.geometry.hulls import hull_faces
 from sceneweaver.physics.hulls import Solid
 
-from .corners import corner_normals
-from .usd_layer import Prim, attribute, integers, prim, triple, vectors
+from .corners import corner_normals, indexed, texture_coordinates
+from .usd_layer import Prim, attribute, integers, pairs, prim, triple, vectors
 from .usd_looks import Looks
 
 
@@ -28,6 +28,8 @@ def render_mesh(parent: Prim, name: str, mesh: Mesh, looks: Looks, link: int | N
     spec = attribute(made, "primvars:normals", "Normal3fArray", vectors(normals))
     spec.SetInfo("interpolation", "faceVarying")
     attribute(made, "primvars:normals:indices", "IntArray", integers(index))
+    if looks.textured and (places := texture_coordinates(mesh)) is not None:
+        _lay(made, places[chosen])
     if any(mesh.materials[n].opacity < 1 for n in numbers):
         attribute(made, "doubleSided", "Bool", True, uniform=True)
     if len(numbers) == 1:
@@ -65,6 +67,14 @@ def box_collider(parent: Prim, name: str, center: np.ndarray, half: np.ndarray, 
     order = ["xformOp:translate", "xformOp:scale"]
     attribute(made, "xformOpOrder", "TokenArray", order, uniform=True)
     looks.rub(made, friction)
+
+
+def _lay(made: Prim, places: np.ndarray) -> None:
+    """Texture coordinates of each corner [F, 3, 2], equal ones once."""
+    values, index = indexed(places)
+    spec = attribute(made, "primvars:st", "TexCoord2fArray", pairs(values))
+    spec.SetInfo("interpolation", "faceVarying")
+    attribute(made, "primvars:st:indices", "IntArray", integers(index))
 
 
 def _shape(made: Prim, points: np.ndarray, faces: np.ndarray) -> None:

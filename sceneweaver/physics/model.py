@@ -91,7 +91,7 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) ->
     """
     things = things_of(scene, load)
     root = Xml.Element("mujoco", model=scene.id)
-    child(root, "compiler", angle="radian", meshdir="meshes", boundinertia="1e-7")
+    child(root, "compiler", angle="radian", meshdir="meshes", texturedir="textures", boundinertia="1e-7")
     # No noslip pass: its cost grows with the square of the contacts, and over 3 s nothing creeps without it.
     child(root, "option", timestep=STEP, integrator="implicitfast", cone="elliptic", impratio="10")
     # Contacts and their constraints live here; the default is too small for a hundred pieces of many parts each.

@@ -11,6 +11,7 @@ from sceneweaver.assets import make
 from sceneweaver.cli import main
 from sceneweaver.scene import Pose, Room, Scene
 
+USUAL = {"scene.glb", "scene.usdc", "scene.xml", "meshes", "textures"}
 ROOM = Room(type="study", outline=((0, 0), (4, 0), (4, 3), (0, 3)), height=2.6)
 
 
@@ -35,14 +36,18 @@ def test_a_folder_gets_the_usual_formats(source, tmp_path, capsys):
     assert main(["export", str(source), "-o", str(out), "--json"]) == 0
     said = json.loads(capsys.readouterr().out)
     assert set(said["files"]) == {"glb", "usd", "mjcf"} and said["objects"] == 2
-    assert {p.name for p in out.iterdir()} == {"scene.glb", "scene.usdc", "scene.xml", "meshes"}
+    assert {p.name for p in out.iterdir()} == USUAL
+    small = tmp_path / "small"
+    assert main(["export", str(source), "-o", str(small), "--no-textures"]) == 0
+    assert {p.name for p in small.iterdir()} == USUAL - {"textures"}
+    assert (small / "scene.glb").stat().st_size < (out / "scene.glb").stat().st_size
 
 
 def test_all_formats_again_over_themselves(source, tmp_path):
     for _ in range(2):
         assert main(["export", str(source), "-o", str(tmp_path / "out"), "--to", "all"]) == 0
     names = {p.name for p in (tmp_path / "out").iterdir()}
-    assert names == {"scene.glb", "scene.usdc", "scene.xml", "meshes", "scenestate.json", "models"}
+    assert names == {*USUAL, "scenestate.json", "models"}
 
 
 @pytest.mark.parametrize("name", ["room.usda", "room.usdc", "room.glb", "room.xml", "room.json"])

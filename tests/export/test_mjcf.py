@@ -12,6 +12,8 @@ import numpy as np
 import pytest
 
 from sceneweaver.assets import make
+from sceneweaver.assets.textures import maps
+from sceneweaver.assets.textures.relief import to_linear
 from sceneweaver.export.mjcf import write_mjcf
 from sceneweaver.scene import Door, InputError, Pose, Room, Scene, SceneObject, Support, Window
 
@@ -47,9 +49,30 @@ def test_what_is_seen_has_the_colours_of_its_materials(tmp_path) -> None:
     assert len(seen) and (model.geom_matid[seen] >= 0).all()
     # Another colour of a geom than MuJoCo's default would be shown in place of the material's.
     assert np.allclose(model.geom_rgba[seen], [0.5, 0.5, 0.5, 1.0])
-    colors = np.array([m.color for a in (DESK, CABINET, MUG) for m in a.mesh.materials])
+    looks = [m for a in (DESK, CABINET, MUG) for m in a.mesh.materials]
+    wanted = to_linear(np.array([m.color for m in looks])) * [[_gain(m)] for m in looks]
     for color in model.mat_rgba[model.geom_matid[seen], :3]:
-        assert np.abs(colors - color).max(axis=1).min() < 1e-3
+        assert np.abs(np.minimum(wanted, 1) - to_linear(color)).max(axis=1).min() < 1e-3
+
+
+def test_materials_with_maps_have_their_image_on_the_mesh(tmp_path) -> None:
+    model = mujoco.MjModel.from_xml_path(str(write_mjcf(_scene(), tmp_path / "out", ASSETS.__getitem__)))
+    for geom in np.flatnonzero(model.geom_group == 2):
+        texture = model.mat_texid[model.geom_matid[geom]].max()
+        mesh = model.geom_dataid[geom]
+        assert (texture >= 0) == (model.mesh_texcoordadr[mesh] >= 0)
+    images = {p.stem for p in (tmp_path / "out" / "textures").iterdir()}
+    looks = [m.texture for a in (DESK, CABINET, MUG) for m in a.mesh.materials]
+    assert images == {"floorboards", *looks} - {"plain"}
+    bare = write_mjcf(_scene(), tmp_path / "bare", ASSETS.__getitem__, textures=False)
+    assert not (bare.parent / "textures").exists() and mujoco.MjModel.from_xml_path(str(bare)).ntex == 1
+    floor = model.mat_texrepeat[model.geom_matid[model.geom("room:floor").id]]
+    assert 1 / floor == pytest.approx(maps("floorboards").size, rel=1e-4)  # type: ignore[union-attr]
+
+
+def _gain(material) -> float:
+    found = maps(material.texture)
+    return 1.0 if found is None else found.gain
 
 
 def test_poses_come_back(tmp_path, monkeypatch) -> None:

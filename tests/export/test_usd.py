@@ -12,7 +12,9 @@ import numpy as np
 import pytest
 
 from sceneweaver.assets import make
+from sceneweaver.assets.textures import maps
 from sceneweaver.export.glb import linear
+from sceneweaver.export.room import floor_mesh
 from sceneweaver.export.usd import usd_layer, write_usd
 from sceneweaver.export.usd_bodies import _turn
 from sceneweaver.export.usd_mesh import corner_normals, hull_faces
@@ -161,7 +163,7 @@ def test_the_validators_of_usd_have_nothing_against_it(tmp_path, suffix) -> None
     assert not stage.GetCompositionErrors()
     assert _errors(stage) == []
     assert _errors(_uninstanced(stage)) == []
-    assert os.listdir(tmp_path) == [path.name]
+    assert sorted(os.listdir(tmp_path)) == [path.name, "textures"]
     # They do look: a body that has no place is found.
     UsdPhysics.RigidBodyAPI.Apply(stage.GetPrimAtPath("/World/Looks"))
     assert _errors(stage)
@@ -322,8 +324,34 @@ def test_friction_and_looks_are_bound(stage) -> None:
             face = subset.GetIndicesAttr().Get()[0]
             want = DESK.mesh.materials[DESK.mesh.face_material[face]]
             assert np.allclose(shader.GetInput("diffuseColor").Get(), linear(want.color), atol=1e-6)
+            source = shader.GetInput("diffuseColor").GetConnectedSource()
+            assert bool(source) == (want.texture != "plain")
             for key in ("roughness", "metallic", "opacity"):
                 assert shader.GetInput(key).Get() == pytest.approx(getattr(want, key))
+
+
+def test_textures_lie_beside_the_stage_and_on_the_mesh_at_their_size(tmp_path) -> None:
+    """Coordinates are metres over the size of the maps."""
+    write_usd(SCENE.model_copy(update={"objects": ()}), tmp_path / "scene.usda")
+    (tmp_path / "scene.usda").rename(tmp_path / "moved.usda")
+    stage = Usd.Stage.Open(str(tmp_path / "moved.usda"))
+    mesh = UsdGeom.Mesh(stage.GetPrimAtPath("/World/Room/Floor/Mesh"))
+    bound, _ = UsdShade.MaterialBindingAPI(mesh).ComputeBoundMaterial()
+    surface, *_ = bound.ComputeSurfaceSource()
+    image = UsdShade.Shader(surface.GetInput("diffuseColor").GetConnectedSource()[0].GetPrim())
+    path = image.GetInput("file").Get()
+    assert path.path.startswith("./textures/") and os.path.isfile(path.resolvedPath)
+    look = floor_mesh(SCENE.room).materials[0]
+    found = maps(look.texture)
+    assert found is not None
+    assert image.GetInput("scale").Get()[:3] == pytest.approx([c * found.gain for c in linear(look.color)], abs=1e-4)
+    st = UsdGeom.PrimvarsAPI(mesh).GetPrimvar("st")
+    assert st.GetInterpolation() == "faceVarying"
+    places = np.array(st.ComputeFlattened()).reshape(-1, 3, 2) * found.size
+    points = np.array(mesh.GetPointsAttr().Get())[np.array(mesh.GetFaceVertexIndicesAttr().Get())].reshape(-1, 3, 3)
+    top = (points[..., 2] == 0).all(axis=1)
+    apart = places[top] - points[top][..., :2]
+    np.testing.assert_allclose(apart - apart[0, 0], 0, atol=1e-3)
 
 
 def test_everything_is_labelled(stage) -> None:
@@ -595,7 +623,7 @@ def test_errors_are_one_line_and_leave_nothing_behind(tmp_path, monkeypatch) -> 
     assert sorted(os.listdir(tmp_path)) == ["file", "folder.usda"]
 
     write_usd(bare, tmp_path / "scene.usda")
-    before = (tmp_path / "scene.usda").read_bytes()
+    before, images = (tmp_path / "scene.usda").read_bytes(), sorted(os.listdir(tmp_path / "textures"))
 
     def fail(*_: Any) -> None:
         raise OSError(28, "No space left on device")
@@ -604,4 +632,5 @@ def test_errors_are_one_line_and_leave_nothing_behind(tmp_path, monkeypatch) -> 
     with pytest.raises(InputError, match="No space left"):
         write_usd(SCENE, tmp_path / "scene.usda", ASSETS.__getitem__)
     assert (tmp_path / "scene.usda").read_bytes() == before
-    assert sorted(os.listdir(tmp_path)) == ["file", "folder.usda", "scene.usda"]
+    assert sorted(os.listdir(tmp_path)) == ["file", "folder.usda", "scene.usda", "textures"]
+    assert sorted(os.listdir(tmp_path / "textures")) == images
