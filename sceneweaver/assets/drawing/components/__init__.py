@@ -41,6 +41,7 @@ from .vessels import basin as basin
 from .vessels import drain as drain
 from .vessels import open_box as open_box
 from .vessels import oval as oval
+from .vessels import perimeter as perimeter
 from .vessels import vessel as vessel
 
 __all__ = [
@@ -74,6 +75,7 @@ __all__ = [
     "mattress",
     "open_box",
     "oval",
+    "perimeter",
     "piping",
     "pulls",
     "rack",

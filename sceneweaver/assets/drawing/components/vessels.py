@@ -33,6 +33,16 @@ def oval(
     return np.c_[x + np.where(c >= 0, box.x[1] - x, x - box.x[0]) * u, y + box.width / 2 * v, np.full(count, z)]
 
 
+def perimeter(box: Box, radius: float, shares: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Points [N, 2] by shares of the way around a plan with round corners, counter-clockwise, and unit vectors out."""
+    ring = shapes.rectangle(box.x, box.y, 0.0, radius, 8)[:, :2]
+    ring = np.concatenate([ring, ring[:1]])
+    run = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(ring, axis=0), axis=1))])
+    points = np.stack([np.interp(shares * run[-1], run, ring[:, k]) for k in (0, 1)], axis=1)
+    along = np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0)
+    return points, np.c_[along[:, 1], -along[:, 0]] / np.linalg.norm(along, axis=1, keepdims=True)
+
+
 def vessel(
     d: Drawing,
     outer: Sequence[np.ndarray],

@@ -8,7 +8,7 @@ import numpy as np
 
 from ... import shapes
 from ...drawing import Box, Drawing, Look, Vec3, draws
-from ...drawing.components import carcass, open_box, oval
+from ...drawing.components import carcass, open_box, oval, perimeter
 
 _METALS = ("chrome", "black steel", "brass", "brushed steel")
 _TERRY = [f"{tone} fabric" for tone in ("white", "blue", "green", "rose", "grey", "mustard", "beige", "navy")]
@@ -215,17 +215,7 @@ def _weave(base: Box, rim: Box, radius: float, depth: float = 0.007) -> shapes.c
     # Each strand has a groove and two edges, near enough to it that the groove is seen as a crease.
     at = (np.arange(strands)[:, None] + (0.0, 0.1, 0.9)).ravel() / strands
     levels = [(k + v, k if v else None) for k in range(rows) for v in (0.0, 0.12, 0.88)] + [(rows, None)]
-
-    def plan(box: Box) -> np.ndarray:
-        """Points [N, 2] along a rectangle with round corners, by shares of its length."""
-        ring = shapes.rectangle(box.x, box.y, 0.0, radius, 8)[:, :2]
-        ring = np.concatenate([ring, ring[:1]])
-        run = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(ring, axis=0), axis=1))])
-        return np.stack([np.interp(at * run[-1], run, ring[:, k]) for k in (0, 1)], axis=1)
-
-    low, high = plan(base), plan(rim)
-    along = np.roll(low, -1, axis=0) - np.roll(low, 1, axis=0)
-    out = np.c_[along[:, 1], -along[:, 0]] / np.linalg.norm(along, axis=1, keepdims=True)
+    (low, out), (high, _) = perimeter(base, radius, at), perimeter(rim, radius, at)
     groove, strand = np.arange(len(at)) % 3 == 0, np.arange(len(at)) // 3
     rings = []
     for level, row in levels:
