@@ -2,697 +2,381 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from ... import shapes
-from ..builder import Builder
-from .small_kit import Look, decal, ellipse, loft, orb, rect, slab, small, spot, spun, target
+from ...drawing import Box, Drawing, Look, draws
+from ...drawing.components import towel
+from .small_parts import CERAMICS, open_vessel, spread
 
-GLAZES = ("white ceramic", "cream ceramic", "grey ceramic", "blue ceramic", "concrete", "marble", "amber glass")
-PASTELS = (
-    "white plastic",
-    "pink plastic",
-    "mint plastic",
-    "lilac plastic",
-    "blue plastic",
-    "clear plastic",
-    "orange plastic",
-)
+TOWELS = "white fabric, beige fabric, grey fabric, blue fabric, green fabric, rose fabric, navy fabric, mustard fabric"
+HEMS = "white fabric, charcoal fabric, beige fabric"
 
 
-def pump(b: Builder, z: float, h: float, reach: float, look: Look) -> None:
-    """A pump head on a bottle's neck at height z, up to h, its spout to the front."""
-    b.frustum(0.016, 0.016, (z, z + 0.2 * (h - z)), look, 16)
-    b.frustum(0.006, 0.006, (z + 0.2 * (h - z), h - 0.012), look, 10)
-    b.frustum(0.013, 0.012, (h - 0.016, h), look, 14)
-    b.hull(
-        [
-            (x, y, zz)
-            for x, y, zz in (
-                (0.0, 0.006, h - 0.012),
-                (0.0, -0.006, h - 0.012),
-                (0.0, 0.006, h - 0.002),
-                (0.0, -0.006, h - 0.002),
-                (reach, 0.004, h - 0.014),
-                (reach, -0.004, h - 0.014),
-                (reach, 0.004, h - 0.006),
-                (reach, -0.004, h - 0.006),
-            )
-        ],
-        look,
-    )
-
-
-@small("soap_bar")
-def soap_bar(b: Builder) -> None:
+@draws("soap_bar", whole=True)
+def soap_bar(d: Drawing) -> None:
     """A bar of soap on a dish."""
-    d, w, h = b.size
-    dish = b.material("dish", "white ceramic", "bamboo", "grey ceramic", "oak", "concrete")
-    soap = b.material("soap", "candle wax", "pink icing", "pale leaf", "lilac plastic", "sky pigment")
-    loft(
-        b,
-        [
-            rect((-d / 2 + e, d / 2 - e), (-w / 2 + e, w / 2 - e), z, 0.03, 4)
-            for e, z in ((0.012, 0.0), (0.002, 0.3 * h), (0.0, 0.38 * h), (0.004, 0.38 * h), (0.012, 0.16 * h))
-        ],
-        dish,
-        hollow=2,
-    )
-    b.cushion((-0.33 * d, 0.33 * d), (-0.36 * w, 0.36 * w), (0.15 * h, h), soap, radius=0.4 * h, puff=0.25)
+    dish = d.material("dish", "white ceramic, bamboo, grey ceramic, oak, concrete")
+    soap = d.material("soap", "candle wax, pink icing, pale leaf, lilac plastic, sky pigment")
+    rows = [(0.8, 0.87, 0.0), (0.97, 0.98, 0.3), (1, 1, 0.38), (0.93, 0.95, 0.38), (0.8, 0.87, 0.16)]
+    d.sections(d.bounds, rows, dish, radius=0.3, hollow=2)
+    d.cushion(d.bounds.share((0.17, 0.83), (0.14, 0.86), (0.15, 1.0)), soap, 0.4 * d.bounds.height, 0.25)
 
 
-@small("toothbrush_cup", fit="round")
-def toothbrush_cup(b: Builder) -> None:
+@draws("toothbrush_cup", whole=True, even="round")
+def toothbrush_cup(d: Drawing) -> None:
     """A cup with two toothbrushes and a tube of toothpaste."""
-    d, _, h = target(b)
-    r = 0.44 * d
-    look = b.material("body", *GLAZES[:6], "glass", "bamboo")
-    cup = 0.55 * h
-    b.lathe(
-        [(0.88 * r, 0.0), (0.92 * r, 0.003), (r, cup), (r - 0.003, cup), (0.86 * r, 0.008), (0.0, 0.007)],
-        look,
-        24,
-        hollow=True,
-    )
-    for k in range(2):
-        c = b.pick(f"brush {k}", ["blue plastic", "red plastic", "green plastic", "bamboo", "pink plastic"])
-        with b.frame(-0.4 * r, (0.3 - 0.6 * k) * r, 0.008, yaw=(-0.5 + 1.0 * k), pitch=0.16 + 0.05 * k):
-            long = (0.98 - 0.04 * k) * h - 0.006
-            b.box((-0.003, 0.003), (-0.0045, 0.0045), (0.0, long), c, 0.0015)
-            b.box((0.003, 0.012), (-0.005, 0.005), (long - 0.028, long - 0.003), "paper", 0.001)
-    with b.frame(-0.1 * r, -0.1 * r, 0.012, yaw=2.6, pitch=0.14):
-        tube(b, 0.8 * h, 0.3 * r, "white plastic", "blue plastic")
-    b.frustum(0.05 * r, 0.05 * r, (0.004, 0.02), look, 6)
+    box = d.even("round")
+    cup = box.share((0.06, 0.94), (0.06, 0.94), (0.0, 0.55))
+    look = d.material("body", CERAMICS, "glass, bamboo")
+    open_vessel(d, cup, [(0.88, 0.0), (0.92, 0.04), (1.0, 1.0)], look)
+    r, h = cup.width / 2, box.height
+    for k, s in enumerate((1, -1)):
+        look = d.pick(f"brush {k}", ["blue plastic", "red plastic", "green plastic", "bamboo", "pink plastic"])
+        with d.at(-0.4 * r, 0.3 * s * r, 0.008, yaw=-0.5 * s, pitch=0.16 + 0.05 * k):
+            stick = Box.sized(0.006, 0.009, (0.98 - 0.04 * k) * h - 0.006)
+            d.sections(stick, [(1, 1, 0.0), (1, 1, 0.5), (0.6, 0.5, 0.8), (1, 1.1, 0.86), (0.8, 1, 1.0)], look)
+            d.box(stick.front(-0.009).inset(top=0.003).top(0.025), "paper", bevel=0.001)
+    with d.at(-0.1 * r, -0.1 * r, 0.012, yaw=2.6, pitch=0.14):
+        tube(d, 0.8 * h, 0.3 * r, "white plastic", "blue plastic")
 
 
-def tube(b: Builder, long: float, r: float, look: Look, cap: Look) -> None:
-    """A squeezed tube up along z, its cap on top."""
-    b.hull(
-        np.concatenate(
-            [
-                [(x, y, 0.0) for x in (-0.0015, 0.0015) for y in (-1.15 * r, 1.15 * r)],
-                ellipse(0.9 * r, 0.95 * r, 0.82 * long, 16),
-                ellipse(0.5 * r, 0.5 * r, 0.88 * long, 16),
-            ]
-        ),
-        look,
-    )
-    b.frustum(0.62 * r, 0.56 * r, (0.87 * long, long), cap, 14)
+def tube(d: Drawing, long: float, r: float, look: Look, cap: Look) -> None:
+    """A tube up along z, flat at its closed end, its cap on top."""
+    box = Box.sized(2 * r, 2.3 * r, long)
+    d.sections(box, [(0.1, 1.0, 0.0), (0.9, 0.92, 0.8), (0.5, 0.45, 0.88)], look)
+    d.cylinder(box.share(z=(0.87, 1.0)).place(1.24 * r, 1.24 * r), cap, ends=(1.0, 0.9), segments=16)
 
 
-@small("toothpaste")
-def toothpaste(b: Builder) -> None:
-    """A lying tube of toothpaste with stripes and a cap."""
-    d, w, h = b.size
-    look = b.material("body", "white plastic", "mint plastic", "blue plastic")
-    cap = b.material("cap", "red plastic", "blue plastic", "green plastic", "white plastic")
-    n = 16
-    r = h / 2
-    b.hull(
-        np.concatenate(
-            [
-                [(-d / 2, y, z) for y in (-w / 2, w / 2) for z in (0.0, 0.002)],
-                [(0.3 * d, y, z + r) for y, z, _ in ellipse(r, r, 0, n)],
-                [(0.36 * d, 0.6 * y, 0.6 * z + r) for y, z, _ in ellipse(r, r, 0, n)],
-            ]
-        ),
-        look,
-    )
-    with b.frame(0.34 * d, 0, r, pitch=np.pi / 2):
-        b.frustum(0.75 * r, 0.66 * r, (0.0, 0.16 * d), cap, 16, bevel=0.0)
-    for k, c in enumerate(("red plastic", "blue plastic")):
-        x0, x1 = (-0.24 + 0.2 * k) * d, (-0.12 + 0.2 * k) * d
-        rings = []
-        for x in (x0, x1):
-            t = (x + d / 2) / (0.8 * d)
-            y, z = (1 - t) * w / 2 + t * r, (1 - t) * 0.001 + t * r
-            mid = (1 - t) * 0.001 + t * r
-            rings.append([(x, 0.55 * y * s, mid + zz) for s in (-1, 1) for zz in (0.0, 0.83 * z + 0.0002)])
-        b.add(shapes.hull(np.concatenate(rings)), c, [])
+@draws("toothpaste", whole=True)
+def toothpaste(d: Drawing) -> None:
+    """A lying tube of toothpaste with bands and a cap."""
+    look = d.material("body", "white plastic, mint plastic, blue plastic")
+    cap = d.material("cap", "red plastic, blue plastic, green plastic, white plastic")
+    box, r = d.bounds, d.bounds.height / 2
+    rings = []
+    for x in (-0.5, -0.24, -0.12, -0.04, 0.08, 0.3):  # from its flat end to where it is round
+        t = (x + 0.5) / 0.8
+        ring = shapes.ellipse((1 - t) * box.width / 2 + t * r, (1 - t) * 0.001 + t * r, 0.0, 16)
+        rings.append(np.c_[np.full(16, x * box.depth), ring[:, 0], ring[:, 1] - ring[:, 1].min()])
+    bands = (look, "red plastic", look, "blue plastic", look)
+    for low, high, color in zip(rings[:-1], rings[1:], bands, strict=True):
+        d.loft([low, high], color, convex=True)
+    with d.at(0.3 * box.depth, 0.0, r, pitch=math.pi / 2):
+        d.cylinder(Box.sized(2 * r, 2 * r, 0.06 * box.depth), look, ends=(1.0, 0.6), segments=16)
+        d.cylinder(Box.sized(1.5 * r, 1.5 * r, 0.2 * box.depth), cap, ends=(1.0, 0.88), segments=16)
 
 
-@small("perfume")
-def perfume(b: Builder) -> None:
-    """A glass flacon with scent in it and a big stopper."""
-    d, w, h = b.size
-    glass = b.material("body", "glass")
-    cap = b.material("cap", "brass", "black plastic", "chrome", "glass", "copper")
-    scent = b.pick("scent", ["pink icing", "lemon peel", "amber glass", "sky pigment"])
-    top = 0.64 * h
-    if b.chance("round", 0.4):
-        r = w / 2
-        with b.frame(0, 0, top / 2, pitch=np.pi / 2):
-            b.add(shapes.frustum(0.98 * top / 2, 0.98 * top / 2, (-d / 2, d / 2), 24, 0.004), glass)
-            b.add(shapes.frustum(0.8 * top / 2, 0.8 * top / 2, (-d / 2 + 0.005, d / 2 - 0.005), 24), scent, [])
-        slab(b, (-0.4 * d, 0.4 * d), (-0.7 * r, 0.7 * r), (0.0, 0.1 * top), glass, 0.004)
-        b.box((-0.3 * d, 0.3 * d), (-w / 2, w / 2), (0.45 * top, 0.55 * top), glass, 0.003)
+@draws("perfume", whole=True)
+def perfume(d: Drawing) -> None:
+    """A glass flacon, square or round, with scent in it and a big stopper."""
+    glass = d.material("body", "glass")
+    cap = d.material("cap", "brass, black plastic, chrome, glass, copper")
+    scent = d.pick("scent", ["pink icing", "lemon peel", "amber glass", "sky pigment"])
+    flacon, top = d.bounds.share(z=(0.0, 0.64)), d.bounds.share(z=(0.64, 1.0))
+    inner = flacon.inset(0.006, bottom=0.006)
+    if d.chance("round", 0.4):
+        d.cylinder(flacon, glass, "x", bevel=0.004)
+        with d.no_colliders():
+            d.cylinder(inner, scent, "x")
+        d.slab(flacon.share((0.1, 0.9), (0.2, 0.8), (0.0, 0.1)), glass, 0.004)
     else:
-        b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, top), glass, 0.006)
-        b.add(
-            shapes.box((-d / 2 + 0.006, d / 2 - 0.006), (-w / 2 + 0.006, w / 2 - 0.006), (0.01, 0.8 * top), 0.002),
-            scent,
-            [],
-        )
-        decal(b, (0.3 * d, d / 2 + 0.0003), (-0.22 * w, 0.22 * w), (0.35 * top, 0.65 * top), "paper")
-        decal(b, (0.3 * d, d / 2 + 0.0004), (-0.14 * w, 0.14 * w), (0.46 * top, 0.52 * top), "ink pigment")
-    b.frustum(0.2 * d, 0.2 * d, (top - 0.001, top + 0.06 * h), "brass", 16)
-    if b.chance("ball", 0.4):
-        q = (h - top - 0.05 * h) / 2
-        orb(b, (q, q, q), (0, 0, h - q), cap, 12)
+        d.box(flacon, glass, bevel=0.006)
+        with d.no_colliders():
+            d.box(inner.share(z=(0.0, 0.8)), scent, bevel=0.002)
+        d.print(flacon.front(0.0).share(y=(0.28, 0.72), z=(0.35, 0.65)), "paper")
+        d.print(flacon.front(0.0).share(y=(0.36, 0.64), z=(0.47, 0.53)), "ink pigment", 0.0004)
+    x, side = top.center[0], 0.36 * d.bounds.depth
+    d.cylinder(top.share(z=(-0.01, 0.18)).place(0.4 * d.bounds.depth, 0.4 * d.bounds.depth), "brass", segments=16)
+    if d.chance("ball", 0.4):
+        across = 0.86 * top.height
+        d.ball(Box.sized(across, across, across, (x, 0.0, top.z[1] - across)), cap, 16)
     else:
-        b.frustum(0.32 * d, 0.36 * d, (top + 0.06 * h, h), cap, 8 if b.chance("cut", 0.5) else 20, bevel=0.0)
+        own = top.share(z=(0.16, 1.0)).place(2 * side, 2 * side)
+        d.cylinder(own, cap, ends=(0.9, 1.0), segments=8 if d.chance("cut", 0.5) else 20)
 
 
-@small("tissue_box")
-def tissue_box(b: Builder) -> None:
-    """A box of tissues, one of them sticking out."""
-    d, w, h = b.size
-    look = b.material(
-        "body",
-        "sky pigment",
-        "blush pigment",
-        "sage paint",
-        "sand pigment",
-        "oak",
-        "white paint",
-        "bamboo",
-        "navy paint",
-    )
-    top = 0.58 * h
-    b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, top), look, 0.0015)
-    t = (np.arange(20) + 0.5) * np.pi / 10
-    b.add(shapes.extrusion(np.c_[0.22 * d * np.cos(t), 0.33 * w * np.sin(t)], (top - 0.002, top + 0.0003)), "paper", [])
-    for k in range(6):
-        y = (-0.42 + 0.15 * k) * w
-        with b.frame(d / 2, y, (0.3 + 0.25 * (k % 2)) * top, pitch=np.pi / 2):
-            b.add(
-                shapes.frustum(0.05 * w, 0.05 * w, (-0.001, 0.0003), 12),
-                "chalk pigment" if look.name != "white paint" else "sky pigment",
-                [],
-            )
-    for x, lean, s in ((-0.012, -0.25, 1.0), (0.01, 0.2, 0.8)):
-        long = (h - top) * s
-        b.hull(
-            [(x + e, y * w, top - 0.004) for y in (-0.18, 0.2) for e in (-0.003, 0.003)]
-            + [(x + lean * 0.5 * long + e, y * w, top + 0.5 * long) for y in (-0.12, 0.15) for e in (-0.006, 0.006)],
-            "paper",
-        )
-        b.hull(
-            [(x + lean * 0.5 * long + e, y * w, top + 0.5 * long) for y in (-0.12, 0.15) for e in (-0.006, 0.006)]
-            + [
-                (x + lean * 1.3 * long + e, y * w, top + zz * long)
-                for y, zz in ((-0.16, 0.8), (0.02, 1.0), (0.17, 0.86))
-                for e in (-0.001, 0.001)
-            ],
-            "paper",
-        )
+@draws("tissue_box", whole=True)
+def tissue_box(d: Drawing) -> None:
+    """A box of tissues, one of them sticking out in folds."""
+    names = "sky pigment, blush pigment, sage paint, sand pigment, oak, white paint, bamboo, navy paint"
+    look = d.material("body", names)
+    box = d.box(d.bounds.share(z=(0.0, 0.58)), look, bevel=0.0015)
+    dots = "sky pigment" if look.name == "white paint" else "chalk pigment"
+    with d.no_colliders():
+        d.cylinder(Box.around(box.anchor("top"), 0.44 * box.depth, 0.66 * box.width, 0.0006), "charcoal fabric")
+        for k, cell in enumerate(box.front(-0.0003).share(y=(0.02, 0.98)).columns(6)):
+            at = (cell.center[0], cell.center[1], (0.3 + 0.35 * (k % 2)) * box.height)
+            d.cylinder(Box.around(at, 0.0006, 0.1 * box.width, 0.1 * box.width), dots, "x", segments=12)
+    long = d.bounds.height - box.height
+    t = np.linspace(-1.0, 1.0, 9)
+    rows = []
+    levels = ((-0.05, 0.2, 0.006, 0.0), (0.4, 0.17, 0.014, 0.1), (0.8, 0.22, 0.02, 0.3), (1.0, 0.2, 0.014, 0.5))
+    for z, width, depth, lean in levels:
+        x = lean * 0.4 * long + depth * np.sin(2.2 * np.pi * t)
+        tip = box.z[1] + z * long - (0.25 * long * np.abs(t - 0.2) if z == 1.0 else 0.0)
+        rows.append(np.c_[x, width * box.width * t, tip + 0 * t])
+    d.sheet(np.array(rows), 0.0015, "paper", (3, 2))
 
 
-def roll_of_paper(b: Builder, r: float, z0: float, z1: float) -> None:
-    """A standing toilet roll with its core of cardboard and a loose end."""
-    b.lathe(
-        [
-            (0.98 * r, z0),
-            (r, z0 + 0.003),
-            (r, z1 - 0.003),
-            (0.98 * r, z1),
-            (0.4 * r, z1),
-            (0.38 * r, z1 - 0.02),
-            (0.0, z1 - 0.02),
-        ],
-        "paper",
-        26,
-        hollow=True,
-    )
-    b.add(
-        shapes.lathe(
-            [
-                (0.36 * r, z1 - 0.03),
-                (0.42 * r, z1 - 0.03),
-                (0.42 * r, z1 + 0.0002),
-                (0.36 * r, z1 + 0.0002),
-                (0.36 * r, z1 - 0.03),
-            ],
-            20,
-        ),
-        "cardboard",
-        [],
-    )
+def paper_roll(d: Drawing, box: Box) -> None:
+    """A standing toilet roll with its core of cardboard."""
+    edge, deep = 0.003 / box.height, 1 - 0.02 / box.height
+    outside = [(0.98, 0.0), (1.0, edge), (1.0, 1 - edge), (0.98, 1.0)]
+    d.turned(box, [*outside, (0.42, 1.0), (0.42, deep), (0.0, deep)], "paper", hollow=True)
+    with d.no_colliders():
+        core = [(0.42, deep - 0.01), (0.42, 1.0), (0.36, 1.0), (0.36, deep + 0.01), (0.0, deep + 0.01)]
+        d.turned(box, core, "cardboard", hollow=True)
 
 
-@small("toilet_paper_roll", fit="round")
-def toilet_paper_roll(b: Builder) -> None:
-    """A standing roll of toilet paper."""
-    d, _, h = target(b)
-    b.material("body", "paper")
-    roll_of_paper(b, 0.48 * d, 0.0, h)
-    b.box((0.36 * d, 0.5 * d), (-0.12 * d, 0.14 * d), (0.001, h - 0.001), "paper", 0.001)
+@draws("toilet_paper_roll", whole=True, even="round")
+def toilet_paper_roll(d: Drawing) -> None:
+    """A standing roll of toilet paper with its end loose."""
+    d.material("body", "paper")
+    box = d.even("round")
+    paper_roll(d, box.inset(front=0.02 * box.depth, back=0.02 * box.depth, y=0.02 * box.width))
+    d.box(box.front(0.14 * box.depth).inset(z=0.001).share(y=(0.38, 0.64)), "paper", bevel=0.001)
 
 
-@small("toilet_paper_stack", fit="round")
-def toilet_paper_stack(b: Builder) -> None:
+@draws("toilet_paper_stack", whole=True, even="round")
+def toilet_paper_stack(d: Drawing) -> None:
     """Spare rolls on an upright holder with a foot."""
-    d, _, h = target(b)
-    metal = b.material("stand", "chrome", "black steel", "brass", "oak")
-    b.frustum(d / 2, 0.48 * d, (0.0, 0.014), metal, 28, bevel=0.003)
-    count = 3 if h < 0.5 else 4
-    top = h - 0.05
-    for k in range(count):
-        z = 0.014 + k * (top - 0.014) / count
-        roll_of_paper(b, 0.38 * d, z, z + (top - 0.014) / count - 0.001)
-    b.frustum(0.008, 0.008, (0.01, h - 0.012), metal, 12)
-    orb(b, (0.018, 0.018, 0.018), (0, 0, h - 0.018), metal, 12)
+    metal = d.material("stand", "chrome, black steel, brass, oak")
+    box = d.even("round")
+    d.cylinder(box.bottom(0.014), metal, bevel=0.003)
+    rolls = box.inset(bottom=0.014, top=0.05).share((0.12, 0.88), (0.12, 0.88))
+    for own in rolls.rows(3 if box.height < 0.5 else 4, gap=0.001):
+        paper_roll(d, own)
+    d.cylinder(box.place(0.016, 0.016).inset(bottom=0.01, top=0.03), metal, segments=12)
+    d.ball(box.top(0.036).place(0.036, 0.036), metal, 12)
 
 
-TOWELS = (
-    "white fabric",
-    "beige fabric",
-    "grey fabric",
-    "blue fabric",
-    "green fabric",
-    "rose fabric",
-    "navy fabric",
-    "mustard fabric",
-)
-
-
-def towel(
-    b: Builder, x: tuple[float, float], y: tuple[float, float], z: tuple[float, float], cloth: Look, hem: Look
-) -> None:
-    """A folded towel: round layers with the fold to the front, and a woven stripe near its end."""
-    layers = 2
-    t = (z[1] - z[0]) / layers
-    for k in range(layers):
-        e = 0.004 * k
-        b.cushion(
-            (x[0] + e, x[1] - e),
-            y,
-            (z[0] + k * t, z[0] + (k + 1) * t + (0.002 if k == 0 else 0.0)),
-            cloth,
-            radius=0.48 * t,
-            puff=0.12,
-        )
-    for s in (0.7, 0.78):
-        px = x[0] + s * (x[1] - x[0])
-        b.box((px - 0.004, px + 0.004), (y[0] + 0.012, y[1] - 0.012), (z[1] - 0.008, z[1] + 0.0008), hem, 0.001)
-
-
-@small("folded_towel")
-def folded_towel(b: Builder) -> None:
+@draws("folded_towel", whole=True)
+def folded_towel(d: Drawing) -> None:
     """A folded towel with a woven stripe."""
-    d, w, h = b.size
-    towel(
-        b,
-        (-d / 2, d / 2),
-        (-w / 2, w / 2),
-        (0.0, h),
-        b.material("cloth", *TOWELS),
-        b.material("hem", "white fabric", "charcoal fabric", "beige fabric"),
-    )
+    towel(d, d.bounds, d.material("cloth", TOWELS), d.material("hem", HEMS))
 
 
-@small("towel_stack")
-def towel_stack(b: Builder) -> None:
+@draws("towel_stack", whole=True)
+def towel_stack(d: Drawing) -> None:
     """Folded towels on each other in matching colours."""
-    d, w, h = b.size
-    cloths = (b.material("cloth", *TOWELS), b.material("second", *TOWELS))
-    hem = b.material("hem", "white fabric", "charcoal fabric", "beige fabric")
-    count = max(2, round(h / 0.06))
-    t = h / count
-    for k in range(count):
-        e = 0.012 * (k >= count - 1) + b.uniform(f"e{k}", 0.0, 0.006) * (k > 0)
-        towel(b, (-d / 2 + e, d / 2 - e), (-w / 2 + 2 * e, w / 2 - 2 * e), (k * t, (k + 1) * t), cloths[k % 2], hem)
+    cloths = (d.material("cloth", TOWELS), d.material("second", TOWELS))
+    hem = d.material("hem", HEMS)
+    layers = d.bounds.rows(max(2, round(d.bounds.height / 0.06)))
+    for k, own in enumerate(layers):
+        less = 0.012 * (k == len(layers) - 1) + d.uniform(f"e{k}", 0.0, 0.006) * (k > 0)
+        towel(d, own.inset(x=less, y=2 * less), cloths[k % 2], hem)
 
 
-@small("towel_roll")
-def towel_roll(b: Builder) -> None:
+@draws("towel_roll", whole=True)
+def towel_roll(d: Drawing) -> None:
     """Three rolled towels, one on two, their spirals to the front."""
-    d, w, h = b.size
-    cloths = [b.material("cloth", *TOWELS), b.pick("second", list(TOWELS)), b.pick("third", list(TOWELS))]
-    r = 0.29 * h
-    for k, (y, z) in enumerate(((-w / 2 + r * 1.05, r), (w / 2 - r * 1.05, r), (0.0, h - r))):
-        with b.frame(0, y, z, pitch=np.pi / 2):
-            b.frustum(
-                1.04 * r if k < 2 else r,
-                1.04 * r if k < 2 else r,
-                (-d / 2 + 0.01 * k, d / 2 - 0.01 * k),
-                cloths[k],
-                20,
-                bevel=0.15 * r,
-            )
-            for s, c in (
-                (0.82, "charcoal fabric"),
-                (0.76, cloths[k]),
-                (0.52, "charcoal fabric"),
-                (0.46, cloths[k]),
-                (0.22, "charcoal fabric"),
-                (0.15, cloths[k]),
-            ):
-                b.add(shapes.frustum(s * r, s * r, (0.0, d / 2 - 0.01 * k + 0.0012 - s * 0.001), 18), c, [])
-    b.box((-0.2 * d, 0.2 * d), (-w / 2 + r, w / 2 - r), (0.002, 0.25 * h), cloths[0], 0.003)
+    cloths = [d.material("cloth", TOWELS), *(d.pick(role, TOWELS.split(", ")) for role in ("second", "third"))]
+    box, r = d.bounds, 0.29 * d.bounds.height
+    own = box.place(width=2.04 * r, height=2 * r, at="bottom")
+    places = (own.move(y=box.y[0] - own.y[0]), own.move(y=box.y[1] - own.y[1]), own.move(z=box.height - 2 * r))
+    turns = np.linspace(0, 6 * np.pi, 49)
+    for k, (roll, cloth) in enumerate(zip(places, cloths, strict=True)):
+        roll = d.cylinder(roll.inset(x=0.01 * k), cloth, "x", bevel=0.15 * r, segments=20)
+        x, y, z = roll.anchor("front")
+        radius = (0.12 + 0.7 * turns / turns[-1]) * r
+        with d.no_colliders():
+            spiral = np.c_[np.full(49, x - 0.0008), y + radius * np.cos(turns), z + radius * np.sin(turns)]
+            d.sweep(spiral, 0.0012, "charcoal fabric", 4)
+    d.box(box.share((0.3, 0.7), (0.25, 0.75), (0.01, 0.25)), cloths[0])
 
 
-@small("hair_dryer")
-def hair_dryer(b: Builder) -> None:
-    """A dryer on its side's stand: barrel, nozzle, grip with a switch."""
-    d, w, h = b.size
-    look = b.material(
-        "body", "black plastic", "white plastic", "pink plastic", "grey plastic", "red plastic", "lilac plastic"
-    )
-    trim = b.material("trim", "black plastic", "grey plastic", "brass")
-    r = 0.46 * d
-    zc = h - r - 0.002
-    with b.frame(0, 0, zc, roll=np.pi / 2):
-        # The frame's z axis points to -y.
-        b.lathe(
-            [
-                (0.55 * r, -w / 2),
-                (0.9 * r, -w / 2 + 0.012),
-                (1.08 * r, -0.3 * w),
-                (1.0 * r, 0.0),
-                (0.72 * r, 0.3 * w),
-                (0.72 * r, 0.36 * w),
-            ],
-            look,
-            24,
-        )
-        b.frustum(0.7 * r, 0.62 * r, (0.36 * w, 0.5 * w), trim, 20)
-        spot(b, 0.5 * r, (-w / 2 - 0.0003, -w / 2 + 0.01), trim, 20)
-        spot(b, 0.52 * r, (0.4 * w, 0.5 * w + 0.0003), "black steel", 16)
-    loft(
-        b,
-        [
-            ellipse(0.036, 0.042, 0.0, 16, y=0.12 * w),
-            ellipse(0.032, 0.034, 0.01, 16, y=0.12 * w),
-            ellipse(0.015, 0.02, 0.02, 16, y=0.12 * w),
-            ellipse(0.016, 0.021, 0.5 * zc, 16, y=0.12 * w),
-            ellipse(0.02, 0.026, zc - 0.5 * r, 16, y=0.12 * w),
-        ],
-        look,
-    )
-    b.box((0.012, 0.019), (0.12 * w - 0.006, 0.12 * w + 0.006), (0.45 * zc, 0.62 * zc), trim, 0.002)
+@draws("hair_dryer", whole=True)
+def hair_dryer(d: Drawing) -> None:
+    """A dryer on a foot: barrel, nozzle, grip with a switch."""
+    look = d.material("body", "black plastic, white plastic, pink plastic, grey plastic, red plastic, lilac plastic")
+    trim = d.material("trim", "black plastic, grey plastic, brass")
+    depth, width, h = d.bounds.size
+    r = 0.46 * depth
+    middle = h - r - 0.002
+    with d.at(0.0, width / 2, middle, roll=math.pi / 2):  # its z axis points to -y
+        barrel = Box.sized(2 * r, 2 * r, width)
+        d.turned(barrel, [(0.55, 0.0), (0.9, 0.05), (1.08, 0.2), (1.0, 0.5), (0.72, 0.8), (0.72, 0.86)], look)
+        d.turned(barrel, [(0.7, 0.86), (0.62, 1.0)], trim, 20)
+        for radius, z, dark in ((1.0, 0.0, trim), (1.04, width, "black steel")):
+            with d.no_colliders():
+                d.cylinder(Box.around((0, 0, z), radius * r, radius * r, 0.0006), dark, segments=20)
+    foot = Box.sized(0.08, 0.08, middle - 0.4 * r, (0.0, 0.12 * width, 0.0))
+    rows = [(0.9, 1.0, 0.0), (0.8, 0.85, 0.06), (0.38, 0.5, 0.12), (0.4, 0.52, 0.5), (0.5, 0.66, 1.0)]
+    d.sections(foot, rows, look)
+    d.slab(foot.share((0.5, 0.76), (0.42, 0.58), (0.45, 0.68)), trim, 0.003)
 
 
-@small("hairbrush")
-def hairbrush(b: Builder) -> None:
+@draws("hairbrush", whole=True)
+def hairbrush(d: Drawing) -> None:
     """A brush with a cushion of bristles up."""
-    d, w, h = b.size
-    look = b.material("body", "beech", "walnut", "black plastic", "pink plastic", "bamboo")
-    t = 0.45 * h
-    with b.frame(-0.22 * d, 0, 0):
-        spun(b, [(0.9, 0.0), (1.0, 0.25 * t), (1.0, 0.7 * t), (0.9, t)], look, 0.28 * d, w / 2, 20)
-        spun(b, [(0.82, t), (0.6, 1.25 * t)], "black plastic", 0.28 * d, w / 2, 18)
-        shape = shapes.lathe([(0.82, t), (0.76, h)], 14)
-        part = (shape[0] * [0.28 * d, w / 2, 1.0], shape[1])
-        first = True
-        for i in range(-4, 5):
-            for j in range(-2, 3):
-                x, y = i / 4.6, j / 2.9
-                if x * x + y * y < 0.52:
-                    px, py = x * 0.28 * d * 0.95, y * w / 2 * 0.95
-                    b.add(
-                        shapes.box(
-                            (px - 0.001, px + 0.001), (py - 0.001, py + 0.001), (t, h - 0.0002 * (i * i + j * j))
-                        ),
-                        "steel",
-                        [part] if first else [],
-                    )
-                    first = False
-    b.hull(
-        [
-            (x * d, s * y * w, z)
-            for s in (-1, 1)
-            for x, y in ((-0.02, 0.3), (0.06, 0.13), (0.3, 0.15))
-            for z in (0.1 * t, 0.9 * t)
-        ],
-        look,
-    )
-    b.cushion((0.2 * d, d / 2), (-0.16 * w, 0.16 * w), (0.05 * t, 0.95 * t), look, radius=0.4 * t)
+    look = d.material("body", "beech, walnut, black plastic, pink plastic, bamboo")
+    box = d.bounds
+    head, body = box.share(x=(0.0, 0.56)), box.share(z=(0.0, 0.45))
+    d.turned(head, [(0.9, 0.0), (1.0, 0.12), (1.0, 0.32), (0.9, 0.45)], look, 20)
+    d.turned(head, [(0.82, 0.45), (0.6, 0.56)], "black plastic", 18)
+    x0, half = head.center[0], (head.depth / 2, head.width / 2)
+    with d.no_colliders():
+        for x, y in spread(30, 0.68):
+            high = (1 - 0.1 * (x * x + y * y)) * box.height
+            bristle = Box.sized(0.002, 0.002, 0.55 * high, (x0 + x * half[0], y * half[1], 0.45 * high))
+            d.box(bristle, "steel", bevel=0.0)
+    points, faces = shapes.lathe([(0.82, 0.45 * box.height), (0.76, box.height)], 14)
+    middle = Box.sized(0.002, 0.002, box.height, (x0, 0.0, 0.0))
+    d.add(shapes.box(middle.x, middle.y, middle.z), "steel", [(points * (*half, 1.0) + (x0, 0.0, 0.0), faces)])
+    neck = ((0.48, 0.3), (0.56, 0.13), (0.8, 0.15))
+    ends = [body.share(x=(x, x)).anchor(level) for x, _ in neck for level in ("bottom", "top")]
+    widths = [y for _, y in neck for _ in range(2)]
+    d.hull([(x, s * y * box.width, z) for (x, _, z), y in zip(ends, widths, strict=True) for s in (-1, 1)], look)
+    d.cushion(body.share((0.7, 1.0), (0.34, 0.66), (0.05, 0.95)), look, 0.4 * body.height)
 
 
-@small("makeup_bag")
-def makeup_bag(b: Builder) -> None:
+@draws("makeup_bag", whole=True)
+def makeup_bag(d: Drawing) -> None:
     """A soft bag with a zip and a tassel."""
-    d, w, h = b.size
-    cloth = b.material(
-        "cloth", "rose fabric", "black leather", "navy fabric", "beige fabric", "green fabric", "tan leather"
-    )
-    loft(
-        b,
-        [
-            rect((-e * d / 2, e * d / 2), (-f * w / 2, f * w / 2), z * h, 0.3 * d * e, 4)
-            for e, f, z in (
-                (0.86, 0.92, 0.0),
-                (1.0, 1.0, 0.12),
-                (0.92, 0.98, 0.5),
-                (0.5, 0.9, 0.86),
-                (0.16, 0.84, 0.95),
-            )
-        ],
-        cloth,
-        convex=False,
-    )
-    b.box((-0.006, 0.006), (-0.42 * w, 0.42 * w), (0.93 * h, h), "brass", 0.002)
-    b.box((-0.004, 0.004), (0.4 * w, 0.46 * w), (0.74 * h, 0.97 * h), b.pick("tassel", ["brass", "red fabric"]), 0.002)
-    for s in (-1, 1):
-        b.box((-0.41 * d, 0.41 * d), (s * 0.3 * w - 0.003, s * 0.3 * w + 0.003), (0.28 * h, 0.34 * h), "brass", 0.001)
+    cloth = d.material("cloth", "rose fabric, black leather, navy fabric, beige fabric, green fabric, tan leather")
+    box = d.bounds
+    rows = ((0.86, 0.92, 0.0), (1.0, 1.0, 0.12), (0.92, 0.98, 0.5), (0.5, 0.9, 0.86), (0.16, 0.84, 0.95))
+    d.sections(box, rows, cloth, radius=0.3)
+    d.box(box.share(y=(0.08, 0.92), z=(0.93, 1.0)).place(0.012), "brass", bevel=0.002)
+    tassel = d.pick("tassel", ["brass", "red fabric"])
+    d.sections(box.share(y=(0.9, 0.96), z=(0.72, 0.97)).place(0.008), [(1, 1, 0.0), (0.7, 0.7, 0.8), (1, 1, 1)], tassel)
 
 
-@small("makeup_set")
-def makeup_set(b: Builder) -> None:
+@draws("makeup_set", whole=True)
+def makeup_set(d: Drawing) -> None:
     """A tray with lipsticks, a palette of powders, nail polish and brushes in a cup."""
-    d, w, h = b.size
-    tray = b.material("tray", "marble", "brass", "white ceramic", "mirror", "oak")
-    slab(b, (-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.01), tray, 0.02, 0.002, 4)
-    for k, (c, open_) in enumerate((("red plastic", True), ("pink plastic", True), ("plum pigment", False))):
-        with b.frame((0.3 - 0.06 * (k % 2)) * d, (-0.42 + 0.09 * k) * w, 0.01):
-            b.frustum(0.009, 0.009, (0.0, 0.3 * h), "black plastic", 14)
-            b.frustum(0.0075, 0.0075, (0.3 * h, 0.45 * h), "brass", 14)
-            if open_:
-                b.hull(
-                    np.concatenate(
-                        [
-                            ellipse(0.0062, 0.0062, 0.45 * h, 12),
-                            ellipse(0.0062, 0.0062, 0.6 * h, 12) + [0, 0, 0],
-                            [(-0.005, 0, 0.68 * h), (-0.004, 0.002, 0.68 * h), (-0.004, -0.002, 0.68 * h)],
-                        ]
-                    ),
-                    c,
-                )
-            else:
-                b.frustum(0.0092, 0.0092, (0.32 * h, 0.7 * h), "black plastic", 14)
-    with b.frame(0.2 * d, 0.22 * w, 0.01):
-        b.box((-0.04, 0.04), (-0.05, 0.05), (0.0, 0.009), "black plastic", 0.001)
-        for i in range(2):
-            for j in range(3):
-                c = ("blush pigment", "sand pigment", "plum pigment", "terracotta pigment", "pink icing", "bark")[
-                    3 * i + j
-                ]
-                decal(
-                    b,
-                    (-0.034 + 0.036 * i, -0.002 + 0.036 * i),
-                    (-0.045 + 0.031 * j, -0.017 + 0.031 * j),
-                    (0.005, 0.0093),
-                    c,
-                )
-        with b.frame(-0.04, 0, 0.009, pitch=-0.35):
-            b.box((-0.006, 0.0), (-0.05, 0.05), (0.0, 0.075), "black plastic", 0.001)
-            decal(b, (-0.003, 0.0003), (-0.045, 0.045), (0.006, 0.07), "mirror")
-    for k, c in enumerate(("red plastic", "pink plastic")):
-        with b.frame(-0.05 * d + 0.02 * k, (-0.32 + 0.12 * k) * w, 0.01):
-            b.lathe([(0.012, 0.0), (0.013, 0.025), (0.006, 0.03)], c, 14)
-            b.frustum(0.0065, 0.0045, (0.03, 0.062), "black plastic", 12)
-    with b.frame(-0.28 * d, -0.22 * w, 0.01):
-        b.frustum(0.028, 0.03, (0.0, 0.5 * h), b.pick("cup", ["glass", "white ceramic", "brass"]), 20)
+    tray = d.material("tray", "marble, brass, white ceramic, mirror, oak")
+    depth, width, h = d.bounds.size
+    d.slab(d.bounds.bottom(0.01), tray, 0.02, 0.002, 4)
+    for k, look in enumerate(("red plastic", "pink plastic", "plum pigment")):
+        own = Box.sized(0.018, 0.018, 0.7 * h, ((0.3 - 0.06 * (k % 2)) * depth, (-0.42 + 0.09 * k) * width, 0.01))
+        d.turned(own, [(1.0, 0.0), (1.0, 0.45), (0.82, 0.46), (0.82, 0.66)], "black plastic" if k < 2 else "brass", 14)
+        d.turned(own, [(0.68, 0.64), (0.68, 0.86), (0.4, 0.94), (0.1, 1.0)], look, 12)
+    with d.at(0.2 * depth, 0.22 * width, 0.01):
+        case = d.box(Box.sized(0.08, 0.1, 0.009), "black plastic", bevel=0.001)
+        powders = ("blush pigment", "sand pigment", "plum pigment", "terracotta pigment", "pink icing", "bark")
+        rows = case.top(0.0).inset(x=0.005, y=0.005).split("x", 2, 0.004)
+        cells = [pan for row in rows for pan in row.columns(3, 0.004)]
+        for pan, look in zip(cells, powders, strict=True):
+            d.print(pan, look)
+        with d.at(-0.04, 0.0, 0.009, pitch=-0.35):
+            lid = d.box(Box((-0.006, 0.0), (-0.05, 0.05), (0.0, 0.075)), "black plastic", bevel=0.001)
+            d.print(lid.front(0.0).inset(y=0.005, z=0.005), "mirror")
+    for k, look in enumerate(("red plastic", "pink plastic")):
+        own = Box.sized(0.026, 0.026, 0.062, (-0.05 * depth + 0.02 * k, (-0.32 + 0.12 * k) * width, 0.01))
+        d.turned(own, [(0.92, 0.0), (1.0, 0.4), (0.46, 0.48)], look, 14)
+        d.turned(own, [(0.5, 0.48), (0.35, 1.0)], "black plastic", 12)
+    with d.at(-0.28 * depth, -0.22 * width, 0.01):
+        cup = Box.sized(0.06, 0.06, 0.5 * h)
+        open_vessel(d, cup, [(0.93, 0.0), (1.0, 1.0)], d.pick("cup", ["glass", "white ceramic", "brass"]), 0.002)
         for k in range(4):
-            with b.frame(yaw=1.57 * k + 0.4), b.frame(-0.008, 0, 0.35 * h, pitch=0.2):
-                top = (0.62 - 0.05 * k) * h
-                b.bar(
-                    (0, 0, 0),
-                    (0, 0, top - 0.03),
-                    0.0028,
-                    b.pick(f"stick {k}", ["black plastic", "beech", "brass"]),
-                    8,
-                )
-                b.lathe(
-                    [(0.004, top - 0.034), (0.009, top - 0.014), (0.004, top)],
-                    "bark" if k % 2 else "blush pigment",
-                    10,
-                )
+            long = (0.95 - 0.05 * k) * h
+            with d.at(yaw=1.57 * k + 0.4), d.at(-0.01, 0.0, 0.03 * h, pitch=0.2):
+                stick = d.pick(f"stick {k}", ["black plastic", "beech", "brass"])
+                d.bar((0, 0, 0), (0, 0, long - 0.03), 0.0028, stick, 8)
+                tip = Box.sized(0.018, 0.018, 0.034, (0, 0, long - 0.034))
+                d.turned(tip, [(0.45, 0.0), (1.0, 0.6), (0.45, 1.0)], "bark" if k % 2 else "blush pigment", 10)
 
 
-@small("razor")
-def razor(b: Builder) -> None:
-    """A shaving stand with a razor, a brush and a bowl of soap."""
-    d, w, h = b.size
-    metal = b.material("stand", "chrome", "black steel", "brass")
-    grip = b.material("grips", "walnut", "white plastic", "black plastic", "chrome")
-    loft(
-        b,
-        [ellipse(e * d / 2, e * w / 2, z, 24) for e, z in ((1.0, 0.0), (1.0, 0.006), (0.9, 0.012))],
-        metal,
-        convex=True,
-    )
-    b.bar((0, 0, 0.01), (0, 0, 0.9 * h), 0.004, metal, 10)
-    b.bar((0, -0.3 * w, 0.9 * h), (0, 0.3 * w, 0.9 * h), 0.004, metal, 8)
-    with b.frame(0, -0.28 * w, 0):
-        b.lathe([(0.006, 0.18 * h), (0.009, 0.24 * h), (0.006, 0.5 * h), (0.008, 0.7 * h), (0.005, 0.9 * h)], grip, 12)
-        b.box((-0.012, 0.012), (-0.2 * w, 0.2 * w), (0.93 * h, h), "chrome", 0.003)
-        b.frustum(0.005, 0.005, (0.88 * h, 0.95 * h), "chrome", 10)
-    with b.frame(0, 0.28 * w, 0):
-        b.lathe([(0.022, 0.16 * h), (0.017, 0.42 * h), (0.01, 0.52 * h)], "sand pigment", 14)
-        b.lathe([(0.011, 0.5 * h), (0.016, 0.62 * h), (0.012, 0.78 * h), (0.008, 0.92 * h)], grip, 14)
+@draws("razor", whole=True)
+def razor(d: Drawing) -> None:
+    """A shaving stand with a razor and a brush that hang from its bar."""
+    metal = d.material("stand", "chrome, black steel, brass")
+    grip = d.material("grips", "walnut, white plastic, black plastic, chrome")
+    box, h, w = d.bounds, d.bounds.height, d.bounds.width
+    d.sections(box.bottom(0.012), [(1, 1, 0.0), (1, 1, 0.5), (0.9, 0.9, 1.0)], metal, convex=True)
+    d.bar((0, 0, 0.01), (0, 0, 0.9 * h), 0.004, metal)
+    d.bar((0, -0.3 * w, 0.9 * h), (0, 0.3 * w, 0.9 * h), 0.004, metal, 8)
+    left, right = (Box.sized(0.044, 0.044, h, (0.0, s * 0.28 * w, 0.0)) for s in (1, -1))
+    d.turned(right, [(0.27, 0.18), (0.4, 0.24), (0.27, 0.5), (0.36, 0.7), (0.22, 0.95)], grip, 12)
+    d.slab(right.top(0.07 * h).place(0.024, 0.4 * w), "chrome", 0.004, 0.002)
+    d.turned(left, [(1.0, 0.16), (0.77, 0.42), (0.45, 0.52)], "sand pigment", 14)
+    d.turned(left, [(0.5, 0.5), (0.72, 0.62), (0.54, 0.78), (0.36, 0.92)], grip, 14)
 
 
-@small("toilet_brush", fit="round")
-def toilet_brush(b: Builder) -> None:
+@draws("toilet_brush", whole=True, even="round")
+def toilet_brush(d: Drawing) -> None:
     """A brush in its holder."""
-    d, _, h = target(b)
-    r = d / 2
-    look = b.material("body", "white ceramic", "brushed steel", "black steel", "white plastic", "concrete")
-    metal = b.material("handle", "chrome", "black steel", "white plastic", "bamboo")
-    top = 0.4 * h
-    b.lathe([(0.9 * r, 0.0), (r, 0.01), (0.9 * r, top - 0.01), (0.86 * r, top)], look, 24)
-    b.frustum(0.7 * r, 0.6 * r, (top, top + 0.015), metal, 20)
-    b.lathe(
-        [(0.01, top + 0.01), (0.008, 0.6 * h), (0.008, 0.8 * h), (0.013, 0.86 * h), (0.013, 0.97 * h), (0.008, h)],
-        metal,
-        14,
-    )
+    box = d.even("round")
+    look = d.material("body", "white ceramic, brushed steel, black steel, white plastic, concrete")
+    metal = d.material("handle", "chrome, black steel, white plastic, bamboo")
+    d.turned(box, [(0.9, 0.0), (1.0, 0.025), (0.9, 0.38), (0.86, 0.4)], look)
+    stem = 0.016 / box.width
+    rod = [(0.7, 0.4), (0.62, 0.44), (stem, 0.45), (stem, 0.8), (1.6 * stem, 0.86), (1.6 * stem, 0.97), (stem, 1.0)]
+    d.turned(box, rod, metal, 16)
 
 
-@small("plunger", fit="round")
-def plunger(b: Builder) -> None:
+@draws("plunger", whole=True, even="round")
+def plunger(d: Drawing) -> None:
     """A rubber cup on a stick."""
-    d, _, h = target(b)
-    r = d / 2
-    cup = b.material("cup", "red plastic", "rubber", "terracotta pigment")
-    wood = b.material("stick", "beech", "pine", "blue plastic")
-    b.lathe(
-        [
-            (0.92 * r, 0.0),
-            (r, 0.008),
-            (0.97 * r, 0.02),
-            (0.9 * r, 0.05),
-            (0.62 * r, 0.085),
-            (0.28 * r, 0.1),
-            (0.24 * r, 0.13),
-        ],
-        cup,
-        24,
-    )
-    b.lathe([(0.013, 0.12), (0.013, h - 0.03), (0.015, h - 0.012), (0.008, h)], wood, 14)
+    box = d.even("round")
+    rubber = d.material("cup", "red plastic, rubber, terracotta pigment")
+    wood = d.material("stick", "beech, pine, blue plastic")
+    cup = [(0.92, 0.0), (1.0, 0.06), (0.97, 0.15), (0.9, 0.38), (0.62, 0.65), (0.28, 0.77), (0.24, 1.0)]
+    d.turned(box.bottom(0.13), cup, rubber)
+    stick = Box.sized(0.03, 0.03, box.height - 0.12, (0.0, 0.0, 0.12))
+    d.turned(stick, [(0.87, 0.0), (0.87, 0.92), (1.0, 0.97), (0.55, 1.0)], wood, 14)
 
 
-@small("rubber_duck")
-def rubber_duck(b: Builder) -> None:
+@draws("rubber_duck", whole=True)
+def rubber_duck(d: Drawing) -> None:
     """A yellow duck with an orange beak."""
-    d, w, h = b.size
-    look = b.material("body", "yellow plastic", "yellow plastic", "pink plastic", "mint plastic")
-    loft(
-        b,
-        [
-            ellipse(e * 0.44 * d, f * w / 2, z * h, 20, x=-0.06 * d + s * d)
-            for e, f, z, s in (
-                (0.7, 0.7, 0.0, 0.0),
-                (0.95, 0.95, 0.12, 0.0),
-                (1.0, 1.0, 0.28, 0.0),
-                (0.9, 0.88, 0.44, 0.0),
-                (0.6, 0.55, 0.55, 0.06),
-            )
-        ],
-        look,
-        convex=True,
-    )
-    b.hull(
-        [
-            (x * d, y * w, z * h)
-            for x, y, z in (
-                (-0.2, -0.2, 0.3),
-                (-0.2, 0.2, 0.3),
-                (-0.36, 0.14, 0.3),
-                (-0.36, -0.14, 0.3),
-                (-0.5, 0.05, 0.62),
-                (-0.5, -0.05, 0.62),
-                (-0.2, 0.1, 0.5),
-                (-0.2, -0.1, 0.5),
-            )
-        ],
-        look,
-    )
+    look = d.material("body", "yellow plastic, yellow plastic, pink plastic, mint plastic")
+    box = d.bounds
+    depth, width, h = box.size
+    body = box.share(x=(0.0, 0.88), z=(0.0, 0.55))
+    rows = ((0.7, 0.7, 0.0), (0.95, 0.95, 0.22), (1.0, 1.0, 0.5), (0.9, 0.88, 0.8), (0.6, 0.55, 1.0, 0.07))
+    d.sections(body, rows, look, convex=True)
+    tail = ((-0.2, 0.2, 0.3), (-0.36, 0.14, 0.3), (-0.5, 0.05, 0.62), (-0.2, 0.1, 0.5))
+    d.hull([(x * depth, s * y * width, z * h) for x, y, z in tail for s in (-1, 1)], look)
     r = 0.27 * h
-    b.ball((r, r, r), (0.16 * d, 0, h - r), look, 18)
-    b.cushion(
-        (0.16 * d + 0.75 * r, d / 2),
-        (-0.42 * r, 0.42 * r),
-        (h - 1.35 * r, h - 0.95 * r),
-        "orange plastic",
-        radius=0.2 * r,
-    )
-    for s in (-1, 1):
-        orb(b, (0.1 * r, 0.12 * r, 0.14 * r), (0.16 * d + 0.78 * r, s * 0.5 * r, h - 0.68 * r), "ink pigment", 8)
-        with b.frame(-0.08 * d, s * 0.42 * w, 0.36 * h, pitch=-0.4):
-            orb(b, (0.2 * d, 0.08 * w, 0.12 * h), (0, 0, 0), look, 12)
+    x, z = 0.16 * depth, h - r
+    d.ball(Box.around((x, 0, z), 2 * r, 2 * r, 2 * r), look, 18)
+    beak = Box((x + 0.75 * r, box.x[1]), (-0.42 * r, 0.42 * r), (z - 0.35 * r, z + 0.05 * r))
+    d.cushion(beak, "orange plastic", 0.2 * r)
+    with d.mirror("y"):
+        d.ball(Box.around((x + 0.8 * r, 0.5 * r, z + 0.32 * r), 0.16 * r, 0.24 * r, 0.28 * r), "ink pigment", 8)
+        with d.at(-0.08 * depth, 0.42 * width, 0.36 * h, pitch=-0.4):
+            d.ball(Box.around((0, 0, 0), 0.4 * depth, 0.16 * width, 0.24 * h), look, 12)
 
 
-@small("first_aid_kit")
-def first_aid_kit(b: Builder) -> None:
+@draws("first_aid_kit", whole=True)
+def first_aid_kit(d: Drawing) -> None:
     """A case with a cross, clasps and a handle."""
-    d, w, h = b.size
-    look = b.material("body", "red plastic", "white plastic", "green plastic")
+    look = d.material("body", "red plastic, white plastic, green plastic")
     mark = "red plastic" if look.name == "white plastic" else "white plastic"
-    top = h - 0.03
-    with b.frame(0, 0, top / 2, pitch=np.pi / 2):
-        slab(b, (-top / 2, top / 2), (-w / 2, w / 2), (-d / 2, d / 2), look, 0.022, 0.004, 4)
-        for e, f in ((0.3, 0.1), (0.1, 0.3)):
-            b.add(
-                shapes.box((-e * top, e * top), (-f * top, f * top), (0.0, d / 2 + 0.0003 + (0.00005 if e > f else 0))),
-                mark,
-                [],
-            )
-        b.add(
-            shapes.box((-top / 2 + 0.03, top / 2 - 0.03), (-w / 2 - 0.0003, w / 2 + 0.0003), (-0.002, 0.002)),
-            "black plastic",
-            [],
-        )
-    for s in (-1, 1):
-        b.box(
-            (0.0, 0.014),
-            (s * 0.32 * w - 0.012, s * 0.32 * w + 0.012),
-            (top - 0.006, top + 0.006),
-            "grey plastic",
-            0.002,
-        )
-    n = np.array([[-0.009, -0.004], [0.009, -0.004], [0.009, 0.004], [-0.009, 0.004]])
-    b.tube(
-        [(0, -0.2 * w, top - 0.004), (0, -0.18 * w, h - 0.004), (0, 0.18 * w, h - 0.004), (0, 0.2 * w, top - 0.004)],
-        n,
-        "black plastic",
-    )
+    case = d.bounds.inset(top=0.03)
+    high = case.height
+    with d.at(0.0, 0.0, high / 2, pitch=math.pi / 2):  # its z axis points to the front
+        d.slab(Box.sized(high, case.width, case.depth, (0, 0, -case.depth / 2)), look, 0.022, 0.004, 4)
+    for width, height, proud in ((0.6, 0.2, 0.0003), (0.2, 0.6, 0.0004)):
+        d.print(case.front(0.0).place(width=width * high, height=height * high), mark, proud)
+    seam = case.inset(z=0.03).place(0.004)
+    d.print(seam.left(0.0), "black plastic")
+    d.print(seam.right(0.0), "black plastic")
+    with d.mirror("y"):
+        clasp = Box.around((0.007, 0.32 * case.width, high), 0.014, 0.024, 0.012)
+        d.box(clasp, "grey plastic", bevel=0.002)
+    y, top = 0.2 * case.width, d.bounds.height - 0.006
+    path = [(0, -y, high - 0.004), (0, -0.9 * y, top), (0, 0.9 * y, top), (0, y, high - 0.004)]
+    d.sweep(path, shapes.rectangle((-0.009, 0.009), (-0.006, 0.006), 0.0, 0.003, 1)[:, :2], "black plastic")
 
 
-@small("sponge")
-def sponge(b: Builder) -> None:
-    """A sponge with a rough side."""
-    d, w, h = b.size
-    look = b.material("body", "foam", "pink icing", "sky pigment", "foam")
-    b.cushion((-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.74 * h), look, radius=0.006)
-    slab(
-        b,
-        (-d / 2 + 0.0005, d / 2 - 0.0005),
-        (-w / 2 + 0.0005, w / 2 - 0.0005),
-        (0.72 * h, h),
-        b.pick("pad", ["dark leaf", "green fabric", "navy fabric"]),
-        0.006,
-        0.001,
-    )
-    for k in range(24):
-        x, y = (b.uniform(f"x{k}", -0.42, 0.42)) * w, b.uniform(f"z{k}", 0.27, 0.48) * h
-        s = b.uniform(f"s{k}", 0.001, 0.0026)
-        decal(
-            b,
-            (d / 2 - 0.002, d / 2 + 0.0002),
-            (x - s, x + s),
-            (y - s, y + s),
-            "ochre pigment" if look.name == "foam" else "grey paint",
-        )
+@draws("sponge", whole=True)
+def sponge(d: Drawing) -> None:
+    """A sponge full of holes with a rough side."""
+    look = d.material("body", "foam, pink icing, sky pigment, foam")
+    body = d.cushion(d.bounds.share(z=(0.0, 0.74)), look, radius=0.006)
+    pad = d.pick("pad", ["dark leaf", "green fabric", "navy fabric"])
+    d.slab(d.bounds.share(z=(0.72, 1.0)).inset(x=0.0005, y=0.0005), pad, 0.006)
+    hole = "ochre pigment" if look.name == "foam" else "grey paint"
+    with d.no_colliders():
+        for k in range(28):
+            side = (body.front(0.0), body.left(0.0))[k % 2]
+            u, v = d.uniform(f"x{k}", 0.1, 0.9), d.uniform(f"z{k}", 0.36, 0.7)
+            size = d.uniform(f"s{k}", 0.002, 0.004)
+            at = side.share((u, u), (u, u), (v, v)).center
+            d.ball(Box.around(at, min(side.depth, size), min(side.width, size), size).inset(-0.0002), hole, 6)
