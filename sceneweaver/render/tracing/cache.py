@@ -6,6 +6,7 @@ and fro between the cells is then a sparse linear system per colour, which a few
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,8 @@ import warp as wp
 
 from . import cache_kernels, world_kernels
 from .bands import launch
-from .world import Geometry
+from .lights import Emitters, emitters
+from .world import Geometry, linear_color
 
 CELL = 0.11
 """Side [m] of a cell in rooms of usual size."""
@@ -25,10 +27,11 @@ _KEPT = 12  # points of a cell that are lit at most
 _SHADOW_RAYS = 2
 _BOUNCE_RAYS = 6
 _BOUNCES = 12
+_PATCH = 0.8  # side [m] of the blocks whose sunlit cells make one lamp
 
 
-def build_cache(world: Any, lights: Any, geometry: Geometry, low: np.ndarray, high: np.ndarray) -> Any:
-    """The cache of everything between ``low`` and ``high`` [3], on the current device."""
+def build_cache(world: Any, lights: Any, geometry: Geometry, low: np.ndarray, high: np.ndarray) -> tuple[Any, Emitters]:
+    """The cache of everything between ``low`` and ``high`` [3], on the current device, and patches of sun as lamps."""
     cache = world_kernels.Cache()
     span = high - low
     cell = CELL
@@ -38,43 +41,57 @@ def build_cache(world: Any, lights: Any, geometry: Geometry, low: np.ndarray, hi
     low = low - 0.37 * cell  # faces that lie in planes of the grid would fall to either side
     cache.low, cache.cell = wp.vec3(*low), cell
     cache.nx, cache.ny, cache.nz = (int(n) for n in shape)
-    points, normals = _spread_points(geometry, low, low + shape * cell, cell)
-    entry = _entries(points, normals, low, cell, shape)
+    spread = _spread_points(geometry, low, low + shape * cell, cell)
+    entry = _entries(spread.points, spread.normals, low, cell, shape)
     cells, order = _grouped(entry)
-    points, normals, row = points[order], normals[order], np.searchsorted(cells, entry[order])
+    row = np.searchsorted(cells, entry[order])
+    some = Spread(spread.points[order], spread.normals[order], spread.color[order], spread.area[order])
     index = np.full(int(np.prod(shape)) * 6, -1, dtype=np.int32)
     index[cells] = np.arange(len(cells))
     cache.index = wp.array(index, dtype=int)
-    cache.light = wp.zeros(max(len(cells), 1), dtype=wp.vec3)
+    cache.light = cache.bounced = wp.zeros(max(len(cells), 1), dtype=wp.vec3)
     cache.mean = wp.vec3(0.0)
-    if len(cells):
-        light = _solved(world, lights, cache, points, normals, row, len(cells))
-        cache.light = wp.array(light, dtype=wp.vec3)
-        cache.mean = wp.vec3(*np.median(light, axis=0))
-    return cache
+    if not len(cells):
+        return cache, emitters([])
+    area = np.bincount(np.searchsorted(cells, entry), spread.area, len(cells))
+    light, sun = _solved(world, lights, cache, some, row, len(cells))
+    patches, lamps = _sun_patches(some, row, sun, area, cell)
+    cache.light = wp.array(light, dtype=wp.vec3)
+    cache.bounced = wp.array(np.where(lamps[:, None], light - sun, light), dtype=wp.vec3)
+    cache.mean = wp.vec3(*np.median(light, axis=0))
+    return cache, patches
+
+
+@dataclass(frozen=True)
+class Spread:
+    """Points on surfaces [N, 3], their unit normals [N, 3], linear colours [N, 3] and the area [N] each stands for
+    [m2], 0 on see-through ones."""
+
+    points: np.ndarray
+    normals: np.ndarray
+    color: np.ndarray
+    area: np.ndarray
 
 
 def _solved(
-    world: Any, lights: Any, cache: Any, points: np.ndarray, normals: np.ndarray, row: np.ndarray, count: int
-) -> np.ndarray:
-    """Irradiance over pi of each cell [count, 3] with all bounces."""
+    world: Any, lights: Any, cache: Any, spread: Spread, row: np.ndarray, count: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Irradiance over pi of each cell [count, 3] with all bounces, and that by the sun alone [count, 3]."""
     from scipy.sparse import csr_matrix
 
-    n, rays = len(points), _BOUNCE_RAYS
-    direct, color = wp.zeros(n, dtype=wp.vec3), wp.zeros(n * rays, dtype=wp.vec3)
-    hit, inside = wp.zeros(n * rays, dtype=int), wp.zeros(n, dtype=float)
-    places = [wp.array(points, dtype=wp.vec3), wp.array(normals, dtype=wp.vec3)]
-    launch(
-        cache_kernels.light_points,
-        n,
-        [world, lights, cache, *places, _SHADOW_RAYS, rays],
-        [],
-        [direct, hit, color, inside],
-    )
+    n, rays = len(spread.points), _BOUNCE_RAYS
+    places = [wp.array(spread.points, dtype=wp.vec3), wp.array(spread.normals, dtype=wp.vec3)]
+    sky, sunny = wp.zeros(n, dtype=wp.vec3), wp.zeros(n, dtype=wp.vec3)
+    color, hit, inside = wp.zeros(n * rays, dtype=wp.vec3), wp.zeros(n * rays, dtype=int), wp.zeros(n, dtype=float)
+    before = [world, lights, cache, *places, _SHADOW_RAYS, rays]
+    launch(cache_kernels.light_points, n, before, [], [sky, sunny, hit, color, inside])
     # Points within bodies are in the dark, and not seen: where a cell has others, those stand for it.
     share = np.where(inside.numpy() > 0.5, 1e-6, 1.0)
     share = share / np.bincount(row, share, count)[row]
-    own = np.stack([np.bincount(row, direct.numpy()[:, k] * share, count) for k in range(3)], axis=1)
+    sun, own = (
+        np.stack([np.bincount(row, a.numpy()[:, k] * share, count) for k in range(3)], axis=1) for a in (sunny, sky)
+    )
+    own = own + sun
     target, albedo = hit.numpy(), color.numpy()
     seen = target >= 0
     ends = (np.repeat(row, rays)[seen], target[seen])
@@ -86,21 +103,54 @@ def _solved(
         for _ in range(_BOUNCES):
             total = own[:, k] + throw @ total
         light[:, k] = total
-    return light
+    return light, sun
 
 
-def _spread_points(geometry: Geometry, low: np.ndarray, high: np.ndarray, cell: float) -> tuple[np.ndarray, np.ndarray]:
-    """Points [N, 3] spread evenly over all surfaces in a box and their unit normals; both sides of see-through ones."""
+def _sun_patches(
+    spread: Spread, row: np.ndarray, sun: np.ndarray, area: np.ndarray, cell: float
+) -> tuple[Emitters, np.ndarray]:
+    """The cells on which the sun falls as lamps, some of a neighbourhood to each, and which cells these are [count]."""
+    count = len(sun)
+    points = np.bincount(row, minlength=count)[:, None]
+
+    def mean(values: np.ndarray) -> np.ndarray:
+        return np.stack([np.bincount(row, values[:, k], count) for k in range(3)], axis=1) / points
+
+    bright = sun.mean(axis=1)
+    chosen = (bright > 0.1 * bright.max()) & (area > 0.02 * cell**2)
+    if bright.max() <= 0 or not chosen.any():
+        return emitters([]), np.zeros(count, dtype=bool)
+    normal = mean(spread.normals)
+    normal = normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-9)
+    middle = (mean(spread.points) + 0.01 * normal)[chosen]
+    radiance = (mean(spread.color) * sun)[chosen]
+    normal, size = normal[chosen], np.sqrt(area[chosen])
+    # An even triangle about the middle with the area of the cell's surfaces.
+    aside = np.cross(normal, np.where(np.abs(normal[:, :1]) > 0.7, (0.0, 1.0, 0.0), (1.0, 0.0, 0.0)))
+    aside = aside / np.linalg.norm(aside, axis=1, keepdims=True)
+    other = np.cross(normal, aside)
+    reach = (size * np.sqrt(4 / (3 * np.sqrt(3))))[:, None]
+    turns = np.radians((0.0, 120.0, 240.0))
+    corners = np.stack([middle + reach * (np.cos(t) * aside + np.sin(t) * other) for t in turns], axis=1)
+    block = np.floor(middle / _PATCH).astype(int)
+    _, group = np.unique(block, axis=0, return_inverse=True)
+    group = group.reshape(-1)
+    return emitters([(corners[group == k], radiance[group == k]) for k in range(group.max() + 1)], True), chosen
+
+
+def _spread_points(geometry: Geometry, low: np.ndarray, high: np.ndarray, cell: float) -> Spread:
+    """Points spread evenly over all surfaces in a box, on both sides of see-through ones."""
     corners = geometry.corners
     clear = np.arange(len(corners)) >= geometry.opaque
     near = ((corners.max(axis=1) >= low) & (corners.min(axis=1) <= high)).all(axis=1)
-    corners, clear = corners[near], clear[near]
+    corners, clear, look = corners[near], clear[near], geometry.material[near]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     area = np.linalg.norm(normal, axis=1) / 2
     kept = area > 1e-10
-    corners, clear, normal, area = corners[kept], clear[kept], normal[kept], area[kept]
+    corners, clear, normal, area, look = corners[kept], clear[kept], normal[kept], area[kept], look[kept]
     if not len(area):
-        return np.zeros((0, 3)), np.zeros((0, 3))
+        none = np.zeros((0, 3))
+        return Spread(none, none, none, np.zeros(0))
     normal = normal / (2 * area[:, None])
     count = int(np.clip(_POINTS * area.sum() / cell**2, 64, _MOST_POINTS))
     at = (np.arange(count) + 0.5) / count * area.sum()
@@ -110,10 +160,13 @@ def _spread_points(geometry: Geometry, low: np.ndarray, high: np.ndarray, cell: 
     r = np.sqrt(u)[:, None]
     a, b, c = (corners[face, j] for j in range(3))
     points, normals = a * (1 - r) + b * (r * (1 - v[:, None])) + c * (r * v[:, None]), normal[face]
+    color = np.array([linear_color(m) * (1 - 0.15 * m.metallic) for m in geometry.materials])[look[face]]
+    stands = np.where(clear[face], 0.0, area.sum() / count)
     back = clear[face]
     points, normals = np.concatenate([points, points[back]]), np.concatenate([normals, -normals[back]])
+    color, stands = np.concatenate([color, color[back]]), np.concatenate([stands, stands[back]])
     inside = ((points >= low) & (points < high)).all(axis=1)
-    return points[inside], normals[inside]
+    return Spread(points[inside], normals[inside], color[inside], stands[inside])
 
 
 def _entries(points: np.ndarray, normals: np.ndarray, low: np.ndarray, cell: float, shape: np.ndarray) -> np.ndarray:

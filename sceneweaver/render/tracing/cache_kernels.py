@@ -22,24 +22,27 @@ def light_points(
     start: int,
     # State out:
     direct_out: wp.array(dtype=wp.vec3),
+    sun_out: wp.array(dtype=wp.vec3),
     hit_out: wp.array(dtype=int),
     color_out: wp.array(dtype=wp.vec3),
     inside_out: wp.array(dtype=float),
 ):
-    """Direct light of points on surfaces, and which cells of the cache they see in which colour.
+    """Direct light of points on surfaces, that of the sun apart, and which cells of the cache they see in which colour.
 
     ``inside`` is the share of rays that end on the back of a surface: such a point lies in a body.
     """
     i = start + wp.tid()
     p, n = points[i], normals[i]
     direct = wp.vec3(0.0)
+    sun = wp.vec3(0.0)
     for k in range(shadow_rays):
         e = even_point(i * shadow_rays + k)
-        e2 = even_point((i * shadow_rays + k) * 5 + 2)
         sky = window_light(world, lights, p, n, n, e)
-        lamp = lamp_light(world, lights, p, n, n, e, e2)
-        direct = direct + sky.light + lamp.light + sun_light(world, lights, p, n, n, e)
+        lamp = lamp_light(world, lights, p, n, n, i * shadow_rays + k, e[1])
+        direct = direct + sky.light + lamp.light
+        sun = sun + sun_light(world, lights, p, n, n, e)
     direct = direct / float(shadow_rays)
+    sun_out[i] = sun / float(shadow_rays)
     inside = float(0.0)
     for k in range(bounce_rays):
         row = i * bounce_rays + k

@@ -3,11 +3,11 @@
 import warp as wp
 
 from ..raycast_kernels import Lens, camera_ray
-from .filter_kernels import alike
+from .filter_kernels import akin, alike
 from .light_kernels import Lights
 from .sampling_kernels import even_point
 from .view_kernels import pixel_width, what_is_seen
-from .world_kernels import Cache, World
+from .world_kernels import Cache, World, cached_light
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
 
@@ -24,8 +24,9 @@ class Film:
 
 @wp.func
 def shoulder(x: float):
-    """Linear up to 0.55, then bent toward 1."""
-    knee = 0.55
+    """Contrast about the middle, linear up to 0.6, then bent toward 1."""
+    knee = 0.6
+    x = 0.4 * wp.pow(x / 0.4, 1.12)
     if x <= knee:
         return x
     t = (x - knee) / (1.0 - knee)
@@ -157,14 +158,30 @@ def develop(
                         j = v * columns + u
                         near = wp.max(1.0 - wp.abs(fx - float(cx)), 0.02) * wp.max(1.0 - wp.abs(fy - float(cy)), 0.02)
                         w = near * (alike(seen.point, seen.normal, mine, point[j], normal[j], key[j], slack))
-                        if key[j] >= 0:
-                            w += 1.0e-5 * near
                         a = a + soft[j] * w
                         b = b + sun[j] * w
                         g = g + gloss[j] * w
                         d = d + toward[j] * w
                         weight += w
-            weight = wp.max(weight, 1.0e-9)
+            if weight < 1.0e-3:
+                for corner in range(16):
+                    u, v = left + corner % 4 - 1, top + corner // 4 - 1
+                    if u >= 0 and v >= 0 and u < columns and v < rows:
+                        j = v * columns + u
+                        w = akin(seen.normal, mine, normal[j], key[j])
+                        a = a + soft[j] * w
+                        b = b + sun[j] * w
+                        g = g + gloss[j] * w
+                        d = d + toward[j] * w
+                        weight += w
+            if weight < 1.0e-3:
+                # Too narrow for any place around to show it: in the light of its surroundings.
+                plain = cached_light(cache, seen.point, seen.flat, e)
+                a = wp.vec4(plain[0], plain[1], plain[2], 0.0)
+                b = wp.vec3(0.0)
+                g = plain
+                d = wp.vec3(0.0)
+                weight = 1.0
             lit = wp.vec3(a[0], a[1], a[2]) / weight
             way = d / weight
             # Bumps: a surface that is bent toward where the light comes from has more of it.

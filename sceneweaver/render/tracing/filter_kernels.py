@@ -5,7 +5,7 @@ Edge-avoiding wavelets guided by variance, after Dammertz et al. (2010) and Schi
 
 import warp as wp
 
-from .sampling_kernels import PI
+from .light_kernels import clamped
 from .world_kernels import luminance
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
@@ -24,6 +24,22 @@ def alike(p: wp.vec3, n: wp.vec3, key: int, q: wp.vec3, m: wp.vec3, other: int, 
     return bend * bend * bend * wp.exp(-away / slack)
 
 
+@wp.func
+def _spline(step: int):
+    """The cubic B-spline, 1 in the middle: what alternates from pixel to pixel vanishes."""
+    a = wp.abs(step)
+    return wp.where(a == 0, 1.0, wp.where(a == 1, 2.0 / 3.0, 1.0 / 6.0))
+
+
+@wp.func
+def akin(n: wp.vec3, key: int, m: wp.vec3, other: int):
+    """Whether two pixels show faces of one object that look about the same way: for what is narrower than a pixel."""
+    if key != other:
+        return 0.0
+    bend = wp.max(wp.dot(n, m), 0.0)
+    return bend * bend * 0.2
+
+
 @wp.kernel
 def spread_variance(
     # Problem:
@@ -32,16 +48,20 @@ def spread_variance(
     start: int,
     # State in:
     soft: wp.array(dtype=wp.vec4),
+    gloss: wp.array(dtype=wp.vec3),
     key: wp.array(dtype=int),
     # State out:
     soft_out: wp.array(dtype=wp.vec4),
+    gloss_out: wp.array(dtype=wp.vec3),
 ):
-    """The variance of each pixel as that of the pixels around it: few samples know little of their own."""
+    """The variance of each pixel as that of the pixels around it, as few samples know little of their own; and no
+    pixel is much brighter than all around it."""
     i = start + wp.tid()
     x, y = i % width, i // width
-    total = float(0.0)
-    first = float(0.0)
-    second = float(0.0)
+    count = float(0.0)
+    noise = float(0.0)
+    first = wp.vec2(0.0, 0.0)
+    second = wp.vec2(0.0, 0.0)
     for dy in range(-2, 3):
         for dx in range(-2, 3):
             u, v = x + dx, y + dy
@@ -49,11 +69,22 @@ def spread_variance(
                 j = v * width + u
                 if key[j] == key[i]:
                     c = soft[j]
-                    first += c[3]
-                    second += 1.0
-                    total += 1.0
+                    noise += c[3]
+                    count += 1.0
+                    if j != i:
+                        bright = wp.vec2(luminance(wp.vec3(c[0], c[1], c[2])), luminance(gloss[j]))
+                        first = first + bright
+                        second = second + wp.cw_mul(bright, bright)
     c = soft[i]
-    soft_out[i] = wp.vec4(c[0], c[1], c[2], first / wp.max(second, 1.0))
+    lit = wp.vec3(c[0], c[1], c[2])
+    shine = gloss[i]
+    if count > 4.0:
+        mean = first / (count - 1.0)
+        spread = second / (count - 1.0) - wp.cw_mul(mean, mean)
+        lit = clamped(lit, mean[0] + 2.0 * wp.sqrt(wp.max(spread[0], 0.0)) + 1.0e-4)
+        shine = clamped(shine, mean[1] + 2.0 * wp.sqrt(wp.max(spread[1], 0.0)) + 1.0e-4)
+    soft_out[i] = wp.vec4(lit[0], lit[1], lit[2], noise / wp.max(count, 1.0))
+    gloss_out[i] = shine
 
 
 @wp.kernel
@@ -91,36 +122,45 @@ def smooth(
         bright = luminance(wp.vec3(own[0], own[1], own[2]))
         noise = 3.0 * wp.sqrt(own[3]) + 0.01 * bright + 1.0e-4
         shine = luminance(gloss[i])
-        total = float(0.0)
-        shares = float(0.0)
-        sum_soft = wp.vec3(0.0)
-        sum_noise = float(0.0)
-        sum_gloss = wp.vec3(0.0)
-        sum_toward = wp.vec3(0.0)
-        for dy in range(-2, 3):
-            for dx in range(-2, 3):
-                u, v = x + dx * step, y + dy * step
-                if u >= 0 and v >= 0 and u < width and v < height:
-                    j = v * width + u
-                    w = alike(p, n, mine, point[j], normal[j], key[j], slack)
-                    if w > 1.0e-4:
-                        w = w * wp.exp(-0.35 * float(dx * dx + dy * dy))
-                        c = soft[j]
-                        other = luminance(wp.vec3(c[0], c[1], c[2]))
-                        ws = w * wp.exp(-wp.abs(other - bright) / noise)
-                        sum_soft = sum_soft + wp.vec3(c[0], c[1], c[2]) * ws
-                        sum_toward = sum_toward + toward[j] * ws
-                        sum_noise += c[3] * ws * ws
-                        shares += ws
-                        g = gloss[j]
-                        wg = w / (1.0 + 2.0 * wp.abs(luminance(g) - shine) / (shine + 0.2))
-                        sum_gloss = sum_gloss + g * wg
-                        total += wg
-        lit = sum_soft / wp.max(shares, 1.0e-6)
-        soft_out[i] = wp.vec4(lit[0], lit[1], lit[2], sum_noise / wp.max(shares * shares, 1.0e-9))
-        toward_out[i] = sum_toward / wp.max(shares, 1.0e-6)
-        if step <= 4:
-            gloss_out[i] = sum_gloss / wp.max(total, 1.0e-6)
+        lone = int(0)
+        for _attempt in range(2):
+            total = float(0.0)
+            shares = float(0.0)
+            support = float(0.0)
+            sum_soft = wp.vec3(0.0)
+            sum_noise = float(0.0)
+            sum_gloss = wp.vec3(0.0)
+            sum_toward = wp.vec3(0.0)
+            for dy in range(-2, 3):
+                for dx in range(-2, 3):
+                    u, v = x + dx * step, y + dy * step
+                    if u >= 0 and v >= 0 and u < width and v < height:
+                        j = v * width + u
+                        w = alike(p, n, mine, point[j], normal[j], key[j], slack)
+                        if lone == 1:
+                            w = wp.max(w, akin(n, mine, normal[j], key[j]))
+                        if w > 1.0e-4:
+                            support += w
+                            w = w * _spline(dx) * _spline(dy)
+                            c = soft[j]
+                            other = luminance(wp.vec3(c[0], c[1], c[2]))
+                            ws = w * wp.exp(-wp.abs(other - bright) / noise)
+                            sum_soft = sum_soft + wp.vec3(c[0], c[1], c[2]) * ws
+                            sum_toward = sum_toward + toward[j] * ws
+                            sum_noise += c[3] * ws * ws
+                            shares += ws
+                            g = gloss[j]
+                            wg = w / (1.0 + 2.0 * wp.abs(luminance(g) - shine) / (shine + 0.2))
+                            sum_gloss = sum_gloss + g * wg
+                            total += wg
+            lit = sum_soft / wp.max(shares, 1.0e-6)
+            soft_out[i] = wp.vec4(lit[0], lit[1], lit[2], sum_noise / wp.max(shares * shares, 1.0e-9))
+            toward_out[i] = sum_toward / wp.max(shares, 1.0e-6)
+            if step <= 4:
+                gloss_out[i] = sum_gloss / wp.max(total, 1.0e-6)
+            if support > 3.0 or step > 2:
+                break
+            lone = 1
 
 
 @wp.kernel
@@ -154,11 +194,8 @@ def smooth_sun(
                 if u >= 0 and v >= 0 and u < width and v < height:
                     j = v * width + u
                     w = alike(p, n, key[i], point[j], normal[j], key[j], slack)
-                    w = w * wp.exp(-0.25 * float(dx * dx + dy * dy))
+                    w = w * _spline(dx) * _spline(dy)
                     found = found + sun[j] * w
                     total += w
         if total > 1.0e-6:
             sun_out[i] = found / total
-
-
-__all__ = ["PI"]

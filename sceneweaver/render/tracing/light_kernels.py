@@ -16,7 +16,7 @@ from .world_kernels import (
     OFFSET,
     Cache,
     World,
-    cached_light,
+    bounced_only,
     diffuse_of,
     hit_solid,
     luminance,
@@ -27,6 +27,7 @@ from .world_kernels import (
 wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
 
 _BEYOND = wp.constant(0.35)  # how far past a window light is looked for [m]: what is outside throws no shadows
+_AIMS = wp.constant(4)  # points of lamps to choose one of for each ray
 
 
 @wp.struct
@@ -54,7 +55,9 @@ class Lamp:
 
 @wp.struct
 class LampFace:
-    """A triangle that shines on its outer side: corners, normal, radiance, and the share of area up to it."""
+    """A triangle that shines on its outer side: corners, normal, radiance, and the share of area up to it.
+
+    Its light falls off no further than from the distance whose square is ``least`` [m2]."""
 
     a: wp.vec3
     b: wp.vec3
@@ -62,6 +65,7 @@ class LampFace:
     normal: wp.vec3
     radiance: wp.vec3
     share: float
+    least: float
 
 
 @wp.struct
@@ -227,19 +231,25 @@ def window_light(world: World, lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.
 
 @wp.func
 def _lamp_weight(lamp: Lamp, p: wp.vec3):
+    """About how much light a lamp sends to a point."""
     to = lamp.middle - p
     return lamp.flux / (wp.dot(to, to) + lamp.radius * lamp.radius + 0.01)
 
 
+@wp.struct
+class Aim:
+    """A point of a lamp as seen from a surface: direction and distance [m], and the irradiance over pi that its whole
+    lamp would send if all of it were there and nothing stood between, over the chance to aim at it."""
+
+    way: wp.vec3
+    distance: float
+    light: wp.vec3
+
+
 @wp.func
-def lamp_light(world: World, lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3, e: wp.vec2, e2: wp.vec2):
-    """Irradiance over pi by the lamps, by one ray to a point of one of their faces."""
-    none = Arriving()
-    total = float(0.0)
-    for k in range(lights.lamp_count):
-        total += _lamp_weight(lights.lamps[k], p)
-    if total <= 0.0:
-        return none
+def _aim(lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3, total: float, e: wp.vec2, e2: wp.vec2):
+    """Aim at a point of some lamp, chosen by how much the lamps send about here."""
+    aim = Aim()
     left = e[0] * total
     chosen = int(0)
     share = float(1.0)
@@ -264,25 +274,50 @@ def lamp_light(world: World, lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.ve
             last = middle
     face = lights.faces[first]
     r = wp.sqrt(e2[0])
-    point = face.a * (1.0 - r) + face.b * (r * (1.0 - e2[1])) + face.c * (r * e2[1])
-    to = point - p
+    to = face.a * (1.0 - r) + face.b * (r * (1.0 - e2[1])) + face.c * (r * e2[1]) - p
     d2 = wp.max(wp.dot(to, to), 1.0e-6)
-    distance = wp.sqrt(d2)
-    way = to / distance
-    cosine = wp.dot(n, way)
-    leaving = -wp.dot(face.normal, way)
-    if cosine <= 0.0 or leaving <= 0.0 or wp.dot(flat, way) <= 0.0:
-        return none
-    reach = distance - 3.0 * OFFSET
-    if reach <= 0.0:
-        return none
-    through = transmitted(world, p + flat * OFFSET, way, reach)
+    aim.distance = wp.sqrt(d2)
+    aim.way = to / aim.distance
+    cosine = wp.dot(n, aim.way)
+    leaving = -wp.dot(face.normal, aim.way)
+    if cosine > 0.0 and leaving > 0.0 and wp.dot(flat, aim.way) > 0.0:
+        aim.light = face.radiance * (cosine * leaving * lamp.area * total / (PI * wp.max(d2, face.least) * share))
+    return aim
+
+
+@wp.func
+def lamp_light(world: World, lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3, k: int, e: float):
+    """Irradiance over pi by the lamps, by ray k to a point of one: of some, the one that would send most is likely.
+
+    This is resampled importance sampling (Talbot, Cline and Egbert 2005); ``e`` is a random number.
+    """
     found = Arriving()
-    # Very near to a lamp one sample would outshine all others: its distance is not less than a few centimetres.
-    found.light = wp.cw_mul(face.radiance, through) * (
-        cosine * leaving * lamp.area * total / (PI * wp.max(d2, 0.002) * share)
-    )
-    found.way = way
+    total = float(0.0)
+    for j in range(lights.lamp_count):
+        total += _lamp_weight(lights.lamps[j], p)
+    if total <= 0.0:
+        return found
+    best = Aim()
+    level = float(0.0)
+    pick = e
+    for c in range(_AIMS):
+        row = k * _AIMS + c
+        aim = _aim(lights, p, n, flat, total, even_point(row), even_point(row * 5 + 2))
+        bright = luminance(aim.light)
+        if bright > 0.0:
+            level += bright
+            odds = bright / level
+            if pick < odds:
+                best = aim
+                pick = pick / odds
+            else:
+                pick = (pick - odds) / (1.0 - odds)
+    reach = best.distance - 3.0 * OFFSET
+    if level <= 0.0 or reach <= 0.0:
+        return found
+    through = transmitted(world, p + flat * OFFSET, best.way, reach)
+    found.light = wp.cw_mul(best.light, through) * (level / (float(_AIMS) * luminance(best.light)))
+    found.way = best.way
     return found
 
 
@@ -307,6 +342,14 @@ def outdoor_light(lights: Lights, n: wp.vec3):
 
 
 @wp.func
+def hazy(lights: Lights, color: wp.vec3, distance: float):
+    """What stands outside, through the air before it."""
+    clear = wp.exp(-distance / 140.0)
+    grey = wp.vec3(luminance(color)) * 0.15 + color * 0.85
+    return grey * clear + lights.horizon * (1.0 - clear)
+
+
+@wp.func
 def bounced_light(
     world: World, lights: Lights, cache: Cache, p: wp.vec3, n: wp.vec3, flat: wp.vec3, e: wp.vec2, k: int
 ):
@@ -323,7 +366,7 @@ def bounced_light(
     s = shade_of(world, hit, way, 0.05 + 0.2 * hit.t, 0)
     at = p + way * hit.t
     if in_room(lights, at) == 1:
-        found.light = wp.cw_mul(diffuse_of(s), cached_light(cache, at, s.flat, even_point(k * 7 + 3)))
+        found.light = wp.cw_mul(diffuse_of(s), bounced_only(cache, at, s.flat, even_point(k * 7 + 3)))
     return found
 
 

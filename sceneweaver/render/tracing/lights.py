@@ -18,6 +18,7 @@ Color = tuple[float, float, float]
 
 _SUN_HEIGHT = math.radians(36.0)
 _SUN_SLANT = 0.42  # sideways, so that bars and curtains draw lines that run into the room
+_LEAST_SQUARE = 0.002  # of the distance to a lamp's triangle [m2]
 _LEAST_AREA = 1e-7  # of a triangle that shines [m2]
 
 
@@ -42,14 +43,14 @@ class Lights:
     portals alone, and what is seen past the walls elsewhere is a ``hall``.
 
     ``sun`` points toward the sun, ``softness`` is the tangent of its half angle, ``sun_color`` its irradiance at right
-    angles. ``view`` is how bright the world outside looks beside the light that it gives: photographers balance the
-    two. ``lamp_color`` is that of everything with an emission; ``lamp_flux`` what one of 0.12 m2 sends out.
-    ``room`` is the box [m] that the room fills, lower and upper corner; None: all that is drawn.
+    angles. ``view`` is how bright the world outside looks at most beside the light that it gives. ``lamp_color`` is
+    that of everything with an emission; ``lamp_flux`` what one of 0.12 m2 sends out. ``room`` is the box [m] that the
+    room fills, lower and upper corner; None: all that is drawn.
     """
 
     sun: Color = (0.5, -0.35, 0.79)
     softness: float = 0.012
-    sun_color: Color = (6.0, 5.2, 4.1)
+    sun_color: Color = (4.2, 3.7, 3.0)
     zenith: Color = (0.72, 0.86, 1.10)
     horizon: Color = (1.05, 1.06, 1.06)
     ground: Color = (0.34, 0.33, 0.29)
@@ -84,7 +85,6 @@ def interior_lights(scene: Scene) -> Lights:
         enclosed=True,
         portals=portals_of(room),
         room=((float(low[0]), float(low[1]), -0.3), (float(high[0]), float(high[1]), room.height + 0.4)),
-        view=0.8,
         lamp_flux=0.9 if room.windows else 1.6,
     )
 
@@ -117,13 +117,25 @@ class Emitters:
     """Triangles that shine, lamp by lamp.
 
     ``corners`` [N, 3, 3], ``radiance`` [N, 3] and ``share`` [N] of the area of its lamp up to and with each;
-    ``start`` [L + 1] is where the triangles of each lamp begin.
+    ``start`` [L + 1] is where the triangles of each lamp begin. ``least`` [N] is the square of the distance [m2] under
+    which a triangle looks no larger.
     """
 
     corners: np.ndarray
     radiance: np.ndarray
     share: np.ndarray
     start: np.ndarray
+    least: np.ndarray
+
+    def __add__(self, other: Emitters) -> Emitters:
+        """Both, the other's lamps last."""
+        return Emitters(
+            np.concatenate([self.corners, other.corners]),
+            np.concatenate([self.radiance, other.radiance]),
+            np.concatenate([self.share, other.share]),
+            np.concatenate([self.start, other.start[1:] + self.start[-1]]),
+            np.concatenate([self.least, other.least]),
+        )
 
 
 def emission_of(mesh: Mesh, area: np.ndarray, lights: Lights) -> np.ndarray:
@@ -136,19 +148,23 @@ def emission_of(mesh: Mesh, area: np.ndarray, lights: Lights) -> np.ndarray:
     shining = np.array([m.emission for m in mesh.materials])
     total = np.bincount(mesh.face_material, area, len(mesh.materials)) if len(mesh.faces) else np.zeros(len(shining))
     lamp = float(total[shining >= 0.3].sum())
-    flux = lights.lamp_flux * math.sqrt(lamp / 0.12) if lamp > 0 else 0.0
+    flux = lights.lamp_flux * min((lamp / 0.12) ** 0.65, 3.0) if lamp > 0 else 0.0
     for k, material in enumerate(mesh.materials):
         if material.emission >= 0.3:
-            level = min(flux / (math.pi * max(lamp, 1e-4)), 60.0) * material.emission
+            level = min(flux / (math.pi * max(lamp, 1e-4)), 6.0) * material.emission
             radiance[k] = level * np.asarray(lights.lamp_color)
         elif material.emission > 0:
             radiance[k] = 1.2 * material.emission * np.asarray(material.color) ** 2.2
     return radiance
 
 
-def emitters(groups: Sequence[tuple[np.ndarray, np.ndarray]]) -> Emitters:
-    """The table of emitters from corners [N, 3, 3] and radiance [N, 3] of each lamp's triangles."""
-    corners, radiance, share, start = [], [], [], [0]
+def emitters(groups: Sequence[tuple[np.ndarray, np.ndarray]], as_discs: bool = False) -> Emitters:
+    """The table of emitters from corners [N, 3, 3] and radiance [N, 3] of each lamp's triangles.
+
+    Very near to a lamp one sample would outshine all others: its distance is not less than a few centimetres, or, for
+    triangles that stand for discs of their area, than that at which such a disc fills half of what is seen.
+    """
+    corners, radiance, share, start, least = [], [], [], [0], []
     for triangles, light in groups:
         area = np.linalg.norm(np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]), axis=1)
         kept = area / 2 > _LEAST_AREA
@@ -158,9 +174,11 @@ def emitters(groups: Sequence[tuple[np.ndarray, np.ndarray]]) -> Emitters:
         radiance.append(light[kept])
         share.append(np.cumsum(area[kept]) / area[kept].sum())
         start.append(start[-1] + int(kept.sum()))
+        least.append(area[kept] / 2 / math.pi if as_discs else np.full(int(kept.sum()), _LEAST_SQUARE))
     if not corners:
-        return Emitters(np.zeros((0, 3, 3)), np.zeros((0, 3)), np.zeros(0), np.zeros(1, dtype=int))
-    return Emitters(np.concatenate(corners), np.concatenate(radiance), np.concatenate(share), np.asarray(start))
+        return Emitters(np.zeros((0, 3, 3)), np.zeros((0, 3)), np.zeros(0), np.zeros(1, dtype=int), np.zeros(0))
+    ends, sizes = np.asarray(start), np.concatenate(least)
+    return Emitters(np.concatenate(corners), np.concatenate(radiance), np.concatenate(share), ends, sizes)
 
 
 __all__ = ["Emitters", "Instance", "Lights", "Portal", "emission_of", "emitters", "interior_lights", "portals_of"]

@@ -96,6 +96,18 @@ def glossy_direction(way: wp.vec3, n: wp.vec3, roughness: float, e: wp.vec2):
 
 
 @wp.func
+def glossy_lobe(away: wp.vec3, n: wp.vec3, roughness: float, way: wp.vec3):
+    """Pi times how much of the light along -``way`` a GGX surface throws to ``away``, for a Fresnel of 1."""
+    alpha = wp.max(roughness * roughness, 0.012)
+    a2 = alpha * alpha
+    h = wp.normalize(away + way)
+    nh, nl, nv = wp.max(wp.dot(n, h), 0.0), wp.max(wp.dot(n, way), 1.0e-3), wp.max(wp.dot(n, away), 1.0e-3)
+    d = nh * nh * (a2 - 1.0) + 1.0
+    masked = nl * wp.sqrt(nv * nv * (1.0 - a2) + a2) + nv * wp.sqrt(nl * nl * (1.0 - a2) + a2)
+    return a2 / (d * d) * 0.5 / wp.max(masked, 1.0e-4)
+
+
+@wp.func
 def split_sum(roughness: float, cosine: float):
     """Scale and bias of the reflectance at normal incidence for light from all sides: fit by Karis (2014)."""
     c = wp.vec4(1.0 - roughness, 0.0425 - 0.0275 * roughness, 1.04 - 0.572 * roughness, -0.04 + 0.022 * roughness)

@@ -23,6 +23,7 @@ from .lights import Lights
 from .world import bounds_of, collect, lights_on, world_on
 
 _MAX_PIXELS = 64_000_000
+_OUTSIDE = 1.7  # what the horizon is at most, as white is 1: photographers balance what is outside with the room
 
 
 @dataclass(frozen=True)
@@ -34,12 +35,12 @@ class TraceQuality:
     over twice the distance. ``rays`` are those of a pixel where something ends.
     """
 
-    windows: int = 3
-    lamps: int = 2
-    bounces: int = 4
+    windows: int = 4
+    lamps: int = 3
+    bounces: int = 5
     suns: int = 2
     spacing: int = 1
-    levels: int = 4
+    levels: int = 5
     rays: int = 6
     plain_rays: int = 1
 
@@ -53,7 +54,7 @@ class TraceQuality:
     @classmethod
     def draft(cls) -> TraceQuality:
         """For a quick look."""
-        return cls(windows=3, lamps=2, bounces=4, suns=2, spacing=2, levels=3, rays=4)
+        return cls(windows=3, lamps=2, bounces=4, suns=2, spacing=2, levels=4, rays=4)
 
     @classmethod
     def normal(cls) -> TraceQuality:
@@ -63,7 +64,7 @@ class TraceQuality:
     @classmethod
     def fine(cls) -> TraceQuality:
         """For a front page."""
-        return cls(windows=12, lamps=8, bounces=24, suns=8, levels=4, rays=16, plain_rays=4)
+        return cls(windows=12, lamps=8, bounces=24, suns=8, levels=5, rays=16, plain_rays=4)
 
 
 @dataclass(frozen=True)
@@ -108,8 +109,9 @@ class Tracer:
             low, high = np.maximum(low, self._lights.room[0]), np.minimum(high, self._lights.room[1])
         with wp.ScopedDevice(device):
             self._world, self._keep = world_on(geometry)
-            self._light = lights_on(self._lights, geometry.emitters, low, high)
-            self._cache = build_cache(self._world, self._light, geometry, low, high)
+            lamps = lights_on(self._lights, geometry.emitters, low, high)
+            self._cache, patches = build_cache(self._world, lamps, geometry, low, high)
+            self._light = lights_on(self._lights, geometry.emitters + patches, low, high)
 
     def picture(
         self,
@@ -164,8 +166,9 @@ class Tracer:
             deadline,
         )
         if quality.levels:
-            launch(filter_kernels.spread_variance, count, [columns, rows], [soft, key], [soft2], deadline)
-            soft, soft2 = soft2, soft
+            noisy = [soft, gloss, key]
+            launch(filter_kernels.spread_variance, count, [columns, rows], noisy, [soft2, gloss2], deadline)
+            soft, soft2, gloss, gloss2 = soft2, soft, gloss2, gloss
             launch(filter_kernels.smooth_sun, count, [columns, rows, eye, spread], [sun, *surface], [sun2], deadline)
             sun = sun2
         for level in range(quality.levels):
@@ -181,6 +184,7 @@ class Tracer:
         film = develop_kernels.Film()
         film.exposure, balance = exposed(soft.numpy(), sun.numpy(), key.numpy())
         film.balance = wp.vec3(*balance)
+        self._light.view = min(self._lights.view, _OUTSIDE / film.exposure) if self._lights.enclosed else 1.0
         film.rays, film.plain_rays = quality.rays, quality.plain_rays
         (edge,) = _empty(1, count, wp.uint8)
         launch(develop_kernels.find_edges, count, [columns, rows, eye, spread], [sun, *surface], [edge], deadline)

@@ -7,6 +7,8 @@ from .light_kernels import (
     Lights,
     bounced_light,
     clamped,
+    escaped_light,
+    hazy,
     in_room,
     lamp_light,
     outdoor_light,
@@ -14,7 +16,7 @@ from .light_kernels import (
     sun_light,
     window_light,
 )
-from .sampling_kernels import even_point, glossy_direction, reflected, split_sum
+from .sampling_kernels import even_point, glossy_direction, glossy_lobe, reflected, split_sum
 from .world_kernels import (
     FAR,
     OFFSET,
@@ -33,6 +35,7 @@ wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll"
 
 _LAYERS = wp.constant(10)  # surfaces that a ray goes on from at most
 _MATT = wp.constant(0.62)  # roughness from which on gloss is taken from the diffuse light
+_SHARP = wp.constant(0.28)  # roughness under which only the ray that follows the gloss sees windows and lamps
 _MIRROR = wp.constant(0.13)  # roughness of metal under which a ray goes on as in a mirror
 
 
@@ -139,7 +142,7 @@ def what_is_seen(world: World, lights: Lights, cache: Cache, ray: Ray, width: wp
             seen.instance = s.instance
             if in_room(lights, p) == 0:
                 lit = wp.cw_mul(diffuse_of(s), outdoor_light(lights, s.normal))
-                seen.shine = seen.shine + wp.cw_mul(through, lit) * lights.view
+                seen.shine = seen.shine + wp.cw_mul(through, hazy(lights, lit, seen.depth)) * lights.view
                 break
             f0 = wp.vec3(0.04 * (1.0 - s.metallic)) + s.color * s.metallic
             fit = split_sum(s.roughness, facing)
@@ -174,14 +177,19 @@ def reflected_light(world: World, lights: Lights, cache: Cache, seen: Seen, e: w
                 share = wp.cw_mul(share, passed(finish))
                 at = at + way * (hit.t + OFFSET)
                 hit = hit_any(world, at, way, FAR)
+    sharp = seen.glossy_roughness < _SHARP
     if hit.face < 0:
-        return wp.cw_mul(share, seen_outside(lights, at, way))
+        if sharp:
+            return wp.cw_mul(share, seen_outside(lights, at, way))
+        return wp.cw_mul(share, escaped_light(lights, at, way))
     s = shade_of(world, hit, way, 0.01 + 0.3 * seen.glossy_roughness * hit.t, 0)
     p = at + way * hit.t
     if in_room(lights, p) == 0:
-        return wp.cw_mul(share, wp.cw_mul(diffuse_of(s), outdoor_light(lights, s.normal)))
-    lit = cached_light(cache, p, s.flat, even_point(k * 3 + 1))
-    return wp.cw_mul(share, wp.cw_mul(diffuse_of(s), lit) + s.emission)
+        return wp.cw_mul(share, wp.cw_mul(diffuse_of(s), outdoor_light(lights, s.normal))) * wp.where(sharp, 1.0, 0.0)
+    lit = wp.cw_mul(diffuse_of(s), cached_light(cache, p, s.flat, even_point(k * 3 + 1)))
+    if sharp:
+        lit = lit + s.emission
+    return wp.cw_mul(share, lit)
 
 
 @wp.kernel
@@ -225,7 +233,7 @@ def light_pixels(
     point_out[i] = seen.point
     normal_out[i] = seen.normal
     key_out[i] = wp.where(seen.instance < 0, -1, seen.instance + 65536 * (seen.path // 100 + 1))
-    none = wp.vec3(0.0)
+    gloss = wp.vec3(0.0)
     soft = wp.vec3(0.0)
     sun = wp.vec3(0.0)
     toward = wp.vec3(0.0)
@@ -233,6 +241,8 @@ def light_pixels(
     if luminance(seen.color) + luminance(seen.gloss) > 1.0e-4 and seen.instance >= 0:
         p, n, flat = seen.point, seen.normal, seen.flat
         most = 40.0
+        aside = seen.path < 10000 and seen.glossy_roughness >= _SHARP and seen.glossy_roughness <= _MATT
+        rough = wp.max(seen.glossy_roughness, 0.12)
         if lights.portal_count > 0:
             for k in range(windows):
                 a = window_light(world, lights, p, n, flat, even_point(place * windows + k))
@@ -240,14 +250,18 @@ def light_pixels(
                 soft = soft + c
                 toward = toward + a.way * luminance(c)
                 square += luminance(c) * luminance(c)
+                if aside:
+                    gloss = gloss + c * glossy_lobe(-seen.way, seen.glossy_normal, rough, a.way)
         if lights.lamp_count > 0:
             for k in range(lamps):
-                e = even_point(place * lamps + k)
-                a = lamp_light(world, lights, p, n, flat, e, even_point((place * lamps + k) * 13 + 5))
+                pick = even_point((place * lamps + k) * 3 + 1)
+                a = lamp_light(world, lights, p, n, flat, place * lamps + k, pick[0])
                 c = clamped(a.light, most) / float(lamps)
                 soft = soft + c
                 toward = toward + a.way * luminance(c)
                 square += luminance(c) * luminance(c)
+                if aside:
+                    gloss = gloss + c * glossy_lobe(-seen.way, seen.glossy_normal, rough, a.way)
         for k in range(bounces):
             a = bounced_light(world, lights, cache, p, n, flat, even_point(place * bounces + k), place * bounces + k)
             c = clamped(a.light, most) / float(bounces)
@@ -256,15 +270,16 @@ def light_pixels(
             square += luminance(c) * luminance(c)
         for k in range(suns):
             sun = sun + sun_light(world, lights, p, n, flat, even_point(place * suns + k)) / float(suns)
+        if seen.path < 10000:
+            gloss = gloss + clamped(sun * glossy_lobe(-seen.way, seen.glossy_normal, rough, lights.sun), 12.0)
     bright = luminance(soft)
     rays = float(windows + lamps + bounces)
     soft_out[i] = wp.vec4(soft[0], soft[1], soft[2], wp.max(square - bright * bright / rays, 0.0))
     sun_out[i] = sun
     toward_out[i] = toward / wp.max(bright, 1.0e-6)
-    gloss = none
     if luminance(seen.gloss) > 1.0e-4:
         if seen.glossy_roughness > _MATT and seen.path < 10000:
             gloss = soft + sun
         else:
-            gloss = clamped(reflected_light(world, lights, cache, seen, even_point(place), place), 12.0)
+            gloss = gloss + clamped(reflected_light(world, lights, cache, seen, even_point(place), place), 12.0)
     gloss_out[i] = gloss

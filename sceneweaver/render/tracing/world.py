@@ -148,7 +148,7 @@ def lights_on(lights: Lights, found: Emitters, low: np.ndarray, high: np.ndarray
         normal = np.cross(b - a, c - a)
         faces["a"], faces["b"], faces["c"] = a, b, c
         faces["normal"] = normal / np.linalg.norm(normal, axis=1, keepdims=True)
-        faces["radiance"], faces["share"] = found.radiance, found.share
+        faces["radiance"], faces["share"], faces["least"] = found.radiance, found.share, found.least
     light.faces = wp.array(faces, dtype=face_type)
     return light
 
@@ -175,13 +175,17 @@ def _mesh(corners: np.ndarray) -> wp.Mesh:
 def _finish(material: Material, emission: np.ndarray, table: MapTable) -> Any:
     finish = world_kernels.Finish()
     finish.pattern, gain, rough_gain = table.add(material.texture)
-    color = np.asarray(material.color, dtype=np.float64)
-    linear = np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)
-    finish.color = wp.vec3(*(linear * gain))
+    finish.color = wp.vec3(*(linear_color(material) * gain))
     finish.emission = wp.vec3(*emission)
     finish.roughness = material.roughness * rough_gain
     finish.metallic, finish.opacity = material.metallic, material.opacity
     return finish
+
+
+def linear_color(material: Material) -> np.ndarray:
+    """The base colour [3] in linear light."""
+    color = np.asarray(material.color, dtype=np.float64)
+    return np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)
 
 
 def _tangents(corners: np.ndarray, uvs: np.ndarray) -> np.ndarray:

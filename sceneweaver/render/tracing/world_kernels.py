@@ -64,7 +64,9 @@ class World:
 
 @wp.struct
 class Cache:
-    """Irradiance over pi in cells of a grid, one entry for each of six sides; ``index`` -1 has none."""
+    """Irradiance over pi in cells of a grid, one entry for each of six sides; ``index`` -1 has none.
+
+    ``bounced`` leaves out sunlight that is sampled as that of a lamp."""
 
     low: wp.vec3
     cell: float
@@ -73,6 +75,7 @@ class Cache:
     nz: int
     index: wp.array(dtype=int)
     light: wp.array(dtype=wp.vec3)
+    bounced: wp.array(dtype=wp.vec3)
     mean: wp.vec3
 
 
@@ -211,9 +214,22 @@ def _bilinear(texels: wp.array(dtype=wp.uint32), start: int, width: int, uv: wp.
 
 @wp.func
 def mip_of(pattern: Pattern, footprint: float):
-    """The mip whose texels are about as large as a footprint [m]."""
+    """Which mip, as a fraction, has texels as large as a footprint [m]."""
     texels = footprint * wp.min(pattern.scale[0], pattern.scale[1]) * float(pattern.width)
-    return wp.clamp(int(wp.log2(wp.max(texels, 1.0)) + 0.5), 0, pattern.levels - 1)
+    return wp.clamp(wp.log2(wp.max(texels, 1.0)), 0.0, float(pattern.levels - 1))
+
+
+@wp.func
+def _texel(texels: wp.array(dtype=wp.uint32), pattern: Pattern, mip: float, uv: wp.vec2, tint: int):
+    """Map values at a point between two mips."""
+    level = int(mip)
+    share = mip - float(level)
+    start = _level_start(pattern, level)
+    width = pattern.width >> level
+    value = _bilinear(texels, start, width, uv, tint)
+    if share > 0.01 and level + 1 < pattern.levels:
+        value = value * (1.0 - share) + _bilinear(texels, start + width * width, width // 2, uv, tint) * share
+    return value
 
 
 @wp.func
@@ -251,15 +267,13 @@ def shade_of(world: World, hit: Hit, way: wp.vec3, footprint: float, detail: int
     s.normal = n
     if finish.pattern >= 0:
         pattern = world.patterns[finish.pattern]
-        level = mip_of(pattern, footprint)
-        start = _level_start(pattern, level)
-        width = pattern.width >> level
+        mip = mip_of(pattern, footprint)
         uv = texture_point(world, hit, pattern)
-        tint = _bilinear(world.colors, start, width, uv, 1)
+        tint = _texel(world.colors, pattern, mip, uv, 1)
         s.color = wp.cw_mul(s.color, wp.vec3(tint[0], tint[1], tint[2]))
         s.roughness = wp.clamp(s.roughness * tint[3], 0.02, 1.0)
         if detail == 1:
-            bump = _bilinear(world.bumps, start, width, uv, 0)
+            bump = _texel(world.bumps, pattern, mip, uv, 0)
             s.metallic = s.metallic * bump[3]
             t = world.tangents[hit.face]
             t = wp.normalize(t - n * wp.dot(n, t))
@@ -298,8 +312,8 @@ def cell_of(cache: Cache, p: wp.vec3, n: wp.vec3):
 
 
 @wp.func
-def cached_light(cache: Cache, p: wp.vec3, n: wp.vec3, e: wp.vec2):
-    """Irradiance over pi at a point, looked up somewhere near it so that cells leave no edges."""
+def cell_near(cache: Cache, p: wp.vec3, n: wp.vec3, e: wp.vec2):
+    """The entry of the cache for some point near one, so that cells leave no edges; -1 for none."""
     t1 = wp.vec3(0.0, 0.0, 1.0)
     if wp.abs(n[2]) > 0.7:
         t1 = wp.vec3(1.0, 0.0, 0.0)
@@ -310,9 +324,25 @@ def cached_light(cache: Cache, p: wp.vec3, n: wp.vec3, e: wp.vec2):
         k = cell_of(cache, p, n)
     if k < 0:
         k = cell_of(cache, p + n * (0.5 * cache.cell), n)
+    return k
+
+
+@wp.func
+def cached_light(cache: Cache, p: wp.vec3, n: wp.vec3, e: wp.vec2):
+    """Irradiance over pi near a point."""
+    k = cell_near(cache, p, n, e)
     if k < 0:
         return cache.mean
     return cache.light[k]
+
+
+@wp.func
+def bounced_only(cache: Cache, p: wp.vec3, n: wp.vec3, e: wp.vec2):
+    """Irradiance over pi near a point, without sunlight that is sampled as that of a lamp."""
+    k = cell_near(cache, p, n, e)
+    if k < 0:
+        return cache.mean
+    return cache.bounced[k]
 
 
 @wp.func
