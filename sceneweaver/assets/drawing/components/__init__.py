@@ -3,6 +3,7 @@
 from .cases import board_top as board_top
 from .cases import carcass as carcass
 from .cases import cornice as cornice
+from .cases import frame as frame
 from .cases import shelves as shelves
 from .cases import slats as slats
 from .cavities import cavity as cavity
@@ -67,6 +68,7 @@ __all__ = [
     "drawer",
     "drawers",
     "feet",
+    "frame",
     "fronts",
     "handle",
     "knob",

@@ -50,6 +50,14 @@ def shelves(
     return rooms
 
 
+def frame(d: Drawing, box: Box, material: Look, width: float = 0.03, bevel: float = 0.002) -> Box:
+    """Four bars around what faces the front: a picture, a mirror, a pane; returns the room between them."""
+    inner = box.inset(y=width)
+    for bar in (box.left(width), box.right(width), inner.top(width), inner.bottom(width)):
+        d.box(bar, material, bevel)
+    return inner.inset(z=width)
+
+
 def board_top(d: Drawing, box: Box, material: Look, over: float = 0.012, name: str | None = "top") -> Box:
     """A top that stands over its case in front and at the sides, and is a surface."""
     top = d.box(box.inset(front=-over, y=-over), material, bevel=0.004)

@@ -6,400 +6,256 @@ import math
 
 import numpy as np
 
-from sceneweaver.assets import shapes
+from ... import shapes
+from ...drawing import Box, Drawing, Look, draws
+from ...drawing.components import basin, drain, feet, legs, oval, tap, unit, vessel
 
-from ..builder import Builder
-from ..registry import draws
-from .kitchen_parts import Finish, cabinet, egg, fronts, loft, oval, rounded, tap, vessel, worktop
-
-_WHITE = ("white ceramic",)
+_METALS = "chrome, black steel, brass, brushed steel"
 
 
-def _bowl(b: Builder, x: float, long: float, w: float, h: float, china: Finish, lid: Finish, hung: bool) -> None:
-    """A toilet's bowl with seat and closed lid; its back, at depth x, is square. The seat's top is at h."""
-    mid = x + long * 0.52
-    front, back = x + long - mid, mid - x
-    rim = h - 0.042
-    if hung:
-        rings = [
-            (0.45, 0.75, 0.42, 0.0),
-            (0.62, 0.95, 0.62, 0.05),
-            (0.85, 1.0, 0.85, 0.16),
-            (0.96, 1.0, 0.97, rim - 0.05),
-            (0.97, 1.0, 0.98, rim),
-        ]
-    else:
-        rings = [
-            (0.50, 1.0, 0.62, 0.0),
-            (0.48, 1.0, 0.58, 0.03),
-            (0.46, 0.98, 0.54, 0.14),
-            (0.68, 0.98, 0.74, 0.25),
-            (0.92, 1.0, 0.95, rim - 0.055),
-            (0.97, 1.0, 0.98, rim),
-        ]
-    loft(b, [egg(front * f, back * k, w / 2 * s, z, mid, 0.0, 2.2, 5.0) for f, k, s, z in rings], china)
-    # Seat and lid, hinged at their back: before a cistern, so that the lid can stand up.
-    sb = back - (0.055 if hung else 0.115)
-    b.add(*_flat(mid, front, sb, w / 2, rim + 0.0005, rim + 0.019, lid))
-    with b.hinge("lid", (mid - sb, 0.0, rim + 0.02), axis=(0.0, 1.0, 0.0), limits=(-1.5, 0.0)):
-        b.add(*_flat(mid, front * 0.995, sb, w / 2 * 0.99, rim + 0.021, h, lid))
-    for s in (-1, 1):
-        with b.frame(mid - sb - 0.004, s * 0.075, rim + 0.009, roll=math.pi / 2):
-            b.frustum(0.008, 0.008, (-0.018, 0.018), "chrome", segments=12)
+def _egg(box: Box, middle: float, shares: tuple[float, ...], power: float = 2.2, back: float = 5.0) -> np.ndarray:
+    """A ring by shares of what a box has before, behind and beside the depth ``middle``, and its height [m]."""
+    before, behind, beside, z = shares
+    x = (middle - behind * (middle - box.x[0]), middle + before * (box.x[1] - middle))
+    return oval(Box(x, (beside * box.y[0], beside * box.y[1]), box.z), z, power, back, middle)
 
 
-def _flat(mid: float, front: float, back: float, half: float, low: float, high: float, look: Finish) -> tuple:
-    e = 0.006
-    rings = [
-        egg(front - e, back - e, half - e, low, mid, 0.0, 2.2, 4.0),
-        egg(front, back, half, low + e, mid, 0.0, 2.2, 4.0),
-        egg(front, back, half, high - e, mid, 0.0, 2.2, 4.0),
-        egg(front - e, back - e, half - e, high, mid, 0.0, 2.2, 4.0),
-    ]
-    from .kitchen_parts import _body
+def _plate(d: Drawing, box: Box, middle: float, look: Look) -> None:
+    """A seat or a lid: a flat egg with round edges that fills a box."""
+    e, (low, high) = 0.006, box.z
+    rings = ((e, low), (0.0, low + e), (0.0, high - e), (e, high))
+    d.loft([_egg(box.inset(x=k, y=k), middle, (1.0, 1.0, 1.0, z), back=4.0) for k, z in rings], look, convex=True)
 
-    shape = _body(rings)
-    return shape, look, [shapes.hull(shape[0])]
+
+def _bowl(d: Drawing, box: Box, china: Look, seat: Look, hung: bool) -> None:
+    """A toilet's bowl with seat and closed lid, square at its back; the lid's top is the box's."""
+    middle, rim = box.x[0] + 0.52 * box.depth, box.z[1] - 0.042
+    foot = [(0.45, 0.75, 0.42, 0.0), (0.62, 0.95, 0.62, 0.05), (0.85, 1.0, 0.85, 0.16), (0.96, 1.0, 0.97, rim - 0.05)]
+    if not hung:
+        foot = [(0.5, 1.0, 0.62, 0.0), (0.48, 1.0, 0.58, 0.03), (0.46, 0.98, 0.54, 0.14), (0.68, 0.98, 0.74, 0.25)]
+        foot.append((0.92, 1.0, 0.95, rim - 0.055))
+    d.loft([_egg(box, middle, row) for row in [*foot, (0.97, 1.0, 0.98, rim)]], china)
+    plate = box.inset(back=0.055 if hung else 0.115)  # before a cistern, so that the lid can stand up
+    _plate(d, plate.to(z=(rim + 0.0005, rim + 0.019)), middle, seat)
+    with d.hinge("lid", (plate.x[0], 0.0, rim + 0.02), axis=(0.0, 1.0, 0.0), limits=(-1.5, 0.0)):
+        _plate(d, plate.to(z=(rim + 0.021, box.z[1])).inset(y=0.002), middle, seat)
+    with d.mirror("y"):
+        d.cylinder(
+            Box.around((plate.x[0] - 0.004, 0.075, rim + 0.009), 0.016, 0.036, 0.016), "chrome", "y", segments=12
+        )
 
 
 @draws("toilet")
-def toilet(b: Builder) -> None:
+def toilet(d: Drawing) -> None:
     """A bowl on its foot, seat and lid, and behind them a cistern with its own lid and a push button."""
-    d, w, h = b.size
-    china = b.material("bowl", *_WHITE)
-    seat: Finish = (
-        b.pick("seat", ["oak", "walnut"])
-        if b.style in ("classic", "rustic") and b.chance("wood", 0.6)
-        else ("white plastic")
-    )
-    deep = 0.175
-    x0 = -d / 2
-    sh = b.uniform("seat height", 0.42, 0.45)
-    with b.solid("bowl"):
-        _bowl(b, x0 + 0.10, d - 0.10, w * 0.94, sh, china, seat, False)
-        b.box((x0 + 0.012, x0 + 0.18), (-w * 0.3, w * 0.3), (sh - 0.16, sh - 0.04), china, bevel=0.02)
-    with b.solid("cistern"):
-        top = h - 0.012
-        low = [
-            rounded((x0 + 0.012, x0 + deep - 0.02), (-w / 2 + 0.03, w / 2 - 0.03), 0.03, sh - 0.04),
-            rounded((x0 + 0.008, x0 + deep - 0.008), (-w / 2 + 0.012, w / 2 - 0.012), 0.03, top - 0.04),
-        ]
-        loft(b, low, china, whole=True)
-        lid = ((x0, x0 + deep), (-w / 2, w / 2))
-        inset = ((x0 + 0.008, x0 + deep - 0.008), (-w / 2 + 0.008, w / 2 - 0.008))
-        loft(
-            b,
-            [rounded(*lid, 0.035, top - 0.04), rounded(*lid, 0.035, top - 0.01), rounded(*inset, 0.03, top)],
-            china,
-            True,
+    box, china = d.bounds, d.material("bowl", "white ceramic")
+    wooden = d.style in ("classic", "rustic") and d.chance("wood", 0.6)
+    seat = d.pick("seat", ["oak", "walnut"]) if wooden else "white plastic"
+    high, deep = d.uniform("seat height", 0.42, 0.45), 0.175
+    with d.part("bowl"):
+        _bowl(d, box.inset(back=0.1, y=0.03 * box.width).to(z=(0.0, high)), china, seat, False)
+        d.box(box.back(0.18).share(y=(0.2, 0.8)).to(z=(high - 0.16, high - 0.04)).inset(back=0.012), china, 0.02)
+    tank, top = box.back(deep), box.z[1] - 0.012
+    with d.part("cistern"):
+        levels = ((0.02, 0.03, high - 0.04), (0.008, 0.012, top - 0.04))
+        sides = [tank.inset(front=e, back=0.01, y=s) for e, s, _ in levels]
+        d.loft(
+            [shapes.rectangle(s.x, s.y, z, 0.03) for s, (*_, z) in zip(sides, levels, strict=True)], china, convex=True
         )
-    with b.solid("button"), b.frame(x0 + deep / 2, 0.0, top):
-        b.frustum(0.026, 0.024, (-0.001, 0.012), "chrome", segments=20, bevel=0.002)
-        b.add(shapes.box((-0.02, 0.02), (-0.0008, 0.0008), (0.009, 0.0123)), "black steel", [])
-    for name, ys in (("top-right", (-w / 2 + 0.03, -0.03)), ("top-left", (0.03, w / 2 - 0.03))):
-        b.surface(name, (x0 + 0.02, x0 + deep - 0.02), ys, top)
-    b.fit()
+        lid = d.slab(tank.to(z=(top - 0.04, top)), china, 0.035, 0.01)
+    x, y, z = lid.anchor("top")
+    with d.part("button"):
+        d.cylinder(
+            Box.sized(0.052, 0.052, 0.013, (x, y, z - 0.001)), "chrome", ends=(1.0, 0.92), bevel=0.002, segments=20
+        )
+        d.print(Box.around((x, y, z + 0.012), 0.04, 0.0016, 0.0), "black steel")
+    for name, side in (("top-right", (lid.y[0] + 0.03, -0.03)), ("top-left", (0.03, lid.y[1] - 0.03))):
+        d.surface(name, lid.inset(x=0.02).to(y=side))
+    d.fit()
 
 
-@draws("wall_toilet")
-def wall_toilet(b: Builder) -> None:
+@draws("wall_toilet", whole=True)
+def wall_toilet(d: Drawing) -> None:
     """A hung bowl with seat and lid; the cistern is in the wall."""
-    d, w, h = b.size
-    china = b.material("bowl", *_WHITE)
-    with b.solid("bowl"):
-        _bowl(b, -d / 2, d, w, h, china, "white plastic", True)
-    b.fit()
+    _bowl(d, d.bounds, d.material("bowl", "white ceramic"), "white plastic", True)
 
 
 @draws("bidet")
-def bidet(b: Builder) -> None:
+def bidet(d: Drawing) -> None:
     """A low open bowl on a foot, with a mixer at its back."""
-    d, w, total = b.size
-    china = b.material("bowl", *_WHITE)
-    h = 0.40
-    mid, front, back = 0.02, d / 2 - 0.02, d / 2 + 0.02
-    with b.solid("bowl"):
-        foot = [(0.50, 1.0, 0.62, 0.0), (0.46, 0.98, 0.54, 0.05), (0.46, 0.98, 0.54, 0.13), (0.74, 0.98, 0.78, 0.25)]
-        loft(b, [egg(front * f, back * k, w / 2 * s, z, mid, 0.0, 2.2, 5.0) for f, k, s, z in foot], china)
-        outer = [(0.74, 0.98, 0.78, 0.25), (0.95, 1.0, 0.96, 0.33), (1.0, 1.0, 1.0, h - 0.02), (0.985, 0.99, 0.98, h)]
-        inner = [(0.84, 0.52, 0.80, h - 0.002), (0.79, 0.47, 0.74, 0.34), (0.42, 0.2, 0.36, 0.28)]
-        vessel(
-            b,
-            [egg(front * f, back * k, w / 2 * s, z, mid, 0.0, 2.2, 5.0) for f, k, s, z in outer],
-            [egg(front * f, back * k, w / 2 * s, z, mid, 0.0, 2.2, 2.4) for f, k, s, z in inner],
-            china,
-        )
-        with b.frame(mid + 0.02, 0.0, 0.279):
-            b.frustum(0.022, 0.022, (0.0, 0.004), "chrome", segments=14)
-    tap(b, -d / 2 + 0.075, 0.0, h - 0.002, b.material("tap", "chrome", "brushed steel", "brass"), total - h, 0.11)
-    b.fit()
+    box, h, middle = d.bounds, 0.4, 0.02
+    china = d.material("bowl", "white ceramic")
+    with d.part("bowl"):
+        foot = ((0.5, 1.0, 0.62, 0.0), (0.46, 0.98, 0.54, 0.05), (0.46, 0.98, 0.54, 0.13), (0.74, 0.98, 0.78, 0.25))
+        d.loft([_egg(box, middle, row) for row in foot], china)
+        outer = ((0.74, 0.98, 0.78, 0.25), (0.95, 1.0, 0.96, 0.33), (1.0, 1.0, 1.0, h - 0.02), (0.985, 0.99, 0.98, h))
+        inner = ((0.84, 0.52, 0.8, h - 0.002), (0.79, 0.47, 0.74, 0.34), (0.42, 0.2, 0.36, 0.28))
+        vessel(d, [_egg(box, middle, row) for row in outer], [_egg(box, middle, row, back=2.4) for row in inner], china)
+        drain(d, (middle + 0.02, 0.0, 0.28), 0.022)
+    with d.part("tap"), d.at(box.x[0] + 0.075, 0.0, h - 0.002):
+        tap(d, d.material("tap", "chrome, brushed steel, brass"), 0.11, box.height - h)
+    d.fit()
 
 
-@draws("urinal")
-def urinal(b: Builder) -> None:
+@draws("urinal", whole=True)
+def urinal(d: Drawing) -> None:
     """A shell that is open in its upper front, with a low lip, a drain and a flush pipe."""
-    d, w, h = b.size
-    china = b.material("bowl", "white ceramic")
-    x0 = -d / 2
-    hb = h - 0.06
+    china = d.material("bowl", "white ceramic")
+    box = d.bounds
+    x, high, (deep, w, h) = box.x[0], box.z[1] - 0.06, box.size
 
-    def ring(reach: float, half: float, z: float):
-        return egg(d * reach, 0.0001, w / 2 * half, z, x0, 0.0, 2.4, 8.0, 24)
+    def ring(reach: float, half: float, z: float, power: float = 2.4) -> np.ndarray:
+        return oval(Box((x, x + reach), (-half * w / 2, half * w / 2), box.z), z, power, 8.0, x + 1e-4, 24)
 
-    with b.solid("shell"):
-        loft(b, [ring(0.45, 0.4, 0.0), ring(0.75, 0.72, 0.06), ring(1.0, 0.96, 0.17)], china)
-        # The lip and side walls around the opening.
-        n = 9
-        a = np.linspace(-math.pi / 2, math.pi / 2, n)
-        top = [hb * 0.86 - (hb * 0.86 - 0.235) * max(0.0, math.cos(t)) ** 0.8 for t in a]
-
-        def wall(reach: float, half: float, t: float) -> tuple[float, float]:
-            c, s = max(0.0, math.cos(t)), math.sin(t)
-            return x0 + 0.03 + (d - 0.03) * reach * c ** (2 / 2.4), math.copysign(w / 2 * half * abs(s) ** (2 / 2.4), s)
-
-        for i in range(n - 1):
-            pts = []
-            for t, z in ((a[i], top[i]), (a[i + 1], top[i + 1])):
-                pts += [
-                    (*wall(1.0, 0.96, t), 0.17),
-                    (*wall(1.0, 0.98, t), z),
-                    (*wall(0.86, 0.82, t), 0.165),
-                    (*wall(0.88, 0.84, t), z),
-                ]
-            b.hull(pts, china)
-        b.hull(
-            [(x0, s * w / 2, z) for s in (-1, 1) for z in (0.17, hb)]
-            + [(x0 + 0.05, s * w / 2, z) for s in (-1, 1) for z in (0.2, hb - 0.02)],
-            china,
-        )
-        # A hood at the top.
-        loft(
-            b,
-            [
-                egg(0.05, 0.0001, w / 2, hb * 0.78, x0, 0.0, 3.0, 8.0, 24),
-                egg(0.15, 0.0001, w / 2, hb * 0.92, x0, 0.0, 3.0, 8.0, 24),
-                egg(0.14, 0.0001, w / 2 * 0.97, hb, x0, 0.0, 3.0, 8.0, 24),
-            ],
-            china,
-        )
-        with b.frame(x0 + d * 0.52, 0.0, 0.165):
-            b.frustum(0.03, 0.028, (0.0, 0.012), "chrome", segments=16)
-        b.bar((x0 + 0.05, 0.0, hb - 0.01), (x0 + 0.05, 0.0, h), 0.012, "chrome")
-        b.bar((x0, 0.0, h - 0.025), (x0 + 0.075, 0.0, h - 0.025), 0.018, "chrome", 12)
-    b.fit()
+    d.loft([ring(0.45 * deep, 0.4, 0.0), ring(0.75 * deep, 0.72, 0.06), ring(deep, 0.96, 0.17)], china)
+    # The lip in front and the side walls that rise to the wall.
+    angle = np.linspace(-math.pi / 2, math.pi / 2, 13)
+    c, s = np.clip(np.cos(angle), 0, 1), np.sin(angle)
+    rise = 0.86 * high - (0.86 * high - 0.235) * c**0.8
+    walls = []
+    for reach, half, z in ((1.0, 0.96, 0.17), (1.0, 0.98, None), (0.86, 0.82, 0.165), (0.88, 0.84, None)):
+        px = x + 0.03 + (deep - 0.03) * reach * c ** (2 / 2.4)
+        py = np.sign(s) * half * w / 2 * np.abs(s) ** (2 / 2.4)
+        walls.append(np.c_[px, py, rise if z is None else 0 * s + z])
+    for k in range(len(angle) - 1):
+        d.hull(np.concatenate([wall[k : k + 2] for wall in walls]), china)
+    back = box.back(0.05).to(z=(0.17, high))
+    d.hull([(px, y, z) for px, e in ((x, 0.0), (x + 0.05, 0.02)) for y in back.y for z in (0.17 + e, high - e)], china)
+    d.loft([ring(0.05, 1.0, 0.78 * high, 3.0), ring(0.15, 1.0, 0.92 * high, 3.0), ring(0.14, 0.97, high, 3.0)], china)
+    drain(d, (x + 0.52 * deep, 0.0, 0.172), 0.03)
+    d.bar((x + 0.05, 0.0, high - 0.01), (x + 0.05, 0.0, h), 0.012, "chrome")
+    d.bar((x, 0.0, h - 0.025), (x + 0.075, 0.0, h - 0.025), 0.018, "chrome", 12)
 
 
-def _basin_body(
-    b: Builder, x: tuple, y: tuple, low: float, h: float, china: Finish, square: bool, ledge: float
-) -> None:
-    """A washbasin with a ledge for the tap at its back, open above."""
-    cx, cy, rx, ry = (x[0] + x[1]) / 2, (y[0] + y[1]) / 2, (x[1] - x[0]) / 2, (y[1] - y[0]) / 2
-    p = 6.0 if square else 2.6
+def _washbasin(d: Drawing, box: Box, china: Look, square: bool, ledge: float) -> None:
+    """A washbasin that fills a box, with a ledge for the tap at its back, open above."""
+    power, (low, h) = 6.0 if square else 2.6, box.z
+    x = box.center[0]
 
-    def out(share: float, z: float):
-        return egg(rx * share, rx, ry * share, z, cx, cy, p, 8.0, 32)
+    def out(share: float, z: float) -> np.ndarray:
+        front = x + share * box.depth / 2
+        return oval(Box((box.x[0], front), (share * box.y[0], share * box.y[1]), box.z), z, power, 8.0, x)
 
-    mx = cx + ledge / 2
-    ix, iy = rx - ledge / 2 - 0.02, ry - 0.028
+    room = box.inset(back=ledge + 0.02, front=0.02, y=0.028)
     outer = [
-        out(0.45 if not square else 0.8, low),
-        out(0.82 if not square else 0.93, low + 0.05),
+        out(0.8 if square else 0.45, low),
+        out(0.93 if square else 0.82, low + 0.05),
         out(1.0, h - 0.05),
         out(1.0, h),
     ]
-    inner = [
-        oval(ix, iy, h, mx, cy, p),
-        oval(ix * 0.9, iy * 0.92, h - 0.05, mx, cy, p),
-        oval(ix * 0.4, iy * 0.4, h - 0.115, mx, cy, 2.4),
-    ]
-    vessel(b, outer, inner, china)
-    with b.frame(mx, cy, h - 0.1155):
-        b.frustum(0.024, 0.022, (0.0, 0.006), "chrome", segments=16)
+    inner = ((0.0, h, power), (0.1, h - 0.05, power), (0.6, h - 0.115, 2.4))
+    inside = [oval(room.inset(x=e * room.depth / 2, y=e * room.width / 2), z, p) for e, z, p in inner]
+    vessel(d, outer, inside, china)
+    drain(d, (room.center[0], 0.0, h - 0.115), 0.024)
 
 
-@draws("pedestal_sink")
-def pedestal_sink(b: Builder) -> None:
-    """A basin on a waisted column, with a tap on its ledge."""
-    d, w, total = b.size
-    china = b.material("bowl", *_WHITE)
-    metal = b.material("tap", "chrome", "brass", "brushed steel")
-    h = 0.84
-    square = b.chance("square", 0.4)
-    with b.solid("basin"):
-        _basin_body(b, (-d / 2, d / 2), (-w / 2, w / 2), h - 0.18, h, china, square, 0.10)
-    with b.solid("column"):
-        p = 4.0 if square else 2.2
-        column = [(0.12, 0.0), (0.115, 0.03), (0.085, 0.12), (0.08, 0.45), (0.11, h - 0.16)]
-        loft(b, [oval(r * 1.0, r, z, -0.04, 0.0, p, 24) for r, z in column], china)
-    tap(b, -d / 2 + 0.055, 0.0, h, metal, total - h, 0.12, square=square)
-    b.fit()
-
-
-@draws("wall_basin")
-def wall_basin(b: Builder) -> None:
-    """A basin hung on the wall, with its tap above and the trap below."""
-    d, w, total = b.size
-    china = b.material("bowl", *_WHITE)
-    metal = b.material("tap", "chrome", "black steel", "brass", "brushed steel")
-    square = b.chance("square", 0.5)
-    low, up = 0.15, 0.12
-    h = total - up
-    low = h - 0.165
-    with b.solid("basin"):
-        _basin_body(b, (-d / 2, d / 2), (-w / 2, w / 2), low, h, china, square, 0.09)
-    tap(b, -d / 2 + 0.05, 0.0, h, metal, up, 0.11, square=square)
-    with b.solid("trap"):
-        b.frustum(0.018, 0.018, (0.05, low + 0.01), metal, segments=14)
-        b.frustum(0.036, 0.036, (0.0, 0.075), metal, segments=18, bevel=0.006)
-        b.bar((0.0, 0.0, 0.06), (-d / 2, 0.0, 0.06), 0.015, metal, 12)
-        with b.frame(-d / 2, 0.0, 0.06, pitch=math.pi / 2):
-            b.frustum(0.03, 0.028, (0.0, 0.008), metal, segments=16)
-    b.fit()
+@draws("pedestal_sink", "wall_basin")
+def pedestal_sink(d: Drawing) -> None:
+    """A basin with a tap on its ledge, on a waisted column or hung on the wall with its trap below."""
+    hung, box = d.category.name == "wall_basin", d.bounds
+    china, metal = d.material("bowl", "white ceramic"), d.material("tap", _METALS)
+    square = d.chance("square", 0.5)
+    h = box.z[1] - 0.12 if hung else 0.84
+    body = box.to(z=(h - (0.165 if hung else 0.18), h))
+    with d.part("basin"):
+        _washbasin(d, body, china, square, 0.09 if hung else 0.1)
+    low = body.z[0]
+    if hung:
+        with d.part("trap"):
+            d.cylinder(Box.sized(0.036, 0.036, low - 0.04, (0.0, 0.0, 0.05)), metal, segments=14)
+            d.cylinder(Box.sized(0.072, 0.072, 0.075), metal, bevel=0.006, segments=18)
+            d.bar((0.0, 0.0, 0.06), (box.x[0], 0.0, 0.06), 0.015, metal, 12)
+            d.cylinder(Box.around((box.x[0] + 0.004, 0.0, 0.06), 0.008, 0.06, 0.06), metal, "x", segments=16)
+    else:
+        with d.part("column"):
+            profile = ((0.12, 0.0), (0.115, 0.03), (0.085, 0.12), (0.08, 0.45), (0.11, low + 0.02))
+            power = 4.0 if square else 2.2
+            d.loft(
+                [oval(Box.sized(2 * r, 2 * r, 0.0, (-0.04, 0.0, 0.0)), z, power, count=24) for r, z in profile], china
+            )
+    with d.part("tap"), d.at(box.x[0] + 0.053, 0.0, h):
+        tap(d, metal, 0.115, box.z[1] - h, square=square)
+    d.fit()
 
 
 @draws("vanity", "double_vanity")
-def vanity(b: Builder) -> None:
+def vanity(d: Drawing) -> None:
     """A cabinet with one or two basins set on or into its top, and a tap for each."""
-    d, w, total = b.size
-    leaf = b.material(
-        "fronts",
-        "white paint",
-        "oak",
-        "walnut",
-        "sage paint",
-        "navy paint",
-        "light grey paint",
-        "light oak",
-        "grey paint",
+    leaf = d.material(
+        "fronts", "white paint, oak, walnut, sage paint, navy paint, light grey paint, light oak, grey paint"
     )
-    shell = leaf
-    top = b.material("top", "marble", "white ceramic", "dark marble", "oak", "granite")
-    pull = b.material("pulls", "chrome", "black steel", "brass")
-    metal = b.material("tap", "chrome", "black steel", "brass", "brushed steel")
-    looks = (shell, leaf, pull, b.pick("pull style", ["bar", "knob", "cup"]))
-    count = 2 if b.category.name == "double_vanity" else 1
-    on = b.chance("vessel", 0.4)
-    bowl = 0.13 if on else 0.0
-    h = min(0.86, total - 0.13) - bowl
-    x, y = (-d / 2, d / 2 - 0.027), (-w / 2, w / 2)
-    t = 0.03
-    legs = b.chance("legs", 0.35)
-    low = 0.2 if legs else 0.09
-    shaker = b.style in ("classic", "rustic")
-    half = min(0.25, w / count / 2 - 0.07)
-    mids = [0.0] if count == 1 else [-w / 4, w / 4]
-    rx = (d - 0.16) / 2
-    cx = 0.03
-    hx = (cx - rx + 0.012, cx + rx - 0.03)
-    square = b.chance("square", 0.5)
-    with b.solid("body"):
-        if legs:
-            for px in (x[0] + 0.02, x[1] - 0.06):
-                for py in (y[0] + 0.03, y[1] - 0.03):
-                    b.box((px, px + 0.035), (py - 0.02, py + 0.02), (0.0, low), leaf, bevel=0.003)
+    look = d.material("top", "marble, white ceramic, dark marble, oak, granite")
+    pull, metal = d.material("pulls", "chrome, black steel, brass"), d.material("tap", _METALS)
+    style, panel = d.pick("pull style", ["bar", "knob", "cup"]), leaf if d.style in ("classic", "rustic") else None
+    box, count = d.bounds, 2 if d.category.name == "double_vanity" else 1
+    on, square, legged = d.chance("vessel", 0.4), d.chance("square", 0.5), d.chance("legs", 0.35)
+    bowl, low = 0.13 if on else 0.0, 0.2 if legged else 0.09
+    h = min(0.86, box.height - 0.13) - bowl
+    slab = box.to(z=(h - 0.03, h)).inset(front=0.004)
+    apron = 0.0 if on else 0.13  # a fixed board before basins that are let in
+    case = box.to(z=(low, h - 0.03 - apron)).inset(front=0.027)
+    half = min(0.25, box.width / count / 2 - 0.07)
+    holes = [cell.inset(back=0.12, front=0.07).place(width=2 * half) for cell in slab.columns(count)]
+    with d.part("body"):
+        if legged:
+            legs(d, case.to(z=(0.0, low)).inset(x=0.02, y=0.03), leaf, "square", 0.035)
         else:
-            b.box((x[0] + 0.02, x[1] - 0.07), (y[0] + 0.01, y[1] - 0.01), (0.0, low), shell, bevel=0)
-        n = 1 if w < 0.95 else 2 if w < 1.5 else 3
-        for k in range(n):
-            span = (y[0] + k * w / n, y[0] + (k + 1) * w / n)
-            if on:
-                layout = "drawers" if n == 3 and k == 1 else b.pick("layout", ["doors", "drawers", "mixed"])
-                cabinet(b, f"unit-{k}", x, span, (low, h - t), layout, looks, shaker)
-                continue
-            front = x[1] - 0.021
-            for ys in ((span[0], span[0] + 0.018), (span[1] - 0.018, span[1])):
-                outer = ys[0] < y[0] + 0.001 or ys[1] > y[1] - 0.001
-                b.box((x[0], front), ys, (low, h - t - (0.0 if outer else 0.14)), shell, bevel=0)
-            inner = (span[0] + 0.018, span[1] - 0.018)
-            b.box((x[0], front), inner, (low, low + 0.018), shell, bevel=0)
-            b.box((x[0], x[0] + 0.006), inner, (low + 0.018, h - t), shell, bevel=0)
-            fronts(
-                b,
-                f"unit-{k}",
-                front,
-                span,
-                (low, h - t),
-                "drawers" if n == 3 and k == 1 else b.pick("layout", ["doors", "drawers"]),
-                looks[1],
-                looks[2],
-                looks[3],
-                shaker,
-            )
-        slab = ((-d / 2, d / 2 - 0.004), y, (h - t, h))
+            feet(d, case.to(z=(0.0, low)), leaf)
+        number = 1 if box.width < 0.95 else 2 if box.width < 1.5 else 3
+        for k, cell in enumerate(case.columns(number)):
+            layout = "drawers" if number == 3 and k == 1 else d.pick("layout", ["doors", "drawers", "mixed"])
+            unit(d, f"unit-{k}", cell, layout, leaf, leaf, pull, style, panel)  # type: ignore[arg-type]
         if on:
-            b.box(*slab, top)
+            d.box(slab, look)
         else:
-            worktop(b, *slab, top, [(hx, (m - half, m + half)) for m in mids])
-            with b.solid("splash"):
-                b.box((-d / 2, -d / 2 + 0.014), y, (h - 0.0005, h + 0.06), top, bevel=0.002)
-            for m in mids:
-                china: Finish = "white ceramic"
-                e = 0.008
-                rim = ((hx[0] - e, hx[1] + e), (m - half - e, m + half + e))
-                ins = ((hx[0] + 0.012, hx[1] - 0.012), (m - half + 0.012, m + half - 0.012))
-                deep = ((hx[0] + 0.05, hx[1] - 0.05), (m - half + 0.06, m + half - 0.06))
-                r = 0.03 if square else 0.09
-                under = ((hx[0] + 0.002, hx[1] - 0.002), (m - half + 0.002, m + half - 0.002))
-                vessel(
-                    b,
-                    [
-                        rounded(
-                            (deep[0][0] - 0.012, deep[0][1] + 0.012),
-                            (deep[1][0] - 0.012, deep[1][1] + 0.012),
-                            0.05,
-                            h - 0.13,
-                        ),
-                        rounded(*under, 0.02, h - 0.04),
-                        rounded(*under, 0.02, h),
-                        rounded(*rim, 0.02, h),
-                        rounded(*rim, 0.02, h + 0.0015),
-                    ],
-                    [rounded(*ins, r, h + 0.0015), rounded(*deep, 0.04, h - 0.118)],
-                    china,
-                    (0, 3, 4, 7, 8, 11, 12, 15, 16),
-                )
-                with b.frame((hx[0] + hx[1]) / 2, m, h - 0.1185):
-                    b.frustum(0.024, 0.022, (0.0, 0.005), "chrome", segments=14)
-    for k, m in enumerate(mids):
+            above = case.top(-apron)
+            for board in (above.front(0.018), *(b.inset(front=0.018) for b in (above.left(0.018), above.right(0.018)))):
+                d.box(board.inset(z=0.001), leaf)
+            xs = holes[0].x
+            edges = [slab.y[0], *(y for hole in holes for y in hole.y), slab.y[1]]
+            strips = [slab.to(x=(slab.x[0], xs[0])), slab.to(x=(xs[1], slab.x[1]))]
+            strips += [slab.to(x=xs, y=(edges[k], edges[k + 1])) for k in range(0, len(edges), 2)]
+            for strip in strips:
+                d.box(strip, look, 0.0)
+            for hole in holes:
+                basin(d, hole.inset(x=0.002, y=0.002, bottom=-0.1), "white ceramic", 0.03 if square else 0.09)
+    if not on:
+        with d.part("splash"):
+            d.box(slab.back(0.014).top(-0.06), look, 0.002)
+    reach = half + 0.02
+    for k, hole in enumerate(holes):
+        y = hole.center[1]
         if on:
-            with b.solid(f"bowl {k}"):
-                vr = min(half - 0.03, 0.2 if not square else 0.24)
-                sx = min(vr, rx - 0.012)
-                p = 5.0 if square else 2.0
-                with b.frame(cx + 0.01, m, h):
-                    vessel(
-                        b,
-                        [
-                            oval(sx * 0.6, vr * 0.6, 0.0, power=p),
-                            oval(sx * 0.9, vr * 0.9, 0.05, power=p),
-                            oval(sx, vr, bowl, power=p),
-                        ],
-                        [
-                            oval(sx - 0.012, vr - 0.012, bowl, power=p),
-                            oval(sx * 0.86, vr * 0.86, 0.05, power=p),
-                            oval(sx * 0.3, vr * 0.3, 0.014, power=2.4),
-                        ],
-                        b.material("bowl", "white ceramic", "white ceramic", "dark marble", "concrete"),
-                    )
-                    with b.frame(0.0, 0.0, 0.013):
-                        b.frustum(0.022, 0.022, (0.0, 0.005), "chrome", segments=14)
-        tap(b, -d / 2 + 0.05, m, h, metal, total - h, 0.15, name=f"tap {k}", square=square)
-    if on:
-        reach = max(half - 0.03, 0.0) + 0.01
-        reach = min(reach, 0.21 if not square else 0.25)
-    else:
-        reach = half + 0.02
-    edges = [y[0] + 0.01]
-    for m in mids:
-        edges += [m - reach, m + reach]
-    edges.append(y[1] - 0.01)
-    xs = (-d / 2 + 0.02, d / 2 - 0.014)
+            wide = min(half - 0.03, 0.24 if square else 0.2)
+            reach = wide + 0.01
+            with d.part(f"bowl {k}"):
+                china = d.material("bowl", "white ceramic, white ceramic, dark marble, concrete")
+                size = 2 * min(wide, (box.depth - 0.184) / 2)
+                dish = Box.sized(size, 2 * wide, bowl, (0.04, y, h))
+                _washbowl(d, dish, china, 5.0 if square else 2.0)
+        with d.part(f"tap {k}"), d.at(box.x[0] + 0.05, y, h):
+            tap(d, metal, 0.15, box.z[1] - h, square=square)
+    middles = [hole.center[1] for hole in holes]
+    edges = [box.y[0] + 0.01, *(m + s * reach for m in middles for s in (-1, 1)), box.y[1] - 0.01]
     names = ("top-right", "top-left") if count == 1 else ("top-right", "top-middle", "top-left")
-    wide = [(name, (edges[2 * k], edges[2 * k + 1])) for k, name in enumerate(names)]
-    wide = [(name, ys) for name, ys in wide if ys[1] - ys[0] > 0.08]
-    if not wide and not on:  # a narrow one has its soap beside the tap
-        xs = (-d / 2 + 0.016, hx[0] - 0.012)
-        wide = [("top-right", (y[0] + 0.01, mids[0] - 0.05)), ("top-left", (mids[0] + 0.05, y[1] - 0.01))]
-    for name, ys in wide:
-        b.surface(name, xs, ys, h)
-    b.fit()
+    spans = [(edges[2 * k], edges[2 * k + 1]) for k in range(len(names))]
+    free = slab.inset(back=0.02, front=0.01)
+    rooms = [(name, free.to(y=y)) for name, y in zip(names, spans, strict=True) if y[1] - y[0] > 0.08]
+    if not rooms and not on:  # a narrow one has its soap beside the tap
+        shelf = slab.to(x=(slab.x[0] + 0.016, holes[0].x[0] - 0.02)).inset(y=0.01)
+        rooms = [("top-right", shelf.to(y=(shelf.y[0], -0.05))), ("top-left", shelf.to(y=(0.05, shelf.y[1])))]
+    for name, room in rooms:
+        d.surface(name, room)
+    d.fit()
+
+
+def _washbowl(d: Drawing, box: Box, china: Look, power: float) -> None:
+    """A bowl that stands on a top and fills a box."""
+    low, high = box.z
+    outer = ((0.4, low, power), (0.1, low + 0.05, power), (0.0, high, power))
+    inner = ((0.06, high, power), (0.16, low + 0.05, power), (0.7, low + 0.014, 2.4))
+    sides = [
+        [oval(box.inset(x=e * box.depth / 2, y=e * box.width / 2), z, p) for e, z, p in rows] for rows in (outer, inner)
+    ]
+    vessel(d, sides[0], sides[1], china)
+    drain(d, (box.center[0], box.center[1], low + 0.014), 0.022)
