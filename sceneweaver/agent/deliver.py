@@ -38,6 +38,9 @@ AMPLE = 60.0
 SIZES = ((320, 240), (640, 480), (1280, 960))
 """Pixels of the views, the smaller ones for when time is short."""
 
+EYE_LEVEL = (((640, 480), "draft"), ((1280, 960), "draft"), ((1280, 960), "normal"))
+"""Pixels and quality of the pictures at eye level, those first that are for when time is short."""
+
 PER_SIZE, REPORT, PAGE = 4.0, 1.0, 0.35
 """How much longer each size takes than the one before, and the report than the pictures in it; and the share of the
 time for both that is kept for the report."""
@@ -71,6 +74,7 @@ def deliver(
     missed, broken = _exported(result.scene, folder, formats, load, deadline.before(album.page if album else 0.0))
     if album is not None:
         album.enlarge()
+        album.at_eye_level()
         album.save(folder / "views")
         missed += ["pictures"] if album.short or not (album.views or album.broken) else []
         broken += album.broken
@@ -150,6 +154,36 @@ class _Album:
             if short or not self._draw(size, self.page):
                 self.notes = (f"time was short, so the pictures have {self.size[0]} x {self.size[1]} pixels",)
                 break
+
+    def at_eye_level(self) -> None:
+        """Draw the room at eye level, as well as there is time for; one picture tells how long the next ones take."""
+        if self.short or not self.views or self.deadline.before(self.page).left < LEAST:
+            return
+        from sceneweaver.render import EyeLevel, Quality
+
+        began, wanted = time.monotonic(), 1
+        drawn: dict[str, Image] = {}
+        levels = EYE_LEVEL if self.deadline.left <= AMPLE else EYE_LEVEL[-1:]
+        try:
+            with self.deadline.before(self.page).enforced():
+                room = EyeLevel(self.scene, self.load, device=self.device)
+                wanted = len(room.cameras)
+                for size, quality in levels:
+                    if drawn and PER_SIZE * (time.monotonic() - began) > self.deadline.before(self.page).left:
+                        break
+                    began = time.monotonic()
+                    for view in room.cameras:
+                        drawn[view] = room.draw(view, *size, getattr(Quality, quality)())
+        except SceneWeaverError:
+            raise
+        except TimeUp:
+            pass
+        except Exception as error:
+            self.broken = (*self.broken, fault("pictures at eye level", error))
+            return
+        if len(drawn) < wanted:
+            self.notes = (*self.notes, "time was short, so there are not all pictures at eye level")
+        self.views = {**self.views, **drawn}
 
     def save(self, folder: Path) -> None:
         """Write a PNG for each view."""

@@ -22,6 +22,9 @@ DEMO = "a bedroom for a teenager with a desk by the window"
 
 FILES = (
     "report.html",
+    "views/eye-door.png",
+    "views/eye-corner.png",
+    "views/eye-corner2.png",
     "views/corner.png",
     "views/top.png",
     "views/top_annotated.png",

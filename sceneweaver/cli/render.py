@@ -46,11 +46,12 @@ def run_passes(
 ) -> int:
     """Write data passes of a scene file into a folder."""
     scene = Scene.load(source)
-    from sceneweaver.render.pass_files import read_shots, write_passes
+    from sceneweaver.render.pass_files import check_request, read_shots, write_passes
     from sceneweaver.render.passes import PassRenderer, auto_shots
 
-    shots = auto_shots(scene, *size) if cameras == "auto" else read_shots(Path(cameras), *size)
     names = [name.strip() for name in passes.split(",") if name.strip()]
+    check_request(names, kind)
+    shots = auto_shots(scene, *size) if cameras == "auto" else read_shots(Path(cameras), *size)
     written = write_passes(PassRenderer(scene, shots, device=_one_device(device)), out, names, kind)
     if as_json:
         print_json({"files": [str(path) for path in written], "exit_code": 0})

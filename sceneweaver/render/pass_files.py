@@ -14,7 +14,7 @@ from sceneweaver.scene import InputError, MissingDependencyError, whole, write_a
 from sceneweaver.scene.messages import suggest
 
 from .intrinsics import Shot, shot_from
-from .passes import Frame, PassRenderer
+from .passes import Frame, PassRenderer, check_passes
 
 FORMATS = ("png", "exr", "npz")
 
@@ -55,13 +55,10 @@ def write_passes(renderer: PassRenderer, folder: Path, passes: Sequence[str], ki
             be written to.
         MissingDependencyError: EXR is asked for and OpenEXR is not installed.
     """
-    if kind not in FORMATS:
-        raise InputError(f"format: '{kind}' is unknown{suggest(kind, FORMATS)}; use one of {', '.join(FORMATS)}")
+    check_request(passes, kind)
     for shot in renderer.shots:
         if not shot.name or set(shot.name) & set('/\\:*?"<>|') or shot.name.startswith("."):
             raise InputError(f"cameras: '{shot.name}' makes no file name; use letters, digits and dashes")
-    if kind == "exr":
-        _openexr()
     try:
         folder.mkdir(exist_ok=True)
     except OSError as error:
@@ -84,6 +81,15 @@ def write_passes(renderer: PassRenderer, folder: Path, passes: Sequence[str], ki
         write_atomic(folder / name, json.dumps(content, indent=1) + "\n")
         written.append(folder / name)
     return written
+
+
+def check_request(passes: Sequence[str], kind: str) -> None:
+    """Whether these passes can be written in this format; raises as `write_passes`."""
+    check_passes(passes)
+    if kind not in FORMATS:
+        raise InputError(f"format: '{kind}' is unknown{suggest(kind, FORMATS)}; use one of {', '.join(FORMATS)}")
+    if kind == "exr":
+        _openexr()
 
 
 def read_shots(path: Path, width: int, height: int) -> list[Shot]:

@@ -128,11 +128,7 @@ class PassRenderer:
         Raises:
             InputError: a pass that is unknown.
         """
-        for name in passes:
-            if name not in PASSES:
-                raise InputError(f"passes: '{name}' is unknown{suggest(name, PASSES)}; use some of {', '.join(PASSES)}")
-        if not passes:
-            raise InputError(f"passes: none is named; use some of {', '.join(PASSES)}")
+        check_passes(passes)
         wanted = {array for name in passes for array in ARRAYS[name]}
         for batch in _batches(self.shots):
             cameras, width, height = [shot.camera for shot in batch], batch[0].width, batch[0].height
@@ -177,6 +173,15 @@ class PassRenderer:
 def auto_shots(scene: Scene, width: int, height: int) -> list[Shot]:
     """The cameras at eye level that a scene chooses by itself, see `eye_cameras`."""
     return [Shot(name, camera, width, height) for name, camera in eye_cameras(scene, width / height).items()]
+
+
+def check_passes(passes: Sequence[str]) -> None:
+    """InputError unless all are of `PASSES`, and there is one."""
+    for name in passes:
+        if name not in PASSES:
+            raise InputError(f"passes: '{name}' is unknown{suggest(name, PASSES)}; use some of {', '.join(PASSES)}")
+    if not passes:
+        raise InputError(f"passes: none is named; use some of {', '.join(PASSES)}")
 
 
 def _check(shots: Sequence[Shot]) -> None:

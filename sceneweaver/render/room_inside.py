@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
+from PIL import Image
 
+from sceneweaver.assets import Asset
 from sceneweaver.scene import Scene
 
 from .camera import Camera
 from .caster import Instance, Quality
+from .eye_camera import eye_cameras
 from .interior import Element, build_interior
+from .room_bodies import instances_of
 from .room_finish import finishes_of
 from .tracing import TraceQuality, Tracer, interior_lights
 
@@ -50,6 +54,29 @@ class Inside:
         if self._tracer is None:  # most of the light is shared by all cameras
             self._tracer = Tracer(self.instances, interior_lights(self._scene), self._device)
         return self._tracer.picture(camera, width, height, _traced(quality), deadline).rgb
+
+
+class EyeLevel:
+    """The pictures of a room at eye level, one by one; what they share is worked out once.
+
+    Attributes:
+        cameras: The camera of each of `EYE_VIEWS`.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        load: Callable[[str], Asset] | None = None,
+        aspect: float = 4 / 3,
+        device: str = "cpu",
+    ) -> None:
+        """Choose the cameras; ``load`` gives the asset of an id, ``aspect`` is width over height."""
+        self.cameras = eye_cameras(scene, aspect)
+        self._inside = Inside(scene, instances_of(scene, load), list(self.cameras.values()), device)
+
+    def draw(self, view: str, width: int, height: int, quality: Quality | None = None) -> Image.Image:
+        """One of the pictures, in any size of that aspect."""
+        return Image.fromarray(self._inside.draw(self.cameras[view], width, height, quality))
 
 
 def _traced(quality: Quality | None) -> TraceQuality:

@@ -12,7 +12,10 @@ from .facts import RelationRow, ViolationRow
 from .html import esc, number, picture_url
 
 _CAPTIONS = {
-    "corner": "From a corner",
+    "eye-door": "From the door",
+    "eye-corner": "From a corner at eye level",
+    "eye-corner2": "From another corner",
+    "corner": "From above a corner",
     "top": "From above",
     "top_annotated": "Plan with names and dimensions",
 }

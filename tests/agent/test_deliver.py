@@ -21,7 +21,30 @@ from sceneweaver.critic import CRITERIA, Alignment, ItemOutcome, Review
 from sceneweaver.scene import InputError, Pose, Room, Scene, Support
 from sceneweaver.verify import check
 
-PICTURES = {"top.png", "top_annotated.png", "corner.png"}
+EYE_LEVEL = {"eye-door", "eye-corner", "eye-corner2"}
+PICTURES = {"top.png", "top_annotated.png", "corner.png", *(f"{view}.png" for view in EYE_LEVEL)}
+
+
+class QuickEyeLevel:
+    """Pictures at eye level that cost nothing; ``seconds`` a picture of 640 x 480 pixels by ``clock``."""
+
+    seconds, clock = 0.0, [0.0]
+
+    def __init__(self, scene: Scene, load: object, device: str) -> None:
+        self.cameras = dict.fromkeys(sorted(EYE_LEVEL))
+
+    def draw(self, view: str, width: int, height: int, quality: render.Quality) -> Image.Image:
+        self.clock[0] += self.seconds * width * height / (640 * 480)
+        return Image.new("RGB", (width, height), (quality.rays, 0, 0))
+
+
+@pytest.fixture(autouse=True)
+def eye_level(monkeypatch) -> type[QuickEyeLevel]:
+    """Light takes long: none is cast in these tests."""
+    monkeypatch.setattr("sceneweaver.render.EyeLevel", QuickEyeLevel)
+    monkeypatch.setattr(QuickEyeLevel, "clock", [0.0])
+    monkeypatch.setattr(QuickEyeLevel, "seconds", 0.0)
+    return QuickEyeLevel
 
 
 @pytest.fixture
@@ -229,3 +252,54 @@ def test_pictures_are_as_large_as_there_is_time_for(result, tmp_path, monkeypatc
         assert picture.size == size
     short = "time was short, so the pictures have 320 x 240 pixels"
     assert (short in done.notes) == (size == (320, 240)) and clock[0] <= 100.0 + left
+
+
+@pytest.mark.parametrize(
+    ("left", "seconds", "size", "rays"),
+    [
+        (100.0, 1.0, (1280, 960), render.Quality.normal().rays),
+        (50.0, 1.0, (1280, 960), render.Quality.draft().rays),
+        (20.0, 2.0, (640, 480), render.Quality.draft().rays),
+    ],
+)
+def test_pictures_at_eye_level_are_as_good_as_there_is_time_for(
+    result, tmp_path, monkeypatch, eye_level, left, seconds, size, rays
+):
+    clock = eye_level.clock
+    monkeypatch.setattr("sceneweaver.agent.deliver.time.monotonic", lambda: clock[0])
+    monkeypatch.setattr(eye_level, "seconds", seconds)
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *_, **__: {"corner": Image.new("RGB", (4, 4))})
+    done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(left))
+    for view in EYE_LEVEL:
+        with Image.open(tmp_path / "views" / f"{view}.png") as picture:
+            assert picture.size == size and picture.getpixel((0, 0)) == (rays, 0, 0)
+    assert not done.undone and clock[0] <= left
+
+
+@pytest.mark.usefixtures("ours")
+def test_without_time_for_all_pictures_at_eye_level_the_others_are_there(result, tmp_path, monkeypatch, eye_level):
+    def slow(self, view: str, *_: object) -> Image.Image:
+        while view == "eye-door":
+            time.sleep(0.01)
+        return Image.new("RGB", (4, 4))
+
+    monkeypatch.setattr(eye_level, "draw", slow)
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *_, **__: {"corner": Image.new("RGB", (4, 4))})
+    end = time.monotonic() + 2.0
+    done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(end))
+    assert time.monotonic() < end + 1.0 and not done.undone
+    assert {"views/corner.png", "views/eye-corner.png", "report.html"} <= files(tmp_path)
+    assert "views/eye-door.png" not in files(tmp_path)
+    assert "time was short, so there are not all pictures at eye level" in done.notes
+
+
+def test_what_breaks_at_eye_level_is_told(result, tmp_path, monkeypatch, eye_level):
+    def broken(*_: object) -> None:
+        raise ZeroDivisionError("no light")
+
+    monkeypatch.setattr(eye_level, "draw", broken)
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *_, **__: {"corner": Image.new("RGB", (4, 4))})
+    with pytest.warns(RuntimeWarning, match="unexpected"):
+        done = deliver(result, tmp_path, Library(), "cpu", True, ())
+    assert done.undone[0].startswith("pictures at eye level: unexpected ZeroDivisionError")
+    assert "views/corner.png" in files(tmp_path)

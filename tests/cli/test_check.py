@@ -68,7 +68,7 @@ def test_a_long_list_of_violations_is_cut_on_a_terminal_only(run, bedroom):
 
 
 def test_render_writes_views_and_data_passes(run, bedroom, tmp_path):
-    ended = run("render", bedroom, "-o", tmp_path / "v.png", "--view", "eye-corner", "--width", "200")
+    ended = run("render", bedroom, "-o", tmp_path / "v.png", "--view", "corner", "--width", "200")
     assert (ended.code, ended.err) == (0, "")
     with Image.open(tmp_path / "v.png") as image:
         assert image.size == (200, 150)

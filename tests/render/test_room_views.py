@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sceneweaver.assets import Material, make
-from sceneweaver.render import Quality, draw_room, draw_rooms
+from sceneweaver.render import EyeLevel, Quality, draw_room, draw_rooms
 from sceneweaver.render.room_blocks import Builder
 from sceneweaver.render.room_bodies import hidden_with, instances_of
 from sceneweaver.render.room_camera import corner_camera, corner_directions, cut_walls, opposite
@@ -56,6 +56,13 @@ def test_what_hangs_from_the_ceiling_hides_nothing() -> None:
     for view in ("corner", "top"):
         with_lamp, without = (np.asarray(draw_room(s, load, view, 64, 48, QUICK), dtype=float) for s in (scene, bare))
         assert np.abs(with_lamp - without).mean() < 2.0  # the noise of the light
+
+
+def test_a_room_is_seen_at_eye_level() -> None:
+    room = EyeLevel(furnished(), load, 64 / 48)
+    assert len(room.cameras) == 3
+    pixels = np.asarray(room.draw("eye-corner", 64, 48, QUICK), dtype=float)
+    assert pixels.shape == (48, 64, 3) and pixels.std() > 12 and 60 < pixels.mean() < 245
 
 
 def test_views_of_one_call_are_those_of_single_calls() -> None:
