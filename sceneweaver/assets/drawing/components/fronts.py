@@ -57,12 +57,13 @@ def drawer(
     travel: float | None = None,
     inside: Look = "birch",
     overlay: float = 0.0,
+    label: bool = False,
 ) -> Box:
     """A drawer that slides: a front that ends at the box's front with a gap of 2 mm around it, and a box behind it.
 
     The box behind has a bottom, two sides and a back, and stays 12 mm off the case at the sides, of which the front
-    covers ``overlay`` [m]. It comes out by ``travel`` [m], unless told by three quarters of its depth. Returns the
-    room inside.
+    covers ``overlay`` [m]. It comes out by ``travel`` [m], unless told by three quarters of its depth. A card in
+    a metal holder over its handle is its ``label``. Returns the room inside.
     """
     own = box.inset(y=0.002, z=0.002)
     with d.slide(name, limits=(0.0, round(0.75 * box.depth if travel is None else travel, 3))):
@@ -74,6 +75,9 @@ def drawer(
             for side in (walls.left(0.012), walls.right(0.012), walls.inset(y=0.012).back(0.012)):
                 d.box(side, inside, bevel=0.0)
         handle(d, face, pull, style, min(0.16, 0.4 * box.width))
+        if label:
+            holder = d.box(face.front(-0.003).place(width=0.09, height=0.036).move(z=0.05), pull, bevel=0.001)
+            d.print(holder.front(0.0).inset(y=0.007, z=0.006), "paper")
     return tray.inset(bottom=0.006, y=0.012, back=0.012)
 
 

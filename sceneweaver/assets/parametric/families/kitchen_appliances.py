@@ -170,13 +170,15 @@ def freezer(d: Drawing) -> None:
     chest = bounds.inset(y=0.006, bottom=0.025).to(z=(0.025, lid))
     with d.part("body"):
         feet(d, bounds.bottom(0.03))
-        wall, rim = chest.inset(x=0.06, y=0.06), chest.inset(x=0.004, y=0.004)
-        places = ((rim, 0.025, 0.02), (chest, 0.03, 0.02), (chest, lid, 0.02))
-        outer = [shapes.rectangle(own.x, own.y, z, r) for own, z, r in places]
-        inner = [shapes.rectangle(wall.x, wall.y, z, 0.03) for z in (lid, 0.09)]
-        vessel(d, outer, inner, coat, CORNERS)
-        rack(d, wall.inset(x=0.004, y=0.004, top=0.06).left(0.24), "white steel")
-        d.box(chest.inset(x=0.01, y=0.01).top(-0.008), "rubber", bevel=0.0)
+        liner = chest.inset(x=0.02, y=0.02, bottom=0.02)
+        room = liner.inset(x=0.04, y=0.04, bottom=0.045)
+        for outer, inner, look in ((chest, liner, coat), (liner, room, "white plastic")):
+            rings = [shapes.rectangle(outer.x, outer.y, z, 0.02) for z in outer.z]
+            vessel(d, rings, [shapes.rectangle(inner.x, inner.y, z, 0.02) for z in inner.z[::-1]], look, CORNERS)
+        rack(d, room.inset(x=0.004, y=0.004, top=0.06).left(0.24), "white steel")
+        seal = liner.top(-0.008)
+        for side in (seal.left(0.02), seal.right(0.02), seal.inset(y=0.02).front(0.02), seal.inset(y=0.02).back(0.02)):
+            d.box(side, "rubber", bevel=0.0)
         face = chest.front(0.0)
         for k in range(5):
             slat = face.left(0.2).move(y=-0.06).to(z=(0.08 + 0.022 * k, 0.089 + 0.022 * k))

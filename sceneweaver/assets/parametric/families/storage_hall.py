@@ -2,373 +2,280 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
-from ..builder import Builder
-from ..registry import draws
-from .storage_parts import split
+from ...drawing import Box, Drawing, draws
+from ...drawing.components import leg
+from ...drawing.drawing import Look
 
 WOODS = ("oak", "walnut", "white paint", "black paint", "beech", "light oak")
-
-
-def _hook(b: Builder, x: float, y: float, z: float, metal, yaw: float = 0.0, reach: float = 0.06) -> None:
-    """A coat hook at a place on an upright, pointing away from it."""
-    with b.frame(x, y, z, yaw=yaw):
-        b.tube([(0, 0, 0), (reach * 0.6, 0, -0.015), (reach, 0, 0.01), (reach, 0, 0.045)], 0.006, metal, segments=8)
-        b.ball((0.011, 0.011, 0.011), (reach, 0, 0.05), metal, segments=10)
+COVERS = ("paper", "red plastic", "blue plastic", "yellow plastic", "sea pigment", "blush pigment")
 
 
 @draws("coat_rack")
-def coat_rack(b: Builder) -> None:
+def coat_rack(d: Drawing) -> None:
     """A pole on a foot with arms that curve up and out around its head."""
-    d, w, h = b.size
-    frame = b.material("frame", "walnut", "oak", "black steel", "white paint", "beech", "brass")
-    tips = b.material("tips", "brass", "black steel", "oak") if b.chance("tips", 0.4) else frame
-    r, arms = 0.019, b.pick("arms", [4, 6, 8])
-    reach = min(d, w) / 2
-    with b.solid("foot"):
-        if b.chance("disc", 0.4):
-            b.lathe([(reach * 0.75, 0.0), (reach * 0.75, 0.012), (0.05, 0.03), (r, 0.06)], frame, segments=32)
+    frame = d.material("frame", "walnut", "oak", "black steel", "white paint", "beech", "brass")
+    tips = d.material("tips", "brass", "black steel", "oak") if d.chance("tips", 0.4) else frame
+    top, pole, arms = d.size.height, 0.019, d.pick("arms", [4, 6, 8])
+    reach = min(d.size[:2]) / 2
+    with d.part("foot"):
+        if d.chance("disc", 0.4):
+            d.revolve([(0.75 * reach, 0.0), (0.75 * reach, 0.012), (0.05, 0.03), (pole, 0.06)], frame, 32)
         else:
-            for k in range(4):
-                with b.frame(yaw=np.pi / 4 + k * np.pi / 2):
-                    b.tube(
-                        [(0.0, 0, 0.19), (reach * 0.45, 0, 0.13), (reach * 0.8, 0, 0.05), (reach * 0.9, 0, 0.013)],
-                        0.013,
-                        frame,
-                        segments=10,
-                    )
-    with b.solid("pole"):
-        b.lathe(
-            [
-                (r, 0.02),
-                (r, h - 0.09),
-                (r * 1.25, h - 0.085),
-                (r * 1.25, h - 0.07),
-                (r * 0.7, h - 0.06),
-                (r * 1.15, h - 0.03),
-                (0.006, h),
-            ],
-            frame,
-            segments=20,
-        )
-    with b.solid("arms"):
-        for k in range(arms):
-            high = h - 0.14 if k % 2 == 0 else h - 0.32
-            with b.frame(yaw=k * 2 * np.pi / arms):
-                b.tube(
-                    [
-                        (0, 0, high - 0.08),
-                        (reach * 0.5, 0, high - 0.07),
-                        (reach * 0.85, 0, high - 0.02),
-                        (reach * 0.95, 0, high + 0.05),
-                    ],
-                    0.009,
-                    frame,
-                    segments=8,
-                )
-                b.ball((0.015, 0.015, 0.015), (reach * 0.95, 0, high + 0.055), tips, segments=12)
-    b.fit()
+            curve = ((0.0, 0.19), (0.45, 0.13), (0.8, 0.05), (0.9, 0.013))
+            with d.ring(4, 0.0, math.pi / 4):
+                d.sweep([(share * reach, 0, z) for share, z in curve], 0.013, frame)
+    with d.part("pole"):
+        head = ((1.0, 0.09), (1.25, 0.085), (1.25, 0.07), (0.7, 0.06), (1.15, 0.03), (0.3, 0.0))
+        d.revolve([(pole, 0.02), *((share * pole, top - below) for share, below in head)], frame, 20)
+    with d.part("arms"):
+        for start, below in ((0.0, 0.14), (2 * math.pi / arms, 0.32)):
+            curve = ((0.0, -0.08), (0.5, -0.07), (0.85, -0.02), (0.95, 0.05))
+            with d.ring(arms // 2, 0.0, start):
+                d.sweep([(share * reach, 0, top - below + z) for share, z in curve], 0.009, frame, 8)
+                d.ball(Box.around((0.95 * reach, 0.0, top - below + 0.055), 0.03, 0.03, 0.03), tips, 12)
+    d.fit()
 
 
 @draws("clothes_rack")
-def clothes_rack(b: Builder) -> None:
-    """Two side frames and a rail, a low shelf, sometimes clothes on hangers."""
-    d, w, h = b.size
-    metal = b.material("frame", "black steel", "chrome", "white steel", "oak", "walnut")
-    r = 0.014
-    castors = b.chance("castors", 0.5)
-    low = 0.075 if castors else 0.02
-    with b.solid("foot"):
-        for sy in (-1, 1):
-            y = sy * (w / 2 - 0.05)
-            b.box((-d / 2, d / 2), (y - 0.016, y + 0.016), (low - 0.02, low + 0.012), metal)
-            if castors:
-                for sx in (-1, 1):
-                    with b.frame(sx * (d / 2 - 0.03), y, 0.0275, roll=np.pi / 2):
-                        b.frustum(0.0275, 0.0275, (-0.012, 0.012), "black plastic", segments=14)
-        b.box(
-            (-d / 2 + 0.08, d / 2 - 0.08),
-            (-w / 2 + 0.034, w / 2 - 0.034),
-            (low + 0.06, low + 0.078),
-            b.material("shelf", "oak", "walnut", "white paint", "pine"),
-        )
-    y = w / 2 - 0.05
-    for k, sy in enumerate((-1, 1)):
-        with b.solid(f"upright-{k}"):
-            b.bar((0, sy * y, low), (0, sy * y, h - r), r, metal, segments=12)
-    with b.solid("rail"):
-        b.bar((0, -w / 2, h - r), (0, w / 2, h - r), r, metal, segments=12)
-        if b.chance("clothes", 0.65):
-            _clothes(b, d, y, h - r)
-    z = low + 0.078
-    b.surface("shelf", (-d / 2 + 0.085, d / 2 - 0.085), (-w / 2 + 0.075, w / 2 - 0.075), z, headroom=0.25)
+def clothes_rack(d: Drawing) -> None:
+    """Two posts and a rail over a low shelf, sometimes clothes on hangers."""
+    metal = d.material("frame", "black steel", "chrome", "white steel", "oak", "walnut")
+    wood = d.material("shelf", "oak", "walnut", "white paint", "pine")
+    radius, bounds = 0.014, d.bounds
+    wheeled = d.chance("castors", 0.5)
+    low = 0.055 if wheeled else 0.0
+    foot = bounds.inset(bottom=low).bottom(0.032)
+    with d.part("foot"):
+        with d.mirror("y"):
+            bar = d.box(foot.left(0.032).move(y=-0.034), metal)
+            for end in (bar.back(0.06), bar.front(0.06)) if wheeled else ():
+                d.cylinder(Box.sized(0.055, 0.024, 0.055, (*end.center[:2], 0.0)), "black plastic", "y", segments=14)
+        board = d.box(foot.inset(x=0.08, y=0.034).bottom(0.018).move(z=0.08), wood)
+    y, rail = bounds.y[1] - 0.05, bounds.z[1] - radius
+    for k, side in enumerate((-y, y)):
+        with d.part(f"upright-{k}"):
+            d.bar((0, side, foot.z[0]), (0, side, rail), radius, metal, 12)
+    with d.part("rail"):
+        d.bar((0, bounds.y[0], rail), (0, bounds.y[1], rail), radius, metal, 12)
+        if d.chance("clothes", 0.65):
+            _clothes(d, min(bounds.depth / 2 - 0.005, 0.21), y, rail)
+    d.surface("shelf", board, 0.25, inset=0.03)
 
 
-def _clothes(b: Builder, d: float, y: float, rail: float) -> None:
-    """Some garments, thin and wide, on hangers over a rail along y."""
+def _clothes(d: Drawing, half: float, y: float, rail: float) -> None:
+    """Some garments that fall in folds from hangers over a rail along y; they are up to ``half`` wide to each side."""
     dyes = ["grey fabric", "navy fabric", "beige fabric", "rust fabric", "green fabric", "white fabric", "rose fabric"]
-    for k in range(b.whole("garments", 4, 8)):
-        at = (b.uniform(f"at {k}", -0.06, 0.06) + k * 0.1 - 0.35) * 1.7 * y
-        cloth = b.pick(f"dye {k}", dyes)
-        wide = min(d / 2 - 0.005, 0.21) * b.uniform(f"wide {k}", 0.88, 1.0)
-        long = b.uniform(f"long {k}", 0.62, 0.95)
-        t = 0.018
-        top = rail - 0.075
-        section = [
-            (-wide, top - 0.1),
-            (-0.06, top),
-            (0.06, top),
-            (wide, top - 0.1),
-            (wide * 0.96, top - long),
-            (-wide * 0.96, top - long),
-        ]
-        b.hull([(px, at + s * t, pz) for px, pz in section for s in (-1, 1)], cloth)
-        b.bar((0, at, top - 0.005), (0, at, rail + 0.005), 0.003, "chrome", segments=6)
+    for k in range(d.integer("garments", 4, 8)):
+        at = (d.uniform(f"at {k}", -0.06, 0.06) + k * 0.1 - 0.35) * 1.7 * y
+        wide, long = half * d.uniform(f"wide {k}", 0.88, 1.0), d.uniform(f"long {k}", 0.62, 0.95)
+        top, phase = rail - 0.075, d.uniform(f"fold {k}", 0.0, 6.3)
+        across = np.linspace(-1.0, 1.0, 13)
+        shoulder = 0.1 * np.clip((np.abs(across) - 0.25) / 0.75, 0, 1)
+        rows = []
+        for share in (0.0, 0.25, 0.6, 1.0):
+            fold = 0.008 * share**0.7 * np.sin(9 * across + phase)
+            x = wide * across * (1 - 0.12 * math.sin(math.pi * share))
+            rows.append(np.c_[x, at + fold, top - shoulder * (1 - share) - long * share])
+        d.sheet(np.array(rows), 0.03, d.pick(f"dye {k}", dyes), (1, 4))
+        d.bar((0, at, top - 0.005), (0, at, rail + 0.005), 0.003, "chrome", 6)
 
 
 @draws("hall_stand")
-def hall_stand(b: Builder) -> None:
+def hall_stand(d: Drawing) -> None:
     """A bench for shoes, a panel with hooks and mirror above it, a hat shelf on top."""
-    d, w, h = b.size
-    wood = b.material("body", "oak", "walnut", "white paint", "pine", "sage paint", "ash grey wood")
-    metal = b.material("hooks", "black steel", "brass", "bronze")
-    seat, t = 0.46, 0.022
-    x0, deep = -d / 2, min(0.3, 0.75 * d)
-    inner = (-w / 2 + t, w / 2 - t)
-    for k, ys in enumerate(((-w / 2, inner[0]), (inner[1], w / 2))):
-        with b.solid(f"side-{k}"):
-            b.box((x0, d / 2 - 0.01), ys, (0.0, seat - 0.025), wood)
-    with b.solid("shelf"):
-        b.box((x0, d / 2 - 0.02), inner, (0.1, 0.12), wood)
-        b.box((x0, d / 2 - 0.05), inner, (0.0, 0.1), wood, bevel=0.0)
-    with b.solid("seat"):
-        b.box((x0, d / 2), (-w / 2, w / 2), (seat - 0.025, seat), wood, bevel=0.004)
-    with b.solid("back"):
-        b.box((x0, x0 + 0.018), inner, (0.12, seat - 0.025), wood, bevel=0.0)
-    with b.solid("panel"):
-        for sy in (-1, 1):
-            ys = sorted((sy * w / 2, sy * (w / 2 - 0.06)))
-            b.box((x0, x0 + 0.03), (ys[0], ys[1]), (seat, h), wood)
-        middle = (-w / 2 + 0.06, w / 2 - 0.06)
-        b.box((x0, x0 + 0.012), middle, (seat, h), wood, bevel=0.0)
-        for ys in split(middle, max(4, round(w / 0.11)), 0.006):
-            b.box((x0 + 0.012, x0 + 0.018), ys, (seat, h - 0.03), wood, bevel=0.002)
-        b.box((x0 + 0.018, x0 + 0.03), middle, (h - 0.36, h - 0.26), wood)
-    with b.solid("hooks"):
-        for k in range(count := max(3, round(w / 0.2))):
-            _hook(b, x0 + 0.03, -w / 2 + (k + 0.5) * w / count, h - 0.32, metal)
-    with b.solid("panel"):
-        if b.chance("mirror", 0.5):
-            half = min(0.2, 0.28 * w)
-            b.box((x0 + 0.018, x0 + 0.028), (-half - 0.025, half + 0.025), (seat + 0.22, h - 0.43), wood)
-            b.box((x0 + 0.028, x0 + 0.031), (-half, half), (seat + 0.245, h - 0.455), "mirror", bevel=0.0)
-    with b.solid("hat shelf"):
-        b.box((x0 + 0.03, x0 + deep), (-w / 2, w / 2), (h - 0.19, h - 0.168), wood, bevel=0.003)
-    room = round(seat - 0.025 - 0.12 - 0.004, 4)
-    b.surface("shoes", (x0 + 0.025, d / 2 - 0.025), (inner[0] + 0.005, inner[1] - 0.005), 0.12, headroom=room)
-    b.surface("seat", (x0 + 0.1, d / 2 - 0.01), (-w / 2 + 0.01, w / 2 - 0.01), seat, headroom=0.7)
-    b.surface("hats", (x0 + 0.04, x0 + deep - 0.01), (-w / 2 + 0.01, w / 2 - 0.01), h - 0.168)
+    wood = d.material("body", "oak", "walnut", "white paint", "pine", "sage paint", "ash grey wood")
+    metal = d.material("hooks", "black steel", "brass", "bronze")
+    bounds, board = d.bounds, 0.022
+    bench, wall = bounds.to(z=(0.0, 0.46)), bounds.inset(bottom=0.46)
+    box = bench.inset(y=board, top=0.025)
+    for k, side in enumerate((bench.right(board), bench.left(board))):
+        with d.part(f"side-{k}"):
+            d.box(side.inset(front=0.01, top=0.025), wood)
+    with d.part("shelf"):
+        shelf = d.box(box.inset(front=0.02).bottom(0.12).top(0.02), wood)
+        d.box(box.inset(front=0.05).bottom(0.1).front(0.02), wood, bevel=0.0)
+    with d.part("seat"):
+        d.box(bench.top(0.025), wood, bevel=0.004)
+    with d.part("back"):
+        d.box(box.inset(bottom=0.12).back(0.018), wood, bevel=0.0)
+    with d.part("panel"):
+        for post in (wall.right(0.06), wall.left(0.06)):
+            d.box(post.back(0.03), wood)
+        field = wall.inset(y=0.06)
+        d.box(field.back(0.012), wood, bevel=0.0)
+        tongue = field.inset(back=0.012, top=0.03).back(0.006)
+        for strip in tongue.columns(max(4, round(field.width / 0.11)), gap=0.006):
+            d.box(strip, wood, bevel=0.002)
+        rail = d.box(field.inset(back=0.018).back(0.012).top(0.36).bottom(0.1), wood)
+        if d.chance("mirror", 0.5):
+            half = min(0.2, 0.28 * bounds.width)
+            frame = tongue.front(-0.01).inset(bottom=0.22, top=0.40).place(width=2 * half + 0.05)
+            d.box(frame, wood)
+            d.box(frame.inset(y=0.025, z=0.025).front(-0.003), "mirror", bevel=0.0)
+    with d.part("hooks"):
+        for place in bounds.columns(max(3, round(bounds.width / 0.2))):
+            with d.at(rail.x[1], place.center[1], rail.z[0] + 0.04):
+                d.sweep([(0, 0, 0), (0.036, 0, -0.015), (0.06, 0, 0.01), (0.06, 0, 0.045)], 0.006, metal, 8)
+                d.ball(Box.around((0.06, 0.0, 0.05), 0.022, 0.022, 0.022), metal, 10)
+    with d.part("hat shelf"):
+        hats = d.box(wall.inset(back=0.03).back(min(0.3, 0.75 * bounds.depth) - 0.03).top(0.19).bottom(board), wood)
+    d.surface("shoes", shelf.inset(back=0.02), round(box.z[1] - shelf.z[1] - 0.004, 4), inset=0.005)
+    d.surface("seat", bench.inset(back=0.1), 0.7, inset=0.01)
+    d.surface("hats", hats, inset=0.01)
 
 
 @draws("shoe_rack")
-def shoe_rack(b: Builder) -> None:
-    """Two to four low tiers between ladder sides."""
-    d, w, h = b.size
-    frame = b.material("frame", "bamboo", "oak", "black steel", "walnut", "white paint")
-    boards = b.material("boards", "bamboo", "oak", "pine", "walnut") if b.chance("two", 0.4) else frame
-    post, tiers = 0.026, max(2, min(4, round(h / 0.23)))
-    for k, sy in enumerate((-1, 1)):
-        ys = sorted((sy * w / 2, sy * (w / 2 - post)))
-        with b.solid(f"side-{k}"):
-            for xs in ((-d / 2, -d / 2 + post), (d / 2 - post, d / 2)):
-                b.box(xs, (ys[0], ys[1]), (0.0, h), frame, bevel=0.003)
-            b.box((-d / 2 + post, d / 2 - post), (ys[0] + 0.004, ys[1] - 0.004), (h - 0.03, h - 0.002), frame)
-            b.box((-d / 2 + post, d / 2 - post), (ys[0] + 0.004, ys[1] - 0.004), (0.07, 0.098), frame)
-    y = (-w / 2 + post, w / 2 - post)
-    levels = [0.1 + k * (h - 0.102) / (tiers - 1) for k in range(tiers)]
+def shoe_rack(d: Drawing) -> None:
+    """Two to four tiers of slats between ladder sides."""
+    frame = d.material("frame", "bamboo", "oak", "black steel", "walnut", "white paint")
+    slat = d.material("boards", "bamboo", "oak", "pine", "walnut") if d.chance("two", 0.4) else frame
+    post, bounds = 0.026, d.bounds
+    tiers = max(2, min(4, round(bounds.height / 0.23)))
+    for k, side in enumerate((bounds.right(post), bounds.left(post))):
+        with d.part(f"side-{k}"):
+            for own in (side.back(post), side.front(post)):
+                d.box(own, frame)
+            rung = side.inset(x=post, y=0.004)
+            for z in ((bounds.z[1] - 0.03, bounds.z[1] - 0.002), (0.07, 0.098)):
+                d.box(rung.to(z=z), frame)
+    levels = np.linspace(0.1, bounds.z[1] - 0.002, tiers).tolist()
     for k, z in enumerate(levels):
-        with b.solid(f"tier-{k}"):
-            b.box((-d / 2 + 0.03, d / 2 - 0.03), y, (z - 0.016, z - 0.001), boards, bevel=0.0)
-            for xs in split((-d / 2 + 0.002, d / 2 - 0.002), 5, 0.003):
-                b.box(xs, y, (z - 0.012, z), boards, bevel=0.001)
-        room = None if k == tiers - 1 else round(levels[k + 1] - 0.019 - z, 4)
-        b.surface(
-            "top" if room is None else f"shelf-{k}",
-            (-d / 2 + 0.008, d / 2 - 0.008),
-            (y[0] + 0.005, y[1] - 0.005),
-            z,
-            headroom=room,
+        tier = bounds.inset(x=0.002, y=post).to(z=(z - 0.012, z))
+        with d.part(f"tier-{k}"):
+            d.box(tier.inset(x=0.028, bottom=-0.004, top=0.001), slat, bevel=0.0)
+            for own in tier.split("x", 5, gap=0.003):
+                d.box(own, slat, bevel=0.001)
+        last = k == tiers - 1
+        d.surface(
+            "top" if last else f"shelf-{k}", tier, None if last else round(levels[k + 1] - 0.019 - z, 4), inset=0.006
         )
 
 
 @draws("umbrella_stand")
-def umbrella_stand(b: Builder) -> None:
+def umbrella_stand(d: Drawing) -> None:
     """A tall open vessel with umbrellas in it."""
-    d, w, h = b.size
-    body = b.material("body", "black steel", "brass", "white ceramic", "wicker", "copper", "blue ceramic")
-    r, tall = min(d, w) / 2, 0.52 + 0.06 * b.uniform("tall", -1, 1)
-    square = not b.chance("round body", 0.6)
-    with b.solid("body"):
-        if square:
-            for k in range(4):
-                with b.frame(yaw=k * np.pi / 2):
-                    b.box((r - 0.012, r), (-r, r - 0.012), (0.0, tall), body, bevel=0.001)
-            b.box((-r + 0.012, r - 0.012), (-r + 0.012, r - 0.012), (0.0, tall - 0.1), "black paint", bevel=0.0)
+    body = d.material("body", "black steel", "brass", "white ceramic", "wicker", "copper", "blue ceramic")
+    top, radius, rim = d.size.height, min(d.size[:2]) / 2, 0.52 + 0.06 * d.uniform("tall", -1, 1)
+    with d.part("body"):
+        pot = Box.sized(2 * radius, 2 * radius, rim)
+        if d.chance("round body", 0.6):
+            profile = ((0.86, 0.0), (0.9, 0.04), (0.84, 0.09), (0.9, 0.945), (1.0, 0.97), (1.0, 1.0))
+            d.turned(pot, profile, body, 28)
+            d.cylinder(pot.inset(x=0.12 * radius, y=0.12 * radius).top(-0.0005), "black paint")
         else:
-            b.lathe(
-                [
-                    (r * 0.86, 0.0),
-                    (r * 0.9, 0.02),
-                    (r * 0.84, 0.05),
-                    (r * 0.9, tall - 0.03),
-                    (r, tall - 0.015),
-                    (r, tall),
-                ],
-                body,
-                segments=28,
-            )
-            b.frustum(r * 0.88, r * 0.88, (tall, tall + 0.0005), "black paint", segments=28)
-        for k in range(count := b.whole("umbrellas", 2, 3)):
-            cloth = b.pick(
-                f"cloth {k}", ["black fabric", "navy fabric", "red fabric", "green fabric", "mustard fabric"]
-            )
-            grip = b.pick(f"grip {k}", ["walnut", "beech", "black plastic"])
-            with b.frame(yaw=2 * np.pi * k / count + 0.6):
-                _umbrella(b, r * 0.42, tall - 0.05, h - 0.03 * k, r * 0.3, cloth, grip)
-    b.fit()
+            wall = 0.012
+            for side in (pot.left(wall), pot.right(wall), pot.inset(y=wall).front(wall), pot.inset(y=wall).back(wall)):
+                d.box(side, body, bevel=0.001)
+            d.box(pot.inset(x=wall, y=wall, top=0.1), "black paint", bevel=0.0)
+        count = d.integer("umbrellas", 2, 3)
+        for k in range(count):
+            cloth = d.pick(f"cloth {k}", [f"{dye} fabric" for dye in ("black", "navy", "red", "green", "mustard")])
+            with d.at(yaw=2 * math.pi * k / count + 0.6):
+                _umbrella(
+                    d,
+                    radius,
+                    rim - 0.05,
+                    top - 0.03 * k,
+                    cloth,
+                    d.pick(f"grip {k}", ["walnut", "beech", "black plastic"]),
+                )
+    d.fit()
 
 
-def _umbrella(b: Builder, x: float, low: float, high: float, lean: float, cloth, grip) -> None:
-    """A rolled umbrella that leans outward, from the rim of its stand up to its crook."""
-    long = high - low
-    head = x + lean * 0.5
-    with b.frame(x, 0.0, low, pitch=float(np.arctan2(lean * 0.5, long))):
-        b.frustum(0.03, 0.014, (0.0, long * 0.5), cloth, segments=12)
-        b.frustum(0.006, 0.006, (long * 0.5, long * 0.72), "chrome", segments=8)
-    turn = np.linspace(0.0, np.pi, 7)
-    crook = [
-        (head - 0.004, 0, low + long * 0.68),
-        *((head, 0.028 - 0.028 * np.cos(v), high - 0.042 + 0.028 * np.sin(v)) for v in turn),
-    ]
-    b.tube(crook, 0.01, grip, segments=8)
+def _umbrella(d: Drawing, radius: float, low: float, high: float, cloth: Look, grip: Look) -> None:
+    """A rolled umbrella that leans outward, from the rim of a stand of a radius up to its crook."""
+    long, out = high - low, 0.15 * radius
+    with d.at(0.42 * radius, 0.0, low, pitch=math.atan2(out, long)):
+        d.cylinder(Box.sized(0.06, 0.06, 0.5 * long), cloth, ends=(1.0, 0.47), segments=12)
+        d.cylinder(Box.sized(0.012, 0.012, 0.22 * long, (0.0, 0.0, 0.5 * long)), "chrome", segments=8)
+    x = 0.42 * radius + out
+    turn = np.linspace(0.0, math.pi, 7)
+    bend = np.c_[np.full(7, x), 0.028 - 0.028 * np.cos(turn), high - 0.042 + 0.028 * np.sin(turn)]
+    d.sweep(np.concatenate([[(x - 0.004, 0.0, low + 0.68 * long)], bend]), 0.01, grip, 8)
 
 
 @draws("magazine_rack")
-def magazine_rack(b: Builder) -> None:
-    """A V of two slatted sides on feet, with magazines between them."""
-    d, w, h = b.size
-    wood = b.material("frame", "oak", "walnut", "black steel", "brass", "beech")
-    t = 0.012
-    with b.solid("body"):
-        b.box((-0.05, 0.05), (-w / 2 + 0.02, w / 2 - 0.02), (0.075, 0.09), wood)
-        for sx in (-1, 1):
-            for z0, z1 in ((0.09, 0.13), (h * 0.5, h * 0.5 + 0.035), (h - 0.035, h)):
-                lean = (d / 2 - t - 0.04) / (h - 0.09)
-                b.hull(
-                    [
-                        (sx * (0.04 + lean * (z - 0.09) + a), y, z)
-                        for z in (z0, z1)
-                        for a in (0.0, t)
-                        for y in (-w / 2, w / 2)
-                    ],
-                    wood,
-                )
-            for sy in (-1, 1):
-                y = sy * (w / 2 - 0.03)
-                b.hull(
-                    [
-                        (sx * a, y + c, z)
-                        for z, p in ((0.0, d / 2), (0.09, 0.055))
-                        for a in (p - 0.022, p)
-                        for c in (-0.008, 0.008)
-                    ],
-                    wood,
-                )
-                b.hull(
-                    [
-                        (sx * a, y + c, z)
-                        for z, p in ((0.085, 0.04), (h - 0.005, d / 2 - t))
-                        for a in (p - 0.012, p)
-                        for c in (-0.008, 0.008)
-                    ],
-                    wood,
-                )
-        covers = ["paper", "red plastic", "blue plastic", "yellow plastic", "sea pigment", "blush pigment"]
-        for k in range(b.whole("papers", 4, 6)):
-            high = h + b.uniform(f"high {k}", -0.1, -0.02)
-            x = -0.034 + 0.012 * k
-            ys = (-w / 2 + 0.035 + 0.006 * k, w / 2 - 0.05)
-            b.box((x, x + 0.008), ys, (0.091, high), b.pick(f"cover {k}", covers), bevel=0.001)
+def magazine_rack(d: Drawing) -> None:
+    """A V of two slatted sides on crossed legs, with magazines between them."""
+    wood = d.material("frame", "oak", "walnut", "black steel", "brass", "beech")
+    bounds, thick = d.bounds, 0.012
+    top, half = bounds.height, bounds.depth / 2
+    with d.part("body"):
+        floor = d.box(bounds.place(depth=0.1).to(z=(0.075, 0.09)).inset(y=0.02), wood)
+        lean = math.atan2(half - thick - 0.04, top - 0.09)
+        with d.mirror("x"):
+            with d.at(0.04, 0.0, floor.z[1], pitch=lean):
+                side = Box((0.0, thick), bounds.y, (0.0, (top - 0.09) / math.cos(lean) - 0.012))
+                for rail in (side.bottom(0.04), side.share(z=(0.5, 0.6)), side.top(0.035)):
+                    d.box(rail, wood)
+                with d.mirror("y"):
+                    d.box(side.back(-0.012).inset(left=0.022).left(0.016), wood, bevel=0.001)
+            with d.mirror("y"):
+                y = bounds.y[1] - 0.03
+                leg(d, (half - 0.011, y, 0.0), (0.044, y, 0.09), 0.018, 0.018, wood, sides=4)
+        for k in range(d.integer("papers", 4, 6)):
+            paper = floor.back(0.008).move(x=0.016 + 0.012 * k).inset(y=0.02 + 0.003 * k)
+            high = top + d.uniform(f"high {k}", -0.1, -0.02)
+            d.box(paper.to(z=(floor.z[1] + 0.001, high)), d.pick(f"cover {k}", COVERS), bevel=0.001)
+    d.fit()
 
 
 @draws("newspaper_stand")
-def newspaper_stand(b: Builder) -> None:
+def newspaper_stand(d: Drawing) -> None:
     """Steps of tilted pockets one over another, papers and magazines in them."""
-    d, w, h = b.size
-    frame = b.material("frame", "black steel", "oak", "white steel", "red paint", "walnut")
-    tiers = 3 if h < 1.25 else 4
-    t = 0.016
-    covers = ["paper", "paper", "red plastic", "blue plastic", "yellow plastic", "green plastic", "chalk pigment"]
-    with b.solid("body"):
-        for ys in ((-w / 2, -w / 2 + t), (w / 2 - t, w / 2)):
-            b.hull(
-                [
-                    (x, y, z)
-                    for x, z in ((-d / 2, 0), (d / 2, 0), (d / 2, 0.14), (-d / 2 + 0.07, h), (-d / 2, h))
-                    for y in ys
-                ],
-                frame,
-            )
-        inner = (-w / 2 + t, w / 2 - t)
-        step = (h - 0.12) / tiers
-        for k in range(tiers):
-            low = 0.1 + k * step
-            x = d / 2 - 0.03 + (0.1 - d) * (low + 0.07) / h
-            b.box((-d / 2 + 0.01, x), inner, (low - 0.015, low), frame)
-            b.box((x - 0.012, x), inner, (low, low + 0.06), frame)
-            with b.frame(x - 0.02, 0.0, low, pitch=-0.2):
-                b.box((-0.016, -0.008), inner, (0.0, step * 0.93), frame, bevel=0.0)
-                columns = max(2, round(w / 0.26))
-                for j, ys in enumerate(split((inner[0] + 0.01, inner[1] - 0.01), columns, 0.012)):
-                    thick = b.uniform(f"thick {k} {j}", 0.004, 0.016)
-                    high = step * b.uniform(f"high {k} {j}", 0.72, 0.88)
-                    cover = b.pick(f"cover {k} {j}", covers)
-                    b.box((-0.008, -0.008 + thick), ys, (0.003, high), cover, bevel=0.001)
-                    b.box(
-                        (-0.008 + thick, -0.007 + thick),
-                        (ys[0] + 0.012, ys[1] - 0.012),
-                        (high * 0.8, high * 0.92),
-                        b.pick(f"title {k} {j}", ["black paint", "red paint", "navy paint"]),
-                        bevel=0.0,
-                    )
+    frame = d.material("frame", "black steel", "oak", "white steel", "red paint", "walnut")
+    bounds, board = d.bounds, 0.016
+    (x0, x1), top = bounds.x, bounds.z[1]
+    tiers = 3 if top < 1.25 else 4
+    inks = ["black paint", "red paint", "navy paint"]
+    with d.part("body"):
+        outline = ((x0, 0.0), (x1, 0.0), (x1, 0.14), (x0 + 0.07, top), (x0, top))
+        for side in (bounds.right(board), bounds.left(board)):
+            d.hull([(x, y, z) for x, z in outline for y in side.y], frame)
+        for k, tier in enumerate(bounds.inset(y=board, bottom=0.1, top=0.02).rows(tiers)):
+            low = tier.z[0]
+            front = x1 - 0.03 + (0.1 - bounds.depth) * (low + 0.07) / top
+            d.box(Box((x0 + 0.01, front), tier.y, (low - 0.015, low)), frame)
+            d.box(Box((front - 0.012, front), tier.y, (low, low + 0.06)), frame)
+            with d.at(front - 0.02, 0.0, low, pitch=-0.2):
+                d.box(Box((-0.016, -0.008), tier.y, (0.0, 0.93 * tier.height)), frame, bevel=0.0)
+                cells = tier.inset(y=0.01).columns(max(2, round(tier.width / 0.26)), gap=0.012)
+                for j, cell in enumerate(cells):
+                    thick, share = d.uniform(f"thick {k} {j}", 0.004, 0.016), d.uniform(f"high {k} {j}", 0.72, 0.88)
+                    paper = Box((-0.008, thick - 0.008), cell.y, (0.003, share * tier.height))
+                    d.box(paper, d.pick(f"cover {k} {j}", ("paper", *COVERS)), bevel=0.001)
+                    title = paper.front(0.0).inset(y=0.012).share(z=(0.8, 0.92))
+                    d.print(title, d.pick(f"title {k} {j}", inks))
+                    d.print(paper.front(0.0).inset(y=0.02).share(z=(0.25, 0.72)), d.pick(f"photo {k} {j}", COVERS[3:]))
 
 
 @draws("room_divider")
-def room_divider(b: Builder) -> None:
+def room_divider(d: Drawing) -> None:
     """A folding screen: framed panels in a zigzag, of cloth, paper or slats."""
-    d, w, h = b.size
-    wood = b.material("frame", "walnut", "oak", "black paint", "white paint", "bamboo")
-    fill = b.material("panels", "paper", "rattan", "white fabric", "green fabric", "frosted glass")
-    shoji = b.chance("shoji", 0.5)
-    count = 3 if w < 1.45 else 4
-    t = 0.022
-    run, fall = w / count, d - t
-    wide, turn = float(np.hypot(run, fall)), float(np.arctan2(fall, run))
+    wood = d.material("frame", "walnut", "oak", "black paint", "white paint", "bamboo")
+    fill = d.material("panels", "paper", "rattan", "white fabric", "green fabric", "frosted glass")
+    shoji = d.chance("shoji", 0.5)
+    (depth, width, top), thick, post = d.size, 0.022, 0.032
+    count = 3 if width < 1.45 else 4
+    run, fall = width / count, depth - thick
+    turn = math.atan2(fall, run)
+    panel = Box.sized(thick, math.hypot(run, fall) - 0.012, top)
     for k in range(count):
-        y, sign = -w / 2 + (k + 0.5) * run, 1 if k % 2 == 0 else -1
-        with b.frame(0.0, y, yaw=sign * turn), b.solid(f"panel-{k}"):
-            half = wide / 2 - 0.006
-            post = 0.032
-            for ys in ((-half, -half + post), (half - post, half)):
-                b.box((-t / 2, t / 2), ys, (0.0, h), wood)
-            inner = (-half + post, half - post)
-            for zs in ((0.06, 0.11), (h - 0.045, h - 0.01), (0.32 * h, 0.32 * h + 0.025)):
-                b.box((-t / 2 + 0.002, t / 2 - 0.002), inner, zs, wood, bevel=0.001)
-            b.box((-0.003, 0.003), inner, (0.11, h - 0.045), fill, bevel=0.0)
+        with d.at(0.0, -width / 2 + (k + 0.5) * run, yaw=turn if k % 2 == 0 else -turn), d.part(f"panel-{k}"):
+            for side in (panel.right(post), panel.left(post)):
+                d.box(side, wood)
+            inner = panel.inset(y=post)
+            middle = 0.32 * top
+            for z in ((0.06, 0.11), (top - 0.045, top - 0.01), (middle, middle + 0.025)):
+                d.box(inner.inset(x=0.002).to(z=z), wood, bevel=0.001)
+            field = inner.to(z=(0.11, top - 0.045))
+            d.box(field.place(depth=0.006), fill, bevel=0.0)
             if shoji:
-                middle = (inner[0] + inner[1]) / 2
-                b.box((-0.007, 0.007), (middle - 0.006, middle + 0.006), (0.11, h - 0.045), wood, bevel=0.0)
-                for z in np.linspace(0.32 * h, h - 0.045, 6)[1:-1]:
-                    b.box((-0.007, 0.007), inner, (z - 0.006, z + 0.006), wood, bevel=0.0)
-    b.fit()
+                d.box(field.place(0.014, 0.012), wood, bevel=0.0)
+                for z in np.linspace(middle, field.z[1], 6)[1:-1].tolist():
+                    d.box(field.place(depth=0.014).to(z=(z - 0.006, z + 0.006)), wood, bevel=0.0)
+    d.fit()

@@ -1,386 +1,276 @@
-"""Lockers, chests, racks for wine, bar furniture, carts, safes and trophies."""
+"""Chests, racks for wine, bar furniture, carts, safes and trophies."""
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
-from ... import shapes
-from ..builder import Builder
-from ..joinery import door
-from ..registry import draws
-from .storage_parts import SHADOW, case, feet, pulls, split
+from ...drawing import Box, Drawing, draws
+from ...drawing.components import carcass, castors, doors, feet, pulls
+from ...drawing.components.supports import SHADOW
+from ...drawing.drawing import Look
+from .bottles import bottle
+from .storage_parts import inner_boards
 
-
-@draws("locker")
-def locker(b: Builder) -> None:
-    """Steel doors with slots for air, one or two over each other, on feet."""
-    d, w, h = b.size
-    steel = b.material("body", "grey paint", "light grey paint", "blue paint", "navy paint")
-    fronts = b.material("doors", "blue paint", "red paint", "green paint", "teal paint", "yellow paint", "grey paint")
-    metal = b.material("locks", "brushed steel", "chrome")
-    x, y = (-d / 2, d / 2 - 0.022), (-w / 2, w / 2)
-    columns, rows = max(1, round(w / 0.32)), b.pick("rows", [1, 1, 2])
-    with b.solid("body"):
-        feet(b, x, y, 0.1, steel, "square" if b.chance("legs", 0.4) else "plinth")
-        _, fy, fz = case(b, x, y, (0.1, h), steel, 0.014)
-        for k, ys in enumerate(split(fy, columns, 0.004)):
-            for j, zs in enumerate(split(fz, rows, 0.006)):
-                side = (ys[0] + ys[1]) / 2
-                wide = 0.3 * (ys[1] - ys[0])
-                at = (x[1], ys[1], zs[0])
-                with b.hinge(f"door-{k}-{j}", at, limits=(0.0, 1.92)):
-                    b.box(
-                        (x[1] - 0.018, x[1]),
-                        (ys[0] + 0.002, ys[1] - 0.002),
-                        (zs[0] + 0.002, zs[1] - 0.002),
-                        fronts,
-                        bevel=0.002,
-                    )
-                    for z in (zs[1] - 0.08, zs[0] + 0.07):
-                        slot = (x[1], x[1] + 0.0025), (side - wide, side + wide)
-                        cover = shapes.box(*slot, (z, z + 0.06), 0.0)
-                        for s in range(4):
-                            low = z + 0.018 * s
-                            b.add(shapes.box(*slot, (low, low + 0.006), 0.0), SHADOW, hulls=[] if s else [cover])
-                    high = (zs[0] + zs[1]) / 2 if rows == 2 else 1.05
-                    b.box(
-                        (x[1], x[1] + 0.006),
-                        (ys[0] + 0.012, ys[0] + 0.042),
-                        (high - 0.06, high + 0.06),
-                        metal,
-                        bevel=0.002,
-                    )
-                    b.box(
-                        (x[1] + 0.006, x[1] + 0.022), (ys[0] + 0.02, ys[0] + 0.034), (high - 0.03, high + 0.03), metal
-                    )
-                    b.box(
-                        (x[1], x[1] + 0.003),
-                        (side - 0.03, side + 0.03),
-                        (zs[1] - 0.14, zs[1] - 0.11),
-                        "paper",
-                        bevel=0.0,
-                    )
+CAPS = ("cork", "black paint", "brass")
 
 
 @draws("chest")
-def chest(b: Builder) -> None:
+def chest(d: Drawing) -> None:
     """A blanket chest with a flat lid or a trunk with a round one, bands and handles."""
-    d, w, h = b.size
-    wood = b.material("body", "oak", "pine", "walnut", "brown leather", "navy paint", "white paint")
-    metal = b.material("fittings", "iron", "brass", "bronze")
-    domed = b.chance("domed", 0.5)
-    x, y = (-d / 2 + 0.004, d / 2 - 0.012), (-w / 2 + 0.018, w / 2 - 0.018)
-    low = h - (0.28 * h if domed else 0.05)
-    bands = (-w * 0.3, w * 0.3)
-    with b.solid("body"):
-        b.box((x[0], x[1]), y, (0.03, low - 0.003), wood)
-        b.box((x[0] + 0.01, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), (low - 0.003, low), SHADOW, bevel=0.0)
-        for xs in ((x[0], x[0] + 0.07), (x[1] - 0.07, x[1])):
-            for ys in ((y[0], y[0] + 0.07), (y[1] - 0.07, y[1])):
-                b.box(xs, ys, (0.0, 0.03), wood)
+    wood = d.material("body", "oak", "pine", "walnut", "brown leather", "navy paint", "white paint")
+    metal = d.material("fittings", "iron", "brass", "bronze")
+    domed = d.chance("domed", 0.5)
+    case, top = d.bounds.inset(back=0.004, front=0.012, y=0.018), d.size.height
+    rim = top - (0.28 * top if domed else 0.05)
+    body = case.to(z=(0.03, rim))
+    bands = [case.place(width=0.04).move(y=share * d.size.width).y for share in (-0.3, 0.3)]
+    with d.part("body"):
+        wall = 0.02
+        d.box(body.bottom(wall), wood)
+        sides = body.inset(bottom=wall, top=0.003)
+        for side in (
+            sides.front(wall),
+            sides.back(wall),
+            sides.inset(x=wall).left(wall),
+            sides.inset(x=wall).right(wall),
+        ):
+            d.box(side, wood)
+        for y in (case.y[0], case.y[1] - 0.07):
+            for x in (case.x[0], case.x[1] - 0.07):
+                d.box(Box((x, x + 0.07), (y, y + 0.07), (0.0, 0.03)), wood)
+        face = sides.front(-0.006)
         if domed:
-            for at in bands:
-                b.box((x[1], x[1] + 0.003), (at - 0.02, at + 0.02), (0.03, low - 0.003), metal, bevel=0.0)
+            for y in bands:
+                d.box(face.to(y=y).back(0.003), metal, bevel=0.0)
         else:
-            b.box((x[0], x[1] + 0.006), (y[0] - 0.006, y[1] + 0.006), (0.03, 0.09), wood)
-            for ys in split((y[0] + 0.05, y[1] - 0.05), 3, 0.05):
-                b.box((x[1], x[1] + 0.006), ys, (0.13, low - 0.05), wood)
-        b.box((x[1], x[1] + 0.008), (-0.03, 0.03), (low - 0.07, low - 0.006), metal, bevel=0.002)
-        for sy in (-1, 1):
-            with b.frame(0.0, sy * y[1], yaw=sy * np.pi / 2):
-                b.bar((0.012, -0.06, low * 0.7), (0.012, 0.06, low * 0.7), 0.006, metal, segments=8)
-                for py in (-0.055, 0.055):
-                    b.box((0.0, 0.014), (py - 0.01, py + 0.01), (low * 0.7 - 0.012, low * 0.7 + 0.012), metal)
+            d.box(body.inset(front=-0.006, y=-0.006).bottom(0.06), wood)
+            for cell in face.inset(y=0.05, bottom=0.08, top=0.05).columns(3, gap=0.05):
+                d.box(cell, wood)
+        d.box(body.front(-0.008).place(width=0.06).top(0.07).inset(top=0.006), metal, bevel=0.002)
+        with d.mirror("y"), d.at(0.0, case.y[1], 0.7 * rim, yaw=math.pi / 2):
+            d.bar((0.012, -0.06, 0.0), (0.012, 0.06, 0.0), 0.006, metal, 8)
+            for y in (-0.055, 0.055):
+                d.box(Box.around((0.007, y, 0.0), 0.014, 0.02, 0.024), metal)
         if domed:
-            with b.hinge("lid", (x[0], 0.0, low), axis=(0.0, -1.0, 0.0), limits=(0.0, 1.6)):
-                arc = np.linspace(0, np.pi, 13)
-                mid, rx = (x[0] + x[1]) / 2, (x[1] - x[0]) / 2
-
-                def dome(ys: tuple[float, float], grow: float, look) -> None:
-                    rim = [
-                        (mid + (rx + grow) * np.cos(v), low + 0.04 + (h - low - 0.044 + grow) * np.sin(v)) for v in arc
-                    ]
-                    rim += [(x[0], low), (x[1] + grow, low)]
-                    b.hull([(px, py, pz) for px, pz in rim for py in ys], look)
-
-                dome(y, 0.0, wood)
-                for at in bands:
-                    dome((at - 0.02, at + 0.02), 0.004, metal)
-                b.box((x[1] + 0.004, x[1] + 0.012), (-0.02, 0.02), (low, low + 0.05), metal, bevel=0.002)
+            with d.hinge("lid", (case.x[0], 0.0, rim), axis=(0.0, -1.0, 0.0), limits=(0.0, 1.6)):
+                _dome(d, case.to(z=(rim, top - 0.004)), wood)
+                for y in bands:
+                    _dome(d, case.inset(x=-0.004).to(y=y, z=(rim, top)), metal)
+                d.box(case.front(-0.012).place(width=0.04).to(z=(rim, rim + 0.05)).front(0.008), metal, bevel=0.002)
         else:
-            b.box((-d / 2 + 0.004, d / 2), (-w / 2, w / 2), (low, h), wood, bevel=0.008)
+            d.box(d.bounds.inset(back=0.004).top(0.05), wood, bevel=0.008)
     if not domed:
-        b.surface("top", (-d / 2 + 0.02, d / 2 - 0.02), (-w / 2 + 0.02, w / 2 - 0.02), h)
-    b.fit()
+        d.surface("top", d.bounds, inset=0.02)
+    d.fit()
+
+
+def _dome(d: Drawing, box: Box, look: Look) -> None:
+    """A lid with a round top along y, which fills a box."""
+    arc = np.linspace(0.0, math.pi, 13)
+    x, z = box.center[0] + box.depth / 2 * np.cos(arc), box.z[0] + 0.04 + (box.height - 0.04) * np.sin(arc)
+    outline = [*zip(x.tolist(), z.tolist(), strict=True), (box.x[0], box.z[0]), (box.x[1], box.z[0])]
+    d.hull([(px, y, pz) for px, pz in outline for y in box.y], look)
 
 
 @draws("safe")
-def safe(b: Builder) -> None:
-    """A steel block with a thick door, a dial or keys, and a turning handle."""
-    d, w, h = b.size
-    steel = b.material("body", "grey paint", "black paint", "navy paint", "green paint", "light grey paint")
-    metal = b.material("handle", "chrome", "brass", "brushed steel")
-    x, y = (-d / 2, d / 2 - 0.055), (-w / 2, w / 2)
-    with b.solid("body"):
-        b.box((x[0] + 0.03, x[1] - 0.03), (y[0] + 0.03, y[1] - 0.03), (0.0, 0.025), "rubber", bevel=0.0)
-        b.box(x, y, (0.025, h), steel, bevel=0.008)
-        b.box((x[1], x[1] + 0.003), (y[0] + 0.03, y[1] - 0.03), (0.055, h - 0.03), SHADOW, bevel=0.0)
-        inner = (y[0] + 0.035, y[1] - 0.035)
-        with b.hinge("door", (x[1] + 0.021, inner[0], 0.06), limits=(-1.92, 0.0)):
-            f = x[1] + 0.021
-            b.box((x[1] + 0.003, f), inner, (0.06, h - 0.035), steel, bevel=0.004)
-            middle = 0.55 * h
-            with b.frame(f, 0.12 * w, middle, pitch=np.pi / 2):
-                b.lathe([(0.035, 0.0), (0.035, 0.006), (0.024, 0.01), (0.02, 0.026)], metal, segments=20)
-            with b.frame(f, -0.14 * w, middle, pitch=np.pi / 2):
-                b.frustum(0.018, 0.014, (0.0, 0.026), metal, segments=14)
-                for k in range(3):
-                    with b.frame(yaw=k * 2 * np.pi / 3 + 0.5):
-                        b.bar((0.0, 0.0, 0.022), (0.07, 0.0, 0.022), 0.006, metal, segments=8)
-            b.box((f, f + 0.002), (-0.06, 0.06), (h - 0.12, h - 0.09), metal, bevel=0.0)
-        for z in (0.12, h - 0.14):
-            with b.frame(x[1] + 0.012, y[0] + 0.022, z):
-                b.frustum(0.012, 0.012, (0.0, 0.06), metal, segments=12)
-    b.surface("top", (x[0] + 0.015, x[1] - 0.015), (y[0] + 0.015, y[1] - 0.015), h)
-    b.fit()
+def safe(d: Drawing) -> None:
+    """A steel block with a thick door, a dial, and a handle of three spokes."""
+    steel = d.material("body", "grey paint", "black paint", "navy paint", "green paint", "light grey paint")
+    metal = d.material("handle", "chrome", "brass", "brushed steel")
+    case = d.bounds.inset(front=0.055)
+    with d.part("body"):
+        d.box(case.inset(x=0.03, y=0.03).bottom(0.025), "rubber", bevel=0.0)
+        block = d.box(case.inset(bottom=0.025), steel, bevel=0.008)
+        d.box(block.inset(y=0.03, z=0.03).front(-0.003), SHADOW, bevel=0.0)
+        leaf = block.inset(y=0.035, z=0.035).front(-0.021).inset(back=0.003)
+        with d.hinge("door", leaf.anchor("front right bottom"), limits=(-1.92, 0.0)):
+            d.box(leaf, steel, bevel=0.004)
+            x, height = leaf.x[1], 0.55 * case.height
+            with d.at(x, 0.12 * case.width, height, pitch=math.pi / 2):
+                d.revolve([(0.035, 0.0), (0.035, 0.006), (0.024, 0.01), (0.02, 0.026)], metal, 20)
+            with d.at(x, -0.14 * case.width, height, pitch=math.pi / 2):
+                d.cylinder(Box.sized(0.036, 0.036, 0.026), metal, ends=(1.0, 0.78), segments=14)
+                with d.ring(3, 0.0, 0.5):
+                    d.bar((0.0, 0.0, 0.022), (0.07, 0.0, 0.022), 0.006, metal, 8)
+            d.box(leaf.front(-0.002).place(width=0.12).top(0.055).bottom(0.03), metal, bevel=0.0)
+        for z in (0.12, case.height - 0.14):
+            d.cylinder(Box.sized(0.024, 0.024, 0.06, (block.x[1] + 0.012, case.y[0] + 0.022, z)), metal, segments=12)
+    d.surface("top", case, inset=0.015)
+    d.fit()
 
 
 @draws("wine_rack")
-def wine_rack(b: Builder) -> None:
-    """A case of crossed or square pigeonholes with bottles lying in them."""
-    d, w, h = b.size
-    wood = b.material("body", "oak", "walnut", "pine", "black paint", "mahogany")
-    t = 0.02
-    with b.solid("body"):
-        for ys in ((-w / 2, -w / 2 + t), (w / 2 - t, w / 2)):
-            b.box((-d / 2, d / 2 - 0.03), ys, (0.0, h), wood)
-        inner = (-w / 2 + t, w / 2 - t)
-        b.box((-d / 2, d / 2 - 0.03), inner, (h - t, h), wood)
-        b.box((-d / 2, d / 2 - 0.05), inner, (0.0, 0.05), wood)
-        columns, rows = max(3, round((w - 2 * t) / 0.115)), max(3, round((h - 0.07) / 0.115))
-        ys, zs = split(inner, columns, 0.012), split((0.062, h - t), rows, 0.012)
-        b.box((-d / 2, -d / 2 + 0.008), inner, (0.05, h - t), wood, bevel=0.0)
-        for k in range(rows):
-            b.box((-d / 2 + 0.008, d / 2 - 0.034), inner, (zs[k][0] - 0.012, zs[k][0]), wood, bevel=0.0)
-        for k in range(1, columns):
-            b.box((-d / 2 + 0.008, d / 2 - 0.036), (ys[k][0] - 0.012, ys[k][0]), (0.062, h - t), wood, bevel=0.0)
-        left = 26
-        for k in range(columns):
-            for j in range(rows):
-                if left and b.chance(f"bottle {k} {j}", min(0.6, 24 / (columns * rows))):
+def wine_rack(d: Drawing) -> None:
+    """A case of square pigeonholes with bottles lying in them."""
+    wood = d.material("body", "oak", "walnut", "pine", "black paint", "mahogany")
+    case, board = d.bounds.inset(front=0.03), 0.012
+    with d.part("body"):
+        inner = carcass(d, case.inset(bottom=0.03), wood, 0.02, 0.008)
+        d.box(case.bottom(0.03).inset(front=0.02, y=0.01), SHADOW, bevel=0.0)
+        room = inner.inset(front=0.004)
+        columns = max(3, round(room.width / 0.115))
+        levels = room.rows(max(3, round(room.height / 0.115)), gap=board)
+        for level in levels[1:]:
+            d.box(level.bottom(-board), wood, bevel=0.0)
+        for cell in room.columns(columns, gap=board)[1:]:
+            d.box(cell.right(-board).inset(front=0.002), wood, bevel=0.0)
+        left, share = 26, min(0.6, 24 / (columns * len(levels)))
+        for j, level in enumerate(levels):
+            for k, cell in enumerate(level.columns(columns, gap=board)):
+                if left and d.chance(f"bottle {k} {j}", share):
                     left -= 1
-                    r = min(0.037, (ys[k][1] - ys[k][0]) / 2 - 0.002, (zs[j][1] - zs[j][0]) / 2 - 0.002)
-                    glass = b.pick(f"glass {k} {j}", ["green glass", "black glass", "amber glass"])
-                    foil = b.pick(f"foil {k} {j}", ["red paint", "brass", "black paint", "navy paint"])
-                    with b.frame(-d / 2 + 0.012, (ys[k][0] + ys[k][1]) / 2, zs[j][0] + r + 0.001, pitch=np.pi / 2):
-                        long = d - 0.014
-                        profile = [(r, 0.0), (r, long * 0.62), (0.015, long * 0.8), (0.0145, long * 0.87)]
-                        body = shapes.lathe(profile, 12)
-                        neck = shapes.frustum(0.0155, 0.0155, (long * 0.87, long), 12, 0.0)
-                        b.add(body, glass, hulls=[shapes.hull(np.concatenate([body[0], neck[0]]))])
-                        b.add(neck, foil, hulls=[])
-    b.surface("top", (-d / 2 + 0.01, d / 2 - 0.04), (-w / 2 + 0.01, w / 2 - 0.01), h)
-    b.fit()
+                    radius = min(0.037, cell.width / 2 - 0.002, cell.height / 2 - 0.002)
+                    glass = d.pick(f"glass {k} {j}", ["green glass", "black glass", "amber glass"])
+                    foil = d.pick(f"foil {k} {j}", ["red paint", "brass", "black paint", "navy paint"])
+                    x, y, z = cell.anchor("back bottom")
+                    with d.at(x + 0.004, y, z + radius + 0.001, pitch=math.pi / 2):
+                        bottle(d, radius, d.bounds.x[1] - x - 0.006, glass, foil)
+    d.surface("top", case, inset=0.01)
+    d.fit()
 
 
-def _bottle(b: Builder, x: float, y: float, z: float, k: int, high: float = 0.29) -> None:
-    """A bottle of some spirit with a label."""
-    glass = b.pick(f"spirit {k}", ["amber glass", "green glass", "glass", "black glass"])
-    r = b.uniform(f"girth {k}", 0.03, 0.038)
-    with b.frame(x, y, z):
-        b.lathe([(r, 0.0), (r, high * 0.58), (0.013, high * 0.74), (0.013, high * 0.92)], glass, segments=14)
-        b.frustum(0.015, 0.015, (high * 0.92, high), b.pick(f"cap {k}", ["cork", "black paint", "brass"]), segments=10)
-        b.frustum(r + 0.0006, r + 0.0006, (high * 0.15, high * 0.45), "paper", segments=14)
+def _spirits(d: Drawing, row: Box, count: int, chance: float) -> None:
+    """Bottles of spirits side by side on the floor of a box."""
+    for k, place in enumerate(row.columns(count)):
+        if d.chance(f"bottle {k}", chance):
+            glass = d.pick(f"spirit {k}", ["amber glass", "green glass", "glass", "black glass"])
+            with d.at(*place.anchor("bottom")):
+                radius, height = d.uniform(f"girth {k}", 0.03, 0.038), d.uniform(f"high {k}", 0.25, 0.31)
+                bottle(d, radius, height, glass, d.pick(f"cap {k}", CAPS), label=True)
 
 
 @draws("bar_cabinet")
-def bar_cabinet(b: Builder) -> None:
-    """Two doors below, an open niche with bottles and a rack of glasses above."""
-    d, w, h = b.size
-    wood = b.material("body", "walnut", "mahogany", "oak", "black paint", "navy paint")
-    style, pull, reach = pulls(b, wood, "knob", "bar")
-    x, y = (-d / 2, d / 2 - reach), (-w / 2, w / 2)
-    niche = 0.44
-    with b.solid("body"):
-        feet(b, x, y, 0.14, wood, b.pick("base", ["tapered", "square", "splayed"]))
-        _, fy, fz = case(b, x, y, (0.14, h - niche), wood)
-        for k, ys in enumerate(split(fy, 2)):
-            door(
-                b,
-                f"door-{k}",
-                (x[1] - 0.018, x[1]),
-                ys,
-                fz,
-                wood,
-                pull,
-                hung="right" if k == 0 else "left",
-                style=style,
-                panel="rattan" if b.style in ("scandinavian", "rustic") else wood,
-            )
-    for k, ys in enumerate(((y[0], y[0] + 0.018), (y[1] - 0.018, y[1]))):
-        with b.solid(f"side-{k}"):
-            b.box(x, ys, (h - niche, h - 0.02), wood)
-    inner = (y[0] + 0.018, y[1] - 0.018)
-    with b.solid("back"):
-        b.box((x[0], x[0] + 0.006), inner, (h - niche, h - 0.02), "mirror", bevel=0.0)
-        count = max(3, int((inner[1] - inner[0]) / 0.12))
-        for k in range(count):
-            if b.chance(f"bottle {k}", 0.75):
-                _bottle(
-                    b,
-                    x[0] + 0.06,
-                    inner[0] + (k + 0.5) * (inner[1] - inner[0]) / count,
-                    h - niche,
-                    k,
-                    b.uniform(f"high {k}", 0.24, 0.32),
-                )
-    with b.solid("top"):
-        b.box(x, y, (h - 0.02, h), wood, bevel=0.004)
-    b.surface(
-        "counter", (x[0] + 0.12, x[1] - 0.01), (inner[0] + 0.005, inner[1] - 0.005), h - niche, headroom=niche - 0.025
-    )
-    b.surface("top", (x[0] + 0.01, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), h)
-
-
-def _castor(b: Builder, x: float, y: float, r: float = 0.03) -> None:
-    """A small wheel under a corner."""
-    with b.frame(x, y, r, roll=np.pi / 2):
-        b.frustum(r, r, (-0.011, 0.011), "black plastic", segments=16)
-    b.box((x - 0.012, x + 0.012), (y - 0.016, y + 0.016), (r, 2 * r + 0.012), "brushed steel", bevel=0.001)
+def bar_cabinet(d: Drawing) -> None:
+    """Two doors below, an open niche with bottles before a mirror above."""
+    wood = d.material("body", "walnut", "mahogany", "oak", "black paint", "navy paint")
+    style, pull, reach = pulls(d, wood, "knob", "bar")
+    case, board = d.bounds.inset(front=reach), 0.018
+    niche = case.top(0.44).inset(top=0.02)
+    panel = "rattan" if d.style in ("scandinavian", "rustic") else wood
+    with d.part("body"):
+        feet(d, case.bottom(0.14), wood, d.pick("base", ["tapered", "square", "splayed"]))
+        room = carcass(d, case.to(z=(0.14, niche.z[0])), wood)
+        inner_boards(d, room, 1, wood)
+        doors(d, room.front(board), 2, wood, pull, style, panel, grip=0.7)
+    for k, side in enumerate((niche.right(board), niche.left(board))):
+        with d.part(f"side-{k}"):
+            d.box(side, wood)
+    inner = niche.inset(y=board)
+    with d.part("back"):
+        d.box(inner.back(0.006), wood, bevel=0.0)
+        d.box(inner.inset(back=0.006).back(0.004), "mirror", bevel=0.0)
+        _spirits(d, inner.inset(back=0.02).back(0.08), max(3, int(inner.width / 0.12)), 0.75)
+    with d.part("top"):
+        d.box(case.top(0.02), wood, bevel=0.004)
+    d.surface("counter", inner.inset(back=0.12, front=0.01, y=0.005).bottom(0.0), niche.height - 0.005)
+    d.surface("top", case, inset=0.01)
 
 
 @draws("bar_cart")
-def bar_cart(b: Builder) -> None:
-    """Two trays in a round-tube frame with a handle, on castors."""
-    d, w, h = b.size
-    metal = b.material("frame", "brass", "black steel", "chrome", "copper")
-    tray = b.material("trays", "glass", "walnut", "dark marble", "marble", "oak")
-    r, x, y = 0.009, d / 2 - 0.009, w / 2 - 0.05
-    for k, sy in enumerate((-1, 1)):
-        with b.solid(f"frame-{k}"):
-            for sx in (-1, 1):
-                _castor(b, sx * (x - 0.012), sy * y)
-                b.bar((sx * x, sy * y, 0.06), (sx * x, sy * y, h - 0.05), r, metal)
-            b.tube(
-                [
-                    (-x, sy * y, h - 0.05),
-                    (-x, sy * (y + 0.041), h - r),
-                    (x, sy * (y + 0.041), h - r),
-                    (x, sy * y, h - 0.05),
-                ],
-                r,
-                metal,
-            )
-    levels = (0.2, h - 0.16)
+def bar_cart(d: Drawing) -> None:
+    """Two trays in a round-tube frame with a handle at each end, on castors."""
+    metal = d.material("frame", "brass", "black steel", "chrome", "copper")
+    look = d.material("trays", "glass", "walnut", "dark marble", "marble", "oak")
+    radius, bounds = 0.009, d.bounds
+    x, y, top = bounds.depth / 2 - radius, bounds.width / 2 - 0.05, bounds.z[1]
+    for k, side in enumerate((-1, 1)):
+        with d.part(f"frame-{k}"):
+            base = Box((-x - 0.012, x + 0.012), (side * y - 0.024, side * y + 0.024), (0.0, 0.072))
+            for end in (base.front(0.048), base.back(0.048)):
+                with d.at(*end.anchor("bottom")):
+                    _castor(d, metal)
+            for end in (-x, x):
+                d.bar((end, side * y, 0.06), (end, side * y, top - 0.05), radius, metal)
+            high = (side * (y + 0.041), top - radius)
+            d.sweep([(-x, side * y, top - 0.05), (-x, *high), (x, *high), (x, side * y, top - 0.05)], radius, metal)
+    levels = (0.2, top - 0.16)
     for k, z in enumerate(levels):
-        with b.solid(f"tray-{k}"):
-            b.box((-x, x), (-y, y), (z - 0.012, z), tray)
-        with b.solid(f"rail-{k}"):
-            b.bar((-x, -y, z + 0.05), (-x, y, z + 0.05), 0.005, metal, segments=8)
+        tray = Box((-x, x), (-y, y), (z - 0.012, z))
+        with d.part(f"tray-{k}"):
+            d.box(tray, look)
+        with d.part(f"rail-{k}"):
+            d.bar((-x, -y, z + 0.05), (-x, y, z + 0.05), 0.005, metal, 8)
             if k == 0:
-                for j in range(b.whole("bottles", 2, 4)):
-                    _bottle(b, -x + 0.06, -y + 0.09 + 0.1 * j, z, j, 0.27 + 0.02 * (j % 3))
-        room = None if k else round(levels[1] - 0.016 - z, 4)
-        b.surface(
-            "top" if k else "shelf-0", (-x + (0.02 if k else 0.11), x - 0.015), (-y + 0.02, y - 0.02), z, headroom=room
-        )
-    b.fit()
+                shelf = tray.top(-0.1).inset(back=0.02, right=0.04).back(0.08)
+                count = d.integer("bottles", 2, 4)
+                _spirits(d, shelf.right(0.1 * count), count, 1.0)
+        free = tray.inset(back=0.02 if k else 0.11, front=0.015, y=0.02)
+        d.surface("top" if k else "shelf-0", free, None if k else round(levels[1] - 0.016 - z, 4))
+    d.fit()
+
+
+def _castor(d: Drawing, metal: Look) -> None:
+    """A small wheel under the frame's origin."""
+    d.cylinder(Box.around((0.0, 0.0, 0.03), 0.06, 0.022, 0.06), "black plastic", "y", segments=16)
+    d.box(Box.sized(0.024, 0.032, 0.042, (0.0, 0.0, 0.03)), metal, bevel=0.001)
 
 
 @draws("storage_cart")
-def storage_cart(b: Builder) -> None:
+def storage_cart(d: Drawing) -> None:
     """Three trays with rims between four posts, on castors."""
-    d, w, h = b.size
-    steel = b.material("frame", "white steel", "black steel", "teal paint", "grey paint", "yellow paint", "blue paint")
-    post, lip, t = 0.016, 0.045, 0.003
-    for k, sy in enumerate((-1, 1)):
-        with b.solid(f"side-{k}"):
-            for sx in (-1, 1):
-                cx, cy = sx * (d / 2 - post / 2), sy * (w / 2 - post / 2)
-                b.box((cx - post / 2, cx + post / 2), (cy - post / 2, cy + post / 2), (0.06, h - 0.01), steel)
-                _castor(b, sx * (d / 2 - 0.035), sy * (w / 2 - 0.018), 0.028)
-            ys = sorted((sy * w / 2, sy * (w / 2 - post)))
-            b.box((-d / 2, d / 2), (ys[0], ys[1]), (h - 0.016, h), steel)
-    x, y = (-d / 2 + 0.004, d / 2 - 0.004), (-w / 2 + 0.016, w / 2 - 0.016)
-    levels = [0.1 + k * (h - 0.2) / 2 for k in range(3)]
+    names = ("white steel", "black steel", "teal paint", "grey paint", "yellow paint", "blue paint")
+    steel = d.material("frame", *names)
+    post, lip, thin, bounds = 0.016, 0.045, 0.003, d.bounds
+    for k, side in enumerate((bounds.right(post), bounds.left(post))):
+        with d.part(f"side-{k}"):
+            for own in (side.back(post), side.front(post)):
+                d.box(own.inset(bottom=0.06, top=0.01), steel)
+            d.box(side.top(post), steel)
+    with d.part("tray-0"):
+        castors(d, bounds.bottom(0.07).inset(x=0.004, y=0.004), steel)
+    inner = bounds.inset(x=0.004, y=post)
+    levels = np.linspace(0.1, bounds.z[1] - 0.1, 3).tolist()
     for k, z in enumerate(levels):
-        with b.solid(f"tray-{k}"):
-            b.box(x, y, (z - t, z), steel, bevel=0.0)
-        with b.solid("rims-front"):
-            b.box((x[1] - t, x[1]), y, (z, z + lip), steel, bevel=0.0)
-        with b.solid("rims-back"):
-            b.box((x[0], x[0] + t), y, (z, z + lip), steel, bevel=0.0)
-        with b.solid("side-0"):
-            b.box((x[0] + t, x[1] - t), (y[0], y[0] + t), (z - t, z + lip), steel, bevel=0.0)
-        with b.solid("side-1"):
-            b.box((x[0] + t, x[1] - t), (y[1] - t, y[1]), (z - t, z + lip), steel, bevel=0.0)
-        room = None if k == 2 else round(levels[k + 1] - z - t - 0.004, 4)
-        b.surface(
-            "top" if k == 2 else f"shelf-{k}",
-            (x[0] + 0.01, x[1] - 0.01),
-            (y[0] + 0.025, y[1] - 0.025),
-            z,
-            headroom=room,
-        )
+        with d.part(f"tray-{k}"):
+            tray = d.box(inner.to(z=(z - thin, z)), steel, bevel=0.0)
+        rim = tray.top(-lip)
+        for name, wall in (("rims-front", rim.front(thin)), ("rims-back", rim.back(thin))):
+            with d.part(name):
+                d.box(wall, steel, bevel=0.0)
+        for name, wall in (("side-0", rim.right(thin)), ("side-1", rim.left(thin))):
+            with d.part(name):
+                d.box(wall.inset(x=thin, bottom=-thin), steel, bevel=0.0)
+        room = None if k == 2 else round(levels[k + 1] - z - thin - 0.004, 4)
+        d.surface("top" if k == 2 else f"shelf-{k}", tray.inset(x=0.01, y=0.009), room)
 
 
 @draws("trophy_case")
-def trophy_case(b: Builder) -> None:
+def trophy_case(d: Drawing) -> None:
     """A wide glass case on a wooden foot with cups on its boards."""
-    d, w, h = b.size
-    wood = b.material("body", "oak", "walnut", "mahogany", "black paint")
-    x, y = (-d / 2, d / 2 - 0.025), (-w / 2, w / 2)
-    foot, roof, t = 0.45, h - 0.08, 0.03
-    levels = [foot + k * (roof - foot) / 2 for k in range(2)]
-    with b.solid("case"):
-        b.box((x[0] + 0.01, x[1] - 0.03), (y[0] + 0.02, y[1] - 0.02), (0.0, 0.07), SHADOW, bevel=0.0)
-        b.box(x, y, (0.07, foot), wood)
-        for ys in split((y[0] + 0.05, y[1] - 0.05), 3, 0.05):
-            b.box((x[1], x[1] + 0.006), ys, (0.13, foot - 0.05), wood)
-        b.box(x, y, (roof, h), wood)
-        b.box((x[0], x[0] + 0.008), y, (foot, roof), wood, bevel=0.0)
-        for ys in ((y[0], y[0] + t), (y[1] - t, y[1])):
-            b.box((x[1] - t, x[1] - 0.02), ys, (foot, roof), wood, bevel=0.001)
-            middle = (ys[0] + ys[1]) / 2
-            b.box((x[0] + 0.008, x[1] - t), (middle - 0.003, middle + 0.003), (foot, roof), "glass", bevel=0.0)
-        b.box((x[0] + 0.008, x[1] - t), (y[0] + t, y[1] - t), (levels[1] - 0.008, levels[1]), "glass", bevel=0.0)
-        count = max(3, round(w / 0.36))
-        for j, z in enumerate(levels):
-            for k in range(count):
-                at = y[0] + 0.05 + (k + 0.5) * (w - 0.1) / count
-                _trophy(b, (x[0] + x[1] - t) / 2, at, z, min(0.85 * (levels[1] - foot) - 0.02, 0.42), f"{j} {k}")
-        for k, ys in enumerate(split(y, 2)):
-            door(
-                b,
-                f"door-{k}",
-                (x[1] - 0.02, x[1]),
-                ys,
-                (foot, roof),
-                wood,
-                "brass",
-                hung="right" if k == 0 else "left",
-                style="knob",
-                panel="glass",
-            )
-    b.surface("top", (x[0] + 0.01, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), h)
-    b.fit()
+    wood = d.material("body", "oak", "walnut", "mahogany", "black paint")
+    case, rim = d.bounds.inset(front=0.025), 0.03
+    glazed = case.inset(bottom=0.45, top=0.08)
+    with d.part("case"):
+        d.box(case.inset(back=0.01, front=0.03, y=0.02).bottom(0.07), SHADOW, bevel=0.0)
+        foot = d.box(case.to(z=(0.07, 0.45)), wood)
+        for cell in foot.inset(y=0.05, bottom=0.06, top=0.05).columns(3, gap=0.05):
+            d.box(cell.front(-0.006), wood)
+        d.box(case.top(0.08), wood)
+        d.box(glazed.back(0.008), wood, bevel=0.0)
+        for side in (glazed.left(rim), glazed.right(rim)):
+            d.box(side.inset(front=0.02).front(rim - 0.02), wood, bevel=0.001)
+            d.box(side.inset(back=0.008, front=rim).place(width=0.006), "glass", bevel=0.0)
+        room = glazed.inset(back=0.008, front=rim, y=rim)
+        levels = room.rows(2, gap=0.008)
+        d.box(levels[1].bottom(-0.008), "glass", bevel=0.0)
+        for j, level in enumerate(levels):
+            for k, cell in enumerate(level.columns(max(3, round(case.width / 0.36)))):
+                with d.at(*cell.anchor("bottom")):
+                    _trophy(d, min(0.85 * level.height, 0.42), f"{j} {k}")
+        doors(d, glazed.front(0.02), 2, wood, "brass", "knob", "glass")
+    d.surface("top", case, inset=0.01)
+    d.fit()
 
 
-def _trophy(b: Builder, x: float, y: float, z: float, most: float, name: str) -> None:
-    """A metal cup on a dark foot."""
-    high = most * b.uniform(f"high {name}", 0.55, 1.0)
-    metal = b.pick(f"metal {name}", ["brass", "chrome", "bronze"])
-    r = min(0.07, 0.26 * high)
-    with b.frame(x, y, z):
-        b.frustum(r * 0.8, r * 0.7, (0.0, high * 0.15), "black paint", segments=14)
-        b.lathe(
-            [
-                (r * 0.5, high * 0.15),
-                (r * 0.18, high * 0.24),
-                (r * 0.2, high * 0.4),
-                (r * 0.75, high * 0.55),
-                (r, high),
-            ],
-            metal,
-            segments=16,
-        )
+def _trophy(d: Drawing, most: float, name: str) -> None:
+    """A metal cup with two handles on a dark foot."""
+    height = most * d.uniform(f"high {name}", 0.55, 1.0)
+    metal = d.pick(f"metal {name}", ["brass", "chrome", "bronze"])
+    radius = min(0.07, 0.26 * height)
+    d.cylinder(Box.sized(1.6 * radius, 1.6 * radius, 0.15 * height), "black paint", ends=(1.0, 0.87), segments=14)
+    cup = Box.sized(2 * radius, 2 * radius, 0.85 * height, (0.0, 0.0, 0.15 * height))
+    d.turned(cup, ((0.5, 0.0), (0.18, 0.11), (0.2, 0.3), (0.75, 0.47), (1.0, 1.0)), metal, 16)
+    with d.mirror("y"):
+        d.arch((0, 0.85 * radius, 0.62 * height), (0, 0.95 * radius, 0.9 * height), (0, 0.5 * radius, 0), 0.004, metal)
