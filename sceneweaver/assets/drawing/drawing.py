@@ -211,7 +211,7 @@ class Drawing(Tree):
     ) -> None:
         """A bar along points [N, 3]: round with a radius, or with a convex section [K, 2]."""
         path = np.asarray(path, dtype=np.float64)
-        hulls = shapes.sweep_hulls(path, section, segments, closed)
+        hulls = shapes.sweep_hulls(path, section, segments, closed) if self._collides else []
         self.add(shapes.sweep(path, section, segments, closed), material, hulls)
 
     def bar(self, start: Vec3, end: Vec3, section: float | np.ndarray, material: Look, segments: int = 10) -> None:

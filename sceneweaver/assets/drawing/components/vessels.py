@@ -109,19 +109,25 @@ def open_box(
     lean: float = 0.0,
     floor: float = 0.01,
     name: str | None = "inside",
+    core: float | None = None,
 ) -> Box:
     """Four walls on a floor, each a part; narrower at its bottom by ``lean`` at each side. Its floor is a surface.
 
-    Returns the room inside.
+    ``core`` is how thick a wall is drawn, in the middle of its collision part, where weave covers it [m]. Returns the
+    room inside.
     """
     low = box.inset(x=lean, y=lean)
     with d.part("floor"):
         d.box(low.bottom(floor), material, bevel=0.002)
     for side in ("front", "back", "left", "right"):
         with d.part(f"wall {side}"):
-            slabs = [getattr(b, side)(wall) for b in (low, box)]
-            ends = [[(x, y, b.z[k]) for x in b.x for y in b.y] for k, b in enumerate(slabs)]
-            d.hull([*ends[0], *ends[1]], material)
+            drawn = []
+            for thick in (core or wall, wall):
+                less = (wall - thick) / 2
+                slabs = [getattr(b.inset(x=less, y=less), side)(thick) for b in (low, box)]
+                ends = [[(x, y, b.z[k]) for x in b.x for y in b.y] for k, b in enumerate(slabs)]
+                drawn.append(shapes.hull(np.array([*ends[0], *ends[1]])))
+            d.add(drawn[0], material, drawn[1:])
     room = low.inset(x=wall + 0.004, y=wall + 0.004, bottom=floor)
     if name:
         d.surface(name, room.bottom(0.0))

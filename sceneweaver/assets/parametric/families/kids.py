@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
+from ...drawing.components import open_box
 from ..builder import Builder, span
 from .gym_kit import disc, face, gear, inlay, post, ring, side
-from .small_containers import open_box
-from .small_kit import OPEN
+from .small_parts import OPEN
 
 _GAY = (
     "red plastic",
@@ -27,7 +27,7 @@ def toy_chest(b: Builder) -> None:
     d, w, h = b.size
     wood = b.material("wood", *_WOOD)
     if b.request.shape == OPEN:
-        open_box(b, d, w, h, wood, 0.018, floor=0.02)
+        open_box(b, b.bounds, wood, 0.018, floor=0.02)
         return
     x, y = d / 2 - 0.012, w / 2 - 0.01
     for sx in (-1, 1):

@@ -2,884 +2,476 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from ... import shapes
-from ..builder import Builder
-from .small_kit import OPEN, Look, arch, decal, dome, ellipse, loft, orb, rect, slab, small, spot
+from ...drawing import PROUD, Box, Drawing, Look, draws
+from ...drawing.components import open_box
+from .small_parts import CLOTHS, OPEN
 
-CLOTHS = (
-    "navy fabric",
-    "grey fabric",
-    "charcoal fabric",
-    "green fabric",
-    "mustard fabric",
-    "rust fabric",
-    "red fabric",
-    "blue fabric",
-)
-SHIRTS = (*CLOTHS, "white fabric", "beige fabric", "rose fabric")
+SHIRTS = CLOTHS + ", white fabric, beige fabric, rose fabric"
+STRAP = shapes.rectangle((-0.02, 0.02), (-0.005, 0.005), 0.0, 0.003, 1)[:, :2]
 
 
-def open_box(
-    b: Builder,
-    d: float,
-    w: float,
-    h: float,
-    look: Look,
-    wall: float,
-    lean: float = 0.0,
-    floor: float = 0.01,
-    name: str = "inside",
-) -> None:
-    """Four walls on a floor, wider at the top by ``lean``, with a surface inside; each is a prism of its own."""
-    x, y = d / 2, w / 2
-    with b.solid("floor"):
-        b.box((-x + lean, x - lean), (-y + lean, y - lean), (0.0, floor), look, 0.002)
-    for k, (a, s) in enumerate((("x", 1), ("x", -1), ("y", 1), ("y", -1))):
-        with b.solid(f"wall {k}"):
-            long, far = (y, x) if a == "x" else (x, y)
-            points = [
-                (s * (far - e - q), t * (long - e), z)
-                for z, e in ((0.0, lean), (h, 0.0))
-                for q in (0.0, wall)
-                for t in (-1, 1)
-            ]
-            b.hull(points if a == "x" else [(py, px, z) for px, py, z in points], look)
-    e = lean + wall + 0.004
-    b.surface(name, (-x + e, x - e), (-y + e, y - e), floor)
+def lines(d: Drawing, face: Box, count: int, look: Look = "ink pigment") -> None:
+    """A few lines of print on a place on a front, the last ones shorter."""
+    for k, row in enumerate(reversed(face.rows(count, gap=0.5 * face.height / count))):
+        d.print(row.share(y=(0.12 * k, 1.0)), look, 0.0004)
 
 
-@small("storage_box", opened=True)
-def storage_box(b: Builder) -> None:
-    """A box of card, cloth or plastic: lidded, with a grip and a label, or open."""
-    look = b.material(
-        "body", "grey fabric", "beige fabric", "white plastic", "navy fabric", "sage paint", "cardboard", "rose fabric"
-    )
-    if b.request.shape == OPEN:
-        open_box(b, *b.size, look, 0.006)
+@draws("storage_box", whole=True)
+def storage_box(d: Drawing) -> None:
+    """A box of card, cloth or plastic: lidded, with a label in a frame and loops at its ends, or open."""
+    names = "grey fabric, beige fabric, white plastic, navy fabric, sage paint, cardboard, rose fabric"
+    look = d.material("body", names)
+    if d.request.shape == OPEN:
+        open_box(d, d.bounds, look, 0.006)
         return
-    with b.solid("all"):
-        _lidded(b, look)
+    cover = d.material("lid", "grey fabric, white plastic, oak, beige fabric") if d.chance("other lid", 0.4) else look
+    lip = min(0.05, 0.25 * d.bounds.height)
+    body = d.box(d.bounds.inset(0.004, bottom=-0.004), look)
+    d.box(d.bounds.top(lip), cover)
+    frame = Box.around((body.x[1], 0.0, 0.4 * (d.bounds.height - lip)), 0.005, 0.09, 0.044)
+    d.box(frame, "steel" if d.chance("metal", 0.5) else "brass", bevel=0.001)
+    d.print(frame.front(0.0).inset(y=0.007, z=0.006), "paper")
+    y, z = body.y[1] - 0.004, frame.z[1]
+    with d.mirror("y"):
+        d.arch((-0.04, y, z), (0.04, y, z), (0, 0, 0.02), 0.004, "tan leather", 5)
 
 
-def _lidded(b: Builder, look: Look) -> None:
-    d, w, h = b.size
-    cover = (
-        b.material("lid", "grey fabric", "white plastic", "oak", "beige fabric") if b.chance("other lid", 0.4) else look
-    )
-    lip = min(0.05, 0.25 * h)
-    b.box((-d / 2 + 0.004, d / 2 - 0.004), (-w / 2 + 0.004, w / 2 - 0.004), (0.0, h - 0.01), look, 0.003)
-    b.box((-d / 2, d / 2), (-w / 2, w / 2), (h - lip, h), cover, 0.003)
-    x = d / 2 - 0.004
-    z = 0.4 * (h - lip)
-    b.box(
-        (x - 0.002, x + 0.003),
-        (-0.045, 0.045),
-        (z - 0.022, z + 0.022),
-        "steel" if b.chance("metal", 0.5) else "brass",
-        0.001,
-    )
-    decal(b, (x - 0.002, x + 0.0033), (-0.038, 0.038), (z - 0.016, z + 0.016), "paper")
-    for s in (-1, 1):
-        arch(
-            b,
-            (-0.04, s * (w / 2 - 0.008), z + 0.02),
-            (0.04, s * (w / 2 - 0.008), z + 0.02),
-            (0, 0, 0.02),
-            0.004,
-            "tan leather",
-            5,
-            6,
-        )
+@draws("cardboard_box", whole=True)
+def cardboard_box(d: Drawing) -> None:
+    """A carton with a label and arrows: closed with tape, or open with its flaps up over what is packed in it."""
+    look = d.material("body", "cardboard")
+    opened = d.chance("open", 0.35)
+    box = d.box(d.bounds.share(z=(0.0, 0.78)) if opened else d.bounds, look, bevel=0.002)
+    label = d.print(box.front(0.0).share(y=(0.62, 0.9), z=(0.55, 0.82)), "paper")
+    lines(d, label.share(y=(0.1, 0.9), z=(0.2, 0.85)), 4)
+    for arrow in box.front(0.0).share(y=(0.08, 0.26), z=(0.08, 0.3)).columns(2):
+        d.print(arrow.share(y=(0.42, 0.58), z=(0.0, 0.7)), "ink pigment")
+        head = arrow.share(y=(0.2, 0.8), z=(0.6, 1.0))
+        tip = [(head.y[0], head.z[0]), (head.y[1], head.z[0]), (head.center[1], head.z[1])]
+        with d.no_colliders():
+            d.extrude(tip, (box.x[1] - 0.001, box.x[1] + PROUD), "ink pigment", axis="x")
+    if not opened:
+        over = box.top(0.18 * box.height).inset(top=0.003).place(0.06)
+        for side in (box.top(0.0).inset(y=0.003).place(0.06), over.left(0.0), over.right(0.0)):
+            d.print(side, "sand pigment")
+        d.print(box.top(0.0).inset(y=0.003).place(0.002), "bark", 0.0004)
+        return
+    flap = d.bounds.to(z=(box.z[1] - 0.002, d.bounds.z[1]))
+    with d.mirror("x"):
+        d.sections(flap.front(0.004), [(1, 0.96, 0.0), (1, 0.92, 1.0, -0.03 / 0.004)], look, radius=0.0, convex=True)
+    with d.mirror("y"):
+        d.sections(flap.left(0.004), [(0.92, 1, 0.0), (0.88, 1, 0.9, 0.0, -5.0)], look, radius=0.0, convex=True)
+    d.print(box.top(0.0).inset(x=0.006, y=0.006), "bark")
+    for k, own in enumerate(box.share((0.15, 0.85), (0.2, 0.8)).split("x", 4)):
+        cloth = d.pick(f"in{k}", CLOTHS.split(", "))
+        d.cushion(own.to(z=(box.z[1] - 0.01, box.z[1] + 0.03 + 0.02 * (k % 3))), cloth, 0.012)
 
 
-@small("cardboard_box")
-def cardboard_box(b: Builder) -> None:
-    """A closed carton with tape, a label and arrows; some are open, their flaps up."""
-    d, w, h = b.size
-    look = b.material("body", "cardboard")
-    opened = b.chance("open", 0.35)
-    top = 0.78 * h if opened else h
-    b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, top), look, 0.002)
-    x = (0.0, d / 2 + 0.0003)
-    decal(b, x, (0.12 * w, 0.4 * w), (0.55 * top, 0.82 * top), "paper")
-    for k in range(3):
-        decal(
-            b,
-            (0.0, d / 2 + 0.0004),
-            (0.16 * w, (0.36 - 0.05 * k) * w),
-            ((0.75 - 0.06 * k) * top, (0.77 - 0.06 * k) * top),
-            "ink pigment",
-        )
-    for k in range(2):
-        y = (-0.36 + 0.12 * k) * w
-        decal(b, x, (y - 0.01 * w, y + 0.01 * w), (0.08 * top, 0.22 * top), "ink pigment")
-        b.add(
-            shapes.hull(
-                np.array(
-                    [(px, y + s * 0.035 * w, 0.2 * top) for s in (-1, 1) for px in (0.0, x[1])]
-                    + [(px, y, 0.29 * top) for px in (0.0, x[1])]
-                    + [(0.0, y, 0.2 * top)]
-                )
-            ),
-            "ink pigment",
-            [],
-        )
-    if opened:
-        for s in (-1, 1):
-            b.hull(
-                [
-                    (s * (d / 2 - e), y, z)
-                    for e, y, z in (
-                        (0.0, 0.48 * w, top),
-                        (0.004, 0.48 * w, top),
-                        (0.0, -0.48 * w, top),
-                        (0.004, -0.48 * w, top),
-                    )
-                ]
-                + [(s * (d / 2 - e - 0.03), y * w, h) for e in (0.0, 0.004) for y in (-0.46, 0.46)],
-                look,
-            )
-            b.hull(
-                [(px, s * (w / 2 - e), top - 0.002) for e in (0.0, 0.004) for px in (-0.46 * d, 0.46 * d)]
-                + [(px * d, s * (w / 2 - e - 0.02), 0.96 * h) for e in (0.0, 0.004) for px in (-0.44, 0.44)],
-                look,
-            )
-        decal(b, (-d / 2 + 0.006, d / 2 - 0.006), (-w / 2 + 0.006, w / 2 - 0.006), (top - 0.01, top + 0.0003), "bark")
-        for k in range(4):
-            b.box(
-                ((-0.35 + 0.18 * k) * d, (-0.2 + 0.18 * k) * d),
-                (-0.3 * w, 0.3 * w),
-                (top - 0.01, top + (0.03 + 0.02 * (k % 3))),
-                b.pick(f"in{k}", list(CLOTHS)),
-                0.004,
-            )
-    else:
-        decal(b, (-0.03, 0.03), (-w / 2 + 0.003, w / 2 - 0.003), (top - 0.01, top + 0.0003), "sand pigment")
-        for s in (-1, 1):
-            decal(
-                b,
-                (-0.03, 0.03),
-                (s * (w / 2 - 0.001) - 0.0013, s * (w / 2 - 0.001) + 0.0013),
-                (0.82 * top, top - 0.003),
-                "sand pigment",
-            )
-        decal(b, (-0.001, 0.001), (-w / 2 + 0.003, w / 2 - 0.003), (top - 0.01, top + 0.0004), "bark")
+@draws("basket", whole=True)
+def basket(d: Drawing) -> None:
+    """A basket of woven strands, open above, with two handles."""
+    look = d.material("body", "wicker, rattan, beige fabric, grey fabric")
+    dark = d.material("bands", "bark, wicker, white fabric, charcoal fabric")
+    box = d.bounds.inset(top=0.045)
+    lean = 0.06 * box.depth
+    open_box(d, box, look, 0.012, lean, 0.012, core=0.002)
+    rows = max(6, round(box.height / 0.022))
+    high = box.height / rows
+    strand = shapes.ellipse(0.0029, 0.46 * high, 0.0, 6)[:, :2]
+    with d.no_colliders():
+        for k, row in enumerate(box.rows(rows)):
+            inner = box.inset(x=(middle := 0.006 + lean * (1 - (k + 0.5) / rows)), y=middle)
+            path = _around(inner, row.center[2], 0.03)
+            # Strands pass before and behind the stakes by turns.
+            path[:, :2] += 0.0018 * (-1.0) ** (np.arange(len(path)) + k)[:, None] * _outward(path)
+            d.sweep(path, strand, dark if k in (1, rows - 2) else look, closed=True)
+        d.sweep(_around(box.inset(x=0.006, y=0.006), box.z[1] - 0.006, 0.06), 0.006, dark, 6, closed=True)
+    for side, y in (("left", box.y[1] - 0.007), ("right", box.y[0] + 0.007)):
+        with d.part(f"wall {side}"):
+            d.arch((-0.07, y, box.z[1] - 0.004), (0.07, y, box.z[1] - 0.004), (0, 0, 0.04), 0.006, dark)
 
 
-@small("basket", opened=True)
-def basket(b: Builder) -> None:
-    """A woven basket, open above, with bands of weave and two handles."""
-    d, w, h = b.size
-    look = b.material("body", "wicker", "rattan", "beige fabric", "grey fabric")
-    dark = b.material("bands", "bark", "wicker", "white fabric", "charcoal fabric")
-    lean = 0.06 * d
-    top = h - 0.045
-    open_box(b, d, w, top, look, 0.012, lean, 0.012)
-    rows = 7
-    for k in range(rows):
-        z = (k + 0.3) * top / rows
-        e = lean * (1 - z / top)
-        with b.solid("wall 0"):
-            for s in (-1, 1):
-                a = np.arctan2(lean, top)
-                for x, y, far, turn in (
-                    (d / 2 - e, 0, w / 2 - e - 0.004, 0.0),
-                    (w / 2 - e, 0, d / 2 - e - 0.004, np.pi / 2),
-                ):
-                    with b.frame(yaw=turn + (0 if s > 0 else np.pi)), b.frame(x, y, z, pitch=a):
-                        b.add(shapes.box((-0.006, 0.0003), (-far, far), (0.0, 0.35 * top / rows)), dark, [])
-    for s in (-1, 1):
-        with b.solid("wall 2" if s > 0 else "wall 3"):
-            arch(
-                b,
-                (-0.07, s * (w / 2 - 0.007), top - 0.004),
-                (0.07, s * (w / 2 - 0.007), top - 0.004),
-                (0, 0, 0.045 - 0.005),
-                0.006,
-                dark,
-                6,
-            )
+def _around(box: Box, z: float, step: float) -> np.ndarray:
+    """Points [N, 3] around a box with its corners cut, about ``step`` apart."""
+    ring = shapes.rectangle(box.x, box.y, z, 0.006, 1)
+    sides = []
+    for start, end in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        count = max(1, round(float(np.linalg.norm(end - start)) / step))
+        sides.append(start + (end - start) * (np.arange(count) / count)[:, None])
+    return np.concatenate(sides)
 
 
-@small("plastic_bin", opened=True)
-def plastic_bin(b: Builder) -> None:
+def _outward(path: np.ndarray) -> np.ndarray:
+    """Level directions [N, 2] out of a closed path that runs counter-clockwise."""
+    along = np.roll(path, -1, axis=0)[:, :2] - np.roll(path, 1, axis=0)[:, :2]
+    along /= np.linalg.norm(along, axis=1)[:, None]
+    return np.c_[along[:, 1], -along[:, 0]]
+
+
+@draws("plastic_bin", whole=True)
+def plastic_bin(d: Drawing) -> None:
     """An open tub with a rim and grips."""
-    d, w, h = b.size
-    look = b.material(
-        "body",
-        "white plastic",
-        "grey plastic",
-        "blue plastic",
-        "red plastic",
-        "clear plastic",
-        "mint plastic",
-        "yellow plastic",
-    )
-    lean = 0.08 * d
-    open_box(b, d - 0.03, w - 0.03, h, look, 0.004, lean, 0.006)
-    for k, (x, y) in enumerate(
-        (
-            ((d / 2 - 0.022, d / 2), (-w / 2, w / 2)),
-            ((-d / 2, -d / 2 + 0.022), (-w / 2, w / 2)),
-            ((-d / 2 + 0.02, d / 2 - 0.02), (w / 2 - 0.022, w / 2)),
-            ((-d / 2 + 0.02, d / 2 - 0.02), (-w / 2, -w / 2 + 0.022)),
-        )
-    ):
-        with b.solid(f"wall {k}"):
-            b.box(x, y, (h - 0.014, h), look, 0.004)
-            if k > 1:
-                ys = (y[1] - 0.012, y[1] + 0.0) if k == 2 else (y[0], y[0] + 0.012)
-                b.box(
-                    (-0.06, 0.06),
-                    ys,
-                    (h - 0.04, h - 0.012),
-                    b.pick("grip", ["grey plastic", "white plastic", "black plastic"]),
-                    0.003,
-                )
+    names = "white plastic, grey plastic, blue plastic, red plastic, clear plastic, mint plastic, yellow plastic"
+    look = d.material("body", names)
+    grip = d.pick("grip", ["grey plastic", "white plastic", "black plastic"])
+    box = d.bounds
+    open_box(d, box.inset(x=0.015, y=0.015), look, 0.004, 0.08 * box.depth, 0.006)
+    rim, ends = box.top(0.014), box.inset(x=0.02).top(0.014)
+    for side in ("front", "back", "left", "right"):
+        with d.part(f"wall {side}"):
+            edge = d.box(getattr(rim if side in ("front", "back") else ends, side)(0.022), look, bevel=0.004)
+            if side in ("left", "right"):
+                d.box(getattr(edge, side)(0.012).bottom(-0.026).inset(top=-0.002).place(0.12), grip)
 
 
-@small("wooden_crate", opened=True)
-def wooden_crate(b: Builder) -> None:
-    """A crate of slats with gaps between them."""
-    d, w, h = b.size
-    wood = b.material("body", "pine", "oak", "ash grey wood", "birch", "walnut")
-    t = 0.012
-    with b.solid("floor"):
-        for k in range(4):
-            x0 = -d / 2 + k * d / 4
-            b.box((x0 + 0.002, x0 + d / 4 - 0.002), (-w / 2 + 0.001, w / 2 - 0.001), (0.0, t), wood, 0.001)
-    rows = 3
-    slat = (h - t) / rows
-    for k in range(4):
-        with b.solid(f"wall {k}"):
-            for r in range(rows):
-                z = (t + r * slat + (0.004 if r else 0.0), t + (r + 1) * slat - 0.006 * (r < rows - 1))
-                if k < 2:
-                    s = 1 if k == 0 else -1
-                    b.box(
-                        (min(s * d / 2, s * (d / 2 - t)), max(s * d / 2, s * (d / 2 - t))),
-                        (-w / 2, w / 2),
-                        z,
-                        wood,
-                        0.0015,
-                    )
-                else:
-                    s = 1 if k == 2 else -1
-                    b.box(
-                        (-d / 2 + t, d / 2 - t),
-                        (min(s * w / 2, s * (w / 2 - t)), max(s * w / 2, s * (w / 2 - t))),
-                        z,
-                        wood,
-                        0.0015,
-                    )
-            if k > 1:
-                s = 1 if k == 2 else -1
-                for px in (-1, 1):
-                    xx = px * (d / 2 - t - 0.01)
-                    yy = s * (w / 2 - t - 0.006)
-                    b.box((xx - 0.01, xx + 0.01), (yy - 0.007, yy + 0.007), (t, h - 0.004), wood, 0.001)
-                yo = s * (w / 2)
-                decal(
-                    b,
-                    (-0.05, 0.05),
-                    (yo - 0.0003 if s < 0 else yo - 0.004, yo + 0.0003 if s > 0 else yo + 0.004),
-                    (h - slat * 0.62, h - slat * 0.32),
-                    "bark",
-                )
-    b.surface("inside", (-d / 2 + t + 0.024, d / 2 - t - 0.024), (-w / 2 + t + 0.018, w / 2 - t - 0.018), t)
+@draws("wooden_crate", whole=True)
+def wooden_crate(d: Drawing) -> None:
+    """A crate of slats with gaps between them, nailed to posts, with a grip hole in each end."""
+    wood = d.material("body", "pine, oak, ash grey wood, birch, walnut")
+    box, t = d.bounds, 0.012
+    with d.part("floor"):
+        for board in box.bottom(t).inset(y=0.001).split("x", 4, gap=0.004):
+            d.box(board, wood, bevel=0.001)
+    walls = box.inset(bottom=t)
+    ends = walls.inset(x=t)
+    for k, side in enumerate((walls.front(t), walls.back(t), ends.left(t), ends.right(t))):
+        with d.part(f"wall {k}"):
+            slats = side.rows(3, gap=0.008)
+            for slat in slats:
+                d.box(slat, wood, bevel=0.0015)
+            if k < 2:
+                continue
+            inner = ends.left(t + 0.014) if k == 2 else ends.right(t + 0.014)
+            for post in (inner.front(0.02), inner.back(0.02)):
+                d.box(post.inset(top=0.004).place(width=0.014, at="right" if k == 2 else "left"), wood, bevel=0.001)
+            face = slats[-1].left(0.0) if k == 2 else slats[-1].right(0.0)
+            d.print(face.place(0.1, height=0.3 * slats[-1].height), "bark")
+    d.surface("inside", box.bottom(t).inset(x=t + 0.024, y=t + 0.018))
 
 
-@small("gift_box")
-def gift_box(b: Builder) -> None:
+@draws("gift_box", whole=True)
+def gift_box(d: Drawing) -> None:
     """A wrapped present with a ribbon and a bow."""
-    d, w, h = b.size
-    wrap = b.material(
-        "wrap",
-        "red paint",
-        "navy paint",
-        "teal paint",
-        "yellow paint",
-        "blush pigment",
-        "sage paint",
-        "white paint",
-        "plum pigment",
-    )
-    ribbon = b.material("ribbon", "white fabric", "brass", "red fabric", "mustard fabric", "green fabric")
-    top = h - 0.05
-    b.box((-d / 2 + 0.003, d / 2 - 0.003), (-w / 2 + 0.003, w / 2 - 0.003), (0.0, top - 0.01), wrap, 0.001)
-    b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.78 * top, top), wrap, 0.001)
-    r = 0.07 * max(d, w)
-    b.box((-d / 2 - 0.001, d / 2 + 0.001), (-r, r), (0.0, top + 0.001), ribbon, 0.0005)
-    b.box((-r, r), (-w / 2 - 0.001, w / 2 + 0.001), (0.0, top + 0.001), ribbon, 0.0005)
-    for k in range(4):
-        with b.frame(0, 0, top + 0.001, yaw=k * np.pi / 2 + np.pi / 4, pitch=-0.55):
-            b.cushion(
-                (0.0, 0.26 * min(d, w)),
-                (-0.7 * r - 0.008, 0.7 * r + 0.008),
-                (-0.004, 0.02),
-                ribbon,
-                radius=0.009,
-                puff=0.4,
-            )
-    b.ball((0.018, 0.018, 0.016), (0, 0, top + 0.016), ribbon, 12)
-    b.frustum(0.012, 0.008, (top + 0.02, h), ribbon, 12)
+    names = "red paint, navy paint, teal paint, yellow paint, blush pigment, sage paint, white paint, plum pigment"
+    wrap = d.material("wrap", names)
+    ribbon = d.material("ribbon", "white fabric, brass, red fabric, mustard fabric, green fabric")
+    box = d.bounds.inset(top=0.05)
+    d.box(box.inset(x=0.003, y=0.003, top=0.01), wrap, bevel=0.001)
+    d.box(box.share(z=(0.78, 1.0)), wrap, bevel=0.001)
+    wide = 0.14 * max(box.depth, box.width)
+    for band in (box.inset(x=-0.001, top=-0.001).place(width=wide), box.inset(y=-0.001, top=-0.001).place(wide)):
+        d.box(band, ribbon, bevel=0.0005)
+    long = 0.3 * min(box.depth, box.width)
+    with d.at(z=box.z[1] + 0.001), d.ring(4, 0.0, math.pi / 4), d.at(pitch=-0.6):
+        loop = ((0.0, 0.002), (0.5, 0.016), (0.95, 0.012), (1.0, 0.0), (0.9, -0.008), (0.4, -0.006))
+        section = shapes.rectangle((-0.4 * wide, 0.4 * wide), (-0.001, 0.001), 0.0, 0.0, 1)[:, :2]
+        d.sweep([(x * long, 0, z) for x, z in loop], section, ribbon)
+    d.ball(Box.sized(0.036, 0.036, 0.034, (0, 0, box.z[1])), ribbon, 12)
+    d.cylinder(d.bounds.top(0.03).place(0.02, 0.02), ribbon, ends=(1.0, 0.6), segments=12)
 
 
-@small("suitcase")
-def suitcase(b: Builder) -> None:
+@draws("suitcase", whole=True)
+def suitcase(d: Drawing) -> None:
     """A trolley case: ribbed shells, wheels, a pull-out handle."""
-    d, w, h = b.size
-    look = b.material(
-        "body",
-        "black plastic",
-        "grey plastic",
-        "blue plastic",
-        "red plastic",
-        "teal paint",
-        "aluminium",
-        "pink plastic",
-        "navy paint",
-    )
-    wheels = 0.045
-    top = h - b.uniform("pull", 0.02, 0.12) if h > 0.6 else h - 0.02
-    for px in (-0.32 * d, 0.32 * d):
-        for s in (-1, 1):
-            with b.frame(px, s * (w / 2 - 0.05), 0.024, roll=np.pi / 2):
-                b.frustum(0.024, 0.024, (-0.014, 0.014), "rubber", 14)
-            b.box(
-                (px - 0.02, px + 0.02),
-                (s * (w / 2 - 0.05) - 0.022, s * (w / 2 - 0.05) + 0.022),
-                (0.034, wheels + 0.01),
-                "black plastic",
-                0.004,
-            )
-    zm = (wheels + top) / 2
-    half = (top - wheels) / 2
-    with b.frame(0, 0, zm, pitch=np.pi / 2):
-        # Lying shells: its axis points to the front, x of this frame points down.
-        for s in (-1, 1):
-            zs = (0.003, d / 2) if s > 0 else (-d / 2, -0.003)
-            slab(b, (-half, half), (-w / 2, w / 2), zs, look, 0.06, 0.02, 4)
-        slab(
-            b,
-            (-half + 0.004, half - 0.004),
-            (-w / 2 + 0.004, w / 2 - 0.004),
-            (-0.004, 0.004),
-            "black plastic",
-            0.056,
-            0.0,
-        )
-        for k in range(5):
-            y = (-0.3 + 0.15 * k) * w
-            b.add(
-                shapes.box((-half + 0.06, half - 0.06), (y - 0.008, y + 0.008), (0.0, d / 2 + 0.0004), 0.0),
-                "grey plastic" if look.name == "black plastic" else "black plastic",
-                [],
-            )
-    for s in (-1, 1):
-        b.bar((-0.3 * d, s * 0.2 * w, top - 0.05), (-0.3 * d, s * 0.2 * w, h - 0.012), 0.007, "aluminium", 8)
-    b.box((-0.3 * d - 0.014, -0.3 * d + 0.014), (-0.24 * w, 0.24 * w), (h - 0.026, h), "black plastic", 0.008)
-    arch(b, (0.04, -0.09, top - 0.006), (0.04, 0.09, top - 0.006), (0, 0, 0.022), 0.007, "black plastic", 5)
+    names = "black plastic, grey plastic, blue plastic, red plastic, teal paint, aluminium, pink plastic, navy paint"
+    look = d.material("body", names)
+    depth, width, h = d.bounds.size
+    top = h - d.uniform("pull", 0.02, 0.12) if h > 0.6 else h - 0.02
+    case = d.bounds.to(z=(0.045, top))
+    with d.at(y=0.0, z=0.024), d.mirror("x", "y"):
+        wheel = Box.around((0.32 * depth, width / 2 - 0.05, 0.0), 0.048, 0.028, 0.048)
+        d.cylinder(wheel, "rubber", "y", segments=14)
+        d.box(wheel.to(z=(0.01, 0.031)).inset(x=0.004, y=-0.008), "black plastic")
+    with d.at(0.0, 0.0, case.center[2], pitch=math.pi / 2):  # its z axis points to the front
+        lying = Box.sized(case.height, width, depth, (0.0, 0.0, -depth / 2))
+        for shell in lying.rows(2, gap=0.006):
+            d.slab(shell, look, 0.06, 0.02, 4)
+        d.slab(lying.inset(x=0.004, y=0.004).place(height=0.008), "black plastic", 0.056, 0.0)
+        rib = "grey plastic" if look.name == "black plastic" else "black plastic"
+        for front in lying.top(0.0).inset(x=0.06).share(y=(0.12, 0.88)).columns(5):
+            d.print(front.place(width=0.016), rib)
+    with d.mirror("y"):
+        d.bar((-0.3 * depth, 0.2 * width, top - 0.05), (-0.3 * depth, 0.2 * width, h - 0.012), 0.007, "aluminium", 8)
+    d.cushion(Box.around((-0.3 * depth, 0.0, h - 0.013), 0.028, 0.48 * width, 0.026), "black plastic", 0.01)
+    d.arch((0.04, -0.09, top - 0.006), (0.04, 0.09, top - 0.006), (0, 0, 0.022), 0.007, "black plastic", 5)
 
 
-@small("backpack")
-def backpack(b: Builder) -> None:
+@draws("backpack", whole=True)
+def backpack(d: Drawing) -> None:
     """A school bag: body, front pocket, flap or zip, side pockets, straps behind."""
-    d, w, h = b.size
-    cloth = b.material("cloth", *CLOTHS, "black fabric")
-    trim = b.material("trim", "brown leather", "black leather", "tan leather", "charcoal fabric", "mustard fabric")
-    x0, x1 = -d / 2 + 0.025, d / 2 - 0.055
-    top = h - 0.03
-    b.cushion((x0, x1), (-w / 2 + 0.02, w / 2 - 0.02), (0.0, top), cloth, radius=0.075)
-    b.cushion((x1 - 0.05, d / 2), (-0.34 * w, 0.34 * w), (0.03, 0.5 * h), cloth, radius=0.035)
-    b.box((d / 2 - 0.03, d / 2 - 0.001), (-0.28 * w, 0.28 * w), (0.4 * h, 0.4 * h + 0.008), trim, 0.002)
-    if b.chance("flap", 0.5):
-        b.cushion((x0 + 0.04, x1 + 0.012), (-0.37 * w, 0.37 * w), (0.6 * h, top + 0.004), trim, radius=0.05)
-        for s in (-1, 1):
-            b.box(
-                (x1 + 0.004, x1 + 0.016), (s * 0.2 * w - 0.012, s * 0.2 * w + 0.012), (0.46 * h, 0.66 * h), trim, 0.003
-            )
-            b.box(
-                (x1 + 0.01, x1 + 0.019),
-                (s * 0.2 * w - 0.014, s * 0.2 * w + 0.014),
-                (0.52 * h, 0.56 * h),
-                "brass",
-                0.002,
-            )
+    cloth = d.material("cloth", CLOTHS, "black fabric")
+    trim = d.material("trim", "brown leather, black leather, tan leather, charcoal fabric, mustard fabric")
+    box, h, w = d.bounds, d.bounds.height, d.bounds.width
+    body = d.cushion(box.inset(back=0.025, front=0.055, y=0.02, top=0.03), cloth, 0.075)
+    d.cushion(box.front(0.105).share(y=(0.16, 0.84), z=(0.05, 0.5)), cloth, 0.035)
+    d.box(box.inset(front=0.001).front(0.03).share(y=(0.22, 0.78), z=(0.4, 0.42)), trim, bevel=0.002)
+    x = body.x[1]
+    if d.chance("flap", 0.5):
+        d.cushion(body.inset(back=0.04, front=-0.012, top=-0.004).to(y=(-0.37 * w, 0.37 * w)).top(0.36 * h), trim, 0.05)
+        with d.mirror("y"):
+            strap = d.box(Box.around((x + 0.01, 0.2 * w, 0.56 * h), 0.012, 0.024, 0.2 * h), trim)
+            d.box(strap.place(height=0.04 * h).move(x=0.004).inset(y=-0.002), "brass", bevel=0.002)
     else:
-        t = np.linspace(0.15 * np.pi, 0.85 * np.pi, 7)
-        b.tube(np.c_[0 * t + x1 - 0.014, (0.42 * w) * np.cos(t), 0.52 * h + 0.4 * h * np.sin(t)], 0.004, trim, 6)
-        slab(b, (x1 - 0.01, x1 + 0.004), (-0.03, 0.03), (0.62 * h, 0.7 * h), trim, 0.004)
-    for s in (-1, 1):
-        b.cushion(
-            (x0 + 0.02, x1 - 0.02),
-            (s * (w / 2 - 0.03) - 0.03, s * (w / 2 - 0.03) + 0.03),
-            (0.03, 0.34 * h),
-            cloth,
-            radius=0.022,
-        )
-        n = np.array([[-0.022, -0.006], [0.022, -0.006], [0.022, 0.006], [-0.022, 0.006]])
-        b.tube(
-            [
-                (x0 + 0.03, s * 0.2 * w, 0.9 * h),
-                (-d / 2 + 0.008, s * 0.24 * w, 0.78 * h),
-                (-d / 2 + 0.008, s * 0.3 * w, 0.4 * h),
-                (x0 + 0.03, s * 0.36 * w, 0.1 * h),
-            ],
-            n,
-            trim,
-        )
-    arch(b, (x0 + 0.05, -0.04, top - 0.012), (x0 + 0.05, 0.04, top - 0.012), (0, 0, 0.035), 0.006, trim, 5)
+        t = np.linspace(0.15 * np.pi, 0.85 * np.pi, 9)
+        d.sweep(np.c_[0 * t + x - 0.014, 0.42 * w * np.cos(t), 0.52 * h + 0.4 * h * np.sin(t)], 0.004, trim, 6)
+        d.slab(Box((x - 0.01, x + 0.004), (-0.03, 0.03), (0.62 * h, 0.7 * h)), trim, 0.004)
+    pocket = body.inset(x=0.02).to(z=(0.03, 0.34 * h)).left(-0.02).inset(right=-0.04)
+    strap = [(0.055, 0.2, 0.9), (0.008, 0.24, 0.78), (0.008, 0.3, 0.4), (0.055, 0.36, 0.1)]
+    with d.mirror("y"):
+        d.cushion(pocket, cloth, 0.022)
+        d.sweep([(box.x[0] + deep, y * w, z * h) for deep, y, z in strap], STRAP, trim)
+    loop, top = body.x[0] + 0.05, body.z[1] - 0.012
+    d.arch((loop, -0.04, top), (loop, 0.04, top), (0, 0, 0.035), 0.006, trim, 5)
 
 
-@small("handbag")
-def handbag(b: Builder) -> None:
+@draws("handbag", whole=True)
+def handbag(d: Drawing) -> None:
     """A leather or cloth bag with two handles, a clasp and seams."""
-    d, w, h = b.size
-    look = b.material(
-        "body",
-        "brown leather",
-        "black leather",
-        "tan leather",
-        "red fabric",
-        "navy fabric",
-        "beige fabric",
-        "white leather",
-    )
-    metal = b.pick("metal", ["brass", "chrome"])
-    body = 0.62 * h
-    loft(
-        b,
-        [
-            rect((-e * d / 2, e * d / 2), (-f * w / 2, f * w / 2), z * body, 0.25 * d * e, 3)
-            for e, f, z in ((0.92, 0.92, 0.0), (1.0, 1.0, 0.06), (0.8, 0.96, 0.6), (0.34, 0.86, 1.0))
-        ],
-        look,
-        convex=False,
-    )
-    for s in (-1, 1):
-        n = np.array([[-0.008, -0.005], [0.008, -0.005], [0.008, 0.005], [-0.008, 0.005]])
-        arch(
-            b,
-            (s * 0.14 * d, -0.22 * w, body - 0.012),
-            (s * 0.14 * d, 0.22 * w, body - 0.012),
-            (s * 0.05 * d, 0, h - body),
-            n,
-            look,
-            8,
-        )
-        for y in (-0.22, 0.22):
-            b.box(
-                (s * 0.16 * d - 0.006, s * 0.16 * d + 0.006),
-                (y * w - 0.012, y * w + 0.012),
-                (body - 0.05, body - 0.004),
-                look,
-                0.002,
-            )
-    b.hull(
-        [
-            (x, y, z)
-            for x, z in ((0.1 * d, body), (0.2 * d, body - 0.004), (0.33 * d, 0.72 * body))
-            for y in (-0.09 * w, 0.09 * w)
-        ]
-        + [(0.26 * d, 0, 0.7 * body)],
-        look,
-    )
-    orb(b, (0.006, 0.014, 0.014), (0.32 * d, 0, 0.76 * body), metal, 10)
-    for s in (-1, 1):
-        b.box((-0.3 * d, 0.42 * d), (s * 0.4 * w - 0.003, s * 0.4 * w + 0.003), (0.004, 0.5 * body), look, 0.001)
+    names = "brown leather, black leather, tan leather, red fabric, navy fabric, beige fabric, white leather"
+    look = d.material("body", names)
+    metal = d.pick("metal", ["brass", "chrome"])
+    bag = d.bounds.share(z=(0.0, 0.62))
+    depth, width, top = bag.depth, bag.width, bag.z[1]
+    rows = [(0.92, 0.92, 0.0), (1, 1, 0.06), (0.94, 0.985, 0.35), (0.8, 0.96, 0.6), (0.34, 0.86, 1.0)]
+    d.sections(bag, rows, look, radius=0.25)
+    with d.mirror("x"):
+        y = 0.22 * width
+        ends = ((0.15 * depth, -y, top - 0.012), (0.15 * depth, y, top - 0.012))
+        d.arch(*ends, (0.05 * depth, 0, d.bounds.height - top), 0.0065, look, 10)
+        with d.mirror("y"):
+            d.slab(Box.around((0.17 * depth, y, top - 0.027), 0.012, 0.024, 0.046), look, 0.004)
+            d.cylinder(Box.around((0.178 * depth, y, top - 0.02), 0.012, 0.012, 0.012), metal, "x", segments=12)
+    d.cylinder(Box.around((0.33 * depth, 0.0, 0.7 * top), 0.05 * depth + 0.008, 0.04, 0.04), metal, "x", bevel=0.002)
 
 
-@small("shopping_bag")
-def shopping_bag(b: Builder) -> None:
+@draws("shopping_bag", whole=True)
+def shopping_bag(d: Drawing) -> None:
     """A paper bag with cord handles; bread and leeks stick out of some."""
-    d, w, h = b.size
-    look = b.material(
-        "body", "cardboard", "paper", "red paint", "navy paint", "black paint", "sage paint", "blush pigment"
-    )
-    groceries = look.name in ("cardboard", "paper") and b.chance("groceries", 0.6)
-    top = 0.78 * h
-    b.hull(
-        [(x * d, y, z) for y in (-w / 2, w / 2) for x, z in ((-0.5, 0.0), (0.5, 0.0), (-0.46, top), (0.46, top))], look
-    )
-    decal(b, (-0.44 * d, 0.44 * d), (-w / 2 + 0.006, w / 2 - 0.006), (top - 0.01, top + 0.0004), "bark")
-    for s in (-1, 1):
-        if not groceries:
-            arch(
-                b,
-                (s * 0.44 * d, -0.18 * w, top - 0.006),
-                (s * 0.44 * d, 0.18 * w, top - 0.006),
-                (-s * 0.1 * d, 0, h - top),
-                0.003,
-                "white fabric",
-                8,
-                6,
-            )
-    with b.frame(0.48 * d, 0, 0.45 * h, pitch=np.pi / 2):
-        b.add(
-            shapes.frustum(0.2 * w, 0.2 * w, (-0.02, 0.0045), 24),
-            "chalk pigment" if look.name not in ("paper", "cardboard") else "moss pigment",
-            [],
-        )
-    if groceries:
-        with b.frame(-0.1 * d, -0.2 * w, top - 0.05, roll=0.12):
-            b.lathe(
-                [(0.032, 0.0), (0.034, 0.5 * (h - top) + 0.03), (0.026, h - top + 0.03), (0.01, h - top + 0.045)],
-                "bread crust",
-                12,
-            )
-        for k in range(3):
-            with b.frame(0.1 * d, (0.1 + 0.07 * k) * w, top - 0.02, roll=0.15 * (1 - k)):
-                b.frustum(0.012, 0.016, (0.0, 0.05), "pale leaf", 8)
-                b.frustum(0.012, 0.03, (0.05, 0.05 + 0.6 * (h - top)), "leaf", 8)
-        orb(b, (0.036, 0.036, 0.036), (-0.12 * d, 0.26 * w, top + 0.012), "red apple", 10)
-
-
-def _shoe(b: Builder, long: float, wide: float, h: float, look: Look, sole: Look, boot: bool) -> None:
-    def outline(s: float, z: float, x0: float = -0.5, x1: float = 0.5) -> np.ndarray:
-        t = (np.arange(20) + 0.5) * np.pi / 10
-        x = (x0 + x1) / 2 + (x1 - x0) / 2 * np.cos(t)
-        waist = 1 - 0.22 * np.exp(-((x + 0.05) ** 2) / 0.03) - 0.14 * (x < -0.2)
-        return np.c_[x * long, s * wide / 2 * np.sign(np.sin(t)) * np.abs(np.sin(t)) ** 0.7 * waist, np.full(20, z)]
-
-    base = 0.22 * h if not boot else 0.14 * h
-    loft(b, [outline(1.0, 0.0), outline(1.0, base)], sole, convex=True)
-    low = 0.55 * h if not boot else 0.4 * h
-    loft(
-        b,
-        [outline(0.96, base, -0.49, 0.49), outline(0.94, 0.72 * low, -0.49, 0.46), outline(0.8, low, -0.48, 0.2)],
-        look,
-    )
-    loft(b, [outline(0.8, low, -0.48, 0.2), outline(0.7, 0.85 * h, -0.48, 0.0), outline(0.74, h, -0.49, -0.04)], look)
-    b.add(shapes.extrusion(outline(0.5, 0, -0.44, -0.08)[:, :2], (h - 0.01, h + 0.0003)), "charcoal fabric", [])
-    for k in range(4):
-        x, z = 0.22 - 0.065 * k, (low - 0.002) + (h - low) * 0.17 * k
-        b.box(
-            (x * long - 0.003, x * long + 0.003),
-            (-0.2 * wide, 0.2 * wide),
-            (z - 0.012, z + 0.006),
-            "white fabric",
-            0.002,
-        )
-
-
-@small("shoe_pair")
-def shoe_pair(b: Builder) -> None:
-    """A pair of trainers, leather shoes or boots, toes to the front."""
-    d, w, h = b.size
-    boot = h > 0.135
-    look = b.material(
-        "upper",
-        "white leather",
-        "brown leather",
-        "black leather",
-        "tan leather",
-        "red fabric",
-        "blue fabric",
-        "grey fabric",
-    )
-    sole = b.material("sole", "rubber", "white plastic", "tan leather")
-    for s in (-1, 1):
-        with b.frame(0.0, s * 0.27 * w, 0.0, yaw=0.04 * s):
-            _shoe(b, d * 0.99, 0.42 * w, h, look, sole, boot)
-
-
-@small("slippers")
-def slippers(b: Builder) -> None:
-    """A pair of open slippers."""
-    d, w, h = b.size
-    cloth = b.material(
-        "cloth", "grey fabric", "rose fabric", "beige fabric", "navy fabric", "brown leather", "red fabric"
-    )
-    lining = b.material("lining", "white fabric", "beige fabric", "sand pigment")
-    for s in (-1, 1):
-        with b.frame(0.0, s * 0.27 * w):
-            loft(
-                b,
-                [ellipse(e * 0.5 * d, e * 0.21 * w, z, 20) for e, z in ((0.97, 0.0), (1.0, 0.01), (0.98, 0.022))],
-                "rubber",
-                convex=True,
-            )
-            loft(
-                b, [ellipse(0.47 * d, 0.19 * w, 0.02, 20), ellipse(0.46 * d, 0.185 * w, 0.03, 20)], lining, convex=True
-            )
-            loft(
-                b,
-                [
-                    ellipse(e * 0.24 * d, f * 0.21 * w, z * h, 20, x=0.25 * d)
-                    for e, f, z in ((1.0, 1.0, 0.18), (1.0, 1.0, 0.5), (0.8, 0.86, 0.82), (0.42, 0.5, 1.0))
-                ],
-                cloth,
-                convex=True,
-            )
-            orb(b, (0.02, 0.03, 0.012), (0.16 * d, 0, 0.86 * h), lining, 10)
-
-
-@small("shoe_box")
-def shoe_box(b: Builder) -> None:
-    """A carton for shoes with an overlapping lid and a label."""
-    d, w, h = b.size
-    look = b.material("body", "cardboard", "orange plastic", "navy paint", "white paint", "black paint", "red paint")
-    cover = b.material("lid", "cardboard", "white paint", "black paint", "red paint")
-    b.box((-d / 2 + 0.002, d / 2 - 0.002), (-w / 2 + 0.002, w / 2 - 0.002), (0.0, h - 0.002), look, 0.001)
-    b.box((-d / 2, d / 2), (-w / 2, w / 2), (h - 0.035, h), cover, 0.001)
-    decal(b, (-0.02, 0.05), (w / 2 - 0.004, w / 2 - 0.0017), (0.2 * h, 0.6 * h), "paper")
-    decal(b, (d / 2 - 0.004, d / 2 - 0.0017), (-0.06, 0.06), (0.2 * h, 0.6 * h), "paper")
+    names = "cardboard, paper, red paint, navy paint, black paint, sage paint, blush pigment"
+    look = d.material("body", names)
+    plain = look.name in ("cardboard", "paper")
+    bag = d.bounds.share(z=(0.0, 0.78))
+    depth, width, top, high = bag.depth, bag.width, bag.z[1], d.bounds.height - bag.z[1]
+    d.sections(bag, [(1, 1, 0.0), (0.92, 1, 1.0)], look, radius=0.0, convex=True)
+    d.print(bag.top(0.0).inset(x=0.06 * depth, y=0.006), "bark")
+    with d.no_colliders():
+        mark = Box.around((0, 0, 0), 0.0008, 0.4 * width, 0.4 * width)
+        with d.at(0.48 * depth, 0.0, 0.5 * top, pitch=-math.atan(0.04 * depth / top)):
+            d.cylinder(mark, "moss pigment" if plain else "chalk pigment", "x")
+    if not (plain and d.chance("groceries", 0.6)):
+        with d.mirror("x"):
+            ends = ((0.44 * depth, -0.18 * width, top - 0.006), (0.44 * depth, 0.18 * width, top - 0.006))
+            d.arch(*ends, (-0.1 * depth, 0, high), 0.003, "white fabric", 8)
+        return
+    with d.at(-0.1 * depth, -0.2 * width, top - 0.05, roll=0.12):
+        loaf = Box.sized(0.068, 0.068, high + 0.045)
+        d.turned(loaf, [(0.94, 0.0), (1.0, 0.6), (0.76, 0.9), (0.3, 1.0)], "bread crust", 12)
     for k in range(3):
-        decal(
-            b,
-            (d / 2 - 0.004, d / 2 - 0.0016),
-            (-0.05, 0.045 - 0.02 * k),
-            ((0.5 - 0.1 * k) * h, (0.53 - 0.1 * k) * h),
-            "ink pigment",
-        )
-    decal(b, (-0.25 * d, 0.25 * d), (-0.16 * w, 0.16 * w), (h - 0.003, h + 0.0003), look)
+        with d.at(0.1 * depth, (0.1 + 0.07 * k) * width, top - 0.02, roll=0.15 * (1 - k)):
+            d.cylinder(Box.sized(0.032, 0.032, 0.05), "pale leaf", ends=(0.75, 1.0), segments=8)
+            d.cylinder(Box.sized(0.06, 0.03, 0.6 * high, (0, 0, 0.05)), "leaf", ends=(0.4, 1.0), segments=8)
+    d.ball(Box.around((-0.12 * depth, 0.26 * width, top + 0.012), 0.072, 0.072, 0.072), "red apple", 12)
 
 
-@small("hat")
-def hat(b: Builder) -> None:
+def shoe(d: Drawing, long: float, wide: float, h: float, look: Look, sole: Look) -> None:
+    """A shoe, or a boot where it is high, along x about the frame's origin."""
+    boot = h > 0.135
+
+    def ring(share: float, z: float, heel: float = -0.5, toe: float = 0.5) -> np.ndarray:
+        t = (np.arange(20) + 0.5) * np.pi / 10
+        x = (heel + toe) / 2 + (toe - heel) / 2 * np.cos(t)
+        waist = 1 - 0.22 * np.exp(-((x + 0.05) ** 2) / 0.03) - 0.14 * (x < -0.2)
+        y = share * wide / 2 * np.sign(np.sin(t)) * np.abs(np.sin(t)) ** 0.7 * waist
+        return np.c_[x * long, y, np.full(20, z)]
+
+    base, low = (0.14 * h, 0.4 * h) if boot else (0.22 * h, 0.55 * h)
+    d.loft([ring(1.0, 0.0), ring(1.0, base)], sole, convex=True)
+    neck = ring(0.8, low, -0.48, 0.2)
+    d.loft([ring(0.96, base, -0.49, 0.49), ring(0.94, 0.72 * low, -0.49, 0.46), neck], look)
+    d.loft([neck, ring(0.7, 0.85 * h, -0.48, 0.0), ring(0.74, h, -0.49, -0.04)], look)
+    with d.no_colliders():
+        d.extrude(ring(0.5, 0, -0.44, -0.08)[:, :2], (h - 0.01, h + PROUD), "charcoal fabric")
+    for k in range(4):
+        lace = (long * (0.22 - 0.065 * k), 0.0, low - 0.005 + (h - low) * 0.17 * k)
+        d.box(Box.around(lace, 0.006, 0.4 * wide, 0.018), "white fabric", bevel=0.002)
+
+
+@draws("shoe_pair", whole=True)
+def shoe_pair(d: Drawing) -> None:
+    """A pair of trainers, leather shoes or boots, toes to the front."""
+    names = "white leather, brown leather, black leather, tan leather, red fabric, blue fabric, grey fabric"
+    look = d.material("upper", names)
+    sole = d.material("sole", "rubber, white plastic, tan leather")
+    depth, width, h = d.bounds.size
+    with d.mirror("y"), d.at(0.0, 0.27 * width, 0.0, yaw=0.04):
+        shoe(d, 0.99 * depth, 0.42 * width, h, look, sole)
+
+
+@draws("slippers", whole=True)
+def slippers(d: Drawing) -> None:
+    """A pair of open slippers."""
+    cloth = d.material("cloth", "grey fabric, rose fabric, beige fabric, navy fabric, brown leather, red fabric")
+    lining = d.material("lining", "white fabric, beige fabric, sand pigment")
+    depth, width, h = d.bounds.size
+    with d.mirror("y"), d.at(0.0, 0.27 * width):
+        own = Box.sized(depth, 0.42 * width, h)
+        d.sections(own.bottom(0.022), [(0.97, 0.97, 0.0), (1, 1, 0.5), (0.98, 0.98, 1.0)], "rubber", convex=True)
+        d.sections(own.to(z=(0.02, 0.03)), [(0.94, 0.94, 0.0), (0.92, 0.92, 1.0)], lining, convex=True)
+        # The upper is a half tube over the toes, open to the heel, thicker than a finger.
+        t = np.linspace(0.0, np.pi, 11)
+        rows = []
+        for x, wide, high in (
+            (-0.02, 0.98, 0.9),
+            (0.2, 1.0, 1.0),
+            (0.4, 0.7, 0.78),
+            (0.46, 0.44, 0.6),
+            (0.488, 0.2, 0.0),
+        ):
+            y, z = wide * own.width / 2 * np.cos(t), 0.016 + max(0.003, high * h - 0.022) * np.sin(t) ** 0.7
+            rows.append(np.c_[0 * t + x * depth, y, z])
+        d.sheet(np.array(rows)[:, ::-1], 0.008, cloth, (3, 5))
+        d.ball(Box.around((0.12 * depth, 0.0, 0.97 * h), 0.04, 0.06, 0.024), lining, 10)
+
+
+@draws("shoe_box", whole=True)
+def shoe_box(d: Drawing) -> None:
+    """A carton for shoes with an overlapping lid and labels."""
+    look = d.material("body", "cardboard, orange plastic, navy paint, white paint, black paint, red paint")
+    cover = d.material("lid", "cardboard, white paint, black paint, red paint")
+    body = d.box(d.bounds.inset(0.002, bottom=-0.002), look, bevel=0.001)
+    lid = d.box(d.bounds.top(0.035), cover, bevel=0.001)
+    d.print(body.left(0.0).share(x=(0.45, 0.68), z=(0.2, 0.6)), "paper")
+    label = d.print(body.front(0.0).place(width=0.12).share(z=(0.2, 0.6)), "paper")
+    lines(d, label.share(y=(0.1, 0.9), z=(0.2, 0.85)), 3)
+    d.print(lid.top(0.0).share((0.25, 0.75), (0.34, 0.66)), look)
+
+
+@draws("hat", whole=True)
+def hat(d: Drawing) -> None:
     """A hat with a wide brim, a dented crown and a ribbon."""
-    d, w, h = b.size
-    felt = b.material(
-        "felt", "rattan", "wicker", "charcoal fabric", "beige fabric", "brown leather", "navy fabric", "grey fabric"
-    )
-    ribbon = b.material("ribbon", "black fabric", "red fabric", "navy fabric", "white fabric", "rust fabric")
-    n = 28
-    loft(
-        b,
-        [
-            ellipse(e * d / 2, e * w / 2, z, n)
-            for e, z in ((0.6, 0.0), (0.94, 0.004), (1.0, 0.012), (0.995, 0.015), (0.56, 0.009))
-        ],
-        felt,
-    )
-    loft(
-        b,
-        [
-            ellipse(e * d / 2, f * w / 2, z * h, n)
-            for e, f, z in (
-                (0.6, 0.58, 0.03),
-                (0.57, 0.55, 0.5),
-                (0.52, 0.5, 0.85),
-                (0.42, 0.36, 0.98),
-                (0.36, 0.2, 1.0),
-            )
-        ],
-        felt,
-    )
-    loft(
-        b,
-        [ellipse(e * d / 2, f * w / 2, z * h, n) for e, f, z in ((0.606, 0.586, 0.1), (0.59, 0.57, 0.32))],
-        ribbon,
-        convex=True,
-    )
-    b.box((-0.02, 0.03), (0.54 * w / 2, 0.62 * w / 2), (0.11 * h, 0.3 * h), ribbon, 0.003)
+    names = "rattan, wicker, charcoal fabric, beige fabric, brown leather, navy fabric, grey fabric"
+    felt = d.material("felt", names)
+    ribbon = d.material("ribbon", "black fabric, red fabric, navy fabric, white fabric, rust fabric")
+    box = d.bounds
+    brim = box.bottom(0.015)
+    d.sections(brim, [(0.6, 0.6, 0.0), (0.94, 0.94, 0.27), (1, 1, 0.8), (0.995, 0.995, 1.0), (0.56, 0.56, 0.6)], felt)
+    crown = [(0.6, 0.58, 0.03), (0.57, 0.55, 0.5), (0.52, 0.5, 0.85), (0.42, 0.36, 0.98), (0.36, 0.2, 1.0)]
+    d.sections(box, crown, felt)
+    d.sections(box, [(0.606, 0.586, 0.1), (0.59, 0.57, 0.32)], ribbon, convex=True)
+    d.box(Box((-0.02, 0.03), (0.27 * box.width, 0.31 * box.width), (0.11 * box.height, 0.3 * box.height)), ribbon)
 
 
-@small("cap")
-def cap(b: Builder) -> None:
-    """A cap with a peak, seams and a button."""
-    d, w, h = b.size
-    cloth = b.material(
-        "cloth", "navy fabric", "red fabric", "black fabric", "green fabric", "grey fabric", "white fabric"
-    )
-    peak = (
-        b.material("peak", "navy fabric", "red fabric", "black fabric", "mustard fabric")
-        if b.chance("two", 0.4)
-        else cloth
-    )
-    r = w / 2
-    x = -d / 2 + r
-    b.add(_dome(x, r, h - 0.006), cloth, [shapes.containing_hull(_dome(x, r, h - 0.006)[0])])
-    b.frustum(0.01, 0.006, (0.0, 0.006), cloth, 10)
-    with b.frame(x, 0, h - 0.012):
-        b.frustum(0.011, 0.007, (0.0, 0.012), peak, 12)
+@draws("cap", whole=True)
+def cap(d: Drawing) -> None:
+    """A cap with a peak, a badge and a button."""
+    names = "navy fabric, red fabric, black fabric, green fabric, grey fabric, white fabric"
+    cloth = d.material("cloth", names)
+    two = d.chance("two", 0.4)
+    peak = d.material("peak", "navy fabric, red fabric, black fabric, mustard fabric") if two else cloth
+    box, h, r = d.bounds, d.bounds.height, d.bounds.width / 2
+    x = box.x[0] + r
+    crown = box.back(2 * r).inset(top=0.006)
+    d.turned(crown, [(1.0, 0.0), (1.0, 0.25), *shapes.dome(0.99, 0.3, 1.0, 5, 0.05)], cloth)
+    d.turned(crown.top(0.006).place(0.024, 0.024).inset(top=-0.006), [(1.0, 0.0), (0.6, 1.0)], peak, 12)
     t = np.linspace(-0.42 * np.pi, 0.42 * np.pi, 11)
-    outer = np.c_[x + 0.3 * r + (d - r - 0.3 * r) * np.cos(t) ** 0.7, 0.98 * r * np.sin(t)]
-    b.hull(
-        np.concatenate(
-            [
-                np.c_[outer, 0.002 + 0.012 * np.cos(2.0 * t).clip(0)],
-                np.c_[outer, 0.007 + 0.012 * np.cos(2.0 * t).clip(0)],
-                [(x + 0.2 * r, s * 0.9 * r, 0.02) for s in (-1, 1)],
-            ]
-        ),
-        peak,
-    )
-    b.hull(
-        [(x + 0.8 * r, y, z) for y in (-0.2 * r, 0.2 * r) for z in (0.36 * h, 0.62 * h)]
-        + [(x + (0.985 if z < 0.5 else 0.89) * r, y, z * h) for y in (-0.2 * r, 0.2 * r) for z in (0.36, 0.62)],
-        "white fabric",
-    )
+    edge = np.c_[x + 0.3 * r + (box.depth - 1.3 * r) * np.cos(t) ** 0.7, 0.98 * r * np.sin(t)]
+    bend = 0.012 * np.cos(2.0 * t).clip(0)
+    inner = [(x + 0.2 * r, s * 0.9 * r, 0.02) for s in (-1, 1)]
+    d.hull(np.concatenate([np.c_[edge, 0.002 + bend], np.c_[edge, 0.007 + bend], inner]), peak)
+    badge = ((0.8, 0.36), (0.985, 0.36), (0.8, 0.62), (0.89, 0.62))
+    d.hull([(out * r + x, s * 0.2 * r, z * h) for out, z in badge for s in (-1, 1)], "white fabric")
 
 
-def _dome(x: float, r: float, top: float) -> shapes.convex.Shape:
-    points, faces = shapes.lathe([(r, 0.0), (1.0 * r, 0.25 * top), *dome(0.99 * r, 0.3 * top, top, 5, 0.05 * r)], 24)
-    return points + np.array([x, 0.0, 0.0]), faces
+@draws("folded_clothes", whole=True)
+def folded_clothes(d: Drawing) -> None:
+    """Folded shirts and jumpers in a pile; the top one has a collar and buttons."""
+    box, w = d.bounds, d.bounds.width
+    layers = box.inset(top=0.004).rows(max(2, round(box.height / 0.04)))
+    cloth = d.material("cloth", SHIRTS)
+    for k, layer in enumerate(layers):
+        if k:
+            cloth = d.pick(f"c{k}", SHIRTS.split(", "))
+            less, shift = d.uniform(f"e{k}", 0.0, 0.02), d.uniform(f"y{k}", -0.008, 0.008)
+            layer = layer.inset(back=less, front=less / 2, y=less + 0.008, top=-0.001).move(y=shift)
+        d.cushion(layer, cloth, 0.48 * layer.height, 0.15)
+    x, y, z = layers[-1].anchor("top")
+    depth = box.depth
+    for s in (-1, 1):
+        collar = ((-0.44 * depth, 0.02), (-0.44 * depth, 0.2 * w), (-0.22 * depth, 0.07 * w))
+        d.hull([(px, s * py, level) for px, py in collar for level in (z - 0.006, box.z[1])], cloth)
+    placket = Box((-0.2 * depth, 0.36 * depth), (y - 0.01, y + 0.01), (z - 0.004, z + 0.0005))
+    d.box(placket, cloth, bevel=0.0)
+    with d.no_colliders():
+        for cell in placket.split("x", 4):
+            d.cylinder(Box.around(cell.anchor("top"), 0.01, 0.01, 0.002), "chalk pigment", segments=10)
 
 
-@small("folded_clothes")
-def folded_clothes(b: Builder) -> None:
-    """Folded shirts and jumpers in a pile; the top one has a collar."""
-    d, w, h = b.size
-    count = max(2, round(h / 0.04))
-    t = h / count
-    for k in range(count):
-        cloth = b.material("cloth", *SHIRTS) if k == 0 else b.pick(f"c{k}", SHIRTS)
-        e = 0.0 if k == 0 else b.uniform(f"e{k}", 0.0, 0.02)
-        y = 0.0 if k == 0 else b.uniform(f"y{k}", -0.008, 0.008)
-        last = k == count - 1
-        z1 = (k + 1) * t - (0.004 if last else -0.001)
-        b.cushion(
-            (-d / 2 + e, d / 2 - e / 2),
-            (-w / 2 + e + 0.008 + y, w / 2 - e - 0.008 + y) if k else (-w / 2, w / 2),
-            (k * t, z1),
-            cloth,
-            radius=0.48 * t,
-            puff=0.15,
-        )
-        if last:
-            for s in (-1, 1):
-                b.hull(
-                    [
-                        (px, s * py + y, z)
-                        for px, py in ((-0.44 * d, 0.02), (-0.44 * d, 0.2 * w), (-0.22 * d, 0.07 * w))
-                        for z in (z1 - 0.006, h)
-                    ],
-                    cloth,
-                )
-            b.box((-0.2 * d, 0.4 * d), (y - 0.01, y + 0.01), (z1 - 0.004, z1 + 0.0008), cloth, 0.0005)
-            for j in range(4):
-                with b.frame((-0.14 + 0.14 * j) * d, y, z1):
-                    spot(b, 0.005, (-0.002, 0.002), "chalk pigment", 10)
-
-
-@small("piggy_bank")
-def piggy_bank(b: Builder) -> None:
+@draws("piggy_bank", whole=True)
+def piggy_bank(d: Drawing) -> None:
     """A round pig with a slot, ears, a snout and a curled tail."""
-    d, w, h = b.size
-    look = b.material("body", "pink plastic", "pink icing", "white ceramic", "blue ceramic", "mint plastic", "brass")
-    zc, rz = 0.52 * h, 0.4 * h
-    b.ball((0.4 * d, w / 2, rz), (0, 0, zc), look, 20)
-    with b.frame(0.33 * d, 0, 0.98 * zc, pitch=np.pi / 2):
-        b.frustum(0.17 * h, 0.14 * h, (0.0, 0.15 * d), look, 18)
-    for s in (-1, 1):
-        decal(
-            b,
-            (0.4 * d, 0.48 * d + 0.0003),
-            (s * 0.06 * h - 0.022 * h, s * 0.06 * h + 0.022 * h),
-            (0.94 * zc, 1.06 * zc),
-            "rose fabric",
-        )
-        b.hull(
-            [
-                (0.2 * d, s * 0.2 * w, 0.84 * h),
-                (0.26 * d, s * 0.12 * w, 0.84 * h),
-                (0.27 * d, s * 0.34 * w, 0.74 * h),
-                (0.19 * d, s * 0.3 * w, 0.78 * h),
-                (0.3 * d, s * 0.27 * w, h),
-            ],
-            look,
-        )
-        orb(b, (0.018 * h, 0.03 * h, 0.03 * h), (0.35 * d, s * 0.2 * w, 0.68 * h), "ink pigment", 8)
+    look = d.material("body", "pink plastic, pink icing, white ceramic, blue ceramic, mint plastic, brass")
+    depth, w, h = d.bounds.size
+    middle = 0.52 * h
+    body = d.ball(Box.around((0, 0, middle), 0.8 * depth, w, 0.8 * h), look)
+    snout = Box.around((0.405 * depth, 0.0, 0.98 * middle), 0.15 * depth, 0.34 * h, 0.34 * h)
+    d.cylinder(snout, look, "x", ends=(1.0, 0.82), bevel=0.003)
+    ear = ((0.2, 0.2, 0.84), (0.26, 0.12, 0.84), (0.27, 0.34, 0.74), (0.19, 0.3, 0.78), (0.3, 0.27, 1.0))
+    with d.mirror("y"):
+        d.print(Box.around((snout.x[1], 0.06 * h, middle), 0.0, 0.044 * h, 0.06 * h), "rose fabric")
+        d.hull([(x * depth, y * w, z * h) for x, y, z in ear], look)
+        d.ball(Box.around((0.35 * depth, 0.2 * w, 0.68 * h), 0.036 * h, 0.06 * h, 0.06 * h), "ink pigment", 8)
         for x in (-0.2, 0.18):
-            with b.frame(x * d, s * 0.24 * w):
-                b.frustum(0.08 * h, 0.1 * h, (0.0, 0.3 * h), look, 14)
-    decal(b, (-0.08 * d, 0.08 * d), (-0.03 * w, 0.03 * w), (zc, zc + 0.985 * rz), "ink pigment", own=False)
-    t = np.linspace(0, 2.4 * np.pi, 9)
-    b.tube(
-        np.c_[-0.38 * d - 0.1 * d * t / t[-1], 0.05 * h * np.cos(t) - 0.05 * h, zc + 0.05 * h * np.sin(t)],
-        0.012 * h,
-        look,
-        6,
-    )
+            foot = Box.sized(0.2 * h, 0.2 * h, 0.3 * h, (x * depth, 0.24 * w, 0.0))
+            d.cylinder(foot, look, ends=(0.8, 1.0), segments=14)
+    slot = body.top(0.5 * h).inset(top=-0.0003).place(0.16 * depth, 0.06 * w)
+    with d.no_colliders():
+        d.box(slot.inset(top=0.012 * h), "ink pigment", bevel=0.0)
+    t = np.linspace(0, 2.4 * np.pi, 11)
+    x, y, z = -(0.38 + 0.1 * t / t[-1]) * depth, 0.05 * h * (np.cos(t) - 1), middle + 0.05 * h * np.sin(t)
+    d.sweep(np.c_[x, y, z], 0.012 * h, look, 6)
 
 
-@small("lunch_box")
-def lunch_box(b: Builder) -> None:
-    """A food box with a clip lid."""
-    d, w, h = b.size
-    look = b.material("body", "clear plastic", "mint plastic", "blue plastic", "pink plastic", "steel", "white plastic")
-    cover = b.material("lid", "bamboo", "grey plastic", "blue plastic", "white plastic", "green plastic")
-    x, y = (-d / 2 + 0.006, d / 2 - 0.006), (-w / 2 + 0.006, w / 2 - 0.006)
-    loft(
-        b,
-        [
-            rect((x[0] + e, x[1] - e), (y[0] + e, y[1] - e), z * h, 0.025, 4)
-            for e, z in ((0.01, 0.0), (0.006, 0.06), (0.0, 0.8))
-        ],
-        look,
-        convex=True,
-    )
+@draws("lunch_box", whole=True)
+def lunch_box(d: Drawing) -> None:
+    """A food box with a clip lid; food shows through a clear one."""
+    look = d.material("body", "clear plastic, mint plastic, blue plastic, pink plastic, steel, white plastic")
+    cover = d.material("lid", "bamboo, grey plastic, blue plastic, white plastic, green plastic")
+    box = d.bounds.inset(x=0.006, y=0.006)
+    body = box.share(z=(0.0, 0.8))
+    d.sections(body, [(0.86, 0.9, 0.0), (0.91, 0.94, 0.08), (1, 1, 1.0)], look, radius=0.2, convex=True)
     if look.opacity < 1:
-        for k, c in enumerate(("lettuce", "bread crumb", "tomato")):
-            y0 = y[0] + 0.012 + k * (w - 0.036) / 3
-            b.add(
-                shapes.box(
-                    (x[0] + 0.015, x[1] - 0.015), (y0, y0 + (w - 0.036) / 3 - 0.006), (0.05 * h, 0.6 * h), 0.004
-                ),
-                c,
-                [],
-            )
-    slab(b, (-d / 2 + 0.002, d / 2 - 0.002), (-w / 2 + 0.002, w / 2 - 0.002), (0.78 * h, h), cover, 0.03, 0.004, 4)
-    for s in (-1, 1):
-        b.box(
-            (-0.03, 0.03),
-            (min(s * w / 2, s * (w / 2 - 0.006)), max(s * w / 2, s * (w / 2 - 0.006))),
-            (0.58 * h, 0.92 * h),
-            cover,
-            0.002,
-        )
-        b.box(
-            (min(s * d / 2, s * (d / 2 - 0.006)), max(s * d / 2, s * (d / 2 - 0.006))),
-            (-0.04, 0.04),
-            (0.58 * h, 0.92 * h),
-            cover,
-            0.002,
-        )
+        with d.no_colliders():
+            cells = body.share((0.1, 0.9), (0.08, 0.92), (0.06, 0.75)).columns(3, 0.006)
+            for cell, food in zip(cells, ("lettuce", "bread crumb", "tomato"), strict=True):
+                d.cushion(cell, food, 0.01)
+    d.slab(d.bounds.inset(x=0.002, y=0.002).share(z=(0.78, 1.0)), cover, 0.03, 0.004, 4)
+    clip = d.bounds.share(z=(0.58, 0.92))
+    ends, sides = clip.place(width=0.08), clip.place(0.06)
+    for own in (ends.front(0.006), ends.back(0.006), sides.left(0.006), sides.right(0.006)):
+        d.box(own, cover, bevel=0.002)
 
 
-@small("toolbox")
-def toolbox(b: Builder) -> None:
-    """A metal or plastic box with a lid, clasps and a handle."""
-    d, w, h = b.size
-    look = b.material("body", "red paint", "blue paint", "black plastic", "yellow plastic", "green paint", "grey paint")
-    dark = b.material("trim", "black plastic", "black steel")
-    top = 0.84 * h
-    b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.56 * h), look, 0.006)
-    b.hull(
-        [
-            (x, y, z)
-            for y in (-w / 2, w / 2)
-            for x, z in (
-                (-d / 2, 0.55 * h),
-                (d / 2, 0.55 * h),
-                (d / 2, 0.66 * h),
-                (-d / 2, 0.66 * h),
-                (0.3 * d, top),
-                (-0.3 * d, top),
-            )
-        ],
-        look,
-    )
-    for s in (-1, 1):
-        b.box(
-            (d / 2 - 0.004, d / 2 + 0.006),
-            (s * 0.28 * w - 0.02, s * 0.28 * w + 0.02),
-            (0.46 * h, 0.64 * h),
-            "steel",
-            0.002,
-        )
-        b.box((-0.02, 0.02), (s * 0.22 * w - 0.01, s * 0.22 * w + 0.01), (top - 0.01, h - 0.008), dark, 0.003)
-        decal(
-            b,
-            (-0.5 * d + 0.012, 0.5 * d - 0.012),
-            (s * w / 2 - 0.0003, s * w / 2 + 0.0003),
-            (0.46 * h, 0.475 * h),
-            dark,
-        )
-    decal(b, (0.0, d / 2 + 0.0003), (-w / 2 + 0.008, w / 2 - 0.008), (0.46 * h, 0.475 * h), dark)
-    b.bar((0, -0.25 * w, h - 0.014), (0, 0.25 * w, h - 0.014), 0.0135, dark, 10)
-    decal(b, (0.0, d / 2 + 0.0003), (-0.1 * w, 0.1 * w), (0.16 * h, 0.34 * h), dark)
+@draws("toolbox", whole=True)
+def toolbox(d: Drawing) -> None:
+    """A metal or plastic box with a sloping lid, clasps and a handle."""
+    look = d.material("body", "red paint, blue paint, black plastic, yellow plastic, green paint, grey paint")
+    dark = d.material("trim", "black plastic, black steel")
+    box, h, w = d.bounds, d.bounds.height, d.bounds.width
+    body = d.box(box.share(z=(0.0, 0.56)), look, bevel=0.006)
+    lid = box.share(z=(0.55, 0.84))
+    d.sections(lid, [(1, 1, 0.0), (1, 1, 0.38), (0.6, 1, 1.0)], look, radius=0.0, convex=True)
+    seam = box.to(z=(0.475 * h, 0.49 * h))
+    for side in (seam.front(0.0).inset(y=0.008), seam.left(0.0).inset(x=0.012), seam.right(0.0).inset(x=0.012)):
+        d.print(side, dark)
+    top = lid.z[1]
+    with d.mirror("y"):
+        clasp = Box.around((box.x[1] + 0.001, 0.28 * w, 0.55 * h), 0.01, 0.04, 0.18 * h)
+        d.box(clasp, "steel", bevel=0.002)
+        d.box(Box.around((0, 0.22 * w, (top + h) / 2 - 0.009), 0.04, 0.02, h - top), dark)
+    d.bar((0, -0.25 * w, h - 0.014), (0, 0.25 * w, h - 0.014), 0.0135, dark)
+    d.print(body.front(0.0).place(width=0.2 * w).share(z=(0.3, 0.6)), dark)

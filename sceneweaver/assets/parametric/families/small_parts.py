@@ -70,22 +70,6 @@ def open_vessel(
         filling(d, box, profile, floor + 0.002, level, drink, 1.1 * wall)
 
 
-def open_box(
-    d: Drawing, box: Box, look: Look, wall: float, lean: float = 0.0, floor: float = 0.01, name: str = "inside"
-) -> None:
-    """Four walls on a floor, wider at the top by ``lean`` [m], with a surface inside; each is a part of its own."""
-    low = box.inset(x=lean, y=lean).to(z=(box.z[0], box.z[0]))
-    high = box.top(0.0)
-    with d.part("floor"):
-        d.box(low.to(z=(box.z[0], box.z[0] + floor)), look, bevel=0.002)
-    for k, side in enumerate(("front", "back", "left", "right")):
-        with d.part(f"wall {k}"):
-            ends = (getattr(level, side)(wall) for level in (low, high))
-            d.hull([(x, y, end.z[0]) for end in ends for x in end.x for y in end.y], look)
-    inside = low.to(z=(box.z[0], box.z[0] + floor))
-    d.surface(name, inside, inset=wall + 0.004)
-
-
 def pump(d: Drawing, neck: float, top: float, reach: float, look: Look) -> None:
     """A pump on a bottle's neck at a height, up to another, its spout to the front."""
     collar = Box.sized(0.032, 0.032, top - neck, (0.0, 0.0, neck))

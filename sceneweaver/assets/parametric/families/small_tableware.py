@@ -8,7 +8,8 @@ import numpy as np
 
 from ... import shapes
 from ...drawing import PROUD, Box, Drawing, Look, draws
-from .small_parts import CERAMICS, filling, open_box, open_vessel, wrap
+from ...drawing.components import open_box
+from .small_parts import CERAMICS, filling, open_vessel, wrap
 
 DISH = [(0.55, 0.0), (0.6, 0.1), (0.68, 0.34), (0.97, 0.86), (1.0, 1.0)]
 CUP = [(0.5, 0.0), (0.55, 0.04), (0.86, 0.35), (0.97, 0.7), (1.0, 1.0)]
@@ -297,9 +298,9 @@ def serving_tray(d: Drawing) -> None:
     box = d.bounds
     rim = min(0.045, 0.8 * box.height)
     open_box(d, box.bottom(rim), look, 0.01, name="top")
-    for k, side in enumerate((box.left(0.01), box.right(0.01)), start=2):
-        _, y, _ = side.center
-        with d.part(f"wall {k}"):
+    for side in ("left", "right"):
+        _, y, _ = getattr(box, side)(0.01).center
+        with d.part(f"wall {side}"):
             d.arch((-0.06, y, rim - 0.005), (0.06, y, rim - 0.005), (0, 0, box.height - rim), 0.005, grip)
 
 
