@@ -53,7 +53,6 @@ class _Same:
 @lru_cache(maxsize=128)
 def _files(same: _Same, side: int) -> Images:
     found = same.maps
-    slope = float(np.hypot(*(found.normal[..., k] / 127.5 - 1.0 for k in (0, 1))).mean())
     uneven = float(found.roughness.std()) / max(float(found.roughness.mean()), 1.0)
     rough = None
     if uneven > _EVEN or found.metallic is not None:
@@ -61,10 +60,15 @@ def _files(same: _Same, side: int) -> Images:
         rough = jpeg(np.stack([np.full_like(metal, 255), found.roughness, metal], 2), side // 2, 80)
     return Images(
         jpeg(found.tint, side, 85),
-        jpeg(found.normal, side, 88) if slope > _FLAT else None,
+        jpeg(found.normal, side, 88) if has_relief(found) else None,
         rough,
         found.metallic is not None,
     )
+
+
+def has_relief(found: Maps) -> bool:
+    """Whether the normals of maps can be seen."""
+    return float(np.hypot(*(found.normal[..., k] / 127.5 - 1.0 for k in (0, 1))).mean()) > _FLAT
 
 
 def file_stem(texture: str) -> str:
@@ -75,6 +79,14 @@ def file_stem(texture: str) -> str:
 def jpeg(image: np.ndarray, side: int, quality: int) -> bytes:
     """An image uint8 [H, W, 3] as JPEG without loss of colour resolution, at most ``side`` pixels wide and high."""
     return _packed(image, side, "JPEG", quality=quality, subsampling=0)
+
+
+def square(image: np.ndarray, side: int, quality: int) -> bytes:
+    """An image uint8 [H, W, 3] as JPEG of exactly ``side`` pixels."""
+    from PIL import Image
+
+    picture = Image.fromarray(np.ascontiguousarray(image)).resize((side, side), Image.Resampling.BOX)
+    return jpeg(np.asarray(picture), side, quality)
 
 
 def png(image: np.ndarray, side: int) -> bytes:

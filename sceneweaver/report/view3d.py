@@ -1,7 +1,8 @@
 """The scene packed for the 3D view: plain data, and all meshes in one deflated block.
 
 Each mesh is there once: positions as three planes of uint16 within its box, then three planes of corner numbers
-(uint16, or uint32 above 65536 vertices), faces in order of material. ``web/decode.js`` reads it.
+(uint16, or uint32 above 65536 vertices), faces in order of material; then, of the faces whose material has a texture,
+u of all corners and v of all, uint16 in steps. Textures are small images. ``web/decode.js`` reads it.
 """
 
 from __future__ import annotations
@@ -16,9 +17,11 @@ import numpy as np
 
 from sceneweaver.assets import Material, Mesh
 from sceneweaver.assets.placed import Load
-from sceneweaver.assets.textures import kind_of
+from sceneweaver.assets.textures import maps
 from sceneweaver.export.bodies import bodies_of
+from sceneweaver.export.corners import texture_coordinates
 from sceneweaver.export.glb import room_meshes
+from sceneweaver.export.images import has_relief, square
 from sceneweaver.geometry.angles import heading
 from sceneweaver.geometry.walls import wall_behind
 from sceneweaver.scene import Room, Scene, SceneObject
@@ -26,7 +29,8 @@ from sceneweaver.scene import Room, Scene, SceneObject
 from .facts import RelationRow, ViolationRow, object_facts
 from .openings import opening_meshes
 
-_TEXTURES = {"plain": 0, "wood": 1, "fabric": 2, "stone": 3, "metal": 4, "leaf": 5}
+_PIXELS = (512, 256)  # sides of the images of tints and of normals
+_MOST = 64  # textures that the view takes
 _FLAT = {"position": [0.0, 0.0, 0.0], "quaternion": [0.0, 0.0, 0.0, 1.0], "scale": [1.0, 1.0, 1.0]}
 
 
@@ -46,6 +50,7 @@ class _Pack:
     meshes: list[dict[str, Any]] = field(default_factory=list)
     materials: dict[Material, int] = field(default_factory=dict)
     known: dict[str, int] = field(default_factory=dict)
+    textures: dict[str, int] = field(default_factory=dict)
     data: bytearray = field(default_factory=bytearray)
 
     def add(self, key: str, mesh: Mesh) -> int:
@@ -73,9 +78,23 @@ class _Pack:
         }
         self.data += np.ascontiguousarray(np.round((points - low) / step).T).astype("<u2").tobytes()
         self.data += np.ascontiguousarray(corner).tobytes()
+        laid = np.array([self.texture(m) > 0 for m in mesh.materials])[mesh.face_material[order]]
+        if laid.any() and (places := texture_coordinates(mesh)) is not None:
+            places = places[order][laid].reshape(-1, 2)
+            places = places - np.floor(places.min(axis=0))
+            steps = np.maximum(places.max(axis=0) / 65535, 1e-12)
+            row["uv"] = {"offset": len(self.data), "faces": int(laid.sum()), "step": steps.tolist()}
+            self.data += np.ascontiguousarray(np.round(places / steps).T).astype("<u2").tobytes()
         self.known[key] = len(self.meshes)
         self.meshes.append(row)
         return self.known[key]
+
+    def texture(self, material: Material) -> int:
+        """The number of a material's texture from 1 on; 0: it has none, or the view takes no more."""
+        name = material.texture
+        if maps(name) is None or (name not in self.textures and len(self.textures) >= _MOST):
+            return 0
+        return self.textures.setdefault(name, len(self.textures) + 1)
 
 
 def pack(scene: Scene, rows: list[RelationRow], faults: list[ViolationRow], load: Load | None = None) -> Packed:
@@ -109,7 +128,9 @@ def pack(scene: Scene, rows: list[RelationRow], faults: list[ViolationRow], load
             "height": scene.room.height,
         },
         "walls": [_wall(scene.room, k) for k in range(len(scene.room.outline))],
-        "materials": [_material(m) for m in store.materials],
+        "materials": [_material(m, store.texture(m)) for m in store.materials],
+        "textures": [_texture(name) for name in store.textures],
+        "pixels": _PIXELS,
         "meshes": store.meshes,
         "items": items,
         "objects": object_facts(scene, rows, faults),
@@ -119,14 +140,25 @@ def pack(scene: Scene, rows: list[RelationRow], faults: list[ViolationRow], load
     return Packed(data, text, tuple(b.note for b in bodies if b.note))
 
 
-def _material(m: Material) -> dict[str, Any]:
+def _texture(name: str) -> dict[str, Any]:
+    """A texture's images as data addresses, and the gain of its tint."""
+    found = maps(name)
+    assert found is not None
+    tint, normal = square(found.tint, _PIXELS[0], 72), None
+    if has_relief(found):
+        normal = square(found.normal, _PIXELS[1], 75)
+    urls = [data and "data:image/jpeg;base64," + base64.b64encode(data).decode() for data in (tint, normal)]
+    return {"color": urls[0], "normal": urls[1], "gain": round(found.gain, 5)}
+
+
+def _material(m: Material, texture: int) -> dict[str, Any]:
     return {
         "color": list(m.color),
         "roughness": m.roughness,
         "metallic": m.metallic,
         "opacity": m.opacity,
         "emission": m.emission,
-        "texture": _TEXTURES[kind_of(m.texture)],
+        "texture": texture,
     }
 
 

@@ -14,6 +14,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from sceneweaver.assets.textures import maps
+from sceneweaver.export.corners import texture_coordinates
 from sceneweaver.report import ReportData, report_html, write_report
 from sceneweaver.report.facts import faults_of, relation_rows
 from sceneweaver.report.openings import opening_meshes
@@ -224,6 +226,29 @@ def test_meshes_survive_the_packing() -> None:
         assert sum(count for _, count in runs) == len(mesh.faces)
     assert items["lamp-0"]["mesh"] == items["lamp-1"]["mesh"]
     assert items["picture-0"]["wall"] == 3 and items["desk-0"]["wall"] is None
+
+
+def test_texture_coordinates_and_images_survive_the_packing() -> None:
+    packed = pack(furnished(), [], [], load)
+    raw = zlib.decompress(base64.b64decode(packed.meshes))
+    item = next(i for i in packed.data["items"] if i["id"] == "armchair-0")
+    row, mesh = packed.data["meshes"][item["mesh"]], asset("armchair").mesh
+    laid = row["uv"]
+    planes = np.frombuffer(raw, "<u2", 6 * laid["faces"], laid["offset"]).reshape(2, -1)
+    found = (planes.T * laid["step"]).reshape(-1, 3, 2)
+    numbers = [packed.data["materials"][material]["texture"] for material, _ in row["runs"]]
+    assert laid["faces"] == sum(count for (_, count), k in zip(row["runs"], numbers, strict=True) if k > 0)
+    wanted = texture_coordinates(mesh)
+    assert wanted is not None
+    order = np.argsort(mesh.face_material, kind="stable")
+    wanted = wanted[order][[maps(mesh.materials[k].texture) is not None for k in mesh.face_material[order]]]
+    apart = found - wanted
+    np.testing.assert_allclose(apart - apart[0, 0], 0, atol=2e-3)
+    assert apart[0, 0] == pytest.approx(np.round(apart[0, 0]), abs=2e-3), "whole repeats"
+    for texture in packed.data["textures"]:
+        head, _, data = texture["color"].partition(",")
+        assert head == "data:image/jpeg;base64" and base64.b64decode(data)[:2] == b"\xff\xd8"
+    assert max(m["texture"] for m in packed.data["materials"]) == len(packed.data["textures"])
 
 
 def test_doors_and_windows_are_closed_bodies() -> None:

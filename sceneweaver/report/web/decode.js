@@ -7,7 +7,8 @@ async function unpack(text) {
   return new Response(stream).arrayBuffer();
 }
 
-const VERTEX_BYTES = 24; // position 3 x float, normal 4 x int8, colour 4 x uint8, finish 4 x uint8
+// Position 3 x float, normal 4 x int8, colour 4 x uint8, finish 4 x uint8, texture coordinates 2 x float.
+const VERTEX_BYTES = 32;
 const CREASE = Math.cos((38 * Math.PI) / 180);
 
 // One mesh as an interleaved vertex buffer, opaque faces first: {data, opaque, count}, both in vertices.
@@ -18,6 +19,8 @@ function decodeMesh(buffer, mesh, materials) {
   const wide = n > 65536;
   const order = buffer.slice(start, start + m * (wide ? 12 : 6));
   const corner = wide ? new Uint32Array(order) : new Uint16Array(order); // planar: all first corners, then all second
+  const places = mesh.uv ? new Uint16Array(buffer.slice(mesh.uv.offset, mesh.uv.offset + 12 * mesh.uv.faces)) : null;
+  let laid = 0; // textured faces so far
   const points = new Float32Array(3 * n);
   for (let i = 0; i < n; i++) {
     for (let k = 0; k < 3; k++) points[3 * i + k] = low[k] + packed[k * n + i] * step[k];
@@ -33,16 +36,18 @@ function decodeMesh(buffer, mesh, materials) {
   let opaque = 0;
   const runs = mesh.runs.map(([material, count], i, all) => {
     const first = all.slice(0, i).reduce((sum, run) => sum + run[1], 0);
-    return { material: materials[material], first, count };
+    const from = laid;
+    if (materials[material].texture > 0) laid += count;
+    return { material: materials[material], first, count, from };
   });
   runs.sort((a, b) => (a.material.opacity < 1) - (b.material.opacity < 1));
-  for (const { material, first, count } of runs) {
+  for (const { material, first, count, from } of runs) {
     if (material.opacity >= 1) opaque += 3 * count;
     for (let f = first; f < first + count; f++) {
       for (let k = 0; k < 3; k++, at++) {
         const v = corner[k * m + f];
         const normal = smooth(f, v, normals, around);
-        floats.set([points[3 * v], points[3 * v + 1], points[3 * v + 2]], at * 6);
+        floats.set([points[3 * v], points[3 * v + 1], points[3 * v + 2]], at * 8);
         for (let c = 0; c < 3; c++) {
           signed[at * VERTEX_BYTES + 12 + c] = Math.round(normal[c] * 127);
           bytes[at * VERTEX_BYTES + 16 + c] = Math.round(material.color[c] * 255);
@@ -52,10 +57,28 @@ function decodeMesh(buffer, mesh, materials) {
         bytes[at * VERTEX_BYTES + 21] = Math.round(material.metallic * 255);
         bytes[at * VERTEX_BYTES + 22] = Math.round(Math.min(1, material.emission) * 255);
         bytes[at * VERTEX_BYTES + 23] = material.texture;
+        if (material.texture > 0) {
+          const corner = 3 * (from + f - first) + k; // planar: u of all corners, then v of all
+          for (let c = 0; c < 2; c++) {
+            floats[at * 8 + 6 + c] = places[c * 3 * mesh.uv.faces + corner] * mesh.uv.step[c];
+          }
+        }
       }
     }
   }
   return { data, opaque, count: at, low: mesh.low, high: mesh.high };
+}
+
+// The images of all textures, once they can be drawn: [{color, normal}], normal null where there is none.
+function loadTextures(textures) {
+  const load = async (source) => {
+    if (!source) return null;
+    const image = new Image();
+    image.src = source;
+    await image.decode();
+    return image;
+  };
+  return Promise.all(textures.map(async (t) => ({ ...t, color: await load(t.color), normal: await load(t.normal) })));
 }
 
 // Normals with the length of twice the area, so that large faces weigh more.

@@ -8,7 +8,7 @@ async function start() {
   const canvas = byId("view");
   if (typeof DecompressionStream === "undefined") throw new Error("this browser is too old to unpack the scene");
   const buffer = await unpack(byId("scene-meshes").textContent.trim());
-  const renderer = new Renderer(canvas, data, buffer);
+  const renderer = new Renderer(canvas, data, buffer, await loadTextures(data.textures));
   const orbit = new Orbit(data.room, data.yaw);
   const state = { shown: new Set(), hover: null, boxes: false, labels: false, hideWalls: false };
   const still = matchMedia("(prefers-reduced-motion: reduce)").matches;

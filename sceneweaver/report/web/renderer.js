@@ -8,7 +8,7 @@ const FRAMES = 96;
 const [THIN, THICK] = [0.005, 0.008]; // [m]
 
 class Renderer {
-  constructor(canvas, data, buffer) {
+  constructor(canvas, data, buffer, textures) {
     const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, powerPreference: "high-performance" });
     if (!gl) throw new Error("WebGL 2 is not available");
     this.gl = gl;
@@ -20,6 +20,10 @@ class Renderer {
       lines: this.program(LINES, FLAT), sum: this.program(SCREEN, SUM), develop: this.program(SCREEN, DEVELOP),
       outline: this.program(SCREEN, OUTLINE),
     };
+    this.tints = this.layers(gl.SRGB8_ALPHA8, textures.map((t) => t.color), data.pixels[0]);
+    this.bumps = this.layers(gl.RGBA8, textures.map((t) => t.normal), data.pixels[1]);
+    this.gains = new Float32Array(2 * 64); // tint's gain, and whether there are normals
+    textures.forEach((t, k) => this.gains.set([t.gain, t.normal ? 1 : 0], 2 * k));
     this.meshes = data.meshes.map((mesh) => this.upload(decodeMesh(buffer, mesh, data.materials)));
     this.items = data.items.map((item) => {
       const mesh = this.meshes[item.mesh];
@@ -72,13 +76,30 @@ class Renderer {
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, mesh.data, gl.STATIC_DRAW);
     const layout = [[3, gl.FLOAT, false, 0], [3, gl.BYTE, true, 12], [4, gl.UNSIGNED_BYTE, true, 16],
-      [4, gl.UNSIGNED_BYTE, true, 20]];
+      [4, gl.UNSIGNED_BYTE, true, 20], [2, gl.FLOAT, false, 24]];
     layout.forEach(([size, type, normalized, offset], k) => {
       gl.enableVertexAttribArray(k);
       gl.vertexAttribPointer(k, size, type, normalized, VERTEX_BYTES, offset);
     });
     gl.bindVertexArray(null);
     return { array, opaque: mesh.opaque, count: mesh.count, low: mesh.low, high: mesh.high };
+  }
+
+  // Square images as layers of one texture, which repeats; a missing one is a blank layer.
+  layers(format, images, side) {
+    const gl = this.gl;
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
+    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, Math.log2(side) + 1, format, side, side, Math.max(1, images.length));
+    images.forEach((image, k) => {
+      if (!image) return;
+      gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, k, side, side, 1, gl.RGBA, gl.UNSIGNED_BYTE, image);
+    });
+    gl.generateMipmap(gl.TEXTURE_2D_ARRAY);
+    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+    const sharp = gl.getExtension("EXT_texture_filter_anisotropic");
+    if (sharp) gl.texParameterf(gl.TEXTURE_2D_ARRAY, sharp.TEXTURE_MAX_ANISOTROPY_EXT, 8);
+    return texture;
   }
 
   use(name, uniforms) {
@@ -164,6 +185,13 @@ class Renderer {
     gl.uniform1i(program.gather, gather ? 1 : 0);
     gl.uniform1i(program.sunMap, 0);
     gl.uniform1i(program.skyMap, 1);
+    gl.uniform1i(program.tints, 2);
+    gl.uniform1i(program.bumps, 3);
+    gl.uniform2fv(program["gains[0]"], this.gains);
+    gl.activeTexture(gl.TEXTURE3);
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.bumps);
+    gl.activeTexture(gl.TEXTURE2);
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.tints);
     gl.activeTexture(gl.TEXTURE1);
     gl.bindTexture(gl.TEXTURE_2D, this.skyMap.texture);
     gl.activeTexture(gl.TEXTURE0);
@@ -172,14 +200,12 @@ class Renderer {
     gl.disable(gl.BLEND);
     gl.disable(gl.CULL_FACE);
     for (const item of this.items) {
-      gl.uniform1i(program.ground, item.kind === "floor" ? 1 : 0);
       // Furniture may be open; of walls the back is seen where they are cut.
       if (item.kind === "object" || item.cut < NEVER_CUT) gl.disable(gl.CULL_FACE);
       else gl.enable(gl.CULL_FACE);
       gl.uniform1f(program.lit, lit === item.id && item.kind === "object" ? 0.16 : 0);
       this.drawItem(program, item, 0, item.mesh.opaque);
     }
-    gl.uniform1i(program.ground, 0);
     gl.disable(gl.CULL_FACE);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);

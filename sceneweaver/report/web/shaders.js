@@ -4,15 +4,17 @@ layout(location=0) in vec3 position;
 layout(location=1) in vec3 normal;
 layout(location=2) in vec4 color;
 layout(location=3) in vec4 finish;
+layout(location=4) in vec2 repeats;
 uniform mat4 model, view;
 uniform vec3 inverseScale; // 1 / scale^2: normals of stretched bodies
-out vec3 place, local, facing;
+out vec3 place, facing;
+out vec2 spot;
 out vec4 tint;
 flat out vec4 kind;
 void main() {
   vec4 world = model * vec4(position, 1.0);
   place = world.xyz;
-  local = position;
+  spot = repeats;
   facing = mat3(model) * (normal * inverseScale);
   tint = color;
   kind = finish;
@@ -57,54 +59,28 @@ uniform sampler2DShadow sunMap, skyMap;
 uniform float cut, texel, mapTexel, phase;
 uniform int gather;    // 1: one of many frames that are added up, with light from one part of the sky
 uniform float lit;     // highlight of what the pointer is on
-uniform int ground;    // 1: the floor
-in vec3 place, local, facing;
+uniform highp sampler2DArray tints, bumps;
+uniform vec2 gains[64]; // of each texture: gain of its tint, 1 where it has normals
+in vec3 place, facing;
+in vec2 spot;
 in vec4 tint;
 flat in vec4 kind;
 out vec4 result;
 ${TONE}
 float hash(vec2 p) { return fract(sin(dot(p, vec2(127.1, 311.7))) * 43758.5453); }
-float noise(vec2 p) {
-  vec2 i = floor(p), f = fract(p);
-  f = f * f * (3.0 - 2.0 * f);
-  return mix(mix(hash(i), hash(i + vec2(1, 0)), f.x), mix(hash(i + vec2(0, 1)), hash(i + vec2(1, 1)), f.x), f.y);
-}
 // What shines from a direction, for reflections: floor, walls, ceiling with a bright panel.
 vec3 around(vec3 d, float rough) {
   vec3 c = mix(vec3(0.42, 0.36, 0.30), vec3(0.80, 0.79, 0.77), smoothstep(-0.25 - rough, 0.15 + rough, d.z));
   float panel = smoothstep(0.80 - 0.4 * rough, 0.92 + 0.3 * rough, dot(d, normalize(vec3(sun.xy * 0.6, 1.0))));
   return c + panel * vec3(1.5, 1.45, 1.35) * (1.0 - 0.8 * rough);
 }
-float planks(vec2 p, out float tone) {
-  const vec2 plank = vec2(1.35, 0.145);
-  float row = floor(p.y / plank.y);
-  float x = p.x + hash(vec2(row, 3.0)) * plank.x;
-  vec2 cell = vec2(floor(x / plank.x), row);
-  tone = hash(cell);
-  vec2 edge = min(fract(vec2(x, p.y) / plank), 1.0 - fract(vec2(x, p.y) / plank)) * plank;
-  float width = max(fwidth(p.x), fwidth(p.y));  // gaps narrower than a pixel get paler, not jagged
-  return mix(clamp(min(edge.x, edge.y) / max(0.0016, width), 0.0, 1.0), 1.0, smoothstep(0.003, 0.02, width));
-}
-vec3 patterned(vec3 c, float texture) {
-  float size = length(fwidth(local));
-  if (ground == 1) {
-    float tone;
-    float gap = planks(place.xy, tone);
-    float grain = noise(vec2(place.x * 3.0 + tone * 40.0, place.y * 95.0)) * (1.0 - smoothstep(0.004, 0.02, size));
-    return c * (0.86 + 0.2 * tone + 0.1 * (grain - 0.5)) * mix(0.62, 1.0, gap);
-  }
-  if (texture == 1.0) {
-    vec3 n = abs(normalize(facing));
-    vec2 along = n.z > 0.6 ? local.yx : (n.x > n.y ? local.yz : local.xz);
-    float grain = noise(along * vec2(4.0, 70.0)) * 0.6 + noise(along * vec2(9.0, 190.0)) * 0.4;
-    return c * (1.0 + 0.16 * (grain - 0.5) * (1.0 - smoothstep(0.003, 0.02, size)));
-  }
-  if (texture == 2.0) {
-    vec2 weave = (local.xy + local.z * vec2(0.7, 1.3)) * 420.0;
-    return c * (1.0 + 0.09 * (noise(weave) - 0.5) * (1.0 - smoothstep(0.001, 0.006, size)));
-  }
-  if (texture == 3.0) return c * (1.0 + 0.12 * (noise(local.xy * 14.0 + local.z * 9.0) - 0.5));
-  return c;
+// The frame of the texture on the surface, from how place and coordinates change over the picture.
+vec3 bumped(vec3 n, vec3 map, vec3 px, vec3 py, vec2 ux, vec2 uy) {
+  vec3 a = cross(py, n), b = cross(n, px);
+  vec3 along = a * ux.x + b * uy.x, up = a * ux.y + b * uy.y;
+  float size = max(dot(along, along), dot(up, up));
+  if (size < 1e-20) return n;
+  return normalize((along * map.x + up * map.y) * inversesqrt(size) + n * map.z);
 }
 float shadow(sampler2DShadow map, mat4 view, vec3 normal, vec3 light, float spread) {
   float slope = 1.0 - clamp(dot(normal, light), 0.0, 1.0);
@@ -131,7 +107,14 @@ void main() {
     n = -n;
   }
   float rough = clamp(kind.x, 0.06, 1.0), metal = kind.y, glow = kind.z, pattern = floor(kind.w * 255.0 + 0.5);
-  vec3 base = patterned(pow(tint.rgb, vec3(2.2)), pattern);
+  vec3 base = pow(tint.rgb, vec3(2.2)), px = dFdx(place), py = dFdy(place);
+  vec2 at = vec2(spot.x, 1.0 - spot.y), ux = dFdx(spot), uy = dFdy(spot), flip = vec2(1.0, -1.0);
+  if (pattern > 0.5) { // gradients by hand: neighbours may be on another surface
+    int k = int(pattern) - 1;
+    base *= textureGrad(tints, vec3(at, k), ux * flip, uy * flip).rgb * gains[k].x;
+    vec3 map = textureGrad(bumps, vec3(at, k), ux * flip, uy * flip).xyz * 2.0 - 1.0;
+    if (gains[k].y > 0.5) n = bumped(n, map, px, py, ux, uy);
+  }
   float facingSun = max(dot(n, sun), 0.0);
   float sunlight = facingSun > 0.0 ? shadow(sunMap, sunView, n, sun, gather == 1 ? 2.0 : 2.6) : 0.0;
   vec3 skyColor = vec3(0.86, 0.90, 0.97), bounce = vec3(0.58, 0.54, 0.50);
