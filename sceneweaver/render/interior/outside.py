@@ -1,7 +1,8 @@
-"""What is seen through the windows: a lawn, a hedge, trees; plain shapes, as they are far away in bright light."""
+"""What is seen through the windows: a lawn, a hedge, trees and a house behind them, paler the farther they are."""
 
 from __future__ import annotations
 
+import math
 import zlib
 from functools import cache
 
@@ -16,16 +17,15 @@ from ..room_blocks import Builder
 GROUND = -0.42
 """Height of the ground outside [m]."""
 
-_LAWN = Material("lawn", (0.36, 0.44, 0.24), roughness=1.0, texture="leaf")
-_HEDGE = Material("hedge", (0.22, 0.33, 0.17), roughness=1.0, texture="leaf")
-_TREES = tuple(
-    Material(f"tree {k}", color, roughness=1.0, texture="leaf")
-    for k, color in enumerate(((0.27, 0.39, 0.19), (0.33, 0.43, 0.21), (0.21, 0.33, 0.19), (0.40, 0.45, 0.25)))
-)
-_TRUNK = Material("trunk", (0.30, 0.25, 0.20), roughness=0.95, texture="wood")
-_PAVING = Material("paving", (0.66, 0.64, 0.60), roughness=0.9, texture="stone")
+_LAWN, _PAVING = (0.42, 0.48, 0.28), (0.66, 0.64, 0.60)
+_LEAVES = ((0.30, 0.38, 0.20), (0.36, 0.43, 0.22), (0.27, 0.36, 0.21), (0.42, 0.45, 0.25))
+_BARK = (0.36, 0.33, 0.29)
+_PLASTER, _ROOF, _PANE = (0.80, 0.77, 0.71), (0.50, 0.37, 0.32), (0.30, 0.33, 0.36)
+_HAZE, _CLEAR = (0.83, 0.85, 0.84), 75.0
+"""Colour of the haze, and the distance [m] at which two thirds of a colour are lost in it."""
 
-_LAWN_REACH = 45.0
+_LAWN_REACH = 60.0
+_HEDGE = 8.5  # distance [m] of the hedge
 
 
 def outside_mesh(room: Room) -> Mesh | None:
@@ -36,61 +36,116 @@ def outside_mesh(room: Room) -> Mesh | None:
     if not walls:
         return None
     builder = Builder()
-    inside = shapely.Polygon(room.outline).buffer(3.0)
+    house = shapely.Polygon(room.outline).buffer(3.0)  # nothing grows where the room itself is
     _ground(builder, room)
     for wall in walls:
         rng = np.random.default_rng(zlib.crc32(f"{room.outline} {wall.index}".encode()))
-        _hedge(builder, wall, inside, rng)
-        for _ in range(9):
-            depth = float(rng.uniform(9.0, 26.0))
-            at = wall.length / 2 + float(rng.uniform(-0.9, 0.9)) * (depth + 3.0)
-            x, y = wall.point(at, -depth)
-            if not shapely.contains_xy(inside, x, y):
-                _tree(builder, np.array([x, y]), float(rng.uniform(4.0, 8.5)), rng)
+        for at in np.arange(-13.0, wall.length + 13.0, 0.45):
+            place = np.array(wall.point(at, -_HEDGE + 0.12 * float(rng.standard_normal())))
+            if not shapely.contains_xy(house, *place):
+                half = np.array([0.5, 0.5, 0.72 + 0.12 * float(rng.standard_normal())])
+                _foliage(builder, np.array([*place, GROUND + 0.6]), half, 50, 0.13, _shade(_LEAVES[0], _HEDGE), rng)
+        _house(builder, wall, rng)
+        for depth in np.sort(rng.uniform(12.0, 28.0, 9)):
+            place = np.array(wall.point(wall.length / 2 + float(rng.uniform(-0.8, 0.8)) * (depth + 2.0), -float(depth)))
+            height = float(rng.uniform(4.5, 8.0))
+            if not shapely.contains_xy(house, *place):
+                _tree(builder, place, height, _LEAVES[int(rng.integers(len(_LEAVES)))], float(depth), rng)
     return builder.mesh()
+
+
+def _shade(color: tuple[float, float, float], distance: float) -> Material:
+    """A matt colour seen through so many metres of hazy air."""
+    share = 1 - math.exp(-distance / _CLEAR)
+    r, g, b = (round(c + share * (h - c), 2) for c, h in zip(color, _HAZE, strict=True))
+    return Material(f"outside {r} {g} {b}", (r, g, b), roughness=1.0)
 
 
 def _ground(builder: Builder, room: Room) -> None:
     """A lawn around the house, and paving close to it."""
     outline = np.asarray(room.outline, dtype=float)
     low, high = outline.min(axis=0), outline.max(axis=0)
-    for reach, z, material in ((_LAWN_REACH, GROUND, _LAWN), (1.6, GROUND + 0.01, _PAVING)):
+    for reach, z, color in ((_LAWN_REACH, GROUND, _LAWN), (1.6, GROUND + 0.01, _PAVING)):
         (a, b), (c, d) = low - reach, high + reach
         corners = np.array([(a, b, z), (c, b, z), (c, d, z), (a, d, z)])
-        builder.add(corners, np.array([[0, 1, 2], [0, 2, 3]], dtype=np.int32), material)
+        builder.add(corners, np.array([[0, 1, 2], [0, 2, 3]], dtype=np.int32), _shade(color, 6.0))
 
 
-def _hedge(builder: Builder, wall: Wall, inside, rng: np.random.Generator) -> None:
-    """A hedge along the wall some metres before it: bumps side by side."""
-    import shapely
+def _house(builder: Builder, wall: Wall, rng: np.random.Generator) -> None:
+    """A house with a pitched roof, far behind the trees."""
+    depth, wide, deep, eaves, ridge = 34.0, 11.0, 8.0, 5.2, 8.4
+    at = wall.length / 2 + float(rng.uniform(-14.0, 14.0))
+    builder.prism(
+        np.array(wall.strip(at - wide / 2, wide, -depth - deep, -depth)), (GROUND, eaves), _shade(_PLASTER, depth)
+    )
+    for k in range(4):
+        for low in (0.5, 3.0):
+            pane = wall.strip(at - wide / 2 + 1.2 + 2.5 * k, 1.1, -depth, -depth + 0.05)
+            builder.prism(np.array(pane), (low, low + 1.3), _shade(_PANE, depth))
+    across = (-depth + 0.5, -depth - deep / 2, -depth - deep - 0.5)
+    points = [
+        (*wall.point(at + side * (wide / 2 + 0.4), d), z)
+        for side in (-1, 1)
+        for d, z in zip(across, (eaves - 0.3, ridge, eaves - 0.3), strict=True)
+    ]
+    faces = np.array([(0, 3, 4), (0, 4, 1), (1, 4, 5), (1, 5, 2), (0, 1, 2), (3, 5, 4)], dtype=np.int32)
+    builder.add(np.array(points), faces, _shade(_ROOF, depth))
 
-    depth, reach = 7.5, 14.0
-    for at in np.arange(-reach, wall.length + reach, 0.55):
-        jitter = rng.uniform(-0.12, 0.12, 3)
-        x, y = wall.point(at + jitter[0], -depth + jitter[1])
-        if not shapely.contains_xy(inside, x, y):
-            size = np.array([0.55, 0.55, 0.85 + jitter[2]])
-            _bush(builder, np.array([x, y, GROUND + 0.55]), size, _HEDGE, rng)
 
-
-def _tree(builder: Builder, place: np.ndarray, height: float, rng: np.random.Generator) -> None:
-    """A trunk and a crown of some bushes."""
-    leaf = _TREES[int(rng.integers(len(_TREES)))]
-    radius = 0.30 * height
-    ring = 0.03 * height * np.stack([np.cos(np.arange(8) * np.pi / 4), np.sin(np.arange(8) * np.pi / 4)], axis=1)
-    builder.prism(place + ring, (GROUND, 0.5 * height), _TRUNK)
+def _tree(
+    builder: Builder,
+    place: np.ndarray,
+    height: float,
+    color: tuple[float, float, float],
+    distance: float,
+    rng: np.random.Generator,
+) -> None:
+    """A trunk, and a crown of some clouds of leaves."""
+    ring = 0.016 * height * np.stack([np.cos(np.arange(8) * np.pi / 4), np.sin(np.arange(8) * np.pi / 4)], axis=1)
+    builder.prism(place + ring, (GROUND, 0.5 * height), _shade(_BARK, distance))
+    radius, leaf = 0.27 * height, _shade(color, distance)
     for _ in range(9):
         way = rng.normal(size=3)
-        way = way / np.linalg.norm(way) * radius * rng.uniform(0.35, 0.75)
-        middle = np.array([*place, 0.64 * height]) + way * (1.0, 1.0, 0.9)
-        _bush(builder, middle, np.full(3, radius * rng.uniform(0.45, 0.65)), leaf, rng)
+        way = way / np.linalg.norm(way) * radius * float(rng.uniform(0.3, 1.0))
+        middle = np.array([*place, 0.58 * height]) + way * (1.0, 1.0, 1.25)
+        _foliage(
+            builder, middle, np.full(3, radius * float(rng.uniform(0.35, 0.6))), 110, 0.06 * radius + 0.06, leaf, rng
+        )
 
 
-def _bush(builder: Builder, middle: np.ndarray, size: np.ndarray, leaf: Material, rng: np.random.Generator) -> None:
-    """An uneven ball of leaves."""
+def _foliage(
+    builder: Builder,
+    middle: np.ndarray,
+    half: np.ndarray,
+    count: int,
+    size: float,
+    leaf: Material,
+    rng: np.random.Generator,
+) -> None:
+    """Leaves all ways around a body that lets no light through.
+
+    Args:
+        builder: Takes the triangles.
+        middle: Of the cloud [3] in metres.
+        half: Half its extents [3] in metres.
+        count: Of leaves, or rather of twigs full of them.
+        size: Half the length of one [m].
+        leaf: Its material.
+        rng: Where they are.
+    """
     points, faces = _ball()
-    uneven = 1.0 + 0.16 * rng.standard_normal(len(points))
-    builder.add(middle + points * uneven[:, None] * size, faces, leaf)
+    builder.add(middle + points * half * 0.74, faces, leaf)
+    ways = rng.normal(size=(count, 3))
+    ways /= np.linalg.norm(ways, axis=1, keepdims=True)
+    at = middle + ways * half * rng.uniform(0.75, 1.08, (count, 1))
+    a, b = rng.normal(size=(2, count, 3))
+    a /= np.linalg.norm(a, axis=1, keepdims=True)
+    b -= (a * b).sum(axis=1, keepdims=True) * a
+    b /= np.linalg.norm(b, axis=1, keepdims=True)
+    scale = size * rng.uniform(0.6, 1.3, (count, 1))
+    corners = np.stack([at - a * scale, at + b * scale * 0.6, at + a * scale, at - b * scale * 0.6], axis=1)
+    start = 4 * np.arange(count, dtype=np.int32)[:, None]
+    builder.add(corners.reshape(-1, 3), np.concatenate([start + (0, 1, 2), start + (0, 2, 3)]), leaf)
 
 
 @cache
@@ -98,7 +153,7 @@ def _ball() -> tuple[np.ndarray, np.ndarray]:
     """A unit ball of triangles about equally large: points [N, 3], faces [F, 3]."""
     from scipy.spatial import ConvexHull
 
-    count = 80
+    count = 60
     k = np.arange(count) + 0.5
     z, turn = 1 - 2 * k / count, k * np.pi * (1 + 5**0.5)
     points = np.stack([np.sqrt(1 - z * z) * np.cos(turn), np.sqrt(1 - z * z) * np.sin(turn), z], axis=1)

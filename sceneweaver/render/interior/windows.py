@@ -45,7 +45,7 @@ def add_window(builder: Builder, wall: Wall, window: Window, look: Finishes) -> 
         z = (low + 0.7 * frame, high - 0.7 * frame)
         moulding(builder, plane, rectangle((a, b), z), profile, look.trim, closed=True)
         glass = rectangle((a + sash - 0.004, b - sash + 0.004), (z[0] + sash - 0.004, z[1] - sash + 0.004))
-        plate(builder, plane, glass, (-0.058 - _PANE, -0.058), look.glass)
+        plate(builder, plane, glass, (-0.044 - _PANE, -0.044), look.glass)
         if window.height > 0.5 and (k % 2 == 1 or count == 1 or k == count - 1):
             _handle(builder, plane, a + 0.5 * sash, _handle_height(low, high), look)
     if low > 0.1:  # one down to the floor has no board
