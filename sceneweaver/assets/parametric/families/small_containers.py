@@ -90,7 +90,7 @@ def basket(d: Drawing) -> None:
             # Strands pass before and behind the stakes by turns.
             path[:, :2] += 0.0018 * (-1.0) ** (np.arange(len(path)) + k)[:, None] * _outward(path)
             d.sweep(path, strand, dark if k in (1, rows - 2) else look, closed=True)
-        d.sweep(_around(box.inset(x=0.0065, y=0.0065), box.z[1] - 0.0055, 0.06), 0.0055, dark, 6, closed=True)
+        d.sweep(_around(box.inset(x=0.0065, y=0.0065), box.z[1] - 0.0047, 0.06), 0.0047, dark, 6, closed=True)
     for side, y in (("left", box.y[1] - 0.007), ("right", box.y[0] + 0.007)):
         with d.part(f"wall {side}"):
             d.arch((-0.07, y, box.z[1] - 0.004), (0.07, y, box.z[1] - 0.004), (0, 0, 0.04), 0.006, dark)
