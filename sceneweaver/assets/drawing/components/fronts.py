@@ -68,7 +68,9 @@ def drawer(
     own = box.inset(y=0.002, z=0.002)
     with d.slide(name, limits=(0.0, round(0.75 * box.depth if travel is None else travel, 3))):
         face = d.box(own.front(FRONT), front)
-        tray = own.inset(front=FRONT, back=0.01, y=0.012 + overlay, bottom=0.012, top=min(0.03, 0.25 * box.height))
+        tray = own.inset(
+            front=FRONT, back=0.01, y=0.012 + overlay, bottom=0.012 + overlay, top=min(0.03, 0.25 * box.height)
+        )
         if min(tray.size) > 0.03:
             d.box(tray.bottom(0.006), inside, bevel=0.0)
             walls = tray.inset(bottom=0.006)

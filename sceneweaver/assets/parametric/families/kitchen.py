@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import Layout, basin, carcass, castors, door, fronts, tap, unit
+from ...drawing.components import Layout, basin, carcass, castors, door, drawer, fronts, tap, unit
 from .kitchen_common import PLINTH, SETBACK, WORKTOPS, finishes_of, plinth, worktop, worktop_of
 
 
@@ -106,10 +106,11 @@ def sink_cabinet(d: Drawing) -> None:
         room = case.inset(y=0.018, bottom=0.018)
         for side in (case.left(0.018), case.right(0.018), case.inset(y=0.018).bottom(0.018), room.back(0.006)):
             d.box(side, body, bevel=0.001)
-        d.box(room.top(0.08).front(0.018), body, bevel=0.0)
-        cells = case.inset(front=-0.019).columns(1 if wide < 1.05 else 2)
-        if len(cells) > 1:
-            d.box(room.to(y=(-0.009, 0.009)), body, bevel=0.0)
+        cells = [case.inset(front=-0.019)]
+        if wide >= 1.05:  # the border is beside the basin
+            border = min(0.0, hole.y[0] - 0.03) if middle > 0 else max(0.0, hole.y[1] + 0.03)
+            d.box(room.to(y=(border - 0.009, border + 0.009)), body, bevel=0.0)
+            cells = cells[0].columns([border - case.y[0], case.y[1] - border])
         other: Layout = d.pick("beside", ["drawers", "mixed"])
         for k, cell in enumerate(cells):
             under = len(cells) == 1 or cell.y[0] < middle < cell.y[1]
@@ -175,7 +176,7 @@ def kitchen_cart(d: Drawing) -> None:
         d.box(apron.inset(y=post, back=0.01).back(0.018), frame, bevel=0.0)
         for side in (apron.left(0.028), apron.right(0.028)):
             d.box(side.place(width=0.018).inset(x=post), frame, bevel=0.0)
-        fronts(d, "unit", apron.inset(y=post - 0.018, back=0.03), "drawer", frame, metal, "knob")
+        drawer(d, "drawer", apron.inset(y=post, back=0.03), frame, metal, "knob")
         bar = (d.bounds.y[1] - 0.01, apron.z[0] + 0.07)
         ends = apron.x[0] + 0.03, apron.x[1] - 0.03
         d.bar((ends[0], *bar), (ends[1], *bar), 0.009, metal, 8)

@@ -50,10 +50,11 @@ def _leaf(
         d.box(leaf, coat, bevel=bevel)
         x, y = leaf.x[1], leaf.y[0] + 0.05 if hung == "left" else leaf.y[1] - 0.05
         bar_handle(d, (x, y, grip[0]), (x, y, grip[1]), pull)
-        inside = leaf.inset(y=0.06, z=0.06).back(-0.09)
+        inside = leaf.inset(y=0.09, z=0.06).back(-0.09)  # clear of the case as it turns
+        d.box(leaf.inset(y=0.02, z=0.02).back(-0.0035), "white plastic", bevel=0.0)  # its lining, with the seal
         for place in inside.rows(bins) if bins else []:
             floor = d.box(place.bottom(0.01), "white plastic", bevel=0.0)
-            d.box(floor.back(0.004).bottom(-0.07), "clear plastic", bevel=0.0)
+            d.box(floor.back(0.004).top(-0.07), "clear plastic", bevel=0.0)
         if more:
             more(leaf)
 
@@ -63,22 +64,17 @@ def _cold_room(d: Drawing, box: Box, shelves: int, trays: int) -> None:
     room = cavity(d, box, "white plastic", 0.035).inset(front=0.1, y=0.004)
     low = room.bottom(0.17 * trays)
     for cell in low.rows(trays, gap=0.01) if trays else []:
-        d.box(cell.bottom(0.004), "clear plastic", bevel=0.0)
-        d.box(cell.front(0.005).inset(bottom=0.004), "clear plastic", bevel=0.0)
+        d.box(cell.front(0.3), "clear plastic", bevel=0.004)
     rows = room.inset(bottom=low.height if trays else 0.0).rows(shelves + 1)
     for cell in rows if trays else rows[1:]:
         d.box(cell.bottom(0.006), "glass", bevel=0.0)
 
 
 def _cold_case(d: Drawing, box: Box, coat: Look, radius: float) -> Box:
-    """The case of a fridge on its feet, with a dark base and a seal around its door; returns the room to line."""
-    feet(d, box.bottom(0.04))
+    """The case of a fridge on its base; returns the room to line."""
     case = box.inset(bottom=0.035)
-    d.box(case.inset(front=-0.004, back=0.1, y=0.02).to(z=(0.012, 0.034)), "black plastic", bevel=0.0)
-    room = cavity(d, case, coat, 0.012, radius)
-    for side in (room.left(0.012), room.right(0.012), room.top(0.012), room.bottom(0.012)):
-        d.box(side.front(-0.004), "rubber", bevel=0.0)
-    return room
+    d.box(case.bottom(-0.035).inset(front=0.02, back=0.04, y=0.015), "black plastic")
+    return cavity(d, case, coat, 0.012, radius)
 
 
 @draws("fridge")
@@ -108,7 +104,7 @@ def fridge(d: Drawing) -> None:
             leaf = fronts.to(z=z)
             long = min(0.55, 0.6 * leaf.height)
             grip = leaf.inset(z=0.06).top(long) if name == "lower" else leaf.inset(z=0.06).bottom(long)
-            bins = 0 if leaf.height < 0.7 else 3
+            bins = 0 if leaf.height < 0.7 else 2
             more = badge if name == "upper" else None
             _leaf(d, f"{name} door", leaf, coat, pull, hung, grip.z, 0.025 if retro else 0.006, bins, more)
     d.fit()

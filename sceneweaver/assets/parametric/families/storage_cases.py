@@ -109,8 +109,8 @@ def cabinet(d: Drawing) -> None:
         room = closed_case(d, case, wood, base, 0.06 if base == "plinth" else 0.11, 0.01)
         if d.chance("drawers", 0.5):
             drawers(d, room.top(0.16), 1, wood, pull, style, 1 if case.width < 0.7 else 2)
-            d.box(room.inset(top=0.16).top(BOARD), wood, bevel=0.0)
-            room = room.inset(top=0.16)
+            room = room.inset(top=0.16 + BOARD)
+            d.box(room.top(-BOARD), wood, bevel=0.0)
         inner_boards(d, room, 1, wood)
         doors(d, room.front(BOARD), 1 if case.width < 0.5 else 2, wood, pull, style, framed, grip=0.65)
 
@@ -126,8 +126,8 @@ def linen_cabinet(d: Drawing) -> None:
         room = carcass(d, case.inset(bottom=0.09), wood)
         cornice(d, case.top(-0.05), wood, 0.02)
         drawers(d, room.bottom(0.42), 2, wood, pull, style)
-        upper = room.inset(bottom=0.42)
-        d.box(upper.bottom(BOARD), wood, bevel=0.0)
+        upper = room.inset(bottom=0.42 + BOARD)
+        d.box(upper.bottom(-BOARD), wood, bevel=0.0)
         inner_boards(d, upper, 3, wood)
         levels = upper.front(BOARD).rows(1 if d.size.height < 1.75 else 2)
         for j, level in enumerate(levels):
