@@ -1,4 +1,4 @@
-"""Washing, drying and ironing."""
+"""Washing, drying, ironing and cleaning."""
 
 from __future__ import annotations
 
@@ -6,320 +6,362 @@ import math
 
 import numpy as np
 
-from ..builder import Builder
-from ..registry import draws
-from .kitchen_parts import feet, knob, loft, oval, rounded, tap, vessel
+from ... import shapes
+from ...drawing import Box, Drawing, draws
+from ...drawing.components import CORNERS, button, castors, drain, feet, knob, oval, tap, vessel, wheel
+
+_CLOTHS = [f"{tone} fabric" for tone in ("white", "blue", "rose", "grey", "green", "mustard")]
+_BRIGHT = "red plastic, blue plastic, black plastic, green plastic, orange plastic, grey plastic"
 
 
-@draws("washing_machine", "dryer")
-def washing_machine(b: Builder) -> None:
-    """A white box with a round glass door, a panel with dial and display, and a drawer or a filter flap."""
-    d, w, h = b.size
-    dry = b.category.name == "dryer"
-    coat = b.material("body", "white paint", "white paint", "white paint", "grey paint", "black paint")
-    rim = b.material("rim", "chrome", "black plastic", "grey plastic", "white plastic")
-    x, y = (-d / 2, d / 2 - 0.05), (-w / 2, w / 2)
-    f = x[1]
-    with b.solid("body"):
-        feet(b, x, y, 0.015, r=0.022)
-        b.box(x, (y[0] + 0.002, y[1] - 0.002), (0.012, h - 0.028), coat, bevel=0.008)
-        b.box(x, y, (h - 0.03, h), coat, bevel=0.006)
-        top = h - 0.032
-        b.box(
-            (f - 0.001, f + 0.006),
-            (y[0] + 0.004, y[1] - 0.004),
-            (top - 0.115, top - 0.004),
-            "light grey paint" if coat.name == "white paint" else "black plastic",
-            bevel=0.002,
-        )
-        g = f + 0.006
-        if dry:
-            b.box(
-                (g - 0.001, g + 0.0015), (y[0] + 0.03, y[0] + 0.16), (top - 0.09, top - 0.03), "grey plastic", bevel=0
-            )
-        else:
-            with b.slide("soap drawer", limits=(0.0, 0.15)):
-                b.box(
-                    (g - 0.0009, g + 0.005), (y[0] + 0.015, y[0] + 0.19), (top - 0.107, top - 0.012), coat, bevel=0.003
-                )
-                b.box(
-                    (g + 0.004, g + 0.012),
-                    (y[0] + 0.06, y[0] + 0.145),
-                    (top - 0.1, top - 0.085),
-                    "grey plastic",
-                    bevel=0.002,
-                )
-        knob(b, g, b.pick("dial", [-0.02, 0.0, 0.02]), top - 0.06, "chrome", 0.033, 0.026)
-        b.box((g - 0.001, g + 0.001), (0.07, 0.2), (top - 0.085, top - 0.035), "screen", bevel=0)
-        for k in range(3):
-            a = 0.215 + k * 0.022
-            b.box((g - 0.001, g + 0.003), (a, a + 0.013), (top - 0.066, top - 0.054), "chrome", bevel=0)
-        z = 0.46 if not dry else 0.45
-        r = b.uniform("door", 0.205, 0.225)
-        with b.hinge("door", (f + 0.02, y[1] - 0.06, z), limits=(0.0, 2.2)):
-            with b.frame(f, 0.0, z, pitch=math.pi / 2):
-                b.lathe([(r, 0.0005), (r, 0.022), (r - 0.015, 0.036), (r - 0.05, 0.04)], rim, segments=40)
-                b.lathe(
-                    [(r - 0.048, 0.03), (r - 0.052, 0.042), (r - 0.09, 0.049), (r - 0.14, 0.05)],
-                    "black glass",
-                    segments=36,
-                )
-            b.box((f + 0.03, f + 0.042), (-r + 0.006, -r + 0.03), (z - 0.05, z + 0.05), "grey plastic", bevel=0.003)
-        b.box(
-            (f - 0.002, f + 0.002),
-            (y[0] + 0.05, y[0] + 0.17),
-            (0.05, 0.14),
-            "light grey paint" if coat.name == "white paint" else coat,
-            bevel=0,
-        )
-        b.box((f - 0.002, f + 0.0012), (y[0] + 0.003, y[1] - 0.003), (0.028, 0.032), "grey plastic", bevel=0)
-    b.surface("top", (x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), h)
-    b.fit()
+@draws("washing_machine", "dryer", whole=True)
+def washing_machine(d: Drawing) -> None:
+    """A box with a drum behind a round glass door, a panel with dial and display, a drawer or a filter flap."""
+    dry = d.category.name == "dryer"
+    coat = d.material("body", "white paint, white paint, white paint, grey paint, black paint")
+    rim = d.material("rim", "chrome, black plastic, grey plastic, white plastic")
+    pale = coat.name == "white paint"
+    box = d.bounds.inset(front=0.05)
+    feet(d, box.bottom(0.015), "black plastic")
+    case = box.inset(bottom=0.012, top=0.028, y=0.002)
+    z, radius = 0.45, d.uniform("door", 0.205, 0.225)
+    drum = Box.around((case.center[0], 0.0, z), case.depth, 1.7 * radius, 1.7 * radius)
+    with d.at(case.x[0], pitch=math.pi / 2):  # +z is forward, and +x down
+        around, hole = (Box((-b.z[1], -b.z[0]), b.y, b.x) for b in (case, drum))
+        outer = [oval(around, level, 60.0) for level in (0.0, case.depth)]
+        vessel(d, outer, [oval(hole, level) for level in (case.depth, 0.12)], coat)
+    d.cylinder(drum.inset(back=0.11).back(0.02).inset(y=0.01, z=0.01), "steel", "x")
+    top = d.box(box.top(0.03), coat, 0.006)
+    x = case.x[1]
+    panel = d.box(
+        case.front(-0.006).inset(y=0.004, back=-0.001).top(0.115),
+        "light grey paint" if pale else "black plastic",
+        0.002,
+    )
+    face = panel.front(0.0)
+    place = face.right(0.19).inset(right=0.015, z=0.012)
+    if dry:
+        d.print(place.inset(y=0.02, z=0.02), "grey plastic")
+    else:
+        with d.slide("soap drawer", limits=(0.0, 0.15)):
+            tray = d.box(place.front(-0.005), coat)
+            d.box(tray.front(-0.007).inset(back=-0.001).share(y=(0.25, 0.75), z=(0.1, 0.28)), "grey plastic", 0.002)
+    knob(d, face.move(y=d.pick("dial", [-0.02, 0.0, 0.02])), "chrome", 0.033, 0.026)
+    d.print(face.to(y=(0.07, 0.2)).place(height=0.05), "screen")
+    for key in face.to(y=(0.21, 0.28)).columns(3):
+        button(d, key, "chrome", 0.006, 0.003)
+    with d.hinge("door", (x + 0.02, box.y[1] - 0.06, z), limits=(0.0, 2.2)):
+        with d.at(x, 0.0, z, pitch=math.pi / 2):
+            ring = [(radius, 0.0005), (radius, 0.022), (radius - 0.015, 0.036), (radius - 0.05, 0.04)]
+            d.revolve([*ring, (radius - 0.055, 0.03), (radius - 0.05, 0.0005)], rim, 40, hollow=True)
+            glass = [(radius - 0.05, 0.012), (radius - 0.05, 0.036), (radius - 0.09, 0.047), (radius - 0.14, 0.05)]
+            d.revolve(glass, "black glass", 36)
+        d.box(Box.around((x + 0.036, 0.018 - radius, z), 0.012, 0.024, 0.1), "grey plastic")
+    d.print(
+        case.front(0.0).right(0.17).inset(right=0.05).to(z=(0.05, 0.14)), "light grey paint" if pale else "grey plastic"
+    )
+    d.surface("top", top, inset=0.02)
 
 
 @draws("laundry_sink")
-def laundry_sink(b: Builder) -> None:
-    """A deep tub on four legs with a wall-high tap and its waste below."""
-    d, w, total = b.size
-    tub = b.material("tub", "white plastic", "brushed steel", "white ceramic", "grey plastic")
-    leg = b.material("legs", "white steel", "steel", "black steel")
-    h = 0.86
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    deep = 0.36
-    with b.solid("tub"):
-        low = rounded((x[0] + 0.05, x[1] - 0.05), (y[0] + 0.05, y[1] - 0.05), 0.04, h - deep)
-        outer = [
-            low,
-            rounded((x[0] + 0.018, x[1] - 0.018), (y[0] + 0.018, y[1] - 0.018), 0.03, h - 0.03),
-            rounded(x, y, 0.03, h - 0.03),
-            rounded(x, y, 0.03, h),
-        ]
-        inner = [
-            rounded((x[0] + 0.1, x[1] - 0.035), (y[0] + 0.035, y[1] - 0.035), 0.04, h),
-            rounded((x[0] + 0.11, x[1] - 0.065), (y[0] + 0.065, y[1] - 0.065), 0.05, h - deep + 0.015),
-        ]
-        vessel(b, outer, inner, tub, 16)
-        with b.frame(0.02, 0.0, h - deep + 0.0145):
-            b.frustum(0.035, 0.033, (0.0, 0.004), "chrome", segments=18)
-    with b.solid("legs"):
-        for sx in (-1, 1):
-            for sy in (-1, 1):
-                px, py = sx * (d / 2 - 0.055), sy * (w / 2 - 0.055)
-                b.bar((px + sx * 0.02, py + sy * 0.02, 0.0), (px, py, h - deep + 0.09), 0.017, leg, 10)
-        b.bar((0.02, 0.0, 0.35), (0.02, 0.0, h - deep), 0.02, "white plastic", 12)
-        b.tube(
-            [(0.02, 0, 0.36), (0.0, 0, 0.31), (-0.05, 0, 0.31), (-0.07, 0, 0.36), (-d / 2 + 0.02, 0, 0.37)],
-            0.019,
-            "white plastic",
-            10,
+def laundry_sink(d: Drawing) -> None:
+    """A deep tub on four legs with a tall tap and its waste below."""
+    look, leg = (
+        d.material("tub", "white plastic, brushed steel, white ceramic, grey plastic"),
+        d.material("legs", "white steel, steel, black steel"),
+    )
+    h, low, total = 0.86, 0.5, d.size.height
+    box = d.bounds.to(z=(low, h))
+    with d.part("tub"):
+        outer = (
+            (box.inset(x=0.05, y=0.05), low, 0.04),
+            (box.inset(x=0.018, y=0.018), h - 0.03, 0.03),
+            (box, h - 0.03, 0.03),
+            (box, h, 0.03),
         )
-    tap(b, x[0] + 0.05, 0.0, h, b.material("tap", "chrome", "brass", "brushed steel"), total - h, 0.19)
-    b.fit()
+        inner = (
+            (box.inset(back=0.1, front=0.035, y=0.035), h, 0.04),
+            (box.inset(back=0.11, front=0.065, y=0.065), low + 0.015, 0.05),
+        )
+        rings = [[shapes.rectangle(b.x, b.y, z, r) for b, z, r in side] for side in (outer, inner)]
+        vessel(d, rings[0], rings[1], look, CORNERS, (1, 0))
+        drain(d, (0.02, 0.0, low + 0.015), 0.035)
+    with d.part("legs"):
+        with d.corners(box.to(z=(0.0, 0.1)), inset=0.035):
+            d.bar((0.0, 0.0, 0.0), (0.02, 0.02, low + 0.09), 0.017, leg)
+        trap = [(0.02, low), (0.02, 0.36), (0.0, 0.31), (-0.05, 0.31), (-0.07, 0.36), (box.x[0] + 0.02, 0.37)]
+        d.sweep([(x, 0.0, z) for x, z in trap], 0.019, "white plastic")
+    with d.part("tap"), d.at(box.x[0] + 0.05, 0.0, h):
+        tap(d, d.material("tap", "chrome, brass, brushed steel"), 0.19, total - h)
+    d.fit()
 
 
 @draws("ironing_board")
-def ironing_board(b: Builder) -> None:
+def ironing_board(d: Drawing) -> None:
     """A padded, pointed board on crossed legs, with a rest for the iron at its end."""
-    d, w, h = b.size
-    cloth = b.material(
-        "cover", "blue fabric", "grey fabric", "green fabric", "rose fabric", "mustard fabric", "white fabric"
-    )
-    metal = b.material("legs", "white steel", "steel", "black steel", "aluminium")
-    rest = 0.24
-    y0, y1 = -w / 2 + rest, w / 2
-    long = y1 - y0
-    outline = [
-        (-d / 2, y0 + 0.02),
-        (-d / 2 + 0.02, y0),
-        (d / 2 - 0.02, y0),
-        (d / 2, y0 + 0.02),
-        (d / 2, y0 + 0.58 * long),
-    ]
-    tip = [(0.40, 0.74), (0.31, 0.86), (0.2, 0.95), (0.09, 0.99)]
-    right = [(s * d, y0 + t * long) for s, t in tip]
-    outline += [*right, (0.0, y1), *[(-px, py) for px, py in reversed(right)], (-d / 2, y0 + 0.58 * long)]
-    ring = np.array(outline)
-
-    def at(inset: float, z: float) -> np.ndarray:
-        m = np.array([0.0, y0 + long / 2])
-        s = 1.0 - inset / np.array([d / 2, long / 2])
-        return np.c_[m + (ring - m) * s, np.full(len(ring), z)]
-
-    with b.solid("board"):
-        loft(b, [at(0.02, h - 0.03), at(0.0, h - 0.022), at(0.0, h - 0.008), at(0.012, h)], cloth, whole=True)
-        b.box((-0.1, 0.1), (y0 + 0.05, y1 - 0.35), (h - 0.045, h - 0.028), metal, bevel=0.002)
-    with b.solid("rest"):
-        for px in (-0.11, 0.11):
-            b.bar((px, y0 + 0.08, h - 0.035), (px, -w / 2 + 0.008, h - 0.035), 0.007, metal, 8)
-        b.bar((-0.117, -w / 2 + 0.008, h - 0.035), (0.117, -w / 2 + 0.008, h - 0.035), 0.007, metal, 8)
-        for k in range(5):
-            px = -0.08 + k * 0.04
-            b.bar((px, y0 + 0.03, h - 0.032), (px, -w / 2 + 0.01, h - 0.032), 0.004, metal, 6)
-        b.box((-0.117, 0.117), (y0 - 0.06, y0 - 0.045), (h - 0.034, h - 0.026), "rubber", bevel=0.001)
+    cloth = d.material("cover", "blue fabric, grey fabric, green fabric, rose fabric, mustard fabric, white fabric")
+    metal = d.material("legs", "white steel, steel, black steel, aluminium")
+    deep, _, h = d.size
+    board = d.bounds.inset(right=0.24).top(0.03)
+    (y0, y1), long, end = board.y, board.width, d.bounds.y[0] + 0.008
+    half = np.array([(0.45, 0.0), (0.5, 0.02), (0.5, 0.58), (0.4, 0.74), (0.31, 0.86), (0.2, 0.95), (0.09, 0.99)])
+    outline = np.concatenate([half * (1, 1), [(0.0, 1.0)], half[::-1] * (-1, 1)])
+    with d.part("board"):
+        rings = []
+        for e, z in ((0.02, h - 0.03), (0.0, h - 0.022), (0.0, h - 0.008), (0.012, h)):
+            plan = (outline - (0.0, 0.5)) * (deep - 2 * e, long - 2 * e) + (0.0, board.center[1])
+            rings.append(np.c_[plan, np.full(len(plan), z)])
+        d.loft(rings, cloth, convex=True)
+        d.box(Box((-0.1, 0.1), (y0 + 0.05, y1 - 0.35), (h - 0.045, h - 0.028)), metal, 0.002)
+    with d.part("rest"):
+        for x in (-0.11, 0.11):
+            d.bar((x, y0 + 0.08, h - 0.035), (x, end, h - 0.035), 0.007, metal, 8)
+        d.bar((-0.117, end, h - 0.035), (0.117, end, h - 0.035), 0.007, metal, 8)
+        with d.along((-0.08, 0.0, h - 0.032), (0.08, 0.0, h - 0.032), 5):
+            d.bar((0.0, y0 + 0.03, 0.0), (0.0, end, 0.0), 0.004, metal, 6)
     a, c = y0 + 0.06, y1 - 0.38
-    with b.solid("legs"):
-        for lo, hi, half, foot in ((a, c, 0.08, d / 2 - 0.03), (c + 0.06, a + 0.08, 0.055, 0.17)):
-            for s in (-1, 1):
-                b.bar((s * half, lo, 0.02), (s * half, hi, h - 0.04), 0.011, metal, 8)
-            b.bar((-foot, lo, 0.014), (foot, lo, 0.014), 0.0125, metal, 8)
-            for s in (-1, 1):
-                b.bar((s * foot - s * 0.03, lo, 0.0145), (s * foot + s * 0.012, lo, 0.0145), 0.0145, "rubber", 8)
-        m = (a + c) / 2 + 0.02
-        b.bar((-0.09, m, h / 2 - 0.01), (0.09, m, h / 2 - 0.01), 0.008, metal, 8)
-    b.surface("top", (-d / 2 + 0.03, d / 2 - 0.03), (y0 + 0.03, y0 + 0.56 * long), h)
-    b.fit()
+    with d.part("legs"):
+        for low, high, apart, foot in ((a, c, 0.08, deep / 2 - 0.03), (c + 0.06, a + 0.08, 0.055, 0.17)):
+            d.bar((-foot, low, 0.0145), (foot, low, 0.0145), 0.0125, metal, 8)
+            with d.mirror("x"):
+                d.bar((apart, low, 0.02), (apart, high, h - 0.04), 0.011, metal, 8)
+                d.bar((foot - 0.03, low, 0.0145), (foot + 0.012, low, 0.0145), 0.0145, "rubber", 8)
+        middle = (a + c) / 2 + 0.02
+        d.bar((-0.09, middle, h / 2 - 0.01), (0.09, middle, h / 2 - 0.01), 0.008, metal, 8)
+    d.surface("top", board.inset(x=0.03, right=0.03, left=0.44 * long))
+    d.fit()
 
 
 @draws("drying_rack")
-def drying_rack(b: Builder) -> None:
+def drying_rack(d: Drawing) -> None:
     """A winged airer on crossed legs with many rods, and some things hung on it."""
-    d, w, h = b.size
-    metal = b.material("frame", "white steel", "aluminium", "steel", "black steel")
-    half = w * 0.26
-    x = d / 2 - 0.012
-    zc = h * 0.86
-    with b.solid("legs"):
-        for s in (-1, 1):
-            px = s * (x - 0.025)
+    metal = d.material("frame", "white steel, aluminium, steel, black steel")
+    (deep, w, h), grey = d.size, "grey plastic"
+    half, x, level = 0.26 * w, deep / 2 - 0.012, 0.86 * h
+    with d.part("legs"):
+        with d.mirror("x"):
             for t in (-1, 1):
-                b.bar((px + t * 0.009, -t * half * 1.05, 0.012), (px + t * 0.009, t * half, zc), 0.009, metal, 8)
-        for t in (-1, 1):
-            b.bar((-x, t * half * 1.05, 0.012), (x, t * half * 1.05, 0.012), 0.012, metal, 8)
-            for s in (-1, 1):
-                b.bar(
-                    (s * x - s * 0.05, t * half * 1.05, 0.013),
-                    (s * (x + 0.006), t * half * 1.05, 0.013),
-                    0.013,
-                    "grey plastic",
+                d.bar(
+                    (x - 0.025 + 0.009 * t, -1.05 * t * half, 0.012),
+                    (x - 0.025 + 0.009 * t, t * half, level),
+                    0.009,
+                    metal,
                     8,
                 )
-        b.bar((-x, 0.0, zc / 2 + 0.005), (x, 0.0, zc / 2 + 0.005), 0.007, metal, 8)
-    with b.solid("middle"):
-        for s in (-1, 1):
-            b.bar((s * x, -half, zc), (s * x, half, zc), 0.009, metal, 8)
-        for k in range(9):
-            py = -half + k * half / 4
-            b.bar((-x, py, zc), (x, py, zc), 0.0045, metal, 6)
-    for t in (-1, 1):
-        with b.solid(f"wing {t}"):
-            end = (t * (w / 2 - 0.009), h - 0.009)
-            for s in (-1, 1):
-                b.bar((s * x, t * half, zc), (s * x, *end), 0.009, metal, 8)
-            for k in range(1, 7):
-                f = k / 6
-                py, pz = t * half + f * (end[0] - t * half), zc + f * (end[1] - zc)
-                b.bar((-x, py, pz), (x, py, pz), 0.0045 if k < 6 else 0.009, metal, 6)
-            pz = zc - 0.25
-            b.bar((-x + 0.02, t * half * 0.72, pz), (-x, t * (w / 2 - 0.2), (zc + h) / 2 - 0.01), 0.005, metal, 6)
-    if b.chance("washing", 0.7):
-        cloths = ("white fabric", "blue fabric", "rose fabric", "grey fabric", "green fabric")
-        for k in range(b.whole("pieces", 2, 4)):
-            py = -half + (2 * k + 1) * half / 4
-            long = b.uniform(f"long {k}", 0.25, 0.42)
-            wide = b.uniform(f"wide {k}", 0.16, 0.23)
-            with b.solid("middle"):
-                look = b.pick(f"cloth {k}", cloths)
-                b.hull(
-                    [(s * wide, py + t * 0.009, z) for s in (-1, 1) for t in (-1, 1) for z in (zc - 0.01, zc + 0.006)],
-                    look,
-                )
-                for t, f in ((-1, 1.0), (1, 0.85)):
-                    b.box(
-                        (-wide, wide),
-                        (py + t * 0.007 - 0.003, py + t * 0.007 + 0.003),
-                        (zc - long * f, zc - 0.005),
-                        look,
-                        bevel=0.001,
-                    )
-    b.fit()
-
-
-@draws("laundry_basket")
-def laundry_basket(b: Builder) -> None:
-    """A tapered basket with rows of slots, a rolled rim with grips, and clothes in it."""
-    d, w, h = b.size
-    look = b.material("body", "white plastic", "grey plastic", "blue plastic", "wicker", "rattan")
-    with b.solid("basket"):
-
-        def ring(f: float, z: float, t: float = 0.0):
-            return oval(d / 2 * f - t, w / 2 * f - t, z, power=4.0)
-
-        rim = h - 0.05
-        vessel(
-            b,
-            [ring(0.78, 0.0), ring(0.95, rim - 0.03), ring(1.0, rim - 0.025), ring(1.0, rim)],
-            [ring(0.93, rim), ring(0.75, 0.012)],
-            look,
-            32,
-        )
-        dark = "white plastic" if look.name != "white plastic" else "grey plastic"
-        for s in (-1, 1):
-            for j in range(2):
-                z = 0.06 + j * (rim - 0.11) / 2
-                f = 0.78 + 0.17 * (z / (rim - 0.03))
-                for k in range(5):
-                    a = (k - 2) * w * 0.085
-                    b.hull(
-                        [
-                            (s * (d / 2 * (f + e) + o), a + q * 0.012, z + u)
-                            for e, u in ((0.0, 0.0), (0.17 * 0.035 / (rim - 0.03), 0.035))
-                            for o in (-0.009, 0.0009)
-                            for q in (-1, 1)
-                        ],
-                        dark,
-                    )
-        cloths = ("white fabric", "blue fabric", "rose fabric", "mustard fabric", "grey fabric", "green fabric")
-        b.cushion((-d * 0.42, d * 0.42), (-w * 0.43, w * 0.43), (0.05, rim - 0.01), "white fabric", radius=0.05)
-        spots = ((-0.17, -0.24), (0.14, -0.2), (-0.1, 0.05), (0.16, 0.1), (-0.14, 0.27), (0.13, 0.28))
-        for k, (px, py) in enumerate(spots):
-            up = h if k == 2 else rim + b.uniform(f"up {k}", 0.012, 0.045)
-            with b.frame(px * d, py * w, 0.0):
-                b.cushion(
-                    (-0.105, 0.105),
-                    (-0.11, 0.11),
-                    (rim - 0.07, up),
-                    b.pick(f"cloth {k}", cloths),
-                    radius=0.03,
-                    puff=0.4,
-                )
-    b.fit()
-
-
-@draws("water_heater")
-def water_heater(b: Builder) -> None:
-    """A hung drum with domed ends, a dial, a lamp, pipes with a valve below."""
-    d, w, h = b.size
-    coat = b.material("body", "white steel", "white steel", "brushed steel", "grey paint")
-    r = w / 2
-    x = d / 2 - r
-    z0 = 0.12
-    with b.solid("tank"):
-        with b.frame(x, 0.0, 0.0):
-            b.lathe(
+        with d.mirror("y"):
+            d.bar((-x, 1.05 * half, 0.013), (x, 1.05 * half, 0.013), 0.012, metal, 8)
+            with d.mirror("x"):
+                d.bar((x - 0.05, 1.05 * half, 0.013), (x + 0.006, 1.05 * half, 0.013), 0.013, grey, 8)
+        d.bar((-x, 0.0, level / 2), (x, 0.0, level / 2), 0.007, metal, 8)
+    with d.part("middle"):
+        with d.mirror("x"):
+            d.bar((x, -half, level), (x, half, level), 0.009, metal, 8)
+        with d.along((0.0, -half, level), (0.0, half, level), 9):
+            d.bar((-x, 0.0, 0.0), (x, 0.0, 0.0), 0.0045, metal, 6)
+    tip, rise = w / 2 - 0.009, h - 0.009
+    for name, t in (("left", 1), ("right", -1)):
+        with d.part(f"wing {name}"):
+            with d.mirror("x"):
+                d.bar((x, t * half, level), (x, t * tip, rise), 0.009, metal, 8)
+            d.bar((-x, t * tip, rise), (x, t * tip, rise), 0.009, metal, 8)
+            start = (0.0, t * (half + (tip - half) / 6), level + (rise - level) / 6)
+            with d.along(start, (0.0, t * (tip - (tip - half) / 6), rise - (rise - level) / 6), 5):
+                d.bar((-x, 0.0, 0.0), (x, 0.0, 0.0), 0.0045, metal, 6)
+    if d.chance("washing", 0.7):
+        for k in range(d.integer("pieces", 2, 4)):
+            y, wide = (2 * k + 1) * half / 4 - half, d.uniform(f"wide {k}", 0.16, 0.23)
+            long = d.uniform(f"long {k}", 0.25, 0.42)
+            fall = np.array(
                 [
-                    (r * 0.55, z0),
-                    (r * 0.85, z0 + 0.015),
-                    (r * 0.985, z0 + 0.05),
-                    (r, z0 + 0.07),
-                    (r, h - 0.07),
-                    (r * 0.985, h - 0.05),
-                    (r * 0.85, h - 0.015),
-                    (r * 0.5, h),
-                ],
-                coat,
-                segments=40,
+                    (-0.009, -1.0),
+                    (-0.008, -0.5),
+                    (-0.007, 0.0),
+                    (0.0, 0.02),
+                    (0.007, 0.0),
+                    (0.008, -0.5),
+                    (0.009, -0.85),
+                ]
             )
-            b.frustum(r * 0.42, r * 0.42, (z0 - 0.025, z0 + 0.005), "grey plastic", segments=24)
-        for z in (z0 + 0.14, h - 0.16):
-            b.box((-d / 2, x - 0.1), (-w * 0.3, w * 0.3), (z - 0.02, z + 0.02), "steel", bevel=0)
-        f = d / 2
-        b.box((f - 0.06, f - 0.0005), (-0.062, 0.062), (z0 + 0.09, z0 + 0.2), "grey plastic", bevel=0.01)
-        with b.frame(f - 0.0015, -0.02, z0 + 0.135, pitch=math.pi / 2):
-            b.frustum(0.024, 0.022, (0.0, 0.0015), "black plastic", segments=18)
-        b.box((f - 0.002, f), (0.02, 0.045), (z0 + 0.165, z0 + 0.175), "lamp glow", bevel=0)
-        for y, look in ((-0.09, "blue plastic"), (0.09, "red plastic")):
-            b.bar((x, y, 0.0), (x, y, z0 + 0.01), 0.011, "copper", 10)
-            b.bar((x, y, z0 - 0.03), (x, y, z0 + 0.006), 0.016, look, 10)
-        b.bar((x, -0.09, 0.05), (x + 0.04, -0.09, 0.05), 0.01, "brass", 8)
-        b.box((x + 0.035, x + 0.047), (-0.105, -0.075), (0.042, 0.058), "red plastic", bevel=0.002)
-    b.fit()
+            across = np.linspace(-wide, wide, 9)
+            sway = 0.005 * np.sin(4.7 * across / wide + k)[None, :] * np.abs(fall[:, 1:]) * np.sign(fall[:, :1])
+            grid = np.stack(
+                np.broadcast_arrays(across[None, :], y + fall[:, :1] + sway, level + long * fall[:, 1:]), axis=-1
+            )
+            with d.part("middle"):
+                d.sheet(grid, 0.005, d.pick(f"cloth {k}", _CLOTHS[:5]), (6, 4))
+    d.fit()
+
+
+@draws("laundry_basket", whole=True)
+def laundry_basket(d: Drawing) -> None:
+    """A tapered basket with rows of slots, a rolled rim, and clothes in it."""
+    look = d.material("body", "white plastic, grey plastic, blue plastic, wicker, rattan")
+    box = d.bounds.inset(top=0.05)
+    rim, tall = box.z[1], box.height
+    outer = ((0.22, 0.0), (0.05, rim - 0.03), (0.0, rim - 0.025), (0.0, rim))
+    inner = ((0.05, rim), (0.08, rim - 0.03), (0.25, 0.012))
+    rings = [
+        [oval(box.inset(x=e * box.depth / 2, y=e * box.width / 2), z, 7.0) for e, z in side] for side in (outer, inner)
+    ]
+    vessel(d, rings[0], rings[1], look, 32)
+    dark = "grey plastic" if look.name == "white plastic" else "black plastic"
+    lean = math.atan2(0.17 * box.depth / 2, rim - 0.03)
+    with d.mirror("x"), d.at(0.39 * box.depth, 0.0, 0.0, pitch=lean):
+        face = Box((0.0, 0.0), (-0.3 * box.width, 0.3 * box.width), (0.25 * tall, 0.75 * tall))
+        for slot in (s for row in face.rows(2, gap=0.03) for s in row.columns(8, gap=0.025)):
+            d.print(slot, dark, 0.0001)
+    heap = box.inset(x=0.12 * box.depth, y=0.12 * box.width)
+    d.cushion(heap.to(z=(0.04, rim - 0.012)), "white fabric", 0.05)
+    spots = ((0.2, 0.2), (0.75, 0.22), (0.3, 0.52), (0.75, 0.55), (0.25, 0.82), (0.72, 0.85))
+    for k, (u, v) in enumerate(spots):
+        x, y, _ = heap.point(u, v)
+        high = d.bounds.z[1] if k == 2 else rim + d.uniform(f"up {k}", 0.012, 0.04)
+        with d.at(x, y, rim - 0.06, yaw=0.5 * k):
+            d.cushion(Box.sized(0.16, 0.17, high - rim + 0.06), d.pick(f"cloth {k}", _CLOTHS), 0.03, 0.5)
+
+
+@draws("water_heater", whole=True)
+def water_heater(d: Drawing) -> None:
+    """A hung drum with domed ends, a dial, a lamp, pipes with a valve below."""
+    coat = d.material("body", "white steel, white steel, brushed steel, grey paint")
+    box, r, low = d.bounds, d.size.width / 2, 0.12
+    x, h, front = box.x[1] - r, box.z[1], box.x[1]
+    with d.at(x):
+        dome = [(0.5, 0.0), (0.85, 0.015), (0.96, 0.035), (1.0, 0.07)]
+        d.revolve([(r * s, low + z) for s, z in dome] + [(r * s, h - z) for s, z in reversed(dome)], coat, 40)
+        d.cylinder(Box.sized(0.84 * r, 0.84 * r, 0.03, (0.0, 0.0, low - 0.025)), "grey plastic")
+    for z in (low + 0.14, h - 0.16):
+        d.box(Box((box.x[0], x - 0.1), (-0.6 * r, 0.6 * r), (z - 0.02, z + 0.02)), "steel", 0.0)
+    plate = d.box(Box((front - 0.06, front - 0.0005), (-0.062, 0.062), (low + 0.09, low + 0.2)), "grey plastic", 0.01)
+    d.print(Box.around((plate.x[1], -0.02, low + 0.135), 0.0, 0.046, 0.046), "black plastic", 0.0004, oval=True)
+    d.print(Box.around((plate.x[1], 0.032, low + 0.17), 0.0, 0.025, 0.01), "lamp glow")
+    for y, look in ((-0.09, "blue plastic"), (0.09, "red plastic")):
+        d.bar((x, y, 0.0), (x, y, low + 0.01), 0.011, "copper")
+        d.bar((x, y, low - 0.03), (x, y, low + 0.006), 0.016, look)
+    d.bar((x, -0.09, 0.05), (x + 0.04, -0.09, 0.05), 0.01, "brass", 8)
+    d.box(Box.around((x + 0.041, -0.09, 0.05), 0.012, 0.03, 0.016), "red plastic", 0.002)
+
+
+@draws("vacuum_cleaner")
+def vacuum_cleaner(d: Drawing) -> None:
+    """A low body on wheels, a hose that rises to a tube, and a floor head in front."""
+    look, dark = d.material("body", _BRIGHT), "black plastic"
+    box, h = d.bounds, d.size.height
+    body = box.back(0.4).place(width=min(box.width, 0.28), height=0.24, at="bottom")
+    x, front, tube = body.center[0], body.x[1], box.x[1] - 0.12
+    with d.part("body"):
+        levels = [
+            (0.96, 0.86, 0.125),
+            (0.99, 0.95, 0.3),
+            (0.95, 0.93, 0.54),
+            (0.78, 0.74, 0.79, -0.03),
+            (0.48, 0.45, 0.9, -0.06),
+        ]
+        d.sections(body, levels, look, convex=True)
+        with d.mirror("y"):
+            wheel(d, Box.around((body.x[0] + 0.1, 0.96 * body.y[1], 0.085), 0.17, 0.036, 0.17), dark, "grey plastic")
+        d.cylinder(Box.sized(0.06, 0.06, 0.04, (front - 0.06, 0.0, 0.0)), dark, ends=(0.7, 1.0), segments=14)
+        d.arch((x - 0.13, 0.0, 0.2), (x + 0.03, 0.0, 0.2), (0.0, 0.0, 0.05), 0.012, dark)
+    with d.part("tube"):
+        hx, top = front - 0.01, (front + 0.04, 0.0, h - 0.07)
+        d.bar((hx - 0.05, 0.0, 0.13), (hx, 0.0, 0.14), 0.03, dark, 12)
+        hose = [
+            (-0.01, 0.0, 0.14),
+            (0.03, -0.03, 0.25),
+            (-0.02, -0.06, 0.45),
+            (-0.1, -0.06, 0.7),
+            (-0.06, -0.03, h - 0.07),
+        ]
+        d.sweep([(hx + u, y, z) for u, y, z in [*hose, (0.0, 0.0, h - 0.03), (0.06, 0.0, h - 0.09)]], 0.02, dark)
+        d.bar((tube, 0.0, 0.08), top, 0.0165, "chrome", 12)
+        d.bar(top, (top[0] + 0.18 * (tube - top[0]), 0.0, top[2] - 0.18 * (top[2] - 0.08)), 0.022, dark, 12)
+    with d.part("head"):
+        head = box.front(0.17).bottom(0.045)
+        d.box(head.inset(bottom=0.008), dark, 0.012)
+        d.box(head.bottom(0.015).inset(x=0.005, y=0.005), "grey plastic", 0.0)
+        d.bar((tube + 0.03, 0.0, 0.035), (tube - 0.004, 0.0, 0.11), 0.026, dark, 12)
+    d.fit()
+
+
+@draws("mop_bucket")
+def mop_bucket(d: Drawing) -> None:
+    """A bucket with a wringer and a bail, water in it, and a mop that stands in it."""
+    look = d.material("bucket", "yellow plastic, blue plastic, red plastic, grey plastic, green plastic")
+    pole = d.material("pole", "beech, aluminium, blue plastic")
+    box, top, low = d.bounds, 0.32, 0.06 if d.chance("wheels", 0.5) else 0.0
+    deep, w, h = box.size
+
+    def ring(share: float, z: float) -> np.ndarray:
+        return oval(box.place(share * deep, share * w), z, 3.0)
+
+    with d.part("bucket"):
+        outer = [ring(0.74, low), ring(0.95, top - 0.025), ring(1.0, top - 0.02), ring(1.0, top)]
+        vessel(d, outer, [ring(0.93, top), ring(0.71, low + 0.012)], look)
+        d.loft([ring(0.72, low + 0.01), ring(0.81, low + 0.13)], "blue ceramic", convex=True)
+        if low:
+            castors(d, box.bottom(low + 0.004).place(0.6 * deep, 0.6 * w))
+        wringer = Box((-0.36 * deep, 0.36 * deep), (0.2 * w, 0.44 * w), (top - 0.12, top - 0.02))
+        for slat in wringer.split("x", 6, gap=0.02):
+            d.silhouette(slat, [(0.0, 1.0), (1.0, 1.0), (0.65, 0.0), (0.1, 0.0)], "grey plastic", "x")
+        for bar in (wringer.top(-0.03).right(0.018), wringer.top(-0.03).left(0.012)):
+            d.box(bar.inset(bottom=-0.008), "grey plastic")
+        d.arch(
+            (-0.485 * deep, -0.1 * w, top - 0.01),
+            (0.485 * deep, -0.1 * w, top - 0.01),
+            (0.0, -0.12, 0.1),
+            0.005,
+            "steel",
+            8,
+        )
+    with d.part("mop"):
+        d.bar((0.0, -0.14 * w, low + 0.15), (-0.2 * deep, -0.34 * w, h - 0.012), 0.0125, pole, 12)
+        d.ball(Box.around((-0.2 * deep, -0.34 * w, h - 0.0145), 0.03, 0.03, 0.029), "grey plastic", 12)
+        with d.at(0.0, -0.14 * w):
+            d.revolve([(0.1, low + 0.1), (0.085, low + 0.17), (0.035, low + 0.26)], "white fabric", 18)
+            d.cylinder(Box.sized(0.064, 0.064, 0.09, (0.0, 0.0, low + 0.24)), look, ends=(1.0, 0.62), segments=14)
+            with d.ring(12):
+                d.bar((0.03, 0.0, low + 0.255), (0.1, 0.0, low + 0.12), 0.011, "white fabric", 6)
+    d.fit()
+
+
+@draws("cleaning_cart")
+def cleaning_cart(d: Drawing) -> None:
+    """A cart with shelves of bottles and cloths, a waste sack at one end, and castors."""
+    body = d.material("body", "grey plastic, blue plastic, black plastic, green plastic")
+    look = d.material("sack", "yellow plastic, green plastic, navy fabric, red plastic")
+    box, h = d.bounds, d.size.height
+    shelf, end = box.inset(left=0.4), box.left(0.4).inset(left=0.02)
+    levels = (0.16, 0.5, h - 0.16)
+    boards = [(box.inset(left=0.02) if not k else shelf).to(z=(z - 0.035, z)) for k, z in enumerate(levels)]
+    for k, board in enumerate(boards):
+        with d.part(f"shelf {k}"):
+            d.box(board, body, 0.005)
+            if not k:
+                castors(d, box.bottom(0.127).inset(left=0.04))
+    between = shelf.to(z=(0.16, h - 0.19))
+    with d.part("end"), d.mirror("x"):
+        d.box(between.front(0.036).right(0.05).inset(right=0.02).move(x=-0.012), "grey plastic")
+    with d.part("wall"):
+        d.box(between.left(0.025).inset(x=0.01), body)
+    with d.part("sack"):
+        sack = end.inset(x=0.05, y=0.03).to(z=(0.16, h - 0.16))
+        d.sections(sack, [(0.8, 0.86, 0.0), (0.95, 0.98, 0.35), (0.95, 0.95, 1.0)], look, 0.3)
+        d.slab(sack.top(-0.025).inset(bottom=-0.01), body, 0.08, 0.006)
+        y, x = box.y[1] - 0.012, sack.x[1] - 0.01
+        d.bar((-x - 0.01, y, h - 0.012), (x + 0.01, y, h - 0.012), 0.012, "grey plastic")
+        with d.mirror("x"):
+            d.bar((x, y, h - 0.012), (x, sack.center[1] + 0.05, h - 0.15), 0.011, "grey plastic", 8)
+    with d.part("bottles"):
+        for k, tone in enumerate(("red", "yellow", "blue", "green")):
+            bottle = Box.sized(0.06, 0.06, 0.145, (box.x[0] + 0.09, box.y[0] + 0.09 + 0.085 * k, levels[2]))
+            d.turned(bottle, [(1.0, 0.0), (1.0, 0.62), (0.42, 0.85), (0.42, 1.0)], f"{tone} plastic", 12)
+            d.box(bottle.top(-0.016).place(0.044, 0.016).move(x=0.01), "red plastic", 0.002)
+    with d.part("shelf 1"):
+        pile = Box((-0.18, 0.02), (box.y[0] + 0.09, box.y[0] + 0.34), (levels[1], levels[1] + 0.14))
+        for k, cloth in enumerate(pile.rows(4)):
+            d.cushion(cloth, "white fabric" if k % 2 else "blue fabric", 0.012)
+        for k, (size, tall) in enumerate(((0.1, 0.1), (0.08, 0.19), (0.1, 0.1))):
+            d.cylinder(Box.sized(size, size, tall, (0.1 * (k - 1), shelf.y[1] - 0.1, levels[1])), "paper", segments=16)
+    d.surface("top", boards[2].inset(back=0.16, front=0.03, y=0.03))
+    d.surface("shelf-0", boards[0].inset(x=0.04, right=0.07, left=0.42), round(levels[1] - 0.04 - levels[0], 3))
+    d.fit()
