@@ -2,753 +2,478 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from ... import shapes
-from ..builder import Builder, Interval
-from .small_kit import Look, decal, rect, slab, small, spot, target
-from .small_kit import loft as loft_rings
+from ...drawing import Box, Drawing, Look, draws
 
 COVERS = (
-    "red fabric",
-    "navy fabric",
-    "green fabric",
-    "mustard fabric",
-    "charcoal fabric",
-    "rust fabric",
-    "white paint",
-    "teal paint",
-    "blue paint",
-    "black paint",
-    "rose fabric",
-    "cream paint",
-    "sage paint",
+    "red fabric, navy fabric, green fabric, mustard fabric, charcoal fabric, rust fabric, rose fabric, "
+    "white paint, teal paint, blue paint, black paint, cream paint, sage paint"
 )
-PRINTS = (
-    "ochre pigment",
-    "terracotta pigment",
-    "sand pigment",
-    "blush pigment",
-    "sky pigment",
-    "sea pigment",
-    "night pigment",
-    "moss pigment",
-    "plum pigment",
-    "chalk pigment",
+GLOSSY = "white paint, cream paint, red paint, teal paint, sage paint, yellow paint, navy paint, black paint"
+PRINTS = tuple(
+    f"{name} pigment"
+    for name in ["ochre", "terracotta", "sand", "blush", "sky", "sea", "night", "moss", "plum", "chalk"]
 )
+PENS = tuple(f"{name} plastic" for name in ["yellow", "red", "blue", "green", "black", "orange", "white"])
+INKS = ("brass", "chalk pigment", "ink pigment", "ochre pigment")
 
 
-def closed_book(b: Builder, d: float, w: float, t: float, cover: Look, ink: Look, hard: bool = True) -> None:
-    """A closed book that lies centred on the plane: its head at -x, its spine at -y, the title on top."""
-    board = min(0.0025, 0.18 * t) if hard else 0.0006
-    lip = 0.003 if hard else 0.0
-    y0 = -w / 2 + 0.004
-    b.box((-d / 2 + lip, d / 2 - lip), (y0 + 0.002, w / 2 - lip), (board, t - board), "paper", 0.0)
-    b.box((-d / 2, d / 2), (y0, w / 2), (0.0, board), cover, 0.0005)
-    b.box((-d / 2, d / 2), (y0, w / 2), (t - board, t), cover, 0.0005)
-    b.hull(
-        [
-            (x, y, z)
-            for x in (-d / 2, d / 2)
-            for y, z in ((y0 + 0.003, 0.0), (y0, 0.0), (-w / 2, 0.25 * t), (-w / 2, 0.75 * t), (y0, t), (y0 + 0.003, t))
-        ],
-        cover,
-    )
-    decal(b, (-0.36 * d, -0.24 * d), (-0.3 * w, 0.34 * w), (t - board, t + 0.0003), ink)
-    decal(b, (-0.2 * d, -0.17 * d), (-0.18 * w, 0.22 * w), (t - board, t + 0.0003), ink)
-    decal(b, (0.33 * d, 0.35 * d), (-0.12 * w, 0.16 * w), (t - board, t + 0.0003), ink)
-    for lo, hi in ((-0.36, -0.05), (0.3, 0.36)):
-        decal(b, (lo * d, hi * d), (-w / 2 - 0.0003, -w / 2 + 0.001), (0.35 * t, 0.65 * t), ink)
-
-
-def leaves(b: Builder, d: float, w: float, z: Interval, look: Look = "paper") -> None:
-    """Sheets in a pile."""
-    b.box((-d / 2, d / 2), (-w / 2, w / 2), z, look, 0.0)
-
-
-def printed(
-    b: Builder, d: float, w: float, z: float, ink: Look = "grey paint", lines: int = 8, head: bool = True
-) -> None:
-    """Lines of print on a sheet that lies at z, its head at -x."""
+def ruled(d: Drawing, page: Box, lines: int, ink: Look = "grey paint", head: bool = True) -> None:
+    """Lines of print on a sheet that lies, its head at -x; each fourth line is short."""
     if head:
-        decal(b, (-0.42 * d, -0.37 * d), (-0.4 * w, 0.1 * w), (z - 0.0005, z + 0.0003), "ink pigment")
-    for k in range(lines):
-        x = -0.3 * d + k * 0.72 * d / lines
-        decal(b, (x, x + 0.012 * d), (-0.4 * w, (0.4 if k % 4 != 3 else 0.1) * w), (z - 0.0005, z + 0.0003), ink)
+        d.print(page.share(x=(0.08, 0.13), y=(0.1, 0.6)), "ink pigment")
+    for k, line in enumerate(page.share(x=(0.2, 0.92)).split("x", lines)):
+        d.print(line.share(x=(0.0, 0.2), y=(0.1, 0.9 if k % 4 != 3 else 0.6)), ink)
 
 
-@small("book")
-def book(b: Builder) -> None:
-    """A closed book: boards, spine, page block, title."""
-    d, w, h = b.size
-    closed_book(
-        b,
-        d,
-        w,
-        h,
-        b.material("cover", *COVERS),
-        b.material("ink", "brass", "chalk pigment", "ink pigment"),
-        b.chance("hard", 0.7),
-    )
-
-
-@small("standing_books")
-def standing_books(b: Builder) -> None:
-    """Upright books of many sizes in a row, their backs to the front, the last one leaning in some."""
-    d, w, h = b.size
-    first = b.material("body", *COVERS)
-    y, k = -w / 2, 0
-    lean = b.chance("lean", 0.5)
-    end = w / 2 - (0.07 if lean else 0.0)
-    while end - y > 0.008:
-        t = min(b.uniform(f"t{k}", 0.014, 0.042), end - y)
-        if end - y - t < 0.012:
-            t = end - y
-        tall = h if k == 1 else h * b.uniform(f"h{k}", 0.76, 0.99)
-        deep = d if k == 1 else d * b.uniform(f"d{k}", 0.82, 0.99)
-        _upright(
-            b,
-            d / 2 - deep,
-            d / 2 - 0.006 * b.uniform(f"x{k}", 0, 1),
-            y,
-            t,
-            tall,
-            first if k == 0 else b.pick(f"c{k}", COVERS),
-            k,
-        )
-        y += t
-        k += 1
-    if lean:
-        t, tall = 0.02, 0.86 * h
-        a = float(np.arcsin((0.07 - t) / tall)) * 0.92
-        with b.frame(0, w / 2 - 0.001 - t * np.cos(a), 0, roll=a):
-            _upright(b, -d / 2 + 0.01, d / 2 - 0.01, 0.0, t, tall, b.pick("leaning", COVERS), 99)
-
-
-def _upright(b: Builder, x0: float, x1: float, y: float, t: float, tall: float, cover: Look, k: int) -> None:
-    ink = b.pick(f"ink {k}", ["brass", "chalk pigment", "ink pigment", "ochre pigment"])
-    b.box((x0 + 0.003, x1 - 0.003), (y + 0.002, y + t - 0.002), (0.003, tall - 0.003), "paper", 0.0)
-    for ys in ((y, y + 0.0022), (y + t - 0.0022, y + t)):
-        b.box((x0, x1 - 0.002), ys, (0.0, tall), cover, 0.0004)
-    b.box((x1 - 0.004, x1), (y, y + t), (0.0, tall), cover, 0.0015)
-    lo = b.uniform(f"title {k}", 0.3, 0.45)
-    decal(b, (x1 - 0.001, x1 + 0.0003), (y + 0.3 * t, y + 0.7 * t), (lo * tall, 0.88 * tall), ink)
-    for z in (0.1, 0.14):
-        decal(b, (x1 - 0.001, x1 + 0.0003), (y + 0.002, y + t - 0.002), (z * tall, (z + 0.012) * tall), ink)
-
-
-@small("book_stack")
-def book_stack(b: Builder) -> None:
-    """Lying books on each other, turned a little; the lowest is the largest."""
-    d, w, h = b.size
-    count = max(2, round(h / 0.03))
-    shares = [b.uniform(f"t{k}", 0.6, 1.3) for k in range(count)]
-    z = 0.0
-    for k, share in enumerate(shares):
-        t = h * share / sum(shares)
-        s = 1.0 if k == 0 else b.uniform(f"s{k}", 0.74, 0.95)
-        turn = 0.0 if k == 0 else b.uniform(f"a{k}", -0.16, 0.16)
-        cover = b.material("body", *COVERS) if k == 0 else b.pick(f"c{k}", COVERS)
-        with b.frame(0, 0, z, yaw=turn + (np.pi if b.chance(f"flip{k}", 0.4) else 0.0)):
-            closed_book(
-                b,
-                d * s,
-                w * s,
-                t,
-                cover,
-                b.pick(f"i{k}", ["brass", "chalk pigment", "ink pigment"]),
-                b.chance(f"hard{k}", 0.7),
-            )
-        z += t
-
-
-@small("open_book")
-def open_book(b: Builder) -> None:
-    """A book that lies open: two swelling blocks of printed pages on its cover, a ribbon between."""
-    d, w, h = b.size
-    cover = b.material("cover", *COVERS)
-    b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.003), cover, 0.0005)
-    for s in (-1, 1):
-        outline = [
-            (0.0, 0.003),
-            (w / 2 - 0.006, 0.003),
-            (w / 2 - 0.01, 0.55 * h),
-            (0.36 * w, 0.86 * h),
-            (0.2 * w, h),
-            (0.06 * w, 0.92 * h),
-            (0.0, 0.55 * h),
-        ]
-        b.hull([(x, s * y, z) for y, z in outline for x in (-d / 2 + 0.004, d / 2 - 0.004)], "paper")
-        # Print lies on the two upper slopes of the page.
-        for (y0, z0), (y1, z1) in ((outline[5], outline[4]), (outline[4], outline[3])):
-            for k in range(11):
-                x = -0.4 * d + k * 0.075 * d
-                if s > 0 and k < 4 and b.chance("picture", 0.5):
-                    continue
-                b.add(
-                    shapes.hull(
-                        np.array(
-                            [
-                                (x + e, s * (yy + 0.004 * (1 if yy == outline[5][0] else 0)), zz + f)
-                                for e in (0.0, 0.012 * d)
-                                for yy, zz in ((y0, z0), (y1, z1))
-                                for f in (-0.0006, 0.0003)
-                            ]
-                        )
-                    ),
-                    "grey paint",
-                    [],
-                )
-    b.box((-0.3 * d, d / 2), (-0.003, 0.003), (0.5 * h, 0.62 * h), b.pick("ribbon", ["red fabric", "navy fabric"]), 0.0)
-
-
-def _cover_picture(b: Builder, d: float, w: float, z: float, k: str = "") -> None:
-    ink = [b.pick(f"print {k}{i}", PRINTS) for i in range(3)]
-    z0, z1 = z - 0.001, z + 0.0003
-    decal(b, (-0.46 * d, -0.33 * d), (-0.4 * w, 0.4 * w), (z0, z1), ink[0])
-    decal(b, (-0.26 * d, 0.3 * d), (-0.4 * w, 0.2 * w), (z0, z1), ink[1])
-    with b.frame(0.02 * d, -0.1 * w, z):
-        spot(b, 0.17 * w, (-0.001, 0.0004), ink[2], 20)
-    for i in range(4):
-        decal(b, ((-0.2 + 0.1 * i) * d, (-0.17 + 0.1 * i) * d), (0.25 * w, 0.42 * w), (z0, z1), ink[0])
-
-
-@small("magazine")
-def magazine(b: Builder) -> None:
-    """A thin magazine with a picture and headlines on its cover."""
-    d, w, h = b.size
-    look = b.material(
-        "cover", "white paint", "cream paint", "sage paint", "yellow paint", "red paint", "teal paint", "navy paint"
-    )
-    b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, h), look, 0.0004)
-    _cover_picture(b, d, w, h)
-
-
-@small("magazine_stack")
-def magazine_stack(b: Builder) -> None:
-    """Magazines in a loose pile."""
-    d, w, h = b.size
-    count = max(3, round(h / 0.006))
-    t = h / count
-    for k in range(count):
-        name = (
-            b.material("body", "white paint", "cream paint", "red paint", "teal paint")
-            if k == 0
-            else b.pick(
-                f"c{k}",
-                [
-                    "white paint",
-                    "cream paint",
-                    "sage paint",
-                    "yellow paint",
-                    "red paint",
-                    "teal paint",
-                    "navy paint",
-                    "black paint",
-                ],
-            )
-        )
-        with b.frame(
-            b.uniform(f"x{k}", -0.006, 0.006),
-            b.uniform(f"y{k}", -0.006, 0.006),
-            k * t,
-            yaw=b.uniform(f"a{k}", -0.07, 0.07),
-        ):
-            b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, t), name, 0.0004)
-            b.add(
-                shapes.box((-d / 2 - 0.0001, d / 2 + 0.0001), (-w / 2 + 0.002, w / 2 + 0.0001), (0.2 * t, 0.8 * t)),
-                "paper",
-                [],
-            )
-            if k == count - 1:
-                _cover_picture(b, d, w, t)
-
-
-@small("newspaper")
-def newspaper(b: Builder) -> None:
-    """A folded newspaper with a headline, a picture and columns."""
-    d, w, h = b.size
-    look = b.material("body", "paper")
-    for k in range(3):
-        e = 0.002 * k
-        slab(b, (-d / 2 + e, d / 2), (-w / 2, w / 2 - 2 * e), (k * h / 3, (k + 1) * h / 3), look, 0.004, 0.0015)
-    z = (h - 0.001, h + 0.0003)
-    decal(b, (-0.44 * d, -0.34 * d), (-0.4 * w, 0.38 * w), z, "ink pigment")
-    decal(b, (-0.32 * d, -0.31 * d), (-0.42 * w, 0.42 * w), z, "grey paint")
-    decal(b, (-0.26 * d, -0.02 * d), (-0.4 * w, 0.06 * w), z, b.pick("photo", ["night pigment", "sea pigment"]))
-    for c in range(3):
-        for k in range(10):
-            x = (-0.26 + 0.068 * k) * d
-            if c < 2 and k < 5:
-                continue
-            decal(b, (x, x + 0.02 * d), ((-0.4 + 0.27 * c) * w, (-0.17 + 0.27 * c) * w), z, "light grey paint")
-
-
-@small("notebook")
-def notebook(b: Builder) -> None:
-    """A notebook with a wire spine or an elastic band, in some a pencil on it."""
-    d, w, h = b.size
-    cover = b.material("cover", *COVERS, "black leather", "cardboard")
-    t = 0.7 * h if b.chance("pencil", 0.6) else h - 0.001
-    wired = b.chance("wired", 0.5)
-    y0 = -w / 2 + (0.008 if wired else 0.0)
-    slab(b, (-d / 2, d / 2), (y0, w / 2), (0.0, 0.0015), cover, 0.006, 0.0003)
-    slab(b, (-d / 2 + 0.002, d / 2 - 0.002), (y0 + 0.001, w / 2 - 0.002), (0.0015, t - 0.0015), "paper", 0.005, 0.0)
-    slab(b, (-d / 2, d / 2), (y0, w / 2), (t - 0.0015, t), cover, 0.006, 0.0003)
-    if wired:
-        n = 14
-        for k in range(n):
-            x = -0.44 * d + 0.88 * d * k / (n - 1)
-            b.box((x - 0.0012, x + 0.0012), (-w / 2, -w / 2 + 0.014), (0.0, t + 0.0008), "steel", 0.001)
-    else:
-        b.box((-d / 2, d / 2), (0.34 * w, 0.37 * w), (0.0002, t + 0.001), "charcoal fabric", 0.0003)
-        b.box((-d / 2 + 0.001, d / 2 - 0.001), (y0 - 0.0, y0 + 0.003), (0.0005, t - 0.0005), cover, 0.0005)
-    decal(b, (-0.3 * d, -0.14 * d), (-0.2 * w, 0.22 * w), (t - 0.001, t + 0.0003), "paper")
-    if t < 0.9 * h:
-        r = (h - t) / 2
-        with b.frame(-0.3 * d, -0.2 * w, t + r, yaw=0.4, pitch=np.pi / 2):
-            pencil(
-                b, min(0.17, 0.7 * d), r, b.pick("pencil colour", ["yellow plastic", "red plastic", "green plastic"])
-            )
-
-
-def pencil(b: Builder, long: float, r: float, look: Look) -> None:
+def pencil(d: Drawing, long: float, r: float, look: Look) -> None:
     """A pencil up along z: rubber, shaft, point."""
-    b.frustum(r, r, (0.0, 0.06 * long), "pink plastic", 6)
-    b.frustum(r, r, (0.06 * long, 0.88 * long), look, 6)
-    b.frustum(r, 0.3 * r, (0.88 * long, 0.97 * long), "beech", 6)
-    b.frustum(0.3 * r, 0.08 * r, (0.97 * long, long), "ink pigment", 6)
+    parts = ((0.0, 0.06, 1, 1, "pink plastic"), (0.06, 0.88, 1, 1, look), (0.88, 0.97, 1, 0.3, "beech"))
+    for low, top, a, b, tone in (*parts, (0.97, 1.0, 0.3, 0.08, "ink pigment")):
+        d.revolve([(a * r, low * long), (b * r, top * long)], tone, 6)
 
 
-def _binder(b: Builder, d: float, t: float, h: float, cover: Look) -> None:
-    """An upright file with its back to the front, centred on y."""
-    b.box((-d / 2, d / 2 - 0.004), (-t / 2, -t / 2 + 0.003), (0.0, h), cover, 0.0005)
-    b.box((-d / 2, d / 2 - 0.004), (t / 2 - 0.003, t / 2), (0.0, h), cover, 0.0005)
-    b.box((d / 2 - 0.006, d / 2), (-t / 2, t / 2), (0.0, h), cover, 0.0015)
-    b.box((-d / 2 + 0.03, d / 2 - 0.01), (-t / 2 + 0.004, t / 2 - 0.012), (0.006, h - 0.015), "paper", 0.0)
-    x = (d / 2 - 0.001, d / 2 + 0.0003)
-    decal(b, x, (-0.34 * t, 0.34 * t), (0.42 * h, 0.88 * h), "paper")
-    decal(b, (x[0], x[1] + 0.0001), (-0.2 * t, 0.2 * t), (0.75 * h, 0.8 * h), "ink pigment")
-    decal(b, (x[0], x[1] + 0.0001), (-0.2 * t, 0.12 * t), (0.7 * h, 0.72 * h), "grey paint")
-    with b.frame(d / 2, 0, 0.16 * h, pitch=np.pi / 2):
-        b.add(shapes.frustum(0.014, 0.014, (-0.002, 0.0003), 16), "steel", [])
-        b.add(shapes.frustum(0.009, 0.009, (-0.002, 0.0004), 16), "black plastic", [])
+def lying_book(d: Drawing, box: Box, cover: Look, ink: Look, hard: bool = True) -> None:
+    """A closed book that fills a box: its head at -x, its spine at -y, the title on top."""
+    board, lip = (min(0.0025, 0.18 * box.height), 0.003) if hard else (0.0006, 0.0)
+    boards = box.inset(right=0.004)
+    d.box(boards.inset(x=lip, left=lip, right=0.002, z=board), "paper", 0.0)
+    for side in (boards.bottom(board), boards.top(board)):
+        d.box(side, cover, 0.0005)
+    d.silhouette(box.right(0.007), [(1, 0), (0.57, 0), (0, 0.25), (0, 0.75), (0.57, 1), (1, 1)], cover, "x")
+    for x, y in (((0.14, 0.26), (0.2, 0.84)), ((0.3, 0.33), (0.32, 0.72)), ((0.83, 0.85), (0.38, 0.66))):
+        d.print(box.top(0.0).share(x, y), ink)
+    for x in ((0.14, 0.45), (0.8, 0.86)):
+        d.print(box.right(0.0).share(x=x, z=(0.35, 0.65)), ink)
 
 
-@small("binder")
-def binder(b: Builder) -> None:
-    """An upright ring binder with a label and a finger hole in its back."""
-    d, w, h = b.size
-    _binder(
-        b,
-        d,
-        w,
-        h,
-        b.material(
-            "cover", "black plastic", "red plastic", "blue plastic", "green plastic", "grey plastic", "yellow plastic"
-        ),
-    )
+def standing_book(d: Drawing, box: Box, cover: Look, name: object) -> None:
+    """An upright book that fills a box, its spine to the front."""
+    ink = d.pick(f"ink {name}", INKS)
+    d.box(box.inset(x=0.003, y=0.002, z=0.003), "paper", 0.0)
+    for side in (box.left(0.0022), box.right(0.0022)):
+        d.box(side.inset(front=0.002), cover, 0.0004)
+    spine = d.box(box.front(0.004), cover, 0.0015).front(0.0)
+    d.print(spine.share(y=(0.3, 0.7), z=(d.uniform(f"title {name}", 0.3, 0.45), 0.88)), ink)
+    for z in (0.1, 0.14):
+        d.print(spine.inset(y=0.002).share(z=(z, z + 0.012)), ink)
 
 
-@small("binder_row")
-def binder_row(b: Builder) -> None:
-    """Upright ring binders side by side."""
-    d, w, h = b.size
-    count = max(3, round(w / 0.075))
-    pool = ["black plastic", "red plastic", "blue plastic", "green plastic", "grey plastic", "white plastic"]
-    main = b.material("cover", *pool)
-    for k in range(count):
-        with b.frame(0, -w / 2 + (k + 0.5) * w / count):
-            cover = main if b.chance(f"same{k}", 0.5) else b.pick(f"c{k}", pool)
-            _binder(b, d, w / count - 0.001, h, cover)
+@draws("book", whole=True)
+def book(d: Drawing) -> None:
+    """A closed book: boards, spine, page block, title."""
+    cover, ink = d.material("cover", COVERS), d.material("ink", "brass, chalk pigment, ink pigment")
+    lying_book(d, d.bounds, cover, ink, d.chance("hard", 0.7))
 
 
-@small("document_tray")
-def document_tray(b: Builder) -> None:
-    """Two or three trays on each other with papers in them, open to the front."""
-    d, w, h = b.size
-    look = b.material("body", "black plastic", "grey plastic", "black steel", "oak", "white plastic", "clear plastic")
-    count = 2 if h < 0.16 else 3
-    gap = h / count
-    for k in range(count):
-        z = k * gap
-        rim = 0.045 if k == count - 1 else 0.04
-        rim = min(rim, gap * 0.7) if k < count - 1 else gap
-        b.box((-d / 2, d / 2), (-w / 2, w / 2), (z, z + 0.004), look, 0.001)
-        for s in (-1, 1):
-            y = s * (w / 2 - 0.002)
-            b.box((-d / 2, 0.3 * d), (y - 0.002, y + 0.002), (z + 0.004, z + min(rim, 0.05)), look, 0.0008)
-        b.box((-d / 2, -d / 2 + 0.004), (-w / 2, w / 2), (z + 0.004, z + min(rim, 0.05)), look, 0.0008)
-        for px in (-d / 2 + 0.008, 0.28 * d):
-            for s in (-1, 1):
-                y = s * (w / 2 - 0.004)
-                b.box((px - 0.006, px + 0.006), (y - 0.004, y + 0.004), (z, (k + 1) * gap), look, 0.001)
-        pile = b.uniform(f"pile{k}", 0.004, 0.022)
-        with b.frame(0.004, b.uniform(f"py{k}", -0.006, 0.006), z + 0.004, yaw=b.uniform(f"pa{k}", -0.01, 0.01)):
-            leaves(b, min(0.297, d - 0.015), min(0.21, w - 0.03), (0.0, pile))
-            if k == count - 1:
-                printed(b, 0.29, 0.2, pile)
+@draws("standing_books", whole=True)
+def standing_books(d: Drawing) -> None:
+    """Upright books of many sizes in a row, their backs to the front, the last one leaning in some."""
+    room = d.bounds
+    covers = COVERS.split(", ")
+    first, lean = d.material("body", COVERS), d.chance("lean", 0.5)
+    y, end, k = room.y[0], room.y[1] - (0.07 if lean else 0.0), 0
+    while end - y > 0.008:
+        thick = min(d.uniform(f"t{k}", 0.014, 0.042), end - y)
+        thick = end - y if end - y - thick < 0.012 else thick
+        tall, deep = (1.0, 1.0) if k == 1 else (d.uniform(f"h{k}", 0.76, 0.99), d.uniform(f"d{k}", 0.82, 0.99))
+        own = room.share(x=(1 - deep, 1), z=(0, tall)).inset(front=0.006 * d.uniform(f"x{k}", 0, 1))
+        standing_book(d, own.to(y=(y, y + thick)), first if k == 0 else d.pick(f"c{k}", covers), k)
+        y, k = y + thick, k + 1
+    if lean:
+        thick, tall = 0.02, 0.86 * room.height
+        angle = 0.92 * math.asin((0.07 - thick) / tall)
+        with d.at(0.0, room.y[1] - 0.001 - thick * math.cos(angle), 0.0, roll=angle):
+            standing_book(d, Box(room.inset(x=0.01).x, (0.0, thick), (0.0, tall)), d.pick("leaning", covers), 99)
 
 
-@small("paper_stack")
-def paper_stack(b: Builder) -> None:
-    """Sheets in a pile, the top one printed, slightly out of line."""
-    _, _, h = b.size
-    b.material("body", "paper")
-    count = max(1, min(6, round(h / 0.004)))
-    for k in range(count):
-        last = k == count - 1
-        turn = 0.0 if k == 0 else b.uniform(f"a{k}", -0.03, 0.03)
-        with b.frame(b.uniform(f"x{k}", -0.003, 0.003), b.uniform(f"y{k}", -0.003, 0.003), k * h / count, yaw=turn):
-            look = (
-                "paper"
-                if last or not b.chance(f"tint{k}", 0.3)
-                else b.pick(f"t{k}", ["sky pigment", "sand pigment", "blush pigment"])
-            )
-            leaves(b, 0.297, 0.21, (0.0, h / count), look)
-            if last:
-                printed(b, 0.297, 0.21, h / count, lines=12)
+@draws("book_stack", whole=True)
+def book_stack(d: Drawing) -> None:
+    """Lying books on each other, turned a little; the lowest is the largest."""
+    shares = [d.uniform(f"t{k}", 0.6, 1.3) for k in range(max(2, round(d.size.height / 0.03)))]
+    for k, level in enumerate(d.bounds.rows(shares)):
+        size = d.uniform(f"s{k}", 0.74, 0.95) if k else 1.0
+        turn = (d.uniform(f"a{k}", -0.16, 0.16) if k else 0.0) + (math.pi if d.chance(f"flip{k}", 0.4) else 0.0)
+        cover = d.pick(f"c{k}", COVERS.split(", ")) if k else d.material("body", COVERS)
+        with d.at(yaw=turn):
+            own = level.place(size * level.depth, size * level.width)
+            lying_book(d, own, cover, d.pick(f"i{k}", INKS[:3]), d.chance(f"hard{k}", 0.7))
 
 
-@small("pen_holder", fit="round")
-def pen_holder(b: Builder) -> None:
-    """A cup with pencils, pens, and a ruler or scissors."""
-    d, _, h = target(b)
-    r = 0.4 * d
-    look = b.material(
-        "body",
-        "black steel",
-        "oak",
-        "white ceramic",
-        "grey ceramic",
-        "concrete",
-        "red plastic",
-        "walnut",
-        "mint plastic",
-    )
-    cup = 0.55 * h
-    if b.chance("round", 0.6):
-        b.lathe(
-            [(r - 0.002, 0.0), (r, 0.002), (r, cup), (r - 0.004, cup), (r - 0.004, 0.006), (0.0, 0.005)],
-            look,
-            24,
-            hollow=True,
-        )
+@draws("open_book", whole=True)
+def open_book(d: Drawing) -> None:
+    """A book that lies open: two swelling blocks of printed pages on its cover, a ribbon between."""
+    high = d.size.height
+    d.box(d.bounds.bottom(0.003), d.material("cover", COVERS), 0.0005)
+    block = d.bounds.inset(x=0.004, left=0.006, bottom=0.003).share(y=(0.503, 1.0))
+    curve = [(0.0, 0.5), (0.12, 0.91), (0.4, 1.0), (0.74, 0.84), (0.98, 0.5)]
+    slopes = [((0.12, 0.91), (0.4, 1.0)), ((0.4, 1.0), (0.74, 0.84))]  # of a page, where there is print
+
+    def strip(place: Box, low: tuple[float, float], top: tuple[float, float], proud: float, ink: Look) -> None:
+        ends = [place.point(0.0, *low), place.point(0.0, *top)]
+        d.add(shapes.hull([(x, y, z + e) for x in place.x for _, y, z in ends for e in (-0.0006, proud)]), ink, [])
+
+    with d.mirror("y"):
+        d.silhouette(block, [(0, 0), (1, 0), *curve[::-1]], "paper", "x")
+        for line in block.share(x=(0.08, 0.92)).split("x", 11):
+            for low, top in slopes:
+                strip(line.share(x=(0.0, 0.16)), low, top, 0.0003, "grey paint")
+    if d.chance("picture", 0.5):
+        photo = d.pick("photo", PRINTS)
+        for low, top in slopes:
+            strip(block.share(x=(0.08, 0.38)), low, top, 0.0004, photo)
+    ribbon = d.bounds.share(x=(0.2, 1.0), z=(0.5, 0.5)).place(width=0.006)
+    d.box(ribbon.inset(z=-0.06 * high), d.pick("ribbon", ["red fabric", "navy fabric"]), 0.0)
+
+
+def _cover_picture(d: Drawing, page: Box) -> None:
+    """A title, a picture with a sun, and headlines."""
+    inks = [d.pick(f"print {i}", PRINTS) for i in range(3)]
+    d.print(page.share(x=(0.04, 0.17), y=(0.1, 0.9)), inks[0])
+    photo = d.print(page.share(x=(0.24, 0.8), y=(0.1, 0.7)), inks[1])
+    d.print(photo.place(0.34 * page.width, 0.34 * page.width), inks[2], 0.0004, oval=True)
+    for k in range(4):
+        d.print(page.share(x=(0.3 + 0.1 * k, 0.33 + 0.1 * k), y=(0.75, 0.92)), inks[0])
+
+
+@draws("magazine", whole=True)
+def magazine(d: Drawing) -> None:
+    """A thin magazine with a picture and headlines on its cover."""
+    _cover_picture(d, d.box(d.bounds, d.material("cover", GLOSSY), 0.0004).top(0.0))
+
+
+@draws("magazine_stack", whole=True)
+def magazine_stack(d: Drawing) -> None:
+    """Magazines in a loose pile."""
+    levels = d.bounds.rows(max(3, round(d.size.height / 0.006)))
+    for k, level in enumerate(levels):
+        look = d.pick(f"c{k}", GLOSSY.split(", ")) if k else d.material("body", GLOSSY)
+        x, y = d.uniform(f"x{k}", -0.006, 0.006), d.uniform(f"y{k}", -0.006, 0.006)
+        with d.at(x, y, yaw=d.uniform(f"a{k}", -0.07, 0.07)):
+            d.box(level, look, 0.0004)
+            with d.no_colliders():  # the edges of its pages
+                d.box(level.inset(x=-0.0001, right=0.002, left=-0.0001).share(z=(0.2, 0.8)), "paper", 0.0)
+            if k == len(levels) - 1:
+                _cover_picture(d, level.top(0.0))
+
+
+@draws("newspaper", whole=True)
+def newspaper(d: Drawing) -> None:
+    """A folded newspaper with a headline, a picture and columns."""
+    look = d.material("body", "paper")
+    for k, layer in enumerate(d.bounds.rows(3)):
+        d.slab(layer.inset(back=0.002 * k, left=0.004 * k), look, 0.004, 0.0015)
+    page = d.bounds.top(0.0)
+    for x, y, ink in (((0.06, 0.16), (0.1, 0.88), "ink pigment"), ((0.18, 0.19), (0.08, 0.92), "grey paint")):
+        d.print(page.share(x, y), ink)
+    d.print(page.share((0.24, 0.48), (0.1, 0.56)), d.pick("photo", ["night pigment", "sea pigment"]))
+    for c, column in enumerate(page.share((0.24, 0.93), (0.1, 0.91)).columns(3, gap=0.04 * page.width)):
+        for line in column.split("x", 10)[5 if c < 2 else 0 :]:
+            d.print(line.share(x=(0.0, 0.3)), "light grey paint")
+
+
+@draws("notebook", whole=True)
+def notebook(d: Drawing) -> None:
+    """A notebook with a wire spine or an elastic band, in some a pencil on it."""
+    cover = d.material("cover", COVERS, "black leather, cardboard")
+    high = d.size.height
+    thick = 0.7 * high if d.chance("pencil", 0.6) else high - 0.001
+    wired = d.chance("wired", 0.5)
+    own = d.bounds.bottom(thick).inset(right=0.008 if wired else 0.0)
+    for board in (own.bottom(0.0015), own.top(0.0015)):
+        d.slab(board, cover, 0.006, 0.0003)
+    d.slab(own.inset(x=0.002, left=0.002, right=0.001, z=0.0015), "paper", 0.005, 0.0)
+    if wired:
+        with d.along(d.bounds.point(0.06, 0.0, 0.0), d.bounds.point(0.94, 0.0, 0.0), 14):
+            d.box(Box((-0.0012, 0.0012), (0.0, 0.014), (0.0, thick + 0.0008)), "steel", 0.001)
     else:
-        loft_rings(
-            b,
-            [
-                rect((-r + e, r - e), (-r + e, r - e), z, 0.008)
-                for e, z in ((0.001, 0), (0, 0.002), (0, cup), (0.005, cup), (0.005, 0.006))
-            ],
-            look,
-            hollow=2,
-        )
-    colors = [
-        "yellow plastic",
-        "red plastic",
-        "blue plastic",
-        "green plastic",
-        "black plastic",
-        "orange plastic",
-        "white plastic",
-    ]
+        d.box(own.share(y=(0.84, 0.87)).inset(bottom=0.0002, top=-0.001), "charcoal fabric", 0.0003)
+        d.box(own.right(0.003).inset(x=0.001, z=0.0005), cover, 0.0005)
+    d.print(own.top(0.0).share((0.2, 0.36), (0.3, 0.72)), "paper")
+    if thick < 0.9 * high:
+        r = (high - thick) / 2
+        with d.at(*own.point(0.2, 0.3)[:2], thick + r, yaw=0.4, pitch=math.pi / 2):
+            pencil(d, min(0.17, 0.7 * own.depth), r, d.pick("pencil colour", PENS[:4:3] + PENS[1:2]))
+
+
+@draws("binder", "binder_row", whole=True)
+def binder(d: Drawing) -> None:
+    """Upright ring binders with labels and finger holes in their backs; alone or side by side."""
+    pool = [f"{tone} plastic" for tone in ("black", "red", "blue", "green", "grey", "yellow", "white")]
+    main = d.material("cover", *pool)
+    row = d.category.name == "binder_row"
+    for k, cell in enumerate(d.bounds.columns(max(3, round(d.size.width / 0.075)) if row else 1)):
+        own = cell.inset(y=0.0005) if row else cell
+        cover = d.pick(f"c{k}", pool) if row and not d.chance(f"same{k}", 0.5) else main
+        for side in (own.left(0.003), own.right(0.003)):
+            d.box(side.inset(front=0.004), cover, 0.0005)
+        d.box(own.inset(back=0.03, front=0.01, right=0.004, left=0.012, bottom=0.006, top=0.015), "paper", 0.0)
+        back = d.box(own.front(0.006), cover, 0.0015).front(0.0)
+        label = d.print(back.share(y=(0.16, 0.84), z=(0.42, 0.88)), "paper")
+        d.print(label.share(y=(0.2, 0.8), z=(0.72, 0.82)), "ink pigment", 0.0004)
+        d.print(label.share(y=(0.2, 0.68), z=(0.61, 0.65)), "grey paint", 0.0004)
+        hole = back.share(z=(0.16, 0.16)).place(width=0.0)
+        d.print(hole.inset(y=-0.014, z=-0.014), "steel", oval=True)
+        d.print(hole.inset(y=-0.009, z=-0.009), "black plastic", 0.0004, oval=True)
+
+
+@draws("document_tray", whole=True)
+def document_tray(d: Drawing) -> None:
+    """Two or three trays on each other with papers in them, open to the front."""
+    look = d.material("body", "black plastic, grey plastic, black steel, oak, white plastic, clear plastic")
+    trays = d.bounds.rows(2 if d.size.height < 0.16 else 3)
+    for k, own in enumerate(trays):
+        floor = d.box(own.bottom(0.004), look, 0.001)
+        walls = floor.bottom(0.0).inset(top=-min(0.05, 0.7 * own.height)).inset(bottom=0.004)
+        for wall in (*(w.share(x=(0.0, 0.8)) for w in (walls.left(0.004), walls.right(0.004))), walls.back(0.004)):
+            d.box(wall, look, 0.0008)
+        with d.mirror("y"):
+            for x in (0.008, 0.78 * own.depth):
+                d.box(own.left(0.008).back(x + 0.006).front(0.012), look, 0.001)
+        with d.at(0.004, d.uniform(f"py{k}", -0.006, 0.006), yaw=d.uniform(f"pa{k}", -0.01, 0.01)):
+            pile = floor.top(-d.uniform(f"pile{k}", 0.004, 0.022))
+            sheets = d.box(pile.place(min(0.297, own.depth - 0.015), min(0.21, own.width - 0.03)), "paper", 0.0)
+            if k == len(trays) - 1:
+                ruled(d, sheets.top(0.0), 8)
+
+
+@draws("paper_stack", whole=True)
+def paper_stack(d: Drawing) -> None:
+    """Sheets in a pile, the top one printed, slightly out of line."""
+    d.material("body", "paper")
+    levels = d.bounds.rows(max(1, min(6, round(d.size.height / 0.004))))
+    for k, level in enumerate(levels):
+        last = k == len(levels) - 1
+        x, y = d.uniform(f"x{k}", -0.003, 0.003), d.uniform(f"y{k}", -0.003, 0.003)
+        with d.at(x, y, yaw=d.uniform(f"a{k}", -0.03, 0.03) if k else 0.0):
+            tint = not last and d.chance(f"tint{k}", 0.3)
+            sheet = d.box(level.place(0.297, 0.21), d.pick(f"t{k}", PRINTS[2:5]) if tint else "paper", 0.0)
+            if last:
+                ruled(d, sheet.top(0.0), 12)
+
+
+@draws("pen_holder", whole=True, even="round")
+def pen_holder(d: Drawing) -> None:
+    """A cup with pencils, pens, and a ruler."""
+    box = d.even("round")
+    look = d.material(
+        "body", "black steel, oak, white ceramic, grey ceramic, concrete, red plastic, walnut, mint plastic"
+    )
+    high, wide = box.height, box.width
+    cup, r = box.share(x=(0.1, 0.9), y=(0.1, 0.9), z=(0.0, 0.55)), 0.4 * wide
+    corner = None if d.chance("round", 0.6) else 0.12
+    wall = 1 - 0.008 / r
+    d.sections(
+        cup, [(0.98, 0.98, 0), (1, 1, 0.02), (1, 1, 1), (wall, wall, 1), (wall, wall, 0.1)], look, corner, hollow=2
+    )
     for k in range(7):
-        a = 2 * np.pi * k / 7 + b.uniform("turn", 0, 1)
-        long = h * b.uniform(f"l{k}", 0.82, 1.0) - 0.008
-        if k == 0:
-            long = h - 0.006
-        out = np.arcsin(min(0.5, 0.42 * d * 1.1 / long)) * 0.8
-        with b.frame(-0.5 * r * np.cos(a), -0.5 * r * np.sin(a), 0.006, yaw=a, pitch=out):
-            if k % 3 == 2:
-                b.frustum(0.0045, 0.0045, (0.0, 0.7 * long), b.pick(f"c{k}", colors), 8)
-                b.frustum(0.005, 0.0045, (0.7 * long, long), "black plastic", 8)
-                b.box((0.004, 0.0065), (-0.0015, 0.0015), (0.72 * long, 0.97 * long), "steel", 0.0)
-            else:
-                pencil(b, long, 0.0038, b.pick(f"c{k}", colors))
-    with b.frame(0, 0.3 * r, 0.006, roll=-0.12):
-        b.box(
-            (-0.014, 0.014),
-            (-0.001, 0.001),
-            (0.0, 0.9 * h),
-            "clear plastic" if b.chance("clear", 0.5) else "steel",
-            0.0003,
-        )
+        a = 2 * math.pi * k / 7 + d.uniform("turn", 0, 1)
+        long = (high - 0.006) if k == 0 else high * d.uniform(f"l{k}", 0.82, 1.0) - 0.008
+        lean, tone = 0.8 * math.asin(min(0.5, 0.46 * wide / long)), d.pick(f"c{k}", PENS)
+        with d.at(-0.5 * r * math.cos(a), -0.5 * r * math.sin(a), 0.006, yaw=a, pitch=lean):
+            if k % 3 < 2:
+                pencil(d, long, 0.0038, tone)
+                continue
+            d.revolve([(0.0045, 0.0), (0.0045, 0.7 * long)], tone, 8)
+            d.revolve([(0.005, 0.7 * long), (0.0045, long)], "black plastic", 8)
+            d.box(Box((0.004, 0.0065), (-0.0015, 0.0015), (0.72 * long, 0.97 * long)), "steel", 0.0)
+    with d.at(0.0, 0.3 * r, 0.006, roll=-0.12):
+        d.box(Box.sized(0.028, 0.002, 0.9 * high), "clear plastic" if d.chance("clear", 0.5) else "steel", 0.0003)
 
 
-@small("pencil_case")
-def pencil_case(b: Builder) -> None:
-    """A soft pouch with a zip, pencils peeping out of its open end."""
-    d, w, h = b.size
-    cloth = b.material("cloth", "@fabric", "tan leather", "black leather")
-    b.cushion((-d / 2, d / 2), (-w / 2, w / 2), (0.0, h - 0.004), cloth, radius=0.03, puff=0.3)
-    b.box((-0.004, 0.004), (-0.42 * w, 0.42 * w), (h - 0.012, h - 0.001), "steel", 0.002)
-    b.box((-0.003, 0.003), (0.36 * w, 0.45 * w), (h - 0.005, h), b.pick("tab", ["red fabric", "black leather"]), 0.001)
-    for s in (-1, 1):
-        b.box(
-            (-0.28 * d, 0.28 * d),
-            (s * 0.47 * w - 0.003, s * 0.47 * w + 0.003),
-            (0.3 * h, 0.7 * h),
-            "charcoal fabric",
-            0.001,
-        )
-
-
-@small("stapler")
-def stapler(b: Builder) -> None:
-    """A stapler: foot, anvil, arm that opens to the side at -y."""
-    d, w, h = b.size
-    look = b.material(
-        "body", "black plastic", "red plastic", "blue plastic", "grey plastic", "mint plastic", "white plastic"
+@draws("pencil_case", whole=True)
+def pencil_case(d: Drawing) -> None:
+    """A soft pouch with a zip and tabs at its ends."""
+    pouch = d.cushion(
+        d.bounds.inset(top=0.004), d.material("cloth", "@fabric", "tan leather, black leather"), 0.03, 0.3
     )
-    slab(b, (-0.42 * d, 0.42 * d), (-w / 2, w / 2), (0.0, 0.12 * h), "black plastic", 0.01, 0.002)
-    b.box((-0.2 * d, 0.2 * d), (-0.46 * w, -0.38 * w), (0.12 * h, 0.17 * h), "steel", 0.0005)
-    rise = 0.1
-    with b.frame(0, 0.46 * w, 0.3 * h, roll=rise):
-        b.box((-0.3 * d, 0.3 * d), (-0.92 * w, 0.0), (0.0, 0.2 * h), "steel", 0.001)
+    d.box(pouch.top(0.008).place(0.008).inset(y=0.08 * pouch.width, top=-0.003), "steel", 0.002)
+    tab = d.bounds.top(0.005).place(0.006).share(y=(0.86, 0.95))
+    d.box(tab, d.pick("tab", ["red fabric", "black leather"]), 0.001)
+    with d.mirror("y"):
+        d.box(pouch.share(x=(0.22, 0.78), z=(0.3, 0.7)).left(0.006).move(y=-0.012), "charcoal fabric", 0.001)
+
+
+@draws("stapler", whole=True)
+def stapler(d: Drawing) -> None:
+    """A stapler that lies along y: foot, anvil, magazine, arm that opens to the side at -y."""
+    look = d.material("body", "black plastic, red plastic, blue plastic, grey plastic, mint plastic, white plastic")
+    box = d.bounds
+    d.slab(box.share(x=(0.08, 0.92), z=(0.0, 0.12)), "black plastic", 0.01, 0.002)
+    d.box(box.share((0.3, 0.7), (0.04, 0.12), (0.12, 0.17)), "steel", 0.0005)
+    with d.at(*box.point(0.5, 0.96, 0.3), roll=0.1):
+        d.box(Box.sized(0.6 * box.depth, 0.92 * box.width, 0.2 * box.height, (0, -0.46 * box.width, 0)), "steel", 0.001)
     arm = [
-        (0.5, 0.1),
-        (0.5, 0.6),
-        (0.42, 0.78),
-        (-0.2, 1.0),
-        (-0.44, 0.98),
-        (-0.49, 0.75),
-        (-0.47, 0.62),
-        (0.36, 0.42),
-        (0.4, 0.1),
+        (1, 0.1),
+        (1, 0.6),
+        (0.92, 0.78),
+        (0.3, 1),
+        (0.06, 0.98),
+        (0.01, 0.75),
+        (0.03, 0.62),
+        (0.86, 0.42),
+        (0.9, 0.1),
     ]
-    lower, upper = [arm[1], arm[2], arm[3], arm[4], arm[5], arm[6], arm[7]], [arm[0], arm[1], arm[7], arm[8]]
-    for part in (lower, upper):
-        b.hull([(x * d, y * w, z * h) for y, z in part for x in (-0.5, 0.5)], look)
+    d.silhouette(box, arm, look, "x", bevel=0.002)
 
 
-@small("tape_dispenser")
-def tape_dispenser(b: Builder) -> None:
+@draws("tape_dispenser", whole=True)
+def tape_dispenser(d: Drawing) -> None:
     """A heavy foot with a roll of tape and a toothed edge."""
-    d, w, h = b.size
-    look = b.material("body", "black plastic", "grey plastic", "red plastic", "white plastic", "mint plastic")
-    r = 0.36 * h
-    rings = [
-        rect((-d / 2 + e, d / 2 - e), (-w / 2 + f, w / 2 - g), z, 0.006)
-        for e, f, g, z in ((0, 0, 0, 0.0), (0, 0, 0, 0.2 * h), (0.1 * d, 0.02 * w, 0.06 * w, 0.5 * h))
-    ]
-    loft_rings(b, rings, look, convex=True)
-    with b.frame(0, 0.14 * w, h - r - 0.001, roll=np.pi / 2):
-        b.frustum(r, r, (-0.2 * d, 0.2 * d), "clear plastic", 24)
-        b.add(shapes.frustum(0.96 * r, 0.96 * r, (-0.19 * d, 0.19 * d), 24), "sand pigment", [])
-        b.frustum(0.55 * r, 0.55 * r, (-0.26 * d, 0.26 * d), look, 20)
-        spot(b, 0.2 * r, (-0.265 * d + 0.0003, 0.26 * d + 0.0003), "black plastic")
-    for s in (-1, 1):
-        b.hull(
-            [
-                (s * x * d, y * w, z * h)
-                for x in (0.3, 0.42)
-                for y, z in ((-0.08, 0.45), (0.36, 0.45), (0.22, 0.72), (0.06, 0.72))
-            ],
-            look,
-        )
-    b.hull(
-        [
-            (x, y * w, z * h)
-            for x in (-0.3 * d, 0.3 * d)
-            for y, z in ((-0.48, 0.2), (-0.2, 0.4), (-0.44, 0.55), (-0.47, 0.55))
-        ],
-        look,
-    )
-    b.box((-0.28 * d, 0.28 * d), (-0.475 * w, -0.455 * w), (0.5 * h, 0.62 * h), "steel", 0.0)
+    look = d.material("body", "black plastic, grey plastic, red plastic, white plastic, mint plastic")
+    box = d.bounds
+    r = 0.36 * box.height
+    d.sections(box, [(1, 1, 0), (1, 1, 0.2), (0.8, 0.92, 0.5, 0, -0.02)], look, 0.08, convex=True)
+    hub = Box.around((0.0, 0.14 * box.width, box.z[1] - r - 0.001), box.depth, 0.0, 0.0)
+    for share, radius, tone in ((0.4, 1.0, "sand pigment"), (0.52, 0.55, look)):
+        d.cylinder(hub.place(share * box.depth).inset(y=-radius * r, z=-radius * r), tone, "x")
+    with d.mirror("x"):
+        d.silhouette(box.share(x=(0.8, 0.92)), [(0.42, 0.45), (0.86, 0.45), (0.72, 0.72), (0.56, 0.72)], look, "x")
+    d.silhouette(box.share(x=(0.2, 0.8)), [(0.02, 0.2), (0.3, 0.4), (0.06, 0.55), (0.03, 0.55)], look, "x")
+    d.box(box.share((0.22, 0.78), (0.025, 0.045), (0.5, 0.62)), "steel", 0.0)
 
 
-@small("sticky_notes")
-def sticky_notes(b: Builder) -> None:
+@draws("sticky_notes", whole=True)
+def sticky_notes(d: Drawing) -> None:
     """Square pads of notes in bright colours on each other, the top one written on."""
-    d, w, h = b.size
-    colors = ["yellow plastic", "pink icing", "green apple", "sky pigment", "orange plastic"]
-    count = 1 if h < 0.03 else 3 if h < 0.045 else 4
-    main = b.material("body", "banana peel", "pink icing", "pale leaf", "sky pigment", "orange peel")
-    start = b.whole("start", 0, 4)
-    for k in range(count):
-        with b.frame(0, 0, k * h / count, yaw=0.0 if k == 0 else b.uniform(f"a{k}", -0.1, 0.1)):
-            e = 0.0 if k == 0 else 0.003
-            leaves(b, d - 2 * e, w - 2 * e, (0.0, h / count), main if k == 0 else colors[(start + k) % 5])
-            if k == count - 1:
-                for j in range(4):
-                    x = (-0.3 + 0.17 * j) * d
-                    decal(
-                        b,
-                        (x, x + 0.03 * d),
-                        (-0.36 * w, (0.3 - 0.12 * (j % 3)) * w),
-                        (h / count - 0.001, h / count + 0.0003),
-                        "ink pigment",
-                    )
+    tones = "banana peel, pink icing, pale leaf, sky pigment, orange peel"
+    main, start, high = d.material("body", tones), d.integer("start", 0, 4), d.size.height
+    levels = d.bounds.rows(1 if high < 0.03 else 3 if high < 0.045 else 4)
+    for k, level in enumerate(levels):
+        with d.at(yaw=d.uniform(f"a{k}", -0.1, 0.1) if k else 0.0):
+            pad = level.inset(x=0.003, y=0.003) if k else level
+            d.box(pad, tones.split(", ")[(start + k) % 5] if k else main, 0.0)
+            if k == len(levels) - 1:
+                for j, line in enumerate(pad.top(0.0).share(x=(0.2, 0.88)).split("x", 4)):
+                    d.print(line.share((0.0, 0.18), (0.14, 0.8 - 0.12 * (j % 3))), "ink pigment")
 
 
-@small("envelope_stack")
-def envelope_stack(b: Builder) -> None:
-    """Envelopes in a pile with address, stamp and window."""
-    d, w, h = b.size
-    b.material("body", "paper")
-    count = max(3, round(h / 0.0045))
-    t = h / count
-    for k in range(count):
-        with b.frame(0, 0, k * t, yaw=0.0 if k == 0 else b.uniform(f"a{k}", -0.12, 0.12)):
-            s = 1.0 if k == 0 else b.uniform(f"s{k}", 0.82, 0.95)
-            look = b.pick(f"c{k}", ["paper", "paper", "cardboard", "cream paint", "sky pigment"])
-            b.box((-d / 2 * s, d / 2 * s), (-w / 2 * s, w / 2 * s), (0.0, t), look, 0.0004)
-            if k == count - 1:
-                z = (t - 0.001, t + 0.0003)
-                decal(b, (-0.42 * d * s, -0.2 * d * s), (0.32 * w * s, 0.44 * w * s), z, "red paint")
-                for j in range(3):
-                    decal(
-                        b,
-                        ((0.05 + 0.1 * j) * d * s, (0.075 + 0.1 * j) * d * s),
-                        (0.02 * w, (0.3 - 0.05 * j) * w * s),
-                        z,
-                        "ink pigment",
-                    )
+@draws("envelope_stack", whole=True)
+def envelope_stack(d: Drawing) -> None:
+    """Envelopes in a pile with address and stamp."""
+    d.material("body", "paper")
+    levels = d.bounds.rows(max(3, round(d.size.height / 0.0045)))
+    tones = ["paper", "paper", "cardboard", "cream paint", "sky pigment"]
+    for k, level in enumerate(levels):
+        size = d.uniform(f"s{k}", 0.82, 0.95) if k else 1.0
+        with d.at(yaw=d.uniform(f"a{k}", -0.12, 0.12) if k else 0.0):
+            own = d.box(level.place(size * level.depth, size * level.width), d.pick(f"c{k}", tones), 0.0004).top(0.0)
+    d.print(own.share((0.08, 0.3), (0.82, 0.94)), "red paint")
+    for j in range(3):
+        d.print(own.share((0.55 + 0.1 * j, 0.575 + 0.1 * j), (0.52, 0.8 - 0.05 * j)), "ink pigment")
 
 
-@small("calendar")
-def calendar(b: Builder) -> None:
+@draws("calendar", whole=True)
+def calendar(d: Drawing) -> None:
     """A tent calendar: a picture, a month of days, a wire at its ridge."""
-    d, w, h = b.size
-    stand = b.material("stand", "black paint", "red paint", "navy paint", "cardboard", "sage paint")
-    top = h - 0.006
-    lean = float(np.arctan2(d / 2, top))
-    long = float(np.hypot(d / 2, top))
-    for s in (-1, 1):
-        with b.frame(s * (d / 2 - 0.0005), 0, 0, pitch=-s * lean):
-            x = (-0.0024, 0.0) if s > 0 else (0.0, 0.0024)
-            b.box(x, (-w / 2, w / 2), (0.0, long), stand, 0.0)
-            if s > 0:
-                decal(b, (-0.001, 0.0003), (-0.48 * w, 0.48 * w), (0.06 * long, 0.95 * long), "paper")
-                decal(b, (-0.001, 0.0004), (-0.46 * w, -0.02 * w), (0.1 * long, 0.9 * long), b.pick("photo", PRINTS))
-                decal(b, (-0.001, 0.00045), (-0.46 * w, -0.02 * w), (0.1 * long, 0.4 * long), b.pick("land", PRINTS))
-                decal(b, (-0.001, 0.0004), (0.02 * w, 0.3 * w), (0.76 * long, 0.86 * long), stand)
-                for i in range(7):
-                    for j in range(5):
-                        y, z = (0.03 + 0.062 * i) * w, (0.58 - 0.11 * j) * long
-                        decal(
-                            b,
-                            (-0.001, 0.0004),
-                            (y, y + 0.035 * w),
-                            (z, z + 0.05 * long),
-                            "red paint" if i == 6 else "grey paint",
-                        )
-    n = 15
-    for k in range(n):
-        y = -0.46 * w + 0.92 * w * k / (n - 1)
-        b.box((-0.005, 0.005), (y - 0.0012, y + 0.0012), (h - 0.012, h), "steel", 0.002)
+    deep, wide, high = d.size
+    stand = d.material("stand", "black paint, red paint, navy paint, cardboard, sage paint")
+    lean, long = math.atan2(deep / 2, high - 0.006), math.hypot(deep / 2, high - 0.006)
+    leaf = Box((-0.0024, 0.0), (-wide / 2, wide / 2), (0.0, long))
+    for side in (-1, 1):
+        with d.at(side * (deep / 2 - 0.0005), pitch=-side * lean):
+            d.box(leaf if side > 0 else leaf.move(x=0.0024), stand, 0.0)
+            if side < 0:
+                continue
+            page = d.print(leaf.front(0.0).share(y=(0.02, 0.98), z=(0.06, 0.95)), "paper")
+            photo = d.print(page.share(y=(0.02, 0.48), z=(0.05, 0.95)), d.pick("photo", PRINTS), 0.0004)
+            d.print(photo.share(z=(0.0, 0.38)), d.pick("land", PRINTS), 0.00045)
+            d.print(page.share(y=(0.52, 0.8), z=(0.8, 0.92)), stand, 0.0004)
+            for i, column in enumerate(page.share(y=(0.52, 0.98), z=(0.1, 0.7)).columns(7)):
+                for cell in column.rows(5):
+                    d.print(cell.share(y=(0.2, 0.8), z=(0.25, 0.75)), "red paint" if i == 6 else "grey paint", 0.0004)
+    with d.along((0, -0.46 * wide, high - 0.012), (0, 0.46 * wide, high - 0.012), 15):
+        d.box(Box.sized(0.01, 0.0024, 0.012), "steel", 0.002)
 
 
-@small("clipboard")
-def clipboard(b: Builder) -> None:
+@draws("clipboard", whole=True)
+def clipboard(d: Drawing) -> None:
     """A board with a clip and a printed form."""
-    d, w, h = b.size
-    look = b.material("board", "oak", "black plastic", "clear plastic", "cork", "blue plastic", "walnut")
-    slab(b, (-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.0035), look, 0.012, 0.0008)
-    with b.frame(0.014, 0, 0):
-        leaves(b, min(0.285, d - 0.03), 0.205, (0.0035, 0.0052))
-        printed(b, 0.28, 0.2, 0.0052, lines=11)
-    slab(b, (-d / 2 + 0.006, -d / 2 + 0.035), (-0.06, 0.06), (0.0035, 0.009), "steel", 0.008, 0.002)
-    b.bar((-d / 2 + 0.012, -0.05, h - 0.005), (-d / 2 + 0.012, 0.05, h - 0.005), 0.005, "steel", 10)
+    look = d.material("board", "oak, black plastic, clear plastic, cork, blue plastic, walnut")
+    board = d.slab(d.bounds.bottom(0.0035), look, 0.012, 0.0008)
+    form = d.box(board.top(-0.0017).place(min(0.285, board.depth - 0.03), 0.205).move(x=0.014), "paper", 0.0)
+    ruled(d, form.top(0.0), 11)
+    clip = d.slab(board.top(-0.0055).back(0.035).inset(back=0.006).place(width=0.12), "steel", 0.008, 0.002)
+    level = d.bounds.z[1] - 0.005
+    d.bar((clip.x[0] + 0.006, -0.05, level), (clip.x[0] + 0.006, 0.05, level), 0.005, "steel", 10)
 
 
-@small("calculator")
-def calculator(b: Builder) -> None:
+@draws("calculator", whole=True)
+def calculator(d: Drawing) -> None:
     """A slanted calculator with a display and keys."""
-    d, w, h = b.size
-    look = b.material("body", "black plastic", "grey plastic", "white plastic", "mint plastic")
-    keys = b.material("keys", "white plastic", "grey plastic", "black plastic")
-    low = 0.45 * h
-    b.hull(
-        [
-            (x, y, z)
-            for y in (-w / 2, w / 2)
-            for x, z in ((d / 2, 0.0), (-d / 2, 0.0), (-d / 2, 0.75 * h), (-0.48 * d, 0.88 * h), (d / 2, low))
-        ],
-        look,
-    )
-    tilt = float(np.arctan2(0.88 * h - low, 0.98 * d))
-    with b.frame(d / 2, 0, low, pitch=tilt):
-        decal(b, (-0.95 * d, -0.76 * d), (-0.42 * w, 0.42 * w), (-0.002, 0.0003), "black plastic")
-        decal(b, (-0.92 * d, -0.79 * d), (-0.39 * w, 0.39 * w), (-0.002, 0.0004), "pale leaf")
-        for i in range(5):
-            for j in range(4):
-                x, y = (-0.7 + 0.135 * i) * d, (-0.42 + 0.215 * j) * w
-                c = "orange plastic" if (i, j) == (4, 3) else "grey plastic" if j == 3 else keys
-                b.box((x, x + 0.1 * d), (y, y + 0.17 * w), (-0.001, 0.12 * h), c, 0.001)
+    deep, wide, high = d.size
+    look = d.material("body", "black plastic, grey plastic, white plastic, mint plastic")
+    keys = d.material("keys", "white plastic, grey plastic, black plastic")
+    d.silhouette(d.bounds, [(1, 0), (0, 0), (0, 0.75), (0.02, 0.88), (1, 0.45)], look)
+    tilt = math.atan2(0.43 * high, 0.98 * deep)
+    slope = Box((-0.98 * deep / math.cos(tilt), 0.0), (-wide / 2, wide / 2), (0.0, 0.0))
+    with d.at(deep / 2, 0.0, 0.45 * high, pitch=tilt):
+        d.print(slope.share((0.03, 0.24), (0.08, 0.92)), "black plastic")
+        d.print(slope.share((0.06, 0.21), (0.11, 0.89)), "pale leaf", 0.0004)
+        for i, row in enumerate(slope.share((0.29, 0.95), (0.08, 0.92)).split("x", 5, gap=0.03 * deep)):
+            for j, key in enumerate(row.columns(4, gap=0.04 * wide)):
+                tone = "orange plastic" if (i, j) == (4, 3) else "grey plastic" if j == 3 else keys
+                d.box(key.top(-0.12 * high).inset(bottom=-0.001), tone, 0.001)
 
 
-@small("scissors")
-def scissors(b: Builder) -> None:
+@draws("scissors", whole=True)
+def scissors(d: Drawing) -> None:
     """Scissors lying a little open, with bright grips."""
-    d, w, h = b.size
-    grip = b.material("grip", "red plastic", "black plastic", "orange plastic", "blue plastic", "green plastic")
+    deep, wide, high = d.size
+    grip = d.material("grip", "red plastic, black plastic, orange plastic, blue plastic, green plastic")
+    blade = [
+        (-0.52, -0.01),
+        (-0.05, -0.09),
+        (0.06, -0.06),
+        (0.03, -0.04),
+        (0.18, 0.02),
+        (0.16, 0.16),
+        (0.03, 0.06),
+        (-0.05, 0.06),
+    ]
+    ring = np.array([[-0.006, -0.5 * high], [0.006, -0.5 * high], [0.006, 0.5 * high], [-0.006, 0.5 * high]])
+    t = np.arange(14) * 2 * np.pi / 14
     for s in (-1, 1):
-        z = 0.0 if s < 0 else 0.4 * h
-        with b.frame(0, 0, 0, yaw=s * 0.14):
-            b.hull(
-                [
-                    (x * d, s * y * w, z + t)
-                    for x, y in ((-0.52, -0.01), (-0.05, -0.09), (0.06, -0.06), (0.06, 0.06), (-0.05, 0.06))
-                    for t in (0.15 * h, 0.5 * h)
-                ],
-                "steel",
-            )
-            b.hull(
-                [
-                    (x * d, s * y * w, t)
-                    for x, y in ((0.03, -0.04), (0.03, 0.06), (0.16, 0.16), (0.18, 0.02))
-                    for t in (z, z + 0.5 * h)
-                ],
-                "steel",
-            )
-        with b.frame(0.3 * d, s * 0.25 * w, 0.5 * h, yaw=s * 0.3):
-            t = np.arange(14) * 2 * np.pi / 14
-            n = np.array([[-0.006, -0.5 * h], [0.006, -0.5 * h], [0.006, 0.5 * h], [-0.006, 0.5 * h]])
-            b.tube(np.c_[0.15 * d * np.cos(t), 0.2 * w * np.sin(t), 0 * t], n, grip, closed=True)
-    spot(b, 0.0042, (0.4 * h, 0.9 * h + 0.0003), "black plastic", 12)
+        plan = [(x * deep, s * y * wide) for x, y in blade][::s]
+        low = 0.1 * high if s < 0 else 0.4 * high
+        with d.at(yaw=s * 0.14):
+            d.extrude(plan, (low, low + 0.4 * high), "steel")
+        with d.at(0.3 * deep, s * 0.25 * wide, 0.5 * high, yaw=s * 0.3):
+            d.sweep(np.c_[0.15 * deep * np.cos(t), 0.2 * wide * np.sin(t), 0 * t], ring, grip, closed=True)
+    d.print(Box.sized(0.0084, 0.0084, 0.0, (0, 0, 0.8 * high)), "black plastic", oval=True)
 
 
-@small("hole_punch")
-def hole_punch(b: Builder) -> None:
+@draws("hole_punch", whole=True)
+def hole_punch(d: Drawing) -> None:
     """A punch with a lever and two holes."""
-    d, w, h = b.size
-    look = b.material("body", "black steel", "red plastic", "grey plastic", "blue plastic")
-    slab(b, (-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.16 * h), "black plastic", 0.01, 0.002)
-    for s in (-1, 1):
-        b.box((0.1 * d, 0.24 * d), (s * 0.34 * w - 0.008, s * 0.34 * w + 0.008), (0.16 * h, 0.6 * h), "steel", 0.002)
-        b.box(
-            (-0.3 * d, 0.3 * d), (s * 0.47 * w - 0.003, s * 0.47 * w + 0.003), (0.1 * h, 0.62 * h), "black steel", 0.001
-        )
-    b.hull(
-        [
-            (x * d, y * w, z * h)
-            for y in (-0.44, 0.44)
-            for x, z in ((0.3, 0.5), (0.32, 0.6), (0.1, 0.72), (-0.5, 1.0), (-0.5, 0.88), (-0.2, 0.55))
-        ],
-        look,
-    )
-    b.box((0.28 * d, 0.31 * d), (-0.4 * w, 0.4 * w), (0.18 * h, 0.2 * h), "steel", 0.0)
+    look = d.material("body", "black steel, red plastic, grey plastic, blue plastic")
+    box = d.bounds
+    d.slab(box.share(z=(0.0, 0.16)), "black plastic", 0.01, 0.002)
+    with d.mirror("y"):
+        d.cylinder(box.share((0.6, 0.74), (0.84, 0.84), (0.16, 0.6)).inset(y=-0.008), "steel", segments=12)
+        d.box(box.share((0.2, 0.8), (0.97, 0.97), (0.1, 0.62)).inset(y=-0.003), "black steel", 0.001)
+    lever = [(0.8, 0.5), (0.82, 0.6), (0.6, 0.72), (0.0, 1.0), (0.0, 0.88), (0.3, 0.55)]
+    d.silhouette(box.share(y=(0.06, 0.94)), lever, look, bevel=0.002)
+    d.box(box.share((0.78, 0.81), (0.1, 0.9), (0.18, 0.2)), "steel", 0.0)
 
 
-@small("business_card_holder")
-def business_card_holder(b: Builder) -> None:
+@draws("business_card_holder", whole=True)
+def business_card_holder(d: Drawing) -> None:
     """Cards upright in a small stand."""
-    d, w, h = b.size
-    look = b.material("body", "black plastic", "oak", "walnut", "clear plastic", "steel", "brass")
-    b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.12 * h), look, 0.001)
-    b.box((0.42 * d, d / 2), (-w / 2, w / 2), (0.12 * h, 0.34 * h), look, 0.001)
-    b.box((-d / 2, -0.4 * d), (-w / 2, w / 2), (0.12 * h, 0.7 * h), look, 0.001)
+    look = d.material("body", "black plastic, oak, walnut, clear plastic, steel, brass")
+    box = d.bounds
+    for x, z in (((0, 1), (0, 0.12)), ((0.92, 1), (0.12, 0.34)), ((0, 0.1), (0.12, 0.7))):
+        d.box(box.share(x=x, z=z), look, 0.001)
+    logo = d.pick("logo", ["navy paint", "red paint", "teal paint"])
     for k in range(5):
-        with b.frame(0.3 * d - 0.13 * d * k, 0, 0.12 * h, pitch=-0.12):
-            b.box((-0.003, 0.0), (-0.44 * w, 0.44 * w), (0.0, (0.8 + 0.02 * k) * h), "paper", 0.0)
+        with d.at(*box.point(0.8 - 0.13 * k, 0.5, 0.12), pitch=-0.12):
+            card = d.box(
+                Box((-0.003, 0.0), box.share(y=(0.06, 0.94)).y, (0.0, (0.8 + 0.02 * k) * box.height)), "paper", 0.0
+            )
             if k == 0:
-                decal(
-                    b,
-                    (-0.001, 0.0003),
-                    (-0.36 * w, -0.05 * w),
-                    (0.6 * h, 0.68 * h),
-                    b.pick("logo", ["navy paint", "red paint", "teal paint"]),
-                )
-                decal(b, (-0.001, 0.0003), (-0.36 * w, 0.2 * w), (0.5 * h, 0.53 * h), "grey paint")
+                d.print(card.front(0.0).share(y=(0.1, 0.45), z=(0.75, 0.85)), logo)
+                d.print(card.front(0.0).share(y=(0.1, 0.73), z=(0.62, 0.66)), "grey paint")
