@@ -115,7 +115,8 @@ def open_book(d: Drawing) -> None:
 
     def strip(place: Box, low: tuple[float, float], top: tuple[float, float], proud: float, ink: Look) -> None:
         ends = [place.point(0.0, *low), place.point(0.0, *top)]
-        d.add(shapes.hull([(x, y, z + e) for x in place.x for _, y, z in ends for e in (-0.0006, proud)]), ink, [])
+        corners = [(x, y, z + e) for x in place.x for _, y, z in ends for e in (-0.0006, proud)]
+        d.add(shapes.hull(np.array(corners)), ink, [])
 
     with d.mirror("y"):
         d.silhouette(block, [(0, 0), (1, 0), *curve[::-1]], "paper", "x")
