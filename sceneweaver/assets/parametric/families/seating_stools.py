@@ -6,390 +6,280 @@ import math
 
 import numpy as np
 
-from sceneweaver.geometry.prisms import ring_faces
-
 from ... import shapes
-from ..builder import Builder
-from ..joinery import legs
-from ..registry import draws
-from .seating_parts import arc_panel, leg, splayed, square_leg
-
-_COVERS = ("@fabric", "brown leather", "tan leather", "black leather")
-
-
-def _ring(b: Builder, r: float, z: float, radius: float, material, count: int = 12) -> None:
-    angle = np.arange(count) * 2 * np.pi / count
-    b.tube(np.c_[r * np.cos(angle), r * np.sin(angle), np.full(count, z)], radius, material, segments=6, closed=True)
+from ...drawing import Box, Drawing, draws
+from ...drawing.components import carcass, cushions, feet, leg, legs, piping
+from .seating_parts import COVERS, arc_panel
 
 
 @draws("stool")
-def stool(b: Builder) -> None:
+def stool(d: Drawing) -> None:
     """A round or square seat on three or four legs with stretchers."""
-    d, w, h = b.size
-    wood = b.material("seat", "oak", "walnut", "beech", "birch", "white paint", "black paint", "teal paint")
-    under = b.material("legs", "black steel", "brass") if b.chance("metal legs", 0.25) else wood
-    r = 0.5
-    round_seat, count = b.chance("round", 0.7), b.pick("legs", [3, 4, 4])
-    thick = 0.035
-    padded = b.chance("padded", 0.3)
-    with b.solid("stool"):
-        top = h - thick
-        if round_seat:
+    wood = d.material("seat", "oak, walnut, beech, birch, white paint, black paint, teal paint")
+    under = d.material("legs", "black steel, brass") if d.chance("metal legs", 0.25) else wood
+    is_round, count, padded = d.chance("round", 0.7), d.pick("legs", [3, 4, 4]), d.chance("padded", 0.3)
+    seat = Box.sized(0.36, 0.36, d.size.height).top(0.035)
+    foot, head, start = 0.175, 0.115, math.pi / count + (math.pi if count == 3 else 0.0)
+    if not is_round:
+        count, foot, head, start = 4, 0.226, 0.198, math.pi / 4
+    with d.part("stool"):
+        if not is_round:
+            d.box(seat, wood, bevel=0.008)
+            d.surface("top", seat, inset=0.015)
+        else:
             if padded:
-                cover = b.material("cover", *_COVERS)
-                b.frustum(r * 0.36, r * 0.36, (top - 0.01, top + 0.012), wood, segments=28, bevel=0.004)
-                b.lathe([(0.165, top + 0.01), (0.178, top + 0.022), (0.178, h - 0.012), (0.168, h)], cover, segments=28)
+                d.cylinder(seat.bottom(0.022).move(z=-0.01), wood, segments=28, bevel=0.004)
+                profile = [(0.92, 0.25), (0.99, 0.5), (0.99, 0.72), (0.93, 1.0)]
+                d.turned(seat, profile, d.material("cover", COVERS), 28)
             else:
-                b.lathe([(0.15, top), (0.178, top + 0.012), (0.18, h - 0.008), (0.174, h)], wood, segments=28)
-            b.surface(
-                "top",
-                (0, 0),
-                (0, 0),
-                h,
-                polygon=[(0.15 * math.cos(k * math.pi / 4), 0.15 * math.sin(k * math.pi / 4)) for k in range(8)],
+                d.turned(seat, [(0.84, 0.0), (0.99, 0.34), (1.0, 0.78), (0.96, 1.0)], wood, 28)
+            turn = np.arange(8) * (math.pi / 4)
+            d.surface("top", seat, polygon=0.15 * np.c_[np.cos(turn), np.sin(turn)])
+        level, metal = 0.38, under is not wood
+        at, top = foot + (head - foot) * level, seat.z[0]
+        next_leg = (at * math.cos(2 * math.pi / count), at * math.sin(2 * math.pi / count), level * top)
+        with d.ring(count, 0.0, start):
+            leg(
+                d,
+                (foot, 0.0, 0.0),
+                (head, 0.0, top + 0.004),
+                0.018 if metal else 0.022,
+                0.018 if metal else 0.036,
+                under,
             )
-        else:
-            b.box((-0.18, 0.18), (-0.18, 0.18), (top, h), wood, bevel=0.008)
-            b.surface("top", (-0.165, 0.165), (-0.165, 0.165), h)
-        foot, head = 0.175, 0.115
-        low, high = (0.009, 0.009) if under is not wood else (0.011, 0.018)
-        spots = [
-            (math.cos(a), math.sin(a))
-            for a in (2 * math.pi * (k + 0.5) / count + (math.pi if count == 3 else 0) for k in range(count))
-        ]
-        if not round_seat:
-            spots, foot, head = [(1, 1), (-1, 1), (-1, -1), (1, -1)], 0.16, 0.14
-        for c, s in spots:
-            leg(b, (foot * c, foot * s, 0), (head * c, head * s, top + 0.004), low, high, under)
-        share = 0.38
-        at = foot + (head - foot) * share
-        if under is not wood and round_seat:
-            _ring(b, at, share * top, 0.007, under)
-        else:
-            for (c, s), (e, f) in zip(spots, spots[1:] + spots[:1], strict=True):
-                b.bar((at * c, at * s, share * top), (at * e, at * f, share * top), 0.009, under, segments=8)
-    b.fit()
+            if not (metal and is_round):
+                d.bar((at, 0.0, level * top), next_leg, 0.009, under, segments=8)
+        if metal and is_round:
+            d.hoop(Box.around((0.0, 0.0, level * top), 2 * at, 2 * at, 0.0), 0.007, under, steps=16)
+    d.fit()
 
 
 @draws("bar_stool")
-def bar_stool(b: Builder) -> None:
+def bar_stool(d: Drawing) -> None:
     """A high seat with a foot rest: four legs or a pedestal, with or without a low back."""
-    d, w, h = b.size
-    metal = b.material("frame", "black steel", "chrome", "brass", "oak", "walnut")
+    metal = d.material("frame", "black steel, chrome, brass, oak, walnut")
+    cover = d.material("cover", "@fabric", "black leather, tan leather, oak, walnut")
+    h = d.size.height
     backed = h > 0.82
-    seat = min(h - 0.2, 0.76) if backed else h
-    cover = b.material("cover", "@fabric", "black leather", "tan leather", "oak", "walnut")
-    kind = b.pick("kind", ["pedestal", "four legs", "four legs"])
-    with b.solid("seat"):
-        if kind == "pedestal":
-            b.lathe([(0.2, 0), (0.205, 0.008), (0.1, 0.022), (0.035, 0.035), (0.03, 0.05)], metal, segments=28)
-            b.frustum(0.028, 0.028, (0.03, 0.36), metal, segments=14)
-            b.frustum(0.019, 0.019, (0.36, seat - 0.07), metal, segments=14)
-            _ring(b, 0.15, 0.27, 0.009, metal, 14)
-            b.bar((-0.15, 0, 0.27), (0.15, 0, 0.27), 0.009, metal, segments=6)
-            b.frustum(0.07, 0.1, (seat - 0.085, seat - 0.065), metal, segments=16)
+    top = min(h - 0.2, 0.76) if backed else h
+    seat = Box.sized(0.39, 0.4, 0.07, (0.005, 0.0, top - 0.07))
+    with d.part("seat"):
+        if d.pick("kind", ["pedestal", "four legs", "four legs"]) == "pedestal":
+            d.revolve([(0.2, 0.0), (0.205, 0.008), (0.1, 0.022), (0.035, 0.035), (0.03, 0.05)], metal, 28)
+            for wide, z in ((0.056, (0.03, 0.36)), (0.038, (0.36, top - 0.07))):
+                d.cylinder(Box.sized(wide, wide, 1.0).to(z=z), metal, segments=16)
+            d.hoop(Box.around((0.0, 0.0, 0.27), 0.3, 0.3, 0.0), 0.009, metal, steps=18)
+            d.bar((-0.15, 0.0, 0.27), (0.15, 0.0, 0.27), 0.009, metal, segments=6)
+            d.cylinder(Box.sized(0.2, 0.2, 0.02, (0.0, 0.0, top - 0.085)), metal, ends=(0.7, 1.0), segments=16)
         else:
-            foot, head = 0.18, 0.14
-            for sx in (-1, 1):
-                for sy in (-1, 1):
-                    square_leg(b, (sx * foot, sy * foot, 0), (sx * head, sy * head, seat - 0.06), 0.022, 0.03, metal)
-            for z, pairs in ((0.24, (0, 2)), (0.3, (1, 3))):
-                at = foot + (head - foot) * z / (seat - 0.06)
-                ring = [(at, -at), (at, at), (-at, at), (-at, -at)]
-                for k in pairs:
-                    (ax, ay), (cx, cy) = ring[k], ring[(k + 1) % 4]
-                    b.bar((ax, ay, z), (cx, cy, z), 0.01, metal, segments=8)
-            b.box((-0.15, 0.15), (-0.15, 0.15), (seat - 0.075, seat - 0.05), metal, bevel=0.005)
-        if b.chance("square seat", 0.5):
-            b.cushion((-0.19, 0.2), (-0.2, 0.2), (seat - 0.07, seat), cover, radius=0.03)
+            foot, head, under = 0.18, 0.14, top - 0.06
+            with d.mirror("x", "y"):
+                leg(d, (foot, foot, 0.0), (head, head, under), 0.022, 0.03, metal, 4)
+            for axes, z in (("x", 0.24), ("y", 0.3)):
+                at = foot + (head - foot) * z / under
+                start = (at, -at, z) if axes == "x" else (-at, at, z)
+                with d.mirror(axes):
+                    d.bar(start, (at, at, z), 0.01, metal, segments=8)
+            d.box(Box.sized(0.3, 0.3, 0.025, (0.0, 0.0, top - 0.075)), metal, bevel=0.005)
+        if d.chance("square seat", 0.5):
+            d.cushion(seat, cover, 0.03)
         else:
-            b.lathe(
-                [(0.16, seat - 0.065), (0.195, seat - 0.05), (0.2, seat - 0.025), (0.185, seat - 0.006), (0.17, seat)],
-                cover,
-                segments=28,
-            )
+            d.turned(seat, [(0.8, 0.07), (0.97, 0.28), (1.0, 0.64), (0.94, 0.9), (0.85, 1.0)], cover, 28)
     if backed:
-        with b.solid("back"):
-            with b.frame(-0.17, 0, 0):
-                arc_panel(b, 0.36, (seat + 0.1, h), 0.035, 0.09, cover, lean=0.03)
-            for side in (-1, 1):
-                b.bar((-0.15, side * 0.12, seat - 0.06), (-0.17, side * 0.12, seat + 0.14), 0.011, metal, segments=8)
-    b.fit()
+        with d.part("back"):
+            with d.at(-0.17):
+                arc_panel(d, 0.36, (top + 0.1, h), 0.035, 0.09, cover, 0.03)
+            with d.mirror("y"):
+                d.bar((-0.15, 0.12, top - 0.06), (-0.17, 0.12, top + 0.14), 0.011, metal, segments=8)
+    d.fit()
 
 
 @draws("bench")
-def bench(b: Builder) -> None:
-    """A plank or padded seat on legs of several styles, some with a shelf for shoes below."""
-    d, w, h = b.size
-    wood = b.material("seat", "oak", "walnut", "pine", "light oak", "ash grey wood", "white paint")
-    style = b.pick("legs", ["panel", "tapered", "trestle", "metal", "slatted"])
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    padded = b.chance("padded", 0.45)
-    thick = 0.035
-    top = h - (0.06 if padded else 0.0)
-    under = b.material("legs", "black steel", "brass", "white steel") if style == "metal" else wood
-    inset = (y[0] + 0.06, y[1] - 0.06)
-    with b.solid("top"):
+def bench(d: Drawing) -> None:
+    """A plank, slatted or padded seat on legs of several styles."""
+    wood = d.material("seat", "oak, walnut, pine, light oak, ash grey wood, white paint")
+    style, padded = d.pick("legs", ["panel", "tapered", "trestle", "metal", "slatted"]), d.chance("padded", 0.45)
+    under = d.material("legs", "black steel, brass, white steel") if style == "metal" else wood
+    box = d.bounds
+    seat = box.top(0.035).move(z=-0.06 if padded else 0.0)
+    stand = box.to(z=(0.0, seat.z[0])).inset(x=0.03, y=0.06)
+    with d.part("top"):
         if style == "slatted":
-            for k in range(4):
-                step = (d + 0.012) / 4
-                b.box((x[0] + k * step, x[0] + (k + 1) * step - 0.012), y, (top - thick, top), wood)
+            for slat in seat.split("x", 4, gap=0.012):
+                d.box(slat, wood)
         else:
-            b.box(x, y, (top - thick, top), wood, bevel=0.006)
+            d.box(seat, wood, bevel=0.006)
         if padded:
-            cover = b.material("cover", *_COVERS)
-            count = 3 if w > 1.35 else 2
-            step = (w - 0.02) / count
-            for k in range(count):
-                b.cushion(
-                    (x[0] + 0.005, x[1] - 0.005),
-                    (y[0] + 0.01 + k * step, y[0] + 0.009 + (k + 1) * step),
-                    (top - 0.004, h),
-                    cover,
-                    radius=0.022,
-                )
-                b.surface(
-                    f"top-{k}", (x[0] + 0.035, x[1] - 0.035), (y[0] + 0.04 + k * step, y[0] - 0.02 + (k + 1) * step), h
-                )
+            pad = box.to(z=(seat.z[1] - 0.004, box.z[1])).inset(x=0.005, y=0.01)
+            for k, own in enumerate(cushions(d, pad, 3 if box.width > 1.35 else 2, d.material("cover", COVERS), 0.025)):
+                d.surface(f"top-{k}", own, inset=0.03)
         elif style != "slatted":
-            b.surface("top", (x[0] + 0.015, x[1] - 0.015), (y[0] + 0.015, y[1] - 0.015), h)
-        floor = top - thick
+            d.surface("top", seat, inset=0.015)
         if style == "panel":
-            legs(b, (x[0] + 0.02, x[1] - 0.02), inset, (0, floor), wood, "panel", 0.06)
-            b.box((-0.015, 0.015), (y[0] + 0.09, y[1] - 0.09), (floor - 0.1, floor - 0.02), wood)
+            legs(d, stand, wood, "panel", 0.06)
+            d.box(stand.inset(y=0.03).top(0.1).inset(top=0.02).place(depth=0.03), wood)
         elif style == "trestle":
-            for cy in (y[0] + 0.2, y[1] - 0.2):
-                for s in (-1, 1):
-                    square_leg(b, (s * (d / 2 - 0.03), cy, 0), (s * 0.05, cy, floor), 0.045, 0.045, wood)
-                b.box((-0.1, 0.1), (cy - 0.022, cy + 0.022), (floor - 0.035, floor), wood)
-            b.box((-0.015, 0.015), (y[0] + 0.2, y[1] - 0.2), (0.55 * floor, 0.55 * floor + 0.06), wood)
+            with d.mirror("y"), d.at(y=box.y[1] - 0.2):
+                with d.mirror("x"):
+                    leg(d, (stand.x[1], 0.0, 0.0), (0.05, 0.0, stand.height), 0.045, 0.045, wood, 4)
+                d.box(Box.sized(0.2, 0.044, 0.035, (0.0, 0.0, stand.height - 0.035)), wood)
+            d.box(stand.inset(y=0.14).share(z=(0.55, 0.7)).place(depth=0.03), wood)
         elif style == "metal":
-            for cy in (inset[0], inset[1]):
-                ring = np.array(
-                    [
-                        (x[0] + 0.03, cy, 0.0125),
-                        (x[1] - 0.03, cy, 0.0125),
-                        (x[1] - 0.03, cy, floor - 0.0125),
-                        (x[0] + 0.03, cy, floor - 0.0125),
-                    ]
-                )
-                square = 0.0125 * np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)])
-                b.tube(ring, square, under, closed=True)
+            bar = stand.inset(z=0.0125).left(0.0)
+            ring = [bar.anchor(f"left {end}") for end in ("bottom back", "bottom front", "top front", "top back")]
+            square = 0.0125 * np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)])
+            with d.mirror("y"):
+                d.sweep(ring, square, under, closed=True)
         else:
-            splayed(
-                b, (x[0] + 0.01, x[1] - 0.01), (y[0] + 0.03, y[1] - 0.03), (0, floor + 0.002), wood, 0.04, 0.012, 0.022
-            )
-            b.box((x[0] + 0.06, x[1] - 0.06), (y[0] + 0.09, y[1] - 0.09), (floor - 0.05, floor), wood)
-    b.fit()
+            legs(d, stand.inset(x=-0.02, y=-0.03, top=-0.002), wood, "splayed", 0.044, 0.04)
+            d.box(stand.inset(x=0.03, y=0.03).top(0.05), wood)
+    d.fit()
 
 
 @draws("storage_bench")
-def storage_bench(b: Builder) -> None:
+def storage_bench(d: Drawing) -> None:
     """A bench over open compartments with baskets, or a chest with a padded lid."""
-    d, w, h = b.size
-    wood = b.material("body", "white paint", "oak", "pine", "sage paint", "walnut", "light grey paint")
-    cover = b.material("cover", *_COVERS)
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    t, seat = 0.02, h - 0.06
-    kind = b.pick("kind", ["open", "chest", "open"])
-    if kind == "chest":
-        with b.solid("chest"):
-            b.box((x[0], x[1] - 0.006), y, (0.05, seat - 0.024), wood)
-            b.box((x[0] + 0.03, x[1] - 0.05), (y[0] + 0.03, y[1] - 0.03), (0, 0.05), wood)
-            for k in range(2 if w < 1.1 else 3):
-                n = 2 if w < 1.1 else 3
-                step = w / n
-                ya, yb = y[0] + k * step + 0.05, y[0] + (k + 1) * step - 0.05
-                for ys, zs in (
-                    ((ya, yb), (0.09, 0.13)),
-                    ((ya, yb), (seat - 0.11, seat - 0.07)),
-                    ((ya, ya + 0.04), (0.13, seat - 0.11)),
-                    ((yb - 0.04, yb), (0.13, seat - 0.11)),
-                ):
-                    b.box((x[1] - 0.007, x[1]), ys, zs, wood, bevel=0.002)
-        with b.hinge("lid", (x[0], 0.0, seat - 0.02), axis=(0.0, -1.0, 0.0), limits=(0.0, 1.4)), b.solid("chest"):
-            b.box((x[0], x[1]), y, (seat - 0.02, seat + 0.004), wood)
-            b.cushion((x[0] + 0.01, x[1] - 0.008), (y[0] + 0.01, y[1] - 0.01), (seat, h), cover, radius=0.025)
+    wood = d.material("body", "white paint, oak, pine, sage paint, walnut, light grey paint")
+    cover, box = d.material("cover", COVERS), d.bounds
+    wide = box.width > 1.08
+    body, pad = box.inset(top=0.06), box.top(0.064)
+    if d.pick("kind", ["open", "chest", "open"]) == "chest":
+        front = body.inset(bottom=0.05, top=0.024)
+        with d.part("chest"):
+            d.box(front.inset(front=0.006), wood)
+            d.box(body.bottom(0.05).inset(back=0.03, front=0.05, y=0.03), wood)
+            for panel in front.front(0.007).inset(z=0.04).columns(3 if wide else 2):
+                frame = panel.inset(y=0.05)
+                for bar in (frame.left(0.04), frame.right(0.04)):
+                    d.box(bar, wood, bevel=0.002)
+                for bar in (frame.top(0.04), frame.bottom(0.04)):
+                    d.box(bar.inset(y=0.04), wood, bevel=0.002)
+        lid = body.top(0.024).inset(bottom=0.004, top=-0.004)
+        hinge = lid.anchor("back bottom")
+        with d.hinge("lid", hinge, axis=(0.0, -1.0, 0.0), limits=(0.0, 1.4)), d.part("chest"):
+            d.box(lid, wood)
+            d.cushion(pad.inset(bottom=0.004, x=0.009, y=0.01), cover, 0.028)
     else:
-        count = 2 if w < 1.05 else 3
-        b.box(x, (y[0], y[0] + t), (0, seat), wood, bevel=0.002)
-        b.box(x, (y[1] - t, y[1]), (0, seat), wood, bevel=0.002)
-        inner = (y[0] + t, y[1] - t)
-        with b.solid("floor"):
-            b.box((x[0], x[1] - 0.01), inner, (0.03, 0.05), wood, bevel=0.0)
-            b.box((x[0] + 0.02, x[1] - 0.05), inner, (0.0, 0.03), wood, bevel=0.0)
-        with b.solid("seat"):
-            b.box(x, inner, (seat - t, seat), wood, bevel=0.002)
-            b.cushion(
-                (x[0] + 0.004, x[1] - 0.004), (y[0] + 0.004, y[1] - 0.004), (seat - 0.003, h), cover, radius=0.025
-            )
-        b.box((x[0], x[0] + 0.006), inner, (0.05, seat - t), wood, bevel=0.0)
-        step = (inner[1] - inner[0] + t) / count
-        weave = b.material("baskets", "wicker", "rattan", "grey fabric", "beige fabric")
-        full = b.whole("baskets", 0, count - 1)
-        for k in range(count):
-            ya, yb = inner[0] + k * step, inner[0] + (k + 1) * step - t
+        with d.part("floor"):
+            feet(d, body.bottom(0.03), wood)
+        room = carcass(d, body.inset(bottom=0.03), wood, 0.02)
+        with d.part("seat"):
+            d.cushion(pad.inset(x=0.002, y=0.002), cover, 0.028)
+        weave = d.material("baskets", "wicker, rattan, grey fabric, beige fabric")
+        cells = room.columns(3 if wide else 2, gap=0.02)
+        full = d.integer("baskets", 0, len(cells) - 1)
+        for k, cell in enumerate(cells):
             if k:
-                b.box((x[0] + 0.006, x[1] - 0.005), (ya - t, ya), (0.05, seat - t), wood, bevel=0.0)
+                d.box(cell.right(-0.02).inset(front=0.005), wood, bevel=0.0)
             if k < full:
-                b.cushion(
-                    (x[0] + 0.02, x[1] - 0.02),
-                    (ya + 0.015, yb - 0.015),
-                    (0.05, 0.05 + 0.72 * (seat - t - 0.05)),
-                    weave,
-                    radius=0.02,
-                )
-                middle = (ya + yb) / 2
-                b.box(
-                    (x[1] - 0.022, x[1] - 0.012),
-                    (middle - 0.04, middle + 0.04),
-                    (0.22, 0.24),
-                    "brown leather",
-                    bevel=0.003,
-                )
+                basket = cell.share(z=(0.0, 0.74)).inset(back=0.012, front=0.02, y=0.015)
+                d.cushion(basket, weave, 0.018)
+                d.slab(basket.top(0.02).inset(x=-0.003, y=-0.003), weave, 0.02, 0.004)
+                d.box(basket.front(-0.006).place(width=0.09, height=0.02).move(z=0.03), "brown leather", bevel=0.003)
             else:
-                b.surface(
-                    f"shelf-{k}",
-                    (x[0] + 0.012, x[1] - 0.015),
-                    (ya + 0.005, yb - 0.005),
-                    0.05,
-                    headroom=round(seat - t - 0.05 - 0.004, 4),
-                )
-    if kind != "chest":
-        b.surface("top", (x[0] + 0.035, x[1] - 0.035), (y[0] + 0.035, y[1] - 0.035), h)
-    b.fit()
+                d.surface(f"shelf-{k}", cell.bottom(0.0).inset(back=0.006, front=0.015, y=0.005), cell.height - 0.002)
+    if not d.drawn.links:
+        d.surface("top", box, inset=0.035)
+    d.fit()
 
 
 @draws("piano_bench")
-def piano_bench(b: Builder) -> None:
+def piano_bench(d: Drawing) -> None:
     """A tufted leather seat on a wooden apron and four legs, with knobs to set its height."""
-    d, w, h = b.size
-    wood = b.material("legs", "black paint", "mahogany", "walnut", "cherry")
-    cover = b.material("cover", "black leather", "brown leather", "black fabric")
-    x, y = (-d / 2, d / 2), (-w / 2 + 0.02, w / 2 - 0.02)
-    turned = b.chance("turned", 0.5)
-    with b.solid("bench"):
-        low = h - 0.16
-        for cx in (x[0] + 0.03, x[1] - 0.03):
-            for cy in (y[0] + 0.03, y[1] - 0.03):
-                if turned:
-                    with b.frame(cx, cy):
-                        b.lathe(
-                            [
-                                (0.014, 0),
-                                (0.02, 0.02),
-                                (0.013, 0.05),
-                                (0.022, low * 0.55),
-                                (0.025, low * 0.8),
-                                (0.016, low * 0.86),
-                                (0.028, low * 0.92),
-                                (0.028, low + 0.06),
-                            ],
-                            wood,
-                            segments=14,
-                        )
-                else:
-                    square_leg(b, (cx, cy, 0), (cx, cy, low + 0.06), 0.032, 0.05, wood)
-        b.box((x[0] + 0.01, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), (low + 0.02, h - 0.075), wood)
-        b.box(x, y, (h - 0.085, h - 0.07), wood, bevel=0.006)
-        for side in (-1, 1):
-            with b.frame(0, side * (y[1] - 0.012), low + 0.05, roll=-side * math.pi / 2):
-                b.lathe([(0.012, 0), (0.012, 0.012), (0.022, 0.016), (0.022, 0.03), (0.016, 0.034)], wood, segments=14)
-        nx, ny = 2, 4 if w > 0.64 else 3
-        sx, sy = (d - 0.01) / nx, (y[1] - y[0] - 0.01) / ny
-        for i in range(nx):
-            for j in range(ny):
-                b.cushion(
-                    (x[0] + 0.005 + i * sx, x[0] + 0.005 + (i + 1) * sx),
-                    (y[0] + 0.005 + j * sy, y[0] + 0.005 + (j + 1) * sy),
-                    (h - 0.075, h),
-                    cover,
-                    radius=0.03,
-                )
-    b.fit()
+    wood = d.material("legs", "black paint, mahogany, walnut, cherry")
+    cover, box = d.material("cover", "black leather, brown leather, black fabric"), d.bounds.inset(y=0.02)
+    turned = d.chance("turned", 0.5)
+    with d.part("bench"):
+        case = box.inset(top=0.08)
+        legs(d, case, wood, "turned" if turned else "square", 0.055 if turned else 0.045)
+        apron = d.box(case.top(0.07).inset(x=0.01, y=0.01), wood)
+        d.box(box.top(0.085).bottom(0.016), wood, bevel=0.006)
+        with d.mirror("y"), d.at(0.0, apron.y[1], apron.center[2], roll=-math.pi / 2):
+            d.revolve([(0.012, -0.002), (0.012, 0.012), (0.022, 0.016), (0.022, 0.026), (0.016, 0.03)], wood, 14)
+        for row in box.top(0.075).inset(x=0.005, y=0.005).split("x", 2):
+            cushions(d, row, 4 if box.width > 0.6 else 3, cover, 0.03, 0.0, 0.0)
+    d.fit()
 
 
 @draws("ottoman")
-def ottoman(b: Builder) -> None:
+def ottoman(d: Drawing) -> None:
     """A padded block on short legs, tufted in some."""
-    d, w, h = b.size
-    cover = b.material("cover", *_COVERS)
-    wood = b.material("legs", "oak", "walnut", "black paint", "brass")
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    foot = b.uniform("foot", 0.06, 0.14)
-    with b.solid("ottoman"):
-        splayed(b, (x[0] + 0.03, x[1] - 0.03), (y[0] + 0.03, y[1] - 0.03), (0, foot + 0.005), wood, 0.02, 0.011, 0.02)
-        b.cushion((x[0] + 0.008, x[1] - 0.008), (y[0] + 0.008, y[1] - 0.008), (foot, h - 0.11), cover, radius=0.02)
-        b.cushion(x, y, (h - 0.13, h), cover, radius=0.045)
-        seam = h - 0.118
-        b.box(
-            (x[0] + 0.006, x[1] - 0.006), (y[0] + 0.006, y[1] - 0.006), (seam - 0.005, seam + 0.005), cover, bevel=0.003
-        )
-        if b.chance("tufts", 0.5):
-            for i in range(2):
-                for j in range(3):
-                    at = (x[0] + d * (i + 0.75) / 2.5, y[0] + w * (j + 0.5) / 3)
-                    b.ball((0.014, 0.014, 0.004), (*at, h - 0.0029), cover, segments=10)
-    b.surface("top", (x[0] + 0.055, x[1] - 0.055), (y[0] + 0.055, y[1] - 0.055), h)
-    b.fit((d, w, h))
+    cover, wood = d.material("cover", COVERS), d.material("legs", "oak, walnut, black paint, brass")
+    box, foot = d.bounds, d.uniform("foot", 0.06, 0.14)
+    with d.part("ottoman"):
+        legs(d, box.bottom(foot + 0.005).inset(x=0.03, y=0.03), wood, "splayed", 0.04, 0.02)
+        d.cushion(box.inset(bottom=foot, top=0.11, x=0.008, y=0.008), cover, 0.02)
+        piping(d, d.cushion(box.top(0.13), cover, 0.045), cover, 0.045)
+        if d.chance("tufts", 0.5):
+            with d.grid(box.top(0.0), x=2, y=3):
+                d.ball(Box.around((0.0, 0.0, -0.003), 0.028, 0.028, 0.008), cover, segments=10)
+    d.surface("top", box, inset=0.055)
+    d.fit(d.size)
+
+
+_POUF = [(0.8, 0.0), (0.93, 0.06), (1.0, 0.22), (1.0, 0.55), (0.97, 0.76), (0.88, 0.9), (0.66, 0.985), (0.3, 1.0)]
+"""Half widths and heights of a pouf, as shares."""
 
 
 @draws("pouf")
-def pouf(b: Builder) -> None:
-    """A round, stuffed seat in gores that meet at a button; low and soft."""
-    d, w, h = b.size
-    cover = b.material("cover", "@fabric", "tan leather", "brown leather", "wicker")
-    gores = b.pick("gores", [12, 16, 20])
-    per = 4
-    count = gores * per
-    angle = np.arange(count) * 2 * np.pi / count
-    bulge = 1 - 0.035 * np.abs(np.cos(angle * gores / 2)) ** 4
-    rings = []
-    profile = [
-        (0.82, 0.0),
-        (0.94, 0.05),
-        (1.0, 0.18),
-        (1.0, 0.5),
-        (0.995, 0.78),
-        (0.95, 0.92),
-        (0.84, 0.985),
-        (0.45, 1.0),
-        (0.06, 0.985),
-    ]
-    for r, z in profile:
-        share = bulge if 0.05 < z < 0.99 else bulge * 0 + 1
-        rings.append(np.c_[r * share * np.cos(angle), r * share * np.sin(angle), np.full(count, z)])
-    points = np.concatenate(rings) * np.array([d / 2, w / 2, h])
-    faces = [ring_faces(k * count, (k + 1) * count, count) for k in range(len(rings) - 1)]
-    fan = np.arange(1, count - 1)
-    faces += [np.c_[0 * fan, fan + 1, fan], np.c_[0 * fan, fan, fan + 1] + (len(rings) - 1) * count]
-    with b.solid("pouf"):
-        hull = shapes.lathe([(r, z) for r, z in [*profile[:-1], (0.06, 1.0)]], 24)[0] * np.array([d / 2, w / 2, h])
-        b.add((points, np.concatenate(faces).astype(np.int32)), cover, [shapes.hull(hull)])
-        b.ball((0.025, 0.025, 0.012), (0, 0, h * 0.985), cover, segments=12)
-    b.fit()
+def pouf(d: Drawing) -> None:
+    """A round, stuffed seat: gores of cloth or leather that swell between seams, or courses of thick knitted rope."""
+    cover, box = d.material("cover", "@fabric", "tan leather, brown leather, wicker"), d.bounds
+    depth, width, h = box.size
+    with d.part("pouf"):
+        if cover.name.endswith("fabric") and d.chance("knitted", 0.5):
+            rope = h / 16
+            z = np.linspace(rope, h - rope, 9)
+            r = np.interp(z / h, [s for _, s in _POUF], [s for s, _ in _POUF]) - 2 * rope / width
+            courses = [*zip(z.tolist(), r.tolist(), strict=True), (h - 0.7 * rope, 0.45), (h - 0.7 * rope, 0.2)]
+            rings = [shapes.ellipse(share * depth / 2, share * width / 2, at, 28) for at, share in courses]
+            skins = [shapes.sweep(ring, rope, 8, closed=True) for ring in rings]
+            whole = shapes.containing_hull(np.concatenate([points for points, _ in skins]))
+            with d.no_colliders():
+                d.turned(box.inset(top=0.004), [(0.97 * r, z) for r, z in _POUF], cover, 28)
+            for k, skin in enumerate(skins):
+                d.add(skin, cover, [] if k else [whole])
+        else:
+            gores, steps = d.pick("gores", [8, 10, 12]), 6
+            turn = np.arange(gores * steps) * (2 * np.pi / (gores * steps))
+            seam = np.abs(np.cos(turn * gores / 2)) ** 6
+            rings = []
+            for r, z in (*_POUF, (0.05, 0.985)):
+                own = r * (1 - (0.09 if 0 < z < 0.99 else 0.0) * seam)
+                drop = (0.0 if z in (0.0, 1.0) else 0.012) * seam
+                rings.append(np.c_[own * np.cos(turn) * depth / 2, own * np.sin(turn) * width / 2, z * h - drop])
+            skin = shapes.lofted(rings)
+            d.add(skin, cover, [shapes.containing_hull(skin[0])])
+            trim = "white fabric" if max(cover.color) < 0.8 else "charcoal fabric"
+            with d.no_colliders():
+                for k in range(0, gores * steps, steps):  # piping in the seams
+                    d.sweep(
+                        np.array([ring[k] for ring in rings[:-1]]), 0.004, trim if d.chance("trim", 0.4) else cover, 5
+                    )
+            d.ball(Box.around((0.0, 0.0, h - 0.008), 0.07, 0.07, 0.016), cover, segments=12)
+    d.fit()
 
 
 @draws("bean_bag")
-def bean_bag(b: Builder) -> None:
-    """A slumped sack with a dented seat and a high back, in gores with a seam."""
-    d, w, h = b.size
-    cover = b.material("cover", "@fabric", "brown leather", "black leather")
-    n, m = 13, 36
-    t = np.linspace(0, 1, n)[:, None]
-    a = (np.arange(m) * 2 * np.pi / m)[None]
-    radius = np.interp(t, [0, 0.06, 0.25, 0.45, 0.65, 0.82, 0.94, 1], [0.8, 0.95, 1, 0.93, 0.72, 0.48, 0.24, 0.05])
-    radius = radius * (1 - 0.025 * np.abs(np.cos(3 * a)) ** 6)
+def bean_bag(d: Drawing) -> None:
+    """A slumped sack with a dented seat and a high back, in gores with seams."""
+    cover, (depth, w, h) = d.material("cover", "@fabric", "brown leather, black leather"), d.size
+    t = np.linspace(0.0, 1.0, 13)[:, None]
+    a = np.arange(42) * (2 * np.pi / 42)
+    levels = [0.0, 0.06, 0.2, 0.4, 0.6, 0.78, 0.92, 1.0]
+    radius = np.interp(t, levels, [0.82, 0.95, 1.0, 0.97, 0.84, 0.6, 0.32, 0.06]) * (
+        1 - 0.03 * np.abs(np.cos(3 * a)) ** 8
+    )
     # The crown lies toward the back; the front half sags, so that a seat remains.
-    height = t - 0.5 * t**1.5 * np.clip(np.cos(a), 0, 1) * np.sin(np.clip(t, 0, 1) * np.pi)
-    x = radius * np.cos(a) - 0.55 * t**1.6
-    grid = np.stack([x * d / 2, radius * np.sin(a) * w / 2, height * h], axis=-1)
-    faces = [ring_faces(k * m, (k + 1) * m, m) for k in range(n - 1)]
-    fan = np.arange(1, m - 1)
-    faces += [np.c_[0 * fan, fan + 1, fan], np.c_[0 * fan, fan, fan + 1] + (n - 1) * m]
+    front = np.clip(np.cos(a), 0.0, 1.0)
+    rise = t - 0.52 * t**1.4 * front * np.sin(t * np.pi)
+    x = radius * np.cos(a) - 0.42 * t**1.6 - 0.08 * front * np.sin(np.clip(1.4 * t, 0, 1) * np.pi)
+    grid = np.stack([x * depth / 2, radius * np.sin(a) * w / 2, rise * h], axis=-1)
     hulls = [shapes.hull(grid[k : k + 4].reshape(-1, 3)) for k in (0, 3, 6, 9)]
-    b.add((grid.reshape(-1, 3), np.concatenate(faces).astype(np.int32)), cover, hulls)
+    d.add(shapes.lofted(list(grid)), cover, hulls)
     tip = grid[-1].mean(axis=0)
-    with b.frame(*tip):
-        b.box((-0.02, 0.02), (-0.006, 0.006), (-0.02, 0.05), cover, bevel=0.004)
-    b.fit()
+    d.box(Box.around((tip[0], tip[1], tip[2] + 0.012), 0.05, 0.016, 0.05), cover, bevel=0.006)
+    with d.no_colliders():
+        for k in range(0, 42, 7):
+            d.sweep(grid[1:, k], 0.004, cover, segments=5)
+    d.fit()
