@@ -59,11 +59,8 @@ def eye_cameras(scene: Scene, aspect: float = 4 / 3) -> dict[str, Camera]:
 
     A room without doors is entered through the middle of a wall.
     """
-    probe = Probe(scene)
-    doors, corners = (
-        _best(scene, probe, _free(scene, [*candidates(scene, aspect)]))
-        for candidates in (_door_candidates, _corner_candidates)
-    )
+    doors = _best(scene, Probe(scene, doors=False), _free(scene, [*_door_candidates(scene, aspect)]))
+    corners = _best(scene, Probe(scene), _free(scene, [*_corner_candidates(scene, aspect)]))
     weights = np.array([weight(thing) for thing in scene.objects])
     chosen = [_first(doors, [], weights)]
     for _ in range(2):

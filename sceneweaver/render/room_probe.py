@@ -46,7 +46,12 @@ class Probe:
     """A room to look at from many cameras."""
 
     def __init__(
-        self, scene: Scene, hidden: Collection[str] = (), cut: Collection[int] = (), ceiling: bool = True
+        self,
+        scene: Scene,
+        hidden: Collection[str] = (),
+        cut: Collection[int] = (),
+        ceiling: bool = True,
+        doors: bool = True,
     ) -> None:
         """Prepare it.
 
@@ -55,10 +60,11 @@ class Probe:
             hidden: Ids of objects that are left out.
             cut: Walls that are left out.
             ceiling: Whether the room has one.
+            doors: Whether doors are shut; else one looks through.
         """
         pieces = [_object_mesh(thing) if thing.id not in hidden else _EMPTY for thing in scene.objects]
         ids = [np.full(len(faces), k) for k, (_, faces) in enumerate(pieces)]
-        shell = _shell(scene.room, cut, ceiling)
+        shell = [(piece, number) for piece, number in _shell(scene.room, cut, ceiling) if doors or number != DOOR]
         pieces += [piece for piece, _ in shell]
         ids += [np.full(len(faces), number) for (_, faces), number in shell]
         starts = np.cumsum([0, *(len(vertices) for vertices, _ in pieces)])

@@ -22,10 +22,11 @@ from .surfaces import add_wall_faces, floor_plane
 from .trim import add_ceiling, add_skirting
 from .windows import add_window
 
-_PANELLED = re.compile(
-    r"\b(bedroom|living|dining|kitchen|bathroom|toilet|hall|hallway|study|nursery|hotel|library|attic|apartment)\b"
+_FLUSH = re.compile(
+    r"\b(office|meeting|conference|classroom|school|laboratory|lab|gym|clinic|hospital|examination|dentist|waiting|shop|"
+    r"restaurant|cafe|canteen|garage|warehouse|storage|server|workshop|reception|lobby|kindergarten|supermarket)\b"
 )
-"""Words in kinds of rooms whose doors have panels and are painted."""
+"""Words in kinds of rooms whose doors are plain and of wood; elsewhere they have panels and are painted."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +67,7 @@ def build_interior(scene: Scene, look: Finishes, cameras: Sequence[Camera] = ())
     builder = Builder()
     add_skirting(builder, room, look, REACH)
     take("skirting", "skirting", builder)
-    panelled = _PANELLED.search(room.type.lower().replace("-", " ").replace("_", " ")) is not None
+    panelled = _FLUSH.search(room.type.lower().replace("-", " ").replace("_", " ")) is None
     for door in room.doors:
         wall, builder = room.walls[door.wall], Builder()
         is_open = any(is_in_doorway(wall, door, np.asarray(camera.eye)) for camera in cameras)

@@ -38,6 +38,7 @@ def outside_mesh(room: Room) -> Mesh | None:
     builder = Builder()
     house = shapely.Polygon(room.outline).buffer(3.0)  # nothing grows where the room itself is
     _ground(builder, room)
+    _horizon(builder, room)
     for wall in walls:
         rng = np.random.default_rng(zlib.crc32(f"{room.outline} {wall.index}".encode()))
         for at in np.arange(-13.0, wall.length + 13.0, 0.45):
@@ -69,6 +70,29 @@ def _ground(builder: Builder, room: Room) -> None:
         (a, b), (c, d) = low - reach, high + reach
         corners = np.array([(a, b, z), (c, b, z), (c, d, z), (a, d, z)])
         builder.add(corners, np.array([[0, 1, 2], [0, 2, 3]], dtype=np.int32), _shade(color, 6.0))
+
+
+def _horizon(builder: Builder, room: Room) -> None:
+    """Fields and woods around everything, far away."""
+    x, y = np.mean(room.outline, axis=0)
+    angle = np.arange(96) * math.tau / 96
+    way = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    wave = sum(np.sin(k * angle + 1.7 * k * k) / k for k in (3, 5, 8, 13, 21))
+    after = np.roll(np.arange(96), -1)
+    for near, far, color in ((0.9 * _LAWN_REACH, 110.0, _LAWN), (110.0, 190.0, _LEAVES[3])):
+        low, high = (np.column_stack([(x, y) + radius * way, np.full(96, GROUND - 0.02)]) for radius in (near, far))
+        _band(builder, low, high, after, _shade(color, near))
+    edge = (x, y) + 190.0 * way
+    low, high = (np.column_stack([edge, z]) for z in (np.full(96, GROUND - 0.1), 7.0 + 2.5 * wave))
+    _band(builder, low, high, after, _shade(_LEAVES[0], 100.0))
+
+
+def _band(builder: Builder, low: np.ndarray, high: np.ndarray, after: np.ndarray, material: Material) -> None:
+    """The faces between two closed rings of points [N, 3]; ``after`` is the number of the next point of each."""
+    n = len(low)
+    at = np.arange(n)
+    faces = np.concatenate([np.stack([at, after, after + n], axis=1), np.stack([at, after + n, at + n], axis=1)])
+    builder.add(np.concatenate([low, high]), faces.astype(np.int32), material)
 
 
 def _house(builder: Builder, wall: Wall, rng: np.random.Generator) -> None:
