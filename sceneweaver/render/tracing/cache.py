@@ -27,7 +27,7 @@ _KEPT = 12  # points of a cell that are lit at most
 _SHADOW_RAYS = 2
 _BOUNCE_RAYS = 6
 _BOUNCES = 12
-_PATCH = 0.8  # side [m] of the blocks whose sunlit cells make one lamp
+_PATCH = 1.2  # side [m] of the blocks whose sunlit cells make one lamp
 
 
 def build_cache(world: Any, lights: Any, geometry: Geometry, low: np.ndarray, high: np.ndarray) -> tuple[Any, Emitters]:

@@ -26,7 +26,7 @@ class Film:
 def shoulder(x: float):
     """Contrast about the middle, linear up to 0.6, then bent toward 1."""
     knee = 0.6
-    x = 0.4 * wp.pow(x / 0.4, 1.12)
+    x = 0.4 * wp.pow(x / 0.4, 1.22)
     if x <= knee:
         return x
     t = (x - knee) / (1.0 - knee)

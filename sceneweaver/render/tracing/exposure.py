@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-_WHITE = 0.52
+_WHITE = 0.47
 """Value, before tone mapping, of white paint in the middling light of a picture."""
 
 _PAINT = 0.82
-_ADAPTED = 0.5  # share of the colour of the light that an eye gets used to
+_ADAPTED = 0.65  # share of the colour of the light that an eye gets used to
 
 
 def exposed(soft: np.ndarray, sun: np.ndarray, key: np.ndarray) -> tuple[float, np.ndarray]:

@@ -27,6 +27,7 @@ from .world_kernels import (
 wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
 
 _BEYOND = wp.constant(0.35)  # how far past a window light is looked for [m]: what is outside throws no shadows
+_FRAME = wp.constant(0.2)  # depth of a window's frame and ledge past the portal [m]
 _AIMS = wp.constant(4)  # points of lamps to choose one of for each ray
 
 
@@ -83,7 +84,7 @@ class Lights:
     horizon: wp.vec3
     ground: wp.vec3
     hall: wp.vec3
-    view: float
+    view: wp.vec3
     low: wp.vec3
     high: wp.vec3
     portals: wp.array(dtype=Portal)
@@ -115,18 +116,18 @@ def sky_light(lights: Lights, way: wp.vec3):
 
 @wp.func
 def in_portal(portal: Portal, origin: wp.vec3, way: wp.vec3):
-    """Distance [m] at which a ray leaves by a window, or -1."""
+    """Distance [m] at which a ray leaves by a window, or -1; what starts in its frame or pane may have left."""
     down = -wp.dot(way, portal.normal)
     if down < 1.0e-4:
         return -1.0
     t = wp.dot(origin - portal.corner, portal.normal) / down
-    if t < 0.0:
+    if t < -_FRAME:
         return -1.0
     p = origin + way * t - portal.corner
     u, v = wp.dot(p, portal.ex), wp.dot(p, portal.ey)
     if u < 0.0 or v < 0.0 or u > wp.dot(portal.ex, portal.ex) or v > wp.dot(portal.ey, portal.ey):
         return -1.0
-    return t
+    return wp.max(t, 0.0)
 
 
 @wp.func
@@ -346,7 +347,7 @@ def hazy(lights: Lights, color: wp.vec3, distance: float):
     """What stands outside, through the air before it."""
     clear = wp.exp(-distance / 140.0)
     grey = wp.vec3(luminance(color)) * 0.15 + color * 0.85
-    return grey * clear + lights.horizon * (1.0 - clear)
+    return grey * (1.5 * clear) + lights.horizon * (1.0 - clear)
 
 
 @wp.func

@@ -50,7 +50,7 @@ class Lights:
 
     sun: Color = (0.5, -0.35, 0.79)
     softness: float = 0.012
-    sun_color: Color = (4.2, 3.7, 3.0)
+    sun_color: Color = (3.4, 3.0, 2.45)
     zenith: Color = (0.72, 0.86, 1.10)
     horizon: Color = (1.05, 1.06, 1.06)
     ground: Color = (0.34, 0.33, 0.29)

@@ -23,7 +23,7 @@ from .lights import Lights
 from .world import bounds_of, collect, lights_on, world_on
 
 _MAX_PIXELS = 64_000_000
-_OUTSIDE = 1.7  # what the horizon is at most, as white is 1: photographers balance what is outside with the room
+_OUTSIDE = 2.4  # what the horizon is at most, as white is 1: photographers balance what is outside with the room
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class TraceQuality:
 
     windows: int = 4
     lamps: int = 3
-    bounces: int = 5
+    bounces: int = 4
     suns: int = 2
     spacing: int = 1
     levels: int = 5
@@ -184,7 +184,8 @@ class Tracer:
         film = develop_kernels.Film()
         film.exposure, balance = exposed(soft.numpy(), sun.numpy(), key.numpy())
         film.balance = wp.vec3(*balance)
-        self._light.view = min(self._lights.view, _OUTSIDE / film.exposure) if self._lights.enclosed else 1.0
+        if self._lights.enclosed:
+            self._light.view = wp.vec3(*(min(self._lights.view, _OUTSIDE / film.exposure) / balance))
         film.rays, film.plain_rays = quality.rays, quality.plain_rays
         (edge,) = _empty(1, count, wp.uint8)
         launch(develop_kernels.find_edges, count, [columns, rows, eye, spread], [sun, *surface], [edge], deadline)

@@ -92,12 +92,11 @@ def what_is_seen(world: World, lights: Lights, cache: Cache, ray: Ray, width: wp
     for layer in range(_LAYERS):
         hit = hit_any(world, at, way, FAR)
         if hit.face < 0:
-            seen.shine = seen.shine + wp.cw_mul(through, seen_outside(lights, at, way)) * lights.view
+            seen.shine = seen.shine + wp.cw_mul(wp.cw_mul(through, seen_outside(lights, at, way)), lights.view)
             seen.depth += 1000.0
             break
         seen.depth += hit.t
-        cosine = wp.max(wp.abs(wp.dot(hit.normal, way)), 0.15)
-        s = shade_of(world, hit, way, (width[0] + width[1] * seen.depth) / wp.sqrt(cosine), 1)
+        s = shade_of(world, hit, way, width[0] + width[1] * seen.depth, 1)
         p = at + way * hit.t
         if layer == 0:
             seen.first_instance = s.instance
@@ -142,7 +141,7 @@ def what_is_seen(world: World, lights: Lights, cache: Cache, ray: Ray, width: wp
             seen.instance = s.instance
             if in_room(lights, p) == 0:
                 lit = wp.cw_mul(diffuse_of(s), outdoor_light(lights, s.normal))
-                seen.shine = seen.shine + wp.cw_mul(through, hazy(lights, lit, seen.depth)) * lights.view
+                seen.shine = seen.shine + wp.cw_mul(wp.cw_mul(through, hazy(lights, lit, seen.depth)), lights.view)
                 break
             f0 = wp.vec3(0.04 * (1.0 - s.metallic)) + s.color * s.metallic
             fit = split_sum(s.roughness, facing)
@@ -268,8 +267,17 @@ def light_pixels(
             soft = soft + c
             toward = toward + a.way * luminance(c)
             square += luminance(c) * luminance(c)
+        least = float(1.0e6)
         for k in range(suns):
-            sun = sun + sun_light(world, lights, p, n, flat, even_point(place * suns + k)) / float(suns)
+            c = sun_light(world, lights, p, n, flat, even_point(place * suns + k))
+            least = wp.min(least, luminance(c))
+            sun = sun + c / float(suns)
+        if luminance(sun) > 1.05 * least:
+            # At the rim of a patch of sun more rays tell how much of the disc is seen.
+            sun = sun * 0.2
+            for k in range(4 * suns):
+                e = even_point((place + 4096) * 4 * suns + k)
+                sun = sun + sun_light(world, lights, p, n, flat, e) / float(5 * suns)
         if seen.path < 10000:
             gloss = gloss + clamped(sun * glossy_lobe(-seen.way, seen.glossy_normal, rough, lights.sun), 12.0)
     bright = luminance(soft)

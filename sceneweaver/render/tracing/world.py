@@ -127,7 +127,7 @@ def lights_on(lights: Lights, found: Emitters, low: np.ndarray, high: np.ndarray
     light.sun = wp.vec3(*(np.asarray(lights.sun) / np.linalg.norm(lights.sun)))
     for key in ("sun_color", "zenith", "horizon", "ground", "hall"):
         setattr(light, key, wp.vec3(*getattr(lights, key)))
-    light.softness, light.view = lights.softness, lights.view
+    light.softness, light.view = lights.softness, wp.vec3(lights.view)
     light.low, light.high = wp.vec3(*low), wp.vec3(*high)
     portals = []
     for one in lights.portals:

@@ -267,17 +267,31 @@ def shade_of(world: World, hit: Hit, way: wp.vec3, footprint: float, detail: int
     s.normal = n
     if finish.pattern >= 0:
         pattern = world.patterns[finish.pattern]
-        mip = mip_of(pattern, footprint)
         uv = texture_point(world, hit, pattern)
-        tint = _texel(world.colors, pattern, mip, uv, 1)
+        t = world.tangents[hit.face]
+        t = wp.normalize(t - n * wp.dot(n, t))
+        b = wp.cross(n, t) * turn
+        # Seen aslant a pixel is long: several texels along it, else it would be blurred across as well.
+        lean = way - n * wp.dot(way, n)
+        cosine = wp.max(wp.abs(wp.dot(way, n)), 0.05)
+        taps = wp.clamp(int(wp.ceil(1.0 / cosine - 0.3)), 1, 4)
+        if detail == 0:
+            taps = 1
+        long = wp.vec2(wp.dot(lean, t), wp.dot(lean, b)) / wp.max(wp.length(lean), 1.0e-4)
+        long = wp.cw_mul(long, pattern.scale) * (footprint / cosine)
+        mip = mip_of(pattern, wp.max(footprint, footprint / (cosine * float(taps))))
+        tint = wp.vec4(0.0)
+        bump = wp.vec4(0.0)
+        for k in range(taps):
+            at = uv + long * ((float(k) + 0.5) / float(taps) - 0.5)
+            at = wp.vec2(at[0] - wp.floor(at[0]), at[1] - wp.floor(at[1]))
+            tint = tint + _texel(world.colors, pattern, mip, at, 1) / float(taps)
+            if detail == 1:
+                bump = bump + _texel(world.bumps, pattern, mip, at, 0) / float(taps)
         s.color = wp.cw_mul(s.color, wp.vec3(tint[0], tint[1], tint[2]))
         s.roughness = wp.clamp(s.roughness * tint[3], 0.02, 1.0)
         if detail == 1:
-            bump = _texel(world.bumps, pattern, mip, uv, 0)
             s.metallic = s.metallic * bump[3]
-            t = world.tangents[hit.face]
-            t = wp.normalize(t - n * wp.dot(n, t))
-            b = wp.cross(n, t) * turn
             m = bump * 2.0 - wp.vec4(1.0)
             n = wp.normalize(t * m[0] + b * m[1] + n * wp.max(m[2], 0.1))
     s.bump = n
