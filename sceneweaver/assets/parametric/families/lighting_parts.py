@@ -1,4 +1,4 @@
-"""What lamps share: shades, globes, thin bells, and the diameter of round things."""
+"""What lamps share: shades, thin bells, globes, ceiling roses."""
 
 from __future__ import annotations
 
@@ -7,92 +7,78 @@ import math
 import numpy as np
 
 from ... import shapes
-from ...body import Material
-from ..builder import Builder, Interval
+from ...drawing import Box, Drawing, Look
+
+CLOTHS = "lit shade, white fabric, beige fabric, rust fabric, green fabric, charcoal fabric"
+Profile = list[tuple[float, float]]
 
 
-def across(b: Builder) -> float:
-    """The diameter of a round thing: its width, or its depth when only that is asked for."""
-    depth, width, _ = b.request.size
-    return b.size.depth if depth is not None and width is None else b.size.width
+def shell(d: Drawing, outer: Profile, look: Look, wall: float = 0.002, sectors: int | None = None) -> None:
+    """A thin round wall about z, open at both ends: a profile of (radius, z) [m] from bottom to top.
 
-
-def shade(
-    b: Builder,
-    low: float,
-    high: float,
-    z: Interval,
-    material: Material | str,
-    segments: int = 28,
-    trim: Material | str | None = None,
-) -> None:
-    """A cloth or metal shade about z with these radii below and above; light shines out of both ends."""
-    b.frustum(low, high, (z[0] + 0.003, z[1] - 0.003), material, segments)
-    if trim is not None:
-        slope = (high - low) / (z[1] - z[0])
-        b.frustum(low, low + slope * 0.012, (z[0], z[0] + 0.012), trim, segments)
-        b.frustum(high - slope * 0.012, high, (z[1] - 0.012, z[1]), trim, segments)
-        low, high = low - 0.006, high - 0.006
-    rim = min(0.006, 0.1 * min(low, high))
-    b.frustum(low - rim, low - rim, (z[0], z[0] + 0.01), "lamp glow", segments)
-    b.frustum(high - rim, high - rim, (z[1] - 0.01, z[1]), "lamp glow", segments)
-
-
-def shell(
-    b: Builder,
-    outer: list[tuple[float, float]],
-    thickness: float,
-    material: Material | str,
-    segments: int = 24,
-    sectors: int = 8,
-) -> None:
-    """A thin bell about z: a profile of (radius, z) from foot to head with a wall; open below, parts all around."""
-    inner = [(max(0.002, r - thickness), z) for r, z in outer]
-    scale = 1.0 / math.cos(math.pi / segments)
-    angle = (np.arange(segments) + 0.5) * (2 * np.pi / segments)
-    circle = np.c_[np.cos(angle), np.sin(angle)] * scale
-    rings = [np.c_[circle * r, np.full(segments, z)] for r, z in outer + inner[::-1]]
-    points, n = np.concatenate(rings), segments
-    i = np.arange(n)
-    j = (i + 1) % n
+    Its collision part is its whole hull, or those of so many ``sectors`` where it has to stay open.
+    """
+    n = 24
+    profile = [*outer, *((max(0.002, r - wall), z) for r, z in outer[::-1])]
+    turns = (np.arange(n) + 0.5) * (2 * np.pi / n)
+    circle = np.c_[np.cos(turns), np.sin(turns)] / math.cos(math.pi / n)
+    rings = [np.c_[circle * r, np.full(n, z)] for r, z in profile]
+    points, around = np.concatenate(rings), np.arange(n)
     faces = []
     for k in range(len(rings)):
         low, high = k * n, (k + 1) % len(rings) * n
-        faces.append(np.concatenate([np.c_[low + i, low + j, high + j], np.c_[low + i, high + j, high + i]]))
-    hulls = []
-    step = segments // sectors
-    for k in range(len(outer) - 1):
-        for s in range(sectors):
-            pick = (np.arange(step + 1) + s * step) % n
-            mates = (k, k + 1, len(rings) - 1 - k, len(rings) - 2 - k)
-            hulls.append(shapes.hull(np.concatenate([rings[m][pick] for m in mates])))
-    b.add((points, np.concatenate(faces).astype(np.int32)), material, hulls)
+        after = (around + 1) % n
+        faces += [np.c_[low + around, low + after, high + after], np.c_[low + around, high + after, high + around]]
+    hulls = [shapes.hull(points)]
+    if sectors:
+        step, last = n // sectors, len(rings) - 1
+        hulls = []
+        for k in range(len(outer) - 1):
+            around = [rings[m] for m in (k, k + 1, last - k, last - k - 1)]
+            for first in range(0, n, step):
+                own = np.arange(first, first + step + 1) % n
+                hulls.append(shapes.hull(np.concatenate([ring[own] for ring in around])))
+    d.add((points, np.concatenate(faces).astype(np.int32)), look, hulls)
 
 
-def globe(b: Builder, radius: float, z: float, segments: int = 20) -> None:
-    """A glowing ball about the z axis."""
-    b.ball((radius, radius, radius), (0.0, 0.0, z), "lamp glow", segments)
+def shade(d: Drawing, box: Box, look: Look, top: float = 1.0) -> Box:
+    """A shade of cloth or metal that fills a box, its upper end ``top`` times as wide; light comes out of both ends."""
+    r, (low, high) = box.width / 2, box.z
+    x, y, _ = box.center
+    rim = min(0.018, 0.1 * box.height)
+    with d.at(x, y):
+        shell(d, [(r, low), (r * top, high)], look)
+        with d.no_colliders():
+            inner = Box.sized(2 * r, 2 * r, box.height, (0, 0, low)).inset(x=0.002, y=0.002)
+            part = rim / box.height
+            ends = [(1 + (top - 1) * s - 0.004 / r, s) for s in (part, 1 - part)]
+            d.turned(inner, ends, "lamp glow")
+    return box
 
 
-def foot(b: Builder, radius: float, thick: float, material: Material | str) -> None:
+def globe(d: Drawing, box: Box, segments: int = 20) -> Box:
+    """A glowing ball that fills a box."""
+    return d.ball(box, "lamp glow", segments)
+
+
+def rose(d: Drawing, top: float, radius: float, metal: Look) -> None:
+    """The cap at the ceiling, at the height ``top``."""
+    box = Box.sized(2 * radius, 2 * radius, 0.045, (0.0, 0.0, top - 0.045))
+    d.turned(box, [(0.012 / radius, 0.0), (0.75, 0.22), (1.0, 0.6), (1.0, 1.0)], metal)
+
+
+def flat_foot(d: Drawing, radius: float, thick: float, look: Look) -> None:
     """A round flat foot with a raised middle."""
-    b.lathe(
-        [
-            (radius - 0.004, 0.0),
-            (radius, 0.004),
-            (radius, thick * 0.6),
-            (radius - 0.008, thick * 0.8),
-            (0.03, thick),
-            (0.018, thick + 0.012),
-        ],
-        material,
-        32,
-    )
+    rim = [(radius - 0.004, 0.0), (radius, 0.004), (radius, 0.6 * thick), (radius - 0.008, 0.8 * thick)]
+    d.revolve([*rim, (0.03, thick), (0.018, thick + 0.012)], look, 32)
 
 
-def arc(center: tuple[float, float], radius: float, start: float, end: float, steps: int) -> list[tuple]:
-    """Points of an arc in the xz plane, angles from +x toward +z [rad]."""
-    return [
-        (center[0] + radius * math.cos(a), 0.0, center[1] + radius * math.sin(a))
-        for a in np.linspace(start, end, steps)
-    ]
+def finial(d: Drawing, top: float, metal: Look) -> None:
+    """A small knob on top of a shade that ends at the height ``top``."""
+    d.revolve([(0.006, top - 0.024), (0.012, top - 0.008), (0.0, top)], metal, 12)
+
+
+def across(d: Drawing) -> float:
+    """The diameter of a round thing: its width, or its depth when only that is asked for."""
+    depth, width, _ = d.request.size
+    return d.size.depth if depth is not None and width is None else d.size.width
