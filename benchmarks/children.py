@@ -16,15 +16,17 @@ from typing import Any
 LIMIT_S = 3600
 
 
-def run(task: dict[str, Any], environment: dict[str, str] | None = None) -> dict[str, Any]:
-    """Run a task in a new process: what it printed, and ``process`` [s], its life as seen from here.
+def run(
+    task: dict[str, Any], environment: dict[str, str] | None = None, module: str = "benchmarks.children"
+) -> dict[str, Any]:
+    """Run a task of a module in a new process: what it printed, and ``process`` [s], its life as seen from here.
 
     Raises:
         RuntimeError: it failed; the message is the end of what it said.
     """
     from benchmarks.settings import ROOT
 
-    command = [sys.executable, "-m", "benchmarks.children", json.dumps(task)]
+    command = [sys.executable, "-m", module, json.dumps(task)]
     began = time.perf_counter()
     done = subprocess.run(
         command, cwd=ROOT, env={**os.environ, **(environment or {})}, capture_output=True, text=True, timeout=LIMIT_S

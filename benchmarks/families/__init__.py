@@ -24,6 +24,7 @@ from . import (
     optimizers,
     patterns,
     physics,
+    pictures,
     projection,
     quality,
     requests,
@@ -62,6 +63,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "odd": odd.run,
         "physics": physics.run,
         "stability": stability.run,
+        "pictures": pictures.run,
     }
 )
 
