@@ -1,13 +1,17 @@
 """Drawings as tables: things that are a few simple bodies, by their numbers in ``pieces/*.yaml``.
 
-Each line of ``draw`` is one body: what it is, the letter of its finish, and numbers. Places are shares of the size from
-0 to 1: x from back to front, y from right to left, z from bottom to top; radii are shares of the shortest side that
-they lie in. See ``_SHAPES`` for the numbers of each. Before a line may stand
+A drawing begins with its finishes, each under a letter, and with ``fit: round`` where it is as wide as deep. Each line
+after that is some bodies of one shape and finish: the shape, the letter, and the numbers of one body after the other
+with ``;`` between them. Places are shares of the size from 0 to 1: x from back to front, y from right to left, z from
+bottom to top; radii are shares of the shortest side that they lie in. See ``_SHAPES`` for the numbers of each. Before a
+line may stand
 
 - ``?0.5``: only in that share of the seeds,
 - ``*4 0 .2 0``: so many copies, each moved on by these shares,
 - ``~``: the line goes on with the one before it,
 - ``+name``: the bodies from here on are one prism of the engine of that name; without any, all are one.
+
+``surface name x0 x1 y0 y1 z``, perhaps with headroom, is a place for other things.
 """
 
 from __future__ import annotations
@@ -15,7 +19,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import partial
 from importlib import resources
-from typing import Any
 
 from ...category import read_yaml
 from ...drawing import MAKERS, Axis, Box, Drawing, Look
@@ -113,30 +116,36 @@ _SHAPES: dict[str, Callable[[Drawing, Box, Look, Numbers], None]] = {
 }
 
 
-def draw(d: Drawing, row: dict[str, Any]) -> None:
+def draw(d: Drawing, text: str) -> None:
     """A thing of the tables."""
-    whole = d.even(row.get("fit", "box"))
-    looks = {key: d.material(key, value) for key, value in row.items() if len(key) == 1}
-    group: str | None = None if "+" in row["draw"] else "all"
-    for number, line in enumerate(row["draw"].strip().replace("\n~", "").splitlines()):
+    lines = text.strip().replace("\n~", "").splitlines()
+    settings = "; ".join(line.rstrip(";") for line in lines if ":" in line)
+    named = dict(entry.split(": ") for entry in settings.split("; "))
+    whole = d.even(named.pop("fit", "box"))  # pyright: ignore[reportArgumentType]
+    looks = {letter: d.material(letter, names) for letter, names in named.items()}
+    group: str | None = None if "\n+" in text else "all"
+    for number, line in enumerate(line for line in lines if ":" not in line):
         words = line.split()
         if words[0][0] == "+":
             group = words[0][1:]
             continue
         if words[0][0] == "?" and not d.chance(f"piece {number}", float(words.pop(0)[1:])):
             continue
+        if words[0] == "surface":
+            x0, x1, y0, y1, z, *headroom = (float(word) for word in words[2:])
+            own = whole.share((x0, x1), (y0, y1), (0.0, z))
+            d.surface(words[1], own, headroom[0] * whole.height if headroom else None)
+            continue
         count, step = 1, (0.0, 0.0, 0.0)
         if words[0][0] == "*":
             count = int(words[0][1:])
             step = tuple(float(word) * size for word, size in zip(words[1:4], whole.size, strict=True))
             words = words[4:]
-        shape, look, numbers = words[0], looks[words[1]], [float(word) for word in words[2:]]
+        bodies = [[float(word) for word in body.split()] for body in " ".join(words[2:]).split(";")]
         for k in range(count):
             with d.part(group or f"piece {number}"), d.at(*(k * v for v in step)):
-                _SHAPES[shape](d, whole, look, numbers)
-    for name, (x0, x1, y0, y1, z, *headroom) in row.get("surfaces", {}).items():
-        own = whole.share((x0, x1), (y0, y1), (0.0, z))
-        d.surface(name, own, headroom[0] * whole.height if headroom else None)
+                for numbers in bodies:
+                    _SHAPES[words[0]](d, whole, looks[words[1]], numbers)
     d.fit(whole.size)
 
 
@@ -144,10 +153,10 @@ def _register() -> None:
     folder = resources.files((__package__ or "").rpartition(".")[0]).joinpath("pieces")
     for file in sorted(folder.iterdir(), key=lambda f: f.name):
         if file.name.endswith(".yaml"):
-            for name, row in read_yaml(file).items():
+            for name, text in read_yaml(file).items():
                 if name in MAKERS:
                     raise ValueError(f"{file.name}: two drawings of {name}")
-                MAKERS[name] = partial(draw, row=row)
+                MAKERS[name] = partial(draw, text=text)
 
 
 _register()
