@@ -10,6 +10,7 @@ from functools import lru_cache
 import numpy as np
 
 from sceneweaver.assets import Material
+from sceneweaver.assets.by_identity import ByIdentity
 from sceneweaver.assets.textures import Maps, maps
 
 _FLAT = 0.012  # mean slope below which a normal map cannot be seen
@@ -34,25 +35,12 @@ def images(texture: str, side: int = 1024) -> Images | None:
         InputError: nobody knows the texture.
     """
     found = maps(texture)
-    return None if found is None else _files(_Same(found), side)
-
-
-class _Same:
-    """Maps as a cache's key: by identity."""
-
-    def __init__(self, found: Maps):
-        self.maps = found
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and other.maps is self.maps
-
-    def __hash__(self) -> int:
-        return id(self.maps)
+    return None if found is None else _files(ByIdentity(found), side)
 
 
 @lru_cache(maxsize=128)
-def _files(same: _Same, side: int) -> Images:
-    found = same.maps
+def _files(key: ByIdentity[Maps], side: int) -> Images:
+    found = key.it
     uneven = float(found.roughness.std()) / max(float(found.roughness.mean()), 1.0)
     rough = None
     if uneven > _EVEN or found.metallic is not None:

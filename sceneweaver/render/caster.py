@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.assets.body import Material, Mesh
-from sceneweaver.assets.textures import kind_of
+from sceneweaver.assets.textures import uv_of
 from sceneweaver.scene import InputError, MissingDependencyError
 from sceneweaver.scene.threads import cores, map_threads
 
@@ -17,9 +17,9 @@ from . import raycast_kernels as raycast
 from . import raycast_world as world
 from . import smoothing_kernels as smoothing
 from .camera import Camera
+from .maps import MapTable
 from .mesh_shading import prepared
 
-_TEXTURES = {name: k for k, name in enumerate(("plain", "wood", "fabric", "stone", "metal", "leaf"))}
 _SPACING = 2  # of the pixels for which light is cast where surfaces are plain
 _MAX_PIXELS = 64_000_000
 
@@ -261,23 +261,23 @@ def _in_bands(work, pixels: int, split: bool) -> None:
 def _solid(instances: list[Instance], lighting: Lighting):
     """The world of all instances, and what must live as long as it is drawn."""
     looks, numbers = [], []
-    points, local, faces, normals, look_of, grain = [], [], [], [], [], []
+    points, faces, normals, look_of, places = [], [], [], [], []
+    table = MapTable()
     if not any(len(instance.mesh.faces) for instance in instances):
         instances = [Instance(_SPECK, np.eye(4))]
     for number, instance in enumerate(instances):
         mesh, matrix = instance.mesh, _transform(instance, number)
         if not len(mesh.faces):
             continue
-        corner, axis = prepared(mesh)
+        corner = prepared(mesh)
         start = sum(len(p) for p in points)
         points.append(mesh.vertices @ matrix[:3, :3].T + matrix[:3, 3])
-        local.append(mesh.vertices)
         faces.append(mesh.faces + start)
         turned = corner @ np.linalg.inv(matrix[:3, :3])
         normals.append(turned / np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), 1e-12))
         look_of.append(mesh.face_material + len(looks))
-        grain.append(axis)
-        looks += [_look(material) for material in mesh.materials]
+        places.append(uv_of(mesh).reshape(-1, 2))
+        looks += [_look(material, table) for material in mesh.materials]
         numbers.append(np.full(len(mesh.faces), number))
     flat = wp.array(np.concatenate(faces).reshape(-1), dtype=int)
     mesh = wp.Mesh(points=wp.array(np.concatenate(points), dtype=wp.vec3), indices=flat, bvh_leaf_size=8)
@@ -287,9 +287,8 @@ def _solid(instances: list[Instance], lighting: Lighting):
     solid.looks = wp.array(looks, dtype=world.Look)
     solid.face_look = wp.array(np.concatenate(look_of), dtype=int)
     solid.face_object = wp.array(np.concatenate(numbers), dtype=int)
-    solid.face_grain = wp.array(np.concatenate(grain), dtype=int)
-    solid.faces = flat
-    solid.local = wp.array(np.concatenate(local), dtype=wp.vec3)
+    solid.uvs = wp.array(np.concatenate(places), dtype=wp.vec2)
+    solid.patterns, solid.colors = table.rows, table.colors
     shutters = lighting.shutters or _SPECK
     behind = wp.Mesh(
         points=wp.array(shutters.vertices, dtype=wp.vec3), indices=wp.array(shutters.faces.reshape(-1), dtype=int)
@@ -317,11 +316,11 @@ def check_device(device: str) -> None:
         raise MissingDependencyError(f'device: "{device}" is not there; use device="cpu"')
 
 
-def _look(material: Material):
+def _look(material: Material, table: MapTable):
     look = world.Look()
     color = np.asarray(material.color, dtype=np.float64)
     look.color = wp.vec3(*np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4))
     look.roughness, look.metallic = material.roughness, material.metallic
     look.opacity, look.emission = material.opacity, material.emission
-    look.texture = _TEXTURES[kind_of(material.texture)]
+    look.pattern, look.gain, _ = table.add(material.texture)
     return look

@@ -111,7 +111,7 @@ class PassRenderer:
             turn, mesh = one.transform[:3, :3], one.mesh
             points.append(mesh.vertices @ turn.T + one.transform[:3, 3])
             faces.append(mesh.faces + start)
-            normals.append(prepared(mesh)[0] @ np.linalg.inv(turn))
+            normals.append(prepared(mesh) @ np.linalg.inv(turn))
             instance.append(np.full(len(mesh.faces), number, dtype=np.int32))
             material.append(np.array([numbers[m.name] for m in mesh.materials], dtype=np.int32)[mesh.face_material])
             start += len(mesh.vertices)

@@ -17,7 +17,6 @@ from .raycast_world import (
     ambient_light,
     even_point,
     lamp_light,
-    local_point,
     mirrored_light,
     passed_light,
     shading_normal,
@@ -45,10 +44,12 @@ class Lens:
 
 @wp.struct
 class Ray:
-    """Where a ray starts, and its direction (unit)."""
+    """Where a ray starts, its direction (unit), and how wide it is [m]: there, and more for each metre."""
 
     origin: wp.vec3
     direction: wp.vec3
+    width: float
+    spread: float
 
 
 @wp.struct
@@ -89,7 +90,10 @@ def camera_ray(lens: Lens, x: float, y: float, width: int, height: int):
     v = 1.0 - 2.0 * y / float(height)
     ray.origin = lens.eye
     ray.direction = lens.forward
+    ray.spread = 2.0 * wp.length(lens.right) / float(width)
     if lens.flat == 1:
+        ray.width = ray.spread
+        ray.spread = 0.0
         ray.origin = lens.eye + lens.right * u + lens.up * v
     else:
         ray.direction = wp.normalize(lens.forward + lens.right * u + lens.up * v)
@@ -113,6 +117,7 @@ def what_is_seen(solid: Solid, light: Light, background: wp.vec3, ray: Ray):
     at = ray.origin
     way = ray.direction
     through = float(1.0)
+    passed = float(0.0)
     for layer in range(_LAYERS):
         hit = wp.mesh_query_ray(solid.mesh, at, way, FAR)
         if not hit.result:
@@ -130,7 +135,8 @@ def what_is_seen(solid: Solid, light: Light, background: wp.vec3, ray: Ray):
         fresnel = 0.04 + 0.96 * wp.pow(1.0 - facing, 5.0)
         opacity = seen_opacity(look.opacity, fresnel)
         share = through * opacity
-        base = textured(look, local_point(solid, hit.face, hit.u, hit.v), solid.face_grain[hit.face])
+        footprint = (ray.width + ray.spread * (passed + hit.t)) / wp.sqrt(wp.max(facing, 0.05))
+        base = textured(solid, look, hit.face, hit.u, hit.v, footprint)
         seen.color = seen.color + base * ((1.0 - look.metallic) * share)
         # Reflection: a mirror's, or only a shimmer of sky.
         mirrored = way + n * (2.0 * facing)
@@ -155,6 +161,7 @@ def what_is_seen(solid: Solid, light: Light, background: wp.vec3, ray: Ray):
         if through < 0.02:
             break
         at = at + way * (hit.t + 1.0e-4)
+        passed = passed + hit.t
     return seen
 
 

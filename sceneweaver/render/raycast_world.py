@@ -4,34 +4,32 @@ import os
 
 import warp as wp
 
+from .map_kernels import Pattern, map_texel, mip_of
+
 if not os.environ.get("SCENEWEAVER_DEBUG"):
     wp.config.log_level = wp.LOG_ERROR  # no greeting, no notes on what is compiled
 wp.set_module_options({"enable_backward": False, "fast_math": True})
-
-PLAIN = wp.constant(0)
-WOOD = wp.constant(1)
-FABRIC = wp.constant(2)
-STONE = wp.constant(3)
-METAL = wp.constant(4)
-LEAF = wp.constant(5)
 
 PI = wp.constant(3.14159265)
 FAR = wp.constant(1.0e4)
 _R2_X = wp.constant(wp.uint32(3242174889))  # 2^32 / 1.32471795...
 _R2_Y = wp.constant(wp.uint32(2447445414))  # the same squared
 _HALF = wp.constant(wp.uint32(2147483648))
+_MIRRORED = wp.constant(0.006)  # width [m] of what a mirror shows of a texture
 
 
 @wp.struct
 class Look:
-    """A material: linear base colour, and its numbers."""
+    """A material: linear base colour, and its numbers; ``pattern`` -1 has no maps, whose tint has a
+    ``gain``."""
 
     color: wp.vec3
     roughness: float
     metallic: float
     opacity: float
     emission: float
-    texture: int
+    pattern: int
+    gain: float
 
 
 @wp.struct
@@ -57,7 +55,7 @@ class Light:
 
 @wp.struct
 class Solid:
-    """The world: a mesh, its normals at triangle corners, looks, object numbers and object coordinates.
+    """The world: a mesh, its normals and texture coordinates [m] at triangle corners, looks and object numbers.
 
     ``shutters`` is a mesh that nobody sees: it only holds off the beam. ``lamps`` are small lights: place, power.
     """
@@ -67,9 +65,9 @@ class Solid:
     looks: wp.array(dtype=Look)
     face_look: wp.array(dtype=int)
     face_object: wp.array(dtype=int)
-    face_grain: wp.array(dtype=int)
-    faces: wp.array(dtype=int)
-    local: wp.array(dtype=wp.vec3)
+    uvs: wp.array(dtype=wp.vec2)
+    patterns: wp.array(dtype=Pattern)
+    colors: wp.array(dtype=wp.uint32)
     shutters: wp.uint64
     lamps: wp.array(dtype=wp.vec4)
 
@@ -99,36 +97,17 @@ def sky_light(direction: wp.vec3, light: Light):
 
 
 @wp.func
-def _wave(p: wp.vec3, seed: int):
-    return wp.noise(wp.rand_init(seed), p)
-
-
-@wp.func
-def textured(look: Look, p: wp.vec3, grain: int):
-    """The base colour at a point in the object's frame [m]."""
-    c = look.color
-    if look.texture == WOOD:
-        q = wp.vec3(p[0] * 34.0, p[1] * 34.0, p[2] * 34.0)
-        if grain == 0:
-            q = wp.vec3(p[0] * 1.7, q[1], q[2])
-        elif grain == 1:
-            q = wp.vec3(q[0], p[1] * 1.7, q[2])
-        else:
-            q = wp.vec3(q[0], q[1], p[2] * 1.7)
-        rings = _wave(q, 7) + 0.5 * _wave(q * 2.7, 11)
-        fine = _wave(wp.cw_mul(q, wp.vec3(4.1, 4.1, 4.1)), 13)
-        c = c * (1.0 + 0.16 * rings + 0.06 * fine)
-    elif look.texture == FABRIC:
-        weave = wp.sin(p[0] * 1400.0) * wp.sin(p[1] * 1400.0) * wp.sin(p[2] * 1400.0)
-        c = c * (1.0 + 0.05 * weave + 0.10 * _wave(p * 24.0, 17))
-    elif look.texture == STONE:
-        veins = 1.0 - wp.abs(_wave(p * 6.0, 19) + 0.5 * _wave(p * 15.0, 23)) * 2.0
-        c = c * (1.0 - 0.16 * wp.pow(wp.clamp(veins, 0.0, 1.0), 6.0) + 0.05 * _wave(p * 60.0, 29))
-    elif look.texture == METAL:
-        c = c * (1.0 + 0.03 * _wave(wp.vec3(p[0] * 30.0, p[1] * 30.0, p[2] * 900.0), 31))
-    elif look.texture == LEAF:
-        c = c * (1.0 + 0.25 * _wave(p * 22.0, 37))
-    return wp.vec3(wp.max(c[0], 0.0), wp.max(c[1], 0.0), wp.max(c[2], 0.0))
+def textured(solid: Solid, look: Look, face: int, u: float, v: float, footprint: float):
+    """The base colour at a point of a triangle, seen by a ray that is ``footprint`` [m] wide there."""
+    if look.pattern < 0:
+        return look.color
+    pattern = solid.patterns[look.pattern]
+    f = 3 * face
+    uv = solid.uvs[f] * u + solid.uvs[f + 1] * v + solid.uvs[f + 2] * (1.0 - u - v)
+    uv = wp.cw_mul(uv, pattern.scale)
+    uv = wp.vec2(uv[0] - wp.floor(uv[0]), uv[1] - wp.floor(uv[1]))
+    tint = map_texel(solid.colors, pattern, mip_of(pattern, footprint), uv, 1)
+    return wp.cw_mul(look.color, wp.vec3(tint[0], tint[1], tint[2])) * look.gain
 
 
 @wp.func
@@ -188,17 +167,6 @@ def lamp_light(solid: Solid, light: Light, point: wp.vec3, n: wp.vec3):
 
 
 @wp.func
-def local_point(solid: Solid, face: int, u: float, v: float):
-    """A point of a triangle in its object's frame."""
-    a, b, c = (
-        solid.local[solid.faces[3 * face]],
-        solid.local[solid.faces[3 * face + 1]],
-        solid.local[solid.faces[3 * face + 2]],
-    )
-    return a * u + b * v + c * (1.0 - u - v)
-
-
-@wp.func
 def shading_normal(solid: Solid, face: int, u: float, v: float, facing: wp.vec3, flat: wp.vec3):
     """The smooth normal, turned against the ray; seen from behind a surface is as smooth as from the front."""
     n = solid.normals[3 * face] * u + solid.normals[3 * face + 1] * v + solid.normals[3 * face + 2] * (1.0 - u - v)
@@ -219,7 +187,7 @@ def mirrored_light(solid: Solid, light: Light, origin: wp.vec3, direction: wp.ve
     seen = sky_light(direction, light)
     if hit.result:
         look = solid.looks[solid.face_look[hit.face]]
-        color = textured(look, local_point(solid, hit.face, hit.u, hit.v), solid.face_grain[hit.face])
+        color = textured(solid, look, hit.face, hit.u, hit.v, _MIRRORED)
         n = hit.normal
         if wp.dot(n, direction) > 0.0:
             n = -n

@@ -7,24 +7,12 @@ from functools import lru_cache
 import numpy as np
 
 from ..body import Mesh
+from ..by_identity import ByIdentity
 from .catalogue import found
 
 _LONG = 4.0  # a piece is a bar when its variance along one way is this many times that along the next
 _FLAT = 0.08  # share of a piece's area from which faces of one direction are a flat side
 _SIDES = 12  # more directions than these are a round body
-
-
-class _Keep:
-    """A mesh as a cache's key: by identity, and kept alive by it."""
-
-    def __init__(self, mesh: Mesh):
-        self.mesh = mesh
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Keep) and other.mesh is self.mesh
-
-    def __hash__(self) -> int:
-        return id(self.mesh)
 
 
 def uv_of(mesh: Mesh) -> np.ndarray:
@@ -34,12 +22,12 @@ def uv_of(mesh: Mesh) -> np.ndarray:
     grain, u is the longest way of the piece, and each piece starts elsewhere in the pattern; else u is level and v up
     on upright faces, and (u, v) = (x, y) on level ones.
     """
-    return mesh.uv if mesh.uv is not None else _projected(_Keep(mesh))
+    return mesh.uv if mesh.uv is not None else _projected(ByIdentity(mesh))
 
 
 @lru_cache(maxsize=512)
-def _projected(keep: _Keep) -> np.ndarray:
-    mesh = keep.mesh
+def _projected(key: ByIdentity[Mesh]) -> np.ndarray:
+    mesh = key.it
     if not len(mesh.faces):
         return np.zeros((0, 3, 2), dtype=np.float32)
     corners = mesh.vertices[mesh.faces]

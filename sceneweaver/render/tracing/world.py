@@ -14,10 +14,10 @@ from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.scene import InputError
 
 from ..caster import Instance
+from ..maps import MapTable
 from ..mesh_shading import prepared
 from . import light_kernels, world_kernels
 from .lights import Emitters, Lights, emission_of, emitters
-from .maps import MapTable
 
 MAX_TRIANGLES = 20_000_000
 MAX_LAMPS = 256
@@ -56,7 +56,7 @@ def collect(instances: Sequence[Instance], lights: Lights) -> Geometry:
             continue
         turn = np.linalg.inv(matrix[:3, :3])
         placed = (mesh.vertices @ matrix[:3, :3].T + matrix[:3, 3])[mesh.faces]
-        bent = prepared(mesh)[0] @ turn
+        bent = prepared(mesh) @ turn
         bent = bent / np.maximum(np.linalg.norm(bent, axis=1, keepdims=True), 1e-12)
         area = np.linalg.norm(np.cross(placed[:, 1] - placed[:, 0], placed[:, 2] - placed[:, 0]), axis=1) / 2
         shine = emission_of(mesh, area, lights)
@@ -116,7 +116,7 @@ def world_on(geometry: Geometry) -> tuple[Any, list]:
     world.face_finish = wp.array(geometry.material, dtype=int)
     world.face_instance = wp.array(geometry.instance, dtype=int)
     world.finishes = wp.array(finishes, dtype=world_kernels.Finish)
-    world.patterns, world.colors, world.bumps = table.arrays()
+    world.patterns, world.colors, world.bumps = table.rows, table.colors, table.bumps
     return world, kept
 
 
