@@ -13,7 +13,20 @@ from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene import Scene, SceneObject
 
 from .camera import Camera
-from .room_probe import CEILING, DOOR, FLOOR, NOTHING, WALL, WINDOW, Glimpse, Probe, box_corners, is_key, weight
+from .room_probe import (
+    CEILING,
+    DOOR,
+    FLOOR,
+    NOTHING,
+    WALL,
+    WINDOW,
+    Glimpse,
+    Probe,
+    box_corners,
+    has_back,
+    is_key,
+    weight,
+)
 
 EYE_VIEWS = ("eye-door", "eye-corner", "eye-corner2")
 
@@ -132,7 +145,7 @@ def _judge(scene: Scene, one: _Candidate, glimpse: Glimpse) -> _Judged:
         if share[k] == 0:
             continue
         key = is_key(thing)
-        if key or thing.size[2] > 1.2:
+        if has_back(thing) and (key or thing.size[2] > 1.2):
             toward = eye - np.asarray(thing.pose.position[:2])
             facing = float(toward @ thing.pose.frame.axis) / max(float(np.linalg.norm(toward)), 1e-6)
             fronts[k] = 0.6 + 0.4 * facing

@@ -12,7 +12,7 @@ from sceneweaver.scene import Scene
 
 from .camera import Camera
 from .room_bodies import hidden_with
-from .room_probe import Probe, box_share, is_key, weight
+from .room_probe import Probe, box_share, has_back, is_key, weight
 from .room_shell import STUB
 
 PITCH = math.radians(37.0)
@@ -98,7 +98,7 @@ def _worth(scene: Scene, way: np.ndarray) -> float:
         total += matters
         # Of what is about as large as its box, 0.6 of it is seen where nothing is in the way.
         shown = min(1.0, float(seen) / max(1.0, 0.6 * _LOOK[0] * _LOOK[1] * box_share(camera, thing)))
-        facing = float(np.dot(thing.pose.frame.axis, way))
+        facing = float(np.dot(thing.pose.frame.axis, way)) if has_back(thing) else 1.0
         side = _BEHIND + (1 - _BEHIND) * min(1.0, max(0.0, (facing + 0.8) / 0.9))
         worth += matters * shown * side
         if is_key(thing):  # one that is hidden or seen from behind is worse than two seen half

@@ -22,10 +22,12 @@ NOTHING, WALL, FLOOR, CEILING, WINDOW, DOOR = -1, -2, -3, -4, -5, -6
 
 _KEY = re.compile(
     r"\b(bed|bunk|crib|sofa|couch|sectional|table|desk|workstation|counter|island|cooktop|stove|range|bathtub|bath|shower|"
-    r"vanity|toilet|piano|reception|bar|bench|stage|pool|billiard|treadmill)\b"
+    r"vanity|toilet|piano|reception|bar|bench|stage|pool|billiard|treadmill)$"
 )
-"""Words in categories of what a room is about."""
-_MINOR = re.compile(r"\b(rug|mat|carpet|bin|basket|curtains?|blind|radiator)\b")
+"""Last words of categories of what a room is about."""
+_MINOR = re.compile(r"\b(rug|mat|carpet|bin|basket|curtains?|blind|radiator)$")
+_ALL_ROUND = re.compile(r"\b(table|bathtub|bath|island|bench|ottoman|pouf|stool|pool|billiard|plant|lamp|shower)$")
+"""Last words of what looks alike from all sides."""
 
 
 @dataclass(frozen=True)
@@ -91,10 +93,15 @@ def _words(thing: SceneObject) -> str:
     return thing.category.lower().replace("-", " ").replace("_", " ")
 
 
+def has_back(thing: SceneObject) -> bool:
+    """Whether a thing should not be seen from behind."""
+    return thing.size[2] > 0.3 and _ALL_ROUND.search(_words(thing)) is None
+
+
 def weight(thing: SceneObject) -> float:
     """How much it matters that a picture shows a thing: about its size in metres, more where it is key."""
     depth, width, height = thing.size
-    size = min(2.5, max(0.15, (width * max(height, depth)) ** 0.5))
+    size = min(1.6, max(0.15, (width * max(height, depth)) ** 0.5))
     if _MINOR.search(_words(thing)):
         return 0.25 * size
     share = {"floor": 1.0, "wall": 0.7, "ceiling": 0.3, "surface": 0.3}[thing.mount]
