@@ -6,431 +6,355 @@ import math
 
 import numpy as np
 
-from ..builder import Builder, span
-from .gym_kit import disc, gear, inlay, ring
+from ...drawing import Box, Drawing, draws
+from ...drawing.components import handle, knob
+from .small_toys import ball
 
 
-@gear("aquarium")
-def aquarium(b: Builder) -> None:
+@draws("aquarium", whole=True)
+def aquarium(d: Drawing) -> None:
     """A tank of water with plants, stones and fish on a cabinet."""
-    d, w, h = b.size
-    wood = b.material("cabinet", "black paint", "walnut", "white paint", "light oak")
-    x, y = d / 2, w / 2
-    z = h * 0.55
-    b.box((-x, x - 0.016), (-y, y), (0, z), wood, 0.004)
-    for s in (-1, 1):
-        b.box((x - 0.018, x), span(s * 0.002, s * (y - 0.003)), (0.05, z - 0.03), wood, 0.003)
-        inlay(b, (x - 0.01, x + 0.0003), span(s * 0.03, s * 0.045), (z * 0.5, z * 0.7), "steel")
-    b.box((-x, x), (-y, y), (z - 0.005, z + 0.02), "black plastic", 0.003)
-    b.box((-x + 0.004, x - 0.004), (-y + 0.004, y - 0.004), (z + 0.02, h - 0.05), "glass", 0)
-    b.box((-x, x), (-y, y), (h - 0.055, h), "black plastic", 0.006)
-    i, j = x - 0.015, y - 0.015
-    inlay(b, (-i, i), (-j, j), (z + 0.021, z + 0.06), "sand pigment")
-    inlay(b, (-i, -i + 0.004), (-j, j), (z + 0.06, h - 0.07), "sea pigment")
-    from ... import shapes
-
-    looks = ("leaf", "pale leaf", "dark leaf")
-    for k in range(10):
-        py = -j * 0.9 + k * j * 1.8 / 9
-        px = b.uniform(f"x {k}", -i * 0.7, i * 0.3)
-        tall = (h - z) * b.uniform(f"tall {k}", 0.25, 0.75)
-        for m in range(3):
-            a = k + 2.1 * m
-            p, q = px + 0.05 * math.cos(a), py + 0.05 * math.sin(a)
-            pts = [
-                (px - 0.008, py, z + 0.05),
-                (px + 0.008, py, z + 0.05),
-                (px, py + 0.008, z + 0.05),
-                ((px + p) / 2 + 0.014, (py + q) / 2, z + 0.05 + tall * 0.55),
-                ((px + p) / 2 - 0.014, (py + q) / 2, z + 0.05 + tall * 0.55),
-                ((px + p) / 2, (py + q) / 2 + 0.012, z + 0.05 + tall * 0.5),
-                (p, q, z + 0.05 + tall * (0.8 + 0.1 * m)),
-            ]
-            b.add(shapes.hull(np.array(pts)), looks[k % 3], [])
-    for k in range(4):
-        r = 0.03 + 0.012 * k
-        b.add(shapes.ball((r, r * 1.3, r * 0.8), (i * 0.3, -j * 0.6 + k * j * 0.4, z + 0.06), 8), "granite", [])
-    for k in range(7):
-        c = (
-            b.uniform(f"fx {k}", 0, i * 0.6),
-            b.uniform(f"fy {k}", -j * 0.8, j * 0.8),
-            z + (h - z) * b.uniform(f"fz {k}", 0.3, 0.75),
-        )
-        look = ("orange plastic", "yellow plastic", "blue plastic", "red plastic")[k % 4]
-        s = 1 if k % 2 else -1
-        b.add(shapes.ball((0.012, 0.035, 0.02), c, 10), look, [])
-        b.add(
-            shapes.hull(
-                np.array(
-                    [(c[0] + e * 0.003, c[1] - s * 0.028 * 1, c[2]) for e in (-1, 1)]
-                    + [(c[0], c[1] - s * 0.06, c[2] + q) for q in (-0.022, 0.022)]
-                )
-            ),
-            look,
-            [],
-        )
+    wood = d.material("cabinet", "black paint, walnut, white paint, light oak")
+    box = d.bounds
+    cabinet, tank = box.share(z=(0.0, 0.55)), box.share(z=(0.55, 1.0))
+    d.box(cabinet.inset(front=0.016), wood, 0.004)
+    for leaf, hung in zip(
+        cabinet.inset(y=0.003, bottom=0.05, top=0.03).front(0.018).columns(2, gap=0.004), (0.9, 0.1), strict=True
+    ):
+        d.box(leaf, wood)
+        handle(d, leaf.share(y=(hung, hung)), "steel", "bar", 0.12, upright=True)
+    d.box(tank.bottom(0.02).inset(bottom=-0.005), "black plastic")
+    d.box(tank.top(0.055), "black plastic", 0.006)
+    d.box(tank.inset(x=0.004, y=0.004, bottom=0.02, top=0.05), "glass", 0.0)
+    water = tank.inset(x=0.015, y=0.015, bottom=0.06, top=0.07)
+    with d.no_colliders():
+        d.box(water.bottom(-0.039), "sand pigment", 0.0)
+        d.box(water.back(0.004), "sea pigment", 0.0)
+        for k, cell in enumerate(water.share(y=(0.05, 0.95)).columns(10)):
+            x, tall = d.uniform(f"x {k}", 0.15, 0.65), d.uniform(f"tall {k}", 0.3, 0.9)
+            foot, look = cell.point(x, 0.5, 0.0), ("leaf", "pale leaf", "dark leaf")[k % 3]
+            with d.at(*foot), d.ring(4, 0.0, k):
+                t = np.array([0.0, 0.4, 0.75, 0.98])
+                side = 0.02 * (1 - t)
+                rows = [np.c_[0.06 * t**2, sign * side, t * tall * water.height] for sign in (-1, 1)]
+                d.sheet(np.stack(rows, axis=1), 0.0015, look)
+        for k in range(4):
+            r = 0.03 + 0.012 * k
+            ball(d, water.point(0.65, 0.2 + 0.2 * k, 0.0), (r, 1.3 * r, 0.8 * r), "granite", 8)
+        for k in range(7):
+            at = water.point(
+                d.uniform(f"fx {k}", 0.5, 0.8), d.uniform(f"fy {k}", 0.1, 0.9), d.uniform(f"fz {k}", 0.3, 0.8)
+            )
+            look = ("orange plastic", "yellow plastic", "blue plastic", "red plastic")[k % 4]
+            ball(d, at, (0.012, 0.035, 0.02), look, 10)
+            tail = Box.around(at, 0.006, 0.036, 0.044).move(y=0.044 * (-1) ** k)
+            d.silhouette(tail, [(k % 2, 0.5), (1 - k % 2, 0), (1 - k % 2, 1)], look, "x")
 
 
-@gear("fireplace")
-def fireplace(b: Builder) -> None:
+@draws("fireplace", whole=True)
+def fireplace(d: Drawing) -> None:
     """A mantelpiece on pilasters around an opening with logs and flames."""
-    d, w, h = b.size
-    stone = b.material("stone", "marble", "dark marble", "white paint", "granite", "concrete", "oak")
-    inner = b.material("lining", "terracotta", "iron", "granite")
-    x0, y = -d / 2, w / 2
-    x1 = d / 2 - 0.12
-    lim = w * 0.3
-    with b.solid("hearth"):
-        b.box((x0, d / 2), (-y, y), (0, 0.05), stone, 0.006)
-    with b.solid("body"):
-        z = h * 0.66
-        b.box((x0, x0 + 0.05), (-lim, lim), (0.05, z), inner, 0)
-        for s in (-1, 1):
-            b.box((x0, x1 - 0.03), span(s * lim, s * (y - 0.05)), (0.05, h - 0.1), stone, 0.004)
-            b.box((x0 + 0.05, x1 - 0.04), span(s * (lim - 0.012), s * lim), (0.05, z), inner, 0)
-            ys = span(s * (y - 0.06), s * (y - 0.22))
-            b.box((x0, x1), ys, (0.05, h - 0.12), stone, 0.008)
-            b.box((x0, x1 + 0.02), span(s * (y - 0.045), s * (y - 0.235)), (0.05, 0.17), stone, 0.01)
-            b.box((x0, x1 + 0.02), span(s * (y - 0.045), s * (y - 0.235)), (h - 0.2, h - 0.12), stone, 0.01)
-            for k in (0.1, 0.14, 0.18):
-                b.box((x1 - 0.01, x1 + 0.008), (s * (y - k) - 0.01, s * (y - k) + 0.01), (0.22, h - 0.25), stone, 0.004)
-        b.box((x0, x1 - 0.03), (-lim, lim), (z, h - 0.1), stone, 0.004)
-        b.box((x1 - 0.04, x1 - 0.015), (-lim * 0.5, lim * 0.5), (z + 0.06, h - 0.14), stone, 0.008)
-        b.box((x0, x1 + 0.03), (-y + 0.03, y - 0.03), (h - 0.12, h - 0.06), stone, 0.012)
-        b.box((x0, x1 + 0.07), (-y, y), (h - 0.06, h), stone, 0.008)
-        m = (x0 + x1) / 2 + 0.03
-        for s in (-1, 1):
-            b.bar((m - 0.1, s * lim * 0.5, 0.09), (m + 0.12, s * lim * 0.5, 0.09), 0.012, "iron", 8)
-            b.box((m + 0.1, m + 0.13), (s * lim * 0.5 - 0.012, s * lim * 0.5 + 0.012), (0.05, 0.22), "iron", 0.004)
-        for k, (px, pz, t) in enumerate([(-0.05, 0.15, 0.05), (0.06, 0.15, 0.045), (0.0, 0.23, 0.045)]):
-            b.bar((m + px, -lim * 0.62, pz + 0.02 * (k == 2)), (m + px, lim * 0.62, pz), t, "bark", 10)
-            for s in (-1, 1):
-                disc(
-                    b,
-                    (m + px, s * lim * 0.62, pz + (0.02 if s < 0 and k == 2 else 0)),
-                    t * 0.85,
-                    0.002,
-                    "pine",
-                    "y",
-                    10,
-                )
+    stone = d.material("stone", "marble, dark marble, white paint, granite, concrete, oak")
+    inner = d.material("lining", "terracotta, iron, granite")
+    box = d.bounds
+    wide, high = box.width, box.height
+    with d.part("hearth"):
+        d.box(box.bottom(0.05), stone, 0.006)
+    case = box.inset(bottom=0.05, front=0.12)
+    opening = case.place(width=0.6 * wide).to(z=(0.05, 0.66 * high))
+    with d.part("body"):
+        d.box(opening.back(0.05), inner, 0.0)
+        d.box(case.inset(front=0.03, top=0.1).to(y=opening.y, z=(opening.z[1], high - 0.1)), stone, 0.004)
+        with d.mirror("y"):
+            jamb = case.to(y=(opening.y[1], box.y[1] - 0.05))
+            d.box(jamb.inset(front=0.03, top=0.1), stone, 0.004)
+            d.box(jamb.right(0.0).inset(right=-0.012, back=0.05, front=0.04).to(z=opening.z), inner, 0.0)
+            pilaster = case.inset(top=0.12).left(0.22).inset(left=0.06)
+            d.box(pilaster, stone, 0.008)
+            ends = pilaster.inset(y=-0.015, front=-0.02)
+            for end in (ends.bottom(0.12), ends.top(0.08)):
+                d.box(end, stone, 0.01)
+            for flute in pilaster.inset(y=0.02, bottom=0.17, top=0.13).front(0.01).columns(3, gap=0.02):
+                d.box(flute.inset(front=-0.008), stone, 0.004)
+        frieze = case.inset(front=0.015).front(0.025).to(z=(opening.z[1] + 0.06, high - 0.14))
+        d.box(frieze.place(width=0.5 * opening.width), stone, 0.008)
+        d.box(case.inset(front=-0.03, y=0.03).to(z=(high - 0.12, high - 0.06)), stone, 0.012)
+        mantel = d.box(case.inset(front=-0.07).top(0.06), stone, 0.008)
+        x, reach = case.center[0] + 0.03, 0.31 * opening.width
+        for y in (-0.25 * opening.width, 0.25 * opening.width):  # the dogs that carry the logs
+            d.bar((x - 0.1, y, 0.09), (x + 0.12, y, 0.09), 0.012, "iron", 8)
+            d.box(Box.sized(0.03, 0.024, 0.17, (x + 0.115, y, 0.05)), "iron", 0.004)
+        for px, z, r in ((-0.05, 0.15, 0.05), (0.06, 0.15, 0.045), (0.0, 0.23, 0.045)):
+            log = Box.around((x + px, 0, z), 2 * r, 2 * reach, 2 * r)
+            d.cylinder(log, "bark", "y", segments=10)
+            for end in (log.left(0.0), log.right(0.0)):
+                d.print(end.inset(x=0.15 * r, z=0.15 * r), "pine", oval=True)
         for k in range(5):
-            c = -lim * 0.4 + k * lim * 0.2
-            tall = b.uniform(f"flame {k}", 0.12, 0.28)
-            for look, q in (("flame", 1.0), ("yellow petal", 0.6)):
-                with b.frame(m + 0.05 * (1 - q), c, 0.2):
-                    b.lathe(
-                        [(0.01, 0), (0.045 * q, tall * 0.25 * q), (0.022 * q, tall * 0.65 * q), (0.0, tall * q)],
-                        look,
-                        8,
-                    )
-    b.surface("mantel", (x0 + 0.01, x1 + 0.05), (-y + 0.02, y - 0.02), h)
+            tall = d.uniform(f"flame {k}", 0.12, 0.28)
+            y = (0.2 * k - 0.4) * opening.width / 2
+            for look, size in (("flame", 1.0), ("yellow petal", 0.6)):
+                flame = Box.sized(0.09 * size, 0.09 * size, tall * size, (x + 0.05 * (1 - size), y, 0.2))
+                d.turned(flame, [(0.2, 0), (1, 0.25), (0.5, 0.65), (0, 1)], look, 8)
+    d.surface("mantel", mantel.inset(x=0.01, y=0.02))
 
 
-@gear("wood_stove")
-def wood_stove(b: Builder) -> None:
-    """An iron stove with a glazed door, fire within, legs and a flue pipe."""
-    d, w, h = b.size
-    iron = b.material("body", "iron", "black steel", "forest pigment", "grey paint")
-    top = min(0.95, h * 0.46) if b.chance("tall", 0.6) else 0.72
-    x1 = d / 2 - 0.03
-    with b.solid("stove"):
-        for sx in (-d / 2 + 0.06, x1 - 0.06):
-            for s in (-1, 1):
-                with b.frame(sx, s * (w / 2 - 0.08)):
-                    b.frustum(0.018, 0.032, (0, 0.15), iron, 10)
-        b.box((-d / 2 + 0.01, x1), (-w / 2 + 0.02, w / 2 - 0.02), (0.14, top - 0.02), iron, 0.012)
-        b.box((-d / 2, x1 + 0.02), (-w / 2, w / 2), (top - 0.035, top), iron, 0.01)
-        b.box((-d / 2 + 0.01, x1 + 0.015), (-w / 2 + 0.01, w / 2 - 0.01), (0.14, 0.17), iron, 0.006)
-        z0, z1 = top - 0.5 if top > 0.8 else 0.24, top - 0.08
-        b.box((x1 - 0.01, x1 + 0.016), (-w * 0.38, w * 0.38), (z0, z1), iron, 0.006)
-        b.box((x1, x1 + 0.019), (-w * 0.29, w * 0.29), (z0 + 0.06, z1 - 0.05), "black glass", 0.001)
-        for k in range(5):
-            c = -w * 0.18 + k * w * 0.09
-            t = (z1 - z0) * b.uniform(f"flame {k}", 0.3, 0.6)
-            b.hull(
-                [
-                    (x1 + 0.018 + e, c + yy, z0 + 0.075 + zz)
-                    for e in (0, 0.0018)
-                    for yy, zz in ((-0.02, 0), (0.02, 0), (0.025, t * 0.3), (-0.025, t * 0.3), (0.0, t))
-                ],
-                "flame",
-            )
-        b.bar((x1 + 0.018, -w * 0.14, z0 + 0.075), (x1 + 0.018, w * 0.14, z0 + 0.075), 0.004, "bark", 8)
-        b.bar(
-            (x1 + 0.03, -w * 0.34, (z0 + z1) / 2 - 0.06), (x1 + 0.03, -w * 0.34, (z0 + z1) / 2 + 0.06), 0.01, "brass", 8
-        )
-        b.box((x1, x1 + 0.025), (-w * 0.35, -w * 0.33), ((z0 + z1) / 2 - 0.01, (z0 + z1) / 2 + 0.01), "brass", 0)
-        if z0 > 0.35:
-            inlay(b, (x1 - 0.01, x1 + 0.0003), (-w * 0.36, w * 0.36), (0.2, z0 - 0.05), "black glass")
-            for k in range(5):
-                disc(b, (x1, -w * 0.26 + k * w * 0.13, 0.25), w * 0.058, 0.0006, "pine", "x", 12)
-    with b.solid("flue"), b.frame(-d * 0.12):
-        b.frustum(0.066, 0.066, (top, h), iron, 20)
-        b.frustum(0.08, 0.07, (top, top + 0.05), iron, 20)
-        b.frustum(0.07, 0.07, (h * 0.75, h * 0.75 + 0.04), iron, 20)
+@draws("wood_stove", whole=True)
+def wood_stove(d: Drawing) -> None:
+    """An iron stove with a glazed door, fire within, legs, a stack of logs below and a flue pipe."""
+    iron = d.material("body", "iron, black steel, forest pigment, grey paint")
+    box = d.bounds
+    deep, wide, high = box.size
+    top = min(0.95, 0.46 * high) if d.chance("tall", 0.6) else 0.72
+    case = box.inset(front=0.03)
+    front = case.x[1]
+    with d.part("stove"):
+        with d.corners(case, inset=0.05):
+            d.cylinder(Box((0, 0.064), (0, 0.064), (0, 0.15)), iron, ends=(0.56, 1.0), segments=10)
+        d.box(case.inset(back=0.01, y=0.02).to(z=(0.14, top - 0.02)), iron, 0.012)
+        d.box(case.inset(front=-0.02).to(z=(top - 0.035, top)), iron, 0.01)
+        d.box(case.inset(back=0.01, y=0.01, front=-0.015).to(z=(0.14, 0.17)), iron, 0.006)
+        low = top - 0.5 if top > 0.8 else 0.24
+        leaf = d.box(Box((front - 0.01, front + 0.016), (-0.38 * wide, 0.38 * wide), (low, top - 0.08)), iron, 0.006)
+        glass = d.box(leaf.inset(front=-0.003, y=0.09 * wide, bottom=0.06, top=0.05).front(0.01), "black glass", 0.001)
+        for k, cell in enumerate(glass.inset(y=0.005, bottom=0.01).columns(6)):
+            tall = d.uniform(f"flame {k}", 0.3, 0.75)
+            flame = cell.front(0.0).inset(front=-0.0004, back=-0.001).share(z=(0.0, tall))
+            with d.no_colliders():
+                d.silhouette(flame, [(0.1, 0), (0.9, 0), (1, 0.3), (0.5, 1), (0, 0.3)], "flame", "x")
+        x, y, z = leaf.point(1.0, 0.05, 0.5)
+        d.bar((x + 0.014, y, z - 0.06), (x + 0.014, y, z + 0.06), 0.01, "brass", 8)
+        d.box(Box.around((x, y, z), 0.025, 0.016, 0.02), "brass", 0.0)
+        if low > 0.35:
+            store = Box((front, front), (-0.36 * wide, 0.36 * wide), (0.2, low - 0.05))
+            d.print(store, "black glass")
+            for row in store.inset(0.0, y=0.01, z=0.005).rows(2):
+                for log in row.columns(5):
+                    size = 0.92 * min(log.width, log.height)
+                    d.print(log.place(None, size, size), "pine", 0.0004, oval=True)
+    with d.part("flue"), d.at(-0.12 * deep):
+        d.cylinder(Box.sized(0.132, 0.132, high - top, (0, 0, top)), iron, segments=20)
+        d.cylinder(Box.sized(0.16, 0.16, 0.05, (0, 0, top)), iron, ends=(1.0, 0.87), segments=20)
+        d.cylinder(Box.sized(0.14, 0.14, 0.04, (0, 0, 0.75 * high)), iron, segments=20)
 
 
-@gear("radiator")
-def radiator(b: Builder) -> None:
-    """A ribbed panel with a grille and valve, or a row of columns."""
-    d, w, h = b.size
-    paint = b.material("paint", "white steel", "white paint", "black paint", "grey paint")
-    if b.chance("columns", 0.4):
-        n = max(6, round(w / 0.055))
-        step = w / n
-        for k in range(n):
-            y = -w / 2 + (k + 0.5) * step
-            b.box((-d / 2 + 0.02, d / 2), (y - step * 0.4, y + step * 0.4), (0, 0.05), paint, 0.014)
-            b.box((-d / 2 + 0.02, d / 2), (y - step * 0.4, y + step * 0.4), (h - 0.05, h), paint, 0.014)
-            for x in (-d / 2 + 0.035, d / 2 - 0.016):
-                b.box((x - 0.013, x + 0.013), (y - step * 0.28, y + step * 0.28), (0.03, h - 0.03), paint, 0.006)
-        for z in (0.03, h - 0.03):
-            b.bar((0.01, -w / 2 + 0.01, z), (0.01, w / 2 - 0.01, z), 0.014, paint, 8)
+@draws("radiator", whole=True)
+def radiator(d: Drawing) -> None:
+    """A ribbed panel with a grille, or a row of columns; with brackets, pipes and a valve."""
+    paint = d.material("paint", "white steel, white paint, black paint, grey paint")
+    box = d.bounds
+    wide, high = box.width, box.height
+    if d.chance("columns", 0.4):
+        for column in box.inset(back=0.02).columns(max(6, round(wide / 0.055))):
+            step = column.width
+            for end in (column.bottom(0.05), column.top(0.05)):
+                d.box(end.inset(y=0.1 * step), paint, 0.014)
+            tubes = column.inset(y=0.22 * step, z=0.03)
+            for tube in (tubes.back(0.028), tubes.front(0.028)):
+                d.cylinder(tube, paint, segments=10)
+        for z in (0.03, high - 0.03):
+            d.bar((0.01, 0.01 - wide / 2, z), (0.01, wide / 2 - 0.01, z), 0.014, paint, 8)
     else:
-        b.box((-d / 2 + 0.02, d / 2 - 0.008), (-w / 2 + 0.02, w / 2), (0, h), paint, 0.012)
-        n = max(8, int(w / 0.035))
-        step = (w - 0.06) / n
-        for k in range(n):
-            y = -w / 2 + 0.05 + k * step
-            b.box((d / 2 - 0.01, d / 2), (y, y + step * 0.6), (0.03, h - 0.03), paint, 0.005)
-        for k in range(n):
-            y = -w / 2 + 0.05 + k * step
-            inlay(b, (-d / 2 + 0.035, d / 2 - 0.03), (y, y + step * 0.5), (h - 0.01, h + 0.0003), "grey plastic")
-    for s in (-1, 1):
-        b.box((-d / 2, -d / 2 + 0.04), (s * w * 0.35 - 0.02, s * w * 0.35 + 0.02), (0.06, h - 0.06), paint, 0.002)
-    disc(b, (0.0, -w / 2 + 0.015, h * 0.85), 0.018, 0.03, "white plastic", "y", 16, 0.003)
+        panel = d.box(box.inset(back=0.02, front=0.008, right=0.02), paint, 0.012)
+        count = max(8, int(wide / 0.035))
+        for rib in panel.inset(y=0.03, z=0.03).front(0.002).inset(front=-0.008).columns(count):
+            d.box(rib.share(y=(0.2, 0.8)), paint, 0.004)
+        for slot in panel.top(0.0).inset(x=0.015, y=0.03).columns(count):
+            d.print(slot.share(y=(0.0, 0.5)), "grey plastic")
+    for y in (0.15, 0.85):
+        d.box(box.back(0.04).share(y=(y, y)).inset(y=-0.02, z=0.06), paint, 0.002)
+    valve = Box.around((0.0, 0.015 - wide / 2, 0.85 * high), 0.036, 0.03, 0.036)
+    d.cylinder(valve, "white plastic", "y", bevel=0.003)
 
 
-@gear("heater")
-def heater(b: Builder) -> None:
+@draws("heater", whole=True)
+def heater(d: Drawing) -> None:
     """An oil filled radiator: fins in a row, a control box in front, on castors."""
-    d, w, h = b.size
-    paint = b.material("paint", "white steel", "black steel", "grey plastic")
-    n = max(6, round((d - 0.16) / 0.05))
-    x0, x1 = -d / 2, d / 2 - 0.12
-    step = (x1 - x0) / n
-    for k in range(n):
-        x = x0 + (k + 0.5) * step
-        b.box((x - step * 0.36, x + step * 0.36), (-w * 0.3, w * 0.3), (0.09, h), paint, step * 0.34)
-    for z in (0.14, h - 0.05):
-        b.bar((x0 + 0.01, 0, z), (x1, 0, z), 0.02, paint, 8)
-    b.box((x1 - 0.005, d / 2), (-w * 0.3, w * 0.3), (0.09, h - 0.005), "grey plastic", 0.015)
-    disc(b, (d / 2 - 0.004, 0, h - 0.2), 0.03, 0.006, "black plastic", "x", 20)
-    for k, look in enumerate(("red plastic", "black plastic")):
-        inlay(b, (d / 2 - 0.01, d / 2 + 0.0003), (-0.02, 0.02), (h - 0.12 + 0.035 * k, h - 0.1 + 0.035 * k), look)
-    for x in (x0 + 0.06, d / 2 - 0.07):
-        b.box((x - 0.012, x + 0.012), (-w / 2 + 0.02, w / 2 - 0.02), (0.055, 0.1), "black plastic", 0.003)
-        for s in (-1, 1):
-            disc(b, (x, s * (w / 2 - 0.015), 0.03), 0.03, 0.03, "rubber", "y", 16, 0.004)
-            b.box(
-                (x - 0.01, x + 0.01),
-                (s * (w / 2 - 0.035) - 0.008, s * (w / 2 - 0.035) + 0.008),
-                (0.03, 0.07),
-                "black plastic",
-                0,
-            )
+    paint = d.material("paint", "white steel, black steel, grey plastic")
+    box = d.bounds
+    wide, high = box.width, box.height
+    body = box.place(width=0.6 * wide).inset(bottom=0.09)
+    fins = body.inset(front=0.12)
+    for fin in fins.split("x", max(6, round((box.depth - 0.16) / 0.05))):
+        d.cushion(fin.inset(x=0.14 * fin.depth), paint, 0.4 * fin.depth)
+    for z in (0.14, high - 0.05):
+        d.bar((fins.x[0] + 0.01, 0, z), (fins.x[1], 0, z), 0.02, paint, 8)
+    control = d.box(body.front(0.125).inset(top=0.005), "grey plastic", 0.015)
+    knob(d, control.to(z=(high - 0.2, high - 0.2)), "black plastic", 0.03, 0.012, "white plastic")
+    for z, tone in ((0.12, "red plastic"), (0.085, "black plastic")):
+        d.print(control.front(0.0).place(width=0.04).to(z=(high - z, high - z + 0.02)), tone)
+    for x in (box.x[0] + 0.06, box.x[1] - 0.07):
+        d.box(Box.sized(0.024, wide - 0.04, 0.045, (x, 0, 0.055)), "black plastic")
+        with d.mirror("y"):
+            d.cylinder(Box.around((x, wide / 2 - 0.015, 0.03), 0.06, 0.03, 0.06), "rubber", "y", bevel=0.004)
+            d.box(Box.around((x, wide / 2 - 0.035, 0.05), 0.02, 0.016, 0.04), "black plastic", 0.0)
 
 
-@gear("air_purifier")
-def air_purifier(b: Builder) -> None:
+@draws("air_purifier", whole=True)
+def air_purifier(d: Drawing) -> None:
     """A rounded tower with slits below, an outlet grille above and a small display."""
-    d, w, h = b.size
-    body = b.material("body", "white plastic", "black plastic", "grey plastic")
-    if abs(d - w) < 0.05:
-        r = d / 2
-        b.lathe([(r * 0.92, 0), (r, 0.015), (r, h - 0.04), (r * 0.9, h)], body, 32)
-        for k in range(10):
-            z = h * (0.08 + 0.05 * k)
-            b.frustum(r + 0.0003, r + 0.0003, (z, z + h * 0.02), "grey plastic", 32)
-        b.frustum(r * 0.75, r * 0.75, (h - 0.01, h + 0.0003), "black plastic", 28)
-        for k in range(3):
-            ring(b, (0, 0, h), r * (0.3 + 0.18 * k), 0.004, body, "z", 20, 6)
+    look = d.material("body", "white plastic, black plastic, grey plastic")
+    box = d.bounds
+    high = box.height
+    if abs(box.depth - box.width) < 0.05:
+        d.turned(box, [(0.92, 0), (1, 0.02), (1, 0.94), (0.95, 0.99), (0.9, 1)], look, 32)
+        with d.no_colliders():
+            for k in range(10):
+                z = 0.08 + 0.05 * k
+                d.cylinder(box.inset(x=-0.0003, y=-0.0003).share(z=(z, z + 0.02)), "grey plastic", segments=32)
+        top = d.print(box.top(0.0).share((0.12, 0.88), (0.12, 0.88)), "black plastic", oval=True)
+        for share in (0.3, 0.5, 0.7):
+            d.hoop(top.share((0.5 - share / 2, 0.5 + share / 2), (0.5 - share / 2, 0.5 + share / 2)), 0.004, look)
         return
-    b.box((-d / 2, d / 2), (-w / 2, w / 2), (0, h), body, 0.03)
-    for k in range(12):
-        z = h * (0.12 + 0.045 * k)
-        inlay(b, (d / 2 - 0.02, d / 2 + 0.0003), (-w * 0.36, w * 0.36), (z, z + h * 0.022), "grey plastic")
-    disc(b, (d / 2, 0, h * 0.8), 0.035, 0.0007, "screen", "x", 24)
-    disc(b, (d / 2, 0, h * 0.8), 0.012, 0.0008, "green plastic", "x", 16)
-    for k in range(7):
-        x = -d * 0.32 + k * d * 0.09
-        inlay(b, (x, x + d * 0.045), (-w * 0.36, w * 0.36), (h - 0.02, h + 0.0003), "black plastic")
+    d.cushion(box, look, 0.03)
+    face = box.front(0.0).share(y=(0.14, 0.86))
+    for slot in face.share(z=(0.12, 0.66)).rows(12):
+        d.print(slot.share(z=(0.0, 0.5)), "grey plastic")
+    for r, tone, proud in ((0.035, "screen", 0.0003), (0.012, "green plastic", 0.0004)):
+        d.print(face.place(None, 0.0, 0.0).move(z=0.3 * high).inset(y=-r, z=-r), tone, proud, oval=True)
+    for slot in box.top(0.0).share((0.18, 0.77), (0.14, 0.86)).split("x", 7):
+        d.print(slot.share(x=(0.0, 0.5)), "black plastic")
 
 
-@gear("fan")
-def fan(b: Builder) -> None:
+@draws("fan", whole=True)
+def fan(d: Drawing) -> None:
     """A standing fan: round foot, pole, wire cage with blades."""
-    d, w, h = b.size
-    metal = b.material("stand", "white plastic", "black plastic", "chrome", "grey plastic")
-    r = w / 2
-    z = h - r
-    with b.frame(-0.02):
-        b.lathe([(d * 0.45, 0), (d * 0.45, 0.015), (0.06, 0.035), (0.025, 0.07)], metal, 28)
-        b.frustum(0.017, 0.014, (0.03, z), metal, 12)
-    b.box((-0.04, 0.0), (-0.03, 0.03), (z * 0.55, z * 0.55 + 0.06), metal, 0.01)
-    disc(b, (-0.06, 0, z), 0.055, 0.16, metal, "x", 20, 0.02)
-    for x, q in ((0.03, 0.8), (0.07, 1.0), (0.11, 0.8)):
-        ring(b, (x, 0, z), (r - 0.007) * q, 0.006, metal, "x", 24, 6)
-    disc(b, (0.12, 0, z), 0.05, 0.014, metal, "x", 20, 0.004)
-    for k in range(12):
-        a = k * math.pi / 6
-        c, s = math.cos(a), math.sin(a)
-        e = r - 0.007
-        b.tube(
-            [
-                (0.02, 0.05 * c, z + 0.05 * s),
-                (0.03, e * 0.8 * c, z + e * 0.8 * s),
-                (0.07, e * c, z + e * s),
-                (0.11, e * 0.8 * c, z + e * 0.8 * s),
-                (0.12, 0.05 * c, z + 0.05 * s),
-            ],
-            0.0025,
-            metal,
-            4,
-        )
-    for k in range(4):
-        with b.frame(0.07, 0, z, roll=k * math.pi / 2 + 0.3):
-            b.hull(
-                [
-                    (e + q, yy, zz)
-                    for e in (-0.003, 0.003)
-                    for q, yy, zz in (
-                        (-0.01, -0.02, 0.03),
-                        (0.01, 0.02, 0.03),
-                        (-0.025, -0.07, r * 0.6),
-                        (0.025, 0.08, r * 0.6),
-                        (0.0, 0.05, r * 0.82),
-                    )
-                ],
-                "blue plastic" if metal.name == "white plastic" else "grey plastic",
-            )
+    metal = d.material("stand", "white plastic, black plastic, chrome, grey plastic")
+    deep, wide, high = d.size
+    r = wide / 2
+    z = high - r
+    foot = Box.sized(0.9 * deep, 0.9 * deep, 0.07, (-0.02, 0, 0))
+    d.turned(foot, [(1, 0), (1, 0.2), (0.133 / deep, 0.5), (0.056 / deep, 1)], metal, 28)
+    d.cylinder(Box.sized(0.034, 0.034, z - 0.03, (-0.02, 0, 0.03)), metal, ends=(1.0, 0.82), segments=12)
+    d.box(Box.sized(0.04, 0.06, 0.06, (-0.02, 0, 0.55 * z)), metal, 0.01)
+    with d.at(0.0, 0.0, z, pitch=math.pi / 2):  # +z is forward
+        d.cylinder(Box.sized(0.11, 0.11, 0.16, (0, 0, -0.14)), metal, bevel=0.02, segments=20)
+        d.cylinder(Box.sized(0.1, 0.1, 0.014, (0, 0, 0.113)), metal, bevel=0.004, segments=20)
+        cage = [(0.05, 0.02), (0.8 * (r - 0.007), 0.03), (r - 0.007, 0.07), (0.8 * (r - 0.007), 0.11), (0.05, 0.12)]
+        for q, x in cage[1:4]:
+            d.hoop(Box.around((0, 0, x), 2 * q, 2 * q, 0), 0.006, metal, steps=24)
+        with d.ring(16):
+            d.sweep([(q, 0, x) for q, x in cage], 0.0025, metal, 4)
+        blade = [
+            (0.03, -0.02, 0.06),
+            (0.03, 0.02, 0.08),
+            (0.6 * r, -0.07, 0.045),
+            (0.6 * r, 0.08, 0.095),
+            (0.82 * r, 0.05, 0.07),
+        ]
+        with d.ring(4, 0.0, 0.3):
+            thick = [(x, y, zz + e) for x, y, zz in blade for e in (-0.003, 0.003)]
+            d.hull(thick, "blue plastic" if metal.name == "white plastic" else "grey plastic")
 
 
-@gear("sewing_machine_table")
-def sewing_machine_table(b: Builder) -> None:
+@draws("sewing_machine_table", whole=True)
+def sewing_machine_table(d: Drawing) -> None:
     """A table on an iron frame with a treadle, and a sewing machine on it."""
-    d, w, h = b.size
-    wood = b.material("top", "oak", "walnut", "light oak", "cherry")
-    paint = b.material("machine", "black paint", "white plastic", "sage paint", "red paint")
-    z = h - 0.3
-    with b.solid("top"):
-        b.box((-d / 2, d / 2), (-w / 2, w / 2), (z - 0.03, z), wood, 0.006)
-        b.box((-d / 2 + 0.03, d / 2 - 0.06), (w / 2 - 0.25, w / 2 - 0.05), (z - 0.13, z - 0.03), wood, 0.004)
+    wood = d.material("top", "oak, walnut, light oak, cherry")
+    paint = d.material("machine", "black paint, white plastic, sage paint, red paint")
+    box = d.bounds
+    deep, wide, high = box.size
+    level = high - 0.3
+    with d.part("top"):
+        d.box(box.to(z=(level - 0.03, level)), wood, 0.006)
+        case = box.inset(back=0.03, front=0.06).left(0.25).inset(left=0.05).to(z=(level - 0.13, level - 0.03))
+        d.box(case, wood, 0.004)
+        knob(d, case, "brass", 0.012, 0.014)
     for s in (-1, 1):
-        with b.solid(f"leg {s}"):
-            y = s * (w / 2 - 0.12)
-            b.box((-d / 2 + 0.02, d / 2 - 0.03), (y - 0.015, y + 0.015), (0, 0.035), "iron", 0.004)
+        with d.part(f"leg {s}"), d.at(y=s * (wide / 2 - 0.12)):
+            d.box(Box((0.02 - deep / 2, deep / 2 - 0.03), (-0.015, 0.015), (0, 0.035)), "iron", 0.004)
             for k in (-1, 1):
-                b.bar((k * d * 0.4, y, 0.02), (-k * d * 0.32, y, z - 0.03), 0.013, "iron", 8)
-            ring(b, (0, y, z * 0.5), 0.09, 0.009, "iron", "y", 14, 6)
-    with b.solid("treadle"):
-        b.bar((-0.05, -w / 2 + 0.12, 0.1), (-0.05, w / 2 - 0.12, 0.1), 0.01, "iron", 8)
-        b.box((-0.14, 0.1), (-0.17, 0.17), (0.09, 0.11), "iron", 0.004)
-    with b.solid("machine"):
-        y0 = -0.12
-        b.box((-0.09, 0.09), (y0 - 0.2, y0 + 0.2), (z, z + 0.045), paint, 0.01)
-        b.box((-0.05, 0.05), (y0 + 0.1, y0 + 0.2), (z + 0.04, h - 0.02), paint, 0.02)
-        b.box((-0.045, 0.045), (y0 - 0.2, y0 + 0.2), (h - 0.12, h - 0.03), paint, 0.025)
-        b.box((-0.04, 0.04), (y0 - 0.2, y0 - 0.12), (z + 0.13, h - 0.04), paint, 0.015)
-        b.bar((0, y0 - 0.16, z + 0.05), (0, y0 - 0.16, z + 0.14), 0.006, "steel", 8)
-        disc(b, (0, y0 + 0.21, h - 0.08), 0.065, 0.025, "steel", "y", 20, 0.004)
-        inlay(b, (0, 0.0453), (y0 - 0.05, y0 + 0.08), (h - 0.09, h - 0.06), "brass")
-        b.frustum(0.004, 0.004, (h - 0.04, h), "steel", 8) if False else disc(
-            b, (0, y0 + 0.05, h - 0.022), 0.015, 0.044, "red fabric", "z", 12
-        )
-    b.clear((-0.05, d / 2), (-w / 2 + 0.2, w / 2 - 0.28), (0.13, z - 0.05))
+                d.bar((0.4 * k * deep, 0, 0.02), (-0.32 * k * deep, 0, level - 0.03), 0.013, "iron", 8)
+            d.hoop(Box.around((0, 0, level / 2), 0.18, 0, 0.18), 0.009, "iron", "y", steps=14)
+    with d.part("treadle"):
+        d.bar((-0.05, 0.12 - wide / 2, 0.1), (-0.05, wide / 2 - 0.12, 0.1), 0.01, "iron", 8)
+        tread = d.box(Box((-0.14, 0.1), (-0.17, 0.17), (0.09, 0.11)), "iron", 0.004).top(0.0)
+        for slot in tread.inset(x=0.02, y=0.02).columns(7):
+            d.print(slot.share(y=(0.3, 0.7)), "black steel")
+    with d.part("machine"):
+        machine = Box((-0.09, 0.09), (-0.32, 0.08), (level, high))
+        d.box(machine.bottom(0.045), paint, 0.01)
+        d.cushion(machine.left(0.1).inset(x=0.04).to(z=(level + 0.04, high - 0.02)), paint, 0.025)
+        arm = d.cushion(machine.inset(x=0.045).to(z=(high - 0.12, high - 0.03)), paint, 0.025)
+        d.cushion(machine.right(0.08).inset(x=0.05).to(z=(level + 0.13, high - 0.04)), paint, 0.015)
+        d.bar((0, -0.28, level + 0.05), (0, -0.28, level + 0.14), 0.006, "steel", 8)
+        wheel = Box.around((0, 0.09, high - 0.08), 0.13, 0.025, 0.13)
+        d.cylinder(wheel, "steel", "y", bevel=0.004, segments=20)
+        d.print(arm.front(0.0).share(y=(0.35, 0.68), z=(0.35, 0.65)), "brass")
+        d.cylinder(Box.sized(0.03, 0.03, 0.044, (0, -0.07, high - 0.044)), "red fabric", segments=12)
+    d.clear(Box((-0.05, deep / 2), (0.2 - wide / 2, wide / 2 - 0.28), (0.13, level - 0.05)))
 
 
-@gear("pet_bed")
-def pet_bed(b: Builder) -> None:
-    """A low oval rim of cloth around a cushion, lower in front, with a bone upon it."""
-    d, w, h = b.size
-    cloth = b.material("rim", "grey fabric", "charcoal fabric", "rust fabric", "blue fabric", "beige fabric", "wicker")
-    t = np.linspace(0, 2 * math.pi, 20, endpoint=False)
-    r = h * 0.36
-    a, c = d / 2 - r, w / 2 - r
-    z = h - r - np.clip(np.cos(t) - 0.5, 0, 1) * h * 0.5
-    b.tube(np.c_[a * np.cos(t), c * np.sin(t), np.maximum(z, r)], r, cloth, 10, closed=True)
-    b.frustum(1.0, 1.0, (0, 0.001), cloth, 8) if False else b.extrude(
-        np.c_[(a + r * 0.5) * np.cos(t), (c + r * 0.5) * np.sin(t)], (0, h * 0.35), cloth
-    )
-    b.extrude(
-        np.c_[a * 0.95 * np.cos(t), c * 0.95 * np.sin(t)],
-        (h * 0.3, h * 0.5),
-        b.material("cushion", "white fabric", "beige fabric"),
-    )
-    zz = h * 0.5
-    b.bar((0, -0.06, zz + 0.02), (0.03, 0.06, zz + 0.02), 0.014, "paper", 8)
-    for py in (-0.065, 0.065):
+@draws("pet_bed", whole=True)
+def pet_bed(d: Drawing) -> None:
+    """A plump rim of cloth around a cushion, lower in front, with a bone upon it."""
+    cloth = d.material("rim", "grey fabric, charcoal fabric, rust fabric, blue fabric, beige fabric, wicker")
+    pad = d.material("cushion", "white fabric, beige fabric")
+    deep, wide, high = d.size
+    t = np.arange(28) * 2 * np.pi / 28
+    r = 0.3 * high
+    out = np.c_[np.cos(t), np.sin(t)] * (deep / 2 - r, wide / 2 - r)
+    dip = 0.34 * high * np.clip((np.cos(t) - 0.45) / 0.55, 0, 1) ** 0.7  # the way in
+    d.extrude(1.06 * out, (0.0, 0.32 * high), cloth)
+    for share, sink in ((1.0, 0.0), (1.02, 0.42 * high)):
+        level = np.maximum(high - r - dip - sink, r)
+        d.sweep(np.c_[share * out, level], r, cloth, 12, closed=True)
+    d.ball(Box.around((0, 0, 0.42 * high), 1.7 * out[:, 0].max(), 1.8 * out[:, 1].max(), 0.4 * high), pad)
+    d.extrude(0.8 * out, (0.3 * high, 0.55 * high), pad)
+    z = 0.64 * high
+    d.bar((0, -0.06, z), (0.03, 0.06, z), 0.013, "paper", 8)
+    for y in (-0.065, 0.065):
         for e in (-0.016, 0.016):
-            b.ball((0.02, 0.02, 0.018), (0.015 + py * 0.23 + e, py, zz + 0.02), "paper", 8)
+            ball(d, (0.015 + 0.23 * y + e, y, z), 0.019, "paper", 8)
 
 
-@gear("cat_tree")
-def cat_tree(b: Builder) -> None:
-    """Posts wound with rope, carpeted boards, a house with a round door, a hanging ball."""
-    d, w, h = b.size
-    felt = b.material("felt", "beige fabric", "grey fabric", "charcoal fabric", "rust fabric")
-    x, y = d / 2, w / 2
-
-    def rope(px: float, py: float, z0: float, z1: float) -> None:
-        with b.frame(px, py):
-            b.frustum(0.045, 0.045, (z0, z1), "rattan", 14)
-            n = int((z1 - z0) / 0.06)
-            for k in range(n):
-                z = z0 + (k + 0.5) * (z1 - z0) / n
-                b.frustum(0.0453, 0.0453, (z - 0.005, z + 0.005), "wicker", 14)
-
-    b.box((-x, x), (-y, y), (0, 0.04), felt, 0.01)
-    hz = 0.36
-    b.box((-x + 0.02, x - 0.06), (-y + 0.02, 0.02), (0.04, 0.04 + hz), felt, 0.015)
-    disc(b, (x - 0.06, -y / 2 + 0.02, 0.04 + hz * 0.48), 0.105, 0.0006, "black fabric", "x", 24)
-    m = h * 0.55
-    rope(-x + 0.1, -y + 0.12, 0.4, m)
-    rope(x - 0.14, y - 0.12, 0.04, m)
-    rope(-x + 0.12, y - 0.12, 0.04, h - 0.1)
-    b.box((-x + 0.02, x - 0.02), (-y + 0.04, y - 0.02), (m, m + 0.035), felt, 0.01)
-    q = min(x, y) * 0.62
-    with b.frame(-x + q + 0.02, y - q - 0.02):
-        b.frustum(q * 0.85, q, (h - 0.11, h), felt, 24, 0.01)
-        b.frustum(q * 0.8, q * 0.8, (h - 0.02, h + 0.0003), "white fabric", 24)
-    b.bar((x - 0.06, -y + 0.12, m), (x - 0.06, -y + 0.12, m - 0.14), 0.004, "wicker", 6)
-    b.ball(
-        (0.03, 0.03, 0.03),
-        (x - 0.06, -y + 0.12, m - 0.16),
-        b.material("ball", "red fabric", "blue fabric", "mustard fabric"),
-        10,
+@draws("cat_tree", whole=True)
+def cat_tree(d: Drawing) -> None:
+    """Posts wound with rope, carpeted boards, a house with a round door, a nest, a hanging ball."""
+    felt = d.material("felt", "beige fabric, grey fabric, charcoal fabric, rust fabric")
+    toy = d.material("ball", "red fabric, blue fabric, mustard fabric")
+    box = d.bounds
+    (x0, x1), (y0, y1), high = box.x, box.y, box.height
+    shelf = 0.55 * high
+    d.box(box.bottom(0.04), felt, 0.01)
+    house = d.box(Box((x0 + 0.02, x1 - 0.06), (y0 + 0.02, 0.02), (0.04, 0.4)), felt, 0.015)
+    for r, tone, proud in ((0.115, "wicker", 0.0003), (0.1, "black fabric", 0.0004)):
+        d.print(house.front(0.0).place(None, 2 * r, 2 * r), tone, proud, oval=True)
+    posts = (
+        (x0 + 0.1, y0 + 0.12, 0.4, shelf),
+        (x1 - 0.14, y1 - 0.12, 0.04, shelf),
+        (x0 + 0.12, y1 - 0.12, 0.04, high - 0.1),
     )
+    for x, y, low, top in posts:
+        post = Box.sized(0.09, 0.09, top - low, (x, y, low))
+        d.cylinder(post, "rattan", segments=14)
+        with d.no_colliders():  # turns of the rope
+            for turn in post.inset(x=-0.0003, y=-0.0003).rows(int(post.height / 0.03)):
+                d.cylinder(turn.share(z=(0.35, 0.65)), "wicker", segments=14)
+    d.box(Box((x0 + 0.02, x1 - 0.02), (y0 + 0.04, y1 - 0.02), (shelf, shelf + 0.035)), felt, 0.01)
+    q = 1.24 * min(x1, y1)
+    nest = Box((x0 + 0.02, x0 + 0.02 + q), (y1 - 0.02 - q, y1 - 0.02), (high - 0.11, high))
+    d.turned(nest, [(0.8, 0), (0.95, 0.4), (1, 0.85), (0.96, 1), (0.84, 1), (0.8, 0.55), (0, 0.5)], felt, hollow=True)
+    d.cylinder(nest.share((0.1, 0.9), (0.1, 0.9), (0.45, 0.62)), "white fabric")
+    d.bar((x1 - 0.06, y0 + 0.12, shelf), (x1 - 0.06, y0 + 0.12, shelf - 0.14), 0.004, "wicker", 6)
+    ball(d, (x1 - 0.06, y0 + 0.12, shelf - 0.16), 0.03, toy, 10)
 
 
-@gear("litter_box")
-def litter_box(b: Builder) -> None:
+@draws("litter_box", whole=True)
+def litter_box(d: Drawing) -> None:
     """A tray under a rounded hood with an entrance and a handle."""
-    d, w, h = b.size
-    tray = b.material("tray", "grey plastic", "blue plastic", "mint plastic", "pink plastic")
-    hood = b.material("hood", "white plastic", "grey plastic", "lilac plastic")
-    x, y = d / 2, w / 2
-    z = h * 0.35
-    b.hull([(sx * x * q, sy * y * q, zz) for sx in (-1, 1) for sy in (-1, 1) for q, zz in ((0.88, 0), (1, z))], tray)
-    t = h - 0.03
-    b.hull(
-        [
-            (px, sy * y * q, zz)
-            for sy in (-1, 1)
-            for px, q, zz in (
-                (-x * 0.97, 0.97, z),
-                (x * 0.97, 0.97, z),
-                (-x * 0.9, 0.85, t - 0.05),
-                (x * 0.8, 0.85, t - 0.05),
-                (-x * 0.75, 0.6, t),
-                (x * 0.6, 0.6, t),
-            )
-        ],
-        hood,
-    )
-    s = math.atan2(x * 0.17, t - 0.05 - z)
-    with b.frame(x * 0.97, 0, z, pitch=-s):
-        b.box((-0.01, 0.002), (-w * 0.26, w * 0.26), (0.01, (t - z) * 0.72), "black plastic", 0.001)
-        b.box((-0.01, 0.006), (-w * 0.3, w * 0.3), (-0.015, 0.012), tray, 0.003)
-    b.tube([(0, -0.07, t - 0.005), (0, -0.05, h - 0.007), (0, 0.05, h - 0.007), (0, 0.07, t - 0.005)], 0.007, tray, 8)
+    tray = d.material("tray", "grey plastic, blue plastic, mint plastic, pink plastic")
+    hood = d.material("hood", "white plastic, grey plastic, lilac plastic")
+    box = d.bounds
+    low, cover = box.share(z=(0.0, 0.35)), box.inset(top=0.03).share(z=(0.35, 1.0))
+    d.sections(low, [(0.88, 0.88, 0), (1, 1, 0.93)], tray, 0.12, convex=True)
+    d.slab(low.top(0.07 * low.height), tray, 0.1 * box.width, 0.004)
+    shape = [(0.97, 0.97, 0), (0.85, 0.85, 0.8, -0.025, 0), (0.68, 0.6, 1, -0.0375, 0)]
+    d.sections(cover, shape, hood, 0.2, convex=True)
+    lean = math.atan2(0.085 * box.depth, 0.8 * cover.height)
+    with d.at(0.485 * box.depth, 0.0, cover.z[0], pitch=-lean):
+        gate = Box((-0.01, 0.002), (-0.26 * box.width, 0.26 * box.width), (0.01, 0.72 * cover.height))
+        d.slab(gate, "black plastic", 0.005)
+        d.box(gate.bottom(0.02).inset(y=-0.04 * box.width, front=-0.004).move(z=-0.02), tray)
+    top = cover.z[1]
+    grip = [(-0.07, top - 0.005), (-0.05, box.z[1] - 0.007), (0.05, box.z[1] - 0.007), (0.07, top - 0.005)]
+    d.sweep([(0, y, z) for y, z in grip], 0.007, tray, 8)
