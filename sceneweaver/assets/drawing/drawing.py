@@ -328,10 +328,13 @@ class Drawing(Tree):
         self.drawn.clear.append(box)
 
     def even(self, which: Literal["box", "round", "cube"]) -> Box:
-        """The bounds with equal sides where the request leaves them open: "round" in plan, "cube" in all."""
+        """The bounds with equal sides where the request leaves them open: "cube" in all, "round" in plan.
+
+        Of what hangs on a wall, "round" is its front.
+        """
         size, asked = list(self.size), self.request.size
-        axes = {"box": [], "round": [0, 1], "cube": [0, 1, 2]}[which]
-        lead = next((size[k] for k in axes if asked[k] is not None), size[0])
+        axes = {"box": [], "round": list(self.outline_axes), "cube": [0, 1, 2]}[which]
+        lead = next((size[k] for k in axes if asked[k] is not None), size[axes[0]] if axes else 0.0)
         assert self.category.size is not None
         for k in axes:
             if asked[k] is None:

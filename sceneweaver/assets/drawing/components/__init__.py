@@ -21,6 +21,8 @@ from .fronts import drawer as drawer
 from .fronts import drawers as drawers
 from .fronts import handle as handle
 from .fronts import pulls as pulls
+from .pictures import art as art
+from .pictures import clock_face as clock_face
 from .soft import blanket as blanket
 from .soft import curtain as curtain
 from .soft import cushions as cushions
@@ -50,6 +52,7 @@ __all__ = [
     "FRONT",
     "REACH",
     "Layout",
+    "art",
     "band",
     "basin",
     "beam",
@@ -59,6 +62,7 @@ __all__ = [
     "carcass",
     "castors",
     "cavity",
+    "clock_face",
     "cornice",
     "curtain",
     "cushions",

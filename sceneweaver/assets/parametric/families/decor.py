@@ -6,11 +6,11 @@ import math
 
 import numpy as np
 
-from ... import shapes
+from ...drawing import Box
+from ...drawing.components import art
 from ..builder import Builder
 from ..registry import draws
 from .lighting_parts import across
-from .walls_art import art
 
 _GLAZES = (
     "white ceramic",
@@ -213,16 +213,8 @@ def picture_frame(b: Builder) -> None:
             b.box(x, (-w / 2, -w / 2 + bar), (bar, tall - bar), wood)
             b.box(x, (w / 2 - bar, w / 2), (bar, tall - bar), wood)
             y, z = (-w / 2 + bar, w / 2 - bar), (bar, tall - bar)
-            b.add(shapes.box((0.0, thick * 0.5), y, z), "paper", [shapes.box((0.0, thick * 0.5 + 0.003), y, z)])
-            m = 0.014
-            art(
-                b,
-                (y[0] + m, y[1] - m),
-                (z[0] + m, z[1] - m),
-                thick * 0.5,
-                rng,
-                b.pick("photo", ["hills", "sea", "leaves"]),
-            )
+            sheet = b.box(Box((0.0, thick * 0.5), y, z), "paper", bevel=0.0)
+            art(b, sheet.front(-0.003).inset(y=0.014, z=0.014), rng, b.pick("photo", ["hills", "sea", "leaves"]))
         top = h * 0.6
         foot, head = -d / 2 + 0.004, d / 2 - thick - math.tan(lean) * top
         b.hull(

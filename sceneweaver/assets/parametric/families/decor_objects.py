@@ -7,10 +7,11 @@ import math
 import numpy as np
 
 from ... import shapes
+from ...drawing import Box
+from ...drawing.components import clock_face
 from ..builder import Builder
 from ..registry import draws
 from .lighting_parts import across
-from .walls import clock_face
 
 _STONES = ("marble", "white ceramic", "bronze", "dark marble", "concrete", "brass", "terracotta")
 
@@ -308,7 +309,8 @@ def table_clock(b: Builder) -> None:
         r = min(k, (h - 0.018) / 2) * 0.8
         with b.frame(d / 2 - 0.012, 0.0, 0.018 + (h - 0.018) * 0.5, pitch=math.pi / 2):
             b.frustum(r + 0.006, r + 0.006, (-0.004, 0.004), "brass", 32)
-            clock_face(b, r, 0.0055, "cream paint", "black steel")
+        face = Box.around((d / 2 - 0.0065, 0.0, 0.018 + (h - 0.018) * 0.5), 0.019, 2 * r, 2 * r)
+        clock_face(b, face, "cream paint", "black steel")
 
 
 @draws("alarm_clock")
@@ -331,7 +333,8 @@ def alarm_clock(b: Builder) -> None:
         b.ball((0.006, 0.009, 0.006), (0, 0, h - 0.006), "chrome", 8)
         with b.frame(-d / 2, 0, z, pitch=math.pi / 2):
             b.lathe([(r * 0.8, 0.0), (r, 0.01), (r, d - 0.006)], look, 32)
-            clock_face(b, r * 0.9, d - 0.004, "cream paint", "black steel")
+        face = Box.around((d / 4, 0, z), d / 2, 1.8 * r, 1.8 * r)
+        clock_face(b, face, "cream paint", "black steel")
         b.bar((0, -w / 2, z), (0, w / 2, z), 0.004, "chrome", 8)
 
 
