@@ -341,7 +341,7 @@ def colander(d: Drawing) -> None:
         lean = math.atan2(0.18 * r, 0.29 * h) if z < 0.55 else math.atan2(0.06 * r, 0.35 * h)
         radius = float(np.interp(z, [0.26, 0.55, 0.9], [0.72, 0.9, 0.96])) * r
         with d.no_colliders(), d.ring(20, radius, 0.157 * (row % 2)), d.at(z=z * h, pitch=lean):
-            d.cylinder(Box.around((-0.002, 0, 0), 0.0044, 0.0072, 0.0072), "black steel", "x", segments=6)
+            d.cylinder(Box.around((-0.002, 0, 0), 0.0036, 0.0072, 0.0072), "black steel", "x", segments=6)
     reach = d.bounds.width / 2 - 0.86 * r
     with d.mirror("y"):
         d.arch((-0.05, 0.86 * r, 0.95 * h), (0.05, 0.86 * r, 0.95 * h), (0, reach, 0), 0.005, look)
