@@ -157,7 +157,7 @@ class _Album:
 
     def at_eye_level(self) -> None:
         """Draw the room at eye level, as well as there is time for; one picture tells how long the next ones take."""
-        if self.short or not self.views or self.deadline.before(self.page).left < LEAST:
+        if self.short or not self.views:
             return
         from sceneweaver.render import EyeLevel, Quality
 
@@ -166,6 +166,8 @@ class _Album:
         levels = EYE_LEVEL if self.deadline.left <= AMPLE else EYE_LEVEL[-1:]
         try:
             with self.deadline.before(self.page).enforced():
+                if self.deadline.before(self.page).left < LEAST:
+                    raise TimeUp
                 room = EyeLevel(self.scene, self.load, device=self.device)
                 wanted = len(room.cameras)
                 for size, quality in levels:
