@@ -6,25 +6,15 @@ import math
 
 import numpy as np
 
-from ...drawing import Box
-from ...drawing.components import art
-from ..builder import Builder
-from ..registry import draws
-from .lighting_parts import across
+from ... import shapes
+from ...drawing import Box, Drawing, draws
+from ...drawing.components import art, frame
+from .plants_parts import leaves
 
-_GLAZES = (
-    "white ceramic",
-    "blue ceramic",
-    "terracotta",
-    "grey ceramic",
-    "cream ceramic",
-    "glass",
-    "sage paint",
-    "dark marble",
-    "black paint",
-    "rust fabric",
+GLAZES = (
+    "white ceramic, blue ceramic, terracotta, grey ceramic, cream ceramic, glass, sage paint, dark marble, black paint"
 )
-_PROFILES = (
+PROFILES = (
     [(0.5, 0.0), (0.56, 0.02), (0.9, 0.3), (1.0, 0.5), (0.86, 0.72), (0.42, 0.88), (0.4, 0.92), (0.52, 1.0)],
     [(0.7, 0.0), (0.74, 0.02), (1.0, 0.18), (0.98, 0.34), (0.55, 0.58), (0.3, 0.72), (0.28, 0.92), (0.4, 1.0)],
     [(0.66, 0.0), (0.7, 0.02), (0.72, 0.5), (0.8, 0.75), (1.0, 1.0)],
@@ -33,229 +23,173 @@ _PROFILES = (
 )
 
 
-def _vessel(b: Builder, r: float, h: float) -> None:
-    look = b.material("glaze", *_GLAZES[:-1])
-    profile = [(r * u, h * v) for u, v in b.pick("profile", _PROFILES)]
-    lip = profile[-1][0] - max(0.004, 0.04 * r)
-    radii, heights = [u for u, _ in profile], [v for _, v in profile]
-    rr = float(np.interp(np.linspace(0.86, 1.0, 15) * h, heights, radii).min()) - 0.005
-    inner = [(rr, 0.97 * h), (rr, 0.86 * h)]
-    with b.solid("vase"):
-        b.lathe([*profile, (lip, h), *inner], look, 32, hollow=True)
-        if b.chance("band", 0.35) and look.name != "glass":
-            (r0, z0), (r1, z1) = profile[1], profile[2]
-            b.lathe(
-                [(r0 + 0.0004, z0), (r1 + 0.0004, z1)], b.material("band", "brass", "white ceramic", "ink pigment"), 32
-            )
+def _vessel(d: Drawing, box: Box) -> None:
+    """A vase of glaze or glass that fills a box, some with a band of another finish."""
+    look, profile = d.material("glaze", GLAZES), d.pick("profile", PROFILES)
+    radii, heights = np.array(profile).T
+    bore = float(np.interp(np.linspace(0.86, 1.0, 15), heights, radii).min()) - 0.01 / box.width
+    lip = profile[-1][0] - max(0.008 / box.width, 0.04)
+    with d.part("vase"):
+        d.turned(box, [*profile, (lip, 1.0), (bore, 0.97), (bore, 0.86)], look, 32, hollow=True)
+        if d.chance("band", 0.35) and look.name != "glass":
+            ring = [(r + 0.0008 / box.width, z) for r, z in profile[1:3]]
+            d.turned(box, ring, d.material("band", "brass, white ceramic, ink pigment"), 32)
 
 
 @draws("vase")
-def vase(b: Builder) -> None:
+def vase(d: Drawing) -> None:
     """A vase turned in one of five profiles."""
-    _vessel(b, across(b) / 2, b.size.height)
+    _vessel(d, d.even("round"))
 
 
 @draws("floor_vase")
-def floor_vase(b: Builder) -> None:
+def floor_vase(d: Drawing) -> None:
     """A tall vase for the floor with dry pampas stalks."""
-    r, h = across(b) / 2, b.size.height
-    from .plants_parts import Clumps, leaves, stem
+    box = d.even("round")
+    r, high = box.width / 2, box.height
+    _vessel(d, box.share(z=(0.0, 0.56)))
+    turn = np.arange(30)
+    with d.part("stalks"):
+        for n in range(7):
+            a, out = 2.399 * n, (0.3 + 0.1 * (n % 3)) * r
+            top = (0.97 - 0.03 * n) * high
+            tip = np.array([out * math.cos(a), out * math.sin(a), top])
+            foot = np.array([0.0, 0.0, 0.48 * high])
+            d.sweep([foot, 0.5 * (foot + tip) + (0, 0, 0.02), tip], 0.003, "wicker", 5)
+            t = np.linspace(0.0, 1.0, len(turn))[:, None]
+            base = tip * (0.86 + 0.1 * t)
+            long = 0.3 * r + 0.06 * high * np.sin(math.pi * (0.25 + 0.7 * t[:, 0]))
+            points, faces = leaves(base, 2.4 * turn, 1.2, 0.9, 0.75 * long, 0.018, (0.4, 1, 0.2), 0.0, 0.003, rib=False)
+            every = (faces[None] + points.shape[1] * turn[:, None, None]).reshape(-1, 3).astype(np.int32)
+            plume = points.reshape(-1, 3)
+            d.add((plume, every), "sand pigment", [shapes.hull(plume)])
+    d.fit(box.size)
 
-    tall = h * 0.56
-    _vessel(b, r, tall)
-    k = Clumps()
-    for n in range(7):
-        a, u = n * 2.399, 0.55 * r + 0.35 * r * (n % 3) / 2
-        tip = np.array([u * math.cos(a), u * math.sin(a), h * (0.98 - 0.03 * n)])
-        k.shape(stem([(0.0, 0.0, tall * 0.85), tip * [0.5, 0.5, 0.86], tip * [0.9, 0.9, 0.95]], 0.003, 5), "wicker", n)
-        count = 26
-        t = np.linspace(0.72, 1.0, count)
-        at = np.c_[tip[0] * t, tip[1] * t, tip[2] * (0.78 + 0.2 * (t - 0.72) / 0.28)]
-        k.add(
-            leaves(at, np.arange(count) * 2.4, 1.1, 0.9, 0.1, 0.018, (0.4, 1, 0.2), 0.0, 0.003, rib=False),
-            "sand pigment",
-            n,
-        )
-    with b.solid("stalks"):
-        k.draw(b, (-r * 0.95, r * 0.95), (-r * 0.95, r * 0.95), (tall * 0.9, h))
 
-
-def _flame(b: Builder, z: float, size: float = 0.03) -> None:
-    b.bar((0, 0, z - 0.002), (0, 0, z + 0.006), 0.0012, "black plastic", 6)
-    b.lathe(
-        [(0.001, z + 0.003), (size * 0.24, z + size * 0.4), (size * 0.16, z + size * 0.68), (0.0, z + size)],
-        "flame",
-        10,
-    )
+def _flame(d: Drawing, at: Box, size: float = 0.03) -> None:
+    """A wick and its flame on top of a candle."""
+    x, y, z = at.anchor("top")
+    d.bar((x, y, z - 0.002), (x, y, z + 0.006), 0.0012, "black plastic", 6)
+    flame = Box.sized(0.48 * size, 0.48 * size, size - 0.003, (x, y, z + 0.003))
+    d.turned(flame, [(0.1, 0), (1, 0.36), (0.66, 0.66), (0, 1)], "flame", 10)
 
 
 @draws("candle")
-def candle(b: Builder) -> None:
-    """A pillar candle, or one in a glass or a tin, that burns."""
-    r, h = across(b) / 2, b.size.height
-    kind = b.pick("kind", ["pillar", "jar", "group"])
-    wax = b.material("wax", "candle wax", "white paint", "rose fabric", "sage paint")
-    with b.solid("candle"):
+def candle(d: Drawing) -> None:
+    """A pillar candle, one in a glass or a tin, or three on a plate, that burn."""
+    box = d.even("round")
+    kind = d.pick("kind", ["pillar", "jar", "group"])
+    wax = d.material("wax", "candle wax, white paint, rose fabric, sage paint")
+    with d.part("candle"):
         if kind == "jar":
-            z = h * 0.8
-            b.lathe(
-                [(r * 0.94, 0.0), (r, 0.004), (r, z), (r - 0.003, z), (r - 0.003, z * 0.75)],
-                b.material("jar", "glass", "grey ceramic", "brass", "white ceramic"),
-                28,
-                hollow=True,
-            )
-            b.frustum(r - 0.004, r - 0.004, (0.006, z * 0.76), wax, 24)
-            _flame(b, z * 0.76, h - z * 0.76)
-        elif kind == "pillar":
-            z = h - 0.035
-            b.frustum(r, r, (0.0, 0.008), b.material("plate", "brass", "black steel", "oak"), 28, bevel=0.003)
-            b.frustum(r * 0.8, r * 0.8, (0.008, z), wax, 24, bevel=0.004)
-            _flame(b, z, 0.035)
-        else:
-            b.frustum(r, r, (0.0, 0.01), b.material("plate", "oak", "marble", "black steel"), 32, bevel=0.003)
-            for a, share, size in ((0.4, 1.0, 0.4), (2.5, 0.72, 0.36), (4.6, 0.5, 0.38)):
-                z = (h - 0.035) * share
-                with b.frame(0.52 * r * math.cos(a), 0.52 * r * math.sin(a)):
-                    b.frustum(size * r, size * r, (0.009, z), wax, 20, bevel=0.003)
-                    _flame(b, z, 0.035)
+            jar = box.share(z=(0.0, 0.8))
+            wall = 1 - 0.006 / box.width
+            look = d.material("jar", "glass, grey ceramic, brass, white ceramic")
+            d.turned(jar, [(0.94, 0), (1, 0.05), (1, 1), (wall, 1), (wall, 0.75)], look, 28, hollow=True)
+            fill = d.cylinder(jar.inset(x=0.004, y=0.004, bottom=0.006).share(z=(0.0, 0.76)), wax)
+            _flame(d, fill, box.z[1] - fill.z[1])
+            return
+        metal = "brass, black steel, oak" if kind == "pillar" else "oak, marble, black steel"
+        plate = d.cylinder(box.bottom(0.009), d.material("plate", metal), bevel=0.003, segments=28)
+        room = box.inset(bottom=plate.z[1] - 0.001, top=0.035)
+        group = ((0.4, 1.0, 0.4), (2.5, 0.72, 0.36), (4.6, 0.5, 0.38)) if kind == "group" else ((0.0, 1.0, 0.8),)
+        out = 0.52 * box.width / 2 if kind == "group" else 0.0
+        for a, tall, size in group:
+            own = room.share(z=(0.0, tall)).place(size * box.depth, size * box.width)
+            stick = d.cylinder(own.move(out * math.cos(a), out * math.sin(a)), wax, bevel=0.004)
+            _flame(d, stick, 0.035)
 
 
 @draws("candlestick")
-def candlestick(b: Builder) -> None:
-    """A turned stick with a slim candle, or an arm with three."""
-    r, h = across(b) / 2, b.size.height
-    metal = b.material("metal", "brass", "black steel", "chrome", "oak", "copper")
-    z = h * b.uniform("stick", 0.45, 0.58)
-    with b.solid("candlestick"):
-        b.lathe(
-            [
-                (r, 0.0),
-                (r, 0.006),
-                (r * 0.82, 0.014),
-                (r * 0.3, 0.03),
-                (r * 0.18, z * 0.35),
-                (r * 0.34, z * 0.45),
-                (r * 0.2, z * 0.55),
-                (r * 0.16, z * 0.85),
-                (r * 0.44, z * 0.94),
-                (r * 0.44, z),
-            ],
-            metal,
-            28,
-        )
-        top = h - 0.03
-        b.frustum(0.011, 0.009, (z - 0.005, top), b.material("candle", "candle wax", "white paint", "red paint"), 14)
-        _flame(b, top)
+def candlestick(d: Drawing) -> None:
+    """A turned stick with a slim candle."""
+    box = d.even("round")
+    metal = d.material("metal", "brass, black steel, chrome, oak, copper")
+    stick = box.share(z=(0.0, d.uniform("stick", 0.45, 0.58)))
+    shape = [(1, 0), (1, 0.05), (0.82, 0.1), (0.3, 0.2), (0.18, 0.35), (0.34, 0.45), (0.2, 0.55), (0.16, 0.85)]
+    with d.part("candlestick"):
+        d.turned(stick, [*shape, (0.44, 0.94), (0.44, 1.0)], metal, 28)
+        slim = box.place(0.022, 0.022).inset(bottom=stick.z[1] - 0.005, top=0.03)
+        d.cylinder(slim, d.material("candle", "candle wax, white paint, red paint"), ends=(1.0, 0.82), segments=14)
+        _flame(d, slim)
 
 
 @draws("decorative_bowl")
-def decorative_bowl(b: Builder) -> None:
-    """A wide bowl on a foot ring, empty or with wooden balls."""
-    r, h = across(b) / 2, b.size.height
-    look = b.material("bowl", *_GLAZES[:5], "oak", "walnut", "brass")
-    low = h * 0.86
-    with b.solid("bowl"):
-        outer = [(r * 0.36, 0.0), (r * 0.38, h * 0.08), (r * 0.72, low * 0.4), (r * 0.93, low * 0.78), (r, low)]
-        inner = [(r - 0.005, low), (r * 0.9, low * 0.78), (r * 0.68, low * 0.44), (r * 0.3, h * 0.16)]
-        b.lathe([*outer, *inner], look, 36, hollow=True)
-        ball = b.material("balls", "moss pigment", "brass", "bark", "walnut")  # pale ones look like eggs
-        k = r * 0.3
-        for a in (0.3, 2.4, 4.5):
-            b.ball((k, k, k), (k * 1.2 * math.cos(a), k * 1.2 * math.sin(a), h - k - 0.006), ball, 14)
-        b.ball((k * 0.7, k * 0.7, k * 0.7), (0.0, 0.0, h - k * 0.7), ball, 14)
+def decorative_bowl(d: Drawing) -> None:
+    """A wide bowl on a foot ring, with balls in it."""
+    box = d.even("round")
+    look = d.material(
+        "bowl", "white ceramic, blue ceramic, terracotta, grey ceramic, cream ceramic, oak, walnut, brass"
+    )
+    balls = d.material("balls", "moss pigment, brass, bark, walnut")  # pale ones look like eggs
+    outer = [(0.36, 0), (0.38, 0.08), (0.72, 0.34), (0.93, 0.67), (1, 0.86)]
+    inner = [(1 - 0.01 / box.width, 0.86), (0.9, 0.67), (0.68, 0.38), (0.3, 0.16)]
+    with d.part("bowl"):
+        d.turned(box, [*outer, *inner], look, 36, hollow=True)
+        size = 0.3 * box.width
+        for k, a in enumerate((0.3, 2.4, 4.5)):
+            out = 0.6 * size
+            at = box.place(size, size, size, at="top").move(out * math.cos(a), out * math.sin(a), -0.006 * (k + 1))
+            d.ball(at, balls, segments=14)
+        d.ball(box.place(0.7 * size, 0.7 * size, 0.7 * size, at="top"), balls, segments=14)
 
 
 @draws("decorative_tray")
-def decorative_tray(b: Builder) -> None:
+def decorative_tray(d: Drawing) -> None:
     """A tray with a rim and two handles."""
-    d, w, h = b.size
-    look = b.material("tray", "walnut", "oak", "white paint", "black paint", "rattan", "marble")
-    metal = b.material("handles", "brass", "black steel", "copper")
-    lip = h * 0.62
-    with b.solid("tray"):
-        b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.008), look, bevel=0.002)
-    for s in (-1, 1):
-        x = sorted((s * (d / 2 - 0.008), s * d / 2))
-        y = sorted((s * (w / 2 - 0.008), s * w / 2))
-        with b.solid(f"long rim {s}"):
-            b.box((x[0], x[1]), (-w / 2, w / 2), (0.006, lip), look, bevel=0.002)
-        with b.solid(f"rim {s}"):
-            b.box((-d / 2 + 0.008, d / 2 - 0.008), (y[0], y[1]), (0.006, lip), look, bevel=0.002)
-            c = s * (w / 2 - 0.004)
-            b.tube(
-                [
-                    (-d * 0.2, c, lip - 0.004),
-                    (-d * 0.18, c, h - 0.0045),
-                    (d * 0.18, c, h - 0.0045),
-                    (d * 0.2, c, lip - 0.004),
-                ],
-                0.0038,
-                metal,
-                8,
-            )
-    b.surface("top", (-d / 2 + 0.012, d / 2 - 0.012), (-w / 2 + 0.012, w / 2 - 0.012), 0.008)
+    look = d.material("tray", "walnut, oak, white paint, black paint, rattan, marble")
+    metal = d.material("handles", "brass, black steel, copper")
+    box = d.bounds
+    rim = box.share(z=(0.0, 0.62)).inset(bottom=0.006)
+    with d.part("tray"):
+        floor = d.box(box.bottom(0.008), look, 0.002)
+    for k, side in enumerate((rim.front(0.008), rim.back(0.008))):
+        with d.part(f"long rim {k}"):
+            d.box(side, look, 0.002)
+    for k, side in enumerate((rim.left(0.008), rim.right(0.008))):
+        with d.part(f"rim {k}"):
+            d.box(side.inset(x=0.008), look, 0.002)
+            y, low, top = side.center[1], rim.z[1] - 0.004, box.z[1] - 0.0045
+            grip = [(-0.2, low), (-0.18, top), (0.18, top), (0.2, low)]
+            d.sweep([(x * box.depth, y, z) for x, z in grip], 0.0038, metal, 8)
+    d.surface("top", floor, inset=0.012)
 
 
 @draws("picture_frame")
-def picture_frame(b: Builder) -> None:
+def picture_frame(d: Drawing) -> None:
     """A small framed photograph that leans on its own foot."""
-    d, w, h = b.size
-    wood = b.material("frame", "brass", "oak", "black paint", "white paint", "walnut", "chrome")
-    rng = np.random.default_rng(b.whole("art", 0, 2**31 - 1))
-    lean = math.atan2(d * 0.42, h)
-    thick, bar = 0.014, b.uniform("bar", 0.012, 0.02)
-    tall = (h - thick * math.sin(lean)) / math.cos(lean)
-    with b.solid("frame"):
-        with b.frame(d / 2 - thick, 0.0, 0.0, pitch=-lean):
-            x = (0.0, thick)
-            b.box(x, (-w / 2, w / 2), (0.0, bar), wood)
-            b.box(x, (-w / 2, w / 2), (tall - bar, tall), wood)
-            b.box(x, (-w / 2, -w / 2 + bar), (bar, tall - bar), wood)
-            b.box(x, (w / 2 - bar, w / 2), (bar, tall - bar), wood)
-            y, z = (-w / 2 + bar, w / 2 - bar), (bar, tall - bar)
-            sheet = b.box(Box((0.0, thick * 0.5), y, z), "paper", bevel=0.0)
-            art(b, sheet.front(-0.003).inset(y=0.014, z=0.014), rng, b.pick("photo", ["hills", "sea", "leaves"]))
-        top = h * 0.6
-        foot, head = -d / 2 + 0.004, d / 2 - thick - math.tan(lean) * top
-        b.hull(
-            [(xx + u, v, zz) for xx, zz in ((foot, 0.0), (head, top)) for u in (-0.003, 0.003) for v in (-0.02, 0.02)],
-            "black paint",
-        )
+    deep, wide, high = d.size
+    wood = d.material("frame", "brass, oak, black paint, white paint, walnut, chrome")
+    rng = np.random.default_rng(d.integer("art", 0, 2**31 - 1))
+    lean, thick, bar = math.atan2(0.42 * deep, high), 0.014, d.uniform("bar", 0.012, 0.02)
+    with d.part("frame"):
+        with d.at(deep / 2 - thick, pitch=-lean):
+            body = Box((0.0, thick), (-wide / 2, wide / 2), (0.0, (high - thick * math.sin(lean)) / math.cos(lean)))
+            inside = frame(d, body, wood, bar, 0.003)
+            sheet = d.box(inside.back(thick / 2), "paper", 0.0)
+            art(d, sheet.front(-0.003).inset(y=0.014, z=0.014), rng, d.pick("photo", ["hills", "sea", "leaves"]))
+        top = 0.6 * high
+        ends = ((0.004 - deep / 2, 0.0), (deep / 2 - thick - math.tan(lean) * top, top))
+        d.hull([(x + e, y, z) for x, z in ends for e in (-0.003, 0.003) for y in (-0.02, 0.02)], "black paint")
 
 
 @draws("bookend")
-def bookend(b: Builder) -> None:
+def bookend(d: Drawing) -> None:
     """An angle with a weight on it: an arch, a ball on steps, or a block cut aslant."""
-    d, w, h = b.size
-    look = b.material("body", "marble", "brass", "black steel", "walnut", "concrete", "dark marble")
-    kind = b.pick("kind", ["arch", "ball", "wedge"])
-    with b.solid("bookend"):
-        if kind == "ball":
-            b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.016), look)
-            b.box((-d / 2, d / 2), (-w / 2, -w / 2 + 0.014), (0.016, h), look)
-            r = min(d / 2, (w - 0.016) / 2) * 0.94
-            b.ball((r, r, r), (0.0, -w / 2 + 0.014 + r, 0.015 + r), b.material("ball", "brass", "marble", "oak"), 20)
-        elif kind == "wedge":
-            b.hull(
-                [
-                    (x, y, z)
-                    for x in (-d / 2, d / 2)
-                    for y, z in ((-w / 2, 0), (w / 2, 0), (-w / 2, h), (-w / 2 + 0.03, h), (w / 2, h * 0.3))
-                ],
-                look,
-            )
+    look = d.material("body", "marble, brass, black steel, walnut, concrete, dark marble")
+    kind = d.pick("kind", ["arch", "ball", "wedge"])
+    box = d.bounds
+    with d.part("bookend"):
+        if kind == "wedge":
+            d.silhouette(box, [(0, 0), (1, 0), (1, 0.3), (0.03 / box.width, 1), (0, 1)], look, "x", bevel=0.002)
+        elif kind == "ball":
+            d.box(box.bottom(0.016), look)
+            d.box(box.right(0.014).inset(bottom=0.016), look)
+            room = box.inset(right=0.014, bottom=0.015)
+            size = 0.94 * min(room.depth, room.width)
+            d.ball(room.place(size, size, size, at="right bottom"), d.material("ball", "brass, marble, oak"))
         else:
-            b.box((-d / 2, d / 2), (-w / 2, -w / 2 + 0.02), (0.0, h), look)
-            a = np.linspace(0, np.pi / 2, 9)
-            r0, r1 = w - 0.02, (w - 0.02) * 0.5
-            high = h * 0.92
-            for p, q in zip(a[:-1], a[1:], strict=True):
-                b.hull(
-                    [
-                        (x, -w / 2 + 0.02 + r * math.cos(t), high * r / r0 * math.sin(t))
-                        for x in (-d / 2 + 0.01, d / 2 - 0.01)
-                        for r in (r0, r1)
-                        for t in (p, q)
-                    ],
-                    look,
-                )
+            d.box(box.right(0.02), look)
+            t = np.linspace(0, np.pi / 2, 9)
+            arc = np.c_[np.cos(t), 0.92 * np.sin(t)]
+            d.silhouette(box.inset(right=0.02, x=0.01), [*arc, *(0.5 * arc)[::-1]], look, "x")
