@@ -2,372 +2,263 @@
 
 from __future__ import annotations
 
-from ...body import Material
-from ..builder import Builder, Interval
-from ..joinery import drawer
-from ..registry import draws
-from .tables_parts import corner_legs, end_frame, planks, rounded, tabletop
+import math
+
+from ...drawing import Box, Drawing, draws
+from ...drawing.components import REACH, legs
+from ...drawing.drawing import Look
+from .tables_parts import drawer_case, end_frame, planks, tabletop
 
 BOARDS = ("oak", "light oak", "walnut", "white paint", "birch", "ash grey wood", "wenge")
 METALS = ("black steel", "white steel", "brushed steel", "iron")
+KNEES = 0.62
+"""Height [m] that stays free for knees."""
 
 
-def drawer_stack(
-    b: Builder,
-    x: Interval,
-    y: Interval,
-    z: Interval,
-    body: Material,
-    front: Material,
-    pull: Material,
-    count: int,
+def pedestal_of_drawers(
+    d: Drawing,
+    box: Box,
+    body: Look,
+    front: Look,
+    pull: Look,
     style: str,
+    count: int = 3,
     name: str = "drawer",
-    tall_last: bool = False,
+    foot: float = 0.05,
 ) -> None:
-    """A closed pedestal of drawers with fronts at x[1]; its body is one block in one prism."""
-    face = x[1] - 0.018
-    with b.solid(f"{name} stack"):
-        b.box((x[0], face - 0.0005), y, z, body, bevel=0.002)
-    shares = [1.0] * count
-    if tall_last and count > 2:
-        shares[-1] = 1.8
-    at, total = z[1], sum(shares)
-    for k, share in enumerate(shares):
-        low = at - (z[1] - z[0]) * share / total
-        with b.solid(f"{name} stack"):
-            drawer(b, f"{name}-{k}", (x[0] + 0.02, x[1]), y, (low, at), front, pull, style)
-        at = low
+    """A case of drawers on a dark base, the lowest drawer high enough for files; one part."""
+    with d.part(f"{name} stack"):
+        d.box(box.bottom(foot).inset(back=0.03, front=0.05, y=0.02), "black plastic", bevel=0.0)
+        weights = [1.8, *[1.0] * (count - 1)]
+        drawer_case(d, box.inset(bottom=foot), body, front, pull, style, weights, name=name)
 
 
 @draws("desk")
-def desk(b: Builder) -> None:
+def desk(d: Drawing) -> None:
     """A top on steel or wooden legs, panel ends with a modesty board, or with one or two stacks of drawers."""
-    d, w, h = b.size
-    kind = b.pick("kind", ["legs", "loop", "drawers", "panel", "thin drawers", "a"])
-    twin = kind == "drawers" and w > 1.5
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    top = b.material("top", *BOARDS)
-    thick = b.uniform("thickness", 0.022, 0.03)
-    low = h - thick
-    pull = b.material("pulls", "black steel", "brass", "brushed steel")
-    style = b.pick("pull style", ["bar", "knob", "cup"])
-    inner: Interval = (y[0] + 0.06, y[1] - 0.06)
-    with b.solid("top"):
-        if kind == "a" and b.chance("boards", 0.6):
-            planks(b, x, y, (low, h), top, wide=0.16)
+    kind = d.pick("kind", ["legs", "loop", "drawers", "panel", "thin drawers", "a"])
+    top, bounds = d.material("top", *BOARDS), d.bounds
+    pull, style = (
+        d.material("pulls", "black steel", "brass", "brushed steel"),
+        d.pick("pull style", ["bar", "knob", "cup"]),
+    )
+    plate = bounds.top(d.uniform("thickness", 0.022, 0.03))
+    under = bounds.to(z=(0.0, plate.z[0]))
+    low, free = under.height, under.inset(y=0.06)
+    with d.part("top"):
+        if kind == "a" and d.chance("boards", 0.6):
+            planks(d, plate, top, wide=0.16)
         else:
-            tabletop(b, rounded(x, y, b.pick("corner", [0.008, 0.03, 0.05]), 3), (low, h), top)
+            tabletop(d, plate, top, d.pick("corner", [0.008, 0.03, 0.05]))
     if kind == "legs":
-        wooden = b.chance("wooden", 0.5)
-        legs = b.material("legs", "oak", "beech", "walnut", "birch") if wooden else b.material("legs", *METALS)
-        corner_legs(
-            b,
-            (x[0] + 0.03, x[1] - 0.03),
-            (y[0] + 0.03, y[1] - 0.03),
-            low,
-            legs,
-            b.pick("leg style", ["tapered", "splayed"] if wooden else ["square", "hairpin"]),
+        wooden = d.chance("wooden", 0.5)
+        look = d.material("legs", *(("oak", "beech", "walnut", "birch") if wooden else METALS))
+        legs(
+            d,
+            under.inset(x=0.03, y=0.03),
+            look,
+            d.pick("leg style", ["tapered", "splayed"] if wooden else ["square", "hairpin"]),
             0.05,
         )
-        with b.solid("top"):
-            b.box((x[0] + 0.08, x[0] + 0.1), (y[0] + 0.08, y[1] - 0.08), (low - 0.07, low), legs)
-            for s in (-1, 1):
-                b.box(
-                    (x[0] + 0.08, x[1] - 0.08),
-                    (s * (w / 2 - 0.09) - 0.01, s * (w / 2 - 0.09) + 0.01),
-                    (low - 0.05, low),
-                    legs,
-                )
+        with d.part("top"):
+            frame = under.inset(x=0.08, y=0.08)
+            for rail in (frame.back(0.02).top(0.07), frame.left(0.02).top(0.05), frame.right(0.02).top(0.05)):
+                d.box(rail, look)
     elif kind in ("loop", "a"):
-        legs = b.material("legs", *(METALS if kind == "loop" else ("oak", "pine", "walnut", "black paint")))
-        at = w / 2 - (0.05 if kind == "loop" else 0.16)
-        for s in (-1, 1):
-            end_frame(b, s * at, (x[0] + 0.03, x[1] - 0.03), low, legs, kind, 0.045)
-        with b.solid("rail"):
-            b.box((x[0] + 0.1, x[0] + 0.13), (-at, at), (low - 0.08, low - 0.01), legs)
-        inner = (-at + 0.03, at - 0.03)
+        look = d.material("legs", *(METALS if kind == "loop" else ("oak", "pine", "walnut", "black paint")))
+        at = bounds.width / 2 - (0.05 if kind == "loop" else 0.16)
+        with d.mirror("y"), d.part("end"):
+            end_frame(d, under.inset(x=0.03).to(y=(at - 0.0225, at + 0.0225)), look, kind)
+        with d.part("rail"):
+            d.box(under.inset(back=0.1).back(0.03).place(width=2 * at - 0.04).top(0.08).inset(top=0.01), look)
+        free = under.place(width=2 * at - 0.06)
     elif kind == "panel":
-        side = b.material("sides", "white paint", "black paint") if b.chance("two tone", 0.3) else top
-        for s in (-1, 1):
-            ys = (y[1] - 0.04, y[1] - 0.015) if s > 0 else (y[0] + 0.015, y[0] + 0.04)
-            with b.solid(f"side {s}"):
-                b.box((x[0] + 0.015, x[1] - 0.03), ys, (0.0, low), side, bevel=0.002)
-        with b.solid("modesty"):
-            b.box((x[0] + 0.06, x[0] + 0.078), (y[0] + 0.04, y[1] - 0.04), (0.3, low), side, bevel=0.0015)
+        side = d.material("sides", "white paint", "black paint") if d.chance("two tone", 0.3) else top
+        with d.mirror("y"), d.part("side"):
+            d.box(under.inset(back=0.015, front=0.03, left=0.015).left(0.025), side)
+        with d.part("modesty"):
+            d.box(under.inset(back=0.06, y=0.04).back(0.018).to(z=(0.3, low)), side)
     elif kind == "drawers":
-        front = (
-            b.material("fronts", "white paint", "sage paint", "navy paint", "light grey paint")
-            if b.chance("two tone", 0.35)
-            else top
-        )
-        wide = b.uniform("stack", 0.36, 0.42)
-        count = b.whole("count", 3, 4)
-        sides = (-1, 1) if twin else (b.pick("side", [-1, 1]),)
-        for s in (-1, 1):
-            if s in sides:
-                ys = (y[1] - 0.02 - wide, y[1] - 0.02) if s > 0 else (y[0] + 0.02, y[0] + 0.02 + wide)
-                with b.solid(f"stack{s} stack"):
-                    b.box(
-                        (x[0] + 0.05, x[1] - 0.07),
-                        (ys[0] + 0.02, ys[1] - 0.02),
-                        (0.0, 0.05),
-                        "black plastic",
-                        bevel=0.0,
-                    )
-                drawer_stack(
-                    b,
-                    (x[0] + 0.02, x[1] - 0.025),
-                    ys,
-                    (0.05, low - 0.001),
-                    top,
-                    front,
-                    pull,
-                    count,
-                    style,
-                    name=f"stack{s}",
-                    tall_last=True,
-                )
-                inner = (inner[0], ys[0]) if s > 0 else (ys[1], inner[1])
+        looks = ("white paint", "sage paint", "navy paint", "light grey paint")
+        fronts = d.material("fronts", *looks) if d.chance("two tone", 0.35) else top
+        wide, count = d.uniform("stack", 0.36, 0.42), d.integer("count", 3, 4)
+        own = under.inset(back=0.02, front=0.03, y=0.02)
+        sides = ["right", "left"] if bounds.width > 1.5 else [d.pick("side", ["right", "left"])]
+        for side in ("right", "left"):
+            if side in sides:
+                stack = own.right(wide) if side == "right" else own.left(wide)
+                pedestal_of_drawers(d, stack, top, fronts, pull, style, count, side)
+                free = free.to(y=(stack.y[1], free.y[1]) if side == "right" else (free.y[0], stack.y[0]))
             else:
-                with b.solid(f"side {s}"):
-                    b.box(
-                        (x[0] + 0.02, x[1] - 0.03),
-                        (s * (w / 2 - 0.035) - 0.0125, s * (w / 2 - 0.035) + 0.0125),
-                        (0.0, low),
-                        top,
-                        bevel=0.002,
-                    )
-        with b.solid("modesty"):
-            b.box((x[0] + 0.04, x[0] + 0.056), (inner[0] - 0.005, inner[1] + 0.005), (0.25, low), top, bevel=0.0)
+                with d.part("side"):
+                    d.box(own.right(0.025) if side == "right" else own.left(0.025), top)
+        with d.part("modesty"):
+            d.box(under.inset(back=0.04).back(0.016).to(y=free.y, z=(0.25, low)), top, bevel=0.0)
     else:
-        legs = b.material("legs", "black steel", "brass", "oak", "walnut", "beech") if b.chance("other", 0.5) else top
-        tall, count = min(0.085, low - 0.625), 3 if w > 1.5 else 2
-        shell, face = (x[0] + 0.03, x[1] - 0.03), x[1] - 0.01
-        with b.solid("top"):
-            b.box(shell, (y[0] + 0.02, y[1] - 0.02), (low - tall, low), top, bevel=0.002)
-            step = (w - 0.06) / count
-            for k in range(count):
-                at = y[0] + 0.03 + k * step
-                drawer(
-                    b,
-                    f"drawer-{k}",
-                    (shell[0], face),
-                    (at, at + step),
-                    (low - tall + 0.006, low - 0.004),
-                    top,
-                    pull,
-                    style if style != "bar" else "knob",
-                )
-        corner_legs(
-            b,
-            (x[0] + 0.05, x[1] - 0.06),
-            (y[0] + 0.05, y[1] - 0.05),
-            low - tall,
-            legs,
-            b.pick("leg style", ["tapered", "splayed", "round"]),
-            0.045,
-        )
-        inner = (y[0] + 0.18, y[1] - 0.18)
-    b.clear((-0.1 if kind != "a" else -0.05, x[1]), (inner[0] + 0.1, inner[1] - 0.1), (0.0, 0.62))
+        look = d.material("legs", "black steel", "brass", "oak", "walnut", "beech") if d.chance("other", 0.5) else top
+        case = under.inset(back=0.03, front=0.03, y=0.02)
+        tall = min(0.09, low - 0.625)
+        with d.part("top"):
+            style = style if style != "bar" else "knob"
+            drawer_case(d, case.top(tall), top, top, pull, style, columns=3 if bounds.width > 1.5 else 2)
+        legs(d, case.inset(x=0.02, y=0.02, top=tall), look, d.pick("leg style", ["tapered", "splayed", "round"]), 0.045)
+        free = under.inset(y=0.18)
+    back = 0.05 if kind == "a" else 0.1
+    d.clear(free.inset(y=0.1).to(x=(-back, bounds.x[1]), z=(0.0, KNEES)))
+    d.fit()
 
 
 @draws("corner_desk")
-def corner_desk(b: Builder) -> None:
-    """An L: a wing along the back, one along a side, panel ends, a stack of drawers at the end of the side wing."""
-    d, w, h = b.size
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    top = b.material("top", *BOARDS)
-    low = h - 0.025
-    deep, wing = b.uniform("depth", 0.6, 0.68), b.uniform("wing", 0.5, 0.58)
-    s = b.pick("side", [-1, 1])
-    inner = s * (w / 2 - wing)
-    side: Interval = (inner, y[1]) if s > 0 else (y[0], inner)
-    edge = x[0] + deep
-    steel = b.chance("steel", 0.45)
-    legs = b.material("legs", *METALS) if steel else top
-    with b.solid("main top"):
-        b.box((x[0], edge), y, (low, h), top)
-    with b.solid("wing top"):
-        b.box((edge, x[1]), side, (low, h), top)
+def corner_desk(d: Drawing) -> None:
+    """An L: a wing along the back, one along a side, panel ends or steel, drawers at the end of the side wing."""
+    top, bounds = d.material("top", *BOARDS), d.bounds
+    deep, wing = d.uniform("depth", 0.6, 0.68), d.uniform("wing", 0.5, 0.58)
+    s, steel = d.pick("side", [-1, 1]), d.chance("steel", 0.45)
+    look = d.material("legs", *METALS) if steel else top
+    pull = d.material("pulls", "black steel", "brass", "brushed steel")
+    fronts = d.material("fronts", "white paint", "light grey paint") if d.chance("two tone", 0.3) else top
+    plate = bounds.top(0.025)
+    low, (x0, x1), half = plate.z[0], bounds.x, bounds.width / 2
+    edge, bend = x0 + deep, half - wing  # the wing lies at y > bend, mirrored if it is at the right
+
+    def beside(y0: float, y1: float, box: Box) -> Box:
+        """A box between two places, told from the wing's side."""
+        return box.to(y=(y0, y1) if s > 0 else (-y1, -y0))
+
+    main, side = plate.back(deep), beside(bend, half, plate.inset(back=deep))
+    with d.part("main top"):
+        d.box(main, top)
+    with d.part("wing top"):
+        d.box(side, top)
     m = 0.01
-    bend = s * inner + m
-    ring = [
-        (x[0] + m, y[0] + m),
-        (edge - m, y[0] + m),
-        (edge - m, bend),
-        (x[1] - m, bend),
-        (x[1] - m, y[1] - m),
-        (x[0] + m, y[1] - m),
-    ]
-    if s < 0:
-        ring = [(px, -py) for px, py in ring[::-1]]
-    b.surface("top", (0, 0), (0, 0), h, polygon=ring)
-    far = -s * (w / 2 - 0.04)
+    ring = [(x0 + m, -half + m), (edge - m, -half + m), (edge - m, bend + m), (x1 - m, bend + m), (x1 - m, half - m)]
+    ring.append((x0 + m, half - m))
+    d.surface("top", plate, polygon=ring if s > 0 else [(x, -y) for x, y in ring[::-1]])
+    under = bounds.to(z=(0.0, low))
     if steel:
-        end_frame(b, far, (x[0] + 0.03, edge - 0.03), low, legs, "loop", 0.045)
-        with b.solid("corner leg"):
-            at = s * (w / 2 - 0.06)
-            b.box((x[0] + 0.03, x[0] + 0.075), (at - 0.0225, at + 0.0225), (0, low), legs)
-        with b.solid("rail"):
-            b.box((x[0] + 0.04, x[0] + 0.06), (-w / 2 + 0.06, w / 2 - 0.08), (low - 0.08, low - 0.005), legs)
+        with d.part("end"):
+            end_frame(d, beside(0.0175 - half, 0.0625 - half, under.back(deep).inset(x=0.03)), look, "loop")
+        with d.part("corner leg"):
+            d.box(beside(half - 0.0825, half - 0.0375, under.inset(back=0.03).back(0.045)), look)
+        with d.part("rail"):
+            d.box(under.inset(back=0.04, y=0.06).back(0.02).top(0.08), look)
     else:
-        with b.solid("side"):
-            b.box((x[0] + 0.02, edge - 0.03), (far - 0.0125, far + 0.0125), (0, low), legs, bevel=0.002)
-        with b.solid("back"):
-            b.box((x[0] + 0.03, x[0] + 0.048), (-w / 2 + 0.06, w / 2 - 0.03), (0.2, low), legs, bevel=0.0)
-        with b.solid("wing back"):
-            at = s * (w / 2 - 0.03)
-            b.box((x[0] + 0.05, x[1] - 0.45), (at - 0.009, at + 0.009), (0.0, low), legs, bevel=0.0)
-    pull = b.material("pulls", "black steel", "brass", "brushed steel")
-    front = b.material("fronts", "white paint", "light grey paint") if b.chance("two tone", 0.3) else top
+        with d.part("side"):
+            d.box(beside(0.0275 - half, 0.0525 - half, under.back(deep).inset(back=0.02, front=0.03)), look)
+        with d.part("back"):
+            d.box(under.inset(back=0.03, y=0.045, bottom=0.2).back(0.018), look, bevel=0.0)
+        with d.part("wing back"):
+            d.box(beside(half - 0.039, half - 0.021, under.inset(back=0.05, front=0.45)), look, bevel=0.0)
     # The stack opens toward the sitter, across the wing.
-    wide = x[1] - 0.02 - 0.42
-    with b.frame(wide + 0.21, s * (w / 2 - 0.02), 0, yaw=-s * 1.5707963267948966):
-        drawer_stack(
-            b,
-            (0.0, wing - 0.05),
-            (-0.21, 0.21),
-            (0.03, low - 0.001),
-            top,
-            front,
-            pull,
-            3,
-            b.pick("pull style", ["bar", "knob"]),
-            tall_last=True,
-        )
-    with b.solid("drawer stack"):
-        b.box((wide + 0.01, x[1] - 0.03), (side[0] + 0.08, side[1] - 0.08), (0, 0.03), "black plastic", bevel=0.0)
-    b.clear((x[0] + 0.1, edge), (-w / 2 + 0.1, inner) if s > 0 else (inner, w / 2 - 0.1), (0, 0.62))
-    b.clear((edge, x[1]), (-w / 2, inner - 0.02) if s > 0 else (inner + 0.02, w / 2), (0, h))
+    with d.at(x1 - 0.23, s * (half - 0.02), 0.0, yaw=-s * math.pi / 2):
+        stack = Box((0.0, wing - 0.045), (-0.21, 0.21), (0.0, low - 0.001))
+        pedestal_of_drawers(d, stack, top, fronts, pull, d.pick("pull style", ["bar", "knob"]))
+    d.clear(beside(0.1 - half, bend, bounds.to(x=(x0 + 0.1, edge), z=(0.0, KNEES))))
+    d.clear(beside(-half, bend - 0.02, bounds.inset(back=deep)))
 
 
 @draws("standing_desk")
-def standing_desk(b: Builder) -> None:
+def standing_desk(d: Drawing) -> None:
     """A top on two telescopic columns with long feet, a cross rail, a control panel and a tray for cables."""
-    d, w, h = b.size
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    top = b.material("top", "oak", "white paint", "walnut", "black paint", "bamboo", "light oak")
-    metal = b.material("frame", "black steel", "white steel", "grey paint")
-    low = h - 0.026
-    with b.solid("top"):
-        tabletop(b, rounded(x, y, b.pick("corner", [0.02, 0.06]), 4), (low, h), top)
-        for s in (-1, 1):
-            b.box(
-                (x[0] + 0.08, x[1] - 0.08),
-                (s * (w / 2 - 0.25) - 0.03, s * (w / 2 - 0.25) + 0.03),
-                (low - 0.03, low),
-                metal,
-            )
-        b.box((-0.06, -0.02), (-w / 2 + 0.28, w / 2 - 0.28), (low - 0.045, low - 0.003), metal)
-        b.box((x[1] - 0.05, x[1] - 0.005), (y[1] - 0.24, y[1] - 0.13), (low - 0.018, low), "black plastic", bevel=0.003)
-        for k in range(4):
-            at = y[1] - 0.225 + k * 0.025
-            b.box(
-                (x[1] - 0.006, x[1] - 0.003), (at - 0.007, at + 0.007), (low - 0.014, low - 0.006), "grey plastic", 0.0
-            )
-    cut = b.uniform("cut", 0.5, 0.56)
-    for s in (-1, 1):
-        at = s * (w / 2 - 0.25)
-        with b.solid(f"foot {s}"):
-            side = (
-                (x[0] + 0.06, 0.012),
-                (x[1] - 0.06, 0.012),
-                (-0.06, 0.055),
-                (0.03, 0.055),
-                (x[0] + 0.06, 0.03),
-                (x[1] - 0.06, 0.03),
-            )
-            b.hull([(px, at + py, pz) for px, pz in side for py in (-0.035, 0.035)], metal)
-            for px in (x[0] + 0.09, x[1] - 0.09):
-                with b.frame(px, at):
-                    b.frustum(0.02, 0.02, (0, 0.012), "rubber", segments=12)
-        with b.solid(f"column {s}"):
-            b.box((-0.08, 0.02), (at - 0.035, at + 0.035), (0.05, cut), metal, bevel=0.004)
-            b.box((-0.073, 0.013), (at - 0.029, at + 0.029), (cut, low - 0.03), metal, bevel=0.004)
-    with b.solid("tray"):
-        b.box((x[0] + 0.06, x[0] + 0.2), (-0.3 * w, 0.3 * w), (low - 0.09, low - 0.084), metal, bevel=0.001)
-        for px in (x[0] + 0.06, x[0] + 0.195):
-            high = low - 0.05 if px > x[0] + 0.1 else low
-            b.box((px, px + 0.005), (-0.3 * w, 0.3 * w), (low - 0.084, high), metal, bevel=0.0)
-    b.clear((0.06, x[1]), (-w / 2 + 0.35, w / 2 - 0.35), (0.0, 0.62))
+    top = d.material("top", "oak", "white paint", "walnut", "black paint", "bamboo", "light oak")
+    metal = d.material("frame", "black steel", "white steel", "grey paint")
+    bounds, cut = d.bounds, d.uniform("cut", 0.5, 0.56)
+    plate, at = bounds.top(0.026), bounds.y[1] - 0.25
+    low = plate.z[0]
+    with d.part("top"):
+        tabletop(d, plate, top, d.pick("corner", [0.02, 0.06]))
+        with d.mirror("y"):
+            d.box(plate.bottom(-0.03).inset(x=0.08).to(y=(at - 0.03, at + 0.03)), metal)
+        d.box(plate.bottom(-0.045).inset(y=0.28).to(x=(-0.06, -0.02)), metal)
+        panel = d.box(plate.bottom(-0.018).inset(front=0.005, left=0.13).front(0.045).left(0.11), "black plastic")
+        for key in panel.inset(y=0.008).columns(4):
+            d.print(key.place(width=0.014, height=0.008).front(0.0), "grey plastic")
+    with d.mirror("y"):
+        foot = bounds.inset(x=0.06).to(y=(at - 0.035, at + 0.035))
+        with d.part("foot"):
+            profile = [(x, z) for x in foot.x for z in (0.012, 0.03)] + [(-0.06, 0.055), (0.03, 0.055)]
+            d.hull([(x, y, z) for x, z in profile for y in foot.y], metal)
+            for x in (foot.x[0] + 0.03, foot.x[1] - 0.03):
+                d.cylinder(Box.sized(0.04, 0.04, 0.012, (x, at, 0.0)), "rubber", segments=12)
+        with d.part("column"):
+            tube = d.box(foot.to(x=(-0.08, 0.02), z=(0.05, cut)), metal, bevel=0.004)
+            d.box(tube.inset(x=0.007, y=0.006).to(z=(cut, low - 0.03)), metal, bevel=0.004)
+    with d.part("tray"):
+        tray = plate.bottom(-0.09).inset(back=0.06).back(0.14).place(width=0.6 * bounds.width)
+        d.box(tray.bottom(0.006), metal, bevel=0.001)
+        d.box(tray.inset(bottom=0.006).back(0.005), metal, bevel=0.0)
+        d.box(tray.inset(bottom=0.006, top=0.05).front(0.005), metal, bevel=0.0)
+    d.clear(bounds.inset(y=0.35).to(x=(0.06, bounds.x[1]), z=(0.0, KNEES)))
 
 
 @draws("school_desk")
-def school_desk(b: Builder) -> None:
+def school_desk(d: Drawing) -> None:
     """A single or double top on a frame of steel tube, with a tray for books and a hook for the bag."""
-    d, w, h = b.size
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    top = b.material("top", "beech", "birch", "light oak", "light grey paint", "plywood")
-    metal = b.material("frame", "grey paint", "blue paint", "black steel", "red paint", "green paint", "chrome")
-    low, r = h - 0.022, 0.0175
-    with b.solid("top"):
-        tabletop(b, rounded(x, y, 0.04, 4), (low, h), top)
-        b.box((x[0] + 0.03, x[0] + 0.045), (y[0] + 0.12, y[1] - 0.12), (h - 0.002, h + 0.001), metal, bevel=0.0)
-    kind = b.pick("legs", ["c", "four"])
-    for s in (-1, 1):
-        at = s * (w / 2 - 0.06)
-        with b.solid(f"end {s}"):
-            if kind == "c":
-                b.bar((x[0] + 0.08, at, r), (x[1] - 0.05, at, r), r, metal, segments=12)
-                b.bar((x[0] + 0.16, at, r), (x[0] + 0.14, at, low - 0.01), r, metal, segments=12)
-                b.bar((x[0] + 0.05, at, low - r - 0.002), (x[1] - 0.06, at, low - r - 0.002), r, metal, segments=12)
-            else:
-                for px in (x[0] + 0.06, x[1] - 0.06):
-                    b.bar((px, at, 0.0), (px, at, low), r, metal, segments=12)
-                b.bar((x[0] + 0.06, at, low - 0.03), (x[1] - 0.06, at, low - 0.03), r * 0.8, metal, segments=10)
-                b.bar((x[0] + 0.06, at, 0.1), (x[1] - 0.06, at, 0.1), r * 0.8, metal, segments=10)
-    with b.solid("tray"):
-        tray = (x[0] + 0.05, x[1] - 0.1)
-        floor = low - 0.08
-        b.box(tray, (y[0] + 0.09, y[1] - 0.09), (floor, floor + 0.008), metal, bevel=0.001)
-        b.box((tray[0], tray[0] + 0.008), (y[0] + 0.09, y[1] - 0.09), (floor + 0.008, low), metal, bevel=0.0)
-        for ys in ((y[0] + 0.09, y[0] + 0.098), (y[1] - 0.098, y[1] - 0.09)):
-            b.box((tray[0] + 0.008, tray[1]), ys, (floor + 0.008, low), metal, bevel=0.0)
-    with b.solid("rail"):
-        b.bar((x[0] + 0.14, -w / 2 + 0.06, 0.36), (x[0] + 0.14, w / 2 - 0.06, 0.36), r * 0.8, metal, segments=10)
-    b.bar((0.02, y[1] - 0.06, low - 0.1), (0.02, y[1] - 0.03, low - 0.115), 0.004, metal, segments=6)
-    b.clear((x[0] + 0.2, x[1]), (y[0] + 0.1, y[1] - 0.1), (0.0, min(0.62, h - 0.11)))
-    b.fit()
+    top = d.material("top", "beech", "birch", "light oak", "light grey paint", "plywood")
+    metal = d.material("frame", "grey paint", "blue paint", "black steel", "red paint", "green paint", "chrome")
+    bounds, radius, kind = d.bounds, 0.0175, d.pick("legs", ["c", "four"])
+    plate, (x0, x1), at = bounds.top(0.022), bounds.x, bounds.y[1] - 0.06
+    low = plate.z[0]
+    with d.part("top"):
+        tabletop(d, plate, top, 0.04)
+        d.print(plate.top(0.0).inset(back=0.03, y=0.12).back(0.015), metal)
+    tubes = {
+        "c": (
+            ((x0 + 0.08, radius), (x1 - 0.05, radius)),
+            ((x0 + 0.16, radius), (x0 + 0.14, low - 0.01)),
+            ((x0 + 0.05, low - 0.02), (x1 - 0.06, low - 0.02)),
+        ),
+        "four": (
+            ((x0 + 0.06, 0.0), (x0 + 0.06, low)),
+            ((x1 - 0.06, 0.0), (x1 - 0.06, low)),
+            ((x0 + 0.06, low - 0.03), (x1 - 0.06, low - 0.03)),
+            ((x0 + 0.06, 0.1), (x1 - 0.06, 0.1)),
+        ),
+    }
+    with d.mirror("y"), d.part("end"):
+        for start, end in tubes[kind]:
+            d.bar((start[0], at, start[1]), (end[0], at, end[1]), radius, metal, 12)
+    with d.part("tray"):
+        tray = plate.bottom(-0.08).inset(back=0.05, front=0.1, y=0.09)
+        d.box(tray.bottom(0.008), metal, bevel=0.001)
+        walls = tray.inset(bottom=0.008)
+        for wall in (walls.back(0.008), walls.inset(back=0.008).left(0.008), walls.inset(back=0.008).right(0.008)):
+            d.box(wall, metal, bevel=0.0)
+    with d.part("rail"):
+        d.bar((x0 + 0.14, -at, 0.36), (x0 + 0.14, at, 0.36), 0.8 * radius, metal)
+    d.bar((0.02, at, low - 0.1), (0.02, at + 0.03, low - 0.115), 0.004, metal, 6)
+    d.clear(bounds.inset(back=0.2, y=0.1).to(z=(0.0, min(KNEES, low - 0.088))))
+    d.fit()
 
 
 @draws("teacher_desk")
-def teacher_desk(b: Builder) -> None:
+def teacher_desk(d: Drawing) -> None:
     """A heavy desk with two stacks of drawers, a drawer between them, panelled back and a leather inlay."""
-    d, w, h = b.size
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    wood = b.material("body", "mahogany", "walnut", "cherry", "oak", "wenge")
-    pull = b.material("pulls", "brass", "bronze", "black steel")
-    style = b.pick("pull style", ["knob", "cup", "bar"])
-    low = h - 0.032
-    with b.solid("top"):
-        tabletop(b, rounded(x, y, 0.015, 3), (low, h), wood)
-        if b.chance("inlay", 0.6):
-            leather = b.material("inlay", "brown leather", "black leather", "green paint")
-            b.box((x[0] + 0.1, x[1] - 0.06), (y[0] + 0.14, y[1] - 0.14), (h - 0.004, h + 0.001), leather, bevel=0.0)
-        b.box((x[0] + 0.015, x[1] - 0.015), (y[0] + 0.015, y[1] - 0.015), (low - 0.012, low), wood, bevel=0.005)
-    wide = min(0.44, 0.28 * w)
-    zone = (0.07, low - 0.012)
-    for s, name in ((-1, "right"), (1, "left")):
-        ys = (y[1] - 0.03 - wide, y[1] - 0.03) if s > 0 else (y[0] + 0.03, y[0] + 0.03 + wide)
-        drawer_stack(b, (x[0] + 0.035, x[1] - 0.035), ys, zone, wood, wood, pull, 3, style, name=name, tall_last=True)
-        with b.solid(f"{name} stack"):
-            b.box((x[0] + 0.025, x[1] - 0.05), (ys[0] - 0.008, ys[1] + 0.008), (0.0, 0.07), wood, bevel=0.01)
-            b.box((x[0] + 0.027, x[0] + 0.035), (ys[0] + 0.05, ys[1] - 0.05), (0.13, zone[1] - 0.06), wood, bevel=0.003)
-            outer = ys[1] if s > 0 else ys[0]
-            b.box(
-                (x[0] + 0.1, x[1] - 0.12),
-                (outer, outer + 0.008) if s > 0 else (outer - 0.008, outer),
-                (0.13, zone[1] - 0.06),
-                wood,
-                bevel=0.003,
-            )
-    inner = (y[0] + 0.03 + wide, y[1] - 0.03 - wide)
-    with b.solid("middle"):
-        b.box((x[0] + 0.1, x[1] - 0.06), inner, (zone[1] - 0.065, zone[1]), wood, bevel=0.001)
-        drawer(b, "middle", (x[0] + 0.12, x[1] - 0.04), inner, (zone[1] - 0.065, zone[1]), wood, pull, style)
-    with b.solid("modesty"):
-        b.box((x[0] + 0.05, x[0] + 0.07), inner, (0.08, zone[1]), wood, bevel=0.0)
-        b.box((x[0] + 0.042, x[0] + 0.05), (inner[0] + 0.06, inner[1] - 0.06), (0.14, zone[1] - 0.06), wood)
-    b.clear((x[0] + 0.1, x[1]), (inner[0] + 0.01, inner[1] - 0.01), (0.0, 0.62))
-    b.fit()
+    wood = d.material("body", "mahogany", "walnut", "cherry", "oak", "wenge")
+    pull, style = d.material("pulls", "brass", "bronze", "black steel"), d.pick("pull style", ["knob", "cup", "bar"])
+    bounds = d.bounds
+    plate = bounds.top(0.032)
+    with d.part("top"):
+        tabletop(d, plate, wood)
+        if d.chance("inlay", 0.6):
+            leather = d.material("inlay", "brown leather", "black leather", "green paint")
+            d.print(plate.top(0.0).inset(back=0.1, front=0.06, y=0.14), leather, 0.0004)
+        d.box(plate.bottom(-0.012).inset(x=0.015, y=0.015), wood, bevel=0.005)
+    under = bounds.inset(back=0.035, front=0.01 + REACH[style], y=0.03).to(z=(0.0, plate.z[0] - 0.012))
+    wide = min(0.44, 0.28 * bounds.width)
+    for name, stack in (("right", under.right(wide)), ("left", under.left(wide))):
+        pedestal_of_drawers(d, stack, wood, wood, pull, style, 3, name, 0.07)
+        with d.part(f"{name} stack"):
+            d.box(stack.bottom(0.07).inset(front=0.015, back=-0.01, y=-0.008), wood, bevel=0.01)
+            panel = stack.to(z=(0.13, stack.z[1] - 0.06))
+            d.box(panel.inset(y=0.05).back(-0.008), wood)
+            outer = panel.inset(x=0.08)
+            d.box(outer.right(-0.008) if name == "right" else outer.left(-0.008), wood)
+    middle = under.inset(y=wide)
+    with d.part("middle"):
+        drawer_case(d, middle.inset(back=0.08, front=0.005).top(0.075), wood, wood, pull, style, name="middle")
+    with d.part("modesty"):
+        board = d.box(middle.inset(back=0.015, bottom=0.08).back(0.02), wood, bevel=0.0)
+        d.box(board.inset(y=0.06, z=0.06).back(-0.008), wood)
+    d.clear(middle.inset(back=0.06, y=0.01).to(z=(0.0, KNEES)))
+    d.fit()

@@ -6,481 +6,332 @@ import math
 
 import numpy as np
 
-from ..builder import Builder
-from ..joinery import door, drawer
-from ..registry import draws
-from .desks import drawer_stack
-from .tables_parts import corner_legs, ellipse, end_frame, planks, prism_leg, proud, rounded, tabletop
+from ...drawing import Box, Drawing, draws
+from ...drawing.components import REACH, drawer, legs, tap, unit
+from .bottles import bottle
+from .desks import KNEES, pedestal_of_drawers
+from .tables_parts import drawer_case, end_frame, planks, tabletop
 
 WOODS = ("oak", "walnut", "cherry", "mahogany", "light oak", "beech")
 
 
 @draws("secretary_desk")
-def secretary_desk(b: Builder) -> None:
+def secretary_desk(d: Drawing) -> None:
     """A writing top on slim legs with drawers in its apron and a hutch of pigeonholes above its back."""
-    d, w, h = b.size
-    style = b.pick("pull style", ["knob", "cup"])
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    wood = b.material("body", *WOODS, "white paint", "sage paint")
-    pull = b.material("pulls", "brass", "bronze", "black steel")
-    table, deep = 0.75, 0.11
-    low = table - 0.022
-    hutch = x[0] + b.uniform("hutch", 0.2, 0.24)
-    face = x[1] - proud(style) - 0.005
-    with b.solid("top"):
-        b.box(x, y, (low, table), wood, bevel=0.004)
-        b.box((x[0] + 0.012, face - 0.019), (y[0] + 0.015, y[1] - 0.015), (low - deep, low), wood)
-        step = (w - 0.03) / 2
-        for k in range(2):
-            at = y[0] + 0.015 + k * step
-            drawer(b, f"drawer-{k}", (x[0] + 0.04, face), (at, at + step), (low - deep, low - 0.002), wood, pull, style)
-    corner_legs(
-        b,
-        (x[0] + 0.012, face - 0.004),
-        (y[0] + 0.015, y[1] - 0.015),
-        low - deep,
-        wood,
-        b.pick("legs", ["tapered", "turned"]),
-        0.048,
+    style = d.pick("pull style", ["knob", "cup"])
+    wood, pull = (
+        d.material("body", *WOODS, "white paint", "sage paint"),
+        d.material("pulls", "brass", "bronze", "black steel"),
     )
-    b.surface("top", (hutch + 0.03, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), table)
-    t, back = 0.016, 0.006
-    mid = table + 0.55 * (h - table)
-    with b.solid("hutch top"):
-        b.box((x[0], hutch + 0.01), y, (h - 0.02, h), wood, bevel=0.006)
-    b.surface("hutch", (x[0] + 0.01, hutch), (y[0] + 0.01, y[1] - 0.01), h)
-    shell = (y[0] + 0.01, y[1] - 0.01)
-    third = w / 6
-    with b.solid("back"):
-        b.box((x[0], x[0] + back), shell, (table, h - 0.02), wood, bevel=0.0)
-    for s in (-1, 1):
-        outer = (shell[1] - t, shell[1]) if s > 0 else (shell[0], shell[0] + t)
-        inner = (third, third + t) if s > 0 else (-third - t, -third)
-        block = (inner[1], outer[0]) if s > 0 else (outer[1], inner[0])
-        low_drawer = table + 0.5 * (mid - table)
-        with b.solid(f"wing {s}"):
-            b.box((x[0] + back, hutch), outer, (table, h - 0.02), wood, bevel=0.001)
-            b.box((x[0] + back, hutch), inner, (table, h - 0.02), wood, bevel=0.001)
-            b.box((x[0] + back, hutch - 0.02), block, (table, mid), wood, bevel=0.0)
-            for k, zs in enumerate(((table, low_drawer), (low_drawer, mid))):
-                drawer(b, f"small-{s + 1}{k}", (x[0] + 0.03, hutch - 0.001), block, zs, wood, pull, "knob")
-            b.box((x[0] + back, hutch), block, (mid, mid + 0.012), wood, bevel=0.001)
-            if b.chance("letters", 0.6):
-                for k in range(1, 4):
-                    at = block[0] + (block[1] - block[0]) * k / 4
-                    b.box(
-                        (x[0] + back, hutch - 0.01), (at - 0.003, at + 0.003), (mid + 0.012, h - 0.02), wood, bevel=0.0
-                    )
-    with b.solid("shelf"):
-        b.box((x[0] + back, hutch - 0.005), (-third, third), (mid, mid + 0.012), wood, bevel=0.001)
-    b.surface(
-        "shelf",
-        (x[0] + 0.02, hutch - 0.02),
-        (-third + 0.01, third - 0.01),
-        mid + 0.012,
-        round(h - 0.02 - mid - 0.017, 4),
-    )
-    b.clear((x[0] + 0.1, x[1]), (y[0] + 0.1, y[1] - 0.1), (0.0, low - deep - 0.01))
+    bounds, height, thin = d.bounds, 0.75, 0.006
+    plate = bounds.to(z=(height - 0.022, height))
+    case = plate.bottom(-0.11).inset(back=0.012, front=REACH[style] + 0.005, y=0.015)
+    with d.part("top"):
+        d.box(plate, wood, bevel=0.004)
+        drawer_case(d, case, wood, wood, pull, style, columns=2)
+    legs(d, case.to(z=(0.0, case.z[0])), wood, d.pick("legs", ["tapered", "turned"]), 0.048)
+    deep = d.uniform("hutch", 0.2, 0.24)
+    d.surface("top", plate.inset(back=deep + 0.02), inset=0.01)
+    hutch = bounds.inset(y=0.01, bottom=height).back(deep)
+    room = hutch.inset(top=0.02, back=thin)
+    with d.part("hutch top"):
+        d.box(hutch.inset(front=-0.01, y=-0.01).top(0.02), wood, bevel=0.006)
+    d.surface("hutch", hutch, inset=0.005)
+    with d.part("back"):
+        d.box(hutch.inset(top=0.02).back(thin), wood, bevel=0.0)
+    middle = height + 0.55 * room.height
+    board = room.to(z=(middle, middle + 0.012))
+    right, center, left = room.columns(3)
+    for name, wing in (("right", right), ("left", left)):
+        with d.part(f"wing {name}"):
+            for side in (wing.right(0.016), wing.left(0.016)):
+                d.box(side, wood, bevel=0.001)
+            inner = wing.inset(y=0.016)
+            d.box(board.to(y=inner.y), wood, bevel=0.001)
+            for k, cell in enumerate(inner.to(z=(height, middle)).rows(2)):
+                drawer(d, f"small-{name}-{k}", cell.inset(front=0.001), wood, pull, "knob")
+            if d.chance("letters", 0.6):
+                for cell in inner.inset(front=0.01).to(z=(board.z[1], room.z[1])).columns(4)[1:]:
+                    d.box(cell.right(0.006), wood, bevel=0.0)
+    with d.part("shelf"):
+        shelf = d.box(board.to(y=center.y).inset(front=0.005), wood, bevel=0.001)
+    d.surface("shelf", shelf.inset(x=0.012, y=0.01), round(room.z[1] - shelf.z[1] - 0.005, 4))
+    d.clear(bounds.inset(back=0.1, y=0.1).to(z=(0.0, case.z[0] - 0.01)))
 
 
 @draws("computer_desk")
-def computer_desk(b: Builder) -> None:
-    """A desk with a raised shelf for screens, a tray for the keyboard, a rack for the machine, steel or panel ends."""
-    d, w, h = b.size
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    top = b.material("top", "black paint", "oak", "white paint", "walnut", "wenge")
-    metal = b.material("frame", "black steel", "white steel", "red paint", "grey paint")
-    glow = b.chance("lights", 0.35)
-    table = 0.75
-    low = table - 0.022
-    rack = 0.24
-    with b.solid("top"):
-        tabletop(b, rounded(x, y, 0.02, 3), (low, table), top, name=None)
-        if glow:
-            b.box(
-                (x[1] - 0.004, x[1] + 0.001), (y[0] + 0.05, y[1] - 0.05), (low + 0.008, low + 0.014), "lamp glow", 0.0
-            )
-    for s in (-1, 1):
-        end_frame(b, s * (w / 2 - 0.03), (x[0] + 0.03, x[1] - 0.04), low, metal, "loop", 0.04)
-    shelf = x[0] + 0.26
-    with b.solid("screen shelf"):
-        b.box((x[0], shelf), (y[0] + 0.02, y[1] - 0.02), (h - 0.02, h), top)
-    b.surface("shelf", (x[0] + 0.01, shelf - 0.01), (y[0] + 0.03, y[1] - 0.03), h)
-    for s in (-1, 1):
-        at = s * (w / 2 - 0.035)
-        with b.solid(f"post {s}"):
-            b.box((x[0] + 0.02, shelf - 0.03), (at - 0.01, at + 0.01), (table, h - 0.02), metal)
-    b.surface("top", (shelf + 0.01, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), table)
-    b.surface("under", (x[0] + 0.02, shelf), (y[0] + 0.06, y[1] - 0.06), table, round(h - table - 0.025, 4))
-    side = b.pick("rack side", [-1, 1])
-    far = side * (w / 2 - 0.05)
-    ys = (far - rack, far) if side > 0 else (far, far + rack)
-    with b.solid("rack"):
-        b.box((x[0] + 0.08, x[1] - 0.08), ys, (0.1, 0.118), top)
-        inner = ys[0] if side > 0 else ys[1] - 0.016
-        b.box((x[0] + 0.08, x[1] - 0.08), (inner, inner + 0.016), (0.118, low), top)
-        b.box(
-            (x[0] + 0.08, x[1] - 0.08),
-            (ys[0] + 0.016, ys[1]) if side > 0 else (ys[0], ys[1] - 0.016),
-            (0.5, 0.516),
-            top,
-        )
-        lo, hi = (ys[0] + 0.03, ys[1] - 0.02) if side > 0 else (ys[0] + 0.02, ys[1] - 0.03)
-        b.box((x[0] + 0.1, x[1] - 0.13), (lo, hi), (0.118, 0.48), "black plastic", bevel=0.008)
-        b.box((x[1] - 0.131, x[1] - 0.128), (lo + 0.02, hi - 0.02), (0.15, 0.45), "black glass", bevel=0.0)
-        b.box((x[1] - 0.13, x[1] - 0.1265), (lo + 0.03, hi - 0.03), (0.44, 0.444), "lamp glow", bevel=0.0)
-    middle = (ys[1] + w / 2) / 2 if side < 0 else (ys[0] - w / 2) / 2
-    reach = min(0.3, 0.5 * (w - rack) - 0.12)
-    with b.solid("tray"), b.slide("tray", limits=(0.0, 0.28)):
-        b.box((x[1] - 0.36, x[1] - 0.03), (middle - reach, middle + reach), (low - 0.065, low - 0.05), top)
-        b.box(
-            (x[1] - 0.2, x[1] - 0.07),
-            (middle - 0.21, middle + 0.21),
-            (low - 0.05, low - 0.032),
-            "black plastic",
-            bevel=0.004,
-        )
-        for k in (-1, 1):
-            at = middle + k * (reach - 0.01)
-            b.box((x[1] - 0.36, x[1] - 0.06), (at - 0.008, at + 0.008), (low - 0.05, low - 0.002), metal)
-    b.clear((x[0] + 0.1, x[1]), (middle - reach, middle + reach), (0.0, 0.62))
-    b.fit()
+def computer_desk(d: Drawing) -> None:
+    """A desk with a raised shelf for screens, a tray for the keyboard, a rack for the machine, steel ends."""
+    top = d.material("top", "black paint", "oak", "white paint", "walnut", "wenge")
+    metal = d.material("frame", "black steel", "white steel", "red paint", "grey paint")
+    bounds, height = d.bounds, 0.75
+    plate = bounds.to(z=(height - 0.022, height))
+    under, at = bounds.to(z=(0.0, plate.z[0])), bounds.y[1] - 0.03
+    with d.part("top"):
+        tabletop(d, plate, top, 0.02, name=None)
+        if d.chance("lights", 0.35):
+            d.print(plate.inset(y=0.05).front(0.0).place(height=0.006), "lamp glow")
+    with d.mirror("y"), d.part("end"):
+        end_frame(d, under.inset(back=0.03, front=0.04).to(y=(at - 0.02, at + 0.02)), metal, "loop")
+    shelf = bounds.inset(y=0.02).back(0.26).top(0.02)
+    with d.part("screen shelf"):
+        d.box(shelf, top)
+    with d.mirror("y"), d.part("post"):
+        d.box(shelf.inset(back=0.02, front=0.03, left=0.005).left(0.02).to(z=(height, shelf.z[0])), metal)
+    d.surface("shelf", shelf, inset=0.01)
+    d.surface("top", plate.inset(back=0.26), inset=0.01)
+    d.surface("under", plate.back(0.26).inset(back=0.02, y=0.06), round(shelf.z[0] - height - 0.005, 4))
+    right = d.pick("rack side", [True, False])
+    space = under.inset(x=0.08, y=0.05)
+    rack = space.right(0.24) if right else space.left(0.24)
+    with d.part("rack"):
+        room = rack.inset(bottom=0.118)
+        d.box(room.bottom(-0.018), top)
+        d.box(room.left(0.016) if right else room.right(0.016), top)
+        machine = room.inset(back=0.02, front=0.05, y=0.03).bottom(0.36)
+        d.box(machine, "black plastic", bevel=0.008)
+        face = machine.inset(y=0.02, z=0.03).front(0.0)
+        d.print(face, "black glass")
+        d.print(face.top(0.004).inset(y=0.01), "lamp glow", 0.0004)
+    free = under.to(y=(rack.y[1], under.y[1]) if right else (under.y[0], rack.y[0]))
+    tray = free.place(width=min(0.6, free.width - 0.1)).inset(front=0.03).front(0.33).top(0.065)
+    with d.part("tray"), d.slide("tray", limits=(0.0, 0.28)):
+        board = d.box(tray.bottom(0.015), top)
+        d.box(board.top(-0.018).inset(front=0.04).front(0.13).place(width=0.42), "black plastic", bevel=0.004)
+        for rail in (tray.right(0.016), tray.left(0.016)):
+            d.box(rail.inset(bottom=0.015, front=0.03, top=0.002), metal)
+    d.clear(bounds.inset(back=0.1).to(y=tray.y, z=(0.0, KNEES)))
+    d.fit()
 
 
 @draws("dressing_table")
-def dressing_table(b: Builder) -> None:
+def dressing_table(d: Drawing) -> None:
     """A small table with drawers on slim legs and a mirror: round, arched, oval or a tripartite one."""
-    d, w, h = b.size
-    style = b.pick("pull style", ["knob", "cup"])
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    wood = b.material("body", "white paint", "oak", "walnut", "cream paint", "light oak", "light grey paint")
-    metal = b.material("pulls", "brass", "copper", "chrome", "black steel")
-    table = 0.76
-    low, deep = table - 0.022, 0.12
-    face = x[1] - proud(style)
-    with b.solid("top"):
-        tabletop(b, rounded(x, y, 0.02, 3), (low, table), wood, name=None)
-        b.box((x[0] + 0.01, face - 0.019), (y[0] + 0.015, y[1] - 0.015), (low - deep, low), wood)
-        count = 2 if w < 0.95 else 3
-        step = (w - 0.03) / count
-        for k in range(count):
-            at = y[0] + 0.015 + k * step
-            drawer(
-                b, f"drawer-{k}", (x[0] + 0.03, face), (at, at + step), (low - deep, low - 0.002), wood, metal, style
-            )
-    legs = metal if metal.name != "chrome" and b.chance("metal legs", 0.35) else wood
-    corner_legs(
-        b,
-        (x[0] + 0.02, face - 0.01),
-        (y[0] + 0.025, y[1] - 0.025),
-        low - deep,
-        legs,
-        b.pick("legs", ["tapered", "splayed", "turned"] if legs is wood else ["round"]),
-        0.042,
+    style = d.pick("pull style", ["knob", "cup"])
+    wood = d.material("body", "white paint", "oak", "walnut", "cream paint", "light oak", "light grey paint")
+    metal = d.material("pulls", "brass", "copper", "chrome", "black steel")
+    bounds, height = d.bounds, 0.76
+    plate = bounds.to(z=(height - 0.022, height))
+    case = plate.bottom(-0.12).inset(back=0.01, front=REACH[style], y=0.015)
+    with d.part("top"):
+        tabletop(d, plate, wood, 0.02, name=None)
+        drawer_case(d, case, wood, wood, metal, style, columns=2 if bounds.width < 0.95 else 3)
+    look = metal if metal.name != "chrome" and d.chance("metal legs", 0.35) else wood
+    styles = ["tapered", "splayed", "turned"] if look is wood else ["round"]
+    legs(d, case.inset(x=0.01, y=0.01).to(z=(0.0, case.z[0])), look, d.pick("legs", styles), 0.042)
+    d.surface("top", plate.inset(back=0.08), inset=0.01)
+    kind = d.pick("mirror", ["round", "arch", "oval", "three"])
+    frame = metal if d.chance("metal frame", 0.6) else wood
+    stands = kind in ("round", "oval")
+    glass = bounds.inset(bottom=height + (0.04 if stands else 0.0))
+    half = glass.height / 2
+    width = 2 * {"round": half, "oval": min(0.3 * bounds.width, 0.72 * half), "arch": 0.3 * bounds.width}.get(
+        kind, 0.2 * bounds.width
     )
-    b.surface("top", (x[0] + 0.09, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), table)
-    kind = b.pick("mirror", ["round", "arch", "oval", "three"])
-    frame = metal if b.chance("metal frame", 0.6) else wood
-    rise = table + (0.04 if kind in ("round", "oval") else 0.0)
-    half = (h - rise) / 2
-    reach = {"round": half, "oval": min(0.3 * w, 0.72 * half), "arch": 0.3 * w, "three": 0.2 * w}[kind]
-    with b.solid("mirror"):
-        if kind in ("round", "oval"):
-            ring = ellipse(reach, half, 40)
-            _plate(b, ring + (0, rise + half), x[0] + 0.03, 0.02, frame)
-            _plate(b, ellipse(reach - 0.018, half - 0.018, 40) + (0, rise + half), x[0] + 0.049, 0.003, "mirror")
-            b.box((x[0] + 0.034, x[0] + 0.046), (-0.02, 0.02), (table, rise + 0.03), frame)
-            b.box((x[0] + 0.01, x[0] + 0.085), (-0.11, 0.11), (table, table + 0.014), frame)
-        else:
-            _plate(b, _arch(reach, rise, h), x[0] + 0.03, 0.02, frame)
-            _plate(b, _arch(reach - 0.02, rise + 0.02, h - 0.02), x[0] + 0.049, 0.003, "mirror")
+    glass = glass.inset(back=0.03).back(0.02).place(width=width)
+    with d.part("mirror"):
+        _mirror(d, glass, frame, stands)
+        if stands:
+            d.box(glass.place(0.012, 0.04).to(z=(height, glass.z[0] + 0.03)), frame)
+            d.box(glass.place(width=0.22).inset(x=-0.025).to(z=(height, height + 0.014)), frame)
     if kind == "three":
-        for s in (-1, 1):
-            with b.solid(f"wing {s}"), b.frame(x[0] + 0.045, s * (reach + 0.003), 0, yaw=-s * 0.4):
-                wide = 0.15 * w
-                ring = _arch(wide / 2, rise, h - 0.06) + (s * wide / 2, 0)
-                _plate(b, ring, -0.012, 0.02, frame)
-                inner = _arch(wide / 2 - 0.018, rise + 0.02, h - 0.08) + (s * wide / 2, 0)
-                _plate(b, inner, 0.007, 0.003, "mirror")
-    b.clear((x[0] + 0.1, x[1]), (y[0] + 0.1, y[1] - 0.1), (0.0, low - deep - 0.01))
+        wing = Box((-0.012, 0.008), (0.0, 0.15 * bounds.width), glass.inset(top=0.06).z)
+        with d.mirror("y"), d.at(bounds.x[0] + 0.045, glass.y[1] + 0.003, 0.0, yaw=-0.4), d.part("wing"):
+            _mirror(d, wing, frame, False)
+    d.clear(bounds.inset(back=0.1, y=0.1).to(z=(0.0, case.z[0] - 0.01)))
 
 
-def _plate(b: Builder, ring: np.ndarray, x: float, thick: float, material) -> None:
-    """An upright convex plate: corners (y, z), from depth x forward."""
-    n = len(ring)
-    b.hull(np.concatenate([np.c_[np.full(n, x), ring], np.c_[np.full(n, x + thick), ring]]), material)
-
-
-def _arch(half: float, low: float, high: float, count: int = 16) -> np.ndarray:
-    """A round-headed opening as corners (y, z)."""
-    half_high = min(half, 0.5 * (high - low))
-    turn = np.linspace(0, math.pi, count + 1)
-    return np.concatenate(
-        [np.c_[half * np.cos(turn), high - half_high + half_high * np.sin(turn)], [(-half, low), (half, low)]]
-    )
+def _mirror(d: Drawing, box: Box, frame, ellipse: bool) -> None:
+    """A framed mirror that fills the width and height of a box: an ellipse, or with a round head."""
+    turn = np.linspace(0.0, math.pi, 17)
+    for inset, x, look in ((0.0, box.x, frame), (0.018, (box.x[1] - 0.001, box.x[1] + 0.002), "mirror")):
+        own = box.inset(y=inset, z=inset)
+        _, y, z = own.center
+        half = min(own.width / 2, 0.5 * own.height)
+        if ellipse:
+            around = np.linspace(0.0, 2 * math.pi, 41)[:-1]
+            outline = np.c_[y + own.width / 2 * np.cos(around), z + own.height / 2 * np.sin(around)]
+        else:
+            head = np.c_[y + own.width / 2 * np.cos(turn), own.z[1] - half + half * np.sin(turn)]
+            outline = np.concatenate([head, [(own.y[0], own.z[0]), (own.y[1], own.z[0])]])
+        d.extrude(outline, x, look, axis="x")
 
 
 @draws("reception_desk")
-def reception_desk(b: Builder) -> None:
+def reception_desk(d: Drawing) -> None:
     """A high counter toward the visitors (+x) and a lower desk behind it, with a panelled or slatted front."""
-    d, w, h = b.size
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    kind = b.pick("front", ["slats", "panels", "stone", "glow"])
-    body = b.material("body", "white paint", "oak", "walnut", "light grey paint", "navy paint", "sage paint")
-    counter = b.material("counter", "walnut", "oak", "marble", "white paint", "dark marble", "granite")
-    wall = (x[1] - 0.17, x[1] - 0.07)
-    table = 0.74
-    with b.solid("front"):
-        b.box(wall, y, (0.08, h - 0.035), body)
-        b.box((wall[0] + 0.02, wall[1] - 0.03), (y[0] + 0.03, y[1] - 0.03), (0, 0.08), "black steel")
+    kind = d.pick("front", ["slats", "panels", "stone", "glow"])
+    body = d.material("body", "white paint", "oak", "walnut", "light grey paint", "navy paint", "sage paint")
+    counter = d.material("counter", "walnut", "oak", "marble", "white paint", "dark marble", "granite")
+    pull = d.material("pulls", "black steel", "brushed steel")
+    bounds, height = d.bounds, 0.74
+    plate = bounds.top(0.035)
+    wall = bounds.inset(front=0.07, top=0.035).front(0.1)
+    with d.part("front"):
+        d.box(wall.inset(bottom=0.08), body)
+        d.box(wall.inset(x=0.025, y=0.03).bottom(0.08), "black steel")
+        face = wall.inset(bottom=0.09, top=0.005).front(-0.022)
         if kind == "slats":
-            slat = b.material("slats", "oak", "walnut", "light oak", "black paint")
-            count = round(w / 0.07)
-            for k in range(count):
-                at = y[0] + (k + 0.5) * w / count
-                b.box((wall[1], wall[1] + 0.022), (at - 0.02, at + 0.02), (0.09, h - 0.04), slat)
+            slat = d.material("slats", "oak", "walnut", "light oak", "black paint")
+            for cell in face.columns(round(bounds.width / 0.07)):
+                d.box(cell.place(width=0.04), slat)
         elif kind == "panels":
-            count = round(w / 0.6)
-            for k in range(count):
-                lo, hi = y[0] + k * w / count, y[0] + (k + 1) * w / count
-                b.box((wall[1], wall[1] + 0.018), (lo + 0.006, hi - 0.006), (0.1, h - 0.06), body, bevel=0.004)
+            for cell in face.inset(top=0.02, front=0.004).columns(round(bounds.width / 0.6), gap=0.012):
+                d.box(cell, body, bevel=0.004)
         else:
-            face = b.material("face", "marble", "dark marble", "concrete", "walnut")
-            b.box((wall[1], wall[1] + 0.02), (y[0] + 0.02, y[1] - 0.02), (0.12, h - 0.09), face)
-            if kind == "glow":
-                b.box((wall[1], wall[1] + 0.008), (y[0] + 0.02, y[1] - 0.02), (h - 0.085, h - 0.05), "lamp glow", 0.0)
-                b.box((wall[1], wall[1] + 0.008), (y[0] + 0.02, y[1] - 0.02), (0.085, 0.115), "lamp glow", bevel=0.0)
-    with b.solid("counter"):
-        b.box((x[1] - 0.32, x[1]), y, (h - 0.035, h), counter, bevel=0.004)
-    b.surface("counter", (x[1] - 0.31, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), h)
-    with b.solid("top"):
-        b.box((x[0], wall[0]), (y[0] + 0.03, y[1] - 0.03), (table - 0.028, table), counter if kind != "stone" else body)
-    b.surface("top", (x[0] + 0.01, wall[0] - 0.01), (y[0] + 0.06, y[1] - 0.06), table, round(h - 0.04 - table, 4))
-    profile = [
-        (x[0] + 0.02, 0),
-        (x[0] + 0.02, table + 0.03),
-        (wall[0], 0),
-        (wall[0], h - 0.035),
-        (wall[0] - 0.1, h - 0.035),
-    ]
-    for s in (-1, 1):
-        ys = (y[1] - 0.03, y[1]) if s > 0 else (y[0], y[0] + 0.03)
-        with b.solid(f"side {s}"):
-            b.hull([(px, py, pz) for py in ys for px, pz in profile], body)
-    pull = b.material("pulls", "black steel", "brushed steel")
-    at = -w / 2 + 0.06
-    with b.frame((x[0] + wall[0]) / 2, at + 0.21, 0, yaw=math.pi):
-        deep = (wall[0] - x[0]) / 2
-        drawer_stack(
-            b,
-            (-deep + 0.01, deep - 0.03),
-            (-0.2, 0.2),
-            (0.04, table - 0.03),
-            body,
-            body,
-            pull,
-            3,
-            "cup",
-            tall_last=True,
-        )
-    with b.solid("drawer stack"):
-        b.box((x[0] + 0.08, wall[0] - 0.02), (at + 0.03, at + 0.38), (0, 0.04), "black plastic", bevel=0.0)
-    b.clear((x[0], wall[0] - 0.02), (at + 0.45, w / 2 - 0.05), (0.0, 0.62))
+            stone = d.material("face", "marble", "dark marble", "concrete", "walnut")
+            d.box(face.inset(y=0.02, z=0.035), stone)
+            for strip in (face.top(0.03), face.bottom(0.03)) if kind == "glow" else ():
+                d.box(strip.inset(y=0.02, z=0.002).back(0.008), "lamp glow", bevel=0.0)
+    with d.part("counter"):
+        d.box(plate.front(0.32), counter, bevel=0.004)
+    d.surface("counter", plate.front(0.32), inset=0.01)
+    desk = bounds.inset(y=0.03).to(x=(bounds.x[0], wall.x[0]), z=(0.0, height))
+    with d.part("top"):
+        d.box(desk.top(0.028), body if kind == "stone" else counter)
+    d.surface("top", desk.inset(x=0.01, y=0.03), round(plate.z[0] - height - 0.005, 4))
+    x0, x1 = bounds.x[0] + 0.02, wall.x[0]
+    profile = [(x0, 0), (x0, height + 0.03), (x1, 0), (x1, plate.z[0]), (x1 - 0.1, plate.z[0])]
+    with d.mirror("y"), d.part("side"):
+        d.hull([(x, y, z) for y in bounds.left(0.03).y for x, z in profile], body)
+    stack = desk.inset(right=0.05).right(0.4)
+    with d.at(*stack.center[:2], 0.0, yaw=math.pi):
+        own = Box.sized(stack.depth - 0.06, stack.width, height - 0.03, (-0.01, 0.0, 0.0))
+        pedestal_of_drawers(d, own, body, body, pull, "cup")
+    d.clear(desk.inset(front=0.02, right=0.47, left=0.02).to(z=(0.0, KNEES)))
 
 
 @draws("workbench")
-def workbench(b: Builder) -> None:
-    """A thick top on heavy legs with a shelf and a front vice, dog holes, or steel legs with drawers."""
-    d, w, h = b.size
-    x, y = (-d / 2, d / 2 - 0.07), (-w / 2, w / 2)
-    top = b.material("top", "beech", "pine", "plywood", "oak")
-    kind = b.pick("kind", ["joiner", "garage", "joiner"])
-    low = h - 0.055
-    with b.solid("top"):
-        planks(b, x, y, (low, h), top, ends=0.0, wide=0.11)
-        if kind == "joiner":
-            b.box((x[1] - 0.045, x[1] - 0.001), (y[0] + 0.01, y[1] - 0.01), (low - 0.05, low), top)
-    metal = b.material("vice", "iron", "black steel", "steel")
-    if kind == "joiner":
-        at = y[1] - 0.32
-        with b.solid("vice"):
-            b.box((x[1] + 0.012, x[1] + 0.062), (at - 0.22, at + 0.22), (low - 0.11, h - 0.001), top, bevel=0.006)
-            b.bar((x[1] - 0.1, at, low - 0.06), (x[1] + 0.066, at, low - 0.06), 0.014, metal, segments=12)
-            b.bar((x[1] - 0.1, at - 0.14, low - 0.06), (x[1] + 0.05, at - 0.14, low - 0.06), 0.009, metal, segments=8)
-            b.bar((x[1] - 0.1, at + 0.14, low - 0.06), (x[1] + 0.05, at + 0.14, low - 0.06), 0.009, metal, segments=8)
-            b.bar(
-                (x[1] + 0.066, at - 0.11, low - 0.09), (x[1] + 0.066, at + 0.08, low - 0.03), 0.004, "steel", segments=8
-            )
-            b.bar((x[1] + 0.058, at, low - 0.06), (x[1] + 0.07, at, low - 0.06), 0.017, metal, segments=12)
-        for k in range(6):
-            py = y[0] + 0.15 + k * (w - 0.8) / 6
-            with b.frame(x[1] - 0.09, py):
-                b.frustum(0.011, 0.011, (h - 0.002, h + 0.0008), "black plastic", segments=10)
-    legs = top if kind == "joiner" else b.material("legs", "grey paint", "blue paint", "red paint", "black steel")
-    width = 0.09 if kind == "joiner" else 0.05
-    corner_legs(b, (x[0] + 0.03, x[1] - 0.045), (y[0] + 0.12, y[1] - 0.12), low, legs, "square", width)
-    shelf = 0.2
-    with b.solid("shelf"):
-        for px in (x[0] + 0.03 + width / 2, x[1] - 0.045 - width / 2):
-            b.box(
-                (px - 0.02, px + 0.02), (y[0] + 0.12 + width, y[1] - 0.12 - width), (shelf - 0.09, shelf - 0.02), legs
-            )
-        b.box((x[0] + 0.06, x[1] - 0.075), (y[0] + 0.12 + width, y[1] - 0.12 - width), (shelf - 0.02, shelf), top)
-    wide = 0.42
-    if kind == "garage":
-        pull = b.material("pulls", "black plastic", "steel")
-        ys = (y[0] + 0.12 + width, y[0] + 0.12 + width + wide)
-        drawer_stack(b, (x[0] + 0.06, x[1] - 0.025), ys, (low - 0.36, low), legs, legs, pull, 3, "cup")
-        with b.solid("drawer stack"):
-            b.box((x[0] + 0.05, x[1] - 0.05), (ys[1], ys[1] + 0.018), (shelf, low), legs, bevel=0.0)
-        b.surface(
-            "shelf",
-            (x[0] + 0.08, x[1] - 0.1),
-            (ys[1] + 0.03, y[1] - 0.14 - width),
-            shelf,
-            round(low - shelf - 0.005, 4),
-        )
-    else:
-        b.surface(
-            "shelf",
-            (x[0] + 0.08, x[1] - 0.1),
-            (y[0] + 0.15 + width, y[1] - 0.15 - width),
-            shelf,
-            round(low - 0.11 - shelf - 0.005, 4),
-        )
-    b.fit()
+def workbench(d: Drawing) -> None:
+    """A thick top on heavy legs with a shelf and a front vice and dog holes, or steel legs with drawers."""
+    top = d.material("top", "beech", "pine", "plywood", "oak")
+    joiner = d.pick("kind", ["joiner", "garage", "joiner"]) == "joiner"
+    metal = d.material("vice", "iron", "black steel", "steel")
+    look = top if joiner else d.material("legs", "grey paint", "blue paint", "red paint", "black steel")
+    bench = d.bounds.inset(front=0.07)
+    plate = bench.top(0.055)
+    under = bench.inset(back=0.03, front=0.045, y=0.12).to(z=(0.0, plate.z[0]))
+    x, low, width = bench.x[1], plate.z[0], 0.09 if joiner else 0.05
+    with d.part("top"):
+        planks(d, plate, top, wide=0.11)
+        if joiner:
+            d.box(plate.bottom(-0.05).inset(front=0.001, y=0.01).front(0.044), top)
+            holes = plate.inset(front=0.08, right=0.1, left=0.65).front(0.02)
+            for cell in holes.columns(6):
+                d.print(cell.top(0.0).place(0.02, 0.02), "black plastic")
+    if joiner:
+        at, z = bench.y[1] - 0.32, low - 0.06
+        with d.part("vice"):
+            jaw = Box((x + 0.012, x + 0.062), (at - 0.22, at + 0.22), (low - 0.11, bench.z[1] - 0.001))
+            d.box(jaw, top, bevel=0.006)
+            for y, radius, end in ((at, 0.014, 0.066), (at - 0.14, 0.009, 0.05), (at + 0.14, 0.009, 0.05)):
+                d.bar((x - 0.1, y, z), (x + end, y, z), radius, metal, 12)
+            d.bar((x + 0.066, at - 0.11, z - 0.03), (x + 0.066, at + 0.08, z + 0.03), 0.004, "steel", 8)
+            d.bar((x + 0.058, at, z), (x + 0.07, at, z), 0.017, metal, 12)
+    legs(d, under, look, "square", width)
+    shelf, between = 0.2, under.inset(y=width)
+    with d.part("shelf"):
+        for rail in (between.back(width), between.front(width)):
+            d.box(rail.place(depth=0.04).to(z=(shelf - 0.09, shelf - 0.02)), look)
+        board = d.box(between.inset(x=0.03).to(z=(shelf - 0.02, shelf)), top)
+    free, headroom = board.inset(x=0.025, y=0.03), low - shelf - 0.115
+    if not joiner:
+        pull, stack = d.material("pulls", "black plastic", "steel"), between.inset(front=-0.02).top(0.36).right(0.42)
+        with d.part("drawer stack"):
+            drawer_case(d, stack, look, look, pull, "cup", 3)
+            d.box(stack.inset(front=0.025).left(-0.018).to(z=(shelf, low)), look, bevel=0.0)
+        free, headroom = free.to(y=(stack.y[1] + 0.03, free.y[1])), low - shelf - 0.005
+    d.surface("shelf", free, round(headroom, 4))
+    d.fit()
 
 
 @draws("drafting_table")
-def drafting_table(b: Builder) -> None:
-    """A tilted drawing board with a ledge, a parallel rule and a sheet of paper, on a steel or wooden trestle."""
-    d, w, h = b.size
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    board = b.material("board", "birch", "beech", "white paint", "light oak", "plywood")
-    legs = b.material("legs", "black steel", "oak", "white steel", "walnut", "grey paint")
-    wooden = legs.name in ("oak", "walnut")
-    tilt = b.uniform("tilt", 0.26, 0.42)
-    long = (d - 0.06) / math.cos(tilt)
-    rise = long * math.sin(tilt)
-    middle = h - rise / 2 - 0.03
-    with b.solid("board"), b.frame(0, 0, middle, pitch=tilt):
-        b.box((-long / 2, long / 2), y, (-0.02, 0.0), board)
-        b.box((long / 2 - 0.03, long / 2 + 0.012), (y[0] + 0.05, y[1] - 0.05), (0.0, 0.014), legs)
-        b.box((-0.3 * long, 0.36 * long), (-0.3 * w, 0.3 * w), (0.0, 0.0012), "paper", bevel=0.0)
-        for k in range(3):
-            at = -0.2 * long + 0.09 * k
-            b.box((at, at + 0.002), (-0.2 * w, (0.05 + 0.06 * k) * w), (0.0012, 0.0017), "navy paint", bevel=0.0)
-        for k in range(2):
-            at = -0.2 * w + k * 0.25 * w
-            b.box((-0.2 * long, 0.02 * long), (at, at + 0.002), (0.0012, 0.0017), "navy paint", bevel=0.0)
-        b.box((0.14 * long, 0.14 * long + 0.045), (y[0] + 0.02, y[1] - 0.02), (0.002, 0.008), "clear plastic", 0.0)
-        for s in (-1, 1):
-            at = s * (w / 2 - 0.02)
-            b.box((0.14 * long - 0.01, 0.14 * long + 0.055), (at - 0.016, at + 0.016), (0.0, 0.013), "black plastic")
-        b.hull(
-            [
-                (0.05, 0.33 * w, 0.0),
-                (0.05, 0.33 * w, 0.003),
-                (0.05, 0.45 * w, 0.0),
-                (0.05, 0.45 * w, 0.003),
-                (-0.12, 0.45 * w, 0.0),
-                (-0.12, 0.45 * w, 0.003),
-            ],
-            "clear plastic",
-        )
-    bar = 0.05 if wooden else 0.035
-    reach = min(0.36 * w, w / 2 - 0.1)
-    hold = middle - 0.05
-    for s in (-1, 1):
-        at = s * reach
-        with b.solid(f"end {s}"):
-            b.box((x[0] + 0.04, x[1] - 0.04), (at - bar / 2, at + bar / 2), (0.0, bar), legs)
-            b.box((-0.04, 0.04), (at - bar / 2, at + bar / 2), (bar, hold), legs)
-            prism_leg(b, (x[0] + 0.14, at, bar * 0.5), (-0.02, at, 0.45), (0.03, bar * 0.7), (0.03, bar * 0.7), legs)
-            with b.frame(0, 0, middle, pitch=tilt):
-                b.box((-0.3 * long, 0.3 * long), (at - bar / 2, at + bar / 2), (-0.06, -0.02), legs)
-            b.bar(
-                (0.0, at + s * bar / 2, hold - 0.02),
-                (0.0, at + s * (bar / 2 + 0.03), hold - 0.02),
-                0.025,
-                "black plastic",
-                segments=12,
-            )
+def drafting_table(d: Drawing) -> None:
+    """A tilted drawing board with a ledge, a parallel rule and a plan on it, on a steel or wooden trestle."""
+    look = d.material("board", "birch", "beech", "white paint", "light oak", "plywood")
+    steel = d.material("legs", "black steel", "oak", "white steel", "walnut", "grey paint")
+    (depth, width, height), tilt = d.size, d.uniform("tilt", 0.26, 0.42)
+    long = (depth - 0.06) / math.cos(tilt)
+    middle = height - long * math.sin(tilt) / 2 - 0.03
+    board = Box.sized(long, width, 0.02, (0.0, 0.0, -0.02))
+    with d.part("board"), d.at(0.0, 0.0, middle, pitch=tilt):
+        d.box(board, look)
+        d.box(board.top(-0.014).inset(y=0.05, front=-0.012).front(0.042), steel)
+        sheet = d.print(board.top(0.0).share(x=(0.2, 0.86), y=(0.2, 0.8)), "paper")
+        plan = sheet.share(x=(0.15, 0.6), y=(0.12, 0.7))
+        walls = [plan.front(0.003), plan.back(0.003), plan.left(0.003), plan.right(0.003)]
+        walls += [plan.share(y=(0.4, 0.4)).left(-0.003), plan.share(x=(0.55, 0.55), y=(0.4, 1.0)).front(0.003)]
+        for wall in walls:
+            d.print(wall, "navy paint", 0.0004)
+        rule = board.top(-0.008).inset(bottom=0.002, y=0.02).share(x=(0.64, 0.69))
+        d.box(rule, "clear plastic", bevel=0.0)
+        for end in (rule.left(0.032), rule.right(0.032)):
+            d.box(end.inset(x=-0.01, bottom=-0.002, top=-0.005), "black plastic")
+        square = [(0.05, 0.33 * width), (0.05, 0.45 * width), (-0.12, 0.45 * width)]
+        d.hull([(x, y, z) for x, y in square for z in (0.0, 0.003)], "clear plastic")
+    bar = 0.05 if steel.name in ("oak", "walnut") else 0.035
+    at, hold = min(0.36 * width, width / 2 - 0.1), middle - 0.05
+    foot = d.bounds.inset(x=0.04).to(y=(at - bar / 2, at + bar / 2))
+    with d.mirror("y"), d.part("end"):
+        d.box(foot.bottom(bar), steel)
+        d.box(foot.place(depth=0.08).to(z=(bar, hold)), steel)
+        ends = ((foot.x[0] + 0.1, 0.5 * bar), (-0.02, 0.45))
+        d.hull([(x + dx, y, z) for x, z in ends for dx in (-0.015, 0.015) for y in foot.inset(y=0.15 * bar).y], steel)
+        with d.at(0.0, 0.0, middle, pitch=tilt):
+            d.box(foot.to(x=(-0.3 * long, 0.3 * long), z=(-0.06, -0.02)), steel)
+        d.bar((0.0, foot.y[1], hold - 0.02), (0.0, foot.y[1] + 0.03, hold - 0.02), 0.025, "black plastic", 12)
     for name, z in (("low rail", 0.3), ("rail", hold - 0.14)):
-        with b.solid(name):
-            b.box((-0.02, 0.02), (-reach + bar / 2, reach - bar / 2), (z - 0.025, z + 0.025), legs)
-    b.fit()
+        with d.part(name):
+            d.box(Box.around((0.0, 0.0, z), 0.04, 2 * at - bar, 0.05), steel)
+    d.fit()
 
 
 @draws("lab_bench")
-def lab_bench(b: Builder) -> None:
+def lab_bench(d: Drawing) -> None:
     """A dark resistant top over cupboards and drawers with a gap for knees, a basin with a tap, a shelf above."""
-    d, w, h = b.size
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    body = b.material("body", "white paint", "light grey paint", "blue paint", "sage paint")
-    top = b.material("top", "black paint", "granite", "grey ceramic", "white ceramic")
-    pull = b.material("pulls", "brushed steel", "black steel")
-    table = 0.9
-    low = table - 0.03
-    with b.solid("top"):
-        b.box(x, y, (low, table), top, bevel=0.004)
-    rack = x[0] + 0.24
-    s = b.pick("sink side", [-1, 1])
-    sink = s * (w / 2 - 0.28)
-    with b.solid("sink"):
-        b.box((0.0, 0.3), (sink - 0.2, sink + 0.2), (table, table + 0.008), "brushed steel", bevel=0.003)
-        b.box((0.02, 0.28), (sink - 0.18, sink + 0.18), (table + 0.008, table + 0.009), "black steel", bevel=0.0)
-        neck = [(-0.03, 0.0), (-0.03, 0.26), (0.0, 0.32), (0.07, 0.34), (0.13, 0.3), (0.14, 0.24)]
-        b.tube([(px, sink, table + pz) for px, pz in neck], 0.011, "chrome", segments=10)
-        b.bar((-0.03, sink - 0.05, table + 0.06), (-0.03, sink + 0.05, table + 0.06), 0.009, "chrome", segments=8)
-        for k, look in ((-1, "blue plastic"), (1, "red plastic")):
-            b.bar((-0.03, sink + k * 0.05, table + 0.06), (-0.03, sink + k * 0.075, table + 0.06), 0.014, look, 10)
-    clear = (-w / 2 + 0.01, sink - 0.22) if s > 0 else (sink + 0.22, w / 2 - 0.01)
-    b.surface("top", (rack + 0.02, x[1] - 0.01), clear, table)
-    face = x[1] - 0.045
-    wide = min(0.5, 0.3 * w)
-    for k in (-1, 1):
-        ys = (y[1] - 0.01 - wide, y[1] - 0.01) if k > 0 else (y[0] + 0.01, y[0] + 0.01 + wide)
+    body = d.material("body", "white paint", "light grey paint", "blue paint", "sage paint")
+    top = d.material("top", "black paint", "granite", "grey ceramic", "white ceramic")
+    pull, s = d.material("pulls", "brushed steel", "black steel"), d.pick("sink side", [-1, 1])
+    bounds, height = d.bounds, 0.9
+    plate = bounds.to(z=(height - 0.03, height))
+    y = s * (bounds.y[1] - 0.28)
+    sink = Box((0.0, 0.3), (y - 0.2, y + 0.2), (height, height))
+    with d.part("top"):
+        d.box(plate, top, bevel=0.004)
+    with d.part("sink"):
+        rim = d.box(sink.top(-0.008), "brushed steel")
+        d.print(rim.top(0.0).inset(x=0.02, y=0.02), "black steel")
+        with d.at(-0.05, y, height):
+            tap(d, "chrome", 0.18, 0.34)
+            for k, look in ((-1, "blue plastic"), (1, "red plastic")):
+                d.bar((0.0, 0.03 * k, 0.06), (0.0, 0.06 * k, 0.06), 0.012, look, 10)
+    rack = bounds.back(0.24)
+    clear = (bounds.y[0] + 0.01, y - 0.22) if s > 0 else (y + 0.22, bounds.y[1] - 0.01)
+    d.surface("top", plate.to(x=(rack.x[1] + 0.02, plate.x[1] - 0.01), y=clear))
+    under = bounds.inset(back=0.02, front=0.045, y=0.01).to(z=(0.0, plate.z[0]))
+    wide = min(0.5, 0.3 * bounds.width)
+    for k, cell in ((-1, under.right(wide)), (1, under.left(wide))):
         if k == s:
-            with b.solid(f"cupboard {k}"):
-                b.box((x[0] + 0.02, face - 0.019), ys, (0.09, low), body, bevel=0.001)
-                b.box((x[0] + 0.04, face - 0.06), ys, (0.0, 0.09), "black plastic", bevel=0.0)
-                door(
-                    b,
-                    "door",
-                    (face - 0.018, face),
-                    ys,
-                    (0.09, low - 0.002),
-                    body,
-                    pull,
-                    hung="left" if s > 0 else "right",
-                )
+            with d.part("cupboard"):
+                unit(d, "sink", cell.inset(bottom=0.09), "door", body, body, pull)
+                d.box(cell.bottom(0.09).inset(back=0.02, front=0.06), "black plastic", bevel=0.0)
         else:
-            drawer_stack(b, (x[0] + 0.02, face), ys, (0.09, low), body, body, pull, 4, "bar")
-            with b.solid("drawer stack"):
-                b.box((x[0] + 0.04, face - 0.06), ys, (0.0, 0.09), "black plastic", bevel=0.0)
-    inner = (y[0] + 0.01 + wide, y[1] - 0.01 - wide)
-    with b.solid("back"):
-        b.box((x[0] + 0.02, x[0] + 0.04), inner, (0.0, low), body, bevel=0.0)
-    for k in (-1, 1):
-        at = k * (w / 2 - 0.03)
-        with b.solid("posts"):
-            b.box((x[0] + 0.08, x[0] + 0.12), (at - 0.02, at + 0.02), (table, h - 0.2), "brushed steel")
-    shelf = h - 0.2
-    with b.solid("shelf"):
-        b.box((x[0], rack), y, (shelf - 0.02, shelf), body)
-        b.box((x[0] + 0.04, x[0] + 0.16), (y[0] + 0.1, y[1] - 0.1), (shelf - 0.045, shelf - 0.02), "lamp glow")
-    for k in range(5):
-        look = ("amber glass", "green glass", "glass", "amber glass", "white plastic")[k]
-        at = s * (w / 2 - 0.1 - 0.11 * k)
-        tall = b.uniform(f"bottle {k}", 0.12, 0.17) if k else 0.2
-        with b.solid("bottles"), b.frame(x[0] + 0.09, at, shelf):
-            b.lathe(
-                [(0.036, 0.0), (0.038, 0.01), (0.038, 0.6 * tall), (0.014, 0.78 * tall), (0.014, 0.88 * tall)],
-                look,
-                segments=14,
-            )
-            b.frustum(0.017, 0.017, (0.88 * tall, tall), "blue plastic" if k % 2 else "black plastic", segments=12)
-    far = (-w / 2 + 0.02, s * w / 2 - 0.68) if s > 0 else (-w / 2 + 0.68, w / 2 - 0.02)
-    b.surface("shelf", (x[0] + 0.02, rack - 0.02), far, shelf)
-    b.clear((x[0] + 0.1, x[1]), (inner[0] + 0.01, inner[1] - 0.01), (0.0, 0.8))
+            pedestal_of_drawers(d, cell, body, body, pull, "bar", 4, foot=0.09)
+    knees = under.inset(y=wide)
+    with d.part("back"):
+        d.box(knees.back(0.02), body, bevel=0.0)
+    shelf = rack.to(z=(bounds.z[1] - 0.22, bounds.z[1] - 0.2))
+    with d.mirror("y"), d.part("posts"):
+        d.box(rack.inset(back=0.08, left=0.01).left(0.04).back(0.04).to(z=(height, shelf.z[0])), "brushed steel")
+    with d.part("shelf"):
+        d.box(shelf, body)
+        d.box(shelf.bottom(-0.025).inset(back=0.04, y=0.1).back(0.12), "lamp glow")
+    with d.part("bottles"):
+        for k, look in enumerate(("amber glass", "green glass", "glass", "amber glass", "white plastic")):
+            with d.at(rack.x[0] + 0.09, s * (bounds.y[1] - 0.1 - 0.11 * k), shelf.z[1]):
+                tall = d.uniform(f"bottle {k}", 0.12, 0.17) if k else 0.2
+                bottle(d, 0.038, tall, look, "blue plastic" if k % 2 else "black plastic", label=True)
+    free = (bounds.y[0] + 0.02, bounds.y[1] - 0.68)
+    d.surface("shelf", shelf.inset(x=0.02).to(y=free if s > 0 else (-free[1], -free[0])))
+    d.clear(knees.inset(back=0.1, y=0.01, front=-0.045).to(z=(0.0, 0.8)))
+    d.fit()

@@ -3,445 +3,291 @@
 from __future__ import annotations
 
 import math
+from typing import Literal
 
 import numpy as np
 
-from ..builder import Builder
-from ..joinery import door, drawer
-from ..registry import draws
-from .tables_parts import apron, corner_legs, ellipse, end_frame, pedestal, planks, proud, rounded, tabletop
+from ...drawing import Box, Drawing, draws
+from ...drawing.components import REACH, carcass, door, drawers, feet, leg, legs
+from .tables_parts import apron, drawer_case, end_frame, pedestal, planks, tabletop
 
 WOODS = ("oak", "light oak", "walnut", "beech", "cherry", "ash grey wood", "wenge", "pine")
 PAINTS = ("white paint", "cream paint", "sage paint", "navy paint", "light grey paint", "black paint")
 METALS = ("black steel", "brass", "brushed steel", "white steel")
+PULLS = ("brass", "black steel", "brushed steel")
+
+
+def _shelf(d: Drawing, box: Box, look, z: float, inset: float, ceiling: float, thick: float = 0.02) -> None:
+    """A board between legs with its top at a height, on which things may stand ``inset`` from its edges."""
+    with d.part("shelf"):
+        board = d.box(box.to(z=(z - thick, z)), look)
+    d.surface("shelf", board, round(ceiling - z - 0.005, 4), inset)
 
 
 @draws("coffee_table")
-def coffee_table(b: Builder) -> None:
+def coffee_table(d: Drawing) -> None:
     """A low top on legs with a shelf, a glass top on metal, a waterfall of boards, or a chest with drawers."""
-    d, w, h = b.size
-    kind = b.pick("kind", ["shelf", "glass", "waterfall", "splayed", "drawers", "rustic", "hairpin"])
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    if kind == "glass":
-        top = b.material("top", "glass", "marble", "dark marble")
-        metal = b.material("frame", "black steel", "brass", "chrome")
-        low = h - (0.012 if top.name == "glass" else 0.022)
-        with b.solid("top"):
-            tabletop(b, rounded(x, y, 0.012, 3), (low, h), top, inset=0.012)
-            for ys in ((y[0] + 0.01, y[0] + 0.03), (y[1] - 0.03, y[1] - 0.01)):
-                b.box((x[0] + 0.03, x[1] - 0.03), ys, (low - 0.02, low), metal)
-            for xs in ((x[0] + 0.01, x[0] + 0.03), (x[1] - 0.03, x[1] - 0.01)):
-                b.box(xs, (y[0] + 0.01, y[1] - 0.01), (low - 0.02, low), metal)
-        corner_legs(b, (x[0] + 0.01, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), low - 0.02, metal, "square", 0.02)
-        with b.solid("shelf"):
-            z = 0.1
-            lower = b.material("lower", "glass", "oak", "walnut") if top.name == "glass" else top
-            b.box((x[0] + 0.012, x[1] - 0.012), (y[0] + 0.03, y[1] - 0.03), (z - 0.012, z), lower, bevel=0.0015)
-            for xs in ((x[0] + 0.01, x[0] + 0.03), (x[1] - 0.03, x[1] - 0.01)):
-                b.box(xs, (y[0] + 0.03, y[1] - 0.03), (z - 0.03, z - 0.012), metal)
-        b.surface("shelf", (x[0] + 0.04, x[1] - 0.04), (y[0] + 0.04, y[1] - 0.04), z, round(low - 0.02 - z - 0.005, 4))
-    elif kind == "waterfall":
-        wood = b.material("top", *WOODS, "white paint", "black paint")
-        t = b.uniform("thickness", 0.026, 0.036)
-        with b.solid("top"):
-            b.box(x, y, (h - t, h), wood, bevel=0.004)
-        b.surface("top", (x[0] + 0.01, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), h)
-        for k, ys in enumerate(((y[0], y[0] + t), (y[1] - t, y[1]))):
-            with b.solid(f"side {k}"):
-                b.box(x, ys, (0, h - t), wood, bevel=0.004)
-        z = b.uniform("shelf", 0.1, 0.16)
-        with b.solid("shelf"):
-            b.box((x[0] + 0.03, x[1] - 0.03), (y[0] + t, y[1] - t), (z - 0.02, z), wood)
-        b.surface(
-            "shelf", (x[0] + 0.04, x[1] - 0.04), (y[0] + t + 0.01, y[1] - t - 0.01), z, round(h - t - z - 0.005, 4)
-        )
+    kind = d.pick("kind", ["shelf", "glass", "waterfall", "splayed", "drawers", "rustic", "hairpin"])
+    bounds = d.bounds
+    tops = {
+        "glass": ("glass", "marble", "dark marble"),
+        "waterfall": (*WOODS, "white paint", "black paint"),
+        "drawers": (*WOODS, *PAINTS),
+    }
+    top = d.material("top", *tops.get(kind, WOODS))
+    thick = 0.012 if top.name == "glass" else 0.036 if kind == "rustic" else d.uniform("thickness", 0.022, 0.03)
+    plate, under = bounds.top(thick), bounds.inset(top=thick)
+    low = under.z[1]
+    if kind == "waterfall":
+        with d.part("top"):
+            d.box(plate, top, bevel=0.004)
+        d.surface("top", plate, inset=0.01)
+        for k, side in enumerate((under.right(thick), under.left(thick))):
+            with d.part(f"side {k}"):
+                d.box(side, top, bevel=0.004)
+        _shelf(d, under.inset(x=0.03, y=thick), top, d.uniform("shelf", 0.1, 0.16), 0.01, low)
+    elif kind == "glass":
+        metal = d.material("frame", "black steel", "brass", "chrome")
+        rail = under.inset(x=0.01, y=0.01)
+        with d.part("top"):
+            tabletop(d, plate, top, 0.012)
+            apron(d, rail.top(0.02), metal)
+        legs(d, rail.inset(top=0.02), metal, "square", 0.02)
+        lower = d.material("lower", "glass", "oak", "walnut") if top.name == "glass" else top
+        with d.part("shelf"):
+            apron(d, rail.to(z=(0.07, 0.088)), metal)
+        _shelf(d, under.inset(x=0.012, y=0.012), lower, 0.1, 0.03, low - 0.02, 0.012)
     elif kind == "drawers":
-        wood = b.material("top", *WOODS, *PAINTS)
-        front = b.material("fronts", *WOODS) if wood.name.endswith("paint") else wood
-        pull = b.material("pulls", "brass", "black steel", "brushed steel")
-        legs = b.material("legs", "black steel", "brass") if b.chance("metal legs", 0.3) else wood
-        t, rise = 0.022, 0.13
-        low = h - t
-        style = b.pick("pull style", ["knob", "cup"])
-        face = x[1] - proud(style)
-        with b.solid("top"):
-            tabletop(b, rounded(x, y, 0.02, 3), (low, h), wood)
-            b.box((x[0] + 0.03, face - 0.019), (y[0] + 0.02, y[1] - 0.02), (low - 0.11, low), wood)
-            step = (w - 0.04) / 2
-            for k in range(2):
-                at = y[0] + 0.02 + k * step
-                drawer(
-                    b,
-                    f"drawer-{k}",
-                    (x[0] + 0.05, face),
-                    (at, at + step),
-                    (low - 0.11, low - 0.003),
-                    front,
-                    pull,
-                    style,
-                )
-        corner_legs(b, (x[0] + 0.04, x[1] - 0.045), (y[0] + 0.03, y[1] - 0.03), low - 0.11, legs, "tapered", 0.04)
-        if low - 0.11 - rise > 0.1:
-            with b.solid("shelf"):
-                b.box((x[0] + 0.05, x[1] - 0.055), (y[0] + 0.045, y[1] - 0.045), (rise - 0.055, rise - 0.037), wood)
-            b.surface(
-                "shelf",
-                (x[0] + 0.09, x[1] - 0.095),
-                (y[0] + 0.08, y[1] - 0.08),
-                rise - 0.037,
-                round(low - 0.11 - rise + 0.037 - 0.005, 4),
-            )
+        fronts = d.material("fronts", *WOODS) if top.name.endswith("paint") else top
+        pull, style = d.material("pulls", *PULLS), d.pick("pull style", ["knob", "cup"])
+        look = d.material("legs", "black steel", "brass") if d.chance("metal legs", 0.3) else top
+        case = under.inset(back=0.03, front=REACH[style], y=0.02)
+        with d.part("top"):
+            tabletop(d, plate, top, 0.02)
+            drawer_case(d, case.top(0.12), top, fronts, pull, style, columns=2)
+        legs(d, case.inset(x=0.01, y=0.01, top=0.12), look, "tapered", 0.04)
+        if low - 0.12 > 0.2:
+            _shelf(d, case.inset(x=0.02, y=0.02), top, 0.093, 0.04, low - 0.12)
     else:
-        wood = b.material("top", *WOODS)
-        t = 0.036 if kind == "rustic" else b.uniform("thickness", 0.022, 0.03)
-        low = h - t
-        legs = wood
-        if kind == "hairpin":
-            legs = b.material("legs", "black steel", "brass", "copper")
-        elif b.chance("painted", 0.35):
-            legs = b.material("legs", "white paint", "black paint", "cream paint")
-        with b.solid("top"):
+        look = top
+        if kind == "hairpin" or d.chance("painted", 0.35):
+            steel = ("black steel", "brass", "copper")
+            look = d.material("legs", *(steel if kind == "hairpin" else ("white paint", "black paint", "cream paint")))
+        with d.part("top"):
             if kind == "rustic":
-                planks(b, x, y, (low, h), wood, ends=0.09)
+                planks(d, plate, top, ends=0.09)
             elif kind == "splayed":
-                tabletop(b, ellipse(d / 2, w / 2, 44, b.pick("power", [2.0, 2.6, 3.4])), (low, h), wood, edge="knife")
+                tabletop(d, plate, top, power=d.pick("power", [2.0, 2.6, 3.4]), edge="knife")
+                apron(d, under.place(0.62 * bounds.depth, 0.62 * bounds.width).top(0.035), look)
             else:
-                tabletop(b, rounded(x, y, b.pick("corner", [0.01, 0.04, 0.1])), (low, h), wood)
+                tabletop(d, plate, top, d.pick("corner", [0.01, 0.04, 0.1]))
             if kind in ("shelf", "rustic"):
-                apron(b, (x[0] + 0.03, x[1] - 0.03), (y[0] + 0.03, y[1] - 0.03), (low - 0.055, low), legs)
+                apron(d, under.inset(x=0.03, y=0.03).top(0.055), look)
         if kind == "splayed":
-            with b.solid("top"):
-                apron(b, (x[0] * 0.62, x[1] * 0.62), (y[0] * 0.62, y[1] * 0.62), (low - 0.035, low), legs)
-            corner_legs(
-                b,
-                (x[0] * 0.8, x[1] * 0.8),
-                (y[0] * 0.8, y[1] * 0.8),
-                low,
-                legs,
-                "splayed",
-                0.04,
-                cap=b.pick("cap", [None, "brass"]),
-            )
+            legs(d, under.place(0.8 * bounds.depth, 0.8 * bounds.width), look, "splayed", 0.04, 0.14 * low)
         elif kind == "hairpin":
-            corner_legs(b, (x[0] + 0.03, x[1] - 0.03), (y[0] + 0.03, y[1] - 0.03), low, legs, "hairpin")
+            legs(d, under.inset(x=0.03, y=0.03), look, "hairpin")
         else:
-            style = b.pick("legs", ["square", "tapered"]) if kind == "shelf" else b.pick("legs", ["turned", "square"])
             width = 0.05 if kind == "shelf" else 0.07
-            corner_legs(b, (x[0] + 0.025, x[1] - 0.025), (y[0] + 0.025, y[1] - 0.025), low, legs, style, width)
-            z = 0.13 if style != "turned" else 0.1
-            with b.solid("shelf"):
-                if kind == "rustic":
-                    planks(b, (x[0] + 0.06, x[1] - 0.06), (y[0] + 0.06, y[1] - 0.06), (z - 0.022, z), wood, name=None)
-                else:
-                    b.box((x[0] + 0.04, x[1] - 0.04), (y[0] + 0.04, y[1] - 0.04), (z - 0.02, z), wood)
-            reach = 0.03 + width
-            b.surface(
-                "shelf",
-                (x[0] + reach, x[1] - reach),
-                (y[0] + reach, y[1] - reach),
-                z,
-                round(low - 0.055 - z - 0.005, 4),
-            )
+            style = d.pick("legs", ["square", "tapered"] if kind == "shelf" else ["turned", "square"])
+            legs(d, under.inset(x=0.025, y=0.025), look, style, width)
+            _shelf(d, under.inset(x=0.045, y=0.045), top, 0.1 if style == "turned" else 0.13, width - 0.01, low - 0.055)
 
 
 @draws("nightstand")
-def nightstand(b: Builder) -> None:
-    """Two drawers on legs, a drawer over an open niche, or a drawer over a shelf between four legs."""
-    d, w, h = b.size
-    kind = b.pick("kind", ["two drawers", "niche", "table", "three drawers"])
-    style = b.pick("pull style", ["knob", "bar", "cup"])
-    x, y = (-d / 2, d / 2 - proud(style) + 0.004), (-w / 2, w / 2)
-    wood = b.material("body", *WOODS, *PAINTS)
-    front = b.material("fronts", *WOODS, "white paint") if b.chance("two tone", 0.3) else wood
-    pull = b.material("pulls", "brass", "black steel", "brushed steel")
-    legs = b.material("legs", "brass", "black steel", "oak", "walnut") if b.chance("other legs", 0.4) else wood
-    leg = b.pick("leg style", ["tapered", "splayed", "round"])
-    t = 0.02
-    low = h - t
-    with b.solid("top"):
-        tabletop(b, rounded(x, y, b.pick("corner", [0.006, 0.02]), 3), (low, h), wood)
-    body, face = (x[0] + 0.01, x[1] - 0.023), x[1] - 0.004
-    ys = (y[0] + 0.01, y[1] - 0.01)
-    if kind in ("two drawers", "three drawers"):
-        rise = 0.15 if kind == "two drawers" else 0.06
-        count = 2 if kind == "two drawers" else 3
-        with b.solid("all"):
-            b.box(body, ys, (rise, low), wood)
-            if kind == "two drawers":
-                corner_legs(b, (x[0] + 0.02, x[1] - 0.03), (y[0] + 0.02, y[1] - 0.02), rise, legs, leg, 0.035, "all")
-            else:
-                b.box((body[0], body[1] - 0.02), (ys[0] + 0.015, ys[1] - 0.015), (0, rise), legs)
-            step = (low - rise) / count
-            for k in range(count):
-                at = rise + (count - 1 - k) * step
-                drawer(b, f"drawer-{k}", (body[0] + 0.02, face), ys, (at, at + step), front, pull, style)
+def nightstand(d: Drawing) -> None:
+    """Two or three drawers, a drawer over an open niche, or a drawer over a shelf between four legs."""
+    kind = d.pick("kind", ["two drawers", "niche", "table", "three drawers"])
+    style = d.pick("pull style", ["knob", "bar", "cup"])
+    wood = d.material("body", *WOODS, *PAINTS)
+    fronts = d.material("fronts", *WOODS, "white paint") if d.chance("two tone", 0.3) else wood
+    pull = d.material("pulls", *PULLS)
+    look = d.material("legs", "brass", "black steel", "oak", "walnut") if d.chance("other legs", 0.4) else wood
+    kinds = ["square", "tapered"] if kind == "table" else ["tapered", "splayed", "round"]
+    base = d.pick("leg style", kinds)
+    plate = d.bounds.inset(front=max(0.0, REACH[style] - 0.008)).top(0.02)
+    case = plate.inset(x=0.008, y=0.01).to(z=(0.0, plate.z[0]))
+    with d.part("top"):
+        tabletop(d, plate, wood, d.pick("corner", [0.006, 0.02]))
+    if kind.endswith("drawers"):
+        low = 0.15 if kind == "two drawers" else 0.06
+        with d.part("body"):
+            feet(d, case.bottom(low), look, base if low > 0.1 else "plinth")
+            drawer_case(d, case.inset(bottom=low), wood, fronts, pull, style, 2 if low > 0.1 else 3)
     elif kind == "niche":
-        rise, deep = 0.12, 0.15
-        with b.solid("drawer"):
-            b.box(body, ys, (low - deep, low), wood)
-            drawer(b, "drawer", (body[0] + 0.02, face), ys, (low - deep, low), front, pull, style)
-        with b.solid("floor"):
-            b.box((body[0], face), ys, (rise, rise + 0.018), wood)
-            corner_legs(b, (x[0] + 0.02, x[1] - 0.03), (y[0] + 0.02, y[1] - 0.02), rise, legs, leg, 0.035, "floor")
-        for k, side in enumerate(((ys[0], ys[0] + 0.018), (ys[1] - 0.018, ys[1]))):
-            with b.solid(f"side {k}"):
-                b.box((body[0], face), side, (rise + 0.018, low - deep), wood)
-        with b.solid("back"):
-            b.box((body[0], body[0] + 0.008), (ys[0] + 0.018, ys[1] - 0.018), (rise + 0.018, low - deep), wood, 0.0)
-        b.surface(
-            "shelf",
-            (body[0] + 0.015, face - 0.01),
-            (ys[0] + 0.024, ys[1] - 0.024),
-            rise + 0.018,
-            round(low - deep - rise - 0.023, 4),
-        )
+        low, deep, board = 0.12, 0.15, 0.018
+        with d.part("drawer"):
+            drawer_case(d, case.top(deep), wood, fronts, pull, style)
+        room = case.inset(bottom=low, top=deep)
+        with d.part("floor"):
+            feet(d, case.bottom(low), look, base)
+            d.box(room.bottom(board), wood)
+        room = room.inset(bottom=board)
+        for k, side in enumerate((room.right(board), room.left(board))):
+            with d.part(f"side {k}"):
+                d.box(side, wood)
+        with d.part("back"):
+            d.box(room.inset(y=board).back(0.008), wood, bevel=0.0)
+        inner = room.inset(back=0.015, front=0.01, y=board + 0.006)
+        d.surface("shelf", inner.bottom(0.0), round(room.height - 0.005, 4))
     else:
-        deep, z = 0.13, 0.14
-        with b.solid("top"):
-            b.box(body, ys, (low - deep, low), wood)
-            drawer(b, "drawer", (body[0] + 0.02, face), ys, (low - deep, low - 0.002), front, pull, style)
-        corner_legs(b, (body[0], face), ys, low - deep, legs, b.pick("table legs", ["square", "tapered"]), 0.038)
-        with b.solid("shelf"):
-            b.box((body[0] + 0.012, face - 0.012), (ys[0] + 0.012, ys[1] - 0.012), (z - 0.018, z), wood)
-        b.surface(
-            "shelf",
-            (body[0] + 0.045, face - 0.045),
-            (ys[0] + 0.045, ys[1] - 0.045),
-            z,
-            round(low - deep - z - 0.005, 4),
-        )
+        with d.part("top"):
+            drawer_case(d, case.top(0.13), wood, fronts, pull, style)
+        legs(d, case.inset(top=0.13), look, base, 0.038)
+        _shelf(d, case.inset(x=0.012, y=0.012), wood, 0.14, 0.033, case.z[1] - 0.13, 0.018)
+    d.fit()
 
 
 @draws("side_table")
-def side_table(b: Builder) -> None:
-    """A small table: round on three legs or a disc, a drum, square with a shelf, or a C that reaches over a seat."""
-    d, w, h = b.size
-    kind = b.pick("kind", ["three legs", "disc", "square", "frame", "drum", "tulip"])
+def side_table(d: Drawing) -> None:
+    """A small table: round on three legs or a disc, a drum of slats, or square with a shelf."""
+    kind = d.pick("kind", ["three legs", "disc", "square", "frame", "drum", "tulip"])
+    bounds = d.bounds
     if kind in ("square", "frame"):
-        x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-        top = b.material("top", *WOODS, *(("marble", "glass") if kind == "frame" else PAINTS))
-        legs = b.material("legs", *METALS) if kind == "frame" else top
-        low = h - (0.012 if top.name == "glass" else 0.02)
-        with b.solid("top"):
-            tabletop(b, rounded(x, y, 0.015, 3), (low, h), top)
-            apron(
-                b,
-                (x[0] + 0.012, x[1] - 0.012),
-                (y[0] + 0.012, y[1] - 0.012),
-                (low - (0.018 if kind == "frame" else 0.06), low),
-                legs,
-                thick=0.018,
-            )
-        width = 0.018 if kind == "frame" else 0.036
-        corner_legs(
-            b,
-            (x[0] + 0.012, x[1] - 0.012),
-            (y[0] + 0.012, y[1] - 0.012),
-            low,
-            legs,
-            "square" if kind == "frame" else b.pick("legs", ["tapered", "square", "turned"]),
-            width,
-        )
-        z = 0.15
-        with b.solid("shelf"):
-            b.box((x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), (z - 0.016, z), top)
-        b.surface(
-            "shelf",
-            (x[0] + 0.055, x[1] - 0.055),
-            (y[0] + 0.055, y[1] - 0.055),
-            z,
-            round(low - (0.018 if kind == "frame" else 0.06) - z - 0.005, 4),
-        )
+        slim = kind == "frame"
+        top = d.material("top", *WOODS, *(("marble", "glass") if slim else PAINTS))
+        look = d.material("legs", *METALS) if slim else top
+        plate = bounds.top(0.012 if top.name == "glass" else 0.02)
+        under = bounds.inset(x=0.012, y=0.012).to(z=(0.0, plate.z[0]))
+        deep = 0.018 if slim else 0.06
+        with d.part("top"):
+            tabletop(d, plate, top)
+            apron(d, under.top(deep), look, 0.018)
+        style = "square" if slim else d.pick("legs", ["tapered", "square", "turned"])
+        legs(d, under, look, style, 0.018 if slim else 0.036)
+        _shelf(d, under.inset(x=0.008, y=0.008), top, 0.15, 0.035, plate.z[0] - deep, 0.016)
         return
-    r = min(d, w) / 2
-    top = b.material("top", *WOODS, "white paint", "marble", "dark marble", "teal paint", "black paint")
-    low = h - 0.02
+    radius = min(bounds.size[:2]) / 2
+    top = d.material("top", *WOODS, "white paint", "marble", "dark marble", "teal paint", "black paint")
+    plate = Box.sized(2 * radius, 2 * radius, bounds.height).top(0.02)
+    low = plate.z[0]
     if kind == "drum":
-        metal = b.material("frame", "brass", "black steel", "copper")
-        with b.solid("all"):
-            tabletop(b, ellipse(r, r, 36), (low, h), top)
-            b.frustum(r * 0.97, r * 0.97, (0.0, 0.03), metal, segments=36)
-            count = 28
-            for k in range(count):
-                with b.frame(yaw=2 * math.pi * k / count):
-                    b.box((0.86 * r, 0.94 * r), (-0.012, 0.012), (0.03, low), top, bevel=0.003)
-            b.frustum(r * 0.84, r * 0.84, (0.03, low), top, segments=28)
+        metal = d.material("frame", "brass", "black steel", "copper")
+        with d.part("body"):
+            tabletop(d, plate, top, power=2.0)
+            d.cylinder(Box.sized(1.94 * radius, 1.94 * radius, 0.03), metal, segments=36)
+            d.cylinder(Box.sized(1.68 * radius, 1.68 * radius, low - 0.03, (0, 0, 0.03)), top, segments=28)
+            with d.ring(28, 0.9 * radius):
+                d.box(Box.sized(0.08 * radius, 0.024, low - 0.03, (0, 0, 0.03)), top)
         return
-    with b.solid("top"):
-        tabletop(b, ellipse(r, r, 36), (low, h), top, edge=b.pick("edge", ["soft", "knife"]))
+    with d.part("top"):
+        tabletop(d, plate, top, power=2.0, edge=d.pick("edge", ["soft", "knife"]))
     if kind == "three legs":
-        legs = b.material("legs", "brass", "black steel", "oak", "walnut", "white paint")
-        steel = legs.name in ("brass", "black steel")
-        for k in range(3):
-            a = math.pi / 3 + k * 2 * math.pi / 3
-            c, s = math.cos(a), math.sin(a)
-            with b.solid(f"leg {k}"):
-                foot, head = (0.86 * r * c, 0.86 * r * s, 0.0), (0.5 * r * c, 0.5 * r * s, low)
-                b.hull(
-                    [
-                        (p[0] + q * math.cos(t), p[1] + q * math.sin(t), p[2])
-                        for t in np.arange(12) * math.pi / 6
-                        for p, q in ((foot, 0.008 if steel else 0.01), (head, 0.009 if steel else 0.018))
-                    ],
-                    legs,
-                )
-        with b.solid("top"):
-            b.frustum(0.6 * r, 0.6 * r, (low - 0.012, low), legs, segments=28)
+        look = d.material("legs", "brass", "black steel", "oak", "walnut", "white paint")
+        thin = look.name in ("brass", "black steel")
+        with d.part("top"):
+            d.cylinder(plate.place(1.2 * radius, 1.2 * radius).bottom(-0.012), look, segments=28)
+        with d.ring(3, 0.0, math.pi / 3), d.part("leg"):
+            low_width, high_width = (0.016, 0.018) if thin else (0.02, 0.036)
+            leg(d, (0.86 * radius, 0, 0), (0.5 * radius, 0, low), low_width, high_width, look)
     else:
-        foot = b.material("foot", *METALS) if kind == "disc" else b.material("foot", "white paint", "black paint")
-        pedestal(b, low, 0.7 * r, foot, kind, slim=0.55)
+        finishes = METALS if kind == "disc" else ("white paint", "black paint")
+        pedestal(d, low, 0.7 * radius, d.material("foot", *finishes), kind, slim=0.55)
 
 
 @draws("tv_stand")
-def tv_stand(b: Builder) -> None:
+def tv_stand(d: Drawing) -> None:
     """A long low cabinet: doors or drawers at both ends, open shelves for players in the middle."""
-    d, w, h = b.size
-    wood = b.material("body", *WOODS, "white paint", "black paint", "light grey paint")
-    front = (
-        b.material("fronts", "white paint", "light grey paint", "oak", "walnut", "rattan")
-        if b.chance("two tone", 0.5)
-        else wood
-    )
-    pull = b.material("pulls", "black steel", "brass", "brushed steel")
-    drawers = b.chance("drawers", 0.4)
-    style = b.pick("pull style", ["bar", "knob", "cup"] if drawers else ["knob", "none"])
-    feet = b.pick("feet", ["tapered", "splayed", "plinth", "sled"])
-    x, y = (-d / 2, d / 2 - proud(style)), (-w / 2, w / 2)
-    rise = {"plinth": 0.05, "sled": 0.12}.get(feet, b.uniform("rise", 0.11, 0.16))
-    t = 0.022
-    face = x[1]
-    with b.solid("base"):
-        b.box((x[0], face), y, (rise, rise + t), wood)
-        if feet == "plinth":
-            b.box((x[0] + 0.01, face - 0.05), (y[0] + 0.02, y[1] - 0.02), (0, rise), wood)
-        elif feet == "sled":
-            metal = b.material("legs", "black steel", "brass", "white steel")
-            for s in (-1, 1):
-                end_frame(b, s * (w / 2 - 0.14), (x[0] + 0.03, face - 0.04), rise, metal, "loop", 0.022)
+    wood = d.material("body", *WOODS, "white paint", "black paint", "light grey paint")
+    looks = ("white paint", "light grey paint", "oak", "walnut", "rattan")
+    fronts = d.material("fronts", *looks) if d.chance("two tone", 0.5) else wood
+    pull, drawn = d.material("pulls", *PULLS), d.chance("drawers", 0.4)
+    style = d.pick("pull style", ["bar", "knob", "cup"] if drawn else ["knob", "none"])
+    base = d.pick("feet", ["tapered", "splayed", "plinth", "sled"])
+    low = {"plinth": 0.05, "sled": 0.12}.get(base, d.uniform("rise", 0.11, 0.16))
+    board, case = 0.022, d.bounds.inset(front=REACH[style])
+    with d.part("base"):
+        d.box(case.inset(bottom=low).bottom(board), wood)
+        if base == "sled":
+            metal, at = d.material("legs", "black steel", "brass", "white steel"), case.y[1] - 0.14
+            with d.mirror("y"):
+                end_frame(d, case.bottom(low).inset(x=0.03).to(y=(at - 0.011, at + 0.011)), metal, "loop")
         else:
-            legs = b.material("legs", "oak", "walnut", "black steel", "brass") if b.chance("other legs", 0.5) else wood
-            corner_legs(b, (x[0] + 0.03, face - 0.04), (y[0] + 0.06, y[1] - 0.06), rise, legs, feet, 0.042, "base")
-    with b.solid("top"):
-        b.box((x[0], face), y, (h - t, h), wood)
-    b.surface("top", (x[0] + 0.01, face - 0.01), (y[0] + 0.01, y[1] - 0.01), h)
-    z = (rise + t, h - t)
-    share = b.uniform("side share", 0.27, 0.36)
-    inner = (y[0] + share * w, y[1] - share * w)
-    for name, ys in (("right", (y[0], inner[0])), ("left", (inner[1], y[1]))):
-        with b.solid(name):
-            b.box((x[0], face - 0.0205), ys, z, wood, bevel=0.001)
-            if drawers:
-                half = (z[0] + z[1]) / 2
-                drawer(b, f"{name}-upper", (x[0] + 0.03, face), ys, (half, z[1]), front, pull, style)
-                drawer(b, f"{name}-lower", (x[0] + 0.03, face), ys, (z[0], half), front, pull, style)
+            other = base != "plinth" and d.chance("other legs", 0.5)
+            look = d.material("legs", "oak", "walnut", "black steel", "brass") if other else wood
+            feet(d, case.bottom(low).inset(y=0.03), look, base)
+    with d.part("top"):
+        d.box(case.top(board), wood)
+    d.surface("top", case, inset=0.01)
+    room = case.inset(bottom=low + board, top=board)
+    share = d.uniform("side share", 0.27, 0.36)
+    right, middle, left = room.columns([share, 1 - 2 * share, share])
+    sides: tuple[tuple[Literal["left", "right"], Box], ...] = (("right", right), ("left", left))
+    for name, cell in sides:
+        with d.part(name):
+            inner = carcass(d, cell.inset(front=0.019), wood, 0.012)
+            if drawn:
+                drawers(d, cell.inset(back=0.006), 2, fronts, pull, style, 1, f"{name}-drawer", overlay=0.012)
             else:
-                door(
-                    b,
-                    f"{name}-door",
-                    (face - 0.02, face),
-                    ys,
-                    z,
-                    front,
-                    pull,
-                    hung="right" if name == "right" else "left",
-                    style=style,
-                )
-    with b.solid("back"):
-        b.box((x[0], x[0] + 0.01), inner, z, wood, bevel=0.0)
-    middle = (z[0] + z[1]) / 2 + b.uniform("shelf", -0.02, 0.03)
-    shelf = z[1] - z[0] > 0.24
-    levels = [z[0]]
-    if shelf:
-        levels.append(middle)
-        with b.solid("shelf"):
-            b.box((x[0] + 0.01, face - 0.02), inner, (middle - 0.016, middle), wood)
+                d.box(inner.inset(front=0.03).place(height=0.012), wood, bevel=0.0)
+                door(d, f"{name}-door", cell.front(0.018), fronts, pull, name, style)
+    with d.part("back"):
+        d.box(middle.back(0.01), wood, bevel=0.0)
+    open_room = middle.inset(back=0.01, front=0.02)
+    levels = open_room.rows([1.0, d.uniform("shelf", 0.8, 1.2)], gap=0.016) if room.height > 0.24 else [open_room]
     for k, level in enumerate(levels):
-        ceiling = middle - 0.016 if shelf and k == 0 else z[1]
-        b.surface(
-            f"shelf-{k}",
-            (x[0] + 0.02, face - 0.03),
-            (inner[0] + 0.01, inner[1] - 0.01),
-            level,
-            round(ceiling - level - 0.005, 4),
-        )
+        if k:
+            with d.part("shelf"):
+                d.box(level.bottom(-0.016), wood)
+        d.surface(f"shelf-{k}", level.bottom(0.0), round(level.height - 0.005, 4), inset=0.01)
 
 
 @draws("console_table")
-def console_table(b: Builder) -> None:
+def console_table(d: Drawing) -> None:
     """A narrow table along a wall: slim frame, drawers, a shelf below, or a half moon."""
-    d, w, h = b.size
-    kind = b.pick("kind", ["frame", "drawers", "half moon", "cross", "waterfall"])
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    top = b.material("top", *WOODS, *(("marble", "glass") if kind == "frame" else ("white paint", "cream paint")))
-    low = h - (0.012 if top.name == "glass" else 0.024)
+    kind = d.pick("kind", ["frame", "drawers", "half moon", "cross", "waterfall"])
+    bounds, slim = d.bounds, kind == "frame"
+    top = d.material("top", *WOODS, *(("marble", "glass") if slim else ("white paint", "cream paint")))
+    plate = bounds.top(0.012 if top.name == "glass" else 0.024)
+    under = bounds.to(z=(0.0, plate.z[0]))
+    low = under.height
     if kind == "half moon":
-        t = np.linspace(-math.pi / 2, math.pi / 2, 21)
-        plan = np.c_[x[0] + d * np.cos(t), (w / 2) * np.sin(t)]
-        with b.solid("top"):
-            tabletop(b, plan, (low, h), top, edge="soft", inset=0.012)
-            inner = np.c_[x[0] + (d - 0.03) * np.cos(t), (w / 2 - 0.04) * np.sin(t)]
-            b.extrude(inner, (low - 0.1, low), top)
-            drawn = np.c_[x[0] + (d - 0.024) * np.cos(t), (w / 2 - 0.034) * np.sin(t)]
-            b.extrude(drawn, (low - 0.1, low - 0.088), top)
-        for k, a in enumerate((-1.36, -0.55, 0.55, 1.36)):
-            px, py = x[0] + (d - 0.06) * math.cos(a), (w / 2 - 0.075) * math.sin(a)
-            with b.solid(f"leg {k}"), b.frame(max(px, x[0] + 0.03), py):
-                b.frustum(0.011, 0.021, (0, low - 0.1), top, segments=14)
+        _half_moon(d, bounds, low, top)
         return
-    legs = b.material("legs", *METALS) if kind == "frame" else top
-    if kind != "frame" and b.chance("painted", 0.3):
-        legs = b.material("legs", "white paint", "black paint", "sage paint", "navy paint")
-    with b.solid("top"):
-        tabletop(b, rounded(x, y, 0.01, 3), (low, h), top)
-    z = 0.16
+    painted = not slim and d.chance("painted", 0.3)
+    paints = ("white paint", "black paint", "sage paint", "navy paint")
+    look = d.material("legs", *METALS) if slim else d.material("legs", *paints) if painted else top
+    with d.part("top"):
+        tabletop(d, plate, top, 0.01)
     if kind == "waterfall":
-        for k, ys in enumerate(((y[0], y[0] + 0.03), (y[1] - 0.03, y[1]))):
-            with b.solid(f"side {k}"):
-                b.box(x, ys, (0, low), legs)
-        with b.solid("shelf"):
-            b.box((x[0] + 0.02, x[1] - 0.02), (y[0] + 0.03, y[1] - 0.03), (z - 0.022, z), top)
-        b.surface("shelf", (x[0] + 0.03, x[1] - 0.03), (y[0] + 0.045, y[1] - 0.045), z, round(low - z - 0.005, 4))
-        return
-    if kind == "cross":
-        for s in (-1, 1):
-            end_frame(b, s * (w / 2 - 0.07), (x[0] + 0.01, x[1] - 0.01), low, legs, "cross", 0.045)
-        with b.solid("rail"):
-            b.box((-0.02, 0.02), (-w / 2 + 0.09, w / 2 - 0.09), (0.5 * low - 0.03, 0.5 * low + 0.03), legs)
-        return
-    deep = 0.02 if kind == "frame" else 0.13
-    with b.solid("top"):
-        if kind == "frame":
-            apron(b, (x[0] + 0.01, x[1] - 0.01), (y[0] + 0.01, y[1] - 0.01), (low - deep, low), legs, thick=0.02)
-        else:
-            b.box((x[0] + 0.01, x[1] - 0.045), (y[0] + 0.015, y[1] - 0.015), (low - deep, low), legs)
-            pull = b.material("pulls", "brass", "black steel")
-            count = 2 if w < 1.15 else 3
-            step = (w - 0.03) / count
-            for k in range(count):
-                at = y[0] + 0.015 + k * step
-                drawer(
-                    b,
-                    f"drawer-{k}",
-                    (x[0] + 0.03, x[1] - 0.026),
-                    (at, at + step),
-                    (low - deep, low - 0.003),
-                    legs,
-                    pull,
-                    b.pick("pull style", ["knob", "cup"]),
-                )
-    front = x[1] - 0.01 if kind == "frame" else x[1] - 0.03
-    corner_legs(
-        b,
-        (x[0] + 0.01, front),
-        (y[0] + 0.015, y[1] - 0.015),
-        low - deep,
-        legs,
-        "square" if kind == "frame" else b.pick("legs", ["tapered", "turned", "square"]),
-        0.022 if kind == "frame" else 0.045,
-    )
-    if kind == "frame" or b.chance("shelf", 0.6):
-        with b.solid("shelf"):
-            b.box((x[0] + 0.02, front - 0.01), (y[0] + 0.03, y[1] - 0.03), (z - 0.018, z), top)
-        b.surface(
-            "shelf", (x[0] + 0.06, front - 0.055), (y[0] + 0.07, y[1] - 0.07), z, round(low - deep - z - 0.005, 4)
-        )
+        for k, side in enumerate((under.right(0.03), under.left(0.03))):
+            with d.part(f"side {k}"):
+                d.box(side, look)
+        _shelf(d, under.inset(x=0.02, y=0.03), top, 0.16, 0.012, low)
+    elif kind == "cross":
+        at = under.y[1] - 0.07
+        with d.mirror("y"), d.part("end"):
+            end_frame(d, under.inset(x=0.01).to(y=(at - 0.022, at + 0.022)), look, "cross")
+        with d.part("rail"):
+            d.box(under.place(0.04, 2 * at - 0.04, 0.06), look)
+    else:
+        case = under.inset(back=0.01, front=0.01 if slim else 0.026, y=0.01 if slim else 0.015)
+        deep = 0.02 if slim else 0.13
+        with d.part("top"):
+            if slim:
+                apron(d, case.top(deep), look)
+            else:
+                pull, style = d.material("pulls", "brass", "black steel"), d.pick("pull style", ["knob", "cup"])
+                drawer_case(d, case.top(deep), look, look, pull, style, columns=2 if bounds.width < 1.15 else 3)
+        style = "square" if slim else d.pick("legs", ["tapered", "turned", "square"])
+        legs(d, case.inset(top=deep), look, style, 0.022 if slim else 0.045)
+        if slim or d.chance("shelf", 0.6):
+            _shelf(d, case.inset(x=0.01, y=0.015), top, 0.16, 0.04, low - deep, 0.018)
+
+
+def _half_moon(d: Drawing, bounds: Box, low: float, look) -> None:
+    """A console whose front is a half of an ellipse, on four legs."""
+    turn, x = np.linspace(-math.pi / 2, math.pi / 2, 21), bounds.x[0]
+
+    def outline(inset: float) -> np.ndarray:
+        """The plan, drawn in along its curve."""
+        return np.c_[x + (bounds.depth - inset) * np.cos(turn), (bounds.width / 2 - inset) * np.sin(turn)]
+
+    with d.part("top"):
+        d.extrude(outline(0.0), (low, bounds.z[1]), look, bevel=0.004)
+        d.extrude(outline(0.035), (low - 0.1, low), look)
+        d.extrude(outline(0.028), (low - 0.1, low - 0.088), look)
+    d.surface("top", bounds, polygon=outline(0.015)[1:-1] + (0.005, 0.0))
+    for angle in (-1.36, -0.55, 0.55, 1.36):
+        at = max(x + (bounds.depth - 0.06) * math.cos(angle), x + 0.03), (bounds.width / 2 - 0.075) * math.sin(angle)
+        d.cylinder(Box.sized(0.042, 0.042, low - 0.1, (*at, 0.0)), look, ends=(0.52, 1.0), segments=14)

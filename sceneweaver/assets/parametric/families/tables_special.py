@@ -1,4 +1,4 @@
-"""Tables for children, plants and babies."""
+"""Round and nesting tables, and those for children, plants and babies."""
 
 from __future__ import annotations
 
@@ -6,366 +6,235 @@ import math
 
 import numpy as np
 
-from ... import shapes
-from ..builder import Builder
-from ..joinery import door, drawer
-from ..registry import draws
-from .tables_parts import apron, cone_leg, corner_legs, ellipse, pedestal, proud, rounded, tabletop
+from ...drawing import Box, Drawing, draws
+from ...drawing.components import REACH, carcass, doors, drawer, feet, leg, legs, oval
+from .tables_parts import apron, drawer_case, pedestal, tabletop
 
 WOODS = ("oak", "light oak", "walnut", "beech", "cherry", "ash grey wood", "pine")
-PAINTS = ("white paint", "cream paint", "sage paint", "light grey paint")
 
 
 @draws("round_coffee_table")
-def round_coffee_table(b: Builder) -> None:
-    """A low round top on splayed legs, a drum of slats, a steel basket, or two discs on posts with a shelf."""
-    d, w, h = b.size
-    r = min(d, w) / 2
-    kind = b.pick("kind", ["splayed", "drum", "wire", "shelf", "cross"])
+def round_coffee_table(d: Drawing) -> None:
+    """A low round top on splayed legs, a drum of slats, a steel basket, a column, or posts with a shelf."""
+    kind = d.pick("kind", ["splayed", "drum", "wire", "shelf", "cross"])
     tops = {"wire": ("marble", "oak", "glass", "walnut"), "cross": ("marble", "oak", "dark marble")}
-    top = b.material("top", *tops.get(kind, (*WOODS, "white paint", "black paint")))
-    low = h - (0.014 if top.name == "glass" else 0.026)
-    plan = ellipse(r, r, 48)
-    with b.solid("all" if kind in ("drum", "wire") else "top"):
-        tabletop(b, plan, (low, h), top, edge="soft" if top.name == "glass" else b.pick("edge", ["soft", "knife"]))
+    top = d.material("top", *tops.get(kind, (*WOODS, "white paint", "black paint")))
+    wide, height = min(d.size[:2]), d.size.height
+    glass, radius = top.name == "glass", wide / 2
+    plate = Box.sized(wide, wide, height).top(0.014 if glass else 0.026)
+    low = plate.z[0]
+    with d.part("body" if kind in ("drum", "wire") else "top"):
+        tabletop(d, plate, top, power=2.0, edge="soft" if glass else d.pick("edge", ["soft", "knife"]))
+        if kind == "splayed":
+            d.cylinder(plate.place(0.62 * wide, 0.62 * wide).bottom(-0.035), top, segments=32)
+        elif kind == "drum":
+            d.cylinder(Box.sized(0.79 * wide, 0.79 * wide, low), top, segments=36)
+            with d.ring(36, 0.83 * radius):
+                d.box(Box.sized(0.06 * radius, 0.116 * radius, low - 0.02, (0, 0, 0.02)), top, bevel=0.004)
+        elif kind == "wire":
+            metal, foot = d.material("legs", "black steel", "brass", "copper", "white steel"), 0.62 * radius
+            for size, z in ((0.62 * wide, 0.006), (0.9 * wide, low - 0.006)):
+                d.hoop(Box.around((0.0, 0.0, z), size, size, 0.0), 0.006, metal, steps=18)
+            with d.ring(12), d.mirror("y"):
+                head = (0.9 * radius * math.cos(0.35), 0.9 * radius * math.sin(0.35), low - 0.003)
+                d.bar((foot, 0, 0.006), head, 0.004, metal, 5)
     if kind == "splayed":
-        with b.solid("top"):
-            b.frustum(0.62 * r, 0.62 * r, (low - 0.035, low), top, segments=32)
-        corner_legs(
-            b,
-            (-0.66 * r, 0.66 * r),
-            (-0.66 * r, 0.66 * r),
-            low,
-            top,
-            "splayed",
-            0.044,
-            cap=b.pick("cap", [None, "brass", "white paint"]),
-        )
-    elif kind == "drum":
-        with b.solid("all"):
-            count = 36
-            for k in range(count):
-                with b.frame(yaw=2 * math.pi * k / count):
-                    b.box((0.8 * r, 0.86 * r), (-0.026 * r / 0.45, 0.026 * r / 0.45), (0.02, low), top, bevel=0.004)
-            b.frustum(0.79 * r, 0.79 * r, (0.0, low), top, segments=36)
-    elif kind == "wire":
-        metal = b.material("legs", "black steel", "brass", "copper", "white steel")
-        with b.solid("all"):
-            turn = np.arange(18) * (2 * math.pi / 18)
-            for radius, z in ((0.62 * r, 0.006), (0.9 * r, low - 0.006)):
-                ring = np.c_[radius * np.cos(turn), radius * np.sin(turn), np.full(18, z)]
-                b.tube(ring, 0.006, metal, 6, closed=True)
-            for k in range(12):
-                for s in (-1, 1):
-                    a, c = k * math.pi / 6, k * math.pi / 6 + s * 0.35
-                    b.bar(
-                        (0.62 * r * math.cos(a), 0.62 * r * math.sin(a), 0.006),
-                        (0.9 * r * math.cos(c), 0.9 * r * math.sin(c), low - 0.003),
-                        0.004,
-                        metal,
-                        segments=5,
-                    )
+        legs(d, Box.sized(0.66 * wide, 0.66 * wide, low), top, "splayed", 0.044, 0.14 * low)
     elif kind == "shelf":
-        z = 0.12
-        with b.solid("shelf"):
-            b.extrude(plan * 0.86, (z - 0.02, z), top, bevel=0.004)
-        for k in range(4):
-            a = math.pi / 4 + k * math.pi / 2
-            with b.solid(f"leg {k}"):
-                b.bar(
-                    (0.8 * r * math.cos(a), 0.8 * r * math.sin(a), 0),
-                    (0.8 * r * math.cos(a), 0.8 * r * math.sin(a), low),
-                    0.018,
-                    top,
-                    segments=14,
-                )
-        b.surface("shelf", (-0.5 * r, 0.5 * r), (-0.5 * r, 0.5 * r), z, round(low - z - 0.005, 4))
-    else:
-        pedestal(b, low, 0.7 * r, b.material("foot", "black steel", "brass", "oak"), "drum")
+        shelf = Box.sized(0.86 * wide, 0.86 * wide, 0.02, (0, 0, 0.1))
+        with d.part("shelf"):
+            d.cylinder(shelf, top, bevel=0.004, segments=40)
+        with d.ring(4, 0.8 * radius, math.pi / 4), d.part("leg"):
+            d.cylinder(Box.sized(0.036, 0.036, low), top, segments=14)
+        d.surface("shelf", shelf.place(radius, radius), round(low - 0.125, 4))
+    elif kind == "cross":
+        pedestal(d, low, 0.7 * radius, d.material("foot", "black steel", "brass", "oak"), "drum")
 
 
 @draws("nesting_tables")
-def nesting_tables(b: Builder) -> None:
-    """Two or three tables of one form, the smaller ones drawn out from under the largest."""
-    d, w, h = b.size
-    round_tops = b.chance("round", 0.5)
-    top = b.material("top", "oak", "walnut", "marble", "white paint", "light oak", "glass")
-    metal = b.material("legs", "brass", "black steel", "oak", "white steel")
-    bar = 0.03 if metal.name == "oak" else 0.018
-    big = min(d, 0.74 * w)
-    small = big * 0.78
-    if round_tops:
-        big = d
-        small = max(0.62 * big, min(0.78 * big, w - 0.5 * big))
-    for name, size, at, high in (("large", big, -w / 2, h), ("small", small, w / 2 - small, h - 0.09)):
-        r = size / 2
-        low = high - (0.012 if top.name == "glass" else 0.02)
-        with b.frame(0, at + r):
-            with b.solid(name):
-                if round_tops:
-                    tabletop(b, ellipse(r, r, 40), (low, high), top, name=None)
-                else:
-                    deep = d / 2 if name == "large" else 0.4 * d
-                    tabletop(b, rounded((-deep, deep), (-r, r), 0.015, 3), (low, high), top, name=None)
-            if name == "large":
-                if round_tops:
-                    b.surface("top", (0, 0), (0, 0), high, polygon=ellipse(r - 0.012, r - 0.012, 20))
-                else:
-                    b.surface("top", (-d / 2 + 0.01, d / 2 - 0.01), (-r + 0.01, r - 0.01), high)
-            if round_tops:
-                for k in range(3):
-                    a = math.pi + k * 2 * math.pi / 3
-                    px, py = 0.82 * r * math.cos(a), 0.82 * r * math.sin(a)
-                    with b.solid(f"{name} leg {k}"):
-                        cone_leg(b, (px, py, 0), (px * 0.9, py * 0.9, low), bar * 0.4, bar * 0.5, metal, 10)
-            else:
-                deep = d / 2 if name == "large" else 0.4 * d
-                for k, px in enumerate((-deep + bar, deep - bar)):
-                    with b.solid(f"{name} side {k}"):
-                        xs = (px - bar / 2, px + bar / 2)
-                        b.box(xs, (-r + 0.01, -r + 0.01 + bar), (0, low), metal)
-                        b.box(xs, (r - 0.01 - bar, r - 0.01), (0, low), metal)
-                        b.box(xs, (-r + 0.01 + bar, r - 0.01 - bar), (low - bar, low), metal)
-                        if name == "large":
-                            continue
-                        b.box(xs, (-r + 0.01 + bar, r - 0.01 - bar), (0, bar), metal)
+def nesting_tables(d: Drawing) -> None:
+    """Two tables of one form, the smaller one drawn out from under the larger."""
+    round_tops = d.chance("round", 0.5)
+    top = d.material("top", "oak", "walnut", "marble", "white paint", "light oak", "glass")
+    metal = d.material("legs", "brass", "black steel", "oak", "white steel")
+    bar, bounds = 0.03 if metal.name == "oak" else 0.018, d.bounds
+    depth, width, _ = bounds.size
+    big = depth if round_tops else min(depth, 0.74 * width)
+    small = max(0.62 * big, min(0.78 * big, width - 0.5 * big)) if round_tops else 0.78 * big
+    larger, smaller = bounds.right(big), bounds.left(small).inset(top=0.09)
+    smaller = smaller.place(depth=small if round_tops else 0.8 * depth)
+    for name, own in (("large", larger), ("small", smaller)):
+        plate = own.top(0.012 if top.name == "glass" else 0.02)
+        under = own.to(z=(0.0, plate.z[0]))
+        with d.part(name):
+            tabletop(d, plate, top, 0.015, 2.0 if round_tops else None, name="top" if name == "large" else None)
+        if round_tops:
+            with d.at(*plate.center[:2], 0.0), d.ring(3, 0.0, math.pi), d.part(f"{name} leg"):
+                foot = 0.41 * own.width
+                leg(d, (foot, 0, 0), (0.9 * foot, 0, under.height), 0.8 * bar, bar, metal)
+            continue
+        inner = under.inset(x=bar / 2, y=0.01)
+        for k, side in enumerate((inner.back(bar), inner.front(bar))):
+            with d.part(f"{name} side {k}"):
+                for post in (side.left(bar), side.right(bar)):
+                    d.box(post, metal)
+                for rail in (side.top(bar), side.bottom(bar))[: 1 if name == "large" else 2]:
+                    d.box(rail.inset(y=bar), metal)
 
 
 @draws("kids_table")
-def kids_table(b: Builder) -> None:
-    """A low table for small children with round corners, thick legs in bright colours, and a rail for a paper roll."""
-    d, w, h = b.size
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    top = b.material("top", "white paint", "birch", "beech", "light oak", "yellow paint", "blue paint")
+def kids_table(d: Drawing) -> None:
+    """A low table for small children with round corners and thick legs in bright colours."""
+    top = d.material("top", "white paint", "birch", "beech", "light oak", "yellow paint", "blue paint")
     bright = ("red paint", "blue paint", "yellow paint", "green paint", "teal paint")
-    low = h - 0.022
-    kind = b.pick("kind", ["pegs", "square", "splayed"])
-    with b.solid("top"):
-        tabletop(b, rounded(x, y, b.pick("corner", [0.06, 0.12]), 6), (low, h), top)
-        apron(b, (x[0] + 0.06, x[1] - 0.06), (y[0] + 0.06, y[1] - 0.06), (low - 0.05, low), top)
-    legs = b.material("legs", *bright, "birch")
-    several = b.chance("several colours", 0.5)
+    kind, several, look = d.pick("kind", ["pegs", "square", "splayed"]), d.chance("several colours", 0.5), None
+    look = d.material("legs", *bright, "birch")
+    plate, under = d.bounds.top(0.022), d.bounds.inset(top=0.022)
+    with d.part("top"):
+        tabletop(d, plate, top, d.pick("corner", [0.06, 0.12]))
+        apron(d, under.inset(x=0.06, y=0.06).top(0.05), top)
+    out = 0.035 if kind == "splayed" else 0.0
     for k, (sx, sy) in enumerate(((-1, -1), (-1, 1), (1, -1), (1, 1))):
-        look = b.material(f"leg {k}", bright[k]) if several else legs
-        px, py = sx * (d / 2 - 0.07), sy * (w / 2 - 0.07)
-        with b.solid(f"leg {k}"):
+        own = d.material(f"leg {k}", bright[k]) if several else look
+        x, y = sx * (under.x[1] - 0.07), sy * (under.y[1] - 0.07)
+        with d.part(f"leg {k}"):
             if kind == "square":
-                b.box((px - 0.026, px + 0.026), (py - 0.026, py + 0.026), (0, low), look, bevel=0.008)
+                d.box(Box.sized(0.052, 0.052, under.height, (x, y, 0.0)), own, bevel=0.008)
             else:
-                out = 0.035 if kind == "splayed" else 0.0
-                cone_leg(b, (px + sx * out, py + sy * out, 0), (px, py, low), 0.022, 0.03, look, 16)
-    b.clear(x, (y[0] + 0.13, y[1] - 0.13), (0, 0.36))
+                leg(d, (x + sx * out, y + sy * out, 0), (x, y, under.height), 0.044, 0.06, own, 16)
+    d.clear(d.bounds.inset(y=0.13).to(z=(0.0, 0.36)))
 
 
 @draws("train_table")
-def train_table(b: Builder) -> None:
-    """A low table with a rim, a painted landscape, an oval of wooden track with a bridge, trees, houses and a train."""
-    d, w, h = b.size
-    x, y = (-d / 2, d / 2), (-w / 2, w / 2)
-    wood = b.material("frame", "pine", "beech", "birch", "white paint", "light oak")
-    floor, rim = h - 0.11, h - 0.075
-    with b.solid("top"):
-        b.box((x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), (floor - 0.02, floor), "green paint", bevel=0.0)
-        apron(b, x, y, (floor - 0.08, rim), wood)
-        b.extrude(ellipse(0.16 * d, 0.13 * w, 24) + (0.06 * d, 0.12 * w), (floor - 0.001, floor + 0.001), "blue paint")
-        a, c, n = 0.36 * d, 0.38 * w, 28
-        ring = np.c_[ellipse(a, c, n, 2.6), np.full(n, floor + 0.006)]
-        b.tube(ring, np.array([(-0.02, -0.006), (0.02, -0.006), (0.02, 0.006), (-0.02, 0.006)]), "beech", closed=True)
-        tr = np.c_[ellipse(a, c, n, 2.6), np.full(n, floor + 0.013)]
-        for k in range(0, n, 2):
-            sleeper = shapes.box(
-                (tr[k, 0] - 0.005, tr[k, 0] + 0.005),
-                (tr[k, 1] - 0.005, tr[k, 1] + 0.005),
-                (floor + 0.01, floor + 0.0124),
-            )
-            b.add(sleeper, "walnut", hulls=[])
-        for k in range(4):
-            at = -0.12 + 0.068 * k
-            look = ("red paint", "yellow paint", "blue paint", "green paint")[k]
-            px = -a
-            car = shapes.box((px - 0.017, px + 0.017), (at - 0.028, at + 0.028), (floor + 0.018, floor + 0.045), 0.004)
-            room = shapes.box((px - 0.02, px + 0.02), (at - 0.028, at + 0.028), (floor + 0.012, floor + 0.045))
-            b.add(car, look, hulls=[room])
-            for s in (-1, 1):
-                wheel = shapes.box(
-                    (px - 0.02, px + 0.02),
-                    (at + s * 0.017 - 0.007, at + s * 0.017 + 0.007),
-                    (floor + 0.012, floor + 0.024),
-                    0.003,
-                )
-                b.add(wheel, "black plastic", hulls=[])
+def train_table(d: Drawing) -> None:
+    """A low table with a rim, a painted landscape, an oval of wooden track, trees, houses and a train."""
+    wood = d.material("frame", "pine", "beech", "birch", "white paint", "light oak")
+    bounds = d.bounds
+    depth, width, _ = bounds.size
+    floor = bounds.z[1] - 0.11
+    land = bounds.inset(x=0.02, y=0.02).to(z=(floor - 0.02, floor))
+    with d.part("top"):
+        d.box(land, "green paint", bevel=0.0)
+        apron(d, bounds.to(z=(floor - 0.08, floor + 0.035)), wood)
+        lake = land.place(0.32 * depth, 0.26 * width).move(0.06 * depth, 0.12 * width)
+        d.cylinder(lake.top(0.001).move(z=0.001), "blue paint")
+        track = oval(land.place(0.72 * depth, 0.76 * width), floor + 0.006, 2.6, count=28)
+        d.sweep(track, np.array([(-0.02, -0.006), (0.02, -0.006), (0.02, 0.006), (-0.02, 0.006)]), "beech", closed=True)
+        with d.no_colliders():
+            for x, y, z in track[::2].tolist():
+                d.box(Box.around((x, y, z + 0.005), 0.012, 0.012, 0.0026), "walnut", bevel=0.0)
+        for k, look in enumerate(("red paint", "yellow paint", "blue paint", "green paint")):
+            x, y = -0.36 * depth, 0.068 * k - 0.12
+            car = d.box(Box.sized(0.034, 0.056, 0.027, (x, y, floor + 0.018)), look, bevel=0.004)
+            with d.at(x, y, floor + 0.018), d.mirror("x", "y"):
+                d.cylinder(Box((0.012, 0.019), (0.01, 0.024), (-0.006, 0.008)), "black plastic", "x", segments=10)
             if k == 3:
-                with b.frame(px, at + 0.012):
-                    b.frustum(0.008, 0.01, (floor + 0.045, floor + 0.066), "black plastic", segments=10)
-                b.box((px - 0.016, px + 0.016), (at - 0.027, at - 0.006), (floor + 0.045, floor + 0.065), "blue paint")
-    for k in range(7):
-        px, py = b.uniform(f"tree x {k}", -0.24, 0.24) * d, b.uniform(f"tree y {k}", -0.26, 0.0) * w
-        with b.solid("trees"), b.frame(px, py, floor):
-            b.frustum(0.006, 0.006, (0, 0.03), "bark", segments=8)
-            high = b.uniform(f"tree {k}", 0.07, 0.1)
-            b.frustum(0.03, 0.004, (0.025, high), "dark leaf", segments=12)
-    for k, (px, py, roof) in enumerate(((-0.16, 0.17, "red paint"), (-0.02, 0.27, "blue paint"))):
-        with b.solid("houses"), b.frame(px * d, py * w, floor, yaw=0.3 * k):
-            b.box((-0.03, 0.03), (-0.035, 0.035), (0, 0.05), "cream paint", bevel=0.0)
-            b.hull(
-                [(px2, py2, 0.05) for px2 in (-0.036, 0.036) for py2 in (-0.041, 0.041)]
-                + [(0, -0.041, 0.09), (0, 0.041, 0.09)],
-                roof,
-            )
-    with b.solid("trees"), b.frame(-0.1 * d, -0.05 * w, floor):
-        b.frustum(0.007, 0.007, (0, 0.03), "bark", segments=8)
-        b.frustum(0.034, 0.003, (0.025, 0.11), "leaf", segments=12)
-    corner_legs(b, (x[0] + 0.02, x[1] - 0.02), (y[0] + 0.02, y[1] - 0.02), floor - 0.02, wood, "square", 0.06)
+                d.cylinder(
+                    Box.sized(0.02, 0.02, 0.021, car.move(y=0.012).anchor("top")), "black plastic", ends=(0.8, 1.0)
+                )
+                d.box(car.inset(x=0.001, y=0.001).right(0.021).top(-0.02), "blue paint")
+    with d.part("trees"):
+        for k in range(8):
+            x, y = d.uniform(f"tree x {k}", -0.24, 0.24) * depth, d.uniform(f"tree y {k}", -0.26, 0.0) * width
+            with d.at(x, y, floor):
+                d.cylinder(Box.sized(0.012, 0.012, 0.03), "bark", segments=8)
+                crown = Box.sized(0.06, 0.06, d.uniform(f"tree {k}", 0.05, 0.08), (0, 0, 0.025))
+                d.cylinder(crown, "leaf" if k % 3 == 2 else "dark leaf", ends=(1.0, 0.13), segments=12)
+    with d.part("houses"):
+        for k, (x, y, roof) in enumerate(((-0.16, 0.17, "red paint"), (-0.02, 0.27, "blue paint"))):
+            with d.at(x * depth, y * width, floor, yaw=0.3 * k):
+                house = d.box(Box.sized(0.06, 0.07, 0.05), "cream paint", bevel=0.0)
+                eaves = house.inset(x=-0.006, y=-0.006).top(0.0)
+                ridge = [(0.0, y, 0.09) for y in eaves.y]
+                d.hull([(x, y, 0.05) for x in eaves.x for y in eaves.y] + ridge, roof)
+    legs(d, bounds.inset(x=0.02, y=0.02).to(z=(0.0, floor - 0.02)), wood, "square", 0.06)
 
 
 @draws("plant_stand")
-def plant_stand(b: Builder) -> None:
-    """A small round top on three slim legs, a tripod with a ring, or a turned column."""
-    d, w, h = b.size
-    r = min(d, w) / 2
-    kind = b.pick("kind", ["legs", "column", "wire", "two tiers"])
-    top = b.material("top", *WOODS, "white paint", "black steel", "brass", "rattan")
-    low = h - 0.02
-    with b.solid("top"):
-        tabletop(b, ellipse(r, r, 36), (low, h), top)
+def plant_stand(d: Drawing) -> None:
+    """A small round top on three slim legs with a ring or a shelf, or on a turned column."""
+    kind = d.pick("kind", ["legs", "column", "wire", "two tiers"])
+    top = d.material("top", *WOODS, "white paint", "black steel", "brass", "rattan")
+    wide, height = min(d.size[:2]), d.size.height
+    plate, radius = Box.sized(wide, wide, height).top(0.02), wide / 2
+    low = plate.z[0]
+    with d.part("top"):
+        tabletop(d, plate, top, power=2.0)
     if kind == "column":
-        with b.solid("foot"):
-            b.lathe(
-                [
-                    (r * 0.9, 0.0),
-                    (r * 0.9, 0.015),
-                    (r * 0.84, 0.025),
-                    (r * 0.5, 0.035),
-                    (0.032, 0.06),
-                    (0.02, 0.1),
-                    (0.03, 0.108),
-                    (0.03, 0.118),
-                    (0.018, 0.13),
-                    (0.016, 0.36 * h),
-                    (0.024, 0.44 * h),
-                    (0.033, 0.52 * h),
-                    (0.035, 0.57 * h),
-                    (0.03, 0.62 * h),
-                    (0.017, 0.68 * h),
-                    (0.028, 0.69 * h),
-                    (0.028, 0.705 * h),
-                    (0.017, 0.72 * h),
-                    (0.019, 0.86 * h),
-                    (0.04, low - 0.015),
-                    (r * 0.55, low - 0.006),
-                    (r * 0.55, low),
-                ],
-                top,
-                segments=24,
-            )
+        foot = [(0.9 * radius, 0.0), (0.9 * radius, 0.015), (0.84 * radius, 0.025), (0.5 * radius, 0.035)]
+        foot += [(0.032, 0.06), (0.02, 0.1), (0.03, 0.108), (0.03, 0.118), (0.018, 0.13)]
+        shaft = ((0.016, 0.36), (0.024, 0.44), (0.033, 0.52), (0.035, 0.57), (0.03, 0.62), (0.017, 0.68))
+        rings = ((0.028, 0.69), (0.028, 0.705), (0.017, 0.72), (0.019, 0.86))
+        head = [(0.04, low - 0.015), (0.55 * radius, low - 0.006), (0.55 * radius, low)]
+        with d.part("foot"):
+            d.revolve([*foot, *((r, z * height) for r, z in (*shaft, *rings)), *head], top)
         return
-    plain = top.name in ("black steel", "brass", "white paint") or b.chance("plain", 0.33)
-    metal = top if plain else b.material("legs", "black steel", "brass")
-    count = 3 if kind != "two tiers" else 4
-    for k in range(count):
-        a = math.pi / count + k * 2 * math.pi / count
-        c, s = math.cos(a), math.sin(a)
-        foot, head = (0.93 if kind != "two tiers" else 0.82) * r, (0.62 if kind != "two tiers" else 0.82) * r
-        with b.solid(f"leg {k}"):
-            cone_leg(b, (foot * c, foot * s, 0), (head * c, head * s, low), 0.008, 0.011, metal, 10)
-    z = 0.3 * h if kind == "two tiers" else 0.45 * h
-    at = 0.82 * r if kind == "two tiers" else (0.93 - 0.31 * z / low) * r
-    with b.solid("middle"):
+    plain = top.name in ("black steel", "brass", "white paint") or d.chance("plain", 0.33)
+    metal = top if plain else d.material("legs", "black steel", "brass")
+    tiers = kind == "two tiers"
+    count, foot, head = (4, 0.82, 0.82) if tiers else (3, 0.93, 0.62)
+    with d.ring(count, 0.0, math.pi / count), d.part("leg"):
+        leg(d, (foot * radius, 0, 0), (head * radius, 0, low), 0.016, 0.022, metal)
+    z = 0.3 * height if tiers else 0.45 * height
+    at = (foot + (head - foot) * z / low) * wide
+    with d.part("middle"):
         if kind == "wire":
-            turn = np.arange(24) * (math.pi / 12)
-            b.tube(np.c_[at * np.cos(turn), at * np.sin(turn), np.full(24, z)], 0.006, metal, 6, closed=True)
+            d.hoop(Box.around((0.0, 0.0, z), at, at, 0.0), 0.006, metal, steps=24)
         else:
-            b.extrude(ellipse(at, at, 32), (z - 0.015, z), top, bevel=0.003)
-    if kind == "two tiers":
-        q = 0.5 * r
-        b.surface("shelf", (-q, q), (-q, q), z, round(low - z - 0.005, 4))
+            board = d.cylinder(Box.sized(at, at, 0.015, (0, 0, z - 0.015)), top, bevel=0.003, segments=32)
+    if tiers:
+        d.surface("shelf", board.place(radius, radius), round(low - z - 0.005, 4))
 
 
 @draws("changing_table")
-def changing_table(b: Builder) -> None:
-    """A chest of drawers, or two open shelves with baskets, under a padded mat with raised sides."""
-    d, w, h = b.size
-    kind = b.pick("kind", ["drawers", "shelves", "doors"])
-    style = b.pick("pull style", ["knob", "cup", "bar"])
-    wood = b.material("body", "white paint", "light oak", "beech", "birch", "sage paint", "light grey paint")
-    front = b.material("fronts", "white paint", "birch", "light oak") if b.chance("two tone", 0.4) else wood
-    out = 0.0 if kind == "shelves" else proud(style)
-    x, y = (-d / 2, d / 2 - out), (-w / 2, w / 2)
-    deck = h - 0.1
-    with b.solid("rim"):
-        b.box((x[0], x[1]), y, (deck - 0.02, deck), wood)
-        for ys in ((y[0], y[0] + 0.018), (y[1] - 0.018, y[1])):
-            b.box((x[0], x[1] - 0.01), ys, (deck, h), wood, bevel=0.005)
-        b.box((x[0], x[0] + 0.018), (y[0] + 0.018, y[1] - 0.018), (deck, h), wood, bevel=0.005)
-        mat = b.material("mat", "white fabric", "beige fabric", "grey fabric", "rose fabric", "green fabric")
-        xs, ys = (x[0] + 0.025, x[1] - 0.01), (y[0] + 0.025, y[1] - 0.025)
-        b.cushion(xs, ys, (deck, deck + 0.045), mat, radius=0.02)
-        b.cushion(xs, (ys[0], ys[0] + 0.1), (deck + 0.02, deck + 0.085), mat, radius=0.03)
-        b.cushion(xs, (ys[1] - 0.1, ys[1]), (deck + 0.02, deck + 0.085), mat, radius=0.03)
-        b.cushion(
-            (xs[0] + 0.02, xs[0] + 0.16), (-0.13, 0.13), (deck + 0.04, deck + 0.075), "white fabric", radius=0.015
-        )
-    z = (0.08, deck - 0.02)
-    face = x[1] - 0.004
+def changing_table(d: Drawing) -> None:
+    """A chest of drawers, doors under a drawer, or open shelves with baskets, under a padded mat with raised sides."""
+    kind, style = d.pick("kind", ["drawers", "shelves", "doors"]), d.pick("pull style", ["knob", "cup", "bar"])
+    wood = d.material("body", "white paint", "light oak", "beech", "birch", "sage paint", "light grey paint")
+    fronts = d.material("fronts", "white paint", "birch", "light oak") if d.chance("two tone", 0.4) else wood
+    soft = d.material("mat", "white fabric", "beige fabric", "grey fabric", "rose fabric", "green fabric")
+    case = d.bounds.inset(front=0.0 if kind == "shelves" else REACH[style], top=0.1)
+    plate, rim, board = case.top(0.02), case.top(-0.1), 0.018
+    with d.part("rim"):
+        d.box(plate, wood)
+        for side in (rim.inset(front=0.01).left(board), rim.inset(front=0.01).right(board)):
+            d.box(side, wood, bevel=0.005)
+        d.box(rim.inset(y=board).back(board), wood, bevel=0.005)
+        mat = rim.inset(back=0.025, front=0.01, y=0.025)
+        d.cushion(mat.bottom(0.045), soft, 0.02)
+        for side in (mat.left(0.1), mat.right(0.1)):
+            d.cushion(side.inset(bottom=0.02, top=0.015), soft, 0.03)
+        d.pillow(mat.inset(back=0.02).back(0.16).place(width=0.26).bottom(0.05).move(z=0.035), "white fabric")
+    under = case.inset(top=0.02)
     if kind == "shelves":
-        corner_legs(b, (x[0], x[1] - 0.01), y, deck - 0.02, wood, "square", 0.045)
-        basket = b.material("basket", "rattan", "wicker", "grey fabric")
-        for k, level in enumerate((0.14, 0.48)):
-            with b.solid(f"shelf {k}"):
-                b.box((x[0] + 0.01, x[1] - 0.02), (y[0] + 0.01, y[1] - 0.01), (level - 0.02, level), wood)
-            if k == 0:
-                with b.solid("baskets"):
-                    for s in (-1, 1):
-                        at = s * 0.22 * w
-                        ys, xs = (at - 0.18 * w, at + 0.18 * w), (x[0] + 0.06, x[1] - 0.06)
-                        b.box(xs, ys, (level, level + 0.19), basket, bevel=0.02)
-                        b.box(
-                            (xs[0] - 0.006, xs[1] + 0.006),
-                            (ys[0] - 0.006, ys[1] + 0.006),
-                            (level + 0.17, level + 0.195),
-                            basket,
-                            bevel=0.008,
-                        )
-            else:
-                b.surface(
-                    "shelf",
-                    (x[0] + 0.05, x[1] - 0.06),
-                    (y[0] + 0.05, y[1] - 0.05),
-                    level,
-                    round(z[1] - level - 0.005, 4),
-                )
+        legs(d, under.inset(front=0.01), wood, "square", 0.045)
+        basket = d.material("basket", "rattan", "wicker", "grey fabric")
+        for k, z in enumerate((0.14, 0.48)):
+            shelf = under.inset(back=0.01, front=0.02, y=0.01).to(z=(z - 0.02, z))
+            with d.part(f"shelf {k}"):
+                d.box(shelf, wood)
+            if k:
+                d.surface("shelf", shelf, round(under.z[1] - z - 0.005, 4), inset=0.04)
+                continue
+            with d.part("baskets"):
+                for cell in shelf.top(-0.19).inset(x=0.05, y=0.06).columns(2, gap=0.04):
+                    for wall in (
+                        cell.left(0.02),
+                        cell.right(0.02),
+                        cell.inset(y=0.02).front(0.02),
+                        cell.inset(y=0.02).back(0.02),
+                    ):
+                        d.box(wall, basket, bevel=0.008)
+                    d.box(cell.inset(x=0.02, y=0.02).bottom(0.14), "white fabric", bevel=0.03)
         return
-    pull = b.material("pulls", "brass", "beech", "brushed steel", "black steel")
-    with b.solid("body"):
-        b.box((x[0] + 0.005, face - 0.019), (y[0] + 0.005, y[1] - 0.005), z, wood)
-        corner_legs(b, (x[0] + 0.02, face - 0.03), (y[0] + 0.02, y[1] - 0.02), 0.08, wood, "tapered", 0.045, "body")
-        ys = (y[0] + 0.005, y[1] - 0.005)
+    pull = d.material("pulls", "brass", "beech", "brushed steel", "black steel")
+    body = under.inset(bottom=0.08, back=0.005, front=0.004, y=0.005)
+    with d.part("body"):
+        feet(d, under.bottom(0.08), wood, "tapered")
         if kind == "drawers":
-            count = 3
-            step = (z[1] - z[0]) / count
-            for k in range(count):
-                drawer(
-                    b,
-                    f"drawer-{k}",
-                    (x[0] + 0.03, face),
-                    ys,
-                    (z[0] + k * step, z[0] + (k + 1) * step),
-                    front,
-                    pull,
-                    style,
-                )
+            drawer_case(d, body, wood, fronts, pull, style, 3)
         else:
-            drawer(b, "drawer", (x[0] + 0.03, face), ys, (z[1] - 0.2, z[1]), front, pull, style)
-            for s in (-1, 1):
-                half = (0.0, ys[1]) if s > 0 else (ys[0], 0.0)
-                door(
-                    b,
-                    f"door {s}".replace(" ", ""),
-                    (face - 0.018, face),
-                    half,
-                    (z[0], z[1] - 0.2),
-                    front,
-                    pull,
-                    hung="left" if s > 0 else "right",
-                    style="knob" if style == "cup" else style,
-                )
+            room = carcass(d, body.inset(front=0.019), wood, 0.012)
+            d.box(room.inset(front=0.03).place(height=0.012).move(z=-0.08), wood, bevel=0.0)
+            drawer(d, "drawer", body.top(0.2).inset(back=0.006), fronts, pull, style, overlay=0.012)
+            doors(d, body.inset(top=0.2).front(0.018), 2, fronts, pull, "knob" if style == "cup" else style)
