@@ -19,7 +19,7 @@ FEW = 16
 """The same for small things: their parts are the many in a room, and a coarse shape is still close."""
 
 SMALL = 0.6
-"""What is nowhere longer than this [m] is small."""
+"""What is nowhere longer than this [m] is small, unless it has drawers or doors: merged, they would fill up."""
 
 _SLACK = 1e-4  # [m] by which a part may stand out of a prism and still belong to it
 _THINNEST = 1e-4  # [m]; thinner parts become boxes of this thickness
@@ -56,7 +56,7 @@ def solids_of(thing: SceneObject, asset: Asset | None, scale: np.ndarray) -> lis
 
 def _of_asset(asset: Asset) -> list[Solid]:
     """The hulls of an asset, merged where they are many; kept by their content, as scenes are built again and again."""
-    most = MOST if max(asset.size) > SMALL else FEW
+    most = MOST if max(asset.size) > SMALL or asset.links else FEW
     content = hashlib.blake2b(repr([most, *((part.polygon, part.z) for part in asset.parts)]).encode())
     for hull in asset.hulls:
         content.update(np.array([len(hull.vertices), hull.link]).tobytes())

@@ -72,15 +72,15 @@ def drawer(
             front=FRONT, back=0.01, y=0.012 + overlay, bottom=0.012 + overlay, top=min(0.03, 0.25 * box.height)
         )
         if min(tray.size) > 0.03:
-            d.box(tray.bottom(0.006), inside, bevel=0.0)
-            walls = tray.inset(bottom=0.006)
-            for side in (walls.left(0.012), walls.right(0.012), walls.inset(y=0.012).back(0.012)):
+            d.box(tray.bottom(0.004), inside, bevel=0.0)
+            walls = tray.inset(bottom=0.004)
+            for side in (walls.left(0.009), walls.right(0.009), walls.inset(y=0.009).back(0.009)):
                 d.box(side, inside, bevel=0.0)
         handle(d, face, pull, style, min(0.16, 0.4 * box.width))
         if label:
             holder = d.box(face.front(-0.003).place(width=0.09, height=0.036).move(z=0.05), pull, bevel=0.001)
             d.print(holder.front(0.0).inset(y=0.007, z=0.006), "paper")
-    return tray.inset(bottom=0.006, y=0.012, back=0.012)
+    return tray.inset(bottom=0.004, y=0.009, back=0.009)
 
 
 def drawers(

@@ -112,7 +112,10 @@ def nightstand(d: Drawing) -> None:
     if kind.endswith("drawers"):
         low = 0.15 if kind == "two drawers" else 0.06
         with d.part("body"):
-            feet(d, case.bottom(low), look, base if low > 0.1 else "plinth")
+            if low > 0.1:
+                legs(d, case.bottom(low).inset(back=0.02, y=0.01), look, base, 0.04)
+            else:
+                feet(d, case.bottom(low), look)
             drawer_case(d, case.inset(bottom=low), wood, fronts, pull, style, 2 if low > 0.1 else 3)
     elif kind == "niche":
         low, deep, board = 0.12, 0.15, 0.018
@@ -120,7 +123,7 @@ def nightstand(d: Drawing) -> None:
             drawer_case(d, case.top(deep), wood, fronts, pull, style)
         room = case.inset(bottom=low, top=deep)
         with d.part("floor"):
-            feet(d, case.bottom(low), look, base)
+            legs(d, case.bottom(low).inset(back=0.02, y=0.01), look, base, 0.04)
             d.box(room.bottom(board), wood)
         room = room.inset(bottom=board)
         for k, side in enumerate((room.right(board), room.left(board))):
