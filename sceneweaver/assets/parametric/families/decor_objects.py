@@ -7,443 +7,307 @@ import math
 import numpy as np
 
 from ... import shapes
-from ...drawing import Box
+from ...drawing import Box, Drawing, Look, draws
 from ...drawing.components import clock_face
-from ..builder import Builder
-from ..registry import draws
-from .lighting_parts import across
+from .small_parts import GOLDEN
 
-_STONES = ("marble", "white ceramic", "bronze", "dark marble", "concrete", "brass", "terracotta")
+STONES = "marble, white ceramic, bronze, dark marble, concrete, brass, terracotta"
 
 
-@draws("sculpture")
-def sculpture(b: Builder) -> None:
+@draws("sculpture", whole=True)
+def sculpture(d: Drawing) -> None:
     """An abstract piece on a block: a ring, stacked stones, a twisted column, or two leaning shapes."""
-    d, w, h = b.size
-    look = b.material("body", *_STONES)
-    base = b.material("base", "black paint", "walnut", "marble", "dark marble", "oak")
-    kind = b.pick("kind", ["ring", "stones", "twist", "arcs"])
-    foot = min(0.035, h * 0.12)
-    with b.solid("sculpture"):
-        b.box((-d / 2, d / 2), (-w / 2, w / 2) if kind != "ring" else (-w * 0.3, w * 0.3), (0.0, foot), base)
-        if kind == "ring":
-            thick = min(d * 0.3, w * 0.12)
-            a = np.arange(24) * (math.pi / 12)
-            ry, rz = w / 2 - thick, (h - foot) / 2 - thick + 0.003
-            path = np.c_[np.zeros(24), ry * np.cos(a), foot + rz + thick - 0.006 + rz * np.sin(a)]
-            b.tube(path, thick, look, 12, closed=True)
-        elif kind == "stones":
-            z = foot - 0.004
-            room = h - z
-            for k, share in enumerate((0.36, 0.3, 0.22, 0.16)):
-                high = room * share
-                r = 0.5 - 0.09 * k
-                at = (0.03 * d * (-1) ** k, 0.05 * w * (-1) ** k, z + high / 2)
-                b.ball((d * r * 0.86, w * r * 0.86, high / 2), at, look if k % 2 == 0 else base, 18)
-                z += high - room * 0.0133
-        elif kind == "twist":
-            n, k = 14, min(d, w) * 0.36
-            for i in range(n):
-                rings = []
-                for j in (i, i + 1):
-                    t = j / n
-                    turn, s = 2.2 * t, k * (1.0 - 0.55 * abs(2 * t - 1) ** 1.5 * 0.8)
-                    c, q = math.cos(turn), math.sin(turn)
-                    rings += [
-                        (s * (u * c - v * q), s * (u * q + v * c), foot + (h - foot) * t)
-                        for u, v in ((1, 0.6), (-1, 0.6), (-1, -0.6), (1, -0.6))
-                    ]
-                b.hull(rings, look)
-        else:
-            for s, tall, one in ((1, 1.0, look), (-1, 0.78, base)):
-                top = foot + (h - foot) * tall
-                t = np.linspace(0, 1, 8)
-                path = np.c_[
-                    np.zeros(8), s * (0.16 + 0.2 * np.sin(np.pi * t) - 0.26 * t) * w, foot - 0.006 + (top - foot) * t
-                ]
-                flat = np.array([[-0.02, -d * 0.2], [0.02, -d * 0.2], [0.02, d * 0.2], [-0.02, d * 0.2]])[:, ::-1][::-1]
-                path[-1, 2] = top - 0.012
-                b.tube(path, flat, one)
-            b.ball((0.1 * w, 0.1 * w, 0.1 * w), (0.0, 0.0, foot + 0.09 * w), "brass", 16)
+    look = d.material("body", STONES)
+    base = d.material("base", "black paint, walnut, marble, dark marble, oak")
+    kind = d.pick("kind", ["ring", "stones", "twist", "arcs"])
+    foot = d.bounds.bottom(min(0.035, 0.12 * d.bounds.height))
+    d.box(foot.share(y=(0.2, 0.8)) if kind == "ring" else foot, base)
+    room = d.bounds.inset(bottom=foot.height - 0.004)
+    depth, w, h = room.size
+    if kind == "ring":
+        thick = min(0.3 * depth, 0.12 * w)
+        d.hoop(Box.around(room.center, 0.0, w - 2 * thick, h - 2 * thick), thick, look, "x", steps=28)
+    elif kind == "stones":
+        for k, stone in enumerate(room.rows([0.36, 0.3, 0.22, 0.16], gap=-0.0133 * h)):
+            side = 0.86 - 0.155 * k
+            own = stone.place(side * depth, side * w).move(0.03 * depth * (-1) ** k, 0.05 * w * (-1) ** k)
+            d.ball(own, base if k % 2 else look, 18)
+    elif kind == "twist":
+        rings = []
+        for t in np.linspace(0.0, 1.0, 15):
+            turn, size = 2.2 * t, 0.36 * min(depth, w) * (1.0 - 0.44 * abs(2 * t - 1) ** 1.5)
+            ring = size * np.array([(1, 0.6), (-1, 0.6), (-1, -0.6), (1, -0.6)])
+            c, s = math.cos(turn), math.sin(turn)
+            rings.append(np.c_[ring @ np.array([[c, s], [-s, c]]), np.full(4, room.z[0] + t * h)])
+        d.loft(rings, look)
+    else:
+        t = np.linspace(0, 1, 8)
+        section = shapes.rectangle((-0.02, 0.02), (-0.2 * depth, 0.2 * depth), 0.0, 0.006, 1)[:, 1::-1][::-1]
+        for side, tall, one in ((1, 1.0, look), (-1, 0.78, base)):
+            bend = side * (0.16 + 0.2 * np.sin(np.pi * t) - 0.26 * t) * w
+            d.sweep(np.c_[0 * t, bend, room.z[0] + (tall * h - 0.012) * t], section, one)
+        d.ball(Box.sized(0.2 * w, 0.2 * w, 0.2 * w, (0, 0, room.z[0])), "brass", 16)
 
 
-def _head(b: Builder, x: float, z: float, s: float, look) -> None:
-    """A head of height s with its chin at z: skull, jaw, nose, hair and neck."""
-    b.ball((s * 0.36, s * 0.3, s * 0.4), (x - s * 0.03, 0, z + s * 0.6), look, 18)
-    b.ball((s * 0.25, s * 0.22, s * 0.34), (x + s * 0.08, 0, z + s * 0.33), look, 14)
-    b.hull(
-        [
-            (x + s * u, s * v, z + s * q)
-            for u, v, q in (
-                (0.3, 0.0, 0.62),
-                (0.43, 0.045, 0.4),
-                (0.43, -0.045, 0.4),
-                (0.26, 0.07, 0.38),
-                (0.26, -0.07, 0.38),
-            )
-        ],
-        look,
+def head(d: Drawing, size: float, look: Look) -> None:
+    """A head of a height [m] with its chin on the frame's origin: skull, jaw, nose, ears, curls and neck."""
+    bodies = (
+        ((-0.03, 0.0, 0.6), (0.72, 0.6, 0.8), 18),  # skull
+        ((0.08, 0.0, 0.33), (0.5, 0.44, 0.68), 14),  # jaw
+        ((0.315, 0.0, 0.24), (0.1, 0.18, 0.05), 8),  # mouth
+        *(((-0.02, 0.295 * s, 0.5), (0.1, 0.06, 0.18), 8) for s in (-1, 1)),  # ears
+        *(((0.27, 0.11 * s, 0.62), (0.18, 0.2, 0.06), 8) for s in (-1, 1)),  # brows
     )
-    for sy in (-1, 1):
-        b.ball((s * 0.05, s * 0.03, s * 0.09), (x - s * 0.02, sy * s * 0.295, z + s * 0.5), look, 8)
-        b.ball((s * 0.09, s * 0.1, s * 0.03), (x + s * 0.27, sy * s * 0.11, z + s * 0.62), look, 8)
-    b.ball((s * 0.05, s * 0.09, s * 0.025), (x + s * 0.315, 0, z + s * 0.24), look, 8)
-    rng = np.random.default_rng(3)
+    for at, extent, segments in bodies:
+        point = (size * at[0], size * at[1], size * at[2])
+        d.ball(Box.around(point, *(size * v for v in extent)), look, segments)
+    nose = ((0.3, 0.0, 0.62), (0.43, 0.045, 0.4), (0.43, -0.045, 0.4), (0.26, 0.07, 0.38), (0.26, -0.07, 0.38))
+    d.hull([(size * x, size * y, size * z) for x, y, z in nose], look)
     for k in range(18):
-        a, e = k * 2.399, 0.15 + 1.3 * (k + 0.5) / 18
-        p = np.array(
-            [-0.06 + 0.34 * math.cos(a) * math.cos(e), 0.29 * math.sin(a) * math.cos(e), 0.62 + 0.37 * math.sin(e)]
-        )
-        if p[0] > 0.2 and p[2] < 0.8:
-            continue
-        r = s * rng.uniform(0.08, 0.1)
-        b.ball((r, r, r), (x + s * p[0], s * p[1], z + s * min(p[2], 0.99 - r / s)), look, 8)
-    b.frustum(s * 0.2, s * 0.17, (z - s * 0.3, z + s * 0.3), look, 16)
+        turn, rise = GOLDEN * k, 0.15 + 1.3 * (k + 0.5) / 18
+        x, z = -0.06 + 0.34 * math.cos(turn) * math.cos(rise), 0.62 + 0.37 * math.sin(rise)
+        if x <= 0.2 or z >= 0.8:
+            curl = size * (0.16 + 0.04 * (k % 3) / 2)
+            point = (size * x, 0.29 * size * math.sin(turn) * math.cos(rise), min(size * z, 0.99 * size - curl / 2))
+            d.ball(Box.around(point, curl, curl, curl), look, 8)
+    d.cylinder(Box.sized(0.4 * size, 0.4 * size, 0.6 * size, (0, 0, -0.3 * size)), look, ends=(1.0, 0.85), segments=16)
 
 
-@draws("bust")
-def bust(b: Builder) -> None:
+@draws("bust", whole=True)
+def bust(d: Drawing) -> None:
     """A head and shoulders of stone on a turned foot."""
-    d, w, h = b.size
-    look = b.material("stone", "marble", "white ceramic", "bronze", "concrete", "terracotta")
-    s = min(h * 0.46, d * 1.05)
-    foot = h * 0.2
-    with b.solid("bust"):
-        k = d * 0.36
-        b.lathe([(k, 0.0), (k, foot * 0.2), (k * 0.7, foot * 0.4), (k * 0.55, foot * 0.8), (k * 0.7, foot)], look, 24)
-        z1 = h - s
-        y = np.array(
-            [
-                (0.3, foot),
-                (0.46, foot + 0.3 * (z1 - foot)),
-                (0.5, foot + 0.6 * (z1 - foot)),
-                (0.36, z1 - 0.12 * s),
-                (0.14, z1),
-            ]
-        )
-        b.hull(
-            [
-                (d * u * q, sy * w * v * r, z)
-                for v, z in y
-                for sy in (-1, 1)
-                for u, q, r in (
-                    (0.5, 0.55 + 0.45 * (v > 0.3), 0.55),
-                    (0.3, 1.0, 1.0),
-                    (-0.3, 1.0, 1.0),
-                    (-0.5, 0.8, 0.55),
-                )
-            ],
-            look,
-        )
-        with b.frame(d * 0.02):
-            _head(b, 0.0, z1 - 0.005, s * 0.99, look)
-    b.fit()
+    look = d.material("stone", "marble, white ceramic, bronze, concrete, terracotta")
+    box = d.bounds
+    size = min(0.46 * box.height, 1.05 * box.depth)
+    foot, chest = box.share(z=(0.0, 0.2)), box.share(z=(0.2, 1.0)).inset(top=size)
+    d.turned(foot.place(width=box.depth), [(0.72, 0.0), (0.72, 0.2), (0.5, 0.4), (0.4, 0.8), (0.5, 1.0)], look)
+    rows = [
+        (0.56, 0.44, 0.0),
+        (0.9, 0.78, 0.3),
+        (1.0, 0.96, 0.55),
+        (0.92, 1.0, 0.7),
+        (0.72, 0.8, 0.86),
+        (0.5, 0.36, 1.0),
+    ]
+    d.sections(chest, rows, look)
+    with d.at(0.02 * box.depth, 0.0, chest.z[1] - 0.005):
+        head(d, 0.99 * size, look)
 
 
-@draws("statue")
-def statue(b: Builder) -> None:
+@draws("statue", whole=True)
+def statue(d: Drawing) -> None:
     """A draped standing figure on a plinth."""
-    d, w, h = b.size
-    look = b.material("stone", "marble", "bronze", "concrete", "terracotta")
-    base = b.material("plinth", "marble", "dark marble", "granite", "concrete")
-    p = h * 0.3
-    with b.solid("plinth"):
-        b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, p * 0.14), base, bevel=0.006)
-        b.box((-d * 0.42, d * 0.42), (-w * 0.42, w * 0.42), (p * 0.14, p * 0.88), base)
-        b.box((-d * 0.48, d * 0.48), (-w * 0.48, w * 0.48), (p * 0.88, p), base, bevel=0.005)
-    f = h - p
-    head = f * 0.15
-    r = min(d, w) * 0.4
-    with b.solid("figure"):
-        b.frustum(r, r, (p, p + 0.02), look, 24, bevel=0.004)
-        rows = [
-            (0.8, 0.02),
-            (0.66, 0.2),
-            (0.6, 0.42),
-            (0.66, 0.5),
-            (0.46, 0.64),
-            (0.6, 0.76),
-            (0.56, 0.82),
-            (0.2, 0.85),
-        ]
-        folds = 12
-        for (u0, v0), (u1, v1) in zip(rows[:-1], rows[1:], strict=True):
-            b.hull(
-                [
-                    (r * u * 0.72 * math.cos(a), r * u * math.sin(a), p + f * v)
-                    for u, v in ((u0, v0), (u1, v1))
-                    for a in np.arange(folds) * 2 * math.pi / folds
-                ],
-                look,
-            )
-        for k in range(9):
-            a = -1.2 + 0.3 * k
-            b.bar(
-                (0.72 * r * 0.8 * math.cos(a), r * 0.8 * math.sin(a), p + f * 0.02),
-                (0.72 * r * 0.5 * math.cos(a), r * 0.5 * math.sin(a), p + f * 0.6),
-                0.07 * r,
-                look,
-                6,
-            )
-        for s in (-1, 1):
-            elbow = (r * 0.1, s * r * 0.86, p + f * 0.6)
-            hand = (r * 0.5, s * r * 0.3, p + f * (0.62 if s > 0 else 0.54))
-            b.tube([(0, s * r * 0.56, p + f * 0.79), elbow, hand], r * 0.13, look, 10)
-            b.ball((r * 0.15, r * 0.13, r * 0.13), hand, look, 10)
-        _head(b, 0.0, h - head, head * 0.995, look)
+    look = d.material("stone", "marble, bronze, concrete, terracotta")
+    base = d.material("plinth", "marble, dark marble, granite, concrete")
+    plinth, figure = d.bounds.share(z=(0.0, 0.3)), d.bounds.share(z=(0.3, 1.0))
+    with d.part("plinth"):
+        for share, block in zip((1.0, 0.84, 0.96), plinth.rows([0.14, 0.74, 0.12]), strict=True):
+            d.box(block.place(share * plinth.depth, share * plinth.width), base, bevel=0.005)
+    r = 0.4 * min(figure.depth, figure.width)
+    own, low = figure.place(1.44 * r, 2 * r), figure.z[0]
+    high = figure.height
+    with d.part("figure"):
+        d.cylinder(figure.bottom(0.02).place(2 * r, 2 * r), look, bevel=0.004)
+        skirt = [(0.8, 0.02), (0.66, 0.2), (0.6, 0.42), (0.66, 0.5)]
+        d.turned(own, [*skirt, (0.46, 0.64), (0.6, 0.76), (0.56, 0.82), (0.2, 0.85)], look, 16)
+        for k in range(11):  # folds
+            a = -1.5 + 0.3 * k
+            foot = (0.57 * r * math.cos(a), 0.8 * r * math.sin(a), low + 0.02 * high)
+            d.bar(foot, (0.35 * r * math.cos(a), 0.48 * r * math.sin(a), low + 0.62 * high), 0.07 * r, look, 6)
+        for side, reach in ((1, 0.62), (-1, 0.54)):
+            hand = (0.5 * r, 0.3 * side * r, low + reach * high)
+            elbow = (0.1 * r, 0.86 * side * r, low + 0.6 * high)
+            d.sweep([(0, 0.56 * side * r, low + 0.79 * high), elbow, hand], 0.13 * r, look)
+            d.ball(Box.around(hand, 0.3 * r, 0.26 * r, 0.26 * r), look, 10)
+        with d.at(0, 0, low + 0.85 * high):
+            head(d, 0.1495 * high, look)
 
 
-@draws("pedestal")
-def pedestal(b: Builder) -> None:
+@draws("pedestal", whole=True)
+def pedestal(d: Drawing) -> None:
     """A plinth or a fluted column that carries a piece."""
-    d, w, h = b.size
-    look = b.material("stone", "marble", "white paint", "concrete", "oak", "dark marble", "black paint")
-    with b.solid("pedestal"):
-        if b.chance("column", 0.55):
-            r = min(d, w) * 0.37
-            b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.05), look, bevel=0.004)
-            b.lathe([(r * 1.16, 0.05), (r * 1.16, 0.075), (r * 1.02, 0.1)], look, 32)
-            t = np.arange(32)
-            ring = (
-                np.c_[np.cos(t * math.pi / 16), np.sin(t * math.pi / 16)] * np.where(t % 2 == 0, r, r * 0.93)[:, None]
-            )
-            b.add(shapes.extrusion(ring, (0.1, h - 0.09)), look, [shapes.extrusion(ring[::2], (0.1, h - 0.09))])
-            b.lathe([(r * 0.98, h - 0.09), (r * 1.14, h - 0.06), (r * 1.14, h - 0.045)], look, 32)
-            b.box((-d / 2, d / 2), (-w / 2, w / 2), (h - 0.045, h), look, bevel=0.004)
-        else:
-            b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.06), look, bevel=0.005)
-            b.box((-d * 0.45, d * 0.45), (-w * 0.45, w * 0.45), (0.06, h - 0.035), look)
-            b.box((-d / 2, d / 2), (-w / 2, w / 2), (h - 0.035, h), look, bevel=0.005)
-    b.surface("top", (-d / 2 + 0.008, d / 2 - 0.008), (-w / 2 + 0.008, w / 2 - 0.008), h)
+    look = d.material("stone", "marble, white paint, concrete, oak, dark marble, black paint")
+    box = d.bounds
+    if d.chance("column", 0.55):
+        r = 0.37 * min(box.depth, box.width)
+        for slab in (box.bottom(0.05), box.top(0.045)):
+            d.box(slab, look, bevel=0.004)
+        shaft = Box.sized(2 * r, 2 * r, box.height - 0.095, (0, 0, 0.05))
+        base, capital = shaft.bottom(0.05), shaft.top(0.045)
+        d.turned(base, [(1.16, 0.0), (1.16, 0.5), (1.02, 1.0)], look, 32)
+        d.turned(capital, [(0.98, 0.0), (1.14, 0.67), (1.14, 1.0)], look, 32)
+        t = np.arange(48)
+        radii = np.where(t % 3 == 0, r, 0.95 * r)  # a flute between two ridges
+        ring = np.c_[np.cos(t * math.pi / 24), np.sin(t * math.pi / 24)] * radii[:, None]
+        z = (base.z[1], capital.z[0])
+        d.add(shapes.extrusion(ring, z), look, [shapes.extrusion(ring[::3], z)])
+    else:
+        low, high = box.bottom(0.06), box.top(0.035)
+        d.box(box.share((0.05, 0.95), (0.05, 0.95)).inset(bottom=0.06, top=0.035), look)
+        for slab in (low, high):
+            d.box(slab, look, bevel=0.005)
+    d.surface("top", box, inset=0.008)
 
 
-@draws("hourglass")
-def hourglass(b: Builder) -> None:
+@draws("hourglass", whole=True, even="round")
+def hourglass(d: Drawing) -> None:
     """Two bulbs of glass with sand between wooden discs and posts."""
-    r, h = across(b) / 2, b.size.height
-    wood = b.material("frame", "walnut", "oak", "brass", "black paint", "mahogany")
-    sand = b.material("sand", "sand pigment", "sea pigment", "chalk pigment", "terracotta pigment")
-    t = 0.014
-    k, m = r * 0.66, h / 2
-    with b.solid("hourglass"):
-        for z in ((0.0, t), (h - t, h)):
-            b.frustum(r, r, z, wood, 28, bevel=0.003)
-        for n in range(3):
-            a = n * 2.094 + 0.5
-            with b.frame(r * 0.82 * math.cos(a), r * 0.82 * math.sin(a)):
-                b.lathe([(0.005, t), (0.004, m * 0.6), (0.007, m), (0.004, h - m * 0.6), (0.005, h - t)], wood, 10)
-        bulb = [(k * 0.7, t), (k, t + 0.2 * (m - t)), (k * 0.9, t + 0.55 * (m - t)), (k * 0.16, m - 0.003)]
-        b.lathe(bulb, "glass", 24)
-        b.lathe([(u, h - z) for u, z in reversed(bulb)], "glass", 24)
-        b.frustum(k * 0.16, k * 0.16, (m - 0.004, m + 0.004), "glass", 12)
-        b.lathe([(k * 0.66, t + 0.001), (k * 0.9, t + 0.2 * (m - t)), (k * 0.1, t + 0.5 * (m - t))], sand, 20)
-        b.lathe([(k * 0.1, m + 0.004), (k * 0.72, m + 0.4 * (m - t))], sand, 20)
+    wood = d.material("frame", "walnut, oak, brass, black paint, mahogany")
+    sand = d.material("sand", "sand pigment, sea pigment, chalk pigment, terracotta pigment")
+    box = d.even("round")
+    for plate in (box.bottom(0.014), box.top(0.014)):
+        d.cylinder(plate, wood, bevel=0.003, segments=28)
+    inner = box.inset(z=0.014)
+    with d.ring(3, 0.41 * box.width, 0.5):
+        post = Box.sized(0.014, 0.014, inner.height, (0, 0, inner.z[0]))
+        d.turned(post, [(0.7, 0.0), (0.57, 0.3), (1.0, 0.5), (0.57, 0.7), (0.7, 1.0)], wood, 10)
+    bulb = [(0.46, 0.0), (0.62, 0.06), (0.66, 0.14), (0.6, 0.27), (0.35, 0.41), (0.11, 0.497)]
+    d.turned(inner, bulb, "glass")
+    d.turned(inner, [(r, 1 - z) for r, z in reversed(bulb)], "glass")
+    d.turned(inner, [(0.1, 0.49), (0.1, 0.51)], "glass", 12)
+    with d.no_colliders():
+        d.turned(inner, [(0.44, 0.004), (0.6, 0.09), (0.58, 0.14), (0.08, 0.27)], sand)
+        d.turned(inner, [(0.06, 0.51), (0.3, 0.6), (0.48, 0.68)], sand)
 
 
-@draws("desk_globe")
-def desk_globe(b: Builder) -> None:
+CONTINENTS = (
+    *((0.4, 0.6, 0.5), (0.1, -0.5, 0.42), (1.5, 0.5, 0.55), (2.2, 0.1, 0.4), (3.3, 0.6, 0.45), (3.6, -0.4, 0.45)),
+    *((5.0, 0.2, 0.5), (5.6, 0.7, 0.4), (4.5, -0.5, 0.35), (0.0, 1.5, 0.3), (0.0, -1.5, 0.35)),
+)
+"""Longitude, latitude and radius [rad] of the lands on a globe."""
+
+
+@draws("desk_globe", whole=True)
+def desk_globe(d: Drawing) -> None:
     """A globe with continents, tilted in a half ring on a turned foot."""
-    w, h = b.size.width, b.size.height
-    metal = b.material("stand", "brass", "walnut", "oak", "black steel", "chrome")
-    sea = b.material("sea", "sea pigment", "sky pigment", "night pigment", "sand pigment")
-    land = (
-        b.material("land", "moss pigment", "ochre pigment", "forest pigment")
-        if sea.name != "sand pigment"
-        else "wicker"
-    )
-    r = min(w / 2 - 0.012, (h - 0.07) / 2.14)
-    z = h - r - 0.012
-    with b.solid("globe"):
-        b.lathe(
-            [(r * 0.62, 0.0), (r * 0.62, 0.008), (r * 0.5, 0.016), (0.014, 0.03), (0.012, z - r - 0.006)], metal, 28
-        )
-        with b.frame(0, 0, z, roll=0.41):
-            b.ball((r, r, r), (0, 0, 0), sea, 24)
-            rng = np.random.default_rng(b.whole("lands", 0, 9))
-            spots = [
-                (0.4, 0.6, 0.5),
-                (0.1, -0.5, 0.42),
-                (1.5, 0.5, 0.55),
-                (2.2, 0.1, 0.4),
-                (3.3, 0.6, 0.45),
-                (3.6, -0.4, 0.45),
-                (5.0, 0.2, 0.5),
-                (5.6, 0.7, 0.4),
-                (4.5, -0.5, 0.35),
-                (0.0, 1.5, 0.3),
-                (0.0, -1.5, 0.35),
-            ]
-            for lon, lat, size in spots:
-                t = np.arange(10) * 0.628
-                wide = size * rng.uniform(0.6, 1.1, 10)
-                east, north = lon + wide * np.cos(t) / max(0.3, math.cos(lat)), lat + wide * 0.8 * np.sin(t)
-                rim = np.c_[np.cos(north) * np.cos(east), np.cos(north) * np.sin(east), np.sin(north)] * r
-                heart = rim.mean(axis=0)
-                heart *= r / np.linalg.norm(heart)
-                middle = (rim + heart) / 2
-                middle *= r / np.linalg.norm(middle, axis=1, keepdims=True)
-                rings = [rim * 0.97, rim * 1.0025, middle * 1.003, heart[None] * 1.003]
-                points = np.concatenate(rings)
-                b.add(shapes.hull(points), land)
-        a = np.linspace(-math.pi / 2 - 0.41, math.pi / 2 - 0.41, 13)
-        ring = r + 0.007
-        b.tube(np.c_[np.zeros(13), ring * np.cos(a), z + ring * np.sin(a)], 0.0045, metal, 8)
+    metal = d.material("stand", "brass, walnut, oak, black steel, chrome")
+    sea = d.material("sea", "sea pigment, sky pigment, night pigment, sand pigment")
+    old = sea.name == "sand pigment"
+    land = d.named("wicker") if old else d.material("land", "moss pigment, ochre pigment, forest pigment")
+    r = min(d.bounds.width / 2 - 0.012, (d.bounds.height - 0.07) / 2.14)
+    z, tilt = d.bounds.height - r - 0.012, 0.41
+    d.revolve([(0.62 * r, 0.0), (0.62 * r, 0.008), (0.5 * r, 0.016), (0.014, 0.03), (0.012, z - r - 0.006)], metal, 28)
+    rng = np.random.default_rng(d.integer("lands", 0, 9))
+    with d.at(0, 0, z, roll=tilt):
+        d.ball(Box.around((0, 0, 0), 2 * r, 2 * r, 2 * r), sea, 24)
+        t = 0.2 * np.pi * np.arange(10)
+        for east, north, size in CONTINENTS:
+            wide = size * rng.uniform(0.6, 1.1, 10)
+            lon, lat = east + wide * np.cos(t) / max(0.3, math.cos(north)), north + 0.8 * wide * np.sin(t)
+            rim = r * np.c_[np.cos(lat) * np.cos(lon), np.cos(lat) * np.sin(lon), np.sin(lat)]
+            middle = rim.mean(axis=0, keepdims=True)
+            inner = (rim + middle) / 2
+            inner, middle = (p * r / np.linalg.norm(p, axis=1, keepdims=True) for p in (inner, middle))
+            d.hull(np.concatenate([0.97 * rim, 1.0025 * rim, 1.003 * inner, 1.003 * middle]), land)
+    a = np.linspace(-math.pi / 2, math.pi / 2, 13) - tilt
+    d.sweep(np.c_[0 * a, (r + 0.007) * np.cos(a), z + (r + 0.007) * np.sin(a)], 0.0045, metal, 8)
 
 
-@draws("table_clock")
-def table_clock(b: Builder) -> None:
-    """A mantel clock: an arched or square wooden case with a dial and small feet."""
-    d, w, h = b.size
-    wood = b.material("case", "walnut", "oak", "cherry", "black paint", "marble")
-    with b.solid("clock"):
-        b.box((-d / 2, d / 2), (-w / 2, w / 2), (0.0, 0.018), wood, bevel=0.004)
-        k = w / 2 - 0.012
-        if b.chance("arch", 0.6):
-            a = np.linspace(0, np.pi, 17)
-            top = max(h - k, 0.03)
-            ring = np.concatenate([[(-k, 0.018), (k, 0.018)], np.c_[k * np.cos(a), top + (h - top) * np.sin(a)]])
-        else:
-            ring = np.array([(-k, 0.018), (k, 0.018), (k, h), (-k, h)])
-        vertices, faces = shapes.extrusion(ring, (-d / 2 + 0.008, d / 2 - 0.012))
-        b.add((vertices[:, [2, 0, 1]], faces), wood)
-        r = min(k, (h - 0.018) / 2) * 0.8
-        with b.frame(d / 2 - 0.012, 0.0, 0.018 + (h - 0.018) * 0.5, pitch=math.pi / 2):
-            b.frustum(r + 0.006, r + 0.006, (-0.004, 0.004), "brass", 32)
-        face = Box.around((d / 2 - 0.0065, 0.0, 0.018 + (h - 0.018) * 0.5), 0.019, 2 * r, 2 * r)
-        clock_face(b, face, "cream paint", "black steel")
+@draws("table_clock", whole=True)
+def table_clock(d: Drawing) -> None:
+    """A mantel clock: an arched or square wooden case with a dial."""
+    wood = d.material("case", "walnut, oak, cherry, black paint, marble")
+    base = d.box(d.bounds.bottom(0.018), wood, bevel=0.004)
+    case = d.bounds.inset(bottom=0.018, y=0.012, back=0.008, front=0.012)
+    half = case.width / 2
+    if d.chance("arch", 0.6):
+        t = np.linspace(0, np.pi, 17)
+        spring = max(case.z[1] - half, 0.03)
+        arch = np.c_[half * np.cos(t), spring + (case.z[1] - spring) * np.sin(t)]
+        d.extrude([(-half, base.z[1]), (half, base.z[1]), *arch], case.x, wood, axis="x", bevel=0.002)
+    else:
+        d.box(case, wood)
+    r = 0.8 * min(half, case.height / 2)
+    face = Box.around(case.anchor("front"), 0.008, 2 * r, 2 * r)
+    d.cylinder(face.inset(y=-0.006, z=-0.006), "brass", "x", segments=32)
+    clock_face(d, face.front(-0.0055).inset(back=-0.006), "cream paint", "black steel")
 
 
-@draws("alarm_clock")
-def alarm_clock(b: Builder) -> None:
+@draws("alarm_clock", whole=True)
+def alarm_clock(d: Drawing) -> None:
     """A round clock with two bells and a hammer on two skids."""
-    d, w, h = b.size
-    look = b.material("case", "red paint", "black steel", "brass", "teal paint", "white steel", "copper")
-    r = min(w / 2, h * 0.4)
+    look = d.material("case", "red paint, black steel, brass, teal paint, white steel, copper")
+    depth, w, h = d.bounds.size
+    r = min(w / 2, 0.4 * h)
     z = 0.008 + r
-    with b.solid("clock"):
-        for s in (-1, 1):
-            b.bar((0, s * r * 0.45, z - r * 0.7), (0, s * r * 0.72, 0.005), 0.005, look, 8)
-            # Skids as deep as the case: on two points it would tip.
-            y = s * r * 0.72
-            b.box((-0.42 * d, 0.42 * d), (y - 0.006, y + 0.006), (0.0, 0.007), look, bevel=0.002)
-            with b.frame(0, s * r * 0.52, z + r * 0.84, roll=-s * 0.5):
-                b.lathe([(r * 0.4, 0.0), (r * 0.36, r * 0.16), (r * 0.16, r * 0.28), (0.0, r * 0.3)], "chrome", 18)
-                b.bar((0, 0, -r * 0.2), (0, 0, 0.002), 0.003, "chrome", 6)
-        b.bar((0, 0, z + r * 0.9), (0, 0, h - 0.006), 0.0025, "chrome", 6)
-        b.ball((0.006, 0.009, 0.006), (0, 0, h - 0.006), "chrome", 8)
-        with b.frame(-d / 2, 0, z, pitch=math.pi / 2):
-            b.lathe([(r * 0.8, 0.0), (r, 0.01), (r, d - 0.006)], look, 32)
-        face = Box.around((d / 4, 0, z), d / 2, 1.8 * r, 1.8 * r)
-        clock_face(b, face, "cream paint", "black steel")
-        b.bar((0, -w / 2, z), (0, w / 2, z), 0.004, "chrome", 8)
+    with d.mirror("y"):
+        d.bar((0, 0.45 * r, z - 0.7 * r), (0, 0.72 * r, 0.005), 0.005, look, 8)
+        # Skids as deep as the case: on two points it would tip.
+        d.box(Box.sized(0.84 * depth, 0.012, 0.007, (0, 0.72 * r, 0)), look, bevel=0.002)
+        with d.at(0, 0.52 * r, z + 0.84 * r, roll=-0.5):
+            d.revolve([(0.4 * r, 0.0), (0.36 * r, 0.16 * r), (0.16 * r, 0.28 * r), (0.0, 0.3 * r)], "chrome", 18)
+            d.bar((0, 0, -0.2 * r), (0, 0, 0.002), 0.003, "chrome", 6)
+    d.bar((0, 0, z + 0.9 * r), (0, 0, h - 0.006), 0.0025, "chrome", 6)
+    d.ball(Box.around((0, 0, h - 0.006), 0.012, 0.018, 0.012), "chrome", 8)
+    with d.at(-depth / 2, 0, z, pitch=math.pi / 2):
+        d.revolve([(0.8 * r, 0.0), (r, 0.01), (r, depth - 0.008)], look, 32)
+    dial = Box.around((depth / 2 - 0.006, 0, z), 0.012, 1.8 * r, 1.8 * r)
+    clock_face(d, dial, "cream paint", "black steel")
+    d.hoop(dial.inset(y=-0.02 * r, z=-0.02 * r).move(x=-0.003), 0.04 * r, look, "x", steps=24)
+    d.bar((0, -w / 2, z), (0, w / 2, z), 0.004, "chrome", 8)
 
 
-@draws("trophy")
-def trophy(b: Builder) -> None:
+@draws("trophy", whole=True)
+def trophy(d: Drawing) -> None:
     """A cup with two handles on a block with a plate."""
-    d, w, h = b.size
-    metal = b.material("cup", "brass", "chrome", "copper")
-    base = b.material("base", "black paint", "marble", "mahogany", "walnut")
-    k = d / 2
-    f = h * 0.2
-    with b.solid("trophy"):
-        b.box((-k * 0.8, k * 0.8), (-k * 0.8, k * 0.8), (0.0, f), base, bevel=0.005)
-        b.box((k * 0.8 - 0.001, k * 0.8 + 0.001), (-k * 0.5, k * 0.5), (f * 0.25, f * 0.75), metal, bevel=0.0)
-        top = [
-            (0.6, 0.0),
-            (0.56, 0.04),
-            (0.16, 0.1),
-            (0.12, 0.2),
-            (0.22, 0.26),
-            (0.14, 0.32),
-            (0.5, 0.42),
-            (0.84, 0.6),
-            (0.94, 0.85),
-            (1.0, 1.0),
-        ]
-        profile = [(k * u, f + (h - f) * v) for u, v in top]
-        b.lathe(
-            [*profile, (k * 0.93, h), (k * 0.86, f + (h - f) * 0.85), (k * 0.4, f + (h - f) * 0.6)],
-            metal,
-            28,
-            hollow=True,
-        )
-        z0 = f + (h - f) * 0.5
-        z1 = f + (h - f) * 0.9
-        for s in (-1, 1):
-            out = w / 2 - 0.004
-            b.tube(
-                [
-                    (0, s * k * 0.6, z0),
-                    (0, s * (k * 0.6 + out) / 2, z0 + 0.06 * h),
-                    (0, s * out, (z0 + z1) / 2 + 0.03 * h),
-                    (0, s * out * 0.96, z1),
-                    (0, s * k * 0.9, z1 - 0.02 * h),
-                ],
-                0.004,
-                metal,
-                8,
-            )
+    metal = d.material("cup", "brass, chrome, copper")
+    base = d.material("base", "black paint, marble, mahogany, walnut")
+    box = d.bounds.place(width=d.bounds.depth)
+    block, cup = box.share((0.1, 0.9), (0.1, 0.9), (0.0, 0.2)), box.share(z=(0.2, 1.0))
+    d.box(block, base, bevel=0.005)
+    d.box(block.front(0.001).inset(front=-0.001).share(y=(0.2, 0.8), z=(0.25, 0.75)), metal, bevel=0.0)
+    stem = [(0.6, 0.0), (0.56, 0.04), (0.16, 0.1), (0.12, 0.2), (0.22, 0.26), (0.14, 0.32)]
+    bowl = [(0.5, 0.42), (0.84, 0.6), (0.94, 0.85), (1.0, 1.0)]
+    d.turned(cup, [*stem, *bowl, (0.93, 1.0), (0.86, 0.85), (0.4, 0.6), (0.0, 0.55)], metal, 28, hollow=True)
+    k, out = cup.width / 2, d.bounds.width / 2 - 0.004
+    low, high = (cup.z[0] + share * cup.height for share in (0.5, 0.9))
+    ear = [(0.6 * k, low), (0.3 * k + 0.5 * out, low + 0.06), (out, (low + high) / 2 + 0.02), (0.96 * out, high)]
+    with d.mirror("y"):
+        d.sweep([(0, y, z) for y, z in (*ear, (0.9 * k, high - 0.01))], 0.004, metal, 8)
 
 
-@draws("snow_globe")
-def snow_globe(b: Builder) -> None:
+@draws("snow_globe", whole=True, even="round")
+def snow_globe(d: Drawing) -> None:
     """A ball of glass with snow, a fir and a small house, on a wooden foot."""
-    r, h = across(b) / 2, b.size.height
-    wood = b.material("foot", "walnut", "red paint", "black paint", "brass", "mahogany")
-    f = h * 0.26
-    z, k = h - r, r
-    with b.solid("globe"):
-        b.lathe([(r * 0.9, 0.0), (r * 0.92, f * 0.3), (r * 0.74, f * 0.5), (r * 0.7, f), (r * 0.6, f + 0.01)], wood, 28)
-        b.ball((k, k, k), (0, 0, z), "glass", 24)
-        low = z - k * 0.55
-        b.lathe([(k * 0.5, low - k * 0.2), (k * 0.78, low), (k * 0.3, low + k * 0.14)], "white paint", 20)
-        with b.frame(-0.2 * k, 0.25 * k):
-            for n, (u, v) in enumerate(((0.3, 0.1), (0.24, 0.4), (0.16, 0.68))):
-                b.frustum(k * u, 0.002, (low + k * v, low + k * (v + 0.42)), "dark leaf" if n else "leaf", 12)
-        with b.frame(0.15 * k, -0.28 * k):
-            s = k * 0.2
-            b.box((-s, s), (-s, s), (low, low + s * 1.7), "red paint", bevel=0.0)
-            b.hull(
-                [(x, y, low + s * 1.7) for x in (-s * 1.2, s * 1.2) for y in (-s * 1.2, s * 1.2)]
-                + [(x, 0, low + s * 2.8) for x in (-s * 1.2, s * 1.2)],
-                "white paint",
-            )
+    wood = d.material("foot", "walnut, red paint, black paint, brass, mahogany")
+    box = d.even("round")
+    foot, r = box.share(z=(0.0, 0.3)), box.width / 2
+    d.turned(foot, [(0.9, 0.0), (0.92, 0.26), (0.74, 0.43), (0.7, 0.86), (0.6, 0.9)], wood, 28)
+    ball = d.ball(box.top(2 * r), "glass", 24)
+    low = ball.center[2] - 0.55 * r
+    with d.no_colliders():
+        d.revolve([(0.5 * r, low - 0.2 * r), (0.78 * r, low), (0.3 * r, low + 0.14 * r)], "white paint")
+        for k, (wide, z) in enumerate(((0.6, 0.1), (0.48, 0.4), (0.32, 0.68))):
+            fir = Box.sized(wide * r, wide * r, 0.42 * r, (-0.2 * r, 0.25 * r, low + z * r))
+            d.cylinder(fir, "dark leaf" if k else "leaf", ends=(1.0, 0.02), segments=12)
+        house = d.box(Box.sized(0.4 * r, 0.4 * r, 0.34 * r, (0.15 * r, -0.28 * r, low)), "red paint", bevel=0.0)
+        roof = house.top(-0.22 * r).inset(x=-0.04 * r, y=-0.04 * r)
+        d.sections(roof, [(1, 1, 0.0), (1, 0.01, 1.0)], "white paint", radius=0.0, convex=True)
+        for k in range(16):
+            a = GOLDEN * k
+            at = (0.7 * r * math.cos(a), 0.6 * r * math.sin(a) * math.sin(k), low + (0.3 + 0.05 * k) * r)
+            d.ball(Box.around(at, 0.035 * r, 0.035 * r, 0.035 * r), "white paint", 6)
 
 
-@draws("music_box", "jewelry_box")
-def lidded_box(b: Builder) -> None:
+@draws("music_box", "jewelry_box", whole=True)
+def lidded_box(d: Drawing) -> None:
     """A small box with a lid that opens, inlaid, with a clasp; a music box has a crank."""
-    d, w, h = b.size
-    wood = b.material("box", "walnut", "mahogany", "cherry", "white paint", "rose fabric", "navy paint", "tan leather")
-    metal = b.material("clasp", "brass", "copper", "chrome")
-    music = b.category.name == "music_box"
-    y = (-w / 2, w / 2 - (0.03 if music else 0.0))
-    foot = 0.008
-    lid = h * 0.7
-    x = (-d / 2, d / 2 - 0.006)
-    middle = (y[0] + y[1]) / 2
-    with b.solid("box"):
-        for px in (x[0] + 0.01, x[1] - 0.01):
-            for py in (y[0] + 0.01, y[1] - 0.01):
-                with b.frame(px, py):
-                    b.frustum(0.006, 0.008, (0.0, foot), metal, 10)
-        b.box(x, y, (foot, lid), wood, bevel=0.003)
-        b.box((x[1], x[1] + 0.002), (y[0] + 0.02, y[1] - 0.02), (foot + 0.1 * h, foot + 0.13 * h), metal, bevel=0.0)
-        if music:
-            z = h * 0.4
-            b.bar((0, y[1] - 0.005, z), (0, y[1] + 0.018, z), 0.003, metal, 8)
-            b.bar((0, y[1] + 0.018, z), (0.02, y[1] + 0.018, z + 0.012), 0.003, metal, 8)
-            b.bar((0.02, y[1] + 0.016, z + 0.012), (0.02, y[1] + 0.03, z + 0.012), 0.005, wood, 10)
-        with b.hinge("lid", (x[0], middle, lid), axis=(0.0, -1.0, 0.0), limits=(0.0, 1.7)):
-            b.hull(
-                [
-                    (px, py, z)
-                    for z, m in ((lid + 0.001, 0.0), (lid + 0.6 * (h - lid), 0.0), (h - 0.002, 0.012))
-                    for px in (x[0] + m, x[1] - m)
-                    for py in (y[0] + m, y[1] - m)
-                ],
-                wood,
-            )
-            b.box((x[0] + 0.03, x[1] - 0.03), (y[0] + 0.03, y[1] - 0.03), (h - 0.006, h), metal, bevel=0.0)
-            b.box((x[1] - 0.004, d / 2), (middle - 0.01, middle + 0.01), (lid + 0.004, lid + 0.018), metal, bevel=0.002)
+    wood = d.material("box", "walnut, mahogany, cherry, white paint, rose fabric, navy paint, tan leather")
+    metal = d.material("clasp", "brass, copper, chrome")
+    music = d.category.name == "music_box"
+    box = d.bounds.inset(front=0.006, left=0.03 if music else 0.0)
+    with d.corners(box, inset=0.01):
+        d.cylinder(Box.sized(0.016, 0.016, 0.008), metal, ends=(0.75, 1.0), segments=10)
+    case = d.box(box.share(z=(0.0, 0.7)).inset(bottom=0.008), wood)
+    d.box(case.front(-0.002).inset(y=0.02).share(z=(0.15, 0.19)), metal, bevel=0.0)
+    if music:
+        y, z = box.y[1], 0.4 * box.height
+        d.sweep([(0, y - 0.005, z), (0, y + 0.018, z), (0.02, y + 0.018, z + 0.012)], 0.003, metal, 8)
+        d.bar((0.02, y + 0.016, z + 0.012), (0.02, y + 0.03, z + 0.012), 0.005, wood)
+    lid = box.share(z=(0.7, 1.0)).inset(bottom=0.001)
+    x, y, z = lid.anchor("back bottom")
+    with d.hinge("lid", (x, y, z), axis=(0.0, -1.0, 0.0), limits=(0.0, 1.7)):
+        edge = (1 - 0.024 / lid.depth, 1 - 0.024 / lid.width)
+        d.sections(lid.inset(top=0.002), [(1, 1, 0.0), (1, 1, 0.6), (*edge, 1.0)], wood, radius=0.0, convex=True)
+        d.box(lid.inset(x=0.03, y=0.03).top(0.006), metal, bevel=0.0)
+        d.box(Box((box.x[1] - 0.004, d.bounds.x[1]), (y - 0.01, y + 0.01), (z + 0.003, z + 0.017)), metal, bevel=0.002)
