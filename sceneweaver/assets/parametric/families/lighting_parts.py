@@ -76,9 +76,3 @@ def flat_foot(d: Drawing, radius: float, thick: float, look: Look) -> None:
 def finial(d: Drawing, top: float, metal: Look) -> None:
     """A small knob on top of a shade that ends at the height ``top``."""
     d.revolve([(0.006, top - 0.024), (0.012, top - 0.008), (0.0, top)], metal, 12)
-
-
-def across(d: Drawing) -> float:
-    """The diameter of a round thing: its width, or its depth when only that is asked for."""
-    depth, width, _ = d.request.size
-    return d.size.depth if depth is not None and width is None else d.size.width
