@@ -43,7 +43,8 @@ def floor_lamp(d: Drawing) -> None:
             outside = [(0.014, h - 0.16), (0.05, h - 0.13), (0.75 * r, h - 0.05), (r, h - 0.004), (r, h)]
             d.revolve([*outside, (r - 0.006, h), (r - 0.012, h - 0.01), (0.0, h - 0.02)], look, 32, hollow=True)
             with d.no_colliders():
-                d.cylinder(box.inset(x=0.02, y=0.02).to(z=(h - 0.02, h - 0.012)), "lamp glow")
+                glow = 0.85 * r
+                d.cylinder(box.place(2 * glow, 2 * glow).to(z=(h - 0.02, h - 0.012)), "lamp glow")
 
 
 def paper_column(d: Drawing, box: Box) -> None:
