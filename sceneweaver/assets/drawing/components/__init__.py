@@ -41,6 +41,8 @@ from .units import fronts as fronts
 from .units import unit as unit
 from .vessels import CORNERS as CORNERS
 from .vessels import basin as basin
+from .vessels import bottle as bottle
+from .vessels import bowl as bowl
 from .vessels import drain as drain
 from .vessels import open_box as open_box
 from .vessels import oval as oval
@@ -58,6 +60,8 @@ __all__ = [
     "beam",
     "blanket",
     "board_top",
+    "bottle",
+    "bowl",
     "button",
     "carcass",
     "castors",

@@ -75,6 +75,29 @@ def vessel(
     d.add(shapes.lofted(rings), material, hulls)
 
 
+def bowl(
+    d: Drawing,
+    box: Box,
+    outer: Sequence[Sequence[float]],
+    inner: Sequence[Sequence[float]],
+    material: Look,
+    power: float = 2.0,
+    staves: int = 16,
+    split: tuple[int, int] | None = None,
+) -> None:
+    """A `vessel` of `oval` rings in the middle of a box: shares of its depth and width, a height [m], a power."""
+    sides = []
+    for rows in (outer, inner):
+        plans = [(box.place(row[0] * box.depth, row[1] * box.width), *row[2:]) for row in rows]
+        sides.append([oval(plan, z, own[0] if own else power, count=2 * staves) for plan, z, *own in plans])
+    vessel(d, sides[0], sides[1], material, staves, split)
+
+
+def bottle(d: Drawing, box: Box, material: Look) -> Box:
+    """A bottle with round shoulders and a neck that fills a box."""
+    return d.turned(box, [(1.0, 0.0), (1.0, 0.6), (0.85, 0.68), (0.42, 0.82), (0.42, 1.0)], material, 12)
+
+
 CORNERS = (0, 3, 4, 7, 8, 11, 12, 15, 16)
 """Where the staves of a vessel of `shapes.rectangle` rings end: one for each corner and one for each side."""
 
