@@ -20,6 +20,7 @@ _FOV = 0.42
 
 _LOOK = (96, 72)  # pixels of the look that tells how much a camera shows
 _BEHIND = 0.1  # what a thing is worth from behind
+_TALL = 1.3  # height [m] of a thing whose back hides what is behind it
 
 HIDDEN = 0.03
 """Share of the floor behind a wall from which on it is cut away."""
@@ -103,6 +104,8 @@ def _worth(scene: Scene, way: np.ndarray) -> float:
         worth += matters * shown * side
         if is_key(thing):  # one that is hidden or seen from behind is worse than two seen half
             worth -= matters * (1 - shown * side) ** 2
+        elif thing.size[2] > _TALL:
+            worth -= 2.0 * matters * (1 - side) ** 2
     worth /= max(total, 1e-9)
     floor = {o.id for o in scene.objects if o.mount == "floor"}
     standing_there = {r.target for r in scene.relations if r.type == "at_window" and r.subject in floor}

@@ -21,8 +21,8 @@ NOTHING, WALL, FLOOR, CEILING, WINDOW, DOOR = -1, -2, -3, -4, -5, -6
 """Ids of what is no object."""
 
 _KEY = re.compile(
-    r"\b(bed|bunk|crib|sofa|couch|sectional|table|desk|workstation|counter|island|cooktop|stove|range|bathtub|bath|shower|"
-    r"vanity|toilet|piano|reception|bar|bench|stage|pool|billiard|treadmill)$"
+    r"(\bbed|daybed|bunk|crib|sofa|loveseat|couch|sectional|table|desk|workstation|counter|island|cooktop|stove|range|"
+    r"bathtub|bath|shower|vanity|toilet|piano|reception|bar|bench|stage|pool|billiard|treadmill)$"
 )
 """Last words of categories of what a room is about."""
 _MINOR = re.compile(r"\b(rug|mat|carpet|bin|basket|curtains?|blind|radiator)$")
