@@ -459,11 +459,15 @@ def assets_sheet(
     columns: Annotated[int, typer.Option(min=1, max=40, help="Pictures in a row.")] = 8,
     tile: Annotated[int, typer.Option(min=32, max=1024, help="Pixels of a picture.")] = 240,
     view: Annotated[str, typer.Option(metavar="corner|front|side|top", help="Where it is seen from.")] = "corner",
+    materials: Annotated[bool, typer.Option("--materials", help="Patterns of materials, at real size.")] = False,
     store: StorePath = None,
     device: Device = "cpu",
 ) -> int:
     """Draw a labelled contact sheet."""
-    from .assets import run_sheet
+    from .assets import run_materials, run_sheet
+
+    if materials:
+        return run_materials(names or [], out, columns=columns, tile=tile)
 
     return run_sheet(
         names or [],

@@ -16,6 +16,8 @@ from .exit_codes import BAD_INPUT, NOT_VALID
 from .output import list_files, no_chatter
 
 if TYPE_CHECKING:
+    from PIL.Image import Image
+
     from sceneweaver.assets import Asset
 
 
@@ -44,7 +46,18 @@ def run_sheet(
             for seed in range(seeds):
                 yield name.replace("_", " ") + (f" {seed}" if seeds > 1 else ""), make(name, seed)
 
-    image = contact_sheet(rows(), columns=columns, tile=tile, view=view, device=device)
+    return _save_sheet(contact_sheet(rows(), columns=columns, tile=tile, view=view, device=device), out)
+
+
+def run_materials(names: list[str], out: Path, *, columns: int, tile: int) -> int:
+    """Draw a contact sheet of patterns of materials."""
+    from sceneweaver.render.studio import grid_of
+    from sceneweaver.render.swatches import swatches
+
+    return _save_sheet(grid_of(list(swatches(names, tile)), columns, tile), out)
+
+
+def _save_sheet(image: Image, out: Path) -> int:
     buffer = io.BytesIO()
     if out.suffix.lower() in (".jpg", ".jpeg"):
         image.save(buffer, format="JPEG", quality=82, optimize=True)

@@ -49,7 +49,15 @@ def contact_sheet(
     rows: Iterable[tuple[str, Asset]], columns: int = 8, tile: int = 240, view: str = "corner", device: str = "cpu"
 ) -> Image.Image:
     """Portraits in a grid, each with its label below."""
-    pictures = [(label, portrait(asset, tile, view, device=device)) for label, asset in rows]
+    return grid_of([(label, portrait(asset, tile, view, device=device)) for label, asset in rows], columns, tile)
+
+
+def grid_of(pictures: Sequence[tuple[str, Image.Image]], columns: int = 8, tile: int = 240) -> Image.Image:
+    """Square pictures of ``tile`` pixels in a grid, each with its label below.
+
+    Raises:
+        InputError: there is none.
+    """
     if not pictures:
         raise InputError("sheet: there is nothing to draw")
     columns = max(1, min(columns, len(pictures)))

@@ -12,7 +12,7 @@ from ..relief import Relief
 
 def _veins(n: int, seed: int, wave: float, width: float) -> np.ndarray:
     """Thin bent lines of uneven strength, in 0..1."""
-    bend = 0.05 * field(n, seed, 0.22, 1.3), 0.05 * field(n, seed + 1, 0.22, 1.3)
+    bend = 0.03 * field(n, seed, 0.16, 1.2), 0.03 * field(n, seed + 1, 0.16, 1.2)
     level = warped(field(n, seed + 2, (wave, 0.6 * wave), 2.6), *bend)
     slope = np.hypot(np.gradient(level, axis=0), np.gradient(level, axis=1)) * n
     strength = step(-0.6, 1.4, field(n, seed + 3, 0.25))
@@ -33,7 +33,7 @@ def _marble(n: int) -> Relief:
 @pattern("dark marble", (1.2, 1.2), kind="stone")
 def _dark_marble(n: int) -> Relief:
     """Dark marble with white veins."""
-    veins = _veins(n, 231, 0.5, 0.005) + 0.6 * _veins(n, 241, 0.22, 0.0025)
+    veins = _veins(n, 233, 1.2, 0.005) + 0.5 * _veins(n, 243, 0.7, 0.0025) + 0.35 * _veins(n, 247, 0.4, 0.0018)
     tint = 1.0 + 0.10 * field(n, 251, 0.2, 1.6) + 1.7 * np.clip(veins, 0.0, 1.0)
     return Relief(tint, np.zeros((n, n)), 1.0 + 0.1 * veins)
 
@@ -207,7 +207,7 @@ def _brick(n: int) -> Relief:
     sand, cloud = field(n, 457, 0.005, 0.9), field(n, 458, 0.06, 1.5)
     shade = 1.0 + 0.42 * tone + 0.07 * cloud + 0.05 * sand
     clay = shade[:, :, None] * (1.0 + warm[:, :, None] * np.array([0.06, -0.14, -0.20]))
-    mortar = (1.55 + 0.10 * sand)[:, :, None] * np.array([0.80, 1.30, 1.75])
+    mortar = (1.55 + 0.10 * sand)[:, :, None] * np.array([0.66, 1.85, 2.7])
     tint = face[:, :, None] * clay + (1 - face)[:, :, None] * mortar
-    height = face * (4e-3 + 3e-4 * cloud) + 2e-4 * sand
-    return Relief(tint, height, 1.0 + 0.05 * sand, shade=0.25, reach=0.01)
+    height = face * (2.2e-3 + 2e-4 * cloud) + 1.5e-4 * sand
+    return Relief(tint, height, 1.0 + 0.05 * sand, shade=0.06, reach=0.006)
