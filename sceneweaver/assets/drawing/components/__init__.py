@@ -6,6 +6,7 @@ from .cases import cornice as cornice
 from .cases import frame as frame
 from .cases import shelves as shelves
 from .cases import slats as slats
+from .cases import walls as walls
 from .cavities import cavity as cavity
 from .cavities import rack as rack
 from .fittings import band as band
@@ -97,5 +98,6 @@ __all__ = [
     "towel",
     "unit",
     "vessel",
+    "walls",
     "wheel",
 ]

@@ -19,6 +19,14 @@ def carcass(
     return inner.inset(z=board, back=back)
 
 
+def walls(d: Drawing, box: Box, material: Look, thick: float = 0.02, bevel: float = 0.003) -> Box:
+    """Four upright boards around a box, as rails under a table's top or the walls of a crate; returns the box."""
+    between = box.inset(x=thick)
+    for side in (box.front(thick), box.back(thick), between.left(thick), between.right(thick)):
+        d.box(side, material, bevel)
+    return box
+
+
 def shelves(
     d: Drawing,
     room: Box,

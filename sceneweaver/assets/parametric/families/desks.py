@@ -38,10 +38,8 @@ def desk(d: Drawing) -> None:
     """A top on steel or wooden legs, panel ends with a modesty board, or with one or two stacks of drawers."""
     kind = d.pick("kind", ["legs", "loop", "drawers", "panel", "thin drawers", "a"])
     top, bounds = d.material("top", *BOARDS), d.bounds
-    pull, style = (
-        d.material("pulls", "black steel", "brass", "brushed steel"),
-        d.pick("pull style", ["bar", "knob", "cup"]),
-    )
+    pull = d.material("pulls", "black steel", "brass", "brushed steel")
+    style = d.pick("pull style", ["bar", "knob", "cup"])
     plate = bounds.top(d.uniform("thickness", 0.022, 0.03))
     under = bounds.to(z=(0.0, plate.z[0]))
     low, free = under.height, under.inset(y=0.06)
@@ -53,13 +51,8 @@ def desk(d: Drawing) -> None:
     if kind == "legs":
         wooden = d.chance("wooden", 0.5)
         look = d.material("legs", *(("oak", "beech", "walnut", "birch") if wooden else METALS))
-        legs(
-            d,
-            under.inset(x=0.03, y=0.03),
-            look,
-            d.pick("leg style", ["tapered", "splayed"] if wooden else ["square", "hairpin"]),
-            0.05,
-        )
+        shape = d.pick("leg style", ["tapered", "splayed"] if wooden else ["square", "hairpin"])
+        legs(d, under.inset(x=0.03, y=0.03), look, shape, 0.05)
         with d.part("top"):
             frame = under.inset(x=0.08, y=0.08)
             for rail in (frame.back(0.02).top(0.07), frame.left(0.02).top(0.05), frame.right(0.02).top(0.05)):
@@ -202,22 +195,15 @@ def school_desk(d: Drawing) -> None:
     with d.part("top"):
         tabletop(d, plate, top, 0.04)
         d.print(plate.top(0.0).inset(back=0.03, y=0.12).back(0.015), metal)
-    tubes = {
-        "c": (
-            ((x0 + 0.08, radius), (x1 - 0.05, radius)),
-            ((x0 + 0.16, radius), (x0 + 0.14, low - 0.01)),
-            ((x0 + 0.05, low - 0.02), (x1 - 0.06, low - 0.02)),
-        ),
-        "four": (
-            ((x0 + 0.06, 0.0), (x0 + 0.06, low)),
-            ((x1 - 0.06, 0.0), (x1 - 0.06, low)),
-            ((x0 + 0.06, low - 0.03), (x1 - 0.06, low - 0.03)),
-            ((x0 + 0.06, 0.1), (x1 - 0.06, 0.1)),
-        ),
-    }
+    if kind == "c":
+        back, front = (x0 + 0.15, x0 + 0.15), (x0 + 0.08, x1 - 0.05)
+        tubes = ((*back, 0.0, low - 0.01), (*front, radius, radius), (*front, low - 0.02, low - 0.02))
+    else:
+        across = (x0 + 0.06, x1 - 0.06)
+        tubes = [(x, x, 0.0, low) for x in across] + [(*across, z, z) for z in (low - 0.03, 0.1)]
     with d.mirror("y"), d.part("end"):
-        for start, end in tubes[kind]:
-            d.bar((start[0], at, start[1]), (end[0], at, end[1]), radius, metal, 12)
+        for start, end, z0, z1 in tubes:
+            d.bar((start, at, z0), (end, at, z1), radius, metal, 12)
     with d.part("tray"):
         tray = plate.bottom(-0.08).inset(back=0.05, front=0.1, y=0.09)
         d.box(tray.bottom(0.008), metal, bevel=0.001)

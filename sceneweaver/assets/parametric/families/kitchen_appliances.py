@@ -1,192 +1,11 @@
-"""Refrigerators, freezers, stoves, ovens, hoods, dishwashers, microwaves, wine coolers."""
+"""Stoves, ovens, hobs, hoods, dishwashers, microwaves."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
-from typing import Literal
-
-from ... import shapes
 from ...drawing import Box, Drawing, draws
-from ...drawing.box import Interval
-from ...drawing.components import CORNERS, carcass, cavity, door, drawer, handle, knob, rack, unit, vessel
+from ...drawing.components import carcass, cavity, drawer, handle, knob, rack, unit, walls
 from ...drawing.drawing import Look
-from .bottles import bottle
-from .kitchen_common import (
-    PLINTH,
-    SETBACK,
-    bar_handle,
-    burners,
-    coat_of,
-    feet,
-    knobs,
-    oven_door,
-    plinth,
-    worktop_of,
-)
-
-LEAF = 0.06
-"""Thickness of the insulated door of a fridge [m]."""
-
-REACH = 0.043
-"""How far its handle stands out [m]."""
-
-
-def _leaf(
-    d: Drawing,
-    name: str,
-    leaf: Box,
-    coat: Look,
-    pull: Look,
-    hung: Literal["left", "right"],
-    grip: Interval,
-    bevel: float = 0.006,
-    bins: int = 0,
-    more: Callable[[Box], None] | None = None,
-) -> None:
-    """A thick door with an upright handle between two heights, and bins inside; ``more`` draws what else it has."""
-    limits = (0.0, 1.92) if hung == "left" else (-1.92, 0.0)
-    with d.hinge(name, leaf.anchor(f"front {hung} bottom"), limits=limits):
-        d.box(leaf, coat, bevel=bevel)
-        x, y = leaf.x[1], leaf.y[0] + 0.05 if hung == "left" else leaf.y[1] - 0.05
-        bar_handle(d, (x, y, grip[0]), (x, y, grip[1]), pull)
-        inside = leaf.inset(y=0.09, z=0.06).back(-0.09)  # clear of the case as it turns
-        d.box(leaf.inset(y=0.02, z=0.02).back(-0.0035), "white plastic", bevel=0.0)  # its lining, with the seal
-        for place in inside.rows(bins) if bins else []:
-            floor = d.box(place.bottom(0.01), "white plastic", bevel=0.0)
-            d.box(floor.back(0.004).top(-0.07), "clear plastic", bevel=0.0)
-        if more:
-            more(leaf)
-
-
-def _cold_room(d: Drawing, box: Box, shelves: int, trays: int) -> None:
-    """A white lined room with boards of glass, over clear drawers that stand on its floor."""
-    room = cavity(d, box, "white plastic", 0.035).inset(front=0.1, y=0.004)
-    low = room.bottom(0.17 * trays)
-    for cell in low.rows(trays, gap=0.01) if trays else []:
-        d.box(cell.front(0.3), "clear plastic", bevel=0.004)
-    rows = room.inset(bottom=low.height if trays else 0.0).rows(shelves + 1)
-    for cell in rows if trays else rows[1:]:
-        d.box(cell.bottom(0.006), "glass", bevel=0.0)
-
-
-def _cold_case(d: Drawing, box: Box, coat: Look, radius: float) -> Box:
-    """The case of a fridge on its base; returns the room to line."""
-    case = box.inset(bottom=0.035)
-    d.box(case.bottom(-0.035).inset(front=0.02, back=0.04, y=0.015), "black plastic")
-    return cavity(d, case, coat, 0.012, radius)
-
-
-@draws("fridge")
-def fridge(d: Drawing) -> None:
-    """A cabinet with two doors, the freezer below or above, upright handles and a small badge."""
-    coat = coat_of(d, "cream paint", "red paint", "sage paint")
-    pull = d.material("handles", "chrome", "brushed steel", "black steel")
-    retro = coat.name in ("cream paint", "red paint", "sage paint")
-    body = d.bounds.inset(front=LEAF + REACH + 0.004)
-    hung: Literal["left", "right"] = d.pick("hung", ["left", "right"])
-    low = d.chance("freezer below", 0.6) and not retro
-    height = body.height
-    split = height * (d.uniform("split low", 0.34, 0.4) if low else d.uniform("split high", 0.68, 0.74))
-    fronts = body.inset(y=0.001, top=0.002, bottom=0.06).front(-LEAF).move(x=0.004)
-
-    def badge(leaf: Box) -> None:
-        d.box(
-            leaf.front(-0.0015).place(width=0.09, height=0.015).to(z=(height - 0.13, height - 0.115)), pull, bevel=0.0
-        )
-
-    with d.part("body"):
-        room = _cold_case(d, body, "grey plastic" if coat.metallic else coat, 0.02 if retro else 0.004)
-        lower, upper = room.to(z=(room.z[0], split)), room.to(z=(split, room.z[1]))
-        _cold_room(d, lower, 1 if low else 3, 2 if low else 1)
-        _cold_room(d, upper, 3 if low else 1, 1 if low else 0)
-        for name, z in (("lower", (fronts.z[0], split - 0.003)), ("upper", (split + 0.003, fronts.z[1]))):
-            leaf = fronts.to(z=z)
-            long = min(0.55, 0.6 * leaf.height)
-            grip = leaf.inset(z=0.06).top(long) if name == "lower" else leaf.inset(z=0.06).bottom(long)
-            bins = 0 if leaf.height < 0.7 else 2
-            more = badge if name == "upper" else None
-            _leaf(d, f"{name} door", leaf, coat, pull, hung, grip.z, 0.025 if retro else 0.006, bins, more)
-    d.fit()
-
-
-@draws("side_by_side_fridge")
-def side_by_side_fridge(d: Drawing) -> None:
-    """Two tall doors with handles in the middle, an ice dispenser in one, or drawers below."""
-    coat = d.material("body", d.pick("coat", ["brushed steel", "black paint", "white paint", "steel"]))
-    pull = d.material("handles", "chrome", "brushed steel", "black steel")
-    with_drawers = d.chance("drawers", 0.45)
-    body = d.bounds.inset(front=LEAF + REACH + 0.004)
-    low, middle = (0.62, 0.0) if with_drawers else (0.06, -0.04)
-    fronts = body.inset(y=0.001).front(-LEAF).move(x=0.004)
-    upper = fronts.to(z=(low, fronts.z[1]))
-
-    def dispenser(leaf: Box) -> None:
-        y = leaf.y[0] + (0.2 if with_drawers else 0.24)
-        face = Box((leaf.x[1], leaf.x[1]), (y - 0.085, y + 0.085), (1.0, 1.32))
-        d.box(face.front(-0.002), "black glass", bevel=0.0)
-        niche = face.inset(y=0.025, bottom=0.02, top=0.12)
-        d.box(niche.front(-0.004), "grey plastic", bevel=0.0)
-        d.box(niche.bottom(0.01).front(-0.012), "brushed steel", bevel=0.0)
-        d.box(niche.top(0.06).place(width=0.03).front(-0.014), "black plastic", bevel=0.002)
-        d.print(face.front(-0.002).front(0.0).place(width=0.08).inset(top=0.04, bottom=0.25), "screen")
-
-    with d.part("body"):
-        room = _cold_case(d, body, "grey plastic", 0.004)
-        cells = (
-            room.to(z=(low, room.z[1])).to(y=(room.y[0], middle)),
-            room.to(z=(low, room.z[1])).to(y=(middle, room.y[1])),
-        )
-        grip = (low + 0.12, body.z[1] - 0.25) if with_drawers else (0.5, body.z[1] - 0.35)
-        sides: tuple[Literal["left", "right"], ...] = ("right", "left")
-        for side, cell in zip(sides, cells, strict=True):
-            _cold_room(d, cell, 3, 0 if with_drawers else 2)
-            own = upper.to(y=(upper.y[0], middle - 0.003) if side == "right" else (middle + 0.003, upper.y[1]))
-            _leaf(d, f"{side} door", own, coat, pull, side, grip, bins=3, more=dispenser if side == "right" else None)
-        if with_drawers:
-            d.box(room.to(z=(room.z[0], low)).back(0.3), "white plastic", bevel=0.0)
-            for k, front in enumerate(fronts.to(z=(0.06, low - 0.006)).rows(2, gap=0.006)):
-                with d.slide(f"drawer-{k}", limits=(0.0, 0.4)):
-                    d.box(front, coat, bevel=0.006)
-                    x, z = front.x[1], front.z[1] - 0.05
-                    bar_handle(d, (x, front.y[0] + 0.1, z), (x, front.y[1] - 0.1, z), pull)
-                    tray = front.inset(y=0.06, bottom=0.02, top=0.06).back(-0.25)
-                    d.box(tray.bottom(0.006), "clear plastic", bevel=0.0)
-                    for wall in (tray.left(0.005), tray.right(0.005), tray.back(0.005)):
-                        d.box(wall.inset(bottom=0.006), "clear plastic", bevel=0.0)
-    d.fit()
-
-
-@draws("freezer")
-def freezer(d: Drawing) -> None:
-    """A chest with a padded lid hinged at its back, wire baskets inside, a lock, a grille and a lamp."""
-    coat = d.material("body", "white paint", "white paint", "light grey paint", "black paint")
-    bounds = d.bounds.inset(front=0.03)
-    lid = bounds.height - 0.075
-    chest = bounds.inset(y=0.006, bottom=0.025).to(z=(0.025, lid))
-    with d.part("body"):
-        feet(d, bounds.bottom(0.03))
-        liner = chest.inset(x=0.02, y=0.02, bottom=0.02)
-        room = liner.inset(x=0.04, y=0.04, bottom=0.045)
-        for outer, inner, look in ((chest, liner, coat), (liner, room, "white plastic")):
-            rings = [shapes.rectangle(outer.x, outer.y, z, 0.02) for z in outer.z]
-            vessel(d, rings, [shapes.rectangle(inner.x, inner.y, z, 0.02) for z in inner.z[::-1]], look, CORNERS)
-        rack(d, room.inset(x=0.004, y=0.004, top=0.06).left(0.24), "white steel")
-        seal = liner.top(-0.008)
-        for side in (seal.left(0.02), seal.right(0.02), seal.inset(y=0.02).front(0.02), seal.inset(y=0.02).back(0.02)):
-            d.box(side, "rubber", bevel=0.0)
-        face = chest.front(0.0)
-        for k in range(5):
-            slat = face.left(0.2).move(y=-0.06).to(z=(0.08 + 0.022 * k, 0.089 + 0.022 * k))
-            d.box(slat.front(-0.003), "grey plastic", bevel=0.0)
-        panel = d.box(face.right(0.14).move(y=0.06).to(z=(0.1, 0.16)).front(-0.002), "grey plastic", bevel=0.0)
-        knob(d, panel.right(0.08), "black plastic", 0.013, 0.012)
-        d.print(panel.left(0.05).front(0.0).place(width=0.03, height=0.01), "lamp glow")
-        with d.hinge("lid", bounds.to(z=(lid, lid)).anchor("back"), axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0)):
-            cover = d.box(d.bounds.inset(front=0.022).to(z=(lid + 0.0085, bounds.z[1])), coat, bevel=0.016)
-            d.box(cover.bottom(0.03).move(z=0.012).front(-0.022).place(width=0.2), "grey plastic", bevel=0.006)
-            d.box(cover.front(-0.003).place(width=0.036, height=0.01).move(z=0.018), "chrome", bevel=0.0)
-    d.fit()
+from .kitchen_common import PLINTH, SETBACK, burners, coat_of, feet, knobs, oven_door, plinth, worktop_of
 
 
 def _oven(d: Drawing, box: Box, coat: Look) -> None:
@@ -211,9 +30,8 @@ def stove(d: Drawing) -> None:
     with d.part("body"):
         feet(d, case.bottom(0.07), 0.02)
         plinth(d, case.bottom(0.068))
-        plate = d.box(
-            front.inset(front=-0.01).to(z=(top - 0.022, top)), steel_top if gas else "black glass", bevel=0.004
-        )
+        plate = front.inset(front=-0.01).to(z=(top - 0.022, top))
+        d.box(plate, steel_top if gas else "black glass", bevel=0.004)
         burners(d, plate.inset(x=0.03, y=0.03), gas, count)
         controls = case.to(z=(top - 0.126, top - 0.022))
         d.box(controls, coat, bevel=0.0)
@@ -229,17 +47,8 @@ def stove(d: Drawing) -> None:
             oven_door(d, f"oven-{k}", cell.inset(y=0.002, bottom=0.002, top=0.002).front(-0.04), coat, pull)
         below = case.to(z=(0.068, 0.235))
         room = carcass(d, below, coat)
-        drawer(
-            d,
-            "drawer",
-            front.to(z=below.z).inset(back=room.x[0] - front.x[0]),
-            coat,
-            pull,
-            "bar",
-            0.35,
-            "grey plastic",
-            0.018,
-        )
+        tray = front.to(z=below.z).inset(back=room.x[0] - front.x[0])
+        drawer(d, "drawer", tray, coat, pull, "bar", 0.35, "grey plastic", overlay=0.018)
     if not gas:
         d.surface("hob", case.to(z=bounds.z), inset=0.02)
     d.fit()
@@ -308,10 +117,7 @@ def range_hood(d: Drawing) -> None:
     canopy = bounds.bottom(0.055)
     shaft = bounds.place(0.26, 0.28, at="back").inset(bottom=canopy.height)
     with d.part("canopy"):
-        for side in (canopy.left(0.012), canopy.right(0.012)):
-            d.box(side, steel, bevel=0.001)
-        d.box(canopy.inset(y=0.012).front(0.012), steel, bevel=0.001)
-        d.box(canopy.inset(y=0.012).back(0.012), steel, bevel=0.001)
+        walls(d, canopy, steel, 0.012, 0.001)
         d.box(canopy.inset(x=0.012, y=0.012).top(0.03), steel, bevel=0.0)
         if pyramid:
             shaft = shaft.inset(bottom=0.2 + 0.12 * (bounds.height - 0.7))
@@ -333,13 +139,7 @@ def range_hood(d: Drawing) -> None:
         d.box(lower.inset(bottom=-0.001), steel, bevel=0.001)
         d.box(upper.inset(front=0.004, y=0.004), steel, bevel=0.001)
         with d.mirror("y"):
-            for k in range(4):
-                slot = (
-                    upper.left(0.0)
-                    .inset(x=0.06)
-                    .move(y=-0.004)
-                    .to(z=(upper.z[1] - 0.06 - 0.02 * k, upper.z[1] - 0.052 - 0.02 * k))
-                )
+            for slot in upper.inset(x=0.06, y=0.004, top=0.05).left(0.0).top(0.07).rows(4, gap=0.012):
                 d.print(slot, "black plastic")
     d.fit()
 
@@ -395,11 +195,8 @@ def microwave(d: Drawing) -> None:
         room = cavity(d, inside.inset(left=wide - 0.006), "white plastic", 0.012, 0.012)
         plate = room.inset(all=0.01).bottom(0.006)
         d.cylinder(plate.place(min(plate.size[:2]), min(plate.size[:2])), "glass", segments=28)
-        for k in range(6):
-            vent = (
-                case.right(0.0).share(z=(0.5, 0.8)).to(x=(case.x[0] + 0.05 + 0.018 * k, case.x[0] + 0.058 + 0.018 * k))
-            )
-            with d.mirror("y"):
+        with d.mirror("y"):
+            for vent in case.left(0.0).inset(back=0.05).back(0.1).share(z=(0.5, 0.8)).split("x", 6, gap=0.01):
                 d.print(vent, "black plastic")
         front = case.inset(y=0.001, bottom=0.002, top=0.002).front(-0.022)
         dark = d.chance("dark panel", 0.6)
@@ -426,33 +223,4 @@ def microwave(d: Drawing) -> None:
             for z in (window.z[0] + 0.015, window.z[1] - 0.015):
                 d.bar((x - 0.001, y, z), (x + 0.022, y, z), 0.006, "chrome", 8)
     d.surface("top", case, inset=0.015)
-    d.fit()
-
-
-@draws("wine_cooler")
-def wine_cooler(d: Drawing) -> None:
-    """A dark box with a glass door, in it racks of beech with rows of bottles under a lamp."""
-    coat = d.material("body", "black paint", "brushed steel", "black steel")
-    pull = d.material("handle", "chrome", "brushed steel", "black steel")
-    hung: Literal["left", "right"] = "left" if d.chance("hung", 0.5) else "right"
-    body = d.bounds.inset(front=0.07)
-    with d.part("body"):
-        feet(d, body.bottom(0.03))
-        case = body.inset(bottom=0.03)
-        d.box(case.bottom(0.05).inset(back=0.02, front=0.01, y=0.01), "black plastic", bevel=0.0)
-        room = cavity(d, cavity(d, case.inset(bottom=0.05), coat, 0.012, 0.004), "black plastic", 0.02)
-        d.print(room.top(0.0).inset(y=0.03).front(0.03), "lamp glow")
-        rows = room.inset(top=0.03).rows(max(4, round((room.height - 0.05) / 0.15)))
-        count = max(3, int(room.width / 0.095))
-        radius = min(0.037, room.width / count / 2 - 0.002)
-        for k, row in enumerate(rows):
-            rack(d, row.bottom(0.008).inset(front=0.035, back=0.01), "black steel", 0.04)
-            d.box(row.front(0.04).bottom(0.03).inset(front=0.015), "beech", bevel=0.002)
-            for j, place in enumerate(row.inset(back=0.02).columns(count)):
-                if (k * count + j) % 7 != 5:
-                    x, y, z = place.anchor("back bottom")
-                    with d.at(x, y, z + 0.009 + radius, pitch=math.pi / 2):
-                        glass = "green glass" if (j + k) % 3 else "amber glass"
-                        bottle(d, radius, 0.302, glass, ("red plastic", "brass", "black plastic")[k % 3])
-        door(d, "door", case.inset(bottom=0.05).front(-0.041).inset(back=0.001), coat, pull, hung, "bar", "glass")
     d.fit()

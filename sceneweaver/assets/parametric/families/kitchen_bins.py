@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ... import shapes
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import CORNERS, open_box, oval, vessel
+from ...drawing.components import open_box, oval, vessel
 
 
 @draws("trash_can")
@@ -38,7 +38,7 @@ def trash_can(d: Drawing) -> None:
         else:
             wall = 0.012 / min(bounds.size[:2])
             outer = [ring(0.76, 0.0), ring(0.97, h - 0.02), ring(1.0, h - 0.018), ring(1.0, h)]
-            vessel(d, outer, [ring(1.0 - 2.5 * wall, h), ring(0.76 - wall, 0.012)], body, CORNERS if square else 16)
+            vessel(d, outer, [ring(1.0 - 2.5 * wall, h), ring(0.76 - wall, 0.012)], body, 16 if square else 32)
             if d.chance("bag", 0.5):  # a liner folded down outside hides the rim
                 d.loft([ring(0.72, 0.35 * h), ring(0.79, 0.36 * h)], "white plastic", convex=True)
             else:
@@ -60,12 +60,9 @@ def pedal_bin(d: Drawing) -> None:
         return shapes.rectangle(own.x, own.y, z, 0.04) if square else oval(own, z)
 
     with d.part("bin"):
-        for share, z, look in (
-            (1.0, (0.0, 0.045), dark),
-            (0.985, (0.045, rim), body),
-            (1.0, (rim - 0.006, rim + 0.008), dark),
-        ):
-            d.loft([ring(share, z[0]), ring(share, z[1])], look)
+        bands = ((1.0, 0.0, 0.045, dark), (0.985, 0.045, rim, body), (1.0, rim - 0.006, rim + 0.008, dark))
+        for share, low, high, look in bands:
+            d.loft([ring(share, low), ring(share, high)], look)
         back = h - 0.012 if square else rim + 0.35 * (h - rim)  # as high as the lid is upright: clear of a wall
         hinge = (drum.x[0] + 0.0075 * drum.depth, 0.0, back)
         with d.hinge("lid", hinge, axis=(0.0, 1.0, 0.0), limits=(-1.3, 0.0)):
@@ -105,12 +102,9 @@ def recycling_bin(d: Drawing) -> None:
                 low, high = rim + 0.001, bounds.z[1]
                 profile = ((cell.x[0], low), (cell.x[0], high), (0.1 * cell.depth, high), (cell.x[1], low + 0.021))
                 d.hull([(x, y, z) for x, z in (*profile, (cell.x[1], low)) for y in cell.y], color)
-                grip = cell.front(-0.012).place(width=0.1).to(z=(low + 0.002, low + 0.017))
-                d.box(grip, color)
-            for width, shares, out, look in (
-                (0.26, (0.55, 0.78), 0.0015, color),
-                (0.12, (0.61, 0.72), 0.003, "white plastic"),
-            ):
+                d.box(cell.front(-0.012).place(width=0.1).to(z=(low + 0.002, low + 0.017)), color)
+            labels = ((0.26, 0.55, 0.78, 0.0015, color), (0.12, 0.61, 0.72, 0.003, "white plastic"))
+            for width, low, high, out, look in labels:
                 sides = (-width * cell.width, width * cell.width)
-                d.hull([at(s, y, o) for s in shares for y in sides for o in (-0.004, out)], look)
+                d.hull([at(s, y, o) for s in (low, high) for y in sides for o in (-0.004, out)], look)
     d.fit()

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import leg
+from ...drawing.components import leg, walls
 from ...drawing.drawing import Look
 
 WOODS = ("oak", "walnut", "white paint", "black paint", "beech", "light oak")
@@ -149,10 +149,8 @@ def shoe_rack(d: Drawing) -> None:
             d.box(tier.inset(x=0.028, bottom=-0.004, top=0.001), slat, bevel=0.0)
             for own in tier.split("x", 5, gap=0.003):
                 d.box(own, slat, bevel=0.001)
-        last = k == tiers - 1
-        d.surface(
-            "top" if last else f"shelf-{k}", tier, None if last else round(levels[k + 1] - 0.019 - z, 4), inset=0.006
-        )
+        name, room = ("top", None) if k == tiers - 1 else (f"shelf-{k}", round(levels[k + 1] - 0.019 - z, 4))
+        d.surface(name, tier, room, inset=0.006)
 
 
 @draws("umbrella_stand")
@@ -168,21 +166,14 @@ def umbrella_stand(d: Drawing) -> None:
             d.cylinder(pot.inset(x=0.12 * radius, y=0.12 * radius).top(-0.0005), "black paint")
         else:
             wall = 0.012
-            for side in (pot.left(wall), pot.right(wall), pot.inset(y=wall).front(wall), pot.inset(y=wall).back(wall)):
-                d.box(side, body, bevel=0.001)
+            walls(d, pot, body, wall, 0.001)
             d.box(pot.inset(x=wall, y=wall, top=0.1), "black paint", bevel=0.0)
         count = d.integer("umbrellas", 2, 3)
         for k in range(count):
             cloth = d.pick(f"cloth {k}", [f"{dye} fabric" for dye in ("black", "navy", "red", "green", "mustard")])
+            grip = d.pick(f"grip {k}", ["walnut", "beech", "black plastic"])
             with d.at(yaw=2 * math.pi * k / count + 0.6):
-                _umbrella(
-                    d,
-                    radius,
-                    rim - 0.05,
-                    top - 0.03 * k,
-                    cloth,
-                    d.pick(f"grip {k}", ["walnut", "beech", "black plastic"]),
-                )
+                _umbrella(d, radius, rim - 0.05, top - 0.03 * k, cloth, grip)
     d.fit()
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...drawing import Drawing, draws
-from ...drawing.components import cornice, doors, feet, pulls
+from ...drawing.components import cornice, doors, feet, pulls, walls
 from ...drawing.components.supports import SHADOW
 from .storage_parts import boards, open_case
 
@@ -162,12 +162,8 @@ def cube_shelf(d: Drawing) -> None:
                     d.box(strap, "brown leather", bevel=0.002)
         if j < rows and (j or not bins):
             for k, cell in enumerate(levels[j].columns(columns, gap=board)):
-                d.surface(
-                    f"shelf-{j * columns + k}",
-                    cell.inset(front=0.004).bottom(0.0),
-                    round(cell.height - 0.003, 4),
-                    0.005,
-                )
+                floor = cell.inset(front=0.004).bottom(0.0)
+                d.surface(f"shelf-{j * columns + k}", floor, round(cell.height - 0.003, 4), inset=0.005)
     d.surface("top", bounds, inset=0.01)
 
 
@@ -237,13 +233,11 @@ def library_shelf(d: Drawing) -> None:
     room = inner.inset(bottom=0.08 + board, top=0.03)
     with d.part("panel"):
         d.box(room.place(depth=0.018), wood, bevel=0.0)
-    halves = {"front": room.front(bounds.depth / 2 - 0.009), "back": room.back(bounds.depth / 2 - 0.009)}
-    count = 4 if bounds.height > 1.5 else 3
-    for k, level in enumerate(room.rows(count, gap=board)):
+    inner = room.inset(x=0.008)
+    halves = {"front": inner.front(inner.depth / 2 - 0.009), "back": inner.back(inner.depth / 2 - 0.009)}
+    for k, level in enumerate(room.rows(4 if bounds.height > 1.5 else 3, gap=board)):
         for name, half in halves.items():
-            plate = (
-                half.to(z=level.z).inset(front=0.008 * (name == "front"), back=0.008 * (name == "back")).bottom(-board)
-            )
+            plate = half.to(z=level.z).bottom(-board)
             if k:
                 with d.part(f"shelf-{k}"):
                     d.box(plate, wood, bevel=0.0015)
@@ -268,13 +262,7 @@ def pantry_shelf(d: Drawing) -> None:
         floor = d.box(inner.to(z=(0.08, 0.1)), wood, bevel=0.002)
         for cell in floor.inset(back=0.02, front=0.01, y=0.01).top(-0.24).columns(2, gap=0.02):
             d.box(cell.bottom(0.01), crate, bevel=0.0)
-            for wall in (
-                cell.left(0.012),
-                cell.right(0.012),
-                cell.inset(y=0.012).front(0.012),
-                cell.inset(y=0.012).back(0.012),
-            ):
-                d.box(wall, crate, bevel=0.003)
+            walls(d, cell, crate, 0.012)
             d.print(cell.top(0.07).bottom(0.03).place(width=0.09).front(0.0), SHADOW)
     levels = np.linspace(0.5, bounds.z[1], 4).tolist()
     step = levels[1] - levels[0]

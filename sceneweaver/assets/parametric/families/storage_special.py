@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import carcass, castors, doors, feet, pulls
+from ...drawing.components import carcass, castors, doors, feet, pulls, walls
 from ...drawing.components.supports import SHADOW
 from ...drawing.drawing import Look
 from .bottles import bottle
@@ -29,14 +29,7 @@ def chest(d: Drawing) -> None:
     with d.part("body"):
         wall = 0.02
         d.box(body.bottom(wall), wood)
-        sides = body.inset(bottom=wall, top=0.003)
-        for side in (
-            sides.front(wall),
-            sides.back(wall),
-            sides.inset(x=wall).left(wall),
-            sides.inset(x=wall).right(wall),
-        ):
-            d.box(side, wood)
+        sides = walls(d, body.inset(bottom=wall, top=0.003), wood, wall)
         for y in (case.y[0], case.y[1] - 0.07):
             for x in (case.x[0], case.x[1] - 0.07):
                 d.box(Box((x, x + 0.07), (y, y + 0.07), (0.0, 0.03)), wood)

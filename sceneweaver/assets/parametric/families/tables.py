@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import beam, legs
-from .tables_parts import LEGS, apron, end_frame, pedestal, planks, tabletop
+from ...drawing.components import beam, legs, walls
+from .tables_parts import LEGS, end_frame, pedestal, planks, tabletop
 
 WOODS = ("oak", "light oak", "walnut", "beech", "pine", "cherry", "ash grey wood", "mahogany", "wenge")
 METALS = ("black steel", "white steel", "brushed steel", "black paint")
@@ -37,7 +37,7 @@ def dining_table(d: Drawing) -> None:
             tabletop(d, plate, top)
         if base in LEGS:
             inset = 0.16 if base == "splayed" else 0.035
-            apron(d, under.inset(x=inset, y=inset).top(min(0.085, low - 0.625)), look)
+            walls(d, under.inset(x=inset, y=inset).top(min(0.085, low - 0.625)), look)
     if base in LEGS:
         legs(d, under.inset(x=0.03, y=0.03), look, base, LEGS[base])
     else:
@@ -106,7 +106,7 @@ def oval_table(d: Drawing) -> None:
     with d.part("top"):
         tabletop(d, plate, top, power=d.pick("power", [2.0, 2.5]), edge=d.pick("edge", ["soft", "knife"]))
         if base == "splayed":
-            apron(d, under.place(0.54 * depth, 0.6 * width).top(0.055), look)
+            walls(d, under.place(0.54 * depth, 0.6 * width).top(0.055), look)
     if base == "splayed":
         legs(d, under.place(0.74 * depth, 0.76 * width), look, base, 0.058, 0.14 * low)
     else:
@@ -236,15 +236,15 @@ def patio_table(d: Drawing) -> None:
     with d.part("top"):
         if kind == "glass":
             tabletop(d, bounds.top(0.012), top, 0.06)
-            apron(d, bounds.inset(x=0.015, y=0.015, top=0.012).top(0.054), look)
+            walls(d, bounds.inset(x=0.015, y=0.015, top=0.012).top(0.054), look)
         else:
             rim, pitch, gap = (0.06, 0.085, 0.007) if kind == "slats" else (0.035, 0.05, 0.005)
-            plate = apron(d, bounds.top(0.036), top, rim).inset(x=rim, y=rim)
+            plate = walls(d, bounds.top(0.036), top, rim).inset(x=rim, y=rim)
             # What shows between the slats; the whole field is one flat part.
             d.box(plate.top(0.024), "grey plastic" if top.name == "black steel" else "black plastic", bevel=0.0)
             for slat in plate.inset(y=gap / 2).columns(round(plate.width / pitch) | 1, gap=gap):
                 d.box(slat.top(0.018).inset(bottom=0.0047, top=-0.0013), top, bevel=0.0013)
-            apron(d, bounds.inset(x=0.03, y=0.03).to(z=(low - 0.05, low)), look)
+            walls(d, bounds.inset(x=0.03, y=0.03).to(z=(low - 0.05, low)), look)
             d.surface("top", bounds, inset=0.01)
     style = "tapered" if kind == "slats" else d.pick("leg style", ["square", "round"])
     legs(d, bounds.inset(x=0.02, y=0.02).to(z=(0.0, low)), look, style, 0.06)

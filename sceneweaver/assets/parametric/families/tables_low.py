@@ -8,8 +8,8 @@ from typing import Literal
 import numpy as np
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import REACH, carcass, door, drawers, feet, leg, legs
-from .tables_parts import apron, drawer_case, end_frame, pedestal, planks, tabletop
+from ...drawing.components import REACH, carcass, door, drawers, feet, leg, legs, walls
+from .tables_parts import drawer_case, end_frame, pedestal, planks, tabletop
 
 WOODS = ("oak", "light oak", "walnut", "beech", "cherry", "ash grey wood", "wenge", "pine")
 PAINTS = ("white paint", "cream paint", "sage paint", "navy paint", "light grey paint", "black paint")
@@ -51,11 +51,11 @@ def coffee_table(d: Drawing) -> None:
         rail = under.inset(x=0.01, y=0.01)
         with d.part("top"):
             tabletop(d, plate, top, 0.012)
-            apron(d, rail.top(0.02), metal)
+            walls(d, rail.top(0.02), metal)
         legs(d, rail.inset(top=0.02), metal, "square", 0.02)
         lower = d.material("lower", "glass", "oak", "walnut") if top.name == "glass" else top
         with d.part("shelf"):
-            apron(d, rail.to(z=(0.07, 0.088)), metal)
+            walls(d, rail.to(z=(0.07, 0.088)), metal)
         _shelf(d, under.inset(x=0.012, y=0.012), lower, 0.1, 0.03, low - 0.02, 0.012)
     elif kind == "drawers":
         fronts = d.material("fronts", *WOODS) if top.name.endswith("paint") else top
@@ -78,11 +78,11 @@ def coffee_table(d: Drawing) -> None:
                 planks(d, plate, top, ends=0.09)
             elif kind == "splayed":
                 tabletop(d, plate, top, power=d.pick("power", [2.0, 2.6, 3.4]), edge="knife")
-                apron(d, under.place(0.62 * bounds.depth, 0.62 * bounds.width).top(0.035), look)
+                walls(d, under.place(0.62 * bounds.depth, 0.62 * bounds.width).top(0.035), look)
             else:
                 tabletop(d, plate, top, d.pick("corner", [0.01, 0.04, 0.1]))
             if kind in ("shelf", "rustic"):
-                apron(d, under.inset(x=0.03, y=0.03).top(0.055), look)
+                walls(d, under.inset(x=0.03, y=0.03).top(0.055), look)
         if kind == "splayed":
             legs(d, under.place(0.8 * bounds.depth, 0.8 * bounds.width), look, "splayed", 0.04, 0.14 * low)
         elif kind == "hairpin":
@@ -155,7 +155,7 @@ def side_table(d: Drawing) -> None:
         deep = 0.018 if slim else 0.06
         with d.part("top"):
             tabletop(d, plate, top)
-            apron(d, under.top(deep), look, 0.018)
+            walls(d, under.top(deep), look, 0.018)
         style = "square" if slim else d.pick("legs", ["tapered", "square", "turned"])
         legs(d, under, look, style, 0.018 if slim else 0.036)
         _shelf(d, under.inset(x=0.008, y=0.008), top, 0.15, 0.035, plate.z[0] - deep, 0.016)
@@ -268,7 +268,7 @@ def console_table(d: Drawing) -> None:
         deep = 0.02 if slim else 0.13
         with d.part("top"):
             if slim:
-                apron(d, case.top(deep), look)
+                walls(d, case.top(deep), look)
             else:
                 pull, style = d.material("pulls", "brass", "black steel"), d.pick("pull style", ["knob", "cup"])
                 drawer_case(d, case.top(deep), look, look, pull, style, columns=2 if bounds.width < 1.15 else 3)

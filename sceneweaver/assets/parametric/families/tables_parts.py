@@ -57,14 +57,6 @@ def planks(
     return box
 
 
-def apron(d: Drawing, box: Box, material: Look, thick: float = 0.02) -> Box:
-    """Rails around a box, under a top."""
-    between = box.inset(x=thick)
-    for rail in (box.front(thick), box.back(thick), between.left(thick), between.right(thick)):
-        d.box(rail, material)
-    return box
-
-
 def drawer_case(
     d: Drawing,
     box: Box,

@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import REACH, carcass, doors, drawer, feet, leg, legs, oval
-from .tables_parts import apron, drawer_case, pedestal, tabletop
+from ...drawing.components import REACH, carcass, doors, drawer, feet, leg, legs, oval, walls
+from .tables_parts import drawer_case, pedestal, tabletop
 
 WOODS = ("oak", "light oak", "walnut", "beech", "cherry", "ash grey wood", "pine")
 
@@ -92,7 +92,7 @@ def kids_table(d: Drawing) -> None:
     plate, under = d.bounds.top(0.022), d.bounds.inset(top=0.022)
     with d.part("top"):
         tabletop(d, plate, top, d.pick("corner", [0.06, 0.12]))
-        apron(d, under.inset(x=0.06, y=0.06).top(0.05), top)
+        walls(d, under.inset(x=0.06, y=0.06).top(0.05), top)
     out = 0.035 if kind == "splayed" else 0.0
     for k, (sx, sy) in enumerate(((-1, -1), (-1, 1), (1, -1), (1, 1))):
         own = d.material(f"leg {k}", bright[k]) if several else look
@@ -115,7 +115,7 @@ def train_table(d: Drawing) -> None:
     land = bounds.inset(x=0.02, y=0.02).to(z=(floor - 0.02, floor))
     with d.part("top"):
         d.box(land, "green paint", bevel=0.0)
-        apron(d, bounds.to(z=(floor - 0.08, floor + 0.035)), wood)
+        walls(d, bounds.to(z=(floor - 0.08, floor + 0.035)), wood)
         lake = land.place(0.32 * depth, 0.26 * width).move(0.06 * depth, 0.12 * width)
         d.cylinder(lake.top(0.001).move(z=0.001), "blue paint")
         track = oval(land.place(0.72 * depth, 0.76 * width), floor + 0.006, 2.6, count=28)
@@ -218,13 +218,7 @@ def changing_table(d: Drawing) -> None:
                 continue
             with d.part("baskets"):
                 for cell in shelf.top(-0.19).inset(x=0.05, y=0.06).columns(2, gap=0.04):
-                    for wall in (
-                        cell.left(0.02),
-                        cell.right(0.02),
-                        cell.inset(y=0.02).front(0.02),
-                        cell.inset(y=0.02).back(0.02),
-                    ):
-                        d.box(wall, basket, bevel=0.008)
+                    walls(d, cell, basket, 0.02, 0.008)
                     d.box(cell.inset(x=0.02, y=0.02).bottom(0.14), "white fabric", bevel=0.03)
         return
     pull = d.material("pulls", "brass", "beech", "brushed steel", "black steel")
