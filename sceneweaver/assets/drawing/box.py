@@ -109,6 +109,11 @@ class Box:
         other = face - thick if end else face + thick
         return replace(self, **{axis: (min(face, other), max(face, other))})
 
+    def walls(self, thick: float) -> list[Box]:
+        """The slabs at its front and back, and those at its left and right between them."""
+        inner = self.inset(x=thick)
+        return [self.front(thick), self.back(thick), inner.left(thick), inner.right(thick)]
+
     # Smaller, larger, elsewhere
 
     def inset(

@@ -207,15 +207,29 @@ class Drawing(Tree):
         return box
 
     def sweep(
-        self, path, section: float | np.ndarray, material: Look, segments: int = 10, closed: bool = False
+        self,
+        path,
+        section: float | tuple[float, float] | np.ndarray,
+        material: Look,
+        segments: int = 10,
+        closed: bool = False,
     ) -> None:
-        """A bar along points [N, 3]: round with a radius, or with a convex section [K, 2]."""
+        """A bar along points [N, 3]: round with a radius, flat with a width and a height, or a convex section [K, 2]."""
         path = np.asarray(path, dtype=np.float64)
+        if isinstance(section, tuple):
+            section = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * np.array(section) / 2
         hulls = shapes.sweep_hulls(path, section, segments, closed) if self._collides else []
         self.add(shapes.sweep(path, section, segments, closed), material, hulls)
 
-    def bar(self, start: Vec3, end: Vec3, section: float | np.ndarray, material: Look, segments: int = 10) -> None:
-        """A straight bar between two points."""
+    def bar(
+        self,
+        start: Vec3,
+        end: Vec3,
+        section: float | tuple[float, float] | np.ndarray,
+        material: Look,
+        segments: int = 10,
+    ) -> None:
+        """A straight bar between two points, with a section as in `sweep`."""
         self.sweep([start, end], section, material, segments)
 
     def arch(self, start: Vec3, end: Vec3, reach: Vec3, radius: float, material: Look, steps: int = 6) -> None:

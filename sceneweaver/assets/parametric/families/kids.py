@@ -76,12 +76,8 @@ def play_kitchen(d: Drawing) -> None:
         d.sweep([(top.x[0] + x + 0.02, sink.center[1], level + z) for x, z in tap], 0.011, "chrome", 8)
         wall = d.box(box.inset(bottom=level - 0.01).back(0.018), wood)
         frame = wall.inset(front=-0.122)
-        for part in (
-            frame.left(0.018),
-            frame.right(0.018),
-            frame.top(0.02),
-            frame.share(z=(0.55, 0.55)).inset(z=-0.007),
-        ):
+        shelf = frame.share(z=(0.54, 0.57))
+        for part in (frame.left(0.018), frame.right(0.018), frame.top(0.02), shelf):
             d.box(part, wood)
         for k, cell in enumerate(frame.share(y=(0.15, 0.85), z=(0.2, 0.5)).columns(4)):
             x, y, z = cell.point(0.12, 0.5, 0.85)
@@ -187,12 +183,11 @@ def rocking_horse(d: Drawing) -> None:
     hair = d.material("hair", "mahogany, black fabric, cream paint, brown leather")
     box = d.bounds
     deep, wide, high = box.size
-    section = 0.0225 * np.array([(1, -1), (1, 1), (-1, 1), (-1, -1)])
     with d.mirror("y"):
         t = np.linspace(-1, 1, 9)
         d.sweep([(0.5 * deep * u, 0.4 * wide, 0.02 + 0.1 * u**4) for u in t], 0.02, wood, 8)
         for hip, foot in ((0.18, 0.3), (-0.2, -0.3)):
-            d.bar((hip * deep, 0.2 * wide, 0.48 * high), (foot * deep, 0.4 * wide, 0.05), section, wood)
+            d.bar((hip * deep, 0.2 * wide, 0.48 * high), (foot * deep, 0.4 * wide, 0.05), (0.045, 0.045), wood)
         d.silhouette(box.share((0.7, 0.76), (0.55, 0.62), (0.91, 1.0)), [(0, 0), (1, 0), (0.5, 1)], wood)  # an ear
         ball(d, (0.32 * deep, 0.056, 0.85 * high), (0.012, 0.003, 0.012), "black plastic", 8)
         d.bar((0.22 * deep, 0, 0.76 * high), (0.22 * deep, 0.38 * wide, 0.76 * high), 0.014, "red plastic", 8)
@@ -202,9 +197,8 @@ def rocking_horse(d: Drawing) -> None:
     body = Box((-0.28 * deep, 0.26 * deep), (-0.27 * wide, 0.27 * wide), (z - 0.1, z + 0.08))
     d.cushion(body, wood, 0.07)
     core = box.place(width=0.11)
-    d.silhouette(
-        core.inset(y=0.005), [(0.6, 0.52), (0.76, 0.52), (0.83, 0.82), (0.76, 0.92), (0.67, 0.9)], wood, bevel=0.015
-    )
+    neck = [(0.6, 0.52), (0.76, 0.52), (0.83, 0.82), (0.76, 0.92), (0.67, 0.9)]
+    d.silhouette(core.inset(y=0.005), neck, wood, bevel=0.015)
     d.silhouette(core, [(0.72, 0.78), (0.94, 0.7), (0.97, 0.78), (0.8, 0.95), (0.7, 0.95)], wood, bevel=0.015)
     d.silhouette(core.inset(y=0.035), [(0.56, 0.62), (0.63, 0.62), (0.71, 0.97), (0.65, 0.95)], hair, bevel=0.008)
     d.sweep([(-0.26 * deep, 0, z + 0.03), (-0.38 * deep, 0, z + 0.02), (-0.42 * deep, 0, z - 0.16)], 0.03, hair, 8)
@@ -234,9 +228,7 @@ def play_tent(d: Drawing) -> None:
         wall([(x, y) for x in (k, k - t) for y in (k, 0.5 * k)], [(x, y) for x in (q, q - t) for y in (q, 0)])
     d.cushion(Box.sized(1.7 * k, 1.7 * k, 0.05), "grey fabric", 0.02)
     x = k * (1 - 0.42 / 0.82) + 0.004
-    for j, cell in enumerate(
-        Box((x, x + 0.003), (-0.5 * k, 0.5 * k), (0.42 * high - 0.16, 0.42 * high - 0.08)).columns(5)
-    ):
+    for j, cell in enumerate(Box((x, x + 0.003), (-0.5 * k, 0.5 * k), (0.34 * high, 0.34 * high + 0.08)).columns(5)):
         d.silhouette(cell.inset(y=0.01), [(0, 1), (1, 1), (0.5, 0)], BRIGHT[j], "x")
 
 
@@ -255,18 +247,13 @@ def slide(d: Drawing) -> None:
             ends = [(px, y * wide, pz + e) for px, pz in ((xa, za), (xc, zc)) for y in (y0, y1) for e in (low, top)]
             d.hull(ends, chute)
     foot = box.x[0] + 0.03
-    bar = 0.025 * np.array([(1, -1), (1, 1), (-1, 1), (-1, -1)])
+    bar = (0.05, 0.05)
     with d.mirror("y"):
         y = 0.42 * wide
         d.bar((foot, wide / 2 - 0.03, 0.01), (x - 0.04, y, level), bar, frame)
         d.bar((x + 0.12 * deep, wide / 2 - 0.03, 0.01), (x, y, level - 0.03), bar, frame)
-        rail = [
-            (x - 0.05, level - 0.02),
-            (x - 0.06, high - 0.03),
-            (x + 0.03, high - 0.018),
-            (x + 0.12 * deep, level + 0.04),
-        ]
-        d.sweep([(px, y, pz) for px, pz in rail], 0.018, frame, 8)
+        rail = [(-0.05, level - 0.02), (-0.06, high - 0.03), (0.03, high - 0.018), (0.12 * deep, level + 0.04)]
+        d.sweep([(x + px, y, pz) for px, pz in rail], 0.018, frame, 8)
     for u in (0.3, 0.6, 0.9):
         rung = Box.around((foot + u * (x - 0.04 - foot), 0, u * level), 0.1, 0.84 * wide, 0.03)
         d.box(rung, frame, 0.006)
@@ -286,9 +273,7 @@ def toy_shelf(d: Drawing) -> None:
     for k in range(3):
         x, z = box.x[1] - 0.03 - k * (deep - 0.32) / 2.75, 0.08 + k * (high - 0.16) / 3
         for e in (0.06, 0.24):
-            d.bar(
-                (x - e, 0.01 - wide / 2, z + 0.02 + e / 4), (x - e, wide / 2 - 0.01, z + 0.02 + e / 4), 0.012, wood, 8
-            )
+            d.cylinder(Box.around((x - e, 0, z + 0.02 + e / 4), 0.024, wide - 0.02, 0.024), wood, "y", segments=8)
         with d.at(x - 0.28, 0.0, z + 0.095, pitch=0.24):
             row = Box((0.0, 0.28), (0.03 - wide / 2, wide / 2 - 0.03), (0.0, tall))
             for i, cell in enumerate(row.columns(3 if wide < 0.8 else 4, gap=0.014)):
@@ -310,9 +295,8 @@ def easel(d: Drawing) -> None:
     deep, wide, high = box.size
     level = 0.42 * high
     lean = math.atan2(deep / 2 - 0.03, high)
-    bar = 0.015 * np.array([(1, -1), (1, 1), (-1, 1), (-1, -1)])
     with d.mirror("x", "y"):
-        d.bar((deep / 2 - 0.02, wide / 2 - 0.02, 0.01), (0.015, wide / 2 - 0.02, high - 0.01), bar, wood)
+        d.bar((deep / 2 - 0.02, wide / 2 - 0.02, 0.01), (0.015, wide / 2 - 0.02, high - 0.01), (0.03, 0.03), wood)
     for sign, look in ((1, "white plastic"), (-1, "forest pigment")):
         x = sign * ((deep / 2 - 0.02) * (1 - level / high) + 0.01)
         with d.at(x, 0.0, level, pitch=-lean * sign):

@@ -9,10 +9,7 @@ import numpy as np
 from ...drawing import Box, Drawing, draws
 from .small_toys import CHESSMAN, HEIGHTS, ball
 
-BALLS = [f"{tone} plastic" for tone in ("yellow", "blue", "red", "lilac", "orange", "green")] + [
-    "mahogany",
-    "black plastic",
-]
+BALLS = [f"{tone} plastic" for tone in ("yellow", "blue", "red", "lilac", "orange", "green", "pink", "black")]
 
 
 @draws("pool_table", whole=True)
@@ -25,12 +22,7 @@ def pool_table(d: Drawing) -> None:
     with d.part("bed"):
         d.box(box.inset(x=0.04, y=0.04).to(z=(high - 0.24, level - 0.03)), wood, 0.01)
         field = d.box(box.inset(x=0.13, y=0.13).to(z=(level - 0.03, level)), cloth, 0.0)
-        rails = box.top(0.12)
-        for rail in (
-            rails.front(0.13),
-            rails.back(0.13),
-            *(r.inset(x=0.13) for r in (rails.left(0.13), rails.right(0.13))),
-        ):
+        for rail in box.top(0.12).walls(0.13):
             d.box(rail, wood, 0.015)
         nose = field.top(-0.041).inset(bottom=-0.001)
         for side in (nose.front(0.045), nose.back(0.045)):
@@ -76,8 +68,7 @@ def table_football(d: Drawing) -> None:
         field = d.box(case.to(z=(level - 0.03, level)), wood, 0.004).top(0.0)
         d.print(field.inset(x=0.02, y=0.02), "green fabric")
         d.print(field.inset(x=0.02).place(width=0.01), "white plastic", 0.0004)
-        walls = case.to(z=(level - 0.05, high - 0.01))
-        for wall in (walls.front(0.025), walls.back(0.025), walls.left(0.03), walls.right(0.03)):
+        for wall in case.to(z=(level - 0.05, high - 0.01)).walls(0.03):
             d.box(wall, wood, 0.004)
         for s, team in ((-1, teams[0]), (1, teams[1])):
             d.print(Box.sized(0.2, 0.0, 0.09, (0, s * (wide / 2 - 0.03), level)), "black plastic")
@@ -86,10 +77,8 @@ def table_football(d: Drawing) -> None:
             for bead in rail.top(-0.01).inset(bottom=-0.002, x=0.02).split("x", 6, gap=0.015):  # the score
                 d.box(bead.inset(y=0.002), team, 0.002)
         rods = case.inset(y=0.08).to(z=(level + 0.115, level + 0.115)).columns(8)
-        for k, (rod, count, mine) in enumerate(
-            zip(rods, (1, 2, 3, 5, 5, 3, 2, 1), (0, 0, 1, 0, 1, 0, 1, 1), strict=True)
-        ):
-            _, y, z = rod.center
+        for k, (rod, count) in enumerate(zip(rods, (1, 2, 3, 5, 5, 3, 2, 1), strict=True)):
+            (_, y, z), mine = rod.center, (0, 0, 1, 0, 1, 0, 1, 1)[k]
             push, way = d.uniform(f"rod {k}", -0.08, 0.08), 1 - 2 * mine
             d.bar((-way * 0.51 + push, y, z), (way * deep / 2, y, z), 0.008, "chrome", 6)
             d.bar((way * deep / 2, y, z), (way * (deep / 2 - 0.12), y, z), 0.017, "black plastic", 8)
@@ -153,12 +142,7 @@ def air_hockey(d: Drawing) -> None:
     with d.part("top"):
         rink = d.box(box.inset(x=0.05, y=0.05).to(z=(level - 0.16, level)), "white plastic", 0.0).top(0.0).inset(x=0.04)
         d.box(box.inset(x=0.03, y=0.03).to(z=(level - 0.2, level - 0.02)), case, 0.01)
-        rails = box.to(z=(level - 0.08, box.height))
-        for rail in (
-            rails.front(0.09),
-            rails.back(0.09),
-            *(r.inset(x=0.08) for r in (rails.left(0.09), rails.right(0.09))),
-        ):
+        for rail in box.to(z=(level - 0.08, box.height)).walls(0.09):
             d.box(rail, case, 0.02)
         d.print(rink.place(width=0.012), "red plastic")
         for size, tone, proud in ((0.32, "red plastic", 0.0003), (0.3, "white plastic", 0.0004)):
@@ -206,11 +190,9 @@ def arcade_machine(d: Drawing) -> None:
         d.silhouette(metres, [(x1 + x, z * k) for x, z in outline], look)
     with d.at(x1 - 0.3, 0.0, 1.035 * k, pitch=-0.245):
         screen = d.box(Box((-0.03, 0.004), (0.05 - i, i - 0.05), (0.05, 0.36 * k)), "screen", 0.004).front(0.0)
-        for row, tone in zip(
-            screen.share(y=(0.2, 0.8), z=(0.45, 0.85)).rows(4), ("red", "yellow", "green", "blue"), strict=True
-        ):
+        for row, tone in zip(screen.share(y=(0.2, 0.8), z=(0.45, 0.85)).rows(4), BALLS, strict=False):
             for cell in row.columns(6):
-                d.print(cell.share(y=(0.2, 0.75), z=(0.2, 0.7)), f"{tone} plastic")
+                d.print(cell.share(y=(0.2, 0.75), z=(0.2, 0.7)), tone)
         d.print(screen.share(y=(0.42, 0.58), z=(0.1, 0.14)), "white plastic")
     for s, tone in ((-1, "red plastic"), (1, "blue plastic")):
         with d.at(x1 - 0.16, 0.22 * s * box.width, 0.9825 * k, pitch=math.atan2(0.075 * k, 0.26)):
@@ -297,10 +279,7 @@ def dartboard(d: Drawing) -> None:
             for low, top, look in ((0.07, 0.42, plain), (0.42, 0.47, ring), (0.47, 0.7, plain), (0.7, 0.755, ring)):
                 if look == "black plastic":
                     continue
-                rim = [
-                    (q * r * math.sin(t), q * r * math.cos(t))
-                    for q, t in zip((low, low, top, top), (*a, *a[::-1]), strict=True)
-                ]
+                rim = [(q * r * math.sin(t), q * r * math.cos(t)) for q in (low, top) for t in a]
                 d.hull([(px, *p) for p in rim for px in (x - 0.002, x + 0.0005)], look)
             turn = k * math.pi / 10
             number = face.move(y=0.87 * r * math.sin(turn), z=0.87 * r * math.cos(turn))
@@ -333,16 +312,9 @@ def chess_table(d: Drawing) -> None:
     with d.part("foot"):
         stem = Box.sized(0.16, 0.16, level - 0.12, (0, 0, 0.08))
         d.turned(stem, [(0.62, 0), (0.56, 0.1), (0.94, 0.3), (0.5, 0.45), (0.5, 0.86), (0.9, 0.93), (1, 1)], wood, 20)
-        leg = [
-            (0.03, 0.1),
-            (0.25 * side, 0.03),
-            (0.42 * side, 0.0),
-            (0.44 * side, 0.03),
-            (0.26 * side, 0.09),
-            (0.03, 0.2),
-        ]
+        leg = [(0.0, 0.5), (0.54, 0.15), (0.95, 0.0), (1.0, 0.15), (0.56, 0.45), (0.0, 1.0)]
         with d.ring(4, 0.0, math.pi / 4):
-            d.silhouette(Box((0, 1), (-0.02, 0.02), (0, 1)), leg, wood)  # shares of a metre
+            d.silhouette(Box((0.03, 0.44 * side), (-0.02, 0.02), (0.0, 0.2)), leg, wood)
     for knees in (box.inset(left=wide / 2 + 0.2), box.inset(right=wide / 2 + 0.2)):
         d.clear(knees.to(z=(0.1, level - 0.05)))
 

@@ -18,9 +18,8 @@ def aquarium(d: Drawing) -> None:
     box = d.bounds
     cabinet, tank = box.share(z=(0.0, 0.55)), box.share(z=(0.55, 1.0))
     d.box(cabinet.inset(front=0.016), wood, 0.004)
-    for leaf, hung in zip(
-        cabinet.inset(y=0.003, bottom=0.05, top=0.03).front(0.018).columns(2, gap=0.004), (0.9, 0.1), strict=True
-    ):
+    leaves = cabinet.inset(y=0.003, bottom=0.05, top=0.03).front(0.018).columns(2, gap=0.004)
+    for leaf, hung in zip(leaves, (0.9, 0.1), strict=True):
         d.box(leaf, wood)
         handle(d, leaf.share(y=(hung, hung)), "steel", "bar", 0.12, upright=True)
     d.box(tank.bottom(0.02).inset(bottom=-0.005), "black plastic")
@@ -42,9 +41,7 @@ def aquarium(d: Drawing) -> None:
             r = 0.03 + 0.012 * k
             ball(d, water.point(0.65, 0.2 + 0.2 * k, 0.0), (r, 1.3 * r, 0.8 * r), "granite", 8)
         for k in range(7):
-            at = water.point(
-                d.uniform(f"fx {k}", 0.5, 0.8), d.uniform(f"fy {k}", 0.1, 0.9), d.uniform(f"fz {k}", 0.3, 0.8)
-            )
+            at = water.point(0.55 + 0.03 * k, d.uniform(f"fy {k}", 0.1, 0.9), d.uniform(f"fz {k}", 0.3, 0.8))
             look = ("orange plastic", "yellow plastic", "blue plastic", "red plastic")[k % 4]
             ball(d, at, (0.012, 0.035, 0.02), look, 10)
             tail = Box.around(at, 0.006, 0.036, 0.044).move(y=0.044 * (-1) ** k)
@@ -234,13 +231,7 @@ def fan(d: Drawing) -> None:
             d.hoop(Box.around((0, 0, x), 2 * q, 2 * q, 0), 0.006, metal, steps=24)
         with d.ring(16):
             d.sweep([(q, 0, x) for q, x in cage], 0.0025, metal, 4)
-        blade = [
-            (0.03, -0.02, 0.06),
-            (0.03, 0.02, 0.08),
-            (0.6 * r, -0.07, 0.045),
-            (0.6 * r, 0.08, 0.095),
-            (0.82 * r, 0.05, 0.07),
-        ]
+        blade = [(0.03, -0.02, 0.06), (0.03, 0.02, 0.08), (0.6 * r, -0.07, 0.045), (0.7 * r, 0.07, 0.09)]
         with d.ring(4, 0.0, 0.3):
             thick = [(x, y, zz + e) for x, y, zz in blade for e in (-0.003, 0.003)]
             d.hull(thick, "blue plastic" if metal.name == "white plastic" else "grey plastic")
@@ -319,13 +310,9 @@ def cat_tree(d: Drawing) -> None:
     house = d.box(Box((x0 + 0.02, x1 - 0.06), (y0 + 0.02, 0.02), (0.04, 0.4)), felt, 0.015)
     for r, tone, proud in ((0.115, "wicker", 0.0003), (0.1, "black fabric", 0.0004)):
         d.print(house.front(0.0).place(None, 2 * r, 2 * r), tone, proud, oval=True)
-    posts = (
-        (x0 + 0.1, y0 + 0.12, 0.4, shelf),
-        (x1 - 0.14, y1 - 0.12, 0.04, shelf),
-        (x0 + 0.12, y1 - 0.12, 0.04, high - 0.1),
-    )
-    for x, y, low, top in posts:
-        post = Box.sized(0.09, 0.09, top - low, (x, y, low))
+    posts = ((0.1, 0.12, 0.4, shelf), (box.depth - 0.14, box.width - 0.12, 0.04, shelf))
+    for x, y, low, top in (*posts, (0.12, box.width - 0.12, 0.04, high - 0.1)):
+        post = Box.sized(0.09, 0.09, top - low, (x0 + x, y0 + y, low))
         d.cylinder(post, "rattan", segments=14)
         with d.no_colliders():  # turns of the rope
             for turn in post.inset(x=-0.0003, y=-0.0003).rows(int(post.height / 0.03)):

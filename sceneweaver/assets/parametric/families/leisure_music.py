@@ -215,12 +215,8 @@ def guitar_on_stand(d: Drawing) -> None:
         d.sweep(fork, 0.009, "rubber", 8)
         d.bar((0.32 * x, 0, 0.12), (0.42 * deep, 0.42 * wide, 0.01), 0.01, "black steel")
         f = 0.12 * deep
-        d.sweep(
-            [(0.32 * x, 0, 0.13), (f - 0.06, 0.09, 0.12), (f + 0.03, 0.09, 0.115), (f + 0.04, 0.09, 0.15)],
-            0.009,
-            "rubber",
-            8,
-        )
+        cradle = [(0.32 * x, 0, 0.13), (f - 0.06, 0.09, 0.12), (f + 0.03, 0.09, 0.115), (f + 0.04, 0.09, 0.15)]
+        d.sweep(cradle, 0.009, "rubber", 8)
 
 
 @draws("cello", whole=True)
@@ -240,25 +236,16 @@ def cello(d: Drawing) -> None:
         d.box(Box((0.01, 0.06), (-0.045, 0.045), (0.45 * tall, 0.46 * tall)), "light oak", 0.002)
         piece = [(0.012, 0.025, 0.12), (0.05, 0.035, 0.36), (0.03, 0.02, 0.36), (0.03, 0.01, 0.1)]
         d.hull([(x, s * y, z * tall) for x, y, z in piece for s in (-1, 1)], "wenge")
-        board = [
-            (0.055, 0.03, 0.6 * tall),
-            (0.04, 0.03, 0.6 * tall),
-            (0.02, 0.02, 0.9 * long),
-            (0.005, 0.02, 0.9 * long),
-        ]
-        d.hull([(x, s * y, z) for x, y, z in board for s in (-1, 1)], "wenge")
+        board = ((0.055, 0.03, 0.6 * tall), (0.02, 0.02, 0.9 * long))
+        d.hull([(x - e, s * y, z) for x, y, z in board for s in (-1, 1) for e in (0, 0.015)], "wenge")
         d.box(Box((-0.02, 0.01), (-0.018, 0.018), (tall - 0.03, 0.93 * long)), wood, 0.004)
         d.cylinder(Box.around((-0.02, 0, long - 0.04), 0.08, 0.04, 0.08), wood, "y", segments=16)
         d.box(Box((-0.035, 0.0), (-0.016, 0.016), (0.92 * long, long - 0.03)), wood, 0.004)
         for k in range(4):
             s, z, y = (-1) ** k, (0.91 + 0.015 * k) * long, -0.015 + 0.01 * k
             d.bar((-0.01, 0.01 * s, z), (-0.01, 0.07 * s, z), 0.006, "wenge", 8)
-            d.sweep(
-                [(0.05, 1.2 * y, 0.36 * tall), (0.061, y, 0.455 * tall), (0.02, 0.7 * y, 0.91 * long)],
-                0.001,
-                "steel",
-                4,
-            )
+            string = [(0.05, 1.2 * y, 0.36 * tall), (0.061, y, 0.455 * tall), (0.02, 0.7 * y, 0.91 * long)]
+            d.sweep(string, 0.001, "steel", 4)
         d.bar((-0.06, 0, 0.01), (-0.06, 0, -0.1), 0.006, "steel", 8)
     x = -0.25 * deep
     d.bar((x, 0, 0.05), (-0.32 * deep, 0, 0.4 * high), 0.014, "black steel")
@@ -435,13 +422,8 @@ def record_player(d: Drawing) -> None:
     plinth = d.box(box.to(z=(0.018, 0.085)), wood, 0.005)
     z, y = plinth.z[1], -0.08 * wide
     r = min(0.42 * deep, 0.36 * wide)
-    for share, low, top, look in (
-        (1, 0, 0.016, "steel"),
-        (0.98, 0.015, 0.019, "black plastic"),
-        (0.33, 0.018, 0.02, label),
-    ):
-        disc = Box.sized(2 * share * r, 2 * share * r, top - low, (0, y, z + low))
-        d.cylinder(disc, look, segments=36)
+    for share, top, look in ((1, 0.016, "steel"), (0.98, 0.019, "black plastic"), (0.33, 0.02, label)):
+        d.cylinder(Box.sized(2 * share * r, 2 * share * r, top, (0, y, z)), look, segments=36)
     for share in (0.5, 0.66, 0.82):  # grooves
         d.hoop(Box.around((0, y, z + 0.0188), 2 * share * r, 2 * share * r, 0), 0.0006, "black steel", steps=28)
     d.cylinder(Box.sized(0.008, 0.008, 0.014, (0, y, z + 0.015)), "chrome", segments=8)
@@ -461,9 +443,8 @@ def record_player(d: Drawing) -> None:
                 d.box(side.inset(back=0.004, bottom=0.02), "glass", 0.0)
         return
     lid = box.to(z=(z, high))
-    for side in (lid.left(0.004), lid.right(0.004), lid.front(0.004), lid.back(0.004)):
-        d.box(side.inset(top=0.004), "glass", 0.0)
-    d.box(lid.top(0.004), "glass", 0.0)
+    for pane in (lid.top(0.004), *lid.inset(top=0.004).walls(0.004)):
+        d.box(pane, "glass", 0.0)
 
 
 @draws("jukebox", whole=True)

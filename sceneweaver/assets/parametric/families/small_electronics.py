@@ -43,9 +43,8 @@ def monitor(d: Drawing) -> None:
     look = d.material("body", "black plastic, black plastic, grey plastic, white plastic, aluminium")
     stand = d.material("stand", "black plastic, aluminium, grey plastic") if d.chance("other stand", 0.5) else look
     deep, wide, high = d.size
-    panel = d.bounds.top(min(wide * d.uniform("ratio", 0.56, 0.62), high - 0.09)).to(
-        x=(0.12 * deep - 0.008, 0.12 * deep)
-    )
+    tall = min(wide * d.uniform("ratio", 0.56, 0.62), high - 0.09)
+    panel = d.bounds.top(tall).to(x=(0.12 * deep - 0.008, 0.12 * deep))
     d.slab(panel.inset(front=-0.012), look, 0.004, 0.002)
     with d.at(panel.x[0] + 0.002, 0.0, panel.center[2], pitch=-math.pi / 2):  # its back swells backward
         rear = Box.sized(0.77 * panel.height, 0.84 * wide, 0.03)
@@ -227,8 +226,7 @@ def headphones(d: Drawing) -> None:
     r = wide / 2 - 0.02
     t = np.linspace(-0.06 * np.pi, 1.06 * np.pi, 13)
     level = high - 0.005 - 0.9 * r
-    strap = np.array([[-0.012, -0.004], [0.012, -0.004], [0.012, 0.004], [-0.012, 0.004]])
-    d.sweep(np.c_[0 * t, r * np.cos(t), level + 0.9 * r * np.sin(t)], strap, look)
+    d.sweep(np.c_[0 * t, r * np.cos(t), level + 0.9 * r * np.sin(t)], (0.024, 0.008), look)
     c = 0.42 * deep
     with d.mirror("y"), d.at(0.0, r + 0.002, level - 0.035, roll=math.pi / 2):  # the cup's axis points inward
         d.revolve([(0.7 * c, -0.018), (c, -0.006), (c, 0.008)], look, 20)
@@ -311,9 +309,7 @@ def game_controller(d: Drawing) -> None:
     with d.at(-0.16 * deep, 0.32 * wide, top):
         for k, tone in enumerate(("yellow", "red", "green", "blue")):
             at = (0.085 * deep * math.cos(k * math.pi / 2), 0.085 * deep * math.sin(k * math.pi / 2), 0.0)
-            d.cylinder(
-                Box.sized(0.084 * deep, 0.084 * deep, 0.005, at), f"{tone} plastic", ends=(1.0, 0.86), segments=12
-            )
+            d.cylinder(Box.sized(0.084 * deep, 0.084 * deep, 0.005, at), f"{tone} plastic", bevel=0.001, segments=12)
 
 
 @draws("remote_control", whole=True)
@@ -331,13 +327,11 @@ def remote_control(d: Drawing) -> None:
     with d.at(*face.point(0.3)):
         for r, top, tone in ((0.36, 0.0025, "black steel"), (0.14, 0.003, "grey plastic")):
             d.revolve([(q * r * d.size.width, z * top) for q, z in ((1, 0), (1, 0.6), (0.9, 1))], tone)
-    colors = ("green plastic", "yellow plastic", "blue plastic")
+    colors, pale = ("green plastic", "yellow plastic", "blue plastic"), other(look, "white plastic", "grey plastic")
     for j in range(3):
         key(0.17, 0.23 + 0.27 * j, "grey plastic")
         for i in range(5):
-            key(
-                0.53 + 0.082 * i, 0.24 + 0.26 * j, colors[j] if i == 4 else other(look, "white plastic", "grey plastic")
-            )
+            key(0.53 + 0.082 * i, 0.24 + 0.26 * j, colors[j] if i == 4 else pale)
 
 
 @draws("router", whole=True)
@@ -368,11 +362,8 @@ def webcam(d: Drawing) -> None:
     head = d.cushion(d.bounds.share(x=(0.2, 0.8), z=(0.55, 1.0)), look, 0.2 * high)
     with d.at(*head.anchor("front"), pitch=math.pi / 2):
         r, long = 0.19 * high, 0.2 * deep
-        d.revolve(
-            [(r, -0.01), (0.95 * r, 0.8 * long), (0.74 * r, 0.8 * long), (0.72 * r, long)],
-            other(look, "black plastic", "grey plastic"),
-            20,
-        )
+        barrel = [(r, -0.01), (0.95 * r, 0.8 * long), (0.74 * r, 0.8 * long), (0.72 * r, long)]
+        d.revolve(barrel, other(look, "black plastic", "grey plastic"), 20)
         d.print(Box.sized(1.2 * r, 1.2 * r, 0.0, (0.0, 0.0, long)), "black glass", oval=True)
     d.print(head.front(0.0).share(y=(0.7, 0.76), z=(0.45, 0.55)).move(x=-0.0004), "lamp glow", 0.0008, oval=True)
 
@@ -388,21 +379,13 @@ def camera(d: Drawing) -> None:
         d.slab(body.share(z=z), trim, 0.018, 0.002)
     d.slab(body.share(z=(0.14, 0.66)).inset(x=0.001, y=0.001), skin, 0.018, 0.001)
     d.slab(body.share(y=(0.3, 0.7), z=(0.78, 1.0)).inset(back=0.004, front=0.002), trim, 0.01, 0.006)
-    for y, r, top, tone in (
-        (0.16, 0.012, 0.9, trim),
-        (0.24, 0.006, 0.94, "steel"),
-        (0.84, 0.011, 0.88, "black plastic"),
-    ):
+    for y, r, top, tone in ((0.16, 0.012, 0.9, trim), (0.24, 0.006, 0.94, "steel"), (0.84, 0.011, 0.88, skin)):
         d.cylinder(body.share(y=(y, y), z=(0.78, top)).place(2 * r).inset(y=-r), tone, ends=(1.0, 0.95), segments=16)
     r, long = 0.34 * high, 0.52 * deep
     with d.at(*body.point(1.0, 0.5, 0.36), pitch=math.pi / 2):
-        steps = ((1.05, 1.0, 0.0, 0.25, trim), (0.92, 0.92, 0.25, 0.5, "black plastic"))
-        for low, top, a, b, tone in (
-            *steps,
-            (0.97, 0.97, 0.5, 0.75, "rubber"),
-            (0.9, 0.95, 0.75, 1.0, "black plastic"),
-        ):
-            d.revolve([(low * r, a * long - 0.002 * (a == 0)), (top * r, b * long)], tone)
+        steps = ((1.05, 1.0, -0.04, 0.25, trim), (0.92, 0.92, 0.25, 0.5, "black plastic"))
+        for low, top, a, b, tone in (*steps, (0.97, 0.97, 0.5, 0.75, "rubber"), (0.9, 0.95, 0.75, 1, "black plastic")):
+            d.revolve([(low * r, a * long), (top * r, b * long)], tone)
         for share, tone, proud in ((0.72, "black glass", 0.0003), (0.3, "night pigment", 0.0004)):
             d.print(Box.sized(2 * share * r, 2 * share * r, 0.0, (0.0, 0.0, long)), tone, proud, oval=True)
     d.print(body.front(0.0).share(y=(0.72, 0.82), z=(0.68, 0.76)), "glass")
@@ -427,9 +410,8 @@ def radio(d: Drawing) -> None:
         knob(d, cell, "brass", 0.085 * d.size.height, 0.016, "ink pigment")
     metal = d.material("handle", "tan leather, brass, black leather")
     low, top = case.z[1] - 0.006, d.bounds.z[1] - 0.003
-    strap = np.array([[-0.009, -0.003], [0.009, -0.003], [0.009, 0.003], [-0.009, 0.003]])
     ends = [(-0.36, low), (-0.32, top), (0.32, top), (0.36, low)]
-    d.sweep([(-0.01, y * d.size.width, z) for y, z in ends], strap, metal)
+    d.sweep([(-0.01, y * d.size.width, z) for y, z in ends], (0.018, 0.006), metal)
 
 
 @draws("charger", whole=True)
@@ -455,9 +437,7 @@ def smart_speaker(d: Drawing) -> None:
     cloth = d.material("cloth", "grey fabric, charcoal fabric, white fabric, blue fabric")
     dark = d.material("trim", "white plastic, black plastic")
     d.turned(body, [(0.8, 0), (0.9, 0.05), (1, 0.2), (1, 0.8), (0.94, 0.92), (0.84, 0.985)], cloth, 28)
-    top = d.cylinder(body.share(x=(0.1, 0.9), y=(0.1, 0.9), z=(0.97, 1.0)), dark, ends=(1.0, 0.97), segments=28).top(
-        0.0
-    )
+    top = d.cylinder(body.share((0.1, 0.9), (0.1, 0.9), (0.97, 1.0)), dark, ends=(1.0, 0.97), segments=28).top(0.0)
     d.print(top.share(x=(0.04, 0.96), y=(0.04, 0.96)), d.pick("glow", ["sky pigment", "lamp glow"]), oval=True)
     d.print(top.share(x=(0.08, 0.92), y=(0.08, 0.92)), dark, 0.0004, oval=True)
     for x, y in ((0.25, 0.5), (0.75, 0.5), (0.5, 0.25), (0.5, 0.75)):
@@ -500,14 +480,7 @@ def conference_phone(d: Drawing) -> None:
     """A three-armed phone for meetings, with keys, a display and lights."""
     look = d.material("body", "black plastic, grey plastic, black steel")
     r, high = 0.5 * min(d.size[:2]), d.size.height
-    profile = [
-        (0.0, 0.5, 0.0),
-        (1.1, 0.22, 0.0),
-        (1.12, 0.2, 0.2),
-        (1.08, 0.18, 0.4),
-        (0.2, 0.45, 0.85),
-        (-0.2, 0.4, 0.85),
-    ]
+    profile = [(0, 0.5, 0), (1.1, 0.22, 0), (1.12, 0.2, 0.2), (1.08, 0.18, 0.4), (0.2, 0.45, 0.85), (-0.2, 0.4, 0.85)]
     with d.ring(3):
         d.hull([(x * r, s * y * r, z * high) for s in (-1, 1) for x, y, z in profile], look)
         with d.at(0.72 * r, 0.0, 0.61 * high, pitch=0.28):
@@ -532,15 +505,10 @@ def vr_headset(d: Drawing) -> None:
     with d.mirror("y"):
         button(d, visor.share(y=(0.72, 0.72)), "black glass", 0.012, 0.0008)
     d.slab(visor.back(-0.02).share(y=(0.05, 0.95), z=(0.05, 0.95)).inset(front=-0.01), "black fabric", 0.01, 0.008)
-    band = np.array([[-0.0025, -0.013], [0.0025, -0.013], [0.0025, 0.013], [-0.0025, 0.013]])
     t = np.linspace(-0.5 * np.pi, 0.5 * np.pi, 9)
     start = 0.5 * deep - 0.06
-    d.sweep(np.c_[start - (deep - 0.065) * np.cos(t), 0.46 * wide * np.sin(t), 0.4 * high + 0 * t], band, strap)
-    over = [
-        (0.5 * deep - 0.05, 0.79),
-        (0.2 * deep, 0.96),
-        (-0.1 * deep, 0.98),
-        (-0.35 * deep, 0.85),
-        (-0.485 * deep, 0.45),
-    ]
-    d.sweep([(x, 0.0, z * high) for x, z in over], band[:, ::-1][::-1], strap)
+    d.sweep(
+        np.c_[start - (deep - 0.065) * np.cos(t), 0.46 * wide * np.sin(t), 0.4 * high + 0 * t], (0.005, 0.026), strap
+    )
+    over = [(0.8, 0.79), (0.68, 0.96), (0.4, 0.98), (0.15, 0.85), (0.015, 0.45)]
+    d.sweep([d.bounds.point(x, 0.5, z) for x, z in over], (0.026, 0.005), strap)

@@ -14,10 +14,8 @@ COVERS = (
     "white paint, teal paint, blue paint, black paint, cream paint, sage paint"
 )
 GLOSSY = "white paint, cream paint, red paint, teal paint, sage paint, yellow paint, navy paint, black paint"
-PRINTS = tuple(
-    f"{name} pigment"
-    for name in ["ochre", "terracotta", "sand", "blush", "sky", "sea", "night", "moss", "plum", "chalk"]
-)
+TONES = ("ochre", "terracotta", "sand", "blush", "sky", "sea", "night", "moss", "plum", "chalk")
+PRINTS = tuple(f"{tone} pigment" for tone in TONES)
 PENS = tuple(f"{name} plastic" for name in ["yellow", "red", "blue", "green", "black", "orange", "white"])
 INKS = ("brass", "chalk pigment", "ink pigment", "ochre pigment")
 
@@ -261,16 +259,12 @@ def paper_stack(d: Drawing) -> None:
 def pen_holder(d: Drawing) -> None:
     """A cup with pencils, pens, and a ruler."""
     box = d.even("round")
-    look = d.material(
-        "body", "black steel, oak, white ceramic, grey ceramic, concrete, red plastic, walnut, mint plastic"
-    )
+    look = d.material("body", "black steel, oak, white ceramic, concrete, red plastic, walnut, mint plastic")
     high, wide = box.height, box.width
     cup, r = box.share(x=(0.1, 0.9), y=(0.1, 0.9), z=(0.0, 0.55)), 0.4 * wide
     corner = None if d.chance("round", 0.6) else 0.12
     wall = 1 - 0.008 / r
-    d.sections(
-        cup, [(0.98, 0.98, 0), (1, 1, 0.02), (1, 1, 1), (wall, wall, 1), (wall, wall, 0.1)], look, corner, hollow=2
-    )
+    d.sections(cup, [(0.98, 0.98, 0), (1, 1, 1), (wall, wall, 1), (wall, wall, 0.1)], look, corner, hollow=2)
     for k in range(7):
         a = 2 * math.pi * k / 7 + d.uniform("turn", 0, 1)
         long = (high - 0.006) if k == 0 else high * d.uniform(f"l{k}", 0.82, 1.0) - 0.008
@@ -289,9 +283,8 @@ def pen_holder(d: Drawing) -> None:
 @draws("pencil_case", whole=True)
 def pencil_case(d: Drawing) -> None:
     """A soft pouch with a zip and tabs at its ends."""
-    pouch = d.cushion(
-        d.bounds.inset(top=0.004), d.material("cloth", "@fabric", "tan leather, black leather"), 0.03, 0.3
-    )
+    cloth = d.material("cloth", "@fabric, tan leather, black leather")
+    pouch = d.cushion(d.bounds.inset(top=0.004), cloth, 0.03, 0.3)
     d.box(pouch.top(0.008).place(0.008).inset(y=0.08 * pouch.width, top=-0.003), "steel", 0.002)
     tab = d.bounds.top(0.005).place(0.006).share(y=(0.86, 0.95))
     d.box(tab, d.pick("tab", ["red fabric", "black leather"]), 0.001)
@@ -308,17 +301,7 @@ def stapler(d: Drawing) -> None:
     d.box(box.share((0.3, 0.7), (0.04, 0.12), (0.12, 0.17)), "steel", 0.0005)
     with d.at(*box.point(0.5, 0.96, 0.3), roll=0.1):
         d.box(Box.sized(0.6 * box.depth, 0.92 * box.width, 0.2 * box.height, (0, -0.46 * box.width, 0)), "steel", 0.001)
-    arm = [
-        (1, 0.1),
-        (1, 0.6),
-        (0.92, 0.78),
-        (0.3, 1),
-        (0.06, 0.98),
-        (0.01, 0.75),
-        (0.03, 0.62),
-        (0.86, 0.42),
-        (0.9, 0.1),
-    ]
+    arm = [(1, 0.1), (1, 0.6), (0.92, 0.78), (0.3, 1), (0.06, 0.98), (0.02, 0.65), (0.86, 0.42), (0.9, 0.1)]
     d.silhouette(box, arm, look, "x", bevel=0.002)
 
 
@@ -426,17 +409,7 @@ def scissors(d: Drawing) -> None:
     """Scissors lying a little open, with bright grips."""
     deep, wide, high = d.size
     grip = d.material("grip", "red plastic, black plastic, orange plastic, blue plastic, green plastic")
-    blade = [
-        (-0.52, -0.01),
-        (-0.05, -0.09),
-        (0.06, -0.06),
-        (0.03, -0.04),
-        (0.18, 0.02),
-        (0.16, 0.16),
-        (0.03, 0.06),
-        (-0.05, 0.06),
-    ]
-    ring = np.array([[-0.006, -0.5 * high], [0.006, -0.5 * high], [0.006, 0.5 * high], [-0.006, 0.5 * high]])
+    blade = [(-0.52, -0.01), (-0.05, -0.09), (0.05, -0.05), (0.18, 0.02), (0.16, 0.16), (0.03, 0.06), (-0.05, 0.06)]
     t = np.arange(14) * 2 * np.pi / 14
     for s in (-1, 1):
         plan = [(x * deep, s * y * wide) for x, y in blade][::s]
@@ -444,7 +417,7 @@ def scissors(d: Drawing) -> None:
         with d.at(yaw=s * 0.14):
             d.extrude(plan, (low, low + 0.4 * high), "steel")
         with d.at(0.3 * deep, s * 0.25 * wide, 0.5 * high, yaw=s * 0.3):
-            d.sweep(np.c_[0.15 * deep * np.cos(t), 0.2 * wide * np.sin(t), 0 * t], ring, grip, closed=True)
+            d.sweep(np.c_[0.15 * deep * np.cos(t), 0.2 * wide * np.sin(t), 0 * t], (0.012, high), grip, closed=True)
     d.print(Box.sized(0.0084, 0.0084, 0.0, (0, 0, 0.8 * high)), "black plastic", oval=True)
 
 
@@ -472,9 +445,7 @@ def business_card_holder(d: Drawing) -> None:
     logo = d.pick("logo", ["navy paint", "red paint", "teal paint"])
     for k in range(5):
         with d.at(*box.point(0.8 - 0.13 * k, 0.5, 0.12), pitch=-0.12):
-            card = d.box(
-                Box((-0.003, 0.0), box.share(y=(0.06, 0.94)).y, (0.0, (0.8 + 0.02 * k) * box.height)), "paper", 0.0
-            )
+            card = d.box(Box.sized(0.003, 0.88 * box.width, (0.8 + 0.02 * k) * box.height), "paper", 0.0)
             if k == 0:
                 d.print(card.front(0.0).share(y=(0.1, 0.45), z=(0.75, 0.85)), logo)
                 d.print(card.front(0.0).share(y=(0.1, 0.73), z=(0.62, 0.66)), "grey paint")

@@ -25,10 +25,8 @@ def hammer(d: Drawing) -> None:
         d.revolve([(r * high, y * box.width) for r, y in head], "brushed steel", 16)
     for s in (-1, 1):  # the two prongs of its claw
         rows = ((-0.14, 0.40, 0.47, 0.04, 0.36), (-0.36, 0.39, 0.42, 0.1, 0.42), (-0.5, 0.32, 0.33, 0.2, 0.4))
-        points = [
-            box.point(0.5 + x, 0.5 + y, 0.5 + s * z) for y, x0, x1, z0, z1 in rows for x in (x0, x1) for z in (z0, z1)
-        ]
-        d.hull(points, "brushed steel")
+        prong = [(x, y, s * z) for y, x0, x1, z0, z1 in rows for x in (x0, x1) for z in (z0, z1)]
+        d.hull([box.point(0.5 + x, 0.5 + y, 0.5 + z) for x, y, z in prong], "brushed steel")
 
 
 @draws("screwdriver_set", whole=True)
@@ -144,11 +142,13 @@ def wrench(d: Drawing) -> None:
     d.silhouette(box.share(z=(0.1, 0.9)), [(0.14, 0.34), (0.8, 0.3), (0.8, 0.7), (0.14, 0.66)], steel, "z", bevel=0.001)
     d.print(box.share((0.26, 0.7), (0.41, 0.59), (0.9, 0.9)), "iron")
     t = np.arange(16) * 2 * np.pi / 16
-    section = np.array(
-        [[-0.12 * wide, -high / 2], [0.12 * wide, -high / 2], [0.12 * wide, high / 2], [-0.12 * wide, high / 2]]
-    )
     x = box.x[0] + 0.36 * wide
-    d.sweep(np.c_[x + 0.24 * wide * np.cos(t), 0.24 * wide * np.sin(t), 0 * t + high / 2], section, steel, closed=True)
+    d.sweep(
+        np.c_[x + 0.24 * wide * np.cos(t), 0.24 * wide * np.sin(t), 0 * t + high / 2],
+        (0.24 * wide, high),
+        steel,
+        closed=True,
+    )
     jaw = [(0.78, 0.5), (0.86, 0.5), (0.88, 0.7), (1.0, 0.76), (0.97, 0.94), (0.88, 1.0), (0.8, 0.9)]
     d.silhouette(box, jaw, steel, "z")
     d.silhouette(box, [(x, 1 - y) for x, y in jaw], steel, "z")
@@ -190,9 +190,7 @@ def bucket(d: Drawing) -> None:
     pail = box.place(2 * r, 2 * r)
     d.turned(pail, shape, look, 30, hollow=True)
     with d.no_colliders():
-        d.cylinder(
-            pail.inset(x=0.08 * r, y=0.08 * r).share(z=(0.05, 0.88)), "sky pigment", ends=(0.78, 1.0), segments=28
-        )
+        d.cylinder(pail.inset(x=0.08 * r, y=0.08 * r).share(z=(0.05, 0.88)), "sky pigment", ends=(0.78, 1.0))
     ears = high - 0.04
     with d.mirror("y"):
         d.cylinder(Box.around((0, 0.97 * r, ears), 0.034, 0.1 * r, 0.034), look, "y", segments=14)
@@ -232,9 +230,7 @@ def extension_cord(d: Drawing) -> None:
 @draws("watering_can", whole=True)
 def watering_can(d: Drawing) -> None:
     """A can with a long spout and rose to the left, a handle behind and above."""
-    look = d.material(
-        "body", "green paint, copper, brushed steel, mint plastic, yellow plastic, white steel, grey paint"
-    )
+    look = d.material("body", "green paint, copper, brushed steel, mint plastic, yellow plastic, white steel")
     deep, wide, high = d.size
     r, y, top = deep / 2, -0.16 * wide, 0.62 * high
     can = Box.sized(deep, deep, top, (0.0, y, 0.0))
@@ -262,19 +258,14 @@ def handsaw(d: Drawing) -> None:
     box = d.bounds
     high = box.height
     blade = box.share(z=(0.05, 0.17))
-    edge = np.linspace(0.22, 1.0, 27)
-    teeth = [
-        (x, y) for a, b in zip(edge[:-1], edge[1:], strict=True) for x, y in ((a, 0.08), (0.6 * a + 0.4 * b, 0.04))
-    ]
+    edge = np.linspace(0.22, 0.99, 52)
+    teeth = [(x, 0.08 - 0.04 * (k % 2)) for k, x in enumerate(edge)]
     outline = [(0.2, 0.92), (0.2, 0.08), *teeth, (1.0, 0.08), (1.0, 0.5)]
     plan = np.array([blade.point(x, y)[:2] for x, y in outline])
-    hull = shapes.hull(
-        np.array([blade.point(x, y, z) for x, y in ((0.2, 0.92), (0.2, 0.04), (1, 0.04), (1, 0.5)) for z in (0, 1)])
-    )
-    d.add(shapes.extrusion(plan, blade.z), "steel", [hull])
+    around = [blade.point(x, y, z) for x, y in ((0.2, 0.92), (0.2, 0.04), (1, 0.04), (1, 0.5)) for z in (0, 1)]
+    d.add(shapes.extrusion(plan, blade.z), "steel", [shapes.hull(np.array(around))])
     ring = [(0.25, 0.1), (0.05, 0.08), (0.01, 0.5), (0.06, 0.86), (0.2, 0.96), (0.26, 0.7)]
-    section = np.array([[-0.014, -0.49 * high], [0.014, -0.49 * high], [0.014, 0.49 * high], [-0.014, 0.49 * high]])
-    d.sweep([box.point(x, y) for x, y in ring], section, grip, closed=True)
+    d.sweep([box.point(x, y) for x, y in ring], (0.028, 0.98 * high), grip, closed=True)
     for y in (0.3, 0.65):
         d.cylinder(Box.around(box.point(0.245, y), 0.012, 0.012, 0.4 * high), "brass", segments=10)
 
@@ -287,12 +278,8 @@ def vise(d: Drawing) -> None:
     high = box.height
     d.box(box.share(x=(0.06, 0.6), z=(0.0, 0.1)), look)
     d.sections(box.share(x=(0.1, 0.56)), [(1, 0.68, 0.1), (0.83, 0.52, 0.5)], look, 0.1)
-    for x, y, z in (
-        ((0.06, 0.44), (0.1, 0.9), (0.48, 1)),
-        ((0.48, 0.8), (0.3, 0.7), (0.46, 0.7)),
-        ((0.57, 0.76), (0.1, 0.9), (0.6, 1)),
-    ):
-        d.box(box.share(x, y, z), look, 0.007)
+    for x, y, z in (((0.06, 0.44), 0.1, (0.48, 1)), ((0.48, 0.8), 0.3, (0.46, 0.7)), ((0.57, 0.76), 0.1, (0.6, 1))):
+        d.box(box.share(x, (y, 1 - y), z), look, 0.007)
     for x in ((0.44, 0.47), (0.55, 0.58)):
         d.box(box.share(x, (0.08, 0.92), (0.8, 0.98)), "brushed steel", 0.002)
     d.bar(box.point(0.45, 0.5, 0.56), box.point(0.98, 0.5, 0.56), 0.05 * high, "steel", 12)

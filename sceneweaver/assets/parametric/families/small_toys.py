@@ -82,9 +82,8 @@ def toy_car(d: Drawing) -> None:
         d.sections(cabin, shape, look, 0.1, convex=True)
         d.sections(cabin, [(0.93, 0.865, 0.16, -0.01, 0), (0.77, 0.79, 0.7, -0.05, 0)], "black glass", 0.1)
     with d.mirror("y"):
-        d.cylinder(
-            body.front(0.012).place(None, 0.18 * high, 0.18 * high).move(y=0.3 * wide, z=-0.02 * high), "lamp glow", "x"
-        )
+        lamp = body.front(0.012).share((0, 1), (0.8, 0.8), (0.4, 0.4))
+        d.cylinder(lamp.inset(y=-0.09 * high, z=-0.09 * high), "lamp glow", "x")
         for x in (0.2, 0.8):
             tyre = d.bounds.left(0.2 * wide).bottom(2 * r).share(x=(x, x)).inset(x=-r)
             wheel(d, tyre)
@@ -137,12 +136,8 @@ def doll(d: Drawing) -> None:
     cloth = [(0.9, 0.8, 0.0), (0.94, 0.84, 0.06), (0.56, 0.5, 0.36), (0.45, 0.4, 0.52), (0.27, 0.24, 0.58)]
     d.sections(d.bounds.move(x=back), cloth, dress)
     with d.mirror("y"):
-        d.bar(
-            (back + 0.1 * deep, 0.16 * wide, 0.07 * high),
-            (0.36 * deep, 0.24 * wide, 0.06 * high),
-            0.055 * high,
-            "white fabric",
-        )
+        hip, ankle = (back + 0.1 * deep, 0.16 * wide, 0.07 * high), (0.36 * deep, 0.24 * wide, 0.06 * high)
+        d.bar(hip, ankle, 0.055 * high, "white fabric")
         ball(d, (0.42 * deep, 0.25 * wide, 0.085 * high), (0.08 * deep, 0.05 * high, 0.085 * high), "red plastic", 10)
         hand = (0.07 * deep, 0.43 * wide, 0.265 * high)
         d.bar((back, 0.16 * wide, 0.5 * high), (0.04 * deep, 0.4 * wide, 0.3 * high), 0.04 * high, dress)
@@ -225,9 +220,7 @@ def play_ball(d: Drawing) -> None:
     rings = [(0.36, math.sqrt(1 - 0.36**2)), (0.2, math.sqrt(1 - 0.2**2)), (0.3, 0.8)]
     patch = np.concatenate([np.c_[s * np.cos(turn), s * np.sin(turn), 0 * turn + c] for s, c in rings])
     patch = shapes.hull(1.001 * r * np.concatenate([patch, [(0.0, 0.0, 1.0)]]))
-    tips = [
-        (k * 2 * math.pi / 5 + up * math.pi / 5, math.pi / 2 - (1 - 2 * up) * level) for k in range(5) for up in (0, 1)
-    ]
+    tips = [(k * math.pi / 5, math.pi / 2 - (1 - 2 * (k % 2)) * level) for k in range(10)]
     for yaw, pitch in [(0.0, 0.0), (0.0, math.pi), *tips]:
         with d.at(z=r, yaw=yaw, pitch=pitch):
             d.add(patch, "black plastic", [])
@@ -246,11 +239,7 @@ def puzzle_box(d: Drawing) -> None:
         for k, (y, s) in enumerate(((0.24, 0.2), (0.53, 0.28), (0.84, 0.15))):
             hill = photo.share(x=(0.5 - 1.5 * s, 0.5), y=(y - s, min(1.0, y + s))).inset(bottom=-0.001, top=-0.0002)
             d.silhouette(hill, [(1, 0), (1, 1), (0, 0.5)], ("sea pigment", "night pigment")[k % 2], "z")
-    d.print(
-        photo.share((0.15, 0.15), (0.82, 0.82)).inset(x=-0.05 * top.width, y=-0.05 * top.width),
-        "ochre pigment",
-        oval=True,
-    )
+    d.print(photo.share((0.1, 0.26), (0.76, 0.88)), "ochre pigment", oval=True)
     for k in range(1, 6):
         d.print(photo.share(x=(k / 6, k / 6)).inset(x=-0.0003), "chalk pigment", 0.0004)
         d.print(photo.share(y=(k / 6, k / 6)).inset(y=-0.0003), "chalk pigment", 0.0004)
@@ -344,10 +333,8 @@ def toy_dinosaur(d: Drawing) -> None:
     deep, wide, high = d.size
     look = d.material("body", "green plastic, blue plastic, orange plastic, grey plastic, mint plastic, lilac plastic")
     plates = d.material("plates", "yellow plastic, red plastic, green plastic, orange plastic")
-    spine = np.array(
-        [(-0.5, 0.12), (-0.4, 0.2), (-0.26, 0.36), (-0.12, 0.46), (0.04, 0.48), (0.16, 0.46), (0.25, 0.56)]
-    )
-    spine = np.concatenate([spine, [(0.32, 0.72), (0.36, 0.86)]]) * (deep, high)
+    x = np.array([-0.5, -0.4, -0.26, -0.12, 0.04, 0.16, 0.25, 0.32, 0.36]) * deep
+    spine = np.c_[x, np.array([0.12, 0.2, 0.36, 0.46, 0.48, 0.46, 0.56, 0.72, 0.86]) * high]
     thick = 1.25 * high * np.array([0.02, 0.05, 0.1, 0.16, 0.19, 0.16, 0.1, 0.07, 0.06])
     way = np.gradient(spine, axis=0)
     way /= np.linalg.norm(way, axis=1, keepdims=True)
@@ -397,9 +384,7 @@ def crayon_box(d: Drawing) -> None:
         for k, cell in enumerate(line.share(y=(0.03, 0.97)).columns(7)):
             size = 0.85 * min(cell.width, cell.depth)
             top = (0.9 if row else 1.0) * cell.height - 0.004 * ((k * 3 + row) % 3)
-            crayon = Box.sized(
-                size, size, top - carton.height + 0.002, (cell.center[0], cell.center[1], carton.z[1] - 0.002)
-            )
+            crayon = cell.place(size, size).to(z=(carton.z[1] - 0.002, top))
             tip = min(0.5, 1.1 * size / crayon.height)
             d.turned(crayon, [(1, 0), (1, 1 - tip), (0.9, 1 - tip), (0.3, 1)], RAINBOW[(k + 4 * row + start) % 8], 10)
     face = carton.front(0.0)
@@ -423,15 +408,8 @@ def toy_airplane(d: Drawing) -> None:
     for turn in (0.4, 0.4 + math.pi / 2):
         with d.at(0.465 * deep, 0, level, roll=turn):
             d.box(Box.around((0, 0, 0), 0.004, 0.84 * high, 0.016), "black plastic", 0.001)
-    d.slab(
-        Box((0.03 * deep, 0.29 * deep), (-wide / 2, wide / 2), (level - 0.5 * r, level - 0.5 * r + 0.01)),
-        wing,
-        0.06 * deep,
-        0.003,
-    )
-    d.slab(
-        Box((-0.49 * deep, -0.36 * deep), (-0.2 * wide, 0.2 * wide), (level, level + 0.007)), wing, 0.03 * deep, 0.002
-    )
+    d.slab(Box.sized(0.26 * deep, wide, 0.01, (0.16 * deep, 0, level - 0.5 * r)), wing, 0.06 * deep, 0.003)
+    d.slab(Box.sized(0.13 * deep, 0.4 * wide, 0.007, (-0.425 * deep, 0, level)), wing, 0.03 * deep, 0.002)
     fin = Box((-0.5 * deep, -0.34 * deep), (-0.004, 0.004), (level, high - 0.001))
     d.silhouette(fin, [(0, 0), (1, 0), (0.4, 1), (0, 1)], wing)
     ball(d, (0.08 * deep, 0, level + 0.75 * r), (0.1 * deep, 0.7 * r, 0.75 * r), "black glass", 14)
