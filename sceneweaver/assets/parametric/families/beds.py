@@ -63,10 +63,8 @@ def bed(d: Drawing) -> None:
         board = d.pick("board", boards)
     else:
         wood = d.material("frame", _WOODS)
-        style, board = (
-            d.pick("frame", ["legs", "plinth", "drawers", "legs"]),
-            d.pick("board", ["panel", "slats", "rails"]),
-        )
+        style = d.pick("frame", ["legs", "plinth", "drawers", "legs"])
+        board = d.pick("board", ["panel", "slats", "rails"])
     rail = d.uniform("rail", 0.27, 0.33)
     top, thick = rail + d.uniform("mattress", 0.17, 0.22), BOARDS[board]
     head_board(d, d.bounds, rail, board, wood, wood)

@@ -9,19 +9,10 @@ from ...drawing.box import Axis
 from ...drawing.components import blanket, cushions, mattress, slats
 
 SHEETS = "white fabric, beige fabric, white fabric"
-BLANKETS = ", ".join(
-    f"{c} fabric" for c in ("blue", "navy", "green", "mustard", "rust", "rose", "grey", "charcoal", "red")
-)
-BOARDS = {
-    "panel": 0.045,
-    "channels": 0.09,
-    "tufted": 0.08,
-    "arch": 0.055,
-    "slats": 0.045,
-    "rails": 0.045,
-    "rods": 0.04,
-    "arched rods": 0.04,
-}
+_COLORS = ("blue", "navy", "green", "mustard", "rust", "rose", "grey", "charcoal", "red")
+BLANKETS = ", ".join(f"{color} fabric" for color in _COLORS)
+BOARDS = {"channels": 0.09, "tufted": 0.08, "arch": 0.055, "panel": 0.045, "slats": 0.045, "rails": 0.045}
+BOARDS |= {"rods": 0.04, "arched rods": 0.04}
 """How far the mattress stays off the wall for a head board of each style [m]."""
 
 

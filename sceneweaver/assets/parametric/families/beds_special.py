@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import blanket, castors, leg
+from ...drawing.components import blanket, castors, frame, leg
 from .beds_parts import SHEETS, barred, bedding, ladder
 
 _WOODS = "pine, white paint, oak, birch, light grey paint, ash grey wood"
@@ -96,27 +96,19 @@ def murphy_bed(d: Drawing) -> None:
         d.box(inner.front(0.02).bottom(0.08).inset(front=0.01), "black paint")
         d.box(d.bounds.top(0.06), wood, bevel=0.012)
     columns, rows = d.pick("panels", [(2, 1), (2, 2), (2, 3), (3, 1)])
-    framed, rim = d.chance("framed", 0.6), 0.068
+    framed = d.chance("framed", 0.6)
     with d.hinge("bed", door.anchor("front bottom"), (0.0, 1.0, 0.0), (0.0, math.pi / 2)), d.part("cupboard"):
         d.box(door.inset(front=0.007), front)
         for cell in (c for column in door.front(0.008).columns(columns) for c in column.rows(rows)):
             field = cell.inset(y=0.002, z=0.002)
-            if not framed:
+            if framed:
+                frame(d, field, front, 0.068)
+            else:
                 d.box(field, front, bevel=0.002)
-                continue
-            for stile in (field.left(rim), field.right(rim)):
-                d.box(stile, front, bevel=0.002)
-            for board in (field.top(rim), field.bottom(rim)):
-                d.box(board.inset(y=rim), front, bevel=0.002)
         with d.mirror("y"):  # a pull, and a folded foot: a sign that this is a bed
-            d.box(
-                Box.around((0.0, 0.25 * box.width, door.z[1] - 0.31), 0.0, 0.2, 0.018).to(
-                    x=(door.x[1] - 0.001, d.bounds.x[1])
-                ),
-                pull,
-            )
-            foot = Box.around((0.0, 0.36 * box.width, door.z[1] - 0.46), 0.0, 0.044, 0.32)
-            d.box(foot.to(x=(door.x[1] - 0.001, door.x[1] + 0.006)), pull)
+            for y, z, wide, high, reach in ((0.25, 0.31, 0.2, 0.018, 0.028), (0.36, 0.46, 0.044, 0.32, 0.006)):
+                at = (door.x[1] + reach / 2, y * box.width, door.z[1] - z)
+                d.box(Box.around(at, reach, wide, high), pull)
     d.surface("top", d.bounds.inset(back=0.02, front=0.048, y=0.03))
     d.fit()
 
@@ -126,10 +118,8 @@ def hospital_bed(d: Drawing) -> None:
     """A bed on castors with a raised head part, side rails, boards at both ends, and two lifting columns."""
     panel = d.material("boards", "white plastic, beech, light grey paint, blue plastic")
     metal = d.material("frame", "white steel, grey plastic, light grey paint")
-    sheet, cover = (
-        d.material("sheet", "white fabric"),
-        d.material("blanket", "blue fabric, green fabric, white fabric, grey fabric"),
-    )
+    sheet = d.material("sheet", "white fabric")
+    cover = d.material("blanket", "blue fabric, green fabric, white fabric, grey fabric")
     box, base, top = d.bounds, 0.46, 0.6
     split = box.x[0] + 0.8
     bed = box.inset(x=0.055, y=0.065).to(z=(base, top))

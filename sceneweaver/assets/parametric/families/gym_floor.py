@@ -99,12 +99,7 @@ def trampoline(d: Drawing) -> None:
 def punching_bag(d: Drawing) -> None:
     """A bag on a weighted foot, or a long one on four chains under the ceiling."""
     box, hangs = d.bounds, d.category.name == "heavy_bag"
-    skin = d.material(
-        "skin",
-        "black leather, brown leather, red plastic"
-        if hangs
-        else "red plastic, black leather, blue plastic, brown leather",
-    )
+    skin = d.material("skin", "black leather, brown leather, red plastic", *(() if hangs else ("blue plastic",)))
     if hangs:
         bag = box.inset(top=0.4)
         d.revolve([(0.06, box.height - 0.02), (0.06, box.height)], "black steel", 20)

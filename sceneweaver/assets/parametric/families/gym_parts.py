@@ -17,9 +17,7 @@ def disc(
     d: Drawing, at: Vec3, radius: float, thick: float, look: Look, axis: Axis = "y", bevel: float = 0.0, sides: int = 24
 ) -> None:
     """A wheel, a weight or a cover centred at a point, its axle along an axis."""
-    size = {"x": (thick, 2 * radius, 2 * radius), "y": (2 * radius, thick, 2 * radius)}.get(
-        axis, (2 * radius, 2 * radius, thick)
-    )
+    size = [thick if own == axis else 2 * radius for own in "xyz"]
     d.cylinder(Box.around(at, *size), look, axis, bevel=bevel, segments=sides)
 
 

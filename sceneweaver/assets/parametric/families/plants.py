@@ -42,13 +42,11 @@ def potted_plant(d: Drawing) -> None:
         low, lean = h * (0.4 if kind == "ficus" else 0.36), 0.02 if trunks > 1 else 0.0
         with d.part("trunk"):
             for a in np.arange(trunks) * (2 * math.pi / trunks):
-                knots = [
-                    (a, lean, soil - 0.03),
-                    (a + 2, 0.4 * lean, (soil + low) / 2),
-                    (a, 0.06 * depth, 0.45 * low + 0.55 * h),
-                ]
-                path = [(r * math.cos(t), r * math.sin(t), z) for t, r, z in knots]
-                d.sweep(path, 0.012 + 0.003 * h, "bark", 8)
+                reach, heights = (
+                    [lean, 0.4 * lean, 0.06 * depth],
+                    [soil - 0.03, (soil + low) / 2, 0.45 * low + 0.55 * h],
+                )
+                d.sweep(around(a + np.array([0, 2, 0]), reach, heights), 0.012 + 0.003 * h, "bark", 8)
         if kind == "ficus":
             _ball_crown(f, 170, 0.11, 0.045, (green, "dark leaf"), low)
         else:
@@ -76,12 +74,9 @@ def _split(tip: np.ndarray, yaw: float, length: float, rise: float) -> Leaves:
     way = np.array([math.cos(yaw) * math.cos(rise), math.sin(yaw) * math.cos(rise), math.sin(rise) - 0.35])
     points = tip + 0.9 * length * np.linspace(0.0, 0.8, 5)[:, None] * way
     lobe, turn = length * np.array([0.5, 0.62, 0.6, 0.5, 0.38]), np.array([1.9, 1.45, 1.15, 0.85, 0.4])
+    yaws, points, lobe = np.r_[yaw - turn, yaw + turn], np.r_[points, points], np.r_[lobe, lobe]
     outline = (0.5, 1.0, 1.0, 0.3)
-    parts = [
-        leaves(points, yaw + s * turn, 0.25 * rise + 0.1, 0.6, lobe, 0.26 * length, outline, 0.0, 0.0018, rib=False)
-        for s in (-1, 1)
-    ]
-    return np.concatenate([p for p, _ in parts]), parts[0][1]
+    return leaves(points, yaws, 0.25 * rise + 0.1, 0.6, lobe, 0.26 * length, outline, 0.0, 0.0018, rib=False)
 
 
 @draws("palm")
@@ -89,11 +84,8 @@ def palm(d: Drawing) -> None:
     """Feathered fronds that arch from several canes, or from one trunk with rings."""
     (depth, w, h), f = d.size, Foliage(d)
     soil = pot(d, min(depth, w) * d.uniform("pot radius", 0.22, 0.27), h * d.uniform("pot height", 0.17, 0.22))
-    green, count, trunk = (
-        d.material("leaves", "leaf, pale leaf, dark leaf"),
-        d.integer("fronds", 11, 15),
-        d.chance("trunk", 0.4),
-    )
+    green = d.material("leaves", "leaf, pale leaf, dark leaf")
+    count, trunk = d.integer("fronds", 11, 15), d.chance("trunk", 0.4)
     head = soil + (0.28 * h if trunk else 0.0)
     long = (h - head) * f.rng.uniform(0.85, 1.1, count)
     for n, (rise, bend) in enumerate(zip(np.linspace(1.4, 0.75, count), np.linspace(0.6, 1.5, count), strict=True)):

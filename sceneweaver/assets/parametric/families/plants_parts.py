@@ -49,9 +49,8 @@ def leaves(
     """
     base = np.asarray(base, dtype=np.float64)
     count, n = len(base), len(outline)
-    yaw, rise, bend, length, width = (
-        np.broadcast_to(np.asarray(v, float), count) for v in (yaw, rise, bend, length, width)
-    )
+    figures = (yaw, rise, bend, length, width)
+    yaw, rise, bend, length, width = (np.broadcast_to(np.asarray(v, float), count) for v in figures)
     t = np.linspace(0, 1, n)
     middle = rise[:, None] - bend[:, None] * (t[:-1] + t[1:]) / 2
     step, start = (length / (n - 1))[:, None], np.zeros((count, 1))
@@ -81,12 +80,10 @@ def frond(
     points = np.asarray(base) + np.c_[reach * math.cos(yaw), reach * math.sin(yaw), high]
     long = leaflet * length * np.sin(np.pi * (0.15 + 0.85 * t)) ** 0.6 * (1 - 0.75 * t * t) + 0.02
     # Leaflets point outward and forward, and follow the rib's rise a little.
-    made = [
-        leaves(points, yaw + s * (1.15 - 0.75 * t), 0.5 * at - 0.1, 0.5, long, width, SMALL, 0.0, rib=False)
-        for s in (-1, 1)
-    ]
+    turns, at, long = np.r_[0.75 * t - 1.15, 1.15 - 0.75 * t], np.r_[at, at], np.r_[long, long]
+    rows = leaves(np.r_[points, points], yaw + turns, 0.5 * at - 0.1, 0.5, long, width, SMALL, 0.0, rib=False)
     outline = (1, 1, 0.9, 0.8, 0.6, 0.4)
-    return [*made, leaves([base], yaw, rise, bend, length, 0.008, outline, 0.0, 0.006, rib=False)]
+    return [rows, leaves([base], yaw, rise, bend, length, 0.008, outline, 0.0, 0.006, rib=False)]
 
 
 def stem(path, radius: float, segments: int = 6) -> Shape:
@@ -158,9 +155,7 @@ def crown_points(rng: np.random.Generator, count: int) -> tuple[np.ndarray, np.n
     return way * rng.uniform(0.45, 1.0, (count, 1)) ** 0.5, turn
 
 
-_GLAZES = (
-    "terracotta, white ceramic, grey ceramic, concrete, blue ceramic, cream ceramic, black paint, rattan, sage paint"
-)
+_GLAZES = "terracotta, white ceramic, grey ceramic, concrete, blue ceramic, cream ceramic, black paint, rattan"
 _POTS = {
     "belly": [(0.62, 0.0), (0.68, 0.02), (0.92, 0.25), (1.0, 0.48), (0.98, 0.68), (0.86, 0.9), (0.84, 1.0)],
     "rim": [(0.66, 0.0), (0.9, 0.76), (0.9001, 0.78), (1.0, 0.785), (1.0, 1.0)],

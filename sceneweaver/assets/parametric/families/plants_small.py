@@ -67,11 +67,8 @@ def cactus(d: Drawing) -> None:
             elbow = [(0, side * 0.6 * thick, z), (0, 0.8 * out, z + 0.03 * high), (0, out, z + 1.4 * arm)]
             d.sweep([*elbow, (0, out, tip - arm)], arm, green)
             d.ball(Box.around((0, out, tip - 1.1 * arm), 2 * arm, 2 * arm, 2.4 * arm), green, 12)
-        with (
-            d.no_colliders(),
-            d.ring(9, thick, math.pi / 9),
-            d.along((0, 0, soil + 0.18 * high), (0, 0, soil + 0.82 * high), 8),
-        ):
+        low, top = (0, 0, soil + 0.18 * high), (0, 0, soil + 0.82 * high)
+        with d.no_colliders(), d.ring(9, thick, math.pi / 9), d.along(low, top, 8):
             d.box(Box.around((0.0, 0.0, 0.0), 0.006, 0.006, 0.006), "paper", bevel=0.0)
 
 
@@ -118,13 +115,8 @@ def bonsai(d: Drawing) -> None:
     bend = 0.12 * w * (1 if d.chance("lean left", 0.5) else -1)
     knots = [(0.0, -0.6, (top - 0.01) / h), (0.01, 0.5, 0.34), (-0.01, -0.7, 0.52), (0.0, 0.3, 0.7), (0.0, 0.0, 0.84)]
     spine = np.array([(x, bend * y, h * z) for x, y, z in knots])
-    pads = [
-        (0.0, 0.0, 0.86, 0.26),
-        (0.0, 2.6, 0.6, 0.24),
-        (0.0, -2.7, 0.68, 0.2),
-        (0.2, 0.4, 0.52, 0.18),
-        (-0.2, -0.6, 0.74, 0.18),
-    ]
+    pads = [(0.0, 0.0, 0.86, 0.26), (0.0, 2.6, 0.6, 0.24), (0.0, -2.7, 0.68, 0.2), (0.2, 0.4, 0.52, 0.18)]
+    pads.append((-0.2, -0.6, 0.74, 0.18))
     thick, foliage = 0.02 + 0.012 * h, d.material("leaves", "leaf, dark leaf")
     with d.part("trunk"):
         d.add(stem(spine, thick, 8), "bark", shapes.sweep_hulls(spine, thick, 8))
@@ -154,11 +146,8 @@ def orchid(d: Drawing) -> None:
     up = flat[..., [2, 1, 0]] * np.array([1, -1, 1])
     t = np.linspace(0, 1, 9)
     for n, side in enumerate((1, -1) if d.chance("two stems", 0.7) else (1,), start=1):
-        x, y, z = (
-            0.2 * depth * t * (1.5 - n),
-            side * 0.42 * w * t**2.2,
-            soil - 0.01 + (h - soil) * (1.25 * t - 0.3 * t**4),
-        )
+        x, y = 0.2 * depth * t * (1.5 - n), side * 0.42 * w * t**2.2
+        z = soil - 0.01 + (h - soil) * (1.25 * t - 0.3 * t**4)
         f.shape(stem(np.c_[x, y, z], 0.0035), "leaf", n)
         for m in range(6):
             at = np.array([np.interp(0.5 + 0.1 * m, t, v) for v in (x + 0.012, y, z - 0.01)])
@@ -214,28 +203,19 @@ def _tilt(x: float, y: float) -> np.ndarray:
 def _blossom(kind: str, size: float, petal: Look) -> list[tuple[Leaves, Look]]:
     """A blossom about z at the origin: its leaves and finishes."""
 
-    def whorl(
-        count: int, rise, bend: float, long: float, wide: float, outline, fold: float, turn: float = 0.0
-    ) -> Leaves:
+    def whorl(count: int, rise, bend: float, long: float, wide: float, outline, fold: float, turn=0.0) -> Leaves:
         yaw = np.arange(count) * (2 * np.pi / count) + turn
         return leaves(np.zeros((count, 3)), yaw, rise, bend, size * long, size * wide, outline, fold)
 
     if kind == "daisy":
-        points, faces = leaves(
-            np.zeros((6, 3)), np.arange(6) * 1.047, 0.35, 0.8, 0.4 * size, 0.36 * size, SMALL, 0.0, 0.008, False
-        )
-        return [
-            (whorl(11, 0.15, 0.3, 1.0, 0.4, (0.4, 1.0, 0.3), 0.1), petal),
-            ((points + (0, 0, 0.004), faces), "yellow petal"),
-        ]
+        heart, yaw = np.tile((0.0, 0.0, 0.004), (6, 1)), np.arange(6) * 1.047
+        middle = leaves(heart, yaw, 0.35, 0.8, 0.4 * size, 0.36 * size, SMALL, 0.0, 0.008, rib=False)
+        return [(whorl(11, 0.15, 0.3, 1.0, 0.4, (0.4, 1.0, 0.3), 0.1), petal), (middle, "yellow petal")]
     if kind == "tulip":
         return [(whorl(6, 0.5 + 0.15 * (np.arange(6) % 2), -1.3, 1.15, 0.75, (0.5, 1.0, 0.95, 0.15), 0.2), petal)]
     rows = [(5, 0.35, -0.9, 0.95), (5, 0.75, -0.8, 0.9), (4, 1.1, -0.5, 0.8), (3, 1.4, -0.2, 0.7)]
     outline = (0.4, 1.0, 0.9, 0.4)
-    return [
-        (whorl(c, rise, bend, long, 0.85, outline, 0.15, 0.6 * i), petal)
-        for i, (c, rise, bend, long) in enumerate(rows)
-    ]
+    return [(whorl(*row, 0.85, outline, 0.15, 0.6 * k), petal) for k, row in enumerate(rows)]
 
 
 @draws("herb_pot")
@@ -244,9 +224,8 @@ def herb_pot(d: Drawing) -> None:
     h, f, wide = d.size.height, Foliage(d), min(d.size.depth, d.size.width)
     soil = pot(d, 0.38 * wide, 0.42 * h, ("taper", "rim", "cube"))
     kind, rng = d.pick("herb", ["basil", "chives", "rosemary"]), f.rng
-    green = d.material(
-        "leaves", {"basil": "leaf, pale leaf", "chives": "leaf", "rosemary": "silver leaf, dark leaf"}[kind]
-    )
+    greens = {"basil": "leaf, pale leaf", "chives": "leaf", "rosemary": "silver leaf, dark leaf"}
+    green = d.material("leaves", greens[kind])
     if kind == "chives":
         yaw = rng.uniform(0, 2 * np.pi, 90)
         base = around(yaw, rng.uniform(0, 0.22, 90) * wide, soil - 0.008)

@@ -85,9 +85,7 @@ def _back(d: Drawing, x: float, inner: float, seat: float, lean: float, style: s
 @draws("chair")
 def chair(d: Drawing) -> None:
     """A moulded shell on wooden, wire or tube legs, a bent-wood chair with a round seat, or a plank chair."""
-    {"shell": _shell_chair, "bentwood": _bentwood_chair, "plank": _plank_chair}[
-        d.pick("kind", ["shell", "shell", "bentwood", "plank"])
-    ](d)
+    d.pick("kind", [_shell_chair, _shell_chair, _bentwood_chair, _plank_chair])(d)
     d.fit()
 
 
@@ -263,13 +261,8 @@ def folding_chair(d: Drawing) -> None:
         for k in range(2 if wooden else 1):
             top = h - 0.005 - 0.12 * k
             heights = (top - (0.075 if wooden else 0.2), top)
-            board = [
-                (tip[0] - slope * (tip[1] - z) + t, s * (y - 0.006), z)
-                for z in heights
-                for t in (-0.009, 0.009)
-                for s in (-1, 1)
-            ]
-            d.hull(board, body)
+            edges = [(tip[0] - slope * (tip[1] - z) + t, z) for z in heights for t in (-0.009, 0.009)]
+            d.hull([(x, s * (y - 0.006), z) for x, z in edges for s in (-1, 1)], body)
     d.fit()
 
 

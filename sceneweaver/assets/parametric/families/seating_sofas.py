@@ -49,12 +49,9 @@ def _style(d: Drawing, narrow: bool = False) -> Style:
     arms = d.pick("arms", list(_ARMS))
     arm = min(_ARMS[arms], 0.15) if narrow else _ARMS[arms]
     foot = d.uniform("leg height", 0.09, 0.15) if d.chance("long legs", 0.7) else 0.05
-    seat, back, top = (
-        d.uniform("seat height", 0.42, 0.46),
-        d.uniform("back", 0.13, 0.17),
-        d.uniform("arm top", 0.58, 0.64),
-    )
-    return Style(arms, arm, top, d.pick("leg style", ["tapered", "block", "metal"]), foot, seat, back)
+    top, back = d.uniform("arm top", 0.58, 0.64), d.uniform("back", 0.13, 0.17)
+    feet = d.pick("leg style", ["tapered", "block", "metal"])
+    return Style(arms, arm, top, feet, foot, d.uniform("seat height", 0.42, 0.46), back)
 
 
 def _feet(d: Drawing, box: Box, style: Style) -> None:
@@ -94,29 +91,43 @@ def _arm(d: Drawing, box: Box, style: Style, cover: Material) -> None:
         d.cushion(box, cover, 0.03 if style.arms == "slim" else 0.04)
 
 
-def _seat(d: Drawing, box: Box, style: Style, cover: Material, count: int, lean: float = 0.14, **loose) -> None:
-    """Base, back frame and so many seat and back cushions between the arms; ``loose``: pillows and buttons."""
+def _seat(
+    d: Drawing,
+    box: Box,
+    style: Style,
+    cover: Material,
+    count: int = 1,
+    name: str = "seat",
+    lean: float = 0.14,
+    pillows: tuple[int, ...] = (),
+    buttons: bool = False,
+) -> None:
+    """Base, back frame and so many seat and back cushions between the arms, with pillows on some of the seats."""
     front = box.x[0] + style.back
-    with d.part("base"):
+    with d.part("base" if name == "seat" else name):
         d.cushion(box.to(z=(style.foot, 0.28)).inset(back=0.01, front=0.015), cover, 0.02)
-        cells = cushions(
-            d, box.to(x=(front - 0.02, box.x[1]), z=(0.265, style.seat)), count, cover, 0.045, 0.0, 0.004, cover
-        )
+        place = box.to(x=(front - 0.02, box.x[1]), z=(0.265, style.seat))
+        cells = cushions(d, place, count, cover, 0.045, 0.0, 0.004, cover)
     with d.part("back"):
         d.cushion(box.back(style.back).inset(bottom=style.foot, top=0.07), cover, 0.04)
     for k, cell in enumerate(cells):
         with d.part("back"), d.at(front + 0.035, z=style.seat - 0.005, pitch=-lean):
             rest = Box((-0.02, 0.13), cell.inset(y=0.003).y, (0.02, box.z[1] - style.seat + 0.005))
             d.cushion(rest, cover, 0.05, puff=0.35)
-            if loose.get("buttons"):
+            if buttons:
                 _buttons(d, rest.inset(front=0.004), cover, 3, 2)
         start = front + 0.195
-        if k in loose.get("pillows", ()):
+        if k in pillows:
             y, yaw = (cell.y[0] + 0.24, -0.25) if k == 0 else (cell.y[1] - 0.24, 0.25)
             throw_pillow(d, f"pillow {k % 2}", cover, start + 0.005, y, style.seat, yaw)
             start += 0.2
-        place = cell.to(x=(start + 0.02, box.x[1] - 0.055)).inset(y=0.05)
-        d.surface(f"seat-{k}" if count > 1 else "seat", place)
+        end = box.x[1] - 0.055
+        if name == "chaise" and d.chance("throw", 0.5):
+            throw = cell.inset(y=-0.006, bottom=-0.005, top=-0.008).to(x=(end - 0.465, end - 0.145))
+            end = throw.x[0] - 0.02
+            with d.part("throw"):
+                d.box(throw, d.material("throw", *contrasting(cover)), bevel=0.02)
+        d.surface(f"{name}-{k}" if count > 1 else name, cell.to(x=(start + 0.02, end)).inset(y=0.05))
 
 
 def _buttons(d: Drawing, box: Box, cover: Material, columns: int, rows: int) -> None:
@@ -137,7 +148,7 @@ def sofa(d: Drawing) -> None:
     pillows = () if single else d.pick("pillows", [(0,), (0, count - 1), (0, count - 1), ()])
     buttons = d.chance("buttons", 0.35 if single else 0.25)
     room = d.bounds.inset(y=style.arm - 0.005)
-    _seat(d, room, style, cover, count, 0.16 if single else 0.14, pillows=pillows, buttons=buttons)
+    _seat(d, room, style, cover, count, lean=0.16 if single else 0.14, pillows=pillows, buttons=buttons)
     side = d.bounds.left(style.arm).inset(front=0.02)
     with d.mirror("y"):
         with d.part("arm"):
@@ -164,29 +175,14 @@ def sectional_sofa(d: Drawing) -> None:
     between = d.bounds.inset(y=style.arm - 0.005)
     ends = ("left", "right") if d.chance("chaise left", 0.5) else ("right", "left")
     chaise = between.place(width=width, at=ends[0])
-    sofa_part = back.to(y=between.y).inset(**{ends[0]: width})
-    _seat(d, sofa_part, style, cover, 2, pillows=d.pick("pillows", [(0,), (1,), (0, 1)]))
-    front = back.x[0] + style.back
+    couch = back.to(y=between.y).inset(**{ends[0]: width})
+    _seat(d, couch, style, cover, 2, pillows=d.pick("pillows", [(0,), (1,), (0, 1)]))
+    _seat(d, chaise, style, cover, name="chaise")
+    wood = d.material("metal legs", *_METALS) if style.legs == "metal" else d.material("legs", *_WOODS)
+    foot = chaise.bottom(style.foot + 0.005).inset(front=0.06, y=0.04)
     with d.part("chaise"):
-        d.cushion(chaise.to(z=(style.foot, 0.28)).inset(back=0.01, front=0.015), cover, 0.02)
-        cushions(d, chaise.to(x=(front - 0.02, chaise.x[1]), z=(0.265, style.seat)), 1, cover, 0.045, cord=cover)
         for end in ("left", "right"):
-            wood = d.material("metal legs", *_METALS) if style.legs == "metal" else d.material("legs", *_WOODS)
-            d.box(
-                chaise.bottom(style.foot + 0.005).inset(front=0.06, y=0.04).place(0.04, 0.04, at=f"front {end}"), wood
-            )
-    with d.part("back"):
-        d.cushion(chaise.back(style.back).inset(bottom=style.foot, top=0.07), cover, 0.04)
-        with d.at(front + 0.035, z=style.seat - 0.005, pitch=-0.14):
-            rest = Box((-0.02, 0.13), chaise.inset(y=0.004).y, (0.02, d.size.height - style.seat + 0.005))
-            d.cushion(rest, cover, 0.05, puff=0.35)
-    place, end = chaise.inset(y=0.06), chaise.x[1] - 0.06
-    if d.chance("throw", 0.5):
-        cloth = chaise.to(x=(chaise.x[1] - 0.52, chaise.x[1] - 0.2), z=(0.26, style.seat + 0.008)).inset(y=-0.006)
-        end = cloth.x[0] - 0.02
-        with d.part("throw"):
-            d.box(cloth, d.material("throw", *contrasting(cover)), bevel=0.02)
-    d.surface("chaise", place.to(x=(front + 0.21, end), z=(0.0, style.seat)))
+            d.box(foot.place(0.04, 0.04, at=f"front {end}"), wood)
     with d.mirror("y"), d.part("arm"):
         _arm(d, back.left(style.arm).inset(front=0.02).to(z=(style.foot, style.arm_top)), style, cover)
     _feet(d, back.bottom(style.foot + 0.01), style)
@@ -252,9 +248,8 @@ def recliner(d: Drawing) -> None:
             d.cushion(row.inset(y=-0.04 if k == 2 else 0.0, top=-0.012, front=0.01 * k), cover, 0.07, 0.2)
     with d.part("foot rest"):
         with d.at(body.x[1] + 0.02, z=0.36, pitch=-0.12):
-            d.cushion(
-                Box((0.0, d.bounds.x[1] - body.x[1] - 0.01), room.inset(y=0.01).y, (-0.03, 0.1)), cover, 0.06, 0.1
-            )
+            rest = Box((0.0, d.bounds.x[1] - body.x[1] - 0.01), room.inset(y=0.01).y, (-0.03, 0.1))
+            d.cushion(rest, cover, 0.06, 0.1)
         with d.mirror("y"):
             y = room.y[1] - 0.06
             d.bar((body.x[1] - 0.06, y, 0.22), (body.x[1] + 0.14, y, 0.37), 0.013, "black steel", segments=6)

@@ -32,9 +32,8 @@ def waiting_bench(d: Drawing) -> None:
         half, y = cell.width / 2 - 0.03, cell.center[1]
         if k == table:
             with d.part("seats"), d.at(y=y):
-                d.box(
-                    Box((-0.2, x1 - 0.06), (-half, half), (seat - 0.02, seat)), d.material("top", "beech, white paint")
-                )
+                top = Box((-0.2, x1 - 0.06), (-half, half), (seat - 0.02, seat))
+                d.box(top, d.material("top", "beech, white paint"))
                 d.box(Box((-0.1, 0.1), (-0.05, 0.05), (rail, seat - 0.019)), metal)
             continue
         with d.part("seats"), d.at(y=y):

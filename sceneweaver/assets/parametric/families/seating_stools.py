@@ -8,7 +8,7 @@ import numpy as np
 
 from ... import shapes
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import carcass, cushions, feet, leg, legs, piping
+from ...drawing.components import carcass, cushions, feet, frame, leg, legs, piping
 from .seating_parts import COVERS, arc_panel
 
 
@@ -39,14 +39,7 @@ def stool(d: Drawing) -> None:
         at, top = foot + (head - foot) * level, seat.z[0]
         next_leg = (at * math.cos(2 * math.pi / count), at * math.sin(2 * math.pi / count), level * top)
         with d.ring(count, 0.0, start):
-            leg(
-                d,
-                (foot, 0.0, 0.0),
-                (head, 0.0, top + 0.004),
-                0.018 if metal else 0.022,
-                0.018 if metal else 0.036,
-                under,
-            )
+            leg(d, (foot, 0.0, 0.0), (head, 0.0, top + 0.004), *((0.018, 0.018) if metal else (0.022, 0.036)), under)
             if not (metal and is_round):
                 d.bar((at, 0.0, level * top), next_leg, 0.009, under, segments=8)
         if metal and is_round:
@@ -149,11 +142,7 @@ def storage_bench(d: Drawing) -> None:
             d.box(front.inset(front=0.006), wood)
             d.box(body.bottom(0.05).inset(back=0.03, front=0.05, y=0.03), wood)
             for panel in front.front(0.007).inset(z=0.04).columns(3 if wide else 2):
-                frame = panel.inset(y=0.05)
-                for bar in (frame.left(0.04), frame.right(0.04)):
-                    d.box(bar, wood, bevel=0.002)
-                for bar in (frame.top(0.04), frame.bottom(0.04)):
-                    d.box(bar.inset(y=0.04), wood, bevel=0.002)
+                frame(d, panel.inset(y=0.05), wood, 0.04)
         lid = body.top(0.024).inset(bottom=0.004, top=-0.004)
         hinge = lid.anchor("back bottom")
         with d.hinge("lid", hinge, axis=(0.0, -1.0, 0.0), limits=(0.0, 1.4)), d.part("chest"):
@@ -251,11 +240,10 @@ def pouf(d: Drawing) -> None:
             skin = shapes.lofted(rings)
             d.add(skin, cover, [shapes.containing_hull(skin[0])])
             trim = "white fabric" if max(cover.color) < 0.8 else "charcoal fabric"
+            cord = trim if d.chance("trim", 0.4) else cover
             with d.no_colliders():
                 for k in range(0, gores * steps, steps):  # piping in the seams
-                    d.sweep(
-                        np.array([ring[k] for ring in rings[:-1]]), 0.004, trim if d.chance("trim", 0.4) else cover, 5
-                    )
+                    d.sweep(np.array([ring[k] for ring in rings[:-1]]), 0.004, cord, segments=5)
             d.ball(Box.around((0.0, 0.0, h - 0.008), 0.07, 0.07, 0.016), cover, segments=12)
     d.fit()
 
@@ -267,9 +255,8 @@ def bean_bag(d: Drawing) -> None:
     t = np.linspace(0.0, 1.0, 13)[:, None]
     a = np.arange(42) * (2 * np.pi / 42)
     levels = [0.0, 0.06, 0.2, 0.4, 0.6, 0.78, 0.92, 1.0]
-    radius = np.interp(t, levels, [0.82, 0.95, 1.0, 0.97, 0.84, 0.6, 0.32, 0.06]) * (
-        1 - 0.03 * np.abs(np.cos(3 * a)) ** 8
-    )
+    radius = np.interp(t, levels, [0.82, 0.95, 1.0, 0.97, 0.84, 0.6, 0.32, 0.06])
+    radius = radius * (1 - 0.03 * np.abs(np.cos(3 * a)) ** 8)
     # The crown lies toward the back; the front half sags, so that a seat remains.
     front = np.clip(np.cos(a), 0.0, 1.0)
     rise = t - 0.52 * t**1.4 * front * np.sin(t * np.pi)

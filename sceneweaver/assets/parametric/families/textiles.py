@@ -26,9 +26,9 @@ def _ground(h: float) -> float:
 
 
 def _inlay(d: Drawing, polygon, level: int, look: Look) -> None:
-    """A flat region of another colour; regions of a higher level (0 to 5) lie over lower ones."""
+    """A flat region of another colour; regions of a higher level (1 to 9) lie over lower ones, never in one plane."""
     h = d.size.height
-    top = _ground(h) + (h - _ground(h)) * level / 5
+    top = _ground(h) + (h - _ground(h)) * level / 9
     d.add(shapes.extrusion(np.asarray(polygon), (0.4 * h, top)), look, [])
 
 
@@ -38,8 +38,8 @@ def _field(d: Drawing, box: Box, level: int, look: Look) -> None:
 
 
 def _rim(d: Drawing, box: Box, wide: float, look: Look) -> None:
-    for strip in (box.left(wide), box.right(wide), box.front(wide), box.back(wide)):
-        _field(d, strip, 5, look)
+    for strip in (box.left(wide), box.right(wide), box.front(wide).inset(y=wide), box.back(wide).inset(y=wide)):
+        _field(d, strip, 9, look)
 
 
 def _pattern(d: Drawing, box: Box, name: str, looks: tuple[Look, Look, Look]) -> None:
@@ -48,15 +48,12 @@ def _pattern(d: Drawing, box: Box, name: str, looks: tuple[Look, Look, Look]) ->
     depth, width, _ = box.size
     if name in ("border", "medallion"):
         for k, (share, look) in enumerate(((0.06, second), (0.09, field), (0.16, third), (0.175, field))):
-            _field(d, box.inset(x=share * depth, y=share * depth), k, look)
+            _field(d, box.inset(x=share * depth, y=share * depth), k + 1, look)
     if name == "medallion":
         a = np.arange(16) * (math.pi / 8)
-        star = (
-            np.where(np.arange(16) % 2 == 0, 1.0, 0.84)[:, None]
-            * np.c_[0.27 * depth * np.cos(a), 0.18 * width * np.sin(a)]
-        )
+        star = np.c_[0.27 * depth * np.cos(a), 0.18 * width * np.sin(a)] * np.tile([1.0, 0.84], 8)[:, None]
         for k, (share, look) in enumerate(((1.0, second), (0.78, third), (0.5, second), (0.25, field))):
-            _inlay(d, share * star, min(5, k + 2), look)
+            _inlay(d, share * star, k + 5, look)
     elif name == "stripes":
         for k, stripe in enumerate(box.split("x", d.integer("stripes", 5, 11))):
             _field(d, stripe.share(x=(0.25, 0.75) if k % 2 else (0.38, 0.62)), 1, second if k % 2 else third)
@@ -167,9 +164,7 @@ def curtains(d: Drawing) -> None:
         with d.mirror("y"):
             y = end - 0.1
             d.box(Box((box.x[0], axis), (y - 0.007, y + 0.007), (rod - 0.008, rod + 0.008)), metal, bevel=0.002)
-            d.box(
-                Box((box.x[0], box.x[0] + 0.006), (y - 0.016, y + 0.016), (rod - 0.034, rod + 0.03)), metal, bevel=0.002
-            )
+            d.box(Box.around((box.x[0] + 0.003, y, rod - 0.002), 0.006, 0.032, 0.064), metal, bevel=0.002)
             if not on_track:
                 with d.at(axis, end - 0.07, rod, roll=-math.pi / 2):
                     finial = [
@@ -233,10 +228,8 @@ def floor_cushion(d: Drawing) -> None:
         piping(d, d.cushion(box, cloth, radius), cloth, radius)
         with d.grid(box.top(0.0).share(x=(0.11, 0.89), y=(0.11, 0.89)), x=3, y=3):
             d.ball(Box.around((0.0, 0.0, -0.002), 0.03, 0.03, 0.01), cloth, segments=10)
-        x = box.x[1]
-        d.sweep(
-            [(x + a, y, h / 2) for a, y in ((-0.01, -0.06), (0.015, -0.04), (0.015, 0.04), (-0.01, 0.06))], 0.005, cloth
-        )
+        handle = ((-0.01, -0.06), (0.015, -0.04), (0.015, 0.04), (-0.01, 0.06))
+        d.sweep([(box.x[1] + x, y, h / 2) for x, y in handle], 0.005, cloth)
     d.fit()
 
 
@@ -248,9 +241,7 @@ def blanket_throw(d: Drawing) -> None:
     with d.part("blanket"):
         layers = folded.rows(4)
         for k, layer in enumerate(layers):
-            own = layer.inset(
-                x=abs(0.006 * math.sin(2.1 * k)), right=0.004 * k, left=0.003 * k, bottom=-0.002 * (k > 0)
-            )
+            own = layer.inset(x=abs(0.006 * math.sin(2.1 * k)), y=0.0035 * k, bottom=-0.002 * (k > 0))
             d.cushion(own, cloth, 0.48 * layer.height, 0.1)
         for share in (0.2, 0.8):
             d.print(folded.top(0.0).inset(x=0.03).place(width=0.04).move(y=(share - 0.5) * folded.width), trim, 0.0012)
