@@ -3,11 +3,12 @@
 A drawing begins with its finishes, each under a letter, and with ``fit: round`` where it is as wide as deep. Each line
 after that is some bodies of one shape and finish: the shape, the letter, and the numbers of one body after the other
 with ``;`` between them. Places are shares of the size from 0 to 1: x from back to front, y from right to left, z from
-bottom to top; radii are shares of the shortest side that they lie in. See ``_SHAPES`` for the numbers of each. Before a
-line may stand
+bottom to top; radii are shares of the shortest side that they lie in, widths and profiles of the size itself. See
+``_SHAPES`` for the numbers of each. ``fill`` and ``wrap`` take two heights: what is in the vessel of the line before,
+and a label around it. Before a line may stand
 
-- ``?0.5``: only in that share of the seeds,
-- ``*4 0 .2 0``: so many copies, each moved on by these shares,
+- ``?0.5``: only in that share of the seeds; ``=name``: only in that form, one of ``form: name, other``,
+- ``*4 0 .2 0``: so many copies, each moved on by these shares; ``^y``: once more mirrored at y (x, or both),
 - ``~``: the line goes on with the one before it,
 - ``+name``: the bodies from here on are one prism of the engine of that name; without any, all are one.
 
@@ -17,11 +18,14 @@ line may stand
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import ExitStack
 from functools import partial
 from importlib import resources
 
 from ...category import read_yaml
 from ...drawing import MAKERS, Axis, Box, Drawing, Look
+from ...drawing.tree import pose
+from .small_parts import filling, open_vessel, wrap
 
 Numbers = Sequence[float]
 
@@ -76,10 +80,36 @@ def _ball(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
     d.ball(box, look, 12 if max(box.size) < 0.1 else 20)
 
 
+def _profile(n: Numbers) -> list[tuple[float, float]]:
+    return [(2 * r, z) for r, z in zip(n[::2], n[1::2], strict=True)]
+
+
+def _about(whole: Box, x: float, y: float) -> Box:
+    """The box moved so that its middle is at two shares."""
+    return whole.move((x - 0.5) * whole.depth, (y - 0.5) * whole.width)
+
+
 def _turned(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
     """x y, then pairs of radius and z from bottom to top; stretched to an ellipse where depth and width differ."""
-    box = whole.move((n[0] - 0.5) * whole.depth, (n[1] - 0.5) * whole.width)
-    d.turned(box, [(2 * r, z) for r, z in zip(n[2::2], n[3::2], strict=True)], look, 20)
+    d.turned(_about(whole, n[0], n[1]), _profile(n[2:]), look, 24)
+
+
+def _open(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
+    """x y, thickness of the wall [mm], z of the floor inside, then pairs of radius and z of the outside."""
+    open_vessel(d, _about(whole, n[0], n[1]), _profile(n[4:]), look, n[2] / 1000, n[3])
+
+
+def _sections(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
+    """x y, radius of corners as a share of a section's shorter side (0: an ellipse), then depth, width, z of each."""
+    rows = [n[k : k + 3] for k in range(3, len(n), 3)]
+    d.sections(_about(whole, n[0], n[1]), rows, look, n[2] or None)
+
+
+def _arch(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
+    """Radius as of a bar, both ends, and how far it reaches out of their middle."""
+    x, y, z = (share * size for share, size in zip(n[7:], whole.size, strict=True))
+    start, end = _points(whole, n[1:7])
+    d.arch(start, end, (x, y, z), n[0] * min(whole.size), look, 8)
 
 
 def _bar(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
@@ -110,6 +140,9 @@ _SHAPES: dict[str, Callable[[Drawing, Box, Look, Numbers], None]] = {
     "y": partial(_round, axis="y"),  # y0 y1 x z, radius at the right and at the left
     "ball": _ball,
     "turned": _turned,
+    "open": _open,
+    "sections": _sections,
+    "arch": _arch,
     "bar": _bar,
     "ring": _ring,
     "hull": _hull,
@@ -122,30 +155,48 @@ def draw(d: Drawing, text: str) -> None:
     settings = "; ".join(line.rstrip(";") for line in lines if ":" in line)
     named = dict(entry.split(": ") for entry in settings.split("; "))
     whole = d.even(named.pop("fit", "box"))  # pyright: ignore[reportArgumentType]
+    form = d.pick("form", named.pop("form").split(", ")) if "form" in named else ""
     looks = {letter: d.material(letter, names) for letter, names in named.items()}
     group: str | None = None if "\n+" in text else "all"
+    last, layer = (whole, []), 0
     for number, line in enumerate(line for line in lines if ":" not in line):
-        words = line.split()
+        words, drawn = line.split(), True
         if words[0][0] == "+":
             group = words[0][1:]
-            continue
-        if words[0][0] == "?" and not d.chance(f"piece {number}", float(words.pop(0)[1:])):
             continue
         if words[0] == "surface":
             x0, x1, y0, y1, z, *headroom = (float(word) for word in words[2:])
             own = whole.share((x0, x1), (y0, y1), (0.0, z))
             d.surface(words[1], own, headroom[0] * whole.height if headroom else None)
             continue
-        count, step = 1, (0.0, 0.0, 0.0)
-        if words[0][0] == "*":
-            count = int(words[0][1:])
-            step = tuple(float(word) * size for word, size in zip(words[1:4], whole.size, strict=True))
-            words = words[4:]
-        bodies = [[float(word) for word in body.split()] for body in " ".join(words[2:]).split(";")]
-        for k in range(count):
-            with d.part(group or f"piece {number}"), d.at(*(k * v for v in step)):
-                for numbers in bodies:
-                    _SHAPES[words[0]](d, whole, looks[words[1]], numbers)
+        with ExitStack() as around:
+            around.enter_context(d.part(group or f"piece {number}"))
+            while (sign := words[0][0]) in "?=*^":
+                word = words.pop(0)[1:]
+                if sign == "?":
+                    drawn &= d.chance(f"piece {number}", float(word))
+                elif sign == "=":
+                    drawn &= word == form
+                elif sign == "^":
+                    around.enter_context(d.mirror(*word))
+                else:
+                    x, y, z = (float(words.pop(0)) * size for size in whole.size)
+                    frames = [pose(k * x, k * y, k * z) for k in range(int(word))]
+                    around.enter_context(d.copies(frames))
+            if not drawn:
+                continue
+            shape, look = words[0], looks[words[1]]
+            for body in " ".join(words[2:]).split(";"):
+                numbers = [float(word) for word in body.split()]
+                if shape == "fill":
+                    filling(d, *last, numbers[0], numbers[1], look)
+                elif shape == "wrap":
+                    wrap(d, *last, numbers[0], numbers[1], look, layer)
+                    layer += 1
+                else:
+                    _SHAPES[shape](d, whole, look, numbers)
+                if shape in ("turned", "open"):
+                    last, layer = (_about(whole, *numbers[:2]), _profile(numbers[2 if shape == "turned" else 4 :])), 0
     d.fit(whole.size)
 
 

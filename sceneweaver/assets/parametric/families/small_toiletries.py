@@ -9,7 +9,7 @@ import numpy as np
 from ... import shapes
 from ...drawing import Box, Drawing, Look, draws
 from ...drawing.components import towel
-from .small_parts import CERAMICS, open_vessel, spread
+from .small_parts import CERAMICS, PLASTICS, open_vessel, pump, spread, wrap
 
 TOWELS = "white fabric, beige fabric, grey fabric, blue fabric, green fabric, rose fabric, navy fabric, mustard fabric"
 HEMS = "white fabric, charcoal fabric, beige fabric"
@@ -380,3 +380,75 @@ def sponge(d: Drawing) -> None:
             size = d.uniform(f"s{k}", 0.002, 0.004)
             at = side.share((u, u), (u, u), (v, v)).center
             d.ball(Box.around(at, min(side.depth, size), min(side.width, size), size).inset(-0.0002), hole, 6)
+
+
+@draws("soap_dispenser", "lotion_bottle", whole=True, even="round")
+def pump_bottle(d: Drawing) -> None:
+    """A round or square bottle with a pump and a label."""
+    box = d.even("round")
+    soap = d.category.name == "soap_dispenser"
+    look = d.material("body", CERAMICS + ", concrete, marble" if soap else PLASTICS, "amber glass")
+    head = d.material("pump", "steel, brass, black steel, chrome" if soap else "white plastic, black plastic, steel")
+    bottle = box.share(z=(0.0, 0.68))
+    paper = d.pick("label", ["paper", "sand pigment", "white paint" if soap else "blush pigment"])
+    if soap and d.chance("square", 0.3):
+        rows = [(0.94, 0.94, 0.0), (1.0, 1.0, 0.03), (1.0, 1.0, 0.9), (0.5, 0.5, 1.0)]
+        d.sections(bottle, rows, look, radius=0.12, convex=True)
+        d.print(bottle.front(0.0).share(y=(0.25, 0.75), z=(0.3, 0.65)), paper)
+        d.print(bottle.front(0.0).share(y=(0.32, 0.68), z=(0.5, 0.54)), "ink pigment", 0.0004)
+    else:
+        body = [(0.92, 0.0), (1.0, 0.03), (1.0, 0.84), (0.8, 0.94), (0.42, 1.0)]
+        d.turned(bottle, body, look)
+        wrap(d, bottle, body, 0.2, 0.64, paper)
+        wrap(d, bottle, body, 0.46, 0.5, "ink pigment", 1)
+    pump(d, bottle.z[1] - 0.002, box.z[1], 0.48 * box.depth, head)
+
+
+@draws("cotton_jar", "cookie_jar", whole=True, even="round")
+def filled_jar(d: Drawing) -> None:
+    """A glass jar with a lid, full of cotton balls or biscuits."""
+    box = d.even("round")
+    glass, lid = d.material("body", "glass"), d.material("lid", "oak, steel, bamboo, walnut, red plastic")
+    r, h = box.width / 2, box.height
+    knob = [(0.16, 0.88), (0.14, 0.92), (0.24, 0.96), (0.16, 1.0)]
+    if d.category.name == "cotton_jar":
+        d.turned(box, [(0.95, 0.0), (1.0, 0.03), (1.0, 0.76)], glass)
+        d.turned(box, [(1.0, 0.76), (1.0, 0.85), (0.97, 0.86), (0.16, 0.86), *knob], lid)
+    else:
+        d.turned(box, [(0.7, 0.0), (0.95, 0.1), (1.0, 0.35), (0.92, 0.6), (0.68, 0.76)], glass)
+        d.turned(box, [(0.74, 0.76), (0.74, 0.83), (0.6, 0.86), *knob], lid)
+    with d.no_colliders():
+        for level in range(5):
+            with d.at(z=0.04 * h + 0.13 * level * h, yaw=1.2 * level):
+                for k, (x, y) in enumerate(spread(7, (0.62 if d.category.name == "cotton_jar" else 0.5) * r)):
+                    if d.category.name == "cotton_jar":
+                        d.ball(Box.sized(0.58 * r, 0.58 * r, 0.58 * r, (x, y, 0.0)), "icing", 8)
+                    else:
+                        biscuit = Box.sized(0.54 * r, 0.54 * r, 0.07 * h, (x, y, 0.0))
+                        d.cylinder(biscuit, "cake sponge" if (level + k) % 3 else "chocolate", bevel=0.003, segments=12)
+
+
+@draws("detergent_bottle", whole=True)
+def detergent_bottle(d: Drawing) -> None:
+    """A big bottle with a handle, a measuring cap and a bright label."""
+    box = d.bounds
+    look = d.material("body", "blue plastic, orange plastic, white plastic, green plastic, lilac plastic, red plastic")
+    cap = d.material("cap", "white plastic, blue plastic, yellow plastic")
+    low, shoulder = box.share(z=(0.0, 0.5)), box.share(z=(0.495, 0.82))
+    d.sections(low, [(0.95, 0.97, 0.0), (1, 1, 0.03), (1, 1, 1)], look, radius=0.35, convex=True)
+    slope = [(1.0, 0.7, 0.0, 0.0, -0.15), (0.8, 0.58, 0.57, 0.0, -0.15), (0.48, 0.36, 1.0, 0.0, -0.17)]
+    d.sections(shoulder, slope, look, radius=0.35)
+    h, w = box.height, box.width
+    grip = [(0, 0.06 * w, 0.75 * h), (0, 0.28 * w, 0.745 * h), (0, 0.42 * w, 0.66 * h), (0, 0.42 * w, 0.48 * h)]
+    d.sweep(grip, 0.014, look, 8)
+    mouth = Box.sized(0.6 * box.depth, 0.6 * box.depth, 0.18 * h + 0.004, (0.0, -0.17 * w, 0.82 * h - 0.004))
+    d.cylinder(mouth, cap, ends=(1.0, 0.93), bevel=0.003)
+    front = low.front(0.0)
+    d.print(
+        front.share(y=(0.3, 0.7), z=(0.2, 0.84)), "blue plastic" if look.name == "white plastic" else "white plastic"
+    )
+    sun = d.pick("sun", ["yellow plastic", "pink plastic", "green plastic"])
+    with d.no_colliders():
+        place = Box.around(front.anchor(), 0.0008, 0.32 * w, 0.32 * w).move(z=0.03 * h)
+        d.cylinder(place, sun, "x", segments=20)
+    d.print(front.share(y=(0.31, 0.69), z=(0.5, 0.6)), "navy paint", 0.0005)
