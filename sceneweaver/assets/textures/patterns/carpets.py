@@ -15,7 +15,7 @@ def _loop(n: int) -> Relief:
     near = cells(n, 901, 62, jitter=0.55)
     loop = np.sqrt(np.clip(1.0 - (near.first * 62 / 0.72) ** 2, 0.0, 1.0))
     yarn = spread(near.number, 903) - 0.5
-    tint = (0.42 + 0.58 * loop) * (1.0 + 0.30 * yarn + 0.04 * field(n, 905, 0.15))
+    tint = (0.42 + 0.58 * loop) * (1.0 + 0.30 * yarn + 0.02 * field(n, 905, 0.15))
     return Relief(tint, 1.4e-3 * loop, np.ones((n, n)))
 
 
@@ -23,7 +23,7 @@ def _loop(n: int) -> Relief:
 def _pile(n: int) -> Relief:
     """Soft carpet: tufts, and patches where the pile leans another way."""
     tuft, lean = field(n, 911, 0.008, 1.1), field(n, 913, 0.22, 1.8)
-    return Relief(np.clip(1.0 + 0.16 * tuft + 0.05 * lean, 0.2, None), 7e-4 * tuft, np.ones((n, n)))
+    return Relief(np.clip(1.0 + 0.16 * tuft + 0.025 * lean, 0.2, None), 7e-4 * tuft, np.ones((n, n)))
 
 
 @pattern("shaggy", (0.3, 0.3), kind="fabric")

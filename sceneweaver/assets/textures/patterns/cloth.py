@@ -49,6 +49,7 @@ def woven(
     )
     fibre = field(n, seed + 3, 0.004, 1.0)
     tint = (0.60 + 0.40 * height) * (1.0 + uneven * tone + slub * along + 0.05 * fibre)
+    tint = tint / blurred(tint, 0.05)  # from afar cloth is even: what is left of single threads would repeat as a grid
     return Relief(tint, raised * height + 3e-6 * fibre, 1.0 - 0.05 * height)
 
 

@@ -63,5 +63,5 @@ def _grass(n: int) -> Relief:
     """A lawn from above, or moss: short blades in all directions."""
     blade = field(n, 641, (0.03, 0.006), 1.1) + field(n, 643, (0.006, 0.03), 1.1) + field(n, 645, 0.008, 1.0)
     patch = field(n, 647, 0.2, 1.5)
-    tone = np.clip(1.0 + 0.24 * blade + 0.10 * patch, 0.15, None)
+    tone = np.clip(1.0 + 0.24 * blade + 0.05 * patch, 0.15, None)
     return Relief(tone[:, :, None] * (1 + 0.06 * patch[:, :, None] * np.array([1, 0.2, -1])), 4e-3 * blade / 3)

@@ -13,7 +13,7 @@ from ..relief import Relief
 def _velvet(n: int) -> Relief:
     """Short pile with patches that catch the light."""
     crush, nap = field(n, 151, 0.22, 1.8), field(n, 153, (0.012, 0.005), 1.2)
-    return Relief(1.0 + 0.07 * crush + 0.045 * nap, 4e-5 * nap + 1.2e-4 * crush, 1.0 + 0.10 * crush)
+    return Relief(1.0 + 0.05 * crush + 0.045 * nap, 4e-5 * nap + 1.2e-4 * crush, 1.0 + 0.10 * crush)
 
 
 @pattern("boucle", (0.15, 0.15), kind="fabric")
@@ -25,7 +25,7 @@ def _boucle(n: int) -> Relief:
         ring = np.exp(-(((near.first * rows - 0.36) / 0.20) ** 2))
         height = np.maximum(height, ring * (0.55 + 0.45 * spread(near.number, seed + 1)))
     fibre = field(n, 167, 0.008, 1.1)
-    tint = (0.60 + 0.40 * height) * (1.0 + 0.04 * fibre + 0.03 * field(n, 169, 0.15))
+    tint = (0.60 + 0.40 * height) * (1.0 + 0.04 * fibre + 0.015 * field(n, 169, 0.15))
     return Relief(tint, 1.1e-3 * blurred(height, 0.003) + 2e-5 * fibre, np.ones((n, n)))
 
 
@@ -39,7 +39,7 @@ def _knit(n: int) -> Relief:
     leg = np.clip(1.0 - ((np.abs(x) - 0.25) / 0.25) ** 2, 0.0, 1.0) * np.clip(1.0 - (y / 0.52) ** 2, 0.0, 1.0)
     strand = np.cos(2 * np.pi * (np.mod(v * rows - 1.1 * np.abs(x), 1.0) * 3 + np.sign(x) * x * 4))
     yarn = field(n, 173, 0.006, 1.0)
-    tint = (0.42 + 0.58 * np.sqrt(leg)) * (1.0 + 0.04 * strand + 0.05 * yarn + 0.03 * field(n, 175, 0.2))
+    tint = (0.42 + 0.58 * np.sqrt(leg)) * (1.0 + 0.04 * strand + 0.05 * yarn + 0.015 * field(n, 175, 0.2))
     return Relief(tint, 1.3e-3 * np.sqrt(leg) + 3e-5 * strand, np.ones((n, n)))
 
 
@@ -56,7 +56,7 @@ def _wool(n: int) -> Relief:
     u, v = grid(n)
     wave = 0.5 * np.cos(2 * np.pi * 44 * u) * np.cos(2 * np.pi * 44 * v)
     fuzz = field(n, 191, 0.010, 1.2)
-    return Relief(1.0 + 0.07 * wave + 0.07 * fuzz + 0.03 * field(n, 193, 0.2), 1.2e-4 * wave + 8e-5 * fuzz)
+    return Relief(1.0 + 0.07 * wave + 0.07 * fuzz + 0.015 * field(n, 193, 0.2), 1.2e-4 * wave + 8e-5 * fuzz)
 
 
 @pattern("silk", (0.3, 0.3), kind="fabric", pixels=256)
@@ -74,7 +74,7 @@ def _leather(n: int) -> Relief:
     crease = 1.0 - step(0.0, 0.0042, small.border) * step(0.0, 0.005, large.border) * (0.96 + 0.01 * bend)
     pebble = np.clip(small.border / 0.008, 0.0, 1.0)
     wear, fine = field(n, 1107, 0.3, 1.7), field(n, 1109, 0.008, 1.0)
-    tint = (1.0 + 0.06 * wear + 0.02 * fine) * (1.0 - 0.34 * crease)
+    tint = (1.0 + 0.03 * wear + 0.02 * fine) * (1.0 - 0.34 * crease)
     return Relief(
         tint, 2.2e-4 * pebble + 1.6e-4 * np.clip(large.border / 0.02, 0, 1), 1.0 + 0.22 * crease - 0.05 * wear
     )
