@@ -338,34 +338,6 @@ def slippers(d: Drawing) -> None:
         d.ball(Box.around((0.12 * depth, 0.0, 0.97 * h), 0.04, 0.06, 0.024), lining, 10)
 
 
-@draws("shoe_box", whole=True)
-def shoe_box(d: Drawing) -> None:
-    """A carton for shoes with an overlapping lid and labels."""
-    look = d.material("body", "cardboard, orange plastic, navy paint, white paint, black paint, red paint")
-    cover = d.material("lid", "cardboard, white paint, black paint, red paint")
-    body = d.box(d.bounds.inset(0.002, bottom=-0.002), look, bevel=0.001)
-    lid = d.box(d.bounds.top(0.035), cover, bevel=0.001)
-    d.print(body.left(0.0).share(x=(0.45, 0.68), z=(0.2, 0.6)), "paper")
-    label = d.print(body.front(0.0).place(width=0.12).share(z=(0.2, 0.6)), "paper")
-    lines(d, label.share(y=(0.1, 0.9), z=(0.2, 0.85)), 3)
-    d.print(lid.top(0.0).share((0.25, 0.75), (0.34, 0.66)), look)
-
-
-@draws("hat", whole=True)
-def hat(d: Drawing) -> None:
-    """A hat with a wide brim, a dented crown and a ribbon."""
-    names = "rattan, wicker, charcoal fabric, beige fabric, brown leather, navy fabric, grey fabric"
-    felt = d.material("felt", names)
-    ribbon = d.material("ribbon", "black fabric, red fabric, navy fabric, white fabric, rust fabric")
-    box = d.bounds
-    brim = box.bottom(0.015)
-    d.sections(brim, [(0.6, 0.6, 0.0), (0.94, 0.94, 0.27), (1, 1, 0.8), (0.995, 0.995, 1.0), (0.56, 0.56, 0.6)], felt)
-    crown = [(0.6, 0.58, 0.03), (0.57, 0.55, 0.5), (0.52, 0.5, 0.85), (0.42, 0.36, 0.98), (0.36, 0.2, 1.0)]
-    d.sections(box, crown, felt)
-    d.sections(box, [(0.606, 0.586, 0.1), (0.59, 0.57, 0.32)], ribbon, convex=True)
-    d.box(Box((-0.02, 0.03), (0.27 * box.width, 0.31 * box.width), (0.11 * box.height, 0.3 * box.height)), ribbon)
-
-
 @draws("cap", whole=True)
 def cap(d: Drawing) -> None:
     """A cap with a peak, a badge and a button."""
@@ -409,69 +381,3 @@ def folded_clothes(d: Drawing) -> None:
     with d.no_colliders():
         for cell in placket.split("x", 4):
             d.cylinder(Box.around(cell.anchor("top"), 0.01, 0.01, 0.002), "chalk pigment", segments=10)
-
-
-@draws("piggy_bank", whole=True)
-def piggy_bank(d: Drawing) -> None:
-    """A round pig with a slot, ears, a snout and a curled tail."""
-    look = d.material("body", "pink plastic, pink icing, white ceramic, blue ceramic, mint plastic, brass")
-    depth, w, h = d.bounds.size
-    middle = 0.52 * h
-    body = d.ball(Box.around((0, 0, middle), 0.8 * depth, w, 0.8 * h), look)
-    snout = Box.around((0.405 * depth, 0.0, 0.98 * middle), 0.15 * depth, 0.34 * h, 0.34 * h)
-    d.cylinder(snout, look, "x", ends=(1.0, 0.82), bevel=0.003)
-    ear = ((0.2, 0.2, 0.84), (0.26, 0.12, 0.84), (0.27, 0.34, 0.74), (0.19, 0.3, 0.78), (0.3, 0.27, 1.0))
-    with d.mirror("y"):
-        d.print(Box.around((snout.x[1], 0.06 * h, middle), 0.0, 0.044 * h, 0.06 * h), "rose fabric")
-        d.hull([(x * depth, y * w, z * h) for x, y, z in ear], look)
-        d.ball(Box.around((0.35 * depth, 0.2 * w, 0.68 * h), 0.036 * h, 0.06 * h, 0.06 * h), "ink pigment", 8)
-        for x in (-0.2, 0.18):
-            foot = Box.sized(0.2 * h, 0.2 * h, 0.3 * h, (x * depth, 0.24 * w, 0.0))
-            d.cylinder(foot, look, ends=(0.8, 1.0), segments=14)
-    slot = body.top(0.5 * h).inset(top=-0.0003).place(0.16 * depth, 0.06 * w)
-    with d.no_colliders():
-        d.box(slot.inset(top=0.012 * h), "ink pigment", bevel=0.0)
-    t = np.linspace(0, 2.4 * np.pi, 11)
-    x, y, z = -(0.38 + 0.1 * t / t[-1]) * depth, 0.05 * h * (np.cos(t) - 1), middle + 0.05 * h * np.sin(t)
-    d.sweep(np.c_[x, y, z], 0.012 * h, look, 6)
-
-
-@draws("lunch_box", whole=True)
-def lunch_box(d: Drawing) -> None:
-    """A food box with a clip lid; food shows through a clear one."""
-    look = d.material("body", "clear plastic, mint plastic, blue plastic, pink plastic, steel, white plastic")
-    cover = d.material("lid", "bamboo, grey plastic, blue plastic, white plastic, green plastic")
-    box = d.bounds.inset(x=0.006, y=0.006)
-    body = box.share(z=(0.0, 0.8))
-    d.sections(body, [(0.86, 0.9, 0.0), (0.91, 0.94, 0.08), (1, 1, 1.0)], look, radius=0.2, convex=True)
-    if look.opacity < 1:
-        with d.no_colliders():
-            cells = body.share((0.1, 0.9), (0.08, 0.92), (0.06, 0.75)).columns(3, 0.006)
-            for cell, food in zip(cells, ("lettuce", "bread crumb", "tomato"), strict=True):
-                d.cushion(cell, food, 0.01)
-    d.slab(d.bounds.inset(x=0.002, y=0.002).share(z=(0.78, 1.0)), cover, 0.03, 0.004, 4)
-    clip = d.bounds.share(z=(0.58, 0.92))
-    ends, sides = clip.place(width=0.08), clip.place(0.06)
-    for own in (ends.front(0.006), ends.back(0.006), sides.left(0.006), sides.right(0.006)):
-        d.box(own, cover, bevel=0.002)
-
-
-@draws("toolbox", whole=True)
-def toolbox(d: Drawing) -> None:
-    """A metal or plastic box with a sloping lid, clasps and a handle."""
-    look = d.material("body", "red paint, blue paint, black plastic, yellow plastic, green paint, grey paint")
-    dark = d.material("trim", "black plastic, black steel")
-    box, h, w = d.bounds, d.bounds.height, d.bounds.width
-    body = d.box(box.share(z=(0.0, 0.56)), look, bevel=0.006)
-    lid = box.share(z=(0.55, 0.84))
-    d.sections(lid, [(1, 1, 0.0), (1, 1, 0.38), (0.6, 1, 1.0)], look, radius=0.0, convex=True)
-    seam = box.to(z=(0.475 * h, 0.49 * h))
-    for side in (seam.front(0.0).inset(y=0.008), seam.left(0.0).inset(x=0.012), seam.right(0.0).inset(x=0.012)):
-        d.print(side, dark)
-    top = lid.z[1]
-    with d.mirror("y"):
-        clasp = Box.around((box.x[1] + 0.001, 0.28 * w, 0.55 * h), 0.01, 0.04, 0.18 * h)
-        d.box(clasp, "steel", bevel=0.002)
-        d.box(Box.around((0, 0.22 * w, (top + h) / 2 - 0.009), 0.04, 0.02, h - top), dark)
-    d.bar((0, -0.25 * w, h - 0.014), (0, 0.25 * w, h - 0.014), 0.0135, dark)
-    d.print(body.front(0.0).place(width=0.2 * w).share(z=(0.3, 0.6)), dark)

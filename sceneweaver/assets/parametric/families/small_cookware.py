@@ -187,25 +187,6 @@ def espresso_machine(d: Drawing, look: Look, dark: Look) -> None:
         d.cylinder(Box.around((head.x[1] + 0.005, 0.0, middle.center[2]), 0.0006, 0.026, 0.026), "paper", "x")
 
 
-@draws("blender", whole=True, even="round")
-def blender(d: Drawing) -> None:
-    """A jug with a lid on a motor base, in some with a drink."""
-    box = d.even("round")
-    look = d.material("body", SHELLS)
-    base, jug = box.share(z=(0.0, 0.34)), box.share(z=(0.41, 0.9))
-    d.sections(base, [(1, 1, 0.0), (1, 1, 0.15), (0.86, 0.86, 0.55), (0.7, 0.7, 1.0)], look, radius=0.2)
-    with d.at(0.44 * box.depth, 0.0, 0.13 * box.height, pitch=-0.2):
-        knob(d, Box.around((-0.006, 0, 0), 0.0, 0.0, 0.0), "chrome", 0.12 * box.width, 0.018)
-    d.turned(box, [(0.62, 0.34), (0.66, 0.36), (0.66, 0.41)], "black plastic")
-    glass = [(0.6, 0.0), (0.82, 1.0)]
-    drink = d.pick("drink", ["tomato", "lettuce", "pink icing", "orange peel"]) if d.chance("full", 0.6) else None
-    open_vessel(d, jug, glass, "glass", 0.004, 0.02, drink, 0.55)
-    top = [(0.85, 0.9), (0.84, 0.94), (0.8, 0.95), (0.36, 0.95), (0.34, 0.985), (0.28, 1.0)]
-    d.turned(box, top, "black plastic")
-    r, h = box.width / 2, box.height
-    d.arch((0, -0.78 * r, 0.86 * h), (0, -0.66 * r, 0.5 * h), (0, -0.35 * r, 0), 0.007, "black plastic", 6)
-
-
 @draws("stand_mixer", whole=True)
 def stand_mixer(d: Drawing) -> None:
     """A mixer with a long head to the right over a steel bowl."""
@@ -232,22 +213,6 @@ def stand_mixer(d: Drawing) -> None:
         with d.at(x, y, yaw=yaw):
             d.arch((0, -0.012, whisk.z[1]), (0, 0.012, whisk.z[1]), (0, 0, -whisk.height), 0.0025, "steel", 8)
     knob(d, Box.around((0.4 * depth, box.y[0] + 0.45 * width, middle), 0.0, 0.0, 0.0), "chrome", 0.018, 0.02)
-
-
-@draws("food_scale", whole=True)
-def food_scale(d: Drawing) -> None:
-    """A flat scale with a weighing plate, a display and two buttons."""
-    look = d.material("body", "white plastic, black plastic, brushed steel, mint plastic")
-    plate = d.material("plate", "glass, brushed steel, black glass")
-    box = d.bounds
-    body = d.slab(box.share(z=(0.0, 0.7)), look, 0.015, 0.003)
-    across = min(0.92 * box.width, 0.74 * box.depth)
-    round_ = box.place(across, across, at="back").move(x=0.008)
-    d.turned(round_, [(0.3, 0.7), (0.3, 0.83), (1.0, 0.84), (1.0, 0.97), (0.98, 1.0)], plate, 32)
-    front = body.top(0.0).inset(front=0.012).front(0.023)
-    d.print(front.place(width=0.06), "screen")
-    with d.no_colliders(), d.mirror("y"):
-        d.cylinder(Box.around((front.center[0], 0.052, body.z[1]), 0.014, 0.014, 0.0008), "grey plastic", segments=12)
 
 
 @draws("cutting_board", whole=True)
@@ -366,26 +331,6 @@ def baking_tray(d: Drawing) -> None:
             d.cylinder(own.inset(x=0.005, y=0.005), biscuit, ends=(1.0, 0.87), bevel=0.003, segments=14)
 
 
-@draws("rice_cooker", whole=True, even="round")
-def rice_cooker(d: Drawing) -> None:
-    """A round cooker with a glass lid or one of its own finish, a switch, and two ears."""
-    box = d.even("round")
-    look = d.material("body", "white plastic, steel, cream paint, red paint, black plastic")
-    dark = d.material("trim", "black plastic, grey plastic")
-    body = box.share((0.06, 0.94), (0.06, 0.94))
-    d.turned(body, [(0.86, 0.0), (0.9, 0.05), (1.0, 0.3), (1.0, 0.6), (0.97, 0.68)], look, 28)
-    d.turned(body, [(1.02, 0.68), (1.02, 0.71)], "steel", 28)
-    d.turned(body, shapes.dome(0.98, 0.71, 0.9, 5, 0.1), d.named("glass") if d.chance("glass", 0.5) else look, 28)
-    d.turned(box.place(0.044, 0.044), [(0.5, 0.89), (0.5, 0.93), (1.0, 0.96), (0.8, 1.0)], dark, 14)
-    panel = body.front(0.3 * body.depth).share(y=(0.35, 0.65), z=(0.12, 0.42)).inset(front=-0.012)
-    d.slab(panel, dark, 0.006, 0.003)
-    d.box(panel.front(-0.008).share(y=(0.35, 0.65), z=(0.2, 0.35)), "white plastic", bevel=0.002)
-    d.print(panel.front(0.0).share(y=(0.4, 0.6), z=(0.66, 0.78)), "orange plastic")
-    for ear in (box.left(0.08 * box.width), box.right(0.08 * box.width)):
-        d.cushion(ear.place(0.07).share(z=(0.53, 0.59)), dark, 0.006)
-    d.box(box.back(0.08 * box.depth).place(width=0.04).share(z=(0.1, 0.3)), dark)
-
-
 @draws("air_fryer", whole=True)
 def air_fryer(d: Drawing) -> None:
     """An egg-shaped fryer with a basket drawer, its handle, and a display."""
@@ -403,21 +348,6 @@ def air_fryer(d: Drawing) -> None:
         panel = d.slab(Box.around((-0.007, 0, 0), 0.026, 0.44 * box.width, 0.17 * box.height), "black glass", 0.006)
         for light in panel.front(0.0).share(y=(0.3, 0.7), z=(0.5, 0.75)).columns(3, gap=0.01):
             d.print(light, "lamp glow")
-
-
-@draws("paper_towel_roll", whole=True, even="round")
-def paper_towel_roll(d: Drawing) -> None:
-    """A roll of paper towels on an upright holder, the end of the paper hanging off."""
-    box = d.even("round")
-    look = d.material("holder", "steel, oak, black steel, bamboo, walnut")
-    foot, roll = box.bottom(0.014), box.inset(bottom=0.014).share((0.11, 0.89), (0.11, 0.89), (0.0, 0.86))
-    d.cylinder(foot, look, bevel=0.003)
-    d.cylinder(roll, "paper", bevel=0.001)
-    d.cylinder(roll.top(-0.002).place(0.33 * roll.depth, 0.33 * roll.width), "cardboard", segments=16)
-    d.box(roll.inset(z=0.002, front=-0.001).front(0.05).share(y=(0.3, 0.72)), "paper", bevel=0.001)
-    x, y, z = roll.anchor("top")
-    finial = Box.sized(0.028, 0.028, box.z[1] - z, (x, y, z))
-    d.turned(finial, [(0.45, 0.0), (0.45, 0.4), (1.0, 0.65), (0.5, 1.0)], look, 14)
 
 
 @draws("dish_rack", whole=True)
@@ -487,16 +417,3 @@ def electric_grill(d: Drawing) -> None:
     lights = badge.share((0, 1), (0.15, 0.85), (0.3, 0.7)).columns(2, gap=0.014)
     d.print(lights[0], "red plastic", 0.0004)
     d.print(lights[1], "green plastic", 0.0004)
-
-
-@draws("mixing_bowl", whole=True, even="round")
-def mixing_bowl(d: Drawing) -> None:
-    """A deep bowl of dough with a wooden spoon in it."""
-    box = d.even("round")
-    look = d.material("body", "steel, white ceramic, mint plastic, cream ceramic, glass, red plastic")
-    dough = d.pick("dough", ["cake sponge", "icing", "chocolate"])
-    bowl = box.share(z=(0.0, 0.82))
-    shape = [(0.5, 0.0), (0.55, 0.04), (0.82, 0.3), (0.96, 0.7), (1.0, 1.0)]
-    open_vessel(d, bowl, shape, look, 0.004, 0.08, dough, 0.5)
-    r, h = box.width / 2, box.height
-    d.bar((-0.2 * r, 0.1 * r, 0.35 * h), (0.0, 0.88 * r, h - 0.008), 0.006, "beech", 8)

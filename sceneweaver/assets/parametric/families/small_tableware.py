@@ -333,16 +333,6 @@ def sugar_bowl(d: Drawing) -> None:
         d.arch((0, 0.9 * r, 0.62 * h), (0, 0.95 * r, 0.3 * h), (0, reach + 0.05 * r, 0), 0.0035, glaze, 6)
 
 
-@draws("egg_cup", whole=True, even="round")
-def egg_cup(d: Drawing) -> None:
-    """A boiled egg in its cup."""
-    box = d.even("round")
-    glaze = d.material("body", CERAMICS, "beech")
-    stem = [(0.8, 0.0), (0.75, 0.05), (0.35, 0.2), (0.4, 0.28), (0.9, 0.45), (1.0, 0.62)]
-    d.turned(box, stem, glaze)
-    d.ball(box.share((0.07, 0.93), (0.07, 0.93), (0.34, 1.0)), "egg shell")
-
-
 @draws("coaster_set", whole=True, even="round")
 def coaster_set(d: Drawing) -> None:
     """Round coasters in a pile."""

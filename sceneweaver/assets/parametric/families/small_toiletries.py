@@ -15,16 +15,6 @@ TOWELS = "white fabric, beige fabric, grey fabric, blue fabric, green fabric, ro
 HEMS = "white fabric, charcoal fabric, beige fabric"
 
 
-@draws("soap_bar", whole=True)
-def soap_bar(d: Drawing) -> None:
-    """A bar of soap on a dish."""
-    dish = d.material("dish", "white ceramic, bamboo, grey ceramic, oak, concrete")
-    soap = d.material("soap", "candle wax, pink icing, pale leaf, lilac plastic, sky pigment")
-    rows = [(0.8, 0.87, 0.0), (0.97, 0.98, 0.3), (1, 1, 0.38), (0.93, 0.95, 0.38), (0.8, 0.87, 0.16)]
-    d.sections(d.bounds, rows, dish, radius=0.3, hollow=2)
-    d.cushion(d.bounds.share((0.17, 0.83), (0.14, 0.86), (0.15, 1.0)), soap, 0.4 * d.bounds.height, 0.25)
-
-
 @draws("toothbrush_cup", whole=True, even="round")
 def toothbrush_cup(d: Drawing) -> None:
     """A cup with two toothbrushes and a tube of toothpaste."""
@@ -233,18 +223,6 @@ def hairbrush(d: Drawing) -> None:
     d.cushion(body.share((0.7, 1.0), (0.34, 0.66), (0.05, 0.95)), look, 0.4 * body.height)
 
 
-@draws("makeup_bag", whole=True)
-def makeup_bag(d: Drawing) -> None:
-    """A soft bag with a zip and a tassel."""
-    cloth = d.material("cloth", "rose fabric, black leather, navy fabric, beige fabric, green fabric, tan leather")
-    box = d.bounds
-    rows = ((0.86, 0.92, 0.0), (1.0, 1.0, 0.12), (0.92, 0.98, 0.5), (0.5, 0.9, 0.86), (0.16, 0.84, 0.95))
-    d.sections(box, rows, cloth, radius=0.3)
-    d.box(box.share(y=(0.08, 0.92), z=(0.93, 1.0)).place(0.012), "brass", bevel=0.002)
-    tassel = d.pick("tassel", ["brass", "red fabric"])
-    d.sections(box.share(y=(0.9, 0.96), z=(0.72, 0.97)).place(0.008), [(1, 1, 0.0), (0.7, 0.7, 0.8), (1, 1, 1)], tassel)
-
-
 @draws("makeup_set", whole=True)
 def makeup_set(d: Drawing) -> None:
     """A tray with lipsticks, a palette of powders, nail polish and brushes in a cup."""
@@ -279,68 +257,6 @@ def makeup_set(d: Drawing) -> None:
                 d.bar((0, 0, 0), (0, 0, long - 0.03), 0.0028, stick, 8)
                 tip = Box.sized(0.018, 0.018, 0.034, (0, 0, long - 0.034))
                 d.turned(tip, [(0.45, 0.0), (1.0, 0.6), (0.45, 1.0)], "bark" if k % 2 else "blush pigment", 10)
-
-
-@draws("razor", whole=True)
-def razor(d: Drawing) -> None:
-    """A shaving stand with a razor and a brush that hang from its bar."""
-    metal = d.material("stand", "chrome, black steel, brass")
-    grip = d.material("grips", "walnut, white plastic, black plastic, chrome")
-    box, h, w = d.bounds, d.bounds.height, d.bounds.width
-    d.sections(box.bottom(0.012), [(1, 1, 0.0), (1, 1, 0.5), (0.9, 0.9, 1.0)], metal, convex=True)
-    d.bar((0, 0, 0.01), (0, 0, 0.9 * h), 0.004, metal)
-    d.bar((0, -0.3 * w, 0.9 * h), (0, 0.3 * w, 0.9 * h), 0.004, metal, 8)
-    left, right = (Box.sized(0.044, 0.044, h, (0.0, s * 0.28 * w, 0.0)) for s in (1, -1))
-    d.turned(right, [(0.27, 0.18), (0.4, 0.24), (0.27, 0.5), (0.36, 0.7), (0.22, 0.95)], grip, 12)
-    d.slab(right.top(0.07 * h).place(0.024, 0.4 * w), "chrome", 0.004, 0.002)
-    d.turned(left, [(1.0, 0.16), (0.77, 0.42), (0.45, 0.52)], "sand pigment", 14)
-    d.turned(left, [(0.5, 0.5), (0.72, 0.62), (0.54, 0.78), (0.36, 0.92)], grip, 14)
-
-
-@draws("toilet_brush", whole=True, even="round")
-def toilet_brush(d: Drawing) -> None:
-    """A brush in its holder."""
-    box = d.even("round")
-    look = d.material("body", "white ceramic, brushed steel, black steel, white plastic, concrete")
-    metal = d.material("handle", "chrome, black steel, white plastic, bamboo")
-    d.turned(box, [(0.9, 0.0), (1.0, 0.025), (0.9, 0.38), (0.86, 0.4)], look)
-    stem = 0.016 / box.width
-    rod = [(0.7, 0.4), (0.62, 0.44), (stem, 0.45), (stem, 0.8), (1.6 * stem, 0.86), (1.6 * stem, 0.97), (stem, 1.0)]
-    d.turned(box, rod, metal, 16)
-
-
-@draws("plunger", whole=True, even="round")
-def plunger(d: Drawing) -> None:
-    """A rubber cup on a stick."""
-    box = d.even("round")
-    rubber = d.material("cup", "red plastic, rubber, terracotta pigment")
-    wood = d.material("stick", "beech, pine, blue plastic")
-    cup = [(0.92, 0.0), (1.0, 0.06), (0.97, 0.15), (0.9, 0.38), (0.62, 0.65), (0.28, 0.77), (0.24, 1.0)]
-    d.turned(box.bottom(0.13), cup, rubber)
-    stick = Box.sized(0.03, 0.03, box.height - 0.12, (0.0, 0.0, 0.12))
-    d.turned(stick, [(0.87, 0.0), (0.87, 0.92), (1.0, 0.97), (0.55, 1.0)], wood, 14)
-
-
-@draws("rubber_duck", whole=True)
-def rubber_duck(d: Drawing) -> None:
-    """A yellow duck with an orange beak."""
-    look = d.material("body", "yellow plastic, yellow plastic, pink plastic, mint plastic")
-    box = d.bounds
-    depth, width, h = box.size
-    body = box.share(x=(0.0, 0.88), z=(0.0, 0.55))
-    rows = ((0.7, 0.7, 0.0), (0.95, 0.95, 0.22), (1.0, 1.0, 0.5), (0.9, 0.88, 0.8), (0.6, 0.55, 1.0, 0.07))
-    d.sections(body, rows, look, convex=True)
-    tail = ((-0.2, 0.2, 0.3), (-0.36, 0.14, 0.3), (-0.5, 0.05, 0.62), (-0.2, 0.1, 0.5))
-    d.hull([(x * depth, s * y * width, z * h) for x, y, z in tail for s in (-1, 1)], look)
-    r = 0.27 * h
-    x, z = 0.16 * depth, h - r
-    d.ball(Box.around((x, 0, z), 2 * r, 2 * r, 2 * r), look, 18)
-    beak = Box((x + 0.75 * r, box.x[1]), (-0.42 * r, 0.42 * r), (z - 0.35 * r, z + 0.05 * r))
-    d.cushion(beak, "orange plastic", 0.2 * r)
-    with d.mirror("y"):
-        d.ball(Box.around((x + 0.8 * r, 0.5 * r, z + 0.32 * r), 0.16 * r, 0.24 * r, 0.28 * r), "ink pigment", 8)
-        with d.at(-0.08 * depth, 0.42 * width, 0.36 * h, pitch=-0.4):
-            d.ball(Box.around((0, 0, 0), 0.4 * depth, 0.16 * width, 0.24 * h), look, 12)
 
 
 @draws("first_aid_kit", whole=True)
