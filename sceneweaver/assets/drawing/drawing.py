@@ -214,7 +214,7 @@ class Drawing(Tree):
         segments: int = 10,
         closed: bool = False,
     ) -> None:
-        """A bar along points [N, 3]: round with a radius, flat with a width and a height, or a convex section [K, 2]."""
+        """A bar along points [N, 3]: round with a radius, flat with width and height, or of a convex section [K, 2]."""
         path = np.asarray(path, dtype=np.float64)
         if isinstance(section, tuple):
             section = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * np.array(section) / 2

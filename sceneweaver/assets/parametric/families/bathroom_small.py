@@ -10,29 +10,22 @@ from ... import shapes
 from ...drawing import Box, Drawing, Look, Vec3, draws
 from ...drawing.components import carcass, open_box, oval, perimeter
 
-_METALS = ("chrome", "black steel", "brass", "brushed steel")
-_TERRY = [f"{tone} fabric" for tone in ("white", "blue", "green", "rose", "grey", "mustard", "beige", "navy")]
+_METALS = "chrome, black steel, brass, brushed steel"
+_TERRY = ", ".join(f"{tone} fabric" for tone in ["white", "blue", "green", "rose", "grey", "mustard", "beige", "navy"])
 
 
 def _hung_towel(d: Drawing, bar: Vec3, radius: float, width: float, front: float, back: float) -> None:
     """A towel over a bar along y whose middle is at a point; it hangs down by ``front`` and ``back`` [m]."""
-    cloth = d.material("towel", *_TERRY)
-    thick = 0.008
-    r = radius + 0.6 * thick
-    over = np.linspace(math.pi, 0.0, 5)
-    section = np.array(
-        [(-r - 0.004, -back), (-r, -0.5 * back), *zip(r * np.cos(over), r * np.sin(over), strict=True)]
-        + [(r, -0.5 * front), (r + 0.006, -front + 0.08), (r + 0.006, -front + 0.05), (r + 0.007, -front)]
-    )
+    cloth = d.material("towel", _TERRY)
+    r, over = radius + 0.005, np.linspace(math.pi, 0.0, 5)
+    path = [(-r - 0.004, -back), *np.c_[r * np.cos(over), r * np.sin(over)], (r, -0.5 * front)]
+    path = np.array([*path, (r + 0.006, -front + 0.08), (r + 0.006, -front + 0.05), (r + 0.007, -front)])
     across = np.linspace(-width / 2, width / 2, 13)
-    grid = np.empty((len(section), len(across), 3))
-    fold = 0.004 * np.sin(9 * np.pi * (across / width + 0.5)) * np.clip(-section[:, 1:] / front, 0, 1)
-    grid[..., 0] = bar[0] + section[:, :1] + np.where(section[:, :1] > 0, fold, -fold)
-    grid[..., 1] = bar[1] + across
-    grid[..., 2] = bar[2] + section[:, 1:]
-    d.sheet(grid, thick, cloth, (5, 1))
-    stripe = grid[-3:-1].copy()
-    stripe[..., 0] += 0.5 * thick
+    fold = 0.004 * np.sin(9 * np.pi * (across / width + 0.5)) * np.clip(-path[:, 1:] / front, 0, 1)
+    x = bar[0] + path[:, :1] + np.sign(path[:, :1]) * fold
+    grid = np.stack(np.broadcast_arrays(x, bar[1] + across, bar[2] + path[:, 1:]), axis=-1)
+    d.sheet(grid, 0.008, cloth, (5, 1))
+    stripe = grid[-3:-1] + (0.004, 0.0, 0.0)
     d.sheet(stripe, 0.002, "white fabric" if cloth.name != "white fabric" else "grey fabric")
 
 
@@ -51,7 +44,7 @@ def _roll(d: Drawing, at: Vec3, radius: float, length: float) -> None:
 @draws("towel_rail", whole=True)
 def towel_rail(d: Drawing) -> None:
     """A bar on two brackets with a hung towel."""
-    metal = d.material("bar", *_METALS)
+    metal = d.material("bar", _METALS)
     box = d.bounds
     x, z = box.x[1] - 0.025, box.z[1] - 0.022
     d.bar((x, box.y[0], z), (x, box.y[1], z), 0.009, metal)
@@ -66,145 +59,122 @@ def towel_rail(d: Drawing) -> None:
 @draws("towel_radiator", whole=True)
 def towel_radiator(d: Drawing) -> None:
     """Two uprights and tubes in groups, on brackets, with valves below; a towel on some."""
-    metal = d.material("body", "white steel", "white steel", "chrome", "black steel")
-    box = d.bounds
-    x = box.x[1] - 0.03
-    tubes = max(12, int((box.height - 0.14) / 0.042))
-    gaps = [int(tubes * share) for share in ((0.33, 0.66) if box.height < 1.2 else (0.25, 0.5, 0.78))]
-    levels = np.linspace(0.1, box.z[1] - 0.025, tubes)
-    for k, z in enumerate(levels):
-        if k not in gaps and k - 1 not in gaps:
-            d.cylinder(Box.around((x + 0.006, 0.0, z), 0.022, box.width - 0.03, 0.022), metal, "y", segments=10)
+    metal, box = d.material("body", "white steel, white steel, chrome, black steel"), d.bounds
+    x, y, h = box.x[1] - 0.03, box.y[1] - 0.016, box.z[1]
+    tubes = max(12, int((h - 0.14) / 0.042))
+    gaps = [int(tubes * share) for share in ((0.33, 0.66) if h < 1.2 else (0.25, 0.5, 0.78))]
+    levels = np.linspace(0.1, h - 0.025, tubes).tolist()
+    for z in (z for k, z in enumerate(levels) if k not in gaps and k - 1 not in gaps):
+        d.cylinder(Box.around((x + 0.006, 0.0, z), 0.022, box.width - 0.03, 0.022), metal, "y", segments=10)
     with d.mirror("y"):
-        y = box.y[1] - 0.016
-        d.cylinder(Box.sized(0.032, 0.032, box.height - 0.055, (x - 0.008, y, 0.055)), metal, bevel=0.004, segments=12)
-        for z in (0.2, box.z[1] - 0.15):
-            d.bar((box.x[0], y - 0.02, z), (x, y - 0.02, z), 0.01, metal, 8)
-            _rosette(d, (box.x[0], y - 0.02, z), 0.02, metal)
-        d.bar((x - 0.008, y, 0.03), (box.x[0], y, 0.03), 0.009, "chrome", 10)
+        d.cylinder(Box.sized(0.032, 0.032, h - 0.055, (x - 0.008, y, 0.055)), metal, bevel=0.004, segments=12)
         d.cylinder(Box.sized(0.026, 0.026, 0.07, (x - 0.008, y, 0.0)), "chrome", segments=12)
-    d.cylinder(Box.around((x + 0.01, box.y[1] - 0.016, 0.03), 0.05, 0.028, 0.028), "white plastic", "x", segments=14)
+        for z, reach, look in ((0.2, y - 0.02, metal), (h - 0.15, y - 0.02, metal), (0.03, y, "chrome")):
+            d.bar((box.x[0], reach, z), (x - 0.008, reach, z), 0.01, look, 8)
+            _rosette(d, (box.x[0], reach, z), 0.02, look)
+    d.cylinder(Box.around((x + 0.01, y, 0.03), 0.05, 0.028, 0.028), "white plastic", "x", segments=14)
     if d.chance("towel", 0.5):
-        _hung_towel(d, (x + 0.006, 0.0, float(levels[gaps[-1] - 1])), 0.011, 0.6 * box.width, 0.42, 0.3)
+        _hung_towel(d, (x + 0.006, 0.0, levels[gaps[-1] - 1]), 0.011, 0.6 * box.width, 0.42, 0.3)
 
 
 @draws("medicine_cabinet", whole=True)
 def medicine_cabinet(d: Drawing) -> None:
     """A shallow cupboard whose one, two or three doors are mirrors; boards inside, a lamp above some."""
-    shell = d.material("body", "white paint", "aluminium", "oak", "walnut", "light grey paint")
-    box = d.bounds
+    shell, box = d.material("body", "white paint, aluminium, oak, walnut, light grey paint"), d.bounds
     lamp = d.chance("lamp", 0.5)
     case = box.inset(top=0.03 if lamp else 0.0, front=0.03)
-    room = carcass(d, case, shell, board=0.014)
-    for level in room.rows(3)[1:]:
+    for level in carcass(d, case, shell, board=0.014).rows(3)[1:]:
         d.box(level.bottom(0.006).inset(front=0.01), "glass", bevel=0.0)
     rim = 0.016 if shell.name in ("oak", "walnut") else 0.003
-    count = 1 if box.width < 0.55 else 2 if box.width < 0.78 else 3
-    for k, cell in enumerate(case.front(-0.018).columns(count)):
-        leaf = cell.inset(y=0.0015, z=0.0015)
-        left = k == count - 1
-        hung, free = ("left", "right") if left else ("right", "left")
-        limits = (0.0, 1.7) if left else (-1.7, 0.0)
+    cells = case.front(-0.018).columns(1 if box.width < 0.55 else 2 if box.width < 0.78 else 3)
+    for k, leaf in enumerate(cell.inset(y=0.0015, z=0.0015) for cell in cells):
+        last = k == len(cells) - 1
+        hung, free, limits = ("left", "right", (0.0, 1.7)) if last else ("right", "left", (-1.7, 0.0))
         with d.hinge(f"door-{k}", leaf.anchor(f"front {hung} bottom"), limits=limits):
             d.box(leaf.inset(front=0.004), shell, bevel=0.001)
             d.box(leaf.front(0.006).inset(y=rim, z=rim), "mirror", bevel=0.0025)
             grip = leaf.inset(y=0.004).share(z=(0.3, 0.38)).place(width=0.01, at=free)
             d.box(grip.to(x=(leaf.x[1] - 0.005, box.x[1] - 0.002)), "chrome", bevel=0.002)
     if lamp:
-        light = box.top(0.03).inset(y=0.03)
-        d.box(light, "chrome", bevel=0.004)
-        d.box(light.inset(y=0.02, top=0.008, bottom=0.002).front(0.01).move(x=0.0006), "lamp glow", bevel=0.002)
+        light = d.box(box.top(0.03).inset(y=0.03), "chrome", bevel=0.004)
+        d.print(light.front(0.0).inset(y=0.02, z=0.005), "lamp glow")
 
 
 @draws("toilet_paper_stand", even="round")
 def toilet_paper_stand(d: Drawing) -> None:
     """A rod on a round foot with an arm that holds a roll, and spare ones on the foot."""
-    metal = d.material("rod", *_METALS)
-    box = d.even("round")
-    r, h = box.depth / 2, box.height
+    metal, box = d.material("rod", _METALS), d.even("round")
+    r, top = box.depth / 2, box.z[1] - 0.008
     with d.part("stand"):
         foot = d.cylinder(box.bottom(0.014), metal, bevel=0.003, segments=28)
-        d.bar((0.0, 0.03 - r, 0.01), (0.0, 0.03 - r, h - 0.008), 0.008, metal, 12)
-        d.ball(Box.around((0.0, 0.03 - r, h - 0.008), 0.016, 0.016, 0.016), metal, 10)
-        d.bar((0.0, 0.03 - r, h - 0.008), (0.0, r - 0.012, h - 0.008), 0.007, metal, 10)
-        _roll(d, (0.0, 0.012, h - 0.028), 0.05, 0.09)
-        d.box(Box((0.0475, 0.0495), (-0.03, 0.055), (h - 0.15, h - 0.03)), "paper", bevel=0.0)
+        d.sweep([(0.0, 0.03 - r, 0.01), (0.0, 0.03 - r, top), (0.0, r - 0.012, top)], 0.008, metal)
+        _roll(d, (0.0, 0.012, top - 0.02), 0.05, 0.09)
+        d.box(Box((0.0475, 0.0495), (-0.03, 0.055), (top - 0.14, top - 0.02)), "paper", bevel=0.0)
     with d.part("spare"):
-        for k in range(2):
-            roll = Box.sized(0.096, 0.096, 0.09, (0.0, 0.025, foot.z[1] + 0.001 + 0.091 * k))
+        for roll in Box.sized(0.096, 0.096, 0.182, (0.0, 0.025, foot.z[1] + 0.001)).rows(2, gap=0.001):
             d.cylinder(roll, "paper", bevel=0.003, segments=24)
-            d.print(roll.top(0.0).inset(x=0.028, y=0.028), "cardboard")
+            d.print(roll.top(0.0).inset(x=0.028, y=0.028), "cardboard", oval=True)
     d.fit(box.size)
 
 
 @draws("toilet_paper_holder", whole=True)
 def toilet_paper_holder(d: Drawing) -> None:
     """A bent bar, on some under a flap, and a roll with a hanging leaf."""
-    metal = d.material("bar", *_METALS)
-    box = d.bounds
+    metal, box = d.material("bar", _METALS), d.bounds
     h, r = box.height, box.depth / 2 - 0.008
     x, y, z = box.x[1] - r, 0.02 - box.width / 2, h - 0.054
     _roll(d, (x, 0.0, z), r, 0.1)
     d.box(Box((box.x[1] - 0.003, box.x[1] - 0.001), (-0.05, 0.05), (0.0, z)), "paper", bevel=0.0)
     _rosette(d, (box.x[0], y, h - 0.025), 0.021, metal, 0.012)
-    elbow = [(box.x[0], y, h - 0.025), (x, y, h - 0.025), (x, y - 0.009, z), (x, box.y[1] - 0.006, z)]
-    d.sweep(elbow, 0.006, metal, 10)
-    d.ball(Box.around((x, box.y[1] - 0.007, z), 0.02, 0.014, 0.02), metal, 12)
+    end = (x, box.y[1] - 0.007, z)
+    d.sweep([(box.x[0], y, h - 0.025), (x, y, h - 0.025), (x, y - 0.009, z), end], 0.006, metal)
+    d.ball(Box.around(end, 0.02, 0.014, 0.02), metal, 12)
     if d.chance("flap", 0.6):
         drop = np.radians([90, 70, 50, 30])
-        curve = [(box.x[0], h - 0.004), *zip(x + r * np.cos(drop), z + 0.05 * np.sin(drop), strict=True)]
-        grid = np.array([[(px, py, pz) for py in (-0.055, 0.055)] for px, pz in curve])
-        d.sheet(grid, 0.003, metal, (len(curve) - 1, 1))
+        curve = [(box.x[0], h - 0.004), *np.c_[x + r * np.cos(drop), z + 0.05 * np.sin(drop)]]
+        d.sheet(np.array([[(px, py, pz) for py in (-0.055, 0.055)] for px, pz in curve]), 0.003, metal, (4, 1))
 
 
 @draws("bathroom_shelf")
 def bathroom_shelf(d: Drawing) -> None:
     """Two or three glass or wooden boards with rails, between wall strips."""
-    metal = d.material("metal", *_METALS)
-    board = d.material("board", "glass", "oak", "bamboo", "white paint", "frosted glass")
-    box = d.bounds
-    thick = 0.008 if "glass" in board.name else 0.015
-    count = 2 if box.height < 0.42 else 3
-    edge = 0.04  # from the strips to the ends of the boards
+    metal, box = d.material("metal", _METALS), d.bounds
+    look = d.material("board", "glass, oak, bamboo, white paint, frosted glass")
+    thick, count = 0.008 if "glass" in look.name else 0.015, 2 if box.height < 0.42 else 3
     with d.part("wall"), d.mirror("y"):
-        d.box(box.back(0.01).inset(left=edge - 0.01).left(0.02), metal, bevel=0.002)
-    levels = np.linspace(0.02, box.z[1] - thick - 0.045, count)
-    for k, z in enumerate(levels.tolist()):
-        shelf = box.inset(back=0.0105, front=0.012).to(z=(z, z + thick))
+        d.box(box.back(0.01).left(0.02).move(y=-0.03), metal, bevel=0.002)
+    levels = np.linspace(0.02, box.z[1] - thick - 0.045, count).tolist()
+    for k, (z, above) in enumerate(zip(levels, [*levels[1:], None], strict=True)):
         with d.part(f"board {k}"):
-            d.box(shelf, board, bevel=0.002)
+            shelf = d.box(box.inset(back=0.0105, front=0.012).to(z=(z, z + thick)), look, bevel=0.002)
             with d.mirror("y"):
-                d.box(shelf.bottom(-0.012).inset(left=edge - 0.007, front=0.01).left(0.014), metal, bevel=0.0)
+                d.box(shelf.bottom(-0.012).left(0.014).inset(front=0.01).move(y=-0.033), metal, bevel=0.0)
         with d.part(f"rail {k}"):
-            x, y, rail = box.x[1] - 0.006, box.y[1] - 0.004, z + thick + 0.03
-            d.bar((x, -y, rail), (x, y, rail), 0.004, metal, 8)
-            with d.mirror("y"):
-                d.bar((x, y - 0.008, z), (x, y - 0.008, rail), 0.004, metal, 8)
-        above = None if k == count - 1 else round(float(levels[k + 1]) - 0.014 - z - thick, 4)
-        d.surface(f"shelf-{k}", shelf.inset(back=0.004, front=0.006, y=0.01), above)
+            x, y, rail = box.x[1] - 0.006, box.y[1] - 0.008, z + thick + 0.03
+            d.sweep([(x, -y, z), (x, -y, rail), (x, y, rail), (x, y, z)], 0.004, metal, 8)
+        room = None if above is None else round(above - 0.014 - z - thick, 4)
+        d.surface(f"shelf-{k}", shelf.inset(back=0.004, front=0.006, y=0.01), room)
     d.fit()
 
 
 @draws("bath_mat", whole=True)
 def bath_mat(d: Drawing) -> None:
     """A tufted mat with a hem and rows of pile, square or oval, or a slatted wooden one."""
-    box = d.bounds
+    box, (_, w, h) = d.bounds, d.size
     if d.chance("slats", 0.25, matched=True):
-        wood = d.material("mat", "bamboo", "oak", "walnut")
+        wood = d.material("mat", "bamboo, oak, walnut")
         with d.mirror("x"):
             d.box(box.share(x=(0.78, 0.87), z=(0.0, 0.5)).inset(y=0.01), wood, bevel=0.001)
-        for slat in box.share(z=(0.45, 1.0)).columns(int(box.width / 0.055), gap=0.008):
+        for slat in box.share(z=(0.45, 1.0)).columns(int(w / 0.055), gap=0.008):
             d.box(slat, wood, bevel=0.002)
         return
-    cloth = d.material("mat", *_TERRY)
+    cloth = d.material("mat", _TERRY)
     if d.chance("oval", 0.3, matched=True):
-        low = [(0.004, 0.0), (0.0, 0.4), (0.006, 0.75)]
-        for rings in (low, [(0.05, 0.7), (0.055, 1.0)]):
-            d.loft([oval(box.inset(x=e, y=e), s * box.height) for e, s in rings], cloth, convex=True)
+        for rows in ([(0.004, 0.0), (0.0, 0.4), (0.006, 0.75)], [(0.05, 0.7), (0.055, 1.0)]):
+            d.loft([oval(box.inset(x=e, y=e), s * h) for e, s in rows], cloth, convex=True)
         return
     d.slab(box.share(z=(0.0, 0.5)), cloth, 0.03, 0.003)
-    pile = box.inset(x=0.03, y=0.03).share(z=(0.45, 1.0))
-    for row in pile.columns(int(pile.width / 0.03), gap=0.002):
+    for row in box.inset(x=0.03, y=0.03).share(z=(0.45, 1.0)).columns(int((w - 0.06) / 0.03), gap=0.002):
         d.box(row, cloth, bevel=0.006)
 
 
@@ -230,14 +200,12 @@ def _weave(base: Box, rim: Box, radius: float, depth: float = 0.007) -> shapes.c
 @draws("laundry_hamper")
 def laundry_hamper(d: Drawing) -> None:
     """A woven box with a lid, a liner that is folded over its rim, and grips; or an open one."""
-    weave = d.material("body", "wicker", "rattan")
-    box = d.bounds
+    weave, box = d.material("body", "wicker, rattan"), d.bounds
     if d.request.shape == "open":
         open_box(d, box, weave, 0.012, 0.03)
         d.fit()
         return
-    rim_height = 0.035
-    body = box.inset(bottom=0.02, top=rim_height, x=0.008, y=0.008)
+    lid, body = box.top(0.034), box.inset(bottom=0.02, top=0.035, x=0.008, y=0.008)
     foot = body.inset(x=0.06 * box.depth, y=0.06 * box.width)
     with d.part("hamper"):
         ends = [shapes.rectangle(b.x, b.y, z, 0.03) for b, z in ((foot, body.z[0]), (body, body.z[1]))]
@@ -246,74 +214,55 @@ def laundry_hamper(d: Drawing) -> None:
             d.cylinder(Box.sized(0.03, 0.03, 0.022), "oak", ends=(0.85, 1.0), segments=10)
         d.slab(body.top(0.055).inset(x=-0.002, y=-0.002), "white fabric", 0.037, 0.004)
         d.slab(foot.to(z=(0.018, 0.034)).inset(x=-0.003, y=-0.003), weave, 0.038, 0.004)
-        lid = box.top(rim_height - 0.001)
         with d.hinge("lid", lid.anchor("back top"), axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0)):
             d.slab(lid.inset(top=0.008), weave, 0.04, 0.004)
             d.slab(lid.top(0.014).inset(x=0.012, y=0.012), weave, 0.03, 0.006)
             d.box(lid.front(0.004).move(x=0.002).place(width=0.06).bottom(0.022), "brown leather", bevel=0.001)
         with d.mirror("y"):
-            y, z = body.y[1], body.z[1] - 0.1
-            d.arch(
-                (-0.07, y - 0.012, z),
-                (0.07, y - 0.012, z),
-                (0.0, 0.018, 0.03),
-                0.008,
-                "rattan" if weave.name == "wicker" else "wicker",
-            )
+            y, z, rope = body.y[1] - 0.012, body.z[1] - 0.1, "rattan" if weave.name == "wicker" else "wicker"
+            d.arch((-0.07, y, z), (0.07, y, z), (0.0, 0.018, 0.03), 0.008, rope)
     d.fit()
 
 
 @draws("scale", whole=True)
 def scale(d: Drawing) -> None:
     """A plate on feet with a display and steel contacts; its user stands with the toes toward the display, at -x."""
-    tones = ("black glass", "white plastic", "frosted glass", "grey plastic", "white plastic", "bamboo")
-    look = d.material("plate", *tones)
+    look = d.material("plate", "black glass, white plastic, frosted glass, grey plastic, white plastic, bamboo")
     box = d.bounds
     with d.corners(box, inset=0.04):
         d.cylinder(Box.sized(0.044, 0.044, 0.0085), "black plastic", ends=(0.9, 1.0), segments=14)
-    plate = box.top(0.009)
     d.box(box.inset(x=0.02, y=0.02, bottom=0.008, top=0.009), "grey plastic", bevel=0.002)
-    d.slab(plate, look, 0.03, 0.002)
-    window = d.print(plate.top(0.0).inset(back=0.025).back(0.05).place(width=0.1), "black glass")
+    top = d.slab(box.top(0.009), look, 0.03, 0.002).top(0.0)
+    window = d.print(top.inset(back=0.025).back(0.05).place(width=0.1), "black glass")
     for digit in window.inset(y=0.02, x=0.012).columns(3, gap=0.008):
         d.print(digit, "lamp glow", 0.00045)
-    with d.mirror("y"):
-        for x in (-0.02, 0.07):
-            contact = Box.sized(0.05, 0.07, 0.0, (x, 0.26 * box.width, plate.z[1]))
-            d.print(contact, "brushed steel")
+    with d.grid(top.share(x=(0.3, 0.85)), x=2, y=2):
+        d.print(Box.sized(0.05, 0.07, 0.0), "brushed steel")
 
 
 @draws("shower_stool", whole=True)
 def shower_stool(d: Drawing) -> None:
     """A slatted or holed seat on four splayed legs with rubber feet."""
     wood = d.chance("wood", 0.5)
-    tones = ("bamboo", "oak", "walnut") if wood else ("white plastic", "grey plastic")
-    look = d.material("seat", *tones)
-    frame: Look = look if wood else d.material("legs", "aluminium", "chrome", "white steel")
-    box = d.bounds
-    seat = box.top(0.028)
-    z, under = seat.z[0], seat.z[0] - 0.11
-    with d.corners(box, inset=0.018):
-        d.bar((0.0, 0.0, 0.02), (0.032, 0.042, z + 0.004), 0.013, frame, 12)
+    look = d.material("seat", "bamboo, oak, walnut" if wood else "white plastic, grey plastic")
+    frame: Look = look if wood else d.material("legs", "aluminium, chrome, white steel")
+    seat = d.bounds.top(0.028)
+    x, y, under = seat.x[1] - 0.042, seat.y[1] - 0.053, seat.z[0] - 0.11
+    with d.corners(d.bounds, inset=0.018):
+        d.bar((0.0, 0.0, 0.02), (0.032, 0.042, seat.z[0] + 0.004), 0.013, frame, 12)
         d.cylinder(Box.sized(0.036, 0.036, 0.03), "rubber", ends=(1.0, 0.85), segments=12)
-    x, y = box.x[1] - 0.042, box.y[1] - 0.053
-    with d.mirror("x"):
-        d.bar((x, -y, under), (x, y, under), 0.008, frame, 8)
-    d.bar((-x, 0.0, under), (x, 0.0, under), 0.008, frame, 8)
+    for start, end in (((x, -y), (x, y)), ((-x, -y), (-x, y)), ((-x, 0.0), (x, 0.0))):
+        d.bar((*start, under), (*end, under), 0.008, frame, 8)
     if wood:
         with d.mirror("y"):
-            d.box(seat.bottom(-0.02).inset(x=0.02).place(width=0.03, at="left").move(y=-0.045), look)
+            d.box(seat.bottom(-0.02).inset(x=0.02).left(0.03).move(y=-0.045), look)
         for slat in seat.split("x", 6, gap=0.006):
             d.box(slat, look, bevel=0.004)
         return
     d.slab(seat, look, 0.06, 0.008)
-    holes = seat.top(0.0).place(0.18, 0.3)
-    for column in holes.columns(5):
-        for hole in column.split("x", 3):
-            x, y, z = hole.center
-            with d.at(x, y, z):
-                d.add(shapes.frustum(0.008, 0.008, (-0.002, 0.0003), 10), "black plastic", [])
-    d.surface("top", seat.inset(x=0.05, y=0.05))
+    with d.grid(seat.top(0.0).place(0.18, 0.3), x=3, y=5):
+        d.print(Box.sized(0.016, 0.016, 0.0), "black plastic", oval=True)
+    d.surface("top", seat, inset=0.05)
 
 
 @draws("grab_bar", whole=True)
@@ -331,14 +280,11 @@ def grab_bar(d: Drawing) -> None:
 @draws("hand_dryer", whole=True)
 def hand_dryer(d: Drawing) -> None:
     """A rounded case with a nozzle below, a sensor, a grille and a sign."""
-    coat = d.material("body", "white plastic", "brushed steel", "chrome", "black plastic", "white steel")
-    box = d.bounds
-    case = d.cushion(box.inset(bottom=0.04), coat, radius=min(0.06, 0.4 * box.depth))
-    mouth = Box((0.0, box.x[1] - 0.03), (-0.06, 0.06), (0.0, 0.06))
-    ends = ((mouth, 0.0), (mouth.inset(x=-0.01, y=-0.02), 0.07))
-    d.loft([shapes.rectangle(b.x, b.y, z, 0.012) for b, z in ends], "chrome", convex=True)
-    d.print(mouth.bottom(0.0).inset(x=0.008, y=0.012), "black plastic")
-    face = case.front(0.0)
+    coat, box = d.material("body", "white plastic, brushed steel, chrome, black plastic, white steel"), d.bounds
+    face = d.cushion(box.inset(bottom=0.04), coat, radius=min(0.06, 0.4 * box.depth)).front(0.0)
+    mouth = Box((-0.01, box.x[1] - 0.02), (-0.08, 0.08), (0.0, 0.07))
+    d.sections(mouth, [(0.8, 0.75, 0.0), (1.0, 1.0, 1.0)], "chrome", 0.15, convex=True)
+    d.print(mouth.bottom(0.0).share(x=(0.2, 0.8), y=(0.2, 0.8)), "black plastic")
     window = d.print(face.place(width=0.09, height=0.05), "black glass")
     d.print(window.place(width=0.012, height=0.012), "lamp glow", 0.00045)
     for line in face.bottom(0.05).move(z=0.05).place(width=0.1).rows(4, gap=0.008):
@@ -348,19 +294,16 @@ def hand_dryer(d: Drawing) -> None:
 @draws("paper_towel_dispenser", whole=True)
 def paper_towel_dispenser(d: Drawing) -> None:
     """A case with a bowed front, a window, a lock, a slot below and a towel that hangs out."""
-    coat = d.material("body", "white plastic", "brushed steel", "black plastic", "grey plastic")
-    box = d.bounds
-    low, high, x = 0.06, box.z[1], box.x[1]
-    levels = ((0.14, low), (0.0, low + 0.06), (0.0, high - 0.03), (0.1, high))
-    rings = [oval(box.inset(front=e * box.depth), z, 3.2, 8.0, box.x[0] + 1e-4, 24) for e, z in levels]
+    coat, box = d.material("body", "white plastic, brushed steel, black plastic, grey plastic"), d.bounds
+    case = box.inset(bottom=0.06)
+    rows = ((0.14, case.z[0]), (0.0, case.z[0] + 0.06), (0.0, case.z[1] - 0.03), (0.1, case.z[1]))
+    rings = [oval(box.inset(front=e * box.depth), z, 3.2, 8.0, box.x[0] + 1e-4, 24) for e, z in rows]
     d.loft(rings, coat, convex=True)
-    d.box(Box((0.0, x - 0.024), (-0.085, 0.085), (low - 0.003, low + 0.01)), "black plastic", bevel=0.0)
-    for near, hem in ((0.012, 0.0), (0.026, 0.015)):
-        fall = np.array(
-            [[(near + s * s * 0.012, y, low + s * (hem - low)) for y in (-0.075, 0.075)] for s in (0, 0.5, 1)]
-        )
-        d.sheet(fall, 0.002, "paper", (2, 1))
-    slot = d.box(Box((x - 0.02, x + 0.0005), (-0.02, 0.02), (low + 0.08, high - 0.12)), "black glass", bevel=0.0)
-    d.print(slot.front(0.0).share(z=(0.01, 0.65)).inset(y=0.0015), "paper")
-    with d.at(x - 0.003, 0.0, high - 0.07, pitch=math.pi / 2):
-        d.cylinder(Box.sized(0.024, 0.024, 0.006), "chrome", segments=14)
+    mouth = case.bottom(-0.003).to(x=(0.0, box.x[1] - 0.024)).place(width=0.17)
+    d.box(mouth.inset(top=-0.01), "black plastic", bevel=0.0)
+    for near, low in ((0.012, 0.0), (0.026, 0.015)):
+        fall = [[(near + 0.012 * s, y, z) for y in (-0.075, 0.075)] for s, z in ((0.0, case.z[0]), (1.0, low))]
+        d.sheet(np.array(fall), 0.002, "paper")
+    window = case.inset(bottom=0.08, top=0.12, front=-0.0005).front(0.02).place(width=0.04)
+    d.print(d.box(window, "black glass", bevel=0.0).front(0.0).share(z=(0.01, 0.65)).inset(y=0.0015), "paper")
+    d.cylinder(Box.around((box.x[1], 0.0, case.z[1] - 0.07), 0.006, 0.024, 0.024), "chrome", "x", segments=14)
