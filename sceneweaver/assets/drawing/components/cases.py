@@ -21,8 +21,7 @@ def carcass(
 
 def walls(d: Drawing, box: Box, material: Look, thick: float = 0.02, bevel: float = 0.003) -> Box:
     """Four upright boards around a box, as rails under a table's top or the walls of a crate; returns the box."""
-    between = box.inset(x=thick)
-    for side in (box.front(thick), box.back(thick), between.left(thick), between.right(thick)):
+    for side in box.walls(thick):
         d.box(side, material, bevel)
     return box
 

@@ -9,7 +9,7 @@ import numpy as np
 from ... import shapes
 from ...drawing import Box, Drawing, Look, draws
 from ...drawing.components import CORNERS, knob, legs, open_box, vessel, wheel
-from .small_toys import ball, eyes
+from .small_toys import ball
 
 BRIGHT = tuple(f"{tone} plastic" for tone in ("red", "blue", "yellow", "green", "orange", "mint", "pink"))
 WOODS = "birch, white paint, light oak, pine, sage paint"
@@ -371,31 +371,6 @@ def ball_pit(d: Drawing) -> None:
         for j in range(count):
             a = j * 2 * math.pi / count + 7 * share
             ball(d, (r * share * math.cos(a), r * share * math.sin(a), top), 0.038, BRIGHT[(ring * 5 + j * 3) % 7], 6)
-
-
-@draws("teddy_bear", whole=True)
-def teddy_bear(d: Drawing) -> None:
-    """A big plush bear that sits, with a bow."""
-    fur = d.material("fur", "brown leather, tan leather, beige fabric, white fabric, grey fabric")
-    pale = "white fabric" if fur.name != "white fabric" else "beige fabric"
-    bow = d.material("bow", "red plastic, blue plastic")
-    deep, w, h = d.size
-    back, face = -0.1 * deep, -0.06 * deep
-    ball(d, (back, 0, 0.3 * h), (0.3 * w, 0.32 * w, 0.3 * h), fur, 16)
-    ball(d, (face, 0, 0.74 * h), (0.25 * w, 0.27 * w, 0.21 * h), fur, 16)
-    ball(d, (back + 0.22 * w, 0, 0.3 * h), (0.1 * w, 0.2 * w, 0.2 * h), pale)
-    ball(d, (face + 0.2 * w, 0, 0.69 * h), (0.12 * w, 0.12 * w, 0.075 * h), pale)
-    ball(d, (face + 0.31 * w, 0, 0.72 * h), (0.025, 0.035, 0.02), "black plastic", 8)
-    eyes(d, face + 0.225 * w, 0.1 * w, 0.79 * h, 0.02)
-    with d.mirror("y"):
-        ball(d, (face, 0.21 * w, 0.92 * h), (0.05 * w, 0.1 * w, 0.075 * h), fur)
-        ball(d, (face + 0.035 * w, 0.21 * w, 0.92 * h), (0.03 * w, 0.06 * w, 0.045 * h), pale)
-        ball(d, (0.18 * deep, 0.27 * w, 0.1 * h), (0.26 * w, 0.11 * w, 0.1 * h), fur)
-        ball(d, (0.18 * deep + 0.23 * w, 0.27 * w, 0.11 * h), (0.06 * w, 0.1 * w, 0.1 * h), pale)
-        with d.at(0.0, 0.34 * w, 0.42 * h, pitch=0.7):
-            ball(d, (0.1 * w, 0, 0), (0.22 * w, 0.09 * w, 0.085 * h), fur)
-        ball(d, (back + 0.24 * w, 0.05, 0.53 * h), (0.02, 0.05, 0.035), bow, 10)
-    ball(d, (back + 0.25 * w, 0, 0.53 * h), (0.022, 0.02, 0.022), bow, 8)
 
 
 @draws("kids_car", whole=True)

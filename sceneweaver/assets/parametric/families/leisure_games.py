@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ...drawing import Box, Drawing, draws
-from .small_toys import CHESSMAN, HEIGHTS, ball
+from .small_toys import ball, chessmen
 
 BALLS = [f"{tone} plastic" for tone in ("yellow", "blue", "red", "lilac", "orange", "green", "pink", "black")]
 
@@ -305,10 +305,7 @@ def chess_table(d: Drawing) -> None:
         for i, row in enumerate(cells):
             for j, cell in enumerate(row):
                 d.print(cell, "birch" if (i + j) % 2 else "wenge")
-        for team, first, second in (("cream paint", 0, 1), ("black paint", 7, 6)):
-            for k, share in enumerate(HEIGHTS):
-                for cell, tall, size in ((cells[k][first], 0.08 * share, 0.6), (cells[k][second], 0.04, 0.48)):
-                    d.turned(cell.place(size * cell.depth, size * cell.depth).inset(top=-tall), CHESSMAN, team, 8)
+        chessmen(d, list(zip(*cells, strict=True)), 0.085, "cream paint", "black paint", False)
     with d.part("foot"):
         stem = Box.sized(0.16, 0.16, level - 0.12, (0, 0, 0.08))
         d.turned(stem, [(0.62, 0), (0.56, 0.1), (0.94, 0.3), (0.5, 0.45), (0.5, 0.86), (0.9, 0.93), (1, 1)], wood, 20)

@@ -118,7 +118,7 @@ def mouse(d: Drawing) -> None:
     shell = d.bounds
     rows = [(0.9, 0.86, 0.0), (1, 1, 0.15), (0.97, 0.97, 0.45), (0.85, 0.83, 0.72), (0.62, 0.58, 0.92), (0.3, 0.3, 1)]
     d.sections(shell, [(a, b, z, 0.04 * z) for a, b, z in rows], look, convex=True)
-    x, y, z = shell.point(0.22, 0.5, 0.76)
+    x, y, z = shell.point(0.24, 0.5, 0.8)
     d.cylinder(Box.around((x, y, z), 0.014, 0.007, 0.014), dark, "y", bevel=0.001)
 
 
@@ -164,30 +164,21 @@ def computer(d: Drawing) -> None:
     vents(d, case.top(0.0).share(x=(0.3, 0.68), y=(0.14, 0.86)), 9, "black plastic")
 
 
-def _handheld(d: Drawing, radius: float, rows: int, columns: int, look: Look, share: float) -> None:
-    """A flat screen that lies, with rows of icons in a share of their places."""
-    d.slab(d.bounds, look, radius, 0.0022, steps=4)
+@draws("tablet", "phone", whole=True)
+def tablet(d: Drawing) -> None:
+    """A flat screen with icons, the size of a book or of a hand."""
+    hand = d.category.name == "phone"
+    paints = "black plastic, aluminium, blue plastic, pink plastic, mint plastic" if hand else f"aluminium, {CASES}"
+    d.slab(d.bounds, d.material("body", paints), 0.012, 0.0022, steps=4)
     with d.no_colliders():
-        d.slab(d.bounds.inset(x=0.0035, y=0.0035, top=-0.0002), "black glass", radius - 0.0035, 0.0)
+        d.slab(d.bounds.inset(x=0.0035, y=0.0035, top=-0.0002), "black glass", 0.0085, 0.0)
     place = d.print(d.bounds.top(0.0).inset(x=0.009, y=0.009), "screen")
+    rows, columns = (6, 4) if hand else (4, 6)
     for i, row in enumerate(place.share(x=(0.14, 0.97), y=(0.08, 0.92)).split("x", rows)):
         for j, cell in enumerate(row.columns(columns)):
-            if i == rows - 1 or d.chance(f"icon {i} {j}", share):
+            if i == rows - 1 or d.chance(f"icon {i} {j}", 0.75):
                 side = 0.62 * min(cell.depth, cell.width)
                 d.print(cell.place(side, side), d.pick(f"colour {i} {j}", ICONS), 0.0004)
-
-
-@draws("tablet", whole=True)
-def tablet(d: Drawing) -> None:
-    """A flat screen with icons."""
-    _handheld(d, 0.012, 4, 6, d.material("body", "aluminium, black plastic, grey plastic, pink plastic"), 0.7)
-
-
-@draws("phone", whole=True)
-def phone(d: Drawing) -> None:
-    """A flat phone with icons on its screen."""
-    look = d.material("body", "black plastic, aluminium, blue plastic, pink plastic, mint plastic")
-    _handheld(d, 0.011, 6, 4, look, 0.75)
 
 
 @draws("desk_phone", whole=True)
@@ -199,7 +190,7 @@ def desk_phone(d: Drawing) -> None:
     tilt = math.atan2(0.48 * high, 0.8 * deep)
     slope = Box((-0.8 * deep / math.cos(tilt), 0.0), (-wide / 2, wide / 2), (0.0, 0.0))
     with d.at(deep / 2, 0.0, 0.3 * high, pitch=tilt):
-        d.print(slope.share(x=(0.05, 0.26), y=(0.42, 0.94)), "pale leaf")
+        d.print(slope.share(x=(0.05, 0.26), y=(0.42, 0.94)), "mint plastic")
         pad = slope.share(x=(0.36, 0.93), y=(0.46, 0.92))
         for row in pad.split("x", 4, gap=0.006):
             for key in row.columns(3, gap=0.008):
@@ -252,36 +243,6 @@ def speaker(d: Drawing) -> None:
             with d.no_colliders():
                 d.revolve([(0.8 * r, 0.003), (0.3 * r, 0.0039)], cone, 24)
             d.ball(Box.around((0, 0, 0.0035), 0.56 * r, 0.56 * r, 0.004), "black steel", segments=12)
-
-
-@draws("soundbar", whole=True)
-def soundbar(d: Drawing) -> None:
-    """A long low speaker under cloth with a display and keys."""
-    look = d.material("body", "black plastic, grey plastic, white plastic, walnut")
-    cloth = d.material("cloth", "charcoal fabric, grey fabric, black fabric")
-    bar = d.slab(d.bounds.inset(bottom=0.006, top=0.001), cloth, 0.03, 0.008, 4)
-    top = d.slab(d.bounds.top(0.005).inset(x=0.012, y=0.012), look, 0.02, 0.0005)
-    with d.mirror("y"):
-        d.box(Box.sized(0.6 * bar.depth, 0.08, 0.01, (0.0, 0.4 * bar.width, 0.0)), "rubber", 0.002)
-        d.print(bar.front(0.0).share(y=(0.94, 0.945), z=(0.2, 0.8)), look)
-    d.print(bar.front(0.0).share(z=(0.35, 0.65)).place(width=0.1), "screen")
-    for key in top.top(0.0).place(0.014, 0.12).columns(4):
-        d.print(key.place(0.014, 0.014), "grey plastic", oval=True)
-
-
-@draws("game_console", whole=True)
-def game_console(d: Drawing) -> None:
-    """A flat console in two layers with a slot, a glowing line and vents."""
-    look, dark = d.material("body", CASES), d.material("core", "black plastic, grey plastic")
-    low, high = d.bounds.share(z=(0.05, 0.38)), d.bounds.share(z=(0.62, 1.0))
-    for shell in (low, high):
-        d.slab(shell, look, 0.02, 0.004)
-    core = d.slab(d.bounds.inset(x=0.01, y=0.01).share(z=(0.0, 0.64)), dark, 0.02, 0.002)
-    face = core.front(0.0)
-    d.print(face.share(y=(0.14, 0.6), z=(0.7, 0.78)), other(dark, "grey plastic", "black plastic"))
-    d.print(face.share(y=(0.14, 0.86), z=(0.6, 0.65)), d.pick("glow", ["lamp glow", "sea pigment", "sea pigment"]))
-    vents(d, face.share(y=(0.66, 0.86), z=(0.7, 0.84)), 3, "grey plastic", "y")
-    vents(d, high.top(0.0).share(x=(0.1, 0.5), y=(0.14, 0.86)), 8, dark)
 
 
 @draws("game_controller", whole=True)
@@ -352,22 +313,6 @@ def router(d: Drawing) -> None:
             d.box(Box.sized(0.012, 0.014, d.size.height - 0.022), look, 0.004)
 
 
-@draws("webcam", whole=True)
-def webcam(d: Drawing) -> None:
-    """A camera with a big lens on a small stand."""
-    deep, wide, high = d.size
-    look = d.material("body", CASES)
-    d.cylinder(d.bounds.bottom(0.008).place(0.72 * wide, 0.72 * wide), look, bevel=0.002, segments=20)
-    d.bar((0, 0, 0.006), (0, 0, 0.62 * high), 0.006, look, 8)
-    head = d.cushion(d.bounds.share(x=(0.2, 0.8), z=(0.55, 1.0)), look, 0.2 * high)
-    with d.at(*head.anchor("front"), pitch=math.pi / 2):
-        r, long = 0.19 * high, 0.2 * deep
-        barrel = [(r, -0.01), (0.95 * r, 0.8 * long), (0.74 * r, 0.8 * long), (0.72 * r, long)]
-        d.revolve(barrel, other(look, "black plastic", "grey plastic"), 20)
-        d.print(Box.sized(1.2 * r, 1.2 * r, 0.0, (0.0, 0.0, long)), "black glass", oval=True)
-    d.print(head.front(0.0).share(y=(0.7, 0.76), z=(0.45, 0.55)).move(x=-0.0004), "lamp glow", 0.0008, oval=True)
-
-
 @draws("camera", whole=True)
 def camera(d: Drawing) -> None:
     """A photo camera: body with a leather band, lens, shutter, dials and finder."""
@@ -428,51 +373,6 @@ def charger(d: Drawing) -> None:
         glass = d.print(phone_.front(0.0).inset(y=0.003, z=0.004), "screen")
         for y, z, tone in ((0.25, (0.62, 0.72), "sky pigment"), (0.32, (0.28, 0.35), "green plastic")):
             d.print(glass.share(y=(y, 1 - y), z=z), tone, 0.0004)
-
-
-@draws("smart_speaker", whole=True, even="round")
-def smart_speaker(d: Drawing) -> None:
-    """A round speaker in cloth with a ring of light on top."""
-    body = d.even("round")
-    cloth = d.material("cloth", "grey fabric, charcoal fabric, white fabric, blue fabric")
-    dark = d.material("trim", "white plastic, black plastic")
-    d.turned(body, [(0.8, 0), (0.9, 0.05), (1, 0.2), (1, 0.8), (0.94, 0.92), (0.84, 0.985)], cloth, 28)
-    top = d.cylinder(body.share((0.1, 0.9), (0.1, 0.9), (0.97, 1.0)), dark, ends=(1.0, 0.97), segments=28).top(0.0)
-    d.print(top.share(x=(0.04, 0.96), y=(0.04, 0.96)), d.pick("glow", ["sky pigment", "lamp glow"]), oval=True)
-    d.print(top.share(x=(0.08, 0.92), y=(0.08, 0.92)), dark, 0.0004, oval=True)
-    for x, y in ((0.25, 0.5), (0.75, 0.5), (0.5, 0.25), (0.5, 0.75)):
-        d.print(top.share(x=(x, x), y=(y, y)).inset(x=-0.003, y=-0.003), "grey plastic", 0.00045, oval=True)
-
-
-@draws("hard_drive", whole=True)
-def hard_drive(d: Drawing) -> None:
-    """A small box with a light and a cable."""
-    look = d.material("body", "black plastic, aluminium, blue plastic, orange plastic, grey plastic")
-    body = d.slab(d.bounds.share(x=(0.1, 1.0)), look, 0.01, 0.003)
-    d.print(body.top(0.0).share(x=(0.9, 0.93), y=(0.46, 0.54)), "lamp glow")
-    vents(d, body.top(0.0).share(x=(0.2, 0.7), y=(0.1, 0.9)), 5, other(look, "black plastic", "grey plastic"))
-    d.box(d.bounds.share(x=(0.04, 0.11), z=(0.25, 0.7)).place(width=0.016), "black plastic", 0.001)
-    cable = [(0.06, 0.5, 0.5), (0.02, 0.6, 0.3), (0.02, 0.85, 0.16)]
-    d.sweep([d.bounds.point(*p) for p in cable], 0.0025, "black plastic", 6)
-
-
-@draws("desk_microphone", whole=True, even="round")
-def desk_microphone(d: Drawing) -> None:
-    """A studio microphone on a round foot."""
-    body = d.even("round")
-    r, high = body.width / 2, body.height
-    look = d.material("body", "black steel, aluminium, white plastic, brass")
-    d.cylinder(body.bottom(0.014), "black steel", bevel=0.004, segments=28)
-    d.bar((-0.35 * r, 0, 0.012), (-0.35 * r, 0, 0.5 * high), 0.006, "steel", 8)
-    d.bar((-0.35 * r, 0, 0.5 * high), (0, 0, 0.56 * high), 0.008, "black steel", 8)
-    q = 0.42 * r
-    capsule = Box.sized(2 * q, 2 * q, 0.58 * high, (0.0, 0.0, 0.42 * high))
-    d.turned(capsule, [(0.8, 0), (1, 0.07), (1, 0.41)], look, 20)
-    d.turned(capsule, [(1.06, 0.41), (1.06, 0.46)], "steel", 20)
-    d.turned(capsule, [(1, 0.45), (1.02, 0.72), (1, 0.76), (0.84, 0.88), (0.55, 0.97), (0.2, 1)], "grey fabric", 20)
-    for z in (0.74, 0.82):
-        d.hoop(Box.sized(1.96 * q, 1.96 * q, 0.0, (0, 0, z * high)), 0.0025, "steel", steps=14)
-    d.print(capsule.front(0.0).share(y=(0.46, 0.54), z=(0.2, 0.26)).move(x=-0.0006), "red plastic", 0.0008)
 
 
 @draws("conference_phone", whole=True)

@@ -61,13 +61,6 @@ def standing_book(d: Drawing, box: Box, cover: Look, name: object) -> None:
         d.print(spine.inset(y=0.002).share(z=(z, z + 0.012)), ink)
 
 
-@draws("book", whole=True)
-def book(d: Drawing) -> None:
-    """A closed book: boards, spine, page block, title."""
-    cover, ink = d.material("cover", COVERS), d.material("ink", "brass, chalk pigment, ink pigment")
-    lying_book(d, d.bounds, cover, ink, d.chance("hard", 0.7))
-
-
 @draws("standing_books", whole=True)
 def standing_books(d: Drawing) -> None:
     """Upright books of many sizes in a row, their backs to the front, the last one leaning in some."""
@@ -89,17 +82,17 @@ def standing_books(d: Drawing) -> None:
             standing_book(d, Box(room.inset(x=0.01).x, (0.0, thick), (0.0, tall)), d.pick("leaning", covers), 99)
 
 
-@draws("book_stack", whole=True)
-def book_stack(d: Drawing) -> None:
-    """Lying books on each other, turned a little; the lowest is the largest."""
-    shares = [d.uniform(f"t{k}", 0.6, 1.3) for k in range(max(2, round(d.size.height / 0.03)))]
-    for k, level in enumerate(d.bounds.rows(shares)):
+@draws("book", "book_stack", whole=True)
+def book(d: Drawing) -> None:
+    """A closed book, or lying ones on each other, turned a little; the lowest is the largest."""
+    count = max(2, round(d.size.height / 0.03)) if d.category.name == "book_stack" else 1
+    for k, level in enumerate(d.bounds.rows([d.uniform(f"t{k}", 0.6, 1.3) for k in range(count)])):
         size = d.uniform(f"s{k}", 0.74, 0.95) if k else 1.0
         turn = (d.uniform(f"a{k}", -0.16, 0.16) if k else 0.0) + (math.pi if d.chance(f"flip{k}", 0.4) else 0.0)
-        cover = d.pick(f"c{k}", COVERS.split(", ")) if k else d.material("body", COVERS)
-        with d.at(yaw=turn):
-            own = level.place(size * level.depth, size * level.width)
-            lying_book(d, own, cover, d.pick(f"i{k}", INKS[:3]), d.chance(f"hard{k}", 0.7))
+        cover = d.pick(f"c{k}", COVERS.split(", ")) if k else d.material("cover", COVERS)
+        ink = d.pick(f"i{k}", INKS[:3]) if k else d.material("ink", *INKS[:3])
+        with d.at(yaw=turn if count > 1 else 0.0):
+            lying_book(d, level.place(size * level.depth, size * level.width), cover, ink, d.chance(f"hard{k}", 0.7))
 
 
 @draws("open_book", whole=True)
@@ -129,35 +122,25 @@ def open_book(d: Drawing) -> None:
     d.box(ribbon.inset(z=-0.06 * high), d.pick("ribbon", ["red fabric", "navy fabric"]), 0.0)
 
 
-def _cover_picture(d: Drawing, page: Box) -> None:
-    """A title, a picture with a sun, and headlines."""
-    inks = [d.pick(f"print {i}", PRINTS) for i in range(3)]
-    d.print(page.share(x=(0.04, 0.17), y=(0.1, 0.9)), inks[0])
-    photo = d.print(page.share(x=(0.24, 0.8), y=(0.1, 0.7)), inks[1])
-    d.print(photo.place(0.34 * page.width, 0.34 * page.width), inks[2], 0.0004, oval=True)
-    for k in range(4):
-        d.print(page.share(x=(0.3 + 0.1 * k, 0.33 + 0.1 * k), y=(0.75, 0.92)), inks[0])
-
-
-@draws("magazine", whole=True)
+@draws("magazine", "magazine_stack", whole=True)
 def magazine(d: Drawing) -> None:
-    """A thin magazine with a picture and headlines on its cover."""
-    _cover_picture(d, d.box(d.bounds, d.material("cover", GLOSSY), 0.0004).top(0.0))
-
-
-@draws("magazine_stack", whole=True)
-def magazine_stack(d: Drawing) -> None:
-    """Magazines in a loose pile."""
-    levels = d.bounds.rows(max(3, round(d.size.height / 0.006)))
-    for k, level in enumerate(levels):
-        look = d.pick(f"c{k}", GLOSSY.split(", ")) if k else d.material("body", GLOSSY)
-        x, y = d.uniform(f"x{k}", -0.006, 0.006), d.uniform(f"y{k}", -0.006, 0.006)
-        with d.at(x, y, yaw=d.uniform(f"a{k}", -0.07, 0.07)):
-            d.box(level, look, 0.0004)
+    """A thin magazine with a title, a picture with a sun and headlines on its cover; or a loose pile."""
+    count = max(3, round(d.size.height / 0.006)) if d.category.name == "magazine_stack" else 1
+    for k, level in enumerate(d.bounds.rows(count)):
+        look = d.pick(f"c{k}", GLOSSY.split(", ")) if k else d.material("cover", GLOSSY)
+        x, y, turn = (d.uniform(f"{name}{k}", -1, 1) if k else 0.0 for name in "xya")
+        with d.at(0.006 * x, 0.006 * y, yaw=0.07 * turn):
+            page = d.box(level, look, 0.0004).top(0.0)
             with d.no_colliders():  # the edges of its pages
                 d.box(level.inset(x=-0.0001, right=0.002, left=-0.0001).share(z=(0.2, 0.8)), "paper", 0.0)
-            if k == len(levels) - 1:
-                _cover_picture(d, level.top(0.0))
+            if k < count - 1:
+                continue
+            inks = [d.pick(f"print {i}", PRINTS) for i in range(3)]
+            d.print(page.share(x=(0.04, 0.17), y=(0.1, 0.9)), inks[0])
+            photo = d.print(page.share(x=(0.24, 0.8), y=(0.1, 0.7)), inks[1])
+            d.print(photo.place(0.34 * page.width, 0.34 * page.width), inks[2], 0.0004, oval=True)
+            for line in page.share(x=(0.3, 0.7), y=(0.75, 0.92)).split("x", 4):
+                d.print(line.share(x=(0.0, 0.3)), inks[0])
 
 
 @draws("newspaper", whole=True)
@@ -202,7 +185,7 @@ def notebook(d: Drawing) -> None:
 @draws("binder", "binder_row", whole=True)
 def binder(d: Drawing) -> None:
     """Upright ring binders with labels and finger holes in their backs; alone or side by side."""
-    pool = [f"{tone} plastic" for tone in ("black", "red", "blue", "green", "grey", "yellow", "white")]
+    pool = [f"{tone} plastic" for tone in ("black", "red", "blue", "green", "grey", "yellow")]
     main = d.material("cover", *pool)
     row = d.category.name == "binder_row"
     for k, cell in enumerate(d.bounds.columns(max(3, round(d.size.width / 0.075)) if row else 1)):
@@ -280,18 +263,6 @@ def pen_holder(d: Drawing) -> None:
         d.box(Box.sized(0.028, 0.002, 0.9 * high), "clear plastic" if d.chance("clear", 0.5) else "steel", 0.0003)
 
 
-@draws("pencil_case", whole=True)
-def pencil_case(d: Drawing) -> None:
-    """A soft pouch with a zip and tabs at its ends."""
-    cloth = d.material("cloth", "@fabric, tan leather, black leather")
-    pouch = d.cushion(d.bounds.inset(top=0.004), cloth, 0.03, 0.3)
-    d.box(pouch.top(0.008).place(0.008).inset(y=0.08 * pouch.width, top=-0.003), "steel", 0.002)
-    tab = d.bounds.top(0.005).place(0.006).share(y=(0.86, 0.95))
-    d.box(tab, d.pick("tab", ["red fabric", "black leather"]), 0.001)
-    with d.mirror("y"):
-        d.box(pouch.share(x=(0.22, 0.78), z=(0.3, 0.7)).left(0.006).move(y=-0.012), "charcoal fabric", 0.001)
-
-
 @draws("stapler", whole=True)
 def stapler(d: Drawing) -> None:
     """A stapler that lies along y: foot, anvil, magazine, arm that opens to the side at -y."""
@@ -324,7 +295,7 @@ def tape_dispenser(d: Drawing) -> None:
 @draws("sticky_notes", whole=True)
 def sticky_notes(d: Drawing) -> None:
     """Square pads of notes in bright colours on each other, the top one written on."""
-    tones = "banana peel, pink icing, pale leaf, sky pigment, orange peel"
+    tones = "yellow plastic, pink plastic, mint plastic, sky pigment, orange plastic"
     main, start, high = d.material("body", tones), d.integer("start", 0, 4), d.size.height
     levels = d.bounds.rows(1 if high < 0.03 else 3 if high < 0.045 else 4)
     for k, level in enumerate(levels):
@@ -397,7 +368,7 @@ def calculator(d: Drawing) -> None:
     slope = Box((-0.98 * deep / math.cos(tilt), 0.0), (-wide / 2, wide / 2), (0.0, 0.0))
     with d.at(deep / 2, 0.0, 0.45 * high, pitch=tilt):
         d.print(slope.share((0.03, 0.24), (0.08, 0.92)), "black plastic")
-        d.print(slope.share((0.06, 0.21), (0.11, 0.89)), "pale leaf", 0.0004)
+        d.print(slope.share((0.06, 0.21), (0.11, 0.89)), "mint plastic", 0.0004)
         for i, row in enumerate(slope.share((0.29, 0.95), (0.08, 0.92)).split("x", 5, gap=0.03 * deep)):
             for j, key in enumerate(row.columns(4, gap=0.04 * wide)):
                 tone = "orange plastic" if (i, j) == (4, 3) else "grey plastic" if j == 3 else keys
@@ -433,19 +404,3 @@ def hole_punch(d: Drawing) -> None:
     lever = [(0.8, 0.5), (0.82, 0.6), (0.6, 0.72), (0.0, 1.0), (0.0, 0.88), (0.3, 0.55)]
     d.silhouette(box.share(y=(0.06, 0.94)), lever, look, bevel=0.002)
     d.box(box.share((0.78, 0.81), (0.1, 0.9), (0.18, 0.2)), "steel", 0.0)
-
-
-@draws("business_card_holder", whole=True)
-def business_card_holder(d: Drawing) -> None:
-    """Cards upright in a small stand."""
-    look = d.material("body", "black plastic, oak, walnut, clear plastic, steel, brass")
-    box = d.bounds
-    for x, z in (((0, 1), (0, 0.12)), ((0.92, 1), (0.12, 0.34)), ((0, 0.1), (0.12, 0.7))):
-        d.box(box.share(x=x, z=z), look, 0.001)
-    logo = d.pick("logo", ["navy paint", "red paint", "teal paint"])
-    for k in range(5):
-        with d.at(*box.point(0.8 - 0.13 * k, 0.5, 0.12), pitch=-0.12):
-            card = d.box(Box.sized(0.003, 0.88 * box.width, (0.8 + 0.02 * k) * box.height), "paper", 0.0)
-            if k == 0:
-                d.print(card.front(0.0).share(y=(0.1, 0.45), z=(0.75, 0.85)), logo)
-                d.print(card.front(0.0).share(y=(0.1, 0.73), z=(0.62, 0.66)), "grey paint")

@@ -301,9 +301,9 @@ def spirit_level(d: Drawing) -> None:
     side = 0.68 * box.depth
     for y in (0.2, 0.8):
         vial = top.share(y=(y, y)).place(side).inset(y=-side / 2)
-        d.print(vial, "green apple", oval=True)
+        d.print(vial, "green plastic", oval=True)
         d.print(vial.share((0.38, 0.62), (0.38, 0.62)), "chalk pigment", 0.0004, oval=True)
-    tube = d.print(top.share(x=(0.3, 0.7), y=(0.44, 0.56)), "green apple")
+    tube = d.print(top.share(x=(0.3, 0.7), y=(0.44, 0.56)), "green plastic")
     for y in (0.34, 0.66):
         d.print(tube.share(y=(y, y)).inset(y=-0.001), "ink pigment", 0.0004)
     for y in (0.32, 0.68):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -152,14 +153,14 @@ def doll(d: Drawing) -> None:
     ball(d, (back + 0.84 * r, 0, head[2] - 0.45 * r), (0.03 * r, 0.22 * r, 0.05 * r), "red plastic", 8)
 
 
-@draws("plush_toy", whole=True)
+@draws("plush_toy", "teddy_bear", whole=True)
 def plush_toy(d: Drawing) -> None:
-    """A soft rabbit, bear or elephant that sits, with a ribbon."""
+    """A soft rabbit, bear or elephant that sits, with a ribbon; or a big bear."""
     deep, wide, high = d.size
     fur = d.material("fur", "beige fabric, white fabric, grey fabric, brown leather, rose fabric, blue fabric")
     pale = d.material("belly", "white fabric, sand pigment")
     ribbon = d.material("ribbon", "red fabric, blue fabric, mustard fabric, green fabric")
-    kind = d.pick("kind", ["rabbit", "bear", "elephant"])
+    kind = "bear" if d.category.name == "teddy_bear" else d.pick("kind", ["rabbit", "bear", "elephant"])
     top = high * (0.7 if kind == "rabbit" else 0.95)
     r, x = 0.26 * top, -0.12 * deep
     z = top - r
@@ -185,8 +186,8 @@ def plush_toy(d: Drawing) -> None:
             ball(d, (x + 0.13 * r, 0.8 * r, z + 0.75 * r), (0.12 * r, 0.22 * r, 0.22 * r), pale)
         else:
             ball(d, (x - 0.1 * r, 1.15 * r, z + 0.1 * r), (0.12 * r, 0.6 * r, 0.65 * r), fur, 16)
-        ball(d, (x + 0.75 * r, 0.3 * r, neck), (0.1 * r, 0.32 * r, 0.2 * r), ribbon, 10)
-    ball(d, (x + 0.8 * r, 0, neck), (0.14 * r, 0.12 * r, 0.13 * r), ribbon, 8)
+        ball(d, (x + 0.9 * r, 0.3 * r, neck), (0.1 * r, 0.32 * r, 0.2 * r), ribbon, 10)
+    ball(d, (x + 0.95 * r, 0, neck), (0.14 * r, 0.12 * r, 0.13 * r), ribbon, 8)
     if kind == "elephant":
         trunk = [(0.8, -0.2), (1.3, -0.6), (1.45, -1.1), (1.7, -1.25)]
         d.sweep([(x + u * r, 0, z + v * r) for u, v in trunk], 0.2 * r, fur)
@@ -253,6 +254,19 @@ HEIGHTS = (0.62, 0.7, 0.78, 0.95, 1.0, 0.78, 0.7, 0.62)
 """Of the pieces of the first rank, as shares of the king's."""
 
 
+def chessmen(d: Drawing, cells: Sequence[Sequence[Box]], king: float, pale: Look, dark: Look, played: bool) -> None:
+    """Two ranks of chessmen at either end of a board of 8 x 8 cells; ``played``: some have moved or been taken."""
+    for side, look in ((0, pale), (7, dark)):
+        for j, share in enumerate(HEIGHTS):
+            for rank, size in ((side, share), (1 if side == 0 else 6, 0.5)):
+                if played and rank == side and j not in (0, 4, 7) and d.chance(f"taken {side} {j}", 0.2):
+                    continue
+                if played and rank != side and d.chance(f"moved {side} {j}", 0.3):
+                    rank += 2 if side == 0 else -2
+                man = cells[rank][j].share((0.14, 0.86), (0.14, 0.86)).inset(top=-size * king)
+                d.turned(man, CHESSMAN, look, 10 if played else 8)
+
+
 @draws("board_game", whole=True)
 def board_game(d: Drawing) -> None:
     """A chess board with its pieces in the middle of a game."""
@@ -264,16 +278,7 @@ def board_game(d: Drawing) -> None:
     for i, row in enumerate(cells):
         for cell in row[1 - i % 2 :: 2]:
             d.print(cell, dark, 0.0003)
-    room = d.size.height - 0.022
-    for side, look in ((0, pale), (7, dark)):
-        for j, share in enumerate(HEIGHTS):
-            for rank, size in ((side, share), (1 if side == 0 else 6, 0.5)):
-                if rank == side and j not in (0, 4, 7) and d.chance(f"taken {side} {j}", 0.2):
-                    continue
-                if rank != side and d.chance(f"moved {side} {j}", 0.3):
-                    rank += 2 if side == 0 else -2
-                man = cells[rank][j].share((0.14, 0.86), (0.14, 0.86)).inset(top=-size * room)
-                d.turned(man, CHESSMAN, look, 10)
+    chessmen(d, cells, d.size.height - 0.022, pale, dark, True)
 
 
 @draws("puzzle_cube", whole=True, even="cube")
