@@ -19,7 +19,7 @@ from .doors import REACH, add_door, is_in_doorway
 from .fittings import add_fittings, plan_fittings
 from .outside import outside_mesh
 from .surfaces import add_wall_faces, floor_plane
-from .trim import add_ceiling, add_skirting
+from .trim import add_ceiling, add_coving, add_skirting
 from .windows import add_window
 
 _FLUSH = re.compile(
@@ -62,8 +62,11 @@ def build_interior(scene: Scene, look: Finishes, cameras: Sequence[Camera] = ())
         add_wall_faces(builder, room, wall, look)
         take(f"wall:{wall.index}", "wall", builder)
     builder = Builder()
-    add_ceiling(builder, room, look, scene.objects)
+    add_ceiling(builder, room, look)
     take("ceiling", "ceiling", builder)
+    builder = Builder()
+    add_coving(builder, room, look, scene.objects)
+    take("coving", "coving", builder)
     builder = Builder()
     add_skirting(builder, room, look, REACH)
     take("skirting", "skirting", builder)

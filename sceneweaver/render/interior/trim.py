@@ -19,7 +19,7 @@ from .mouldings import Plane, disc, moulding, plate
 SKIRTING = ((0.0, 0.0), (0.014, 0.0), (0.014, 0.058), (0.0115, 0.067), (0.006, 0.0735), (0.005, 0.078), (0.0, 0.078))
 """Profile of a skirting board (depth, height) [m], counter-clockwise."""
 
-_COVE = 0.065
+_COVE = 0.07
 """Height and depth [m] of coving."""
 
 _PLAIN_CEILINGS = re.compile(
@@ -68,10 +68,14 @@ def _free(room: Room, wall: Wall, look: Finishes, reach: float) -> Iterator[tupl
         at = max(at, b)
 
 
-def add_ceiling(builder: Builder, room: Room, look: Finishes, things: Iterable[SceneObject]) -> None:
-    """The ceiling over room and walls, with coving where the kind of room has it, and roses over hanging lamps."""
+def add_ceiling(builder: Builder, room: Room, look: Finishes) -> None:
+    """The ceiling over room and walls."""
     outer = np.array(outer_outline(room.walls))
     _slab(builder, outer, (room.height, room.height + WALL_THICKNESS), look.ceiling)
+
+
+def add_coving(builder: Builder, room: Room, look: Finishes, things: Iterable[SceneObject]) -> None:
+    """Coving along the ceiling where the kind of room has it, and roses over hanging lamps."""
     if _PLAIN_CEILINGS.search(room.type.lower().replace("-", " ").replace("_", " ")) or room.height < 2.2:
         return
     moulding(builder, Plane.floor(), np.asarray(room.outline), _cove(room.height), look.ceiling, closed=True)
@@ -84,13 +88,10 @@ def add_ceiling(builder: Builder, room: Room, look: Finishes, things: Iterable[S
 
 
 def _cove(height: float) -> np.ndarray:
-    """The profile of a hollow between wall and ceiling, with a fillet at each end."""
-    c, edge = _COVE, 0.006
+    """The profile of a hollow between wall and ceiling; finer mouldings would be thinner than a pixel."""
     angle = np.linspace(np.pi, np.pi / 2, 9)
-    hollow = np.stack([c + edge + c * np.cos(angle), -c - edge + c * np.sin(angle)], axis=1)
-    low, high = (0.0, -c - edge - 0.005), (c + edge + 0.005, 0.0)
-    profile = [(0.0, 0.0), low, (edge, low[1]), *hollow, (high[0], -edge), high]
-    return np.array(profile) + (0.0, height)
+    hollow = _COVE * np.stack([1 + np.cos(angle), np.sin(angle) - 1], axis=1)
+    return np.concatenate([[(0.0, 0.0)], hollow]) + (0.0, height)
 
 
 def _slab(builder: Builder, plan: np.ndarray, z: tuple[float, float], material: Material) -> None:
