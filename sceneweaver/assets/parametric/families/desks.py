@@ -7,7 +7,7 @@ import math
 from ...drawing import Box, Drawing, draws
 from ...drawing.components import REACH, legs
 from ...drawing.drawing import Look
-from .tables_parts import drawer_case, end_frame, planks, tabletop
+from .tables_parts import drawer_case, end_frame, ends, planks, tabletop
 
 BOARDS = ("oak", "light oak", "walnut", "white paint", "birch", "ash grey wood", "wenge")
 METALS = ("black steel", "white steel", "brushed steel", "iron")
@@ -59,12 +59,9 @@ def desk(d: Drawing) -> None:
                 d.box(rail, look)
     elif kind in ("loop", "a"):
         look = d.material("legs", *(METALS if kind == "loop" else ("oak", "pine", "walnut", "black paint")))
-        at = bounds.width / 2 - (0.05 if kind == "loop" else 0.16)
-        with d.mirror("y"), d.part("end"):
-            end_frame(d, under.inset(x=0.03).to(y=(at - 0.0225, at + 0.0225)), look, kind)
+        free = ends(d, under, look, kind, 0.045, 0.03, 0.03 if kind == "loop" else 0.14)
         with d.part("rail"):
-            d.box(under.inset(back=0.1).back(0.03).place(width=2 * at - 0.04).top(0.08).inset(top=0.01), look)
-        free = under.place(width=2 * at - 0.06)
+            d.box(free.inset(back=0.1, top=0.01).back(0.03).top(0.07), look)
     elif kind == "panel":
         side = d.material("sides", "white paint", "black paint") if d.chance("two tone", 0.3) else top
         with d.mirror("y"), d.part("side"):

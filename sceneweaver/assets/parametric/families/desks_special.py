@@ -9,7 +9,7 @@ import numpy as np
 from ...drawing import Box, Drawing, draws
 from ...drawing.components import REACH, drawer, legs
 from .desks import KNEES
-from .tables_parts import drawer_case, end_frame, tabletop
+from .tables_parts import drawer_case, ends, tabletop
 
 WOODS = ("oak", "walnut", "cherry", "mahogany", "light oak", "beech")
 
@@ -63,13 +63,12 @@ def computer_desk(d: Drawing) -> None:
     metal = d.material("frame", "black steel", "white steel", "red paint", "grey paint")
     bounds, height = d.bounds, 0.75
     plate = bounds.to(z=(height - 0.022, height))
-    under, at = bounds.to(z=(0.0, plate.z[0])), bounds.y[1] - 0.03
+    under = bounds.to(z=(0.0, plate.z[0]))
     with d.part("top"):
         tabletop(d, plate, top, 0.02, name=None)
         if d.chance("lights", 0.35):
             d.print(plate.inset(y=0.05).front(0.0).place(height=0.006), "lamp glow")
-    with d.mirror("y"), d.part("end"):
-        end_frame(d, under.inset(back=0.03, front=0.04).to(y=(at - 0.02, at + 0.02)), metal, "loop")
+    ends(d, under, metal, "loop", 0.04, 0.03, 0.01)
     shelf = bounds.inset(y=0.02).back(0.26).top(0.02)
     with d.part("screen shelf"):
         d.box(shelf, top)

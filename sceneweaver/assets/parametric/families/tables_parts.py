@@ -12,9 +12,6 @@ from ...drawing import Box, Drawing
 from ...drawing.components import beam, carcass, drawers, oval
 from ...drawing.drawing import Look
 
-LEGS = {"tapered": 0.065, "square": 0.075, "turned": 0.085, "splayed": 0.055}
-"""Width [m] of the legs of a large table, by style."""
-
 
 def tabletop(
     d: Drawing,
@@ -73,6 +70,22 @@ def drawer_case(
     drawers(d, box.inset(back=0.006), rows, front, pull, style, columns, name, overlay=0.012)
 
 
+def board_between(
+    d: Drawing, box: Box, look: Look, z: float, inset: float, ceiling: float, thick: float = 0.02
+) -> None:
+    """A board between legs with its top at a height, on which things may stand ``inset`` from its edges."""
+    with d.part("shelf"):
+        board = d.box(box.to(z=(z - thick, z)), look)
+    d.surface("shelf", board, round(ceiling - z - 0.005, 4), inset)
+
+
+def ends(d: Drawing, under: Box, look: Look, style: str, bar: float, inset: float, over: float) -> Box:
+    """Two frames that carry a table, ``inset`` from its long sides and ``over`` from its ends; the room between."""
+    with d.mirror("y"), d.part("end"):
+        end_frame(d, under.inset(x=inset, left=over).left(bar), look, style)
+    return under.inset(y=over + bar)
+
+
 def end_frame(d: Drawing, box: Box, material: Look, style: str) -> None:
     """What carries one end of a table: as thick as the box is wide; "loop", "vee", "cross", "a" or "trestle"."""
     bar, (x0, x1), (low, high) = box.width, box.x, box.z
@@ -113,7 +126,7 @@ PEDESTALS = {
 
 
 def pedestal(d: Drawing, high: float, radius: float, material: Look, style: str, slim: float = 1.0) -> None:
-    """A central foot under a round top, up to a height: "tulip", "disc", "claw", "drum" or "cross"."""
+    """A central foot under a round top, up to a height: "tulip", "disc", "claw", "drum", "iron" or "cross"."""
     plate = 0.5 * radius
     with d.part("foot"):
         if style in PEDESTALS:
@@ -125,6 +138,12 @@ def pedestal(d: Drawing, high: float, radius: float, material: Look, style: str,
             with d.ring(4, 0.0, math.pi / 4):
                 d.hull([(0.03, y, z) for y in (-0.025, 0.025) for z in (0.12, 0.2)] + knee, material)
                 d.hull(knee + claw, material)
+        elif style == "iron":
+            curve = ((0.03, 0.26), (0.05, 0.14), (0.12, 0.06), (radius - 0.03, 0.03), (radius - 0.012, 0.012))
+            with d.ring(4, 0.0, math.pi / 4):
+                d.sweep([(x, 0, z) for x, z in curve], 0.012, material, 8)
+                d.cylinder(Box.sized(0.04, 0.04, 0.02, (radius - 0.02, 0, 0)), material, ends=(1.0, 0.8), segments=12)
+            d.cylinder(Box.sized(0.09, 0.09, 0.2, (0, 0, 0.08)), material, ends=(1.0, 0.67), segments=16)
         elif style == "drum":
             wide = 1.24 * radius
             d.cylinder(Box.sized(wide, wide, high - 0.03), material, ends=(1.0, 0.8), bevel=0.006, segments=28)

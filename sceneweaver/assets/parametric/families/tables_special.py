@@ -8,47 +8,9 @@ import numpy as np
 
 from ...drawing import Box, Drawing, draws
 from ...drawing.components import REACH, carcass, doors, drawer, feet, leg, legs, oval, walls
-from .tables_parts import drawer_case, pedestal, tabletop
+from .tables_parts import drawer_case, tabletop
 
 WOODS = ("oak", "light oak", "walnut", "beech", "cherry", "ash grey wood", "pine")
-
-
-@draws("round_coffee_table")
-def round_coffee_table(d: Drawing) -> None:
-    """A low round top on splayed legs, a drum of slats, a steel basket, a column, or posts with a shelf."""
-    kind = d.pick("kind", ["splayed", "drum", "wire", "shelf", "cross"])
-    tops = {"wire": ("marble", "oak", "glass", "walnut"), "cross": ("marble", "oak", "dark marble")}
-    top = d.material("top", *tops.get(kind, (*WOODS, "white paint", "black paint")))
-    wide, height = min(d.size[:2]), d.size.height
-    glass, radius = top.name == "glass", wide / 2
-    plate = Box.sized(wide, wide, height).top(0.014 if glass else 0.026)
-    low = plate.z[0]
-    with d.part("body" if kind in ("drum", "wire") else "top"):
-        tabletop(d, plate, top, power=2.0, edge="soft" if glass else d.pick("edge", ["soft", "knife"]))
-        if kind == "splayed":
-            d.cylinder(plate.place(0.62 * wide, 0.62 * wide).bottom(-0.035), top, segments=32)
-        elif kind == "drum":
-            d.cylinder(Box.sized(0.79 * wide, 0.79 * wide, low), top, segments=36)
-            with d.ring(36, 0.83 * radius):
-                d.box(Box.sized(0.06 * radius, 0.116 * radius, low - 0.02, (0, 0, 0.02)), top, bevel=0.004)
-        elif kind == "wire":
-            metal, foot = d.material("legs", "black steel", "brass", "copper", "white steel"), 0.62 * radius
-            for size, z in ((0.62 * wide, 0.006), (0.9 * wide, low - 0.006)):
-                d.hoop(Box.around((0.0, 0.0, z), size, size, 0.0), 0.006, metal, steps=18)
-            with d.ring(12), d.mirror("y"):
-                head = (0.9 * radius * math.cos(0.35), 0.9 * radius * math.sin(0.35), low - 0.003)
-                d.bar((foot, 0, 0.006), head, 0.004, metal, 5)
-    if kind == "splayed":
-        legs(d, Box.sized(0.66 * wide, 0.66 * wide, low), top, "splayed", 0.044, 0.14 * low)
-    elif kind == "shelf":
-        shelf = Box.sized(0.86 * wide, 0.86 * wide, 0.02, (0, 0, 0.1))
-        with d.part("shelf"):
-            d.cylinder(shelf, top, bevel=0.004, segments=40)
-        with d.ring(4, 0.8 * radius, math.pi / 4), d.part("leg"):
-            d.cylinder(Box.sized(0.036, 0.036, low), top, segments=14)
-        d.surface("shelf", shelf.place(radius, radius), round(low - 0.125, 4))
-    elif kind == "cross":
-        pedestal(d, low, 0.7 * radius, d.material("foot", "black steel", "brass", "oak"), "drum")
 
 
 @draws("nesting_tables")
