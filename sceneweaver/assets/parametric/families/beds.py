@@ -47,7 +47,7 @@ def _frame(d: Drawing, box: Box, wood: Look, style: str) -> None:
                 d.box(front.top(0.08).left(-0.004).place(depth=0.14, height=0.02), "black steel", bevel=0.001)
 
 
-@draws("bed", "king_bed", "single_bed", "platform_bed", "upholstered_bed", "storage_bed", "metal_bed")
+@draws("bed", "king_bed", "single_bed", "platform_bed", "upholstered_bed", "storage_bed", "metal_bed", whole=True)
 def bed(d: Drawing) -> None:
     """A head board of six kinds, a frame on legs, plinth or drawers, mattress, pillows, blanket, sometimes a foot."""
     name = d.category.name
@@ -89,10 +89,9 @@ def bed(d: Drawing) -> None:
         accent = d.material("throw pillow", "@fabric, tan leather")
         with d.part("bed pillows"), d.at(place.x[0] + 0.52, z=top + 0.17, pitch=0.95):
             d.pillow(Box.sized(0.32, 0.5, 0.13, (0.0, 0.0, -0.05)), accent)
-    d.fit()
 
 
-@draws("canopy_bed")
+@draws("canopy_bed", whole=True)
 def canopy_bed(d: Drawing) -> None:
     """Four posts and a rail around their heads; curtains of thin cloth at the posts in some."""
     wood = d.material("frame", "oak, walnut, mahogany, black steel, white paint, black paint")
@@ -133,10 +132,9 @@ def canopy_bed(d: Drawing) -> None:
         with d.mirror("y"), d.part("curtain"):
             d.sheet(np.array(rows), 0.004, cloth, (3, 1))
             d.box(Box.around((box.x[0] + post + 0.03, y, 0.09 + tie * long), 0.09, 0.036, 0.03), cloth, bevel=0.008)
-    d.fit()
 
 
-@draws("daybed")
+@draws("daybed", whole=True)
 def daybed(d: Drawing) -> None:
     """A bed along the wall like a sofa: a barred back and two ends, bolsters, square cushions, a folded throw."""
     wood = d.material("frame", "white paint, oak, walnut, black steel, pine")
@@ -168,10 +166,9 @@ def daybed(d: Drawing) -> None:
         roll = place.inset(x=0.05).left(0.19).to(z=(top - 0.01, top + 0.18))
         d.cylinder(roll, accent, "x", bevel=0.03)
         d.cylinder(roll.front(-0.006).place(width=0.04, height=0.04), accent, "x", segments=12)
-    d.fit()
 
 
-@draws("toddler_bed")
+@draws("toddler_bed", whole=True)
 def toddler_bed(d: Drawing) -> None:
     """A low bed with half rails at its head, a round-topped head board and a small foot board."""
     wood = d.material("frame", "white paint, birch, pine, light grey paint, beech, sage paint")
@@ -185,10 +182,9 @@ def toddler_bed(d: Drawing) -> None:
     guard = box.inset(back=0.03).to(x=(box.x[0] + 0.03, box.x[0] + 0.52 * box.depth), z=(rail - 0.09, 0.47))
     with d.mirror("y"), d.part("rail"):
         barred(d, guard.left(0.024), wood, rail - 0.09, 0.04, 0.04, 0.1, 0.016, axis="x")
-    d.fit()
 
 
-@draws("mattress")
+@draws("mattress", whole=True)
 def mattress_on_floor(d: Drawing) -> None:
     """A mattress on the floor, or a futon on a slatted base, with pillows and a blanket folded back."""
     box, low = d.bounds, 0.0
@@ -203,4 +199,3 @@ def mattress_on_floor(d: Drawing) -> None:
     top = low + min(0.2, box.height - low - 0.1)
     place = box.inset(x=0.035, y=0.035).to(z=(low, top))
     bedding(d, place, "bed", 1 if box.width < 1.2 else 2, low + 0.05, overhang=0.033, thick=0.14)
-    d.fit()

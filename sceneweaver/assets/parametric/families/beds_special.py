@@ -13,7 +13,7 @@ from .beds_parts import SHEETS, barred, bedding, ladder
 _WOODS = "pine, white paint, oak, birch, light grey paint, ash grey wood"
 
 
-@draws("bunk_bed", "loft_bed")
+@draws("bunk_bed", "loft_bed", whole=True)
 def bunk_bed(d: Drawing) -> None:
     """Two beds one above the other, or one on high posts, with guard rails and a ladder at the left side."""
     loft = d.category.name == "loft_bed"
@@ -51,10 +51,9 @@ def bunk_bed(d: Drawing) -> None:
             ladder(d, steps, wood, 6 if loft else 5)
         if loft:
             d.clear(inner.to(z=(0.05, high - 0.1)))
-    d.fit()
 
 
-@draws("crib")
+@draws("crib", whole=True)
 def crib(d: Drawing) -> None:
     """A baby's bed with bars all around, a small mattress, a blanket and a pillow roll."""
     wood = d.material("frame", "white paint, birch, beech, light grey paint, oak, sage paint")
@@ -76,10 +75,9 @@ def crib(d: Drawing) -> None:
         blanket(d, cloth.back(0.13).inset(y=-0.001, bottom=0.01, top=-0.008), sheet, 0.035)
     with d.part("pillow"):
         d.pillow(inside.place(0.2, 0.36, at="back").move(x=0.03).to(z=(0.395, 0.46)), cover)
-    d.fit()
 
 
-@draws("murphy_bed")
+@draws("murphy_bed", whole=True)
 def murphy_bed(d: Drawing) -> None:
     """A cupboard whose large front folds down to a bed; drawn folded up."""
     wood = d.material("body", "white paint, oak, walnut, light grey paint, ash grey wood")
@@ -110,10 +108,9 @@ def murphy_bed(d: Drawing) -> None:
                 at = (door.x[1] + reach / 2, y * box.width, door.z[1] - z)
                 d.box(Box.around(at, reach, wide, high), pull)
     d.surface("top", d.bounds.inset(back=0.02, front=0.048, y=0.03))
-    d.fit()
 
 
-@draws("hospital_bed")
+@draws("hospital_bed", whole=True)
 def hospital_bed(d: Drawing) -> None:
     """A bed on castors with a raised head part, side rails, boards at both ends, and two lifting columns."""
     panel = d.material("boards", "white plastic, beech, light grey paint, blue plastic")
@@ -159,10 +156,9 @@ def hospital_bed(d: Drawing) -> None:
             d.box(Box((x0 + 0.03, x1 - 0.03), (-0.037, 0.018), (base - 0.05, base - 0.02)), metal)
             plate = Box.around(((x0 + x1) / 2, 0.013, high - 0.045), 0.2, 0.05, 0.05)
             d.box(plate, "grey plastic", bevel=0.008)
-    d.fit()
 
 
-@draws("massage_table")
+@draws("massage_table", whole=True)
 def massage_table(d: Drawing) -> None:
     """A padded top with a face cradle at its head, on folding wooden legs with braces, or on a cabinet."""
     cover = d.material("cover", "white leather, black leather, brown leather, tan leather, teal paint, navy fabric")
@@ -199,4 +195,3 @@ def massage_table(d: Drawing) -> None:
             d.box(Box((x + 0.024, x + 0.046), (-y, y), (0.2, 0.25)), wood)
     for name, half in zip(("top-head", "top"), halves, strict=True):
         d.surface(name, half, inset=0.045)
-    d.fit()

@@ -15,7 +15,7 @@ def _base(d: Drawing, seat: float, metal: str) -> None:
         d.box(Box.around((-0.01, 0.0, seat - 0.08), 0.22, 0.16, 0.04), _DARK, bevel=0.01)
 
 
-@draws("office_chair")
+@draws("office_chair", whole=True)
 def office_chair(d: Drawing) -> None:
     """Star base on castors, gas lift, upholstered seat, curved back rest, arms and a head rest in some."""
     _, w, h = d.size
@@ -55,10 +55,9 @@ def office_chair(d: Drawing) -> None:
                 d.box(Box((-0.035, 0.035), (-0.012, 0.012), (-0.04, 0.2)), frame, bevel=0.006)
             d.bar((0.0, -0.1, -0.05), (0.0, 0.0, -0.02), 0.012, frame, segments=6)
             d.cushion(Box((-0.12, 0.14), (-0.04, 0.04), (0.19, 0.224)), _DARK, 0.015)
-    d.fit()
 
 
-@draws("gaming_chair")
+@draws("gaming_chair", whole=True)
 def gaming_chair(d: Drawing) -> None:
     """A racing seat: high back with wings, contrast stripes, pillows, star base."""
     cover = d.material("cover", "black leather, white leather, charcoal fabric")
@@ -87,10 +86,9 @@ def gaming_chair(d: Drawing) -> None:
         d.box(Box((-0.06, 0.06), (-0.014, 0.014), (-0.1, 0.2)), _DARK, bevel=0.008)
         d.bar((0.0, -0.2, -0.1), (0.0, 0.0, -0.085), 0.015, _DARK, segments=8)
         d.cushion(Box((-0.12, 0.15), (-0.04, 0.04), (0.19, 0.225)), _DARK, 0.012)
-    d.fit()
 
 
-@draws("conference_chair")
+@draws("conference_chair", whole=True)
 def conference_chair(d: Drawing) -> None:
     """An upholstered seat and back on a cantilever of steel tube, or on four legs with arms."""
     cover = d.material("cover", "black leather", "@fabric", "tan leather", "brown leather")
@@ -120,4 +118,3 @@ def conference_chair(d: Drawing) -> None:
             d.bar((x0 + 0.08, y - 0.06, seat - 0.06), (x0 + 0.035, y - 0.09, h - 0.08), 0.8 * r, metal, segments=8)
         with d.at(x0 + 0.085):
             arc_panel(d, 2 * (y - 0.03), (seat + 0.1, h), 0.045, 0.035, cover, 0.06, count=7)
-    d.fit()

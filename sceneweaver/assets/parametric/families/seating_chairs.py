@@ -11,7 +11,7 @@ from ...drawing.components import leg, legs, slats
 from .seating_parts import COVERS, PLASTICS, WOODS, arc_panel, bent
 
 
-@draws("dining_chair")
+@draws("dining_chair", whole=True)
 def dining_chair(d: Drawing) -> None:
     """A wooden frame with a padded or plain seat and a back of slats, ladder, cross, cane or upholstery."""
     wood = d.material("frame", WOODS)
@@ -45,7 +45,6 @@ def dining_chair(d: Drawing) -> None:
             with d.mirror("y"):
                 leg(d, (x, y, seat - 0.025), (x - lean, y, h), 0.036, 0.026, wood, 4)
             _back(d, x, inner, seat, lean, style, wood)
-    d.fit()
 
 
 def _back(d: Drawing, x: float, inner: float, seat: float, lean: float, style: str, wood: Look) -> None:
@@ -82,11 +81,10 @@ def _back(d: Drawing, x: float, inner: float, seat: float, lean: float, style: s
         d.sheet(bent(rows).swapaxes(0, 1), 0.012, weave, (3, 1))
 
 
-@draws("chair")
+@draws("chair", whole=True)
 def chair(d: Drawing) -> None:
     """A moulded shell on wooden, wire or tube legs, a bent-wood chair with a round seat, or a plank chair."""
     d.pick("kind", [_shell_chair, _shell_chair, _bentwood_chair, _plank_chair])(d)
-    d.fit()
 
 
 def _shell_chair(d: Drawing) -> None:
@@ -163,7 +161,7 @@ def _plank_chair(d: Drawing) -> None:
             d.bar((0.015 + 0.4 * forward, 0.86 * y, seat - 0.01), (forward, y, h - 0.1), 0.008, wood, 8)
 
 
-@draws("school_chair")
+@draws("school_chair", whole=True)
 def school_chair(d: Drawing) -> None:
     """A plywood or plastic seat and back on a frame of steel tube, stackable."""
     body = d.material("seat", "plywood, beech", PLASTICS)
@@ -187,10 +185,9 @@ def school_chair(d: Drawing) -> None:
             d.sweep(post, r, metal, 8)
         with d.at(x0 + 0.035):
             arc_panel(d, 0.9 * w, (h - 0.19, h), 0.01, 0.03, body, 0.025, 0.94)
-    d.fit()
 
 
-@draws("kids_chair")
+@draws("kids_chair", whole=True)
 def kids_chair(d: Drawing) -> None:
     """A small chair of wood or bright plastic; its back is round, of slats, or a bear's head."""
     wood = d.material("seat", "birch, pine, beech, red paint, blue paint, yellow paint, green paint, white paint")
@@ -214,7 +211,6 @@ def kids_chair(d: Drawing) -> None:
             d.cylinder(head, wood, "x", bevel=0.004, segments=28)
             if kind == "ears":
                 _bear(d, head, wood)
-    d.fit()
 
 
 def _bear(d: Drawing, head: Box, wood: Look) -> None:
@@ -229,7 +225,7 @@ def _bear(d: Drawing, head: Box, wood: Look) -> None:
     d.ball(Box.around((x, 0.0, z - 0.15 * r), 0.012, 0.32 * r, 0.24 * r), "black plastic", segments=10)
 
 
-@draws("folding_chair")
+@draws("folding_chair", whole=True)
 def folding_chair(d: Drawing) -> None:
     """Crossed legs of tube or wooden slats; seat and back of plastic or wood."""
     (depth, w, h), wooden, seat = d.size, d.chance("wooden", 0.45), 0.45
@@ -263,10 +259,9 @@ def folding_chair(d: Drawing) -> None:
             heights = (top - (0.075 if wooden else 0.2), top)
             edges = [(tip[0] - slope * (tip[1] - z) + t, z) for z in heights for t in (-0.009, 0.009)]
             d.hull([(x, s * (y - 0.006), z) for x, z in edges for s in (-1, 1)], body)
-    d.fit()
 
 
-@draws("high_chair")
+@draws("high_chair", whole=True)
 def high_chair(d: Drawing) -> None:
     """A child's seat with a tray and a foot rest on four long splayed legs."""
     wood = d.material("legs", "beech, oak, white paint, walnut, birch")
@@ -293,10 +288,9 @@ def high_chair(d: Drawing) -> None:
     with d.mirror("y"), d.part("lip side"):
         d.box(lip.left(0.02).inset(x=0.01), "white plastic", bevel=0.006)
     d.surface("tray", board.inset(back=0.05, front=0.035, y=0.035))
-    d.fit()
 
 
-@draws("rocking_chair")
+@draws("rocking_chair", whole=True)
 def rocking_chair(d: Drawing) -> None:
     """A wooden armchair with a high back on two bent runners."""
     wood, cover = d.material("frame", "oak, walnut, cherry, white paint, beech, mahogany"), d.material("cover", COVERS)
@@ -328,4 +322,3 @@ def rocking_chair(d: Drawing) -> None:
             d.cushion(rest.to(x=(0.0, 0.06)).inset(y=0.02, bottom=0.03, top=0.09), cover, 0.029)
         else:
             slats(d, rest.inset(bottom=0.03, top=0.1), wood, 0.07, 0.014, "y", True)
-    d.fit()

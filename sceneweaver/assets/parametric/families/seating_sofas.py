@@ -226,7 +226,7 @@ def sofa_bed(d: Drawing) -> None:
     d.fit()
 
 
-@draws("recliner")
+@draws("recliner", whole=True)
 def recliner(d: Drawing) -> None:
     """A thickly padded chair that leans back, its foot rest raised."""
     cover = d.material("cover", "brown leather", "black leather", "tan leather", "grey fabric", "beige fabric")
@@ -257,10 +257,9 @@ def recliner(d: Drawing) -> None:
         with d.part("arm"):
             side, finish_ = body.y[0], d.material("lever", "walnut", "black plastic", "chrome")
             d.bar((body.x[1] - 0.24, side, 0.3), (body.x[1] - 0.12, side, 0.36), 0.011, finish_, segments=8)
-    d.fit()
 
 
-@draws("chaise_longue")
+@draws("chaise_longue", whole=True)
 def chaise_longue(d: Drawing) -> None:
     """A long seat with a raised back at its head and, in some, an arm along one side."""
     cover = d.material("cover", *COVERS)
@@ -294,10 +293,9 @@ def chaise_longue(d: Drawing) -> None:
         with d.part("arm"):
             d.cushion(box.share(x=(0.0, 0.6)).inset(back=0.2).to(z=(0.3, 0.62)).left(0.09), cover, 0.04)
     d.surface("seat", mattress.inset(back=0.32, front=0.06, right=0.06, left=0.12 if arm else 0.1))
-    d.fit()
 
 
-@draws("booth_seat")
+@draws("booth_seat", whole=True)
 def booth_seat(d: Drawing) -> None:
     """A diner's bench: plinth, thick seat, a high back in upright channels."""
     colors = ("red fabric", "brown leather", "black leather", "green fabric", "navy fabric", "tan leather")
@@ -316,4 +314,3 @@ def booth_seat(d: Drawing) -> None:
             cushions(d, channels, count, cover, 0.05, gap=0.0)
         d.box(box.back(0.09).top(0.06), panel, bevel=0.01)
     d.surface("seat", cushion.inset(back=0.11, front=0.055, y=0.055))
-    d.fit()

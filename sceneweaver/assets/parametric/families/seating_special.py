@@ -12,7 +12,7 @@ from ...drawing.components import wheel
 from .seating_parts import bent
 
 
-@draws("waiting_bench")
+@draws("waiting_bench", whole=True)
 def waiting_bench(d: Drawing) -> None:
     """Three to five shells on a steel beam with two feet, a small table in place of one in some."""
     body = d.material("seats", "black leather, grey plastic, blue plastic, brushed steel, beech, green plastic")
@@ -63,10 +63,9 @@ def waiting_bench(d: Drawing) -> None:
             d.cushion(Box((-0.14, 0.14), (y - 0.022, y + 0.022), (0.605, 0.63)), "black plastic", 0.01)
             d.bar((-0.1, y, low), (0.1, y, low), 0.012, metal, 8)
             d.bar((-0.03, y, low), (-0.03, inner, rail), 0.012, metal, 8)
-    d.fit()
 
 
-@draws("egg_chair")
+@draws("egg_chair", whole=True)
 def egg_chair(d: Drawing) -> None:
     """A woven egg that hangs from a bent post on a round foot, with cushions inside."""
     weave = d.material("basket", "rattan, wicker, black steel, white plastic")
@@ -110,10 +109,9 @@ def egg_chair(d: Drawing) -> None:
         accent = d.material("pillow", "white fabric, mustard fabric, rust fabric, green fabric")
         with d.at(-0.02, 0.1, low + 0.45, pitch=1.05, yaw=0.2):
             d.pillow(Box.sized(0.34, 0.4, 0.14, (0.0, 0.0, -0.06)), accent)
-    d.fit()
 
 
-@draws("theater_seat")
+@draws("theater_seat", whole=True)
 def theater_seat(d: Drawing) -> None:
     """One to three padded recliners side by side with shared broad arms, cup holders and a raised back."""
     cover = d.material("cover", "black leather, brown leather, red fabric, charcoal fabric, navy fabric")
@@ -144,7 +142,6 @@ def theater_seat(d: Drawing) -> None:
             d.print(holder.top(0.0).inset(x=0.01, y=0.01), "black plastic", oval=True)
             if glow:
                 d.box(side.to(z=(0.045, 0.055)).inset(back=0.14, front=0.2, y=0.004), "lamp glow", bevel=0.0)
-    d.fit()
 
 
 def _rings(d: Drawing, box: Box, wires: list[tuple[float, float, str]]) -> None:
@@ -162,7 +159,7 @@ def _rings(d: Drawing, box: Box, wires: list[tuple[float, float, str]]) -> None:
         hulls = []
 
 
-@draws("wheelchair")
+@draws("wheelchair", whole=True)
 def wheelchair(d: Drawing) -> None:
     """Two large spoked wheels with push rims, castors, a cloth seat and back, arms, handles, foot plates."""
     frame = d.material("frame", "black steel, chrome, blue paint, red paint, brushed steel")
@@ -217,4 +214,3 @@ def wheelchair(d: Drawing) -> None:
     with d.part("back"):
         rows = [(back - 0.03, z, inner, 0.03, 0.0) for z in (seat, seat + 0.2, h - 0.07)]
         d.sheet(bent(rows).swapaxes(0, 1), 0.014, cloth, (3, 1))
-    d.fit()

@@ -12,7 +12,7 @@ from ...drawing.components import carcass, cushions, feet, frame, leg, legs, pip
 from .seating_parts import COVERS, arc_panel
 
 
-@draws("stool")
+@draws("stool", whole=True)
 def stool(d: Drawing) -> None:
     """A round or square seat on three or four legs with stretchers."""
     wood = d.material("seat", "oak, walnut, beech, birch, white paint, black paint, teal paint")
@@ -22,32 +22,30 @@ def stool(d: Drawing) -> None:
     foot, head, start = 0.175, 0.115, math.pi / count + (math.pi if count == 3 else 0.0)
     if not is_round:
         count, foot, head, start = 4, 0.226, 0.198, math.pi / 4
-    with d.part("stool"):
-        if not is_round:
-            d.box(seat, wood, bevel=0.008)
-            d.surface("top", seat, inset=0.015)
+    if not is_round:
+        d.box(seat, wood, bevel=0.008)
+        d.surface("top", seat, inset=0.015)
+    else:
+        if padded:
+            d.cylinder(seat.bottom(0.022).move(z=-0.01), wood, segments=28, bevel=0.004)
+            profile = [(0.92, 0.25), (0.99, 0.5), (0.99, 0.72), (0.93, 1.0)]
+            d.turned(seat, profile, d.material("cover", COVERS), 28)
         else:
-            if padded:
-                d.cylinder(seat.bottom(0.022).move(z=-0.01), wood, segments=28, bevel=0.004)
-                profile = [(0.92, 0.25), (0.99, 0.5), (0.99, 0.72), (0.93, 1.0)]
-                d.turned(seat, profile, d.material("cover", COVERS), 28)
-            else:
-                d.turned(seat, [(0.84, 0.0), (0.99, 0.34), (1.0, 0.78), (0.96, 1.0)], wood, 28)
-            turn = np.arange(8) * (math.pi / 4)
-            d.surface("top", seat, polygon=0.15 * np.c_[np.cos(turn), np.sin(turn)])
-        level, metal = 0.38, under is not wood
-        at, top = foot + (head - foot) * level, seat.z[0]
-        next_leg = (at * math.cos(2 * math.pi / count), at * math.sin(2 * math.pi / count), level * top)
-        with d.ring(count, 0.0, start):
-            leg(d, (foot, 0.0, 0.0), (head, 0.0, top + 0.004), *((0.018, 0.018) if metal else (0.022, 0.036)), under)
-            if not (metal and is_round):
-                d.bar((at, 0.0, level * top), next_leg, 0.009, under, segments=8)
-        if metal and is_round:
-            d.hoop(Box.around((0.0, 0.0, level * top), 2 * at, 2 * at, 0.0), 0.007, under, steps=16)
-    d.fit()
+            d.turned(seat, [(0.84, 0.0), (0.99, 0.34), (1.0, 0.78), (0.96, 1.0)], wood, 28)
+        turn = np.arange(8) * (math.pi / 4)
+        d.surface("top", seat, polygon=0.15 * np.c_[np.cos(turn), np.sin(turn)])
+    level, metal = 0.38, under is not wood
+    at, top = foot + (head - foot) * level, seat.z[0]
+    next_leg = (at * math.cos(2 * math.pi / count), at * math.sin(2 * math.pi / count), level * top)
+    with d.ring(count, 0.0, start):
+        leg(d, (foot, 0.0, 0.0), (head, 0.0, top + 0.004), *((0.018, 0.018) if metal else (0.022, 0.036)), under)
+        if not (metal and is_round):
+            d.bar((at, 0.0, level * top), next_leg, 0.009, under, segments=8)
+    if metal and is_round:
+        d.hoop(Box.around((0.0, 0.0, level * top), 2 * at, 2 * at, 0.0), 0.007, under, steps=16)
 
 
-@draws("bar_stool")
+@draws("bar_stool", whole=True)
 def bar_stool(d: Drawing) -> None:
     """A high seat with a foot rest: four legs or a pedestal, with or without a low back."""
     metal = d.material("frame", "black steel, chrome, brass, oak, walnut")
@@ -84,10 +82,9 @@ def bar_stool(d: Drawing) -> None:
                 arc_panel(d, 0.36, (top + 0.1, h), 0.035, 0.09, cover, 0.03)
             with d.mirror("y"):
                 d.bar((-0.15, 0.12, top - 0.06), (-0.17, 0.12, top + 0.14), 0.011, metal, segments=8)
-    d.fit()
 
 
-@draws("bench")
+@draws("bench", whole=True)
 def bench(d: Drawing) -> None:
     """A plank, slatted or padded seat on legs of several styles."""
     wood = d.material("seat", "oak, walnut, pine, light oak, ash grey wood, white paint")
@@ -96,37 +93,35 @@ def bench(d: Drawing) -> None:
     box = d.bounds
     seat = box.top(0.035).move(z=-0.06 if padded else 0.0)
     stand = box.to(z=(0.0, seat.z[0])).inset(x=0.03, y=0.06)
-    with d.part("top"):
-        if style == "slatted":
-            for slat in seat.split("x", 4, gap=0.012):
-                d.box(slat, wood)
-        else:
-            d.box(seat, wood, bevel=0.006)
-        if padded:
-            pad = box.to(z=(seat.z[1] - 0.004, box.z[1])).inset(x=0.005, y=0.01)
-            for k, own in enumerate(cushions(d, pad, 3 if box.width > 1.35 else 2, d.material("cover", COVERS), 0.025)):
-                d.surface(f"top-{k}", own, inset=0.03)
-        elif style != "slatted":
-            d.surface("top", seat, inset=0.015)
-        if style == "panel":
-            legs(d, stand, wood, "panel", 0.06)
-            d.box(stand.inset(y=0.03).top(0.1).inset(top=0.02).place(depth=0.03), wood)
-        elif style == "trestle":
-            with d.mirror("y"), d.at(y=box.y[1] - 0.2):
-                with d.mirror("x"):
-                    leg(d, (stand.x[1], 0.0, 0.0), (0.05, 0.0, stand.height), 0.045, 0.045, wood, 4)
-                d.box(Box.sized(0.2, 0.044, 0.035, (0.0, 0.0, stand.height - 0.035)), wood)
-            d.box(stand.inset(y=0.14).share(z=(0.55, 0.7)).place(depth=0.03), wood)
-        elif style == "metal":
-            bar = stand.inset(z=0.0125).left(0.0)
-            ring = [bar.anchor(f"left {end}") for end in ("bottom back", "bottom front", "top front", "top back")]
-            square = 0.0125 * np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)])
-            with d.mirror("y"):
-                d.sweep(ring, square, under, closed=True)
-        else:
-            legs(d, stand.inset(x=-0.02, y=-0.03, top=-0.002), wood, "splayed", 0.044, 0.04)
-            d.box(stand.inset(x=0.03, y=0.03).top(0.05), wood)
-    d.fit()
+    if style == "slatted":
+        for slat in seat.split("x", 4, gap=0.012):
+            d.box(slat, wood)
+    else:
+        d.box(seat, wood, bevel=0.006)
+    if padded:
+        pad = box.to(z=(seat.z[1] - 0.004, box.z[1])).inset(x=0.005, y=0.01)
+        for k, own in enumerate(cushions(d, pad, 3 if box.width > 1.35 else 2, d.material("cover", COVERS), 0.025)):
+            d.surface(f"top-{k}", own, inset=0.03)
+    elif style != "slatted":
+        d.surface("top", seat, inset=0.015)
+    if style == "panel":
+        legs(d, stand, wood, "panel", 0.06)
+        d.box(stand.inset(y=0.03).top(0.1).inset(top=0.02).place(depth=0.03), wood)
+    elif style == "trestle":
+        with d.mirror("y"), d.at(y=box.y[1] - 0.2):
+            with d.mirror("x"):
+                leg(d, (stand.x[1], 0.0, 0.0), (0.05, 0.0, stand.height), 0.045, 0.045, wood, 4)
+            d.box(Box.sized(0.2, 0.044, 0.035, (0.0, 0.0, stand.height - 0.035)), wood)
+        d.box(stand.inset(y=0.14).share(z=(0.55, 0.7)).place(depth=0.03), wood)
+    elif style == "metal":
+        bar = stand.inset(z=0.0125).left(0.0)
+        ring = [bar.anchor(f"left {end}") for end in ("bottom back", "bottom front", "top front", "top back")]
+        square = 0.0125 * np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)])
+        with d.mirror("y"):
+            d.sweep(ring, square, under, closed=True)
+    else:
+        legs(d, stand.inset(x=-0.02, y=-0.03, top=-0.002), wood, "splayed", 0.044, 0.04)
+        d.box(stand.inset(x=0.03, y=0.03).top(0.05), wood)
 
 
 @draws("storage_bench")
@@ -172,80 +167,74 @@ def storage_bench(d: Drawing) -> None:
     d.fit()
 
 
-@draws("piano_bench")
+@draws("piano_bench", whole=True)
 def piano_bench(d: Drawing) -> None:
     """A tufted leather seat on a wooden apron and four legs, with knobs to set its height."""
     wood = d.material("legs", "black paint, mahogany, walnut, cherry")
     cover, box = d.material("cover", "black leather, brown leather, black fabric"), d.bounds.inset(y=0.02)
     turned = d.chance("turned", 0.5)
-    with d.part("bench"):
-        case = box.inset(top=0.08)
-        legs(d, case, wood, "turned" if turned else "square", 0.055 if turned else 0.045)
-        apron = d.box(case.top(0.07).inset(x=0.01, y=0.01), wood)
-        d.box(box.top(0.085).bottom(0.016), wood, bevel=0.006)
-        with d.mirror("y"), d.at(0.0, apron.y[1], apron.center[2], roll=-math.pi / 2):
-            d.revolve([(0.012, -0.002), (0.012, 0.012), (0.022, 0.016), (0.022, 0.026), (0.016, 0.03)], wood, 14)
-        for row in box.top(0.075).inset(x=0.005, y=0.005).split("x", 2):
-            cushions(d, row, 4 if box.width > 0.6 else 3, cover, 0.03, 0.0, 0.0)
-    d.fit()
+    case = box.inset(top=0.08)
+    legs(d, case, wood, "turned" if turned else "square", 0.055 if turned else 0.045)
+    apron = d.box(case.top(0.07).inset(x=0.01, y=0.01), wood)
+    d.box(box.top(0.085).bottom(0.016), wood, bevel=0.006)
+    with d.mirror("y"), d.at(0.0, apron.y[1], apron.center[2], roll=-math.pi / 2):
+        d.revolve([(0.012, -0.002), (0.012, 0.012), (0.022, 0.016), (0.022, 0.026), (0.016, 0.03)], wood, 14)
+    for row in box.top(0.075).inset(x=0.005, y=0.005).split("x", 2):
+        cushions(d, row, 4 if box.width > 0.6 else 3, cover, 0.03, 0.0, 0.0)
 
 
-@draws("ottoman")
+@draws("ottoman", whole=True)
 def ottoman(d: Drawing) -> None:
     """A padded block on short legs, tufted in some."""
     cover, wood = d.material("cover", COVERS), d.material("legs", "oak, walnut, black paint, brass")
     box, foot = d.bounds, d.uniform("foot", 0.06, 0.14)
-    with d.part("ottoman"):
-        legs(d, box.bottom(foot + 0.005).inset(x=0.03, y=0.03), wood, "splayed", 0.04, 0.02)
-        d.cushion(box.inset(bottom=foot, top=0.11, x=0.008, y=0.008), cover, 0.02)
-        piping(d, d.cushion(box.top(0.13), cover, 0.045), cover, 0.045)
-        if d.chance("tufts", 0.5):
-            with d.grid(box.top(0.0), x=2, y=3):
-                d.ball(Box.around((0.0, 0.0, -0.003), 0.028, 0.028, 0.008), cover, segments=10)
+    legs(d, box.bottom(foot + 0.005).inset(x=0.03, y=0.03), wood, "splayed", 0.04, 0.02)
+    d.cushion(box.inset(bottom=foot, top=0.11, x=0.008, y=0.008), cover, 0.02)
+    piping(d, d.cushion(box.top(0.13), cover, 0.045), cover, 0.045)
+    if d.chance("tufts", 0.5):
+        with d.grid(box.top(0.0), x=2, y=3):
+            d.ball(Box.around((0.0, 0.0, -0.003), 0.028, 0.028, 0.008), cover, segments=10)
     d.surface("top", box, inset=0.055)
-    d.fit(d.size)
 
 
 _POUF = [(0.8, 0.0), (0.93, 0.06), (1.0, 0.22), (1.0, 0.55), (0.97, 0.76), (0.88, 0.9), (0.66, 0.985), (0.3, 1.0)]
 """Half widths and heights of a pouf, as shares."""
 
 
-@draws("pouf")
+@draws("pouf", whole=True)
 def pouf(d: Drawing) -> None:
     """A round, stuffed seat: gores of cloth or leather that swell between seams, or courses of thick knitted rope."""
     cover, box = d.material("cover", "@fabric", "tan leather, brown leather, wicker"), d.bounds
     depth, width, h = box.size
-    with d.part("pouf"):
-        if cover.name.endswith("fabric") and d.chance("knitted", 0.5):
-            rope = h / 16
-            z = np.linspace(rope, h - rope, 9)
-            r = np.interp(z / h, [s for _, s in _POUF], [s for s, _ in _POUF]) - 2 * rope / width
-            courses = [*zip(z.tolist(), r.tolist(), strict=True), (h - 0.7 * rope, 0.45), (h - 0.7 * rope, 0.2)]
-            rings = [shapes.ellipse(share * depth / 2, share * width / 2, at, 28) for at, share in courses]
-            skins = [shapes.sweep(ring, rope, 8, closed=True) for ring in rings]
-            whole = shapes.containing_hull(np.concatenate([points for points, _ in skins]))
-            with d.no_colliders():
-                d.turned(box.inset(top=0.004), [(0.97 * r, z) for r, z in _POUF], cover, 28)
-            for k, skin in enumerate(skins):
-                d.add(skin, cover, [] if k else [whole])
-        else:
-            gores, steps = d.pick("gores", [8, 10, 12]), 6
-            turn = np.arange(gores * steps) * (2 * np.pi / (gores * steps))
-            seam = np.abs(np.cos(turn * gores / 2)) ** 6
-            rings = []
-            for r, z in (*_POUF, (0.05, 0.985)):
-                own = r * (1 - (0.09 if 0 < z < 0.99 else 0.0) * seam)
-                drop = (0.0 if z in (0.0, 1.0) else 0.012) * seam
-                rings.append(np.c_[own * np.cos(turn) * depth / 2, own * np.sin(turn) * width / 2, z * h - drop])
-            skin = shapes.lofted(rings)
-            d.add(skin, cover, [shapes.containing_hull(skin[0])])
-            trim = "white fabric" if max(cover.color) < 0.8 else "charcoal fabric"
-            cord = trim if d.chance("trim", 0.4) else cover
-            with d.no_colliders():
-                for k in range(0, gores * steps, steps):  # piping in the seams
-                    d.sweep(np.array([ring[k] for ring in rings[:-1]]), 0.004, cord, segments=5)
-            d.ball(Box.around((0.0, 0.0, h - 0.008), 0.07, 0.07, 0.016), cover, segments=12)
-    d.fit()
+    if cover.name.endswith("fabric") and d.chance("knitted", 0.5):
+        rope = h / 16
+        z = np.linspace(rope, h - rope, 9)
+        r = np.interp(z / h, [s for _, s in _POUF], [s for s, _ in _POUF]) - 2 * rope / width
+        courses = [*zip(z.tolist(), r.tolist(), strict=True), (h - 0.7 * rope, 0.45), (h - 0.7 * rope, 0.2)]
+        rings = [shapes.ellipse(share * depth / 2, share * width / 2, at, 28) for at, share in courses]
+        skins = [shapes.sweep(ring, rope, 8, closed=True) for ring in rings]
+        whole = shapes.containing_hull(np.concatenate([points for points, _ in skins]))
+        with d.no_colliders():
+            d.turned(box.inset(top=0.004), [(0.97 * r, z) for r, z in _POUF], cover, 28)
+        for k, skin in enumerate(skins):
+            d.add(skin, cover, [] if k else [whole])
+    else:
+        gores, steps = d.pick("gores", [8, 10, 12]), 6
+        turn = np.arange(gores * steps) * (2 * np.pi / (gores * steps))
+        seam = np.abs(np.cos(turn * gores / 2)) ** 6
+        rings = []
+        for r, z in (*_POUF, (0.05, 0.985)):
+            own = r * (1 - (0.09 if 0 < z < 0.99 else 0.0) * seam)
+            drop = (0.0 if z in (0.0, 1.0) else 0.012) * seam
+            rings.append(np.c_[own * np.cos(turn) * depth / 2, own * np.sin(turn) * width / 2, z * h - drop])
+        skin = shapes.lofted(rings)
+        d.add(skin, cover, [shapes.containing_hull(skin[0])])
+        trim = "white fabric" if max(cover.color) < 0.8 else "charcoal fabric"
+        cord = trim if d.chance("trim", 0.4) else cover
+        with d.no_colliders():
+            for k in range(0, gores * steps, steps):  # piping in the seams
+                d.sweep(np.array([ring[k] for ring in rings[:-1]]), 0.004, cord, segments=5)
+        d.ball(Box.around((0.0, 0.0, h - 0.008), 0.07, 0.07, 0.016), cover, segments=12)
 
 
 @draws("bean_bag")
@@ -254,13 +243,13 @@ def bean_bag(d: Drawing) -> None:
     cover, (depth, w, h) = d.material("cover", "@fabric", "brown leather, black leather"), d.size
     t = np.linspace(0.0, 1.0, 13)[:, None]
     a = np.arange(42) * (2 * np.pi / 42)
-    levels = [0.0, 0.06, 0.2, 0.4, 0.6, 0.78, 0.92, 1.0]
-    radius = np.interp(t, levels, [0.82, 0.95, 1.0, 0.97, 0.84, 0.6, 0.32, 0.06])
-    radius = radius * (1 - 0.03 * np.abs(np.cos(3 * a)) ** 8)
-    # The crown lies toward the back; the front half sags, so that a seat remains.
-    front = np.clip(np.cos(a), 0.0, 1.0)
-    rise = t - 0.52 * t**1.4 * front * np.sin(t * np.pi)
-    x = radius * np.cos(a) - 0.42 * t**1.6 - 0.08 * front * np.sin(np.clip(1.4 * t, 0, 1) * np.pi)
+    levels = [0.0, 0.05, 0.15, 0.32, 0.5, 0.68, 0.85, 0.95, 1.0]
+    radius = np.interp(t, levels, [0.84, 0.95, 1.0, 1.0, 0.95, 0.8, 0.5, 0.22, 0.05])
+    radius = radius * (1 - 0.05 * np.abs(np.cos(3 * a)) ** 8 * np.sin(np.pi * t))
+    # The crown lies toward the back; the front half sags, so that a seat remains, and bulges below it.
+    front = np.clip(np.cos(a), 0.0, 1.0) ** 0.7
+    rise = t - 0.42 * t**1.2 * front * np.sin(t * np.pi)
+    x = radius * np.cos(a) - 0.5 * t**1.8
     grid = np.stack([x * depth / 2, radius * np.sin(a) * w / 2, rise * h], axis=-1)
     hulls = [shapes.hull(grid[k : k + 4].reshape(-1, 3)) for k in (0, 3, 6, 9)]
     d.add(shapes.lofted(list(grid)), cover, hulls)

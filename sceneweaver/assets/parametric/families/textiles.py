@@ -80,7 +80,7 @@ def _pattern(d: Drawing, box: Box, name: str, looks: tuple[Look, Look, Look]) ->
             _inlay(d, np.c_[0.98 * r * np.cos(a), box.y[0] + 0.013 + 1.15 * r * np.sin(a)], 1 + k, look)
 
 
-@draws("rug", "runner_rug")
+@draws("rug", "runner_rug", whole=True)
 def rug(d: Drawing) -> None:
     """A rectangular rug: borders, stripes, diamonds, a medallion, checks, zigzags or arcs, with fringes in some."""
     field = d.material("field", CLOTHS)
@@ -91,60 +91,56 @@ def rug(d: Drawing) -> None:
     fringe = (0.04 if d.category.name == "runner_rug" else 0.05) if d.chance("fringe", 0.5) else 0.0
     box, h = d.bounds, d.size.height
     cloth = box.inset(y=fringe)
-    with d.part("rug"):
-        d.add(shapes.box(cloth.x, cloth.y, (0.0, _ground(h))), field, [shapes.box(box.x, box.y, box.z)])
-        _rim(d, cloth, 0.012, second)
-        if fringe:
-            with d.mirror("y"), d.no_colliders():
-                for tassel in box.left(fringe).bottom(0.6 * h).split("x", int(box.depth / 0.025), gap=0.017):
-                    d.box(tassel, "white fabric", bevel=0.0)
-        patterns = ["border", "stripes", "diamonds", "medallion", "checks", "zigzag", "arcs"]
-        _pattern(d, cloth, d.pick("pattern", patterns), (field, second, third))
+    d.add(shapes.box(cloth.x, cloth.y, (0.0, _ground(h))), field, [shapes.box(box.x, box.y, box.z)])
+    _rim(d, cloth, 0.012, second)
+    if fringe:
+        with d.mirror("y"), d.no_colliders():
+            for tassel in box.left(fringe).bottom(0.6 * h).split("x", int(box.depth / 0.025), gap=0.017):
+                d.box(tassel, "white fabric", bevel=0.0)
+    patterns = ["border", "stripes", "diamonds", "medallion", "checks", "zigzag", "arcs"]
+    _pattern(d, cloth, d.pick("pattern", patterns), (field, second, third))
 
 
-@draws("round_rug")
+@draws("round_rug", whole=True, even="round")
 def round_rug(d: Drawing) -> None:
     """A round rug of rings, or with rays."""
-    depth, width, _ = d.request.size
-    side = d.size.depth if depth is not None and width is None else d.size.width
-    box, r, h = Box.sized(side, side, d.size.height), side / 2, d.size.height
+    box, h = d.even("round"), d.size.height
+    r = box.width / 2
     field = d.material("field", CLOTHS, "rattan")
     second = d.material("second", "white fabric, navy fabric, beige fabric, mustard fabric, rust fabric")
     rings = d.integer("rings", 3, 8)
-    with d.part("rug"):
-        ground = shapes.frustum(r, r, (0.0, _ground(h)), 48)
-        d.add(ground, field, [shapes.frustum(r, r, (0.0, h), 48)])
-        a = np.arange(48) * (math.pi / 24)
-        circle = r * np.c_[np.cos(a), np.sin(a)]
-        if d.chance("rays", 0.35):
-            for k in range(0, 48, 3):
-                _inlay(d, [0.3 * circle[k + 1], 0.86 * circle[k], 0.86 * circle[k + 1]], 1, second)
-            rings = 0
-        for k in range(rings):
-            top = _ground(h) + (h - _ground(h)) * (k + 1) / (rings + 1)
-            share = 1.0 - (k + 0.4) / rings
-            d.add(shapes.extrusion(share * circle, (0.4 * h, top)), field if k % 2 else second, [])
-        with d.no_colliders():
-            d.cylinder(box.share(z=(0.4, 1.0)).place(0.12 * r, 0.12 * r), second, segments=16)
+    ground = shapes.frustum(r, r, (0.0, _ground(h)), 48)
+    d.add(ground, field, [shapes.frustum(r, r, (0.0, h), 48)])
+    a = np.arange(48) * (math.pi / 24)
+    circle = r * np.c_[np.cos(a), np.sin(a)]
+    if d.chance("rays", 0.35):
+        for k in range(0, 48, 3):
+            _inlay(d, [0.3 * circle[k + 1], 0.86 * circle[k], 0.86 * circle[k + 1]], 1, second)
+        rings = 0
+    for k in range(rings):
+        top = _ground(h) + (h - _ground(h)) * (k + 1) / (rings + 1)
+        share = 1.0 - (k + 0.4) / rings
+        d.add(shapes.extrusion(share * circle, (0.4 * h, top)), field if k % 2 else second, [])
+    with d.no_colliders():
+        d.cylinder(box.share(z=(0.4, 1.0)).place(0.12 * r, 0.12 * r), second, segments=16)
 
 
-@draws("doormat")
+@draws("doormat", whole=True)
 def doormat(d: Drawing) -> None:
     """A coir mat with a dark rim and a simple pattern of bars."""
     box, h = d.bounds, d.size.height
     coir = d.material("mat", "wicker, cork, charcoal fabric, grey fabric")
     dark = "charcoal fabric" if coir.name != "charcoal fabric" else "grey fabric"
     slant = d.uniform("slant", -0.08, 0.08)
-    with d.part("mat"):
-        mat = shapes.box(box.x, box.y, (0.0, h - 0.0014), 0.002)
-        d.add(mat, coir, [shapes.box(box.x, box.y, box.z)])
-        _rim(d, box.inset(x=0.02, y=0.02), 0.02, dark)
-        for bar in box.share(x=(0.2, 0.8)).inset(y=0.1).columns(d.integer("bars", 3, 6)):
-            y, ends = bar.center[1], ((0, -1, -1), (1, 1, -1), (1, 1, 1), (0, -1, 1))
-            _inlay(d, [(bar.x[i], y + s * slant + t * 0.018) for i, s, t in ends], 3, dark)
+    mat = shapes.box(box.x, box.y, (0.0, h - 0.0014), 0.002)
+    d.add(mat, coir, [shapes.box(box.x, box.y, box.z)])
+    _rim(d, box.inset(x=0.02, y=0.02), 0.02, dark)
+    for bar in box.share(x=(0.2, 0.8)).inset(y=0.1).columns(d.integer("bars", 3, 6)):
+        y, ends = bar.center[1], ((0, -1, -1), (1, 1, -1), (1, 1, 1), (0, -1, 1))
+        _inlay(d, [(bar.x[i], y + s * slant + t * 0.018) for i, s, t in ends], 3, dark)
 
 
-@draws("curtain", "sheer_curtain")
+@draws("curtain", "sheer_curtain", whole=True)
 def curtains(d: Drawing) -> None:
     """Two panels in folds, of cloth or of a thin one that lets light through, on a rod or a track; tied in some.
 
@@ -192,10 +188,9 @@ def curtains(d: Drawing) -> None:
                 continue
             with d.no_colliders():
                 d.hoop(Box.around((x, y, rod - 0.005), 0.033, 0.0, 0.033), 0.0028, metal, "y", 12)
-    d.fit()
 
 
-@draws("cushion")
+@draws("cushion", whole=True)
 def cushion(d: Drawing) -> None:
     """A throw pillow that lies flat, with a cord along its seam, a button or a ruffled edge in some."""
     cloth = d.material("cover", CLOTHS, "tan leather")
@@ -203,49 +198,43 @@ def cushion(d: Drawing) -> None:
     kind = d.pick("kind", ["plain", "cord", "button", "flange"])
     box, h = d.bounds, d.size.height
     edge = {"cord": 0.004, "flange": 0.02}.get(kind, 0.0)
-    with d.part("cushion"):
-        body = d.pillow(box.inset(x=edge, y=edge), cloth)
-        if kind == "flange":
-            d.slab(box.place(height=0.006), trim, 0.02, 0.002)
-        elif kind == "cord":
-            t = np.linspace(-1.0, 1.0, 7)[:-1]
-            side = np.c_[t, -1.0 + 0.04 * (1 - t**2)]
-            turns = [side, side[:, ::-1] * (-1, 1), -side, side[:, ::-1] * (1, -1)]
-            ring = np.concatenate(turns) * (body.depth / 2, body.width / 2)
-            d.sweep(np.c_[ring, np.full(len(ring), h / 2)], 0.004, trim, segments=6, closed=True)
-        elif kind == "button":
-            d.ball(Box.around((0.0, 0.0, h - 0.006), 0.036, 0.036, 0.012), trim, segments=12)
-    d.fit()
+    body = d.pillow(box.inset(x=edge, y=edge), cloth)
+    if kind == "flange":
+        d.slab(box.place(height=0.006), trim, 0.02, 0.002)
+    elif kind == "cord":
+        t = np.linspace(-1.0, 1.0, 7)[:-1]
+        side = np.c_[t, -1.0 + 0.04 * (1 - t**2)]
+        turns = [side, side[:, ::-1] * (-1, 1), -side, side[:, ::-1] * (1, -1)]
+        ring = np.concatenate(turns) * (body.depth / 2, body.width / 2)
+        d.sweep(np.c_[ring, np.full(len(ring), h / 2)], 0.004, trim, segments=6, closed=True)
+    elif kind == "button":
+        d.ball(Box.around((0.0, 0.0, h - 0.006), 0.036, 0.036, 0.012), trim, segments=12)
 
 
-@draws("floor_cushion")
+@draws("floor_cushion", whole=True)
 def floor_cushion(d: Drawing) -> None:
     """A thick square cushion to sit on, tufted, with piping and a handle of cloth."""
     cloth, h = d.material("cover", CLOTHS), d.size.height
-    with d.part("cushion"):
-        box = d.bounds.inset(front=0.02, top=0.003)
-        radius = min(0.06, 0.4 * h)
-        piping(d, d.cushion(box, cloth, radius), cloth, radius)
-        with d.grid(box.top(0.0).share(x=(0.11, 0.89), y=(0.11, 0.89)), x=3, y=3):
-            d.ball(Box.around((0.0, 0.0, -0.002), 0.03, 0.03, 0.01), cloth, segments=10)
-        handle = ((-0.01, -0.06), (0.015, -0.04), (0.015, 0.04), (-0.01, 0.06))
-        d.sweep([(box.x[1] + x, y, h / 2) for x, y in handle], 0.005, cloth)
-    d.fit()
+    box = d.bounds.inset(front=0.02, top=0.003)
+    radius = min(0.06, 0.4 * h)
+    piping(d, d.cushion(box, cloth, radius), cloth, radius)
+    with d.grid(box.top(0.0).share(x=(0.11, 0.89), y=(0.11, 0.89)), x=3, y=3):
+        d.ball(Box.around((0.0, 0.0, -0.002), 0.03, 0.03, 0.01), cloth, segments=10)
+    handle = ((-0.01, -0.06), (0.015, -0.04), (0.015, 0.04), (-0.01, 0.06))
+    d.sweep([(box.x[1] + x, y, h / 2) for x, y in handle], 0.005, cloth)
 
 
-@draws("blanket_throw")
+@draws("blanket_throw", whole=True)
 def blanket_throw(d: Drawing) -> None:
     """A blanket folded in layers, with stripes and fringes in front."""
     cloth, trim = d.material("cloth", CLOTHS), d.material("trim", "white fabric, charcoal fabric, mustard fabric")
     folded = d.bounds.inset(front=0.03)
-    with d.part("blanket"):
-        layers = folded.rows(4)
-        for k, layer in enumerate(layers):
-            own = layer.inset(x=abs(0.006 * math.sin(2.1 * k)), y=0.0035 * k, bottom=-0.002 * (k > 0))
-            d.cushion(own, cloth, 0.48 * layer.height, 0.1)
-        for share in (0.2, 0.8):
-            d.print(folded.top(0.0).inset(x=0.03).place(width=0.04).move(y=(share - 0.5) * folded.width), trim, 0.0012)
-        edge = layers[3].front(-0.03).inset(y=0.014, z=0.3 * layers[3].height)
-        for strand in edge.inset(back=-0.01).columns(int(folded.width / 0.02), gap=0.014):
-            d.box(strand, trim, bevel=0.0)
-    d.fit()
+    layers = folded.rows(4)
+    for k, layer in enumerate(layers):
+        own = layer.inset(x=abs(0.006 * math.sin(2.1 * k)), y=0.0035 * k, bottom=-0.002 * (k > 0))
+        d.cushion(own, cloth, 0.48 * layer.height, 0.1)
+    for share in (0.2, 0.8):
+        d.print(folded.top(0.0).inset(x=0.03).place(width=0.04).move(y=(share - 0.5) * folded.width), trim, 0.0012)
+    edge = layers[3].front(-0.03).inset(y=0.014, z=0.3 * layers[3].height)
+    for strand in edge.inset(back=-0.01).columns(int(folded.width / 0.02), gap=0.014):
+        d.box(strand, trim, bevel=0.0)
