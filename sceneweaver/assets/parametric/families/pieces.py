@@ -1,11 +1,11 @@
 """Drawings as tables: things that are a few simple bodies, by their numbers in ``pieces/*.yaml``.
 
-A drawing begins with its finishes, each under a letter, and with ``fit: round`` where it is as wide as deep. Each line
-after that is some bodies of one shape and finish: the shape, the letter, and the numbers of one body after the other
-with ``;`` between them. Places are shares of the size from 0 to 1: x from back to front, y from right to left, z from
-bottom to top; radii are shares of the shortest side that they lie in, widths and profiles of the size itself. See
-``_SHAPES`` for the numbers of each. ``fill`` and ``wrap`` take two heights: what is in the vessel of the line before,
-and a label around it. Before a line may stand
+A drawing begins with its finishes, each under a letter, with ``fit: round`` where it is as wide as deep, and with
+``turned: depth`` where only what is turned in it is. Each line after that is some bodies of one shape and finish: the
+shape, the letter, and the numbers of one body after the other with ``;`` between them. Places are shares of the size
+from 0 to 1: x from back to front, y from right to left, z from bottom to top; radii are shares of the shortest side
+that they lie in, widths and profiles of the size itself. See ``_SHAPES`` for the numbers of each. ``fill`` and ``wrap``
+take two heights: what is in the vessel of a line before, and a label around it. Before a line may stand
 
 - ``?0.5``: only in that share of the seeds; ``=name``: only in that form, one of ``form: name, other``,
 - ``*4 0 .2 0``: so many copies, each moved on by these shares; ``^y``: once more mirrored at y (x, or both),
@@ -84,19 +84,20 @@ def _profile(n: Numbers) -> list[tuple[float, float]]:
     return [(2 * r, z) for r, z in zip(n[::2], n[1::2], strict=True)]
 
 
-def _about(whole: Box, x: float, y: float) -> Box:
-    """The box moved so that its middle is at two shares."""
-    return whole.move((x - 0.5) * whole.depth, (y - 0.5) * whole.width)
+def _about(whole: Box, x: float, y: float, even: bool = False) -> Box:
+    """The box moved so that its middle is at two shares; as wide as deep when ``even``."""
+    box = whole.place(width=whole.depth) if even else whole
+    return box.move((x - 0.5) * whole.depth, (y - 0.5) * whole.width)
 
 
-def _turned(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
+def _turned(d: Drawing, whole: Box, look: Look, n: Numbers, even: bool = False) -> None:
     """x y, then pairs of radius and z from bottom to top; stretched to an ellipse where depth and width differ."""
-    d.turned(_about(whole, n[0], n[1]), _profile(n[2:]), look, 24)
+    d.turned(_about(whole, n[0], n[1], even), _profile(n[2:]), look, 24)
 
 
-def _open(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
+def _open(d: Drawing, whole: Box, look: Look, n: Numbers, even: bool = False) -> None:
     """x y, thickness of the wall [mm], z of the floor inside, then pairs of radius and z of the outside."""
-    open_vessel(d, _about(whole, n[0], n[1]), _profile(n[4:]), look, n[2] / 1000, n[3])
+    open_vessel(d, _about(whole, n[0], n[1], even), _profile(n[4:]), look, n[2] / 1000, n[3])
 
 
 def _sections(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
@@ -155,6 +156,8 @@ def draw(d: Drawing, text: str) -> None:
     settings = "; ".join(line.rstrip(";") for line in lines if ":" in line)
     named = dict(entry.split(": ") for entry in settings.split("; "))
     whole = d.even(named.pop("fit", "box"))  # pyright: ignore[reportArgumentType]
+    even = named.pop("turned", "") == "depth"
+    shapes = _SHAPES | {"turned": partial(_turned, even=even), "open": partial(_open, even=even)}
     form = d.pick("form", named.pop("form").split(", ")) if "form" in named else ""
     looks = {letter: d.material(letter, names) for letter, names in named.items()}
     group: str | None = None if "\n+" in text else "all"
@@ -194,9 +197,15 @@ def draw(d: Drawing, text: str) -> None:
                     wrap(d, *last, numbers[0], numbers[1], look, layer)
                     layer += 1
                 else:
-                    _SHAPES[shape](d, whole, look, numbers)
+                    shapes[shape](d, whole, look, numbers)
                 if shape in ("turned", "open"):
-                    last, layer = (_about(whole, *numbers[:2]), _profile(numbers[2 if shape == "turned" else 4 :])), 0
+                    last, layer = (
+                        (
+                            _about(whole, numbers[0], numbers[1], even),
+                            _profile(numbers[2 if shape == "turned" else 4 :]),
+                        ),
+                        0,
+                    )
     d.fit(whole.size)
 
 

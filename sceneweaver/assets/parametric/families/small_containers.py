@@ -12,13 +12,6 @@ from ...drawing.components import open_box
 from .small_parts import CLOTHS, OPEN
 
 SHIRTS = CLOTHS + ", white fabric, beige fabric, rose fabric"
-STRAP = shapes.rectangle((-0.02, 0.02), (-0.005, 0.005), 0.0, 0.003, 1)[:, :2]
-
-
-def lines(d: Drawing, face: Box, count: int, look: Look = "ink pigment") -> None:
-    """A few lines of print on a place on a front, the last ones shorter."""
-    for k, row in enumerate(reversed(face.rows(count, gap=0.5 * face.height / count))):
-        d.print(row.share(y=(0.12 * k, 1.0)), look, 0.0004)
 
 
 @draws("storage_box", whole=True)
@@ -39,37 +32,6 @@ def storage_box(d: Drawing) -> None:
     y, z = body.y[1] - 0.004, frame.z[1]
     with d.mirror("y"):
         d.arch((-0.04, y, z), (0.04, y, z), (0, 0, 0.02), 0.004, "tan leather", 5)
-
-
-@draws("cardboard_box", whole=True)
-def cardboard_box(d: Drawing) -> None:
-    """A carton with a label and arrows: closed with tape, or open with its flaps up over what is packed in it."""
-    look = d.material("body", "cardboard")
-    opened = d.chance("open", 0.35)
-    box = d.box(d.bounds.share(z=(0.0, 0.78)) if opened else d.bounds, look, bevel=0.002)
-    label = d.print(box.front(0.0).share(y=(0.62, 0.9), z=(0.55, 0.82)), "paper")
-    lines(d, label.share(y=(0.1, 0.9), z=(0.2, 0.85)), 4)
-    for arrow in box.front(0.0).share(y=(0.08, 0.26), z=(0.08, 0.3)).columns(2):
-        d.print(arrow.share(y=(0.42, 0.58), z=(0.0, 0.7)), "ink pigment")
-        head = arrow.share(y=(0.2, 0.8), z=(0.6, 1.0))
-        tip = [(head.y[0], head.z[0]), (head.y[1], head.z[0]), (head.center[1], head.z[1])]
-        with d.no_colliders():
-            d.extrude(tip, (box.x[1] - 0.001, box.x[1] + PROUD), "ink pigment", axis="x")
-    if not opened:
-        over = box.top(0.18 * box.height).inset(top=0.003).place(0.06)
-        for side in (box.top(0.0).inset(y=0.003).place(0.06), over.left(0.0), over.right(0.0)):
-            d.print(side, "sand pigment")
-        d.print(box.top(0.0).inset(y=0.003).place(0.002), "bark", 0.0004)
-        return
-    flap = d.bounds.to(z=(box.z[1] - 0.002, d.bounds.z[1]))
-    with d.mirror("x"):
-        d.sections(flap.front(0.004), [(1, 0.96, 0.0), (1, 0.92, 1.0, -0.03 / 0.004)], look, radius=0.0, convex=True)
-    with d.mirror("y"):
-        d.sections(flap.left(0.004), [(0.92, 1, 0.0), (0.88, 1, 0.9, 0.0, -5.0)], look, radius=0.0, convex=True)
-    d.print(box.top(0.0).inset(x=0.006, y=0.006), "bark")
-    for k, own in enumerate(box.share((0.15, 0.85), (0.2, 0.8)).split("x", 4)):
-        cloth = d.pick(f"in{k}", CLOTHS.split(", "))
-        d.cushion(own.to(z=(box.z[1] - 0.01, box.z[1] + 0.03 + 0.02 * (k % 3))), cloth, 0.012)
 
 
 @draws("basket", whole=True)
@@ -173,80 +135,6 @@ def gift_box(d: Drawing) -> None:
         d.sweep([(x * long, 0, z) for x, z in loop], section, ribbon)
     d.ball(Box.sized(0.036, 0.036, 0.034, (0, 0, box.z[1])), ribbon, 12)
     d.cylinder(d.bounds.top(0.03).place(0.02, 0.02), ribbon, ends=(1.0, 0.6), segments=12)
-
-
-@draws("suitcase", whole=True)
-def suitcase(d: Drawing) -> None:
-    """A trolley case: ribbed shells, wheels, a pull-out handle."""
-    names = "black plastic, grey plastic, blue plastic, red plastic, teal paint, aluminium, pink plastic, navy paint"
-    look = d.material("body", names)
-    depth, width, h = d.bounds.size
-    top = h - d.uniform("pull", 0.02, 0.12) if h > 0.6 else h - 0.02
-    case = d.bounds.to(z=(0.045, top))
-    with d.at(y=0.0, z=0.024), d.mirror("x", "y"):
-        wheel = Box.around((0.32 * depth, width / 2 - 0.05, 0.0), 0.048, 0.028, 0.048)
-        d.cylinder(wheel, "rubber", "y", segments=14)
-        d.box(wheel.to(z=(0.01, 0.031)).inset(x=0.004, y=-0.008), "black plastic")
-    with d.at(0.0, 0.0, case.center[2], pitch=math.pi / 2):  # its z axis points to the front
-        lying = Box.sized(case.height, width, depth, (0.0, 0.0, -depth / 2))
-        for shell in lying.rows(2, gap=0.006):
-            d.slab(shell, look, 0.06, 0.02, 4)
-        d.slab(lying.inset(x=0.004, y=0.004).place(height=0.008), "black plastic", 0.056, 0.0)
-        rib = "grey plastic" if look.name == "black plastic" else "black plastic"
-        for front in lying.top(0.0).inset(x=0.06).share(y=(0.12, 0.88)).columns(5):
-            d.print(front.place(width=0.016), rib)
-    with d.mirror("y"):
-        d.bar((-0.3 * depth, 0.2 * width, top - 0.05), (-0.3 * depth, 0.2 * width, h - 0.012), 0.007, "aluminium", 8)
-    d.cushion(Box.around((-0.3 * depth, 0.0, h - 0.013), 0.028, 0.48 * width, 0.026), "black plastic", 0.01)
-    d.arch((0.04, -0.09, top - 0.006), (0.04, 0.09, top - 0.006), (0, 0, 0.022), 0.007, "black plastic", 5)
-
-
-@draws("backpack", whole=True)
-def backpack(d: Drawing) -> None:
-    """A school bag: body, front pocket, flap or zip, side pockets, straps behind."""
-    cloth = d.material("cloth", CLOTHS, "black fabric")
-    trim = d.material("trim", "brown leather, black leather, tan leather, charcoal fabric, mustard fabric")
-    box, h, w = d.bounds, d.bounds.height, d.bounds.width
-    body = d.cushion(box.inset(back=0.025, front=0.055, y=0.02, top=0.03), cloth, 0.075)
-    d.cushion(box.front(0.105).share(y=(0.16, 0.84), z=(0.05, 0.5)), cloth, 0.035)
-    d.box(box.inset(front=0.001).front(0.03).share(y=(0.22, 0.78), z=(0.4, 0.42)), trim, bevel=0.002)
-    x = body.x[1]
-    if d.chance("flap", 0.5):
-        d.cushion(body.inset(back=0.04, front=-0.012, top=-0.004).to(y=(-0.37 * w, 0.37 * w)).top(0.36 * h), trim, 0.05)
-        with d.mirror("y"):
-            strap = d.box(Box.around((x + 0.01, 0.2 * w, 0.56 * h), 0.012, 0.024, 0.2 * h), trim)
-            d.box(strap.place(height=0.04 * h).move(x=0.004).inset(y=-0.002), "brass", bevel=0.002)
-    else:
-        t = np.linspace(0.15 * np.pi, 0.85 * np.pi, 9)
-        d.sweep(np.c_[0 * t + x - 0.014, 0.42 * w * np.cos(t), 0.52 * h + 0.4 * h * np.sin(t)], 0.004, trim, 6)
-        d.slab(Box((x - 0.01, x + 0.004), (-0.03, 0.03), (0.62 * h, 0.7 * h)), trim, 0.004)
-    pocket = body.inset(x=0.02).to(z=(0.03, 0.34 * h)).left(-0.02).inset(right=-0.04)
-    strap = [(0.055, 0.2, 0.9), (0.008, 0.24, 0.78), (0.008, 0.3, 0.4), (0.055, 0.36, 0.1)]
-    with d.mirror("y"):
-        d.cushion(pocket, cloth, 0.022)
-        d.sweep([(box.x[0] + deep, y * w, z * h) for deep, y, z in strap], STRAP, trim)
-    loop, top = body.x[0] + 0.05, body.z[1] - 0.012
-    d.arch((loop, -0.04, top), (loop, 0.04, top), (0, 0, 0.035), 0.006, trim, 5)
-
-
-@draws("handbag", whole=True)
-def handbag(d: Drawing) -> None:
-    """A leather or cloth bag with two handles, a clasp and seams."""
-    names = "brown leather, black leather, tan leather, red fabric, navy fabric, beige fabric, white leather"
-    look = d.material("body", names)
-    metal = d.pick("metal", ["brass", "chrome"])
-    bag = d.bounds.share(z=(0.0, 0.62))
-    depth, width, top = bag.depth, bag.width, bag.z[1]
-    rows = [(0.92, 0.92, 0.0), (1, 1, 0.06), (0.94, 0.985, 0.35), (0.8, 0.96, 0.6), (0.34, 0.86, 1.0)]
-    d.sections(bag, rows, look, radius=0.25)
-    with d.mirror("x"):
-        y = 0.22 * width
-        ends = ((0.15 * depth, -y, top - 0.012), (0.15 * depth, y, top - 0.012))
-        d.arch(*ends, (0.05 * depth, 0, d.bounds.height - top), 0.0065, look, 10)
-        with d.mirror("y"):
-            d.slab(Box.around((0.17 * depth, y, top - 0.027), 0.012, 0.024, 0.046), look, 0.004)
-            d.cylinder(Box.around((0.178 * depth, y, top - 0.02), 0.012, 0.012, 0.012), metal, "x", segments=12)
-    d.cylinder(Box.around((0.33 * depth, 0.0, 0.7 * top), 0.05 * depth + 0.008, 0.04, 0.04), metal, "x", bevel=0.002)
 
 
 @draws("shopping_bag", whole=True)

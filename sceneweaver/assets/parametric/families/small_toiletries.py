@@ -59,35 +59,6 @@ def toothpaste(d: Drawing) -> None:
         d.cylinder(Box.sized(1.5 * r, 1.5 * r, 0.2 * box.depth), cap, ends=(1.0, 0.88), segments=16)
 
 
-@draws("perfume", whole=True)
-def perfume(d: Drawing) -> None:
-    """A glass flacon, square or round, with scent in it and a big stopper."""
-    glass = d.material("body", "glass")
-    cap = d.material("cap", "brass, black plastic, chrome, glass, copper")
-    scent = d.pick("scent", ["pink icing", "lemon peel", "amber glass", "sky pigment"])
-    flacon, top = d.bounds.share(z=(0.0, 0.64)), d.bounds.share(z=(0.64, 1.0))
-    inner = flacon.inset(0.006, bottom=0.006)
-    if d.chance("round", 0.4):
-        d.cylinder(flacon, glass, "x", bevel=0.004)
-        with d.no_colliders():
-            d.cylinder(inner, scent, "x")
-        d.slab(flacon.share((0.1, 0.9), (0.2, 0.8), (0.0, 0.1)), glass, 0.004)
-    else:
-        d.box(flacon, glass, bevel=0.006)
-        with d.no_colliders():
-            d.box(inner.share(z=(0.0, 0.8)), scent, bevel=0.002)
-        d.print(flacon.front(0.0).share(y=(0.28, 0.72), z=(0.35, 0.65)), "paper")
-        d.print(flacon.front(0.0).share(y=(0.36, 0.64), z=(0.47, 0.53)), "ink pigment", 0.0004)
-    x, side = top.center[0], 0.36 * d.bounds.depth
-    d.cylinder(top.share(z=(-0.01, 0.18)).place(0.4 * d.bounds.depth, 0.4 * d.bounds.depth), "brass", segments=16)
-    if d.chance("ball", 0.4):
-        across = 0.86 * top.height
-        d.ball(Box.sized(across, across, across, (x, 0.0, top.z[1] - across)), cap, 16)
-    else:
-        own = top.share(z=(0.16, 1.0)).place(2 * side, 2 * side)
-        d.cylinder(own, cap, ends=(0.9, 1.0), segments=8 if d.chance("cut", 0.5) else 20)
-
-
 @draws("tissue_box", whole=True)
 def tissue_box(d: Drawing) -> None:
     """A box of tissues, one of them sticking out in folds."""
@@ -257,28 +228,6 @@ def makeup_set(d: Drawing) -> None:
                 d.bar((0, 0, 0), (0, 0, long - 0.03), 0.0028, stick, 8)
                 tip = Box.sized(0.018, 0.018, 0.034, (0, 0, long - 0.034))
                 d.turned(tip, [(0.45, 0.0), (1.0, 0.6), (0.45, 1.0)], "bark" if k % 2 else "blush pigment", 10)
-
-
-@draws("first_aid_kit", whole=True)
-def first_aid_kit(d: Drawing) -> None:
-    """A case with a cross, clasps and a handle."""
-    look = d.material("body", "red plastic, white plastic, green plastic")
-    mark = "red plastic" if look.name == "white plastic" else "white plastic"
-    case = d.bounds.inset(top=0.03)
-    high = case.height
-    with d.at(0.0, 0.0, high / 2, pitch=math.pi / 2):  # its z axis points to the front
-        d.slab(Box.sized(high, case.width, case.depth, (0, 0, -case.depth / 2)), look, 0.022, 0.004, 4)
-    for width, height, proud in ((0.6, 0.2, 0.0003), (0.2, 0.6, 0.0004)):
-        d.print(case.front(0.0).place(width=width * high, height=height * high), mark, proud)
-    seam = case.inset(z=0.03).place(0.004)
-    d.print(seam.left(0.0), "black plastic")
-    d.print(seam.right(0.0), "black plastic")
-    with d.mirror("y"):
-        clasp = Box.around((0.007, 0.32 * case.width, high), 0.014, 0.024, 0.012)
-        d.box(clasp, "grey plastic", bevel=0.002)
-    y, top = 0.2 * case.width, d.bounds.height - 0.006
-    path = [(0, -y, high - 0.004), (0, -0.9 * y, top), (0, 0.9 * y, top), (0, y, high - 0.004)]
-    d.sweep(path, shapes.rectangle((-0.009, 0.009), (-0.006, 0.006), 0.0, 0.003, 1)[:, :2], "black plastic")
 
 
 @draws("sponge", whole=True)
