@@ -22,7 +22,7 @@ SCHEMA = "sceneweaver.passes/1"
 
 _LAYER = "ViewLayer"
 _EXR = {
-    "rgb": ("Combined", "RGB"),
+    "color": ("Combined", "RGB"),
     "depth": ("Depth", "Z"),
     "distance": ("Distance", "Z"),
     "normal_world": ("Normal", "XYZ"),
@@ -114,7 +114,7 @@ def read_shots(path: Path, width: int, height: int) -> list[Shot]:
 def _write_png(frame: Frame, folder: Path) -> list[Path]:
     written = []
     for name, array in frame.arrays.items():
-        if name == "position":  # metres of either sign do not fit
+        if name in ("position", "color"):  # they do not fit
             continue
         path = folder / f"{frame.shot.name}_{name}.png"
         with whole(path) as temporary:
@@ -153,21 +153,16 @@ def _write_exr(frame: Frame, folder: Path) -> list[Path]:
     path = folder / f"{frame.shot.name}.exr"
     channels: dict[str, np.ndarray] = {}
     for name, array in frame.arrays.items():
+        if name not in _EXR:
+            continue
         layer, letters = _EXR[name]
-        values = _linear(array) if name == "rgb" else array
-        values = values.astype(np.float32).reshape(*values.shape[:2], -1)
+        values = array.astype(np.float32).reshape(*values.shape[:2], -1)
         for k, letter in enumerate(letters):
             channels[f"{_LAYER}.{layer}.{letter}"] = np.ascontiguousarray(values[..., k])
     header = {"compression": openexr.ZIP_COMPRESSION, "type": openexr.scanlineimage}
     with whole(path) as temporary:
         openexr.File(header, channels).write(str(temporary))
     return [path]
-
-
-def _linear(rgb: np.ndarray) -> np.ndarray:
-    """Linear light of sRGB bytes."""
-    c = rgb / 255.0
-    return np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
 
 
 def _openexr() -> Any:

@@ -29,7 +29,7 @@ from .semantics import UNLABELLED, class_named, class_names, class_of
 PASSES = ("rgb", "depth", "normal", "position", "instance", "semantic", "material")
 
 ARRAYS = {
-    "rgb": ("rgb",),
+    "rgb": ("rgb", "color"),
     "depth": ("depth", "distance"),
     "normal": ("normal_world", "normal_cam"),
     "position": ("position",),
@@ -46,7 +46,7 @@ _BATCH = 8_000_000  # rays that are cast together
 class Frame:
     """What one camera saw: ``arrays`` by name, each [H, W] or [H, W, 3].
 
-    ``rgb`` uint8; ``depth`` float32, along the optical axis [m], and ``distance`` float32, from the optical centre [m],
+    ``rgb`` uint8, as a photo; ``color`` float32, the light itself, linear; ``depth`` float32, along the optical axis [m], and ``distance`` float32, from the optical centre [m],
     both inf where nothing is; ``normal_world`` and ``normal_cam`` float32, unit vectors toward the camera, 0 where
     nothing is, the latter with x to the right, y up, z backward; ``position`` float32 in the world [m], nan where
     nothing is; ``instance``, ``semantic`` and ``material`` int32 ids of the tables of `Labels`, 0 where nothing is.
@@ -136,7 +136,8 @@ class PassRenderer:
             for shot, face, distance, bary in zip(batch, hits.face, hits.distance, hits.bary, strict=True):
                 arrays = self._arrays(shot, face, distance, bary, wanted)
                 if "rgb" in wanted:
-                    arrays["rgb"] = self._inside.draw(shot.camera, width, height, self.quality)
+                    picture = self._inside.picture(shot.camera, width, height, self.quality)
+                    arrays["rgb"], arrays["color"] = picture.rgb, picture.linear
                 yield Frame(shot, {name: arrays[name] for name in sum(ARRAYS.values(), ()) if name in wanted})
 
     def _arrays(

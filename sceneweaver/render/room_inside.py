@@ -16,7 +16,7 @@ from .eye_camera import eye_cameras
 from .interior import Element, build_interior
 from .room_bodies import instances_of
 from .room_finish import finishes_of
-from .tracing import TraceQuality, Tracer, interior_lights
+from .tracing import TracedPicture, TraceQuality, Tracer, interior_lights
 
 _DRAFT, _FINE = 3, 10  # rays a pixel up to which, and from which on, a quality of the ray caster is a draft or fine
 
@@ -38,22 +38,11 @@ class Inside:
         self._scene, self._device = scene, device
         self._tracer: Tracer | None = None
 
-    def draw(
-        self,
-        camera: Camera,
-        width: int,
-        height: int,
-        quality: Quality | None = None,
-        deadline: float | None = None,
-    ) -> np.ndarray:
-        """What a camera sees, uint8 [height, width, 3].
-
-        Raises:
-            TimeoutError: the ``deadline``, a time of ``time.monotonic``, has passed.
-        """
+    def picture(self, camera: Camera, width: int, height: int, quality: Quality | None = None) -> TracedPicture:
+        """What a camera sees."""
         if self._tracer is None:  # most of the light is shared by all cameras
             self._tracer = Tracer(self.instances, interior_lights(self._scene), self._device)
-        return self._tracer.picture(camera, width, height, _traced(quality), deadline).rgb
+        return self._tracer.picture(camera, width, height, _traced(quality))
 
 
 class EyeLevel:
@@ -76,7 +65,7 @@ class EyeLevel:
 
     def draw(self, view: str, width: int, height: int, quality: Quality | None = None) -> Image.Image:
         """One of the pictures, in any size of that aspect."""
-        return Image.fromarray(self._inside.draw(self.cameras[view], width, height, quality))
+        return Image.fromarray(self._inside.picture(self.cameras[view], width, height, quality).rgb)
 
 
 def _traced(quality: Quality | None) -> TraceQuality:

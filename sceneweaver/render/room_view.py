@@ -82,7 +82,7 @@ def draw_rooms(
     for view in views:
         if view in cameras:
             inside = inside or Inside(scene, things, list(cameras.values()), device)
-            done[view] = Image.fromarray(inside.draw(cameras[view], width, height, quality))
+            done[view] = Image.fromarray(inside.picture(cameras[view], width, height, quality).rgb)
         elif view.startswith("corner"):
             done[view] = _corner(scene, things, view == "corner2", width, height, quality, device)
         else:

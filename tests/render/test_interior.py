@@ -79,7 +79,17 @@ _WAYS = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
 def test_every_part_is_there_once_and_where_it_belongs() -> None:
     scene = living()
     parts = {part.name: part for part in build_interior(scene, finishes_of(scene))}
-    expected = {"floor", "ceiling", "coving", "skirting", "fittings", "outside", "d", "w", *(f"wall:{k}" for k in range(4))}
+    expected = {
+        "floor",
+        "ceiling",
+        "coving",
+        "skirting",
+        "fittings",
+        "outside",
+        "d",
+        "w",
+        *(f"wall:{k}" for k in range(4)),
+    }
     assert set(parts) == expected
     assert parts["d"].category == "door" and parts["w"].category == "window"
     inner = shapely.Polygon(scene.room.outline)

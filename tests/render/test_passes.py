@@ -49,11 +49,19 @@ def renderer() -> PassRenderer:
     return PassRenderer(scene, [*shots, Shot("steep", steep, WIDTH, HEIGHT)], load, QUICK)
 
 
+class Grey:
+    """A grey picture."""
+
+    def __init__(self, width: int, height: int) -> None:
+        self.rgb = np.full((height, width, 3), 188, np.uint8)
+        self.linear = np.full((height, width, 3), 2.5, np.float32)
+
+
 @pytest.fixture(autouse=True, scope="module")
 def no_light():
     """Casting light takes long: pictures are grey here."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Inside, "draw", lambda self, _, width, height, *__: np.full((height, width, 3), 188, np.uint8))
+        patch.setattr(Inside, "picture", lambda self, _, width, height, *__: Grey(width, height))
         yield
 
 
@@ -220,6 +228,7 @@ def test_npz_files(renderer, frames, tmp_path) -> None:
     with np.load(tmp_path / "eye-door.npz") as data:
         assert np.array_equal(data["semantic_instance"], frame.arrays["instance"])
         assert np.array_equal(data["depth_meters"], frame.arrays["distance"])
+        assert (data["color"] == 2.5).all() and (data["rgb"] == 188).all()
         assert np.allclose(data["K"], frame.shot.k)
 
 
@@ -234,7 +243,7 @@ def test_exr_files(renderer, frames, tmp_path) -> None:
     assert set(channels) == {f"ViewLayer.{name}" for name in expected}
     assert np.array_equal(channels["ViewLayer.Depth.Z"], arrays["depth"])
     assert np.array_equal(channels["ViewLayer.IndexOB.X"], arrays["instance"])
-    assert np.allclose(channels["ViewLayer.Combined.G"], 0.5029, atol=1e-3)  # of sRGB 188
+    assert (channels["ViewLayer.Combined.G"] == 2.5).all()  # the light itself
     assert np.array_equal(channels["ViewLayer.Normal.Y"], arrays["normal_world"][..., 1])
 
 
