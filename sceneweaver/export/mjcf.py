@@ -19,7 +19,7 @@ from sceneweaver.assets.room_looks import room_looks, wall_look
 from sceneweaver.assets.textures import maps
 from sceneweaver.assets.textures.relief import to_srgb
 from sceneweaver.physics import Model, build
-from sceneweaver.physics.model import Thing
+from sceneweaver.physics.model import UNSET, Thing
 from sceneweaver.physics.xml import child
 from sceneweaver.scene import Room, Scene
 
@@ -92,7 +92,7 @@ class _Wardrobe:
         look = room_looks(room).floor
         found = maps(look.texture) if self._textured else None
         if found is not None:
-            floor.attrib.pop("rgba")
+            floor.set("rgba", UNSET)
             u, v = found.size
             repeat = {"texuniform": "true", "texrepeat": f"{1 / u:.6g} {1 / v:.6g}"}
             floor.set("material", self._material(assets, look, repeat))

@@ -39,11 +39,13 @@ COVERING = 0.03
 STEP = 0.004
 """Time step [s]."""
 
+UNSET = "0.5 0.5 0.5 1"
+"""MuJoCo's own colour of geoms, which is the only one that leaves a geom that of its material."""
+
 MEMORY = "1G"
 """Room for contacts; what is not needed is never touched."""
 
 _STOP = "0.008 1"  # ends of doors and drawers: as stiff as the time step allows, as many weigh little
-_UNSET = "0.5 0.5 0.5 1"  # MuJoCo's own default, which is the only one that leaves a geom the colour of its material
 _DENSITY = 150.0  # [kg/m3] of an object's parts, when neither an asset nor its category says what it weighs
 
 
@@ -103,7 +105,7 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) ->
     default = child(root, "default")
     child(default, "geom", group="3", rgba="0.7 0.7 0.72 1")
     seen = child(default, "default", {"class": "visual"})
-    child(seen, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0", rgba=_UNSET)
+    child(seen, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0", rgba=UNSET)
     assets = child(root, "asset")
     if dress is not None:
         child(

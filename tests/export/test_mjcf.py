@@ -66,7 +66,9 @@ def test_materials_with_maps_have_their_image_on_the_mesh(tmp_path) -> None:
     assert images == {"floorboards", *looks} - {"plain"}
     bare = write_mjcf(_scene(), tmp_path / "bare", ASSETS.__getitem__, textures=False)
     assert not (bare.parent / "textures").exists() and mujoco.MjModel.from_xml_path(str(bare)).ntex == 1
-    floor = model.mat_texrepeat[model.geom_matid[model.geom("room:floor").id]]
+    ground = model.geom("room:floor").id
+    assert np.allclose(model.geom_rgba[ground], [0.5, 0.5, 0.5, 1.0]), "the material's colour is shown"
+    floor = model.mat_texrepeat[model.geom_matid[ground]]
     assert 1 / floor == pytest.approx(maps("floorboards").size, rel=1e-4)  # type: ignore[union-attr]
 
 

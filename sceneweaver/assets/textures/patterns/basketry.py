@@ -1,4 +1,4 @@
-"""Cane, wicker and rattan: rods that go around stakes, and the open hexagons of cane seats."""
+"""Wicker and rattan: rods that go around stakes, strips that go over and under."""
 
 from __future__ import annotations
 

@@ -90,6 +90,19 @@ def _bamboo(n: int) -> Relief:
     return Relief(tint, -3e-5 * joint + 1e-5 * fibre, 1.0 + 0.1 * knots)
 
 
+@pattern("plywood edge", (0.4, 0.036), kind="wood", grain=True, pixels=256)
+def _plywood_edge(n: int) -> Relief:
+    """Layers of 1.5 mm, every other one cut across its fibres."""
+    u, v = grid(n)
+    layer = np.floor(v * 24 + 0.15 * field(n, 8201, (0.2, 0.3), 2.0))
+    across = np.mod(layer, 2)
+    tone = spread(np.mod(layer, 24), 8203) - 0.5
+    along, ends = field(n, 8205, (0.15, 0.01), 1.2), field(n, 8207, (0.006, 0.03), 1.2)
+    dark = 0.30 * across * (1.0 + 0.3 * ends) + 0.05 * (1 - across) * along + 0.10 * tone
+    tint = 1.0 - np.clip(dark + 0.06, 0.0, 0.8)[:, :, None] * np.array([0.75, 1.0, 1.2])
+    return Relief(tint, -6e-5 * across + 1e-5 * ends, 1.0 + 0.1 * across)
+
+
 def plank(n: int, x: np.ndarray, y: np.ndarray, number: np.ndarray, seed: int, wood: str = "oak") -> Relief:
     """Wood on boards: each shows another part of one trunk, in a tone of its own.
 
