@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import castors, cavity, door, feet, legs, oval, pulls, rack, unit, vessel
+from ...drawing.components import bottle, bowl, castors, cavity, door, feet, legs, pulls, rack, unit
 
 _DRINKS = ("green glass", "amber glass", "red plastic", "blue plastic", "clear plastic", "orange plastic")
 _SNACKS = [f"{tone} plastic" for tone in ("red", "yellow", "blue", "orange", "green", "pink", "white", "mint")]
@@ -46,25 +46,23 @@ def luggage_cart(d: Drawing) -> None:
     metal = d.material("frame", "brass, chrome, brass, brushed steel, black steel")
     carpet = d.material("carpet", "red fabric, navy fabric, black fabric, green fabric")
     box, r, bend = d.bounds, 0.019, 0.28
-    platform = box.to(z=(0.195, 0.24))
+    base = box.to(z=(0.195, 0.24))
     with d.part("platform"):
-        d.slab(platform, "rubber", 0.05, 0.01)
-        d.slab(platform.inset(x=0.012, y=0.012, top=-0.004), metal, 0.04, 0.004)
-        floor = d.slab(platform.inset(x=0.03, y=0.03, top=-0.01), carpet, 0.03, 0.006)
+        for inset, top, look in ((0.0, 0.0, "rubber"), (0.012, 0.004, metal), (0.03, 0.01, carpet)):
+            floor = d.slab(base.inset(x=inset, y=inset, top=-top), look, 0.05 - inset, 0.006)
         castors(d, box.bottom(0.195).inset(x=0.05, y=0.05), metal, "rubber")
-    inner, crown, low = box.inset(x=0.055, y=0.055), box.z[1] - 0.05, floor.z[1]
-    x, y = inner.x[1], inner.y[1]
-    for t, side in ((-1, "right"), (1, "left")):
-        with d.part(side):
-            for s in (-1, 1):
-                d.bar((s * x, t * y, low - 0.03), (s * x, t * y, crown - bend), r, metal)
-                d.cylinder(Box.sized(0.068, 0.068, 0.03, (s * x, t * y, low - 0.004)), metal, ends=(1.0, 0.75))
-            d.bar((-x, t * y, low + 0.35), (x, t * y, low + 0.35), 0.013, metal)
+    (x, y, _), crown, low = box.inset(x=0.055, y=0.055).anchor("front left"), box.z[1] - 0.05, floor.z[1]
+    for name, side in (("right", -y), ("left", y)):
+        with d.part(name):
+            with d.mirror("x"):
+                d.bar((x, side, low - 0.03), (x, side, crown - bend), r, metal)
+                d.cylinder(Box.sized(0.068, 0.068, 0.03, (x, side, low - 0.004)), metal, ends=(1.0, 0.75))
+            d.bar((-x, side, low + 0.35), (x, side, low + 0.35), 0.013, metal)
     with d.part("crown"):
-        turn = np.linspace(0.0, math.pi / 2, 7)
-        gone = np.c_[0.92 * (1 - np.cos(turn)), 0.42 * (1 - np.cos(turn)), crown - bend * (1 - np.sin(turn))]
+        gone = 1 - np.cos(np.linspace(0.0, math.pi / 2, 7))
+        rise = crown - bend + bend * np.sin(np.linspace(0.0, math.pi / 2, 7))
         with d.mirror("x", "y"):
-            d.sweep([(x * (1 - u), y * (1 - v), z) for u, v, z in gone.tolist()], r, metal)
+            d.sweep(np.c_[x * (1 - 0.92 * gone), y * (1 - 0.42 * gone), rise], r, metal)
         d.bar((0.0, -0.6 * y, crown), (0.0, 0.6 * y, crown), r, metal)
         with d.mirror("y"):
             d.bar((-0.12 * x, 0.58 * y, crown), (0.12 * x, 0.58 * y, crown), r, metal)
@@ -82,7 +80,7 @@ def _bottles(d: Drawing, shelf: Box, count: int, height: float, first: int) -> N
             if (k + first) % 2:
                 d.cylinder(place.share(z=(0.0, 0.65)), look, bevel=0.004, segments=12)
             else:
-                d.turned(place, [(1.0, 0.0), (1.0, 0.6), (0.4, 0.82), (0.4, 1.0)], look, 12)
+                bottle(d, place, look)
 
 
 @draws("minibar", whole=True)
@@ -139,19 +137,16 @@ def vending_machine(d: Drawing) -> None:
     coat = d.material("body", "black paint, red paint, blue paint, white paint, grey paint, navy paint")
     box = d.bounds.inset(front=0.012)
     feet(d, box.bottom(0.045), "black plastic")
-    case, f = box.inset(bottom=0.045), box.x[1]
+    case, f, top = box.inset(bottom=0.045), box.x[1], box.z[1] - 0.17
+    window = box.to(z=(0.5, top)).inset(right=0.05, left=0.27)  # the panel is to the viewer's right: +y
     d.box(case.inset(front=0.3), coat)
-    low, top = 0.5, box.z[1] - 0.17
-    window = box.to(z=(low, top)).inset(right=0.05, left=0.27)  # the panel is to the viewer's right: +y
-    front = case.front(0.3)
-    for part in (front.to(z=(case.z[0], low)), front.to(z=(top, box.z[1]))):
+    front, beside = case.front(0.3), case.front(0.3).to(z=window.z)
+    rest = [front.to(z=(case.z[0], 0.5)), front.to(z=(top, box.z[1])), beside.left(0.27), beside.right(0.05)]
+    for part in rest:
         d.box(part, coat, bevel=0.0)
-    for side in ((box.y[0], window.y[0]), (window.y[1], box.y[1])):
-        d.box(front.to(y=side, z=window.z), coat, bevel=0.0)
     d.box(window.front(0.008).move(x=-0.004), "glass", bevel=0.0)
     sign = d.box(box.front(-0.004).top(0.14).inset(y=0.05, top=0.03), "lamp glow", bevel=0.0)
     d.print(sign.front(0.0).share(y=(0.1, 0.6), z=(0.25, 0.75)), "red plastic")
-    d.box(window.front(0.015).top(0.008).move(x=-0.015), "lamp glow", bevel=0.0)
     first, count = d.integer("first", 0, 7), max(4, int(window.width / 0.095))
     for i, row in enumerate(window.inset(front=0.02).front(0.28).rows(6)):
         d.box(row.bottom(0.008), "grey plastic", bevel=0.0)
@@ -159,7 +154,7 @@ def vending_machine(d: Drawing) -> None:
         for j, cell in enumerate(row.inset(bottom=0.008, top=0.035, front=0.02).front(0.06).columns(count, gap=0.02)):
             look = _SNACKS[(first + 3 * i + j * (2 if i % 2 else 1)) % len(_SNACKS)]
             if i < 2:
-                d.turned(cell.place(0.06, 0.06), [(1.0, 0.0), (1.0, 0.65), (0.4, 0.85), (0.45, 1.0)], look, 10)
+                bottle(d, cell.place(0.06, 0.06), look)
             elif (i + j // 2) % 2:
                 d.cushion(cell.share(z=(0.0, 0.85)), look, 0.012, 0.5)
             else:
@@ -174,7 +169,7 @@ def vending_machine(d: Drawing) -> None:
     with d.hinge("flap", (f, 0.0, 0.4), axis=(0.0, 1.0, 0.0), limits=(-0.9, 0.0)):
         flap = d.box(window.to(x=(f + 0.0005, f + 0.009), z=(0.2, 0.4)).inset(y=0.02), "black plastic")
         d.box(flap.front(-0.003).inset(back=-0.001).top(0.045).inset(y=0.08, top=0.025), "grey plastic", bevel=0.001)
-    d.box(box.front(-0.002).inset(back=-0.001, y=0.03).to(z=(0.07, 0.15)), "black plastic", bevel=0.0)
+    d.print(box.front(0.0).inset(y=0.03).to(z=(0.07, 0.15)), "black plastic")
 
 
 @draws("coffee_station")
@@ -184,43 +179,33 @@ def coffee_station(d: Drawing) -> None:
     shell = d.material("body", "white paint, oak, walnut") if leaf.name.endswith("paint") else leaf
     top = d.material("top", "oak, walnut, marble, beech, dark marble")
     style, metal, reach = pulls(d, leaf)
-    box, counter = d.bounds, 0.9
-    panel = leaf if d.style in ("classic", "rustic") else None
+    box, panel = d.bounds, leaf if d.style in ("classic", "rustic") else None
+    low, high = box.bottom(0.9), box.inset(bottom=0.9)
     with d.part("body"):
         feet(d, box.bottom(0.08), "black plastic")
-        for k, cell in enumerate(box.to(z=(0.08, counter - 0.03)).inset(front=reach).columns(2)):
-            unit(
-                d,
-                f"unit-{k}",
-                cell,
-                d.pick(f"layout {k}", ["drawers", "mixed", "doors"]),
-                shell,
-                leaf,
-                metal,
-                style,
-                panel,
-            )
-        slab = d.box(box.to(z=(counter - 0.03, counter)), top)
+        for k, cell in enumerate(low.inset(bottom=0.08, top=0.03, front=reach).columns(2)):
+            layout = d.pick(f"layout {k}", ["drawers", "mixed", "doors"])
+            unit(d, f"unit-{k}", cell, layout, shell, leaf, metal, style, panel)  # type: ignore[arg-type]
+        slab = d.box(low.top(0.03), top)
     with d.part("back"):
-        back = d.box(box.to(z=(counter, box.z[1])).back(0.018), leaf)
+        back = d.box(high.back(0.018), leaf)
         for plank in back.front(-0.004).inset(back=-0.001, z=0.01).columns(round(box.width / 0.1), gap=0.006):
             d.box(plank, leaf, bevel=0.001)
     with d.part("shelf"):
-        shelf = d.box(box.to(z=(box.z[1] - 0.182, box.z[1] - 0.16)).inset(back=0.022, y=0.02).back(0.178), top)
+        shelf = d.box(high.inset(top=0.16, back=0.022, y=0.02).top(0.022).back(0.178), top)
         with d.mirror("y"):
-            d.box(shelf.bottom(-0.012).inset(front=0.03).share(y=(0.86, 0.88)), metal, bevel=0.0)
-            d.box(shelf.bottom(-0.1).back(0.008).share(y=(0.86, 0.88)), metal, bevel=0.0)
-        first = d.integer("mug", 0, 4)
-        for k in range(5):
+            bracket = shelf.bottom(-0.1).share(y=(0.86, 0.88))
+            for strip in (bracket.top(0.012).inset(front=0.03), bracket.back(0.008)):
+                d.box(strip, metal, bevel=0.0)
+        first, x = d.integer("mug", 0, 4), shelf.x[1] - 0.05
+        for k, y in enumerate(np.linspace(-0.24, 0.24, 5).tolist()):
+            d.bar((x, y, shelf.z[0] + 0.001), (x, y, shelf.z[0] - 0.03), 0.003, metal, 6)
             tone = ("white", "blue", "cream", "grey", "white")[(k + first) % 5]
-            _mug(d, (shelf.x[1] - 0.05, 0.12 * (k - 2), shelf.z[0] - 0.103), f"{tone} ceramic")
-            d.bar(
-                (shelf.x[1] - 0.05, 0.12 * (k - 2), shelf.z[0] + 0.001),
-                (shelf.x[1] - 0.05, 0.12 * (k - 2), shelf.z[0] - 0.03),
-                0.003,
-                metal,
-                6,
-            )
+            mug = Box.sized(0.072, 0.072, 0.085, (x, y, shelf.z[0] - 0.103))
+            inner = ((0.9, 0.9, mug.z[1]), (0.8, 0.8, mug.z[0] + 0.005))
+            bowl(d, mug, ((0.9, 0.9, mug.z[0]), (1.0, 1.0, mug.z[1])), inner, f"{tone} ceramic", staves=6)
+            grip = mug.left(0.003)
+            d.arch(grip.point(z=0.76), grip.point(z=0.24), (0.0, 0.022, 0.0), 0.005, f"{tone} ceramic", 4)
     with d.part("jars"):
         for k, look in enumerate(("coffee", "chocolate", "icing")):
             jar = Box.sized(0.09, 0.09, 0.1, (shelf.center[0], box.y[0] + 0.12 * (k + 1), shelf.z[1]))
@@ -231,13 +216,3 @@ def coffee_station(d: Drawing) -> None:
     d.surface("top", slab.inset(back=0.215, front=0.01, y=0.01))
     d.surface("shelf", shelf.inset(x=0.01, right=0.43, left=0.01))
     d.fit()
-
-
-def _mug(d: Drawing, at: tuple[float, float, float], look: str) -> None:
-    """A mug that stands at a point, its handle to the left."""
-    cup = Box.sized(0.072, 0.072, 0.085, at)
-    outer = [oval(cup.inset(x=0.004, y=0.004), cup.z[0], count=12), oval(cup, cup.z[1], count=12)]
-    inner = [oval(cup.inset(x=e, y=e), z, count=12) for e, z in ((0.004, cup.z[1]), (0.008, cup.z[0] + 0.005))]
-    vessel(d, outer, inner, look, 3)
-    x, y, z = cup.anchor("left")
-    d.arch((x, y - 0.003, z + 0.022), (x, y - 0.003, z - 0.022), (0.0, 0.022, 0.0), 0.005, look, 4)

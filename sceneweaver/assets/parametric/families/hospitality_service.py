@@ -8,23 +8,21 @@ import numpy as np
 
 from ... import shapes
 from ...drawing import Box, Drawing, Look, draws
-from ...drawing.components import castors, oval, perimeter
+from ...drawing.components import castors, frame, oval, perimeter, walls
 
 
 def _warmer(d: Drawing, box: Box, metal: Look, power: float) -> None:
     """A chafing dish that fills a box: frame, burners, water pan, and a lid with a grip."""
-    frame = box.inset(x=0.007, y=0.012)
-    with d.corners(frame):
+    low = box.z[0] + 0.168
+    with d.corners(box.inset(x=0.007, y=0.012)):
         d.box(Box((0.0, 0.016), (0.0, 0.016), (0.0, 0.12)), metal, 0.0)
-    d.box(frame.bottom(0.028).inset(x=0.013, y=0.008, bottom=0.02), metal, 0.0)
     with d.at(*box.anchor("bottom")), d.mirror("y"):
         d.cylinder(Box.sized(0.08, 0.08, 0.05, (0.0, 0.22 * box.width, 0.027)), "copper", segments=14)
-    low = box.z[0] + 0.168
-    d.box(box.to(z=(low - 0.068, low - 0.008)).inset(x=0.01, y=0.012), metal, 0.006)
-    d.box(box.to(z=(low - 0.013, low)), metal)
+    for inset, under, top in ((0.02, 0.148, 0.14), (0.01, 0.068, 0.008), (0.0, 0.013, 0.0)):
+        d.box(box.to(z=(low - under, low - top)).inset(x=inset, y=inset), metal)
     lid = box.to(z=(low, box.z[1] - 0.03))
-    levels = ((0.02, 0.0), (0.03, 0.35), (0.07, 0.62), (0.14, 0.85), (0.26, 1.0))
-    rings = [oval(lid.inset(x=e * lid.depth, y=e * lid.width), low + s * lid.height, power) for e, s in levels]
+    levels = ((0.96, 0.0), (0.94, 0.35), (0.86, 0.62), (0.72, 0.85), (0.48, 1.0))
+    rings = [oval(lid.place(e * lid.depth, e * lid.width), low + s * lid.height, power) for e, s in levels]
     d.loft(rings, metal, convex=True)
     x, y, z = lid.anchor("top")
     d.arch((x, y - 0.05, z - 0.01), (x, y + 0.05, z - 0.01), (0.0, 0.0, 0.034), 0.007, "black plastic")
@@ -34,33 +32,25 @@ def _warmer(d: Drawing, box: Box, metal: Look, power: float) -> None:
 def buffet_table(d: Drawing) -> None:
     """A clothed table with two or three food warmers in a row, and room for plates at both ends and in front."""
     cloth = d.material("cloth", "white fabric, navy fabric, black fabric, red fabric, beige fabric, green fabric")
-    metal = d.material("warmers", "chrome, brushed steel, brass, steel")
+    metal, white = d.material("warmers", "chrome, brushed steel, brass, steel"), "white fabric"
+    cover = d.material("runner", "red fabric, navy fabric, mustard fabric") if cloth.name == white else white
     top, w = d.bounds.to(z=(0.78, 0.84)), d.size.width
     with d.part("table"):
-        folds = round((top.depth + w) / 0.055)
-        points, out = perimeter(top.inset(x=0.006, y=0.006), 0.03, np.arange(6 * folds) / (6 * folds))
-        wave = 0.5 - 0.5 * np.cos(np.arange(6 * folds) * math.pi / 3)
-        skirt = [
-            np.c_[points - out * (swing * wave)[:, None], 0 * wave + z]
-            for z, swing in ((0.0, 0.03), (top.z[0] + 0.03, 0.012))
-        ]
+        steps = np.arange(6 * round((top.depth + w) / 0.055))
+        points, out = perimeter(top.inset(x=0.006, y=0.006), 0.03, steps / len(steps))
+        wave = (0.5 - 0.5 * np.cos(steps * math.pi / 3))[:, None]
+        skirt = [np.c_[points - swing * wave * out, 0 * steps + z] for z, swing in ((0.0, 0.03), (0.81, 0.012))]
         d.add(shapes.lofted(skirt), cloth, [shapes.hull(np.concatenate(skirt))])
-        cover = (
-            d.material("runner", "red fabric, navy fabric, mustard fabric")
-            if cloth.name == "white fabric"
-            else "white fabric"
-        )
         d.slab(top, cover, 0.03, 0.008)
-    count = 2 if w < 2.0 else 3
     row = top.inset(y=0.33).to(x=(-0.285, 0.085), z=(top.z[1], d.bounds.z[1]))
-    for k, cell in enumerate(row.columns(count)):
+    for k, cell in enumerate(row.columns(2 if w < 2.0 else 3)):
         with d.part(f"warmer {k}"):
             dish = cell.place(width=min(0.56, cell.width - 0.06))
             _warmer(d, dish, metal, 2.6 if d.style in ("classic", "rustic") else 5.0)
     with d.part("plates"), d.along((-0.16, top.y[0] + 0.17, top.z[1]), (0.14, top.y[0] + 0.17, top.z[1]), 2):
         d.cylinder(Box.sized(0.26, 0.26, 0.012), "white ceramic", ends=(0.6, 1.0))
-        for k in range(1, 9):
-            d.cylinder(Box.sized(0.26, 0.26, 0.011, (0.0, 0.0, 0.0005 + 0.0115 * k)), "white ceramic", ends=(0.98, 1.0))
+        for plate in Box.sized(0.26, 0.26, 0.092, (0.0, 0.0, 0.012)).rows(8, gap=0.0005):
+            d.cylinder(plate, "white ceramic", ends=(0.98, 1.0))
     d.surface("front", top.inset(front=0.02, right=0.33, left=0.02).to(x=(0.11, top.x[1] - 0.02)))
     d.surface("end", top.left(0.31).inset(left=0.02).to(x=(top.x[0] + 0.02, 0.105)))
     d.fit()
@@ -73,46 +63,39 @@ _FOODS = ["lettuce", "tomato", "carrot", "cheese", "egg shell", "green apple", "
 def salad_bar(d: Drawing) -> None:
     """A panelled counter with a cold well of pans under a glass guard on posts, and a tray rail in front."""
     body = d.material("body", "oak, walnut, white paint, sage paint, brushed steel, light oak")
-    steel, box = "brushed steel", d.bounds.inset(front=0.14)
-    z = 0.86
-    case = box.to(z=(0.1, z - 0.06)).inset(x=0.01, y=0.01)
+    steel, box, z, middle = "brushed steel", d.bounds.inset(front=0.14), 0.86, -0.07
     with d.part("body"):
         d.box(box.bottom(0.1).inset(x=0.05, y=0.05), "black plastic", 0.0)
-        d.box(case, body, 0.002)
-        panels = case.front(-0.008).inset(back=-0.001, y=0.025, bottom=0.04, top=0.04)
+        case = d.box(box.to(z=(0.1, z - 0.06)).inset(x=0.01, y=0.01), body, 0.002)
+        panels = case.front(-0.008).inset(back=-0.001, y=0.025, z=0.04)
         for panel in panels.columns(max(3, round(box.width / 0.45)), gap=0.03):
             d.box(panel, body, 0.005)
-        deck = box.to(z=(z - 0.06, z))
-        well = deck.inset(x=0.07, y=0.07)
-        ends = deck.inset(x=0.07)
-        for rim in (deck.front(0.07), deck.back(0.07), ends.left(0.07), ends.right(0.07)):
-            d.box(rim, steel, 0.0)
+        top = box.to(z=(z - 0.06, z))
+        walls(d, top, steel, 0.07, 0.0)
+        well = top.inset(x=0.07, y=0.07)
         d.box(well.bottom(0.015), steel, 0.0)
         first, columns = d.integer("first", 0, 8), max(3, round(well.width / 0.34))
         for i, row in enumerate(well.inset(bottom=0.015, top=0.002).split("x", 2)):
             for j, pan in enumerate(row.columns(columns)):
                 look = _FOODS[(first + 4 * i + 3 * j) % len(_FOODS)]
-                d.box(pan.right(0.008), steel, 0.0)
-                d.box(pan.back(0.008).inset(right=0.008), steel, 0.0)
-                food = d.cushion(pan.inset(all=0.004, back=0.006, right=0.006), look, 0.02, 0.35)
+                walls(d, pan, steel, 0.005, 0.0)
+                food = d.cushion(pan.inset(all=0.005, top=-0.005), look, 0.02, 0.35)
                 with d.grid(food.top(0.0), x=2, y=2):
                     d.ball(Box.around((0.0, 0.0, -0.004), 0.06, 0.066, 0.03), look, 6)
-    for k in range(3):
-        x = box.x[1] + 0.03 + 0.048 * k
-        d.bar((x, box.y[0] + 0.02, z - 0.07), (x, box.y[1] - 0.02, z - 0.07), 0.012, "chrome", 8)
+    for x in (0.03, 0.078, 0.126):
+        d.bar((box.x[1] + x, box.y[0] + 0.02, z - 0.07), (box.x[1] + x, box.y[1] - 0.02, z - 0.07), 0.012, "chrome", 8)
     with d.part("rail"), d.mirror("y"):
-        x, tip = box.x[1] - 0.012, d.bounds.x[1] - 0.014
-        outline = ((x, z - 0.1), (x, z - 0.2), (tip, z - 0.082), (tip, z - 0.1))
-        d.hull([(px, 0.36 * box.width + o, v) for px, v in outline for o in (-0.012, 0.012)], steel)
+        arm = Box((box.x[1] - 0.012, d.bounds.x[1] - 0.014), box.share(y=(0.85, 0.87)).y, (z - 0.2, z - 0.082))
+        d.silhouette(arm, [(0.0, 0.0), (1.0, 0.85), (1.0, 1.0), (0.0, 0.85)], steel)
     with d.part("guard"):
-        middle, top = box.center[0], box.z[1]
-        with d.at(middle), d.mirror("x", "y"):
-            d.bar((0.02, box.y[1] - 0.035, z - 0.01), (0.02, box.y[1] - 0.035, top - 0.03), 0.012, "chrome")
-        roof = d.box(Box((middle - 0.17, middle + 0.17), box.y, (top - 0.03, top)), body)
+        top_z = box.z[1]
+        roof = d.box(Box((middle - 0.17, middle + 0.17), box.y, (top_z - 0.03, top_z)), body)
         d.box(roof.bottom(-0.004).inset(top=-0.002, x=0.14, y=0.06), "lamp glow", 0.0)
         with d.at(middle), d.mirror("x"):
-            pane = ((0.155, top - 0.03), (0.161, top - 0.03), (0.305, top - 0.2), (0.311, top - 0.2))
-            d.hull([(px, y, v) for px, v in pane for y in box.inset(y=0.02).y], "glass")
+            with d.mirror("y"):
+                d.bar((0.02, box.y[1] - 0.035, z - 0.01), (0.02, box.y[1] - 0.035, top_z - 0.03), 0.012, "chrome")
+            pane = Box((0.155, 0.311), box.inset(y=0.02).y, (top_z - 0.2, top_z - 0.03))
+            d.silhouette(pane, [(0.0, 1.0), (0.04, 1.0), (1.0, 0.0), (0.96, 0.0)], "glass")
     d.fit()
 
 
@@ -121,31 +104,23 @@ def menu_board(d: Drawing) -> None:
     """Two framed blackboards hinged at their tops, with chalk writing, held apart by chains."""
     wood = d.material("frame", "oak, pine, walnut, beech, black paint, white paint")
     deep, w, h = d.size
-    lean = math.atan2(deep / 2 - 0.028, h)
-    long = (h - 0.004) / math.cos(lean) - 0.02
-    chain = 0.35 * h
+    lean, chain = math.atan2(deep / 2 - 0.028, h), 0.35 * h
     half = (h - chain) * math.tan(lean) - 0.004
+    leaf = Box((0.0, 0.022), (-w / 2, w / 2), (0.02 - (h - 0.004) / math.cos(lean), 0.0))
     for s in (1, -1):
-        with d.part(f"board {s}"):
-            with d.at(0.004 * s, 0.0, h - 0.002, yaw=0.0 if s > 0 else math.pi, pitch=-lean):
-                leaf = Box((0.0, 0.022), (-w / 2, w / 2), (-long, 0.0))
-                for rail in (leaf.top(0.06), leaf.bottom(0.13).inset(bottom=0.08)):
-                    d.box(rail, wood)
-                for stile in (leaf.left(0.05), leaf.right(0.05)):
-                    d.box(stile.inset(top=0.06), wood)
-                slate = d.box(leaf.inset(y=0.05, top=0.06, bottom=0.13, front=0.008, back=0.006), "ink pigment", 0.0)
-                page = slate.front(0.0).inset(y=0.04)
-                d.print(page.top(0.085).bottom(0.03).share(y=(0.15, 0.85)), "chalk pigment")
-                d.print(page.top(0.108).bottom(0.005).share(y=(0.3, 0.7)), "ochre pigment")
-                for k, line in enumerate(page.inset(top=0.15, bottom=0.09).rows(6)):
-                    text = line.top(0.014)
-                    d.print(text.share(y=(0.0, 0.28 + 0.2 * d.uniform(f"long {s} {k}", 0.0, 1.0))), "chalk pigment")
-                    d.print(text.share(y=(0.86, 1.0)), "ochre pigment" if k % 2 else "chalk pigment")
-                cup = page.bottom(0.075).inset(bottom=0.03).place(width=0.05)
-                d.print(cup, "chalk pigment")
-            if s > 0:
-                with d.mirror("y"):
-                    d.bar((-half, w / 2 - 0.025, chain), (half, w / 2 - 0.025, chain), 0.003, "brass", 6)
+        with d.part(f"board {s}"), d.at(0.004 * s, 0.0, h - 0.002, yaw=0.0 if s > 0 else math.pi, pitch=-lean):
+            inner = frame(d, leaf.inset(bottom=0.08), wood, 0.05)
+            for foot in (leaf.left(0.05), leaf.right(0.05)):
+                d.box(foot.bottom(0.08), wood)
+            page = d.box(inner.inset(front=0.008, back=0.006), "ink pigment", 0.0).front(0.0).inset(y=0.04)
+            d.print(page.top(0.085).bottom(0.03).share(y=(0.15, 0.85)), "chalk pigment")
+            d.print(page.top(0.108).bottom(0.005).share(y=(0.3, 0.7)), "ochre pigment")
+            for k, line in enumerate(page.inset(top=0.15, bottom=0.09).rows(6)):
+                text = line.top(0.014)
+                d.print(text.share(y=(0.0, 0.28 + 0.2 * d.uniform(f"long {s} {k}", 0.0, 1.0))), "chalk pigment")
+                d.print(text.share(y=(0.86, 1.0)), "ochre pigment" if k % 2 else "chalk pigment")
+    with d.part("board 1"), d.mirror("y"):
+        d.bar((-half, w / 2 - 0.025, chain), (half, w / 2 - 0.025, chain), 0.003, "brass", 6)
     d.clear(Box((-half, half), (-w / 2, w / 2), (0.0, chain)))
     d.fit()
 
@@ -157,34 +132,28 @@ def serving_trolley(d: Drawing) -> None:
     look = d.material("trays", "glass, walnut, oak, marble, mirror, black glass")
     box, r = d.bounds, 0.011
     plan = box.inset(x=r, right=r + 0.01, left=r + 0.1)
-    (x0, x1), (y0, y1), h = plan.x, plan.y, box.z[1]
+    (x0, x1), (y0, y1), h, end = plan.x, plan.y, box.z[1], box.y[1] - r
     levels = (0.16, h - 0.12) if h < 0.85 else (0.15, 0.15 + (h - 0.28) / 2, h - 0.13)
     for name, y in (("right", y0), ("left", y1)):
         with d.part(name):
             for x in (x0, x1):
                 d.bar((x, y, 0.085), (x, y, levels[-1] + 0.045), r, metal)
-                if y == y1:
-                    push = [(x, y, levels[-1] + 0.03), (x, y + 0.03, h - 0.03), (x, box.y[1] - r, h - r)]
-                    d.sweep(push, r, metal)
-            if y == y1:
-                d.bar((x0 - r, box.y[1] - r, h - r), (x1 + r, box.y[1] - r, h - r), r, metal)
-    for k, z in enumerate(levels):
-        tray = plan.to(z=(z - 0.012, z))
+                if name == "left":
+                    d.sweep([(x, y, levels[-1] + 0.03), (x, y + 0.03, h - 0.03), (x, end, h - r)], r, metal)
+            if name == "left":
+                d.bar((x0 - r, end, h - r), (x1 + r, end, h - r), r, metal)
+    for k, (z, above) in enumerate(zip(levels, [*levels[1:], None], strict=True)):
         with d.part(f"tray {k}"):
-            d.box(tray, look, 0.001)
-            frame = tray.inset(bottom=-0.008, top=0.004)
-            for side in (frame.front(0.008), frame.back(0.008), frame.left(0.008), frame.right(0.008)):
-                d.box(side, metal, 0.0)
+            tray = d.box(plan.to(z=(z - 0.012, z)), look, 0.001)
+            walls(d, tray.inset(bottom=-0.008, top=0.004), metal, 0.008, 0.0)
             if not k:
-                castors(d, box.bottom(0.09).to(x=(x0 - 0.03, x1 + 0.03), y=(y0 - 0.02, y1 + 0.03)).inset(x=0.03), metal)
-        if len(levels) < 3:
-            for name, x in (("front", x1), ("back", x0)):
+                castors(d, box.bottom(0.09).to(x=(x0, x1), y=(y0 - 0.02, y1 + 0.03)), metal)
+        for name, x in (("front", x1), ("back", x0)):
+            if len(levels) < 3:
                 with d.part(f"rail {name} {k}"):
                     d.bar((x, y0, z + 0.04), (x, y1, z + 0.04), 0.005, metal, 6)
-        last = k == len(levels) - 1
-        d.surface(
-            "top" if last else f"shelf-{k}", tray, None if last else round(levels[k + 1] - 0.027 - z, 3), inset=0.02
-        )
+        room = None if above is None else round(above - 0.027 - z, 3)
+        d.surface(f"shelf-{k}" if room else "top", tray, room, inset=0.02)
     d.fit()
 
 
