@@ -66,12 +66,13 @@ def play_kitchen(d: Drawing) -> None:
     with d.part("back"):
         for x in (0.36, 0.72):
             plate = d.cylinder(Box.sized(0.11, 0.11, 0.006, top.point(x, 0.75, 1.0)).move(z=-0.001), "black glass")
-            d.hoop(plate.top(0.0).inset(x=0.015, y=0.015), 0.003, "red plastic", steps=14)
+            for inset, tone, proud in ((0.015, "red plastic", 0.0003), (0.02, "black glass", 0.0004)):
+                d.print(plate.top(0.0).inset(x=inset, y=inset), tone, proud, oval=True)
         pan = Box.sized(0.09, 0.09, 0.055, plate.point(0.5, 0.5, 1.0))
         d.turned(pan, [(0.88, 0), (1, 0.9), (1, 1), (0.92, 1), (0.85, 0.15), (0, 0.15)], "red plastic", 16, hollow=True)
         d.bar(pan.point(0.5, 0.0, 0.8), (pan.center[0], pan.y[0] - 0.09, pan.z[1]), 0.007, "birch", 8)
         sink = Box.sized(0.2, 0.2, 0.006, top.point(0.5, 0.25, 1.0)).move(z=-0.001)
-        d.turned(sink, [(1, 0), (1, 1), (0.86, 1), (0.8, 0.1), (0, 0.1)], "steel", hollow=True)
+        d.turned(sink, [(1, 0), (1, 1), (0.86, 1), (0.8, 0.3), (0, 0.3)], "steel", hollow=True)
         tap = [(0.06, 0.0), (0.06, 0.13), (0.11, 0.16), (0.16, 0.12)]
         d.sweep([(top.x[0] + x + 0.02, sink.center[1], level + z) for x, z in tap], 0.011, "chrome", 8)
         wall = d.box(box.inset(bottom=level - 0.01).back(0.018), wood)

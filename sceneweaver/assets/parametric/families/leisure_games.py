@@ -85,7 +85,7 @@ def table_football(d: Drawing) -> None:
             for m in range(count):
                 x = (m - (count - 1) / 2) * 0.6 / max(2, count) + 0.5 * push
                 man = Box.sized(0.04, 0.028, 0.12, (x, y, z - 0.09))
-                d.sections(man, [(0.6, 1, 0), (1, 0.86, 0.75), (1, 0.86, 1)], teams[mine], 0.1)
+                d.silhouette(man, [(0.2, 0), (0.8, 0), (1, 0.7), (1, 1), (0, 1), (0, 0.7)], teams[mine])
                 ball(d, (x, y, z + 0.044), (0.014, 0.014, 0.017), "skin tone", 8)
         ball(d, (0.05, 0.02, level + 0.017), 0.017, "white plastic", 10)
     for s in (-1, 1):

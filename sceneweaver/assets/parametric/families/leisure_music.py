@@ -424,8 +424,9 @@ def record_player(d: Drawing) -> None:
     r = min(0.42 * deep, 0.36 * wide)
     for share, top, look in ((1, 0.016, "steel"), (0.98, 0.019, "black plastic"), (0.33, 0.02, label)):
         d.cylinder(Box.sized(2 * share * r, 2 * share * r, top, (0, y, z)), look, segments=36)
-    for share in (0.5, 0.66, 0.82):  # grooves
-        d.hoop(Box.around((0, y, z + 0.0188), 2 * share * r, 2 * share * r, 0), 0.0006, "black steel", steps=28)
+    with d.no_colliders():
+        for share in (0.5, 0.66, 0.82):  # grooves
+            d.hoop(Box.around((0, y, z + 0.0188), 2 * share * r, 2 * share * r, 0), 0.0006, "black steel", steps=28)
     d.cylinder(Box.sized(0.008, 0.008, 0.014, (0, y, z + 0.015)), "chrome", segments=8)
     arm = wide / 2 - 0.065
     d.cylinder(Box.sized(0.07, 0.07, 0.03, (-0.28 * deep, arm, z)), "steel", segments=20)

@@ -11,6 +11,7 @@ from ... import shapes
 from ...drawing import Box, Drawing, Look, draws
 from ...drawing.box import Vec3
 from ...drawing.components import wheel
+from ...drawing.tree import pose
 
 BRIGHT = ("red plastic", "blue plastic", "yellow plastic", "green plastic", "orange plastic")
 RAINBOW = (*(f"{c} plastic" for c in ("red", "orange", "yellow", "green", "blue", "lilac", "pink")), "teal paint")
@@ -171,7 +172,7 @@ def plush_toy(d: Drawing) -> None:
     ball(d, (x + 1.18 * r, 0, z - 0.12 * r), (0.12 * r, 0.16 * r, 0.1 * r), "ink pigment", 10)
     eyes(d, x + 0.86 * r, 0.42 * r, z + 0.22 * r, 0.1 * r)
     ear = 0.5 * (high - z - 0.7 * r)
-    neck = z - 0.9 * r
+    neck, bow = z - 0.9 * r, x + max(0.8 * r, 0.28 * deep)
     with d.mirror("y"):
         ball(d, (0.25 * deep, 0.3 * wide, 0.13 * top), (0.24 * deep, 0.15 * wide, 0.13 * top), fur, 14)
         ball(d, (0.475 * deep, 0.3 * wide, 0.13 * top), (0.03 * deep, 0.08 * wide, 0.07 * top), pale, 10)
@@ -186,8 +187,8 @@ def plush_toy(d: Drawing) -> None:
             ball(d, (x + 0.13 * r, 0.8 * r, z + 0.75 * r), (0.12 * r, 0.22 * r, 0.22 * r), pale)
         else:
             ball(d, (x - 0.1 * r, 1.15 * r, z + 0.1 * r), (0.12 * r, 0.6 * r, 0.65 * r), fur, 16)
-        ball(d, (x + 0.9 * r, 0.3 * r, neck), (0.1 * r, 0.32 * r, 0.2 * r), ribbon, 10)
-    ball(d, (x + 0.95 * r, 0, neck), (0.14 * r, 0.12 * r, 0.13 * r), ribbon, 8)
+        ball(d, (bow, 0.3 * r, neck), (0.1 * r, 0.32 * r, 0.2 * r), ribbon, 10)
+    ball(d, (bow + 0.05 * r, 0, neck), (0.14 * r, 0.12 * r, 0.13 * r), ribbon, 8)
     if kind == "elephant":
         trunk = [(0.8, -0.2), (1.3, -0.6), (1.45, -1.1), (1.7, -1.25)]
         d.sweep([(x + u * r, 0, z + v * r) for u, v in trunk], 0.2 * r, fur)
@@ -257,14 +258,17 @@ HEIGHTS = (0.62, 0.7, 0.78, 0.95, 1.0, 0.78, 0.7, 0.62)
 def chessmen(d: Drawing, cells: Sequence[Sequence[Box]], king: float, pale: Look, dark: Look, played: bool) -> None:
     """Two ranks of chessmen at either end of a board of 8 x 8 cells; ``played``: some have moved or been taken."""
     for side, look in ((0, pale), (7, dark)):
+        places: dict[float, list[Box]] = {}
         for j, share in enumerate(HEIGHTS):
             for rank, size in ((side, share), (1 if side == 0 else 6, 0.5)):
                 if played and rank == side and j not in (0, 4, 7) and d.chance(f"taken {side} {j}", 0.2):
                     continue
                 if played and rank != side and d.chance(f"moved {side} {j}", 0.3):
                     rank += 2 if side == 0 else -2
-                man = cells[rank][j].share((0.14, 0.86), (0.14, 0.86)).inset(top=-size * king)
-                d.turned(man, CHESSMAN, look, 10 if played else 8)
+                places.setdefault(size, []).append(cells[rank][j])
+        for size, found in places.items():
+            with d.copies([pose(*cell.center) for cell in found]):
+                d.turned(Box.sized(0.72 * found[0].depth, 0.72 * found[0].width, size * king), CHESSMAN, look, 10)
 
 
 @draws("board_game", whole=True)
