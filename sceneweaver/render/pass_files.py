@@ -156,7 +156,7 @@ def _write_exr(frame: Frame, folder: Path) -> list[Path]:
         if name not in _EXR:
             continue
         layer, letters = _EXR[name]
-        values = array.astype(np.float32).reshape(*values.shape[:2], -1)
+        values = array.astype(np.float32).reshape(*array.shape[:2], -1)
         for k, letter in enumerate(letters):
             channels[f"{_LAYER}.{layer}.{letter}"] = np.ascontiguousarray(values[..., k])
     header = {"compression": openexr.ZIP_COMPRESSION, "type": openexr.scanlineimage}

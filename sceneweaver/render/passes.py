@@ -46,10 +46,11 @@ _BATCH = 8_000_000  # rays that are cast together
 class Frame:
     """What one camera saw: ``arrays`` by name, each [H, W] or [H, W, 3].
 
-    ``rgb`` uint8, as a photo; ``color`` float32, the light itself, linear; ``depth`` float32, along the optical axis [m], and ``distance`` float32, from the optical centre [m],
-    both inf where nothing is; ``normal_world`` and ``normal_cam`` float32, unit vectors toward the camera, 0 where
-    nothing is, the latter with x to the right, y up, z backward; ``position`` float32 in the world [m], nan where
-    nothing is; ``instance``, ``semantic`` and ``material`` int32 ids of the tables of `Labels`, 0 where nothing is.
+    ``rgb`` uint8, as a photo, and ``color`` float32, the light itself, linear; ``depth`` float32, along the optical
+    axis [m], and ``distance`` float32, from the optical centre [m], both inf where nothing is; ``normal_world`` and
+    ``normal_cam`` float32, unit vectors toward the camera, 0 where nothing is, the latter with x to the right, y up, z
+    backward; ``position`` float32 in the world [m], nan where nothing is; ``instance``, ``semantic`` and ``material``
+    int32 ids of the tables of `Labels`, 0 where nothing is.
     """
 
     shot: Shot
