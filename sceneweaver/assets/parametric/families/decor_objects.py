@@ -149,27 +149,6 @@ def pedestal(d: Drawing) -> None:
     d.surface("top", box, inset=0.008)
 
 
-@draws("hourglass", whole=True, even="round")
-def hourglass(d: Drawing) -> None:
-    """Two bulbs of glass with sand between wooden discs and posts."""
-    wood = d.material("frame", "walnut, oak, brass, black paint, mahogany")
-    sand = d.material("sand", "sand pigment, sea pigment, chalk pigment, terracotta pigment")
-    box = d.even("round")
-    for plate in (box.bottom(0.014), box.top(0.014)):
-        d.cylinder(plate, wood, bevel=0.003, segments=28)
-    inner = box.inset(z=0.014)
-    with d.ring(3, 0.41 * box.width, 0.5):
-        post = Box.sized(0.014, 0.014, inner.height, (0, 0, inner.z[0]))
-        d.turned(post, [(0.7, 0.0), (0.57, 0.3), (1.0, 0.5), (0.57, 0.7), (0.7, 1.0)], wood, 10)
-    bulb = [(0.46, 0.0), (0.62, 0.06), (0.66, 0.14), (0.6, 0.27), (0.35, 0.41), (0.11, 0.497)]
-    d.turned(inner, bulb, "glass")
-    d.turned(inner, [(r, 1 - z) for r, z in reversed(bulb)], "glass")
-    d.turned(inner, [(0.1, 0.49), (0.1, 0.51)], "glass", 12)
-    with d.no_colliders():
-        d.turned(inner, [(0.44, 0.004), (0.6, 0.09), (0.58, 0.14), (0.08, 0.27)], sand)
-        d.turned(inner, [(0.06, 0.51), (0.3, 0.6), (0.48, 0.68)], sand)
-
-
 CONTINENTS = (
     *((0.4, 0.6, 0.5), (0.1, -0.5, 0.42), (1.5, 0.5, 0.55), (2.2, 0.1, 0.4), (3.3, 0.6, 0.45), (3.6, -0.4, 0.45)),
     *((5.0, 0.2, 0.5), (5.6, 0.7, 0.4), (4.5, -0.5, 0.35), (0.0, 1.5, 0.3), (0.0, -1.5, 0.35)),
@@ -245,48 +224,6 @@ def alarm_clock(d: Drawing) -> None:
     clock_face(d, dial, "cream paint", "black steel")
     d.hoop(dial.inset(y=-0.02 * r, z=-0.02 * r).move(x=-0.003), 0.04 * r, look, "x", steps=24)
     d.bar((0, -w / 2, z), (0, w / 2, z), 0.004, "chrome", 8)
-
-
-@draws("trophy", whole=True)
-def trophy(d: Drawing) -> None:
-    """A cup with two handles on a block with a plate."""
-    metal = d.material("cup", "brass, chrome, copper")
-    base = d.material("base", "black paint, marble, mahogany, walnut")
-    box = d.bounds.place(width=d.bounds.depth)
-    block, cup = box.share((0.1, 0.9), (0.1, 0.9), (0.0, 0.2)), box.share(z=(0.2, 1.0))
-    d.box(block, base, bevel=0.005)
-    d.box(block.front(0.001).inset(front=-0.001).share(y=(0.2, 0.8), z=(0.25, 0.75)), metal, bevel=0.0)
-    stem = [(0.6, 0.0), (0.56, 0.04), (0.16, 0.1), (0.12, 0.2), (0.22, 0.26), (0.14, 0.32)]
-    bowl = [(0.5, 0.42), (0.84, 0.6), (0.94, 0.85), (1.0, 1.0)]
-    d.turned(cup, [*stem, *bowl, (0.93, 1.0), (0.86, 0.85), (0.4, 0.6), (0.0, 0.55)], metal, 28, hollow=True)
-    k, out = cup.width / 2, d.bounds.width / 2 - 0.004
-    low, high = (cup.z[0] + share * cup.height for share in (0.5, 0.9))
-    ear = [(0.6 * k, low), (0.3 * k + 0.5 * out, low + 0.06), (out, (low + high) / 2 + 0.02), (0.96 * out, high)]
-    with d.mirror("y"):
-        d.sweep([(0, y, z) for y, z in (*ear, (0.9 * k, high - 0.01))], 0.004, metal, 8)
-
-
-@draws("snow_globe", whole=True, even="round")
-def snow_globe(d: Drawing) -> None:
-    """A ball of glass with snow, a fir and a small house, on a wooden foot."""
-    wood = d.material("foot", "walnut, red paint, black paint, brass, mahogany")
-    box = d.even("round")
-    foot, r = box.share(z=(0.0, 0.3)), box.width / 2
-    d.turned(foot, [(0.9, 0.0), (0.92, 0.26), (0.74, 0.43), (0.7, 0.86), (0.6, 0.9)], wood, 28)
-    ball = d.ball(box.top(2 * r), "glass", 24)
-    low = ball.center[2] - 0.55 * r
-    with d.no_colliders():
-        d.revolve([(0.5 * r, low - 0.2 * r), (0.78 * r, low), (0.3 * r, low + 0.14 * r)], "white paint")
-        for k, (wide, z) in enumerate(((0.6, 0.1), (0.48, 0.4), (0.32, 0.68))):
-            fir = Box.sized(wide * r, wide * r, 0.42 * r, (-0.2 * r, 0.25 * r, low + z * r))
-            d.cylinder(fir, "dark leaf" if k else "leaf", ends=(1.0, 0.02), segments=12)
-        house = d.box(Box.sized(0.4 * r, 0.4 * r, 0.34 * r, (0.15 * r, -0.28 * r, low)), "red paint", bevel=0.0)
-        roof = house.top(-0.22 * r).inset(x=-0.04 * r, y=-0.04 * r)
-        d.sections(roof, [(1, 1, 0.0), (1, 0.01, 1.0)], "white paint", radius=0.0, convex=True)
-        for k in range(16):
-            a = GOLDEN * k
-            at = (0.7 * r * math.cos(a), 0.6 * r * math.sin(a) * math.sin(k), low + (0.3 + 0.05 * k) * r)
-            d.ball(Box.around(at, 0.035 * r, 0.035 * r, 0.035 * r), "white paint", 6)
 
 
 @draws("music_box", "jewelry_box", whole=True)

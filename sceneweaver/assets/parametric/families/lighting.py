@@ -229,17 +229,6 @@ def lantern(d: Drawing) -> None:
     d.hoop(Box.sized(0.0, loop - 0.006, loop - 0.006, (0, 0, roof + 0.015)), 0.003, metal, "x", steps=12)
 
 
-@draws("night_light", whole=True, even="round")
-def night_light(d: Drawing) -> None:
-    """A small glowing ball or moon on a wooden stand."""
-    box = d.even("round")
-    wood = d.material("stand", "light oak, white plastic, walnut, pine")
-    high = min(box.width, box.height - 0.02)
-    stand = Box.sized(high, high, box.height - 0.9 * high)
-    d.turned(stand, [(0.6, 0.0), (0.62, 0.1), (0.5, 0.35), (0.55, 1.0)], wood)
-    globe(d, box.top(high))
-
-
 @draws("string_lights", whole=True)
 def string_lights(d: Drawing) -> None:
     """A hanging cord with many small bulbs, in bows along the wall."""

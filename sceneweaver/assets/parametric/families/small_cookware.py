@@ -113,29 +113,6 @@ def kettle(d: Drawing) -> None:
     d.sweep([(0, *p) for p in bow[4:9]], 0.012, dark, 10)
 
 
-@draws("toaster", whole=True)
-def toaster(d: Drawing) -> None:
-    """Two slots, in some with toast, a lever and a dial at the side."""
-    look = d.material("body", SHELLS)
-    dark = d.material("trim", "black plastic, grey plastic")
-    box = d.bounds.inset(right=0.008, left=0.02)
-    base, body = box.bottom(0.02), box.inset(bottom=0.014).share(z=(0.0, 0.86))
-    d.slab(base.inset(x=0.008, y=-0.004), dark, radius=0.02)
-    rows = [(0.97, 0.97, 0.0), (1, 1, 0.05), (1, 1, 0.84), (0.94, 0.97, 0.94), (0.78, 0.88, 1.0)]
-    d.sections(body, rows, look, radius=0.2, convex=True)
-    top = body.top(0.0)
-    for side in ("front", "back"):
-        slot = d.print(top.inset(y=0.045, x=0.18 * box.depth).place(0.03, at=side), "black steel")
-        if d.chance("toast", 0.6):
-            toast = slot.inset(x=0.008, y=0.02).to(z=(top.z[1] - 0.01, d.bounds.z[1]))
-            d.slab(toast, "bread crust", radius=0.006, bevel=0.002)
-    lever = Box.around((0.0, box.y[1] + 0.004, 0.6 * body.height), 0.012, 0.016, 0.01)
-    d.box(lever, "steel", bevel=0.001)
-    d.cushion(Box.around((0.0, box.y[1] + 0.014, 0.62 * body.height), 0.032, 0.012, 0.12 * body.height), dark, 0.005)
-    dial = Box.around((0.25 * box.depth, box.y[1] + 0.005, 0.32 * body.height), 0.028, 0.014, 0.028)
-    d.cylinder(dial, dark, "y", ends=(1.0, 0.86), bevel=0.002, segments=14)
-
-
 @draws("coffee_maker", whole=True)
 def coffee_maker(d: Drawing) -> None:
     """A filter machine with a glass pot, or an espresso machine with a portafilter and cups on top."""
@@ -331,25 +308,6 @@ def baking_tray(d: Drawing) -> None:
             d.cylinder(own.inset(x=0.005, y=0.005), biscuit, ends=(1.0, 0.87), bevel=0.003, segments=14)
 
 
-@draws("air_fryer", whole=True)
-def air_fryer(d: Drawing) -> None:
-    """An egg-shaped fryer with a basket drawer, its handle, and a display."""
-    look = d.material("body", "black plastic, white plastic, grey plastic, cream paint, mint plastic")
-    dark = d.material("drawer", "black plastic, black steel")
-    box, body = d.bounds, d.bounds.inset(front=0.07)
-    rows = ((0.86, 0.0), (0.95, 0.02), (1.0, 0.35), (0.97, 0.65), (0.9, 0.8), (0.76, 0.92), (0.6, 0.97), (0.4, 1.0))
-    d.sections(body, [(s, s, z) for s, z in rows], look, radius=0.4, convex=True)
-    front = body.front(0.4 * body.depth).inset(front=-0.004).share(y=(0.19, 0.81), z=(0.1, 0.5))
-    d.slab(front, dark, 0.02, 0.004)
-    grip = box.front(0.08).place(width=0.044).share(z=(0.3, 0.4))
-    d.slab(grip, dark, 0.018, 0.006)
-    d.print(grip.top(0.0).inset(front=0.016).front(0.018).place(width=0.018), "chrome")
-    with d.at(body.x[1] - 0.035 * body.depth, 0.0, 0.69 * box.height, pitch=-0.3):
-        panel = d.slab(Box.around((-0.007, 0, 0), 0.026, 0.44 * box.width, 0.17 * box.height), "black glass", 0.006)
-        for light in panel.front(0.0).share(y=(0.3, 0.7), z=(0.5, 0.75)).columns(3, gap=0.01):
-            d.print(light, "lamp glow")
-
-
 @draws("dish_rack", whole=True)
 def dish_rack(d: Drawing) -> None:
     """A rack of wire with plates upright in it, two mugs, and a tray for drops."""
@@ -395,25 +353,3 @@ def oven_mitt(d: Drawing) -> None:
     d.cushion(box.back(0.07).share(y=(0.12, 0.88), z=(0.0, 0.92)), hem, radius=0.012)
     with d.no_colliders(), d.grid(box.inset(back=0.09, front=0.06, y=0.18 * box.width).top(0.0), x=4, y=3):
         d.ball(Box.around((0, 0, -0.004), 0.006, 0.006, 0.006), hem, 8)
-
-
-@draws("electric_grill", whole=True)
-def electric_grill(d: Drawing) -> None:
-    """A contact grill, closed, with a big handle, feet and two lights."""
-    look = d.material("body", "brushed steel, black plastic, steel, red plastic")
-    box = d.bounds.inset(front=0.03)
-    low = d.slab(box.share(z=(0.08, 0.42)), "black plastic", 0.025, 0.006)
-    with d.corners(box, inset=0.03):
-        d.box(Box((0.0, 0.024), (0.0, 0.024), (0.0, 0.1 * box.height)), "rubber")
-    d.box(box.inset(x=0.02, y=0.02).share(z=(0.42, 0.5)), "iron", bevel=0.002)
-    rows = [(1, 1, 0.0), (1, 1, 0.58), (0.93, 0.93, 0.88), (0.8, 0.86, 1.0)]
-    d.sections(box.share(z=(0.5, 0.88)), rows, look, radius=0.12, convex=True)
-    x, top = d.bounds.x[1] - 0.013, d.bounds.z[1] - 0.013
-    with d.mirror("y"):
-        joint = (box.x[1] - 0.06, 0.3 * box.width, 0.8 * box.height)
-        d.bar(joint, (x, 0.3 * box.width, top), 0.009, "black plastic", 8)
-    d.bar((x, -0.36 * box.width, top), (x, 0.36 * box.width, top), 0.013, "black plastic", 12)
-    badge = d.print(low.front(0.0).place(width=0.06, height=0.4 * low.height), "grey plastic")
-    lights = badge.share((0, 1), (0.15, 0.85), (0.3, 0.7)).columns(2, gap=0.014)
-    d.print(lights[0], "red plastic", 0.0004)
-    d.print(lights[1], "green plastic", 0.0004)

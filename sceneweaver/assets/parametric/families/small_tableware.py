@@ -9,7 +9,7 @@ import numpy as np
 from ... import shapes
 from ...drawing import PROUD, Box, Drawing, Look, draws
 from ...drawing.components import open_box
-from .small_parts import CERAMICS, filling, open_vessel, wrap
+from .small_parts import CERAMICS, filling, open_vessel
 
 DISH = [(0.55, 0.0), (0.6, 0.1), (0.68, 0.34), (0.97, 0.86), (1.0, 1.0)]
 CUP = [(0.5, 0.0), (0.55, 0.04), (0.86, 0.35), (0.97, 0.7), (1.0, 1.0)]
@@ -58,22 +58,6 @@ def bowl(d: Drawing) -> None:
         filling(d, box, [*shape[:4], (0.7, 0.7), (0.3, 0.74)], 0.2, 0.74, food)
     else:
         filling(d, box, shape, 0.13, 0.165, inside, 0.006)
-
-
-@draws("mug", whole=True)
-def mug(d: Drawing) -> None:
-    """A straight mug with a big handle, most with coffee, some with a band."""
-    box = d.bounds.place(width=d.bounds.depth)
-    glaze = d.material("body", CERAMICS, "white ceramic")
-    low = d.uniform("taper", 0.82, 1.0)
-    shape = [(low - 0.08, 0.0), (low, 0.04), (1.0, 0.98), (0.98, 1.0)]
-    open_vessel(d, box, shape, glaze, 0.0035, 0.07, "coffee" if d.chance("drink", 0.6) else None, 0.84)
-    if d.chance("band", 0.4):
-        at = d.uniform("stripe at", 0.15, 0.3)
-        wrap(d, box, shape, at, at + 0.2, d.material("stripe", "blue ceramic, grey ceramic, terracotta, white ceramic"))
-    r, h = box.width / 2, box.height
-    reach = d.bounds.width - box.width + 0.03 * r
-    d.arch((0, -0.95 * r, 0.84 * h), (0, -0.93 * low * r, 0.2 * h), (0, -reach, 0), 0.0048, glaze, 8)
 
 
 @draws("cup_and_saucer", whole=True, even="round")
@@ -128,27 +112,6 @@ def champagne_flute(d: Drawing) -> None:
     open_vessel(d, d.even("round"), [*foot, (0.6, 0.48), (0.82, 0.66), (0.8, 1.0)], "glass", 0.0015, 0.39, drink, 0.82)
 
 
-@draws("teapot", whole=True)
-def teapot(d: Drawing) -> None:
-    """A round pot with spout, handle, and lid with a knob."""
-    box = d.bounds.place(width=d.bounds.depth)
-    glaze = d.material("body", CERAMICS, "iron")
-    knob = d.material("knob", "bamboo, white ceramic, brass") if d.chance("knob other", 0.4) else glaze
-    belly = [(0.6, 0.0), (0.62, 0.02), (0.88, 0.14), (1.0, 0.36), (0.93, 0.55), (0.7, 0.69), (0.52, 0.74)]
-    lid = [(0.54, 0.74), (0.54, 0.765), (0.46, 0.8), (0.3, 0.84), (0.08, 0.86), (0.07, 0.89)]
-    for shape, look in ((belly, glaze), (lid, glaze), ([(0.07, 0.88), (0.14, 0.93), (0.11, 0.98), (0.04, 1.0)], knob)):
-        d.turned(box, shape, look, 28)
-    r, h, reach = box.width / 2, box.height, (d.bounds.width - box.width) / 2
-    rings = []
-    for share, z, thick in ((-0.2, 0.2, 0.32), (0.2, 0.36, 0.2), (0.7, 0.56, 0.13), (1.0, 0.74, 0.1)):
-        ring = shapes.ellipse(thick * r, thick * r, z * h, 16, 0.0, r + share * reach)
-        # Sections lean with the spout, which is cut level at its mouth.
-        ring[:, 2] -= 0.0 if share == 1.0 else 0.6 * (ring[:, 1] - r - share * reach)
-        rings.append(ring)
-    d.loft(rings, glaze)
-    d.arch((0, -0.72 * r, 0.64 * h), (0, -0.92 * r, 0.2 * h), (0, -reach - 0.14 * r, 0.04 * h), 0.07 * r, glaze, 8)
-
-
 @draws("pitcher", whole=True)
 def pitcher(d: Drawing) -> None:
     """A jug with a lip and a handle; those of glass are half full."""
@@ -168,23 +131,6 @@ def pitcher(d: Drawing) -> None:
     if look.opacity < 1:
         filling(d, box, shape, 0.07, 0.55, d.pick("drink", ["lemon peel", "orange peel", "frosted glass"]), 0.0045)
     d.arch((0, -0.66 * r, 0.9 * h), (0, -0.88 * r, 0.34 * h), (0, -0.8 * reach, 0.03 * h), 0.0075, look, 8)
-
-
-@draws("salt_and_pepper", whole=True)
-def salt_and_pepper(d: Drawing) -> None:
-    """Two shakers or mills side by side."""
-    waist = [(1, 0), (1, 0.08), (0.72, 0.16), (0.6, 0.45), (0.85, 0.62), (0.7, 0.7), (0.5, 0.71), (0.5, 0.73)]
-    head = [(0.85, 0.76), (0.8, 0.88), (0.4, 0.94)]
-    body, top = [*waist, *head], [(0.06, 0.93), (0.2, 0.95), (0.2, 0.97), (0.06, 1.0)]
-    mill = d.chance("mill", 0.5)
-    if not mill:
-        body = [(0.9, 0.0), (1.0, 0.04), (0.8, 0.72)]
-        top = [(0.84, 0.72), (0.84, 0.82), (0.7, 0.92), (0.4, 0.98), (0.1, 1.0)]
-    names = ("beech, walnut", "wenge, walnut") if mill else ("glass, white ceramic", "amber glass, black paint")
-    for side, role, finishes in (("left", "salt", names[0]), ("right", "pepper", names[1])):
-        own = d.bounds.place(width=d.bounds.depth, at=side)
-        d.turned(own, body, d.material(role, finishes), 20)
-        d.turned(own, top, "steel", 20)
 
 
 def strip(d: Drawing, rows, look: Look, thick: float = 0.0025) -> None:
@@ -316,21 +262,6 @@ def cake_stand(d: Drawing) -> None:
             d.ball(Box.around((0, 0, 0.9 * box.height), 0.012, 0.012, 0.012), look, 8)
     t = (np.arange(16) + 0.5) * np.pi / 8
     d.surface("top", box, polygon=0.95 * box.width / 2 * np.c_[np.cos(t), np.sin(t)])
-
-
-@draws("sugar_bowl", whole=True)
-def sugar_bowl(d: Drawing) -> None:
-    """A small lidded bowl with two ears."""
-    box = d.bounds.place(width=d.bounds.depth)
-    glaze = d.material("body", CERAMICS)
-    d.turned(box, [(0.6, 0.0), (0.62, 0.04), (0.96, 0.25), (1.0, 0.42), (0.9, 0.68)], glaze)
-    d.turned(box, [(0.93, 0.68), (0.93, 0.71), (0.75, 0.78), (0.4, 0.83), (0.1, 0.85)], glaze)
-    knob = d.pick("knob", ["brass", "white ceramic"])
-    d.turned(box, [(0.05, 0.83), (0.13, 0.87), (0.15, 0.92), (0.1, 0.98), (0.03, 1.0)], knob, 12)
-    r, h = box.width / 2, box.height
-    with d.mirror("y"):
-        reach = (d.bounds.width - box.width) / 2
-        d.arch((0, 0.9 * r, 0.62 * h), (0, 0.95 * r, 0.3 * h), (0, reach + 0.05 * r, 0), 0.0035, glaze, 6)
 
 
 @draws("coaster_set", whole=True, even="round")
