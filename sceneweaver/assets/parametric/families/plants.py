@@ -29,28 +29,38 @@ def _ball_crown(
     f.draw((low, d.size.height))
 
 
-@draws("potted_plant")
+_CROWNS = {  # share of the height where it begins, leaves, their length and width [m], finishes, outline
+    "ficus": (0.4, 170, 0.11, 0.045, ("", "dark leaf"), OVAL),
+    "fiddle": (0.36, 64, 0.26, 0.16, ("", "leaf"), (0.2, 0.55, 0.9, 1.0, 0.7, 0.05)),
+    "olive": (0.5, 250, 0.09, 0.026, ("silver leaf", "leaf"), (0.3, 1.0, 0.9, 0.08)),
+}
+
+
+@draws("potted_plant", "olive_tree")
 def potted_plant(d: Drawing) -> None:
-    """A ficus with a crown on a stem, a plant of big split leaves on long stalks, or a bush of broad leaves."""
-    (depth, w, h), f = d.size, Foliage(d)
-    wide, kind, rng = min(depth, w), d.pick("kind", ["ficus", "split", "broad", "fiddle"]), f.rng
-    high = h * d.uniform("pot height", 0.2, 0.27)
-    soil = pot(d, wide * d.uniform("pot radius", 0.27, 0.33), high)
-    green = d.material("leaves", "leaf, dark leaf, pale leaf")
-    if kind in ("ficus", "fiddle"):
-        trunks = 1 if kind == "fiddle" else d.integer("trunks", 1, 3)
-        low, lean = h * (0.4 if kind == "ficus" else 0.36), 0.02 if trunks > 1 else 0.0
+    """A ficus, a fiddle leaf fig, an olive that forks, or big split or broad leaves on long stalks."""
+    (depth, w, h), f, olive = d.size, Foliage(d), d.category.name == "olive_tree"
+    wide, rng, kind = min(depth, w), f.rng, "olive" if olive else d.pick("kind", ["ficus", "split", "broad", "fiddle"])
+    soil = pot(d, wide * d.uniform("pot radius", 0.27, 0.33), h * d.uniform("pot height", 0.2, 0.27))
+    green = "leaf" if olive else d.material("leaves", "leaf, dark leaf, pale leaf")
+    if kind in _CROWNS:
+        share, count, size, width, looks, outline = _CROWNS[kind]
+        low, trunks = share * h, d.integer("trunks", 1, 3) if kind == "ficus" else 3 if olive else 1
+        fork, lean = soil + 0.8 * (low - soil), 0.02 if trunks > 1 and not olive else 0.0
         with d.part("trunk"):
-            for a in np.arange(trunks) * (2 * math.pi / trunks):
+            if olive:
+                path = [(0, 0, soil - 0.02), (0.015, 0.01, 0.7 * soil + 0.3 * fork), (-0.01, -0.01, fork)]
+                d.sweep(path, 0.022, "bark", 8)
+            for a in np.arange(trunks) * (2 * math.pi / trunks) + 0.3 * olive:
                 reach, heights = (
                     [lean, 0.4 * lean, 0.06 * depth],
                     [soil - 0.03, (soil + low) / 2, 0.45 * low + 0.55 * h],
                 )
-                d.sweep(around(a + np.array([0, 2, 0]), reach, heights), 0.012 + 0.003 * h, "bark", 8)
-        if kind == "ficus":
-            _ball_crown(f, 170, 0.11, 0.045, (green, "dark leaf"), low)
-        else:
-            _ball_crown(f, 64, 0.26, 0.16, (green, "leaf"), low, (0.2, 0.55, 0.9, 1.0, 0.7, 0.05))
+                if olive:
+                    reach, heights = [0.0, 0.09 * wide, 0.18 * wide], [fork - 0.01, (fork + 0.75 * h) / 2, 0.75 * h]
+                thick = 0.009 if olive else 0.012 + 0.003 * h
+                d.sweep(around(a + np.array([0, 2 * (not olive), 0]), reach, heights), thick, "bark", 8)
+        _ball_crown(f, count, size, width, (looks[0] or green, looks[1]), low, outline)
         return
     count = 16 if kind == "split" else 30
     yaw = np.arange(count) * GOLDEN + rng.uniform(-0.3, 0.3, count)
@@ -79,25 +89,31 @@ def _split(tip: np.ndarray, yaw: float, length: float, rise: float) -> Leaves:
     return leaves(points, yaws, 0.25 * rise + 0.1, 0.6, lobe, 0.26 * length, outline, 0.0, 0.0018, rib=False)
 
 
-@draws("palm")
+@draws("palm", "fern")
 def palm(d: Drawing) -> None:
-    """Feathered fronds that arch from several canes, or from one trunk with rings."""
-    (depth, w, h), f = d.size, Foliage(d)
-    soil = pot(d, min(depth, w) * d.uniform("pot radius", 0.22, 0.27), h * d.uniform("pot height", 0.17, 0.22))
-    green = d.material("leaves", "leaf, pale leaf, dark leaf")
-    count, trunk = d.integer("fronds", 11, 15), d.chance("trunk", 0.4)
-    head = soil + (0.28 * h if trunk else 0.0)
-    long = (h - head) * f.rng.uniform(0.85, 1.1, count)
-    for n, (rise, bend) in enumerate(zip(np.linspace(1.4, 0.75, count), np.linspace(0.6, 1.5, count), strict=True)):
-        yaw = n * GOLDEN
-        base = around(yaw, 0.0 if trunk else 0.035, head)[0]
-        for made in frond(base, yaw, rise, bend, long[n], 0.34, 15, 0.05):
-            f.add(made, green, sectors(yaw, 8))
+    """Feathered fronds that arch all around: from several canes, from one trunk with rings, or from a low pot."""
+    (depth, w, h), f, fern = d.size, Foliage(d), d.category.name == "fern"
+    green, trunk = (
+        d.material("leaves", "leaf, pale leaf", *(() if fern else ("dark leaf",))),
+        not fern and d.chance("trunk", 0.4),
+    )
+    if fern:
+        soil = pot(d, 0.27 * min(depth, w), h * d.uniform("pot height", 0.36, 0.44), ("taper", "belly", "rim"))
+    else:
+        soil = pot(d, min(depth, w) * d.uniform("pot radius", 0.22, 0.27), h * d.uniform("pot height", 0.17, 0.22))
+    count, head = 20 if fern else d.integer("fronds", 11, 15), soil + (0.28 * h if trunk else 0.0)
+    leaflet = (0.22, 11, 0.016) if fern else (0.34, 15, 0.05)
+    for n, share in enumerate((np.arange(count) / count).tolist()):
+        yaw, long = n * GOLDEN, (h - head) * f.rng.uniform(*((1.0, 1.3) if fern else (0.85, 1.1)))
+        base = around(yaw, 0.02 if fern else 0.0 if trunk else 0.035, head)[0]
+        rise, bend = (1.45 - 0.8 * share, 1.5 + 0.6 * share) if fern else (1.4 - 0.65 * share, 0.6 + 0.9 * share)
+        for k, made in enumerate(frond(base, yaw, rise, bend, long, *leaflet)):
+            f.add(made, "leaf" if fern and not k else green, sectors(yaw, 8))
     if trunk:
         with d.part("trunk"):
             for ring in Box.sized(0.068, 0.068, 1.0).to(z=(soil - 0.02, head + 0.03)).rows(7):
                 d.cylinder(ring, "bark", ends=(0.76, 1.0), segments=12)
-    f.draw((head if trunk else soil - 0.005, h))
+    f.draw((head if trunk else soil - 0.01, h))
 
 
 @draws("snake_plant")
@@ -137,21 +153,6 @@ def bamboo_plant(d: Drawing) -> None:
                 turn, rise = rng.uniform(0, 6.28) + np.arange(4) * 1.6, rng.uniform(0.0, 0.8, 4)
                 f.add(leaves([p] * 4, turn, rise, 1.0, 0.2, 0.024, OVAL, 0.2), "leaf" if j % 2 else "dark leaf", n)
     f.draw((soil + 0.25 * (h - soil), h))
-
-
-@draws("olive_tree")
-def olive_tree(d: Drawing) -> None:
-    """A bent trunk that forks, and a loose crown of small silvery leaves."""
-    (depth, w, h), f = d.size, Foliage(d)
-    soil = pot(d, 0.3 * min(depth, w), h * d.uniform("pot height", 0.2, 0.26))
-    low = 0.5 * h
-    fork = soil + 0.8 * (low - soil)
-    with d.part("trunk"):
-        d.sweep([(0, 0, soil - 0.02), (0.015, 0.01, 0.7 * soil + 0.3 * fork), (-0.01, -0.01, fork)], 0.022, "bark", 8)
-        for a in (0.3, 2.4, 4.5):
-            tip = (0.18 * depth * math.cos(a), 0.18 * w * math.sin(a), 0.75 * h)
-            d.bar((-0.01, -0.01, fork - 0.01), tip, 0.009, "bark", 7)
-    _ball_crown(f, 250, 0.09, 0.026, ("silver leaf", "leaf"), low, (0.3, 1.0, 0.9, 0.08))
 
 
 @draws("christmas_tree")

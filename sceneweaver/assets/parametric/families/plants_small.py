@@ -17,7 +17,6 @@ from .plants_parts import (
     Leaves,
     around,
     crown_points,
-    frond,
     leaves,
     pot,
     sectors,
@@ -25,20 +24,6 @@ from .plants_parts import (
 )
 
 _GREENS = "leaf, dark leaf, pale leaf"
-
-
-@draws("fern")
-def fern(d: Drawing) -> None:
-    """Arching feathered fronds all around a low pot."""
-    (depth, w, h), f = d.size, Foliage(d)
-    soil = pot(d, 0.27 * min(depth, w), h * d.uniform("pot height", 0.36, 0.44), ("taper", "belly", "rim"))
-    green = d.material("leaves", "leaf, pale leaf")
-    for n, share in enumerate(np.arange(20) / 20):
-        yaw, long = n * GOLDEN, (h - soil) * f.rng.uniform(1.0, 1.3)
-        base = around(yaw, 0.02, soil)[0]
-        for k, made in enumerate(frond(base, yaw, 1.45 - 0.8 * share, 1.5 + 0.6 * share, long, 0.22, 11, 0.016)):
-            f.add(made, "leaf" if k % 2 else green, sectors(yaw, 8))
-    f.draw((min(soil - 0.01, 0.3 * h), h))
 
 
 @draws("cactus")

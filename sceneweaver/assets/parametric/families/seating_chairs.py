@@ -57,7 +57,7 @@ def _back(d: Drawing, x: float, inner: float, seat: float, lean: float, style: s
     def rail(z: float, high: float, bow: float = 0.02) -> None:
         y = np.linspace(-inner, inner, 7)
         path = np.c_[at(z) - bow * (1 - (y / inner) ** 2), y, np.full(7, z)]
-        d.sweep(path, np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)]) * (0.009, high / 2), wood)
+        d.sweep(path, (0.018, high), wood)
 
     rail(h - 0.045, 0.08)
     if style == "spindles":
@@ -232,7 +232,7 @@ def folding_chair(d: Drawing) -> None:
     frame = d.material("frame", "beech, oak, walnut" if wooden else "black steel, white steel, chrome")
     body = frame if wooden else d.material("seat", "black plastic, white plastic, grey plastic, blue plastic")
     x0, x1, y = -depth / 2, depth / 2, w / 2
-    section = np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)]) * (0.009, 0.016) if wooden else 0.011
+    section = (0.018, 0.032) if wooden else 0.011
     knee, tip = (0.35 * (x0 + 0.1) - 0.03, seat + 0.02), (x0 + 0.02, h - 0.02)
     place = Box((x0 + 0.1, x1 - 0.04), (-y + 0.045, y - 0.045), (seat - 0.03, seat))
     with d.mirror("y"):
@@ -299,7 +299,7 @@ def rocking_chair(d: Drawing) -> None:
     with d.mirror("y"), d.part("side"), d.at(y=y):
         s = np.linspace(-1.0, 1.0, 11)
         runner = np.c_[s * depth / 2, 0 * s, 0.022 + 0.3 * np.clip(np.abs(s) - 0.45, 0.0, None) ** 2]
-        d.sweep(runner, np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)]) * (0.016, 0.022), wood)
+        d.sweep(runner, (0.032, 0.044), wood)
         for x, top in ((0.2, 0.64), (-0.22, 0.63)):
             leg(d, (x, 0.0, 0.035), (x + 0.02, 0.0, top), 0.034, 0.034, wood, 4)
         arm = Box((-0.3, 0.27), (-0.035, 0.035), (0.625, 0.665))

@@ -226,37 +226,53 @@ def sofa_bed(d: Drawing) -> None:
     d.fit()
 
 
-@draws("recliner", whole=True)
+@draws("recliner", "theater_seat", whole=True)
 def recliner(d: Drawing) -> None:
-    """A thickly padded chair that leans back, its foot rest raised."""
-    cover = d.material("cover", "brown leather", "black leather", "tan leather", "grey fabric", "beige fabric")
-    body, arm = d.bounds.back(0.98).inset(back=0.14), 0.2
-    room, top = body.inset(y=arm), d.size.height
-    with d.part("base"):
-        d.box(body.bottom(0.06).inset(back=0.06, front=0.1, y=0.05), "black plastic")
-        d.cushion(room.to(z=(0.06, 0.34)), cover, 0.03)
-        with d.at(room.x[1] - 0.26, z=0.38, pitch=-0.06):
-            d.cushion(Box((-0.34, 0.3), room.inset(y=0.002).y, (-0.08, 0.1)), cover, 0.07, 0.2)
-    with d.mirror("y"), d.part("arm"):
-        side = body.left(arm)
-        d.cushion(side.to(z=(0.04, 0.54)).inset(front=0.01, y=0.012), cover, 0.05)
-        d.cushion(side.to(z=(0.48, 0.64)).inset(back=-0.04, front=-0.015), cover, 0.078)
-    with d.part("back"), d.at(body.x[0] + 0.22, z=0.34, pitch=-0.42):
-        rest = Box((-0.08, 0.1), room.y, (0.06, (top - 0.34) / math.cos(0.42) - 0.05))
-        d.cushion(rest.inset(y=-0.05, top=0.02, bottom=-0.06).to(x=(-0.17, -0.04)), cover, 0.05)
-        for k, row in enumerate(rest.rows([4, 4, 5])):
-            d.cushion(row.inset(y=-0.04 if k == 2 else 0.0, top=-0.012, front=0.01 * k), cover, 0.07, 0.2)
-    with d.part("foot rest"):
-        with d.at(body.x[1] + 0.02, z=0.36, pitch=-0.12):
-            rest = Box((0.0, d.bounds.x[1] - body.x[1] - 0.01), room.inset(y=0.01).y, (-0.03, 0.1))
-            d.cushion(rest, cover, 0.06, 0.1)
-        with d.mirror("y"):
-            y = room.y[1] - 0.06
-            d.bar((body.x[1] - 0.06, y, 0.22), (body.x[1] + 0.14, y, 0.37), 0.013, "black steel", segments=6)
-    if d.chance("lever", 0.7):
-        with d.part("arm"):
-            side, finish_ = body.y[0], d.material("lever", "walnut", "black plastic", "chrome")
-            d.bar((body.x[1] - 0.24, side, 0.3), (body.x[1] - 0.12, side, 0.36), 0.011, finish_, segments=8)
+    """A thickly padded chair that leans back, its foot rest raised; or up to three of a cinema with cup holders."""
+    cinema = d.category.name == "theater_seat"
+    colors = ("red", "charcoal", "navy") if cinema else ("grey", "beige", "green")
+    cover = d.material("cover", "black leather, brown leather, tan leather", *(f"{color} fabric" for color in colors))
+    body, arm, top, glow = d.bounds.inset(back=0.15), 0.2, d.size.height, cinema and d.chance("glow", 0.6)
+    count, lean, legroom = 1, 0.42, d.size.depth - 0.98
+    if cinema:
+        count, lean, legroom = max(1, min(3, round((body.width - arm) / 0.7))), 0.26, 0.0
+    body = body.inset(front=legroom)
+    seats = body.inset(y=arm).columns(count, gap=arm)
+    for cell in seats:
+        with d.part("seat"):
+            d.box(cell.bottom(0.07).inset(x=0.1, y=-0.03), "black plastic")
+            d.cushion(cell.to(z=(0.06, 0.34)).inset(front=0.03), cover, 0.03)
+            with d.at(cell.x[1] - 0.26, z=0.38, pitch=-0.06):
+                d.cushion(Box((-0.34, 0.25), cell.inset(y=0.002).y, (-0.08, 0.09)), cover, 0.07, 0.15)
+            if cinema:
+                d.cushion(cell.front(0.09).to(z=(0.12, 0.4)).inset(y=0.01), cover, 0.044)
+        with d.part("back"), d.at(body.x[0] + 0.2, z=0.34, pitch=-lean):
+            rest = Box((-0.08, 0.1), cell.y, (0.06, (top - 0.34) / math.cos(lean) - 0.05))
+            d.cushion(rest.inset(y=-0.05, top=0.02, bottom=-0.06).to(x=(-0.17, -0.04)), cover, 0.05)
+            for row, part in enumerate(rest.rows([4, 4, 5])):
+                d.cushion(part.inset(y=-0.04 * (row == 2), top=-0.012, front=0.01 * row), cover, 0.07)
+    for k in range(count + 1):
+        y = body.y[0] + k * (body.width - arm) / count
+        side = body.to(y=(y, y + arm))
+        with d.part(f"arm {k}"):
+            d.cushion(side.to(z=(0.04, 0.54)).inset(front=0.03, y=0.012), cover, 0.05)
+            rest = d.cushion(side.to(z=(0.48, 0.63)).inset(back=-0.02), cover, 0.07)
+            if cinema:
+                holder = rest.top(0.03).inset(top=-0.008).place(0.1, 0.1, at="front").move(x=-0.12)
+                d.turned(holder, [(1.0, 0.0), (1.0, 0.87), (0.92, 1.0)], "brushed steel", 20)
+                d.print(holder.top(0.0).inset(x=0.01, y=0.01), "black plastic", oval=True)
+            elif k == 0 and d.chance("lever", 0.7):
+                start, end = side.point(0.7, 0.0, 0.3 / top), side.point(0.85, 0.0, 0.36 / top)
+                d.bar(start, end, 0.011, d.material("lever", "walnut, black plastic, chrome"), segments=8)
+            if glow:
+                d.box(side.to(z=(0.045, 0.055)).inset(back=0.14, front=0.2, y=0.008), "lamp glow", bevel=0.0)
+    if not cinema:
+        with d.part("foot rest"):
+            with d.at(body.x[1] + 0.02, z=0.36, pitch=-0.12):
+                d.cushion(Box((0.0, legroom - 0.01), seats[0].inset(y=0.01).y, (-0.03, 0.1)), cover, 0.06, 0.1)
+            with d.mirror("y"):
+                y, x = seats[0].y[1] - 0.06, body.x[1]
+                d.bar((x - 0.06, y, 0.22), (x + 0.14, y, 0.37), 0.013, "black steel", segments=6)
 
 
 @draws("chaise_longue", whole=True)

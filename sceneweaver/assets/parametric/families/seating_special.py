@@ -111,39 +111,6 @@ def egg_chair(d: Drawing) -> None:
             d.pillow(Box.sized(0.34, 0.4, 0.14, (0.0, 0.0, -0.06)), accent)
 
 
-@draws("theater_seat", whole=True)
-def theater_seat(d: Drawing) -> None:
-    """One to three padded recliners side by side with shared broad arms, cup holders and a raised back."""
-    cover = d.material("cover", "black leather, brown leather, red fabric, charcoal fabric, navy fabric")
-    box, h, arm = d.bounds, d.size.height, 0.2
-    count = max(1, min(3, round((box.width - 0.2) / 0.7)))
-    glow = d.chance("glow", 0.6)
-    x1 = box.x[1]
-    for cell in box.inset(y=arm).columns(count, gap=arm):
-        with d.part("seat"):
-            d.box(cell.bottom(0.07).inset(back=0.25, front=0.1, y=-0.03), "black plastic")
-            d.cushion(cell.to(z=(0.06, 0.33)).inset(back=0.2, front=0.04), cover, 0.03)
-            with d.at(z=0.44, pitch=-0.07):
-                d.cushion(Box((box.x[0] + 0.26, x1 - 0.01), cell.y, (-0.13, 0.02)), cover, 0.06)
-            d.cushion(cell.front(0.09).to(z=(0.12, 0.4)).inset(y=0.01), cover, 0.044)
-        with d.part("back"), d.at(box.x[0] + 0.3, z=0.36, pitch=-0.26):
-            rest = Box((-0.06, 0.09), cell.y, (0.04, (h - 0.36) / math.cos(0.26) - 0.03))
-            d.cushion(rest.to(x=(-0.15, -0.02)).inset(y=-0.04, bottom=-0.14, top=0.03), cover, 0.04)
-            for k, row in enumerate(rest.rows([0.32, 0.34, 0.31])):
-                d.cushion(row.inset(y=(0.0, -0.01, -0.04)[k], top=-0.01, front=0.015 * (k == 1)), cover, 0.065)
-    starts = [box.y[0] + k * (box.width - arm) / count for k in range(count + 1)]
-    for k, y in enumerate(starts):
-        side = box.to(y=(y, y + arm)).inset(back=0.16)
-        with d.part(f"arm {k}"):
-            d.cushion(side.to(z=(0.02, 0.53)).inset(front=0.06, y=0.012), cover, 0.03)
-            top = d.cushion(side.to(z=(0.5, 0.6)).inset(front=0.03), cover, 0.045)
-            holder = Box.sized(0.1, 0.1, 0.03, (x1 - 0.2, top.center[1], 0.578))
-            d.turned(holder, [(1.0, 0.0), (1.0, 0.87), (0.92, 1.0)], "brushed steel", 20)
-            d.print(holder.top(0.0).inset(x=0.01, y=0.01), "black plastic", oval=True)
-            if glow:
-                d.box(side.to(z=(0.045, 0.055)).inset(back=0.14, front=0.2, y=0.004), "lamp glow", bevel=0.0)
-
-
 def _rings(d: Drawing, box: Box, wires: list[tuple[float, float, str]]) -> None:
     """Rings about y side by side, of middle radius and radius of wire; they share twelve collision parts."""
     turn = np.arange(24) * (np.pi / 12)

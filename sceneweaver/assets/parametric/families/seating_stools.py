@@ -116,9 +116,8 @@ def bench(d: Drawing) -> None:
     elif style == "metal":
         bar = stand.inset(z=0.0125).left(0.0)
         ring = [bar.anchor(f"left {end}") for end in ("bottom back", "bottom front", "top front", "top back")]
-        square = 0.0125 * np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)])
         with d.mirror("y"):
-            d.sweep(ring, square, under, closed=True)
+            d.sweep(ring, (0.025, 0.025), under, closed=True)
     else:
         legs(d, stand.inset(x=-0.02, y=-0.03, top=-0.002), wood, "splayed", 0.044, 0.04)
         d.box(stand.inset(x=0.03, y=0.03).top(0.05), wood)
