@@ -38,7 +38,7 @@ def light_points(
     for k in range(shadow_rays):
         e = even_point(i * shadow_rays + k)
         sky = window_light(world, lights, p, n, n, e)
-        lamp = lamp_light(world, lights, p, n, n, i * shadow_rays + k, e[1])
+        lamp = lamp_light(world, lights, p, n, n, i * shadow_rays + k)
         direct = direct + sky.light + lamp.light
         sun = sun + sun_light(world, lights, p, n, n, e)
     direct = direct / float(shadow_rays)

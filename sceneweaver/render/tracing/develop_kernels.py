@@ -6,7 +6,7 @@ from ..raycast_kernels import Lens, camera_ray
 from .filter_kernels import akin, alike
 from .light_kernels import Lights
 from .sampling_kernels import even_point
-from .view_kernels import pixel_width, what_is_seen
+from .view_kernels import is_matt, pixel_width, what_is_seen
 from .world_kernels import Cache, World, cached_light
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
@@ -99,7 +99,7 @@ def develop(
     rows: int,
     start: int,
     # State in:
-    soft: wp.array(dtype=wp.vec4),
+    soft: wp.array(dtype=wp.vec3),
     sun: wp.array(dtype=wp.vec3),
     gloss: wp.array(dtype=wp.vec3),
     toward: wp.array(dtype=wp.vec3),
@@ -143,7 +143,7 @@ def develop(
             fx, fy = gx - float(left), gy - float(top)
             slack = 0.004 + 2.0 * (size[0] + size[1] * seen.depth) / scale_x
             weight = float(0.0)
-            a = wp.vec4(0.0)
+            a = wp.vec3(0.0)
             b = wp.vec3(0.0)
             g = wp.vec3(0.0)
             d = wp.vec3(0.0)
@@ -177,19 +177,22 @@ def develop(
             if weight < 1.0e-3:
                 # Too narrow for any place around to show it: in the light of its surroundings.
                 plain = cached_light(cache, seen.point, seen.flat, e)
-                a = wp.vec4(plain[0], plain[1], plain[2], 0.0)
+                a = plain
                 b = wp.vec3(0.0)
                 g = plain
                 d = wp.vec3(0.0)
                 weight = 1.0
-            lit = wp.vec3(a[0], a[1], a[2]) / weight
+            lit = a / weight
             way = d / weight
             # Bumps: a surface that is bent toward where the light comes from has more of it.
             bent = (1.0 + 1.5 * wp.dot(seen.bump, way)) / wp.max(1.0 + 1.5 * wp.dot(seen.normal, way), 0.2)
             lit = lit * wp.clamp(bent, 0.4, 1.6)
             glare = wp.max(wp.dot(seen.bump, lights.sun), 0.0) / wp.max(wp.dot(seen.normal, lights.sun), 0.1)
             lit = lit + b * (wp.clamp(glare, 0.3, 2.0) / weight)
-            color = color + wp.cw_mul(seen.color, lit) + wp.cw_mul(seen.gloss, g / weight)
+            shine = g / weight
+            if is_matt(seen) == 1:
+                shine = lit
+            color = color + wp.cw_mul(seen.color, lit) + wp.cw_mul(seen.gloss, shine)
         linear = linear + color / float(rays)
         shown = wp.cw_mul(color, film.balance) * film.exposure
         total = total + tone_mapped(shown) / float(rays)

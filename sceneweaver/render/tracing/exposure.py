@@ -15,14 +15,14 @@ def exposed(soft: np.ndarray, sun: np.ndarray, key: np.ndarray) -> tuple[float, 
     """Exposure, and the gains of red, green and blue [3].
 
     Args:
-        soft: Light without that of the sun, over pi, RGB and its variance [N, 4].
+        soft: Light without that of the sun, over pi, RGB [N, 3].
         sun: Light of the sun [N, 3].
         key: Negative where nothing is seen [N].
     """
     seen = key >= 0
     if not seen.any():
         return 1.0, np.ones(3)
-    light = soft[seen, :3].astype(np.float64)
+    light = soft[seen].astype(np.float64)
     bright = light @ (0.2126, 0.7152, 0.0722)
     lit = bright > 1e-6
     if not lit.any():

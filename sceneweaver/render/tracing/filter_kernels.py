@@ -1,6 +1,7 @@
 """Smoothing of light over neighbouring pixels of one surface, as far as its noise asks for it.
 
-Edge-avoiding wavelets guided by variance, after Dammertz et al. (2010) and Schied et al. (SVGF, 2017), for one picture.
+Edge-avoiding wavelets guided by variance, after Dammertz et al. (2010) and Schied et al. (SVGF, 2017), for one picture:
+how bright two pixels are is compared in a smoother picture, so that rims of shadows are smooth lines.
 """
 
 import warp as wp
@@ -41,23 +42,30 @@ def akin(n: wp.vec3, key: int, m: wp.vec3, other: int):
 
 
 @wp.kernel
-def spread_variance(
+def find_guide(
     # Problem:
     width: int,
     height: int,
+    eye: wp.vec3,
+    spread: float,
     start: int,
     # State in:
     soft: wp.array(dtype=wp.vec4),
     gloss: wp.array(dtype=wp.vec3),
+    point: wp.array(dtype=wp.vec3),
+    normal: wp.array(dtype=wp.vec3),
     key: wp.array(dtype=int),
     # State out:
-    soft_out: wp.array(dtype=wp.vec4),
+    soft_out: wp.array(dtype=wp.vec3),
     gloss_out: wp.array(dtype=wp.vec3),
+    guide_out: wp.array(dtype=wp.vec2),
 ):
-    """The variance of each pixel as that of the pixels around it, as few samples know little of their own; and no
-    pixel is much brighter than all around it."""
+    """How bright a pixel is by its surroundings, and by how much that may be wrong: few samples know little of their
+    own. No pixel stays much brighter than all around it."""
     i = start + wp.tid()
     x, y = i % width, i // width
+    p, n = point[i], normal[i]
+    slack = 0.002 + 0.6 * spread * wp.length(p - eye)
     count = float(0.0)
     noise = float(0.0)
     first = wp.vec2(0.0, 0.0)
@@ -65,26 +73,30 @@ def spread_variance(
     for dy in range(-2, 3):
         for dx in range(-2, 3):
             u, v = x + dx, y + dy
-            if u >= 0 and v >= 0 and u < width and v < height:
+            if u >= 0 and v >= 0 and u < width and v < height and (dx != 0 or dy != 0):
                 j = v * width + u
-                if key[j] == key[i]:
+                w = alike(p, n, key[i], point[j], normal[j], key[j], slack) * _spline(dx) * _spline(dy)
+                if w > 1.0e-3:
                     c = soft[j]
-                    noise += c[3]
-                    count += 1.0
-                    if j != i:
-                        bright = wp.vec2(luminance(wp.vec3(c[0], c[1], c[2])), luminance(gloss[j]))
-                        first = first + bright
-                        second = second + wp.cw_mul(bright, bright)
+                    bright = wp.vec2(luminance(wp.vec3(c[0], c[1], c[2])), luminance(gloss[j]))
+                    noise += c[3] * w * w
+                    count += w
+                    first = first + bright * w
+                    second = second + wp.cw_mul(bright, bright) * w
     c = soft[i]
     lit = wp.vec3(c[0], c[1], c[2])
     shine = gloss[i]
-    if count > 4.0:
-        mean = first / (count - 1.0)
-        spread = second / (count - 1.0) - wp.cw_mul(mean, mean)
-        lit = clamped(lit, mean[0] + 2.0 * wp.sqrt(wp.max(spread[0], 0.0)) + 1.0e-4)
-        shine = clamped(shine, mean[1] + 2.0 * wp.sqrt(wp.max(spread[1], 0.0)) + 1.0e-4)
-    soft_out[i] = wp.vec4(lit[0], lit[1], lit[2], noise / wp.max(count, 1.0))
+    if count > 0.7:
+        mean = first / count
+        vary = second / count - wp.cw_mul(mean, mean)
+        lit = clamped(lit, mean[0] + 2.0 * wp.sqrt(wp.max(vary[0], 0.0)) + 1.0e-4)
+        shine = clamped(shine, mean[1] + 2.0 * wp.sqrt(wp.max(vary[1], 0.0)) + 1.0e-4)
+    soft_out[i] = lit
     gloss_out[i] = shine
+    level = (first[0] + luminance(lit)) / (count + 1.0)
+    # The mean of some pixels is less noisy than each, as far as they differ by noise at all.
+    error = wp.sqrt((noise + c[3]) / (count + 1.0) / (count + 1.0))
+    guide_out[i] = wp.vec2(level, 10.0 * error + 0.02 * level + 1.0e-4)
 
 
 @wp.kernel
@@ -97,30 +109,31 @@ def smooth(
     spread: float,
     start: int,
     # State in:
-    soft: wp.array(dtype=wp.vec4),
+    guide: wp.array(dtype=wp.vec2),
+    soft: wp.array(dtype=wp.vec3),
     gloss: wp.array(dtype=wp.vec3),
     toward: wp.array(dtype=wp.vec3),
     point: wp.array(dtype=wp.vec3),
     normal: wp.array(dtype=wp.vec3),
     key: wp.array(dtype=int),
     # State out:
-    soft_out: wp.array(dtype=wp.vec4),
+    soft_out: wp.array(dtype=wp.vec3),
     gloss_out: wp.array(dtype=wp.vec3),
     toward_out: wp.array(dtype=wp.vec3),
+    guide_out: wp.array(dtype=wp.vec2),
 ):
     """One level: every pixel with 24 around it that are ``step`` pixels apart."""
     i = start + wp.tid()
     x, y = i % width, i // width
-    own = soft[i]
     mine = key[i]
-    soft_out[i] = own
+    soft_out[i] = soft[i]
     gloss_out[i] = gloss[i]
     toward_out[i] = toward[i]
+    guide_out[i] = guide[i]
     if mine >= 0:
         p, n = point[i], normal[i]
         slack = 0.002 + 0.6 * spread * wp.length(p - eye) * float(step)
-        bright = luminance(wp.vec3(own[0], own[1], own[2]))
-        noise = 3.0 * wp.sqrt(own[3]) + 0.01 * bright + 1.0e-4
+        bright = guide[i]
         shine = luminance(gloss[i])
         lone = int(0)
         for _attempt in range(2):
@@ -128,9 +141,9 @@ def smooth(
             shares = float(0.0)
             support = float(0.0)
             sum_soft = wp.vec3(0.0)
-            sum_noise = float(0.0)
             sum_gloss = wp.vec3(0.0)
             sum_toward = wp.vec3(0.0)
+            sum_guide = float(0.0)
             for dy in range(-2, 3):
                 for dx in range(-2, 3):
                     u, v = x + dx * step, y + dy * step
@@ -142,20 +155,21 @@ def smooth(
                         if w > 1.0e-4:
                             support += w
                             w = w * _spline(dx) * _spline(dy)
-                            c = soft[j]
-                            other = luminance(wp.vec3(c[0], c[1], c[2]))
-                            ws = w * wp.exp(-wp.abs(other - bright) / noise)
-                            sum_soft = sum_soft + wp.vec3(c[0], c[1], c[2]) * ws
+                            off = (guide[j][0] - bright[0]) / (bright[1] + guide[j][1])
+                            ws = w * wp.exp(-2.0 * off * off)
+                            sum_soft = sum_soft + soft[j] * ws
                             sum_toward = sum_toward + toward[j] * ws
-                            sum_noise += c[3] * ws * ws
+                            sum_guide += guide[j][0] * ws
                             shares += ws
                             g = gloss[j]
                             wg = w / (1.0 + 2.0 * wp.abs(luminance(g) - shine) / (shine + 0.2))
                             sum_gloss = sum_gloss + g * wg
                             total += wg
-            lit = sum_soft / wp.max(shares, 1.0e-6)
-            soft_out[i] = wp.vec4(lit[0], lit[1], lit[2], sum_noise / wp.max(shares * shares, 1.0e-9))
+            soft_out[i] = sum_soft / wp.max(shares, 1.0e-6)
             toward_out[i] = sum_toward / wp.max(shares, 1.0e-6)
+            # What is smoother is compared more closely at the next level.
+            level = sum_guide / wp.max(shares, 1.0e-6)
+            guide_out[i] = wp.vec2(level, wp.max(0.8 * bright[1], 0.015 * level))
             if step <= 4:
                 gloss_out[i] = sum_gloss / wp.max(total, 1.0e-6)
             if support > 3.0 or step > 2:

@@ -248,10 +248,10 @@ class Aim:
 
 
 @wp.func
-def _aim(lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3, total: float, e: wp.vec2, e2: wp.vec2):
+def _aim(lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3, total: float, e: float, e2: wp.vec2):
     """Aim at a point of some lamp, chosen by how much the lamps send about here."""
     aim = Aim()
-    left = e[0] * total
+    left = e * total
     chosen = int(0)
     share = float(1.0)
     within = float(0.5)
@@ -287,10 +287,10 @@ def _aim(lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3, total: float, e:
 
 
 @wp.func
-def lamp_light(world: World, lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3, k: int, e: float):
+def lamp_light(world: World, lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3, k: int):
     """Irradiance over pi by the lamps, by ray k to a point of one: of some, the one that would send most is likely.
 
-    This is resampled importance sampling (Talbot, Cline and Egbert 2005); ``e`` is a random number.
+    This is resampled importance sampling (Talbot, Cline and Egbert 2005).
     """
     found = Arriving()
     total = float(0.0)
@@ -300,10 +300,12 @@ def lamp_light(world: World, lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.ve
         return found
     best = Aim()
     level = float(0.0)
-    pick = e
+    random = wp.rand_init(k, 11)
+    pick = wp.randf(random)
     for c in range(_AIMS):
         row = k * _AIMS + c
-        aim = _aim(lights, p, n, flat, total, even_point(row), even_point(row * 5 + 2))
+        e = even_point(row)
+        aim = _aim(lights, p, n, flat, total, e[0], wp.vec2(wp.randf(random), e[1]))
         bright = luminance(aim.light)
         if bright > 0.0:
             level += bright

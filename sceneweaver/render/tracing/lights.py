@@ -18,6 +18,9 @@ Color = tuple[float, float, float]
 
 _SUN_HEIGHT = math.radians(36.0)
 _SUN_SLANT = 0.42  # sideways, so that bars and curtains draw lines that run into the room
+_FAINT = 1.2  # radiance of a white screen with an emission of 1
+_LAMP = 0.3  # emission from which on a material is a lamp's
+_LEAST_LAMP = 0.012  # what glows on less [m2] is a display or a flame
 _LEAST_SQUARE = 0.002  # of the distance to a lamp's triangle [m2]
 _LEAST_AREA = 1e-7  # of a triangle that shines [m2]
 
@@ -50,7 +53,7 @@ class Lights:
 
     sun: Color = (0.5, -0.35, 0.79)
     softness: float = 0.012
-    sun_color: Color = (3.4, 3.0, 2.45)
+    sun_color: Color = (2.4, 2.12, 1.75)
     zenith: Color = (0.72, 0.86, 1.10)
     horizon: Color = (1.05, 1.06, 1.06)
     ground: Color = (0.34, 0.33, 0.29)
@@ -142,19 +145,19 @@ def emission_of(mesh: Mesh, area: np.ndarray, lights: Lights) -> np.ndarray:
     """Radiance [M, 3] that each material of a mesh sends out, whose triangles have ``area`` [F] in the world.
 
     A lamp sends out what its size says, however its shade is drawn: bulbs are bright, panels are pale. What shines
-    faintly is a screen.
+    faintly is a screen, what shines on very little a display or a flame.
     """
     radiance = np.zeros((len(mesh.materials), 3))
     shining = np.array([m.emission for m in mesh.materials])
     total = np.bincount(mesh.face_material, area, len(mesh.materials)) if len(mesh.faces) else np.zeros(len(shining))
-    lamp = float(total[shining >= 0.3].sum())
+    lamp = float(total[shining >= _LAMP].sum())
     flux = lights.lamp_flux * min((lamp / 0.12) ** 0.65, 3.0) if lamp > 0 else 0.0
     for k, material in enumerate(mesh.materials):
-        if material.emission >= 0.3:
-            level = min(flux / (math.pi * max(lamp, 1e-4)), 6.0) * material.emission
+        if material.emission >= _LAMP and lamp >= _LEAST_LAMP:
+            level = min(flux / (math.pi * lamp), 6.0) * material.emission
             radiance[k] = level * np.asarray(lights.lamp_color)
         elif material.emission > 0:
-            radiance[k] = 1.2 * material.emission * np.asarray(material.color) ** 2.2
+            radiance[k] = _FAINT * min(material.emission, _LAMP) * np.asarray(material.color) ** 2.2
     return radiance
 
 

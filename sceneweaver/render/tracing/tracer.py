@@ -151,36 +151,41 @@ class Tracer:
         count, pixels = columns * rows, width * height
         scene = [self._world, self._light, self._cache]
         eye, spread = lens.eye, 2.0 * float(np.linalg.norm(camera.up)) / rows
-        soft, soft2 = _empty(2, count, wp.vec4)
-        sun, sun2, gloss, gloss2, toward, toward2, point, normal = _empty(8, count, wp.vec3)
+        (noisy,) = _empty(1, count, wp.vec4)
+        guide, guide2 = _empty(2, count, wp.vec2)
+        soft, sun, sun2, gloss, gloss2, toward, toward2, point, normal = _empty(9, count, wp.vec3)
         key = wp.empty(count, dtype=int)
         surface = [point, normal, key]
         order = wp.array(hilbert_order(), dtype=int)
-        rays = [quality.windows, quality.lamps, quality.bounces, quality.suns]
+        # Without windows their rays go to the lamps.
+        more = 0 if self._lights.portals else quality.windows
+        rays = [quality.windows, quality.lamps + more, quality.bounces, quality.suns]
         launch(
             view_kernels.light_pixels,
             count,
             [*scene, lens, order, width, height, quality.spacing, *rays],
             [],
-            [soft, sun, gloss, toward, *surface],
+            [noisy, sun, gloss2, toward, *surface],
             deadline,
         )
+        before = [columns, rows, eye, spread]
+        found = [soft, gloss, guide]
+        launch(filter_kernels.find_guide, count, before, [noisy, gloss2, *surface], found, deadline)
         if quality.levels:
-            noisy = [soft, gloss, key]
-            launch(filter_kernels.spread_variance, count, [columns, rows], noisy, [soft2, gloss2], deadline)
-            soft, soft2, gloss, gloss2 = soft2, soft, gloss2, gloss
-            launch(filter_kernels.smooth_sun, count, [columns, rows, eye, spread], [sun, *surface], [sun2], deadline)
+            launch(filter_kernels.smooth_sun, count, before, [sun, *surface], [sun2], deadline)
             sun = sun2
+        (soft2,) = _empty(1, count, wp.vec3)
         for level in range(quality.levels):
             launch(
                 filter_kernels.smooth,
                 count,
                 [columns, rows, 2**level, eye, spread],
-                [soft, gloss, toward, *surface],
-                [soft2, gloss2, toward2],
+                [guide, soft, gloss, toward, *surface],
+                [soft2, gloss2, toward2, guide2],
                 deadline,
             )
             soft, soft2, gloss, gloss2, toward, toward2 = soft2, soft, gloss2, gloss, toward2, toward
+            guide, guide2 = guide2, guide
         film = develop_kernels.Film()
         film.exposure, balance = exposed(soft.numpy(), sun.numpy(), key.numpy())
         film.balance = wp.vec3(*balance)
@@ -188,7 +193,7 @@ class Tracer:
             self._light.view = wp.vec3(*(min(self._lights.view, _OUTSIDE / film.exposure) / balance))
         film.rays, film.plain_rays = quality.rays, quality.plain_rays
         (edge,) = _empty(1, count, wp.uint8)
-        launch(develop_kernels.find_edges, count, [columns, rows, eye, spread], [sun, *surface], [edge], deadline)
+        launch(develop_kernels.find_edges, count, before, [sun, *surface], [edge], deadline)
         rgb, linear, albedo, first_normal = _empty(4, pixels, wp.vec3)
         depth, instance = wp.empty(pixels, dtype=float), wp.empty(pixels, dtype=int)
         launch(

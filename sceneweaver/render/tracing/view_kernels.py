@@ -191,6 +191,12 @@ def reflected_light(world: World, lights: Lights, cache: Cache, seen: Seen, e: w
     return wp.cw_mul(share, lit)
 
 
+@wp.func
+def is_matt(seen: Seen):
+    """Whether what is reflected is as blurred as diffuse light, and stands for it."""
+    return wp.where(seen.glossy_roughness > _MATT and seen.path < 10000, 1, 0)
+
+
 @wp.kernel
 def light_pixels(
     # Problem:
@@ -253,8 +259,7 @@ def light_pixels(
                     gloss = gloss + c * glossy_lobe(-seen.way, seen.glossy_normal, rough, a.way)
         if lights.lamp_count > 0:
             for k in range(lamps):
-                pick = even_point((place * lamps + k) * 3 + 1)
-                a = lamp_light(world, lights, p, n, flat, place * lamps + k, pick[0])
+                a = lamp_light(world, lights, p, n, flat, place * lamps + k)
                 c = clamped(a.light, most) / float(lamps)
                 soft = soft + c
                 toward = toward + a.way * luminance(c)
@@ -278,7 +283,7 @@ def light_pixels(
             for k in range(4 * suns):
                 e = even_point((place + 4096) * 4 * suns + k)
                 sun = sun + sun_light(world, lights, p, n, flat, e) / float(5 * suns)
-        if seen.path < 10000:
+        if seen.path < 10000 and is_matt(seen) == 0:
             gloss = gloss + clamped(sun * glossy_lobe(-seen.way, seen.glossy_normal, rough, lights.sun), 12.0)
     bright = luminance(soft)
     rays = float(windows + lamps + bounces)
@@ -286,8 +291,6 @@ def light_pixels(
     sun_out[i] = sun
     toward_out[i] = toward / wp.max(bright, 1.0e-6)
     if luminance(seen.gloss) > 1.0e-4:
-        if seen.glossy_roughness > _MATT and seen.path < 10000:
-            gloss = soft + sun
-        else:
+        if is_matt(seen) == 0:
             gloss = gloss + clamped(reflected_light(world, lights, cache, seen, even_point(place), place), 12.0)
     gloss_out[i] = gloss
