@@ -135,7 +135,7 @@ def _sun_patches(
     block = np.floor(middle / _PATCH).astype(int)
     _, group = np.unique(block, axis=0, return_inverse=True)
     group = group.reshape(-1)
-    return emitters([(corners[group == k], radiance[group == k]) for k in range(group.max() + 1)], True), chosen
+    return emitters([(corners[group == k], radiance[group == k], -1) for k in range(group.max() + 1)], True), chosen
 
 
 def _spread_points(geometry: Geometry, low: np.ndarray, high: np.ndarray, cell: float) -> Spread:

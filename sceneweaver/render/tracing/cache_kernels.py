@@ -10,6 +10,37 @@ wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll"
 
 
 @wp.kernel
+def see_out(
+    # Problem:
+    world: World,
+    corners: wp.array(dtype=wp.vec3),
+    owner: wp.array(dtype=int),
+    rays: int,
+    start: int,
+    # State out:
+    share_out: wp.array(dtype=float),
+):
+    """The share of the light of triangles, evenly bright from all sides, that the rest of their instance lets out."""
+    i = start + wp.tid()
+    a, b, c = corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]
+    n = wp.normalize(wp.cross(b - a, c - a))
+    free = float(0.0)
+    random = wp.rand_init(i, 3)
+    for k in range(rays):
+        r = wp.sqrt(wp.randf(random))
+        s = wp.randf(random)
+        p = a * (1.0 - r) + b * (r * (1.0 - s)) + c * (r * s)
+        hit = hit_solid(world, p + n * OFFSET, cosine_direction(n, even_point(k)), 1.0)
+        own = int(0)
+        if hit.face >= 0:
+            if world.face_instance[hit.face] == owner[i]:
+                own = 1
+        if own == 0:
+            free += 1.0
+    share_out[i] = free / float(rays)
+
+
+@wp.kernel
 def light_points(
     # Problem:
     world: World,

@@ -96,7 +96,7 @@ def find_guide(
     level = (first[0] + luminance(lit)) / (count + 1.0)
     # The mean of some pixels is less noisy than each, as far as they differ by noise at all.
     error = wp.sqrt((noise + c[3]) / (count + 1.0) / (count + 1.0))
-    guide_out[i] = wp.vec2(level, 10.0 * error + 0.02 * level + 1.0e-4)
+    guide_out[i] = wp.vec2(level, 7.0 * error + 0.02 * level + 1.0e-4)
 
 
 @wp.kernel

@@ -51,12 +51,12 @@ class Lamp:
     flux: float
     start: int
     count: int
-    area: float
 
 
 @wp.struct
 class LampFace:
-    """A triangle that shines on its outer side: corners, normal, radiance, and the share of area up to it.
+    """A triangle that shines on its outer side: corners, normal, radiance, the chance to aim at it or one before it,
+    and its area over its own chance [m2].
 
     Its light falls off no further than from the distance whose square is ``least`` [m2]."""
 
@@ -66,6 +66,7 @@ class LampFace:
     normal: wp.vec3
     radiance: wp.vec3
     share: float
+    area: float
     least: float
 
 
@@ -282,7 +283,7 @@ def _aim(lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3, total: float, e:
     cosine = wp.dot(n, aim.way)
     leaving = -wp.dot(face.normal, aim.way)
     if cosine > 0.0 and leaving > 0.0 and wp.dot(flat, aim.way) > 0.0:
-        aim.light = face.radiance * (cosine * leaving * lamp.area * total / (PI * wp.max(d2, face.least) * share))
+        aim.light = face.radiance * (cosine * leaving * face.area * total / (PI * wp.max(d2, face.least) * share))
     return aim
 
 

@@ -119,26 +119,33 @@ def _sun(room: Room) -> Color:
 class Emitters:
     """Triangles that shine, lamp by lamp.
 
-    ``corners`` [N, 3, 3], ``radiance`` [N, 3] and ``share`` [N] of the area of its lamp up to and with each;
-    ``start`` [L + 1] is where the triangles of each lamp begin. ``least`` [N] is the square of the distance [m2] under
-    which a triangle looks no larger.
+    ``corners`` [N, 3, 3] and ``radiance`` [N, 3] are those of each, ``visible`` [N] the share of its light that leaves
+    the lamp, ``least`` [N] the square of the distance [m2] under which it looks no larger, ``owner`` [N] its instance
+    (-1: none). ``start`` [L + 1] is where the triangles of each lamp begin.
     """
 
     corners: np.ndarray
     radiance: np.ndarray
-    share: np.ndarray
-    start: np.ndarray
+    visible: np.ndarray
     least: np.ndarray
+    owner: np.ndarray
+    start: np.ndarray
 
     def __add__(self, other: Emitters) -> Emitters:
         """Both, the other's lamps last."""
-        return Emitters(
-            np.concatenate([self.corners, other.corners]),
-            np.concatenate([self.radiance, other.radiance]),
-            np.concatenate([self.share, other.share]),
-            np.concatenate([self.start, other.start[1:] + self.start[-1]]),
-            np.concatenate([self.least, other.least]),
-        )
+        names = ("corners", "radiance", "visible", "least", "owner")
+        joined = {name: np.concatenate([getattr(self, name), getattr(other, name)]) for name in names}
+        return Emitters(**joined, start=np.concatenate([self.start, other.start[1:] + self.start[-1]]))
+
+    @property
+    def area(self) -> np.ndarray:
+        """Of each triangle [N] in m2."""
+        return areas(self.corners)
+
+
+def areas(corners: np.ndarray) -> np.ndarray:
+    """Of triangles [N, 3, 3], in m2."""
+    return np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
 
 
 def emission_of(mesh: Mesh, area: np.ndarray, lights: Lights) -> np.ndarray:
@@ -161,27 +168,25 @@ def emission_of(mesh: Mesh, area: np.ndarray, lights: Lights) -> np.ndarray:
     return radiance
 
 
-def emitters(groups: Sequence[tuple[np.ndarray, np.ndarray]], as_discs: bool = False) -> Emitters:
-    """The table of emitters from corners [N, 3, 3] and radiance [N, 3] of each lamp's triangles.
+def emitters(groups: Sequence[tuple[np.ndarray, np.ndarray, int]], as_discs: bool = False) -> Emitters:
+    """The table of emitters from corners [N, 3, 3] and radiance [N, 3] of each lamp's triangles, and its instance.
 
     Very near to a lamp one sample would outshine all others: its distance is not less than a few centimetres, or, for
     triangles that stand for discs of their area, than that at which such a disc fills half of what is seen.
     """
-    corners, radiance, share, start, least = [], [], [], [0], []
-    for triangles, light in groups:
-        area = np.linalg.norm(np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]), axis=1)
-        kept = area / 2 > _LEAST_AREA
-        if not kept.any():
-            continue
-        corners.append(triangles[kept])
-        radiance.append(light[kept])
-        share.append(np.cumsum(area[kept]) / area[kept].sum())
-        start.append(start[-1] + int(kept.sum()))
-        least.append(area[kept] / 2 / math.pi if as_discs else np.full(int(kept.sum()), _LEAST_SQUARE))
-    if not corners:
-        return Emitters(np.zeros((0, 3, 3)), np.zeros((0, 3)), np.zeros(0), np.zeros(1, dtype=int), np.zeros(0))
-    ends, sizes = np.asarray(start), np.concatenate(least)
-    return Emitters(np.concatenate(corners), np.concatenate(radiance), np.concatenate(share), ends, sizes)
+    corners, radiance, owner, start = [np.zeros((0, 3, 3))], [np.zeros((0, 3))], [np.zeros(0, dtype=int)], [0]
+    for triangles, light, instance in groups:
+        kept = areas(triangles) > _LEAST_AREA
+        if kept.any():
+            corners.append(triangles[kept])
+            radiance.append(light[kept])
+            owner.append(np.full(int(kept.sum()), instance))
+            start.append(start[-1] + int(kept.sum()))
+    every = np.concatenate(corners)
+    least = areas(every) / math.pi if as_discs else np.full(len(every), _LEAST_SQUARE)
+    return Emitters(
+        every, np.concatenate(radiance), np.ones(len(every)), least, np.concatenate(owner), np.asarray(start)
+    )
 
 
 __all__ = ["Emitters", "Instance", "Lights", "Portal", "emission_of", "emitters", "interior_lights", "portals_of"]

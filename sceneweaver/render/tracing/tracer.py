@@ -20,7 +20,7 @@ from .bands import launch
 from .cache import build_cache
 from .exposure import exposed
 from .lights import Lights
-from .world import bounds_of, collect, lights_on, world_on
+from .world import bounds_of, collect, lights_on, seen_of, world_on
 
 _MAX_PIXELS = 64_000_000
 _OUTSIDE = 2.4  # what the horizon is at most, as white is 1: photographers balance what is outside with the room
@@ -40,7 +40,7 @@ class TraceQuality:
     bounces: int = 4
     suns: int = 2
     spacing: int = 1
-    levels: int = 5
+    levels: int = 3
     rays: int = 6
     plain_rays: int = 1
 
@@ -54,7 +54,7 @@ class TraceQuality:
     @classmethod
     def draft(cls) -> TraceQuality:
         """For a quick look."""
-        return cls(windows=3, lamps=2, bounces=4, suns=2, spacing=2, levels=4, rays=4)
+        return cls(windows=3, lamps=2, bounces=4, suns=2, spacing=2, levels=3, rays=4)
 
     @classmethod
     def normal(cls) -> TraceQuality:
@@ -64,7 +64,7 @@ class TraceQuality:
     @classmethod
     def fine(cls) -> TraceQuality:
         """For a front page."""
-        return cls(windows=12, lamps=8, bounces=24, suns=8, levels=5, rays=16, plain_rays=4)
+        return cls(windows=12, lamps=8, bounces=24, suns=8, levels=3, rays=16, plain_rays=4)
 
 
 @dataclass(frozen=True)
@@ -109,9 +109,10 @@ class Tracer:
             low, high = np.maximum(low, self._lights.room[0]), np.minimum(high, self._lights.room[1])
         with wp.ScopedDevice(device):
             self._world, self._keep = world_on(geometry)
-            lamps = lights_on(self._lights, geometry.emitters, low, high)
+            shining = seen_of(self._world, geometry.emitters)
+            lamps = lights_on(self._lights, shining, low, high)
             self._cache, patches = build_cache(self._world, lamps, geometry, low, high)
-            self._light = lights_on(self._lights, geometry.emitters + patches, low, high)
+            self._light = lights_on(self._lights, shining + patches, low, high)
 
     def picture(
         self,

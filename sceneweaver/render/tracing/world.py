@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -16,11 +17,14 @@ from sceneweaver.scene import InputError
 from ..caster import Instance
 from ..maps import MapTable
 from ..mesh_shading import prepared
-from . import light_kernels, world_kernels
+from . import cache_kernels, light_kernels, world_kernels
+from .bands import launch
 from .lights import Emitters, Lights, emission_of, emitters
 
 MAX_TRIANGLES = 20_000_000
 MAX_LAMPS = 256
+_OUTWARD_RAYS = 24
+_HIDDEN = 0.06  # share of a face's light that leaves its lamp under which it is left out
 
 
 @dataclass(frozen=True)
@@ -62,7 +66,7 @@ def collect(instances: Sequence[Instance], lights: Lights) -> Geometry:
         shine = emission_of(mesh, area, lights)
         bright = shine.max(axis=1)[mesh.face_material] > 0
         if bright.any():
-            lamps.append((placed[bright], shine[mesh.face_material[bright]]))
+            lamps.append((placed[bright], shine[mesh.face_material[bright]], number))
         corners.append(placed)
         normals.append(bent.reshape(-1, 3, 3))
         uvs.append(textures.uv_of(mesh))
@@ -142,29 +146,48 @@ def lights_on(lights: Lights, found: Emitters, low: np.ndarray, high: np.ndarray
     light.lamps = wp.array(lamps or [light_kernels.Lamp()], dtype=light_kernels.Lamp)
     light.lamp_count = len(lamps)
     face_type: Any = light_kernels.LampFace
-    faces: Any = np.zeros(max(len(found.share), 1), dtype=face_type.numpy_dtype())
-    if len(found.share):
+    faces: Any = np.zeros(max(len(found.corners), 1), dtype=face_type.numpy_dtype())
+    if len(found.corners):
         a, b, c = (found.corners[:, k] for k in range(3))
         normal = np.cross(b - a, c - a)
         faces["a"], faces["b"], faces["c"] = a, b, c
         faces["normal"] = normal / np.linalg.norm(normal, axis=1, keepdims=True)
-        faces["radiance"], faces["share"], faces["least"] = found.radiance, found.share, found.least
+        faces["radiance"], faces["least"] = found.radiance, found.least
+        # A triangle is aimed at in proportion to what leaves its lamp.
+        for start, end in pairwise(found.start):
+            weight = np.cumsum(found.area[start:end] * found.visible[start:end])
+            faces["share"][start:end] = weight / weight[-1]
+            faces["area"][start:end] = weight[-1] / found.visible[start:end]
     light.faces = wp.array(faces, dtype=face_type)
     return light
 
 
 def _lamp(found: Emitters, k: int) -> Any:
     start, end = int(found.start[k]), int(found.start[k + 1])
-    corners = found.corners[start:end]
-    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
-    middle = np.average(corners.mean(axis=1), axis=0, weights=area)
+    corners, weight = found.corners[start:end], (found.area * found.visible)[start:end]
+    middle = np.average(corners.mean(axis=1), axis=0, weights=weight)
     lamp = light_kernels.Lamp()
     lamp.middle = wp.vec3(*middle)
     lamp.radius = float(np.linalg.norm(corners.reshape(-1, 3) - middle, axis=1).max())
-    lamp.area = float(area.sum())
-    lamp.flux = float((area * found.radiance[start:end].mean(axis=1)).sum())
+    lamp.flux = float((weight * found.radiance[start:end].mean(axis=1)).sum())
     lamp.start, lamp.count = start, end - start
     return lamp
+
+
+def seen_of(world: Any, found: Emitters) -> Emitters:
+    """Emitters with the share of the light of each that its own lamp lets out, and without those that it hides."""
+    count = len(found.corners)
+    if not count:
+        return found
+    share = wp.zeros(count, dtype=float)
+    corners = wp.array(found.corners.reshape(-1, 3), dtype=wp.vec3)
+    launch(cache_kernels.see_out, count, [world, corners, wp.array(found.owner, dtype=int), _OUTWARD_RAYS], [], [share])
+    visible = share.numpy().astype(float)
+    kept = visible > _HIDDEN
+    lamp = np.repeat(np.arange(len(found.start) - 1), np.diff(found.start))[kept]
+    start = np.concatenate([[0], np.cumsum(np.bincount(lamp, minlength=1))[np.unique(lamp)]]).astype(int)
+    radiance, least, owner = found.radiance[kept], found.least[kept], found.owner[kept]
+    return Emitters(found.corners[kept], radiance, visible[kept], least, owner, start)
 
 
 def _mesh(corners: np.ndarray) -> wp.Mesh:
