@@ -6,9 +6,8 @@ import math
 
 import numpy as np
 
-from ... import shapes
 from ...drawing import Box, Drawing, Look, draws
-from ...drawing.components import basin, drain, feet, legs, oval, tap, unit, vessel
+from ...drawing.components import basin, bowl, drain, feet, legs, oval, tap, unit, vessel
 
 _METALS = "chrome, black steel, brass, brushed steel"
 
@@ -51,24 +50,18 @@ def toilet(d: Drawing) -> None:
     box, china = d.bounds, d.material("bowl", "white ceramic")
     wooden = d.style in ("classic", "rustic") and d.chance("wood", 0.6)
     seat = d.pick("seat", ["oak", "walnut"]) if wooden else "white plastic"
-    high, deep = d.uniform("seat height", 0.42, 0.45), 0.175
+    high, tank = d.uniform("seat height", 0.42, 0.45), box.back(0.175)
     with d.part("bowl"):
         _bowl(d, box.inset(back=0.1, y=0.03 * box.width).to(z=(0.0, high)), china, seat, False)
-        d.box(box.back(0.18).share(y=(0.2, 0.8)).to(z=(high - 0.16, high - 0.04)).inset(back=0.012), china, 0.02)
-    tank, top = box.back(deep), box.z[1] - 0.012
+        d.box(tank.share(y=(0.2, 0.8)).to(z=(high - 0.16, high - 0.04)).inset(back=0.012), china, 0.02)
     with d.part("cistern"):
-        levels = ((0.02, 0.03, high - 0.04), (0.008, 0.012, top - 0.04))
-        sides = [tank.inset(front=e, back=0.01, y=s) for e, s, _ in levels]
-        d.loft(
-            [shapes.rectangle(s.x, s.y, z, 0.03) for s, (*_, z) in zip(sides, levels, strict=True)], china, convex=True
-        )
-        lid = d.slab(tank.to(z=(top - 0.04, top)), china, 0.035, 0.01)
-    x, y, z = lid.anchor("top")
+        case = tank.to(z=(high - 0.04, box.z[1] - 0.052))
+        d.sections(case, [(0.81, 0.84, 0.0), (0.9, 0.94, 1.0)], china, 0.2, convex=True)
+        lid = d.slab(tank.to(z=(case.z[1], box.z[1] - 0.012)), china, 0.035, 0.01)
     with d.part("button"):
-        d.cylinder(
-            Box.sized(0.052, 0.052, 0.013, (x, y, z - 0.001)), "chrome", ends=(1.0, 0.92), bevel=0.002, segments=20
-        )
-        d.print(Box.around((x, y, z + 0.012), 0.04, 0.0016, 0.0), "black steel")
+        button = lid.top(-0.012).inset(bottom=-0.001).place(0.052, 0.052)
+        d.cylinder(button, "chrome", ends=(1.0, 0.92), bevel=0.002, segments=20)
+        d.print(button.top(0.0).place(0.04, 0.0016), "black steel")
     for name, side in (("top-right", (lid.y[0] + 0.03, -0.03)), ("top-left", (0.03, lid.y[1] - 0.03))):
         d.surface(name, lid.inset(x=0.02).to(y=side))
     d.fit()
@@ -100,8 +93,7 @@ def bidet(d: Drawing) -> None:
 @draws("urinal", whole=True)
 def urinal(d: Drawing) -> None:
     """A shell that is open in its upper front, with a low lip, a drain and a flush pipe."""
-    china = d.material("bowl", "white ceramic")
-    box = d.bounds
+    china, box = d.material("bowl", "white ceramic"), d.bounds
     x, high, (deep, w, h) = box.x[0], box.z[1] - 0.06, box.size
 
     def ring(reach: float, half: float, z: float, power: float = 2.4) -> np.ndarray:
@@ -109,18 +101,15 @@ def urinal(d: Drawing) -> None:
 
     d.loft([ring(0.45 * deep, 0.4, 0.0), ring(0.75 * deep, 0.72, 0.06), ring(deep, 0.96, 0.17)], china)
     # The lip in front and the side walls that rise to the wall.
-    angle = np.linspace(-math.pi / 2, math.pi / 2, 13)
-    c, s = np.clip(np.cos(angle), 0, 1), np.sin(angle)
-    rise = 0.86 * high - (0.86 * high - 0.235) * c**0.8
-    walls = []
-    for reach, half, z in ((1.0, 0.96, 0.17), (1.0, 0.98, None), (0.86, 0.82, 0.165), (0.88, 0.84, None)):
+    c, s = np.cos(np.linspace(-math.pi / 2, math.pi / 2, 13)).clip(0), np.linspace(-1, 1, 13)
+    s = np.sin(s * math.pi / 2)
+    rise, rims = 0.86 * high - (0.86 * high - 0.235) * c**0.8, []
+    for reach, half, z in ((1.0, 0.96, 0.17), (1.0, 0.98, rise), (0.86, 0.82, 0.165), (0.88, 0.84, rise)):
         px = x + 0.03 + (deep - 0.03) * reach * c ** (2 / 2.4)
-        py = np.sign(s) * half * w / 2 * np.abs(s) ** (2 / 2.4)
-        walls.append(np.c_[px, py, rise if z is None else 0 * s + z])
-    for k in range(len(angle) - 1):
-        d.hull(np.concatenate([wall[k : k + 2] for wall in walls]), china)
-    back = box.back(0.05).to(z=(0.17, high))
-    d.hull([(px, y, z) for px, e in ((x, 0.0), (x + 0.05, 0.02)) for y in back.y for z in (0.17 + e, high - e)], china)
+        rims.append(np.c_[px, np.sign(s) * half * w / 2 * np.abs(s) ** (2 / 2.4), z + 0 * s])
+    for k in range(12):
+        d.hull(np.concatenate([rim[k : k + 2] for rim in rims]), china)
+    d.silhouette(box.back(0.05).to(z=(0.17, high)), [(0, 0), (1, 0.06), (1, 0.94), (0, 1)], china)
     d.loft([ring(0.05, 1.0, 0.78 * high, 3.0), ring(0.15, 1.0, 0.92 * high, 3.0), ring(0.14, 0.97, high, 3.0)], china)
     drain(d, (x + 0.52 * deep, 0.0, 0.172), 0.03)
     d.bar((x + 0.05, 0.0, high - 0.01), (x + 0.05, 0.0, h), 0.012, "chrome")
@@ -129,50 +118,35 @@ def urinal(d: Drawing) -> None:
 
 def _washbasin(d: Drawing, box: Box, china: Look, square: bool, ledge: float) -> None:
     """A washbasin that fills a box, with a ledge for the tap at its back, open above."""
-    power, (low, h) = 6.0 if square else 2.6, box.z
-    x = box.center[0]
-
-    def out(share: float, z: float) -> np.ndarray:
-        front = x + share * box.depth / 2
-        return oval(Box((box.x[0], front), (share * box.y[0], share * box.y[1]), box.z), z, power, 8.0, x)
-
-    room = box.inset(back=ledge + 0.02, front=0.02, y=0.028)
-    outer = [
-        out(0.8 if square else 0.45, low),
-        out(0.93 if square else 0.82, low + 0.05),
-        out(1.0, h - 0.05),
-        out(1.0, h),
-    ]
-    inner = ((0.0, h, power), (0.1, h - 0.05, power), (0.6, h - 0.115, 2.4))
-    inside = [oval(room.inset(x=e * room.depth / 2, y=e * room.width / 2), z, p) for e, z, p in inner]
-    vessel(d, outer, inside, china)
+    power, (low, h), x = 6.0 if square else 2.6, box.z, box.center[0]
+    room, outer = box.inset(back=ledge + 0.02, front=0.02, y=0.028), []
+    for share, z in ((0.8 if square else 0.45, low), (0.93 if square else 0.82, low + 0.05), (1.0, h - 0.05), (1.0, h)):
+        plan = Box((box.x[0], x + share * box.depth / 2), (share * box.y[0], share * box.y[1]), box.z)
+        outer.append(oval(plan, z, power, 8.0, x))
+    inner = ((1.0, h, power), (0.9, h - 0.05, power), (0.4, h - 0.115, 2.4))
+    vessel(d, outer, [oval(room.place(s * room.depth, s * room.width), z, p) for s, z, p in inner], china)
     drain(d, (room.center[0], 0.0, h - 0.115), 0.024)
 
 
 @draws("pedestal_sink", "wall_basin")
 def pedestal_sink(d: Drawing) -> None:
     """A basin with a tap on its ledge, on a waisted column or hung on the wall with its trap below."""
-    hung, box = d.category.name == "wall_basin", d.bounds
+    hung, box, square = d.category.name == "wall_basin", d.bounds, d.chance("square", 0.5)
     china, metal = d.material("bowl", "white ceramic"), d.material("tap", _METALS)
-    square = d.chance("square", 0.5)
     h = box.z[1] - 0.12 if hung else 0.84
-    body = box.to(z=(h - (0.165 if hung else 0.18), h))
+    low = h - (0.165 if hung else 0.18)
     with d.part("basin"):
-        _washbasin(d, body, china, square, 0.09 if hung else 0.1)
-    low = body.z[0]
-    if hung:
-        with d.part("trap"):
+        _washbasin(d, box.to(z=(low, h)), china, square, 0.09 if hung else 0.1)
+    with d.part("trap" if hung else "column"):
+        if hung:
             d.cylinder(Box.sized(0.036, 0.036, low - 0.04, (0.0, 0.0, 0.05)), metal, segments=14)
             d.cylinder(Box.sized(0.072, 0.072, 0.075), metal, bevel=0.006, segments=18)
             d.bar((0.0, 0.0, 0.06), (box.x[0], 0.0, 0.06), 0.015, metal, 12)
             d.cylinder(Box.around((box.x[0] + 0.004, 0.0, 0.06), 0.008, 0.06, 0.06), metal, "x", segments=16)
-    else:
-        with d.part("column"):
-            profile = ((0.12, 0.0), (0.115, 0.03), (0.085, 0.12), (0.08, 0.45), (0.11, low + 0.02))
-            power = 4.0 if square else 2.2
-            d.loft(
-                [oval(Box.sized(2 * r, 2 * r, 0.0, (-0.04, 0.0, 0.0)), z, power, count=24) for r, z in profile], china
-            )
+        else:
+            rows = ((0.24, 0.0), (0.23, 0.03), (0.17, 0.12), (0.16, 0.45), (0.22, low + 0.02))
+            plans = [(Box.sized(size, size, 0.0, (-0.04, 0.0, 0.0)), z) for size, z in rows]
+            d.loft([oval(plan, z, 4.0 if square else 2.2, count=24) for plan, z in plans], china)
     with d.part("tap"), d.at(box.x[0] + 0.053, 0.0, h):
         tap(d, metal, 0.115, box.z[1] - h, square=square)
     d.fit()
@@ -252,10 +226,7 @@ def vanity(d: Drawing) -> None:
 def _washbowl(d: Drawing, box: Box, china: Look, power: float) -> None:
     """A bowl that stands on a top and fills a box."""
     low, high = box.z
-    outer = ((0.4, low, power), (0.1, low + 0.05, power), (0.0, high, power))
-    inner = ((0.06, high, power), (0.16, low + 0.05, power), (0.7, low + 0.014, 2.4))
-    sides = [
-        [oval(box.inset(x=e * box.depth / 2, y=e * box.width / 2), z, p) for e, z, p in rows] for rows in (outer, inner)
-    ]
-    vessel(d, sides[0], sides[1], china)
+    outer = ((0.6, 0.6, low), (0.9, 0.9, low + 0.05), (1.0, 1.0, high))
+    inner = ((0.94, 0.94, high), (0.84, 0.84, low + 0.05), (0.3, 0.3, low + 0.014, 2.4))
+    bowl(d, box, outer, inner, china, power)
     drain(d, (box.center[0], box.center[1], low + 0.014), 0.022)
