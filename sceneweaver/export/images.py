@@ -45,7 +45,7 @@ def _files(key: ByIdentity[Maps], side: int) -> Images:
     rough = None
     if uneven > _EVEN or found.metallic is not None:
         metal = np.full_like(found.roughness, 255) if found.metallic is None else found.metallic
-        rough = jpeg(np.stack([np.full_like(metal, 255), found.roughness, metal], 2), side // 2, 80)
+        rough = jpeg(np.stack([np.full_like(metal, 255), found.roughness, metal], 2), min(side, len(metal) // 2), 80)
     return Images(
         jpeg(found.tint, side, 85),
         jpeg(found.normal, side, 88) if has_relief(found) else None,

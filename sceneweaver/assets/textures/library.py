@@ -100,3 +100,6 @@ def _write(path: Path, made: Maps) -> None:
         with temporary_folder(path.parent) as draft:
             np.savez_compressed(draft / path.name, allow_pickle=False, **arrays)
             os.replace(draft / path.name, path)
+        for old in path.parent.glob(f"{path.stem.rpartition('-')[0]}-*.npz"):
+            if old != path:
+                old.unlink()
