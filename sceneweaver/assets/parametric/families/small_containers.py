@@ -116,27 +116,6 @@ def wooden_crate(d: Drawing) -> None:
     d.surface("inside", box.bottom(t).inset(x=t + 0.024, y=t + 0.018))
 
 
-@draws("gift_box", whole=True)
-def gift_box(d: Drawing) -> None:
-    """A wrapped present with a ribbon and a bow."""
-    names = "red paint, navy paint, teal paint, yellow paint, blush pigment, sage paint, white paint, plum pigment"
-    wrap = d.material("wrap", names)
-    ribbon = d.material("ribbon", "white fabric, brass, red fabric, mustard fabric, green fabric")
-    box = d.bounds.inset(top=0.05)
-    d.box(box.inset(x=0.003, y=0.003, top=0.01), wrap, bevel=0.001)
-    d.box(box.share(z=(0.78, 1.0)), wrap, bevel=0.001)
-    wide = 0.14 * max(box.depth, box.width)
-    for band in (box.inset(x=-0.001, top=-0.001).place(width=wide), box.inset(y=-0.001, top=-0.001).place(wide)):
-        d.box(band, ribbon, bevel=0.0005)
-    long = 0.3 * min(box.depth, box.width)
-    with d.at(z=box.z[1] + 0.001), d.ring(4, 0.0, math.pi / 4), d.at(pitch=-0.6):
-        loop = ((0.0, 0.002), (0.5, 0.016), (0.95, 0.012), (1.0, 0.0), (0.9, -0.008), (0.4, -0.006))
-        section = shapes.rectangle((-0.4 * wide, 0.4 * wide), (-0.001, 0.001), 0.0, 0.0, 1)[:, :2]
-        d.sweep([(x * long, 0, z) for x, z in loop], section, ribbon)
-    d.ball(Box.sized(0.036, 0.036, 0.034, (0, 0, box.z[1])), ribbon, 12)
-    d.cylinder(d.bounds.top(0.03).place(0.02, 0.02), ribbon, ends=(1.0, 0.6), segments=12)
-
-
 @draws("shopping_bag", whole=True)
 def shopping_bag(d: Drawing) -> None:
     """A paper bag with cord handles; bread and leeks stick out of some."""

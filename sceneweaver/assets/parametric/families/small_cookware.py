@@ -113,14 +113,6 @@ def kettle(d: Drawing) -> None:
     d.sweep([(0, *p) for p in bow[4:9]], 0.012, dark, 10)
 
 
-@draws("coffee_maker", whole=True)
-def coffee_maker(d: Drawing) -> None:
-    """A filter machine with a glass pot, or an espresso machine with a portafilter and cups on top."""
-    look = d.material("body", "black plastic, steel, white plastic, red plastic, brushed steel")
-    dark = d.material("trim", "black plastic, grey plastic")
-    (filter_machine if d.chance("filter", 0.5) else espresso_machine)(d, look, dark)
-
-
 def filter_machine(d: Drawing, look: Look, dark: Look) -> None:
     """A tank at the back, a head over the pot, a pot of coffee on a plate."""
     box = d.bounds
@@ -162,63 +154,6 @@ def espresso_machine(d: Drawing, look: Look, dark: Look) -> None:
     knob(d, middle, "chrome", 0.02, 0.005)
     with d.no_colliders():
         d.cylinder(Box.around((head.x[1] + 0.005, 0.0, middle.center[2]), 0.0006, 0.026, 0.026), "paper", "x")
-
-
-@draws("stand_mixer", whole=True)
-def stand_mixer(d: Drawing) -> None:
-    """A mixer with a long head to the right over a steel bowl."""
-    look = d.material("body", "red paint, cream paint, black paint, white paint, mint plastic, grey paint")
-    box = d.bounds
-    depth, width, h = box.size
-    d.slab(box.bottom(0.035), look, 0.09, 0.008, 5)
-    neck = box.share((0.2, 0.8), (0.56, 0.98), (0.09, 0.68))
-    d.sections(neck, [(1, 1, 0.0), (0.67, 0.62, 0.3, 0.0, 0.19), (0.67, 0.62, 1.0, 0.0, 0.19)], look, radius=0.3)
-    middle = 0.8 * h
-    with d.at(0.0, box.y[1], middle, roll=math.pi / 2):  # its z axis points to -y
-        head = Box.sized(0.84 * depth, 0.4 * h, width - 0.02)
-        rows = ((0.45, 0.0), (0.75, 0.04), (0.95, 0.15), (1.0, 0.4), (0.93, 0.75), (0.75, 0.92), (0.5, 1.0))
-        d.sections(head, [(s, s, z) for s, z in rows], look, convex=True)
-    hub = middle - 0.19 * h
-    across = min(0.92 * depth, 0.6 * width)
-    bowl = box.to(z=(0.035, 0.5 * h)).place(across, across).move(y=-0.17 * width)
-    open_vessel(d, bowl, [(0.5, 0.0), (0.5, 0.03), (0.8, 0.25), (1.0, 0.75), (1.0, 1.0)], "steel", floor=0.06)
-    x, y, _ = bowl.center
-    d.cylinder(Box.sized(0.08, 0.08, 0.05, (x, y, hub - 0.03)), "chrome", ends=(0.8, 1.0), segments=16)
-    d.bar((x, y, 0.42 * h), (x, y, hub - 0.02), 0.006, "chrome", 8)
-    whisk = Box.sized(0.07, 0.07, hub - 0.03 - 0.2 * h, (x, y, 0.2 * h))
-    for yaw in (0.0, math.pi / 2):
-        with d.at(x, y, yaw=yaw):
-            d.arch((0, -0.012, whisk.z[1]), (0, 0.012, whisk.z[1]), (0, 0, -whisk.height), 0.0025, "steel", 8)
-    knob(d, Box.around((0.4 * depth, box.y[0] + 0.45 * width, middle), 0.0, 0.0, 0.0), "chrome", 0.018, 0.02)
-
-
-@draws("cutting_board", whole=True)
-def cutting_board(d: Drawing) -> None:
-    """A board with a grip hole, in some a knife and slices of a vegetable on it."""
-    wood = d.material("body", "beech, oak, walnut, bamboo, marble")
-    busy = d.chance("busy", 0.6)
-    board = d.slab(d.bounds.bottom(min(d.bounds.height, 0.022)) if busy else d.bounds, wood, 0.02, 0.003, 4)
-    top = board.top(0.0)
-    d.print(top.inset(left=0.018).left(0.017).place(depth=0.08), "wenge")
-    for groove in (top.inset(x=0.012).front(0.004), top.inset(x=0.012).back(0.004)):
-        d.print(groove.inset(right=0.012, left=0.05), "wenge")
-    if board.height >= d.bounds.height - 1e-6:
-        return
-    food, r = d.pick("food", ["carrot", "tomato", "lettuce"]), (d.bounds.height - board.height) / 2
-    w, z = board.width, board.z[1]
-    whole = Box.sized(2 * r, 2 * r, 2 * r, (-0.02, -0.28 * w, z))
-    if food == "carrot":
-        with d.at(-0.04, -0.3 * w, z + r, pitch=math.pi / 2, yaw=0.3):
-            d.turned(Box.sized(2 * r, 2 * r, 0.11), [(0.7, 0.0), (1.0, 0.08), (0.5, 0.85), (0.1, 1.0)], food, 12)
-    else:
-        d.ball(whole, food, 12)
-    for k in range(4):
-        slice_ = Box.sized(1.8 * r, 1.8 * r, 0.005, (-0.05 + 0.006 * k, -0.1 * w + 0.03 * k, z))
-        d.cylinder(slice_, food, bevel=0.001, segments=14)
-    with d.at(0.28 * board.depth, -0.3 * w, z, yaw=math.pi / 2 - 0.15):
-        d.slab(Box((0.0, 0.23 * w), (-0.011, 0.011), (0.0, 0.014)), "black plastic", 0.004)
-        blade = ((0.22, -0.013), (0.36, -0.019), (0.5, -0.014), (0.6, 0.008), (0.22, 0.012))
-        d.hull([(x * w, y, zz) for x, y in blade for zz in (0.005, 0.007)], "steel")
 
 
 @draws("knife_block", whole=True)

@@ -225,25 +225,6 @@ def cheese_board(d: Drawing) -> None:
         d.hull([(x, y, z) for x, y in blade for z in (0.003, 0.006)], "steel")
 
 
-@draws("cereal_box", whole=True)
-def cereal_box(d: Drawing) -> None:
-    """A bright carton with a bowl of cereals on its front."""
-    look = d.material("body", "yellow plastic, red plastic, blue plastic, green plastic, orange plastic")
-    other = d.material("print", "white plastic, red paint, yellow paint, navy paint")
-    box = d.box(d.bounds, look, bevel=0.001)
-    front, w = box.front(0.0), box.width
-    title = d.print(front.share(y=(0.1, 0.9), z=(0.72, 0.9)), other)
-    for k, letter in enumerate(title.inset(y=0.08 * w).share(z=(0.28, 0.72)).columns([2, 3, 2, 3], gap=0.03 * w)):
-        d.print(letter.inset(top=0.01 * (k % 2)), look, 0.0004)
-    bowl = front.place(height=0.6 * w).move(z=(0.3 - 0.5) * box.height).place(width=0.6 * w)
-    d.print(bowl, "white plastic", oval=True)
-    for k, (y, z) in enumerate(spread(16, 0.25 * w)):
-        flake = bowl.place(width=0.09 * w, height=0.09 * w).move(y=y, z=z)
-        d.print(flake, "bread crust" if k % 3 else "cheese", 0.0004, oval=True)
-    d.print(box.left(0.0).share((0.2, 0.8), z=(0.15, 0.6)), other)
-    d.print(box.top(0.0).inset(y=0.004).place(0.002), "cardboard")
-
-
 @draws("milk_carton", whole=True)
 def milk_carton(d: Drawing) -> None:
     """A carton with a gable top and a screw cap."""

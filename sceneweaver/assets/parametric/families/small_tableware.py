@@ -206,19 +206,6 @@ def place_setting(d: Drawing) -> None:
         tumbler(d, Box.sized(0.072, 0.072, 0.75 * height, corner), 0.85, "frosted glass")
 
 
-@draws("placemat", whole=True)
-def placemat(d: Drawing) -> None:
-    """A mat of cloth or rattan with a woven border."""
-    look = d.material("body", "beige fabric, grey fabric, navy fabric, rattan, rust fabric, green fabric")
-    hem = d.material("hem", "white fabric, charcoal fabric, wicker")
-    d.slab(d.bounds, look, 0.012)
-    top = d.bounds.top(0.0)
-    for line in (0.018, 0.026):
-        inner = top.inset(x=line, y=line)
-        for side in (inner.front(0.004), inner.back(0.004), inner.left(0.004), inner.right(0.004)):
-            d.print(side, hem)
-
-
 @draws("napkin_holder", whole=True)
 def napkin_holder(d: Drawing) -> None:
     """Napkins between two arched boards on a foot."""

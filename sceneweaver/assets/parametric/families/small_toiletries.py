@@ -149,27 +149,6 @@ def towel_roll(d: Drawing) -> None:
     d.box(box.share((0.3, 0.7), (0.25, 0.75), (0.01, 0.25)), cloths[0])
 
 
-@draws("hair_dryer", whole=True)
-def hair_dryer(d: Drawing) -> None:
-    """A dryer on a foot: barrel, nozzle, grip with a switch."""
-    look = d.material("body", "black plastic, white plastic, pink plastic, grey plastic, red plastic, lilac plastic")
-    trim = d.material("trim", "black plastic, grey plastic, brass")
-    depth, width, h = d.bounds.size
-    r = 0.46 * depth
-    middle = h - r - 0.002
-    with d.at(0.0, width / 2, middle, roll=math.pi / 2):  # its z axis points to -y
-        barrel = Box.sized(2 * r, 2 * r, width)
-        d.turned(barrel, [(0.55, 0.0), (0.9, 0.05), (1.08, 0.2), (1.0, 0.5), (0.72, 0.8), (0.72, 0.86)], look)
-        d.turned(barrel, [(0.7, 0.86), (0.62, 1.0)], trim, 20)
-        for radius, z, dark in ((1.0, 0.0, trim), (1.04, width, "black steel")):
-            with d.no_colliders():
-                d.cylinder(Box.around((0, 0, z), radius * r, radius * r, 0.0006), dark, segments=20)
-    foot = Box.sized(0.08, 0.08, middle - 0.4 * r, (0.0, 0.12 * width, 0.0))
-    rows = [(0.9, 1.0, 0.0), (0.8, 0.85, 0.06), (0.38, 0.5, 0.12), (0.4, 0.52, 0.5), (0.5, 0.66, 1.0)]
-    d.sections(foot, rows, look)
-    d.slab(foot.share((0.5, 0.76), (0.42, 0.58), (0.45, 0.68)), trim, 0.003)
-
-
 @draws("hairbrush", whole=True)
 def hairbrush(d: Drawing) -> None:
     """A brush with a cushion of bristles up."""
