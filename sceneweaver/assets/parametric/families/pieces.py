@@ -23,7 +23,7 @@ from functools import partial
 from importlib import resources
 
 from ...category import read_yaml
-from ...drawing import MAKERS, Axis, Box, Drawing, Look
+from ...drawing import MAKERS, PROUD, Axis, Box, Drawing, Look
 from ...drawing.tree import pose
 from .small_parts import filling, open_vessel, wrap
 
@@ -53,8 +53,18 @@ def _slab(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
 
 
 def _print(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
-    """x0 x1 y0 y1 z0 z1 of what lies on another body, and stands out of it by less than half a millimetre."""
-    d.print(_place(whole, n), look)
+    """x0 x1 y0 y1 z0 z1 of what lies on another body, and by how many millimetres it stands out (below 0.5)."""
+    d.print(_place(whole, n), look, n[6] / 1000 if len(n) > 6 else PROUD)
+
+
+def _oval(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
+    """The same for what is round."""
+    d.print(_place(whole, n), look, n[6] / 1000 if len(n) > 6 else PROUD, oval=True)
+
+
+def _silhouette(d: Drawing, whole: Box, look: Look, n: Numbers, axis: Axis) -> None:
+    """Two places along the axis, then points: (x, z) of a side, (y, z) of a face, (x, y) of a plan."""
+    d.silhouette(whole.share(**{axis: (n[0], n[1])}), list(zip(n[2::2], n[3::2], strict=True)), look, axis)
 
 
 def _cushion(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
@@ -135,6 +145,10 @@ _SHAPES: dict[str, Callable[[Drawing, Box, Look, Numbers], None]] = {
     "box": _box,
     "slab": _slab,
     "print": _print,
+    "oval": _oval,
+    "side": partial(_silhouette, axis="y"),
+    "face": partial(_silhouette, axis="x"),
+    "plan": partial(_silhouette, axis="z"),
     "cushion": _cushion,
     "up": partial(_round, axis="z"),  # x y z0 z1, radius at the bottom and at the top
     "x": partial(_round, axis="x"),  # x0 x1 y z, radius at the back and in front

@@ -204,26 +204,6 @@ def desk_phone(d: Drawing) -> None:
     d.sweep([d.bounds.point(*p) for p in cord], 0.004, "black plastic", 6)
 
 
-@draws("headphones", whole=True)
-def headphones(d: Drawing) -> None:
-    """Headphones that hang on a stand."""
-    deep, wide, high = d.size
-    look = d.material("body", "black plastic, white plastic, grey plastic, brown leather, red plastic")
-    pad = d.material("pads", "black leather, brown leather, charcoal fabric")
-    stand = d.material("stand", "oak, walnut, aluminium, black steel")
-    d.cylinder(d.bounds.bottom(0.014).place(deep, deep), stand, bevel=0.003, segments=28)
-    d.bar((0, 0, 0.012), (0, 0, high - 0.03), 0.008, stand, 10)
-    d.bar((0, -0.02, high - 0.016), (0, 0.02, high - 0.016), 0.012, stand, 10)
-    r = wide / 2 - 0.02
-    t = np.linspace(-0.06 * np.pi, 1.06 * np.pi, 13)
-    level = high - 0.005 - 0.9 * r
-    d.sweep(np.c_[0 * t, r * np.cos(t), level + 0.9 * r * np.sin(t)], (0.024, 0.008), look)
-    c = 0.42 * deep
-    with d.mirror("y"), d.at(0.0, r + 0.002, level - 0.035, roll=math.pi / 2):  # the cup's axis points inward
-        d.revolve([(0.7 * c, -0.018), (c, -0.006), (c, 0.008)], look, 20)
-        d.revolve([(0.9 * c, 0.008), (c, 0.013), (c, 0.022), (0.86 * c, 0.03)], pad, 20)
-
-
 @draws("speaker", whole=True)
 def speaker(d: Drawing) -> None:
     """A box with a woofer and a tweeter behind rims."""
@@ -313,29 +293,6 @@ def router(d: Drawing) -> None:
             d.box(Box.sized(0.012, 0.014, d.size.height - 0.022), look, 0.004)
 
 
-@draws("camera", whole=True)
-def camera(d: Drawing) -> None:
-    """A photo camera: body with a leather band, lens, shutter, dials and finder."""
-    deep, wide, high = d.size
-    trim = d.material("top", "aluminium, black plastic, chrome")
-    skin = d.material("skin", "black leather, brown leather, rubber, tan leather")
-    body = d.bounds.back(0.48 * deep)
-    for z in ((0.0, 0.16), (0.62, 0.8)):
-        d.slab(body.share(z=z), trim, 0.018, 0.002)
-    d.slab(body.share(z=(0.14, 0.66)).inset(x=0.001, y=0.001), skin, 0.018, 0.001)
-    d.slab(body.share(y=(0.3, 0.7), z=(0.78, 1.0)).inset(back=0.004, front=0.002), trim, 0.01, 0.006)
-    for y, r, top, tone in ((0.16, 0.012, 0.9, trim), (0.24, 0.006, 0.94, "steel"), (0.84, 0.011, 0.88, skin)):
-        d.cylinder(body.share(y=(y, y), z=(0.78, top)).place(2 * r).inset(y=-r), tone, ends=(1.0, 0.95), segments=16)
-    r, long = 0.34 * high, 0.52 * deep
-    with d.at(*body.point(1.0, 0.5, 0.36), pitch=math.pi / 2):
-        steps = ((1.05, 1.0, -0.04, 0.25, trim), (0.92, 0.92, 0.25, 0.5, "black plastic"))
-        for low, top, a, b, tone in (*steps, (0.97, 0.97, 0.5, 0.75, "rubber"), (0.9, 0.95, 0.75, 1, "black plastic")):
-            d.revolve([(low * r, a * long), (top * r, b * long)], tone)
-        for share, tone, proud in ((0.72, "black glass", 0.0003), (0.3, "night pigment", 0.0004)):
-            d.print(Box.sized(2 * share * r, 2 * share * r, 0.0, (0.0, 0.0, long)), tone, proud, oval=True)
-    d.print(body.front(0.0).share(y=(0.72, 0.82), z=(0.68, 0.76)), "glass")
-
-
 @draws("radio", whole=True)
 def radio(d: Drawing) -> None:
     """A retro radio: wooden case, cloth before the speaker, a dial, two knobs, a handle."""
@@ -357,22 +314,6 @@ def radio(d: Drawing) -> None:
     low, top = case.z[1] - 0.006, d.bounds.z[1] - 0.003
     ends = [(-0.36, low), (-0.32, top), (0.32, top), (0.36, low)]
     d.sweep([(-0.01, y * d.size.width, z) for y, z in ends], (0.018, 0.006), metal)
-
-
-@draws("charger", whole=True)
-def charger(d: Drawing) -> None:
-    """A charging stand with a phone leaning on it."""
-    deep, wide, high = d.size
-    look = d.material("body", "white plastic, black plastic, oak, aluminium")
-    d.slab(d.bounds.bottom(0.012), look, 0.02, 0.003)
-    long = (high - 0.022) / math.cos(0.35)
-    with d.at(0.22 * deep, 0.0, 0.012, pitch=-0.35):
-        d.box(Box((-0.01, -0.002), (-0.36 * wide, 0.36 * wide), (-0.004, 0.72 * high)), look)
-        d.box(Box((-0.002, 0.014), (-0.3 * wide, 0.3 * wide), (-0.002, 0.008)), look, 0.002)
-        phone_ = d.box(Box((-0.002, 0.006), (-0.036, 0.036), (0.008, long)), "black plastic")
-        glass = d.print(phone_.front(0.0).inset(y=0.003, z=0.004), "screen")
-        for y, z, tone in ((0.25, (0.62, 0.72), "sky pigment"), (0.32, (0.28, 0.35), "green plastic")):
-            d.print(glass.share(y=(y, 1 - y), z=z), tone, 0.0004)
 
 
 @draws("conference_phone", whole=True)

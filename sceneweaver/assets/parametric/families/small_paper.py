@@ -263,35 +263,6 @@ def pen_holder(d: Drawing) -> None:
         d.box(Box.sized(0.028, 0.002, 0.9 * high), "clear plastic" if d.chance("clear", 0.5) else "steel", 0.0003)
 
 
-@draws("stapler", whole=True)
-def stapler(d: Drawing) -> None:
-    """A stapler that lies along y: foot, anvil, magazine, arm that opens to the side at -y."""
-    look = d.material("body", "black plastic, red plastic, blue plastic, grey plastic, mint plastic, white plastic")
-    box = d.bounds
-    d.slab(box.share(x=(0.08, 0.92), z=(0.0, 0.12)), "black plastic", 0.01, 0.002)
-    d.box(box.share((0.3, 0.7), (0.04, 0.12), (0.12, 0.17)), "steel", 0.0005)
-    with d.at(*box.point(0.5, 0.96, 0.3), roll=0.1):
-        d.box(Box.sized(0.6 * box.depth, 0.92 * box.width, 0.2 * box.height, (0, -0.46 * box.width, 0)), "steel", 0.001)
-    arm = [(1, 0.1), (1, 0.6), (0.92, 0.78), (0.3, 1), (0.06, 0.98), (0.02, 0.65), (0.86, 0.42), (0.9, 0.1)]
-    d.silhouette(box, arm, look, "x", bevel=0.002)
-
-
-@draws("tape_dispenser", whole=True)
-def tape_dispenser(d: Drawing) -> None:
-    """A heavy foot with a roll of tape and a toothed edge."""
-    look = d.material("body", "black plastic, grey plastic, red plastic, white plastic, mint plastic")
-    box = d.bounds
-    r = 0.36 * box.height
-    d.sections(box, [(1, 1, 0), (1, 1, 0.2), (0.8, 0.92, 0.5, 0, -0.02)], look, 0.08, convex=True)
-    hub = Box.around((0.0, 0.14 * box.width, box.z[1] - r - 0.001), box.depth, 0.0, 0.0)
-    for share, radius, tone in ((0.4, 1.0, "sand pigment"), (0.52, 0.55, look)):
-        d.cylinder(hub.place(share * box.depth).inset(y=-radius * r, z=-radius * r), tone, "x")
-    with d.mirror("x"):
-        d.silhouette(box.share(x=(0.8, 0.92)), [(0.42, 0.45), (0.86, 0.45), (0.72, 0.72), (0.56, 0.72)], look, "x")
-    d.silhouette(box.share(x=(0.2, 0.8)), [(0.02, 0.2), (0.3, 0.4), (0.06, 0.55), (0.03, 0.55)], look, "x")
-    d.box(box.share((0.22, 0.78), (0.025, 0.045), (0.5, 0.62)), "steel", 0.0)
-
-
 @draws("sticky_notes", whole=True)
 def sticky_notes(d: Drawing) -> None:
     """Square pads of notes in bright colours on each other, the top one written on."""
@@ -390,17 +361,3 @@ def scissors(d: Drawing) -> None:
         with d.at(0.3 * deep, s * 0.25 * wide, 0.5 * high, yaw=s * 0.3):
             d.sweep(np.c_[0.15 * deep * np.cos(t), 0.2 * wide * np.sin(t), 0 * t], (0.012, high), grip, closed=True)
     d.print(Box.sized(0.0084, 0.0084, 0.0, (0, 0, 0.8 * high)), "black plastic", oval=True)
-
-
-@draws("hole_punch", whole=True)
-def hole_punch(d: Drawing) -> None:
-    """A punch with a lever and two holes."""
-    look = d.material("body", "black steel, red plastic, grey plastic, blue plastic")
-    box = d.bounds
-    d.slab(box.share(z=(0.0, 0.16)), "black plastic", 0.01, 0.002)
-    with d.mirror("y"):
-        d.cylinder(box.share((0.6, 0.74), (0.84, 0.84), (0.16, 0.6)).inset(y=-0.008), "steel", segments=12)
-        d.box(box.share((0.2, 0.8), (0.97, 0.97), (0.1, 0.62)).inset(y=-0.003), "black steel", 0.001)
-    lever = [(0.8, 0.5), (0.82, 0.6), (0.6, 0.72), (0.0, 1.0), (0.0, 0.88), (0.3, 0.55)]
-    d.silhouette(box.share(y=(0.06, 0.94)), lever, look, bevel=0.002)
-    d.box(box.share((0.78, 0.81), (0.1, 0.9), (0.18, 0.2)), "steel", 0.0)

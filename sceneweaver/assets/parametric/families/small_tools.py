@@ -11,24 +11,6 @@ from ...drawing import Box, Drawing, draws
 from ...drawing.components import band
 
 
-@draws("hammer", whole=True)
-def hammer(d: Drawing) -> None:
-    """A claw hammer lying on its side."""
-    box = d.bounds
-    grip = d.material("grip", "beech, red plastic, black plastic, blue plastic, oak")
-    high = box.height
-    d.cushion(box.share((0.0, 0.42), (0.37, 0.63), (0.1, 0.9)), grip, 0.3 * high)
-    shaft = "beech" if grip.name in ("beech", "oak") else "steel"
-    d.cushion(box.share((0.38, 0.96), (0.42, 0.58), (0.2, 0.8)), shaft, 0.2 * high)
-    head = [(0.32, -0.16), (0.42, -0.1), (0.42, 0.16), (0.3, 0.24), (0.3, 0.3), (0.48, 0.34), (0.48, 0.48), (0.42, 0.5)]
-    with d.at(*box.point(0.93), roll=-math.pi / 2):
-        d.revolve([(r * high, y * box.width) for r, y in head], "brushed steel", 16)
-    for s in (-1, 1):  # the two prongs of its claw
-        rows = ((-0.14, 0.40, 0.47, 0.04, 0.36), (-0.36, 0.39, 0.42, 0.1, 0.42), (-0.5, 0.32, 0.33, 0.2, 0.4))
-        prong = [(x, y, s * z) for y, x0, x1, z0, z1 in rows for x in (x0, x1) for z in (z0, z1)]
-        d.hull([box.point(0.5 + x, 0.5 + y, 0.5 + z) for x, y, z in prong], "brushed steel")
-
-
 @draws("screwdriver_set", whole=True)
 def screwdriver_set(d: Drawing) -> None:
     """Six screwdrivers upright in a stand, from large to small."""
@@ -47,29 +29,6 @@ def screwdriver_set(d: Drawing) -> None:
         own = cell.share(z=(0.48, 0.5 + 0.5 * s)).place(side, side)
         d.turned(own, [(0.6, 0), (0.75, 0.1), (0.65, 0.16), (1, 0.36), (0.95, 0.94), (0.6, 1)], grip, 8)
         d.cylinder(own.share((0.19, 0.81), (0.19, 0.81), (0.11, 0.16)), "black plastic", segments=10)
-
-
-@draws("drill", whole=True)
-def drill(d: Drawing) -> None:
-    """A cordless drill on its battery: motor, chuck, bit, grip, trigger."""
-    look = d.material("body", "yellow plastic, blue plastic, green plastic, red plastic, orange plastic")
-    box = d.bounds
-    deep, wide, high = box.size
-    r = 0.4 * wide
-    level, foot = high - 1.1 * r, box.move(x=-0.2 * deep)
-    d.slab(foot.share((0.24, 0.8), z=(0.0, 0.2)), "black plastic", 0.012, 0.004)
-    d.slab(foot.share((0.28, 0.74), (0.06, 0.94), (0.19, 0.26)), look, 0.01)
-    d.sections(foot, [(0.24, 0.52, 0.25), (0.2, 0.48, 0.45, -0.015, 0), (0.27, 0.56, 0.66)], look, 0.3)
-    d.box(foot.share((0.57, 0.66), (0.4, 0.6), (0.52, 0.66)), "black plastic", 0.004)
-    body = [(0.8, -0.5), (1.05, -0.44), (1.1, -0.1), (0.95, 0.12)]
-    with d.at(z=level, pitch=math.pi / 2):
-        d.revolve([(q * r, x * deep) for q, x in body], look, 20)
-        d.revolve([(0.8 * r, 0.12 * deep), (0.8 * r, 0.16 * deep)], "grey plastic", 20)
-        d.revolve([(q * r, x * deep) for q, x in ((0.72, 0.16), (0.72, 0.28), (0.36, 0.36))], "black plastic", 14)
-        d.revolve([(0.003, 0.35 * deep), (0.0025, 0.5 * deep)], "steel", 8)
-    vent = Box((-0.3 * deep, -0.14 * deep), (-1.08 * r, 1.08 * r), (level, level))
-    for slot in vent.split("x", 4):
-        d.print(slot.share(x=(0.2, 0.8)).inset(z=-0.2 * r, y=0.03 * r), "black plastic")
 
 
 @draws("paint_can", whole=True, even="round")
@@ -98,39 +57,6 @@ def paint_can(d: Drawing) -> None:
         d.box(brush.share(x=(0.0, 0.4), y=(0.3, 0.7)).to(z=(0.0, box.height - top)), "beech", 0.005)
         d.box(brush.share(x=(0.38, 0.58)), "steel", 0.001)
         d.box(brush.share(x=(0.58, 1.0), y=(0.03, 0.97), z=(0.05, 0.9)), paint)
-
-
-@draws("flashlight", whole=True)
-def flashlight(d: Drawing) -> None:
-    """A torch that lies, its wide head with a glowing lens to the front."""
-    look = d.material("body", "black steel, yellow plastic, red plastic, aluminium, blue plastic")
-    deep, r = d.size.depth, d.size.height / 2
-    body = [(0.52, -0.5), (0.62, -0.48), (0.62, 0.16), (1, 0.3), (1, 0.5), (0.88, 0.5), (0.8, 0.46), (0.0, 0.46)]
-    with d.at(z=r, pitch=math.pi / 2):
-        d.revolve([(q * r, x * deep) for q, x in body], look, 20, hollow=True)
-        for k in range(6):
-            low = (-0.36 + 0.07 * k) * deep
-            d.revolve([(0.66 * r, low), (0.66 * r, low + 0.03 * deep)], "rubber", 16)
-        with d.no_colliders():
-            d.revolve([(0.8 * r, 0.46 * deep), (0.82 * r, 0.475 * deep)], "lamp glow", 20)
-    switch = "red plastic" if look.name != "red plastic" else "black plastic"
-    d.box(Box((0.06 * deep, 0.14 * deep), (-0.2 * r, 0.2 * r), (1.5 * r, 1.75 * r)), switch, 0.001)
-    d.box(Box((-0.49 * deep, -0.46 * deep), (-0.5 * r, 0.5 * r), (0.0, 0.6 * r)), look, 0.001)
-
-
-@draws("tape_measure", whole=True)
-def tape_measure(d: Drawing) -> None:
-    """A round-cornered case with a bright disc, the tape's end pulled out."""
-    look = d.material("body", "yellow plastic, orange plastic, red plastic, blue plastic, green plastic")
-    box = d.bounds
-    case = box.share(x=(0.0, 0.88))
-    with d.at(*case.center, roll=math.pi / 2):
-        d.slab(Box.around((0, 0, 0), case.depth, case.height, case.width), look, 0.26 * case.height, 0.005, 4)
-    for side in (case.left(0.0), case.right(0.0)):
-        for size, tone, proud in ((0.72, "black plastic", 0.0002), (0.56, "steel", 0.0003)):
-            d.print(side.place(size * case.height, None, size * case.height), tone, proud, oval=True)
-    d.box(box.share((0.7, 0.98), (0.2, 0.8), (0.06, 0.1)), "yellow plastic", 0.0)
-    d.box(box.front(0.003).share(y=(0.16, 0.84), z=(0.0, 0.12)), "steel", 0.0005)
 
 
 @draws("wrench", whole=True)
@@ -270,83 +196,6 @@ def handsaw(d: Drawing) -> None:
         d.cylinder(Box.around(box.point(0.245, y), 0.012, 0.012, 0.4 * high), "brass", segments=10)
 
 
-@draws("vise", whole=True)
-def vise(d: Drawing) -> None:
-    """A bench vise: foot, two jaws, screw and bar."""
-    look = d.material("body", "blue paint, green paint, grey paint, iron, red paint")
-    box = d.bounds
-    high = box.height
-    d.box(box.share(x=(0.06, 0.6), z=(0.0, 0.1)), look)
-    d.sections(box.share(x=(0.1, 0.56)), [(1, 0.68, 0.1), (0.83, 0.52, 0.5)], look, 0.1)
-    for x, y, z in (((0.06, 0.44), 0.1, (0.48, 1)), ((0.48, 0.8), 0.3, (0.46, 0.7)), ((0.57, 0.76), 0.1, (0.6, 1))):
-        d.box(box.share(x, (y, 1 - y), z), look, 0.007)
-    for x in ((0.44, 0.47), (0.55, 0.58)):
-        d.box(box.share(x, (0.08, 0.92), (0.8, 0.98)), "brushed steel", 0.002)
-    d.bar(box.point(0.45, 0.5, 0.56), box.point(0.98, 0.5, 0.56), 0.05 * high, "steel", 12)
-    d.cylinder(Box.around(box.point(0.96, 0.5, 0.56), 0.08 * box.depth, 0.18 * high, 0.18 * high), "brushed steel", "x")
-    ends = [box.point(0.96, 0.18, 0.42), box.point(0.96, 0.86, 0.72)]
-    d.sweep(ends, 0.025 * high, "steel", 8)
-    for end in ends:
-        d.ball(Box.around(end, 0.08 * high, 0.08 * high, 0.08 * high), "steel", segments=10)
-
-
-@draws("spirit_level", whole=True)
-def spirit_level(d: Drawing) -> None:
-    """A bar with bubbles in green tubes."""
-    look = d.material("body", "yellow plastic, red plastic, aluminium, orange plastic")
-    box = d.box(d.bounds.inset(0.0005), look, 0.002)
-    top = box.top(0.0)
-    for cap in (d.bounds.left(0.016), d.bounds.right(0.016)):
-        d.box(cap, "black plastic", 0.002)
-    side = 0.68 * box.depth
-    for y in (0.2, 0.8):
-        vial = top.share(y=(y, y)).place(side).inset(y=-side / 2)
-        d.print(vial, "green plastic", oval=True)
-        d.print(vial.share((0.38, 0.62), (0.38, 0.62)), "chalk pigment", 0.0004, oval=True)
-    tube = d.print(top.share(x=(0.3, 0.7), y=(0.44, 0.56)), "green plastic")
-    for y in (0.34, 0.66):
-        d.print(tube.share(y=(y, y)).inset(y=-0.001), "ink pigment", 0.0004)
-    for y in (0.32, 0.68):
-        d.print(top.share(x=(0.2, 0.8), y=(y - 0.03, y + 0.03)), "ink pigment")
-
-
-@draws("dustpan", whole=True)
-def dustpan(d: Drawing) -> None:
-    """A dustpan with a hand brush in it."""
-    look = d.material("body", "blue plastic, red plastic, grey plastic, green plastic, mint plastic")
-    box = d.bounds
-    high = box.height
-    pan = box.share(x=(0.4, 1.0))
-    d.silhouette(pan.share(z=(0.0, 0.05)), [(0, 0.08), (0, 0.92), (1, 1), (1, 0)], look, "z")
-    with d.mirror("y"):  # a cheek that sinks to the front
-        near, far = ((0.0, 0.92), (0.0, 0.905)), ((1.0, 1.0), (1.0, 0.985))
-        tops = [(*p, z) for p in near for z in (0.0, 0.5)] + [(*p, z) for p in far for z in (0.0, 0.1)]
-        d.hull([pan.point(*p) for p in tops], look)
-    d.box(pan.back(-0.004).share(y=(0.08, 0.92), z=(0.0, 0.55)), look, 0.001)
-    d.cushion(box.share(x=(0.0, 0.4), z=(0.22, 0.5)).place(width=0.032), look, 0.01)
-    d.box(box.share((0.02, 0.06), (0.5, 0.5), (0.0, 0.3)).inset(y=-0.016), look)
-    brush = box.share((0.5, 0.7), (0.14, 0.8), (0.08, 0.53))
-    d.sections(brush, [(1, 1, 0), (0.6, 0.94, 1)], "charcoal fabric", 0.1)
-    d.box(brush.top(-0.13 * high).share(x=(0.1, 0.8)), look, 0.004)
-    with d.at(*brush.point(0.4, 0.1, 1.0), yaw=2.7, pitch=-0.1):
-        d.cushion(Box((0.0, 0.5 * box.depth), (-0.014, 0.014), (0.0, 0.2 * high)), look, 0.01)
-
-
-@draws("hand_plane", whole=True)
-def hand_plane(d: Drawing) -> None:
-    """A hand plane: sole, body, knob, blade and rear grip."""
-    wood = d.material("body", "beech, walnut, cherry, oak")
-    box = d.bounds
-    d.box(box.share(z=(0.0, 0.08)), "brushed steel", 0.002)
-    d.box(box.share((0.02, 0.98), (0.06, 0.94), (0.08, 0.4)), wood, 0.004)
-    knob = box.share(x=(0.84, 0.84), z=(0.38, 0.8)).place(0.044, 0.044)
-    d.turned(knob, [(0.72, 0), (0.55, 0.25), (1, 0.65), (0.8, 0.85), (0.27, 1)], wood, 16)
-    grip = [(0.1, 0.39), (0.3, 0.39), (0.26, 0.7), (0.16, 1.0), (0.04, 0.94), (0.1, 0.6)]
-    d.silhouette(box.share(y=(0.34, 0.66)), grip, wood, bevel=0.004)
-    d.silhouette(box.share(y=(0.2, 0.8)), [(0.54, 0.3), (0.57, 0.32), (0.34, 0.84), (0.31, 0.82)], "steel")
-    d.cylinder(Box.around(box.point(0.44), 0.12 * box.height, 0.72 * box.width, 0.12 * box.height), "brass", "y")
-
-
 @draws("small_parts_box", whole=True)
 def small_parts_box(d: Drawing) -> None:
     """A flat case with compartments of screws and nails under a clear lid."""
@@ -367,3 +216,21 @@ def small_parts_box(d: Drawing) -> None:
                     d.box(part, fill[(5 * i + j) % 6], 0.0)
     for y in (0.18, 0.82):
         d.box(box.front(0.006).inset(front=-0.004).share(y=(y, y), z=(0.3, 0.92)).inset(y=-0.018), look, 0.002)
+
+
+@draws("flashlight", whole=True)
+def flashlight(d: Drawing) -> None:
+    """A torch that lies, its wide head with a glowing lens to the front."""
+    look = d.material("body", "black steel, yellow plastic, red plastic, aluminium, blue plastic")
+    deep, r = d.size.depth, d.size.height / 2
+    body = [(0.52, -0.5), (0.62, -0.48), (0.62, 0.16), (1, 0.3), (1, 0.5), (0.88, 0.5), (0.8, 0.46), (0.0, 0.46)]
+    with d.at(z=r, pitch=math.pi / 2):
+        d.revolve([(q * r, x * deep) for q, x in body], look, 20, hollow=True)
+        for k in range(6):
+            low = (-0.36 + 0.07 * k) * deep
+            d.revolve([(0.66 * r, low), (0.66 * r, low + 0.03 * deep)], "rubber", 16)
+        with d.no_colliders():
+            d.revolve([(0.8 * r, 0.46 * deep), (0.82 * r, 0.475 * deep)], "lamp glow", 20)
+    switch = "red plastic" if look.name != "red plastic" else "black plastic"
+    d.box(Box((0.06 * deep, 0.14 * deep), (-0.2 * r, 0.2 * r), (1.5 * r, 1.75 * r)), switch, 0.001)
+    d.box(Box((-0.49 * deep, -0.46 * deep), (-0.5 * r, 0.5 * r), (0.0, 0.6 * r)), look, 0.001)

@@ -303,39 +303,6 @@ def puzzle_cube(d: Drawing) -> None:
             d.print(place, colors[k] if solved else d.pick(f"f{k}{j}", colors), 0.0001)
 
 
-@draws("robot_toy", whole=True)
-def robot_toy(d: Drawing) -> None:
-    """A tin robot with a chest panel, claws, lamps for eyes, and aerials."""
-    deep, wide, high = d.size
-    look = d.material("body", "steel, red plastic, blue plastic, mint plastic, yellow plastic")
-    trim = d.material("trim", "grey plastic, red plastic, orange plastic, black plastic")
-    box = d.bounds
-    with d.mirror("y"):
-        d.box(box.share((0.1, 1.0), (0.55, 0.79), (0.0, 0.1)), trim, 0.006)
-        d.box(box.share((0.3, 0.7), (0.59, 0.75), (0.1, 0.33)), look)
-        d.cylinder(box.share((0.5, 0.5), (0.81, 0.92), (0.6, 0.6)).inset(x=-0.07 * high, z=-0.07 * high), trim, "y")
-        joints = [box.point(x, 0.94, z) for x, z in ((0.5, 0.6), (0.6, 0.42), (0.8, 0.36))]
-        d.sweep(joints, 0.05 * wide, look)
-        for y in (0.88, 0.97):
-            d.box(box.share((0.78, 0.96), (y, y + 0.025), (0.33, 0.39)), trim, 0.002)
-        tip = box.point(0.48, 0.68, 1 - 0.016)
-        d.bar(box.point(0.48, 0.64, 0.9), tip, 0.004, "steel", 6)
-        ball(d, tip, 0.016 * high, "red plastic", 8)
-        lamp = box.share((0.83, 0.86), (0.61, 0.61), (0.84, 0.84))
-        d.cylinder(lamp.inset(y=-0.035 * high, z=-0.035 * high), "lamp glow", "x", segments=14)
-    chest = d.box(box.share((0.14, 0.86), (0.18, 0.82), (0.32, 0.69)), look, 0.008)
-    panel = d.print(chest.front(0.0).share(y=(0.16, 0.84), z=(0.22, 0.8)), "black plastic")
-    for k, tone in enumerate(("red plastic", "yellow plastic", "green plastic")):
-        light = panel.share(y=(0.2 + 0.3 * k, 0.2 + 0.3 * k), z=(0.75, 0.75)).inset(front=-0.004)
-        d.cylinder(light.inset(y=-0.025 * high, z=-0.025 * high), tone, "x", ends=(1.0, 0.8), segments=10)
-        z = 0.1 + 0.16 * k
-        d.print(panel.share(y=(0.1, 0.5 + 0.16 * k), z=(z, z + 0.08)), "sky pigment", 0.0004)
-    d.cylinder(box.share(z=(0.69, 0.73)).place(0.2 * wide, 0.2 * wide), trim, segments=14)
-    head = d.box(box.share((0.2, 0.83), (0.27, 0.73), (0.73, 0.92)), look, 0.006)
-    for tooth in head.front(0.0).share(y=(0.25, 0.75), z=(0.2, 0.33)).columns(5):
-        d.print(tooth.share(y=(0.2, 0.8)), "black plastic")
-
-
 @draws("toy_dinosaur", whole=True)
 def toy_dinosaur(d: Drawing) -> None:
     """A long-necked dinosaur with a row of plates on its back."""
@@ -364,22 +331,6 @@ def toy_dinosaur(d: Drawing) -> None:
         z = float(np.interp(x, spine[:, 0], spine[:, 1] + 0.94 * thick)) - 0.03 * high
         size = 0.1 * high * (1 - 0.16 * abs(k - 3))
         d.silhouette(Box.sized(1.4 * size, 0.008, 1.3 * size, (x, 0, z)), [(0, 0), (1, 0), (0.57, 1)], plates)
-
-
-@draws("stacking_rings", whole=True, even="round")
-def stacking_rings(d: Drawing) -> None:
-    """Rings in the colours of the rainbow on a peg, a ball on top."""
-    box = d.even("round")
-    base = d.material("base", "beech, white plastic, pine")
-    d.cylinder(box.share(z=(0.0, 0.08)), base, ends=(1.0, 0.92), segments=28)
-    shift = d.chance("shift", 0.5)
-    for k, level in enumerate(box.share(z=(0.08, 0.82)).rows(5)):
-        ring = level.inset(x=(0.04 + 0.055 * k) * box.depth, y=(0.04 + 0.055 * k) * box.width)
-        q = 2 * level.height / ring.depth
-        profile = [(1 - 0.4 * q, 0), (1 - 0.1 * q, 0.2), (1, 0.5), (1 - 0.1 * q, 0.8), (1 - 0.4 * q, 1)]
-        d.turned(ring, profile, RAINBOW[k + shift])
-    d.cylinder(box.share((0.45, 0.55), (0.45, 0.55), (0.8, 0.88)), base, segments=12)
-    ball(d, box.point(0.5, 0.5, 0.91), 0.09 * box.height, "red plastic")
 
 
 @draws("crayon_box", whole=True)
