@@ -70,7 +70,8 @@ def workbench(d: Drawing) -> None:
         planks(d, plate, top, wide=0.11)
         if joiner:
             d.box(plate.bottom(-0.05).inset(front=0.001, y=0.01).front(0.044), top)
-            holes = plate.inset(front=0.08, right=0.1, left=0.65).front(0.02)
+            front_board = plate.split("x", max(3, round(plate.depth / 0.11)))[-1]
+            holes = front_board.inset(right=0.1, left=0.65)
             for cell in holes.columns(6):
                 d.print(cell.top(0.0).place(0.02, 0.02), "black plastic")
     if joiner:
