@@ -15,6 +15,13 @@ def _oven(d: Drawing, box: Box, coat: Look) -> None:
         rack(d, room.inset(front=0.02, top=(1 - share) * room.height))
 
 
+def _sides(d: Drawing, box: Box, case: Box, coat: Look) -> Box:
+    """Panels of 4 mm over both sides of a case, which hide its joints; returns the box between them."""
+    for side in (case.left(0.004), case.right(0.004)):
+        d.box(side, coat, bevel=0.001)
+    return box.inset(y=0.004)
+
+
 @draws("stove")
 def stove(d: Drawing) -> None:
     """A cooktop over a panel of knobs, an oven door with window and bar, and a drawer below."""
@@ -30,6 +37,7 @@ def stove(d: Drawing) -> None:
     with d.part("body"):
         feet(d, case.bottom(0.07), 0.02)
         plinth(d, case.bottom(0.068))
+        case = _sides(d, case, case.to(z=(0.068, top - 0.022)), coat)
         plate = front.inset(front=-0.01).to(z=(top - 0.022, top))
         d.box(plate, steel_top if gas else "black glass", bevel=0.004)
         burners(d, plate.inset(x=0.03, y=0.03), gas, count)
@@ -65,6 +73,7 @@ def oven_tower(d: Drawing) -> None:
     low, middle, high = 0.69, 1.3, 1.69
     with d.part("body"):
         plinth(d, bounds.bottom(PLINTH))
+        bounds = _sides(d, bounds, bounds.inset(bottom=PLINTH, front=0.019), shell)
         unit(d, "low", bounds.to(z=(PLINTH, low)), "drawers", shell, leaf, pull)
         niche = carcass(d, bounds.inset(front=0.019).to(z=(low, high)), shell, board=0.01)
         for name, z in (("oven", (niche.z[0], middle)), ("small oven", (middle + 0.004, niche.z[1]))):
