@@ -5,97 +5,12 @@ from __future__ import annotations
 import math
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import REACH, legs
-from ...drawing.drawing import Look
-from .tables_parts import drawer_case, end_frame, ends, planks, tabletop
+from ...drawing.components import REACH
+from .tables import KNEES
+from .tables_parts import drawer_case, end_frame, pedestal_of_drawers, tabletop
 
 BOARDS = ("oak", "light oak", "walnut", "white paint", "birch", "ash grey wood", "wenge")
 METALS = ("black steel", "white steel", "brushed steel", "iron")
-KNEES = 0.62
-"""Height [m] that stays free for knees."""
-
-
-def pedestal_of_drawers(
-    d: Drawing,
-    box: Box,
-    body: Look,
-    front: Look,
-    pull: Look,
-    style: str,
-    count: int = 3,
-    name: str = "drawer",
-    foot: float = 0.05,
-) -> None:
-    """A case of drawers on a dark base, the lowest drawer high enough for files; one part."""
-    with d.part(f"{name} stack"):
-        d.box(box.bottom(foot).inset(back=0.03, front=0.05, y=0.02), "black plastic", bevel=0.0)
-        weights = [1.8, *[1.0] * (count - 1)]
-        drawer_case(d, box.inset(bottom=foot), body, front, pull, style, weights, name=name)
-
-
-@draws("desk")
-def desk(d: Drawing) -> None:
-    """A top on steel or wooden legs, panel ends with a modesty board, or with one or two stacks of drawers."""
-    kind = d.pick("kind", ["legs", "loop", "drawers", "panel", "thin drawers", "a"])
-    top, bounds = d.material("top", *BOARDS), d.bounds
-    pull = d.material("pulls", "black steel", "brass", "brushed steel")
-    style = d.pick("pull style", ["bar", "knob", "cup"])
-    plate = bounds.top(d.uniform("thickness", 0.022, 0.03))
-    under = bounds.to(z=(0.0, plate.z[0]))
-    low, free = under.height, under.inset(y=0.06)
-    with d.part("top"):
-        if kind == "a" and d.chance("boards", 0.6):
-            planks(d, plate, top, wide=0.16)
-        else:
-            tabletop(d, plate, top, d.pick("corner", [0.008, 0.03, 0.05]))
-    if kind == "legs":
-        wooden = d.chance("wooden", 0.5)
-        look = d.material("legs", *(("oak", "beech", "walnut", "birch") if wooden else METALS))
-        shape = d.pick("leg style", ["tapered", "splayed"] if wooden else ["square", "hairpin"])
-        legs(d, under.inset(x=0.03, y=0.03), look, shape, 0.05)
-        with d.part("top"):
-            frame = under.inset(x=0.08, y=0.08)
-            for rail in (frame.back(0.02).top(0.07), frame.left(0.02).top(0.05), frame.right(0.02).top(0.05)):
-                d.box(rail, look)
-    elif kind in ("loop", "a"):
-        look = d.material("legs", *(METALS if kind == "loop" else ("oak", "pine", "walnut", "black paint")))
-        free = ends(d, under, look, kind, 0.045, 0.03, 0.03 if kind == "loop" else 0.14)
-        with d.part("rail"):
-            d.box(free.inset(back=0.1, top=0.01).back(0.03).top(0.07), look)
-    elif kind == "panel":
-        side = d.material("sides", "white paint", "black paint") if d.chance("two tone", 0.3) else top
-        with d.mirror("y"), d.part("side"):
-            d.box(under.inset(back=0.015, front=0.03, left=0.015).left(0.025), side)
-        with d.part("modesty"):
-            d.box(under.inset(back=0.06, y=0.04).back(0.018).to(z=(0.3, low)), side)
-    elif kind == "drawers":
-        looks = ("white paint", "sage paint", "navy paint", "light grey paint")
-        fronts = d.material("fronts", *looks) if d.chance("two tone", 0.35) else top
-        wide, count = d.uniform("stack", 0.36, 0.42), d.integer("count", 3, 4)
-        own = under.inset(back=0.02, front=0.03, y=0.02)
-        sides = ["right", "left"] if bounds.width > 1.5 else [d.pick("side", ["right", "left"])]
-        for side in ("right", "left"):
-            if side in sides:
-                stack = own.right(wide) if side == "right" else own.left(wide)
-                pedestal_of_drawers(d, stack, top, fronts, pull, style, count, side)
-                free = free.to(y=(stack.y[1], free.y[1]) if side == "right" else (free.y[0], stack.y[0]))
-            else:
-                with d.part("side"):
-                    d.box(own.right(0.025) if side == "right" else own.left(0.025), top)
-        with d.part("modesty"):
-            d.box(under.inset(back=0.04).back(0.016).to(y=free.y, z=(0.25, low)), top, bevel=0.0)
-    else:
-        look = d.material("legs", "black steel", "brass", "oak", "walnut", "beech") if d.chance("other", 0.5) else top
-        case = under.inset(back=0.03, front=0.03, y=0.02)
-        tall = min(0.09, low - 0.625)
-        with d.part("top"):
-            style = style if style != "bar" else "knob"
-            drawer_case(d, case.top(tall), top, top, pull, style, columns=3 if bounds.width > 1.5 else 2)
-        legs(d, case.inset(x=0.02, y=0.02, top=tall), look, d.pick("leg style", ["tapered", "splayed", "round"]), 0.045)
-        free = under.inset(y=0.18)
-    back = 0.05 if kind == "a" else 0.1
-    d.clear(free.inset(y=0.1).to(x=(-back, bounds.x[1]), z=(0.0, KNEES)))
-    d.fit()
 
 
 @draws("corner_desk")

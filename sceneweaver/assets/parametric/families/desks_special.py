@@ -8,7 +8,7 @@ import numpy as np
 
 from ...drawing import Box, Drawing, draws
 from ...drawing.components import REACH, drawer, legs
-from .desks import KNEES
+from .tables import KNEES
 from .tables_parts import drawer_case, ends, tabletop
 
 WOODS = ("oak", "walnut", "cherry", "mahogany", "light oak", "beech")

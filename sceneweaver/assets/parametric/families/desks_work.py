@@ -7,8 +7,8 @@ import math
 from ...drawing import Box, Drawing, draws
 from ...drawing.components import legs, tap, unit
 from .bottles import bottle
-from .desks import KNEES, pedestal_of_drawers
-from .tables_parts import drawer_case, planks
+from .tables import KNEES
+from .tables_parts import drawer_case, pedestal_of_drawers, planks
 
 
 @draws("reception_desk")

@@ -10,7 +10,7 @@ import numpy as np
 from ...drawing import Box, Drawing, draws
 from ...drawing.components import leg, legs, pulls, walls
 from ...drawing.drawing import Look
-from .tables_parts import board_between, drawer_case, ends, pedestal, planks, tabletop
+from .tables_parts import board_between, drawer_case, ends, pedestal, pedestal_of_drawers, planks, tabletop
 
 WOODS = "oak, light oak, walnut, beech, pine, cherry, ash grey wood, mahogany, wenge"
 PAINTS = "white paint, cream paint, sage paint, navy paint, light grey paint, black paint"
@@ -60,6 +60,7 @@ _DINING = [
 _BISTRO = "oak, walnut, marble, white paint, black paint, dark marble, light oak"
 _IRON = "black steel, brushed steel, chrome, iron"
 _CENTRAL = [Kind(base, _BISTRO, _IRON, inset=0.38) for base in ("disc", "cross", "tulip", "iron")]
+_BOARDS = "oak, light oak, walnut, white paint, birch, ash grey wood, wenge"
 _SLATTED = "oak, cherry, ash grey wood, mahogany"
 
 TABLES = {
@@ -120,6 +121,15 @@ TABLES = {
         ),
         *(Kind(base, f"{WOODS}, {PAINTS}", "", "soft", 0.036, 0.012, 0.06, 0.15) for base in ("tapered", "turned")),
         Kind("square", f"{WOODS}, marble, glass", METALS, width=0.018, inset=0.012, apron=0.018, shelf=0.15),
+    ],
+    "desk": [
+        *(Kind(base, _BOARDS, "oak, beech, walnut, birch", apron=0.05) for base in ("tapered", "splayed")),
+        Kind("square", _BOARDS, f"{STEELS}, iron", apron=0.05),
+        Kind("hairpin", _BOARDS, f"{STEELS}, iron"),
+        Kind("loop", _BOARDS, f"{STEELS}, iron", width=0.045),
+        Kind("panel", _BOARDS),
+        *[Kind("stacks", _BOARDS)] * 3,
+        Kind("drawers", _BOARDS, width=0.045, apron=0.085),
     ],
     "console_table": [
         Kind("square", f"{WOODS}, marble, glass", METALS, width=0.022, inset=0.01, apron=0.02, shelf=0.16),
@@ -224,6 +234,8 @@ def _base(d: Drawing, under: Box, kind: Kind, top: Look, look: Look) -> None:
             for side in (knees.front(depth / 2 - 0.06), knees.back(depth / 2 - 0.06)):
                 d.clear(side.inset(y=0.16 * wide))
         else:
+            with d.part("top"):
+                d.box(room.top(0.03).place(depth=0.06), look)
             d.clear(knees.inset(y=0.16 * wide))
     elif base in ("tulip", "disc", "claw", "drum", "iron", "cross"):
         if kind.plan == "oval":
@@ -259,6 +271,28 @@ def _base(d: Drawing, under: Box, kind: Kind, top: Look, look: Look) -> None:
             head = (0.9 * radius * math.cos(0.35), 0.9 * radius * math.sin(0.35), height - 0.003)
             with d.ring(12), d.mirror("y"):
                 d.bar((0.62 * radius, 0, 0.006), head, 0.004, look, 5)
+    elif base == "panel":
+        with d.mirror("y"), d.part("side"):
+            d.box(under.inset(back=0.015, front=0.03, left=0.015).left(0.025), look)
+        with d.part("modesty"):
+            d.box(under.inset(back=0.06, y=0.04, bottom=0.3).back(0.018), look)
+        d.clear(knees.inset(back=0.1, y=0.1))
+    elif base == "stacks":
+        style, pull, reach = pulls(d, d.named(look))
+        own, stack = under.inset(back=0.02, front=reach + 0.005, y=0.02), d.uniform("stack", 0.36, 0.42)
+        first = d.pick("side", ["right", "left"])
+        widths = {side: stack if side == first or wide > 1.5 else 0.025 for side in ("right", "left")}
+        for side, across in widths.items():
+            place = own.right(across) if side == "right" else own.left(across)
+            if across == stack:
+                pedestal_of_drawers(d, place, top, look, pull, style, d.integer("count", 3, 4), side)
+            else:
+                with d.part("side"):
+                    d.box(place, top)
+        free = own.inset(**widths)
+        with d.part("modesty"):
+            d.box(free.inset(back=0.02, bottom=0.25).back(0.016), top, bevel=0.0)
+        d.clear(free.inset(back=0.1, y=0.05).to(z=knees.z))
     elif base == "waterfall":
         with d.mirror("y"), d.part("side"):
             d.box(under.left(width), top, bevel=0.004)

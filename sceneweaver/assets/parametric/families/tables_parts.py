@@ -70,6 +70,24 @@ def drawer_case(
     drawers(d, box.inset(back=0.006), rows, front, pull, style, columns, name, overlay=0.012)
 
 
+def pedestal_of_drawers(
+    d: Drawing,
+    box: Box,
+    body: Look,
+    front: Look,
+    pull: Look,
+    style: str,
+    count: int = 3,
+    name: str = "drawer",
+    foot: float = 0.05,
+) -> None:
+    """A case of drawers on a dark base, the lowest drawer high enough for files; one part."""
+    with d.part(f"{name} stack"):
+        d.box(box.bottom(foot).inset(back=0.03, front=0.05, y=0.02), "black plastic", bevel=0.0)
+        weights = [1.8, *[1.0] * (count - 1)]
+        drawer_case(d, box.inset(bottom=foot), body, front, pull, style, weights, name=name)
+
+
 def board_between(
     d: Drawing, box: Box, look: Look, z: float, inset: float, ceiling: float, thick: float = 0.02
 ) -> None:
