@@ -8,18 +8,9 @@ import numpy as np
 
 from ... import shapes
 from ...drawing import Box, Drawing, Look, draws
-from ...drawing.components import CORNERS, drain, oval, vessel
+from ...drawing.components import CORNERS, bowl, drain, vessel
 
 _METALS = "chrome, black steel, brushed steel, brass"
-
-
-def _rings(box: Box, rows: tuple[tuple[float, ...], ...], power: float) -> list[np.ndarray]:
-    """Ovals by shares of a box's depth and width, at heights [m]; the power of one may be told."""
-    found = []
-    for deep, wide, z, *own in rows:
-        plan = box.place(deep * box.depth, wide * box.width)
-        found.append(oval(plan, z, own[0] if own else power, count=40))
-    return found
 
 
 @draws("bathtub")
@@ -32,10 +23,12 @@ def bathtub(d: Drawing) -> None:
     box = d.bounds.inset(top=0.118)
     h, room = box.z[1], box.inset(x=0.055, y=0.07)
     with d.part("tub"):
-        shell = [(0.012, 0.04), (0.012, h - 0.035), (0.0, h - 0.03), (0.0, h)]
-        outer = [oval(box.inset(x=e, y=e), z, 24.0, count=40) for e, z in shell]
+        deep, wide = box.depth, box.width
+        shell = ((1 - 0.024 / deep, 1 - 0.024 / wide, 0.04), (1 - 0.024 / deep, 1 - 0.024 / wide, h - 0.035))
+        plan = (room.depth / deep, room.width / wide)
         inner = ((1.0, 1.0, h), (0.97, 0.985, h - 0.05), (0.84, 0.9, 0.17), (0.6, 0.8, 0.11, 3.0))
-        vessel(d, outer, _rings(room, inner, power), white, 20)
+        inside = [(u * plan[0], v * plan[1], z, *(own or [power])) for u, v, z, *own in inner]
+        bowl(d, box, (*shell, (1.0, 1.0, h - 0.03), (1.0, 1.0, h)), inside, white, 24.0, 20)
         front = d.box(box.front(0.02).inset(y=0.004, top=0.036).move(x=-0.005), apron, 0.002)
         d.box(box.bottom(0.05).inset(x=0.03, y=0.016), "white plastic", 0.0)
         if d.chance("panels", 0.7):
@@ -78,7 +71,7 @@ def freestanding_bathtub(d: Drawing) -> None:
                 d.ball(Box.around((0.055, 0.06, 0.02), 0.056, 0.056, 0.04), metal, 12)
         edge = (1 - 2 * rim / deep, 1 - 2 * rim / w, h)
         inner = (edge, (0.82, 0.88, 0.55 * h), (0.66, 0.72, low + 0.12), (0.5, 0.6, low + 0.08))
-        vessel(d, _rings(box, outer, 2.5), _rings(box, inner, 2.5), d.material("tub", "white ceramic"), 20, (2, 1))
+        bowl(d, box, outer, inner, d.material("tub", "white ceramic"), 2.5, 20, (2, 1))
         drain(d, (0.0, 0.0, low + 0.08), 0.032 if footed else 0.05)
     # Beside the oval there is room for a filler in a corner of the box; it pours over the rim.
     end = d.pick("end", [-1, 1])

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import button, castors, legs, oval, vessel
+from ...drawing.components import bowl, button, castors, frame, legs
 
 _CASES = "white plastic, grey plastic, black plastic"
 
@@ -64,47 +64,35 @@ def phone_booth(d: Drawing) -> None:
     shell = d.material("shell", "white paint, black paint, grey paint, sage paint, light oak, navy paint")
     felt = d.material("felt", "grey fabric, charcoal fabric, blue fabric, mustard fabric")
     box = d.bounds.inset(front=0.03)
-    d.box(box.bottom(0.1), shell, 0.012)
-    d.box(box.top(0.12), shell, 0.02)
-    walls = box.inset(bottom=0.09, top=0.1)
-    room = box.inset(y=0.07, bottom=0.1, top=0.12)
-    for wall in (walls.left(0.07), walls.right(0.07)):
-        d.box(wall, shell, 0.02)
-    for lining in (room.left(0.012), room.right(0.012), room.back(0.05)):
-        d.box(lining.inset(front=0.06 if lining.depth > 0.1 else 0.0), felt, bevel=0.0)
-    seat = room.inset(back=0.05, y=0.02).back(0.27).to(z=(0.4, 0.46))
-    d.cushion(seat, felt, 0.025)
+    sides, room = box.inset(bottom=0.09, top=0.1), box.inset(y=0.07, bottom=0.1, top=0.12)
+    for board in (box.bottom(0.1), box.top(0.12), sides.left(0.07), sides.right(0.07)):
+        d.box(board, shell, 0.015)
+    lined = room.inset(front=0.06)
+    for lining in (lined.left(0.012), lined.right(0.012), lined.back(0.05)):
+        d.box(lining, felt, bevel=0.0)
+    seat = d.cushion(lined.inset(back=0.05, y=0.02).back(0.27).to(z=(0.4, 0.46)), felt, 0.025)
     d.box(seat.bottom(-0.3).place(0.22, 0.3), shell)
-    d.box(room.left(0.3).to(x=(room.x[0] + 0.4, room.x[1] - 0.1), z=(0.72, 0.745)), "light oak")
-    d.cylinder(Box.sized(0.14, 0.14, 0.02, (0.0, 0.0, room.z[1] - 0.015)), "lamp glow", segments=20)
+    d.box(room.left(0.3).inset(back=0.4, front=0.1).to(z=(0.72, 0.745)), "light oak")
+    d.cylinder(room.top(0.005).inset(top=-0.015).place(0.14, 0.14), "lamp glow", segments=20)
     leaf = room.front(0.04).move(x=-0.005).inset(y=0.003, z=0.004)
     with d.hinge("door", leaf.anchor("front right bottom"), limits=(-1.7, 0.0)):
-        rails = [rail.inset(y=0.05) for rail in (leaf.top(0.056), leaf.bottom(0.056))]
-        for side in (leaf.left(0.05), leaf.right(0.05), *rails):
-            d.box(side, "black steel")
-        d.box(leaf.inset(y=0.05, z=0.056).place(depth=0.01), "glass", bevel=0.0)
-        x, y = d.bounds.x[1] - 0.008, leaf.y[1] - 0.025
-        d.bar((x, y, 0.95), (x, y, 1.25), 0.008, "steel", 8)
-        for z in (0.97, 1.23):
-            d.bar((leaf.x[1] - 0.002, y, z), (x, y, z), 0.006, "steel", 8)
+        d.box(frame(d, leaf, "black steel", 0.05).place(depth=0.01), "glass", bevel=0.0)
+        x, y = leaf.x[1], leaf.y[1] - 0.025
+        reach = d.bounds.x[1] - 0.008
+        d.sweep([(x, y, 0.95), (reach, y, 0.95), (reach, y, 1.25), (x, y, 1.25)], 0.008, "steel", 8)
 
 
 @draws("server_rack", whole=True)
 def server_rack(d: Drawing) -> None:
     """A tall black rack full of servers with lights, patch panels and blanks, its front open."""
-    case = d.material("case", "black steel, black steel, grey paint")
-    box = d.bounds
+    case, box = d.material("case", "black steel, black steel, grey paint"), d.bounds
     castors(d, box.bottom(0.032).inset(x=0.05, y=0.05))
     body = box.inset(bottom=0.03)
     d.box(body.inset(front=0.04), case, 0.006)
-    frame = body.front(0.04)
-    for rail in (frame.left(0.05), frame.right(0.05), frame.top(0.06).inset(y=0.05), frame.bottom(0.06).inset(y=0.05)):
-        d.box(rail, case)
-    bay, z = frame.inset(y=0.055, front=0.012, back=-0.01), 0.1
-    for k in range(60):
-        if z > box.z[1] - 0.15:
-            break
-        high = min(0.0445 * d.pick(f"units {k}", (1, 1, 2, 2, 3)), box.z[1] - 0.07 - z)
+    bay = frame(d, body.front(0.04), case, 0.05).inset(y=0.005, front=0.012, back=-0.01)
+    z, k, top = bay.z[0] + 0.01, 0, bay.z[1] - 0.1
+    while z < top:
+        high, k = min(0.0445 * d.pick(f"units {k}", (1, 1, 2, 2, 3)), bay.z[1] - 0.01 - z), k + 1
         kind = d.pick(f"unit {k}", ("server", "disks", "patch", "blank"))
         look = "grey plastic" if kind in ("disks", "server") else "black plastic"
         face = d.box(bay.to(z=(z, z + high - 0.004)), look, 0.002).front(0.0)
@@ -118,7 +106,7 @@ def server_rack(d: Drawing) -> None:
                 d.print(port, "blue plastic" if j % 3 else "yellow plastic")
         elif kind == "server":
             d.print(line.share(y=(0.2, 0.95)), "black plastic")
-            lamps = line.share(y=(0.04, 0.16)).columns(3, gap=0.012)
+            lamps = line.share(y=(0.04, 0.16)).columns(3, 0.012)
             for lamp, tone in zip(lamps, ("green", "blue", "orange"), strict=True):
                 d.print(lamp.place(height=0.008), f"{tone} plastic")
         z += high
@@ -169,47 +157,40 @@ def shredder(d: Drawing) -> None:
 def wastebasket(d: Drawing) -> None:
     """A small round paper bin with crumpled paper in it."""
     look = d.material("bin", "black steel, white steel, grey plastic, blue plastic, wicker, green plastic")
-    box = d.even("round").inset(top=0.02)
+    box, foot = d.even("round").inset(top=0.02), d.uniform("foot", 0.7, 0.9)
     r, top = box.depth / 2, box.z[1]
-    foot = (1 - d.uniform("foot", 0.7, 0.9)) * r
-    outer = [(foot, 0.0), (0.05 * r, top - 0.012), (0.0, top - 0.01), (0.0, top)]
-    inner = [(0.05 * r, top), (foot + 0.006, 0.008)]
-    shell, inside = ([oval(box.inset(x=e, y=e), z) for e, z in side] for side in (outer, inner))
-    vessel(d, shell, inside, look, 16)
     q = 0.27 * r
+    outer = ((foot, foot, 0.0), (0.95, 0.95, top - 0.012), (1.0, 1.0, top - 0.01), (1.0, 1.0, top))
+    bowl(d, box, outer, ((0.95, 0.95, top), (foot - 0.05, foot - 0.05, 0.008)), look)
     heap = Box.sized(1.84 * r, 1.84 * r, top - 2 * q - 0.01, (0.0, 0.0, 0.01))
-    fill = d.cylinder(heap, "paper", ends=((r - foot) / r, 0.98), segments=20)
-    for k, angle in enumerate(1.7 * np.arange(4) + 0.4):
-        middle = (0.42 * r * math.cos(angle), 0.42 * r * math.sin(angle), fill.z[1] + 0.7 * q)
-        d.ball(Box.around(middle, 2 * q, 1.8 * q, 1.6 * q - 0.008 * k), "paper", 8)
-    d.ball(Box.around((0.0, 0.0, d.bounds.z[1] - 0.8 * q), 2 * q, 1.8 * q, 1.6 * q), "paper", 8)
+    d.cylinder(heap, "paper", ends=(foot, 0.98), segments=20)
+    balls = [(0.42 * r * math.cos(a), 0.42 * r * math.sin(a), heap.z[1] + 0.7 * q) for a in (0.4, 2.1, 3.8, 5.5)]
+    for middle in [*balls, (0.0, 0.0, d.bounds.z[1] - 0.8 * q)]:
+        d.ball(Box.around(middle, 2 * q, 1.8 * q, 1.6 * q), "paper", 8)
 
 
 @draws("book_return_cart", whole=True)
 def book_return_cart(d: Drawing) -> None:
     """A library trolley: two shelves of books on both sides between end panels, on castors."""
-    frame = d.material("ends", "grey paint, oak, beech, teal paint, red paint, black steel")
-    looks = [f"{tone} fabric" for tone in ("red", "navy", "green", "mustard", "beige", "rust", "charcoal")]
-    box = d.bounds
+    look, box = d.material("ends", "grey paint, oak, beech, teal paint, red paint, black steel"), d.bounds
+    covers = [f"{tone} fabric" for tone in ("red", "navy", "green", "mustard", "beige", "rust", "charcoal")]
     castors(d, box.bottom(0.102).inset(x=0.02))
     body = box.inset(bottom=0.1)
-    outline = ((0.0, body.z[0]), (0.0, box.z[1] - 0.12), (0.08, box.z[1]))
     with d.mirror("y"):
-        end = body.left(0.022)
-        d.hull([(s * (box.x[1] - e), y, z) for e, z in outline for s in (-1, 1) for y in end.y], frame)
+        outline = [(0.0, 0.0), (1.0, 0.0), (1.0, 0.88), (0.83, 1.0), (0.17, 1.0), (0.0, 0.88)]
+        d.silhouette(body.left(0.022), outline, look)
     shelf = body.inset(x=0.02, y=0.02)
     for k, level in enumerate((0.16, 0.16 + 0.55 * (box.height - 0.3))):
-        floor = d.box(shelf.to(z=(level - 0.02, level)), frame, 0.002)
-        d.box(floor.top(-0.2).place(depth=0.02), frame, 0.002)
-        for e in (-1, 1):
-            y, j = floor.y[0] + 0.01, 0
-            end_y = floor.y[1] * d.uniform(f"full {k} {e}", 0.3, 0.95)
-            while y < end_y:
-                thick = d.uniform(f"t {k} {e} {j}", 0.025, 0.055)
-                deep = min(shelf.x[1] - 0.02, d.uniform(f"d {k} {e} {j}", 0.13, 0.17))
-                top = level + d.uniform(f"h {k} {e} {j}", 0.19, 0.27)
-                x = (0.01, 0.01 + deep) if e > 0 else (-0.01 - deep, -0.01)
-                d.box(Box(x, (y, y + thick - 0.001), (level, top)), d.pick(f"l {k} {e} {j}", looks))
+        floor = d.box(shelf.to(z=(level - 0.02, level)), look, 0.002)
+        d.box(floor.top(-0.2).place(depth=0.02), look, 0.002)
+        for side in ("front", "back"):
+            y, j, end = floor.y[0] + 0.01, 0, floor.y[1] * d.uniform(f"full {k} {side}", 0.3, 0.95)
+            while y < end:
+                key = f"{k} {side} {j}"
+                thick, deep = d.uniform(f"t {key}", 0.025, 0.055), d.uniform(f"d {key}", 0.13, 0.17)
+                x, z = (0.01, min(0.01 + deep, shelf.x[1] - 0.01)), (level, level + d.uniform(f"h {key}", 0.19, 0.27))
+                book = Box(x, (y, y + thick - 0.001), z)
+                d.box(book if side == "front" else book.move(x=-book.x[0] - book.x[1]), d.pick(f"l {key}", covers))
                 y, j = y + thick, j + 1
 
 
@@ -238,33 +219,29 @@ def card_catalog(d: Drawing) -> None:
 def globe(d: Drawing) -> None:
     """A floor globe in a wooden ring on turned legs."""
     wood = d.material("stand", "mahogany, walnut, oak, cherry")
-    sea = d.material("sea", "sea pigment, sky pigment, sand pigment")
+    sea, box = d.material("sea", "sea pigment, sky pigment, sand pigment"), d.even("round")
     land = "terracotta pigment" if "sand" in sea.name else "sand pigment"
-    box = d.even("round")
-    r = 0.4 * box.depth
+    r, ring = 0.4 * box.depth, 0.45 * box.depth
     z = box.z[1] - r - 0.02
     d.ball(Box.around((0.0, 0.0, z), 2 * r, 2 * r, 2 * r), sea, 28)
-    # Continents: longitude, latitude, size, and how their coast runs.
+    # Continents: longitude, latitude, size.
     continents = [(0.3, 0.4, 0.4), (0.8, -0.3, 0.3), (2.2, 0.5, 0.45), (2.5, -0.1, 0.3)]
     continents += [(3.6, 0.5, 0.4), (4.2, -0.35, 0.35), (5.2, 0.3, 0.35), (5.6, -0.5, 0.25)]
     t = np.arange(14) * 2 * math.pi / 14
     for east, north, size in continents:
         coast = size * (1 + 0.25 * np.sin(3 * t + east) + 0.15 * np.cos(5 * t))
-        lon, lat = east + 0.9 * coast * np.cos(t), north + 0.8 * coast * np.sin(t)
+        lon, lat = np.r_[east + 0.9 * coast * np.cos(t), east], np.r_[north + 0.8 * coast * np.sin(t), north]
         edge = np.c_[np.cos(lat) * np.cos(lon), np.cos(lat) * np.sin(lon), np.sin(lat)]
-        middle = np.array([math.cos(north) * math.cos(east), math.cos(north) * math.sin(east), math.sin(north)])
-        inner = (edge + middle) / np.linalg.norm(edge + middle, axis=1, keepdims=True)
-        skin = np.concatenate([1.006 * edge, 1.006 * inner, [1.006 * middle, 0.8 * middle]])
+        between = edge + edge[-1:]
+        between /= np.linalg.norm(between, axis=1, keepdims=True)
+        skin = np.concatenate([1.006 * edge, 1.006 * between, 0.8 * edge[-1:]])
         d.hull(r * skin + (0.0, 0.0, z), land if size < 0.42 else "moss pigment")
-    circle = 0.45 * box.depth * np.c_[np.cos(t), np.sin(t), 0 * t] + (0.0, 0.0, z)
-    wide = 0.05 * box.depth
-    d.sweep(circle, np.array([(wide, -0.012), (wide, 0.012), (-wide, 0.012), (-wide, -0.012)]), wood, closed=True)
+    d.sweep(np.c_[ring * np.cos(t), ring * np.sin(t), 0 * t + z], (0.1 * box.depth, 0.024), wood, closed=True)
     d.hoop(Box.around((0.0, 0.0, z), 2.09 * r, 0.0, 2.09 * r), 0.008, "brass", "y", 24)
+    turning = [(0.54, 0.0), (0.85, 0.07), (0.58, 0.14), (1.0, 0.5), (0.62, 0.75), (0.85, 1.0)]
     with d.ring(4, start=math.pi / 4):
-        with d.at(0.44 * box.depth):
-            turning = ((0.014, 0.0), (0.022, 0.07), (0.015, 0.14), (0.026, 0.5), (0.016, 0.75), (0.022, 1.0))
-            d.revolve([(radius, share * (z - 0.01)) for radius, share in turning], wood, 12)
-        d.bar((0.44 * box.depth, 0.0, 0.16), (0.0, 0.0, 0.13), 0.012, wood, 8)
+        d.turned(Box.sized(0.052, 0.052, z - 0.01, (0.98 * ring, 0.0, 0.0)), turning, wood, 12)
+        d.bar((0.98 * ring, 0.0, 0.16), (0.0, 0.0, 0.13), 0.012, wood, 8)
     d.cylinder(Box.sized(0.08, 0.08, 0.07, (0.0, 0.0, 0.1)), wood, ends=(0.75, 1.0), segments=12)
 
 
