@@ -106,8 +106,9 @@ def _turned(d: Drawing, whole: Box, look: Look, n: Numbers, even: bool = False) 
 
 
 def _open(d: Drawing, whole: Box, look: Look, n: Numbers, even: bool = False) -> None:
-    """x y, thickness of the wall [mm], z of the floor inside, then pairs of radius and z of the outside."""
-    open_vessel(d, _about(whole, n[0], n[1], even), _profile(n[4:]), look, n[2] / 1000, n[3])
+    """x y, thickness of the wall [mm; below 1 a share of the width], z of the floor inside, pairs of radius and z."""
+    box = _about(whole, n[0], n[1], even)
+    open_vessel(d, box, _profile(n[4:]), look, n[2] / 1000 if n[2] >= 1 else n[2] * box.width, n[3])
 
 
 def _sections(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:

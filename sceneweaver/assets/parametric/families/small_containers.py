@@ -91,31 +91,6 @@ def plastic_bin(d: Drawing) -> None:
                 d.box(getattr(edge, side)(0.012).bottom(-0.026).inset(top=-0.002).place(0.12), grip)
 
 
-@draws("wooden_crate", whole=True)
-def wooden_crate(d: Drawing) -> None:
-    """A crate of slats with gaps between them, nailed to posts, with a grip hole in each end."""
-    wood = d.material("body", "pine, oak, ash grey wood, birch, walnut")
-    box, t = d.bounds, 0.012
-    with d.part("floor"):
-        for board in box.bottom(t).inset(y=0.001).split("x", 4, gap=0.004):
-            d.box(board, wood, bevel=0.001)
-    walls = box.inset(bottom=t)
-    ends = walls.inset(x=t)
-    for k, side in enumerate((walls.front(t), walls.back(t), ends.left(t), ends.right(t))):
-        with d.part(f"wall {k}"):
-            slats = side.rows(3, gap=0.008)
-            for slat in slats:
-                d.box(slat, wood, bevel=0.0015)
-            if k < 2:
-                continue
-            inner = ends.left(t + 0.014) if k == 2 else ends.right(t + 0.014)
-            for post in (inner.front(0.02), inner.back(0.02)):
-                d.box(post.inset(top=0.004).place(width=0.014, at="right" if k == 2 else "left"), wood, bevel=0.001)
-            face = slats[-1].left(0.0) if k == 2 else slats[-1].right(0.0)
-            d.print(face.place(0.1, height=0.3 * slats[-1].height), "bark")
-    d.surface("inside", box.bottom(t).inset(x=t + 0.024, y=t + 0.018))
-
-
 @draws("shopping_bag", whole=True)
 def shopping_bag(d: Drawing) -> None:
     """A paper bag with cord handles; bread and leeks stick out of some."""

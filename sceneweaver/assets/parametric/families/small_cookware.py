@@ -10,7 +10,6 @@ from ... import shapes
 from ...drawing import Box, Drawing, Look, draws
 from ...drawing.components import knob
 from .small_parts import CERAMICS, filling, open_vessel
-from .small_tableware import dish
 
 METALS = "steel, brushed steel, black steel, copper, red paint, blue paint, iron"
 SHELLS = "steel, black plastic, white plastic, red plastic, cream paint, brushed steel, mint plastic"
@@ -31,86 +30,6 @@ def long_grip(d: Drawing, start: float, reach: float, z: float, look: Look) -> N
         d.bar((0, 0, -0.006), (0, 0, 0.06), 0.007, "steel", 8)
         own = Box.sized(0.026, 0.02, reach - start - 0.035, (0.0, 0.0, 0.035))
         d.sections(own, [(0.7, 0.7, 0.0), (0.92, 0.92, 0.25), (1, 1, 0.7), (0.92, 0.92, 0.95), (0.5, 0.5, 1.0)], look)
-
-
-@draws("pot", whole=True)
-def pot(d: Drawing) -> None:
-    """A pot with a lid and two side handles."""
-    box = d.bounds.place(width=d.bounds.depth)
-    look = d.material("body", METALS)
-    cover = d.material("lid", "glass, steel") if d.chance("other lid", 0.4) else look
-    grip = d.material("knob", "black plastic, steel, beech")
-    wall = box.share(z=(0.0, 0.72))
-    open_vessel(d, wall, POT, look)
-    lid(d, box.share(z=(0.72, 1.0)), cover, grip)
-    r, z, out = box.width / 2, 0.8 * wall.height, d.bounds.width / 2 - 0.006
-    near = math.sqrt(max(1e-6, r * r - 0.0025)) - 0.006
-    with d.mirror("y"):
-        path = [(-0.05, near, z), (-0.045, out, z + 0.004), (0.045, out, z + 0.004), (0.05, near, z)]
-        d.sweep(path, 0.006, grip if d.chance("dark grips", 0.4) else look, 8)
-
-
-@draws("frying_pan", whole=True)
-def frying_pan(d: Drawing) -> None:
-    """A shallow pan with a long handle, in some two fried eggs."""
-    look = d.material("body", "black steel, iron, brushed steel, copper, red paint")
-    grip = d.material("grip", "black plastic, beech, walnut, brushed steel")
-    pan = d.bounds.place(width=d.bounds.depth, height=min(0.05, 0.62 * d.bounds.height), at="right bottom")
-    open_vessel(d, pan, PAN, look)
-    filling(d, pan, PAN, 0.06, 0.12, "black steel", 0.004)
-    long_grip(d, pan.y[1] - 0.006, d.bounds.y[1], 0.66 * pan.height, grip)
-    if d.chance("eggs", 0.5):
-        for x, y, yolk in ((0.025, 0.025, "cheese"), (-0.025, -0.022, "banana peel")):
-            with d.no_colliders():
-                white = Box.sized(0.09, 0.08, 0.004, (x, pan.center[1] + y, 0.12 * pan.height))
-                d.turned(white, [(1.0, 0.0), (0.88, 0.6), (0.3, 1.0)], "icing", 14)
-                d.ball(Box.around(white.anchor("top"), 0.034, 0.034, 0.016), yolk, 12)
-
-
-@draws("saucepan", whole=True)
-def saucepan(d: Drawing) -> None:
-    """A deep pan with a long handle and a lid."""
-    look = d.material("body", "steel, brushed steel, copper, white steel, blue paint")
-    grip = d.material("grip", "black plastic, steel, beech")
-    pan = d.bounds.place(width=d.bounds.depth, at="right")
-    open_vessel(d, pan.share(z=(0.0, 0.74)), POT, look)
-    lid(d, pan.share(z=(0.74, 1.0)), d.named("glass") if d.chance("glass lid", 0.5) else look, grip)
-    long_grip(d, pan.y[1] - 0.006, d.bounds.y[1], 0.5 * pan.height, grip)
-
-
-@draws("kettle", whole=True)
-def kettle(d: Drawing) -> None:
-    """An electric kettle on its base, or one for the hob with a bow handle."""
-    look = d.material("body", SHELLS)
-    dark = d.material("grip", "black plastic, walnut, grey plastic")
-    depth, width, h = d.bounds.size
-    r, more = depth / 2, width - depth
-    box = d.bounds.place(width=depth).move(y=-0.15 * more)
-    y = box.center[1]
-    if d.chance("electric", 0.6):
-        d.turned(box, [(1.0, 0.0), (1.0, 0.015), (0.96, 0.022 / h)], dark, 28)
-        body = [(0.92, 0.024 / h), (0.95, 0.07), (0.92, 0.25), (0.84, 0.48), (0.7, 0.8), (0.68, 0.86)]
-        d.turned(box, body, look, 28)
-        cover = [(0.69, 0.86), (0.62, 0.885), (0.36, 0.92), (0.16, 0.925), (0.16, 0.95), (0.14, 0.985), (0.06, 1.0)]
-        d.turned(box, cover, dark, 28)
-        tip = y + r + 0.32 * more
-        spout = [(s * 0.26 * r, y + 0.5 * r, z * h) for s in (-1, 1) for z in (0.6, 0.86)]
-        spout += [(s * 0.07 * r, tip, 0.855 * h) for s in (-1, 1)]
-        d.hull([*spout, (0, y + 0.8 * r, 0.7 * h)], look)
-        out = y - r - 0.3 * more
-        path = [(y - 0.55 * r, 0.89), (y - r, 0.9), (out, 0.83), (out, 0.36), (y - 0.86 * r, 0.22)]
-        section = shapes.rectangle((-0.011, 0.011), (-0.007, 0.007), 0.0, 0.003, 1)[:, :2]
-        d.sweep([(0, along, z * h) for along, z in path], section, dark)
-        return
-    body = [(0.9, 0.0), (1.0, 0.03), (0.98, 0.16), (0.9, 0.32), (0.72, 0.45), (0.42, 0.57)]
-    d.turned(box, body, look, 28)
-    d.turned(box, [(0.46, 0.57), (0.44, 0.59), (0.1, 0.62)], look)
-    d.turned(box, [(0.06, 0.61), (0.15, 0.64), (0.15, 0.67), (0.06, 0.7)], dark, 14)
-    low, high = shapes.ellipse(0.19 * r, 0.19 * r, 0.24 * h, 10), shapes.ellipse(0.09 * r, 0.09 * r, 0.52 * h, 10)
-    d.loft([low + (0, y + 0.84 * r, 0), high + (0, y + r + 0.6 * more, 0)], look, convex=True)
-    bow = [(y + 0.82 * r * math.cos(t), 0.36 * h + 0.61 * h * math.sin(t)) for t in np.linspace(0, math.pi, 13)]
-    d.sweep([(0, *p) for p in bow], 0.006, "steel", 8)
-    d.sweep([(0, *p) for p in bow[4:9]], 0.012, dark, 10)
 
 
 def filter_machine(d: Drawing, look: Look, dark: Look) -> None:
@@ -241,38 +160,6 @@ def baking_tray(d: Drawing) -> None:
         else:
             biscuit = "cake sponge" if k % 3 else "chocolate"
             d.cylinder(own.inset(x=0.005, y=0.005), biscuit, ends=(1.0, 0.87), bevel=0.003, segments=14)
-
-
-@draws("dish_rack", whole=True)
-def dish_rack(d: Drawing) -> None:
-    """A rack of wire with plates upright in it, two mugs, and a tray for drops."""
-    wire = d.material("wire", "chrome, white steel, black steel")
-    tray = d.material("tray", "white plastic, grey plastic, black plastic, bamboo")
-    glaze = d.material("plates", "white ceramic, blue ceramic, cream ceramic")
-    box = d.bounds
-    d.slab(box.bottom(0.018), tray, 0.02, 0.004)
-    rack = box.inset(x=0.012, y=0.012, bottom=0.012).to(z=(0.012, 0.42 * box.height))
-    for z in (0.035, rack.z[1]):
-        corners = [(x, y, z) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
-        d.sweep([(rack.x[x], rack.y[y], z) for x, y, _ in corners], 0.0028, wire, 6, closed=True)
-    for y in (rack.y[0], 0.0, rack.y[1]):
-        with d.at(y=y), d.mirror("x"):
-            d.bar((rack.x[1], 0, rack.z[0]), (rack.x[1], 0, rack.z[1]), 0.0028, wire, 6)
-    r = min((box.height - 0.03) / 2, 0.42 * box.depth)
-    for k, slot in enumerate(rack.inset(right=0.03).share(y=(0.0, 0.52)).columns(6)):
-        y = slot.center[1]
-        d.bar((rack.x[0], y - 0.012, 0.035), (rack.x[1], y - 0.012, 0.035), 0.002, wire, 5)
-        if k % 3 != 2:
-            size = r if k < 4 else 0.75 * r
-            with d.at(-0.01, y, 0.033 + size, roll=math.pi / 2 - 0.08):
-                dish(d, Box.sized(2 * size, 2 * size, 0.02), glaze)
-    across = min(0.08, 0.24 * box.width)
-    for k, x in enumerate((0.22, -0.22)):
-        cup = d.material(f"cup {k}", "white ceramic, blue ceramic, terracotta, red paint, sage paint")
-        own = Box.sized(across, across, 0.085, (x * box.depth, rack.y[1] - 0.09, 0.037))
-        d.cylinder(own, cup, ends=(1.0, 0.9), bevel=0.003)
-        x, y, _ = own.anchor("right")
-        d.arch((x, y + 0.003, 0.107), (x, y + 0.002, 0.052), (0, -0.025, 0), 0.004, cup, 5)
 
 
 @draws("oven_mitt", whole=True)

@@ -244,24 +244,6 @@ def milk_carton(d: Drawing) -> None:
         d.cylinder(Box.sized(0.36 * box.depth, 0.36 * box.depth, 0.012), other, ends=(1.0, 0.94), segments=16)
 
 
-@draws("egg_carton", whole=True)
-def egg_carton(d: Drawing) -> None:
-    """An open carton with ten or twelve eggs."""
-    look = d.material("body", "cardboard, grey fabric, sage paint")
-    box, low = d.bounds, d.bounds.share(z=(0.0, 0.5))
-    d.sections(low, [(0.85, 0.94, 0.0), (1, 1, 1.0)], look, radius=0.1, convex=True)
-    columns = 6 if box.width > 0.27 else 5
-    r = min(0.43 * box.width / columns, 0.21 * box.depth)
-    for i, row in enumerate(box.inset(x=0.02 * box.depth).split("x", 2)):
-        for k, cell in enumerate(row.columns(columns)):
-            if not d.chance(f"gone {i} {k}", 0.1):
-                egg = d.pick(f"egg {i} {k}", ["egg shell", "egg shell", "icing"])
-                d.ball(cell.place(2 * r, 2 * r), egg, 12)
-    for k in range(1, columns):
-        peg = Box.sized(0.024, 0.024, 0.3 * box.height, (0.0, box.y[0] + k * box.width / columns, low.z[1] - 0.002))
-        d.cylinder(peg, look, ends=(1.0, 0.42), segments=8)
-
-
 @draws("vegetable_basket", whole=True)
 def vegetable_basket(d: Drawing) -> None:
     """A basket of carrots, tomatoes, a lettuce and an aubergine."""
@@ -308,26 +290,6 @@ def pumpkin(d: Drawing) -> None:
     stalk = box.share(z=(0.74, 1.0))
     d.turned(stalk, [(0.22, 0.0), (0.1, 0.23), (0.07, 0.77)], "bark", 8)
     d.bar((0, 0, stalk.z[0] + 0.7 * stalk.height), (0.1 * r, 0.06 * r, box.z[1]), 0.07 * r, "bark", 8)
-
-
-@draws("sandwich", whole=True)
-def sandwich(d: Drawing) -> None:
-    """Two triangles of bread with ham, cheese, lettuce and tomato, on a plate."""
-    glaze = d.material("plate", "white ceramic, blue ceramic, grey ceramic, oak")
-    plate = d.slab(d.bounds.bottom(0.01), glaze, 0.03, 0.004, 4)
-    high, side = d.bounds.height - 0.01, 0.36 * min(plate.depth, plate.width)
-    layers = [("bread crumb", 0.0, 0.26, 0.0), ("lettuce", 0.26, 0.36, 0.005), ("ham", 0.36, 0.46, 0.0)]
-    layers += [("tomato", 0.46, 0.57, -0.004), ("cheese", 0.57, 0.67, 0.003), ("bread crumb", 0.67, 1.0, 0.0)]
-    for s in (1, -1):
-        with d.at(0.0, 0.05 * s * plate.width, 0.01, yaw=0.25 + (math.pi if s < 0 else 0)):
-            for look, low, top, out in layers:
-                q, near = side + out, 0.006 - out
-                plan = [(-1.05 * q, near), (1.05 * q, near), (0.0, 1.05 * q)]
-                d.extrude(plan, (low * high, top * high), look, bevel=0.001)
-                if look == "bread crumb":
-                    middle = (low + top) / 2 * high
-                    with d.mirror("x"):
-                        d.bar((1.03 * q, 0.008, middle), (0, 1.04 * q, middle), 0.115 * high, "bread crust", 6)
 
 
 @draws("croissant", whole=True)

@@ -92,28 +92,6 @@ def paper_roll(d: Drawing, box: Box) -> None:
         d.turned(box, core, "cardboard", hollow=True)
 
 
-@draws("toilet_paper_roll", whole=True, even="round")
-def toilet_paper_roll(d: Drawing) -> None:
-    """A standing roll of toilet paper with its end loose."""
-    d.material("body", "paper")
-    box = d.even("round")
-    paper_roll(d, box.inset(front=0.02 * box.depth, back=0.02 * box.depth, y=0.02 * box.width))
-    d.box(box.front(0.14 * box.depth).inset(z=0.001).share(y=(0.38, 0.64)), "paper", bevel=0.001)
-
-
-@draws("toilet_paper_stack", whole=True, even="round")
-def toilet_paper_stack(d: Drawing) -> None:
-    """Spare rolls on an upright holder with a foot."""
-    metal = d.material("stand", "chrome, black steel, brass, oak")
-    box = d.even("round")
-    d.cylinder(box.bottom(0.014), metal, bevel=0.003)
-    rolls = box.inset(bottom=0.014, top=0.05).share((0.12, 0.88), (0.12, 0.88))
-    for own in rolls.rows(3 if box.height < 0.5 else 4, gap=0.001):
-        paper_roll(d, own)
-    d.cylinder(box.place(0.016, 0.016).inset(bottom=0.01, top=0.03), metal, segments=12)
-    d.ball(box.top(0.036).place(0.036, 0.036), metal, 12)
-
-
 @draws("folded_towel", whole=True)
 def folded_towel(d: Drawing) -> None:
     """A folded towel with a woven stripe."""
