@@ -258,12 +258,10 @@ def trophy_case(d: Drawing) -> None:
 
 
 def _trophy(d: Drawing, most: float, name: str) -> None:
-    """A metal cup with two handles on a dark foot."""
+    """A metal cup on a dark foot."""
     height = most * d.uniform(f"high {name}", 0.55, 1.0)
     metal = d.pick(f"metal {name}", ["brass", "chrome", "bronze"])
     radius = min(0.07, 0.26 * height)
     d.cylinder(Box.sized(1.6 * radius, 1.6 * radius, 0.15 * height), "black paint", ends=(1.0, 0.87), segments=14)
     cup = Box.sized(2 * radius, 2 * radius, 0.85 * height, (0.0, 0.0, 0.15 * height))
     d.turned(cup, ((0.5, 0.0), (0.18, 0.11), (0.2, 0.3), (0.75, 0.47), (1.0, 1.0)), metal, 16)
-    with d.mirror("y"):
-        d.arch((0, 0.85 * radius, 0.62 * height), (0, 0.95 * radius, 0.9 * height), (0, 0.5 * radius, 0), 0.004, metal)
