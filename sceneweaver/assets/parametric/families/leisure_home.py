@@ -163,29 +163,6 @@ def radiator(d: Drawing) -> None:
     d.cylinder(valve, "white plastic", "y", bevel=0.003)
 
 
-@draws("heater", whole=True)
-def heater(d: Drawing) -> None:
-    """An oil filled radiator: fins in a row, a control box in front, on castors."""
-    paint = d.material("paint", "white steel, black steel, grey plastic")
-    box = d.bounds
-    wide, high = box.width, box.height
-    body = box.place(width=0.6 * wide).inset(bottom=0.09)
-    fins = body.inset(front=0.12)
-    for fin in fins.split("x", max(6, round((box.depth - 0.16) / 0.05))):
-        d.cushion(fin.inset(x=0.14 * fin.depth), paint, 0.4 * fin.depth)
-    for z in (0.14, high - 0.05):
-        d.bar((fins.x[0] + 0.01, 0, z), (fins.x[1], 0, z), 0.02, paint, 8)
-    control = d.box(body.front(0.125).inset(top=0.005), "grey plastic", 0.015)
-    knob(d, control.to(z=(high - 0.2, high - 0.2)), "black plastic", 0.03, 0.012, "white plastic")
-    for z, tone in ((0.12, "red plastic"), (0.085, "black plastic")):
-        d.print(control.front(0.0).place(width=0.04).to(z=(high - z, high - z + 0.02)), tone)
-    for x in (box.x[0] + 0.06, box.x[1] - 0.07):
-        d.box(Box.sized(0.024, wide - 0.04, 0.045, (x, 0, 0.055)), "black plastic")
-        with d.mirror("y"):
-            d.cylinder(Box.around((x, wide / 2 - 0.015, 0.03), 0.06, 0.03, 0.06), "rubber", "y", bevel=0.004)
-            d.box(Box.around((x, wide / 2 - 0.035, 0.05), 0.02, 0.016, 0.04), "black plastic", 0.0)
-
-
 @draws("air_purifier", whole=True)
 def air_purifier(d: Drawing) -> None:
     """A rounded tower with slits below, an outlet grille above and a small display."""
@@ -324,24 +301,3 @@ def cat_tree(d: Drawing) -> None:
     d.cylinder(nest.share((0.1, 0.9), (0.1, 0.9), (0.45, 0.62)), "white fabric")
     d.bar((x1 - 0.06, y0 + 0.12, shelf), (x1 - 0.06, y0 + 0.12, shelf - 0.14), 0.004, "wicker", 6)
     ball(d, (x1 - 0.06, y0 + 0.12, shelf - 0.16), 0.03, toy, 10)
-
-
-@draws("litter_box", whole=True)
-def litter_box(d: Drawing) -> None:
-    """A tray under a rounded hood with an entrance and a handle."""
-    tray = d.material("tray", "grey plastic, blue plastic, mint plastic, pink plastic")
-    hood = d.material("hood", "white plastic, grey plastic, lilac plastic")
-    box = d.bounds
-    low, cover = box.share(z=(0.0, 0.35)), box.inset(top=0.03).share(z=(0.35, 1.0))
-    d.sections(low, [(0.88, 0.88, 0), (1, 1, 0.93)], tray, 0.12, convex=True)
-    d.slab(low.top(0.07 * low.height), tray, 0.1 * box.width, 0.004)
-    shape = [(0.97, 0.97, 0), (0.85, 0.85, 0.8, -0.025, 0), (0.68, 0.6, 1, -0.0375, 0)]
-    d.sections(cover, shape, hood, 0.2, convex=True)
-    lean = math.atan2(0.085 * box.depth, 0.8 * cover.height)
-    with d.at(0.485 * box.depth, 0.0, cover.z[0], pitch=-lean):
-        gate = Box((-0.01, 0.002), (-0.26 * box.width, 0.26 * box.width), (0.01, 0.72 * cover.height))
-        d.slab(gate, "black plastic", 0.005)
-        d.box(gate.bottom(0.02).inset(y=-0.04 * box.width, front=-0.004).move(z=-0.02), tray)
-    top = cover.z[1]
-    grip = [(-0.07, top - 0.005), (-0.05, box.z[1] - 0.007), (0.05, box.z[1] - 0.007), (0.07, top - 0.005)]
-    d.sweep([(0, y, z) for y, z in grip], 0.007, tray, 8)

@@ -7,7 +7,6 @@ import math
 import numpy as np
 
 from ...drawing import Box, Drawing, Look, draws
-from ...drawing.components import knob
 
 OCTAVES = 52
 """White keys of a piano."""
@@ -343,71 +342,6 @@ def music_stand(d: Drawing) -> None:
                 for k in range(4):  # lines of a staff, and a note
                     d.print(staff.share(z=(0.2 + 0.15 * k, 0.23 + 0.15 * k)), "ink pigment")
                 d.print(staff.share(y=(0.2 + 0.1 * abs(y), 0.24), z=(0.3, 0.7)), "ink pigment", 0.0004)
-
-
-@draws("microphone_stand", whole=True)
-def microphone_stand(d: Drawing) -> None:
-    """A microphone on a stand with a round foot or a tripod."""
-    metal = d.material("stand", "black steel, chrome")
-    _, wide, high = d.size
-    if d.chance("round foot", 0.5):
-        d.revolve([(wide / 2, 0), (wide / 2, 0.015), (0.04, 0.035), (0.02, 0.05)], metal, 28)
-    else:
-        with d.ring(3):
-            d.bar((0, 0, 0.2), (0.5 * wide, 0, 0.012), 0.01, metal, 8)
-    d.bar((0, 0, 0.03), (0, 0, high - 0.12), 0.011, metal)
-    d.cylinder(Box.sized(0.036, 0.036, 0.07, (0, 0, 0.55 * high)), "black plastic", segments=12)
-    with d.at(-0.03, 0.0, high - 0.14, pitch=-0.45):
-        d.revolve([(0.012, -0.06), (0.02, 0.06), (0.027, 0.08)], "black plastic", 16)
-        d.ball(Box.around((0, 0, 0.1), 0.054, 0.054, 0.064), "steel", segments=12)
-    d.box(Box.sized(0.06, 0.04, 0.05, (-0.01, 0, high - 0.16)), "black plastic", 0.006)
-
-
-@draws("speaker_tower", whole=True)
-def speaker_tower(d: Drawing) -> None:
-    """A slim floor speaker: three cones and a dome on the front."""
-    wood = d.material("cabinet", "walnut, black paint, white paint, oak, cherry")
-    box = d.bounds.inset(front=0.006)
-    d.box(box.bottom(0.03).inset(x=-0.01, y=-0.015), "black plastic", 0.006)
-    case = d.box(box.inset(bottom=0.03), wood, 0.008)
-    d.box(case.front(0.01).inset(front=-0.006, y=0.008, bottom=0.01, top=0.008), "black plastic")
-    r = 0.38 * case.width
-    z = case.z[1] - 0.02
-    for size, gap in ((0.8 * r, 0.0), (0.35 * r, 0.01), (r, 0.02), (r, 0.02)):
-        z -= size + gap
-        with d.at(case.x[1], 0.0, z, pitch=math.pi / 2):
-            cone = [(1.0, 0.002), (1.0, 0.01), (0.9, 0.011), (0.88, 0.009)]
-            d.revolve([(q * size, t) for q, t in cone], "brushed steel")
-            d.revolve([(0.88 * size, 0.008), (0.86 * size, 0.0105), (0.5 * size, 0.0075)], "black plastic")
-            d.ball(Box.around((0, 0, 0.008), 0.7 * size, 0.7 * size, 0.014), "grey plastic", segments=12)
-        z -= size
-
-
-@draws("amplifier", whole=True)
-def amplifier(d: Drawing) -> None:
-    """A guitar amplifier: grille cloth, control panel with knobs, corners, handle."""
-    skin = d.material("skin", "black leather, tan leather, red plastic, white leather")
-    cloth = d.material("grille", "black fabric, grey fabric, beige fabric")
-    box = d.bounds
-    case = box.inset(bottom=0.02, top=0.03)
-    d.box(case.inset(front=0.02), skin, 0.012)
-    rim = case.front(0.04)
-    for side in (rim.bottom(0.03), rim.top(0.03), rim.left(0.03), rim.right(0.03)):
-        d.box(side, skin, 0.004)
-    room = case.front(0.03).inset(y=0.03, z=0.03)
-    grille = d.box(room.inset(front=0.012, top=0.09), cloth, 0.0)
-    panel = d.box(room.inset(front=0.005).top(0.085), "brass")
-    for cell in panel.inset(y=0.02).columns(7):
-        knob(d, cell, "black plastic", 0.015, 0.014, "white plastic")
-    d.print(grille.front(0.0).share(y=(0.62, 0.95)).top(0.03).move(z=-0.012), "white plastic")
-    with d.corners(box, inset=0.025):
-        d.cylinder(Box((0, 0.034), (0, 0.034), (0, 0.022)), "rubber", segments=12)
-    corner = Box.sized(0.045, 0.03, 0.03)
-    for y in (case.y[0] + 0.0147, case.y[1] - 0.0147):
-        for z in (case.z[0] - 0.0003, case.z[1] - 0.0297):
-            d.box(corner.move(case.x[1] - 0.0222, y, z), "brass", 0.01)
-    ends = ((-0.11, case.z[1] - 0.005), (-0.08, box.z[1] - 0.008), (0.08, box.z[1] - 0.008), (0.11, case.z[1] - 0.005))
-    d.sweep([(-0.01, y, z) for y, z in ends], 0.008, "black leather", 8)
 
 
 @draws("record_player", whole=True)

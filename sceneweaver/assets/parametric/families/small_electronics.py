@@ -9,7 +9,7 @@ import numpy as np
 from ... import shapes
 from ...drawing import Box, Drawing, Look, draws
 from ...drawing.box import Axis
-from ...drawing.components import button, knob
+from ...drawing.components import button
 
 CASES = "black plastic, white plastic, grey plastic"
 ICONS = ("sea pigment", "sky pigment", "ochre pigment", "moss pigment", "terracotta pigment", "chalk pigment")
@@ -204,27 +204,6 @@ def desk_phone(d: Drawing) -> None:
     d.sweep([d.bounds.point(*p) for p in cord], 0.004, "black plastic", 6)
 
 
-@draws("speaker", whole=True)
-def speaker(d: Drawing) -> None:
-    """A box with a woofer and a tweeter behind rims."""
-    look = d.material("body", "walnut, oak, black paint, white paint, cherry")
-    front = d.material("front", "black plastic, grey plastic, charcoal fabric")
-    cone = d.pick("cone", ["black plastic", "grey plastic", "yellow plastic", "white plastic"])
-    with d.corners(d.bounds, inset=0.012):
-        d.cylinder(Box((0.0, 0.02), (0.0, 0.02), (0.0, 0.008)), "rubber", segments=10)
-    case = d.bounds.inset(bottom=0.006)
-    d.box(case.inset(front=0.01), look)
-    panel = d.box(case.inset(y=0.005, z=0.006).front(0.012).inset(front=0.004), front, 0.002)
-    wide, high = case.width, case.height
-    for z, r in ((0.34, min(0.4 * wide, 0.26 * high)), (0.76, 0.2 * wide)):
-        with d.at(*panel.point(1.0, 0.5, z), pitch=math.pi / 2):
-            d.revolve([(1.08 * r, -0.001), (1.04 * r, 0.003)], "black plastic", 28)
-            d.revolve([(r, 0.002), (0.9 * r, 0.0036)], "rubber", 28)
-            with d.no_colliders():
-                d.revolve([(0.8 * r, 0.003), (0.3 * r, 0.0039)], cone, 24)
-            d.ball(Box.around((0, 0, 0.0035), 0.56 * r, 0.56 * r, 0.004), "black steel", segments=12)
-
-
 @draws("game_controller", whole=True)
 def game_controller(d: Drawing) -> None:
     """Two grips, two sticks, a cross, four bright buttons and triggers behind."""
@@ -291,29 +270,6 @@ def router(d: Drawing) -> None:
         with d.at(d.bounds.x[0] + 0.008, 0.86 * y * body.width, 0.02, roll=-0.18 * y):
             d.bar((0, 0, 0), (0.012, 0, 0), 0.006, "black plastic", 8)
             d.box(Box.sized(0.012, 0.014, d.size.height - 0.022), look, 0.004)
-
-
-@draws("radio", whole=True)
-def radio(d: Drawing) -> None:
-    """A retro radio: wooden case, cloth before the speaker, a dial, two knobs, a handle."""
-    look = d.material("body", "walnut, oak, cherry, mint plastic, cream paint, red plastic")
-    cloth = d.material("cloth", "beige fabric, charcoal fabric, rust fabric")
-    with d.corners(d.bounds, inset=0.02):
-        d.box(Box((0, 0.016), (0, 0.016), (0, 0.014)), "rubber")
-    case = d.box(d.bounds.inset(bottom=0.012, front=0.016).share(z=(0.0, 0.82)), look, 0.014)
-    face = case.front(0.0)
-    speaker_cloth = d.print(face.share(y=(0.07, 0.56), z=(0.14, 0.88)), cloth)
-    vents(d, speaker_cloth, 6, look, "z")
-    dial = d.print(face.share(y=(0.62, 0.93), z=(0.55, 0.88)), "cream paint")
-    for k, mark in enumerate(dial.share(y=(0.08, 0.92), z=(0.35, 0.8)).columns(9)):
-        d.print(mark.place(width=0.0015).share(z=(0.0, 1.0 if k % 2 else 0.65)), "ink pigment", 0.0004)
-    d.print(dial.share(y=(0.5, 0.515), z=(0.1, 0.95)), "red plastic", 0.00045)
-    for cell in face.share(y=(0.62, 0.93), z=(0.1, 0.5)).columns(2):
-        knob(d, cell, "brass", 0.085 * d.size.height, 0.016, "ink pigment")
-    metal = d.material("handle", "tan leather, brass, black leather")
-    low, top = case.z[1] - 0.006, d.bounds.z[1] - 0.003
-    ends = [(-0.36, low), (-0.32, top), (0.32, top), (0.36, low)]
-    d.sweep([(-0.01, y * d.size.width, z) for y, z in ends], (0.018, 0.006), metal)
 
 
 @draws("conference_phone", whole=True)

@@ -127,33 +127,6 @@ def toy_train(d: Drawing) -> None:
                 d.box(crate.top(-(0.2 - 0.08 * j) * car.height), c[(j + 1) % 3])
 
 
-@draws("doll", whole=True)
-def doll(d: Drawing) -> None:
-    """A rag doll that sits: dress, plaits, a smiling face."""
-    deep, wide, high = d.size
-    dress = d.material("dress", "rose fabric, blue fabric, mustard fabric, red fabric, green fabric")
-    hair = d.material("hair", "brown leather, mustard fabric, rust fabric, black fabric")
-    r, back = 0.2 * high, -0.12 * deep
-    head = (back, 0.0, 0.77 * high)
-    cloth = [(0.9, 0.8, 0.0), (0.94, 0.84, 0.06), (0.56, 0.5, 0.36), (0.45, 0.4, 0.52), (0.27, 0.24, 0.58)]
-    d.sections(d.bounds.move(x=back), cloth, dress)
-    with d.mirror("y"):
-        hip, ankle = (back + 0.1 * deep, 0.16 * wide, 0.07 * high), (0.36 * deep, 0.24 * wide, 0.06 * high)
-        d.bar(hip, ankle, 0.055 * high, "white fabric")
-        ball(d, (0.42 * deep, 0.25 * wide, 0.085 * high), (0.08 * deep, 0.05 * high, 0.085 * high), "red plastic", 10)
-        hand = (0.07 * deep, 0.43 * wide, 0.265 * high)
-        d.bar((back, 0.16 * wide, 0.5 * high), (0.04 * deep, 0.4 * wide, 0.3 * high), 0.04 * high, dress)
-        ball(d, hand, 0.045 * high, "skin tone", 10)
-        ball(d, (back - 0.03 * deep, r + 0.035 * high, 0.62 * high), (0.06 * high, 0.055 * high, 0.11 * high), hair, 10)
-        ball(d, (back, r + 0.02 * high, 0.74 * high), 0.03 * high, dress, 8)
-    ball(d, head, (0.9 * r, r, r), "skin tone", 18)
-    ball(d, (back - 0.15 * r, 0, 0.8 * high), (0.9 * r, 1.06 * r, r), hair, 18)
-    fringe = Box((back + 0.3 * r, back + 0.85 * r), (-0.75 * r, 0.75 * r), (head[2] + 0.5 * r, head[2] + 0.95 * r))
-    d.cushion(fringe, hair, 0.3 * r)
-    eyes(d, back + 0.84 * r, 0.34 * r, 0.78 * high, 0.09 * r)
-    ball(d, (back + 0.84 * r, 0, head[2] - 0.45 * r), (0.03 * r, 0.22 * r, 0.05 * r), "red plastic", 8)
-
-
 @draws("plush_toy", "teddy_bear", whole=True)
 def plush_toy(d: Drawing) -> None:
     """A soft rabbit, bear or elephant that sits, with a ribbon; or a big bear."""
