@@ -1,10 +1,9 @@
 """Furniture drawn from numbers: every category has a function that draws it anew for each seed."""
 
-from .builder import Builder as Builder
-from .builder import Request as Request
-from .builder import Size as Size
-from .drawing import make as make
-from .drawing import makers as makers
-from .registry import draws as draws
+from ..drawing import Request as Request
+from ..drawing import Size as Size
+from ..drawing import draws as draws
+from .catalogue import make as make
+from .catalogue import makers as makers
 
-__all__ = ["Builder", "Request", "Size", "draws", "make", "makers"]
+__all__ = ["Request", "Size", "draws", "make", "makers"]

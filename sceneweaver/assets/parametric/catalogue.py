@@ -11,9 +11,8 @@ from sceneweaver.scene.messages import suggest
 
 from ..asset import Asset
 from ..category import categories
-from ..drawing import MAKERS, Maker, Request, asset_of
+from ..drawing import MAKERS, Drawing, Maker, Request, asset_of
 from . import families
-from .builder import Builder
 
 
 @cache
@@ -35,9 +34,9 @@ def make(category: str, seed: int = 0, request: Request | None = None) -> Asset:
     known = makers()
     if category not in known:
         raise InputError(f"category: '{category}' is unknown{suggest(category, known)}")
-    builder = Builder(categories()[category], seed, request)
-    known[category](builder)
-    if builder.lacks_material:  # its colour waited for it
-        builder = Builder(categories()[category], seed, request, any_material=True)
-        known[category](builder)
-    return asset_of(builder)
+    drawing = Drawing(categories()[category], seed, request)
+    known[category](drawing)
+    if drawing.lacks_material:  # its colour waited for it
+        drawing = Drawing(categories()[category], seed, request, any_material=True)
+        known[category](drawing)
+    return asset_of(drawing)

@@ -1,3 +1,0 @@
-from ..drawing.registry import MAKERS, Maker, draws
-
-__all__ = ["MAKERS", "Maker", "draws"]
