@@ -10,7 +10,7 @@ import numpy as np
 
 from sceneweaver.geometry.angles import cross
 from sceneweaver.geometry.walls import Wall
-from sceneweaver.scene import Scene, SceneObject
+from sceneweaver.scene import Scene
 
 from .camera import Camera
 from .room_probe import (
@@ -67,17 +67,64 @@ class _Judged:
     shown: np.ndarray
 
 
+class _Room:
+    """A scene as the candidates are judged by: numbers of its objects as arrays, worked out once.
+
+    Attributes:
+        weights: How much each object matters [N].
+        key: Which ones the room is about [N].
+        turned: Which ones have a side to be seen from [N].
+        full: Share of the picture from which on each counts as shown [N].
+        tall, hung: Which ones hide what is behind them, and which hang from the ceiling [N].
+        places, fronts: Where they are [N, 2] in metres, and which way they look [N, 2].
+        corners: Of their boxes [N, 8, 3].
+        focus: The middle [2] of what the room is about.
+        diagonal, area: Of its plan [m], [m2].
+    """
+
+    def __init__(self, scene: Scene, aspect: float) -> None:
+        self.scene, self.aspect = scene, aspect
+        things, outline = scene.objects, np.asarray(scene.room.outline, dtype=float)
+        low, high = outline.min(axis=0), outline.max(axis=0)
+        x, y = outline.T
+        self.low, self.diagonal = low, float(np.linalg.norm(high - low))
+        self.area = max(float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2, 1e-6)
+        self.weights = np.array([weight(thing) for thing in things])
+        self.key = np.array([is_key(thing) for thing in things], dtype=bool)
+        heights = np.array([thing.size[2] for thing in things])
+        self.turned = np.array([has_back(thing) for thing in things], dtype=bool) & (self.key | (heights > 1.2))
+        self.full = np.where(self.key, _KEY_FULL, [_FULL[thing.mount] for thing in things])
+        self.tall = (heights > 1.0) & ~self.key
+        self.hung = np.array([thing.mount == "ceiling" for thing in things], dtype=bool)
+        self.places = np.array([thing.pose.position[:2] for thing in things]).reshape(-1, 2)
+        self.fronts = np.array([thing.pose.frame.axis for thing in things]).reshape(-1, 2)
+        self.corners = np.array([box_corners(thing) for thing in things]).reshape(-1, 8, 3)
+        standing = np.array([thing.mount == "floor" for thing in things], dtype=bool)
+        about = standing & self.key if (standing & self.key).any() else standing
+        self.focus = (low + high) / 2
+        if about.any():
+            self.focus = np.average(self.places[about], axis=0, weights=self.weights[about] ** 2)
+        share = min(1.0, max(0.0, (self.diagonal - _SMALL) / (_LARGE - _SMALL)))
+        short, long = FOCAL_LENGTHS
+        self.angle = 2 * math.atan(18.0 / (short + share * (long - short)))
+
+    @property
+    def tiny(self) -> bool:
+        """Whether one can hardly step back in it."""
+        return self.diagonal < _TINY
+
+
 def eye_cameras(scene: Scene, aspect: float = 4 / 3) -> dict[str, Camera]:
     """The camera of each of `EYE_VIEWS`: level, 24 to 28 mm, chosen by what a look through each candidate shows.
 
     A room without doors is entered through the middle of a wall.
     """
-    doors = _best(scene, Probe(scene, doors=False), _free(scene, [*_door_candidates(scene, aspect)]))
-    corners = _best(scene, Probe(scene), _free(scene, [*_corner_candidates(scene, aspect)]))
-    weights = np.array([weight(thing) for thing in scene.objects])
-    chosen = [_first(doors, [], weights)]
+    room = _Room(scene, aspect)
+    doors = _best(room, Probe(scene, doors=False), _free(scene, [*_door_candidates(room)]))
+    corners = _best(room, Probe(scene), _free(scene, [*_corner_candidates(room)]))
+    chosen = [_first(doors, [], room.weights)]
     for _ in range(2):
-        chosen.append(_first(corners, chosen, weights))
+        chosen.append(_first(corners, chosen, room.weights))
     return {view: one.candidate.camera for view, one in zip(EYE_VIEWS, chosen, strict=True)}
 
 
@@ -119,12 +166,12 @@ def _free(scene: Scene, candidates: list[_Candidate]) -> list[_Candidate]:
     return [one for one, is_free in zip(candidates, free, strict=True) if is_free] or candidates
 
 
-def _best(scene: Scene, probe: Probe, candidates: list[_Candidate]) -> list[_Judged]:
+def _best(room: _Room, probe: Probe, candidates: list[_Candidate]) -> list[_Judged]:
     """The candidates that deserve a second look, judged by it; of those in one place the better half only."""
 
     def judged(some: list[_Candidate], size: tuple[int, int]) -> list[_Judged]:
         glimpses = probe.look([one.camera for one in some], *size)
-        return [_judge(scene, one, glimpse) for one, glimpse in zip(some, glimpses, strict=True)]
+        return [_judge(room, one, glimpse) for one, glimpse in zip(some, glimpses, strict=True)]
 
     first = sorted(judged(candidates, _ROUGH), key=lambda one: -round(one.worth, 6))
     kept: list[_Candidate] = []
@@ -135,27 +182,19 @@ def _best(scene: Scene, probe: Probe, candidates: list[_Candidate]) -> list[_Jud
     return judged(kept, _FINE)
 
 
-def _judge(scene: Scene, one: _Candidate, glimpse: Glimpse) -> _Judged:
+def _judge(room: _Room, one: _Candidate, glimpse: Glimpse) -> _Judged:
     camera, ids, distance = one.camera, glimpse.ids, glimpse.distance
-    share = glimpse.pixels(len(scene.objects)) / ids.size
-    eye = np.asarray(camera.eye[:2])
-    shown, weights, fronts = np.zeros(len(share)), np.zeros(len(share)), np.ones(len(share))
-    for k, thing in enumerate(scene.objects):
-        weights[k] = weight(thing)
-        if share[k] == 0:
-            continue
-        key = is_key(thing)
-        if has_back(thing) and (key or thing.size[2] > 1.2):
-            toward = eye - np.asarray(thing.pose.position[:2])
-            facing = float(toward @ thing.pose.frame.axis) / max(float(np.linalg.norm(toward)), 1e-6)
-            fronts[k] = 0.6 + 0.4 * facing
-        if key:  # half a bed at the picture's edge is no view of it
-            fronts[k] *= 0.25 + 0.75 * _inside(camera, thing)
-        full = _KEY_FULL if key else _FULL[thing.mount]
-        shown[k] = min(1.0, share[k] / full) ** 0.5 * fronts[k]
-    worth = float(weights @ shown) / max(float(weights.sum()), 1e-9)
-    worth += 0.5 * _covered(scene, glimpse)
-    if scene.room.windows:
+    share = glimpse.pixels(len(room.weights)) / ids.size
+    toward = np.asarray(camera.eye[:2]) - room.places
+    facing = (toward * room.fronts).sum(axis=1) / np.maximum(np.linalg.norm(toward, axis=1), 1e-6)
+    worths = np.where(room.turned, 0.6 + 0.4 * facing, 1.0)
+    u, v, ahead = camera.project(room.corners.reshape(-1, 3)).T
+    inside = ((np.abs(u) < 1) & (np.abs(v) < 1) & (ahead > 0)).reshape(-1, 8).mean(axis=1)
+    worths = worths * np.where(room.key, 0.25 + 0.75 * inside, 1.0)  # half a bed at the edge is no view of it
+    shown = np.minimum(1.0, share / room.full) ** 0.5 * worths
+    worth = float(room.weights @ shown) / max(float(room.weights.sum()), 1e-9)
+    worth += 0.5 * _covered(room, glimpse)
+    if room.scene.room.windows:
         worth += 0.15 * min(1.0, float((ids == WINDOW).mean()) / 0.05)
     # Much wall and ceiling is a dull picture; something large right before the lens is a bad one.
     empty = np.isin(ids, (WALL, CEILING, NOTHING))
@@ -165,51 +204,39 @@ def _judge(scene: Scene, one: _Candidate, glimpse: Glimpse) -> _Judged:
     near = np.clip((1.3 - distance) / 0.8, 0.0, 1.0)
     worth -= 1.6 * float((near * (ids >= 0)).mean()) + 0.6 * float((near * np.isin(ids, (WALL, DOOR, WINDOW))).mean())
     # What hides a third of the picture hides the room.
-    if len(share):
-        blocking = [share[k] for k, thing in enumerate(scene.objects) if thing.size[2] > 1.0 and not is_key(thing)]
-        worth -= 1.5 * max(0.0, max(blocking, default=0.0) - 0.18)
-        lamps = [share[k] for k, thing in enumerate(scene.objects) if thing.mount == "ceiling"]
-        worth -= 2.0 * max(0.0, sum(lamps) - 0.03)
+    worth -= 1.5 * max(0.0, float(share[room.tall].max(initial=0.0)) - 0.18)
+    worth -= 2.0 * max(0.0, float(share[room.hung].sum()) - 0.03)
     return _Judged(one, worth, shown)
 
 
-def _inside(camera: Camera, thing: SceneObject) -> float:
-    """The share of the corners of a thing's box that lie in the picture."""
-    u, v, ahead = camera.project(box_corners(thing)).T
-    return float(((np.abs(u) < 1) & (np.abs(v) < 1) & (ahead > 0)).mean())
-
-
-def _covered(scene: Scene, glimpse: Glimpse) -> float:
+def _covered(room: _Room, glimpse: Glimpse) -> float:
     """The share of the floor's cells on which, or above which, something is seen."""
-    import shapely
-
-    low = np.asarray(scene.room.outline).min(axis=0)
     seen = (glimpse.ids >= 0) | (glimpse.ids == FLOOR)
     points = glimpse.points[seen & (glimpse.points[..., 2] < 1.4)][:, :2]
-    cells = np.unique(((points - low) / _CELL).astype(int), axis=0)
-    return min(1.0, len(cells) * _CELL**2 / max(shapely.Polygon(scene.room.outline).area, 1e-6))
+    column, row = ((points - room.low) / _CELL).astype(int).T
+    return min(1.0, len(np.unique(column * 100_000 + row)) * _CELL**2 / room.area)
 
 
-def _door_candidates(scene: Scene, aspect: float) -> Iterator[_Candidate]:
+def _door_candidates(setting: _Room) -> Iterator[_Candidate]:
     """Just inside each door, in the doorway of a small room; without doors, the middles of walls."""
-    room = scene.room
+    room = setting.scene.room
     doors = [(room.walls[d.wall], d.offset + d.width / 2, d.width, k) for k, d in enumerate(room.doors)]
     doors = doors or [(wall, wall.length / 2, min(0.8, wall.length), wall.index) for wall in room.walls]
     # Behind the doorway there is room only where there is a doorway.
     depths = (0.1, 0.25, 0.45, 0.7, 1.0) if not room.doors else (-0.35, 0.05, 0.25, 0.45, 0.7, 1.0)
     for wall, at, width, number in doors:
-        free = _depth_of(scene, wall, at)
+        free = _depth_of(setting.scene, wall, at)
         for depth in depths:
             if depth > 0.4 * free or (depth < 0.2 and free > 2.6 and depth < 0.04):
                 continue
             for aside in (0.0, -0.25, 0.25) if depth > 0.2 else (0.0,):
                 eye = np.array(wall.point(at + aside * width, depth))
-                yield from _aimed(scene, eye, ("door", number), aspect, math.atan2(wall.inward[1], wall.inward[0]))
+                yield from _aimed(setting, eye, ("door", number), math.atan2(wall.inward[1], wall.inward[0]))
 
 
-def _corner_candidates(scene: Scene, aspect: float) -> Iterator[_Candidate]:
+def _corner_candidates(setting: _Room) -> Iterator[_Candidate]:
     """In each corner that does not stand out into the room, nearer to it and farther, beside it along each wall."""
-    walls = scene.room.walls
+    walls = setting.scene.room.walls
     for k, wall in enumerate(walls):
         before = walls[k - 1]
         if cross(before.along, wall.along) < 0.17:  # no corner to stand in
@@ -218,50 +245,24 @@ def _corner_candidates(scene: Scene, aspect: float) -> Iterator[_Candidate]:
         inward = np.asarray(wall.inward) + np.asarray(before.inward)
         yaw = math.atan2(inward[1], inward[0])
         reach = min(wall.length, before.length)
-        near = 0.12 if _diagonal(scene) < _TINY else 0.3
+        near = 0.12 if setting.tiny else 0.3
         for a, b in ((near, near), (0.5, 0.5), (0.8, 0.8), (1.2, 1.2), (0.3, 1.0), (1.0, 0.3), (0.3, 1.8), (1.8, 0.3)):
             if max(a, b) > 0.5 * reach and (a, b) != (near, near):
                 continue
             a, b = min(a, 0.3 * wall.length), min(b, 0.3 * before.length)
             eye = corner + a * np.asarray(before.inward) + b * np.asarray(wall.inward)
-            yield from _aimed(scene, eye, ("corner", k), aspect, yaw)
+            yield from _aimed(setting, eye, ("corner", k), yaw)
 
 
-def _aimed(scene: Scene, eye: np.ndarray, place: tuple[str, int], aspect: float, yaw: float) -> Iterator[_Candidate]:
+def _aimed(setting: _Room, eye: np.ndarray, place: tuple[str, int], yaw: float) -> Iterator[_Candidate]:
     """Cameras at one point [2] that look along ``yaw``, to the focus of the room, between and beside."""
-    room = scene.room
-    height = min(EYE_HEIGHT, 0.6 * room.height)
-    focus = _focus(scene)
-    toward = math.atan2(focus[1] - eye[1], focus[0] - eye[0])
+    height = min(EYE_HEIGHT, 0.6 * setting.scene.room.height)
+    toward = math.atan2(setting.focus[1] - eye[1], setting.focus[0] - eye[0])
     off = math.remainder(toward - yaw, math.tau)
     turns = {0.0, 0.5 * off, off, -0.2, 0.2, off - 0.18, off + 0.18}
     for turn in sorted(round(turn, 4) for turn in turns if abs(turn) < 1.3):
-        for shift in SHIFTS if _diagonal(scene) < _TINY else SHIFTS[:-1]:
-            yield _Candidate(Camera.level((*eye, height), yaw + turn, _angle(scene), aspect, shift), place)
-
-
-def _angle(scene: Scene) -> float:
-    """The horizontal angle [rad] of the lens."""
-    share = min(1.0, max(0.0, (_diagonal(scene) - _SMALL) / (_LARGE - _SMALL)))
-    short, long = FOCAL_LENGTHS
-    return 2 * math.atan(18.0 / (short + share * (long - short)))
-
-
-def _diagonal(scene: Scene) -> float:
-    """The diagonal of the room's box from above [m]."""
-    outline = np.asarray(scene.room.outline)
-    return float(np.linalg.norm(outline.max(axis=0) - outline.min(axis=0)))
-
-
-def _focus(scene: Scene) -> np.ndarray:
-    """The middle [2] of what the room is about: of its key pieces, else of its furniture, else of its floor."""
-    standing = [thing for thing in scene.objects if thing.mount == "floor"]
-    standing = [thing for thing in standing if is_key(thing)] or standing
-    if not standing:
-        outline = np.asarray(scene.room.outline, dtype=float)
-        return (outline.min(axis=0) + outline.max(axis=0)) / 2
-    places = np.array([thing.pose.position[:2] for thing in standing])
-    return np.average(places, axis=0, weights=[weight(thing) ** 2 for thing in standing])
+        for shift in SHIFTS if setting.tiny else SHIFTS[:-1]:
+            yield _Candidate(Camera.level((*eye, height), yaw + turn, setting.angle, setting.aspect, shift), place)
 
 
 def _depth_of(scene: Scene, wall: Wall, at: float) -> float:
