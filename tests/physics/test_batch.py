@@ -17,7 +17,7 @@ from sceneweaver.physics.worlds import SimulationResult, Template, merged, run_c
 from sceneweaver.scene import InputError, Pose, Room, Scene, SceneObject, Support
 
 ROOM = Room(outline=((0, 0), (5, 0), (5, 5), (0, 5)))
-ASSETS = {a.id: a for a in (make("desk", 3), make("mug", 2), make("toilet", 1), make("rug", 1), make("dresser", 2))}
+ASSETS = {a.id: a for a in (make("desk", 3), make("mug", 3), make("toilet", 1), make("rug", 1), make("dresser", 2))}
 DESK, MUG, TOILET, RUG, DRESSER = ASSETS.values()
 LOAD = ASSETS.__getitem__
 TOP = DESK.surfaces[0]
