@@ -188,7 +188,7 @@ class Tracer:
             soft, soft2, gloss, gloss2, toward, toward2 = soft2, soft, gloss2, gloss, toward2, toward
             guide, guide2 = guide2, guide
         film = develop_kernels.Film()
-        film.exposure, balance = exposed(soft.numpy(), sun.numpy(), key.numpy())
+        film.exposure, balance = exposed(soft.numpy(), key.numpy())
         film.balance = wp.vec3(*balance)
         if self._lights.enclosed:
             self._light.view = wp.vec3(*(min(self._lights.view, _OUTSIDE / film.exposure) / balance))
@@ -236,12 +236,13 @@ def _empty(number: int, count: int, kind: Any) -> list[wp.array]:
 def _places(camera: Camera, distance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """World points [H, W, 3] at distances along the rays [H, W], and their depths along the camera's axis [H, W]."""
     height, width = distance.shape
-    u = (2 * (np.arange(width) + 0.5) / width - 1)[None, :, None]
-    v = (1 - 2 * (np.arange(height) + 0.5) / height)[:, None, None]
-    eye, forward, right, up = (np.asarray(getattr(camera, key)) for key in ("eye", "forward", "right", "up"))
+    u = (2 * (np.arange(width, dtype=np.float32) + 0.5) / width - 1)[None, :, None]
+    v = (1 - 2 * (np.arange(height, dtype=np.float32) + 0.5) / height)[:, None, None]
+    vectors = (np.asarray(getattr(camera, key), dtype=np.float32) for key in ("eye", "forward", "right", "up"))
+    eye, forward, right, up = vectors
     axis = np.cross(up, right)
     axis = axis / np.linalg.norm(axis)
-    origin, way = eye + np.zeros((height, width, 3)), forward + right * u + up * v
+    origin, way = eye, forward + right * u + up * v
     if camera.flat:
         origin, way = eye + right * u + up * v, forward + 0.0 * (u + v)
     way = way / np.linalg.norm(way, axis=2, keepdims=True)
