@@ -197,3 +197,46 @@ def test_a_vessel_stays_open_and_castors_stand_in_their_corners() -> None:
         assert np.einsum("ij,ij->i", within - corners[:, 0], normal).max() > 0
     wall = volume_of(asset.mesh)
     assert 0.02 < wall < 0.35 * 0.6 * 1.0 * 0.4
+
+
+def test_shapes_by_shares_fill_their_box() -> None:
+    d = drawing()
+    box = Box((0.1, 0.5), (-0.3, 0.3), (0.2, 0.9))
+    with d.part("turned") as turned:
+        d.turned(box, [(0.5, 0.0), (1.0, 0.4), (0.7, 1.0)], "oak")
+    with d.part("sections") as sections:
+        d.sections(box, [(0.6, 0.8, 0.0), (1.0, 1.0, 0.5), (0.4, 0.3, 1.0, 0.1, 0.0)], "oak", radius=0.2)
+    for part in (turned, sections):
+        assert np.concatenate([part.bounds.x, part.bounds.y, part.bounds.z]) == pytest.approx(
+            [*box.x, *box.y, *box.z], abs=0.005
+        )
+
+
+def test_what_lies_inside_others_has_no_colliders() -> None:
+    d = drawing()
+    box = d.ball(Box.sized(0.1, 0.1, 0.1), "oak")
+    with d.no_colliders():
+        d.box(box.inset(0.02), "brass")
+        d.turned(box.inset(0.02), [(1.0, 0.0), (1.0, 1.0)], "brass")
+        d.bar((0, 0, 0.02), (0, 0, 0.08), 0.01, "brass")
+    d.box(box, "oak")
+    assert len(d.drawn.pieces) == 5 and len(d.drawn.hulls) == 2
+
+
+def test_a_table_of_bodies_says_forms_copies_and_labels() -> None:
+    from sceneweaver.assets.parametric.families.pieces import draw
+
+    d = drawing()
+    draw(
+        d,
+        "form: only; a: oak, walnut; b: brass\nturned a .5 .5 .4 0 .5 .5 .4 .8\nwrap b .1 .3\n"
+        "=only box b .4 .6 .4 .6 .8 1\n=other box a 0 1 0 1 0 1\n"
+        "^y *2 .2 0 0 box b .3 .4 .8 1 0 .1; .3 .4 .8 1 .2 .3\nsurface top .4 .6 .4 .6 1",
+    )
+    pieces = d.drawn.pieces
+    assert [piece.material.name for piece in pieces[1:]] == ["brass"] * 10
+    assert len(d.drawn.hulls) == 1 + 1 + 8  # the label has none
+    assert [s.name for s in d.drawn.surfaces] == ["top"]
+    left = [piece.placed[:, 1].mean() > 0 for piece in pieces[3:]]
+    assert left.count(True) == 4
+    assert asset_of(d).size == pytest.approx(d.size, abs=1e-4)
