@@ -126,7 +126,7 @@ def decorative_bowl(d: Drawing) -> None:
     inner = [(1 - 0.01 / box.width, 0.86), (0.9, 0.67), (0.68, 0.38), (0.3, 0.16)]
     with d.part("bowl"):
         d.turned(box, [*outer, *inner], look, 36, hollow=True)
-        size = 0.3 * box.width
+        size = min(0.3 * box.width, 0.8 * box.height)
         for k, a in enumerate((0.3, 2.4, 4.5)):
             out = 0.6 * size
             at = box.place(size, size, size, at="top").move(out * math.cos(a), out * math.sin(a), -0.006 * (k + 1))
