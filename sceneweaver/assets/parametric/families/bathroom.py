@@ -39,9 +39,8 @@ def _bowl(d: Drawing, box: Box, china: Look, seat: Look, hung: bool) -> None:
     with d.hinge("lid", (plate.x[0], 0.0, rim + 0.02), axis=(0.0, 1.0, 0.0), limits=(-1.5, 0.0)):
         _plate(d, plate.to(z=(rim + 0.021, box.z[1])).inset(y=0.002), middle, seat)
     with d.mirror("y"):
-        d.cylinder(
-            Box.around((plate.x[0] - 0.004, 0.075, rim + 0.009), 0.016, 0.036, 0.016), "chrome", "y", segments=12
-        )
+        x, z = plate.x[0] - 0.004, rim + 0.009
+        d.bar((x, 0.057, z), (x, 0.093, z), 0.008, "chrome", 12)
 
 
 @draws("toilet")
@@ -155,9 +154,8 @@ def pedestal_sink(d: Drawing) -> None:
 @draws("vanity", "double_vanity")
 def vanity(d: Drawing) -> None:
     """A cabinet with one or two basins set on or into its top, and a tap for each."""
-    leaf = d.material(
-        "fronts", "white paint, oak, walnut, sage paint, navy paint, light grey paint, light oak, grey paint"
-    )
+    tones = "white paint, oak, walnut, sage paint, navy paint, light grey paint, light oak, grey paint"
+    leaf = d.material("fronts", tones)
     look = d.material("top", "marble, white ceramic, dark marble, oak, granite")
     pull, metal = d.material("pulls", "chrome, black steel, brass"), d.material("tap", _METALS)
     style, panel = d.pick("pull style", ["bar", "knob", "cup"]), leaf if d.style in ("classic", "rustic") else None

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from ...drawing import Box, Drawing, draws
 from ...drawing.components import button, drawer, knob
 
@@ -146,13 +144,8 @@ def espresso_machine(d: Drawing) -> None:
     button(d, gauge, steel, 0.026, 0.012)
     button(d, gauge.move(x=0.012), "white plastic", 0.021, 0.0004)
     fence = head.inset(x=0.015, y=0.015)
-    d.sweep(
-        [(u, v, rail) for u, v in zip((*fence.x, *fence.x[::-1]), np.repeat(fence.y, 2), strict=True)],
-        0.004,
-        steel,
-        6,
-        closed=True,
-    )
+    (x0, x1), (y0, y1) = fence.x, fence.y
+    d.sweep([(x0, y0, rail), (x1, y0, rail), (x1, y1, rail), (x0, y1, rail)], 0.004, steel, 6, closed=True)
     with d.corners(fence.top(0.01)):
         d.bar((0.0, 0.0, 0.0), (0.0, 0.0, rail - top + 0.01), 0.004, steel, 6)
     columns = int((w - 0.1) / 0.085)
@@ -175,9 +168,8 @@ def cash_register(d: Drawing) -> None:
     drawer(d, "drawer", till.inset(y=0.004, bottom=0.006, top=0.006), body, "chrome", "knob", 0.28, "grey plastic")
     if d.chance("touch", 0.55):
         d.box(Box((-0.12, 0.05), (-0.1, 0.1), (z, z + 0.02)), body, 0.005)
-        d.silhouette(
-            Box((-0.1, -0.04), (-0.03, 0.03), (z + 0.015, z + 0.13)), [(0, 0), (1, 0), (0.8, 1), (0.3, 1)], body
-        )
+        neck = Box((-0.1, -0.04), (-0.03, 0.03), (z + 0.015, z + 0.13))
+        d.silhouette(neck, [(0, 0), (1, 0), (0.8, 1), (0.3, 1)], body)
         with d.at(0.0, 0.0, z + 0.035, pitch=-0.42):
             long = (box.height - z - 0.055) / math.cos(0.42)
             face = d.box(Box((-0.03, 0.0), (-0.42 * w, 0.42 * w), (0.0, long)), body, 0.006).front(0.0)

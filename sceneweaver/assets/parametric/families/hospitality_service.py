@@ -187,9 +187,5 @@ def beer_tap(d: Drawing) -> None:
         d.bar((x + 0.085, y, z + 0.012), (x + 0.105, y, z - 0.085), 0.009, "chrome")
         d.cylinder(Box.sized(0.014, 0.014, 0.045, (x + 0.085, y, z)), "chrome", segments=10)
         grip = Box.sized(0.042, 0.042, box.z[1] - z - 0.04, (x + 0.085, y, z + 0.04))
-        d.turned(
-            grip,
-            [(0.52, 0.0), (0.66, 0.18), (1.0, 0.75), (0.86, 0.94), (0.4, 1.0)],
-            f"{tones[(k + first) % 6]} plastic",
-            14,
-        )
+        shape = [(0.52, 0.0), (0.66, 0.18), (1.0, 0.75), (0.86, 0.94), (0.4, 1.0)]
+        d.turned(grip, shape, f"{tones[(k + first) % 6]} plastic", 14)

@@ -45,9 +45,8 @@ def _writing(d: Drawing, face: Box, looks: tuple[str, ...]) -> None:
 def whiteboard(d: Drawing) -> None:
     """A white panel in a metal frame with a pen tray, or a slate in wood with a chalk ledge; most are written on."""
     slate = d.category.name == "blackboard"
-    rim = d.material(
-        "frame", "oak, beech, walnut, pine" if slate else "aluminium, grey plastic, white steel, light oak"
-    )
+    tones = "oak, beech, walnut, pine" if slate else "aluminium, grey plastic, white steel, light oak"
+    rim = d.material("frame", tones)
     sheet: Look = d.material("slate", "forest pigment, ink pigment") if slate else "white plastic"
     box = d.bounds.inset(bottom=0.02).back(0.02)
     panel = _board(d, box, sheet, rim, 0.045 if slate else 0.02)
@@ -91,9 +90,7 @@ def mobile_whiteboard(d: Drawing) -> None:
         y = w / 2 - 0.025
         d.box(Box.around((0.0, y, 0.09), deep - 0.04, 0.04, 0.04), metal, 0.006)
         d.box(Box.sized(0.04, 0.036, 0.66 * h - 0.09, (0.0, y, 0.09)), metal)
-        d.cylinder(
-            Box.around((0.0, y - 0.003, 0.64 * h), 0.06, 0.056, 0.06), "black plastic", "y", bevel=0.004, segments=16
-        )
+        d.bar((0.0, y - 0.031, 0.64 * h), (0.0, y + 0.025, 0.64 * h), 0.03, "black plastic", 16)
     low = h - min(1.25, h - 0.5)
     panel = _board(d, Box((-0.01, 0.01), (0.05 - w / 2, w / 2 - 0.05), (low, h)), "white plastic", metal)
     _tray(d, Box((0.008, 0.078), panel.share(y=(0.2, 0.8)).y, (low, low + 0.012)), metal)

@@ -57,10 +57,8 @@ def coat_hooks(d: Drawing) -> None:
 @draws("key_holder", whole=True)
 def key_holder(d: Drawing) -> None:
     """A small board with a tray on top, hooks and keys."""
-    wood, metal = (
-        d.material("board", "walnut, oak, white paint, black steel"),
-        d.material("hooks", "brass, black steel, chrome"),
-    )
+    wood = d.material("board", "walnut, oak, white paint, black steel")
+    metal = d.material("hooks", "brass, black steel, chrome")
     box, h = d.bounds, d.size.height
     board = d.box(box.back(0.014).inset(bottom=0.35 * h), wood)
     tray = d.box(box.inset(back=0.014).to(z=(0.6 * h, 0.6 * h + 0.01)), wood)
@@ -168,11 +166,8 @@ def ceiling_speaker(d: Drawing) -> None:
     body, box = d.material("ring", "white plastic, black plastic, white steel"), d.even("round")
     d.turned(box, [(0.94, 0.0), (1.0, 0.4), (1.0, 1.0)], body, 36)
     with d.no_colliders():
-        d.cylinder(
-            box.inset(x=0.07 * box.depth, y=0.07 * box.width).bottom(0.5 * box.height).move(z=-0.0002),
-            "grey plastic",
-            segments=36,
-        )
+        grille = box.place(0.86 * box.depth, 0.86 * box.width).bottom(0.5 * box.height)
+        d.cylinder(grille.move(z=-0.0002), "grey plastic", segments=36)
         for k in range(1, 6):
             size = 0.14 * k
             d.hoop(box.place(size * box.depth, size * box.width).to(z=(0.0004, 0.0012)), 0.001, body)
@@ -184,9 +179,8 @@ def thermostat(d: Drawing) -> None:
     body, box = d.material("body", "white plastic, brushed steel, black plastic, brass"), d.even("round")
     if d.chance("round", 0.5):
         d.cylinder(box.inset(front=0.001), body, "x", ends=(1.0, 0.94), bevel=0.003, segments=32)
-        glass = d.cylinder(
-            box.inset(back=0.5 * box.depth).share(y=(0.11, 0.89), z=(0.11, 0.89)), "black glass", "x", segments=32
-        )
+        dial = box.share(x=(0.5, 1.0), y=(0.11, 0.89), z=(0.11, 0.89))
+        glass = d.cylinder(dial, "black glass", "x", segments=32)
         d.print(glass.front(0.0).place(width=0.028, height=0.012), "lamp glow")
         return
     d.box(box.inset(front=0.001), body, 0.004)

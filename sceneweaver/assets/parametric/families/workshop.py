@@ -49,9 +49,8 @@ def tool_cabinet(d: Drawing) -> None:
 @draws("pegboard", whole=True)
 def pegboard(d: Drawing) -> None:
     """A perforated board with hammer, saw, wrenches, screwdrivers, a box and a roll of tape."""
-    board = d.box(
-        d.bounds.back(0.015), d.material("board", "plywood, white steel, grey paint, blue paint, black steel")
-    )
+    look = d.material("board", "plywood, white steel, grey paint, blue paint, black steel")
+    board = d.box(d.bounds.back(0.015), look)
     (_, w, h), x = board.size, board.x[1]
     with d.grid(board.front(0.0), y=int(w / 0.06), z=int(h / 0.06)):
         d.print(Box.around((0.0, 0.0, 0.03), 0.0, 0.008, 0.008), "black plastic")
@@ -62,9 +61,8 @@ def pegboard(d: Drawing) -> None:
     d.silhouette(blade, [(0.0, 0.67), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)], "steel", "x")
     d.box(blade.left(0.02).inset(x=-0.008, left=-0.08, z=-0.015), "beech", 0.01)
     for k, tone in enumerate(("red", "yellow", "blue", "red", "yellow")):
-        wrench = d.box(
-            Box.sized(0.01, 0.018, 0.22 - 0.025 * k, (x + 0.005, w / 2 - 0.08 - 0.05 * k, 0.12 * h)), "chrome"
-        )
+        wrench = Box.sized(0.01, 0.018, 0.22 - 0.025 * k, (x + 0.005, w / 2 - 0.08 - 0.05 * k, 0.12 * h))
+        d.box(wrench, "chrome")
         for end in ("top", "bottom"):
             d.cylinder(Box.around(wrench.anchor(end), 0.012, 0.034, 0.034).move(x=0.001), "chrome", "x", segments=12)
         y = 0.07 - w / 2 + 0.055 * k
@@ -77,9 +75,8 @@ def pegboard(d: Drawing) -> None:
 @draws("bicycle", whole=True)
 def bicycle(d: Drawing) -> None:
     """Two spoked wheels, a diamond frame, saddle, handlebar, cranks and chain, on its stand."""
-    paint = d.material(
-        "frame", "red paint, blue paint, black paint, teal paint, yellow paint, white paint, green paint"
-    )
+    tones = "red paint, blue paint, black paint, teal paint, yellow paint, white paint, green paint"
+    paint = d.material("frame", tones)
     (deep, w, h), r, metal, dark = d.size, 0.34, "aluminium", "black steel"
     rear, front = r - deep / 2, deep / 2 - r
     with d.along((rear, 0.0, r), (front, 0.0, r), 2):
@@ -208,10 +205,9 @@ def table_saw(d: Drawing) -> None:
         d.box(plate, "yellow plastic")
     d.box(Box((-0.2, -0.16), (-0.012, 0.012), (z - 0.01, h)), "steel")
     d.box(flat.top(-0.06).to(y=(0.28 * w - 0.025, 0.28 * w + 0.025)), "aluminium")
-    wheel = d.cylinder(
-        Box.around((0.36 * deep, -0.1 * w, 0.6 * z), 0.03, 0.16, 0.16), "black plastic", "x", bevel=0.005
-    )
-    d.bar(wheel.point(0.5, 0.5, 0.85), wheel.move(x=0.07).point(0.5, 0.5, 0.85), 0.01, "steel", 8)
+    crank = Box.around((0.36 * deep, -0.1 * w, 0.6 * z), 0.03, 0.16, 0.16)
+    d.cylinder(crank, "black plastic", "x", bevel=0.005)
+    d.bar(crank.point(z=0.85), crank.move(x=0.07).point(z=0.85), 0.01, "steel", 8)
     d.box(Box((0.32 * deep, 0.38 * deep), (0.12 * w, 0.2 * w), (0.7 * z, 0.85 * z)), "red plastic", 0.006)
 
 
@@ -288,9 +284,8 @@ def jerry_can(d: Drawing) -> None:
     d.silhouette(box, outline, paint, bevel=0.008)
     with d.mirror("y"):
         for rise in (-0.3 * t, 0.3 * t):
-            d.bar(
-                (-0.34 * deep, w / 2 - 0.004, t / 2 + rise), (0.34 * deep, w / 2 - 0.004, t / 2 - rise), 0.008, paint, 6
-            )
+            x, y = 0.34 * deep, w / 2 - 0.004
+            d.bar((-x, y, t / 2 + rise), (x, y, t / 2 - rise), 0.008, paint, 6)
     for y in (-0.3 * w, 0.0, 0.3 * w):
         grip = ((-0.36, t - 0.01), (-0.3, t + 0.04), (0.08, t + 0.04), (0.14, t - 0.01))
         d.sweep([(x * deep, y, z) for x, z in grip], 0.009, paint, 8)
