@@ -148,7 +148,7 @@ def weight_plate_rack(d: Drawing) -> None:
 def _kettlebell(d: Drawing, r: float, look: Look) -> None:
     body = [(0.6, 0.0), (0.84, 0.1), (0.97, 0.32), (1.0, 0.52), (0.93, 0.74), (0.75, 0.9), (0.5, 1.0)]
     d.sections(Box.sized(2 * r, 2 * r, 1.75 * r), [(a, a, z) for a, z in body], look, convex=True)
-    d.arch((0.0, -0.55 * r, 1.5 * r), (0.0, 0.55 * r, 1.5 * r), (0.0, 0.0, 1.2 * r), 0.17 * r, "black steel", 10)
+    d.arch((0.0, -0.55 * r, 1.5 * r), (0.0, 0.55 * r, 1.5 * r), (0.0, 0.0, 1.2 * r), 0.17 * r, "black steel", 7)
 
 
 @draws("kettlebell", whole=True)
