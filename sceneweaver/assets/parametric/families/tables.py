@@ -85,8 +85,8 @@ TABLES = {
         Kind("vee", look="black steel, brass", edge="either", width=0.055, inset=0.14, plan="oval"),
         Kind("drum", edge="either", plan="oval"),
     ],
-    "bar_table": [*_round(*_CENTRAL), *_CENTRAL],
-    "cafe_table": [*_round(*_CENTRAL), *_CENTRAL],
+    "bar_table": [*_CENTRAL, *_round(*_CENTRAL, *_CENTRAL)],
+    "cafe_table": [*_CENTRAL, *_round(*_CENTRAL, *_CENTRAL)],
     "patio_table": [
         Kind("tapered", _SLATTED, edge="slats", width=0.06, inset=0.02, apron=0.06),
         Kind("tapered", _SLATTED, "black steel, aluminium, white steel", "slats", 0.06, 0.02, 0.06),
