@@ -64,8 +64,12 @@ def picture(name: str, work: Path, device: str) -> None:
 
 
 def page(rooms: dict[str, str], work: Path) -> str:
-    """docs/gallery.md: two pictures a row, with what was asked, and what the judge says."""
-    lines = ["# Gallery", "", "Rooms that were each asked for in one sentence, at eye level."]
+    """docs/gallery.md: a picture a room, what was asked, and what the judge says."""
+    lines = [
+        "# Gallery",
+        "",
+        f"{len(rooms)} rooms, each asked for in one sentence with seed 7, none left out, at eye level.",
+    ]
     lines += ["`python -m benchmarks.gallery rooms` makes this page.", ""]
     for name, prompt in rooms.items():
         metrics = json.loads((work / name / "metrics.json").read_text())

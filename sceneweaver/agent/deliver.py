@@ -38,7 +38,7 @@ AMPLE = 60.0
 SIZES = ((320, 240), (640, 480), (1280, 960))
 """Pixels of the views, the smaller ones for when time is short."""
 
-EYE_LEVEL = (((640, 480), "draft"), ((1280, 960), "draft"), ((1280, 960), "normal"))
+EYE_LEVEL = (((640, 480), "draft"), ((960, 720), "draft"), ((960, 720), "normal"))
 """Pixels and quality of the pictures at eye level, those first that are for when time is short."""
 
 PER_SIZE, REPORT, PAGE = 4.0, 1.0, 0.35

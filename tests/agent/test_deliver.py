@@ -257,8 +257,8 @@ def test_pictures_are_as_large_as_there_is_time_for(result, tmp_path, monkeypatc
 @pytest.mark.parametrize(
     ("left", "seconds", "size", "rays"),
     [
-        (100.0, 1.0, (1280, 960), render.Quality.normal().rays),
-        (50.0, 1.0, (1280, 960), render.Quality.draft().rays),
+        (100.0, 1.0, (960, 720), render.Quality.normal().rays),
+        (25.0, 1.0, (960, 720), render.Quality.draft().rays),
         (20.0, 2.0, (640, 480), render.Quality.draft().rays),
     ],
 )
