@@ -150,6 +150,7 @@ def test_files_of_no_use_are_refused_in_one_line(tmp_path: Path, make_file, says
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.slow  # its decomposition takes half a minute
 def test_non_manifold_meshes_are_taken(tmp_path: Path) -> None:
     box = trimesh.creation.box((0.5, 0.8, 0.7))
     torn = trimesh.Trimesh(box.vertices, np.concatenate([box.faces[:-3], [[0, 1, 7]], [[0, 1, 7]]]), process=False)
