@@ -9,19 +9,18 @@ reconstruction, Chajdas, McGuire and Luebke 2011). The pattern depends on the pi
 
 import warp as wp
 
+from .point_kernels import even_point, tangent
 from .raycast_world import (
     FAR,
     PI,
     Light,
     Solid,
     ambient_light,
-    even_point,
     lamp_light,
     mirrored_light,
     passed_light,
     shading_normal,
     sky_light,
-    tangent,
     textured,
 )
 from .smoothing_kernels import likeness, tone_mapped

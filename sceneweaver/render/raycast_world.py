@@ -5,16 +5,13 @@ import os
 import warp as wp
 
 from .map_kernels import Pattern, map_texel, mip_of
+from .point_kernels import PI
 
 if not os.environ.get("SCENEWEAVER_DEBUG"):
     wp.config.log_level = wp.LOG_ERROR  # no greeting, no notes on what is compiled
 wp.set_module_options({"enable_backward": False, "fast_math": True})
 
-PI = wp.constant(3.14159265)
 FAR = wp.constant(1.0e4)
-_R2_X = wp.constant(wp.uint32(3242174889))  # 2^32 / 1.32471795...
-_R2_Y = wp.constant(wp.uint32(2447445414))  # the same squared
-_HALF = wp.constant(wp.uint32(2147483648))
 _MIRRORED = wp.constant(0.006)  # width [m] of what a mirror shows of a texture
 
 
@@ -70,23 +67,6 @@ class Solid:
     colors: wp.array(dtype=wp.uint32)
     shutters: wp.uint64
     lamps: wp.array(dtype=wp.vec4)
-
-
-@wp.func
-def even_point(k: int):
-    """Point k of Roberts' R2 sequence, in the unit square; in integers, so that it stays even for large k."""
-    x = wp.uint32(k) * _R2_X + _HALF
-    y = wp.uint32(k) * _R2_Y + _HALF
-    return wp.vec2(float(x >> wp.uint32(8)) * (1.0 / 16777216.0), float(y >> wp.uint32(8)) * (1.0 / 16777216.0))
-
-
-@wp.func
-def tangent(n: wp.vec3):
-    """Any unit vector across n."""
-    a = wp.vec3(1.0, 0.0, 0.0)
-    if wp.abs(n[0]) > 0.7:
-        a = wp.vec3(0.0, 1.0, 0.0)
-    return wp.normalize(wp.cross(n, a))
 
 
 @wp.func

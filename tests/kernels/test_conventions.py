@@ -17,7 +17,14 @@ FILES = [
     *sorted(p for p in FOLDER.glob("*.py") if p.name != "__init__.py"),
     *(
         PICTURES / f"{name}.py"
-        for name in ("first_hit_kernels", "map_kernels", "raycast_kernels", "raycast_world", "smoothing_kernels")
+        for name in (
+            "first_hit_kernels",
+            "map_kernels",
+            "point_kernels",
+            "raycast_kernels",
+            "raycast_world",
+            "smoothing_kernels",
+        )
     ),
     *sorted((PICTURES / "tracing").glob("*_kernels.py")),
 ]

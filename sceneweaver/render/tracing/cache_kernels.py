@@ -2,8 +2,9 @@
 
 import warp as wp
 
+from ..point_kernels import even_point
 from .light_kernels import Lights, escaped_light, in_room, lamp_light, sun_light, window_light
-from .sampling_kernels import cosine_direction, even_point
+from .sampling_kernels import cosine_direction
 from .world_kernels import FAR, OFFSET, Cache, World, cell_of, diffuse_of, hit_solid, shade_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})

@@ -2,10 +2,10 @@
 
 import warp as wp
 
+from ..point_kernels import even_point
 from ..raycast_kernels import Lens, camera_ray
 from .filter_kernels import akin, alike
 from .light_kernels import Lights
-from .sampling_kernels import even_point
 from .view_kernels import is_matt, pixel_width, what_is_seen
 from .world_kernels import Cache, World, cached_light
 

@@ -2,11 +2,11 @@
 
 import warp as wp
 
+from ..point_kernels import even_point
 from .sampling_kernels import (
     PI,
     cone_direction,
     cosine_direction,
-    even_point,
     rectangle_sample,
     rectangle_weight,
     spherical_rectangle,

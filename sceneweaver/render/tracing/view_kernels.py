@@ -2,6 +2,7 @@
 
 import warp as wp
 
+from ..point_kernels import even_point
 from ..raycast_kernels import Lens, Ray, camera_ray
 from .light_kernels import (
     Lights,
@@ -16,7 +17,7 @@ from .light_kernels import (
     sun_light,
     window_light,
 )
-from .sampling_kernels import even_point, glossy_direction, glossy_lobe, reflected, split_sum
+from .sampling_kernels import glossy_direction, glossy_lobe, reflected, split_sum
 from .world_kernels import (
     FAR,
     OFFSET,
