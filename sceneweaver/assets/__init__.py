@@ -2,7 +2,9 @@
 
 from .asset import Asset as Asset
 from .asset import Origin as Origin
+from .body import Grasp as Grasp
 from .body import Hull as Hull
+from .body import Interior as Interior
 from .body import Link as Link
 from .body import Material as Material
 from .body import Mesh as Mesh
@@ -25,7 +27,9 @@ __all__ = [
     "Asset",
     "Card",
     "Category",
+    "Grasp",
     "Hull",
+    "Interior",
     "Library",
     "Link",
     "Look",

@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 from sceneweaver.scene import Part, Pose, SceneObject, Support, Surface, Zone
 
-from .body import Hull, Link, Mesh
+from .body import Grasp, Hull, Interior, Link, Mesh
 
 Mount = Literal["floor", "wall", "ceiling", "surface"]
 
@@ -36,7 +36,9 @@ class Asset:
 
     The visual ``mesh`` lies inside the union of the convex ``hulls`` (to 0.5 mm for hard bodies, 1 cm for leaves and
     cloth), and those lie inside the at most eight prisms ``parts`` that the engine moves. ``surfaces`` carry other
-    things, ``zones`` are the room it needs to be used, ``sides`` the sides from which it is used.
+    things, ``zones`` are the room it needs to be used, ``sides`` the sides from which it is used. ``grasps`` are where
+    a hand takes hold, ``interiors`` the rooms inside. ``masses`` [kg] are those of the base and of each link; empty:
+    ``mass`` is shared out by the volume of the hulls.
     """
 
     id: str
@@ -52,6 +54,9 @@ class Asset:
     zones: tuple[Zone, ...] = ()
     sides: tuple[str, ...] = ()
     links: tuple[Link, ...] = ()
+    grasps: tuple[Grasp, ...] = ()
+    interiors: tuple[Interior, ...] = ()
+    masses: tuple[float, ...] = ()
     attributes: dict[str, Any] = field(default_factory=dict)
     description: str = ""
 

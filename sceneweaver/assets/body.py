@@ -7,6 +7,11 @@ from typing import Literal
 
 import numpy as np
 
+Joint = Literal["hinge", "slide", "free"]
+
+Role = Literal["door", "drawer", "lid", "control", "item"]
+"""What a link is for. Controls are knobs, buttons and taps; an item is what can be taken off or out."""
+
 
 @dataclass(frozen=True)
 class Material:
@@ -51,23 +56,65 @@ class Mesh:
 
 @dataclass(frozen=True)
 class Hull:
-    """A convex, watertight collision part: ``vertices`` float64 [V, 3], ``faces`` int32 [F, 3], outward."""
+    """A convex, watertight collision part: ``vertices`` float64 [V, 3], ``faces`` int32 [F, 3], outward.
+
+    One of a ``handle`` stays a part of its own wherever parts are merged, so that a hand can close around it.
+    """
 
     vertices: np.ndarray
     faces: np.ndarray
     link: int = 0
+    handle: bool = False
 
 
 @dataclass(frozen=True)
 class Link:
-    """Something that moves: a door (hinge) or a drawer (slide); at 0 it is closed.
+    """Something that moves: a door, a lid or a knob (hinge), a drawer or a button (slide), or a thing that only lies
+    there and can be taken (free); at 0 it is closed.
 
     ``axis`` is a unit vector and ``anchor`` a point on the hinge's axis, both in the object's frame; ``limits`` are
-    in radians or metres.
+    in radians or metres. Those of a free one mean nothing. ``category`` is what a free thing is, "apple" say.
     """
 
     name: str
-    joint: Literal["hinge", "slide"]
-    axis: tuple[float, float, float]
-    anchor: tuple[float, float, float]
-    limits: tuple[float, float]
+    joint: Joint
+    axis: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    anchor: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    limits: tuple[float, float] = (0.0, 0.0)
+    role: Role = "door"
+    category: str = ""
+
+
+@dataclass(frozen=True)
+class Grasp:
+    """Where a parallel gripper takes hold, in the object's frame, everything closed.
+
+    ``link`` is the number of the body that it belongs to, ``position`` [m] the middle of what is held; the hand comes
+    along the unit vector ``approach`` and its fingers close along ``closing``, which is square to it. ``width`` is how
+    thick the thing is between the fingers and ``length`` how long along the third axis [m].
+    """
+
+    name: str
+    link: int
+    position: tuple[float, float, float]
+    approach: tuple[float, float, float]
+    closing: tuple[float, float, float]
+    width: float
+    length: float
+
+
+@dataclass(frozen=True)
+class Interior:
+    """Room inside that holds things: a box from ``low`` to ``high`` [m] in the object's frame, everything closed.
+
+    ``link`` is the number of the body that carries it (a drawer, say). ``entry`` is a unit vector out through its
+    opening: up for a drawer or a mug, to the front for a cupboard. ``oval`` says that only the ellipse in the box's
+    plan is free.
+    """
+
+    name: str
+    link: int
+    low: tuple[float, float, float]
+    high: tuple[float, float, float]
+    entry: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    oval: bool = False

@@ -23,7 +23,7 @@ from sceneweaver.scene.io import parse
 from sceneweaver.scene.messages import suggest
 
 from .asset import Asset, Origin
-from .body import Hull, Link, Material, Mesh
+from .body import Grasp, Hull, Interior, Link, Material, Mesh
 from .imports.guarded import read_arrays
 
 SCHEMA = "sceneweaver.asset/1"
@@ -142,6 +142,9 @@ def row_of(asset: Asset, content: str) -> dict[str, Any]:
         "surfaces": [surface.model_dump(mode="json") for surface in asset.surfaces],
         "zones": [zone.model_dump(mode="json") for zone in asset.zones],
         "links": [asdict(link) for link in asset.links],
+        "grasps": [asdict(grasp) for grasp in asset.grasps],
+        "interiors": [asdict(room) for room in asset.interiors],
+        "masses": list(asset.masses),
         "materials": [asdict(material) for material in asset.mesh.materials],
         "triangles": len(asset.mesh.faces),
         "hulls": len(asset.hulls),
@@ -158,7 +161,7 @@ def _write_body(path: Path, asset: Asset) -> None:
         face_link=mesh.face_link,
         hull_vertices=np.concatenate([h.vertices for h in asset.hulls]),
         hull_faces=np.concatenate([h.faces for h in asset.hulls]),
-        hull_counts=np.array([(len(h.vertices), len(h.faces), h.link) for h in asset.hulls]),
+        hull_counts=np.array([(len(h.vertices), len(h.faces), h.link, h.handle) for h in asset.hulls]),
     )
 
 
@@ -166,8 +169,9 @@ def _read(folder: Path, row: dict[str, Any]) -> Asset:
     arrays = read_arrays(folder / "body.npz")
     materials = tuple(Material(**{**m, "color": tuple(m["color"])}) for m in row["materials"])
     hulls, v, f = [], 0, 0
-    for points, triangles, link in arrays["hull_counts"].tolist():
-        hulls.append(Hull(arrays["hull_vertices"][v : v + points], arrays["hull_faces"][f : f + triangles], link))
+    for points, triangles, link, *handle in arrays["hull_counts"].tolist():
+        corners, faces = arrays["hull_vertices"][v : v + points], arrays["hull_faces"][f : f + triangles]
+        hulls.append(Hull(corners, faces, link, any(handle)))
         v, f = v + points, f + triangles
     return Asset(
         id=row["id"],
@@ -190,9 +194,15 @@ def _read(folder: Path, row: dict[str, Any]) -> Asset:
         surfaces=tuple(Surface(**surface) for surface in row["surfaces"]),
         zones=tuple(Zone(**zone) for zone in row["zones"]),
         sides=tuple(row["sides"]),
-        links=tuple(
-            Link(k["name"], k["joint"], tuple(k["axis"]), tuple(k["anchor"]), tuple(k["limits"])) for k in row["links"]
-        ),
+        links=tuple(Link(**_tuples(k)) for k in row["links"]),
+        grasps=tuple(Grasp(**_tuples(k)) for k in row.get("grasps", ())),  # assets kept by older versions have none
+        interiors=tuple(Interior(**_tuples(k)) for k in row.get("interiors", ())),
+        masses=tuple(row.get("masses", ())),
         attributes=row["attributes"],
         description=row["description"],
     )
+
+
+def _tuples(row: dict[str, Any]) -> dict[str, Any]:
+    """A row with tuples where JSON has lists."""
+    return {key: tuple(value) if isinstance(value, list) else value for key, value in row.items()}

@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import zlib
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree as Xml
 
@@ -19,7 +20,8 @@ from sceneweaver.assets.room_looks import room_looks, wall_look
 from sceneweaver.assets.textures import maps
 from sceneweaver.assets.textures.relief import to_srgb
 from sceneweaver.physics import Model, build
-from sceneweaver.physics.model import UNSET, Thing
+from sceneweaver.physics.model import UNSET
+from sceneweaver.physics.things import RigidBody, Thing
 from sceneweaver.physics.xml import child
 from sceneweaver.scene import Room, Scene
 
@@ -63,7 +65,7 @@ def mjcf(scene: Scene, load: Load | None = None, *, textures: bool = True) -> Mo
     root = Xml.fromstring(model.xml)
     wardrobe.paper(root, scene.room)
     Xml.indent(root, " ")
-    return Model(Xml.tostring(root, encoding="unicode") + "\n", wardrobe.files, model.free, model.fixed)
+    return replace(model, xml=Xml.tostring(root, encoding="unicode") + "\n", files=wardrobe.files)
 
 
 class _Wardrobe:
@@ -76,12 +78,13 @@ class _Wardrobe:
         self._materials: dict[Material, str] = {}
         self._made: dict[tuple[str, int], list[tuple[str, Material]]] = {}
 
-    def __call__(self, assets: Xml.Element, body: Xml.Element, thing: Thing, link: int) -> None:
+    def __call__(self, assets: Xml.Element, body: Xml.Element, thing: Thing, own: RigidBody) -> None:
         if thing.asset is None:
             return  # its collision parts are all there is to see
-        if (thing.key, link) not in self._made:
-            self._made[thing.key, link] = self._add(assets, thing, link)
-        for name, material in self._made[thing.key, link]:
+        key = (thing.key, own.number)
+        if key not in self._made:
+            self._made[key] = self._add(assets, thing, own.number)
+        for name, material in self._made[key]:
             look = self._material(assets, material)
             child(body, "geom", {"class": "visual"}, mesh=name, material=look)
 
@@ -107,10 +110,11 @@ class _Wardrobe:
         """One mesh for each material of a link."""
         assert thing.asset is not None
         mesh, found = thing.asset.mesh, []
+        face_body = thing.face_body
         uv = texture_coordinates(mesh) if self._textured else None
         stem = f"{thing.asset.category}-{zlib.crc32(thing.key.encode()):08x}-{link}"
-        for number in np.unique(mesh.face_material[mesh.face_link == link]):
-            chosen = (mesh.face_link == link) & (mesh.face_material == number)
+        for number in np.unique(mesh.face_material[face_body == link]):
+            chosen = (face_body == link) & (mesh.face_material == number)
             material = mesh.materials[int(number)]
             used, packed = np.unique(mesh.faces[chosen], return_inverse=True)
             places = None if uv is None or maps(material.texture) is None else indexed(uv[chosen])

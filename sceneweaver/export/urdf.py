@@ -25,7 +25,7 @@ import numpy as np
 from sceneweaver.assets import Asset, Link
 from sceneweaver.assets.placed import Load
 from sceneweaver.physics.hulls import Solid
-from sceneweaver.physics.model import Thing, joint_of, things_of
+from sceneweaver.physics.things import Thing, joint_of, things_of
 from sceneweaver.physics.xml import child, text
 from sceneweaver.scene import InputError, Room, Scene, SceneObject
 
@@ -66,28 +66,26 @@ def write_urdf(piece: Asset | SceneObject, folder: str | os.PathLike[str], load:
 def urdf(piece: Asset | SceneObject, load: Load | None = None) -> tuple[str, dict[str, bytes]]:
     """The name of the URDF file, and all files of the folder by path; see ``write_urdf``."""
     thing, body = _read(piece, load)
-    links = thing.asset.links if thing.asset is not None else ()
-    names = _names([BASE, *(link.name for link in links)])
-    groups = _groups(thing, body, len(names))
-    anchors = [np.zeros(3), *(np.asarray(link.anchor) * np.asarray(thing.scale) for link in links)]
-    volume = sum(solid.volume for group in groups for solid in group)
+    parts = thing.bodies
+    names = _names([BASE, *(part.link.name for part in parts if part.link is not None)])
+    anchors = [np.zeros(3) if p.link is None else np.asarray(p.link.anchor) * np.asarray(thing.scale) for p in parts]
     title = model_name(body.key, thing.object.category)
     robot = Xml.Element("robot", name=title)
     hints = child(child(robot, "mujoco"), "compiler")
     hints.attrib.update(strippath="false", discardvisual="false", fusestatic="false", balanceinertia="false")
-    looks = _Looks(robot, body)
+    looks = _Looks(robot, thing, body)
     meshes: dict[str, bytes] = {}
-    for k, name in enumerate(names):
-        masses = [thing.mass * solid.volume / volume for solid in groups[k]]
+    for part, name, anchor in zip(parts, names, anchors, strict=True):
+        volume = sum(solid.volume for solid in part.solids)
         element = child(robot, "link", name=name)
-        inertia = inertia_of(groups[k], masses)
-        _inertial(element, inertia, anchors[k])
-        meshes |= looks.visuals(element, name, k, anchors[k])
-        meshes |= _collisions(element, name, groups[k], anchors[k])
+        inertia = inertia_of(part.solids, [part.mass * solid.volume / volume for solid in part.solids])
+        _inertial(element, inertia, anchor)
+        meshes |= looks.visuals(element, name, part.number, anchor)
+        meshes |= _collisions(element, name, part.solids, anchor)
         contact = child(element, "contact")
         child(contact, "lateral_friction", value=thing.friction)
-        if k:
-            _joint(robot, name, links[k - 1], thing.scale, anchors[k], inertia.mass)
+        if part.link is not None:
+            _joint(robot, name, part.link, thing.scale, anchor, inertia.mass)
     meshes[_MATERIALS] = looks.library()
     Xml.indent(robot, " ")
     text = Xml.tostring(robot, encoding="unicode", xml_declaration=False)
@@ -107,7 +105,7 @@ def _read(piece: Asset | SceneObject, load: Load | None) -> tuple[Thing, Body]:
     loader = with_mesh(load) if alone.asset is not None else None
     scene = Scene(id="piece", room=Room(outline=((0, 0), (1, 0), (1, 1), (0, 1))), objects=(alone,))
     try:
-        return things_of(scene, loader)[0], bodies_of(scene, loader)[0]
+        return things_of(scene, loader, loose=False)[0], bodies_of(scene, loader)[0]
     except InputError as error:
         raise InputError(str(error).replace("objects[0].asset: ", "asset: ", 1)) from None
 
@@ -123,23 +121,6 @@ def _names(names: Sequence[str]) -> list[str]:
             spare = f"{word}_{count}"
         found.append(spare)
     return found
-
-
-def _groups(thing: Thing, body: Body, count: int) -> list[list[Solid]]:
-    """The collision parts of each link; a link that has none is the box of what is seen of it."""
-    groups = [[solid for solid in thing.solids if solid.link == k] for k in range(count)]
-    for k, group in enumerate(groups):
-        if group:
-            continue
-        faces = body.mesh.faces[body.mesh.face_link == k]
-        if not len(faces):
-            named = thing.asset.links[k - 1].name if thing.asset is not None and k else BASE
-            raise InputError(f"asset: link '{named}' of '{body.key}' has neither parts nor a mesh; remove the link")
-        points = body.mesh.vertices[np.unique(faces)] * np.asarray(body.scale)
-        half = np.maximum((points.max(axis=0) - points.min(axis=0)) / 2, 5e-4)
-        centre = (points.max(axis=0) + points.min(axis=0)) / 2
-        group.append(Solid(points, float(8 * np.prod(half)), k, (centre, half)))
-    return groups
 
 
 def _inertial(element: Xml.Element, inertia: Inertia, anchor: np.ndarray) -> None:
@@ -188,8 +169,9 @@ def _joint(
 class _Looks:
     """What is seen: a mesh for each link and material, since most readers take one colour for each mesh."""
 
-    def __init__(self, robot: Xml.Element, body: Body):
+    def __init__(self, robot: Xml.Element, thing: Thing, body: Body):
         self._body = body
+        self._face_body = thing.face_body if thing.asset is not None else body.mesh.face_link
         used = np.unique(body.mesh.face_material).tolist()
         names = _names([body.mesh.materials[k].name for k in used])
         self._looks = {k: (name, body.mesh.materials[k]) for k, name in zip(used, names, strict=True)}
@@ -201,7 +183,7 @@ class _Looks:
         """Add the visual meshes of a link; returns their files."""
         mesh, files = self._body.mesh, {}
         for k, (look, _) in self._looks.items():
-            faces = mesh.faces[(mesh.face_link == link) & (mesh.face_material == k)]
+            faces = mesh.faces[(self._face_body == link) & (mesh.face_material == k)]
             if not len(faces):
                 continue
             kept, packed = np.unique(faces, return_inverse=True)

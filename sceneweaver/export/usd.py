@@ -20,7 +20,8 @@ from pathlib import Path
 from typing import Any
 
 from sceneweaver.assets.placed import Load, loader
-from sceneweaver.physics.model import Thing, coverings, things_of
+from sceneweaver.physics.model import coverings
+from sceneweaver.physics.things import Thing, things_of
 from sceneweaver.scene import InputError, Scene, whole
 
 from .bodies import Body, bodies_of

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import zlib
-from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from sceneweaver.assets import Link
 from sceneweaver.physics.hulls import Solid
-from sceneweaver.physics.model import Thing, joint_of
+from sceneweaver.physics.things import RigidBody, Thing, joint_of
 
 from .bodies import Body
 from .usd_bodies import Hinge, Solids, filter_pair, join, rigid, weld
@@ -39,13 +38,13 @@ class Prototypes:
         self._names = Names()
         self._made: dict[tuple[str, float, int], _Prototype] = {}
 
-    def instance(self, parent: Prim, thing: Thing, body: Body, link: int) -> tuple[Any, ...]:
-        """Put link ``link`` of an object below a prim; returns the paths of its colliders there."""
+    def instance(self, parent: Prim, thing: Thing, body: Body, part: RigidBody) -> tuple[Any, ...]:
+        """Put one body of an object below a prim; returns the paths of its colliders there."""
         # Without hulls of its own, an asset collides as the parts of each object, which need not be scaled ones.
         own = thing.asset is not None and not thing.asset.hulls
-        key = (thing.key if own else body.key, thing.friction, link)
+        key = (thing.key if own else body.key, thing.friction, part.number)
         if key not in self._made:
-            self._made[key] = self._make(thing, body, link)
+            self._made[key] = self._make(thing, body, part)
         prototype = self._made[key]
         made = prim(parent, GEOMETRY, instanceable=True)
         made.referenceList.prependedItems.append(usd().Sdf.Reference("", prototype.path))
@@ -53,19 +52,16 @@ class Prototypes:
             place(made, scale=body.scale)
         return tuple(made.path.AppendPath(name) for name in prototype.colliders)
 
-    def _make(self, thing: Thing, body: Body, link: int) -> _Prototype:
-        links = thing.asset.links if thing.asset is not None else ()
+    def _make(self, thing: Thing, body: Body, part: RigidBody) -> _Prototype:
         noun = thing.asset.category if thing.asset is not None else thing.object.category
         title = f"{noun}_{zlib.crc32(body.key.encode()):08x}"
-        if links:
-            title += f"_{links[link - 1].name if link else 'base'}"
+        if len(thing.bodies) > 1:
+            title += f"_{part.link.name if part.link is not None else 'base'}"
         made = prim(self._scope, self._names(title), abstract=True, displayName=thing.object.asset or noun)
-        render_mesh(made, "Mesh", body.mesh, self._looks, link)
-        mine = [solid for solid in thing.solids if solid.link == link]
-        if not mine:
-            return _Prototype(made.path, ())
+        mesh = body.mesh if thing.asset is None else replace(body.mesh, face_link=thing.face_body)
+        render_mesh(made, "Mesh", mesh, self._looks, part.number)
         scope, names = prim(made, "Collision", "Scope"), []
-        for number, solid in enumerate(mine):
+        for number, solid in enumerate(part.solids):
             collider(scope, f"part_{number}", _unscaled(solid, body.scale), self._looks, thing.friction)
             names.append(f"Collision/part_{number}")
         return _Prototype(made.path, tuple(names))
@@ -82,41 +78,45 @@ def add_object(parent: Prim, name: str, thing: Thing, body: Body, prototypes: Pr
     made.SetInfo("customData", {"sceneweaver": _facts(thing)})
     label(made, item.category)
     place(made, item.pose.position, item.pose.quaternion)
-    links = thing.asset.links if thing.asset is not None else ()
-    if links:
-        return _articulated(made, links, thing, body, prototypes)
-    colliders = prototypes.instance(made, thing, body, 0)
+    if len(thing.bodies) > 1:
+        return _articulated(made, thing, body, prototypes)
+    colliders = prototypes.instance(made, thing, body, thing.bodies[0])
     if not thing.free:
         return Solids((), colliders)
     rigid(made, max(thing.mass, _LIGHTEST))
     return Solids((made.path,))
 
 
-def _articulated(made: Prim, links: Sequence[Link], thing: Thing, body: Body, prototypes: Prototypes) -> Solids:
-    apply(made, "PhysicsArticulationRootAPI")
-    total = sum(solid.volume for solid in thing.solids)
-    shares = [sum(s.volume for s in thing.solids if s.link == n) / total for n in range(len(links) + 1)]
-    names, bodies = Names("joints"), []
-    for number, title in enumerate(["base", *(link.name for link in links)]):
+def _articulated(made: Prim, thing: Thing, body: Body, prototypes: Prototypes) -> Solids:
+    """The base, its doors and drawers, and what can be taken off it, as bodies side by side."""
+    names, placed = Names("joints"), []
+    for part in thing.bodies:
+        title = "base" if part.link is None else part.link.name
         mine = prim(made, names(title), displayName=title)
         place(mine)
-        rigid(mine, max(shares[number] * thing.mass, _LIGHTEST))
-        prototypes.instance(mine, thing, body, number)
-        bodies.append(mine)
-    joints = prim(made, "joints", "Scope")
-    base, layer = bodies[0], made.layer
-    if not thing.free:
-        weld(joints, "world", made, base)
-    titles = Names("world")
-    for number, link in enumerate(links, 1):
-        join(joints, titles(link.name), base, bodies[number], _hinge(link, thing, shares[number] * thing.mass))
-        filter_pair(Solids((base.path,)), Solids((bodies[number].path,)), layer)
-    return Solids(tuple(b.path for b in bodies))
+        rigid(mine, part.mass)
+        prototypes.instance(mine, thing, body, part)
+        placed.append(mine)
+    base, layer = placed[0], made.layer
+    moving = [(p, m) for p, m in zip(thing.bodies, placed, strict=True) if p.link is not None and not p.loose]
+    if moving:
+        apply(made, "PhysicsArticulationRootAPI")
+    if moving or not thing.free:
+        joints = prim(made, "joints", "Scope")
+        if not thing.free:
+            weld(joints, "world", made, base)
+        titles = Names("world")
+        for part, mine in moving:
+            assert part.link is not None
+            join(joints, titles(part.link.name), base, mine, _hinge(part.link, thing, part.mass))
+            filter_pair(Solids((base.path,)), Solids((mine.path,)), layer)
+    return Solids(tuple(b.path for b in placed))
 
 
 def _hinge(link: Link, thing: Thing, mass: float) -> Hinge:
     """The joint of a link, in the size of the object; damped as much as in the model for MuJoCo."""
     axis, limits, damping = joint_of(link, thing.scale, mass)
+    assert link.joint != "free"
     return Hinge(link.joint, axis.tolist(), (np.asarray(link.anchor) * thing.scale).tolist(), limits, damping)
 
 

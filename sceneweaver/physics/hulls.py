@@ -35,13 +35,15 @@ _KNOWN: dict[bytes, list[Solid]] = {}
 class Solid:
     """A convex part in the object's frame: ``points`` [V, 3], its ``volume`` [m3] and the number of its link.
 
-    ``box`` is (centre [3], half extents [3]) where the part is a box along the axes of the object.
+    One of a ``handle`` is merged with no other. ``box`` is (centre [3], half extents [3]) where the part is a box
+    along the axes of the object.
     """
 
     points: np.ndarray
     volume: float
     link: int = 0
     box: tuple[np.ndarray, np.ndarray] | None = None
+    handle: bool = False
 
 
 def solids_of(thing: SceneObject, asset: Asset | None, scale: np.ndarray) -> list[Solid]:
@@ -51,7 +53,7 @@ def solids_of(thing: SceneObject, asset: Asset | None, scale: np.ndarray) -> lis
     merged = _of_asset(asset)
     if np.allclose(scale, 1.0, atol=1e-9):
         return merged
-    return [_solid(solid.points * scale, solid.link) for solid in merged]
+    return [_solid(solid.points * scale, solid.link, solid.handle) for solid in merged]
 
 
 def _of_asset(asset: Asset) -> list[Solid]:
@@ -59,13 +61,13 @@ def _of_asset(asset: Asset) -> list[Solid]:
     most = MOST if max(asset.size) > SMALL or asset.links else FEW
     content = hashlib.blake2b(repr([most, *((part.polygon, part.z) for part in asset.parts)]).encode())
     for hull in asset.hulls:
-        content.update(np.array([len(hull.vertices), hull.link]).tobytes())
+        content.update(np.array([len(hull.vertices), hull.link, hull.handle]).tobytes())
         content.update(np.ascontiguousarray(hull.vertices, dtype=float).tobytes())
     key = content.digest()
     if key not in _KNOWN:
         if len(_KNOWN) >= _KEPT:
             _KNOWN.clear()
-        found = [_solid(np.asarray(hull.vertices, dtype=float), hull.link) for hull in asset.hulls]
+        found = [_solid(np.asarray(h.vertices, dtype=float), h.link, h.handle) for h in asset.hulls]
         _KNOWN[key] = reduce(found, asset.parts, most) if len(found) > most and asset.parts else found
     return list(_KNOWN[key])
 
@@ -88,7 +90,10 @@ def reduce(solids: Sequence[Solid], parts: Sequence[Part], most: int) -> list[So
 
     def offer(i: int, count: int, first: int) -> None:
         """Pairs of a part with the nearest ones of number ``first`` and above."""
-        fits = [k for k in live if k >= first and k != i and live[k].link == live[i].link and homes[k] & homes[i]]
+        if live[i].handle:
+            return
+        same = [k for k in live if k >= first and k != i and live[k].link == live[i].link and not live[k].handle]
+        fits = [k for k in same if homes[k] & homes[i]]
         if len(fits) > count:
             boxes = np.stack([bounds[k] for k in fits])
             gap = np.maximum(np.maximum(boxes[:, 0] - bounds[i][1], bounds[i][0] - boxes[:, 1]), 0.0)
@@ -166,7 +171,7 @@ def _homes(points: np.ndarray, parts: Sequence[Part]) -> frozenset[int]:
     return frozenset(found)
 
 
-def _solid(points: np.ndarray, link: int) -> Solid:
+def _solid(points: np.ndarray, link: int, handle: bool = False) -> Solid:
     """The part of these points; a box when it fills its own bounds, or is too thin for a hull."""
     from scipy.spatial import ConvexHull, QhullError
 
@@ -175,11 +180,11 @@ def _solid(points: np.ndarray, link: int) -> Solid:
     bounds = float(np.prod(extent))
     box = ((low + high) / 2, extent / 2)
     if float((high - low).min()) < _THINNEST:
-        return Solid(points, bounds, link, box)
+        return Solid(points, bounds, link, box, handle)
     try:
         hull = ConvexHull(points)
     except QhullError:
-        return Solid(points, bounds, link, box)
+        return Solid(points, bounds, link, box, handle)
     kept = points[hull.vertices]
     volume = float(hull.volume)
-    return Solid(kept, volume, link, box if volume > bounds * (1 - 1e-3) else None)
+    return Solid(kept, volume, link, box if volume > bounds * (1 - 1e-3) else None, handle)

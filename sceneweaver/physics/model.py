@@ -5,10 +5,11 @@ Floor and walls stand still; so do what hangs on walls and ceilings, what the sc
 body, however heavy: nothing that a person would call movable is welded. A body has the name of its object; its frame is
 the object's (bottom centre, front +x), so that its position and rotation are the scene's.
 
-Doors and drawers are bodies of their own in the object's, closed at 0 and held there by friction; so are the leaves of
-the room's doors, ``room:door:<id>``. Contacts are left out in two places only: between a piece and its own doors, and
-between floor coverings (at most ``COVERING`` thick) and what stands or swings over them, which share that layer by
-construction.
+What lies in or on an object as part of it, as fruit in a bowl, is a free body of its own, ``<object>.<item>``, in the
+frame of the object. Doors and drawers are bodies in the object's, ``<object>.<link>``, closed at 0 and held there by
+friction; so are the leaves of the room's doors, ``room:door:<id>``. Contacts are left out in two places only: between a
+piece and its own doors, and between floor coverings (at most ``COVERING`` thick) and what stands or swings over them,
+which share that layer by construction.
 """
 
 from __future__ import annotations
@@ -16,22 +17,20 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
-from importlib import resources
 from typing import Any
 from xml.etree import ElementTree as Xml
 
 import numpy as np
 
-from sceneweaver.assets import Asset, Link, categories
-from sceneweaver.assets.placed import Load, loader, scaled_asset
+from sceneweaver.assets.placed import Load
 from sceneweaver.geometry.rotations import from_yaw, wxyz
 from sceneweaver.geometry.shell import PANE_THICKNESS, WALL_THICKNESS, wall_pieces
 from sceneweaver.scene import Room, Scene, SceneObject, Window
 
-from .hulls import Solid, solids_of
+from .hulls import Solid
 from .leaves import Leaf, leaves, wall_ends
-from .xml import child, text
+from .things import RigidBody, Thing, joint_of, things_of
+from .xml import child
 
 COVERING = 0.03
 """Things on the floor that are at most this thick [m] lie under what stands over them: rugs and mats."""
@@ -46,52 +45,39 @@ MEMORY = "1G"
 """Room for contacts; what is not needed is never touched."""
 
 _STOP = "0.008 1"  # ends of doors and drawers: as stiff as the time step allows, as many weigh little
-_DENSITY = 150.0  # [kg/m3] of an object's parts, when neither an asset nor its category says what it weighs
-
-
-@dataclass(frozen=True)
-class Thing:
-    """An object with what a simulator needs: its parts (in its frame), mass [kg], friction, and whether it may move.
-
-    ``key`` is equal for things with equal bodies; ``scale`` [3] brings the asset to the object's size.
-    """
-
-    object: SceneObject
-    asset: Asset | None
-    key: str
-    scale: tuple[float, float, float]
-    solids: tuple[Solid, ...]
-    mass: float
-    friction: float
-    free: bool
 
 
 @dataclass(frozen=True)
 class Model:
-    """MJCF text, the files it names (by path relative to it), and the ids of bodies that may move and that may not."""
+    """MJCF text, the files it names (by path relative to it), and the ids of bodies that may move and that may not.
+
+    ``items`` are the names of bodies that lie on or in an object and can be taken, as an apple in a bowl.
+    """
 
     xml: str
     files: dict[str, bytes]
     free: tuple[str, ...]
     fixed: tuple[str, ...]
+    items: tuple[str, ...] = ()
 
 
-Dress = Callable[[Xml.Element, Xml.Element, Thing, int], None]
-"""Adds what is seen of a thing's link to a body: (assets, body, thing, link)."""
+Dress = Callable[[Xml.Element, Xml.Element, Thing, RigidBody], None]
+"""Adds what is seen of a thing's body: (assets, body, thing, which of its bodies)."""
 
 
-def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) -> Model:
+def build(scene: Scene, load: Load | None = None, dress: Dress | None = None, *, loose: bool = True) -> Model:
     """The MuJoCo model of a scene.
 
     Args:
         scene: The scene.
         load: From asset id to asset; None: the library of this user.
         dress: Adds visual meshes; None: only collision parts.
+        loose: Whether what lies in or on an object as part of it is a body of its own, as `things_of` says.
 
     Raises:
         InputError: when an asset cannot be loaded.
     """
-    things = things_of(scene, load)
+    things = things_of(scene, load, loose=loose)
     root = Xml.Element("mujoco", model=scene.id)
     child(root, "compiler", angle="radian", meshdir="meshes", texturedir="textures", boundinertia="1e-7")
     # No noslip pass: its cost grows with the square of the contacts, and over 3 s nothing creeps without it.
@@ -143,48 +129,8 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None) ->
     Xml.indent(root, " ")
     free = tuple(t.object.id for t in things if t.free)
     fixed = tuple(t.object.id for t in things if not t.free)
-    return Model(Xml.tostring(root, encoding="unicode") + "\n", {}, free, fixed)
-
-
-def things_of(scene: Scene, load: Load | None = None) -> list[Thing]:
-    """All objects, in their order; each asset is loaded once."""
-    load, bodies = loader(load), {}
-    return [_thing(k, o, load, bodies) for k, o in enumerate(scene.objects)]
-
-
-def _thing(index: int, thing: SceneObject, load: Load, bodies: dict[str, tuple[Solid, ...]]) -> Thing:
-    asset, scale = scaled_asset(index, thing, load)
-    size = "" if scale == (1, 1, 1) else f"*{text(scale)}"
-    key = f"parts:{thing.id}" if thing.asset is None else f"{thing.asset}{size}"
-    if key not in bodies:
-        bodies[key] = tuple(solids_of(thing, asset, np.asarray(scale)))
-    solids = bodies[key]
-    mass, friction = _weight(thing, asset, float(np.prod(scale)), sum(s.volume for s in solids))
-    return Thing(thing, asset, key, scale, solids, mass, friction, not is_fixture(thing))
-
-
-def is_fixture(thing: SceneObject) -> bool:
-    """Whether it stands still: see the module's text."""
-    named = thing.category.strip().lower().replace(" ", "_") in _fixtures()
-    return thing.fixed or thing.mount in ("wall", "ceiling") or named
-
-
-@cache
-def _fixtures() -> frozenset[str]:
-    import yaml
-
-    data = yaml.safe_load(resources.files(__package__ or "").joinpath("fixtures.yaml").read_text(encoding="utf-8"))
-    return frozenset(data["categories"])
-
-
-def _weight(thing: SceneObject, asset: Asset | None, scale: float, volume: float) -> tuple[float, float]:
-    """Mass [kg] and friction: of the asset, else of the category, else by the volume of the parts."""
-    if asset is not None:
-        return max(asset.mass * scale, 1e-3), asset.friction
-    kind = categories().get(thing.category.strip().lower().replace(" ", "_"))
-    if kind is not None:
-        return math.sqrt(kind.mass[0] * kind.mass[1]), kind.friction
-    return max(_DENSITY * volume, 1e-3), 0.5
+    items = tuple(body.name for t in things for body in t.bodies if body.loose)
+    return Model(Xml.tostring(root, encoding="unicode") + "\n", {}, free, fixed, items)
 
 
 def _shell(world: Xml.Element, room: Room) -> None:
@@ -247,56 +193,46 @@ def _joint(
     child(frame, "joint", {"name": name, "type": kind, **place, **held})
 
 
-def joint_of(
-    link: Link, scale: tuple[float, float, float], mass: float
-) -> tuple[np.ndarray, tuple[float, float], float]:
-    """The unit axis [3] of a door or drawer of that mass [kg], its limits [rad] or [m] and its friction.
-
-    The friction, [N m] or [N], keeps it where it is against the little that a tilt or a hinge below brings, and a hand
-    moves it with ease. ``scale`` is that of the object: a drawer of a deeper one comes out farther.
-    """
-    slides = link.joint == "slide"
-    axis = np.asarray(link.axis, dtype=float) * (np.asarray(scale) if slides else 1.0)
-    stretch = float(np.linalg.norm(axis)) if slides else 1.0
-    low, high = (float(end) * stretch for end in link.limits)
-    hold = max(1.0, 2.0 * mass) if slides else max(0.2, 0.5 * mass)
-    return axis / np.linalg.norm(axis), (low, high), hold
-
-
 def _body(
     world: Xml.Element, assets: Xml.Element, contact: Xml.Element, thing: Thing, made: set[str], dress: Dress | None
 ) -> None:
-    object_id = thing.object.id
     pose = thing.object.pose
-    top = child(world, "body", name=object_id, pos=pose.position, quat=wxyz(pose.quaternion))
+    base, *moving = thing.bodies
+    top = child(world, "body", name=base.name, pos=pose.position, quat=wxyz(pose.quaternion))
     if thing.free:
-        child(top, "freejoint", name=object_id)
-    links = thing.asset.links if thing.asset is not None else ()
-    frames = [top]
-    total = sum(s.volume for s in thing.solids)
-    for number, link in enumerate(links, 1):
-        if not any(s.link == number for s in thing.solids):
-            frames.append(top)  # it has no parts, so it does not move
-            continue
-        frame = child(top, "body", name=f"{object_id}/{link.name}")
-        mine = sum(s.volume for s in thing.solids if s.link == number) / total * thing.mass
-        axis, limits, hold = joint_of(link, thing.scale, mine)
-        anchor = np.asarray(link.anchor) * np.asarray(thing.scale)
-        _joint(frame, f"{object_id}/{link.name}", link.joint, axis, limits, hold, pos=anchor)
-        frames.append(frame)
-        if not thing.free:  # a body that is part of the world is not left out as a parent is
-            child(contact, "exclude", body1=object_id, body2=f"{object_id}/{link.name}")
+        child(top, "freejoint", name=base.name)
+    _fill(assets, top, thing, base, made, dress)
+    for body in moving:
+        assert body.link is not None
+        if body.loose:
+            frame = child(world, "body", name=body.name, pos=pose.position, quat=wxyz(pose.quaternion))
+            child(frame, "freejoint", name=body.name)
+        else:
+            frame = child(top, "body", name=body.name)
+            axis, limits, hold = joint_of(body.link, thing.scale, body.mass)
+            anchor = np.asarray(body.link.anchor) * np.asarray(thing.scale)
+            _joint(frame, body.name, body.link.joint, axis, limits, hold, pos=anchor)
+            if not thing.free:  # a body that is part of the world is not left out as a parent is
+                child(contact, "exclude", body1=base.name, body2=body.name)
+        _fill(assets, frame, thing, body, made, dress)
+
+
+def _fill(
+    assets: Xml.Element, frame: Xml.Element, thing: Thing, body: RigidBody, made: set[str], dress: Dress | None
+) -> None:
+    """The collision parts of a body, its mass spread over them by volume, and what is seen of it."""
+    volume = sum(solid.volume for solid in body.solids)
     for k, solid in enumerate(thing.solids):
-        _geom(assets, frames[solid.link], thing, k, solid, total, made)
+        if thing.body_of(solid.link) == body.number:
+            _geom(assets, frame, thing, k, solid, max(body.mass * solid.volume / volume, 1e-7), made)
     if dress is not None:
-        for number, frame in enumerate(frames):
-            dress(assets, frame, thing, number)
+        dress(assets, frame, thing, body)
 
 
 def _geom(
-    assets: Xml.Element, frame: Xml.Element, thing: Thing, k: int, solid: Solid, total: float, made: set[str]
+    assets: Xml.Element, frame: Xml.Element, thing: Thing, k: int, solid: Solid, mass: float, made: set[str]
 ) -> None:
-    share: dict[str, Any] = {"mass": max(thing.mass * solid.volume / total, 1e-7), "friction": thing.friction}
+    share: dict[str, Any] = {"mass": mass, "friction": thing.friction}
     if thing.asset is None:
         share["group"] = "0"  # nothing else of it is to be seen
     if solid.box is not None:
@@ -331,9 +267,7 @@ def _exclude_coverings(contact: Xml.Element, things: list[Thing], doors: list[Le
     for cover, above in coverings(things):
         names = [leaf.name for leaf in doors]
         for other in (things[k] for k in above):
-            links = enumerate(other.asset.links if other.asset else (), 1)
-            moving = [link.name for k, link in links if any(s.link == k for s in other.solids)]
-            names += [other.object.id, *(f"{other.object.id}/{name}" for name in moving)]
+            names += [body.name for body in other.bodies]
         for name in names:
             child(contact, "exclude", body1=things[cover].object.id, body2=name)
 

@@ -121,8 +121,8 @@ def test_a_drawer_opens_and_closes_without_hitting_its_cabinet(tmp_path) -> None
     model = mujoco.MjModel.from_xml_path(str(write_mjcf(scene, tmp_path / "out", ASSETS.__getitem__)))
     data = mujoco.MjData(model)
     link = next(k for k in CABINET.links if k.joint == "slide")
-    joint, body = data.joint(f"cabinet/{link.name}"), data.body(f"cabinet/{link.name}")
-    axis = data.joint(f"cabinet/{link.name}").xaxis
+    joint, body = data.joint(f"cabinet.{link.name}"), data.body(f"cabinet.{link.name}")
+    axis = data.joint(f"cabinet.{link.name}").xaxis
     mujoco.mj_step(model, data, 50)
     assert abs(joint.qpos[0]) < 1e-3
     reached = []

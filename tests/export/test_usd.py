@@ -20,7 +20,7 @@ from sceneweaver.export.usd import usd_layer, write_usd
 from sceneweaver.export.usd_bodies import _turn
 from sceneweaver.export.usd_mesh import corner_normals, hull_faces
 from sceneweaver.physics.leaves import leaves
-from sceneweaver.physics.model import things_of
+from sceneweaver.physics.things import things_of
 from sceneweaver.scene import EXAMPLES, Door, InputError, Part, Pose, Room, Scene, SceneObject, Support, Window
 
 Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, UsdSemantics, UsdValidation = (

@@ -132,9 +132,9 @@ def _sweep(asset: Asset, steps: int = 12) -> dict[str, float]:
     model, data = _alone(asset)
     start, found = data.qpos.copy(), {}
     for link in asset.links:
-        joint = model.joint(f"o/{link.name}")
+        joint = model.joint(f"o.{link.name}")
         far = max(joint.range, key=abs)
-        body, found[link.name] = model.body(f"o/{link.name}").id, 0.0
+        body, found[link.name] = model.body(f"o.{link.name}").id, 0.0
         for k in range(steps + 1):
             data.qpos[:] = start
             data.qpos[joint.qposadr[0]] = far * k / steps
@@ -219,7 +219,7 @@ def test_it_opens_and_closes_in_a_room(bedroom: tuple[Any, dict[str, Asset]], th
     model, assets = bedroom
     for link in assets[thing].links[:2]:
         data = mujoco.MjData(model)
-        joint, start = f"{thing}/{link.name}", data.qpos.copy()
+        joint, start = f"{thing}.{link.name}", data.qpos.copy()
         force = 30.0 if thing != "dishwasher" else 60.0  # its door falls open, and has to be lifted
         assert _pull(model, data, joint, force, 1.5) > 0.8
         assert -0.02 < _pull(model, data, joint, -force, 1.5) < 0.02

@@ -68,7 +68,7 @@ def test_what_is_heavy_is_not_welded() -> None:
 
 def test_fixtures_are_categories_that_exist() -> None:
     from sceneweaver.assets import categories
-    from sceneweaver.physics.model import _fixtures
+    from sceneweaver.physics.things import _fixtures
 
     assert _fixtures() and _fixtures() <= set(categories())
 

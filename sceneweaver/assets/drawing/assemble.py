@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ import numpy as np
 from sceneweaver.scene import Part, Surface, Zone
 
 from ..asset import Asset, Origin
-from ..body import Hull, Link, Material, Mesh
+from ..body import Hull, Material, Mesh
 from ..materials import color_name
 from ..prisms import prisms_of
 from ..zones import access_zones
@@ -30,7 +31,7 @@ def asset_of(drawing: Drawing) -> Asset:
     low, high = mesh.bounds
     shift = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
     mesh.vertices[:] -= shift
-    hulls = tuple(Hull(h.vertices - shift, h.faces, h.link) for h in drawn.hulls)
+    hulls = tuple(replace(h, vertices=h.vertices - shift) for h in drawn.hulls)
     surfaces = tuple(_moved(s, shift) for s in drawn.surfaces)
     d, w, h = (float(v) for v in high - low)
     x, y, z = vec3(shift)
@@ -61,7 +62,11 @@ def asset_of(drawing: Drawing) -> Asset:
         surfaces=tuple(_on_parts(s, parts) for s in surfaces),
         zones=tuple(zones),
         sides=category.sides,
-        links=tuple(Link(k.name, k.joint, k.axis, vec3(np.array(k.anchor) - shift), k.limits) for k in drawn.links),
+        links=tuple(replace(k, anchor=vec3(np.array(k.anchor) - shift)) for k in drawn.links),
+        grasps=tuple(replace(k, position=vec3(np.array(k.position) - shift)) for k in drawn.grasps),
+        interiors=tuple(
+            replace(k, low=vec3(np.array(k.low) - shift), high=vec3(np.array(k.high) - shift)) for k in drawn.interiors
+        ),
         attributes=attributes,
         description=f"{main.name} {words}" if main is not None else words,
     )
@@ -84,10 +89,10 @@ def _mesh(pieces: Sequence[Piece]) -> Mesh:
 
 def _counted(drawing: Drawing) -> dict[str, int]:
     """How many there are of the parts that were asked for, as far as they can be told from what was drawn."""
-    joints = [link.joint for link in drawing.drawn.links]
+    roles = [link.role for link in drawing.drawn.links]
     there = {
-        "drawers": joints.count("slide"),
-        "doors": joints.count("hinge"),
+        "drawers": roles.count("drawer"),
+        "doors": roles.count("door"),
         "shelves": len(drawing.drawn.surfaces),
     }
     return {name: there[name] for name, _ in drawing.request.parts if there.get(name)}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -11,7 +12,7 @@ import numpy as np
 from sceneweaver.scene import Surface, Zone
 
 from .. import shapes
-from ..body import Hull, Link, Material
+from ..body import Grasp, Hull, Link, Material
 from ..shapes.convex import Shape
 from ..zones import ZONE_HEIGHT
 from .box import Axis, Box, Interval, Vec3
@@ -61,7 +62,7 @@ class Drawing(Tree):
             return
         turn, shift = self._frame[:3, :3], self._frame[:3, 3]
         for points, triangles in [shape] if hulls is None else hulls:
-            self.drawn.hulls.append(Hull(points @ turn.T + shift, triangles, self._link))
+            self.drawn.hulls.append(Hull(points @ turn.T + shift, triangles, self._link, self._handle))
             self.drawn.groups.append(self._group)
 
     def box(self, box: Box, material: Look, bevel: float = 0.003) -> Box:
@@ -369,7 +370,7 @@ class Drawing(Tree):
         s = vec3(scale)
         for piece in drawn.pieces:
             piece.frame = stretch @ piece.frame
-        drawn.hulls[:] = [Hull(h.vertices * scale, h.faces, h.link) for h in drawn.hulls]
+        drawn.hulls[:] = [replace(h, vertices=h.vertices * scale) for h in drawn.hulls]
         drawn.surfaces[:] = [
             Surface(
                 name=k.name,
@@ -390,6 +391,10 @@ class Drawing(Tree):
         ]
         drawn.clear[:] = [_scaled(box, s) for box in drawn.clear]
         drawn.links[:] = [_stretched(link, scale) for link in drawn.links]
+        drawn.grasps[:] = [_stretched_grasp(grasp, scale) for grasp in drawn.grasps]
+        drawn.interiors[:] = [
+            replace(room, low=vec3(room.low * scale), high=vec3(room.high * scale)) for room in drawn.interiors
+        ]
 
 
 def _scaled(box: Box, s: Vec3) -> Box:
@@ -400,4 +405,15 @@ def _stretched(link: Link, scale: np.ndarray) -> Link:
     axis = np.array(link.axis) * scale
     far = float(np.linalg.norm(axis))
     limits = (link.limits[0] * far, link.limits[1] * far) if link.joint == "slide" else link.limits
-    return Link(link.name, link.joint, vec3(axis / far), vec3(np.array(link.anchor) * scale), limits)
+    return replace(link, axis=vec3(axis / far), anchor=vec3(np.array(link.anchor) * scale), limits=limits)
+
+
+def _stretched_grasp(grasp: Grasp, scale: np.ndarray) -> Grasp:
+    """The third axis of a grasp is along neither ``approach`` nor ``closing``."""
+    closing = np.array(grasp.closing)
+    along = np.cross(grasp.approach, closing)
+    width, length = (
+        grasp_extent * float(np.linalg.norm(axis * scale))
+        for grasp_extent, axis in ((grasp.width, closing), (grasp.length, along))
+    )
+    return replace(grasp, position=vec3(np.array(grasp.position) * scale), width=width, length=length)

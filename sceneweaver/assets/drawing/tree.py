@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from sceneweaver.scene import Surface, Zone
 
-from ..body import Hull, Link, Material
+from ..body import Grasp, Hull, Interior, Link, Material, Role
 from ..category import Category
 from .box import Box, Interval, Vec3
 from .finishes import Finishes
@@ -61,6 +61,8 @@ class Drawn:
     zones: list[Zone] = field(default_factory=list)
     clear: list[Box] = field(default_factory=list)
     links: list[Link] = field(default_factory=list)
+    grasps: list[Grasp] = field(default_factory=list)
+    interiors: list[Interior] = field(default_factory=list)
 
 
 class Tree(Finishes):
@@ -73,6 +75,7 @@ class Tree(Finishes):
         self._inside = [self.root]
         self._frame = np.eye(4)
         self._link = 0
+        self._handle = False
         self._group: str | None = None
 
     # Frames
@@ -117,17 +120,80 @@ class Tree(Finishes):
 
     @contextmanager
     def hinge(
-        self, name: str, at: Vec3, axis: Vec3 = (0.0, 0.0, 1.0), limits: Interval = (0.0, 1.57)
+        self,
+        name: str,
+        at: Vec3,
+        axis: Vec3 = (0.0, 0.0, 1.0),
+        limits: Interval = (0.0, 1.57),
+        role: Role = "door",
     ) -> Iterator[None]:
-        """What is drawn inside is a door: it turns about ``axis`` through ``at``; it is drawn closed."""
-        with self._moving(Link(name, "hinge", axis, at, limits)):
+        """What is drawn inside is a door, or a lid or a control: it turns about ``axis`` through ``at``; it is drawn
+        closed."""
+        with self._moving(Link(name, "hinge", axis, at, limits, role)):
             yield
 
     @contextmanager
-    def slide(self, name: str, axis: Vec3 = (1.0, 0.0, 0.0), limits: Interval = (0.0, 0.3)) -> Iterator[None]:
-        """What is drawn inside is a drawer: it slides along ``axis``; it is drawn closed."""
-        with self._moving(Link(name, "slide", axis, (0.0, 0.0, 0.0), limits)):
+    def slide(
+        self, name: str, axis: Vec3 = (1.0, 0.0, 0.0), limits: Interval = (0.0, 0.3), role: Role = "drawer"
+    ) -> Iterator[None]:
+        """What is drawn inside is a drawer, or a control: it slides along ``axis``; it is drawn closed."""
+        with self._moving(Link(name, "slide", axis, (0.0, 0.0, 0.0), limits, role)):
             yield
+
+    @contextmanager
+    def item(self, name: str, category: str = "") -> Iterator[None]:
+        """What is drawn inside lies on or in the rest and can be taken: a body of its own in a simulator.
+
+        ``category`` is what it is, ``name`` unless told. It must rest on what is below it: nothing holds it.
+        """
+        with self._moving(Link(name, "free", role="item", category=category or name)):
+            yield
+
+    # What a hand needs
+
+    @contextmanager
+    def handle(
+        self, name: str, position: Vec3, approach: Vec3, closing: Vec3, width: float, length: float
+    ) -> Iterator[None]:
+        """What is drawn inside is a handle: its parts are merged with no others, and a hand can take hold of it.
+
+        Args:
+            name: Of the grasp.
+            position: The middle of what is held.
+            approach: Along which a hand comes; of any length, as is ``closing``.
+            closing: Along which its fingers close, square to ``approach``.
+            width: Of what is between the fingers [m].
+            length: Of it along the third axis [m].
+        """
+        before, self._handle = self._handle, True
+        try:
+            yield
+        finally:
+            self._handle = before
+        self.grasp(name, position, approach, closing, width, length)
+
+    def grasp(self, name: str, position: Vec3, approach: Vec3, closing: Vec3, width: float, length: float) -> None:
+        """Where a hand takes hold of something that is no handle, such as a rim; arguments as of `handle`."""
+        turn, shift = self._frame[:3, :3], self._frame[:3, 3]
+        to, close = turn @ np.array(approach), turn @ np.array(closing)
+        place = vec3(turn @ np.array(position) + shift)
+        to, close = to / np.linalg.norm(to), close / np.linalg.norm(close)
+        self.drawn.grasps.append(Grasp(name, self._link, place, vec3(to), vec3(close), width, length))
+
+    def interior(self, name: str, box: Box, entry: Vec3 = (0.0, 0.0, 1.0), oval: bool = False) -> None:
+        """A box is room that holds things, open towards ``entry``; where it is ``oval``, only the ellipse in its plan
+        is."""
+        placed, out = _moved_box(box, self._frame), self._frame[:3, :3] @ np.array(entry)
+        self.drawn.interiors.append(
+            Interior(
+                name,
+                self._link,
+                placed.anchor("back right bottom"),
+                placed.anchor("front left top"),
+                vec3(out / np.linalg.norm(out)),
+                oval,
+            )
+        )
 
     @contextmanager
     def _moving(self, link: Link) -> Iterator[None]:
@@ -136,7 +202,7 @@ class Tree(Finishes):
         turn, shift = self._frame[:3, :3], self._frame[:3, 3]
         axis, anchor = turn @ np.array(link.axis), turn @ np.array(link.anchor) + shift
         axis /= np.linalg.norm(axis)
-        self.drawn.links.append(Link(link.name, link.joint, vec3(axis), vec3(anchor), link.limits))
+        self.drawn.links.append(replace(link, axis=vec3(axis), anchor=vec3(anchor)))
         self._link = len(self.drawn.links)
         try:
             yield
@@ -179,11 +245,14 @@ class Tree(Finishes):
                 )
             for hull, name in zip(new["hulls"], new["groups"], strict=True):
                 points = hull.vertices @ turn.T + step[:3, 3]
-                drawn.hulls.append(Hull(points, hull.faces[:, ::-1] if flip else hull.faces, link_of(hull.link)))
+                faces = hull.faces[:, ::-1] if flip else hull.faces
+                drawn.hulls.append(Hull(points, faces, link_of(hull.link), hull.handle))
                 drawn.groups.append(name if name is None or name == group else f"{name}-{k}")
             drawn.surfaces += [_moved_surface(s, step, f"-{k}", flip) for s in new["surfaces"]]
             drawn.zones += [_moved_zone(z, step, f"-{k}", flip) for z in new["zones"]]
             drawn.clear += [_moved_box(box, step) for box in new["clear"]]
+            drawn.grasps += [_moved_grasp(g, step, f"-{k}", link_of(g.link)) for g in new["grasps"]]
+            drawn.interiors += [_moved_interior(i, step, f"-{k}", link_of(i.link)) for i in new["interiors"]]
 
     def mirror(self, *axes: str):
         """What is drawn inside is drawn once more mirrored at each of these axes, "x" or "y": twice, or four times."""
@@ -240,9 +309,23 @@ def _moved_link(link: Link, step: np.ndarray, suffix: str, flip: bool) -> Link:
     axis = turn @ np.array(link.axis)
     # Mirrored, what turned one way about its axis turns the other way.
     axis = -axis if flip and link.joint == "hinge" else axis
-    return Link(
-        link.name + suffix, link.joint, vec3(axis), vec3(turn @ np.array(link.anchor) + step[:3, 3]), link.limits
-    )
+    anchor = turn @ np.array(link.anchor) + step[:3, 3]
+    return replace(link, name=link.name + suffix, axis=vec3(axis), anchor=vec3(anchor))
+
+
+def _moved_grasp(grasp: Grasp, step: np.ndarray, suffix: str, link: int) -> Grasp:
+    turn, position = step[:3, :3], step[:3, :3] @ np.array(grasp.position) + step[:3, 3]
+    approach, closing = vec3(turn @ np.array(grasp.approach)), vec3(turn @ np.array(grasp.closing))
+    name = grasp.name + suffix
+    return replace(grasp, name=name, link=link, position=vec3(position), approach=approach, closing=closing)
+
+
+def _moved_interior(room: Interior, step: np.ndarray, suffix: str, link: int) -> Interior:
+    (x0, y0, z0), (x1, y1, z1) = room.low, room.high
+    box = _moved_box(Box((x0, x1), (y0, y1), (z0, z1)), step)
+    low, high = box.anchor("back right bottom"), box.anchor("front left top")
+    entry = vec3(step[:3, :3] @ np.array(room.entry))
+    return replace(room, name=room.name + suffix, link=link, low=low, high=high, entry=entry)
 
 
 def _moved_plan(polygon, z: float, step: np.ndarray, flip: bool) -> tuple[tuple[tuple[float, float], ...], float]:

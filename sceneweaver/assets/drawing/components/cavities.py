@@ -23,6 +23,7 @@ def cavity(d: Drawing, box: Box, material: Look, wall: float = 0.03, radius: flo
     between = box.inset(y=wall)
     walls = (box.left(wall), box.right(wall), between.top(wall), between.bottom(wall), room.back(-wall))
     d.add((points, faces), material, [shapes.box(*_spans(own)) for own in walls])
+    d.interior("inside", room, entry=(1.0, 0.0, 0.0))
     return room
 
 

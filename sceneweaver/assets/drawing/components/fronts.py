@@ -30,19 +30,25 @@ def handle(
 ) -> None:
     """A handle in the middle of a box's front: "bar", "knob", "cup", "none" or a "lip" along its top; see `REACH`."""
     x, y, z = face.anchor("front")
+    into, up, across = (-1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, 1.0, 0.0)
     if style == "none":
         return
     if style == "knob":
-        with d.at(x, y, z, pitch=math.pi / 2):
+        with d.handle("knob", (x + 0.019, y, z), into, across, 0.028, 0.028), d.at(x, y, z, pitch=math.pi / 2):
             d.revolve([(0.006, 0.0), (0.006, 0.012), (0.014, 0.018), (0.012, 0.025)], material, segments=12)
     elif style == "cup":
-        d.box(Box.around((x + 0.011, y, z + 0.001), 0.022, 0.7 * length, 0.026), material, bevel=0.008)
+        cup = Box.around((x + 0.011, y, z + 0.001), 0.022, 0.7 * length, 0.026)
+        with d.handle("cup", cup.center, into, up, cup.height, cup.width):
+            d.box(cup, material, bevel=0.008)
     elif style == "lip":
-        d.box(face.front(-REACH[style]).top(0.028).inset(y=0.03, top=0.012), material)
+        lip = face.front(-REACH[style]).top(0.028).inset(y=0.03, top=0.012)
+        with d.handle("lip", lip.center, into, up, lip.height, lip.width):
+            d.box(lip, material)
     else:
         with d.at(x, y, z, roll=math.pi / 2 if upright else 0.0):
             half = length / 2
-            d.bar((0.02, -half, 0.0), (0.02, half, 0.0), 0.005, material, segments=8)
+            with d.handle("bar", (0.02, 0.0, 0.0), into, up, 0.01, length):
+                d.bar((0.02, -half, 0.0), (0.02, half, 0.0), 0.005, material, segments=8)
             with d.mirror("y"):
                 d.box(Box.around((0.009, 0.76 * half, 0.0), 0.018, 0.008, 0.008), material, bevel=0.0)
 
@@ -80,7 +86,10 @@ def drawer(
         if label:
             holder = d.box(face.front(-0.003).place(width=0.09, height=0.036).move(z=0.05), pull, bevel=0.001)
             d.print(holder.front(0.0).inset(y=0.007, z=0.006), "paper")
-    return tray.inset(bottom=0.004, y=0.009, back=0.009)
+        room = tray.inset(bottom=0.004, y=0.009, back=0.009)
+        if min(tray.size) > 0.03:
+            d.interior("inside", room)
+    return room
 
 
 def drawers(

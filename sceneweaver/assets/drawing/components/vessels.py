@@ -152,6 +152,7 @@ def open_box(
                 drawn.append(shapes.hull(np.array([*ends[0], *ends[1]])))
             d.add(drawn[0], material, drawn[1:])
     room = low.inset(x=wall + 0.004, y=wall + 0.004, bottom=floor)
+    d.interior(name or "inside", room)
     if name:
         d.surface(name, room.bottom(0.0))
     return room

@@ -1,0 +1,178 @@
+"""Objects as a simulator sees them: rigid bodies with collision parts, masses and joints, in each object's own frame.
+
+Every writer of a simulator's files starts from here, so that all of them agree on what moves and what it weighs.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import cache, cached_property
+from importlib import resources
+
+import numpy as np
+
+from sceneweaver.assets import Asset, Link, categories
+from sceneweaver.assets.placed import Load, loader, scaled_asset
+from sceneweaver.scene import Scene, SceneObject
+
+from .hulls import Solid, solids_of
+
+_DENSITY = 150.0  # [kg/m3] of an object's parts, when neither an asset nor its category says what it weighs
+_LIGHTEST = 1e-3  # [kg]
+
+
+@dataclass(frozen=True)
+class RigidBody:
+    """What moves as one: the base of a thing (number 0), or what its link of that number moves.
+
+    Attributes:
+        name: The object's id for the base, ``<id>.<link>`` for the others; no two of a scene are alike.
+        number: 0, or the number of the link, from 1; as in `Solid.link` and ``Mesh.face_link``.
+        link: How it moves against the base; None for the base. A free one ("item") hangs on nothing.
+        mass: In kg.
+        solids: Its collision parts, in the object's frame.
+    """
+
+    name: str
+    number: int
+    link: Link | None
+    mass: float
+    solids: tuple[Solid, ...]
+
+    @property
+    def loose(self) -> bool:
+        """Whether it only lies on the rest and can be taken."""
+        return self.link is not None and self.link.joint == "free"
+
+
+@dataclass(frozen=True)
+class Thing:
+    """An object with what a simulator needs: its parts (in its frame), mass [kg], friction, and whether it may move.
+
+    ``key`` is equal for things with equal bodies; ``scale`` [3] brings the asset to the object's size. ``welded`` says
+    that what could be taken off it is part of its base.
+    """
+
+    object: SceneObject
+    asset: Asset | None
+    key: str
+    scale: tuple[float, float, float]
+    solids: tuple[Solid, ...]
+    mass: float
+    friction: float
+    free: bool
+    welded: bool = False
+
+    @cached_property
+    def bodies(self) -> tuple[RigidBody, ...]:
+        """The base and what its links move; a link without collision parts belongs to the base."""
+        links = self.asset.links if self.asset is not None else ()
+        mine: dict[int, list[Solid]] = {0: []}
+        for solid in self.solids:
+            mine.setdefault(self.body_of(solid.link), []).append(solid)
+        masses = self._masses(mine)
+        return tuple(
+            RigidBody(
+                self.object.id if number == 0 else f"{self.object.id}.{links[number - 1].name}",
+                number,
+                links[number - 1] if number else None,
+                masses[number],
+                tuple(mine[number]),
+            )
+            for number in sorted(mine)
+        )
+
+    @cached_property
+    def face_body(self) -> np.ndarray:
+        """The number of the body of each face of the asset's mesh, int32 [F]."""
+        assert self.asset is not None
+        numbers = [0, *(self.body_of(link) for link in range(1, len(self.asset.links) + 1))]
+        return np.asarray(numbers, dtype=np.int32)[self.asset.mesh.face_link]
+
+    def body_of(self, link: int) -> int:
+        """The number of the body that a part or face of link ``link`` belongs to."""
+        if link and self.welded and self.asset is not None and self.asset.links[link - 1].joint == "free":
+            return 0
+        return link if link in self._moving else 0
+
+    @cached_property
+    def _moving(self) -> frozenset[int]:
+        return frozenset(solid.link for solid in self.solids)
+
+    def _masses(self, mine: dict[int, list[Solid]]) -> dict[int, float]:
+        """Of each body [kg]: as the asset says, else by the volume of its parts."""
+        given = self.asset.masses if self.asset is not None else ()
+        if given:
+            found = dict.fromkeys(mine, 0.0)
+            for link, mass in enumerate(given):
+                found[self.body_of(link)] += mass
+            share = self.mass / max(sum(given), 1e-9)
+            return {number: max(mass * share, _LIGHTEST) for number, mass in found.items()}
+        volume = {number: sum(s.volume for s in solids) for number, solids in mine.items()}
+        total = sum(volume.values())
+        return {number: max(self.mass * v / total, _LIGHTEST) for number, v in volume.items()}
+
+
+def things_of(scene: Scene, load: Load | None = None, *, loose: bool = True) -> list[Thing]:
+    """All objects, in their order; each asset is loaded once.
+
+    Args:
+        scene: The scene.
+        load: From asset id to asset; None: the library of this user.
+        loose: Whether fruit in a bowl, books of a stack and the like are bodies of their own; else each such thing is
+            one body, which is quicker.
+    """
+    load, bodies = loader(load), {}
+    return [replace(_thing(k, o, load, bodies), welded=not loose) for k, o in enumerate(scene.objects)]
+
+
+def is_fixture(thing: SceneObject) -> bool:
+    """Whether it stands still: it is fixed, hangs on a wall or ceiling, or ``fixtures.yaml`` lists it."""
+    named = thing.category.strip().lower().replace(" ", "_") in _fixtures()
+    return thing.fixed or thing.mount in ("wall", "ceiling") or named
+
+
+def joint_of(
+    link: Link, scale: tuple[float, float, float], mass: float
+) -> tuple[np.ndarray, tuple[float, float], float]:
+    """The unit axis [3] of a door or drawer of that mass [kg], its limits [rad] or [m] and its friction.
+
+    The friction, [N m] or [N], keeps it where it is against the little that a tilt or a hinge below brings, and a hand
+    moves it with ease. ``scale`` is that of the object: a drawer of a deeper one comes out farther.
+    """
+    slides = link.joint == "slide"
+    axis = np.asarray(link.axis, dtype=float) * (np.asarray(scale) if slides else 1.0)
+    stretch = float(np.linalg.norm(axis)) if slides else 1.0
+    low, high = (float(end) * stretch for end in link.limits)
+    hold = max(1.0, 2.0 * mass) if slides else max(0.2, 0.5 * mass)
+    return axis / np.linalg.norm(axis), (low, high), hold
+
+
+def _thing(index: int, thing: SceneObject, load: Load, bodies: dict[str, tuple[Solid, ...]]) -> Thing:
+    asset, scale = scaled_asset(index, thing, load)
+    size = "" if scale == (1, 1, 1) else f"*{' '.join(f'{v:.9g}' for v in scale)}"
+    key = f"parts:{thing.id}" if thing.asset is None else f"{thing.asset}{size}"
+    if key not in bodies:
+        bodies[key] = tuple(solids_of(thing, asset, np.asarray(scale)))
+    solids = bodies[key]
+    mass, friction = _weight(thing, asset, float(np.prod(scale)), sum(s.volume for s in solids))
+    return Thing(thing, asset, key, scale, solids, mass, friction, not is_fixture(thing))
+
+
+@cache
+def _fixtures() -> frozenset[str]:
+    import yaml
+
+    data = yaml.safe_load(resources.files(__package__ or "").joinpath("fixtures.yaml").read_text(encoding="utf-8"))
+    return frozenset(data["categories"])
+
+
+def _weight(thing: SceneObject, asset: Asset | None, scale: float, volume: float) -> tuple[float, float]:
+    """Mass [kg] and friction: of the asset, else of the category, else by the volume of the parts."""
+    if asset is not None:
+        return max(asset.mass * scale, _LIGHTEST), asset.friction
+    kind = categories().get(thing.category.strip().lower().replace(" ", "_"))
+    if kind is not None:
+        return math.sqrt(kind.mass[0] * kind.mass[1]), kind.friction
+    return max(_DENSITY * volume, _LIGHTEST), 0.5
