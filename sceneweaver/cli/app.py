@@ -200,11 +200,22 @@ def check(
     physics: Annotated[
         bool, typer.Option("--physics", help="Simulate 3 s with MuJoCo as well: does everything stay where it is?")
     ] = False,
+    openable: Annotated[
+        bool, typer.Option("--openable/--no-openable", help="Measure how far doors, drawers and lids of assets open.")
+    ] = True,
 ) -> int:
-    """Judge a scene: collisions, bounds, support, zones, relations. Changes nothing."""
+    """Judge a scene: collisions, bounds, support, zones, relations, what opens. Changes nothing."""
     from .check import run_check
 
-    return run_check(source, as_json=as_json, metrics=metrics, meshes=meshes, picture=picture, physics=physics)
+    return run_check(
+        source,
+        as_json=as_json,
+        metrics=metrics,
+        meshes=meshes,
+        picture=picture,
+        physics=physics,
+        openable=openable,
+    )
 
 
 @app.command()

@@ -14,7 +14,14 @@ from .render import require_png
 
 
 def run_check(
-    source: Path, *, as_json: bool, metrics: Path | None, meshes: Path | None, picture: Path | None, physics: bool
+    source: Path,
+    *,
+    as_json: bool,
+    metrics: Path | None,
+    meshes: Path | None,
+    picture: Path | None,
+    physics: bool,
+    openable: bool,
 ) -> int:
     """Judge a scene file."""
     if picture is not None:
@@ -25,7 +32,7 @@ def run_check(
     from sceneweaver.verify import check
 
     with no_chatter():
-        report = check(scene, meshes=meshes, physics=physics)
+        report = check(scene, meshes=meshes, physics=physics, openable=openable)
     if metrics is not None:
         write_atomic(metrics, report.to_json() + "\n")
     if picture is not None:
@@ -38,7 +45,9 @@ def run_check(
     headline(scene.id, report.valid, f"{report.placed} of {report.requested} objects, {relations_line(report)}")
     list_violations(report)
     if report.walkable_share is not None and report.reachable_share is not None:
-        typer.echo(f"  {report.walkable_share:.0%} of the floor walkable, {report.reachable_share:.0%} of it in reach")
+        floor = f"  {report.walkable_share:.0%} of the floor walkable, {report.reachable_share:.0%} of it in reach"
+        share = report.openable_share
+        typer.echo(floor + ("" if share is None else f"; {share:.0%} of doors, drawers and lids open"))
     if report.stability is not None:
         moved, shift = report.stability["moved_over_0_01m"], report.stability["mean_shift_m"]
         typer.echo(

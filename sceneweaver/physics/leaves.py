@@ -41,7 +41,8 @@ class Leaf:
 
     Its frame: origin ``position`` (world [m], at the floor) on the hinge's axis, for a slide at the leaf's first end;
     +x along the closed leaf, z up, turned by ``yaw`` [rad] in the world. ``axis`` is a unit vector of that frame,
-    ``limits`` are (closed, open) in radians or metres; ``mass`` [kg]. ``boxes``: the leaf, then its handles.
+    ``limits`` are (closed, open) in radians or metres, ``full`` is how far it would open if no wall were in its way;
+    ``mass`` [kg]. ``boxes``: the leaf, then its handles.
     """
 
     door: str
@@ -53,6 +54,7 @@ class Leaf:
     limits: tuple[float, float]
     mass: float
     boxes: tuple[Box, ...]
+    full: float = _OPEN
 
     @property
     def hold(self) -> float:
@@ -160,6 +162,7 @@ def _slide(room: Room, door: Door, over: float, flip: bool) -> Leaf:
         (0.0, travel),
         _PER_AREA * width * top,
         tuple(boxes),
+        travel,
     )
 
 

@@ -10,13 +10,14 @@ from pathlib import Path
 from typing import Any
 
 from sceneweaver.scene import Relation, Scene
+from sceneweaver.scene.errors import InputError
 from sceneweaver.verify import bounds, collisions, stability, support, zones
 from sceneweaver.verify import walkable as access
 from sceneweaver.verify.measure import Judgement, Measurement, at_most, length
 from sceneweaver.verify.meshes import MeshSet
 from sceneweaver.verify.overlap import ZONE_DEPTH
 from sceneweaver.verify.relations import judge_relation
-from sceneweaver.verify.report import Kind, RelationRef, RelationTally, Report, Tally, Violation
+from sceneweaver.verify.report import Kind, LinkTravel, RelationRef, RelationTally, Report, Tally, Violation
 from sceneweaver.verify.solids import DEPTH, Placed
 
 
@@ -26,6 +27,7 @@ def check(
     meshes: MeshSet | Mapping[str, Any] | str | Path | None = None,
     walkable: bool = True,
     physics: bool = False,
+    openable: bool = False,
 ) -> Report:
     """Judge a scene in float64, independently of the engine that made it.
 
@@ -37,6 +39,8 @@ def check(
         walkable: whether to measure the shares of the floor that can be walked on and reached, by a flood fill.
         physics: whether to simulate the scene by MuJoCo, with the collision parts of its assets; what does not stay
             where it is makes it invalid.
+        openable: whether to measure how far doors, drawers and lids open, with the collision parts of their assets; one
+            that is needed and blocked makes the scene invalid. Where an asset cannot be loaded, a warning says so.
 
     Returns:
         Counts, shares, and every violation with its amount [m, or degrees].
@@ -79,6 +83,10 @@ def check(
         steady, fallen = stability.measure(scene)
         found += fallen
         clock.lap("physics")
+    links = None
+    if openable:
+        links = _openable(scene, found, warnings)
+        clock.lap("openable")
     counts = Counter(violation.kind for violation in found)
     return Report(
         valid=not any(v.hard for v in found),
@@ -93,6 +101,8 @@ def check(
         relations=RelationTally(*(_tally(scene.relations, judgements, hard) for hard in (True, False))),
         walkable_share=shares.walkable if shares else None,
         reachable_share=shares.reachable if shares else None,
+        openable_share=sum(link.opens for link in links) / len(links) if links else None,
+        blocked_links=None if links is None else tuple(link for link in links if not link.opens),
         stability=steady,
         violations=tuple(found),
         seconds=clock.seconds(),
@@ -156,6 +166,19 @@ def _openings(placed: Placed) -> list[Violation]:
         measured = at_most("depth in the clear space", depth, 0.0, slack=ZONE_DEPTH)
         found.append(_violation("blocked_opening", (name, opening), detail, measured))
     return found
+
+
+def _openable(scene: Scene, found: list[Violation], warnings: list[str]) -> list[LinkTravel] | None:
+    """How far what opens does, its violations added; None, with a warning, where an asset cannot be loaded."""
+    from sceneweaver.verify import openable
+
+    try:
+        links = openable.measure(scene)
+    except InputError as error:
+        warnings.append(f"how far doors and drawers open was not measured: {error}")
+        return None
+    found += openable.violations(scene, links)
+    return links
 
 
 def _relation(scene: Scene, index: int, judgement: Judgement) -> Violation:

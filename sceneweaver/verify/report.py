@@ -16,6 +16,9 @@ from .measure import Measurement
 
 SCHEMA = "sceneweaver.metrics/1"
 
+OPEN = 0.9
+"""Share of its range from which on a door, drawer or lid counts as open."""
+
 Kind = Literal[
     "collision",
     "out_of_bounds",
@@ -25,6 +28,7 @@ Kind = Literal[
     "relation",
     "soft_relation",
     "unstable",
+    "blocked_link",
     "dropped",
 ]
 
@@ -47,11 +51,13 @@ class Violation:
         kind: what kind of thing; ``soft_relation`` leaves the scene valid, every other makes it invalid.
         objects: ids of all that take part: of a relation its subject, then its targets (an object, wall, door or
             window); of a blocked zone its owner, then who stands in it; of a blocked opening the object, then the
-            opening.
+            opening; of a blocked link its object or door, then what is in its way: an object, door, wall, "floor" or
+            "ceiling".
         detail: one sentence with numbers and units.
         amount: how much, 0 when it has no size. Metres: depth of a collision or in a zone, distance outside the room,
             height or length that is wrong under an object. Of a relation the worst excess over what is allowed, in
             metres, or in degrees where the angle is worst; angles are compared with lengths on an arm of half a metre.
+            Of a blocked link the share of its range by which it opens too little.
         relation: the relation that does not hold; None for other kinds.
         zone: name of the blocked zone among those of its owner; None for other kinds.
         measurement: what was measured, and the interval in which it should lie, the tolerance of the judge aside. Of
@@ -98,6 +104,30 @@ class Violation:
         return data
 
 
+@dataclass(frozen=True, slots=True)
+class LinkTravel:
+    """How far a door, drawer or lid opens.
+
+    Attributes:
+        object: id of its object, or of the room's door.
+        link: name of the link; "leaf" of a room's door.
+        role: "door", "drawer" or "lid".
+        share: of its range that is free, 0 to 1.
+        blocked_by: what is in its way: id of an object or door, "wall:k", "floor" or "ceiling"; None: nothing.
+    """
+
+    object: str
+    link: str
+    role: str
+    share: float
+    blocked_by: str | None = None
+
+    @property
+    def opens(self) -> bool:
+        """Whether it opens far enough, to `OPEN`."""
+        return self.share >= OPEN - 1e-9
+
+
 class _Items:
     """Lets fields be read like keys as well, as in the JSON form."""
 
@@ -130,12 +160,13 @@ class Report(Displayed):
     ``valid`` when nothing is dropped, collides, leaves the room, lacks support or blocks a hard zone or opening, and
     every hard relation holds. Counts: ``collisions`` pairs of objects; ``out_of_bounds`` and ``unsupported`` objects;
     ``blocked_zones`` (object, zone, other object) triples; ``blocked_openings`` (opening, object) pairs. The shares are
-    explained in `walkable.Access`; None when they were not measured. ``stability`` and ``scores`` belong to the physics
-    and the critics, as does ``alignment``: how many items a request has (total), and how many are met, unmet, assumed
-    and not_understood;
-    ``seed``, ``device`` and ``candidates`` to the run that made the scene: fill them in with
-    ``dataclasses.replace``. So does ``cut_off``, what ended that run before it was done (None: nothing did).
-    ``seconds`` is wall time, in all and by step. ``warnings`` say where meshes or measures had to be done without.
+    explained in `walkable.Access`; None when they were not measured. ``openable_share`` is that of the doors, drawers
+    and lids that open to 90 % (None: not measured, or there are none), ``blocked_links`` are the others. ``stability``
+    and ``scores`` belong to the physics and the critics, as does ``alignment``: how many items a request has (total),
+    and how many are met, unmet, assumed and not_understood; ``seed``, ``device`` and ``candidates`` to the run that
+    made the scene: fill them in with ``dataclasses.replace``. So does ``cut_off``, what ended that run before it was
+    done (None: nothing did). ``seconds`` is wall time, in all and by step. ``warnings`` say where meshes or measures
+    had to be done without.
 
     Examples:
         >>> import sceneweaver as sw
@@ -158,6 +189,8 @@ class Report(Displayed):
     relations: RelationTally = RelationTally()
     walkable_share: float | None = None
     reachable_share: float | None = None
+    openable_share: float | None = None
+    blocked_links: tuple[LinkTravel, ...] | None = None
     stability: Mapping[str, Any] | None = None
     scores: Mapping[str, Any] | None = None
     alignment: Mapping[str, int] | None = None
@@ -174,6 +207,8 @@ class Report(Displayed):
         """Return plain JSON data; ``warnings`` is there only when there are any."""
         data: dict[str, Any] = {"schema": SCHEMA, **asdict(self)}
         data["violations"] = [v.to_dict() for v in self.violations]
+        if self.blocked_links is not None:
+            data["blocked_links"] = [asdict(link) for link in self.blocked_links]
         data["warnings"] = list(self.warnings)
         if not self.warnings:
             del data["warnings"]

@@ -46,6 +46,8 @@ PROPERTIES = {
     },
     "walkable_share": SHARE,
     "reachable_share": SHARE,
+    "openable_share": SHARE,
+    "blocked_links": {"type": ["array", "null"], "items": {"type": "object"}},
     "stability": {"type": ["object", "null"]},
     "scores": {"type": ["object", "null"]},
     "alignment": {"type": ["object", "null"], "additionalProperties": COUNT},
@@ -54,7 +56,7 @@ PROPERTIES = {
         "items": {
             "type": "object",
             "properties": {
-                "kind": {"enum": KINDS},
+                "kind": {"enum": [*KINDS, "unstable", "blocked_link"]},
                 "objects": {"type": "array", "items": {"type": "string"}, "minItems": 1},
                 "detail": {"type": "string", "pattern": "^[^\n]+$"},
                 "amount": {"type": "number", "minimum": 0},

@@ -16,6 +16,7 @@ from .fittings import screen as screen
 from .fittings import tap as tap
 from .fronts import FRONT as FRONT
 from .fronts import REACH as REACH
+from .fronts import SWING as SWING
 from .fronts import door as door
 from .fronts import doors as doors
 from .fronts import drawer as drawer
@@ -54,6 +55,7 @@ __all__ = [
     "CORNERS",
     "FRONT",
     "REACH",
+    "SWING",
     "Layout",
     "art",
     "band",

@@ -16,6 +16,9 @@ REACH = {"bar": 0.025, "knob": 0.025, "cup": 0.022, "lip": 0.014, "none": 0.0}
 FRONT = 0.018
 """Thickness of a drawer's front [m]."""
 
+SWING = math.radians(95.0)
+"""Angle [rad] to which a door opens, as on common hinges: its handle stays clear of what stands beside it."""
+
 
 def pulls(d: Drawing, body: Material, *styles: str) -> tuple[str, Material, float]:
     """A style of handle, a metal that shows on the body, and how far it stands out [m]."""
@@ -130,7 +133,7 @@ def door(
     height at which its handle is, unless it is as high as a man's chest.
     """
     own = box.inset(y=0.0015, z=0.0015)
-    limits = (0.0, 1.92) if hung == "left" else (-1.92, 0.0)
+    limits = (0.0, SWING) if hung == "left" else (-SWING, 0.0)
     with d.hinge(name, own.anchor(f"front {hung} bottom"), limits=limits):
         if panel is None:
             d.box(own, leaf)

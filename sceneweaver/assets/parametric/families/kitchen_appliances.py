@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import carcass, cavity, drawer, handle, knob, rack, unit, walls
+from ...drawing.components import SWING, carcass, cavity, drawer, handle, knob, rack, unit, walls
 from ...drawing.drawing import Look
 from .kitchen_common import PLINTH, SETBACK, burners, coat_of, feet, knobs, oven_door, plinth, worktop_of
 
@@ -220,7 +220,7 @@ def microwave(d: Drawing) -> None:
             for key in (cell for row in keys.rows(4) for cell in row.columns(3)):
                 d.print(key.inset(y=0.004, z=0.2 * key.height), "grey plastic", 0.0004)
         leaf = front.inset(left=wide)
-        with d.hinge("door", leaf.anchor("front right bottom"), limits=(-1.92, 0.0)):
+        with d.hinge("door", leaf.anchor("front right bottom"), limits=(-SWING, 0.0)):
             window = leaf.inset(right=0.035, left=0.06, bottom=0.035, top=0.035)
             for part in (leaf.to(y=(leaf.y[0], window.y[0])), leaf.to(y=(window.y[1], leaf.y[1]))):
                 d.box(part, coat)

@@ -63,8 +63,8 @@ def pedal_bin(d: Drawing) -> None:
         bands = ((1.0, 0.0, 0.045, dark), (0.985, 0.045, rim, body), (1.0, rim - 0.006, rim + 0.008, dark))
         for share, low, high, look in bands:
             d.loft([ring(share, low), ring(share, high)], look)
-        back = h - 0.012 if square else rim + 0.35 * (h - rim)  # as high as the lid is upright: clear of a wall
-        hinge = (drum.x[0] + 0.0075 * drum.depth, 0.0, back)
+        # As high as the lid: nothing of it goes behind the bin, where a wall is.
+        hinge = (drum.x[0] + 0.0075 * drum.depth, 0.0, h)
         with d.hinge("lid", hinge, axis=(0.0, 1.0, 0.0), limits=(-1.3, 0.0)):
             dome = ((0.99, 0.0), (0.98, 0.25), (0.9, 0.6), (0.72, 0.86), (0.4, 1.0))
             flat = ((0.99, 0.0), (0.985, 0.74), (0.94, 1.0))

@@ -9,7 +9,7 @@ from typing import Literal
 from ... import shapes
 from ...drawing import Box, Drawing, draws
 from ...drawing.box import Interval
-from ...drawing.components import CORNERS, cavity, door, knob, rack, vessel, walls
+from ...drawing.components import CORNERS, SWING, cavity, door, knob, rack, vessel, walls
 from ...drawing.drawing import Look
 from .bottles import bottle
 from .kitchen_common import bar_handle, coat_of, feet
@@ -34,7 +34,7 @@ def _leaf(
     more: Callable[[Box], None] | None = None,
 ) -> None:
     """A thick door with an upright handle between two heights, and bins inside; ``more`` draws what else it has."""
-    limits = (0.0, 1.92) if hung == "left" else (-1.92, 0.0)
+    limits = (0.0, SWING) if hung == "left" else (-SWING, 0.0)
     with d.hinge(name, leaf.anchor(f"front {hung} bottom"), limits=limits):
         d.box(leaf, coat, bevel=bevel)
         x, y = leaf.x[1], leaf.y[0] + 0.05 if hung == "left" else leaf.y[1] - 0.05

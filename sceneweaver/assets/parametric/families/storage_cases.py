@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import carcass, cornice, door, doors, drawer, drawers, feet, handle, pulls
+from ...drawing.components import SWING, carcass, cornice, door, doors, drawer, drawers, feet, handle, pulls
 from .storage_parts import BOARD, closed_case, inner_boards, rear_panels
 
 WOODS = ("oak", "walnut", "white paint", "light oak", "pine", "cherry", "sage paint", "ash grey wood")
@@ -195,7 +195,7 @@ def locker(d: Drawing) -> None:
 
 def _locker_door(d: Drawing, name: str, leaf: Box, paint, metal) -> None:
     """A steel leaf with slots for air at both ends, a lock with a grip, and a card with its number."""
-    with d.hinge(name, leaf.anchor("front left bottom"), limits=(0.0, 1.92)):
+    with d.hinge(name, leaf.anchor("front left bottom"), limits=(0.0, SWING)):
         d.box(leaf, paint, bevel=0.002)
         field = leaf.front(0.0).share(y=(0.2, 0.8))
         for z in (leaf.z[1] - 0.08, leaf.z[0] + 0.07):

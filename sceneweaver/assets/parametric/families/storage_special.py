@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import carcass, castors, doors, feet, pulls, walls
+from ...drawing.components import SWING, carcass, castors, doors, feet, pulls, walls
 from ...drawing.components.supports import SHADOW
 from ...drawing.drawing import Look
 from .bottles import bottle
@@ -78,7 +78,7 @@ def safe(d: Drawing) -> None:
         block = d.box(case.inset(bottom=0.025), steel, bevel=0.008)
         d.box(block.inset(y=0.03, z=0.03).front(-0.003), SHADOW, bevel=0.0)
         leaf = block.inset(y=0.035, z=0.035).front(-0.021).inset(back=0.003)
-        with d.hinge("door", leaf.anchor("front right bottom"), limits=(-1.92, 0.0)):
+        with d.hinge("door", leaf.anchor("front right bottom"), limits=(-SWING, 0.0)):
             d.box(leaf, steel, bevel=0.004)
             x, height = leaf.x[1], 0.55 * case.height
             with d.at(x, 0.12 * case.width, height, pitch=math.pi / 2):
