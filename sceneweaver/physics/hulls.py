@@ -50,14 +50,14 @@ def solids_of(thing: SceneObject, asset: Asset | None, scale: np.ndarray) -> lis
     """The parts of an object; of an asset its hulls, ``scale`` [3] times as large, else the object's own prisms."""
     if asset is None or not any(hull.link == 0 for hull in asset.hulls):
         return [_solid(prism_vertices(part.polygon, part.z), 0) for part in thing.solids]
-    merged = _of_asset(asset)
+    merged = merged_hulls(asset)
     if np.allclose(scale, 1.0, atol=1e-9):
         return merged
     return [_solid(solid.points * scale, solid.link, solid.handle) for solid in merged]
 
 
-def _of_asset(asset: Asset) -> list[Solid]:
-    """The hulls of an asset, merged where they are many; kept by their content, as scenes are built again and again."""
+def merged_hulls(asset: Asset) -> list[Solid]:
+    """The parts of an asset, its hulls merged where they are many; kept by content, as scenes are built often."""
     most = MOST if max(asset.size) > SMALL or asset.links else FEW
     content = hashlib.blake2b(repr([most, *((part.polygon, part.z) for part in asset.parts)]).encode())
     for hull in asset.hulls:

@@ -10,7 +10,7 @@ from ...body import Material
 from ..box import Box
 from ..drawing import Drawing, Look
 
-REACH = {"bar": 0.025, "knob": 0.025, "cup": 0.022, "lip": 0.014, "none": 0.0}
+REACH = {"bar": 0.025, "knob": 0.025, "cup": 0.022, "lip": 0.022, "none": 0.0}
 """How far a handle stands out of its front [m]."""
 
 FRONT = 0.018
@@ -52,8 +52,8 @@ def handle(
             half = length / 2
             with d.handle("bar", (0.02, 0.0, 0.0), into, up, 0.01, length):
                 d.bar((0.02, -half, 0.0), (0.02, half, 0.0), 0.005, material, segments=8)
-            with d.mirror("y"):
-                d.box(Box.around((0.009, 0.76 * half, 0.0), 0.018, 0.008, 0.008), material, bevel=0.0)
+                with d.mirror("y"):
+                    d.box(Box.around((0.009, 0.76 * half, 0.0), 0.018, 0.008, 0.008), material, bevel=0.0)
 
 
 def drawer(
