@@ -17,11 +17,13 @@ from .fittings import tap as tap
 from .fronts import FRONT as FRONT
 from .fronts import REACH as REACH
 from .fronts import SWING as SWING
+from .fronts import bar_pull as bar_pull
 from .fronts import door as door
 from .fronts import doors as doors
 from .fronts import drawer as drawer
 from .fronts import drawers as drawers
 from .fronts import handle as handle
+from .fronts import lip as lip
 from .fronts import pulls as pulls
 from .pictures import art as art
 from .pictures import clock_face as clock_face
@@ -59,6 +61,7 @@ __all__ = [
     "Layout",
     "art",
     "band",
+    "bar_pull",
     "basin",
     "beam",
     "blanket",
@@ -85,6 +88,7 @@ __all__ = [
     "knob",
     "leg",
     "legs",
+    "lip",
     "mattress",
     "open_box",
     "oval",

@@ -6,9 +6,12 @@ import math
 from collections.abc import Sequence
 from typing import Literal
 
+import numpy as np
+
 from ...body import Material
-from ..box import Box
+from ..box import Box, Vec3
 from ..drawing import Drawing, Look
+from ..tree import vec3
 
 REACH = {"bar": 0.025, "knob": 0.025, "cup": 0.022, "lip": 0.022, "none": 0.0}
 """How far a handle stands out of its front [m]."""
@@ -40,13 +43,11 @@ def handle(
         with d.handle("knob", (x + 0.019, y, z), into, across, 0.028, 0.028), d.at(x, y, z, pitch=math.pi / 2):
             d.revolve([(0.006, 0.0), (0.006, 0.012), (0.014, 0.018), (0.012, 0.025)], material, segments=12)
     elif style == "cup":
-        cup = Box.around((x + 0.011, y, z + 0.001), 0.022, 0.7 * length, 0.026)
+        cup = Box.around((x + 0.011, y, z - 0.002), 0.022, 0.7 * length, 0.026)
         with d.handle("cup", cup.center, into, up, cup.height, cup.width):
             d.box(cup, material, bevel=0.008)
     elif style == "lip":
-        lip = face.front(-REACH[style]).top(0.028).inset(y=0.03, top=0.012)
-        with d.handle("lip", lip.center, into, up, lip.height, lip.width):
-            d.box(lip, material)
+        lip(d, face.front(-REACH[style]).top(0.028).inset(y=0.03, top=0.012), material)
     else:
         with d.at(x, y, z, roll=math.pi / 2 if upright else 0.0):
             half = length / 2
@@ -54,6 +55,33 @@ def handle(
                 d.bar((0.02, -half, 0.0), (0.02, half, 0.0), 0.005, material, segments=8)
                 with d.mirror("y"):
                     d.box(Box.around((0.009, 0.76 * half, 0.0), 0.018, 0.008, 0.008), material, bevel=0.0)
+
+
+def bar_pull(
+    d: Drawing, start: Vec3, end: Vec3, metal: Look, radius: float = 0.011, out: float = 0.032, inset: float = 0.06
+) -> None:
+    """A bar before a front on two posts, that a hand comes to along -x.
+
+    ``start`` and ``end`` lie on the front; the bar's middle line stands ``out`` metres before it, and the posts come in
+    by a share ``inset`` of its length.
+    """
+    a, b = np.array(start), np.array(end)
+    along, reach = b - a, np.array([out, 0.0, 0.0])
+    closing = (0.0, 1.0, 0.0) if abs(along[2]) > abs(along[1]) else (0.0, 0.0, 1.0)
+    grip, length = vec3((a + b) / 2 + reach), float(np.linalg.norm(along))
+    with d.handle("bar", grip, (-1.0, 0.0, 0.0), closing, 2 * radius, length):
+        d.bar(vec3(a + reach), vec3(b + reach), radius, metal, 10)
+        for share in (inset, 1 - inset):
+            x, y, z = vec3(a + share * along)
+            d.bar((x - 0.001, y, z), (x + out, y, z), 0.75 * radius, metal, 8)
+
+
+def lip(d: Drawing, box: Box, material: Look, closing: Vec3 = (0.0, 0.0, 1.0), bevel: float = 0.003) -> None:
+    """A lip or tab on a front that fills a box, for fingers that come along -x and close along y or z."""
+    upright = closing[2] > closing[1]
+    width, length = (box.height, box.width) if upright else (box.width, box.height)
+    with d.handle("lip", box.center, (-1.0, 0.0, 0.0), closing, width, length):
+        d.box(box, material, bevel)
 
 
 def drawer(

@@ -28,6 +28,7 @@ def _plate(d: Drawing, box: Box, middle: float, look: Look) -> None:
 
 def _bowl(d: Drawing, box: Box, china: Look, seat: Look, hung: bool) -> None:
     """A toilet's bowl with seat and closed lid, square at its back; the lid's top is the box's."""
+    lid, box = box, box.inset(front=0.014)  # the lid stands over, so that fingers find its edge
     middle, rim = box.x[0] + 0.52 * box.depth, box.z[1] - 0.042
     foot = [(0.45, 0.75, 0.42, 0.0), (0.62, 0.95, 0.62, 0.05), (0.85, 1.0, 0.85, 0.16), (0.96, 1.0, 0.97, rim - 0.05)]
     if not hung:
@@ -36,8 +37,11 @@ def _bowl(d: Drawing, box: Box, china: Look, seat: Look, hung: bool) -> None:
     d.loft([_egg(box, middle, row) for row in [*foot, (0.97, 1.0, 0.98, rim)]], china)
     plate = box.inset(back=0.055 if hung else 0.115)  # before a cistern, so that the lid can stand up
     _plate(d, plate.to(z=(rim + 0.0005, rim + 0.019)), middle, seat)
-    with d.hinge("lid", (plate.x[0], 0.0, rim + 0.02), axis=(0.0, 1.0, 0.0), limits=(-1.5, 0.0)):
-        _plate(d, plate.to(z=(rim + 0.021, box.z[1])).inset(y=0.002), middle, seat)
+    with d.hinge("lid", (plate.x[0], 0.0, rim + 0.02), axis=(0.0, 1.0, 0.0), limits=(-1.5, 0.0), role="lid"):
+        cover = plate.to(x=(plate.x[0], lid.x[1]), z=(rim + 0.021, box.z[1])).inset(y=0.002)
+        _plate(d, cover, middle, seat)
+        x, _, z = cover.anchor("front")
+        d.grasp("edge", (x - 0.003, 0.0, z), (-1.0, 0.0, 0.0), (0.0, 0.0, 1.0), cover.height, 0.1)
     with d.mirror("y"):
         x, z = plate.x[0] - 0.004, rim + 0.009
         d.bar((x, 0.057, z), (x, 0.093, z), 0.008, "chrome", 12)

@@ -8,7 +8,7 @@ import numpy as np
 
 from ... import shapes
 from ...drawing import Box, Drawing, Look, Vec3, draws
-from ...drawing.components import carcass, open_box, oval, perimeter
+from ...drawing.components import carcass, lip, open_box, oval, perimeter
 
 _METALS = "chrome, black steel, brass, brushed steel"
 _TERRY = ", ".join(f"{tone} fabric" for tone in ["white", "blue", "green", "rose", "grey", "mustard", "beige", "navy"])
@@ -82,7 +82,7 @@ def medicine_cabinet(d: Drawing) -> None:
     """A shallow cupboard whose one, two or three doors are mirrors; boards inside, a lamp above some."""
     shell, box = d.material("body", "white paint, aluminium, oak, walnut, light grey paint"), d.bounds
     lamp = d.chance("lamp", 0.5)
-    case = box.inset(top=0.03 if lamp else 0.0, front=0.03)
+    case = box.inset(top=0.03 if lamp else 0.0, front=0.042)
     for level in carcass(d, case, shell, board=0.014).rows(3)[1:]:
         d.box(level.bottom(0.006).inset(front=0.01), "glass", bevel=0.0)
     rim = 0.016 if shell.name in ("oak", "walnut") else 0.003
@@ -93,8 +93,8 @@ def medicine_cabinet(d: Drawing) -> None:
         with d.hinge(f"door-{k}", leaf.anchor(f"front {hung} bottom"), limits=limits):
             d.box(leaf.inset(front=0.004), shell, bevel=0.001)
             d.box(leaf.front(0.006).inset(y=rim, z=rim), "mirror", bevel=0.0025)
-            grip = leaf.inset(y=0.004).share(z=(0.3, 0.38)).place(width=0.01, at=free)
-            d.box(grip.to(x=(leaf.x[1] - 0.005, box.x[1] - 0.002)), "chrome", bevel=0.002)
+            grip = leaf.inset(y=0.04).share(z=(0.3, 0.4)).place(width=0.01, at=free)
+            lip(d, grip.to(x=(leaf.x[1], box.x[1] - 0.002)), "chrome", (0.0, 1.0, 0.0), bevel=0.002)
     if lamp:
         light = d.box(box.top(0.03).inset(y=0.03), "chrome", bevel=0.004)
         d.print(light.front(0.0).inset(y=0.02, z=0.005), "lamp glow")
@@ -214,10 +214,10 @@ def laundry_hamper(d: Drawing) -> None:
             d.cylinder(Box.sized(0.03, 0.03, 0.022), "oak", ends=(0.85, 1.0), segments=10)
         d.slab(body.top(0.055).inset(x=-0.002, y=-0.002), "white fabric", 0.037, 0.004)
         d.slab(foot.to(z=(0.018, 0.034)).inset(x=-0.003, y=-0.003), weave, 0.038, 0.004)
-        with d.hinge("lid", lid.anchor("back top"), axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0)):
+        with d.hinge("lid", lid.anchor("back top"), axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0), role="lid"):
             d.slab(lid.inset(top=0.008), weave, 0.04, 0.004)
             d.slab(lid.top(0.014).inset(x=0.012, y=0.012), weave, 0.03, 0.006)
-            d.box(lid.front(0.004).move(x=0.002).place(width=0.06).bottom(0.022), "brown leather", bevel=0.001)
+            lip(d, lid.front(-0.022).place(width=0.06).bottom(0.008).move(z=0.004), "brown leather", bevel=0.001)
         with d.mirror("y"):
             y, z, rope = body.y[1] - 0.012, body.z[1] - 0.1, "rattan" if weave.name == "wicker" else "wicker"
             d.arch((-0.07, y, z), (0.07, y, z), (0.0, 0.018, 0.03), 0.008, rope)

@@ -8,7 +8,7 @@ import numpy as np
 
 from ... import shapes
 from ...drawing import Box, Drawing, Look, draws
-from ...drawing.components import CORNERS, bowl, drain, vessel
+from ...drawing.components import CORNERS, bar_pull, bowl, drain, vessel
 
 _METALS = "chrome, black steel, brushed steel, brass"
 
@@ -106,9 +106,7 @@ def _column(d: Drawing, h: float, metal: Look) -> None:
 
 def _grip(d: Drawing, x: float, y: float, metal: Look) -> None:
     """An upright handle before a pane at (x, y)."""
-    d.bar((x + 0.028, y, 0.95), (x + 0.028, y, 1.25), 0.009, metal)
-    for z in (0.98, 1.22):
-        d.bar((x - 0.001, y, z), (x + 0.028, y, z), 0.007, metal, 8)
+    bar_pull(d, (x, y, 0.95), (x, y, 1.25), metal, 0.009, 0.028, 0.1)
 
 
 @draws("shower")

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import blanket, castors, frame, leg
+from ...drawing.components import blanket, castors, frame, leg, lip
 from .beds_parts import SHEETS, barred, bedding, ladder
 
 _WOODS = "pine, white paint, oak, birch, light grey paint, ash grey wood"
@@ -104,9 +104,9 @@ def murphy_bed(d: Drawing) -> None:
             else:
                 d.box(field, front, bevel=0.002)
         with d.mirror("y"):  # a pull, and a folded foot: a sign that this is a bed
-            for y, z, wide, high, reach in ((0.25, 0.31, 0.2, 0.018, 0.028), (0.36, 0.46, 0.044, 0.32, 0.006)):
-                at = (door.x[1] + reach / 2, y * box.width, door.z[1] - z)
-                d.box(Box.around(at, reach, wide, high), pull)
+            (_, y, z), x = door.anchor("top"), door.x[1]
+            lip(d, Box.around((x + 0.014, y + 0.25 * box.width, z - 0.31), 0.028, 0.2, 0.018), pull)
+            d.box(Box.around((x + 0.003, y + 0.36 * box.width, z - 0.46), 0.006, 0.044, 0.32), pull)
     d.surface("top", d.bounds.inset(back=0.02, front=0.048, y=0.03))
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from ... import shapes
 from ...drawing import Box, Drawing, Look, draws
-from ...drawing.components import clock_face
+from ...drawing.components import clock_face, lip
 from .small_parts import GOLDEN
 
 STONES = "marble, white ceramic, bronze, dark marble, concrete, brass, terracotta"
@@ -232,7 +232,7 @@ def lidded_box(d: Drawing) -> None:
     wood = d.material("box", "walnut, mahogany, cherry, white paint, rose fabric, navy paint, tan leather")
     metal = d.material("clasp", "brass, copper, chrome")
     music = d.category.name == "music_box"
-    box = d.bounds.inset(front=0.006, left=0.03 if music else 0.0)
+    box = d.bounds.inset(front=0.023, left=0.03 if music else 0.0)
     with d.corners(box, inset=0.01):
         d.cylinder(Box.sized(0.016, 0.016, 0.008), metal, ends=(0.75, 1.0), segments=10)
     case = d.box(box.share(z=(0.0, 0.7)).inset(bottom=0.008), wood)
@@ -243,8 +243,9 @@ def lidded_box(d: Drawing) -> None:
         d.bar((0.02, y + 0.016, z + 0.012), (0.02, y + 0.03, z + 0.012), 0.005, wood)
     lid = box.share(z=(0.7, 1.0)).inset(bottom=0.001)
     x, y, z = lid.anchor("back bottom")
-    with d.hinge("lid", (x, y, z), axis=(0.0, -1.0, 0.0), limits=(0.0, 1.7)):
+    with d.hinge("lid", (x, y, z), axis=(0.0, -1.0, 0.0), limits=(0.0, 1.7), role="lid"):
         edge = (1 - 0.024 / lid.depth, 1 - 0.024 / lid.width)
         d.sections(lid.inset(top=0.002), [(1, 1, 0.0), (1, 1, 0.6), (*edge, 1.0)], wood, radius=0.0, convex=True)
         d.box(lid.inset(x=0.03, y=0.03).top(0.006), metal, bevel=0.0)
-        d.box(Box((box.x[1] - 0.004, d.bounds.x[1]), (y - 0.01, y + 0.01), (z + 0.003, z + 0.017)), metal, bevel=0.002)
+        tab = Box((box.x[1], box.x[1] + 0.022), (y - 0.01, y + 0.01), (z + 0.003, z + 0.017))
+        lip(d, tab, metal, (0.0, 1.0, 0.0), bevel=0.002)

@@ -154,7 +154,8 @@ def teacher_desk(d: Drawing) -> None:
             d.box(outer.right(-0.008) if name == "right" else outer.left(-0.008), wood)
     middle = under.inset(y=wide)
     with d.part("middle"):
-        drawer_case(d, middle.inset(back=0.08, front=0.005).top(0.075), wood, wood, pull, style, name="middle")
+        # A knob, as a hand has no room over a wider pull.
+        drawer_case(d, middle.inset(back=0.08, front=0.005).top(0.075), wood, wood, pull, "knob", name="middle")
     with d.part("modesty"):
         board = d.box(middle.inset(back=0.015, bottom=0.08).back(0.02), wood, bevel=0.0)
         d.box(board.inset(y=0.06, z=0.06).back(-0.008), wood)

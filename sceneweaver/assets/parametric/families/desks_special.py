@@ -22,7 +22,7 @@ def secretary_desk(d: Drawing) -> None:
     pull = d.material("pulls", "brass", "bronze", "black steel")
     bounds, height, thin = d.bounds, 0.75, 0.006
     plate = bounds.to(z=(height - 0.022, height))
-    case = plate.bottom(-0.11).inset(back=0.012, front=REACH[style] + 0.005, y=0.015)
+    case = plate.bottom(-0.116).inset(back=0.012, front=REACH[style] + 0.005, y=0.015)
     with d.part("top"):
         d.box(plate, wood, bevel=0.004)
         drawer_case(d, case, wood, wood, pull, style, columns=2)
@@ -90,9 +90,11 @@ def computer_desk(d: Drawing) -> None:
         d.print(face, "black glass")
         d.print(face.top(0.004).inset(y=0.01), "lamp glow", 0.0004)
     free = under.to(y=(rack.y[1], under.y[1]) if right else (under.y[0], rack.y[0]))
-    tray = free.place(width=min(0.6, free.width - 0.1)).inset(front=0.03).front(0.33).top(0.065)
+    tray = free.place(width=min(0.6, free.width - 0.1)).inset(front=0.02).front(0.33).top(0.065)
     with d.part("tray"), d.slide("tray", limits=(0.0, 0.28)):
         board = d.box(tray.bottom(0.015), top)
+        x, y, z = board.anchor("front")
+        d.grasp("edge", (x - 0.009, y, z), (-1.0, 0.0, 0.0), (0.0, 0.0, 1.0), board.height, board.width)
         d.box(board.top(-0.018).inset(front=0.04).front(0.13).place(width=0.42), "black plastic", bevel=0.004)
         for rail in (tray.right(0.016), tray.left(0.016)):
             d.box(rail.inset(bottom=0.015, front=0.03, top=0.002), metal)

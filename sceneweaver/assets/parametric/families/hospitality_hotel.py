@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import bottle, bowl, castors, cavity, door, feet, legs, pulls, rack, unit
+from ...drawing.components import bottle, bowl, castors, cavity, door, feet, legs, lip, pulls, rack, unit
 
 _DRINKS = ("green glass", "amber glass", "red plastic", "blue plastic", "clear plastic", "orange plastic")
 _SNACKS = [f"{tone} plastic" for tone in ("red", "yellow", "blue", "orange", "green", "pink", "white", "mint")]
@@ -108,7 +108,7 @@ def minibar(d: Drawing) -> None:
 def ice_machine(d: Drawing) -> None:
     """A steel machine with a grille over a bin whose flap opens to the ice."""
     steel = d.material("body", "brushed steel, steel, aluminium")
-    box = d.bounds.inset(front=0.05)
+    box = d.bounds.inset(front=0.068)
     middle = 0.58 * box.height
     legs(d, box.bottom(0.13).inset(x=0.04, y=0.04), "chrome", "tapered", 0.036)
     store = d.box(box.to(z=(0.12, middle)), steel)
@@ -120,11 +120,11 @@ def ice_machine(d: Drawing) -> None:
     d.print(strip.left(0.2).inset(left=0.06), "screen")
     d.print(strip.right(0.2).inset(right=0.05), "blue plastic")
     x, top = store.x[1], middle - 0.03
-    with d.hinge("flap", (x, 0.0, top), axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0)):
+    with d.hinge("flap", (x, 0.0, top), axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0), role="lid"):
         profile = ((x + 0.0005, top), (x + 0.0005, top - 0.23), (x + 0.045, top - 0.23), (x + 0.015, top))
         look = "black plastic" if d.chance("dark flap", 0.6) else "grey plastic"
         d.hull([(px, y, z) for px, z in profile for y in box.inset(y=0.04).y], look)
-        d.box(Box((x + 0.04, d.bounds.x[1]), (-0.09, 0.09), (top - 0.23, top - 0.2)), "chrome", bevel=0.005)
+        lip(d, Box((x + 0.045, x + 0.067), (-0.09, 0.09), (top - 0.23, top - 0.2)), "chrome", bevel=0.005)
     for y, z in ((-0.04, 0.0), (0.02, 0.012), (-0.012, 0.06)):  # ice cubes as a sign on the front
         cube = Box.around((x, y, store.z[0] + 0.08 + z), 0.0, 0.045, 0.045)
         d.print(cube, "blue ceramic")
@@ -135,7 +135,7 @@ def ice_machine(d: Drawing) -> None:
 def vending_machine(d: Drawing) -> None:
     """A tall case with a window on rows of snacks and bottles, a panel with keys and slots, and a flap below."""
     coat = d.material("body", "black paint, red paint, blue paint, white paint, grey paint, navy paint")
-    box = d.bounds.inset(front=0.012)
+    box = d.bounds.inset(front=0.032)
     feet(d, box.bottom(0.045), "black plastic")
     case, f, top = box.inset(bottom=0.045), box.x[1], box.z[1] - 0.17
     window = box.to(z=(0.5, top)).inset(right=0.05, left=0.27)  # the panel is to the viewer's right: +y
@@ -166,9 +166,9 @@ def vending_machine(d: Drawing) -> None:
         d.box(key.front(-0.005).inset(back=-0.001), "grey plastic", bevel=0.0)
     for share, look in (((0.38, 0.46), "chrome"), ((0.24, 0.31), "blue plastic"), ((0.04, 0.14), "chrome")):
         d.box(face.share(z=share).inset(y=0.02).front(-0.007).inset(back=-0.001), look, bevel=0.001)
-    with d.hinge("flap", (f, 0.0, 0.4), axis=(0.0, 1.0, 0.0), limits=(-0.9, 0.0)):
+    with d.hinge("flap", (f, 0.0, 0.4), axis=(0.0, 1.0, 0.0), limits=(-0.9, 0.0), role="lid"):
         flap = d.box(window.to(x=(f + 0.0005, f + 0.009), z=(0.2, 0.4)).inset(y=0.02), "black plastic")
-        d.box(flap.front(-0.003).inset(back=-0.001).top(0.045).inset(y=0.08, top=0.025), "grey plastic", bevel=0.001)
+        lip(d, flap.front(-0.022).bottom(0.016).inset(y=0.08), "grey plastic", bevel=0.002)
     d.print(box.front(0.0).inset(y=0.03).to(z=(0.07, 0.15)), "black plastic")
 
 

@@ -37,8 +37,11 @@ def corner_cabinet(d: Drawing) -> None:
         case = wing.inset(bottom=PLINTH, top=thick)
         room = carcass(d, case, body)
         d.box(room.inset(front=0.03).place(height=board), body, bevel=0.0)
-        # Hung at the outer end, and short of the other wing's front by more than its thickness: so it clears that.
-        door(d, "front-door", case.inset(left=deep + 0.026).front(-0.02), leaf, pull, "right", style, panel, 0.8)
+        # Hung at the outer end, and short of the other wing's front by more than its thickness: so it clears that. A
+        # filler beside it keeps its handle clear of that front.
+        face = case.inset(left=deep + 0.024).front(-0.02)
+        d.box(face.left(0.018), leaf, bevel=0.001)
+        door(d, "front-door", case.inset(left=deep + 0.044).front(-0.02), leaf, pull, "right", style, panel, 0.8)
     with d.part("arm"):
         d.box(arm.inset(back=over, right=-over).top(thick), top, bevel=0.0)
         d.box(arm.bottom(PLINTH).inset(right=0.06, left=0.02, front=0.002, back=-0.06), "black plastic", bevel=0.0)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import SWING, carcass, cavity, drawer, handle, knob, rack, unit, walls
+from ...drawing.components import SWING, bar_pull, carcass, cavity, drawer, handle, knob, lip, rack, unit, walls
 from ...drawing.drawing import Look
 from .kitchen_common import PLINTH, SETBACK, burners, coat_of, feet, knobs, oven_door, plinth, worktop_of
 
@@ -179,7 +179,7 @@ def dishwasher(d: Drawing) -> None:
             if d.chance("bar", 0.6):
                 handle(d, low.top(0.11), "chrome", "bar", 0.75 * low.width)
             else:
-                d.box(low.top(0.02).front(-0.018).place(width=0.2), "grey plastic", bevel=0.006)
+                lip(d, low.top(0.02).front(-0.022).place(width=0.2), "grey plastic", bevel=0.006)
             face = panel.front(0.0).place(height=0.03)
             d.print(face.share(y=(0.54, 0.68)), "screen")
             for button in face.share(y=(0.22, 0.44)).columns(4):
@@ -228,8 +228,6 @@ def microwave(d: Drawing) -> None:
                 d.box(leaf.to(y=window.y, z=z), coat)
             d.box(window.place(depth=0.006), "smoked glass", bevel=0.0)
             x, y = leaf.x[1], leaf.y[1] - 0.03
-            d.bar((x + 0.022, y, window.z[0]), (x + 0.022, y, window.z[1]), 0.0075, "chrome", 10)
-            for z in (window.z[0] + 0.015, window.z[1] - 0.015):
-                d.bar((x - 0.001, y, z), (x + 0.022, y, z), 0.006, "chrome", 8)
+            bar_pull(d, (x, y, window.z[0]), (x, y, window.z[1]), "chrome", 0.0075, 0.022)
     d.surface("top", case, inset=0.015)
     d.fit()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ... import shapes
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import open_box, oval, vessel
+from ...drawing.components import lip, open_box, oval, vessel
 
 
 @draws("trash_can")
@@ -65,11 +65,12 @@ def pedal_bin(d: Drawing) -> None:
             d.loft([ring(share, low), ring(share, high)], look)
         # As high as the lid: nothing of it goes behind the bin, where a wall is.
         hinge = (drum.x[0] + 0.0075 * drum.depth, 0.0, h)
-        with d.hinge("lid", hinge, axis=(0.0, 1.0, 0.0), limits=(-1.3, 0.0)):
+        with d.hinge("lid", hinge, axis=(0.0, 1.0, 0.0), limits=(-1.3, 0.0), role="lid"):
             dome = ((0.99, 0.0), (0.98, 0.25), (0.9, 0.6), (0.72, 0.86), (0.4, 1.0))
             flat = ((0.99, 0.0), (0.985, 0.74), (0.94, 1.0))
             low = rim + 0.0085
             d.loft([ring(s, low + z * (h - low)) for s, z in (flat if square else dome)], body, convex=True)
+            lip(d, drum.front(-0.025).inset(back=-0.004).place(width=0.05).to(z=(low + 0.001, low + 0.013)), dark)
         pedal = Box((drum.x[1] - 0.03, d.bounds.x[1]), (-0.035, 0.035), (0.006, 0.03))
         ends = ((pedal.x[0], 0.012), (pedal.x[0], 0.03), (pedal.x[1], 0.006), (pedal.x[1], 0.018))
         d.hull([(x, y, z) for x, z in ends for y in pedal.y], body if body.metallic else "chrome")
@@ -98,11 +99,11 @@ def recycling_bin(d: Drawing) -> None:
             corners = [(x, y, 0.0) for x in foot.x for y in foot.y] + [(x, y, rim) for x in head.x for y in head.y]
             d.hull(corners, body)
             hinge = (cell.x[0], cell.center[1], bounds.z[1])
-            with d.hinge(f"lid-{k}", hinge, axis=(0.0, 1.0, 0.0), limits=(-1.2, 0.0)):
+            with d.hinge(f"lid-{k}", hinge, axis=(0.0, 1.0, 0.0), limits=(-1.2, 0.0), role="lid"):
                 low, high = rim + 0.001, bounds.z[1]
                 profile = ((cell.x[0], low), (cell.x[0], high), (0.1 * cell.depth, high), (cell.x[1], low + 0.021))
                 d.hull([(x, y, z) for x, z in (*profile, (cell.x[1], low)) for y in cell.y], color)
-                d.box(cell.front(-0.012).place(width=0.1).to(z=(low + 0.002, low + 0.017)), color)
+                lip(d, cell.front(-0.022).place(width=0.1).to(z=(low + 0.002, low + 0.017)), color)
             labels = ((0.26, 0.55, 0.78, 0.0015, color), (0.12, 0.61, 0.72, 0.003, "white plastic"))
             for width, low, high, out, look in labels:
                 sides = (-width * cell.width, width * cell.width)

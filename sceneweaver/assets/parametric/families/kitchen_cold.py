@@ -9,10 +9,10 @@ from typing import Literal
 from ... import shapes
 from ...drawing import Box, Drawing, draws
 from ...drawing.box import Interval
-from ...drawing.components import CORNERS, SWING, cavity, door, knob, rack, vessel, walls
+from ...drawing.components import CORNERS, SWING, bar_pull, cavity, door, knob, lip, rack, vessel, walls
 from ...drawing.drawing import Look
 from .bottles import bottle
-from .kitchen_common import bar_handle, coat_of, feet
+from .kitchen_common import coat_of, feet
 
 LEAF = 0.06
 """Thickness of the insulated door of a fridge [m]."""
@@ -38,7 +38,7 @@ def _leaf(
     with d.hinge(name, leaf.anchor(f"front {hung} bottom"), limits=limits):
         d.box(leaf, coat, bevel=bevel)
         x, y = leaf.x[1], leaf.y[0] + 0.05 if hung == "left" else leaf.y[1] - 0.05
-        bar_handle(d, (x, y, grip[0]), (x, y, grip[1]), pull)
+        bar_pull(d, (x, y, grip[0]), (x, y, grip[1]), pull)
         inside = leaf.inset(y=0.09, z=0.06).back(-0.09)  # clear of the case as it turns
         d.box(leaf.inset(y=0.02, z=0.02).back(-0.0035), "white plastic", bevel=0.0)  # its lining, with the seal
         for place in inside.rows(bins) if bins else []:
@@ -133,7 +133,7 @@ def side_by_side_fridge(d: Drawing) -> None:
                 with d.slide(f"drawer-{k}", limits=(0.0, 0.4)):
                     d.box(front, coat, bevel=0.006)
                     x, z = front.x[1], front.z[1] - 0.05
-                    bar_handle(d, (x, front.y[0] + 0.1, z), (x, front.y[1] - 0.1, z), pull)
+                    bar_pull(d, (x, front.y[0] + 0.1, z), (x, front.y[1] - 0.1, z), pull)
                     tray = front.inset(y=0.06, bottom=0.02, top=0.06).back(-0.25)
                     d.box(tray.bottom(0.006), "clear plastic", bevel=0.0)
                     for wall in (tray.left(0.005), tray.right(0.005), tray.back(0.005)):
@@ -164,10 +164,11 @@ def freezer(d: Drawing) -> None:
         panel = d.box(face.right(0.14).move(y=0.06).to(z=(0.1, 0.16)).front(-0.002), "grey plastic", bevel=0.0)
         knob(d, panel.right(0.08), "black plastic", 0.013, 0.012)
         d.print(panel.left(0.05).front(0.0).place(width=0.03, height=0.01), "lamp glow")
-        with d.hinge("lid", bounds.to(z=(lid, lid)).anchor("back"), axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0)):
+        hinge = bounds.to(z=(lid, lid)).anchor("back")
+        with d.hinge("lid", hinge, axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0), role="lid"):
             cover = d.box(d.bounds.inset(front=0.022).to(z=(lid + 0.0085, bounds.z[1])), coat, bevel=0.016)
-            d.box(cover.bottom(0.03).move(z=0.012).front(-0.022).place(width=0.2), "grey plastic", bevel=0.006)
-            d.box(cover.front(-0.003).place(width=0.036, height=0.01).move(z=0.018), "chrome", bevel=0.0)
+            lip(d, cover.bottom(0.03).move(z=0.012).front(-0.022).place(width=0.2), "grey plastic", bevel=0.006)
+            d.print(cover.front(0.0).place(width=0.036, height=0.01).move(y=0.16), "chrome")
     d.fit()
 
 

@@ -116,19 +116,11 @@ def oven_door(d: Drawing, name: str, leaf: Box, material: Look, pull: Look, hand
             d.box(part, material)
         d.box(between.inset(bottom=low, top=high).place(depth=0.006), "smoked glass", bevel=0.0)
         if handled:
-            handle(d, leaf.top(0.5 * high), pull, "bar", 0.78 * leaf.width)
+            # Low enough for fingers below the knobs over it.
+            handle(d, leaf.top(max(0.5 * high, 0.066)), pull, "bar", 0.78 * leaf.width)
 
 
 def knobs(d: Drawing, row: Box, count: int, material: Look, radius: float = 0.019) -> None:
     """Turning knobs side by side on a box's front, each with a white mark."""
     for place in row.columns(count):
         knob(d, place, material, radius, 0.022, mark="white plastic")
-
-
-def bar_handle(d: Drawing, start: tuple[float, float, float], end: tuple[float, float, float], metal: Look) -> None:
-    """A thick bar before a face on two posts; ``start`` and ``end`` lie on the face, and it stands out 43 mm."""
-    out = 0.032
-    d.bar((start[0] + out, *start[1:]), (end[0] + out, *end[1:]), 0.011, metal, 10)
-    for share in (0.06, 0.94):
-        x, y, z = (a + share * (b - a) for a, b in zip(start, end, strict=True))
-        d.bar((x - 0.001, y, z), (x + out, y, z), 0.008, metal, 8)

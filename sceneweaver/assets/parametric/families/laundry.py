@@ -7,7 +7,21 @@ import math
 import numpy as np
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import bottle, bowl, button, castors, drain, feet, knob, oval, tap, vessel, wheel
+from ...drawing.components import (
+    bar_pull,
+    bottle,
+    bowl,
+    button,
+    castors,
+    drain,
+    feet,
+    knob,
+    lip,
+    oval,
+    tap,
+    vessel,
+    wheel,
+)
 
 _CLOTHS = [f"{tone} fabric" for tone in ("white", "blue", "rose", "grey", "green", "mustard")]
 _BRIGHT = "red plastic, blue plastic, black plastic, green plastic, orange plastic, grey plastic"
@@ -19,7 +33,7 @@ def washing_machine(d: Drawing) -> None:
     coat = d.material("body", "white paint, white paint, white paint, grey paint, black paint")
     rim = d.material("rim", "chrome, black plastic, grey plastic, white plastic")
     trim = "light grey paint" if coat.name == "white paint" else "black plastic"
-    box = d.bounds.inset(front=0.05)
+    box = d.bounds.inset(front=0.062)
     feet(d, box.bottom(0.015), "black plastic")
     case = box.inset(bottom=0.012, top=0.028, y=0.002)
     x, z, r = case.x[1], 0.45, d.uniform("door", 0.205, 0.225)
@@ -36,7 +50,7 @@ def washing_machine(d: Drawing) -> None:
     else:
         with d.slide("soap drawer", limits=(0.0, 0.15)):
             tray = d.box(place.front(-0.005), coat)
-            d.box(tray.front(-0.007).inset(back=-0.001).share(y=(0.25, 0.75), z=(0.1, 0.28)), "grey plastic", 0.002)
+            lip(d, tray.front(-0.022).share(y=(0.25, 0.75), z=(0.1, 0.28)), "grey plastic", bevel=0.002)
     knob(d, face.move(y=d.pick("dial", [-0.02, 0.0, 0.02])), "chrome", 0.033, 0.026)
     d.print(face.to(y=(0.07, 0.2)).place(height=0.05), "screen")
     for key in face.to(y=(0.21, 0.28)).columns(3):
@@ -47,7 +61,7 @@ def washing_machine(d: Drawing) -> None:
             glass = ((0.05, 0.012), (0.05, 0.036), (0.09, 0.047), (0.14, 0.05))
             d.revolve([(r - e, u) for e, u in ring], rim, 40, hollow=True)
             d.revolve([(r - e, u) for e, u in glass], "black glass", 36)
-        d.box(Box.around((x + 0.036, 0.018 - r, z), 0.012, 0.024, 0.1), "grey plastic")
+        bar_pull(d, (x + 0.03, 0.024 - r, z - 0.07), (x + 0.03, 0.024 - r, z + 0.07), "grey plastic", 0.007, 0.025, 0.2)
     d.print(case.front(0.0).right(0.17).inset(right=0.05).to(z=(0.05, 0.14)), trim)
 
 

@@ -79,7 +79,8 @@ def phone_booth(d: Drawing) -> None:
         d.box(frame(d, leaf, "black steel", 0.05).place(depth=0.01), "glass", bevel=0.0)
         x, y = leaf.x[1], leaf.y[1] - 0.025
         reach = d.bounds.x[1] - 0.008
-        d.sweep([(x, y, 0.95), (reach, y, 0.95), (reach, y, 1.25), (x, y, 1.25)], 0.008, "steel", 8)
+        with d.handle("bar", (reach, y, 1.1), (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0), 0.016, 0.28):
+            d.sweep([(x, y, 0.95), (reach, y, 0.95), (reach, y, 1.25), (x, y, 1.25)], 0.008, "steel", 8)
 
 
 @draws("server_rack", whole=True)

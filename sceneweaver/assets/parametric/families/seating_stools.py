@@ -8,7 +8,7 @@ import numpy as np
 
 from ... import shapes
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import carcass, cushions, feet, frame, leg, legs, piping
+from ...drawing.components import carcass, cushions, feet, frame, leg, legs, lip, piping
 from .seating_parts import COVERS, arc_panel
 
 
@@ -131,6 +131,7 @@ def storage_bench(d: Drawing) -> None:
     wide = box.width > 1.08
     body, pad = box.inset(top=0.06), box.top(0.064)
     if d.pick("kind", ["open", "chest", "open"]) == "chest":
+        body, pad = body.inset(front=0.022), pad.inset(front=0.022)
         front = body.inset(bottom=0.05, top=0.024)
         with d.part("chest"):
             d.box(front.inset(front=0.006), wood)
@@ -139,8 +140,9 @@ def storage_bench(d: Drawing) -> None:
                 frame(d, panel.inset(y=0.05), wood, 0.04)
         lid = body.top(0.024).inset(bottom=0.004, top=-0.004)
         hinge = lid.anchor("back bottom")
-        with d.hinge("lid", hinge, axis=(0.0, -1.0, 0.0), limits=(0.0, 1.4)), d.part("chest"):
+        with d.hinge("lid", hinge, axis=(0.0, -1.0, 0.0), limits=(0.0, 1.4), role="lid"), d.part("chest"):
             d.box(lid, wood)
+            lip(d, lid.front(-0.022).place(width=0.09), "brown leather")
             d.cushion(pad.inset(bottom=0.004, x=0.009, y=0.01), cover, 0.028)
     else:
         with d.part("floor"):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import SWING, carcass, cornice, door, doors, drawer, drawers, feet, handle, pulls
+from ...drawing.components import SWING, carcass, cornice, door, doors, drawer, drawers, feet, handle, lip, pulls
 from .storage_parts import BOARD, closed_case, inner_boards, rear_panels
 
 WOODS = ("oak", "walnut", "white paint", "light oak", "pine", "cherry", "sage paint", "ash grey wood")
@@ -178,7 +178,7 @@ def locker(d: Drawing) -> None:
     steel = d.material("body", "grey paint", "light grey paint", "blue paint", "navy paint")
     fronts = d.material("doors", "blue paint", "red paint", "green paint", "teal paint", "yellow paint", "grey paint")
     metal = d.material("locks", "brushed steel", "chrome")
-    case = d.bounds.inset(front=0.022)
+    case = d.bounds.inset(front=0.025)
     columns, rows = max(1, round(case.width / 0.32)), d.pick("rows", [1, 1, 2])
     with d.part("body"):
         feet(d, case.bottom(0.1), steel, "square" if d.chance("legs", 0.4) else "plinth")
@@ -203,6 +203,6 @@ def _locker_door(d: Drawing, name: str, leaf: Box, paint, metal) -> None:
                 d.print(slot, "black paint")
         d.print(field.place(width=0.06).to(z=(leaf.z[1] - 0.14, leaf.z[1] - 0.11)), "paper")
         height = 1.05 if leaf.height > 1.0 else leaf.center[2]
-        plate = leaf.front(-0.006).right(0.042).inset(right=0.012).to(z=(height - 0.06, height + 0.06))
-        d.box(plate, metal, bevel=0.002)
-        d.box(plate.front(-0.016).inset(y=0.008, z=0.03), metal)
+        plate = leaf.front(-0.002).right(0.042).inset(right=0.012).to(z=(height - 0.06, height + 0.06))
+        d.box(plate, metal, bevel=0.0005)
+        lip(d, plate.front(-0.022).inset(y=0.008, z=0.03), metal, (0.0, 1.0, 0.0))

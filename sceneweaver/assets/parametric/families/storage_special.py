@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import SWING, carcass, castors, doors, feet, pulls, walls
+from ...drawing.components import SWING, carcass, castors, doors, feet, lip, pulls, walls
 from ...drawing.components.supports import SHADOW
 from ...drawing.drawing import Look
 from .bottles import bottle
@@ -41,17 +41,19 @@ def chest(d: Drawing) -> None:
             d.box(body.inset(front=-0.006, y=-0.006).bottom(0.06), wood)
             for cell in face.inset(y=0.05, bottom=0.08, top=0.05).columns(3, gap=0.05):
                 d.box(cell, wood)
-        d.box(body.front(-0.008).place(width=0.06).top(0.07).inset(top=0.006), metal, bevel=0.002)
+        d.box(
+            body.front(-0.0008 if domed else -0.008).place(width=0.06).top(0.07).inset(top=0.006), metal, bevel=0.0005
+        )
         with d.mirror("y"), d.at(0.0, case.y[1], 0.7 * rim, yaw=math.pi / 2):
             d.bar((0.012, -0.06, 0.0), (0.012, 0.06, 0.0), 0.006, metal, 8)
             for y in (-0.055, 0.055):
                 d.box(Box.around((0.007, y, 0.0), 0.014, 0.02, 0.024), metal)
         if domed:
-            with d.hinge("lid", (case.x[0], 0.0, rim), axis=(0.0, -1.0, 0.0), limits=(0.0, 1.6)):
+            with d.hinge("lid", (case.x[0], 0.0, rim), axis=(0.0, -1.0, 0.0), limits=(0.0, 1.6), role="lid"):
                 _dome(d, case.to(z=(rim, top - 0.004)), wood)
                 for y in bands:
                     _dome(d, case.inset(x=-0.004).to(y=y, z=(rim, top)), metal)
-                d.box(case.front(-0.012).place(width=0.04).to(z=(rim, rim + 0.05)).front(0.008), metal, bevel=0.002)
+                lip(d, case.front(-0.025).place(width=0.05).to(z=(rim + 0.012, rim + 0.026)), metal)
         else:
             d.box(d.bounds.inset(back=0.004).top(0.05), wood, bevel=0.008)
     if not domed:
@@ -85,7 +87,8 @@ def safe(d: Drawing) -> None:
                 d.revolve([(0.035, 0.0), (0.035, 0.006), (0.024, 0.01), (0.02, 0.026)], metal, 20)
             with d.at(x, -0.14 * case.width, height, pitch=math.pi / 2):
                 d.cylinder(Box.sized(0.036, 0.036, 0.026), metal, ends=(1.0, 0.78), segments=14)
-                with d.ring(3, 0.0, 0.5):
+                spoke = ("spoke", (0.05, 0.0, 0.022), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0), 0.012, 0.04)
+                with d.at(yaw=0.5), d.handle(*spoke), d.ring(3):
                     d.bar((0.0, 0.0, 0.022), (0.07, 0.0, 0.022), 0.006, metal, 8)
             d.box(leaf.front(-0.002).place(width=0.12).top(0.055).bottom(0.03), metal, bevel=0.0)
         for z in (0.12, case.height - 0.14):

@@ -299,7 +299,8 @@ def _base(d: Drawing, under: Box, kind: Kind, top: Look, look: Look) -> None:
     else:
         box = under.inset(x=inset, y=inset)
         if base == "drawers":
-            style, pull, reach = pulls(d, d.named(look), "knob", "cup")
+            # A hand has no room over a wider pull under a top that stands over it.
+            style, pull, reach = pulls(d, d.named(look), *(("knob", "cup") if kind.apron > 0.115 else ("knob",)))
             box = box.inset(front=reach)
             with d.part("top"):
                 drawer_case(d, box.top(kind.apron), look, look, pull, style, columns=2 if wide < 1.15 else 3)

@@ -67,7 +67,7 @@ def tv_stand(d: Drawing) -> None:
     looks = ("white paint", "light grey paint", "oak", "walnut", "rattan")
     fronts = d.material("fronts", *looks) if d.chance("two tone", 0.5) else wood
     pull, drawn = d.material("pulls", *PULLS), d.chance("drawers", 0.4)
-    style = d.pick("pull style", ["bar", "knob", "cup"] if drawn else ["knob", "none"])
+    style = d.pick("pull style", ["bar", "knob", "cup"] if drawn else ["knob", "bar"])
     base = d.pick("feet", ["tapered", "splayed", "plinth", "sled"])
     low = {"plinth": 0.05, "sled": 0.12}.get(base, d.uniform("rise", 0.11, 0.16))
     board, case = 0.022, d.bounds.inset(front=REACH[style])

@@ -18,7 +18,7 @@ def tool_chest(d: Drawing) -> None:
     paint = d.material("paint", _LOUD)
     box = d.bounds.inset(left=0.03, right=0.03)
     castors(d, box.bottom(0.11).inset(x=0.02, y=0.01))
-    case = box.inset(bottom=0.11, front=0.016)
+    case = box.inset(bottom=0.11, front=0.024)
     top = d.box(case.top(0.025), "black plastic", 0.005)
     room = carcass(d, case.inset(top=0.025), paint, 0.02, 0.012)
     rows = [1.9, 1.9] + [1.0] * (d.integer("drawers", 5, 7) - 2)
@@ -37,13 +37,11 @@ def tool_cabinet(d: Drawing) -> None:
     room = carcass(d, box.inset(front=0.02), paint, 0.02)
     shelves(d, room, 4, paint, inset=0.01, name=None)
     leaves = box.front(0.02).inset(bottom=0.02, top=0.01)
-    doors(d, leaves, 2, paint, "black plastic", "none")
-    for k, leaf in enumerate(leaves.columns(2)):
+    doors(d, leaves, 2, paint, "black plastic", "bar")
+    for leaf in leaves.columns(2):
         for z in (0.2, box.z[1] - 0.3):
             for slot in leaf.front(0.0).to(z=(z, z + 0.1)).share(y=(0.3, 0.7)).rows(5, gap=0.014):
                 d.print(slot, "black plastic")
-        grip = leaf.inset(y=0.03).place(width=0.024, height=0.14, at="right" if k else "left")
-        d.box(grip.front(-0.025).move(x=-0.001), "black plastic", 0.006)
 
 
 @draws("pegboard", whole=True)
