@@ -27,6 +27,7 @@ from sceneweaver.scene import InputError, Scene, whole
 from .bodies import Body, bodies_of
 from .folder import fill, move
 from .usd_bodies import filter_pair
+from .usd_engines import tune_scene
 from .usd_layer import Names, attribute, prim, usd
 from .usd_looks import Looks
 from .usd_objects import Prototypes, add_object
@@ -88,6 +89,7 @@ def _fill(layer: Any, scene: Scene, things: list[Thing], bodies: list[Body], tex
     physics = prim(layer, "PhysicsScene", "PhysicsScene")
     attribute(physics, "physics:gravityDirection", "Vector3f", (0.0, 0.0, -1.0))
     attribute(physics, "physics:gravityMagnitude", "Float", _GRAVITY)
+    tune_scene(physics)
     world = prim(layer, "World", kind="assembly", displayName=scene.id)
     looks = Looks(prim(world, "Looks", "Scope"), prim(world, "PhysicsMaterials", "Scope"), textures)
     prototypes = Prototypes(prim(world, "Prototypes", "Scope"), looks)

@@ -9,7 +9,15 @@ from typing import Any, Literal
 
 import numpy as np
 
+from sceneweaver.geometry.rotations import Quaternion
+
+from .inertia import Inertia
+from .usd_engines import tune_body, tune_joint
 from .usd_layer import Prim, apply, attribute, attributes, prim, relate, rotation, triple
+
+_LIGHTEST = 1e-3  # [kg]: without a mass of its own, a simulator would make one up
+_LEAST_INERTIA = 1e-7  # [kg m2] about each axis: single precision and a time step take no less
+_STRONGEST = 10.0  # times what it takes to move a joint, that its drive gives at most
 
 
 @dataclass(frozen=True)
@@ -25,7 +33,7 @@ class Hinge:
     """How a body moves against another, of which it shares the frame when closed.
 
     ``axis`` is a unit vector and ``anchor`` a point [m] on it, ``limits`` are in radians or metres; ``damping`` is in
-    N m s/rad or N s/m.
+    N m s/rad or N s/m, ``friction`` in N m or N.
     """
 
     kind: Literal["hinge", "slide"]
@@ -33,12 +41,23 @@ class Hinge:
     anchor: Sequence[float]
     limits: Sequence[float]
     damping: float
+    friction: float
 
 
-def rigid(target: Prim, mass: float) -> None:
-    """Make a prim a rigid body of this mass [kg]; its inertia follows from its colliders."""
+def rigid(target: Prim, inertia: Inertia) -> None:
+    """Make a prim a rigid body of this mass, centre and inertia, in the prim's frame."""
     apply(target, "PhysicsRigidBodyAPI", "PhysicsMassAPI")
-    attribute(target, "physics:mass", "Float", float(mass))
+    moments, axes = _principal(inertia.tensor)
+    attributes(
+        target,
+        {
+            "physics:mass": ("Float", max(inertia.mass, _LIGHTEST)),
+            "physics:centerOfMass": ("Point3f", triple(inertia.centre)),
+            "physics:diagonalInertia": ("Float3", triple(np.maximum(moments, _LEAST_INERTIA))),
+            "physics:principalAxes": ("Quatf", rotation("Quatf", axes)),
+        },
+    )
+    tune_body(target)
 
 
 def weld(parent: Prim, name: str, frame: Prim, body: Prim) -> None:
@@ -52,7 +71,7 @@ def weld(parent: Prim, name: str, frame: Prim, body: Prim) -> None:
 
 
 def join(parent: Prim, name: str, base: Prim, body: Prim, hinge: Hinge) -> None:
-    """A joint between two bodies, closed at 0, with a damper that keeps it from swinging freely.
+    """A joint between two bodies, closed at 0, with friction, and a damper that keeps it from swinging freely.
 
     Its axis is the coordinate axis that is nearest, turned the rest of the way.
     """
@@ -70,8 +89,10 @@ def join(parent: Prim, name: str, base: Prim, body: Prim, hinge: Hinge) -> None:
     drive = "angular" if turns else "linear"
     apply(made, f"PhysicsDriveAPI:{drive}")
     attribute(made, f"drive:{drive}:physics:type", "Token", "force", uniform=True)
-    for key, value in (("stiffness", 0.0), ("damping", hinge.damping / unit), ("targetVelocity", 0.0)):
+    values = {"stiffness": 0.0, "damping": hinge.damping / unit, "targetPosition": 0.0, "targetVelocity": 0.0}
+    for key, value in (values | {"maxForce": _STRONGEST * hinge.friction}).items():
         attribute(made, f"drive:{drive}:physics:{key}", "Float", float(value))
+    tune_joint(made, drive, float(hinge.friction))
 
 
 def filter_pair(one: Solids, two: Solids, layer: Any) -> None:
@@ -94,6 +115,20 @@ def _frames(made: Prim, position: Sequence[float], quaternion: Sequence[float]) 
     for side in "01":
         attribute(made, f"physics:localPos{side}", "Point3f", triple(position))
         attribute(made, f"physics:localRot{side}", "Quatf", turn)
+
+
+def _principal(tensor: np.ndarray) -> tuple[np.ndarray, Quaternion]:
+    """The moments [3] of an inertia tensor [3, 3], and the rotation (x, y, z, w) of the axes that have them."""
+    from scipy.spatial.transform import Rotation
+
+    off = tensor - np.diag(np.diag(tensor))
+    if np.abs(off).max() < 1e-9 * np.trace(tensor):
+        return np.diag(tensor), (0.0, 0.0, 0.0, 1.0)
+    moments, axes = np.linalg.eigh(tensor)
+    if np.linalg.det(axes) < 0:
+        axes[:, 2] *= -1
+    x, y, z, w = (float(v) for v in Rotation.from_matrix(axes).as_quat())
+    return moments, (x, y, z, w)
 
 
 def _turn(number: int, axis: np.ndarray) -> tuple[float, float, float, float]:

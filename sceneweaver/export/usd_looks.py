@@ -9,6 +9,7 @@ from sceneweaver.assets import Material
 
 from .glb import linear
 from .images import Images, file_stem, images, tinted
+from .usd_engines import tune_friction
 from .usd_layer import Names, Prim, apply, attribute, prim, relate, triple, usd
 
 
@@ -43,6 +44,7 @@ class Looks:
             made = prim(self._frictions, f"friction_{key:.4f}".replace(".", "_"), "Material", ["PhysicsMaterialAPI"])
             for name, value in (("staticFriction", key), ("dynamicFriction", key), ("restitution", 0.0)):
                 attribute(made, f"physics:{name}", "Float", value)
+            tune_friction(made)
             self._rubs[key] = made.path
         apply(target, "MaterialBindingAPI")
         relate(target, "material:binding:physics", self._rubs[key])

@@ -9,6 +9,7 @@ from sceneweaver.geometry.hulls import hull_faces
 from sceneweaver.physics.hulls import Solid
 
 from .corners import corner_normals, indexed, texture_coordinates
+from .usd_engines import tune_collider
 from .usd_layer import Prim, attribute, integers, pairs, prim, triple, vectors
 from .usd_looks import Looks
 
@@ -53,6 +54,7 @@ def collider(parent: Prim, name: str, solid: Solid, looks: Looks, friction: floa
     _shape(made, solid.points, hull_faces(solid.points))
     attribute(made, "purpose", "Token", "guide", uniform=True)
     attribute(made, "physics:approximation", "Token", "convexHull", uniform=True)
+    tune_collider(made, hull=True)
     looks.rub(made, friction)
 
 
@@ -66,6 +68,7 @@ def box_collider(parent: Prim, name: str, center: np.ndarray, half: np.ndarray, 
     attribute(made, "xformOp:scale", "Double3", triple(2 * half))
     order = ["xformOp:translate", "xformOp:scale"]
     attribute(made, "xformOpOrder", "TokenArray", order, uniform=True)
+    tune_collider(made, hull=False)
     looks.rub(made, friction)
 
 

@@ -13,6 +13,7 @@ from sceneweaver.physics.hulls import Solid
 from sceneweaver.physics.things import RigidBody, Thing, joint_of
 
 from .bodies import Body
+from .inertia import Inertia, inertia_of
 from .usd_bodies import Hinge, Solids, filter_pair, join, rigid, weld
 from .usd_layer import Names, Prim, apply, label, place, prim, usd
 from .usd_looks import Looks
@@ -20,8 +21,6 @@ from .usd_mesh import collider, render_mesh
 
 GEOMETRY = "Geometry"
 """Name of the instance below each body."""
-
-_LIGHTEST = 1e-3  # [kg]: without a mass of its own, a simulator would make one up
 
 
 @dataclass(frozen=True)
@@ -83,7 +82,7 @@ def add_object(parent: Prim, name: str, thing: Thing, body: Body, prototypes: Pr
     colliders = prototypes.instance(made, thing, body, thing.bodies[0])
     if not thing.free:
         return Solids((), colliders)
-    rigid(made, max(thing.mass, _LIGHTEST))
+    rigid(made, _inertia(thing.bodies[0]))
     return Solids((made.path,))
 
 
@@ -94,7 +93,7 @@ def _articulated(made: Prim, thing: Thing, body: Body, prototypes: Prototypes) -
         title = "base" if part.link is None else part.link.name
         mine = prim(made, names(title), displayName=title)
         place(mine)
-        rigid(mine, part.mass)
+        rigid(mine, _inertia(part))
         prototypes.instance(mine, thing, body, part)
         placed.append(mine)
     base, layer = placed[0], made.layer
@@ -113,11 +112,17 @@ def _articulated(made: Prim, thing: Thing, body: Body, prototypes: Prototypes) -
     return Solids(tuple(b.path for b in placed))
 
 
+def _inertia(body: RigidBody) -> Inertia:
+    """Mass, centre and inertia of a body, its mass spread over its parts by volume."""
+    volumes = np.array([solid.volume for solid in body.solids])
+    return inertia_of(body.solids, (body.mass * volumes / volumes.sum()).tolist())
+
+
 def _hinge(link: Link, thing: Thing, mass: float) -> Hinge:
     """The joint of a link, in the size of the object; damped as much as in the model for MuJoCo."""
-    axis, limits, damping = joint_of(link, thing.scale, mass)
+    axis, limits, hold = joint_of(link, thing.scale, mass)
     assert link.joint != "free"
-    return Hinge(link.joint, axis.tolist(), (np.asarray(link.anchor) * thing.scale).tolist(), limits, damping)
+    return Hinge(link.joint, axis.tolist(), (np.asarray(link.anchor) * thing.scale).tolist(), limits, hold, hold)
 
 
 def _facts(thing: Thing) -> dict[str, Any]:

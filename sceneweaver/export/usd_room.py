@@ -11,12 +11,14 @@ from sceneweaver.assets.placed import parts_mesh
 from sceneweaver.geometry.rotations import Quaternion, from_yaw
 from sceneweaver.geometry.shell import PANE_THICKNESS, WALL_THICKNESS, heights, wall_pieces
 from sceneweaver.geometry.walls import Wall
+from sceneweaver.physics.hulls import Solid
 from sceneweaver.physics.leaves import Leaf, leaves, wall_ends
 from sceneweaver.scene import Part, Room
 
+from .inertia import Inertia, inertia_of
 from .room import floor_mesh, wall_mesh
 from .usd_bodies import Hinge, Solids, filter_pair, join, rigid, weld
-from .usd_layer import Names, Prim, apply, attribute, label, place, prim, rotation
+from .usd_layer import Names, Prim, apply, label, place, prim
 from .usd_looks import Looks
 from .usd_mesh import box_collider, render_mesh
 
@@ -112,13 +114,9 @@ def _door(parent: Prim, name: str, leaf: Leaf, looks: Looks) -> Solids:
     place(made, leaf.position, from_yaw(leaf.yaw))
     frame, panel = prim(made, "frame"), prim(made, "leaf")
     place(frame)
-    rigid(frame, 1.0)
-    # It has no collider to take these from, and never moves.
-    attribute(frame, "physics:diagonalInertia", "Float3", (0.1, 0.1, 0.1))
-    attribute(frame, "physics:principalAxes", "Quatf", rotation("Quatf", (0, 0, 0, 1)))
-    attribute(frame, "physics:centerOfMass", "Point3f", (0.0, 0.0, 0.0))
+    rigid(frame, Inertia(1.0, np.zeros(3), 0.1 * np.eye(3)))  # it never moves
     place(panel)
-    rigid(panel, leaf.mass)
+    rigid(panel, _leaf_inertia(leaf))
     boxes = [(np.asarray(center), np.asarray(half)) for center, half in leaf.boxes]
     render_mesh(panel, "Panel", _boxes(boxes[:1], _LEAF), looks)
     if len(boxes) > 1:
@@ -128,8 +126,17 @@ def _door(parent: Prim, name: str, leaf: Leaf, looks: Looks) -> Solids:
         box_collider(scope, f"part_{number}", center, half, looks, _LEAF_FRICTION)
     joints = prim(made, "joints", "Scope")
     weld(joints, "world", made, frame)
-    join(joints, "leaf", frame, panel, Hinge(leaf.joint, leaf.axis, (0.0, 0.0, 0.0), leaf.limits, leaf.hold))
+    join(joints, "leaf", frame, panel, Hinge(leaf.joint, leaf.axis, (0.0, 0.0, 0.0), leaf.limits, leaf.hold, leaf.hold))
     return Solids((panel.path,))
+
+
+def _leaf_inertia(leaf: Leaf) -> Inertia:
+    solids = [
+        Solid(np.zeros((0, 3)), float(8 * np.prod(half)), box=(np.asarray(center), np.asarray(half)))
+        for center, half in leaf.boxes
+    ]
+    total = sum(solid.volume for solid in solids)
+    return inertia_of(solids, [leaf.mass * solid.volume / total for solid in solids])
 
 
 def _boxes(boxes: Sequence[tuple[np.ndarray, np.ndarray]], material: Material) -> Mesh:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.spatial import KDTree
+from scipy.spatial import Delaunay, KDTree
 
 from sceneweaver.assets import make
 from sceneweaver.assets.textures import maps
@@ -259,6 +259,46 @@ def test_what_may_move_is_a_body_of_its_mass(stage) -> None:
         while above:
             assert not above.HasAPI(UsdPhysics.RigidBodyAPI)
             above = above.GetParent()
+
+
+def test_inertia_is_that_of_the_parts(stage) -> None:
+    """Against what the mass properties of the colliders are, found by random points in them."""
+    rng = np.random.default_rng(1)
+    found = _objects(stage)
+    thing = next(t for t in things_of(SCENE, ASSETS.__getitem__) if t.object.id == "large desk")
+    body = UsdPhysics.MassAPI(found["large desk"])
+    boxes = [(s.points.min(axis=0), s.points.max(axis=0), s) for s in thing.solids]
+    weights = np.array([s.volume for _, _, s in boxes])
+    samples, shares = [], []
+    for (low, high, solid), weight in zip(boxes, weights, strict=True):
+        inside = rng.uniform(low, high, (4000, 3))
+        if solid.box is None:
+            inside = inside[Delaunay(solid.points).find_simplex(inside) >= 0]
+        samples.append(inside)
+        shares.append(np.full(len(inside), weight / weights.sum() / len(inside)))
+    points, share = np.concatenate(samples), np.concatenate(shares)
+    centre = share @ points
+    assert np.allclose(body.GetCenterOfMassAttr().Get(), centre, atol=5e-3)
+    off = points - centre
+    spread = thing.mass * (off * share[:, None]).T @ off
+    want = np.trace(spread) * np.eye(3) - spread
+    axes = body.GetPrincipalAxesAttr().Get()
+    turn = _matrix((0, 0, 0), (*axes.GetImaginary(), axes.GetReal()))[:3, :3]
+    got = turn @ np.diag(body.GetDiagonalInertiaAttr().Get()) @ turn.T
+    assert np.allclose(got, want, atol=0.03 * np.abs(want).max())
+
+
+def test_engines_are_told_what_usd_has_no_words_for(stage) -> None:
+    """Each in its own schema, so that a drawer is as hard to move in all of them."""
+    found = _objects(stage)
+    joint = next(p for p in _all(found["cabinet"]) if p.IsA(UsdPhysics.PrismaticJoint))
+    friction = joint.GetAttribute("newton:friction").Get()
+    assert friction >= 1.0 and joint.GetAttribute("mjc:frictionloss").Get() == pytest.approx(friction)
+    assert joint.GetAttribute("physxJointAxis:linear:staticFrictionEffort").Get() == pytest.approx(friction)
+    assert joint.GetAttribute("drive:linear:physics:maxForce").Get() > 2 * friction
+    for collider in _colliders(stage.GetPrimAtPath("/World")):
+        assert collider.GetAttribute("physxCollision:restOffset").Get() == 0
+        assert 0 < collider.GetAttribute("physxCollision:contactOffset").Get() <= 0.01
 
 
 def test_colliders_are_the_convex_parts(stage) -> None:
