@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sceneweaver.assets import Asset
+from sceneweaver.assets import Asset, Interior
 from sceneweaver.geometry.prisms import prism_vertices
 from sceneweaver.scene import Part, SceneObject
 
@@ -26,6 +26,7 @@ _THINNEST = 1e-4  # [m]; thinner parts become boxes of this thickness
 _WASTE = 0.01  # share of volume that a merge may add when it is not forced
 _NEAR = 8  # neighbours of a part that it is tried with first
 _KEPT = 4096  # assets whose parts are kept
+_FILL = 0.02  # share of an interior that a merge may fill
 _TOUCH = 1e-3  # [m] by which parts of different links may reach into each other
 
 _KNOWN: dict[bytes, list[Solid]] = {}
@@ -60,6 +61,9 @@ def merged_hulls(asset: Asset) -> list[Solid]:
     """The parts of an asset, its hulls merged where they are many; kept by content, as scenes are built often."""
     most = MOST if max(asset.size) > SMALL or asset.links else FEW
     content = hashlib.blake2b(repr([most, *((part.polygon, part.z) for part in asset.parts)]).encode())
+    rooms = rooms_of(asset.interiors)
+    for corners in rooms:
+        content.update(corners.tobytes())
     for hull in asset.hulls:
         content.update(np.array([len(hull.vertices), hull.link, hull.handle]).tobytes())
         content.update(np.ascontiguousarray(hull.vertices, dtype=float).tobytes())
@@ -68,16 +72,31 @@ def merged_hulls(asset: Asset) -> list[Solid]:
         if len(_KNOWN) >= _KEPT:
             _KNOWN.clear()
         found = [_solid(np.asarray(h.vertices, dtype=float), h.link, h.handle) for h in asset.hulls]
-        _KNOWN[key] = reduce(found, asset.parts, most) if len(found) > most and asset.parts else found
+        _KNOWN[key] = reduce(found, asset.parts, most, rooms) if len(found) > most and asset.parts else found
     return list(_KNOWN[key])
 
 
-def reduce(solids: Sequence[Solid], parts: Sequence[Part], most: int) -> list[Solid]:
+def rooms_of(interiors: Sequence[Interior]) -> list[np.ndarray]:
+    """The corners [V, 3] of interiors: of a box, or around an ellipse at its floor and at its rim."""
+    rooms = []
+    for room in interiors:
+        low, high = np.asarray(room.low), np.asarray(room.high)
+        plan = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], dtype=float)
+        if room.oval:
+            angle = np.arange(12) * (np.pi / 6)
+            plan = np.column_stack([np.cos(angle), np.sin(angle)])
+        corners = np.array([(x, y, z) for x, y in plan for z in (-1.0, 1.0)])
+        rooms.append((low + high) / 2 + corners * (high - low) / 2)
+    return rooms
+
+
+def reduce(solids: Sequence[Solid], parts: Sequence[Part], most: int, rooms: Sequence[np.ndarray] = ()) -> list[Solid]:
     """Merge parts until at most ``most`` are left, as far as that goes.
 
     Two parts are merged only when both lie in one prism (and belong to one link): a prism is convex, so their common
     hull stays in it, and what was free in the scene stays free. Nor may it reach into a part of another link, which
-    could then not move. Those go first whose hull adds the least volume.
+    could then not move, nor fill more of one of the ``rooms`` (convex, by their corners), which hold things. Those go
+    first whose hull adds the least volume.
     """
     import heapq
 
@@ -85,6 +104,7 @@ def reduce(solids: Sequence[Solid], parts: Sequence[Part], most: int) -> list[So
     homes = {k: _homes(solid.points, parts) for k, solid in live.items()}
     bounds = {k: np.stack([solid.points.min(axis=0), solid.points.max(axis=0)]) for k, solid in live.items()}
     others = {link: [s for s in solids if s.link != link] for link in {s.link for s in solids}}
+    filled = {k: _filled(solid.points, rooms) for k, solid in live.items()}
     heap: list[tuple[float, int, int]] = []
     fresh, total = len(live), sum(s.volume for s in solids)
 
@@ -118,6 +138,10 @@ def reduce(solids: Sequence[Solid], parts: Sequence[Part], most: int) -> list[So
             both = _solid(np.concatenate([live[i].points, live[j].points]), live[i].link)
             if any(_reaches(both, other) for other in others[both.link]):
                 continue
+            fills = _filled(both.points, rooms)
+            if (fills > filled[i] + filled[j] + _FILL).any():
+                continue
+            filled[fresh] = fills
             homes[fresh] = homes[i] & homes[j]
             bounds[fresh] = np.stack([both.points.min(axis=0), both.points.max(axis=0)])
             del live[i], live[j]
@@ -133,6 +157,20 @@ def _hull_volume(points: np.ndarray) -> float:
 
     volume = manifold3d.Manifold.hull_points(points).volume()
     return volume if volume > _THINNEST**3 else _solid(points, 0).volume
+
+
+def _filled(points: np.ndarray, rooms: Sequence[np.ndarray]) -> np.ndarray:
+    """The share of each room that the hull of points [N, 3] fills, [R]."""
+    import manifold3d
+
+    low, high = points.min(axis=0), points.max(axis=0)
+    shares, body = np.zeros(len(rooms)), None
+    for k, corners in enumerate(rooms):
+        if (np.minimum(high, corners.max(axis=0)) - np.maximum(low, corners.min(axis=0))).min() > _TOUCH:
+            body = manifold3d.Manifold.hull_points(points) if body is None else body
+            room = manifold3d.Manifold.hull_points(corners)
+            shares[k] = (body ^ room).volume() / room.volume()
+    return shares
 
 
 def _reaches(one: Solid, two: Solid) -> bool:

@@ -78,7 +78,8 @@ def examine(asset: Asset, category: Category) -> Findings:
         if problem:
             say(f"hull {k}: {problem}")
         planes.append((normals, offsets))
-    found.outside = _outside(_samples(asset), planes, asset.hulls)
+    samples = _samples(asset)
+    found.outside = _outside(samples[~_drinks(asset, samples)], planes, asset.hulls)
     if found.outside > OUTSIDE[category.body]:
         say(f"mesh stands {found.outside * 1e3:.2f} mm out of the parts")
     if not 1 <= found.prisms <= 8:
@@ -139,6 +140,21 @@ def _samples(asset: Asset) -> np.ndarray:
     v, f = asset.mesh.vertices, asset.mesh.faces
     a, b, c = v[f[:, 0]], v[f[:, 1]], v[f[:, 2]]
     return np.concatenate([v, (a + b) / 2, (b + c) / 2, (c + a) / 2, (a + b + c) / 3])
+
+
+def _drinks(asset: Asset, points: np.ndarray) -> np.ndarray:
+    """Which points [N, 3] lie in what a round vessel holds: between its floor and its rim, within its outline."""
+    found = np.zeros(len(points), dtype=bool)
+    for room in asset.interiors:
+        if room.oval:
+            wall = np.concatenate([h.vertices for h in asset.hulls if h.link == room.link])
+            low, high = np.array(room.low), np.array(room.high)
+            near = wall[(np.abs(wall - (low + high) / 2) < 0.75 * (high - low) + 0.02).all(axis=1)]
+            inside = (points > np.r_[near.min(axis=0)[:2], low[2] - 1e-3]) & (
+                points < np.r_[near.max(axis=0)[:2], high[2]]
+            )
+            found |= inside.all(axis=1)
+    return found
 
 
 def _outside(points: np.ndarray, planes: list, hulls: tuple[Hull, ...]) -> float:

@@ -147,10 +147,13 @@ class Drawing(Tree):
         hollow: bool = False,
         stretch: tuple[float, float] = (1.0, 1.0),
         collides: bool = True,
+        holds: bool = True,
     ) -> None:
         """A profile of (radius, z) turned about z, stretched along x and y.
 
-        A solid one rises from bottom to top. A hollow one runs up outside and down again inside.
+        A solid one rises from bottom to top. A hollow one runs up outside and down again inside; where that is deep
+        and wide enough to hold something, it has an interior and its parts leave that free, unless it is full
+        and ``holds`` nothing else.
         """
         points, faces = shapes.lathe(list(profile), segments)
         scale = np.array([*stretch, 1.0])
@@ -158,7 +161,14 @@ class Drawing(Tree):
         if collides and self._collides:
             top = max(range(len(profile)), key=lambda i: (profile[i][1], -i))
             rising = list(profile[: top + 1]) if hollow else list(profile)
-            hulls = [(v * scale, f) for v, f in shapes.lathe_hulls(rising, segments)]
+            room = _lathed_room(profile[top:], scale) if hollow and holds else None
+            if room is None:
+                parts = shapes.lathe_hulls(rising, segments)
+            else:
+                parts = shapes.hollow_hulls(rising, list(profile[top + 1 :]), segments, staves_of(room))
+                if self._frame[2, 2] > 0.999:
+                    self.interior("inside", room, oval=True)
+            hulls = [(v * scale, f) for v, f in parts]
         self.add((points * scale, faces), material, hulls)
 
     def turned(
@@ -168,6 +178,7 @@ class Drawing(Tree):
         material: Look,
         segments: int = 24,
         hollow: bool = False,
+        holds: bool = True,
     ) -> Box:
         """A profile of (radius, height) in shares of a box, turned about its middle; elliptic where it is not square.
 
@@ -176,7 +187,7 @@ class Drawing(Tree):
         x, y, z = box.anchor("bottom")
         with self.at(x, y, z):
             shares = [(r, box.height * s) for r, s in profile]
-            self.revolve(shares, material, segments, hollow, (box.depth / 2, box.width / 2))
+            self.revolve(shares, material, segments, hollow, (box.depth / 2, box.width / 2), holds=holds)
         return box
 
     def extrude(self, polygon, span: Interval, material: Look, *, axis: Axis = "z", bevel: float = 0.0) -> None:
@@ -395,6 +406,34 @@ class Drawing(Tree):
         drawn.interiors[:] = [
             replace(room, low=vec3(room.low * scale), high=vec3(room.high * scale)) for room in drawn.interiors
         ]
+
+
+SHALLOWEST, FLATTEST, NARROWEST = 0.012, 0.15, 0.012
+"""What is hollow by less than this depth [m] or share of its width, or less wide than this [m], holds nothing."""
+
+
+def staves_of(room: Box) -> int:
+    """How many parts in a ring are the wall around a room: more around a wide one."""
+    return 6 if room.width < 0.06 else 8 if room.width < 0.25 else 12
+
+
+def _lathed_room(inner: Sequence[tuple[float, float]], scale: np.ndarray) -> Box | None:
+    """The room in a lathed body whose inside falls from the first of these points (radius, z) to the last.
+
+    It is as wide as all of it above a quarter of its depth; None: too little to hold anything.
+    """
+    if len(inner) < 3:
+        return None
+    rim, floor = inner[0][1], inner[-1][1]
+    falling = inner[1:][::-1]
+    levels, radii = [z for _, z in falling], [r for r, _ in falling]
+    start = floor + 0.25 * (rim - floor)
+    radius = min([float(np.interp(start, levels, radii)), *[r for r, z in falling if z > start]])
+    depth, width = 2 * radius * scale[:2]
+    deep_enough = rim - floor >= max(SHALLOWEST, FLATTEST * width)
+    if not deep_enough or min(depth, width) < NARROWEST or np.diff(levels).min() < -1e-9:
+        return None
+    return Box.sized(float(depth), float(width), rim - floor, (0.0, 0.0, floor))
 
 
 def _scaled(box: Box, s: Vec3) -> Box:

@@ -15,6 +15,7 @@ from .lofts import lofted as lofted
 from .lofts import rectangle as rectangle
 from .rounds import ball as ball
 from .rounds import frustum as frustum
+from .rounds import hollow_hulls as hollow_hulls
 from .rounds import lathe as lathe
 from .rounds import lathe_hulls as lathe_hulls
 from .soft import cushion as cushion
@@ -34,6 +35,7 @@ __all__ = [
     "ellipse",
     "extrusion",
     "frustum",
+    "hollow_hulls",
     "hull",
     "hull_of",
     "lathe",

@@ -77,6 +77,38 @@ def lathe_hulls(profile: list[tuple[float, float]], segments: int = 12) -> list[
 
     The profile must rise from foot to head; fewer ``segments`` than the mesh has still contain it.
     """
+    return [hull(lathe(stretch, segments)[0]) for stretch in _bulges(profile)]
+
+
+def hollow_hulls(
+    outer: list[tuple[float, float]], inner: list[tuple[float, float]], segments: int = 24, staves: int = 8
+) -> list[Shape]:
+    """Convex parts of a lathed body that is open above: solid ones up to its floor inside, staves in a ring over it.
+
+    ``outer`` rises to the rim, ``inner`` falls from it to the floor; each is (radius, z).
+    """
+    floor = inner[-1][1]
+    levels, radii = [z for _, z in inner[::-1]], [r for r, _ in inner[::-1]]
+    ends = np.linspace(0, segments, staves + 1).round().astype(int)
+    hulls = []
+    for stretch in _bulges(outer):
+        low, high = stretch[0][1], stretch[-1][1]
+        if low < floor:
+            hulls.append(hull(lathe(_between(stretch, low, min(high, floor)), segments)[0]))
+        if high <= floor + 1e-6:
+            continue
+        low = max(low, floor)
+        own = [z for z in levels if low < z < high]
+        inside = [(float(np.interp(z, levels, radii)), z) for z in (low, *own, high)]
+        rings = [_ring(r / np.cos(np.pi / segments), z, segments) for r, z in _between(stretch, low, high) + inside]
+        for a, b in zip(ends[:-1], ends[1:], strict=True):
+            index = np.arange(a, b + 1) % segments
+            hulls.append(hull(np.concatenate([ring[index] for ring in rings])))
+    return hulls
+
+
+def _bulges(profile: list[tuple[float, float]]) -> list[list[tuple[float, float]]]:
+    """A rising profile cut at its waists, so that each stretch bulges outward; flat ones are left out."""
     stretches: list[list[tuple[float, float]]] = []
     for point in profile:
         if stretches and len(stretches[-1]) >= 2:
@@ -87,12 +119,16 @@ def lathe_hulls(profile: list[tuple[float, float]], segments: int = 12) -> list[
         elif not stretches:
             stretches.append([])
         stretches[-1].append(point)
-    hulls = []
-    for stretch in stretches:
-        low, high = stretch[0][1], stretch[-1][1]
-        if len(stretch) >= 2 and high - low > 1e-6:
-            hulls.append(hull(lathe(stretch, segments)[0]))
-    return hulls
+    return [s for s in stretches if len(s) >= 2 and s[-1][1] - s[0][1] > 1e-6]
+
+
+def _between(stretch: list[tuple[float, float]], low: float, high: float) -> list[tuple[float, float]]:
+    """A stretch of a rising profile from one height to another."""
+    if low <= stretch[0][1] and high >= stretch[-1][1]:
+        return stretch
+    radii, levels = [r for r, _ in stretch], [z for _, z in stretch]
+    ends = [(float(np.interp(z, levels, radii)), z) for z in (low, high)]
+    return [ends[0], *[p for p in stretch if low < p[1] < high], ends[1]]
 
 
 def ball(

@@ -7,7 +7,9 @@ from .cases import frame as frame
 from .cases import shelves as shelves
 from .cases import slats as slats
 from .cases import walls as walls
+from .cavities import FORWARD as FORWARD
 from .cavities import cavity as cavity
+from .cavities import compartments as compartments
 from .cavities import rack as rack
 from .fittings import band as band
 from .fittings import button as button
@@ -72,6 +74,7 @@ __all__ = [
     "carcass",
     "castors",
     "cavity",
+    "compartments",
     "clock_face",
     "cornice",
     "curtain",

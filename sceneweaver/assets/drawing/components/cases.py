@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..box import Axis, Box
 from ..drawing import Drawing, Look
+from .cavities import compartments
 
 
 def carcass(
@@ -45,7 +46,7 @@ def shelves(
         material: What they are of.
         board: How thick they are [m].
         inset: How far they stay behind the front [m].
-        name: Of the surfaces, with a number each; None: they are no surfaces, as behind doors.
+        name: Of the surfaces, with a number each; None: they are no surfaces but interiors, as behind doors.
         floor: Whether the room's floor is one as well.
     """
     rooms = room.inset(front=inset).rows(count + 1, gap=board)
@@ -54,6 +55,8 @@ def shelves(
             d.box(own.bottom(-board), material, bevel=0.0015)
         if name and (k or floor):
             d.surface(f"{name}-{k}", own.bottom(-board), headroom=own.height, inset=0.005)
+    if name is None:
+        compartments(d, rooms)
     return rooms
 
 

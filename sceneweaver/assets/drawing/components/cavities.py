@@ -2,17 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ... import shapes
 from ..box import Box, Interval
 from ..drawing import Drawing, Look
 
+FORWARD = (1.0, 0.0, 0.0)
+"""The way out of what is open in front."""
 
-def cavity(d: Drawing, box: Box, material: Look, wall: float = 0.03, radius: float = 0.01) -> Box:
+
+def compartments(d: Drawing, rooms: Sequence[Box], name: str = "inside") -> None:
+    """Interiors that open to the front, from the lowest: what boards make of a cupboard."""
+    for k, room in enumerate(rooms):
+        d.interior(f"{name}-{k}", room, entry=FORWARD)
+
+
+def cavity(
+    d: Drawing, box: Box, material: Look, wall: float = 0.03, radius: float = 0.01, inside: str | None = "inside"
+) -> Box:
     """A box open in front, with round edges along its depth, as an oven or a fridge; returns the room inside.
 
-    Its collision parts are its five walls, as boxes.
+    Its collision parts are its five walls, as boxes. ``inside`` is the name of its interior; None: boards or racks cut
+    it up, or it is the outer skin of another one.
     """
     room = box.inset(y=wall, z=wall, back=wall)
     rings = []
@@ -23,7 +37,8 @@ def cavity(d: Drawing, box: Box, material: Look, wall: float = 0.03, radius: flo
     between = box.inset(y=wall)
     walls = (box.left(wall), box.right(wall), between.top(wall), between.bottom(wall), room.back(-wall))
     d.add((points, faces), material, [shapes.box(*_spans(own)) for own in walls])
-    d.interior("inside", room, entry=(1.0, 0.0, 0.0))
+    if inside:
+        d.interior(inside, room, entry=FORWARD)
     return room
 
 

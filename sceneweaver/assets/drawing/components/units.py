@@ -7,6 +7,7 @@ from typing import Literal
 from ..box import Box
 from ..drawing import Drawing, Look
 from .cases import carcass
+from .cavities import compartments
 from .fronts import FRONT, doors, drawer, drawers
 
 Layout = Literal["door", "doors", "drawer", "drawers", "mixed"]
@@ -68,7 +69,11 @@ def unit(
     case = box.inset(front=FRONT + 0.001)
     room = carcass(d, case, body, BOARD)
     if layout in ("door", "doors"):
-        for level in room.inset(front=0.03).rows(boards + 1)[1:]:
-            d.box(level.bottom(BOARD), body, bevel=0.0)
+        rooms = room.inset(front=0.03).rows(boards + 1, gap=BOARD)
+        for level in rooms[1:]:
+            d.box(level.bottom(-BOARD), body, bevel=0.0)
+        compartments(d, rooms, name)
+    elif layout == "mixed":
+        compartments(d, [room.to(z=(room.z[0], box.z[1] - 0.16 - BOARD))], name)
     fronts(d, name, box.inset(back=room.x[0] - box.x[0]), layout, leaf, pull, style, panel, grip)
     return room

@@ -50,6 +50,7 @@ def vessel(
     material: Look,
     staves: int | Sequence[int] = 16,
     split: tuple[int, int] | None = None,
+    inside: str | None = "inside",
 ) -> None:
     """A hollow body: rings [K, 3] up outside, then down inside. Its parts are a floor and staves, so it stays open.
 
@@ -60,6 +61,7 @@ def vessel(
         material: What it is of.
         staves: How many parts its wall has, or the points of the rings where they end.
         split: An outer and an inner ring where the staves of a bellied body are cut in two.
+        inside: Name of its interior; None: it is the outer skin of another vessel.
     """
     rings = [*outer, *inner]
     n = len(rings[0])
@@ -73,6 +75,28 @@ def vessel(
         index = np.arange(a, e + 1) % n
         hulls += [shapes.hull(np.concatenate([ring[index] for ring in layer])) for layer in layers]
     d.add(shapes.lofted(rings), material, hulls)
+    if inside:
+        room, round_plan = _room(inner)
+        d.interior(inside, room, oval=round_plan)
+
+
+def _room(inner: Sequence[np.ndarray]) -> tuple[Box, bool]:
+    """The room inside rings [K, 3] that fall from a rim to a floor, and whether its plan is an oval.
+
+    It is as wide as all of them above a quarter of its depth.
+    """
+    levels = np.array([ring[:, 2].mean() for ring in inner])
+    floor, rim = levels.min(), levels.max()
+    start = floor + 0.25 * (rim - floor)
+    under = int(np.flatnonzero(levels <= start)[0])
+    share = (start - levels[under]) / (levels[under - 1] - levels[under])
+    rings = [*inner[:under], inner[under] + share * (inner[under - 1] - inner[under])]
+    low = np.max([r[:, :2].min(axis=0) for r in rings], axis=0).tolist()
+    high = np.min([r[:, :2].max(axis=0) for r in rings], axis=0).tolist()
+    x, y = rings[-1][:, 0], rings[-1][:, 1]
+    area = abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1))) / 2
+    fill = area / max(float(np.ptp(x) * np.ptp(y)), 1e-12)
+    return Box((low[0], high[0]), (low[1], high[1]), (float(floor), float(rim))), fill < 0.9
 
 
 def bowl(

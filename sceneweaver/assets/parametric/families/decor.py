@@ -23,14 +23,15 @@ PROFILES = (
 )
 
 
-def _vessel(d: Drawing, box: Box) -> None:
-    """A vase of glaze or glass that fills a box, some with a band of another finish."""
+def _vessel(d: Drawing, box: Box, floor: float = 0.06) -> None:
+    """A vase of glaze or glass that fills a box, some with a band of another finish; hollow down to a share of it."""
     look, profile = d.material("glaze", GLAZES), d.pick("profile", PROFILES)
     radii, heights = np.array(profile).T
-    bore = float(np.interp(np.linspace(0.86, 1.0, 15), heights, radii).min()) - 0.01 / box.width
+    bore = float(np.interp(np.linspace(floor, 1.0, 15), heights, radii).min())
+    bore -= 0.01 / box.width
     lip = profile[-1][0] - max(0.008 / box.width, 0.04)
     with d.part("vase"):
-        d.turned(box, [*profile, (lip, 1.0), (bore, 0.97), (bore, 0.86)], look, 32, hollow=True)
+        d.turned(box, [*profile, (lip, 1.0), (bore, 0.97), (bore, floor)], look, 32, hollow=True, holds=floor < 0.5)
         if d.chance("band", 0.35) and look.name != "glass":
             ring = [(r + 0.0008 / box.width, z) for r, z in profile[1:3]]
             d.turned(box, ring, d.material("band", "brass, white ceramic, ink pigment"), 32)
@@ -47,7 +48,7 @@ def floor_vase(d: Drawing) -> None:
     """A tall vase for the floor with dry pampas stalks."""
     box = d.even("round")
     r, high = box.width / 2, box.height
-    _vessel(d, box.share(z=(0.0, 0.56)))
+    _vessel(d, box.share(z=(0.0, 0.56)), 0.86)
     turn = np.arange(30)
     with d.part("stalks"):
         for n in range(7):
@@ -85,7 +86,7 @@ def candle(d: Drawing) -> None:
             jar = box.share(z=(0.0, 0.8))
             wall = 1 - 0.006 / box.width
             look = d.material("jar", "glass, grey ceramic, brass, white ceramic")
-            d.turned(jar, [(0.94, 0), (1, 0.05), (1, 1), (wall, 1), (wall, 0.75)], look, 28, hollow=True)
+            d.turned(jar, [(0.94, 0), (1, 0.05), (1, 1), (wall, 1), (wall, 0.75)], look, 28, hollow=True, holds=False)
             fill = d.cylinder(jar.inset(x=0.004, y=0.004, bottom=0.006).share(z=(0.0, 0.76)), wax)
             _flame(d, fill, box.z[1] - fill.z[1])
             return
@@ -125,7 +126,7 @@ def decorative_bowl(d: Drawing) -> None:
     outer = [(0.36, 0), (0.38, 0.08), (0.72, 0.34), (0.93, 0.67), (1, 0.86)]
     inner = [(1 - 0.01 / box.width, 0.86), (0.9, 0.67), (0.68, 0.38), (0.3, 0.16)]
     with d.part("bowl"):
-        d.turned(box, [*outer, *inner], look, 36, hollow=True)
+        d.turned(box, [*outer, *inner], look, 36, hollow=True, holds=False)
         size = min(0.3 * box.width, 0.8 * box.height)
         for k, a in enumerate((0.3, 2.4, 4.5)):
             out = 0.6 * size

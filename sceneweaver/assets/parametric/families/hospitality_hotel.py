@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import bottle, bowl, castors, cavity, door, feet, legs, lip, pulls, rack, unit
+from ...drawing.components import bottle, bowl, castors, cavity, compartments, door, feet, legs, lip, pulls, rack, unit
 
 _DRINKS = ("green glass", "amber glass", "red plastic", "blue plastic", "clear plastic", "orange plastic")
 _SNACKS = [f"{tone} plastic" for tone in ("red", "yellow", "blue", "orange", "green", "pink", "white", "mint")]
@@ -90,7 +90,7 @@ def minibar(d: Drawing) -> None:
     box = d.bounds.inset(front=0.026)
     feet(d, box.bottom(0.018), "black plastic")
     case = box.inset(bottom=0.018, front=0.042)
-    room = cavity(d, case, coat, 0.035, 0.004)
+    room = cavity(d, case, coat, 0.035, 0.004, None)
     d.box(room.back(0.002).inset(back=-0.001), "white plastic", bevel=0.0)
     d.box(room.top(0.007).front(0.03).move(x=-0.02).inset(y=0.03), "lamp glow", bevel=0.0)
     first = d.integer("first", 0, 5)
@@ -98,6 +98,7 @@ def minibar(d: Drawing) -> None:
         if k:
             rack(d, level.bottom(-0.006))
         _bottles(d, level, 4, 0.85 * level.height, first + 3 * k)
+        compartments(d, [level.inset(back=0.09)], f"shelf-{k}")
     glass = d.chance("glass", 0.5)
     leaf = case.front(-0.04).move(x=0.002).inset(bottom=0.012)
     door(d, "door", leaf, coat, "chrome", d.pick("hung", ["left", "right"]), panel="glass" if glass else None)

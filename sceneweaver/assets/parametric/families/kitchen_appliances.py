@@ -3,16 +3,31 @@
 from __future__ import annotations
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import SWING, bar_pull, carcass, cavity, drawer, handle, knob, lip, rack, unit, walls
+from ...drawing.components import (
+    SWING,
+    bar_pull,
+    carcass,
+    cavity,
+    compartments,
+    drawer,
+    handle,
+    knob,
+    lip,
+    rack,
+    unit,
+    walls,
+)
 from ...drawing.drawing import Look
 from .kitchen_common import PLINTH, SETBACK, burners, coat_of, feet, knobs, oven_door, plinth, worktop_of
 
 
 def _oven(d: Drawing, box: Box, coat: Look) -> None:
     """The dark room of an oven in its case, with two racks on ledges; its door is drawn before it."""
-    room = cavity(d, cavity(d, box, coat, 0.012, 0.002), "black paint", 0.028, 0.012)
-    for share in (0.3, 0.62):
-        rack(d, room.inset(front=0.02, top=(1 - share) * room.height))
+    room = cavity(d, cavity(d, box, coat, 0.012, 0.002, None), "black paint", 0.028, 0.012, None).inset(front=0.005)
+    racks = [rack(d, room.inset(front=0.015, top=(1 - share) * room.height)) for share in (0.3, 0.62)]
+    levels = [room.z[0], *(own.z[1] for own in racks), room.z[1]]
+    spans = zip(levels[:-1], levels[1:], (0.005, 0.005, 0.0), strict=True)
+    compartments(d, [room.to(z=(low, high - wire)) for low, high, wire in spans])
 
 
 def _sides(d: Drawing, box: Box, case: Box, coat: Look) -> Box:
@@ -165,12 +180,15 @@ def dishwasher(d: Drawing) -> None:
     with d.part("body"):
         plinth(d, bounds.inset(front=SETBACK).bottom(PLINTH))
         d.box(bounds.top(thick), lid)
-        tub = cavity(d, case, "grey plastic" if coat.metallic else "white paint", 0.012, 0.003)
-        room = cavity(d, tub, "steel", 0.02, 0.02)
+        tub = cavity(d, case, "grey plastic" if coat.metallic else "white paint", 0.012, 0.003, None)
+        room = cavity(d, tub, "steel", 0.02, 0.02, None)
+        levels = [room.z[1]]
         for share in (0.5, 0.92):
             tray = room.inset(front=0.01, x=0.01, y=0.01, top=share * room.height)
             rack(d, tray, "grey plastic")
-            rack(d, tray.inset(top=-0.09), "grey plastic", pitch=1.0)
+            walls(d, tray.top(-0.09).top(0.005), "grey plastic", 0.005, 0.0)
+            compartments(d, [tray.to(z=(tray.z[1], levels[-1] - 0.005))], f"rack-{len(levels)}")
+            levels.append(tray.z[1])
         leaf = front.inset(y=0.002, bottom=0.01, top=0.003).front(0.025)
         with d.hinge("door", leaf.anchor("front bottom"), axis=(0.0, 1.0, 0.0), limits=(0.0, 1.5)):
             panel, low = leaf.top(0.11), leaf.inset(top=0.113)
@@ -197,7 +215,7 @@ def microwave(d: Drawing) -> None:
     case = bounds.inset(front=0.052, bottom=0.01)
     with d.part("body"):
         feet(d, case.bottom(0.012).move(z=-0.01), 0.014)
-        inside = cavity(d, case, coat, 0.006, 0.008)
+        inside = cavity(d, case, coat, 0.006, 0.008, None)
         # Seen from its front, the panel is to the viewer's right, which is +y.
         wide = 0.26 * case.width
         d.box(inside.left(wide - 0.006), "grey plastic", bevel=0.0)

@@ -9,7 +9,7 @@ from typing import Literal
 from ... import shapes
 from ...drawing import Box, Drawing, draws
 from ...drawing.box import Interval
-from ...drawing.components import CORNERS, SWING, bar_pull, cavity, door, knob, lip, rack, vessel, walls
+from ...drawing.components import CORNERS, SWING, bar_pull, cavity, compartments, door, knob, lip, rack, vessel, walls
 from ...drawing.drawing import Look
 from .bottles import bottle
 from .kitchen_common import coat_of, feet
@@ -50,20 +50,21 @@ def _leaf(
 
 def _cold_room(d: Drawing, box: Box, shelves: int, trays: int) -> None:
     """A white lined room with boards of glass, over clear drawers that stand on its floor."""
-    room = cavity(d, box, "white plastic", 0.035).inset(front=0.1, y=0.004)
+    room = cavity(d, box, "white plastic", 0.035, inside=None).inset(front=0.1, y=0.004)
     low = room.bottom(0.17 * trays)
     for cell in low.rows(trays, gap=0.01) if trays else []:
         d.box(cell.front(0.3), "clear plastic", bevel=0.004)
-    rows = room.inset(bottom=low.height if trays else 0.0).rows(shelves + 1)
+    rows = room.inset(bottom=low.height if trays else 0.0).rows(shelves + 1, gap=0.006)
     for cell in rows if trays else rows[1:]:
-        d.box(cell.bottom(0.006), "glass", bevel=0.0)
+        d.box(cell.bottom(-0.006), "glass", bevel=0.0)
+    compartments(d, rows)
 
 
 def _cold_case(d: Drawing, box: Box, coat: Look, radius: float) -> Box:
     """The case of a fridge on its base; returns the room to line."""
     case = box.inset(bottom=0.035)
     d.box(case.bottom(-0.035).inset(front=0.02, back=0.04, y=0.015), "black plastic")
-    return cavity(d, case, coat, 0.012, radius)
+    return cavity(d, case, coat, 0.012, radius, inside=None)
 
 
 @draws("fridge")
@@ -154,7 +155,8 @@ def freezer(d: Drawing) -> None:
         room = liner.inset(x=0.04, y=0.04, bottom=0.045)
         for outer, inner, look in ((chest, liner, coat), (liner, room, "white plastic")):
             rings = [shapes.rectangle(outer.x, outer.y, z, 0.02) for z in outer.z]
-            vessel(d, rings, [shapes.rectangle(inner.x, inner.y, z, 0.02) for z in inner.z[::-1]], look, CORNERS)
+            falling = [shapes.rectangle(inner.x, inner.y, z, 0.02) for z in inner.z[::-1]]
+            vessel(d, rings, falling, look, CORNERS, inside=None if inner is liner else "inside")
         rack(d, room.inset(x=0.004, y=0.004, top=0.06).left(0.24), "white steel")
         walls(d, liner.top(-0.008), "rubber", 0.02, 0.0)
         face = chest.front(0.0)
@@ -183,7 +185,9 @@ def wine_cooler(d: Drawing) -> None:
         feet(d, body.bottom(0.03))
         case = body.inset(bottom=0.03)
         d.box(case.bottom(0.05).inset(back=0.02, front=0.01, y=0.01), "black plastic", bevel=0.0)
-        room = cavity(d, cavity(d, case.inset(bottom=0.05), coat, 0.012, 0.004), "black plastic", 0.02)
+        room = cavity(
+            d, cavity(d, case.inset(bottom=0.05), coat, 0.012, 0.004, None), "black plastic", 0.02, inside=None
+        )
         d.print(room.top(0.0).inset(y=0.03).front(0.03), "lamp glow")
         rows = room.inset(top=0.03).rows(max(4, round((room.height - 0.05) / 0.15)))
         count = max(3, int(room.width / 0.095))

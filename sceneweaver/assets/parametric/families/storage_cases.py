@@ -3,7 +3,20 @@
 from __future__ import annotations
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import SWING, carcass, cornice, door, doors, drawer, drawers, feet, handle, lip, pulls
+from ...drawing.components import (
+    SWING,
+    carcass,
+    compartments,
+    cornice,
+    door,
+    doors,
+    drawer,
+    drawers,
+    feet,
+    handle,
+    lip,
+    pulls,
+)
 from .storage_parts import BOARD, closed_case, inner_boards, rear_panels
 
 WOODS = ("oak", "walnut", "white paint", "light oak", "pine", "cherry", "sage paint", "ash grey wood")
@@ -44,6 +57,7 @@ def wardrobe(d: Drawing) -> None:
         d.bar((x, room.y[0], z), (x, room.y[1], z), 0.0125, "brushed steel")
         if classic:
             cornice(d, case.top(-head), wood, over)
+    compartments(d, [room.to(z=(room.z[0], z - 0.02)), room.to(z=(hats.z[1], room.z[1] - BOARD))])
     d.surface("floor", room.bottom(0.0).inset(back=0.01, front=0.02), round(z - 0.0175 - room.z[0], 4))
     with d.part("doors"):
         for k, cell in enumerate(case.inset(bottom=foot + 0.003, top=0.003).front(-leaf).columns(count)):
@@ -93,7 +107,7 @@ def sideboard(d: Drawing) -> None:
             if k == drawn:
                 drawers(d, cell, [1.2, 1.0, 0.9], fronts, pull, style)
             else:
-                inner_boards(d, cell, 1, wood)
+                inner_boards(d, cell, 1, wood, f"inside-{k}")
                 door(d, f"door-{k}", cell.front(BOARD), fronts, pull, "right" if k < drawn else "left", style, grip=0.7)
 
 
@@ -188,6 +202,11 @@ def locker(d: Drawing) -> None:
                 d.box(column.inset(front=0.02).right(-0.004), steel, bevel=0.0)
             for j, cell in enumerate(column.rows(rows, gap=0.006)):
                 hats = d.box(cell.inset(front=0.025).place(height=0.003, at="top").move(z=-0.28), steel, bevel=0.0)
+                compartments(
+                    d,
+                    [cell.inset(front=0.02).to(z=z) for z in ((cell.z[0], hats.z[0] - 0.06), (hats.z[1], cell.z[1]))],
+                    f"inside-{k}-{j}",
+                )
                 rail = Box.around(hats.anchor("bottom"), 0.016, cell.width, 0.016).move(z=-0.04)
                 d.cylinder(rail, metal, "y", segments=8)
                 _locker_door(d, f"door-{k}-{j}", cell.inset(y=0.002, z=0.002).front(BOARD), fronts, metal)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...drawing import Box, Drawing
-from ...drawing.components import board_top, carcass, feet
+from ...drawing.components import board_top, carcass, compartments, feet
 from ...drawing.drawing import Look
 
 BOARD = 0.018
@@ -20,10 +20,12 @@ def closed_case(d: Drawing, case: Box, wood: Look, base: str, foot: float, over:
     return room
 
 
-def inner_boards(d: Drawing, room: Box, count: int, wood: Look) -> None:
-    """Boards behind doors, which are no surfaces."""
-    for level in room.inset(front=0.03).rows(count + 1)[1:]:
-        d.box(level.bottom(BOARD), wood, bevel=0.0)
+def inner_boards(d: Drawing, room: Box, count: int, wood: Look, name: str = "inside") -> None:
+    """Boards behind doors, which are no surfaces; what is between them are interiors."""
+    rooms = room.inset(front=0.03).rows(count + 1, gap=BOARD)
+    for level in rooms[1:]:
+        d.box(level.bottom(-BOARD), wood, bevel=0.0)
+    compartments(d, rooms, name)
 
 
 def rear_panels(d: Drawing, box: Box, sheet: Look, strip: Look, count: int) -> None:
