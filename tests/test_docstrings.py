@@ -9,7 +9,7 @@ import inspect
 
 import pytest
 
-MODULES = ("sceneweaver", "sceneweaver.jax", "sceneweaver.torch", "sceneweaver.problems", "sceneweaver.bench")
+MODULES = tuple(f"sceneweaver{floor}" for floor in ("", ".jax", ".torch", ".problems", ".bench", ".envs"))
 NEEDS = {"sceneweaver.torch": ("torch",), "sceneweaver.bench": ("pyarrow", "matplotlib")}
 PLAIN = {"sceneweaver.__version__"}  # a text has no docstring of its own
 PUBLIC = [

@@ -1,0 +1,73 @@
+"""Rooms as environments for robots: Gymnasium over MuJoCo. ``pip install 'sceneweaver[envs]'``.
+
+`make` gives one; ``gymnasium.make("sceneweaver/Room-v0", scenes=...)`` does the same once this module is imported.
+"""
+
+from typing import Any
+
+from .env import RoomEnv as RoomEnv
+from .geometry import SceneGeometry as SceneGeometry
+from .layouts import layouts_of as layouts_of
+from .layouts import poses_of as poses_of
+from .navigation import FloorMap as FloorMap
+from .robots import Robot as Robot
+from .robots import fixed_arm as fixed_arm
+from .robots import mobile_manipulator as mobile_manipulator
+from .sampling import tasks_of as tasks_of
+from .tasks import Close as Close
+from .tasks import NavigateTo as NavigateTo
+from .tasks import Open as Open
+from .tasks import PutIn as PutIn
+from .tasks import PutOn as PutOn
+from .tasks import Take as Take
+from .tasks import Task as Task
+from .tasks import Tidy as Tidy
+from .world import RoomState as RoomState
+from .world import World as World
+
+__all__ = [
+    "Close",
+    "FloorMap",
+    "NavigateTo",
+    "Open",
+    "PutIn",
+    "PutOn",
+    "Robot",
+    "RoomEnv",
+    "RoomState",
+    "SceneGeometry",
+    "Take",
+    "Task",
+    "Tidy",
+    "World",
+    "fixed_arm",
+    "layouts_of",
+    "make",
+    "mobile_manipulator",
+    "poses_of",
+    "tasks_of",
+]
+
+
+def make(scenes: Any, task: str | Task | None = None, **options: Any) -> RoomEnv:
+    """An environment; arguments are those of `RoomEnv`.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> from sceneweaver import envs
+        >>> env = envs.make(sw.Scene.example("bedroom"), seed=0)
+        >>> observation, info = env.reset()
+        >>> info["success"]
+        False
+    """
+    return RoomEnv(scenes, task, **options)
+
+
+def _register() -> None:
+    import gymnasium
+
+    if "sceneweaver/Room-v0" not in gymnasium.registry:
+        gymnasium.register("sceneweaver/Room-v0", entry_point="sceneweaver.envs.env:RoomEnv")
+
+
+_register()

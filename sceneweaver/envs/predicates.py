@@ -1,0 +1,116 @@
+"""When a task is done: geometry alone, no contacts. Arrays may have any leading dimensions, which broadcast.
+
+Poses are [..., 7]: position [m] and a unit quaternion (w, x, y, z), as MuJoCo has them.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+Array = np.ndarray
+
+
+def to_local(poses: Array, points: Array) -> Array:
+    """World points [..., 3] in the frames of poses [..., 7].
+
+    Examples:
+        >>> to_local(np.array([1.0, 0, 0, 1, 0, 0, 0]), np.array([1.5, 0, 0])).tolist()
+        [0.5, 0.0, 0.0]
+    """
+    return rotate(poses[..., 3:] * np.array([1.0, -1, -1, -1]), points - poses[..., :3])
+
+
+def to_world(poses: Array, points: Array) -> Array:
+    """Points [..., 3] in the frames of poses [..., 7] as world points.
+
+    Examples:
+        >>> to_world(np.array([1.0, 0, 0, 1, 0, 0, 0]), np.array([0.5, 0, 0])).tolist()
+        [1.5, 0.0, 0.0]
+    """
+    return rotate(poses[..., 3:], points) + poses[..., :3]
+
+
+def rotate(quaternions: Array, vectors: Array) -> Array:
+    """Vectors [..., 3] turned by unit quaternions [..., 4], real part first.
+
+    Examples:
+        >>> rotate(np.array([0.0, 0, 0, 1]), np.array([1.0, 2, 3])).tolist()
+        [-1.0, -2.0, 3.0]
+    """
+    w, axis = quaternions[..., :1], quaternions[..., 1:]
+    return vectors + 2 * np.cross(axis, np.cross(axis, vectors) + w * vectors)
+
+
+def open_share(position: Array | float, open_end: Array | float) -> Array:
+    """How far joints are open: 0 closed, 1 at the end ``open_end`` of their range.
+
+    Examples:
+        >>> float(open_share(-0.96, -1.92))
+        0.5
+    """
+    return np.clip(np.asarray(position) / np.asarray(open_end), 0.0, 1.0)
+
+
+def is_inside(point: Array, pose: Array, low: Array, high: Array, oval: Array | bool = False) -> Array:
+    """Whether world points [..., 3] are in boxes ``low`` to ``high`` [..., 3] of frames ``pose`` [..., 7].
+
+    Of an ``oval`` one only the upright elliptic cylinder in the box counts.
+
+    Examples:
+        >>> frame, low, high = np.array([0.0, 0, 0, 1, 0, 0, 0]), np.full(3, -1.0), np.ones(3)
+        >>> corner = np.array([0.9, 0.9, 0.0])
+        >>> bool(is_inside(corner, frame, low, high)), bool(is_inside(corner, frame, low, high, oval=True))
+        (True, False)
+    """
+    share = (to_local(pose, point) - (low + high) / 2) / np.maximum((high - low) / 2, 1e-9)
+    within = (np.abs(share) <= 1).all(axis=-1)
+    return within & (~np.asarray(oval) | ((share[..., :2] ** 2).sum(axis=-1) <= 1))
+
+
+def is_on(bottom: Array, pose: Array, low: Array, high: Array, z: Array | float, tolerance: float = 0.02) -> Array:
+    """Whether the lowest points of things [..., 3] lie on surfaces: over their plan ``low`` to ``high`` [..., 2] and at
+    most ``tolerance`` [m] off their height ``z`` in the frame ``pose`` [..., 7].
+
+    Examples:
+        >>> frame = np.array([0.0, 0, 0.7, 1, 0, 0, 0])
+        >>> bool(is_on(np.array([0.1, 0, 0.71]), frame, -np.ones(2), np.ones(2), 0.0))
+        True
+    """
+    local = to_local(pose, bottom)
+    over = ((local[..., :2] >= low) & (local[..., :2] <= high)).all(axis=-1)
+    return over & (np.abs(local[..., 2] - z) <= tolerance)
+
+
+def is_near(point: Array, other: Array, within: Array | float) -> Array:
+    """Whether points [..., 3] are at most ``within`` [m] from others.
+
+    Examples:
+        >>> bool(is_near(np.zeros(3), np.array([0.0, 0.1, 0]), 0.2))
+        True
+    """
+    return np.linalg.norm(np.asarray(point) - other, axis=-1) <= within
+
+
+def faces(base: Array, point: Array, within: float = np.pi / 6) -> Array:
+    """Whether bases [..., 3] (x, y, yaw) look at points [..., 2] to ``within`` [rad].
+
+    Examples:
+        >>> bool(faces(np.zeros(3), np.array([1.0, 0.1])))
+        True
+    """
+    bearing = np.arctan2(point[..., 1] - base[..., 1], point[..., 0] - base[..., 0])
+    return np.abs((bearing - base[..., 2] + np.pi) % (2 * np.pi) - np.pi) <= within
+
+
+def distance_to_box(point: Array, pose: Array, low: Array, high: Array) -> Array:
+    """Distance [m] in the plane from points [..., 2] to the plans of upright boxes in frames ``pose`` [..., 7].
+
+    Examples:
+        >>> frame = np.array([0.0, 0, 0, 1, 0, 0, 0])
+        >>> float(distance_to_box(np.array([3.0, 0]), frame, -np.ones(3), np.ones(3)))
+        2.0
+    """
+    flat = np.concatenate([point, np.broadcast_to(pose[..., 2:3], (*point.shape[:-1], 1))], axis=-1)
+    local = to_local(pose, flat)[..., :2]
+    gap = np.maximum(np.maximum(low[..., :2] - local, local - high[..., :2]), 0.0)
+    return np.linalg.norm(gap, axis=-1)
