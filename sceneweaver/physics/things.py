@@ -136,7 +136,7 @@ def is_fixture(thing: SceneObject) -> bool:
 def joint_of(
     link: Link, scale: tuple[float, float, float], mass: float
 ) -> tuple[np.ndarray, tuple[float, float], float]:
-    """The unit axis [3] of a door or drawer of that mass [kg], its limits [rad] or [m] and its friction.
+    """The unit axis [3] of a door, drawer or control of that mass [kg], its limits [rad] or [m] and its friction.
 
     The friction, [N m] or [N], keeps it where it is against the little that a tilt or a hinge below brings, and a hand
     moves it with ease. ``scale`` is that of the object: a drawer of a deeper one comes out farther.
@@ -145,7 +145,10 @@ def joint_of(
     axis = np.asarray(link.axis, dtype=float) * (np.asarray(scale) if slides else 1.0)
     stretch = float(np.linalg.norm(axis)) if slides else 1.0
     low, high = (float(end) * stretch for end in link.limits)
-    hold = max(1.0, 2.0 * mass) if slides else max(0.2, 0.5 * mass)
+    if link.role == "control":
+        hold = 0.5 if slides else 0.02
+    else:
+        hold = max(1.0, 2.0 * mass) if slides else max(0.2, 0.5 * mass)
     return axis / np.linalg.norm(axis), (low, high), hold
 
 

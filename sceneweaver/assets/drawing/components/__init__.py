@@ -11,6 +11,7 @@ from .cavities import FORWARD as FORWARD
 from .cavities import cavity as cavity
 from .cavities import compartments as compartments
 from .cavities import rack as rack
+from .fittings import TURN as TURN
 from .fittings import band as band
 from .fittings import button as button
 from .fittings import knob as knob
@@ -60,6 +61,7 @@ __all__ = [
     "FRONT",
     "REACH",
     "SWING",
+    "TURN",
     "Layout",
     "art",
     "band",

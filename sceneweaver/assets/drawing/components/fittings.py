@@ -3,21 +3,39 @@
 from __future__ import annotations
 
 import math
+from contextlib import ExitStack
 
 from ..box import Box
 from ..drawing import PROUD, Drawing, Look
 
+TURN = math.radians(270.0)
+"""How far a knob turns [rad]."""
+
 
 def knob(
-    d: Drawing, face: Box, material: Look, radius: float = 0.02, reach: float = 0.02, mark: Look | None = None
+    d: Drawing,
+    face: Box,
+    material: Look,
+    radius: float = 0.02,
+    reach: float = 0.02,
+    mark: Look | None = None,
+    name: str | None = None,
 ) -> None:
-    """A turned knob in the middle of a box's front, with a mark at its top where one is asked for."""
+    """A turned knob in the middle of a box's front, with a mark at its top where one is asked for.
+
+    One with a ``name`` is a control that a hand can turn clockwise.
+    """
     x, y, z = face.anchor("front")
-    with d.at(x, y, z, pitch=math.pi / 2):
-        profile = [(1.0, 0.0), (1.0, 0.3), (0.8, 0.4), (0.72, 1.0)]
-        d.revolve([(radius * r, reach * s) for r, s in profile], material, 16)
-    if mark:
-        d.print(Box.around((x + reach, y, z + 0.42 * radius), 0.0, 0.12 * radius, 0.45 * radius), mark)
+    with ExitStack() as stack:
+        if name:
+            stack.enter_context(d.hinge(name, (x, y, z), (-1.0, 0.0, 0.0), (0.0, TURN), "control"))
+            grip = (x + max(0.011, 0.5 * reach), y, z)
+            d.grasp("knob", grip, (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0), 2 * radius, 2 * radius)
+        with d.at(x, y, z, pitch=math.pi / 2):
+            profile = [(1.0, 0.0), (1.0, 0.3), (0.8, 0.4), (0.72, 1.0)]
+            d.revolve([(radius * r, reach * s) for r, s in profile], material, 16)
+        if mark:
+            d.print(Box.around((x + reach, y, z + 0.42 * radius), 0.0, 0.12 * radius, 0.45 * radius), mark)
 
 
 def button(d: Drawing, face: Box, material: Look, radius: float = 0.006, reach: float = 0.002) -> None:
@@ -34,14 +52,17 @@ def tap(
     radius: float = 0.012,
     lever: bool = True,
     square: bool = False,
+    name: str = "tap",
 ) -> None:
     """A mixer tap that stands at the frame's origin: its spout bends forward (+x) by ``reach`` at ``height`` [m].
 
-    A ``square`` one is made of flat bars.
+    A ``square`` one is made of flat bars. Its lever is a control that is lifted.
     """
     d.cylinder(Box.sized(3.4 * radius, 3.4 * radius, 0.012), material, segments=16)
     if lever:
-        d.bar((0.0, 0.0, 0.25 * height), (0.3 * reach, 3.2 * radius, 0.36 * height), 0.5 * radius, material, segments=8)
+        foot, end = (0.0, 0.0, 0.25 * height), (0.3 * reach, 3.2 * radius, 0.36 * height)
+        with d.hinge(name, foot, (end[1], -end[0], 0.0), (0.0, 0.5), "control"):
+            d.bar(foot, end, 0.5 * radius, material, segments=8)
     if square:
         stem = d.box(Box.sized(2.2 * radius, 2.6 * radius, height), material)
         spout = d.box(stem.top(1.6 * radius).to(x=(stem.x[0], reach)), material)

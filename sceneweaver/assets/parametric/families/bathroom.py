@@ -61,7 +61,7 @@ def toilet(d: Drawing) -> None:
         case = tank.to(z=(high - 0.04, box.z[1] - 0.052))
         d.sections(case, [(0.81, 0.84, 0.0), (0.9, 0.94, 1.0)], china, 0.2, convex=True)
         lid = d.slab(tank.to(z=(case.z[1], box.z[1] - 0.012)), china, 0.035, 0.01)
-    with d.part("button"):
+    with d.part("button"), d.slide("button", (0.0, 0.0, -1.0), (0.0, 0.006), "control"):
         button = lid.top(-0.012).inset(bottom=-0.001).place(0.052, 0.052)
         d.cylinder(button, "chrome", ends=(1.0, 0.92), bevel=0.002, segments=20)
         d.print(button.top(0.0).place(0.04, 0.0016), "black steel")
@@ -210,7 +210,7 @@ def vanity(d: Drawing) -> None:
                 dish = Box.sized(size, 2 * wide, bowl, (0.04, y, h))
                 _washbowl(d, dish, china, 5.0 if square else 2.0)
         with d.part(f"tap {k}"), d.at(box.x[0] + 0.05, y, h):
-            tap(d, metal, 0.15, box.z[1] - h, square=square)
+            tap(d, metal, 0.15, box.z[1] - h, square=square, name=f"tap-{k}")
     middles = [hole.center[1] for hole in holes]
     edges = [box.y[0] + 0.01, *(m + s * reach for m in middles for s in (-1, 1)), box.y[1] - 0.01]
     names = ("top-right", "top-left") if count == 1 else ("top-right", "top-middle", "top-left")

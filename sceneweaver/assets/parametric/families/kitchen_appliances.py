@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...drawing import Box, Drawing, draws
 from ...drawing.components import (
     SWING,
+    TURN,
     bar_pull,
     carcass,
     cavity,
@@ -60,8 +61,9 @@ def stove(d: Drawing) -> None:
         d.box(controls, coat, bevel=0.0)
         dark = d.chance("black panel", 0.4)
         panel = d.box(controls.inset(y=0.002).front(-0.04).inset(bottom=0.001), "black glass" if dark else coat)
-        for share in ((0.03, 0.42), (0.58, 0.97)):
-            knobs(d, panel.share(y=share), count // 2 + 1, pull if coat.metallic else "black plastic")
+        each = 3 if bounds.width > 0.59 else 2  # so that fingers fit between them
+        for k, share in enumerate(((0.03, 0.42), (0.58, 0.97))):
+            knobs(d, panel.share(y=share), each, pull if coat.metallic else "black plastic", first=each * k)
         d.print(panel.front(0.0).place(width=0.1, height=0.035), "screen")
         rooms = case.to(z=(0.235, controls.z[0]))
         cells = rooms.columns([0.62, 0.38]) if bounds.width > 0.8 and d.chance("two ovens", 0.5) else [rooms]
@@ -98,8 +100,8 @@ def oven_tower(d: Drawing) -> None:
             face = cell.front(-0.019).inset(y=-0.008)
             panel = d.box(face.top(0.1), "black glass", bevel=0.002)
             d.print(panel.front(0.0).place(width=0.12, height=0.04), "screen")
-            for side in (panel.share(y=(0.1, 0.3)), panel.share(y=(0.7, 0.9))):
-                knob(d, side, steel, 0.022, 0.02)
+            for k, side in enumerate((panel.share(y=(0.1, 0.3)), panel.share(y=(0.7, 0.9)))):
+                knob(d, side, steel, 0.022, 0.022, name=f"{name} knob-{k}")
             oven_door(d, name, face.inset(top=0.103), steel, "chrome")
         top = bounds.to(z=(high, bounds.z[1]))
         unit(d, "top", top, "door", shell, leaf, pull, grip=0.2)
@@ -118,13 +120,15 @@ def hob(d: Drawing) -> None:
         if not gas:
             d.box(plate.inset(x=0.02, y=0.02, top=0.006), "black plastic", bevel=0.0)
         d.box(plate if gas else plate.top(0.007), look, bevel=0.002)
-        burners(d, plate.inset(back=0.02, front=0.08, y=0.02), gas, count)
+        burners(d, plate.inset(back=0.02, front=0.105 if gas else 0.08, y=0.02), gas, count)
+        plate_dark = look.name == "black glass"
         row = plate.top(0.0).front(0.09).place(width=(count + 1) * 0.065 if gas else 0.28)
-        for place in row.columns(count + 1 if gas else 8):
+        for k, place in enumerate(row.columns(count + 1 if gas else 8)):
             if gas:
-                knob_box = Box.sized(0.036, 0.036, 0.022, place.center)
-                dark = look.name == "black glass"
-                d.cylinder(knob_box, "chrome" if dark else "black plastic", ends=(1.0, 0.85), bevel=0.002, segments=14)
+                body, metal = Box.sized(0.036, 0.036, 0.022, place.center), "chrome" if plate_dark else "black plastic"
+                with d.hinge(f"knob-{k}", place.center, (0.0, 0.0, -1.0), (0.0, TURN), "control"):
+                    d.cylinder(body, metal, ends=(1.0, 0.85), bevel=0.002, segments=14)
+                    d.grasp("knob", body.center, (0.0, 0.0, -1.0), (1.0, 0.0, 0.0), body.depth, body.width)
             else:
                 d.print(place.place(0.005, 0.016), "white plastic")
     if not gas:
@@ -231,8 +235,8 @@ def microwave(d: Drawing) -> None:
         clock = d.print(panel.front(0.0).top(0.07).inset(y=0.15 * wide, bottom=0.038, top=0.008), "screen")
         d.print(clock.inset(y=0.25 * clock.width, z=0.006), "lamp glow", 0.00045)
         if d.chance("knobs", 0.4):
-            for place in panel.inset(top=0.07).rows(2):
-                knob(d, place, "chrome", 0.021, 0.02, mark="black plastic")
+            for k, place in enumerate(panel.inset(top=0.07).rows(2)):
+                knob(d, place, "chrome", 0.021, 0.022, "black plastic", f"knob-{k}")
         else:
             keys = panel.inset(top=0.08, bottom=0.03).place(width=0.08).front(0.0)
             for key in (cell for row in keys.rows(4) for cell in row.columns(3)):

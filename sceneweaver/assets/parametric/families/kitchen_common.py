@@ -120,7 +120,7 @@ def oven_door(d: Drawing, name: str, leaf: Box, material: Look, pull: Look, hand
             handle(d, leaf.top(max(0.5 * high, 0.066)), pull, "bar", 0.78 * leaf.width)
 
 
-def knobs(d: Drawing, row: Box, count: int, material: Look, radius: float = 0.019) -> None:
-    """Turning knobs side by side on a box's front, each with a white mark."""
-    for place in row.columns(count):
-        knob(d, place, material, radius, 0.022, mark="white plastic")
+def knobs(d: Drawing, row: Box, count: int, material: Look, radius: float = 0.019, first: int = 0) -> None:
+    """Turning knobs side by side on a box's front, each with a white mark; they are numbered from ``first``."""
+    for k, place in enumerate(row.columns(count), start=first):
+        knob(d, place, material, radius, 0.022, "white plastic", f"knob-{k}")

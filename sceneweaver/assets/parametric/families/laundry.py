@@ -51,7 +51,7 @@ def washing_machine(d: Drawing) -> None:
         with d.slide("soap drawer", limits=(0.0, 0.15)):
             tray = d.box(place.front(-0.005), coat)
             lip(d, tray.front(-0.022).share(y=(0.25, 0.75), z=(0.1, 0.28)), "grey plastic", bevel=0.002)
-    knob(d, face.move(y=d.pick("dial", [-0.02, 0.0, 0.02])), "chrome", 0.033, 0.026)
+    knob(d, face.move(y=d.pick("dial", [-0.02, 0.0, 0.02])), "chrome", 0.033, 0.026, name="dial")
     d.print(face.to(y=(0.07, 0.2)).place(height=0.05), "screen")
     for key in face.to(y=(0.21, 0.28)).columns(3):
         button(d, key, "chrome", 0.006, 0.003)

@@ -68,8 +68,8 @@ def espresso_machine(d: Drawing, look: Look, dark: Look) -> None:
     cup = Box.sized(0.064, 0.064, 0.06, (x, 0.0, 0.06))
     open_vessel(d, cup, [(0.7, 0.0), (0.9, 0.5), (1.0, 1.0)], "white ceramic", drink="coffee", level=0.8)
     left, middle, right = head.share(z=(0.3, 0.6)).columns(3)
-    for face in (left, right):
-        knob(d, face, "chrome", 0.016, 0.018)
+    for k, face in enumerate((left, right)):
+        knob(d, face, "chrome", 0.016, 0.02, name=f"knob-{k}")
     knob(d, middle, "chrome", 0.02, 0.005)
     with d.no_colliders():
         d.cylinder(Box.around((head.x[1] + 0.005, 0.0, middle.center[2]), 0.0006, 0.026, 0.026), "paper", "x")
