@@ -8,6 +8,7 @@ import pytest
 from tests.test_repository import ROOT, code_blocks
 
 
+@pytest.mark.slow
 def test_the_examples_run():
     for library in ("optax", "optimistix", "blackjax", "evosax"):
         pytest.importorskip(library)
