@@ -10,6 +10,9 @@ from pathlib import Path
 
 from sceneweaver.scene import InputError
 from sceneweaver.scene.files import temporary_folder
+from sceneweaver.scene.threads import map_threads
+
+_WRITERS = 16  # files that wait for the disk at once
 
 
 def write_folder(target: Path, files: Mapping[str, bytes], ours: Callable[[set[str]], bool]) -> None:
@@ -57,13 +60,16 @@ def staged(target: Path, field: str = "folder") -> Iterator[Path]:
 
 def fill(folder: Path, files: Mapping[str, bytes]) -> None:
     """Write files below a folder that is there."""
-    for name, content in files.items():
-        path = folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with open(path, "wb") as file:
-            file.write(content)
+    for parent in {(folder / name).parent for name in files}:
+        parent.mkdir(parents=True, exist_ok=True)
+
+    def write(name: str) -> None:
+        with open(folder / name, "wb") as file:
+            file.write(files[name])
             file.flush()
             os.fsync(file.fileno())
+
+    map_threads(write, files, _WRITERS)
 
 
 def move(places: Mapping[Path, Path]) -> None:

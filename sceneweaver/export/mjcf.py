@@ -6,7 +6,6 @@ Bodies have the names of their objects. Geoms of group 2 are what is seen, those
 from __future__ import annotations
 
 import os
-import zlib
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -19,8 +18,9 @@ from sceneweaver.assets.placed import Load
 from sceneweaver.assets.room_looks import room_looks, wall_look
 from sceneweaver.assets.textures import maps
 from sceneweaver.assets.textures.relief import to_srgb
+from sceneweaver.geometry.hulls import hull_mesh
 from sceneweaver.physics import Model, build
-from sceneweaver.physics.model import UNSET
+from sceneweaver.physics.model import ROOM, UNSET, mesh_stem
 from sceneweaver.physics.things import RigidBody, Thing
 from sceneweaver.physics.xml import child
 from sceneweaver.scene import Room, Scene
@@ -64,8 +64,40 @@ def mjcf(scene: Scene, load: Load | None = None, *, textures: bool = True) -> Mo
     model = build(scene, load, wardrobe)
     root = Xml.fromstring(model.xml)
     wardrobe.paper(root, scene.room)
+    _without_slashes(root)
     Xml.indent(root, " ")
-    return replace(model, xml=Xml.tostring(root, encoding="unicode") + "\n", files=wardrobe.files)
+    xml = Xml.tostring(root, encoding="unicode") + "\n"
+    return replace(model, xml=xml, files={**wardrobe.files, **_hulls_as_files(root)})
+
+
+def _hulls_as_files(root: Xml.Element) -> dict[str, bytes]:
+    """Moves the vertices of hulls to files, as some readers take no others; returns these by path."""
+    files = {}
+    for mesh in root.iterfind("asset/mesh[@vertex]"):
+        points = np.array(mesh.attrib.pop("vertex").split(), dtype=float).reshape(-1, 3)
+        name = f"meshes/{mesh.get('name')}.obj"
+        files[name] = _obj(*hull_mesh(points), None)
+        mesh.set("file", name)
+    return files
+
+
+def _without_slashes(root: Xml.Element) -> None:
+    """Names without "/", which other readers keep for themselves; no two of one kind alike."""
+    renamed: dict[str, str] = {}
+    taken = {value for element in root.iter() if "/" not in (value := element.get("name", ""))}
+    for element in root.iter():
+        for key in ("name", "body1", "body2", "mesh", "material", "texture"):
+            old = element.get(key, "")
+            if "/" not in old:
+                continue
+            if old not in renamed:
+                new = stem = old.replace("/", "-")
+                number = 1
+                while new in taken:
+                    new, number = f"{stem}-{number}", number + 1
+                taken.add(new)
+                renamed[old] = new
+            element.set(key, renamed[old])
 
 
 class _Wardrobe:
@@ -84,9 +116,10 @@ class _Wardrobe:
         key = (thing.key, own.number)
         if key not in self._made:
             self._made[key] = self._add(assets, thing, own.number)
-        for name, material in self._made[key]:
+        for k, (name, material) in enumerate(self._made[key]):
             look = self._material(assets, material)
-            child(body, "geom", {"class": "visual"}, mesh=name, material=look)
+            seen = {"name": f"{own.name}:visual:{k}", "class": f"{ROOM}:visual"}
+            child(body, "geom", seen, mesh=name, material=look)
 
     def paper(self, root: Xml.Element, room: Room) -> None:
         """Give floor and walls the looks of the room; the floor's image repeats at its real size."""
@@ -112,7 +145,7 @@ class _Wardrobe:
         mesh, found = thing.asset.mesh, []
         face_body = thing.face_body
         uv = texture_coordinates(mesh) if self._textured else None
-        stem = f"{thing.asset.category}-{zlib.crc32(thing.key.encode()):08x}-{link}"
+        stem = f"{mesh_stem(thing)}-{link}"
         for number in np.unique(mesh.face_material[face_body == link]):
             chosen = (face_body == link) & (mesh.face_material == number)
             material = mesh.materials[int(number)]
@@ -122,7 +155,7 @@ class _Wardrobe:
             points = mesh.vertices[used] * np.asarray(thing.scale)
             self.files[f"meshes/{name}.obj"] = _obj(points, packed.reshape(-1, 3), places)
             # Sheets and open pieces enclose no volume; as shells they have a frame all the same.
-            child(assets, "mesh", name=name, file=f"{name}.obj", inertia="shell")
+            child(assets, "mesh", name=name, file=f"meshes/{name}.obj", inertia="shell")
             found.append((name, material))
         return found
 
@@ -155,7 +188,7 @@ class _Wardrobe:
         if name not in self._textures:
             self._textures.add(name)
             self.files[f"textures/{name}.png"] = png(found.tint, _PIXELS)
-            child(assets, "texture", name=name, type="2d", file=f"{name}.png")
+            child(assets, "texture", name=name, type="2d", file=f"textures/{name}.png")
         color, _ = tinted(material, linear(material.color))
         return to_srgb(np.array(color)).tolist(), {"texture": name}
 

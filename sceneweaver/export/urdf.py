@@ -25,13 +25,13 @@ import numpy as np
 from sceneweaver.assets import Asset, Link
 from sceneweaver.assets.placed import Load
 from sceneweaver.physics.hulls import Solid
+from sceneweaver.physics.inertia import Inertia, inertia_of, triangles
 from sceneweaver.physics.things import Thing, joint_of, things_of
 from sceneweaver.physics.xml import child, text
 from sceneweaver.scene import InputError, Room, Scene, SceneObject
 
 from .bodies import Body, bodies_of
 from .folder import write_folder
-from .inertia import Inertia, inertia_of, triangles
 from .models import model_name, with_mesh
 
 BASE = "base"

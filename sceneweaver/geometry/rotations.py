@@ -74,6 +74,13 @@ def matrix(quaternions: Any) -> Any:
     return _rotation(given.reshape(-1, 4)).as_matrix().reshape(*given.shape[:-1], 3, 3)
 
 
+def from_matrix(turn: Any) -> Quaternion:
+    """The rotation of a rotation matrix [3, 3]."""
+    from scipy.spatial.transform import Rotation
+
+    return _four(Rotation.from_matrix(turn))
+
+
 def euler(angles: Any, axes: str = "XYZ") -> Any:
     """The matrix [3, 3] of turns [rad] one after the other about moving axes (capitals) or fixed ones."""
     from scipy.spatial.transform import Rotation

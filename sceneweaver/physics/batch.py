@@ -13,21 +13,19 @@ import math
 import os
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from importlib import import_module
 from typing import Any, Literal
-from xml.etree import ElementTree as Xml
 
 import numpy as np
 
-from sceneweaver.assets.placed import Load, loader
+from sceneweaver.assets.placed import Load
 from sceneweaver.scene import InputError, MissingDependencyError, Pose, Scene
 from sceneweaver.scene.threads import cores
 
 from .boxes import boxed
-from .model import COVERING, Model, build
+from .model import Model, build
 from .settle import LITTLE, Settled, measures
-from .things import things_of
 from .worlds import SimulationResult, Template, run_c, shifts, steps_of
 
 Shapes = Literal["hull", "box"]
@@ -201,22 +199,8 @@ def run(
 
 
 def model_of(scene: Scene, load: Load | None = None, shapes: Shapes = "hull") -> Model:
-    """The model that all layouts of a scene share: rugs and mats touch nothing that stands on the floor, anywhere."""
-    load = loader(load)
-    model = build(scene, load, loose=False)
-    root = Xml.fromstring(model.xml)
-    contact = root.find("contact")
-    contact = Xml.SubElement(root, "contact") if contact is None else contact
-    known = {frozenset((e.get("body1"), e.get("body2"))) for e in contact.iterfind("exclude")}
-    ground = [t for t in things_of(scene, load, loose=False) if t.object.mount == "floor"]
-    for cover in (t.object for t in ground if t.object.size[2] <= COVERING):
-        for thing in ground:
-            for name in (body.name for body in thing.bodies):
-                pair = frozenset((cover.id, name))
-                if len(pair) == 2 and pair not in known:
-                    known.add(pair)
-                    Xml.SubElement(contact, "exclude", body1=cover.id, body2=name)
-    whole = replace(model, xml=Xml.tostring(root, encoding="unicode") + "\n")
+    """The model that all layouts of a scene share."""
+    whole = build(scene, load, loose=False)
     return boxed(whole) if shapes == "box" else whole
 
 

@@ -13,6 +13,8 @@ from .xml import text
 FEW = 8
 """Boxes of a body that are left as they are."""
 
+_OWN = ("name", "type", "mesh", "pos", "size", "mass")  # attributes of a geom that a box has anew
+
 _WASTE = 0.02  # share of volume that the common box of two boxes of a body may add
 _MOST_WASTE = 0.2  # the same, while the body has more than FEW boxes
 
@@ -33,7 +35,7 @@ def boxed(model: Model) -> Model:
         if len(points):
             spans[mesh.get("name")] = _like(points)
     for body in root.iter("body"):
-        solid = [g for g in body.findall("geom") if g.get("class") != "visual"]
+        solid = [g for g in body.findall("geom") if g.get("class") != "room:visual"]
         hulls = [g for g in solid if g.get("mesh") in spans]
         if not hulls:
             continue
@@ -43,12 +45,12 @@ def boxed(model: Model) -> Model:
             body.remove(geom)
         kept = _joined([(*b, float(g.get("mass", 0))) for g, b in zip(solid, boxes, strict=True) if b is not None])
         if plain:
-            rest = {k: v for k, v in solid[0].attrib.items() if k not in ("type", "mesh", "pos", "size", "mass")}
+            rest = {k: v for k, v in solid[0].attrib.items() if k not in _OWN}
             for k, (low, high, mass) in enumerate(kept):
-                body.insert(k + _lead(body), _box(low, high, mass, rest))
+                body.insert(k + _lead(body), _box(low, high, mass, {"name": f"{body.get('name')}:part:{k}", **rest}))
             continue
         for geom, span in zip(solid, boxes, strict=True):  # a part that is no box of its body's axes stays as it is
-            rest = {k: v for k, v in geom.attrib.items() if k not in ("type", "mesh", "pos", "size", "mass")}
+            rest = {k: v for k, v in geom.attrib.items() if k == "name" or k not in _OWN}
             body.append(geom if span is None else _box(*span, float(geom.get("mass", 0)), rest))
     asset = root.find("asset")
     if asset is not None:

@@ -12,6 +12,8 @@ from sceneweaver.assets import Asset, Interior
 from sceneweaver.geometry.prisms import prism_vertices
 from sceneweaver.scene import Part, SceneObject
 
+from .vertices import fewer_vertices
+
 MOST = 40
 """Parts of one asset that a simulator is given at most, where merging can reach that."""
 
@@ -32,7 +34,7 @@ _TOUCH = 1e-3  # [m] by which parts of different links may reach into each other
 _KNOWN: dict[bytes, list[Solid]] = {}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Solid:
     """A convex part in the object's frame: ``points`` [V, 3], its ``volume`` [m3] and the number of its link.
 
@@ -50,7 +52,7 @@ class Solid:
 def solids_of(thing: SceneObject, asset: Asset | None, scale: np.ndarray) -> list[Solid]:
     """The parts of an object; of an asset its hulls, ``scale`` [3] times as large, else the object's own prisms."""
     if asset is None or not any(hull.link == 0 for hull in asset.hulls):
-        return [_solid(prism_vertices(part.polygon, part.z), 0) for part in thing.solids]
+        return [_limited(_solid(prism_vertices(part.polygon, part.z), 0)) for part in thing.solids]
     merged = merged_hulls(asset)
     if np.allclose(scale, 1.0, atol=1e-9):
         return merged
@@ -72,7 +74,8 @@ def merged_hulls(asset: Asset) -> list[Solid]:
         if len(_KNOWN) >= _KEPT:
             _KNOWN.clear()
         found = [_solid(np.asarray(h.vertices, dtype=float), h.link, h.handle) for h in asset.hulls]
-        _KNOWN[key] = reduce(found, asset.parts, most, rooms) if len(found) > most and asset.parts else found
+        merged = reduce(found, asset.parts, most, rooms) if len(found) > most and asset.parts else found
+        _KNOWN[key] = [_limited(solid) for solid in merged]
     return list(_KNOWN[key])
 
 
@@ -149,6 +152,12 @@ def reduce(solids: Sequence[Solid], parts: Sequence[Part], most: int, rooms: Seq
             offer(fresh, count, 0)
             fresh += 1
     return [live[k] for k in sorted(live)]
+
+
+def _limited(solid: Solid) -> Solid:
+    """The part with as few vertices as all simulators take."""
+    few = fewer_vertices(solid.points)
+    return solid if len(few) == len(solid.points) else _solid(few, solid.link, solid.handle)
 
 
 def _hull_volume(points: np.ndarray) -> float:

@@ -8,13 +8,33 @@ the object's (bottom centre, front +x), so that its position and rotation are th
 What lies in or on an object as part of it, as fruit in a bowl, is a free body of its own, ``<object>.<item>``, in the
 frame of the object. Doors and drawers are bodies in the object's, ``<object>.<link>``, closed at 0 and held there by
 friction; so are the leaves of the room's doors, ``room:door:<id>``. Contacts are left out in two places only: between a
-piece and its own doors, and between floor coverings (at most ``COVERING`` thick) and what stands or swings over them,
-which share that layer by construction.
+piece and its own doors, and between floor coverings (at most ``COVERING`` thick) and what stands on the floor or swings
+over it, which share that layer by construction. The latter is done by bits of ``contype`` and ``conaffinity``; what has
+MuJoCo's own, as a robot and all that stands on furniture, touches everything.
+
+The model joins others: there is no ``compiler`` element (so angles are degrees), all defaults are those of the class
+``room``, and each body says its inertia.
+
+====================================  =============================================================================
+``<body>:part:<k>``                   geom: a collision part, or all there is of a wall (``room:floor`` is the floor)
+``<body>:handle:<k>``                 geom: a collision part of a handle
+``<body>:visual:<k>``                 geom: what is seen, where a file shows it
+``<body>:grasp:<name>``               site: where a gripper takes hold; +z is the way of the hand, its fingers close
+                                      along y, and the box has the length and thickness of what they hold
+``<body>:interior:<name>``            site: the box that is free inside
+``<body>:surface:<name>``             site: a flat box where things may stand
+``room:spawn:<door>``                 site: on the floor inside a door, +x into the room
+``room:top``, ``room:eye-door``, ...  cameras; ``room:eye-corner`` is the third
+``start``                             keyframe: as the scene has it
+====================================  =============================================================================
 """
 
 from __future__ import annotations
 
 import math
+import re
+import zlib
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -28,7 +48,9 @@ from sceneweaver.geometry.shell import PANE_THICKNESS, WALL_THICKNESS, wall_piec
 from sceneweaver.scene import Room, Scene, SceneObject, Window
 
 from .hulls import Solid
+from .inertia import inertia_of
 from .leaves import Leaf, leaves, wall_ends
+from .sites import Sites, add_cameras, add_spawns
 from .things import RigidBody, Thing, joint_of, things_of
 from .xml import child
 
@@ -44,6 +66,11 @@ UNSET = "0.5 0.5 0.5 1"
 MEMORY = "1G"
 """Room for contacts; what is not needed is never touched."""
 
+ROOM = "room"
+"""The default class of all that is exported; those of visual geoms, floor coverings and what stands over these are
+``room:visual``, ``room:covering`` and ``room:grounded``."""
+
+_LEAST_INERTIA = 1e-7  # [kg m2] about each axis: less is not stable at the time step
 _STOP = "0.008 1"  # ends of doors and drawers: as stiff as the time step allows, as many weigh little
 
 
@@ -79,19 +106,16 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None, *,
     """
     things = things_of(scene, load, loose=loose)
     root = Xml.Element("mujoco", model=scene.id)
-    child(root, "compiler", angle="radian", meshdir="meshes", texturedir="textures", boundinertia="1e-7")
     # No noslip pass: its cost grows with the square of the contacts, and over 3 s nothing creeps without it.
-    child(root, "option", timestep=STEP, integrator="implicitfast", cone="elliptic", impratio="10")
+    option = child(root, "option", timestep=STEP, integrator="implicitfast", cone="elliptic", impratio="10")
+    child(option, "flag", multiccd="enable")  # until MuJoCo 3.6 hulls touch in one point without it, and drift
     # Contacts and their constraints live here; the default is too small for a hundred pieces of many parts each.
     child(root, "size", memory=MEMORY)
     child(root, "statistic", center=_middle(scene.room), extent=_reach(scene.room))
     look = child(root, "visual")
     child(look, "headlight", ambient="0.42 0.42 0.44", diffuse="0.3 0.3 0.3", specular="0 0 0")
     child(look, "quality", shadowsize="4096")
-    default = child(root, "default")
-    child(default, "geom", group="3", rgba="0.7 0.7 0.72 1")
-    seen = child(default, "default", {"class": "visual"})
-    child(seen, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0", rgba=UNSET)
+    _defaults(root)
     assets = child(root, "asset")
     if dress is not None:
         child(
@@ -108,6 +132,7 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None, *,
     child(
         world,
         "light",
+        name="room:light",
         directional="true",
         pos=(*_middle(scene.room)[:2], 2 * scene.room.height),
         dir="-0.35 0.25 -1",
@@ -116,21 +141,42 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None, *,
     )
     _shell(world, scene.room)
     contact = child(root, "contact")
-    made: set[str] = set()
-    for thing in things:
-        _body(world, assets, contact, thing, made, dress)
-    doors = leaves(scene.room)
-    for leaf in doors:
-        _leaf(world, leaf)
+    covers = {k for k, _ in coverings(things)}
+    writer = _Bodies(world, assets, contact, dress)
+    for k, thing in enumerate(things):
+        over = covers and thing.object.mount == "floor"
+        writer.add(thing, "room:covering" if k in covers else "room:grounded" if over else ROOM)
+    for leaf in leaves(scene.room):
+        _leaf(world, leaf, "room:grounded" if covers else ROOM)
         if leaf.stuck:
             for k in range(len(scene.room.outline)):
                 child(contact, "exclude", body1=leaf.name, body2=f"room:wall:{k}")
-    _exclude_coverings(contact, things, doors)
+    add_spawns(world, scene.room, {"class": ROOM})
+    add_cameras(world, scene.room, scene.objects)
+    child(child(root, "keyframe"), "key", name="start")  # without numbers: those of the bodies, whatever joins them
     Xml.indent(root, " ")
     free = tuple(t.object.id for t in things if t.free)
     fixed = tuple(t.object.id for t in things if not t.free)
     items = tuple(body.name for t in things for body in t.bodies if body.loose)
     return Model(Xml.tostring(root, encoding="unicode") + "\n", {}, free, fixed, items)
+
+
+def mesh_stem(thing: Thing) -> str:
+    """What the names of a thing's meshes begin with: letters, digits and dashes; equal for things of equal bodies."""
+    category = re.sub(r"[^A-Za-z0-9_]+", "-", thing.object.category if thing.asset is None else thing.asset.category)
+    return f"{category}-{zlib.crc32(thing.key.encode()):08x}"
+
+
+def _defaults(root: Xml.Element) -> None:
+    """The classes; nothing stands in the top one, which would hold for what joins the room as well."""
+    room = child(child(root, "default"), "default", {"class": ROOM})
+    child(room, "geom", group="3", rgba="0.7 0.7 0.72 1")
+    child(room, "site", group="4", rgba="0.2 0.7 0.3 0.4")
+    seen = child(room, "default", {"class": f"{ROOM}:visual"})
+    child(seen, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0", rgba=UNSET)
+    # Two geoms touch where the type of one shares a bit with the affinity of the other; both are 1 elsewhere.
+    for name, contype, conaffinity in (("covering", "1", "0"), ("grounded", "3", "2")):
+        child(child(room, "default", {"class": f"{ROOM}:{name}"}), "geom", contype=contype, conaffinity=conaffinity)
 
 
 def _shell(world: Xml.Element, room: Room) -> None:
@@ -139,6 +185,7 @@ def _shell(world: Xml.Element, room: Room) -> None:
     child(
         world,
         "geom",
+        {"class": ROOM},
         name="room:floor",
         type="plane",
         pos=(*middle[:2], 0),
@@ -148,9 +195,8 @@ def _shell(world: Xml.Element, room: Room) -> None:
         friction="0.8",
     )
     for wall in room.walls:
-        frame = child(
-            world, "body", name=f"room:wall:{wall.index}", pos=(*wall.start, 0), quat=wxyz(from_yaw(wall.yaw))
-        )
+        place = {"pos": (*wall.start, 0), "quat": wxyz(from_yaw(wall.yaw)), "childclass": ROOM}
+        frame = child(world, "body", place, name=f"room:wall:{wall.index}")
         ends = wall_ends(room, wall.index)
         for span, z, opening in wall_pieces(wall.length, room.openings_of(wall.index), room.height, ends):
             if opening is None:
@@ -162,18 +208,21 @@ def _shell(world: Xml.Element, room: Room) -> None:
 def _slab(frame: Xml.Element, x0: float, x1: float, z0: float, z1: float, thick: float, rgba: str = "") -> None:
     size = ((x1 - x0) / 2, thick / 2, (z1 - z0) / 2)
     pos = ((x0 + x1) / 2, -thick / 2, (z0 + z1) / 2)
-    child(frame, "geom", type="box", pos=pos, size=size, group="0", rgba=rgba or "0.92 0.91 0.88 1")
+    name = f"{frame.get('name')}:part:{len(frame)}"
+    child(frame, "geom", name=name, type="box", pos=pos, size=size, group="0", rgba=rgba or "0.92 0.91 0.88 1")
 
 
-def _leaf(world: Xml.Element, leaf: Leaf) -> None:
+def _leaf(world: Xml.Element, leaf: Leaf, kind: str) -> None:
     """The leaf of a door: friction keeps it where it is; a robot's pull at the handle is more."""
-    frame = child(world, "body", name=leaf.name, pos=leaf.position, quat=wxyz(from_yaw(leaf.yaw)))
+    place = {"pos": leaf.position, "quat": wxyz(from_yaw(leaf.yaw)), "childclass": kind}
+    frame = child(world, "body", place, name=leaf.name)
     _joint(frame, leaf.name, leaf.joint, leaf.axis, leaf.limits, leaf.hold)
     volumes = [float(np.prod(half)) for _, half in leaf.boxes]
-    for (centre, half), volume in zip(leaf.boxes, volumes, strict=True):
+    for k, ((centre, half), volume) in enumerate(zip(leaf.boxes, volumes, strict=True)):
         child(
             frame,
             "geom",
+            name=f"{leaf.name}:{f'handle:{k - 1}' if k else 'part:0'}",
             type="box",
             pos=centre,
             size=half,
@@ -187,62 +236,81 @@ def _leaf(world: Xml.Element, leaf: Leaf) -> None:
 def _joint(
     frame: Xml.Element, name: str, kind: str, axis: Any, limits: tuple[float, float], hold: float, **more: Any
 ) -> None:
-    """A joint that friction and a damper, both ``hold`` [N m] or [N], keep where it is."""
+    """A joint that friction and a damper, both ``hold`` [N m] or [N], keep where it is; ``limits`` in [rad] or [m]."""
+    ends = np.rad2deg(limits) if kind == "hinge" else limits
     held = {"damping": hold, "frictionloss": hold, "armature": "0.001", "solreflimit": _STOP}
-    place = {"axis": axis, **more, "limited": "true", "range": limits}
+    place = {"axis": axis, **more, "limited": "true", "range": ends}
     child(frame, "joint", {"name": name, "type": kind, **place, **held})
 
 
-def _body(
-    world: Xml.Element, assets: Xml.Element, contact: Xml.Element, thing: Thing, made: set[str], dress: Dress | None
-) -> None:
-    pose = thing.object.pose
-    base, *moving = thing.bodies
-    top = child(world, "body", name=base.name, pos=pose.position, quat=wxyz(pose.quaternion))
-    if thing.free:
-        child(top, "freejoint", name=base.name)
-    _fill(assets, top, thing, base, made, dress)
-    for body in moving:
-        assert body.link is not None
-        if body.loose:
-            frame = child(world, "body", name=body.name, pos=pose.position, quat=wxyz(pose.quaternion))
-            child(frame, "freejoint", name=body.name)
-        else:
-            frame = child(top, "body", name=body.name)
-            axis, limits, hold = joint_of(body.link, thing.scale, body.mass)
-            anchor = np.asarray(body.link.anchor) * np.asarray(thing.scale)
-            _joint(frame, body.name, body.link.joint, axis, limits, hold, pos=anchor)
-            if not thing.free:  # a body that is part of the world is not left out as a parent is
-                child(contact, "exclude", body1=base.name, body2=body.name)
-        _fill(assets, frame, thing, body, made, dress)
+class _Bodies:
+    """Writes things: their bodies with collision parts, inertia and sites; each mesh once, however many use it."""
+
+    def __init__(self, world: Xml.Element, assets: Xml.Element, contact: Xml.Element, dress: Dress | None) -> None:
+        self._world, self._assets, self._contact, self._dress = world, assets, contact, dress
+        self._sites, self._meshes = Sites(), set[str]()
+
+    def add(self, thing: Thing, kind: str) -> None:
+        """A thing, its geoms of the default class ``kind``."""
+        place = {"pos": thing.object.pose.position, "quat": wxyz(thing.object.pose.quaternion)}
+        base, *moving = thing.bodies
+        top = child(self._world, "body", {"name": base.name, **place, "childclass": kind})
+        if thing.free:
+            child(top, "freejoint", name=base.name)
+        self._fill(top, thing, base)
+        for body in moving:
+            assert body.link is not None
+            if body.loose:
+                frame = child(self._world, "body", {"name": body.name, **place, "childclass": ROOM})
+                child(frame, "freejoint", name=body.name)
+            else:
+                frame = child(top, "body", name=body.name)
+                axis, limits, hold = joint_of(body.link, thing.scale, body.mass)
+                anchor = np.asarray(body.link.anchor) * np.asarray(thing.scale)
+                _joint(frame, body.name, body.link.joint, axis, limits, hold, pos=anchor)
+                if not thing.free:  # a body that is part of the world is not left out as a parent is
+                    child(self._contact, "exclude", body1=base.name, body2=body.name)
+            self._fill(frame, thing, body)
+
+    def _fill(self, frame: Xml.Element, thing: Thing, body: RigidBody) -> None:
+        """The collision parts of a body, its mass spread over them by volume, its sites and what is seen of it."""
+        volume = sum(solid.volume for solid in body.solids)
+        masses = [max(body.mass * solid.volume / volume, 1e-7) for solid in body.solids]
+        _inertial(frame, body, masses)
+        count = Counter[str]()
+        shares = iter(masses)
+        for k, solid in enumerate(thing.solids):
+            if thing.body_of(solid.link) != body.number:
+                continue
+            kind = "handle" if solid.handle else "part"
+            name = f"{body.name}:{kind}:{count[kind]}"
+            count[kind] += 1
+            self._geom(frame, name, thing, k, solid, next(shares))
+        self._sites.mark(frame, thing, body)
+        if self._dress is not None:
+            self._dress(self._assets, frame, thing, body)
+
+    def _geom(self, frame: Xml.Element, name: str, thing: Thing, k: int, solid: Solid, mass: float) -> None:
+        share: dict[str, Any] = {"mass": mass, "friction": thing.friction}
+        if thing.asset is None:
+            share["group"] = "0"  # nothing else of it is to be seen
+        if solid.box is not None:
+            child(frame, "geom", {"name": name, "type": "box", "pos": solid.box[0], "size": solid.box[1], **share})
+            return
+        mesh = f"{mesh_stem(thing)}-hull-{k}"
+        if mesh not in self._meshes:
+            self._meshes.add(mesh)
+            child(self._assets, "mesh", name=mesh, inertia="convex", vertex=solid.points.reshape(-1))
+        child(frame, "geom", {"name": name, "type": "mesh", "mesh": mesh, **share})
 
 
-def _fill(
-    assets: Xml.Element, frame: Xml.Element, thing: Thing, body: RigidBody, made: set[str], dress: Dress | None
-) -> None:
-    """The collision parts of a body, its mass spread over them by volume, and what is seen of it."""
-    volume = sum(solid.volume for solid in body.solids)
-    for k, solid in enumerate(thing.solids):
-        if thing.body_of(solid.link) == body.number:
-            _geom(assets, frame, thing, k, solid, max(body.mass * solid.volume / volume, 1e-7), made)
-    if dress is not None:
-        dress(assets, frame, thing, body)
-
-
-def _geom(
-    assets: Xml.Element, frame: Xml.Element, thing: Thing, k: int, solid: Solid, mass: float, made: set[str]
-) -> None:
-    share: dict[str, Any] = {"mass": mass, "friction": thing.friction}
-    if thing.asset is None:
-        share["group"] = "0"  # nothing else of it is to be seen
-    if solid.box is not None:
-        child(frame, "geom", {"type": "box", "pos": solid.box[0], "size": solid.box[1], **share})
-        return
-    name = f"{thing.key}/{k}"
-    if name not in made:
-        made.add(name)
-        child(assets, "mesh", name=name, inertia="convex", vertex=solid.points.reshape(-1))
-    child(frame, "geom", {"type": "mesh", "mesh": name, **share})
+def _inertial(frame: Xml.Element, body: RigidBody, masses: Sequence[float]) -> None:
+    """Mass, centre and inertia of a body of those parts, the inertia bounded from below."""
+    found = inertia_of(body.solids, masses)
+    least, turn = np.linalg.eigh(found.tensor)
+    tensor = turn @ np.diag(np.maximum(least, _LEAST_INERTIA)) @ turn.T
+    six = (*np.diag(tensor), tensor[0, 1], tensor[0, 2], tensor[1, 2])
+    child(frame, "inertial", pos=found.centre, mass=found.mass, fullinertia=six)
 
 
 def coverings(things: Sequence[Thing]) -> list[tuple[int, list[int]]]:
@@ -260,16 +328,6 @@ def coverings(things: Sequence[Thing]) -> list[tuple[int, list[int]]]:
         return near and other is not cover and (k not in flat or other.id > cover.id)
 
     return [(i, [k for k in floor if over(things[i].object, k)]) for i in flat]
-
-
-def _exclude_coverings(contact: Xml.Element, things: list[Thing], doors: list[Leaf]) -> None:
-    """Rugs and mats take part in no contact with what stands on the floor over them, nor with the doors' leaves."""
-    for cover, above in coverings(things):
-        names = [leaf.name for leaf in doors]
-        for other in (things[k] for k in above):
-            names += [body.name for body in other.bodies]
-        for name in names:
-            child(contact, "exclude", body1=things[cover].object.id, body2=name)
 
 
 def _middle(room: Room) -> tuple[float, float, float]:

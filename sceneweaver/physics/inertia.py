@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from sceneweaver.geometry.hulls import hull_faces
-from sceneweaver.physics.hulls import Solid
+
+from .hulls import Solid
+
+_KNOWN: WeakKeyDictionary[Solid, tuple[np.ndarray, np.ndarray]] = WeakKeyDictionary()
 
 
 @dataclass(frozen=True)
@@ -41,6 +45,12 @@ def inertia_of(solids: Sequence[Solid], masses: Sequence[float]) -> Inertia:
 
 def _second_moments(solid: Solid) -> tuple[np.ndarray, np.ndarray]:
     """Centre [3] and the mean of (p - centre)(p - centre)^T [3, 3] over a part's volume."""
+    if solid not in _KNOWN:
+        _KNOWN[solid] = _integrated(solid)
+    return _KNOWN[solid]
+
+
+def _integrated(solid: Solid) -> tuple[np.ndarray, np.ndarray]:
     if solid.box is not None:
         centre, half = (np.asarray(v, dtype=float) for v in solid.box)
         return centre, np.diag(half**2) / 3
