@@ -43,7 +43,9 @@ def path(tmp_path_factory) -> Path:
         RUG.object("rug", pose=Pose.from_yaw(2, 2, 0, 0.1)),
         MUG.object("mug", pose=Pose.from_yaw(2, 2, top.z, 0), support=Support(object="files/1", surface=top.name)),
     )
-    return write_mjcf(Scene(id="s", room=room, objects=objects), tmp_path_factory.mktemp("out") / "s", ASSETS.__getitem__)
+    return write_mjcf(
+        Scene(id="s", room=room, objects=objects), tmp_path_factory.mktemp("out") / "s", ASSETS.__getitem__
+    )
 
 
 def test_every_name_is_legal_and_there_once(path) -> None:
