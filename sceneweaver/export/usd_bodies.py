@@ -10,8 +10,8 @@ from typing import Any, Literal
 import numpy as np
 
 from sceneweaver.geometry.rotations import Quaternion
+from sceneweaver.physics.inertia import Inertia
 
-from .inertia import Inertia
 from .usd_engines import tune_body, tune_joint
 from .usd_layer import Prim, apply, attribute, attributes, prim, relate, rotation, triple
 

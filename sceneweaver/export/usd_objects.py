@@ -10,10 +10,10 @@ import numpy as np
 
 from sceneweaver.assets import Link
 from sceneweaver.physics.hulls import Solid
+from sceneweaver.physics.inertia import Inertia, inertia_of
 from sceneweaver.physics.things import RigidBody, Thing, joint_of
 
 from .bodies import Body
-from .inertia import Inertia, inertia_of
 from .usd_bodies import Hinge, Solids, filter_pair, join, rigid, weld
 from .usd_layer import Names, Prim, apply, label, place, prim, usd
 from .usd_looks import Looks

@@ -12,10 +12,10 @@ from sceneweaver.geometry.rotations import Quaternion, from_yaw
 from sceneweaver.geometry.shell import PANE_THICKNESS, WALL_THICKNESS, heights, wall_pieces
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.physics.hulls import Solid
+from sceneweaver.physics.inertia import Inertia, inertia_of
 from sceneweaver.physics.leaves import Leaf, leaves, wall_ends
 from sceneweaver.scene import Part, Room
 
-from .inertia import Inertia, inertia_of
 from .room import floor_mesh, wall_mesh
 from .usd_bodies import Hinge, Solids, filter_pair, join, rigid, weld
 from .usd_layer import Names, Prim, apply, label, place, prim
