@@ -70,6 +70,11 @@ def examine(asset: Asset, category: Category) -> Findings:
     for name, value, (low, high) in zip(("depth", "width", "height"), asset.size, category.size.ranges, strict=True):
         if not low - SIZE_TOLERANCE <= value <= high + SIZE_TOLERANCE:
             say(f"{name} {value:.4f} outside {low} to {high}")
+    least, most = category.mass
+    if not least - 1e-3 <= asset.mass <= most + 1e-3:
+        say(f"it weighs {asset.mass} kg, not {least} to {most}")
+    if len(asset.masses) != len(asset.links) + 1 or min(asset.masses) <= 0:
+        say(f"masses of its bodies: {asset.masses}")
     if found.triangles > MAX_TRIANGLES:
         say(f"{found.triangles} triangles")
     planes = []

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -19,6 +18,7 @@ from ..zones import access_zones
 from .box import Interval
 from .drawing import Drawing
 from .layout import texture_coordinates
+from .masses import masses_of
 from .tree import Piece, vec3
 
 Bounds = tuple[Interval, Interval, Interval]
@@ -49,6 +49,7 @@ def asset_of(drawing: Drawing) -> Asset:
     if request.shape and outline_shape(hulls, drawing.outline_axes) == request.shape:
         attributes["shape"] = request.shape
     words = name.replace("_", " ")
+    masses = masses_of(drawn.pieces, len(drawn.links), category.mass)
     return Asset(
         id=f"parametric:{category.name}?seed={drawing.seed}{request.suffix}",
         category=name,
@@ -56,12 +57,13 @@ def asset_of(drawing: Drawing) -> Asset:
         hulls=hulls,
         parts=parts,
         mount=category.mount[0],
-        mass=_mass(drawing, (d, w, h)),
+        mass=round(sum(masses), 5),
         friction=category.friction,
         origin=Origin(source="parametric", licence="Apache-2.0", attribution="sceneweaver"),
         surfaces=tuple(_on_parts(s, parts) for s in surfaces),
         zones=tuple(zones),
         sides=category.sides,
+        masses=masses,
         links=tuple(replace(k, anchor=vec3(np.array(k.anchor) - shift)) for k in drawn.links),
         grasps=tuple(replace(k, position=vec3(np.array(k.position) - shift)) for k in drawn.grasps),
         interiors=tuple(
@@ -96,16 +98,6 @@ def _counted(drawing: Drawing) -> dict[str, int]:
         "shelves": len(drawing.drawn.surfaces),
     }
     return {name: there[name] for name, _ in drawing.request.parts if there.get(name)}
-
-
-def _mass(drawing: Drawing, size: tuple[float, ...]) -> float:
-    """Between the category's least and largest mass by where the box's volume lies in its range."""
-    category = drawing.category
-    assert category.size is not None
-    least, most = (math.prod(r[k] for r in category.size.ranges) for k in (0, 1))
-    share = (math.prod(size) - least) / max(1e-12, most - least)
-    low, high = category.mass
-    return round(low + (high - low) * min(1.0, max(0.0, share)), 3)
 
 
 def outline_shape(hulls: Sequence[Hull], axes: tuple[int, int] = (0, 1)) -> str | None:
