@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -15,7 +16,11 @@ from .folder import fill, move, staged
 from .glb import write_glb
 from .mjcf import mjcf
 from .scenestate import write_scenestate
+from .sdf import sdf
+from .urdf_room import room_urdf
 from .usd import write_usd
+
+_OURS = re.compile(r"(room|[a-z0-9_]+-[0-9a-f]{10})(-.*)?\.(obj|mtl|urdf)")  # files of articulations
 
 
 @dataclass(frozen=True)
@@ -49,6 +54,25 @@ def _write_mjcf(scene: Scene, path: Path, load: Load, textures: bool) -> None:
             left.unlink()  # of an export that this one has replaced
 
 
+def _write_files(files: dict[str, bytes], path: Path, folder: str) -> None:
+    """A text and the files in a folder beside it that it names, among others; the text comes last."""
+    files[path.name] = files.pop(next(name for name in files if "/" not in name))
+    with staged(path, "path") as draft:
+        fill(draft, files)
+        move({draft / name: path.parent / name for name in sorted(files, key=lambda name: name == path.name)})
+    for left in (path.parent / folder).rglob("*"):
+        if _OURS.fullmatch(left.name) and left.relative_to(path.parent).as_posix() not in files:
+            left.unlink()  # of an export that this one has replaced
+
+
+def _write_sdf(scene: Scene, path: Path, load: Load, _: bool) -> None:
+    _write_files(sdf(scene, load), path, "sdf")
+
+
+def _write_urdf(scene: Scene, path: Path, load: Load, _: bool) -> None:
+    _write_files(room_urdf(scene, load), path, "urdf")
+
+
 FORMATS: dict[str, Format] = {
     f.name: f
     for f in (
@@ -62,6 +86,8 @@ FORMATS: dict[str, Format] = {
             "SceneState, with models/",
             lambda scene, path, load, _: write_scenestate(scene, path, load, models=True),
         ),
+        Format("sdf", "scene.sdf", "one SDF world, with sdf/", _write_sdf),
+        Format("urdf", "scene.urdf.json", "a URDF a piece, with urdf/", _write_urdf),
     )
 }
 

@@ -15,31 +15,22 @@ in an element that other readers skip, and so does the friction that Bullet read
 from __future__ import annotations
 
 import os
-import re
-from collections.abc import Sequence
 from pathlib import Path
 from xml.etree import ElementTree as Xml
 
 import numpy as np
 
-from sceneweaver.assets import Asset, Link
+from sceneweaver.assets import Asset
 from sceneweaver.assets.placed import Load
-from sceneweaver.physics.hulls import Solid
-from sceneweaver.physics.inertia import Inertia, inertia_of, triangles
-from sceneweaver.physics.things import Thing, joint_of, things_of
-from sceneweaver.physics.xml import child, text
+from sceneweaver.physics.inertia import Inertia
+from sceneweaver.physics.things import Thing, things_of
+from sceneweaver.physics.xml import child
 from sceneweaver.scene import InputError, Room, Scene, SceneObject
 
+from .articulations import BASE, EFFORT, SPEED, Articulation, Joint, Shape, articulation_of
 from .bodies import Body, bodies_of
 from .folder import write_folder
 from .models import model_name, with_mesh
-
-BASE = "base"
-"""Name of the link that stands still."""
-
-_EFFORT = {"hinge": 50.0, "slide": 200.0}  # [N m], [N]: what a person's pull comes to
-_SPEED = {"hinge": 3.0, "slide": 2.0}  # [rad/s], [m/s]
-_MATERIALS = "materials.mtl"
 
 
 def write_urdf(piece: Asset | SceneObject, folder: str | os.PathLike[str], load: Load | None = None) -> Path:
@@ -66,32 +57,30 @@ def write_urdf(piece: Asset | SceneObject, folder: str | os.PathLike[str], load:
 def urdf(piece: Asset | SceneObject, load: Load | None = None) -> tuple[str, dict[str, bytes]]:
     """The name of the URDF file, and all files of the folder by path; see ``write_urdf``."""
     thing, body = _read(piece, load)
-    parts = thing.bodies
-    names = _names([BASE, *(part.link.name for part in parts if part.link is not None)])
-    anchors = [np.zeros(3) if p.link is None else np.asarray(p.link.anchor) * np.asarray(thing.scale) for p in parts]
-    title = model_name(body.key, thing.object.category)
-    robot = Xml.Element("robot", name=title)
-    hints = child(child(robot, "mujoco"), "compiler")
+    model = articulation_of(thing, body, thing.bodies, model_name(body.key, thing.object.category))
+    file = f"{model.name}.urdf"
+    return file, {file: robot(model), **{f"meshes/{name}": content for name, content in model.files.items()}}
+
+
+def robot(model: Articulation) -> bytes:
+    """The URDF file of an articulation, whose meshes are in ``meshes/`` beside it."""
+    root = Xml.Element("robot", name=model.name)
+    hints = child(child(root, "mujoco"), "compiler")
     hints.attrib.update(strippath="false", discardvisual="false", fusestatic="false", balanceinertia="false")
-    looks = _Looks(robot, thing, body)
-    meshes: dict[str, bytes] = {}
-    for part, name, anchor in zip(parts, names, anchors, strict=True):
-        volume = sum(solid.volume for solid in part.solids)
-        element = child(robot, "link", name=name)
-        inertia = inertia_of(part.solids, [part.mass * solid.volume / volume for solid in part.solids])
-        _inertial(element, inertia, anchor)
-        meshes |= looks.visuals(element, name, part.number, anchor)
-        meshes |= _collisions(element, name, part.solids, anchor)
-        contact = child(element, "contact")
-        child(contact, "lateral_friction", value=thing.friction)
-        if part.link is not None:
-            _joint(robot, name, part.link, thing.scale, anchor, inertia.mass)
-    meshes[_MATERIALS] = looks.library()
-    Xml.indent(robot, " ")
-    text = Xml.tostring(robot, encoding="unicode", xml_declaration=False)
-    top = f'<?xml version="1.0"?>\n{text}\n'
-    file = f"{title}.urdf"
-    return file, {file: top.encode(), **{f"meshes/{name}": content for name, content in meshes.items()}}
+    for look, material in model.looks.items():
+        child(child(root, "material", name=look), "color", rgba=(*material.color, material.opacity))
+    for link in model.links:
+        element = child(root, "link", name=link.name)
+        _inertial(element, link.inertia)
+        for shape, look in link.visuals:
+            child(_geometry(element, "visual", shape), "material", name=look)
+        for shape in link.shapes:
+            _geometry(element, "collision", shape)
+        child(child(element, "contact"), "lateral_friction", value=model.friction)
+        if link.joint is not None:
+            _joint(root, link.name, link.joint, link.anchor)
+    Xml.indent(root, " ")
+    return f'<?xml version="1.0"?>\n{Xml.tostring(root, encoding="unicode")}\n'.encode()
 
 
 def _read(piece: Asset | SceneObject, load: Load | None) -> tuple[Thing, Body]:
@@ -110,108 +99,37 @@ def _read(piece: Asset | SceneObject, load: Load | None) -> tuple[Thing, Body]:
         raise InputError(str(error).replace("objects[0].asset: ", "asset: ", 1)) from None
 
 
-def _names(names: Sequence[str]) -> list[str]:
-    """Names that every reader takes, and no two alike."""
-    found: list[str] = []
-    for name in names:
-        word = re.sub(r"[^A-Za-z0-9_]", "_", name) or "link"
-        spare, count = word, 1
-        while spare in found:
-            count += 1
-            spare = f"{word}_{count}"
-        found.append(spare)
-    return found
-
-
-def _inertial(element: Xml.Element, inertia: Inertia, anchor: np.ndarray) -> None:
+def _inertial(element: Xml.Element, inertia: Inertia) -> None:
     made = child(element, "inertial")
-    child(made, "origin", xyz=inertia.centre - anchor, rpy="0 0 0")
+    child(made, "origin", xyz=inertia.centre, rpy="0 0 0")
     child(made, "mass", value=inertia.mass)
     t = inertia.tensor
     entries = {"ixx": t[0, 0], "ixy": t[0, 1], "ixz": t[0, 2], "iyy": t[1, 1], "iyz": t[1, 2], "izz": t[2, 2]}
     child(made, "inertia", {name: f"{float(value):.12g}" for name, value in entries.items()})
 
 
-def _collisions(element: Xml.Element, name: str, solids: Sequence[Solid], anchor: np.ndarray) -> dict[str, bytes]:
-    """The collision parts of a link; returns the meshes that they need."""
-    files: dict[str, bytes] = {}
-    for k, solid in enumerate(solids):
-        made = child(element, "collision")
-        if solid.box is not None:
-            centre, half = solid.box
-            child(made, "origin", xyz=centre - anchor, rpy="0 0 0")
-            child(child(made, "geometry"), "box", size=2 * np.asarray(half))
-            continue
-        file = f"{name}-part-{k}.obj"
-        corners = triangles(solid.points)[1].reshape(-1, 3)
-        points, faces = np.unique(corners, axis=0, return_inverse=True)
-        files[file] = _obj(points - anchor, faces.reshape(-1, 3))
-        child(made, "origin", xyz="0 0 0", rpy="0 0 0")
-        child(child(made, "geometry"), "mesh", filename=f"meshes/{file}")
-    return files
+def _geometry(link: Xml.Element, tag: str, shape: Shape) -> Xml.Element:
+    """What is seen or collides of a link."""
+    made = child(link, tag)
+    child(made, "origin", xyz=shape.centre, rpy=(0, 0, shape.yaw))
+    geometry = child(made, "geometry")
+    if shape.size is None:
+        child(geometry, "mesh", filename=f"meshes/{shape.file}")
+    else:
+        child(geometry, "box", size=shape.size)
+    return made
 
 
-def _joint(
-    robot: Xml.Element, name: str, link: Link, scale: tuple[float, float, float], anchor: np.ndarray, mass: float
-) -> None:
+def _joint(root: Xml.Element, name: str, joint: Joint, anchor: np.ndarray) -> None:
     """From the base to a door or drawer."""
-    axis, (low, high), hold = joint_of(link, scale, mass)
-    kind = "prismatic" if link.joint == "slide" else "revolute"
-    made = child(robot, "joint", name=f"{name}_joint", type=kind)
+    made = child(root, "joint", name=f"{name}_joint", type=joint.kind)
     child(made, "parent", link=BASE)
     child(made, "child", link=name)
     child(made, "origin", xyz=anchor, rpy="0 0 0")
-    child(made, "axis", xyz=axis)
-    child(made, "limit", lower=low, upper=high, effort=_EFFORT[link.joint], velocity=_SPEED[link.joint])
-    child(made, "dynamics", damping=hold, friction=hold)
-
-
-class _Looks:
-    """What is seen: a mesh for each link and material, since most readers take one colour for each mesh."""
-
-    def __init__(self, robot: Xml.Element, thing: Thing, body: Body):
-        self._body = body
-        self._face_body = thing.face_body if thing.asset is not None else body.mesh.face_link
-        used = np.unique(body.mesh.face_material).tolist()
-        names = _names([body.mesh.materials[k].name for k in used])
-        self._looks = {k: (name, body.mesh.materials[k]) for k, name in zip(used, names, strict=True)}
-        for look, material in self._looks.values():
-            color = text((*material.color, material.opacity))
-            child(child(robot, "material", name=look), "color", rgba=color)
-
-    def visuals(self, element: Xml.Element, name: str, link: int, anchor: np.ndarray) -> dict[str, bytes]:
-        """Add the visual meshes of a link; returns their files."""
-        mesh, files = self._body.mesh, {}
-        for k, (look, _) in self._looks.items():
-            faces = mesh.faces[(self._face_body == link) & (mesh.face_material == k)]
-            if not len(faces):
-                continue
-            kept, packed = np.unique(faces, return_inverse=True)
-            points = mesh.vertices[kept] * np.asarray(self._body.scale) - anchor
-            file = f"{name}-{look}.obj"
-            files[file] = _obj(points, packed.reshape(-1, 3), look)
-            made = child(element, "visual")
-            child(made, "origin", xyz="0 0 0", rpy="0 0 0")
-            child(child(made, "geometry"), "mesh", filename=f"meshes/{file}")
-            child(made, "material", name=look)
-        return files
-
-    def library(self) -> bytes:
-        """The material library that the visual meshes name."""
-        lines = []
-        for name, m in self._looks.values():
-            rgb = text(m.color)
-            shine = text(np.asarray(m.color) * min(1.0, m.emission))
-            lines += [f"newmtl {name}", f"Kd {rgb}", f"Ke {shine}", f"d {text(m.opacity)}"]
-            lines += [f"Pr {text(m.roughness)}", f"Pm {text(m.metallic)}", "illum 2", ""]
-        return "\n".join(lines).encode()
-
-
-def _obj(points: np.ndarray, faces: np.ndarray, material: str | None = None) -> bytes:
-    lines = [] if material is None else [f"mtllib {_MATERIALS}", f"usemtl {material}"]
-    lines[1:1] = [f"v {text(point)}" for point in points.tolist()]
-    lines += [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
-    return ("\n".join(lines) + "\n").encode()
+    child(made, "axis", xyz=joint.axis)
+    low, high = joint.limits
+    child(made, "limit", lower=low, upper=high, effort=EFFORT[joint.kind], velocity=SPEED[joint.kind])
+    child(made, "dynamics", damping=joint.hold, friction=joint.hold)
 
 
 def _ours(names: set[str]) -> bool:

@@ -47,10 +47,11 @@ def test_all_formats_again_over_themselves(source, tmp_path):
     for _ in range(2):
         assert main(["export", str(source), "-o", str(tmp_path / "out"), "--to", "all"]) == 0
     names = {p.name for p in (tmp_path / "out").iterdir()}
-    assert names == {*USUAL, "scenestate.json", "models"}
+    rest = {"scenestate.json", "models", "scene.sdf", "sdf", "scene.urdf.json", "urdf"}
+    assert names == {*USUAL, *rest}
 
 
-@pytest.mark.parametrize("name", ["room.usda", "room.usdc", "room.glb", "room.xml", "room.json"])
+@pytest.mark.parametrize("name", ["room.usda", "room.usdc", "room.glb", "room.xml", "room.json", "room.sdf"])
 def test_the_suffix_says_the_format(source, tmp_path, name):
     assert main(["export", str(source), "-o", str(tmp_path / name)]) == 0
     assert (tmp_path / name).stat().st_size > 500

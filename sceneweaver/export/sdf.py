@@ -1,0 +1,174 @@
+"""A whole room as one SDF world, ``scene.sdf`` with its meshes in ``sdf/``, for Drake, Gazebo and PyBullet.
+
+Every object is a model with the object's id, at the object's pose; its links are ``base`` and its doors and drawers,
+whose joints end in ``_joint``. What stands still and has no joints is static. By the standard, joints of static models
+do not move, so the base of a fixed piece with doors is welded to the world instead. PyBullet knows no link "world", and
+moves the joints of static models: for it, all that stands still is static.
+"""
+
+from __future__ import annotations
+
+import re
+from xml.etree import ElementTree as Xml
+
+import numpy as np
+
+from sceneweaver.assets import Material
+from sceneweaver.assets.placed import Load
+from sceneweaver.geometry.rotations import matrix
+from sceneweaver.physics.xml import text
+from sceneweaver.scene import Scene
+
+from .articulations import BASE, EFFORT, SPEED, ArticulatedLink, Shape
+from .placed_articulations import PlacedArticulation, placed_articulations
+
+FOLDER = "sdf"
+"""Where the meshes are, beside the file."""
+
+_MODULUS = 1e8  # [Pa] of contact areas: things sink in by micrometres
+
+
+def sdf(scene: Scene, load: Load | None = None, *, loose: bool = True, bullet: bool = False) -> dict[str, bytes]:
+    """All files by path, ``scene.sdf`` among them.
+
+    Args:
+        scene: The scene.
+        load: From asset id to asset; None: the library of this user.
+        loose: Whether what can be taken off an object is a model of its own.
+        bullet: For PyBullet, which departs from the standard in what stands still and in friction.
+
+    Raises:
+        InputError: when an asset cannot be loaded.
+    """
+    root = Xml.Element("sdf", {} if bullet else {"xmlns:drake": "http://drake.mit.edu"}, version="1.7")
+    world = Xml.SubElement(root, "world", name=model_name(scene.id))
+    _text(world, "gravity", (0, 0, -9.81))
+    files: dict[str, bytes] = {}
+    for placed in placed_articulations(scene, load, loose=loose):
+        _model(world, placed, bullet)
+        files |= {f"{FOLDER}/{name}": content for name, content in placed.model.files.items()}
+    Xml.indent(root, " ")
+    files["scene.sdf"] = f'<?xml version="1.0"?>\n{Xml.tostring(root, encoding="unicode")}\n'.encode()
+    return files
+
+
+def model_name(name: str) -> str:
+    """The name of a model for an id: letters, digits, ``_``, ``-`` and ``.`` only, as ``::`` separates names in SDF."""
+    return re.sub(r"[^A-Za-z0-9_.-]", "_", name)
+
+
+def roll_pitch_yaw(quaternion: tuple[float, float, float, float]) -> tuple[float, float, float]:
+    """Angles [rad] about the fixed axes x, y, z, one after the other, of a rotation (x, y, z, w)."""
+    from scipy.spatial.transform import Rotation
+
+    m = matrix(quaternion)
+    if abs(m[2][2] - 1.0) < 1e-12:
+        return 0.0, 0.0, float(np.arctan2(m[1][0], m[0][0]))
+    roll, pitch, yaw = Rotation.from_quat(quaternion).as_euler("xyz")
+    return float(roll), float(pitch), float(yaw)
+
+
+def _text(parent: Xml.Element, tag: str, value) -> Xml.Element:
+    made = Xml.SubElement(parent, tag)
+    made.text = text(value)
+    return made
+
+
+def _model(world: Xml.Element, placed: PlacedArticulation, bullet: bool) -> None:
+    model = Xml.SubElement(world, "model", name=model_name(placed.name))
+    links = placed.model.links
+    static = placed.fixed and (bullet or len(links) == 1)
+    if static:
+        _text(model, "static", "true")
+    _text(model, "pose", [*(f"{v:.12g}" for v in placed.position), *map(_exact, roll_pitch_yaw(placed.quaternion))])
+    for link in links:
+        _link(model, link, placed, bullet)
+        if link.joint is not None:
+            _joint(model, link)
+    if placed.fixed and not static:
+        weld = Xml.SubElement(model, "joint", name="weld", type="fixed")
+        _text(weld, "parent", "world")
+        _text(weld, "child", BASE)
+
+
+def _exact(angle: float) -> str:
+    return f"{angle:.15g}"
+
+
+def _link(model: Xml.Element, link: ArticulatedLink, placed: PlacedArticulation, bullet: bool) -> None:
+    element = Xml.SubElement(model, "link", name=link.name)
+    if link.joint is not None:
+        _text(element, "pose", (*link.anchor, 0, 0, 0))
+    inertial = Xml.SubElement(element, "inertial")
+    _text(inertial, "pose", (*link.inertia.centre, 0, 0, 0))
+    _text(inertial, "mass", link.inertia.mass)
+    inertia = Xml.SubElement(inertial, "inertia")
+    for i, one in enumerate("xyz"):
+        for k, two in list(enumerate("xyz"))[i:]:
+            _text(inertia, f"i{one}{two}", f"{float(link.inertia.tensor[i, k]):.12g}")
+    if bullet:
+        _text(Xml.SubElement(element, "contact"), "lateral_friction", placed.model.friction)
+    for number, (shape, look) in enumerate(link.visuals):
+        made = _geometry(element, "visual", number, shape)
+        _material(made, placed.model.looks[look])
+    for number, shape in enumerate(link.shapes):
+        made = _geometry(element, "collision", number, shape)
+        grip = Xml.SubElement(Xml.SubElement(Xml.SubElement(made, "surface"), "friction"), "ode")
+        _text(grip, "mu", placed.model.friction)
+        _text(grip, "mu2", placed.model.friction)
+        if not bullet:
+            _drake(made, shape)
+
+
+def _drake(collision: Xml.Element, shape: Shape) -> None:
+    """What Drake reads besides: meshes are convex; flat parts have contact areas.
+
+    Drake's point contact is one point a pair of parts, on which a plate or a book rocks and wanders. Contact areas cost
+    more, so that only parts that rest on each other with their whole undersides have them.
+    """
+    mesh = collision.find("geometry/mesh")
+    if mesh is not None:
+        Xml.SubElement(mesh, "drake:declare_convex")
+    if shape.flat:
+        made = Xml.SubElement(collision, "drake:proximity_properties")
+        Xml.SubElement(made, "drake:compliant_hydroelastic")
+        _text(made, "drake:hydroelastic_modulus", _MODULUS)
+
+
+def _geometry(link: Xml.Element, tag: str, number: int, shape: Shape) -> Xml.Element:
+    made = Xml.SubElement(link, tag, name=f"{tag}_{number}")
+    geometry = Xml.SubElement(made, "geometry")
+    if shape.size is None:
+        _text(Xml.SubElement(geometry, "mesh"), "uri", f"{FOLDER}/{shape.file}")
+    else:
+        _text(made, "pose", (*shape.centre, 0, 0, shape.yaw))
+        _text(Xml.SubElement(geometry, "box"), "size", shape.size)
+    return made
+
+
+def _material(visual: Xml.Element, look: Material) -> None:
+    made = Xml.SubElement(visual, "material")
+    _text(made, "diffuse", (*look.color, look.opacity))
+
+
+def _joint(model: Xml.Element, link: ArticulatedLink) -> None:
+    """From the base; its frame is that of the link."""
+    joint = link.joint
+    assert joint is not None
+    made = Xml.SubElement(model, "joint", name=f"{link.name}_joint", type=joint.kind)
+    _text(made, "parent", BASE)
+    _text(made, "child", link.name)
+    axis = Xml.SubElement(made, "axis")
+    _text(axis, "xyz", joint.axis)
+    limit = Xml.SubElement(axis, "limit")
+    low, high = joint.limits
+    for tag, value in (
+        ("lower", low),
+        ("upper", high),
+        ("effort", EFFORT[joint.kind]),
+        ("velocity", SPEED[joint.kind]),
+    ):
+        _text(limit, tag, value)
+    dynamics = Xml.SubElement(axis, "dynamics")
+    _text(dynamics, "damping", joint.hold)
+    _text(dynamics, "friction", joint.hold)

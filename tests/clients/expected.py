@@ -1,0 +1,57 @@
+"""What every client has to find in a room: poses of bodies, joints and limits, by sceneweaver's own arithmetic."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from sceneweaver.assets.placed import Load
+from sceneweaver.geometry.rotations import from_yaw, matrix, wxyz
+from sceneweaver.physics.leaves import leaves
+from sceneweaver.physics.things import joint_of, things_of
+from sceneweaver.scene import Scene
+
+
+def expected(scene: Scene, load: Load | None = None) -> dict[str, Mapping[str, Any]]:
+    """``bodies`` and ``joints`` by name.
+
+    A body has its pose (position, quaternion w x y z) as "object", in the frame that all bodies of an object share, and
+    as "link", with the frame at its joint's anchor; whether it is ``free``, and the ``middle`` of its box in the first.
+    A joint has its kind, limits [rad] or [m], and its axis and anchor in the world.
+    """
+    bodies: dict[str, Any] = {}
+    joints: dict[str, Any] = {}
+    for thing in things_of(scene, load):
+        pose = thing.object.pose
+        turn, at, facing = matrix(pose.quaternion), np.asarray(pose.position), wxyz(pose.quaternion)
+        for body in thing.bodies:
+            points = np.concatenate([solid.points for solid in body.solids])
+            here = (list(pose.position), list(facing))
+            row = bodies[body.name] = {
+                "object": here,
+                "link": here,
+                "free": thing.free if body.link is None else body.loose,
+                "middle": ((points.min(axis=0) + points.max(axis=0)) / 2).tolist(),
+            }
+            if body.link is not None and not body.loose:
+                axis, limits, _ = joint_of(body.link, thing.scale, body.mass)
+                anchor = at + turn @ (np.asarray(body.link.anchor) * thing.scale)
+                row["link"] = (anchor.tolist(), list(facing))
+                joints[body.name] = _joint(body.link.joint, turn @ axis, anchor, limits)
+    for leaf in leaves(scene.room):
+        facing = list(wxyz(from_yaw(leaf.yaw)))
+        bodies[leaf.name] = {
+            "object": (list(leaf.position), facing),
+            "link": (list(leaf.position), [1.0, 0.0, 0.0, 0.0]),
+            "free": False,
+            "middle": [0.0, 0.0, 0.0],
+        }
+        axis = matrix(from_yaw(leaf.yaw)) @ np.asarray(leaf.axis)
+        joints[leaf.name] = _joint(leaf.joint, axis, np.asarray(leaf.position), leaf.limits)
+    return {"bodies": bodies, "joints": joints}
+
+
+def _joint(kind: str, axis: np.ndarray, anchor: np.ndarray, limits: tuple[float, float]) -> dict[str, Any]:
+    return {"kind": kind, "axis": axis.tolist(), "anchor": anchor.tolist(), "limits": list(limits)}
