@@ -60,8 +60,11 @@ def tap(
     """
     d.cylinder(Box.sized(3.4 * radius, 3.4 * radius, 0.012), material, segments=16)
     if lever:
-        foot, end = (0.0, 0.0, 0.25 * height), (0.3 * reach, 3.2 * radius, 0.36 * height)
-        with d.hinge(name, foot, (end[1], -end[0], 0.0), (0.0, 0.5), "control"):
+        end = (0.3 * reach, 3.2 * radius, 0.36 * height)
+        share = (1.7 if square else 1.4) * radius / math.hypot(*end[:2])  # from the face of the stem
+        foot = (share * end[0], share * end[1], (0.25 + 0.11 * share) * height)
+        pivot = (foot[0], foot[1], foot[2] + 0.5 * radius)
+        with d.hinge(name, pivot, (end[1], -end[0], 0.0), (0.0, 0.4), "control"):
             d.bar(foot, end, 0.5 * radius, material, segments=8)
     if square:
         stem = d.box(Box.sized(2.2 * radius, 2.6 * radius, height), material)

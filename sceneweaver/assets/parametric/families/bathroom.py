@@ -61,8 +61,8 @@ def toilet(d: Drawing) -> None:
         case = tank.to(z=(high - 0.04, box.z[1] - 0.052))
         d.sections(case, [(0.81, 0.84, 0.0), (0.9, 0.94, 1.0)], china, 0.2, convex=True)
         lid = d.slab(tank.to(z=(case.z[1], box.z[1] - 0.012)), china, 0.035, 0.01)
-    with d.part("button"), d.slide("button", (0.0, 0.0, -1.0), (0.0, 0.006), "control"):
-        button = lid.top(-0.012).inset(bottom=-0.001).place(0.052, 0.052)
+    with d.part("button"), d.slide("button", (0.0, 0.0, -1.0), (0.0, 0.003), "control"):
+        button = lid.top(-0.012).inset(bottom=0.002).place(0.052, 0.052)
         d.cylinder(button, "chrome", ends=(1.0, 0.92), bevel=0.002, segments=20)
         d.print(button.top(0.0).place(0.04, 0.0016), "black steel")
     for name, side in (("top-right", (lid.y[0] + 0.03, -0.03)), ("top-left", (0.03, lid.y[1] - 0.03))):
