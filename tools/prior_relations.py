@@ -41,6 +41,9 @@ TOGETHER = (CATALOGUE.with_role("placing") | CATALOGUE.with_role("turning") | {"
 BEHIND_IT = frozenset(("behind", "around"))
 """Types whose target stands free of the walls."""
 
+CLOSE = 0.1
+"""Gap [m] between the pieces of a run that are wanted close to each other."""
+
 CEILING = 0.15
 """Height [m] that is left free above what hangs over something."""
 
@@ -93,9 +96,10 @@ def _centred(one: Wanted, relation: Relation) -> bool:
 
 
 def _beside(wanted: Sequence[Wanted]) -> list[Relation]:
-    """The pieces of a run stand side by side, over the corner too; so they may reach into each other's free space."""
+    """The pieces of a run stand close to each other. No relation that lets them into each other's free space: around a
+    corner that would shut doors and drawers."""
     return [
-        Relation(type="side_by_side", subject=b.id, target=a.id, hard=False, weight=0.5)
+        Relation(type="near", subject=b.id, target=a.id, params={"max": CLOSE}, hard=False, weight=0.5)
         for a, b in itertools.pairwise(run_of(wanted))
         if not has_place(a, "in_corner") and not has_place(b, "in_corner")
     ]

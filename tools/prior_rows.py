@@ -6,7 +6,6 @@ What does not always fit in one way is proposed in several *variants*: sets of r
 from __future__ import annotations
 
 import itertools
-import math
 from collections.abc import Iterator, Sequence
 
 from sceneweaver.scene import Relation, Room
@@ -75,23 +74,16 @@ def _order(one: Wanted) -> tuple[float, int]:
 
 
 def _run_variants(pieces: Sequence[Wanted], room: Room) -> Iterator[Variant]:
-    """A run that begins or ends in a corner of the room, goes around one about its middle, or stands in two parts;
-    of these what the walls are long enough for, else anywhere."""
-    widths = [one.asset.size[1] for one in pieces]
-    deep = max(one.asset.size[0] for one in pieces)
-    walls = _walls(room)
-    corners = [(a, b) for (a, convex), (b, _) in zip(walls, walls[1:] + walls[:1], strict=True) if convex]
+    """A run that begins or ends in a corner of the room where a wall is long enough for it, and one in two parts.
+
+    None goes around a corner: without a corner unit, what stands in the corner could not be opened.
+    """
     count = len(pieces)
-    found: list[Variant] = []
-    if sum(widths) < max(length for length, _ in walls):
-        found += [_run(pieces, count - 1, corner=True), _run(pieces, 0, corner=True)]
-    for last in sorted(range(count - 1), key=lambda k: abs(sum(widths[: k + 1]) - sum(widths) / 2)):
-        head, tail = sum(widths[: last + 1]), deep + sum(widths[last + 1 :])
-        if any(head < a and tail < b for a, b in corners):
-            found.append(_run(pieces, last, corner=True))
-            break
-    yield from found or [_run(pieces, 0, corner=False)]
-    if count >= 4:
+    long = sum(one.asset.size[1] for one in pieces) >= max(_walls(room))
+    if not long:
+        yield _run(pieces, count - 1, corner=True)
+        yield _run(pieces, 0, corner=True)
+    if count >= 4 or (long and count >= 2):
         yield _run(pieces[: count // 2], 0, corner=False) + _run(pieces[count // 2 :], 0, corner=False)
 
 
@@ -114,12 +106,12 @@ def _line_variants(pieces: Sequence[Wanted], room: Room) -> Iterator[Variant]:
     if any(one.item and one.item.gap for one in pieces):
         yield _line(pieces, LOOSE[0])
         length = sum(one.asset.size[1] + (one.item.gap[0] if one.item and one.item.gap else 0.0) for one in pieces)
-        if len(pieces) >= 4 and length > PART * max(wall for wall, _ in _walls(room)):
+        if len(pieces) >= 4 and length > PART * max(_walls(room)):
             half = len(pieces) // 2
             yield _line(pieces[:half], LOOSE[0]) + _line(pieces[half:], LOOSE[0])
         return
     widths = [one.asset.size[1] for one in pieces]
-    longest = max(wall for wall, _ in _walls(room))
+    longest = max(_walls(room))
     spare = (longest - sum(widths)) / (len(pieces) + 1)
     roomy = min(LOOSE[1], max(LOOSE[0], spare))
     yield from (_line(pieces, gap) for gap in dict.fromkeys((roomy, 0.5 * (roomy + LOOSE[0]), LOOSE[0])))
@@ -138,11 +130,6 @@ def _line(pieces: Sequence[Wanted], gap: float) -> Variant:
     return tuple(found)
 
 
-def _walls(room: Room) -> list[tuple[float, bool]]:
-    """The length [m] of each wall less its doors, and whether the room has a convex corner at its end."""
-    outline, found = room.outline, []
-    for i, (a, b) in enumerate(zip(outline, (*outline[1:], outline[0]), strict=True)):
-        c = outline[(i + 2) % len(outline)]
-        turn = (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
-        found.append((math.dist(a, b) - sum(d.width for d in room.doors if d.wall == i), turn > 0))
-    return found
+def _walls(room: Room) -> list[float]:
+    """The length [m] of each wall less its doors."""
+    return [wall.length - sum(d.width for d in room.doors if d.wall == wall.index) for wall in room.walls]

@@ -28,6 +28,7 @@ from .interrupt import TimeUp
 from .lived_in import lived_in
 from .loop import Run
 from .memory import Step
+from .openability import opened
 from .planner import RulesPlanner
 from .result import Result
 from .settings import Settings
@@ -156,6 +157,12 @@ def _result(run: Run, remarks: Sequence[str], began: float) -> Result:
                 best = lived_in(best, Executor(run.room_type, brief, settings), run.context(best.scene, settings.seed))
         except TimeUp:
             said.append("the room is tidier than usual: time was up")
+    try:
+        with run.deadline.enforced():
+            best, mended = opened(best, Executor(run.room_type, brief, settings))
+        said += mended
+    except TimeUp:
+        said.append("whether doors and drawers open was not looked at: time was up")
     if settings.settle:
         try:
             with run.deadline.enforced():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from sceneweaver.verify import openable
 from sceneweaver.verify.stability import numbers, violations
 
 from .executor import Executor, Outcome
@@ -40,10 +41,11 @@ def settled(outcome: Outcome, executor: Executor) -> tuple[Outcome, list[str]]:
         notes.append(f"{len(kept)} of {len(rest.moved)} things stay where they were put, the others have settled")
     found = stability(after.scene)
     fallen = violations(found["moved"])
+    judged = openable.judged(after.report, after.scene, openable.measure(after.scene))
     report = replace(
-        after.report,
-        valid=after.report.valid and not fallen,
+        judged,
+        valid=judged.valid and not fallen,
         stability=numbers(found),
-        violations=(*after.report.violations, *fallen),
+        violations=(*judged.violations, *fallen),
     )
     return replace(after, report=report, notes=outcome.notes, unmet=outcome.unmet), notes

@@ -85,10 +85,10 @@ def check(
         clock.lap("physics")
     links = None
     if openable:
-        links = _openable(scene, found, warnings)
+        links = _openable(scene, warnings)
         clock.lap("openable")
     counts = Counter(violation.kind for violation in found)
-    return Report(
+    report = Report(
         valid=not any(v.hard for v in found),
         requested=len(scene.objects) + len(scene.dropped),
         placed=len(scene.objects),
@@ -101,14 +101,17 @@ def check(
         relations=RelationTally(*(_tally(scene.relations, judgements, hard) for hard in (True, False))),
         walkable_share=shares.walkable if shares else None,
         reachable_share=shares.reachable if shares else None,
-        openable_share=sum(link.opens for link in links) / len(links) if links else None,
-        blocked_links=None if links is None else tuple(link for link in links if not link.opens),
         stability=steady,
         violations=tuple(found),
         seconds=clock.seconds(),
         versions=dict(_versions()),
         warnings=tuple(warnings),
     )
+    if links is None:
+        return report
+    from sceneweaver.verify.openable import judged
+
+    return judged(report, scene, links)
 
 
 def _collisions(placed: Placed, meshes: MeshSet, warnings: list[str]) -> list[Violation]:
@@ -168,17 +171,15 @@ def _openings(placed: Placed) -> list[Violation]:
     return found
 
 
-def _openable(scene: Scene, found: list[Violation], warnings: list[str]) -> list[LinkTravel] | None:
-    """How far what opens does, its violations added; None, with a warning, where an asset cannot be loaded."""
+def _openable(scene: Scene, warnings: list[str]) -> list[LinkTravel] | None:
+    """How far what opens does; None, with a warning, where an asset cannot be loaded."""
     from sceneweaver.verify import openable
 
     try:
-        links = openable.measure(scene)
+        return openable.measure(scene)
     except InputError as error:
         warnings.append(f"how far doors and drawers open was not measured: {error}")
         return None
-    found += openable.violations(scene, links)
-    return links
 
 
 def _relation(scene: Scene, index: int, judgement: Judgement) -> Violation:

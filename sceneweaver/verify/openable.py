@@ -8,6 +8,7 @@ to `LIGHT`, a seat up to `LIGHT_SEAT`), nor are rugs.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from itertools import groupby
 
 import numpy as np
@@ -15,7 +16,7 @@ import numpy as np
 from sceneweaver.assets import Asset, categories
 from sceneweaver.scene import Scene
 from sceneweaver.verify.openable_parts import Bodies
-from sceneweaver.verify.report import OPEN, LinkTravel, Violation
+from sceneweaver.verify.report import OPEN, LinkTravel, Report, Violation
 from sceneweaver.verify.sweeps import STEPS, Block, Scenery
 
 NEEDED_DOORS = frozenset(("wardrobe", "built_in_wardrobe", "microwave"))
@@ -50,6 +51,19 @@ def measure(scene: Scene, load: Callable[[str], Asset] | None = None) -> list[Li
         blocker = None if met is None else made.bodies[met].name
         found.append(LinkTravel(body.name, opening.link, opening.role, min(free / STEPS, opening.most), blocker))
     return found
+
+
+def judged(report: Report, scene: Scene, found: Sequence[LinkTravel]) -> Report:
+    """A report of the same scene with what was found, and without what it said of that before."""
+    wrong = violations(scene, found)
+    kept = tuple(v for v in report.violations if v.kind != "blocked_link")
+    return replace(
+        report,
+        valid=not any(v.hard for v in (*kept, *wrong)),
+        openable_share=sum(link.opens for link in found) / len(found) if found else None,
+        blocked_links=tuple(link for link in found if not link.opens),
+        violations=(*kept, *wrong),
+    )
 
 
 def violations(scene: Scene, found: Sequence[LinkTravel]) -> list[Violation]:

@@ -22,7 +22,8 @@ class Request:
     ``shape`` is a name of ``looks.yaml``, ``parts`` are counted ones (("drawers", 3), ...); a drawing that cannot show
     them leaves them out. ``label`` is what a body that stands for an unknown noun is called. ``palette`` is the code of
     the room's, which all that is not asked otherwise follows. Pieces of one ``suite`` (any number) match, of whatever
-    category: fronts, handles and worktops of a kitchen.
+    category: fronts, handles and worktops of a kitchen. ``mirrored`` turns left into right: a door then hangs at its
+    other side.
     """
 
     size: tuple[float | None, float | None, float | None] = (None, None, None)
@@ -34,6 +35,7 @@ class Request:
     label: str | None = None
     palette: str | None = None
     suite: int | None = None
+    mirrored: bool = False
 
     @property
     def suffix(self) -> str:
@@ -49,4 +51,6 @@ class Request:
             parts.append("palette=" + quote(self.palette, safe="/,"))
         if self.suite is not None:
             parts.append(f"suite={self.suite}")
+        if self.mirrored:
+            parts.append("mirrored=1")
         return "".join(f"&{part}" for part in parts)

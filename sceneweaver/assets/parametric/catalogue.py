@@ -12,6 +12,7 @@ from sceneweaver.scene.messages import suggest
 from ..asset import Asset
 from ..category import categories
 from ..drawing import MAKERS, Drawing, Maker, Request, asset_of
+from ..mirror import mirrored
 from . import families
 
 
@@ -39,4 +40,5 @@ def make(category: str, seed: int = 0, request: Request | None = None) -> Asset:
     if drawing.lacks_material:  # its colour waited for it
         drawing = Drawing(categories()[category], seed, request, any_material=True)
         known[category](drawing)
-    return asset_of(drawing)
+    asset = asset_of(drawing)
+    return mirrored(asset) if drawing.request.mirrored else asset

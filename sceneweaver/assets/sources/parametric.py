@@ -17,7 +17,7 @@ from ..parametric import Request, make
 from ..taxonomy import Match, resolve
 from .base import Card, Wish
 
-PREFIX = "parametric:"
+PREFIX, MIRRORED = "parametric:", "&mirrored=1"
 
 
 class ParametricSource:
@@ -55,11 +55,12 @@ class ParametricSource:
             seed = int(given.pop("seed", "0"))
             size, parts = _size(given.pop("size", ",,")), _parts(given.pop("parts", ""))
             suite = int(given.pop("suite")) if "suite" in given else None
+            flipped = int(given.pop("mirrored", "0"))
         except ValueError as error:
             raise InputError(f"asset: '{asset_id}' is no parametric id; write parametric:CATEGORY?seed=N") from error
-        if given or seed < 0 or (suite or 0) < 0:
+        if given or seed < 0 or (suite or 0) < 0 or flipped not in (0, 1):
             raise InputError(f"asset: '{asset_id}' is no parametric id; write parametric:CATEGORY?seed=N")
-        return _draw(category, seed, Request(size=size, parts=parts, suite=suite, **words))
+        return _draw(category, seed, Request(size=size, parts=parts, suite=suite, mirrored=bool(flipped), **words))
 
     @staticmethod
     def _request(match: Match, wish: Wish) -> Request:
@@ -119,3 +120,10 @@ def _size(text: str) -> tuple[float | None, float | None, float | None]:
 def _parts(text: str) -> tuple[tuple[str, int], ...]:
     rows = [row.partition(":") for row in text.split(",") if row]
     return tuple((name, int(count)) for name, _, count in rows)
+
+
+def other_hand(asset_id: str) -> str | None:
+    """The id of a drawn asset in a mirror; None for assets from elsewhere."""
+    if not asset_id.startswith(PREFIX):
+        return None
+    return asset_id.removesuffix(MIRRORED) if asset_id.endswith(MIRRORED) else asset_id + MIRRORED
