@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from sceneweaver.assets import Mesh
+from sceneweaver.assets import Asset, Mesh
 from sceneweaver.assets.placed import Load, loader, parts_mesh, plain_material, scaled_asset
 from sceneweaver.scene import InputError, Scene, SceneObject
 
@@ -27,6 +27,7 @@ class Body:
     mesh: Mesh
     scale: tuple[float, float, float] = (1.0, 1.0, 1.0)
     note: str = ""
+    asset: Asset | None = None
 
 
 def bodies_of(scene: Scene, load: Load | None = None, missing: Missing = "error") -> list[Body]:
@@ -46,7 +47,11 @@ def _body(index: int, thing: SceneObject, load: Load, missing: Missing) -> Body:
         if missing == "error":
             raise
         return _plain(thing, f"{thing.id}: its mesh is missing, its collision parts are shown")
-    return _plain(thing) if asset is None or thing.asset is None else Body(thing, thing.asset, asset.mesh, scale)
+    return (
+        _plain(thing)
+        if asset is None or thing.asset is None
+        else Body(thing, thing.asset, asset.mesh, scale, asset=asset)
+    )
 
 
 def _plain(thing: SceneObject, note: str = "") -> Body:

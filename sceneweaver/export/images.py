@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -91,6 +92,11 @@ def _packed(image: np.ndarray, side: int, kind: str, **options: int) -> bytes:
     data = io.BytesIO()
     picture.save(data, kind, **options)
     return data.getvalue()
+
+
+def linear(color: Sequence[float]) -> list[float]:
+    """Linear light of an sRGB colour."""
+    return [round(c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4, 6) for c in color]
 
 
 def tinted(material: Material, base: list[float]) -> tuple[list[float], float]:

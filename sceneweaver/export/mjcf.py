@@ -27,8 +27,7 @@ from sceneweaver.scene import Room, Scene
 
 from .corners import indexed, texture_coordinates
 from .folder import write_folder
-from .glb import linear
-from .images import file_stem, png, tinted
+from .images import file_stem, linear, png, tinted
 
 _PIXELS = 256
 """Side of the images: simulators show them small, and PNG is large."""

@@ -1,4 +1,5 @@
-"""The room as closed meshes in the world's frame: a floor slab, and a wall with its openings for each edge."""
+"""The room as closed meshes in the world's frame: a floor slab, and a wall with its openings for each edge.
+Leaves of doors are in their own frames."""
 
 from __future__ import annotations
 
@@ -7,9 +8,14 @@ import math
 import numpy as np
 
 from sceneweaver.assets import Material, Mesh
+from sceneweaver.assets.placed import parts_mesh
 from sceneweaver.assets.room_looks import room_looks, wall_look
 from sceneweaver.geometry.shell import FLOOR_THICKNESS, WALL_THICKNESS, heights, wall_plan
-from sceneweaver.scene import Room
+from sceneweaver.physics.leaves import Leaf
+from sceneweaver.scene import Part, Room
+
+_LEAF = Material("door leaf", (0.82, 0.74, 0.62), roughness=0.6, texture="oak")
+_HANDLE = Material("door handle", (0.62, 0.62, 0.63), roughness=0.35, metallic=1.0)
 
 
 def floor_mesh(room: Room) -> Mesh:
@@ -40,6 +46,17 @@ def wall_mesh(room: Room, wall: int) -> Mesh:
         hole = hole.translate((opening.offset, -3 * WALL_THICKNESS, low))
         body = body - hole.rotate((0.0, 0.0, turn)).translate((*walls[wall].start, 0.0))
     return _mesh(body, wall_look(room, wall))
+
+
+def leaf_mesh(leaf: Leaf) -> Mesh:
+    """The leaf of a door and its handles, in the leaf's frame."""
+    parts = []
+    for center, half in leaf.boxes:
+        (x0, y0, z0), (x1, y1, z1) = np.subtract(center, half).tolist(), np.add(center, half).tolist()
+        parts.append(Part.model_construct(polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=(z0, z1)))
+    mesh = parts_mesh(parts, _LEAF)
+    which = np.repeat(np.minimum(np.arange(len(parts)), 1), len(mesh.faces) // len(parts)).astype(np.int32)
+    return Mesh(mesh.vertices, mesh.faces, which, mesh.face_link, (_LEAF, _HANDLE)[: which.max() + 1])
 
 
 def _mesh(body, material: Material) -> Mesh:

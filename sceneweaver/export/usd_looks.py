@@ -7,8 +7,7 @@ from typing import Any
 
 from sceneweaver.assets import Material
 
-from .glb import linear
-from .images import Images, file_stem, images, tinted
+from .images import Images, file_stem, images, linear, tinted
 from .usd_engines import tune_friction
 from .usd_layer import Names, Prim, apply, attribute, prim, relate, triple, usd
 

@@ -127,6 +127,12 @@ def things_of(scene: Scene, load: Load | None = None, *, loose: bool = True) -> 
     return [replace(_thing(k, o, load, bodies), welded=not loose) for k, o in enumerate(scene.objects)]
 
 
+def moving_links(asset: Asset) -> frozenset[int]:
+    """Numbers of the links of an asset that are bodies of their own in a thing: those that have collision parts."""
+    found = frozenset(hull.link for hull in asset.hulls)
+    return found - {0} if 0 in found else frozenset()
+
+
 def is_fixture(thing: SceneObject) -> bool:
     """Whether it stands still: it is fixed, hangs on a wall or ceiling, or ``fixtures.yaml`` lists it."""
     named = thing.category.strip().lower().replace(" ", "_") in _fixtures()

@@ -75,8 +75,26 @@ def _own_bodies(own: OwnFile) -> Iterator[tuple[SceneObject, Mesh]]:
             pose=Pose(position=tuple(node["translation"]), quaternion=tuple(node["rotation"])),
             mount="floor" if mount == "surface" else mount,
         )
-        mesh = own.mesh(node["mesh"])
+        mesh = _whole(own, node)
         yield thing, replace(mesh, vertices=mesh.vertices * np.asarray(node.get("scale", (1.0, 1.0, 1.0))))
+
+
+def _whole(own: OwnFile, node: dict[str, Any]) -> Mesh:
+    """The mesh of an object with those of its doors, drawers and things to take, all as they are in the file."""
+    nodes = [(node, np.zeros(3))]
+    nodes += [(below, np.asarray(below["translation"])) for below in own.below(node)]
+    meshes = [(own.mesh(one["mesh"]), off) for one, off in nodes if "mesh" in one]
+    points = np.concatenate([mesh.vertices + off for mesh, off in meshes])
+    starts = np.cumsum([0, *(len(mesh.vertices) for mesh, _ in meshes)])
+    kinds = np.cumsum([0, *(len(mesh.materials) for mesh, _ in meshes)])
+    return Mesh(
+        points,
+        np.concatenate([mesh.faces + start for (mesh, _), start in zip(meshes, starts, strict=False)]),
+        np.concatenate([mesh.face_material + kind for (mesh, _), kind in zip(meshes, kinds, strict=False)]),
+        np.concatenate([mesh.face_link for mesh, _ in meshes]),
+        tuple(material for mesh, _ in meshes for material in mesh.materials),
+        np.concatenate([mesh.uv for mesh, _ in meshes if mesh.uv is not None]),
+    )
 
 
 def _other_bodies(found: Any) -> Iterator[tuple[SceneObject, Mesh]]:

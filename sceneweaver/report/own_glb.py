@@ -47,6 +47,10 @@ class OwnFile:
         every = np.concatenate(points).astype(float)
         return Mesh(every, np.concatenate(faces), which, np.zeros_like(which), tuple(materials), np.concatenate(uv))
 
+    def below(self, node: dict[str, Any]) -> list[dict[str, Any]]:
+        """The nodes below one."""
+        return [self.document["nodes"][k] for k in node.get("children", ())]
+
     def _values(self, number: int) -> np.ndarray:
         accessor = self.document["accessors"][number]
         view = self.document["bufferViews"][accessor["bufferView"]]

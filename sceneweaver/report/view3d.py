@@ -22,12 +22,12 @@ from sceneweaver.export.bodies import bodies_of
 from sceneweaver.export.corners import texture_coordinates
 from sceneweaver.export.glb import room_meshes
 from sceneweaver.export.images import has_relief, square
+from sceneweaver.export.openings import opening_meshes
 from sceneweaver.geometry.angles import heading
 from sceneweaver.geometry.walls import wall_behind
 from sceneweaver.scene import Room, Scene, SceneObject
 
 from .facts import RelationRow, ViolationRow, object_facts
-from .openings import opening_meshes
 
 _PIXELS = (512, 256)  # sides of the images of tints and of normals
 _MOST = 64  # textures that the view takes

@@ -16,9 +16,11 @@ from sceneweaver.assets import Asset, Material, Mesh, make
 from sceneweaver.assets.textures import maps
 from sceneweaver.assets.textures.relief import to_linear
 from sceneweaver.export import glb_bytes, write_glb
-from sceneweaver.export.glb import linear
+from sceneweaver.export.images import linear
 from sceneweaver.export.room import floor_mesh, wall_mesh
 from sceneweaver.geometry.shell import WALL_THICKNESS, wall_plan
+from sceneweaver.physics.leaves import leaves
+from sceneweaver.physics.things import joint_of, things_of
 from sceneweaver.scene import Door, InputError, Part, Pose, Room, Scene, SceneObject, Support, Window
 
 Z_UP = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], dtype=float)
@@ -299,3 +301,47 @@ def test_a_missing_asset_is_named(tmp_path) -> None:
 def test_equal_scenes_give_equal_bytes(made) -> None:
     scene, assets, data = made
     assert glb_bytes(scene, assets.__getitem__) == data
+
+
+def test_doors_and_drawers_are_nodes_with_their_origin_on_the_hinge() -> None:
+    """Whoever turns a node about the axis of its joint opens a door as a simulator does."""
+    cabinet = make("filing_cabinet", 1)
+    wide = cabinet.object("wide", pose=Pose.from_yaw(3.5, 2.0, 0.0, 0.4))
+    scale = np.array([1.2, 0.8, 1.1])
+    wide = wide.model_copy(update={"size": tuple((np.asarray(cabinet.size) * scale).tolist())})
+    objects = (cabinet.object("one", pose=Pose.from_yaw(1.0, 2.0, 0.0, 0.4)), wide, cabinet.object("two"))
+    scene = Scene(id="s", room=ROOM, objects=objects)
+    data = glb_bytes(scene, lambda _: cabinet)
+    document, _ = _split(data)
+    nodes = {node["name"]: node for node in document["nodes"]}
+    loaded: Any = trimesh.load(io.BytesIO(data), file_type="glb", process=False, merge_primitives=True)
+    for thing in things_of(scene, lambda _: cabinet):
+        assert {document["nodes"][k]["name"] for k in nodes[thing.object.id]["children"]} == {
+            body.name for body in thing.bodies[1:]
+        }
+        whole = []
+        for body in thing.bodies:
+            matrix, geometry = loaded.graph[body.name]
+            points = trimesh.transform_points(loaded.geometry[geometry].vertices, Z_UP @ matrix)
+            whole.append(points)
+            if body.link is not None:
+                axis, limits, _ = joint_of(body.link, thing.scale, body.mass)
+                joint = nodes[body.name]["extras"]["joint"]
+                assert joint["type"] == body.link.joint and joint["role"] == body.link.role
+                assert joint["axis"] == pytest.approx(axis.tolist()) and joint["limits"] == pytest.approx(limits)
+        want = _world(thing.object, cabinet.mesh.vertices * np.asarray(thing.scale))
+        got = np.concatenate(whole)
+        assert np.allclose(got.min(0), want.min(0), atol=1e-5) and np.allclose(got.max(0), want.max(0), atol=1e-5)
+    # Those of one asset share their meshes.
+    assert nodes["one"]["mesh"] == nodes["two"]["mesh"] != nodes["wide"]["mesh"]
+
+
+def test_the_room_has_doors_and_panes(made) -> None:
+    nodes = {node["name"]: node for node in _split(made[2])[0]["nodes"]}
+    (leaf,) = leaves(ROOM)
+    assert nodes[leaf.name]["translation"] == pytest.approx(leaf.position)
+    assert nodes[leaf.name]["extras"]["joint"]["limits"] == pytest.approx(leaf.limits)
+    loaded: Any = trimesh.load(io.BytesIO(made[2]), file_type="glb", process=False, merge_primitives=True)
+    matrix, geometry = loaded.graph["room:window:window-0"]
+    points = trimesh.transform_points(loaded.geometry[geometry].vertices, Z_UP @ matrix)
+    assert points[:, 1].min() == pytest.approx(0.97) and points[:, 2].max() == pytest.approx(2.1)

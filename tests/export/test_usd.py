@@ -14,7 +14,7 @@ from scipy.spatial import Delaunay, KDTree
 
 from sceneweaver.assets import make
 from sceneweaver.assets.textures import maps
-from sceneweaver.export.glb import linear
+from sceneweaver.export.images import linear
 from sceneweaver.export.room import floor_mesh
 from sceneweaver.export.usd import usd_layer, write_usd
 from sceneweaver.export.usd_bodies import _turn

@@ -16,9 +16,9 @@ import pytest
 
 from sceneweaver.assets.textures import maps
 from sceneweaver.export.corners import texture_coordinates
+from sceneweaver.export.openings import opening_meshes
 from sceneweaver.report import ReportData, report_html, write_report
 from sceneweaver.report.facts import faults_of, relation_rows
-from sceneweaver.report.openings import opening_meshes
 from sceneweaver.report.request import section
 from sceneweaver.report.view3d import pack
 from sceneweaver.scene import InputError, Pose, Relation, SceneObject

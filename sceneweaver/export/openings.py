@@ -1,4 +1,4 @@
-"""Doors and windows for the 3D view: frames, a closed leaf, panes of glass. Only looks: scene.glb has the holes."""
+"""What doors and windows look like: frames, a closed leaf, panes of glass."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from sceneweaver.assets import Material, Mesh
 from sceneweaver.geometry.prisms import prism_mesh
 from sceneweaver.geometry.shell import WALL_THICKNESS
 from sceneweaver.geometry.walls import Wall
-from sceneweaver.scene import Room
+from sceneweaver.scene import Room, Window
 
 _FRAME = Material("window frame", (0.96, 0.955, 0.94), roughness=0.5)
 _LEAF = Material("door leaf", (0.80, 0.69, 0.55), roughness=0.55, texture="oak")
@@ -28,8 +28,13 @@ def opening_meshes(room: Room) -> Iterator[tuple[int, str, Mesh]]:
     for k, door in enumerate(room.doors):
         yield door.wall, f"door:{k}", _built(room.walls[door.wall], _door(door.offset, door.width, door.height))
     for k, window in enumerate(room.windows):
-        blocks = _window(window.offset, window.width, window.sill, window.height)
-        yield window.wall, f"window:{k}", _built(room.walls[window.wall], blocks)
+        yield window.wall, f"window:{k}", window_mesh(room, window)
+
+
+def window_mesh(room: Room, window: Window) -> Mesh:
+    """Frame, sill and pane of a window in the world's frame."""
+    blocks = _window(window.offset, window.width, window.sill, window.height)
+    return _built(room.walls[window.wall], blocks)
 
 
 def _border(offset: float, width: float, low: float, high: float, deep: Range, bottom: bool) -> list[Block]:
@@ -80,6 +85,3 @@ def _built(wall: Wall, blocks: list[Block]) -> Mesh:
         kinds.append(materials.index(material))
     face_material = np.repeat(np.asarray(kinds, dtype=np.int32), len(faces[0]))
     return Mesh(np.concatenate(vertices), np.concatenate(faces), face_material, np.zeros_like(face_material), materials)
-
-
-__all__ = ["opening_meshes"]
