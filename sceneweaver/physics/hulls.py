@@ -29,6 +29,10 @@ _WASTE = 0.01  # share of volume that a merge may add when it is not forced
 _NEAR = 8  # neighbours of a part that it is tried with first
 _KEPT = 4096  # assets whose parts are kept
 _FILL = 0.02  # share of an interior that a merge may fill
+_NEARLY = 0.93  # share of its bounds that a part fills which becomes a box
+_NARROWER = (1.0, 0.998, 0.995, 0.99, 0.98, 0.97, 0.96, 0.95, 0.94, 0.92)  # shares of depth and width, tried in turn
+_NARROWED = 0.005  # [m] by which a side of a box may lie inside that of the part
+_CORNERS = np.array([(x, y, z) for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
 _TOUCH = 1e-3  # [m] by which parts of different links may reach into each other
 
 _KNOWN: dict[bytes, list[Solid]] = {}
@@ -75,7 +79,7 @@ def merged_hulls(asset: Asset) -> list[Solid]:
             _KNOWN.clear()
         found = [_solid(np.asarray(h.vertices, dtype=float), h.link, h.handle) for h in asset.hulls]
         merged = reduce(found, asset.parts, most, rooms) if len(found) > most and asset.parts else found
-        _KNOWN[key] = [_limited(solid) for solid in merged]
+        _KNOWN[key] = [_limited(solid) for solid in squared(merged, asset.parts)]
     return list(_KNOWN[key])
 
 
@@ -152,6 +156,31 @@ def reduce(solids: Sequence[Solid], parts: Sequence[Part], most: int, rooms: Seq
             offer(fresh, count, 0)
             fresh += 1
     return [live[k] for k in sorted(live)]
+
+
+def squared(solids: Sequence[Solid], parts: Sequence[Part]) -> list[Solid]:
+    """Boxes for those that are nearly boxes, as boards with cut edges or round corners are: their contacts are the
+    cheapest and the most steady.
+
+    A box stays in a prism that holds the part, a little narrower than the part where need be, and out of what parts of
+    other links stay out of. It is as high as the part and stands on the same level.
+    """
+    found = list(solids)
+    for k, solid in enumerate(solids):
+        low, high = solid.points.min(axis=0), solid.points.max(axis=0)
+        if solid.box is not None or solid.volume < _NEARLY * float(np.prod(high - low)):
+            continue
+        middle, half = (low + high) / 2, (high - low) / 2
+        for share in _NARROWER:
+            if (1 - share) * half[:2].max() > _NARROWED:
+                break
+            corners = middle + _CORNERS * half * [share, share, 1.0]
+            if _homes(corners, parts):
+                box = _solid(corners, solid.link, solid.handle)
+                if not any(s.link != solid.link and _reaches(box, s) and not _reaches(solid, s) for s in found):
+                    found[k] = box
+                break
+    return found
 
 
 def _limited(solid: Solid) -> Solid:

@@ -127,7 +127,9 @@ def test_mujoco_reads_links_joints_and_mass(asset, tmp_path, monkeypatch) -> Non
     wanted = np.array([(h.link, *h.vertices.min(axis=0), *h.vertices.max(axis=0)) for h in asset.hulls])
     assert len(found) == len(wanted)
     apart = np.abs(found[:, None] - wanted[None]).max(axis=2)
-    assert apart[linear_sum_assignment(apart)].max() < 2e-5
+    one, two = linear_sum_assignment(apart)
+    assert apart[one, two].max() < 5e-3, "what is nearly a box may be one that is a little narrower"
+    assert np.abs(found[one] - wanted[two])[:, [0, 3, 6]].max() < 2e-5, "but as high and on the same level"
 
 
 @pytest.mark.parametrize("asset", [FRIDGE, CABINET, CHEST], ids=lambda a: a.category)
@@ -183,9 +185,10 @@ def test_a_pull_opens_what_friction_holds(asset, fixed, tmp_path) -> None:
 @pytest.mark.parametrize("asset", [FRIDGE, CABINET, CHAIR, CHEST], ids=lambda a: a.category)
 def test_inertias_are_those_of_the_parts(asset, tmp_path) -> None:
     root = Xml.parse(write_urdf(asset, tmp_path / "out")).getroot()
-    slack = 1e-6 if asset is CHEST else 4e-3  # elsewhere hulls that are nearly boxes have become boxes
+    slack = 1e-6 if asset is CHEST else 0.03  # elsewhere hulls that are nearly boxes have become boxes
     hulls = [(h.link, trimesh.convex.convex_hull(h.vertices)) for h in asset.hulls]
-    density = asset.mass / sum(shape.volume for _, shape in hulls)
+    volumes = [sum(shape.volume for number, shape in hulls if number == k) for k in range(len(asset.links) + 1)]
+    masses = np.array(asset.masses or volumes) * asset.mass / sum(asset.masses or volumes)
     anchors = [np.zeros(3), *(np.asarray(link.anchor) for link in asset.links)]
     for k, link in enumerate(root.iter("link")):
         inertial = link.find("inertial")
@@ -198,7 +201,7 @@ def test_inertias_are_those_of_the_parts(asset, tmp_path) -> None:
         mass, total, spread = 0.0, np.zeros(3), np.zeros((3, 3))
         for number, shape in hulls:
             if number == k:
-                shape.density = density
+                shape.density = masses[k] / volumes[k]
                 off = shape.center_mass - (centre + anchors[k])
                 mass, total = mass + shape.mass, total + shape.mass * shape.center_mass
                 spread += shape.moment_inertia + shape.mass * (off @ off * np.eye(3) - np.outer(off, off))
