@@ -153,7 +153,7 @@ class RoomEnv(gymnasium.Env):
             self._scatter(self.task)
         base = options.get("base")
         self.world.place_robot(self.data, self._start_base() if base is None else np.asarray(base, dtype=float))
-        import_module("mujoco").mj_forward(self.world.model, self.data)
+        self.world.forward(self.data)
         self.start = self.world.state(self.data)
         self._steps = 0
         self._potential = self.task.potential(self.world.geometry, self.start, self.start)
@@ -247,14 +247,14 @@ class RoomEnv(gymnasium.Env):
 
     def _scatter(self, task: Tidy) -> None:
         """Things of a tidy-up stand somewhere on the free floor."""
-        import_module("mujoco").mj_forward(self.world.model, self.data)
+        self.world.forward(self.data)
         for name in task.scattered:
             floor = FloorMap(self.world, self.data)
             places = floor.points[floor.free]
             item = self.world.geometry.items[name]
             place = places[self.np_random.integers(len(places))]
             self.world.set_pose(self.data, name, np.array([*place, 0.002 - item.low[2], 1.0, 0, 0, 0]))
-            import_module("mujoco").mj_forward(self.world.model, self.data)
+            self.world.forward(self.data)
 
     def _observation_space(self) -> Any:
         box, spaces = gymnasium.spaces.Box, gymnasium.spaces

@@ -139,6 +139,12 @@ class SceneGeometry:
             self._add_bodies(thing)
             self._add_asset(thing)
 
+    def leaf_of(self, joint: str) -> list[Array]:
+        """Points [V, 3] of the parts of a door's or drawer's body but its handles, in the object's frame, closed."""
+        bodies = (body for thing in self.things for body in thing.bodies if body.name == joint)
+        solids = next(bodies).solids
+        return [np.asarray(s.points) for s in solids if not s.handle] or [np.asarray(s.points) for s in solids]
+
     def interior(self, body: str, name: str) -> Interior:
         """The interior of that name that a body carries."""
         return next(one for one in self.interiors if (one.body, one.name) == (body, name))

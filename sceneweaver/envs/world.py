@@ -128,7 +128,11 @@ class World:
         for name, position in self.robot.home.items():
             data.joint(PREFIX + name).qpos[0] = position
         self.place_robot(data, base)
-        mujoco.mj_forward(self.model, data)
+        self.forward(data)
+
+    def forward(self, data: Any) -> None:
+        """Bring poses of bodies and contacts up to date after positions were set."""
+        import_module("mujoco").mj_forward(self.model, data)
 
     def set_pose(self, data: Any, name: str, pose: Array) -> None:
         """Put a body [7] somewhere; one that stands still is moved in the model."""

@@ -1,0 +1,339 @@
+"""Scripted policies for the drawn mobile robot: they act through `RoomEnv.step` alone, in real contact.
+
+They know the room: a plan is made on its geometry, and then followed by targets of the joints.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from .env import PERIOD, RoomEnv
+from .geometry import Articulation
+from .grasping import grasps_of
+from .kinematics import ToolPose, configuration
+from .planning import EXTENSIONS, YAWS, Planner, link_pose, strain, tool_of
+from .predicates import rotate, to_world
+from .tasks import Open, PutIn, PutOn, Take
+
+Array = np.ndarray
+OnStep = Callable[[RoomEnv], None]
+
+_STANDOFF = 0.09  # [m] before a handle
+_LIFTED = 0.14  # [m] by which a thing is lifted before it is carried
+_TUCKED = np.array([1.3, 0.0, 0.0, 0.0, 1.57, 0.0])
+_TURN_NEAR = 0.5  # [m] before its end a way is driven with the yaw of the end
+_DROP = 0.015  # [m] above its place a thing is let go
+_CONTACT = 0.008  # [m] from the face that fingers push to their middle: less than they are thick
+_OPEN, _CLOSED = 1.0, -1.0
+
+
+class Failed(Exception):
+    """The policy found no way; the text says at what."""
+
+
+def solve(env: RoomEnv, on_step: OnStep | None = None) -> bool:
+    """Do the task of an environment that has been reset, and say whether it is done.
+
+    Args:
+        env: With the drawn mobile robot and control "joint".
+        on_step: Called after each step, for pictures say.
+
+    Raises:
+        Failed: there is no way to do it, or no policy for such a task.
+    """
+    run = _Run(env, on_step)
+    task = env.task
+    if isinstance(task, Open):
+        run.open(task.joint, task.share)
+    elif isinstance(task, PutIn | PutOn):
+        run.pick(task.item)
+        run.put(task.item, task.goal(env.world.geometry, env.state))
+    elif isinstance(task, Take):
+        run.pick(task.item)
+    else:
+        raise Failed(f"no policy for {type(task).__name__}")
+    return run.success
+
+
+class _Run:
+    """One episode."""
+
+    def __init__(self, env: RoomEnv, on_step: OnStep | None) -> None:
+        self.env, self.world, self.on_step = env, env.world, on_step
+        self.gripper = _OPEN
+        self.success = self.ended = False
+
+    # Motion
+
+    @property
+    def joints(self) -> Array:
+        """Targets of the driven joints [9]."""
+        return self.env.data.ctrl[self.world.actuators].copy()
+
+    def act(self, target: Array, share: float = 1.0) -> None:
+        """One step towards targets [9] at a share of the top speed."""
+        now = self.joints
+        step = target - now
+        step[2] = (step[2] + np.pi) % (2 * np.pi) - np.pi
+        most = self.world.speeds * PERIOD * share
+        step = step / max(1.0, float(np.max(np.abs(step) / most)))
+        yaw = self.env.data.qpos[self.world.driven_addresses[2]]
+        c, s = np.cos(yaw), np.sin(yaw)
+        step[:2] = c * step[0] + s * step[1], c * step[1] - s * step[0]
+        action = np.append(step / (self.world.speeds * PERIOD), self.gripper)
+        _, _, done, cut, _ = self.env.step(np.clip(action, -1, 1))
+        self.success |= done
+        self.ended |= cut
+        if self.on_step is not None:
+            self.on_step(self.env)
+        if self.ended:
+            raise Failed("time is up")
+
+    def move(self, target: Array, share: float = 1.0, settle: int = 3) -> None:
+        """Go to targets [9] on a straight line and wait for the joints to follow."""
+        for _ in range(400):
+            gap = target - self.joints
+            gap[2] = (gap[2] + np.pi) % (2 * np.pi) - np.pi
+            if np.abs(gap).max() < 1e-3:
+                break
+            self.act(target, share)
+        for _ in range(settle):
+            self.act(target, share)
+
+    def grip(self, command: float, steps: int = 15) -> None:
+        """Close or open the gripper, and wait."""
+        self.gripper = command
+        target = self.joints
+        for _ in range(steps):
+            self.act(target)
+
+    def drive(self, planner: Planner, place: Array, yaw: float) -> None:
+        """Drive with the arm folded to a place [2], and turn to ``yaw``."""
+        tucked = self.joints
+        tucked[3:] = _TUCKED
+        self.move(tucked)
+        now = tucked[:2]
+        try:
+            way = planner.floor.path(now, place)
+        except LookupError as error:
+            raise Failed(str(error)) from None
+        for point in way[1:]:
+            target = tucked.copy()
+            ahead = np.arctan2(*(point - self.joints[:2])[::-1])
+            target[:2], target[2] = point, yaw if np.linalg.norm(place - point) < _TURN_NEAR else ahead
+            self.move(target, settle=0)
+        target = np.concatenate([place, [yaw], tucked[3:]])
+        self.move(target, settle=5)
+
+    # Doors and drawers
+
+    def open(self, joint: str, share: float) -> None:
+        """Open a door or drawer: pull at its handle as far as there is a way, then push from behind."""
+        door = self.world.geometry.articulations[joint]
+        end = door.open_end * min(share + 0.04, 1.0)
+        self._pull(joint, end)
+        if not self.success and not door.slides:
+            self._push(joint, end)
+
+    def _pull(self, joint: str, end: float) -> None:
+        geometry, state = self.world.geometry, self.env.state
+        door = geometry.articulations[joint]
+        pose = state.bodies[door.object]
+        planner = Planner(self.world, self.env.data)
+        count = max(int(np.ceil(abs(end) / (0.04 if door.slides else 0.09))), 2)
+        openings = np.linspace(state.joints[joint], end, count)
+        best: tuple[list[Array], Any] = ([], None)
+        for grasp in grasps_of(geometry, joint):
+            tools = [tool_of(grasp, link_pose(door, pose, q)) for q in openings]
+            before = tools[0].back(_STANDOFF)
+            way = planner.follow([before, *tools], [{}, *({joint: q} for q in openings)], [joint], 0.04)
+            if len(way) > len(best[0]):
+                best = way, tools
+        way = best[0]
+        if len(way) < 3:
+            raise Failed(f"no way to the handle of {joint}")
+        first = way[0]
+        self._come(planner, first)
+        self.move(way[1], 0.4, settle=8)
+        self.grip(_CLOSED)
+        for joints in way[2:]:
+            self.move(joints, 0.5, settle=1)
+            if self.success:
+                break
+        self.grip(_OPEN, 8)
+        retreat = self.joints
+        tool = self.env.state.tool
+        back = rotate(tool[3:], np.array([0.0, 0.0, -1.0])) * 0.12
+        retreat[:2] += back[:2]
+        self.move(retreat, 0.6)
+
+    def _come(self, planner: Planner, station: Array) -> None:
+        """Drive to where a configuration has its base, with the arm ready, and go into it."""
+        away = station.copy()
+        direction = np.array([np.cos(station[2]), np.sin(station[2])])
+        for back in (0.45, 0.3, 0.15, 0.0):
+            away[:2] = station[:2] - back * direction
+            if planner.on_floor(away):
+                break
+        self.drive(planner, away[:2], station[2])
+        ready = away.copy()
+        ready[4:6] = 0.0
+        self.move(ready)
+        ready[4:6] = station[4:6]
+        if planner.is_free(ready):
+            self.move(ready)
+        else:
+            closer = station.copy()
+            closer[4:6] = 0.0
+            self.move(closer)
+        self.move(station, 0.6, settle=8)
+
+    def _push(self, joint: str, end: float) -> None:
+        """Put the closed fingers behind the edge of a door that is ajar, and swing it on."""
+        geometry, state = self.world.geometry, self.env.state
+        door = geometry.articulations[joint]
+        pose, now = state.bodies[door.object], state.joints[joint]
+        solids, grasp = geometry.leaf_of(joint), grasps_of(geometry, joint)[0]
+        height = float((grasp.position - door.anchor) @ door.axis)
+        planner = Planner(self.world, self.env.data)
+        openings = np.linspace(now, end, max(int(np.ceil(abs(end - now) / 0.09)), 2))
+        best: list[Array] = []
+        for inset in (0.06, 0.12):
+            for tilt in (0.3, 0.7, 1.1):
+                poses = [link_pose(door, pose, q) for q in openings]
+                tools = [_behind(door, solids, height, grasp.approach, there, tilt, inset) for there in poses]
+                doors = [{}, *({joint: q} for q in openings)]
+                way = planner.follow([tools[0].back(0.2), *tools], doors, [joint], 0.0)
+                if len(way) > len(best):
+                    best = way
+        if len(best) < 3:
+            raise Failed(f"no way behind {joint}, open by {now / door.open_end:.0%}")
+        self._come(planner, best[0])
+        self.grip(_CLOSED, 6)
+        for joints in best[1:]:
+            self.move(joints, 0.5, settle=1)
+            if self.success:
+                break
+
+    # Things
+
+    def pick(self, name: str) -> None:
+        """Take a thing from above and lift it."""
+        geometry, state = self.world.geometry, self.env.state
+        pose = state.bodies[name]
+        planner = Planner(self.world, self.env.data)
+        ways = []
+        for grasp in grasps_of(geometry, name):
+            tool = tool_of(grasp, pose)
+            ways += [(tool, joints) for joints in planner.stations(tool)]
+        ways.sort(key=lambda way: strain(way[1]))
+        for tool, joints in ways:
+            above = self._above(planner, tool, joints, name)
+            if above is not None:
+                break
+        else:
+            raise Failed(f"no way to grasp {name}")
+        self._reach(planner, above)
+        self.move(joints, 0.4, settle=6)
+        self.grip(_CLOSED, 20)
+        self.move(above, 0.4, settle=4)
+        risen = self.env.state.bodies[name][2] - pose[2]
+        if risen < _LIFTED / 2:
+            raise Failed(f"{name} slipped out of the hand")
+        self._draw_in(above)
+
+    def put(self, name: str, goal: Array) -> None:
+        """Bring the thing that is held to a place [3] of its middle, and let go a little above."""
+        planner = Planner(self.world, self.env.data)
+        for tool, joints in self._stations_over(planner, name, goal):
+            above = self._above(planner, tool, joints, name)
+            if above is not None:
+                break
+        else:
+            raise Failed(f"no way to put {name} down")
+        self._reach(planner, above)
+        self.move(joints, 0.3, settle=8)
+        self.grip(_OPEN, 10)
+        self.move(above, 0.5)
+        self._draw_in(above)
+        for _ in range(25):
+            if self.success:
+                break
+            self.act(self.joints)
+
+    def _stations_over(self, planner: Planner, name: str, goal: Array) -> list[tuple[ToolPose, Array]]:
+        """Poses of the tool and configurations [9] with which the thing in the hand is over a place [3]: the wrist
+        stays as it is, so that the thing turns with the base."""
+        state, held = self.env.state, self.joints
+        middle = to_world(state.bodies[name], self.world.geometry.items[name].centre)
+        closing = rotate(state.tool[3:], np.array([0.0, 1.0, 0.0]))
+        approach = rotate(state.tool[3:], np.array([0.0, 0.0, 1.0]))
+        found = []
+        for yaw in YAWS:
+            half = (yaw - held[2]) / 2
+            turn = np.array([np.cos(half), 0.0, 0.0, np.sin(half)])
+            offset = rotate(turn, state.tool[:3] - middle) + [0.0, 0.0, _DROP]
+            tool = ToolPose(goal + offset, rotate(turn, approach), rotate(turn, closing))
+            for extend in EXTENSIONS:
+                joints = configuration(tool, yaw, extend)
+                if joints is not None and planner.on_floor(joints):
+                    joints[6:] = held[6:]
+                    found.append((tool, joints))
+        return sorted(found, key=lambda entry: strain(entry[1]))
+
+    def _above(self, planner: Planner, tool: ToolPose, joints: Array, name: str) -> Array | None:
+        """The same configuration lifted, where hand and telescope come and go without touching."""
+        above = joints.copy()
+        above[3] = min(joints[3] + _LIFTED, 1.57)
+        if not planner.is_free(joints, 0.04, [name]):
+            return None
+        for share in (1.0, 0.6, 0.3, 0.0):
+            way = above.copy()
+            way[4:6] = above[4:6] * share
+            if not planner.is_free(way, 0.04, [name]):
+                return None
+        return above
+
+    def _reach(self, planner: Planner, above: Array) -> None:
+        """Drive to where a lifted configuration has its base, lift, and extend."""
+        self.drive(planner, above[:2], above[2])
+        ready = above.copy()
+        ready[4:6] = 0.0
+        self.move(ready)
+        self.move(above, 0.7, settle=5)
+
+    def _draw_in(self, above: Array) -> None:
+        drawn = above.copy()
+        drawn[4:6] = 0.0
+        self.move(drawn, 0.6)
+
+
+def _behind(
+    door: Articulation, solids: list[Array], height: float, inner: Array, pose: Array, tilt: float, inset: float
+) -> ToolPose:
+    """The tool behind a door at ``pose`` [7], ready to swing it open.
+
+    Args:
+        door: The door.
+        solids: Points [V, 3] of its parts without handles, closed.
+        height: Along its axis from its anchor [m].
+        inner: Unit vector [3] into the piece, closed.
+        tilt: Of the hand off the plane of the door [rad].
+        inset: Of the fingertips from its free edge [m].
+    """
+    across = np.cross(door.axis, inner)
+    ends = [points - door.anchor for points in solids]
+    edge = max((np.concatenate(ends) @ across).tolist(), key=abs)
+    free, length = across * np.sign(edge), abs(edge) - inset
+
+    def covers(points: Array, axis: Array, at: float) -> bool:
+        return bool((points @ axis).min() - 0.02 < at < (points @ axis).max() + 0.02)
+
+    met = [p for p in ends if covers(p, free, length) and covers(p, door.axis, height)]
+    behind = max((float((p @ inner).max()) for p in met), default=0.0) + _CONTACT
+    place = door.anchor + length * free + height * door.axis + behind * inner
+    approach = -np.cos(tilt) * free - np.sin(tilt) * inner
+    return ToolPose(to_world(pose, place), rotate(pose[3:], approach), rotate(pose[3:], door.axis))
