@@ -16,6 +16,7 @@ from . import (
     critic,
     design,
     edits,
+    environments,
     jax_calls,
     large,
     live,
@@ -62,6 +63,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "requests": requests.run,
         "odd": odd.run,
         "physics": physics.run,
+        "environments": environments.run,
         "stability": stability.run,
         "pictures": pictures.run,
     }

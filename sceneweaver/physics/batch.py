@@ -182,7 +182,7 @@ def run(
     template: Template, start: np.ndarray, steps: int, device: str, backend: Backend | None, threads: int | None
 ) -> tuple[SimulationResult, Backend, str]:
     """Step the worlds where they are to be stepped: (outcome, backend, device)."""
-    device = _device(device)
+    device = device_named(device)
     kind: Backend = backend or ("c" if device == "cpu" else "warp")
     if kind not in ("c", "warp"):
         raise InputError(f'backend: "{kind}" is not one of c, warp')
@@ -258,7 +258,13 @@ def _pose(row: np.ndarray) -> Pose:
     return Pose(position=(x, y, z), quaternion=(a / length, b / length, c / length, w / length))
 
 
-def _device(name: str) -> str:
+def device_named(name: str) -> str:
+    """The Warp device of a name; "auto" is the first GPU, else the CPU.
+
+    Raises:
+        InputError: not a name of one.
+        MissingDependencyError: it is not there.
+    """
     if name == "cpu":
         return name
     kind, _, index = name.partition(":")

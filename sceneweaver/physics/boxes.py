@@ -15,18 +15,20 @@ FEW = 8
 
 _OWN = ("name", "type", "mesh", "pos", "size", "mass")  # attributes of a geom that a box has anew
 
+_HANDLE = ":handle:"  # in names of geoms
 _WASTE = 0.02  # share of volume that the common box of two boxes of a body may add
 _MOST_WASTE = 0.2  # the same, while the body has more than FEW boxes
 
 
-def boxed(model: Model) -> Model:
+def boxed(model: Model, most: int | None = None) -> Model:
     """The model with each collision hull replaced by a box of its volume, along the axes of its body.
 
     The box has the hull's lower and upper end, so that what stands level stands as before, and its middle; depth and
     width are those of the hull, smaller by one factor: the box around a round or slanted hull would be in the way of
     its neighbours (5 % of the things of a bedroom then move which stand still as hulls; so it is less than 1 %).
     Boxes of a body that fill their common box become that one: to 2 % of volume, and to 20 % while the body has more
-    than ``FEW``, the fullest first. Masses stay; so do the room, joints and exclusions.
+    than ``FEW``, the fullest first; and any while a body that has a joint has more than ``most``. Handles stay boxes of
+    their own. Masses stay; so do the room, joints and exclusions.
     """
     root = Xml.fromstring(model.xml)
     spans = {}
@@ -37,17 +39,24 @@ def boxed(model: Model) -> Model:
     for body in root.iter("body"):
         solid = [g for g in body.findall("geom") if g.get("class") != "room:visual"]
         hulls = [g for g in solid if g.get("mesh") in spans]
-        if not hulls:
+        few = most if _lead(body) else None
+        if not hulls and (few is None or len(solid) <= few):
             continue
         boxes = [_span(g, spans) for g in solid]
         plain = all(b is not None for b in boxes) and len({g.get("friction") for g in solid}) == 1
         for geom in solid:
             body.remove(geom)
-        kept = _joined([(*b, float(g.get("mass", 0))) for g, b in zip(solid, boxes, strict=True) if b is not None])
         if plain:
+            found = [(*b, float(g.get("mass", 0))) for g, b in zip(solid, boxes, strict=True) if b is not None]
+            held = [b for g, b in zip(solid, found, strict=True) if _HANDLE in g.get("name", "")]
+            others = [b for g, b in zip(solid, found, strict=True) if _HANDLE not in g.get("name", "")]
+            kept = [*_joined(others, few and max(few - len(held), 1)), *held]
             rest = {k: v for k, v in solid[0].attrib.items() if k not in _OWN}
             for k, (low, high, mass) in enumerate(kept):
-                body.insert(k + _lead(body), _box(low, high, mass, {"name": f"{body.get('name')}:part:{k}", **rest}))
+                name = (
+                    f"{body.get('name')}:part:{k}" if k < len(kept) - len(held) else f"{body.get('name')}{_HANDLE}{k}"
+                )
+                body.insert(k + _lead(body), _box(low, high, mass, {"name": name, **rest}))
             continue
         for geom, span in zip(solid, boxes, strict=True):  # a part that is no box of its body's axes stays as it is
             rest = {k: v for k, v in geom.attrib.items() if k == "name" or k not in _OWN}
@@ -90,8 +99,10 @@ def _span(geom: Xml.Element, spans: dict[str | None, tuple[np.ndarray, np.ndarra
     return pos - half, pos + half
 
 
-def _joined(boxes: list[tuple[np.ndarray, np.ndarray, float]]) -> list[tuple[np.ndarray, np.ndarray, float]]:
-    """Boxes (low, high, mass), those joined that fill their common box; the fullest pairs first come first."""
+def _joined(
+    boxes: list[tuple[np.ndarray, np.ndarray, float]], most: int | None
+) -> list[tuple[np.ndarray, np.ndarray, float]]:
+    """Boxes (low, high, mass), those joined that fill their common box, the fullest pairs first; at most ``most``."""
     left = list(boxes)
     while len(left) > 1:
         low, high = np.array([b[0] for b in left]), np.array([b[1] for b in left])
@@ -101,7 +112,7 @@ def _joined(boxes: list[tuple[np.ndarray, np.ndarray, float]]) -> list[tuple[np.
         waste = both / np.maximum(volume[:, None] + volume - common, 1e-15) - 1
         waste[np.tril_indices(len(left))] = np.inf
         i, j = np.unravel_index(int(np.argmin(waste)), waste.shape)
-        if waste[i, j] > (_WASTE if len(left) <= FEW else _MOST_WASTE):
+        if waste[i, j] > (_WASTE if len(left) <= FEW else _MOST_WASTE) and (most is None or len(left) <= most):
             break
         joined = (np.minimum(low[i], low[j]), np.maximum(high[i], high[j]), left[i][2] + left[j][2])
         left = [b for k, b in enumerate(left) if k not in (i, j)] + [joined]

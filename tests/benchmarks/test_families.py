@@ -36,6 +36,7 @@ TABLES = {
     "requests": {"requests": 1, "reported": 0},
     "odd": {"odd": 3},
     "physics": {"worlds": 2},
+    "environments": {"worlds": 1},
     "pictures": {"pictures": 1},
     "stability": {"rooms": 2, "seeds": 1},
 }

@@ -14,7 +14,8 @@ ARCH = 90  # Hopper
 NAMES = [f"{sceneweaver.kernels.__name__}.{info.name}" for info in pkgutil.iter_modules(sceneweaver.kernels.__path__)]
 PICTURES = tuple(f"sceneweaver.render.{name}_kernels" for name in ("first_hit", "raycast", "smoothing"))
 TRACING = [f"sceneweaver.render.tracing.{name}_kernels" for name in ("cache", "develop", "filter", "view")]
-MODULES = [importlib.import_module(name) for name in (*NAMES, *PICTURES, *TRACING)]
+BATCHED = [f"sceneweaver.envs.batched.{name}_kernels" for name in ("reset", "task")]
+MODULES = [importlib.import_module(name) for name in (*NAMES, *PICTURES, *TRACING, *BATCHED)]
 # Modules without kernels of their own are compiled with those that use them.
 WITH_KERNELS = [m for m in MODULES if wp.get_module(m.__name__).kernels]
 

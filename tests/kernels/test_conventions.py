@@ -27,6 +27,7 @@ FILES = [
         )
     ),
     *sorted((PICTURES / "tracing").glob("*_kernels.py")),
+    *sorted((PICTURES.parent / "envs" / "batched").glob("*_kernels.py")),
 ]
 BLOCKS = ("Problem", "State in", "State in and out", "State out")
 

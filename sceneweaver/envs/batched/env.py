@@ -1,0 +1,334 @@
+"""Many worlds with different rooms and the same robot as one vector environment."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal
+
+import numpy as np
+import warp as wp
+
+from sceneweaver.envs.control import LEAD
+from sceneweaver.envs.env import PERIOD
+from sceneweaver.envs.robots import Robot, robot_named
+from sceneweaver.envs.tasks import RELEASED
+from sceneweaver.physics.batch import device_named
+from sceneweaver.scene import InputError, MissingDependencyError, Scene
+
+from . import reset_kernels, task_kernels
+from .bank import Bank
+from .goals import KINDS
+from .physics import ThreadPhysics, WarpPhysics
+from .template import RobotIndices, indices_of, template_of
+
+try:
+    import gymnasium
+    from gymnasium.vector import AutoresetMode, VectorEnv
+except ImportError:
+    raise MissingDependencyError("gymnasium is not installed; pip install 'sceneweaver[envs]'") from None
+
+Backend = Literal["c", "warp"]
+
+_TRIED = 16  # worlds whose contacts are counted to find out how much room is needed
+
+
+class BatchedRoomEnv(VectorEnv):
+    """W worlds, each with a room of its own, stepped at once.
+
+    Worlds take layouts of a `Bank`, another at each episode. All worlds are one model of MuJoCo Warp on a GPU, and one
+    of MuJoCo C in threads elsewhere; observations, rewards and resets are kernels on the same device. Actions are those
+    of `sceneweaver.envs.Controller` with "joint". An episode that ended begins anew in the next step, whose action
+    counts for nothing (Gymnasium's ``AutoresetMode.NEXT_STEP``).
+
+    Observations are a dict of float32 arrays [W, n]: ``robot`` [2 D] positions and velocities of the driven joints,
+    ``base`` [3] x, y, yaw, ``tool`` [7], ``gripper`` [1] how far it is open, ``subject`` [7] the pose of what the task
+    is about, ``goal`` [3] where it, or the base, is to go, ``objects`` [F, 7] free bodies, ``doors`` [L] positions of
+    doors and drawers, ``task`` [6] which kind of task it is. Poses are position [m] and quaternion (w, x, y, z).
+
+    Args:
+        bank: Rooms and layouts, or scenes.
+        num_envs: W.
+        robot: "mobile" or a `Robot` that drives; the one that the bank was made for.
+        device: "auto" (the first GPU, else the CPU), "cpu", "cuda:0" ...
+        backend: "warp" or "c"; None: MuJoCo Warp on a GPU, MuJoCo C on a CPU.
+        seed: Of all that is random.
+        max_steps: After which an episode is cut off.
+        contacts, rows: Room for contacts of a world on average and for constraint rows of a world; None: by a trial.
+        threads: Of MuJoCo C; None: as many as there are cores.
+
+    Raises:
+        InputError: something of this is wrong.
+    """
+
+    metadata = {"autoreset_mode": AutoresetMode.NEXT_STEP, "render_modes": []}
+
+    def __init__(
+        self,
+        bank: Bank | Sequence[Scene],
+        num_envs: int,
+        *,
+        robot: str | Robot = "mobile",
+        device: str = "auto",
+        backend: Backend | None = None,
+        seed: int = 0,
+        max_steps: int = 500,
+        contacts: int | None = None,
+        rows: int | None = None,
+        threads: int | None = None,
+    ) -> None:
+        """Build the shared model and put the bank on the device."""
+        if num_envs < 1:
+            raise InputError(f"num_envs: {num_envs} is none; give 1 or more")
+        self.robot = robot_named(robot)
+        if len(self.robot.base) != 3:
+            raise InputError(f"robot: {self.robot.name} has no base that drives; use mobile")
+        self.bank = bank if isinstance(bank, Bank) else Bank.of(bank, robot=self.robot)
+        self.device = device_named(device)
+        kind = backend or ("c" if self.device == "cpu" else "warp")
+        if kind not in ("c", "warp") or (kind == "c" and self.device != "cpu"):
+            raise InputError(f'backend: "{kind}" is not for {self.device}; use warp, or c on a CPU')
+        slots = self.bank.slots
+        self.num_envs, self.max_steps, self._seed = num_envs, max_steps, seed
+        self.template = template_of(slots, self.robot)
+        self._find: RobotIndices = indices_of(self.template, slots, self.robot)
+        self._substeps = max(round(PERIOD / self.template.opt.timestep), 1)
+        with wp.ScopedDevice(self.device):
+            self._put_bank()
+            self._make_buffers()
+        if kind == "c":
+            self.physics: WarpPhysics | ThreadPhysics = ThreadPhysics(self.template, num_envs, threads)
+        else:
+            if contacts is None or rows is None:
+                contacts, rows = self._room(contacts, rows)
+            self.physics = WarpPhysics(self.template, num_envs, contacts, rows, self.device)
+        self._graph: Any = None
+        self._spaces()
+
+    def reset(
+        self, *, seed: int | None = None, options: Mapping[str, Any] | None = None
+    ) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
+        """Begin an episode in every world.
+
+        Args:
+            seed: Of all that is random from now on; None: go on as before.
+            options: ``layout``: numbers [W] of layouts of the bank, -1 for any, for these episodes and those after.
+        """
+        wanted = np.full(self.num_envs, -1) if options is None else np.asarray(options.get("layout", -1))
+        wanted = np.broadcast_to(wanted, (self.num_envs,)).astype(np.int32)
+        if (wanted >= self.bank.layouts).any():
+            raise InputError(f"layout: {int(wanted.max())} is not there; the bank has {self.bank.layouts}")
+        with wp.ScopedDevice(self.device):
+            self._wanted.assign(wanted)
+            if seed is not None:
+                self._seed = seed
+                self._episode.zero_()
+                self._graph = None  # the seed is an argument of its launches
+            self._done.fill_(1)
+            self._begin()
+            self._look()
+        return self._numpy(self.observations), self.info()
+
+    def step(self, actions: Any) -> tuple[dict[str, np.ndarray], np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]:
+        """One action [W, A] in every world; NumPy in and out. See `step_device` for what stays on the device."""
+        given = np.asarray(actions, dtype=np.float32)
+        if given.shape != self.action.shape:
+            raise InputError(f"actions: shape {given.shape}; give {self.action.shape}")
+        self.action.assign(given)
+        self.step_device()
+        rewards, terminated, truncated = (a.numpy().copy() for a in (self.rewards, self.terminated, self.truncated))
+        return self._numpy(self.observations), rewards, terminated, truncated, self.info()
+
+    def step_device(self, actions: Any = None) -> None:
+        """One action in every world, without a copy to the host.
+
+        What comes of it stands in ``observations`` (by name), ``rewards``, ``terminated`` and ``truncated``, which are
+        the same Warp arrays at every step; ``wp.to_torch`` and ``wp.to_jax`` show them to others without a copy.
+
+        Args:
+            actions: [W, A] on the device: a Warp array, or whatever has ``__cuda_array_interface__`` or
+                ``__array_interface__``; None: what stands in ``action``.
+        """
+        if actions is not None and actions is not self.action:
+            wp.copy(self.action, actions if isinstance(actions, wp.array) else wp.array(actions, copy=False))
+        with wp.ScopedDevice(self.device):
+            if self._graph is None:
+                self._advance()
+                if wp.get_device(self.device).is_cuda:
+                    with wp.ScopedCapture() as capture:
+                        self._advance()
+                    self._graph = capture.graph
+            else:
+                wp.capture_launch(self._graph)
+
+    def info(self) -> dict[str, Any]:
+        """By world: numbers of layout, room and goal of the bank, the instruction, how many boxes were left out."""
+        layout: np.ndarray = self._layout.numpy().copy()
+        goal: np.ndarray = self._chosen.numpy().copy()
+        room = self.bank.layout["room"][layout]
+        words = np.array([self.bank.instructions[r][g] for r, g in zip(room, goal, strict=True)], dtype=object)
+        dropped = np.array(self.bank.dropped)[room]
+        return {"layout": layout, "room": room, "goal": goal, "instruction": words, "dropped": dropped}
+
+    def overflow(self) -> np.ndarray:
+        """[W] worlds that ever had too little room for their contacts: nothing can be said of them."""
+        return self.physics.overflow()
+
+    def close_extras(self, **kwargs: Any) -> None:
+        """Nothing is open."""
+
+    def _advance(self) -> None:
+        data = self.physics.data
+        wp.launch(
+            task_kernels.apply_actions,
+            dim=self.num_envs,
+            inputs=[3, PERIOD, LEAD, self._speeds, self._drive, self._drive_position, self._ctrl_range, self._fingers],
+            outputs=[self.action, data.qpos, data.ctrl],
+        )
+        self.physics.step(self._substeps)
+        self._begin()
+        self._look()
+
+    def _begin(self) -> None:
+        """Begin episodes in worlds that are done."""
+        bank, slots, worlds = self._bank, self.bank.slots, self.num_envs
+        model, data, k = self.physics.model, self.physics.data, reset_kernels
+        positions = slots.links + 7 * len(slots.free)
+        room = bank["room"]
+        wp.launch(
+            k.begin_episodes,
+            dim=worlds,
+            inputs=[self._seed, self.bank.layouts, bank["goal_count"], self._done, self._wanted, self._episode],
+            outputs=[self._fresh, self._layout, self._chosen, self._steps, self._draw],
+        )
+        now = [self._fresh, self._layout]
+        wp.launch(
+            k.reset_boxes,
+            dim=(worlds, slots.geoms),
+            inputs=[1, slots.still, room, bank["still_pos"], bank["still_quat"], bank["geom_size"]]
+            + [bank["geom_friction"], bank["geom_pos"], bank["geom_quat"], *now],
+            outputs=[model.geom_size, model.geom_friction, model.geom_pos, model.geom_quat, model.geom_rbound]
+            + [model.geom_aabb, data.geom_xpos, data.geom_xmat],
+        )
+        wp.launch(
+            k.reset_bodies,
+            dim=(worlds, len(slots.parts)),
+            inputs=[1, slots.links, room, bank["link_pos"], bank["link_quat"], bank["body_mass"]]
+            + [bank["body_gravcomp"], bank["body_subtreemass"], bank["body_inertia"], bank["body_ipos"]]
+            + [bank["body_iquat"], bank["body_invweight0"], *now],
+            outputs=[model.body_mass, model.body_gravcomp, model.body_subtreemass, model.body_inertia]
+            + [model.body_ipos, model.body_iquat, model.body_invweight0, model.body_pos, model.body_quat],
+        )
+        wp.launch(
+            k.reset_links,
+            dim=(worlds, slots.links),
+            inputs=[0, room, bank["jnt_pos"], bank["jnt_axis"], bank["jnt_range"], *now],
+            outputs=[model.jnt_pos, model.jnt_axis, model.jnt_range],
+        )
+        wp.launch(
+            k.reset_velocities,
+            dim=(worlds, self.template.nv),
+            inputs=[slots.dofs, room, bank["dof_frictionloss"], bank["dof_damping"], bank["dof_armature"]]
+            + [bank["dof_invweight0"], *now],
+            outputs=[model.dof_frictionloss, model.dof_damping, model.dof_armature, model.dof_invweight0]
+            + [data.qvel, data.qacc_warmstart],
+        )
+        wp.launch(
+            k.reset_positions,
+            dim=(worlds, self.template.nq),
+            inputs=[slots.links, positions, bank["free_pose"], bank["spawns"], wp.vec3i(*self._find.base), self._home]
+            + [bank["goals"], *now, self._chosen, self._draw],
+            outputs=[data.qpos],
+        )
+        wp.launch(
+            k.reset_controls,
+            dim=(worlds, self.template.nu),
+            inputs=[self._position, self._fresh, data.qpos],
+            outputs=[data.ctrl],
+        )
+        self.physics.refresh(self._fresh)
+
+    def _look(self) -> None:
+        """Judge the tasks and write observations."""
+        bank, data, find, seen = self._bank, self.physics.data, self._find, self.observations
+        wp.launch(
+            task_kernels.judge,
+            dim=self.num_envs,
+            inputs=[1, wp.vec3i(*find.base), find.body, find.tool, self.max_steps, RELEASED, bank["goals"]]
+            + [self._fresh, self._layout, self._chosen, data.qpos, data.xpos, data.xquat, data.site_xpos]
+            + [self._steps, self._potential, self._start_height, self._start_goal],
+            outputs=[self.rewards, self.terminated, self.truncated, self._done]
+            + [seen["subject"], seen["goal"], seen["base"]],
+        )
+        wp.launch(
+            task_kernels.observe,
+            dim=self.num_envs,
+            inputs=[self.bank.slots.links, 1, find.tool, self._drive_position, self._drive_dof, self._fingers]
+            + [self._finger_position, self._ctrl_range, bank["goals"], bank["room"], self._used, self._layout]
+            + [self._chosen, data.qpos, data.qvel, data.xpos, data.xquat, data.site_xpos, data.site_xmat],
+            outputs=[seen[name] for name in ("robot", "tool", "gripper", "doors", "objects", "task")],
+        )
+
+    def _put_bank(self) -> None:
+        kinds = {"pos": wp.vec3, "quat": wp.quat, "size": wp.vec3, "friction": wp.vec3, "inertia": wp.vec3}
+        kinds |= {"axis": wp.vec3, "range": wp.vec2, "body_invweight0": wp.vec2, "goals": task_kernels.Goal}
+        found = {}
+        for name, values in (self.bank.room | self.bank.layout).items():
+            kind = next((kind for end, kind in kinds.items() if name.endswith(end)), None)
+            if name == "goals":
+                kind_of_row: Any = task_kernels.Goal.numpy_dtype()
+                values = values.view(np.dtype(kind_of_row))
+            found[name] = wp.array(np.ascontiguousarray(values), dtype=kind or wp.dtype_from_numpy(values.dtype))
+        self._bank: dict[str, Any] = found
+        self._used = wp.array(np.array([[bool(n) for n in row] for row in self.bank.names], dtype=np.int32))
+
+    def _make_buffers(self) -> None:
+        worlds, model, find, slots = self.num_envs, self.template, self._find, self.bank.slots
+        driven = [*self.robot.base, *self.robot.arm]
+        home = find.home.copy()
+        home[np.array(find.finger_position, dtype=int) - slots.links - 7 * len(slots.free)] = model.actuator_ctrlrange[
+            list(find.fingers), 1
+        ]  # the hand begins open
+        self._home = wp.array(home, dtype=float)
+        self._speeds = wp.array([self.robot.speeds.get(name, 1.0) for name in driven], dtype=float)
+        self._drive, self._drive_position = wp.array(find.drive, dtype=int), wp.array(find.drive_position, dtype=int)
+        joints = model.actuator_trnid[:, 0]
+        self._drive_dof = wp.array(model.jnt_dofadr[joints[list(find.drive)]], dtype=int)
+        self._fingers, self._finger_position = (wp.array(x, dtype=int) for x in (find.fingers, find.finger_position))
+        span = np.where(model.actuator_ctrllimited[:, None].astype(bool), model.actuator_ctrlrange, [-1e9, 1e9])
+        self._ctrl_range = wp.array(span, dtype=wp.vec2)
+        self._position = wp.array(model.jnt_qposadr[joints], dtype=int)
+        self._done, self._episode, self._fresh, self._layout, self._chosen, self._steps = (
+            wp.zeros(worlds, dtype=int) for _ in range(6)
+        )
+        self._wanted = wp.full(worlds, -1, dtype=int)
+        self._draw, self._potential, self._start_height, self.rewards = (
+            wp.zeros(worlds, dtype=float) for _ in range(4)
+        )
+        self._start_goal = wp.zeros(worlds, dtype=wp.vec3)
+        self.terminated, self.truncated = wp.zeros(worlds, dtype=bool), wp.zeros(worlds, dtype=bool)
+        self.action = wp.zeros((worlds, len(driven) + bool(find.fingers)), dtype=float)
+        shapes = {"robot": (2 * len(driven),), "base": (3,), "tool": (7,), "gripper": (1,), "subject": (7,)}
+        shapes |= {"goal": (3,), "objects": (len(slots.free), 7), "doors": (slots.links,), "task": (len(KINDS),)}
+        self.observations = {name: wp.zeros((worlds, *shape), dtype=float) for name, shape in shapes.items()}
+
+    def _spaces(self) -> None:
+        box = gymnasium.spaces.Box
+        one: dict[str, Any] = {n: box(-np.inf, np.inf, a.shape[1:], np.float32) for n, a in self.observations.items()}
+        self.single_observation_space = gymnasium.spaces.Dict(one)
+        self.single_action_space = box(-1.0, 1.0, self.action.shape[1:], np.float32)
+        batch = gymnasium.vector.utils.batch_space
+        self.observation_space = batch(self.single_observation_space, self.num_envs)
+        self.action_space = batch(self.single_action_space, self.num_envs)
+
+    def _room(self, contacts: int | None, rows: int | None) -> tuple[int, int]:
+        """Room for contacts and rows, from some worlds stepped by MuJoCo C: twice what they need."""
+        tried = min(_TRIED, self.bank.layouts)
+        trial = BatchedRoomEnv(self.bank, tried, robot=self.robot, device="cpu", backend="c")
+        trial.reset(options={"layout": np.linspace(0, self.bank.layouts - 1, tried).astype(int)})
+        trial.step_device()
+        load = trial.physics.load()
+        return contacts or 2 * load["contacts"] // tried + 64, rows or 2 * load["rows"] + 64
+
+    @staticmethod
+    def _numpy(arrays: dict[str, wp.array]) -> dict[str, np.ndarray]:
+        return {name: array.numpy().copy() for name, array in arrays.items()}
