@@ -42,6 +42,17 @@ class Drawing(Tree):
         finally:
             self._collides = before
 
+    @contextmanager
+    def convex(self) -> Iterator[None]:
+        """What is drawn inside has one collision part, the hull of all of it: for things that are nearly convex."""
+        first = len(self.drawn.hulls)
+        yield
+        own = self.drawn.hulls[first:]
+        if len(own) > 1:
+            points, faces = shapes.hull(np.concatenate([hull.vertices for hull in own]))
+            self.drawn.hulls[first:] = [replace(own[0], vertices=points, faces=faces)]
+            del self.drawn.groups[first + 1 :]
+
     # Shapes
 
     def add(
@@ -148,12 +159,13 @@ class Drawing(Tree):
         stretch: tuple[float, float] = (1.0, 1.0),
         collides: bool = True,
         holds: bool = True,
+        staves: int = 0,
     ) -> None:
         """A profile of (radius, z) turned about z, stretched along x and y.
 
         A solid one rises from bottom to top. A hollow one runs up outside and down again inside; where that is deep
         and wide enough to hold something, it has an interior and its parts leave that free, unless it is full
-        and ``holds`` nothing else.
+        and ``holds`` nothing else. One with ``staves`` has so many parts around, however shallow.
         """
         points, faces = shapes.lathe(list(profile), segments)
         scale = np.array([*stretch, 1.0])
@@ -162,11 +174,12 @@ class Drawing(Tree):
             top = max(range(len(profile)), key=lambda i: (profile[i][1], -i))
             rising = list(profile[: top + 1]) if hollow else list(profile)
             room = _lathed_room(profile[top:], scale) if hollow and holds else None
-            if room is None:
+            if room is None and not staves:
                 parts = shapes.lathe_hulls(rising, segments)
             else:
-                parts = shapes.hollow_hulls(rising, list(profile[top + 1 :]), segments, staves_of(room))
-                if self._frame[2, 2] > 0.999:
+                count = staves or staves_of(room) if room else staves
+                parts = shapes.hollow_hulls(rising, list(profile[top + 1 :]), segments, count)
+                if room is not None and self._frame[2, 2] > 0.999:
                     self.interior("inside", room, oval=True)
             hulls = [(v * scale, f) for v, f in parts]
         self.add((points * scale, faces), material, hulls)
@@ -179,6 +192,7 @@ class Drawing(Tree):
         segments: int = 24,
         hollow: bool = False,
         holds: bool = True,
+        staves: int = 0,
     ) -> Box:
         """A profile of (radius, height) in shares of a box, turned about its middle; elliptic where it is not square.
 
@@ -187,7 +201,7 @@ class Drawing(Tree):
         x, y, z = box.anchor("bottom")
         with self.at(x, y, z):
             shares = [(r, box.height * s) for r, s in profile]
-            self.revolve(shares, material, segments, hollow, (box.depth / 2, box.width / 2), holds=holds)
+            self.revolve(shares, material, segments, hollow, (box.depth / 2, box.width / 2), holds=holds, staves=staves)
         return box
 
     def extrude(self, polygon, span: Interval, material: Look, *, axis: Axis = "z", bevel: float = 0.0) -> None:

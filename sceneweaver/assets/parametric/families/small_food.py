@@ -10,6 +10,9 @@ from ... import shapes
 from ...drawing import PROUD, Box, Drawing, Look, draws
 from .small_parts import GOLDEN, open_vessel, spread
 
+_HOLLOW = {"apple": 0.785, "orange": 0.789}
+"""How much higher than three of these that touch an orange lies in their hollow, as a share of its width."""
+
 APPLE_SIDE = [(0.3, 0.0), (0.62, 0.06), (0.88, 0.28), (1.0, 0.56), (0.93, 0.78), (0.68, 0.94), (0.4, 0.97)]
 
 
@@ -46,28 +49,27 @@ def banana(d: Drawing, length: float, r: float) -> None:
 
 @draws("fruit_bowl", whole=True, even="round")
 def fruit_bowl(d: Drawing) -> None:
-    """A shallow bowl heaped with apples, oranges, lemons, and bananas or grapes."""
+    """A wide bowl of apples and oranges, seven on its floor and three in their hollows."""
     box = d.even("round")
     look = d.material("bowl", "white ceramic, walnut, oak, blue ceramic, grey ceramic, brass")
-    bowl = box.share(z=(0.0, 0.55))
-    open_vessel(d, bowl, [(0.4, 0.0), (0.42, 0.12), (0.75, 0.4), (0.95, 0.75), (1.0, 1.0)], look, 0.004, 0.16)
-    r, rim, top = box.width / 2, bowl.z[1], box.z[1] - 0.51 * box.width / 2
-    size = 0.51 * r
+    # Seven touch each other on its floor; more lie in hollows between three of them.
+    below = d.pick("fruit", ("apple", "apple", "orange"))
+    r, floor, up = box.width / 2, 0.006, _HOLLOW[below] + 0.004
+    size = min(0.53 * r, (box.height - floor) / (1 + up))
+    wall = 1.6 * size / r
+    rim = 0.6 * size + floor
+    open_vessel(d, box.to(z=(0.0, rim)), [(0.82 * wall, 0.0), (wall, 0.4), (1.0, 1.0)], look, 0.004, floor / rim)
+    places = [(0.0, 0.0, floor), *((size, k * math.pi / 3, floor) for k in range(6))]
+    hollows = [(size / math.sqrt(3), (4 * k + 1) * math.pi / 6, floor + up * size) for k in range(3)]
     with d.at(yaw=d.uniform("turn", 0, 6)):
-        fruits = ("red apple", "orange peel", "green apple", "lemon peel", "orange peel", "red apple")
-        for k, fruit in enumerate(fruits):
-            a = k * math.pi / 3
-            own = Box.sized(size, size, size, (0.6 * r * math.cos(a), 0.6 * r * math.sin(a), rim - 0.5 * size))
-            (apple_in if "apple" in fruit else citrus)(d, own, fruit)
-    apple_in(d, Box.sized(size, size, size, (0.1 * r, -0.05 * r, top)), d.pick("top", ["red apple", "green apple"]))
-    if d.chance("bananas", 0.6):
-        for k in range(3):
-            with d.at((-0.5 + 0.1 * k) * r, -0.62 * r, top + 0.03 * r, yaw=0.25 - 0.28 * k, pitch=0.1):
-                banana(d, 1.15 * r, 0.15 * r)
-    else:
-        for k, (x, y) in enumerate(spread(14, 0.37 * r)):
-            at = (-0.42 * r + 0.7 * x, 0.3 * r + y, top + 0.22 * r - 0.004 * k)
-            d.ball(Box.around(at, 0.2 * r, 0.2 * r, 0.2 * r), "grape", 8)
+        for k, (far, turn, low) in enumerate([*places, *hollows]):
+            own = Box.sized(size, size, size, (far * math.cos(turn), far * math.sin(turn), low))
+            kind = below if low == floor else "orange"
+            with d.item(f"{kind}-{k}", kind), d.convex():
+                if kind == "apple":
+                    apple_in(d, own, "green apple" if d.chance(f"green {k}", 0.4) else "red apple")
+                else:
+                    citrus(d, own, "orange peel")
 
 
 @draws("apple", whole=True, even="round")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import nullcontext
 
 import numpy as np
 
@@ -17,6 +18,9 @@ GLOSSY = "white paint, cream paint, red paint, teal paint, sage paint, yellow pa
 TONES = ("ochre", "terracotta", "sand", "blush", "sky", "sea", "night", "moss", "plum", "chalk")
 PRINTS = tuple(f"{tone} pigment" for tone in TONES)
 PENS = tuple(f"{name} plastic" for name in ["yellow", "red", "blue", "green", "black", "orange", "white"])
+_LOOSE = 3
+"""Of a row or a pile of many things, so many can be taken one by one."""
+
 INKS = ("brass", "chalk pigment", "ink pigment", "ochre pigment")
 
 
@@ -68,17 +72,28 @@ def standing_books(d: Drawing) -> None:
     covers = COVERS.split(", ")
     first, lean = d.material("body", COVERS), d.chance("lean", 0.5)
     y, end, k = room.y[0], room.y[1] - (0.07 if lean else 0.0), 0
+    books: list[Box] = []
     while end - y > 0.008:
         thick = min(d.uniform(f"t{k}", 0.014, 0.042), end - y)
         thick = end - y if end - y - thick < 0.012 else thick
         tall, deep = (1.0, 1.0) if k == 1 else (d.uniform(f"h{k}", 0.76, 0.99), d.uniform(f"d{k}", 0.82, 0.99))
         own = room.share(x=(1 - deep, 1), z=(0, tall)).inset(front=0.006 * d.uniform(f"x{k}", 0, 1))
-        standing_book(d, own.to(y=(y, y + thick)), first if k == 0 else d.pick(f"c{k}", covers), k)
+        books.append(own.to(y=(y, y + thick)))
         y, k = y + thick, k + 1
+    held = max(2, len(books) - _LOOSE)
+    for k, own in enumerate(books):
+        with d.item(f"book-{k}", "book") if k >= held else nullcontext(), d.convex():
+            standing_book(d, own, first if k == 0 else d.pick(f"c{k}", covers), k)
     if lean:
         thick, tall = 0.02, 0.86 * room.height
-        angle = 0.92 * math.asin((0.07 - thick) / tall)
-        with d.at(0.0, room.y[1] - 0.001 - thick * math.cos(angle), 0.0, roll=angle):
+        reach, angle = 0.0695, 0.2
+        for _ in range(20):  # it touches the side of the last one, or its upper edge
+            angle = math.atan2(reach - thick * math.cos(angle), min(books[-1].height, tall * math.cos(angle)))
+        with (
+            d.item("leaning-book", "book"),
+            d.convex(),
+            d.at(0.0, room.y[1] - 0.0005 - thick * math.cos(angle), 0.0, roll=angle),
+        ):
             standing_book(d, Box(room.inset(x=0.01).x, (0.0, thick), (0.0, tall)), d.pick("leaning", covers), 99)
 
 
@@ -91,7 +106,7 @@ def book(d: Drawing) -> None:
         turn = (d.uniform(f"a{k}", -0.16, 0.16) if k else 0.0) + (math.pi if d.chance(f"flip{k}", 0.4) else 0.0)
         cover = d.pick(f"c{k}", COVERS.split(", ")) if k else d.material("cover", COVERS)
         ink = d.pick(f"i{k}", INKS[:3]) if k else d.material("ink", *INKS[:3])
-        with d.at(yaw=turn if count > 1 else 0.0):
+        with d.item(f"book-{k}", "book") if k else nullcontext(), d.convex(), d.at(yaw=turn if count > 1 else 0.0):
             lying_book(d, level.place(size * level.depth, size * level.width), cover, ink, d.chance(f"hard{k}", 0.7))
 
 
@@ -129,7 +144,8 @@ def magazine(d: Drawing) -> None:
     for k, level in enumerate(d.bounds.rows(count)):
         look = d.pick(f"c{k}", GLOSSY.split(", ")) if k else d.material("cover", GLOSSY)
         x, y, turn = (d.uniform(f"{name}{k}", -1, 1) if k else 0.0 for name in "xya")
-        with d.at(0.006 * x, 0.006 * y, yaw=0.07 * turn):
+        loose = d.item(f"magazine-{k}", "magazine") if 0 < k >= count - _LOOSE else nullcontext()
+        with loose, d.at(0.006 * x, 0.006 * y, yaw=0.07 * turn):
             page = d.box(level, look, 0.0004).top(0.0)
             with d.no_colliders():  # the edges of its pages
                 d.box(level.inset(x=-0.0001, right=0.002, left=-0.0001).share(z=(0.2, 0.8)), "paper", 0.0)

@@ -51,6 +51,7 @@ def open_vessel(
     floor: float = 0.08,
     drink: Look | None = None,
     level: float = 0.7,
+    staves: int = 0,
 ) -> None:
     """A turned vessel that is open above.
 
@@ -63,9 +64,10 @@ def open_vessel(
         floor: Height of the floor inside, as a share.
         drink: What is in it, if anything.
         level: How high that stands, as a share.
+        staves: Of how many parts its wall is at least, however shallow it is.
     """
     inner = stretch_of(profile, floor, profile[-1][1], 2 * wall / box.width)
-    d.turned(box, [*profile, *inner[::-1], (0.0, floor)], look, hollow=True)
+    d.turned(box, [*profile, *inner[::-1], (0.0, floor)], look, hollow=True, staves=staves)
     if drink is not None:
         filling(d, box, profile, floor + 0.002, level, drink, 1.1 * wall)
 

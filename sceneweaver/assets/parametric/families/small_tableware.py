@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from contextlib import nullcontext
+from functools import partial
 
 import numpy as np
 
@@ -17,11 +19,12 @@ CUP = [(0.5, 0.0), (0.55, 0.04), (0.86, 0.35), (0.97, 0.7), (1.0, 1.0)]
 
 def dish(d: Drawing, box: Box, glaze: Look, rim: Look | None = None) -> None:
     """A plate that fills a box, with a sloping rim; its edge may have another glaze."""
-    open_vessel(d, box, DISH, glaze, 0.006, 0.27)
+    open_vessel(d, box, DISH, glaze, 0.006, 0.27, staves=8)
     if rim is not None:
-        edge = [(0.93, 0.8), (0.99, 0.96), (0.99, 1.0), (0.93, 0.9), (0.93, 0.8)]
-        with d.no_colliders(), d.at(z=PROUD):
-            d.turned(box, edge, rim, 28)
+        (x, y, z), r, turn = box.anchor("bottom"), box.width / 2, np.arange(28) * (2 * np.pi / 28)
+        edge = np.array([(0.03, 0.8), (0.03, 0.9), (-0.03, 1.0), (-0.03, 0.96)]) * (r, box.height)
+        with d.no_colliders(), d.at(x, y, z + PROUD):
+            d.sweep(np.c_[0.96 * r * np.cos(turn), 0.96 * r * np.sin(turn), 0 * turn], edge, rim, closed=True)
 
 
 @draws("plate", whole=True, even="round")
@@ -37,11 +40,12 @@ def plate_stack(d: Drawing) -> None:
     """Plates in a pile, smaller ones on top."""
     box = d.even("round")
     glaze, other = d.material("body", CERAMICS), d.material("other", CERAMICS)
-    count = max(3, round((box.height - 0.015) / 0.0075))
+    count = max(3, 1 + int((box.height - 0.022) / 0.006))  # the floor of each is 6 mm thick
     step = (box.height - 0.022) / (count - 1)
     for k in range(count):
         share, look = (0.78, other) if k >= 0.6 * count else (1.0, glaze)
-        dish(d, Box.sized(share * box.depth, share * box.width, 0.022, (0.0, 0.0, k * step)), look)
+        with d.item(f"plate-{k}", "plate") if 0 < k >= count - 4 else nullcontext():
+            dish(d, Box.sized(share * box.depth, share * box.width, 0.022, (0.0, 0.0, k * step)), look)
 
 
 @draws("bowl", whole=True, even="round")
@@ -67,10 +71,12 @@ def cup_and_saucer(d: Drawing) -> None:
     glaze = d.material("body", "white ceramic, cream ceramic, blue ceramic, grey ceramic")
     rim = d.material("rim", "brass, blue ceramic") if d.chance("rim", 0.5) else None
     dish(d, box.to(z=(0.0, 0.018)), glaze, rim)
-    cup = Box.sized(0.58 * box.depth, 0.58 * box.width, box.height - 0.0055, (0.0, 0.0, 0.0055))
-    open_vessel(d, cup, CUP, glaze, 0.0025, 0.08, d.pick("drink", ["coffee", "amber glass"]), 0.75)
-    r, h = cup.width / 2, box.height
-    d.arch((0, -0.985 * r, 0.8 * h), (0, -0.87 * r, 0.4 * h), (0, -0.13 * box.width, 0), 0.0032, glaze)
+    foot = 0.27 * 0.018  # on the floor of the saucer
+    cup = Box.sized(0.58 * box.depth, 0.58 * box.width, box.height - foot, (0.0, 0.0, foot))
+    with d.item("cup"):
+        open_vessel(d, cup, CUP, glaze, 0.0025, 0.08, d.pick("drink", ["coffee", "amber glass"]), 0.75)
+        r, h = cup.width / 2, box.height
+        d.arch((0, -0.985 * r, 0.8 * h), (0, -0.87 * r, 0.4 * h), (0, -0.13 * box.width, 0), 0.0032, glaze)
     with d.at(-0.3 * box.depth, 0.36 * box.width, 0.011):
         spoon(d, 0.6 * box.depth, "steel")
 
@@ -154,7 +160,7 @@ def fork(d: Drawing, metal: Look) -> None:
 def knife(d: Drawing, metal: Look, grip: Look | None = None) -> None:
     """A table knife of 0.2 m that lies along x from the origin."""
     strip(d, [(0.0, 0.006, 0.0), (0.004, 0.008, 0.0), (0.085, 0.006, 0.0)], grip or metal, 0.006)
-    d.extrude(BLADE, (0.001, 0.003), metal)
+    d.extrude(BLADE, (0.0, 0.002), metal)
 
 
 def spoon(d: Drawing, length: float, metal: Look) -> None:
@@ -173,9 +179,9 @@ def cutlery_set(d: Drawing) -> None:
     start, w = -d.bounds.depth / 2, d.bounds.width
     with d.at(start, w / 2 - 0.012):
         fork(d, metal)
-    with d.at(start):
+    with d.item("knife"), d.convex(), d.at(start):
         knife(d, metal, grip)
-    with d.at(start, -w / 2 + 0.02):
+    with d.item("spoon"), d.convex(), d.at(start, -w / 2 + 0.02):
         spoon(d, 0.195, metal)
 
 
@@ -186,24 +192,32 @@ def place_setting(d: Drawing) -> None:
     glaze = d.material("plate", "white ceramic, cream ceramic, blue ceramic, grey ceramic")
     metal = d.material("cutlery", "steel, brass, black steel")
     depth, width, height = d.bounds.size
-    d.slab(d.bounds.bottom(0.003), mat, 0.012)
+    d.box(d.bounds.bottom(0.003), mat, 0.0)
     r = min(0.135, 0.4 * depth)
     with d.at(0.02, 0.0, 0.003):
-        dish(d, Box.sized(2 * r, 2 * r, 0.022), glaze, "brass" if d.chance("gold", 0.3) else None)
+        with d.item("plate"):
+            dish(d, Box.sized(2 * r, 2 * r, 0.022), glaze, "brass" if d.chance("gold", 0.3) else None)
+        floor = 0.27 * 0.022  # of the plate
         if d.chance("bowl", 0.5):
-            open_vessel(d, Box.sized(1.2 * r, 1.2 * r, 0.045, (0, 0, 0.0055)), CUP, glaze, floor=0.2)
+            with d.item("bowl"):
+                open_vessel(d, Box.sized(1.2 * r, 1.2 * r, 0.045, (0, 0, floor)), CUP, glaze, floor=0.2)
         else:
             cloth = d.material("napkin", "white fabric, mustard fabric, rose fabric, blue fabric")
-            d.cushion(Box.sized(0.12, 0.06, 0.014, (0, 0, 0.005)), cloth, radius=0.006)
-            d.slab(Box.sized(0.012, 0.064, 0.016, (0, 0, 0.005)), "brass" if d.chance("ring", 0.5) else mat, 0.003)
-    for tool, y in ((fork, -r - 0.03), (knife, r + 0.03), (lambda d, metal: spoon(d, 0.2, metal), r + 0.062)):
-        with d.at(0.11, y, 0.003, yaw=math.pi):
-            tool(d, metal)
+            with d.item("napkin"), d.convex():
+                d.cushion(Box.sized(0.12, 0.06, 0.014, (0, 0, floor)), cloth, radius=0.006)
+                band = Box.sized(0.012, 0.064, 0.016, (0, 0, floor))
+                d.slab(band, "brass" if d.chance("ring", 0.5) else mat, 0.003)
+    tools = ("fork", fork, -r - 0.03), ("knife", knife, r + 0.03), ("spoon", partial(spoon, length=0.2), r + 0.062)
+    for name, tool, y in tools:
+        with d.item(name), d.convex(), d.at(0.11, y, 0.003, yaw=math.pi):
+            tool(d, metal=metal)
     corner = (-depth / 2 + 0.045, min(r * 0.9, width / 2 - 0.05), 0.003)
-    if d.chance("wine", 0.5):
-        goblet(d, Box.sized(0.074, 0.074, height - 0.003, corner), 0.45, 0.8, d.pick("drink", [None, "aubergine"]))
-    else:
-        tumbler(d, Box.sized(0.072, 0.072, 0.75 * height, corner), 0.85, "frosted glass")
+    wine = d.chance("wine", 0.5)
+    with d.item("glass", "wine_glass" if wine else "drinking_glass"):
+        if wine:
+            goblet(d, Box.sized(0.074, 0.074, height - 0.003, corner), 0.45, 0.8, d.pick("drink", [None, "aubergine"]))
+        else:
+            tumbler(d, Box.sized(0.072, 0.072, 0.75 * height, corner), 0.85, "frosted glass")
 
 
 @draws("napkin_holder", whole=True)
@@ -258,4 +272,5 @@ def coaster_set(d: Drawing) -> None:
     look = d.material("body", "cork, oak, marble, grey fabric, black leather, bamboo")
     for k, own in enumerate(box.inset(x=0.03 * box.depth, y=0.03 * box.width).rows(max(3, round(box.height / 0.007)))):
         shift = [d.uniform(f"{axis}{k}", -0.02, 0.02) * box.width for axis in "xy"]
-        d.cylinder(own.move(*shift).inset(top=0.0004), look, bevel=0.0012, segments=28)
+        with d.item(f"coaster-{k}", "coaster") if k else nullcontext():
+            d.cylinder(own.move(*shift), look, bevel=0.0012, segments=28)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import nullcontext
 
 import numpy as np
 
@@ -106,7 +107,8 @@ def towel_stack(d: Drawing) -> None:
     layers = d.bounds.rows(max(2, round(d.bounds.height / 0.06)))
     for k, own in enumerate(layers):
         less = 0.012 * (k == len(layers) - 1) + d.uniform(f"e{k}", 0.0, 0.006) * (k > 0)
-        towel(d, own.inset(x=less, y=2 * less), cloths[k % 2], hem)
+        with d.item(f"towel-{k}", "folded_towel") if k else nullcontext(), d.convex():
+            towel(d, own.inset(x=less, y=2 * less), cloths[k % 2], hem)
 
 
 @draws("towel_roll", whole=True)

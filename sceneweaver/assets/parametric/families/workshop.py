@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import nullcontext
 
 import numpy as np
 
@@ -141,14 +142,15 @@ def tire_stack(d: Drawing) -> None:
     t, angle = tyres[0].height, np.arange(28) * 2 * np.pi / 28
     # The section across the way around, in shares of radius and height.
     section = [(0.19, 0.5), (-0.12, 0.48), (-0.19, 0.32), (-0.19, -0.32), (-0.12, -0.48), (0.19, -0.5)]
-    for tyre in tyres:
+    for k, tyre in enumerate(tyres):
         circle = 0.81 * r * np.c_[np.cos(angle), np.sin(angle), 0 * angle] + (0.0, 0.0, tyre.center[2])
-        d.sweep(circle, np.array(section) * (r, t), "rubber", closed=True)
-    if d.chance("rim", 0.5):
-        rim = tyres[-1].share(z=(0.45, 0.75)).inset(x=0.44 * r, y=0.44 * r)
-        d.cylinder(rim, d.material("rim", "aluminium, black steel"))
-        with d.at(z=rim.z[1]), d.ring(5):
-            d.box(Box((0.03, 0.54 * r), (-0.02, 0.02), (-0.01, 0.1 * t)), "steel")
+        with d.item(f"tyre-{k}", "tyre") if k else nullcontext():
+            d.sweep(circle, np.array(section) * (r, t), "rubber", closed=True)
+            if tyre is tyres[-1] and d.chance("rim", 0.5):
+                rim = tyre.share(z=(0.45, 0.75)).inset(x=0.44 * r, y=0.44 * r)
+                d.cylinder(rim, d.material("rim", "aluminium, black steel"))
+                with d.at(z=rim.z[1]), d.ring(5):
+                    d.box(Box((0.03, 0.54 * r), (-0.02, 0.02), (-0.01, 0.1 * t)), "steel")
 
 
 @draws("sawhorse", whole=True)
