@@ -6,8 +6,10 @@
     /World                      the default prim: metres, kilograms, z up
       Looks, PhysicsMaterials   what is seen, and how it rubs
       Prototypes                mesh and colliders of each asset, once
-      Room                      Floor, Walls, Windows, Doors (leaves on hinges)
-      Objects/<id>              one for each object, at its pose; below it an instance of its prototype
+      Room                      Floor, Walls, Windows, Doors (leaves on hinges), Spawns (where a robot comes in)
+      Objects/<id>              one for each object, at its pose; below it an instance of its prototype, and frames of
+                                grasps, interiors and support surfaces
+      Lights, Cameras           sky, sun and views; lamps carry lights of their own
 
 What may move is a rigid body with its mass; all else has colliders only and stands still. Which is which is decided
 where the model for MuJoCo is made, so that both behave alike.
@@ -32,6 +34,7 @@ from .usd_layer import Names, attribute, prim, usd
 from .usd_looks import Looks
 from .usd_objects import Prototypes, add_object
 from .usd_room import add_room
+from .usd_views import AUTO_EXPOSURE, add_cameras, add_lights
 
 SUFFIXES = (".usda", ".usdc")
 """What a file may be called."""
@@ -85,7 +88,7 @@ def _fill(layer: Any, scene: Scene, things: list[Thing], bodies: list[Body], tex
     for key, value in (("upAxis", "Z"), ("metersPerUnit", 1.0), ("kilogramsPerUnit", 1.0)):
         layer.pseudoRoot.SetInfo(key, value)
     facts = {"id": scene.id, "prompt": scene.prompt, "room": scene.room.type}
-    layer.customLayerData = {"sceneweaver": facts}
+    layer.customLayerData = {"sceneweaver": facts, **AUTO_EXPOSURE}
     physics = prim(layer, "PhysicsScene", "PhysicsScene")
     attribute(physics, "physics:gravityDirection", "Vector3f", (0.0, 0.0, -1.0))
     attribute(physics, "physics:gravityMagnitude", "Float", _GRAVITY)
@@ -94,6 +97,8 @@ def _fill(layer: Any, scene: Scene, things: list[Thing], bodies: list[Body], tex
     looks = Looks(prim(world, "Looks", "Scope"), prim(world, "PhysicsMaterials", "Scope"), textures)
     prototypes = Prototypes(prim(world, "Prototypes", "Scope"), looks)
     doors = add_room(prim(world, "Room", kind="group"), scene.room, looks)
+    add_lights(prim(world, "Lights", "Scope"), scene.room)
+    add_cameras(prim(world, "Cameras", "Scope"), scene)
     objects, names = prim(world, "Objects", kind="group"), Names()
     solids = [
         add_object(objects, names(thing.object.id), thing, body, prototypes)

@@ -134,13 +134,16 @@ def integers(values: np.ndarray) -> Any:
     return usd().Vt.IntArray.FromNumpy(np.ascontiguousarray(values, dtype=np.int32))
 
 
-def label(target: Prim, category: str) -> None:
-    """Say what a prim and all below it is, for segmentation.
+def label(target: Prim, category: str, instance: str = "") -> None:
+    """Say what a prim and all below it is, and which one, for segmentation.
 
     ``SemanticsLabelsAPI`` is USD's own schema, which Isaac Sim reads since 5.0; releases before it, and the renderer
     by itself, read the older attributes.
     """
     apply(target, "SemanticsLabelsAPI:class", "SemanticsAPI:Semantics")
     attribute(target, "semantics:labels:class", "TokenArray", [category])
+    if instance:
+        apply(target, "SemanticsLabelsAPI:instance")
+        attribute(target, "semantics:labels:instance", "TokenArray", [instance])
     attribute(target, "semantic:Semantics:params:semanticType", "String", "class")
     attribute(target, "semantic:Semantics:params:semanticData", "String", category)

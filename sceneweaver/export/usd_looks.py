@@ -11,6 +11,12 @@ from .images import Images, file_stem, images, linear, tinted
 from .usd_engines import tune_friction
 from .usd_layer import Names, Prim, apply, attribute, prim, relate, triple, usd
 
+LAMP = 0.5
+"""Emission from which on something is a lamp."""
+
+GLOW = 6.0
+"""How many times as bright as white a lamp of emission 1 is, so that it lights what is around it."""
+
 
 class Looks:
     """The materials of a stage below two scopes, each made when it is first asked for.
@@ -53,7 +59,7 @@ class Looks:
         made = prim(self._looks, name, "Material", displayName=material.name)
         shader = prim(made, "Surface", "Shader")
         base = [float(c) for c in linear(material.color)]
-        glow = [min(1.0, c * material.emission) for c in base]
+        glow = [c * material.emission * (GLOW if material.emission >= LAMP else 1.0) for c in base]
         values: dict[str, tuple[str, Any]] = {
             "diffuseColor": ("Color3f", triple(base)),
             "emissiveColor": ("Color3f", triple(glow)),

@@ -13,10 +13,14 @@ from .usd_engines import tune_collider
 from .usd_layer import Prim, attribute, integers, pairs, prim, triple, vectors
 from .usd_looks import Looks
 
+_LEAST_AREA = 1e-12  # [m2], twice that of faces that are left out, as nothing of them is seen
+
 
 def render_mesh(parent: Prim, name: str, mesh: Mesh, looks: Looks, link: int | None = None) -> None:
     """The faces of a mesh, or of one link of it; several materials are subsets of its faces. Without faces: no prim."""
     chosen = np.ones(len(mesh.faces), dtype=bool) if link is None else mesh.face_link == link
+    a, b, c = (mesh.vertices[mesh.faces[:, k]] for k in range(3))
+    chosen &= np.linalg.norm(np.cross(b - a, c - a), axis=1) > _LEAST_AREA
     faces, material = mesh.faces[chosen], mesh.face_material[chosen]
     if not len(faces):
         return
@@ -51,7 +55,12 @@ def collider(parent: Prim, name: str, solid: Solid, looks: Looks, friction: floa
         box_collider(parent, name, solid.box[0], solid.box[1], looks, friction)
         return
     made = prim(parent, name, "Mesh", ["PhysicsCollisionAPI", "PhysicsMeshCollisionAPI"])
-    _shape(made, solid.points, hull_faces(solid.points))
+    faces = hull_faces(solid.points)
+    _shape(made, solid.points, faces)
+    normals, index = _flat_normals(solid.points, faces)
+    spec = attribute(made, "primvars:normals", "Normal3fArray", vectors(normals))
+    spec.SetInfo("interpolation", "uniform")
+    attribute(made, "primvars:normals:indices", "IntArray", integers(index))
     attribute(made, "purpose", "Token", "guide", uniform=True)
     attribute(made, "physics:approximation", "Token", "convexHull", uniform=True)
     tune_collider(made, hull=True)
@@ -78,6 +87,15 @@ def _lay(made: Prim, places: np.ndarray) -> None:
     spec = attribute(made, "primvars:st", "TexCoord2fArray", pairs(values))
     spec.SetInfo("interpolation", "faceVarying")
     attribute(made, "primvars:st:indices", "IntArray", integers(index))
+
+
+def _flat_normals(points: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Different unit normals of faces [N, 3], and which one each face has [F]."""
+    a, b, c = (points[faces[:, k]] for k in range(3))
+    normals = np.cross(b - a, c - a)
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
+    found, index = np.unique(np.round(normals, 5) + 0.0, axis=0, return_inverse=True)
+    return found, index.reshape(-1)
 
 
 def _shape(made: Prim, points: np.ndarray, faces: np.ndarray) -> None:

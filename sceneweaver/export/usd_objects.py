@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.assets import Link
+from sceneweaver.physics.frames import frames_of
 from sceneweaver.physics.hulls import Solid
 from sceneweaver.physics.inertia import Inertia, inertia_of
 from sceneweaver.physics.things import RigidBody, Thing, joint_of
@@ -18,6 +19,7 @@ from .usd_bodies import Hinge, Solids, filter_pair, join, rigid, weld
 from .usd_layer import Names, Prim, apply, label, place, prim, usd
 from .usd_looks import Looks
 from .usd_mesh import collider, render_mesh
+from .usd_views import add_frames, add_lamp
 
 GEOMETRY = "Geometry"
 """Name of the instance below each body."""
@@ -49,6 +51,9 @@ class Prototypes:
         made.referenceList.prependedItems.append(usd().Sdf.Reference("", prototype.path))
         if body.scale != (1.0, 1.0, 1.0):
             place(made, scale=body.scale)
+        if part.number == 0:
+            add_lamp(parent, body.mesh, body.scale)
+        add_frames(parent, frames_of(thing, part))
         return tuple(made.path.AppendPath(name) for name in prototype.colliders)
 
     def _make(self, thing: Thing, body: Body, part: RigidBody) -> _Prototype:
@@ -75,7 +80,7 @@ def add_object(parent: Prim, name: str, thing: Thing, body: Body, prototypes: Pr
     item = thing.object
     made = prim(parent, name, kind="component", displayName=item.id)
     made.SetInfo("customData", {"sceneweaver": _facts(thing)})
-    label(made, item.category)
+    label(made, item.category, item.id)
     place(made, item.pose.position, item.pose.quaternion)
     if len(thing.bodies) > 1:
         return _articulated(made, thing, body, prototypes)
@@ -94,6 +99,8 @@ def _articulated(made: Prim, thing: Thing, body: Body, prototypes: Prototypes) -
         mine = prim(made, names(title), displayName=title)
         place(mine)
         rigid(mine, _inertia(part))
+        if part.loose and part.link is not None:
+            label(mine, part.link.category or part.link.name, part.name)
         prototypes.instance(mine, thing, body, part)
         placed.append(mine)
     base, layer = placed[0], made.layer

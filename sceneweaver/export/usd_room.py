@@ -2,30 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
-from sceneweaver.assets import Material, Mesh
-from sceneweaver.assets.placed import parts_mesh
+from sceneweaver.assets import Mesh
 from sceneweaver.geometry.rotations import Quaternion, from_yaw
 from sceneweaver.geometry.shell import PANE_THICKNESS, WALL_THICKNESS, heights, wall_pieces
 from sceneweaver.geometry.walls import Wall
+from sceneweaver.physics.frames import spawns
 from sceneweaver.physics.hulls import Solid
 from sceneweaver.physics.inertia import Inertia, inertia_of
 from sceneweaver.physics.leaves import Leaf, leaves, wall_ends
-from sceneweaver.scene import Part, Room
+from sceneweaver.scene import Room
 
-from .room import floor_mesh, wall_mesh
+from .openings import window_mesh
+from .room import floor_mesh, leaf_mesh, wall_mesh
 from .usd_bodies import Hinge, Solids, filter_pair, join, rigid, weld
 from .usd_layer import Names, Prim, apply, label, place, prim
 from .usd_looks import Looks
 from .usd_mesh import box_collider, render_mesh
+from .usd_views import add_frames
 
 _DEEP = 0.5  # [m] of the floor's collider: nothing falls through it in one step
-_GLASS = Material("window glass", (0.86, 0.93, 0.95), roughness=0.05, opacity=0.2)
-_LEAF = Material("door leaf", (0.82, 0.74, 0.62), roughness=0.6, texture="oak")
-_HANDLE = Material("door handle", (0.62, 0.62, 0.63), roughness=0.35, metallic=1.0)
 _FRICTION, _LEAF_FRICTION = 0.8, 0.5
 
 Range = tuple[float, float, float, float]
@@ -42,11 +42,14 @@ def add_room(parent: Prim, room: Room, looks: Looks) -> list[Solids]:
             made = prim(windows, names(window.id), kind="component", displayName=window.id)
             label(made, "window")
             place(made, *wall_pose(room.walls[window.wall]))
+            render_mesh(made, "Mesh", _in_wall(window_mesh(room, window), room, window.wall), looks)
             span = (window.offset, window.offset + window.width, *heights(window))
-            _slab(made, "Pane", span, PANE_THICKNESS, looks)
+            pane = prim(made, "Collision", "Scope")
+            box_collider(pane, "part_0", *_middle(*span, PANE_THICKNESS), looks, _FRICTION)
     found = leaves(room)
     if not found:
         return []
+    add_frames(prim(parent, "Spawns", kind="group"), spawns(room))
     doors, names = prim(parent, "Doors", kind="group"), Names()
     moving = []
     for leaf, door in zip(found, room.doors, strict=True):
@@ -81,9 +84,7 @@ def _wall(parent: Prim, room: Room, wall: int, looks: Looks) -> Solids:
     made = prim(parent, f"Wall_{wall}", kind="component", displayName=f"wall:{wall}")
     label(made, "wall")
     place(made, *wall_pose(room.walls[wall]))
-    mesh = wall_mesh(room, wall)
-    points = np.column_stack([room.walls[wall].frame.to_local(mesh.vertices[:, :2]), mesh.vertices[:, 2]])
-    render_mesh(made, "Mesh", Mesh(points, mesh.faces, mesh.face_material, mesh.face_link, mesh.materials), looks)
+    render_mesh(made, "Mesh", _in_wall(wall_mesh(room, wall), room, wall), looks)
     scope, paths = prim(made, "Collision", "Scope"), []
     for number, (low, high, bottom, top) in enumerate(wall_boxes(room, wall)):
         center, half = _middle(low, high, bottom, top, WALL_THICKNESS)
@@ -92,11 +93,10 @@ def _wall(parent: Prim, room: Room, wall: int, looks: Looks) -> Solids:
     return Solids((), tuple(paths))
 
 
-def _slab(parent: Prim, name: str, span: Range, thick: float, looks: Looks) -> None:
-    """A pane in a wall's frame, seen and solid."""
-    center, half = _middle(*span, thick)
-    render_mesh(parent, name, _boxes([(center, half)], _GLASS), looks)
-    box_collider(prim(parent, "Collision", "Scope"), "part_0", center, half, looks, _FRICTION)
+def _in_wall(mesh: Mesh, room: Room, wall: int) -> Mesh:
+    """A mesh of the world in a wall's frame."""
+    points = np.column_stack([room.walls[wall].frame.to_local(mesh.vertices[:, :2]), mesh.vertices[:, 2]])
+    return replace(mesh, vertices=points)
 
 
 def _middle(low: float, high: float, bottom: float, top: float, thick: float) -> tuple[np.ndarray, np.ndarray]:
@@ -117,13 +117,10 @@ def _door(parent: Prim, name: str, leaf: Leaf, looks: Looks) -> Solids:
     rigid(frame, Inertia(1.0, np.zeros(3), 0.1 * np.eye(3)))  # it never moves
     place(panel)
     rigid(panel, _leaf_inertia(leaf))
-    boxes = [(np.asarray(center), np.asarray(half)) for center, half in leaf.boxes]
-    render_mesh(panel, "Panel", _boxes(boxes[:1], _LEAF), looks)
-    if len(boxes) > 1:
-        render_mesh(panel, "Handles", _boxes(boxes[1:], _HANDLE), looks)
+    render_mesh(panel, "Mesh", leaf_mesh(leaf), looks)
     scope = prim(panel, "Collision", "Scope")
-    for number, (center, half) in enumerate(boxes):
-        box_collider(scope, f"part_{number}", center, half, looks, _LEAF_FRICTION)
+    for number, (center, half) in enumerate(leaf.boxes):
+        box_collider(scope, f"part_{number}", np.asarray(center), np.asarray(half), looks, _LEAF_FRICTION)
     joints = prim(made, "joints", "Scope")
     weld(joints, "world", made, frame)
     join(joints, "leaf", frame, panel, Hinge(leaf.joint, leaf.axis, (0.0, 0.0, 0.0), leaf.limits, leaf.hold, leaf.hold))
@@ -137,12 +134,3 @@ def _leaf_inertia(leaf: Leaf) -> Inertia:
     ]
     total = sum(solid.volume for solid in solids)
     return inertia_of(solids, [leaf.mass * solid.volume / total for solid in solids])
-
-
-def _boxes(boxes: Sequence[tuple[np.ndarray, np.ndarray]], material: Material) -> Mesh:
-    """Boxes by centre [3] and half extents [3] as one mesh."""
-    parts = []
-    for center, half in boxes:
-        (x0, y0, z0), (x1, y1, z1) = (center - half).tolist(), (center + half).tolist()
-        parts.append(Part.model_construct(polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=(z0, z1)))
-    return parts_mesh(parts, material)

@@ -24,7 +24,7 @@ The model joins others: there is no ``compiler`` element (so angles are degrees)
 ``<body>:interior:<name>``            site: the box that is free inside
 ``<body>:surface:<name>``             site: a flat box where things may stand
 ``room:spawn:<door>``                 site: on the floor inside a door, +x into the room
-``room:top``, ``room:eye-door``, ...  cameras; ``room:eye-corner`` is the third
+``room:top``, ``room:eye-door``, ...  cameras; ``room:eye-corner`` and ``room:eye-corner2``
 ``start``                             keyframe: as the scene has it
 ====================================  =============================================================================
 """
@@ -50,7 +50,7 @@ from sceneweaver.scene import Room, Scene, SceneObject, Window
 from .hulls import Solid
 from .inertia import inertia_of
 from .leaves import Leaf, leaves, wall_ends
-from .sites import Sites, add_cameras, add_spawns
+from .sites import add_cameras, add_sites, add_spawns
 from .things import RigidBody, Thing, joint_of, things_of
 from .xml import child
 
@@ -248,7 +248,7 @@ class _Bodies:
 
     def __init__(self, world: Xml.Element, assets: Xml.Element, contact: Xml.Element, dress: Dress | None) -> None:
         self._world, self._assets, self._contact, self._dress = world, assets, contact, dress
-        self._sites, self._meshes = Sites(), set[str]()
+        self._meshes = set[str]()
 
     def add(self, thing: Thing, kind: str) -> None:
         """A thing, its geoms of the default class ``kind``."""
@@ -286,7 +286,7 @@ class _Bodies:
             name = f"{body.name}:{kind}:{count[kind]}"
             count[kind] += 1
             self._geom(frame, name, thing, k, solid, next(shares))
-        self._sites.mark(frame, thing, body)
+        add_sites(frame, thing, body)
         if self._dress is not None:
             self._dress(self._assets, frame, thing, body)
 

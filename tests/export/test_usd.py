@@ -49,6 +49,9 @@ TILT = tuple((np.array([0.2, -0.1, 0.3, 0.9]) / np.linalg.norm([0.2, -0.1, 0.3, 
 SCALE = (1.2, 0.8, 1.1)
 
 
+_FRAME = "sceneweaver:frame"
+
+
 def _scaled(asset, object_id: str, scale, pose: Pose) -> SceneObject:
     """An object of an asset in another size."""
     x, y, z = scale
@@ -558,6 +561,45 @@ def test_a_rug_under_what_stands_still_names_its_colliders() -> None:
         stage = Usd.Stage.Open(usd_layer(Scene(id="s", room=ROOM, objects=objects), ASSETS.__getitem__))
         targets = UsdPhysics.FilteredPairsAPI(_objects(stage)["rug"]).GetFilteredPairsRel().GetTargets()
         assert {str(c.GetPath()) for c in _colliders(_objects(stage)["shelf"])} <= {str(t) for t in targets}
+
+
+def test_frames_lie_where_the_asset_has_them(stage) -> None:
+    """Those of a scaled and tilted cabinet, in the bodies that carry them; the spawn frame looks into the room."""
+    frames = {
+        prim.GetMetadata("displayName"): prim for prim in _all(stage.GetPseudoRoot()) if prim.GetCustomDataByKey(_FRAME)
+    }
+    things = [t for t in things_of(SCENE, ASSETS.__getitem__) if t.asset is not None and t.asset.grasps]
+    assert things
+    for thing in things:
+        for grasp in thing.asset.grasps:
+            body = next(b for b in thing.bodies if b.number == thing.body_of(grasp.link))
+            prim = frames[f"{body.name}:grasp:{grasp.name}"]
+            pose = _matrix(thing.object.pose.position, thing.object.pose.quaternion)
+            world = _world(prim)
+            place = np.asarray(grasp.position) * thing.scale
+            assert np.allclose(world[:3, 3], pose[:3, :3] @ place + pose[:3, 3], atol=1e-6)
+            assert np.allclose(world[:3, 2], pose[:3, :3] @ grasp.approach, atol=1e-6)
+            assert np.allclose(world[:3, 1], pose[:3, :3] @ grasp.closing, atol=1e-6)
+            size = prim.GetCustomDataByKey("sceneweaver:size")
+            assert np.allclose(size[:2], (grasp.length, grasp.width))
+    spawn = _world(frames["room:spawn:door-0"])
+    assert np.allclose(spawn[:3, 3], (0.95, 0.45, 0.0)) and np.allclose(spawn[:3, 0], (0, 1, 0), atol=1e-9)
+
+
+def test_lights_and_cameras(stage) -> None:
+    """The sun shines in through the window; cameras stand in the room and look at its middle."""
+    sun = stage.GetPrimAtPath("/World/Lights/Sun")
+    way = -_world(sun)[:3, 2]
+    assert way[2] < -0.3 and way @ (-1, 0, 0) > 0.5, "the window is in the wall at x = 6"
+    assert stage.GetPrimAtPath("/World/Lights/Sky").GetTypeName() == "DomeLight"
+    middle = np.array([3.0, 2.5, 1.0])
+    for camera in stage.GetPrimAtPath("/World/Cameras").GetChildren():
+        matrix = _world(camera)
+        toward = middle - matrix[:3, 3]
+        assert -matrix[:3, 2] @ toward / np.linalg.norm(toward) > 0.95
+        if "eye" in camera.GetName():
+            assert 0 <= matrix[0, 3] <= 6 and 0 <= matrix[1, 3] <= 5 and matrix[2, 3] < ROOM.height
+            assert matrix[2, 1] > 0.9, "upright"
 
 
 def test_walls_are_solid_around_their_openings(stage) -> None:
