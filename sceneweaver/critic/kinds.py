@@ -149,7 +149,8 @@ _ROLES: tuple[frozenset[str], ...] = (
 WORLDS: dict[str, frozenset[str]] = {
     "bathroom": _set("shower_stool bathroom_shelf medicine_cabinet toilet_brush plunger bath_mat"),
     "kitchen": _set(
-        "kitchen_cabinet kitchen_counter corner_cabinet wall_cabinet sink_cabinet kitchen_island stove oven_tower hob"
+        "kitchen_cabinet kitchen_counter corner_cabinet wall_cabinet corner_wall_cabinet "
+        "sink_cabinet kitchen_island stove oven_tower hob"
         " range_hood dishwasher fridge side_by_side_fridge freezer"
     ),
     "laundry": _set("washing_machine dryer laundry_sink water_heater ironing_board drying_rack"),

@@ -10,6 +10,7 @@ import pytest
 from sceneweaver.assets.category import categories
 from sceneweaver.assets.drawing import Box, Drawing, asset_of
 from sceneweaver.assets.drawing import components as c
+from sceneweaver.assets.parametric import make
 from tests.assets.rules import volume_of
 
 
@@ -240,3 +241,31 @@ def test_a_table_of_bodies_says_forms_copies_and_labels() -> None:
     left = [piece.placed[:, 1].mean() > 0 for piece in pieces[3:]]
     assert left.count(True) == 4
     assert asset_of(d).size == pytest.approx(d.size, abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("category", "name", "covered"),
+    [
+        ("wall_cabinet", "opening", False),
+        ("laundry_hamper", "opening-top", False),
+        ("dresser", "opening", True),
+        ("chest", "opening-top", False),
+    ],
+)
+def test_zones_keep_free_what_opens(category, name, covered):
+    """What doors and lids sweep is in a zone, of their own where the access zone does not have it."""
+    asset = make(category, 0)
+    found = {zone.name: zone for zone in asset.zones}
+    assert (name not in found) == covered
+    if covered:
+        return
+    zone = found[name]
+    d, w, h = asset.size
+    xy = np.array(zone.polygon)
+    assert zone.hard and np.abs(xy[:, 1]).max() <= w / 2 + 1e-3
+    if name == "opening":
+        assert xy[:, 0].min() == pytest.approx(d / 2, abs=1e-3)
+        widths = [np.ptp(np.concatenate([k.vertices for k in asset.hulls if k.link == n])[:, 1]) for n in (1, 2)]
+        assert np.ptp(xy[:, 0]) > 0.9 * max(widths) - 0.03  # a door that stands open
+    else:
+        assert zone.z[0] == pytest.approx(h) and zone.z[1] > h + 0.2

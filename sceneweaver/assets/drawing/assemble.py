@@ -14,7 +14,7 @@ from ..asset import Asset, Origin
 from ..body import Hull, Material, Mesh
 from ..materials import color_name
 from ..prisms import prisms_of
-from ..zones import access_zones
+from ..zones import access_zones, opening_zones
 from .box import Interval
 from .drawing import Drawing
 from .layout import texture_coordinates
@@ -39,6 +39,9 @@ def asset_of(drawing: Drawing) -> Asset:
     clear = [(box.x, box.y, box.z) for box in free] + [_above(s) for s in surfaces]
     zones = [Zone(name=k.name, polygon=_shifted(k.polygon, shift), z=k.z, hard=k.hard) for k in drawn.zones]
     zones += access_zones(category, (d, w, h), {k.name for k in zones})
+    links = tuple(replace(k, anchor=vec3(np.array(k.anchor) - shift)) for k in drawn.links)
+    if "surface" not in category.mount:
+        zones += opening_zones(hulls, links, zones, (d, w, h), laden=bool(surfaces))
     main, name = drawing.main_material, request.label or category.name
     attributes: dict[str, Any] = {"style": drawing.style}
     if main is not None:
@@ -64,7 +67,7 @@ def asset_of(drawing: Drawing) -> Asset:
         zones=tuple(zones),
         sides=category.sides,
         masses=masses,
-        links=tuple(replace(k, anchor=vec3(np.array(k.anchor) - shift)) for k in drawn.links),
+        links=links,
         grasps=tuple(replace(k, position=vec3(np.array(k.position) - shift)) for k in drawn.grasps),
         interiors=tuple(
             replace(k, low=vec3(np.array(k.low) - shift), high=vec3(np.array(k.high) - shift)) for k in drawn.interiors

@@ -132,16 +132,16 @@ def _corner(survey: Survey) -> Iterator[Finding]:
             )
 
 
+HUNG = frozenset(("wall_cabinet", "corner_wall_cabinet", "wall_shelf", "spice_rack"))
+"""Categories of what goes on over a run."""
+
+
 def _above(survey: Survey, units: list[Body]) -> Iterator[Finding]:
     """Share of the wall over the run, but for hood and window, that has cabinets or shelves."""
     if not applies(survey, "wall_cabinets_continuous"):
         return
     least = limit("wall_cabinets_continuous", "share")
-    hung = [
-        b
-        for b in survey.bodies
-        if b.item.mount == "wall" and b.item.category in ("wall_cabinet", "wall_shelf", "spice_rack")
-    ]
+    hung = [b for b in survey.bodies if b.item.mount == "wall" and b.item.category in HUNG]
     free = covered = 0.0
     for wall in survey.placed.walls:
 

@@ -6,6 +6,9 @@ from ...drawing import Box, Drawing, draws
 from ...drawing.components import Layout, basin, carcass, castors, door, drawer, fronts, tap, unit
 from .kitchen_common import PLINTH, SETBACK, WORKTOPS, finishes_of, plinth, worktop, worktop_of
 
+BLIND = 0.03
+"""Width [m] by which the panel of a corner cabinet is wider than the cabinet on the other wall is deep."""
+
 
 @draws("kitchen_cabinet", "kitchen_counter")
 def base_units(d: Drawing) -> None:
@@ -56,15 +59,23 @@ def corner_cabinet(d: Drawing) -> None:
     d.surface("top", bounds, polygon=ring)
 
 
-@draws("wall_cabinet")
+@draws("wall_cabinet", "corner_wall_cabinet")
 def wall_cabinet(d: Drawing) -> None:
-    """A hung cupboard with one or two doors, framed, flat or glazed, and boards behind them."""
+    """A hung cupboard with one or two doors, framed, flat or glazed, and boards behind them.
+
+    One for a corner has a plain panel at its right, before which the cabinet on the other wall ends.
+    """
     body, fittings = finishes_of(d)
     if d.chance("glass", 0.3, matched=True):
         fittings = fittings._replace(panel="glass")
     head = 0.03 if d.style in ("classic", "rustic") else 0.0
     case = d.bounds.inset(front=0.025, top=head)
     with d.part("body"):
+        if d.category.name == "corner_wall_cabinet":
+            blind = case.right(d.bounds.depth + BLIND)
+            carcass(d, blind.inset(front=0.019), body)
+            d.box(blind.front(0.018).inset(y=0.0015, z=0.0015), fittings.leaf)
+            case = case.inset(right=d.bounds.depth + BLIND)
         for k, cell in enumerate(case.columns(max(1, round(case.width / 0.75)))):
             layout = "doors" if cell.width > 0.55 else "door"
             unit(d, f"unit-{k}", cell, layout, body, *fittings, boards=1 if cell.height < 0.72 else 2, grip=0.2)
