@@ -16,6 +16,8 @@ from ..body import Grasp, Hull, Link, Material
 from ..shapes.convex import Shape
 from ..zones import ZONE_HEIGHT
 from .box import Axis, Box, Interval, Vec3
+from .rooms import holds as holds_things
+from .rooms import lathed_room, lofted_room, staves_of
 from .tree import Piece, Tree, vec3
 
 Look = Material | str
@@ -173,7 +175,7 @@ class Drawing(Tree):
         if collides and self._collides:
             top = max(range(len(profile)), key=lambda i: (profile[i][1], -i))
             rising = list(profile[: top + 1]) if hollow else list(profile)
-            room = _lathed_room(profile[top:], scale) if hollow and holds else None
+            room = lathed_room(profile[top:], scale) if hollow and holds else None
             if room is None and not staves:
                 parts = shapes.lathe_hulls(rising, segments)
             else:
@@ -273,13 +275,31 @@ class Drawing(Tree):
             path[:, k] = box.center[k] + box.size[k] / 2 * wave
         self.sweep(path, radius, material, 8, closed=True)
 
-    def loft(self, rings: Sequence[np.ndarray], material: Look, convex: bool = False, hollow: int = 0) -> None:
+    def loft(
+        self,
+        rings: Sequence[np.ndarray],
+        material: Look,
+        convex: bool = False,
+        hollow: int = 0,
+        holds: bool = True,
+    ) -> None:
         """A skin over convex rings [K, 3] of as many points each, from bottom to top, closed at both ends.
 
         Its collision parts are hulls of two neighbours, or one hull where it is convex. The last ``hollow`` rings run
-        down again inside, and need no part.
+        down again inside: where that is deep enough to hold something, it has an interior and its wall is staves,
+        unless it is full and ``holds`` nothing else.
         """
         outer = list(rings[: len(rings) - hollow])
+        if hollow > 1 and holds:
+            inner = list(rings[-hollow:])
+            room, oval = lofted_room(inner)
+            if holds_things(room):
+                if self._frame[2, 2] > 0.999:
+                    self.interior("inside", room, oval=oval)
+                ends = np.linspace(0, len(rings[0]), staves_of(room) + 1).round().astype(int).tolist()
+                hulls = shapes.staved_hulls(outer, inner, ends) if self._collides else []
+                self.add(shapes.lofted(rings), material, hulls)
+                return
         pairs = [outer] if convex else [list(p) for p in zip(outer[:-1], outer[1:], strict=True)]
         solid = [np.concatenate(p) for p in pairs if len(p) > 2 or np.ptp(np.concatenate(p)[:, 2]) > 1e-6]
         self.add(shapes.lofted(rings), material, [shapes.hull(p) for p in solid] if self._collides else [])
@@ -292,6 +312,7 @@ class Drawing(Tree):
         radius: float | None = None,
         convex: bool = False,
         hollow: int = 0,
+        holds: bool = True,
     ) -> Box:
         """A skin over level sections of a box, from bottom to top: a `loft` by shares.
 
@@ -303,6 +324,7 @@ class Drawing(Tree):
             radius: Of the corners, as a share of the section's shorter side; None: sections are ellipses.
             convex: As in `loft`; so is ``hollow``.
             hollow: How many of the last sections run down again inside.
+            holds: As in `loft`.
         """
         x, y, z = box.anchor("bottom")
         rings = []
@@ -314,7 +336,7 @@ class Drawing(Tree):
                 rings.append(shapes.ellipse(own.depth / 2, own.width / 2, level, 20, own.center[0], own.center[1]))
             else:
                 rings.append(shapes.rectangle(own.x, own.y, level, radius * min(own.depth, own.width), 4))
-        self.loft(rings, material, convex, hollow)
+        self.loft(rings, material, convex, hollow, holds)
         return box
 
     def hull(self, points, material: Look) -> None:
@@ -420,34 +442,6 @@ class Drawing(Tree):
         drawn.interiors[:] = [
             replace(room, low=vec3(room.low * scale), high=vec3(room.high * scale)) for room in drawn.interiors
         ]
-
-
-SHALLOWEST, FLATTEST, NARROWEST = 0.012, 0.15, 0.012
-"""What is hollow by less than this depth [m] or share of its width, or less wide than this [m], holds nothing."""
-
-
-def staves_of(room: Box) -> int:
-    """How many parts in a ring are the wall around a room: more around a wide one."""
-    return 6 if room.width < 0.06 else 8 if room.width < 0.25 else 12
-
-
-def _lathed_room(inner: Sequence[tuple[float, float]], scale: np.ndarray) -> Box | None:
-    """The room in a lathed body whose inside falls from the first of these points (radius, z) to the last.
-
-    It is as wide as all of it above a quarter of its depth; None: too little to hold anything.
-    """
-    if len(inner) < 3:
-        return None
-    rim, floor = inner[0][1], inner[-1][1]
-    falling = inner[1:][::-1]
-    levels, radii = [z for _, z in falling], [r for r, _ in falling]
-    start = floor + 0.25 * (rim - floor)
-    radius = min([float(np.interp(start, levels, radii)), *[r for r, z in falling if z > start]])
-    depth, width = 2 * radius * scale[:2]
-    deep_enough = rim - floor >= max(SHALLOWEST, FLATTEST * width)
-    if not deep_enough or min(depth, width) < NARROWEST or np.diff(levels).min() < -1e-9:
-        return None
-    return Box.sized(float(depth), float(width), rim - floor, (0.0, 0.0, floor))
 
 
 def _scaled(box: Box, s: Vec3) -> Box:

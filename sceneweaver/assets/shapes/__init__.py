@@ -13,6 +13,7 @@ from .lofts import dome as dome
 from .lofts import ellipse as ellipse
 from .lofts import lofted as lofted
 from .lofts import rectangle as rectangle
+from .lofts import staved_hulls as staved_hulls
 from .rounds import ball as ball
 from .rounds import frustum as frustum
 from .rounds import hollow_hulls as hollow_hulls
@@ -45,6 +46,7 @@ __all__ = [
     "rectangle",
     "sheet",
     "sheet_uv",
+    "staved_hulls",
     "sweep",
     "sweep_hulls",
 ]

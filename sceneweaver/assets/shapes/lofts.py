@@ -8,7 +8,7 @@ import numpy as np
 
 from sceneweaver.geometry.prisms import ring_faces
 
-from .convex import Shape
+from .convex import Shape, hull
 
 Interval = tuple[float, float]
 
@@ -44,3 +44,26 @@ def dome(radius: float, low: float, high: float, steps: int = 4, tip: float = 0.
     """Profile points (radius, z) of a round top, from (radius, low) to (tip, high)."""
     t = np.linspace(0, np.pi / 2, steps + 1)
     return [(float(tip + (radius - tip) * np.cos(a)), float(low + (high - low) * np.sin(a))) for a in t]
+
+
+def staved_hulls(
+    outer: Sequence[np.ndarray],
+    inner: Sequence[np.ndarray],
+    ends: Sequence[int],
+    split: tuple[int, int] | None = None,
+) -> list[Shape]:
+    """Convex parts of a hollow loft: a floor, and staves around it between the points ``ends`` of its rings [K, 3].
+
+    ``outer`` rises to the rim, ``inner`` falls from it; the staves of a bellied body are cut at the ``split`` rings,
+    one of each.
+    """
+    n = len(outer[0])
+    hulls = [hull(np.concatenate([outer[0], inner[-1]]))]
+    layers = [[*outer, *inner]]
+    if split is not None:
+        low, high = split
+        layers = [[*outer[: low + 1], *inner[high:]], [*outer[low:], *inner[: high + 1]]]
+    for a, e in zip(ends[:-1], ends[1:], strict=True):
+        index = np.arange(a, e + 1) % n
+        hulls += [hull(np.concatenate([ring[index] for ring in layer])) for layer in layers]
+    return hulls

@@ -54,6 +54,7 @@ from .vessels import drain as drain
 from .vessels import open_box as open_box
 from .vessels import oval as oval
 from .vessels import perimeter as perimeter
+from .vessels import tub as tub
 from .vessels import vessel as vessel
 
 __all__ = [
@@ -108,6 +109,7 @@ __all__ = [
     "tap",
     "towel",
     "unit",
+    "tub",
     "vessel",
     "walls",
     "wheel",

@@ -72,7 +72,8 @@ def unit(
         rooms = room.inset(front=0.03).rows(boards + 1, gap=BOARD)
         for level in rooms[1:]:
             d.box(level.bottom(-BOARD), body, bevel=0.0)
-        compartments(d, rooms, name)
+        if boards:  # without any, somebody else draws them
+            compartments(d, rooms, name)
     elif layout == "mixed":
         compartments(d, [room.to(z=(room.z[0], box.z[1] - 0.16 - BOARD))], name)
     fronts(d, name, box.inset(back=room.x[0] - box.x[0]), layout, leaf, pull, style, panel, grip)

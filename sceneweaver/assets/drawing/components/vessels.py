@@ -9,6 +9,7 @@ import numpy as np
 from ... import shapes
 from ..box import Box, Vec3
 from ..drawing import Drawing, Look
+from ..rooms import lofted_room
 
 
 def oval(
@@ -66,37 +67,11 @@ def vessel(
     rings = [*outer, *inner]
     n = len(rings[0])
     ends = range(0, n + 1, max(1, n // staves)) if isinstance(staves, int) else staves
-    hulls = [shapes.hull(np.concatenate([outer[0], inner[-1]]))]
-    layers = [rings]
-    if split is not None:
-        low, high = split
-        layers = [[*outer[: low + 1], *inner[high:]], [*outer[low:], *inner[: high + 1]]]
-    for a, e in zip(ends[:-1], ends[1:], strict=True):
-        index = np.arange(a, e + 1) % n
-        hulls += [shapes.hull(np.concatenate([ring[index] for ring in layer])) for layer in layers]
+    hulls = shapes.staved_hulls(outer, inner, list(ends), split)
     d.add(shapes.lofted(rings), material, hulls)
     if inside:
-        room, round_plan = _room(inner)
+        room, round_plan = lofted_room(inner)
         d.interior(inside, room, oval=round_plan)
-
-
-def _room(inner: Sequence[np.ndarray]) -> tuple[Box, bool]:
-    """The room inside rings [K, 3] that fall from a rim to a floor, and whether its plan is an oval.
-
-    It is as wide as all of them above a quarter of its depth.
-    """
-    levels = np.array([ring[:, 2].mean() for ring in inner])
-    floor, rim = levels.min(), levels.max()
-    start = floor + 0.25 * (rim - floor)
-    under = int(np.flatnonzero(levels <= start)[0])
-    share = (start - levels[under]) / (levels[under - 1] - levels[under])
-    rings = [*inner[:under], inner[under] + share * (inner[under - 1] - inner[under])]
-    low = np.max([r[:, :2].min(axis=0) for r in rings], axis=0).tolist()
-    high = np.min([r[:, :2].max(axis=0) for r in rings], axis=0).tolist()
-    x, y = rings[-1][:, 0], rings[-1][:, 1]
-    area = abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1))) / 2
-    fill = area / max(float(np.ptp(x) * np.ptp(y)), 1e-12)
-    return Box((low[0], high[0]), (low[1], high[1]), (float(floor), float(rim))), fill < 0.9
 
 
 def bowl(
@@ -108,13 +83,14 @@ def bowl(
     power: float = 2.0,
     staves: int = 16,
     split: tuple[int, int] | None = None,
+    inside: str | None = "inside",
 ) -> None:
     """A `vessel` of `oval` rings in the middle of a box: shares of its depth and width, a height [m], a power."""
     sides = []
     for rows in (outer, inner):
         plans = [(box.place(row[0] * box.depth, row[1] * box.width), *row[2:]) for row in rows]
         sides.append([oval(plan, z, own[0] if own else power, count=2 * staves) for plan, z, *own in plans])
-    vessel(d, sides[0], sides[1], material, staves, split)
+    vessel(d, sides[0], sides[1], material, staves, split, inside)
 
 
 def bottle(d: Drawing, box: Box, material: Look) -> Box:
@@ -146,6 +122,19 @@ def basin(d: Drawing, box: Box, material: Look, radius: float = 0.03, lip: float
     x, y, _ = box.center
     drain(d, (x, y, bottom + 0.008))
     return floor.inset(x=0.006, y=0.006, bottom=0.008)
+
+
+def tub(d: Drawing, box: Box, material: Look, wall: float = 0.01, lean: float = 0.0, floor: float | None = None) -> Box:
+    """Four walls on a floor, narrower at its bottom by ``lean`` at each side; returns the room inside."""
+    low = box.inset(x=lean, y=lean)
+    floor = max(wall, 0.02 * box.height) if floor is None else floor  # what falls far falls through less
+    d.box(low.bottom(floor), material, bevel=0.0)
+    for side, less in (("front", 0.0), ("back", 0.0), ("left", wall), ("right", wall)):
+        ends = [getattr(b.inset(x=less), side)(wall) for b in (low, box)]
+        d.hull([(x, y, b.z[k]) for k, b in enumerate(ends) for x in b.x for y in b.y], material)
+    room = low.inset(x=wall, y=wall, bottom=floor)
+    d.interior("inside", room)
+    return room
 
 
 def open_box(

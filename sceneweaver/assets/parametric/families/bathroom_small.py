@@ -8,7 +8,7 @@ import numpy as np
 
 from ... import shapes
 from ...drawing import Box, Drawing, Look, Vec3, draws
-from ...drawing.components import carcass, lip, open_box, oval, perimeter
+from ...drawing.components import carcass, compartments, lip, open_box, oval, perimeter, walls
 
 _METALS = "chrome, black steel, brass, brushed steel"
 _TERRY = ", ".join(f"{tone} fabric" for tone in ["white", "blue", "green", "rose", "grey", "mustard", "beige", "navy"])
@@ -83,8 +83,10 @@ def medicine_cabinet(d: Drawing) -> None:
     shell, box = d.material("body", "white paint, aluminium, oak, walnut, light grey paint"), d.bounds
     lamp = d.chance("lamp", 0.5)
     case = box.inset(top=0.03 if lamp else 0.0, front=0.042)
-    for level in carcass(d, case, shell, board=0.014).rows(3)[1:]:
-        d.box(level.bottom(0.006).inset(front=0.01), "glass", bevel=0.0)
+    rooms = carcass(d, case, shell, board=0.014).inset(front=0.01).rows(3, gap=0.006)
+    for level in rooms[1:]:
+        d.box(level.bottom(-0.006), "glass", bevel=0.0)
+    compartments(d, rooms)
     rim = 0.016 if shell.name in ("oak", "walnut") else 0.003
     cells = case.front(-0.018).columns(1 if box.width < 0.55 else 2 if box.width < 0.78 else 3)
     for k, leaf in enumerate(cell.inset(y=0.0015, z=0.0015) for cell in cells):
@@ -178,14 +180,17 @@ def bath_mat(d: Drawing) -> None:
         d.box(row, cloth, bevel=0.006)
 
 
-def _weave(base: Box, rim: Box, radius: float, depth: float = 0.007) -> shapes.convex.Shape:
-    """A woven body between two plans: strands that go over and under the stakes of its wall, grooves between them."""
+def _weave(base: Box, rim: Box, radius: float, wall: float, depth: float = 0.007):
+    """A woven body between two plans, open above: strands over and under the stakes of its wall [m], and grooves.
+
+    Returns it and its convex parts.
+    """
     strands = 2 * round((rim.depth + rim.width) / 0.052)
     rows = max(4, round((rim.z[1] - base.z[0]) / 0.038))
     # Each strand has a groove and two edges, near enough to it that the groove is seen as a crease.
     at = (np.arange(strands)[:, None] + (0.0, 0.1, 0.9)).ravel() / strands
     levels = [(k + v, k if v else None) for k in range(rows) for v in (0.0, 0.12, 0.88)] + [(rows, None)]
-    (low, out), (high, _) = perimeter(base, radius, at), perimeter(rim, radius, at)
+    (low, out), (high, beyond) = perimeter(base, radius, at), perimeter(rim, radius, at)
     groove, strand = np.arange(len(at)) % 3 == 0, np.arange(len(at)) // 3
     rings = []
     for level, row in levels:
@@ -194,7 +199,11 @@ def _weave(base: Box, rim: Box, radius: float, depth: float = 0.007) -> shapes.c
         sunk = depth * np.where(groove | (row is None), 1.0, over)
         plane = low + share * (high - low) - out * sunk[:, None]
         rings.append(np.c_[plane, np.full(len(at), base.z[0] + share * (rim.z[1] - base.z[0]))])
-    return shapes.lofted(rings)
+    plans = [(high, beyond, rim.z[1]), (low, out, base.z[0] + 0.01)]  # and down again inside
+    inner = [np.c_[plan - wall * normal, np.full(len(at), z)] for plan, normal, z in plans]
+    outer = [np.c_[plan, np.full(len(at), z)] for plan, z in ((low, base.z[0]), (high, rim.z[1]))]
+    ends = np.linspace(0, len(at), 13).round().astype(int).tolist()
+    return shapes.lofted([*rings, *inner]), shapes.staved_hulls(outer, inner, ends)
 
 
 @draws("laundry_hamper")
@@ -208,11 +217,12 @@ def laundry_hamper(d: Drawing) -> None:
     lid, body = box.top(0.034), box.inset(bottom=0.02, top=0.035, x=0.008, y=0.008)
     foot = body.inset(x=0.06 * box.depth, y=0.06 * box.width)
     with d.part("hamper"):
-        ends = [shapes.rectangle(b.x, b.y, z, 0.03) for b, z in ((foot, body.z[0]), (body, body.z[1]))]
-        d.add(_weave(foot, body, 0.035), weave, [shapes.hull(np.concatenate(ends))])
+        skin, staves = _weave(foot, body, 0.035, 0.02)
+        d.add(skin, weave, staves)
+        d.interior("inside", foot.inset(x=0.03, y=0.03).to(z=(0.034, body.z[1])))
         with d.corners(foot, inset=0.03):
             d.cylinder(Box.sized(0.03, 0.03, 0.022), "oak", ends=(0.85, 1.0), segments=10)
-        d.slab(body.top(0.055).inset(x=-0.002, y=-0.002), "white fabric", 0.037, 0.004)
+        walls(d, body.top(0.055).inset(x=-0.002, y=-0.002), "white fabric", 0.02, 0.006)
         d.slab(foot.to(z=(0.018, 0.034)).inset(x=-0.003, y=-0.003), weave, 0.038, 0.004)
         with d.hinge("lid", lid.anchor("back top"), axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0), role="lid"):
             d.slab(lid.inset(top=0.008), weave, 0.04, 0.004)

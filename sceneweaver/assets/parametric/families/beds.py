@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ...drawing import Box, Drawing, Look, draws
-from ...drawing.components import legs, piping
+from ...drawing.components import drawer, legs, piping
 from .beds_parts import BOARDS, barred, bedding, head_board, rods
 
 _WOODS = "oak, walnut, pine, light oak, white paint, ash grey wood, black paint"
@@ -40,11 +40,25 @@ def _frame(d: Drawing, box: Box, wood: Look, style: str) -> None:
         d.cushion(box.inset(bottom=0.13), wood, 0.03)
     else:
         d.box(box.bottom(0.05).inset(x=0.025, y=0.03), wood)
-        d.box(box.inset(bottom=0.05, y=0.02), wood, bevel=0.005)
+        case = box.inset(bottom=0.05, y=0.02)
+        for board in (case.top(0.02), case.bottom(0.012), case.back(0.02), case.front(0.02)):
+            d.box(board.inset(z=0.0 if board.depth > 0.1 else 0.02), wood, bevel=0.0)
+        d.box(case.place(width=0.02).inset(x=0.02, bottom=0.012, top=0.02), wood, bevel=0.0)
         with d.mirror("y"):
-            for front in box.left(0.021).inset(x=0.026, bottom=0.065, top=0.02, left=0.004).split("x", 2, 0.012):
-                d.box(front, wood)
-                d.box(front.top(0.08).left(-0.004).place(depth=0.14, height=0.02), "black steel", bevel=0.001)
+            _bed_drawers(d, case.inset(bottom=0.012, top=0.02), wood)
+
+
+def _bed_drawers(d: Drawing, case: Box, wood: Look) -> None:
+    """Two drawers side by side that slide out to the left from under a bed, with the posts beside them."""
+    half = case.to(y=(0.012, case.y[1]))
+    cells = half.inset(x=0.026).split("x", 2, 0.012)
+    for x in ((case.x[0] + 0.02, cells[0].x[0]), (cells[0].x[1], cells[1].x[0]), (cells[1].x[1], case.x[1] - 0.02)):
+        d.box(half.left(0.02).to(x=x), wood, bevel=0.0)
+    for k, cell in enumerate(cells):
+        middle = (cell.x[0] + cell.x[1]) / 2
+        with d.at(x=middle, y=half.y[1], yaw=math.pi / 2):  # seen from its side: +x is out
+            own = Box((-min(0.6, half.width), 0.0), (-cell.depth / 2, cell.depth / 2), cell.z)
+            drawer(d, f"drawer-{k}", own, wood, "black steel", "cup", round(0.7 * own.depth, 3))
 
 
 @draws("bed", "king_bed", "single_bed", "platform_bed", "upholstered_bed", "storage_bed", "metal_bed", whole=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import bottle, castors, drawer, legs, shelves, unit, walls
+from ...drawing.components import bottle, castors, drawer, legs, unit, walls
 
 _STEELS = "white steel, steel, brushed steel, light grey paint"
 _PADS = "black leather, white leather, teal paint, blue plastic, mint plastic"
@@ -48,7 +48,10 @@ def medical_cabinet(d: Drawing) -> None:
     unit(d, "low", low, "doors", steel, steel, "steel")
     room = unit(d, "high", high, "doors", steel, steel, "steel", panel="glass", boards=0)
     looks = ("amber glass", "white plastic", "blue plastic", "green glass", "clear plastic")
-    for k, shelf in enumerate(shelves(d, room, 2, "glass", 0.008, 0.03, None)):
+    levels = room.inset(front=0.03).rows(3, gap=0.008)  # full of bottles
+    for level in levels[1:]:
+        d.box(level.bottom(-0.008), "glass", bevel=0.0015)
+    for k, shelf in enumerate(levels):
         for j, cell in enumerate(shelf.inset(y=0.02).columns(int(room.width / 0.11))):
             look, tall = d.pick(f"look {k} {j}", looks), shelf.height * d.uniform(f"t {k} {j}", 0.35, 0.7)
             bottle(d, cell.place(0.06, 0.06, tall, at="bottom"), look)

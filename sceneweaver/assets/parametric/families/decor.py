@@ -153,6 +153,7 @@ def decorative_tray(d: Drawing) -> None:
             y, low, top = side.center[1], rim.z[1] - 0.004, box.z[1] - 0.0045
             grip = [(-0.2, low), (-0.18, top), (0.18, top), (0.2, low)]
             d.sweep([(x * box.depth, y, z) for x, z in grip], 0.0038, metal, 8)
+    d.interior("inside", floor.inset(x=0.009, y=0.009).to(z=(floor.z[1], rim.z[1])))
     d.surface("top", floor, inset=0.012)
 
 

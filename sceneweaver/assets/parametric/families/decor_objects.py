@@ -8,7 +8,7 @@ import numpy as np
 
 from ... import shapes
 from ...drawing import Box, Drawing, Look, draws
-from ...drawing.components import clock_face, lip
+from ...drawing.components import clock_face, lip, tub
 from .small_parts import GOLDEN
 
 STONES = "marble, white ceramic, bronze, dark marble, concrete, brass, terracotta"
@@ -235,7 +235,8 @@ def lidded_box(d: Drawing) -> None:
     box = d.bounds.inset(front=0.023, left=0.03 if music else 0.0)
     with d.corners(box, inset=0.01):
         d.cylinder(Box.sized(0.016, 0.016, 0.008), metal, ends=(0.75, 1.0), segments=10)
-    case = d.box(box.share(z=(0.0, 0.7)).inset(bottom=0.008), wood)
+    case = box.share(z=(0.0, 0.7)).inset(bottom=0.008)
+    tub(d, case, wood, 0.007)
     d.box(case.front(-0.002).inset(y=0.02).share(z=(0.15, 0.19)), metal, bevel=0.0)
     if music:
         y, z = box.y[1], 0.4 * box.height

@@ -112,7 +112,14 @@ def ice_machine(d: Drawing) -> None:
     box = d.bounds.inset(front=0.068)
     middle = 0.58 * box.height
     legs(d, box.bottom(0.13).inset(x=0.04, y=0.04), "chrome", "tapered", 0.036)
-    store = d.box(box.to(z=(0.12, middle)), steel)
+    store = box.to(z=(0.12, middle))
+    room = store.inset(x=0.03, y=0.04).inset(bottom=0.03, top=0.03)  # for the ice, behind the flap
+    sides = [side.inset(bottom=0.03, top=0.03) for side in (store.left(0.04), store.right(0.04))]
+    for board in (store.bottom(0.03), store.top(0.03), *sides):
+        d.box(board, steel, bevel=0.001)
+    for board in (store.back(0.03).to(z=room.z), store.front(0.03).to(z=(room.z[0], middle - 0.23))):
+        d.box(board.inset(y=0.04), steel, bevel=0.0)
+    compartments(d, [room])
     head = d.box(box.to(z=(middle - 0.001, box.z[1])).inset(y=0.006, front=-0.02), steel, 0.015)
     face = head.front(0.0)
     for slot in face.inset(y=0.06, bottom=0.05, top=0.1).rows(max(5, int((head.height - 0.14) / 0.022)), gap=0.01):
@@ -204,7 +211,8 @@ def coffee_station(d: Drawing) -> None:
             tone = ("white", "blue", "cream", "grey", "white")[(k + first) % 5]
             mug = Box.sized(0.072, 0.072, 0.085, (x, y, shelf.z[0] - 0.103))
             inner = ((0.9, 0.9, mug.z[1]), (0.8, 0.8, mug.z[0] + 0.005))
-            bowl(d, mug, ((0.9, 0.9, mug.z[0]), (1.0, 1.0, mug.z[1])), inner, f"{tone} ceramic", staves=6)
+            outer = ((0.9, 0.9, mug.z[0]), (1.0, 1.0, mug.z[1]))
+            bowl(d, mug, outer, inner, f"{tone} ceramic", staves=6, inside=None)
             grip = mug.left(0.003)
             d.arch(grip.point(z=0.76), grip.point(z=0.24), (0.0, 0.022, 0.0), 0.005, f"{tone} ceramic", 4)
     with d.part("jars"):

@@ -8,7 +8,7 @@ import numpy as np
 
 from ... import shapes
 from ...drawing import Box, Drawing, Look, draws
-from ...drawing.components import CORNERS, knob, legs, open_box, vessel, wheel
+from ...drawing.components import CORNERS, knob, legs, lip, open_box, tub, vessel, wheel
 from .small_toys import ball
 
 BRIGHT = tuple(f"{tone} plastic" for tone in ("red", "blue", "yellow", "green", "orange", "mint", "pink"))
@@ -23,10 +23,20 @@ def toy_chest(d: Drawing) -> None:
     if d.request.shape == "open":
         open_box(d, box, wood, 0.018, floor=0.02)
         return
-    case = box.inset(x=0.012, y=0.01)
+    opens = d.chance("opens", 0.5)  # else things stand on it
+    lid = box.top(0.04).inset(front=0.022 if opens else 0.0)
+    case = lid.to(z=box.z).inset(x=0.012, y=0.01)
     legs(d, case.bottom(0.05).inset(x=0.005, y=0.005), wood, width=0.05)
-    d.box(case.inset(bottom=0.04, top=0.045), wood, 0.004)
-    lid = d.box(box.top(0.04), d.material("lid", *BRIGHT, WOODS), 0.012)
+    paint = d.material("lid", *BRIGHT, WOODS)
+    if opens:
+        tub(d, case.inset(bottom=0.04, top=0.042), wood, 0.018)
+        with d.hinge("lid", lid.anchor("back top"), axis=(0.0, -1.0, 0.0), limits=(0.0, 1.4), role="lid"):
+            d.box(lid, paint, 0.012)
+            lip(d, lid.front(-0.022).place(width=0.09, height=0.016), wood)
+    else:
+        d.box(case.inset(bottom=0.04, top=0.045), wood, 0.004)
+        d.box(lid, paint, 0.012)
+        d.surface("top", lid, inset=0.02)
     for s in (-1, 1):  # handles
         y = case.y[(s + 1) // 2]
         d.arch((-0.07, y, 0.62 * box.height), (0.07, y, 0.62 * box.height), (0, s * 0.0095, 0), 0.004, "brass")
@@ -40,7 +50,6 @@ def toy_chest(d: Drawing) -> None:
             d.cylinder(badge, BRIGHT[k], "x")
         else:
             d.silhouette(badge, star, BRIGHT[k + 2], "x")
-    d.surface("top", lid, inset=0.02)
 
 
 @draws("play_kitchen", whole=True)

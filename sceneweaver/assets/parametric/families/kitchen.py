@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import Layout, basin, carcass, castors, door, drawer, fronts, tap, unit
+from ...drawing.components import Layout, basin, carcass, castors, compartments, door, drawer, fronts, tap, unit
 from .kitchen_common import PLINTH, SETBACK, WORKTOPS, finishes_of, plinth, worktop, worktop_of
 
 BLIND = 0.03
@@ -39,7 +41,9 @@ def corner_cabinet(d: Drawing) -> None:
         plinth(d, wing.bottom(PLINTH))
         case = wing.inset(bottom=PLINTH, top=thick)
         room = carcass(d, case, body)
-        d.box(room.inset(front=0.03).place(height=board), body, bevel=0.0)
+        rooms = room.inset(front=0.03).rows(2, gap=board)
+        d.box(rooms[1].bottom(-board), body, bevel=0.0)
+        compartments(d, rooms)
         # Hung at the outer end, and short of the other wing's front by more than its thickness: so it clears that. A
         # filler beside it keeps its handle clear of that front.
         face = case.inset(left=deep + 0.024).front(-0.02)
@@ -94,7 +98,11 @@ def tall_cabinet(d: Drawing) -> None:
     with d.part("body"):
         plinth(d, d.bounds.inset(front=0.025).bottom(PLINTH))
         room = carcass(d, case.inset(front=0.019), body)
-        for z in (0.45, 0.8, split, split + 0.35):
+        levels = (0.45, 0.8, split, split + 0.35)
+        ends = [room.z[0] - 0.009, *levels, room.z[1] + 0.009]
+        spans = [room.inset(front=0.04).to(z=(a + 0.009, b - 0.009)) for a, b in pairwise(ends)]
+        compartments(d, spans)
+        for z in levels:
             d.box(room.inset(front=0.0 if z == split else 0.04).to(z=(z - 0.009, z + 0.009)), body, bevel=0.0)
         for name, z in (("low", (PLINTH, split)), ("high", (split, case.z[1]))):
             fronts(d, name, case.to(z=z), layout, *fittings, grip=0.8 if name == "low" else 0.2)
@@ -118,6 +126,9 @@ def sink_cabinet(d: Drawing) -> None:
         plinth(d, bounds.inset(front=SETBACK).bottom(PLINTH))
         case = bounds.inset(front=SETBACK + 0.019, bottom=PLINTH, top=thick)
         room = case.inset(y=0.018, bottom=0.018)
+        below = room.inset(back=0.006, front=0.02).to(z=(room.z[0], room.z[0] + 0.4))  # under the basin
+        if wide < 1.05:
+            compartments(d, [below])
         for side in (case.left(0.018), case.right(0.018), case.inset(y=0.018).bottom(0.018), room.back(0.006)):
             d.box(side, body, bevel=0.001)
         cells = [case.inset(front=-0.019)]

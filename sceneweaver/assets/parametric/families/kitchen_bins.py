@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ... import shapes
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import lip, open_box, oval, vessel
+from ...drawing.components import CORNERS, lip, open_box, oval, vessel
 
 
 @draws("trash_can")
@@ -60,9 +60,10 @@ def pedal_bin(d: Drawing) -> None:
         return shapes.rectangle(own.x, own.y, z, 0.04) if square else oval(own, z)
 
     with d.part("bin"):
-        bands = ((1.0, 0.0, 0.045, dark), (0.985, 0.045, rim, body), (1.0, rim - 0.006, rim + 0.008, dark))
-        for share, low, high, look in bands:
-            d.loft([ring(share, low), ring(share, high)], look)
+        d.loft([ring(1.0, 0.0), ring(1.0, 0.045)], dark)
+        sides = [ring(0.985, 0.045), ring(0.985, rim - 0.006), ring(1.0, rim - 0.006), ring(1.0, rim + 0.008)]
+        less = 0.985 - 0.016 / drum.width
+        vessel(d, sides, [ring(less, rim + 0.008), ring(less, 0.055)], body, CORNERS if square else 16)
         # As high as the lid: nothing of it goes behind the bin, where a wall is.
         hinge = (drum.x[0] + 0.0075 * drum.depth, 0.0, h)
         with d.hinge("lid", hinge, axis=(0.0, 1.0, 0.0), limits=(-1.3, 0.0), role="lid"):
@@ -96,8 +97,11 @@ def recycling_bin(d: Drawing) -> None:
                 x = foot.x[1] + share * (head.x[1] - foot.x[1])
                 return x + out, cell.center[1] + y, share * rim
 
-            corners = [(x, y, 0.0) for x in foot.x for y in foot.y] + [(x, y, rim) for x in head.x for y in head.y]
-            d.hull(corners, body)
+            plans = [cell.to(x=b.x, y=b.y) for b in (foot, head)]
+            outer = [shapes.rectangle(b.x, b.y, z, 0.001, 1) for b, z in zip(plans, (0.0, rim), strict=True)]
+            walls = [(plan.inset(x=0.008, y=0.008), z) for plan, z in zip(plans[::-1], (rim, 0.012), strict=True)]
+            inner = [shapes.rectangle(b.x, b.y, z, 0.001, 1) for b, z in walls]
+            vessel(d, outer, inner, body, range(0, len(outer[0]) + 1, 2))
             hinge = (cell.x[0], cell.center[1], bounds.z[1])
             with d.hinge(f"lid-{k}", hinge, axis=(0.0, 1.0, 0.0), limits=(-1.2, 0.0), role="lid"):
                 low, high = rim + 0.001, bounds.z[1]

@@ -172,7 +172,7 @@ def laundry_basket(d: Drawing) -> None:
     box = d.bounds.inset(top=0.05)
     rim = box.z[1]
     outer = ((0.78, 0.78, 0.0), (0.95, 0.95, rim - 0.03), (1.0, 1.0, rim - 0.025), (1.0, 1.0, rim))
-    bowl(d, box, outer, ((0.95, 0.95, rim), (0.92, 0.92, rim - 0.03), (0.75, 0.75, 0.012)), look, 7.0)
+    bowl(d, box, outer, ((0.95, 0.95, rim), (0.92, 0.92, rim - 0.03), (0.75, 0.75, 0.012)), look, 7.0, inside=None)
     dark = "grey plastic" if look.name == "white plastic" else "black plastic"
     lean = math.atan2(0.17 * box.depth / 2, rim - 0.03)
     with d.mirror("x"), d.at(0.39 * box.depth, pitch=lean):

@@ -24,6 +24,7 @@ from importlib import resources
 
 from ...category import read_yaml
 from ...drawing import MAKERS, PROUD, Axis, Box, Drawing, Look
+from ...drawing.components import tub
 from ...drawing.tree import pose
 from .small_parts import filling, open_vessel, wrap
 
@@ -105,10 +106,10 @@ def _turned(d: Drawing, whole: Box, look: Look, n: Numbers, even: bool = False) 
     d.turned(_about(whole, n[0], n[1], even), _profile(n[2:]), look, 24)
 
 
-def _open(d: Drawing, whole: Box, look: Look, n: Numbers, even: bool = False) -> None:
+def _open(d: Drawing, whole: Box, look: Look, n: Numbers, even: bool = False, holds: bool = True) -> None:
     """x y, thickness of the wall [mm; below 1 a share of the width], z of the floor inside, pairs of radius and z."""
     box = _about(whole, n[0], n[1], even)
-    open_vessel(d, box, _profile(n[4:]), look, n[2] / 1000 if n[2] >= 1 else n[2] * box.width, n[3])
+    open_vessel(d, box, _profile(n[4:]), look, n[2] / 1000 if n[2] >= 1 else n[2] * box.width, n[3], holds=holds)
 
 
 def _sections(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
@@ -142,6 +143,17 @@ def _hull(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
     d.hull(_points(whole, n), look)
 
 
+def _tub(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
+    """x0 x1 y0 y1 z0 z1 of an open box, its wall [mm], and how much narrower it is below, as a share of its depth."""
+    box = _place(whole, n)
+    tub(d, box, look, n[6] / 1000, (n[7] if len(n) > 7 else 0.0) * box.depth)
+
+
+def _inside(d: Drawing, whole: Box, look: Look, n: Numbers) -> None:
+    """x0 x1 y0 y1 z0 z1 of room between other bodies, open above."""
+    d.interior("inside", _place(whole, n))
+
+
 _SHAPES: dict[str, Callable[[Drawing, Box, Look, Numbers], None]] = {
     "box": _box,
     "slab": _slab,
@@ -157,11 +169,14 @@ _SHAPES: dict[str, Callable[[Drawing, Box, Look, Numbers], None]] = {
     "ball": _ball,
     "turned": _turned,
     "open": _open,
+    "full": partial(_open, holds=False),  # the same with a stopper, or with things in it
     "sections": _sections,
     "arch": _arch,
     "bar": _bar,
     "ring": _ring,
     "hull": _hull,
+    "tub": _tub,
+    "inside": _inside,
 }
 
 
@@ -173,6 +188,7 @@ def draw(d: Drawing, text: str) -> None:
     whole = d.even(named.pop("fit", "box"))  # pyright: ignore[reportArgumentType]
     even = named.pop("turned", "") == "depth"
     shapes = _SHAPES | {"turned": partial(_turned, even=even), "open": partial(_open, even=even)}
+    shapes["full"] = partial(_open, even=even, holds=False)
     form = d.pick("form", named.pop("form").split(", ")) if "form" in named else ""
     looks = {letter: d.material(letter, names) for letter, names in named.items()}
     group: str | None = None if "\n+" in text else "all"
@@ -213,7 +229,7 @@ def draw(d: Drawing, text: str) -> None:
                     layer += 1
                 else:
                     shapes[shape](d, whole, look, numbers)
-                if shape in ("turned", "open"):
+                if shape in ("turned", "open", "full"):
                     last, layer = (
                         (
                             _about(whole, numbers[0], numbers[1], even),

@@ -159,7 +159,7 @@ def flower_vase(d: Drawing) -> None:
     with d.part("vase"):
         outer = [(0.23 * wide * u, tall * v) for u, v in d.pick("vase shape", _VASES)]
         lip = outer[-1][0] - 0.005
-        d.revolve([*outer, (lip, tall), (0.9 * lip, 0.86 * tall)], look, 24, hollow=True)
+        d.revolve([*outer, (lip, tall), (0.9 * lip, 0.86 * tall)], look, 24, hollow=True, holds=False)
     petal = d.material("petals", "red petal, pink petal, yellow petal, white petal, purple petal, orange petal")
     kind, count = d.pick("flowers", ["rose", "daisy", "tulip"]), d.integer("count", 9, 13)
     for n in range(count):

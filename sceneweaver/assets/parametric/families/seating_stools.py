@@ -8,7 +8,7 @@ import numpy as np
 
 from ... import shapes
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import carcass, cushions, feet, frame, leg, legs, lip, piping
+from ...drawing.components import carcass, cushions, feet, frame, leg, legs, lip, piping, tub
 from .seating_parts import COVERS, arc_panel
 
 
@@ -134,7 +134,7 @@ def storage_bench(d: Drawing) -> None:
         body, pad = body.inset(front=0.022), pad.inset(front=0.022)
         front = body.inset(bottom=0.05, top=0.024)
         with d.part("chest"):
-            d.box(front.inset(front=0.006), wood)
+            tub(d, front.inset(front=0.006), wood, 0.018)
             d.box(body.bottom(0.05).inset(back=0.03, front=0.05, y=0.03), wood)
             for panel in front.front(0.007).inset(z=0.04).columns(3 if wide else 2):
                 frame(d, panel.inset(y=0.05), wood, 0.04)

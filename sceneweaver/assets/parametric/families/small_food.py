@@ -255,7 +255,7 @@ def vegetable_basket(d: Drawing) -> None:
     basket = box.share(z=(0.0, 0.5))
     rim, up = basket.z[1], h - basket.z[1]
     rows = [(0.86, 0.9, 0.0), (0.98, 0.985, 0.9), (1, 1, 0.92), (1, 1, 1), (0.93, 0.95, 1.0), (0.83, 0.88, 0.1)]
-    d.sections(basket, rows, look, radius=0.16, hollow=2)
+    d.sections(basket, rows, look, radius=0.16, hollow=2, holds=False)
     with d.no_colliders():
         for low in (0.14, 0.34, 0.54, 0.74):
             ring = [(0.86 + 0.133 * z + 0.0006 / depth, 0.9 + 0.094 * z + 0.0006 / width, z) for z in (low, low + 0.07)]

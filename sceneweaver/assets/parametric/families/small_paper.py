@@ -263,7 +263,9 @@ def pen_holder(d: Drawing) -> None:
     cup, r = box.share(x=(0.1, 0.9), y=(0.1, 0.9), z=(0.0, 0.55)), 0.4 * wide
     corner = None if d.chance("round", 0.6) else 0.12
     wall = 1 - 0.008 / r
-    d.sections(cup, [(0.98, 0.98, 0), (1, 1, 1), (wall, wall, 1), (wall, wall, 0.1)], look, corner, hollow=2)
+    d.sections(
+        cup, [(0.98, 0.98, 0), (1, 1, 1), (wall, wall, 1), (wall, wall, 0.1)], look, corner, hollow=2, holds=False
+    )
     for k in range(7):
         a = 2 * math.pi * k / 7 + d.uniform("turn", 0, 1)
         long = (high - 0.006) if k == 0 else high * d.uniform(f"l{k}", 0.82, 1.0) - 0.008

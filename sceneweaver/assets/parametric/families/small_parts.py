@@ -52,6 +52,7 @@ def open_vessel(
     drink: Look | None = None,
     level: float = 0.7,
     staves: int = 0,
+    holds: bool = True,
 ) -> None:
     """A turned vessel that is open above.
 
@@ -65,9 +66,10 @@ def open_vessel(
         drink: What is in it, if anything.
         level: How high that stands, as a share.
         staves: Of how many parts its wall is at least, however shallow it is.
+        holds: Whether there is room in it; else it is full of what is drawn in it.
     """
     inner = stretch_of(profile, floor, profile[-1][1], 2 * wall / box.width)
-    d.turned(box, [*profile, *inner[::-1], (0.0, floor)], look, hollow=True, staves=staves)
+    d.turned(box, [*profile, *inner[::-1], (0.0, floor)], look, hollow=True, holds=holds, staves=staves)
     if drink is not None:
         filling(d, box, profile, floor + 0.002, level, drink, 1.1 * wall)
 

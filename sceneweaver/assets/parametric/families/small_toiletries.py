@@ -22,7 +22,7 @@ def toothbrush_cup(d: Drawing) -> None:
     box = d.even("round")
     cup = box.share((0.06, 0.94), (0.06, 0.94), (0.0, 0.55))
     look = d.material("body", CERAMICS, "glass, bamboo")
-    open_vessel(d, cup, [(0.88, 0.0), (0.92, 0.04), (1.0, 1.0)], look)
+    open_vessel(d, cup, [(0.88, 0.0), (0.92, 0.04), (1.0, 1.0)], look, holds=False)
     r, h = cup.width / 2, box.height
     for k, s in enumerate((1, -1)):
         look = d.pick(f"brush {k}", ["blue plastic", "red plastic", "green plastic", "bamboo", "pink plastic"])
@@ -179,7 +179,9 @@ def makeup_set(d: Drawing) -> None:
         d.turned(own, [(0.5, 0.48), (0.35, 1.0)], "black plastic", 12)
     with d.at(-0.28 * depth, -0.22 * width, 0.01):
         cup = Box.sized(0.06, 0.06, 0.5 * h)
-        open_vessel(d, cup, [(0.93, 0.0), (1.0, 1.0)], d.pick("cup", ["glass", "white ceramic", "brass"]), 0.002)
+        open_vessel(
+            d, cup, [(0.93, 0.0), (1.0, 1.0)], d.pick("cup", ["glass", "white ceramic", "brass"]), 0.002, holds=False
+        )
         for k in range(4):
             long = (0.95 - 0.05 * k) * h
             with d.at(yaw=1.57 * k + 0.4), d.at(-0.01, 0.0, 0.03 * h, pitch=0.2):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...drawing import Drawing, draws
-from ...drawing.components import cornice, doors, feet, pulls, walls
+from ...drawing.components import carcass, compartments, cornice, doors, feet, pulls, walls
 from ...drawing.components.supports import SHADOW
 from .storage_parts import boards, open_case
 
@@ -74,9 +74,11 @@ def display_cabinet(d: Drawing) -> None:
     with d.part("foot"):
         feet(d, case.bottom(0.08), wood, "bracket" if classic else "plinth")
         block = case.inset(bottom=0.08, front=leaf).to(z=(0.08, foot))
-        d.box(block, wood)
         rail = block.front(-leaf)
-        if foot > 0.2:
+        if foot <= 0.2:
+            d.box(block, wood)
+        else:
+            compartments(d, [carcass(d, block, wood)], "low")
             doors(d, rail.inset(top=0.02), 2, wood, pull, style, wood, "low", grip=0.75)
             rail = rail.top(0.02)
         d.box(rail, wood, bevel=0.001)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import SWING, carcass, castors, doors, feet, lip, pulls, walls
+from ...drawing.components import SWING, carcass, castors, cavity, doors, feet, lip, pulls, walls
 from ...drawing.components.supports import SHADOW
 from ...drawing.drawing import Look
 from .bottles import bottle
@@ -30,6 +30,8 @@ def chest(d: Drawing) -> None:
         wall = 0.02
         d.box(body.bottom(wall), wood)
         sides = walls(d, body.inset(bottom=wall, top=0.003), wood, wall)
+        if domed:
+            d.interior("inside", body.inset(x=wall, y=wall, bottom=wall, top=0.003))
         for y in (case.y[0], case.y[1] - 0.07):
             for x in (case.x[0], case.x[1] - 0.07):
                 d.box(Box((x, x + 0.07), (y, y + 0.07), (0.0, 0.03)), wood)
@@ -77,8 +79,9 @@ def safe(d: Drawing) -> None:
     case = d.bounds.inset(front=0.055)
     with d.part("body"):
         d.box(case.inset(x=0.03, y=0.03).bottom(0.025), "rubber", bevel=0.0)
-        block = d.box(case.inset(bottom=0.025), steel, bevel=0.008)
-        d.box(block.inset(y=0.03, z=0.03).front(-0.003), SHADOW, bevel=0.0)
+        block = case.inset(bottom=0.025)
+        room = cavity(d, block, steel, 0.045, 0.008)
+        d.box(room.back(0.002).inset(back=-0.001), SHADOW, bevel=0.0)
         leaf = block.inset(y=0.035, z=0.035).front(-0.021).inset(back=0.003)
         with d.hinge("door", leaf.anchor("front right bottom"), limits=(-SWING, 0.0)):
             d.box(leaf, steel, bevel=0.004)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from ...drawing import Box, Drawing, draws
-from ...drawing.components import REACH, carcass, door, drawers, feet, legs
+from ...drawing.components import REACH, carcass, compartments, door, drawers, feet, legs
 from .tables_parts import board_between, drawer_case, end_frame, tabletop
 
 WOODS = ("oak", "light oak", "walnut", "beech", "cherry", "ash grey wood", "wenge", "pine")
@@ -94,7 +94,9 @@ def tv_stand(d: Drawing) -> None:
             if drawn:
                 drawers(d, cell.inset(back=0.006), 2, fronts, pull, style, 1, f"{name}-drawer", overlay=0.012)
             else:
-                d.box(inner.inset(front=0.03).place(height=0.012), wood, bevel=0.0)
+                rooms = inner.inset(front=0.03).rows(2, gap=0.012)
+                d.box(rooms[1].bottom(-0.012), wood, bevel=0.0)
+                compartments(d, rooms, name)
                 door(d, f"{name}-door", cell.front(0.018), fronts, pull, name, style)
     with d.part("back"):
         d.box(middle.back(0.01), wood, bevel=0.0)
