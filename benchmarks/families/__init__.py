@@ -22,6 +22,7 @@ from . import (
     live,
     memory,
     odd,
+    openable,
     optimizers,
     patterns,
     physics,
@@ -65,6 +66,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "physics": physics.run,
         "environments": environments.run,
         "stability": stability.run,
+        "openable": openable.run,
         "pictures": pictures.run,
     }
 )

@@ -39,6 +39,7 @@ TABLES = {
     "environments": {"worlds": 1},
     "pictures": {"pictures": 1},
     "stability": {"rooms": 2, "seeds": 1},
+    "openable": {"rooms": 2, "seeds": 1},
 }
 
 
@@ -48,7 +49,11 @@ def settings(tmp_path):
     return Settings(rooms=("bedroom-small",), device="cpu", quick=True, most=4, rivals=rivals, out=tmp_path)
 
 
-@pytest.mark.parametrize("name", FAMILIES)
+SLOW = ("openable",)
+"""Families whose design is one that another family makes as well."""
+
+
+@pytest.mark.parametrize("name", [pytest.param(n, marks=[pytest.mark.slow] if n in SLOW else []) for n in FAMILIES])
 def test_family_at_its_smallest(name, settings, tmp_path):
     result = FAMILIES[name](settings, Judge(1))
     assert result.family == name
