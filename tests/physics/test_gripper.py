@@ -1,4 +1,4 @@
-"""A parallel gripper, held by nothing but its wrist, opens things by their handles: by friction of its fingers alone."""
+"""A parallel gripper, held by nothing but its wrist, opens things by their handles: by friction of its fingers."""
 
 from __future__ import annotations
 
