@@ -11,7 +11,7 @@ from sceneweaver.assets import Mesh
 from sceneweaver.geometry.rotations import Quaternion, from_yaw
 from sceneweaver.geometry.shell import PANE_THICKNESS, WALL_THICKNESS, heights, wall_pieces
 from sceneweaver.geometry.walls import Wall
-from sceneweaver.physics.frames import spawns
+from sceneweaver.physics.frames import leaf_frames, spawns
 from sceneweaver.physics.hulls import Solid
 from sceneweaver.physics.inertia import Inertia, inertia_of
 from sceneweaver.physics.leaves import Leaf, leaves, wall_ends
@@ -118,6 +118,7 @@ def _door(parent: Prim, name: str, leaf: Leaf, looks: Looks) -> Solids:
     place(panel)
     rigid(panel, _leaf_inertia(leaf))
     render_mesh(panel, "Mesh", leaf_mesh(leaf), looks)
+    add_frames(panel, leaf_frames(leaf))
     scope = prim(panel, "Collision", "Scope")
     for number, (center, half) in enumerate(leaf.boxes):
         box_collider(scope, f"part_{number}", np.asarray(center), np.asarray(half), looks, _LEAF_FRICTION)

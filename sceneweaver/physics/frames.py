@@ -11,9 +11,11 @@ from typing import Literal
 
 import numpy as np
 
+from sceneweaver.assets import Grasp
 from sceneweaver.geometry.rotations import Quaternion, from_matrix, from_yaw, inverse, rotate
 from sceneweaver.scene import Room, SceneObject
 
+from .leaves import Leaf
 from .things import RigidBody, Thing
 
 Kind = Literal["grasp", "interior", "surface", "spawn"]
@@ -62,10 +64,7 @@ def frames_of(thing: Thing, body: RigidBody) -> list[Frame]:
     found: list[Frame] = []
     for grasp in thing.asset.grasps if thing.asset is not None else ():
         if thing.body_of(grasp.link) == body.number:
-            z, y = np.asarray(grasp.approach), np.asarray(grasp.closing)
-            turn = from_matrix(np.column_stack([np.cross(y, z), y, z]))
-            half = (grasp.length / 2, grasp.width / 2, _FLAT)
-            found.append(Frame("grasp", grasp.name, _vector(np.asarray(grasp.position) * scale), turn, half))
+            found.append(_held(grasp, scale))
     for inside in thing.asset.interiors if thing.asset is not None else ():
         if thing.body_of(inside.link) == body.number:
             low, high = np.asarray(inside.low) * scale, np.asarray(inside.high) * scale
@@ -82,6 +81,19 @@ def frames_of(thing: Thing, body: RigidBody) -> list[Frame]:
         named.append(replace(frame, name=f"{name}-{given[name]}" if given[name] else name))
         given[name] += 1
     return named
+
+
+def leaf_frames(leaf: Leaf) -> list[Frame]:
+    """The grasps of a door's leaf, in its frame: ``room:door:<door>:grasp:inside`` and ``outside``."""
+    found = [_held(grasp, np.ones(3)) for grasp in leaf.grasps]
+    return [replace(frame, name=f"{leaf.name}:grasp:{frame.name}") for frame in found]
+
+
+def _held(grasp: Grasp, scale: np.ndarray) -> Frame:
+    z, y = np.asarray(grasp.approach), np.asarray(grasp.closing)
+    turn = from_matrix(np.column_stack([np.cross(y, z), y, z]))
+    half = (grasp.length / 2, grasp.width / 2, _FLAT)
+    return Frame("grasp", grasp.name, _vector(np.asarray(grasp.position) * scale), turn, half)
 
 
 def spawns(room: Room) -> list[Frame]:

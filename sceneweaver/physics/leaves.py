@@ -12,6 +12,7 @@ import math
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from sceneweaver.assets import Grasp
 from sceneweaver.geometry.angles import cross
 from sceneweaver.geometry.polygons import rectangle, union
 from sceneweaver.geometry.se2 import SE2
@@ -42,7 +43,7 @@ class Leaf:
     Its frame: origin ``position`` (world [m], at the floor) on the hinge's axis, for a slide at the leaf's first end;
     +x along the closed leaf, z up, turned by ``yaw`` [rad] in the world. ``axis`` is a unit vector of that frame,
     ``limits`` are (closed, open) in radians or metres, ``full`` is how far it would open if no wall were in its way;
-    ``mass`` [kg]. ``boxes``: the leaf, then its handles.
+    ``mass`` [kg]. ``boxes``: the leaf, then its handles. ``grasps`` are those of its handles, one on each side.
     """
 
     door: str
@@ -54,6 +55,7 @@ class Leaf:
     limits: tuple[float, float]
     mass: float
     boxes: tuple[Box, ...]
+    grasps: tuple[Grasp, ...]
     full: float = _OPEN
 
     @property
@@ -109,10 +111,14 @@ def _swinging(room: Room, door: Door) -> Leaf:
     long, height = min(0.12, 0.3 * width), min(1.02, 0.55 * top)
     end = width - min(0.05, 0.1 * width)
     boxes: list[Box] = [body]
+    grasps: list[Grasp] = []
     for face, side in ((0.0, opens), (-opens * THICK, -opens)):
         neck = face + side * (_OUT - 0.015) / 2
         boxes.append(((end - 0.01, neck, height), (0.01, (_OUT - 0.015) / 2, 0.01)))
-        boxes.append(((end - long / 2, face + side * (_OUT - 0.0075), height), (long / 2, 0.0075, 0.01)))
+        lever = (end - long / 2, face + side * (_OUT - 0.0075), height)
+        boxes.append((lever, (long / 2, 0.0075, 0.01)))
+        name = "inside" if side * math.cos(turn - wall.yaw) > 0 else "outside"
+        grasps.append(Grasp(name, 0, lever, (0.0, -side, 0.0), (0.0, 0.0, 1.0), 0.02, long))
     leaf = Leaf(
         door.id,
         f"room:door:{door.id}",
@@ -123,6 +129,7 @@ def _swinging(room: Room, door: Door) -> Leaf:
         (0.0, _OPEN),
         _PER_AREA * width * top,
         tuple(boxes),
+        tuple(grasps),
     )
     return _limited(leaf, _way(leaf, _walls(room), _OPEN))
 
@@ -148,8 +155,12 @@ def _slide(room: Room, door: Door, over: float, flip: bool) -> Leaf:
     at = over + min(0.06, 0.15 * door.width)  # of the handle, near the end that is left when it opens
     tall, height = min(0.15, 0.3 * top), min(1.05, 0.55 * top)
     boxes: list[Box] = [((width / 2, middle, (_FOOT + top) / 2), (width / 2, THICK / 2, (top - _FOOT) / 2))]
+    grasps = []
     for side in (1.0, -1.0):
         boxes.append(((at, middle + side * (THICK + 0.045) / 2, height), (0.01, 0.0225, tall)))
+        name = "inside" if side * math.cos(turn - wall.yaw) > 0 else "outside"
+        place = (at, middle + side * (THICK / 2 + 0.03), height)
+        grasps.append(Grasp(name, 0, place, (0.0, -side, 0.0), (1.0, 0.0, 0.0), 0.02, 2 * tall))
     # Open, the handle in the opening stands just before the jamb.
     travel = max(over + door.width - 0.015 - (at + 0.01), _STEP)
     return Leaf(
@@ -162,6 +173,7 @@ def _slide(room: Room, door: Door, over: float, flip: bool) -> Leaf:
         (0.0, travel),
         _PER_AREA * width * top,
         tuple(boxes),
+        tuple(grasps),
         travel,
     )
 

@@ -50,7 +50,7 @@ from sceneweaver.scene import Room, Scene, SceneObject, Window
 from .hulls import Solid
 from .inertia import inertia_of
 from .leaves import Leaf, leaves, wall_ends
-from .sites import add_cameras, add_sites, add_spawns
+from .sites import add_cameras, add_leaf_sites, add_sites, add_spawns
 from .things import RigidBody, Thing, joint_of, things_of
 from .xml import child
 
@@ -217,6 +217,7 @@ def _leaf(world: Xml.Element, leaf: Leaf, kind: str) -> None:
     place = {"pos": leaf.position, "quat": wxyz(from_yaw(leaf.yaw)), "childclass": kind}
     frame = child(world, "body", place, name=leaf.name)
     _joint(frame, leaf.name, leaf.joint, leaf.axis, leaf.limits, leaf.hold)
+    add_leaf_sites(frame, leaf)
     volumes = [float(np.prod(half)) for _, half in leaf.boxes]
     for k, ((centre, half), volume) in enumerate(zip(leaf.boxes, volumes, strict=True)):
         child(

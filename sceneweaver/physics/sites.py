@@ -13,16 +13,27 @@ from xml.etree import ElementTree as Xml
 from sceneweaver.geometry.rotations import wxyz
 from sceneweaver.scene import Room, SceneObject
 
-from .frames import frames_of, spawns, views
+from .frames import Frame, frames_of, leaf_frames, spawns, views
+from .leaves import Leaf
 from .things import RigidBody, Thing
 from .xml import child
 
 
 def add_sites(element: Xml.Element, thing: Thing, body: RigidBody) -> None:
     """The grasps, interiors and support surfaces of one body of a thing, in the body's frame."""
-    for frame in frames_of(thing, body):
-        more: dict[str, Any] = {"quat": wxyz(frame.quaternion)} if frame.kind == "grasp" else {}
-        child(element, "site", name=frame.name, type="box", pos=frame.position, size=frame.half, **more)
+    _add(element, frames_of(thing, body))
+
+
+def add_leaf_sites(element: Xml.Element, leaf: Leaf) -> None:
+    """The grasps of the leaf of a door, in its frame."""
+    _add(element, leaf_frames(leaf))
+
+
+def _add(element: Xml.Element, frames: Sequence[Frame]) -> None:
+    for frame in frames:
+        turn: dict[str, Any] = {"quat": wxyz(frame.quaternion)} if frame.kind == "grasp" else {}
+        place = {"name": frame.name, "type": "box", "pos": frame.position, "size": frame.half}
+        child(element, "site", {**place, **turn})
 
 
 def add_spawns(world: Xml.Element, room: Room, more: Mapping[str, str]) -> None:

@@ -155,3 +155,19 @@ def test_no_wall_stands_in_the_room() -> None:
         for geom in np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_BOX):
             local = data.geom_xmat[geom].reshape(3, 3).T @ (point - data.geom_xpos[geom])
             assert (np.abs(local) > model.geom_size[geom]).any()
+
+
+@pytest.mark.parametrize("swing", ["in-left", "in-right", "out", "slide"])
+def test_a_hand_finds_the_handles_of_a_leaf(swing: str) -> None:
+    """Each grasp is in a box of a handle, and its hand comes from its own side of the wall."""
+    room = _room(swing, 0, 1.5)
+    (leaf,) = leaves(room)
+    assert {grasp.name for grasp in leaf.grasps} == {"inside", "outside"}
+    wall = room.walls[0]
+    for grasp in leaf.grasps:
+        inside = [bool((np.abs(np.array(grasp.position) - c) <= np.array(h) + 1e-9).all()) for c, h in leaf.boxes[1:]]
+        assert any(inside)
+        c, s = np.cos(leaf.yaw), np.sin(leaf.yaw)
+        approach = np.array([[c, -s], [s, c]]) @ grasp.approach[:2]
+        toward = approach @ np.array(wall.outward)
+        assert toward == pytest.approx(1.0 if grasp.name == "inside" else -1.0)
